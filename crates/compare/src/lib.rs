@@ -1,0 +1,1 @@
+//! Error of one picture against another.

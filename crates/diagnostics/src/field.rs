@@ -1,0 +1,323 @@
+//! One key of a table: its type, its bounds, and what happens when it is missing.
+
+use crate::place::{Place, Placed};
+use crate::problem::{Problem, Problems};
+use crate::reader::{Reader, nearest};
+use crate::tree::{Node, Value};
+
+/// Why a value was refused; what was expected is known to the field.
+#[derive(Debug)]
+pub(crate) struct Fault {
+    place: Place,
+    found: String,
+    help: Option<String>,
+}
+
+impl Fault {
+    fn of(node: &Node) -> Self {
+        Self { place: node.place.clone(), found: node.found(), help: None }
+    }
+}
+
+type Convert<'a, T> = Box<dyn Fn(&Node) -> Result<T, Fault> + 'a>;
+
+/// A key that was asked for. Bounds are added, then [`required`](Field::required),
+/// [`optional`](Field::optional) or [`default`](Field::default) reads it.
+#[must_use = "a field is read by required, optional or default"]
+pub struct Field<'a, T> {
+    at: Placed<Option<&'a Node>>,
+    problems: &'a Problems,
+    expected: String,
+    is_bounded: bool,
+    help: Option<String>,
+    convert: Convert<'a, T>,
+}
+
+impl<'a, T: 'a> Field<'a, T> {
+    pub(crate) fn new(
+        at: Placed<Option<&'a Node>>,
+        problems: &'a Problems,
+        expected: String,
+        convert: Convert<'a, T>,
+    ) -> Self {
+        Self { at, problems, expected, is_bounded: false, help: None, convert }
+    }
+
+    /// The value; a missing key is a problem.
+    pub fn required(self) -> Option<T> {
+        if self.at.value.is_none() {
+            let title = format!("missing key `{}`", self.at.key);
+            let expected = format!("`{}`, {}", self.at.key, self.expected);
+            let problem = Problem::at(&self.at.place, title).key(&self.at.key).expected(expected);
+            self.problems.push(Problem { help: self.help.clone(), ..problem });
+        }
+        self.optional()
+    }
+
+    /// The value; nothing where the key is missing.
+    pub fn optional(self) -> Option<T> {
+        let node = self.at.value?;
+        (self.convert)(node).map_err(|fault| self.refuse(fault)).ok()
+    }
+
+    /// The value, or `default` where the key is missing; nothing where it is wrong.
+    pub fn default(self, default: T) -> Option<T> {
+        if self.at.value.is_none() { Some(default) } else { self.optional() }
+    }
+
+    /// What to do when the key is missing or wrong.
+    pub fn help(mut self, help: impl Into<String>) -> Self {
+        self.help = Some(help.into());
+        self
+    }
+
+    /// Names the unit in messages.
+    pub fn unit(mut self, unit: &str) -> Self {
+        self.expected = format!("{} {unit}", self.expected);
+        self
+    }
+
+    /// Turns the value into another, for instance degrees into radians.
+    pub fn map<U: 'a>(self, meaning: impl Fn(T) -> U + 'a) -> Field<'a, U> {
+        self.with_conversion(|convert| Box::new(move |node| Ok(meaning(convert(node)?))))
+    }
+
+    /// Keeps the place with the value.
+    pub fn placed(self) -> Field<'a, Placed<T>> {
+        let key = self.at.key.clone();
+        self.with_conversion(|convert| {
+            Box::new(move |node| {
+                Ok(Placed { value: convert(node)?, place: node.place.clone(), key: key.clone() })
+            })
+        })
+    }
+
+    /// A rule of the caller's own; `rule` says in words what is allowed, as "a power of two".
+    pub fn must(mut self, rule: &str, holds: impl Fn(&T) -> bool + 'a) -> Self {
+        self.expected = format!("{}, {rule}", self.expected);
+        self.with_conversion(|convert| {
+            Box::new(move |node| {
+                let value = convert(node)?;
+                if holds(&value) { Ok(value) } else { Err(Fault::of(node)) }
+            })
+        })
+    }
+
+    /// Lets the word stand in place of the value, as `"ideal"`; it reads as `None`.
+    pub fn or_word(mut self, word: &'a str) -> Field<'a, Option<T>> {
+        self.expected = format!("{}, or the word {word:?}", self.expected);
+        self.with_conversion(|convert| {
+            Box::new(move |node| match &node.value {
+                Value::String(text) if text == word => Ok(None),
+                _ => convert(node).map(Some),
+            })
+        })
+    }
+
+    fn with_conversion<U>(self, wrap: impl FnOnce(Convert<'a, T>) -> Convert<'a, U>) -> Field<'a, U> {
+        let Self { at, problems, expected, is_bounded, help, convert } = self;
+        Field { at, problems, expected, is_bounded, help, convert: wrap(convert) }
+    }
+
+    fn refuse(&self, fault: Fault) {
+        let title = format!("`{}` must be {}, not {}", self.at.key, self.expected, fault.found);
+        let mut problem = Problem::at(&fault.place, title).key(&self.at.key);
+        problem = problem.found(fault.found).expected(&self.expected);
+        self.problems.push(Problem { help: fault.help.or(self.help.clone()), ..problem });
+    }
+}
+
+/// Values whose numbers can be held to bounds: a number, or each number of an array.
+pub trait Bounded {
+    /// The number.
+    type Number: PartialOrd + Copy + std::fmt::Display;
+    /// All numbers, in the order of the file.
+    fn numbers(&self) -> Vec<Self::Number>;
+}
+
+impl<'a, T: Bounded + 'a> Field<'a, T>
+where
+    T::Number: 'a,
+{
+    /// From `low` to `high`, both allowed.
+    pub fn between(self, low: T::Number, high: T::Number) -> Self {
+        self.bounded(format!("from {low} to {high}"), move |number| low <= number && number <= high)
+    }
+
+    /// `low` or more.
+    pub fn at_least(self, low: T::Number) -> Self {
+        self.bounded(format!("of at least {low}"), move |number| number >= low)
+    }
+
+    /// `high` or less.
+    pub fn at_most(self, high: T::Number) -> Self {
+        self.bounded(format!("of at most {high}"), move |number| number <= high)
+    }
+
+    /// More than `low`.
+    pub fn above(self, low: T::Number) -> Self {
+        self.bounded(format!("above {low}"), move |number| number > low)
+    }
+
+    /// Less than `high`.
+    pub fn below(self, high: T::Number) -> Self {
+        self.bounded(format!("below {high}"), move |number| number < high)
+    }
+
+    fn bounded(mut self, bounds: String, holds: impl Fn(T::Number) -> bool + 'a) -> Self {
+        let and = if self.is_bounded { " and" } else { "" };
+        self.expected = format!("{}{and} {bounds}", self.expected);
+        self.is_bounded = true;
+        self.with_conversion(|convert| {
+            Box::new(move |node| {
+                let value = convert(node)?;
+                match value.numbers().into_iter().position(|number| !holds(number)) {
+                    None => Ok(value),
+                    Some(index) => Err(Fault::of(element(node, index))),
+                }
+            })
+        })
+    }
+}
+
+/// The element of an array that is at fault, or the value itself.
+fn element(node: &Node, index: usize) -> &Node {
+    match &node.value {
+        Value::Array(elements) => elements.get(index).unwrap_or(node),
+        _ => node,
+    }
+}
+
+macro_rules! bounded_numbers {
+    ($($number:ty)*) => { $(
+        impl Bounded for $number {
+            type Number = $number;
+            fn numbers(&self) -> Vec<$number> {
+                vec![*self]
+            }
+        }
+    )* };
+}
+
+bounded_numbers!(f64 u32 u64 usize i64);
+
+impl<const N: usize> Bounded for [f64; N] {
+    type Number = f64;
+    fn numbers(&self) -> Vec<f64> {
+        self.to_vec()
+    }
+}
+
+impl<T: PartialOrd + Copy + std::fmt::Display> Bounded for Vec<T> {
+    type Number = T;
+    fn numbers(&self) -> Vec<T> {
+        self.clone()
+    }
+}
+
+/// The types a key can have.
+impl<'a> Reader<'a> {
+    /// A finite number; a whole number will do.
+    pub fn f64(&self, key: &str) -> Field<'a, f64> {
+        self.field(key, "a number", finite_number)
+    }
+
+    /// A whole number of 0 or more.
+    pub fn u64(&self, key: &str) -> Field<'a, u64> {
+        self.field(key, "a whole number", whole_number)
+    }
+
+    /// A whole number of 0 or more that fits 32 bits.
+    pub fn u32(&self, key: &str) -> Field<'a, u32> {
+        self.field(key, "a whole number", whole_number)
+    }
+
+    /// A whole number of 0 or more: a count.
+    pub fn usize(&self, key: &str) -> Field<'a, usize> {
+        self.field(key, "a whole number", whole_number)
+    }
+
+    /// A whole number, negative ones too.
+    pub fn i64(&self, key: &str) -> Field<'a, i64> {
+        self.field(key, "a whole number", whole_number)
+    }
+
+    /// `true` or `false`.
+    pub fn bool(&self, key: &str) -> Field<'a, bool> {
+        self.field(key, "true or false", |node| match node.value {
+            Value::Boolean(flag) => Ok(flag),
+            _ => Err(Fault::of(node)),
+        })
+    }
+
+    /// A text in quotes that is not empty.
+    pub fn string(&self, key: &str) -> Field<'a, String> {
+        self.field(key, "a text in quotes", |node| match &node.value {
+            Value::String(text) if !text.is_empty() => Ok(text.clone()),
+            _ => Err(Fault::of(node)),
+        })
+    }
+
+    /// Exactly `N` finite numbers.
+    pub fn f64_array<const N: usize>(&self, key: &str) -> Field<'a, [f64; N]> {
+        self.field(key, format!("an array of {N} numbers"), |node| {
+            <[f64; N]>::try_from(elements(node, finite_number)?)
+                .map_err(|wrong| Fault { found: format!("{} of them", wrong.len()), ..Fault::of(node) })
+        })
+    }
+
+    /// Any number of finite numbers.
+    pub fn f64_list(&self, key: &str) -> Field<'a, Vec<f64>> {
+        self.field(key, "an array of numbers", |node| elements(node, finite_number))
+    }
+
+    /// Any number of whole numbers of 0 or more.
+    pub fn u64_list(&self, key: &str) -> Field<'a, Vec<u64>> {
+        self.field(key, "an array of whole numbers", |node| elements(node, whole_number))
+    }
+
+    /// Any number of texts.
+    pub fn string_list(&self, key: &str) -> Field<'a, Vec<String>> {
+        self.field(key, "an array of texts", |node| {
+            elements(node, |element| match &element.value {
+                Value::String(text) => Ok(text.clone()),
+                _ => Err(Fault::of(element)),
+            })
+        })
+    }
+
+    /// One of several words, each with its meaning.
+    pub fn one_of<T: Clone + 'a>(&self, key: &str, words: &[(&'a str, T)]) -> Field<'a, T> {
+        let words = words.to_vec();
+        let quoted: Vec<String> = words.iter().map(|(word, _)| format!("{word:?}")).collect();
+        self.field(key, format!("one of {}", quoted.join(", ")), move |node| {
+            let Value::String(found) = &node.value else { return Err(Fault::of(node)) };
+            let meaning = words.iter().find(|(word, _)| word == found).map(|(_, meaning)| meaning.clone());
+            let known: Vec<&str> = words.iter().map(|(word, _)| *word).collect();
+            let help = nearest(found, &known).map(|word| format!("did you mean {word:?}?"));
+            meaning.ok_or_else(|| Fault { help, ..Fault::of(node) })
+        })
+    }
+}
+
+fn finite_number(node: &Node) -> Result<f64, Fault> {
+    match node.value {
+        Value::Float(number) if number.is_finite() => Ok(number),
+        Value::Integer(number) => Ok(number as f64),
+        _ => Err(Fault::of(node)),
+    }
+}
+
+fn whole_number<T: TryFrom<i64>>(node: &Node) -> Result<T, Fault> {
+    match node.value {
+        Value::Integer(number) => T::try_from(number).map_err(|_| Fault::of(node)),
+        _ => Err(Fault::of(node)),
+    }
+}
+
+fn elements<T>(node: &Node, convert: impl Fn(&Node) -> Result<T, Fault>) -> Result<Vec<T>, Fault> {
+    match &node.value {
+        Value::Array(elements) => elements.iter().map(convert).collect(),
+        _ => Err(Fault::of(node)),
+    }
+}

@@ -1,0 +1,63 @@
+//! Where something stands: a source text and a range of bytes in it.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+/// A text that somebody wrote, with the name under which the user knows it.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Source {
+    /// The path as the user gave it, or a word such as `--set`.
+    pub name: String,
+    /// The whole text.
+    pub text: String,
+}
+
+impl Source {
+    /// Line and column of a byte offset, both from 1, the column in characters.
+    /// An offset behind the end is taken as the end.
+    pub fn line_and_column(&self, offset: usize) -> (usize, usize) {
+        let before = &self.text[..self.floor_boundary(offset)];
+        let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+        (before.matches('\n').count() + 1, before[line_start..].chars().count() + 1)
+    }
+
+    /// The nearest offset at or below `offset` that lies in the text and between two characters.
+    pub(crate) fn floor_boundary(&self, offset: usize) -> usize {
+        let offset = offset.min(self.text.len());
+        (0..=offset).rev().find(|&at| self.text.is_char_boundary(at)).unwrap_or(0)
+    }
+}
+
+/// A range of bytes in a source; cheap to clone and to keep beside a value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The text the place is in.
+    pub source: Arc<Source>,
+    /// Bytes of the text.
+    pub span: Range<usize>,
+}
+
+impl Place {
+    /// Line of the place's first byte, from 1.
+    pub fn line(&self) -> usize {
+        self.source.line_and_column(self.span.start).0
+    }
+
+    /// The text of the place.
+    pub(crate) fn text(&self) -> &str {
+        let start = self.source.floor_boundary(self.span.start);
+        let end = self.source.floor_boundary(self.span.end).max(start);
+        &self.source.text[start..end]
+    }
+}
+
+/// A value and where it stands, for rules that are checked after reading.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Placed<T> {
+    /// The value as read.
+    pub value: T,
+    /// Its place in the file.
+    pub place: Place,
+    /// Its dotted key path, as `raster.sweeps`.
+    pub key: String,
+}

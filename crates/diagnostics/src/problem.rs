@@ -1,0 +1,195 @@
+//! One problem, the collector, and the list that a failed reading returns.
+
+use std::cell::RefCell;
+use std::fmt;
+
+use crate::place::{Place, Placed};
+use crate::render::render;
+
+/// One fault of one file: where, what was found, what was expected, what to do.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Problem {
+    /// The file, as the user named it.
+    pub file: String,
+    /// Place of the fault, where the file could be read.
+    pub place: Option<Place>,
+    /// Dotted key path, as `raster.sweeps`.
+    pub key: Option<String>,
+    /// One sentence that says all that is needed.
+    pub title: String,
+    /// What was found.
+    pub found: Option<String>,
+    /// What was expected, said so that "expected ..." can stand under the place.
+    pub expected: Option<String>,
+    /// What to do.
+    pub help: Option<String>,
+}
+
+impl Problem {
+    /// A problem at a place.
+    pub fn at(place: &Place, title: impl Into<String>) -> Self {
+        let file = place.source.name.clone();
+        Self { place: Some(place.clone()), ..Self::of_file(file, title) }
+    }
+
+    /// A problem of a value that was read with its place.
+    pub fn of<T>(value: &Placed<T>, title: impl Into<String>) -> Self {
+        Self::at(&value.place, title).key(&value.key).found(value.place.text())
+    }
+
+    /// A problem of a whole file, for instance one that cannot be read.
+    pub fn of_file(file: impl Into<String>, title: impl Into<String>) -> Self {
+        let (file, title) = (file.into(), title.into());
+        Self { file, place: None, key: None, title, found: None, expected: None, help: None }
+    }
+
+    /// Names the key.
+    pub fn key(mut self, key: impl Into<String>) -> Self {
+        self.key = Some(key.into());
+        self
+    }
+
+    /// Says what was found.
+    pub fn found(mut self, found: impl Into<String>) -> Self {
+        self.found = Some(found.into());
+        self
+    }
+
+    /// Says what was expected; the word "expected" is put before it.
+    pub fn expected(mut self, expected: impl Into<String>) -> Self {
+        self.expected = Some(expected.into());
+        self
+    }
+
+    /// Says what to do.
+    pub fn help(mut self, help: impl Into<String>) -> Self {
+        self.help = Some(help.into());
+        self
+    }
+
+    /// The same as plain fields, for JSON.
+    pub fn record(&self) -> ProblemRecord {
+        let position = self.place.as_ref().map(|place| place.source.line_and_column(place.span.start));
+        ProblemRecord {
+            file: self.file.clone(),
+            line: position.map(|(line, _)| line),
+            column: position.map(|(_, column)| column),
+            key: self.key.clone(),
+            title: self.title.clone(),
+            found: self.found.clone(),
+            expected: self.expected.clone(),
+            help: self.help.clone(),
+        }
+    }
+}
+
+/// A problem as plain fields, ready for JSON.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ProblemRecord {
+    /// The file, as the user named it.
+    pub file: String,
+    /// Line, from 1.
+    pub line: Option<usize>,
+    /// Column in characters, from 1.
+    pub column: Option<usize>,
+    /// Dotted key path.
+    pub key: Option<String>,
+    /// One sentence.
+    pub title: String,
+    /// What was found.
+    pub found: Option<String>,
+    /// What was expected.
+    pub expected: Option<String>,
+    /// What to do.
+    pub help: Option<String>,
+}
+
+/// Collects problems. Readers share it by `&`, so tables can be read side by side.
+#[derive(Debug, Default)]
+pub struct Problems {
+    list: RefCell<Vec<Problem>>,
+}
+
+impl Problems {
+    /// No problem yet.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Adds one.
+    pub fn push(&self, problem: Problem) {
+        self.list.borrow_mut().push(problem);
+    }
+
+    /// True while nothing is wrong.
+    pub fn is_empty(&self) -> bool {
+        self.list.borrow().is_empty()
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.list.borrow().len()
+    }
+
+    /// The list as an error when it is not empty: file by file in the order they were met, each from top
+    /// to bottom.
+    pub fn into_result(self) -> Result<(), ProblemList> {
+        let mut list = self.list.into_inner();
+        if list.is_empty() {
+            return Ok(());
+        }
+        let files: Vec<String> = list.iter().map(|problem| problem.file.clone()).collect();
+        list.sort_by_cached_key(|problem| {
+            let file = files.iter().position(|file| *file == problem.file);
+            (file, problem.place.as_ref().map(|place| place.span.start))
+        });
+        Err(ProblemList { list })
+    }
+
+    /// What was read, or the list of all problems.
+    ///
+    /// # Panics
+    /// When a caller gives up (`None`) without having recorded why.
+    pub fn resolve<T>(self, value: Option<T>) -> Result<T, ProblemList> {
+        self.into_result()?;
+        Ok(value.expect("whoever returns nothing has recorded a problem"))
+    }
+}
+
+/// One or more problems; prints like a compiler's list of errors.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ProblemList {
+    list: Vec<Problem>,
+}
+
+impl ProblemList {
+    /// All problems as text, with colour codes of the terminal or without.
+    pub fn render(&self, colour: bool) -> String {
+        render(&self.list, colour)
+    }
+
+    /// One after the other, in the order of the files.
+    pub fn iter(&self) -> impl Iterator<Item = &Problem> {
+        self.list.iter()
+    }
+
+    /// How many there are; never 0.
+    #[expect(clippy::len_without_is_empty, reason = "an empty list is never an error")]
+    pub fn len(&self) -> usize {
+        self.list.len()
+    }
+}
+
+impl From<Problem> for ProblemList {
+    fn from(problem: Problem) -> Self {
+        Self { list: vec![problem] }
+    }
+}
+
+impl fmt::Display for ProblemList {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.render(false).trim_end())
+    }
+}
+
+impl std::error::Error for ProblemList {}

@@ -1,0 +1,57 @@
+//! A TOML file with places.
+
+use std::sync::Arc;
+
+use toml_edit::Document;
+
+use crate::place::{Place, Source};
+use crate::problem::{Problem, Problems};
+use crate::reader::Reader;
+use crate::tree::{self, Node};
+
+/// One parsed file.
+#[derive(Debug)]
+pub struct TomlFile {
+    source: Arc<Source>,
+    pub(crate) root: Node,
+}
+
+impl TomlFile {
+    /// Parses `text`; `name` is the path as the user gave it. A fault of syntax becomes a problem.
+    pub fn parse(name: &str, text: &str, problems: &Problems) -> Option<Self> {
+        let source = Arc::new(Source { name: name.into(), text: text.into() });
+        match Document::parse(text) {
+            Ok(document) => {
+                let root = tree::root(&source, document.as_table());
+                Some(Self { source, root })
+            }
+            Err(error) => {
+                let place = Place { source, span: error.span().unwrap_or(0..0) };
+                problems.push(Problem::at(&place, format!("not valid TOML: {}", error.message())));
+                None
+            }
+        }
+    }
+
+    /// The same from bytes, which must be UTF-8.
+    pub fn parse_bytes(name: &str, bytes: &[u8], problems: &Problems) -> Option<Self> {
+        match std::str::from_utf8(bytes) {
+            Ok(text) => Self::parse(name, text, problems),
+            Err(error) => {
+                let title = format!("not text: byte {} is not UTF-8", error.valid_up_to());
+                problems.push(Problem::of_file(name, title).help("save the file as UTF-8"));
+                None
+            }
+        }
+    }
+
+    /// The path as the user gave it, and the text.
+    pub fn source(&self) -> &Arc<Source> {
+        &self.source
+    }
+
+    /// A reader of the outermost table.
+    pub fn root<'a>(&'a self, problems: &'a Problems) -> Reader<'a> {
+        Reader::root(&self.root, problems)
+    }
+}

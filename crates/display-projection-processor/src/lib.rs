@@ -1,0 +1,1 @@
+//! Display projection processor (fig. 30).

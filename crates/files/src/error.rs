@@ -1,0 +1,144 @@
+//! What can go wrong with a file, and what to do about it.
+
+use std::fmt;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// A file that could not be read or written. Every message begins with the path.
+#[derive(Debug, thiserror::Error)]
+pub enum FileError {
+    /// There is no file of this name.
+    #[error("{path}: no such file; check the spelling (a relative path starts at the current folder)")]
+    Missing {
+        /// The path as given.
+        path: PathBuf,
+    },
+    /// A folder stands where a file is needed.
+    #[error("{path}: {action}: this is a folder, expected a file; name a file inside it")]
+    IsFolder {
+        /// The path as given.
+        path: PathBuf,
+        /// What was tried.
+        action: Action,
+    },
+    /// The file is larger than the reader allows.
+    #[error("{path}: the file has {bytes} bytes, expected at most {limit}; is it the right file?")]
+    TooLarge {
+        /// The path as given.
+        path: PathBuf,
+        /// Size found; a lower bound for files that do not tell their size.
+        bytes: u64,
+        /// Largest size allowed.
+        limit: u64,
+    },
+    /// The folder in which to write does not exist.
+    #[error("{path}: {action}: there is no folder {folder}; make it first")]
+    MissingFolder {
+        /// The path as given.
+        path: PathBuf,
+        /// The folder that is missing.
+        folder: PathBuf,
+        /// What was tried.
+        action: Action,
+    },
+    /// Permission denied, or a read-only file system.
+    #[error("{path}: {action}: not allowed ({source}); change the permissions or choose another place")]
+    Denied {
+        /// The path as given.
+        path: PathBuf,
+        /// What was tried.
+        action: Action,
+        /// The system's words.
+        source: io::Error,
+    },
+    /// The disk or the quota is full.
+    #[error("{path}: {action}: no space left ({source}); free some or choose another place")]
+    NoSpace {
+        /// The path as given.
+        path: PathBuf,
+        /// What was tried.
+        action: Action,
+        /// The system's words.
+        source: io::Error,
+    },
+    /// Any other failure of the system.
+    #[error("{path}: {action}: {source}")]
+    Io {
+        /// The path as given.
+        path: PathBuf,
+        /// What was tried.
+        action: Action,
+        /// The system's words.
+        source: io::Error,
+    },
+}
+
+/// What was tried when it failed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Action {
+    /// Open or read.
+    Read,
+    /// Make the temporary file beside the target.
+    Create,
+    /// Write the content.
+    Write,
+    /// Bring the content to the disk.
+    Sync,
+    /// Give the file its final name.
+    Rename,
+    /// Remove a file that an interrupted run left.
+    Remove,
+}
+
+impl fmt::Display for Action {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Read => "cannot read",
+            Self::Create => "cannot create",
+            Self::Write => "cannot write",
+            Self::Sync => "cannot bring to the disk",
+            Self::Rename => "cannot give the file its name",
+            Self::Remove => "cannot remove",
+        })
+    }
+}
+
+impl FileError {
+    /// Sorts a failure of the system into the cases a user would treat differently.
+    pub(crate) fn new(path: &Path, action: Action, source: io::Error) -> Self {
+        use io::ErrorKind as Kind;
+        let owned = path.to_owned();
+        match source.kind() {
+            Kind::NotFound if action == Action::Read => Self::Missing { path: owned },
+            Kind::NotFound | Kind::NotADirectory if action == Action::Create => {
+                Self::MissingFolder { path: owned, folder: folder_of(path).to_owned(), action }
+            }
+            Kind::IsADirectory => Self::IsFolder { path: owned, action },
+            Kind::PermissionDenied | Kind::ReadOnlyFilesystem => Self::Denied { path: owned, action, source },
+            Kind::StorageFull | Kind::QuotaExceeded => Self::NoSpace { path: owned, action, source },
+            _ => Self::Io { path: owned, action, source },
+        }
+    }
+
+    /// The path the error is about.
+    pub fn path(&self) -> &Path {
+        match self {
+            Self::Missing { path }
+            | Self::IsFolder { path, .. }
+            | Self::TooLarge { path, .. }
+            | Self::MissingFolder { path, .. }
+            | Self::Denied { path, .. }
+            | Self::NoSpace { path, .. }
+            | Self::Io { path, .. } => path,
+        }
+    }
+}
+
+/// The folder a path lies in; the current one for a bare name.
+pub(crate) fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if folder.as_os_str().is_empty() => Path::new("."),
+        Some(folder) => folder,
+        None => path,
+    }
+}

@@ -1,0 +1,27 @@
+//! Whole files or none: atomic writes, bounded reads, NPY and NPZ.
+//!
+//! - [`write_atomic`] writes beside the target and renames: a reader sees the old file or the new one.
+//! - [`read_all`] reads a file up to a limit that the caller states.
+//! - [`Npy`] and [`write_npz`] are numpy's formats; the bytes depend on the values alone.
+//!
+//! ```
+//! let folder = tempfile::tempdir()?;
+//! let path = folder.path().join("heights.npy");
+//! let heights = files::Npy::new(vec![2, 3], files::NpyData::F64(vec![0.0, 1.0, 2.0, 3.0, 4.0, 5.0]))?;
+//! files::write_npy(&path, &heights)?;
+//! assert_eq!(files::read_npy(&path, 1 << 20)?, heights);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod atomic;
+mod error;
+mod npy;
+mod npy_header;
+mod npz;
+mod read;
+
+pub use atomic::{remove_leftovers, write_atomic};
+pub use error::{Action, FileError};
+pub use npy::{Npy, NpyData, NpyError, NpyFileError, read_npy, write_npy};
+pub use npz::write_npz;
+pub use read::read_all;

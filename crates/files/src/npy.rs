@@ -1,0 +1,301 @@
+//! Arrays in numpy's NPY format.
+
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use crate::atomic::write_atomic;
+use crate::error::FileError;
+use crate::npy_header as header;
+use crate::read::read_all;
+
+/// An array in C order (last index fastest); the number of values is the product of the shape.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Npy {
+    shape: Vec<usize>,
+    data: NpyData,
+}
+
+/// Bytes that are not the NPY file they should be.
+#[derive(Debug, PartialEq, Eq, thiserror::Error)]
+pub enum NpyError {
+    /// The magic bytes are missing.
+    #[error("not an NPY file: it does not begin with the bytes 93 4E 55 4D 50 59")]
+    NotNpy,
+    /// A version of the format that does not exist yet.
+    #[error("NPY version {major}.{minor}, expected 1.0, 2.0 or 3.0")]
+    Version {
+        /// First number.
+        major: u8,
+        /// Second number.
+        minor: u8,
+    },
+    /// The header is not the dictionary it should be.
+    #[error("NPY header at byte {offset}: expected {expected}")]
+    Header {
+        /// Byte of the file.
+        offset: usize,
+        /// What should stand there.
+        expected: &'static str,
+    },
+    /// Values of a type that is not read.
+    #[error("NPY values of type '{found}', expected whole numbers or floats of 1 to 8 bytes, such as '<f8'")]
+    Type {
+        /// As in the header.
+        found: String,
+    },
+    /// The file ends too early.
+    #[error("NPY file ends after {found} bytes, expected {expected}; copy it again")]
+    Truncated {
+        /// Bytes needed.
+        expected: u64,
+        /// Bytes there.
+        found: u64,
+    },
+    /// Shape and number of bytes do not agree.
+    #[error("NPY shape {shape:?} needs {expected} bytes of values from byte {offset} on, found {found}")]
+    Size {
+        /// The shape of the header.
+        shape: Vec<usize>,
+        /// Where the values begin.
+        offset: usize,
+        /// Bytes that the shape needs.
+        expected: u64,
+        /// Bytes there.
+        found: u64,
+    },
+    /// The product of the shape does not fit.
+    #[error("NPY shape {shape:?} has more values than this machine can count")]
+    Overflow {
+        /// The shape of the header.
+        shape: Vec<usize>,
+    },
+    /// An array was put together with a shape that does not fit its values.
+    #[error("shape {shape:?} does not hold {values} values")]
+    Shape {
+        /// The shape.
+        shape: Vec<usize>,
+        /// How many values there are.
+        values: usize,
+    },
+}
+
+/// An NPY file that could not be read.
+#[derive(Debug, thiserror::Error)]
+pub enum NpyFileError {
+    /// The file.
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// What is in it.
+    #[error("{path}: {source}")]
+    Format {
+        /// The path as given.
+        path: PathBuf,
+        /// What is wrong.
+        source: NpyError,
+    },
+}
+
+macro_rules! data_types {
+    ($($variant:ident $number:ty, $descr:literal;)*) => {
+        /// The values of an array.
+        #[derive(Clone, Debug, PartialEq)]
+        pub enum NpyData {
+            $(
+                #[doc = concat!("`", stringify!($number), "`, written as `", $descr, "`.")]
+                $variant(Vec<$number>),
+            )*
+        }
+
+        impl NpyData {
+            /// How many values there are.
+            pub fn len(&self) -> usize {
+                match self { $( Self::$variant(values) => values.len(), )* }
+            }
+
+            /// All values as f64; whole numbers above 2^53 are rounded.
+            pub fn to_f64(&self) -> Vec<f64> {
+                match self { $( Self::$variant(values) => values.iter().map(|value| *value as f64).collect(), )* }
+            }
+
+            /// The type in numpy's notation.
+            pub(crate) fn descr(&self) -> &'static str {
+                match self { $( Self::$variant(_) => $descr, )* }
+            }
+
+            fn write(&self, out: &mut dyn Write) -> io::Result<()> {
+                match self { $( Self::$variant(values) => write_values(values, out, <$number>::to_le_bytes), )* }
+            }
+
+            fn reordered(self, order: impl Iterator<Item = usize>) -> Self {
+                match self { $( Self::$variant(values) => Self::$variant(order.map(|from| values[from]).collect()), )* }
+            }
+
+            /// Values of the type `descr`; `bytes` is a whole number of them.
+            fn read(descr: &str, bytes: &[u8]) -> Option<Self> {
+                let (order, kind) = descr.split_at_checked(1)?;
+                $(
+                    if kind == &$descr[1..] {
+                        const SIZE: usize = size_of::<$number>();
+                        let values = bytes.as_chunks::<SIZE>().0.iter();
+                        return Some(Self::$variant(match order {
+                            ">" => values.map(|value| <$number>::from_be_bytes(*value)).collect(),
+                            _ => values.map(|value| <$number>::from_le_bytes(*value)).collect(),
+                        }));
+                    }
+                )*
+                None
+            }
+        }
+
+        $(
+            impl From<Vec<$number>> for NpyData {
+                fn from(values: Vec<$number>) -> Self {
+                    Self::$variant(values)
+                }
+            }
+        )*
+
+        /// Bytes of one value of type `descr`, where the type is one of ours.
+        fn size_of_value(descr: &str) -> Option<usize> {
+            let (order, kind) = descr.split_at_checked(1)?;
+            $(
+                if kind == &$descr[1..] {
+                    let size = size_of::<$number>();
+                    return (matches!(order, "<" | ">") || (order == "|" && size == 1)).then_some(size);
+                }
+            )*
+            None
+        }
+    };
+}
+
+data_types! {
+    U8 u8, "|u1";
+    I8 i8, "|i1";
+    U16 u16, "<u2";
+    I16 i16, "<i2";
+    U32 u32, "<u4";
+    I32 i32, "<i4";
+    U64 u64, "<u8";
+    I64 i64, "<i8";
+    F32 f32, "<f4";
+    F64 f64, "<f8";
+}
+
+impl NpyData {
+    /// True when there is no value.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+fn write_values<T: Copy, const N: usize>(
+    values: &[T],
+    out: &mut dyn Write,
+    bytes: impl Fn(T) -> [u8; N],
+) -> io::Result<()> {
+    const BLOCK: usize = 4096;
+    let mut block = Vec::with_capacity(BLOCK * N);
+    for values in values.chunks(BLOCK) {
+        block.clear();
+        values.iter().for_each(|value| block.extend_from_slice(&bytes(*value)));
+        out.write_all(&block)?;
+    }
+    Ok(())
+}
+
+impl Npy {
+    /// An array of this shape.
+    ///
+    /// # Errors
+    /// [`NpyError::Shape`] when the product of the shape is not the number of values.
+    pub fn new(shape: Vec<usize>, data: impl Into<NpyData>) -> Result<Self, NpyError> {
+        let data = data.into();
+        match count(&shape) {
+            Some(values) if values == data.len() => Ok(Self { shape, data }),
+            _ => Err(NpyError::Shape { shape, values: data.len() }),
+        }
+    }
+
+    /// Sizes of the dimensions, the last index fastest.
+    pub fn shape(&self) -> &[usize] {
+        &self.shape
+    }
+
+    /// The values.
+    pub fn data(&self) -> &NpyData {
+        &self.data
+    }
+
+    /// Shape and values.
+    pub fn into_parts(self) -> (Vec<usize>, NpyData) {
+        (self.shape, self.data)
+    }
+
+    /// Reads the bytes of an NPY file: versions 1 to 3, either byte order, C or Fortran order (which is
+    /// turned into C order). Header and shape are checked against the number of bytes before anything is
+    /// allocated.
+    ///
+    /// # Errors
+    /// [`NpyError`] with what was found and what was expected.
+    pub fn parse(bytes: &[u8]) -> Result<Self, NpyError> {
+        let header = header::parse(bytes)?;
+        let values = &bytes[header.data_offset..];
+        let wrong_type = || NpyError::Type { found: header.descr.clone() };
+        let size = size_of_value(&header.descr).ok_or_else(wrong_type)?;
+        let needed = count(&header.shape).and_then(|count| count.checked_mul(size));
+        let expected = needed.ok_or_else(|| NpyError::Overflow { shape: header.shape.clone() })? as u64;
+        let found = values.len() as u64;
+        if expected != found {
+            return Err(NpyError::Size { shape: header.shape, offset: header.data_offset, expected, found });
+        }
+        let data = NpyData::read(&header.descr, values).ok_or_else(wrong_type)?;
+        let data = if header.fortran_order { data.reordered(fortran_indices(&header.shape)) } else { data };
+        Ok(Self { shape: header.shape, data })
+    }
+
+    /// Writes the array as NPY version 1, little-endian, C order.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
+        out.write_all(&header::write(self.data.descr(), &self.shape))?;
+        self.data.write(out)
+    }
+}
+
+fn count(shape: &[usize]) -> Option<usize> {
+    shape.iter().try_fold(1_usize, |product, size| product.checked_mul(*size))
+}
+
+/// For each value in C order its place in Fortran order.
+fn fortran_indices(shape: &[usize]) -> impl Iterator<Item = usize> + '_ {
+    let total: usize = shape.iter().product();
+    (0..total).map(move |place| {
+        let (mut rest, mut stride, mut from) = (place, total, 0);
+        for size in shape.iter().rev() {
+            stride /= size;
+            from += rest % size * stride;
+            rest /= size;
+        }
+        from
+    })
+}
+
+/// Reads an NPY file of at most `limit` bytes.
+///
+/// # Errors
+/// [`NpyFileError`], which names the file.
+pub fn read_npy(path: impl AsRef<Path>, limit: u64) -> Result<Npy, NpyFileError> {
+    let path = path.as_ref();
+    let bytes = read_all(path, limit)?;
+    Npy::parse(&bytes).map_err(|source| NpyFileError::Format { path: path.to_owned(), source })
+}
+
+/// Writes an NPY file, whole or not at all.
+///
+/// # Errors
+/// [`FileError`].
+pub fn write_npy(path: impl AsRef<Path>, array: &Npy) -> Result<(), FileError> {
+    write_atomic(path, |out| array.write(out))
+}

@@ -1,0 +1,112 @@
+//! The interface of every image generator.
+//!
+//! [`Generator::prepare`] elaborates a [`Stage`] into a [`Session`]; [`Session::frame`] fills named [`Planes`]
+//! for one pose. No files, no clock, no state between frames that is not in the arguments: any frame can be made
+//! alone, in any order, by any number of threads.
+
+mod omission;
+mod planes;
+
+use std::sync::Arc;
+
+use hardware_model::Settings;
+use landscape::{Landscape, Sun};
+use scenario::Pose;
+use signal::{Probe, Signal};
+
+pub use omission::{Omission, Weight};
+pub use planes::{Plane, PlaneKind, Planes};
+
+/// What there is to draw, and how: everything but the pose.
+#[derive(Debug, Clone)]
+pub struct Stage {
+    /// The ground.
+    pub landscape: Arc<Landscape>,
+    /// The light.
+    pub sun: Sun,
+    /// The settings of the run.
+    pub settings: Settings,
+}
+
+/// Why a generator cannot draw a stage.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum PrepareError {
+    /// The generator lacks something that the stage asks for.
+    #[error("{generator} cannot do {what}: {remedy}")]
+    Unsupported {
+        /// Name of the generator.
+        generator: &'static str,
+        /// What is asked for.
+        what: String,
+        /// What to do instead.
+        remedy: String,
+    },
+}
+
+/// Why a frame cannot be drawn.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum FrameError {
+    /// The eye does not see the ground from above.
+    #[error("frame {frame}: the eye is {below:.3} m under the ground; expected it above")]
+    EyeUnderGround {
+        /// Frame number.
+        frame: u64,
+        /// How far below the ground (m).
+        below: f64,
+    },
+    /// The eye is outside the problem area.
+    #[error("frame {frame}: the eye at x = {x:.1} m, y = {y:.1} m is outside the problem area")]
+    OutsideProblemArea {
+        /// Frame number.
+        frame: u64,
+        /// North (m).
+        x: f64,
+        /// East (m).
+        y: f64,
+    },
+    /// The fan of sweeps cannot cover the view.
+    #[error("frame {frame}: pitch {pitch_deg:.1} deg brings the nadir or the zenith near the picture; \
+             expected |pitch| + half the vertical field of view below {limit_deg:.0} deg")]
+    Pitch {
+        /// Frame number.
+        frame: u64,
+        /// Pitch (deg).
+        pitch_deg: f64,
+        /// The limit (deg).
+        limit_deg: f64,
+    },
+}
+
+/// An image generator: the hybrid machine, `exact`, and others of the field's history.
+pub trait Generator: Sync {
+    /// Name, as `--machine` says it.
+    fn name(&self) -> &'static str;
+
+    /// The signals that its sessions can record.
+    fn signals(&self) -> &'static [Signal];
+
+    /// Elaborates `stage`: after this nothing is looked up by name.
+    ///
+    /// # Errors
+    /// If the generator cannot draw what the stage asks for.
+    fn prepare(&self, stage: Stage) -> Result<Box<dyn Session>, PrepareError>;
+}
+
+/// A generator made ready for one stage.
+pub trait Session: Send + Sync {
+    /// Draws frame `frame` from `pose` into the planes that `planes` holds, and records what `probe` wants.
+    /// Uses the threads of the current rayon pool; the bits do not depend on their number.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
+    fn frame(
+        &self,
+        frame: u64,
+        pose: &Pose,
+        planes: &mut Planes,
+        probe: &mut Probe,
+    ) -> Result<(), FrameError>;
+
+    /// What was left out at elaboration, and why.
+    fn omissions(&self) -> Vec<Omission>;
+}

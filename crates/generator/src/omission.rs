@@ -1,0 +1,30 @@
+//! What a scene does not need, and is told so.
+
+/// What leaving something out does to the picture.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Weight {
+    /// The picture is the same to the bit.
+    Lossless,
+    /// The picture changes by at most this many grey levels of 255 in any pixel.
+    Bounded(f64),
+}
+
+/// Something that was left out of a run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Omission {
+    /// Block it belongs to, by crate name.
+    pub block: &'static str,
+    /// What was left out.
+    pub what: String,
+    /// Why it cannot touch the picture, or by how little.
+    pub why: String,
+    /// What it does to the picture.
+    pub weight: Weight,
+}
+
+impl Omission {
+    /// A lossless omission.
+    pub fn lossless(block: &'static str, what: impl Into<String>, why: impl Into<String>) -> Self {
+        Self { block, what: what.into(), why: why.into(), weight: Weight::Lossless }
+    }
+}

@@ -1,0 +1,136 @@
+//! The settings of a run: command line, then scenario, then model.
+
+use quantities::{Rate, Timebase, TimebaseError};
+use scenario::{Display, FieldOfView, LawWishes, Laws, RangeProgramme, RasterWishes, Scalar};
+
+use crate::{HardwareModel, Loader, SweepMemoryKind};
+
+/// Everything that decides a picture but landscape, sun and pose.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Settings {
+    /// Raster of sweeps and of the read-out.
+    pub raster: Raster,
+    /// Clocks.
+    pub timebase: Timebase,
+    /// Ground-range programme.
+    pub range: RangeProgramme,
+    /// Law switches.
+    pub laws: Laws,
+    /// Scalar type of the analog signals.
+    pub scalar: Scalar,
+    /// From reflectivity to grey.
+    pub display: Display,
+    /// Delivery of coefficient words.
+    pub loader: Loader,
+    /// Kind of sweep memory.
+    pub sweep_memory: SweepMemoryKind,
+}
+
+/// Sweeps, samples and read-out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Raster {
+    /// Sweeps a frame.
+    pub sweeps: u32,
+    /// Samples drawn in one sweep.
+    pub samples: u32,
+    /// Columns of the read-out.
+    pub columns: u32,
+    /// Lines of the read-out.
+    pub lines: u32,
+    /// Field of view.
+    pub field: FieldOfView,
+    /// Pictures shown a second.
+    pub refresh: Rate,
+}
+
+/// Why settings do not fit together.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SettingsError {
+    /// A count is out of range.
+    #[error("{key} = {found}: expected {low} to {high}")]
+    Count {
+        /// Key, as in a scenario file.
+        key: &'static str,
+        /// Value found.
+        found: u32,
+        /// Least allowed.
+        low: u32,
+        /// Most allowed.
+        high: u32,
+    },
+    /// Refresh is not a whole multiple of update.
+    #[error("raster.refresh_hz = {refresh}: expected a whole multiple of the update rate {update}")]
+    Refresh {
+        /// Pictures shown a second.
+        refresh: Rate,
+        /// Pictures computed a second.
+        update: Rate,
+    },
+    /// The digital memory reads the raster in which it was written.
+    #[error(
+        "raster.columns = {columns} with {sweeps} sweeps: a digital memory reads the raster it was written in; \
+         expected as many columns as sweeps, or sweep_memory.kind = \"scan-converter\""
+    )]
+    DigitalRaster {
+        /// Columns asked for.
+        columns: u32,
+        /// Sweeps a frame.
+        sweeps: u32,
+    },
+    /// Clocks out of range.
+    #[error(transparent)]
+    Timebase(#[from] TimebaseError),
+}
+
+impl Settings {
+    /// What a run comes to. `wishes` is the command line's raster over the scenario's.
+    ///
+    /// # Errors
+    /// If a count is out of range or the rates do not divide.
+    pub fn resolve(
+        model: &HardwareModel,
+        field: FieldOfView,
+        wishes: RasterWishes,
+        range: Option<RangeProgramme>,
+        laws: LawWishes,
+        scalar: Scalar,
+        display: Display,
+    ) -> Result<Self, SettingsError> {
+        let sweeps = count("raster.sweeps", wishes.sweeps.unwrap_or(model.raster.sweeps), 1, 8192)?;
+        let samples = count("raster.samples", wishes.samples.unwrap_or(model.raster.samples), 2, 65_536)?;
+        let columns = count("raster.columns", wishes.columns.unwrap_or(sweeps), 1, 8192)?;
+        let square = f64::from(columns) * field.tan_half_height / field.tan_half_width;
+        let square = square.round().clamp(1.0, 8192.0) as u32;
+        let lines = count("raster.lines", wishes.lines.unwrap_or(square), 1, 8192)?;
+        if model.sweep_memory == SweepMemoryKind::DigitalMemory && columns != sweeps {
+            return Err(SettingsError::DigitalRaster { columns, sweeps });
+        }
+        let update = wishes.update.unwrap_or(model.raster.update);
+        let refresh = wishes.refresh.unwrap_or(model.raster.refresh);
+        refresh.whole_ratio(update).ok_or(SettingsError::Refresh { refresh, update })?;
+        let timebase =
+            Timebase::new(model.master_clock, update, sweeps, samples, retrace(samples, &model.raster))?;
+        Ok(Self {
+            raster: Raster { sweeps, samples, columns, lines, field, refresh },
+            timebase,
+            range: range.unwrap_or(model.range),
+            laws: laws.or(model.laws),
+            scalar,
+            display,
+            loader: model.loader.clone(),
+            sweep_memory: model.sweep_memory,
+        })
+    }
+}
+
+/// Steps of retrace, nearest to the blanking fraction of the whole sweep.
+fn retrace(samples: u32, raster: &crate::ModelRaster) -> u32 {
+    (f64::from(samples) * raster.blanking_fraction / (1.0 - raster.blanking_fraction)).round() as u32
+}
+
+fn count(key: &'static str, found: u32, low: u32, high: u32) -> Result<u32, SettingsError> {
+    match (low..=high).contains(&found) {
+        true => Ok(found),
+        false => Err(SettingsError::Count { key, found, low, high }),
+    }
+}

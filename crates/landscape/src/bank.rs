@@ -1,0 +1,306 @@
+//! Coefficient banks: nine words a corner, one or more levels (report III.A.1, section 5).
+
+use crate::basis;
+
+/// Words a corner: height and its derivatives to order 2 in u and in v.
+pub const WORDS: usize = 9;
+
+/// The nine words of one corner, metres each: index `3 p + q` holds `d^(p+q) h_{x^p y^q}`.
+pub type CornerWords = [f64; WORDS];
+
+/// Why a level or bank cannot be made.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum BankError {
+    /// Region size is not a positive finite length.
+    #[error("region size {0} m: expected a finite length above 0 m")]
+    RegionSize(f64),
+    /// Origin is not finite.
+    #[error("origin ({0}, {1}) m: expected two finite lengths")]
+    Origin(f64, f64),
+    /// Fewer than two corners along an axis.
+    #[error("{0} x {1} corners: expected at least 2 x 2, which enclose one region")]
+    TooFewCorners(usize, usize),
+    /// The number of corners is not what the shape says.
+    #[error("{found} corners: expected {expected} for the given shape")]
+    CornerCount {
+        /// Corners given.
+        found: usize,
+        /// Corners that the shape needs.
+        expected: usize,
+    },
+    /// A word is NaN or infinite.
+    #[error("corner ({north}, {east}), word {word}: {value}: expected a finite number")]
+    NotFinite {
+        /// Corner index to the north.
+        north: usize,
+        /// Corner index to the east.
+        east: usize,
+        /// Word index, `3 p + q`.
+        word: usize,
+        /// The value found.
+        value: f64,
+    },
+    /// A bank without levels.
+    #[error("bank without levels: expected at least one")]
+    NoLevels,
+    /// Levels not ordered from the finest to the coarsest.
+    #[error("level {0} is not coarser than the one before: expected region sizes in ascending order")]
+    LevelOrder(usize),
+}
+
+/// One grid of corners with regions of side [`region_size`](Self::region_size).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Level {
+    region_size: f64,
+    origin: [f64; 2],
+    corners: [usize; 2],
+    words: Vec<CornerWords>,
+}
+
+impl Level {
+    /// A level of `corners[0]` north by `corners[1]` east corners; `words[m * corners[1] + n]` is corner (m, n),
+    /// which lies at `origin + region_size * (m, n)` (metres north, east).
+    ///
+    /// # Errors
+    /// If the size or origin is not finite, there is no region, the count is wrong, or a word is not finite.
+    pub fn new(
+        region_size: f64,
+        origin: [f64; 2],
+        corners: [usize; 2],
+        words: Vec<CornerWords>,
+    ) -> Result<Self, BankError> {
+        if !(region_size.is_finite() && region_size > 0.0) {
+            return Err(BankError::RegionSize(region_size));
+        }
+        if !origin.iter().all(|v| v.is_finite()) {
+            return Err(BankError::Origin(origin[0], origin[1]));
+        }
+        if corners[0] < 2 || corners[1] < 2 {
+            return Err(BankError::TooFewCorners(corners[0], corners[1]));
+        }
+        let expected = corners[0].checked_mul(corners[1]).unwrap_or(usize::MAX);
+        if words.len() != expected {
+            return Err(BankError::CornerCount { found: words.len(), expected });
+        }
+        if let Some((corner, word)) = first_not_finite(&words) {
+            let (north, east) = (corner / corners[1], corner % corners[1]);
+            return Err(BankError::NotFinite { north, east, word, value: words[corner][word] });
+        }
+        Ok(Self { region_size, origin, corners, words })
+    }
+
+    /// Side of a region, d (m).
+    pub fn region_size(&self) -> f64 {
+        self.region_size
+    }
+
+    /// Place of corner (0, 0): north, east (m).
+    pub fn origin(&self) -> [f64; 2] {
+        self.origin
+    }
+
+    /// Corners to the north and to the east.
+    pub fn corners(&self) -> [usize; 2] {
+        self.corners
+    }
+
+    /// All corners, east fastest.
+    pub fn words(&self) -> &[CornerWords] {
+        &self.words
+    }
+
+    /// Index into [`words`](Self::words) of the corner nearest to (m, n) that is stored (6.5: pointers clamp).
+    pub fn clamped_index(&self, m: i64, n: i64) -> usize {
+        let clamp = |index: i64, count: usize| index.clamp(0, count as i64 - 1) as usize;
+        clamp(m, self.corners[0]) * self.corners[1] + clamp(n, self.corners[1])
+    }
+
+    /// Extent: south, west, north, east edge (m).
+    pub fn extent(&self) -> [f64; 4] {
+        let [north, east] = self.corners.map(|count| (count - 1) as f64 * self.region_size);
+        [self.origin[0], self.origin[1], self.origin[0] + north, self.origin[1] + east]
+    }
+
+    /// Position (x, y) (m) in units of regions from the origin.
+    pub fn in_regions(&self, x: f64, y: f64) -> [f64; 2] {
+        [(x - self.origin[0]) / self.region_size, (y - self.origin[1]) / self.region_size]
+    }
+
+    /// Region and local position (u, v) in [0, 1] of a point (m); `None` outside the stored area.
+    pub fn locate(&self, x: f64, y: f64) -> Option<([usize; 2], [f64; 2])> {
+        let at = self.in_regions(x, y);
+        let mut region = [0; 2];
+        let mut local = [0.0; 2];
+        for axis in 0..2 {
+            let last = (self.corners[axis] - 1) as f64;
+            if !(at[axis] >= 0.0 && at[axis] <= last) {
+                return None;
+            }
+            let index = at[axis].floor().min(last - 1.0);
+            region[axis] = index as usize;
+            local[axis] = at[axis] - index;
+        }
+        Some((region, local))
+    }
+
+    /// The four corners of a region, `[i][j]` with i to the north, j to the east.
+    ///
+    /// # Panics
+    /// If the region is not stored.
+    pub fn region(&self, region: [usize; 2]) -> [[&CornerWords; 2]; 2] {
+        let at = |i: usize, j: usize| &self.words[(region[0] + i) * self.corners[1] + region[1] + j];
+        [[at(0, 0), at(0, 1)], [at(1, 0), at(1, 1)]]
+    }
+
+    /// Height and its derivatives in u and v (all metres): the direct sum of 5.1.
+    pub fn height_and_slopes(&self, region: [usize; 2], [u, v]: [f64; 2]) -> [f64; 3] {
+        let corners = self.region(region);
+        let along_v = |weights: &[f64; 6], i: usize, p: usize| {
+            (0..6).map(|jq| weights[jq] * corners[i][jq / 3][3 * p + jq % 3]).sum::<f64>()
+        };
+        let (gu, gv) = (basis::values(u), basis::values(v));
+        let (du, dv) = (basis::derivatives(u), basis::derivatives(v));
+        let mut sums = [0.0; 3];
+        for ip in 0..6 {
+            let value = along_v(&gv, ip / 3, ip % 3);
+            sums[0] += gu[ip] * value;
+            sums[1] += du[ip] * value;
+            sums[2] += gu[ip] * along_v(&dv, ip / 3, ip % 3);
+        }
+        sums
+    }
+
+    /// The same ground for regions `factor` times larger: every word scaled by `factor^(p+q)` (section 8).
+    pub fn scale_words(words: &CornerWords, factor: f64) -> CornerWords {
+        let powers = [1.0, factor, factor * factor];
+        std::array::from_fn(|index| words[index] * powers[index / 3] * powers[index % 3])
+    }
+}
+
+fn first_not_finite(words: &[CornerWords]) -> Option<(usize, usize)> {
+    words
+        .iter()
+        .enumerate()
+        .find_map(|(corner, nine)| nine.iter().position(|word| !word.is_finite()).map(|word| (corner, word)))
+}
+
+/// Where a bank lies on the Moon: its plane touches the lunoid at this point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Georeference {
+    /// Latitude of the tangent point (rad, planetocentric).
+    pub latitude: f64,
+    /// Longitude of the tangent point (rad, east).
+    pub longitude: f64,
+    /// Place of the tangent point in the bank's axes: north, east (m).
+    pub at: [f64; 2],
+}
+
+/// All terrain of a problem area: levels from the finest to the coarsest.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bank {
+    title: String,
+    levels: Vec<Level>,
+    georeference: Option<Georeference>,
+}
+
+impl Bank {
+    /// A bank of `levels`, finest first.
+    ///
+    /// # Errors
+    /// If there is no level or they are not in ascending order of region size.
+    pub fn new(
+        title: impl Into<String>,
+        levels: Vec<Level>,
+        georeference: Option<Georeference>,
+    ) -> Result<Self, BankError> {
+        if levels.is_empty() {
+            return Err(BankError::NoLevels);
+        }
+        if let Some(at) = levels.windows(2).position(|pair| pair[1].region_size <= pair[0].region_size) {
+            return Err(BankError::LevelOrder(at + 1));
+        }
+        Ok(Self { title: title.into(), levels, georeference })
+    }
+
+    /// What the ground is, for people.
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// Levels, finest first; never empty.
+    pub fn levels(&self) -> &[Level] {
+        &self.levels
+    }
+
+    /// The finest level.
+    pub fn finest(&self) -> &Level {
+        &self.levels[0]
+    }
+
+    /// Where it lies on the Moon, if known.
+    pub fn georeference(&self) -> Option<Georeference> {
+        self.georeference
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Bank, BankError, Level};
+
+    /// Lattice of check table 23.2.
+    fn table_23_2() -> Level {
+        let corner = |i: i64, j: i64| {
+            std::array::from_fn(|word| {
+                let (p, q) = (word as i64 / 3, word as i64 % 3);
+                let sum = 17 * i + 29 * j + 37 * p + 43 * q + 11 * i * p + 5 * j * q + 3 * p * q;
+                (sum % 23 - 11) as f64
+            })
+        };
+        let words = vec![corner(0, 0), corner(0, 1), corner(1, 0), corner(1, 1)];
+        Level::new(400.0, [0.0, 0.0], [2, 2], words).unwrap()
+    }
+
+    #[test]
+    fn check_table_23_2() {
+        let rows = [
+            ([0.3, 0.7], [-2.944858166825, 1.00136185875, 1.44958876875]),
+            ([0.5, 0.5], [-2.477783203125, 6.00439453125, -3.39990234375]),
+            ([0.125, 0.9], [-3.652162429122925, 6.70809858215332, -2.722060398101807]),
+            ([1.0, 0.25], [5.10595703125, 7.97900390625, -13.927734375]),
+            ([0.0, 1.0], [-5.0, 9.0, -3.0]),
+        ];
+        for (at, expected) in rows {
+            let found = table_23_2().height_and_slopes([0, 0], at);
+            for (found, expected) in found.into_iter().zip(expected) {
+                assert!((found - expected).abs() < 1e-13, "{at:?}: {found} against {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn points_are_located_up_to_the_far_edge() {
+        let level = table_23_2();
+        assert_eq!(level.locate(400.0, 400.0), Some(([0, 0], [1.0, 1.0])));
+        assert_eq!(level.locate(-0.001, 0.0), None);
+        assert_eq!(level.locate(0.0, 400.001), None);
+        assert_eq!(level.locate(f64::NAN, 0.0), None);
+    }
+
+    #[test]
+    fn impossible_levels_are_refused() {
+        let words = vec![[0.0; 9]; 4];
+        assert_eq!(Level::new(0.0, [0.0; 2], [2, 2], words.clone()), Err(BankError::RegionSize(0.0)));
+        assert!(matches!(
+            Level::new(1.0, [f64::NAN, 0.0], [2, 2], words.clone()),
+            Err(BankError::Origin(..))
+        ));
+        assert_eq!(Level::new(1.0, [0.0; 2], [1, 4], words.clone()), Err(BankError::TooFewCorners(1, 4)));
+        let short = Level::new(1.0, [0.0; 2], [2, 3], words);
+        assert_eq!(short, Err(BankError::CornerCount { found: 4, expected: 6 }));
+        let mut poisoned = vec![[0.0; 9]; 4];
+        poisoned[2][5] = f64::INFINITY;
+        let refused = Level::new(1.0, [0.0; 2], [2, 2], poisoned);
+        assert_eq!(refused, Err(BankError::NotFinite { north: 1, east: 0, word: 5, value: f64::INFINITY }));
+        assert_eq!(Bank::new("", vec![], None), Err(BankError::NoLevels));
+    }
+}

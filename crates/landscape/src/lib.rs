@@ -1,0 +1,26 @@
+//! Lunoid, coefficient banks, light, axes; height, slope and albedo at any point.
+//!
+//! Everything that draws, shadows or drives asks this crate for the ground, so that all of them mean the same
+//! ground. Axes: x north, y east, h up, metres; the origin is a corner of the problem area (section 4).
+//!
+//! - [`basis`]: the quintic Hermite functions of the Lagrange 2-2 polynomial (report III.A.1).
+//! - [`Level`], [`Bank`]: nine words a corner; [`bank_file`] is their container.
+//! - [`Landscape`]: bank, albedo and lunoid together; the one query for height, slope and albedo.
+//! - [`Sun`]: direction of light and Lambert's law.
+//! - [`Attitude`], [`axes`]: rotations between vehicle and terrain axes.
+//! - [`relief`]: seeded landscapes with a realistic height spectrum.
+
+pub mod axes;
+mod bank;
+pub mod bank_file;
+pub mod basis;
+mod light;
+mod lunoid;
+mod query;
+pub mod relief;
+
+pub use axes::Attitude;
+pub use bank::{Bank, BankError, CornerWords, Georeference, Level, WORDS};
+pub use light::Sun;
+pub use lunoid::{LUNOID_RADIUS, horizon_distance, parabolic_drop};
+pub use query::{Landscape, SurfacePoint};

@@ -1,0 +1,223 @@
+//! Seeded landscapes with a realistic height spectrum, whose nine words a corner are exact derivatives.
+//!
+//! Every part of a [`Relief`] is a closed form, differentiated to order 2 in u and 2 in v by the algebra of
+//! truncated Taylor series, so the bank holds the field's own derivatives and no fit stands between. Parts add:
+//!
+//! - [`Undulation`]: Gaussian ground of a power-law spectrum (Hurst exponent, the Moon 0.8 to 0.95).
+//! - [`Craters`]: bowls with raised rims, `N(> D) = density D^-2`, fresh to subdued.
+//! - [`Massif`]: mountains with spurs and several tops. [`Rille`]: a winding valley or, upside down, a ridge.
+//! - A general tilt.
+//!
+//! Randomness is a hash of seed and place in the list (never a stream), so a part can be taken away without
+//! moving the others, and any number of threads gives the same bits.
+
+mod craters;
+mod grid;
+mod jet;
+mod massif;
+mod rille;
+mod undulation;
+mod waves;
+
+pub use craters::{Crater, Craters};
+pub use massif::Massif;
+pub use rille::{Meander, Rille};
+pub use undulation::Undulation;
+
+use crate::{BankError, CornerWords, Level, WORDS};
+use grid::Grid;
+
+/// Largest number of corners that [`Relief::build`] makes (288 MB of words).
+pub const MAX_CORNERS: usize = 4_000_000;
+/// Largest number of craters in one relief.
+pub const MAX_CRATERS: usize = 1_000_000;
+/// Largest number of plane waves in one undulation.
+pub const MAX_WAVES: usize = 20_000;
+
+/// A landscape to be made: all lengths in metres, all angles in radians, axes x north and y east.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Relief {
+    /// Names the landscape: the same seed and parameters give the same bits.
+    pub seed: u64,
+    /// Length to the north and to the east from the origin (0, 0), each a whole number of regions (m).
+    pub extent: [f64; 2],
+    /// Side of a region, d (m).
+    pub region_size: f64,
+    /// Rise to the north and to the east of the whole ground (m/m), each within -1..=1.
+    pub tilt: [f64; 2],
+    /// Gaussian ground under everything else.
+    pub undulation: Option<Undulation>,
+    /// Bowls of all sizes.
+    pub craters: Option<Craters>,
+    /// Mountains, each placed by hand.
+    pub massifs: Vec<Massif>,
+    /// Valleys and ridges, each placed by hand.
+    pub rilles: Vec<Rille>,
+}
+
+/// Why a relief cannot be made.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ReliefError {
+    /// A parameter is out of its range.
+    #[error("{name} = {value}: expected {expected}")]
+    Parameter {
+        /// Which, as a path from the relief: `massifs[2].height`.
+        name: String,
+        /// The value found.
+        value: f64,
+        /// The range, in words.
+        expected: String,
+    },
+    /// More corners than fit the limit.
+    #[error("{north} x {east} corners: expected at most {MAX_CORNERS} in all; enlarge the regions")]
+    TooManyCorners {
+        /// Corners to the north.
+        north: f64,
+        /// Corners to the east.
+        east: f64,
+    },
+    /// More craters than fit the limit.
+    #[error(
+        "{0} craters: expected at most {MAX_CRATERS}; raise smallest_radius, lower largest_radius or density"
+    )]
+    TooManyCraters(f64),
+    /// The words do not make a level.
+    #[error("the relief is no landscape")]
+    Level(#[from] BankError),
+}
+
+impl Relief {
+    /// Level ground of the given extent and region size (m), to be filled in.
+    pub fn flat(seed: u64, extent: [f64; 2], region_size: f64) -> Self {
+        let (undulation, craters) = (None, None);
+        Self {
+            seed,
+            extent,
+            region_size,
+            tilt: [0.0; 2],
+            undulation,
+            craters,
+            massifs: vec![],
+            rilles: vec![],
+        }
+    }
+
+    /// Whether every parameter is in its range.
+    ///
+    /// # Errors
+    /// The first parameter that is not, by name.
+    pub fn check(&self) -> Result<(), ReliefError> {
+        self.grid()?;
+        for (axis, name) in ["tilt north", "tilt east"].into_iter().enumerate() {
+            within(name, self.tilt[axis], -1.0, 1.0)?;
+        }
+        if let Some(undulation) = &self.undulation {
+            undulation.check(self.region_size)?;
+        }
+        if let Some(craters) = &self.craters {
+            craters.check(self.region_size, self.extent)?;
+        }
+        for (index, massif) in self.massifs.iter().enumerate() {
+            massif.check(&format!("massifs[{index}]"), self.region_size)?;
+        }
+        for (index, rille) in self.rilles.iter().enumerate() {
+            rille.check(&format!("rilles[{index}]"), self.region_size)?;
+        }
+        Ok(())
+    }
+
+    /// The level of nine words a corner, its origin at (0, 0).
+    ///
+    /// # Errors
+    /// As [`check`](Self::check).
+    pub fn build(&self) -> Result<Level, ReliefError> {
+        self.check()?;
+        let grid = self.grid()?;
+        let mut words = vec![[0.0; WORDS]; grid.corners[0] * grid.corners[1]];
+        self.add_tilt(&grid, &mut words);
+        if let Some(undulation) = &self.undulation {
+            undulation.add_to(&grid, self.seed, &mut words);
+        }
+        for (index, rille) in self.rilles.iter().enumerate() {
+            rille.add_to(&grid, stream(self.seed, Part::Rille, index), &mut words);
+        }
+        for (index, massif) in self.massifs.iter().enumerate() {
+            massif.add_to(&grid, stream(self.seed, Part::Massif, index), &mut words);
+        }
+        if let Some(craters) = &self.craters {
+            let drawn = craters.draw(stream(self.seed, Part::Craters, 0), self.extent);
+            craters::add_to(&drawn, &grid, &mut words);
+        }
+        Ok(Level::new(grid.region_size, [0.0; 2], grid.corners, words)?)
+    }
+
+    fn grid(&self) -> Result<Grid, ReliefError> {
+        above("region_size", self.region_size, 0.0)?;
+        let mut regions = [0.0; 2];
+        for (axis, name) in ["extent north", "extent east"].into_iter().enumerate() {
+            above(name, self.extent[axis], 0.0)?;
+            let count = self.extent[axis] / self.region_size;
+            regions[axis] = count.round();
+            // A length such as 0.3 m over 0.1 m is whole but for the last bits of its decimals.
+            if regions[axis] < 1.0 || (count - regions[axis]).abs() > 1e-9 * regions[axis] {
+                let expected = format!("a whole number of regions of {} m", self.region_size);
+                return Err(ReliefError::Parameter { name: name.into(), value: self.extent[axis], expected });
+            }
+        }
+        let [north, east] = regions.map(|count| count + 1.0);
+        if north * east > MAX_CORNERS as f64 {
+            return Err(ReliefError::TooManyCorners { north, east });
+        }
+        Ok(Grid { region_size: self.region_size, corners: [north as usize, east as usize] })
+    }
+
+    fn add_tilt(&self, grid: &Grid, words: &mut [CornerWords]) {
+        let rise = self.tilt.map(|slope| slope * grid.region_size);
+        grid.for_rows(words, |m, row| {
+            for (n, words) in row.iter_mut().enumerate() {
+                words[0] += rise[0] * m as f64 + rise[1] * n as f64;
+                words[3] += rise[0];
+                words[1] += rise[1];
+            }
+        });
+    }
+}
+
+/// Kinds of part, each with its own random numbers.
+enum Part {
+    Rille = 2,
+    Massif = 3,
+    Craters = 4,
+}
+
+fn stream(seed: u64, part: Part, index: usize) -> u64 {
+    quantities::hash_words(seed, &[part as u64, index as u64])
+}
+
+fn within(name: impl Into<String>, value: f64, least: f64, most: f64) -> Result<(), ReliefError> {
+    if (least..=most).contains(&value) {
+        return Ok(());
+    }
+    Err(ReliefError::Parameter { name: name.into(), value, expected: format!("{least} to {most}") })
+}
+
+fn above(name: impl Into<String>, value: f64, least: f64) -> Result<(), ReliefError> {
+    if value.is_finite() && value > least {
+        return Ok(());
+    }
+    Err(ReliefError::Parameter {
+        name: name.into(),
+        value,
+        expected: format!("a finite number above {least}"),
+    })
+}
+
+fn finite(name: impl Into<String>, value: f64) -> Result<(), ReliefError> {
+    if value.is_finite() {
+        return Ok(());
+    }
+    Err(ReliefError::Parameter { name: name.into(), value, expected: "a finite number".into() })
+}
+
+#[cfg(test)]
+mod tests;

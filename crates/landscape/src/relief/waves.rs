@@ -1,0 +1,124 @@
+//! Gaussian random fields as sums of plane waves.
+
+use super::grid::Grid;
+use crate::{CornerWords, WORDS};
+use quantities::unit_interval;
+use std::f64::consts::{PI, SQRT_2};
+use std::ops::Range;
+
+/// Fraction of a half turn between the directions of successive waves: the golden ratio, whose multiples
+/// cover all directions evenly at every scale.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
+/// A power-law spectrum: wavelengths spaced evenly in their logarithm, amplitude as wavelength^hurst.
+///
+/// Variance per octave goes as k^-2H, hence the power density of a profile as k^-(2H+1).
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Spectrum {
+    /// Longest wavelength (m).
+    pub longest: f64,
+    /// Shortest wavelength (m).
+    pub shortest: f64,
+    /// Hurst exponent H.
+    pub hurst: f64,
+    /// Root mean square of the field (m).
+    pub rms: f64,
+    /// Number of waves.
+    pub count: usize,
+}
+
+impl Spectrum {
+    /// Wavelength (m) of wave `index`: the middle of its share of the logarithmic band.
+    fn wavelength(&self, index: usize) -> f64 {
+        let share = (index as f64 + 0.5) / self.count as f64;
+        self.longest * libm::exp(-share * libm::log(self.longest / self.shortest))
+    }
+
+    /// Amplitude (m) of every wave, longest first; half their sum of squares is rms^2.
+    fn amplitudes(&self) -> Vec<f64> {
+        let raw: Vec<f64> =
+            (0..self.count).map(|i| libm::pow(self.wavelength(i) / self.longest, self.hurst)).collect();
+        let norm = raw.iter().map(|a| a * a).sum::<f64>().sqrt();
+        raw.iter().map(|a| a * self.rms * SQRT_2 / norm).collect()
+    }
+
+    /// Root mean square of the gradient (m/m).
+    pub fn rms_slope(&self) -> f64 {
+        let slope = |(index, amplitude): (usize, &f64)| amplitude * 2.0 * PI / self.wavelength(index);
+        let slopes: Vec<f64> = self.amplitudes().iter().enumerate().map(slope).collect();
+        (slopes.iter().map(|s| s * s / 2.0).sum::<f64>()).sqrt()
+    }
+
+    /// What the field never exceeds (m).
+    pub fn bound(&self) -> f64 {
+        self.amplitudes().iter().sum()
+    }
+
+    fn waves(&self, seed: u64) -> Vec<Wave> {
+        let turn = unit_interval(seed, &[0]);
+        let wave = |(index, amplitude)| {
+            let phase = 2.0 * PI * unit_interval(seed, &[1, index as u64]);
+            let direction = (turn + index as f64 * GOLDEN) * PI;
+            let (sin, cos) = libm::sincos(direction);
+            let k = 2.0 * PI / self.wavelength(index);
+            Wave { amplitude, vector: [k * cos, k * sin], phase }
+        };
+        self.amplitudes().into_iter().enumerate().map(wave).collect()
+    }
+}
+
+/// `amplitude sin(vector . (x, y) + phase)`.
+struct Wave {
+    amplitude: f64,
+    /// To the north and east (rad/m).
+    vector: [f64; 2],
+    phase: f64,
+}
+
+/// Waves ready for a range of columns: the sine of a sum needs only the sines of each column and row.
+pub(super) struct WaveTable {
+    waves: Vec<TabledWave>,
+    region_size: f64,
+}
+
+struct TabledWave {
+    wave: Wave,
+    /// `(kx d)^p (ky d)^q` with the sign of derivative p + q of a sine.
+    shape: CornerWords,
+    /// Sine and cosine of `ky y` for each column.
+    columns: Vec<(f64, f64)>,
+}
+
+impl WaveTable {
+    /// The waves of `spectrum` under `seed` over `columns` of `grid`.
+    pub fn new(spectrum: &Spectrum, seed: u64, grid: &Grid, columns: Range<usize>) -> Self {
+        let d = grid.region_size;
+        let tabled = |wave: Wave| TabledWave {
+            shape: shape(wave.vector.map(|k| k * d)),
+            columns: columns.clone().map(|n| libm::sincos(wave.vector[1] * d * n as f64)).collect(),
+            wave,
+        };
+        Self { waves: spectrum.waves(seed).into_iter().map(tabled).collect(), region_size: d }
+    }
+
+    /// Adds the field and its derivatives along row `m` to the words of the tabled columns.
+    pub fn add_row(&self, m: usize, row: &mut [CornerWords]) {
+        for TabledWave { wave, shape, columns } in &self.waves {
+            let along = wave.vector[0] * self.region_size * m as f64 + wave.phase;
+            let (sin_m, cos_m) = libm::sincos(along);
+            let (sin_m, cos_m) = (sin_m * wave.amplitude, cos_m * wave.amplitude);
+            for (words, (sin_n, cos_n)) in row.iter_mut().zip(columns) {
+                let even_and_odd = [sin_m * cos_n + cos_m * sin_n, cos_m * cos_n - sin_m * sin_n];
+                for index in 0..WORDS {
+                    words[index] += shape[index] * even_and_odd[(index / 3 + index % 3) % 2];
+                }
+            }
+        }
+    }
+}
+
+fn shape([ku, kv]: [f64; 2]) -> CornerWords {
+    let signs = [1.0, 1.0, -1.0, -1.0, 1.0];
+    let (u, v) = ([1.0, ku, ku * ku], [1.0, kv, kv * kv]);
+    std::array::from_fn(|index| signs[index / 3 + index % 3] * u[index / 3] * v[index % 3])
+}

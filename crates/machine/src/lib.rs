@@ -1,0 +1,1 @@
+//! The hybrid machine: elaboration, control plane, signal plane (fig. 14).

@@ -1,0 +1,1 @@
+//! Mixing unit (fig. 28, 29).

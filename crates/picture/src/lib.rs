@@ -1,0 +1,1 @@
+//! Grey pictures, PNG, animated PNG, Y4M, contact sheets.

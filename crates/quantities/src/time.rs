@@ -1,0 +1,204 @@
+//! Clocks as exact rationals of one another; no float accumulates time.
+
+use std::fmt;
+
+/// Ticks of the master clock since the start of the mission.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
+pub struct Tick(pub u64);
+
+/// A real instant inside one sweep, in accumulator steps (samples) from the start of its ramps.
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Default)]
+pub struct SweepTime(pub f64);
+
+impl SweepTime {
+    /// Index of the first sample at or after this instant.
+    pub fn sample_at_or_after(self) -> usize {
+        self.0.ceil().max(0.0) as usize
+    }
+}
+
+/// A rate in hertz as an exact fraction, lowest terms.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Rate {
+    numerator: u64,
+    denominator: u64,
+}
+
+impl Rate {
+    /// `numerator / denominator` hertz; `None` if either is zero.
+    pub fn new(numerator: u64, denominator: u64) -> Option<Self> {
+        if numerator == 0 || denominator == 0 {
+            return None;
+        }
+        let common = gcd(numerator, denominator);
+        Some(Self { numerator: numerator / common, denominator: denominator / common })
+    }
+
+    /// Hertz as the nearest float, for people and plots.
+    pub fn hertz(self) -> f64 {
+        self.numerator as f64 / self.denominator as f64
+    }
+
+    /// `self * factor`; `None` on overflow.
+    pub fn times(self, factor: u64) -> Option<Self> {
+        Self::new(self.numerator.checked_mul(factor)?, self.denominator)
+    }
+
+    /// `self / other` if that is a whole number.
+    pub fn whole_ratio(self, other: Rate) -> Option<u64> {
+        let numerator = u128::from(self.numerator) * u128::from(other.denominator);
+        let denominator = u128::from(self.denominator) * u128::from(other.numerator);
+        (numerator % denominator == 0).then_some((numerator / denominator) as u64)
+    }
+
+    /// Periods of this clock in `count` periods of another: whole part and fraction.
+    fn periods_in(self, count: u64, of: Rate) -> (u64, f64) {
+        let numerator = u128::from(count) * u128::from(self.numerator) * u128::from(of.denominator);
+        let denominator = u128::from(self.denominator) * u128::from(of.numerator);
+        let whole = (numerator / denominator) as u64;
+        (whole, (numerator % denominator) as f64 / denominator as f64)
+    }
+}
+
+impl fmt::Display for Rate {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.denominator {
+            1 => write!(f, "{} Hz", self.numerator),
+            denominator => write!(f, "{}/{} Hz", self.numerator, denominator),
+        }
+    }
+}
+
+fn gcd(a: u64, b: u64) -> u64 {
+    if b == 0 { a } else { gcd(b, a % b) }
+}
+
+/// The clocks of one machine: master clock, accumulator (sample) clock, sweep and frame, all exact.
+///
+/// A sweep is a whole number of accumulator steps, a frame a whole number of sweeps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Timebase {
+    /// Master clock of the digital side.
+    pub master: Rate,
+    /// Pictures computed a second.
+    pub update: Rate,
+    /// Sweeps a frame.
+    pub sweeps: u32,
+    /// Accumulator steps that are drawn in one sweep.
+    pub active_samples: u32,
+    /// Accumulator steps of retrace in one sweep.
+    pub retrace_samples: u32,
+    sample: Rate,
+}
+
+/// The clocks do not fit in 64 bits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct TimebaseError;
+
+impl fmt::Display for TimebaseError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("sweeps x samples x update rate: expected a product below 2^63 Hz; lower one of them")
+    }
+}
+
+impl std::error::Error for TimebaseError {}
+
+impl Timebase {
+    /// The clocks of a raster of `sweeps` sweeps, each of `active_samples` drawn and `retrace_samples` blanked
+    /// accumulator steps, computed `update` times a second.
+    ///
+    /// # Errors
+    /// If the sample rate does not fit in 64 bits.
+    pub fn new(
+        master: Rate,
+        update: Rate,
+        sweeps: u32,
+        active_samples: u32,
+        retrace_samples: u32,
+    ) -> Result<Self, TimebaseError> {
+        let steps = u64::from(sweeps) * (u64::from(active_samples) + u64::from(retrace_samples));
+        let sample = update.times(steps).ok_or(TimebaseError)?;
+        Ok(Self { master, update, sweeps, active_samples, retrace_samples, sample })
+    }
+
+    /// Accumulator steps a second.
+    pub fn sample_rate(&self) -> Rate {
+        self.sample
+    }
+
+    /// Accumulator steps of one sweep, retrace included.
+    pub fn sweep_samples(&self) -> u32 {
+        self.active_samples + self.retrace_samples
+    }
+
+    /// Seconds between two accumulator steps.
+    pub fn sample_period(&self) -> f64 {
+        1.0 / self.sample.hertz()
+    }
+
+    /// Master ticks in one accumulator step, as a float for latencies inside one sweep.
+    pub fn ticks_per_sample(&self) -> f64 {
+        self.master.hertz() / self.sample.hertz()
+    }
+
+    /// The first tick at or after `time` in sweep `sweep` of frame `frame`: when the digital side sees it.
+    pub fn tick_at_or_after(&self, frame: u64, sweep: u32, time: SweepTime) -> Tick {
+        let (whole, rest) = self.master.periods_in(self.first_step(frame, sweep), self.sample);
+        Tick(whole + (rest + time.0 * self.ticks_per_sample()).ceil() as u64)
+    }
+
+    /// When `tick` falls, as an instant of sweep `sweep` of frame `frame`; negative before its start.
+    pub fn instant_of(&self, tick: Tick, frame: u64, sweep: u32) -> SweepTime {
+        let (whole, rest) = self.master.periods_in(self.first_step(frame, sweep), self.sample);
+        let ticks = tick.0 as i128 - i128::from(whole);
+        SweepTime((ticks as f64 - rest) / self.ticks_per_sample())
+    }
+
+    fn first_step(&self, frame: u64, sweep: u32) -> u64 {
+        (frame * u64::from(self.sweeps) + u64::from(sweep)) * u64::from(self.sweep_samples())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Rate, SweepTime, Tick, Timebase};
+
+    fn nominal() -> Timebase {
+        let master = Rate::new(20_000_000, 1).unwrap();
+        Timebase::new(master, Rate::new(30, 1).unwrap(), 525, 1000, 208).unwrap()
+    }
+
+    #[test]
+    fn figures_of_525_sweeps_at_30_hertz() {
+        let clocks = nominal();
+        assert_eq!(clocks.sample_rate(), Rate::new(525 * 30 * 1208, 1).unwrap());
+        assert!((clocks.sample_period() - 52.56e-9).abs() < 1e-11);
+    }
+
+    #[test]
+    fn a_million_frames_do_not_drift() {
+        let clocks = nominal();
+        let start = clocks.tick_at_or_after(3_000_000, 0, SweepTime(0.0));
+        // 3 000 000 frames at 30 Hz are 100 000 s of a 20 MHz clock.
+        assert_eq!(start, Tick(2_000_000_000_000));
+    }
+
+    #[test]
+    fn ticks_round_up_and_come_back() {
+        let clocks = nominal();
+        for sweep in 0..525 {
+            let time = SweepTime(f64::from(sweep) * 1.7);
+            let tick = clocks.tick_at_or_after(7, sweep, time);
+            let back = clocks.instant_of(tick, 7, sweep);
+            let late = (back.0 - time.0) * clocks.ticks_per_sample();
+            assert!((-1e-6..1.0 + 1e-6).contains(&late), "sweep {sweep}: {late} ticks late");
+        }
+    }
+
+    #[test]
+    fn rates_are_in_lowest_terms() {
+        assert_eq!(Rate::new(60_000, 1001), Rate::new(120_000, 2002));
+        assert_eq!(Rate::new(0, 1), None);
+        assert_eq!(Rate::new(30, 1).unwrap().to_string(), "30 Hz");
+    }
+}

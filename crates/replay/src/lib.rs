@@ -1,0 +1,1 @@
+//! Missions into frames.

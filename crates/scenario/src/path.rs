@@ -1,0 +1,217 @@
+//! The way of a mission: waypoints, and where the vehicle is in between.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use quantities::{radians, wrap_heading};
+
+use crate::curve::Curve;
+
+/// One instant of a path. What is left open follows from travel (heading) and from the ground (the rest).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Waypoint {
+    /// Seconds since the start of the mission.
+    pub time: f64,
+    /// North, east (m).
+    pub at: [f64; 2],
+    /// Clockwise from north (rad); the direction of travel if open.
+    pub heading: Option<f64>,
+    /// Height of the eye above the lunoid's tangent plane (m).
+    pub eye_height: Option<f64>,
+    /// Nose up (rad).
+    pub pitch: Option<f64>,
+    /// Starboard down (rad).
+    pub roll: Option<f64>,
+}
+
+/// Where the path is at one time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Station {
+    /// North, east (m).
+    pub at: [f64; 2],
+    /// North, east (m/s).
+    pub velocity: [f64; 2],
+    /// Clockwise from north, in `[0, 2 pi)` (rad).
+    pub heading: f64,
+    /// Height of the eye above the lunoid's tangent plane (m), where the path says it.
+    pub eye_height: Option<f64>,
+    /// Nose up (rad), where the path says it.
+    pub pitch: Option<f64>,
+    /// Starboard down (rad), where the path says it.
+    pub roll: Option<f64>,
+}
+
+/// Waypoints joined by smooth curves in time; before the first and after the last the vehicle stands.
+///
+/// Position is C1 and never overshoots a waypoint. Between two waypoints without heading the vehicle looks along
+/// its travel; between others the heading turns smoothly, the shortest way around, a waypoint without heading
+/// counting with its direction of travel.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Path {
+    waypoints: Vec<Waypoint>,
+    position: [Curve; 2],
+    heading: Curve,
+    eye_height: Option<Curve>,
+    pitch: Option<Curve>,
+    roll: Option<Curve>,
+}
+
+/// Why waypoints are no path; `index` counts from 0.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum PathError {
+    /// No waypoint at all.
+    #[error("a path without waypoints: expected at least one")]
+    Empty,
+    /// A number is NaN or infinite.
+    #[error("waypoint {index}: expected finite numbers")]
+    NotFinite {
+        /// Which waypoint.
+        index: usize,
+    },
+    /// Time does not rise.
+    #[error("waypoint {index}: t = {time} s after {before} s; expected ascending times")]
+    Time {
+        /// Which waypoint.
+        index: usize,
+        /// Its time (s).
+        time: f64,
+        /// Time of the one before (s).
+        before: f64,
+    },
+    /// Height, pitch or roll is given for some waypoints only.
+    #[error("{what} is given for some waypoints only; expected for all or for none")]
+    Partly {
+        /// Which quantity.
+        what: &'static str,
+    },
+}
+
+impl Path {
+    /// The path of `waypoints`, in order of time.
+    ///
+    /// # Errors
+    /// As [`PathError`] says.
+    pub fn new(waypoints: Vec<Waypoint>) -> Result<Self, PathError> {
+        check(&waypoints)?;
+        let times: Arc<[f64]> = waypoints.iter().map(|w| w.time).collect();
+        let curve = |values: Vec<f64>| Curve::new(times.clone(), values);
+        let whole = |values: Option<Vec<f64>>| values.map(curve);
+        let position = [0, 1].map(|axis| curve(waypoints.iter().map(|w| w.at[axis]).collect()));
+        let headings = headings(&waypoints, &position);
+        Ok(Self {
+            eye_height: whole(all(&waypoints, "z_m", |w| w.eye_height)?),
+            pitch: whole(all(&waypoints, "pitch_deg", |w| w.pitch)?.map(unwrapped)),
+            roll: whole(all(&waypoints, "roll_deg", |w| w.roll)?.map(unwrapped)),
+            heading: curve(headings),
+            position,
+            waypoints,
+        })
+    }
+
+    /// The waypoints, in order of time.
+    pub fn waypoints(&self) -> &[Waypoint] {
+        &self.waypoints
+    }
+
+    /// Where the path is at `time` (s).
+    pub fn at(&self, time: f64) -> Station {
+        let value = |curve: &Option<Curve>| curve.as_ref().map(|curve| curve.at(time));
+        Station {
+            at: self.position.each_ref().map(|curve| curve.at(time)),
+            velocity: self.position.each_ref().map(|curve| curve.rate(time)),
+            heading: self.heading_at(time),
+            eye_height: value(&self.eye_height),
+            pitch: value(&self.pitch),
+            roll: value(&self.roll),
+        }
+    }
+
+    fn heading_at(&self, time: f64) -> f64 {
+        let along_travel = |index: usize| {
+            self.waypoints[index].heading.is_none() && self.waypoints[index + 1].heading.is_none()
+        };
+        let heading = match self.heading.locate(time) {
+            Some((index, ..)) if along_travel(index) => travel(&self.waypoints, &self.position, index, time),
+            _ => self.heading.at(time),
+        };
+        wrap_heading(heading)
+    }
+}
+
+fn check(waypoints: &[Waypoint]) -> Result<(), PathError> {
+    if waypoints.is_empty() {
+        return Err(PathError::Empty);
+    }
+    for (index, w) in waypoints.iter().enumerate() {
+        let open = [w.heading, w.eye_height, w.pitch, w.roll];
+        let mut numbers = [w.time, w.at[0], w.at[1]].into_iter().chain(open.into_iter().flatten());
+        if !numbers.all(f64::is_finite) {
+            return Err(PathError::NotFinite { index });
+        }
+    }
+    match waypoints.windows(2).position(|pair| pair[1].time <= pair[0].time) {
+        None => Ok(()),
+        Some(index) => {
+            let (time, before) = (waypoints[index + 1].time, waypoints[index].time);
+            Err(PathError::Time { index: index + 1, time, before })
+        }
+    }
+}
+
+/// The values of a quantity that is given for all waypoints or for none.
+fn all(
+    waypoints: &[Waypoint],
+    what: &'static str,
+    value: impl Fn(&Waypoint) -> Option<f64>,
+) -> Result<Option<Vec<f64>>, PathError> {
+    let values: Vec<f64> = waypoints.iter().filter_map(value).collect();
+    match values.len() {
+        0 => Ok(None),
+        n if n == waypoints.len() => Ok(Some(values)),
+        _ => Err(PathError::Partly { what }),
+    }
+}
+
+/// The same directions, each within half a turn of the one before.
+fn unwrapped(mut angles: Vec<f64>) -> Vec<f64> {
+    for i in 1..angles.len() {
+        angles[i] = angles[i - 1] + shortest_turn(angles[i - 1], angles[i]);
+    }
+    angles
+}
+
+/// The shortest way around from one direction to another, in `[-pi, pi)` (rad).
+pub(crate) fn shortest_turn(from: f64, to: f64) -> f64 {
+    wrap_heading(to - from + PI) - PI
+}
+
+fn headings(waypoints: &[Waypoint], position: &[Curve; 2]) -> Vec<f64> {
+    let last_span = waypoints.len().saturating_sub(2);
+    let heading = |(index, w): (usize, &Waypoint)| {
+        w.heading.unwrap_or_else(|| travel(waypoints, position, index.min(last_span), w.time))
+    };
+    unwrapped(waypoints.iter().enumerate().map(heading).collect())
+}
+
+/// Direction of travel (rad) at `time` in the span from waypoint `index`. Where the vehicle stands it keeps the
+/// direction in which it came, or takes the one in which it will leave; north if it never moves.
+fn travel(waypoints: &[Waypoint], position: &[Curve; 2], index: usize, time: f64) -> f64 {
+    let spans = waypoints.len() - 1;
+    let moves = |&span: &usize| waypoints[span].at != waypoints[span + 1].at;
+    let before = (0..spans.min(index + 1)).rev().find(moves);
+    let Some(span) = before.or_else(|| (index + 1..spans).find(moves)) else { return radians(0.0) };
+    let (from, to) = (waypoints[span].time, waypoints[span + 1].time);
+    let time = time.clamp(from, to);
+    direction(position, time).unwrap_or_else(|| {
+        // A vehicle that starts or stops here has no direction at this very instant, but has just beside it.
+        let inwards = if time - from < to - time { 1e-3 } else { -1e-3 };
+        direction(position, time + inwards * (to - from)).unwrap_or(0.0)
+    })
+}
+
+fn direction(position: &[Curve; 2], time: f64) -> Option<f64> {
+    let [north, east] = position.each_ref().map(|curve| curve.rate(time));
+    // Slower than this is rounding.
+    const STANDING: f64 = 1e-9;
+    (north * north + east * east > STANDING * STANDING).then(|| libm::atan2(east, north))
+}

@@ -1,0 +1,193 @@
+//! Energy of a bent plate and of a stretched membrane over one region, in region units.
+//!
+//! The reflections u -> 1 - u and v -> 1 - v leave both energies as they are, so in words that are even or odd
+//! under them the 36 x 36 matrix falls into four blocks of 9 x 9: a quarter of the work.
+
+use landscape::basis::{FAR, NEAR};
+
+/// Words of the four corners of a region: `[3 i + p][3 j + q]`.
+pub type RegionWords = [[f64; 6]; 6];
+
+/// A symmetric matrix over the six words of one axis.
+pub type AxisMatrix = [[f64; 6]; 6];
+
+type Block = [[f64; 9]; 9];
+
+/// Integral over [0, 1] of the products of `order`-th derivatives of the six basis functions.
+pub fn axis_matrix(order: usize) -> AxisMatrix {
+    let functions: Vec<Vec<f64>> = NEAR.iter().chain(&FAR).map(|c| derivative(c, order)).collect();
+    std::array::from_fn(|a| std::array::from_fn(|b| integral_of_product(&functions[a], &functions[b])))
+}
+
+fn derivative(coefficients: &[f64], order: usize) -> Vec<f64> {
+    (0..order).fold(coefficients.to_vec(), |c, _| {
+        c.iter().enumerate().skip(1).map(|(power, &value)| power as f64 * value).collect()
+    })
+}
+
+fn integral_of_product(a: &[f64], b: &[f64]) -> f64 {
+    let terms = a.iter().enumerate().flat_map(|(i, &x)| {
+        b.iter().enumerate().map(move |(j, &y)| x * y / (i + j + 1) as f64)
+    });
+    terms.sum()
+}
+
+/// Both energies as blocks by symmetry: index `2 * (odd in u) + (odd in v)`.
+#[derive(Debug)]
+pub struct Roughness {
+    plate: [Block; 4],
+    membrane: [Block; 4],
+}
+
+impl Roughness {
+    /// Plate: integral of `h_uu^2 + 2 h_uv^2 + h_vv^2`; membrane: integral of `h_u^2 + h_v^2`.
+    pub fn new() -> Self {
+        let [m, k1, k2] = [0, 1, 2].map(|order| by_symmetry(&axis_matrix(order)));
+        let block = |pairs: &[(f64, &[AxisBlock; 2], &[AxisBlock; 2])], of: usize| -> Block {
+            let entry = |a: usize, b: usize| {
+                let term = |(factor, u, v): &(f64, &[AxisBlock; 2], &[AxisBlock; 2])| {
+                    factor * u[of / 2][a / 3][b / 3] * v[of % 2][a % 3][b % 3]
+                };
+                pairs.iter().map(term).sum()
+            };
+            std::array::from_fn(|a| std::array::from_fn(|b| entry(a, b)))
+        };
+        let plate = [(1.0, &k2, &m), (2.0, &k1, &k1), (1.0, &m, &k2)];
+        let membrane = [(1.0, &k1, &m), (1.0, &m, &k1)];
+        Self {
+            plate: std::array::from_fn(|of| block(&plate, of)),
+            membrane: std::array::from_fn(|of| block(&membrane, of)),
+        }
+    }
+
+    /// Half the gradient of `plate * E_plate + membrane * E_membrane` at `words`.
+    pub fn apply(&self, plate: f64, membrane: f64, words: &RegionWords) -> RegionWords {
+        let blocks = split(words);
+        let mut out = [[0.0; 9]; 4];
+        for of in 0..4 {
+            add_product(plate, &self.plate[of], &blocks[of], &mut out[of]);
+            if membrane != 0.0 {
+                add_product(membrane, &self.membrane[of], &blocks[of], &mut out[of]);
+            }
+        }
+        join(&out)
+    }
+}
+
+fn add_product(factor: f64, matrix: &Block, vector: &[f64; 9], out: &mut [f64; 9]) {
+    for a in 0..9 {
+        let mut sum = 0.0;
+        for b in 0..9 {
+            sum += matrix[a][b] * vector[b];
+        }
+        out[a] += factor * sum;
+    }
+}
+
+type AxisBlock = [[f64; 3]; 3];
+
+/// Sign of derivative p under reflection.
+const SIGN: [f64; 3] = [1.0, -1.0, 1.0];
+
+/// The matrix between the even and between the odd functions `(g_0p +- (-1)^p g_1p) / 2`.
+fn by_symmetry(matrix: &AxisMatrix) -> [AxisBlock; 2] {
+    [1.0, -1.0].map(|parity: f64| {
+        std::array::from_fn(|p| {
+            std::array::from_fn(|q| {
+                let (s, t) = (parity * SIGN[p], parity * SIGN[q]);
+                let sum = matrix[p][q] + t * matrix[p][3 + q] + s * matrix[3 + p][q] + s * t * matrix[3 + p][3 + q];
+                0.25 * sum
+            })
+        })
+    })
+}
+
+fn split(words: &RegionWords) -> [[f64; 9]; 4] {
+    let mut out = [[0.0; 9]; 4];
+    for p in 0..3 {
+        for q in 0..3 {
+            let (near, far) = (&words[p], &words[3 + p]);
+            let [even, odd] = [1.0, -1.0].map(|parity| {
+                let s = parity * SIGN[p];
+                [near[q] + s * far[q], SIGN[q] * (near[3 + q] + s * far[3 + q])]
+            });
+            out[0][3 * p + q] = even[0] + even[1];
+            out[1][3 * p + q] = even[0] - even[1];
+            out[2][3 * p + q] = odd[0] + odd[1];
+            out[3][3 * p + q] = odd[0] - odd[1];
+        }
+    }
+    out
+}
+
+/// Adjoint of [`split`].
+fn join(blocks: &[[f64; 9]; 4]) -> RegionWords {
+    let mut out = [[0.0; 6]; 6];
+    for p in 0..3 {
+        for q in 0..3 {
+            let [ee, eo, oe, oo] = [0, 1, 2, 3].map(|of| blocks[of][3 * p + q]);
+            let (near, far) = (ee + eo, SIGN[q] * (ee - eo));
+            let (odd_near, odd_far) = (oe + oo, SIGN[q] * (oe - oo));
+            out[p][q] = near + odd_near;
+            out[p][3 + q] = far + odd_far;
+            out[3 + p][q] = SIGN[p] * (near - odd_near);
+            out[3 + p][3 + q] = SIGN[p] * (far - odd_far);
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{RegionWords, Roughness, axis_matrix};
+
+    fn words(seed: u64) -> RegionWords {
+        std::array::from_fn(|a| {
+            std::array::from_fn(|b| quantities::unit_interval(seed, &[a as u64, b as u64]) - 0.5)
+        })
+    }
+
+    fn direct(orders: &[(f64, usize, usize)], c: &RegionWords) -> RegionWords {
+        let mut out = [[0.0; 6]; 6];
+        for &(factor, r, s) in orders {
+            let (left, right) = (axis_matrix(r), axis_matrix(s));
+            for (a, b, k, l) in (0..1296).map(|i| (i / 216, i / 36 % 6, i / 6 % 6, i % 6)) {
+                out[a][b] += factor * left[a][k] * c[k][l] * right[l][b];
+            }
+        }
+        out
+    }
+
+    #[test]
+    fn mass_of_the_quintic_element() {
+        let m = axis_matrix(0);
+        for (found, expected) in [(m[0][0], 181.0 / 462.0), (m[1][1], 52.0 / 3465.0), (m[2][2], 1.0 / 9240.0)] {
+            assert!((found - expected).abs() < 1e-15, "{found} {expected}");
+        }
+    }
+
+    #[test]
+    fn blocks_agree_with_the_direct_product() {
+        let (roughness, c) = (Roughness::new(), words(3));
+        let plate = direct(&[(1.0, 2, 0), (2.0, 1, 1), (1.0, 0, 2)], &c);
+        let both = direct(&[(1.0, 2, 0), (2.0, 1, 1), (1.0, 0, 2), (0.5, 1, 0), (0.5, 0, 1)], &c);
+        let (found_plate, found_both) = (roughness.apply(1.0, 0.0, &c), roughness.apply(1.0, 0.5, &c));
+        for (a, b) in (0..36).map(|i| (i / 6, i % 6)) {
+            assert!((found_plate[a][b] - plate[a][b]).abs() < 1e-11, "{a} {b}");
+            assert!((found_both[a][b] - both[a][b]).abs() < 1e-11, "{a} {b}");
+        }
+    }
+
+    #[test]
+    fn a_plane_costs_the_plate_nothing() {
+        // h = 1 + 2 u + 3 v: height and both slopes at the four corners.
+        let mut c = [[0.0; 6]; 6];
+        for (i, j) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+            c[3 * i][3 * j] = 1.0 + 2.0 * i as f64 + 3.0 * j as f64;
+            c[3 * i + 1][3 * j] = 2.0;
+            c[3 * i][3 * j + 1] = 3.0;
+        }
+        let out = Roughness::new().apply(1.0, 0.0, &c);
+        assert!(out.iter().flatten().all(|v| v.abs() < 1e-11), "{out:?}");
+    }
+}

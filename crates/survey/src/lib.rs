@@ -1,0 +1,1 @@
+//! Elevation files into coefficient banks.

@@ -1,0 +1,206 @@
+//! Folded ramps: where they start, when they fold, where they are (sections 6.2 and 6.5).
+
+use sweep_program::{Fold, Ramp, RampAxis, Stop, SweepStart};
+
+/// Start of a sweep whose foot is at `foot` (in regions from the corner lattice's origin) along `direction`
+/// (cosine, sine of the azimuth against north): the start rule of 6.5, with absolute parity.
+pub fn set_up(foot: [f64; 2], direction: [f64; 2]) -> SweepStart {
+    let mut region = [0; 2];
+    let axis = |axis: usize| {
+        let (k, ramp) = set_up_axis(foot[axis], direction[axis]);
+        (k, ramp)
+    };
+    let ramps = std::array::from_fn(|index| {
+        let (k, ramp) = axis(index);
+        region[index] = k;
+        ramp
+    });
+    SweepStart { direction, region, ramps }
+}
+
+fn set_up_axis(foot: f64, cosine: f64) -> (i64, Ramp) {
+    let floor = foot.floor();
+    // On a boundary and moving down: the sweep starts at the far end of the region it moves into.
+    let region = if foot == floor && cosine < 0.0 { floor - 1.0 } else { floor };
+    let local = foot - region;
+    let k = region as i64;
+    let polarity = if k & 1 == 0 { 1.0 } else { -1.0 };
+    let start = if k & 1 == 0 { local } else { 1.0 - local };
+    (k, Ramp { start, rate: cosine * polarity, polarity })
+}
+
+/// Folds of one sweep in order of range, X before Y at one instant.
+#[derive(Debug, Clone)]
+pub struct Folds {
+    axes: [AxisFolds; 2],
+}
+
+/// A fold and its place: range in regions.
+pub type PlacedFold = (f64, Fold);
+
+#[derive(Debug, Clone, Copy)]
+struct AxisFolds {
+    /// Way of the ramp to its first stop, 0..=1.
+    first: f64,
+    /// Magnitude of the rate.
+    rate: f64,
+    /// Folds served.
+    count: u32,
+    /// Stop that is met next.
+    next: Stop,
+}
+
+impl Folds {
+    /// Folds of a sweep that starts so.
+    pub fn new(start: &SweepStart) -> Self {
+        Self { axes: start.ramps.map(AxisFolds::new) }
+    }
+}
+
+impl Iterator for Folds {
+    type Item = PlacedFold;
+
+    /// Never ends unless the sweep crosses no stop at all.
+    fn next(&mut self) -> Option<PlacedFold> {
+        let [x, y] = self.axes.map(|axis| axis.next_range());
+        let (axis, range) = if x <= y { (0, x) } else { (1, y) };
+        if !range.is_finite() {
+            return None;
+        }
+        let stop = self.axes[axis].pass();
+        Some((range, Fold { axis: if axis == 0 { RampAxis::X } else { RampAxis::Y }, stop }))
+    }
+}
+
+impl AxisFolds {
+    fn new(ramp: Ramp) -> Self {
+        let rising = ramp.rate > 0.0;
+        let first = if rising { 1.0 - ramp.start } else { ramp.start };
+        Self { first, rate: ramp.rate.abs(), count: 0, next: if rising { Stop::One } else { Stop::Zero } }
+    }
+
+    /// Range of the next fold, in regions; infinite for a ramp that stands.
+    fn next_range(&self) -> f64 {
+        if self.rate == 0.0 { f64::INFINITY } else { (self.first + f64::from(self.count)) / self.rate }
+    }
+
+    fn pass(&mut self) -> Stop {
+        self.count += 1;
+        let met = self.next;
+        self.next = match met {
+            Stop::Zero => Stop::One,
+            Stop::One => Stop::Zero,
+        };
+        met
+    }
+}
+
+/// A ramp at range `lambda` (in regions) after `folds` folds: its value in 0..=1 and its rate, signed.
+pub fn ramp_at(ramp: &Ramp, folds: u32, lambda: f64) -> (f64, f64) {
+    if folds == 0 {
+        return ((ramp.start + ramp.rate * lambda).clamp(0.0, 1.0), ramp.rate);
+    }
+    let axis = AxisFolds::new(*ramp);
+    let way = (axis.rate * lambda - (axis.first + f64::from(folds - 1))).clamp(0.0, 1.0);
+    let left_top = (axis.next == Stop::One) == (folds % 2 == 1);
+    if left_top { (1.0 - way, -axis.rate) } else { (way, axis.rate) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Folds, ramp_at, set_up};
+    use quantities::{radians, sin_cos};
+    use sweep_program::{RampAxis, Stop, SweepStart};
+
+    fn start(foot: [f64; 2], degrees: f64) -> SweepStart {
+        let (sin, cos) = sin_cos(radians(degrees));
+        set_up(foot, [cos, sin])
+    }
+
+    fn folds(start: &SweepStart, until: f64) -> Vec<(f64, RampAxis, Stop)> {
+        Folds::new(start)
+            .take_while(|(range, _)| *range <= until)
+            .map(|(range, fold)| (range, fold.axis, fold.stop))
+            .collect()
+    }
+
+    fn assert_folds(found: &[(f64, RampAxis, Stop)], expected: &[(f64, RampAxis, Stop)]) {
+        assert_eq!(found.len(), expected.len(), "{found:?}");
+        for (found, expected) in found.iter().zip(expected) {
+            assert!((found.0 - expected.0).abs() < 1e-11, "{found:?} against {expected:?}");
+            assert_eq!((found.1, found.2), (expected.1, expected.2), "at {}", expected.0);
+        }
+    }
+
+    use RampAxis::{X, Y};
+    use Stop::{One, Zero};
+
+    #[test]
+    fn worked_fold_table_to_the_north_east() {
+        let start = start([2.3, 5.6], 30.0);
+        assert_eq!(start.region, [2, 5]);
+        assert!((start.ramps[0].start - 0.3).abs() < 1e-15 && (start.ramps[1].start - 0.4).abs() < 1e-15);
+        assert_eq!((start.ramps[0].polarity, start.ramps[1].polarity), (1.0, -1.0));
+        let expected = [
+            (0.8, Y, Zero),
+            (0.808290376865, X, One),
+            (1.962990915245, X, Zero),
+            (2.8, Y, One),
+            (3.117691453624, X, One),
+            (4.272391992003, X, Zero),
+        ];
+        assert_folds(&folds(&start, 4.5), &expected);
+    }
+
+    #[test]
+    fn worked_fold_table_to_the_south_west() {
+        let start = start([13.75, 14.2], -160.0);
+        let expected = [
+            (0.584760880033, Y, Zero),
+            (0.798133329357, X, One),
+            (1.862311101833, X, Zero),
+            (2.926488874309, X, One),
+            (3.508565280196, Y, One),
+            (3.990666646784, X, Zero),
+        ];
+        assert_folds(&folds(&start, 4.2), &expected);
+    }
+
+    #[test]
+    fn through_corners_x_is_served_first() {
+        let diagonal = (0.5f64).sqrt();
+        let start = set_up([4.0, 4.0], [diagonal, diagonal]);
+        let order: Vec<_> = folds(&start, 4.5).iter().map(|fold| (fold.1, fold.2)).collect();
+        assert_eq!(order, [(X, One), (Y, One), (X, Zero), (Y, Zero), (X, One), (Y, One)]);
+    }
+
+    #[test]
+    fn along_an_axis_the_other_stops_are_never_met() {
+        let east = start([5.0, 7.0], 90.0);
+        assert_eq!(east.ramps.map(|ramp| ramp.start), [1.0, 1.0]);
+        assert_folds(&folds(&east, 3.5), &[(1.0, Y, Zero), (2.0, Y, One), (3.0, Y, Zero)]);
+        let south = start([5.0, 7.5], 180.0);
+        assert_eq!(south.region, [4, 7]);
+        assert_folds(&folds(&south, 2.5), &[(1.0, X, Zero), (2.0, X, One)]);
+    }
+
+    #[test]
+    fn ramps_are_the_triangle_of_the_place() {
+        // Section 6.3: X is the distance of x/d to the nearest even integer.
+        for (foot, degrees) in [([2.3, 5.6], 30.0), ([13.75, 14.2], -160.0), ([-3.2, 0.9], 251.0)] {
+            let start = start(foot, degrees);
+            for step in 0..400 {
+                let lambda = f64::from(step) * 0.013;
+                for axis in 0..2 {
+                    let place = foot[axis] + lambda * start.direction[axis];
+                    let triangle = (place - 2.0 * (place / 2.0).round()).abs();
+                    let wanted = if axis == 0 { X } else { Y };
+                    let passed = Folds::new(&start).take_while(|(range, _)| *range < lambda);
+                    let count = passed.filter(|(_, fold)| fold.axis == wanted).count() as u32;
+                    let (value, _) = ramp_at(&start.ramps[axis], count, lambda);
+                    assert!((value - triangle).abs() < 1e-12, "{foot:?} {degrees} {lambda}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! The ground-range programme as a table: range of each sample, and back.
+
+use quantities::SweepTime;
+use scenario::{RangeLaw, RangeProgramme};
+
+/// Ground range of every sample of a sweep, ascending (m).
+#[derive(Debug, Clone, PartialEq)]
+pub struct RangeTable {
+    ranges: Vec<f64>,
+}
+
+impl RangeTable {
+    /// The programme over `samples` samples (at least 2).
+    pub fn new(programme: &RangeProgramme, samples: usize) -> Self {
+        let RangeProgramme { law, start, end } = *programme;
+        let last = (samples - 1) as f64;
+        let range = |k: usize| {
+            let share = k as f64 / last;
+            match law {
+                RangeLaw::ConstantRate => end * (k + 1) as f64 / samples as f64,
+                RangeLaw::TwoRate { switch, fine_share } => {
+                    two_rate(k, samples, (fine_share * last).round().clamp(1.0, last - 1.0), switch, end)
+                }
+                RangeLaw::ConstantElevation => 1.0 / (1.0 / start + (1.0 / end - 1.0 / start) * share),
+                RangeLaw::Geometric => start * libm::exp(libm::log(end / start) * share),
+            }
+        };
+        Self { ranges: (0..samples).map(range).collect() }
+    }
+
+    /// Range of each sample (m).
+    pub fn ranges(&self) -> &[f64] {
+        &self.ranges
+    }
+
+    /// When the sweep passes `range`: 0 at the first sample; negative before it, infinite beyond the last.
+    pub fn time_of(&self, range: f64) -> SweepTime {
+        let after = self.ranges.partition_point(|&z| z < range);
+        SweepTime(match after {
+            0 => range / self.ranges[0] - 1.0,
+            k if k == self.ranges.len() => f64::INFINITY,
+            k => {
+                let (near, far) = (self.ranges[k - 1], self.ranges[k]);
+                (k - 1) as f64 + (range - near) / (far - near)
+            }
+        })
+    }
+
+    /// Range at an instant of the sweep (m), straight between samples and from the eye's foot to the first.
+    pub fn range_at(&self, time: SweepTime) -> f64 {
+        if time.0 <= 0.0 {
+            return self.ranges[0] * (1.0 + time.0).max(0.0);
+        }
+        let before = (time.0.floor() as usize).min(self.ranges.len() - 1);
+        match self.ranges.get(before + 1) {
+            Some(&far) => {
+                let near = self.ranges[before];
+                near + (far - near) * (time.0 - before as f64)
+            }
+            None => self.ranges[before],
+        }
+    }
+}
+
+/// Fine ramp from one fine step to `switch` in `fine` steps, then a coarse ramp to `end`.
+fn two_rate(k: usize, samples: usize, fine: f64, switch: f64, end: f64) -> f64 {
+    let k = k as f64;
+    if k <= fine {
+        return switch * (k + 1.0) / (fine + 1.0);
+    }
+    switch + (end - switch) * (k - fine) / ((samples - 1) as f64 - fine)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::RangeTable;
+    use quantities::SweepTime;
+    use scenario::{RangeLaw, RangeProgramme};
+
+    const LAWS: [RangeLaw; 4] = [
+        RangeLaw::ConstantRate,
+        RangeLaw::TwoRate { switch: 100.0, fine_share: 0.5 },
+        RangeLaw::ConstantElevation,
+        RangeLaw::Geometric,
+    ];
+
+    fn table(law: RangeLaw) -> RangeTable {
+        RangeTable::new(&RangeProgramme { law, start: 1.5, end: 5000.0 }, 1000)
+    }
+
+    #[test]
+    fn every_programme_ascends_to_its_end() {
+        for law in LAWS {
+            let table = table(law);
+            assert!(table.ranges().windows(2).all(|pair| pair[0] < pair[1]), "{law:?}");
+            assert!((table.ranges()[999] - 5000.0).abs() < 1e-8, "{law:?}");
+        }
+    }
+
+    #[test]
+    fn half_the_picture_in_the_first_samples_at_constant_rate() {
+        // Hardware section 4.8: 20 m, that is 343 of 500 lines, is reached in the first four samples.
+        assert!(table(RangeLaw::ConstantRate).time_of(20.0) <= SweepTime(4.0));
+        assert!(table(RangeLaw::Geometric).time_of(20.0) > SweepTime(300.0));
+    }
+
+    #[test]
+    fn constant_elevation_crosses_lines_evenly() {
+        let table = table(RangeLaw::ConstantElevation);
+        let tangent = |k: usize| 1.0 / table.ranges()[k];
+        let step = tangent(0) - tangent(1);
+        for k in 1..999 {
+            assert!((tangent(k) - tangent(k + 1) - step).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn time_and_range_are_inverse() {
+        for law in LAWS {
+            let table = table(law);
+            for time in [-0.75, 0.0, 0.3, 17.0, 444.44, 998.99] {
+                let back = table.time_of(table.range_at(SweepTime(time)));
+                assert!((back.0 - time).abs() < 1e-9, "{law:?}: {time} became {}", back.0);
+            }
+            assert_eq!(table.time_of(5000.1), SweepTime(f64::INFINITY));
+        }
+    }
+}

@@ -1,0 +1,1 @@
+//! Sweep memory: scan converter and digital memory.

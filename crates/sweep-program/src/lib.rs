@@ -1,0 +1,13 @@
+//! What the control plane hands to the signal plane, sweep by sweep.
+//!
+//! A [`SweepProgram`] is timed and complete: where the ramps start, what the registers hold, when the ramps fold
+//! and when words arrive. The signal plane runs it without asking anyone; a word that comes late is late here.
+
+mod colour;
+mod program;
+
+pub use colour::{Colour, PreloadRegister};
+pub use program::{
+    Fold, Load, Miss, Ramp, RampAxis, RegisterSet, Step, StepKind, Stop, SweepProgram, SweepStart, Target,
+    WordMask,
+};

@@ -1,0 +1,187 @@
+//! The program of one sweep.
+
+use quantities::SweepTime;
+
+use crate::{Colour, PreloadRegister};
+
+/// Axis of a ramp: X runs north, Y runs east.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum RampAxis {
+    /// North.
+    X,
+    /// East.
+    Y,
+}
+
+impl RampAxis {
+    /// The preload register that a fold of this axis transfers.
+    pub fn register(self) -> PreloadRegister {
+        match self {
+            Self::X => PreloadRegister::XFirst,
+            Self::Y => PreloadRegister::YFirst,
+        }
+    }
+
+    /// Whether a fold of this axis at `stop` gives `colour` new words (event table of 6.3).
+    pub fn takes(self, stop: Stop, colour: Colour) -> bool {
+        let far = match self {
+            Self::X => colour.at_far_x(),
+            Self::Y => colour.at_far_y(),
+        };
+        far == (stop == Stop::Zero)
+    }
+}
+
+/// Limit stop of a ramp.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Stop {
+    /// The ramp fell to 0.
+    Zero,
+    /// The ramp rose to 1.
+    One,
+}
+
+/// One of the two folded ramps at the start of a sweep (section 6.5).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ramp {
+    /// Start, 0..=1.
+    pub start: f64,
+    /// Change of the ramp a region of ground range, signed: `cos theta * s_x` or `sin theta * s_y`.
+    pub rate: f64,
+    /// Polarity flip-flop: +1 where the region is crossed in its own orientation, -1 where it is mirrored.
+    pub polarity: f64,
+}
+
+/// What sweep set-up computes: all else follows from the folds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SweepStart {
+    /// Cosine and sine of the sweep's azimuth against north.
+    pub direction: [f64; 2],
+    /// Region (K, L) of the eye's foot; may lie outside the stored area by one.
+    pub region: [i64; 2],
+    /// Folded ramps X and Y.
+    pub ramps: [Ramp; 2],
+}
+
+/// A ramp met its stop: fold, polarity and register transfer happen in this instant, wired.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fold {
+    /// Which ramp.
+    pub axis: RampAxis,
+    /// Which stop.
+    pub stop: Stop,
+}
+
+/// Which of the nine words of a set arrive together: bit `3 p + q`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct WordMask(pub u16);
+
+impl WordMask {
+    /// All nine words.
+    pub const ALL: Self = Self(0x1ff);
+
+    /// Only word `3 p + q`.
+    pub fn only(word: usize) -> Self {
+        Self(1 << word)
+    }
+
+    /// The words of `self` that are not in `other`.
+    pub fn without(self, other: Self) -> Self {
+        Self(self.0 & !other.0)
+    }
+
+    /// Whether no word is left.
+    pub fn is_empty(self) -> bool {
+        self.0 == 0
+    }
+
+    /// Whether word `3 p + q` is among them.
+    pub fn has(self, word: usize) -> bool {
+        self.0 >> word & 1 == 1
+    }
+}
+
+/// Where arriving words go.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Target {
+    /// A preload register: in time.
+    Preload(PreloadRegister),
+    /// Straight through to the hold register: late, under the strobe-through policy.
+    Hold,
+}
+
+/// Words arrive at the registers of a colour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Load {
+    /// Whose registers.
+    pub colour: Colour,
+    /// Which of them.
+    pub target: Target,
+    /// Index of the corner in the storage buffer.
+    pub corner: u32,
+    /// Which words.
+    pub words: WordMask,
+}
+
+/// What happens at one instant of a sweep.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum StepKind {
+    /// A ramp folds.
+    Fold(Fold),
+    /// Words arrive.
+    Load(Load),
+}
+
+/// One instant of a sweep.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Step {
+    /// When, on the sweep clock.
+    pub time: SweepTime,
+    /// Ground range then (m).
+    pub range: f64,
+    /// What happens.
+    pub kind: StepKind,
+}
+
+/// Corners in the three registers of a colour at sweep start, as indices into the storage buffer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct RegisterSet {
+    /// Feeds the multiplying D/As.
+    pub hold: u32,
+    /// Waits for an X stop.
+    pub x_first: u32,
+    /// Waits for a Y stop.
+    pub y_first: u32,
+}
+
+/// Words that came after the fold they were meant for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Miss {
+    /// The fold that found them missing, counted from 0 in the sweep.
+    pub crossing: u32,
+    /// When that fold was.
+    pub time: SweepTime,
+    /// When the words arrived.
+    pub arrival: SweepTime,
+    /// Whose registers.
+    pub colour: Colour,
+    /// Which preload register was stale.
+    pub register: PreloadRegister,
+    /// Which words.
+    pub words: WordMask,
+}
+
+/// The program of one sweep: steps in order of time; at one instant in order of cause.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SweepProgram {
+    /// Where the ramps start.
+    pub start: SweepStart,
+    /// What the registers hold then, by [`Colour`].
+    pub registers: [RegisterSet; 4],
+    /// Folds and arrivals.
+    pub steps: Vec<Step>,
+    /// Ground range at which the profile ends (m): end of the programme or edge of the problem area.
+    pub end_range: f64,
+    /// Loads that came too late.
+    pub misses: Vec<Miss>,
+}

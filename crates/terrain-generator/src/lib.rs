@@ -1,0 +1,1 @@
+//! Terrain generator (fig. 16-22).
