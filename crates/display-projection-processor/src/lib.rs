@@ -1,1 +1,22 @@
-//! Display projection processor (fig. 30).
+//! Display projection processor (fig. 30; section 15).
+//!
+//! ```text
+//! mu.height ─▶ - z²/2R ─▶ ÷ z ─▶ dpp.elevation ─▶ derivative or peak-hold ─▶ dpp.blank, dpp.hold
+//! sweep.range ─┘                                                          └▶ dpp.y  line position
+//! ```
+//!
+//! **Law.** `tan eta = (h - H - z^2/2R) / z`. Elevation is compared by its tangent: both are monotonic in one
+//! another, and no angle is needed. Ground is seen where the tangent exceeds every one before it. The deflection
+//! is `Y = (a - b t) / (c + e t)` with constants per sweep ([`Deflection`]).
+//! **Occlusion.** [`scenario::Occlusion::Derivative`] as reported: blank when elevation falls, hold it, unblank
+//! when it returns. [`scenario::Occlusion::PeakHold`]: compare with the highest so far. With ideal parts both
+//! blank the same ground; they differ once comparators have thresholds and noise.
+//! **Timing.** A profile comes back into sight between two samples; [`Projected::entry`] says where.
+//! **Our choices.** Unblank when the elevation equals the held one; ground before the first sample is not drawn.
+//! **Not modelled yet.** Comparator threshold, delay, sample-and-hold: ideal parts only.
+
+mod deflection;
+mod processor;
+
+pub use deflection::Deflection;
+pub use processor::{Processor, Projected, SIGNALS};

@@ -4,6 +4,7 @@
 //! for one pose. No files, no clock, no state between frames that is not in the arguments: any frame can be made
 //! alone, in any order, by any number of threads.
 
+mod counts;
 mod omission;
 mod planes;
 
@@ -14,6 +15,7 @@ use landscape::{Landscape, Sun};
 use scenario::Pose;
 use signal::{Probe, Signal};
 
+pub use counts::FrameCounts;
 pub use omission::{Omission, Weight};
 pub use planes::{Plane, PlaneKind, Planes};
 
@@ -95,7 +97,8 @@ pub trait Generator: Sync {
 /// A generator made ready for one stage.
 pub trait Session: Send + Sync {
     /// Draws frame `frame` from `pose` into the planes that `planes` holds, and records what `probe` wants.
-    /// Uses the threads of the current rayon pool; the bits do not depend on their number.
+    /// Uses the threads of the current rayon pool; the bits do not depend on their number. The planes must have
+    /// as many columns and lines as the settings' raster.
     ///
     /// # Errors
     /// If the pose cannot be drawn.
@@ -105,7 +108,7 @@ pub trait Session: Send + Sync {
         pose: &Pose,
         planes: &mut Planes,
         probe: &mut Probe,
-    ) -> Result<(), FrameError>;
+    ) -> Result<FrameCounts, FrameError>;
 
     /// What was left out at elaboration, and why.
     fn omissions(&self) -> Vec<Omission>;

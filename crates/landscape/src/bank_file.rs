@@ -1,1 +1,63 @@
-//! Container.
+//! The container of a bank, its text sidecar, and plain coefficients as NPY; docs/bank-format.md has the tables.
+//!
+//! A bank file is a table of aligned little-endian sections, each with its own checksum, so that other tools can
+//! map it and later kinds (features, index, shadows) can be added: a reader skips kinds that it does not know.
+//!
+//! ```
+//! use landscape::{Bank, Level, bank_file};
+//! let level = Level::new(250.0, [0.0, 0.0], [2, 2], vec![[0.0; 9]; 4])?;
+//! let bank = Bank::new("a plate", vec![level], None)?;
+//! let folder = tempfile::tempdir()?;
+//! let path = folder.path().join("plate.bank");
+//! bank_file::write(&path, &bank)?;
+//! assert_eq!(bank_file::read(&path)?, bank);
+//! assert!(folder.path().join("plate.bank.toml").exists());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod corners;
+mod decode;
+mod encode;
+mod error;
+mod layout;
+mod sidecar;
+
+pub use corners::{CornersError, export_corners, import_corners};
+pub use decode::decode;
+pub use encode::{content_hash, encode};
+pub use error::{BankFileError, BankFormatError, SectionName};
+pub use layout::FORMAT;
+pub use sidecar::{describe, sidecar_path};
+
+use crate::Bank;
+use std::io::Write;
+use std::path::Path;
+
+/// Largest bank file that [`read`] takes (bytes): 4 GiB, 59 million corners.
+pub const MAX_BYTES: u64 = 1 << 32;
+
+/// Writes `bank` to `path` and its description to [`sidecar_path`], each whole or not at all.
+///
+/// # Errors
+/// If a file cannot be written.
+pub fn write(path: impl AsRef<Path>, bank: &Bank) -> Result<(), BankFileError> {
+    let path = path.as_ref();
+    let bytes = encode(bank);
+    files::write_atomic(path, |out: &mut dyn Write| out.write_all(&bytes))?;
+    let text = describe(bank);
+    files::write_atomic(sidecar_path(path), |out: &mut dyn Write| out.write_all(text.as_bytes()))?;
+    Ok(())
+}
+
+/// Reads the bank in the file `path`; the sidecar is for people and is not read.
+///
+/// # Errors
+/// If the file cannot be read, or is damaged: which section, at which byte, what was found and expected.
+pub fn read(path: impl AsRef<Path>) -> Result<Bank, BankFileError> {
+    let path = path.as_ref();
+    let bytes = files::read_all(path, MAX_BYTES)?;
+    decode(&bytes).map_err(|source| BankFileError::Format { path: path.to_owned(), source })
+}
+
+#[cfg(test)]
+mod tests;

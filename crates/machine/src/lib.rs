@@ -1,1 +1,22 @@
-//! The hybrid machine: elaboration, control plane, signal plane (fig. 14).
+//! The hybrid machine: elaboration, control plane, signal plane (fig. 14; section 24).
+//!
+//! ```text
+//!  control plane                      signal plane, eight sweeps side by side
+//!  pose ▶ fan ▶ ramps ▶ folds ▶ DPU ▶ sweep programs ▶ TG ▶ MU ▶ DPP ▶ SM [sweep, line] ▶ read-out ▶ picture
+//! ```
+//!
+//! Only this crate knows who is wired to whom. [`HybridMachine`] elaborates a stage: the scalar type is chosen,
+//! tables over the sweep are made, and blocks without work are left out. After that a frame is: programs for
+//! every sweep ([`control_plane`]), profiles and lines ([`signal_plane`]), one read-out.
+//!
+//! The unit of work is a group of eight sweeps, whatever the number of threads, and nothing survives from one
+//! group to the next: any frame can be made alone, by any number of threads, with the same bits.
+
+mod control_plane;
+mod elaboration;
+mod record;
+mod session;
+mod signal_plane;
+
+pub use elaboration::HybridMachine;
+pub use record::signals;

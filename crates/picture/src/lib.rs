@@ -1,1 +1,30 @@
 //! Grey pictures, PNG, animated PNG, Y4M, contact sheets.
+//!
+//! A [`GreyPicture`] holds codes of 8 or 16 bits, line by line from the top. [`Encoder`] turns a plane of
+//! linear intensity into codes by a [`Transfer`] law; everything else here takes codes.
+//!
+//! ```
+//! use picture::{Depth, Encoder, Transfer};
+//! let encoder = Encoder::new(Transfer::new(1.0, 2.2)?, Depth::Eight);
+//! let picture = encoder.encode(&[0.0, 0.18, 0.5, 1.0], 2, 2)?;
+//! assert_eq!(picture.codes(), [0, 117, 186, 255]);
+//! let png = picture::encode_png(&picture, &[("Title", "four pixels")])?;
+//! assert_eq!(picture::decode_png(&png, &picture::Limits::default())?, picture);
+//! # Ok::<(), picture::PictureError>(())
+//! ```
+
+mod apng;
+mod compose;
+mod error;
+mod grey;
+mod png_file;
+mod transfer;
+mod y4m;
+
+pub use apng::Apng;
+pub use compose::{GAP, beside, contact_sheet, shrink};
+pub use error::{PictureError, PictureFileError};
+pub use grey::{Depth, GreyPicture};
+pub use png_file::{Limits, decode_png, encode_png, read_png, write_png};
+pub use transfer::{Encoder, Transfer};
+pub use y4m::{Y4m, Y4mColour};

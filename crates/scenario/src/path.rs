@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use quantities::{radians, wrap_heading};
+use quantities::wrap_heading;
 
 use crate::curve::Curve;
 
@@ -35,6 +35,8 @@ pub struct Station {
     pub heading: f64,
     /// Height of the eye above the lunoid's tangent plane (m), where the path says it.
     pub eye_height: Option<f64>,
+    /// Its rate (m/s).
+    pub climb: Option<f64>,
     /// Nose up (rad), where the path says it.
     pub pitch: Option<f64>,
     /// Starboard down (rad), where the path says it.
@@ -121,6 +123,7 @@ impl Path {
             velocity: self.position.each_ref().map(|curve| curve.rate(time)),
             heading: self.heading_at(time),
             eye_height: value(&self.eye_height),
+            climb: self.eye_height.as_ref().map(|curve| curve.rate(time)),
             pitch: value(&self.pitch),
             roll: value(&self.roll),
         }
@@ -199,7 +202,7 @@ fn travel(waypoints: &[Waypoint], position: &[Curve; 2], index: usize, time: f64
     let spans = waypoints.len() - 1;
     let moves = |&span: &usize| waypoints[span].at != waypoints[span + 1].at;
     let before = (0..spans.min(index + 1)).rev().find(moves);
-    let Some(span) = before.or_else(|| (index + 1..spans).find(moves)) else { return radians(0.0) };
+    let Some(span) = before.or_else(|| (index + 1..spans).find(moves)) else { return 0.0 };
     let (from, to) = (waypoints[span].time, waypoints[span + 1].time);
     let time = time.clamp(from, to);
     direction(position, time).unwrap_or_else(|| {

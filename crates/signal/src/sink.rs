@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::Path;
 
-use files::{FileError, Npy, NpyData, write_atomic, write_npz as write_arrays};
+use files::{FileError, Npy, write_atomic, write_npz as write_arrays};
 
 use crate::Waveform;
 
@@ -12,6 +12,9 @@ use crate::Waveform;
 ///
 /// # Errors
 /// If the file cannot be written.
+///
+/// # Panics
+/// If two waveforms of one signal differ in length.
 pub fn write_npz(path: &Path, waveforms: &[Waveform]) -> Result<(), FileError> {
     let mut by_signal: BTreeMap<&str, Vec<&Waveform>> = BTreeMap::new();
     for waveform in waveforms {
@@ -19,16 +22,20 @@ pub fn write_npz(path: &Path, waveforms: &[Waveform]) -> Result<(), FileError> {
     }
     let mut arrays: Vec<(&str, Npy)> = by_signal.iter().map(|(name, rows)| (*name, rows_of(rows))).collect();
     if let Some(rows) = by_signal.values().next() {
-        let sweeps = rows.iter().map(|row| f64::from(row.sweep)).collect();
-        arrays.push(("sweeps", Npy { shape: vec![rows.len()], data: NpyData::F64(sweeps) }));
+        let sweeps: Vec<f64> = rows.iter().map(|row| f64::from(row.sweep)).collect();
+        arrays.push(("sweeps", array(vec![rows.len()], sweeps)));
     }
-    write_arrays(path, &arrays)
+    write_arrays(path, arrays.iter().map(|(name, array)| (*name, array)))
 }
 
 fn rows_of(rows: &[&Waveform]) -> Npy {
     let samples = rows[0].values.len();
     let data = rows.iter().flat_map(|row| row.values.iter().copied()).collect();
-    Npy { shape: vec![rows.len(), samples], data: NpyData::F64(data) }
+    array(vec![rows.len(), samples], data)
+}
+
+fn array(shape: Vec<usize>, values: Vec<f64>) -> Npy {
+    Npy::new(shape, values).expect("all waveforms of a signal have one length")
 }
 
 /// Writes one row a sample: frame, sweep, sample, then a column a signal with its unit in the heading.

@@ -17,5 +17,5 @@
 mod ramps;
 mod range_table;
 
-pub use ramps::{Folds, ramp_at, set_up};
+pub use ramps::{Folds, PlacedFold, set_up};
 pub use range_table::RangeTable;

@@ -6,13 +6,9 @@ use sweep_program::{Fold, Ramp, RampAxis, Stop, SweepStart};
 /// (cosine, sine of the azimuth against north): the start rule of 6.5, with absolute parity.
 pub fn set_up(foot: [f64; 2], direction: [f64; 2]) -> SweepStart {
     let mut region = [0; 2];
-    let axis = |axis: usize| {
+    let ramps = std::array::from_fn(|axis| {
         let (k, ramp) = set_up_axis(foot[axis], direction[axis]);
-        (k, ramp)
-    };
-    let ramps = std::array::from_fn(|index| {
-        let (k, ramp) = axis(index);
-        region[index] = k;
+        region[axis] = k;
         ramp
     });
     SweepStart { direction, region, ramps }
@@ -74,9 +70,8 @@ impl Iterator for Folds {
 
 impl AxisFolds {
     fn new(ramp: Ramp) -> Self {
-        let rising = ramp.rate > 0.0;
-        let first = if rising { 1.0 - ramp.start } else { ramp.start };
-        Self { first, rate: ramp.rate.abs(), count: 0, next: if rising { Stop::One } else { Stop::Zero } }
+        let (first, next) = ramp.first_stop();
+        Self { first, rate: ramp.rate.abs(), count: 0, next }
     }
 
     /// Range of the next fold, in regions; infinite for a ramp that stands.
@@ -95,20 +90,9 @@ impl AxisFolds {
     }
 }
 
-/// A ramp at range `lambda` (in regions) after `folds` folds: its value in 0..=1 and its rate, signed.
-pub fn ramp_at(ramp: &Ramp, folds: u32, lambda: f64) -> (f64, f64) {
-    if folds == 0 {
-        return ((ramp.start + ramp.rate * lambda).clamp(0.0, 1.0), ramp.rate);
-    }
-    let axis = AxisFolds::new(*ramp);
-    let way = (axis.rate * lambda - (axis.first + f64::from(folds - 1))).clamp(0.0, 1.0);
-    let left_top = (axis.next == Stop::One) == (folds % 2 == 1);
-    if left_top { (1.0 - way, -axis.rate) } else { (way, axis.rate) }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Folds, ramp_at, set_up};
+    use super::{Folds, set_up};
     use quantities::{radians, sin_cos};
     use sweep_program::{RampAxis, Stop, SweepStart};
 
@@ -197,7 +181,7 @@ mod tests {
                     let wanted = if axis == 0 { X } else { Y };
                     let passed = Folds::new(&start).take_while(|(range, _)| *range < lambda);
                     let count = passed.filter(|(_, fold)| fold.axis == wanted).count() as u32;
-                    let (value, _) = ramp_at(&start.ramps[axis], count, lambda);
+                    let (value, _) = start.ramps[axis].at(count, lambda);
                     assert!((value - triangle).abs() < 1e-12, "{foot:?} {degrees} {lambda}");
                 }
             }

@@ -4,8 +4,10 @@
 //! and when words arrive. The signal plane runs it without asking anyone; a word that comes late is late here.
 
 mod colour;
+mod fan;
 mod program;
 
+pub use fan::Fan;
 pub use colour::{Colour, PreloadRegister};
 pub use program::{
     Fold, Load, Miss, Ramp, RampAxis, RegisterSet, Step, StepKind, Stop, SweepProgram, SweepStart, Target,

@@ -52,6 +52,25 @@ pub struct Ramp {
     pub polarity: f64,
 }
 
+impl Ramp {
+    /// Way from the start to the stop that is met first, 0..=1, and that stop; a ramp that stands meets none.
+    pub fn first_stop(&self) -> (f64, Stop) {
+        if self.rate > 0.0 { (1.0 - self.start, Stop::One) } else { (self.start, Stop::Zero) }
+    }
+
+    /// Value (0..=1) and signed rate at range `lambda` (in regions), after `folds` folds.
+    pub fn at(&self, folds: u32, lambda: f64) -> (f64, f64) {
+        if folds == 0 {
+            return ((self.start + self.rate * lambda).clamp(0.0, 1.0), self.rate);
+        }
+        let (first, stop) = self.first_stop();
+        let speed = self.rate.abs();
+        let way = (speed * lambda - (first + f64::from(folds - 1))).clamp(0.0, 1.0);
+        let left_one = (stop == Stop::One) == (folds % 2 == 1);
+        if left_one { (1.0 - way, -speed) } else { (way, speed) }
+    }
+}
+
 /// What sweep set-up computes: all else follows from the folds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SweepStart {

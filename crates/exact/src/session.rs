@@ -1,0 +1,121 @@
+//! `exact` as a generator: checks the pose, draws the columns.
+
+use generator::{
+    FrameError, Generator, Omission, PlaneKind, Planes, PrepareError, Session as GeneratorSession, Stage,
+};
+use landscape::Landscape;
+use quantities::degrees;
+use rayon::prelude::*;
+use scenario::{Pose, RangeLaw, RangeProgramme};
+use signal::{Probe, Signal};
+
+use crate::column::{Column, Pixel};
+use crate::{Ceilings, Outlook, View};
+
+/// |pitch| + half the vertical field of view stays below this (deg): nadir and zenith lie outside the picture.
+const PITCH_LIMIT_DEG: f64 = 80.0;
+
+/// The generator that error is measured against; see the crate's data sheet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Exact;
+
+impl Generator for Exact {
+    fn name(&self) -> &'static str {
+        "exact"
+    }
+
+    fn signals(&self) -> &'static [Signal] {
+        &[]
+    }
+
+    fn prepare(&self, stage: Stage) -> Result<Box<dyn GeneratorSession>, PrepareError> {
+        let ceilings = Ceilings::new(stage.landscape.level());
+        Ok(Box::new(Session { stage, ceilings }))
+    }
+}
+
+struct Session {
+    stage: Stage,
+    ceilings: Ceilings,
+}
+
+impl GeneratorSession for Session {
+    /// The raster is that of `planes`; nothing can be probed.
+    fn frame(
+        &self,
+        frame: u64,
+        pose: &Pose,
+        planes: &mut Planes,
+        _probe: &mut Probe,
+    ) -> Result<(), FrameError> {
+        check_eye(&self.stage.landscape, frame, pose)?;
+        self.check_pitch(frame, pose)?;
+        let columns = self.columns(pose, planes.columns(), planes.lines());
+        fill(planes, PlaneKind::Intensity, &columns, |pixel| pixel.intensity);
+        fill(planes, PlaneKind::Range, &columns, |pixel| pixel.range);
+        Ok(())
+    }
+
+    fn omissions(&self) -> Vec<Omission> {
+        Vec::new()
+    }
+}
+
+impl Session {
+    fn columns(&self, pose: &Pose, columns: usize, lines: usize) -> Vec<Vec<Pixel>> {
+        let Stage { landscape, sun, settings } = &self.stage;
+        let ranges = [first_range(&settings.range, settings.raster.samples), settings.range.end];
+        let laws = settings.laws;
+        let outlook = Outlook::new(landscape.level(), &self.ceilings, pose.eye, laws.curvature, ranges);
+        let view = View::new(laws.projection, &pose.attitude);
+        let field = settings.raster.field;
+        let draw = |column: usize| {
+            let x = field.tan_half_width * (2.0 * column as f64 + 1.0 - columns as f64) / columns as f64;
+            let half_height = field.tan_half_height;
+            Column { outlook: &outlook, view: &view, landscape, sun, x, half_height, lines }
+                .pixels(laws.pixel_rule)
+        };
+        (0..columns).into_par_iter().map(draw).collect()
+    }
+
+    fn check_pitch(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {
+        let half_field = degrees(libm::atan(self.stage.settings.raster.field.tan_half_height));
+        let pitch_deg = degrees(pose.attitude.pitch);
+        match pitch_deg.abs() + half_field < PITCH_LIMIT_DEG {
+            true => Ok(()),
+            false => Err(FrameError::Pitch { frame, pitch_deg, limit_deg: PITCH_LIMIT_DEG }),
+        }
+    }
+}
+
+fn check_eye(landscape: &Landscape, frame: u64, pose: &Pose) -> Result<(), FrameError> {
+    let [x, y, height] = pose.eye;
+    let ground = landscape.height(x, y).ok_or(FrameError::OutsideProblemArea { frame, x, y })?;
+    match height > ground {
+        true => Ok(()),
+        false => Err(FrameError::EyeUnderGround { frame, below: ground - height }),
+    }
+}
+
+/// Range of the machine's first sample (m): ground nearer than that no sweep draws. The two ramps of the terrain
+/// generator start one step out instead of at `start`.
+fn first_range(programme: &RangeProgramme, samples: u32) -> f64 {
+    let samples = f64::from(samples);
+    match programme.law {
+        RangeLaw::ConstantRate => programme.end / samples,
+        RangeLaw::TwoRate { switch, fine_share } => {
+            let fine_steps = (fine_share * (samples - 1.0)).round().min(samples - 2.0).max(1.0);
+            switch / (fine_steps + 1.0)
+        }
+        RangeLaw::ConstantElevation | RangeLaw::Geometric => programme.start,
+    }
+}
+
+fn fill(planes: &mut Planes, kind: PlaneKind, columns: &[Vec<Pixel>], value: fn(&Pixel) -> f64) {
+    let Some(values) = planes.get_mut(kind) else { return };
+    for (line, row) in values.chunks_mut(columns.len().max(1)).enumerate() {
+        for (target, column) in row.iter_mut().zip(columns) {
+            *target = value(&column[line]) as f32;
+        }
+    }
+}

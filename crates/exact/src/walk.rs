@@ -1,0 +1,146 @@
+//! The regions that a straight line over the ground passes, in order.
+
+use landscape::Level;
+
+/// A part of the line inside one region.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stretch {
+    /// Region, north and east.
+    pub region: [usize; 2],
+    /// Ground range of its begin (m).
+    pub from: f64,
+    /// Ground range of its end (m), beyond `from`.
+    pub to: f64,
+}
+
+/// Stretches of `origin + s * step` (in regions) for s from `from` up to `end`, or up to the edge of the area.
+///
+/// Crossings are computed from the origin each time: no error adds up. A line along a boundary stays on one side
+/// of it; a line through a corner passes a region of no length, which is left out.
+#[derive(Debug, Clone)]
+pub struct Walk {
+    origin: [f64; 2],
+    step: [f64; 2],
+    metres: [f64; 2],
+    region: [i64; 2],
+    regions: [i64; 2],
+    from: f64,
+    end: f64,
+}
+
+impl Walk {
+    /// A walk; `None` if it begins outside the stored area.
+    pub fn new(level: &Level, origin: [f64; 2], step: [f64; 2], from: f64, end: f64) -> Option<Self> {
+        let regions = level.corners().map(|corners| corners as i64 - 1);
+        let mut region = [0; 2];
+        for axis in 0..2 {
+            let at = origin[axis] + from * step[axis];
+            if !(at >= 0.0 && at <= regions[axis] as f64) {
+                return None;
+            }
+            region[axis] = (at as i64).min(regions[axis] - 1);
+        }
+        let metres = step.map(|step| 1.0 / step);
+        Some(Self { origin, step, metres, region, regions, from, end })
+    }
+
+    /// Ground range where the line leaves the present region across the boundary of an axis.
+    fn crossing(&self, axis: usize) -> f64 {
+        let step = self.step[axis];
+        if step == 0.0 {
+            return f64::INFINITY;
+        }
+        let boundary = self.region[axis] + i64::from(step > 0.0);
+        (boundary as f64 - self.origin[axis]) * self.metres[axis]
+    }
+
+    fn stored(&self) -> bool {
+        (0..2).all(|axis| self.region[axis] >= 0 && self.region[axis] < self.regions[axis])
+    }
+}
+
+impl Iterator for Walk {
+    type Item = Stretch;
+
+    fn next(&mut self) -> Option<Stretch> {
+        while self.from < self.end && self.stored() {
+            let crossings = [self.crossing(0), self.crossing(1)];
+            let axis = usize::from(crossings[1] < crossings[0]);
+            let to = crossings[axis].min(self.end);
+            let stretch = Stretch { region: self.region.map(|index| index as usize), from: self.from, to };
+            self.region[axis] += if self.step[axis] > 0.0 { 1 } else { -1 };
+            if to > self.from {
+                self.from = to;
+                return Some(stretch);
+            }
+        }
+        None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Stretch, Walk};
+    use landscape::Level;
+    use proptest::prelude::*;
+
+    fn level() -> Level {
+        Level::new(10.0, [0.0; 2], [4, 4], vec![[0.0; 9]; 16]).unwrap()
+    }
+
+    fn walk(origin: [f64; 2], direction: [f64; 2], from: f64, end: f64) -> Vec<Stretch> {
+        let [origin, step] = [origin, direction].map(|pair| pair.map(|value| value / 10.0));
+        Walk::new(&level(), origin, step, from, end).into_iter().flatten().collect()
+    }
+
+    fn regions(stretches: &[Stretch]) -> Vec<[usize; 2]> {
+        stretches.iter().map(|stretch| stretch.region).collect()
+    }
+
+    #[test]
+    fn along_a_boundary_and_along_both_edges() {
+        assert_eq!(regions(&walk([0.0, 10.0], [1.0, 0.0], 1.0, 99.0)), [[0, 1], [1, 1], [2, 1]]);
+        assert_eq!(regions(&walk([30.0, 30.0], [-1.0, 0.0], 0.0, 99.0)), [[2, 2], [1, 2], [0, 2]]);
+        assert_eq!(regions(&walk([15.0, 0.0], [0.0, 1.0], 0.0, 12.0)), [[1, 0], [1, 1]]);
+    }
+
+    #[test]
+    fn through_corners() {
+        let half = 0.5_f64.sqrt();
+        let stretches = walk([0.0, 0.0], [half, half], 1.0, 99.0);
+        assert_eq!(stretches.first().unwrap().from, 1.0);
+        assert!((stretches.last().unwrap().to - 30.0 * 2.0_f64.sqrt()).abs() < 1e-12);
+        let long: Vec<_> = stretches.into_iter().filter(|stretch| stretch.to - stretch.from > 1e-9).collect();
+        assert_eq!(regions(&long), [[0, 0], [1, 1], [2, 2]]);
+        assert_eq!(regions(&walk([10.0, 10.0], [-half, half], 0.0, 5.0)), [[0, 1]]);
+    }
+
+    #[test]
+    fn from_the_edge_outwards_there_is_nothing() {
+        assert!(walk([0.0, 5.0], [-1.0, 0.0], 0.0, 99.0).is_empty());
+        assert!(walk([30.0, 5.0], [1.0, 0.0], 0.0, 99.0).is_empty());
+        assert!(walk([5.0, 5.0], [1.0, 0.0], 26.0, 99.0).is_empty());
+        assert!(walk([5.0, 5.0], [f64::NAN, f64::NAN], 1.0, 99.0).is_empty());
+    }
+
+    proptest! {
+        #[test]
+        fn stretches_join_and_lie_in_their_regions(
+            origin in proptest::array::uniform2(0.0..=30.0f64), azimuth in 0.0..7.0f64,
+        ) {
+            let direction = [libm::cos(azimuth), libm::sin(azimuth)];
+            let stretches = walk(origin, direction, 0.0, 99.0);
+            for pair in stretches.windows(2) {
+                prop_assert_eq!(pair[0].to, pair[1].from);
+            }
+            for stretch in stretches {
+                for s in [stretch.from, stretch.to] {
+                    for axis in 0..2 {
+                        let local = (origin[axis] + s * direction[axis]) / 10.0 - stretch.region[axis] as f64;
+                        prop_assert!((-1e-13..=1.0 + 1e-13).contains(&local), "{}", local);
+                    }
+                }
+            }
+        }
+    }
+}

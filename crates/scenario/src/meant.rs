@@ -1,0 +1,84 @@
+//! A scenario as meant: SI, checked, complete.
+
+use std::path::{Path as FilePath, PathBuf};
+
+use landscape::Sun;
+use landscape::relief::Relief;
+use quantities::Rate;
+
+use crate::{Display, FieldOfView, LawWishes, Path, RangeProgramme, RasterWishes, Scalar, Vehicle};
+
+/// What happens: ground, light, vehicle, path, and how it is to be seen.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scenario {
+    /// A few words.
+    pub title: String,
+    /// One sentence: what it shows.
+    pub shows: String,
+    /// Name of the hardware model, unless the command names another.
+    pub machine: String,
+    /// How long it is.
+    pub length: Length,
+    /// Where the ground comes from.
+    pub ground: Ground,
+    /// Share of the light that the ground returns, 0..=1.
+    pub albedo: f64,
+    /// Direction of the light.
+    pub sun: Sun,
+    /// Size and limits of the vehicle.
+    pub vehicle: Vehicle,
+    /// Where it drives.
+    pub path: Path,
+    /// File of the path, where it has one of its own.
+    pub path_file: Option<PathBuf>,
+    /// Raster asked for.
+    pub raster: RasterWishes,
+    /// What the driver sees.
+    pub field: FieldOfView,
+    /// Ground-range programme asked for.
+    pub range: Option<RangeProgramme>,
+    /// Laws asked for.
+    pub laws: LawWishes,
+    /// From reflectivity to grey.
+    pub display: Display,
+    /// Scalar type of the analog signals.
+    pub scalar: Scalar,
+}
+
+/// Length of a scenario.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Length {
+    /// A number of frames, at whatever update rate.
+    Frames(u64),
+    /// Seconds, above 0.
+    Seconds(f64),
+}
+
+/// Where the ground comes from.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Ground {
+    /// A coefficient bank in a file, in the scenario's folder or below.
+    Bank(PathBuf),
+    /// A seeded landscape.
+    Generated(Relief),
+}
+
+impl Scenario {
+    /// Frames at `update` frames a second: those that begin before the end; at least one.
+    pub fn frames(&self, update: Rate) -> u64 {
+        match self.length {
+            Length::Frames(frames) => frames,
+            // Rounding of the product must not add a frame that begins at the very end.
+            Length::Seconds(seconds) => ((seconds * update.hertz() - 1e-9).ceil() as u64).max(1),
+        }
+    }
+
+    /// Files that the scenario refers to, for the record of a run.
+    pub fn files(&self) -> Vec<&FilePath> {
+        let bank = match &self.ground {
+            Ground::Bank(path) => Some(path.as_path()),
+            Ground::Generated(_) => None,
+        };
+        bank.into_iter().chain(self.path_file.as_deref()).collect()
+    }
+}

@@ -1,0 +1,111 @@
+//! Why a path cannot be driven over a landscape.
+
+use std::fmt;
+use std::ops::Range;
+
+use quantities::degrees;
+
+/// What is wrong with a pose.
+#[derive(Debug, Clone, PartialEq)]
+pub enum PoseFault {
+    /// The vehicle is not over the problem area.
+    Outside {
+        /// Its centre still is, but not all of its wheels.
+        wheels: bool,
+        /// South, west, north, east edge of the area (m).
+        extent: [f64; 4],
+    },
+    /// The path puts the eye into the ground.
+    EyeUnderGround {
+        /// Height of the eye (m).
+        eye: f64,
+        /// Height of the ground (m).
+        ground: f64,
+    },
+    /// Pitch or roll that no vehicle has.
+    Tilt {
+        /// "pitch" or "roll".
+        what: &'static str,
+        /// Found (rad).
+        found: f64,
+        /// Allowed, either way (rad).
+        allowed: f64,
+    },
+}
+
+/// One stretch of frames with one kind of fault; the numbers are those of its first frame.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PathProblem {
+    /// What is wrong.
+    pub fault: PoseFault,
+    /// The whole stretch.
+    pub frames: Range<u64>,
+    /// Time of the first frame (s).
+    pub time: f64,
+    /// Where the vehicle is then: north, east (m).
+    pub at: [f64; 2],
+}
+
+/// All stretches; never empty.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PathProblems {
+    list: Vec<PathProblem>,
+}
+
+impl PathProblems {
+    /// Joins faults of single frames, ascending, into stretches.
+    pub(crate) fn of(faults: impl Iterator<Item = (u64, PathProblem)>) -> Result<(), Self> {
+        let mut list: Vec<PathProblem> = Vec::new();
+        for (frame, problem) in faults {
+            match list.last_mut() {
+                Some(last) if last.continues_with(frame, &problem) => last.frames.end = frame + 1,
+                _ => list.push(problem),
+            }
+        }
+        if list.is_empty() { Ok(()) } else { Err(Self { list }) }
+    }
+
+    /// One after the other, in order of time.
+    pub fn iter(&self) -> impl Iterator<Item = &PathProblem> {
+        self.list.iter()
+    }
+}
+
+impl PathProblem {
+    fn continues_with(&self, frame: u64, next: &Self) -> bool {
+        self.frames.end == frame && std::mem::discriminant(&self.fault) == std::mem::discriminant(&next.fault)
+    }
+}
+
+impl fmt::Display for PathProblem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (Range { start, end }, [x, y]) = (&self.frames, self.at);
+        write!(f, "frame {start} (t = {:.3} s, x = {x:.2} m, y = {y:.2} m): ", self.time)?;
+        match &self.fault {
+            PoseFault::Outside { wheels, extent: [south, west, north, east] } => {
+                let who = if *wheels { "a wheel" } else { "the vehicle" };
+                write!(f, "{who} is outside the problem area, expected x {south}..{north} m, ")?;
+                write!(f, "y {west}..{east} m; change the path or enlarge the landscape")?;
+            }
+            PoseFault::EyeUnderGround { eye, ground } => {
+                write!(f, "eye under ground, z = {eye:.3} m where the ground is at {ground:.3} m; ")?;
+                write!(f, "raise z_m, or leave it empty to stand on the ground")?;
+            }
+            PoseFault::Tilt { what, found, allowed } => {
+                let (found, allowed) = (degrees(*found), degrees(*allowed));
+                write!(f, "{what} of {found:.1} deg, expected at most {allowed:.0} deg either way; ")?;
+                write!(f, "choose gentler ground or check the {what}")?;
+            }
+        }
+        if end - start > 1 { write!(f, " (frames {start}..{end})") } else { Ok(()) }
+    }
+}
+
+impl fmt::Display for PathProblems {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let lines: Vec<String> = self.list.iter().map(PathProblem::to_string).collect();
+        f.write_str(&lines.join("\n"))
+    }
+}
+
+impl std::error::Error for PathProblems {}

@@ -1,0 +1,158 @@
+//! The vehicle on the ground, for every frame.
+
+use std::fmt::Write as _;
+use std::ops::Range;
+
+use landscape::{Attitude, Landscape};
+use quantities::{Rate, degrees, radians};
+
+use crate::limits::{LimitReport, limit_reports};
+use crate::path::{Station, shortest_turn};
+use crate::pose_problem::{PathProblem, PathProblems, PoseFault};
+use crate::vehicle::{Stand, Vehicle};
+use crate::{Path, Pose, Scenario};
+
+/// Pitch or roll beyond which a pose is taken for a mistake (our choice): the sweeps need ground ahead.
+const MAX_TILT_DEG: f64 = 60.0;
+
+/// Pose of one frame and how the vehicle moves in it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PoseRow {
+    /// Frame, counted at the update rate.
+    pub frame: u64,
+    /// Time, eye, attitude.
+    pub pose: Pose,
+    /// Speed along the ground (m/s).
+    pub speed: f64,
+    /// Turn to starboard since the frame before; in frame 0, to the frame after (rad/s).
+    pub turn_rate: f64,
+    /// Steepness of the ground under the wheels (rad); 0 where the path says height, pitch and roll.
+    pub slope: f64,
+}
+
+/// Poses of a range of frames; a row depends on its frame alone, so any part of a table is the same.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PoseTable {
+    rows: Vec<PoseRow>,
+    limits: Vec<LimitReport>,
+}
+
+impl PoseTable {
+    /// Puts the vehicle of `scenario` on the ground for each frame of `frames`, at `update` frames a second.
+    ///
+    /// # Errors
+    /// Every stretch of frames in which the path leaves the problem area, the eye is under the ground, or the
+    /// attitude is beyond 60 degrees.
+    pub fn resolve(
+        scenario: &Scenario,
+        landscape: &Landscape,
+        update: Rate,
+        frames: Range<u64>,
+    ) -> Result<Self, PathProblems> {
+        let driver = Driver { path: &scenario.path, vehicle: &scenario.vehicle, landscape, update };
+        let found: Vec<_> = frames.map(|frame| (frame, driver.row(frame))).collect();
+        let faults = found.iter().filter_map(|(frame, row)| Some((*frame, row.as_ref().err()?.clone())));
+        PathProblems::of(faults)?;
+        let rows: Vec<PoseRow> = found.into_iter().filter_map(|(_, row)| row.ok()).collect();
+        let limits = limit_reports(&rows, &scenario.vehicle);
+        Ok(Self { rows, limits })
+    }
+
+    /// One row a frame, ascending.
+    pub fn rows(&self) -> &[PoseRow] {
+        &self.rows
+    }
+
+    /// Every stretch of frames in which the vehicle does more than it can.
+    pub fn limits(&self) -> &[LimitReport] {
+        &self.limits
+    }
+}
+
+/// What a pose is made of.
+struct Driver<'a> {
+    path: &'a Path,
+    vehicle: &'a Vehicle,
+    landscape: &'a Landscape,
+    update: Rate,
+}
+
+impl Driver<'_> {
+    fn time(&self, frame: u64) -> f64 {
+        frame as f64 / self.update.hertz()
+    }
+
+    fn row(&self, frame: u64) -> Result<PoseRow, PathProblem> {
+        let time = self.time(frame);
+        let station = self.path.at(time);
+        let problem = |fault| PathProblem { fault, frames: frame..frame + 1, time, at: station.at };
+        let (eye, attitude, stand) = self.place(&station).map_err(problem)?;
+        let [north, east] = station.velocity;
+        let climb = station.climb.unwrap_or(stand.slopes[0] * north + stand.slopes[1] * east);
+        Ok(PoseRow {
+            frame,
+            pose: Pose { time, eye: [station.at[0], station.at[1], eye], attitude },
+            speed: (north * north + east * east + climb * climb).sqrt(),
+            turn_rate: self.turn_rate(frame),
+            slope: stand.steepness(),
+        })
+    }
+
+    /// Height of the eye, attitude, and the ground under the vehicle.
+    fn place(&self, station: &Station) -> Result<(f64, Attitude, Stand), PoseFault> {
+        let stand = self.stand(station)?;
+        let standing = stand.attitude(station.heading);
+        let attitude = Attitude {
+            roll: station.roll.unwrap_or(standing.roll),
+            pitch: station.pitch.unwrap_or(standing.pitch),
+            heading: station.heading,
+        };
+        let ground = stand.ground;
+        let eye = station.eye_height.unwrap_or(ground + self.vehicle.eye_height);
+        if eye <= ground {
+            return Err(PoseFault::EyeUnderGround { eye, ground });
+        }
+        check_tilt("pitch", attitude.pitch)?;
+        check_tilt("roll", attitude.roll)?;
+        Ok((eye, attitude, stand))
+    }
+
+    /// The ground under the wheels; a path that says height, pitch and roll flies, and needs none.
+    fn stand(&self, station: &Station) -> Result<Stand, PoseFault> {
+        let outside = |wheels| PoseFault::Outside { wheels, extent: self.landscape.level().extent() };
+        let [x, y] = station.at;
+        let ground = self.landscape.height(x, y).ok_or_else(|| outside(false))?;
+        let flies = station.eye_height.is_some() && station.pitch.is_some() && station.roll.is_some();
+        if flies {
+            return Ok(Stand { ground, slopes: [0.0; 2] });
+        }
+        self.vehicle.stand(self.landscape, station.at, station.heading).ok_or_else(|| outside(true))
+    }
+
+    fn turn_rate(&self, frame: u64) -> f64 {
+        let from = frame.saturating_sub(1);
+        let [before, after] = [from, from + 1].map(|frame| self.path.at(self.time(frame)).heading);
+        shortest_turn(before, after) * self.update.hertz()
+    }
+}
+
+fn check_tilt(what: &'static str, found: f64) -> Result<(), PoseFault> {
+    let allowed = radians(MAX_TILT_DEG);
+    if found.abs() <= allowed { Ok(()) } else { Err(PoseFault::Tilt { what, found, allowed }) }
+}
+
+/// The poses as CSV, in the columns that a path file has, so that a run's poses can be driven again.
+pub fn poses_csv(table: &PoseTable) -> String {
+    let mut text =
+        String::from("frame,t_s,x_m,y_m,z_m,heading_deg,pitch_deg,roll_deg,speed_m_s,turn_deg_s,slope_deg\n");
+    for row in &table.rows {
+        let Pose { time, eye: [x, y, z], attitude } = row.pose;
+        let [heading, pitch, roll] = [attitude.heading, attitude.pitch, attitude.roll].map(degrees);
+        let [turn, slope] = [row.turn_rate, row.slope].map(degrees);
+        let (frame, speed) = (row.frame, row.speed);
+        let written =
+            writeln!(text, "{frame},{time},{x},{y},{z},{heading},{pitch},{roll},{speed},{turn},{slope}");
+        written.expect("a String takes everything");
+    }
+    text
+}

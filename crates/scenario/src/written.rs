@@ -1,0 +1,198 @@
+//! A scenario as written: the keys of its TOML file, strictly, and every fault at once.
+
+mod course;
+mod ground;
+mod number_table;
+mod path_csv;
+mod path_tum;
+mod reference;
+
+use std::path::Path as FilePath;
+
+use diagnostics::{Problem, ProblemList, Problems, Reader, TomlFile};
+use landscape::Sun;
+use quantities::radians;
+
+use crate::{Display, FieldOfView, LawWishes, Length, RasterWishes, Scalar, Scenario, Vehicle, words};
+
+/// Format of scenario files that this program reads.
+pub const FORMAT: u64 = 1;
+
+/// Larger than any scenario that a person writes.
+const MAX_BYTES: u64 = 16 << 20;
+
+/// Most frames of one scenario: 92 hours at 30 Hz.
+const MAX_FRAMES: u64 = 10_000_000;
+
+impl Scenario {
+    /// Reads a scenario file, and the path file that it may name.
+    ///
+    /// # Errors
+    /// Every fault of both files.
+    pub fn read(path: impl AsRef<FilePath>) -> Result<Self, ProblemList> {
+        let name = path.as_ref().display().to_string();
+        let bytes = files::read_all(path.as_ref(), MAX_BYTES)
+            .map_err(|error| Problem::of_file(&name, error.to_string()))?;
+        let problems = Problems::new();
+        let scenario = TomlFile::parse_bytes(&name, &bytes, &problems)
+            .and_then(|file| scenario(&file.root(&problems), folder_of(path.as_ref()), &problems));
+        problems.resolve(scenario)
+    }
+
+    /// Reads the text of a scenario; `name` is the path that it has or would have. References of the text start
+    /// at the folder of `name`.
+    ///
+    /// # Errors
+    /// Every fault of the text and of the path file that it may name.
+    pub fn parse(name: &str, text: &str) -> Result<Self, ProblemList> {
+        let problems = Problems::new();
+        let scenario = TomlFile::parse(name, text, &problems)
+            .and_then(|file| scenario(&file.root(&problems), folder_of(FilePath::new(name)), &problems));
+        problems.resolve(scenario)
+    }
+}
+
+fn folder_of(path: &FilePath) -> &FilePath {
+    path.parent().unwrap_or(FilePath::new(""))
+}
+
+fn scenario(root: &Reader, folder: &FilePath, problems: &Problems) -> Option<Scenario> {
+    if !root.format_version(FORMAT) && root.has("format") {
+        return None;
+    }
+    let title = root.string("title").required();
+    let shows = root.string("shows").help("say in one sentence what the scenario shows").required();
+    let machine = machine(root);
+    let length = length(root);
+    let ground = root.table("landscape").map(|table| (ground::ground(&table, folder), albedo(&table)));
+    let sun = root.table("sun").map(|table| sun(&table));
+    let vehicle = vehicle(&root.table_or_empty("vehicle"));
+    let path = root.table("path").map(|table| course::course(&table, folder, problems));
+    let raster = root.table_or_empty("raster");
+    let (wishes, field) = (raster_wishes(&raster), field_of_view(&raster));
+    let range = root.optional_table("range").map(|table| words::range(&table));
+    let laws = laws(&root.table_or_empty("laws"));
+    let display = display(&root.table_or_empty("display"));
+    let scalar = scalar(&root.table_or_empty("run"));
+    root.finish();
+    let ((ground, albedo), (path, path_file)) = (ground?, path??);
+    Some(Scenario {
+        title: title?,
+        shows: shows?,
+        machine: machine?,
+        length: length?,
+        ground: ground?,
+        albedo: albedo?,
+        sun: sun??,
+        vehicle: vehicle?,
+        path,
+        path_file,
+        raster: wishes,
+        field: field?,
+        range: range.flatten(),
+        laws,
+        display: display?,
+        scalar: scalar?,
+    })
+}
+
+/// A scenario names a model and never a file: it must not reach out of its folder.
+fn machine(root: &Reader) -> Option<String> {
+    let is_name = |name: &String| name.chars().all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '_');
+    let field = root.string("machine").must("a name of letters, digits and dashes", is_name);
+    field.help("a model file is named on the command line: --machine FILE").default("ideal".into())
+}
+
+fn length(root: &Reader) -> Option<Length> {
+    let frames = root.u64("frames").between(1, MAX_FRAMES).optional().map(Length::Frames);
+    let seconds =
+        root.f64("duration_s").above(0.0).at_most(10_000.0).unit("s").optional().map(Length::Seconds);
+    match (root.has("frames"), root.has("duration_s")) {
+        (true, true) => {
+            let title = "`frames` and `duration_s` both say how long the scenario is";
+            root.report(root.problem("duration_s", title).expected("one of the two"));
+            None
+        }
+        (false, false) => {
+            let title = "missing key `frames` or `duration_s`";
+            root.report(root.problem("frames", title).expected("`frames`, a whole number, or `duration_s`"));
+            None
+        }
+        _ => frames.or(seconds),
+    }
+}
+
+fn albedo(table: &Reader) -> Option<f64> {
+    table.f64("albedo").above(0.0).at_most(1.0).default(1.0)
+}
+
+fn sun(table: &Reader) -> Option<Sun> {
+    let azimuth = table.f64("azimuth_deg").between(-360.0, 360.0).unit("degrees").required();
+    let elevation = table.f64("elevation_deg").above(0.0).at_most(90.0).unit("degrees").required();
+    Some(Sun { azimuth: radians(azimuth?), elevation: radians(elevation?) })
+}
+
+fn vehicle(table: &Reader) -> Option<Vehicle> {
+    let usual = Vehicle::default();
+    let metres = |key: &str, most: f64| table.f64(key).above(0.0).at_most(most).unit("m");
+    let degrees = |key: &str, most: f64| {
+        let field = table.f64(key).above(0.0).at_most(most).unit("degrees");
+        field.map(radians)
+    };
+    let eye_height = metres("eye_height_m", 1e5).default(usual.eye_height);
+    let wheelbase = metres("wheelbase_m", 100.0).default(usual.wheelbase);
+    let track = metres("track_m", 100.0).default(usual.track);
+    let max_speed = table.f64("max_speed_m_s").above(0.0).unit("m/s").default(usual.max_speed);
+    let max_turn = degrees("max_turn_deg_s", 3600.0).default(usual.max_turn);
+    let max_slope = degrees("max_slope_deg", 90.0).default(usual.max_slope);
+    Some(Vehicle {
+        eye_height: eye_height?,
+        wheelbase: wheelbase?,
+        track: track?,
+        max_speed: max_speed?,
+        max_turn: max_turn?,
+        max_slope: max_slope?,
+    })
+}
+
+fn raster_wishes(table: &Reader) -> RasterWishes {
+    let count = |key: &str, least: u32, most: u32| table.u32(key).between(least, most).optional();
+    let update = words::rate(table, "update_hz", 1).optional();
+    let refresh = words::rate(table, "refresh_hz", 1).optional();
+    words::check_refresh(table, update, refresh);
+    RasterWishes {
+        sweeps: count("sweeps", 1, 8192),
+        samples: count("samples_per_sweep", 2, 65_536),
+        columns: count("columns", 1, 8192),
+        lines: count("lines", 1, 8192),
+        update,
+        refresh,
+    }
+}
+
+fn field_of_view(table: &Reader) -> Option<FieldOfView> {
+    let angles = table.f64_array::<2>("field_of_view_deg").between(0.1, 170.0).unit("degrees");
+    angles.default([50.0, 30.0]).map(|[width, height]| FieldOfView {
+        tan_half_width: libm::tan(radians(0.5 * width)),
+        tan_half_height: libm::tan(radians(0.5 * height)),
+    })
+}
+
+fn laws(table: &Reader) -> LawWishes {
+    LawWishes {
+        projection: words::projection(table).optional(),
+        curvature: words::curvature(table).optional(),
+        occlusion: words::occlusion(table).optional(),
+        pixel_rule: words::pixel_rule(table).optional(),
+    }
+}
+
+fn display(table: &Reader) -> Option<Display> {
+    let white = table.f64("white").above(0.0).at_most(1000.0).default(1.0);
+    let gamma = table.f64("gamma").between(0.1, 10.0).default(1.0);
+    Some(Display { white: white?, gamma: gamma? })
+}
+
+fn scalar(table: &Reader) -> Option<Scalar> {
+    table.one_of("scalar", &[("f32", Scalar::F32), ("f64", Scalar::F64)]).default(Scalar::F32)
+}

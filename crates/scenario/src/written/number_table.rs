@@ -1,0 +1,135 @@
+//! Tables of numbers as text, every cell with its place.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use diagnostics::{Place, Problem, Problems, Source};
+
+use super::course::number_of_reports;
+
+/// A table being read: where it comes from and what was wrong so far.
+pub(super) struct NumberTable<'p> {
+    source: Arc<Source>,
+    faults: Vec<Problem>,
+    problems: &'p Problems,
+}
+
+/// A cell: its text without blanks and quotes, and the bytes it takes.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Cell {
+    pub text: String,
+    pub span: Range<usize>,
+}
+
+impl<'p> NumberTable<'p> {
+    pub fn new(name: &str, text: &str, problems: &'p Problems) -> Self {
+        let source = Arc::new(Source { name: name.into(), text: text.into() });
+        Self { source, faults: Vec::new(), problems }
+    }
+
+    /// Lines that hold anything, without comments (`#`); cells end at `comma`, or at blanks where it is false.
+    pub fn lines(&self, comma: bool) -> Vec<Vec<Cell>> {
+        let text = self.source.text.trim_start_matches('\u{feff}');
+        let mut offset = self.source.text.len() - text.len();
+        let mut lines = Vec::new();
+        for line in text.split_inclusive('\n') {
+            let start = offset;
+            offset += line.len();
+            if !line.trim().is_empty() && !line.trim_start().starts_with('#') {
+                lines.push(cells(line, start, comma));
+            }
+        }
+        lines
+    }
+
+    pub fn place(&self, span: &Range<usize>) -> Place {
+        Place { source: self.source.clone(), span: span.clone() }
+    }
+
+    /// Records a fault.
+    pub fn fault(&mut self, span: &Range<usize>, title: String, expected: &str) {
+        let found = self.source.text[span.clone()].to_owned();
+        let problem = Problem::at(&self.place(span), title).found(found).expected(expected);
+        self.faults.push(problem);
+    }
+
+    /// A finite number; `what` names it in the message.
+    pub fn number(&mut self, cell: &Cell, what: &str) -> Option<f64> {
+        let number = cell.text.parse().ok().filter(|number: &f64| number.is_finite());
+        if number.is_none() {
+            let found = if cell.text.is_empty() { "nothing" } else { &cell.text };
+            self.fault(
+                &cell.span,
+                format!("`{what}` must be a finite number, not {found}"),
+                "a finite number",
+            );
+        }
+        number
+    }
+
+    /// What was read, if nothing was wrong; else the first faults are handed on, and the number of the rest.
+    pub fn finish<T>(self, read: T) -> Option<T> {
+        let (all, shown) = (self.faults.len(), number_of_reports(self.faults.len()));
+        if all == 0 {
+            return Some(read);
+        }
+        for problem in self.faults.into_iter().take(shown) {
+            self.problems.push(problem);
+        }
+        if all > shown {
+            let title = format!("{} more faults of this file are not listed", all - shown);
+            self.problems.push(Problem::of_file(&self.source.name, title));
+        }
+        None
+    }
+}
+
+fn cells(line: &str, start: usize, comma: bool) -> Vec<Cell> {
+    let line = line.trim_end_matches(['\n', '\r']);
+    let is_end = |c: char| if comma { c == ',' } else { c.is_whitespace() };
+    let mut offset = start;
+    let mut cells = Vec::new();
+    for piece in line.split(is_end) {
+        let inner = piece.trim();
+        let begin = offset + (piece.len() - piece.trim_start().len());
+        if comma || !inner.is_empty() {
+            let text = inner.trim_matches('"').to_owned();
+            cells.push(Cell { text, span: begin..begin + inner.len() });
+        }
+        offset += piece.len() + piece_end(line, offset - start + piece.len());
+    }
+    cells
+}
+
+/// Bytes of the separator at `at`; 0 at the end of the line.
+fn piece_end(line: &str, at: usize) -> usize {
+    line[at..].chars().next().map_or(0, char::len_utf8)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::NumberTable;
+    use diagnostics::Problems;
+
+    fn texts(text: &str, comma: bool) -> Vec<Vec<(String, String)>> {
+        let problems = Problems::new();
+        let table = NumberTable::new("t", text, &problems);
+        let show = |cell: &super::Cell| (cell.text.clone(), text[cell.span.clone()].to_owned());
+        table.lines(comma).iter().map(|line| line.iter().map(show).collect()).collect()
+    }
+
+    #[test]
+    fn cells_know_their_place() {
+        let cells = texts("\u{feff}\"a\", b ,,\u{e4}\r\n\n# c\n1,2", true);
+        let pair = |a: &str, b: &str| (a.to_owned(), b.to_owned());
+        assert_eq!(cells[0], [pair("a", "\"a\""), pair("b", "b"), pair("", ""), pair("\u{e4}", "\u{e4}")]);
+        assert_eq!(cells[1], [pair("1", "1"), pair("2", "2")]);
+    }
+
+    #[test]
+    fn blanks_of_any_number_part_cells() {
+        let cells = texts("  1 \t\u{a0}22  3 \n", false);
+        let words: Vec<&str> = cells[0].iter().map(|(_, shown)| shown.as_str()).collect();
+        assert_eq!(words, ["1", "22", "3"]);
+    }
+}

@@ -1,0 +1,221 @@
+//! The vehicle on the ground.
+
+use landscape::{Attitude, Bank, Landscape, Level};
+use proptest::prelude::*;
+use quantities::{Rate, degrees, radians};
+use scenario::{Limit, Path, PoseFault, PoseTable, Scenario, Vehicle, Waypoint, poses_csv};
+
+/// 500 m x 500 m of `h = at + north x + east y + bend x^2 / 2`.
+fn ground(at: f64, [north, east]: [f64; 2], bend: f64) -> Landscape {
+    let d = 250.0;
+    let words = |index: i32| {
+        let [x, y] = [f64::from(index / 3) * d, f64::from(index % 3) * d];
+        let mut words = [0.0; 9];
+        words[0] = at + north * x + east * y + 0.5 * bend * x * x;
+        words[3] = d * (north + bend * x);
+        words[6] = d * d * bend;
+        words[1] = d * east;
+        words
+    };
+    let level = Level::new(d, [0.0, 0.0], [3, 3], (0..9).map(words).collect()).unwrap();
+    Landscape::new(Bank::new("plane", vec![level], None).unwrap(), 1.0)
+}
+
+fn scenario(waypoints: Vec<Waypoint>) -> Scenario {
+    let text = r#"
+        format = 1
+        title = "t"
+        shows = "s"
+        frames = 90
+        landscape.generated = { seed = 1, extent_m = [500, 500], region_size_m = 50 }
+        sun = { azimuth_deg = 0, elevation_deg = 10 }
+        path.keyframes = [{ t_s = 0, x_m = 0, y_m = 0 }]
+    "#;
+    let scenario = Scenario::parse("t.toml", text).unwrap_or_else(|list| panic!("{list}"));
+    Scenario { path: Path::new(waypoints).unwrap(), ..scenario }
+}
+
+fn waypoint(time: f64, x: f64, y: f64, heading_deg: Option<f64>) -> Waypoint {
+    let heading = heading_deg.map(radians);
+    Waypoint { time, at: [x, y], heading, eye_height: None, pitch: None, roll: None }
+}
+
+fn hz(rate: u64) -> Rate {
+    Rate::new(rate, 1).unwrap()
+}
+
+proptest! {
+    #[test]
+    fn on_a_plane_the_attitude_is_that_of_the_slope(
+        slopes in [-0.5..0.5f64, -0.5..0.5f64],
+        heading in 0.0..360.0f64,
+    ) {
+        let landscape = ground(20.0, slopes, 0.0);
+        let scenario = scenario(vec![waypoint(0.0, 200.0, 300.0, Some(heading))]);
+        let table = PoseTable::resolve(&scenario, &landscape, hz(30), 0..1).unwrap();
+        let pose = table.rows()[0].pose;
+        let expected = Attitude::on_slope(slopes, radians(heading));
+        prop_assert!((pose.attitude.pitch - expected.pitch).abs() < 1e-12);
+        prop_assert!((pose.attitude.roll - expected.roll).abs() < 1e-12);
+        prop_assert!((pose.attitude.heading - expected.heading).abs() < 1e-12);
+        let height = 20.0 + 200.0 * slopes[0] + 300.0 * slopes[1] + 1.6334;
+        prop_assert!((pose.eye[2] - height).abs() < 1e-10);
+    }
+}
+
+#[test]
+fn the_nose_is_up_uphill_and_starboard_down_across() {
+    let landscape = ground(0.0, [0.1, 0.0], 0.0);
+    let pose = |heading: f64| {
+        let scenario = scenario(vec![waypoint(0.0, 250.0, 250.0, Some(heading))]);
+        PoseTable::resolve(&scenario, &landscape, hz(30), 0..1).unwrap().rows()[0].pose.attitude
+    };
+    // Uphill is north: heading west has it to starboard, which is then up.
+    assert!(pose(0.0).pitch > 0.09 && pose(180.0).pitch < -0.09);
+    assert!(pose(270.0).roll < -0.09 && pose(90.0).roll > 0.09);
+}
+
+#[test]
+fn wheels_bridge_what_lies_between_them() {
+    // On h = b x^2 / 2 the secant of the wheels at x +- 1.15 m is the slope b x, whatever the wheelbase.
+    let landscape = ground(0.0, [0.0, 0.0], 0.01);
+    let vehicle = Vehicle { wheelbase: 80.0, ..Vehicle::default() };
+    let stand = vehicle.stand(&landscape, [100.0, 250.0], 0.0).unwrap();
+    assert!((stand.slopes[0] - 1.0).abs() < 1e-12, "{:?}", stand.slopes);
+    // Turned by 90 degrees the short track feels the same.
+    let across = vehicle.stand(&landscape, [100.0, 250.0], radians(90.0)).unwrap();
+    assert!((across.slopes[0] - 1.0).abs() < 1e-12, "{:?}", across.slopes);
+    assert!((stand.ground - 50.0).abs() < 1e-10);
+}
+
+#[test]
+fn any_part_of_a_table_is_the_same() {
+    let landscape = ground(0.0, [0.1, 0.05], 0.0);
+    let points = vec![
+        waypoint(0.0, 100.0, 100.0, None),
+        waypoint(1.0, 102.0, 103.0, None),
+        waypoint(3.0, 108.0, 103.0, Some(10.0)),
+    ];
+    let scenario = scenario(points);
+    let rate = Rate::new(30_000, 1001).unwrap();
+    let whole = PoseTable::resolve(&scenario, &landscape, rate, 0..90).unwrap();
+    let part = PoseTable::resolve(&scenario, &landscape, rate, 40..50).unwrap();
+    assert_eq!(whole.rows()[40..50], *part.rows());
+    assert_eq!(whole.rows()[89].pose.time, 89.0 / (30_000.0 / 1001.0));
+}
+
+#[test]
+fn speed_and_turn_rate_are_those_of_the_drive() {
+    // 3 m/s north up a slope of 0.75 is 3.75 m/s along the ground; 20 degrees in 4 s.
+    let landscape = ground(0.0, [0.75, 0.0], 0.0);
+    let points = vec![waypoint(0.0, 100.0, 100.0, Some(0.0)), waypoint(4.0, 112.0, 100.0, Some(20.0))];
+    let table = PoseTable::resolve(&scenario(points), &landscape, hz(10), 0..40).unwrap();
+    for row in table.rows() {
+        assert!((row.speed - 3.75).abs() < 1e-9, "frame {}: {}", row.frame, row.speed);
+        assert!((degrees(row.turn_rate) - 5.0).abs() < 1e-9, "frame {}: {}", row.frame, row.turn_rate);
+    }
+}
+
+#[test]
+fn what_the_vehicle_cannot_do_is_reported() {
+    let landscape = ground(0.0, [0.1, 0.0], 0.0);
+    let points = vec![
+        waypoint(0.0, 100.0, 100.0, None),
+        waypoint(1.0, 104.0, 100.0, None),
+        waypoint(2.0, 114.0, 100.0, None),
+        waypoint(3.0, 118.0, 100.0, None),
+    ];
+    let table = PoseTable::resolve(&scenario(points), &landscape, hz(10), 0..31).unwrap();
+    let [report] = table.limits() else { panic!("{:?}", table.limits()) };
+    assert_eq!((report.what, report.allowed), (Limit::Speed, 4.877));
+    assert!(report.frames.contains(&report.frame) && (10..20).contains(&report.frame), "{report:?}");
+    let text = report.to_string();
+    assert!(text.starts_with("speed ") && text.contains("limit is 4.88 m/s"), "{text}");
+
+    let steep = ground(0.0, [0.6, 0.0], 0.0);
+    let spin = vec![waypoint(0.0, 100.0, 100.0, Some(0.0)), waypoint(1.0, 100.5, 100.0, Some(90.0))];
+    let table = PoseTable::resolve(&scenario(spin), &steep, hz(10), 0..11).unwrap();
+    let found: Vec<Limit> = table.limits().iter().map(|report| report.what).collect();
+    assert_eq!(found, [Limit::Turn, Limit::Slope]);
+}
+
+#[test]
+fn a_drive_at_the_limit_is_within_it() {
+    let landscape = ground(0.0, [0.0, 0.0], 0.0);
+    let points = vec![waypoint(0.0, 100.0, 100.0, None), waypoint(10.0, 148.77, 100.0, None)];
+    let table = PoseTable::resolve(&scenario(points), &landscape, hz(30), 0..300).unwrap();
+    assert_eq!(table.limits(), []);
+}
+
+#[test]
+fn leaving_the_area_is_one_problem_for_all_its_frames() {
+    let landscape = ground(0.0, [0.0, 0.0], 0.0);
+    let points = vec![waypoint(0.0, 490.0, 250.0, None), waypoint(10.0, 510.0, 250.0, None)];
+    let problems = PoseTable::resolve(&scenario(points), &landscape, hz(10), 0..100).unwrap_err();
+    let list: Vec<_> = problems.iter().collect();
+    assert_eq!(list.len(), 1, "{problems}");
+    // The front wheels leave 1.15 m before the centre.
+    let PoseFault::Outside { wheels, extent } = list[0].fault else { panic!("{problems}") };
+    assert_eq!((wheels, extent), (true, [0.0, 0.0, 500.0, 500.0]));
+    assert_eq!(list[0].frames, 45..100);
+    assert!(problems.to_string().contains("frame 45 (t = 4.500 s, x = 499.00 m, y = 250.00 m): a wheel"));
+}
+
+#[test]
+fn an_eye_under_ground_and_a_wild_tilt_are_refused() {
+    let landscape = ground(100.0, [0.0, 0.0], 0.0);
+    let low = Waypoint { eye_height: Some(99.0), ..waypoint(0.0, 100.0, 100.0, None) };
+    let problems = PoseTable::resolve(&scenario(vec![low]), &landscape, hz(10), 0..2).unwrap_err();
+    assert!(problems.to_string().contains("eye under ground, z = 99.000 m"), "{problems}");
+    let diving = Waypoint { pitch: Some(radians(-80.0)), ..waypoint(0.0, 100.0, 100.0, None) };
+    let problems = PoseTable::resolve(&scenario(vec![diving]), &landscape, hz(10), 0..2).unwrap_err();
+    assert!(problems.to_string().contains("pitch of -80.0 deg"), "{problems}");
+    let cliff = ground(0.0, [2.5, 0.0], 0.0);
+    let standing = scenario(vec![waypoint(0.0, 100.0, 100.0, Some(0.0))]);
+    let problems = PoseTable::resolve(&standing, &cliff, hz(10), 0..1).unwrap_err();
+    assert!(problems.to_string().contains("pitch of 68.2 deg"), "{problems}");
+}
+
+#[test]
+fn a_flyer_needs_no_ground_under_its_wheels() {
+    let landscape = ground(0.0, [1.0, 0.0], 0.0);
+    let flyer = |time, z| Waypoint {
+        eye_height: Some(z),
+        pitch: Some(0.1),
+        roll: Some(-0.1),
+        ..waypoint(time, 0.0, 0.0, Some(45.0))
+    };
+    let path = vec![flyer(0.0, 30.0), flyer(10.0, 50.0)];
+    let table = PoseTable::resolve(&scenario(path), &landscape, hz(10), 0..10).unwrap();
+    let row = table.rows()[5];
+    assert!((row.pose.eye[2] - 31.0).abs() < 1e-12 && (row.speed - 2.0).abs() < 1e-12, "{row:?}");
+    assert_eq!((row.pose.attitude.pitch, row.pose.attitude.roll), (0.1, -0.1));
+    assert_eq!(table.limits(), []);
+}
+
+#[test]
+fn poses_of_a_run_can_be_driven_again() {
+    let landscape = ground(0.0, [0.1, 0.05], 0.0);
+    let points = vec![waypoint(0.0, 100.0, 100.0, None), waypoint(3.0, 108.0, 103.0, Some(10.0))];
+    let first = PoseTable::resolve(&scenario(points), &landscape, hz(30), 0..90).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("poses.csv"), poses_csv(&first)).unwrap();
+    let text = r#"
+        format = 1
+        title = "again"
+        shows = "the same"
+        frames = 90
+        landscape.generated = { seed = 1, extent_m = [500, 500], region_size_m = 50 }
+        sun = { azimuth_deg = 0, elevation_deg = 10 }
+        path.file = "poses.csv"
+    "#;
+    let name = folder.path().join("again.toml");
+    let again = Scenario::parse(name.to_str().unwrap(), text).unwrap_or_else(|list| panic!("{list}"));
+    let second = PoseTable::resolve(&again, &landscape, hz(30), 0..90).unwrap();
+    for (a, b) in first.rows().iter().zip(second.rows()) {
+        assert_eq!(a.pose.eye, b.pose.eye);
+        assert!((a.pose.attitude.heading - b.pose.attitude.heading).abs() < 1e-14);
+        assert!((a.pose.attitude.pitch - b.pose.attitude.pitch).abs() < 1e-14);
+        assert!((a.pose.attitude.roll - b.pose.attitude.roll).abs() < 1e-14);
+    }
+}

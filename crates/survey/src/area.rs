@@ -1,0 +1,291 @@
+//! Which part of a file becomes the bank, and how its samples come into the axes of the bank.
+
+use landscape::{Georeference, LUNOID_RADIUS};
+use quantities::degrees;
+
+use crate::elevation::{Elevation, Frame};
+use crate::error::SurveyError;
+use crate::patch::Patch;
+use crate::projection::{Method, Projection, wrap};
+
+/// The ground to survey.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Area {
+    /// All of the file, from centre to centre of the outermost samples.
+    #[default]
+    Whole,
+    /// Edges in the file's own projected metres.
+    Metres {
+        /// South edge.
+        south: f64,
+        /// West edge.
+        west: f64,
+        /// North edge.
+        north: f64,
+        /// East edge.
+        east: f64,
+    },
+    /// A rectangle around a point of the Moon.
+    Centred {
+        /// Latitude (rad).
+        latitude: f64,
+        /// Longitude (rad, east).
+        longitude: f64,
+        /// Size to the north and to the east (m).
+        size: [f64; 2],
+        /// How a geographic grid is laid onto the plane; a projected file keeps its own plane.
+        plane: Plane,
+    },
+}
+
+/// The tangent plane of a geographic grid.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Plane {
+    /// Samples are taken as they are; true to scale along the parallel of the centre.
+    #[default]
+    Equirectangular,
+    /// True at the centre in all directions, also near a pole; samples are interpolated between four.
+    Orthographic,
+}
+
+/// An area cut from a file.
+#[derive(Debug)]
+pub struct Cut {
+    /// Samples in the axes of the bank.
+    pub patch: Patch,
+    /// Size to the north and east (m).
+    pub size: [f64; 2],
+    /// South, west, north, east in the coordinates of the file (m or rad).
+    pub area: [f64; 4],
+    /// Where the bank lies.
+    pub georeference: Option<Georeference>,
+    /// True north at the centre, clockwise from the bank's north (rad).
+    pub true_north: Option<f64>,
+    /// What the user should know.
+    pub warnings: Vec<String>,
+}
+
+/// Stretch of the tangent plane above which the user is told.
+const STRETCH: f64 = 0.01;
+
+/// An area in the coordinates of the file, before samples are taken.
+struct Placed {
+    area: [f64; 4],
+    /// Metres a unit of the file's coordinates: north, east.
+    metres: [f64; 2],
+    centre: Option<[f64; 2]>,
+    true_north: Option<f64>,
+}
+
+/// Cuts `area` out of `elevation`. `reach(size)` says how far to the north and east (m) samples are wanted for an
+/// area of that size: the last regions may go beyond it.
+///
+/// # Errors
+/// If the area does not go with the file or lies outside it.
+pub fn cut(
+    elevation: &Elevation,
+    area: Area,
+    reach: impl FnOnce([f64; 2]) -> Result<[f64; 2], SurveyError>,
+) -> Result<Cut, SurveyError> {
+    let placed = place(elevation, area)?;
+    check_inside(elevation, placed.area)?;
+    let [south, west, north, east] = placed.area;
+    let size = [(north - south) * placed.metres[0], (east - west) * placed.metres[1]];
+    let wanted = reach(size)?;
+    let orthographic = matches!(area, Area::Centred { plane: Plane::Orthographic, .. });
+    let patch = match (elevation.frame, placed.centre) {
+        (Frame::Geographic { radius }, Some(centre)) if orthographic => {
+            resample(elevation, centre, radius, size, wanted)
+        }
+        _ => take(elevation, [south, west], placed.metres, wanted),
+    };
+    let mut warnings = Vec::new();
+    if let Frame::Geographic { radius } = elevation.frame {
+        warn_of_sphere(radius, &mut warnings);
+        if !orthographic {
+            warn_of_stretch(placed.area, &mut warnings);
+        }
+    }
+    let at = size.map(|length| 0.5 * length);
+    let georeference = placed.centre.map(|[latitude, longitude]| Georeference { latitude, longitude, at });
+    Ok(Cut { patch, size, area: placed.area, georeference, true_north: placed.true_north, warnings })
+}
+
+fn place(elevation: &Elevation, area: Area) -> Result<Placed, SurveyError> {
+    match (elevation.frame, area) {
+        (Frame::Plane(projection), Area::Whole) => Ok(in_plane(elevation.extent(), projection)),
+        (Frame::Plane(projection), Area::Metres { south, west, north, east }) => {
+            Ok(in_plane([south, west, north, east], projection))
+        }
+        (Frame::Plane(None), Area::Centred { .. }) => Err(SurveyError::AreaKind {
+            found: "by centre",
+            reason: "the file does not say how its metres lie on the Moon",
+            advice: "give the area in metres",
+        }),
+        (Frame::Plane(Some(projection)), Area::Centred { latitude, longitude, size, .. }) => {
+            let [north, east] = projection.forward(latitude, longitude).ok_or(SurveyError::AreaKind {
+                found: "by centre",
+                reason: "the projection of the file does not show this point",
+                advice: "give the area in metres",
+            })?;
+            let [a, b] = size.map(|length| 0.5 * length);
+            Ok(in_plane([north - a, east - b, north + a, east + b], Some(projection)))
+        }
+        (Frame::Geographic { .. }, Area::Metres { .. }) => Err(SurveyError::AreaKind {
+            found: "in metres",
+            reason: "the file is in degrees",
+            advice: "give the area by its centre and size",
+        }),
+        (Frame::Geographic { radius }, Area::Whole) => {
+            let [south, west, north, east] = elevation.extent();
+            Ok(on_sphere(radius, 0.5 * (south + north), 0.5 * (west + east), [south, west, north, east]))
+        }
+        (Frame::Geographic { radius }, Area::Centred { latitude, longitude, size, .. }) => {
+            let (a, b) = (0.5 * size[0] / radius, 0.5 * size[1] / (radius * libm::cos(latitude)));
+            // The file may count longitude from another meridian.
+            let middle = 0.5 * (elevation.extent()[1] + elevation.extent()[3]);
+            let x = middle + wrap(longitude - middle);
+            Ok(on_sphere(radius, latitude, longitude, [latitude - a, x - b, latitude + a, x + b]))
+        }
+    }
+}
+
+fn in_plane(area: [f64; 4], projection: Option<Projection>) -> Placed {
+    let middle = [0.5 * (area[0] + area[2]), 0.5 * (area[1] + area[3])];
+    let on_moon = projection.filter(|p| (p.radius - LUNOID_RADIUS).abs() < 1000.0);
+    Placed {
+        area,
+        metres: [1.0; 2],
+        centre: on_moon.and_then(|p| p.inverse(middle)),
+        true_north: projection.and_then(|p| p.true_north(middle)),
+    }
+}
+
+fn on_sphere(radius: f64, latitude: f64, longitude: f64, area: [f64; 4]) -> Placed {
+    Placed {
+        area,
+        metres: [radius, radius * libm::cos(latitude)],
+        centre: Some([latitude, wrap(longitude)]),
+        true_north: Some(0.0),
+    }
+}
+
+fn check_inside(elevation: &Elevation, area: [f64; 4]) -> Result<(), SurveyError> {
+    let (held, step) = (elevation.extent(), elevation.affine.step.map(f64::abs));
+    let geographic = matches!(elevation.frame, Frame::Geographic { .. });
+    let around = elevation.goes_around();
+    let fits = |axis: usize| {
+        let free = axis == 1 && around;
+        free || (area[axis] >= held[axis] - step[axis] && area[2 + axis] <= held[2 + axis] + step[axis])
+    };
+    let sane = area.iter().all(|edge| edge.is_finite()) && area[2] > area[0] && area[3] > area[1];
+    let at_most_a_turn = !around || area[3] - area[1] <= 2.0 * std::f64::consts::PI;
+    if sane && at_most_a_turn && fits(0) && fits(1) {
+        return Ok(());
+    }
+    let text = |edges: [f64; 4]| {
+        let [s, w, n, e] = if geographic { edges.map(degrees) } else { edges };
+        let unit = if geographic { "deg" } else { "m" };
+        format!("south {s:.4}, west {w:.4}, north {n:.4}, east {e:.4} {unit}")
+    };
+    Err(SurveyError::AreaOutside { found: text(area), extent: text(held) })
+}
+
+/// One axis of the file seen from the bank: the first sample at or above the origin, and the direction.
+struct Walk {
+    file_first: i64,
+    file_step: i64,
+    first: f64,
+    step: f64,
+    count: usize,
+}
+
+fn walk(first: f64, step: f64, samples: usize, origin: f64, metres: f64, wanted: f64) -> Walk {
+    let (start, file_start, file_step) =
+        if step > 0.0 { (first, 0, 1) } else { (first + step * (samples - 1) as f64, samples as i64 - 1, -1) };
+    let step = step.abs();
+    let exact = (origin - start) / step;
+    // A sample on the edge belongs to the area, also when its place is rounded.
+    let index = (exact - 1e-6).ceil();
+    let offset = ((index - exact) * step * metres).max(0.0);
+    let count = ((wanted - offset) / (step * metres) + 1e-6).floor().max(0.0) as usize + 1;
+    Walk { file_first: file_start + file_step * index as i64, file_step, first: offset, step: step * metres, count }
+}
+
+fn take(elevation: &Elevation, origin: [f64; 2], metres: [f64; 2], wanted: [f64; 2]) -> Patch {
+    let counts = [elevation.lines, elevation.columns];
+    let affine = elevation.affine;
+    let [north, east] = [0, 1]
+        .map(|k| walk(affine.first[k], affine.step[k], counts[k], origin[k], metres[k], wanted[k]));
+    let around = elevation.goes_around();
+    let mut heights = Vec::with_capacity(north.count * east.count);
+    for i in 0..north.count {
+        let line = usize::try_from(north.file_first + i as i64 * north.file_step).unwrap_or(usize::MAX);
+        for j in 0..east.count {
+            let column = east.file_first + j as i64 * east.file_step;
+            let column = if around { column.rem_euclid(elevation.columns as i64) } else { column };
+            let column = usize::try_from(column).unwrap_or(usize::MAX);
+            heights.push(elevation.height(line, column).unwrap_or(f64::NAN));
+        }
+    }
+    Patch {
+        first: [north.first, east.first],
+        step: [north.step, east.step],
+        count: [north.count, east.count],
+        heights,
+        file_first: [north.file_first, east.file_first],
+        file_step: [north.file_step, east.file_step],
+    }
+}
+
+/// Heights on a square grid of the orthographic plane, with the spacing that the file has to the north.
+fn resample(elevation: &Elevation, centre: [f64; 2], radius: f64, size: [f64; 2], wanted: [f64; 2]) -> Patch {
+    let [latitude, longitude] = centre;
+    let plane = Projection { method: Method::Orthographic, latitude, longitude, radius, offset: [0.0; 2] };
+    let step = radius * elevation.affine.step[0].abs();
+    let count = wanted.map(|length| (length / step + 1e-6).floor() as usize + 1);
+    let mut heights = Vec::with_capacity(count[0] * count[1]);
+    for (line, column) in (0..count[0]).flat_map(|line| (0..count[1]).map(move |column| (line, column))) {
+        let place = [line as f64 * step - 0.5 * size[0], column as f64 * step - 0.5 * size[1]];
+        let height = plane.inverse(place).and_then(|point| between(elevation, point));
+        heights.push(height.unwrap_or(f64::NAN));
+    }
+    Patch { first: [0.0; 2], step: [step; 2], count, heights, file_first: [0; 2], file_step: [1; 2] }
+}
+
+/// Bilinear between four samples; `None` if one of them is void.
+fn between(elevation: &Elevation, [latitude, longitude]: [f64; 2]) -> Option<f64> {
+    let affine = elevation.affine;
+    let middle = 0.5 * (elevation.extent()[1] + elevation.extent()[3]);
+    let longitude = middle + wrap(longitude - middle);
+    let at = [(latitude - affine.first[0]) / affine.step[0], (longitude - affine.first[1]) / affine.step[1]];
+    let (floor, around) = (at.map(f64::floor), elevation.goes_around());
+    let [u, v] = [at[0] - floor[0], at[1] - floor[1]];
+    let sample = |i: i64, j: i64| {
+        let column = floor[1] as i64 + j;
+        let column = if around { column.rem_euclid(elevation.columns as i64) } else { column };
+        elevation.height(usize::try_from(floor[0] as i64 + i).ok()?, usize::try_from(column).ok()?)
+    };
+    let near = (1.0 - v) * sample(0, 0)? + v * sample(0, 1)?;
+    let far = (1.0 - v) * sample(1, 0)? + v * sample(1, 1)?;
+    Some((1.0 - u) * near + u * far)
+}
+
+fn warn_of_sphere(radius: f64, warnings: &mut Vec<String>) {
+    if (radius - LUNOID_RADIUS).abs() > 1000.0 {
+        warnings.push(format!("the file lies on a sphere of radius {radius:.0} m, which is not the Moon"));
+    }
+}
+
+fn warn_of_stretch([south, _, north, _]: [f64; 4], warnings: &mut Vec<String>) {
+    let middle = libm::cos(0.5 * (south + north));
+    let stretch = |latitude: f64| (libm::cos(latitude) / middle - 1.0).abs();
+    let worst = stretch(south).max(stretch(north));
+    if worst > STRETCH {
+        warnings.push(format!(
+            "east-west distances are off by up to {:.1} % at the edge of the area: use a smaller area or the \
+             orthographic plane",
+            100.0 * worst
+        ));
+    }
+}

@@ -1,0 +1,98 @@
+//! What a reader gives: heights on a grid, with the place of each sample.
+
+use std::path::PathBuf;
+
+use crate::projection::Projection;
+
+/// How grid coordinates are meant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Frame {
+    /// Metres north and east; with the projection, if the file names one that is known here.
+    Plane(Option<Projection>),
+    /// Latitude and longitude (rad) on a sphere.
+    Geographic {
+        /// Radius of the sphere (m).
+        radius: f64,
+    },
+}
+
+/// Where the samples lie: north or latitude first, east or longitude second (m or rad, see [`Frame`]).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Affine {
+    /// Centre of the sample at line 0, column 0.
+    pub first: [f64; 2],
+    /// From line to line and from column to column; the first is negative where line 0 is the northernmost.
+    pub step: [f64; 2],
+}
+
+/// An elevation file in memory.
+#[derive(Debug, Clone)]
+pub struct Elevation {
+    /// Lines, from the first stored.
+    pub lines: usize,
+    /// Samples a line.
+    pub columns: usize,
+    /// Place of the samples.
+    pub affine: Affine,
+    /// Meaning of the places.
+    pub frame: Frame,
+    /// What the heights are, for people.
+    pub title: String,
+    /// Files read.
+    pub sources: Vec<PathBuf>,
+    /// What the reader had to assume.
+    pub notes: Vec<String>,
+    /// Heights (m), line by line; NaN is a void. Private: a void must not be averaged by accident.
+    heights: Vec<f64>,
+}
+
+impl Elevation {
+    /// From heights line by line, NaN where void. `heights.len()` must be `lines * columns`; missing ones are void.
+    pub fn new(lines: usize, columns: usize, mut heights: Vec<f64>, affine: Affine, frame: Frame) -> Self {
+        heights.resize(lines * columns, f64::NAN);
+        let (title, sources, notes) = (String::new(), Vec::new(), Vec::new());
+        Self { lines, columns, affine, frame, title, sources, notes, heights }
+    }
+
+    /// Height of a sample (m); `None` for a void and outside the grid.
+    pub fn height(&self, line: usize, column: usize) -> Option<f64> {
+        if line >= self.lines || column >= self.columns {
+            return None;
+        }
+        let height = self.heights[line * self.columns + column];
+        (!height.is_nan()).then_some(height)
+    }
+
+    /// Number of samples that are void.
+    pub fn voids(&self) -> usize {
+        self.heights.iter().filter(|height| height.is_nan()).count()
+    }
+
+    /// Lowest and highest sample (m); `None` if all are void.
+    pub fn range(&self) -> Option<[f64; 2]> {
+        let held = self.heights.iter().filter(|height| !height.is_nan());
+        held.fold(None, |range: Option<[f64; 2]>, &height| {
+            let [low, high] = range.unwrap_or([height; 2]);
+            Some([low.min(height), high.max(height)])
+        })
+    }
+
+    /// Coordinates of a sample (m or rad, see [`Frame`]).
+    pub fn place(&self, line: usize, column: usize) -> [f64; 2] {
+        let Affine { first, step } = self.affine;
+        [first[0] + line as f64 * step[0], first[1] + column as f64 * step[1]]
+    }
+
+    /// South, west, north, east edge: centres of the outermost samples (m or rad).
+    pub fn extent(&self) -> [f64; 4] {
+        let (a, b) = (self.place(0, 0), self.place(self.lines - 1, self.columns - 1));
+        [a[0].min(b[0]), a[1].min(b[1]), a[0].max(b[0]), a[1].max(b[1])]
+    }
+
+    /// Whether the columns go once around the sphere.
+    pub(crate) fn goes_around(&self) -> bool {
+        let turn = 2.0 * std::f64::consts::PI;
+        let around = (self.columns as f64 * self.affine.step[1]).abs();
+        matches!(self.frame, Frame::Geographic { .. }) && (around - turn).abs() < 1e-3 * self.affine.step[1].abs()
+    }
+}

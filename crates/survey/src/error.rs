@@ -1,0 +1,164 @@
+//! Everything that can be wrong with an elevation file or with what is asked of it.
+
+use std::io;
+use std::path::PathBuf;
+
+use landscape::BankError;
+
+/// Each message names the file, the place in it, what was found and expected, and what to do.
+#[derive(Debug, thiserror::Error)]
+pub enum SurveyError {
+    /// The file cannot be opened or read.
+    #[error("{path}: cannot be read ({source}); expected an elevation file; check the name and permissions", path = .path.display())]
+    Read {
+        /// File.
+        path: PathBuf,
+        /// What the system says.
+        source: io::Error,
+    },
+    /// A folder or device in place of a file.
+    #[error("{path}: is not a file; expected a GeoTIFF, a PDS3 image or label, or a .npy array; name the file itself", path = .0.display())]
+    NotAFile(PathBuf),
+    /// None of the formats read here.
+    #[error("{path}: starts with {found}; expected a TIFF, a PDS3 label or a NumPy array; convert it with gdal_translate -of GTiff", path = .path.display())]
+    UnknownFormat {
+        /// File.
+        path: PathBuf,
+        /// First bytes.
+        found: String,
+    },
+    /// The TIFF decoder gives up.
+    #[error("{path}, {place}: {source}; expected a whole TIFF of a kind that is read here; if the file is complete, convert it with gdal_translate -of GTiff -co COMPRESS=DEFLATE", path = .path.display())]
+    Tiff {
+        /// File.
+        path: PathBuf,
+        /// Part of the file.
+        place: String,
+        /// What the decoder says.
+        source: tiff::TiffError,
+    },
+    /// A field of a header has an unusable value.
+    #[error("{path}, {place}: found {found}; expected {expected}; {advice}", path = .path.display())]
+    Field {
+        /// File.
+        path: PathBuf,
+        /// Tag, key or label line and keyword.
+        place: String,
+        /// What stands there.
+        found: String,
+        /// What could stand there.
+        expected: String,
+        /// What to do.
+        advice: String,
+    },
+    /// The file has fewer bytes than its header asks for.
+    #[error("{path}, {place}: the file has {found} bytes; expected at least {expected}; it is truncated, or its header is wrong: fetch it again", path = .path.display())]
+    Truncated {
+        /// File.
+        path: PathBuf,
+        /// What needs the bytes.
+        place: String,
+        /// Bytes present.
+        found: u64,
+        /// Bytes needed.
+        expected: u64,
+    },
+    /// No samples.
+    #[error("{path}: the raster has {lines} lines of {columns} samples; expected at least 2 x 2; it holds no ground", path = .path.display())]
+    Empty {
+        /// File.
+        path: PathBuf,
+        /// Lines.
+        lines: u64,
+        /// Samples a line.
+        columns: u64,
+    },
+    /// Several bands and none chosen.
+    #[error("{path}: has {count} bands, none chosen: {list}; expected the number of the band with heights; give --band N", path = .path.display())]
+    BandNotChosen {
+        /// File.
+        path: PathBuf,
+        /// Bands in the file.
+        count: usize,
+        /// Number and description of each.
+        list: String,
+    },
+    /// No such band.
+    #[error("{path}: band {chosen} chosen; expected 1 to {count}: {list}", path = .path.display())]
+    NoSuchBand {
+        /// File.
+        path: PathBuf,
+        /// Band asked for.
+        chosen: usize,
+        /// Bands in the file.
+        count: usize,
+        /// Number and description of each.
+        list: String,
+    },
+    /// Infinite sample that is not the no-data value.
+    #[error("{path}, line {line}, column {column} (from 0): found {value}; expected a finite height or the no-data value; if it marks voids, give --no-data {value}", path = .path.display())]
+    NotFinite {
+        /// File.
+        path: PathBuf,
+        /// Line, from 0.
+        line: usize,
+        /// Column, from 0.
+        column: usize,
+        /// Value found.
+        value: f64,
+    },
+    /// Nothing but voids.
+    #[error("{what}: all {count} samples are void; expected heights; check the no-data value, the band and the area")]
+    AllVoid {
+        /// File or area.
+        what: String,
+        /// Samples.
+        count: usize,
+    },
+    /// The spacing of a file without one was not given.
+    #[error("{path}: a .npy array does not say how far its samples are apart; expected a spacing; give --spacing METRES", path = .0.display())]
+    NoSpacing(PathBuf),
+    /// An option has an unusable value.
+    #[error("{option}: found {found}; expected {expected}")]
+    Option {
+        /// Name of the option.
+        option: &'static str,
+        /// Value given.
+        found: String,
+        /// Values that can be.
+        expected: String,
+    },
+    /// The area does not lie in the file.
+    #[error("area {found}: expected it inside {extent} of the file; give a smaller area or one in the file's own coordinates")]
+    AreaOutside {
+        /// Area asked for.
+        found: String,
+        /// Extent of the file.
+        extent: String,
+    },
+    /// The kind of area does not go with the file.
+    #[error("area {found}: {reason}; {advice}")]
+    AreaKind {
+        /// Kind of area.
+        found: &'static str,
+        /// Why not.
+        reason: &'static str,
+        /// What to do.
+        advice: &'static str,
+    },
+    /// Far more words than samples.
+    #[error("region size {size} m: {coefficients} coefficients for {samples} samples; expected at most {most}; give larger regions")]
+    TooManyRegions {
+        /// Region size (m).
+        size: f64,
+        /// Words of the level.
+        coefficients: usize,
+        /// Samples in the area.
+        samples: usize,
+        /// Limit.
+        most: usize,
+    },
+    /// The fit cannot be a bank.
+    #[error("the fit is not a bank: {0}")]
+    Bank(#[from] BankError),
+}

@@ -1,0 +1,218 @@
+//! Expansion of the 36 terms along a straight stretch of a sweep.
+
+use landscape::CornerWords;
+use landscape::basis::NEAR;
+use sweep_program::Colour;
+
+/// A stretch between two events, in ramp coordinates.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Span {
+    /// Ramps X and Y at its middle, 0..=1.
+    pub middle: [f64; 2],
+    /// Change of X and Y from the middle to its far end.
+    pub half: [f64; 2],
+    /// Half its length on the ground (m), above 0.
+    pub half_length: f64,
+    /// Weights of `dh/dX` and `dh/dY` in the slope across the sweep, positive to the right (1/m):
+    /// `-sin theta s_x / d` and `cos theta s_y / d`.
+    pub across: [f64; 2],
+}
+
+/// Height and slopes along one stretch as polynomials in s, -1..=1 over it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Segment {
+    /// Height (m), ascending powers of s.
+    pub height: [f64; 11],
+    /// Slope along the sweep (m/m).
+    pub along: [f64; 10],
+    /// Slope across the sweep, positive to the right (m/m).
+    pub across: [f64; 10],
+}
+
+/// `g_p(X_a)` about the middle of the region, by `[a][p]`, ascending powers of `X - 1/2`.
+const CENTRED: [[[f64; 6]; 3]; 2] = centred();
+
+const fn centred() -> [[[f64; 6]; 3]; 2] {
+    let mut out = [[[0.0; 6]; 3]; 2];
+    let mut p = 0;
+    while p < 3 {
+        // Horner's Taylor shift by 1/2; g_p(1 - X) mirrors it.
+        let mut c = NEAR[p];
+        let mut i = 0;
+        while i < 5 {
+            let mut j = 4;
+            while j + 1 > i {
+                c[j] += 0.5 * c[j + 1];
+                if j == 0 {
+                    break;
+                }
+                j -= 1;
+            }
+            i += 1;
+        }
+        out[0][p] = c;
+        let mut k = 0;
+        while k < 6 {
+            out[1][p][k] = if k % 2 == 0 { c[k] } else { -c[k] };
+            k += 1;
+        }
+        p += 1;
+    }
+    out
+}
+
+impl Segment {
+    /// Expands the sum of 6.4 from the words in `hold`, by colour, with the present `polarity`.
+    pub fn expand(hold: &[CornerWords; 4], polarity: [f64; 2], span: &Span) -> Self {
+        let rows = region_polynomial(hold, polarity);
+        let (mut values, mut across) = ([[0.0; 6]; 6], [[0.0; 6]; 6]);
+        for i in 0..6 {
+            (values[i], across[i]) = along_y(&rows[i], span);
+        }
+        for i in 0..5 {
+            for k in 0..6 {
+                across[i][k] += span.across[0] * (i + 1) as f64 * values[i + 1][k];
+            }
+        }
+        let x = [span.middle[0] - 0.5, span.half[0]];
+        let height = along_x(&values, x);
+        let slope_across = along_x(&across, x);
+        Self {
+            along: std::array::from_fn(|k| (k + 1) as f64 * height[k + 1] / span.half_length),
+            across: std::array::from_fn(|k| slope_across[k]),
+            height,
+        }
+    }
+}
+
+/// The region's height as `sum M[i][j] (X - 1/2)^i (Y - 1/2)^j`.
+fn region_polynomial(hold: &[CornerWords; 4], polarity: [f64; 2]) -> [[f64; 6]; 6] {
+    let mut rows = [[0.0; 6]; 6];
+    for a in 0..2 {
+        let ex = if a == 1 { -polarity[0] } else { polarity[0] };
+        for p in 0..3 {
+            let sign = if p == 1 { ex } else { 1.0 };
+            let in_y = words_along_y(hold, polarity[1], a, p);
+            for i in 0..6 {
+                let weight = sign * CENTRED[a][p][i];
+                for j in 0..6 {
+                    rows[i][j] += weight * in_y[j];
+                }
+            }
+        }
+    }
+    rows
+}
+
+/// The six terms in Y that share `g_p(X_a)`, as a polynomial in `Y - 1/2`.
+fn words_along_y(hold: &[CornerWords; 4], polarity: f64, a: usize, p: usize) -> [f64; 6] {
+    let mut sum = [0.0; 6];
+    for b in 0..2 {
+        let words = &hold[Colour::ALL[a | b << 1] as usize];
+        let ey = if b == 1 { -polarity } else { polarity };
+        for q in 0..3 {
+            let word = if q == 1 { ey * words[3 * p + q] } else { words[3 * p + q] };
+            for j in 0..6 {
+                sum[j] += word * CENTRED[b][q][j];
+            }
+        }
+    }
+    sum
+}
+
+/// A row in `Y - 1/2` as a polynomial in s, and its share of the slope across.
+fn along_y(row: &[f64; 6], span: &Span) -> ([f64; 6], [f64; 6]) {
+    let (y, half) = (span.middle[1] - 0.5, span.half[1]);
+    let mut shifted = *row;
+    for i in 0..5 {
+        for j in (i..5).rev() {
+            shifted[j] += y * shifted[j + 1];
+        }
+    }
+    let (mut values, mut across) = ([0.0; 6], [0.0; 6]);
+    let mut power = 1.0;
+    for k in 0..6 {
+        values[k] = shifted[k] * power;
+        if k < 5 {
+            across[k] = span.across[1] * (k + 1) as f64 * shifted[k + 1] * power;
+        }
+        power *= half;
+    }
+    (values, across)
+}
+
+/// `sum rows[i](s) * (x[0] + x[1] s)^i` by Horner on polynomials.
+fn along_x(rows: &[[f64; 6]; 6], x: [f64; 2]) -> [f64; 11] {
+    let mut sum = [0.0; 11];
+    sum[..6].copy_from_slice(&rows[5]);
+    for i in (0..5).rev() {
+        let degree = 5 + (5 - i);
+        for k in (1..=degree).rev() {
+            sum[k] = sum[k] * x[0] + sum[k - 1] * x[1];
+        }
+        sum[0] *= x[0];
+        for k in 0..6 {
+            sum[k] += rows[i][k];
+        }
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{CENTRED, Segment, Span};
+    use landscape::basis::{derivatives, values};
+
+    fn horner(coefficients: &[f64], s: f64) -> f64 {
+        coefficients.iter().rev().fold(0.0, |sum, &c| sum * s + c)
+    }
+
+    #[test]
+    fn centred_basis_is_the_basis() {
+        for step in 0..=20 {
+            let z = f64::from(step) / 20.0;
+            for p in 0..3 {
+                assert!((horner(&CENTRED[0][p], z - 0.5) - values(z)[p]).abs() < 1e-15);
+                assert!((horner(&CENTRED[1][p], z - 0.5) - values(1.0 - z)[p]).abs() < 1e-15);
+            }
+        }
+    }
+
+    /// One word at one corner, each of the four polarities: height is `e_x^p e_y^q g_p(X_a) g_q(Y_b)` alone
+    /// (the cartridge "one coefficient, 36 x 4").
+    #[test]
+    fn one_word_alone_is_its_product() {
+        let span = Span {
+            middle: [0.37, 0.58],
+            half: [0.21, -0.33],
+            half_length: 100.0,
+            across: [-0.004 * 0.6, 0.004 * 0.8],
+        };
+        for case in 0..36 * 4 {
+            let (colour, word, signs) = (case % 4, case / 4 % 9, case / 36);
+            let polarity = [if signs & 1 == 0 { 1.0 } else { -1.0 }, if signs & 2 == 0 { 1.0 } else { -1.0 }];
+            let mut hold = [[0.0; 9]; 4];
+            hold[colour][word] = 1.0;
+            let segment = Segment::expand(&hold, polarity, &span);
+            for s in [-1.0, -0.4, 0.0, 0.9] {
+                let (a, b, p, q) = (colour & 1, colour >> 1, word / 3, word % 3);
+                let at = |axis: usize, far: usize| {
+                    let ramp = span.middle[axis] + s * span.half[axis];
+                    let sign = if far == 1 { -polarity[axis] } else { polarity[axis] };
+                    (if far == 1 { 1.0 - ramp } else { ramp }, sign)
+                };
+                let ((x, ex), (y, ey)) = (at(0, a), at(1, b));
+                let odd = if p == 1 { ex } else { 1.0 } * if q == 1 { ey } else { 1.0 };
+                let expected = odd * values(x)[p] * values(y)[q];
+                assert!((horner(&segment.height, s) - expected).abs() < 1e-15, "case {case}");
+                let (mirror_x, mirror_y) = (1.0 - 2.0 * a as f64, 1.0 - 2.0 * b as f64);
+                let by_x = odd * mirror_x * derivatives(x)[p] * values(y)[q];
+                let by_y = odd * mirror_y * values(x)[p] * derivatives(y)[q];
+                let along = (by_x * span.half[0] + by_y * span.half[1]) / span.half_length;
+                assert!((horner(&segment.along, s) - along).abs() < 1e-16, "case {case}");
+                let across = span.across[0] * by_x + span.across[1] * by_y;
+                assert!((horner(&segment.across, s) - across).abs() < 1e-16, "case {case}");
+            }
+        }
+    }
+}
