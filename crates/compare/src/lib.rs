@@ -1,1 +1,28 @@
 //! Error of one picture against another.
+//!
+//! - [`compare`]: RMSE, PSNR, worst pixel, share of pixels beyond some grey levels, all outside a mask, and
+//!   [`ssim`] of the whole picture.
+//! - [`ridge_mask`]: the pixels along silhouettes, where a shift by a fraction of a line is a large step.
+//! - [`ridge_error`]: by how many lines the horizon lies elsewhere.
+//! - [`difference_picture`] and [`triptych`]: to look at.
+//!
+//! ```
+//! use picture::{Depth, GreyPicture};
+//! let reference = GreyPicture::new(2, 2, Depth::Eight, vec![10, 20, 30, 40])?;
+//! let test = GreyPicture::new(2, 2, Depth::Eight, vec![10, 20, 30, 43])?;
+//! let comparison = compare::compare(&test, &reference, None, &[2])?;
+//! assert_eq!(comparison.beyond[0].count, 1);
+//! assert_eq!(comparison.beyond[0].share, 0.25);
+//! assert_eq!((comparison.worst.column, comparison.worst.line), (1, 1));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod difference;
+mod metrics;
+mod ridges;
+mod ssim;
+
+pub use difference::{difference_picture, triptych};
+pub use metrics::{Beyond, CompareError, Comparison, WorstPixel, compare};
+pub use ridges::{RidgeError, horizon_of_picture, horizon_of_range, ridge_error, ridge_mask};
+pub use ssim::ssim;

@@ -1,5 +1,5 @@
 //! timing
-#[path = "../tests/common.rs"]
+#[path = "../tests/pictures/scenes.rs"]
 #[allow(dead_code)]
 mod common;
 use common::*;

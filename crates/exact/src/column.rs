@@ -26,9 +26,9 @@ pub struct Pixel {
     pub range: f64,
 }
 
-/// What a column needs to be drawn.
+/// What all columns of a frame share.
 #[derive(Debug, Clone, Copy)]
-pub struct Column<'a> {
+pub struct Frame<'a> {
     /// The ground around the eye.
     pub outlook: &'a Outlook<'a>,
     /// From view-plane to rays.
@@ -37,12 +37,18 @@ pub struct Column<'a> {
     pub landscape: &'a Landscape,
     /// The light.
     pub sun: &'a Sun,
-    /// Place on the view-plane, positive right.
-    pub x: f64,
     /// Half the height of the view-plane.
     pub half_height: f64,
     /// Lines of the picture.
     pub lines: usize,
+}
+
+/// A column to be drawn.
+#[derive(Debug, Clone)]
+pub struct Column<'a> {
+    frame: Frame<'a>,
+    x: f64,
+    rays: u64,
 }
 
 /// What is seen at one height of the column.
@@ -55,29 +61,36 @@ struct Sample {
     clear: f64,
 }
 
-impl Column<'_> {
-    /// All pixels, top line first.
-    pub fn pixels(&self, rule: PixelRule) -> Vec<Pixel> {
+impl<'a> Column<'a> {
+    /// The column at `x` on the view-plane, positive right.
+    pub fn new(frame: Frame<'a>, x: f64) -> Self {
+        Self { frame, x, rays: 0 }
+    }
+
+    /// All pixels, top line first, and the rays that they took.
+    pub fn draw(mut self, rule: PixelRule) -> (Vec<Pixel>, u64) {
         let mut pixels = match rule {
             PixelRule::LineMean => self.means(),
             PixelRule::Centre => self.centres(),
         };
         pixels.reverse();
-        pixels
+        (pixels, self.rays)
     }
 
-    fn centres(&self) -> Vec<Pixel> {
-        let mut clear = self.outlook.near();
+    fn centres(&mut self) -> Vec<Pixel> {
+        let lines = self.frame.lines;
+        let mut clear = self.frame.outlook.near();
         let pixel = |line: usize| {
             let sample = self.sample(self.y(line as f64 + 0.5), clear);
             clear = sample.clear;
             Pixel { intensity: sample.intensity, range: sample.range }
         };
-        (0..self.lines).rev().map(pixel).collect()
+        (0..lines).rev().map(pixel).collect()
     }
 
-    fn means(&self) -> Vec<Pixel> {
-        let mut bottom = self.sample(self.y(self.lines as f64), self.outlook.near());
+    fn means(&mut self) -> Vec<Pixel> {
+        let lines = self.frame.lines;
+        let mut bottom = self.sample(self.y(lines as f64), self.frame.outlook.near());
         let pixel = |line: usize| {
             let centre = self.sample(self.y(line as f64 + 0.5), bottom.clear);
             let top = self.sample(self.y(line as f64), centre.clear);
@@ -85,16 +98,16 @@ impl Column<'_> {
             bottom = top;
             Pixel { intensity, range: centre.range }
         };
-        (0..self.lines).rev().map(pixel).collect()
+        (0..lines).rev().map(pixel).collect()
     }
 
     /// Place on the view-plane, positive down, of a place counted in lines from the top.
     fn y(&self, lines: f64) -> f64 {
-        self.half_height * (2.0 * lines / self.lines as f64 - 1.0)
+        self.frame.half_height * (2.0 * lines / self.frame.lines as f64 - 1.0)
     }
 
     /// Adaptive Simpson's rule over a part of a line that covers `share` of it.
-    fn integral(&self, low: &Sample, high: &Sample, share: f64) -> f64 {
+    fn integral(&mut self, low: &Sample, high: &Sample, share: f64) -> f64 {
         let middle = self.sample(0.5 * (low.y + high.y), low.clear);
         if share <= FINEST_SHARE || settled(low, &middle, high, share) {
             return share * (low.intensity + 4.0 * middle.intensity + high.intensity) / 6.0;
@@ -103,23 +116,26 @@ impl Column<'_> {
         self.integral(low, &middle, half) + self.integral(&middle, high, half)
     }
 
-    fn sample(&self, y: f64, clear: f64) -> Sample {
-        let sight = self.outlook.look_from(&self.view.ray(self.x, y), clear);
+    fn sample(&mut self, y: f64, clear: f64) -> Sample {
+        let Frame { outlook, view, .. } = self.frame;
+        self.rays += 1;
+        let sight = outlook.look_from(&view.ray(self.x, y), clear);
         let (intensity, range, met) = match sight {
             Sight::Ground(spot) => (self.shade(&spot), spot.range, spot.range),
             Sight::Sky => (0.0, f64::INFINITY, f64::INFINITY),
-            Sight::TooNear => (0.0, f64::INFINITY, self.outlook.near()),
+            Sight::TooNear => (0.0, f64::INFINITY, outlook.near()),
         };
         // Under pitch a column's rays have different azimuths: one says nothing about the next.
-        let clear = if self.view.columns_are_vertical() { met } else { self.outlook.near() };
+        let clear = if view.columns_are_vertical() { met } else { outlook.near() };
         Sample { y, intensity, range, clear }
     }
 
     fn shade(&self, spot: &Spot) -> f64 {
-        let level = self.landscape.level();
+        let Frame { landscape, sun, .. } = self.frame;
+        let level = landscape.level();
         let [_, hu, hv] = level.height_and_slopes(spot.region, spot.local);
         let slopes = [hu / level.region_size(), hv / level.region_size()];
-        self.landscape.albedo() * self.sun.reflectivity(slopes)
+        landscape.albedo() * sun.reflectivity(slopes)
     }
 }
 

@@ -44,6 +44,7 @@ pub struct Spot {
 pub struct Ceilings {
     planes: Vec<UpperPlane>,
     columns: usize,
+    highest: f64,
 }
 
 impl Ceilings {
@@ -51,7 +52,9 @@ impl Ceilings {
     pub fn new(level: &Level) -> Self {
         let [rows, columns] = level.corners().map(|corners| corners - 1);
         let plane = |index: usize| Patch::new(level, [index / columns, index % columns]).upper_plane();
-        Self { planes: (0..rows * columns).into_par_iter().map(plane).collect(), columns }
+        let planes: Vec<UpperPlane> = (0..rows * columns).into_par_iter().map(plane).collect();
+        let highest = planes.iter().map(UpperPlane::highest).fold(f64::NEG_INFINITY, f64::max);
+        Self { planes, columns, highest }
     }
 
     fn over(&self, [north, east]: [usize; 2]) -> &UpperPlane {
@@ -105,6 +108,9 @@ impl<'a> Outlook<'a> {
             return Sight::Sky;
         };
         for stretch in walk {
+            if self.is_above_everything(ray, stretch.from) {
+                return Sight::Sky;
+            }
             let ends = [stretch.from, stretch.to].map(|range| self.local(stretch.region, step, range));
             if self.stays_above(ray, &stretch, ends) {
                 continue;
@@ -124,6 +130,11 @@ impl<'a> Outlook<'a> {
 
     fn local(&self, region: [usize; 2], step: [f64; 2], range: f64) -> [f64; 2] {
         std::array::from_fn(|axis| self.origin[axis] + range * step[axis] - region[axis] as f64)
+    }
+
+    /// Whether a rising ray has passed the height of the highest ground: it meets nothing more.
+    fn is_above_everything(&self, ray: &Ray, range: f64) -> bool {
+        ray.rise >= 0.0 && self.height + (self.bend * range + ray.rise) * range > self.ceilings.highest
     }
 
     /// Whether the ray passes above the region's ceiling; curvature is taken at its least.

@@ -24,6 +24,11 @@ impl UpperPlane {
     pub fn height(&self, [u, v]: [f64; 2]) -> f64 {
         self.c + u * self.north + v * self.east
     }
+
+    /// Its largest height over the region (m).
+    pub fn highest(&self) -> f64 {
+        self.c + self.north.max(0.0) + self.east.max(0.0)
+    }
 }
 
 impl Patch {

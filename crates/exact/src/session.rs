@@ -1,7 +1,8 @@
 //! `exact` as a generator: checks the pose, draws the columns.
 
 use generator::{
-    FrameError, Generator, Omission, PlaneKind, Planes, PrepareError, Session as GeneratorSession, Stage,
+    FrameCounts, FrameError, Generator, Omission, PlaneKind, Planes, PrepareError,
+    Session as GeneratorSession, Stage,
 };
 use landscape::Landscape;
 use quantities::degrees;
@@ -9,7 +10,7 @@ use rayon::prelude::*;
 use scenario::{Pose, RangeLaw, RangeProgramme};
 use signal::{Probe, Signal};
 
-use crate::column::{Column, Pixel};
+use crate::column::{Column, Frame, Pixel};
 use crate::{Ceilings, Outlook, View};
 
 /// |pitch| + half the vertical field of view stays below this (deg): nadir and zenith lie outside the picture.
@@ -47,13 +48,13 @@ impl GeneratorSession for Session {
         pose: &Pose,
         planes: &mut Planes,
         _probe: &mut Probe,
-    ) -> Result<(), FrameError> {
+    ) -> Result<FrameCounts, FrameError> {
         check_eye(&self.stage.landscape, frame, pose)?;
         self.check_pitch(frame, pose)?;
-        let columns = self.columns(pose, planes.columns(), planes.lines());
+        let (columns, rays): (Vec<_>, Vec<u64>) = self.columns(pose, planes).into_iter().unzip();
         fill(planes, PlaneKind::Intensity, &columns, |pixel| pixel.intensity);
         fill(planes, PlaneKind::Range, &columns, |pixel| pixel.range);
-        Ok(())
+        Ok(FrameCounts { samples: rays.into_iter().sum(), ..FrameCounts::default() })
     }
 
     fn omissions(&self) -> Vec<Omission> {
@@ -62,20 +63,21 @@ impl GeneratorSession for Session {
 }
 
 impl Session {
-    fn columns(&self, pose: &Pose, columns: usize, lines: usize) -> Vec<Vec<Pixel>> {
+    /// Pixels of each column from left to right, top line first, and the rays that they took.
+    fn columns(&self, pose: &Pose, planes: &Planes) -> Vec<(Vec<Pixel>, u64)> {
         let Stage { landscape, sun, settings } = &self.stage;
+        let (laws, field) = (settings.laws, settings.raster.field);
         let ranges = [first_range(&settings.range, settings.raster.samples), settings.range.end];
-        let laws = settings.laws;
-        let outlook = Outlook::new(landscape.level(), &self.ceilings, pose.eye, laws.curvature, ranges);
-        let view = View::new(laws.projection, &pose.attitude);
-        let field = settings.raster.field;
+        let outlook = &Outlook::new(landscape.level(), &self.ceilings, pose.eye, laws.curvature, ranges);
+        let view = &View::new(laws.projection, &pose.attitude);
+        let half_height = field.tan_half_height;
+        let frame = Frame { outlook, view, landscape, sun, half_height, lines: planes.lines() };
+        let count = planes.columns() as f64;
         let draw = |column: usize| {
-            let x = field.tan_half_width * (2.0 * column as f64 + 1.0 - columns as f64) / columns as f64;
-            let half_height = field.tan_half_height;
-            Column { outlook: &outlook, view: &view, landscape, sun, x, half_height, lines }
-                .pixels(laws.pixel_rule)
+            let x = field.tan_half_width * (2.0 * column as f64 + 1.0 - count) / count;
+            Column::new(frame, x).draw(laws.pixel_rule)
         };
-        (0..columns).into_par_iter().map(draw).collect()
+        (0..planes.columns()).into_par_iter().map(draw).collect()
     }
 
     fn check_pitch(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {

@@ -2,9 +2,20 @@
 //!
 //! A [`HardwareModel`] says what parts the machine is made of and how good they are; [`Settings`] is what a run
 //! comes to when command line, scenario and model have had their say, in that order of precedence.
+//!
+//! - [`ModelSource::find`]: from a name or a path to the model meant.
+//! - [`HardwareModel::read`]: a model over its bases, under overlays and single settings, as a [`LoadedModel`]
+//!   that knows where each value came from. The format is described in `docs/hardware-model-format.md`.
 
+mod layering;
+mod loaded;
 mod model;
 mod settings;
+mod source;
+mod written;
 
+pub use loaded::{EffectiveValue, LoadedModel};
 pub use model::{HardwareModel, LatePolicy, LoadDelay, Loader, ModelRaster, SweepMemoryKind};
 pub use settings::{Raster, Settings, SettingsError};
+pub use source::{BUILT_IN, ModelSource};
+pub use written::FORMAT;

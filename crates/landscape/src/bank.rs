@@ -78,7 +78,7 @@ impl Level {
         if corners[0] < 2 || corners[1] < 2 {
             return Err(BankError::TooFewCorners(corners[0], corners[1]));
         }
-        let expected = corners[0].checked_mul(corners[1]).unwrap_or(usize::MAX);
+        let expected = corners[0].saturating_mul(corners[1]);
         if words.len() != expected {
             return Err(BankError::CornerCount { found: words.len(), expected });
         }

@@ -1,1 +1,37 @@
-//! Pictures of banks and surveys.
+//! Pictures of banks, surveys and waveforms, as PNG: the same bytes on every machine.
+//!
+//! - [`bank_picture`]: shaded ground in the colours of its height, with contours and axes.
+//! - [`survey_picture`]: fitted ground beside the residuals of its samples, with their histogram.
+//! - [`trace_picture`]: waveforms and digital lines against a common axis, as on an oscilloscope.
+//!
+//! Each returns a [`Drawing`]. Lettering is the outlines of the font Hack, filled like every other curve.
+//!
+//! ```
+//! use landscape::{Level, Sun};
+//! let level = Level::new(250.0, [0.0, 0.0], [2, 2], vec![[0.0; 9]; 4])?;
+//! let look = plots::BankLook::titled("a plate");
+//! let drawing = plots::bank_picture(&level, Sun { azimuth: 1.0, elevation: 0.3 }, &look)?;
+//! assert!(drawing.png().starts_with(b"\x89PNG"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod axis;
+mod bank_picture;
+mod canvas;
+mod colour;
+mod drawing;
+mod error;
+mod frame;
+mod ground;
+mod lettering;
+mod residuals;
+mod survey_picture;
+mod trace_picture;
+
+pub use axis::{Axis, Scale};
+pub use bank_picture::{BankLook, bank_picture};
+pub use drawing::Drawing;
+pub use error::PlotError;
+pub use residuals::Residuals;
+pub use survey_picture::{SurveyLook, survey_picture};
+pub use trace_picture::{Lane, Panel, Trace, TraceLook, trace_picture};

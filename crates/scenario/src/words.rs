@@ -5,6 +5,12 @@ use quantities::Rate;
 
 use crate::{Curvature, Occlusion, PixelRule, Projection, RangeLaw, RangeProgramme};
 
+/// The name of a model: it is looked up, and is never a path.
+pub fn model_name<'a>(table: &Reader<'a>, key: &str) -> Field<'a, String> {
+    let is_name = |name: &String| name.chars().all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '_');
+    table.string(key).must("a name of letters, digits and dashes", is_name)
+}
+
 /// The projection law.
 pub fn projection<'a>(table: &Reader<'a>) -> Field<'a, Projection> {
     use Projection::{AsReported, Corrected, Exact};
@@ -103,7 +109,9 @@ fn two_rate(table: &Reader, is_needed: bool, end: Option<&Placed<f64>>) -> Optio
     }
     let (switch, fine_share) = (switch.required(), share.required());
     let switch = switch?;
-    end.map(|end| check_ascending(table, &switch, end));
+    if let Some(end) = end {
+        check_ascending(table, &switch, end);
+    }
     Some(RangeLaw::TwoRate { switch: switch.value, fine_share: fine_share? })
 }
 

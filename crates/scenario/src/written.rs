@@ -98,8 +98,7 @@ fn scenario(root: &Reader, folder: &FilePath, problems: &Problems) -> Option<Sce
 
 /// A scenario names a model and never a file: it must not reach out of its folder.
 fn machine(root: &Reader) -> Option<String> {
-    let is_name = |name: &String| name.chars().all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '_');
-    let field = root.string("machine").must("a name of letters, digits and dashes", is_name);
+    let field = words::model_name(root, "machine");
     field.help("a model file is named on the command line: --machine FILE").default("ideal".into())
 }
 

@@ -77,7 +77,7 @@ fn the_nose_is_up_uphill_and_starboard_down_across() {
 
 #[test]
 fn wheels_bridge_what_lies_between_them() {
-    // On h = b x^2 / 2 the secant of the wheels at x +- 1.15 m is the slope b x, whatever the wheelbase.
+    // On h = b x^2 / 2 a secant through x - a and x + a has the slope b x, whatever the wheelbase 2 a.
     let landscape = ground(0.0, [0.0, 0.0], 0.01);
     let vehicle = Vehicle { wheelbase: 80.0, ..Vehicle::default() };
     let stand = vehicle.stand(&landscape, [100.0, 250.0], 0.0).unwrap();

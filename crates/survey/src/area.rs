@@ -53,8 +53,6 @@ pub enum Plane {
 pub struct Cut {
     /// Samples in the axes of the bank.
     pub patch: Patch,
-    /// Size to the north and east (m).
-    pub size: [f64; 2],
     /// South, west, north, east in the coordinates of the file (m or rad).
     pub area: [f64; 4],
     /// Where the bank lies.
@@ -108,7 +106,7 @@ pub fn cut(
     }
     let at = size.map(|length| 0.5 * length);
     let georeference = placed.centre.map(|[latitude, longitude]| Georeference { latitude, longitude, at });
-    Ok(Cut { patch, size, area: placed.area, georeference, true_north: placed.true_north, warnings })
+    Ok(Cut { patch, area: placed.area, georeference, true_north: placed.true_north, warnings })
 }
 
 fn place(elevation: &Elevation, area: Area) -> Result<Placed, SurveyError> {

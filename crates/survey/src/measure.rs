@@ -3,7 +3,7 @@
 use landscape::Level;
 use rayon::prelude::*;
 
-use crate::fit::{Axis, Fit, across_line, dot, lacking};
+use crate::fit::{Axis, Fit, Place, across_line, both, dot, lacking};
 use crate::patch::Patch;
 use crate::report::{LevelReport, VoidBounds, Worst};
 use crate::Grid;
@@ -12,7 +12,7 @@ use crate::Grid;
 const REACH: usize = 3;
 
 /// Fitted heights and residuals at the samples of a level, and its figures.
-pub fn measure(patch: &Patch, used: &[bool], fit: &Fit) -> (Grid, Grid, LevelReport) {
+pub fn measure(patch: &Patch, places: &[Place], fit: &Fit) -> (Grid, Grid, LevelReport) {
     let [north, east] = &fit.axes;
     let near_edge = void_regions(&lacking(patch, &fit.axes), north.regions(), east.regions());
     let row = east.samples();
@@ -27,7 +27,7 @@ pub fn measure(patch: &Patch, used: &[bool], fit: &Fit) -> (Grid, Grid, LevelRep
             |scratch, (line, (fitted, residuals))| {
                 scratch.evaluate(&fit.level, north, east, line);
                 fitted.copy_from_slice(&scratch.heights);
-                tally(patch, used, scratch, (north, east), line, &near_edge, residuals)
+                tally(patch, places, scratch, (north, east), line, &near_edge, residuals)
             },
         )
         .collect();
@@ -76,7 +76,7 @@ impl Line {
         let far = &level.words()[(strip + 1) * row..][..row];
         across_line(&north.weights[line], south, far, &mut self.corners);
         across_line(&north.slopes[line], south, far, &mut self.slopes);
-        let six = |c: &[[f64; 3]], n: usize| [c[n][0], c[n][1], c[n][2], c[n + 1][0], c[n + 1][1], c[n + 1][2]];
+        let six = |c: &[[f64; 3]], n: usize| both(c[n], c[n + 1]);
         for region in 0..east.regions() {
             let (values, north_slopes) = (six(&self.corners, region), six(&self.slopes, region));
             for column in east.of_region(region) {
@@ -128,7 +128,7 @@ fn join(a: Option<[f64; 2]>, b: Option<[f64; 2]>) -> Option<[f64; 2]> {
 
 fn tally(
     patch: &Patch,
-    used: &[bool],
+    places: &[Place],
     fitted: &Line,
     (north, east): (&Axis, &Axis),
     line: usize,
@@ -154,7 +154,7 @@ fn tally(
                 out.void += 1;
                 continue;
             }
-            let sum = if used[sample] { &mut out.used } else { &mut out.held_out };
+            let sum = if places[sample] == Place::Used { &mut out.used } else { &mut out.held_out };
             *sum = (sum.0 + 1, sum.1 + residual * residual);
             if out.worst.is_none_or(|worst| residual.abs() > worst.residual.abs()) {
                 let (in_file, place) = (patch.in_file(line, column), patch.place(line, column));

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use crate::area::{Area, Cut, cut};
 use crate::elevation::Elevation;
 use crate::error::SurveyError;
-use crate::fit::{Fit, Stiffness, Stop, fit};
+use crate::fit::{Fit, Place, Stiffness, Stop, fit};
 use crate::measure::measure;
 use crate::patch::Patch;
 use crate::report::{LevelReport, SurveyReport};
@@ -144,11 +144,11 @@ pub fn survey(
         };
         Ok([0, 1].map(|axis| reach(axis) * options.region_size))
     })?;
-    let used = choose(&cut.patch, options.held_out);
-    let samples = used.iter().filter(|used| **used).count();
+    let places = choose(&cut.patch, options.held_out);
+    let samples = places.iter().filter(|place| **place == Place::Used).count();
     if samples == 0 {
         let what = format!("area of {}", elevation.title);
-        return Err(SurveyError::AllVoid { what, count: used.len() });
+        return Err(SurveyError::AllVoid { what, count: places.len() });
     }
     check_size(&shapes[0], options.region_size, samples)?;
 
@@ -157,8 +157,8 @@ pub fn survey(
         let stop = Stop { tolerance: options.tolerance, iterations: options.iterations };
         let size = options.region_size * factor as f64;
         let mut tell = |iteration, residual| progress(Step { level: index, iteration, residual });
-        let fit = fit(&cut.patch, &used, size, shape, options.stiffness, stop, &mut tell)?;
-        let (fitted, residuals, report) = measure(&cut.patch, &used, &fit);
+        let fit = fit(&cut.patch, &places, size, shape, options.stiffness, stop, &mut tell)?;
+        let (fitted, residuals, report) = measure(&cut.patch, &places, &fit);
         grids.get_or_insert((fitted, residuals));
         fit_memory = fit_memory.max(fit.memory);
         reports.push(report);
@@ -167,7 +167,7 @@ pub fn survey(
     }
     let (fitted, residuals) = grids.ok_or(landscape::BankError::NoLevels)?;
     let title = options.title.clone().unwrap_or_else(|| elevation.title.clone());
-    let peak_memory = 8 * (elevation.lines * elevation.columns + 3 * used.len()) + used.len() + fit_memory;
+    let peak_memory = 8 * (elevation.lines * elevation.columns + 3 * places.len()) + places.len() + fit_memory;
     let report = assemble(elevation, &cut, title.clone(), reports, options, peak_memory);
     let bank = Bank::new(title, levels, cut.georeference)?;
     Ok(Survey { bank, report, fitted, residuals })
@@ -194,15 +194,21 @@ fn check_size(shape: &[usize; 2], size: f64, samples: usize) -> Result<(), Surve
     Ok(())
 }
 
-/// Samples that the fit may see: no voids, and not the fraction `held_out`, chosen by place.
-fn choose(patch: &Patch, held_out: f64) -> Vec<bool> {
+/// Sorts the sample places; the fraction `held_out` is chosen by place in the file, not by order.
+fn choose(patch: &Patch, held_out: f64) -> Vec<Place> {
     let columns = patch.count[1];
-    let chosen = |index: usize, height: &f64| {
-        let [line, column] = patch.in_file(index / columns, index % columns);
-        let kept = || unit_interval(HELD_OUT_SEED, &[line as u64, column as u64]) >= held_out;
-        !height.is_nan() && (held_out == 0.0 || kept())
+    let sort = |(index, height): (usize, &f64)| {
+        let chance = || {
+            let [line, column] = patch.in_file(index / columns, index % columns);
+            unit_interval(HELD_OUT_SEED, &[line as u64, column as u64])
+        };
+        match height {
+            height if height.is_nan() => Place::Void,
+            _ if held_out > 0.0 && chance() < held_out => Place::HeldOut,
+            _ => Place::Used,
+        }
     };
-    patch.heights.par_iter().enumerate().map(|(index, height)| chosen(index, height)).collect()
+    patch.heights.par_iter().enumerate().map(sort).collect()
 }
 
 fn assemble(

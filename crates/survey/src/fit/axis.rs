@@ -3,7 +3,7 @@
 use landscape::basis;
 
 /// Samples along one axis of a level, ascending; the design of the fit is the product of two of these.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Axis {
     /// Samples of region r are `starts[r]..starts[r + 1]`.
     pub starts: Vec<usize>,
@@ -11,6 +11,8 @@ pub struct Axis {
     pub weights: Vec<[f64; 6]>,
     /// `d g_ip / dz` at each sample.
     pub slopes: Vec<[f64; 6]>,
+    /// `d^2 g_ip / dz^2` at each sample.
+    pub curvatures: Vec<[f64; 6]>,
 }
 
 impl Axis {
@@ -18,7 +20,7 @@ impl Axis {
     ///
     /// A sample on the line between two regions belongs to the farther one; the last region has both its ends.
     pub fn new(regions: usize, size: f64, first: f64, step: f64, count: usize) -> Self {
-        let mut axis = Self { starts: vec![0], weights: Vec::new(), slopes: Vec::new() };
+        let mut axis = Self { starts: vec![0], ..Self::default() };
         for k in 0..count {
             let at = (first + k as f64 * step) / size;
             if at > regions as f64 + 1e-9 {
@@ -29,6 +31,7 @@ impl Axis {
             let local = (at - region as f64).clamp(0.0, 1.0);
             axis.weights.push(basis::values(local));
             axis.slopes.push(basis::derivatives(local));
+            axis.curvatures.push(basis::second_derivatives(local));
         }
         axis.open_region(regions);
         axis

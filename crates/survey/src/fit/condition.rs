@@ -116,6 +116,7 @@ fn count_below(diagonal: &[f64], off_diagonal: &[f64], x: f64) -> usize {
 mod tests {
     use super::{of_grid, of_lanczos};
     use crate::fit::axis::Axis;
+    use crate::fit::precondition::AxisFactor;
     use crate::fit::roughness::axis_matrix;
 
     #[test]

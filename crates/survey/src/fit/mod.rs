@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 pub use axis::Axis;
 pub use gradients::Stop;
-pub use normal::{across_line, dot};
+pub use normal::{Place, across_line, both, dot};
 
 use crate::error::SurveyError;
 use crate::patch::Patch;
@@ -20,16 +20,15 @@ use normal::Normal;
 use precondition::{AxisFactor, Preconditioner};
 use roughness::{AxisMatrix, Roughness, axis_matrix};
 
-/// How stiff the fitted ground is. Lengths are in region sizes; weights are their fourth power (plate) and
-/// square (membrane), times the samples of a full region.
+/// How stiff the fitted ground is. Lengths are in region sizes; the weight of a plate is the fourth power of its
+/// length, that of a membrane the square.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stiffness {
-    /// Everywhere: ground waves shorter than about 2 pi times this are smoothed. Default 0.03.
+    /// Plate everywhere: ground waves shorter than about 2 pi times this length are smoothed. Default 0.03.
     pub smoothing: f64,
-    /// Bending of regions without samples; full regions have none, others by the fourth power of what lacks.
-    /// Default 0.3.
+    /// Plate at sample places without data. Default 0.3.
     pub void_plate: f64,
-    /// Tension of regions without samples, which bounds height and slope there. Default 0.1.
+    /// Membrane at sample places without data: bounds height and slope there. Default 0.1.
     pub void_membrane: f64,
 }
 
@@ -52,19 +51,19 @@ pub struct Fit {
     pub relative_residual: f64,
     /// Condition of each axis without voids, words at unit diagonal.
     pub condition_of_axes: [f64; 2],
-    /// Condition that voids and region-wise stiffness add (Lanczos, preconditioned equations).
+    /// Condition that voids add (Lanczos values of the preconditioned equations).
     pub condition_of_voids: f64,
     /// Bytes of the vectors of the solution.
     pub memory: usize,
 }
 
-/// Fits a level of `regions` with side `size` (m), origin (0, 0), to the samples that `used` marks.
+/// Fits a level of `regions` with side `size` (m), origin (0, 0), to the samples that `places` marks as used.
 ///
 /// # Errors
 /// If the words cannot form a level (never for finite samples and a positive size).
 pub fn fit(
     patch: &Patch,
-    used: &[bool],
+    places: &[Place],
     size: f64,
     regions: [usize; 2],
     stiffness: Stiffness,
@@ -72,19 +71,28 @@ pub fn fit(
     progress: &mut dyn FnMut(usize, f64),
 ) -> Result<Fit, SurveyError> {
     let axes = [0, 1].map(|k| Axis::new(regions[k], size, patch.first[k], patch.step[k], patch.count[k]));
-    let weights = region_stiffness(patch, &axes, size, stiffness);
-    let roughness = Roughness::new();
+    let bending = fourth(smoothing_length(size, patch.step, stiffness));
+    let per_region = patch.step.map(|step| size / step);
+    let roughness = Roughness::new(per_region[0] * per_region[1] * bending);
     let [north, east] = &axes;
-    let normal =
-        Normal { north, east, used, columns: patch.count[1], stiffness: &weights, roughness: &roughness };
-    let bends = [0, 1].map(|k| axis_roughness(size / patch.step[k], size, patch.step, stiffness));
+    let normal = Normal {
+        north,
+        east,
+        places,
+        columns: patch.count[1],
+        void_plate: fourth(stiffness.void_plate),
+        void_membrane: stiffness.void_membrane * stiffness.void_membrane,
+        roughness: &roughness,
+    };
+    let bend = axis_matrix(2);
+    let bends: [AxisMatrix; 2] = per_region.map(|samples| bend.map(|row| row.map(|v| samples * bending * v)));
     let factors = [0, 1].map(|k| AxisFactor::new(&axes[k], &bends[k]));
     let condition_of_axes = [0, 1].map(|k| condition::of_grid(&axes[k], &bends[k], &factors[k]));
     let [north_factor, east_factor] = factors;
     let preconditioner = Preconditioner::new(north_factor, east_factor);
 
     let [rows, row] = normal.corners();
-    let mean = mean_height(patch, used);
+    let mean = mean_height(patch, places);
     let mut right = vec![[0.0; 9]; rows * row];
     let mut sums: Vec<CornerWords> = vec![[0.0; 9]; 2 * row * (rows - 1)];
     normal.project(|sample| patch.heights[sample] - mean, &mut right, &mut sums);
@@ -108,23 +116,6 @@ fn smoothing_length(size: f64, step: [f64; 2], stiffness: Stiffness) -> f64 {
     stiffness.smoothing * (3.0 * step[0].max(step[1]) / size).max(1.0)
 }
 
-fn axis_roughness(samples: f64, size: f64, step: [f64; 2], stiffness: Stiffness) -> AxisMatrix {
-    let weight = samples * fourth(smoothing_length(size, step, stiffness));
-    axis_matrix(2).map(|row| row.map(|v| weight * v))
-}
-
-/// Weights of plate and membrane, region by region.
-fn region_stiffness(patch: &Patch, axes: &[Axis; 2], size: f64, stiffness: Stiffness) -> Vec<[f64; 2]> {
-    let per_region = size * size / (patch.step[0] * patch.step[1]);
-    let base = fourth(smoothing_length(size, patch.step, stiffness));
-    let (plate, membrane) = (fourth(stiffness.void_plate), stiffness.void_membrane * stiffness.void_membrane);
-    let weights = |lacking: f64| {
-        let share = fourth(lacking);
-        [per_region * (base + share * plate), per_region * share * membrane]
-    };
-    lacking(patch, axes).into_iter().map(weights).collect()
-}
-
 /// Fraction of the sample places of each region that are void, 0 where there is no place.
 pub fn lacking(patch: &Patch, [north, east]: &[Axis; 2]) -> Vec<f64> {
     let of_strip = |strip: usize| -> Vec<f64> {
@@ -144,13 +135,13 @@ pub fn lacking(patch: &Patch, [north, east]: &[Axis; 2]) -> Vec<f64> {
 }
 
 /// Mean of the used samples: taken out before the fit, so that no digits are spent on it.
-fn mean_height(patch: &Patch, used: &[bool]) -> f64 {
-    let line = |(heights, used): (&[f64], &[bool])| {
-        let chosen = heights.iter().zip(used).filter(|(_, used)| **used);
+fn mean_height(patch: &Patch, places: &[Place]) -> f64 {
+    let line = |(heights, places): (&[f64], &[Place])| {
+        let chosen = heights.iter().zip(places).filter(|(_, place)| **place == Place::Used);
         chosen.fold((0.0, 0usize), |(sum, count), (height, _)| (sum + height, count + 1))
     };
     let columns = patch.count[1];
-    let lines: Vec<_> = patch.heights.par_chunks(columns).zip(used.par_chunks(columns)).map(line).collect();
+    let lines: Vec<_> = patch.heights.par_chunks(columns).zip(places.par_chunks(columns)).map(line).collect();
     let (sum, count) = lines.iter().fold((0.0, 0), |(s, n), (sum, count)| (s + sum, n + count));
     sum / count.max(1) as f64
 }

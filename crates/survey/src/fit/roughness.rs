@@ -1,7 +1,7 @@
-//! Energy of a bent plate and of a stretched membrane over one region, in region units.
+//! Energy of a bent plate over one region, in region units.
 //!
-//! The reflections u -> 1 - u and v -> 1 - v leave both energies as they are, so in words that are even or odd
-//! under them the 36 x 36 matrix falls into four blocks of 9 x 9: a quarter of the work.
+//! The reflections u -> 1 - u and v -> 1 - v leave the energy as it is, so in words that are even or odd under
+//! them the 36 x 36 matrix falls into four blocks of 9 x 9: a quarter of the work.
 
 use landscape::basis::{FAR, NEAR};
 
@@ -32,56 +32,41 @@ fn integral_of_product(a: &[f64], b: &[f64]) -> f64 {
     terms.sum()
 }
 
-/// Both energies as blocks by symmetry: index `2 * (odd in u) + (odd in v)`.
+/// The energy as blocks by symmetry: index `2 * (odd in u) + (odd in v)`.
 #[derive(Debug)]
-pub struct Roughness {
-    plate: [Block; 4],
-    membrane: [Block; 4],
-}
+pub struct Roughness([Block; 4]);
 
 impl Roughness {
-    /// Plate: integral of `h_uu^2 + 2 h_uv^2 + h_vv^2`; membrane: integral of `h_u^2 + h_v^2`.
-    pub fn new() -> Self {
+    /// `weight` times the integral of `h_uu^2 + 2 h_uv^2 + h_vv^2`.
+    pub fn new(weight: f64) -> Self {
         let [m, k1, k2] = [0, 1, 2].map(|order| by_symmetry(&axis_matrix(order)));
-        let block = |pairs: &[(f64, &[AxisBlock; 2], &[AxisBlock; 2])], of: usize| -> Block {
-            let entry = |a: usize, b: usize| {
-                let term = |(factor, u, v): &(f64, &[AxisBlock; 2], &[AxisBlock; 2])| {
-                    factor * u[of / 2][a / 3][b / 3] * v[of % 2][a % 3][b % 3]
-                };
-                pairs.iter().map(term).sum()
+        let terms = [(1.0, &k2, &m), (2.0, &k1, &k1), (1.0, &m, &k2)];
+        let entry = |of: usize, a: usize, b: usize| {
+            let term = |(factor, u, v): &(f64, &[AxisBlock; 2], &[AxisBlock; 2])| {
+                factor * u[of / 2][a / 3][b / 3] * v[of % 2][a % 3][b % 3]
             };
-            std::array::from_fn(|a| std::array::from_fn(|b| entry(a, b)))
+            weight * terms.iter().map(term).sum::<f64>()
         };
-        let plate = [(1.0, &k2, &m), (2.0, &k1, &k1), (1.0, &m, &k2)];
-        let membrane = [(1.0, &k1, &m), (1.0, &m, &k1)];
-        Self {
-            plate: std::array::from_fn(|of| block(&plate, of)),
-            membrane: std::array::from_fn(|of| block(&membrane, of)),
-        }
+        let block = |of: usize| std::array::from_fn(|a| std::array::from_fn(|b| entry(of, a, b)));
+        Self(std::array::from_fn(block))
     }
 
-    /// Half the gradient of `plate * E_plate + membrane * E_membrane` at `words`.
-    pub fn apply(&self, plate: f64, membrane: f64, words: &RegionWords) -> RegionWords {
+    /// Half the gradient of the energy at `words`.
+    pub fn apply(&self, words: &RegionWords) -> RegionWords {
         let blocks = split(words);
-        let mut out = [[0.0; 9]; 4];
-        for of in 0..4 {
-            add_product(plate, &self.plate[of], &blocks[of], &mut out[of]);
-            if membrane != 0.0 {
-                add_product(membrane, &self.membrane[of], &blocks[of], &mut out[of]);
-            }
-        }
-        join(&out)
+        join(&std::array::from_fn(|of| product(&self.0[of], &blocks[of])))
     }
 }
 
-fn add_product(factor: f64, matrix: &Block, vector: &[f64; 9], out: &mut [f64; 9]) {
-    for a in 0..9 {
-        let mut sum = 0.0;
-        for b in 0..9 {
-            sum += matrix[a][b] * vector[b];
+fn product(matrix: &Block, vector: &[f64; 9]) -> [f64; 9] {
+    let mut out = [0.0; 9];
+    for (row, &value) in matrix.iter().zip(vector) {
+        // The matrix is symmetric: its rows serve as columns, and the sums stay independent.
+        for a in 0..9 {
+            out[a] += row[a] * value;
         }
-        out[a] += factor * sum;
     }
+    out
 }
 
 type AxisBlock = [[f64; 3]; 3];
@@ -168,13 +153,11 @@ mod tests {
 
     #[test]
     fn blocks_agree_with_the_direct_product() {
-        let (roughness, c) = (Roughness::new(), words(3));
-        let plate = direct(&[(1.0, 2, 0), (2.0, 1, 1), (1.0, 0, 2)], &c);
-        let both = direct(&[(1.0, 2, 0), (2.0, 1, 1), (1.0, 0, 2), (0.5, 1, 0), (0.5, 0, 1)], &c);
-        let (found_plate, found_both) = (roughness.apply(1.0, 0.0, &c), roughness.apply(1.0, 0.5, &c));
+        let c = words(3);
+        let expected = direct(&[(0.5, 2, 0), (1.0, 1, 1), (0.5, 0, 2)], &c);
+        let found = Roughness::new(0.5).apply(&c);
         for (a, b) in (0..36).map(|i| (i / 6, i % 6)) {
-            assert!((found_plate[a][b] - plate[a][b]).abs() < 1e-11, "{a} {b}");
-            assert!((found_both[a][b] - both[a][b]).abs() < 1e-11, "{a} {b}");
+            assert!((found[a][b] - expected[a][b]).abs() < 1e-11, "{a} {b}");
         }
     }
 
@@ -187,7 +170,7 @@ mod tests {
             c[3 * i + 1][3 * j] = 2.0;
             c[3 * i][3 * j + 1] = 3.0;
         }
-        let out = Roughness::new().apply(1.0, 0.0, &c);
+        let out = Roughness::new(1.0).apply(&c);
         assert!(out.iter().flatten().all(|v| v.abs() < 1e-11), "{out:?}");
     }
 }

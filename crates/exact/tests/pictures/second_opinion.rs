@@ -1,10 +1,8 @@
 //! Against brute force: marching along each ray in small steps over the landscape's own heights.
 
-mod common;
-
 use std::sync::Arc;
 
-use common::{draw, landscape, laws, level, pose, settings, sun};
+use crate::scenes::{draw, landscape, laws, level, pose, settings, sun};
 use hardware_model::Settings;
 use landscape::{Landscape, Level, Sun, parabolic_drop};
 use proptest::prelude::*;
@@ -24,9 +22,16 @@ struct Scene<'a> {
 }
 
 impl Scene<'_> {
+    /// Place of a range; one that leaves the area by the rounding of an angle is put back on the edge.
     fn place(&self, range: f64) -> [f64; 2] {
         let [x, y, _] = self.pose.eye;
-        [x + range * libm::cos(self.azimuth), y + range * libm::sin(self.azimuth)]
+        let [south, west, north, east] = self.landscape.level().extent();
+        let snap = |at: f64, low: f64, high: f64| {
+            let inside = at.clamp(low, high);
+            if (at - inside).abs() < 1e-12 { inside } else { at }
+        };
+        let [to_north, to_east] = [libm::cos(self.azimuth), libm::sin(self.azimuth)];
+        [snap(x + range * to_north, south, north), snap(y + range * to_east, west, east)]
     }
 
     fn above(&self, range: f64) -> Option<f64> {

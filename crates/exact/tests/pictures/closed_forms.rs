@@ -1,8 +1,6 @@
 //! Scenes whose picture is known in closed form.
 
-mod common;
-
-use common::{draw, landscape, laws, level, plane, pose, settings, sun};
+use crate::scenes::{draw, landscape, laws, level, plane, pose, settings, sun};
 use exact::{Ceilings, LINE_MEAN_TOLERANCE, Outlook, Ray, Sight, View};
 use hardware_model::{Raster, Settings};
 use landscape::{LUNOID_RADIUS, Level, basis};

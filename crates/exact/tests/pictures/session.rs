@@ -1,10 +1,8 @@
 //! The session: refusals, threads, extremes.
 
-mod common;
-
 use std::sync::Arc;
 
-use common::{draw, landscape, laws, level, plane, pose, prepare, settings, sun};
+use crate::scenes::{draw, landscape, laws, level, plane, pose, prepare, settings, sun};
 use exact::Exact;
 use generator::{FrameError, Generator, PlaneKind, Planes};
 use hardware_model::Settings;

@@ -1,0 +1,124 @@
+//! Where a model is: a file, or one that the program carries with it.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use diagnostics::{Problem, ProblemList, Problems, TomlFile};
+use files::FileError;
+
+/// Models that the program carries, with their text.
+pub const BUILT_IN: [(&str, &str); 1] =
+    [("ideal", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../hardware-models/ideal.toml")))];
+
+/// Name of the folder that holds models.
+const FOLDER: &str = "hardware-models";
+
+/// Larger than any model that a person writes.
+const MAX_BYTES: u64 = 16 << 20;
+
+/// Where a model is.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub enum ModelSource {
+    /// A file.
+    File(PathBuf),
+    /// One of [`BUILT_IN`], by name.
+    BuiltIn(String),
+}
+
+impl ModelSource {
+    /// The model that a user means. What ends in `.toml` or has a separator is a path. A name is looked for in
+    /// `hardware-models/` of `folder` (that of the scenario), of the folder above, and of the current folder, and
+    /// then among those that the program carries.
+    ///
+    /// # Errors
+    /// An unknown name; the message lists the known ones, the nearest first to be tried.
+    pub fn find(name_or_path: &str, folder: &Path) -> Result<Self, ProblemList> {
+        if name_or_path.ends_with(".toml") || name_or_path.contains(['/', '\\']) {
+            return Ok(Self::File(name_or_path.into()));
+        }
+        let folders = [folder.join(FOLDER), folder.join("..").join(FOLDER), FOLDER.into()];
+        let files = folders.iter().map(|folder| folder.join(format!("{name_or_path}.toml")));
+        if let Some(file) = files.into_iter().find(|file| file.is_file()) {
+            return Ok(Self::File(file));
+        }
+        if let Some(built_in) = Self::built_in(name_or_path) {
+            return Ok(built_in);
+        }
+        let known = known_names(&folders);
+        let problem = Problem::of_file(name_or_path, format!("unknown machine `{name_or_path}`"));
+        Err(advise(problem.found(name_or_path), name_or_path, &known).into())
+    }
+
+    /// The built-in model of a name.
+    pub(crate) fn built_in(name: &str) -> Option<Self> {
+        BUILT_IN.iter().any(|(known, _)| *known == name).then(|| Self::BuiltIn(name.into()))
+    }
+
+    /// The base of this name: beside this model, or built in.
+    pub(crate) fn base(&self, name: &str) -> Option<Self> {
+        let beside = match self {
+            Self::File(path) => Some(path.with_file_name(format!("{name}.toml"))),
+            Self::BuiltIn(_) => None,
+        };
+        let file = beside.filter(|path| path.is_file()).map(Self::File);
+        file.or_else(|| Self::built_in(name))
+    }
+
+    /// Names that [`base`](Self::base) finds.
+    pub(crate) fn known_bases(&self) -> BTreeSet<String> {
+        let folder = match self {
+            Self::File(path) => path.parent().map(Path::to_owned),
+            Self::BuiltIn(_) => None,
+        };
+        known_names(folder.as_slice())
+    }
+
+    /// How messages call it.
+    pub fn name(&self) -> String {
+        match self {
+            Self::File(path) => path.display().to_string(),
+            Self::BuiltIn(name) => format!("built-in {name}.toml"),
+        }
+    }
+
+    /// The parsed file; whatever is wrong is recorded.
+    pub(crate) fn parse(&self, problems: &Problems) -> Option<TomlFile> {
+        match self {
+            Self::File(path) => {
+                let refuse = |error: FileError| {
+                    problems.push(Problem::of_file(self.name(), error.to_string()));
+                };
+                let bytes = files::read_all(path, MAX_BYTES).map_err(refuse).ok()?;
+                TomlFile::parse_bytes(&self.name(), &bytes, problems)
+            }
+            Self::BuiltIn(name) => match BUILT_IN.iter().find(|(known, _)| known == name) {
+                Some((_, text)) => TomlFile::parse(&self.name(), text, problems),
+                None => {
+                    problems.push(Problem::of_file(self.name(), format!("unknown built-in model `{name}`")));
+                    None
+                }
+            },
+        }
+    }
+}
+
+fn known_names(folders: &[PathBuf]) -> BTreeSet<String> {
+    let entries = folders.iter().filter_map(|folder| fs::read_dir(folder).ok()).flatten().flatten();
+    let paths =
+        entries.map(|entry| entry.path()).filter(|path| path.extension().is_some_and(|e| e == "toml"));
+    let names = paths.filter_map(|path| path.file_stem().map(|stem| stem.to_string_lossy().into_owned()));
+    names.chain(BUILT_IN.iter().map(|(name, _)| (*name).to_owned())).collect()
+}
+
+/// Adds what is known, and the nearest of it, to a problem.
+pub(crate) fn advise(problem: Problem, name: &str, known: &BTreeSet<String>) -> Problem {
+    let list: Vec<&str> = known.iter().map(String::as_str).collect();
+    let problem = problem.expected(format!("one of {}", list.join(", ")));
+    let alike = list.iter().map(|known| (strsim::jaro(name, known), known));
+    // The likeness from which clap, too, offers a suggestion.
+    match alike.filter(|(likeness, _)| *likeness > 0.7).max_by(|a, b| a.0.total_cmp(&b.0)) {
+        Some((_, nearest)) => problem.help(format!("did you mean `{nearest}`?")),
+        None => problem.help(format!("known: {}; a file of your own is named by its path", list.join(", "))),
+    }
+}

@@ -1,0 +1,122 @@
+//! A model as written: the keys of its parts.
+
+use diagnostics::Reader;
+use quantities::Rate;
+use scenario::{Laws, words};
+use sweep_program::{Colour, PreloadRegister};
+
+use crate::{HardwareModel, LatePolicy, LoadDelay, Loader, ModelRaster, SweepMemoryKind};
+
+/// Format of model files that this program reads.
+pub const FORMAT: u64 = 1;
+
+/// The model of all layers. Every key is needed; what a file leaves out, its base has.
+pub(crate) fn model(root: &Reader, name: String) -> Option<HardwareModel> {
+    let raster = root.table("raster").map(|table| raster(&table));
+    let range = root.table("range").map(|table| words::range(&table));
+    let clock = root.table("dpu").map(|table| words::rate(&table, "clock_mhz", 1_000_000).required());
+    let loader = root.table("loader").map(|table| loader(&table, clock.flatten()));
+    let dpp = root.table("dpp");
+    let memory = root.table("sweep_memory");
+    let kind = memory.as_ref().map(sweep_memory);
+    let laws = laws(dpp.as_ref(), memory.as_ref());
+    root.finish();
+    Some(HardwareModel {
+        name,
+        raster: raster??,
+        range: range??,
+        master_clock: clock??,
+        loader: loader??,
+        laws: laws?,
+        sweep_memory: kind??,
+    })
+}
+
+fn raster(table: &Reader) -> Option<ModelRaster> {
+    let sweeps = table.u32("sweeps").between(1, 8192).required();
+    let samples = table.u32("samples_per_sweep").between(2, 65_536).required();
+    let blanking_fraction = table.f64("blanking_fraction").between(0.0, 0.9).required();
+    let update = words::rate(table, "update_hz", 1).required();
+    let refresh = words::rate(table, "refresh_hz", 1).required();
+    words::check_refresh(table, update, refresh);
+    Some(ModelRaster {
+        sweeps: sweeps?,
+        samples: samples?,
+        blanking_fraction: blanking_fraction?,
+        update: update?,
+        refresh: refresh?,
+    })
+}
+
+fn loader(table: &Reader, clock: Option<Rate>) -> Option<Loader> {
+    let access = table.f64("access_ns").between(0.0, 1e9).unit("ns").required();
+    let late_policy = table
+        .one_of(
+            "late_policy",
+            &[("strobe-through", LatePolicy::StrobeThrough), ("latched", LatePolicy::Latched)],
+        )
+        .required();
+    let delays: Vec<_> = table.tables("delay").iter().map(delay).collect();
+    Some(Loader {
+        access_ticks: ticks(access?, clock?),
+        late_policy: late_policy?,
+        delays: delays.into_iter().collect::<Option<_>>()?,
+    })
+}
+
+/// Whole ticks that `nanoseconds` take: a word is there at the first tick after it came.
+fn ticks(nanoseconds: f64, clock: Rate) -> u64 {
+    let ticks = nanoseconds * clock.hertz() / 1e9;
+    // 950 ns at 20 MHz is 19 ticks, not 20 because of a last bit.
+    (ticks - 1e-9 * ticks).ceil() as u64
+}
+
+fn delay(table: &Reader) -> Option<LoadDelay> {
+    let frame = table.u64("frame").optional();
+    let sweep = table.u32("sweep").below(8192).required();
+    let crossing = table.u32("crossing").required();
+    let colours = [
+        ("yellow", Colour::Yellow),
+        ("green", Colour::Green),
+        ("black", Colour::Black),
+        ("red", Colour::Red),
+    ];
+    let colour = table.one_of("colour", &colours).required();
+    let registers = [("x-first", PreloadRegister::XFirst), ("y-first", PreloadRegister::YFirst)];
+    let register = table.one_of("register", &registers).required();
+    let orders = table.u64_list("word").must("the two orders [p, q], each 0 to 2", |orders| {
+        orders.len() == 2 && orders.iter().all(|&order| order <= 2)
+    });
+    let word = orders.map(|orders| (3 * orders[0] + orders[1]) as usize).required();
+    let ticks = table.u64("ticks").required();
+    Some(LoadDelay {
+        frame,
+        sweep: sweep?,
+        crossing: crossing?,
+        colour: colour?,
+        register: register?,
+        word: word?,
+        ticks: ticks?,
+    })
+}
+
+fn laws(dpp: Option<&Reader>, memory: Option<&Reader>) -> Option<Laws> {
+    let projection = dpp.and_then(|table| words::projection(table).required());
+    let curvature = dpp.and_then(|table| words::curvature(table).required());
+    let occlusion = dpp.and_then(|table| words::occlusion(table).required());
+    let pixel_rule = memory.and_then(|table| words::pixel_rule(table).required());
+    Some(Laws {
+        projection: projection?,
+        curvature: curvature?,
+        occlusion: occlusion?,
+        pixel_rule: pixel_rule?,
+    })
+}
+
+fn sweep_memory(table: &Reader) -> Option<SweepMemoryKind> {
+    let kinds = [
+        ("scan-converter", SweepMemoryKind::ScanConverter),
+        ("digital-memory", SweepMemoryKind::DigitalMemory),
+    ];
+    table.one_of("kind", &kinds).required()
+}
