@@ -92,7 +92,7 @@ impl CrossingService<'_> {
 impl Service<'_, '_> {
     /// One fold: transfer, pointers, requests.
     fn serve(&mut self, fold: TimedFold, program: &mut SweepProgram) {
-        program.steps.push(Step { time: fold.time, range: fold.range, kind: StepKind::Fold(fold.fold) });
+        program.steps.push(Step::new(fold.time, fold.range, StepKind::Fold(fold.fold)));
         self.settle_late(fold, program);
         self.pointers.follow(fold.fold);
         for colour in Colour::ALL {
@@ -160,7 +160,7 @@ impl Service<'_, '_> {
         let load = Load { colour, target: Target::Preload(register), corner, words };
         let latency = self.unit.loader.access_ticks + delay;
         if latency == 0 {
-            program.steps.push(Step { time: fold.time, range: fold.range, kind: StepKind::Load(load) });
+            program.steps.push(Step::new(fold.time, fold.range, StepKind::Load(load)));
             return;
         }
         let seen = self.unit.timebase.tick_at_or_after(self.frame, self.sweep, fold.time);
@@ -181,11 +181,7 @@ impl Service<'_, '_> {
         self.pending.sort_by(|a, b| a.arrival.0.total_cmp(&b.arrival.0));
         let arrived = self.pending.partition_point(|request| request.arrival <= time);
         for Request { arrival, load, .. } in self.pending.drain(..arrived) {
-            program.steps.push(Step {
-                time: arrival,
-                range: range_at(arrival),
-                kind: StepKind::Load(load),
-            });
+            program.steps.push(Step::new(arrival, range_at(arrival), StepKind::Load(load)));
         }
     }
 }

@@ -108,21 +108,18 @@ mod tests {
     use super::{Coefficients, DEGREE, first_reach, halves, value};
     use proptest::prelude::*;
 
-    /// Bernstein coefficients of `f` sampled as values of the blossom of `scale * prod (x - roots)`.
+    /// Coefficients of `scale * prod (x - roots)`, raised to degree 10 by factors of 1.
     fn from_roots(roots: &[f64], scale: f64) -> Coefficients {
         let mut c = [0.0; DEGREE + 1];
         c[0] = scale;
-        let mut degree = 0;
-        for &root in roots.iter().chain(std::iter::repeat_n(&f64::NAN, DEGREE - roots.len())) {
-            // Times (x - root), or, to raise the degree only, times 1.
-            let ends = if root.is_nan() { [1.0, 1.0] } else { [-root, 1.0 - root] };
+        for degree in 1..=DEGREE {
+            let [at_0, at_1] = roots.get(degree - 1).map_or([1.0, 1.0], |root| [-root, 1.0 - root]);
             let old = c;
-            for k in 0..=degree + 1 {
-                let share = k as f64 / (degree + 1) as f64;
-                let below = if k > 0 { share * ends[1] * old[k - 1] } else { 0.0 };
-                c[k] = below + (1.0 - share) * ends[0] * old[k];
+            for k in 0..=degree {
+                let share = k as f64 / degree as f64;
+                let below = if k > 0 { share * at_1 * old[k - 1] } else { 0.0 };
+                c[k] = below + (1.0 - share) * at_0 * old[k];
             }
-            degree += 1;
         }
         c
     }

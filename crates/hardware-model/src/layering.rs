@@ -82,7 +82,8 @@ fn read_model(source: &ModelSource, problems: &Problems) -> Option<(TomlFile, He
     let is_known = root.format_version(FORMAT) || !root.has("format");
     let name = words::model_name(&root, "name").required();
     let base = words::model_name(&root, "base").placed().optional();
-    if !is_known {
+    // Without its base, nothing can be said about the keys that are missing.
+    if !is_known || (root.has("base") && base.is_none()) {
         return None;
     }
     // A fault in the name is recorded; reading goes on to list the others.

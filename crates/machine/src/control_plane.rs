@@ -64,10 +64,11 @@ impl FramePlan {
         let direction = self.fan.direction(sweep, self.heading);
         let start = set_up(foot, direction);
         let end_range = way_to_edge(level, foot, direction).min(settings.range.end);
+        let mut time_of = table.times();
         let folds = Folds::new(&start)
             .map(|(regions, fold)| {
                 let range = regions * level.region_size();
-                TimedFold { time: table.time_of(range), range, fold }
+                TimedFold { time: time_of(range), range, fold }
             })
             .take_while(|fold| fold.range <= end_range);
         let service =

@@ -74,7 +74,9 @@ impl<S: Real> Recorded<'_, S> {
             }
             "tg.slope.u" => slope(cos, -sin),
             "tg.slope.v" => slope(sin, cos),
-            "tg.reflectivity" | "mu.reflectivity" => of(&profile.reflectivity),
+            "tg.reflectivity" | "mu.reflectivity" => {
+                of(&profile.reflectivity).into_iter().map(|signed| signed.max(0.0)).collect()
+            }
             "dpp.elevation" => of(&projected.elevation),
             "dpp.hold" => of(&projected.hold),
             "dpp.y" => of(&projected.line),

@@ -22,7 +22,7 @@ pub(crate) const TRACES: [Colour; 6] =
 
 /// Heights from low to high: slate, lunar grey, sand, near white.
 const HEIGHTS: [Colour; 5] =
-    [[62, 76, 92], [108, 118, 124], [150, 148, 140], [196, 186, 164], [240, 234, 218]];
+    [[92, 108, 126], [136, 145, 151], [176, 174, 167], [211, 203, 184], [246, 242, 231]];
 
 /// Residuals from below to above the fit: blue, white, red, equally dark at both ends.
 const RESIDUALS: [Colour; 7] = [

@@ -92,7 +92,7 @@ impl Frame {
     }
 
     fn y_ticks(&self) -> Vec<Tick> {
-        within(&self.y, self.y.ticks(target(self.area.height, TICK_PITCH * 0.6)))
+        within(&self.y, self.y.ticks(target(self.area.height, TICK_PITCH * 0.45)))
     }
 }
 

@@ -4,9 +4,10 @@ use crate::axis::{Ruler, extremes, round_up};
 use crate::canvas::{Area, Canvas};
 use crate::colour::{Colour, lit, mix, of_height};
 use landscape::{Level, Sun};
+use rayon::prelude::{IntoParallelIterator, ParallelIterator};
 
 /// Contours between the lowest and the highest ground, about.
-const CONTOURS: f64 = 16.0;
+const CONTOURS: f64 = 32.0;
 /// Every fifth contour is heavier.
 const HEAVY: f64 = 5.0;
 
@@ -32,8 +33,10 @@ impl Ground {
             let y = west + (f64::from(column) + 0.5) * steps[1];
             point(level, x, y)
         };
-        let points: Vec<[f64; 3]> =
-            (0..lines).flat_map(|line| (0..columns).map(move |column| at(line, column))).collect();
+        let points: Vec<[f64; 3]> = (0..lines)
+            .into_par_iter()
+            .flat_map_iter(|line| (0..columns).map(move |column| at(line, column)))
+            .collect();
         let heights = extremes(points.iter().map(|p| p[0])).unwrap_or([0.0, 0.0]);
         Self { columns, points, pixel: steps[0].max(steps[1]), heights, sun }
     }
@@ -59,21 +62,25 @@ impl Ground {
         });
     }
 
-    /// Level ground keeps four fifths of its colour; local shadow a quarter, so that heights stay legible in it.
+    /// Level ground keeps nine tenths of its colour; local shadow a third, so that heights stay legible in it.
     fn light(&self, slopes: [f64; 2]) -> f64 {
         let level_ground = self.sun.reflectivity([0.0, 0.0]).max(0.02);
-        0.25 + 0.55 * (self.sun.reflectivity(slopes) / level_ground).min(1.8)
+        0.32 + 0.58 * (self.sun.reflectivity(slopes) / level_ground).min(1.7)
     }
 
     /// Ink over the ground by the distance to the nearest contour, known in pixels from height and slope.
     fn contoured(&self, ground: Colour, [height, hx, hy]: &[f64; 3], interval: f64) -> Colour {
         let index = (height / interval).round();
         let fall = (hx * hx + hy * hy).sqrt() * self.pixel;
-        let pixels = (height - index * interval).abs() / fall.max(1e-9 * interval);
+        // A plain that happens to lie at the height of a contour has none.
+        if fall < 1e-6 * interval {
+            return ground;
+        }
+        let pixels = (height - index * interval).abs() / fall;
         let heavy = (index / HEAVY).fract() == 0.0;
         let (half_width, strength) = if heavy { (0.75, 0.6) } else { (0.5, 0.35) };
         // Where contours crowd below four pixels they would be a wash of ink: let them fade.
-        let room = (interval / fall.max(1e-9 * interval) / 4.0).min(1.0);
+        let room = (interval / fall / 4.0).min(1.0);
         mix(ground, [30, 26, 22], strength * room * (half_width + 0.5 - pixels).clamp(0.0, 1.0))
     }
 }

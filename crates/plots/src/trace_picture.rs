@@ -3,7 +3,7 @@
 use crate::axis::{Axis, Ruler};
 use crate::bank_picture::check_panel;
 use crate::canvas::{Anchor, Area, Canvas};
-use crate::colour::{Colour, FAINT, INK, SOFT, TRACES, mix};
+use crate::colour::{Colour, FAINT, INK, PAPER, SOFT, TRACES, mix};
 use crate::frame::{BELOW, Frame, Header, LEFT, SMALL};
 use crate::lettering;
 use crate::{Drawing, PlotError};
@@ -173,19 +173,16 @@ fn draw_lanes(canvas: &mut Canvas, lanes: &[Lane<'_>], area: Area, x: Ruler, x_l
 }
 
 fn draw_lane(canvas: &mut Canvas, frame: &Frame, lane: &Lane<'_>, low: f32, colour: Colour) {
-    for (ends, high) in lane.x.windows(2).zip(lane.high) {
-        let [from, to] = [ends[0], ends[1]].map(|x| frame.at(x, 0.0).0);
-        let top = if *high { low - HIGH } else { low };
-        if *high {
-            let band = Area { left: from, top, width: to - from, height: HIGH };
-            canvas.fill(band, mix([255, 255, 255], colour, 0.3));
-        }
+    let mut at = 0;
+    for run in lane.high.chunk_by(|a, b| a == b) {
+        let [from, to] = [at, at + run.len()].map(|index| frame.at(lane.x[index], 0.0).0);
+        let top = if run[0] { low - HIGH } else { low };
+        let band = Area { left: from, top, width: to - from, height: low - top };
+        canvas.fill(band, mix(PAPER, colour, 0.3));
         canvas.line(&[(from, top + 0.5), (to, top + 0.5)], 1.2, colour);
-    }
-    for (x, states) in lane.x.iter().skip(1).zip(lane.high.windows(2)) {
-        if states[0] != states[1] {
-            let (x, _) = frame.at(*x, 0.0);
-            canvas.line(&[(x, low + 1.0), (x, low - HIGH)], 1.2, colour);
+        if at > 0 {
+            canvas.line(&[(from, low + 1.0), (from, low - HIGH)], 1.2, colour);
         }
+        at += run.len();
     }
 }

@@ -13,7 +13,9 @@ pub struct SweepTime(pub f64);
 impl SweepTime {
     /// Index of the first sample at or after this instant.
     pub fn sample_at_or_after(self) -> usize {
-        self.0.ceil().max(0.0) as usize
+        // The cast truncates and takes negative instants to 0.
+        let whole = self.0 as usize;
+        if (whole as f64) < self.0 { whole + 1 } else { whole }
     }
 }
 

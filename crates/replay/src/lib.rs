@@ -1,1 +1,41 @@
-//! Missions into frames.
+//! Missions into frames: a run of a scenario through a generator, in a folder that can be resumed.
+//!
+//! [`RunFolder::claim`] takes a folder for one run; [`run`] draws a [`Job`] into it:
+//!
+//! ```text
+//! frames/frame-000000.png   grey, 8 or 16 bits; text chunks with frame, time and pose
+//! run.json                  what was drawn from what, with which settings, and a hash of every frame's pixels
+//! performance.json          wall times, threads, rates: all that differs between equal runs
+//! poses.csv  camera.json    where the eye was, and from pixel to ray
+//! contact-sheet.png  index.html  animation.png
+//! ```
+//!
+//! A frame is a function of its pose. Some threads *carry* one frame each from pose to disk, one frame more than
+//! the pool has threads, so that encoding and writing of one frame overlap the drawing of others, and memory does
+//! not grow with the number of frames. The bytes do not depend on the number of threads.
+//!
+//! Every finished frame is written to a journal; the same job again verifies what stands there and draws the rest.
+
+mod camera;
+mod draw;
+mod error;
+mod film;
+mod fingerprint;
+mod folder;
+mod held;
+mod job;
+mod journal;
+mod lock;
+mod performance;
+mod record;
+mod run;
+mod settings_record;
+
+pub use error::ReplayError;
+pub use film::write_y4m;
+pub use folder::RunFolder;
+pub use held::{FileRecord, FrameRecord, HeldRun, WorkRecord, file_hash};
+pub use job::{Control, Inputs, Job, Pictures, Program, Progress};
+pub use performance::Phase;
+pub use run::{Outcome, run};
+pub use settings_record::{GroundRecord, SettingsRecord};

@@ -10,6 +10,7 @@
 mod area;
 mod elevation;
 mod error;
+mod fill;
 mod fit;
 mod measure;
 mod patch;

@@ -6,6 +6,7 @@ use rayon::prelude::*;
 
 use crate::area::{Area, Cut, cut};
 use crate::elevation::Elevation;
+use crate::fill::fill;
 use crate::error::SurveyError;
 use crate::fit::{Fit, Place, Stiffness, Stop, fit};
 use crate::measure::measure;
@@ -65,11 +66,12 @@ impl SurveyOptions {
         if !(self.tolerance > 0.0 && self.tolerance < 1.0) {
             return refuse("tolerance", self.tolerance.to_string(), "above 0 and below 1");
         }
-        let Stiffness { smoothing, void_plate, void_membrane } = self.stiffness;
-        for length in [smoothing, void_plate, void_membrane] {
-            if !(length > 0.0 && length <= 10.0) {
-                return refuse("stiffness", length.to_string(), "above 0 and at most 10 region sizes");
-            }
+        let Stiffness { smoothing, filled_weight } = self.stiffness;
+        if !(smoothing > 0.0 && smoothing <= 10.0) {
+            return refuse("smoothing", smoothing.to_string(), "above 0 and at most 10 region sizes");
+        }
+        if !(filled_weight > 0.0 && filled_weight <= 1.0) {
+            return refuse("weight of filled heights", filled_weight.to_string(), "above 0 and at most 1");
         }
         Ok(())
     }
@@ -152,12 +154,13 @@ pub fn survey(
     }
     check_size(&shapes[0], options.region_size, samples)?;
 
+    let filled = fill(&cut.patch, &places);
     let (mut levels, mut reports, mut grids, mut fit_memory) = (Vec::new(), Vec::new(), None, 0);
     for (index, (&factor, &shape)) in options.levels.iter().zip(&shapes).enumerate() {
         let stop = Stop { tolerance: options.tolerance, iterations: options.iterations };
         let size = options.region_size * factor as f64;
         let mut tell = |iteration, residual| progress(Step { level: index, iteration, residual });
-        let fit = fit(&cut.patch, &places, size, shape, options.stiffness, stop, &mut tell)?;
+        let fit = fit(&cut.patch, &places, &filled, size, shape, options.stiffness, stop, &mut tell)?;
         let (fitted, residuals, report) = measure(&cut.patch, &places, &fit);
         grids.get_or_insert((fitted, residuals));
         fit_memory = fit_memory.max(fit.memory);
@@ -167,7 +170,7 @@ pub fn survey(
     }
     let (fitted, residuals) = grids.ok_or(landscape::BankError::NoLevels)?;
     let title = options.title.clone().unwrap_or_else(|| elevation.title.clone());
-    let peak_memory = 8 * (elevation.lines * elevation.columns + 3 * places.len()) + places.len() + fit_memory;
+    let peak_memory = 8 * (elevation.lines * elevation.columns + 4 * places.len()) + places.len() + fit_memory;
     let report = assemble(elevation, &cut, title.clone(), reports, options, peak_memory);
     let bank = Bank::new(title, levels, cut.georeference)?;
     Ok(Survey { bank, report, fitted, residuals })

@@ -35,7 +35,22 @@ impl RangeTable {
 
     /// When the sweep passes `range`: 0 at the first sample; negative before it, infinite beyond the last.
     pub fn time_of(&self, range: f64) -> SweepTime {
-        let after = self.ranges.partition_point(|&z| z < range);
+        self.time_before(self.ranges.partition_point(|&z| z < range), range)
+    }
+
+    /// When the sweep passes a range, for ranges that ascend from call to call: one walk along the table.
+    pub fn times(&self) -> impl FnMut(f64) -> SweepTime {
+        let mut after = 0;
+        move |range| {
+            while self.ranges.get(after).is_some_and(|&z| z < range) {
+                after += 1;
+            }
+            self.time_before(after, range)
+        }
+    }
+
+    /// When the sweep passes `range`, given the first sample that is not nearer.
+    fn time_before(&self, after: usize, range: f64) -> SweepTime {
         SweepTime(match after {
             0 => range / self.ranges[0] - 1.0,
             k if k == self.ranges.len() => f64::INFINITY,
@@ -121,6 +136,10 @@ mod tests {
             for time in [-0.75, 0.0, 0.3, 17.0, 444.44, 998.99] {
                 let back = table.time_of(table.range_at(SweepTime(time)));
                 assert!((back.0 - time).abs() < 1e-9, "{law:?}: {time} became {}", back.0);
+            }
+            let mut walk = table.times();
+            for range in [0.5, 1.5, 1.5, 77.0, 4999.0, 5000.0, 6000.0] {
+                assert_eq!(walk(range), table.time_of(range), "{law:?}");
             }
             assert_eq!(table.time_of(5000.1), SweepTime(f64::INFINITY));
         }

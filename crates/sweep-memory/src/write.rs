@@ -19,7 +19,7 @@ struct Stroke {
 /// Writes the first `rows.len() / lines` sweeps of a group into `rows`, `lines` values a sweep, cleared before.
 ///
 /// `line` is the held line position of each sample (from the top, never growing), `entry` the part of a step at
-/// which the profile comes back into sight, `reflectivity` the intensity.
+/// which the profile comes back into sight, `reflectivity` the intensity, negative in local shadow.
 pub fn write_group<S: Real>(
     line: &[Lanes<S>],
     entry: &[Lanes<S>],
@@ -43,13 +43,34 @@ pub fn write_group<S: Real>(
                 let (before, end) = (at(reflectivity, sample - 1, lane), at(reflectivity, sample, lane));
                 let start = before + at(entry, sample, lane) * (end - before);
                 let row = &mut rows[lane * lines..(lane + 1) * lines];
-                deposit(Stroke { from, to, start, end }, row);
+                if let Some(stroke) = (Stroke { from, to, start, end }).lit() {
+                    deposit(stroke, row);
+                }
             }
         }
     }
 }
 
 impl Stroke {
+    /// The part of the stroke whose intensity is above black: the beam is cut off where local shadow begins,
+    /// between two samples.
+    fn lit(self) -> Option<Self> {
+        let Self { from, to, start, end } = self;
+        if start >= 0.0 && end >= 0.0 {
+            return Some(self);
+        }
+        if start <= 0.0 && end <= 0.0 {
+            return None;
+        }
+        let black = (from + start / (end - start) * (from - to)).clamp(to, from);
+        let lit = if start < 0.0 {
+            Self { from: black, start: 0.0, ..self }
+        } else {
+            Self { to: black, end: 0.0, ..self }
+        };
+        (lit.to < lit.from).then_some(lit)
+    }
+
     /// Intensity at a line position within the stroke.
     fn at(&self, line: f32) -> f32 {
         self.start + (self.from - line) / (self.from - self.to) * (self.end - self.start)
@@ -121,6 +142,16 @@ mod tests {
     fn a_half_covered_line_is_half_sky() {
         assert_eq!(write(&[3.0, 1.5], &[1.0, 1.0], PixelRule::LineMean, 3), [0.0, 0.5, 1.0]);
         assert_eq!(write(&[3.0, 1.6], &[1.0, 1.0], PixelRule::Centre, 3), [0.0, 0.0, 1.0]);
+    }
+
+    #[test]
+    fn the_beam_is_cut_off_where_local_shadow_begins() {
+        // From -1 at line 4 to 1 at line 0: black up to line 2, then a ramp.
+        let rows = write(&[4.0, 0.0], &[-1.0, 1.0], PixelRule::LineMean, 4);
+        assert_eq!(rows, [0.75, 0.25, 0.0, 0.0]);
+        let rows = write(&[4.0, 0.0], &[1.0, -1.0], PixelRule::LineMean, 4);
+        assert_eq!(rows, [0.0, 0.0, 0.25, 0.75]);
+        assert_eq!(write(&[4.0, 0.0], &[-1.0, 1.0], PixelRule::Centre, 4), [0.75, 0.25, 0.0, 0.0]);
     }
 
     #[test]

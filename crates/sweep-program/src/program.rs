@@ -158,8 +158,17 @@ pub struct Step {
     pub time: SweepTime,
     /// Ground range then (m).
     pub range: f64,
+    /// First sample that sees it.
+    pub sample: usize,
     /// What happens.
     pub kind: StepKind,
+}
+
+impl Step {
+    /// A step at an instant.
+    pub fn new(time: SweepTime, range: f64, kind: StepKind) -> Self {
+        Self { time, range, sample: time.sample_at_or_after(), kind }
+    }
 }
 
 /// Corners in the three registers of a colour at sweep start, as indices into the storage buffer.

@@ -4,6 +4,7 @@ use landscape::CornerWords;
 use signal::{LANES, Lanes, Real, Signal, Unit};
 use sweep_program::{Load, Step, StepKind, SweepProgram, Target};
 
+use crate::array::array;
 use crate::{Registers, Segment, Span, SweepLight};
 
 /// Height of a profile beyond its end (m): below everything, so nothing of it is seen. A power of two, so that
@@ -27,7 +28,8 @@ pub struct Profile<S> {
     pub along: Vec<Lanes<S>>,
     /// Slope across the sweep, positive to the right.
     pub across: Vec<Lanes<S>>,
-    /// Reflectivity, 0..=1.
+    /// Reflectivity with its sign, -1..=1: below 0 the face is turned from the sun. What is drawn is 0 there; the
+    /// sign tells where between two samples local shadow begins.
     pub reflectivity: Vec<Lanes<S>>,
 }
 
@@ -68,6 +70,8 @@ struct Lane<'p> {
     next_step: usize,
     /// First sample that the present segment does not cover.
     until: usize,
+    /// First sample beyond the end of the profile.
+    last: usize,
 }
 
 impl TerrainGenerator<'_> {
@@ -86,6 +90,7 @@ impl TerrainGenerator<'_> {
             registers: Registers::at_start(program, self.buffer),
             next_step: 0,
             until: 0,
+            last: self.ranges.partition_point(|&range| range <= program.end_range),
         });
         let mut sample = 0;
         while sample < samples {
@@ -101,7 +106,7 @@ impl TerrainGenerator<'_> {
         reflect(light, profile);
     }
 
-    /// Applies the steps due at `sample` and expands the stretch that begins there.
+    /// Applies the steps due at `sample` and sets the lane to the stretch that begins there.
     fn next_segment<S: Real>(
         &self,
         lane: &mut Lane<'_>,
@@ -109,27 +114,26 @@ impl TerrainGenerator<'_> {
         sample: usize,
         out: &mut Polynomials<S>,
     ) {
-        let program = lane.program;
         let begin = self.apply_due(lane, sample);
-        if self.ranges[sample] > program.end_range {
+        if sample >= lane.last {
             lane.until = self.ranges.len();
             return out.drop_out_of_sight(number);
         }
-        let (until, end) = self.end_of_stretch(lane, sample);
-        lane.until = until;
-        let middle = 0.5 * (begin + end);
-        let half_length = (0.5 * (end - begin)).max(1e-9);
-        let span = self.span(&lane.registers, program, middle, half_length);
-        let mut segment = Segment::expand(lane.registers.hold(), lane.registers.polarity(), &span);
-        segment.height[0] -= self.datum;
-        out.set(number, &segment, middle, half_length);
+        let end = self.end_of_stretch(lane, sample);
+        let mut stretch = match &self.ranges[sample..lane.until] {
+            [only] => Stretch::of_one(self.at(lane, *only), *only),
+            [first, last] => Stretch::of_two([first, last].map(|range| (*range, self.at(lane, *range)))),
+            _ => self.expand(lane, begin, end),
+        };
+        stretch.segment.height[0] -= self.datum;
+        out.set(number, &stretch);
     }
 
     /// Range at which the present stretch begins, after all steps up to `sample` are done.
     fn apply_due(&self, lane: &mut Lane<'_>, sample: usize) -> f64 {
-        let mut begin = if sample == 0 { self.ranges[0] } else { self.ranges[sample - 1] };
+        let mut begin = self.ranges[sample.saturating_sub(1)];
         while let Some(step) = lane.program.steps.get(lane.next_step) {
-            if step.time.sample_at_or_after() > sample {
+            if step.sample > sample {
                 break;
             }
             match &step.kind {
@@ -144,29 +148,67 @@ impl TerrainGenerator<'_> {
         begin
     }
 
-    /// First sample that the stretch does not cover, and the range at which it ends.
-    fn end_of_stretch(&self, lane: &Lane<'_>, sample: usize) -> (usize, f64) {
+    /// Sets the first sample that the stretch does not cover; the range at which it ends.
+    fn end_of_stretch(&self, lane: &mut Lane<'_>, sample: usize) -> f64 {
         let ahead = &lane.program.steps[lane.next_step..];
-        let last = self.ranges.partition_point(|&range| range <= lane.program.end_range);
-        match ahead.iter().find(|step| changes_hold(step)) {
-            Some(step) => (step.time.sample_at_or_after().min(last).max(sample + 1), step.range),
-            None => (last.max(sample + 1), lane.program.end_range.min(self.ranges[self.ranges.len() - 1])),
-        }
+        let next = ahead.iter().find(|step| changes_hold(step));
+        lane.until = next.map_or(lane.last, |step| step.sample.min(lane.last)).max(sample + 1);
+        next.map_or(lane.program.end_range, |step| step.range).min(self.ranges[self.ranges.len() - 1])
     }
 
-    fn span(&self, registers: &Registers, program: &SweepProgram, middle: f64, half_length: f64) -> Span {
+    fn expand(&self, lane: &Lane<'_>, begin: f64, end: f64) -> Stretch {
+        let (middle, half_length) = (0.5 * (begin + end), 0.5 * (end - begin));
+        let (registers, [cos, sin]) = (&lane.registers, lane.program.start.direction);
         let polarity = registers.polarity();
-        let [cos, sin] = program.start.direction;
-        let ramps = std::array::from_fn(|axis| {
-            program.start.ramps[axis].at(registers.folds()[axis], middle / self.region_size)
-        });
-        let [(x, x_rate), (y, y_rate)] = ramps;
-        Span {
+        let [(x, x_rate), (y, y_rate)] = self.ramps(lane, middle);
+        let span = Span {
             middle: [x, y],
             half: [x_rate, y_rate].map(|rate| rate * half_length / self.region_size),
             half_length,
             across: [-sin * polarity[0] / self.region_size, cos * polarity[1] / self.region_size],
-        }
+        };
+        Stretch { segment: Segment::expand(registers.hold(), polarity, &span), middle, half_length }
+    }
+
+    /// Height and the slopes along and across at one range, straight through the array.
+    fn at(&self, lane: &Lane<'_>, range: f64) -> [f64; 3] {
+        let (registers, [cos, sin]) = (&lane.registers, lane.program.start.direction);
+        let [(x, _), (y, _)] = self.ramps(lane, range);
+        let [height, hu, hv] = array(registers.hold(), registers.polarity(), [x, y]);
+        [height, (hu * cos + hv * sin) / self.region_size, (hv * cos - hu * sin) / self.region_size]
+    }
+
+    /// Values and rates of both ramps.
+    fn ramps(&self, lane: &Lane<'_>, range: f64) -> [(f64, f64); 2] {
+        let (start, folds) = (&lane.program.start, lane.registers.folds());
+        std::array::from_fn(|axis| start.ramps[axis].at(folds[axis], range / self.region_size))
+    }
+}
+
+/// Polynomials in `s = (range - middle) / half_length`.
+struct Stretch {
+    segment: Segment,
+    middle: f64,
+    half_length: f64,
+}
+
+impl Stretch {
+    /// Constants through one sample. Far ground has a region a sample: its 36 terms are cheaper once than
+    /// expanded (fixed rule: the same for any run).
+    fn of_one([height, along, across]: [f64; 3], range: f64) -> Self {
+        let mut segment = Segment::ZERO;
+        (segment.height[0], segment.along[0], segment.across[0]) = (height, along, across);
+        Self { segment, middle: range, half_length: 1.0 }
+    }
+
+    /// Straight lines through two samples, at s = -1 and 1.
+    fn of_two([(near, first), (far, last)]: [(f64, [f64; 3]); 2]) -> Self {
+        let line = |signal: usize| [0.5 * (first[signal] + last[signal]), 0.5 * (last[signal] - first[signal])];
+        let mut segment = Segment::ZERO;
+        segment.height[..2].copy_from_slice(&line(0));
+        segment.along[..2].copy_from_slice(&line(1));
+        segment.across[..2].copy_from_slice(&line(2));
+        Self { segment, middle: 0.5 * (near + far), half_length: 0.5 * (far - near) }
     }
 }
 
@@ -179,18 +221,16 @@ fn changes_hold(step: &Step) -> bool {
 }
 
 impl<S: Real> Polynomials<S> {
-    fn set(&mut self, lane: usize, segment: &Segment, middle: f64, half_length: f64) {
-        set_lane(&mut self.height, &segment.height, lane);
-        set_lane(&mut self.along, &segment.along, lane);
-        set_lane(&mut self.across, &segment.across, lane);
-        self.middle[lane] = S::from_f64(middle);
-        self.inverse_half[lane] = S::from_f64(1.0 / half_length);
+    fn set(&mut self, lane: usize, stretch: &Stretch) {
+        set_lane(&mut self.height, &stretch.segment.height, lane);
+        set_lane(&mut self.along, &stretch.segment.along, lane);
+        set_lane(&mut self.across, &stretch.segment.across, lane);
+        self.middle[lane] = S::from_f64(stretch.middle);
+        self.inverse_half[lane] = S::from_f64(1.0 / stretch.half_length);
     }
 
     fn drop_out_of_sight(&mut self, lane: usize) {
-        let mut nothing = Segment { height: [0.0; 11], along: [0.0; 10], across: [0.0; 10] };
-        nothing.height[0] = OUT_OF_SIGHT;
-        self.set(lane, &nothing, 0.0, f64::INFINITY);
+        self.set(lane, &Stretch::of_one([OUT_OF_SIGHT, 0.0, 0.0], 0.0));
     }
 
     fn evaluate(&self, ranges: &[f64], first: usize, profile: &mut Profile<S>) {
@@ -229,15 +269,15 @@ fn horner<S: Real, const N: usize>(coefficients: &[Lanes<S>; N], s: Lanes<S>) ->
     sum
 }
 
-/// `max(n.s, 0)` from the slopes along and across (section 7).
+/// `n.s` from the slopes along and across (section 7).
 fn reflect<S: Real>(light: &[SweepLight; LANES], profile: &mut Profile<S>) {
     let lanes = |part: fn(&SweepLight) -> f64| Lanes::from_fn(|lane| S::from_f64(part(&light[lane])));
     let (sun_along, sun_across, sun_up) = (lanes(|l| l.along), lanes(|l| l.across), lanes(|l| l.up));
-    let (one, zero) = (Lanes::splat(S::ONE), Lanes::splat(S::ZERO));
+    let one = Lanes::splat(S::ONE);
     let slopes = profile.along.iter().zip(&profile.across);
     for (reflectivity, (&along, &across)) in profile.reflectivity.iter_mut().zip(slopes) {
         let towards = sun_up - along * sun_along - across * sun_across;
         let normal = (one + along * along + across * across).sqrt();
-        *reflectivity = (towards / normal).at_least(zero);
+        *reflectivity = towards / normal;
     }
 }

@@ -62,6 +62,9 @@ const fn centred() -> [[[f64; 6]; 3]; 2] {
 }
 
 impl Segment {
+    /// Level ground at height 0.
+    pub const ZERO: Self = Self { height: [0.0; 11], along: [0.0; 10], across: [0.0; 10] };
+
     /// Expands the sum of 6.4 from the words in `hold`, by colour, with the present `polarity`.
     pub fn expand(hold: &[CornerWords; 4], polarity: [f64; 2], span: &Span) -> Self {
         let rows = region_polynomial(hold, polarity);

@@ -1,11 +1,10 @@
 //! Bowls with raised rims, drawn from a size-frequency law.
 
 use super::grid::Grid;
-use super::jet::Jet;
 use super::{MAX_CRATERS, ReliefError, above, within};
-use crate::CornerWords;
+use crate::{CornerWords, WORDS};
 use quantities::unit_interval;
-use std::f64::consts::E;
+use std::f64::consts::{E, SQRT_2};
 
 /// Beyond this `2 (rho/r)^2` a crater is below 1e-16 of its depth.
 const FARTHEST: f64 = 41.0;
@@ -59,17 +58,39 @@ impl Crater {
             return;
         }
         let half_chord = (reach * reach - north * north).sqrt();
+        let along = self.profile(north, d);
         for n in grid.columns_near(self.at[1], half_chord) {
-            let east = d * n as f64 - self.at[1];
-            self.jet([north, east], d).add_to(&mut row[n]);
+            let across = self.profile(d * n as f64 - self.at[1], d);
+            self.add_corner(&along, &across, &mut row[n]);
         }
     }
 
-    fn jet(&self, [north, east]: [f64; 2], d: f64) -> Jet {
-        let squares = Jet::linear(north, [d, 0.0]).square() + Jet::linear(east, [0.0, d]).square();
-        let q = squares.scaled(2.0 / (self.radius * self.radius));
-        (q.plus(-1.0) * q.scaled(-1.0).exp()).scaled(self.depth)
+    /// One axis of the crater at `offset` (m) from its centre, derivatives per region.
+    fn profile(&self, offset: f64, d: f64) -> Profile {
+        let step = SQRT_2 * d / self.radius;
+        let z = SQRT_2 * offset / self.radius;
+        let (q, rise, bend) = (z * z, 2.0 * z * step, 2.0 * step * step);
+        let e = libm::exp(-q);
+        Profile {
+            bell: [e, -rise * e, (rise * rise - bend) * e],
+            weighted: [q * e, rise * (1.0 - q) * e, (bend * (1.0 - q) + rise * rise * (q - 2.0)) * e],
+        }
     }
+
+    /// `(q - 1) e^-q` with `q = a(u) + b(v)` is `a e^-a . e^-b + e^-a . (b - 1) e^-b`: two products of one-axis laws.
+    fn add_corner(&self, along: &Profile, across: &Profile, words: &mut CornerWords) {
+        for index in 0..WORDS {
+            let (p, q) = (index / 3, index % 3);
+            let lowered = across.weighted[q] - across.bell[q];
+            words[index] += self.depth * (along.weighted[p] * across.bell[q] + along.bell[p] * lowered);
+        }
+    }
+}
+
+/// `e^-a` and `a e^-a` for the square a of one coordinate, with their first and second derivatives.
+struct Profile {
+    bell: [f64; 3],
+    weighted: [f64; 3],
 }
 
 impl Craters {

@@ -10,7 +10,7 @@ use super::{path_csv, path_tum};
 use crate::{Path, PathError, Waypoint};
 
 /// Largest path file: some million rows.
-const MAX_BYTES: u64 = 1 << 30;
+const MAX_BYTES: u64 = 1 << 28;
 
 /// Places beyond this are a mistake, and would lose millimetres.
 const MAX_COORDINATE: f64 = 1e7;

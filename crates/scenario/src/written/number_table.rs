@@ -16,8 +16,8 @@ pub(super) struct NumberTable<'p> {
 
 /// A cell: its text without blanks and quotes, and the bytes it takes.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Cell {
-    pub text: String,
+pub(super) struct Cell<'t> {
+    pub text: &'t str,
     pub span: Range<usize>,
 }
 
@@ -25,21 +25,6 @@ impl<'p> NumberTable<'p> {
     pub fn new(name: &str, text: &str, problems: &'p Problems) -> Self {
         let source = Arc::new(Source { name: name.into(), text: text.into() });
         Self { source, faults: Vec::new(), problems }
-    }
-
-    /// Lines that hold anything, without comments (`#`); cells end at `comma`, or at blanks where it is false.
-    pub fn lines(&self, comma: bool) -> Vec<Vec<Cell>> {
-        let text = self.source.text.trim_start_matches('\u{feff}');
-        let mut offset = self.source.text.len() - text.len();
-        let mut lines = Vec::new();
-        for line in text.split_inclusive('\n') {
-            let start = offset;
-            offset += line.len();
-            if !line.trim().is_empty() && !line.trim_start().starts_with('#') {
-                lines.push(cells(line, start, comma));
-            }
-        }
-        lines
     }
 
     pub fn place(&self, span: &Range<usize>) -> Place {
@@ -57,7 +42,7 @@ impl<'p> NumberTable<'p> {
     pub fn number(&mut self, cell: &Cell, what: &str) -> Option<f64> {
         let number = cell.text.parse().ok().filter(|number: &f64| number.is_finite());
         if number.is_none() {
-            let found = if cell.text.is_empty() { "nothing" } else { &cell.text };
+            let found = if cell.text.is_empty() { "nothing" } else { cell.text };
             self.fault(
                 &cell.span,
                 format!("`{what}` must be a finite number, not {found}"),
@@ -84,7 +69,21 @@ impl<'p> NumberTable<'p> {
     }
 }
 
-fn cells(line: &str, start: usize, comma: bool) -> Vec<Cell> {
+/// Lines of a table that hold anything but a comment (`#`); cells end at commas, or else at blanks.
+pub(super) fn lines(text: &str, comma: bool) -> impl Iterator<Item = Vec<Cell<'_>>> {
+    let without_mark = text.trim_start_matches('\u{feff}');
+    let mark = text.len() - without_mark.len();
+    let starts = without_mark.split_inclusive('\n').scan(mark, |offset, line| {
+        let start = *offset;
+        *offset += line.len();
+        Some((start, line))
+    });
+    let holds_anything = |line: &str| !line.trim().is_empty() && !line.trim_start().starts_with('#');
+    let filled = starts.filter(move |(_, line)| holds_anything(line));
+    filled.map(move |(start, line)| cells(line, start, comma))
+}
+
+fn cells(line: &str, start: usize, comma: bool) -> Vec<Cell<'_>> {
     let line = line.trim_end_matches(['\n', '\r']);
     let is_end = |c: char| if comma { c == ',' } else { c.is_whitespace() };
     let mut offset = start;
@@ -93,7 +92,7 @@ fn cells(line: &str, start: usize, comma: bool) -> Vec<Cell> {
         let inner = piece.trim();
         let begin = offset + (piece.len() - piece.trim_start().len());
         if comma || !inner.is_empty() {
-            let text = inner.trim_matches('"').to_owned();
+            let text = inner.trim_matches('"');
             cells.push(Cell { text, span: begin..begin + inner.len() });
         }
         offset += piece.len() + piece_end(line, offset - start + piece.len());
@@ -108,14 +107,11 @@ fn piece_end(line: &str, at: usize) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::NumberTable;
-    use diagnostics::Problems;
+    use super::{Cell, lines};
 
     fn texts(text: &str, comma: bool) -> Vec<Vec<(String, String)>> {
-        let problems = Problems::new();
-        let table = NumberTable::new("t", text, &problems);
-        let show = |cell: &super::Cell| (cell.text.clone(), text[cell.span.clone()].to_owned());
-        table.lines(comma).iter().map(|line| line.iter().map(show).collect()).collect()
+        let show = |cell: &Cell| (cell.text.to_owned(), text[cell.span.clone()].to_owned());
+        lines(text, comma).map(|line| line.iter().map(show).collect()).collect()
     }
 
     #[test]

@@ -4,7 +4,7 @@ use diagnostics::{Placed, Problems};
 use quantities::radians;
 
 use super::course::PlacedWaypoint;
-use super::number_table::{Cell, NumberTable};
+use super::number_table::{Cell, NumberTable, lines};
 use crate::Waypoint;
 
 /// Columns with a meaning; the first three must be there.
@@ -16,17 +16,16 @@ const PASSED_OVER: [&str; 4] = ["frame", "speed_m_s", "turn_deg_s", "slope_deg"]
 /// The rows of a path file.
 pub(super) fn waypoints(name: &str, text: &str, problems: &Problems) -> Option<Vec<PlacedWaypoint>> {
     let mut table = NumberTable::new(name, text, problems);
-    let lines = table.lines(true);
-    let Some((header, rows)) = lines.split_first() else {
+    let mut rows = lines(text, true).peekable();
+    let Some(header) = rows.next() else {
         table.fault(&(0..0), "an empty path file".into(), "a header and at least one row");
         return table.finish(Vec::new());
     };
-    let columns = columns(&mut table, header);
-    if rows.is_empty() {
+    let columns = columns(&mut table, &header);
+    if rows.peek().is_none() {
         table.fault(&header[0].span, "a path file without rows".into(), "at least one row under the header");
     }
-    let width = header.len();
-    let waypoints = rows.iter().filter_map(|row| waypoint(&mut table, row, &columns, width)).collect();
+    let waypoints = rows.filter_map(|row| waypoint(&mut table, &row, &columns, header.len())).collect();
     table.finish(waypoints)
 }
 
@@ -39,7 +38,7 @@ fn columns(table: &mut NumberTable, header: &[Cell]) -> [Option<usize>; COLUMNS.
                 table.fault(&cell.span, format!("column `{}` stands twice", cell.text), "each column once");
             }
             Some(column) => found[column] = Some(index),
-            None if PASSED_OVER.contains(&cell.text.as_str()) => {}
+            None if PASSED_OVER.contains(&cell.text) => {}
             None => {
                 let title = format!("unknown column `{}`", cell.text);
                 table.fault(&cell.span, title, &format!("one of {}", COLUMNS.join(", ")));

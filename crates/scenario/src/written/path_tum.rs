@@ -7,7 +7,7 @@
 use diagnostics::{Placed, Problems};
 
 use super::course::PlacedWaypoint;
-use super::number_table::{Cell, NumberTable};
+use super::number_table::{Cell, NumberTable, lines};
 use crate::Waypoint;
 
 const COLUMNS: [&str; 8] = ["t", "tx", "ty", "tz", "qx", "qy", "qz", "qw"];
@@ -17,12 +17,11 @@ const LENGTH_TOLERANCE: f64 = 1e-2;
 /// The rows of a path file.
 pub(super) fn waypoints(name: &str, text: &str, problems: &Problems) -> Option<Vec<PlacedWaypoint>> {
     let mut table = NumberTable::new(name, text, problems);
-    let lines = table.lines(false);
-    if lines.is_empty() {
+    let mut rows = lines(text, false).peekable();
+    if rows.peek().is_none() {
         table.fault(&(0..0), "a path file without rows".into(), "rows of t tx ty tz qx qy qz qw");
     }
-    let mut waypoints: Vec<PlacedWaypoint> =
-        lines.iter().filter_map(|row| waypoint(&mut table, row)).collect();
+    let mut waypoints: Vec<PlacedWaypoint> = rows.filter_map(|row| waypoint(&mut table, &row)).collect();
     let start = waypoints.first().map_or(0.0, |first| first.value.time);
     for waypoint in &mut waypoints {
         waypoint.value.time -= start;
@@ -63,7 +62,7 @@ fn angles([x, y, z, w]: [f64; 4]) -> [f64; 3] {
 mod tests {
     use super::angles;
     use landscape::Attitude;
-    use quantities::radians;
+    use quantities::{degrees, radians};
 
     /// Matrix of a unit quaternion, vehicle to terrain, by the textbook formula for `q v q*`.
     fn matrix([x, y, z, w]: [f64; 4]) -> [[f64; 3]; 3] {
@@ -82,6 +81,26 @@ mod tests {
         assert!((angles([half, 0.0, 0.0, half])[2] - quarter).abs() < 1e-12, "starboard down");
         let up = angles([0.0, libm::sin(radians(15.0)), 0.0, libm::cos(radians(15.0))]);
         assert!((up[1] - radians(30.0)).abs() < 1e-12, "nose up");
+    }
+
+    /// The conversion that `docs/scenario-format.md` gives for east-north-up worlds.
+    #[test]
+    fn east_north_up_is_converted() {
+        let converted = |[x, y, z, w]: [f64; 4]| {
+            angles([x + y, x - y, w - z, w + z].map(|part| part * 0.5f64.sqrt())).map(degrees)
+        };
+        let (sin, cos) = (libm::sin(radians(10.0)), libm::cos(radians(10.0)));
+        // Along x, east; 20 degrees to port; 20 degrees nose up, about minus port; 20 degrees starboard down.
+        let cases = [
+            ([0.0, 0.0, 0.0, 1.0], [90.0, 0.0, 0.0]),
+            ([0.0, 0.0, sin, cos], [70.0, 0.0, 0.0]),
+            ([0.0, -sin, 0.0, cos], [90.0, 20.0, 0.0]),
+            ([sin, 0.0, 0.0, cos], [90.0, 0.0, 20.0]),
+        ];
+        for (quaternion, expected) in cases {
+            let found = converted(quaternion);
+            assert!((0..3).all(|i| (found[i] - expected[i]).abs() < 1e-9), "{found:?} {expected:?}");
+        }
     }
 
     #[test]

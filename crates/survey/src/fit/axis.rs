@@ -11,8 +11,6 @@ pub struct Axis {
     pub weights: Vec<[f64; 6]>,
     /// `d g_ip / dz` at each sample.
     pub slopes: Vec<[f64; 6]>,
-    /// `d^2 g_ip / dz^2` at each sample.
-    pub curvatures: Vec<[f64; 6]>,
 }
 
 impl Axis {
@@ -31,7 +29,6 @@ impl Axis {
             let local = (at - region as f64).clamp(0.0, 1.0);
             axis.weights.push(basis::values(local));
             axis.slopes.push(basis::derivatives(local));
-            axis.curvatures.push(basis::second_derivatives(local));
         }
         axis.open_region(regions);
         axis

@@ -15,26 +15,27 @@ pub use gradients::Stop;
 pub use normal::{Place, across_line, both, dot};
 
 use crate::error::SurveyError;
+use crate::fill::Plane;
 use crate::patch::Patch;
 use normal::Normal;
 use precondition::{AxisFactor, Preconditioner};
 use roughness::{AxisMatrix, Roughness, axis_matrix};
 
-/// How stiff the fitted ground is. Lengths are in region sizes; the weight of a plate is the fourth power of its
-/// length, that of a membrane the square.
+/// How stiff the fitted ground is, and how strongly it follows filled voids.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stiffness {
-    /// Plate everywhere: ground waves shorter than about 2 pi times this length are smoothed. Default 0.03.
+    /// Length in region sizes; ground waves shorter than about 2 pi times this are smoothed. The penalty is the
+    /// integral of `h_xx^2 + 2 h_xy^2 + h_yy^2` times the fourth power of the length, over the area of a sample.
+    /// Default 0.03.
     pub smoothing: f64,
-    /// Plate at sample places without data. Default 0.3.
-    pub void_plate: f64,
-    /// Membrane at sample places without data: bounds height and slope there. Default 0.1.
-    pub void_membrane: f64,
+    /// Weight of a filled height against 1 for a sample; its inverse bounds the condition that voids add.
+    /// Default 0.05.
+    pub filled_weight: f64,
 }
 
 impl Default for Stiffness {
     fn default() -> Self {
-        Self { smoothing: 0.03, void_plate: 0.3, void_membrane: 0.1 }
+        Self { smoothing: 0.03, filled_weight: 0.05 }
     }
 }
 
@@ -57,13 +58,15 @@ pub struct Fit {
     pub memory: usize,
 }
 
-/// Fits a level of `regions` with side `size` (m), origin (0, 0), to the samples that `places` marks as used.
+/// Fits a level of `regions` with side `size` (m), origin (0, 0), to the samples that `places`
+/// marks as used and, weakly, to the `filled` heights above their mean plane.
 ///
 /// # Errors
 /// If the words cannot form a level (never for finite samples and a positive size).
 pub fn fit(
     patch: &Patch,
     places: &[Place],
+    filled: &(Plane, Vec<f64>),
     size: f64,
     regions: [usize; 2],
     stiffness: Stiffness,
@@ -80,8 +83,7 @@ pub fn fit(
         east,
         places,
         columns: patch.count[1],
-        void_plate: fourth(stiffness.void_plate),
-        void_membrane: stiffness.void_membrane * stiffness.void_membrane,
+        filled_weight: stiffness.filled_weight,
         roughness: &roughness,
     };
     let bend = axis_matrix(2);
@@ -92,13 +94,12 @@ pub fn fit(
     let preconditioner = Preconditioner::new(north_factor, east_factor);
 
     let [rows, row] = normal.corners();
-    let mean = mean_height(patch, places);
     let mut right = vec![[0.0; 9]; rows * row];
     let mut sums: Vec<CornerWords> = vec![[0.0; 9]; 2 * row * (rows - 1)];
-    normal.project(|sample| patch.heights[sample] - mean, &mut right, &mut sums);
+    normal.project(&filled.1, &mut right, &mut sums);
     let solution = gradients::solve(&normal, &preconditioner, right, &mut sums, stop, progress);
     let mut words = solution.words;
-    words.iter_mut().for_each(|words| words[0] += mean);
+    add_plane(&filled.0, size, row, &mut words);
     let memory = (5 * rows * row + sums.len()) * size_of::<CornerWords>();
     Ok(Fit {
         level: Level::new(size, [0.0; 2], [rows, row], words)?,
@@ -134,16 +135,14 @@ pub fn lacking(patch: &Patch, [north, east]: &[Axis; 2]) -> Vec<f64> {
     (0..north.regions()).into_par_iter().map(of_strip).collect::<Vec<_>>().concat()
 }
 
-/// Mean of the used samples: taken out before the fit, so that no digits are spent on it.
-fn mean_height(patch: &Patch, places: &[Place]) -> f64 {
-    let line = |(heights, places): (&[f64], &[Place])| {
-        let chosen = heights.iter().zip(places).filter(|(_, place)| **place == Place::Used);
-        chosen.fold((0.0, 0usize), |(sum, count), (height, _)| (sum + height, count + 1))
-    };
-    let columns = patch.count[1];
-    let lines: Vec<_> = patch.heights.par_chunks(columns).zip(places.par_chunks(columns)).map(line).collect();
-    let (sum, count) = lines.iter().fold((0.0, 0), |(s, n), (sum, count)| (s + sum, n + count));
-    sum / count.max(1) as f64
+/// Puts the plane back that was taken out before the fit.
+fn add_plane(plane: &Plane, size: f64, row: usize, words: &mut [CornerWords]) {
+    for (index, words) in words.iter_mut().enumerate() {
+        let place = [index / row, index % row].map(|corner| corner as f64 * size);
+        words[0] += plane.at(place);
+        words[1] += plane.slope[1] * size;
+        words[3] += plane.slope[0] * size;
+    }
 }
 
 fn fourth(x: f64) -> f64 {

@@ -15,14 +15,13 @@ use super::roughness::{RegionWords, Roughness};
 pub enum Place {
     /// Comes near the sample.
     Used,
-    /// Nothing: the sample tests the fit.
+    /// Knows only the filled height: the sample tests the fit.
     HeldOut,
-    /// There is no sample: bends and stretches as little as possible.
+    /// Knows only the filled height: there is no sample.
     Void,
 }
 
-/// What the fit minimises: squared residuals at the used places, bending and tension at the voids, and a little
-/// bending everywhere.
+/// What the fit minimises: weighted squares of the residuals at all places, and bending.
 #[derive(Debug)]
 pub struct Normal<'a> {
     /// Places to the north, by region.
@@ -33,16 +32,11 @@ pub struct Normal<'a> {
     pub places: &'a [Place],
     /// From one line to the next in `places`.
     pub columns: usize,
-    /// Weight of `h_uu^2 + 2 h_uv^2 + h_vv^2` at a void.
-    pub void_plate: f64,
-    /// Weight of `h_u^2 + h_v^2` at a void.
-    pub void_membrane: f64,
-    /// Bending of all regions.
+    /// Weight of a filled height; that of a used sample is 1.
+    pub filled_weight: f64,
+    /// Bending of a region.
     pub roughness: &'a Roughness,
 }
-
-/// The surface at the corners to the east of one line: value and two derivatives in u, each with three in v.
-struct Line([Vec<[f64; 3]>; 3]);
 
 impl Normal<'_> {
     /// Corners to the north and to the east.
@@ -54,58 +48,47 @@ impl Normal<'_> {
     pub fn apply(&self, words: &[CornerWords], out: &mut [CornerWords], sums: &mut [CornerWords]) {
         let columns = self.corners()[1];
         sums.par_chunks_mut(2 * columns).enumerate().for_each(|(strip, sums)| {
-            sums.fill([0.0; 9]);
             let rows = &words[strip * columns..(strip + 2) * columns];
-            let mut at = Line::new(columns);
-            for line in self.north.of_region(strip) {
-                let orders = self.orders(line);
-                at.set(&self.weights(line)[..orders], rows);
-                if orders == 1 {
-                    self.weigh_samples(line, &mut at.0[0], |_, weights, at| dot(weights, at));
-                } else {
-                    self.weigh_with_voids(line, &mut at);
-                }
-                at.add_to(&self.weights(line)[..orders], sums);
-            }
+            let (south, north) = rows.split_at(columns);
+            self.sum_strip(strip, sums, |line, at| {
+                across_line(&self.north.weights[line], south, north, at);
+                self.along_line(line, at, |_, weights, corners| dot(weights, corners));
+            });
             self.add_roughness(rows, sums);
         });
         self.gather(sums, out);
     }
 
-    /// `out = B^T heights`, the right-hand side; `height(index)` is asked for used samples only.
-    pub fn project(
-        &self,
-        height: impl Fn(usize) -> f64 + Sync,
-        out: &mut [CornerWords],
-        sums: &mut [CornerWords],
-    ) {
+    /// `out = B^T W heights`, the right-hand side; `heights` as [`places`](Self::places).
+    pub fn project(&self, heights: &[f64], out: &mut [CornerWords], sums: &mut [CornerWords]) {
         let columns = self.corners()[1];
         sums.par_chunks_mut(2 * columns).enumerate().for_each(|(strip, sums)| {
-            sums.fill([0.0; 9]);
-            let mut at = Line::new(columns);
-            for line in self.north.of_region(strip) {
-                self.weigh_samples(line, &mut at.0[0], |sample, _, _| height(sample));
-                at.add_to(&self.weights(line)[..1], sums);
-            }
+            self.sum_strip(strip, sums, |line, at| self.along_line(line, at, |sample, _, _| heights[sample]));
         });
         self.gather(sums, out);
     }
 
-    /// Weights of value, slope and curvature in u on a line.
-    fn weights(&self, line: usize) -> [&[f64; 6]; 3] {
-        [&self.north.weights[line], &self.north.slopes[line], &self.north.curvatures[line]]
+    /// Sums over the lines of a strip; `weigh` gives what a line adds at each corner to the east.
+    fn sum_strip(&self, strip: usize, sums: &mut [CornerWords], weigh: impl Fn(usize, &mut [[f64; 3]])) {
+        sums.fill([0.0; 9]);
+        let (south, north) = sums.split_at_mut(sums.len() / 2);
+        let mut at = vec![[0.0; 3]; south.len()];
+        for line in self.north.of_region(strip) {
+            weigh(line, &mut at);
+            let w = &self.north.weights[line];
+            for ((south, north), a) in south.iter_mut().zip(north.iter_mut()).zip(&at) {
+                for (p, q) in (0..9).map(|i| (i / 3, i % 3)) {
+                    south[3 * p + q] += w[p] * a[q];
+                    north[3 * p + q] += w[3 + p] * a[q];
+                }
+            }
+        }
     }
 
-    /// Derivative orders in u that a line needs: voids need slope and curvature.
-    fn orders(&self, line: usize) -> usize {
-        let row = &self.places[line * self.columns..][..self.east.samples()];
-        if row.contains(&Place::Void) { 3 } else { 1 }
-    }
-
-    /// Replaces what stands at the corners by the sum over used samples of `value(sample, weights, corners)` times
-    /// the weights.
+    /// Replaces what stands at the corners by the weighted sum over the places of a line of
+    /// `value(sample, weights, corners)` times the weights.
     #[inline]
-    fn weigh_samples(
+    fn along_line(
         &self,
         line: usize,
         at: &mut [[f64; 3]],
@@ -117,46 +100,19 @@ impl Normal<'_> {
             let mut sum = both(left, [0.0; 3]);
             for column in self.east.of_region(region) {
                 let sample = line * self.columns + column;
-                if self.places[sample] == Place::Used {
-                    let weights = &self.east.weights[column];
-                    add_scaled(&mut sum, value(sample, weights, &corners), weights);
+                let weights = &self.east.weights[column];
+                let mut value = value(sample, weights, &corners);
+                if self.places[sample] != Place::Used {
+                    value *= self.filled_weight;
+                }
+                for k in 0..6 {
+                    sum[k] += weights[k] * value;
                 }
             }
-            [at[region], left] = halves(sum);
+            at[region] = [sum[0], sum[1], sum[2]];
+            left = [sum[3], sum[4], sum[5]];
         }
         at[self.east.regions()] = left;
-    }
-
-    /// The same for value, slope and curvature, with the energies at voids.
-    fn weigh_with_voids(&self, line: usize, at: &mut Line) {
-        let (plate, membrane) = (self.void_plate, self.void_membrane);
-        let mut left = [[0.0; 3]; 3];
-        for region in 0..self.east.regions() {
-            let corners: [[f64; 6]; 3] =
-                std::array::from_fn(|order| both(at.0[order][region], at.0[order][region + 1]));
-            let mut sum = left.map(|left| both(left, [0.0; 3]));
-            for column in self.east.of_region(region) {
-                let g = &self.east.weights[column];
-                match self.places[line * self.columns + column] {
-                    Place::Used => add_scaled(&mut sum[0], dot(g, &corners[0]), g),
-                    Place::HeldOut => {}
-                    Place::Void => {
-                        let (slope, curvature) = (&self.east.slopes[column], &self.east.curvatures[column]);
-                        add_scaled(&mut sum[0], membrane * dot(slope, &corners[0]), slope);
-                        add_scaled(&mut sum[0], plate * dot(curvature, &corners[0]), curvature);
-                        add_scaled(&mut sum[1], membrane * dot(g, &corners[1]), g);
-                        add_scaled(&mut sum[1], 2.0 * plate * dot(slope, &corners[1]), slope);
-                        add_scaled(&mut sum[2], plate * dot(g, &corners[2]), g);
-                    }
-                }
-            }
-            for order in 0..3 {
-                [at.0[order][region], left[order]] = halves(sum[order]);
-            }
-        }
-        for order in 0..3 {
-            at.0[order][self.east.regions()] = left[order];
-        }
     }
 
     fn add_roughness(&self, rows: &[CornerWords], sums: &mut [CornerWords]) {
@@ -189,33 +145,6 @@ impl Normal<'_> {
     }
 }
 
-impl Line {
-    fn new(corners: usize) -> Self {
-        Self(std::array::from_fn(|_| vec![[0.0; 3]; corners]))
-    }
-
-    /// Takes the line from the corners south and north of it; one set of weights a derivative order.
-    fn set(&mut self, weights: &[&[f64; 6]], rows: &[CornerWords]) {
-        let (south, north) = rows.split_at(rows.len() / 2);
-        for (weights, at) in weights.iter().zip(&mut self.0) {
-            across_line(weights, south, north, at);
-        }
-    }
-
-    /// Adjoint of [`set`](Self::set).
-    fn add_to(&self, weights: &[&[f64; 6]], sums: &mut [CornerWords]) {
-        let (south, north) = sums.split_at_mut(sums.len() / 2);
-        for (w, at) in weights.iter().zip(&self.0) {
-            for ((south, north), a) in south.iter_mut().zip(north.iter_mut()).zip(at) {
-                for (p, q) in (0..9).map(|i| (i / 3, i % 3)) {
-                    south[3 * p + q] += w[p] * a[q];
-                    north[3 * p + q] += w[3 + p] * a[q];
-                }
-            }
-        }
-    }
-}
-
 /// Height and its derivatives along v at each corner to the east, for one line of samples.
 pub fn across_line(weights: &[f64; 6], south: &[CornerWords], north: &[CornerWords], out: &mut [[f64; 3]]) {
     let [a, b, c, d, e, f] = *weights;
@@ -232,21 +161,10 @@ pub fn dot(a: &[f64; 6], b: &[f64; 6]) -> f64 {
     (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) + (a[3] * b[3] + a[4] * b[4] + a[5] * b[5])
 }
 
-#[inline]
-fn add_scaled(sum: &mut [f64; 6], factor: f64, by: &[f64; 6]) {
-    for k in 0..6 {
-        sum[k] += factor * by[k];
-    }
-}
-
 /// Three words of a corner and three of the next.
 #[inline]
 pub fn both(a: [f64; 3], b: [f64; 3]) -> [f64; 6] {
     [a[0], a[1], a[2], b[0], b[1], b[2]]
-}
-
-fn halves(sum: [f64; 6]) -> [[f64; 3]; 2] {
-    [[sum[0], sum[1], sum[2]], [sum[3], sum[4], sum[5]]]
 }
 
 fn add(row: &mut [CornerWords], other: &[CornerWords]) {

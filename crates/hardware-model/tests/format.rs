@@ -1,0 +1,125 @@
+//! `docs/hardware-model-format.md` is true: its examples are read, its keys are all keys, each of them counts.
+
+use std::collections::BTreeSet;
+use std::fs;
+
+use hardware_model::{BUILT_IN, HardwareModel, ModelSource};
+
+const DOC: &str = include_str!("../../../docs/hardware-model-format.md");
+
+fn blocks() -> Vec<&'static str> {
+    let opening = "```toml\n";
+    let starts = DOC.match_indices(opening).map(|(at, _)| at + opening.len());
+    starts.map(|start| &DOC[start..start + DOC[start..].find("```").unwrap()]).collect()
+}
+
+fn documented_keys() -> BTreeSet<&'static str> {
+    let rows = DOC.lines().filter_map(|line| line.strip_prefix("| `"));
+    rows.map(|row| row.split('`').next().unwrap()).collect()
+}
+
+#[test]
+fn all_examples_are_read() {
+    let [model, overlay] = blocks()[..] else { panic!("a model and an overlay") };
+    let folder = tempfile::tempdir().unwrap();
+    let [model_file, overlay_file] = ["model.toml", "overlay.toml"].map(|name| folder.path().join(name));
+    fs::write(&model_file, model).unwrap();
+    fs::write(&overlay_file, overlay).unwrap();
+    let loaded =
+        HardwareModel::read(&model_file, &[overlay_file], &[]).unwrap_or_else(|list| panic!("{list}"));
+    assert_eq!((loaded.model.name.as_str(), loaded.model.loader.access_ticks), ("late-loads", 300));
+    assert_eq!(loaded.model.loader.delays.len(), 1);
+    assert_ne!(loaded.model.range, HardwareModel::ideal().range);
+}
+
+/// A list of one delay with one of its keys changed.
+fn delay(key: &str, value: &str) -> String {
+    let usual = [
+        ("frame", "1"),
+        ("sweep", "2"),
+        ("crossing", "3"),
+        ("colour", "'red'"),
+        ("register", "'x-first'"),
+        ("word", "[0, 1]"),
+        ("ticks", "5"),
+    ];
+    let pairs = usual.map(|(name, usual)| format!("{name} = {}", if name == key { value } else { usual }));
+    format!("[{{ {} }}]", pairs.join(", "))
+}
+
+type Setting = (&'static str, String);
+
+/// Each key and a value that `ideal` does not have; the setting between stands in both models compared.
+fn changes() -> Vec<(&'static str, Option<Setting>, String)> {
+    let two_rate = || Some(("range.programme", "two-rate".to_owned()));
+    let one_delay = || Some(("loader.delay", delay("", "")));
+    let mut changes = vec![
+        ("raster.sweeps", None, "525".to_owned()),
+        ("raster.samples_per_sweep", None, "500".into()),
+        ("raster.blanking_fraction", None, "0.17".into()),
+        ("raster.update_hz", None, "15".into()),
+        ("raster.refresh_hz", None, "60".into()),
+        ("range.programme", None, "constant-rate".into()),
+        ("range.start_m", None, "2".into()),
+        ("range.end_m", None, "6000".into()),
+        ("range.switch_m", two_rate(), "70".into()),
+        ("range.fine_share", two_rate(), "0.3".into()),
+        ("dpu.clock_mhz", None, "20".into()),
+        ("loader.access_ns", None, "950".into()),
+        ("loader.late_policy", None, "latched".into()),
+        ("dpp.projection", None, "as-reported".into()),
+        ("dpp.occlusion", None, "derivative".into()),
+        ("dpp.curvature", None, "none".into()),
+        ("sweep_memory.kind", None, "digital-memory".into()),
+        ("sweep_memory.pixel_rule", None, "centre".into()),
+    ];
+    let delays = [
+        ("loader.delay.frame", "9"),
+        ("loader.delay.sweep", "9"),
+        ("loader.delay.crossing", "9"),
+        ("loader.delay.colour", "'black'"),
+        ("loader.delay.register", "'y-first'"),
+        ("loader.delay.word", "[1, 1]"),
+        ("loader.delay.ticks", "9"),
+    ];
+    changes.extend(delays.map(|(key, value)| (key, one_delay(), value.to_owned())));
+    changes
+}
+
+fn model(sets: &[(&str, String)]) -> HardwareModel {
+    let sets: Vec<(String, String)> =
+        sets.iter().map(|(key, value)| ((*key).into(), value.clone())).collect();
+    let ideal = ModelSource::BuiltIn("ideal".into());
+    HardwareModel::load(&ideal, &[], &sets).unwrap_or_else(|list| panic!("{list}")).model
+}
+
+#[test]
+fn every_documented_key_changes_something() {
+    for (key, before, value) in changes() {
+        let usual: Vec<(&str, String)> = before.into_iter().collect();
+        let change = match key.strip_prefix("loader.delay.") {
+            Some(part) => ("loader.delay", delay(part, &value)),
+            None => (key, value),
+        };
+        let changed: Vec<(&str, String)> = usual.iter().cloned().chain([change]).collect();
+        assert_ne!(model(&usual), model(&changed), "{key} changes nothing");
+    }
+}
+
+#[test]
+fn the_table_names_every_key_and_no_other() {
+    let mut tried: BTreeSet<&str> = changes().iter().map(|change| change.0).collect();
+    tried.extend(["format", "name", "base"]);
+    assert_eq!(documented_keys(), tried);
+}
+
+#[test]
+fn the_ideal_model_writes_every_key() {
+    let loaded = HardwareModel::load(&ModelSource::BuiltIn("ideal".into()), &[], &[]).unwrap();
+    let written: BTreeSet<&str> = loaded.values.iter().map(|value| value.key.as_str()).collect();
+    let of_the_table = |key: &&str| *key != "base" && !key.starts_with("loader.delay.");
+    let mut expected: BTreeSet<&str> = documented_keys().into_iter().filter(of_the_table).collect();
+    expected.insert("loader.delay");
+    assert_eq!(written, expected);
+    assert!(BUILT_IN[0].1.contains("hardware-model-format.md"));
+}

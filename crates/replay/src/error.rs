@@ -1,0 +1,129 @@
+//! Why a run cannot begin or go on.
+
+use std::io;
+use std::ops::Range;
+use std::path::PathBuf;
+
+use files::FileError;
+use generator::{FrameError, PrepareError};
+use picture::{PictureError, PictureFileError};
+use scenario::PathProblems;
+
+/// A run that cannot begin or go on.
+#[derive(Debug, thiserror::Error)]
+pub enum ReplayError {
+    /// A file that cannot be read or written.
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// A frame on disk that is no picture.
+    #[error(transparent)]
+    PictureFile(#[from] PictureFileError),
+    /// A folder that cannot be made, listed, locked or cleared.
+    #[error("{path}: cannot {doing}: {source}")]
+    Folder {
+        /// The folder or the file in it.
+        path: PathBuf,
+        /// What was tried.
+        doing: &'static str,
+        /// The system's words.
+        source: io::Error,
+    },
+    /// A file stands where the run folder should be.
+    #[error("{path}: this is a file, expected a folder or a new name; choose another --out")]
+    NotFolder {
+        /// The path as given.
+        path: PathBuf,
+    },
+    /// Another process draws into the folder.
+    #[error("{path}: process {holder} is drawing into this folder; wait for it or choose another --out")]
+    Locked {
+        /// The run folder.
+        path: PathBuf,
+        /// The other process.
+        holder: String,
+    },
+    /// The folder holds files that are not of a run.
+    #[error(
+        "{path}: holds `{found}`, which is not of a run; choose another --out, or keep it beside the run with \
+         --fresh (only files of runs are ever removed)"
+    )]
+    Foreign {
+        /// The run folder.
+        path: PathBuf,
+        /// The first file found.
+        found: String,
+    },
+    /// A file of somebody else has the name that a run would write.
+    #[error("{path}: holds `{found}`, which no run wrote and a run would replace; choose another --out")]
+    WouldReplace {
+        /// The run folder.
+        path: PathBuf,
+        /// The file.
+        found: String,
+    },
+    /// The folder holds a run of something else.
+    #[error(
+        "{path}: holds another run ({found}, now {expected}): scenario, machine, ground, settings or program \
+         differ; choose another --out, or remove that run with --fresh"
+    )]
+    OtherRun {
+        /// The run folder.
+        path: PathBuf,
+        /// Fingerprint there.
+        found: String,
+        /// Fingerprint of the job.
+        expected: String,
+    },
+    /// A record that cannot be read.
+    #[error("{path}: not the record of a run ({reason}); choose another --out, or start anew with --fresh")]
+    Record {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        reason: String,
+    },
+    /// The frames asked for do not touch those that are there.
+    #[error(
+        "{path}: holds frames {}..{}, frames {}..{} do not touch them; choose another --out, or --fresh",
+        held.start, held.end, asked.start, asked.end
+    )]
+    Gap {
+        /// The run folder.
+        path: PathBuf,
+        /// Frames there.
+        held: Range<u64>,
+        /// Frames asked for.
+        asked: Range<u64>,
+    },
+    /// No frame was asked for.
+    #[error("frames {}..{}: expected at least one frame", .0.start, .0.end)]
+    NoFrames(Range<u64>),
+    /// The path cannot be driven.
+    #[error(transparent)]
+    Poses(#[from] PathProblems),
+    /// The generator cannot draw the stage.
+    #[error(transparent)]
+    Prepare(#[from] PrepareError),
+    /// The generator cannot draw a frame.
+    #[error(transparent)]
+    Frame(#[from] FrameError),
+    /// The display transfer of the scenario.
+    #[error("display: {0}")]
+    Display(PictureError),
+    /// A frame that is no picture.
+    #[error("frame {frame}: {source}")]
+    Picture {
+        /// Frame number.
+        frame: u64,
+        /// What is wrong.
+        source: PictureError,
+    },
+    /// The contact sheet or a film.
+    #[error("{path}: {source}")]
+    Film {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        source: PictureError,
+    },
+}

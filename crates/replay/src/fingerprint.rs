@@ -1,0 +1,40 @@
+//! What decides the pixels of a run, in one hash.
+
+use serde::Serialize;
+use serde_json::{Value, json};
+
+use crate::held::hash;
+use crate::job::Job;
+use crate::settings_record::{GroundRecord, SettingsRecord, sun, vehicle, waypoints_hash};
+
+/// Program, generator, settings, ground, light, path: not the range of frames, which may grow, and not the words
+/// of the scenario, which may be commented.
+pub(crate) fn fingerprint(job: &Job, ground: &GroundRecord, settings: &SettingsRecord) -> String {
+    let document = json!({
+        "program": value(&job.program),
+        "generator": job.generator.name(),
+        "settings": value(settings),
+        "ground": ground_alone(ground),
+        "sun": sun(&job.stage.sun),
+        "vehicle": vehicle(&job.scenario.vehicle),
+        "waypoints_blake3": waypoints_hash(job.scenario),
+        "depth": job.pictures.depth.bits(),
+        "refresh": job.pictures.refresh,
+    });
+    hash(document.to_string().as_bytes())
+}
+
+/// The words of the ground, wherever they came from.
+fn ground_alone(ground: &GroundRecord) -> Value {
+    let mut ground = value(ground);
+    if let Some(keys) = ground.as_object_mut() {
+        for key in ["source", "title", "generator"] {
+            keys.remove(key);
+        }
+    }
+    ground
+}
+
+fn value(record: &impl Serialize) -> Value {
+    serde_json::to_value(record).expect("records are plain values")
+}

@@ -1,0 +1,196 @@
+//! The folder of a run: whose files are in it, and who may write.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::ReplayError;
+use crate::held::RUN_RECORD;
+use crate::journal::JOURNAL;
+use crate::lock::{LOCK, Lock};
+
+/// Frames of a run.
+pub(crate) const FRAMES: &str = "frames";
+/// Wall times.
+pub(crate) const PERFORMANCE: &str = "performance.json";
+/// Where the eye was.
+pub(crate) const POSES: &str = "poses.csv";
+/// From pixel to ray.
+pub(crate) const CAMERA: &str = "camera.json";
+/// Some frames side by side.
+pub(crate) const CONTACT_SHEET: &str = "contact-sheet.png";
+/// The film that a browser plays.
+pub(crate) const ANIMATION: &str = "animation.png";
+/// The page that steps through frames.
+pub(crate) const PLAYER: &str = "index.html";
+
+/// Every file that a run writes beside its frames; a film for other programs is put there by name.
+const OWN: [&str; 9] =
+    [RUN_RECORD, JOURNAL, PERFORMANCE, POSES, CAMERA, CONTACT_SHEET, ANIMATION, PLAYER, "video.y4m"];
+
+/// A folder that this process, and no other, draws into.
+#[derive(Debug)]
+pub struct RunFolder {
+    path: PathBuf,
+    /// Folders that did not exist, the deepest first: they go again if nothing comes into them.
+    made: Vec<PathBuf>,
+    lock: Option<Lock>,
+}
+
+impl RunFolder {
+    /// Makes the folder if need be, locks it, and clears what a killed run left half-written. `fresh` removes the
+    /// files of an earlier run, and nothing else.
+    ///
+    /// # Errors
+    /// If the folder cannot be made or written, another run is drawing into it, or it holds files that are not of
+    /// a run.
+    pub fn claim(path: &Path, fresh: bool) -> Result<Self, ReplayError> {
+        if path.exists() && !path.is_dir() {
+            return Err(ReplayError::NotFolder { path: path.to_owned() });
+        }
+        let missing = path.ancestors().take_while(|folder| !folder.as_os_str().is_empty() && !folder.exists());
+        let made = missing.map(Path::to_owned).collect();
+        let failed = |source| ReplayError::Folder { path: path.to_owned(), doing: "make the run folder", source };
+        fs::create_dir_all(path).map_err(failed)?;
+        let mut folder = Self { path: path.to_owned(), made, lock: None };
+        folder.lock = Some(Lock::take(path)?);
+        match folder.holds_run() {
+            true => folder.clear_leftovers()?,
+            false => folder.check_foreign(fresh)?,
+        }
+        if fresh {
+            folder.remove_run()?;
+        }
+        Ok(folder)
+    }
+
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// A file in it.
+    pub(crate) fn join(&self, name: &str) -> PathBuf {
+        self.path.join(name)
+    }
+
+    /// Makes the folder of the frames.
+    pub(crate) fn make_frames(&self) -> Result<(), ReplayError> {
+        let path = self.join(FRAMES);
+        let failed = |source| ReplayError::Folder { path: path.clone(), doing: "make the folder", source };
+        fs::create_dir_all(&path).map_err(failed)
+    }
+
+    fn clear_leftovers(&self) -> Result<(), ReplayError> {
+        files::remove_leftovers(&self.path)?;
+        if self.join(FRAMES).is_dir() {
+            files::remove_leftovers(self.join(FRAMES))?;
+        }
+        Ok(())
+    }
+
+    /// Without a record and a journal nothing in the folder is a run's, but a journal that was never begun.
+    fn check_foreign(&self, fresh: bool) -> Result<(), ReplayError> {
+        let (begun, mut names): (Vec<_>, Vec<_>) =
+            list(&self.path)?.into_iter().partition(|name| name.starts_with(&format!(".{JOURNAL}.")));
+        begun.iter().try_for_each(|name| self.remove(name))?;
+        names.retain(|name| name != LOCK && !(name == FRAMES && is_empty(&self.join(FRAMES))));
+        let ours = |name: &&String| OWN.contains(&name.as_str()) || *name == FRAMES;
+        let path = self.path.clone();
+        match (names.iter().find(ours), names.first()) {
+            (Some(found), _) => Err(ReplayError::WouldReplace { path, found: found.clone() }),
+            (None, Some(found)) if !fresh => Err(ReplayError::Foreign { path, found: found.clone() }),
+            _ => Ok(()),
+        }
+    }
+
+    /// A run is known by its record or its journal.
+    fn holds_run(&self) -> bool {
+        let begins = |name: &str, schema: &str| {
+            let head = fs::read(self.join(name)).unwrap_or_default();
+            let head = String::from_utf8_lossy(&head[..head.len().min(200)]).into_owned();
+            head.contains(schema)
+        };
+        begins(RUN_RECORD, "\"lunoid.run/") || begins(JOURNAL, "\"lunoid.journal/")
+    }
+
+    /// Removes the files of a run; the journal and the record last, so that a kill in between leaves a folder that
+    /// is still known as a run's.
+    fn remove_run(&self) -> Result<(), ReplayError> {
+        if self.join(FRAMES).is_dir() {
+            for name in list(&self.join(FRAMES))?.iter().filter(|name| frame_index(name).is_some()) {
+                self.remove(&format!("{FRAMES}/{name}"))?;
+            }
+            // Files of somebody else keep it.
+            let _ = fs::remove_dir(self.join(FRAMES));
+        }
+        OWN.iter().rev().filter(|name| self.join(name).exists()).try_for_each(|name| self.remove(name))
+    }
+
+    /// Removes frames that are no part of a run whose pictures are `is_known`.
+    pub(crate) fn remove_strays(&self, is_known: impl Fn(u64) -> bool) -> Result<(), ReplayError> {
+        let frames = self.join(FRAMES);
+        if !frames.is_dir() {
+            return Ok(());
+        }
+        let names = list(&frames)?;
+        let strays = names.iter().filter(|name| frame_index(name).is_some_and(|index| !is_known(index)));
+        strays.into_iter().try_for_each(|name| self.remove(&format!("{FRAMES}/{name}")))
+    }
+
+    fn remove(&self, name: &str) -> Result<(), ReplayError> {
+        let path = self.join(name);
+        fs::remove_file(&path).map_err(|source| ReplayError::Folder { path, doing: "remove", source })
+    }
+}
+
+impl Drop for RunFolder {
+    fn drop(&mut self) {
+        self.lock = None;
+        // A folder with anything in it stays.
+        let _ = fs::remove_dir(self.join(FRAMES));
+        for folder in &self.made {
+            let _ = fs::remove_dir(folder);
+        }
+    }
+}
+
+/// Name of a picture from the run folder: the index goes on from 0 for the whole mission.
+pub(crate) fn picture_name(index: u64) -> String {
+    format!("{FRAMES}/frame-{index:06}.png")
+}
+
+fn frame_index(name: &str) -> Option<u64> {
+    let digits = name.strip_prefix("frame-")?.strip_suffix(".png")?;
+    let index = digits.parse().ok()?;
+    (picture_name(index).ends_with(name)).then_some(index)
+}
+
+/// Names in a folder, in alphabetical order.
+fn list(path: &Path) -> Result<Vec<String>, ReplayError> {
+    let failed = |source| ReplayError::Folder { path: path.to_owned(), doing: "list", source };
+    let entries: Result<Vec<_>, _> = fs::read_dir(path).map_err(failed)?.collect();
+    let entries = entries.map_err(failed)?;
+    let mut names: Vec<String> =
+        entries.iter().map(|entry| entry.file_name().to_string_lossy().into_owned()).collect();
+    names.sort();
+    Ok(names)
+}
+
+fn is_empty(path: &Path) -> bool {
+    fs::read_dir(path).is_ok_and(|mut entries| entries.next().is_none())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{frame_index, picture_name};
+
+    #[test]
+    fn only_names_that_a_run_writes_are_frames() {
+        assert_eq!(picture_name(12), "frames/frame-000012.png");
+        assert_eq!(picture_name(1_234_567), "frames/frame-1234567.png");
+        assert_eq!(frame_index("frame-000012.png"), Some(12));
+        for foreign in ["frame-12.png", "frame-000012.jpg", "frame--00012.png", "frame-+00012.png", "x.png"] {
+            assert_eq!(frame_index(foreign), None, "{foreign}");
+        }
+    }
+}

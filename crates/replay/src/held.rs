@@ -1,0 +1,153 @@
+//! What a run folder holds: frames with their hashes, and the record that lists them.
+
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use generator::FrameCounts;
+use serde::{Deserialize, Serialize};
+
+use crate::ReplayError;
+
+/// Schema of `run.json`.
+pub(crate) const RUN_SCHEMA: &str = "lunoid.run/1";
+
+/// Record of a run, in its folder.
+pub(crate) const RUN_RECORD: &str = "run.json";
+
+/// Largest file of a run that is read back.
+const MAX_BYTES: u64 = 1 << 32;
+
+/// One file of a run.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct FileRecord {
+    /// Path from the run folder, with `/`.
+    pub file: String,
+    /// BLAKE3 of its bytes, hexadecimal.
+    pub blake3: String,
+}
+
+/// Work that a frame, or a run, was.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct WorkRecord {
+    /// Sweeps drawn.
+    pub sweeps: u64,
+    /// Samples of all sweeps, or rays of a generator without sweeps.
+    pub samples: u64,
+    /// Region crossings.
+    pub folds: u64,
+    /// Sets of words that arrived at registers.
+    pub loads: u64,
+    /// Words that came too late.
+    pub late_words: u64,
+}
+
+/// One update: what the machine computed once, shown in one file, or in several at a higher refresh rate.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct FrameRecord {
+    /// Frame, counted at the update rate.
+    pub frame: u64,
+    /// Seconds since the start of the mission.
+    pub time_s: f64,
+    /// BLAKE3 of the pixels, hexadecimal: independent of how the file packs them.
+    pub pixels_blake3: String,
+    /// The pictures, in order.
+    pub files: Vec<FileRecord>,
+    /// Work that it was.
+    pub counts: WorkRecord,
+}
+
+/// A run as its record says.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HeldRun {
+    /// Hash of everything that decides the pixels.
+    pub fingerprint: String,
+    /// Frames, ascending.
+    pub frames: Vec<FrameRecord>,
+    /// Other files that follow from the inputs.
+    pub outputs: Vec<FileRecord>,
+    /// The whole record.
+    pub document: serde_json::Value,
+}
+
+#[derive(Deserialize)]
+struct Wanted {
+    schema: String,
+    fingerprint: String,
+    frames: Vec<FrameRecord>,
+    outputs: Vec<FileRecord>,
+}
+
+impl HeldRun {
+    /// The finished run in `folder`.
+    ///
+    /// # Errors
+    /// If there is no record or it cannot be read.
+    pub fn read(folder: &Path) -> Result<Self, ReplayError> {
+        let path = folder.join(RUN_RECORD);
+        let bytes = files::read_all(&path, MAX_BYTES)?;
+        let refused = |reason: String| ReplayError::Record { path: path.clone(), reason };
+        let document: serde_json::Value =
+            serde_json::from_slice(&bytes).map_err(|error| refused(error.to_string()))?;
+        let wanted = Wanted::deserialize(&document).map_err(|error| refused(error.to_string()))?;
+        if wanted.schema != RUN_SCHEMA {
+            return Err(refused(format!("schema {:?}, expected {RUN_SCHEMA:?}", wanted.schema)));
+        }
+        let Wanted { fingerprint, frames, outputs, .. } = wanted;
+        Ok(Self { fingerprint, frames, outputs, document })
+    }
+
+    /// The same, or nothing where the folder has no record.
+    pub(crate) fn read_if_there(folder: &Path) -> Result<Option<Self>, ReplayError> {
+        if folder.join(RUN_RECORD).exists() { Self::read(folder).map(Some) } else { Ok(None) }
+    }
+
+    /// The pictures in the order in which they are shown.
+    pub fn pictures<'a>(&'a self, folder: &'a Path) -> impl Iterator<Item = PathBuf> + 'a {
+        self.frames.iter().flat_map(|frame| &frame.files).map(|file| folder.join(&file.file))
+    }
+}
+
+impl From<FrameCounts> for WorkRecord {
+    fn from(counts: FrameCounts) -> Self {
+        let FrameCounts { sweeps, samples, folds, loads, late_words } = counts;
+        Self { sweeps, samples, folds, loads, late_words }
+    }
+}
+
+impl WorkRecord {
+    /// The work of all frames.
+    pub(crate) fn total<'a>(frames: impl IntoIterator<Item = &'a FrameRecord>) -> Self {
+        frames.into_iter().fold(Self::default(), |total, frame| Self {
+            sweeps: total.sweeps + frame.counts.sweeps,
+            samples: total.samples + frame.counts.samples,
+            folds: total.folds + frame.counts.folds,
+            loads: total.loads + frame.counts.loads,
+            late_words: total.late_words + frame.counts.late_words,
+        })
+    }
+}
+
+/// First and end of ascending frames.
+pub(crate) fn frame_range(frames: &[FrameRecord]) -> Option<Range<u64>> {
+    Some(frames.first()?.frame..frames.last()?.frame + 1)
+}
+
+/// BLAKE3 of a file, hexadecimal.
+///
+/// # Errors
+/// If the file cannot be read.
+pub fn file_hash(path: &Path) -> Result<String, ReplayError> {
+    Ok(hash(&files::read_all(path, MAX_BYTES)?))
+}
+
+/// BLAKE3 of bytes, hexadecimal.
+pub(crate) fn hash(bytes: &[u8]) -> String {
+    blake3::hash(bytes).to_hex().to_string()
+}
+
+impl FileRecord {
+    /// Whether the file in `folder` is what the record says; a missing or unreadable one is not.
+    pub(crate) fn is_whole(&self, folder: &Path) -> bool {
+        file_hash(&folder.join(&self.file)).is_ok_and(|found| found == self.blake3)
+    }
+}

@@ -1,0 +1,107 @@
+//! What is to be drawn, and under whose control.
+
+use std::ops::Range;
+use std::sync::atomic::AtomicBool;
+
+use generator::{Generator, Stage};
+use hardware_model::EffectiveValue;
+use picture::Depth;
+use rayon::ThreadPool;
+use scenario::Scenario;
+use serde::Serialize;
+
+use crate::{FileRecord, Phase};
+
+/// The program that draws, for the record.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Program {
+    /// Name.
+    pub name: String,
+    /// Version.
+    pub version: String,
+    /// Commit, or "unknown".
+    pub commit: String,
+    /// Result family: runs of one family are equal to the bit.
+    pub result_family: String,
+}
+
+/// Files that a run was made from, for the record; paths as the user gave them.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Inputs {
+    /// The scenario file.
+    pub scenario: Option<FileRecord>,
+    /// Files that it refers to: bank, path.
+    pub references: Vec<FileRecord>,
+    /// Name of the hardware model.
+    pub model: String,
+    /// Files of the model, the lowest base first.
+    pub model_files: Vec<FileRecord>,
+    /// The effective model.
+    pub model_values: Vec<EffectiveValue>,
+}
+
+/// How frames become files.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Pictures {
+    /// Bits of a pixel.
+    pub depth: Depth,
+    /// One file for each picture that the tube shows, instead of one for each that the machine computes.
+    pub refresh: bool,
+    /// An animated PNG as well.
+    pub film: bool,
+}
+
+/// A run to be made.
+#[derive(Clone)]
+pub struct Job<'a> {
+    /// Who draws.
+    pub program: Program,
+    /// From which files.
+    pub inputs: Inputs,
+    /// The mission.
+    pub scenario: &'a Scenario,
+    /// The image generator.
+    pub generator: &'a dyn Generator,
+    /// Ground, light, settings.
+    pub stage: Stage,
+    /// Frames to draw, counted at the update rate.
+    pub frames: Range<u64>,
+    /// How frames become files.
+    pub pictures: Pictures,
+}
+
+/// What a running job tells.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Progress {
+    /// Frames that are there already are read again.
+    Verifying {
+        /// How many.
+        frames: u64,
+    },
+    /// Drawing begins.
+    Begins {
+        /// Frames of the run.
+        frames: u64,
+        /// Of these there already.
+        kept: u64,
+    },
+    /// One more frame is on the disk.
+    Frame {
+        /// Frames there.
+        done: u64,
+    },
+    /// Contact sheet, film and record are made.
+    Finishing,
+}
+
+/// Under whose control a job runs; none of this changes a bit of the result.
+pub struct Control<'a> {
+    /// Threads that draw.
+    pub pool: &'a ThreadPool,
+    /// Set to true, the run ends with whole frames only.
+    pub cancel: &'a AtomicBool,
+    /// Hears of every frame.
+    pub progress: &'a (dyn Fn(Progress) + Sync),
+    /// What was done before, for the wall times.
+    pub phases: Vec<Phase>,
+}

@@ -1,0 +1,313 @@
+//! A job from beginning to end: what is there is verified, the rest drawn, the record written.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::io::Write;
+use std::ops::Range;
+use std::path::PathBuf;
+use std::time::Instant;
+
+use generator::Session;
+use picture::{Encoder, Transfer};
+use quantities::Rate;
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+use scenario::{LimitReport, PoseTable, poses_csv};
+use serde_json::Value;
+
+use crate::camera::camera;
+use crate::draw::{Drawing, draw_all};
+use crate::film::{Show, player, sheet, write_film};
+use crate::fingerprint::fingerprint;
+use crate::folder::{ANIMATION, CAMERA, CONTACT_SHEET, PERFORMANCE, PLAYER, POSES, RunFolder};
+use crate::held::{FileRecord, FrameRecord, HeldRun, RUN_RECORD, file_hash, frame_range};
+use crate::job::{Control, Job, Progress};
+use crate::journal::{self, Journal};
+use crate::performance::{Phase, StepTimes, performance};
+use crate::record::{Finished, RunRecord};
+use crate::settings_record::{GroundRecord, SettingsRecord};
+use crate::ReplayError;
+
+/// How a run ended.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Outcome {
+    /// All frames are there.
+    Finished {
+        /// Frames of the run.
+        frames: Range<u64>,
+        /// Frames drawn now; the others were there.
+        drawn: u64,
+        /// Where the vehicle does more than it can.
+        limits: Vec<LimitReport>,
+        /// Wall times of this session, as in `performance.json`.
+        performance: Value,
+    },
+    /// Told to end: the frames there are whole, and the same job goes on from them.
+    Interrupted {
+        /// Frames that are there.
+        done: u64,
+        /// Frames of the run.
+        of: u64,
+    },
+}
+
+/// Draws `job` into `folder`, or what is missing of it.
+///
+/// # Errors
+/// If the folder holds another run, a pose cannot be drawn, or a file cannot be written. What was finished before
+/// stays, and the same job goes on from there.
+pub fn run(job: &Job, folder: &RunFolder, control: &Control) -> Result<Outcome, ReplayError> {
+    if job.frames.is_empty() {
+        return Err(ReplayError::NoFrames(job.frames.clone()));
+    }
+    let mut run = Run::prepare(job, folder, control)?;
+    let journal = run.begin()?;
+    let drawn = match run.draw(&journal) {
+        Ok(drawn) => drawn,
+        Err(error) => {
+            run.leave(journal)?;
+            return Err(error);
+        }
+    };
+    let all = run.frames.end - run.frames.start;
+    let done = run.kept.len() as u64 + drawn.len() as u64;
+    if done < all {
+        run.leave(journal)?;
+        return Ok(Outcome::Interrupted { done, of: all });
+    }
+    let performance = run.finish(drawn)?;
+    journal.end()?;
+    let drawn = run.drawn;
+    Ok(Outcome::Finished { frames: run.frames, drawn, limits: run.poses.limits().to_vec(), performance })
+}
+
+struct Run<'a> {
+    job: &'a Job<'a>,
+    folder: &'a RunFolder,
+    control: &'a Control<'a>,
+    session: Box<dyn Session>,
+    ground: GroundRecord,
+    settings: SettingsRecord,
+    fingerprint: String,
+    /// The record of an earlier, finished run of the same job, perhaps of fewer frames.
+    earlier: Option<HeldRun>,
+    /// Frames that are there and whole.
+    kept: BTreeMap<u64, FrameRecord>,
+    frames: Range<u64>,
+    poses: PoseTable,
+    phases: Vec<Phase>,
+    times: StepTimes,
+    drawn: u64,
+}
+
+impl<'a> Run<'a> {
+    /// Everything that can be refused before a file is written.
+    fn prepare(job: &'a Job, folder: &'a RunFolder, control: &'a Control) -> Result<Self, ReplayError> {
+        let start = Instant::now();
+        let ground = GroundRecord::new(&job.scenario.ground, &job.stage.landscape);
+        let settings = SettingsRecord::new(&job.stage.settings);
+        let fingerprint = fingerprint(job, &ground, &settings);
+        let earlier = HeldRun::read_if_there(folder.path())?;
+        let journal = journal::read(folder.path())?;
+        let found = earlier.as_ref().map(|run| &run.fingerprint);
+        let found = found.into_iter().chain(journal.as_ref().map(|journal| &journal.fingerprint));
+        if let Some(other) = found.into_iter().find(|found| **found != fingerprint) {
+            let (path, found) = (folder.path().to_owned(), other.clone());
+            return Err(ReplayError::OtherRun { path, found, expected: fingerprint });
+        }
+        let listed = earlier.iter().flat_map(|run| &run.frames);
+        let listed = listed.chain(journal.iter().flat_map(|journal| &journal.frames));
+        let listed: BTreeMap<u64, FrameRecord> = listed.map(|frame| (frame.frame, frame.clone())).collect();
+        let frames = join(folder, &listed, &job.frames)?;
+        let poses = PoseTable::resolve(
+            job.scenario,
+            &job.stage.landscape,
+            job.stage.settings.timebase.update,
+            frames.clone(),
+        )?;
+        let session = control.pool.install(|| job.generator.prepare(job.stage.clone()))?;
+        let mut phases = control.phases.clone();
+        phases.push(Phase::since("prepare", start));
+        let times = StepTimes::default();
+        let mut run = Self {
+            job, folder, control, session, ground, settings, fingerprint, earlier,
+            kept: BTreeMap::new(), frames, poses, phases, times, drawn: 0,
+        };
+        run.verify(listed);
+        Ok(run)
+    }
+
+    /// Keeps the frames whose files are what the record says.
+    fn verify(&mut self, listed: BTreeMap<u64, FrameRecord>) {
+        if listed.is_empty() {
+            return;
+        }
+        let start = Instant::now();
+        (self.control.progress)(Progress::Verifying { frames: listed.len() as u64 });
+        let listed: Vec<FrameRecord> = listed.into_values().collect();
+        let folder = self.folder.path();
+        let is_whole = |frame: &&FrameRecord| frame.files.iter().all(|file| file.is_whole(folder));
+        let whole: Vec<FrameRecord> =
+            self.control.pool.install(|| listed.par_iter().filter(is_whole).cloned().collect());
+        self.kept = whole.into_iter().map(|frame| (frame.frame, frame)).collect();
+        self.phases.push(Phase::since("verify", start));
+    }
+
+    /// From here on the folder is this run's.
+    fn begin(&self) -> Result<Journal, ReplayError> {
+        let kept: Vec<FrameRecord> = self.kept.values().cloned().collect();
+        let journal = Journal::begin(self.folder.path(), &self.fingerprint, &kept)?;
+        self.folder.make_frames()?;
+        let (start, end) = (self.frames.start * self.showings(), self.frames.end * self.showings());
+        self.folder.remove_strays(|index| (start..end).contains(&index))?;
+        Ok(journal)
+    }
+
+    /// Leaves what is whole for the next time; a run that has nothing leaves nothing.
+    fn leave(&self, journal: Journal) -> Result<(), ReplayError> {
+        let has_frames = journal::read(self.folder.path())?.is_some_and(|found| !found.frames.is_empty());
+        if has_frames { Ok(()) } else { journal.end() }
+    }
+
+    /// Pictures that are kept of one update.
+    fn showings(&self) -> u64 {
+        let settings = &self.job.stage.settings;
+        let ratio = settings.raster.refresh.whole_ratio(settings.timebase.update);
+        if self.job.pictures.refresh { ratio.unwrap_or(1) } else { 1 }
+    }
+
+    /// Rate of the pictures that are kept.
+    fn picture_rate(&self) -> Rate {
+        let settings = &self.job.stage.settings;
+        if self.job.pictures.refresh { settings.raster.refresh } else { settings.timebase.update }
+    }
+
+    fn draw(&mut self, journal: &Journal) -> Result<BTreeMap<u64, FrameRecord>, ReplayError> {
+        let display = &self.job.stage.settings.display;
+        let transfer =
+            Transfer::new(display.white as f32, display.gamma as f32).map_err(ReplayError::Display)?;
+        let missing = self.poses.rows().iter().filter(|row| !self.kept.contains_key(&row.frame));
+        let missing: Vec<_> = missing.copied().collect();
+        let (all, kept) = (self.frames.end - self.frames.start, self.kept.len() as u64);
+        (self.control.progress)(Progress::Begins { frames: all, kept });
+        let start = Instant::now();
+        let drawing = Drawing {
+            session: &*self.session,
+            settings: &self.job.stage.settings,
+            program: &self.job.program,
+            encoder: Encoder::new(transfer, self.job.pictures.depth),
+            showings: self.showings(),
+            folder: self.folder,
+            journal,
+            times: &self.times,
+        };
+        let drawn = draw_all(&drawing, &missing, kept, self.control)?;
+        self.phases.push(Phase::since("draw", start));
+        self.drawn = drawn.len() as u64;
+        Ok(drawn)
+    }
+
+    fn finish(&mut self, drawn: BTreeMap<u64, FrameRecord>) -> Result<Value, ReplayError> {
+        (self.control.progress)(Progress::Finishing);
+        let start = Instant::now();
+        let fresh: Vec<u64> = drawn.keys().copied().collect();
+        let drawing = self.phases.last().map_or(0.0, |phase| phase.seconds);
+        let mut all = std::mem::take(&mut self.kept);
+        all.extend(drawn);
+        let frames: Vec<FrameRecord> = all.into_values().collect();
+        let outputs = self.write_outputs(&frames)?;
+        let omissions = self.session.omissions();
+        let record = RunRecord::new(self.job, &Finished {
+            fingerprint: &self.fingerprint,
+            ground: &self.ground,
+            settings: &self.settings,
+            omissions: &omissions,
+            limits: self.poses.limits(),
+            range: &self.frames,
+            frames: &frames,
+            outputs: &outputs,
+        });
+        self.write(RUN_RECORD, record.text().as_bytes())?;
+        self.phases.push(Phase::since("finish", start));
+        let drawn: Vec<&FrameRecord> =
+            frames.iter().filter(|frame| fresh.binary_search(&frame.frame).is_ok()).collect();
+        let threads = self.control.pool.current_num_threads();
+        let update = self.job.stage.settings.timebase.update;
+        let times = performance(&self.phases, &self.times, threads, &drawn, drawing, update);
+        if !drawn.is_empty() || !self.folder.join(PERFORMANCE).exists() {
+            self.write(PERFORMANCE, pretty(&times).as_bytes())?;
+        }
+        Ok(times)
+    }
+
+    /// Everything that follows from the frames; what is there and right is not written again.
+    fn write_outputs(&self, frames: &[FrameRecord]) -> Result<Vec<FileRecord>, ReplayError> {
+        let files = frames.iter().flat_map(|frame| &frame.files);
+        let pictures: Vec<PathBuf> = files.map(|file| self.folder.join(&file.file)).collect();
+        let showings = self.showings();
+        let film = self.job.pictures.film || self.earlier_output(ANIMATION).is_some();
+        let page = player(&Show {
+            title: &self.job.scenario.title,
+            shows: &self.job.scenario.shows,
+            first: self.frames.start * showings,
+            end: self.frames.end * showings,
+            rate: self.picture_rate(),
+            film,
+        });
+        let mut outputs = vec![
+            self.write(POSES, poses_csv(&self.poses).as_bytes())?,
+            self.write(CAMERA, pretty(&camera(&self.job.stage)).as_bytes())?,
+            self.write(PLAYER, page.as_bytes())?,
+            self.unchanged(CONTACT_SHEET).map_or_else(|| self.write(CONTACT_SHEET, &sheet(&pictures)?), Ok)?,
+        ];
+        if film {
+            outputs.push(self.unchanged(ANIMATION).map_or_else(|| self.write_film(&pictures), Ok)?);
+        }
+        Ok(outputs)
+    }
+
+    fn earlier_output(&self, name: &str) -> Option<&FileRecord> {
+        self.earlier.as_ref()?.outputs.iter().find(|output| output.file == name)
+    }
+
+    /// An output of the earlier run that still is what it should be.
+    fn unchanged(&self, name: &str) -> Option<FileRecord> {
+        let earlier = self.earlier.as_ref()?;
+        let same_frames = frame_range(&earlier.frames).as_ref() == Some(&self.frames);
+        let output = self.earlier_output(name).filter(|_| same_frames)?;
+        output.is_whole(self.folder.path()).then(|| output.clone())
+    }
+
+    fn write_film(&self, pictures: &[PathBuf]) -> Result<FileRecord, ReplayError> {
+        let path = self.folder.join(ANIMATION);
+        files::write_atomic(&path, |out| write_film(out, pictures, self.picture_rate()))?;
+        Ok(FileRecord { file: ANIMATION.into(), blake3: file_hash(&path)? })
+    }
+
+    fn write(&self, name: &str, bytes: &[u8]) -> Result<FileRecord, ReplayError> {
+        let path = self.folder.join(name);
+        let is_there = fs::metadata(&path).is_ok_and(|found| found.len() == bytes.len() as u64)
+            && fs::read(&path).is_ok_and(|found| found == bytes);
+        if !is_there {
+            files::write_atomic(&path, |out: &mut dyn Write| out.write_all(bytes))?;
+        }
+        Ok(FileRecord { file: name.into(), blake3: crate::held::hash(bytes) })
+    }
+}
+
+/// The frames of the run: those asked for, and those that are there.
+fn join(
+    folder: &RunFolder,
+    listed: &BTreeMap<u64, FrameRecord>,
+    asked: &Range<u64>,
+) -> Result<Range<u64>, ReplayError> {
+    let (Some(first), Some(last)) = (listed.keys().next(), listed.keys().last()) else { return Ok(asked.clone()) };
+    let held = *first..*last + 1;
+    if asked.start > held.end || asked.end < held.start {
+        return Err(ReplayError::Gap { path: folder.path().to_owned(), held, asked: asked.clone() });
+    }
+    Ok(held.start.min(asked.start)..held.end.max(asked.end))
+}
+
+fn pretty(value: &Value) -> String {
+    format!("{value:#}\n")
+}

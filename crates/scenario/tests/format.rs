@@ -1,0 +1,177 @@
+//! `docs/scenario-format.md` is true: its examples are read, its keys are all keys, each of them counts.
+
+use std::collections::BTreeSet;
+use std::fs;
+
+use scenario::{Ground, Scenario};
+
+const DOC: &str = include_str!("../../../docs/scenario-format.md");
+
+/// Contents of the fenced blocks of a language.
+fn blocks(language: &str) -> Vec<&'static str> {
+    let opening = format!("```{language}\n");
+    let starts = DOC.match_indices(&opening).map(|(at, _)| at + opening.len());
+    starts.map(|start| &DOC[start..start + DOC[start..].find("```").unwrap()]).collect()
+}
+
+/// Keys in the first column of the tables.
+fn documented_keys() -> BTreeSet<&'static str> {
+    let rows = DOC.lines().filter_map(|line| line.strip_prefix("| `"));
+    rows.map(|row| row.split('`').next().unwrap()).collect()
+}
+
+/// Parses in a folder that holds the documented path files.
+fn parse(text: &str) -> Scenario {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("drive.csv"), blocks("csv")[0]).unwrap();
+    fs::write(folder.path().join("drive.tum"), blocks("tum")[0]).unwrap();
+    let name = folder.path().join("s.toml");
+    let mut scenario =
+        Scenario::parse(name.to_str().unwrap(), text).unwrap_or_else(|list| panic!("{list}\n{text}"));
+    // Folders differ from one parse to the next.
+    scenario.path_file = scenario.path_file.map(|path| path.file_name().unwrap().into());
+    if let Ground::Bank(path) = &mut scenario.ground {
+        *path = path.file_name().unwrap().into();
+    }
+    scenario
+}
+
+#[test]
+fn all_examples_are_read() {
+    let examples = blocks("toml");
+    assert_eq!(examples.len(), 2);
+    let drive = parse(examples[1]);
+    assert_eq!(drive.path.waypoints().len(), 3);
+    let tum = parse(&examples[1].replace("drive.csv", "drive.tum"));
+    let first = tum.path.waypoints()[0];
+    assert_eq!((first.time, first.at, first.eye_height), (0.0, [500.0, 800.0], Some(3.2)));
+    let heading = first.heading.unwrap();
+    assert!((heading - std::f64::consts::FRAC_PI_4).abs() < 1e-12, "{heading}");
+}
+
+#[test]
+fn a_scenario_reads_as_it_is_meant() {
+    let scenario = parse(blocks("toml")[0]);
+    assert_eq!(scenario.sun.azimuth, 110f64.to_radians());
+    assert_eq!(scenario.vehicle, scenario::Vehicle::default());
+    assert!((scenario.field.tan_half_width - 0.466307658).abs() < 1e-9);
+    assert!((scenario.field.tan_half_height - 0.267949192).abs() < 1e-9);
+    assert_eq!(scenario.raster.refresh.unwrap().to_string(), "60 Hz");
+    let Ground::Generated(relief) = &scenario.ground else { panic!("{:?}", scenario.ground) };
+    assert_eq!((relief.seed, relief.extent, relief.region_size), (7, [6000.0, 6000.0], 40.0));
+    assert_eq!((relief.massifs.len(), relief.rilles.len()), (1, 1));
+}
+
+/// Each key, and a change in one of the two examples that sets it to something else.
+const CHANGES: &[(&str, usize, &str, &str)] = &[
+    ("title", 0, "\"First light\"", "\"Second light\""),
+    ("shows", 0, "\"The rover", "\"A rover"),
+    ("machine", 0, "\"ideal\"", "\"pra-nominal\""),
+    ("frames", 0, "frames = 90", "frames = 91"),
+    ("duration_s", 1, "duration_s = 12.5", "duration_s = 12"),
+    ("landscape.albedo", 0, "albedo = 0.8", "albedo = 0.9"),
+    ("landscape.bank", 1, "kepler.bank", "tycho.bank"),
+    ("sun.azimuth_deg", 0, "azimuth_deg = 110", "azimuth_deg = -110"),
+    ("sun.elevation_deg", 0, "elevation_deg = 12", "elevation_deg = 13"),
+    ("vehicle.eye_height_m", 0, "eye_height_m = 1.6334", "eye_height_m = 2"),
+    ("vehicle.wheelbase_m", 0, "wheelbase_m = 2.3", "wheelbase_m = 2.4"),
+    ("vehicle.track_m", 0, "track_m = 1.83", "track_m = 1.84"),
+    ("vehicle.max_speed_m_s", 0, "max_speed_m_s = 4.877", "max_speed_m_s = 5"),
+    ("vehicle.max_turn_deg_s", 0, "max_turn_deg_s = 10", "max_turn_deg_s = 11"),
+    ("vehicle.max_slope_deg", 0, "max_slope_deg = 25", "max_slope_deg = 26"),
+    ("path.keyframes", 0, "  { t_s = 0, x_m = 500, y_m = 800 },\n", ""),
+    ("path.keyframes.t_s", 0, "t_s = 3", "t_s = 4"),
+    ("path.keyframes.x_m", 0, "x_m = 512", "x_m = 513"),
+    ("path.keyframes.y_m", 0, "y_m = 806", "y_m = 807"),
+    ("path.keyframes.heading_deg", 0, "heading_deg = 40", "heading_deg = 41"),
+    ("path.file", 1, "drive.csv", "drive.tum"),
+    ("raster.sweeps", 0, "sweeps = 525", "sweeps = 526"),
+    ("raster.samples_per_sweep", 0, "samples_per_sweep = 1000", "samples_per_sweep = 999"),
+    ("raster.columns", 0, "columns = 525", "columns = 526"),
+    ("raster.lines", 0, "lines = 315", "lines = 316"),
+    ("raster.update_hz", 0, "update_hz = 30", "update_hz = \"60/7\""),
+    ("raster.refresh_hz", 0, "refresh_hz = 60", "refresh_hz = 90"),
+    ("raster.field_of_view_deg", 0, "[50, 30]", "[50, 40]"),
+    ("range.programme", 0, "\"two-rate\"", "\"geometric\""),
+    ("range.start_m", 0, "start_m = 1.5", "start_m = 1.6"),
+    ("range.end_m", 0, "end_m = 4000", "end_m = 4001"),
+    ("range.switch_m", 0, "switch_m = 60", "switch_m = 61"),
+    ("range.fine_share", 0, "fine_share = 0.4", "fine_share = 0.5"),
+    ("laws.projection", 0, "\"exact\"", "\"as-reported\""),
+    ("laws.curvature", 0, "\"parabolic\"", "\"none\""),
+    ("laws.occlusion", 0, "\"peak-hold\"", "\"derivative\""),
+    ("laws.pixel_rule", 0, "\"line-mean\"", "\"centre\""),
+    ("display.white", 0, "white = 0.45", "white = 0.5"),
+    ("display.gamma", 0, "gamma = 2.2", "gamma = 1"),
+    ("run.scalar", 0, "\"f32\"", "\"f64\""),
+    ("landscape.generated.seed", 0, "seed = 7", "seed = 8"),
+    ("landscape.generated.extent_m", 0, "[6000, 6000]", "[6000, 6400]"),
+    ("landscape.generated.region_size_m", 0, "region_size_m = 40", "region_size_m = 50"),
+    ("landscape.generated.tilt_m_per_m", 0, "[0.01, 0.0]", "[0.01, 0.1]"),
+    ("landscape.generated.undulation.rms_height_m", 0, "rms_height_m = 12", "rms_height_m = 13"),
+    ("landscape.generated.undulation.hurst", 0, "hurst = 0.8", "hurst = 0.9"),
+    ("landscape.generated.undulation.longest_m", 0, "longest_m = 3000", "longest_m = 3001"),
+    ("landscape.generated.undulation.shortest_m", 0, "shortest_m = 160", "shortest_m = 161"),
+    ("landscape.generated.undulation.waves", 0, "waves = 300", "waves = 301"),
+    ("landscape.generated.craters.smallest_radius_m", 0, "smallest_radius_m = 80", "smallest_radius_m = 81"),
+    ("landscape.generated.craters.largest_radius_m", 0, "largest_radius_m = 400", "largest_radius_m = 401"),
+    ("landscape.generated.craters.density", 0, "density = 0.02", "density = 0.03"),
+    ("landscape.generated.craters.subdued_depth_ratio", 0, "ratio = 0.04", "ratio = 0.05"),
+    ("landscape.generated.craters.fresh_depth_ratio", 0, "ratio = 0.18", "ratio = 0.19"),
+    ("landscape.generated.massif.at_m", 0, "[4200, 3000]", "[4200, 3001]"),
+    ("landscape.generated.massif.height_m", 0, "height_m = 700", "height_m = -700"),
+    ("landscape.generated.massif.radius_m", 0, "radius_m = 1300", "radius_m = 1301"),
+    ("landscape.generated.massif.detail_m", 0, "detail_m = 200", "detail_m = 201"),
+    ("landscape.generated.massif.ruggedness", 0, "ruggedness = 0.6", "ruggedness = 0.7"),
+    ("landscape.generated.rille.through_m", 0, "[2500, 800]", "[2500, 801]"),
+    ("landscape.generated.rille.azimuth_deg", 0, "azimuth_deg = 70", "azimuth_deg = 71"),
+    ("landscape.generated.rille.width_m", 0, "width_m = 350", "width_m = 351"),
+    ("landscape.generated.rille.depth_m", 0, "depth_m = 60", "depth_m = -60"),
+    ("landscape.generated.rille.meander.swing_m", 0, "swing_m = 200", "swing_m = 201"),
+    ("landscape.generated.rille.meander.length_m", 0, "length_m = 1500", "length_m = 1501"),
+];
+
+#[test]
+fn every_documented_key_changes_something() {
+    let examples = blocks("toml");
+    let read: Vec<Scenario> = examples.iter().map(|text| parse(text)).collect();
+    for (key, example, from, to) in CHANGES {
+        let text = examples[*example];
+        assert_eq!(text.matches(from).count(), 1, "{key}: {from} stands once in the example");
+        assert_ne!(parse(&text.replace(from, to)), read[*example], "{key} changes nothing");
+    }
+}
+
+#[test]
+fn the_tables_name_every_key_and_no_other() {
+    let mut tried: BTreeSet<&str> = CHANGES.iter().map(|change| change.0).collect();
+    tried.insert("format");
+    assert_eq!(documented_keys(), tried);
+    // Keys that the reader asks for stand in its message about an unknown one.
+    for table in ["", "landscape", "landscape.generated", "sun", "vehicle", "path", "raster", "display"] {
+        let text = format!("{}\n{table}{}stray = 1\n", "format = 1", if table.is_empty() { "" } else { "." });
+        let list = Scenario::parse("t.toml", &text).unwrap_err();
+        let stray = list.iter().find(|problem| problem.title.starts_with("unknown key")).unwrap().clone();
+        let expected = stray.expected.unwrap();
+        let prefix = if table.is_empty() { String::new() } else { format!("{table}.") };
+        for key in expected.trim_start_matches("one of ").split(", ") {
+            let path = format!("{prefix}{key}");
+            let is_documented = documented_keys().iter().any(|known| {
+                *known == path || known.strip_prefix(&path).is_some_and(|rest| rest.starts_with('.'))
+            });
+            assert!(is_documented, "`{path}` is a key that the page does not name");
+        }
+    }
+}
+
+#[test]
+fn what_is_left_out_has_the_documented_default() {
+    let scenario = parse(blocks("toml")[1]);
+    assert_eq!((scenario.machine.as_str(), scenario.albedo), ("ideal", 1.0));
+    assert_eq!((scenario.display.white, scenario.display.gamma), (1.0, 1.0));
+    assert_eq!(scenario.scalar, scenario::Scalar::F32);
+    assert_eq!(scenario.raster, scenario::RasterWishes::default());
+    assert_eq!(scenario.laws, scenario::LawWishes::default());
+    assert_eq!(scenario.range, None);
+    assert_eq!(scenario.files().len(), 2);
+}

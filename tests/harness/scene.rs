@@ -1,0 +1,205 @@
+//! Scenes built by hand, and their pictures.
+
+use std::sync::Arc;
+
+use generator::{FrameCounts, FrameError, Generator, PlaneKind, Planes, Stage};
+use hardware_model::{LatePolicy, Loader, Raster, Settings, SweepMemoryKind};
+use landscape::{Attitude, Bank, CornerWords, Landscape, Level, Sun};
+use quantities::{Rate, Timebase, radians};
+use scenario::{
+    Curvature, Display, FieldOfView, Laws, Occlusion, PixelRule, Pose, Projection, RangeLaw, RangeProgramme,
+    Scalar,
+};
+use signal::{Probe, Waveform};
+
+/// Frames a second of every test scene.
+pub const UPDATE_HZ: u64 = 30;
+
+/// Everything that decides one picture, as plain fields.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene {
+    /// The ground.
+    pub level: Level,
+    /// Share of the light that is returned, 0..=1.
+    pub albedo: f64,
+    /// The light.
+    pub sun: Sun,
+    /// Eye: north, east, height (m).
+    pub eye: [f64; 3],
+    /// Clockwise from north (rad).
+    pub heading: f64,
+    /// Nose up (rad).
+    pub pitch: f64,
+    /// Sweeps a frame, and columns of the picture.
+    pub sweeps: u32,
+    /// Samples a sweep.
+    pub samples: u32,
+    /// Lines of the picture.
+    pub lines: u32,
+    /// Master clock (Hz).
+    pub master_hz: u64,
+    /// Field of view.
+    pub field: FieldOfView,
+    /// Ground-range programme.
+    pub range: RangeProgramme,
+    /// Law switches.
+    pub laws: Laws,
+    /// Scalar type of the analog signals.
+    pub scalar: Scalar,
+    /// Delivery of coefficient words.
+    pub loader: Loader,
+    /// Kind of sweep memory.
+    pub sweep_memory: SweepMemoryKind,
+}
+
+/// What a generator made of a scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Drawn {
+    /// Linear reflectivity, row by row from the top left.
+    pub picture: Vec<f32>,
+    /// Ground range of each pixel (m); zero where the generator does not fill it.
+    pub ranges: Vec<f32>,
+    /// Work done.
+    pub counts: FrameCounts,
+    /// What was probed.
+    pub waveforms: Vec<Waveform>,
+}
+
+impl Scene {
+    /// A scene over `level`: eye 10 m above its middle, looking north with the report's field of view; a small
+    /// raster; ideal laws; f64; wired transfers.
+    pub fn over(level: Level) -> Self {
+        let [south, west, north, east] = level.extent();
+        let middle = [0.5 * (south + north), 0.5 * (west + east)];
+        let ground = direct(&level, middle);
+        Self {
+            eye: [middle[0], middle[1], ground + 10.0],
+            range: RangeProgramme { law: RangeLaw::Geometric, start: 2.0, end: 4.0 * level.region_size() },
+            level,
+            albedo: 1.0,
+            sun: Sun { azimuth: radians(70.0), elevation: radians(25.0) },
+            heading: 0.0,
+            pitch: 0.0,
+            sweeps: 9,
+            samples: 300,
+            lines: 64,
+            master_hz: 20_000_000,
+            field: FieldOfView {
+                tan_half_width: libm::tan(radians(25.0)),
+                tan_half_height: libm::tan(radians(15.0)),
+            },
+            laws: Laws {
+                projection: Projection::Exact,
+                curvature: Curvature::Parabolic,
+                occlusion: Occlusion::Derivative,
+                pixel_rule: PixelRule::LineMean,
+            },
+            scalar: Scalar::F64,
+            loader: Loader { access_ticks: 0, late_policy: LatePolicy::StrobeThrough, delays: Vec::new() },
+            sweep_memory: SweepMemoryKind::ScanConverter,
+        }
+    }
+
+    /// Puts the eye `above` the ground at (x, y) (m).
+    pub fn stand(&mut self, x: f64, y: f64, above: f64) {
+        self.eye = [x, y, direct(&self.level, [x, y]) + above];
+    }
+
+    /// Blanked accumulator steps a sweep.
+    pub fn retrace(&self) -> u32 {
+        self.samples / 4
+    }
+
+    /// The stage of the scene.
+    pub fn stage(&self) -> Stage {
+        let bank = Bank::new("test", vec![self.level.clone()], None).expect("one level is a bank");
+        let landscape = Arc::new(Landscape::new(bank, self.albedo));
+        Stage { landscape, sun: self.sun, settings: self.settings() }
+    }
+
+    /// The settings of the run.
+    pub fn settings(&self) -> Settings {
+        let hertz = |count| Rate::new(count, 1).expect("a rate above zero");
+        let update = hertz(UPDATE_HZ);
+        let timebase =
+            Timebase::new(hertz(self.master_hz), update, self.sweeps, self.samples, self.retrace());
+        Settings {
+            raster: Raster {
+                sweeps: self.sweeps,
+                samples: self.samples,
+                columns: self.sweeps,
+                lines: self.lines,
+                field: self.field,
+                refresh: update,
+            },
+            timebase: timebase.expect("clocks of a small raster"),
+            range: self.range,
+            laws: self.laws,
+            scalar: self.scalar,
+            display: Display { white: 1.0, gamma: 1.0 },
+            loader: self.loader.clone(),
+            sweep_memory: self.sweep_memory,
+        }
+    }
+
+    /// Where the eye is.
+    pub fn pose(&self) -> Pose {
+        let attitude = Attitude { roll: 0.0, pitch: self.pitch, heading: self.heading };
+        Pose { time: 0.0, eye: self.eye, attitude }
+    }
+
+    /// Draws frame `frame` and records `signals` (patterns) of every sweep.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
+    ///
+    /// # Panics
+    /// If the generator refuses the stage.
+    pub fn draw(&self, generator: &dyn Generator, frame: u64, signals: &[&str]) -> Result<Drawn, FrameError> {
+        let session = generator.prepare(self.stage()).expect("a stage that every generator can draw");
+        let kinds = [PlaneKind::Intensity, PlaneKind::Range];
+        let mut planes = Planes::new(self.sweeps as usize, self.lines as usize, &kinds);
+        let patterns = signals.iter().map(|&pattern| pattern.to_owned()).collect();
+        let mut probe = Probe::new(patterns, 0..self.sweeps);
+        let counts = session.frame(frame, &self.pose(), &mut planes, &mut probe)?;
+        let plane = |kind| planes.get(kind).map(<[f32]>::to_vec).unwrap_or_default();
+        Ok(Drawn {
+            picture: plane(PlaneKind::Intensity),
+            ranges: plane(PlaneKind::Range),
+            counts,
+            waveforms: probe.waveforms,
+        })
+    }
+}
+
+/// Height of the ground by direct evaluation (m).
+fn direct(level: &Level, [x, y]: [f64; 2]) -> f64 {
+    let (region, local) = level.locate(x, y).expect("a point of the problem area");
+    level.height_and_slopes(region, local)[0]
+}
+
+/// A level from the words of each corner (m, n).
+///
+/// # Panics
+/// If the words do not make a level.
+pub fn level_of(
+    region_size: f64,
+    origin: [f64; 2],
+    corners: [usize; 2],
+    words: impl Fn(usize, usize) -> CornerWords,
+) -> Level {
+    let words = (0..corners[0] * corners[1]).map(|k| words(k / corners[1], k % corners[1])).collect();
+    Level::new(region_size, origin, corners, words).expect("a sound level")
+}
+
+/// Words of corner (m, n) of the plane `h = height + slopes[0] x + slopes[1] y`, from corner (0, 0) on.
+pub fn plane(region_size: f64, height: f64, slopes: [f64; 2]) -> impl Fn(usize, usize) -> CornerWords {
+    let [along_u, along_v] = slopes.map(|slope| slope * region_size);
+    move |m, n| {
+        let mut words = [0.0; 9];
+        words[0] = height + along_u * m as f64 + along_v * n as f64;
+        words[3] = along_u;
+        words[1] = along_v;
+        words
+    }
+}

@@ -1,0 +1,6 @@
+//! Rules of the house: floors, licences, what sources may not contain.
+
+mod floors;
+mod licences;
+mod metadata;
+mod sources;

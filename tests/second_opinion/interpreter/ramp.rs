@@ -1,0 +1,69 @@
+//! One accumulator between two limit stops (sections 6.2, 6.4, 6.5).
+
+/// A triangular sweep voltage.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ramp {
+    /// Now, 0..=1.
+    pub value: f64,
+    /// Polarity flip-flop: +1 where the ramp runs with the ground, -1 where it is mirrored.
+    pub polarity: f64,
+    /// Region that the sweep is in, along this axis.
+    pub region: i64,
+    /// +1 or -1: the way the sweep goes over the ground; +1 for a sweep that stands.
+    pub heading: i64,
+    /// Ramp units a metre of ground range, not negative.
+    speed: f64,
+    rising: bool,
+}
+
+impl Ramp {
+    /// The start rule of 6.5 for a foot at `place` (in regions) and a sweep of direction cosine `cosine`.
+    pub fn at_start(place: f64, cosine: f64, region_size: f64) -> Self {
+        let mut region = place.floor() as i64;
+        let on_boundary = place == place.floor();
+        if on_boundary && cosine < 0.0 {
+            region -= 1;
+        }
+        let even = region.rem_euclid(2) == 0;
+        let u = place - region as f64;
+        let northward = cosine >= 0.0;
+        Self {
+            value: if even { u } else { 1.0 - u },
+            polarity: if even { 1.0 } else { -1.0 },
+            region,
+            heading: if northward { 1 } else { -1 },
+            speed: cosine.abs() / region_size,
+            rising: northward == even,
+        }
+    }
+
+    /// Whether it moves at all.
+    pub fn moves(&self) -> bool {
+        self.speed > 0.0
+    }
+
+    /// Ground range to the stop ahead (m); a ramp that stands never arrives.
+    pub fn way_to_stop(&self) -> f64 {
+        if !self.moves() {
+            return f64::INFINITY;
+        }
+        let way = if self.rising { 1.0 - self.value } else { self.value };
+        way.max(0.0) / self.speed
+    }
+
+    /// Lets the accumulator run over `way` metres of ground.
+    pub fn advance(&mut self, way: f64) {
+        let change = self.speed * way;
+        self.value += if self.rising { change } else { -change };
+    }
+
+    /// The stop ahead is met: turn back, flip, count the region. Returns whether it was the stop at 1.
+    pub fn fold(&mut self) -> bool {
+        let at_one = self.rising;
+        self.value = if at_one { 1.0 } else { 0.0 };
+        self.rising = !self.rising;
+        self.polarity = -self.polarity;
+        self.region += self.heading;
+        at_one
+    }
+}

@@ -1,0 +1,16 @@
+//! A second opinion on the machine: interpreter, direct evaluation, and words that come too late.
+
+mod direct_sum;
+mod interpreter_alone;
+mod late_words;
+mod named_sweeps;
+mod random_scenes;
+
+use lunoid_tests::{Lockstep, Scene};
+
+/// Fails with the first difference between machine and interpreter.
+fn agree(scene: &Scene, what: &str) {
+    if let Some(difference) = Lockstep::run(scene, 0).first_difference() {
+        panic!("{what}: {difference}");
+    }
+}
