@@ -90,10 +90,7 @@ impl Lockstep {
     pub fn first_difference(&self) -> Option<Difference> {
         let scales = self.full_scales();
         let sweeps = 0..self.records.len();
-        sweeps
-            .filter_map(|sweep| self.in_sweep(sweep, &scales))
-            .next()
-            .or_else(|| self.in_counters())
+        sweeps.filter_map(|sweep| self.in_sweep(sweep, &scales)).next().or_else(|| self.in_counters())
     }
 
     /// The largest difference of any signal as a part of its full scale: what a bound is set from.

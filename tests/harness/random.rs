@@ -59,14 +59,11 @@ pub fn scene(seed: u64) -> Scene {
     scene.stand(x, y, scale * dice.between(0.05, 5.0));
     scene.heading = radians(dice.between(-180.0, 360.0));
     scene.pitch = radians(dice.between(-25.0, 25.0));
-    scene.sun = Sun {
-        azimuth: radians(dice.between(0.0, 360.0)),
-        elevation: radians(dice.between(1.0, 60.0)),
-    };
+    scene.sun =
+        Sun { azimuth: radians(dice.between(0.0, 360.0)), elevation: radians(dice.between(1.0, 60.0)) };
     scene.albedo = dice.between(0.1, 1.0);
     scene.range = range(&mut dice, size);
-    scene.laws.projection =
-        dice.choose(&[Projection::Exact, Projection::AsReported, Projection::Corrected]);
+    scene.laws.projection = dice.choose(&[Projection::Exact, Projection::AsReported, Projection::Corrected]);
     scene.laws.curvature = dice.choose(&[Curvature::Parabolic, Curvature::None]);
     scene.laws.occlusion = dice.choose(&[Occlusion::Derivative, Occlusion::PeakHold]);
     scene

@@ -30,7 +30,9 @@ fn read_plan(page: &str) -> Result<Plan, String> {
         let later = match mark.trim() {
             "" => false,
             "(later)" => true,
-            other => return Err(format!("floor table, {name}: found `{other}`, expected `(later)` or nothing")),
+            other => {
+                return Err(format!("floor table, {name}: found `{other}`, expected `(later)` or nothing"));
+            }
         };
         if plan.insert(name.to_owned(), Room { floor, later }).is_some() {
             return Err(format!("floor table: {name} stands there twice"));

@@ -7,10 +7,14 @@ use crate::metadata::root;
 
 /// Functions of the system library whose bits differ between machines (`clippy.toml`).
 const TRANSCENDENTAL: &[&str] = &[
-    "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sin_cos", "sinh", "cosh", "tanh", "asinh", "acosh",
-    "atanh", "exp", "exp2", "exp_m1", "ln", "ln_1p", "log", "log2", "log10", "powf", "powi", "cbrt", "hypot",
-    "mul_add",
+    "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sin_cos", "sinh", "cosh", "tanh", "asinh",
+    "acosh", "atanh", "exp", "exp2", "exp_m1", "ln", "ln_1p", "log", "log2", "log10", "powf", "powi", "cbrt",
+    "hypot", "mul_add",
 ];
+
+/// Jets (values with derivatives) have functions of the same names, made from libm; clippy, which knows types, still
+/// guards their files.
+const JETS: &str = "landscape/src/relief/";
 
 /// Unfinished work and silenced lints, in two halves so that this file does not accuse itself.
 const NEVER: &[(&str, &str)] = &[
@@ -36,13 +40,14 @@ fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
 }
 
 /// Accusations against one file, with line numbers.
-fn accusations(text: &str) -> Vec<String> {
+fn accusations(text: &str, has_jets: bool) -> Vec<String> {
     let mut found = Vec::new();
     for (number, line) in text.lines().enumerate() {
         let code = line.split("//").next().unwrap_or_default();
         for name in TRANSCENDENTAL {
-            let forms = [format!(".{name}("), format!("f64::{name}"), format!("f32::{name}")];
-            if forms.iter().any(|form| contains_word(code, form)) {
+            let paths = [format!("f64::{name}"), format!("f32::{name}")];
+            let method = format!(".{name}(");
+            if !has_jets && code.contains(&method) || paths.iter().any(|path| contains_word(code, path)) {
                 found.push(format!("line {}: {name} of the system library; use libm", number + 1));
             }
         }
@@ -55,11 +60,11 @@ fn accusations(text: &str) -> Vec<String> {
     found
 }
 
-/// Whether `form` occurs and is not the beginning of a longer name (`f64::sin` in `f64::sinc`).
-fn contains_word(code: &str, form: &str) -> bool {
-    code.match_indices(form).any(|(at, _)| {
-        let next = code[at + form.len()..].chars().next();
-        form.ends_with('(') || !next.is_some_and(|c| c.is_alphanumeric() || c == '_')
+/// Whether `path` occurs and is not the beginning of a longer one.
+fn contains_word(code: &str, path: &str) -> bool {
+    code.match_indices(path).any(|(at, _)| {
+        let next = code[at + path.len()..].chars().next();
+        !next.is_some_and(|c| c.is_alphanumeric() || c == '_')
     })
 }
 
@@ -73,7 +78,12 @@ fn sources_are_clean() {
     let mut found = Vec::new();
     for file in files {
         let text = fs::read_to_string(&file).expect("a source file in UTF-8");
-        found.extend(accusations(&text).into_iter().map(|accusation| format!("{}: {accusation}", file.display())));
+        let has_jets = file.to_string_lossy().contains(JETS);
+        found.extend(
+            accusations(&text, has_jets)
+                .into_iter()
+                .map(|accusation| format!("{}: {accusation}", file.display())),
+        );
     }
     assert!(found.is_empty(), "\n  {}", found.join("\n  "));
 }
@@ -90,11 +100,12 @@ fn clippy_knows_the_same_list() {
 
 #[test]
 fn the_gate_catches_what_it_should() {
+    let found = |text: &str| accusations(text, false).len();
     let dotted = |name: &str| format!("let y = x.{name}(2);");
-    assert_eq!(accusations(&dotted("powi")).len(), 1);
-    assert_eq!(accusations(&dotted("cos")).len(), 1);
-    assert_eq!(accusations(&format!("values.map(f64::{})", "exp")).len(), 1);
-    assert_eq!(accusations(&format!("    {}{})", "to", "do!(")).len(), 1);
-    let innocent = "libm::sin(x) + x.sqrt() // x.cos() differs\nlet t = f64::expand(x);";
-    assert!(accusations(innocent).is_empty(), "{:?}", accusations(innocent));
+    assert_eq!(found(&dotted("powi")), 1);
+    assert_eq!(found(&dotted("cos")), 1);
+    assert_eq!(accusations(&dotted("cos"), true).len(), 0);
+    assert_eq!(accusations(&format!("values.map(f64::{})", "exp"), true).len(), 1);
+    assert_eq!(found(&format!("    {}{})", "to", "do!(")), 1);
+    assert_eq!(found("libm::sin(x) + x.sqrt() // x.cos() differs\nlet t = f64::expand(x);"), 0);
 }

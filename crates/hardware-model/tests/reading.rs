@@ -200,6 +200,7 @@ fn bases_that_lead_nowhere() {
     ]);
     let cycle = titles(read(&folder, "a.toml"));
     assert!(cycle.len() == 1 && cycle[0].starts_with("a model is based on itself"), "{cycle:?}");
+    assert_eq!(cycle[0].matches(".toml").count(), 3, "{cycle:?}");
     let unknown = read(&folder, "c.toml").unwrap_err().to_string();
     assert!(unknown.contains("c.toml:3:8") && unknown.contains("did you mean `ideal`?"), "{unknown}");
     assert!(unknown.contains("a, b, c, d, e, ideal"), "{unknown}");

@@ -117,6 +117,21 @@ fn speed_and_turn_rate_are_those_of_the_drive() {
 }
 
 #[test]
+fn the_turn_of_a_row_is_that_since_the_frame_before() {
+    let landscape = ground(0.0, [0.0, 0.0], 0.0);
+    let points = [0.0, 10.0, 40.0].iter().zip([0.0, 1.0, 2.0]);
+    let points = points.map(|(heading, time)| waypoint(time, 100.0, 100.0, Some(*heading))).collect();
+    let table = PoseTable::resolve(&scenario(points), &landscape, hz(10), 0..20).unwrap();
+    let rows = table.rows();
+    let turn = |from: usize| (rows[from + 1].pose.attitude.heading - rows[from].pose.attitude.heading) * 10.0;
+    for frame in 1..20 {
+        assert!((rows[frame].turn_rate - turn(frame - 1)).abs() < 1e-12, "frame {frame}");
+    }
+    assert!((rows[0].turn_rate - turn(0)).abs() < 1e-12);
+    assert!(degrees(rows[19].turn_rate) > 1.5 * degrees(rows[1].turn_rate));
+}
+
+#[test]
 fn what_the_vehicle_cannot_do_is_reported() {
     let landscape = ground(0.0, [0.1, 0.0], 0.0);
     let points = vec![

@@ -156,7 +156,8 @@ fn azimuth(scene: &Scene, sweep: u32) -> [f64; 2] {
     let count = f64::from(scene.sweeps);
     let place = (2.0 * f64::from(sweep) + 1.0 - count) / count;
     let tan_beta = place * widest(scene);
-    let (cos_beta, sin_beta) = (1.0 / (1.0 + tan_beta * tan_beta).sqrt(), tan_beta / (1.0 + tan_beta * tan_beta).sqrt());
+    let (cos_beta, sin_beta) =
+        (1.0 / (1.0 + tan_beta * tan_beta).sqrt(), tan_beta / (1.0 + tan_beta * tan_beta).sqrt());
     let (cos, sin) = (whole(libm::cos(scene.heading)), whole(libm::sin(scene.heading)));
     [cos * cos_beta - sin * sin_beta, sin * cos_beta + cos * sin_beta]
 }

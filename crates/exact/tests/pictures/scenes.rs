@@ -6,7 +6,7 @@ use exact::Exact;
 use generator::{Generator, PlaneKind, Planes, Session, Stage};
 use hardware_model::{LatePolicy, Loader, Raster, Settings, SweepMemoryKind};
 use landscape::{Attitude, Bank, CornerWords, Landscape, Level, Sun};
-use quantities::{Rate, Timebase, radians};
+use quantities::{Rate, Timebase, radians, unit_interval};
 use scenario::{
     Curvature, Display, FieldOfView, Laws, Occlusion, PixelRule, Pose, Projection, RangeLaw, RangeProgramme,
     Scalar,
@@ -48,6 +48,12 @@ pub fn plane(d: f64, regions: [usize; 2], height: f64, [north, east]: [f64; 2]) 
         let value = height + d * (north * m + east * n);
         [value, d * east, 0.0, d * north, 0.0, 0.0, 0.0, 0.0, 0.0]
     })
+}
+
+/// Random ground of 6 x 6 regions of 8 m, words up to `relief` (m).
+pub fn bumps(seed: u64, relief: f64) -> Level {
+    let word = |m: f64, n: f64, k: usize| unit_interval(seed, &[m as u64, n as u64, k as u64]);
+    level(8.0, [6, 6], |m, n| std::array::from_fn(|k| relief * (2.0 * word(m, n, k) - 1.0)))
 }
 
 /// A landscape of one level.

@@ -109,7 +109,7 @@ fn ground_nearer_than_the_first_sample_is_black() {
         (RangeLaw::Geometric, 12.0),
         (RangeLaw::ConstantElevation, 12.0),
         (RangeLaw::ConstantRate, 0.3),
-        (RangeLaw::TwoRate { switch: 4000.0, fine_share: 0.5 }, 4000.0 / 501.0),
+        (RangeLaw::TwoRate { switch: 5000.0, fine_share: 0.5 }, 5000.0 / 501.0),
     ] {
         let mut settings =
             settings(1, 400, laws(Projection::Exact, Curvature::None, PixelRule::Centre), [12.0, 300.0]);
@@ -118,6 +118,7 @@ fn ground_nearer_than_the_first_sample_is_black() {
         let lowest = intensity.iter().rposition(|&value| value > 0.0).unwrap();
         assert!(intensity[lowest + 1..].iter().all(|&value| value == 0.0));
         let nearest = f64::from(range[lowest]);
+        assert_eq!(lowest < 399, first > 8.0, "{law:?}: black lines at the bottom");
         let bottom = 2.0 / settings.raster.field.tan_half_height;
         assert!(nearest >= first && nearest < first.max(bottom) * 1.05, "{law:?}: {nearest}");
     }

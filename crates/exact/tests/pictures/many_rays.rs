@@ -1,0 +1,104 @@
+//! The short cuts of a column against as many rays as it takes, each by itself.
+
+use std::sync::Arc;
+
+use crate::scenes::{bumps, draw, landscape, laws, level, pose, settings, sun};
+use exact::{Ceilings, Outlook, Sight, View};
+use hardware_model::Settings;
+use landscape::{Landscape, Sun};
+use scenario::{Curvature, PixelRule, Pose, Projection};
+
+const SUB: u32 = 2000;
+
+/// The largest difference between means of lines and means of [`SUB`] rays a line.
+fn worst_mean(ground: &Arc<Landscape>, light: Sun, settings: &Settings, pose: &Pose) -> f64 {
+    let picture = |lines: u32, rule| {
+        let mut settings = settings.clone();
+        settings.raster.lines = lines;
+        settings.laws.pixel_rule = rule;
+        draw(ground, light, &settings, pose).0
+    };
+    let (columns, lines) = (settings.raster.columns as usize, settings.raster.lines);
+    let means = picture(lines, PixelRule::LineMean);
+    let rays = picture(lines * SUB, PixelRule::Centre);
+    let error = |(index, &mean): (usize, &f32)| {
+        let (line, column) = (index / columns, index % columns);
+        let ray = |sub: usize| f64::from(rays[(line * SUB as usize + sub) * columns + column]);
+        (f64::from(mean) - (0..SUB as usize).map(ray).sum::<f64>() / f64::from(SUB)).abs()
+    };
+    means.iter().enumerate().map(error).fold(0.0, f64::max)
+}
+
+#[test]
+fn the_mean_of_a_line_over_bumps() {
+    let ground = landscape(bumps(8, 1.0), 1.0);
+    let height = ground.height(20.0, 23.0).unwrap() + 0.9;
+    for (projection, pitch) in
+        [(Projection::Exact, 0.0), (Projection::Exact, -7.0), (Projection::AsReported, -7.0)]
+    {
+        let settings =
+            settings(5, 6, laws(projection, Curvature::Parabolic, PixelRule::LineMean), [0.5, 45.0]);
+        for heading in [10.0, 130.0, 250.0] {
+            let worst =
+                worst_mean(&ground, sun(200.0, 12.0), &settings, &pose([20.0, 23.0, height], pitch, heading));
+            assert!(worst < 1e-3, "{projection:?} {heading}: off by {worst}");
+        }
+    }
+}
+
+/// A ridge across at x = 200 m, 12 m high, its crest rounded with 10 m radius.
+fn ridge() -> Arc<Landscape> {
+    let crest = [12.0, 0.0, 0.0, 0.0, 0.0, 0.0, -160.0, 0.0, 0.0];
+    landscape(level(40.0, [8, 4], |m, _| if m == 5.0 { crest } else { [0.0; 9] }), 1.0)
+}
+
+#[test]
+fn a_crest_lit_from_behind_is_found_between_black_flank_and_black_sky() {
+    let ground = ridge();
+    let settings =
+        settings(3, 100, laws(Projection::Exact, Curvature::None, PixelRule::LineMean), [2.0, 300.0]);
+    let mut lit = 0;
+    for step in 0..12 {
+        let pose = pose([40.0 + 3.0 * f64::from(step), 80.0, 1.63], 0.0, 0.0);
+        let worst = worst_mean(&ground, sun(0.0, 10.0), &settings, &pose);
+        assert!(worst < 1.5e-3, "step {step}: off by {worst}");
+        lit +=
+            draw(&ground, sun(0.0, 10.0), &settings, &pose).0.iter().filter(|&&v| v > 0.0 && v < 0.1).count();
+    }
+    assert!(lit >= 12, "{lit} pixels of crest");
+}
+
+/// Level ground with pillars 3 m wide at the foot, every 5 m, 2 m high.
+fn pillars() -> Arc<Landscape> {
+    let pillar = |m: f64, n: f64| if m % 4.0 == 0.0 && n % 4.0 == 0.0 { 2.0 } else { 0.0 };
+    landscape(level(1.5, [32, 32], |m, n| [pillar(m, n), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]), 1.0)
+}
+
+#[test]
+fn no_ray_of_a_column_depends_on_another() {
+    let ground = pillars();
+    let (eye, ranges) = ([20.8, 21.3, 1.7], [0.5, 25.0]);
+    let ceilings = Ceilings::new(ground.level());
+    let outlook = Outlook::new(ground.level(), &ceilings, eye, Curvature::None, ranges);
+    for (projection, pitch) in
+        [(Projection::Exact, 0.0), (Projection::Exact, -25.0), (Projection::AsReported, -25.0)]
+    {
+        let settings = settings(21, 60, laws(projection, Curvature::None, PixelRule::Centre), ranges);
+        let pose = pose(eye, pitch, 40.0);
+        let (_, found) = draw(&ground, sun(30.0, 40.0), &settings, &pose);
+        let view = View::new(projection, &pose.attitude);
+        let field = settings.raster.field;
+        for (index, &found) in found.iter().enumerate() {
+            let x = field.tan_half_width * ((2 * (index % 21) + 1) as f64 / 21.0 - 1.0);
+            let y = field.tan_half_height * ((2 * (index / 21) + 1) as f64 / 60.0 - 1.0);
+            let alone = match outlook.look(&view.ray(x, y)) {
+                Sight::Ground(spot) => spot.range,
+                Sight::Sky | Sight::TooNear => f64::INFINITY,
+            };
+            assert!(
+                f64::from(found) == alone || (f64::from(found) / alone - 1.0).abs() < 1e-6,
+                "{index}: {found}, not {alone}"
+            );
+        }
+    }
+}
