@@ -45,7 +45,7 @@ impl Dice {
 /// anywhere above the ground, any heading, laws and range programme as they fall.
 pub fn scene(seed: u64) -> Scene {
     let mut dice = Dice::new(seed);
-    let corners = [dice.count(4, 14), dice.count(4, 14)];
+    let corners = [dice.count(4, 24), dice.count(4, 24)];
     let size = dice.between(20.0, 900.0);
     let origin = [dice.between(-5e3, 5e3), dice.between(-5e3, 5e3)];
     let scale = size * dice.between(0.005, 0.05);
@@ -61,6 +61,8 @@ pub fn scene(seed: u64) -> Scene {
     scene.pitch = radians(dice.between(-25.0, 25.0));
     scene.sun =
         Sun { azimuth: radians(dice.between(0.0, 360.0)), elevation: radians(dice.between(1.0, 60.0)) };
+    // From several samples a region to less than one.
+    scene.samples = dice.count(24, 400) as u32;
     scene.albedo = dice.between(0.1, 1.0);
     scene.range = range(&mut dice, size);
     scene.laws.projection = dice.choose(&[Projection::Exact, Projection::AsReported, Projection::Corrected]);
@@ -70,7 +72,7 @@ pub fn scene(seed: u64) -> Scene {
 }
 
 fn range(dice: &mut Dice, size: f64) -> RangeProgramme {
-    let end = size * dice.between(1.0, 9.0);
+    let end = size * dice.between(1.0, 20.0);
     let start = end * dice.between(5e-4, 0.02);
     let two_rate = RangeLaw::TwoRate { switch: 0.1 * end, fine_share: 0.5 };
     let laws = [RangeLaw::ConstantRate, two_rate, RangeLaw::ConstantElevation, RangeLaw::Geometric];

@@ -31,7 +31,9 @@ pub struct Projected<S> {
     pub hold: Vec<Lanes<S>>,
     /// Part of the step from the sample before, 0..1, at which the profile comes back into sight; 0 if it was.
     pub entry: Vec<Lanes<S>>,
-    /// Line position of the held elevation, from the top of the picture: never grows.
+    /// Line position of the elevation itself, in sight or not, from the top of the picture.
+    pub position: Vec<Lanes<S>>,
+    /// Line position of the held elevation: never grows.
     pub line: Vec<Lanes<S>>,
 }
 
@@ -51,7 +53,8 @@ impl<S: Real> Processor<S> {
 
     /// Projects the profiles of a group; `height` is above the eye (m), `deflection` in lines.
     pub fn run(&self, height: &[Lanes<S>], deflection: &[Deflection; LANES], out: &mut Projected<S>) {
-        for signal in [&mut out.elevation, &mut out.hold, &mut out.entry, &mut out.line] {
+        let Projected { elevation, hold, entry, position, line } = out;
+        for signal in [elevation, hold, entry, position, line] {
             signal.resize(height.len(), Lanes::default());
         }
         self.elevate(height, &mut out.elevation);
@@ -59,7 +62,8 @@ impl<S: Real> Processor<S> {
             Occlusion::PeakHold => occlude(out, peak_hold),
             Occlusion::Derivative => occlude(out, derivative),
         }
-        deflect(deflection, out);
+        deflect(deflection, &out.elevation, &mut out.position);
+        deflect(deflection, &out.hold, &mut out.line);
     }
 
     fn elevate(&self, height: &[Lanes<S>], elevation: &mut [Lanes<S>]) {
@@ -100,10 +104,10 @@ fn entry_of<S: Real>(before: S, hold: S, now: S) -> S {
     if before < hold && now > hold { share } else { S::ZERO }
 }
 
-fn deflect<S: Real>(deflection: &[Deflection; LANES], out: &mut Projected<S>) {
+fn deflect<S: Real>(deflection: &[Deflection; LANES], tangents: &[Lanes<S>], lines: &mut [Lanes<S>]) {
     let lanes = |part: fn(&Deflection) -> f64| Lanes::from_fn(|lane| S::from_f64(part(&deflection[lane])));
     let (a, b, c, e) = (lanes(|d| d.a), lanes(|d| d.b), lanes(|d| d.c), lanes(|d| d.e));
-    for (line, &tangent) in out.line.iter_mut().zip(&out.hold) {
+    for (line, &tangent) in lines.iter_mut().zip(tangents) {
         *line = (a - b * tangent) / (c + e * tangent);
     }
 }

@@ -2,10 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use diagnostics::{ProblemList, Problems};
+use diagnostics::{Origin, ProblemList, Problems};
 
 use crate::layering::layered;
-use crate::written::model;
+use crate::written::{delays_as_written, model};
 use crate::{HardwareModel, ModelSource};
 
 /// A model and the record of its reading.
@@ -24,7 +24,7 @@ pub struct LoadedModel {
 pub struct EffectiveValue {
     /// Dotted key, as `raster.sweeps`.
     pub key: String,
-    /// The value as written.
+    /// The value as written; the list of delays in one line.
     pub value: String,
     /// File and line, as `hardware-models/ideal.toml:8`.
     pub origin: String,
@@ -62,26 +62,33 @@ impl HardwareModel {
         let problems = Problems::new();
         let loaded = layered(source, overlays, sets, &problems).and_then(|layered| {
             let model = model(&layered.layers.root(&problems), layered.name)?;
-            let values = layered.layers.origins().into_iter().map(|(key, origin)| EffectiveValue {
-                key,
-                value: origin.text.clone(),
-                origin: origin.to_string(),
-            });
-            Some(LoadedModel { model, values: values.collect(), files: layered.files })
+            let origins = layered.layers.origins().into_iter();
+            let values = origins.map(|(key, origin)| EffectiveValue::new(key, &origin, &model)).collect();
+            Some(LoadedModel { model, values, files: layered.files })
         });
         problems.resolve(loaded)
     }
 }
 
+impl EffectiveValue {
+    fn new(key: String, origin: &Origin, model: &HardwareModel) -> Self {
+        let value = match key.as_str() {
+            // May be spread over many tables of a file.
+            "loader.delay" => delays_as_written(&model.loader.delays),
+            _ => origin.text.clone(),
+        };
+        Self { key, value, origin: origin.to_string() }
+    }
+}
+
 impl LoadedModel {
-    /// The effective model as text: one line a value, with the place that it came from.
+    /// The effective model as text, one line a value, with the place that it came from. The text is itself a
+    /// model file, complete and without base.
     pub fn effective(&self) -> String {
-        let width =
-            self.values.iter().map(|value| value.key.len() + value.value.len()).max().unwrap_or(0) + 3;
         let line = |value: &EffectiveValue| {
             let setting = format!("{} = {}", value.key, value.value);
-            format!("{setting:width$}  # {}\n", value.origin)
+            format!("{setting:40} # {}\n", value.origin)
         };
-        self.values.iter().map(line).collect()
+        self.values.iter().filter(|value| value.key != "base").map(line).collect()
     }
 }

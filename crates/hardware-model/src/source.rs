@@ -8,8 +8,7 @@ use diagnostics::{Problem, ProblemList, Problems, TomlFile};
 use files::FileError;
 
 /// Models that the program carries, with their text.
-pub const BUILT_IN: [(&str, &str); 1] =
-    [("ideal", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../hardware-models/ideal.toml")))];
+pub const BUILT_IN: [(&str, &str); 1] = [("ideal", include_str!("../../../hardware-models/ideal.toml"))];
 
 /// Name of the folder that holds models.
 const FOLDER: &str = "hardware-models";
@@ -32,7 +31,7 @@ impl ModelSource {
     /// then among those that the program carries.
     ///
     /// # Errors
-    /// An unknown name; the message lists the known ones, the nearest first to be tried.
+    /// An unknown name; the message lists the known ones and the nearest.
     pub fn find(name_or_path: &str, folder: &Path) -> Result<Self, ProblemList> {
         if name_or_path.ends_with(".toml") || name_or_path.contains(['/', '\\']) {
             return Ok(Self::File(name_or_path.into()));
@@ -46,8 +45,9 @@ impl ModelSource {
             return Ok(built_in);
         }
         let known = known_names(&folders);
-        let problem = Problem::of_file(name_or_path, format!("unknown machine `{name_or_path}`"));
-        Err(advise(problem.found(name_or_path), name_or_path, &known).into())
+        let title = format!("unknown machine `{name_or_path}`; a file of your own is named by its path");
+        let problem = Problem::of_file("machine", title).found(name_or_path);
+        Err(advise(problem, name_or_path, &known).into())
     }
 
     /// The built-in model of a name.
@@ -111,14 +111,12 @@ fn known_names(folders: &[PathBuf]) -> BTreeSet<String> {
     names.chain(BUILT_IN.iter().map(|(name, _)| (*name).to_owned())).collect()
 }
 
-/// Adds what is known, and the nearest of it, to a problem.
+/// Adds the nearest of what is known, and all of it, to a problem.
 pub(crate) fn advise(problem: Problem, name: &str, known: &BTreeSet<String>) -> Problem {
     let list: Vec<&str> = known.iter().map(String::as_str).collect();
-    let problem = problem.expected(format!("one of {}", list.join(", ")));
     let alike = list.iter().map(|known| (strsim::jaro(name, known), known));
     // The likeness from which clap, too, offers a suggestion.
-    match alike.filter(|(likeness, _)| *likeness > 0.7).max_by(|a, b| a.0.total_cmp(&b.0)) {
-        Some((_, nearest)) => problem.help(format!("did you mean `{nearest}`?")),
-        None => problem.help(format!("known: {}; a file of your own is named by its path", list.join(", "))),
-    }
+    let nearest = alike.filter(|(likeness, _)| *likeness > 0.7).max_by(|a, b| a.0.total_cmp(&b.0));
+    let question = nearest.map_or(String::new(), |(_, nearest)| format!("did you mean `{nearest}`? "));
+    problem.help(format!("{question}known: {}", list.join(", ")))
 }

@@ -10,6 +10,12 @@ use crate::{HardwareModel, LatePolicy, LoadDelay, Loader, ModelRaster, SweepMemo
 /// Format of model files that this program reads.
 pub const FORMAT: u64 = 1;
 
+const COLOURS: [(&str, Colour); 4] =
+    [("yellow", Colour::Yellow), ("green", Colour::Green), ("black", Colour::Black), ("red", Colour::Red)];
+
+const REGISTERS: [(&str, PreloadRegister); 2] =
+    [("x-first", PreloadRegister::XFirst), ("y-first", PreloadRegister::YFirst)];
+
 /// The model of all layers. Every key is needed; what a file leaves out, its base has.
 pub(crate) fn model(root: &Reader, name: String) -> Option<HardwareModel> {
     let raster = root.table("raster").map(|table| raster(&table));
@@ -75,15 +81,8 @@ fn delay(table: &Reader) -> Option<LoadDelay> {
     let frame = table.u64("frame").optional();
     let sweep = table.u32("sweep").below(8192).required();
     let crossing = table.u32("crossing").required();
-    let colours = [
-        ("yellow", Colour::Yellow),
-        ("green", Colour::Green),
-        ("black", Colour::Black),
-        ("red", Colour::Red),
-    ];
-    let colour = table.one_of("colour", &colours).required();
-    let registers = [("x-first", PreloadRegister::XFirst), ("y-first", PreloadRegister::YFirst)];
-    let register = table.one_of("register", &registers).required();
+    let colour = table.one_of("colour", &COLOURS).required();
+    let register = table.one_of("register", &REGISTERS).required();
     let orders = table.u64_list("word").must("the two orders [p, q], each 0 to 2", |orders| {
         orders.len() == 2 && orders.iter().all(|&order| order <= 2)
     });
@@ -98,6 +97,28 @@ fn delay(table: &Reader) -> Option<LoadDelay> {
         word: word?,
         ticks: ticks?,
     })
+}
+
+/// The list of delays as a model file has it, in one line.
+pub(crate) fn delays_as_written(delays: &[LoadDelay]) -> String {
+    let tables: Vec<String> = delays.iter().map(delay_as_written).collect();
+    format!("[{}]", tables.join(", "))
+}
+
+fn delay_as_written(delay: &LoadDelay) -> String {
+    let frame = delay.frame.map_or(String::new(), |frame| format!("frame = {frame}, "));
+    let LoadDelay { sweep, crossing, ticks, .. } = delay;
+    let colour = word(&COLOURS, delay.colour);
+    let register = word(&REGISTERS, delay.register);
+    let [p, q] = [delay.word / 3, delay.word % 3];
+    format!(
+        "{{ {frame}sweep = {sweep}, crossing = {crossing}, colour = {colour:?}, register = {register:?}, \
+         word = [{p}, {q}], ticks = {ticks} }}"
+    )
+}
+
+fn word<T: PartialEq>(words: &[(&'static str, T)], meaning: T) -> &'static str {
+    words.iter().find(|(_, known)| *known == meaning).map_or("", |(word, _)| word)
 }
 
 fn laws(dpp: Option<&Reader>, memory: Option<&Reader>) -> Option<Laws> {

@@ -158,6 +158,22 @@ fn delays_are_read() {
 }
 
 #[test]
+fn the_effective_model_is_itself_a_model() {
+    let delay = "sweep = 1\ncrossing = 2\ncolour = 'green'\nregister = 'x-first'\nword = [0, 2]\nticks = 7\n";
+    let model = format!(
+        "format = 1\nname = 'm'\nbase = 'ideal'\n[[loader.delay]]\nframe = 4\n{delay}[[loader.delay]]\n{delay}"
+    );
+    let folder = folder(&[("m.toml", &model)]);
+    let overlay = folder.path().join("o.toml");
+    fs::write(&overlay, "format = 1\ndpu.clock_mhz = '100/3'\nrange.programme = 'two-rate'\n").unwrap();
+    let first = HardwareModel::read(&folder.path().join("m.toml"), &[overlay], &[]).unwrap();
+    assert_eq!(first.model.loader.delays.len(), 2);
+    fs::write(folder.path().join("again.toml"), first.effective()).unwrap();
+    let again = read(&folder, "again.toml").unwrap_or_else(|list| panic!("{list}"));
+    assert_eq!(again.model, first.model);
+}
+
+#[test]
 fn faults_of_all_layers_are_listed_at_once() {
     let folder = folder(&[
         ("low.toml", "format = 1\nname = 'low'\nbase = 'ideal'\n[raster]\nsweeps = 0\nsweps = 1\n"),

@@ -1,2 +1,46 @@
-//! The command.
-fn main() {}
+//! `lunoid`: a lunar rover's television picture, as the hybrid generator of 1970 made it.
+//!
+//! Results go to standard output, everything else to standard error. Exit codes: 0 done, 1 the answer is no,
+//! 2 wrong usage, 3 bad input, 4 output failed, 130 interrupted and resumable.
+
+mod cli;
+mod commands;
+mod failure;
+mod loading;
+mod output;
+mod progress;
+mod values;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use cli::Cli;
+use failure::Failure;
+
+/// What a command comes to when nothing went wrong.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Verdict {
+    /// Done, or: yes.
+    Yes,
+    /// Done, and the answer is no.
+    No,
+    /// Told to end; the same command goes on.
+    Interrupted,
+}
+
+fn main() -> ExitCode {
+    let cli = Cli::parse();
+    let code = match commands::run(&cli) {
+        Ok(Verdict::Yes) | Err(Failure::ClosedPipe) => 0,
+        Ok(Verdict::No) => 1,
+        Ok(Verdict::Interrupted) => 130,
+        Err(failure) => {
+            if let Some(message) = failure.message(cli.color.on_stderr()) {
+                eprintln!("{message}");
+            }
+            failure.exit_code()
+        }
+    };
+    ExitCode::from(code)
+}

@@ -7,7 +7,7 @@ use generator::Stage;
 use mixing_unit::terrain_alone;
 use signal::{LANES, Real};
 use sweep_generator::RangeTable;
-use sweep_memory::write_group;
+use sweep_memory::{Beam, write_group};
 use sweep_program::{RegisterSet, SweepProgram, SweepStart};
 use terrain_generator::{Profile, SweepLight, TerrainGenerator};
 
@@ -76,8 +76,8 @@ impl<S: Real> Group<'_, S> {
         terrain.run(&work.programs, &light, &mut work.profile);
         let composite = terrain_alone(&work.profile.height, &work.profile.reflectivity);
         self.processor.run(composite.height, &deflection, &mut work.projected);
-        let Projected { line, entry, .. } = &work.projected;
-        let rule = settings.laws.pixel_rule;
-        write_group(line, entry, composite.reflectivity, rule, raster.lines as usize, rows);
+        let Projected { position, line, entry, .. } = &work.projected;
+        let beam = Beam { position, line, entry, intensity: composite.reflectivity };
+        write_group(&beam, settings.laws.pixel_rule, raster.lines as usize, rows);
     }
 }

@@ -14,7 +14,11 @@ fn main() -> Result<(), survey::SurveyError> {
     let affine = Affine { first: [0.0; 2], step: [1.0; 2] };
     let elevation = Elevation::new(SIDE, SIDE, heights, affine, Frame::Plane(None));
     let start = Instant::now();
-    let survey = survey(&elevation, &SurveyOptions::new(size), &mut |step| if step.iteration % 10 == 0 { eprintln!("{step:?}") })?;
+    let survey = survey(&elevation, &SurveyOptions::new(size), &mut |step| {
+        if step.iteration % 10 == 0 {
+            eprintln!("{step:?}")
+        }
+    })?;
     println!("{:#?}", survey.report);
     println!("{:.2} s", start.elapsed().as_secs_f64());
     Ok(())

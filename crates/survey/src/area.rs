@@ -53,7 +53,7 @@ pub enum Plane {
 pub struct Cut {
     /// Samples in the axes of the bank.
     pub patch: Patch,
-    /// South, west, north, east in the coordinates of the file (m or rad).
+    /// South, west, north, east in the coordinates of the file (m or rad) or of the orthographic plane (m).
     pub area: [f64; 4],
     /// Where the bank lies.
     pub georeference: Option<Georeference>,
@@ -66,13 +66,15 @@ pub struct Cut {
 /// Stretch of the tangent plane above which the user is told.
 const STRETCH: f64 = 0.01;
 
-/// An area in the coordinates of the file, before samples are taken.
+/// An area in the coordinates of the file (or of the plane it is interpolated to), before samples are taken.
 struct Placed {
     area: [f64; 4],
     /// Metres a unit of the file's coordinates: north, east.
     metres: [f64; 2],
     centre: Option<[f64; 2]>,
     true_north: Option<f64>,
+    /// The plane onto which samples are interpolated; the area is then in its metres.
+    resampled: Option<Projection>,
 }
 
 /// Cuts `area` out of `elevation`. `reach(size)` says how far to the north and east (m) samples are wanted for an
@@ -86,22 +88,24 @@ pub fn cut(
     reach: impl FnOnce([f64; 2]) -> Result<[f64; 2], SurveyError>,
 ) -> Result<Cut, SurveyError> {
     let placed = place(elevation, area)?;
-    check_inside(elevation, placed.area)?;
     let [south, west, north, east] = placed.area;
     let size = [(north - south) * placed.metres[0], (east - west) * placed.metres[1]];
-    let wanted = reach(size)?;
-    let orthographic = matches!(area, Area::Centred { plane: Plane::Orthographic, .. });
-    let patch = match (elevation.frame, placed.centre) {
-        (Frame::Geographic { radius }, Some(centre)) if orthographic => {
-            resample(elevation, centre, radius, size, wanted)
+    let patch = match &placed.resampled {
+        Some(plane) => {
+            check_resampled(elevation, plane, size)?;
+            resample(elevation, plane, size, reach(size)?)
         }
-        _ => take(elevation, [south, west], placed.metres, wanted),
+        None => {
+            check_inside(elevation, placed.area)?;
+            take(elevation, [south, west], placed.metres, reach(size)?)
+        }
     };
     let mut warnings = Vec::new();
     if let Frame::Geographic { radius } = elevation.frame {
         warn_of_sphere(radius, &mut warnings);
-        if !orthographic {
-            warn_of_stretch(placed.area, &mut warnings);
+        match placed.resampled {
+            Some(_) => warnings.push("heights are interpolated between the samples of the file".into()),
+            None => warn_of_stretch(placed.area, &mut warnings),
         }
     }
     let at = size.map(|length| 0.5 * length);
@@ -138,6 +142,20 @@ fn place(elevation: &Elevation, area: Area) -> Result<Placed, SurveyError> {
             let [south, west, north, east] = elevation.extent();
             Ok(on_sphere(radius, 0.5 * (south + north), 0.5 * (west + east), [south, west, north, east]))
         }
+        (
+            Frame::Geographic { radius },
+            Area::Centred { latitude, longitude, size, plane: Plane::Orthographic },
+        ) => {
+            let [a, b] = size.map(|length| 0.5 * length);
+            let plane =
+                Projection { method: Method::Orthographic, latitude, longitude, radius, offset: [0.0; 2] };
+            let area = [-a, -b, a, b];
+            Ok(Placed {
+                metres: [1.0; 2],
+                resampled: Some(plane),
+                ..on_sphere(radius, latitude, longitude, area)
+            })
+        }
         (Frame::Geographic { radius }, Area::Centred { latitude, longitude, size, .. }) => {
             let (a, b) = (0.5 * size[0] / radius, 0.5 * size[1] / (radius * libm::cos(latitude)));
             // The file may count longitude from another meridian.
@@ -156,6 +174,7 @@ fn in_plane(area: [f64; 4], projection: Option<Projection>) -> Placed {
         metres: [1.0; 2],
         centre: on_moon.and_then(|p| p.inverse(middle)),
         true_north: projection.and_then(|p| p.true_north(middle)),
+        resampled: None,
     }
 }
 
@@ -165,6 +184,7 @@ fn on_sphere(radius: f64, latitude: f64, longitude: f64, area: [f64; 4]) -> Plac
         metres: [radius, radius * libm::cos(latitude)],
         centre: Some([latitude, wrap(longitude)]),
         true_north: Some(0.0),
+        resampled: None,
     }
 }
 
@@ -189,6 +209,32 @@ fn check_inside(elevation: &Elevation, area: [f64; 4]) -> Result<(), SurveyError
     Err(SurveyError::AreaOutside { found: text(area), extent: text(held) })
 }
 
+/// The centre must lie in the file, and the plane must not be larger than what the file can fill.
+fn check_resampled(elevation: &Elevation, plane: &Projection, size: [f64; 2]) -> Result<(), SurveyError> {
+    let held = elevation.extent();
+    let middle = 0.5 * (held[1] + held[3]);
+    let longitude = middle + wrap(plane.longitude - middle);
+    let step = elevation.affine.step.map(f64::abs);
+    let within = |at: f64, low: f64, high: f64, step: f64| at >= low - step && at <= high + step;
+    let inside = within(plane.latitude, held[0], held[2], step[0])
+        && (elevation.goes_around() || within(longitude, held[1], held[3], step[1]));
+    let samples = size.iter().map(|length| length / (plane.radius * step[0])).product::<f64>();
+    let fits = samples <= 4.0 * (elevation.lines * elevation.columns) as f64;
+    if inside && fits && size.iter().all(|length| *length > 0.0 && *length < 1.4 * plane.radius) {
+        return Ok(());
+    }
+    let [s, w, n, e] = held.map(degrees);
+    let found = format!(
+        "{} m x {} m around {:.4} N {:.4} E",
+        size[0],
+        size[1],
+        degrees(plane.latitude),
+        degrees(plane.longitude)
+    );
+    let extent = format!("south {s:.4}, west {w:.4}, north {n:.4}, east {e:.4} deg");
+    Err(SurveyError::AreaOutside { found, extent })
+}
+
 /// One axis of the file seen from the bank: the first sample at or above the origin, and the direction.
 struct Walk {
     file_first: i64,
@@ -199,22 +245,31 @@ struct Walk {
 }
 
 fn walk(first: f64, step: f64, samples: usize, origin: f64, metres: f64, wanted: f64) -> Walk {
-    let (start, file_start, file_step) =
-        if step > 0.0 { (first, 0, 1) } else { (first + step * (samples - 1) as f64, samples as i64 - 1, -1) };
+    let (start, file_start, file_step) = if step > 0.0 {
+        (first, 0, 1)
+    } else {
+        (first + step * (samples - 1) as f64, samples as i64 - 1, -1)
+    };
     let step = step.abs();
     let exact = (origin - start) / step;
     // A sample on the edge belongs to the area, also when its place is rounded.
     let index = (exact - 1e-6).ceil();
     let offset = ((index - exact) * step * metres).max(0.0);
     let count = ((wanted - offset) / (step * metres) + 1e-6).floor().max(0.0) as usize + 1;
-    Walk { file_first: file_start + file_step * index as i64, file_step, first: offset, step: step * metres, count }
+    Walk {
+        file_first: file_start + file_step * index as i64,
+        file_step,
+        first: offset,
+        step: step * metres,
+        count,
+    }
 }
 
 fn take(elevation: &Elevation, origin: [f64; 2], metres: [f64; 2], wanted: [f64; 2]) -> Patch {
     let counts = [elevation.lines, elevation.columns];
     let affine = elevation.affine;
-    let [north, east] = [0, 1]
-        .map(|k| walk(affine.first[k], affine.step[k], counts[k], origin[k], metres[k], wanted[k]));
+    let [north, east] =
+        [0, 1].map(|k| walk(affine.first[k], affine.step[k], counts[k], origin[k], metres[k], wanted[k]));
     let around = elevation.goes_around();
     let mut heights = Vec::with_capacity(north.count * east.count);
     for i in 0..north.count {
@@ -236,11 +291,9 @@ fn take(elevation: &Elevation, origin: [f64; 2], metres: [f64; 2], wanted: [f64;
     }
 }
 
-/// Heights on a square grid of the orthographic plane, with the spacing that the file has to the north.
-fn resample(elevation: &Elevation, centre: [f64; 2], radius: f64, size: [f64; 2], wanted: [f64; 2]) -> Patch {
-    let [latitude, longitude] = centre;
-    let plane = Projection { method: Method::Orthographic, latitude, longitude, radius, offset: [0.0; 2] };
-    let step = radius * elevation.affine.step[0].abs();
+/// Heights on a square grid of a plane, with the spacing that the file has to the north.
+fn resample(elevation: &Elevation, plane: &Projection, size: [f64; 2], wanted: [f64; 2]) -> Patch {
+    let step = plane.radius * elevation.affine.step[0].abs();
     let count = wanted.map(|length| (length / step + 1e-6).floor() as usize + 1);
     let mut heights = Vec::with_capacity(count[0] * count[1]);
     for (line, column) in (0..count[0]).flat_map(|line| (0..count[1]).map(move |column| (line, column))) {

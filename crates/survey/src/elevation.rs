@@ -93,6 +93,7 @@ impl Elevation {
     pub(crate) fn goes_around(&self) -> bool {
         let turn = 2.0 * std::f64::consts::PI;
         let around = (self.columns as f64 * self.affine.step[1]).abs();
-        matches!(self.frame, Frame::Geographic { .. }) && (around - turn).abs() < 1e-3 * self.affine.step[1].abs()
+        matches!(self.frame, Frame::Geographic { .. })
+            && (around - turn).abs() < 1e-3 * self.affine.step[1].abs()
     }
 }

@@ -108,7 +108,9 @@ pub enum SurveyError {
         value: f64,
     },
     /// Nothing but voids.
-    #[error("{what}: all {count} samples are void; expected heights; check the no-data value, the band and the area")]
+    #[error(
+        "{what}: all {count} samples are void; expected heights; check the no-data value, the band and the area"
+    )]
     AllVoid {
         /// File or area.
         what: String,
@@ -129,7 +131,9 @@ pub enum SurveyError {
         expected: String,
     },
     /// The area does not lie in the file.
-    #[error("area {found}: expected it inside {extent} of the file; give a smaller area or one in the file's own coordinates")]
+    #[error(
+        "area {found}: expected it inside {extent} of the file; give a smaller area or one in the file's own coordinates"
+    )]
     AreaOutside {
         /// Area asked for.
         found: String,
@@ -147,7 +151,9 @@ pub enum SurveyError {
         advice: &'static str,
     },
     /// Far more words than samples.
-    #[error("region size {size} m: {coefficients} coefficients for {samples} samples; expected at most {most}; give larger regions")]
+    #[error(
+        "region size {size} m: {coefficients} coefficients for {samples} samples; expected at most {most}; give larger regions"
+    )]
     TooManyRegions {
         /// Region size (m).
         size: f64,
@@ -158,6 +164,9 @@ pub enum SurveyError {
         /// Limit.
         most: usize,
     },
+    /// A `.npy` file is missing, damaged or too large.
+    #[error(transparent)]
+    Npy(#[from] files::NpyFileError),
     /// The fit cannot be a bank.
     #[error("the fit is not a bank: {0}")]
     Bank(#[from] BankError),

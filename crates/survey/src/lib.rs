@@ -15,6 +15,7 @@ mod fit;
 mod measure;
 mod patch;
 mod projection;
+mod read;
 mod report;
 mod survey;
 
@@ -23,5 +24,6 @@ pub use elevation::{Affine, Elevation, Frame};
 pub use error::SurveyError;
 pub use fit::Stiffness;
 pub use projection::{Method, Projection};
+pub use read::{ReadOptions, read};
 pub use report::{LevelReport, SurveyReport, VoidBounds, Worst};
 pub use survey::{Grid, Step, Survey, SurveyOptions, survey};

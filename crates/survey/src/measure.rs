@@ -3,10 +3,10 @@
 use landscape::Level;
 use rayon::prelude::*;
 
+use crate::Grid;
 use crate::fit::{Axis, Fit, Place, across_line, both, dot, lacking};
 use crate::patch::Patch;
 use crate::report::{LevelReport, VoidBounds, Worst};
-use crate::Grid;
 
 /// How far into a void the bounds are taken (regions).
 const REACH: usize = 3;
@@ -32,7 +32,8 @@ pub fn measure(patch: &Patch, places: &[Place], fit: &Fit) -> (Grid, Grid, Level
         )
         .collect();
     let total = parts.into_iter().fold(Tally::default(), Tally::and);
-    let grid = |values| Grid { lines: north.samples(), columns: row, first: patch.first, step: patch.step, values };
+    let grid =
+        |values| Grid { lines: north.samples(), columns: row, first: patch.first, step: patch.step, values };
     let report = figures(fit, &total, near_edge.iter().filter(|near| **near).count());
     (grid(fitted), grid(residuals), report)
 }

@@ -39,9 +39,7 @@ impl Projection {
     pub fn forward(&self, latitude: f64, longitude: f64) -> Option<[f64; 2]> {
         let east = wrap(longitude - self.longitude);
         let plane = match self.method {
-            Method::Equirectangular { parallel } => {
-                [latitude - self.latitude, east * libm::cos(parallel)]
-            }
+            Method::Equirectangular { parallel } => [latitude - self.latitude, east * libm::cos(parallel)],
             Method::PolarStereographic { scale } => polar(latitude, east, self.pole(), scale)?,
             Method::Orthographic => orthographic(latitude, east, self.latitude)?,
         };
@@ -157,7 +155,11 @@ mod tests {
         near(south.forward(0.0, radians(90.0)).unwrap(), [0.0, 2.0 * R], 1e-6);
         // Equirectangular with true scale at 60 deg: a degree of longitude is half a degree of latitude.
         let flat = with(Method::Equirectangular { parallel: radians(60.0) }, 0.0, 180.0);
-        near(flat.forward(radians(1.0), radians(-179.0)).unwrap(), [R * radians(1.0), R * radians(0.5)], 1e-6);
+        near(
+            flat.forward(radians(1.0), radians(-179.0)).unwrap(),
+            [R * radians(1.0), R * radians(0.5)],
+            1e-6,
+        );
     }
 
     #[test]

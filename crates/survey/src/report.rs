@@ -68,7 +68,8 @@ pub struct LevelReport {
 pub struct SurveyReport {
     /// What was surveyed.
     pub title: String,
-    /// Area: south, west, north, east in the coordinates of the file (m, or rad where geographic).
+    /// Area: south, west, north, east in the coordinates of the file (m, or rad where geographic); in metres about
+    /// the centre where a geographic file was laid onto an orthographic plane.
     pub area: [f64; 4],
     /// Lines and columns in the area, with what the last regions reach beyond it.
     pub samples: [usize; 2],

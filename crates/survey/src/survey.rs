@@ -6,8 +6,8 @@ use rayon::prelude::*;
 
 use crate::area::{Area, Cut, cut};
 use crate::elevation::Elevation;
-use crate::fill::fill;
 use crate::error::SurveyError;
+use crate::fill::fill;
 use crate::fit::{Fit, Place, Stiffness, Stop, fit};
 use crate::measure::measure;
 use crate::patch::Patch;
@@ -58,7 +58,11 @@ impl SurveyOptions {
         }
         let follows = |pair: &[usize]| pair[1] > pair[0];
         if self.levels.first() != Some(&1) || !self.levels.windows(2).all(follows) {
-            return refuse("levels", format!("{:?}", self.levels), "ascending whole numbers that begin with 1");
+            return refuse(
+                "levels",
+                format!("{:?}", self.levels),
+                "ascending whole numbers that begin with 1",
+            );
         }
         if !(0.0..=0.5).contains(&self.held_out) {
             return refuse("held-out fraction", self.held_out.to_string(), "0 to 0.5");
@@ -170,7 +174,8 @@ pub fn survey(
     }
     let (fitted, residuals) = grids.ok_or(landscape::BankError::NoLevels)?;
     let title = options.title.clone().unwrap_or_else(|| elevation.title.clone());
-    let peak_memory = 8 * (elevation.lines * elevation.columns + 4 * places.len()) + places.len() + fit_memory;
+    let peak_memory =
+        8 * (elevation.lines * elevation.columns + 4 * places.len()) + places.len() + fit_memory;
     let report = assemble(elevation, &cut, title.clone(), reports, options, peak_memory);
     let bank = Bank::new(title, levels, cut.georeference)?;
     Ok(Survey { bank, report, fitted, residuals })
@@ -190,7 +195,8 @@ fn regions(size: [f64; 2], region: f64) -> Result<[usize; 2], SurveyError> {
 
 fn check_size(shape: &[usize; 2], size: f64, samples: usize) -> Result<(), SurveyError> {
     let corners = (shape[0].saturating_add(1)).saturating_mul(shape[1].saturating_add(1));
-    let (coefficients, most) = (corners.saturating_mul(9), samples.saturating_mul(COEFFICIENTS_PER_SAMPLE).max(576));
+    let (coefficients, most) =
+        (corners.saturating_mul(9), samples.saturating_mul(COEFFICIENTS_PER_SAMPLE).max(576));
     if coefficients > most {
         return Err(SurveyError::TooManyRegions { size, coefficients, samples, most });
     }
@@ -261,7 +267,10 @@ fn level_warnings(level: &LevelReport, options: &SurveyOptions) -> Vec<String> {
     }
     let edge = size * (level.corners[0].max(level.corners[1]) - 1) as f64;
     if edge > 0.1 * LUNOID_RADIUS {
-        out.push(format!("the bank is {:.0} km wide; a plane stands for the Moon up to some tens", edge / 1000.0));
+        out.push(format!(
+            "the bank is {:.0} km wide; a plane stands for the Moon up to some tens",
+            edge / 1000.0
+        ));
     }
     out
 }

@@ -7,7 +7,20 @@ use signal::{LANES, Lanes, Real, Signal, Unit};
 pub const SIGNALS: &[Signal] =
     &[Signal::display("sm.write", Unit::Reflectivity, "what the sweep leaves in each display line")];
 
-/// The beam over one step between two samples: line positions (`to` is above, that is, smaller) and intensities.
+/// What drives the write beam of a group: one [`Lanes`] a sample.
+#[derive(Debug, Clone, Copy)]
+pub struct Beam<'a, S> {
+    /// Line position of the profile, in sight or not, from the top.
+    pub position: &'a [Lanes<S>],
+    /// Line position of the highest elevation so far: never grows, and stands still while the profile is hidden.
+    pub line: &'a [Lanes<S>],
+    /// Part of the step from the sample before at which the profile comes back into sight.
+    pub entry: &'a [Lanes<S>],
+    /// Intensity, negative in local shadow.
+    pub intensity: &'a [Lanes<S>],
+}
+
+/// The beam over a stretch between two samples: line positions (`to` is above, that is, smaller) and intensities.
 #[derive(Debug, Clone, Copy)]
 struct Stroke {
     from: f32,
@@ -17,17 +30,7 @@ struct Stroke {
 }
 
 /// Writes the first `rows.len() / lines` sweeps of a group into `rows`, `lines` values a sweep, cleared before.
-///
-/// `line` is the held line position of each sample (from the top, never growing), `entry` the part of a step at
-/// which the profile comes back into sight, `reflectivity` the intensity, negative in local shadow.
-pub fn write_group<S: Real>(
-    line: &[Lanes<S>],
-    entry: &[Lanes<S>],
-    reflectivity: &[Lanes<S>],
-    rule: PixelRule,
-    lines: usize,
-    rows: &mut [f32],
-) {
+pub fn write_group<S: Real>(beam: &Beam<'_, S>, rule: PixelRule, lines: usize, rows: &mut [f32]) {
     rows.fill(0.0);
     let deposit = match rule {
         PixelRule::LineMean => line_mean,
@@ -35,25 +38,107 @@ pub fn write_group<S: Real>(
     };
     let sweeps = rows.len() / lines;
     debug_assert!(sweeps <= LANES);
-    let at = |values: &[Lanes<S>], sample: usize, lane: usize| values[sample][lane].to_f64() as f32;
-    for sample in 1..line.len() {
+    for sample in 1..beam.line.len() {
         for lane in 0..sweeps {
-            let (from, to) = (at(line, sample - 1, lane), at(line, sample, lane));
-            if to < from {
-                let (before, end) = (at(reflectivity, sample - 1, lane), at(reflectivity, sample, lane));
-                let start = before + at(entry, sample, lane) * (end - before);
-                let row = &mut rows[lane * lines..(lane + 1) * lines];
-                if let Some(stroke) = (Stroke { from, to, start, end }).lit() {
+            let row = &mut rows[lane * lines..(lane + 1) * lines];
+            beam.strokes(sample, lane, |stroke| {
+                if let Some(stroke) = stroke.lit() {
                     deposit(stroke, row);
                 }
+            });
+        }
+    }
+}
+
+/// Bends of a step, as second differences, from which on it is drawn as a curve: lines and intensity. Chosen so
+/// that a chord leaves its curve by at most an eighth of this, that is, 0.006 line and 0.0003.
+const STRAIGHT: (f32, f32) = (0.05, 0.0025);
+/// Strokes of a curved step.
+const CHORDS: u32 = 4;
+
+impl<S: Real> Beam<'_, S> {
+    /// The strokes of the step that ends at `sample`: none where the profile is hidden; straight where that is
+    /// near enough; else chords of the cubic through the four samples around.
+    #[inline(always)]
+    fn strokes(&self, sample: usize, lane: usize, mut draw: impl FnMut(Stroke)) {
+        let (from, to) = (at(self.line, sample - 1, lane), at(self.line, sample, lane));
+        if to < from {
+            let entry = at(self.entry, sample, lane);
+            let (before, end) = (at(self.intensity, sample - 1, lane), at(self.intensity, sample, lane));
+            let straight = Stroke { from, to, start: before + entry * (end - before), end };
+            match self.curves(sample, lane) {
+                None => draw(straight),
+                Some(curves) => chords(&curves, straight, entry, draw),
             }
         }
+    }
+
+    /// Position and intensity over the step as cubics, where either bends.
+    #[inline(always)]
+    fn curves(&self, sample: usize, lane: usize) -> Option<[Cubic; 2]> {
+        if sample < 2 || sample + 1 >= self.line.len() {
+            return None;
+        }
+        let cubic = |values| Cubic::through(std::array::from_fn(|k| at(values, sample + k - 2, lane)));
+        let (position, intensity) = (cubic(self.position), cubic(self.intensity));
+        let bends = position.bend() > STRAIGHT.0 || intensity.bend() > STRAIGHT.1;
+        // A neighbour beyond the end of the profile is far out of sight and says nothing of its shape.
+        (bends && position.bend() < MOST_BEND).then_some([position, intensity])
+    }
+}
+
+/// Bend beyond which a step has no common curve with its neighbours (lines).
+const MOST_BEND: f32 = 200.0;
+
+fn at<S: Real>(values: &[Lanes<S>], sample: usize, lane: usize) -> f32 {
+    values[sample][lane].to_f64() as f32
+}
+
+/// The cubic between the middle two of four equally spaced values whose slopes are those of their neighbours.
+#[derive(Debug, Clone, Copy)]
+struct Cubic {
+    values: [f32; 4],
+}
+
+impl Cubic {
+    fn through(values: [f32; 4]) -> Self {
+        Self { values }
+    }
+
+    /// Largest second difference.
+    fn bend(&self) -> f32 {
+        let [a, b, c, d] = self.values;
+        (a - 2.0 * b + c).abs().max((b - 2.0 * c + d).abs())
+    }
+
+    /// Value at a part of the step, 0..=1.
+    fn at(&self, u: f32) -> f32 {
+        let [a, b, c, d] = self.values;
+        let (first, last) = (0.5 * (c - a), 0.5 * (d - b));
+        let chord = c - b;
+        b + u * (first + u * (3.0 * chord - 2.0 * first - last + u * (first + last - 2.0 * chord)))
+    }
+}
+
+/// A curved step as chords, from where it comes into sight; the beam never turns back.
+fn chords([position, intensity]: &[Cubic; 2], whole: Stroke, entry: f32, mut draw: impl FnMut(Stroke)) {
+    let (mut from, mut start) = (whole.from, intensity.at(entry));
+    for chord in 1..=CHORDS {
+        let u = entry + (1.0 - entry) * chord as f32 / CHORDS as f32;
+        let last = chord == CHORDS;
+        let to = if last { whole.to } else { position.at(u).clamp(whole.to, from) };
+        let end = if last { whole.end } else { intensity.at(u) };
+        if to < from {
+            draw(Stroke { from, to, start, end });
+        }
+        (from, start) = (to, end);
     }
 }
 
 impl Stroke {
     /// The part of the stroke whose intensity is above black: the beam is cut off where local shadow begins,
     /// between two samples.
+    #[inline(always)]
     fn lit(self) -> Option<Self> {
         let Self { from, to, start, end } = self;
         if start >= 0.0 && end >= 0.0 {
@@ -114,7 +199,7 @@ fn centre(stroke: Stroke, row: &mut [f32]) {
 
 #[cfg(test)]
 mod tests {
-    use super::write_group;
+    use super::{Beam, write_group};
     use proptest::prelude::{prop_assert, proptest};
     use scenario::PixelRule;
     use signal::Lanes;
@@ -122,8 +207,10 @@ mod tests {
     fn write(line: &[f64], intensity: &[f64], rule: PixelRule, lines: usize) -> Vec<f32> {
         let lanes = |values: &[f64]| values.iter().map(|&value| Lanes::splat(value)).collect::<Vec<_>>();
         let mut rows = vec![9.0; lines];
+        let (line, intensity) = (lanes(line), lanes(intensity));
         let entry = vec![Lanes::splat(0.0); line.len()];
-        write_group(&lanes(line), &entry, &lanes(intensity), rule, lines, &mut rows);
+        let beam = Beam { position: &line, line: &line, entry: &entry, intensity: &intensity };
+        write_group(&beam, rule, lines, &mut rows);
         rows
     }
 
@@ -168,8 +255,33 @@ mod tests {
         let mut rows = vec![0.0; 1];
         // In sight, hidden, back a quarter into the last step: intensity there is 0.25 of the way from 0 to 1.
         let (line, entry) = (lanes([1.0, 1.0, 0.0]), lanes([0.0, 0.0, 0.25]));
-        write_group(&line, &entry, &lanes([0.5, 0.0, 1.0]), PixelRule::LineMean, 1, &mut rows);
+        let intensity = lanes([0.5, 0.0, 1.0]);
+        let beam = Beam { position: &line, line: &line, entry: &entry, intensity: &intensity };
+        write_group(&beam, PixelRule::LineMean, 1, &mut rows);
         assert!((rows[0] - 0.625).abs() < 1e-7);
+    }
+
+    #[test]
+    fn a_curve_is_drawn_as_a_curve() {
+        // Lines fall as a parabola of the sample, intensity is the line over 100: every line shows its own.
+        let line: Vec<f64> = (0..12).map(|k| 100.0 - 0.7 * f64::from(k * k)).collect();
+        let intensity: Vec<f64> = line.iter().map(|line| line / 100.0).collect();
+        let rows = write(&line, &intensity, PixelRule::LineMean, 100);
+        for (index, row) in rows.iter().enumerate().skip(30).take(65) {
+            assert!((f64::from(*row) - (index as f64 + 0.5) / 100.0).abs() < 1e-4, "{index}: {row}");
+        }
+    }
+
+    #[test]
+    fn intensity_follows_the_sample_not_the_line() {
+        // Intensity is a parabola of the sample while the beam climbs evenly: chords alone would miss by 0.0125.
+        let line: Vec<f64> = (0..12).map(|k| 60.0 - 5.0 * f64::from(k)).collect();
+        let intensity: Vec<f64> = (0..12).map(|k| 0.1 * f64::from(k * k)).collect();
+        let rows = write(&line, &intensity, PixelRule::Centre, 60);
+        for (index, row) in rows.iter().enumerate().skip(12).take(40) {
+            let sample = (60.0 - (index as f64 + 0.5)) / 5.0;
+            assert!((f64::from(*row) - 0.1 * sample * sample).abs() < 2e-3, "{index}: {row}");
+        }
     }
 
     proptest! {

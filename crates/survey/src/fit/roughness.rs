@@ -26,9 +26,10 @@ fn derivative(coefficients: &[f64], order: usize) -> Vec<f64> {
 }
 
 fn integral_of_product(a: &[f64], b: &[f64]) -> f64 {
-    let terms = a.iter().enumerate().flat_map(|(i, &x)| {
-        b.iter().enumerate().map(move |(j, &y)| x * y / (i + j + 1) as f64)
-    });
+    let terms = a
+        .iter()
+        .enumerate()
+        .flat_map(|(i, &x)| b.iter().enumerate().map(move |(j, &y)| x * y / (i + j + 1) as f64));
     terms.sum()
 }
 
@@ -80,7 +81,8 @@ fn by_symmetry(matrix: &AxisMatrix) -> [AxisBlock; 2] {
         std::array::from_fn(|p| {
             std::array::from_fn(|q| {
                 let (s, t) = (parity * SIGN[p], parity * SIGN[q]);
-                let sum = matrix[p][q] + t * matrix[p][3 + q] + s * matrix[3 + p][q] + s * t * matrix[3 + p][3 + q];
+                let sum =
+                    matrix[p][q] + t * matrix[p][3 + q] + s * matrix[3 + p][q] + s * t * matrix[3 + p][3 + q];
                 0.25 * sum
             })
         })
@@ -146,7 +148,8 @@ mod tests {
     #[test]
     fn mass_of_the_quintic_element() {
         let m = axis_matrix(0);
-        for (found, expected) in [(m[0][0], 181.0 / 462.0), (m[1][1], 52.0 / 3465.0), (m[2][2], 1.0 / 9240.0)] {
+        for (found, expected) in [(m[0][0], 181.0 / 462.0), (m[1][1], 52.0 / 3465.0), (m[2][2], 1.0 / 9240.0)]
+        {
             assert!((found - expected).abs() < 1e-15, "{found} {expected}");
         }
     }

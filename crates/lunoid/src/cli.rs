@@ -1,0 +1,57 @@
+//! The command line.
+
+use clap::{Parser, Subcommand};
+
+use crate::commands::{bank, check, compare, info, list, model, probe, replay, survey};
+use crate::output::Colour;
+
+/// Results of one family are equal to the bit: no fused multiply-add anywhere.
+pub const RESULT_FAMILY: &str = "unfused";
+/// Commit of the build, or "unknown".
+pub const COMMIT: &str = env!("LUNOID_COMMIT");
+
+const VERSION: &str =
+    concat!(env!("CARGO_PKG_VERSION"), " (commit ", env!("LUNOID_COMMIT"), ", result family unfused)");
+
+const AFTER: &str = "Example:
+  lunoid replay scenarios/first-light.toml
+  lunoid replay --help
+
+Exit codes: 0 done; 1 the answer is no; 2 wrong usage; 3 bad input; 4 output failed; 130 interrupted.";
+
+/// Emulates the hybrid television image generator of a lunar rover simulator (PRA, 1970).
+#[derive(Debug, Parser)]
+#[command(name = "lunoid", version = VERSION, after_help = AFTER)]
+pub struct Cli {
+    /// Colour in messages.
+    #[arg(long, global = true, value_enum, default_value_t = Colour::Auto, hide_possible_values = false)]
+    pub color: Colour,
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Draw a scenario into a folder of frames.
+    Replay(replay::Replay),
+    /// Say how far one picture, or one run, is from another.
+    Compare(compare::Compare),
+    /// Read scenarios and hardware models and list every fault.
+    Check(check::Check),
+    /// List what there is.
+    List(list::List),
+    /// Say what a file or a run folder holds.
+    Info(info::Info),
+    /// Record waveforms of some signals of some sweeps.
+    Probe(probe::ProbeCommand),
+    /// List the signals that can be probed.
+    Signals(list::Signals),
+    /// Make, read and draw banks of terrain coefficients.
+    Bank(bank::BankCommand),
+    /// Fit a bank to an elevation file.
+    Survey(survey::SurveyCommand),
+    /// Show hardware models.
+    Model(model::ModelCommand),
+}

@@ -1,0 +1,129 @@
+//! `lunoid check`: scenarios and hardware models, every fault of each.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use diagnostics::{Problem, ProblemList, ProblemRecord, Problems, TomlFile};
+use hardware_model::{HardwareModel, ModelSource};
+use landscape::Landscape;
+use scenario::{PoseTable, Scenario};
+use serde_json::{Value, json};
+
+use crate::loading::{bank, settings};
+use crate::output::{Colour, print, print_json};
+use crate::{Failure, Verdict};
+
+const AFTER: &str = "Example:
+  lunoid check scenarios/*.toml hardware-models/*.toml
+
+A scenario is read with its machine, its ground is made and its path driven over it; nothing is drawn. Exit code 3
+if there is any fault.";
+
+/// Read scenarios and hardware models and list every fault.
+#[derive(Debug, Args)]
+#[command(after_help = AFTER)]
+pub struct Check {
+    /// Files.
+    #[arg(required = true)]
+    files: Vec<PathBuf>,
+    /// Print the result as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+/// What a TOML file is meant to be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// A scenario.
+    Scenario,
+    /// A hardware model.
+    Model,
+}
+
+impl Kind {
+    /// What the keys of a file say; what is no TOML is taken for a scenario, whose reader says why not.
+    pub fn of(path: &Path) -> Self {
+        let problems = Problems::new();
+        let name = path.display().to_string();
+        let file = files::read_all(path, 16 << 20).ok();
+        let file = file.and_then(|bytes| TomlFile::parse_bytes(&name, &bytes, &problems));
+        let has = |keys: &[&str]| {
+            file.as_ref().is_some_and(|file| keys.iter().any(|key| file.root(&problems).has(key)))
+        };
+        let is_model = has(&["name", "base", "loader", "dpu", "dpp", "sweep_memory"]);
+        if is_model && !has(&["title", "landscape", "path", "sun"]) { Self::Model } else { Self::Scenario }
+    }
+
+    fn word(self) -> &'static str {
+        match self {
+            Self::Scenario => "scenario",
+            Self::Model => "hardware-model",
+        }
+    }
+}
+
+impl Check {
+    /// Checks.
+    pub fn run(&self, colour: Colour) -> Result<Verdict, Failure> {
+        let found = self.files.iter().map(|file| {
+            let kind = Kind::of(file);
+            let result = match kind {
+                Kind::Scenario => check_scenario(file),
+                Kind::Model => check_model(file),
+            };
+            (file, kind, result)
+        });
+        let found: Vec<_> = found.collect();
+        let faults: Vec<&ProblemList> = found.iter().filter_map(|(_, _, result)| result.as_ref().err()).collect();
+        if self.json {
+            let rows = found.iter().map(|(file, kind, result)| document(file, *kind, result));
+            print_json(&json!({ "schema": "lunoid.check/1", "files": rows.collect::<Vec<_>>() }))?;
+        } else {
+            for (file, kind, result) in &found {
+                if result.is_ok() {
+                    print(&format!("{}: {}, no fault\n", file.display(), kind.word()))?;
+                }
+            }
+            let texts: Vec<String> = faults.iter().map(|list| list.render(colour.on_stderr())).collect();
+            eprint!("{}", texts.join("\n"));
+        }
+        match faults.into_iter().next() {
+            None => Ok(Verdict::Yes),
+            Some(_) => Err(Failure::Told),
+        }
+    }
+}
+
+fn check_model(path: &Path) -> Result<(), ProblemList> {
+    HardwareModel::read(path, &[], &[]).map(|_| ())
+}
+
+fn check_scenario(path: &Path) -> Result<(), ProblemList> {
+    let name = path.display().to_string();
+    let of_file = |title: String| ProblemList::from(Problem::of_file(&name, title));
+    let scenario = Scenario::read(path)?;
+    let source = ModelSource::find(&scenario.machine, path.parent().unwrap_or(Path::new("")))?;
+    let model = HardwareModel::load(&source, &[], &[])?;
+    let settings = settings(&scenario, &model.model).map_err(|error| {
+        of_file(format!("scenario and machine `{}` do not fit together: {error}", scenario.machine))
+    })?;
+    let bank = bank(&scenario).map_err(|failure| of_file(failure.text()))?;
+    let landscape = Landscape::new(bank, scenario.albedo);
+    let update = settings.timebase.update;
+    let poses = PoseTable::resolve(&scenario, &landscape, update, 0..scenario.frames(update));
+    poses.map(|_| ()).map_err(|error| of_file(format!("the path cannot be driven: {error}")))
+}
+
+fn document(file: &Path, kind: Kind, result: &Result<(), ProblemList>) -> Value {
+    let problems = result.as_ref().err().into_iter().flat_map(ProblemList::iter).map(|problem| {
+        let ProblemRecord { file, line, column, key, title, found, expected, help } = problem.record();
+        json!({ "file": file, "line": line, "column": column, "key": key, "title": title, "found": found,
+                "expected": expected, "help": help })
+    });
+    json!({
+        "file": file.display().to_string(),
+        "kind": kind.word(),
+        "ok": result.is_ok(),
+        "problems": problems.collect::<Vec<_>>(),
+    })
+}

@@ -1,0 +1,233 @@
+//! `lunoid compare`: how far one picture, or one run, is from another.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use compare::{Comparison, compare, triptych};
+use picture::{GreyPicture, Limits, read_png, write_png};
+use replay::HeldRun;
+use serde_json::{Value, json};
+
+use crate::output::{expect_writable, print, print_json, table};
+use crate::{Failure, Verdict, values};
+
+const AFTER: &str = "Examples:
+  lunoid compare runs/first-light runs/exact
+  lunoid compare a.png b.png --out difference.png --tolerance 2 --share 0.5
+
+Two PNGs, or two run folders frame by frame. Exit code 1 when a tolerance is given and not met. RMSE is of grey
+0 to 1 as displayed; the worst pixel is the one that differs most.";
+
+/// Say how far one picture, or one run, is from another.
+#[derive(Debug, Args)]
+#[command(after_help = AFTER)]
+pub struct Compare {
+    /// Picture or run folder under test.
+    test: PathBuf,
+    /// Picture or run folder to compare with.
+    reference: PathBuf,
+    /// Picture of both and their difference side by side (of runs: the worst frame); grey is equal.
+    #[arg(short, long, value_name = "PNG")]
+    out: Option<PathBuf>,
+    /// How many times the difference is enlarged in the picture.
+    #[arg(long, default_value_t = 8, value_parser = clap::value_parser!(u32).range(1..=255))]
+    factor: u32,
+    /// Largest RMSE that is still a yes.
+    #[arg(long, value_name = "RMSE", value_parser = values::not_negative)]
+    max_rmse: Option<f64>,
+    /// Levels of 255 by which a pixel may be off.
+    #[arg(long, value_name = "LEVELS", value_parser = clap::value_parser!(u32).range(0..=255))]
+    tolerance: Option<u32>,
+    /// Percent of the pixels that may be off by more.
+    #[arg(long, value_name = "PERCENT", requires = "tolerance", default_value_t = 0.0,
+          value_parser = values::not_negative)]
+    share: f64,
+    /// Grey PNG; pixels that are not black in it are left out.
+    #[arg(long, value_name = "PNG")]
+    mask: Option<PathBuf>,
+    /// Print the result as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+/// A pair of pictures and what they come to.
+struct Pair {
+    frame: Option<u64>,
+    test: PathBuf,
+    reference: PathBuf,
+    comparison: Comparison,
+}
+
+impl Compare {
+    /// Compares.
+    pub fn run(&self) -> Result<Verdict, Failure> {
+        if let Some(out) = &self.out {
+            expect_writable(out)?;
+        }
+        let mask = self.mask.as_deref().map(read_mask).transpose()?;
+        let pairs = self.pairs()?;
+        let pairs: Result<Vec<Pair>, Failure> =
+            pairs.into_iter().map(|paths| self.compare(paths, mask.as_deref())).collect();
+        let pairs = pairs?;
+        if let Some(out) = &self.out {
+            self.draw(worst(&pairs), out)?;
+        }
+        let pass = self.pass(&pairs);
+        if self.json { print_json(&self.document(&pairs, pass))? } else { print(&self.text(&pairs, pass))? }
+        Ok(if pass == Some(false) { Verdict::No } else { Verdict::Yes })
+    }
+
+    /// The pictures to compare: one pair, or a pair a frame.
+    fn pairs(&self) -> Result<Vec<(Option<u64>, PathBuf, PathBuf)>, Failure> {
+        match (self.test.is_dir(), self.reference.is_dir()) {
+            (false, false) => Ok(vec![(None, self.test.clone(), self.reference.clone())]),
+            (true, true) => frames_of_both(&self.test, &self.reference),
+            _ => Err(Failure::input(format!(
+                "{} and {}: one is a folder and one a file; expected two PNGs or two run folders",
+                self.test.display(),
+                self.reference.display()
+            ))),
+        }
+    }
+
+    fn compare(
+        &self,
+        (frame, test, reference): (Option<u64>, PathBuf, PathBuf),
+        mask: Option<&[bool]>,
+    ) -> Result<Pair, Failure> {
+        let [a, b] = [read(&test)?, read(&reference)?];
+        let levels: Vec<u32> = [0, 1, 2].into_iter().chain(self.tolerance.filter(|levels| *levels > 2)).collect();
+        let comparison = compare(&a, &b, mask, &levels)
+            .map_err(|error| Failure::input(format!("{}: {error}", test.display())))?;
+        Ok(Pair { frame, test, reference, comparison })
+    }
+
+    fn draw(&self, pair: &Pair, out: &Path) -> Result<(), Failure> {
+        let picture = triptych(&read(&pair.test)?, &read(&pair.reference)?, self.factor)?;
+        Ok(write_png(out, &picture, &[])?)
+    }
+
+    /// Whether the tolerances are met, if there are any.
+    fn pass(&self, pairs: &[Pair]) -> Option<bool> {
+        if self.max_rmse.is_none() && self.tolerance.is_none() {
+            return None;
+        }
+        Some(pairs.iter().all(|pair| {
+            let rmse_is_met = self.max_rmse.is_none_or(|most| pair.comparison.rmse <= most);
+            let share_is_met = self.tolerance.is_none_or(|levels| {
+                let beyond = pair.comparison.beyond.iter().find(|beyond| beyond.levels == levels);
+                beyond.is_some_and(|beyond| beyond.share * 100.0 <= self.share)
+            });
+            rmse_is_met && share_is_met
+        }))
+    }
+
+    fn document(&self, pairs: &[Pair], pass: Option<bool>) -> Value {
+        json!({
+            "schema": "lunoid.compare/1",
+            "test": self.test.display().to_string(),
+            "reference": self.reference.display().to_string(),
+            "pass": pass,
+            "pictures": pairs.iter().map(Pair::document).collect::<Vec<_>>(),
+        })
+    }
+
+    fn text(&self, pairs: &[Pair], pass: Option<bool>) -> String {
+        let heading = ["frame", "rmse", "psnr", "ssim", "differ", ">1", ">2", "worst pixel (column, line: test, reference)"];
+        let heading = heading.map(str::to_owned).to_vec();
+        let rows: Vec<Vec<String>> = [heading].into_iter().chain(pairs.iter().map(Pair::row)).collect();
+        let mut text = table(&rows);
+        if pairs.len() > 1 {
+            let worst = worst(pairs);
+            text += &format!(
+                "worst of {}: frame {}\n",
+                pairs.len(),
+                worst.frame.map(|frame| frame.to_string()).unwrap_or_default()
+            );
+        }
+        match pass {
+            Some(true) => text += "within the tolerance\n",
+            Some(false) => text += "beyond the tolerance\n",
+            None => {}
+        }
+        text
+    }
+}
+
+impl Pair {
+    fn document(&self) -> Value {
+        let Comparison { compared, masked, differing, rmse, psnr_db, ssim, worst, beyond } = &self.comparison;
+        let beyond: Vec<Value> = beyond
+            .iter()
+            .map(|beyond| json!({ "levels": beyond.levels, "count": beyond.count, "share": beyond.share }))
+            .collect();
+        json!({
+            "frame": self.frame,
+            "compared": compared,
+            "masked": masked,
+            "differing": differing,
+            "rmse": rmse,
+            "psnr_db": psnr_db,
+            "ssim": ssim,
+            "worst": {
+                "column": worst.column, "line": worst.line, "test": worst.test, "reference": worst.reference,
+            },
+            "beyond": beyond,
+        })
+    }
+
+    fn row(&self) -> Vec<String> {
+        let c = &self.comparison;
+        let share = |levels: u32| {
+            let beyond = c.beyond.iter().find(|beyond| beyond.levels == levels);
+            beyond.map_or(String::new(), |beyond| format!("{:.3} %", beyond.share * 100.0))
+        };
+        vec![
+            self.frame.map_or("-".into(), |frame| frame.to_string()),
+            format!("{:.5}", c.rmse),
+            c.psnr_db.map_or("equal".into(), |psnr| format!("{psnr:.1} dB")),
+            c.ssim.map_or("-".into(), |ssim| format!("{ssim:.4}")),
+            share(0),
+            share(1),
+            share(2),
+            format!("{}, {}: {:.3}, {:.3}", c.worst.column, c.worst.line, c.worst.test, c.worst.reference),
+        ]
+    }
+}
+
+/// The pair of the largest RMSE, the first of several.
+fn worst(pairs: &[Pair]) -> &Pair {
+    let worse = |a: &&Pair, b: &&Pair| b.comparison.rmse > a.comparison.rmse;
+    pairs.iter().reduce(|a, b| if worse(&a, &b) { b } else { a }).expect("there is a pair")
+}
+
+fn frames_of_both(
+    test: &Path,
+    reference: &Path,
+) -> Result<Vec<(Option<u64>, PathBuf, PathBuf)>, Failure> {
+    let runs = [HeldRun::read(test)?, HeldRun::read(reference)?];
+    let mut pairs = Vec::new();
+    for frame in &runs[0].frames {
+        let other = runs[1].frames.iter().find(|other| other.frame == frame.frame);
+        if let (Some(a), Some(b)) = (frame.files.first(), other.and_then(|other| other.files.first())) {
+            pairs.push((Some(frame.frame), test.join(&a.file), reference.join(&b.file)));
+        }
+    }
+    let counts = runs.each_ref().map(|run| run.frames.len());
+    if pairs.is_empty() {
+        let [a, b] = [test, reference].map(|path| path.display().to_string());
+        return Err(Failure::input(format!("{a} and {b}: no frame is in both runs; expected at least one")));
+    }
+    if counts != [pairs.len(); 2] {
+        eprintln!("{} frames are in both runs, of {} and {}", pairs.len(), counts[0], counts[1]);
+    }
+    Ok(pairs)
+}
+
+fn read(path: &Path) -> Result<GreyPicture, Failure> {
+    Ok(read_png(path, &Limits::default())?)
+}
+
+fn read_mask(path: &Path) -> Result<Vec<bool>, Failure> {
+    Ok(read(path)?.codes().iter().map(|code| *code > 0).collect())
+}

@@ -1,0 +1,146 @@
+//! `lunoid list`, `lunoid signals`: what there is.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+use generator::Generator;
+use hardware_model::{BUILT_IN, HardwareModel, ModelSource};
+use machine::HybridMachine;
+use scenario::Scenario;
+use serde_json::{Value, json};
+use signal::Axis;
+
+use crate::output::{print, print_json, table};
+use crate::{Failure, Verdict};
+
+/// List what there is.
+#[derive(Debug, Args)]
+#[command(after_help = "Example:\n  lunoid list scenarios\n\nModels and scenarios are looked for in hardware-models/ and scenarios/ of the current folder.")]
+pub struct List {
+    /// What to list.
+    #[arg(value_enum)]
+    what: Kind,
+    /// Print as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Kind {
+    /// Hardware models.
+    Models,
+    /// Scenarios.
+    Scenarios,
+    /// Signals of the machine.
+    Signals,
+}
+
+/// List the signals that can be probed.
+#[derive(Debug, Args)]
+#[command(after_help = "Example:\n  lunoid signals 'tg.*'")]
+pub struct Signals {
+    /// Names, with * for any run of characters.
+    #[arg(default_value = "*")]
+    patterns: Vec<String>,
+    /// Print as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+impl List {
+    /// Lists.
+    pub fn run(&self) -> Result<Verdict, Failure> {
+        match self.what {
+            Kind::Models => models(self.json)?,
+            Kind::Scenarios => scenarios(self.json)?,
+            Kind::Signals => signals(&["*".into()], self.json)?,
+        }
+        Ok(Verdict::Yes)
+    }
+}
+
+impl Signals {
+    /// Lists.
+    pub fn run(&self) -> Result<Verdict, Failure> {
+        signals(&self.patterns, self.json)?;
+        Ok(Verdict::Yes)
+    }
+}
+
+fn signals(patterns: &[String], json: bool) -> Result<(), Failure> {
+    let wanted = HybridMachine.signals().iter().filter(|signal| patterns.iter().any(|p| signal.matches(p)));
+    let axis = |axis: Axis| match axis {
+        Axis::Ground => "ground",
+        Axis::Display => "display",
+    };
+    if json {
+        let rows = wanted.map(|signal| {
+            json!({ "name": signal.name, "unit": signal.unit.symbol(), "axis": axis(signal.axis),
+                    "meaning": signal.meaning })
+        });
+        return print_json(&json!({ "schema": "lunoid.signals/1", "signals": rows.collect::<Vec<_>>() }));
+    }
+    let heading = ["name", "unit", "axis", "meaning"].map(str::to_owned).to_vec();
+    let rows = wanted.map(|signal| {
+        vec![signal.name.into(), signal.unit.to_string(), axis(signal.axis).into(), signal.meaning.into()]
+    });
+    print(&table(&[heading].into_iter().chain(rows).collect::<Vec<_>>()))
+}
+
+/// Lists hardware models: those of the current folder, and those that the program carries.
+pub fn models(json: bool) -> Result<(), Failure> {
+    let files = toml_files("hardware-models");
+    let carried = BUILT_IN.iter().filter(|(name, _)| !files.iter().any(|file| stem(file) == *name));
+    let files = files.iter().map(|file| (file.display().to_string(), ModelSource::File(file.clone())));
+    let sources = files.chain(carried.map(|(name, _)| ("built in".into(), ModelSource::BuiltIn((*name).into()))));
+    let rows: Vec<[String; 3]> = sources
+        .map(|(place, source)| match HardwareModel::load(&source, &[], &[]) {
+            Ok(loaded) => {
+                let raster = loaded.model.raster;
+                let says = format!("{} sweeps of {} samples, {}", raster.sweeps, raster.samples, raster.update);
+                [loaded.model.name, says, place]
+            }
+            Err(problems) => [stem(Path::new(&place)), faults(problems.len()), place],
+        })
+        .collect();
+    show("models", ["name", "raster", "from"], &rows, json)
+}
+
+fn scenarios(json: bool) -> Result<(), Failure> {
+    let row = |file: &PathBuf| match Scenario::read(file) {
+        Ok(scenario) => [file.display().to_string(), scenario.title, scenario.shows],
+        Err(problems) => [file.display().to_string(), String::new(), faults(problems.len())],
+    };
+    let rows: Vec<[String; 3]> = toml_files("scenarios").iter().map(row).collect();
+    show("scenarios", ["file", "title", "shows"], &rows, json)
+}
+
+fn show(what: &str, heading: [&str; 3], rows: &[[String; 3]], json: bool) -> Result<(), Failure> {
+    if json {
+        let rows = rows.iter().map(|row| {
+            let keys = heading.iter().map(|key| (*key).to_owned());
+            Value::Object(keys.zip(row.iter().map(|cell| Value::from(cell.as_str()))).collect())
+        });
+        return print_json(&json!({ "schema": "lunoid.list/1", what: rows.collect::<Vec<_>>() }));
+    }
+    let heading = heading.map(str::to_owned).to_vec();
+    let rows = rows.iter().map(|row| row.to_vec());
+    print(&table(&[heading].into_iter().chain(rows).collect::<Vec<_>>()))
+}
+
+fn faults(count: usize) -> String {
+    format!("{count} fault{}: see lunoid check", if count == 1 { "" } else { "s" })
+}
+
+fn stem(file: &Path) -> String {
+    file.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+/// TOML files of a folder, in alphabetical order; none where there is no such folder.
+fn toml_files(folder: &str) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
+    let mut files: Vec<PathBuf> = entries.filter(|path| path.extension().is_some_and(|e| e == "toml")).collect();
+    files.sort();
+    files
+}

@@ -1,0 +1,255 @@
+//! `lunoid replay`: a scenario into a folder of frames.
+
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
+
+use clap::{Args, ValueEnum};
+use picture::Depth;
+use quantities::Rate;
+use replay::{Control, HeldRun, Job, Outcome, Phase, Pictures, Program, ReplayError, RunFolder, run, write_y4m};
+use serde_json::{Value, json};
+
+use crate::cli::{COMMIT, RESULT_FAMILY};
+use crate::loading::{Loaded, StageArgs, Threads};
+use crate::output::{expect_writable, print, print_json};
+use crate::progress::Display;
+use crate::values::Span;
+use crate::{Failure, Verdict};
+
+const AFTER: &str = "Examples:
+  lunoid replay scenarios/first-light.toml
+  lunoid replay scenarios/first-light.toml --frames 0..2 --machine exact --out runs/exact
+  lunoid replay scenarios/first-light.toml --y4m - | ffmpeg -i - film.mp4
+
+The same command again goes on where it was interrupted. Open index.html in the folder to look at the run.";
+
+/// Draw a scenario into a folder of frames.
+#[derive(Debug, Args)]
+#[command(after_help = AFTER)]
+pub struct Replay {
+    #[command(flatten)]
+    stage: StageArgs,
+    #[command(flatten)]
+    threads: Threads,
+    /// Frames to draw, counted at the update rate: A..B without B. All if left out.
+    #[arg(long, value_name = "A..B")]
+    frames: Option<Span>,
+    /// Folder of the run; runs/NAME-OF-THE-SCENARIO if left out.
+    #[arg(short, long, value_name = "FOLDER")]
+    out: Option<PathBuf>,
+    /// One file for each picture that the tube shows, instead of one for each that the machine computes.
+    #[arg(long)]
+    refresh: bool,
+    /// Bits of a pixel.
+    #[arg(long, value_enum, default_value = "8")]
+    depth: DepthWord,
+    /// An animated PNG as well, which a browser plays.
+    #[arg(long)]
+    apng: bool,
+    /// A Y4M film as well; - is standard output.
+    #[arg(long, value_name = "FILE")]
+    y4m: Option<PathBuf>,
+    /// Remove the run that the folder holds, and nothing else, and start anew.
+    #[arg(long)]
+    fresh: bool,
+    /// No progress.
+    #[arg(long)]
+    no_progress: bool,
+    /// Say nothing but errors.
+    #[arg(short, long)]
+    quiet: bool,
+    /// Print the summary as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+/// Bits of a pixel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum DepthWord {
+    /// 256 levels.
+    #[value(name = "8")]
+    Eight,
+    /// 65536 levels.
+    #[value(name = "16")]
+    Sixteen,
+}
+
+/// Set by Ctrl-C.
+static CANCEL: AtomicBool = AtomicBool::new(false);
+
+impl Replay {
+    /// Draws.
+    pub fn run(&self) -> Result<Verdict, Failure> {
+        self.check_film()?;
+        let mut loaded = self.stage.load()?;
+        let frames = loaded.choose(self.frames)?;
+        let out = self.out();
+        let pool = self.threads.pool()?;
+        let folder = RunFolder::claim(&out, self.fresh)?;
+        catch_ctrl_c()?;
+        let stage = loaded.stage(&pool)?;
+        let job = Job {
+            program: program(),
+            inputs: loaded.inputs.clone(),
+            scenario: &loaded.scenario,
+            generator: loaded.generator,
+            stage,
+            frames,
+            pictures: self.pictures(),
+        };
+        let display = Display::new(!self.no_progress && !self.quiet);
+        let progress = |progress| display.hear(progress);
+        let control =
+            Control { pool: &pool, cancel: &CANCEL, progress: &progress, phases: loaded.phases.clone() };
+        let outcome = run(&job, &folder, &control);
+        display.end();
+        self.tell(&loaded, &folder, outcome)
+    }
+
+    fn check_film(&self) -> Result<(), Failure> {
+        match self.y4m.as_deref() {
+            Some(path) if is_stdout(path) && self.json => {
+                Err(Failure::usage("--json and --y4m - both want standard output; give the film a file name"))
+            }
+            Some(path) if !is_stdout(path) => expect_writable(path),
+            _ => Ok(()),
+        }
+    }
+
+    fn out(&self) -> PathBuf {
+        let stem = self.stage.scenario.file_stem().unwrap_or_default();
+        self.out.clone().unwrap_or_else(|| Path::new("runs").join(stem))
+    }
+
+    fn pictures(&self) -> Pictures {
+        let depth = match self.depth {
+            DepthWord::Eight => Depth::Eight,
+            DepthWord::Sixteen => Depth::Sixteen,
+        };
+        Pictures { depth, refresh: self.refresh, film: self.apng }
+    }
+
+    fn tell(
+        &self,
+        loaded: &Loaded,
+        folder: &RunFolder,
+        outcome: Result<Outcome, ReplayError>,
+    ) -> Result<Verdict, Failure> {
+        match outcome? {
+            Outcome::Interrupted { done, of } => {
+                eprintln!("interrupted: {done} of {of} frames are whole; the same command again draws the rest");
+                Ok(Verdict::Interrupted)
+            }
+            Outcome::Finished { frames, drawn, limits, performance } => {
+                self.write_film(loaded, folder)?;
+                let summary = Summary {
+                    folder: folder.path(),
+                    frames: [frames.start, frames.end],
+                    drawn,
+                    limits: limits.iter().map(ToString::to_string).collect(),
+                    performance: &performance,
+                };
+                self.print(&summary)?;
+                Ok(Verdict::Yes)
+            }
+        }
+    }
+
+    fn write_film(&self, loaded: &Loaded, folder: &RunFolder) -> Result<(), Failure> {
+        let Some(path) = &self.y4m else { return Ok(()) };
+        let held = HeldRun::read(folder.path())?;
+        let settings = &loaded.settings;
+        let rate: Rate = if self.refresh { settings.raster.refresh } else { settings.timebase.update };
+        if is_stdout(path) {
+            let mut out = BufWriter::new(io::stdout().lock());
+            return write_y4m(&mut out, folder.path(), &held, rate)
+                .and_then(|()| out.flush())
+                .map_err(Failure::stdout);
+        }
+        Ok(files::write_atomic(path, |out| write_y4m(out, folder.path(), &held, rate))?)
+    }
+
+    fn print(&self, summary: &Summary) -> Result<(), Failure> {
+        let pipes = self.y4m.as_deref().is_some_and(is_stdout);
+        match (self.json, self.quiet, pipes) {
+            (true, _, _) => print_json(&summary.document()),
+            (_, true, _) => Ok(()),
+            (_, _, true) => {
+                eprint!("{}", summary.text());
+                Ok(())
+            }
+            _ => print(&summary.text()),
+        }
+    }
+}
+
+fn is_stdout(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
+fn program() -> Program {
+    Program {
+        name: "lunoid".into(),
+        version: env!("CARGO_PKG_VERSION").into(),
+        commit: COMMIT.into(),
+        result_family: RESULT_FAMILY.into(),
+    }
+}
+
+/// The first Ctrl-C ends the run with whole frames, the second at once: files are whole or not there anyway.
+fn catch_ctrl_c() -> Result<(), Failure> {
+    let handler = || {
+        if CANCEL.swap(true, Ordering::Relaxed) {
+            std::process::exit(130);
+        }
+    };
+    ctrlc::set_handler(handler).map_err(|error| Failure::output(format!("cannot catch Ctrl-C: {error}")))
+}
+
+/// What a finished run comes to.
+struct Summary<'a> {
+    folder: &'a Path,
+    frames: [u64; 2],
+    drawn: u64,
+    limits: Vec<String>,
+    performance: &'a Value,
+}
+
+impl Summary<'_> {
+    fn document(&self) -> Value {
+        json!({
+            "schema": "lunoid.replay/1",
+            "folder": self.folder.display().to_string(),
+            "frames": self.frames,
+            "drawn": self.drawn,
+            "kept": self.frames[1] - self.frames[0] - self.drawn,
+            "limits": self.limits,
+            "performance": self.performance,
+        })
+    }
+
+    fn text(&self) -> String {
+        let [start, end] = self.frames;
+        let mut text = format!("{}: frames {start}..{end}", self.folder.display());
+        if self.drawn == 0 {
+            text += ", all there already";
+        } else {
+            text += &format!(", {} drawn now{}\n", self.drawn, self.rates());
+        }
+        let limits = self.limits.iter().map(|limit| format!("  beyond the vehicle: {limit}\n"));
+        text.trim_end().to_owned() + "\n" + &limits.collect::<String>()
+    }
+
+    fn rates(&self) -> String {
+        let number = |key: &str| self.performance[key].as_f64().unwrap_or(0.0);
+        format!(
+            " in {:.1} s: {:.1} frames/s, {:.1} million samples/s, {:.2} of real time",
+            number("drawing_s"),
+            number("frames_per_s"),
+            number("samples_per_s") / 1e6,
+            number("real_time_factor"),
+        )
+    }
+}

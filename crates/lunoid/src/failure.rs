@@ -1,0 +1,172 @@
+//! What goes wrong, in one message, and the exit code that belongs to it.
+
+use std::fmt::Display;
+use std::io;
+
+use compare::CompareError;
+use diagnostics::ProblemList;
+use files::{Action, FileError, NpyFileError};
+use landscape::bank_file::BankFileError;
+use picture::PictureFileError;
+use plots::PlotError;
+use replay::ReplayError;
+use survey::SurveyError;
+
+/// Why a command did not do what it was told.
+#[derive(Debug)]
+pub enum Failure {
+    /// Faults of files that people write, each with its place.
+    Problems(ProblemList),
+    /// The command line asks for what cannot be.
+    Usage(String),
+    /// A file that was read is not what it should be.
+    Input(String),
+    /// Reading or writing failed.
+    Output(String),
+    /// Bad input that the command has told of already.
+    Told,
+    /// Whoever read our results has gone.
+    ClosedPipe,
+}
+
+impl Failure {
+    /// Wrong usage.
+    pub fn usage(message: impl Display) -> Self {
+        Self::Usage(message.to_string())
+    }
+
+    /// Bad input.
+    pub fn input(message: impl Display) -> Self {
+        Self::Input(message.to_string())
+    }
+
+    /// Failure of an output.
+    pub fn output(message: impl Display) -> Self {
+        Self::Output(message.to_string())
+    }
+
+    /// A failure to write results.
+    pub fn stdout(error: io::Error) -> Self {
+        match error.kind() {
+            io::ErrorKind::BrokenPipe => Self::ClosedPipe,
+            _ => Self::Output(format!("standard output: cannot write: {error}")),
+        }
+    }
+
+    /// What to print, if anything.
+    pub fn message(&self, colour: bool) -> Option<String> {
+        match self {
+            Self::Problems(list) => Some(list.render(colour).trim_end().to_owned()),
+            Self::Usage(message) | Self::Input(message) | Self::Output(message) => {
+                // Several faults are several lines.
+                Some(message.lines().map(|line| format!("error: {line}")).collect::<Vec<_>>().join("\n"))
+            }
+            Self::Told | Self::ClosedPipe => None,
+        }
+    }
+
+    /// The message without its heading.
+    pub fn text(&self) -> String {
+        match self {
+            Self::Problems(list) => list.to_string(),
+            Self::Usage(message) | Self::Input(message) | Self::Output(message) => message.clone(),
+            Self::Told | Self::ClosedPipe => String::new(),
+        }
+    }
+
+    /// Exit code of the process.
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::Usage(_) => 2,
+            Self::Problems(_) | Self::Input(_) | Self::Told => 3,
+            Self::Output(_) => 4,
+            Self::ClosedPipe => 0,
+        }
+    }
+}
+
+impl From<ProblemList> for Failure {
+    fn from(list: ProblemList) -> Self {
+        Self::Problems(list)
+    }
+}
+
+impl From<FileError> for Failure {
+    fn from(error: FileError) -> Self {
+        let is_input = match &error {
+            FileError::Missing { .. } | FileError::TooLarge { .. } => true,
+            FileError::IsFolder { action, .. } => *action == Action::Read,
+            _ => false,
+        };
+        if is_input { Self::input(error) } else { Self::output(error) }
+    }
+}
+
+impl From<PictureFileError> for Failure {
+    fn from(error: PictureFileError) -> Self {
+        match error {
+            PictureFileError::File(error) => error.into(),
+            PictureFileError::Picture { .. } => Self::input(error),
+        }
+    }
+}
+
+impl From<BankFileError> for Failure {
+    fn from(error: BankFileError) -> Self {
+        match error {
+            BankFileError::File(error) => error.into(),
+            BankFileError::Format { .. } => Self::input(error),
+        }
+    }
+}
+
+impl From<NpyFileError> for Failure {
+    fn from(error: NpyFileError) -> Self {
+        match error {
+            NpyFileError::File(error) => error.into(),
+            other => Self::input(other),
+        }
+    }
+}
+
+impl From<ReplayError> for Failure {
+    fn from(error: ReplayError) -> Self {
+        match error {
+            ReplayError::File(error) => error.into(),
+            ReplayError::PictureFile(error) => error.into(),
+            ReplayError::Poses(_)
+            | ReplayError::Prepare(_)
+            | ReplayError::Frame(_)
+            | ReplayError::Display(_)
+            | ReplayError::Record { .. }
+            | ReplayError::Picture { .. } => Self::input(error),
+            ReplayError::NoFrames(_) => Self::usage(error),
+            _ => Self::output(error),
+        }
+    }
+}
+
+impl From<SurveyError> for Failure {
+    fn from(error: SurveyError) -> Self {
+        match error {
+            SurveyError::Npy(error) => error.into(),
+            SurveyError::Option { .. } => Self::usage(error),
+            other => Self::input(other),
+        }
+    }
+}
+
+impl From<CompareError> for Failure {
+    fn from(error: CompareError) -> Self {
+        Self::input(error)
+    }
+}
+
+impl From<PlotError> for Failure {
+    fn from(error: PlotError) -> Self {
+        match error {
+            PlotError::File(error) => error.into(),
+            other => Self::input(other),
+        }
+    }
+}

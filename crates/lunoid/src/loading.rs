@@ -1,0 +1,225 @@
+//! From a command line to a stage: scenario, machine, ground.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::thread;
+use std::time::Instant;
+
+use clap::{Args, ValueEnum};
+use diagnostics::Problem;
+use exact::Exact;
+use generator::{Generator, Stage};
+use hardware_model::{HardwareModel, LoadedModel, ModelSource, Settings};
+use landscape::{Bank, Landscape, bank_file};
+use machine::HybridMachine;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use replay::{FileRecord, Inputs, Phase, file_hash};
+use scenario::{Ground, LawWishes, RasterWishes, Scenario};
+
+use crate::{Failure, values};
+
+/// Name under which `--machine` means the closed form instead of a hardware model.
+pub const EXACT: &str = "exact";
+
+/// Which scenario, drawn by what.
+#[derive(Debug, Args)]
+pub struct StageArgs {
+    /// Scenario file.
+    pub scenario: PathBuf,
+    /// Hardware model by name or path, or `exact` for the closed form without any machine. The scenario's own if
+    /// left out.
+    #[arg(short, long, value_name = "MODEL")]
+    pub machine: Option<String>,
+    /// Merge a TOML file of differences over the hardware model; may be given several times.
+    #[arg(long, value_name = "FILE")]
+    pub overlay: Vec<PathBuf>,
+    /// Set one key of the hardware model, over what the scenario wishes; may be given several times.
+    #[arg(long, value_name = "PART.KEY=VALUE", value_parser = values::setting)]
+    pub set: Vec<(String, String)>,
+    /// Ground from this bank instead of the scenario's.
+    #[arg(long, value_name = "FILE")]
+    pub bank: Option<PathBuf>,
+    /// Sweeps a frame.
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1..=8192))]
+    pub sweeps: Option<u32>,
+    /// Samples a sweep.
+    #[arg(long, value_parser = clap::value_parser!(u32).range(2..=65_536))]
+    pub samples: Option<u32>,
+    /// Scalar type of the analog signals.
+    #[arg(long, value_enum)]
+    pub scalar: Option<ScalarWord>,
+}
+
+/// Scalar type of the analog signals.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum ScalarWord {
+    /// Single precision: fast.
+    F32,
+    /// Double precision: the reference.
+    F64,
+}
+
+/// Threads that draw.
+#[derive(Debug, Args)]
+pub struct Threads {
+    /// Threads; as many as processors if left out. The results do not depend on it.
+    #[arg(short, long, env = "LUNOID_THREADS", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub jobs: Option<u16>,
+}
+
+impl Threads {
+    /// The one pool of a command.
+    pub fn pool(&self) -> Result<ThreadPool, Failure> {
+        let available = || thread::available_parallelism().map_or(1, usize::from);
+        let threads = self.jobs.map_or_else(available, usize::from);
+        let pool = ThreadPoolBuilder::new().num_threads(threads).build();
+        pool.map_err(|error| Failure::output(format!("cannot start {threads} threads: {error}; give fewer --jobs")))
+    }
+}
+
+/// What is read before there is ground: everything that can be wrong in files that people write.
+pub struct Loaded {
+    /// The scenario, with the wishes of the command line.
+    pub scenario: Scenario,
+    /// The hardware model.
+    pub model: LoadedModel,
+    /// What the run comes to.
+    pub settings: Settings,
+    /// Who draws.
+    pub generator: &'static dyn Generator,
+    /// For the record.
+    pub inputs: Inputs,
+    /// How long it took.
+    pub phases: Vec<Phase>,
+}
+
+impl StageArgs {
+    /// Reads scenario and model.
+    pub fn load(&self) -> Result<Loaded, Failure> {
+        let start = Instant::now();
+        let mut scenario = Scenario::read(&self.scenario)?;
+        if let Some(bank) = &self.bank {
+            scenario.ground = Ground::Bank(bank.clone());
+        }
+        let model = self.model(&scenario)?;
+        self.wish(&mut scenario);
+        let settings = settings(&scenario, &model.model).map_err(|error| self.refused(&error))?;
+        let inputs = self.inputs(&scenario, &model)?;
+        let generator: &dyn Generator =
+            if self.machine.as_deref() == Some(EXACT) { &Exact } else { &HybridMachine };
+        let phases = vec![Phase::since("read", start)];
+        Ok(Loaded { scenario, model, settings, generator, inputs, phases })
+    }
+
+    fn model(&self, scenario: &Scenario) -> Result<LoadedModel, Failure> {
+        let name = self.machine.as_deref().filter(|name| *name != EXACT).unwrap_or(&scenario.machine);
+        let folder = self.scenario.parent().unwrap_or(Path::new(""));
+        Ok(HardwareModel::load(&ModelSource::find(name, folder)?, &self.overlay, &self.set)?)
+    }
+
+    /// The command line is over the scenario.
+    fn wish(&self, scenario: &mut Scenario) {
+        for (key, _) in &self.set {
+            drop_wish(scenario, key);
+        }
+        let wishes = RasterWishes { sweeps: self.sweeps, samples: self.samples, ..RasterWishes::default() };
+        scenario.raster = wishes.or(scenario.raster);
+        if let Some(scalar) = self.scalar {
+            scenario.scalar = match scalar {
+                ScalarWord::F32 => scenario::Scalar::F32,
+                ScalarWord::F64 => scenario::Scalar::F64,
+            };
+        }
+    }
+
+    fn refused(&self, error: &hardware_model::SettingsError) -> Failure {
+        let place = self.scenario.display().to_string();
+        let title = format!("scenario, machine and command line do not fit together: {error}");
+        Failure::Problems(Problem::of_file(place, title).into())
+    }
+
+    fn inputs(&self, scenario: &Scenario, model: &LoadedModel) -> Result<Inputs, Failure> {
+        let record = |path: &Path| -> Result<FileRecord, Failure> {
+            Ok(FileRecord { file: path.display().to_string(), blake3: file_hash(path)? })
+        };
+        Ok(Inputs {
+            scenario: Some(record(&self.scenario)?),
+            references: scenario.files().into_iter().map(record).collect::<Result<_, _>>()?,
+            model: model.model.name.clone(),
+            model_files: model.files.iter().map(|path| record(path)).collect::<Result<_, _>>()?,
+            model_values: model.values.clone(),
+        })
+    }
+}
+
+/// What `--set` says the scenario no longer wishes.
+fn drop_wish(scenario: &mut Scenario, key: &str) {
+    let (raster, laws): (&mut RasterWishes, &mut LawWishes) = (&mut scenario.raster, &mut scenario.laws);
+    match key {
+        "raster.sweeps" => raster.sweeps = None,
+        "raster.samples_per_sweep" => raster.samples = None,
+        "raster.update_hz" => raster.update = None,
+        "raster.refresh_hz" => raster.refresh = None,
+        "dpp.projection" => laws.projection = None,
+        "dpp.curvature" => laws.curvature = None,
+        "dpp.occlusion" => laws.occlusion = None,
+        "sweep_memory.pixel_rule" => laws.pixel_rule = None,
+        _ if key.starts_with("range.") => scenario.range = None,
+        _ => {}
+    }
+}
+
+/// What a scenario on a model comes to.
+pub fn settings(
+    scenario: &Scenario,
+    model: &HardwareModel,
+) -> Result<Settings, hardware_model::SettingsError> {
+    Settings::resolve(
+        model,
+        scenario.field,
+        scenario.raster,
+        scenario.range,
+        scenario.laws,
+        scenario.scalar,
+        scenario.display,
+    )
+}
+
+/// The ground of a scenario: read, or made from its seed.
+pub fn bank(scenario: &Scenario) -> Result<Bank, Failure> {
+    match &scenario.ground {
+        Ground::Bank(path) => Ok(bank_file::read(path)?),
+        Ground::Generated(relief) => {
+            let level = relief.build().map_err(Failure::input)?;
+            Bank::new(scenario.title.clone(), vec![level], None).map_err(Failure::input)
+        }
+    }
+}
+
+impl Loaded {
+    /// The stage, its ground made by the threads of `pool`.
+    pub fn stage(&mut self, pool: &ThreadPool) -> Result<Stage, Failure> {
+        let start = Instant::now();
+        let bank = pool.install(|| bank(&self.scenario))?;
+        self.phases.push(Phase::since("landscape", start));
+        let landscape = Arc::new(Landscape::new(bank, self.scenario.albedo));
+        Ok(Stage { landscape, sun: self.scenario.sun, settings: self.settings.clone() })
+    }
+
+    /// Frames of the scenario.
+    pub fn frames(&self) -> u64 {
+        self.scenario.frames(self.settings.timebase.update)
+    }
+
+    /// The frames asked for.
+    pub fn choose(&self, asked: Option<values::Span>) -> Result<std::ops::Range<u64>, Failure> {
+        let all = 0..self.frames();
+        let Some(span) = asked else { return Ok(all) };
+        span.within(&all).ok_or_else(|| {
+            let (end, last) = (all.end, all.end - 1);
+            Failure::usage(format!(
+                "--frames {span}: the scenario has frames 0..{end} (0 to {last}); expected a range inside"
+            ))
+        })
+    }
+}

@@ -1,0 +1,82 @@
+//! Standard output: results, and nothing else.
+
+use std::env;
+use std::fs::{self, OpenOptions};
+use std::io::{self, IsTerminal, Write};
+use std::path::Path;
+
+use clap::ValueEnum;
+use serde_json::Value;
+
+use crate::Failure;
+
+/// When messages have colour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Colour {
+    /// On a terminal that can.
+    Auto,
+    /// Always.
+    Always,
+    /// Never.
+    Never,
+}
+
+impl Colour {
+    /// Whether messages on standard error have colour.
+    pub fn on_stderr(self) -> bool {
+        let is_set = |name| env::var_os(name).is_some_and(|value| !value.is_empty());
+        match self {
+            Self::Always => true,
+            Self::Never => false,
+            Self::Auto if is_set("CLICOLOR_FORCE") => true,
+            Self::Auto if is_set("NO_COLOR") || env::var_os("TERM").is_some_and(|term| term == "dumb") => false,
+            Self::Auto => io::stderr().is_terminal(),
+        }
+    }
+}
+
+/// Writes a result. A reader that has gone ends the command quietly.
+pub fn print(text: &str) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(Failure::stdout)
+}
+
+/// Writes a document.
+pub fn print_json(document: &Value) -> Result<(), Failure> {
+    print(&format!("{document:#}\n"))
+}
+
+/// Sees before long work that a file can be written at `path`.
+pub fn expect_writable(path: &Path) -> Result<(), Failure> {
+    let refused = |why: String| Err(Failure::output(format!("{}: {why}", path.display())));
+    if path.is_dir() {
+        return refused("this is a folder, expected a file name; name a file inside it".into());
+    }
+    if path.exists() && !path.is_file() {
+        return Ok(());
+    }
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let trial = folder.join(format!(".{name}.{}-trial.tmp", std::process::id()));
+    match OpenOptions::new().write(true).create_new(true).open(&trial) {
+        Ok(_) => fs::remove_file(&trial).or_else(|error| refused(format!("cannot write here: {error}"))),
+        Err(error) => refused(format!("cannot write here: {error}; make the folder or choose another place")),
+    }
+}
+
+/// Columns of text, each as wide as its widest cell; the last is not padded.
+pub fn table(rows: &[Vec<String>]) -> String {
+    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let width = |column: usize| {
+        rows.iter().filter_map(|row| row.get(column)).map(|cell| cell.chars().count()).max().unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..columns).map(width).collect();
+    let line = |row: &Vec<String>| {
+        let cells = row.iter().zip(&widths).map(|(cell, width)| format!("{cell:width$}"));
+        cells.collect::<Vec<_>>().join("  ").trim_end().to_owned() + "\n"
+    };
+    rows.iter().map(line).collect()
+}

@@ -1,0 +1,115 @@
+//! Values of the command line.
+
+use std::ops::Range;
+use std::str::FromStr;
+
+/// `A..B`, `A..`, `..B` or `N`: a half-open range of whole numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Span {
+    start: Option<u64>,
+    end: Option<u64>,
+}
+
+impl Span {
+    /// The range, where `all` is what open ends mean; `None` if it is empty or leaves `all`.
+    pub fn within(self, all: &Range<u64>) -> Option<Range<u64>> {
+        let range = self.start.unwrap_or(all.start)..self.end.unwrap_or(all.end);
+        (!range.is_empty() && range.start >= all.start && range.end <= all.end).then_some(range)
+    }
+}
+
+impl FromStr for Span {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let wrong = || format!("expected A..B (A up to, not including, B), A.., ..B or one number, not `{text}`");
+        let number = |text: &str| text.parse::<u64>().map_err(|_| wrong());
+        let open = |text: &str| if text.is_empty() { Ok(None) } else { number(text).map(Some) };
+        let span = match text.split_once("..") {
+            Some((start, end)) => Self { start: open(start)?, end: open(end)? },
+            None => {
+                let one = number(text)?;
+                Self { start: Some(one), end: Some(one.checked_add(1).ok_or_else(wrong)?) }
+            }
+        };
+        match span {
+            Self { start: Some(start), end: Some(end) } if start >= end => Err(wrong()),
+            span => Ok(span),
+        }
+    }
+}
+
+impl std::fmt::Display for Span {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let text = |bound: Option<u64>| bound.map(|bound| bound.to_string()).unwrap_or_default();
+        write!(f, "{}..{}", text(self.start), text(self.end))
+    }
+}
+
+/// `key=value`.
+pub fn setting(text: &str) -> Result<(String, String), String> {
+    let (key, value) = text.split_once('=').ok_or("expected part.key=value, as raster.sweeps=525")?;
+    Ok((key.trim().to_owned(), value.trim().to_owned()))
+}
+
+/// A finite number above 0.
+pub fn positive(text: &str) -> Result<f64, String> {
+    let number = finite(text)?;
+    if number > 0.0 { Ok(number) } else { Err("expected a number above 0".into()) }
+}
+
+/// A finite number of 0 or more.
+pub fn not_negative(text: &str) -> Result<f64, String> {
+    let number = finite(text)?;
+    if number >= 0.0 { Ok(number) } else { Err("expected a number of 0 or more".into()) }
+}
+
+/// A finite number.
+pub fn finite(text: &str) -> Result<f64, String> {
+    let number: f64 = text.trim().parse().map_err(|_| "expected a number")?;
+    if number.is_finite() { Ok(number) } else { Err("expected a finite number".into()) }
+}
+
+/// Two finite numbers `A,B`.
+pub fn pair(text: &str) -> Result<[f64; 2], String> {
+    numbers(text).ok_or_else(|| "expected two numbers, A,B".into())
+}
+
+/// Four finite numbers `S,W,N,E`.
+pub fn edges(text: &str) -> Result<[f64; 4], String> {
+    numbers(text).ok_or_else(|| "expected four numbers: south,west,north,east".into())
+}
+
+fn numbers<const N: usize>(text: &str) -> Option<[f64; N]> {
+    let numbers: Result<Vec<f64>, _> = text.split(',').map(finite).collect();
+    numbers.ok()?.try_into().ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Span, edges, pair, setting};
+
+    #[test]
+    fn spans() {
+        let all = 0..10;
+        for (text, expected) in [("0..2", 0..2), ("3..", 3..10), ("..4", 0..4), ("7", 7..8), ("..", 0..10)] {
+            assert_eq!(text.parse::<Span>().unwrap().within(&all), Some(expected), "{text}");
+        }
+        for outside in ["0..11", "10", "12.."] {
+            assert_eq!(outside.parse::<Span>().unwrap().within(&all), None, "{outside}");
+        }
+        for wrong in ["", "a..b", "2..2", "3..1", "-1..2", "1.5", "0..2..4", "18446744073709551615"] {
+            assert!(wrong.parse::<Span>().is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn lists_of_numbers() {
+        assert_eq!(pair("1, -2.5"), Ok([1.0, -2.5]));
+        assert_eq!(edges("0,1,2,3"), Ok([0.0, 1.0, 2.0, 3.0]));
+        for wrong in ["", "1", "1,2,3", "1,nan", "1,inf", "1;2"] {
+            assert!(pair(wrong).is_err(), "{wrong}");
+        }
+        assert_eq!(setting("a.b = 1=2"), Ok(("a.b".into(), "1=2".into())));
+    }
+}

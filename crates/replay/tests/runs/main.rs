@@ -1,0 +1,6 @@
+//! Runs of a tiny scene: same bytes for any number of threads and interruptions, and whose files may be touched.
+
+mod folders;
+mod outputs;
+mod resume;
+mod stage;

@@ -1,0 +1,141 @@
+use std::fs;
+
+use picture::{Depth, Limits, read_png};
+use quantities::Rate;
+use replay::{HeldRun, Outcome, Pictures, ReplayError, write_y4m};
+use tempfile::tempdir;
+
+use crate::stage::{Wish, content};
+
+fn pictures(depth: Depth, refresh: bool, film: bool) -> Wish {
+    Wish { pictures: Pictures { depth, refresh, film }, frames: 0..3, ..Wish::default() }
+}
+
+#[test]
+fn the_record_lists_every_file_with_its_hash() {
+    let at = tempdir().unwrap();
+    pictures(Depth::Eight, false, true).run(at.path()).unwrap();
+    let run = HeldRun::read(at.path()).unwrap();
+    let listed = run.frames.iter().flat_map(|frame| &frame.files).chain(&run.outputs);
+    let mut names: Vec<String> = listed.map(|file| file.file.clone()).collect();
+    for file in run.frames.iter().flat_map(|frame| &frame.files).chain(&run.outputs) {
+        assert_eq!(replay::file_hash(&at.path().join(&file.file)).unwrap(), file.blake3, "{}", file.file);
+    }
+    names.push("run.json".into());
+    names.sort();
+    assert_eq!(content(at.path()).into_keys().collect::<Vec<_>>(), names);
+    for frame in &run.frames {
+        let picture = read_png(at.path().join(&frame.files[0].file), &Limits::default()).unwrap();
+        assert_eq!(picture.pixel_hash(), frame.pixels_blake3);
+        assert_eq!((frame.counts.sweeps, frame.counts.samples), (40, 3200));
+    }
+    assert_eq!(run.document["totals"]["samples"], 9600);
+    assert_eq!(run.document["settings"]["clocks"]["sample"], "32000 Hz");
+    assert_eq!(run.document["settings"]["laws"]["projection"], "exact");
+    assert_eq!(run.document["ground"]["generator"]["seed"], 3);
+    assert_eq!(run.document["omissions"][0]["weight"], "lossless");
+}
+
+#[test]
+fn no_clock_and_no_threads_in_the_record() {
+    let at = tempdir().unwrap();
+    pictures(Depth::Eight, false, false).run(at.path()).unwrap();
+    let performance: serde_json::Value =
+        serde_json::from_slice(&fs::read(at.path().join("performance.json")).unwrap()).unwrap();
+    assert_eq!(performance["threads"], 2);
+    assert_eq!(performance["frames_drawn"], 3);
+    assert!(performance["samples_per_s"].as_f64().unwrap() > 0.0);
+    let record = fs::read_to_string(at.path().join("run.json")).unwrap();
+    for word in ["threads", "seconds", "per_s\"", at.path().to_str().unwrap()] {
+        assert!(!record.contains(word), "{word}");
+    }
+}
+
+#[test]
+fn refresh_shows_every_update_several_times() {
+    let at = tempdir().unwrap();
+    pictures(Depth::Eight, true, true).run(at.path()).unwrap();
+    let run = HeldRun::read(at.path()).unwrap();
+    let names: Vec<_> = run.frames[2].files.iter().map(|file| file.file.as_str()).collect();
+    assert_eq!(names, ["frames/frame-000006.png", "frames/frame-000007.png", "frames/frame-000008.png"]);
+    for frame in &run.frames {
+        for file in &frame.files {
+            let picture = read_png(at.path().join(&file.file), &Limits::default()).unwrap();
+            assert_eq!(picture.pixel_hash(), frame.pixels_blake3);
+        }
+    }
+    assert_eq!(content(at.path()).keys().filter(|name| name.starts_with("frames/")).count(), 9);
+    assert!(String::from_utf8_lossy(&content(at.path())["index.html"]).contains("end = 9, rate = 30"));
+}
+
+#[test]
+fn sixteen_bits_hold_what_eight_bits_round() {
+    let at = tempdir().unwrap();
+    let (eight, sixteen) = (at.path().join("8"), at.path().join("16"));
+    pictures(Depth::Eight, false, false).run(&eight).unwrap();
+    pictures(Depth::Sixteen, false, true).run(&sixteen).unwrap();
+    for name in content(&eight).keys().filter(|name| name.starts_with("frames/")) {
+        let [coarse, fine] =
+            [&eight, &sixteen].map(|folder| read_png(folder.join(name), &Limits::default()).unwrap());
+        assert_eq!(fine.depth(), Depth::Sixteen);
+        let far = |(a, b): (&u16, &u16)| i32::from(*a).abs_diff(i32::from(*b)) > 1;
+        assert!(!coarse.codes().iter().zip(fine.to_eight_bits().codes()).any(far), "{name}");
+        assert!(coarse.codes().iter().any(|code| *code > 20), "{name} is not empty");
+    }
+}
+
+#[test]
+fn films_hold_all_pictures() {
+    let at = tempdir().unwrap();
+    pictures(Depth::Eight, false, true).run(at.path()).unwrap();
+    let first = read_png(at.path().join("frames/frame-000000.png"), &Limits::default()).unwrap();
+    assert_eq!(read_png(at.path().join("animation.png"), &Limits::default()).unwrap(), first);
+    let animation = fs::read(at.path().join("animation.png")).unwrap();
+    assert_eq!(animation.windows(4).filter(|bytes| bytes == b"fcTL").count(), 3);
+
+    let run = HeldRun::read(at.path()).unwrap();
+    let mut film = Vec::new();
+    write_y4m(&mut film, at.path(), &run, Rate::new(10, 1).unwrap()).unwrap();
+    let heading = film.iter().position(|byte| *byte == b'\n').unwrap() + 1;
+    assert!(String::from_utf8_lossy(&film[..heading]).contains(" F10:1 "));
+    assert_eq!(film.len() - heading, 3 * (6 + first.codes().len()));
+}
+
+#[test]
+fn a_film_once_made_follows_the_frames() {
+    let at = tempdir().unwrap();
+    let count = || {
+        let animation = fs::read(at.path().join("animation.png")).unwrap();
+        animation.windows(4).filter(|bytes| bytes == b"fcTL").count()
+    };
+    pictures(Depth::Eight, false, true).run(at.path()).unwrap();
+    assert_eq!(count(), 3);
+    Wish { frames: 0..5, ..pictures(Depth::Eight, false, false) }.run(at.path()).unwrap();
+    assert_eq!(count(), 5);
+}
+
+#[test]
+fn frames_say_when_and_where_they_were_seen() {
+    let at = tempdir().unwrap();
+    Wish { frames: 3..4, ..Wish::default() }.run(at.path()).unwrap();
+    let png = fs::read(at.path().join("frames/frame-000003.png")).unwrap();
+    let text = String::from_utf8_lossy(&png);
+    for part in ["Frame\u{0}3", "Time\u{0}0.3 s", "Pose\u{0}x_m=100"] {
+        assert!(text.contains(part), "{part:?}");
+    }
+}
+
+#[test]
+fn limits_are_reported_and_bad_paths_refused() {
+    let at = tempdir().unwrap();
+    let fast = Wish { frames: 0..3, ..Wish::default() }.in_place_of("x_m = 108", "x_m = 300");
+    let Outcome::Finished { limits, .. } = fast.run(&at.path().join("fast")).unwrap() else { panic!() };
+    assert!(!limits.is_empty());
+    let run = HeldRun::read(&at.path().join("fast")).unwrap();
+    assert_eq!(run.document["limits"][0]["limit"], "speed");
+
+    let away = Wish { frames: 0..12, ..Wish::default() }.in_place_of("x_m = 108", "x_m = 9000");
+    let refused = away.run(&at.path().join("away"));
+    assert!(matches!(refused, Err(ReplayError::Poses(_))), "{refused:?}");
+    assert!(!at.path().join("away").exists());
+}

@@ -1,0 +1,155 @@
+//! A tiny scene and a way to run it.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::ops::Range;
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use generator::Stage;
+use hardware_model::{HardwareModel, Settings};
+use landscape::{Bank, Landscape};
+use machine::HybridMachine;
+use picture::Depth;
+use replay::{Control, Inputs, Job, Outcome, Pictures, Program, Progress, ReplayError, RunFolder, run};
+use scenario::{Ground, Scenario};
+
+const SCENARIO: &str = r#"
+format = 1
+title = "A bump <ahead>"
+shows = "Nothing but a test."
+frames = 12
+
+[landscape.generated]
+seed = 3
+extent_m = [400, 400]
+region_size_m = 50
+[landscape.generated.undulation]
+rms_height_m = 2
+hurst = 0.9
+longest_m = 300
+shortest_m = 160
+waves = 20
+
+[sun]
+azimuth_deg = 100
+elevation_deg = 15
+
+[path]
+keyframes = [
+  { t_s = 0, x_m = 100, y_m = 200 },
+  { t_s = 5, x_m = 108, y_m = 205 },
+]
+
+[raster]
+sweeps = 40
+samples_per_sweep = 80
+update_hz = 10
+refresh_hz = 30
+
+[range]
+programme = "geometric"
+start_m = 2
+end_m = 300
+"#;
+
+/// What a test wants to be different.
+#[derive(Clone)]
+pub struct Wish {
+    pub frames: Range<u64>,
+    pub pictures: Pictures,
+    pub threads: usize,
+    pub scenario: String,
+    pub fresh: bool,
+    /// Cancel after so many frames.
+    pub cancel_after: Option<u64>,
+}
+
+impl Default for Wish {
+    fn default() -> Self {
+        let pictures = Pictures { depth: Depth::Eight, refresh: false, film: false };
+        Self { frames: 0..12, pictures, threads: 2, scenario: SCENARIO.into(), fresh: false, cancel_after: None }
+    }
+}
+
+impl Wish {
+    pub fn in_place_of(self, old: &str, new: &str) -> Self {
+        assert!(self.scenario.contains(old));
+        Self { scenario: self.scenario.replace(old, new), ..self }
+    }
+
+    pub fn run(&self, out: &Path) -> Result<Outcome, ReplayError> {
+        let folder = RunFolder::claim(out, self.fresh)?;
+        self.run_in(&folder)
+    }
+
+    pub fn run_in(&self, folder: &RunFolder) -> Result<Outcome, ReplayError> {
+        let scenario = Scenario::parse("test.toml", &self.scenario).expect("the scenario is right");
+        let job = Job {
+            program: Program {
+                name: "lunoid".into(),
+                version: "0".into(),
+                commit: "c".into(),
+                result_family: "unfused".into(),
+            },
+            inputs: Inputs { model: "ideal".into(), ..Inputs::default() },
+            scenario: &scenario,
+            generator: &HybridMachine,
+            stage: stage(&scenario),
+            frames: self.frames.clone(),
+            pictures: self.pictures,
+        };
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(self.threads).build().expect("threads");
+        let cancel = AtomicBool::new(self.cancel_after == Some(0));
+        let progress = |progress| {
+            if let (Progress::Frame { done }, Some(after)) = (progress, self.cancel_after)
+                && done >= after
+            {
+                cancel.store(true, Ordering::Relaxed);
+            }
+        };
+        run(&job, folder, &Control { pool: &pool, cancel: &cancel, progress: &progress, phases: vec![] })
+    }
+}
+
+fn stage(scenario: &Scenario) -> Stage {
+    let Ground::Generated(relief) = &scenario.ground else { panic!("the ground is generated") };
+    let bank = Bank::new("test", vec![relief.build().expect("a relief")], None).expect("a bank");
+    let settings = Settings::resolve(
+        &HardwareModel::ideal(),
+        scenario.field,
+        scenario.raster,
+        scenario.range,
+        scenario.laws,
+        scenario.scalar,
+        scenario.display,
+    );
+    Stage {
+        landscape: Arc::new(Landscape::new(bank, scenario.albedo)),
+        sun: scenario.sun,
+        settings: settings.expect("settings"),
+    }
+}
+
+/// Every file of a folder but the wall times.
+pub fn content(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let mut found = BTreeMap::new();
+    for (prefix, folder) in [("", folder.to_owned()), ("frames/", folder.join("frames"))] {
+        for entry in fs::read_dir(folder).expect("a folder") {
+            let entry = entry.expect("an entry");
+            let name = entry.file_name().to_string_lossy().into_owned();
+            if entry.path().is_file() && name != "performance.json" {
+                found.insert(format!("{prefix}{name}"), fs::read(entry.path()).expect("a file"));
+            }
+        }
+    }
+    found
+}
+
+/// Names of the files that differ.
+pub fn differences(a: &Path, b: &Path) -> Vec<String> {
+    let (a, b) = (content(a), content(b));
+    let names: std::collections::BTreeSet<&String> = a.keys().chain(b.keys()).collect();
+    names.into_iter().filter(|name| a.get(*name) != b.get(*name)).cloned().collect()
+}

@@ -1,0 +1,36 @@
+//! Two-dimensional `.npy` arrays.
+
+use std::path::Path;
+
+use super::samples::Conversion;
+use super::{ReadOptions, check_raster, field};
+use crate::elevation::{Elevation, Frame};
+use crate::error::SurveyError;
+
+/// Most bytes read.
+const LIMIT: u64 = 16 << 30;
+
+/// Reads heights; NaN is a void.
+pub fn read(path: &Path, options: &ReadOptions) -> Result<Elevation, SurveyError> {
+    let array = files::read_npy(path, LIMIT)?;
+    let [lines, columns] = *array.shape() else {
+        let advice = "save a 2-D array: heights, line by line";
+        return Err(field(path, "shape", format!("{:?}", array.shape()), "[lines, columns]", advice));
+    };
+    check_raster(path, lines as u64, columns as u64)?;
+    let place = options.own_place(lines).ok_or_else(|| SurveyError::NoSpacing(path.to_path_buf()))?;
+    let conversion = Conversion::new(path, options, Vec::new(), None, None)?;
+    let mut heights = array.data().to_f64();
+    for (index, value) in heights.iter_mut().enumerate() {
+        let not_finite = SurveyError::NotFinite {
+            path: path.to_path_buf(),
+            line: index / columns,
+            column: index % columns,
+            value: *value,
+        };
+        *value = conversion.height(*value).ok_or(not_finite)?;
+    }
+    let mut elevation = Elevation::new(lines, columns, heights, place, Frame::Plane(None));
+    elevation.sources = vec![path.to_path_buf()];
+    Ok(elevation)
+}
