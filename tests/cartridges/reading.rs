@@ -104,17 +104,20 @@ fn full_scale(meant: &Variant) -> Option<f64> {
     }
 }
 
-/// Where straight pieces on both sides of a turn meet: slopes change sign between samples k and k + 1, and the
-/// pieces are carried on from k - 1, k and from k + 1, k + 2.
+/// Where the straight pieces on both sides of a turn meet: they have one speed and opposite signs, and at most one
+/// step between them is broken.
 fn turns(ranges: &[f64], ramp: &[f64]) -> Vec<f64> {
     let slope = |k: usize| (ramp[k + 1] - ramp[k]) / (ranges[k + 1] - ranges[k]);
-    let mut found = Vec::new();
+    let mut found: Vec<f64> = Vec::new();
     for k in 1..ramp.len() - 2 {
         let (before, after) = (slope(k - 1), slope(k + 1));
-        let already = slope(k).abs() > (1.0 - 1e-9) * before.abs() && slope(k) * before > 0.0;
-        if before * after < 0.0 && !already {
-            let lift = ramp[k + 1] - ramp[k] - after * ranges[k + 1] + before * ranges[k];
-            found.push(lift / (before - after));
+        if (before + after).abs() > 1e-6 * before.abs() {
+            continue;
+        }
+        let turn = (ramp[k + 1] - ramp[k] - after * ranges[k + 1] + before * ranges[k]) / (before - after);
+        // A turn that falls on a sample has no broken step and is found from both sides.
+        if found.last().is_none_or(|last| turn - last > 1e-6 * turn) {
+            found.push(turn);
         }
     }
     found

@@ -81,8 +81,6 @@ impl Threads {
 pub struct Loaded {
     /// The scenario, with the wishes of the command line.
     pub scenario: Scenario,
-    /// The hardware model.
-    pub model: LoadedModel,
     /// What the run comes to.
     pub settings: Settings,
     /// Who draws.
@@ -108,7 +106,7 @@ impl StageArgs {
         let generator: &dyn Generator =
             if self.machine.as_deref() == Some(EXACT) { &Exact } else { &HybridMachine };
         let phases = vec![Phase::since("read", start)];
-        Ok(Loaded { scenario, model, settings, generator, inputs, phases })
+        Ok(Loaded { scenario, settings, generator, inputs, phases })
     }
 
     fn model(&self, scenario: &Scenario) -> Result<LoadedModel, Failure> {

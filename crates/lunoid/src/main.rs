@@ -37,7 +37,7 @@ fn main() -> ExitCode {
         Ok(Verdict::Interrupted) => 130,
         Err(failure) => {
             if let Some(message) = failure.message(cli.color.on_stderr()) {
-                eprintln!("{message}");
+                output::tell(&format!("{message}\n"));
             }
             failure.exit_code()
         }

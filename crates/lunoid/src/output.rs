@@ -41,6 +41,11 @@ pub fn print(text: &str) -> Result<(), Failure> {
     out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(Failure::stdout)
 }
 
+/// Says something that is no result. Nobody need listen.
+pub fn tell(text: &str) {
+    let _ = io::stderr().lock().write_all(text.as_bytes());
+}
+
 /// Writes a document.
 pub fn print_json(document: &Value) -> Result<(), Failure> {
     print(&format!("{document:#}\n"))

@@ -7,6 +7,8 @@ use std::time::{Duration, Instant};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use replay::Progress;
 
+use crate::output::tell;
+
 /// Time between two plain lines.
 const EVERY: Duration = Duration::from_secs(5);
 
@@ -91,7 +93,7 @@ impl Lines {
             }
             Progress::Frame { done } if self.last.elapsed() >= EVERY => {
                 self.last = Instant::now();
-                eprintln!("{}", self.line(done, self.began.elapsed().as_secs_f64()));
+                tell(&(self.line(done, self.began.elapsed().as_secs_f64()) + "\n"));
             }
             _ => {}
         }

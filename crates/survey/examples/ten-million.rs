@@ -37,7 +37,7 @@ fn height(line: usize, column: usize, holes: f64) -> f64 {
     let wave = |k: i32| {
         let (length, turn) = (40.0 * libm::pow(1.9, f64::from(k)), 0.7 * f64::from(k));
         let along = x * libm::cos(turn) + y * libm::sin(turn);
-        0.02 * length * libm::sin(along * 6.28 / length + turn)
+        0.02 * length * libm::sin(along * std::f64::consts::TAU / length + turn)
     };
     let noise = quantities::unit_interval(1, &[line as u64, column as u64]) - 0.5;
     (0..6).map(wave).sum::<f64>() + 0.1 * noise

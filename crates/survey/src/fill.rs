@@ -15,14 +15,14 @@ const SWEEPS: usize = 12;
 
 /// The plane of least squares through the used samples: height at the origin (m) and slopes north and east.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Plane {
+pub struct MeanPlane {
     /// Height at the origin of the patch axes (m).
     pub height: f64,
     /// Rise over run to the north and to the east.
     pub slope: [f64; 2],
 }
 
-impl Plane {
+impl MeanPlane {
     /// Height above a place (m).
     pub fn at(&self, [north, east]: [f64; 2]) -> f64 {
         self.height + self.slope[0] * north + self.slope[1] * east
@@ -30,7 +30,7 @@ impl Plane {
 }
 
 /// Mean plane of the used samples, and heights above it at all places: data where used, filled elsewhere.
-pub fn fill(patch: &Patch, places: &[Place]) -> (Plane, Vec<f64>) {
+pub fn fill(patch: &Patch, places: &[Place]) -> (MeanPlane, Vec<f64>) {
     let plane = mean_plane(patch, places);
     let columns = patch.count[1];
     let above = |(index, height): (usize, &f64)| {
@@ -42,7 +42,7 @@ pub fn fill(patch: &Patch, places: &[Place]) -> (Plane, Vec<f64>) {
     (plane, heights)
 }
 
-fn mean_plane(patch: &Patch, places: &[Place]) -> Plane {
+fn mean_plane(patch: &Patch, places: &[Place]) -> MeanPlane {
     // Coordinates about the middle and in half sizes: the sums stay well scaled.
     let half = [0, 1].map(|k| (0.5 * (patch.count[k] - 1) as f64 * patch.step[k]).max(patch.step[k]));
     let middle = [0, 1].map(|k| patch.first[k] + half[k]);
@@ -74,7 +74,7 @@ fn mean_plane(patch: &Patch, places: &[Place]) -> Plane {
     };
     let height = (h - slope[0] * x - slope[1] * y) / n;
     let slope = [0, 1].map(|k| slope[k] / half[k]);
-    Plane { height: height - slope[0] * middle[0] - slope[1] * middle[1], slope }
+    MeanPlane { height: height - slope[0] * middle[0] - slope[1] * middle[1], slope }
 }
 
 /// Fills the NaN of a grid; without any height it becomes 0.
@@ -122,7 +122,8 @@ fn between(coarse: &[f64], shape: [usize; 2], fine: [usize; 2]) -> f64 {
     // The centre of a fine cell lies a quarter of a coarse cell from that of its parent.
     let [(a, b), (c, d)] = [0, 1].map(|k| {
         let parent = fine[k] / 2;
-        let other = if fine[k] % 2 == 0 { parent.saturating_sub(1) } else { (parent + 1).min(shape[k] - 1) };
+        let other =
+            if fine[k].is_multiple_of(2) { parent.saturating_sub(1) } else { (parent + 1).min(shape[k] - 1) };
         (parent, other)
     });
     let at = |line: usize, column: usize| coarse[line * shape[1] + column];

@@ -6,6 +6,22 @@
 //!
 //! - [`Projection`]: closed forms of the map projections that lunar files use.
 //! - [`SurveyReport`]: what the fit leaves, how well it is determined, and how it behaves in voids.
+//!
+//! Voids are never averaged. They are filled harmonically first and the fit follows the filled heights with a small
+//! weight: that bounds the ground in a void by the heights around it, and the condition of the fit by the inverse of
+//! the weight.
+//!
+//! ```
+//! use survey::{Affine, Elevation, Frame, SurveyOptions, survey};
+//!
+//! let heights = (0..60 * 60).map(|sample| 0.1 * (sample / 60) as f64).collect();
+//! let place = Affine { first: [0.0; 2], step: [2.0; 2] };
+//! let elevation = Elevation::new(60, 60, heights, place, Frame::Plane(None));
+//! let found = survey(&elevation, &SurveyOptions::new(10.0), &mut |_| {})?;
+//! assert_eq!(found.bank.finest().corners(), [13, 13]);
+//! assert!(found.report.levels[0].rms < 1e-9);
+//! # Ok::<(), survey::SurveyError>(())
+//! ```
 
 mod area;
 mod elevation;

@@ -103,7 +103,9 @@ fn global_grid_around_a_site_and_at_the_pole() {
     options.area = at(-89.9, 0.0, 400_000.0, Plane::Orthographic);
     let pole = survey(&global, &options, &mut |_| {}).unwrap();
     println!("{:#?}", pole.report);
-    assert!(pole.report.levels[0].slope < 0.5);
+    // Neighbouring samples of the file differ by up to 0.6 of their distance there.
+    assert!(pole.report.levels[0].slope < 0.8);
+    assert!(pole.report.levels[0].void < 5);
 }
 
 #[test]

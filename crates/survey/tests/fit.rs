@@ -101,10 +101,10 @@ fn threads_do_not_change_a_bit() {
 fn a_hole_of_six_regions_stays_smooth_and_bounded() {
     let rough = |north: f64, east: f64| {
         let wave = |k: u64| {
-            let turn = 6.28 * unit_interval(9, &[k]);
+            let turn = std::f64::consts::TAU * unit_interval(9, &[k]);
             let length = 8.0 * libm::pow(1.6, (k % 7) as f64);
             let along = north * libm::cos(turn) + east * libm::sin(turn);
-            0.05 * length * libm::sin(6.28 * along / length + 40.0 * turn)
+            0.05 * length * libm::sin(std::f64::consts::TAU * along / length + 40.0 * turn)
         };
         0.2 * north + (0..21).map(wave).sum::<f64>()
     };

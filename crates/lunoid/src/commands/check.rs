@@ -10,7 +10,7 @@ use scenario::{PoseTable, Scenario};
 use serde_json::{Value, json};
 
 use crate::loading::{bank, settings};
-use crate::output::{Colour, print, print_json};
+use crate::output::{Colour, print, print_json, tell};
 use crate::{Failure, Verdict};
 
 const AFTER: &str = "Example:
@@ -85,7 +85,7 @@ impl Check {
                 }
             }
             let texts: Vec<String> = faults.iter().map(|list| list.render(colour.on_stderr())).collect();
-            eprint!("{}", texts.join("\n"));
+            tell(&texts.join("\n"));
         }
         match faults.into_iter().next() {
             None => Ok(Verdict::Yes),

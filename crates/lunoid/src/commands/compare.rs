@@ -8,7 +8,7 @@ use picture::{GreyPicture, Limits, read_png, write_png};
 use replay::HeldRun;
 use serde_json::{Value, json};
 
-use crate::output::{expect_writable, print, print_json, table};
+use crate::output::{expect_writable, print, print_json, table, tell};
 use crate::{Failure, Verdict, values};
 
 const AFTER: &str = "Examples:
@@ -219,7 +219,7 @@ fn frames_of_both(
         return Err(Failure::input(format!("{a} and {b}: no frame is in both runs; expected at least one")));
     }
     if counts != [pairs.len(); 2] {
-        eprintln!("{} frames are in both runs, of {} and {}", pairs.len(), counts[0], counts[1]);
+        tell(&format!("{} frames are in both runs, of {} and {}\n", pairs.len(), counts[0], counts[1]));
     }
     Ok(pairs)
 }

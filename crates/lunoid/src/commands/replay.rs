@@ -3,17 +3,16 @@
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Instant;
 
 use clap::{Args, ValueEnum};
 use picture::Depth;
 use quantities::Rate;
-use replay::{Control, HeldRun, Job, Outcome, Phase, Pictures, Program, ReplayError, RunFolder, run, write_y4m};
+use replay::{Control, HeldRun, Job, Outcome, Pictures, Program, ReplayError, RunFolder, run, write_y4m};
 use serde_json::{Value, json};
 
 use crate::cli::{COMMIT, RESULT_FAMILY};
 use crate::loading::{Loaded, StageArgs, Threads};
-use crate::output::{expect_writable, print, print_json};
+use crate::output::{expect_writable, print, print_json, tell};
 use crate::progress::Display;
 use crate::values::Span;
 use crate::{Failure, Verdict};
@@ -139,7 +138,9 @@ impl Replay {
     ) -> Result<Verdict, Failure> {
         match outcome? {
             Outcome::Interrupted { done, of } => {
-                eprintln!("interrupted: {done} of {of} frames are whole; the same command again draws the rest");
+                tell(&format!(
+                    "interrupted: {done} of {of} frames are whole; the same command again draws the rest\n"
+                ));
                 Ok(Verdict::Interrupted)
             }
             Outcome::Finished { frames, drawn, limits, performance } => {
@@ -177,7 +178,7 @@ impl Replay {
             (true, _, _) => print_json(&summary.document()),
             (_, true, _) => Ok(()),
             (_, _, true) => {
-                eprint!("{}", summary.text());
+                tell(&summary.text());
                 Ok(())
             }
             _ => print(&summary.text()),

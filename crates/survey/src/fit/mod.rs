@@ -15,7 +15,7 @@ pub use gradients::Stop;
 pub use normal::{Place, across_line, both, dot};
 
 use crate::error::SurveyError;
-use crate::fill::Plane;
+use crate::fill::MeanPlane;
 use crate::patch::Patch;
 use normal::Normal;
 use precondition::{AxisFactor, Preconditioner};
@@ -66,7 +66,7 @@ pub struct Fit {
 pub fn fit(
     patch: &Patch,
     places: &[Place],
-    filled: &(Plane, Vec<f64>),
+    filled: &(MeanPlane, Vec<f64>),
     size: f64,
     regions: [usize; 2],
     stiffness: Stiffness,
@@ -136,7 +136,7 @@ pub fn lacking(patch: &Patch, [north, east]: &[Axis; 2]) -> Vec<f64> {
 }
 
 /// Puts the plane back that was taken out before the fit.
-fn add_plane(plane: &Plane, size: f64, row: usize, words: &mut [CornerWords]) {
+fn add_plane(plane: &MeanPlane, size: f64, row: usize, words: &mut [CornerWords]) {
     for (index, words) in words.iter_mut().enumerate() {
         let place = [index / row, index % row].map(|corner| corner as f64 * size);
         words[0] += plane.at(place);

@@ -152,10 +152,10 @@ impl Kind {
         for (index, &byte) in bytes.iter().enumerate() {
             word[if self.little { index } else { bytes.len() - 1 - index }] = byte;
         }
-        self.from_bits(u64::from_le_bytes(word))
+        self.number_of_bits(u64::from_le_bytes(word))
     }
 
-    fn from_bits(self, bits: u64) -> f64 {
+    fn number_of_bits(self, bits: u64) -> f64 {
         match (self.real, self.bytes, self.signed) {
             (true, 4, _) => f64::from(f32::from_bits(bits as u32)),
             (true, _, _) => f64::from_bits(bits),
@@ -191,7 +191,7 @@ fn special(label: &Label, keyword: &str, text: &str, kind: Kind) -> Result<Optio
         let bits = u64::from_str_radix(digits, 16).ok();
         let statement = label.find("IMAGE", keyword).ok_or_else(|| label.missing(keyword))?;
         return bits
-            .map(|bits| Some(kind.from_bits(bits)))
+            .map(|bits| Some(kind.number_of_bits(bits)))
             .ok_or_else(|| label.wrong(statement, "16#DIGITS#"));
     }
     label.plain_number("IMAGE", keyword)

@@ -106,7 +106,7 @@ impl Label<'_> {
     /// A whole number from 0 on.
     fn count(&self, object: &str, keyword: &str) -> Result<Option<u64>, SurveyError> {
         let Some(number) = self.plain_number(object, keyword)? else { return Ok(None) };
-        if number >= 0.0 && number <= 9e15 && number.fract() == 0.0 {
+        if (0.0..=9e15).contains(&number) && number.fract() == 0.0 {
             return Ok(Some(number as u64));
         }
         let statement = self.find(object, keyword);

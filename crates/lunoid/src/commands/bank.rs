@@ -1,0 +1,232 @@
+//! `lunoid bank`: banks of terrain coefficients.
+
+use std::path::{Path, PathBuf};
+
+use clap::{Args, Subcommand};
+use landscape::bank_file::{self, export_corners, import_corners};
+use landscape::{Bank, Level, Sun};
+use plots::{BankLook, bank_picture};
+use quantities::{degrees, radians};
+use scenario::Scenario;
+use serde_json::{Value, json};
+
+use crate::loading;
+use crate::output::{expect_writable, print, print_json, table};
+use crate::{Failure, Verdict, values};
+
+/// Largest array of corners that is read.
+const MAX_BYTES: u64 = 1 << 32;
+
+/// Make, read and draw banks of terrain coefficients.
+#[derive(Debug, Args)]
+#[command(after_help = "Example:\n  lunoid bank show moon.bank -o moon.png")]
+pub struct BankCommand {
+    #[command(subcommand)]
+    what: What,
+}
+
+#[derive(Debug, Subcommand)]
+enum What {
+    /// Make a bank from plain coefficients.
+    Import(Import),
+    /// Give the plain coefficients of a bank back.
+    Export(Export),
+    /// Describe a bank, and draw it.
+    Show(Show),
+    /// Write the landscape of a scenario as a bank.
+    Generate(Generate),
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example:\n  lunoid bank import corners.npy --region-size-m 250 -o moon.bank\n\n\
+    The array is f64 [corners north, corners east, 9]; word 3p+q is d^(p+q) times the derivative of height p times to\n\
+    the north and q times to the east, in metres; corners ascend from the origin.")]
+struct Import {
+    /// Array of corners (.npy).
+    corners: PathBuf,
+    /// Side of a region.
+    #[arg(long, value_name = "METRES", value_parser = values::positive)]
+    region_size_m: f64,
+    /// North and east of the first corner.
+    #[arg(long, value_name = "X,Y", value_parser = values::pair, default_value = "0,0", allow_hyphen_values = true)]
+    origin_m: [f64; 2],
+    /// What the ground is.
+    #[arg(long)]
+    title: Option<String>,
+    /// Bank to write; a text description is written beside it.
+    #[arg(short, long, value_name = "BANK")]
+    out: PathBuf,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example:\n  lunoid bank export moon.bank -o corners.npy")]
+struct Export {
+    /// Bank.
+    bank: PathBuf,
+    /// Level, 0 is the finest.
+    #[arg(long, default_value_t = 0)]
+    level: usize,
+    /// Array to write (.npy).
+    #[arg(short, long, value_name = "NPY")]
+    out: PathBuf,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example:\n  lunoid bank show moon.bank -o moon.png --sun 120,10")]
+struct Show {
+    /// Bank.
+    bank: PathBuf,
+    /// Picture to write.
+    #[arg(short, long, value_name = "PNG")]
+    out: Option<PathBuf>,
+    /// Level to draw, 0 is the finest.
+    #[arg(long, default_value_t = 0)]
+    level: usize,
+    /// Azimuth and elevation of the sun in the picture (degrees).
+    #[arg(long, value_name = "AZIMUTH,ELEVATION", value_parser = values::pair, default_value = "315,20")]
+    sun: [f64; 2],
+    /// The longer side of the map (pixels).
+    #[arg(long, default_value_t = 800, value_parser = clap::value_parser!(u32).range(120..=8000))]
+    pixels: u32,
+    /// Draw the borders of regions.
+    #[arg(long)]
+    regions: bool,
+    /// Print the description as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example:\n  lunoid bank generate scenarios/first-light.toml -o first-light.bank")]
+struct Generate {
+    /// Scenario.
+    scenario: PathBuf,
+    /// Bank to write.
+    #[arg(short, long, value_name = "BANK")]
+    out: PathBuf,
+}
+
+impl BankCommand {
+    /// Does what is asked.
+    pub fn run(&self) -> Result<Verdict, Failure> {
+        match &self.what {
+            What::Import(import) => import.run()?,
+            What::Export(export) => export.run()?,
+            What::Show(show) => show.run()?,
+            What::Generate(generate) => generate.run()?,
+        }
+        Ok(Verdict::Yes)
+    }
+}
+
+impl Import {
+    fn run(&self) -> Result<(), Failure> {
+        expect_writable(&self.out)?;
+        let of_file = |error: &dyn std::fmt::Display| Failure::input(format!("{}: {error}", self.corners.display()));
+        let array = files::read_npy(&self.corners, MAX_BYTES)?;
+        let level =
+            import_corners(array, self.region_size_m, self.origin_m).map_err(|error| of_file(&error))?;
+        let stem = self.corners.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let title = self.title.clone().unwrap_or(stem);
+        let bank = Bank::new(title, vec![level], None).map_err(|error| of_file(&error))?;
+        write(&self.out, &bank)
+    }
+}
+
+impl Export {
+    fn run(&self) -> Result<(), Failure> {
+        expect_writable(&self.out)?;
+        let bank = bank_file::read(&self.bank)?;
+        let level = level_of(&self.bank, &bank, self.level)?;
+        files::write_npy(&self.out, &export_corners(level))?;
+        let [north, east] = level.corners();
+        print(&format!("{}: f64 [{north}, {east}, 9]\n", self.out.display()))
+    }
+}
+
+impl Show {
+    fn run(&self) -> Result<(), Failure> {
+        self.out.as_deref().map_or(Ok(()), expect_writable)?;
+        let bank = bank_file::read(&self.bank)?;
+        let level = level_of(&self.bank, &bank, self.level)?;
+        if let Some(out) = &self.out {
+            let [azimuth, elevation] = self.sun.map(radians);
+            let mut look = BankLook::titled(bank.title());
+            (look.longest, look.regions) = (self.pixels, self.regions);
+            bank_picture(level, Sun { azimuth, elevation }, &look)?.write(out)?;
+        }
+        if self.json { print_json(&document(&self.bank, &bank)) } else { print(&describe(&bank)) }
+    }
+}
+
+impl Generate {
+    fn run(&self) -> Result<(), Failure> {
+        expect_writable(&self.out)?;
+        let scenario = Scenario::read(&self.scenario)?;
+        write(&self.out, &loading::bank(&scenario)?)
+    }
+}
+
+fn write(out: &Path, bank: &Bank) -> Result<(), Failure> {
+    bank_file::write(out, bank)?;
+    print(&format!("{}: {}", out.display(), describe(bank)))
+}
+
+fn level_of<'a>(path: &Path, bank: &'a Bank, index: usize) -> Result<&'a Level, Failure> {
+    bank.levels().get(index).ok_or_else(|| {
+        let (path, count) = (path.display(), bank.levels().len());
+        Failure::usage(format!("--level {index}: {path} has levels 0..{count}; expected one of them"))
+    })
+}
+
+/// A bank in words.
+pub fn describe(bank: &Bank) -> String {
+    let mut text = format!("{}\n", bank.title());
+    if let Some(place) = bank.georeference() {
+        let [latitude, longitude] = [place.latitude, place.longitude].map(degrees);
+        let [north, east] = place.at;
+        text += &format!("  touches the Moon at {latitude:.5} N, {longitude:.5} E (x = {north} m, y = {east} m)\n");
+    }
+    let heading = ["level", "regions", "region size", "south, west", "north, east", "corner heights"];
+    let rows = bank.levels().iter().enumerate().map(|(index, level)| {
+        let [south, west, north, east] = level.extent();
+        let [m, n] = level.corners();
+        let [low, high] = heights(level);
+        vec![
+            index.to_string(),
+            format!("{} x {}", m - 1, n - 1),
+            format!("{} m", level.region_size()),
+            format!("{south}, {west} m"),
+            format!("{north}, {east} m"),
+            format!("{low:.2} to {high:.2} m"),
+        ]
+    });
+    text + &table(&[heading.map(str::to_owned).to_vec()].into_iter().chain(rows).collect::<Vec<_>>())
+}
+
+/// A bank as JSON.
+pub fn document(path: &Path, bank: &Bank) -> Value {
+    let place = bank.georeference().map(|place| {
+        json!({ "latitude_deg": degrees(place.latitude), "longitude_deg": degrees(place.longitude),
+                "at_m": place.at })
+    });
+    let levels = bank.levels().iter().map(|level| {
+        json!({ "region_size_m": level.region_size(), "origin_m": level.origin(), "corners": level.corners(),
+                "extent_m": level.extent(), "corner_heights_m": heights(level) })
+    });
+    let hash: String = bank_file::content_hash(bank).iter().map(|byte| format!("{byte:02x}")).collect();
+    json!({
+        "schema": "lunoid.bank/1",
+        "file": path.display().to_string(),
+        "title": bank.title(),
+        "content_blake3": hash,
+        "place": place,
+        "levels": levels.collect::<Vec<_>>(),
+    })
+}
+
+/// Lowest and highest corner (m).
+fn heights(level: &Level) -> [f64; 2] {
+    let start = [f64::INFINITY, f64::NEG_INFINITY];
+    level.words().iter().fold(start, |[low, high], words| [low.min(words[0]), high.max(words[0])])
+}

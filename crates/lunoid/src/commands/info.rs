@@ -1,0 +1,183 @@
+//! `lunoid info`: what a file or a run folder holds.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use hardware_model::HardwareModel;
+use landscape::bank_file;
+use picture::{Limits, read_png};
+use quantities::degrees;
+use replay::HeldRun;
+use scenario::{Ground, Length, Scenario};
+use serde_json::{Value, json};
+use survey::{Elevation, Frame, ReadOptions};
+
+use crate::commands::check::Kind;
+use crate::commands::{bank, model};
+use crate::output::{print, print_json};
+use crate::{Failure, Verdict};
+
+/// Say what a file or a run folder holds.
+#[derive(Debug, Args)]
+#[command(after_help = "Example:\n  lunoid info moon.bank\n\n\
+    Knows banks, elevation files, scenarios, hardware models, grey PNG, and run folders.")]
+pub struct Info {
+    /// File or folder.
+    file: PathBuf,
+    /// Print as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+impl Info {
+    /// Looks.
+    pub fn run(&self) -> Result<Verdict, Failure> {
+        let (document, text) = look(&self.file)?;
+        if self.json { print_json(&document)? } else { print(&text)? }
+        Ok(Verdict::Yes)
+    }
+}
+
+fn look(path: &Path) -> Result<(Value, String), Failure> {
+    if path.is_dir() {
+        return run(path);
+    }
+    let start = first_bytes(path)?;
+    match start.as_slice() {
+        [b'L', b'U', b'N', b'O', b'B', b'A', b'N', b'K', ..] => {
+            let bank = bank_file::read(path)?;
+            Ok((bank::document(path, &bank), bank::describe(&bank)))
+        }
+        [0x89, b'P', b'N', b'G', ..] => png(path),
+        _ if path.extension().is_some_and(|extension| extension == "toml") => match Kind::of(path) {
+            Kind::Scenario => scenario(path),
+            Kind::Model => {
+                let loaded = HardwareModel::read(path, &[], &[])?;
+                Ok((model::document(&loaded), loaded.effective()))
+            }
+        },
+        _ => elevation(path),
+    }
+}
+
+fn first_bytes(path: &Path) -> Result<Vec<u8>, Failure> {
+    let mut start = Vec::new();
+    match File::open(path).and_then(|file| file.take(8).read_to_end(&mut start)) {
+        Ok(_) => Ok(start),
+        // The reader of whole files has the words for what can go wrong.
+        Err(_) => Ok(files::read_all(path, 8)?),
+    }
+}
+
+fn run(folder: &Path) -> Result<(Value, String), Failure> {
+    let run = HeldRun::read(folder)?;
+    let word = |pointer: &str| match run.document.pointer(pointer) {
+        Some(Value::String(text)) => text.clone(),
+        Some(other) => other.to_string(),
+        None => "unknown".into(),
+    };
+    let text = format!(
+        "{}: frames {} of \"{}\" by {} ({}), {} sweeps of {} samples, {} x {} pixels of {} bits\n  \
+         {} {} (commit {}), fingerprint {}\n",
+        folder.display(),
+        word("/range").trim_matches(['[', ']']).replace(',', ".."),
+        word("/scenario/title"),
+        word("/generator"),
+        word("/model/name"),
+        word("/settings/raster/sweeps"),
+        word("/settings/raster/samples_per_sweep"),
+        word("/settings/raster/columns"),
+        word("/settings/raster/lines"),
+        word("/pictures/depth"),
+        word("/program/name"),
+        word("/program/version"),
+        word("/program/commit"),
+        &run.fingerprint,
+    );
+    Ok((run.document, text))
+}
+
+fn png(path: &Path) -> Result<(Value, String), Failure> {
+    let picture = read_png(path, &Limits::default())?;
+    let (columns, lines, bits) = (picture.columns(), picture.lines(), picture.depth().bits());
+    let document = json!({
+        "schema": "lunoid.info.png/1",
+        "columns": columns,
+        "lines": lines,
+        "depth": bits,
+        "pixels_blake3": picture.pixel_hash(),
+    });
+    let hash = picture.pixel_hash();
+    Ok((document, format!("{}: {columns} x {lines} pixels of {bits} bits, pixel hash {hash}\n", path.display())))
+}
+
+fn scenario(path: &Path) -> Result<(Value, String), Failure> {
+    let scenario = Scenario::read(path)?;
+    let ground = match &scenario.ground {
+        Ground::Bank(bank) => format!("bank {}", bank.display()),
+        Ground::Generated(relief) => format!("generated from seed {}", relief.seed),
+    };
+    let length = match scenario.length {
+        Length::Frames(frames) => format!("{frames} frames"),
+        Length::Seconds(seconds) => format!("{seconds} s"),
+    };
+    let (azimuth, elevation) = (degrees(scenario.sun.azimuth), degrees(scenario.sun.elevation));
+    let waypoints = scenario.path.waypoints().len();
+    let document = json!({
+        "schema": "lunoid.info.scenario/1",
+        "file": path.display().to_string(),
+        "title": scenario.title,
+        "shows": scenario.shows,
+        "machine": scenario.machine,
+        "length": length,
+        "ground": ground,
+        "sun_deg": [azimuth, elevation],
+        "waypoints": waypoints,
+        "files": scenario.files().iter().map(|file| file.display().to_string()).collect::<Vec<_>>(),
+    });
+    let text = format!(
+        "{}: {}\n  {}\n  {length} by machine {}; ground {ground}; sun at azimuth {azimuth:.1}, elevation \
+         {elevation:.1} deg; {waypoints} waypoints\n",
+        path.display(),
+        scenario.title,
+        scenario.shows,
+        scenario.machine,
+    );
+    Ok((document, text))
+}
+
+fn elevation(path: &Path) -> Result<(Value, String), Failure> {
+    // A place does not matter to someone who only looks.
+    let options = ReadOptions { spacing: Some([1.0; 2]), ..ReadOptions::default() };
+    let elevation = survey::read(path, &options)?;
+    let Elevation { lines, columns, frame, title, notes, .. } = &elevation;
+    let (unit, scale): (&str, f64) = match frame {
+        Frame::Plane(_) => ("m", 1.0),
+        Frame::Geographic { .. } => ("deg", degrees(1.0)),
+    };
+    let [south, west, north, east] = elevation.extent().map(|edge| edge * scale);
+    let range = elevation.range();
+    let document = json!({
+        "schema": "lunoid.info.elevation/1",
+        "file": path.display().to_string(),
+        "title": title,
+        "lines": lines,
+        "columns": columns,
+        "unit": unit,
+        "extent": [south, west, north, east],
+        "heights_m": range,
+        "voids": elevation.voids(),
+        "notes": notes,
+    });
+    let heights = range.map_or("no heights".into(), |[low, high]| format!("{low:.2} to {high:.2} m"));
+    let mut text = format!(
+        "{}: {title}\n  {lines} lines of {columns} samples, {heights}, {} void\n  south {south}, west {west}, \
+         north {north}, east {east} {unit}\n",
+        path.display(),
+        elevation.voids(),
+    );
+    text.extend(notes.iter().map(|note| format!("  note: {note}\n")));
+    Ok((document, text))
+}

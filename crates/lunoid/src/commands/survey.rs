@@ -1,0 +1,266 @@
+//! `lunoid survey`: a bank fitted to an elevation file.
+
+use std::path::PathBuf;
+use std::time::Instant;
+
+use clap::{Args, ValueEnum};
+use landscape::{Sun, bank_file};
+use plots::{Residuals, SurveyLook, survey_picture};
+use quantities::{degrees, radians};
+use serde_json::{Value, json};
+use survey::{Area, LevelReport, Plane, ReadOptions, Survey, SurveyOptions, SurveyReport, survey};
+
+use crate::loading::Threads;
+use crate::output::{expect_writable, print, print_json, table};
+use crate::{Failure, Verdict, values};
+
+const AFTER: &str = "Examples:
+  lunoid survey pole.tif --region-size-m 40 -o pole.bank --picture pole.png
+  lunoid survey global.lbl --centre 20.19,30.77 --size-m 20000,20000 --region-size-m 300 -o valley.bank
+
+Reads GeoTIFF, PDS3 images (image or label) and .npy arrays. Coordinates of --area are metres of the file's own
+projection.";
+
+/// Fit a bank to an elevation file.
+#[derive(Debug, Args)]
+#[command(after_help = AFTER)]
+pub struct SurveyCommand {
+    /// Elevation file.
+    elevation: PathBuf,
+    /// Bank to write; a text description is written beside it.
+    #[arg(short, long, value_name = "BANK")]
+    out: PathBuf,
+    /// Side of a region of the finest level; four samples if left out.
+    #[arg(long, value_name = "METRES", value_parser = values::positive)]
+    region_size_m: Option<f64>,
+    /// Edges of the area in the file's projected metres. All of the file if left out.
+    #[arg(long, value_name = "S,W,N,E", value_parser = values::edges, allow_hyphen_values = true)]
+    area: Option<[f64; 4]>,
+    /// Latitude and longitude of the middle of the area (degrees), with --size-m.
+    #[arg(long, value_name = "LAT,LON", value_parser = values::pair, allow_hyphen_values = true,
+          conflicts_with = "area", requires = "size_m")]
+    centre: Option<[f64; 2]>,
+    /// Size of the area to the north and to the east.
+    #[arg(long, value_name = "NORTH,EAST", value_parser = values::pair, requires = "centre")]
+    size_m: Option<[f64; 2]>,
+    /// How a grid in degrees is laid onto the plane.
+    #[arg(long, value_enum, default_value = "equirectangular", requires = "centre")]
+    plane: PlaneWord,
+    /// Region sizes of all levels in units of the finest, as 1,4.
+    #[arg(long, value_delimiter = ',', default_value = "1", value_name = "FACTORS")]
+    levels: Vec<usize>,
+    /// Smoothing length in region sizes; shorter waves than about six times this are smoothed.
+    #[arg(long, value_name = "REGIONS", value_parser = values::positive)]
+    regularisation: Option<f64>,
+    /// Share of the samples that is kept from the fit to test it, 0 to 0.5.
+    #[arg(long, value_name = "SHARE", value_parser = values::not_negative)]
+    held_out: Option<f64>,
+    /// Metres a stored unit, in place of the file's own.
+    #[arg(long, value_parser = values::finite, allow_hyphen_values = true)]
+    scale: Option<f64>,
+    /// Metres added after scaling, in place of the file's own.
+    #[arg(long, value_name = "METRES", value_parser = values::finite, allow_hyphen_values = true)]
+    offset: Option<f64>,
+    /// Stored value that marks a void, in place of the file's own.
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    no_data: Option<f64>,
+    /// Band with the heights, from 1.
+    #[arg(long)]
+    band: Option<usize>,
+    /// Metres between samples of a file that does not say: one number, or NORTH,EAST.
+    #[arg(long, value_name = "METRES", value_parser = spacing)]
+    spacing_m: Option<[f64; 2]>,
+    /// The first line of a file without a place is the southernmost.
+    #[arg(long)]
+    first_line_south: bool,
+    /// What the ground is.
+    #[arg(long)]
+    title: Option<String>,
+    /// Picture of the fitted ground with its residuals beside it.
+    #[arg(long, value_name = "PNG")]
+    picture: Option<PathBuf>,
+    #[command(flatten)]
+    threads: Threads,
+    /// Print the report as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum PlaneWord {
+    /// Samples as they are.
+    Equirectangular,
+    /// True at the centre in all directions, also near a pole.
+    Orthographic,
+}
+
+fn spacing(text: &str) -> Result<[f64; 2], String> {
+    match values::pair(text) {
+        Ok(both) => Ok(both),
+        Err(_) => values::positive(text).map(|one| [one; 2]),
+    }
+}
+
+/// Samples a region along each axis, where no region size is given: 16 samples for nine words.
+const SAMPLES_A_REGION: f64 = 4.0;
+
+impl SurveyCommand {
+    /// Surveys.
+    pub fn run(&self) -> Result<Verdict, Failure> {
+        expect_writable(&self.out)?;
+        self.picture.as_deref().map_or(Ok(()), expect_writable)?;
+        let pool = self.threads.pool()?;
+        let start = Instant::now();
+        let elevation = survey::read(&self.elevation, &self.read_options())?;
+        let options = self.survey_options(&elevation);
+        let result = pool.install(|| survey(&elevation, &options, &mut |_| {}))?;
+        bank_file::write(&self.out, &result.bank)?;
+        if let Some(picture) = &self.picture {
+            draw(&result)?.write(picture)?;
+        }
+        let seconds = start.elapsed().as_secs_f64();
+        if self.json {
+            print_json(&self.document(&result.report, seconds))?;
+        } else {
+            print(&text(&result.report, seconds))?;
+            print(&format!("written: {}\n", self.out.display()))?;
+        }
+        Ok(Verdict::Yes)
+    }
+
+    fn read_options(&self) -> ReadOptions {
+        ReadOptions {
+            band: self.band,
+            scale: self.scale,
+            offset: self.offset,
+            no_data: self.no_data,
+            spacing: self.spacing_m,
+            first_line_south: self.first_line_south,
+        }
+    }
+
+    fn survey_options(&self, elevation: &survey::Elevation) -> SurveyOptions {
+        let metres = match elevation.frame {
+            survey::Frame::Plane(_) => 1.0,
+            survey::Frame::Geographic { radius } => radius,
+        };
+        let four_samples = SAMPLES_A_REGION * elevation.affine.step[0].abs() * metres;
+        let mut options = SurveyOptions::new(self.region_size_m.unwrap_or(four_samples));
+        options.area = self.area();
+        options.levels = self.levels.clone();
+        options.title = self.title.clone();
+        options.stiffness.smoothing = self.regularisation.unwrap_or(options.stiffness.smoothing);
+        options.held_out = self.held_out.unwrap_or(options.held_out);
+        options
+    }
+
+    fn area(&self) -> Area {
+        if let Some([south, west, north, east]) = self.area {
+            return Area::Metres { south, west, north, east };
+        }
+        let plane = match self.plane {
+            PlaneWord::Equirectangular => Plane::Equirectangular,
+            PlaneWord::Orthographic => Plane::Orthographic,
+        };
+        match (self.centre, self.size_m) {
+            (Some([latitude, longitude]), Some(size)) => {
+                Area::Centred { latitude: radians(latitude), longitude: radians(longitude), size, plane }
+            }
+            _ => Area::Whole,
+        }
+    }
+
+    fn document(&self, report: &SurveyReport, seconds: f64) -> Value {
+        json!({
+            "schema": "lunoid.survey/1",
+            "bank": self.out.display().to_string(),
+            "title": report.title,
+            "area": report.area,
+            "samples": report.samples,
+            "spacing_m": report.spacing,
+            "heights_m": report.height,
+            "true_north_deg": report.true_north.map(degrees),
+            "levels": report.levels.iter().map(level).collect::<Vec<_>>(),
+            "warnings": report.warnings,
+            "peak_memory_bytes": report.peak_memory,
+            "seconds": seconds,
+        })
+    }
+}
+
+/// Low light shows what a fit does to small forms.
+const PICTURE_SUN_DEG: [f64; 2] = [315.0, 20.0];
+
+fn draw(survey: &Survey) -> Result<plots::Drawing, Failure> {
+    let [azimuth, elevation] = PICTURE_SUN_DEG.map(radians);
+    let grid = &survey.residuals;
+    let residuals = Residuals {
+        first: grid.first,
+        spacing: grid.step,
+        samples: [grid.lines, grid.columns],
+        values: &grid.values,
+    };
+    let look = SurveyLook::titled(survey.bank.title());
+    Ok(survey_picture(survey.bank.finest(), Sun { azimuth, elevation }, &residuals, &look)?)
+}
+
+fn level(level: &LevelReport) -> Value {
+    let in_voids = level.in_voids.map(|voids| {
+        json!({ "regions": voids.regions, "heights_m": voids.height, "steepest": voids.slope })
+    });
+    json!({
+        "region_size_m": level.region_size,
+        "corners": level.corners,
+        "coefficients": level.coefficients,
+        "samples": { "used": level.used, "void": level.void, "held_out": level.held_out },
+        "rms_m": level.rms,
+        "held_out_rms_m": level.held_out_rms,
+        "worst": {
+            "residual_m": level.worst.residual,
+            "line_column": level.worst.in_file,
+            "at_m": level.worst.place,
+        },
+        "condition": { "axes": level.condition_of_axes, "voids": level.condition_of_voids },
+        "iterations": level.iterations,
+        "relative_residual": level.relative_residual,
+        "fitted_heights_m": level.height,
+        "steepest": level.slope,
+        "in_voids": in_voids,
+    })
+}
+
+fn text(report: &SurveyReport, seconds: f64) -> String {
+    let [lines, columns] = report.samples;
+    let mut text = format!(
+        "{}: {lines} x {columns} samples, {seconds:.1} s, about {} MB\n",
+        report.title,
+        report.peak_memory >> 20
+    );
+    let heading =
+        ["regions", "size", "words", "samples", "RMS", "held out", "largest (line, column)", "condition", "steps"];
+    let rows = report.levels.iter().map(|level| {
+        let [line, column] = level.worst.in_file;
+        let condition = level.condition_of_axes[0] * level.condition_of_axes[1] * level.condition_of_voids;
+        vec![
+            format!("{} x {}", level.corners[0] - 1, level.corners[1] - 1),
+            format!("{} m", level.region_size),
+            level.coefficients.to_string(),
+            level.used.to_string(),
+            format!("{:.4} m", level.rms),
+            level.held_out_rms.map_or("-".into(), |rms| format!("{rms:.4} m")),
+            format!("{:.3} m ({line}, {column})", level.worst.residual),
+            format!("{condition:.1e}"),
+            level.iterations.to_string(),
+        ]
+    });
+    text += &table(&[heading.map(str::to_owned).to_vec()].into_iter().chain(rows).collect::<Vec<_>>());
+    for voids in report.levels.iter().filter_map(|level| level.in_voids) {
+        let [low, high] = voids.height;
+        text += &format!(
+            "in voids, {} regions: heights {low:.1} to {high:.1} m, steepest {:.2}\n",
+            voids.regions, voids.slope
+        );
+    }
+    text.extend(report.warnings.iter().map(|warning| format!("note: {warning}\n")));
+    text
+}
