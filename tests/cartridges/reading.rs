@@ -62,8 +62,10 @@ fn differ(what: &str, found: &[f64], expected: &[f64], allowed: f64) -> Option<S
         return Some(format!("{what}: found {found:?}, expected {expected:?}"));
     }
     let mut pairs = found.iter().zip(expected).enumerate();
-    let (index, (found, expected)) =
-        pairs.find(|(_, (found, expected))| !((*found - *expected).abs() <= allowed))?;
+    let (index, (found, expected)) = pairs.find(|(_, (found, expected))| {
+        let agree = (*found - *expected).abs() <= allowed;
+        !agree
+    })?;
     Some(format!("{what} [{index}]: found {found}, expected {expected}, allowed {allowed:e}"))
 }
 

@@ -6,7 +6,7 @@ use std::fmt;
 use machine::HybridMachine;
 use scenario::Scalar;
 
-use crate::interpreter::{Record, interpret};
+use crate::interpreter::{Record, interpret, range_programme};
 use crate::scene::{Drawn, Scene};
 
 /// Agreement of ideal signals in f64, as a part of full scale (architecture, section 9).
@@ -18,8 +18,7 @@ pub const F64_BOUND: f64 = 1e-12;
 pub const F32_BOUND: f64 = 8e-6;
 
 /// Signals that both sides have.
-pub const SIGNALS: [&str; 10] = [
-    "sweep.range",
+pub const SIGNALS: [&str; 9] = [
     "sweep.x",
     "sweep.y",
     "tg.height",
@@ -69,6 +68,10 @@ pub struct Lockstep {
     pub drawn: Drawn,
     /// The interpreter's records, by sweep.
     pub records: Vec<Record>,
+    /// Ground range of each sample by the scene's law (m).
+    programme: Vec<f64>,
+    /// Condition of that law: how much of a rounding of 1/range shows in the farthest range.
+    reach: f64,
     bound: f64,
 }
 
@@ -78,20 +81,25 @@ impl Lockstep {
     /// # Panics
     /// If the machine cannot draw the scene.
     pub fn run(scene: &Scene, frame: u64) -> Self {
-        let drawn = scene.draw(&HybridMachine, frame, &SIGNALS).expect("a pose that can be drawn");
-        let records = (0..scene.sweeps).map(|sweep| interpret(scene, frame, sweep)).collect();
+        let mut probed = SIGNALS.to_vec();
+        probed.push("sweep.range");
+        let drawn = scene.draw(&HybridMachine, frame, &probed).expect("a pose that can be drawn");
+        let ranges = waveform(&drawn, 0, "sweep.range");
+        let records = (0..scene.sweeps).map(|sweep| interpret(scene, frame, sweep, ranges)).collect();
         let bound = match scene.scalar {
             Scalar::F64 => F64_BOUND,
             Scalar::F32 => F32_BOUND,
         };
-        Self { drawn, records, bound }
+        let (programme, reach) = (range_programme(scene), scene.range.end / scene.range.start);
+        Self { drawn, records, programme, reach, bound }
     }
 
-    /// The first difference: signals sample by sample in the order of the drawing, then counters.
+    /// The first difference: ground ranges, signals sample by sample in the order of the drawing, counters.
     pub fn first_difference(&self) -> Option<Difference> {
         let scales = self.full_scales();
-        let sweeps = 0..self.records.len();
-        sweeps.filter_map(|sweep| self.in_sweep(sweep, &scales)).next().or_else(|| self.in_counters())
+        self.in_ranges()
+            .or_else(|| (0..self.records.len()).find_map(|sweep| self.in_sweep(sweep, &scales)))
+            .or_else(|| self.in_counters())
     }
 
     /// The largest difference of any signal as a part of its full scale: what a bound is set from.
@@ -100,7 +108,7 @@ impl Lockstep {
         let mut largest = 0.0_f64;
         for (sweep, record) in self.records.iter().enumerate() {
             for (name, expected) in record.signals.iter().filter(|(name, _)| **name != "dpp.blank") {
-                let found = self.waveform(sweep, name);
+                let found = waveform(&self.drawn, sweep, name);
                 for (found, expected) in found.iter().zip(expected) {
                     largest = largest.max((found - expected).abs() / scales[name]);
                 }
@@ -120,15 +128,22 @@ impl Lockstep {
         scales
     }
 
-    fn waveform(&self, sweep: usize, name: &str) -> &[f64] {
-        let mut all = self.drawn.waveforms.iter();
-        let wave = all.find(|wave| wave.sweep as usize == sweep && wave.signal.name == name);
-        &wave.unwrap_or_else(|| panic!("the machine did not record {name} of sweep {sweep}")).values
+    /// The range programme, to the rounding that its law allows.
+    fn in_ranges(&self) -> Option<Difference> {
+        let found = waveform(&self.drawn, 0, "sweep.range");
+        (0..self.programme.len()).find_map(|sample| {
+            let (found, range) = (found[sample], self.programme[sample]);
+            let allowed = 4.0 * f64::EPSILON * self.reach.max(16.0) * range;
+            let signal = "sweep.range".to_owned();
+            let difference = Difference { signal, sweep: 0, sample, range, found, expected: range, allowed };
+            let agree = (found - range).abs() <= allowed;
+            (!agree).then_some(difference)
+        })
     }
 
     fn in_sweep(&self, sweep: usize, scales: &BTreeMap<&str, f64>) -> Option<Difference> {
         let record = &self.records[sweep];
-        let waves: Vec<_> = SIGNALS.iter().map(|&name| (name, self.waveform(sweep, name))).collect();
+        let waves: Vec<_> = SIGNALS.iter().map(|&name| (name, waveform(&self.drawn, sweep, name))).collect();
         for (sample, &range) in record.range.iter().enumerate() {
             for &(name, found) in &waves {
                 let (found, expected) = (found[sample], record.signals[name][sample]);
@@ -174,4 +189,10 @@ impl Lockstep {
             },
         )
     }
+}
+
+fn waveform<'a>(drawn: &'a Drawn, sweep: usize, name: &str) -> &'a [f64] {
+    let mut all = drawn.waveforms.iter();
+    let wave = all.find(|wave| wave.sweep as usize == sweep && wave.signal.name == name);
+    &wave.unwrap_or_else(|| panic!("the machine did not record {name} of sweep {sweep}")).values
 }

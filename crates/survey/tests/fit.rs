@@ -123,6 +123,22 @@ fn a_hole_of_six_regions_stays_smooth_and_bounded() {
     assert!(level.condition_of_voids < 30.0 && level.iterations < 60, "{level:#?}");
 }
 
+#[test]
+fn samples_beside_a_void_outweigh_what_fills_it() {
+    let bowl = |north: f64, east: f64| {
+        let (a, b) = (north - 50.0, east - 50.0);
+        if a * a + b * b < 400.0 { f64::NAN } else { 0.02 * (a * a + b * b) }
+    };
+    let rms = |filled_weight: f64| {
+        let mut options = SurveyOptions::new(10.0);
+        options.held_out = 0.0;
+        options.stiffness.filled_weight = filled_weight;
+        fitted(&ground(101, 101, bowl), &options).report.levels[0].rms
+    };
+    let (default, equal) = (rms(Stiffness::default().filled_weight), rms(1.0));
+    assert!(default < 0.7 * equal, "{default} against {equal}");
+}
+
 /// Wall of 80 deg around a plateau: the fit rings a little and stays whole.
 #[test]
 fn a_plateau_with_a_steep_wall_is_kept() {

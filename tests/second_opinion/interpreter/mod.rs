@@ -12,4 +12,4 @@ pub mod registers;
 pub mod sweep;
 pub mod terrain;
 
-pub use sweep::{Record, interpret};
+pub use sweep::{Record, interpret, range_programme};

@@ -27,9 +27,9 @@ pub struct Record {
     pub left_the_area: bool,
 }
 
-/// Walks sweep `sweep` of frame `frame` step by step.
-pub fn interpret(scene: &Scene, frame: u64, sweep: u32) -> Record {
-    let ranges = range_programme(scene);
+/// Walks sweep `sweep` of frame `frame` step by step, along the given ground ranges of its samples (m), which
+/// [`range_programme`] makes.
+pub fn interpret(scene: &Scene, frame: u64, sweep: u32, ranges: &[f64]) -> Record {
     let direction = azimuth(scene, sweep);
     let level = &scene.level;
     let ramps: [Ramp; 2] = std::array::from_fn(|axis| {
@@ -109,7 +109,6 @@ impl Walk<'_> {
         let eta = elevation(h, self.scene.eye[2], range, self.scene.laws.curvature);
         self.circuit.step(eta);
         let values = [
-            ("sweep.range", range),
             ("sweep.x", x.value),
             ("sweep.y", y.value),
             ("tg.height", h),
@@ -127,8 +126,8 @@ impl Walk<'_> {
     }
 }
 
-/// Ground range of every sample (m): architecture, section 4.
-fn range_programme(scene: &Scene) -> Vec<f64> {
+/// Ground range of every sample (m) under the scene's law.
+pub fn range_programme(scene: &Scene) -> Vec<f64> {
     let (start, end) = (scene.range.start, scene.range.end);
     let count = scene.samples as usize;
     let steps = (count - 1) as f64;

@@ -50,7 +50,7 @@ impl GeoTags {
         let Some(mut affine) = self.affine(path)? else { return Ok(None) };
         // PixelIsPoint: the tie point names a centre; else a corner, and centres lie half a step inside.
         if keys.get(&RASTER_TYPE) != Some(&2.0) {
-            affine.first = [0, 1].map(|k| affine.first[k] + 0.0 * affine.step[k]);
+            affine.first = [0, 1].map(|k| affine.first[k] + 0.5 * affine.step[k]);
         }
         if keys.get(&MODEL_TYPE) == Some(&2.0) {
             only(path, &keys, ANGULAR_UNIT, 9102.0, "9102 (degrees)", "gdalwarp -t_srs")?;
