@@ -68,8 +68,7 @@ impl CrossingService<'_> {
         program.end_range = end_range;
         program.steps.clear();
         program.misses.clear();
-        let mut service =
-            Service { unit: self, frame, sweep, pointers, pending: Vec::new(), crossing: 0 };
+        let mut service = Service { unit: self, frame, sweep, pointers, pending: Vec::new(), crossing: 0 };
         for fold in folds {
             service.deliver_until(fold.time, &range_at, program);
             service.serve(fold, program);

@@ -67,8 +67,10 @@ pub enum FrameError {
         y: f64,
     },
     /// The fan of sweeps cannot cover the view.
-    #[error("frame {frame}: pitch {pitch_deg:.1} deg brings the nadir or the zenith near the picture; \
-             expected |pitch| + half the vertical field of view below {limit_deg:.0} deg")]
+    #[error(
+        "frame {frame}: pitch {pitch_deg:.1} deg brings the nadir or the zenith near the picture; \
+             expected |pitch| + half the vertical field of view below {limit_deg:.0} deg"
+    )]
     Pitch {
         /// Frame number.
         frame: u64,

@@ -73,7 +73,9 @@ impl Threads {
         let available = || thread::available_parallelism().map_or(1, usize::from);
         let threads = self.jobs.map_or_else(available, usize::from);
         let pool = ThreadPoolBuilder::new().num_threads(threads).build();
-        pool.map_err(|error| Failure::output(format!("cannot start {threads} threads: {error}; give fewer --jobs")))
+        pool.map_err(|error| {
+            Failure::output(format!("cannot start {threads} threads: {error}; give fewer --jobs"))
+        })
     }
 }
 

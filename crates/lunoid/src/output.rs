@@ -29,7 +29,9 @@ impl Colour {
             Self::Always => true,
             Self::Never => false,
             Self::Auto if is_set("CLICOLOR_FORCE") => true,
-            Self::Auto if is_set("NO_COLOR") || env::var_os("TERM").is_some_and(|term| term == "dumb") => false,
+            Self::Auto if is_set("NO_COLOR") || env::var_os("TERM").is_some_and(|term| term == "dumb") => {
+                false
+            }
             Self::Auto => io::stderr().is_terminal(),
         }
     }

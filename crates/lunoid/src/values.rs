@@ -22,7 +22,8 @@ impl FromStr for Span {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let wrong = || format!("expected A..B (A up to, not including, B), A.., ..B or one number, not `{text}`");
+        let wrong =
+            || format!("expected A..B (A up to, not including, B), A.., ..B or one number, not `{text}`");
         let number = |text: &str| text.parse::<u64>().map_err(|_| wrong());
         let open = |text: &str| if text.is_empty() { Ok(None) } else { number(text).map(Some) };
         let span = match text.split_once("..") {

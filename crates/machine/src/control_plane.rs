@@ -71,8 +71,7 @@ impl FramePlan {
                 TimedFold { time: time_of(range), range, fold }
             })
             .take_while(|fold| fold.range <= end_range);
-        let service =
-            CrossingService { level, loader: &settings.loader, timebase: &settings.timebase };
+        let service = CrossingService { level, loader: &settings.loader, timebase: &settings.timebase };
         let range_at = |time| table.range_at(time);
         service.write_program((self.frame, sweep), start, folds, end_range, range_at, program);
     }

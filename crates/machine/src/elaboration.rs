@@ -30,9 +30,8 @@ impl Generator for HybridMachine {
 
 /// What a machine for terrain alone leaves out.
 pub(crate) fn omissions(levels: usize) -> Vec<Omission> {
-    let no_customer = |block, what| {
-        Omission::lossless(block, what, "the scenario has nothing for it to draw")
-    };
+    let no_customer =
+        |block, what| Omission::lossless(block, what, "the scenario has nothing for it to draw");
     let mut list = vec![
         no_customer("mixing-unit", "video switches VS1, VS2, VS3 and the texture adder"),
         Omission::lossless("terrain-generator", "dynamics of parts", "all parts of the model are ideal"),

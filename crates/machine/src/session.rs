@@ -53,8 +53,7 @@ impl<S: Real> Elaborated<S> {
     /// Runs all groups; each writes its own sweeps of `store`.
     fn sweep_all(&self, plan: &FramePlan, probe: &Probe, store: &mut [f32]) -> Vec<GroupResult> {
         let lines = self.stage.settings.raster.lines as usize;
-        let group =
-            Group { stage: &self.stage, table: &self.table, processor: &self.processor, plan };
+        let group = Group { stage: &self.stage, table: &self.table, processor: &self.processor, plan };
         store
             .par_chunks_mut(LANES * lines)
             .enumerate()

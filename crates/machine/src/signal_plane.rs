@@ -29,8 +29,7 @@ impl<S: Default> Default for Workspace<S> {
         let still = sweep_program::Ramp { start: 0.0, rate: 0.0, polarity: 1.0 };
         let start = SweepStart { direction: [1.0, 0.0], region: [0, 0], ramps: [still; 2] };
         let registers = [RegisterSet::default(); 4];
-        let idle =
-            SweepProgram { start, registers, steps: Vec::new(), end_range: 0.0, misses: Vec::new() };
+        let idle = SweepProgram { start, registers, steps: Vec::new(), end_range: 0.0, misses: Vec::new() };
         Self {
             programs: array::from_fn(|_| idle.clone()),
             profile: Profile::default(),

@@ -15,7 +15,11 @@ use signal::{Lanes, Signal, Unit};
 /// Signals of the block.
 pub const SIGNALS: &[Signal] = &[
     Signal::ground("mu.height", Unit::Metre, "height of the composite landscape (fig. 28)"),
-    Signal::ground("mu.reflectivity", Unit::Reflectivity, "reflectivity of the composite landscape (fig. 28)"),
+    Signal::ground(
+        "mu.reflectivity",
+        Unit::Reflectivity,
+        "reflectivity of the composite landscape (fig. 28)",
+    ),
 ];
 
 /// The landscape profile of a group of sweeps: one [`Lanes`] a sample.

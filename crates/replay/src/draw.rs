@@ -103,13 +103,8 @@ impl Drawing<'_> {
             .install(|| self.times.encode.time(encode))
             .map_err(|source| ReplayError::Picture { frame, source })?;
         let files = self.times.write.time(|| self.write(files))?;
-        let record = FrameRecord {
-            frame,
-            time_s: row.pose.time,
-            pixels_blake3: pixels,
-            files,
-            counts: counts.into(),
-        };
+        let record =
+            FrameRecord { frame, time_s: row.pose.time, pixels_blake3: pixels, files, counts: counts.into() };
         self.times.write.time(|| self.journal.add(&record))?;
         Ok(record)
     }
@@ -129,13 +124,9 @@ impl Drawing<'_> {
         Ok((picture.pixel_hash(), files?))
     }
 
-    fn png(
-        &self,
-        row: &PoseRow,
-        index: u64,
-        picture: &GreyPicture,
-    ) -> Result<Vec<u8>, PictureError> {
-        let rate = if self.showings == 1 { self.settings.timebase.update } else { self.settings.raster.refresh };
+    fn png(&self, row: &PoseRow, index: u64, picture: &GreyPicture) -> Result<Vec<u8>, PictureError> {
+        let rate =
+            if self.showings == 1 { self.settings.timebase.update } else { self.settings.raster.refresh };
         let time = index as f64 / rate.hertz();
         let [x, y, z] = row.pose.eye;
         let Attitude { roll, pitch, heading } = row.pose.attitude;
@@ -146,9 +137,7 @@ impl Drawing<'_> {
             ("Time", format!("{time} s")),
             (
                 "Pose",
-                format!(
-                    "x_m={x} y_m={y} z_m={z} heading_deg={heading} pitch_deg={pitch} roll_deg={roll}"
-                ),
+                format!("x_m={x} y_m={y} z_m={z} heading_deg={heading} pitch_deg={pitch} roll_deg={roll}"),
             ),
         ];
         encode_png(picture, &texts.each_ref().map(|(key, text)| (*key, text.as_str())))

@@ -47,9 +47,11 @@ impl RunFolder {
         if path.exists() && !path.is_dir() {
             return Err(ReplayError::NotFolder { path: path.to_owned() });
         }
-        let missing = path.ancestors().take_while(|folder| !folder.as_os_str().is_empty() && !folder.exists());
+        let missing =
+            path.ancestors().take_while(|folder| !folder.as_os_str().is_empty() && !folder.exists());
         let made = missing.map(Path::to_owned).collect();
-        let failed = |source| ReplayError::Folder { path: path.to_owned(), doing: "make the run folder", source };
+        let failed =
+            |source| ReplayError::Folder { path: path.to_owned(), doing: "make the run folder", source };
         fs::create_dir_all(path).map_err(failed)?;
         let mut folder = Self { path: path.to_owned(), made, lock: None };
         folder.lock = Some(Lock::take(path)?);

@@ -20,7 +20,8 @@ impl Lock {
     /// Takes the lock of `folder`.
     pub fn take(folder: &Path) -> Result<Self, ReplayError> {
         let path = folder.join(LOCK);
-        let failed = |source| ReplayError::Folder { path: path.clone(), doing: "lock the run folder", source };
+        let failed =
+            |source| ReplayError::Folder { path: path.clone(), doing: "lock the run folder", source };
         loop {
             let mut options = OpenOptions::new();
             let mut file =

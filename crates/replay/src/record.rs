@@ -95,9 +95,7 @@ impl<'a> RunRecord<'a> {
 }
 
 fn model(job: &Job) -> Value {
-    let value = |value: &hardware_model::EffectiveValue| {
-        json!({ "key": value.key, "value": value.value, "origin": value.origin })
-    };
+    let value = |value: &hardware_model::EffectiveValue| json!({ "key": value.key, "value": value.value, "origin": value.origin });
     json!({
         "name": job.inputs.model,
         "files": job.inputs.model_files,

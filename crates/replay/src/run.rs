@@ -14,6 +14,7 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use scenario::{LimitReport, PoseTable, poses_csv};
 use serde_json::Value;
 
+use crate::ReplayError;
 use crate::camera::camera;
 use crate::draw::{Drawing, draw_all};
 use crate::film::{Show, player, sheet, write_film};
@@ -25,7 +26,6 @@ use crate::journal::{self, Journal};
 use crate::performance::{Phase, StepTimes, performance};
 use crate::record::{Finished, RunRecord};
 use crate::settings_record::{GroundRecord, SettingsRecord};
-use crate::ReplayError;
 
 /// How a run ended.
 #[derive(Debug, Clone, PartialEq)]
@@ -129,8 +129,20 @@ impl<'a> Run<'a> {
         phases.push(Phase::since("prepare", start));
         let times = StepTimes::default();
         let mut run = Self {
-            job, folder, control, session, ground, settings, fingerprint, earlier,
-            kept: BTreeMap::new(), frames, poses, phases, times, drawn: 0,
+            job,
+            folder,
+            control,
+            session,
+            ground,
+            settings,
+            fingerprint,
+            earlier,
+            kept: BTreeMap::new(),
+            frames,
+            poses,
+            phases,
+            times,
+            drawn: 0,
         };
         run.verify(listed);
         Ok(run)
@@ -216,16 +228,19 @@ impl<'a> Run<'a> {
         let frames: Vec<FrameRecord> = all.into_values().collect();
         let outputs = self.write_outputs(&frames)?;
         let omissions = self.session.omissions();
-        let record = RunRecord::new(self.job, &Finished {
-            fingerprint: &self.fingerprint,
-            ground: &self.ground,
-            settings: &self.settings,
-            omissions: &omissions,
-            limits: self.poses.limits(),
-            range: &self.frames,
-            frames: &frames,
-            outputs: &outputs,
-        });
+        let record = RunRecord::new(
+            self.job,
+            &Finished {
+                fingerprint: &self.fingerprint,
+                ground: &self.ground,
+                settings: &self.settings,
+                omissions: &omissions,
+                limits: self.poses.limits(),
+                range: &self.frames,
+                frames: &frames,
+                outputs: &outputs,
+            },
+        );
         self.write(RUN_RECORD, record.text().as_bytes())?;
         self.phases.push(Phase::since("finish", start));
         let drawn: Vec<&FrameRecord> =
@@ -257,7 +272,8 @@ impl<'a> Run<'a> {
             self.write(POSES, poses_csv(&self.poses).as_bytes())?,
             self.write(CAMERA, pretty(&camera(&self.job.stage)).as_bytes())?,
             self.write(PLAYER, page.as_bytes())?,
-            self.unchanged(CONTACT_SHEET).map_or_else(|| self.write(CONTACT_SHEET, &sheet(&pictures)?), Ok)?,
+            self.unchanged(CONTACT_SHEET)
+                .map_or_else(|| self.write(CONTACT_SHEET, &sheet(&pictures)?), Ok)?,
         ];
         if film {
             outputs.push(self.unchanged(ANIMATION).map_or_else(|| self.write_film(&pictures), Ok)?);
@@ -300,7 +316,9 @@ fn join(
     listed: &BTreeMap<u64, FrameRecord>,
     asked: &Range<u64>,
 ) -> Result<Range<u64>, ReplayError> {
-    let (Some(first), Some(last)) = (listed.keys().next(), listed.keys().last()) else { return Ok(asked.clone()) };
+    let (Some(first), Some(last)) = (listed.keys().next(), listed.keys().last()) else {
+        return Ok(asked.clone());
+    };
     let held = *first..*last + 1;
     if asked.start > held.end || asked.end < held.start {
         return Err(ReplayError::Gap { path: folder.path().to_owned(), held, asked: asked.clone() });

@@ -150,9 +150,7 @@ impl GroundRecord {
             Ground::Bank(_) => ("bank", None),
             Ground::Generated(relief) => ("generated", Some(generated(relief))),
         };
-        let level = |level: &landscape::Level| {
-            json!({ "region_size_m": level.region_size(), "origin_m": level.origin(), "corners": level.corners() })
-        };
+        let level = |level: &landscape::Level| json!({ "region_size_m": level.region_size(), "origin_m": level.origin(), "corners": level.corners() });
         Self {
             source,
             title: bank.title().into(),

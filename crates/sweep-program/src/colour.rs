@@ -15,12 +15,12 @@ pub enum Colour {
 }
 
 impl Colour {
-    /// All four; the index of a colour in register arrays is its place here.
+    /// All four; the index of a colour in register arrays is its place here: 1 at X = 1 plus 2 at Y = 1.
     pub const ALL: [Self; 4] = [Self::Yellow, Self::Green, Self::Black, Self::Red];
 
     /// Colour of lattice corner (m, n).
     pub fn of_corner(m: i64, n: i64) -> Self {
-        Self::ALL[(m & 1 | (n & 1) << 1) as usize]
+        Self::ALL[((m & 1) + 2 * (n & 1)) as usize]
     }
 
     /// Whether it acts at X = 1.

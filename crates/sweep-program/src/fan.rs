@@ -60,10 +60,7 @@ mod tests {
     use scenario::{FieldOfView, Projection};
 
     fn field() -> FieldOfView {
-        FieldOfView {
-            tan_half_width: libm::tan(radians(25.0)),
-            tan_half_height: libm::tan(radians(15.0)),
-        }
+        FieldOfView { tan_half_width: libm::tan(radians(25.0)), tan_half_height: libm::tan(radians(15.0)) }
     }
 
     #[test]

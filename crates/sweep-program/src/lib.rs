@@ -7,8 +7,8 @@ mod colour;
 mod fan;
 mod program;
 
-pub use fan::Fan;
 pub use colour::{Colour, PreloadRegister};
+pub use fan::Fan;
 pub use program::{
     Fold, Load, Miss, Ramp, RampAxis, RegisterSet, Step, StepKind, Stop, SweepProgram, SweepStart, Target,
     WordMask,

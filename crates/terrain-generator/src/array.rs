@@ -2,7 +2,6 @@
 
 use landscape::CornerWords;
 use landscape::basis::{derivatives, values};
-use sweep_program::Colour;
 
 /// Height, `h_u` and `h_v` (all metres) at the ramps `[x, y]`, from the words in `hold`, by colour.
 pub fn array(hold: &[CornerWords; 4], polarity: [f64; 2], [x, y]: [f64; 2]) -> [f64; 3] {
@@ -12,7 +11,7 @@ pub fn array(hold: &[CornerWords; 4], polarity: [f64; 2], [x, y]: [f64; 2]) -> [
     for ap in 0..6 {
         let (mut value, mut slope) = (0.0, 0.0);
         for bq in 0..6 {
-            let word = hold[Colour::ALL[ap / 3 | bq / 3 << 1] as usize][3 * (ap % 3) + bq % 3];
+            let word = hold[ap / 3 + 2 * (bq / 3)][3 * (ap % 3) + bq % 3];
             value += word * gy[bq];
             slope += word * dy[bq];
         }

@@ -203,7 +203,8 @@ impl Stretch {
 
     /// Straight lines through two samples, at s = -1 and 1.
     fn of_two([(near, first), (far, last)]: [(f64, [f64; 3]); 2]) -> Self {
-        let line = |signal: usize| [0.5 * (first[signal] + last[signal]), 0.5 * (last[signal] - first[signal])];
+        let line =
+            |signal: usize| [0.5 * (first[signal] + last[signal]), 0.5 * (last[signal] - first[signal])];
         let mut segment = Segment::ZERO;
         segment.height[..2].copy_from_slice(&line(0));
         segment.along[..2].copy_from_slice(&line(1));

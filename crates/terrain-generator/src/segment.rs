@@ -2,7 +2,6 @@
 
 use landscape::CornerWords;
 use landscape::basis::NEAR;
-use sweep_program::Colour;
 
 /// A stretch between two events, in ramp coordinates.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -111,7 +110,7 @@ fn region_polynomial(hold: &[CornerWords; 4], polarity: [f64; 2]) -> [[f64; 6]; 
 fn words_along_y(hold: &[CornerWords; 4], polarity: f64, a: usize, p: usize) -> [f64; 6] {
     let mut sum = [0.0; 6];
     for b in 0..2 {
-        let words = &hold[Colour::ALL[a | b << 1] as usize];
+        let words = &hold[a + 2 * b];
         let ey = if b == 1 { -polarity } else { polarity };
         for q in 0..3 {
             let word = if q == 1 { ey * words[3 * p + q] } else { words[3 * p + q] };

@@ -122,7 +122,8 @@ impl BankCommand {
 impl Import {
     fn run(&self) -> Result<(), Failure> {
         expect_writable(&self.out)?;
-        let of_file = |error: &dyn std::fmt::Display| Failure::input(format!("{}: {error}", self.corners.display()));
+        let of_file =
+            |error: &dyn std::fmt::Display| Failure::input(format!("{}: {error}", self.corners.display()));
         let array = files::read_npy(&self.corners, MAX_BYTES)?;
         let level =
             import_corners(array, self.region_size_m, self.origin_m).map_err(|error| of_file(&error))?;
@@ -185,7 +186,9 @@ pub fn describe(bank: &Bank) -> String {
     if let Some(place) = bank.georeference() {
         let [latitude, longitude] = [place.latitude, place.longitude].map(degrees);
         let [north, east] = place.at;
-        text += &format!("  touches the Moon at {latitude:.5} N, {longitude:.5} E (x = {north} m, y = {east} m)\n");
+        text += &format!(
+            "  touches the Moon at {latitude:.5} N, {longitude:.5} E (x = {north} m, y = {east} m)\n"
+        );
     }
     let heading = ["level", "regions", "region size", "south, west", "north, east", "corner heights"];
     let rows = bank.levels().iter().enumerate().map(|(index, level)| {

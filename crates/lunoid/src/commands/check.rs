@@ -74,7 +74,8 @@ impl Check {
             (file, kind, result)
         });
         let found: Vec<_> = found.collect();
-        let faults: Vec<&ProblemList> = found.iter().filter_map(|(_, _, result)| result.as_ref().err()).collect();
+        let faults: Vec<&ProblemList> =
+            found.iter().filter_map(|(_, _, result)| result.as_ref().err()).collect();
         if self.json {
             let rows = found.iter().map(|(file, kind, result)| document(file, *kind, result));
             print_json(&json!({ "schema": "lunoid.check/1", "files": rows.collect::<Vec<_>>() }))?;

@@ -73,7 +73,11 @@ impl Compare {
             self.draw(worst(&pairs), out)?;
         }
         let pass = self.pass(&pairs);
-        if self.json { print_json(&self.document(&pairs, pass))? } else { print(&self.text(&pairs, pass))? }
+        if self.json {
+            print_json(&self.document(&pairs, pass))?
+        } else {
+            print(&self.text(&pairs, pass))?
+        }
         Ok(if pass == Some(false) { Verdict::No } else { Verdict::Yes })
     }
 
@@ -96,7 +100,8 @@ impl Compare {
         mask: Option<&[bool]>,
     ) -> Result<Pair, Failure> {
         let [a, b] = [read(&test)?, read(&reference)?];
-        let levels: Vec<u32> = [0, 1, 2].into_iter().chain(self.tolerance.filter(|levels| *levels > 2)).collect();
+        let levels: Vec<u32> =
+            [0, 1, 2].into_iter().chain(self.tolerance.filter(|levels| *levels > 2)).collect();
         let comparison = compare(&a, &b, mask, &levels)
             .map_err(|error| Failure::input(format!("{}: {error}", test.display())))?;
         Ok(Pair { frame, test, reference, comparison })
@@ -133,7 +138,16 @@ impl Compare {
     }
 
     fn text(&self, pairs: &[Pair], pass: Option<bool>) -> String {
-        let heading = ["frame", "rmse", "psnr", "ssim", "differ", ">1", ">2", "worst pixel (column, line: test, reference)"];
+        let heading = [
+            "frame",
+            "rmse",
+            "psnr",
+            "ssim",
+            "differ",
+            ">1",
+            ">2",
+            "worst pixel (column, line: test, reference)",
+        ];
         let heading = heading.map(str::to_owned).to_vec();
         let rows: Vec<Vec<String>> = [heading].into_iter().chain(pairs.iter().map(Pair::row)).collect();
         let mut text = table(&rows);
@@ -201,10 +215,7 @@ fn worst(pairs: &[Pair]) -> &Pair {
     pairs.iter().reduce(|a, b| if worse(&a, &b) { b } else { a }).expect("there is a pair")
 }
 
-fn frames_of_both(
-    test: &Path,
-    reference: &Path,
-) -> Result<Vec<(Option<u64>, PathBuf, PathBuf)>, Failure> {
+fn frames_of_both(test: &Path, reference: &Path) -> Result<Vec<(Option<u64>, PathBuf, PathBuf)>, Failure> {
     let runs = [HeldRun::read(test)?, HeldRun::read(reference)?];
     let mut pairs = Vec::new();
     for frame in &runs[0].frames {

@@ -35,7 +35,11 @@ impl Info {
     /// Looks.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let (document, text) = look(&self.file)?;
-        if self.json { print_json(&document)? } else { print(&text)? }
+        if self.json {
+            print_json(&document)?
+        } else {
+            print(&text)?
+        }
         Ok(Verdict::Yes)
     }
 }
@@ -110,7 +114,10 @@ fn png(path: &Path) -> Result<(Value, String), Failure> {
         "pixels_blake3": picture.pixel_hash(),
     });
     let hash = picture.pixel_hash();
-    Ok((document, format!("{}: {columns} x {lines} pixels of {bits} bits, pixel hash {hash}\n", path.display())))
+    Ok((
+        document,
+        format!("{}: {columns} x {lines} pixels of {bits} bits, pixel hash {hash}\n", path.display()),
+    ))
 }
 
 fn scenario(path: &Path) -> Result<(Value, String), Failure> {

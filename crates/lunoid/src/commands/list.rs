@@ -16,7 +16,9 @@ use crate::{Failure, Verdict};
 
 /// List what there is.
 #[derive(Debug, Args)]
-#[command(after_help = "Example:\n  lunoid list scenarios\n\nModels and scenarios are looked for in hardware-models/ and scenarios/ of the current folder.")]
+#[command(
+    after_help = "Example:\n  lunoid list scenarios\n\nModels and scenarios are looked for in hardware-models/ and scenarios/ of the current folder."
+)]
 pub struct List {
     /// What to list.
     #[arg(value_enum)]
@@ -93,12 +95,14 @@ pub fn models(json: bool) -> Result<(), Failure> {
     let files = toml_files("hardware-models");
     let carried = BUILT_IN.iter().filter(|(name, _)| !files.iter().any(|file| stem(file) == *name));
     let files = files.iter().map(|file| (file.display().to_string(), ModelSource::File(file.clone())));
-    let sources = files.chain(carried.map(|(name, _)| ("built in".into(), ModelSource::BuiltIn((*name).into()))));
+    let sources =
+        files.chain(carried.map(|(name, _)| ("built in".into(), ModelSource::BuiltIn((*name).into()))));
     let rows: Vec<[String; 3]> = sources
         .map(|(place, source)| match HardwareModel::load(&source, &[], &[]) {
             Ok(loaded) => {
                 let raster = loaded.model.raster;
-                let says = format!("{} sweeps of {} samples, {}", raster.sweeps, raster.samples, raster.update);
+                let says =
+                    format!("{} sweeps of {} samples, {}", raster.sweeps, raster.samples, raster.update);
                 [loaded.model.name, says, place]
             }
             Err(problems) => [stem(Path::new(&place)), faults(problems.len()), place],
@@ -140,7 +144,8 @@ fn stem(file: &Path) -> String {
 /// TOML files of a folder, in alphabetical order; none where there is no such folder.
 fn toml_files(folder: &str) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
-    let mut files: Vec<PathBuf> = entries.filter(|path| path.extension().is_some_and(|e| e == "toml")).collect();
+    let mut files: Vec<PathBuf> =
+        entries.filter(|path| path.extension().is_some_and(|e| e == "toml")).collect();
     files.sort();
     files
 }

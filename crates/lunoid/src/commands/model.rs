@@ -67,9 +67,10 @@ impl Show {
 
 /// A model as JSON.
 pub fn document(loaded: &LoadedModel) -> Value {
-    let values = loaded.values.iter().map(|value| {
-        json!({ "key": value.key, "value": value.value, "origin": value.origin })
-    });
+    let values = loaded
+        .values
+        .iter()
+        .map(|value| json!({ "key": value.key, "value": value.value, "origin": value.origin }));
     json!({
         "schema": "lunoid.model/1",
         "name": loaded.model.name,

@@ -58,7 +58,9 @@ impl ProbeCommand {
         })?;
         if self.frame >= loaded.frames() {
             let (frame, end) = (self.frame, loaded.frames());
-            return Err(Failure::usage(format!("--frame {frame}: the scenario has frames 0..{end}; expected one of them")));
+            return Err(Failure::usage(format!(
+                "--frame {frame}: the scenario has frames 0..{end}; expected one of them"
+            )));
         }
         let signals = self.chosen(loaded.generator.signals(), loaded.generator.name())?;
         check_size(&signals, sweeps.end - sweeps.start, raster.samples.max(raster.lines))?;
@@ -75,7 +77,8 @@ impl ProbeCommand {
         let Stage { settings, .. } = &stage;
         let mut planes = Planes::new(settings.raster.columns as usize, settings.raster.lines as usize, &[]);
         let session = loaded.generator.prepare(stage).map_err(Failure::input)?;
-        pool.install(|| session.frame(self.frame, &row.pose, &mut planes, &mut probe)).map_err(Failure::input)?;
+        pool.install(|| session.frame(self.frame, &row.pose, &mut planes, &mut probe))
+            .map_err(Failure::input)?;
         write(&self.out, &probe.waveforms)?;
         self.tell(&signals, sweeps)?;
         Ok(Verdict::Yes)
@@ -84,13 +87,20 @@ impl ProbeCommand {
     /// Every pattern must name something.
     fn chosen(&self, signals: &'static [Signal], generator: &str) -> Result<Vec<&'static Signal>, Failure> {
         if signals.is_empty() {
-            return Err(Failure::usage(format!("machine {generator} has no signals; expected a hardware model")));
+            return Err(Failure::usage(format!(
+                "machine {generator} has no signals; expected a hardware model"
+            )));
         }
         let matches = |pattern: &String| signals.iter().any(|signal| signal.matches(pattern));
         if let Some(pattern) = self.signals.iter().find(|pattern| !matches(pattern)) {
-            return Err(Failure::usage(format!("--signals {pattern}: no signal of this name; `lunoid signals` lists them")));
+            return Err(Failure::usage(format!(
+                "--signals {pattern}: no signal of this name; `lunoid signals` lists them"
+            )));
         }
-        Ok(signals.iter().filter(|signal| self.signals.iter().any(|pattern| signal.matches(pattern))).collect())
+        Ok(signals
+            .iter()
+            .filter(|signal| self.signals.iter().any(|pattern| signal.matches(pattern)))
+            .collect())
     }
 
     fn tell(&self, signals: &[&Signal], sweeps: std::ops::Range<u64>) -> Result<(), Failure> {
@@ -105,7 +115,12 @@ impl ProbeCommand {
             }));
         }
         let (out, frame) = (self.out.display(), self.frame);
-        print(&format!("{out}: frame {frame}, sweeps {}..{}: {}\n", sweeps.start, sweeps.end, names.join(", ")))
+        print(&format!(
+            "{out}: frame {frame}, sweeps {}..{}: {}\n",
+            sweeps.start,
+            sweeps.end,
+            names.join(", ")
+        ))
     }
 }
 
@@ -115,7 +130,9 @@ fn writer(out: &Path) -> Result<Writer, Failure> {
     match out.extension().and_then(|extension| extension.to_str()) {
         Some("npz") => Ok(write_npz),
         Some("csv") => Ok(write_csv),
-        _ => Err(Failure::usage(format!("--out {}: expected a name that ends in .npz or .csv", out.display()))),
+        _ => {
+            Err(Failure::usage(format!("--out {}: expected a name that ends in .npz or .csv", out.display())))
+        }
     }
 }
 
@@ -125,5 +142,7 @@ fn check_size(signals: &[&Signal], sweeps: u64, samples: u32) -> Result<(), Fail
         return Ok(());
     }
     let gigabytes = values as f64 * 8e-9;
-    Err(Failure::usage(format!("{values} values, {gigabytes:.1} GB: expected at most {MOST_VALUES}; choose fewer sweeps or signals")))
+    Err(Failure::usage(format!(
+        "{values} values, {gigabytes:.1} GB: expected at most {MOST_VALUES}; choose fewer sweeps or signals"
+    )))
 }

@@ -205,9 +205,9 @@ fn draw(survey: &Survey) -> Result<plots::Drawing, Failure> {
 }
 
 fn level(level: &LevelReport) -> Value {
-    let in_voids = level.in_voids.map(|voids| {
-        json!({ "regions": voids.regions, "heights_m": voids.height, "steepest": voids.slope })
-    });
+    let in_voids = level
+        .in_voids
+        .map(|voids| json!({ "regions": voids.regions, "heights_m": voids.height, "steepest": voids.slope }));
     json!({
         "region_size_m": level.region_size,
         "corners": level.corners,
@@ -236,8 +236,17 @@ fn text(report: &SurveyReport, seconds: f64) -> String {
         report.title,
         report.peak_memory >> 20
     );
-    let heading =
-        ["regions", "size", "words", "samples", "RMS", "held out", "largest (line, column)", "condition", "steps"];
+    let heading = [
+        "regions",
+        "size",
+        "words",
+        "samples",
+        "RMS",
+        "held out",
+        "largest (line, column)",
+        "condition",
+        "steps",
+    ];
     let rows = report.levels.iter().map(|level| {
         let [line, column] = level.worst.in_file;
         let condition = level.condition_of_axes[0] * level.condition_of_axes[1] * level.condition_of_voids;

@@ -69,7 +69,10 @@ fn foreign_folders_are_left_alone() {
     let out = at.path();
     fs::write(out.join("thesis.tex"), "mine").unwrap();
     let refused = Wish::default().run(out);
-    assert!(matches!(&refused, Err(ReplayError::Foreign { found, .. }) if found == "thesis.tex"), "{refused:?}");
+    assert!(
+        matches!(&refused, Err(ReplayError::Foreign { found, .. }) if found == "thesis.tex"),
+        "{refused:?}"
+    );
     assert_eq!(fs::read_dir(out).unwrap().count(), 1);
     fresh().run(out).unwrap();
     assert_eq!(fs::read_to_string(out.join("thesis.tex")).unwrap(), "mine");

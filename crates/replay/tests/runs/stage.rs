@@ -69,7 +69,14 @@ pub struct Wish {
 impl Default for Wish {
     fn default() -> Self {
         let pictures = Pictures { depth: Depth::Eight, refresh: false, film: false };
-        Self { frames: 0..12, pictures, threads: 2, scenario: SCENARIO.into(), fresh: false, cancel_after: None }
+        Self {
+            frames: 0..12,
+            pictures,
+            threads: 2,
+            scenario: SCENARIO.into(),
+            fresh: false,
+            cancel_after: None,
+        }
     }
 }
 

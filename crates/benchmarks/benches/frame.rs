@@ -1,0 +1,53 @@
+//! Whole frames: the machine in both scalar types on one and two threads, and `exact`.
+
+#![allow(missing_docs)]
+
+use std::hint::black_box;
+
+use benchmarks::first_light;
+use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use exact::Exact;
+use generator::{Generator, PlaneKind, Planes};
+use machine::HybridMachine;
+use scenario::Scalar;
+use signal::Probe;
+
+/// One whole frame of the README's scene, 1000 sweeps x 1000 samples, to finished planes.
+fn whole_frame(c: &mut Criterion) {
+    let mut group = c.benchmark_group("whole frame");
+    group.sample_size(20);
+    for (name, scalar) in [("f32", Scalar::F32), ("f64", Scalar::F64)] {
+        for threads in [1, 2] {
+            let (stage, pose) = first_light(scalar);
+            let raster = stage.settings.raster;
+            let mut planes =
+                Planes::new(raster.columns as usize, raster.lines as usize, &[PlaneKind::Intensity]);
+            let session = HybridMachine.prepare(stage).expect("the ideal machine draws terrain");
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+            group.throughput(Throughput::Elements(u64::from(raster.sweeps) * u64::from(raster.samples)));
+            group.bench_function(BenchmarkId::new(name, format!("{threads} threads")), |b| {
+                pool.install(|| {
+                    b.iter(|| black_box(session.frame(0, &pose, &mut planes, &mut Probe::off())));
+                });
+            });
+        }
+    }
+    group.finish();
+}
+
+/// The same frame by closed form and root finding.
+fn exact_frame(c: &mut Criterion) {
+    let (stage, pose) = first_light(Scalar::F64);
+    let raster = stage.settings.raster;
+    let mut planes = Planes::new(raster.columns as usize, raster.lines as usize, &[PlaneKind::Intensity]);
+    let session = Exact.prepare(stage).expect("exact draws terrain");
+    let mut group = c.benchmark_group("exact frame");
+    group.sample_size(10);
+    group.bench_function("all threads", |b| {
+        b.iter(|| black_box(session.frame(0, &pose, &mut planes, &mut Probe::off())));
+    });
+    group.finish();
+}
+
+criterion_group!(benches, whole_frame, exact_frame);
+criterion_main!(benches);

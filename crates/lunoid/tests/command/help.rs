@@ -1,0 +1,121 @@
+use crate::scene::{Scene, lunoid};
+
+const COMMANDS: [&[&str]; 16] = [
+    &[],
+    &["replay"],
+    &["compare"],
+    &["check"],
+    &["list"],
+    &["info"],
+    &["probe"],
+    &["signals"],
+    &["bank"],
+    &["bank", "import"],
+    &["bank", "export"],
+    &["bank", "show"],
+    &["bank", "generate"],
+    &["survey"],
+    &["model"],
+    &["model", "show"],
+];
+
+#[test]
+fn every_command_has_help_with_an_example() {
+    for command in COMMANDS {
+        let output = lunoid().args(command).arg("--help").output().unwrap();
+        let text = String::from_utf8(output.stdout).unwrap();
+        assert!(output.status.success(), "{command:?}");
+        assert!(text.contains("Example") && text.contains("  lunoid "), "{command:?}:\n{text}");
+    }
+}
+
+#[test]
+fn the_version_says_commit_and_result_family_and_no_time() {
+    let output = lunoid().arg("--version").output().unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.starts_with(concat!("lunoid ", env!("CARGO_PKG_VERSION"), " (commit ")), "{text}");
+    assert!(text.ends_with(", result family unfused)\n"), "{text}");
+}
+
+#[test]
+fn misuse_ends_with_2() {
+    let scene = Scene::new();
+    for wrong in [
+        &["replya"][..],
+        &[],
+        &["replay"],
+        &["replay", "tiny.toml", "--frames", "3..1"],
+        &["replay", "tiny.toml", "--frames", "0..99"],
+        &["replay", "tiny.toml", "--frames", "4"],
+        &["replay", "tiny.toml", "--sweeps", "0"],
+        &["replay", "tiny.toml", "--jobs", "0"],
+        &["replay", "tiny.toml", "--depth", "12"],
+        &["replay", "tiny.toml", "--set", "sweeps"],
+        &["replay", "tiny.toml", "--y4m", "-", "--json"],
+        &["probe", "tiny.toml", "--frame", "0", "--sweep", "0", "--out", "a.txt"],
+        &["probe", "tiny.toml", "--frame", "9", "--sweep", "0", "--out", "a.csv"],
+        &["probe", "tiny.toml", "--frame", "0", "--sweep", "40", "--out", "a.csv"],
+        &["probe", "tiny.toml", "--frame", "0", "--sweep", "0", "--out", "a.csv", "--signals", "tg.nothing"],
+        &["compare", "a.png"],
+        &["compare", "a.png", "b.png", "--share", "1"],
+        &["bank", "import", "a.npy", "--region-size-m", "-1", "-o", "a.bank"],
+        &["survey", "a.tif", "--centre", "1,2", "-o", "a.bank"],
+    ] {
+        let (out, err) = scene.expect(2, wrong);
+        assert!(out.is_empty() && err.contains("error") | err.contains("Usage"), "{wrong:?}: {err}");
+    }
+    assert_eq!(scene.list("."), ["tiny.toml"]);
+}
+
+#[test]
+fn lists_are_tables_or_documents() {
+    let scene = Scene::new();
+    std::fs::create_dir(scene.join("scenarios")).unwrap();
+    std::fs::copy(scene.join("tiny.toml"), scene.join("scenarios/tiny.toml")).unwrap();
+    scene.write("scenarios/broken.toml", "format = 1\n");
+    let (out, _) = scene.expect(0, &["list", "scenarios"]);
+    assert!(out.contains("scenarios/tiny.toml    Tiny   Nothing but a test."), "{out}");
+    assert!(out.contains("faults: see lunoid check"), "{out}");
+    let (out, _) = scene.expect(0, &["list", "models"]);
+    assert!(out.contains("ideal") && out.contains("built in"), "{out}");
+    for (arguments, schema, key) in [
+        (&["list", "models", "--json"][..], "lunoid.list/1", "models"),
+        (&["list", "scenarios", "--json"], "lunoid.list/1", "scenarios"),
+        (&["list", "signals", "--json"], "lunoid.signals/1", "signals"),
+        (&["signals", "tg.*", "--json"], "lunoid.signals/1", "signals"),
+        (&["model", "show", "ideal", "--json"], "lunoid.model/1", "values"),
+        (&["info", "tiny.toml", "--json"], "lunoid.info.scenario/1", "title"),
+    ] {
+        let (out, _) = scene.expect(0, arguments);
+        let document: serde_json::Value = serde_json::from_str(&out).unwrap();
+        assert_eq!(document["schema"], schema, "{arguments:?}");
+        assert!(!document[key].is_null(), "{arguments:?}");
+    }
+}
+
+#[test]
+fn a_model_tells_where_its_values_came_from() {
+    let scene = Scene::new();
+    scene.write("over.toml", "[raster]\nupdate_hz = 15\n");
+    let arguments = ["model", "show", "ideal", "--overlay", "over.toml", "--set", "raster.sweeps=525"];
+    let (out, _) = scene.expect(0, &arguments);
+    let line = |key: &str| out.lines().find(|line| line.starts_with(key)).unwrap_or_default().to_owned();
+    assert!(
+        line("raster.update_hz").contains("= 15") && line("raster.update_hz").contains("over.toml:2"),
+        "{out}"
+    );
+    assert!(line("raster.sweeps").contains("= 525") && line("raster.sweeps").contains("--set"), "{out}");
+    assert!(line("dpp.projection").contains("ideal.toml"), "{out}");
+}
+
+/// The reader goes away after the first line, as `head` does.
+#[test]
+fn a_closed_pipe_is_quiet() {
+    let mut command = std::process::Command::new(assert_cmd::cargo::cargo_bin("lunoid"));
+    let command = command.args(["signals", "--json"]).stdout(std::process::Stdio::piped());
+    let mut child = command.stderr(std::process::Stdio::piped()).spawn().unwrap();
+    drop(child.stdout.take());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(0));
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+}

@@ -1,0 +1,7 @@
+//! What a user types and sees.
+
+mod bad_input;
+mod banks;
+mod help;
+mod replays;
+mod scene;

@@ -1,0 +1,206 @@
+use std::fs;
+
+use crate::scene::{Scene, lunoid};
+
+fn frames(scene: &Scene, folder: &str) -> Vec<Vec<u8>> {
+    let folder = scene.join(folder).join("frames");
+    let mut files: Vec<_> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    files.sort();
+    files.into_iter().map(|file| fs::read(file).unwrap()).collect()
+}
+
+#[test]
+fn a_scenario_becomes_a_folder() {
+    let scene = Scene::new();
+    let (out, err) = scene.expect(0, &["replay", "tiny.toml", "--apng"]);
+    assert!(out.contains("runs/tiny: frames 0..4, 4 drawn now"), "{out}");
+    assert_eq!(err, "");
+    let names = [
+        "animation.png",
+        "camera.json",
+        "contact-sheet.png",
+        "frames",
+        "index.html",
+        "performance.json",
+        "poses.csv",
+        "run.json",
+    ];
+    assert_eq!(scene.list("runs/tiny"), names);
+    let expected: Vec<String> = (0..4).map(|n| format!("frame-{n:06}.png")).collect();
+    assert_eq!(scene.list("runs/tiny/frames"), expected);
+    let record = fs::read_to_string(scene.join("runs/tiny/run.json")).unwrap();
+    let record: serde_json::Value = serde_json::from_str(&record).unwrap();
+    assert_eq!(record["schema"], "lunoid.run/1");
+    assert_eq!(record["scenario"]["file"]["file"], "tiny.toml");
+    let text = fs::read(scene.join("tiny.toml")).unwrap();
+    assert_eq!(record["scenario"]["file"]["blake3"], replay::file_hash(&scene.join("tiny.toml")).unwrap());
+    assert!(!text.is_empty() && record["model"]["values"].as_array().unwrap().len() > 10);
+    let (again, _) = scene.expect(0, &["replay", "tiny.toml"]);
+    assert_eq!(again, "runs/tiny: frames 0..4, all there already\n");
+    let (info, _) = scene.expect(0, &["info", "runs/tiny"]);
+    assert!(info.contains("frames 0..4 of \"Tiny\" by hybrid (ideal), 40 sweeps of 80 samples"), "{info}");
+}
+
+#[test]
+fn threads_and_ways_of_asking_change_no_bit() {
+    let scene = Scene::new();
+    scene.expect(0, &["replay", "tiny.toml", "--jobs", "1", "--out", "a"]);
+    let output = lunoid().current_dir(scene.path()).env("LUNOID_THREADS", "3").args([
+        "replay",
+        "tiny.toml",
+        "--out",
+        "b",
+    ]);
+    output.expect_success();
+    scene.expect(0, &["replay", "tiny.toml", "--frames", "2..", "--out", "c"]);
+    scene.expect(0, &["replay", "tiny.toml", "--frames", "0..2", "--out", "c"]);
+    assert_eq!(frames(&scene, "a"), frames(&scene, "b"));
+    assert_eq!(frames(&scene, "a"), frames(&scene, "c"));
+    let read = |folder: &str| fs::read(scene.join(folder).join("run.json")).unwrap();
+    assert_eq!(read("a"), read("b"));
+    assert_eq!(read("a"), read("c"));
+}
+
+trait ExpectSuccess {
+    fn expect_success(&mut self);
+}
+
+impl ExpectSuccess for assert_cmd::Command {
+    fn expect_success(&mut self) {
+        assert!(self.output().unwrap().status.success());
+    }
+}
+
+#[test]
+fn the_command_line_wins() {
+    let scene = Scene::new();
+    let raster = |arguments: &[&str]| {
+        let arguments = [&["replay", "tiny.toml", "--frames", "0", "--fresh", "--json"], arguments].concat();
+        let (out, _) = scene.expect(0, &arguments);
+        assert_eq!(serde_json::from_str::<serde_json::Value>(&out).unwrap()["schema"], "lunoid.replay/1");
+        let record = fs::read_to_string(scene.join("runs/tiny/run.json")).unwrap();
+        serde_json::from_str::<serde_json::Value>(&record).unwrap()["settings"].clone()
+    };
+    assert_eq!(raster(&[])["raster"]["sweeps"], 40);
+    assert_eq!(raster(&["--sweeps", "24"])["raster"]["sweeps"], 24);
+    assert_eq!(raster(&["--set", "raster.sweeps=32"])["raster"]["sweeps"], 32);
+    assert_eq!(raster(&["--samples", "99"])["raster"]["samples_per_sweep"], 99);
+    assert_eq!(raster(&["--scalar", "f64"])["scalar"], "f64");
+    assert_eq!(raster(&["--set", "dpp.curvature=none"])["laws"]["curvature"], "none");
+    scene.write("over.toml", "[loader]\naccess_ns = 950\n");
+    assert_eq!(raster(&["--overlay", "over.toml"])["loader"]["access_ticks"], 950);
+}
+
+#[test]
+fn exact_draws_nearly_the_same_and_compare_says_so() {
+    let scene = Scene::new();
+    let base = ["replay", "tiny.toml", "--samples", "1000", "--frames", "0..2"];
+    scene.expect(0, &[&base[..], &["--out", "machine"]].concat());
+    scene.expect(0, &[&base[..], &["--out", "exact", "--machine", "exact"]].concat());
+    let (out, _) = scene.expect(0, &["compare", "machine", "exact", "--json", "--out", "difference.png"]);
+    let document: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(document["schema"], "lunoid.compare/1");
+    assert_eq!(document["pictures"].as_array().unwrap().len(), 2);
+    assert!(document["pictures"][0]["rmse"].as_f64().unwrap() < 0.05, "{out}");
+    assert!(scene.join("difference.png").exists());
+    let frame = |folder: &str| format!("{folder}/frames/frame-000000.png");
+    let (same, other) = (frame("machine"), frame("exact"));
+    scene.expect(0, &["compare", &same, &same, "--max-rmse", "0"]);
+    scene.expect(0, &["compare", &same, &other, "--tolerance", "2", "--share", "100"]);
+    let (out, _) = scene.expect(1, &["compare", &same, &other, "--max-rmse", "0"]);
+    assert!(out.contains("beyond the tolerance"), "{out}");
+    scene.expect(1, &["compare", &same, &other, "--tolerance", "0"]);
+    scene.expect(
+        0,
+        &["compare", &same, &other, "--tolerance", "0", "--mask", &all_but_one_pixel(&scene, &same, &other)],
+    );
+}
+
+/// A mask that leaves one pixel, equal in both: the sky at the top left.
+fn all_but_one_pixel(scene: &Scene, a: &str, b: &str) -> String {
+    let limits = picture::Limits::default();
+    let [a, b] = [a, b].map(|name| picture::read_png(scene.join(name), &limits).unwrap());
+    assert_eq!(a.code(0, 0), b.code(0, 0));
+    let codes = (0..a.codes().len()).map(|at| if at == 0 { 0 } else { 255 }).collect();
+    let mask = picture::GreyPicture::new(a.columns(), a.lines(), picture::Depth::Eight, codes).unwrap();
+    picture::write_png(scene.join("mask.png"), &mask, &[]).unwrap();
+    "mask.png".into()
+}
+
+#[test]
+fn films_go_to_a_file_or_a_pipe() {
+    let scene = Scene::new();
+    let (out, _) = scene.expect(0, &["replay", "tiny.toml", "--y4m", "film.y4m"]);
+    assert!(out.contains("4 drawn now"), "{out}");
+    let film = fs::read(scene.join("film.y4m")).unwrap();
+    assert!(film.starts_with(b"YUV4MPEG2 W40 "));
+    let output = scene.run(&["replay", "tiny.toml", "--y4m", "-"]);
+    assert_eq!(output.stdout, film);
+    assert!(String::from_utf8_lossy(&output.stderr).contains("all there already"));
+}
+
+#[test]
+fn refresh_gives_the_pictures_of_the_tube() {
+    let scene = Scene::new();
+    scene.expect(0, &["replay", "tiny.toml", "--refresh", "--frames", "1..2", "--depth", "16", "-q"]);
+    let names = ["frame-000003.png", "frame-000004.png", "frame-000005.png"];
+    assert_eq!(scene.list("runs/tiny/frames"), names);
+    let (out, _) = scene.expect(0, &["info", "runs/tiny/frames/frame-000004.png"]);
+    assert!(out.contains("of 16 bits"), "{out}");
+}
+
+#[test]
+fn another_run_is_refused_unless_fresh() {
+    let scene = Scene::new();
+    scene.expect(0, &["replay", "tiny.toml", "-q"]);
+    let before = frames(&scene, "runs/tiny");
+    let (_, err) = scene.expect(4, &["replay", "tiny.toml", "-q", "--sweeps", "20"]);
+    assert!(err.contains("holds another run") && err.contains("--fresh"), "{err}");
+    assert_eq!(frames(&scene, "runs/tiny"), before);
+    scene.expect(0, &["replay", "tiny.toml", "-q", "--sweeps", "20", "--fresh"]);
+    assert_ne!(frames(&scene, "runs/tiny"), before);
+}
+
+#[test]
+fn waveforms_of_a_sweep() {
+    let scene = Scene::new();
+    let base = ["probe", "tiny.toml", "--frame", "1", "--sweep", "3..5", "--signals", "tg.height,sweep.*"];
+    let (out, _) = scene.expect(0, &[&base[..], &["--out", "w.csv"]].concat());
+    assert_eq!(out, "w.csv: frame 1, sweeps 3..5: sweep.x, sweep.y, sweep.range, tg.height\n");
+    let csv = fs::read_to_string(scene.join("w.csv")).unwrap();
+    let mut lines = csv.lines();
+    assert_eq!(lines.next(), Some("frame,sweep,index,sweep.x [d],sweep.y [d],sweep.range [m],tg.height [m]"));
+    assert_eq!(lines.count(), 2 * 80);
+    scene.expect(0, &[&base[..], &["--out", "w.npz", "--json"]].concat());
+    assert!(fs::read(scene.join("w.npz")).unwrap().starts_with(b"PK"));
+}
+
+/// A first Ctrl-C ends the run with whole frames; the same command draws the rest.
+#[cfg(target_os = "linux")]
+#[test]
+fn ctrl_c_and_resume() {
+    use std::process::{Command, Stdio};
+    use std::time::{Duration, Instant};
+
+    let scene = Scene::new();
+    scene.vary("long.toml", "frames = 4", "frames = 400");
+    let mut command = Command::new(assert_cmd::cargo::cargo_bin("lunoid"));
+    let command = command.current_dir(scene.path()).args(["replay", "long.toml", "--samples", "4000"]);
+    let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let began = Instant::now();
+    while scene.list("runs/long/frames").len() < 5 && began.elapsed() < Duration::from_secs(60) {
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    let output = child.wait_with_output().unwrap();
+    let err = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(130), "{err}");
+    assert!(err.contains("frames are whole; the same command again draws the rest"), "{err}");
+    assert!(!scene.join("runs/long/run.json").exists());
+    let kept = scene.list("runs/long/frames").len();
+    assert!((5..400).contains(&kept), "{kept}");
+    let (out, _) = scene.expect(0, &["replay", "long.toml", "--samples", "4000"]);
+    assert!(out.contains(&format!("{} drawn now", 400 - kept)), "{kept}: {out}");
+    assert_eq!(scene.list("runs/long/frames").len(), 400);
+    assert!(!scene.join("runs/long/frames.journal").exists());
+}

@@ -1,0 +1,111 @@
+//! A tiny scenario in a folder of its own, and the command run in that folder.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Output;
+
+use assert_cmd::Command;
+use tempfile::TempDir;
+
+const SCENARIO: &str = r#"
+format = 1
+title = "Tiny"
+shows = "Nothing but a test."
+frames = 4
+
+[landscape.generated]
+seed = 3
+extent_m = [400, 400]
+region_size_m = 50
+[landscape.generated.undulation]
+rms_height_m = 2
+hurst = 0.9
+longest_m = 300
+shortest_m = 160
+waves = 20
+
+[sun]
+azimuth_deg = 100
+elevation_deg = 15
+
+[path]
+keyframes = [
+  { t_s = 0, x_m = 100, y_m = 200 },
+  { t_s = 5, x_m = 108, y_m = 205 },
+]
+
+[raster]
+sweeps = 40
+samples_per_sweep = 80
+update_hz = 10
+refresh_hz = 30
+
+[range]
+programme = "geometric"
+start_m = 2
+end_m = 300
+"#;
+
+/// A folder with `tiny.toml`.
+pub struct Scene {
+    folder: TempDir,
+}
+
+impl Scene {
+    pub fn new() -> Self {
+        let scene = Self { folder: tempfile::tempdir().unwrap() };
+        scene.write("tiny.toml", SCENARIO);
+        scene
+    }
+
+    pub fn path(&self) -> &Path {
+        self.folder.path()
+    }
+
+    pub fn join(&self, name: &str) -> PathBuf {
+        self.path().join(name)
+    }
+
+    pub fn write(&self, name: &str, content: impl AsRef<[u8]>) {
+        fs::write(self.join(name), content).unwrap();
+    }
+
+    /// `tiny.toml` with one thing changed, as `name`.
+    pub fn vary(&self, name: &str, old: &str, new: &str) {
+        assert!(SCENARIO.contains(old), "{old}");
+        self.write(name, SCENARIO.replace(old, new));
+    }
+
+    /// Runs the command in the folder.
+    pub fn run(&self, arguments: &[&str]) -> Output {
+        lunoid().current_dir(self.path()).args(arguments).output().unwrap()
+    }
+
+    /// Runs the command, which must end with `code`; standard output and standard error.
+    pub fn expect(&self, code: i32, arguments: &[&str]) -> (String, String) {
+        let output = self.run(arguments);
+        let [out, err] =
+            [&output.stdout, &output.stderr].map(|bytes| String::from_utf8_lossy(bytes).into_owned());
+        assert_eq!(output.status.code(), Some(code), "{arguments:?}\n{out}\n{err}");
+        assert!(!err.contains("panicked"), "{err}");
+        (out, err)
+    }
+
+    /// Names in a folder below.
+    pub fn list(&self, name: &str) -> Vec<String> {
+        let entries = fs::read_dir(self.join(name)).into_iter().flatten();
+        let mut names: Vec<String> =
+            entries.map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned()).collect();
+        names.sort();
+        names
+    }
+}
+
+/// The command, without what the environment may say.
+pub fn lunoid() -> Command {
+    let mut command = Command::cargo_bin("lunoid").unwrap();
+    for name in ["LUNOID_THREADS", "NO_COLOR", "CLICOLOR_FORCE"] {
+        command.env_remove(name);
+    }
+    command
+}
