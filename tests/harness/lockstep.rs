@@ -72,6 +72,8 @@ pub struct Lockstep {
     programme: Vec<f64>,
     /// Condition of that law: how much of a rounding of 1/range shows in the farthest range.
     reach: f64,
+    /// Height of the eye, without its sign (m).
+    eye: f64,
     bound: f64,
 }
 
@@ -91,7 +93,7 @@ impl Lockstep {
             Scalar::F32 => F32_BOUND,
         };
         let (programme, reach) = (range_programme(scene), scene.range.end / scene.range.start);
-        Self { drawn, records, programme, reach, bound }
+        Self { drawn, records, programme, reach, eye: scene.eye[2].abs(), bound }
     }
 
     /// The first difference: ground ranges, signals sample by sample in the order of the drawing, counters.
@@ -117,9 +119,10 @@ impl Lockstep {
         largest
     }
 
-    /// Full scale of each signal: the largest value that the frame has.
+    /// Full scale of each signal: the largest value that the frame has. The summer takes the eye's height off, so
+    /// that counts as a height.
     fn full_scales(&self) -> BTreeMap<&'static str, f64> {
-        let mut scales = BTreeMap::from([("sweep.x", 1.0), ("sweep.y", 1.0)]);
+        let mut scales = BTreeMap::from([("sweep.x", 1.0), ("sweep.y", 1.0), ("tg.height", self.eye)]);
         for (&name, values) in self.records.iter().flat_map(|record| &record.signals) {
             let largest = values.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
             let scale = scales.entry(name).or_insert(f64::MIN_POSITIVE);

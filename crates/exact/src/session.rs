@@ -7,7 +7,7 @@ use generator::{
 use landscape::Landscape;
 use quantities::degrees;
 use rayon::prelude::*;
-use scenario::{Pose, RangeLaw, RangeProgramme};
+use scenario::Pose;
 use signal::{Probe, Signal};
 
 use crate::column::{Column, Frame, Pixel};
@@ -67,7 +67,8 @@ impl Session {
     fn columns(&self, pose: &Pose, planes: &Planes) -> Vec<(Vec<Pixel>, u64)> {
         let Stage { landscape, sun, settings } = &self.stage;
         let (laws, field) = (settings.laws, settings.raster.field);
-        let ranges = [first_range(&settings.range, settings.raster.samples), settings.range.end];
+        let first = settings.range.at_sample(0, settings.raster.samples as usize);
+        let ranges = [first, settings.range.end];
         let outlook = &Outlook::new(landscape.level(), &self.ceilings, pose.eye, laws.curvature, ranges);
         let view = &View::new(laws.projection, &pose.attitude);
         let half_height = field.tan_half_height;
@@ -96,20 +97,6 @@ fn check_eye(landscape: &Landscape, frame: u64, pose: &Pose) -> Result<(), Frame
     match height > ground {
         true => Ok(()),
         false => Err(FrameError::EyeUnderGround { frame, below: ground - height }),
-    }
-}
-
-/// Range of the machine's first sample (m): ground nearer than that no sweep draws. The two ramps of the terrain
-/// generator start one step out instead of at `start`.
-fn first_range(programme: &RangeProgramme, samples: u32) -> f64 {
-    let samples = f64::from(samples);
-    match programme.law {
-        RangeLaw::ConstantRate => programme.end / samples,
-        RangeLaw::TwoRate { switch, fine_share } => {
-            let fine_steps = (fine_share * (samples - 1.0)).round().min(samples - 2.0).max(1.0);
-            switch / (fine_steps + 1.0)
-        }
-        RangeLaw::ConstantElevation | RangeLaw::Geometric => programme.start,
     }
 }
 

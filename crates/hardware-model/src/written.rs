@@ -62,12 +62,30 @@ fn loader(table: &Reader, clock: Option<Rate>) -> Option<Loader> {
             &[("strobe-through", LatePolicy::StrobeThrough), ("latched", LatePolicy::Latched)],
         )
         .required();
-    let delays: Vec<_> = table.tables("delay").iter().map(delay).collect();
+    let tables = table.tables("delay");
+    let delays: Vec<_> = tables.iter().map(delay).collect();
+    refuse_twins(&tables, &delays);
     Some(Loader {
         access_ticks: ticks(access?, clock?),
         late_policy: late_policy?,
         delays: delays.into_iter().collect::<Option<_>>()?,
     })
+}
+
+/// One word of one request can be held back once: two entries would send it twice.
+fn refuse_twins(tables: &[Reader], delays: &[Option<LoadDelay>]) {
+    let which = |delay: &LoadDelay| (delay.sweep, delay.crossing, delay.colour, delay.register, delay.word);
+    let meet = |a: Option<u64>, b: Option<u64>| a.is_none() || b.is_none() || a == b;
+    for (index, delay) in delays.iter().enumerate() {
+        let Some(delay) = delay else { continue };
+        let mut earlier = delays[..index].iter().flatten();
+        if earlier.any(|other| which(other) == which(delay) && meet(other.frame, delay.frame)) {
+            let problem =
+                tables[index].problem("word", "the same word of the same crossing is delayed twice");
+            let help = "join both entries into one, or give them different frames";
+            tables[index].report(problem.expected("one entry for each word").help(help));
+        }
+    }
 }
 
 /// Whole ticks that `nanoseconds` take: a word is there at the first tick after it came.

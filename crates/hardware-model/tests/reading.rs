@@ -158,10 +158,29 @@ fn delays_are_read() {
 }
 
 #[test]
+fn one_word_is_delayed_once() {
+    let entry = |frame: &str, word: &str| {
+        format!(
+            "{{ {frame} sweep = 3, crossing = 4, colour = 'red', register = 'y-first', word = {word}, ticks = 9 }}"
+        )
+    };
+    let list = |a: &str, b: &str| format!("[{a}, {b}]");
+    for (a, b, faults) in [
+        (entry("", "[0, 0]"), entry("frame = 1,", "[0, 0]"), 1),
+        (entry("frame = 1,", "[0, 0]"), entry("frame = 1,", "[0, 0]"), 1),
+        (entry("frame = 1,", "[0, 0]"), entry("frame = 2,", "[0, 0]"), 0),
+        (entry("", "[0, 0]"), entry("", "[0, 1]"), 0),
+    ] {
+        let read = set(&[("loader.delay", &list(&a, &b))]);
+        assert_eq!(read.map_or_else(|list| list.len(), |_| 0), faults, "{a} and {b}");
+    }
+}
+
+#[test]
 fn the_effective_model_is_itself_a_model() {
     let delay = "sweep = 1\ncrossing = 2\ncolour = 'green'\nregister = 'x-first'\nword = [0, 2]\nticks = 7\n";
     let model = format!(
-        "format = 1\nname = 'm'\nbase = 'ideal'\n[[loader.delay]]\nframe = 4\n{delay}[[loader.delay]]\n{delay}"
+        "format = 1\nname = 'm'\nbase = 'ideal'\n[[loader.delay]]\nframe = 4\n{delay}[[loader.delay]]\nframe = 5\n{delay}"
     );
     let folder = folder(&[("m.toml", &model)]);
     let overlay = folder.path().join("o.toml");

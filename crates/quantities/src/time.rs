@@ -146,7 +146,9 @@ impl Timebase {
     /// The first tick at or after `time` in sweep `sweep` of frame `frame`: when the digital side sees it.
     pub fn tick_at_or_after(&self, frame: u64, sweep: u32, time: SweepTime) -> Tick {
         let (whole, rest) = self.master.periods_in(self.first_step(frame, sweep), self.sample);
-        Tick(whole + (rest + time.0 * self.ticks_per_sample()).ceil() as u64)
+        // Folds before the first sample have negative instants.
+        let after = (rest + time.0 * self.ticks_per_sample()).ceil() as i64;
+        Tick(whole.saturating_add_signed(after))
     }
 
     /// When `tick` falls, as an instant of sweep `sweep` of frame `frame`; negative before its start.
@@ -189,7 +191,7 @@ mod tests {
     fn ticks_round_up_and_come_back() {
         let clocks = nominal();
         for sweep in 0..525 {
-            let time = SweepTime(f64::from(sweep) * 1.7);
+            let time = SweepTime(f64::from(sweep) * 1.7 - 0.9);
             let tick = clocks.tick_at_or_after(7, sweep, time);
             let back = clocks.instant_of(tick, 7, sweep);
             let late = (back.0 - time.0) * clocks.ticks_per_sample();

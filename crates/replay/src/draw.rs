@@ -11,6 +11,7 @@ use hardware_model::Settings;
 use landscape::Attitude;
 use picture::{Encoder, GreyPicture, PictureError, encode_png};
 use quantities::degrees;
+use rayon::ThreadPool;
 use scenario::PoseRow;
 use signal::Probe;
 
@@ -47,30 +48,16 @@ pub(crate) fn draw_all(
     kept: u64,
     control: &Control,
 ) -> Result<BTreeMap<u64, FrameRecord>, ReplayError> {
-    let (next, done) = (AtomicUsize::new(0), AtomicU64::new(kept));
-    let failed = AtomicBool::new(false);
-    let failure: Mutex<Option<(u64, ReplayError)>> = Mutex::new(None);
-    let records = Mutex::new(BTreeMap::new());
+    let ledger = Ledger { done: AtomicU64::new(kept), ..Ledger::default() };
     let carry = || {
         let raster = &drawing.settings.raster;
         let kinds = [PlaneKind::Intensity];
         let mut planes = Planes::new(raster.columns as usize, raster.lines as usize, &kinds);
-        while !failed.load(Ordering::Relaxed) && !control.cancel.load(Ordering::Relaxed) {
-            let Some(row) = rows.get(next.fetch_add(1, Ordering::Relaxed)) else { break };
-            match drawing.frame(row, &mut planes, control) {
-                Ok(record) => {
-                    let mut records = records.lock().unwrap_or_else(PoisonError::into_inner);
-                    records.insert(record.frame, record);
-                    let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-                    (control.progress)(Progress::Frame { done });
-                }
-                Err(error) => {
-                    failed.store(true, Ordering::Relaxed);
-                    let mut first = failure.lock().unwrap_or_else(PoisonError::into_inner);
-                    if first.as_ref().is_none_or(|(frame, _)| row.frame < *frame) {
-                        *first = Some((row.frame, error));
-                    }
-                }
+        while !control.cancel.load(Ordering::Relaxed) {
+            let Some(row) = ledger.next(rows) else { break };
+            match drawing.frame(row, &mut planes, control.pool) {
+                Ok(record) => (control.progress)(Progress::Frame { done: ledger.keep(record) }),
+                Err(error) => ledger.fail(row.frame, error),
             }
         }
     };
@@ -80,9 +67,47 @@ pub(crate) fn draw_all(
             scope.spawn(carry);
         }
     });
-    match failure.into_inner().unwrap_or_else(PoisonError::into_inner) {
-        Some((_, error)) => Err(error),
-        None => Ok(records.into_inner().unwrap_or_else(PoisonError::into_inner)),
+    ledger.close()
+}
+
+/// What the carriers have in common.
+#[derive(Default)]
+struct Ledger {
+    next: AtomicUsize,
+    done: AtomicU64,
+    has_failed: AtomicBool,
+    failure: Mutex<Option<(u64, ReplayError)>>,
+    records: Mutex<BTreeMap<u64, FrameRecord>>,
+}
+
+impl Ledger {
+    fn next<'a>(&self, rows: &'a [PoseRow]) -> Option<&'a PoseRow> {
+        if self.has_failed.load(Ordering::Relaxed) {
+            return None;
+        }
+        rows.get(self.next.fetch_add(1, Ordering::Relaxed))
+    }
+
+    /// Keeps a frame; tells how many there are.
+    fn keep(&self, record: FrameRecord) -> u64 {
+        self.records.lock().unwrap_or_else(PoisonError::into_inner).insert(record.frame, record);
+        self.done.fetch_add(1, Ordering::Relaxed) + 1
+    }
+
+    /// Ends the run. Of several failures the one of the earliest frame is told.
+    fn fail(&self, frame: u64, error: ReplayError) {
+        self.has_failed.store(true, Ordering::Relaxed);
+        let mut failure = self.failure.lock().unwrap_or_else(PoisonError::into_inner);
+        if failure.as_ref().is_none_or(|(earlier, _)| frame < *earlier) {
+            *failure = Some((frame, error));
+        }
+    }
+
+    fn close(self) -> Result<BTreeMap<u64, FrameRecord>, ReplayError> {
+        match self.failure.into_inner().unwrap_or_else(PoisonError::into_inner) {
+            Some((_, error)) => Err(error),
+            None => Ok(self.records.into_inner().unwrap_or_else(PoisonError::into_inner)),
+        }
     }
 }
 
@@ -91,50 +116,39 @@ impl Drawing<'_> {
         &self,
         row: &PoseRow,
         planes: &mut Planes,
-        control: &Control,
+        pool: &ThreadPool,
     ) -> Result<FrameRecord, ReplayError> {
         let frame = row.frame;
+        let refused = |source| ReplayError::Picture { frame, source };
         let draw = || self.session.frame(frame, &row.pose, planes, &mut Probe::off());
-        let counts = control.pool.install(|| self.times.draw.time(draw))?;
-        let intensity = planes.get(PlaneKind::Intensity).unwrap_or_default();
-        let encode = || self.encode(row, intensity, planes.columns(), planes.lines());
-        let (pixels, files) = control
-            .pool
-            .install(|| self.times.encode.time(encode))
-            .map_err(|source| ReplayError::Picture { frame, source })?;
-        let files = self.times.write.time(|| self.write(files))?;
-        let record =
-            FrameRecord { frame, time_s: row.pose.time, pixels_blake3: pixels, files, counts: counts.into() };
+        let counts = pool.install(|| self.times.draw.time(draw))?;
+        let encode = || {
+            let intensity = planes.get(PlaneKind::Intensity).unwrap_or_default();
+            self.encoder.encode(intensity, planes.columns(), planes.lines())
+        };
+        let picture = pool.install(|| self.times.encode.time(encode)).map_err(refused)?;
+        let mut files = Vec::new();
+        for index in frame * self.showings..(frame + 1) * self.showings {
+            let png = || self.png(row, index, &picture);
+            let png = pool.install(|| self.times.encode.time(png)).map_err(refused)?;
+            files.push(self.times.write.time(|| self.write(picture_name(index), &png))?);
+        }
+        let (time_s, pixels_blake3) = (row.pose.time, picture.pixel_hash());
+        let record = FrameRecord { frame, time_s, pixels_blake3, files, counts: counts.into() };
         self.times.write.time(|| self.journal.add(&record))?;
         Ok(record)
     }
 
-    /// Hash of the pixels, and name and bytes of each picture.
-    fn encode(
-        &self,
-        row: &PoseRow,
-        intensity: &[f32],
-        columns: usize,
-        lines: usize,
-    ) -> Result<(String, Vec<(String, Vec<u8>)>), PictureError> {
-        let picture = self.encoder.encode(intensity, columns, lines)?;
-        let indices = row.frame * self.showings..(row.frame + 1) * self.showings;
-        let file = |index| Ok((picture_name(index), self.png(row, index, &picture)?));
-        let files: Result<_, PictureError> = indices.map(file).collect();
-        Ok((picture.pixel_hash(), files?))
-    }
-
     fn png(&self, row: &PoseRow, index: u64, picture: &GreyPicture) -> Result<Vec<u8>, PictureError> {
-        let rate =
-            if self.showings == 1 { self.settings.timebase.update } else { self.settings.raster.refresh };
-        let time = index as f64 / rate.hertz();
+        let is_update = self.showings == 1;
+        let rate = if is_update { self.settings.timebase.update } else { self.settings.raster.refresh };
         let [x, y, z] = row.pose.eye;
         let Attitude { roll, pitch, heading } = row.pose.attitude;
         let [heading, pitch, roll] = [heading, pitch, roll].map(degrees);
         let texts = [
             ("Software", format!("{} {}", self.program.name, self.program.version)),
             ("Frame", index.to_string()),
-            ("Time", format!("{time} s")),
+            ("Time", format!("{} s", index as f64 / rate.hertz())),
             (
                 "Pose",
                 format!("x_m={x} y_m={y} z_m={z} heading_deg={heading} pitch_deg={pitch} roll_deg={roll}"),
@@ -143,11 +157,8 @@ impl Drawing<'_> {
         encode_png(picture, &texts.each_ref().map(|(key, text)| (*key, text.as_str())))
     }
 
-    fn write(&self, files: Vec<(String, Vec<u8>)>) -> Result<Vec<FileRecord>, ReplayError> {
-        let write = |(file, bytes): (String, Vec<u8>)| {
-            files::write_atomic(self.folder.join(&file), |out: &mut dyn Write| out.write_all(&bytes))?;
-            Ok(FileRecord { file, blake3: hash(&bytes) })
-        };
-        files.into_iter().map(write).collect()
+    fn write(&self, file: String, bytes: &[u8]) -> Result<FileRecord, ReplayError> {
+        files::write_atomic(self.folder.join(&file), |out: &mut dyn Write| out.write_all(bytes))?;
+        Ok(FileRecord { file, blake3: hash(bytes) })
     }
 }

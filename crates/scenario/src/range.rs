@@ -28,3 +28,32 @@ pub struct RangeProgramme {
     /// Range of the last sample (m).
     pub end: f64,
 }
+
+impl RangeProgramme {
+    /// Range of sample `sample` of `samples`, at least 2 (m): ascends, and ends at `end` exactly.
+    pub fn at_sample(&self, sample: usize, samples: usize) -> f64 {
+        let last = samples - 1;
+        if sample == last {
+            return self.end;
+        }
+        let share = sample as f64 / last as f64;
+        match self.law {
+            RangeLaw::ConstantRate => self.end * (sample + 1) as f64 / samples as f64,
+            RangeLaw::TwoRate { switch, fine_share } => self.two_rate(sample, last, switch, fine_share),
+            RangeLaw::ConstantElevation => {
+                1.0 / (1.0 / self.start + (1.0 / self.end - 1.0 / self.start) * share)
+            }
+            RangeLaw::Geometric => self.start * libm::exp(libm::log(self.end / self.start) * share),
+        }
+    }
+
+    /// A fine ramp from one fine step to `switch`, then a coarse one to the end.
+    fn two_rate(&self, sample: usize, last: usize, switch: f64, fine_share: f64) -> f64 {
+        let (sample, last) = (sample as f64, last as f64);
+        let fine = (fine_share * last).round().min(last - 1.0).max(1.0);
+        if sample <= fine {
+            return switch * (sample + 1.0) / (fine + 1.0);
+        }
+        switch + (self.end - switch) * (sample - fine) / (last - fine)
+    }
+}

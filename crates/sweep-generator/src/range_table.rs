@@ -1,7 +1,7 @@
 //! The ground-range programme as a table: range of each sample, and back.
 
 use quantities::SweepTime;
-use scenario::{RangeLaw, RangeProgramme};
+use scenario::RangeProgramme;
 
 /// Ground range of every sample of a sweep, ascending (m).
 #[derive(Debug, Clone, PartialEq)]
@@ -12,20 +12,7 @@ pub struct RangeTable {
 impl RangeTable {
     /// The programme over `samples` samples (at least 2).
     pub fn new(programme: &RangeProgramme, samples: usize) -> Self {
-        let RangeProgramme { law, start, end } = *programme;
-        let last = (samples - 1) as f64;
-        let range = |k: usize| {
-            let share = k as f64 / last;
-            match law {
-                RangeLaw::ConstantRate => end * (k + 1) as f64 / samples as f64,
-                RangeLaw::TwoRate { switch, fine_share } => {
-                    two_rate(k, samples, (fine_share * last).round().clamp(1.0, last - 1.0), switch, end)
-                }
-                RangeLaw::ConstantElevation => 1.0 / (1.0 / start + (1.0 / end - 1.0 / start) * share),
-                RangeLaw::Geometric => start * libm::exp(libm::log(end / start) * share),
-            }
-        };
-        Self { ranges: (0..samples).map(range).collect() }
+        Self { ranges: (0..samples).map(|sample| programme.at_sample(sample, samples)).collect() }
     }
 
     /// Range of each sample (m).
@@ -77,15 +64,6 @@ impl RangeTable {
     }
 }
 
-/// Fine ramp from one fine step to `switch` in `fine` steps, then a coarse ramp to `end`.
-fn two_rate(k: usize, samples: usize, fine: f64, switch: f64, end: f64) -> f64 {
-    let k = k as f64;
-    if k <= fine {
-        return switch * (k + 1.0) / (fine + 1.0);
-    }
-    switch + (end - switch) * (k - fine) / ((samples - 1) as f64 - fine)
-}
-
 #[cfg(test)]
 mod tests {
     use super::RangeTable;
@@ -108,7 +86,9 @@ mod tests {
         for law in LAWS {
             let table = table(law);
             assert!(table.ranges().windows(2).all(|pair| pair[0] < pair[1]), "{law:?}");
-            assert!((table.ranges()[999] - 5000.0).abs() < 1e-8, "{law:?}");
+            assert_eq!(table.ranges()[999], 5000.0, "{law:?}");
+            let short = RangeTable::new(&RangeProgramme { law, start: 1.5, end: 5000.0 }, 2);
+            assert!(short.ranges()[0] < short.ranges()[1], "{law:?}");
         }
     }
 

@@ -45,13 +45,9 @@ fn a_scenario_becomes_a_folder() {
 fn threads_and_ways_of_asking_change_no_bit() {
     let scene = Scene::new();
     scene.expect(0, &["replay", "tiny.toml", "--jobs", "1", "--out", "a"]);
-    let output = lunoid().current_dir(scene.path()).env("LUNOID_THREADS", "3").args([
-        "replay",
-        "tiny.toml",
-        "--out",
-        "b",
-    ]);
-    output.expect_success();
+    let mut command = lunoid();
+    let command = command.current_dir(scene.path()).env("LUNOID_THREADS", "3");
+    assert!(command.args(["replay", "tiny.toml", "--out", "b"]).output().unwrap().status.success());
     scene.expect(0, &["replay", "tiny.toml", "--frames", "2..", "--out", "c"]);
     scene.expect(0, &["replay", "tiny.toml", "--frames", "0..2", "--out", "c"]);
     assert_eq!(frames(&scene, "a"), frames(&scene, "b"));
@@ -59,16 +55,6 @@ fn threads_and_ways_of_asking_change_no_bit() {
     let read = |folder: &str| fs::read(scene.join(folder).join("run.json")).unwrap();
     assert_eq!(read("a"), read("b"));
     assert_eq!(read("a"), read("c"));
-}
-
-trait ExpectSuccess {
-    fn expect_success(&mut self);
-}
-
-impl ExpectSuccess for assert_cmd::Command {
-    fn expect_success(&mut self) {
-        assert!(self.output().unwrap().status.success());
-    }
 }
 
 #[test]
@@ -87,7 +73,7 @@ fn the_command_line_wins() {
     assert_eq!(raster(&["--samples", "99"])["raster"]["samples_per_sweep"], 99);
     assert_eq!(raster(&["--scalar", "f64"])["scalar"], "f64");
     assert_eq!(raster(&["--set", "dpp.curvature=none"])["laws"]["curvature"], "none");
-    scene.write("over.toml", "[loader]\naccess_ns = 950\n");
+    scene.write("over.toml", "format = 1\n[loader]\naccess_ns = 950\n");
     assert_eq!(raster(&["--overlay", "over.toml"])["loader"]["access_ticks"], 950);
 }
 
