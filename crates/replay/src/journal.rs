@@ -90,3 +90,28 @@ fn line(value: &impl Serialize) -> std::io::Result<Vec<u8>> {
     line.push(b'\n');
     Ok(line)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Journal, read};
+    use crate::held::{FrameRecord, WorkRecord};
+
+    #[test]
+    fn what_is_read_is_what_was_written() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let record = |frame: u64| FrameRecord {
+            frame,
+            time_s: frame as f64 / 15.0,
+            pixels_blake3: "p".into(),
+            files: vec![],
+            counts: WorkRecord::default(),
+        };
+        let first: Vec<FrameRecord> = (0..500).map(record).collect();
+        let journal = Journal::begin(folder.path(), "f", &first).expect("begun");
+        (500..1000).for_each(|frame| journal.add(&record(frame)).expect("added"));
+        let found = read(folder.path()).expect("readable").expect("there");
+        assert_eq!((found.fingerprint.as_str(), found.frames), ("f", (0..1000).map(record).collect()));
+        journal.end().expect("ended");
+        assert!(read(folder.path()).expect("readable").is_none());
+    }
+}
