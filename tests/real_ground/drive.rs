@@ -1,0 +1,124 @@
+//! A scenario over surveyed ground.
+
+use std::env;
+use std::path::Path;
+use std::sync::Arc;
+
+use compare::{RidgeError, compare, horizon_of_picture, ridge_error, ridge_mask};
+use exact::Exact;
+use generator::{Generator, PlaneKind, Planes, Stage};
+use hardware_model::{HardwareModel, Settings};
+use landscape::{Georeference, Landscape};
+use machine::HybridMachine;
+use picture::{Depth, Encoder, GreyPicture, Transfer};
+use quantities::degrees;
+use scenario::{Pose, PoseTable, RasterWishes, Scenario};
+use signal::Probe;
+use survey::{ReadOptions, SurveyOptions, SurveyReport, survey};
+
+use crate::shared;
+
+/// Sweeps of a frame where the environment does not say: enough to see a fault, few enough for every day.
+const SWEEPS: u32 = 96;
+
+/// Step of range, as a part of it, that makes a ridge.
+const RIDGE: f32 = 0.2;
+
+/// A scenario, its ground and what the survey said of it.
+pub struct Drive {
+    /// File name of the scenario.
+    pub name: &'static str,
+    /// Figures of the survey.
+    pub report: SurveyReport,
+    poses: PoseTable,
+    stage: Stage,
+}
+
+/// How far a frame of the machine is from the closed form.
+pub struct Agreement {
+    /// Part of the pixels outside the ridge mask that are off by more than two levels of 255.
+    pub off: f64,
+    /// The same of all pixels.
+    pub off_anywhere: f64,
+    /// Lines by which the lit horizon is off.
+    pub horizon: RidgeError,
+}
+
+impl Drive {
+    /// Surveys `file` and puts the scenario `name` on it.
+    pub fn over(name: &'static str, file: &Path, read: &ReadOptions, options: &SurveyOptions) -> Self {
+        let elevation = survey::read(file, read).expect("a readable elevation file");
+        let found = survey(&elevation, options, &mut |_| {}).expect("ground that can be fitted");
+        let scenario = Scenario::read(&shared::scenario(&format!("{name}.toml"))).expect("a sound scenario");
+        let settings = settings(&scenario);
+        let landscape = Arc::new(Landscape::new(found.bank, scenario.albedo));
+        let update = settings.timebase.update;
+        let poses = PoseTable::resolve(&scenario, &landscape, update, 0..scenario.frames(update))
+            .unwrap_or_else(|problems| panic!("{name}: {problems}"));
+        let stage = Stage { landscape, sun: scenario.sun, settings };
+        Self { name, report: found.report, poses, stage }
+    }
+
+    /// Where the ground lies on the Moon.
+    pub fn georeference(&self) -> Option<Georeference> {
+        self.stage.landscape.bank().georeference()
+    }
+
+    /// Every pose has finite pitch and roll of at most `most` degrees, and the vehicle keeps within its limits.
+    pub fn expect_upright(&self, most: f64) {
+        for row in self.poses.rows() {
+            let tilts = [row.pose.attitude.pitch, row.pose.attitude.roll].map(degrees);
+            let sound = tilts.iter().all(|tilt| tilt.is_finite() && tilt.abs() <= most);
+            assert!(sound, "{} frame {}: pitch and roll {tilts:?} degrees", self.name, row.frame);
+        }
+        assert!(self.poses.limits().is_empty(), "{}: {:?}", self.name, self.poses.limits());
+    }
+
+    /// Draws a frame with both generators.
+    pub fn agreement(&self, frame: u64) -> Agreement {
+        let pose = &self.poses.rows()[frame as usize].pose;
+        let [test, reference] = [&HybridMachine as &dyn Generator, &Exact].map(|by| self.draw(by, frame, pose));
+        let [columns, lines] = [test.columns(), test.lines()];
+        let range = reference.get(PlaneKind::Range).expect("asked for");
+        let mask = ridge_mask(range, columns, lines, RIDGE).expect("a range plane");
+        let [a, b] = [&test, &reference].map(|planes| self.grey(planes));
+        let off = |mask| compare(&a, &b, mask, &[2]).expect("pictures of one size").beyond[0].share;
+        let [seen, expected] = [&a, &b].map(|picture| horizon_of_picture(picture, 0));
+        let horizon = ridge_error(&seen, &expected).expect("horizons of one width");
+        Agreement { off: off(Some(&mask)), off_anywhere: off(None), horizon }
+    }
+
+    fn draw(&self, by: &dyn Generator, frame: u64, pose: &Pose) -> Planes {
+        let raster = &self.stage.settings.raster;
+        let kinds = [PlaneKind::Intensity, PlaneKind::Range];
+        let mut planes = Planes::new(raster.columns as usize, raster.lines as usize, &kinds);
+        let session = by.prepare(self.stage.clone()).expect("a stage that can be drawn");
+        session.frame(frame, pose, &mut planes, &mut Probe::new(Vec::new(), 0..0)).expect("a pose that can be drawn");
+        planes
+    }
+
+    fn grey(&self, planes: &Planes) -> GreyPicture {
+        let display = &self.stage.settings.display;
+        let transfer = Transfer::new(display.white as f32, display.gamma as f32).expect("a display law");
+        let intensity = planes.get(PlaneKind::Intensity).expect("asked for");
+        let encoder = Encoder::new(transfer, Depth::Eight);
+        encoder.encode(intensity, planes.columns(), planes.lines()).expect("finite intensities")
+    }
+}
+
+/// What the scenario comes to on its own machine, the ideal one, with few sweeps.
+fn settings(scenario: &Scenario) -> Settings {
+    let asked = env::var("LUNOID_REAL_GROUND_SWEEPS").ok();
+    let sweeps = asked.map_or(SWEEPS, |text| text.parse().expect("LUNOID_REAL_GROUND_SWEEPS is a whole number"));
+    let wishes = RasterWishes { sweeps: Some(sweeps), ..RasterWishes::default() };
+    Settings::resolve(
+        &HardwareModel::ideal(),
+        scenario.field,
+        wishes.or(scenario.raster),
+        scenario.range,
+        scenario.laws,
+        scenario.scalar,
+        scenario.display,
+    )
+    .expect("a scenario that goes with the ideal machine")
+}
