@@ -4,7 +4,7 @@ use std::env;
 use std::path::Path;
 use std::sync::Arc;
 
-use compare::{RidgeError, compare, horizon_of_picture, ridge_error, ridge_mask};
+use compare::{RidgeError, compare, horizon_of_picture, horizon_of_range, ridge_error, ridge_mask};
 use exact::Exact;
 use generator::{Generator, PlaneKind, Planes, Stage};
 use hardware_model::{HardwareModel, Settings};
@@ -77,14 +77,15 @@ impl Drive {
     /// Draws a frame with both generators.
     pub fn agreement(&self, frame: u64) -> Agreement {
         let pose = &self.poses.rows()[frame as usize].pose;
-        let [test, reference] = [&HybridMachine as &dyn Generator, &Exact].map(|by| self.draw(by, frame, pose));
+        let [test, reference] =
+            [&HybridMachine as &dyn Generator, &Exact].map(|by| self.draw(by, frame, pose));
         let [columns, lines] = [test.columns(), test.lines()];
         let range = reference.get(PlaneKind::Range).expect("asked for");
         let mask = ridge_mask(range, columns, lines, RIDGE).expect("a range plane");
         let [a, b] = [&test, &reference].map(|planes| self.grey(planes));
         let off = |mask| compare(&a, &b, mask, &[2]).expect("pictures of one size").beyond[0].share;
-        let [seen, expected] = [&a, &b].map(|picture| horizon_of_picture(picture, 0));
-        let horizon = ridge_error(&seen, &expected).expect("horizons of one width");
+        let crest = horizon_of_range(range, columns, lines).expect("a range plane");
+        let horizon = lit_horizon_error(&a, &b, &crest);
         Agreement { off: off(Some(&mask)), off_anywhere: off(None), horizon }
     }
 
@@ -93,7 +94,9 @@ impl Drive {
         let kinds = [PlaneKind::Intensity, PlaneKind::Range];
         let mut planes = Planes::new(raster.columns as usize, raster.lines as usize, &kinds);
         let session = by.prepare(self.stage.clone()).expect("a stage that can be drawn");
-        session.frame(frame, pose, &mut planes, &mut Probe::new(Vec::new(), 0..0)).expect("a pose that can be drawn");
+        session
+            .frame(frame, pose, &mut planes, &mut Probe::new(Vec::new(), 0..0))
+            .expect("a pose that can be drawn");
         planes
     }
 
@@ -106,19 +109,39 @@ impl Drive {
     }
 }
 
-/// What the scenario comes to on its own machine, the ideal one, with few sweeps.
+/// Lines by which the horizon of `test` is off, over the columns whose crest is lit: a dark crest is as black as the
+/// sky.
+fn lit_horizon_error(test: &GreyPicture, reference: &GreyPicture, crest: &[Option<usize>]) -> RidgeError {
+    let [seen, expected] = [test, reference].map(|picture| horizon_of_picture(picture, 0));
+    // The range plane holds for the middle of a line, the picture for all of it.
+    let is_lit = |column: &usize| {
+        expected[*column].zip(crest[*column]).is_some_and(|(lit, crest)| lit.abs_diff(crest) <= 1)
+    };
+    let lit = |horizon: &[Option<usize>]| -> Vec<_> {
+        (0..crest.len()).filter(is_lit).map(|column| horizon[column]).collect()
+    };
+    ridge_error(&lit(&seen), &lit(&expected)).expect("horizons of one width")
+}
+
+/// What the scenario comes to on its own machine, the ideal one: all lines, few sweeps.
 fn settings(scenario: &Scenario) -> Settings {
     let asked = env::var("LUNOID_REAL_GROUND_SWEEPS").ok();
-    let sweeps = asked.map_or(SWEEPS, |text| text.parse().expect("LUNOID_REAL_GROUND_SWEEPS is a whole number"));
-    let wishes = RasterWishes { sweeps: Some(sweeps), ..RasterWishes::default() };
+    let sweeps =
+        asked.map_or(SWEEPS, |text| text.parse().expect("LUNOID_REAL_GROUND_SWEEPS is a whole number"));
+    let lines = resolve(scenario, RasterWishes::default()).raster.lines;
+    resolve(scenario, RasterWishes { sweeps: Some(sweeps), lines: Some(lines), ..RasterWishes::default() })
+}
+
+fn resolve(scenario: &Scenario, wishes: RasterWishes) -> Settings {
+    let Scenario { field, range, laws, scalar, display, .. } = *scenario;
     Settings::resolve(
         &HardwareModel::ideal(),
-        scenario.field,
+        field,
         wishes.or(scenario.raster),
-        scenario.range,
-        scenario.laws,
-        scenario.scalar,
-        scenario.display,
+        range,
+        laws,
+        scalar,
+        display,
     )
     .expect("a scenario that goes with the ideal machine")
 }

@@ -25,7 +25,10 @@ fn expect_figures(drive: &Drive, rms: f64, held_out: f64, last_digit: f64) {
     let level = &drive.report.levels[0];
     let found = [level.rms, level.held_out_rms.expect("a tenth is held out")];
     for (found, documented) in found.into_iter().zip([rms, held_out]) {
-        assert!((found - documented).abs() <= last_digit, "{found} m, docs/real-ground.md says {documented} m");
+        assert!(
+            (found - documented).abs() <= last_digit,
+            "{found} m, docs/real-ground.md says {documented} m"
+        );
     }
 }
 
@@ -35,9 +38,10 @@ fn expect_agreement(drive: &Drive, frames: [u64; 2]) {
         let (name, lines) = (drive.name, horizon.percentile_99);
         println!(
             "{name} frame {frame}: {:.3} % off by more than 2 levels outside the ridge mask, {:.3} % anywhere; \
-             lit horizon off by {lines} line in 99 % of the columns, {} at most",
+             horizon, where it is lit, off by {lines} lines in 99 % of {} columns, {} at most",
             100.0 * off,
             100.0 * off_anywhere,
+            horizon.compared,
             horizon.maximum
         );
         assert!(off <= SHARE, "{name} frame {frame}: {:.3} % of the pixels are off", 100.0 * off);
@@ -79,6 +83,7 @@ fn the_apollo_17_stops_lie_where_their_rule_puts_them() {
     expect_agreement(&drive, [0, 300]);
     let georeference = drive.georeference().expect("a global file has a place on the Moon");
     let stops = apollo::read(&data.join("traverse/apollo17_eva_stops.csv"));
-    let committed = std::fs::read_to_string(shared::scenario("apollo17.csv")).expect("the path of the scenario");
+    let committed =
+        std::fs::read_to_string(shared::scenario("apollo17.csv")).expect("the path of the scenario");
     assert_eq!(apollo::rows(&stops, georeference), shared::without_comments(&committed));
 }

@@ -12,7 +12,8 @@ pub fn data() -> Option<PathBuf> {
     if found.is_none() {
         // Not `println`, which a passing test keeps to itself.
         TOLD.call_once(|| {
-            let _ = writeln!(io::stderr(), "SKIPPED: drives over real ground; there is no folder shared/data");
+            let _ =
+                writeln!(io::stderr(), "SKIPPED: drives over real ground; there is no folder shared/data");
         });
     }
     found

@@ -17,7 +17,11 @@ fn report(problem: &Problem) -> Group<'_> {
     let title = Level::ERROR.primary_title(&*problem.title);
     let group = match &problem.place {
         Some(place) => title.element(snippet(place, problem.expected.as_deref())),
-        None => title.element(Origin::path(&*problem.file)),
+        None => {
+            let group = title.element(Origin::path(&*problem.file));
+            let expected = problem.expected.iter().map(|expected| format!("expected {expected}"));
+            expected.fold(group, |group, text| group.element(Level::NOTE.message(text)))
+        }
     };
     match &problem.help {
         Some(help) => group.element(Level::HELP.message(&**help)),

@@ -1,5 +1,7 @@
 //! Coefficient banks: nine words a corner, one or more levels (report III.A.1, section 5).
 
+use std::ops::RangeInclusive;
+
 use crate::basis;
 
 /// Words a corner: height and its derivatives to order 2 in u and in v.
@@ -11,11 +13,11 @@ pub type CornerWords = [f64; WORDS];
 /// Why a level or bank cannot be made.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum BankError {
-    /// Region size is not a positive finite length.
-    #[error("region size {0} m: expected a finite length above 0 m")]
+    /// Region size out of range.
+    #[error("region size {0} m: expected 0.001 m to 1e9 m")]
     RegionSize(f64),
-    /// Origin is not finite.
-    #[error("origin ({0}, {1}) m: expected two finite lengths")]
+    /// Origin out of range.
+    #[error("origin ({0}, {1}) m: expected two lengths of at most 1e9 m either way")]
     Origin(f64, f64),
     /// Fewer than two corners along an axis.
     #[error("{0} x {1} corners: expected at least 2 x 2, which enclose one region")]
@@ -28,8 +30,10 @@ pub enum BankError {
         /// Corners that the shape needs.
         expected: usize,
     },
-    /// A word is NaN or infinite.
-    #[error("corner ({north}, {east}), word {word}: {value}: expected a finite number")]
+    /// A word is NaN, infinite or too large.
+    #[error(
+        "corner ({north}, {east}), word {word}: {value:?}: expected a number of at most 1e12 m either way"
+    )]
     NotFinite {
         /// Corner index to the north.
         north: usize,
@@ -48,6 +52,13 @@ pub enum BankError {
     LevelOrder(usize),
 }
 
+/// Lengths (m) between which corners stay apart and their squares stay finite, in f64.
+const REGION_SIZES: RangeInclusive<f64> = 1e-3..=1e9;
+/// Farthest origin (m).
+const FARTHEST: f64 = 1e9;
+/// Largest word (m): slopes and their squares stay finite in f32.
+const LARGEST_WORD: f64 = 1e12;
+
 /// One grid of corners with regions of side [`region_size`](Self::region_size).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Level {
@@ -62,17 +73,17 @@ impl Level {
     /// which lies at `origin + region_size * (m, n)` (metres north, east).
     ///
     /// # Errors
-    /// If the size or origin is not finite, there is no region, the count is wrong, or a word is not finite.
+    /// If the size, the origin or a word is out of its range, there is no region, or the count is wrong.
     pub fn new(
         region_size: f64,
         origin: [f64; 2],
         corners: [usize; 2],
         words: Vec<CornerWords>,
     ) -> Result<Self, BankError> {
-        if !(region_size.is_finite() && region_size > 0.0) {
+        if !REGION_SIZES.contains(&region_size) {
             return Err(BankError::RegionSize(region_size));
         }
-        if !origin.iter().all(|v| v.is_finite()) {
+        if !origin.iter().all(|place| place.abs() <= FARTHEST) {
             return Err(BankError::Origin(origin[0], origin[1]));
         }
         if corners[0] < 2 || corners[1] < 2 {
@@ -82,7 +93,7 @@ impl Level {
         if words.len() != expected {
             return Err(BankError::CornerCount { found: words.len(), expected });
         }
-        if let Some((corner, word)) = first_not_finite(&words) {
+        if let Some((corner, word)) = first_out_of_range(&words) {
             let (north, east) = (corner / corners[1], corner % corners[1]);
             return Err(BankError::NotFinite { north, east, word, value: words[corner][word] });
         }
@@ -177,11 +188,11 @@ impl Level {
     }
 }
 
-fn first_not_finite(words: &[CornerWords]) -> Option<(usize, usize)> {
-    words
-        .iter()
-        .enumerate()
-        .find_map(|(corner, nine)| nine.iter().position(|word| !word.is_finite()).map(|word| (corner, word)))
+fn first_out_of_range(words: &[CornerWords]) -> Option<(usize, usize)> {
+    // NaN is not in the range either.
+    let is_good = |word: &f64| word.abs() <= LARGEST_WORD;
+    let first = |nine: &CornerWords| nine.iter().position(|word| !is_good(word));
+    words.iter().enumerate().find_map(|(corner, nine)| first(nine).map(|word| (corner, word)))
 }
 
 /// Where a bank lies on the Moon: its plane touches the lunoid at this point.
@@ -294,6 +305,8 @@ mod tests {
             Level::new(1.0, [f64::NAN, 0.0], [2, 2], words.clone()),
             Err(BankError::Origin(..))
         ));
+        assert_eq!(Level::new(1e10, [0.0; 2], [2, 2], words.clone()), Err(BankError::RegionSize(1e10)));
+        assert_eq!(Level::new(1.0, [0.0, 2e9], [2, 2], words.clone()), Err(BankError::Origin(0.0, 2e9)));
         assert_eq!(Level::new(1.0, [0.0; 2], [1, 4], words.clone()), Err(BankError::TooFewCorners(1, 4)));
         let short = Level::new(1.0, [0.0; 2], [2, 3], words);
         assert_eq!(short, Err(BankError::CornerCount { found: 4, expected: 6 }));

@@ -150,7 +150,12 @@ impl From<SurveyError> for Failure {
     fn from(error: SurveyError) -> Self {
         match error {
             SurveyError::Npy(error) => error.into(),
-            SurveyError::Option { .. } => Self::usage(error),
+            // The file is what it is; the option asks for what it does not hold.
+            SurveyError::Option { .. }
+            | SurveyError::NoSuchBand { .. }
+            | SurveyError::AreaOutside { .. }
+            | SurveyError::AreaKind { .. }
+            | SurveyError::TooManyRegions { .. } => Self::usage(error),
             other => Self::input(other),
         }
     }

@@ -22,7 +22,7 @@ use crate::{Failure, values};
 pub const EXACT: &str = "exact";
 
 /// Which scenario, drawn by what.
-#[derive(Debug, Args)]
+#[derive(Debug, Default, Args)]
 pub struct StageArgs {
     /// Scenario file.
     pub scenario: PathBuf,
@@ -94,6 +94,11 @@ pub struct Loaded {
 }
 
 impl StageArgs {
+    /// A scenario as it stands.
+    pub fn of(scenario: &Path) -> Self {
+        Self { scenario: scenario.to_owned(), ..Self::default() }
+    }
+
     /// Reads scenario and model.
     pub fn load(&self) -> Result<Loaded, Failure> {
         let start = Instant::now();

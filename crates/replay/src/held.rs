@@ -1,7 +1,7 @@
 //! What a run folder holds: frames with their hashes, and the record that lists them.
 
 use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 use generator::FrameCounts;
 use serde::{Deserialize, Serialize};
@@ -93,6 +93,10 @@ impl HeldRun {
             return Err(refused(format!("schema {:?}, expected {RUN_SCHEMA:?}", wanted.schema)));
         }
         let Wanted { fingerprint, frames, outputs, .. } = wanted;
+        let all = frames.iter().flat_map(|frame| &frame.files).chain(&outputs);
+        if let Some(file) = all.map(|record| &record.file).find(|file| !stays_inside(file)) {
+            return Err(refused(format!("it lists `{file}`, expected files of its folder")));
+        }
         Ok(Self { fingerprint, frames, outputs, document })
     }
 
@@ -125,6 +129,11 @@ impl WorkRecord {
             late_words: total.late_words + frame.counts.late_words,
         })
     }
+}
+
+/// A record leads to files of its own folder only, whoever wrote it.
+fn stays_inside(file: &str) -> bool {
+    Path::new(file).components().all(|part| matches!(part, Component::Normal(_)))
 }
 
 /// First and end of ascending frames.

@@ -95,8 +95,8 @@ pub enum SurveyError {
         /// Number and description of each.
         list: String,
     },
-    /// Infinite sample that is not the no-data value.
-    #[error("{path}, line {line}, column {column} (from 0): found {value}; expected a finite height or the no-data value; if it marks voids, give --no-data {value}", path = .path.display())]
+    /// Sample that is no height on the Moon and not the no-data value.
+    #[error("{path}, line {line}, column {column} (from 0): found {value:?}; expected a height within a lunar radius of the lunoid or the no-data value; if it marks voids, give --no-data {value:?}", path = .path.display())]
     NotFinite {
         /// File.
         path: PathBuf,
@@ -118,7 +118,7 @@ pub enum SurveyError {
         count: usize,
     },
     /// The spacing of a file without one was not given.
-    #[error("{path}: a .npy array does not say how far its samples are apart; expected a spacing; give --spacing METRES", path = .0.display())]
+    #[error("{path}: a .npy array does not say how far its samples are apart; expected a spacing; give --spacing-m METRES", path = .0.display())]
     NoSpacing(PathBuf),
     /// An option has an unusable value.
     #[error("{option}: found {found}; expected {expected}")]

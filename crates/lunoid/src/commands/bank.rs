@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
-use landscape::bank_file::{self, export_corners, import_corners};
+use landscape::bank_file::{self, export_corners, import_corners, sidecar_path};
 use landscape::{Bank, Level, Sun};
 use plots::{BankLook, bank_picture};
 use quantities::{degrees, radians};
@@ -121,7 +121,7 @@ impl BankCommand {
 
 impl Import {
     fn run(&self) -> Result<(), Failure> {
-        expect_writable(&self.out)?;
+        expect_bank_writable(&self.out)?;
         let of_file =
             |error: &dyn std::fmt::Display| Failure::input(format!("{}: {error}", self.corners.display()));
         let array = files::read_npy(&self.corners, MAX_BYTES)?;
@@ -162,10 +162,16 @@ impl Show {
 
 impl Generate {
     fn run(&self) -> Result<(), Failure> {
-        expect_writable(&self.out)?;
+        expect_bank_writable(&self.out)?;
         let scenario = Scenario::read(&self.scenario)?;
         write(&self.out, &loading::bank(&scenario)?)
     }
+}
+
+/// Sees that a bank and the description beside it can be written.
+pub fn expect_bank_writable(out: &Path) -> Result<(), Failure> {
+    expect_writable(out)?;
+    expect_writable(&sidecar_path(out))
 }
 
 fn write(out: &Path, bank: &Bank) -> Result<(), Failure> {

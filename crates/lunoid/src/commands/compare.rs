@@ -3,17 +3,20 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use compare::{Comparison, compare, triptych};
+use compare::{Comparison, RidgeError, compare, horizon_of_picture, ridge_error, triptych};
 use picture::{GreyPicture, Limits, read_png, write_png};
 use replay::HeldRun;
 use serde_json::{Value, json};
 
+use crate::commands::ridges::Ridges;
+use crate::loading::Threads;
 use crate::output::{expect_writable, print, print_json, table, tell};
 use crate::{Failure, Verdict, values};
 
 const AFTER: &str = "Examples:
   lunoid compare runs/first-light runs/exact
   lunoid compare a.png b.png --out difference.png --tolerance 2 --share 0.5
+  lunoid compare runs/first-light runs/exact --ridges scenarios/first-light.toml --tolerance 2 --share 0.5
 
 Two PNGs, or two run folders frame by frame. Exit code 1 when a tolerance is given and not met. RMSE is of grey
 0 to 1 as displayed; the worst pixel is the one that differs most.";
@@ -45,10 +48,25 @@ pub struct Compare {
     /// Grey PNG; pixels that are not black in it are left out.
     #[arg(long, value_name = "PNG")]
     mask: Option<PathBuf>,
+    /// Scenario of both runs: pixels along the ridge lines that `exact` sees in it are left out, and the error of
+    /// the horizon is told.
+    #[arg(long, value_name = "SCENARIO", conflicts_with = "mask")]
+    ridges: Option<PathBuf>,
+    /// Step of range, in units of the nearer range, that makes a ridge.
+    #[arg(long, value_name = "SHARE", requires = "ridges", default_value_t = 0.2, value_parser = values::positive)]
+    jump: f64,
+    /// Lines by which the horizon may be off in any column.
+    #[arg(long, value_name = "LINES", requires = "ridges")]
+    max_ridge: Option<usize>,
+    #[command(flatten)]
+    threads: Threads,
     /// Print the result as JSON.
     #[arg(long)]
     json: bool,
 }
+
+/// Code of the sky.
+const SKY: u16 = 0;
 
 /// A pair of pictures and what they come to.
 struct Pair {
@@ -56,7 +74,11 @@ struct Pair {
     test: PathBuf,
     reference: PathBuf,
     comparison: Comparison,
+    ridges: Option<RidgeError>,
 }
+
+/// Frame, and the pictures of it.
+type Paths = (Option<u64>, PathBuf, PathBuf);
 
 impl Compare {
     /// Compares.
@@ -64,11 +86,7 @@ impl Compare {
         if let Some(out) = &self.out {
             expect_writable(out)?;
         }
-        let mask = self.mask.as_deref().map(read_mask).transpose()?;
-        let pairs = self.pairs()?;
-        let pairs: Result<Vec<Pair>, Failure> =
-            pairs.into_iter().map(|paths| self.compare(paths, mask.as_deref())).collect();
-        let pairs = pairs?;
+        let pairs = self.compare_all()?;
         if let Some(out) = &self.out {
             self.draw(worst(&pairs), out)?;
         }
@@ -81,9 +99,30 @@ impl Compare {
         Ok(if pass == Some(false) { Verdict::No } else { Verdict::Yes })
     }
 
+    fn compare_all(&self) -> Result<Vec<Pair>, Failure> {
+        let mask = self.mask.as_deref().map(read_mask).transpose()?;
+        let pairs = self.pairs()?;
+        let Some(scenario) = &self.ridges else {
+            return pairs.into_iter().map(|paths| self.compare(paths, mask.as_deref())).collect();
+        };
+        let pool = self.threads.pool()?;
+        let mut ridges = Ridges::of(scenario, self.jump as f32, &pool)?;
+        for folder in [&self.test, &self.reference] {
+            ridges.expect_run(folder, &HeldRun::read(folder)?)?;
+        }
+        let compare = |paths: Paths| {
+            let mask = ridges.mask(paths.0.unwrap_or_default(), &pool)?;
+            self.compare(paths, Some(&mask))
+        };
+        pairs.into_iter().map(compare).collect()
+    }
+
     /// The pictures to compare: one pair, or a pair a frame.
-    fn pairs(&self) -> Result<Vec<(Option<u64>, PathBuf, PathBuf)>, Failure> {
+    fn pairs(&self) -> Result<Vec<Paths>, Failure> {
         match (self.test.is_dir(), self.reference.is_dir()) {
+            (false, false) if self.ridges.is_some() => {
+                Err(Failure::usage("--ridges needs run folders, which know the frame of each picture"))
+            }
             (false, false) => Ok(vec![(None, self.test.clone(), self.reference.clone())]),
             (true, true) => frames_of_both(&self.test, &self.reference),
             _ => Err(Failure::input(format!(
@@ -94,17 +133,15 @@ impl Compare {
         }
     }
 
-    fn compare(
-        &self,
-        (frame, test, reference): (Option<u64>, PathBuf, PathBuf),
-        mask: Option<&[bool]>,
-    ) -> Result<Pair, Failure> {
+    fn compare(&self, (frame, test, reference): Paths, mask: Option<&[bool]>) -> Result<Pair, Failure> {
         let [a, b] = [read(&test)?, read(&reference)?];
         let levels: Vec<u32> =
             [0, 1, 2].into_iter().chain(self.tolerance.filter(|levels| *levels > 2)).collect();
         let comparison = compare(&a, &b, mask, &levels)
             .map_err(|error| Failure::input(format!("{}: {error}", test.display())))?;
-        Ok(Pair { frame, test, reference, comparison })
+        let horizons = [&a, &b].map(|picture| horizon_of_picture(picture, SKY));
+        let ridges = self.ridges.is_some().then(|| ridge_error(&horizons[0], &horizons[1])).transpose()?;
+        Ok(Pair { frame, test, reference, comparison, ridges })
     }
 
     fn draw(&self, pair: &Pair, out: &Path) -> Result<(), Failure> {
@@ -114,7 +151,7 @@ impl Compare {
 
     /// Whether the tolerances are met, if there are any.
     fn pass(&self, pairs: &[Pair]) -> Option<bool> {
-        if self.max_rmse.is_none() && self.tolerance.is_none() {
+        if self.max_rmse.is_none() && self.tolerance.is_none() && self.max_ridge.is_none() {
             return None;
         }
         Some(pairs.iter().all(|pair| {
@@ -123,7 +160,9 @@ impl Compare {
                 let beyond = pair.comparison.beyond.iter().find(|beyond| beyond.levels == levels);
                 beyond.is_some_and(|beyond| beyond.share * 100.0 <= self.share)
             });
-            rmse_is_met && share_is_met
+            let ridge_is_met =
+                self.max_ridge.is_none_or(|most| pair.ridges.is_some_and(|error| error.maximum <= most));
+            rmse_is_met && share_is_met && ridge_is_met
         }))
     }
 
@@ -159,6 +198,7 @@ impl Compare {
                 worst.frame.map(|frame| frame.to_string()).unwrap_or_default()
             );
         }
+        text.extend(pairs.iter().filter_map(Pair::ridge_line));
         match pass {
             Some(true) => text += "within the tolerance\n",
             Some(false) => text += "beyond the tolerance\n",
@@ -187,7 +227,20 @@ impl Pair {
                 "column": worst.column, "line": worst.line, "test": worst.test, "reference": worst.reference,
             },
             "beyond": beyond,
+            "horizon_lines": self.ridges.map(|error| json!({
+                "columns": error.compared, "only_one_sees_ground": error.only_one, "median": error.median,
+                "percentile_99": error.percentile_99, "maximum": error.maximum,
+            })),
         })
+    }
+
+    fn ridge_line(&self) -> Option<String> {
+        let RidgeError { compared, only_one, median, percentile_99, maximum } = self.ridges?;
+        let (frame, masked) = (self.frame.unwrap_or_default(), self.comparison.masked);
+        Some(format!(
+            "frame {frame}: {masked} pixels along ridges left out; horizon off by {median} lines (median), \
+             {percentile_99} (99 %), {maximum} (most) in {compared} columns, {only_one} columns see ground in one only\n"
+        ))
     }
 
     fn row(&self) -> Vec<String> {
@@ -215,7 +268,7 @@ fn worst(pairs: &[Pair]) -> &Pair {
     pairs.iter().reduce(|a, b| if worse(&a, &b) { b } else { a }).expect("there is a pair")
 }
 
-fn frames_of_both(test: &Path, reference: &Path) -> Result<Vec<(Option<u64>, PathBuf, PathBuf)>, Failure> {
+fn frames_of_both(test: &Path, reference: &Path) -> Result<Vec<Paths>, Failure> {
     let runs = [HeldRun::read(test)?, HeldRun::read(reference)?];
     let mut pairs = Vec::new();
     for frame in &runs[0].frames {

@@ -8,6 +8,7 @@ pub mod list;
 pub mod model;
 pub mod probe;
 pub mod replay;
+pub mod ridges;
 pub mod survey;
 
 use crate::cli::{Cli, Command};

@@ -10,6 +10,7 @@ use quantities::{degrees, radians};
 use serde_json::{Value, json};
 use survey::{Area, LevelReport, Plane, ReadOptions, Survey, SurveyOptions, SurveyReport, survey};
 
+use crate::commands::bank::expect_bank_writable;
 use crate::loading::Threads;
 use crate::output::{expect_writable, print, print_json, table};
 use crate::{Failure, Verdict, values};
@@ -107,7 +108,7 @@ const SAMPLES_A_REGION: f64 = 4.0;
 impl SurveyCommand {
     /// Surveys.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        expect_writable(&self.out)?;
+        expect_bank_writable(&self.out)?;
         self.picture.as_deref().map_or(Ok(()), expect_writable)?;
         let pool = self.threads.pool()?;
         let start = Instant::now();

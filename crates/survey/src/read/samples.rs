@@ -50,7 +50,8 @@ impl Conversion {
         self
     }
 
-    /// Height (m), NaN for a void; `None` for an infinity that nothing declares.
+    /// Height (m), NaN for a void; `None` for what nothing declares and is no height: infinity, or beyond the lunar
+    /// radius, as the -3.4e38 of a file that forgot to declare its no-data value.
     ///
     /// Minus infinity is a void: exports write it where they mean "none".
     pub fn height(&self, stored: f64) -> Option<f64> {
@@ -58,7 +59,7 @@ impl Conversion {
             return Some(f64::NAN);
         }
         let height = stored * self.scale + self.offset;
-        height.is_finite().then_some(height)
+        (height.abs() <= LUNOID_RADIUS).then_some(height)
     }
 }
 
@@ -92,5 +93,11 @@ mod tests {
         assert!(conversion(-1.0, 0.0).height(f64::NEG_INFINITY).unwrap().is_nan());
         assert_eq!(conversion(-1.0, 0.0).height(f64::INFINITY), None);
         assert!(conversion(f64::INFINITY, 0.0).height(f64::INFINITY).unwrap().is_nan());
+    }
+
+    #[test]
+    fn a_void_that_nothing_declares_is_no_height() {
+        assert_eq!(conversion(-1.0, 0.0).height(-3.4028234663852886e38), None);
+        assert_eq!(conversion(-1.0, 0.0).height(2.0 * 1_737_400.0), Some(1_737_400.0));
     }
 }

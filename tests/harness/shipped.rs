@@ -1,0 +1,185 @@
+//! The scenarios that ship with the project, drawn by the library.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use compare::{RidgeError, horizon_of_picture, horizon_of_range, ridge_error, ridge_mask};
+use exact::Exact;
+use generator::{FrameCounts, Generator, PlaneKind, Planes, Stage};
+use hardware_model::{HardwareModel, Settings};
+use landscape::{Bank, Landscape};
+use machine::HybridMachine;
+use picture::{Depth, Encoder, GreyPicture, Transfer};
+use scenario::{Ground, PoseRow, PoseTable, Scenario};
+use signal::Probe;
+
+/// Scenarios of the folder `scenarios/`, by name.
+pub const SHIPPED: [&str; 7] = [
+    "first-light",
+    "ridge-crossing",
+    "lunar-horizon",
+    "low-sun",
+    "rough-ride",
+    "descent",
+    "range-programmes",
+];
+
+/// A shipped scenario, ready to be drawn under the ideal model.
+#[derive(Debug, Clone)]
+pub struct Shipped {
+    /// As its file says.
+    pub scenario: Scenario,
+    /// Its ground.
+    pub landscape: Arc<Landscape>,
+    /// Its settings; change them before drawing.
+    pub settings: Settings,
+}
+
+/// A frame as displayed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Shown {
+    /// Grey, 8 bits.
+    pub picture: GreyPicture,
+    /// Ground range of each pixel (m); infinite in the sky. Zero where the generator does not fill it.
+    pub ranges: Vec<f32>,
+    /// Work done.
+    pub counts: FrameCounts,
+}
+
+/// How a frame of the machine agrees with `exact` (definition of done of first light).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Agreement {
+    /// Share of the pixels outside the ridge mask that are off by more than 2 levels of 255.
+    pub off: f64,
+    /// Share of the pixels that the mask leaves out.
+    pub masked: f64,
+    /// Largest distance between the horizons of both, over the columns where the ridge is lit (lines).
+    pub ridge: usize,
+    /// Columns where the ridge is lit.
+    pub lit_columns: usize,
+}
+
+/// Ridge lines are where range jumps by more than this share between neighbours.
+pub const RIDGE_JUMP: f32 = 0.1;
+
+/// The folder of the shipped scenarios.
+pub fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenarios")
+}
+
+impl Shipped {
+    /// Reads a scenario of [`SHIPPED`], with `sweeps` a frame or as many as it says.
+    ///
+    /// # Panics
+    /// If it cannot be read or its settings do not fit together.
+    pub fn read(name: &str, sweeps: Option<u32>) -> Self {
+        let scenario =
+            Scenario::read(folder().join(format!("{name}.toml"))).unwrap_or_else(|e| panic!("{e}"));
+        let Ground::Generated(relief) = &scenario.ground else { panic!("{name} generates its ground") };
+        let level = relief.build().expect("a shipped relief");
+        let bank = Bank::new(name, vec![level], None).expect("one level");
+        let landscape = Arc::new(Landscape::new(bank, scenario.albedo));
+        let mut wishes = scenario.raster;
+        if sweeps.is_some() {
+            (wishes.sweeps, wishes.lines) = (sweeps, None);
+        }
+        let settings = Settings::resolve(
+            &HardwareModel::ideal(),
+            scenario.field,
+            wishes,
+            scenario.range,
+            scenario.laws,
+            scenario.scalar,
+            scenario.display,
+        );
+        Self { landscape, settings: settings.expect("shipped settings"), scenario }
+    }
+
+    /// Frames that the scenario has.
+    pub fn frames(&self) -> u64 {
+        self.scenario.frames(self.settings.timebase.update)
+    }
+
+    /// Where the vehicle is in a frame.
+    ///
+    /// # Panics
+    /// If the path cannot be driven.
+    pub fn pose(&self, frame: u64) -> PoseRow {
+        let update = self.settings.timebase.update;
+        let table = PoseTable::resolve(&self.scenario, &self.landscape, update, frame..frame + 1);
+        table.unwrap_or_else(|e| panic!("{e}")).rows()[0]
+    }
+
+    /// A frame by a generator.
+    ///
+    /// # Panics
+    /// If it cannot be drawn.
+    pub fn draw(&self, generator: &dyn Generator, frame: u64, probe: &mut Probe) -> Shown {
+        let stage = Stage {
+            landscape: self.landscape.clone(),
+            sun: self.scenario.sun,
+            settings: self.settings.clone(),
+        };
+        let raster = self.settings.raster;
+        let (columns, lines) = (raster.columns as usize, raster.lines as usize);
+        let mut planes = Planes::new(columns, lines, &[PlaneKind::Intensity, PlaneKind::Range]);
+        let session = generator.prepare(stage).expect("a shipped scenario is drawn by every generator");
+        let counts =
+            session.frame(frame, &self.pose(frame).pose, &mut planes, probe).expect("a shipped frame");
+        let display = self.settings.display;
+        let transfer = Transfer::new(display.white as f32, display.gamma as f32).expect("a shipped display");
+        let intensity = planes.get(PlaneKind::Intensity).expect("asked for");
+        let picture = Encoder::new(transfer, Depth::Eight).encode(intensity, columns, lines);
+        let ranges = planes.get(PlaneKind::Range).expect("asked for").to_vec();
+        Shown { picture: picture.expect("no NaN reaches a frame"), ranges, counts }
+    }
+
+    /// The machine's frame.
+    pub fn machine(&self, frame: u64) -> Shown {
+        self.draw(&HybridMachine, frame, &mut Probe::off())
+    }
+
+    /// The frame by closed form and root finding.
+    pub fn exact(&self, frame: u64) -> Shown {
+        self.draw(&Exact, frame, &mut Probe::off())
+    }
+
+    /// One signal of one sweep.
+    pub fn waveform(&self, frame: u64, sweep: u32, signal: &str) -> Vec<f64> {
+        let mut probe = Probe::new(vec![signal.into()], sweep..sweep + 1);
+        self.draw(&HybridMachine, frame, &mut probe);
+        probe.waveforms.remove(0).values
+    }
+
+    /// How the machine's frame agrees with `exact`.
+    pub fn agreement(&self, frame: u64) -> Agreement {
+        let (machine, exact) = (self.machine(frame), self.exact(frame));
+        let (columns, lines) = (machine.picture.columns(), machine.picture.lines());
+        let mask = ridge_mask(&exact.ranges, columns, lines, RIDGE_JUMP).expect("planes of one size");
+        let found = compare::compare(&machine.picture, &exact.picture, Some(&mask), &[2]);
+        let found = found.expect("pictures of one size");
+        let share = |pixels: usize| pixels as f64 / (columns * lines) as f64;
+        let ridge = lit_ridge_error(&machine.picture, &exact);
+        Agreement {
+            off: share(found.beyond[0].count),
+            masked: share(found.masked),
+            ridge: ridge.maximum,
+            lit_columns: ridge.compared,
+        }
+    }
+}
+
+/// Codes up to this may be a line that is hardly touched by ground.
+const NEARLY_SKY: u16 = 16;
+
+/// Horizons of both pictures in the columns where the exact one shows its ridge: shadow is as black as sky.
+fn lit_ridge_error(machine: &GreyPicture, exact: &Shown) -> RidgeError {
+    let (columns, lines) = (machine.columns(), machine.lines());
+    let ground = horizon_of_range(&exact.ranges, columns, lines).expect("a plane of that size");
+    let mut reference = horizon_of_picture(&exact.picture, NEARLY_SKY);
+    for (seen, ground) in reference.iter_mut().zip(ground) {
+        let lit = matches!((*seen, ground), (Some(seen), Some(ground)) if seen.abs_diff(ground) <= 1);
+        *seen = seen.filter(|_| lit);
+    }
+    ridge_error(&horizon_of_picture(machine, NEARLY_SKY), &reference).expect("as many columns")
+}

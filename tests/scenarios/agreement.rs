@@ -1,0 +1,33 @@
+//! Prints how the shipped scenarios agree with `exact` at their full raster: the table of `docs/measuring.md`.
+//!
+//! `cargo run --release -p lunoid-tests --example agreement`
+
+use lunoid_tests::Shipped;
+use lunoid_tests::shipped::SHIPPED;
+
+fn main() {
+    println!(
+        "| scenario | frame | raster | off by more than 2 levels | masked | ridge, at most | over columns |"
+    );
+    println!("|---|---|---|---|---|---|---|");
+    for name in SHIPPED {
+        let shipped = Shipped::read(name, None);
+        let last = shipped.frames() - 1;
+        for frame in [0, last / 2, last] {
+            let found = shipped.agreement(frame);
+            let raster = shipped.settings.raster;
+            println!(
+                "| {name} | {frame} | {} x {} | {:.3} % | {:.2} % | {} line | {} |",
+                raster.columns,
+                raster.lines,
+                100.0 * found.off,
+                100.0 * found.masked,
+                found.ridge,
+                found.lit_columns
+            );
+            if last == 0 {
+                break;
+            }
+        }
+    }
+}

@@ -1,0 +1,32 @@
+//! First light's definition of done: same laws and pixel rule, default range programme, 1000 samples; at most
+//! 0.5 % of the pixels off by more than 2 grey levels outside the ridge mask, ridge lines within one line.
+
+use lunoid_tests::Shipped;
+use lunoid_tests::shipped::SHIPPED;
+
+/// A quarter of the sweeps: the full raster is for `--example agreement` in release.
+const SWEEPS: u32 = 240;
+
+#[test]
+fn every_shipped_scenario_agrees_with_exact() {
+    for name in SHIPPED {
+        let shipped = Shipped::read(name, Some(SWEEPS));
+        assert_eq!(shipped.settings.raster.samples, 1000, "{name}");
+        let frame = shipped.frames() / 2;
+        let found = shipped.agreement(frame);
+        println!("{name} frame {frame}: {found:?}");
+        assert!(found.off <= 0.005, "{name} frame {frame}: {found:?}");
+        assert!(found.masked <= 0.2, "{name} frame {frame}: a mask must not hide the picture, {found:?}");
+        assert!(found.ridge <= 1, "{name} frame {frame}: {found:?}");
+    }
+}
+
+#[test]
+fn a_wrong_law_is_noticed() {
+    let mut shipped = Shipped::read("rough-ride", Some(SWEEPS));
+    let exact = shipped.exact(20);
+    shipped.settings.laws.projection = scenario::Projection::AsReported;
+    let machine = shipped.machine(20);
+    let found = compare::compare(&machine.picture, &exact.picture, None, &[2]).unwrap();
+    assert!(found.beyond[0].share > 0.1, "{:?}", found.beyond);
+}

@@ -1,0 +1,85 @@
+//! The figures of `scenarios/README.md`, measured again.
+
+use compare::compare;
+use hardware_model::LatePolicy;
+use lunoid_tests::Shipped;
+use lunoid_tests::shipped::Shown;
+use quantities::radians;
+use scenario::{Curvature, Projection, RangeLaw};
+
+fn rmse(a: &Shown, b: &Shown) -> f64 {
+    compare(&a.picture, &b.picture, None, &[]).unwrap().rmse
+}
+
+fn share(values: &[f64], counts: impl Fn(&f64) -> bool) -> f64 {
+    values.iter().filter(|value| counts(value)).count() as f64 / values.len() as f64
+}
+
+/// As printed in the table: half a unit of the last digit.
+fn assert_figure(found: f64, table: f64, digit: f64) {
+    assert!((found - table).abs() <= 0.5 * digit, "found {found}, the table says {table}");
+}
+
+#[test]
+fn first_light_late_words_tear_the_massif() {
+    let mut shipped = Shipped::read("first-light", None);
+    let clean = shipped.machine(60);
+    assert_eq!(clean.counts.late_words, 0);
+    // 90 ns at 1000 MHz.
+    shipped.settings.loader.access_ticks = 90;
+    shipped.settings.loader.late_policy = LatePolicy::StrobeThrough;
+    let late = shipped.machine(60);
+    assert_eq!(late.counts.late_words, 1_403_964);
+    assert_figure(rmse(&late, &clean), 0.070, 0.001);
+}
+
+#[test]
+fn ridge_crossing_opens_from_the_crest() {
+    let shipped = Shipped::read("ridge-crossing", None);
+    let blanked = |frame| share(&shipped.waveform(frame, 300, "dpp.blank"), |&gate| gate == 1.0);
+    assert_figure(blanked(0), 0.595, 0.001);
+    assert_figure(blanked(99), 0.352, 0.001);
+}
+
+#[test]
+fn lunar_horizon_hides_the_feet_of_mountains() {
+    let mut shipped = Shipped::read("lunar-horizon", None);
+    let curved = shipped.machine(0);
+    shipped.settings.laws.curvature = Curvature::None;
+    assert_figure(rmse(&shipped.machine(0), &curved), 0.108, 0.001);
+}
+
+#[test]
+fn low_sun_leaves_faces_in_local_shadow() {
+    let mut shipped = Shipped::read("low-sun", None);
+    let shadow = |shipped: &Shipped| share(&shipped.waveform(0, 300, "tg.reflectivity"), |&r| r == 0.0);
+    assert_figure(shadow(&shipped), 0.261, 0.001);
+    shipped.scenario.sun.elevation = radians(60.0);
+    assert_eq!(shadow(&shipped), 0.0);
+}
+
+#[test]
+fn rough_ride_bends_under_the_law_of_the_report() {
+    let mut shipped = Shipped::read("rough-ride", None);
+    let straight = shipped.machine(20);
+    shipped.settings.laws.projection = Projection::AsReported;
+    assert_figure(rmse(&shipped.machine(20), &straight), 0.0286, 0.0001);
+}
+
+#[test]
+fn descent_follows_its_file() {
+    let shipped = Shipped::read("descent", Some(8));
+    let heights = [0, shipped.frames() - 1].map(|frame| shipped.pose(frame).pose.eye[2]);
+    assert_figure(heights[0], 324.0, 0.1);
+    assert_figure(heights[1], 14.5, 0.1);
+}
+
+#[test]
+fn range_programmes_decide_the_foreground() {
+    let mut shipped = Shipped::read("range-programmes", None);
+    let exact = shipped.exact(0);
+    let off = |shown: &Shown| compare(&shown.picture, &exact.picture, None, &[2]).unwrap().beyond[0].share;
+    assert_figure(off(&shipped.machine(0)), 0.008, 0.001);
+    shipped.settings.range.law = RangeLaw::ConstantRate;
+    assert_figure(off(&shipped.machine(0)), 0.340, 0.001);
+}
