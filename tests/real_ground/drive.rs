@@ -12,13 +12,13 @@ use landscape::{Georeference, Landscape};
 use machine::HybridMachine;
 use picture::{Depth, Encoder, GreyPicture, Transfer};
 use quantities::degrees;
-use scenario::{Pose, PoseTable, RasterWishes, Scenario};
+use scenario::{FieldOfView, Pose, PoseTable, RasterWishes, Scenario};
 use signal::Probe;
 use survey::{ReadOptions, SurveyOptions, SurveyReport, survey};
 
 use crate::shared;
 
-/// Sweeps of a frame where the environment does not say: enough to see a fault, few enough for every day.
+/// Most sweeps of a frame where the environment does not say: enough to see a fault, few enough for every day.
 const SWEEPS: u32 = 96;
 
 /// Step of range, as a part of it, that makes a ridge.
@@ -123,25 +123,22 @@ fn lit_horizon_error(test: &GreyPicture, reference: &GreyPicture, crest: &[Optio
     ridge_error(&lit(&seen), &lit(&expected)).expect("horizons of one width")
 }
 
-/// What the scenario comes to on its own machine, the ideal one: all lines, few sweeps.
+/// What the scenario comes to on its own machine, the ideal one: the columns in the middle of its picture, with the
+/// angles between sweeps and between lines that the whole picture has.
 fn settings(scenario: &Scenario) -> Settings {
     let asked = env::var("LUNOID_REAL_GROUND_SWEEPS").ok();
-    let sweeps =
-        asked.map_or(SWEEPS, |text| text.parse().expect("LUNOID_REAL_GROUND_SWEEPS is a whole number"));
-    let lines = resolve(scenario, RasterWishes::default()).raster.lines;
-    resolve(scenario, RasterWishes { sweeps: Some(sweeps), lines: Some(lines), ..RasterWishes::default() })
+    let most = asked.map_or(SWEEPS, |text| text.parse().expect("a whole number of sweeps"));
+    let raster = resolve(scenario, scenario.field, RasterWishes::default()).raster;
+    let sweeps = most.min(raster.sweeps);
+    let share = f64::from(sweeps) / f64::from(raster.sweeps);
+    let field = FieldOfView { tan_half_width: share * scenario.field.tan_half_width, ..scenario.field };
+    let wishes = RasterWishes { sweeps: Some(sweeps), lines: Some(raster.lines), ..RasterWishes::default() };
+    resolve(scenario, field, wishes)
 }
 
-fn resolve(scenario: &Scenario, wishes: RasterWishes) -> Settings {
-    let Scenario { field, range, laws, scalar, display, .. } = *scenario;
-    Settings::resolve(
-        &HardwareModel::ideal(),
-        field,
-        wishes.or(scenario.raster),
-        range,
-        laws,
-        scalar,
-        display,
-    )
-    .expect("a scenario that goes with the ideal machine")
+fn resolve(scenario: &Scenario, field: FieldOfView, wishes: RasterWishes) -> Settings {
+    let Scenario { range, laws, scalar, display, .. } = *scenario;
+    let wishes = wishes.or(scenario.raster);
+    Settings::resolve(&HardwareModel::ideal(), field, wishes, range, laws, scalar, display)
+        .expect("a scenario that goes with the ideal machine")
 }

@@ -16,23 +16,27 @@ use crate::drive::{Agreement, Drive};
 /// Part of the pixels outside the ridge mask that may be off by more than two levels.
 const SHARE: f64 = 0.005;
 
+/// Half of the last digit of a residual in the docs (m).
+const LAST_DIGIT: f64 = 0.00005;
+
 fn with_tenth_held_out(region_size: f64) -> SurveyOptions {
     SurveyOptions { held_out: 0.1, ..SurveyOptions::new(region_size) }
 }
 
-/// Two figures of a survey are those of the docs, whose last digit counts.
-fn expect_figures(drive: &Drive, rms: f64, held_out: f64, last_digit: f64) {
+/// Two figures of a survey (m) are those of the docs.
+fn expect_figures(drive: &Drive, rms: f64, held_out: f64) {
     let level = &drive.report.levels[0];
     let found = [level.rms, level.held_out_rms.expect("a tenth is held out")];
     for (found, documented) in found.into_iter().zip([rms, held_out]) {
         assert!(
-            (found - documented).abs() <= last_digit,
+            (found - documented).abs() <= LAST_DIGIT,
             "{found} m, docs/real-ground.md says {documented} m"
         );
     }
 }
 
-fn expect_agreement(drive: &Drive, frames: [u64; 2]) {
+/// Two frames are the closed form's, but for few pixels, and the lit horizon to `most` lines.
+fn expect_agreement(drive: &Drive, frames: [u64; 2], most: usize) {
     for frame in frames {
         let Agreement { off, off_anywhere, horizon } = drive.agreement(frame);
         let (name, lines) = (drive.name, horizon.percentile_99);
@@ -45,7 +49,7 @@ fn expect_agreement(drive: &Drive, frames: [u64; 2]) {
             horizon.maximum
         );
         assert!(off <= SHARE, "{name} frame {frame}: {:.3} % of the pixels are off", 100.0 * off);
-        assert!(lines <= 1, "{name} frame {frame}: the horizon is off: {horizon:?}");
+        assert!(lines <= most, "{name} frame {frame}: the horizon is off: {horizon:?}");
     }
 }
 
@@ -54,9 +58,9 @@ fn a_drive_near_the_south_pole_agrees_with_the_closed_form() {
     let Some(data) = shared::data() else { return };
     let file = data.join("lunar/nac_southpole_stereo_dem_1m.tif");
     let drive = Drive::over("south-pole", &file, &ReadOptions::default(), &with_tenth_held_out(6.0));
-    expect_figures(&drive, 0.0088, 0.0130, 0.00005);
-    drive.expect_upright(30.0);
-    expect_agreement(&drive, [0, 159]);
+    expect_figures(&drive, 0.0088, 0.0130);
+    drive.expect_upright(12.0);
+    expect_agreement(&drive, [0, 159], 1);
 }
 
 #[test]
@@ -65,9 +69,10 @@ fn a_flight_through_kepler_agrees_with_the_closed_form() {
     let options = ReadOptions { scale: Some(0.5), ..ReadOptions::default() };
     let file = data.join("lunar/kepler_lola_48m.tif");
     let drive = Drive::over("kepler", &file, &options, &with_tenth_held_out(240.0));
-    expect_figures(&drive, 0.1139, 0.1897, 0.00005);
+    expect_figures(&drive, 0.1139, 0.1897);
     drive.expect_upright(10.0);
-    expect_agreement(&drive, [0, 99]);
+    // Samples lie 70 m apart at the far wall: its crest may fall between two, and be 2 lines higher.
+    expect_agreement(&drive, [0, 99], 2);
 }
 
 #[test]
@@ -78,9 +83,9 @@ fn the_apollo_17_stops_lie_where_their_rule_puts_them() {
         Area::Centred { latitude, longitude, size: [210_000.0, 210_000.0], plane: Plane::Equirectangular };
     let options = SurveyOptions { area, ..with_tenth_held_out(15_000.0) };
     let drive = Drive::over("apollo17", &data.join("pds3/LDEM_4.LBL"), &ReadOptions::default(), &options);
-    expect_figures(&drive, 0.5882, 249.8564, 0.00005);
-    drive.expect_upright(25.0);
-    expect_agreement(&drive, [0, 300]);
+    expect_figures(&drive, 0.5882, 249.8564);
+    drive.expect_upright(12.0);
+    expect_agreement(&drive, [0, 300], 1);
     let georeference = drive.georeference().expect("a global file has a place on the Moon");
     let stops = apollo::read(&data.join("traverse/apollo17_eva_stops.csv"));
     let committed =

@@ -49,7 +49,7 @@ pub enum PrepareError {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum FrameError {
     /// The eye does not see the ground from above.
-    #[error("frame {frame}: the eye is {below:.3} m under the ground; expected it above")]
+    #[error("frame {frame}: the eye is {below:.3} m under the ground; expected it above the ground")]
     EyeUnderGround {
         /// Frame number.
         frame: u64,

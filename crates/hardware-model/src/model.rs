@@ -54,7 +54,7 @@ pub struct Loader {
 pub enum LatePolicy {
     /// They go to the hold register as they arrive, word by word.
     StrobeThrough,
-    /// The hold register keeps the stale words until the next fold of that axis.
+    /// The hold register keeps the stale words until the colour is transferred again.
     Latched,
 }
 

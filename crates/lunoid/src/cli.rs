@@ -24,7 +24,7 @@ Exit codes: 0 done; 1 the answer is no; 2 wrong usage; 3 bad input; 4 output fai
 #[command(name = "lunoid", version = VERSION, after_help = AFTER)]
 pub struct Cli {
     /// Colour in messages.
-    #[arg(long, global = true, value_enum, default_value_t = Colour::Auto, hide_possible_values = false)]
+    #[arg(long, global = true, value_enum, default_value_t = Colour::Auto)]
     pub color: Colour,
     /// What to do.
     #[command(subcommand)]

@@ -1,10 +1,11 @@
 //! What a long command shows while it runs: a bar on a terminal, else a line every five seconds.
 
+use std::fmt::Write;
 use std::io::{self, IsTerminal};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use replay::Progress;
 
 use crate::output::tell;
@@ -62,8 +63,12 @@ impl Display {
 
 fn bar() -> ProgressBar {
     let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
-    let template = "{msg} {bar:30} {pos}/{len}  {per_sec:.1}  {eta} left";
-    bar.set_style(ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar()));
+    let template = "{msg} {bar:30} {pos}/{len}  {rate}  {eta} left";
+    let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
+    bar.set_style(style.with_key("rate", |state: &ProgressState, out: &mut dyn Write| {
+        // Nothing can be done about a terminal that takes no text.
+        let _ = write!(out, "{:.1} frames/s", state.per_sec());
+    }));
     bar
 }
 

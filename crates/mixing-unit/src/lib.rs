@@ -27,7 +27,7 @@ pub const SIGNALS: &[Signal] = &[
 pub struct Composite<'a, S> {
     /// Height above the eye (m).
     pub height: &'a [Lanes<S>],
-    /// Reflectivity, 0..=1.
+    /// Reflectivity with its sign, -1..=1: below 0 is local shadow, drawn as 0.
     pub reflectivity: &'a [Lanes<S>],
 }
 

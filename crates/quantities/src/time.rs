@@ -6,7 +6,7 @@ use std::fmt;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 pub struct Tick(pub u64);
 
-/// A real instant inside one sweep, in accumulator steps (samples) from the start of its ramps.
+/// A real instant inside one sweep, in accumulator steps: sample n is at n, the eye's foot at -1.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Default)]
 pub struct SweepTime(pub f64);
 

@@ -188,7 +188,7 @@ fn laws(table: &Reader) -> LawWishes {
 
 fn display(table: &Reader) -> Option<Display> {
     let white = table.f64("white").above(0.0).at_most(1000.0).default(1.0);
-    let gamma = table.f64("gamma").between(0.1, 10.0).default(1.0);
+    let gamma = table.f64("gamma").between(0.25, 4.0).default(1.0);
     Some(Display { white: white?, gamma: gamma? })
 }
 

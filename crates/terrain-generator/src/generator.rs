@@ -16,7 +16,11 @@ pub const SIGNALS: &[Signal] = &[
     Signal::ground("tg.height", Unit::Metre, "terrain height above the lunoid's tangent plane (fig. 24)"),
     Signal::ground("tg.slope.u", Unit::Slope, "terrain slope to the north (section 7)"),
     Signal::ground("tg.slope.v", Unit::Slope, "terrain slope to the east (section 7)"),
-    Signal::ground("tg.reflectivity", Unit::Reflectivity, "Lambert's factor of the terrain (fig. 24)"),
+    Signal::ground(
+        "tg.reflectivity",
+        Unit::Reflectivity,
+        "reflectivity of the terrain: Lambert's factor times albedo (fig. 24)",
+    ),
 ];
 
 /// Profiles of a group: one [`Lanes`] a sample.

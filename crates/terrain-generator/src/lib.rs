@@ -13,7 +13,8 @@
 //! **How it is computed.** Between two events the registers stand still and both ramps are straight, so the sum
 //! is one polynomial of degree 10 in ground range. [`Segment`] expands it from the words *now in the hold
 //! registers* with the present polarity: a late or stale word shows. The slope along the sweep is its derivative,
-//! the slope across has its own polynomial of degree 9; a stretch of one or two samples is evaluated straight; the sun is turned into (along, across, up) once a sweep.
+//! the slope across has its own polynomial of degree 9; the sun is turned into (along, across, up) once a sweep.
+//! A stretch of one or two samples is cheaper straight through the array.
 //! **Timing.** Fold, polarity and transfer happen in the instant of the fold; the first sample at or after an
 //! event sees its effect.
 //! **Our choices.** The eye's height is subtracted in the summer, so that f32 signals keep their precision near

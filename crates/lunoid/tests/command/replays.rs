@@ -102,6 +102,28 @@ fn exact_draws_nearly_the_same_and_compare_says_so() {
     );
 }
 
+#[test]
+fn ridge_lines_are_left_out_and_measured() {
+    let scene = Scene::new();
+    let base = ["replay", "tiny.toml", "-q", "--samples", "2000", "--frames", "0..2"];
+    scene.expect(0, &[&base[..], &["--out", "machine"]].concat());
+    scene.expect(0, &[&base[..], &["--out", "exact", "--machine", "exact"]].concat());
+    let compare = ["compare", "machine", "exact", "--ridges", "tiny.toml"];
+    let (out, _) = scene.expect(0, &[&compare[..], &["--json", "--max-ridge", "1"]].concat());
+    let document: serde_json::Value = serde_json::from_str(&out).unwrap();
+    let (masked, columns) =
+        (&document["pictures"][1]["masked"], &document["pictures"][1]["horizon_lines"]["columns"]);
+    assert!(masked.as_u64().unwrap() >= 40, "{out}");
+    assert_eq!(columns.as_u64().unwrap(), 40, "{out}");
+    let (out, _) = scene.expect(0, &compare);
+    assert!(out.contains("frame 1: ") && out.contains("horizon off by 0 lines (median)"), "{out}");
+    scene.vary("other.toml", "end_m = 300", "end_m = 200");
+    let (_, err) = scene.expect(3, &["compare", "machine", "exact", "--ridges", "other.toml"]);
+    assert!(err.contains("settings.range") && err.contains("name the scenario of the run"), "{err}");
+    let frame = "exact/frames/frame-000000.png";
+    scene.expect(2, &["compare", frame, frame, "--ridges", "tiny.toml"]);
+}
+
 /// A mask that leaves one pixel, equal in both: the sky at the top left.
 fn all_but_one_pixel(scene: &Scene, a: &str, b: &str) -> String {
     let limits = picture::Limits::default();
