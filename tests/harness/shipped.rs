@@ -53,8 +53,10 @@ pub struct Agreement {
     pub off: f64,
     /// Share of the pixels that the mask leaves out.
     pub masked: f64,
-    /// Largest distance between the horizons of both, over the columns where the ridge is lit (lines).
+    /// Distance between the horizons of both that 99 of 100 columns keep, where the ridge is lit (lines).
     pub ridge: usize,
+    /// The largest such distance (lines).
+    pub ridge_at_most: usize,
     /// Columns where the ridge is lit.
     pub lit_columns: usize,
 }
@@ -163,7 +165,8 @@ impl Shipped {
         Agreement {
             off: share(found.beyond[0].count),
             masked: share(found.masked),
-            ridge: ridge.maximum,
+            ridge: ridge.percentile_99,
+            ridge_at_most: ridge.maximum,
             lit_columns: ridge.compared,
         }
     }

@@ -49,7 +49,7 @@ impl Drive {
     pub fn over(name: &'static str, file: &Path, read: &ReadOptions, options: &SurveyOptions) -> Self {
         let elevation = survey::read(file, read).expect("a readable elevation file");
         let found = survey(&elevation, options, &mut |_| {}).expect("ground that can be fitted");
-        let scenario = Scenario::read(&shared::scenario(&format!("{name}.toml"))).expect("a sound scenario");
+        let scenario = Scenario::read(shared::scenario(&format!("{name}.toml"))).expect("a sound scenario");
         let settings = settings(&scenario);
         let landscape = Arc::new(Landscape::new(found.bank, scenario.albedo));
         let update = settings.timebase.update;

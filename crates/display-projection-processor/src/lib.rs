@@ -11,7 +11,8 @@
 //! **Occlusion.** [`scenario::Occlusion::Derivative`] as reported: blank when elevation falls, hold it, unblank
 //! when it returns. [`scenario::Occlusion::PeakHold`]: compare with the highest so far. With ideal parts both
 //! blank the same ground; they differ once comparators have thresholds and noise.
-//! **Timing.** A profile comes back into sight between two samples; [`Projected::entry`] says where.
+//! **Timing.** The derivative changes sign between two samples: the held elevation is the top of the parabola
+//! through the three around. A profile comes back into sight between two samples; [`Projected::entry`] says where.
 //! **Our choices.** Unblank when the elevation equals the held one; ground before the first sample is not drawn.
 //! **Not modelled yet.** Comparator threshold, delay, sample-and-hold: ideal parts only.
 

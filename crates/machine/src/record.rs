@@ -41,6 +41,13 @@ pub(crate) struct Recorded<'a, S> {
     pub lines: usize,
 }
 
+/// The gate at each sample: the profile is below the held elevation, and the hold has not moved.
+fn blanked(elevation: &[f64], hold: &[f64]) -> Vec<f64> {
+    let moved = |k: usize| k == 0 || hold[k] > hold[k - 1];
+    let gate = |(k, now): (usize, &f64)| f64::from(u8::from(*now < hold[k] && !moved(k)));
+    elevation.iter().enumerate().map(gate).collect()
+}
+
 impl<S: Real> Recorded<'_, S> {
     /// What `probe` wants of lane `lane`, which is sweep `sweep`.
     pub fn waveforms(&self, probe: &Probe, lane: usize, sweep: u32) -> Vec<Waveform> {
@@ -80,10 +87,7 @@ impl<S: Real> Recorded<'_, S> {
             "dpp.elevation" => of(&projected.elevation),
             "dpp.hold" => of(&projected.hold),
             "dpp.y" => of(&projected.line),
-            "dpp.blank" => {
-                let pairs = of(&projected.elevation).into_iter().zip(of(&projected.hold));
-                pairs.map(|(now, hold)| f64::from(u8::from(now < hold))).collect()
-            }
+            "dpp.blank" => blanked(&of(&projected.elevation), &of(&projected.hold)),
             _ => return self.rows[lane * self.lines..][..self.lines].iter().map(|&v| f64::from(v)).collect(),
         };
         // Beyond the problem area a wire keeps its last value.

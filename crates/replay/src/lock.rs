@@ -13,7 +13,7 @@ pub(crate) const LOCK: &str = ".lunoid.lock";
 #[derive(Debug)]
 pub(crate) struct Lock {
     path: PathBuf,
-    _file: File,
+    file: File,
 }
 
 impl Lock {
@@ -28,9 +28,11 @@ impl Lock {
                 options.read(true).write(true).create(true).truncate(false).open(&path).map_err(failed)?;
             match file.try_lock() {
                 Ok(()) if is_named(&file, &path) => {
-                    file.set_len(0).map_err(failed)?;
-                    write!(file, "{}", std::process::id()).map_err(failed)?;
-                    return Ok(Self { path, _file: file });
+                    // From here on whatever fails removes the file.
+                    let mut lock = Self { path: path.clone(), file };
+                    let named =
+                        lock.file.set_len(0).and_then(|()| write!(lock.file, "{}", std::process::id()));
+                    return named.map(|()| lock).map_err(failed);
                 }
                 // The run that held it removed it between our opening and locking.
                 Ok(()) => {}

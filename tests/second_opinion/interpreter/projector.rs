@@ -13,6 +13,22 @@ pub fn elevation(h: f64, eye: f64, z: f64, curvature: Curvature) -> f64 {
     (h - drop - eye) / z
 }
 
+/// What the circuit is shown at each sample: the elevation, or the summit of the curve between its neighbours, which
+/// a real derivative circuit would see pass. The curve is the quadratic `y0 + b s + c s^2` through three samples.
+pub fn summits(elevations: &[f64]) -> Vec<f64> {
+    let mut shown = elevations.to_vec();
+    for k in 1..elevations.len().saturating_sub(1) {
+        let [left, y0, right] = [elevations[k - 1], elevations[k], elevations[k + 1]];
+        // A drop beyond a quarter is the end of the stored ground.
+        if left < y0 && right <= y0 && y0 - right < 0.25 {
+            let (b, c) = ((right - left) / 2.0, (right + left) / 2.0 - y0);
+            let summit = -b / (2.0 * c);
+            shown[k] = y0 + b * summit + c * summit * summit;
+        }
+    }
+    shown
+}
+
 /// What the circuit remembers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Circuit {

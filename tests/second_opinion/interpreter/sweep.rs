@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use scenario::{Projection, RangeLaw};
 
-use crate::interpreter::projector::{Circuit, elevation};
+use crate::interpreter::projector::{Circuit, elevation, summits};
 use crate::interpreter::ramp::Ramp;
 use crate::interpreter::registers::{Clock, Registers};
 use crate::interpreter::terrain::{Light, sums};
@@ -40,8 +40,7 @@ pub fn interpret(scene: &Scene, frame: u64, sweep: u32, ranges: &[f64]) -> Recor
     let heading = [ramps[0].heading, ramps[1].heading];
     let clock = clock(scene, frame, sweep);
     let registers = Registers::at_start(level, &scene.loader, clock, (frame, sweep), region, heading);
-    let circuit = Circuit::at_start(scene.laws.occlusion);
-    let mut walk = Walk { scene, ramps, registers, circuit, record: Record::default() };
+    let mut walk = Walk { scene, ramps, registers, record: Record::default() };
     let mut before = 0.0;
     for (k, &range) in ranges.iter().enumerate() {
         if walk.is_outside() || !walk.step(k as f64 - 1.0, before, range) {
@@ -52,6 +51,7 @@ pub fn interpret(scene: &Scene, frame: u64, sweep: u32, ranges: &[f64]) -> Recor
         before = range;
     }
     walk.record.late_words = walk.registers.late_words;
+    walk.occlude();
     walk.record
 }
 
@@ -59,7 +59,6 @@ struct Walk<'a> {
     scene: &'a Scene,
     ramps: [Ramp; 2],
     registers: Registers<'a>,
-    circuit: Circuit,
     record: Record,
 }
 
@@ -107,7 +106,6 @@ impl Walk<'_> {
         let d = self.scene.level.region_size();
         let (hx, hy) = (h_u / d, h_v / d);
         let eta = elevation(h, self.scene.eye[2], range, self.scene.laws.curvature);
-        self.circuit.step(eta);
         let values = [
             ("sweep.x", x.value),
             ("sweep.y", y.value),
@@ -116,13 +114,25 @@ impl Walk<'_> {
             ("tg.slope.v", hy),
             ("tg.reflectivity", light(self.scene).reflectivity(hx, hy)),
             ("dpp.elevation", eta),
-            ("dpp.hold", self.circuit.held),
-            ("dpp.blank", if self.circuit.blank { 1.0 } else { 0.0 }),
         ];
         for (name, value) in values {
             self.record.signals.entry(name).or_default().push(value);
         }
         self.record.range.push(range);
+    }
+
+    /// Runs the occlusion circuit along the finished profile.
+    fn occlude(&mut self) {
+        let elevations = self.record.signals.get("dpp.elevation").map_or(&[][..], Vec::as_slice);
+        let mut circuit = Circuit::at_start(self.scene.laws.occlusion);
+        let (mut hold, mut blank) = (Vec::new(), Vec::new());
+        for shown in summits(elevations) {
+            circuit.step(shown);
+            hold.push(circuit.held);
+            blank.push(if circuit.blank { 1.0 } else { 0.0 });
+        }
+        self.record.signals.insert("dpp.hold", hold);
+        self.record.signals.insert("dpp.blank", blank);
     }
 }
 

@@ -38,6 +38,8 @@ pub enum Kind {
     Scenario,
     /// A hardware model.
     Model,
+    /// The description beside a bank, which only people read.
+    Sidecar,
 }
 
 impl Kind {
@@ -51,13 +53,20 @@ impl Kind {
             file.as_ref().is_some_and(|file| keys.iter().any(|key| file.root(&problems).has(key)))
         };
         let is_model = has(&["name", "base", "loader", "dpu", "dpp", "sweep_memory"]);
-        if is_model && !has(&["title", "landscape", "path", "sun"]) { Self::Model } else { Self::Scenario }
+        if has(&["content_blake3"]) {
+            Self::Sidecar
+        } else if is_model && !has(&["title", "landscape", "path", "sun"]) {
+            Self::Model
+        } else {
+            Self::Scenario
+        }
     }
 
     fn word(self) -> &'static str {
         match self {
             Self::Scenario => "scenario",
             Self::Model => "hardware-model",
+            Self::Sidecar => "description of a bank",
         }
     }
 }
@@ -70,6 +79,7 @@ impl Check {
             let result = match kind {
                 Kind::Scenario => check_scenario(file),
                 Kind::Model => check_model(file),
+                Kind::Sidecar => Ok(()),
             };
             (file, kind, result)
         });

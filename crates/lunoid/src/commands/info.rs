@@ -57,6 +57,10 @@ fn look(path: &Path) -> Result<(Value, String), Failure> {
         [0x89, b'P', b'N', b'G', ..] => png(path),
         _ if path.extension().is_some_and(|extension| extension == "toml") => match Kind::of(path) {
             Kind::Scenario => scenario(path),
+            Kind::Sidecar => Err(Failure::input(format!(
+                "{}: the description of a bank; expected the bank itself, the same name without .toml",
+                path.display()
+            ))),
             Kind::Model => {
                 let loaded = HardwareModel::read(path, &[], &[])?;
                 Ok((model::document(&loaded), loaded.effective()))

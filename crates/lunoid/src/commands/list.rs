@@ -141,11 +141,18 @@ fn stem(file: &Path) -> String {
     file.file_stem().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// TOML files of a folder, in alphabetical order; none where there is no such folder.
+/// TOML files of a folder and of the folders in it, in alphabetical order; none where there is no such folder.
 fn toml_files(folder: &str) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
-    let mut files: Vec<PathBuf> =
-        entries.filter(|path| path.extension().is_some_and(|e| e == "toml")).collect();
+    let entries =
+        |folder: &Path| fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
+    let is_meant = |path: &PathBuf| {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        // The descriptions of banks are TOML too.
+        path.is_file() && name.ends_with(".toml") && !name.ends_with(".bank.toml")
+    };
+    let here: Vec<PathBuf> = entries(Path::new(folder)).collect();
+    let below = here.iter().filter(|path| path.is_dir()).flat_map(|path| entries(path));
+    let mut files: Vec<PathBuf> = below.chain(here.iter().cloned()).filter(is_meant).collect();
     files.sort();
     files
 }

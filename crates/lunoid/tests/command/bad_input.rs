@@ -67,6 +67,9 @@ fn check_lists_every_fault_of_every_file() {
     assert_eq!(counts, [0, 2, 1]);
     assert_eq!(document["files"][2]["kind"], "hardware-model");
     assert_eq!(document["files"][1]["problems"][0]["line"], 19);
+    scene.expect(0, &["bank", "generate", "tiny.toml", "-o", "a.bank"]);
+    let (out, _) = scene.expect(0, &["check", "a.bank.toml"]);
+    assert_eq!(out, "a.bank.toml: description of a bank, no fault\n");
 }
 
 #[test]

@@ -1,0 +1,167 @@
+//! Elevation files that are no ground, and surveys that cannot be.
+
+use crate::build::{Tiff, doubles, npy};
+use crate::room::{INPUT, Room, USAGE};
+
+const LABEL: &str = "PDS_VERSION_ID = \"PDS3\"
+RECORD_BYTES = 6
+^IMAGE = \"GROUND.IMG\"
+OBJECT = IMAGE
+  LINES = 2
+  LINE_SAMPLES = 3
+  SAMPLE_TYPE = LSB_INTEGER
+  SAMPLE_BITS = 16
+  SCALING_FACTOR = 0.5
+END_OBJECT = IMAGE
+OBJECT = IMAGE_MAP_PROJECTION
+  MAP_PROJECTION_TYPE = \"SIMPLE CYLINDRICAL\"
+  MAP_RESOLUTION = 4 <pix/deg>
+  A_AXIS_RADIUS = 1737.4 <km>
+  POSITIVE_LONGITUDE_DIRECTION = \"EAST\"
+  CENTER_LATITUDE = 0 <deg>
+  CENTER_LONGITUDE = 180 <deg>
+  LINE_PROJECTION_OFFSET = 0.5 <pix>
+  SAMPLE_PROJECTION_OFFSET = 719.5 <pix>
+  MAP_SCALE = 0.1 <km/pix>
+END_OBJECT = IMAGE_MAP_PROJECTION
+END
+";
+
+fn survey<'a>(file: &'a str, options: &[&'a str]) -> Vec<&'a str> {
+    [&["survey", file, "-o", "x.bank", "--picture", "x.png"], options].concat()
+}
+
+fn refused(room: &Room, file: &str, words: &[&str]) {
+    room.refused(INPUT, &survey(file, &["--region-size-m", "40"]), &[&[file][..], words].concat());
+}
+
+#[test]
+fn files_that_are_none() {
+    let room = Room::new();
+    room.write("empty.tif", "");
+    room.write("text.tif", "hello\n");
+    refused(&room, "gone.tif", &["No such file"]);
+    refused(&room, "folder", &["is not a file", "name the file itself"]);
+    refused(&room, "empty.tif", &["the file is empty", "expected a TIFF"]);
+    refused(&room, "text.tif", &["starts with 68 65", "gdal_translate"]);
+}
+
+#[test]
+fn geotiff_that_is_cut_short_or_empty() {
+    let room = Room::new();
+    let whole = Tiff::plane().bytes();
+    for (name, length) in [("header.tif", 6), ("directory.tif", 40), ("strip.tif", whole.len() - 300)] {
+        room.write(name, &whole[..length]);
+        refused(&room, name, &["expected"]);
+    }
+    room.write("none.tif", Tiff { columns: 0, lines: 0, heights: vec![], ..Tiff::plane() }.bytes());
+    room.write("wide.tif", Tiff { lines: 0, heights: vec![], ..Tiff::plane() }.bytes());
+    room.write("huge.tif", Tiff { columns: 1_000_000, lines: 1_000_000, ..Tiff::plane() }.bytes());
+    refused(&room, "none.tif", &["0x0"]);
+    refused(&room, "wide.tif", &["20x0"]);
+    refused(&room, "huge.tif", &["1000000 x 1000000", "expected at least 4000000000000", "truncated"]);
+    // The same bytes unharmed are ground.
+    room.write("whole.tif", whole);
+    room.done(&survey("whole.tif", &["--region-size-m", "40"]));
+}
+
+#[test]
+fn geotiff_without_heights() {
+    let room = Room::new();
+    let plane = Tiff::plane();
+    let with = |value: f32| {
+        let mut heights = plane.heights.clone();
+        heights[77] = value;
+        Tiff { heights, ..Tiff::plane() }.bytes()
+    };
+    room.write("bands.tif", Tiff { columns: 10, bands: 2, ..Tiff::plane() }.bytes());
+    room.write(
+        "void.tif",
+        Tiff { heights: vec![-9999.0; 400], no_data: Some("-9999"), ..Tiff::plane() }.bytes(),
+    );
+    room.write("nan.tif", Tiff { heights: vec![f32::NAN; 400], ..Tiff::plane() }.bytes());
+    room.write("infinite.tif", with(f32::INFINITY));
+    room.write("undeclared.tif", with(f32::MIN));
+    refused(&room, "bands.tif", &["2 bands, none chosen", "give --band N"]);
+    refused(&room, "void.tif", &["all 400 samples are void", "check the no-data value"]);
+    refused(&room, "nan.tif", &["all 400 samples are void"]);
+    refused(&room, "infinite.tif", &["line 3, column 17", "found inf"]);
+    refused(&room, "undeclared.tif", &["line 3, column 17", "-3.4028", "give --no-data -3.4028"]);
+}
+
+#[test]
+fn arrays_that_are_no_ground() {
+    let room = Room::new();
+    let cases = [
+        ("zero.npy", npy("<f8", "(0, 20)", &[]), "0 lines of 20 samples"),
+        ("flat.npy", npy("<f8", "(20,)", &doubles(&[0.0; 20])), "expected [lines, columns]"),
+        ("infinite.npy", npy("<f8", "(2, 2)", &doubles(&[0.0, 1.0, f64::INFINITY, 2.0])), "line 1, column 0"),
+        ("nan.npy", npy("<f8", "(2, 2)", &doubles(&[f64::NAN; 4])), "all 4 samples are void"),
+        ("short.npy", npy("<f8", "(20, 20)", &doubles(&[0.0; 20])), "needs 3200 bytes"),
+        ("complex.npy", npy("<c16", "(1, 1)", &doubles(&[0.0; 2])), "values of type '<c16'"),
+        ("huge.npy", npy("<f8", "(4294967296, 4294967296)", &[]), "more values than this machine"),
+    ];
+    for (name, bytes, word) in cases {
+        room.write(name, bytes);
+        let options = ["--region-size-m", "40", "--spacing-m", "10"];
+        room.refused(INPUT, &survey(name, &options), &[name, word]);
+    }
+    room.write("bare.npy", npy("<f8", "(5, 5)", &doubles(&[1.0; 25])));
+    refused(&room, "bare.npy", &["does not say how far its samples are apart", "give --spacing-m METRES"]);
+}
+
+#[test]
+fn damaged_pds3_labels() {
+    let room = Room::new();
+    room.write("GROUND.IMG", [2, 0, 252, 255, 6, 0, 8, 0, 5, 0, 12, 0]);
+    for (old, new, words) in [
+        ("\"GROUND.IMG\"", "\"GONE.IMG\"", &["label line 3, ^IMAGE", "GONE.IMG"][..]),
+        ("\"GROUND.IMG\"", "\"../GROUND.IMG\"", &["^IMAGE", "expected a file in the folder of the label"]),
+        ("\"GROUND.IMG\"", "\"/etc/passwd\"", &["^IMAGE", "expected a file in the folder of the label"]),
+        ("\"GROUND.IMG\"", "\"folder\"", &["folder", "Is a directory"]),
+        ("LINES = 2", "LINES = 900", &["GROUND.IMG", "has 12 bytes; expected at least 5400"]),
+        ("LINES = 2", "LINES = -2", &["label line 5, LINES", "found -2"]),
+        ("LINES = 2", "LINES = 0", &["0 lines of 3 samples"]),
+        ("LSB_INTEGER", "VAX_REAL", &["label line 7, SAMPLE_TYPE", "VAX_REAL", "IEEE_REAL"]),
+        ("SAMPLE_BITS = 16", "SAMPLE_BITS = 12", &["label line 8, SAMPLE_BITS", "8, 16 or 32"]),
+        ("= 0.5\n", "= nan\n", &["label line 9, SCALING_FACTOR", "expected a finite number"]),
+        ("SIMPLE CYLINDRICAL", "SINUSOIDAL", &["MAP_PROJECTION_TYPE", "SINUSOIDAL"]),
+        ("^IMAGE = \"GROUND.IMG\"\n", "", &["label, ^IMAGE: found nothing"]),
+    ] {
+        assert_eq!(LABEL.matches(old).count(), 1, "{old}");
+        room.write("ground.lbl", LABEL.replace(old, new));
+        room.refused(INPUT, &survey("ground.lbl", &["--region-size-m", "40"]), words);
+    }
+    room.write("ground.lbl", &LABEL[..120]);
+    refused(&room, "ground.lbl", &["label line 7", "followed by the end", "fetch it again"]);
+    refused(&room, "gone.lbl", &["No such file"]);
+}
+
+#[test]
+fn surveys_that_cannot_be() {
+    let room = Room::new();
+    room.write("plane.tif", Tiff::plane().bytes());
+    for (options, word) in [
+        (&["--region-size-m", "0"][..], "expected a number above 0"),
+        (&["--region-size-m=-5"], "expected a number above 0"),
+        (&["--region-size-m", "nan"], "expected a finite number"),
+        (&["--region-size-m", "0.001"], "give larger regions"),
+        (&["--region-size-m", "1e-300"], "give larger regions"),
+        (&["--region-size-m", "1e9"], "expected at most the size of the area, 190 m x 190 m"),
+        (&["--levels", "0"], "expected ascending whole numbers that begin with 1"),
+        (&["--levels", "1,x"], "--levels"),
+        (&["--band", "2"], "band 2 chosen; expected 1 to 1"),
+        (&["--area", "0,0,0,0"], "inside south 5.0000"),
+        (&["--area", "9000,0,9900,900"], "inside south 5.0000"),
+        (&["--area", "0,0,1"], "expected four numbers"),
+        (&["--centre", "0,0"], "--size-m"),
+        (&["--centre", "0,0", "--size-m", "9,9"], "give the area in metres"),
+        (&["--held-out", "0.9"], "expected 0 to 0.5"),
+        (&["--regularisation", "1e300"], "at most 10 region sizes"),
+        (&["--spacing-m", "0"], "--spacing-m"),
+        (&["--scale", "inf"], "expected a finite number"),
+        (&["--jobs", "0"], "1..=1024"),
+    ] {
+        room.refused(USAGE, &survey("plane.tif", options), &[word]);
+    }
+}

@@ -1,0 +1,113 @@
+//! Runs that are killed at any moment, and runs that meet in one folder.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+use crate::room::{OUTPUT, Room, content};
+
+/// Long enough to be killed in the middle.
+const FRAMES: usize = 120;
+
+fn replay<'a>(out: &'a str, options: &[&'a str]) -> Vec<&'a str> {
+    let base = ["replay", "long.toml", "--no-progress", "--samples", "1500", "--out", out];
+    [&base[..], options].concat()
+}
+
+fn room() -> Room {
+    let room = Room::new();
+    room.vary("long.toml", "frames = 4", &format!("frames = {FRAMES}"));
+    room
+}
+
+fn start(room: &Room, arguments: &[&str]) -> Child {
+    room.command(arguments).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap()
+}
+
+fn signal(child: &Child, name: &str) {
+    // A run that has ended already is a moment as well.
+    let _ =
+        Command::new("kill").args([name, &child.id().to_string()]).stderr(Stdio::null()).status().unwrap();
+}
+
+/// A finished run, without the times that it took.
+fn run(folder: &Path) -> BTreeMap<PathBuf, Option<Vec<u8>>> {
+    let all = content(folder).into_iter();
+    let all = all.map(|(path, bytes)| (path.strip_prefix(folder).unwrap().to_owned(), bytes));
+    all.filter(|(path, _)| path != Path::new("performance.json")).collect()
+}
+
+/// Every picture that is there is whole.
+fn pictures_are_whole(folder: &Path, whole: &BTreeMap<PathBuf, Option<Vec<u8>>>) -> usize {
+    let frames = folder.join("frames");
+    let entries = fs::read_dir(&frames).into_iter().flatten().map(|entry| entry.unwrap().path());
+    let pictures: Vec<PathBuf> =
+        entries.filter(|path| path.extension().is_some_and(|kind| kind == "png")).collect();
+    for picture in &pictures {
+        let name = picture.strip_prefix(folder).unwrap();
+        assert_eq!(Some(fs::read(picture).unwrap()), whole[name], "{}", name.display());
+    }
+    pictures.len()
+}
+
+#[test]
+fn a_run_that_is_killed_at_any_moment_goes_on() {
+    let room = room();
+    let began = Instant::now();
+    room.done(&replay("whole", &["--apng"]));
+    let (length, whole) = (began.elapsed(), run(&room.join("whole")));
+    let mut interrupted = 0;
+    for moment in 0..12_u32 {
+        let out = format!("killed-{moment}");
+        let folder = room.join(&out);
+        let arguments = replay(&out, &["--apng", "--jobs", ["1", "2", "3"][moment as usize % 3]]);
+        let name = if moment % 2 == 0 { "-KILL" } else { "-INT" };
+        // Moments over the whole length, twice a run: the resumed run is killed too.
+        for part in [moment, (5 * moment + 3) % 12] {
+            let mut child = start(&room, &arguments);
+            sleep(length * (2 * part + 1) / 24);
+            signal(&child, name);
+            let status = child.wait().unwrap();
+            assert!(status.code().is_none_or(|code| code == 0 || code == 130), "{moment}: {status}");
+            let pictures = pictures_are_whole(&folder, &whole);
+            interrupted += usize::from((1..FRAMES).contains(&pictures));
+        }
+        room.done(&arguments);
+        assert!(run(&folder) == whole, "{name} {moment}: another folder than that of a run in one go");
+        fs::remove_dir_all(folder).unwrap();
+    }
+    assert!(interrupted > 4, "only {interrupted} moments were inside the run");
+}
+
+#[test]
+fn threads_change_no_byte() {
+    let room = room();
+    let names = ["1", "2", "3"];
+    for jobs in names {
+        room.done(&replay(jobs, &["--frames", "0..12", "--apng", "--refresh", "--jobs", jobs]));
+    }
+    let [one, two, three] = names.map(|name| run(&room.join(name)));
+    assert!(one.len() > 12 * 3 && one == two && one == three);
+}
+
+#[test]
+fn a_second_run_in_the_folder_is_refused_and_the_first_goes_on() {
+    let room = room();
+    room.done(&replay("whole", &[]));
+    let mut first = start(&room, &replay("r", &[]));
+    let began = Instant::now();
+    while !room.join("r/frames/frame-000001.png").exists() && began.elapsed() < Duration::from_secs(60) {
+        sleep(Duration::from_millis(1));
+    }
+    signal(&first, "-STOP");
+    let holder = format!("process {}", first.id());
+    for options in [&[][..], &["--fresh"], &["--sweeps", "20"]] {
+        room.refused(OUTPUT, &replay("r", options), &[&holder, "wait for it or choose another --out"]);
+    }
+    signal(&first, "-CONT");
+    assert!(first.wait().unwrap().success());
+    assert!(run(&room.join("r")) == run(&room.join("whole")));
+}

@@ -1,0 +1,91 @@
+//! Run folders that hold something else, or a run that is damaged.
+
+use std::fs;
+
+use crate::room::{INPUT, OUTPUT, Room, content};
+
+const REPLAY: [&str; 5] = ["replay", "tiny.toml", "-q", "--out", "r"];
+
+fn with<'a>(options: &[&'a str]) -> Vec<&'a str> {
+    [&REPLAY[..], options].concat()
+}
+
+#[test]
+fn a_folder_of_another_run_is_left_alone() {
+    let room = Room::new();
+    room.done(&REPLAY);
+    room.vary("tiny.toml", "seed = 3", "seed = 4");
+    let words = ["holds another run", "choose another --out", "--fresh"];
+    room.refused(OUTPUT, &REPLAY, &words);
+    room.vary("tiny.toml", "seed = 3", "seed = 3");
+    room.refused(OUTPUT, &with(&["--sweeps", "20"]), &words);
+    room.refused(OUTPUT, &with(&["--machine", "exact"]), &words);
+    room.done(&REPLAY);
+}
+
+#[test]
+fn folders_and_files_of_somebody_else_are_left_alone() {
+    let room = Room::new();
+    room.write("folder/chapter.tex", "mine");
+    room.write("file", "mine");
+    let out = |out| ["replay", "tiny.toml", "--fresh", "--out", out];
+    room.refused(
+        OUTPUT,
+        &["replay", "tiny.toml", "--out", "folder"],
+        &["chapter.tex", "choose another --out"],
+    );
+    room.refused(OUTPUT, &out("file"), &["file", "expected a folder"]);
+    room.refused(OUTPUT, &out("file/below"), &["file/below"]);
+    fs::create_dir(room.join("folder/frames")).unwrap();
+    room.write("folder/frames/frame-000001.png", "mine");
+    room.refused(OUTPUT, &out("folder"), &["which no run wrote"]);
+}
+
+#[test]
+fn records_that_are_damaged_or_newer_are_said_to_be_so() {
+    let room = Room::new();
+    room.done(&REPLAY);
+    let whole = String::from_utf8(room.read("r/run.json")).unwrap();
+    let elsewhere = whole.replacen("frames/frame-000000.png", "../../tiny.toml", 1);
+    let absolute = whole.replacen("frames/frame-000000.png", "/etc/passwd", 1);
+    for (text, word) in [
+        (&whole[..whole.len() / 2], "EOF while parsing"),
+        ("{\"schema\": \"lunoid.run/1\"}", "missing field `fingerprint`"),
+        (&whole.replace("lunoid.run/1", "lunoid.run/2"), "lunoid.run/2"),
+        (&elsewhere, "it lists `../../tiny.toml`, expected files of its folder"),
+        (&absolute, "it lists `/etc/passwd`"),
+    ] {
+        room.write("r/run.json", text);
+        for arguments in [&REPLAY[..], &["compare", "r", "r"], &["info", "r"]] {
+            room.refused(INPUT, arguments, &["r/run.json", "not the record of a run", word]);
+        }
+    }
+    // What cannot be told from somebody else's files is not touched.
+    for text in ["", "\0\u{1}"] {
+        room.write("r/run.json", text);
+        room.refused(OUTPUT, &REPLAY, &["r: holds `", "choose another --out"]);
+        room.refused(INPUT, &["info", "r"], &["r/run.json", "not the record of a run"]);
+    }
+    room.write("r/run.json", &whole[..whole.len() / 2]);
+    room.done(&with(&["--fresh"]));
+    assert_eq!(room.read("r/run.json"), whole.as_bytes());
+}
+
+#[test]
+fn damaged_frames_are_drawn_again_and_nothing_else() {
+    let room = Room::new();
+    room.done(&REPLAY);
+    let whole = content(&room.join("r"));
+    let frame = |index| format!("r/frames/frame-{index:06}.png");
+    let short = room.read(&frame(1))[..50].to_vec();
+    room.write(&frame(1), short);
+    room.write(&frame(2), "");
+    fs::remove_file(room.join(&frame(3))).unwrap();
+    fs::remove_file(room.join("r/contact-sheet.png")).unwrap();
+    let said = room.run(&["replay", "tiny.toml", "--out", "r"]);
+    assert!(said.code == Some(0) && said.out.contains("3 drawn now"), "{said:?}");
+    let ours = |run: crate::room::Content| {
+        run.into_iter().filter(|(path, _)| !path.ends_with("performance.json")).collect::<Vec<_>>()
+    };
+    assert_eq!(ours(content(&room.join("r"))), ours(whole));
+}
