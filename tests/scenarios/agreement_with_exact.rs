@@ -4,13 +4,16 @@
 use lunoid_tests::Shipped;
 use lunoid_tests::shipped::SHIPPED;
 
-/// A quarter of the sweeps: the full raster is for `--example agreement` in release.
-const SWEEPS: u32 = 240;
+/// Half of the sweeps: the full raster is for `--example agreement` in release.
+fn halved(name: &str) -> Shipped {
+    let sweeps = Shipped::read(name, None).settings.raster.sweeps;
+    Shipped::read(name, Some(sweeps / 2))
+}
 
 #[test]
 fn every_shipped_scenario_agrees_with_exact() {
     for name in SHIPPED {
-        let shipped = Shipped::read(name, Some(SWEEPS));
+        let shipped = halved(name);
         assert_eq!(shipped.settings.raster.samples, 1000, "{name}");
         let frame = shipped.frames() / 2;
         let found = shipped.agreement(frame);
@@ -23,7 +26,7 @@ fn every_shipped_scenario_agrees_with_exact() {
 
 #[test]
 fn a_wrong_law_is_noticed() {
-    let mut shipped = Shipped::read("rough-ride", Some(SWEEPS));
+    let mut shipped = halved("rough-ride");
     let exact = shipped.exact(20);
     shipped.settings.laws.projection = scenario::Projection::AsReported;
     let machine = shipped.machine(20);
