@@ -22,5 +22,5 @@ pub mod relief;
 pub use axes::Attitude;
 pub use bank::{Bank, BankError, CornerWords, Georeference, Level, WORDS};
 pub use light::Sun;
-pub use lunoid::{LUNOID_RADIUS, horizon_distance, parabolic_drop};
+pub use lunoid::{LUNOID_RADIUS, parabolic_drop};
 pub use query::{Landscape, SurfacePoint};

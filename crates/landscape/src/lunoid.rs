@@ -8,20 +8,13 @@ pub fn parabolic_drop(s: f64) -> f64 {
     s * s / (2.0 * LUNOID_RADIUS)
 }
 
-/// Ground range of the horizon of a smooth lunoid for an eye `height` above it (m).
-pub fn horizon_distance(height: f64) -> f64 {
-    LUNOID_RADIUS * libm::acos(LUNOID_RADIUS / (LUNOID_RADIUS + height))
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{horizon_distance, parabolic_drop};
+    use super::parabolic_drop;
 
     #[test]
     fn check_values_of_23_5() {
         assert!((parabolic_drop(2380.0) - 1.63013698630137).abs() < 1e-13);
         assert!((parabolic_drop(40_000.0) - 460.4581558650858).abs() < 1e-10);
-        assert!((horizon_distance(1.63) - 2379.899067573429).abs() < 1e-3);
-        assert!((horizon_distance(6.096) - 4602.425324198692).abs() < 1e-3);
     }
 }

@@ -14,6 +14,7 @@
 
 mod control_plane;
 mod elaboration;
+mod omissions;
 mod record;
 mod session;
 mod signal_plane;

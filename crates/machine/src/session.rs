@@ -14,7 +14,7 @@ use sweep_memory::{View, digital_memory, scan_converter};
 use sweep_program::{StepKind, SweepProgram};
 
 use crate::control_plane::FramePlan;
-use crate::elaboration::omissions;
+use crate::omissions::omissions;
 use crate::record::Recorded;
 use crate::signal_plane::{Group, Workspace};
 

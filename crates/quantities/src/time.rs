@@ -133,11 +133,6 @@ impl Timebase {
         self.active_samples + self.retrace_samples
     }
 
-    /// Seconds between two accumulator steps.
-    pub fn sample_period(&self) -> f64 {
-        1.0 / self.sample.hertz()
-    }
-
     /// Master ticks in one accumulator step, as a float for latencies inside one sweep.
     pub fn ticks_per_sample(&self) -> f64 {
         self.master.hertz() / self.sample.hertz()
@@ -176,7 +171,7 @@ mod tests {
     fn figures_of_525_sweeps_at_30_hertz() {
         let clocks = nominal();
         assert_eq!(clocks.sample_rate(), Rate::new(525 * 30 * 1208, 1).unwrap());
-        assert!((clocks.sample_period() - 52.56e-9).abs() < 1e-11);
+        assert!((1.0 / clocks.sample_rate().hertz() - 52.56e-9).abs() < 1e-11);
     }
 
     #[test]

@@ -37,12 +37,6 @@ impl<S: Real> Lanes<S> {
     pub fn sqrt(self) -> Self {
         self.map(S::sqrt)
     }
-
-    /// The larger of `self` and `other` lane by lane; `other` where `self` is NaN.
-    #[inline(always)]
-    pub fn at_least(self, other: Self) -> Self {
-        Self::from_fn(|lane| self.0[lane].at_least(other.0[lane]))
-    }
 }
 
 impl<S: Real> Default for Lanes<S> {
