@@ -165,3 +165,20 @@ fn surveys_that_cannot_be() {
         room.refused(USAGE, &survey("plane.tif", options), &[word]);
     }
 }
+
+/// A hole is no fault; how far the fit goes astray in it is said.
+#[test]
+fn ground_without_data_is_told() {
+    let room = Room::new();
+    let hole = |index: usize| (6..14).contains(&(index / 20)) && (6..14).contains(&(index % 20));
+    let mut plane = Tiff::plane();
+    (0..400).filter(|index| hole(*index)).for_each(|index| plane.heights[index] = f32::NAN);
+    room.write("hole.tif", plane.bytes());
+    let out = room.done(&survey("hole.tif", &["--region-size-m", "20", "--json"]));
+    let report: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert!(report["levels"][0]["samples"]["void"].as_u64() >= Some(64), "{report}");
+    let voids = &report["levels"][0]["in_voids"];
+    assert!(voids["regions"].as_u64() >= Some(9), "{voids}");
+    let heights = [0, 1].map(|side| voids["heights_m"][side].as_f64().unwrap());
+    assert!(heights[0] > 0.0 && heights[1] < 9.5 && voids["steepest"].as_f64() < Some(0.1), "{voids}");
+}

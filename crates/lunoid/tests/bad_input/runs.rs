@@ -89,3 +89,35 @@ fn damaged_frames_are_drawn_again_and_nothing_else() {
     };
     assert_eq!(ours(content(&room.join("r"))), ours(whole));
 }
+
+/// Whatever is in a record or a journal: the run goes on, or one error says why not.
+#[test]
+fn no_damage_of_a_record_or_journal_panics() {
+    let room = Room::new();
+    room.done(&REPLAY);
+    let record = room.read("r/run.json");
+    let frames: serde_json::Value = serde_json::from_slice(&record).unwrap();
+    let heading = format!("{{\"schema\":\"lunoid.journal/1\",\"fingerprint\":{}}}\n", frames["fingerprint"]);
+    let lines = frames["frames"].as_array().unwrap().iter().map(|frame| format!("{frame}\n"));
+    let journal = lines.fold(heading, |text, line| text + &line).into_bytes();
+    for (name, whole) in [("r/run.json", &record), ("r/frames.journal", &journal)] {
+        for at in (0..whole.len()).step_by(whole.len() / 25) {
+            let mut flipped = whole.clone();
+            flipped[at] ^= 0x15;
+            for bytes in [&flipped, &whole[..at]] {
+                let _ = fs::remove_file(room.join("r/frames.journal"));
+                room.write("r/run.json", &record);
+                room.write(name, bytes);
+                let said = room.run(&REPLAY);
+                assert!(!said.err.contains("panicked"), "{name}, byte {at}: {}", said.err);
+                match said.code {
+                    Some(0) => assert_eq!(said.err, "", "{name}, byte {at}"),
+                    Some(INPUT | OUTPUT) => {
+                        assert_eq!((said.errors(), &*said.out), (1, ""), "{name}, byte {at}")
+                    }
+                    code => panic!("{name}, byte {at}: {code:?}"),
+                }
+            }
+        }
+    }
+}
