@@ -44,6 +44,14 @@ pub enum BankError {
         /// The value found.
         value: f64,
     },
+    /// A region without data that is not in the bank.
+    #[error("region ({}, {}) without data: expected one of {} x {}", region[0], region[1], regions[0], regions[1])]
+    VoidRegion {
+        /// The region, north and east.
+        region: [u32; 2],
+        /// Regions of the finest level.
+        regions: [u32; 2],
+    },
     /// A bank without levels.
     #[error("bank without levels: expected at least one")]
     NoLevels,
@@ -212,6 +220,7 @@ pub struct Bank {
     title: String,
     levels: Vec<Level>,
     georeference: Option<Georeference>,
+    voids: Vec<[u32; 2]>,
 }
 
 impl Bank {
@@ -230,7 +239,33 @@ impl Bank {
         if let Some(at) = levels.windows(2).position(|pair| pair[1].region_size <= pair[0].region_size) {
             return Err(BankError::LevelOrder(at + 1));
         }
-        Ok(Self { title: title.into(), levels, georeference })
+        Ok(Self { title: title.into(), levels, georeference, voids: Vec::new() })
+    }
+
+    /// The same bank, with the regions (north, east) of its finest level for which the survey had no data: the
+    /// ground there is drawn, but nothing stands on it.
+    ///
+    /// # Errors
+    /// If a region is not stored.
+    pub fn with_voids(mut self, mut voids: Vec<[u32; 2]>) -> Result<Self, BankError> {
+        let [north, east] = self.finest().corners().map(|count| (count - 1) as u32);
+        if let Some(region) = voids.iter().find(|region| region[0] >= north || region[1] >= east) {
+            return Err(BankError::VoidRegion { region: *region, regions: [north, east] });
+        }
+        voids.sort_unstable();
+        voids.dedup();
+        self.voids = voids;
+        Ok(self)
+    }
+
+    /// Regions of the finest level without data, ascending.
+    pub fn voids(&self) -> &[[u32; 2]] {
+        &self.voids
+    }
+
+    /// Whether the survey had no data for a region of the finest level.
+    pub fn is_void(&self, region: [usize; 2]) -> bool {
+        self.voids.binary_search(&region.map(|index| index as u32)).is_ok()
     }
 
     /// What the ground is, for people.
@@ -295,6 +330,18 @@ mod tests {
         assert_eq!(level.locate(-0.001, 0.0), None);
         assert_eq!(level.locate(0.0, 400.001), None);
         assert_eq!(level.locate(f64::NAN, 0.0), None);
+    }
+
+    #[test]
+    fn regions_without_data_are_known() {
+        let words = vec![[0.0; 9]; 12];
+        let bank =
+            || Bank::new("", vec![Level::new(1.0, [0.0; 2], [3, 4], words.clone()).unwrap()], None).unwrap();
+        let bank_with = bank().with_voids(vec![[1, 2], [0, 1], [1, 2]]).unwrap();
+        assert_eq!(bank_with.voids(), [[0, 1], [1, 2]]);
+        assert!(bank_with.is_void([1, 2]) && !bank_with.is_void([1, 1]));
+        let refused = bank().with_voids(vec![[2, 0]]);
+        assert_eq!(refused, Err(BankError::VoidRegion { region: [2, 0], regions: [2, 3] }));
     }
 
     #[test]

@@ -50,6 +50,11 @@ impl Landscape {
         Some(SurfacePoint { height, slopes: [hu / d, hv / d], albedo: self.albedo })
     }
 
+    /// Whether the ground at (x, y) (m) rests on data; false outside the problem area.
+    pub fn has_data(&self, x: f64, y: f64) -> bool {
+        self.level().locate(x, y).is_some_and(|(region, _)| !self.bank.is_void(region))
+    }
+
     /// Height at (x, y) (m); `None` outside the problem area.
     pub fn height(&self, x: f64, y: f64) -> Option<f64> {
         self.at(x, y).map(|point| point.height)

@@ -106,6 +106,7 @@ impl StageArgs {
         if let Some(bank) = &self.bank {
             scenario.ground = Ground::Bank(bank.clone());
         }
+        self.expect_bank(&scenario)?;
         let model = self.model(&scenario)?;
         self.wish(&mut scenario);
         let settings = settings(&scenario, &model.model).map_err(|error| self.refused(&error))?;
@@ -114,6 +115,21 @@ impl StageArgs {
             if self.machine.as_deref() == Some(EXACT) { &Exact } else { &HybridMachine };
         let phases = vec![Phase::since("read", start)];
         Ok(Loaded { scenario, settings, generator, inputs, phases })
+    }
+
+    /// Banks are made and not kept with the scenarios, so a first replay may find none.
+    fn expect_bank(&self, scenario: &Scenario) -> Result<(), Failure> {
+        match &scenario.ground {
+            Ground::Bank(bank) if self.bank.is_none() && !bank.exists() => {
+                let scenario = self.scenario.display();
+                Err(Failure::input(format!(
+                    "{scenario}: this scenario needs a bank; {}: no such file; `lunoid survey` or `lunoid bank import` \
+                     makes one (see docs/real-ground.md)",
+                    bank.display()
+                )))
+            }
+            _ => Ok(()),
+        }
     }
 
     fn model(&self, scenario: &Scenario) -> Result<LoadedModel, Failure> {

@@ -15,6 +15,11 @@ pub enum PoseFault {
         /// South, west, north, east edge of the area (m).
         extent: [f64; 4],
     },
+    /// A wheel stands where the survey had no data.
+    NoData {
+        /// The wheel: north, east (m).
+        wheel: [f64; 2],
+    },
     /// The path puts the eye into the ground.
     EyeUnderGround {
         /// Height of the eye (m).
@@ -86,6 +91,13 @@ impl fmt::Display for PathProblem {
                 let who = if *wheels { "a wheel" } else { "the vehicle" };
                 write!(f, "{who} is outside the problem area, expected x {south}..{north} m, ")?;
                 write!(f, "y {west}..{east} m; change the path or enlarge the landscape")?;
+            }
+            PoseFault::NoData { wheel: [x, y] } => {
+                write!(
+                    f,
+                    "no data under a wheel at x = {x:.2} m, y = {y:.2} m: the survey filled a hole there; "
+                )?;
+                write!(f, "lead the path around it")?;
             }
             PoseFault::EyeUnderGround { eye, ground } => {
                 write!(f, "eye under ground, z = {eye:.3} m where the ground is at {ground:.3} m; ")?;

@@ -126,7 +126,13 @@ impl Driver<'_> {
         if flies {
             return Ok(Stand { ground, slopes: [0.0; 2] });
         }
-        self.vehicle.stand(self.landscape, station.at, station.heading).ok_or_else(|| outside(true))
+        let stand = self.vehicle.stand(self.landscape, station.at, station.heading);
+        let stand = stand.ok_or_else(|| outside(true))?;
+        let wheels = self.vehicle.wheels(station.at, station.heading);
+        match wheels.into_iter().find(|&[x, y]| !self.landscape.has_data(x, y)) {
+            Some(wheel) => Err(PoseFault::NoData { wheel }),
+            None => Ok(stand),
+        }
     }
 
     fn turn_rate(&self, frame: u64) -> f64 {

@@ -45,6 +45,16 @@ pub struct Stand {
 }
 
 impl Vehicle {
+    /// Wheel contacts (north, east; m): front port, front starboard, rear port, rear starboard.
+    pub fn wheels(&self, at: [f64; 2], heading: f64) -> [[f64; 2]; 4] {
+        let (sin, cos) = sin_cos(heading);
+        let [ahead, aside] = [0.5 * self.wheelbase, 0.5 * self.track];
+        let contact = |[forward, starboard]: [f64; 2]| {
+            [at[0] + forward * cos - starboard * sin, at[1] + forward * sin + starboard * cos]
+        };
+        [[ahead, -aside], [ahead, aside], [-ahead, -aside], [-ahead, aside]].map(contact)
+    }
+
     /// How it stands at a place (north, east; m) with a heading (rad); nothing where the centre or a wheel is
     /// outside the problem area.
     ///
@@ -52,15 +62,11 @@ impl Vehicle {
     /// not in one plane: the mean slope of the two sides and the mean slope of the two axles are taken, which is
     /// the plane of least squares.
     pub fn stand(&self, landscape: &Landscape, at: [f64; 2], heading: f64) -> Option<Stand> {
+        let height = |wheel: [f64; 2]| landscape.height(wheel[0], wheel[1]);
+        let [port_front, starboard_front, port_rear, starboard_rear] = self.wheels(at, heading);
+        let front = [height(port_front)?, height(starboard_front)?];
+        let rear = [height(port_rear)?, height(starboard_rear)?];
         let (sin, cos) = sin_cos(heading);
-        let [ahead, aside] = [0.5 * self.wheelbase, 0.5 * self.track];
-        let contact = |forward: f64, starboard: f64| {
-            let north = at[0] + forward * cos - starboard * sin;
-            let east = at[1] + forward * sin + starboard * cos;
-            landscape.height(north, east)
-        };
-        let front = [contact(ahead, -aside)?, contact(ahead, aside)?];
-        let rear = [contact(-ahead, -aside)?, contact(-ahead, aside)?];
         let forward = (front[0] - rear[0] + (front[1] - rear[1])) / (2.0 * self.wheelbase);
         let starboard = (front[1] - front[0] + (rear[1] - rear[0])) / (2.0 * self.track);
         let slopes = [forward * cos - starboard * sin, forward * sin + starboard * cos];

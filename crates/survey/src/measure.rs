@@ -38,6 +38,15 @@ pub fn measure(patch: &Patch, places: &[Place], fit: &Fit) -> (Grid, Grid, Level
     (grid(fitted), grid(residuals), report)
 }
 
+/// Regions (north, east) without a single sample.
+pub fn empty_regions(patch: &Patch, axes: &[Axis; 2]) -> Vec<[u32; 2]> {
+    let east = axes[1].regions();
+    let empty = |(index, share): (usize, &f64)| {
+        (*share == 1.0).then_some([(index / east) as u32, (index % east) as u32])
+    };
+    lacking(patch, axes).iter().enumerate().filter_map(empty).collect()
+}
+
 /// Regions without samples that lie at most [`REACH`] regions from one with samples.
 fn void_regions(lacking: &[f64], north: usize, east: usize) -> Vec<bool> {
     let empty: Vec<bool> = lacking.iter().map(|share| *share == 1.0).collect();

@@ -63,6 +63,13 @@ pub struct LevelReport {
     pub in_voids: Option<VoidBounds>,
 }
 
+impl LevelReport {
+    /// Angle of the steepest fitted ground (rad).
+    pub fn steepest(&self) -> f64 {
+        libm::atan(self.slope)
+    }
+}
+
 /// A whole survey. Holds no times: two runs on the same input give equal reports.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SurveyReport {

@@ -9,7 +9,7 @@ use crate::elevation::Elevation;
 use crate::error::SurveyError;
 use crate::fill::fill;
 use crate::fit::{Fit, Place, Stiffness, Stop, fit};
-use crate::measure::measure;
+use crate::measure::{empty_regions, measure};
 use crate::patch::Patch;
 use crate::report::{LevelReport, SurveyReport};
 
@@ -166,18 +166,18 @@ pub fn survey(
         let mut tell = |iteration, residual| progress(Step { level: index, iteration, residual });
         let fit = fit(&cut.patch, &places, &filled, size, shape, options.stiffness, stop, &mut tell)?;
         let (fitted, residuals, report) = measure(&cut.patch, &places, &fit);
-        grids.get_or_insert((fitted, residuals));
+        grids.get_or_insert_with(|| (fitted, residuals, empty_regions(&cut.patch, &fit.axes)));
         fit_memory = fit_memory.max(fit.memory);
         reports.push(report);
         let Fit { level, .. } = fit;
         levels.push(level);
     }
-    let (fitted, residuals) = grids.ok_or(landscape::BankError::NoLevels)?;
+    let (fitted, residuals, voids) = grids.ok_or(landscape::BankError::NoLevels)?;
     let title = options.title.clone().unwrap_or_else(|| elevation.title.clone());
     let peak_memory =
         8 * (elevation.lines * elevation.columns + 4 * places.len()) + places.len() + fit_memory;
     let report = assemble(elevation, &cut, title.clone(), reports, options, peak_memory);
-    let bank = Bank::new(title, levels, cut.georeference)?;
+    let bank = Bank::new(title, levels, cut.georeference)?.with_voids(voids)?;
     Ok(Survey { bank, report, fitted, residuals })
 }
 

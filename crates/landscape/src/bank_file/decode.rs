@@ -2,7 +2,7 @@
 
 use super::error::{BankFormatError, SectionName};
 use super::layout::{
-    BLOCK, FILE_LENGTH_AT, FORMAT, HASH, LEVEL, MAGIC, PLACE, SECTION_HASH_AT, TABLE_HASH_AT, TITLE,
+    BLOCK, FILE_LENGTH_AT, FORMAT, HASH, LEVEL, MAGIC, PLACE, SECTION_HASH_AT, TABLE_HASH_AT, TITLE, VOIDS,
 };
 use crate::{Bank, CornerWords, Georeference, Level, WORDS};
 use std::f64::consts::PI;
@@ -28,16 +28,17 @@ pub fn decode(bytes: &[u8]) -> Result<Bank, BankFormatError> {
     for section in &sections {
         check_hash(section, table)?;
     }
-    let (mut levels, mut title, mut place) = (vec![], None, None);
+    let (mut levels, mut title, mut place, mut voids) = (vec![], None, None, None);
     for section in &sections {
         match section.kind {
             LEVEL => levels.push(section.level()?),
             TITLE => section.only(&mut title, section.title()?)?,
             PLACE => section.only(&mut place, section.place()?)?,
+            VOIDS => section.only(&mut voids, section.voids()?)?,
             _ => {}
         }
     }
-    Ok(Bank::new(title.unwrap_or_default(), levels, place)?)
+    Ok(Bank::new(title.unwrap_or_default(), levels, place)?.with_voids(voids.unwrap_or_default())?)
 }
 
 /// The section table, after the header is checked.
@@ -168,6 +169,13 @@ impl Section<'_> {
         }
         let [latitude, longitude, north, east] = [0, 8, 16, 24].map(|at| f64_at(self.payload, at));
         Ok(Georeference { latitude, longitude, at: [north, east] })
+    }
+
+    fn voids(&self) -> Result<Vec<[u32; 2]>, BankFormatError> {
+        if !self.payload.len().is_multiple_of(8) {
+            return Err(self.wrong_length("a multiple of 8"));
+        }
+        Ok(self.payload.chunks_exact(8).map(|pair| [u32_at(pair, 0), u32_at(pair, 4)]).collect())
     }
 
     fn only<T>(&self, slot: &mut Option<T>, value: T) -> Result<(), BankFormatError> {

@@ -1,6 +1,6 @@
 //! From a bank to bytes.
 
-use super::layout::{BLOCK, FORMAT, LEVEL, MAGIC, PLACE, TITLE, aligned};
+use super::layout::{BLOCK, FORMAT, LEVEL, MAGIC, PLACE, TITLE, VOIDS, aligned};
 use crate::{Bank, Georeference, Level, WORDS};
 
 struct Section {
@@ -29,7 +29,7 @@ pub fn encode(bank: &Bank) -> Vec<u8> {
     bytes
 }
 
-/// BLAKE3 of what makes the ground: kind, length and payload of each level and of the place, in file order.
+/// BLAKE3 of what makes the ground: kind, length and payload of each level, of the place and of the voids, in file order.
 ///
 /// The title is not part of it: the same ground under another name has the same hash.
 pub fn content_hash(bank: &Bank) -> [u8; 32] {
@@ -45,7 +45,9 @@ pub fn content_hash(bank: &Bank) -> [u8; 32] {
 fn defining_sections(bank: &Bank) -> Vec<Section> {
     let level = |level| Section { kind: LEVEL, payload: level_payload(level) };
     let place = |place| Section { kind: PLACE, payload: place_payload(&place) };
-    bank.levels().iter().map(level).chain(bank.georeference().map(place)).collect()
+    let voids =
+        (!bank.voids().is_empty()).then(|| Section { kind: VOIDS, payload: voids_payload(bank.voids()) });
+    bank.levels().iter().map(level).chain(bank.georeference().map(place)).chain(voids).collect()
 }
 
 fn header(count: usize, file_length: usize, table: &[u8]) -> Vec<u8> {
@@ -80,6 +82,10 @@ fn level_payload(level: &Level) -> Vec<u8> {
         bytes.extend(word.to_le_bytes());
     }
     bytes
+}
+
+fn voids_payload(voids: &[[u32; 2]]) -> Vec<u8> {
+    voids.as_flattened().iter().flat_map(|index| index.to_le_bytes()).collect()
 }
 
 fn place_payload(place: &Georeference) -> Vec<u8> {

@@ -26,6 +26,24 @@ fn two_levels() -> Bank {
     Bank::new("two levels, µ", levels, Some(place)).unwrap()
 }
 
+#[test]
+fn regions_without_data_are_part_of_the_ground() {
+    let bank = two_levels().with_voids(vec![[0, 2], [1, 1]]).unwrap();
+    let bytes = encode(&bank);
+    assert_eq!(decode(&bytes).unwrap(), bank);
+    assert_ne!(content_hash(&bank), content_hash(&two_levels()));
+    // The fourth section: levels, place, voids. Its last index, 1, becomes 7.
+    let offset = u64::from_le_bytes(bytes[BLOCK * 4 + 8..BLOCK * 4 + 16].try_into().unwrap()) as usize;
+    let mut beyond = bytes.clone();
+    beyond[offset + 12] = 7;
+    let refused = decode(&sealed(beyond)).unwrap_err().to_string();
+    assert!(refused.contains("region (1, 7)") && refused.contains("2 x 3"), "{refused}");
+    let mut odd = bytes;
+    odd[BLOCK * 4 + 16] = 12;
+    let refused = decode(&sealed(odd)).unwrap_err().to_string();
+    assert!(refused.contains("section 3 (voids)") && refused.contains("a multiple of 8"), "{refused}");
+}
+
 /// Puts the right checksums over damaged bytes, so that what lies behind them is met.
 fn sealed(mut bytes: Vec<u8>) -> Vec<u8> {
     let count = u32::from_le_bytes(bytes[12..16].try_into().unwrap()) as usize;

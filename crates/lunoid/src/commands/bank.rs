@@ -186,6 +186,13 @@ fn level_of<'a>(path: &Path, bank: &'a Bank, index: usize) -> Result<&'a Level, 
     })
 }
 
+/// `value` with at most `places` decimals, no zeros behind: lengths in metres have three, degrees six.
+pub fn shortened(value: f64, places: usize) -> String {
+    let text = format!("{value:.places$}");
+    let short = text.trim_end_matches('0').trim_end_matches('.');
+    if short == "-0" { "0".into() } else { short.into() }
+}
+
 /// A bank in words.
 pub fn describe(bank: &Bank) -> String {
     let mut text = format!("{}\n", bank.title());
@@ -193,18 +200,20 @@ pub fn describe(bank: &Bank) -> String {
         let [latitude, longitude] = [place.latitude, place.longitude].map(degrees);
         let [north, east] = place.at;
         text += &format!(
-            "  touches the Moon at {latitude:.5} N, {longitude:.5} E (x = {north} m, y = {east} m)\n"
+            "  touches the Moon at {latitude:.6} N, {longitude:.6} E (x = {} m, y = {} m)\n",
+            shortened(north, 3),
+            shortened(east, 3)
         );
     }
     let heading = ["level", "regions", "region size", "south, west", "north, east", "corner heights"];
     let rows = bank.levels().iter().enumerate().map(|(index, level)| {
-        let [south, west, north, east] = level.extent();
+        let [south, west, north, east] = level.extent().map(|edge| shortened(edge, 3));
         let [m, n] = level.corners();
         let [low, high] = heights(level);
         vec![
             index.to_string(),
             format!("{} x {}", m - 1, n - 1),
-            format!("{} m", level.region_size()),
+            format!("{} m", shortened(level.region_size(), 3)),
             format!("{south}, {west} m"),
             format!("{north}, {east} m"),
             format!("{low:.2} to {high:.2} m"),
@@ -238,4 +247,19 @@ pub fn document(path: &Path, bank: &Bank) -> Value {
 fn heights(level: &Level) -> [f64; 2] {
     let start = [f64::INFINITY, f64::NEG_INFINITY];
     level.words().iter().fold(start, |[low, high], words| [low.min(words[0]), high.max(words[0])])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::shortened;
+
+    #[test]
+    fn lengths_to_the_millimetre() {
+        let short = [6.0, 150_550.635_443_332_93, -0.000_01, 1000.0, -89.875_000_000_000_01];
+        assert_eq!(
+            short.map(|value| shortened(value, 3)),
+            ["6", "150550.635", "0", "1000", "-89.875"].map(str::to_owned)
+        );
+        assert_eq!(shortened(1e-7, 6), "0");
+    }
 }

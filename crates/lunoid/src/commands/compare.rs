@@ -183,8 +183,8 @@ impl Compare {
             "psnr",
             "ssim",
             "differ",
-            ">1",
-            ">2",
+            ">1/255",
+            ">2/255",
             "worst pixel (column, line: test, reference)",
         ];
         let heading = heading.map(str::to_owned).to_vec();

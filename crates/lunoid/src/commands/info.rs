@@ -12,8 +12,9 @@ use quantities::degrees;
 use replay::HeldRun;
 use scenario::{Ground, Length, Scenario};
 use serde_json::{Value, json};
-use survey::{Elevation, Frame, ReadOptions};
+use survey::{Elevation, Frame, Method, ReadOptions};
 
+use crate::commands::bank::shortened;
 use crate::commands::check::Kind;
 use crate::commands::{bank, model};
 use crate::output::{print, print_json};
@@ -160,16 +161,15 @@ fn scenario(path: &Path) -> Result<(Value, String), Failure> {
 }
 
 fn elevation(path: &Path) -> Result<(Value, String), Failure> {
-    // A place does not matter to someone who only looks.
-    let options = ReadOptions { spacing: Some([1.0; 2]), ..ReadOptions::default() };
-    let elevation = survey::read(path, &options)?;
-    let Elevation { lines, columns, frame, title, notes, .. } = &elevation;
-    let (unit, scale): (&str, f64) = match frame {
-        Frame::Plane(_) => ("m", 1.0),
-        Frame::Geographic { .. } => ("deg", degrees(1.0)),
+    let (elevation, is_placed) = read_elevation(path)?;
+    let Elevation { lines, columns, affine, frame, title, notes, .. } = &elevation;
+    let (unit, scale, places): (&str, f64, usize) = match frame {
+        Frame::Plane(_) => ("m", 1.0, 3),
+        Frame::Geographic { .. } => ("deg", degrees(1.0), 6),
     };
-    let [south, west, north, east] = elevation.extent().map(|edge| edge * scale);
-    let range = elevation.range();
+    let extent = elevation.extent().map(|edge| edge * scale);
+    let spacing = affine.step.map(|step| step.abs() * scale);
+    let (range, voids, projection) = (elevation.range(), elevation.voids(), projection(*frame));
     let document = json!({
         "schema": "lunoid.info.elevation/1",
         "file": path.display().to_string(),
@@ -177,18 +177,57 @@ fn elevation(path: &Path) -> Result<(Value, String), Failure> {
         "lines": lines,
         "columns": columns,
         "unit": unit,
-        "extent": [south, west, north, east],
+        "extent": is_placed.then_some(extent),
+        "spacing": is_placed.then_some(spacing),
+        "projection": projection,
         "heights_m": range,
-        "voids": elevation.voids(),
+        "voids": voids,
         "notes": notes,
     });
     let heights = range.map_or("no heights".into(), |[low, high]| format!("{low:.2} to {high:.2} m"));
+    let place = if is_placed {
+        let [south, west, north, east] = extent.map(|edge| shortened(edge, places));
+        let [along, across] = spacing.map(|step| shortened(step, places));
+        format!(
+            "south {south}, west {west}, north {north}, east {east} {unit}\n  spacing {along} {unit} to the north, \
+             {across} {unit} to the east; {projection}"
+        )
+    } else {
+        "does not say where it lies or how far its samples are apart".into()
+    };
     let mut text = format!(
-        "{}: {title}\n  {lines} lines of {columns} samples, {heights}, {} void\n  south {south}, west {west}, \
-         north {north}, east {east} {unit}\n",
+        "{}: {title}\n  {lines} lines of {columns} samples, {heights}, {voids} void\n  {place}\n",
         path.display(),
-        elevation.voids(),
     );
     text.extend(notes.iter().map(|note| format!("  note: {note}\n")));
     Ok((document, text))
+}
+
+/// An elevation file, and whether it says where it lies: that does not matter to someone who only looks.
+fn read_elevation(path: &Path) -> Result<(Elevation, bool), Failure> {
+    if let Ok(placed) = survey::read(path, &ReadOptions::default()) {
+        return Ok((placed, true));
+    }
+    let anywhere = ReadOptions { spacing: Some([1.0; 2]), ..ReadOptions::default() };
+    Ok((survey::read(path, &anywhere)?, false))
+}
+
+fn projection(frame: Frame) -> String {
+    let (method, radius) = match frame {
+        Frame::Plane(None) => return "projection unknown".into(),
+        Frame::Geographic { radius } => ("latitude and longitude".to_owned(), radius),
+        Frame::Plane(Some(projection)) => {
+            let [latitude, longitude] = [projection.latitude, projection.longitude]
+                .map(|angle| shortened(degrees(angle), 6));
+            let method = match projection.method {
+                Method::Equirectangular { parallel } => {
+                    format!("equirectangular, true along {} N", shortened(degrees(parallel), 6))
+                }
+                Method::PolarStereographic { .. } => "polar stereographic".into(),
+                Method::Orthographic => "orthographic".into(),
+            };
+            (format!("{method}, centre {latitude} N, {longitude} E"), projection.radius)
+        }
+    };
+    format!("{method}, on a sphere of {} m", shortened(radius, 3))
 }

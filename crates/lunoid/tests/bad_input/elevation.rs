@@ -1,7 +1,7 @@
 //! Elevation files that are no ground, and surveys that cannot be.
 
 use crate::build::{Tiff, doubles, npy};
-use crate::room::{INPUT, Room, USAGE};
+use crate::room::{INPUT, KEYFRAMES, Room, USAGE};
 
 const LABEL: &str = "PDS_VERSION_ID = \"PDS3\"
 RECORD_BYTES = 6
@@ -181,4 +181,29 @@ fn ground_without_data_is_told() {
     assert!(voids["regions"].as_u64() >= Some(9), "{voids}");
     let heights = [0, 1].map(|side| voids["heights_m"][side].as_f64().unwrap());
     assert!(heights[0] > 0.0 && heights[1] < 9.5 && voids["steepest"].as_f64() < Some(0.1), "{voids}");
+}
+
+/// The hole is drawn, but no wheel stands in it.
+#[test]
+fn no_data_under_the_wheels() {
+    let room = Room::new();
+    let hole = |index: usize| (6..14).contains(&(index / 20)) && (6..14).contains(&(index % 20));
+    let mut plane = Tiff::plane();
+    (0..400).filter(|index| hole(*index)).for_each(|index| plane.heights[index] = f32::NAN);
+    room.write("hole.tif", plane.bytes());
+    room.done(&survey("hole.tif", &["--region-size-m", "20"]));
+    let path = |from: &str, to: &str| {
+        format!(
+            "keyframes = [\n  {{ t_s = 0, x_m = {from}, y_m = 100 }},\n  {{ t_s = 5, x_m = {to}, y_m = 100 }},\n]"
+        )
+    };
+    room.vary("into.toml", KEYFRAMES, &path("90", "98"));
+    room.vary("beside.toml", KEYFRAMES, &path("20", "28"));
+    let replay = |scenario: &'static str| ["replay", scenario, "--bank", "x.bank", "--out", "run"];
+    room.refused(
+        INPUT,
+        &replay("into.toml"),
+        &["frame 0", "no data under a wheel", "lead the path around it"],
+    );
+    assert_eq!(room.run(&replay("beside.toml")).code, Some(0));
 }
