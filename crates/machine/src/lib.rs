@@ -7,7 +7,7 @@
 //!
 //! Only this crate knows who is wired to whom. [`HybridMachine`] elaborates a stage: the scalar type is chosen,
 //! tables over the sweep are made, and blocks without work are left out. After that a frame is: programs for
-//! every sweep ([`control_plane`]), profiles and lines ([`signal_plane`]), one read-out.
+//! every sweep (`control_plane.rs`), profiles and lines (`signal_plane.rs`), one read-out.
 //!
 //! The unit of work is a group of eight sweeps, whatever the number of threads, and nothing survives from one
 //! group to the next: any frame can be made alone, by any number of threads, with the same bits.

@@ -1,5 +1,8 @@
 //! Figures of a survey.
 
+use crate::elevation::Elevation;
+use crate::survey::Grid;
+
 /// The largest residual and where it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Worst {
@@ -92,4 +95,24 @@ pub struct SurveyReport {
     pub warnings: Vec<String>,
     /// Estimate of the largest memory in use (bytes): elevation, patch, grids and vectors of the largest fit.
     pub peak_memory: usize,
+}
+
+impl SurveyReport {
+    /// Lines and columns of `grid` that `elevation` holds; the others lie beyond the file, under the last regions. Both
+    /// must be those of the survey, its samples as they are in the file and not interpolated.
+    pub fn held_by_file(&self, elevation: &Elevation, grid: &Grid) -> [usize; 2] {
+        let (held, counts) = (elevation.extent(), [grid.lines, grid.columns]);
+        [0, 1].map(|axis| {
+            if axis == 1 && elevation.goes_around() {
+                return counts[axis];
+            }
+            let step = elevation.affine.step[axis].abs();
+            let first = self.area[axis] + grid.first[axis] / grid.step[axis] * step;
+            let inside = |index: &usize| {
+                let at = first + *index as f64 * step;
+                at > held[axis] - 0.5 * step && at < held[2 + axis] + 0.5 * step
+            };
+            (0..counts[axis]).filter(inside).count()
+        })
+    }
 }

@@ -217,8 +217,8 @@ fn projection(frame: Frame) -> String {
         Frame::Plane(None) => return "projection unknown".into(),
         Frame::Geographic { radius } => ("latitude and longitude".to_owned(), radius),
         Frame::Plane(Some(projection)) => {
-            let [latitude, longitude] = [projection.latitude, projection.longitude]
-                .map(|angle| shortened(degrees(angle), 6));
+            let [latitude, longitude] =
+                [projection.latitude, projection.longitude].map(|angle| shortened(degrees(angle), 6));
             let method = match projection.method {
                 Method::Equirectangular { parallel } => {
                     format!("equirectangular, true along {} N", shortened(degrees(parallel), 6))

@@ -8,19 +8,21 @@ use landscape::{Sun, bank_file};
 use plots::{Residuals, SurveyLook, survey_picture};
 use quantities::{degrees, radians};
 use serde_json::{Value, json};
-use survey::{Area, LevelReport, Plane, ReadOptions, Survey, SurveyOptions, SurveyReport, survey};
+use survey::{
+    Area, Elevation, Frame, LevelReport, Plane, ReadOptions, Survey, SurveyOptions, SurveyReport, survey,
+};
 
-use crate::commands::bank::expect_bank_writable;
+use crate::commands::bank::{expect_bank_writable, shortened};
 use crate::loading::Threads;
-use crate::output::{expect_writable, print, print_json, table};
+use crate::output::{expect_writable, print, print_json, table, tell};
 use crate::{Failure, Verdict, values};
 
 const AFTER: &str = "Examples:
   lunoid survey pole.tif --region-size-m 40 -o pole.bank --picture pole.png
-  lunoid survey global.lbl --centre 20.19,30.77 --size-m 20000,20000 --region-size-m 300 -o valley.bank
+  lunoid survey global.lbl --centre 20.19,30.77 --size-m 20000,20000 -o valley.bank
 
-Reads GeoTIFF, PDS3 images (image or label) and .npy arrays. Coordinates of --area are metres of the file's own
-projection.";
+Reads GeoTIFF, PDS3 images (image or label) and .npy arrays.
+Coordinates of --area are metres of the file's own projection.";
 
 /// Fit a bank to an elevation file.
 #[derive(Debug, Args)]
@@ -31,7 +33,7 @@ pub struct SurveyCommand {
     /// Bank to write; a text description is written beside it.
     #[arg(short, long, value_name = "BANK")]
     out: PathBuf,
-    /// Side of a region of the finest level; four samples if left out.
+    /// Side of a region of the finest level; about four samples if left out.
     #[arg(long, value_name = "METRES", value_parser = values::positive)]
     region_size_m: Option<f64>,
     /// Edges of the area in the file's projected metres. All of the file if left out.
@@ -53,7 +55,7 @@ pub struct SurveyCommand {
     /// Smoothing length in region sizes; shorter waves than about six times this are smoothed.
     #[arg(long, value_name = "REGIONS", value_parser = values::positive)]
     regularisation: Option<f64>,
-    /// Share of the samples that is kept from the fit to test it, 0 to 0.5.
+    /// Share of the samples that is kept from the fit to test it, 0 to 0.5; 0.01 if left out.
     #[arg(long, value_name = "SHARE", value_parser = values::not_negative)]
     held_out: Option<f64>,
     /// Metres a stored unit, in place of the file's own.
@@ -113,6 +115,7 @@ impl SurveyCommand {
         let pool = self.threads.pool()?;
         let start = Instant::now();
         let elevation = survey::read(&self.elevation, &self.read_options())?;
+        self.warn_of_unit(&elevation);
         let options = self.survey_options(&elevation);
         let result = pool.install(|| survey(&elevation, &options, &mut |_| {}))?;
         bank_file::write(&self.out, &result.bank)?;
@@ -120,13 +123,25 @@ impl SurveyCommand {
             draw(&result)?.write(picture)?;
         }
         let seconds = start.elapsed().as_secs_f64();
+        let places = Places::of(&elevation, &options.area, &result);
         if self.json {
-            print_json(&self.document(&result.report, seconds))?;
+            print_json(&self.document(&result.report, places.as_ref(), seconds))?;
         } else {
-            print(&text(&result.report, seconds))?;
+            print(&text(&result.report, places.as_ref(), seconds))?;
             print(&format!("written: {}\n", self.out.display()))?;
         }
         Ok(Verdict::Yes)
+    }
+
+    /// Whole numbers are how files of another unit than the metre look when they do not name their scale.
+    fn warn_of_unit(&self, elevation: &Elevation) {
+        let is_flat = elevation.range().is_none_or(|[low, high]| low == high);
+        if self.scale.is_none() && !is_flat && is_whole(elevation) {
+            tell(
+                "warning: every height is a whole number and no --scale was given: heights taken as metres; give \
+                 --scale if they are not\n",
+            );
+        }
     }
 
     fn read_options(&self) -> ReadOptions {
@@ -140,13 +155,13 @@ impl SurveyCommand {
         }
     }
 
-    fn survey_options(&self, elevation: &survey::Elevation) -> SurveyOptions {
+    fn survey_options(&self, elevation: &Elevation) -> SurveyOptions {
         let metres = match elevation.frame {
-            survey::Frame::Plane(_) => 1.0,
-            survey::Frame::Geographic { radius } => radius,
+            Frame::Plane(_) => 1.0,
+            Frame::Geographic { radius } => radius,
         };
         let four_samples = SAMPLES_A_REGION * elevation.affine.step[0].abs() * metres;
-        let mut options = SurveyOptions::new(self.region_size_m.unwrap_or(four_samples));
+        let mut options = SurveyOptions::new(self.region_size_m.unwrap_or_else(|| two_digits(four_samples)));
         options.area = self.area();
         options.levels = self.levels.clone();
         options.title = self.title.clone();
@@ -171,13 +186,16 @@ impl SurveyCommand {
         }
     }
 
-    fn document(&self, report: &SurveyReport, seconds: f64) -> Value {
+    fn document(&self, report: &SurveyReport, places: Option<&Places>, seconds: f64) -> Value {
         json!({
             "schema": "lunoid.survey/1",
             "bank": self.out.display().to_string(),
             "title": report.title,
             "area": report.area,
             "samples": report.samples,
+            "file": places.map(|places| json!({
+                "samples": places.in_file, "no_data": places.no_data, "places_beyond": places.beyond,
+            })),
             "spacing_m": report.spacing,
             "heights_m": report.height,
             "true_north_deg": report.true_north.map(degrees),
@@ -186,6 +204,53 @@ impl SurveyCommand {
             "peak_memory_bytes": report.peak_memory,
             "seconds": seconds,
         })
+    }
+}
+
+fn is_whole(elevation: &Elevation) -> bool {
+    let whole = |line, column| elevation.height(line, column).is_none_or(|height| height.floor() == height);
+    (0..elevation.lines).all(|line| (0..elevation.columns).all(|column| whole(line, column)))
+}
+
+/// The number cut to two digits: a chosen length that people can read, and never longer than what was chosen.
+fn two_digits(value: f64) -> f64 {
+    // A spacing of 5 m may be stored as 4.999999999999.
+    let text = format!("{:e}", value * (1.0 + 1e-10));
+    let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    let short: String = mantissa.chars().take(3).collect();
+    format!("{short}e{exponent}").parse().unwrap_or(value)
+}
+
+/// Sample places of the finest level: in the file, and under the regions that reach beyond it.
+struct Places {
+    /// Lines and columns of the file.
+    in_file: [usize; 2],
+    /// Of these, the samples without a height.
+    no_data: usize,
+    /// Places that the file does not hold.
+    beyond: usize,
+}
+
+impl Places {
+    /// `None` where samples are interpolated onto a plane.
+    fn of(elevation: &Elevation, area: &Area, survey: &Survey) -> Option<Self> {
+        let is_plane = matches!(elevation.frame, Frame::Plane(_));
+        if !is_plane && matches!(area, Area::Centred { plane: Plane::Orthographic, .. }) {
+            return None;
+        }
+        let finest = survey.report.levels.first()?;
+        let in_file = survey.report.held_by_file(elevation, &survey.residuals);
+        let beyond = finest.used + finest.held_out + finest.void - in_file[0] * in_file[1];
+        Some(Self { in_file, no_data: finest.void - beyond, beyond })
+    }
+
+    fn text(&self) -> String {
+        let [lines, columns] = self.in_file;
+        let beyond = match self.beyond {
+            0 => String::new(),
+            beyond => format!(", {beyond} places of the last regions beyond it"),
+        };
+        format!("{lines} x {columns} samples of the file, {} without data{beyond}", self.no_data)
     }
 }
 
@@ -230,20 +295,20 @@ fn level(level: &LevelReport) -> Value {
     })
 }
 
-fn text(report: &SurveyReport, seconds: f64) -> String {
+fn text(report: &SurveyReport, places: Option<&Places>, seconds: f64) -> String {
     let [lines, columns] = report.samples;
-    let mut text = format!(
-        "{}: {lines} x {columns} samples, {seconds:.1} s, about {} MB\n",
-        report.title,
-        report.peak_memory >> 20
-    );
+    let samples =
+        places.map_or_else(|| format!("{lines} x {columns} samples, interpolated"), |places| places.text());
+    let mut text =
+        format!("{}: {samples}; {seconds:.1} s, about {} MB\n", report.title, report.peak_memory >> 20);
     let heading = [
         "regions",
         "size",
         "words",
-        "samples",
+        "samples used",
         "RMS",
         "held out",
+        "RMS",
         "largest (line, column)",
         "condition",
         "steps",
@@ -253,10 +318,11 @@ fn text(report: &SurveyReport, seconds: f64) -> String {
         let condition = level.condition_of_axes[0] * level.condition_of_axes[1] * level.condition_of_voids;
         vec![
             format!("{} x {}", level.corners[0] - 1, level.corners[1] - 1),
-            format!("{} m", level.region_size),
+            format!("{} m", shortened(level.region_size, 3)),
             level.coefficients.to_string(),
             level.used.to_string(),
             format!("{:.4} m", level.rms),
+            level.held_out.to_string(),
             level.held_out_rms.map_or("-".into(), |rms| format!("{rms:.4} m")),
             format!("{:.3} m ({line}, {column})", level.worst.residual),
             format!("{condition:.1e}"),
@@ -264,13 +330,58 @@ fn text(report: &SurveyReport, seconds: f64) -> String {
         ]
     });
     text += &table(&[heading.map(str::to_owned).to_vec()].into_iter().chain(rows).collect::<Vec<_>>());
+    text.extend(report.levels.first().map(ground));
+    text.extend(report.true_north.map(north));
     for voids in report.levels.iter().filter_map(|level| level.in_voids) {
         let [low, high] = voids.height;
         text += &format!(
-            "in voids, {} regions: heights {low:.1} to {high:.1} m, steepest {:.2}\n",
+            "in voids, {} regions: heights {low:.1} to {high:.1} m, steepest {:.2} (rise over run)\n",
             voids.regions, voids.slope
         );
     }
     text.extend(report.warnings.iter().map(|warning| format!("note: {warning}\n")));
     text
+}
+
+fn ground(finest: &LevelReport) -> String {
+    let [low, high] = finest.height;
+    let steepest = degrees(finest.steepest());
+    format!("fitted ground: heights {low:.2} to {high:.2} m, steepest slope {steepest:.1} deg\n")
+}
+
+/// Where true north lies, `turn` clockwise from the bank's north (rad).
+fn north(turn: f64) -> String {
+    let (angle, side, sign) = match degrees(turn) {
+        turn if turn.abs() < 0.005 => return "true north: the bank's north\n".into(),
+        turn if turn < 0.0 => (-turn, "west", "plus"),
+        turn => (turn, "east", "less"),
+    };
+    format!(
+        "true north: {angle:.2} deg {side} of the bank's north; a true heading is the bank's {sign} {angle:.2} deg\n"
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use quantities::radians;
+
+    use super::{north, two_digits};
+
+    #[test]
+    fn chosen_lengths_have_two_digits() {
+        let found = [190.727_237, 4.311_6, 30_323.35, 19.999_999_999_999_996, 4.0, 0.039_9].map(two_digits);
+        assert_eq!(found, [190.0, 4.3, 30_000.0, 20.0, 4.0, 0.039]);
+    }
+
+    #[test]
+    fn true_north_in_words() {
+        let west =
+            "true north: 5.77 deg west of the bank's north; a true heading is the bank's plus 5.77 deg\n";
+        assert_eq!(north(radians(-5.77)), west);
+        assert!(
+            north(radians(1.5))
+                .contains("1.50 deg east of the bank's north; a true heading is the bank's less")
+        );
+        assert_eq!(north(0.0), "true north: the bank's north\n");
+    }
 }
