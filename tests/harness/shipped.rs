@@ -175,7 +175,8 @@ impl Shipped {
 /// Codes up to this may be a line that is hardly touched by ground.
 const NEARLY_SKY: u16 = 16;
 
-/// Horizons of both pictures in the columns where the exact one shows its ridge: shadow is as black as sky.
+/// Horizons of both pictures in the columns where the exact one shows its ridge: shadow is as black as sky. A
+/// faint first line of the machine counts as ground or sky, whichever is nearer.
 fn lit_ridge_error(machine: &GreyPicture, exact: &Shown) -> RidgeError {
     let (columns, lines) = (machine.columns(), machine.lines());
     let ground = horizon_of_range(&exact.ranges, columns, lines).expect("a plane of that size");
@@ -184,5 +185,10 @@ fn lit_ridge_error(machine: &GreyPicture, exact: &Shown) -> RidgeError {
         let lit = matches!((*seen, ground), (Some(seen), Some(ground)) if seen.abs_diff(ground) <= 1);
         *seen = seen.filter(|_| lit);
     }
-    ridge_error(&horizon_of_picture(machine, NEARLY_SKY), &reference).expect("as many columns")
+    let [faint, plain] = [NEARLY_SKY / 2, NEARLY_SKY].map(|sky| horizon_of_picture(machine, sky));
+    let nearer = faint.into_iter().zip(plain).zip(&reference).map(|((faint, plain), reference)| {
+        let distance = |line: &Option<usize>| line.zip(*reference).map_or(usize::MAX, |(a, b)| a.abs_diff(b));
+        if distance(&faint) < distance(&plain) { faint } else { plain }
+    });
+    ridge_error(&nearer.collect::<Vec<_>>(), &reference).expect("as many columns")
 }

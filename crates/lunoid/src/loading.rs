@@ -244,3 +244,42 @@ impl Loaded {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::StageArgs;
+
+    const SCENARIO: &str = r#"
+format = 1
+title = "Ground"
+shows = "Nothing but a test."
+frames = 4
+
+[landscape]
+bank = "gone.bank"
+
+[sun]
+azimuth_deg = 100
+elevation_deg = 15
+
+[path]
+keyframes = [{ t_s = 0, x_m = 100, y_m = 200 }, { t_s = 5, x_m = 108, y_m = 205 }]
+"#;
+
+    #[test]
+    fn a_scenario_whose_bank_is_not_made_says_how_to_make_it() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("real.toml");
+        fs::write(&path, SCENARIO).unwrap();
+        let mut stage = StageArgs::of(&path);
+        let said = |stage: &StageArgs| stage.load().err().unwrap().text();
+        let text = said(&stage);
+        let words = ["real.toml: this scenario needs a bank", "gone.bank: no such file", "`lunoid survey`"];
+        assert!(words.iter().all(|word| text.contains(word)), "{text}");
+        // Whoever names a bank is told of the name.
+        stage.bank = Some(folder.path().join("other.bank"));
+        assert!(said(&stage).contains("other.bank: no such file; check the spelling"), "{}", said(&stage));
+    }
+}
