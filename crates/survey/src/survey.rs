@@ -231,10 +231,6 @@ fn assemble(
     let mut warnings = elevation.notes.clone();
     warnings.extend(cut.warnings.iter().cloned());
     warnings.extend(levels.iter().flat_map(|level| level_warnings(level, options)));
-    if let Some(turn) = cut.true_north.filter(|turn| turn.abs() > 1e-3) {
-        let turn = quantities::degrees(turn);
-        warnings.push(format!("true north is {turn:.2} deg clockwise from the north axis of the bank"));
-    }
     let held = cut.patch.heights.iter().filter(|height| !height.is_nan());
     let height = held.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], &h| [a.min(h), b.max(h)]);
     SurveyReport {
