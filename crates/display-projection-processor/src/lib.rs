@@ -6,7 +6,7 @@
 //! ```
 //!
 //! **Law.** `tan eta = (h - H - z^2/2R) / z`. Elevation is compared by its tangent: both are monotonic in one
-//! another, and no angle is needed. Ground is seen where the tangent exceeds every one before it. The deflection
+//! another, and no angle is needed. Ground is seen where the tangent is not below any before it. The deflection
 //! is `Y = (a - b t) / (c + e t)` with constants per sweep ([`Deflection`]).
 //! **Occlusion.** [`scenario::Occlusion::Derivative`] as reported: blank when elevation falls, hold it, unblank
 //! when it returns. [`scenario::Occlusion::PeakHold`]: compare with the highest so far. With ideal parts both

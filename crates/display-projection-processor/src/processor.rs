@@ -102,7 +102,7 @@ fn occlude<S: Real>(out: &mut Projected<S>, step: impl Fn(S, S, S) -> S) {
     }
 }
 
-/// A fall to the next sample by more than this (tangent) is the end of the profile, not its shape.
+/// A fall to the next sample by more than this (tangent) is taken for the end of the profile, not its shape.
 const CLIFF: f64 = 0.25;
 
 /// What the circuit sees around a sample: its elevation, or the top of the parabola through it and its neighbours

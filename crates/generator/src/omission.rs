@@ -5,6 +5,8 @@
 pub enum Weight {
     /// The picture is the same to the bit.
     Lossless,
+    /// The picture would be another: the generator does not have it.
+    NotModelled,
     /// The picture changes by at most this many grey levels of 255 in any pixel.
     Bounded(f64),
 }

@@ -34,7 +34,7 @@ pub enum BankError {
     #[error(
         "corner ({north}, {east}), word {word}: {value:?}: expected a number of at most 1e12 m either way"
     )]
-    NotFinite {
+    WordRange {
         /// Corner index to the north.
         north: usize,
         /// Corner index to the east.
@@ -103,7 +103,7 @@ impl Level {
         }
         if let Some((corner, word)) = first_out_of_range(&words) {
             let (north, east) = (corner / corners[1], corner % corners[1]);
-            return Err(BankError::NotFinite { north, east, word, value: words[corner][word] });
+            return Err(BankError::WordRange { north, east, word, value: words[corner][word] });
         }
         Ok(Self { region_size, origin, corners, words })
     }
@@ -360,7 +360,7 @@ mod tests {
         let mut poisoned = vec![[0.0; 9]; 4];
         poisoned[2][5] = f64::INFINITY;
         let refused = Level::new(1.0, [0.0; 2], [2, 2], poisoned);
-        assert_eq!(refused, Err(BankError::NotFinite { north: 1, east: 0, word: 5, value: f64::INFINITY }));
+        assert_eq!(refused, Err(BankError::WordRange { north: 1, east: 0, word: 5, value: f64::INFINITY }));
         assert_eq!(Bank::new("", vec![], None), Err(BankError::NoLevels));
     }
 }

@@ -34,7 +34,8 @@ impl FramePlan {
     ) -> Result<Self, FrameError> {
         let [x, y, height] = pose.eye;
         let ground = landscape.height(x, y).ok_or(FrameError::OutsideProblemArea { frame, x, y })?;
-        if height <= ground {
+        let above = height > ground;
+        if !above {
             return Err(FrameError::EyeUnderGround { frame, below: ground - height });
         }
         let raster = &settings.raster;

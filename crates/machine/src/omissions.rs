@@ -1,6 +1,6 @@
-//! What the elaborated machine leaves out, and why that cannot touch the picture.
+//! What the elaborated machine leaves out, and what that does to the picture.
 
-use generator::Omission;
+use generator::{Omission, Weight};
 
 /// What a machine for terrain alone leaves out.
 pub(crate) fn omissions(levels: usize) -> Vec<Omission> {
@@ -13,7 +13,8 @@ pub(crate) fn omissions(levels: usize) -> Vec<Omission> {
     ];
     if levels > 1 {
         let what = format!("{} coarser terrain levels", levels - 1);
-        list.push(Omission::lossless("terrain-generator", what, "the machine has one terrain generator"));
+        let why = "the machine has one terrain generator; the finest level alone is drawn".into();
+        list.push(Omission { block: "terrain-generator", what, why, weight: Weight::NotModelled });
     }
     list
 }

@@ -88,7 +88,10 @@ impl<S: Real> Recorded<'_, S> {
             "dpp.hold" => of(&projected.hold),
             "dpp.y" => of(&projected.line),
             "dpp.blank" => blanked(&of(&projected.elevation), &of(&projected.hold)),
-            _ => return self.rows[lane * self.lines..][..self.lines].iter().map(|&v| f64::from(v)).collect(),
+            "sm.write" => {
+                return self.rows[lane * self.lines..][..self.lines].iter().map(|&v| f64::from(v)).collect();
+            }
+            other => unreachable!("{other} stands in the table without being recorded"),
         };
         // Beyond the problem area a wire keeps its last value.
         let last = values.last().copied().unwrap_or(0.0);

@@ -106,6 +106,7 @@ fn model(job: &Job) -> Value {
 fn omission(omission: &Omission) -> Value {
     let weight = match omission.weight {
         Weight::Lossless => json!("lossless"),
+        Weight::NotModelled => json!("not modelled"),
         Weight::Bounded(levels) => json!({ "bounded_grey_levels_of_255": levels }),
     };
     json!({ "block": omission.block, "what": omission.what, "why": omission.why, "weight": weight })

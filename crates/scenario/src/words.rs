@@ -77,7 +77,7 @@ pub fn range(table: &Reader) -> Option<RangeProgramme> {
             ],
         )
         .required();
-    let start = table.f64("start_m").above(0.0).unit("m").placed().required();
+    let start = table.f64("start_m").at_least(NEAREST).unit("m").placed().required();
     let end = table.f64("end_m").above(0.0).at_most(1e6).unit("m").placed().required();
     let two_rate = two_rate(table, word == Some(Programme::TwoRate), end.as_ref());
     let (start, end) = (start?, end?);
@@ -100,7 +100,7 @@ enum Programme {
 }
 
 fn two_rate(table: &Reader, is_needed: bool, end: Option<&Placed<f64>>) -> Option<RangeLaw> {
-    let switch = table.f64("switch_m").above(0.0).unit("m").placed();
+    let switch = table.f64("switch_m").at_least(NEAREST).unit("m").placed();
     let share = table.f64("fine_share").above(0.0).below(1.0);
     if !is_needed {
         switch.optional();
@@ -115,8 +115,13 @@ fn two_rate(table: &Reader, is_needed: bool, end: Option<&Placed<f64>>) -> Optio
     Some(RangeLaw::TwoRate { switch: switch.value, fine_share: fine_share? })
 }
 
+/// Nearest range of a sample (m): its inverse stays finite in f32.
+const NEAREST: f64 = 1e-3;
+/// Least ratio of two ends: a thousand samples between them stay apart.
+const LEAST_RATIO: f64 = 1.0 + 1e-6;
+
 fn check_ascending(table: &Reader, low: &Placed<f64>, high: &Placed<f64>) {
-    if low.value >= high.value {
+    if low.value * LEAST_RATIO >= high.value {
         let title =
             format!("`{}` = {} must be more than `{}` = {}", high.key, high.value, low.key, low.value);
         table.report(Problem::of(high, title).expected(format!("more than {} m", low.value)));

@@ -59,6 +59,8 @@ impl RangeTable {
                 let near = self.ranges[before];
                 near + (far - near) * (time.0 - before as f64)
             }
+            // The ramps have ended: what happens later happens beyond every range.
+            None if time.0 > before as f64 => f64::INFINITY,
             None => self.ranges[before],
         }
     }
@@ -122,6 +124,8 @@ mod tests {
                 assert_eq!(walk(range), table.time_of(range), "{law:?}");
             }
             assert_eq!(table.time_of(5000.1), SweepTime(f64::INFINITY));
+            assert_eq!(table.range_at(SweepTime(999.0)), 5000.0);
+            assert_eq!(table.range_at(SweepTime(999.1)), f64::INFINITY);
         }
     }
 }

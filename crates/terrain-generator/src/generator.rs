@@ -7,7 +7,7 @@ use sweep_program::{Load, Step, StepKind, SweepProgram, Target};
 use crate::array::array;
 use crate::{Registers, Segment, Span, SweepLight};
 
-/// Height of a profile beyond its end (m): below everything, so nothing of it is seen. A power of two, so that
+/// Height of a profile beyond its end (m): lower than any real ground, so nothing of it is seen. A power of two, so that
 /// it is exact in f32.
 pub const OUT_OF_SIGHT: f64 = -1_073_741_824.0;
 
