@@ -29,8 +29,8 @@ fn scenarios_that_cannot_be() {
     scene.write("bytes.toml", [0xff, 0xfe, 0x00]);
     fs::create_dir(scene.join("folder.toml")).unwrap();
     for (file, words) in [
-        ("typo.toml", &["typo.toml:20", "elevaton_deg", "did you mean `elevation_deg`"][..]),
-        ("nan.toml", &["nan.toml:19", "azimuth_deg", "nan"]),
+        ("typo.toml", &["typo.toml:19", "elevaton_deg", "did you mean `elevation_deg`"][..]),
+        ("nan.toml", &["nan.toml:18", "azimuth_deg", "nan"]),
         ("zero.toml", &["zero.toml", "sweeps", "from 1 to 8192"]),
         ("machine.toml", &["unknown machine `idael`", "did you mean `ideal`"]),
         ("away.toml", &["outside the problem area"]),
@@ -66,7 +66,7 @@ fn check_lists_every_fault_of_every_file() {
         (0..3).map(|n| document["files"][n]["problems"].as_array().unwrap().len()).collect();
     assert_eq!(counts, [0, 2, 1]);
     assert_eq!(document["files"][2]["kind"], "hardware-model");
-    assert_eq!(document["files"][1]["problems"][0]["line"], 19);
+    assert_eq!(document["files"][1]["problems"][0]["line"], 18);
     scene.expect(0, &["bank", "generate", "tiny.toml", "-o", "a.bank"]);
     let (out, _) = scene.expect(0, &["check", "a.bank.toml"]);
     assert_eq!(out, "a.bank.toml: description of a bank, no fault\n");
