@@ -22,7 +22,20 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// As it stands on a plot.
+    /// What it measures, with its symbol: the label of an axis.
+    pub fn quantity(self) -> &'static str {
+        match self {
+            Self::Metre => "height (m)",
+            Self::Slope => "slope (m/m)",
+            Self::Reflectivity => "reflectivity",
+            Self::Region => "folded ramp (regions)",
+            Self::Tangent => "tangent of elevation",
+            Self::Line => "display line",
+            Self::Gate => "gate",
+        }
+    }
+
+    /// As it stands in a table.
     pub fn symbol(self) -> &'static str {
         match self {
             Self::Metre => "m",

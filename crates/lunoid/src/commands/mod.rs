@@ -9,6 +9,7 @@ pub mod model;
 pub mod probe;
 pub mod replay;
 pub mod ridges;
+mod scope;
 pub mod survey;
 
 use crate::cli::{Cli, Command};

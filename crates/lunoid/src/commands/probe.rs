@@ -5,8 +5,9 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use generator::{Planes, Stage};
 use scenario::PoseTable;
-use signal::{Probe, Signal, Waveform, write_csv, write_npz};
+use signal::{Probe, Signal, write_csv, write_npz};
 
+use crate::commands::scope::{RANGE, write_picture};
 use crate::loading::{StageArgs, Threads};
 use crate::output::{expect_writable, print, print_json};
 use crate::values::Span;
@@ -15,7 +16,10 @@ use crate::{Failure, Verdict};
 const AFTER: &str = "Example:
   lunoid probe scenarios/first-light.toml --frame 12 --sweep 500..502 --signals 'tg.*,dpp.y' --out tg.npz
 
-The file is numpy's .npz (one array [sweep, sample] a signal) or .csv, as its name says.";
+  lunoid probe scenarios/first-light.toml --frame 60 --sweep 500 --signals 'sweep.x,tg.*,dpp.blank' --out tg.png
+
+The file is numpy's .npz (one array [sweep, sample] a signal), .csv, or, for one sweep, a picture of the waveforms
+against ground range as .png: as its name says.";
 
 /// Values that are recorded without being asked twice: 2 GB of f64.
 const MOST_VALUES: u64 = 250_000_000;
@@ -37,7 +41,7 @@ pub struct ProbeCommand {
     /// Signals, separated by commas, with * for any run of characters; `lunoid signals` lists them.
     #[arg(long, value_delimiter = ',', default_value = "*", value_name = "NAMES")]
     signals: Vec<String>,
-    /// File to write: .npz or .csv.
+    /// File to write: .npz, .csv or .png.
     #[arg(short, long, value_name = "FILE")]
     out: PathBuf,
     /// Print what was recorded as JSON.
@@ -48,7 +52,7 @@ pub struct ProbeCommand {
 impl ProbeCommand {
     /// Records.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        let write = writer(&self.out)?;
+        let format = Format::of(&self.out)?;
         expect_writable(&self.out)?;
         let mut loaded = self.stage.load()?;
         let raster = loaded.settings.raster;
@@ -62,11 +66,19 @@ impl ProbeCommand {
                 "--frame {frame}: the scenario has frames 0..{end}; expected one of them"
             )));
         }
+        if format == Format::Picture && sweeps.end - sweeps.start != 1 {
+            let sweep = self.sweep;
+            return Err(Failure::usage(format!("--sweep {sweep}: a picture shows one sweep; expected one")));
+        }
         let signals = self.chosen(loaded.generator.signals(), loaded.generator.name())?;
         check_size(&signals, sweeps.end - sweeps.start, raster.samples.max(raster.lines))?;
         let pool = self.threads.pool()?;
         let stage = loaded.stage(&pool)?;
-        let mut probe = Probe::new(self.signals.clone(), sweeps.start as u32..sweeps.end as u32);
+        let mut patterns = self.signals.clone();
+        if format == Format::Picture {
+            patterns.push(RANGE.into());
+        }
+        let mut probe = Probe::new(patterns, sweeps.start as u32..sweeps.end as u32);
         let row = PoseTable::resolve(
             &loaded.scenario,
             &stage.landscape,
@@ -79,7 +91,12 @@ impl ProbeCommand {
         let session = loaded.generator.prepare(stage).map_err(Failure::input)?;
         pool.install(|| session.frame(self.frame, &row.pose, &mut planes, &mut probe))
             .map_err(Failure::input)?;
-        write(&self.out, &probe.waveforms)?;
+        let names: Vec<&str> = signals.iter().map(|signal| signal.name).collect();
+        match format {
+            Format::Npz => write_npz(&self.out, &probe.waveforms)?,
+            Format::Csv => write_csv(&self.out, &probe.waveforms)?,
+            Format::Picture => write_picture(&self.out, &probe.waveforms, &names)?,
+        }
         self.tell(&signals, sweeps)?;
         Ok(Verdict::Yes)
     }
@@ -124,14 +141,24 @@ impl ProbeCommand {
     }
 }
 
-type Writer = fn(&Path, &[Waveform]) -> Result<(), files::FileError>;
+/// What is written, by the name of the file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Format {
+    Npz,
+    Csv,
+    Picture,
+}
 
-fn writer(out: &Path) -> Result<Writer, Failure> {
-    match out.extension().and_then(|extension| extension.to_str()) {
-        Some("npz") => Ok(write_npz),
-        Some("csv") => Ok(write_csv),
-        _ => {
-            Err(Failure::usage(format!("--out {}: expected a name that ends in .npz or .csv", out.display())))
+impl Format {
+    fn of(out: &Path) -> Result<Self, Failure> {
+        match out.extension().and_then(|extension| extension.to_str()) {
+            Some("npz") => Ok(Self::Npz),
+            Some("csv") => Ok(Self::Csv),
+            Some("png") => Ok(Self::Picture),
+            _ => Err(Failure::usage(format!(
+                "--out {}: expected a name that ends in .npz, .csv or .png",
+                out.display()
+            ))),
         }
     }
 }

@@ -183,6 +183,22 @@ fn waveforms_of_a_sweep() {
     assert!(fs::read(scene.join("w.npz")).unwrap().starts_with(b"PK"));
 }
 
+/// A picture shows one sweep; gates and curves are drawn, lines of the display are not.
+#[test]
+fn a_sweep_as_a_picture() {
+    let scene = Scene::new();
+    let probe = |sweep, signals, out| {
+        ["probe", "tiny.toml", "--frame", "1", "--sweep", sweep, "--signals", signals, "--out", out]
+    };
+    scene.expect(0, &probe("3", "tg.*,dpp.blank", "w.png"));
+    assert!(fs::read(scene.join("w.png")).unwrap().starts_with(b"\x89PNG"));
+    let (_, err) = scene.expect(2, &probe("3..5", "tg.*", "two.png"));
+    assert!(err.contains("a picture shows one sweep"), "{err}");
+    let (_, err) = scene.expect(2, &probe("3", "sm.write", "lines.png"));
+    assert!(err.contains("no signal on the sweep clock"), "{err}");
+    assert!(!scene.join("two.png").exists() && !scene.join("lines.png").exists());
+}
+
 /// A first Ctrl-C ends the run with whole frames; the same command draws the rest.
 #[cfg(target_os = "linux")]
 #[test]
