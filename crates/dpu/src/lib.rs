@@ -16,6 +16,8 @@
 
 mod crossing;
 mod home;
+mod visible;
 
 pub use crossing::{CrossingService, TimedFold};
 pub use home::Pointers;
+pub use visible::Sector;

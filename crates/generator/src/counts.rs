@@ -7,6 +7,8 @@ pub struct FrameCounts {
     pub sweeps: u64,
     /// Samples of all sweeps, or rays of a generator without sweeps.
     pub samples: u64,
+    /// Stored regions that the frame can show: what a data bank must have ready.
+    pub regions: u64,
     /// Region crossings.
     pub folds: u64,
     /// Sets of words that arrived at registers.
@@ -20,6 +22,7 @@ impl FrameCounts {
     pub fn add(&mut self, other: &Self) {
         self.sweeps += other.sweeps;
         self.samples += other.samples;
+        self.regions += other.regions;
         self.folds += other.folds;
         self.loads += other.loads;
         self.late_words += other.late_words;

@@ -1,6 +1,6 @@
 //! The digital side of a frame: fan, start of every sweep, folds, sweep programs.
 
-use dpu::{CrossingService, TimedFold};
+use dpu::{CrossingService, Sector, TimedFold};
 use generator::FrameError;
 use hardware_model::Settings;
 use landscape::{Landscape, Level};
@@ -49,6 +49,14 @@ impl FramePlan {
             pitch,
             eye: pose.eye,
         })
+    }
+
+    /// Regions that the frame can show, out to `range` (m).
+    pub fn visible_regions(&self, level: &Level, range: f64) -> usize {
+        let [x, y, _] = self.eye;
+        let edges = [0, self.fan.sweeps - 1].map(|sweep| self.fan.direction(sweep, self.heading));
+        let range = range / level.region_size();
+        Sector { foot: level.in_regions(x, y), edges, range }.regions(level).count()
     }
 
     /// Writes the program of one sweep into `program`.

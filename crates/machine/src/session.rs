@@ -125,6 +125,7 @@ fn counts(program: &SweepProgram, samples: usize) -> FrameCounts {
     FrameCounts {
         sweeps: 1,
         samples: samples as u64,
+        regions: 0,
         folds: folds as u64,
         loads: (program.steps.len() - folds) as u64,
         late_words: late,
@@ -146,7 +147,8 @@ impl<S: Real> Session for Elaborated<S> {
         let groups = self.sweep_all(&plan, probe, &mut store);
         self.read_out(&plan, &store, planes);
         self.stores.give_back(store);
-        let mut total = FrameCounts::default();
+        let regions = plan.visible_regions(self.stage.landscape.level(), self.stage.settings.range.end);
+        let mut total = FrameCounts { regions: regions as u64, ..FrameCounts::default() };
         for group in groups {
             total.add(&group.counts);
             probe.waveforms.extend(group.waveforms);

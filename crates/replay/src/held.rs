@@ -33,6 +33,8 @@ pub struct WorkRecord {
     pub sweeps: u64,
     /// Samples of all sweeps, or rays of a generator without sweeps.
     pub samples: u64,
+    /// Stored regions that the frame can show.
+    pub regions: u64,
     /// Region crossings.
     pub folds: u64,
     /// Sets of words that arrived at registers.
@@ -113,8 +115,8 @@ impl HeldRun {
 
 impl From<FrameCounts> for WorkRecord {
     fn from(counts: FrameCounts) -> Self {
-        let FrameCounts { sweeps, samples, folds, loads, late_words } = counts;
-        Self { sweeps, samples, folds, loads, late_words }
+        let FrameCounts { sweeps, samples, regions, folds, loads, late_words } = counts;
+        Self { sweeps, samples, regions, folds, loads, late_words }
     }
 }
 
@@ -124,6 +126,7 @@ impl WorkRecord {
         frames.into_iter().fold(Self::default(), |total, frame| Self {
             sweeps: total.sweeps + frame.counts.sweeps,
             samples: total.samples + frame.counts.samples,
+            regions: total.regions + frame.counts.regions,
             folds: total.folds + frame.counts.folds,
             loads: total.loads + frame.counts.loads,
             late_words: total.late_words + frame.counts.late_words,

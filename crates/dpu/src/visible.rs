@@ -1,0 +1,100 @@
+//! Which part of the problem area a frame can show (section 17, each frame).
+
+use landscape::Level;
+
+/// The ground that a frame's fan of sweeps covers: a sector less than half a turn wide.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sector {
+    /// Foot of the eye, in regions from the corner lattice's origin.
+    pub foot: [f64; 2],
+    /// Cosine and sine of the azimuth of the leftmost and of the rightmost sweep.
+    pub edges: [[f64; 2]; 2],
+    /// Ground range of the last sample, in regions.
+    pub range: f64,
+}
+
+impl Sector {
+    /// The stored regions (north, east) that the sector touches, row by row: what a data bank must have ready. A
+    /// few beside its edges may be among them, none that a sweep enters is missing.
+    pub fn regions(&self, level: &Level) -> impl Iterator<Item = [usize; 2]> {
+        let sector = *self;
+        let [rows, columns] = [0, 1].map(|axis| {
+            let last = level.corners()[axis] as f64 - 2.0;
+            let bound = |place: f64| place.floor().clamp(0.0, last) as usize;
+            bound(sector.foot[axis] - sector.range)..bound(sector.foot[axis] + sector.range) + 1
+        });
+        rows.flat_map(move |m| columns.clone().map(move |n| [m, n]))
+            .filter(move |&region| sector.touches(region))
+    }
+
+    /// Whether a region has a corner on the inner side of both edges and is not beyond the range.
+    fn touches(&self, [m, n]: [usize; 2]) -> bool {
+        let corner = |i: usize, j: usize| [(m + i) as f64 - self.foot[0], (n + j) as f64 - self.foot[1]];
+        let corners = [corner(0, 0), corner(0, 1), corner(1, 0), corner(1, 1)];
+        let cross = |a: [f64; 2], b: [f64; 2]| a[0] * b[1] - a[1] * b[0];
+        let [left, right] = self.edges;
+        // A sweep along a boundary belongs to both regions: rounding must not lose one.
+        let inner = |side: f64| side >= -1e-9;
+        let nearest = corner(0, 0).map(|side| if side > 0.0 { side } else { (side + 1.0).min(0.0) });
+        corners.iter().any(|&corner| inner(cross(left, corner)))
+            && corners.iter().any(|&corner| inner(cross(corner, right)))
+            && nearest[0] * nearest[0] + nearest[1] * nearest[1] <= self.range * self.range + 1e-9
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Sector;
+    use landscape::Level;
+    use quantities::{radians, sin_cos};
+
+    fn level() -> Level {
+        Level::new(1.0, [0.0; 2], [41, 31], vec![[0.0; 9]; 41 * 31]).unwrap()
+    }
+
+    fn direction(degrees: f64) -> [f64; 2] {
+        let (sin, cos) = sin_cos(radians(degrees));
+        [cos, sin]
+    }
+
+    /// Regions met by walking many sweeps in small steps.
+    fn walked(foot: [f64; 2], heading: f64, range: f64) -> Vec<[usize; 2]> {
+        let (level, mut met) = (level(), Vec::new());
+        for sweep in 0..=200 {
+            let [cos, sin] = direction(heading - 25.0 + 0.25 * f64::from(sweep));
+            for step in 0..2000 {
+                let way = range * f64::from(step) / 2000.0;
+                met.extend(level.locate(foot[0] + way * cos, foot[1] + way * sin).map(|(region, _)| region));
+            }
+        }
+        met.sort_unstable();
+        met.dedup();
+        met
+    }
+
+    #[test]
+    fn every_region_that_a_sweep_enters_is_among_them() {
+        for (foot, heading) in
+            [([20.3, 15.7], 10.0), ([5.0, 5.0], 45.0), ([38.2, 0.4], 200.0), ([0.0, 30.0], -90.0)]
+        {
+            let edges = [direction(heading - 25.0), direction(heading + 25.0)];
+            let listed: Vec<_> = Sector { foot, edges, range: 12.0 }.regions(&level()).collect();
+            let walked = walked(foot, heading, 12.0);
+            assert!(walked.iter().all(|region| listed.contains(region)), "{foot:?} {heading}");
+            assert!(
+                listed.len() <= walked.len() + walked.len() / 4 + 8,
+                "{} for {}",
+                listed.len(),
+                walked.len()
+            );
+        }
+    }
+
+    #[test]
+    fn nothing_behind_and_nothing_beyond() {
+        let edges = [direction(-25.0), direction(25.0)];
+        let listed: Vec<_> = Sector { foot: [20.5, 15.5], edges, range: 6.0 }.regions(&level()).collect();
+        assert!(listed.contains(&[20, 15]) && listed.contains(&[26, 15]));
+        assert!(!listed.contains(&[27, 15]) && !listed.contains(&[18, 15]) && !listed.contains(&[20, 20]));
+    }
+}
