@@ -3,12 +3,14 @@
 use std::sync::Arc;
 
 use generator::{FrameCounts, FrameError, Generator, PlaneKind, Planes, Stage};
-use hardware_model::{LatePolicy, Loader, Raster, Settings, SweepMemoryKind};
+use hardware_model::{
+    Economy, FeatureParts, LatePolicy, Loader, MixingParts, Raster, Settings, ShadowParts, SweepMemoryKind,
+};
 use landscape::{Attitude, Bank, CornerWords, Landscape, Level, Sun};
 use quantities::{Rate, Timebase, radians};
 use scenario::{
     Curvature, Display, FieldOfView, Laws, Occlusion, PixelRule, Pose, Projection, RangeLaw, RangeProgramme,
-    Scalar,
+    Scalar, Scenery,
 };
 use signal::{Probe, Waveform};
 
@@ -93,6 +95,7 @@ impl Scene {
                 curvature: Curvature::Parabolic,
                 occlusion: Occlusion::Derivative,
                 pixel_rule: PixelRule::LineMean,
+                ..Laws::default()
             },
             scalar: Scalar::F64,
             loader: Loader { access_ticks: 0, late_policy: LatePolicy::StrobeThrough, delays: Vec::new() },
@@ -114,7 +117,7 @@ impl Scene {
     pub fn stage(&self) -> Stage {
         let bank = Bank::new("test", vec![self.level.clone()], None).expect("one level is a bank");
         let landscape = Arc::new(Landscape::new(bank, self.albedo));
-        Stage { landscape, sun: self.sun, settings: self.settings() }
+        Stage { landscape, scenery: Arc::new(Scenery::still(self.sun)), settings: self.settings() }
     }
 
     /// The settings of the run.
@@ -139,6 +142,13 @@ impl Scene {
             display: Display { white: 1.0, gamma: 1.0 },
             loader: self.loader.clone(),
             sweep_memory: self.sweep_memory,
+            feature_generator: FeatureParts::default(),
+            shadow_controller: ShadowParts::default(),
+            mixing_unit: MixingParts::default(),
+            yoke: None,
+            levels: None,
+            shadows: false,
+            economy: Economy::default(),
         }
     }
 

@@ -10,7 +10,7 @@ use hardware_model::{HardwareModel, Settings};
 use landscape::{Bank, Landscape};
 use machine::HybridMachine;
 use picture::{Depth, Encoder, GreyPicture, Transfer};
-use scenario::{Ground, PoseRow, PoseTable, Scenario};
+use scenario::{Ground, PoseRow, PoseTable, Scenario, Scenery};
 use signal::Probe;
 
 /// Scenarios of the folder `scenarios/`, by name.
@@ -119,7 +119,7 @@ impl Shipped {
     pub fn draw(&self, generator: &dyn Generator, frame: u64, probe: &mut Probe) -> Shown {
         let stage = Stage {
             landscape: self.landscape.clone(),
-            sun: self.scenario.sun,
+            scenery: Arc::new(Scenery::still(self.scenario.sun)),
             settings: self.settings.clone(),
         };
         let raster = self.settings.raster;

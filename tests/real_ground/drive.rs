@@ -12,7 +12,7 @@ use landscape::{Georeference, Landscape};
 use machine::HybridMachine;
 use picture::{Depth, Encoder, GreyPicture, Transfer};
 use quantities::degrees;
-use scenario::{FieldOfView, Pose, PoseTable, RasterWishes, Scenario};
+use scenario::{FieldOfView, Pose, PoseTable, RasterWishes, Scenario, Scenery};
 use signal::Probe;
 use survey::{ReadOptions, SurveyOptions, SurveyReport, survey};
 
@@ -55,7 +55,7 @@ impl Drive {
         let update = settings.timebase.update;
         let poses = PoseTable::resolve(&scenario, &landscape, update, 0..scenario.frames(update))
             .unwrap_or_else(|problems| panic!("{name}: {problems}"));
-        let stage = Stage { landscape, sun: scenario.sun, settings };
+        let stage = Stage { landscape, scenery: Arc::new(Scenery::still(scenario.sun)), settings };
         Self { name, report: found.report, poses, stage }
     }
 

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use generator::Stage;
 use hardware_model::{HardwareModel, Settings};
 use landscape::{Bank, Landscape};
-use scenario::{Ground, Pose, PoseTable, Scalar, Scenario};
+use scenario::{Ground, Pose, PoseTable, Scalar, Scenario, Scenery};
 
 /// The README's scene with `scalar` signals, and the pose of its first frame.
 ///
@@ -33,5 +33,5 @@ pub fn first_light(scalar: Scalar) -> (Stage, Pose) {
     .expect("the shipped settings are resolved by the tests");
     let poses = PoseTable::resolve(&scenario, &landscape, settings.timebase.update, 0..1);
     let pose = poses.expect("the shipped path is driven by the tests").rows()[0].pose;
-    (Stage { landscape, sun: scenario.sun, settings }, pose)
+    (Stage { landscape, scenery: Arc::new(Scenery::still(scenario.sun)), settings }, pose)
 }

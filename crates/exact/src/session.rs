@@ -65,7 +65,8 @@ impl GeneratorSession for Session {
 impl Session {
     /// Pixels of each column from left to right, top line first, and the rays that they took.
     fn columns(&self, pose: &Pose, planes: &Planes) -> Vec<(Vec<Pixel>, u64)> {
-        let Stage { landscape, sun, settings } = &self.stage;
+        let Stage { landscape, scenery, settings } = &self.stage;
+        let sun = &scenery.sun(pose.time);
         let (laws, field) = (settings.laws, settings.raster.field);
         let first = settings.range.at_sample(0, settings.raster.samples as usize);
         let ranges = [first, settings.range.end];

@@ -11,8 +11,8 @@ mod planes;
 use std::sync::Arc;
 
 use hardware_model::Settings;
-use landscape::{Landscape, Sun};
-use scenario::Pose;
+use landscape::Landscape;
+use scenario::{Pose, Scenery};
 use signal::{Probe, Signal};
 
 pub use counts::FrameCounts;
@@ -24,8 +24,8 @@ pub use planes::{Plane, PlaneKind, Planes};
 pub struct Stage {
     /// The ground.
     pub landscape: Arc<Landscape>,
-    /// The light.
-    pub sun: Sun,
+    /// Light, bodies and tracks over time.
+    pub scenery: Arc<Scenery>,
     /// The settings of the run.
     pub settings: Settings,
 }

@@ -10,12 +10,14 @@
 mod layering;
 mod loaded;
 mod model;
+mod parts;
 mod settings;
 mod source;
 mod written;
 
 pub use loaded::{EffectiveValue, LoadedModel};
 pub use model::{HardwareModel, LatePolicy, LoadDelay, Loader, ModelRaster, SweepMemoryKind};
+pub use parts::{Economy, FeatureParts, Gate, LevelSwitch, MixingParts, Organisation, ShadowParts, Yoke};
 pub use settings::{Raster, Settings, SettingsError};
 pub use source::{BUILT_IN, ModelSource};
 pub use written::FORMAT;

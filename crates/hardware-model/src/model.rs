@@ -4,6 +4,8 @@ use quantities::Rate;
 use scenario::{Laws, RangeProgramme};
 use sweep_program::{Colour, PreloadRegister};
 
+use crate::{FeatureParts, MixingParts, ShadowParts, Yoke};
+
 /// What the machine is made of.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HardwareModel {
@@ -21,6 +23,14 @@ pub struct HardwareModel {
     pub laws: Laws,
     /// Kind of sweep memory.
     pub sweep_memory: SweepMemoryKind,
+    /// Feature generator.
+    pub feature_generator: FeatureParts,
+    /// Shadow controller.
+    pub shadow_controller: ShadowParts,
+    /// Mixing unit.
+    pub mixing_unit: MixingParts,
+    /// Deflection yoke.
+    pub yoke: Yoke,
 }
 
 /// Raster of the model and its clocks.

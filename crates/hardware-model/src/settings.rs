@@ -3,7 +3,10 @@
 use quantities::{Rate, Timebase, TimebaseError};
 use scenario::{Display, FieldOfView, LawWishes, Laws, RangeProgramme, RasterWishes, Scalar};
 
-use crate::{HardwareModel, Loader, SweepMemoryKind};
+use crate::{
+    Economy, FeatureParts, HardwareModel, LevelSwitch, Loader, MixingParts, ShadowParts, SweepMemoryKind,
+    Yoke,
+};
 
 /// Everything that decides a picture but landscape, sun and pose.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,6 +27,20 @@ pub struct Settings {
     pub loader: Loader,
     /// Kind of sweep memory.
     pub sweep_memory: SweepMemoryKind,
+    /// Feature generator.
+    pub feature_generator: FeatureParts,
+    /// Shadow controller.
+    pub shadow_controller: ShadowParts,
+    /// Mixing unit.
+    pub mixing_unit: MixingParts,
+    /// Deflection yoke, where the display turns the picture with the vehicle's roll.
+    pub yoke: Option<Yoke>,
+    /// Switch from the fine level to the coarse one, where the scenario has two.
+    pub levels: Option<LevelSwitch>,
+    /// Whether remote shadow is drawn.
+    pub shadows: bool,
+    /// What may be left out.
+    pub economy: Economy,
 }
 
 /// Sweeps, samples and read-out.
@@ -119,6 +136,13 @@ impl Settings {
             display,
             loader: model.loader.clone(),
             sweep_memory: model.sweep_memory,
+            feature_generator: model.feature_generator,
+            shadow_controller: model.shadow_controller,
+            mixing_unit: model.mixing_unit,
+            yoke: None,
+            levels: None,
+            shadows: false,
+            economy: Economy::default(),
         })
     }
 }

@@ -2,10 +2,13 @@
 
 use diagnostics::Reader;
 use quantities::Rate;
-use scenario::{Laws, words};
+use scenario::{BodyVisibility, FeatureLight, Laws, ShadowedBodies, TextureInShadow, words};
 use sweep_program::{Colour, PreloadRegister};
 
-use crate::{HardwareModel, LatePolicy, LoadDelay, Loader, ModelRaster, SweepMemoryKind};
+use crate::{
+    FeatureParts, HardwareModel, LatePolicy, LoadDelay, Loader, MixingParts, ModelRaster, ShadowParts,
+    SweepMemoryKind, Yoke,
+};
 
 /// Format of model files that this program reads.
 pub const FORMAT: u64 = 1;
@@ -35,6 +38,10 @@ pub(crate) fn model(root: &Reader, name: String) -> Option<HardwareModel> {
         loader: loader??,
         laws: laws?,
         sweep_memory: kind??,
+        feature_generator: FeatureParts::default(),
+        shadow_controller: ShadowParts::default(),
+        mixing_unit: MixingParts::default(),
+        yoke: Yoke { step: 0.0, rate: 1.0, travel: 1.0 },
     })
 }
 
@@ -149,6 +156,10 @@ fn laws(dpp: Option<&Reader>, memory: Option<&Reader>) -> Option<Laws> {
         curvature: curvature?,
         occlusion: occlusion?,
         pixel_rule: pixel_rule?,
+        feature_light: FeatureLight::Combined,
+        body_visibility: BodyVisibility::Depth,
+        shadowed_bodies: ShadowedBodies::Dark,
+        texture_in_shadow: TextureInShadow::On,
     })
 }
 

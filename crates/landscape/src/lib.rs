@@ -16,11 +16,17 @@ pub mod bank_file;
 pub mod basis;
 mod light;
 mod lunoid;
+mod photometry;
 mod query;
 pub mod relief;
+mod silhouette;
+mod texture;
 
 pub use axes::Attitude;
 pub use bank::{Bank, BankError, CornerWords, Georeference, Level, WORDS};
 pub use light::Sun;
 pub use lunoid::{LUNOID_RADIUS, parabolic_drop};
+pub use photometry::Photometry;
 pub use query::{Landscape, SurfacePoint};
+pub use silhouette::Silhouette;
+pub use texture::{Layer, Source, Texture};

@@ -1,6 +1,8 @@
 //! The one query for height, slope and albedo.
 
-use crate::{Bank, Level};
+use features::Features;
+
+use crate::{Bank, Level, Photometry, Silhouette, Texture};
 
 /// The ground at one point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -13,17 +15,42 @@ pub struct SurfacePoint {
     pub albedo: f64,
 }
 
-/// Lunoid and terrain: what `exact`, truth, the vehicle and the machine's preparation ask.
+/// Lunoid, terrain and features: what `exact`, truth, the vehicle, shadows and the machine's preparation ask.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Landscape {
     bank: Bank,
     albedo: f64,
+    features: Features,
+    texture: Option<Texture>,
+    photometry: Photometry,
+    silhouettes: Vec<Silhouette>,
 }
 
 impl Landscape {
-    /// The landscape of a bank, of one albedo (0..=1).
+    /// The landscape of a bank, of one albedo (0..=1): terrain alone, Lambert's law.
     pub fn new(bank: Bank, albedo: f64) -> Self {
-        Self { bank, albedo }
+        let (features, photometry) = (Features::default(), Photometry::Lambert);
+        Self { bank, albedo, features, texture: None, photometry, silhouettes: Vec::new() }
+    }
+
+    /// The same with features on it.
+    pub fn with_features(self, features: Features) -> Self {
+        Self { features, ..self }
+    }
+
+    /// The same with texture in the foreground.
+    pub fn with_texture(self, texture: Option<Texture>) -> Self {
+        Self { texture, ..self }
+    }
+
+    /// The same under another law of reflection.
+    pub fn with_photometry(self, photometry: Photometry) -> Self {
+        Self { photometry, ..self }
+    }
+
+    /// The same with mountains beyond the stored area.
+    pub fn with_silhouettes(self, silhouettes: Vec<Silhouette>) -> Self {
+        Self { silhouettes, ..self }
     }
 
     /// Terrain coefficients.
@@ -31,7 +58,7 @@ impl Landscape {
         &self.bank
     }
 
-    /// The level that draws: the finest.
+    /// The finest level.
     pub fn level(&self) -> &Level {
         self.bank.finest()
     }
@@ -41,16 +68,46 @@ impl Landscape {
         self.albedo
     }
 
-    /// The ground at (x, y) (m); `None` outside the problem area.
-    pub fn at(&self, x: f64, y: f64) -> Option<SurfacePoint> {
-        let level = self.level();
-        let (region, local) = level.locate(x, y)?;
-        let [height, hu, hv] = level.height_and_slopes(region, local);
-        let d = level.region_size();
-        Some(SurfacePoint { height, slopes: [hu / d, hv / d], albedo: self.albedo })
+    /// Craters.
+    pub fn features(&self) -> &Features {
+        &self.features
     }
 
-    /// Whether the ground at (x, y) (m) rests on data; false outside the problem area.
+    /// Small detail of the foreground, if there is any.
+    pub fn texture(&self) -> Option<&Texture> {
+        self.texture.as_ref()
+    }
+
+    /// Law of reflection.
+    pub fn photometry(&self) -> &Photometry {
+        &self.photometry
+    }
+
+    /// Mountains beyond the stored area.
+    pub fn silhouettes(&self) -> &[Silhouette] {
+        &self.silhouettes
+    }
+
+    /// Terrain and features at (x, y) (m), from the finest level that has the place; `None` outside all.
+    pub fn at(&self, x: f64, y: f64) -> Option<SurfacePoint> {
+        let terrain = self.terrain_at(x, y)?;
+        let rise = self.features.at(x, y);
+        let slopes = std::array::from_fn(|axis| terrain.slopes[axis] + rise.slopes[axis]);
+        Some(SurfacePoint { height: terrain.height + rise.height, slopes, ..terrain })
+    }
+
+    /// The terrain alone at (x, y) (m), from the finest level that has the place; `None` outside all.
+    pub fn terrain_at(&self, x: f64, y: f64) -> Option<SurfacePoint> {
+        let found = |level: &Level| {
+            let (region, local) = level.locate(x, y)?;
+            let [height, hu, hv] = level.height_and_slopes(region, local);
+            let d = level.region_size();
+            Some(SurfacePoint { height, slopes: [hu / d, hv / d], albedo: self.albedo })
+        };
+        self.bank.levels().iter().find_map(found)
+    }
+
+    /// Whether the ground at (x, y) (m) rests on data; false outside the finest level.
     pub fn has_data(&self, x: f64, y: f64) -> bool {
         self.level().locate(x, y).is_some_and(|(region, _)| !self.bank.is_void(region))
     }

@@ -14,7 +14,7 @@ use landscape::{Bank, Landscape, bank_file};
 use machine::HybridMachine;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use replay::{FileRecord, Inputs, Phase, file_hash};
-use scenario::{Ground, LawWishes, RasterWishes, Scenario};
+use scenario::{Ground, LawWishes, RasterWishes, Scenario, Scenery};
 
 use crate::{Failure, values};
 
@@ -224,7 +224,11 @@ impl Loaded {
         let bank = pool.install(|| bank(&self.scenario))?;
         self.phases.push(Phase::since("landscape", start));
         let landscape = Arc::new(Landscape::new(bank, self.scenario.albedo));
-        Ok(Stage { landscape, sun: self.scenario.sun, settings: self.settings.clone() })
+        Ok(Stage {
+            landscape,
+            scenery: Arc::new(Scenery::still(self.scenario.sun)),
+            settings: self.settings.clone(),
+        })
     }
 
     /// Frames of the scenario.

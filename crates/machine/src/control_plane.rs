@@ -1,9 +1,9 @@
 //! The digital side of a frame: fan, start of every sweep, folds, sweep programs.
 
 use dpu::{CrossingService, Sector, TimedFold};
-use generator::FrameError;
+use generator::{FrameError, Stage};
 use hardware_model::Settings;
-use landscape::{Landscape, Level};
+use landscape::{Level, Sun};
 use quantities::{degrees, sin_cos};
 use scenario::Pose;
 use sweep_generator::{Folds, RangeTable, set_up};
@@ -22,16 +22,14 @@ pub(crate) struct FramePlan {
     pub pitch: f64,
     /// Eye: north, east, height (m).
     pub eye: [f64; 3],
+    /// The sun.
+    pub sun: Sun,
 }
 
 impl FramePlan {
     /// Checks that the pose can be drawn and spreads the fan.
-    pub fn new(
-        frame: u64,
-        pose: &Pose,
-        landscape: &Landscape,
-        settings: &Settings,
-    ) -> Result<Self, FrameError> {
+    pub fn new(frame: u64, pose: &Pose, stage: &Stage) -> Result<Self, FrameError> {
+        let Stage { landscape, scenery, settings } = stage;
         let [x, y, height] = pose.eye;
         let ground = landscape.height(x, y).ok_or(FrameError::OutsideProblemArea { frame, x, y })?;
         let above = height > ground;
@@ -48,6 +46,7 @@ impl FramePlan {
             heading: [cos, sin],
             pitch,
             eye: pose.eye,
+            sun: scenery.sun(pose.time),
         })
     }
 

@@ -141,7 +141,7 @@ impl<S: Real> Session for Elaborated<S> {
         probe: &mut Probe,
     ) -> Result<FrameCounts, FrameError> {
         let raster = &self.stage.settings.raster;
-        let plan = FramePlan::new(frame, pose, &self.stage.landscape, &self.stage.settings)?;
+        let plan = FramePlan::new(frame, pose, &self.stage)?;
         let mut store = self.stores.take();
         store.resize(raster.sweeps as usize * raster.lines as usize, 0.0);
         let groups = self.sweep_all(&plan, probe, &mut store);

@@ -50,7 +50,7 @@ pub(crate) struct Group<'a, S> {
 impl<S: Real> Group<'_, S> {
     /// Runs the group that begins at sweep `first` and leaves its lines in `rows`, one stretch a sweep.
     pub fn run(&self, first: u32, work: &mut Workspace<S>, rows: &mut [f32]) {
-        let Stage { landscape, sun, settings } = self.stage;
+        let Stage { landscape, settings, .. } = self.stage;
         let (level, raster) = (landscape.level(), &settings.raster);
         // Lanes beyond the last sweep repeat it; nothing of them is kept.
         let sweeps: [u32; LANES] = array::from_fn(|lane| (first + lane as u32).min(raster.sweeps - 1));
@@ -60,7 +60,7 @@ impl<S: Real> Group<'_, S> {
         let light = work
             .programs
             .each_ref()
-            .map(|program| SweepLight::new(sun, landscape.albedo(), program.start.direction));
+            .map(|program| SweepLight::new(&self.plan.sun, landscape.albedo(), program.start.direction));
         let deflection = sweeps.map(|sweep| {
             let tangent = self.plan.fan.tangent(sweep);
             Deflection::new(settings.laws.projection, self.plan.pitch, tangent)

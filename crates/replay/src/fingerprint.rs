@@ -15,7 +15,7 @@ pub(crate) fn fingerprint(job: &Job, ground: &GroundRecord, settings: &SettingsR
         "generator": job.generator.name(),
         "settings": value(settings),
         "ground": ground_alone(ground),
-        "sun": sun(&job.stage.sun),
+        "sun": sun(&job.stage.scenery.sun(0.0)),
         "vehicle": vehicle(&job.scenario.vehicle),
         "waypoints_blake3": waypoints_hash(job.scenario),
         "depth": job.pictures.depth.bits(),

@@ -67,7 +67,7 @@ impl<'a> RunRecord<'a> {
             generator: job.generator.name(),
             model: model(job),
             ground: finished.ground,
-            sun: sun(&job.stage.sun),
+            sun: sun(&job.stage.scenery.sun(0.0)),
             vehicle: vehicle(&job.scenario.vehicle),
             path: json!({
                 "waypoints": job.scenario.path.waypoints().len(),

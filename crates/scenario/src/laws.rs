@@ -39,6 +39,42 @@ pub enum PixelRule {
     Centre,
 }
 
+/// What the light of a feature is worked out from (section 10).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FeatureLight {
+    /// As reported: from the slopes of the features alone, as if on level ground.
+    AsReported,
+    /// From the slopes of terrain and features together.
+    Combined,
+}
+
+/// When a rock or a man-made thing is seen (section 12).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BodyVisibility {
+    /// As reported: whole or not at all, by its foot point; it lies over whatever is there.
+    AsReported,
+    /// By true depth against the ground and against each other.
+    Depth,
+}
+
+/// What happens to a body whose foot point is in remote shadow (section 12).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ShadowedBodies {
+    /// As reported: it is not drawn.
+    Vanish,
+    /// It is drawn black.
+    Dark,
+}
+
+/// Whether texture lies in remote shadow too (section 14).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TextureInShadow {
+    /// As reported: the adder comes after the shadow switch, and shadow is grained.
+    On,
+    /// The shadow gate blanks texture as well.
+    Off,
+}
+
 /// The laws of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Laws {
@@ -50,6 +86,30 @@ pub struct Laws {
     pub occlusion: Occlusion,
     /// From a line to a pixel.
     pub pixel_rule: PixelRule,
+    /// Light of features.
+    pub feature_light: FeatureLight,
+    /// When bodies are seen.
+    pub body_visibility: BodyVisibility,
+    /// Bodies in remote shadow.
+    pub shadowed_bodies: ShadowedBodies,
+    /// Texture in remote shadow.
+    pub texture_in_shadow: TextureInShadow,
+}
+
+impl Default for Laws {
+    /// Those nearest to what an eye would see.
+    fn default() -> Self {
+        Self {
+            projection: Projection::Exact,
+            curvature: Curvature::Parabolic,
+            occlusion: Occlusion::PeakHold,
+            pixel_rule: PixelRule::LineMean,
+            feature_light: FeatureLight::Combined,
+            body_visibility: BodyVisibility::Depth,
+            shadowed_bodies: ShadowedBodies::Dark,
+            texture_in_shadow: TextureInShadow::Off,
+        }
+    }
 }
 
 /// The laws that a scenario asks for; what it leaves open is the model's.
@@ -63,6 +123,14 @@ pub struct LawWishes {
     pub occlusion: Option<Occlusion>,
     /// From a line to a pixel.
     pub pixel_rule: Option<PixelRule>,
+    /// Light of features.
+    pub feature_light: Option<FeatureLight>,
+    /// When bodies are seen.
+    pub body_visibility: Option<BodyVisibility>,
+    /// Bodies in remote shadow.
+    pub shadowed_bodies: Option<ShadowedBodies>,
+    /// Texture in remote shadow.
+    pub texture_in_shadow: Option<TextureInShadow>,
 }
 
 impl LawWishes {
@@ -73,6 +141,10 @@ impl LawWishes {
             curvature: self.curvature.unwrap_or(model.curvature),
             occlusion: self.occlusion.unwrap_or(model.occlusion),
             pixel_rule: self.pixel_rule.unwrap_or(model.pixel_rule),
+            feature_light: self.feature_light.unwrap_or(model.feature_light),
+            body_visibility: self.body_visibility.unwrap_or(model.body_visibility),
+            shadowed_bodies: self.shadowed_bodies.unwrap_or(model.shadowed_bodies),
+            texture_in_shadow: self.texture_in_shadow.unwrap_or(model.texture_in_shadow),
         }
     }
 }

@@ -18,11 +18,15 @@ mod pose_problem;
 mod pose_table;
 mod range;
 mod raster;
+mod scenery;
 mod vehicle;
 pub mod words;
 mod written;
 
-pub use laws::{Curvature, LawWishes, Laws, Occlusion, PixelRule, Projection};
+pub use laws::{
+    BodyVisibility, Curvature, FeatureLight, LawWishes, Laws, Occlusion, PixelRule, Projection,
+    ShadowedBodies, TextureInShadow,
+};
 pub use limits::{Limit, LimitReport};
 pub use meant::{Ground, Length, Scenario};
 pub use path::{Path, PathError, Station, Waypoint};
@@ -31,5 +35,6 @@ pub use pose_problem::{PathProblem, PathProblems, PoseFault};
 pub use pose_table::{PoseRow, PoseTable, poses_csv};
 pub use range::{RangeLaw, RangeProgramme};
 pub use raster::{Display, FieldOfView, RasterWishes, Scalar};
+pub use scenery::{Scenery, Standing, TrackPatch};
 pub use vehicle::{Stand, Vehicle};
 pub use written::FORMAT;

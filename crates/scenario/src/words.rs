@@ -3,7 +3,10 @@
 use diagnostics::{Field, Placed, Problem, Reader};
 use quantities::Rate;
 
-use crate::{Curvature, Occlusion, PixelRule, Projection, RangeLaw, RangeProgramme};
+use crate::{
+    BodyVisibility, Curvature, FeatureLight, Occlusion, PixelRule, Projection, RangeLaw, RangeProgramme,
+    ShadowedBodies, TextureInShadow,
+};
 
 /// The name of a model: it is looked up, and is never a path.
 pub fn model_name<'a>(table: &Reader<'a>, key: &str) -> Field<'a, String> {
@@ -30,6 +33,30 @@ pub fn occlusion<'a>(table: &Reader<'a>) -> Field<'a, Occlusion> {
 /// From a line to a pixel.
 pub fn pixel_rule<'a>(table: &Reader<'a>) -> Field<'a, PixelRule> {
     table.one_of("pixel_rule", &[("line-mean", PixelRule::LineMean), ("centre", PixelRule::Centre)])
+}
+
+/// What the light of features is worked out from.
+pub fn feature_light<'a>(table: &Reader<'a>) -> Field<'a, FeatureLight> {
+    table.one_of(
+        "feature_light",
+        &[("as-reported", FeatureLight::AsReported), ("combined", FeatureLight::Combined)],
+    )
+}
+
+/// When bodies are seen.
+pub fn body_visibility<'a>(table: &Reader<'a>) -> Field<'a, BodyVisibility> {
+    let words = [("as-reported", BodyVisibility::AsReported), ("depth", BodyVisibility::Depth)];
+    table.one_of("body_visibility", &words)
+}
+
+/// Bodies in remote shadow.
+pub fn shadowed_bodies<'a>(table: &Reader<'a>) -> Field<'a, ShadowedBodies> {
+    table.one_of("shadowed_bodies", &[("vanish", ShadowedBodies::Vanish), ("dark", ShadowedBodies::Dark)])
+}
+
+/// Texture in remote shadow.
+pub fn texture_in_shadow<'a>(table: &Reader<'a>) -> Field<'a, TextureInShadow> {
+    table.one_of("texture_in_shadow", &[("on", TextureInShadow::On), ("off", TextureInShadow::Off)])
 }
 
 /// A rate in units of `unit` hertz: a whole number, or a fraction in quotes such as `"30000/1001"`, so that every

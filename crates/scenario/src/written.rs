@@ -183,6 +183,10 @@ fn laws(table: &Reader) -> LawWishes {
         curvature: words::curvature(table).optional(),
         occlusion: words::occlusion(table).optional(),
         pixel_rule: words::pixel_rule(table).optional(),
+        feature_light: words::feature_light(table).optional(),
+        body_visibility: words::body_visibility(table).optional(),
+        shadowed_bodies: words::shadowed_bodies(table).optional(),
+        texture_in_shadow: words::texture_in_shadow(table).optional(),
     }
 }
 

@@ -4,18 +4,20 @@ use std::sync::Arc;
 
 use exact::Exact;
 use generator::{Generator, PlaneKind, Planes, Session, Stage};
-use hardware_model::{LatePolicy, Loader, Raster, Settings, SweepMemoryKind};
+use hardware_model::{
+    Economy, FeatureParts, LatePolicy, Loader, MixingParts, Raster, Settings, ShadowParts, SweepMemoryKind,
+};
 use landscape::{Attitude, Bank, CornerWords, Landscape, Level, Sun};
 use quantities::{Rate, Timebase, radians, unit_interval};
 use scenario::{
     Curvature, Display, FieldOfView, Laws, Occlusion, PixelRule, Pose, Projection, RangeLaw, RangeProgramme,
-    Scalar,
+    Scalar, Scenery,
 };
 use signal::Probe;
 
 /// Law switches with the two that a test varies.
 pub fn laws(projection: Projection, curvature: Curvature, pixel_rule: PixelRule) -> Laws {
-    Laws { projection, curvature, occlusion: Occlusion::PeakHold, pixel_rule }
+    Laws { projection, curvature, occlusion: Occlusion::PeakHold, pixel_rule, ..Laws::default() }
 }
 
 /// Settings for a raster, laws and near and far range (m).
@@ -32,6 +34,13 @@ pub fn settings(columns: u32, lines: u32, laws: Laws, [start, end]: [f64; 2]) ->
         display: Display { white: 1.0, gamma: 1.0 },
         loader: Loader { access_ticks: 0, late_policy: LatePolicy::Latched, delays: Vec::new() },
         sweep_memory: SweepMemoryKind::ScanConverter,
+        feature_generator: FeatureParts::default(),
+        shadow_controller: ShadowParts::default(),
+        mixing_unit: MixingParts::default(),
+        yoke: None,
+        levels: None,
+        shadows: false,
+        economy: Economy::default(),
     }
 }
 
@@ -74,7 +83,9 @@ pub fn pose(eye: [f64; 3], pitch: f64, heading: f64) -> Pose {
 
 /// `exact` made ready.
 pub fn prepare(landscape: Arc<Landscape>, sun: Sun, settings: &Settings) -> Box<dyn Session> {
-    Exact.prepare(Stage { landscape, sun, settings: settings.clone() }).unwrap()
+    Exact
+        .prepare(Stage { landscape, scenery: Arc::new(Scenery::still(sun)), settings: settings.clone() })
+        .unwrap()
 }
 
 /// Both planes of one frame: intensity, range.

@@ -13,7 +13,7 @@ use landscape::{Bank, Landscape};
 use machine::HybridMachine;
 use picture::Depth;
 use replay::{Control, Inputs, Job, Outcome, Pictures, Program, Progress, ReplayError, RunFolder, run};
-use scenario::{Ground, Scenario};
+use scenario::{Ground, Scenario, Scenery};
 
 const SCENARIO: &str = r#"
 format = 1
@@ -134,7 +134,7 @@ fn stage(scenario: &Scenario) -> Stage {
     );
     Stage {
         landscape: Arc::new(Landscape::new(bank, scenario.albedo)),
-        sun: scenario.sun,
+        scenery: Arc::new(Scenery::still(scenario.sun)),
         settings: settings.expect("settings"),
     }
 }

@@ -1,0 +1,1 @@
+//! Feature generator (section 10): sub-generators and their loads.

@@ -1,0 +1,187 @@
+//! The three crater types in closed form (section 9).
+
+/// Radii of a crater, from the centre outwards (m).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Shape {
+    /// Type 1: a paraboloid that meets the ground at `r1`.
+    Bowl {
+        /// Rim radius.
+        r1: f64,
+    },
+    /// Type 2: a paraboloid with a rim between `r1` and `r2`.
+    RimmedBowl {
+        /// End of the bowl.
+        r1: f64,
+        /// End of the rim.
+        r2: f64,
+    },
+    /// Type 3: flat floor to `r1`, wall to `r2`, rim to `r3`.
+    FlatFloor {
+        /// End of the floor.
+        r1: f64,
+        /// End of the wall.
+        r2: f64,
+        /// End of the rim.
+        r3: f64,
+    },
+}
+
+/// Why a crater cannot be.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum CraterError {
+    /// Radii that are not positive and strictly ascending.
+    #[error("radii {0} m, {1} m, {2} m: expected radii above 0 in ascending order")]
+    Radii(f64, f64, f64),
+    /// Depth or rim height out of range.
+    #[error("{what} {found} m: expected 0 m to 1e5 m")]
+    Height {
+        /// Which.
+        what: &'static str,
+        /// Value found (m).
+        found: f64,
+    },
+    /// Centre that is no place.
+    #[error("centre ({0}, {1}) m: expected two lengths of at most 1e9 m either way")]
+    Centre(f64, f64),
+}
+
+/// A crater that is in order: radii ascending, depth and rim at least 0, all finite.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Crater {
+    centre: [f64; 2],
+    shape: Shape,
+    depth: f64,
+    rim: f64,
+}
+
+impl Crater {
+    /// A crater at `centre` (north, east; m), `depth` (m) below the ground around, its rim `rim` (m) above it. A
+    /// type 1 crater has no rim: `rim` must be 0.
+    ///
+    /// # Errors
+    /// If radii do not ascend, or a height or the centre is out of range.
+    pub fn new(centre: [f64; 2], shape: Shape, depth: f64, rim: f64) -> Result<Self, CraterError> {
+        let [r1, r2, r3] = match shape {
+            Shape::Bowl { r1 } => [r1, 2.0 * r1, 3.0 * r1],
+            Shape::RimmedBowl { r1, r2 } => [r1, r2, 2.0 * r2],
+            Shape::FlatFloor { r1, r2, r3 } => [r1, r2, r3],
+        };
+        let ascend = r1 > 0.0 && r2 > r1 && r3 > r2 && r3 < 1e9;
+        if !ascend {
+            return Err(CraterError::Radii(r1, r2, r3));
+        }
+        for (what, found) in [("depth", depth), ("rim", rim)] {
+            if !(0.0..=1e5).contains(&found)
+                || (what == "rim" && found > 0.0 && matches!(shape, Shape::Bowl { .. }))
+            {
+                return Err(CraterError::Height { what, found });
+            }
+        }
+        if !centre.iter().all(|place| place.abs() <= 1e9) {
+            return Err(CraterError::Centre(centre[0], centre[1]));
+        }
+        Ok(Self { centre, shape, depth, rim })
+    }
+
+    /// Centre: north, east (m).
+    pub fn centre(&self) -> [f64; 2] {
+        self.centre
+    }
+
+    /// Radii.
+    pub fn shape(&self) -> Shape {
+        self.shape
+    }
+
+    /// Depth of the bowl or floor below the ground around, a (m).
+    pub fn depth(&self) -> f64 {
+        self.depth
+    }
+
+    /// Height of the rim crest above the ground around, delta (m).
+    pub fn rim(&self) -> f64 {
+        self.rim
+    }
+
+    /// Radius outside which there is nothing of it (m).
+    pub fn outer(&self) -> f64 {
+        match self.shape {
+            Shape::Bowl { r1 } => r1,
+            Shape::RimmedBowl { r2, .. } => r2,
+            Shape::FlatFloor { r3, .. } => r3,
+        }
+    }
+
+    /// Height (m) and its derivative outwards at a distance `rho` (m) from the centre. The lower bound of each
+    /// interval belongs to it.
+    pub fn profile(&self, rho: f64) -> [f64; 2] {
+        match self.shape {
+            Shape::Bowl { r1 } => self.bowl(rho, r1),
+            Shape::RimmedBowl { r1, r2 } if rho >= r1 => self.ring(rho, r1, r2),
+            Shape::RimmedBowl { r1, .. } => self.bowl(rho, r1),
+            Shape::FlatFloor { r1, .. } if rho < r1 => [-self.depth, 0.0],
+            Shape::FlatFloor { r1, r2, .. } if rho < r2 => self.bowl(rho - r1, r2 - r1),
+            Shape::FlatFloor { r2, r3, .. } => self.ring(rho, r2, r3),
+        }
+    }
+
+    fn bowl(&self, rho: f64, radius: f64) -> [f64; 2] {
+        let share = rho / radius;
+        if share < 1.0 {
+            [self.depth * (share * share - 1.0), 2.0 * self.depth * share / radius]
+        } else {
+            [0.0; 2]
+        }
+    }
+
+    fn ring(&self, rho: f64, inner: f64, outer: f64) -> [f64; 2] {
+        let width = outer - inner;
+        let place = (2.0 * rho - inner - outer) / width;
+        if rho < outer {
+            [self.rim * (1.0 - place * place), -4.0 * self.rim * place / width]
+        } else {
+            [0.0; 2]
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Crater, CraterError, Shape};
+
+    #[test]
+    fn check_table_23_4() {
+        let t1 = Crater::new([0.0; 2], Shape::Bowl { r1: 100.0 }, 20.0, 0.0).unwrap();
+        let t2 = Crater::new([0.0; 2], Shape::RimmedBowl { r1: 100.0, r2: 140.0 }, 20.0, 6.0).unwrap();
+        let t3 =
+            Crater::new([0.0; 2], Shape::FlatFloor { r1: 40.0, r2: 100.0, r3: 140.0 }, 20.0, 6.0).unwrap();
+        let rows = [
+            (50.0, t1, [-15.0, 0.2]),
+            (50.0, t2, [-15.0, 0.2]),
+            (50.0, t3, [-19.44444444444444, 0.1111111111111111]),
+            (5.0, t1, [-19.95, 0.02]),
+            (5.0, t3, [-20.0, 0.0]),
+            (110.0, t1, [0.0, 0.0]),
+            (110.0, t2, [4.5, 0.3]),
+            (110.0, t3, [4.5, 0.3]),
+            (125.0, t2, [5.625, -0.15]),
+            (119.0, t3, [5.985, 0.03]),
+            (100.0, t2, [0.0, 0.6]),
+            (100.0, t3, [0.0, 0.6]),
+        ];
+        for (rho, crater, expected) in rows {
+            for (found, expected) in crater.profile(rho).into_iter().zip(expected) {
+                assert!((found - expected).abs() < 1e-13, "{crater:?} at {rho}: {found}");
+            }
+        }
+    }
+
+    #[test]
+    fn impossible_craters_are_refused() {
+        let refused = Crater::new([0.0; 2], Shape::RimmedBowl { r1: 4.0, r2: 3.0 }, 1.0, 0.0);
+        assert_eq!(refused, Err(CraterError::Radii(4.0, 3.0, 6.0)));
+        assert!(Crater::new([0.0; 2], Shape::Bowl { r1: f64::NAN }, 1.0, 0.0).is_err());
+        assert!(Crater::new([0.0; 2], Shape::Bowl { r1: 1.0 }, -1.0, 0.0).is_err());
+        assert!(Crater::new([0.0; 2], Shape::Bowl { r1: 1.0 }, 1.0, 0.5).is_err());
+    }
+}

@@ -1,0 +1,107 @@
+//! Blocks of the machine beside the terrain path: how many parts they have and how they are organised.
+
+/// How features come to the sub-generators (section 10).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Organisation {
+    /// A: stored and loaded in groups, region by region, from local memory.
+    ByRegion,
+    /// B: the digital processing unit works out when and where to load each.
+    Scheduled,
+}
+
+/// The feature generator.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FeatureParts {
+    /// How features come to the sub-generators.
+    pub organisation: Organisation,
+    /// Sub-generators of each crater type; any number if `None`.
+    pub sub_generators: Option<u32>,
+}
+
+impl Default for FeatureParts {
+    /// As many sub-generators as the ground asks for.
+    fn default() -> Self {
+        Self { organisation: Organisation::Scheduled, sub_generators: None }
+    }
+}
+
+/// The shadow controller (section 11.2).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ShadowParts {
+    /// Segments in line generators, compared with the sweep.
+    Digital {
+        /// Line generators; any number if `None`.
+        line_generators: Option<u32>,
+    },
+    /// Boundaries written into a scan converter and read along the sweep.
+    ScanConverter {
+        /// Displacement of the reading, north and east, as a share of the map's side.
+        offset: [f64; 2],
+        /// Error of the reading's scale, as a share.
+        gain: f64,
+    },
+}
+
+impl Default for ShadowParts {
+    /// As many line generators as the ground asks for.
+    fn default() -> Self {
+        Self::Digital { line_generators: None }
+    }
+}
+
+/// What opens a video switch (section 14).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Gate {
+    /// A presence line of its own.
+    Presence,
+    /// The video that is switched: dark parts of it do not open the switch.
+    SelfKeyed,
+}
+
+/// The mixing unit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MixingParts {
+    /// What opens VS1 and VS3.
+    pub gate: Gate,
+    /// Level above which a self-keyed gate opens, in reflectivity.
+    pub threshold: f64,
+}
+
+impl Default for MixingParts {
+    /// A presence line.
+    fn default() -> Self {
+        Self { gate: Gate::Presence, threshold: 0.0 }
+    }
+}
+
+/// The deflection yoke and its stepping motor (section 18).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Yoke {
+    /// Angle of a step (rad); 0 is a servo without steps.
+    pub step: f64,
+    /// Fastest turn (rad/s).
+    pub rate: f64,
+    /// Whole travel, from stop to stop (rad): half of it either way.
+    pub travel: f64,
+}
+
+/// Where the modified terrain generator goes over from the fine level to the coarse one (section 8).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LevelSwitch {
+    /// Ground range from which on the coarse level draws (m).
+    pub range: f64,
+    /// Stretch before it over which the fine level fades into the coarse one (m); 0 switches at once.
+    pub blend: f64,
+}
+
+/// What may be left out of a run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Economy {
+    /// Whatever cannot be seen, with a stated bound.
+    #[default]
+    Bounded,
+    /// Only what leaves every bit as it is.
+    Lossless,
+    /// Nothing: every block runs, whether it has work or not.
+    Everything,
+}

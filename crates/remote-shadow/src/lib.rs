@@ -1,0 +1,1 @@
+//! Remote shadow before the mission: sun-parallel profiles, boundaries, tiles.

@@ -1,0 +1,71 @@
+//! What stands on the ground and how it is lit, at any time of a mission.
+
+use landscape::Sun;
+use solids::Body;
+
+/// A body that stands from one time to another.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Standing {
+    /// First time (s).
+    pub from: f64,
+    /// Time from which on it is gone (s); infinite if it stays.
+    pub until: f64,
+    /// The body.
+    pub body: Body,
+}
+
+/// A small patch of remote shadow that a wheel leaves (section 17).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TrackPatch {
+    /// Time at which it is laid (s).
+    pub laid: f64,
+    /// Corners (north, east; m) of a convex quadrangle, clockwise seen from above.
+    pub corners: [[f64; 2]; 4],
+}
+
+/// Light, bodies and tracks of a mission: each is a function of time alone, so any frame can be made alone.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scenery {
+    suns: Vec<(f64, Sun)>,
+    standing: Vec<Standing>,
+    patches: Vec<TrackPatch>,
+}
+
+impl Scenery {
+    /// One sun, nothing on the ground.
+    pub fn still(sun: Sun) -> Self {
+        Self { suns: vec![(0.0, sun)], standing: Vec::new(), patches: Vec::new() }
+    }
+
+    /// The same with bodies.
+    pub fn with_bodies(self, standing: Vec<Standing>) -> Self {
+        Self { standing, ..self }
+    }
+
+    /// The same with tracks, ascending in time.
+    pub fn with_patches(self, patches: Vec<TrackPatch>) -> Self {
+        Self { patches, ..self }
+    }
+
+    /// The sun at `time` (s): that of the last step up to it.
+    pub fn sun(&self, time: f64) -> Sun {
+        let next = self.suns.partition_point(|(from, _)| *from <= time);
+        self.suns[next.saturating_sub(1)].1
+    }
+
+    /// Bodies that stand at `time` (s), in a fixed order.
+    pub fn bodies(&self, time: f64) -> impl Iterator<Item = &Body> {
+        let stands = move |standing: &&Standing| standing.from <= time && time < standing.until;
+        self.standing.iter().filter(stands).map(|standing| &standing.body)
+    }
+
+    /// Bodies of the whole mission.
+    pub fn standing(&self) -> &[Standing] {
+        &self.standing
+    }
+
+    /// Track patches that lie at `time` (s), in order of laying.
+    pub fn patches(&self, time: f64) -> &[TrackPatch] {
+        &self.patches[..self.patches.partition_point(|patch| patch.laid <= time)]
+    }
+}

@@ -1,0 +1,1 @@
+//! Shadow controller (fig. 25, 26): boundary segments into a blanking gate.

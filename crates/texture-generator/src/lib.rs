@@ -1,0 +1,1 @@
+//! Texture generator (section 13): small detail against ground range.
