@@ -155,7 +155,7 @@ impl Scene {
     /// Where the eye is.
     pub fn pose(&self) -> Pose {
         let attitude = Attitude { roll: 0.0, pitch: self.pitch, heading: self.heading };
-        Pose { time: 0.0, eye: self.eye, attitude }
+        Pose { time: 0.0, eye: self.eye, attitude, yoke: 0.0 }
     }
 
     /// Draws frame `frame` and records `signals` (patterns) of every sweep.

@@ -11,4 +11,6 @@ pub struct Pose {
     pub eye: [f64; 3],
     /// Roll, pitch, heading (rad).
     pub attitude: Attitude,
+    /// Angle by which the deflection yoke turns the picture (rad), positive for starboard down; 0 without one.
+    pub yoke: f64,
 }

@@ -91,7 +91,7 @@ impl Driver<'_> {
         let climb = station.climb.unwrap_or(stand.slopes[0] * north + stand.slopes[1] * east);
         Ok(PoseRow {
             frame,
-            pose: Pose { time, eye: [station.at[0], station.at[1], eye], attitude },
+            pose: Pose { time, eye: [station.at[0], station.at[1], eye], attitude, yoke: 0.0 },
             speed: (north * north + east * east + climb * climb).sqrt(),
             turn_rate: self.turn_rate(frame),
             slope: stand.steepness(),
@@ -152,7 +152,7 @@ pub fn poses_csv(table: &PoseTable) -> String {
     let mut text =
         String::from("frame,t_s,x_m,y_m,z_m,heading_deg,pitch_deg,roll_deg,speed_m_s,turn_deg_s,slope_deg\n");
     for row in &table.rows {
-        let Pose { time, eye: [x, y, z], attitude } = row.pose;
+        let Pose { time, eye: [x, y, z], attitude, .. } = row.pose;
         let [heading, pitch, roll] = [attitude.heading, attitude.pitch, attitude.roll].map(degrees);
         let [turn, slope] = [row.turn_rate, row.slope].map(degrees);
         let (frame, speed) = (row.frame, row.speed);

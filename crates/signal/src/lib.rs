@@ -4,12 +4,14 @@
 //! one [`Lanes`] a sample. A group of sweeps is the unit of work whatever the number of threads, so threads
 //! cannot change a bit.
 
+mod breaks;
 mod lanes;
 mod probe;
 mod real;
 mod sink;
 mod table;
 
+pub use breaks::{Break, Breaks};
 pub use lanes::{LANES, Lanes};
 pub use probe::{Probe, Waveform};
 pub use real::Real;

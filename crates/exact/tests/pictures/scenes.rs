@@ -78,7 +78,7 @@ pub fn sun(azimuth: f64, elevation: f64) -> Sun {
 /// A pose; pitch and heading in degrees.
 pub fn pose(eye: [f64; 3], pitch: f64, heading: f64) -> Pose {
     let attitude = Attitude { roll: 0.0, pitch: radians(pitch), heading: radians(heading) };
-    Pose { time: 0.0, eye, attitude }
+    Pose { time: 0.0, eye, attitude, yoke: 0.0 }
 }
 
 /// `exact` made ready.
