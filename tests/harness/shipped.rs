@@ -7,10 +7,10 @@ use compare::{RidgeError, horizon_of_picture, horizon_of_range, ridge_error, rid
 use exact::Exact;
 use generator::{FrameCounts, Generator, PlaneKind, Planes, Stage};
 use hardware_model::{HardwareModel, Settings};
-use landscape::{Bank, Landscape};
+use landscape::Landscape;
 use machine::HybridMachine;
 use picture::{Depth, Encoder, GreyPicture, Transfer};
-use scenario::{Ground, PoseRow, PoseTable, Scenario, Scenery};
+use scenario::{PoseRow, PoseTable, Scenario, Scenery};
 use signal::Probe;
 
 /// Scenarios of the folder `scenarios/`, by name.
@@ -75,26 +75,14 @@ impl Shipped {
     /// # Panics
     /// If it cannot be read or its settings do not fit together.
     pub fn read(name: &str, sweeps: Option<u32>) -> Self {
-        let scenario =
+        let mut scenario =
             Scenario::read(folder().join(format!("{name}.toml"))).unwrap_or_else(|e| panic!("{e}"));
-        let Ground::Generated(relief) = &scenario.ground else { panic!("{name} generates its ground") };
-        let level = relief.build().expect("a shipped relief");
-        let bank = Bank::new(name, vec![level], None).expect("one level");
-        let landscape = Arc::new(Landscape::new(bank, scenario.albedo));
-        let mut wishes = scenario.raster;
         if sweeps.is_some() {
-            (wishes.sweeps, wishes.lines) = (sweeps, None);
+            (scenario.raster.sweeps, scenario.raster.lines) = (sweeps, None);
         }
-        let settings = Settings::resolve(
-            &HardwareModel::ideal(),
-            scenario.field,
-            wishes,
-            scenario.range,
-            scenario.laws,
-            scenario.scalar,
-            scenario.display,
-        );
-        Self { landscape, settings: settings.expect("shipped settings"), scenario }
+        let settings = stage::settings(&scenario, &HardwareModel::ideal()).expect("shipped settings");
+        let stage = stage::build(&scenario, settings).unwrap_or_else(|e| panic!("{name}: {e}"));
+        Self { landscape: stage.landscape, settings: stage.settings, scenario }
     }
 
     /// Frames that the scenario has.
@@ -107,8 +95,8 @@ impl Shipped {
     /// # Panics
     /// If the path cannot be driven.
     pub fn pose(&self, frame: u64) -> PoseRow {
-        let update = self.settings.timebase.update;
-        let table = PoseTable::resolve(&self.scenario, &self.landscape, update, frame..frame + 1);
+        let (update, yoke) = (self.settings.timebase.update, self.settings.yoke);
+        let table = PoseTable::resolve(&self.scenario, &self.landscape, update, yoke, frame..frame + 1);
         table.unwrap_or_else(|e| panic!("{e}")).rows()[0]
     }
 
@@ -119,7 +107,7 @@ impl Shipped {
     pub fn draw(&self, generator: &dyn Generator, frame: u64, probe: &mut Probe) -> Shown {
         let stage = Stage {
             landscape: self.landscape.clone(),
-            scenery: Arc::new(Scenery::still(self.scenario.sun)),
+            scenery: Arc::new(Scenery::of(&self.scenario, &self.landscape).expect("a shipped scenery")),
             settings: self.settings.clone(),
         };
         let raster = self.settings.raster;

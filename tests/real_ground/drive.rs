@@ -2,17 +2,16 @@
 
 use std::env;
 use std::path::Path;
-use std::sync::Arc;
 
 use compare::{RidgeError, compare, horizon_of_picture, horizon_of_range, ridge_error, ridge_mask};
 use exact::Exact;
 use generator::{Generator, PlaneKind, Planes, Stage};
 use hardware_model::{HardwareModel, Settings};
-use landscape::{Georeference, Landscape};
+use landscape::Georeference;
 use machine::HybridMachine;
 use picture::{Depth, Encoder, GreyPicture, Transfer};
 use quantities::degrees;
-use scenario::{FieldOfView, Pose, PoseTable, RasterWishes, Scenario, Scenery};
+use scenario::{FieldOfView, Pose, PoseTable, RasterWishes, Scenario};
 use signal::Probe;
 use survey::{ReadOptions, SurveyOptions, SurveyReport, survey};
 
@@ -51,11 +50,10 @@ impl Drive {
         let found = survey(&elevation, options, &mut |_| {}).expect("ground that can be fitted");
         let scenario = Scenario::read(shared::scenario(&format!("{name}.toml"))).expect("a sound scenario");
         let settings = settings(&scenario);
-        let landscape = Arc::new(Landscape::new(found.bank, scenario.albedo));
-        let update = settings.timebase.update;
-        let poses = PoseTable::resolve(&scenario, &landscape, update, 0..scenario.frames(update))
+        let stage = stage::over(found.bank, &scenario, settings).unwrap_or_else(|e| panic!("{name}: {e}"));
+        let (update, yoke) = (stage.settings.timebase.update, stage.settings.yoke);
+        let poses = PoseTable::resolve(&scenario, &stage.landscape, update, yoke, 0..scenario.frames(update))
             .unwrap_or_else(|problems| panic!("{name}: {problems}"));
-        let stage = Stage { landscape, scenery: Arc::new(Scenery::still(scenario.sun)), settings };
         Self { name, report: found.report, poses, stage }
     }
 
@@ -137,8 +135,6 @@ fn settings(scenario: &Scenario) -> Settings {
 }
 
 fn resolve(scenario: &Scenario, field: FieldOfView, wishes: RasterWishes) -> Settings {
-    let Scenario { range, laws, scalar, display, .. } = *scenario;
-    let wishes = wishes.or(scenario.raster);
-    Settings::resolve(&HardwareModel::ideal(), field, wishes, range, laws, scalar, display)
-        .expect("a scenario that goes with the ideal machine")
+    let wished = Scenario { field, raster: wishes.or(scenario.raster), ..scenario.clone() };
+    stage::settings(&wished, &HardwareModel::ideal()).expect("a scenario that goes with the ideal machine")
 }

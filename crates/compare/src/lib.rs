@@ -2,6 +2,9 @@
 //!
 //! - [`compare`]: RMSE, PSNR, worst pixel, share of pixels beyond some grey levels, all outside a mask, and
 //!   [`ssim`] of the whole picture.
+//! - [`compare_linear`]: RMSE, PSNR, bias and largest error of linear intensity; [`linear_intensity`] recovers it from a
+//!   picture.
+//! - [`edge_mask`]: the pixels along ridges, outlines, shadow boundaries and kinks, with their share.
 //! - [`ridge_mask`]: the pixels along silhouettes, where a shift by a fraction of a line is a large step.
 //! - [`ridge_error`]: by how many lines the horizon lies elsewhere.
 //! - [`difference_picture`] and [`triptych`]: to look at.
@@ -18,11 +21,15 @@
 //! ```
 
 mod difference;
+mod edges;
+mod linear;
 mod metrics;
 mod ridges;
 mod ssim;
 
 pub use difference::{difference_picture, triptych};
+pub use edges::{EDGE_PLANES, EdgeLimits, EdgeMask, edge_mask};
+pub use linear::{LinearComparison, compare_linear, linear_intensity};
 pub use metrics::{Beyond, CompareError, Comparison, WorstPixel, compare};
 pub use ridges::{RidgeError, horizon_of_picture, horizon_of_range, ridge_error, ridge_mask};
 pub use ssim::ssim;

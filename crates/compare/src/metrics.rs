@@ -26,6 +26,12 @@ pub enum CompareError {
         /// Values needed.
         expected: usize,
     },
+    /// A frame lacks a plane.
+    #[error("there is no plane `{kind}`; ask the generator for it")]
+    MissingPlane {
+        /// Name of the plane.
+        kind: &'static str,
+    },
     /// Nothing is left to compare.
     #[error("the mask covers all {pixels} pixels, so there is nothing to compare")]
     AllMasked {
@@ -104,7 +110,7 @@ pub fn compare(
     levels: &[u32],
 ) -> Result<Comparison, CompareError> {
     same_size(test, reference)?;
-    let kept = kept_pixels(test, mask)?;
+    let kept = kept_pixels(test.codes().len(), mask)?;
     let scale = Scale::new(test.depth(), reference.depth());
     let steps: Vec<u64> = kept.iter().map(|at| scale.steps(test, reference, *at).unsigned_abs()).collect();
     let rmse = rmse(&steps, scale);
@@ -126,8 +132,8 @@ pub(crate) fn same_size(test: &GreyPicture, reference: &GreyPicture) -> Result<(
     if found == expected { Ok(()) } else { Err(CompareError::Size { found, expected }) }
 }
 
-fn kept_pixels(picture: &GreyPicture, mask: Option<&[bool]>) -> Result<Vec<usize>, CompareError> {
-    let pixels = picture.codes().len();
+/// Indices of the pixels that the mask leaves.
+pub(crate) fn kept_pixels(pixels: usize, mask: Option<&[bool]>) -> Result<Vec<usize>, CompareError> {
     let Some(mask) = mask else { return Ok((0..pixels).collect()) };
     if mask.len() != pixels {
         return Err(CompareError::Plane { what: "mask", found: mask.len(), expected: pixels });

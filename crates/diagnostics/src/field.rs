@@ -271,6 +271,16 @@ impl<'a> Reader<'a> {
         self.field(key, "an array of numbers", |node| elements(node, finite_number))
     }
 
+    /// Any number of pairs of finite numbers: `[[1, 2], [3, 4]]`.
+    pub fn f64_pairs(&self, key: &str) -> Field<'a, Vec<[f64; 2]>> {
+        self.field(key, "an array of pairs of numbers", |node| {
+            elements(node, |element| {
+                let pair = elements(element, finite_number)?;
+                <[f64; 2]>::try_from(pair).map_err(|_| Fault::of(element))
+            })
+        })
+    }
+
     /// Any number of whole numbers of 0 or more.
     pub fn u64_list(&self, key: &str) -> Field<'a, Vec<u64>> {
         self.field(key, "an array of whole numbers", |node| elements(node, whole_number))

@@ -1,29 +1,30 @@
-//! Polynomials of degree 10 on `[0, 1]` in Bernstein form, and the first place where one reaches zero.
+//! Polynomials on `[0, 1]` in Bernstein form, and the first place where one reaches zero.
 //!
 //! The value lies within the range of the coefficients, and the number of roots is at most the number of sign
-//! changes among them, of the same parity (Descartes): bounds that hold, where sampling would guess.
+//! changes among them, of the same parity (Descartes): bounds that hold, where sampling would guess. `[f64; N]` is
+//! a polynomial of degree `N - 1`: its coefficient k belongs to the place `k / (N - 1)`.
 
 /// Degree of terrain along a straight line: 5 in u and 5 in v.
 pub const DEGREE: usize = 10;
 
-/// Coefficients for the places `k / DEGREE`.
+/// Terrain along a straight line.
 pub type Coefficients = [f64; DEGREE + 1];
 
 /// Bisections before two roots that are still not apart count as a touch: 2^-50 of the interval.
-const DEPTH: u32 = 50;
+pub const DEPTH: u32 = 50;
 
 /// The first place in `[0, 1]` where the polynomial is 0 or above.
-pub fn first_reach(coefficients: &Coefficients) -> Option<f64> {
+pub fn first_reach<const N: usize>(coefficients: &[f64; N]) -> Option<f64> {
     search(coefficients, 0.0, 1.0, DEPTH)
 }
 
-fn search(c: &Coefficients, low: f64, width: f64, depth: u32) -> Option<f64> {
+fn search<const N: usize>(c: &[f64; N], low: f64, width: f64, depth: u32) -> Option<f64> {
     if c[0] >= 0.0 {
         return Some(low);
     }
     match sign_changes(c) {
         0 => None,
-        1 if c[DEGREE] > 0.0 => Some(low + width * only_root(c)),
+        1 if c[N - 1] > 0.0 => Some(low + width * only_root(c)),
         _ if depth == 0 => Some(low),
         _ => {
             let (left, right) = halves(c);
@@ -34,7 +35,7 @@ fn search(c: &Coefficients, low: f64, width: f64, depth: u32) -> Option<f64> {
 }
 
 /// Changes of sign, zeros passed over.
-fn sign_changes(c: &Coefficients) -> usize {
+fn sign_changes(c: &[f64]) -> usize {
     let mut positive = c[0] > 0.0;
     let mut changes = 0;
     for &value in &c[1..] {
@@ -47,10 +48,10 @@ fn sign_changes(c: &Coefficients) -> usize {
 }
 
 /// De Casteljau's cut in the middle.
-fn halves(c: &Coefficients) -> (Coefficients, Coefficients) {
+pub fn halves<const N: usize>(c: &[f64; N]) -> ([f64; N], [f64; N]) {
     let (mut left, mut right) = (*c, *c);
-    for level in 1..=DEGREE {
-        for k in 0..=DEGREE - level {
+    for level in 1..N {
+        for k in 0..N - level {
             right[k] = 0.5 * (right[k] + right[k + 1]);
         }
         left[level] = right[0];
@@ -58,20 +59,24 @@ fn halves(c: &Coefficients) -> (Coefficients, Coefficients) {
     (left, right)
 }
 
-/// The root of a polynomial that is below 0 at 0, above 0 at 1, and has one root between: Newton's steps, kept in
-/// their bracket by bisection.
-fn only_root(c: &Coefficients) -> f64 {
-    let rises = differences(c);
+/// The root of a polynomial that is below 0 at 0, above 0 at 1, and has one root between.
+fn only_root<const N: usize>(c: &[f64; N]) -> f64 {
+    bracketed_root(polygon_root(c), |at| [value(c, at), slope(c, at)])
+}
+
+/// The root between 0 and 1 of a function that is below 0 before it and above 0 behind it: Newton's steps from
+/// `start`, kept in their bracket by bisection. The function gives value and derivative.
+pub fn bracketed_root(start: f64, function: impl Fn(f64) -> [f64; 2]) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
-    let mut at = polygon_root(c);
+    let mut at = start;
     for _ in 0..64 {
-        let here = value(c, at);
+        let [here, slope] = function(at);
         if here < 0.0 {
             low = at
         } else {
             high = at
         }
-        let newton = at - here / (DEGREE as f64 * value(&rises, at));
+        let newton = at - here / slope;
         let next = if newton >= low && newton <= high { newton } else { 0.5 * (low + high) };
         if (next - at).abs() <= 1e-15 {
             return next;
@@ -82,30 +87,57 @@ fn only_root(c: &Coefficients) -> f64 {
 }
 
 /// Where the control polygon first rises through zero: near the root, and at it for a straight line.
-fn polygon_root(c: &Coefficients) -> f64 {
-    let k = c.iter().position(|&value| value >= 0.0).unwrap_or(DEGREE).max(1);
-    (k as f64 - c[k] / (c[k] - c[k - 1])) / DEGREE as f64
+fn polygon_root<const N: usize>(c: &[f64; N]) -> f64 {
+    let k = c.iter().position(|&value| value >= 0.0).unwrap_or(N - 1).max(1);
+    (k as f64 - c[k] / (c[k] - c[k - 1])) / (N - 1) as f64
 }
 
-fn differences(c: &Coefficients) -> [f64; DEGREE] {
-    std::array::from_fn(|k| c[k + 1] - c[k])
+/// Value at `x`.
+pub fn value<const N: usize>(c: &[f64; N], x: f64) -> f64 {
+    sum(N, x, |k| c[k])
 }
 
-/// Value at `x` of a polynomial of degree `N - 1`.
-fn value<const N: usize>(c: &[f64; N], x: f64) -> f64 {
-    let (rest, degree) = (1.0 - x, (N - 1) as f64);
-    let (mut power, mut binomial, mut sum) = (1.0, 1.0, c[0]);
-    for k in 1..N {
+/// Derivative at `x`.
+pub fn slope<const N: usize>(c: &[f64; N], x: f64) -> f64 {
+    (N - 1) as f64 * sum(N - 1, x, |k| c[k + 1] - c[k])
+}
+
+fn sum(terms: usize, x: f64, coefficient: impl Fn(usize) -> f64) -> f64 {
+    let (rest, degree) = (1.0 - x, (terms - 1) as f64);
+    let (mut power, mut binomial, mut sum) = (1.0, 1.0, coefficient(0));
+    for k in 1..terms {
         power *= x;
         binomial *= (degree - k as f64 + 1.0) / k as f64;
-        sum = sum * rest + power * binomial * c[k];
+        sum = sum * rest + power * binomial * coefficient(k);
     }
     sum
 }
 
+/// Product; `P` is `A + B - 1`.
+pub fn product<const A: usize, const B: usize, const P: usize>(a: &[f64; A], b: &[f64; B]) -> [f64; P] {
+    let [by_a, by_b, by_p] = [A, B, P].map(binomials);
+    let mut product = [0.0; P];
+    for i in 0..A {
+        for j in 0..B {
+            product[i + j] += by_a[i] * a[i] * by_b[j] * b[j];
+        }
+    }
+    std::array::from_fn(|k| product[k] / by_p[k])
+}
+
+/// Binomial coefficients of degree `terms - 1`, at most 15.
+fn binomials(terms: usize) -> [f64; 16] {
+    let mut row = [0.0; 16];
+    row[0] = 1.0;
+    for k in 1..terms {
+        row[k] = row[k - 1] * (terms - k) as f64 / k as f64;
+    }
+    row
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{Coefficients, DEGREE, first_reach, halves, value};
+    use super::{Coefficients, DEGREE, first_reach, halves, product, slope, value};
     use proptest::prelude::*;
 
     /// Coefficients of `scale * prod (x - roots)`, raised to degree 10 by factors of 1.
@@ -134,6 +166,17 @@ mod tests {
         let (left, right) = halves(&c);
         assert!((value(&left, 0.4) - value(&c, 0.2)).abs() < 1e-14);
         assert!((value(&right, 0.4) - value(&c, 0.7)).abs() < 1e-14);
+    }
+
+    #[test]
+    fn products_and_slopes() {
+        let (a, b) = ([1.0, -2.0, 0.5], [0.25, 3.0, -1.0, 2.0]);
+        let p: [f64; 6] = product(&a, &b);
+        for x in [0.0, 0.3, 0.8, 1.0] {
+            assert!((value(&p, x) - value(&a, x) * value(&b, x)).abs() < 1e-14);
+            let by_difference = (value(&p, x + 1e-6) - value(&p, x - 1e-6)) / 2e-6;
+            assert!((slope(&p, x) - by_difference).abs() < 1e-8);
+        }
     }
 
     #[test]

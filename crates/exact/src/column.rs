@@ -1,9 +1,11 @@
 //! One column of the picture: a ray or an adaptive mean for every line, from the bottom upwards.
 
-use landscape::{Landscape, Sun};
 use scenario::PixelRule;
 
-use crate::{Outlook, Sight, Spot, View};
+use crate::ground::Scratch;
+use crate::scene::Scene;
+use crate::seen::Seen;
+use crate::standing::Stand;
 
 /// Step of reflectivity at which the quadrature of a line stops: the last difference between Simpson's rule and
 /// the trapezoid in a part of the line, times the part's share of it. An edge inside a line is followed until the
@@ -17,26 +19,23 @@ pub const RIDGE_SHARE: f64 = 1.0 / 32.0;
 /// The smallest part that is looked into, as a share of a line.
 const FINEST_SHARE: f64 = 1.0 / 8192.0;
 
+/// Share of a line on either side of an edge of a body that is left to the other side.
+const EDGE: f64 = 1e-7;
+
 /// What one pixel holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pixel {
     /// Reflectivity under the pixel rule, 0 in the sky.
     pub intensity: f64,
-    /// Ground range at the centre (m), infinite in the sky.
-    pub range: f64,
+    /// What is seen at its centre.
+    pub seen: Seen,
 }
 
 /// What all columns of a frame share.
 #[derive(Debug, Clone, Copy)]
 pub struct Frame<'a> {
-    /// The ground around the eye.
-    pub outlook: &'a Outlook<'a>,
-    /// From view-plane to rays.
-    pub view: &'a View,
-    /// Slopes and albedo.
-    pub landscape: &'a Landscape,
-    /// The light.
-    pub sun: &'a Sun,
+    /// What there is to see.
+    pub scene: &'a Scene<'a>,
     /// Half the height of the view-plane.
     pub half_height: f64,
     /// Lines of the picture.
@@ -48,6 +47,10 @@ pub struct Frame<'a> {
 pub struct Column<'a> {
     frame: Frame<'a>,
     x: f64,
+    bodies: Vec<&'a Stand<'a>>,
+    /// Edges of bodies (y), the lowest on the screen first.
+    cuts: Vec<f64>,
+    scratch: Scratch,
     rays: u64,
 }
 
@@ -55,16 +58,20 @@ pub struct Column<'a> {
 #[derive(Debug, Clone, Copy)]
 struct Sample {
     y: f64,
-    intensity: f64,
-    range: f64,
+    seen: Seen,
     /// Up to here every higher ray of the column is above the ground (m).
     clear: f64,
 }
 
 impl<'a> Column<'a> {
-    /// The column at `x` on the view-plane, positive right.
+    /// The column at `x` on the screen, positive right.
     pub fn new(frame: Frame<'a>, x: f64) -> Self {
-        Self { frame, x, rays: 0 }
+        let bodies = frame.scene.standing().column(x);
+        let mut cuts = Vec::new();
+        bodies.iter().for_each(|body| body.edges(x, &mut cuts));
+        cuts.sort_unstable_by(|a, b| b.total_cmp(a));
+        cuts.dedup_by(|a, b| (*a - *b).abs() < 4.0 * EDGE * line_height(&frame));
+        Self { frame, x, bodies, cuts, scratch: Scratch::default(), rays: 0 }
     }
 
     /// All pixels, top line first, and the rays that they took.
@@ -79,71 +86,78 @@ impl<'a> Column<'a> {
 
     fn centres(&mut self) -> Vec<Pixel> {
         let lines = self.frame.lines;
-        let mut clear = self.frame.outlook.near();
+        let mut clear = self.frame.scene.near();
         let pixel = |line: usize| {
             let sample = self.sample(self.y(line as f64 + 0.5), clear);
             clear = sample.clear;
-            Pixel { intensity: sample.intensity, range: sample.range }
+            Pixel { intensity: sample.seen.intensity, seen: sample.seen }
         };
         (0..lines).rev().map(pixel).collect()
     }
 
     fn means(&mut self) -> Vec<Pixel> {
         let lines = self.frame.lines;
-        let mut bottom = self.sample(self.y(lines as f64), self.frame.outlook.near());
+        let mut bottom = self.sample(self.y(lines as f64), self.frame.scene.near());
         let pixel = |line: usize| {
             let centre = self.sample(self.y(line as f64 + 0.5), bottom.clear);
             let top = self.sample(self.y(line as f64), centre.clear);
-            let intensity = self.integral(&bottom, &centre, 0.5) + self.integral(&centre, &top, 0.5);
+            let intensity = self.half(&bottom, &centre) + self.half(&centre, &top);
             bottom = top;
-            Pixel { intensity, range: centre.range }
+            Pixel { intensity, seen: centre.seen }
         };
         (0..lines).rev().map(pixel).collect()
     }
 
-    /// Place on the view-plane, positive down, of a place counted in lines from the top.
+    /// Place on the screen, positive down, of a place counted in lines from the top.
     fn y(&self, lines: f64) -> f64 {
         self.frame.half_height * (2.0 * lines / self.frame.lines as f64 - 1.0)
+    }
+
+    /// Integral over half a line, part by part between edges of bodies.
+    fn half(&mut self, low: &Sample, high: &Sample) -> f64 {
+        let first = self.cuts.partition_point(|&cut| cut >= low.y);
+        let count = self.cuts[first..].partition_point(|&cut| cut > high.y);
+        if count == 0 {
+            return self.integral(low, high, 0.5);
+        }
+        let line = line_height(&self.frame);
+        let (mut from, mut sum) = (*low, 0.0);
+        for index in first..first + count {
+            let cut = self.cuts[index];
+            let before = self.sample((cut + EDGE * line).min(low.y), from.clear);
+            sum += self.integral(&from, &before, (from.y - before.y) / line);
+            from = self.sample((cut - EDGE * line).max(high.y), before.clear);
+        }
+        sum + self.integral(&from, high, (from.y - high.y) / line)
     }
 
     /// Adaptive Simpson's rule over a part of a line that covers `share` of it.
     fn integral(&mut self, low: &Sample, high: &Sample, share: f64) -> f64 {
         let middle = self.sample(0.5 * (low.y + high.y), low.clear);
         if share <= FINEST_SHARE || settled(low, &middle, high, share) {
-            return share * (low.intensity + 4.0 * middle.intensity + high.intensity) / 6.0;
+            let intensities = low.seen.intensity + 4.0 * middle.seen.intensity + high.seen.intensity;
+            return share * intensities / 6.0;
         }
         let half = 0.5 * share;
         self.integral(low, &middle, half) + self.integral(&middle, high, half)
     }
 
     fn sample(&mut self, y: f64, clear: f64) -> Sample {
-        let Frame { outlook, view, .. } = self.frame;
         self.rays += 1;
-        let sight = outlook.look_from(&view.ray(self.x, y), clear);
-        let (intensity, range, met) = match sight {
-            Sight::Ground(spot) => (self.shade(&spot), spot.range, spot.range),
-            Sight::Sky => (0.0, f64::INFINITY, f64::INFINITY),
-            Sight::TooNear => (0.0, f64::INFINITY, outlook.near()),
-        };
-        // Under pitch a column's rays have different azimuths: one says nothing about the next.
-        let clear = if view.columns_are_vertical() { met } else { outlook.near() };
-        Sample { y, intensity, range, clear }
+        let (seen, clear) = self.frame.scene.look([self.x, y], &self.bodies, clear, &mut self.scratch);
+        Sample { y, seen, clear }
     }
+}
 
-    fn shade(&self, spot: &Spot) -> f64 {
-        let Frame { landscape, sun, .. } = self.frame;
-        let level = landscape.level();
-        let [_, hu, hv] = level.height_and_slopes(spot.region, spot.local);
-        let slopes = [hu / level.region_size(), hv / level.region_size()];
-        landscape.albedo() * sun.reflectivity(slopes)
-    }
+fn line_height(frame: &Frame) -> f64 {
+    2.0 * frame.half_height / frame.lines as f64
 }
 
 /// Whether shade is as good as known between three samples, and ranges do not betray a ridge.
 fn settled(low: &Sample, middle: &Sample, high: &Sample, share: f64) -> bool {
     let bend = |value: fn(&Sample) -> f64| (value(low) - 2.0 * value(middle) + value(high)).abs();
     // Over level ground the inverse range is linear in y.
-    let nearness = |sample: &Sample| 1.0 / sample.range;
+    let nearness = |sample: &Sample| 1.0 / sample.seen.range;
     let ridge = bend(nearness) > 0.5 * (nearness(low) - nearness(high)).abs();
-    bend(|sample| sample.intensity) * share / 6.0 <= LINE_MEAN_TOLERANCE && !(ridge && share > RIDGE_SHARE)
+    bend(|sample| sample.seen.intensity) * share / 6.0 <= LINE_MEAN_TOLERANCE && !(ridge && share > RIDGE_SHARE)
 }

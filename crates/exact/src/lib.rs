@@ -59,14 +59,30 @@
 //! against marching along its ray.
 
 mod bernstein;
+mod buckets;
+mod ceilings;
 mod column;
+mod craters;
+mod ground;
+mod light;
+mod line;
 mod outlook;
 mod patch;
+mod profile;
+mod relief;
+mod rings;
+mod scene;
+mod seen;
 mod session;
+mod shadow;
+mod standing;
 mod view;
 mod walk;
 
+pub use ceilings::Ceilings;
 pub use column::{LINE_MEAN_TOLERANCE, RIDGE_SHARE};
-pub use outlook::{Ceilings, Outlook, Ray, Sight, Spot};
+pub use outlook::{Outlook, Ray, Sight, Spot};
 pub use session::Exact;
+pub use shadow::LIFT;
+pub use standing::FOOT_TOLERANCE;
 pub use view::View;

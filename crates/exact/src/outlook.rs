@@ -1,12 +1,12 @@
 //! The ground as one eye sees it: the first place where a ray meets it.
 
-use landscape::{Level, parabolic_drop};
-use rayon::prelude::*;
-use scenario::Curvature;
+use landscape::{Landscape, parabolic_drop};
+use scenario::{Curvature, LevelSwitch};
 
-use crate::bernstein::{Coefficients, DEGREE, first_reach};
-use crate::patch::{Patch, UpperPlane};
-use crate::walk::{Stretch, Walk};
+use crate::ceilings::Ceilings;
+use crate::ground::{Ground, Met, Scratch, Zone};
+use crate::line::Line;
+use crate::relief::Blend;
 
 /// A line of sight: where it goes over the ground, and how it rises.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,62 +33,58 @@ pub enum Sight {
 pub struct Spot {
     /// Ground range (m).
     pub range: f64,
-    /// Region, north and east.
-    pub region: [usize; 2],
-    /// Place in the region (u, v).
-    pub local: [f64; 2],
-}
-
-/// A plane above each region of a level: what a ray stays above of needs no root finding.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Ceilings {
-    planes: Vec<UpperPlane>,
-    columns: usize,
-    highest: f64,
-}
-
-impl Ceilings {
-    /// Planes of every region of `level`; uses the threads of the current rayon pool.
-    pub fn new(level: &Level) -> Self {
-        let [rows, columns] = level.corners().map(|corners| corners - 1);
-        let plane = |index: usize| Patch::new(level, [index / columns, index % columns]).upper_plane();
-        let planes: Vec<UpperPlane> = (0..rows * columns).into_par_iter().map(plane).collect();
-        let highest = planes.iter().map(UpperPlane::highest).fold(f64::NEG_INFINITY, f64::max);
-        Self { planes, columns, highest }
-    }
-
-    fn over(&self, [north, east]: [usize; 2]) -> &UpperPlane {
-        &self.planes[north * self.columns + east]
-    }
+    /// North, east (m).
+    pub place: [f64; 2],
+    /// Height of the terrain without craters (m).
+    pub height: f64,
+    /// Its slopes to the north and east.
+    pub slopes: [f64; 2],
 }
 
 /// The ground around one eye.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Copy)]
 pub struct Outlook<'a> {
-    level: &'a Level,
-    ceilings: &'a Ceilings,
-    origin: [f64; 2],
-    height: f64,
+    ground: Ground<'a>,
+    eye: [f64; 3],
     bend: f64,
     near: f64,
     far: f64,
+    switch: Option<LevelSwitch>,
 }
 
 impl<'a> Outlook<'a> {
-    /// The ground of `level` from `eye` (north, east, height; m), between the ranges `near` and `far` (m).
+    /// The ground of `landscape` from `eye` (north, east, height; m), between the ranges `near` and `far` (m): its
+    /// finest level, and behind `switch` the next.
     pub fn new(
-        level: &'a Level,
+        landscape: &'a Landscape,
         ceilings: &'a Ceilings,
         eye: [f64; 3],
         curvature: Curvature,
         [near, far]: [f64; 2],
+        switch: Option<LevelSwitch>,
     ) -> Self {
         let bend = match curvature {
             Curvature::None => 0.0,
             Curvature::Parabolic => parabolic_drop(1.0),
         };
-        let origin = level.in_regions(eye[0], eye[1]);
-        Self { level, ceilings, origin, height: eye[2], bend, near, far }
+        let ground = Ground::new(landscape, ceilings);
+        let switch = switch.filter(|_| ground.levels() > 1);
+        Self { ground, eye, bend, near, far, switch }
+    }
+
+    /// The ground.
+    pub fn ground(&self) -> &Ground<'a> {
+        &self.ground
+    }
+
+    /// The eye: north, east, height (m).
+    pub fn eye(&self) -> [f64; 3] {
+        self.eye
+    }
+
+    /// How far the lunoid has dropped at a range (m); 0 where it is flat.
+    pub fn drop(&self, range: f64) -> f64 {
+        self.bend * range * range
     }
 
     /// Where ground begins to be seen (m).
@@ -98,63 +94,58 @@ impl<'a> Outlook<'a> {
 
     /// What `ray` meets first.
     pub fn look(&self, ray: &Ray) -> Sight {
-        self.look_from(ray, self.near)
+        self.look_from(ray, self.near, &mut Scratch::default())
     }
 
     /// The same, if it is known that the ray is above the ground up to the range `from` (m).
-    pub fn look_from(&self, ray: &Ray, from: f64) -> Sight {
-        let step = ray.direction.map(|direction| direction / self.level.region_size());
-        let Some(walk) = Walk::new(self.level, self.origin, step, from, self.far) else {
-            return Sight::Sky;
-        };
-        for stretch in walk {
-            if self.is_above_everything(ray, stretch.from) {
-                return Sight::Sky;
-            }
-            let ends = [stretch.from, stretch.to].map(|range| self.local(stretch.region, step, range));
-            if self.stays_above(ray, &stretch, ends) {
-                continue;
-            }
-            let above = self.ground_above_ray(ray, &stretch, ends);
-            if stretch.from == self.near && above[0] > 0.0 {
-                return Sight::TooNear;
-            }
-            if let Some(share) = first_reach(&above) {
-                let range = stretch.from + share * (stretch.to - stretch.from);
-                let local = self.local(stretch.region, step, range);
-                return Sight::Ground(Spot { range, region: stretch.region, local });
-            }
+    pub fn look_from(&self, ray: &Ray, from: f64, scratch: &mut Scratch) -> Sight {
+        let line = self.line(ray);
+        let Some(met) = self.meet(&line, [from, self.far], scratch) else { return Sight::Sky };
+        let spot = self.spot(&line, &met);
+        if met.range == self.near && self.height(&spot) > line.lowest(met.range, met.range) {
+            return Sight::TooNear;
         }
-        Sight::Sky
+        Sight::Ground(spot)
     }
 
-    fn local(&self, region: [usize; 2], step: [f64; 2], range: f64) -> [f64; 2] {
-        std::array::from_fn(|axis| self.origin[axis] + range * step[axis] - region[axis] as f64)
+    /// Whether ground hides what lies on `ray` at the range `to` (m).
+    pub fn hides(&self, ray: &Ray, to: f64, scratch: &mut Scratch) -> bool {
+        self.meet(&self.line(ray), [self.near, to.min(self.far)], scratch).is_some()
     }
 
-    /// Whether a rising ray has passed the height of the highest ground: it meets nothing more.
-    fn is_above_everything(&self, ray: &Ray, range: f64) -> bool {
-        ray.rise >= 0.0 && self.height + (self.bend * range + ray.rise) * range > self.ceilings.highest
+    /// Height of terrain and craters (m).
+    pub fn height(&self, spot: &Spot) -> f64 {
+        spot.height + self.ground.craters_at(spot.place).height
     }
 
-    /// Whether the ray passes above the region's ceiling; curvature is taken at its least.
-    fn stays_above(&self, ray: &Ray, stretch: &Stretch, ends: [[f64; 2]; 2]) -> bool {
-        let ceiling = self.ceilings.over(stretch.region);
-        let floor = self.height + self.bend * stretch.from * stretch.from;
-        ceiling.height(ends[0]) < floor + ray.rise * stretch.from
-            && ceiling.height(ends[1]) < floor + ray.rise * stretch.to
+    fn line(&self, ray: &Ray) -> Line {
+        let [x, y, height] = self.eye;
+        Line { origin: [x, y], direction: ray.direction, height, rise: ray.rise, bend: self.bend }
     }
 
-    /// `G(s) = h(s) - s^2 / 2R - H - t s` over the stretch (m): positive where the ray is under the ground.
-    fn ground_above_ray(&self, ray: &Ray, stretch: &Stretch, ends: [[f64; 2]; 2]) -> Coefficients {
-        let heights = Patch::new(self.level, stretch.region).along(ends[0], ends[1]);
-        let (start, length, n) = (stretch.from, stretch.to - stretch.from, DEGREE as f64);
-        std::array::from_fn(|index| {
-            let k = index as f64;
-            let range = start + length * k / n;
-            let square =
-                start * start + length * (2.0 * start * k / n + length * k * (k - 1.0) / (n * (n - 1.0)));
-            heights[index] - self.height - self.bend * square - ray.rise * range
-        })
+    fn spot(&self, line: &Line, met: &Met) -> Spot {
+        let [height, north, east] = met.relief.at(met.range);
+        Spot { range: met.range, place: line.place(met.range), height, slopes: [north, east] }
+    }
+
+    fn meet(&self, line: &Line, ends: [f64; 2], scratch: &mut Scratch) -> Option<Met<'a>> {
+        let Some(switch) = self.switch else {
+            return self.ground.meet(line, &Zone { level: 0, into: None, ends }, scratch);
+        };
+        let zones = self.zones(line, switch, ends);
+        zones.iter().find_map(|zone| self.ground.meet(line, zone, scratch))
+    }
+
+    /// Fine, fading and coarse ground. Where the fine level ends before the switch the coarse one begins there.
+    fn zones(&self, line: &Line, switch: LevelSwitch, [from, to]: [f64; 2]) -> [Zone; 3] {
+        let end = switch.range.min(self.ground.track(0, line).inside()[1]);
+        let blend = Blend { from: switch.range - switch.blend, length: switch.blend };
+        let fade = if switch.blend > 0.0 { blend.from.min(end) } else { end };
+        let zone = |level, into, low: f64, high: f64| Zone { level, into, ends: [low.max(from), high.min(to)] };
+        [
+            zone(0, None, f64::NEG_INFINITY, fade),
+            zone(0, Some((1, blend)), fade, end),
+            zone(1, None, end, f64::INFINITY),
+        ]
     }
 }

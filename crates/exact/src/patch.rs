@@ -9,6 +9,7 @@ use landscape::{CornerWords, Level};
 use crate::bernstein::{Coefficients, DEGREE};
 
 /// Control heights `[i][j]` (m), i to the north, j to the east.
+#[derive(Debug, Clone)]
 pub struct Patch([[f64; 6]; 6]);
 
 /// A plane that the ground of a region nowhere rises above: `c + u * north + v * east` (m; u, v in regions).
@@ -97,7 +98,7 @@ fn place(controls: &mut [[f64; 6]; 6], words: &CornerWords, i: usize, j: usize) 
 
 /// `[k][i]`: weight of control i of a quintic on `[0, 1]` in control k of the same quintic on `[a, b]`, which is
 /// the coefficient of `x^i` in `(1 - a + a x)^(5-k) (1 - b + b x)^k` (blossom).
-fn restriction(a: f64, b: f64) -> [[f64; 6]; 6] {
+pub fn restriction(a: f64, b: f64) -> [[f64; 6]; 6] {
     let mut rows = [[0.0; 6]; 6];
     rows[0][0] = 1.0;
     for degree in 0..5 {

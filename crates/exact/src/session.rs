@@ -5,13 +5,14 @@ use generator::{
     Session as GeneratorSession, Stage,
 };
 use landscape::Landscape;
-use quantities::degrees;
+use quantities::{degrees, sin_cos};
 use rayon::prelude::*;
 use scenario::Pose;
 use signal::{Probe, Signal};
 
 use crate::column::{Column, Frame, Pixel};
-use crate::{Ceilings, Outlook, View};
+use crate::scene::Scene;
+use crate::{Ceilings, Outlook};
 
 /// |pitch| + half the vertical field of view stays below this (deg): nadir and zenith lie outside the picture.
 const PITCH_LIMIT_DEG: f64 = 80.0;
@@ -30,7 +31,7 @@ impl Generator for Exact {
     }
 
     fn prepare(&self, stage: Stage) -> Result<Box<dyn GeneratorSession>, PrepareError> {
-        let ceilings = Ceilings::new(stage.landscape.level());
+        let ceilings = Ceilings::new(&stage.landscape);
         Ok(Box::new(Session { stage, ceilings }))
     }
 }
@@ -51,10 +52,13 @@ impl GeneratorSession for Session {
     ) -> Result<FrameCounts, FrameError> {
         check_eye(&self.stage.landscape, frame, pose)?;
         self.check_pitch(frame, pose)?;
-        let (columns, rays): (Vec<_>, Vec<u64>) = self.columns(pose, planes).into_iter().unzip();
-        fill(planes, PlaneKind::Intensity, &columns, |pixel| pixel.intensity);
-        fill(planes, PlaneKind::Range, &columns, |pixel| pixel.range);
-        Ok(FrameCounts { samples: rays.into_iter().sum(), ..FrameCounts::default() })
+        let scene = self.scene(pose);
+        let (columns, rays): (Vec<_>, Vec<u64>) = self.columns(&scene, planes).into_iter().unzip();
+        for kind in PlaneKind::ALL {
+            fill(planes, kind, &columns);
+        }
+        let (samples, bodies) = (rays.into_iter().sum(), scene.standing().len() as u64);
+        Ok(FrameCounts { samples, bodies, ..FrameCounts::default() })
     }
 
     fn omissions(&self) -> Vec<Omission> {
@@ -63,27 +67,33 @@ impl GeneratorSession for Session {
 }
 
 impl Session {
-    /// Pixels of each column from left to right, top line first, and the rays that they took.
-    fn columns(&self, pose: &Pose, planes: &Planes) -> Vec<(Vec<Pixel>, u64)> {
+    fn scene(&self, pose: &Pose) -> Scene<'_> {
         let Stage { landscape, scenery, settings } = &self.stage;
-        let sun = &scenery.sun(pose.time);
-        let (laws, field) = (settings.laws, settings.raster.field);
         let first = settings.range.at_sample(0, settings.raster.samples as usize);
-        let ranges = [first, settings.range.end];
-        let outlook = &Outlook::new(landscape.level(), &self.ceilings, pose.eye, laws.curvature, ranges);
-        let view = &View::new(laws.projection, &pose.attitude);
-        let half_height = field.tan_half_height;
-        let frame = Frame { outlook, view, landscape, sun, half_height, lines: planes.lines() };
+        let (ranges, laws) = ([first, settings.range.end], settings.laws);
+        let outlook =
+            Outlook::new(landscape, &self.ceilings, pose.eye, laws.curvature, ranges, settings.levels);
+        Scene::new(landscape, scenery, outlook, laws, settings.shadows, pose)
+    }
+
+    /// Pixels of each column from left to right, top line first, and the rays that they took.
+    fn columns(&self, scene: &Scene, planes: &Planes) -> Vec<(Vec<Pixel>, u64)> {
+        let (field, rule) = (self.stage.settings.raster.field, self.stage.settings.laws.pixel_rule);
+        let frame = Frame { scene, half_height: field.tan_half_height, lines: planes.lines() };
         let count = planes.columns() as f64;
         let draw = |column: usize| {
             let x = field.tan_half_width * (2.0 * column as f64 + 1.0 - count) / count;
-            Column::new(frame, x).draw(laws.pixel_rule)
+            Column::new(frame, x).draw(rule)
         };
         (0..planes.columns()).into_par_iter().map(draw).collect()
     }
 
+    /// The corners of a turned screen look farther up and down than its edges.
     fn check_pitch(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {
-        let half_field = degrees(libm::atan(self.stage.settings.raster.field.tan_half_height));
+        let field = self.stage.settings.raster.field;
+        let (sin, cos) = sin_cos(pose.yoke);
+        let highest = field.tan_half_height * cos.abs() + field.tan_half_width * sin.abs();
+        let half_field = degrees(libm::atan(highest));
         let pitch_deg = degrees(pose.attitude.pitch);
         match pitch_deg.abs() + half_field < PITCH_LIMIT_DEG {
             true => Ok(()),
@@ -92,17 +102,24 @@ impl Session {
     }
 }
 
+/// The eye stands over the finest level: sight begins there.
 fn check_eye(landscape: &Landscape, frame: u64, pose: &Pose) -> Result<(), FrameError> {
     let [x, y, height] = pose.eye;
-    let ground = landscape.height(x, y).ok_or(FrameError::OutsideProblemArea { frame, x, y })?;
+    let inside = landscape.level().locate(x, y).is_some();
+    let ground = landscape.height(x, y).filter(|_| inside);
+    let ground = ground.ok_or(FrameError::OutsideProblemArea { frame, x, y })?;
     match height > ground {
         true => Ok(()),
         false => Err(FrameError::EyeUnderGround { frame, below: ground - height }),
     }
 }
 
-fn fill(planes: &mut Planes, kind: PlaneKind, columns: &[Vec<Pixel>], value: fn(&Pixel) -> f64) {
+fn fill(planes: &mut Planes, kind: PlaneKind, columns: &[Vec<Pixel>]) {
     let Some(values) = planes.get_mut(kind) else { return };
+    let value = |pixel: &Pixel| match kind {
+        PlaneKind::Intensity => pixel.intensity,
+        _ => pixel.seen.value(kind),
+    };
     for (line, row) in values.chunks_mut(columns.len().max(1)).enumerate() {
         for (target, column) in row.iter_mut().zip(columns) {
             *target = value(&column[line]) as f32;

@@ -1,31 +1,56 @@
 //! From a place on the view-plane to the ray that a projection law gives it (section 15.3).
 
 use landscape::Attitude;
+use glam::DVec3;
 use quantities::sin_cos;
 use scenario::Projection;
 
 use crate::Ray;
 
-/// View-plane at distance 1 ahead of an eye; the yoke is upright, roll is left out.
+/// View-plane at distance 1 ahead of an eye, and the screen that the yoke turns against it. Roll is the yoke's: the
+/// view-plane itself stays level across.
+///
+/// With the yoke at an angle the screen's (x, y) shows the view-plane's `(x cos - y sin, x sin + y cos)`: what an
+/// ideal camera rolled by that angle has there (`Psi` of section 12). Starboard down, the right of the screen looks
+/// lower, and the picture has turned counter-clockwise.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct View {
     projection: Projection,
     pitch: (f64, f64),
     heading: (f64, f64),
+    yoke: (f64, f64),
 }
 
 impl View {
-    /// The view of a vehicle under a law.
+    /// The view of a vehicle under a law, the yoke upright.
     pub fn new(projection: Projection, attitude: &Attitude) -> Self {
-        Self { projection, pitch: sin_cos(attitude.pitch), heading: sin_cos(attitude.heading) }
+        let (pitch, heading) = (sin_cos(attitude.pitch), sin_cos(attitude.heading));
+        Self { projection, pitch, heading, yoke: (0.0, 1.0) }
     }
 
-    /// The ray through `x` (right) and `y` (down), both over the distance of the view-plane.
+    /// The same with the yoke at an angle (rad), positive for starboard down.
+    pub fn with_yoke(self, angle: f64) -> Self {
+        Self { yoke: sin_cos(angle), ..self }
+    }
+
+    /// Place on the view-plane of a place on the screen.
+    pub fn unturned(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let (sin, cos) = self.yoke;
+        if self.is_upright() { [x, y] } else { [x * cos - y * sin, x * sin + y * cos] }
+    }
+
+    fn is_upright(&self) -> bool {
+        self.yoke == (0.0, 1.0)
+    }
+
+    /// The ray under the projection law through a place on the screen: `x` (right) and `y` (down), both over the
+    /// distance of the view-plane.
     ///
     /// - `Exact`: `(1, x, y)` turned by the pitch.
     /// - `AsReported`: `eta = theta - atan y` at the azimuth of x.
     /// - `Corrected`: `tan eta = -y cos beta`.
     pub fn ray(&self, x: f64, y: f64) -> Ray {
+        let [x, y] = self.unturned([x, y]);
         let (sin, cos) = self.pitch;
         match self.projection {
             Projection::Exact => {
@@ -42,9 +67,28 @@ impl View {
         }
     }
 
-    /// Whether all rays of a column have one azimuth.
+    /// Direction of the true perspective, whatever the law: north, east, up; 1 over the ground where it is not
+    /// straight up or down.
+    pub fn perspective(&self, x: f64, y: f64) -> DVec3 {
+        let [x, y] = self.unturned([x, y]);
+        let (sin, cos) = self.pitch;
+        let ([north, east], length) = self.turn(cos + y * sin, x);
+        DVec3::new(north, east, (sin - y * cos) / length)
+    }
+
+    /// Place on the screen, in true perspective, of what lies `to` (north, east, up; m) from the eye; `None` if it
+    /// lies less than `near` (m) ahead.
+    pub fn project(&self, to: DVec3, near: f64) -> Option<[f64; 2]> {
+        let ((sin_p, cos_p), (sin_h, cos_h), (sin, cos)) = (self.pitch, self.heading, self.yoke);
+        let (forward, right) = (to.x * cos_h + to.y * sin_h, to.y * cos_h - to.x * sin_h);
+        let ahead = forward * cos_p + to.z * sin_p;
+        let [x, y] = [right / ahead, (forward * sin_p - to.z * cos_p) / ahead];
+        (ahead >= near).then_some([x * cos + y * sin, y * cos - x * sin])
+    }
+
+    /// Whether all rays of a column have one azimuth, and rise from its bottom to its top.
     pub fn columns_are_vertical(&self) -> bool {
-        self.projection != Projection::Exact || self.pitch.0 == 0.0
+        self.is_upright() && (self.projection != Projection::Exact || self.pitch.0 == 0.0)
     }
 
     /// Unit vector north and east of the vehicle's (forward, starboard), and their length.
@@ -59,6 +103,7 @@ impl View {
 #[cfg(test)]
 mod tests {
     use super::View;
+    use glam::DVec3;
     use landscape::Attitude;
     use quantities::{degrees, radians};
     use scenario::Projection;
@@ -117,6 +162,29 @@ mod tests {
         let w = cos * cos_b + sin * ray.rise;
         assert!((sin_b / w - at[0]).abs() < 1e-15);
         assert!(((sin * cos_b - cos * ray.rise) / w - at[1]).abs() < 1e-15);
+    }
+
+    /// The picture of a camera that truly rolls is what the yoke makes of the level one's.
+    #[test]
+    fn the_yoke_is_a_rolled_camera() {
+        for (roll, pitch, heading) in [(10.0, 0.0, 0.0), (-25.0, -8.0, 130.0), (40.0, 12.0, 250.0)] {
+            let attitude =
+                Attitude { roll: radians(roll), pitch: radians(pitch), heading: radians(heading) };
+            let view = View::new(Projection::Exact, &attitude).with_yoke(attitude.roll);
+            for at in [[0.0, 0.0], [0.4, 0.1], [-0.3, 0.25], [0.2, -0.2]] {
+                let [u, v, w] = (attitude.to_terrain() * DVec3::new(1.0, at[0], at[1])).to_array();
+                let (ray, length) = (view.ray(at[0], at[1]), libm::hypot(u, v));
+                let expected = [u / length, v / length, -w / length];
+                let found = [ray.direction[0], ray.direction[1], ray.rise];
+                let drawn = view.perspective(at[0], at[1]).to_array();
+                let back = view.project(DVec3::new(u, v, -w) * 7.0, 0.1).unwrap();
+                for k in 0..3 {
+                    assert!((found[k] - expected[k]).abs() < 1e-14, "{roll}: {found:?}, not {expected:?}");
+                    assert!((drawn[k] - expected[k]).abs() < 1e-14, "{roll}: {drawn:?}, not {expected:?}");
+                }
+                assert!((0..2).all(|axis| (back[axis] - at[axis]).abs() < 1e-14), "{back:?}, not {at:?}");
+            }
+        }
     }
 
     #[test]

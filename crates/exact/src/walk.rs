@@ -1,6 +1,4 @@
-//! The regions that a straight line over the ground passes, in order.
-
-use landscape::Level;
+//! The regions that a straight line over a grid passes, in order.
 
 /// A part of the line inside one region.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -12,6 +10,9 @@ pub struct Stretch {
     /// Ground range of its end (m), beyond `from`.
     pub to: f64,
 }
+
+/// How far outside the grid a place may lie by rounding (regions).
+const ROUNDING: f64 = 1e-9;
 
 /// Stretches of `origin + s * step` (in regions) for s from `from` up to `end`, or up to the edge of the area.
 ///
@@ -29,13 +30,20 @@ pub struct Walk {
 }
 
 impl Walk {
-    /// A walk; `None` if it begins outside the stored area.
-    pub fn new(level: &Level, origin: [f64; 2], step: [f64; 2], from: f64, end: f64) -> Option<Self> {
-        let regions = level.corners().map(|corners| corners as i64 - 1);
+    /// A walk over a grid of `regions` north by east; `None` if it begins outside.
+    pub fn new(
+        regions: [usize; 2],
+        origin: [f64; 2],
+        step: [f64; 2],
+        from: f64,
+        end: f64,
+    ) -> Option<Self> {
+        let regions = regions.map(|count| count as i64);
         let mut region = [0; 2];
         for axis in 0..2 {
             let at = origin[axis] + from * step[axis];
-            if !(at >= 0.0 && at <= regions[axis] as f64) {
+            // A line that comes in from outside begins on the edge, but for the rounding of its crossing.
+            if !(at >= -ROUNDING && at <= regions[axis] as f64 + ROUNDING) {
                 return None;
             }
             region[axis] = (at as i64).min(regions[axis] - 1);
@@ -51,6 +59,45 @@ impl Walk {
             return f64::INFINITY;
         }
         let boundary = self.region[axis] + i64::from(step > 0.0);
+        (boundary as f64 - self.origin[axis]) * self.metres[axis]
+    }
+
+    /// Range at which the line leaves the square block of `size` regions in which it is; `None` once it is outside.
+    pub fn block_end(&self, size: i64) -> Option<f64> {
+        let crossings = [0, 1].map(|axis| self.block_crossing(axis, size));
+        self.stored().then(|| crossings[0].min(crossings[1]).min(self.end))
+    }
+
+    /// Goes to where the line leaves that block.
+    pub fn leave_block(&mut self, size: i64) {
+        let crossings = [0, 1].map(|axis| self.block_crossing(axis, size));
+        let axis = usize::from(crossings[1] < crossings[0]);
+        let other = 1 - axis;
+        let to = crossings[axis].min(self.end);
+        let first = self.region.map(|index| index - index % size);
+        self.region[axis] = if self.step[axis] > 0.0 { first[axis] + size } else { first[axis] - 1 };
+        let at = (self.origin[other] + to * self.step[other]).floor() as i64;
+        self.region[other] = at.clamp(first[other], (first[other] + size).min(self.regions[other]) - 1);
+        self.from = to.max(self.from);
+    }
+
+    /// The region in which the line is.
+    pub fn region(&self) -> [usize; 2] {
+        self.region.map(|index| index as usize)
+    }
+
+    /// Range reached.
+    pub fn from(&self) -> f64 {
+        self.from
+    }
+
+    fn block_crossing(&self, axis: usize, size: i64) -> f64 {
+        let step = self.step[axis];
+        if step == 0.0 {
+            return f64::INFINITY;
+        }
+        let first = self.region[axis] - self.region[axis] % size;
+        let boundary = if step > 0.0 { (first + size).min(self.regions[axis]) } else { first };
         (boundary as f64 - self.origin[axis]) * self.metres[axis]
     }
 
@@ -81,16 +128,11 @@ impl Iterator for Walk {
 #[cfg(test)]
 mod tests {
     use super::{Stretch, Walk};
-    use landscape::Level;
     use proptest::prelude::*;
-
-    fn level() -> Level {
-        Level::new(10.0, [0.0; 2], [4, 4], vec![[0.0; 9]; 16]).unwrap()
-    }
 
     fn walk(origin: [f64; 2], direction: [f64; 2], from: f64, end: f64) -> Vec<Stretch> {
         let [origin, step] = [origin, direction].map(|pair| pair.map(|value| value / 10.0));
-        Walk::new(&level(), origin, step, from, end).into_iter().flatten().collect()
+        Walk::new([3, 3], origin, step, from, end).into_iter().flatten().collect()
     }
 
     fn regions(stretches: &[Stretch]) -> Vec<[usize; 2]> {
@@ -124,6 +166,21 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn leaving_a_block_is_passing_its_regions(
+            origin in proptest::array::uniform2(0.0..=12.0f64), azimuth in 0.0..7.0f64,
+        ) {
+            let direction = [libm::cos(azimuth), libm::sin(azimuth)];
+            let walk = || Walk::new([12, 12], origin, direction, 0.0, 99.0).unwrap();
+            let (block, mut left) = (walk().region().map(|index| index / 4), walk());
+            let end = left.block_end(4);
+            left.leave_block(4);
+            let mut passed = walk();
+            let outside = passed.find(|stretch| stretch.region.map(|index| index / 4) != block);
+            prop_assert_eq!(outside, left.next());
+            prop_assert!(outside.is_none_or(|stretch| Some(stretch.from) == end));
+        }
+
         #[test]
         fn stretches_join_and_lie_in_their_regions(
             origin in proptest::array::uniform2(0.0..=30.0f64), azimuth in 0.0..7.0f64,

@@ -1,1 +1,35 @@
-//! Feature generator (section 10): sub-generators and their loads.
+//! Feature generator (section 10; report III.A.2, III.C.4).
+//!
+//! ```text
+//! features ─▶ Schedule: chords of the sweep ─▶ FeatureProgram: loads ─┐
+//!                                                                     ▼
+//! x = z cos θ, y = z sin θ ─▶ sub-generators: type 1 … type 1 │ type 2 … │ type 3 … ─▶ sum ─▶ fg.height
+//!                                    └ presence, any of them ─▶ fg.present                 fg.slope.u, fg.slope.v
+//! ```
+//!
+//! **Law.** Section 9: each sub-generator holds one crater and answers with height and slope while the sweep is in
+//! its footprint. Heights add, slopes add as vectors; `rho^2 = (z - m)^2 + q^2` with the foot m of the centre on the
+//! sweep and its distance q beside it. The light of the sum is the machine's (fg.reflectivity): it depends on
+//! whether terrain slopes are added first.
+//! **Parameters.** [`hardware_model::FeatureParts`]: sub-generators of each crater type, and how craters come to them.
+//! *Scheduled* (report, organisation B): a sub-generator is taken for the chord of one crater. *By region* (A): craters
+//! are stored with every region they touch and loaded group by group, so a sub-generator stays taken from the edge
+//! where the sweep enters the first region of the chord to the edge where it leaves the last.
+//! **State and timing.** A load takes no time. None free: the crater is not drawn in this sweep and counted as
+//! dropped; the nearest come first (22, row 14). Between two kink circles all sub-generators stand still in one zone
+//! of their law, so a sweep is drawn stretch by stretch; the crossings of the circles are the kinks, at their real range.
+//! **Elaboration.** Without features there is nothing to load and nothing to draw.
+//! **Our choices.** Unfolded sweep voltages relative to the eye's foot (section 10). Sums run in the order of the
+//! crater list, so that they are those of [`features::Features::at`]. A footprint is a circle, not its bounding square.
+//! **Not modelled.** Bandwidth of the chain, delay of the comparators, time of a load: ideal parts.
+
+mod bank;
+mod generator;
+mod profile;
+mod schedule;
+mod steps;
+mod sub_generator;
+
+pub use generator::FeatureGenerator;
+pub use profile::{FeatureProfile, Kink, SIGNALS};
+pub use schedule::{FeatureLoad, FeatureProgram, Schedule};

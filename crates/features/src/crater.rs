@@ -93,6 +93,15 @@ impl Crater {
         self.shape
     }
 
+    /// Its type in the report: 1, 2 or 3.
+    pub fn type_number(&self) -> u32 {
+        match self.shape {
+            Shape::Bowl { .. } => 1,
+            Shape::RimmedBowl { .. } => 2,
+            Shape::FlatFloor { .. } => 3,
+        }
+    }
+
     /// Depth of the bowl or floor below the ground around, a (m).
     pub fn depth(&self) -> f64 {
         self.depth
@@ -110,6 +119,47 @@ impl Crater {
             Shape::RimmedBowl { r2, .. } => r2,
             Shape::FlatFloor { r3, .. } => r3,
         }
+    }
+
+    /// Radius of the flat floor (m): 0 for types 1 and 2.
+    pub fn floor(&self) -> f64 {
+        match self.shape {
+            Shape::FlatFloor { r1, .. } => r1,
+            Shape::Bowl { .. } | Shape::RimmedBowl { .. } => 0.0,
+        }
+    }
+
+    /// Radius at which bowl or wall comes up to the ground around, the inner foot of the rim (m): r1 of types 1 and
+    /// 2, r2 of type 3.
+    pub fn foot(&self) -> f64 {
+        match self.shape {
+            Shape::Bowl { r1 } | Shape::RimmedBowl { r1, .. } => r1,
+            Shape::FlatFloor { r2, .. } => r2,
+        }
+    }
+
+    /// Radii (m), ascending, at which the slope jumps (table of section 9): r1 of type 1; r1, r2 of type 2; r2, r3 of
+    /// type 3. The last is [`outer`](Self::outer).
+    pub fn kinks(&self) -> impl Iterator<Item = f64> {
+        let inner = Some(self.foot()).filter(|foot| *foot < self.outer());
+        inner.into_iter().chain([self.outer()])
+    }
+
+    /// Height (m) that nothing of it exceeds.
+    pub fn highest(&self) -> f64 {
+        self.rim
+    }
+
+    /// Height (m) that nothing of it is below.
+    pub fn lowest(&self) -> f64 {
+        -self.depth
+    }
+
+    /// Slope that nothing of it exceeds either way: bowl and rim are steepest where they meet the ground around.
+    pub fn steepest(&self) -> f64 {
+        let (floor, foot, outer) = (self.floor(), self.foot(), self.outer());
+        let wall = 2.0 * self.depth / (foot - floor);
+        if outer > foot { wall.max(4.0 * self.rim / (outer - foot)) } else { wall }
     }
 
     /// Height (m) and its derivative outwards at a distance `rho` (m) from the centre. The lower bound of each
@@ -172,6 +222,46 @@ mod tests {
         for (rho, crater, expected) in rows {
             for (found, expected) in crater.profile(rho).into_iter().zip(expected) {
                 assert!((found - expected).abs() < 1e-13, "{crater:?} at {rho}: {found}");
+            }
+        }
+    }
+
+    #[test]
+    fn slopes_jump_at_the_kinks_and_nowhere_else() {
+        let shapes = [
+            (Shape::Bowl { r1: 100.0 }, 0.0, vec![100.0]),
+            (Shape::RimmedBowl { r1: 100.0, r2: 140.0 }, 6.0, vec![100.0, 140.0]),
+            (Shape::FlatFloor { r1: 40.0, r2: 100.0, r3: 140.0 }, 6.0, vec![100.0, 140.0]),
+        ];
+        for (shape, rim, kinks) in shapes {
+            let crater = Crater::new([3.0, 4.0], shape, 20.0, rim).unwrap();
+            assert_eq!(crater.kinks().collect::<Vec<_>>(), kinks);
+            let slope = |rho: f64| crater.profile(rho)[1];
+            for rho in (1..1500).map(|k| 0.1 * f64::from(k)) {
+                let jumps = (slope(rho + 1e-9) - slope(rho - 1e-9)).abs() > 1e-6;
+                assert_eq!(jumps, kinks.iter().any(|kink| (kink - rho).abs() < 1e-6), "{shape:?} at {rho}");
+            }
+        }
+    }
+
+    #[test]
+    fn bounds_hold_and_are_met() {
+        let shapes = [
+            (Shape::Bowl { r1: 100.0 }, 0.0),
+            (Shape::RimmedBowl { r1: 100.0, r2: 140.0 }, 6.0),
+            (Shape::FlatFloor { r1: 90.0, r2: 100.0, r3: 140.0 }, 6.0),
+        ];
+        for (shape, rim) in shapes {
+            let crater = Crater::new([0.0; 2], shape, 20.0, rim).unwrap();
+            let profile: Vec<_> = (0..150_000).map(|k| crater.profile(1e-3 * f64::from(k))).collect();
+            let largest = |f: fn(&[f64; 2]) -> f64| profile.iter().map(f).fold(f64::NEG_INFINITY, f64::max);
+            let met = [
+                (largest(|p| p[0]), crater.highest()),
+                (largest(|p| -p[0]), -crater.lowest()),
+                (largest(|p| p[1].abs()), crater.steepest()),
+            ];
+            for (found, bound) in met {
+                assert!(found <= bound && found > bound - 1e-3, "{shape:?}: {found} against {bound}");
             }
         }
     }

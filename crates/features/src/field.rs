@@ -1,6 +1,7 @@
 //! All craters of a problem area.
 
 use crate::Crater;
+use crate::index::Index;
 
 /// What features add to the ground at a point.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -17,12 +18,13 @@ pub struct Rise {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Features {
     craters: Vec<Crater>,
+    index: Index,
 }
 
 impl Features {
     /// An index over `craters`; their order is kept and names them.
     pub fn new(craters: Vec<Crater>) -> Self {
-        Self { craters }
+        Self { index: Index::new(&craters), craters }
     }
 
     /// All craters.
@@ -35,33 +37,197 @@ impl Features {
         self.craters.is_empty()
     }
 
-    /// Indices of the craters whose footprints meet the box from `low` to `high` (north, east; m), ascending.
+    /// Indices of the craters whose footprints meet the box from `low` to `high` (north, east; m), a footprint taken
+    /// by its bounding square; ascending.
     pub fn in_box(&self, low: [f64; 2], high: [f64; 2], found: &mut Vec<u32>) {
         found.clear();
-        for (index, crater) in self.craters.iter().enumerate() {
+        let meets = |crater: &Crater| {
             let (centre, outer) = (crater.centre(), crater.outer());
-            if (0..2).all(|axis| centre[axis] + outer >= low[axis] && centre[axis] - outer <= high[axis]) {
-                found.push(index as u32);
-            }
-        }
+            (0..2).all(|axis| centre[axis] + outer >= low[axis] && centre[axis] - outer <= high[axis])
+        };
+        found.extend(self.index.near_box(low, high).filter(|&index| meets(self.crater(index))));
+        found.sort_unstable();
+    }
+
+    /// Indices of the craters whose outer circles the ray from `origin` (north, east; m) along the unit vector
+    /// `direction` meets between the ranges `from` and `to` (m); ascending. A ray that only touches a circle does not
+    /// meet it.
+    pub fn along(&self, origin: [f64; 2], direction: [f64; 2], from: f64, to: f64, found: &mut Vec<u32>) {
+        found.clear();
+        let meets = |crater: &Crater| {
+            let [dx, dy] = [0, 1].map(|axis| crater.centre()[axis] - origin[axis]);
+            let nearest = (dx * direction[0] + dy * direction[1]).max(from).min(to);
+            let [dx, dy] = [dx - nearest * direction[0], dy - nearest * direction[1]];
+            dx * dx + dy * dy < crater.outer() * crater.outer()
+        };
+        let start = [0, 1].map(|axis| origin[axis] + from * direction[axis]);
+        let near = self.index.near_stretch(start, direction, to - from);
+        found.extend(near.filter(|&index| meets(self.crater(index))));
+        found.sort_unstable();
     }
 
     /// What the features add at (x, y) (m): heights and slopes summed in ascending order of index.
     pub fn at(&self, x: f64, y: f64) -> Rise {
         let mut rise = Rise::default();
-        for crater in &self.craters {
+        let mut around = Around::default();
+        for index in self.index.near_box([x, y], [x, y]) {
+            let crater = self.crater(index);
             let [dx, dy] = [x - crater.centre()[0], y - crater.centre()[1]];
-            let rho = (dx * dx + dy * dy).sqrt();
-            if rho < crater.outer() {
-                let [height, slope] = crater.profile(rho);
-                rise.height += height;
-                rise.present = true;
-                if rho > 0.0 {
-                    rise.slopes[0] += slope * dx / rho;
-                    rise.slopes[1] += slope * dy / rho;
+            // Not yet the decision: a comfortable margin over the rounding of the root below.
+            if dx * dx + dy * dy < 1.000_001 * crater.outer() * crater.outer() {
+                around.push(index);
+            }
+        }
+        around.ascending().iter().for_each(|&index| add(self.crater(index), [x, y], &mut rise));
+        rise
+    }
+
+    fn crater(&self, index: u32) -> &Crater {
+        &self.craters[index as usize]
+    }
+}
+
+/// Adds what one crater does at a point.
+fn add(crater: &Crater, [x, y]: [f64; 2], rise: &mut Rise) {
+    let [dx, dy] = [x - crater.centre()[0], y - crater.centre()[1]];
+    let rho = (dx * dx + dy * dy).sqrt();
+    if rho < crater.outer() {
+        let [height, slope] = crater.profile(rho);
+        rise.height += height;
+        rise.present = true;
+        if rho > 0.0 {
+            rise.slopes[0] += slope * dx / rho;
+            rise.slopes[1] += slope * dy / rho;
+        }
+    }
+}
+
+/// Indices around a point: a few without allocation, any number with.
+#[derive(Default)]
+struct Around {
+    few: [u32; 16],
+    count: usize,
+    many: Vec<u32>,
+}
+
+impl Around {
+    fn push(&mut self, index: u32) {
+        if self.count < self.few.len() {
+            self.few[self.count] = index;
+        } else {
+            if self.count == self.few.len() {
+                self.many.extend(self.few);
+            }
+            self.many.push(index);
+        }
+        self.count += 1;
+    }
+
+    fn ascending(&mut self) -> &[u32] {
+        let all = if self.many.is_empty() { &mut self.few[..self.count] } else { &mut self.many[..] };
+        all.sort_unstable();
+        all
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Features, Rise, add};
+    use crate::{Crater, Shape};
+    use proptest::prelude::{Strategy, prop_assert_eq, proptest};
+
+    /// Without an index: every crater is asked.
+    fn at_by_force(craters: &[Crater], at: [f64; 2]) -> Rise {
+        let mut rise = Rise::default();
+        craters.iter().for_each(|crater| add(crater, at, &mut rise));
+        rise
+    }
+
+    fn in_box_by_force(craters: &[Crater], low: [f64; 2], high: [f64; 2]) -> Vec<u32> {
+        let meets = |crater: &Crater| {
+            let (centre, outer) = (crater.centre(), crater.outer());
+            (0..2).all(|axis| centre[axis] + outer >= low[axis] && centre[axis] - outer <= high[axis])
+        };
+        (0..craters.len() as u32).filter(|&index| meets(&craters[index as usize])).collect()
+    }
+
+    /// By the chord: it is there, and meets the ranges.
+    fn along_by_force(
+        craters: &[Crater],
+        origin: [f64; 2],
+        [cos, sin]: [f64; 2],
+        from: f64,
+        to: f64,
+    ) -> Vec<u32> {
+        let meets = |crater: &Crater| {
+            let [dx, dy] = [crater.centre()[0] - origin[0], crater.centre()[1] - origin[1]];
+            let (middle, side) = (dx * cos + dy * sin, dy * cos - dx * sin);
+            let square = crater.outer() * crater.outer() - side * side;
+            square > 0.0 && middle + square.sqrt() > from && middle - square.sqrt() < to
+        };
+        (0..craters.len() as u32).filter(|&index| meets(&craters[index as usize])).collect()
+    }
+
+    /// Sizes over ten octaves, some at one spot, one far away.
+    fn craters() -> impl Strategy<Value = Vec<Crater>> {
+        let place = proptest::array::uniform2(-300.0..300.0f64);
+        let one = (place, -2.0..8.0f64, 0..20u32).prop_map(|([x, y], size, spot)| {
+            let centre = match spot {
+                0 => [1e6 * x, y],
+                1..4 => [10.0, -20.0],
+                _ => [x, y],
+            };
+            let r1 = libm::exp2(size);
+            Crater::new(centre, Shape::RimmedBowl { r1, r2: 1.4 * r1 }, 0.3 * r1, 0.1 * r1).unwrap()
+        });
+        proptest::collection::vec(one, 0..300)
+    }
+
+    proptest! {
+        /// The index changes no bit and misses nothing.
+        #[test]
+        fn queries_equal_brute_force(
+            craters in craters(),
+            at in proptest::array::uniform2(-400.0..400.0f64),
+            size in proptest::array::uniform2(0.0..500.0f64),
+            angle in 0.0..7.0f64,
+        ) {
+            let features = Features::new(craters.clone());
+            let mut found = Vec::new();
+            for point in [at, [10.0, -20.0], [10.0, at[1]]] {
+                prop_assert_eq!(features.at(point[0], point[1]), at_by_force(&craters, point));
+            }
+            let high = [at[0] + size[0], at[1] + size[1]];
+            features.in_box(at, high, &mut found);
+            prop_assert_eq!(&found, &in_box_by_force(&craters, at, high));
+            let quarter = std::f64::consts::FRAC_PI_2;
+            for angle in [angle, 0.0, quarter, quarter + 1e-11, 3.0 * quarter - 1e-7] {
+                let (sin, cos) = quantities::sin_cos(angle);
+                for (from, to) in [(0.0, 2.0 * size[0]), (0.3 * size[1], 1.5 * size[1])] {
+                    features.along(at, [cos, sin], from, to, &mut found);
+                    prop_assert_eq!(&found, &along_by_force(&craters, at, [cos, sin], from, to));
                 }
             }
         }
-        rise
+    }
+
+    #[test]
+    fn a_hundred_nested_craters_add_up() {
+        let nested = |k: u32| Crater::new([5.0, 5.0], Shape::Bowl { r1: f64::from(k) }, 1.0, 0.0).unwrap();
+        let features = Features::new((1..=100).map(nested).collect());
+        assert_eq!(features.at(5.0, 5.0).height, -100.0);
+        let mut found = Vec::new();
+        features.along([0.0, 5.0], [1.0, 0.0], 0.0, 2.0, &mut found);
+        assert_eq!(found, (3..100).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn nothing_is_found_where_nothing_is() {
+        let features = Features::default();
+        let mut found = vec![7];
+        features.in_box([-1e9; 2], [1e9; 2], &mut found);
+        assert!(features.is_empty() && found.is_empty());
+        assert_eq!(features.at(0.0, 0.0), Rise::default());
+        assert_eq!(Features::new(Vec::new()), features);
     }
 }

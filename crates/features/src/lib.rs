@@ -1,9 +1,19 @@
 //! Craters: closed forms, lists of them, populations, and an index of where they are (report III.A.2, section 9).
 //!
 //! Heights are added to the terrain; slopes are added as vectors. Axes: x north, y east, h up, metres.
+//!
+//! - [`Crater`]: the three types of the report, checked once.
+//! - [`Features`]: all craters of a problem area; queries look only at what is near.
+//! - [`list`]: craters from a CSV file.
+//! - [`population`]: craters from a seed and a size-frequency law.
 
 mod crater;
 mod field;
+mod index;
+pub mod list;
+pub mod population;
+mod spot;
+mod tier;
 
 pub use crater::{Crater, CraterError, Shape};
 pub use field::{Features, Rise};

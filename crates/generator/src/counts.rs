@@ -1,30 +1,53 @@
 //! Work done: counters are results, the same for any number of threads.
 
-/// What a frame took.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct FrameCounts {
-    /// Sweeps drawn.
-    pub sweeps: u64,
-    /// Samples of all sweeps, or rays of a generator without sweeps.
-    pub samples: u64,
-    /// Stored regions that the frame can show: what a data bank must have ready.
-    pub regions: u64,
-    /// Region crossings.
-    pub folds: u64,
-    /// Sets of words that arrived at registers.
-    pub loads: u64,
-    /// Words that came after the fold that needed them.
-    pub late_words: u64,
+use serde::{Deserialize, Serialize};
+
+macro_rules! counters {
+    ($($(#[$doc:meta])* $name:ident,)*) => {
+        /// What a frame, or a run, took.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+        #[serde(default)]
+        pub struct FrameCounts {
+            $($(#[$doc])* pub $name: u64,)*
+        }
+
+        impl FrameCounts {
+            /// Adds another part's work.
+            pub fn add(&mut self, other: &Self) {
+                $(self.$name += other.$name;)*
+            }
+
+            /// All counters with their names, in the order of the record.
+            pub fn named(&self) -> impl Iterator<Item = (&'static str, u64)> {
+                [$((stringify!($name), self.$name)),*].into_iter()
+            }
+        }
+    };
 }
 
-impl FrameCounts {
-    /// Adds another part's work.
-    pub fn add(&mut self, other: &Self) {
-        self.sweeps += other.sweeps;
-        self.samples += other.samples;
-        self.regions += other.regions;
-        self.folds += other.folds;
-        self.loads += other.loads;
-        self.late_words += other.late_words;
-    }
+counters! {
+    /// Sweeps drawn.
+    sweeps,
+    /// Samples of all sweeps, or rays of a generator without sweeps.
+    samples,
+    /// Stored regions that the frame can show: what a data bank must have ready.
+    regions,
+    /// Region crossings.
+    folds,
+    /// Sets of words that arrived at registers.
+    loads,
+    /// Words that came after the fold that needed them.
+    late_words,
+    /// Features drawn, summed over the sweeps.
+    features,
+    /// Features that found no sub-generator, summed over the sweeps.
+    dropped_features,
+    /// Changes of the shadow gate, summed over the sweeps.
+    shadow_toggles,
+    /// Boundary segments that found no line generator, summed over the sweeps.
+    dropped_segments,
+    /// Bodies drawn.
+    bodies,
+    /// Spans of sweeps that bodies cover.
+    spans,
 }

@@ -17,7 +17,7 @@ use signal::{Probe, Signal};
 
 pub use counts::FrameCounts;
 pub use omission::{Omission, Weight};
-pub use planes::{Plane, PlaneKind, Planes};
+pub use planes::{Label, Plane, PlaneKind, Planes, Shade};
 
 /// What there is to draw, and how: everything but the pose.
 #[derive(Debug, Clone)]

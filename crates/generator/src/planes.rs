@@ -1,21 +1,131 @@
 //! Named planes: what a frame is made of.
 
-/// What a plane holds, one f32 a pixel.
+/// What a plane holds, one f32 a pixel. All but [`Intensity`](Self::Intensity) are taken at the pixel's centre; no
+/// value is NaN.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PlaneKind {
-    /// Linear reflectivity, 0 = black sky or shadow. Sky is 0.
+    /// Linear reflectivity under the pixel rule, 0 = black sky or shadow. Sky is 0.
     Intensity,
-    /// Ground range at the pixel centre (m); infinity where there is sky.
+    /// Ground range from the nadir point of the eye (m); infinity where there is sky.
     Range,
+    /// Height above the tangent plane of the problem area (m), curvature not taken off; 0 where there is sky.
+    Height,
+    /// North component of the outward unit normal of what is seen; 0 where there is sky.
+    NormalNorth,
+    /// East component of the same.
+    NormalEast,
+    /// Upward component of the same.
+    NormalUp,
+    /// Linear reflectivity before remote shadow, with local shadow; 0 where there is sky.
+    Reflectivity,
+    /// Code of a [`Shade`]; 0 where there is sky.
+    Shadow,
+    /// Code of a [`Label`].
+    Label,
 }
 
 impl PlaneKind {
+    /// All planes.
+    pub const ALL: [Self; 9] = [
+        Self::Intensity,
+        Self::Range,
+        Self::Height,
+        Self::NormalNorth,
+        Self::NormalEast,
+        Self::NormalUp,
+        Self::Reflectivity,
+        Self::Shadow,
+        Self::Label,
+    ];
+
     /// Name in files.
     pub fn name(self) -> &'static str {
         match self {
             Self::Intensity => "intensity",
             Self::Range => "range",
+            Self::Height => "height",
+            Self::NormalNorth => "normal_north",
+            Self::NormalEast => "normal_east",
+            Self::NormalUp => "normal_up",
+            Self::Reflectivity => "reflectivity",
+            Self::Shadow => "shadow",
+            Self::Label => "label",
         }
+    }
+
+    /// Unit of its values in files; 1 for plain numbers and codes.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Range | Self::Height => "m",
+            _ => "1",
+        }
+    }
+
+    /// Its value where there is sky.
+    pub fn sky(self) -> f32 {
+        if self == Self::Range { f32::INFINITY } else { 0.0 }
+    }
+}
+
+macro_rules! codes {
+    ($(#[$about:meta])* $name:ident { $($(#[$doc:meta])* $variant:ident = $word:literal,)* }) => {
+        $(#[$about])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+        pub enum $name {
+            $($(#[$doc])* $variant,)*
+        }
+
+        impl $name {
+            /// All, in the order of their codes.
+            pub const ALL: &'static [Self] = &[$(Self::$variant),*];
+
+            /// Number in planes and files, counted from 0.
+            pub fn code(self) -> u8 {
+                self as u8
+            }
+
+            /// Word in files.
+            pub fn name(self) -> &'static str {
+                match self { $(Self::$variant => $word),* }
+            }
+
+            /// What a code stands for.
+            pub fn of_code(code: u8) -> Option<Self> {
+                Self::ALL.get(usize::from(code)).copied()
+            }
+        }
+    };
+}
+
+codes! {
+    /// How a place is lit.
+    Shade {
+        /// Lit, or sky.
+        Lit = "lit or sky",
+        /// Its face is turned away from the sun.
+        Local = "local shadow",
+        /// Something stands between it and the sun.
+        Remote = "remote shadow",
+    }
+}
+
+codes! {
+    /// What is seen.
+    Label {
+        /// Nothing.
+        Sky = "sky",
+        /// Stored terrain.
+        Terrain = "terrain",
+        /// A crater of the feature list.
+        Feature = "feature",
+        /// A rock.
+        Rock = "rock",
+        /// A man-made thing.
+        Culture = "culture",
+        /// A vehicle track.
+        Track = "vehicle track",
+        /// A far silhouette, beyond the end of the sweeps.
+        Silhouette = "far silhouette",
     }
 }
 
@@ -61,5 +171,28 @@ impl Planes {
     /// The values of `kind` to fill, if it was asked for.
     pub fn get_mut(&mut self, kind: PlaneKind) -> Option<&mut [f32]> {
         self.planes.iter_mut().find(|plane| plane.kind == kind).map(|plane| plane.values.as_mut_slice())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Label, PlaneKind, Shade};
+
+    /// Codes are in files that others read: they never change.
+    #[test]
+    fn codes_of_the_format() {
+        let labels: Vec<_> = Label::ALL.iter().map(|label| (label.code(), label.name())).collect();
+        let words = ["sky", "terrain", "feature", "rock", "culture", "vehicle track", "far silhouette"];
+        assert_eq!(labels, (0..).zip(words).collect::<Vec<_>>());
+        assert_eq!([Shade::Lit, Shade::Local, Shade::Remote].map(Shade::code), [0, 1, 2]);
+        assert!(Label::ALL.iter().all(|label| Label::of_code(label.code()) == Some(*label)));
+        assert_eq!((Label::of_code(7), Shade::of_code(3)), (None, None));
+    }
+
+    #[test]
+    fn no_two_planes_share_a_name() {
+        let names = std::collections::BTreeSet::from(PlaneKind::ALL.map(PlaneKind::name));
+        assert_eq!(names.len(), PlaneKind::ALL.len());
+        assert!(PlaneKind::ALL.iter().all(|kind| !kind.sky().is_nan()));
     }
 }

@@ -17,7 +17,8 @@ mod written;
 
 pub use loaded::{EffectiveValue, LoadedModel};
 pub use model::{HardwareModel, LatePolicy, LoadDelay, Loader, ModelRaster, SweepMemoryKind};
-pub use parts::{Economy, FeatureParts, Gate, LevelSwitch, MixingParts, Organisation, ShadowParts, Yoke};
+pub use parts::{Economy, FeatureParts, Gate, MixingParts, Organisation, ShadowParts};
+pub use scenario::{LevelSwitch, ShadowFineness, Yoke};
 pub use settings::{Raster, Settings, SettingsError};
 pub use source::{BUILT_IN, ModelSource};
 pub use written::FORMAT;

@@ -74,26 +74,6 @@ impl Default for MixingParts {
     }
 }
 
-/// The deflection yoke and its stepping motor (section 18).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Yoke {
-    /// Angle of a step (rad); 0 is a servo without steps.
-    pub step: f64,
-    /// Fastest turn (rad/s).
-    pub rate: f64,
-    /// Whole travel, from stop to stop (rad): half of it either way.
-    pub travel: f64,
-}
-
-/// Where the modified terrain generator goes over from the fine level to the coarse one (section 8).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LevelSwitch {
-    /// Ground range from which on the coarse level draws (m).
-    pub range: f64,
-    /// Stretch before it over which the fine level fades into the coarse one (m); 0 switches at once.
-    pub blend: f64,
-}
-
 /// What may be left out of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Economy {

@@ -1,7 +1,7 @@
 //! The settings of a run: command line, then scenario, then model.
 
 use quantities::{Rate, Timebase, TimebaseError};
-use scenario::{Display, FieldOfView, LawWishes, Laws, RangeProgramme, RasterWishes, Scalar};
+use scenario::{Display, FieldOfView, LawWishes, Laws, RangeProgramme, RasterWishes, Scalar, ShadowFineness};
 
 use crate::{
     Economy, FeatureParts, HardwareModel, LevelSwitch, Loader, MixingParts, ShadowParts, SweepMemoryKind,
@@ -39,6 +39,8 @@ pub struct Settings {
     pub levels: Option<LevelSwitch>,
     /// Whether remote shadow is drawn.
     pub shadows: bool,
+    /// How finely, if it is.
+    pub shadow_fineness: ShadowFineness,
     /// What may be left out.
     pub economy: Economy,
 }
@@ -100,7 +102,8 @@ pub enum SettingsError {
 }
 
 impl Settings {
-    /// What a run comes to. `wishes` is the command line's raster over the scenario's.
+    /// What raster, range, laws and display of a run come to; yoke, levels, shadows and economy are as for a scene
+    /// that has none of them. `wishes` is the command line's raster over the scenario's.
     ///
     /// # Errors
     /// If a count is out of range or the rates do not divide.
@@ -142,6 +145,7 @@ impl Settings {
             yoke: None,
             levels: None,
             shadows: false,
+            shadow_fineness: ShadowFineness::default(),
             economy: Economy::default(),
         })
     }

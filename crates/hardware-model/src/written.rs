@@ -1,14 +1,13 @@
 //! A model as written: the keys of its parts.
 
+mod blocks;
+
 use diagnostics::Reader;
 use quantities::Rate;
-use scenario::{BodyVisibility, FeatureLight, Laws, ShadowedBodies, TextureInShadow, words};
+use scenario::{Laws, words};
 use sweep_program::{Colour, PreloadRegister};
 
-use crate::{
-    FeatureParts, HardwareModel, LatePolicy, LoadDelay, Loader, MixingParts, ModelRaster, ShadowParts,
-    SweepMemoryKind, Yoke,
-};
+use crate::{HardwareModel, LatePolicy, LoadDelay, Loader, ModelRaster, SweepMemoryKind};
 
 /// Format of model files that this program reads.
 pub const FORMAT: u64 = 1;
@@ -28,7 +27,14 @@ pub(crate) fn model(root: &Reader, name: String) -> Option<HardwareModel> {
     let dpp = root.table("dpp");
     let memory = root.table("sweep_memory");
     let kind = memory.as_ref().map(sweep_memory);
-    let laws = laws(dpp.as_ref(), memory.as_ref());
+    let features = root.table("feature_generator");
+    let shadows = root.table("shadow_controller").map(|table| blocks::shadow_controller(&table));
+    let mixing = root.table("mixing_unit");
+    let polyhedra = root.table("polyhedron_generator");
+    let roll = root.table("roll").map(|table| blocks::roll(&table));
+    let laws = laws(&LawTables { dpp, memory, features: &features, mixing: &mixing, polyhedra });
+    let feature_generator = features.as_ref().map(blocks::feature_generator);
+    let mixing_unit = mixing.as_ref().map(blocks::mixing_unit);
     root.finish();
     Some(HardwareModel {
         name,
@@ -38,10 +44,10 @@ pub(crate) fn model(root: &Reader, name: String) -> Option<HardwareModel> {
         loader: loader??,
         laws: laws?,
         sweep_memory: kind??,
-        feature_generator: FeatureParts::default(),
-        shadow_controller: ShadowParts::default(),
-        mixing_unit: MixingParts::default(),
-        yoke: Yoke { step: 0.0, rate: 1.0, travel: 1.0 },
+        feature_generator: feature_generator??,
+        shadow_controller: shadows??,
+        mixing_unit: mixing_unit??,
+        yoke: roll??,
     })
 }
 
@@ -146,20 +152,36 @@ fn word<T: PartialEq>(words: &[(&'static str, T)], meaning: T) -> &'static str {
     words.iter().find(|(_, known)| *known == meaning).map_or("", |(word, _)| word)
 }
 
-fn laws(dpp: Option<&Reader>, memory: Option<&Reader>) -> Option<Laws> {
-    let projection = dpp.and_then(|table| words::projection(table).required());
-    let curvature = dpp.and_then(|table| words::curvature(table).required());
-    let occlusion = dpp.and_then(|table| words::occlusion(table).required());
-    let pixel_rule = memory.and_then(|table| words::pixel_rule(table).required());
+/// Tables that hold the laws that the machine is wired for.
+struct LawTables<'a> {
+    dpp: Option<Reader<'a>>,
+    memory: Option<Reader<'a>>,
+    features: &'a Option<Reader<'a>>,
+    mixing: &'a Option<Reader<'a>>,
+    polyhedra: Option<Reader<'a>>,
+}
+
+/// Every table is asked for its laws before one that is missing ends the reading.
+fn laws(of: &LawTables) -> Option<Laws> {
+    let projection = of.dpp.as_ref().and_then(|table| words::projection(table).required());
+    let curvature = of.dpp.as_ref().and_then(|table| words::curvature(table).required());
+    let occlusion = of.dpp.as_ref().and_then(|table| words::occlusion(table).required());
+    let pixel_rule = of.memory.as_ref().and_then(|table| words::pixel_rule(table).required());
+    let feature_light =
+        of.features.as_ref().and_then(|table| words::feature_light(table, "light").required());
+    let texture = of.mixing.as_ref().and_then(|table| words::texture_in_shadow(table).required());
+    let visibility = |table: &Reader| words::body_visibility(table, "visibility").required();
+    let body_visibility = of.polyhedra.as_ref().and_then(visibility);
+    let shadowed = of.polyhedra.as_ref().and_then(|table| words::shadowed_bodies(table).required());
     Some(Laws {
         projection: projection?,
         curvature: curvature?,
         occlusion: occlusion?,
         pixel_rule: pixel_rule?,
-        feature_light: FeatureLight::Combined,
-        body_visibility: BodyVisibility::Depth,
-        shadowed_bodies: ShadowedBodies::Dark,
-        texture_in_shadow: TextureInShadow::On,
+        feature_light: feature_light?,
+        body_visibility: body_visibility?,
+        shadowed_bodies: shadowed?,
+        texture_in_shadow: texture?,
     })
 }
 

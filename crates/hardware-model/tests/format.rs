@@ -52,6 +52,7 @@ type Setting = (&'static str, String);
 /// Each key and a value that `ideal` does not have; the setting between stands in both models compared.
 fn changes() -> Vec<(&'static str, Option<Setting>, String)> {
     let two_rate = || Some(("range.programme", "two-rate".to_owned()));
+    let scan_converter = || Some(("shadow_controller.variant", "scan-converter".to_owned()));
     let one_delay = || Some(("loader.delay", delay("", "")));
     let mut changes = vec![
         ("raster.sweeps", None, "525".to_owned()),
@@ -72,6 +73,21 @@ fn changes() -> Vec<(&'static str, Option<Setting>, String)> {
         ("dpp.curvature", None, "none".into()),
         ("sweep_memory.kind", None, "digital-memory".into()),
         ("sweep_memory.pixel_rule", None, "centre".into()),
+        ("feature_generator.organisation", None, "by-region".into()),
+        ("feature_generator.sub_generators", None, "6".into()),
+        ("feature_generator.light", None, "as-reported".into()),
+        ("shadow_controller.variant", None, "scan-converter".into()),
+        ("shadow_controller.line_generators", None, "8".into()),
+        ("shadow_controller.registration_offset_pct", scan_converter(), "[0, 0.7]".into()),
+        ("shadow_controller.registration_gain_pct", scan_converter(), "-0.7".into()),
+        ("mixing_unit.gate", None, "self-keyed".into()),
+        ("mixing_unit.threshold", None, "0.05".into()),
+        ("mixing_unit.texture_in_shadow", None, "off".into()),
+        ("polyhedron_generator.visibility", None, "as-reported".into()),
+        ("polyhedron_generator.shadowed_bodies", None, "vanish".into()),
+        ("roll.step_deg", None, "0".into()),
+        ("roll.rate_deg_s", None, "3".into()),
+        ("roll.travel_deg", None, "30".into()),
     ];
     let delays = [
         ("loader.delay.frame", "9"),

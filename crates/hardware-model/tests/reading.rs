@@ -4,10 +4,13 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use diagnostics::ProblemList;
-use hardware_model::{BUILT_IN, HardwareModel, LatePolicy, LoadedModel, ModelSource, SweepMemoryKind};
+use hardware_model::{
+    BUILT_IN, FeatureParts, HardwareModel, LatePolicy, LoadedModel, MixingParts, ModelSource, ShadowParts,
+    SweepMemoryKind, Yoke,
+};
 use proptest::prelude::*;
-use quantities::Rate;
-use scenario::{Occlusion, PixelRule, Projection, RangeLaw, RangeProgramme};
+use quantities::{Rate, radians};
+use scenario::{FeatureLight, Occlusion, PixelRule, Projection, RangeLaw, RangeProgramme};
 use sweep_program::{Colour, PreloadRegister};
 use tempfile::TempDir;
 
@@ -47,6 +50,12 @@ fn the_ideal_model() {
         (PixelRule::LineMean, SweepMemoryKind::ScanConverter)
     );
     assert_eq!(ideal.loader.delays, []);
+    assert_eq!(ideal.feature_generator, FeatureParts::default());
+    assert_eq!(ideal.shadow_controller, ShadowParts::default());
+    assert_eq!(ideal.mixing_unit, MixingParts::default());
+    assert_eq!(ideal.laws.feature_light, FeatureLight::Combined);
+    let yoke = Yoke { step: radians(0.1), rate: radians(10.0), travel: radians(40.0) };
+    assert_eq!(ideal.yoke, yoke);
 }
 
 #[test]
@@ -131,6 +140,27 @@ fn settings_that_are_none() {
     assert!(titles(set(&[("raster.sweeps", "3\nlines = 4")]))[0].contains("must be a whole number"));
     assert!(titles(set(&[("raster.sweeps", "\"")]))[0].contains("must be a whole number"));
     assert!(titles(set(&[("raster.sweeps", "nan")]))[0].contains("must be a whole number"));
+}
+
+#[test]
+fn parts_are_counted_or_unlimited() {
+    let parts = |value: &str| {
+        set(&[("feature_generator.sub_generators", value)])
+            .map(|loaded| loaded.model.feature_generator.sub_generators)
+    };
+    assert_eq!((parts("unlimited").unwrap(), parts("6").unwrap()), (None, Some(6)));
+    for wrong in ["0", "unlimted", "1.5", "-1"] {
+        let found = titles(set(&[("shadow_controller.line_generators", wrong)]));
+        assert!(found[0].contains("or the word \"unlimited\""), "{wrong}: {found:?}");
+    }
+}
+
+#[test]
+fn a_scan_converter_has_its_figures_as_shares() {
+    let variant = ("shadow_controller.variant", "scan-converter");
+    let offset = ("shadow_controller.registration_offset_pct", "[0.5, -1]");
+    let model = set(&[variant, offset, ("shadow_controller.registration_gain_pct", "2")]).unwrap().model;
+    assert_eq!(model.shadow_controller, ShadowParts::ScanConverter { offset: [0.005, -0.01], gain: 0.02 });
 }
 
 #[test]

@@ -6,7 +6,8 @@
 //! - [`basis`]: the quintic Hermite functions of the Lagrange 2-2 polynomial (report III.A.1).
 //! - [`Level`], [`Bank`]: nine words a corner; [`bank_file`] is their container.
 //! - [`Landscape`]: bank, albedo and lunoid together; the one query for height, slope and albedo.
-//! - [`Sun`]: direction of light and Lambert's law.
+//! - [`Sun`], [`Photometry`]: direction of light, laws of reflection; [`SweepLight`], [`GroupLight`]: along sweeps.
+//! - [`Texture`]: small detail of the foreground; [`Silhouette`]: mountains beyond the stored area.
 //! - [`Attitude`], [`axes`]: rotations between vehicle and terrain axes.
 //! - [`relief`]: seeded landscapes with a realistic height spectrum.
 
@@ -24,9 +25,9 @@ mod texture;
 
 pub use axes::Attitude;
 pub use bank::{Bank, BankError, CornerWords, Georeference, Level, WORDS};
-pub use light::Sun;
+pub use light::{GroupLight, Sun, SweepLight};
 pub use lunoid::{LUNOID_RADIUS, parabolic_drop};
 pub use photometry::Photometry;
 pub use query::{Landscape, SurfacePoint};
-pub use silhouette::Silhouette;
-pub use texture::{Layer, Source, Texture};
+pub use silhouette::{Silhouette, SilhouetteError};
+pub use texture::{Grain, Hashed, Lattice, Layer, Source, Stored, Texture, TextureError};

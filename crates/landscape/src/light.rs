@@ -1,6 +1,13 @@
-//! Direction of light and Lambert's law (section 7).
+//! Direction of light, and the laws of reflection in terrain axes and in those of a sweep (section 7).
+//!
+//! For light the map is taken flat: sun and sight are straight over it, and the curvature of the lunoid turns
+//! neither (15.4).
 
 use quantities::sin_cos;
+use signal::{LANES, Lanes, Real};
+
+use crate::Photometry;
+use crate::photometry::{lommel_seeliger, lunar_lambert, mirrored, power};
 
 /// The sun as a direction; a point source, the same over the problem area.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,12 +31,148 @@ impl Sun {
         let [north, east, up] = self.direction();
         ((up - hx * north - hy * east) / (1.0 + hx * hx + hy * hy).sqrt()).max(0.0)
     }
+
+    /// What ground of slopes `[hx, hy]` and albedo 1 sends along `to_eye`, the unit vector from it to the eye (north,
+    /// east, up), under `photometry`; 0 is local shadow.
+    pub fn shade(&self, slopes: [f64; 2], to_eye: [f64; 3], photometry: Photometry) -> f64 {
+        let ([hx, hy], sun) = (slopes, self.direction());
+        let mu0 = self.reflectivity(slopes);
+        let mu = (to_eye[2] - hx * to_eye[0] - hy * to_eye[1]) / (1.0 + hx * hx + hy * hy).sqrt();
+        let cos_g = sun[0] * to_eye[0] + sun[1] * to_eye[1] + sun[2] * to_eye[2];
+        mu0 * photometry.factor(mu0, mu, cos_g)
+    }
+}
+
+/// Light in the axes of one sweep: the sun vector scaled by the albedo, so that Lambert's law needs no further
+/// product.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SweepLight {
+    /// Sun vector along the sweep, times albedo.
+    pub along: f64,
+    /// Across it, to the right, times albedo.
+    pub across: f64,
+    /// Up, times albedo.
+    pub up: f64,
+    /// Share of the light that is returned, 0..=1.
+    pub albedo: f64,
+    /// Law of reflection.
+    pub photometry: Photometry,
+}
+
+impl SweepLight {
+    /// Light of `sun` for a sweep along `direction` (cosine, sine of azimuth against north).
+    pub fn new(sun: &Sun, albedo: f64, photometry: Photometry, [cos, sin]: [f64; 2]) -> Self {
+        let [north, east, up] = sun.direction().map(|component| component * albedo);
+        Self { along: north * cos + east * sin, across: east * cos - north * sin, up, albedo, photometry }
+    }
+
+    /// Reflectivity with its sign, -2..=2 (Lambert: -1..=1) times albedo, below 0 in local shadow, of ground of slopes
+    /// `along` and `across` the sweep. `sight` is the tangent of the elevation under which the eye sees it: height
+    /// above the eye over ground range, finite, without the drop of the lunoid. Lambert's law ignores it.
+    pub fn at<S: Real>(&self, along: S, across: S, sight: S) -> S {
+        let [sun_along, sun_across, sun_up] = [self.along, self.across, self.up].map(S::from_f64);
+        let towards = sun_up - along * sun_along - across * sun_across;
+        let normal = (S::ONE + along * along + across * across).sqrt();
+        let lambert = towards / normal;
+        let unit = S::from_f64(one_over(self.albedo));
+        let (slant, seen) = ((S::ONE + sight * sight).sqrt(), along - sight);
+        let cos_g = -(sun_along + sun_up * sight) * unit / slant;
+        lambert * self.photometry.factor(lambert * unit, seen / (normal * slant), cos_g)
+    }
+}
+
+/// Nothing is lit at albedo 0: there the scale is of no account, but must be finite.
+fn one_over(albedo: f64) -> f64 {
+    if albedo > 0.0 { 1.0 / albedo } else { 0.0 }
+}
+
+/// Light of a group of sweeps, lane n being sweep n: [`SweepLight::at`] for all lanes, to the bit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GroupLight<S> {
+    along: Lanes<S>,
+    across: Lanes<S>,
+    up: Lanes<S>,
+    /// 1 / albedo.
+    unit: Lanes<S>,
+    photometry: Photometry,
+}
+
+impl<S: Real> GroupLight<S> {
+    /// Light of a group; the law is that of the first lane.
+    pub fn new(light: &[SweepLight; LANES]) -> Self {
+        let lanes = |part: fn(&SweepLight) -> f64| Lanes::from_fn(|lane| S::from_f64(part(&light[lane])));
+        Self {
+            along: lanes(|l| l.along),
+            across: lanes(|l| l.across),
+            up: lanes(|l| l.up),
+            unit: lanes(|l| one_over(l.albedo)),
+            photometry: light[0].photometry,
+        }
+    }
+
+    /// Whether the law asks where the eye is: if not, [`lambert`](Self::lambert) is all of it.
+    pub fn needs_sight(&self) -> bool {
+        self.photometry != Photometry::Lambert
+    }
+
+    /// `n.s` times albedo: Lambert's law.
+    #[inline(always)]
+    pub fn lambert(&self, along: Lanes<S>, across: Lanes<S>) -> Lanes<S> {
+        let towards = self.up - along * self.along - across * self.across;
+        towards / normal(along, across)
+    }
+
+    /// [`SweepLight::at`] in every lane. A kernel asks [`needs_sight`](Self::needs_sight) once a group and takes
+    /// [`lambert`](Self::lambert) where that will do.
+    #[inline(always)]
+    pub fn reflectivity(&self, along: Lanes<S>, across: Lanes<S>, sight: Lanes<S>) -> Lanes<S> {
+        let lambert = self.lambert(along, across);
+        if self.photometry == Photometry::Lambert {
+            return lambert;
+        }
+        let one = Lanes::splat(S::ONE);
+        let slant = (one + sight * sight).sqrt();
+        let (mu0, mu) = (lambert * self.unit, (along - sight) / (normal(along, across) * slant));
+        let minus_cos_g = (self.along + self.up * sight) * self.unit / slant;
+        lambert * self.factor(mu0, mu, minus_cos_g.map(|cosine| -cosine))
+    }
+
+    /// [`Photometry::factor`] in every lane.
+    #[inline(always)]
+    fn factor(&self, mu0: Lanes<S>, mu: Lanes<S>, cos_g: Lanes<S>) -> Lanes<S> {
+        let one = Lanes::splat(S::ONE);
+        match self.photometry {
+            Photometry::Lambert => one,
+            Photometry::LommelSeeliger => Lanes::from_fn(|l| lommel_seeliger(mu0[l], mu[l])),
+            Photometry::LunarLambert => Lanes::from_fn(|l| lunar_lambert(mu0[l], mu[l], cos_g[l])),
+            Photometry::Specular { strength, exponent } => {
+                let mirrored = Lanes::from_fn(|l| mirrored(mu0[l], mu[l], cos_g[l]));
+                one + Lanes::splat(S::from_f64(strength)) * power(mirrored, one, exponent)
+            }
+        }
+    }
+}
+
+/// Length of the normal `(-along, -across, 1)`.
+#[inline(always)]
+fn normal<S: Real>(along: Lanes<S>, across: Lanes<S>) -> Lanes<S> {
+    (Lanes::splat(S::ONE) + along * along + across * across).sqrt()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Sun;
-    use quantities::radians;
+    use super::{GroupLight, Sun, SweepLight};
+    use crate::Photometry;
+    use proptest::prelude::{Strategy, prop_assert, prop_assert_eq, proptest};
+    use quantities::{radians, sin_cos};
+    use signal::{Lanes, Real};
+
+    const LAWS: [Photometry; 4] = [
+        Photometry::Lambert,
+        Photometry::LommelSeeliger,
+        Photometry::LunarLambert,
+        Photometry::Specular { strength: 0.5, exponent: 12 },
+    ];
 
     #[test]
     fn check_table_23_3() {
@@ -42,6 +185,86 @@ mod tests {
         for (slopes, elevation, azimuth, expected) in rows {
             let sun = Sun { azimuth: radians(azimuth), elevation: radians(elevation) };
             assert!((sun.reflectivity(slopes) - expected).abs() < 1e-14, "{slopes:?}");
+            assert_eq!(sun.shade(slopes, [0.0, 0.0, 1.0], Photometry::Lambert), sun.reflectivity(slopes));
+        }
+    }
+
+    /// Down-sun the powder is brightest, up-sun darkest; the highlight is the other way round.
+    #[test]
+    fn brightness_depends_on_the_side_of_the_sun() {
+        let sun = Sun { azimuth: 0.0, elevation: radians(10.0) };
+        let (sin, cos) = sin_cos(radians(10.0));
+        let seen = |towards: f64, law| sun.shade([0.0; 2], [towards * cos, 0.0, sin], law);
+        // An eye on the sun's side of the place has phase angle 0; one beyond it 160 degrees, in the mirrored sun.
+        assert!(seen(1.0, Photometry::LunarLambert) > 5.0 * seen(-1.0, Photometry::LunarLambert));
+        // The root of a difference: 1e-16 of cos g is 1e-8 of g.
+        assert!((seen(1.0, Photometry::LunarLambert) - 1.0).abs() < 1e-7);
+        let bright = Photometry::Specular { strength: 2.0, exponent: 30 };
+        assert!((seen(-1.0, bright) - 3.0 * sin).abs() < 1e-13);
+        assert!((seen(1.0, bright) - sin) < 1e-3);
+    }
+
+    fn anywhere() -> impl Strategy<Value = ([f64; 4], [f64; 3], f64)> {
+        let angles = [0.0..6.3f64, 0.001..1.57, 0.0..6.3, -1.5..1.5].map(Strategy::boxed);
+        (angles, proptest::array::uniform3(-2.0..2.0f64), 0.05..=1.0f64)
+    }
+
+    /// The sweep's axes and the terrain's tell the same light.
+    fn in_terrain_axes(
+        [azimuth, elevation, heading, depression]: [f64; 4],
+        [hx, hy]: [f64; 2],
+        law: Photometry,
+    ) -> f64 {
+        let ((sin, cos), (down, level)) = (sin_cos(heading), sin_cos(depression));
+        Sun { azimuth, elevation }.shade([hx, hy], [-cos * level, -sin * level, down], law)
+    }
+
+    proptest! {
+        #[test]
+        fn sweep_axes_and_terrain_axes_agree((angles, [hx, hy, _], albedo) in anywhere()) {
+            let (sin, cos) = sin_cos(angles[2]);
+            let sight = -libm::tan(angles[3]);
+            let sun = Sun { azimuth: angles[0], elevation: angles[1] };
+            let (along, across) = (hx * cos + hy * sin, hy * cos - hx * sin);
+            for law in LAWS {
+                let light = SweepLight::new(&sun, albedo, law, [cos, sin]);
+                let (found, expected) = (light.at(along, across, sight), in_terrain_axes(angles, [hx, hy], law));
+                // Half the phase angle is the root of a difference: 1e-8 near full phase.
+                prop_assert!((found.max(0.0) - albedo * expected).abs() < 1e-6, "{law:?}: {found} {expected}");
+            }
+        }
+
+        #[test]
+        fn a_group_is_its_sweeps((angles, slopes, albedo) in anywhere()) {
+            let sun = Sun { azimuth: angles[0], elevation: angles[1] };
+            for law in LAWS {
+                let light = std::array::from_fn(|lane| {
+                    let (sin, cos) = sin_cos(angles[2] + 0.01 * lane as f64);
+                    SweepLight::new(&sun, albedo, law, [cos, sin])
+                });
+                prop_assert_eq!(of_group::<f64>(&light, slopes), of_sweeps::<f64>(&light, slopes));
+                prop_assert_eq!(of_group::<f32>(&light, slopes), of_sweeps::<f32>(&light, slopes));
+            }
+        }
+    }
+
+    fn of_group<S: Real>(light: &[SweepLight; 8], slopes: [f64; 3]) -> Lanes<S> {
+        let [along, across, sight] = slopes.map(|slope| Lanes::splat(S::from_f64(slope)));
+        GroupLight::new(light).reflectivity(along, across, sight)
+    }
+
+    fn of_sweeps<S: Real>(light: &[SweepLight; 8], slopes: [f64; 3]) -> Lanes<S> {
+        let [along, across, sight] = slopes.map(S::from_f64);
+        Lanes(light.map(|light| light.at(along, across, sight)))
+    }
+
+    #[test]
+    fn nothing_is_lit_at_albedo_zero() {
+        let sun = Sun { azimuth: 0.3, elevation: 0.2 };
+        for law in LAWS {
+            let light = SweepLight::new(&sun, 0.0, law, [1.0, 0.0]);
+            assert_eq!(light.at(0.1, -0.2, -0.01), 0.0);
+            assert_eq!(light.at(0.0f32, 0.0, -1e9), 0.0);
         }
     }
 }

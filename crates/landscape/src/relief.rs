@@ -132,23 +132,67 @@ impl Relief {
     /// As [`check`](Self::check).
     pub fn build(&self) -> Result<Level, ReliefError> {
         self.check()?;
-        let grid = self.grid()?;
-        let mut words = vec![[0.0; WORDS]; grid.corners[0] * grid.corners[1]];
-        self.add_tilt(&grid, &mut words);
+        level(self.grid()?, &[(self, [0.0; 2])])
+    }
+
+    /// Whether `coarse` can lie around this relief as its coarse level ([`build_two`](Self::build_two)).
+    ///
+    /// # Errors
+    /// The first parameter that is not in its range, by name.
+    pub fn check_two(&self, coarse: &Relief) -> Result<(), ReliefError> {
+        self.check()?;
+        coarse.check()?;
+        let ratio = coarse.region_size / self.region_size;
+        if !is_whole(ratio) || ratio < 1.5 {
+            let expected = format!("2 or more regions of the fine level, {} m each", self.region_size);
+            let (name, value) = ("coarse.region_size".into(), coarse.region_size);
+            return Err(ReliefError::Parameter { name, value, expected });
+        }
+        for (axis, name) in ["coarse.extent north", "coarse.extent east"].into_iter().enumerate() {
+            let margin = 0.5 * (coarse.extent[axis] - self.extent[axis]);
+            if !is_whole(margin / self.region_size) || margin <= 0.0 {
+                let whole = 2.0 * self.region_size;
+                let expected = format!("{} m and a whole number of {whole} m more", self.extent[axis]);
+                let value = coarse.extent[axis];
+                return Err(ReliefError::Parameter { name: name.into(), value, expected });
+            }
+        }
+        Ok(())
+    }
+
+    /// Two levels of one ground, the fine one of this relief and around it, sharing its centre, that of `coarse`,
+    /// whose corners lie on fine ones (section 8).
+    ///
+    /// The ground is the sum of both reliefs, each made of the parts that it names, everywhere. Each level leaves out
+    /// what its regions cannot hold, so the step from one to the other is what only the fine level holds: waves
+    /// shorter than 3 coarse regions, and craters, massifs and rilles too small for them.
+    ///
+    /// # Errors
+    /// As [`check_two`](Self::check_two).
+    pub fn build_two(&self, coarse: &Relief) -> Result<[Level; 2], ReliefError> {
+        self.check_two(coarse)?;
+        let origin = [0, 1].map(|axis| 0.5 * (self.extent[axis] - coarse.extent[axis]));
+        let parts = [(self, [0.0; 2]), (coarse, origin)];
+        let around = Grid { origin, ..coarse.grid()? };
+        Ok([level(self.grid()?, &parts)?, level(around, &parts)?])
+    }
+
+    /// Adds the relief, whose craters are strewn from `origin` on, to the words of `grid`.
+    fn add_to(&self, grid: &Grid, origin: [f64; 2], words: &mut [CornerWords]) {
+        self.add_tilt(grid, words);
         if let Some(undulation) = &self.undulation {
-            undulation.add_to(&grid, self.seed, &mut words);
+            undulation.add_to(grid, self.seed, words);
         }
         for (index, rille) in self.rilles.iter().enumerate() {
-            rille.add_to(&grid, stream(self.seed, Part::Rille, index), &mut words);
+            rille.add_to(grid, stream(self.seed, Part::Rille, index), words);
         }
         for (index, massif) in self.massifs.iter().enumerate() {
-            massif.add_to(&grid, stream(self.seed, Part::Massif, index), &mut words);
+            massif.add_to(grid, stream(self.seed, Part::Massif, index), words);
         }
         if let Some(craters) = &self.craters {
-            let drawn = craters.draw(stream(self.seed, Part::Craters, 0), self.extent);
-            craters::add_to(&drawn, &grid, &mut words);
+            let drawn = craters.draw(stream(self.seed, Part::Craters, 0), origin, self.extent);
+            craters::add_to(&drawn, grid, words);
         }
-        Ok(Level::new(grid.region_size, [0.0; 2], grid.corners, words)?)
     }
 
     fn grid(&self) -> Result<Grid, ReliefError> {
@@ -158,8 +202,7 @@ impl Relief {
             above(name, self.extent[axis], 0.0)?;
             let count = self.extent[axis] / self.region_size;
             regions[axis] = count.round();
-            // A length such as 0.3 m over 0.1 m is whole but for the last bits of its decimals.
-            if regions[axis] < 1.0 || (count - regions[axis]).abs() > 1e-9 * regions[axis] {
+            if regions[axis] < 1.0 || !is_whole(count) {
                 let expected = format!("a whole number of regions of {} m", self.region_size);
                 return Err(ReliefError::Parameter { name: name.into(), value: self.extent[axis], expected });
             }
@@ -168,19 +211,29 @@ impl Relief {
         if north * east > MAX_CORNERS as f64 {
             return Err(ReliefError::TooManyCorners { north, east });
         }
-        Ok(Grid { region_size: self.region_size, corners: [north as usize, east as usize] })
+        Ok(Grid { origin: [0.0; 2], region_size: self.region_size, corners: [north as usize, east as usize] })
     }
 
     fn add_tilt(&self, grid: &Grid, words: &mut [CornerWords]) {
         let rise = self.tilt.map(|slope| slope * grid.region_size);
+        let at_origin = self.tilt[0] * grid.origin[0] + self.tilt[1] * grid.origin[1];
         grid.for_rows(words, |m, row| {
             for (n, words) in row.iter_mut().enumerate() {
-                words[0] += rise[0] * m as f64 + rise[1] * n as f64;
+                words[0] += rise[0] * m as f64 + rise[1] * n as f64 + at_origin;
                 words[3] += rise[0];
                 words[1] += rise[1];
             }
         });
     }
+}
+
+/// The level over `grid` of the sum of reliefs.
+fn level(grid: Grid, parts: &[(&Relief, [f64; 2])]) -> Result<Level, ReliefError> {
+    let mut words = vec![[0.0; WORDS]; grid.corners[0] * grid.corners[1]];
+    for (relief, origin) in parts {
+        relief.add_to(&grid, *origin, &mut words);
+    }
+    Ok(Level::new(grid.region_size, grid.origin, grid.corners, words)?)
 }
 
 /// Kinds of part, each with its own random numbers.
@@ -210,6 +263,11 @@ fn above(name: impl Into<String>, value: f64, least: f64) -> Result<(), ReliefEr
         value,
         expected: format!("a finite number above {least}"),
     })
+}
+
+/// Whole but for the last bits of the decimals that made it: 0.3 m over 0.1 m.
+fn is_whole(count: f64) -> bool {
+    (count - count.round()).abs() <= 1e-9 * count.abs()
 }
 
 fn finite(name: impl Into<String>, value: f64) -> Result<(), ReliefError> {

@@ -10,6 +10,7 @@ use landscape::bank_file::BankFileError;
 use picture::PictureFileError;
 use plots::PlotError;
 use replay::ReplayError;
+use stage::StageError;
 use survey::SurveyError;
 
 /// Why a command did not do what it was told.
@@ -120,6 +121,15 @@ impl From<BankFileError> for Failure {
     }
 }
 
+impl From<StageError> for Failure {
+    fn from(error: StageError) -> Self {
+        match error {
+            StageError::BankFile(error) => error.into(),
+            other => Self::input(other),
+        }
+    }
+}
+
 impl From<NpyFileError> for Failure {
     fn from(error: NpyFileError) -> Self {
         match error {
@@ -139,6 +149,8 @@ impl From<ReplayError> for Failure {
             | ReplayError::Frame(_)
             | ReplayError::Display(_)
             | ReplayError::Record { .. }
+            | ReplayError::TruthRecord { .. }
+            | ReplayError::TruthNotANumber { .. }
             | ReplayError::Picture { .. } => Self::input(error),
             ReplayError::NoFrames(_) => Self::usage(error),
             _ => Self::output(error),

@@ -1,20 +1,19 @@
 //! From a command line to a stage: scenario, machine, ground.
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::thread;
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
-use diagnostics::Problem;
+use diagnostics::{Problem, ProblemList, Problems};
 use exact::Exact;
 use generator::{Generator, Stage};
-use hardware_model::{HardwareModel, LoadedModel, ModelSource, Settings};
-use landscape::{Bank, Landscape, bank_file};
+use hardware_model::{Economy, HardwareModel, LoadedModel, ModelSource, Settings};
 use machine::HybridMachine;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use replay::{FileRecord, Inputs, Phase, file_hash};
-use scenario::{Ground, LawWishes, RasterWishes, Scenario, Scenery};
+use scenario::{Ground, LawWishes, RasterWishes, Scenario};
+use stage::StageError;
 
 use crate::{Failure, values};
 
@@ -48,6 +47,12 @@ pub struct StageArgs {
     /// Scalar type of the analog signals.
     #[arg(long, value_enum)]
     pub scalar: Option<ScalarWord>,
+    /// Leave out only what changes no bit of the picture, and nothing that is merely too small to be seen.
+    #[arg(long, conflicts_with = "everything")]
+    pub lossless: bool,
+    /// Leave nothing out: every block runs, whether it has work or not.
+    #[arg(long)]
+    pub everything: bool,
 }
 
 /// Scalar type of the analog signals.
@@ -109,7 +114,8 @@ impl StageArgs {
         self.expect_bank(&scenario)?;
         let model = self.model(&scenario)?;
         self.wish(&mut scenario);
-        let settings = settings(&scenario, &model.model).map_err(|error| self.refused(&error))?;
+        let settings = stage::settings(&scenario, &model.model).map_err(|error| self.refused(&error))?;
+        let settings = Settings { economy: self.economy(), ..settings };
         let inputs = self.inputs(&scenario, &model)?;
         let generator: &dyn Generator =
             if self.machine.as_deref() == Some(EXACT) { &Exact } else { &HybridMachine };
@@ -153,6 +159,14 @@ impl StageArgs {
         }
     }
 
+    fn economy(&self) -> Economy {
+        match (self.lossless, self.everything) {
+            (false, false) => Economy::Bounded,
+            (_, true) => Economy::Everything,
+            (true, false) => Economy::Lossless,
+        }
+    }
+
     fn refused(&self, error: &hardware_model::SettingsError) -> Failure {
         let place = self.scenario.display().to_string();
         let title = format!("scenario, machine and command line do not fit together: {error}");
@@ -185,50 +199,37 @@ fn drop_wish(scenario: &mut Scenario, key: &str) {
         "dpp.curvature" => laws.curvature = None,
         "dpp.occlusion" => laws.occlusion = None,
         "sweep_memory.pixel_rule" => laws.pixel_rule = None,
+        "feature_generator.light" => laws.feature_light = None,
+        "polyhedron_generator.visibility" => laws.body_visibility = None,
+        "polyhedron_generator.shadowed_bodies" => laws.shadowed_bodies = None,
+        "mixing_unit.texture_in_shadow" => laws.texture_in_shadow = None,
         _ if key.starts_with("range.") => scenario.range = None,
         _ => {}
     }
 }
 
-/// What a scenario on a model comes to.
-pub fn settings(
-    scenario: &Scenario,
-    model: &HardwareModel,
-) -> Result<Settings, hardware_model::SettingsError> {
-    Settings::resolve(
-        model,
-        scenario.field,
-        scenario.raster,
-        scenario.range,
-        scenario.laws,
-        scenario.scalar,
-        scenario.display,
-    )
-}
-
-/// The ground of a scenario: read, or made from its seed.
-pub fn bank(scenario: &Scenario) -> Result<Bank, Failure> {
-    match &scenario.ground {
-        Ground::Bank(path) => Ok(bank_file::read(path)?),
-        Ground::Generated(relief) => {
-            let level = relief.build().map_err(Failure::input)?;
-            Bank::new(scenario.title.clone(), vec![level], None).map_err(Failure::input)
-        }
-    }
+/// Everything that `error` says of the scenario in `file`.
+pub fn stage_problems(file: &str, error: &StageError) -> ProblemList {
+    let problems = Problems::new();
+    error.to_string().lines().for_each(|line| problems.push(Problem::of_file(file, line)));
+    problems.into_result().err().unwrap_or_else(|| Problem::of_file(file, "no stage").into())
 }
 
 impl Loaded {
     /// The stage, its ground made by the threads of `pool`.
     pub fn stage(&mut self, pool: &ThreadPool) -> Result<Stage, Failure> {
         let start = Instant::now();
-        let bank = pool.install(|| bank(&self.scenario))?;
+        let stage = pool.install(|| stage::build(&self.scenario, self.settings.clone()));
+        let stage = stage.map_err(|error| match error {
+            StageError::BankFile(error) => error.into(),
+            other => Failure::Problems(stage_problems(self.scenario_file(), &other)),
+        })?;
         self.phases.push(Phase::since("landscape", start));
-        let landscape = Arc::new(Landscape::new(bank, self.scenario.albedo));
-        Ok(Stage {
-            landscape,
-            scenery: Arc::new(Scenery::still(self.scenario.sun)),
-            settings: self.settings.clone(),
-        })
+        Ok(stage)
+    }
+
+    fn scenario_file(&self) -> &str {
+        self.inputs.scenario.as_ref().map_or("scenario", |record| &record.file)
     }
 
     /// Frames of the scenario.
@@ -253,7 +254,9 @@ impl Loaded {
 mod tests {
     use std::fs;
 
-    use super::StageArgs;
+    use scenario::Scenario;
+
+    use super::{StageArgs, drop_wish};
 
     const SCENARIO: &str = r#"
 format = 1
@@ -285,5 +288,24 @@ keyframes = [{ t_s = 0, x_m = 100, y_m = 200 }, { t_s = 5, x_m = 108, y_m = 205 
         // Whoever names a bank is told of the name.
         stage.bank = Some(folder.path().join("other.bank"));
         assert!(said(&stage).contains("other.bank: no such file; check the spelling"), "{}", said(&stage));
+    }
+
+    #[test]
+    fn a_key_that_is_set_is_no_longer_wished() {
+        let laws = "[laws]\nfeature_light = 'combined'\nbody_visibility = 'depth'\nshadowed_bodies = 'dark'\n\
+                    texture_in_shadow = 'off'\nprojection = 'exact'\n";
+        let mut scenario = Scenario::parse("t.toml", &format!("{SCENARIO}\n{laws}")).unwrap();
+        for key in [
+            "feature_generator.light",
+            "polyhedron_generator.visibility",
+            "polyhedron_generator.shadowed_bodies",
+            "mixing_unit.texture_in_shadow",
+            "dpp.projection",
+        ] {
+            let before = scenario.laws;
+            drop_wish(&mut scenario, key);
+            assert_ne!(scenario.laws, before, "{key}");
+        }
+        assert_eq!(scenario.laws, scenario::LawWishes::default());
     }
 }

@@ -25,6 +25,7 @@ pub enum Display {
 
 /// State of the plain lines.
 pub struct Lines {
+    what: &'static str,
     frames: u64,
     kept: u64,
     began: Instant,
@@ -39,7 +40,7 @@ impl Display {
             (true, true) => Self::Bar(bar()),
             (true, false) => {
                 let now = Instant::now();
-                Self::Lines(Mutex::new(Lines { frames: 0, kept: 0, began: now, last: now }))
+                Self::Lines(Mutex::new(Lines { what: "frames", frames: 0, kept: 0, began: now, last: now }))
             }
         }
     }
@@ -78,11 +79,11 @@ fn hear_bar(bar: &ProgressBar, progress: Progress) {
             bar.set_length(frames);
             bar.set_message("verifying");
         }
-        Progress::Begins { frames, kept } => {
+        Progress::Begins { what, frames, kept } => {
             bar.set_length(frames);
             bar.set_position(kept);
             bar.reset_eta();
-            bar.set_message("frames");
+            bar.set_message(what);
         }
         Progress::Frame { done } => bar.set_position(done),
         Progress::Finishing => bar.set_message("finishing"),
@@ -92,9 +93,9 @@ fn hear_bar(bar: &ProgressBar, progress: Progress) {
 impl Lines {
     fn hear(&mut self, progress: Progress) {
         match progress {
-            Progress::Begins { frames, kept } => {
+            Progress::Begins { what, frames, kept } => {
                 let now = Instant::now();
-                *self = Self { frames, kept, began: now, last: now };
+                *self = Self { what, frames, kept, began: now, last: now };
             }
             Progress::Frame { done } if self.last.elapsed() >= EVERY => {
                 self.last = Instant::now();
@@ -108,7 +109,7 @@ impl Lines {
         let rate = done.saturating_sub(self.kept) as f64 / seconds.max(1e-9);
         let (percent, left) = (100 * done / self.frames.max(1), (self.frames - done.min(self.frames)) as f64);
         let eta = if rate > 0.0 { format!("{:.0} s", left / rate) } else { "unknown".into() };
-        format!("frame {done}/{}  {percent} %  {rate:.1} frames/s  eta {eta}", self.frames)
+        format!("{} {done}/{}  {percent} %  {rate:.1} frames/s  eta {eta}", self.what, self.frames)
     }
 }
 
@@ -121,8 +122,8 @@ mod tests {
     #[test]
     fn a_line_tells_share_rate_and_remaining_time() {
         let now = Instant::now();
-        let lines = Lines { frames: 600, kept: 20, began: now, last: now };
-        assert_eq!(lines.line(120, 10.0), "frame 120/600  20 %  10.0 frames/s  eta 48 s");
-        assert_eq!(lines.line(20, 1.0), "frame 20/600  3 %  0.0 frames/s  eta unknown");
+        let lines = Lines { what: "frames", frames: 600, kept: 20, began: now, last: now };
+        assert_eq!(lines.line(120, 10.0), "frames 120/600  20 %  10.0 frames/s  eta 48 s");
+        assert_eq!(lines.line(20, 1.0), "frames 20/600  3 %  0.0 frames/s  eta unknown");
     }
 }

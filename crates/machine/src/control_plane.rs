@@ -2,10 +2,9 @@
 
 use dpu::{CrossingService, Sector, TimedFold};
 use generator::{FrameError, Stage};
-use hardware_model::Settings;
 use landscape::{Level, Sun};
 use quantities::{degrees, sin_cos};
-use scenario::Pose;
+use scenario::{FieldOfView, Pose};
 use sweep_generator::{Folds, RangeTable, set_up};
 use sweep_program::{Fan, SweepProgram};
 
@@ -16,8 +15,10 @@ pub(crate) struct FramePlan {
     pub frame: u64,
     /// Azimuths of the sweeps.
     pub fan: Fan,
+    /// Heading (rad).
+    pub heading: f64,
     /// Cosine and sine of the heading.
-    pub heading: [f64; 2],
+    turn: [f64; 2],
     /// Pitch of the eye (rad).
     pub pitch: f64,
     /// Eye: north, east, height (m).
@@ -27,23 +28,30 @@ pub(crate) struct FramePlan {
 }
 
 impl FramePlan {
-    /// Checks that the pose can be drawn and spreads the fan.
-    pub fn new(frame: u64, pose: &Pose, stage: &Stage) -> Result<Self, FrameError> {
+    /// Checks that the pose can be drawn and spreads the fan over `field`.
+    pub fn new(
+        frame: u64,
+        pose: &Pose,
+        stage: &Stage,
+        field: &FieldOfView,
+    ) -> Result<Self, FrameError> {
         let Stage { landscape, scenery, settings } = stage;
         let [x, y, height] = pose.eye;
-        let ground = landscape.height(x, y).ok_or(FrameError::OutsideProblemArea { frame, x, y })?;
+        // The machine starts on its finest level; what only coarser levels store is far ground.
+        let on_fine = landscape.level().locate(x, y).and_then(|_| landscape.height(x, y));
+        let ground = on_fine.ok_or(FrameError::OutsideProblemArea { frame, x, y })?;
         let above = height > ground;
         if !above {
             return Err(FrameError::EyeUnderGround { frame, below: ground - height });
         }
-        let raster = &settings.raster;
         let pitch = pose.attitude.pitch;
-        let fan = Fan::covering(settings.laws.projection, pitch, &raster.field, raster.sweeps);
+        let fan = Fan::covering(settings.laws.projection, pitch, field, settings.raster.sweeps);
         let (sin, cos) = sin_cos(pose.attitude.heading);
         Ok(Self {
             frame,
             fan: fan.ok_or_else(|| pitch_error(frame, pitch))?,
-            heading: [cos, sin],
+            heading: pose.attitude.heading,
+            turn: [cos, sin],
             pitch,
             eye: pose.eye,
             sun: scenery.sun(pose.time),
@@ -53,35 +61,43 @@ impl FramePlan {
     /// Regions that the frame can show, out to `range` (m).
     pub fn visible_regions(&self, level: &Level, range: f64) -> usize {
         let [x, y, _] = self.eye;
-        let edges = [0, self.fan.sweeps - 1].map(|sweep| self.fan.direction(sweep, self.heading));
+        let edges = [0, self.fan.sweeps - 1].map(|sweep| self.fan.direction(sweep, self.turn));
         let range = range / level.region_size();
         Sector { foot: level.in_regions(x, y), edges, range }.regions(level).count()
     }
 
-    /// Writes the program of one sweep into `program`.
+    /// Unit vector of a sweep over the ground: north, east.
+    pub fn direction(&self, sweep: u32) -> [f64; 2] {
+        self.fan.direction(sweep, self.turn)
+    }
+
+    /// Ground range at which sweep `sweep` leaves the area that `level` stores (m).
+    pub fn way_to_edge(&self, sweep: u32, level: &Level) -> f64 {
+        let [x, y, _] = self.eye;
+        way_to_edge(level, level.in_regions(x, y), self.direction(sweep))
+    }
+
+    /// Writes the program by which one terrain generator draws a sweep up to `end` (m) into `program`.
     pub fn write_program(
         &self,
         sweep: u32,
-        level: &Level,
-        settings: &Settings,
+        service: &CrossingService<'_>,
         table: &RangeTable,
+        end: f64,
         program: &mut SweepProgram,
     ) {
         let [x, y, _] = self.eye;
-        let foot = level.in_regions(x, y);
-        let direction = self.fan.direction(sweep, self.heading);
-        let start = set_up(foot, direction);
-        let end_range = way_to_edge(level, foot, direction).min(settings.range.end);
+        let level = service.level;
+        let start = set_up(level.in_regions(x, y), self.direction(sweep));
         let mut time_of = table.times();
         let folds = Folds::new(&start)
             .map(|(regions, fold)| {
                 let range = regions * level.region_size();
                 TimedFold { time: time_of(range), range, fold }
             })
-            .take_while(|fold| fold.range <= end_range);
-        let service = CrossingService { level, loader: &settings.loader, timebase: &settings.timebase };
+            .take_while(|fold| fold.range <= end);
         let range_at = |time| table.range_at(time);
-        service.write_program((self.frame, sweep), start, folds, end_range, range_at, program);
+        service.write_program((self.frame, sweep), start, folds, end, range_at, program);
     }
 }
 

@@ -12,12 +12,18 @@
 //! The unit of work is a group of eight sweeps, whatever the number of threads, and nothing survives from one
 //! group to the next: any frame can be made alone, by any number of threads, with the same bits.
 
+mod blocks;
 mod control_plane;
+mod delivery;
 mod elaboration;
+mod feature_light;
+mod footing;
 mod omissions;
+mod raster;
 mod record;
 mod session;
 mod signal_plane;
+mod workspace;
 
 pub use elaboration::HybridMachine;
 pub use record::signals;

@@ -1,20 +1,53 @@
 //! What the elaborated machine leaves out, and what that does to the picture.
 
-use generator::{Omission, Weight};
+use generator::{Omission, Stage, Weight};
+use hardware_model::Economy;
 
-/// What a machine for terrain alone leaves out.
-pub(crate) fn omissions(levels: usize) -> Vec<Omission> {
-    let no_customer =
-        |block, what| Omission::lossless(block, what, "the scenario has nothing for it to draw");
-    let mut list = vec![
-        no_customer("mixing-unit", "video switches VS1, VS2, VS3 and the texture adder"),
-        Omission::lossless("terrain-generator", "dynamics of parts", "all parts of the model are ideal"),
-        Omission::lossless("sweep-memory", "spot, exposure, residue", "all parts of the model are ideal"),
-    ];
-    if levels > 1 {
-        let what = format!("{} coarser terrain levels", levels - 1);
-        let why = "the machine has one terrain generator; the finest level alone is drawn".into();
-        list.push(Omission { block: "terrain-generator", what, why, weight: Weight::NotModelled });
+use crate::blocks::Blocks;
+
+/// What a machine of these blocks leaves out.
+pub(crate) fn omissions(stage: &Stage, blocks: &Blocks) -> Vec<Omission> {
+    let mut list = absent_blocks(stage, blocks);
+    let ideal = "all parts of the model are ideal";
+    list.push(Omission::lossless("terrain-generator", "dynamics of parts", ideal));
+    list.push(Omission::lossless("sweep-memory", "spot, exposure, residue", ideal));
+    if let Some(texture) = stage.landscape.texture() {
+        let what = format!("texture beyond {} m", texture.reach());
+        list.push(Omission::lossless("texture-generator", what, "it has faded to nothing there"));
+    }
+    if blocks.bodies && stage.settings.economy == Economy::Bounded {
+        list.push(Omission {
+            block: "polyhedron-generator",
+            what: "rocks and culture beyond the distance at which the largest of their kind is a resolution cell"
+                .into(),
+            why: "maximal distance of the report; each changes less than a pixel, --lossless draws them".into(),
+            weight: Weight::Bounded(255.0),
+        });
+    }
+    let levels = stage.landscape.bank().levels().len();
+    let drawn = if blocks.coarse.is_some() { 2 } else { 1 };
+    if levels > drawn {
+        list.push(Omission {
+            block: "terrain-generator",
+            what: format!("{} coarser terrain levels", levels - drawn),
+            why: "the machine has a terrain generator for each level that the scenario switches to".into(),
+            weight: Weight::NotModelled,
+        });
     }
     list
+}
+
+/// Blocks without work.
+fn absent_blocks(stage: &Stage, blocks: &Blocks) -> Vec<Omission> {
+    let rows = [
+        (blocks.features, "feature-generator", "sub-generators and VS1", "the ground has no features"),
+        (blocks.shadows.is_some(), "shadow-controller", "line generators and VS2", "the scenario asks for no shadows"),
+        (blocks.texture, "texture-generator", "texture and its adder", "the ground has no texture"),
+        (blocks.bodies, "polyhedron-generator", "polyhedra and VS3", "nothing stands on the ground"),
+        (blocks.coarse.is_some(), "terrain-generator", "second level and its switch", "the ground has one level, or the scenario never switches"),
+        (!stage.landscape.silhouettes().is_empty(), "terrain-generator", "profiles of far mountains", "the scenario has none"),
+        (stage.settings.yoke.is_some(), "display", "turning yoke", "the display shows no roll"),
+    ];
+    let absent = rows.into_iter().filter(|(present, ..)| !present);
+    absent.map(|(_, block, what, why)| Omission::lossless(block, what, why)).collect()
 }

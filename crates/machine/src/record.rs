@@ -2,11 +2,13 @@
 
 use std::sync::OnceLock;
 
-use signal::{Lanes, Probe, Real, Signal, Unit, Waveform};
+use mixing_unit::Inputs;
+use polyhedron_generator::Overlay;
+use signal::{Axis, Lanes, Probe, Real, Signal, Unit, Waveform};
 use sweep_program::{RampAxis, StepKind, SweepProgram};
 
-use crate::control_plane::FramePlan;
-use crate::signal_plane::Workspace;
+use crate::signal_plane::Group;
+use crate::workspace::Workspace;
 
 /// Signals of the sweep generator, recorded from the program.
 const SWEEP: &[Signal] = &[
@@ -22,8 +24,13 @@ pub fn signals() -> &'static [Signal] {
         [
             SWEEP,
             terrain_generator::SIGNALS,
+            feature_generator::SIGNALS,
+            shadow_controller::SIGNALS,
+            texture_generator::SIGNALS,
             mixing_unit::SIGNALS,
+            mixing_unit::GATES,
             display_projection_processor::SIGNALS,
+            polyhedron_generator::SIGNALS,
             sweep_memory::SIGNALS,
         ]
         .concat()
@@ -32,13 +39,10 @@ pub fn signals() -> &'static [Signal] {
 
 /// A group that has run, ready to be looked at.
 pub(crate) struct Recorded<'a, S> {
-    pub plan: &'a FramePlan,
-    pub ranges: &'a [f64],
-    pub region_size: f64,
+    pub group: &'a Group<'a, S>,
     pub work: &'a Workspace<S>,
-    /// Lines that each sweep left, `lines` a sweep.
+    /// Lines that each sweep left.
     pub rows: &'a [f32],
-    pub lines: usize,
 }
 
 /// The gate at each sample: the profile is below the held elevation, and the hold has not moved.
@@ -54,57 +58,104 @@ impl<S: Real> Recorded<'_, S> {
         let wanted = signals().iter().filter(|signal| probe.wants(signal));
         wanted
             .map(|signal| {
-                let values = self.values(signal.name, lane);
-                Waveform { signal: *signal, frame: self.plan.frame, sweep, values }
+                let values = match signal.axis {
+                    Axis::Ground => self.along_the_ground(signal.name, lane),
+                    Axis::Display => self.down_the_display(signal.name, lane, sweep),
+                };
+                Waveform { signal: *signal, frame: self.group.plan.frame, sweep, values }
             })
             .collect()
     }
 
+    fn along_the_ground(&self, name: &str, lane: usize) -> Vec<f64> {
+        let ranges = self.group.table.ranges();
+        let in_sight = ranges.partition_point(|&range| range <= self.group.end_range(lane, self.work));
+        let mut values = self.values(name, lane);
+        values.truncate(in_sight);
+        // Beyond the problem area a wire keeps its last value; where a generator is not there, it is 0.
+        let last = values.last().copied().unwrap_or(0.0);
+        values.resize(ranges.len(), last);
+        values
+    }
+
     fn values(&self, name: &str, lane: usize) -> Vec<f64> {
-        let program = &self.work.programs[lane];
-        let [cos, sin] = program.start.direction;
-        let (profile, projected) = (&self.work.profile, &self.work.projected);
-        let in_sight = self.in_sight(program);
-        let of = |values: &[Lanes<S>]| {
-            values[..in_sight].iter().map(|value| value[lane].to_f64()).collect::<Vec<_>>()
+        let Self { group, work, .. } = self;
+        let program = &work.programs[lane];
+        let (profile, projected) = (&work.profile, &work.projected);
+        let composite = group.composite(work);
+        let of = |values: &[Lanes<S>]| values.iter().map(|value| value[lane].to_f64()).collect::<Vec<_>>();
+        let on_datum = |values: &[Lanes<S>]| {
+            of(values).into_iter().map(|height| height + group.plan.eye[2]).collect::<Vec<_>>()
         };
-        let slope = |along: f64, across: f64| {
-            let pairs = of(&profile.along).into_iter().zip(of(&profile.across));
-            pairs.map(|(g, c)| g * along + c * across).collect()
+        let drawn = |values: &[Lanes<S>]| {
+            of(values).into_iter().map(|signed| signed.max(0.0)).collect::<Vec<_>>()
         };
-        let mut values: Vec<f64> = match name {
+        let direction = program.start.direction;
+        match name {
             "sweep.x" => self.ramp(program, RampAxis::X),
             "sweep.y" => self.ramp(program, RampAxis::Y),
-            "sweep.range" => self.ranges.to_vec(),
-            "tg.height" | "mu.height" => {
-                of(&profile.height).into_iter().map(|height| height + self.plan.eye[2]).collect()
-            }
-            "tg.slope.u" => slope(cos, -sin),
-            "tg.slope.v" => slope(sin, cos),
-            "tg.reflectivity" | "mu.reflectivity" => {
-                of(&profile.reflectivity).into_iter().map(|signed| signed.max(0.0)).collect()
-            }
+            "sweep.range" => group.table.ranges().to_vec(),
+            "tg.height" => on_datum(&profile.height),
+            "tg.slope.u" => slope(&of(&profile.along), &of(&profile.across), direction, 0),
+            "tg.slope.v" => slope(&of(&profile.along), &of(&profile.across), direction, 1),
+            "tg.reflectivity" => drawn(&profile.reflectivity),
+            "mu.height" => on_datum(composite.height),
+            "mu.reflectivity" => drawn(composite.reflectivity),
             "dpp.elevation" => of(&projected.elevation),
             "dpp.hold" => of(&projected.hold),
             "dpp.y" => of(&projected.line),
             "dpp.blank" => blanked(&of(&projected.elevation), &of(&projected.hold)),
-            "sm.write" => {
-                return self.rows[lane * self.lines..][..self.lines].iter().map(|&v| f64::from(v)).collect();
-            }
-            other => unreachable!("{other} stands in the table without being recorded"),
-        };
-        // Beyond the problem area a wire keeps its last value.
-        let last = values.last().copied().unwrap_or(0.0);
-        values.resize(self.ranges.len(), last);
-        values
+            _ => self.of_added_blocks(name, lane, direction),
+        }
     }
 
-    /// Samples before the end of the profile.
-    fn in_sight(&self, program: &SweepProgram) -> usize {
-        self.ranges.partition_point(|&range| range <= program.end_range)
+    /// Signals of blocks that may not be there: 0 throughout if they are not.
+    fn of_added_blocks(&self, name: &str, lane: usize, direction: [f64; 2]) -> Vec<f64> {
+        let Self { group, work, .. } = self;
+        let of = |values: &[Lanes<S>]| values.iter().map(|value| value[lane].to_f64()).collect::<Vec<_>>();
+        let features = &work.feature_profile;
+        let samples = group.table.ranges().len();
+        let has_features = group.blocks.features;
+        match name {
+            "fg.height" if has_features => of(&features.height),
+            "fg.slope.u" if has_features => slope(&of(&features.along), &of(&features.across), direction, 0),
+            "fg.slope.v" if has_features => slope(&of(&features.along), &of(&features.across), direction, 1),
+            "fg.present" if has_features => of(&features.present),
+            "fg.reflectivity" if has_features => {
+                of(&work.lit.reflectivity).into_iter().map(|signed| signed.max(0.0)).collect()
+            }
+            "sc.gate" | "mu.vs2" => self.mixed(|inputs| inputs.vs2_gate(lane)),
+            "mu.vs1" => self.mixed(|inputs| inputs.vs1_gate(&group.mixing_unit().vs1, lane)),
+            "txg.texture" if group.blocks.texture => {
+                let mut values = of(&work.texture);
+                values.resize(samples, 0.0);
+                values
+            }
+            _ => vec![0.0; samples],
+        }
+    }
+
+    fn mixed(&self, of: impl FnOnce(Inputs<'_, S>) -> Vec<f64>) -> Vec<f64> {
+        let lists = self.group.toggle_lists(self.work);
+        of(self.group.inputs(self.work, &lists))
+    }
+
+    fn down_the_display(&self, name: &str, lane: usize, sweep: u32) -> Vec<f64> {
+        let lines = self.group.raster.lines;
+        let rule = self.group.stage.settings.laws.pixel_rule;
+        let (mut overlay, mut row) = (Overlay::default(), vec![0.0; lines]);
+        let mut seen = || self.group.compose_bodies(sweep, lane, self.work, &mut overlay);
+        match name {
+            "sm.write" => row.copy_from_slice(&self.rows[lane * lines..][..lines]),
+            "pg.present" if seen() => overlay.present(rule, &mut row),
+            "pg.reflectivity" if seen() => overlay.write(rule, &mut row),
+            _ => {}
+        }
+        row.into_iter().map(f64::from).collect()
     }
 
     fn ramp(&self, program: &SweepProgram, axis: RampAxis) -> Vec<f64> {
+        let region_size = self.group.stage.landscape.level().region_size();
         let ramp = &program.start.ramps[usize::from(axis == RampAxis::Y)];
         let mut folds = program
             .steps
@@ -116,8 +167,14 @@ impl<S: Real> Recorded<'_, S> {
             while folds.next_if(|fold| fold.range <= range).is_some() {
                 count += 1;
             }
-            ramp.at(count, range / self.region_size).0
+            ramp.at(count, range / region_size).0
         };
-        self.ranges[..self.in_sight(program)].iter().map(value).collect()
+        self.group.table.ranges().iter().map(value).collect()
     }
+}
+
+/// Slope to the north (axis 0) or the east (axis 1) from those along and across a sweep.
+fn slope(along: &[f64], across: &[f64], [cos, sin]: [f64; 2], axis: usize) -> Vec<f64> {
+    let (a, b) = if axis == 0 { (cos, -sin) } else { (sin, cos) };
+    along.iter().zip(across).map(|(along, across)| a * along + b * across).collect()
 }

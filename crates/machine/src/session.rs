@@ -10,20 +10,30 @@ use rayon::slice::ParallelSliceMut;
 use scenario::Pose;
 use signal::{LANES, Probe, Real, Waveform};
 use sweep_generator::RangeTable;
-use sweep_memory::{View, digital_memory, scan_converter};
+use sweep_memory::{View, digital_memory, digital_memory_turned, scan_converter};
 use sweep_program::{StepKind, SweepProgram};
 
+use crate::blocks::Blocks;
 use crate::control_plane::FramePlan;
+use crate::delivery::{Delivery, Supply};
+use crate::footing::Footings;
 use crate::omissions::omissions;
+use crate::raster::WrittenRaster;
 use crate::record::Recorded;
-use crate::signal_plane::{Group, Workspace};
+use crate::signal_plane::Group;
+use crate::workspace::Workspace;
 
 /// The machine, its tables, and buffers that wait for the next frame.
 pub(crate) struct Elaborated<S> {
     stage: Stage,
+    blocks: Blocks,
     table: RangeTable,
+    near: Vec<f32>,
     processor: Processor<S>,
+    raster: WrittenRaster,
+    footings: Footings,
     workspaces: Pool<Workspace<S>>,
+    deliveries: Pool<Delivery>,
     stores: Pool<Vec<f32>>,
 }
 
@@ -40,28 +50,71 @@ impl<T: Default> Pool<T> {
     }
 }
 
+impl<T> Default for Pool<T> {
+    fn default() -> Self {
+        Self(Mutex::default())
+    }
+}
+
 impl<S: Real> Elaborated<S> {
     pub fn new(stage: Stage) -> Self {
         let settings = &stage.settings;
         let table = RangeTable::new(&settings.range, settings.raster.samples as usize);
         let laws = &settings.laws;
-        let processor = Processor::new(laws.occlusion, laws.curvature, table.ranges());
-        let (workspaces, stores) = (Pool(Mutex::default()), Pool(Mutex::default()));
-        Self { stage, table, processor, workspaces, stores }
+        Self {
+            blocks: Blocks::new(&stage),
+            near: table.ranges().iter().map(|range| (1.0 / range) as f32).collect(),
+            processor: Processor::new(laws.occlusion, laws.curvature, table.ranges()),
+            raster: WrittenRaster::new(settings),
+            table,
+            footings: Footings::default(),
+            workspaces: Pool::default(),
+            deliveries: Pool::default(),
+            stores: Pool::default(),
+            stage,
+        }
+    }
+
+    fn deliver(&self, plan: &FramePlan, time: f64) -> Delivery {
+        let mut delivery = self.deliveries.take();
+        let supply = Supply {
+            stage: &self.stage,
+            blocks: &self.blocks,
+            footings: &self.footings,
+            plan,
+            raster: self.raster,
+            ranges: self.table.ranges(),
+        };
+        supply.deliver(time, &mut delivery);
+        delivery
     }
 
     /// Runs all groups; each writes its own sweeps of `store`.
-    fn sweep_all(&self, plan: &FramePlan, probe: &Probe, store: &mut [f32]) -> Vec<GroupResult> {
-        let lines = self.stage.settings.raster.lines as usize;
-        let group = Group { stage: &self.stage, table: &self.table, processor: &self.processor, plan };
+    fn sweep_all(
+        &self,
+        plan: &FramePlan,
+        delivery: &Delivery,
+        probe: &Probe,
+        store: &mut [f32],
+    ) -> Vec<GroupResult> {
+        let group = Group {
+            stage: &self.stage,
+            blocks: &self.blocks,
+            table: &self.table,
+            near: &self.near,
+            processor: &self.processor,
+            raster: self.raster,
+            plan,
+            delivery,
+        };
         store
-            .par_chunks_mut(LANES * lines)
+            .par_chunks_mut(LANES * self.raster.lines)
             .enumerate()
             .map(|(index, rows)| {
                 let first = (index * LANES) as u32;
                 let mut work = self.workspaces.take();
                 group.run(first, &mut work, rows);
-                let result = self.look_at(plan, probe, first, &work, rows);
+                let result = self.look_at(&group, probe, first, &work, rows);
                 self.workspaces.give_back(work);
                 result
             })
@@ -70,42 +123,57 @@ impl<S: Real> Elaborated<S> {
 
     fn look_at(
         &self,
-        plan: &FramePlan,
+        group: &Group<'_, S>,
         probe: &Probe,
         first: u32,
         work: &Workspace<S>,
         rows: &[f32],
     ) -> GroupResult {
-        let lines = self.stage.settings.raster.lines as usize;
-        let sweeps = rows.len() / lines;
+        let sweeps = rows.len() / self.raster.lines;
         let mut result = GroupResult::default();
         for lane in 0..sweeps {
-            result.counts.add(&counts(&work.programs[lane], self.table.ranges().len()));
+            result.counts.add(&self.counts(work, lane));
             let sweep = first + lane as u32;
             if probe.wants_sweep(sweep) {
-                let region_size = self.stage.landscape.level().region_size();
-                let ranges = self.table.ranges();
-                let recorded = Recorded { plan, ranges, region_size, work, rows, lines };
+                let recorded = Recorded { group, work, rows };
                 result.waveforms.extend(recorded.waveforms(probe, lane, sweep));
             }
         }
         result
     }
 
-    fn read_out(&self, plan: &FramePlan, store: &[f32], planes: &mut Planes) {
-        let (columns, lines) = (planes.columns(), planes.lines());
+    /// Work that a sweep was: the same for any number of threads.
+    fn counts(&self, work: &Workspace<S>, lane: usize) -> FrameCounts {
+        let mut counts = terrain_counts(&work.programs[lane]);
+        if self.blocks.coarse.is_some() {
+            counts.add(&terrain_counts(&work.coarse[lane]));
+        }
+        if self.blocks.features {
+            let program = &work.features[lane];
+            counts.features = program.loads.len() as u64;
+            counts.dropped_features = u64::from(program.dropped);
+        }
+        FrameCounts { sweeps: 1, samples: self.table.ranges().len() as u64, ..counts }
+    }
+
+    fn read_out(&self, plan: &FramePlan, yoke: f64, store: &[f32], planes: &mut Planes) {
+        let columns = planes.columns();
         let Some(picture) = planes.get_mut(PlaneKind::Intensity) else { return };
         let settings = &self.stage.settings;
-        match settings.sweep_memory {
-            SweepMemoryKind::DigitalMemory => digital_memory(store, lines, columns, picture),
-            SweepMemoryKind::ScanConverter => {
-                let view = View {
-                    fan: plan.fan,
-                    projection: settings.laws.projection,
-                    pitch: plan.pitch,
-                    field: settings.raster.field,
-                };
-                scan_converter(store, lines, columns, &view, picture);
+        let lines = self.raster.lines;
+        let view = View {
+            fan: plan.fan,
+            projection: settings.laws.projection,
+            pitch: plan.pitch,
+            raster: self.raster.field,
+            field: settings.raster.field,
+            yoke,
+        };
+        match (settings.sweep_memory, settings.yoke) {
+            (SweepMemoryKind::ScanConverter, _) => scan_converter(store, lines, columns, &view, picture),
+            (SweepMemoryKind::DigitalMemory, None) => digital_memory(store, lines, columns, picture),
+            (SweepMemoryKind::DigitalMemory, Some(_)) => {
+                digital_memory_turned(store, lines, columns, &view, picture);
             }
         }
     }
@@ -118,17 +186,26 @@ struct GroupResult {
     waveforms: Vec<Waveform>,
 }
 
-/// Work that a sweep was: the same for any number of threads.
-fn counts(program: &SweepProgram, samples: usize) -> FrameCounts {
+fn terrain_counts(program: &SweepProgram) -> FrameCounts {
     let folds = program.steps.iter().filter(|step| matches!(step.kind, StepKind::Fold(_))).count();
     let late = program.misses.iter().map(|miss| u64::from(miss.words.0.count_ones())).sum();
     FrameCounts {
-        sweeps: 1,
-        samples: samples as u64,
-        regions: 0,
         folds: folds as u64,
         loads: (program.steps.len() - folds) as u64,
         late_words: late,
+        ..FrameCounts::default()
+    }
+}
+
+/// Work that the whole frame was, beside its sweeps.
+fn delivery_counts(delivery: &Delivery) -> FrameCounts {
+    let gates = || delivery.gates.iter();
+    FrameCounts {
+        shadow_toggles: gates().map(|gate| gate.toggles.len() as u64).sum(),
+        dropped_segments: gates().map(|gate| u64::from(gate.dropped)).sum(),
+        bodies: delivery.bodies,
+        spans: delivery.polyhedra.table().len() as u64,
+        ..FrameCounts::default()
     }
 }
 
@@ -140,15 +217,17 @@ impl<S: Real> Session for Elaborated<S> {
         planes: &mut Planes,
         probe: &mut Probe,
     ) -> Result<FrameCounts, FrameError> {
-        let raster = &self.stage.settings.raster;
-        let plan = FramePlan::new(frame, pose, &self.stage)?;
+        let settings = &self.stage.settings;
+        let plan = FramePlan::new(frame, pose, &self.stage, &self.raster.field)?;
+        let delivery = self.deliver(&plan, pose.time);
         let mut store = self.stores.take();
-        store.resize(raster.sweeps as usize * raster.lines as usize, 0.0);
-        let groups = self.sweep_all(&plan, probe, &mut store);
-        self.read_out(&plan, &store, planes);
+        store.resize(settings.raster.sweeps as usize * self.raster.lines, 0.0);
+        let groups = self.sweep_all(&plan, &delivery, probe, &mut store);
+        self.read_out(&plan, pose.yoke, &store, planes);
         self.stores.give_back(store);
-        let regions = plan.visible_regions(self.stage.landscape.level(), self.stage.settings.range.end);
-        let mut total = FrameCounts { regions: regions as u64, ..FrameCounts::default() };
+        let regions = plan.visible_regions(self.stage.landscape.level(), settings.range.end);
+        let mut total = FrameCounts { regions: regions as u64, ..delivery_counts(&delivery) };
+        self.deliveries.give_back(delivery);
         for group in groups {
             total.add(&group.counts);
             probe.waveforms.extend(group.waveforms);
@@ -157,6 +236,6 @@ impl<S: Real> Session for Elaborated<S> {
     }
 
     fn omissions(&self) -> Vec<Omission> {
-        omissions(self.stage.landscape.bank().levels().len())
+        omissions(&self.stage, &self.blocks)
     }
 }

@@ -1,82 +1,315 @@
-//! The analog side of a group of sweeps: TG, MU, DPP, SM in the order of section 24.
+//! The analog side of a group of sweeps: the generators, MU, DPP, SM in the order of section 24.
 
 use std::array;
 
-use display_projection_processor::{Deflection, Processor, Projected};
+use display_projection_processor::{BrokenProfile, Deflection, Processor};
+use dpu::CrossingService;
+use feature_generator::{FeatureGenerator, Schedule};
 use generator::Stage;
-use mixing_unit::terrain_alone;
+use landscape::{Level, SweepLight};
+use mixing_unit::{Composite, FeatureInput, Inputs, MixingUnit, Toggle, ToggleList, terrain_alone};
+use polyhedron_generator::{Hold, Overlay};
+use shadow_controller::Gate;
 use signal::{LANES, Real};
 use sweep_generator::RangeTable;
-use sweep_memory::{Beam, write_group};
-use sweep_program::{RegisterSet, SweepProgram, SweepStart};
-use terrain_generator::{Profile, SweepLight, TerrainGenerator};
+use sweep_memory::{Beam, BeamBreaks, FarStroke, write_group};
+use terrain_generator::{ModifiedTerrainGenerator, TerrainGenerator};
+use texture_generator::TextureGenerator;
 
+use crate::blocks::{Blocks, Coarse};
 use crate::control_plane::FramePlan;
-
-/// Buffers of one worker; they live as long as the session.
-#[derive(Debug, Clone)]
-pub(crate) struct Workspace<S> {
-    /// Programs of the group.
-    pub programs: [SweepProgram; LANES],
-    /// Terrain profiles.
-    pub profile: Profile<S>,
-    /// Projected profiles.
-    pub projected: Projected<S>,
-}
-
-impl<S: Default> Default for Workspace<S> {
-    fn default() -> Self {
-        let still = sweep_program::Ramp { start: 0.0, rate: 0.0, polarity: 1.0 };
-        let start = SweepStart { direction: [1.0, 0.0], region: [0, 0], ramps: [still; 2] };
-        let registers = [RegisterSet::default(); 4];
-        let idle = SweepProgram { start, registers, steps: Vec::new(), end_range: 0.0, misses: Vec::new() };
-        Self {
-            programs: array::from_fn(|_| idle.clone()),
-            profile: Profile::default(),
-            projected: Projected::default(),
-        }
-    }
-}
+use crate::delivery::Delivery;
+use crate::feature_light::Lamp;
+use crate::raster::WrittenRaster;
+use crate::workspace::Workspace;
 
 /// Everything that the groups of a frame share.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Group<'a, S> {
     pub stage: &'a Stage,
+    pub blocks: &'a Blocks,
     pub table: &'a RangeTable,
+    /// Inverse range of each sample (1/m).
+    pub near: &'a [f32],
     pub processor: &'a Processor<S>,
+    pub raster: WrittenRaster,
     pub plan: &'a FramePlan,
+    pub delivery: &'a Delivery,
 }
 
 impl<S: Real> Group<'_, S> {
     /// Runs the group that begins at sweep `first` and leaves its lines in `rows`, one stretch a sweep.
     pub fn run(&self, first: u32, work: &mut Workspace<S>, rows: &mut [f32]) {
-        let Stage { landscape, settings, .. } = self.stage;
-        let (level, raster) = (landscape.level(), &settings.raster);
         // Lanes beyond the last sweep repeat it; nothing of them is kept.
-        let sweeps: [u32; LANES] = array::from_fn(|lane| (first + lane as u32).min(raster.sweeps - 1));
-        for (&sweep, program) in sweeps.iter().zip(&mut work.programs) {
-            self.plan.write_program(sweep, level, settings, self.table, program);
+        let last = self.plan.fan.sweeps - 1;
+        let sweeps: [u32; LANES] = array::from_fn(|lane| (first + lane as u32).min(last));
+        self.draw_terrain(&sweeps, work);
+        if self.blocks.features {
+            self.draw_features(&sweeps, work);
         }
-        let light = work
-            .programs
-            .each_ref()
-            .map(|program| SweepLight::new(&self.plan.sun, landscape.albedo(), program.start.direction));
-        let deflection = sweeps.map(|sweep| {
-            let tangent = self.plan.fan.tangent(sweep);
-            Deflection::new(settings.laws.projection, self.plan.pitch, tangent)
-                .in_lines(f64::from(raster.lines), raster.field.tan_half_height)
-        });
-        let terrain = TerrainGenerator {
+        if self.blocks.texture {
+            self.draw_texture(&sweeps, work);
+        }
+        self.set_gates(&sweeps, work);
+        self.mix(work);
+        self.project(&sweeps, work);
+        self.write(work, rows);
+        self.overlay(first, work, rows);
+    }
+
+    /// Whether the mixing unit has anything to mix.
+    fn is_mixed(&self) -> bool {
+        self.blocks.features || self.blocks.texture || self.blocks.shadows.is_some()
+    }
+
+    fn light(&self, sweeps: &[u32; LANES]) -> [SweepLight; LANES] {
+        let (landscape, sun) = (&self.stage.landscape, &self.plan.sun);
+        sweeps.map(|sweep| {
+            let direction = self.plan.direction(sweep);
+            SweepLight::new(sun, landscape.albedo(), *landscape.photometry(), direction)
+        })
+    }
+
+    fn terrain<'l>(&'l self, level: &'l Level) -> TerrainGenerator<'l> {
+        TerrainGenerator {
             buffer: level.words(),
             region_size: level.region_size(),
             ranges: self.table.ranges(),
             datum: self.plan.eye[2],
-        };
-        terrain.run(&work.programs, &light, &mut work.profile);
-        let composite = terrain_alone(&work.profile.height, &work.profile.reflectivity);
-        self.processor.run(composite.height, &deflection, &mut work.projected);
-        let Projected { position, line, entry, .. } = &work.projected;
-        let beam = Beam { position, line, entry, intensity: composite.reflectivity };
-        write_group(&beam, settings.laws.pixel_rule, raster.lines as usize, rows);
+        }
     }
+
+    fn draw_terrain(&self, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
+        let settings = &self.stage.settings;
+        let fine = self.stage.landscape.level();
+        let service =
+            CrossingService { level: fine, loader: &settings.loader, timebase: &settings.timebase };
+        let light = self.light(sweeps);
+        let far = self.blocks.coarse.as_ref().map_or(settings.range.end, |coarse| coarse.switch.range);
+        for (&sweep, program) in sweeps.iter().zip(&mut work.programs) {
+            let end = self.plan.way_to_edge(sweep, fine).min(far).min(settings.range.end);
+            self.plan.write_program(sweep, &service, self.table, end, program);
+        }
+        match &self.blocks.coarse {
+            None => self.terrain(fine).run(&work.programs, &light, &mut work.profile),
+            Some(coarse) => self.draw_both_levels(coarse, sweeps, &light, work),
+        }
+    }
+
+    fn draw_both_levels(
+        &self,
+        Coarse { switch, loader }: &Coarse,
+        sweeps: &[u32; LANES],
+        light: &[SweepLight; LANES],
+        work: &mut Workspace<S>,
+    ) {
+        let Stage { landscape, settings, .. } = self.stage;
+        let level = &landscape.bank().levels()[1];
+        let service = CrossingService { level, loader, timebase: &settings.timebase };
+        for (&sweep, program) in sweeps.iter().zip(&mut work.coarse) {
+            let end = self.plan.way_to_edge(sweep, level).min(settings.range.end);
+            self.plan.write_program(sweep, &service, self.table, end, program);
+        }
+        let generator = ModifiedTerrainGenerator {
+            fine: self.terrain(landscape.level()),
+            coarse: self.terrain(level),
+            blend: switch.blend,
+        };
+        let ranges = work.programs.each_ref().map(|program| program.end_range);
+        let (profile, overlap) = (&mut work.profile, &mut work.overlap);
+        work.step = generator.run(&work.programs, &work.coarse, &ranges, light, profile, overlap);
+    }
+
+    /// Ground range at which the profile of a lane ends (m).
+    pub fn end_range(&self, lane: usize, work: &Workspace<S>) -> f64 {
+        let fine = work.programs[lane].end_range;
+        if self.blocks.coarse.is_some() { work.coarse[lane].end_range.max(fine) } else { fine }
+    }
+
+    fn draw_features(&self, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
+        let Stage { landscape, settings, .. } = self.stage;
+        let (level, ranges) = (landscape.level(), self.table.ranges());
+        let schedule = Schedule {
+            features: landscape.features(),
+            parts: settings.feature_generator,
+            region_origin: level.origin(),
+            region_size: level.region_size(),
+        };
+        let eye = [self.plan.eye[0], self.plan.eye[1]];
+        for (lane, &sweep) in sweeps.iter().enumerate() {
+            let span = [ranges[0], self.end_range(lane, work)];
+            schedule.write(eye, self.plan.direction(sweep), span, &mut work.features[lane]);
+        }
+        let profile = &mut work.feature_profile;
+        FeatureGenerator { ranges }.run(landscape.features(), &work.features, profile);
+        let lamp = Lamp { law: settings.laws.feature_light, light: &self.light(sweeps), ranges };
+        lamp.run(&work.profile, profile, &mut work.lit);
+    }
+
+    fn draw_texture(&self, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
+        let Some(texture) = self.stage.landscape.texture() else { return };
+        let directions = sweeps.map(|sweep| self.plan.direction(sweep));
+        let eye = [self.plan.eye[0], self.plan.eye[1]];
+        TextureGenerator { texture, ranges: self.table.ranges() }.run(eye, &directions, &mut work.texture);
+    }
+
+    /// Ranges at which the gates change, as places between samples.
+    fn set_gates(&self, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
+        let ranges = self.table.ranges();
+        let lanes = work.toggles.iter_mut().zip(&mut work.dark_at_start);
+        for ((toggles, dark_at_start), &sweep) in lanes.zip(sweeps) {
+            toggles.clear();
+            *dark_at_start = false;
+            let Some(gate) = self.delivery.gates.get(sweep as usize) else { continue };
+            *dark_at_start = dark_at(gate, ranges[0]);
+            let inside = gate.toggles.iter().filter(|&&range| range > ranges[0]);
+            toggles.extend(inside.map_while(|&range| toggle_at(ranges, range)));
+        }
+    }
+
+    /// Gates of the group as the mixing unit takes them.
+    pub fn toggle_lists<'w>(&self, work: &'w Workspace<S>) -> [ToggleList<'w, S>; LANES] {
+        array::from_fn(|lane| ToggleList {
+            dark_at_start: work.dark_at_start[lane],
+            toggles: &work.toggles[lane],
+        })
+    }
+
+    /// What the generators send to the mixing unit.
+    pub fn inputs<'w>(
+        &self,
+        work: &'w Workspace<S>,
+        lists: &'w [ToggleList<'w, S>; LANES],
+    ) -> Inputs<'w, S> {
+        Inputs {
+            height: &work.profile.height,
+            reflectivity: &work.profile.reflectivity,
+            features: self.blocks.features.then_some(FeatureInput {
+                height: &work.feature_profile.height,
+                present: &work.feature_profile.present,
+                reflectivity: &work.lit.reflectivity,
+                kinks: &work.lit.kinks,
+            }),
+            shadow: self.blocks.shadows.is_some().then_some(lists),
+            texture: self.blocks.texture.then_some(&work.texture),
+        }
+    }
+
+    /// The mixing unit of the run.
+    pub fn mixing_unit(&self) -> MixingUnit {
+        let settings = &self.stage.settings;
+        MixingUnit::new(&settings.mixing_unit, settings.laws.texture_in_shadow)
+    }
+
+    fn mix(&self, work: &mut Workspace<S>) {
+        if self.is_mixed() {
+            let mut mixed = std::mem::take(&mut work.mixed);
+            self.mixing_unit().run(&self.inputs(work, &self.toggle_lists(work)), &mut mixed);
+            work.mixed = mixed;
+        }
+    }
+
+    /// The composite landscape of a group that has been mixed.
+    pub fn composite<'w>(&self, work: &'w Workspace<S>) -> Composite<'w, S> {
+        if self.is_mixed() {
+            work.mixed.composite()
+        } else {
+            terrain_alone(&work.profile.height, &work.profile.reflectivity)
+        }
+    }
+
+    fn deflection(&self, sweep: u32) -> Deflection {
+        let tangent = self.plan.fan.tangent(sweep);
+        Deflection::new(self.stage.settings.laws.projection, self.plan.pitch, tangent)
+            .in_lines(self.raster.lines as f64, self.raster.field.tan_half_height)
+    }
+
+    fn project(&self, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
+        let deflection = sweeps.map(|sweep| self.deflection(sweep));
+        for ((far, &sweep), deflection) in work.far.iter_mut().zip(sweeps).zip(&deflection) {
+            self.find_silhouettes(sweep, deflection, far);
+        }
+        let height = if self.is_mixed() { &work.mixed.height } else { &work.profile.height };
+        if self.is_mixed() && work.mixed.has_breaks() {
+            let broken = BrokenProfile { breaks: &work.mixed.breaks, bends: &work.mixed.bends };
+            self.processor.run_broken(height, broken, &deflection, &mut work.projected);
+        } else {
+            self.processor.run(height, &deflection, &mut work.projected);
+        }
+    }
+
+    /// Mountains of which only the outline is stored, where the sweep meets them (section 8).
+    fn find_silhouettes(&self, sweep: u32, deflection: &Deflection, far: &mut Vec<FarStroke>) {
+        far.clear();
+        let silhouettes = self.stage.landscape.silhouettes();
+        if silhouettes.is_empty() {
+            return;
+        }
+        let [north, east] = self.plan.direction(sweep);
+        let azimuth = libm::atan2(east, north);
+        far.extend(silhouettes.iter().filter_map(|silhouette| {
+            let line = deflection.at(silhouette.tangent(azimuth)?) as f32;
+            Some(FarStroke { line, intensity: silhouette.reflectivity() as f32 })
+        }));
+    }
+
+    fn write(&self, work: &Workspace<S>, rows: &mut [f32]) {
+        let projected = &work.projected;
+        let breaks = (self.is_mixed() && work.mixed.has_breaks()).then(|| BeamBreaks {
+            breaks: &work.mixed.breaks,
+            bends: &work.mixed.bends,
+            position: &projected.breaks.position,
+            line: &projected.breaks.line,
+        });
+        let beam = Beam {
+            position: &projected.position,
+            line: &projected.line,
+            entry: &projected.entry,
+            intensity: self.composite(work).reflectivity,
+            breaks,
+            far: (!self.stage.landscape.silhouettes().is_empty()).then_some(&work.far),
+        };
+        write_group(&beam, self.stage.settings.laws.pixel_rule, self.raster.lines, rows);
+    }
+
+    /// VS3: polyhedra over what the sweeps have written.
+    fn overlay(&self, first: u32, work: &mut Workspace<S>, rows: &mut [f32]) {
+        let mut overlay = std::mem::take(&mut work.overlay);
+        for (lane, row) in rows.chunks_exact_mut(self.raster.lines).enumerate() {
+            if self.compose_bodies(first + lane as u32, lane, work, &mut overlay) {
+                overlay.write(self.stage.settings.laws.pixel_rule, row);
+            }
+        }
+        work.overlay = overlay;
+    }
+
+    /// Finds what is seen of the bodies on a sweep; false if it meets none.
+    pub fn compose_bodies(
+        &self,
+        sweep: u32,
+        lane: usize,
+        work: &Workspace<S>,
+        overlay: &mut Overlay,
+    ) -> bool {
+        let spans = self.delivery.polyhedra.table().sweep(sweep as usize);
+        let held = |sample: usize| work.projected.line[sample][lane].to_f64() as f32;
+        let hold = Hold { near: self.near, lines: held };
+        if !spans.is_empty() {
+            overlay.compose(spans, self.stage.settings.laws.body_visibility, Some(&hold));
+        }
+        !spans.is_empty()
+    }
+}
+
+/// Whether the first sample of a sweep is dark: changes before it have happened.
+fn dark_at(gate: &Gate, range: f64) -> bool {
+    let before = gate.toggles.partition_point(|&toggle| toggle <= range);
+    gate.dark_at_start ^ (before % 2 == 1)
+}
+
+/// A range as a place between two samples; `None` beyond the last.
+fn toggle_at<S: Real>(ranges: &[f64], range: f64) -> Option<Toggle<S>> {
+    let sample = ranges.partition_point(|&z| z < range);
+    let (near, far) = (ranges[sample.checked_sub(1)?], *ranges.get(sample)?);
+    Some(Toggle { sample, share: S::from_f64((range - near) / (far - near)) })
 }

@@ -1,16 +1,49 @@
 //! Mixing unit (fig. 28, 29; section 14).
 //!
 //! ```text
-//! tg.height ──────────────────────▶ mu.height        to the projection processor
-//! tg.reflectivity ─▶ VS1 ▶ VS2 ▶ + ─▶ mu.reflectivity  to the projection processor
+//! tg.height ───────────────┬ + ──────────────────────────────▶ mu.height        to the projection processor
+//! fg.height ───────────────┘
+//! tg.reflectivity ─▶ C ┐
+//! fg.reflectivity ─▶ S ┴ VS1 ─▶ C ┐
+//! fg.present ──────▶ G            ┴ VS2 ─▶ + ──────────────▶ mu.reflectivity  to the projection processor
+//!                black (0) ─▶ S ──┘ G      ↑ texture
+//!                          sc.dark ─┘
+//! sweep memory, as it is written ─▶ C ┐
+//! pg.reflectivity ─────────────────▶ S ┴ VS3 ─▶ display
+//! pg.present ──────────────────────▶ G
 //! ```
 //!
-//! **Law.** A video switch puts features on terrain (VS1), another puts shadow on both (VS2), texture is added.
-//! **Elaboration.** A switch whose second input has no source is not there. This machine has terrain alone, so
-//! the unit is two wires and costs nothing a sample.
-//! **Not modelled yet.** Features, shadow, texture and with them the three switches.
+//! **Law.** A [`VideoSwitch`] has its input C through while its gate G is not above a threshold, and S while it is.
+//! The order is the report's: VS1 lays features on terrain, VS2 lays shadow on both, texture is added, and VS3
+//! lays polyhedra on whatever the sweep memory is given. VS3 acts in display-plane position, behind the projection
+//! processor, so it stands with the polyhedron generator; its law is the same. Heights add.
+//! **Parameters.** [`hardware_model::MixingParts`]: what opens VS1 (and VS3), and the level of a self-keyed gate.
+//! [`scenario::TextureInShadow`]: whether the adder stands behind VS2, as reported (shadow is grained), or before
+//! it (shadow is black).
+//! **State and timing.** None; switches and adder follow their inputs at once. A rim that the sweep crosses and a
+//! shadow that begins fall between two samples: they leave the unit as [`signal::Breaks`], with the reflectivity
+//! on both sides, and the samples hold what is at the samples.
+//! **Reflectivity** keeps its sign: below 0 is local shadow, drawn black, and the sign says where between two
+//! samples it begins. Remote shadow is exactly 0. Above 1 is clipped.
+//! **Elaboration.** A switch whose second input has no source is not there. With terrain alone the unit is two
+//! wires ([`terrain_alone`]) and costs nothing a sample.
+//! **Our choices.** Presence lines as gates; `self-keyed` shows what the figure taken literally does: the dark wall
+//! of a crater drops the gate, and lit terrain shines through it. Texture as reported is added to what is drawn, so
+//! local shadow is grained like remote shadow; where texture ends the sign comes back.
+//! **Not modelled.** Hysteresis and delay of the switches. A self-keyed gate that opens between two samples without
+//! a kink there switches at the later one.
+
+mod breaks;
+mod inputs;
+mod stretch;
+mod switch;
+mod unit;
 
 use signal::{Lanes, Signal, Unit};
+
+pub use inputs::{FeatureInput, Inputs, Kink, Toggle, ToggleList};
+pub use switch::VideoSwitch;
+pub use unit::{Mixed, MixingUnit};
 
 /// Signals of the block.
 pub const SIGNALS: &[Signal] = &[
@@ -20,6 +53,12 @@ pub const SIGNALS: &[Signal] = &[
         Unit::Reflectivity,
         "reflectivity of the composite landscape (fig. 28)",
     ),
+];
+
+/// Gates of the video switches, where there are switches; [`Inputs::vs1_gate`] and [`Inputs::vs2_gate`] give them.
+pub const GATES: &[Signal] = &[
+    Signal::ground("mu.vs1", Unit::Gate, "1 while features lie on terrain (fig. 28)"),
+    Signal::ground("mu.vs2", Unit::Gate, "1 while remote shadow lies on both (fig. 28)"),
 ];
 
 /// The landscape profile of a group of sweeps: one [`Lanes`] a sample.

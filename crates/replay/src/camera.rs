@@ -27,10 +27,15 @@ pub(crate) fn camera(stage: &Stage) -> Value {
         "vehicle_axes": "forward, starboard, down; origin at the eye",
         "terrain_axes": "north, east, down; poses.csv gives x_m north, y_m east, z_m up",
         "vehicle_to_terrain": {
-            "formula": "ray_terrain = Phi Theta ray_vehicle with the heading and pitch of poses.csv",
+            "formula": "ray_terrain = Phi Theta Psi ray_vehicle with the heading and pitch of poses.csv",
             "phi": "[[cos h, -sin h, 0], [sin h, cos h, 0], [0, 0, 1]], h = heading, clockwise from north",
             "theta": "[[cos p, 0, sin p], [0, 1, 0], [-sin p, 0, cos p]], p = pitch, nose up",
-            "roll": "recorded in poses.csv and not drawn: the yoke stays upright",
+            "psi": "[[1, 0, 0], [0, cos y, -sin y], [0, sin y, cos y]], y = angle of the yoke, starboard down",
+            "roll": match stage.settings.yoke {
+                None => "recorded in poses.csv and not drawn: the yoke stays upright, y = 0",
+                Some(_) => "drawn by the yoke, which turns by steps and at a limited rate: y follows the roll of \
+                            poses.csv and may lag behind it",
+            },
         },
         "projection": match stage.settings.laws.projection {
             Projection::Exact => "exact: the formulas hold for every pixel",

@@ -134,7 +134,7 @@ impl Drawing<'_> {
             files.push(self.times.write.time(|| self.write(picture_name(index), &png))?);
         }
         let (time_s, pixels_blake3) = (row.pose.time, picture.pixel_hash());
-        let record = FrameRecord { frame, time_s, pixels_blake3, files, counts: counts.into() };
+        let record = FrameRecord { frame, time_s, pixels_blake3, files, counts };
         self.times.write.time(|| self.journal.add(&record))?;
         Ok(record)
     }

@@ -4,7 +4,7 @@ use std::io;
 use std::ops::Range;
 use std::path::PathBuf;
 
-use files::FileError;
+use files::{FileError, NpyError};
 use generator::{FrameError, PrepareError};
 use picture::{PictureError, PictureFileError};
 use scenario::PathProblems;
@@ -81,6 +81,41 @@ pub enum ReplayError {
         path: PathBuf,
         /// What is wrong.
         reason: String,
+    },
+    /// The folder holds truth of other kinds.
+    #[error(
+        "{path}: holds ground truth of other kinds, or made from something else, than {asked} of this run; ask for \
+         those that it holds (truth.json lists them), or remove that folder to have it made anew"
+    )]
+    OtherTruth {
+        /// The folder of the truth.
+        path: PathBuf,
+        /// What was asked for.
+        asked: String,
+    },
+    /// A record of truth that cannot be read.
+    #[error("{path}: not the record of ground truth ({reason}); remove its folder to have the truth made anew")]
+    TruthRecord {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        reason: String,
+    },
+    /// A plane with a value that is no number.
+    #[error("frame {frame}: ground truth `{item}` holds a value that is no number; please report the scenario")]
+    TruthNotANumber {
+        /// Frame number.
+        frame: u64,
+        /// Which.
+        item: &'static str,
+    },
+    /// Planes that do not make an array.
+    #[error("frame {frame}: ground truth: {source}")]
+    TruthArray {
+        /// Frame number.
+        frame: u64,
+        /// What is wrong.
+        source: NpyError,
     },
     /// The frames asked for do not touch those that are there.
     #[error(

@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use generator::{FrameCounts, Omission, Weight};
 use picture::{Apng, GreyPicture, Limits, Y4m, Y4mColour, contact_sheet, encode_png, read_png};
 use quantities::Rate;
 
@@ -87,6 +88,8 @@ pub(crate) struct Show<'a> {
     pub end: u64,
     pub rate: Rate,
     pub film: bool,
+    pub work: FrameCounts,
+    pub omissions: &'a [Omission],
 }
 
 /// The page: it needs the frames beside it and nothing else.
@@ -101,8 +104,34 @@ pub(crate) fn player(show: &Show) -> String {
         .replace("{{end}}", &show.end.to_string())
         .replace("{{rate}}", &show.rate.hertz().to_string())
         .replace("{{film}}", film)
+        .replace("{{work}}", &work(&show.work))
+        .replace("{{omissions}}", &omissions(show.omissions))
         .replace("{{shows}}", &escaped(show.shows))
         .replace("{{title}}", &escaped(show.title))
+}
+
+/// What the run took; blocks that had nothing to do are not named.
+fn work(counts: &FrameCounts) -> String {
+    let rows = counts.named().filter(|(_, count)| *count > 0);
+    let rows = rows.map(|(name, count)| format!("<tr><th>{}<td>{count}", name.replace('_', " ")));
+    format!("<table>{}</table>", rows.collect::<String>())
+}
+
+fn omissions(omissions: &[Omission]) -> String {
+    if omissions.is_empty() {
+        return "<p>Nothing was left out.</p>".into();
+    }
+    let row = |omission: &Omission| {
+        let weight = match omission.weight {
+            Weight::Lossless => "the same to the bit".into(),
+            Weight::NotModelled => "not modelled".into(),
+            Weight::Bounded(levels) => format!("at most {levels} grey levels of 255"),
+        };
+        let cells = [omission.block, &omission.what, &omission.why, &weight].map(escaped);
+        format!("<tr><td>{}", cells.join("<td>"))
+    };
+    let rows: String = omissions.iter().map(row).collect();
+    format!("<table><tr><th>block<th>left out<th>why<th>difference{rows}</table>")
 }
 
 fn escaped(text: &str) -> String {
@@ -115,6 +144,7 @@ fn escaped(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use generator::{FrameCounts, Omission, Weight};
     use quantities::Rate;
 
     use super::{Show, delay, fraction, player};
@@ -131,8 +161,20 @@ mod tests {
     fn titles_cannot_become_markup() {
         let rate = Rate::new(10, 1).expect("a rate");
         let (title, shows) = ("a {{end}} <b>", "\"<script>");
-        let page = player(&Show { title, shows, first: 3, end: 9, rate, film: false });
+        let work = FrameCounts { late_words: 12, ..FrameCounts::default() };
+        let omissions = [
+            Omission::lossless("texture-generator", "<all>", "there is none"),
+            Omission {
+                weight: Weight::Bounded(0.5),
+                ..Omission::lossless("mixing-unit", "VS3", "no {{title}}")
+            },
+        ];
+        let omissions = &omissions;
+        let page = player(&Show { title, shows, first: 3, end: 9, rate, film: false, work, omissions });
         assert!(page.contains("a &#123;&#123;end}} &lt;b&gt;") && page.contains("&quot;&lt;script&gt;"));
         assert!(page.contains("first = 3, end = 9, rate = 10") && !page.contains("{{"));
+        assert!(page.contains("<th>late words<td>12") && !page.contains("sweeps"));
+        let row = "<td>texture-generator<td>&lt;all&gt;<td>there is none<td>the same to the bit";
+        assert!(page.contains(row) && page.contains("at most 0.5 grey levels of 255"));
     }
 }

@@ -5,16 +5,23 @@ use serde_json::{Value, json};
 
 use crate::held::hash;
 use crate::job::Job;
+use crate::scenery_record::SceneryRecord;
 use crate::settings_record::{GroundRecord, SettingsRecord, sun, vehicle, waypoints_hash};
 
-/// Program, generator, settings, ground, light, path: not the range of frames, which may grow, and not the words
+/// Program, generator, settings, ground, scenery, light, path: not the range of frames, which may grow, and not the words
 /// of the scenario, which may be commented.
-pub(crate) fn fingerprint(job: &Job, ground: &GroundRecord, settings: &SettingsRecord) -> String {
+pub(crate) fn fingerprint(
+    job: &Job,
+    ground: &GroundRecord,
+    scenery: &SceneryRecord,
+    settings: &SettingsRecord,
+) -> String {
     let document = json!({
         "program": value(&job.program),
         "generator": job.generator.name(),
         "settings": value(settings),
         "ground": ground_alone(ground),
+        "scenery": value(scenery),
         "sun": sun(&job.stage.scenery.sun(0.0)),
         "vehicle": vehicle(&job.scenario.vehicle),
         "waypoints_blake3": waypoints_hash(job.scenario),

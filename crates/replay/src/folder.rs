@@ -7,9 +7,12 @@ use crate::ReplayError;
 use crate::held::RUN_RECORD;
 use crate::journal::JOURNAL;
 use crate::lock::{LOCK, Lock};
+use crate::truth::TRUTH_FILES;
 
 /// Frames of a run.
 pub(crate) const FRAMES: &str = "frames";
+/// Ground truth.
+pub(crate) const TRUTH: &str = "truth";
 /// Wall times.
 pub(crate) const PERFORMANCE: &str = "performance.json";
 /// Where the eye was.
@@ -75,17 +78,17 @@ impl RunFolder {
         self.path.join(name)
     }
 
-    /// Makes the folder of the frames.
-    pub(crate) fn make_frames(&self) -> Result<(), ReplayError> {
-        let path = self.join(FRAMES);
+    /// Makes a folder in it.
+    pub(crate) fn make(&self, name: &str) -> Result<(), ReplayError> {
+        let path = self.join(name);
         let failed = |source| ReplayError::Folder { path: path.clone(), doing: "make the folder", source };
         fs::create_dir_all(&path).map_err(failed)
     }
 
     fn clear_leftovers(&self) -> Result<(), ReplayError> {
         files::remove_leftovers(&self.path)?;
-        if self.join(FRAMES).is_dir() {
-            files::remove_leftovers(self.join(FRAMES))?;
+        for path in [FRAMES, TRUTH].map(|name| self.join(name)).iter().filter(|path| path.is_dir()) {
+            files::remove_leftovers(path)?;
         }
         Ok(())
     }
@@ -95,8 +98,9 @@ impl RunFolder {
         let (begun, mut names): (Vec<_>, Vec<_>) =
             list(&self.path)?.into_iter().partition(|name| name.starts_with(&format!(".{JOURNAL}.")));
         begun.iter().try_for_each(|name| self.remove(name))?;
-        names.retain(|name| name != LOCK && !(name == FRAMES && is_empty(&self.join(FRAMES))));
-        let ours = |name: &&String| OWN.contains(&name.as_str()) || *name == FRAMES;
+        let is_folder = |name: &str| name == FRAMES || name == TRUTH;
+        names.retain(|name| name != LOCK && !(is_folder(name) && is_empty(&self.join(name))));
+        let ours = |name: &&String| OWN.contains(&name.as_str()) || is_folder(name);
         let path = self.path.clone();
         match (names.iter().find(ours), names.first()) {
             (Some(found), _) => Err(ReplayError::WouldReplace { path, found: found.clone() }),
@@ -118,25 +122,41 @@ impl RunFolder {
     /// Removes the files of a run; the journal and the record last, so that a kill in between leaves a folder that
     /// is still known as a run's.
     fn remove_run(&self) -> Result<(), ReplayError> {
-        if self.join(FRAMES).is_dir() {
-            for name in list(&self.join(FRAMES))?.iter().filter(|name| frame_index(name).is_some()) {
-                self.remove(&format!("{FRAMES}/{name}"))?;
-            }
+        self.remove_strays(|_| false)?;
+        self.remove_stray_truth(|_| false)?;
+        let truth = TRUTH_FILES.map(|name| format!("{TRUTH}/{name}"));
+        let own = truth.iter().map(String::as_str).chain(OWN.into_iter().rev());
+        own.filter(|name| self.join(name).exists()).try_for_each(|name| self.remove(name))?;
+        for name in [FRAMES, TRUTH] {
             // Files of somebody else keep it.
-            let _ = fs::remove_dir(self.join(FRAMES));
+            let _ = fs::remove_dir(self.join(name));
         }
-        OWN.iter().rev().filter(|name| self.join(name).exists()).try_for_each(|name| self.remove(name))
+        Ok(())
     }
 
     /// Removes frames that are no part of a run whose pictures are `is_known`.
     pub(crate) fn remove_strays(&self, is_known: impl Fn(u64) -> bool) -> Result<(), ReplayError> {
-        let frames = self.join(FRAMES);
-        if !frames.is_dir() {
+        self.remove_unknown(FRAMES, frame_index, is_known)
+    }
+
+    /// Removes the truth of frames that are not `is_known`.
+    pub(crate) fn remove_stray_truth(&self, is_known: impl Fn(u64) -> bool) -> Result<(), ReplayError> {
+        self.remove_unknown(TRUTH, truth_index, is_known)
+    }
+
+    fn remove_unknown(
+        &self,
+        folder: &str,
+        index: fn(&str) -> Option<u64>,
+        is_known: impl Fn(u64) -> bool,
+    ) -> Result<(), ReplayError> {
+        let path = self.join(folder);
+        if !path.is_dir() {
             return Ok(());
         }
-        let names = list(&frames)?;
-        let strays = names.iter().filter(|name| frame_index(name).is_some_and(|index| !is_known(index)));
-        strays.into_iter().try_for_each(|name| self.remove(&format!("{FRAMES}/{name}")))
+        let names = list(&path)?;
+        let strays = names.iter().filter(|name| index(name).is_some_and(|index| !is_known(index)));
+        strays.into_iter().try_for_each(|name| self.remove(&format!("{folder}/{name}")))
     }
 
     fn remove(&self, name: &str) -> Result<(), ReplayError> {
@@ -150,6 +170,7 @@ impl Drop for RunFolder {
         self.lock = None;
         // A folder with anything in it stays.
         let _ = fs::remove_dir(self.join(FRAMES));
+        let _ = fs::remove_dir(self.join(TRUTH));
         for folder in &self.made {
             let _ = fs::remove_dir(folder);
         }
@@ -165,6 +186,16 @@ fn frame_index(name: &str) -> Option<u64> {
     let digits = name.strip_prefix("frame-")?.strip_suffix(".png")?;
     let index = digits.parse().ok()?;
     (picture_name(index).ends_with(name)).then_some(index)
+}
+
+/// Name of the truth of a frame, from the folder of the truth.
+pub(crate) fn truth_name(frame: u64) -> String {
+    format!("frame_{frame:06}.npz")
+}
+
+fn truth_index(name: &str) -> Option<u64> {
+    let frame = name.strip_prefix("frame_")?.strip_suffix(".npz")?.parse().ok()?;
+    (truth_name(frame) == name).then_some(frame)
 }
 
 /// Names in a folder, in alphabetical order.
@@ -184,7 +215,7 @@ fn is_empty(path: &Path) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{frame_index, picture_name};
+    use super::{frame_index, picture_name, truth_index, truth_name};
 
     #[test]
     fn only_names_that_a_run_writes_are_frames() {
@@ -193,6 +224,10 @@ mod tests {
         assert_eq!(frame_index("frame-000012.png"), Some(12));
         for foreign in ["frame-12.png", "frame-000012.jpg", "frame--00012.png", "frame-+00012.png", "x.png"] {
             assert_eq!(frame_index(foreign), None, "{foreign}");
+        }
+        assert_eq!(truth_index(&truth_name(12)), Some(12));
+        for foreign in ["frame_12.npz", "frame_000012.npy", "frame-000012.npz", "frame_+00012.npz"] {
+            assert_eq!(truth_index(foreign), None, "{foreign}");
         }
     }
 }

@@ -1,9 +1,12 @@
 //! What a run folder holds: frames with their hashes, and the record that lists them.
 
+use std::fs;
+use std::io::Write;
 use std::ops::Range;
 use std::path::{Component, Path, PathBuf};
 
 use generator::FrameCounts;
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use serde::{Deserialize, Serialize};
 
 use crate::ReplayError;
@@ -15,7 +18,7 @@ pub(crate) const RUN_SCHEMA: &str = "lunoid.run/1";
 pub(crate) const RUN_RECORD: &str = "run.json";
 
 /// Largest file of a run that is read back.
-const MAX_BYTES: u64 = 1 << 32;
+pub(crate) const MAX_BYTES: u64 = 1 << 32;
 
 /// One file of a run.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -24,23 +27,6 @@ pub struct FileRecord {
     pub file: String,
     /// BLAKE3 of its bytes, hexadecimal.
     pub blake3: String,
-}
-
-/// Work that a frame, or a run, was.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-pub struct WorkRecord {
-    /// Sweeps drawn.
-    pub sweeps: u64,
-    /// Samples of all sweeps, or rays of a generator without sweeps.
-    pub samples: u64,
-    /// Stored regions that the frame can show.
-    pub regions: u64,
-    /// Region crossings.
-    pub folds: u64,
-    /// Sets of words that arrived at registers.
-    pub loads: u64,
-    /// Words that came too late.
-    pub late_words: u64,
 }
 
 /// One update: what the machine computed once, shown in one file, or in several at a higher refresh rate.
@@ -55,7 +41,7 @@ pub struct FrameRecord {
     /// The pictures, in order.
     pub files: Vec<FileRecord>,
     /// Work that it was.
-    pub counts: WorkRecord,
+    pub counts: FrameCounts,
 }
 
 /// A run as its record says.
@@ -113,29 +99,15 @@ impl HeldRun {
     }
 }
 
-impl From<FrameCounts> for WorkRecord {
-    fn from(counts: FrameCounts) -> Self {
-        let FrameCounts { sweeps, samples, regions, folds, loads, late_words } = counts;
-        Self { sweeps, samples, regions, folds, loads, late_words }
-    }
-}
-
-impl WorkRecord {
-    /// The work of all frames.
-    pub(crate) fn total<'a>(frames: impl IntoIterator<Item = &'a FrameRecord>) -> Self {
-        frames.into_iter().fold(Self::default(), |total, frame| Self {
-            sweeps: total.sweeps + frame.counts.sweeps,
-            samples: total.samples + frame.counts.samples,
-            regions: total.regions + frame.counts.regions,
-            folds: total.folds + frame.counts.folds,
-            loads: total.loads + frame.counts.loads,
-            late_words: total.late_words + frame.counts.late_words,
-        })
-    }
+/// The work of all frames.
+pub(crate) fn total_work<'a>(frames: impl IntoIterator<Item = &'a FrameRecord>) -> FrameCounts {
+    let mut total = FrameCounts::default();
+    frames.into_iter().for_each(|frame| total.add(&frame.counts));
+    total
 }
 
 /// A record leads to files of its own folder only, whoever wrote it.
-fn stays_inside(file: &str) -> bool {
+pub(crate) fn stays_inside(file: &str) -> bool {
     Path::new(file).components().all(|part| matches!(part, Component::Normal(_)))
 }
 
@@ -162,4 +134,25 @@ impl FileRecord {
     pub(crate) fn is_whole(&self, folder: &Path) -> bool {
         file_hash(&folder.join(&self.file)).is_ok_and(|found| found == self.blake3)
     }
+}
+
+/// Those of `listed` whose files in `folder` are what the record says; by the threads of the current pool.
+pub(crate) fn whole<T: Send>(
+    listed: Vec<T>,
+    folder: &Path,
+    files: impl Fn(&T) -> &[FileRecord] + Sync,
+) -> Vec<T> {
+    let is_whole = |item: &T| files(item).iter().all(|file| file.is_whole(folder));
+    listed.into_par_iter().filter(is_whole).collect()
+}
+
+/// Writes the file `name` of `folder`, unless it is there with these bytes.
+pub(crate) fn write_changed(folder: &Path, name: &str, bytes: &[u8]) -> Result<FileRecord, ReplayError> {
+    let path = folder.join(name);
+    let is_there = fs::metadata(&path).is_ok_and(|found| found.len() == bytes.len() as u64)
+        && fs::read(&path).is_ok_and(|found| found == bytes);
+    if !is_there {
+        files::write_atomic(&path, |out: &mut dyn Write| out.write_all(bytes))?;
+    }
+    Ok(FileRecord { file: name.into(), blake3: hash(bytes) })
 }

@@ -80,6 +80,8 @@ pub enum Progress {
     },
     /// Drawing begins.
     Begins {
+        /// What is made: "frames" or "truth".
+        what: &'static str,
         /// Frames of the run.
         frames: u64,
         /// Of these there already.

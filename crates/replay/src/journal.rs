@@ -1,16 +1,16 @@
-//! The journal of a run that is not finished: one line a frame, on the disk before the frame counts as done.
+//! The journal of work that is not finished: one line a frame, on the disk before the frame counts as done.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use crate::ReplayError;
-use crate::held::FrameRecord;
 
-/// Name of the journal.
+/// Name of the journal of a run.
 pub(crate) const JOURNAL: &str = "frames.journal";
 
 /// Schema of the first line.
@@ -26,9 +26,9 @@ struct Heading {
 
 /// What a journal on disk says.
 #[derive(Debug)]
-pub(crate) struct Found {
+pub(crate) struct Found<T> {
     pub fingerprint: String,
-    pub frames: Vec<FrameRecord>,
+    pub frames: Vec<T>,
 }
 
 /// A journal that is being written.
@@ -38,26 +38,25 @@ pub(crate) struct Journal {
     file: Mutex<File>,
 }
 
-/// The journal of `folder`, if there is one. A last line that was cut short is left out.
-pub(crate) fn read(folder: &Path) -> Result<Option<Found>, ReplayError> {
-    let path = folder.join(JOURNAL);
+/// The journal at `path`, if there is one. A last line that was cut short is left out.
+pub(crate) fn read<T: DeserializeOwned>(path: &Path) -> Result<Option<Found<T>>, ReplayError> {
     if !path.exists() {
         return Ok(None);
     }
-    let bytes = files::read_all(&path, MAX_BYTES)?;
+    let bytes = files::read_all(path, MAX_BYTES)?;
     let mut lines = bytes.split(|byte| *byte == b'\n');
     let heading: Option<Heading> = lines.next().and_then(|line| serde_json::from_slice(line).ok());
     let Some(Heading { fingerprint, .. }) = heading.filter(|heading| heading.schema == SCHEMA) else {
-        return Err(ReplayError::Record { path, reason: format!("the first line has no schema {SCHEMA:?}") });
+        let reason = format!("the first line has no schema {SCHEMA:?}");
+        return Err(ReplayError::Record { path: path.to_owned(), reason });
     };
     let frames = lines.filter_map(|line| serde_json::from_slice(line).ok()).collect();
     Ok(Some(Found { fingerprint, frames }))
 }
 
 impl Journal {
-    /// Begins a journal with frames that are known to be whole.
-    pub fn begin(folder: &Path, fingerprint: &str, frames: &[FrameRecord]) -> Result<Self, ReplayError> {
-        let path = folder.join(JOURNAL);
+    /// Begins a journal at `path` with frames that are known to be whole.
+    pub fn begin<T: Serialize>(path: PathBuf, fingerprint: &str, frames: &[T]) -> Result<Self, ReplayError> {
         let heading = Heading { schema: SCHEMA.into(), fingerprint: fingerprint.into() };
         files::write_atomic(&path, |out| {
             out.write_all(&line(&heading)?)?;
@@ -68,7 +67,7 @@ impl Journal {
     }
 
     /// Adds a frame whose files are on the disk.
-    pub fn add(&self, frame: &FrameRecord) -> Result<(), ReplayError> {
+    pub fn add(&self, frame: &impl Serialize) -> Result<(), ReplayError> {
         let failed = |source| failed(&self.path, source);
         let line = line(frame).map_err(failed)?;
         let mut file = self.file.lock().unwrap_or_else(PoisonError::into_inner);
@@ -93,8 +92,8 @@ fn line(value: &impl Serialize) -> std::io::Result<Vec<u8>> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Journal, read};
-    use crate::held::{FrameRecord, WorkRecord};
+    use super::{JOURNAL, Journal, read};
+    use crate::held::FrameRecord;
 
     #[test]
     fn what_is_read_is_what_was_written() {
@@ -104,14 +103,15 @@ mod tests {
             time_s: frame as f64 / 15.0,
             pixels_blake3: "p".into(),
             files: vec![],
-            counts: WorkRecord::default(),
+            counts: generator::FrameCounts::default(),
         };
         let first: Vec<FrameRecord> = (0..500).map(record).collect();
-        let journal = Journal::begin(folder.path(), "f", &first).expect("begun");
+        let path = folder.path().join(JOURNAL);
+        let journal = Journal::begin(path.clone(), "f", &first).expect("begun");
         (500..1000).for_each(|frame| journal.add(&record(frame)).expect("added"));
-        let found = read(folder.path()).expect("readable").expect("there");
+        let found = read(&path).expect("readable").expect("there");
         assert_eq!((found.fingerprint.as_str(), found.frames), ("f", (0..1000).map(record).collect()));
         journal.end().expect("ended");
-        assert!(read(folder.path()).expect("readable").is_none());
+        assert!(read::<FrameRecord>(&path).expect("readable").is_none());
     }
 }

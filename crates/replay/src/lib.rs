@@ -8,6 +8,7 @@
 //! performance.json          wall times, threads, rates: all that differs between equal runs
 //! poses.csv  camera.json    where the eye was, and from pixel to ray
 //! contact-sheet.png  index.html  animation.png
+//! truth/                    what each pixel shows: [`write_truth`]
 //! ```
 //!
 //! A frame is a function of its pose. Some threads *carry* one frame each from pose to disk, one frame more than
@@ -29,13 +30,17 @@ mod lock;
 mod performance;
 mod record;
 mod run;
+mod scenery_record;
 mod settings_record;
+mod truth;
 
 pub use error::ReplayError;
 pub use film::write_y4m;
 pub use folder::RunFolder;
-pub use held::{FileRecord, FrameRecord, HeldRun, WorkRecord, file_hash};
+pub use held::{FileRecord, FrameRecord, HeldRun, file_hash};
 pub use job::{Control, Inputs, Job, Pictures, Program, Progress};
 pub use performance::Phase;
 pub use run::{Outcome, run};
+pub use scenery_record::SceneryRecord;
 pub use settings_record::{GroundRecord, SettingsRecord};
+pub use truth::{TruthItem, TruthItems, TruthOutcome, UnknownTruth, write_truth};

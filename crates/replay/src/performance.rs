@@ -8,7 +8,7 @@ use quantities::Rate;
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::held::{FrameRecord, WorkRecord};
+use crate::held::{FrameRecord, total_work};
 
 /// A part of a run and how long it took.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -61,7 +61,7 @@ pub(crate) fn performance(
     drawing: f64,
     update: Rate,
 ) -> Value {
-    let work = WorkRecord::total(drawn.iter().copied());
+    let work = total_work(drawn.iter().copied());
     let frames_per_s = drawn.len() as f64 / drawing;
     json!({
         "schema": "lunoid.performance/1",

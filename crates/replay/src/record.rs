@@ -2,14 +2,15 @@
 
 use std::ops::Range;
 
-use generator::{Omission, Weight};
+use generator::{FrameCounts, Omission, Weight};
 use quantities::degrees;
 use scenario::{Limit, LimitReport};
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::held::{FileRecord, FrameRecord, RUN_SCHEMA, WorkRecord};
+use crate::held::{FileRecord, FrameRecord, RUN_SCHEMA, total_work};
 use crate::job::{Job, Program};
+use crate::scenery_record::SceneryRecord;
 use crate::settings_record::{GroundRecord, SettingsRecord, sun, vehicle, waypoints_hash};
 
 /// The record of a run, in the order in which it is read. Equal for equal inputs: no clock, no threads.
@@ -24,6 +25,7 @@ pub(crate) struct RunRecord<'a> {
     generator: &'static str,
     model: Value,
     ground: &'a GroundRecord,
+    scenery: &'a SceneryRecord,
     sun: Value,
     vehicle: Value,
     path: Value,
@@ -32,7 +34,7 @@ pub(crate) struct RunRecord<'a> {
     omissions: Vec<Value>,
     limits: Vec<Value>,
     range: [u64; 2],
-    totals: WorkRecord,
+    totals: FrameCounts,
     frames: &'a [FrameRecord],
     outputs: &'a [FileRecord],
 }
@@ -41,6 +43,7 @@ pub(crate) struct RunRecord<'a> {
 pub(crate) struct Finished<'a> {
     pub fingerprint: &'a str,
     pub ground: &'a GroundRecord,
+    pub scenery: &'a SceneryRecord,
     pub settings: &'a SettingsRecord,
     pub omissions: &'a [Omission],
     pub limits: &'a [LimitReport],
@@ -58,15 +61,12 @@ impl<'a> RunRecord<'a> {
             format: 1,
             fingerprint: finished.fingerprint,
             program: &job.program,
-            scenario: json!({
-                "file": inputs.scenario,
-                "title": job.scenario.title,
-                "shows": job.scenario.shows,
-            }),
+            scenario: scenario_record(job),
             references: &inputs.references,
             generator: job.generator.name(),
             model: model(job),
             ground: finished.ground,
+            scenery: finished.scenery,
             sun: sun(&job.stage.scenery.sun(0.0)),
             vehicle: vehicle(&job.scenario.vehicle),
             path: json!({
@@ -82,7 +82,7 @@ impl<'a> RunRecord<'a> {
             omissions: finished.omissions.iter().map(omission).collect(),
             limits: finished.limits.iter().map(limit).collect(),
             range: [finished.range.start, finished.range.end],
-            totals: WorkRecord::total(finished.frames),
+            totals: total_work(finished.frames),
             frames: finished.frames,
             outputs: finished.outputs,
         }
@@ -94,6 +94,11 @@ impl<'a> RunRecord<'a> {
     }
 }
 
+/// The scenario by name and hash.
+pub(crate) fn scenario_record(job: &Job) -> Value {
+    json!({ "file": job.inputs.scenario, "title": job.scenario.title, "shows": job.scenario.shows })
+}
+
 fn model(job: &Job) -> Value {
     let value = |value: &hardware_model::EffectiveValue| json!({ "key": value.key, "value": value.value, "origin": value.origin });
     json!({
@@ -103,7 +108,8 @@ fn model(job: &Job) -> Value {
     })
 }
 
-fn omission(omission: &Omission) -> Value {
+/// What was left out, with weight and reason.
+pub(crate) fn omission(omission: &Omission) -> Value {
     let weight = match omission.weight {
         Weight::Lossless => json!("lossless"),
         Weight::NotModelled => json!("not modelled"),

@@ -1,16 +1,13 @@
 //! A job from beginning to end: what is there is verified, the rest drawn, the record written.
 
 use std::collections::BTreeMap;
-use std::fs;
-use std::io::Write;
 use std::ops::Range;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use generator::Session;
+use generator::{Omission, Session};
 use picture::{Encoder, Transfer};
 use quantities::Rate;
-use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use scenario::{LimitReport, PoseTable, poses_csv};
 use serde_json::Value;
 
@@ -19,12 +16,16 @@ use crate::camera::camera;
 use crate::draw::{Drawing, draw_all};
 use crate::film::{Show, player, sheet, write_film};
 use crate::fingerprint::fingerprint;
-use crate::folder::{ANIMATION, CAMERA, CONTACT_SHEET, PERFORMANCE, PLAYER, POSES, RunFolder};
-use crate::held::{FileRecord, FrameRecord, HeldRun, RUN_RECORD, file_hash, frame_range};
+use crate::folder::{ANIMATION, CAMERA, CONTACT_SHEET, FRAMES, PERFORMANCE, PLAYER, POSES, RunFolder};
+use crate::held::{
+    FileRecord, FrameRecord, HeldRun, RUN_RECORD, file_hash, frame_range, total_work, whole,
+    write_changed,
+};
 use crate::job::{Control, Job, Progress};
-use crate::journal::{self, Journal};
+use crate::journal::{self, JOURNAL, Journal};
 use crate::performance::{Phase, StepTimes, performance};
 use crate::record::{Finished, RunRecord};
+use crate::scenery_record::SceneryRecord;
 use crate::settings_record::{GroundRecord, SettingsRecord};
 
 /// How a run ended.
@@ -86,6 +87,7 @@ struct Run<'a> {
     control: &'a Control<'a>,
     session: Box<dyn Session>,
     ground: GroundRecord,
+    scenery: SceneryRecord,
     settings: SettingsRecord,
     fingerprint: String,
     /// The record of an earlier, finished run of the same job, perhaps of fewer frames.
@@ -104,10 +106,11 @@ impl<'a> Run<'a> {
     fn prepare(job: &'a Job, folder: &'a RunFolder, control: &'a Control) -> Result<Self, ReplayError> {
         let start = Instant::now();
         let ground = GroundRecord::new(&job.scenario.ground, &job.stage.landscape);
+        let scenery = SceneryRecord::new(&job.stage);
         let settings = SettingsRecord::new(&job.stage.settings);
-        let fingerprint = fingerprint(job, &ground, &settings);
+        let fingerprint = fingerprint(job, &ground, &scenery, &settings);
         let earlier = HeldRun::read_if_there(folder.path())?;
-        let journal = journal::read(folder.path())?;
+        let journal = journal::read::<FrameRecord>(&folder.join(JOURNAL))?;
         let found = earlier.as_ref().map(|run| &run.fingerprint);
         let found = found.into_iter().chain(journal.as_ref().map(|journal| &journal.fingerprint));
         if let Some(other) = found.into_iter().find(|found| **found != fingerprint) {
@@ -122,6 +125,7 @@ impl<'a> Run<'a> {
             job.scenario,
             &job.stage.landscape,
             job.stage.settings.timebase.update,
+            job.stage.settings.yoke,
             frames.clone(),
         )?;
         let session = control.pool.install(|| job.generator.prepare(job.stage.clone()))?;
@@ -134,6 +138,7 @@ impl<'a> Run<'a> {
             control,
             session,
             ground,
+            scenery,
             settings,
             fingerprint,
             earlier,
@@ -157,9 +162,7 @@ impl<'a> Run<'a> {
         (self.control.progress)(Progress::Verifying { frames: listed.len() as u64 });
         let listed: Vec<FrameRecord> = listed.into_values().collect();
         let folder = self.folder.path();
-        let is_whole = |frame: &&FrameRecord| frame.files.iter().all(|file| file.is_whole(folder));
-        let whole: Vec<FrameRecord> =
-            self.control.pool.install(|| listed.par_iter().filter(is_whole).cloned().collect());
+        let whole = self.control.pool.install(|| whole(listed, folder, |frame| &frame.files));
         self.kept = whole.into_iter().map(|frame| (frame.frame, frame)).collect();
         self.phases.push(Phase::since("verify", start));
     }
@@ -167,8 +170,8 @@ impl<'a> Run<'a> {
     /// From here on the folder is this run's.
     fn begin(&self) -> Result<Journal, ReplayError> {
         let kept: Vec<FrameRecord> = self.kept.values().cloned().collect();
-        let journal = Journal::begin(self.folder.path(), &self.fingerprint, &kept)?;
-        self.folder.make_frames()?;
+        let journal = Journal::begin(self.folder.join(JOURNAL), &self.fingerprint, &kept)?;
+        self.folder.make(FRAMES)?;
         let (start, end) = (self.frames.start * self.showings(), self.frames.end * self.showings());
         self.folder.remove_strays(|index| (start..end).contains(&index))?;
         Ok(journal)
@@ -176,7 +179,8 @@ impl<'a> Run<'a> {
 
     /// Leaves what is whole for the next time; a run that has nothing leaves nothing.
     fn leave(&self, journal: Journal) -> Result<(), ReplayError> {
-        let has_frames = journal::read(self.folder.path())?.is_some_and(|found| !found.frames.is_empty());
+        let found = journal::read::<FrameRecord>(&self.folder.join(JOURNAL))?;
+        let has_frames = found.is_some_and(|found| !found.frames.is_empty());
         if has_frames { Ok(()) } else { journal.end() }
     }
 
@@ -200,7 +204,7 @@ impl<'a> Run<'a> {
         let missing = self.poses.rows().iter().filter(|row| !self.kept.contains_key(&row.frame));
         let missing: Vec<_> = missing.copied().collect();
         let (all, kept) = (self.frames.end - self.frames.start, self.kept.len() as u64);
-        (self.control.progress)(Progress::Begins { frames: all, kept });
+        (self.control.progress)(Progress::Begins { what: "frames", frames: all, kept });
         let start = Instant::now();
         let drawing = Drawing {
             session: &*self.session,
@@ -226,13 +230,14 @@ impl<'a> Run<'a> {
         let mut all = std::mem::take(&mut self.kept);
         all.extend(drawn);
         let frames: Vec<FrameRecord> = all.into_values().collect();
-        let outputs = self.write_outputs(&frames)?;
         let omissions = self.session.omissions();
+        let outputs = self.write_outputs(&frames, &omissions)?;
         let record = RunRecord::new(
             self.job,
             &Finished {
                 fingerprint: &self.fingerprint,
                 ground: &self.ground,
+                scenery: &self.scenery,
                 settings: &self.settings,
                 omissions: &omissions,
                 limits: self.poses.limits(),
@@ -255,7 +260,11 @@ impl<'a> Run<'a> {
     }
 
     /// Everything that follows from the frames; what is there and right is not written again.
-    fn write_outputs(&self, frames: &[FrameRecord]) -> Result<Vec<FileRecord>, ReplayError> {
+    fn write_outputs(
+        &self,
+        frames: &[FrameRecord],
+        omissions: &[Omission],
+    ) -> Result<Vec<FileRecord>, ReplayError> {
         let files = frames.iter().flat_map(|frame| &frame.files);
         let pictures: Vec<PathBuf> = files.map(|file| self.folder.join(&file.file)).collect();
         let showings = self.showings();
@@ -267,6 +276,8 @@ impl<'a> Run<'a> {
             end: self.frames.end * showings,
             rate: self.picture_rate(),
             film,
+            work: total_work(frames),
+            omissions,
         });
         let mut outputs = vec![
             self.write(POSES, poses_csv(&self.poses).as_bytes())?,
@@ -300,13 +311,7 @@ impl<'a> Run<'a> {
     }
 
     fn write(&self, name: &str, bytes: &[u8]) -> Result<FileRecord, ReplayError> {
-        let path = self.folder.join(name);
-        let is_there = fs::metadata(&path).is_ok_and(|found| found.len() == bytes.len() as u64)
-            && fs::read(&path).is_ok_and(|found| found == bytes);
-        if !is_there {
-            files::write_atomic(&path, |out: &mut dyn Write| out.write_all(bytes))?;
-        }
-        Ok(FileRecord { file: name.into(), blake3: crate::held::hash(bytes) })
+        write_changed(self.folder.path(), name, bytes)
     }
 }
 
@@ -326,6 +331,6 @@ fn join(
     Ok(held.start.min(asked.start)..held.end.max(asked.end))
 }
 
-fn pretty(value: &Value) -> String {
+pub(crate) fn pretty(value: &Value) -> String {
     format!("{value:#}\n")
 }

@@ -1,11 +1,14 @@
 //! Settings, ground and vehicle as they stand in the record: units in the keys, clocks as exact fractions.
 
-use hardware_model::{LatePolicy, LoadDelay, Settings, SweepMemoryKind};
+use hardware_model::{
+    Economy, Gate, LatePolicy, LoadDelay, Organisation, Settings, ShadowParts, SweepMemoryKind,
+};
 use landscape::relief::Relief;
 use landscape::{Landscape, Sun, bank_file};
 use quantities::degrees;
 use scenario::{
-    Curvature, Ground, Occlusion, PixelRule, Projection, RangeLaw, RangeProgramme, Scalar, Scenario, Vehicle,
+    BodyVisibility, Curvature, FeatureLight, Ground, Occlusion, PixelRule, Projection, RangeLaw,
+    RangeProgramme, Scalar, Scenario, ShadowedBodies, TextureInShadow, Vehicle,
 };
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -21,6 +24,11 @@ pub struct SettingsRecord {
     display: Value,
     loader: Value,
     sweep_memory: &'static str,
+    blocks: Value,
+    yoke: Value,
+    levels: Value,
+    shadows: bool,
+    economy: &'static str,
 }
 
 impl SettingsRecord {
@@ -40,6 +48,20 @@ impl SettingsRecord {
             sweep_memory: match settings.sweep_memory {
                 SweepMemoryKind::ScanConverter => "scan-converter",
                 SweepMemoryKind::DigitalMemory => "digital-memory",
+            },
+            blocks: blocks(settings),
+            yoke: settings.yoke.map_or(Value::Null, |yoke| {
+                let [step, rate, travel] = [yoke.step, yoke.rate, yoke.travel].map(degrees);
+                json!({ "step_deg": step, "rate_deg_s": rate, "travel_deg": travel })
+            }),
+            levels: settings.levels.map_or(Value::Null, |switch| {
+                json!({ "switch_m": switch.range, "blend_m": switch.blend })
+            }),
+            shadows: settings.shadows,
+            economy: match settings.economy {
+                Economy::Bounded => "bounded",
+                Economy::Lossless => "lossless",
+                Economy::Everything => "everything",
             },
         }
     }
@@ -104,6 +126,51 @@ fn laws(settings: &Settings) -> Value {
         "pixel_rule": match laws.pixel_rule {
             PixelRule::LineMean => "line-mean",
             PixelRule::Centre => "centre",
+        },
+        "feature_light": match laws.feature_light {
+            FeatureLight::AsReported => "as-reported",
+            FeatureLight::Combined => "combined",
+        },
+        "body_visibility": match laws.body_visibility {
+            BodyVisibility::AsReported => "as-reported",
+            BodyVisibility::Depth => "depth",
+        },
+        "shadowed_bodies": match laws.shadowed_bodies {
+            ShadowedBodies::Vanish => "vanish",
+            ShadowedBodies::Dark => "dark",
+        },
+        "texture_in_shadow": match laws.texture_in_shadow {
+            TextureInShadow::On => "on",
+            TextureInShadow::Off => "off",
+        },
+    })
+}
+
+/// Parts of the blocks beside the terrain path; a number that is not there is "any".
+fn blocks(settings: &Settings) -> Value {
+    let (features, mixing) = (&settings.feature_generator, &settings.mixing_unit);
+    json!({
+        "feature_generator": {
+            "organisation": match features.organisation {
+                Organisation::ByRegion => "by-region",
+                Organisation::Scheduled => "scheduled",
+            },
+            "sub_generators": features.sub_generators,
+        },
+        "shadow_controller": match settings.shadow_controller {
+            ShadowParts::Digital { line_generators } => {
+                json!({ "variant": "digital", "line_generators": line_generators })
+            }
+            ShadowParts::ScanConverter { offset, gain } => {
+                json!({ "variant": "scan-converter", "offset_share": offset, "gain_share": gain })
+            }
+        },
+        "mixing_unit": {
+            "gate": match mixing.gate {
+                Gate::Presence => "presence",
+                Gate::SelfKeyed => "self-keyed",
+            },
+            "threshold": mixing.threshold,
         },
     })
 }

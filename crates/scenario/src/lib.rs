@@ -6,35 +6,55 @@
 //! - [`Scenario::read`], [`Scenario::parse`]: the file, described in `docs/scenario-format.md`.
 //! - [`Path`]: waypoints joined by smooth curves in time. [`Vehicle`]: how it stands on the ground.
 //! - [`PoseTable`]: eye and attitude of each frame, with [`LimitReport`]s of what the vehicle cannot do.
+//! - [`Scenery`]: light, bodies and tracks over time: [`Object`]s and their [`Event`]s, [`Rocks`], [`Tracks`], a sun
+//!   that may [`Drift`].
 //! - [`words`]: keys that scenarios and hardware models share.
 
+mod craters;
 mod curve;
+mod drift;
 mod laws;
 mod limits;
+mod looks;
 mod meant;
+mod objects;
 mod path;
+mod placing;
 mod pose;
 mod pose_problem;
 mod pose_table;
 mod range;
 mod raster;
+mod ride;
+mod rocks;
 mod scenery;
+mod scenery_problem;
+mod tracks;
 mod vehicle;
 pub mod words;
 mod written;
+mod yoke;
 
+pub use craters::{CraterList, CraterPopulation, CraterWishes};
+pub use drift::{Drift, MAX_SUN_STEPS};
 pub use laws::{
     BodyVisibility, Curvature, FeatureLight, LawWishes, Laws, Occlusion, PixelRule, Projection,
     ShadowedBodies, TextureInShadow,
 };
 pub use limits::{Limit, LimitReport};
+pub use looks::{RollDisplay, ShadowFineness, TextureWish};
 pub use meant::{Ground, Length, Scenario};
+pub use objects::{Action, Event, Object, Stance};
 pub use path::{Path, PathError, Station, Waypoint};
 pub use pose::Pose;
 pub use pose_problem::{PathProblem, PathProblems, PoseFault};
 pub use pose_table::{PoseRow, PoseTable, poses_csv};
-pub use range::{RangeLaw, RangeProgramme};
+pub use range::{LevelSwitch, RangeLaw, RangeProgramme};
 pub use raster::{Display, FieldOfView, RasterWishes, Scalar};
+pub use rocks::{MAX_ROCKS, RockArea, Rocks};
 pub use scenery::{Scenery, Standing, TrackPatch};
+pub use scenery_problem::{SceneryProblem, SceneryProblems};
+pub use tracks::{MAX_PATCHES, Tracks};
 pub use vehicle::{Stand, Vehicle};
 pub use written::FORMAT;
+pub use yoke::Yoke;

@@ -2,11 +2,14 @@
 
 use std::path::{Path as FilePath, PathBuf};
 
-use landscape::Sun;
 use landscape::relief::Relief;
+use landscape::{Photometry, Silhouette, Sun};
 use quantities::Rate;
 
-use crate::{Display, FieldOfView, LawWishes, Path, RangeProgramme, RasterWishes, Scalar, Vehicle};
+use crate::{
+    CraterWishes, Display, Drift, Event, FieldOfView, LawWishes, LevelSwitch, Object, Path, RangeProgramme,
+    RasterWishes, Rocks, RollDisplay, Scalar, ShadowFineness, TextureWish, Tracks, Vehicle,
+};
 
 /// What happens: ground, light, vehicle, path, and how it is to be seen.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,10 +24,32 @@ pub struct Scenario {
     pub length: Length,
     /// Where the ground comes from.
     pub ground: Ground,
+    /// Ground around a generated one, which is its coarse level.
+    pub coarse: Option<Relief>,
+    /// Craters on the ground, each with its own closed form.
+    pub features: CraterWishes,
     /// Share of the light that the ground returns, 0..=1.
     pub albedo: f64,
-    /// Direction of the light.
+    /// How the ground returns it.
+    pub photometry: Photometry,
+    /// Small detail of the foreground.
+    pub texture: Option<TextureWish>,
+    /// Mountains beyond the ground.
+    pub silhouettes: Vec<Silhouette>,
+    /// Direction of the light at the start.
     pub sun: Sun,
+    /// Where the light goes from there.
+    pub drift: Option<Drift>,
+    /// Remote shadow, where it is drawn.
+    pub shadows: Option<ShadowFineness>,
+    /// Rocks on the ground.
+    pub rocks: Option<Rocks>,
+    /// Man-made things; their ids differ.
+    pub objects: Vec<Object>,
+    /// What happens to them, ascending in time; the events of each object fit together.
+    pub events: Vec<Event>,
+    /// What the wheels leave behind.
+    pub tracks: Option<Tracks>,
     /// Size and limits of the vehicle.
     pub vehicle: Vehicle,
     /// Where it drives.
@@ -37,6 +62,10 @@ pub struct Scenario {
     pub field: FieldOfView,
     /// Ground-range programme asked for.
     pub range: Option<RangeProgramme>,
+    /// Switch from the fine level of the ground to the coarse one.
+    pub levels: Option<LevelSwitch>,
+    /// What the display does about roll.
+    pub roll: RollDisplay,
     /// Laws asked for.
     pub laws: LawWishes,
     /// From reflectivity to grey.
@@ -79,6 +108,8 @@ impl Scenario {
             Ground::Bank(path) => Some(path.as_path()),
             Ground::Generated(_) => None,
         };
-        bank.into_iter().chain(self.path_file.as_deref()).collect()
+        let list = self.features.list.as_ref().map(|list| list.file.as_path());
+        let shapes = self.objects.iter().filter_map(|object| object.file.as_deref());
+        bank.into_iter().chain(self.path_file.as_deref()).chain(list).chain(shapes).collect()
     }
 }

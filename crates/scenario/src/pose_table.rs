@@ -10,7 +10,7 @@ use crate::limits::{LimitReport, limit_reports};
 use crate::path::{Station, shortest_turn};
 use crate::pose_problem::{PathProblem, PathProblems, PoseFault};
 use crate::vehicle::{Stand, Vehicle};
-use crate::{Path, Pose, Scenario};
+use crate::{Path, Pose, Scenario, Yoke};
 
 /// Pitch or roll beyond which a pose is taken for a mistake (our choice): the sweeps need ground ahead.
 const MAX_TILT_DEG: f64 = 60.0;
@@ -30,7 +30,7 @@ pub struct PoseRow {
     pub slope: f64,
 }
 
-/// Poses of a range of frames; a row depends on its frame alone, so any part of a table is the same.
+/// Poses of a range of frames; any part of a table is the same as in the whole.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PoseTable {
     rows: Vec<PoseRow>,
@@ -38,7 +38,9 @@ pub struct PoseTable {
 }
 
 impl PoseTable {
-    /// Puts the vehicle of `scenario` on the ground for each frame of `frames`, at `update` frames a second.
+    /// Puts the vehicle of `scenario` on the ground for each frame of `frames`, at `update` frames a second. A
+    /// `yoke` starts settled at the roll of frame 0 and follows from frame to frame, so the rolls of all frames
+    /// before `frames` are worked out too; one that cannot be driven leaves it where it is.
     ///
     /// # Errors
     /// Every stretch of frames in which the path leaves the problem area, the eye is under the ground, or the
@@ -47,10 +49,13 @@ impl PoseTable {
         scenario: &Scenario,
         landscape: &Landscape,
         update: Rate,
+        yoke: Option<Yoke>,
         frames: Range<u64>,
     ) -> Result<Self, PathProblems> {
         let driver = Driver { path: &scenario.path, vehicle: &scenario.vehicle, landscape, update };
-        let found: Vec<_> = frames.map(|frame| (frame, driver.row(frame))).collect();
+        let mut picture = Follower { yoke, driver: &driver, angle: 0.0 };
+        (0..frames.start).for_each(|frame| picture.pass(frame));
+        let found: Vec<_> = frames.map(|frame| (frame, picture.turn(frame, driver.row(frame)))).collect();
         let faults = found.iter().filter_map(|(frame, row)| Some((*frame, row.as_ref().err()?.clone())));
         PathProblems::of(faults)?;
         let rows: Vec<PoseRow> = found.into_iter().filter_map(|(_, row)| row.ok()).collect();
@@ -66,6 +71,40 @@ impl PoseTable {
     /// Every stretch of frames in which the vehicle does more than it can.
     pub fn limits(&self) -> &[LimitReport] {
         &self.limits
+    }
+}
+
+/// The yoke, driven from frame to frame.
+struct Follower<'a> {
+    yoke: Option<Yoke>,
+    driver: &'a Driver<'a>,
+    angle: f64,
+}
+
+impl Follower<'_> {
+    /// Follows the roll of a frame of which nothing else is wanted.
+    fn pass(&mut self, frame: u64) {
+        if self.yoke.is_some()
+            && let Ok((_, attitude, _)) = self.driver.place(&self.driver.path.at(self.driver.time(frame)))
+        {
+            self.follow(frame, attitude.roll);
+        }
+    }
+
+    /// The row with the angle of the yoke.
+    fn turn(&mut self, frame: u64, row: Result<PoseRow, PathProblem>) -> Result<PoseRow, PathProblem> {
+        let mut row = row?;
+        self.follow(frame, row.pose.attitude.roll);
+        row.pose.yoke = self.angle;
+        Ok(row)
+    }
+
+    fn follow(&mut self, frame: u64, roll: f64) {
+        let Some(yoke) = self.yoke else { return };
+        self.angle = match frame {
+            0 => yoke.settled(roll),
+            _ => yoke.follow(self.angle, roll, [frame - 1, frame].map(|frame| self.driver.time(frame))),
+        };
     }
 }
 

@@ -57,3 +57,12 @@ impl RangeProgramme {
         switch + (self.end - switch) * (sample - fine) / (last - fine)
     }
 }
+
+/// Where the modified terrain generator goes over from the fine level to the coarse one (section 8).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LevelSwitch {
+    /// Ground range from which on the coarse level draws (m).
+    pub range: f64,
+    /// Stretch before it over which the fine level fades into the coarse one (m); 0 switches at once.
+    pub blend: f64,
+}

@@ -34,7 +34,12 @@ pub struct Scenery {
 impl Scenery {
     /// One sun, nothing on the ground.
     pub fn still(sun: Sun) -> Self {
-        Self { suns: vec![(0.0, sun)], standing: Vec::new(), patches: Vec::new() }
+        Self::under(vec![(0.0, sun)])
+    }
+
+    /// Suns that follow one another, each with the time (s, ascending) from which on it holds; nothing on the ground.
+    pub(crate) fn under(suns: Vec<(f64, Sun)>) -> Self {
+        Self { suns, standing: Vec::new(), patches: Vec::new() }
     }
 
     /// The same with bodies.
@@ -57,6 +62,11 @@ impl Scenery {
     pub fn bodies(&self, time: f64) -> impl Iterator<Item = &Body> {
         let stands = move |standing: &&Standing| standing.from <= time && time < standing.until;
         self.standing.iter().filter(stands).map(|standing| &standing.body)
+    }
+
+    /// Every sun of the mission, each with the time (s) from which on it holds; never empty.
+    pub fn suns(&self) -> &[(f64, Sun)] {
+        &self.suns
     }
 
     /// Bodies of the whole mission.

@@ -35,18 +35,14 @@ pub fn pixel_rule<'a>(table: &Reader<'a>) -> Field<'a, PixelRule> {
     table.one_of("pixel_rule", &[("line-mean", PixelRule::LineMean), ("centre", PixelRule::Centre)])
 }
 
-/// What the light of features is worked out from.
-pub fn feature_light<'a>(table: &Reader<'a>) -> Field<'a, FeatureLight> {
-    table.one_of(
-        "feature_light",
-        &[("as-reported", FeatureLight::AsReported), ("combined", FeatureLight::Combined)],
-    )
+/// What the light of features is worked out from; models and scenarios have their own `key` for it.
+pub fn feature_light<'a>(table: &Reader<'a>, key: &str) -> Field<'a, FeatureLight> {
+    table.one_of(key, &[("as-reported", FeatureLight::AsReported), ("combined", FeatureLight::Combined)])
 }
 
-/// When bodies are seen.
-pub fn body_visibility<'a>(table: &Reader<'a>) -> Field<'a, BodyVisibility> {
-    let words = [("as-reported", BodyVisibility::AsReported), ("depth", BodyVisibility::Depth)];
-    table.one_of("body_visibility", &words)
+/// When bodies are seen; models and scenarios have their own `key` for it.
+pub fn body_visibility<'a>(table: &Reader<'a>, key: &str) -> Field<'a, BodyVisibility> {
+    table.one_of(key, &[("as-reported", BodyVisibility::AsReported), ("depth", BodyVisibility::Depth)])
 }
 
 /// Bodies in remote shadow.

@@ -1,19 +1,27 @@
 //! A scenario as written: the keys of its TOML file, strictly, and every fault at once.
 
 mod course;
+mod events;
+mod features;
 mod ground;
+mod light;
 mod number_table;
 mod path_csv;
 mod path_tum;
 mod reference;
+mod scenery;
 
 use std::path::Path as FilePath;
 
 use diagnostics::{Problem, ProblemList, Problems, Reader, TomlFile};
-use landscape::Sun;
+use landscape::Photometry;
+use landscape::relief::Relief;
 use quantities::radians;
 
-use crate::{Display, FieldOfView, LawWishes, Length, RasterWishes, Scalar, Scenario, Vehicle, words};
+use crate::{
+    Display, FieldOfView, Ground, LawWishes, Length, LevelSwitch, RasterWishes, RollDisplay, Scalar,
+    Scenario, Vehicle, words,
+};
 
 /// Format of scenario files that this program reads.
 pub const FORMAT: u64 = 1;
@@ -65,25 +73,59 @@ fn scenario(root: &Reader, folder: &FilePath, problems: &Problems) -> Option<Sce
     let machine = machine(root);
     let length = length(root);
     let ground = root.table("landscape").map(|table| (ground::ground(&table, folder), albedo(&table)));
-    let sun = root.table("sun").map(|table| sun(&table));
+    let features = features::features(&root.table_or_empty("features"), folder, problems);
+    let sun = root.table("sun").map(|table| light::sun(&table));
+    let shadows = part(root, "shadows", light::shadows);
+    let photometry = part(root, "photometry", light::photometry);
+    let texture = part(root, "texture", light::texture);
+    let silhouettes = all(root.tables("silhouette").iter().map(light::silhouette));
+    let rocks = part(root, "rocks", scenery::rocks);
+    let objects = scenery::objects(&root.tables("object"), folder, problems);
+    let event_tables = root.tables("event");
+    let events = match &objects {
+        Some(objects) => events::events(&event_tables, objects),
+        // Without the ids of all objects nothing can be said about events.
+        None => {
+            event_tables.iter().for_each(Reader::ignore_rest);
+            None
+        }
+    };
+    let tracks = part(root, "tracks", scenery::tracks);
     let vehicle = vehicle(&root.table_or_empty("vehicle"));
     let path = root.table("path").map(|table| course::course(&table, folder, problems));
     let raster = root.table_or_empty("raster");
     let (wishes, field) = (raster_wishes(&raster), field_of_view(&raster));
+    let levels = part(root, "levels", levels);
+    let roll = roll(&root.table_or_empty("roll"));
     let range = root.optional_table("range").map(|table| words::range(&table));
     let laws = laws(&root.table_or_empty("laws"));
     let display = display(&root.table_or_empty("display"));
     let scalar = scalar(&root.table_or_empty("run"));
+    check_levels(root, ground.as_ref().and_then(|ground| ground.0.as_ref()), &levels);
     root.finish();
     let ((ground, albedo), (path, path_file)) = (ground?, path??);
+    let ((ground, coarse), (sun, drift)) = (ground?, sun??);
     Some(Scenario {
         title: title?,
         shows: shows?,
         machine: machine?,
         length: length?,
-        ground: ground?,
+        ground,
+        coarse,
+        features: features?,
         albedo: albedo?,
-        sun: sun??,
+        photometry: photometry?.unwrap_or(Photometry::Lambert),
+        texture: texture?,
+        silhouettes: silhouettes?,
+        sun,
+        drift,
+        shadows: shadows?.flatten(),
+        rocks: rocks?,
+        objects: objects?,
+        events: events?,
+        tracks: tracks?,
+        levels: levels?,
+        roll: roll?,
         vehicle: vehicle?,
         path,
         path_file,
@@ -125,10 +167,65 @@ fn albedo(table: &Reader) -> Option<f64> {
     table.f64("albedo").above(0.0).at_most(1.0).default(1.0)
 }
 
-fn sun(table: &Reader) -> Option<Sun> {
-    let azimuth = table.f64("azimuth_deg").between(-360.0, 360.0).unit("degrees").required();
-    let elevation = table.f64("elevation_deg").above(0.0).at_most(90.0).unit("degrees").required();
-    Some(Sun { azimuth: radians(azimuth?), elevation: radians(elevation?) })
+fn levels(table: &Reader) -> Option<LevelSwitch> {
+    let range = table.f64("switch_m").above(0.0).at_most(1e6).unit("m").placed().required();
+    let blend = table.f64("blend_m").at_least(0.0).unit("m").placed();
+    let (range, blend) = (range?, if table.has("blend_m") { Some(blend.optional()?) } else { None });
+    if let Some(blend) = blend.as_ref().filter(|blend| blend.value > range.value) {
+        let title = format!("`{}` = {} is longer than the way to the switch", blend.key, blend.value);
+        table.report(Problem::of(blend, title).expected(format!("at most {} m", range.value)));
+        return None;
+    }
+    Some(LevelSwitch { range: range.value, blend: blend.map_or(0.0, |blend| blend.value) })
+}
+
+/// A coarse level that no sweep goes over to would be made and not drawn.
+fn check_levels(
+    root: &Reader,
+    ground: Option<&(Ground, Option<Relief>)>,
+    levels: &Option<Option<LevelSwitch>>,
+) {
+    let Some((Ground::Generated(_), coarse)) = ground else { return };
+    let (title, expected) = match (coarse, levels) {
+        (Some(_), Some(None)) => ("`landscape.coarse` without `levels`", "[levels] with `switch_m`"),
+        (None, Some(Some(_))) => ("`levels` on ground of one level", "[landscape.coarse], or no [levels]"),
+        _ => return,
+    };
+    root.report(root.problem("levels", title).expected(expected));
+}
+
+fn roll(table: &Reader) -> Option<RollDisplay> {
+    table
+        .one_of("display", &[("none", RollDisplay::None), ("yoke", RollDisplay::Yoke)])
+        .default(RollDisplay::None)
+}
+
+/// A table that may be missing; nothing where it is there and wrong.
+fn part<T>(root: &Reader, key: &str, read: impl Fn(&Reader) -> Option<T>) -> Option<Option<T>> {
+    match root.optional_table(key) {
+        Some(table) => read(&table).map(Some),
+        // What is there and no table has been reported.
+        None => (!root.has(key)).then_some(None),
+    }
+}
+
+/// All of them, every one read even if one before it is wrong.
+fn all<T>(parts: impl Iterator<Item = Option<T>>) -> Option<Vec<T>> {
+    let read: Vec<Option<T>> = parts.collect();
+    read.into_iter().collect()
+}
+
+/// `area_m`, where it is there: south, west, north, east edge.
+fn area(table: &Reader) -> Option<Option<[f64; 4]>> {
+    let ascends = |[south, west, north, east]: &[f64; 4]| south < north && west < east;
+    let rule = "south, west, north, east edge in ascending order";
+    let edges = table.f64_array::<4>("area_m").between(-1e7, 1e7).unit("m").must(rule, ascends);
+    if table.has("area_m") { edges.optional().map(Some) } else { Some(edges.optional()) }
+}
+
+/// What another file held; its problems become this reading's.
+fn take_over<T>(read: Result<T, ProblemList>, problems: &Problems) -> Option<T> {
+    read.map_err(|list| list.iter().cloned().for_each(|problem| problems.push(problem))).ok()
 }
 
 fn vehicle(table: &Reader) -> Option<Vehicle> {
@@ -183,8 +280,8 @@ fn laws(table: &Reader) -> LawWishes {
         curvature: words::curvature(table).optional(),
         occlusion: words::occlusion(table).optional(),
         pixel_rule: words::pixel_rule(table).optional(),
-        feature_light: words::feature_light(table).optional(),
-        body_visibility: words::body_visibility(table).optional(),
+        feature_light: words::feature_light(table, "feature_light").optional(),
+        body_visibility: words::body_visibility(table, "body_visibility").optional(),
         shadowed_bodies: words::shadowed_bodies(table).optional(),
         texture_in_shadow: words::texture_in_shadow(table).optional(),
     }

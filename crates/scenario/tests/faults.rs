@@ -261,14 +261,137 @@ fn a_path_file_that_is_missing_or_no_text() {
     assert!(list.contains("not UTF-8"), "{list}");
 }
 
+/// The one fault of the good scenario with more tables.
+fn fault_of(tables: &str) -> String {
+    let (line, title) = fault("[sun]", &format!("{tables}\n[sun]"));
+    assert!(line.is_some(), "{tables}: {title}");
+    title
+}
+
+const LANDER: &str = "[[object]]\nid = 'lm'\nmodel = 'lander'\nx_m = 60\ny_m = 90\n";
+const FLAG: &str = "[[object]]\nid = 'flag'\nmodel = 'flag'\nx_m = 60\ny_m = 90\npresent = false\n";
+
+#[test]
+fn objects_that_cannot_be() {
+    for (tables, expected) in [
+        (LANDER.replace("'lander'", "'landr'"), "must be one of \"lander\""),
+        (LANDER.replace("model = 'lander'\n", ""), "missing key `object[0].model` or `object[0].file`"),
+        (LANDER.replace("model", "file = 'a.obj'\nmodel"), "both say what the object is"),
+        (LANDER.replace("model = 'lander'", "file = '../a.obj'"), "stays in the scenario's folder"),
+        (LANDER.replace("'lm'", "'l m'"), "letters, digits and dashes"),
+        (LANDER.replace("x_m = 60", "x_m = nan"), "not nan"),
+        (format!("{LANDER}scale = 0\n"), "above 0"),
+        (format!("{LANDER}{}", LANDER.replace("lander", "rover")), "two objects are called \"lm\""),
+    ] {
+        let found = fault_of(&tables);
+        assert!(found.contains(expected), "{tables}: {found}");
+    }
+    let text = GOOD.replace("[sun]", &format!("{}\n[sun]", LANDER.replace("'lander'", "'landr'")));
+    let list = Scenario::parse("t.toml", &text).unwrap_err().to_string();
+    assert!(list.contains("did you mean \"lander\"?"), "{list}");
+}
+
+#[test]
+fn shapes_that_are_no_solids() {
+    let folder = tempfile::tempdir().unwrap();
+    let dented = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0.1 0.1 0.1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 5\nf 3 4 5\nf 4 2 5\n";
+    fs::write(folder.path().join("dent.obj"), dented).unwrap();
+    let name = folder.path().join("s.toml");
+    for (file, expected) in [("dent.obj", "dent.obj"), ("gone.obj", "no such file")] {
+        let object = LANDER.replace("model = 'lander'", &format!("file = '{file}'"));
+        let text = GOOD.replace("[sun]", &format!("{object}\n[sun]"));
+        let list = Scenario::parse(name.to_str().unwrap(), &text).unwrap_err();
+        assert!(list.len() == 1 && list.to_string().contains(expected), "{list}");
+    }
+}
+
+#[test]
+fn events_that_cannot_happen() {
+    let event = |time: f64, rest: &str| format!("[[event]]\nt_s = {time:?}\n{rest}\n");
+    let add = "action = 'add'\nobject = 'flag'";
+    let delete = "action = 'delete'\nobject = 'lm'";
+    let to = "action = 'move'\nobject = 'lm'\nx_m = 5\ny_m = 5";
+    for (events, expected) in [
+        (event(1.0, "action = 'add'\nobject = 'flg'"), "must be one of \"lm\", \"flag\""),
+        (event(1.0, "action = 'ad'\nobject = 'flag'"), "must be one of \"move\""),
+        (event(-1.0, add), "of at least 0"),
+        (event(1.0, "action = 'move'\nobject = 'lm'\nx_m = 5"), "missing key `event[0].y_m`"),
+        (event(1.0, &format!("{delete}\nx_m = 5")), "unknown key `event[0].x_m`"),
+        (event(1.0, &add.replace("flag", "lm")), "\"lm\" is added at t = 1 s and stands already"),
+        (event(1.0, &delete.replace("lm", "flag")), "\"flag\" is deleted at t = 1 s and does not stand"),
+        (event(1.0, &to.replace("lm", "flag")), "\"flag\" is moved at t = 1 s and does not stand"),
+        (event(2.0, to) + &event(2.0, delete), "two events of \"lm\" at t = 2 s"),
+        (event(3.0, to) + &event(2.0, delete), "\"lm\" is moved at t = 3 s and does not stand"),
+    ] {
+        let found = fault_of(&format!("{LANDER}{FLAG}{events}"));
+        assert!(found.contains(expected), "{events}: {found}");
+    }
+    assert!(fault_of(&event(1.0, add)).contains("an event without an object"));
+    let good = format!("{LANDER}{FLAG}{}{}{}", event(3.0, delete), event(1.0, to), event(3.0, add));
+    assert_eq!(faults(&GOOD.replace("[sun]", &format!("{good}[sun]"))), []);
+    let text = GOOD.replace("[sun]", &format!("{FLAG}{}[sun]", event(1.0, &add.replace("flag", "flg"))));
+    let list = Scenario::parse("t.toml", &text).unwrap_err().to_string();
+    assert!(list.contains("did you mean \"flag\"?"), "{list}");
+}
+
+#[test]
+fn parts_of_the_landscape_that_cannot_be() {
+    let coarse = "[landscape.coarse]\nseed = 2\nextent_m = [1400, 1400]\nregion_size_m = 200\n";
+    let population = "[[features.population]]\nseed = 1\nkind = 'fresh'\ndensity_per_m2 = 0.01\n\
+                      smallest_radius_m = 2\nlargest_radius_m = 4\n";
+    let rocks = "[rocks]\nseed = 1\ndensity_per_m2 = 0.1\nsmallest_m = 0.2\nlargest_m = 2\n";
+    let drift = |step: &str| {
+        format!("azimuth_deg = 10\n{step}drift = [{{ t_s = 5, azimuth_deg = 9, elevation_deg = 8 }}]")
+    };
+    for (tables, expected) in [
+        (coarse.to_owned(), "`landscape.coarse` without `levels`"),
+        ("[levels]\nswitch_m = 50".into(), "`levels` on ground of one level"),
+        (coarse.replace("1400]", "1401]") + "[levels]\nswitch_m = 50", "generated landscape does not fit"),
+        (coarse.replace("200", "140") + "[levels]\nswitch_m = 50", "does not fit around the fine one"),
+        (format!("{coarse}[levels]\nswitch_m = 50\nblend_m = 51"), "longer than the way"),
+        (population.replace("'fresh'", "'secondaries'"), "secondaries without primaries"),
+        (population.replace("= 2", "= 5"), "is above the largest"),
+        (format!("{population}area_m = [0, 0, 0, 5]\n"), "in ascending order"),
+        ("[features]\nlist = 'gone.csv'".into(), ""),
+        (rocks.to_owned(), "missing key `rocks.area_m` or `rocks.radius_m`"),
+        (format!("{rocks}radius_m = 5\narea_m = [1, 2, 3, 4]"), "both say where the rocks are"),
+        (rocks.replace("= 2\n", "= 0.1\n") + "radius_m = 5", "is not above the smallest"),
+        ("[photometry]\nlaw = 'specular'\nstrength = 1".into(), "missing key `photometry.exponent`"),
+        ("[texture]\nsource = 'random'".into(), "a texture of 0 layers"),
+        ("[[silhouette]]\nreflectivity = 1\noutline_deg = [[0, 1], [0, 2]]".into(), "this outline is none"),
+        ("[[silhouette]]\nreflectivity = 1\noutline_deg = [[0, 1], [0]]".into(), "an array of pairs"),
+        ("[tracks]\nspacing_m = 0".into(), "from 0.01 to 100"),
+        ("[shadows]\nfinest_m = 0".into(), "from 0.01 to 1000"),
+        ("[roll]\ndisplay = 'yolk'".into(), "must be one of \"none\", \"yoke\""),
+        ("rocks = 5".into(), "`landscape.generated.rocks`"),
+    ] {
+        let text = GOOD.replacen("[sun]", &format!("{tables}\n[sun]"), 1);
+        let found = faults(&text);
+        assert!(found.len() == 1 && found[0].1.contains(expected), "{tables}: {found:?}");
+    }
+    for (from, to, expected) in [
+        ("azimuth_deg = 10", drift(""), "missing key `sun.step_s`"),
+        ("azimuth_deg = 10", drift("step_s = 0\n"), "above 0"),
+        ("azimuth_deg = 10", drift("step_s = 1e-6\n"), "5000000 steps"),
+        ("azimuth_deg = 10", drift("step_s = 1\n").replace("= 8", "= -1"), "above 0"),
+        ("azimuth_deg = 10", drift("step_s = 1\n").replace("t_s = 5", "t_s = 0"), "above 0"),
+        ("azimuth_deg = 10", "azimuth_deg = 10\nstep_s = 1".into(), "`sun.step_s` without `sun.drift`"),
+        ("elevation_deg = 12", "elevation_deg = -1".into(), "above 0"),
+    ] {
+        let (_, title) = fault(from, &to);
+        assert!(title.contains(expected), "{to}: {title}");
+    }
+}
+
 const FULL: &str = include_str!("../../../docs/scenario-format.md");
 
 proptest! {
     #[test]
     fn damage_is_refused_or_read_and_never_panics(
+        example in 0usize..3,
         cuts in prop::collection::vec((0usize..4000, 0usize..12, "[-a-z0-9_=.,\"'\\[\\]{}\n# ]{0,6}"), 1..6),
     ) {
-        let start = FULL.find("```toml\n").unwrap() + 8;
+        let start = FULL.match_indices("```toml\n").nth(example).unwrap().0 + 8;
         let mut text = FULL[start..start + FULL[start..].find("```").unwrap()].to_owned();
         for (at, length, put) in cuts {
             let at = at.min(text.len());

@@ -3,9 +3,16 @@
 use std::collections::BTreeSet;
 use std::fs;
 
-use scenario::{Ground, Scenario};
+use landscape::Photometry;
+use quantities::radians;
+use scenario::{Ground, LevelSwitch, RockArea, RollDisplay, Scenario, ShadowFineness};
 
 const DOC: &str = include_str!("../../../docs/scenario-format.md");
+
+/// Whole scenarios, and pieces of them.
+fn examples() -> (Vec<&'static str>, Vec<&'static str>) {
+    blocks("toml").into_iter().partition(|text| text.starts_with("format"))
+}
 
 /// Contents of the fenced blocks of a language.
 fn blocks(language: &str) -> Vec<&'static str> {
@@ -23,8 +30,10 @@ fn documented_keys() -> BTreeSet<&'static str> {
 /// Parses in a folder that holds the documented path files.
 fn parse(text: &str) -> Scenario {
     let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("drive.csv"), blocks("csv")[0]).unwrap();
+    fs::write(folder.path().join("drive.csv"), blocks("csv")[1]).unwrap();
     fs::write(folder.path().join("drive.tum"), blocks("tum")[0]).unwrap();
+    fs::write(folder.path().join("craters.csv"), blocks("csv")[0]).unwrap();
+    fs::write(folder.path().join("mast.obj"), blocks("obj")[0]).unwrap();
     let name = folder.path().join("s.toml");
     let mut scenario =
         Scenario::parse(name.to_str().unwrap(), text).unwrap_or_else(|list| panic!("{list}\n{text}"));
@@ -33,13 +42,17 @@ fn parse(text: &str) -> Scenario {
     if let Ground::Bank(path) = &mut scenario.ground {
         *path = path.file_name().unwrap().into();
     }
+    let list = scenario.features.list.iter_mut().map(|list| &mut list.file);
+    for file in list.chain(scenario.objects.iter_mut().filter_map(|object| object.file.as_mut())) {
+        *file = file.file_name().unwrap().into();
+    }
     scenario
 }
 
 #[test]
 fn all_examples_are_read() {
-    let examples = blocks("toml");
-    assert_eq!(examples.len(), 2);
+    let (examples, pieces) = examples();
+    assert_eq!((examples.len(), pieces.len()), (3, 5));
     let drive = parse(examples[1]);
     assert_eq!(drive.path.waypoints().len(), 3);
     let tum = parse(&examples[1].replace("drive.csv", "drive.tum"));
@@ -47,11 +60,43 @@ fn all_examples_are_read() {
     assert_eq!((first.time, first.at, first.eye_height), (0.0, [500.0, 800.0], Some(3.2)));
     let heading = first.heading.unwrap();
     assert!((heading - std::f64::consts::FRAC_PI_4).abs() < 1e-12, "{heading}");
+    for piece in pieces {
+        let base = examples[1].replace("bank = \"kepler.bank\"", "");
+        let sunless = base.replace("[sun]\nazimuth_deg = 95\nelevation_deg = 8\n", "");
+        let base = if piece.contains("[sun]") { sunless } else { base };
+        let ground = "[landscape.generated]\nseed = 1\nextent_m = [2000, 2000]\nregion_size_m = 40\n";
+        parse(&format!("{base}\n{ground}\n{piece}"));
+    }
+}
+
+#[test]
+fn the_full_landscape_reads_as_it_is_meant() {
+    let scenario = parse(examples().0[2]);
+    assert_eq!(scenario.coarse.as_ref().unwrap().massifs.len(), 1);
+    assert_eq!(scenario.levels, Some(LevelSwitch { range: 1500.0, blend: 200.0 }));
+    let craters = &scenario.features.list.as_ref().unwrap().craters;
+    assert_eq!((craters.len(), craters[1].outer(), craters[2].depth()), (3, 35.0, 9.0));
+    assert_eq!(scenario.features.populations[0].area, None);
+    assert_eq!(scenario.features.populations[1].area, Some([400.0, 600.0, 1600.0, 1800.0]));
+    assert_eq!(scenario.photometry, Photometry::Specular { strength: 0.5, exponent: 8 });
+    assert_eq!(scenario.silhouettes[0].outline()[1][1], libm::tan(radians(1.4)));
+    assert_eq!(scenario.drift.as_ref().unwrap().stations[0].0, 10.0);
+    let shadows = ShadowFineness { finest: 0.2, angle: 0.8e-3, reach: Some(3000.0) };
+    assert_eq!(scenario.shadows, Some(shadows));
+    assert_eq!(scenario.rocks.unwrap().area, RockArea::AlongPath(60.0));
+    let ids: Vec<&str> = scenario.objects.iter().map(|object| object.id.as_str()).collect();
+    assert_eq!(ids, ["lm", "mast", "flag"]);
+    assert!(scenario.objects[0].present && !scenario.objects[2].present);
+    assert_eq!(scenario.objects[1].parts[0].vertices().len(), 5);
+    let events: Vec<(f64, usize)> = scenario.events.iter().map(|event| (event.time, event.object)).collect();
+    assert_eq!(events, [(2.0, 2), (5.0, 1), (8.0, 1)]);
+    assert_eq!(scenario.roll, RollDisplay::Yoke);
+    assert_eq!(scenario.files().len(), 2);
 }
 
 #[test]
 fn a_scenario_reads_as_it_is_meant() {
-    let scenario = parse(blocks("toml")[0]);
+    let scenario = parse(examples().0[0]);
     assert_eq!(scenario.sun.azimuth, 110f64.to_radians());
     assert_eq!(scenario.vehicle, scenario::Vehicle::default());
     assert!((scenario.field.tan_half_width - 0.466307658).abs() < 1e-9);
@@ -129,11 +174,88 @@ const CHANGES: &[(&str, usize, &str, &str)] = &[
     ("landscape.generated.rille.depth_m", 0, "depth_m = 60", "depth_m = -60"),
     ("landscape.generated.rille.meander.swing_m", 0, "swing_m = 200", "swing_m = 201"),
     ("landscape.generated.rille.meander.length_m", 0, "length_m = 1500", "length_m = 1501"),
+    ("laws.feature_light", 2, "feature_light = \"as-reported\"", "feature_light = \"combined\""),
+    ("laws.body_visibility", 2, "body_visibility = \"as-reported\"", "body_visibility = \"depth\""),
+    ("laws.shadowed_bodies", 2, "\"vanish\"", "\"dark\""),
+    ("laws.texture_in_shadow", 2, "texture_in_shadow = \"on\"", "texture_in_shadow = \"off\""),
+    ("roll.display", 2, "\"yoke\"", "\"none\""),
+    ("landscape.coarse.seed", 2, "seed = 6", "seed = 7"),
+    ("landscape.coarse.extent_m", 2, "[80000, 80000]", "[80000, 81600]"),
+    ("landscape.coarse.region_size_m", 2, "region_size_m = 800", "region_size_m = 400"),
+    ("landscape.coarse.tilt_m_per_m", 2, "[0.001, 0.0]", "[0.001, 0.1]"),
+    ("landscape.coarse.undulation", 2, "rms_height_m = 40", "rms_height_m = 41"),
+    ("landscape.coarse.craters", 2, "smallest_radius_m = 1600", "smallest_radius_m = 1700"),
+    ("landscape.coarse.massif", 2, "height_m = 2500", "height_m = 2600"),
+    ("landscape.coarse.rille", 2, "width_m = 3600", "width_m = 3700"),
+    ("levels.switch_m", 2, "switch_m = 1500", "switch_m = 1600"),
+    ("levels.blend_m", 2, "blend_m = 200", "blend_m = 100"),
+    ("features.list", 2, "list = \"craters.csv\"\n", ""),
+    ("features.population.seed", 2, "seed = 1\n", "seed = 4\n"),
+    ("features.population.kind", 2, "\"fresh\"", "\"degraded\""),
+    ("features.population.density_per_m2", 2, "density_per_m2 = 0.001\n", "density_per_m2 = 0.003\n"),
+    ("features.population.reference_m", 2, "reference_m = 1.5", "reference_m = 1.6"),
+    ("features.population.slope", 2, "slope = 2.1", "slope = 2.3"),
+    ("features.population.smallest_radius_m", 2, "smallest_radius_m = 2\n", "smallest_radius_m = 3\n"),
+    ("features.population.largest_radius_m", 2, "largest_radius_m = 40", "largest_radius_m = 41"),
+    ("features.population.area_m", 2, "[400, 600, 1600, 1800]", "[400, 600, 1600, 1900]"),
+    (
+        "features.population.primaries",
+        2,
+        "primaries = [{",
+        "primaries = [{ x_m = 1, y_m = 2, radius_m = 3 }, {",
+    ),
+    ("features.population.primaries.x_m", 2, "x_m = 1000,", "x_m = 1001,"),
+    ("features.population.primaries.y_m", 2, "y_m = 1200,", "y_m = 1201,"),
+    ("features.population.primaries.radius_m", 2, "radius_m = 120", "radius_m = 121"),
+    ("sun.drift.t_s", 2, "t_s = 10, azimuth", "t_s = 11, azimuth"),
+    ("sun.drift.azimuth_deg", 2, "110.5", "110.6"),
+    ("sun.drift.elevation_deg", 2, "elevation_deg = 6.5", "elevation_deg = 6.6"),
+    ("sun.step_s", 2, "step_s = 2", "step_s = 3"),
+    ("shadows.enabled", 2, "enabled = true", "enabled = false"),
+    ("shadows.finest_m", 2, "finest_m = 0.2", "finest_m = 0.3"),
+    ("shadows.angle_mrad", 2, "angle_mrad = 0.8", "angle_mrad = 0.9"),
+    ("shadows.reach_m", 2, "reach_m = 3000", "reach_m = 3001"),
+    ("photometry.law", 2, "\"specular\"", "\"lunar-lambert\""),
+    ("photometry.strength", 2, "strength = 0.5", "strength = 0.6"),
+    ("photometry.exponent", 2, "exponent = 8", "exponent = 9"),
+    ("texture.source", 2, "\"random\"", "\"pattern\""),
+    ("texture.seed", 2, "seed = 9", "seed = 8"),
+    ("texture.layer.cell_m", 2, "cell_m = 0.4", "cell_m = 0.5"),
+    ("texture.layer.amplitude", 2, "amplitude = 0.04", "amplitude = 0.05"),
+    ("texture.layer.range_m", 2, "range_m = 60", "range_m = 61"),
+    ("silhouette.reflectivity", 2, "reflectivity = 0.4", "reflectivity = 0.5"),
+    ("silhouette.outline_deg", 2, "[310, 1.4]", "[310, 1.5]"),
+    ("rocks.seed", 2, "[rocks]\nseed = 3", "[rocks]\nseed = 4"),
+    ("rocks.density_per_m2", 2, "density_per_m2 = 0.002\nslope", "density_per_m2 = 0.003\nslope"),
+    ("rocks.slope", 2, "slope = 2.2", "slope = 2.3"),
+    ("rocks.smallest_m", 2, "smallest_m = 0.2", "smallest_m = 0.3"),
+    ("rocks.largest_m", 2, "largest_m = 3", "largest_m = 4"),
+    ("rocks.radius_m", 2, "radius_m = 60\n", "radius_m = 61\n"),
+    ("rocks.area_m", 2, "radius_m = 60\n", "area_m = [1, 2, 3, 4]\n"),
+    ("object.id", 2, "id = \"lm\"", "id = \"lem\""),
+    ("object.model", 2, "\"lander\"", "\"rover\""),
+    ("object.file", 2, "file = \"mast.obj\"", "model = \"marker\""),
+    ("object.x_m", 2, "x_m = 500", "x_m = 501"),
+    ("object.y_m", 2, "y_m = 800", "y_m = 801"),
+    ("object.heading_deg", 2, "heading_deg = 30", "heading_deg = 31"),
+    ("object.pitch_deg", 2, "pitch_deg = 2", "pitch_deg = 3"),
+    ("object.roll_deg", 2, "roll_deg = -3", "roll_deg = 3"),
+    ("object.scale", 2, "scale = 1.5", "scale = 1.6"),
+    ("object.present", 2, "x_m = 500\n", "x_m = 500\npresent = false\n"),
+    ("event.t_s", 2, "t_s = 2\n", "t_s = 3\n"),
+    ("event.action", 2, "\"delete\"", "\"move\"\nx_m = 9\ny_m = 9"),
+    ("event.object", 2, "\"delete\"\nobject = \"mast\"", "\"delete\"\nobject = \"lm\""),
+    ("event.x_m", 2, "x_m = 507", "x_m = 506"),
+    ("event.y_m", 2, "y_m = 793", "y_m = 794"),
+    ("event.heading_deg", 2, "heading_deg = 15", "heading_deg = 16"),
+    ("tracks.patch_length_m", 2, "patch_length_m = 0.2", "patch_length_m = 0.3"),
+    ("tracks.patch_width_m", 2, "patch_width_m = 0.25", "patch_width_m = 0.26"),
+    ("tracks.spacing_m", 2, "spacing_m = 0.35", "spacing_m = 0.36"),
 ];
 
 #[test]
 fn every_documented_key_changes_something() {
-    let examples = blocks("toml");
+    let (examples, _) = examples();
     let read: Vec<Scenario> = examples.iter().map(|text| parse(text)).collect();
     for (key, example, from, to) in CHANGES {
         let text = examples[*example];
@@ -148,13 +270,34 @@ fn the_tables_name_every_key_and_no_other() {
     tried.insert("format");
     assert_eq!(documented_keys(), tried);
     // Keys that the reader asks for stand in its message about an unknown one.
-    for table in ["", "landscape", "landscape.generated", "sun", "vehicle", "path", "raster", "display"] {
+    let tables = [
+        "",
+        "landscape",
+        "landscape.generated",
+        "landscape.coarse",
+        "levels",
+        "features",
+        "photometry",
+        "texture",
+        "sun",
+        "shadows",
+        "rocks",
+        "tracks",
+        "vehicle",
+        "path",
+        "raster",
+        "laws",
+        "roll",
+        "display",
+        "run",
+    ];
+    for table in tables {
         let text = format!("{}\n{table}{}stray = 1\n", "format = 1", if table.is_empty() { "" } else { "." });
         let list = Scenario::parse("t.toml", &text).unwrap_err();
         let stray = list.iter().find(|problem| problem.title.starts_with("unknown key")).unwrap().clone();
         let expected = stray.expected.unwrap();
         let prefix = if table.is_empty() { String::new() } else { format!("{table}.") };
-        for key in expected.trim_start_matches("one of ").split(", ") {
+        for key in expected.trim_start_matches("one of ").trim_start_matches("only ").split(", ") {
             let path = format!("{prefix}{key}");
             let is_documented = documented_keys().iter().any(|known| {
                 *known == path || known.strip_prefix(&path).is_some_and(|rest| rest.starts_with('.'))
@@ -166,12 +309,15 @@ fn the_tables_name_every_key_and_no_other() {
 
 #[test]
 fn what_is_left_out_has_the_documented_default() {
-    let scenario = parse(blocks("toml")[1]);
+    let scenario = parse(examples().0[1]);
     assert_eq!((scenario.machine.as_str(), scenario.albedo), ("ideal", 1.0));
     assert_eq!((scenario.display.white, scenario.display.gamma), (1.0, 1.0));
     assert_eq!(scenario.scalar, scenario::Scalar::F32);
     assert_eq!(scenario.raster, scenario::RasterWishes::default());
     assert_eq!(scenario.laws, scenario::LawWishes::default());
     assert_eq!(scenario.range, None);
+    assert_eq!((scenario.photometry, scenario.roll), (Photometry::Lambert, RollDisplay::None));
+    assert_eq!((&scenario.features, scenario.shadows), (&scenario::CraterWishes::default(), None));
+    assert!(scenario.objects.is_empty() && scenario.rocks.is_none() && scenario.tracks.is_none());
     assert_eq!(scenario.files().len(), 2);
 }

@@ -3,7 +3,7 @@
 use landscape::{Attitude, Bank, Landscape, Level};
 use proptest::prelude::*;
 use quantities::{Rate, degrees, radians};
-use scenario::{Limit, Path, PoseFault, PoseTable, Scenario, Vehicle, Waypoint, poses_csv};
+use scenario::{Limit, Path, PoseFault, PoseTable, Scenario, Vehicle, Waypoint, Yoke, poses_csv};
 
 /// 500 m x 500 m of `h = at + north x + east y + bend x^2 / 2`.
 fn ground(at: f64, [north, east]: [f64; 2], bend: f64) -> Landscape {
@@ -52,7 +52,7 @@ proptest! {
     ) {
         let landscape = ground(20.0, slopes, 0.0);
         let scenario = scenario(vec![waypoint(0.0, 200.0, 300.0, Some(heading))]);
-        let table = PoseTable::resolve(&scenario, &landscape, hz(30), 0..1).unwrap();
+        let table = PoseTable::resolve(&scenario, &landscape, hz(30), None, 0..1).unwrap();
         let pose = table.rows()[0].pose;
         let expected = Attitude::on_slope(slopes, radians(heading));
         prop_assert!((pose.attitude.pitch - expected.pitch).abs() < 1e-12);
@@ -68,7 +68,7 @@ fn the_nose_is_up_uphill_and_starboard_down_across() {
     let landscape = ground(0.0, [0.1, 0.0], 0.0);
     let pose = |heading: f64| {
         let scenario = scenario(vec![waypoint(0.0, 250.0, 250.0, Some(heading))]);
-        PoseTable::resolve(&scenario, &landscape, hz(30), 0..1).unwrap().rows()[0].pose.attitude
+        PoseTable::resolve(&scenario, &landscape, hz(30), None, 0..1).unwrap().rows()[0].pose.attitude
     };
     // Uphill is north: heading west has it to starboard, which is then up.
     assert!(pose(0.0).pitch > 0.09 && pose(180.0).pitch < -0.09);
@@ -98,8 +98,8 @@ fn any_part_of_a_table_is_the_same() {
     ];
     let scenario = scenario(points);
     let rate = Rate::new(30_000, 1001).unwrap();
-    let whole = PoseTable::resolve(&scenario, &landscape, rate, 0..90).unwrap();
-    let part = PoseTable::resolve(&scenario, &landscape, rate, 40..50).unwrap();
+    let whole = PoseTable::resolve(&scenario, &landscape, rate, None, 0..90).unwrap();
+    let part = PoseTable::resolve(&scenario, &landscape, rate, None, 40..50).unwrap();
     assert_eq!(whole.rows()[40..50], *part.rows());
     assert_eq!(whole.rows()[89].pose.time, 89.0 / (30_000.0 / 1001.0));
 }
@@ -109,7 +109,7 @@ fn speed_and_turn_rate_are_those_of_the_drive() {
     // 3 m/s north up a slope of 0.75 is 3.75 m/s along the ground; 20 degrees in 4 s.
     let landscape = ground(0.0, [0.75, 0.0], 0.0);
     let points = vec![waypoint(0.0, 100.0, 100.0, Some(0.0)), waypoint(4.0, 112.0, 100.0, Some(20.0))];
-    let table = PoseTable::resolve(&scenario(points), &landscape, hz(10), 0..40).unwrap();
+    let table = PoseTable::resolve(&scenario(points), &landscape, hz(10), None, 0..40).unwrap();
     for row in table.rows() {
         assert!((row.speed - 3.75).abs() < 1e-9, "frame {}: {}", row.frame, row.speed);
         assert!((degrees(row.turn_rate) - 5.0).abs() < 1e-9, "frame {}: {}", row.frame, row.turn_rate);
@@ -121,7 +121,7 @@ fn the_turn_of_a_row_is_that_since_the_frame_before() {
     let landscape = ground(0.0, [0.0, 0.0], 0.0);
     let points = [0.0, 10.0, 40.0].iter().zip([0.0, 1.0, 2.0]);
     let points = points.map(|(heading, time)| waypoint(time, 100.0, 100.0, Some(*heading))).collect();
-    let table = PoseTable::resolve(&scenario(points), &landscape, hz(10), 0..20).unwrap();
+    let table = PoseTable::resolve(&scenario(points), &landscape, hz(10), None, 0..20).unwrap();
     let rows = table.rows();
     let turn = |from: usize| (rows[from + 1].pose.attitude.heading - rows[from].pose.attitude.heading) * 10.0;
     for frame in 1..20 {
@@ -140,7 +140,7 @@ fn what_the_vehicle_cannot_do_is_reported() {
         waypoint(2.0, 114.0, 100.0, None),
         waypoint(3.0, 118.0, 100.0, None),
     ];
-    let table = PoseTable::resolve(&scenario(points), &landscape, hz(10), 0..31).unwrap();
+    let table = PoseTable::resolve(&scenario(points), &landscape, hz(10), None, 0..31).unwrap();
     let [report] = table.limits() else { panic!("{:?}", table.limits()) };
     assert_eq!((report.what, report.allowed), (Limit::Speed, 4.877));
     assert!(report.frames.contains(&report.frame) && (10..20).contains(&report.frame), "{report:?}");
@@ -149,7 +149,7 @@ fn what_the_vehicle_cannot_do_is_reported() {
 
     let steep = ground(0.0, [0.6, 0.0], 0.0);
     let spin = vec![waypoint(0.0, 100.0, 100.0, Some(0.0)), waypoint(1.0, 100.5, 100.0, Some(90.0))];
-    let table = PoseTable::resolve(&scenario(spin), &steep, hz(10), 0..11).unwrap();
+    let table = PoseTable::resolve(&scenario(spin), &steep, hz(10), None, 0..11).unwrap();
     let found: Vec<Limit> = table.limits().iter().map(|report| report.what).collect();
     assert_eq!(found, [Limit::Turn, Limit::Slope]);
 }
@@ -158,7 +158,7 @@ fn what_the_vehicle_cannot_do_is_reported() {
 fn a_drive_at_the_limit_is_within_it() {
     let landscape = ground(0.0, [0.0, 0.0], 0.0);
     let points = vec![waypoint(0.0, 100.0, 100.0, None), waypoint(10.0, 148.77, 100.0, None)];
-    let table = PoseTable::resolve(&scenario(points), &landscape, hz(30), 0..300).unwrap();
+    let table = PoseTable::resolve(&scenario(points), &landscape, hz(30), None, 0..300).unwrap();
     assert_eq!(table.limits(), []);
 }
 
@@ -166,7 +166,7 @@ fn a_drive_at_the_limit_is_within_it() {
 fn leaving_the_area_is_one_problem_for_all_its_frames() {
     let landscape = ground(0.0, [0.0, 0.0], 0.0);
     let points = vec![waypoint(0.0, 490.0, 250.0, None), waypoint(10.0, 510.0, 250.0, None)];
-    let problems = PoseTable::resolve(&scenario(points), &landscape, hz(10), 0..100).unwrap_err();
+    let problems = PoseTable::resolve(&scenario(points), &landscape, hz(10), None, 0..100).unwrap_err();
     let list: Vec<_> = problems.iter().collect();
     assert_eq!(list.len(), 1, "{problems}");
     // The front wheels leave 1.15 m before the centre.
@@ -180,14 +180,14 @@ fn leaving_the_area_is_one_problem_for_all_its_frames() {
 fn an_eye_under_ground_and_a_wild_tilt_are_refused() {
     let landscape = ground(100.0, [0.0, 0.0], 0.0);
     let low = Waypoint { eye_height: Some(99.0), ..waypoint(0.0, 100.0, 100.0, None) };
-    let problems = PoseTable::resolve(&scenario(vec![low]), &landscape, hz(10), 0..2).unwrap_err();
+    let problems = PoseTable::resolve(&scenario(vec![low]), &landscape, hz(10), None, 0..2).unwrap_err();
     assert!(problems.to_string().contains("eye under ground, z = 99.000 m"), "{problems}");
     let diving = Waypoint { pitch: Some(radians(-80.0)), ..waypoint(0.0, 100.0, 100.0, None) };
-    let problems = PoseTable::resolve(&scenario(vec![diving]), &landscape, hz(10), 0..2).unwrap_err();
+    let problems = PoseTable::resolve(&scenario(vec![diving]), &landscape, hz(10), None, 0..2).unwrap_err();
     assert!(problems.to_string().contains("pitch of -80.0 deg"), "{problems}");
     let cliff = ground(0.0, [2.5, 0.0], 0.0);
     let standing = scenario(vec![waypoint(0.0, 100.0, 100.0, Some(0.0))]);
-    let problems = PoseTable::resolve(&standing, &cliff, hz(10), 0..1).unwrap_err();
+    let problems = PoseTable::resolve(&standing, &cliff, hz(10), None, 0..1).unwrap_err();
     assert!(problems.to_string().contains("pitch of 68.2 deg"), "{problems}");
 }
 
@@ -201,7 +201,7 @@ fn a_flyer_needs_no_ground_under_its_wheels() {
         ..waypoint(time, 0.0, 0.0, Some(45.0))
     };
     let path = vec![flyer(0.0, 30.0), flyer(10.0, 50.0)];
-    let table = PoseTable::resolve(&scenario(path), &landscape, hz(10), 0..10).unwrap();
+    let table = PoseTable::resolve(&scenario(path), &landscape, hz(10), None, 0..10).unwrap();
     let row = table.rows()[5];
     assert!((row.pose.eye[2] - 31.0).abs() < 1e-12 && (row.speed - 2.0).abs() < 1e-12, "{row:?}");
     assert_eq!((row.pose.attitude.pitch, row.pose.attitude.roll), (0.1, -0.1));
@@ -212,7 +212,7 @@ fn a_flyer_needs_no_ground_under_its_wheels() {
 fn poses_of_a_run_can_be_driven_again() {
     let landscape = ground(0.0, [0.1, 0.05], 0.0);
     let points = vec![waypoint(0.0, 100.0, 100.0, None), waypoint(3.0, 108.0, 103.0, Some(10.0))];
-    let first = PoseTable::resolve(&scenario(points), &landscape, hz(30), 0..90).unwrap();
+    let first = PoseTable::resolve(&scenario(points), &landscape, hz(30), None, 0..90).unwrap();
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("poses.csv"), poses_csv(&first)).unwrap();
     let text = r#"
@@ -226,11 +226,40 @@ fn poses_of_a_run_can_be_driven_again() {
     "#;
     let name = folder.path().join("again.toml");
     let again = Scenario::parse(name.to_str().unwrap(), text).unwrap_or_else(|list| panic!("{list}"));
-    let second = PoseTable::resolve(&again, &landscape, hz(30), 0..90).unwrap();
+    let second = PoseTable::resolve(&again, &landscape, hz(30), None, 0..90).unwrap();
     for (a, b) in first.rows().iter().zip(second.rows()) {
         assert_eq!(a.pose.eye, b.pose.eye);
         assert!((a.pose.attitude.heading - b.pose.attitude.heading).abs() < 1e-14);
         assert!((a.pose.attitude.pitch - b.pose.attitude.pitch).abs() < 1e-14);
         assert!((a.pose.attitude.roll - b.pose.attitude.roll).abs() < 1e-14);
     }
+}
+
+#[test]
+fn the_yoke_is_where_it_is_whatever_part_is_asked_for() {
+    // Eastward over a ground that bends to the north: the vehicle rolls ever more, then turns about.
+    let landscape = ground(0.0, [0.0, 0.0], 0.004);
+    let points = vec![
+        waypoint(0.0, 20.0, 100.0, Some(90.0)),
+        waypoint(2.0, 60.0, 120.0, Some(90.0)),
+        waypoint(3.0, 60.0, 121.0, Some(270.0)),
+    ];
+    let scenario = scenario(points);
+    let yoke = Some(Yoke { step: radians(0.1), rate: radians(4.0), travel: radians(40.0) });
+    let resolve = |frames| PoseTable::resolve(&scenario, &landscape, hz(30), yoke, frames).unwrap();
+    let whole = resolve(0..90);
+    for part in [0..7, 7..8, 8..41, 89..90] {
+        let rows = &whole.rows()[part.start as usize..part.end as usize];
+        assert_eq!(rows, resolve(part.clone()).rows(), "{part:?}");
+    }
+    let rows = whole.rows();
+    assert!((rows[0].pose.yoke - rows[0].pose.attitude.roll).abs() <= radians(0.0501));
+    let lags = rows.iter().filter(|row| (row.pose.yoke - row.pose.attitude.roll).abs() > radians(1.0));
+    assert!(lags.count() > 20, "a slow yoke lags");
+    for pair in rows.windows(2) {
+        let moved = degrees(pair[1].pose.yoke - pair[0].pose.yoke).abs();
+        assert!(moved < 0.2001, "frame {}: {moved}", pair[1].frame);
+    }
+    let without = PoseTable::resolve(&scenario, &landscape, hz(30), None, 0..90).unwrap();
+    assert!(without.rows().iter().all(|row| row.pose.yoke == 0.0));
 }

@@ -1,1 +1,38 @@
-//! Shadow controller (fig. 25, 26): boundary segments into a blanking gate.
+//! Shadow controller (fig. 25, 26; section 11.2): boundary segments into the gate that blanks a sweep.
+//!
+//! ```text
+//!  shadow bank --segments--> I/O processor --true boundaries--> line generators --+--> OR --> comparator --> sc.gate
+//!                            (order, union)   or scan converter ------------------+            ^
+//!                            initial state -------------------------------------- x, y of the sweep
+//! ```
+//!
+//! **Law.** Remote shadow is enclosed by directed segments, shadow to the right of each. Along a sweep a segment
+//! crossed leftwards begins a shadow, one crossed rightwards ends it; the number of shadows at a range is what was
+//! begun less what was ended, and the gate is 1 where it is above 0. Shadows that overlap (of ground, bodies and
+//! tracks) therefore unite. The gate's state at the eye is what makes the number 0 beyond all segments.
+//!
+//! **Parts.** Digital: the I/O processor edits the data of each sweep and hands on the true boundaries, in order of
+//! range. Each occupies a line generator while the sweep is within the segment's extent along x, or along y if the
+//! segment is nearer to y (loaded in swapped form: y in, x out). A segment that finds none free is dropped: its
+//! crossing is missed and the gate is inverted from there to the end of the sweep or the next miss. Scan converter:
+//! the boundaries are read displaced by `offset` of the map's side and scaled about its centre by `1 + gain`; nothing
+//! is ever dropped.
+//!
+//! **State and timing.** None between sweeps. A crossing acts at once: the comparator has no delay.
+//!
+//! **Elaboration.** Where no segment is in view all gates are 0 for the whole frame, and the block can be left out.
+//!
+//! **Not modelled.** Words, quantisation and error of the line generators; the time to load one; the width of a line
+//! in the scan converter; two crossings within one comparator delay.
+//!
+//! **Our choices.** Ends count half-open by the sweep that they lie on, so a shared corner counts once and a sweep
+//! along an edge is not crossed by it. Two boundaries within [`RESOLUTION`] of each other cancel: the edges of
+//! neighbouring tiles leave no slit of light. Any number of segments in one sweep is served.
+
+mod blank;
+mod controller;
+mod crossings;
+mod line_generators;
+
+pub use blank::{SIGNALS, blank};
+pub use controller::{Gate, RESOLUTION, ShadowController};

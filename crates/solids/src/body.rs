@@ -30,6 +30,19 @@ pub struct Body {
     pub vertices: Vec<DVec3>,
     /// Normal of each face of the solid in terrain axes.
     pub normals: Vec<DVec3>,
+    /// Centre of the bounding sphere, in terrain axes.
+    pub centre: DVec3,
+    /// Radius of the bounding sphere (m).
+    pub radius: f64,
+}
+
+/// Where a ray enters a body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hit {
+    /// Distance along the ray, in lengths of its direction.
+    pub distance: f64,
+    /// Face of the solid.
+    pub face: usize,
 }
 
 impl Body {
@@ -43,8 +56,57 @@ impl Body {
         to_ground: &DMat3,
         scale: f64,
     ) -> Self {
-        let vertices = solid.vertices().iter().map(|&vertex| foot + *to_ground * (vertex * scale)).collect();
+        let placed = |&vertex: &DVec3| foot + *to_ground * (vertex * scale);
+        let vertices: Vec<DVec3> = solid.vertices().iter().map(placed).collect();
         let normals = solid.faces().iter().map(|face| *to_ground * face.normal).collect();
-        Self { object, kind, foot, solid: solid.clone(), vertices, normals }
+        let (centre, radius) = bounding_sphere(&vertices);
+        Self { object, kind, foot, solid: solid.clone(), vertices, normals, centre, radius }
     }
+
+    /// Centre (terrain axes, m) and radius (m) of a sphere around all vertices.
+    pub fn centre_radius(&self) -> (DVec3, f64) {
+        (self.centre, self.radius)
+    }
+
+    /// A corner of a face, in terrain axes: a point of its plane.
+    pub fn on_face(&self, face: usize) -> DVec3 {
+        self.vertices[self.solid.faces()[face].corners[0] as usize]
+    }
+
+    /// Diffuse reflectivity of each face, `max(n.s, 0)` times its albedo, under the unit vector to the sun.
+    pub fn reflectivities(&self, sun_direction: DVec3) -> impl Iterator<Item = f64> {
+        let lit = self.normals.iter().map(move |normal| normal.dot(sun_direction).max(0.0));
+        lit.zip(self.solid.faces()).map(|(cosine, face)| cosine * face.albedo)
+    }
+
+    /// Where the ray from `origin` along `direction` first comes into the body from outside, at a distance of
+    /// `from` or more. A ray that is within the body there enters nothing: faces are met from outside only.
+    pub fn first_hit(&self, origin: DVec3, direction: DVec3, from: f64) -> Option<Hit> {
+        let mut entry = Hit { distance: f64::NEG_INFINITY, face: 0 };
+        let mut exit = f64::INFINITY;
+        for (face, &normal) in self.normals.iter().enumerate() {
+            let height = normal.dot(origin - self.on_face(face));
+            let rate = normal.dot(direction);
+            if rate < 0.0 {
+                let distance = height / -rate;
+                if distance > entry.distance {
+                    entry = Hit { distance, face };
+                }
+            } else if rate > 0.0 {
+                exit = exit.min(height / -rate);
+            } else if height > 0.0 {
+                return None;
+            }
+        }
+        (entry.distance >= from && entry.distance <= exit).then_some(entry)
+    }
+}
+
+/// A sphere about the middle of the box around all vertices.
+fn bounding_sphere(vertices: &[DVec3]) -> (DVec3, f64) {
+    let low = vertices.iter().copied().fold(DVec3::INFINITY, DVec3::min);
+    let high = vertices.iter().copied().fold(DVec3::NEG_INFINITY, DVec3::max);
+    let centre = (low + high) * 0.5;
+    let radius = vertices.iter().map(|vertex| vertex.distance(centre)).fold(0.0, f64::max);
+    (centre, radius)
 }

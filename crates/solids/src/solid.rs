@@ -2,6 +2,9 @@
 
 use glam::DVec3;
 
+use crate::SolidError;
+use crate::check::{check_closed, check_convex, check_counts, check_vertices, plane_of};
+
 /// One flat side: a convex polygon.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Face {
@@ -13,48 +16,40 @@ pub struct Face {
     pub albedo: f64,
 }
 
-/// Why faces do not enclose a convex solid.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum SolidError {
-    /// Too little of it.
-    #[error("{vertices} vertices and {faces} faces: expected at least 4 of each")]
-    TooSmall {
-        /// Vertices found.
-        vertices: usize,
-        /// Faces found.
-        faces: usize,
-    },
-    /// A vertex lies outside a face.
-    #[error("vertex {vertex} lies {outside:.6} m outside face {face}: expected a convex solid")]
-    NotConvex {
-        /// Vertex, counted from 0.
-        vertex: usize,
-        /// Face, counted from 0.
-        face: usize,
-        /// Distance from the face's plane (m).
-        outside: f64,
-    },
-    /// A face without an area, or whose corners are not in a plane.
-    #[error("face {face}: {what}; expected a plane polygon of at least 3 different corners")]
-    BadFace {
-        /// Face, counted from 0.
-        face: usize,
-        /// What is wrong with it.
-        what: &'static str,
-    },
-    /// Faces that do not close.
-    #[error("the edge between vertices {0} and {1} belongs to one face only: expected a closed surface")]
-    Open(u32, u32),
-}
-
 /// A closed convex polyhedron in body axes (m), its foot point at the origin.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solid {
     vertices: Vec<DVec3>,
     faces: Vec<Face>,
+    radius: f64,
+    size: f64,
 }
 
 impl Solid {
+    /// Deviations from plane and convex faces up to this share of the size pass: files round their numbers.
+    pub const TOLERANCE: f64 = 1e-4;
+    /// Largest number of vertices, and of faces.
+    pub const MOST: usize = 2048;
+
+    /// The solid of `faces`, each a list of corners (indices of `vertices`) and an albedo. Corners may run either
+    /// way round; faces are turned so that normals point outwards.
+    ///
+    /// # Errors
+    /// If the faces are not plane, do not close, or do not enclose a convex volume, within [`Self::TOLERANCE`].
+    pub fn new(vertices: Vec<DVec3>, faces: Vec<(Vec<u32>, f64)>) -> Result<Self, SolidError> {
+        check_counts(vertices.len(), faces.len())?;
+        check_vertices(&vertices)?;
+        let size = size_of(&vertices);
+        let inside = vertices.iter().sum::<DVec3>() / vertices.len() as f64;
+        let outwards =
+            |(index, (corners, albedo))| outward_face(&vertices, index, corners, albedo, inside, size);
+        let faces = faces.into_iter().enumerate().map(outwards).collect::<Result<Vec<_>, _>>()?;
+        check_convex(&vertices, &faces, Self::TOLERANCE * size)?;
+        check_closed(&faces, vertices.len())?;
+        let radius = vertices.iter().map(|vertex| vertex.length()).fold(0.0, f64::max);
+        Ok(Self { vertices, faces, radius, size })
+    }
+
     /// Vertices.
     pub fn vertices(&self) -> &[DVec3] {
         &self.vertices
@@ -64,4 +59,59 @@ impl Solid {
     pub fn faces(&self) -> &[Face] {
         &self.faces
     }
+
+    /// Largest distance of a vertex from the foot point (m).
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// Largest distance between two vertices (m).
+    pub fn size(&self) -> f64 {
+        self.size
+    }
+
+    /// The same with the albedo that `paint` gives to each face by its outward normal.
+    ///
+    /// # Errors
+    /// If an albedo is not 0 to 1.
+    pub fn painted(mut self, paint: impl Fn(DVec3) -> f64) -> Result<Self, SolidError> {
+        for (index, face) in self.faces.iter_mut().enumerate() {
+            face.albedo = checked_albedo(index, paint(face.normal))?;
+        }
+        Ok(self)
+    }
+}
+
+fn size_of(vertices: &[DVec3]) -> f64 {
+    let others = |(index, &from): (usize, &DVec3)| {
+        vertices[..index].iter().map(move |to| from.distance_squared(*to)).fold(0.0, f64::max)
+    };
+    vertices.iter().enumerate().map(others).fold(0.0, f64::max).sqrt()
+}
+
+fn checked_albedo(face: usize, albedo: f64) -> Result<f64, SolidError> {
+    if (0.0..=1.0).contains(&albedo) { Ok(albedo) } else { Err(SolidError::BadAlbedo { face, albedo }) }
+}
+
+/// The face turned so that it looks away from `inside`.
+fn outward_face(
+    vertices: &[DVec3],
+    index: usize,
+    mut corners: Vec<u32>,
+    albedo: f64,
+    inside: DVec3,
+    size: f64,
+) -> Result<Face, SolidError> {
+    let albedo = checked_albedo(index, albedo)?;
+    let (normal, middle) = plane_of(vertices, index, &corners, size)?;
+    let depth = normal.dot(middle - inside);
+    // The mean of the vertices of a thin solid of n vertices is at least 1/n of its thickness from every face.
+    if depth.abs() <= f64::EPSILON * vertices.len() as f64 * size {
+        return Err(SolidError::Flat);
+    }
+    // Body axes are left-handed: counter-clockwise seen from outside is a cross product that points inwards.
+    if depth > 0.0 {
+        corners.reverse();
+    }
+    Ok(Face { corners, normal: normal * depth.signum(), albedo })
 }

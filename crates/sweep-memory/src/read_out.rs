@@ -13,28 +13,143 @@ pub struct View {
     pub projection: Projection,
     /// Pitch of the eye (rad).
     pub pitch: f64,
-    /// Field of view.
+    /// Field of view that was written: that of the screen, or [`covering`] it while the yoke turns.
+    pub raster: FieldOfView,
+    /// Field of view of the screen.
     pub field: FieldOfView,
+    /// Angle by which the yoke turns the picture counter-clockwise (rad): that of a roll with starboard down.
+    pub yoke: f64,
+}
+
+/// The raster from which a screen of `field` stays filled while the yoke turns by up to half of `travel` (rad)
+/// either way: the box around all turned screens.
+pub fn covering(field: FieldOfView, travel: f64) -> FieldOfView {
+    let (width, height) = (field.tan_half_width, field.tan_half_height);
+    FieldOfView {
+        tan_half_width: farthest(width, height, 0.5 * travel.abs()),
+        tan_half_height: farthest(height, width, 0.5 * travel.abs()),
+    }
+}
+
+/// Largest `along cos angle + across sin angle` for angles from 0 to `most`: it grows until the corner lies on the axis.
+fn farthest(along: f64, across: f64, most: f64) -> f64 {
+    if most >= libm::atan2(across, along) {
+        return (along * along + across * across).sqrt();
+    }
+    let (sin, cos) = sin_cos(most);
+    along * cos + across * sin
 }
 
 impl View {
-    /// `tan beta` over X on display line `line` of `lines` (section 15.3, inverted): oblique sweeps cross a line
+    /// `tan beta` over X as a function of Y on the view-plane (section 15.3, inverted): oblique sweeps cross a line
     /// at equal distances, which depend on the line.
-    fn tangent_over_x(&self, line: usize, lines: usize) -> f64 {
-        if self.projection != Projection::Exact {
-            return 1.0;
-        }
-        let (sin, cos) = sin_cos(self.pitch);
-        let y = self.field.tan_half_height * ((2 * line + 1) as f64 / lines as f64 - 1.0);
-        1.0 / (cos + sin * y)
+    fn tangent_over_x(&self) -> impl Fn(f64) -> f64 + use<> {
+        let (sin, cos) = match self.projection {
+            Projection::Exact => sin_cos(self.pitch),
+            Projection::AsReported | Projection::Corrected => (0.0, 1.0),
+        };
+        move |y| 1.0 / (cos + sin * y)
     }
+
+    /// Whether display lines are the lines that were written.
+    fn is_level(&self, written: usize, lines: usize) -> bool {
+        self.yoke == 0.0 && self.raster == self.field && written == lines
+    }
+
+    /// Fills a picture with what the beam sees at a place (X, Y) of the upright view-plane.
+    fn read_turned(&self, columns: usize, picture: &mut [f32], seen_at: impl Fn(f64, f64) -> f32) {
+        let (sin, cos) = sin_cos(self.yoke);
+        let lines = picture.len() / columns;
+        for (line, row) in picture.chunks_exact_mut(columns).enumerate() {
+            let y = self.field.tan_half_height * centre(line, lines);
+            for (column, pixel) in row.iter_mut().enumerate() {
+                let x = self.field.tan_half_width * centre(column, columns);
+                // Psi of section 12: from the rolled view-plane to the upright one.
+                *pixel = seen_at(cos * x - sin * y, sin * x + cos * y);
+            }
+        }
+    }
+}
+
+/// Centre of cell `index` of `count`, -1..=1.
+fn centre(index: usize, count: usize) -> f64 {
+    (2 * index + 1) as f64 / count as f64 - 1.0
+}
+
+/// Where a place on the view-plane lies among `count` cells over -`edge`..=`edge`: the centre of cell n is at n.
+fn cell_of(place: f64, edge: f64, count: usize) -> f64 {
+    0.5 * ((place / edge + 1.0) * count as f64 - 1.0)
+}
+
+/// What was written: `lines` values a sweep.
+#[derive(Debug, Clone, Copy)]
+struct Store<'a> {
+    values: &'a [f32],
+    lines: usize,
+}
+
+impl Store<'_> {
+    fn sweeps(&self) -> usize {
+        self.values.len() / self.lines
+    }
+
+    /// Mean by distance of the four values around a place; a place beyond the outermost by more than half a sweep or
+    /// half a line is dark.
+    fn linear(&self, sweep: f64, line: f64) -> f32 {
+        let (Some((left, right, across)), Some((upper, lower, down))) =
+            (neighbours(sweep, self.sweeps()), neighbours(line, self.lines))
+        else {
+            return 0.0;
+        };
+        let along = |sweep: usize| {
+            let (above, below) =
+                (self.values[sweep * self.lines + upper], self.values[sweep * self.lines + lower]);
+            above + down * (below - above)
+        };
+        let (left, right) = (along(left), along(right));
+        left + across * (right - left)
+    }
+
+    /// The value of the cell in which a place lies; dark beyond.
+    fn nearest(&self, sweep: f64, line: f64) -> f32 {
+        let cell = |place: f64, count: usize| {
+            let cell = (place + 0.5).floor();
+            (cell >= 0.0 && cell < count as f64).then_some(cell as usize)
+        };
+        match (cell(sweep, self.sweeps()), cell(line, self.lines)) {
+            (Some(sweep), Some(line)) => self.values[sweep * self.lines + line],
+            _ => 0.0,
+        }
+    }
+}
+
+/// How far beyond half a cell a place may lie by rounding and still be on the raster.
+const ROUNDING: f64 = 1e-6;
+
+/// The two cells around a place, and how far it is from the first to the second.
+fn neighbours(place: f64, count: usize) -> Option<(usize, usize, f32)> {
+    let last = (count - 1) as f64;
+    if !(-0.5 - ROUNDING..=last + 0.5 + ROUNDING).contains(&place) {
+        return None;
+    }
+    let place = place.clamp(0.0, last);
+    let first = (place as usize).min(count - 1);
+    Some((first, (first + 1).min(count - 1), (place - first as f64) as f32))
 }
 
 /// Reads `store`, which holds `lines` values a sweep, into `picture` (row by row, `columns` wide).
 pub fn scan_converter(store: &[f32], lines: usize, columns: usize, view: &View, picture: &mut [f32]) {
+    let tangent_over_x = view.tangent_over_x();
+    if !view.is_level(lines, picture.len() / columns) {
+        let (store, height) = (Store { values: store, lines }, view.raster.tan_half_height);
+        return view.read_turned(columns, picture, |x, y| {
+            store.linear(view.fan.position(x * tangent_over_x(y)), cell_of(y, height, lines))
+        });
+    }
     let last = view.fan.sweeps as usize - 1;
     for (line, row) in picture.chunks_exact_mut(columns).enumerate() {
-        let scale = view.field.tan_half_width * view.tangent_over_x(line, lines) / columns as f64;
+        let y = view.field.tan_half_height * centre(line, lines);
+        let scale = view.field.tan_half_width * tangent_over_x(y) / columns as f64;
         for (column, pixel) in row.iter_mut().enumerate() {
             let offset = (2 * column + 1) as f64 - columns as f64;
             let position = view.fan.position(offset * scale).clamp(0.0, last as f64);
@@ -56,9 +171,19 @@ pub fn digital_memory(store: &[f32], lines: usize, columns: usize, picture: &mut
     }
 }
 
+/// The same on a screen whose yoke turns, or which shows a part of the raster: sweep n is column n of the raster,
+/// and a pixel shows the cell of the raster in which its centre lies.
+pub fn digital_memory_turned(store: &[f32], lines: usize, columns: usize, view: &View, picture: &mut [f32]) {
+    let FieldOfView { tan_half_width, tan_half_height } = view.raster;
+    let store = Store { values: store, lines };
+    view.read_turned(columns, picture, |x, y| {
+        store.nearest(cell_of(x, tan_half_width, store.sweeps()), cell_of(y, tan_half_height, lines))
+    });
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{View, digital_memory, scan_converter};
+    use super::{View, centre, covering, digital_memory, digital_memory_turned, scan_converter};
     use quantities::{radians, sin_cos};
     use scenario::{FieldOfView, Projection};
     use sweep_program::Fan;
@@ -68,7 +193,7 @@ mod tests {
 
     fn view(pitch: f64, sweeps: u32) -> View {
         let fan = Fan::covering(Projection::Exact, pitch, &FIELD, sweeps).unwrap();
-        View { fan, projection: Projection::Exact, pitch, field: FIELD }
+        View { fan, projection: Projection::Exact, pitch, raster: FIELD, field: FIELD, yoke: 0.0 }
     }
 
     #[test]
@@ -102,6 +227,121 @@ mod tests {
             let expected = x / (cos + y * sin);
             let error = (f64::from(found) - expected).abs();
             assert!(error < 0.006 * view.fan.edge, "pixel {index}: {found} against {expected}");
+        }
+    }
+
+    #[test]
+    fn a_turned_picture_is_what_a_rolled_camera_sees() {
+        let (pitch, raster) = (radians(6.0), covering(FIELD, radians(40.0)));
+        let fan = Fan::covering(Projection::Exact, pitch, &raster, 601).unwrap();
+        let (sweeps, lines, columns, height) = (601, 401, 305, 175);
+        for roll in [-20.0, -7.0, 0.0, 13.0, 20.0].map(radians) {
+            let view = View { fan, projection: Projection::Exact, pitch, raster, field: FIELD, yoke: roll };
+            for ahead in [[1.0, 0.3, -0.1], [1.0, -0.35, 0.2], [1.0, 0.1, 0.15]] {
+                // A point in rolled vehicle axes, and the same in those that only pitch: v = Psi v'.
+                let (sin, cos) = sin_cos(roll);
+                let [u, v, w] = ahead;
+                let (v, w) = (cos * v - sin * w, sin * v + cos * w);
+                // Its place in the raster by the terrain's axes: azimuth against the heading, line from the top.
+                let (sin, cos) = sin_cos(pitch);
+                let sweep = fan.position(v / (cos * u + sin * w)).round() as usize;
+                let line = (0.5 * ((w / u / raster.tan_half_height + 1.0) * 401.0 - 1.0)).round() as usize;
+                let mut store = vec![0.0; sweeps * lines];
+                store[sweep * lines + line] = 1.0;
+                let mut picture = vec![0.0; columns * height];
+                scan_converter(&store, lines, columns, &view, &mut picture);
+                let [x, y] = centroid(&picture, columns);
+                let column = 0.5 * ((ahead[1] / FIELD.tan_half_width + 1.0) * 305.0 - 1.0);
+                let row = 0.5 * ((ahead[2] / FIELD.tan_half_height + 1.0) * 175.0 - 1.0);
+                assert!((x - column).abs() < 1.0 && (y - row).abs() < 1.0, "{x}, {y}: {column}, {row}");
+            }
+        }
+    }
+
+    fn centroid(picture: &[f32], columns: usize) -> [f64; 2] {
+        let mut sums = [0.0; 3];
+        for (index, &value) in picture.iter().enumerate() {
+            let value = f64::from(value);
+            let parts = [value, value * (index % columns) as f64, value * (index / columns) as f64];
+            sums.iter_mut().zip(parts).for_each(|(sum, part)| *sum += part);
+        }
+        [sums[1] / sums[0], sums[2] / sums[0]]
+    }
+
+    #[test]
+    fn with_starboard_down_the_horizon_rises_to_the_right() {
+        let raster = covering(FIELD, radians(40.0));
+        let fan = Fan::covering(Projection::Exact, 0.0, &raster, 64).unwrap();
+        // Ground below the horizon, which is in the middle.
+        let store: Vec<f32> = (0..64 * 40).map(|index| if index % 40 < 20 { 0.0 } else { 1.0 }).collect();
+        let view = View {
+            fan,
+            projection: Projection::Exact,
+            pitch: 0.0,
+            raster,
+            field: FIELD,
+            yoke: radians(10.0),
+        };
+        let (mut tube, mut digital) = (vec![0.0; 50 * 30], vec![0.0; 50 * 30]);
+        scan_converter(&store, 40, 50, &view, &mut tube);
+        digital_memory_turned(&store, 40, 50, &view, &mut digital);
+        for picture in [tube, digital] {
+            let ground = |column: usize| (0..30).map(|line| picture[line * 50 + column]).sum::<f32>();
+            assert!(ground(49) > ground(25) + 3.0 && ground(25) > ground(0) + 3.0);
+        }
+    }
+
+    #[test]
+    fn the_covering_raster_fills_every_corner_and_no_more() {
+        let travel = radians(40.0);
+        let raster = covering(FIELD, travel);
+        let (mut widest, mut tallest) = (0.0f64, 0.0f64);
+        for step in -200..=200 {
+            let (sin, cos) = sin_cos(0.5 * travel * f64::from(step) / 200.0);
+            for side in [-1.0, 1.0] {
+                let (x, y) = (FIELD.tan_half_width, side * FIELD.tan_half_height);
+                widest = widest.max((cos * x - sin * y).abs());
+                tallest = tallest.max((sin * x + cos * y).abs());
+            }
+        }
+        assert!((raster.tan_half_width - widest).abs() < 1e-12, "{raster:?}, {widest}");
+        assert!((raster.tan_half_height - tallest).abs() < 1e-12, "{raster:?}, {tallest}");
+        // Section 18: the half diagonal is the most that any travel asks for.
+        let any = covering(FIELD, radians(180.0));
+        assert!((any.tan_half_width - 0.5378).abs() < 1e-4 && any.tan_half_width == any.tan_half_height);
+        assert_eq!(covering(FIELD, 0.0), FIELD);
+        let fan = Fan::covering(Projection::Exact, 0.0, &raster, 40).unwrap();
+        let mut view =
+            View { fan, projection: Projection::Exact, pitch: 0.0, raster, field: FIELD, yoke: 0.0 };
+        for step in -20..=20 {
+            view.yoke = 0.5 * travel * f64::from(step) / 20.0;
+            for read in [scan_converter, digital_memory_turned] {
+                let mut picture = vec![0.0; 50 * 30];
+                read(&[1.0; 40 * 30], 30, 50, &view, &mut picture);
+                assert!(picture.iter().all(|pixel| *pixel == 1.0), "{}", view.yoke);
+            }
+        }
+        view.yoke = radians(45.0);
+        let mut picture = vec![0.0; 50 * 30];
+        scan_converter(&[1.0; 40 * 30], 30, 50, &view, &mut picture);
+        assert_eq!(picture[0], 0.0);
+    }
+
+    #[test]
+    fn a_part_of_a_larger_raster_is_read_in_its_place() {
+        // Sweeps and lines hold their own tangents; the screen is the inner half.
+        let raster = FieldOfView { tan_half_width: 0.8, tan_half_height: 0.6 };
+        let field = FieldOfView { tan_half_width: 0.4, tan_half_height: 0.3 };
+        let fan = Fan::covering(Projection::Corrected, 0.0, &raster, 80).unwrap();
+        let view = View { fan, projection: Projection::Corrected, pitch: 0.0, raster, field, yoke: 0.0 };
+        let store: Vec<f32> = (0..80 * 60)
+            .map(|index| (fan.tangent((index / 60) as u32) + 10.0 * 0.6 * centre(index % 60, 60)) as f32)
+            .collect();
+        let mut picture = vec![0.0; 41 * 31];
+        scan_converter(&store, 60, 41, &view, &mut picture);
+        for (index, found) in picture.iter().enumerate() {
+            let expected = 0.4 * centre(index % 41, 41) + 10.0 * 0.3 * centre(index / 41, 31);
+            assert!((f64::from(*found) - expected).abs() < 1e-5, "{index}");
         }
     }
 }

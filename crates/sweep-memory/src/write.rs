@@ -1,7 +1,13 @@
 //! The write beam: from a profile in sight to the lines of a sweep.
 
+use std::ops::Range;
+
 use scenario::PixelRule;
 use signal::{LANES, Lanes, Real, Signal, Unit};
+
+use crate::broken::{BeamBreaks, Cursors};
+use crate::curve::{Cubic, MOST_BEND, STRAIGHT, chords};
+use crate::stroke::{Stroke, centre, line_mean};
 
 /// Signals of the block.
 pub const SIGNALS: &[Signal] =
@@ -18,15 +24,19 @@ pub struct Beam<'a, S> {
     pub entry: &'a [Lanes<S>],
     /// Intensity, negative in local shadow.
     pub intensity: &'a [Lanes<S>],
+    /// What happens between samples; `None` if nothing does in any lane.
+    pub breaks: Option<BeamBreaks<'a, S>>,
+    /// Silhouettes behind the last sample, lane by lane, nearest first; `None` if there are none.
+    pub far: Option<&'a [Vec<FarStroke>; LANES]>,
 }
 
-/// The beam over a stretch between two samples: line positions (`to` is above, that is, smaller) and intensities.
-#[derive(Debug, Clone, Copy)]
-struct Stroke {
-    from: f32,
-    to: f32,
-    start: f32,
-    end: f32,
+/// What stands behind the last sample: a mountain of which only the outline is known (section 8).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FarStroke {
+    /// Line position of its outline, from the top.
+    pub line: f32,
+    /// Its intensity, 0..=1.
+    pub intensity: f32,
 }
 
 /// Writes the first `rows.len() / lines` sweeps of a group into `rows`, `lines` values a sweep, cleared before.
@@ -36,25 +46,69 @@ pub fn write_group<S: Real>(beam: &Beam<'_, S>, rule: PixelRule, lines: usize, r
         PixelRule::LineMean => line_mean,
         PixelRule::Centre => centre,
     };
-    let sweeps = rows.len() / lines;
-    debug_assert!(sweeps <= LANES);
-    for sample in 1..beam.line.len() {
-        for lane in 0..sweeps {
-            let row = &mut rows[lane * lines..(lane + 1) * lines];
-            beam.strokes(sample, lane, |stroke| {
-                if let Some(stroke) = stroke.lit() {
-                    deposit(stroke, row);
-                }
-            });
-        }
+    debug_assert!(rows.len() / lines <= LANES);
+    let writer = Writer { beam, deposit, lines };
+    match beam.breaks {
+        None => writer.smooth_steps(1..beam.line.len(), 0..rows.len() / lines, rows),
+        Some(broken) => writer.steps_among(broken, rows),
+    }
+    for (lane, row) in rows.chunks_exact_mut(lines).enumerate() {
+        beam.far_strokes(lane, |stroke| writer.draw(stroke, row));
     }
 }
 
-/// Bends of a step, as second differences, from which on it is drawn as a curve: lines and intensity. Chosen so
-/// that a chord leaves its curve by at most an eighth of this, that is, 0.006 line and 0.0003.
-const STRAIGHT: (f32, f32) = (0.05, 0.0025);
-/// Strokes of a curved step.
-const CHORDS: u32 = 4;
+/// The beam of a group, and how its strokes are left in the lines.
+struct Writer<'a, 'b, S> {
+    beam: &'a Beam<'b, S>,
+    deposit: fn(Stroke, &mut [f32]),
+    lines: usize,
+}
+
+impl<S: Real> Writer<'_, '_, S> {
+    /// Steps with no break in them or beside them: nearly all. In one place, so that all of it is inlined there.
+    #[inline(never)]
+    fn smooth_steps(&self, samples: Range<usize>, lanes: Range<usize>, rows: &mut [f32]) {
+        for sample in samples {
+            for lane in lanes.clone() {
+                let row = &mut rows[lane * self.lines..(lane + 1) * self.lines];
+                self.beam.strokes(sample, lane, |stroke| self.draw(stroke, row));
+            }
+        }
+    }
+
+    /// Smooth steps side by side, and lane by lane those with a break of any lane in them or beside them.
+    fn steps_among(&self, broken: BeamBreaks<'_, S>, rows: &mut [f32]) {
+        let (samples, mut sample) = (self.beam.line.len(), 1);
+        let mut cursors = Cursors::new(broken);
+        while sample < samples {
+            let disturbed = cursors.next_disturbed(sample).min(samples);
+            self.smooth_steps(sample..disturbed, 0..rows.len() / self.lines, rows);
+            if disturbed < samples {
+                self.disturbed_step(disturbed, &mut cursors, rows);
+            }
+            sample = disturbed + 1;
+        }
+    }
+
+    fn disturbed_step(&self, sample: usize, cursors: &mut Cursors<'_, S>, rows: &mut [f32]) {
+        for lane in 0..rows.len() / self.lines {
+            match cursors.around(sample, lane) {
+                None => self.smooth_steps(sample..sample + 1, lane..lane + 1, rows),
+                Some(step) => {
+                    let row = &mut rows[lane * self.lines..(lane + 1) * self.lines];
+                    step.strokes(self.beam, &mut |stroke| self.draw(stroke, row));
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn draw(&self, stroke: Stroke, row: &mut [f32]) {
+        if let Some(stroke) = stroke.lit() {
+            (self.deposit)(stroke, row);
+        }
+    }
+}
 
 impl<S: Real> Beam<'_, S> {
     /// The strokes of the step that ends at `sample`: none where the profile is hidden; straight where that is
@@ -68,7 +122,7 @@ impl<S: Real> Beam<'_, S> {
             let straight = Stroke { from, to, start: before + entry * (end - before), end };
             match self.curves(sample, lane) {
                 None => draw(straight),
-                Some(curves) => chords(&curves, straight, entry, draw),
+                Some([position, intensity]) => chords(&position, &intensity, straight, [entry, 1.0], draw),
             }
         }
     }
@@ -85,119 +139,22 @@ impl<S: Real> Beam<'_, S> {
         // A neighbour beyond the end of the profile is far out of sight and says nothing of its shape.
         (bends && position.bend() < MOST_BEND).then_some([position, intensity])
     }
+
+    /// Silhouettes rise from the held elevation, each hidden by what is before it.
+    fn far_strokes(&self, lane: usize, mut draw: impl FnMut(Stroke)) {
+        let (Some(far), Some(last)) = (self.far, self.line.last()) else { return };
+        let mut from = last[lane].to_f64() as f32;
+        for &FarStroke { line, intensity } in &far[lane] {
+            if line < from {
+                draw(Stroke { from, to: line, start: intensity, end: intensity });
+                from = line;
+            }
+        }
+    }
 }
 
-/// Bend beyond which a step has no common curve with its neighbours (lines).
-const MOST_BEND: f32 = 200.0;
-
-fn at<S: Real>(values: &[Lanes<S>], sample: usize, lane: usize) -> f32 {
+pub(crate) fn at<S: Real>(values: &[Lanes<S>], sample: usize, lane: usize) -> f32 {
     values[sample][lane].to_f64() as f32
-}
-
-/// The cubic between the middle two of four equally spaced values whose slopes are those of their neighbours.
-#[derive(Debug, Clone, Copy)]
-struct Cubic {
-    values: [f32; 4],
-}
-
-impl Cubic {
-    fn through(values: [f32; 4]) -> Self {
-        Self { values }
-    }
-
-    /// Largest second difference; infinite where a value is not finite.
-    fn bend(&self) -> f32 {
-        let [a, b, c, d] = self.values;
-        let (first, last) = ((a - 2.0 * b + c).abs(), (b - 2.0 * c + d).abs());
-        if (first + last).is_finite() { first.max(last) } else { f32::INFINITY }
-    }
-
-    /// Value at a part of the step, 0..=1.
-    fn at(&self, u: f32) -> f32 {
-        let [a, b, c, d] = self.values;
-        let (first, last) = (0.5 * (c - a), 0.5 * (d - b));
-        let chord = c - b;
-        b + u * (first + u * (3.0 * chord - 2.0 * first - last + u * (first + last - 2.0 * chord)))
-    }
-}
-
-/// A curved step as chords, from where it comes into sight; the beam never turns back.
-fn chords([position, intensity]: &[Cubic; 2], whole: Stroke, entry: f32, mut draw: impl FnMut(Stroke)) {
-    // A cubic overshoots at a step; no intensity is beyond full scale.
-    let intensity = |u| intensity.at(u).clamp(-1.0, 1.0);
-    let (mut from, mut start) = (whole.from, intensity(entry));
-    for chord in 1..=CHORDS {
-        let u = entry + (1.0 - entry) * chord as f32 / CHORDS as f32;
-        let last = chord == CHORDS;
-        let to = if last { whole.to } else { position.at(u).clamp(whole.to, from) };
-        let end = if last { whole.end } else { intensity(u) };
-        if to < from {
-            draw(Stroke { from, to, start, end });
-        }
-        (from, start) = (to, end);
-    }
-}
-
-impl Stroke {
-    /// The part of the stroke whose intensity is above black: the beam is cut off where local shadow begins,
-    /// between two samples.
-    #[inline(always)]
-    fn lit(self) -> Option<Self> {
-        let Self { from, to, start, end } = self;
-        if start >= 0.0 && end >= 0.0 {
-            return Some(self);
-        }
-        if start <= 0.0 && end <= 0.0 {
-            return None;
-        }
-        let black = (from + start / (end - start) * (from - to)).clamp(to, from);
-        let lit = if start < 0.0 {
-            Self { from: black, start: 0.0, ..self }
-        } else {
-            Self { to: black, end: 0.0, ..self }
-        };
-        (lit.to < lit.from).then_some(lit)
-    }
-
-    /// Intensity at a line position within the stroke.
-    fn at(&self, line: f32) -> f32 {
-        self.start + (self.from - line) / (self.from - self.to) * (self.end - self.start)
-    }
-}
-
-/// Adds the stroke's integral over each line that it touches.
-fn line_mean(stroke: Stroke, row: &mut [f32]) {
-    let height = row.len() as f32;
-    let (bottom, top) = (stroke.from.min(height), stroke.to.max(0.0));
-    if bottom <= top {
-        return;
-    }
-    let last = top as usize;
-    if bottom <= (last + 1) as f32 && bottom == stroke.from && top == stroke.to {
-        // Nearly all strokes of far ground stay within one line.
-        row[last] += 0.5 * (stroke.start + stroke.end) * (bottom - top);
-        return;
-    }
-    let mut lower = bottom;
-    let mut index = (bottom.ceil() as usize).min(row.len());
-    while index > last {
-        index -= 1;
-        let upper = top.max(index as f32);
-        row[index] += 0.5 * (stroke.at(lower) + stroke.at(upper)) * (lower - upper);
-        lower = upper;
-    }
-}
-
-/// Sets each line whose centre the stroke passes.
-fn centre(stroke: Stroke, row: &mut [f32]) {
-    let first = (stroke.to - 0.5).ceil().max(0.0) as usize;
-    for (index, value) in row.iter_mut().enumerate().skip(first) {
-        let centre = index as f32 + 0.5;
-        if centre >= stroke.from {
-            break;
-        }
-        *value = stroke.at(centre);
-    }
 }
 
 #[cfg(test)]
@@ -212,7 +169,14 @@ mod tests {
         let mut rows = vec![9.0; lines];
         let (line, intensity) = (lanes(line), lanes(intensity));
         let entry = vec![Lanes::splat(0.0); line.len()];
-        let beam = Beam { position: &line, line: &line, entry: &entry, intensity: &intensity };
+        let beam = Beam {
+            position: &line,
+            line: &line,
+            entry: &entry,
+            intensity: &intensity,
+            breaks: None,
+            far: None,
+        };
         write_group(&beam, rule, lines, &mut rows);
         rows
     }
@@ -259,7 +223,14 @@ mod tests {
         // In sight, hidden, back a quarter into the last step: intensity there is 0.25 of the way from 0 to 1.
         let (line, entry) = (lanes([1.0, 1.0, 0.0]), lanes([0.0, 0.0, 0.25]));
         let intensity = lanes([0.5, 0.0, 1.0]);
-        let beam = Beam { position: &line, line: &line, entry: &entry, intensity: &intensity };
+        let beam = Beam {
+            position: &line,
+            line: &line,
+            entry: &entry,
+            intensity: &intensity,
+            breaks: None,
+            far: None,
+        };
         write_group(&beam, PixelRule::LineMean, 1, &mut rows);
         assert!((rows[0] - 0.625).abs() < 1e-7);
     }

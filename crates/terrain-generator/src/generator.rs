@@ -1,11 +1,13 @@
 //! A group of sweeps, from program to profiles.
 
-use landscape::CornerWords;
+use std::ops::Range;
+
+use landscape::{CornerWords, GroupLight, SweepLight};
 use signal::{LANES, Lanes, Real, Signal, Unit};
 use sweep_program::{Load, Step, StepKind, SweepProgram, Target};
 
 use crate::array::array;
-use crate::{Registers, Segment, Span, SweepLight};
+use crate::{Registers, Segment, Span};
 
 /// Height of a profile beyond its end (m): lower than any real ground, so nothing of it is seen. A power of two, so that
 /// it is exact in f32.
@@ -19,7 +21,7 @@ pub const SIGNALS: &[Signal] = &[
     Signal::ground(
         "tg.reflectivity",
         Unit::Reflectivity,
-        "reflectivity of the terrain: Lambert's factor times albedo (fig. 24)",
+        "reflectivity of the terrain: n.s, factor of the law, albedo (fig. 24)",
     ),
 ];
 
@@ -32,16 +34,21 @@ pub struct Profile<S> {
     pub along: Vec<Lanes<S>>,
     /// Slope across the sweep, positive to the right.
     pub across: Vec<Lanes<S>>,
-    /// Reflectivity with its sign, -1..=1: below 0 the face is turned from the sun. What is drawn is 0 there; the
-    /// sign tells where between two samples local shadow begins.
+    /// Reflectivity with its sign, -1..=1 under Lambert's law (see [`SweepLight::at`] for others): below 0 the face is
+    /// turned from the sun. What is drawn is 0 there; the sign tells where between two samples local shadow begins.
     pub reflectivity: Vec<Lanes<S>>,
 }
 
 impl<S: Real> Profile<S> {
-    fn resize(&mut self, samples: usize) {
+    pub(crate) fn resize(&mut self, samples: usize) {
         for signal in [&mut self.height, &mut self.along, &mut self.across, &mut self.reflectivity] {
             signal.resize(samples, Lanes::default());
         }
+    }
+
+    /// Height and the slopes along and across at one sample.
+    pub(crate) fn ground(&self, sample: usize) -> [Lanes<S>; 3] {
+        [self.height[sample], self.along[sample], self.across[sample]]
     }
 }
 
@@ -88,26 +95,54 @@ impl TerrainGenerator<'_> {
     ) {
         let samples = self.ranges.len();
         profile.resize(samples);
+        self.trace(programs, 0..samples, profile);
+        self.reflect(&GroupLight::new(light), profile);
+    }
+
+    /// Height and slopes at the samples of `span`; nothing else of `profile` is touched.
+    pub(crate) fn trace<S: Real>(
+        &self,
+        programs: &[SweepProgram; LANES],
+        span: Range<usize>,
+        profile: &mut Profile<S>,
+    ) {
         let mut polynomials = Polynomials::default();
         let mut lanes = programs.each_ref().map(|program| Lane {
             program,
             registers: Registers::at_start(program, self.buffer),
             next_step: 0,
-            until: 0,
+            until: span.start,
             last: self.ranges.partition_point(|&range| range <= program.end_range),
         });
-        let mut sample = 0;
-        while sample < samples {
+        let mut sample = span.start;
+        while sample < span.end {
             for (number, lane) in lanes.iter_mut().enumerate() {
                 if lane.until <= sample {
                     self.next_segment(lane, number, sample, &mut polynomials);
                 }
             }
-            let until = lanes.iter().map(|lane| lane.until).min().unwrap_or(samples).min(samples);
+            let until = lanes.iter().map(|lane| lane.until).min().unwrap_or(span.end).min(span.end);
             polynomials.evaluate(&self.ranges[sample..until], sample, profile);
             sample = until;
         }
-        reflect(light, profile);
+    }
+
+    /// Reflectivity from the slopes along and across (section 7), and from the line of sight if the law asks for it.
+    pub(crate) fn reflect<S: Real>(&self, light: &GroupLight<S>, profile: &mut Profile<S>) {
+        let slopes = profile.along.iter().zip(&profile.across);
+        let signals = profile.reflectivity.iter_mut().zip(slopes);
+        if !light.needs_sight() {
+            for (reflectivity, (&along, &across)) in signals {
+                *reflectivity = light.lambert(along, across);
+            }
+            return;
+        }
+        for ((reflectivity, (&along, &across)), (&height, &range)) in
+            signals.zip(profile.height.iter().zip(self.ranges))
+        {
+            let sight = height * Lanes::splat(S::from_f64(1.0 / range));
+            *reflectivity = light.reflectivity(along, across, sight);
+        }
     }
 
     /// Applies the steps due at `sample` and sets the lane to the stretch that begins there.
@@ -272,17 +307,4 @@ fn horner<S: Real, const N: usize>(coefficients: &[Lanes<S>; N], s: Lanes<S>) ->
         sum = sum * s + coefficients[k];
     }
     sum
-}
-
-/// `n.s` from the slopes along and across (section 7).
-fn reflect<S: Real>(light: &[SweepLight; LANES], profile: &mut Profile<S>) {
-    let lanes = |part: fn(&SweepLight) -> f64| Lanes::from_fn(|lane| S::from_f64(part(&light[lane])));
-    let (sun_along, sun_across, sun_up) = (lanes(|l| l.along), lanes(|l| l.across), lanes(|l| l.up));
-    let one = Lanes::splat(S::ONE);
-    let slopes = profile.along.iter().zip(&profile.across);
-    for (reflectivity, (&along, &across)) in profile.reflectivity.iter_mut().zip(slopes) {
-        let towards = sun_up - along * sun_along - across * sun_across;
-        let normal = (one + along * along + across * across).sqrt();
-        *reflectivity = towards / normal;
-    }
 }

@@ -1,1 +1,153 @@
-//! Texture generator (section 13): small detail against ground range.
+//! Texture generator (report III.C.7; section 13): small detail against ground range.
+//!
+//! ```text
+//! sweep.x, sweep.y ─▶ lattice numbers ─▶ store | hash ─▶ join in the cell ─▶ × fading ramp ─▶ + ─▶ txg.texture
+//!                                                         (once a layer)      ▲ ground range
+//! ```
+//!
+//! **Law.** [`landscape::Texture`]: each layer adds `amplitude (1 - range / reach) pattern(x, y)` up to its reach. The
+//! mixing unit adds the sum to reflectivity; that is before projection, so perspective and occlusion treat it as ground.
+//! **Parameters.** Layers: cell (m), amplitude (reflectivity), reach (m); the source: one stored region read through the
+//! folded ramps (variant 1), or a routine of the lattice numbers and a seed (variant 2).
+//! **State and timing.** None: a sample depends on its place and range alone, so the pattern stands still on the ground
+//! whatever the path. It is as fast as the sweep clock; a shift register of the time runs at 5 to 20 MHz.
+//! **Precision.** Place and lattice number are f64, so that a cell of centimetres keeps its edge 10 km from the origin;
+//! the signal is of the run's scalar. In f64 it equals [`landscape::Texture::at`] to the bit, in f32 to 3e-7 of the
+//! amplitude a layer.
+//! **Elaboration.** Nothing is computed beyond the reach of the farthest layer; a layer ends at its own reach. Without
+//! texture the block is not there.
+//! **Not modelled.** Bandwidth of the D/A and its filter; the filter of a shift register, which would round the pattern
+//! along the sweep only.
+//! **Our choices.** Layers of several grains; smooth-step between lattice values; zero mean over a region; a mirrored
+//! pattern as the reading of "symmetric along its edges"; the whole clipped by the mixing unit (section 22, rows 29, 30).
+
+use landscape::{Grain, Lattice, Texture};
+use signal::{LANES, Lanes, Real, Signal, Unit};
+
+/// Signals of the block.
+pub const SIGNALS: &[Signal] = &[Signal::ground(
+    "txg.texture",
+    Unit::Reflectivity,
+    "what texture adds to reflectivity (fig. 28); none beyond its reach",
+)];
+
+/// The block, set for one stage.
+#[derive(Debug, Clone, Copy)]
+pub struct TextureGenerator<'a> {
+    /// The texture.
+    pub texture: &'a Texture,
+    /// Ground range of each sample (m), ascending.
+    pub ranges: &'a [f64],
+}
+
+impl TextureGenerator<'_> {
+    /// Texture along the sweeps of a group that leave `eye` (north, east, m) in `directions` (cosine, sine of azimuth
+    /// against north). Returns the number of samples that have any; `out` then holds exactly these.
+    pub fn run<S: Real>(
+        &self,
+        eye: [f64; 2],
+        directions: &[[f64; 2]; LANES],
+        out: &mut Vec<Lanes<S>>,
+    ) -> usize {
+        let samples = self.within(self.texture.reach());
+        out.clear();
+        out.resize(samples, Lanes::default());
+        let sweeps = Sweeps::new(eye, directions);
+        for grain in self.texture.grains() {
+            let ranges = &self.ranges[..self.within(grain.layer().range)];
+            match grain.lattice() {
+                Lattice::Stored(lattice) => sweeps.add(grain, ranges, out, |x, y| lattice.lanes(x, y)),
+                Lattice::Hashed(lattice) => sweeps.add(grain, ranges, out, |x, y| lattice.lanes(x, y)),
+            }
+        }
+        samples
+    }
+
+    fn within(&self, reach: f64) -> usize {
+        self.ranges.partition_point(|&range| range < reach)
+    }
+}
+
+/// Straight ways over the ground.
+struct Sweeps {
+    eye: [f64; 2],
+    north: Lanes<f64>,
+    east: Lanes<f64>,
+}
+
+impl Sweeps {
+    fn new(eye: [f64; 2], directions: &[[f64; 2]; LANES]) -> Self {
+        let part = |axis: usize| Lanes::from_fn(|lane| directions[lane][axis]);
+        Self { eye, north: part(0), east: part(1) }
+    }
+
+    /// Adds one layer.
+    fn add<S: Real>(
+        &self,
+        grain: &Grain,
+        ranges: &[f64],
+        out: &mut [Lanes<S>],
+        pattern: impl Fn(&Lanes<f64>, &Lanes<f64>) -> Lanes<S>,
+    ) {
+        for (&range, out) in ranges.iter().zip(out) {
+            let x = self.north.map(|cosine| self.eye[0] + cosine * range);
+            let y = self.east.map(|sine| self.eye[1] + sine * range);
+            let amplitude = Lanes::splat(S::from_f64(grain.layer().amplitude_at(range)));
+            *out = *out + amplitude * pattern(&x, &y);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::TextureGenerator;
+    use landscape::{Layer, Source, Texture};
+    use proptest::prelude::{any, prop_assert, prop_assert_eq, proptest};
+    use signal::{LANES, Lanes};
+
+    fn texture(source: Source, seed: u64) -> Texture {
+        let layers = [
+            Layer { cell: 3.7, amplitude: 0.1, range: 150.0 },
+            Layer { cell: 0.11, amplitude: 0.2, range: 30.0 },
+        ];
+        Texture::new(&layers, source, seed, 22.0, [-1000.0, 500.0]).unwrap()
+    }
+
+    proptest! {
+        #[test]
+        fn the_sweep_reads_the_pattern_of_the_ground(
+            stored in any::<bool>(), seed in any::<u64>(), eye in proptest::array::uniform2(-2e4..2e4f64),
+            azimuth in 0.0..6.3f64,
+        ) {
+            let texture = texture(if stored { Source::Pattern } else { Source::Random }, seed);
+            let ranges: Vec<f64> = (1..60).map(|k| 0.07 * f64::from(k * k)).collect();
+            let generator = TextureGenerator { texture: &texture, ranges: &ranges };
+            let directions: [[f64; 2]; LANES] = std::array::from_fn(|lane| {
+                let azimuth = azimuth + 0.02 * lane as f64;
+                [libm::cos(azimuth), libm::sin(azimuth)]
+            });
+            let (mut wide, mut narrow): (Vec<Lanes<f64>>, Vec<Lanes<f32>>) = (vec![Lanes::splat(9.0); 99], Vec::new());
+            let samples = generator.run(eye, &directions, &mut wide);
+            prop_assert_eq!(samples, ranges.iter().filter(|&&range| range < 150.0).count());
+            prop_assert_eq!(generator.run(eye, &directions, &mut narrow), samples);
+            prop_assert_eq!([wide.len(), narrow.len()], [samples; 2]);
+            for sample in 0..samples {
+                for lane in 0..LANES {
+                    let place: [f64; 2] = std::array::from_fn(|k| eye[k] + directions[lane][k] * ranges[sample]);
+                    let expected = texture.at(place[0], place[1], ranges[sample]);
+                    prop_assert_eq!(wide[sample][lane], expected);
+                    prop_assert!((f64::from(narrow[sample][lane]) - expected).abs() < 3e-7 * 0.3);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_is_computed_beyond_the_reach() {
+        let texture = texture(Source::Random, 1);
+        let generator = TextureGenerator { texture: &texture, ranges: &[150.0, 200.0] };
+        let mut out = vec![Lanes::splat(1.0f32)];
+        assert_eq!(generator.run([0.0; 2], &[[1.0, 0.0]; LANES], &mut out), 0);
+        assert!(out.is_empty());
+    }
+}

@@ -29,8 +29,9 @@ fn looking_north(
     ranges: [f64; 2],
     rises: &[f64],
 ) -> Vec<Sight> {
-    let ceilings = Ceilings::new(level);
-    let outlook = Outlook::new(level, &ceilings, eye, curvature, ranges);
+    let ground = landscape(level.clone(), 1.0);
+    let ceilings = Ceilings::new(&ground);
+    let outlook = Outlook::new(&ground, &ceilings, eye, curvature, ranges, None);
     rises.iter().map(|&rise| outlook.look(&Ray { direction: [1.0, 0.0], rise })).collect()
 }
 

@@ -1,7 +1,14 @@
 //! Pictures of `exact` against closed forms and against brute force.
 
+mod bodies;
 mod closed_forms;
+mod craters;
+mod levels;
+mod light;
 mod many_rays;
+mod roll;
 mod scenes;
 mod second_opinion;
 mod session;
+mod shadows;
+mod truth;

@@ -79,8 +79,8 @@ fn pillars() -> Arc<Landscape> {
 fn no_ray_of_a_column_depends_on_another() {
     let ground = pillars();
     let (eye, ranges) = ([20.8, 21.3, 1.7], [0.5, 25.0]);
-    let ceilings = Ceilings::new(ground.level());
-    let outlook = Outlook::new(ground.level(), &ceilings, eye, Curvature::None, ranges);
+    let ceilings = Ceilings::new(&ground);
+    let outlook = Outlook::new(&ground, &ceilings, eye, Curvature::None, ranges, None);
     for (projection, pitch) in
         [(Projection::Exact, 0.0), (Projection::Exact, -25.0), (Projection::AsReported, -25.0)]
     {

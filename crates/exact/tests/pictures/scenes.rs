@@ -2,8 +2,10 @@
 
 use std::sync::Arc;
 
-use exact::Exact;
+use exact::{Exact, Ray, View};
+use features::{Crater, Features, Shape};
 use generator::{Generator, PlaneKind, Planes, Session, Stage};
+use glam::{DMat3, DVec3};
 use hardware_model::{
     Economy, FeatureParts, LatePolicy, Loader, MixingParts, Raster, Settings, ShadowParts, SweepMemoryKind,
 };
@@ -11,9 +13,10 @@ use landscape::{Attitude, Bank, CornerWords, Landscape, Level, Sun};
 use quantities::{Rate, Timebase, radians, unit_interval};
 use scenario::{
     Curvature, Display, FieldOfView, Laws, Occlusion, PixelRule, Pose, Projection, RangeLaw, RangeProgramme,
-    Scalar, Scenery,
+    Scalar, Scenery, ShadowFineness, Standing,
 };
 use signal::Probe;
+use solids::{Body, Kind, Solid};
 
 /// Law switches with the two that a test varies.
 pub fn laws(projection: Projection, curvature: Curvature, pixel_rule: PixelRule) -> Laws {
@@ -40,6 +43,7 @@ pub fn settings(columns: u32, lines: u32, laws: Laws, [start, end]: [f64; 2]) ->
         yoke: None,
         levels: None,
         shadows: false,
+        shadow_fineness: ShadowFineness::default(),
         economy: Economy::default(),
     }
 }
@@ -96,4 +100,60 @@ pub fn draw(landscape: &Arc<Landscape>, sun: Sun, settings: &Settings, pose: &Po
     session.frame(0, pose, &mut planes, &mut Probe::off()).unwrap();
     let plane = |kind| planes.get(kind).unwrap().to_vec();
     (plane(PlaneKind::Intensity), plane(PlaneKind::Range))
+}
+
+/// All planes of one frame.
+pub fn planes(landscape: &Arc<Landscape>, scenery: Scenery, settings: &Settings, pose: &Pose) -> Planes {
+    let Raster { columns, lines, .. } = settings.raster;
+    let stage =
+        Stage { landscape: Arc::clone(landscape), scenery: Arc::new(scenery), settings: settings.clone() };
+    let mut planes = Planes::new(columns as usize, lines as usize, &PlaneKind::ALL);
+    Exact.prepare(stage).unwrap().frame(0, pose, &mut planes, &mut Probe::off()).unwrap();
+    planes
+}
+
+/// One value of a plane, as f64.
+pub fn value(planes: &Planes, kind: PlaneKind, index: usize) -> f64 {
+    f64::from(planes.get(kind).unwrap()[index])
+}
+
+/// The ray through the centre of a pixel, counted row by row, under the settings' projection.
+pub fn ray(settings: &Settings, pose: &Pose, index: usize) -> Ray {
+    let Raster { columns, lines, field, .. } = settings.raster;
+    let (column, line) = (index as u32 % columns, index as u32 / columns);
+    let x = field.tan_half_width * (f64::from(2 * column + 1) / f64::from(columns) - 1.0);
+    let y = field.tan_half_height * (f64::from(2 * line + 1) / f64::from(lines) - 1.0);
+    View::new(settings.laws.projection, &pose.attitude).with_yoke(pose.yoke).ray(x, y)
+}
+
+/// The place that a pixel shows (m), from its range.
+pub fn place(settings: &Settings, pose: &Pose, index: usize, range: f64) -> [f64; 2] {
+    let ray = ray(settings, pose, index);
+    std::array::from_fn(|axis| pose.eye[axis] + range * ray.direction[axis])
+}
+
+/// `count` craters of all three types, radii up to `size` (m), anywhere within 48 m x 48 m: many inside others.
+pub fn crater_field(seed: u64, count: u64, size: f64) -> Features {
+    let crater = |index: u64| {
+        let part = |k: u64| unit_interval(seed, &[index, k]);
+        let centre = [48.0 * part(0), 48.0 * part(1)];
+        let r1 = size * (0.05 + 0.5 * part(2) * part(2));
+        let [r2, r3] = [r1 * (1.1 + part(3)), r1 * (2.2 + part(4))];
+        let (depth, rim) = (0.4 * r1 * part(5), 0.1 * r1 * part(6));
+        match index % 3 {
+            0 => Crater::new(centre, Shape::Bowl { r1 }, depth, 0.0),
+            1 => Crater::new(centre, Shape::RimmedBowl { r1, r2 }, depth, rim),
+            _ => Crater::new(centre, Shape::FlatFloor { r1, r2, r3 }, depth, rim),
+        }
+    };
+    Features::new((0..count).map(|index| crater(index).unwrap()).collect())
+}
+
+/// A box of albedo 1 with its foot point in the middle of its base, turned by no angle.
+pub fn standing_box(object: u32, foot: [f64; 3], half_width: f64, height: f64) -> Standing {
+    let (low, high) = (DVec3::new(-half_width, -half_width, 0.0), DVec3::new(half_width, half_width, height));
+    let solid = Arc::new(Solid::boxed(low, high, 1.0).unwrap());
+    let foot = DVec3::from_array(foot);
+    let body = Body::place(object, Kind::Culture, &solid, foot, &DMat3::IDENTITY, 1.0);
+    Standing { from: 0.0, until: f64::INFINITY, body }
 }

@@ -9,6 +9,9 @@ use std::f64::consts::{E, SQRT_2};
 /// Beyond this `2 (rho/r)^2` a crater is below 1e-16 of its depth.
 const FARTHEST: f64 = 41.0;
 
+/// Least radius, in regions.
+const LEAST_REGIONS: f64 = 1.5;
+
 /// Craters of all sizes: `N(> D) = density D^-2` a square metre, sizes stratified so that each seed has its
 /// share of large ones, places uniform, freshness from subdued to fresh with its logarithm uniform.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,7 +55,7 @@ impl Crater {
 
     fn add_row(&self, grid: &Grid, m: usize, row: &mut [CornerWords]) {
         let d = grid.region_size;
-        let north = d * m as f64 - self.at[0];
+        let north = grid.north(m) - self.at[0];
         let reach = self.reach();
         if north.abs() > reach {
             return;
@@ -60,7 +63,7 @@ impl Crater {
         let half_chord = (reach * reach - north * north).sqrt();
         let along = self.profile(north, d);
         for n in grid.columns_near(self.at[1], half_chord) {
-            let across = self.profile(d * n as f64 - self.at[1], d);
+            let across = self.profile(grid.east(n) - self.at[1], d);
             self.add_corner(&along, &across, &mut row[n]);
         }
     }
@@ -95,7 +98,7 @@ struct Profile {
 
 impl Craters {
     pub(super) fn check(&self, region_size: f64, extent: [f64; 2]) -> Result<(), ReliefError> {
-        within("craters.smallest_radius", self.smallest_radius, 1.5 * region_size, f64::MAX)?;
+        within("craters.smallest_radius", self.smallest_radius, LEAST_REGIONS * region_size, f64::MAX)?;
         above("craters.largest_radius", self.largest_radius, self.smallest_radius)?;
         within("craters.density", self.density, 0.0, 1.0)?;
         above("craters.subdued", self.subdued, 0.0)?;
@@ -104,10 +107,10 @@ impl Craters {
         if count <= MAX_CRATERS as f64 { Ok(()) } else { Err(ReliefError::TooManyCraters(count)) }
     }
 
-    /// The craters of `seed` that reach into `extent` (m), largest first.
-    pub(super) fn draw(&self, seed: u64, extent: [f64; 2]) -> Vec<Crater> {
+    /// The craters of `seed` that reach into `extent` (m) from `origin`, largest first.
+    pub(super) fn draw(&self, seed: u64, origin: [f64; 2], extent: [f64; 2]) -> Vec<Crater> {
         let count = self.count(extent);
-        (0..count as u64).map(|index| self.one(seed, index, count, extent)).collect()
+        (0..count as u64).map(|index| self.one(seed, index, count, origin, extent)).collect()
     }
 
     /// Rims may overlap the border from outside.
@@ -121,19 +124,24 @@ impl Craters {
         (area * (larger_than(self.smallest_radius) - larger_than(self.largest_radius))).round()
     }
 
-    fn one(&self, seed: u64, index: u64, count: f64, extent: [f64; 2]) -> Crater {
+    fn one(&self, seed: u64, index: u64, count: f64, origin: [f64; 2], extent: [f64; 2]) -> Crater {
         let random = |which: u64| unit_interval(seed, &[index, which]);
         // Inverse of the cumulative law: 1 / r^2 is uniform.
         let share = (index as f64 + random(0)) / count;
         let [few, many] = [self.largest_radius, self.smallest_radius].map(|radius| 1.0 / (radius * radius));
         let radius = 1.0 / (few + share * (many - few)).sqrt();
-        let place =
-            |which: usize| random(1 + which as u64) * (extent[which] + 2.0 * self.margin()) - self.margin();
+        let place = |which: usize| {
+            let along = random(1 + which as u64) * (extent[which] + 2.0 * self.margin()) - self.margin();
+            origin[which] + along
+        };
         let ratio = self.subdued * libm::pow(self.fresh / self.subdued, random(3));
         Crater::new([place(0), place(1)], radius, ratio)
     }
 }
 
 pub(super) fn add_to(craters: &[Crater], grid: &Grid, words: &mut [CornerWords]) {
-    grid.for_rows(words, |m, row| craters.iter().for_each(|crater| crater.add_row(grid, m, row)));
+    let is_held = |crater: &&Crater| crater.radius >= LEAST_REGIONS * grid.region_size;
+    grid.for_rows(words, |m, row| {
+        craters.iter().filter(is_held).for_each(|crater| crater.add_row(grid, m, row));
+    });
 }

@@ -2,7 +2,7 @@
 
 use super::grid::Grid;
 use super::jet::Jet;
-use super::waves::{Spectrum, WaveTable};
+use super::waves::{REGIONS_A_WAVE, Spectrum, WaveTable};
 use super::{ReliefError, finite, within};
 use crate::{CornerWords, WORDS};
 
@@ -12,6 +12,9 @@ const WAVES: usize = 96;
 const SHIFT: f64 = 0.15;
 /// Variation of the height at ruggedness 1, as a share of the height (our choice by eye).
 const VARIATION: f64 = 0.4;
+
+/// Least radius, in regions.
+const LEAST_REGIONS: f64 = 6.0;
 
 /// A mountain: `height (1 - s)^5 (1 + a n)`, `s = (rho/radius)^2`, the place shifted by two random fields and the
 /// height varied by a third, all with wavelengths from the radius down to `detail`.
@@ -37,14 +40,22 @@ impl Massif {
         finite(format!("{name}.at north"), self.at[0])?;
         finite(format!("{name}.at east"), self.at[1])?;
         within(format!("{name}.height"), self.height, -1e5, 1e5)?;
-        within(format!("{name}.radius"), self.radius, 6.0 * region_size, 1e7)?;
-        within(format!("{name}.detail"), self.detail, 3.0 * region_size, 0.5 * self.radius)?;
+        within(format!("{name}.radius"), self.radius, LEAST_REGIONS * region_size, 1e7)?;
+        within(format!("{name}.detail"), self.detail, REGIONS_A_WAVE * region_size, 0.5 * self.radius)?;
         within(format!("{name}.ruggedness"), self.ruggedness, 0.0, 1.0)
+    }
+
+    /// Whether regions of this size can hold it.
+    fn is_held(&self, region_size: f64) -> bool {
+        self.radius >= LEAST_REGIONS * region_size
     }
 
     pub(super) fn add_to(&self, grid: &Grid, seed: u64, words: &mut [CornerWords]) {
         let d = grid.region_size;
         let (shift, variation) = (self.shift(), self.variation());
+        if !self.is_held(d) {
+            return;
+        }
         let reach = self.radius + shift.bound();
         let columns = grid.columns_near(self.at[1], reach);
         let table = |spectrum: &Spectrum, field: u64| {
@@ -52,7 +63,7 @@ impl Massif {
         };
         let fields = [table(&shift, 0), table(&shift, 1), table(&variation, 2)];
         grid.for_rows(words, |m, row| {
-            let north = d * m as f64 - self.at[0];
+            let north = grid.north(m) - self.at[0];
             if north.abs() > reach {
                 return;
             }
@@ -62,7 +73,7 @@ impl Massif {
                 row
             });
             for (index, n) in columns.clone().enumerate() {
-                let east = d * n as f64 - self.at[1];
+                let east = grid.east(n) - self.at[1];
                 let fields = fields.each_ref().map(|row| Jet::from_words(&row[index]));
                 self.add_corner([north, east], d, fields, &mut row[n]);
             }

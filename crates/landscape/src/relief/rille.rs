@@ -2,6 +2,7 @@
 
 use super::grid::Grid;
 use super::jet::Jet;
+use super::waves::REGIONS_A_WAVE;
 use super::{ReliefError, above, finite, within};
 use crate::CornerWords;
 use quantities::{sin_cos, unit_interval};
@@ -9,6 +10,9 @@ use std::f64::consts::PI;
 
 /// Beyond this exponent a cross profile is below 1e-16 of its depth.
 const FARTHEST: f64 = 37.0;
+
+/// Least width, in regions.
+const LEAST_REGIONS: f64 = 4.0;
 
 /// A valley across the whole area, of cross profile `-depth exp(-(2 t / width)^4)` at distance t from its middle:
 /// steep walls and a flat floor, as of Hadley Rille (1500 m wide, 300 m deep).
@@ -51,20 +55,23 @@ impl Rille {
         finite(format!("{name}.through north"), self.through[0])?;
         finite(format!("{name}.through east"), self.through[1])?;
         finite(format!("{name}.azimuth"), self.azimuth)?;
-        within(format!("{name}.width"), self.width, 4.0 * region_size, 1e7)?;
+        within(format!("{name}.width"), self.width, LEAST_REGIONS * region_size, 1e7)?;
         within(format!("{name}.depth"), self.depth, -1e5, 1e5)?;
         if let Some(meander) = &self.meander {
             within(format!("{name}.meander.swing"), meander.swing, 0.0, 1e7)?;
-            above(format!("{name}.meander.length"), meander.length, 3.0 * region_size)?;
+            above(format!("{name}.meander.length"), meander.length, REGIONS_A_WAVE * region_size)?;
         }
         Ok(())
     }
 
     pub(super) fn add_to(&self, grid: &Grid, seed: u64, words: &mut [CornerWords]) {
         let d = grid.region_size;
+        if self.width < LEAST_REGIONS * d {
+            return;
+        }
         grid.for_rows(words, |m, row| {
             for (n, words) in row.iter_mut().enumerate() {
-                let at = [d * m as f64 - self.through[0], d * n as f64 - self.through[1]];
+                let at = [grid.north(m) - self.through[0], grid.east(n) - self.through[1]];
                 self.add_corner(at, d, seed, words);
             }
         });

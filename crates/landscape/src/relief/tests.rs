@@ -160,7 +160,7 @@ fn a_crater_has_the_depth_and_rim_of_its_closed_form() {
 fn craters_follow_the_size_frequency_law() {
     let craters =
         Craters { smallest_radius: 20.0, largest_radius: 400.0, density: 0.08, subdued: 0.03, fresh: 0.2 };
-    let drawn = craters.draw(3, [8_000.0, 4_000.0]);
+    let drawn = craters.draw(3, [0.0; 2], [8_000.0, 4_000.0]);
     let area = (8_000.0 + 1_600.0) * (4_000.0 + 1_600.0);
     for radius in [25.0, 50.0, 100.0, 200.0] {
         let found = drawn.iter().filter(|c| c.radius > radius).count() as f64;
@@ -209,4 +209,73 @@ fn sizes_beyond_memory_are_refused_before_they_are_made() {
         Craters { smallest_radius: 15.0, largest_radius: 20_000.0, density: 1.0, subdued: 0.1, fresh: 0.2 };
     let many = Relief { craters: Some(craters), ..Relief::flat(0, [1_000.0; 2], 10.0) };
     assert!(matches!(many.check(), Err(ReliefError::TooManyCraters(_))));
+}
+
+/// Far ground around `everything(5.0)`: a long swell, a mountain that reaches into the fine level, craters.
+fn around(region_size: f64) -> Relief {
+    let swell = Undulation { rms_height: 3.0, hurst: 0.9, longest: 900.0, shortest: 400.0, waves: 12 };
+    let craters =
+        Craters { smallest_radius: 64.0, largest_radius: 90.0, density: 0.2, subdued: 0.03, fresh: 0.2 };
+    let massif = Massif { at: [240.0, 40.0], height: 50.0, radius: 260.0, detail: 125.0, ruggedness: 0.4 };
+    Relief {
+        undulation: Some(swell),
+        craters: Some(craters),
+        massifs: vec![massif],
+        ..Relief::flat(12, [680.0, 840.0], region_size)
+    }
+}
+
+/// Largest difference of word `index` between both levels where they share corners, in fine units.
+fn largest_step([fine, coarse]: &[Level; 2], index: usize) -> f64 {
+    let ratio = coarse.region_size() / fine.region_size();
+    let mut largest = 0.0f64;
+    for (m, n) in (0..coarse.corners()[0]).flat_map(|m| (0..coarse.corners()[1]).map(move |n| (m, n))) {
+        let at = [0, 1].map(|axis| coarse.origin()[axis] + coarse.region_size() * [m, n][axis] as f64);
+        let Some(([i, j], [u, v])) = fine.locate(at[0], at[1]) else { continue };
+        let corner = (i + u.round() as usize) * fine.corners()[1] + j + v.round() as usize;
+        let expected = Level::scale_words(&fine.words()[corner], ratio)[index];
+        largest = largest.max((coarse.words()[m * coarse.corners()[1] + n][index] - expected).abs());
+    }
+    largest
+}
+
+#[test]
+fn both_levels_are_one_ground_where_regions_hold_all_of_it() {
+    let levels = everything(5.0).build_two(&around(10.0)).unwrap();
+    assert_eq!((levels[0].origin(), levels[1].origin()), ([0.0; 2], [-240.0, -320.0]));
+    for index in 0..9 {
+        let step = largest_step(&levels, index);
+        assert!(step < 1e-9, "word {index}: {step:e}");
+    }
+}
+
+#[test]
+fn the_step_is_what_the_coarse_regions_cannot_hold() {
+    // Regions of 40 m hold waves of 120 m, craters of 60 m, massifs of 240 m: of `everything` the long waves alone.
+    let undulation = everything(5.0).undulation.unwrap();
+    let small = Relief { undulation: None, tilt: [0.0; 2], ..everything(5.0) };
+    let levels = small.build_two(&around(40.0)).unwrap();
+    let alone = small.build().unwrap();
+    let highest = alone.words().iter().map(|words| words[0].abs()).fold(0.0, f64::max);
+    let step = largest_step(&levels, 0);
+    assert!(step > 0.5 * highest && step <= highest + 1e-9, "{step} of {highest}");
+    // Waves from 40 m to 120 m of a spectrum to 300 m hold a known share of its variance.
+    let waves = Relief { undulation: Some(undulation), ..Relief::flat(11, [200.0, 200.0], 5.0) };
+    let levels = waves.build_two(&Relief::flat(1, [1000.0, 1000.0], 40.0)).unwrap();
+    let step = largest_step(&levels, 0);
+    assert!(step > 0.1 && step < 2.0 * undulation.rms_height, "{step}");
+}
+
+#[test]
+fn levels_that_do_not_fit_around_one_another_are_refused() {
+    let name = |coarse: Relief| match everything(5.0).build_two(&coarse) {
+        Err(ReliefError::Parameter { name, .. }) => name,
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(name(Relief::flat(1, [600.0, 600.0], 7.5)), "coarse.region_size");
+    assert_eq!(name(Relief::flat(1, [600.0, 600.0], 5.0)), "coarse.region_size");
+    assert_eq!(name(Relief::flat(1, [200.0, 600.0], 10.0)), "coarse.extent north");
+    assert_eq!(name(Relief::flat(1, [600.0, 592.0], 8.0 * 5.0)), "extent east");
+    // Half a region of 5 m too far: no coarse corner would lie on a fine one.
+    assert_eq!(name(Relief::flat(1, [405.0, 400.0], 15.0)), "coarse.extent north");
 }

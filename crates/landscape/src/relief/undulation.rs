@@ -1,7 +1,7 @@
 //! Gaussian ground of a power-law spectrum.
 
 use super::grid::Grid;
-use super::waves::{Spectrum, WaveTable};
+use super::waves::{REGIONS_A_WAVE, Spectrum, WaveTable};
 use super::{MAX_WAVES, ReliefError, above, within};
 use crate::CornerWords;
 
@@ -32,7 +32,7 @@ impl Undulation {
     pub(super) fn check(&self, region_size: f64) -> Result<(), ReliefError> {
         within("undulation.rms_height", self.rms_height, 0.0, 1e5)?;
         within("undulation.hurst", self.hurst, 0.0, 1.0)?;
-        within("undulation.shortest", self.shortest, 3.0 * region_size, f64::MAX)?;
+        within("undulation.shortest", self.shortest, REGIONS_A_WAVE * region_size, f64::MAX)?;
         above("undulation.longest", self.longest, self.shortest)?;
         within("undulation.waves", self.waves as f64, 1.0, MAX_WAVES as f64)
     }

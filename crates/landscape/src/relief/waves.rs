@@ -10,6 +10,9 @@ use std::ops::Range;
 /// cover all directions evenly at every scale.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
+/// Shortest wave that a lattice of corners holds, in regions.
+pub(super) const REGIONS_A_WAVE: f64 = 3.0;
+
 /// A power-law spectrum: wavelengths spaced evenly in their logarithm, amplitude as wavelength^hurst.
 ///
 /// Variance per octave goes as k^-2H, hence the power density of a profile as k^-(2H+1).
@@ -61,7 +64,7 @@ impl Spectrum {
             let direction = (turn + index as f64 * GOLDEN) * PI;
             let (sin, cos) = libm::sincos(direction);
             let k = 2.0 * PI / self.wavelength(index);
-            Wave { amplitude, vector: [k * cos, k * sin], phase }
+            Wave { amplitude, vector: [k * cos, k * sin], phase, length: self.wavelength(index) }
         };
         self.amplitudes().into_iter().enumerate().map(wave).collect()
     }
@@ -73,12 +76,22 @@ struct Wave {
     /// To the north and east (rad/m).
     vector: [f64; 2],
     phase: f64,
+    /// Wavelength (m).
+    length: f64,
+}
+
+impl Wave {
+    /// Its argument at corner `index` of an axis that begins at `origin` (m), without the phase.
+    fn along(&self, axis: usize, index: usize, region_size: f64, origin: f64) -> f64 {
+        self.vector[axis] * region_size * index as f64 + self.vector[axis] * origin
+    }
 }
 
 /// Waves ready for a range of columns: the sine of a sum needs only the sines of each column and row.
 pub(super) struct WaveTable {
     waves: Vec<TabledWave>,
     region_size: f64,
+    origin: [f64; 2],
 }
 
 struct TabledWave {
@@ -90,22 +103,24 @@ struct TabledWave {
 }
 
 impl WaveTable {
-    /// The waves of `spectrum` under `seed` over `columns` of `grid`.
+    /// The waves of `spectrum` under `seed` over `columns` of `grid`, without those that its regions cannot hold.
     pub fn new(spectrum: &Spectrum, seed: u64, grid: &Grid, columns: Range<usize>) -> Self {
         let d = grid.region_size;
         let tabled = |wave: Wave| TabledWave {
             shape: shape(wave.vector.map(|k| k * d)),
-            columns: columns.clone().map(|n| libm::sincos(wave.vector[1] * d * n as f64)).collect(),
+            columns: columns.clone().map(|n| libm::sincos(wave.along(1, n, d, grid.origin[1]))).collect(),
             wave,
         };
-        Self { waves: spectrum.waves(seed).into_iter().map(tabled).collect(), region_size: d }
+        let is_held = |wave: &Wave| wave.length >= REGIONS_A_WAVE * d;
+        let waves = spectrum.waves(seed).into_iter().filter(is_held).map(tabled).collect();
+        Self { waves, region_size: d, origin: grid.origin }
     }
 
     /// Adds the field and its derivatives along row `m` to the words of the tabled columns.
     pub fn add_row(&self, m: usize, row: &mut [CornerWords]) {
         for TabledWave { wave, shape, columns } in &self.waves {
-            let along = wave.vector[0] * self.region_size * m as f64 + wave.phase;
-            let (sin_m, cos_m) = libm::sincos(along);
+            let along = wave.along(0, m, self.region_size, self.origin[0]);
+            let (sin_m, cos_m) = libm::sincos(along + wave.phase);
             let (sin_m, cos_m) = (sin_m * wave.amplitude, cos_m * wave.amplitude);
             for (words, (sin_n, cos_n)) in row.iter_mut().zip(columns) {
                 let even_and_odd = [sin_m * cos_n + cos_m * sin_n, cos_m * cos_n - sin_m * sin_n];

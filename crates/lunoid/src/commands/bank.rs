@@ -10,7 +10,6 @@ use quantities::{degrees, radians};
 use scenario::Scenario;
 use serde_json::{Value, json};
 
-use crate::loading;
 use crate::output::{expect_writable, print, print_json, table};
 use crate::{Failure, Verdict, values};
 
@@ -164,7 +163,7 @@ impl Generate {
     fn run(&self) -> Result<(), Failure> {
         expect_bank_writable(&self.out)?;
         let scenario = Scenario::read(&self.scenario)?;
-        write(&self.out, &loading::bank(&scenario)?)
+        write(&self.out, &stage::bank(&scenario)?)
     }
 }
 

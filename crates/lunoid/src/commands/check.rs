@@ -5,11 +5,10 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use diagnostics::{Problem, ProblemList, ProblemRecord, Problems, TomlFile};
 use hardware_model::{HardwareModel, ModelSource};
-use landscape::Landscape;
 use scenario::{PoseTable, Scenario};
 use serde_json::{Value, json};
 
-use crate::loading::{bank, settings};
+use crate::loading::stage_problems;
 use crate::output::{Colour, print, print_json, tell};
 use crate::{Failure, Verdict};
 
@@ -115,13 +114,12 @@ fn check_scenario(path: &Path) -> Result<(), ProblemList> {
     let scenario = Scenario::read(path)?;
     let source = ModelSource::find(&scenario.machine, path.parent().unwrap_or(Path::new("")))?;
     let model = HardwareModel::load(&source, &[], &[])?;
-    let settings = settings(&scenario, &model.model).map_err(|error| {
+    let settings = stage::settings(&scenario, &model.model).map_err(|error| {
         of_file(format!("scenario and machine `{}` do not fit together: {error}", scenario.machine))
     })?;
-    let bank = bank(&scenario).map_err(|failure| of_file(failure.text()))?;
-    let landscape = Landscape::new(bank, scenario.albedo);
-    let update = settings.timebase.update;
-    let poses = PoseTable::resolve(&scenario, &landscape, update, 0..scenario.frames(update));
+    let stage = stage::build(&scenario, settings).map_err(|error| stage_problems(&name, &error))?;
+    let (update, yoke) = (stage.settings.timebase.update, stage.settings.yoke);
+    let poses = PoseTable::resolve(&scenario, &stage.landscape, update, yoke, 0..scenario.frames(update));
     poses.map(|_| ()).map_err(|error| of_file(format!("the path cannot be driven: {error}")))
 }
 

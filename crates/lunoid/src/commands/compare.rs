@@ -3,12 +3,15 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use compare::{Comparison, RidgeError, compare, horizon_of_picture, ridge_error, triptych};
-use picture::{GreyPicture, Limits, read_png, write_png};
+use compare::{
+    Comparison, EdgeLimits, EdgeMask, LinearComparison, RidgeError, compare, compare_linear,
+    horizon_of_picture, linear_intensity, ridge_error, triptych,
+};
+use picture::{GreyPicture, Limits, Transfer, read_png, write_png};
 use replay::HeldRun;
 use serde_json::{Value, json};
 
-use crate::commands::ridges::Ridges;
+use crate::commands::edges::{Edges, Kind};
 use crate::loading::Threads;
 use crate::output::{expect_writable, print, print_json, table, tell};
 use crate::{Failure, Verdict, values};
@@ -16,10 +19,11 @@ use crate::{Failure, Verdict, values};
 const AFTER: &str = "Examples:
   lunoid compare runs/first-light runs/exact
   lunoid compare a.png b.png --out difference.png --tolerance 2 --share 0.5
-  lunoid compare runs/first-light runs/exact --ridges scenarios/first-light.toml --tolerance 2 --share 0.5
+  lunoid compare runs/first-light runs/exact --edges scenarios/first-light.toml --tolerance 2 --share 0.5
 
 Two PNGs, or two run folders frame by frame. Exit code 1 when a tolerance is given and not met. RMSE is of grey
-0 to 1 as displayed; the worst pixel is the one that differs most.";
+0 to 1 as displayed; linear is the RMSE of reflectivity, which runs say how to recover from their codes; the worst
+pixel is the one that differs most.";
 
 /// Say how far one picture, or one run, is from another.
 #[derive(Debug, Args)]
@@ -50,13 +54,19 @@ pub struct Compare {
     mask: Option<PathBuf>,
     /// Scenario of both runs: pixels along the ridge lines that `exact` sees in it are left out, and the error of
     /// the horizon is told.
-    #[arg(long, value_name = "SCENARIO", conflicts_with = "mask")]
+    #[arg(long, value_name = "SCENARIO", group = "scene", conflicts_with = "mask")]
     ridges: Option<PathBuf>,
+    /// The same, and pixels along outlines, boundaries of remote shadow and kinks of the ground are left out too.
+    #[arg(long, value_name = "SCENARIO", group = "scene", conflicts_with = "mask")]
+    edges: Option<PathBuf>,
     /// Step of range, in units of the nearer range, that makes a ridge.
-    #[arg(long, value_name = "SHARE", requires = "ridges", default_value_t = 0.2, value_parser = values::positive)]
+    #[arg(long, value_name = "SHARE", requires = "scene", default_value_t = 0.2, value_parser = values::positive)]
     jump: f64,
+    /// Turn of the normal from pixel to pixel, beyond that on either side, that makes a kink.
+    #[arg(long, value_name = "TURN", requires = "edges", default_value_t = 0.02, value_parser = values::positive)]
+    kink: f64,
     /// Lines by which the horizon may be off in any column.
-    #[arg(long, value_name = "LINES", requires = "ridges")]
+    #[arg(long, value_name = "LINES", requires = "scene")]
     max_ridge: Option<usize>,
     #[command(flatten)]
     threads: Threads,
@@ -74,8 +84,13 @@ struct Pair {
     test: PathBuf,
     reference: PathBuf,
     comparison: Comparison,
+    linear: Option<LinearComparison>,
+    edges: Option<EdgeMask>,
     ridges: Option<RidgeError>,
 }
+
+/// The display laws of both runs.
+type Displays = Option<[Transfer; 2]>;
 
 /// Frame, and the pictures of it.
 type Paths = (Option<u64>, PathBuf, PathBuf);
@@ -100,29 +115,43 @@ impl Compare {
     }
 
     fn compare_all(&self) -> Result<Vec<Pair>, Failure> {
-        let mask = self.mask.as_deref().map(read_mask).transpose()?;
         let pairs = self.pairs()?;
-        let Some(scenario) = &self.ridges else {
-            return pairs.into_iter().map(|paths| self.compare(paths, mask.as_deref())).collect();
+        let displays = self.displays()?;
+        let Some((scenario, kind)) = self.edges_of() else {
+            let mask = self.mask.as_deref().map(read_mask).transpose()?;
+            let compare = |paths| self.compare(paths, mask.as_deref(), &displays);
+            return pairs.into_iter().map(compare).collect();
         };
         let pool = self.threads.pool()?;
-        let mut ridges = Ridges::of(scenario, self.jump as f32, &pool)?;
+        let mut edges = Edges::of(scenario, kind, &pool)?;
         for folder in [&self.test, &self.reference] {
-            ridges.expect_run(folder, &HeldRun::read(folder)?)?;
+            edges.expect_run(folder, &HeldRun::read(folder)?)?;
         }
         let compare = |paths: Paths| {
-            let mask = ridges.mask(paths.0.unwrap_or_default(), &pool)?;
-            self.compare(paths, Some(&mask))
+            let mask = edges.mask(paths.0.unwrap_or_default(), &pool)?;
+            let pair = self.compare(paths, Some(&mask.pixels), &displays)?;
+            Ok(Pair { edges: matches!(kind, Kind::Edges(_)).then_some(mask), ..pair })
         };
         pairs.into_iter().map(compare).collect()
     }
 
+    /// The scenario whose edges are left out, and which.
+    fn edges_of(&self) -> Option<(&Path, Kind)> {
+        let (jump, kink) = (self.jump as f32, self.kink as f32);
+        match (&self.ridges, &self.edges) {
+            (Some(scenario), _) => Some((scenario, Kind::Ridges { jump })),
+            (_, Some(scenario)) => Some((scenario, Kind::Edges(EdgeLimits { jump, kink }))),
+            _ => None,
+        }
+    }
+
     /// The pictures to compare: one pair, or a pair a frame.
     fn pairs(&self) -> Result<Vec<Paths>, Failure> {
+        let has_edges = self.edges_of().is_some();
         match (self.test.is_dir(), self.reference.is_dir()) {
-            (false, false) if self.ridges.is_some() => {
-                Err(Failure::usage("--ridges needs run folders, which know the frame of each picture"))
-            }
+            (false, false) if has_edges => Err(Failure::usage(
+                "--ridges and --edges need run folders, which know the frame of each picture",
+            )),
             (false, false) => Ok(vec![(None, self.test.clone(), self.reference.clone())]),
             (true, true) => frames_of_both(&self.test, &self.reference),
             _ => Err(Failure::input(format!(
@@ -133,15 +162,32 @@ impl Compare {
         }
     }
 
-    fn compare(&self, (frame, test, reference): Paths, mask: Option<&[bool]>) -> Result<Pair, Failure> {
+    /// Runs say how codes came from reflectivity; a picture alone does not.
+    fn displays(&self) -> Result<Displays, Failure> {
+        match self.test.is_dir() {
+            true => Ok(Some([display(&self.test)?, display(&self.reference)?])),
+            false => Ok(None),
+        }
+    }
+
+    fn compare(
+        &self,
+        (frame, test, reference): Paths,
+        mask: Option<&[bool]>,
+        displays: &Displays,
+    ) -> Result<Pair, Failure> {
         let [a, b] = [read(&test)?, read(&reference)?];
         let levels: Vec<u32> =
             [0, 1, 2].into_iter().chain(self.tolerance.filter(|levels| *levels > 2)).collect();
-        let comparison = compare(&a, &b, mask, &levels)
-            .map_err(|error| Failure::input(format!("{}: {error}", test.display())))?;
+        let refused = |error| Failure::input(format!("{}: {error}", test.display()));
+        let comparison = compare(&a, &b, mask, &levels).map_err(refused)?;
+        let linear = displays.map(|[of_a, of_b]| {
+            compare_linear(&linear_intensity(&a, &of_a), &linear_intensity(&b, &of_b), mask)
+        });
+        let linear = linear.transpose().map_err(refused)?;
         let horizons = [&a, &b].map(|picture| horizon_of_picture(picture, SKY));
-        let ridges = self.ridges.is_some().then(|| ridge_error(&horizons[0], &horizons[1])).transpose()?;
-        Ok(Pair { frame, test, reference, comparison, ridges })
+        let ridges = self.edges_of().map(|_| ridge_error(&horizons[0], &horizons[1])).transpose()?;
+        Ok(Pair { frame, test, reference, comparison, linear, edges: None, ridges })
     }
 
     fn draw(&self, pair: &Pair, out: &Path) -> Result<(), Failure> {
@@ -180,6 +226,7 @@ impl Compare {
         let heading = [
             "frame",
             "rmse",
+            "linear",
             "psnr",
             "ssim",
             "differ",
@@ -198,7 +245,7 @@ impl Compare {
                 worst.frame.map(|frame| frame.to_string()).unwrap_or_default()
             );
         }
-        text.extend(pairs.iter().filter_map(Pair::ridge_line));
+        text.extend(pairs.iter().filter_map(Pair::edge_line));
         match pass {
             Some(true) => text += "within the tolerance\n",
             Some(false) => text += "beyond the tolerance\n",
@@ -222,11 +269,18 @@ impl Pair {
             "differing": differing,
             "rmse": rmse,
             "psnr_db": psnr_db,
+            "linear": self.linear.map(|linear| json!({
+                "rmse": linear.rmse, "psnr_db": linear.psnr_db, "bias": linear.bias, "maximum": linear.maximum,
+            })),
             "ssim": ssim,
             "worst": {
                 "column": worst.column, "line": worst.line, "test": worst.test, "reference": worst.reference,
             },
             "beyond": beyond,
+            "edges": self.edges.as_ref().map(|edges| json!({
+                "masked": edges.masked(), "share": edges.share(), "ridges": edges.ridges,
+                "outlines": edges.outlines, "shadows": edges.shadows, "kinks": edges.kinks,
+            })),
             "horizon_lines": self.ridges.map(|error| json!({
                 "columns": error.compared, "only_one_sees_ground": error.only_one, "median": error.median,
                 "percentile_99": error.percentile_99, "maximum": error.maximum,
@@ -234,13 +288,27 @@ impl Pair {
         })
     }
 
-    fn ridge_line(&self) -> Option<String> {
+    fn edge_line(&self) -> Option<String> {
         let RidgeError { compared, only_one, median, percentile_99, maximum } = self.ridges?;
-        let (frame, masked) = (self.frame.unwrap_or_default(), self.comparison.masked);
+        let frame = self.frame.unwrap_or_default();
         Some(format!(
-            "frame {frame}: {masked} pixels along ridges left out; horizon off by {median} lines (median), \
-             {percentile_99} (99 %), {maximum} (most) in {compared} columns, {only_one} columns see ground in one only\n"
+            "frame {frame}: {} left out; horizon off by {median} lines (median), {percentile_99} (99 %), {maximum} \
+             (most) in {compared} columns, {only_one} columns see ground in one only\n",
+            self.left_out()
         ))
+    }
+
+    fn left_out(&self) -> String {
+        let masked = self.comparison.masked;
+        let Some(edges) = &self.edges else { return format!("{masked} pixels along ridges") };
+        format!(
+            "{masked} pixels ({:.2} %) along edges (ridges {}, outlines {}, shadows {}, kinks {})",
+            100.0 * edges.share(),
+            edges.ridges,
+            edges.outlines,
+            edges.shadows,
+            edges.kinks
+        )
     }
 
     fn row(&self) -> Vec<String> {
@@ -252,6 +320,7 @@ impl Pair {
         vec![
             self.frame.map_or("-".into(), |frame| frame.to_string()),
             format!("{:.5}", c.rmse),
+            self.linear.map_or("-".into(), |linear| format!("{:.5}", linear.rmse)),
             c.psnr_db.map_or("equal".into(), |psnr| format!("{psnr:.1} dB")),
             c.ssim.map_or("-".into(), |ssim| format!("{ssim:.4}")),
             share(0),
@@ -286,6 +355,15 @@ fn frames_of_both(test: &Path, reference: &Path) -> Result<Vec<Paths>, Failure> 
         tell(&format!("{} frames are in both runs, of {} and {}\n", pairs.len(), counts[0], counts[1]));
     }
     Ok(pairs)
+}
+
+/// The display law of a run.
+fn display(folder: &Path) -> Result<Transfer, Failure> {
+    let run = HeldRun::read(folder)?;
+    let number = |key: &str| run.document["settings"]["display"][key].as_f64().unwrap_or(f64::NAN) as f32;
+    let refused =
+        |error| Failure::input(format!("{}: run.json, settings.display: {error}", folder.display()));
+    Transfer::new(number("white"), number("gamma")).map_err(refused)
 }
 
 fn read(path: &Path) -> Result<GreyPicture, Failure> {

@@ -3,12 +3,12 @@
 pub mod bank;
 pub mod check;
 pub mod compare;
+pub mod edges;
 pub mod info;
 pub mod list;
 pub mod model;
 pub mod probe;
 pub mod replay;
-pub mod ridges;
 mod scope;
 pub mod survey;
 

@@ -83,6 +83,7 @@ impl ProbeCommand {
             &loaded.scenario,
             &stage.landscape,
             stage.settings.timebase.update,
+            stage.settings.yoke,
             self.frame..self.frame + 1,
         );
         let row = row.map_err(Failure::input)?.rows()[0];

@@ -7,7 +7,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use clap::{Args, ValueEnum};
 use picture::Depth;
 use quantities::Rate;
-use replay::{Control, HeldRun, Job, Outcome, Pictures, Program, ReplayError, RunFolder, run, write_y4m};
+use replay::{
+    Control, HeldRun, Job, Outcome, Pictures, Program, RunFolder, TruthItems, TruthOutcome, run, write_truth,
+    write_y4m,
+};
 use serde_json::{Value, json};
 
 use crate::cli::{COMMIT, RESULT_FAMILY};
@@ -21,6 +24,7 @@ const AFTER: &str = "Examples:
   lunoid replay scenarios/first-light.toml
   lunoid replay scenarios/first-light.toml --frames 0..2 --machine exact --out runs/exact
   lunoid replay scenarios/first-light.toml --y4m - | ffmpeg -i - film.mp4
+  lunoid replay scenarios/first-light.toml --frames 0..2 --truth range,normal,label,pose
 
 The same command again goes on where it was interrupted. Open index.html in the folder to look at the run.";
 
@@ -50,6 +54,11 @@ pub struct Replay {
     /// A Y4M film as well; - is standard output.
     #[arg(long, value_name = "FILE")]
     y4m: Option<PathBuf>,
+    /// Ground truth as well, by `exact` at the centre of every pixel, in the folder `truth` of the run: `all`, or some
+    /// of range, height, normal, reflectivity, shadow, label, pose, joined by commas. docs/truth-format.md has the
+    /// format.
+    #[arg(long, value_name = "LIST")]
+    truth: Option<TruthItems>,
     /// Remove the run that the folder holds, and nothing else, and start anew.
     #[arg(long)]
     fresh: bool,
@@ -102,9 +111,25 @@ impl Replay {
         let progress = |progress| display.hear(progress);
         let control =
             Control { pool: &pool, cancel: &CANCEL, progress: &progress, phases: loaded.phases.clone() };
-        let outcome = run(&job, &folder, &control);
+        let made = self.make(&job, &folder, &control);
         display.end();
-        self.tell(&loaded, &folder, outcome)
+        let (outcome, truth) = made?;
+        self.tell(&loaded, &folder, outcome, truth)
+    }
+
+    /// The pictures, and then, unless told to end, the truth.
+    fn make(
+        &self,
+        job: &Job,
+        folder: &RunFolder,
+        control: &Control,
+    ) -> Result<(Outcome, Option<TruthOutcome>), Failure> {
+        let outcome = run(job, folder, control)?;
+        let truth = match (&outcome, &self.truth) {
+            (Outcome::Finished { .. }, Some(items)) => Some(write_truth(job, items, folder, control)?),
+            _ => None,
+        };
+        Ok((outcome, truth))
     }
 
     fn check_film(&self) -> Result<(), Failure> {
@@ -134,21 +159,27 @@ impl Replay {
         &self,
         loaded: &Loaded,
         folder: &RunFolder,
-        outcome: Result<Outcome, ReplayError>,
+        outcome: Outcome,
+        truth: Option<TruthOutcome>,
     ) -> Result<Verdict, Failure> {
-        match outcome? {
-            Outcome::Interrupted { done, of } => {
-                tell(&format!(
-                    "interrupted: {done} of {of} frames are whole; the same command again draws the rest\n"
-                ));
-                Ok(Verdict::Interrupted)
+        let interrupted = |what: &str, done: u64, of: u64| {
+            tell(&format!(
+                "interrupted: {done} of {of} {what} are whole; the same command again draws the rest\n"
+            ));
+            Ok(Verdict::Interrupted)
+        };
+        match (outcome, truth) {
+            (Outcome::Interrupted { done, of }, _) => interrupted("frames", done, of),
+            (_, Some(TruthOutcome { frames, done, .. })) if done < frames => {
+                interrupted("frames' ground truth", done, frames)
             }
-            Outcome::Finished { frames, drawn, limits, performance } => {
+            (Outcome::Finished { frames, drawn, limits, performance }, truth) => {
                 self.write_film(loaded, folder)?;
                 let summary = Summary {
                     folder: folder.path(),
                     frames: [frames.start, frames.end],
                     drawn,
+                    truth,
                     limits: limits.iter().map(ToString::to_string).collect(),
                     performance: &performance,
                 };
@@ -214,6 +245,7 @@ struct Summary<'a> {
     folder: &'a Path,
     frames: [u64; 2],
     drawn: u64,
+    truth: Option<TruthOutcome>,
     limits: Vec<String>,
     performance: &'a Value,
 }
@@ -226,6 +258,7 @@ impl Summary<'_> {
             "frames": self.frames,
             "drawn": self.drawn,
             "kept": self.frames[1] - self.frames[0] - self.drawn,
+            "truth": self.truth.map(|truth| json!({ "frames": truth.frames, "made": truth.made })),
             "limits": self.limits,
             "performance": self.performance,
         })
@@ -239,8 +272,11 @@ impl Summary<'_> {
         } else {
             text += &format!(", {} drawn now{}\n", self.drawn, self.rates());
         }
+        let truth = self.truth.map(|TruthOutcome { frames, made, .. }| {
+            format!("  ground truth of {frames} frames, {made} made now\n")
+        });
         let limits = self.limits.iter().map(|limit| format!("  beyond the vehicle: {limit}\n"));
-        text.trim_end().to_owned() + "\n" + &limits.collect::<String>()
+        text.trim_end().to_owned() + "\n" + &truth.into_iter().chain(limits).collect::<String>()
     }
 
     fn rates(&self) -> String {

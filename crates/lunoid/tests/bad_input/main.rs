@@ -1,7 +1,7 @@
 //! What cannot be is refused: one clear error, the exit code of its kind, and nothing half-written.
 //!
 //! Every case runs the real command in a folder of its own. [`room::Room::refused`] holds what all refusals have in
-//! common; the files here hold the classes: what people write, elevation, banks, run folders, pictures, outputs,
+//! common; the files here hold the classes: what people write, what stands on the ground, elevation, banks, run folders, pictures, outputs,
 //! and runs that are killed.
 
 mod arguments;
@@ -10,6 +10,7 @@ mod build;
 mod elevation;
 #[cfg(unix)]
 mod killed;
+mod landscape;
 mod outputs;
 mod pictures;
 mod room;

@@ -4,3 +4,4 @@ mod folders;
 mod outputs;
 mod resume;
 mod stage;
+mod truth;

@@ -4,16 +4,14 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::ops::Range;
 use std::path::Path;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use generator::Stage;
-use hardware_model::{HardwareModel, Settings};
-use landscape::{Bank, Landscape};
+use hardware_model::HardwareModel;
 use machine::HybridMachine;
 use picture::Depth;
 use replay::{Control, Inputs, Job, Outcome, Pictures, Program, Progress, ReplayError, RunFolder, run};
-use scenario::{Ground, Scenario, Scenery};
+use scenario::Scenario;
 
 const SCENARIO: &str = r#"
 format = 1
@@ -121,22 +119,8 @@ impl Wish {
 }
 
 fn stage(scenario: &Scenario) -> Stage {
-    let Ground::Generated(relief) = &scenario.ground else { panic!("the ground is generated") };
-    let bank = Bank::new("test", vec![relief.build().expect("a relief")], None).expect("a bank");
-    let settings = Settings::resolve(
-        &HardwareModel::ideal(),
-        scenario.field,
-        scenario.raster,
-        scenario.range,
-        scenario.laws,
-        scenario.scalar,
-        scenario.display,
-    );
-    Stage {
-        landscape: Arc::new(Landscape::new(bank, scenario.albedo)),
-        scenery: Arc::new(Scenery::still(scenario.sun)),
-        settings: settings.expect("settings"),
-    }
+    let settings = ::stage::settings(scenario, &HardwareModel::ideal()).expect("settings");
+    ::stage::build(scenario, settings).expect("a stage")
 }
 
 /// Every file of a folder but the wall times.

@@ -9,8 +9,29 @@ use quantities::radians;
 use super::reference::reference;
 use crate::Ground;
 
-/// The ground of a `[landscape]` table.
-pub(super) fn ground(table: &Reader, folder: &Path) -> Option<Ground> {
+/// The ground of a `[landscape]` table, and the ground around it.
+pub(super) fn ground(table: &Reader, folder: &Path) -> Option<(Ground, Option<Relief>)> {
+    let ground = fine(table, folder);
+    let coarse = table.optional_table("coarse").map(|coarse| (relief(&coarse), coarse));
+    let Some((coarse, place)) = coarse else { return ground.map(|ground| (ground, None)) };
+    match (ground?, coarse?) {
+        (Ground::Generated(fine), coarse) => {
+            let report = |error: landscape::relief::ReliefError| {
+                let title = format!("the coarse level does not fit around the fine one: {error}");
+                place.report(place.problem("region_size_m", title));
+            };
+            fine.check_two(&coarse).map_err(report).ok()?;
+            Some((Ground::Generated(fine), Some(coarse)))
+        }
+        (Ground::Bank(_), _) => {
+            let problem = table.problem("coarse", "`landscape.coarse` around a bank");
+            table.report(problem.expected("`landscape.generated`: a bank has its own levels"));
+            None
+        }
+    }
+}
+
+fn fine(table: &Reader, folder: &Path) -> Option<Ground> {
     let bank = reference(table, "bank", folder).map(Ground::Bank);
     let generated = table.optional_table("generated");
     let relief = generated.and_then(|generated| relief(&generated)).map(Ground::Generated);

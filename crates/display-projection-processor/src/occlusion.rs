@@ -1,0 +1,226 @@
+//! The two occlusion circuits (section 15.2), stepped from sample to sample and, where a profile bends between two
+//! samples, over its bends.
+
+use std::ops::Range;
+
+use signal::{Breaks, LANES, Lanes, Real};
+
+use crate::Projected;
+
+/// What lies between the samples of a group.
+#[derive(Debug, Clone, Copy)]
+pub struct BrokenProfile<'a, S> {
+    /// Breaks lane by lane; each `sample` is at least 1 and below the number of samples.
+    pub breaks: &'a Breaks<S>,
+    /// Which of them bend the profile.
+    pub bends: &'a [Vec<bool>; LANES],
+}
+
+/// One step of an occlusion circuit: elevation before and now, held value before; held value now.
+pub(crate) fn peak_hold<S: Real>(_before: S, hold: S, now: S) -> S {
+    now.at_least(hold)
+}
+
+/// As reported: while unblanked the hold follows the elevation; a fall of it blanks and holds.
+pub(crate) fn derivative<S: Real>(before: S, hold: S, now: S) -> S {
+    let blanked = before < hold;
+    let stays_blanked = if blanked { now < hold } else { now < before };
+    if stays_blanked { hold } else { now }
+}
+
+/// What the circuit of a lane, or of a group, remembers.
+#[derive(Debug, Clone, Copy)]
+struct Memory<T> {
+    /// Elevation of the place before.
+    below: T,
+    /// What the circuit saw there: the same, or the top near it.
+    before: T,
+    /// The held elevation.
+    hold: T,
+}
+
+/// Runs a circuit along a group: side by side where no profile bends, lane by lane around a bend.
+pub(crate) fn occlude<S: Real>(
+    out: &mut Projected<S>,
+    broken: Option<BrokenProfile<'_, S>>,
+    circuit: impl Fn(S, S, S) -> S,
+) {
+    let Some(&first) = out.elevation.first() else { return };
+    let mut memory = Memory { below: first, before: first, hold: first };
+    let samples = out.elevation.len();
+    let Some(broken) = broken else {
+        return smooth(out, 0..samples, &mut memory, &circuit);
+    };
+    let mut passed = [0; LANES];
+    let mut sample = 0;
+    while sample < samples {
+        // The sample before a bend is next to it: its top is not that of a parabola across the bend.
+        let bent = broken.next_bend(&mut passed).map_or(samples, |bend| sample.max(bend - 1));
+        smooth(out, sample..bent, &mut memory, &circuit);
+        if bent < samples {
+            for (lane, passed) in passed.iter_mut().enumerate() {
+                Lane { broken, lane, passed }.step(out, bent, &mut memory, &circuit);
+            }
+        }
+        sample = bent + 1;
+    }
+    broken.hold_at_smooth_breaks(out);
+}
+
+fn smooth<S: Real>(
+    out: &mut Projected<S>,
+    samples: Range<usize>,
+    memory: &mut Memory<Lanes<S>>,
+    circuit: &impl Fn(S, S, S) -> S,
+) {
+    let Memory { mut below, mut before, mut hold } = *memory;
+    // Beyond the last sample the profile is taken to rise: no top there.
+    let beyond = Lanes::splat(S::from_f64(f64::INFINITY));
+    let after = out.elevation[samples.start..].iter().skip(1).chain(std::iter::once(&beyond));
+    let outputs = out.hold[samples.clone()].iter_mut().zip(&mut out.entry[samples.clone()]);
+    for ((&now, &after), (held, entry)) in out.elevation[samples].iter().zip(after).zip(outputs) {
+        let top = Lanes::from_fn(|lane| top_of(below[lane], now[lane], after[lane]));
+        *entry = Lanes::from_fn(|lane| entry_of(below[lane], hold[lane], now[lane], top[lane]));
+        hold = Lanes::from_fn(|lane| circuit(before[lane], hold[lane], top[lane]));
+        *held = hold;
+        (below, before) = (now, top);
+    }
+    *memory = Memory { below, before, hold };
+}
+
+impl<S: Real> BrokenProfile<'_, S> {
+    /// Step of the nearest bend of any lane among those not `passed`, which then stand at bends.
+    fn next_bend(&self, passed: &mut [usize; LANES]) -> Option<usize> {
+        let nearest = |(lane, passed): (usize, &mut usize)| {
+            *passed += self.bends[lane][*passed..].iter().take_while(|&&bend| !bend).count();
+            self.breaks[lane].get(*passed).map(|bend| bend.sample)
+        };
+        passed.iter_mut().enumerate().filter_map(nearest).min()
+    }
+
+    /// Breaks that do not bend the profile leave the hold as it was before them.
+    fn hold_at_smooth_breaks(&self, out: &mut Projected<S>) {
+        for lane in 0..LANES {
+            let holds = &mut out.breaks.hold[lane];
+            let (mut step, mut held) = (0, S::ZERO);
+            for ((place, &bend), hold) in self.breaks[lane].iter().zip(&self.bends[lane]).zip(holds) {
+                if place.sample != step {
+                    (step, held) = (place.sample, out.hold[place.sample - 1][lane]);
+                }
+                held = if bend { *hold } else { held };
+                *hold = held;
+            }
+        }
+    }
+}
+
+/// One lane next to a bend.
+struct Lane<'a, S> {
+    broken: BrokenProfile<'a, S>,
+    lane: usize,
+    /// Breaks of the lane that lie behind.
+    passed: &'a mut usize,
+}
+
+impl<S: Real> Lane<'_, S> {
+    /// The step to `sample`: over its bends, then to the sample.
+    fn step(
+        &mut self,
+        out: &mut Projected<S>,
+        sample: usize,
+        memory: &mut Memory<Lanes<S>>,
+        circuit: &impl Fn(S, S, S) -> S,
+    ) {
+        let lane = self.lane;
+        let mut own =
+            Memory { below: memory.below[lane], before: memory.before[lane], hold: memory.hold[lane] };
+        let (mut from, mut entry) = (S::ZERO, S::ZERO);
+        while let Some((index, share)) = self.bend_in(sample) {
+            let bend = out.breaks.elevation[lane][index];
+            entry = later(entry, from, share, entry_of(own.below, own.hold, bend, bend));
+            let hold = circuit(own.before, own.hold, bend);
+            out.breaks.hold[lane][index] = hold;
+            own = Memory { below: bend, before: bend, hold };
+            from = share;
+            *self.passed = index + 1;
+        }
+        let now = out.elevation[sample][lane];
+        let top = self.top(out, sample, own.below, from);
+        out.entry[sample][lane] = later(entry, from, S::ONE, entry_of(own.below, own.hold, now, top));
+        let hold = circuit(own.before, own.hold, top);
+        out.hold[sample][lane] = hold;
+        (memory.below[lane], memory.before[lane], memory.hold[lane]) = (now, top, hold);
+    }
+
+    /// The next bend, if it lies in the step to `sample`: its index and share.
+    fn bend_in(&self, sample: usize) -> Option<(usize, S)> {
+        let ahead = self.broken.breaks[self.lane].iter().zip(&self.broken.bends[self.lane]).enumerate();
+        let (index, (place, _)) = ahead.skip(*self.passed).find(|(_, (_, bend))| **bend)?;
+        (place.sample == sample).then_some((index, place.share))
+    }
+
+    /// What the circuit sees around `sample`, where the profile comes from `below` at share `from` of the step.
+    fn top(&self, out: &Projected<S>, sample: usize, below: S, from: S) -> S {
+        let now = out.elevation[sample][self.lane];
+        let infinity = S::from_f64(f64::INFINITY);
+        match self.bend_in(sample + 1) {
+            Some((index, reach)) => {
+                top_between([below, now, out.breaks.elevation[self.lane][index]], S::ONE - from, reach)
+            }
+            None => {
+                let after = out.elevation.get(sample + 1).map_or(infinity, |after| after[self.lane]);
+                let even = from == S::ZERO;
+                if even {
+                    top_of(below, now, after)
+                } else {
+                    top_between([below, now, after], S::ONE - from, S::ONE)
+                }
+            }
+        }
+    }
+}
+
+/// The share of a step at which a profile comes into sight, given that of a stretch of it; the latest counts.
+fn later<S: Real>(entry: S, from: S, to: S, in_stretch: S) -> S {
+    if in_stretch > S::ZERO { from + (to - from) * in_stretch } else { entry }
+}
+
+/// A fall to the next place by more than this (tangent) is taken for the end of the profile, not its shape.
+const CLIFF: f64 = 0.25;
+
+/// What the circuit sees around a sample: its elevation, or the top of the parabola through it and its neighbours
+/// where it is the highest of the three. The derivative changes sign there, between two samples.
+#[inline(always)]
+fn top_of<S: Real>(below: S, now: S, after: S) -> S {
+    let (rise, fall) = (now - below, now - after);
+    let skew = rise - fall;
+    let top = now + skew * skew / (S::from_f64(8.0) * (rise + fall));
+    if rise > S::ZERO && fall >= S::ZERO && fall < S::from_f64(CLIFF) { top } else { now }
+}
+
+/// A bend nearer to a sample than this part of a step says nothing of the curve around the sample.
+const NEAREST: f64 = 0.125;
+
+/// The same where a neighbour is a bend, `back` and `ahead` of the sample in steps: up to the bend the profile is smooth.
+fn top_between<S: Real>([below, now, after]: [S; 3], back: S, ahead: S) -> S {
+    let (rise, fall) = (now - below, now - after);
+    let nearest = S::from_f64(NEAREST);
+    let near = back < nearest || ahead < nearest;
+    if near || !(rise > S::ZERO && fall >= S::ZERO && fall < S::from_f64(CLIFF)) {
+        return now;
+    }
+    let (climb, descent) = (rise / back, fall / ahead);
+    let slope = climb * ahead - descent * back;
+    now + slope * slope / (S::from_f64(4.0) * (back + ahead) * (climb + descent))
+}
+
+/// Where in a stretch the elevation rises through the held one; 1 if only the top beyond it does.
+#[inline(always)]
+fn entry_of<S: Real>(before: S, hold: S, now: S, top: S) -> S {
+    let share = (hold - before) / (now - before);
+    match (before < hold, now > hold) {
+        (true, true) => share,
+        (true, false) if top > hold => S::ONE,
+        _ => S::ZERO,
+    }
+}

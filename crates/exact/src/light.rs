@@ -1,0 +1,101 @@
+//! Reflectivity of the ground: slopes, photometry, texture and shadow, in the order of the mixing unit (7, 14).
+
+use features::Rise;
+use generator::{Label, Shade};
+use landscape::{Landscape, Sun};
+use scenario::{FeatureLight, Laws, TextureInShadow};
+
+use crate::Spot;
+use crate::seen::Seen;
+use crate::shadow::Dark;
+
+/// The light on the ground, as an eye sees it.
+#[derive(Debug, Clone, Copy)]
+pub struct Light<'a> {
+    landscape: &'a Landscape,
+    sun: [f64; 3],
+    laws: Laws,
+    eye_height: f64,
+}
+
+impl<'a> Light<'a> {
+    /// Light of `sun` on `landscape`, seen from `eye_height` (m).
+    pub fn new(landscape: &'a Landscape, sun: &Sun, laws: Laws, eye_height: f64) -> Self {
+        Self { landscape, sun: sun.direction(), laws, eye_height }
+    }
+
+    /// What is seen of a spot along `direction` (north, east), with what craters add there. `dark` tells whether
+    /// remote shadow lies on it, if that matters (its argument).
+    pub fn ground(
+        &self,
+        spot: &Spot,
+        direction: [f64; 2],
+        rise: &Rise,
+        dark: impl FnOnce(bool) -> Option<Dark>,
+    ) -> Seen {
+        let height = spot.height + rise.height;
+        let slopes = std::array::from_fn(|axis| spot.slopes[axis] + rise.slopes[axis]);
+        let lit_slopes = match self.laws.feature_light {
+            FeatureLight::AsReported if rise.present => rise.slopes,
+            _ => slopes,
+        };
+        let signed = self.reflectivity(lit_slopes, direction, (height - self.eye_height) / spot.range);
+        let texture = self.landscape.texture().map_or(0.0, |t| t.at(spot.place[0], spot.place[1], spot.range));
+        let [open, shadowed] = self.with_texture(signed, texture);
+        let dark = dark(open > 0.0);
+        Seen {
+            intensity: if dark.is_some() { shadowed } else { open },
+            range: spot.range,
+            height,
+            normal: normal(slopes),
+            reflectivity: signed.clamp(0.0, 1.0),
+            shade: shade(signed, dark),
+            label: label(rise.present, dark),
+        }
+    }
+
+    /// Albedo times `n.s` times the photometric factor, below 0 in local shadow, for ground that the eye sees at a
+    /// tangent of elevation `sight`.
+    fn reflectivity(&self, [hx, hy]: [f64; 2], direction: [f64; 2], sight: f64) -> f64 {
+        let ([north, east, up], photometry) = (self.sun, self.landscape.photometry());
+        let length = (1.0 + hx * hx + hy * hy).sqrt();
+        let lambert = (up - hx * north - hy * east) / length;
+        let slant = (1.0 + sight * sight).sqrt();
+        let [to_north, to_east] = direction;
+        let mu = (hx * to_north + hy * to_east - sight) / (length * slant);
+        let cos_g = -(north * to_north + east * to_east + up * sight) / slant;
+        self.landscape.albedo() * (lambert * photometry.factor(lambert, mu, cos_g))
+    }
+
+    /// Reflectivity outside and inside remote shadow. Texture that shadow gates is added to the signed value, so that
+    /// it fades out where the ground turns from the sun.
+    fn with_texture(&self, signed: f64, texture: f64) -> [f64; 2] {
+        let both = match self.laws.texture_in_shadow {
+            TextureInShadow::On => [signed.max(0.0) + texture, texture],
+            TextureInShadow::Off => [signed + texture, 0.0],
+        };
+        both.map(|value| value.clamp(0.0, 1.0))
+    }
+}
+
+/// Unit normal of ground of slopes `[hx, hy]`: north, east, up.
+fn normal([hx, hy]: [f64; 2]) -> [f64; 3] {
+    let length = (1.0 + hx * hx + hy * hy).sqrt();
+    [-hx / length, -hy / length, 1.0 / length]
+}
+
+fn shade(signed: f64, dark: Option<Dark>) -> Shade {
+    match dark {
+        _ if signed <= 0.0 => Shade::Local,
+        Some(_) => Shade::Remote,
+        None => Shade::Lit,
+    }
+}
+
+fn label(crater: bool, dark: Option<Dark>) -> Label {
+    match dark {
+        Some(Dark::Track) => Label::Track,
+        _ if crater => Label::Feature,
+        _ => Label::Terrain,
+    }
+}

@@ -1,0 +1,104 @@
+//! One frame's scene: what a ray through any place of the screen sees.
+
+use glam::DVec3;
+use landscape::{Landscape, Sun};
+use scenario::{Laws, Pose, Scenery};
+use solids::Body;
+
+use crate::ground::Scratch;
+use crate::light::Light;
+use crate::outlook::{Outlook, Ray, Sight, Spot};
+use crate::seen::Seen;
+use crate::shadow::Shadows;
+use crate::standing::{Stand, Standing};
+use crate::view::View;
+
+/// Ground, light, shadow and bodies from one eye at one time.
+#[derive(Debug, Clone)]
+pub struct Scene<'a> {
+    landscape: &'a Landscape,
+    outlook: Outlook<'a>,
+    view: View,
+    light: Light<'a>,
+    shadows: Option<Shadows<'a>>,
+    standing: Standing<'a>,
+}
+
+impl<'a> Scene<'a> {
+    /// The scene of `outlook` at a pose, with or without remote shadow.
+    pub fn new(
+        landscape: &'a Landscape,
+        scenery: &'a Scenery,
+        outlook: Outlook<'a>,
+        laws: Laws,
+        with_shadows: bool,
+        pose: &Pose,
+    ) -> Self {
+        let sun: Sun = scenery.sun(pose.time);
+        let view = View::new(laws.projection, &pose.attitude).with_yoke(pose.yoke);
+        let bodies: Vec<&Body> = scenery.bodies(pose.time).collect();
+        let cast =
+            || Shadows::new(*outlook.ground(), &sun, bodies.clone(), scenery.patches(pose.time));
+        let shadows = with_shadows.then(cast);
+        let to_sun = DVec3::from_array(sun.direction());
+        let standing = Standing::new(&bodies, &outlook, &view, to_sun, shadows.as_ref(), laws);
+        let light = Light::new(landscape, &sun, laws, pose.eye[2]);
+        Self { landscape, outlook, view, light, shadows, standing }
+    }
+
+    /// The bodies in it.
+    pub fn standing(&self) -> &Standing<'a> {
+        &self.standing
+    }
+
+    /// Where ground begins to be seen (m).
+    pub fn near(&self) -> f64 {
+        self.outlook.near()
+    }
+
+    /// What is seen at (x, y) of the screen, among the bodies of `column`, if the ray is above the ground up to the
+    /// range `clear` (m); and up to where every ray above it in the column is.
+    pub fn look(&self, [x, y]: [f64; 2], column: &[&Stand], clear: f64, scratch: &mut Scratch) -> (Seen, f64) {
+        let ray = self.view.ray(x, y);
+        let sight = self.outlook.look_from(&ray, clear, scratch);
+        let (met, clear) = match sight {
+            Sight::Ground(spot) => (spot.range, spot.range),
+            Sight::Sky => (f64::INFINITY, f64::INFINITY),
+            Sight::TooNear => (f64::INFINITY, self.near()),
+        };
+        // Under pitch or yoke a column's rays have different azimuths: one says nothing about the next.
+        let clear = if self.view.columns_are_vertical() { clear } else { self.near() };
+        let body = if column.is_empty() {
+            None
+        } else {
+            self.standing.look(column, self.view.perspective(x, y), met)
+        };
+        let seen = body.unwrap_or_else(|| match sight {
+            Sight::Ground(spot) => self.ground(&spot, &ray, scratch),
+            Sight::Sky => self.beyond(&ray),
+            Sight::TooNear => Seen::SKY,
+        });
+        (seen, clear)
+    }
+
+    fn ground(&self, spot: &Spot, ray: &Ray, scratch: &mut Scratch) -> Seen {
+        let rise = self.outlook.ground().craters_at(spot.place);
+        let dark = |matters: bool| {
+            let shadows = self.shadows.as_ref()?;
+            shadows.at(spot.place, matters, scratch)
+        };
+        self.light.ground(spot, ray.direction, &rise, dark)
+    }
+
+    /// Mountains beyond the stored area: the first listed that stands above the ray, as the last point of a profile.
+    fn beyond(&self, ray: &Ray) -> Seen {
+        let silhouettes = self.landscape.silhouettes();
+        if silhouettes.is_empty() {
+            return Seen::SKY;
+        }
+        let azimuth = libm::atan2(ray.direction[1], ray.direction[0]);
+        let above = |tangent: Option<f64>| tangent.is_some_and(|tangent| ray.rise < tangent);
+        let found = silhouettes.iter().find(|silhouette| above(silhouette.tangent(azimuth)));
+        found.map_or(Seen::SKY, |silhouette| Seen::silhouette(silhouette.reflectivity()))
+    }
+}

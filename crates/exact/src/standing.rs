@@ -1,0 +1,152 @@
+//! Bodies in the picture: in true perspective, by depth or as a whole (section 12).
+
+use generator::{Label, Shade};
+use glam::DVec3;
+use scenario::{BodyVisibility, Laws, ShadowedBodies};
+use solids::{Body, Kind};
+
+use crate::ground::Scratch;
+use crate::outlook::{Outlook, Ray};
+use crate::seen::Seen;
+use crate::shadow::Shadows;
+use crate::view::View;
+
+/// What lies nearer ahead than this has no place on the screen (m); such a body is looked for in every column.
+const NEAR: f64 = 1e-3;
+
+/// By how much the ground before a foot point may stand higher than it (tangent of elevation) and not hide it.
+pub const FOOT_TOLERANCE: f64 = 1e-6;
+
+/// A body as an eye sees it.
+#[derive(Debug, Clone)]
+pub struct Stand<'a> {
+    body: &'a Body,
+    /// Where the ray begins if the body stays in its place: the eye, raised by the drop at the foot point.
+    eye: DVec3,
+    /// Range of the foot point (m).
+    foot: f64,
+    faces: Vec<f64>,
+    dark: bool,
+    /// Vertices on the screen, if all lie ahead.
+    screen: Option<Vec<[f64; 2]>>,
+    across: [f64; 2],
+}
+
+/// All bodies of a frame.
+#[derive(Debug, Clone)]
+pub struct Standing<'a> {
+    stands: Vec<Stand<'a>>,
+    law: BodyVisibility,
+}
+
+impl<'a> Standing<'a> {
+    /// Those of `bodies` that the laws let be seen.
+    pub fn new(
+        bodies: &[&'a Body],
+        outlook: &Outlook,
+        view: &View,
+        sun: DVec3,
+        shadows: Option<&Shadows>,
+        laws: Laws,
+    ) -> Self {
+        let mut scratch = Scratch::default();
+        let stand = |body: &&'a Body| {
+            let dark = shadows.is_some_and(|s| s.is_dark_ground([body.foot.x, body.foot.y], &mut scratch));
+            let vanishes = dark && laws.shadowed_bodies == ShadowedBodies::Vanish;
+            let stand = Stand::new(body, outlook, view, sun, dark).filter(|_| !vanishes)?;
+            let whole = laws.body_visibility == BodyVisibility::AsReported;
+            let hidden = whole && stand.is_hidden(outlook, &mut scratch);
+            (!hidden).then_some(stand)
+        };
+        Self { stands: bodies.iter().filter_map(stand).collect(), law: laws.body_visibility }
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.stands.len()
+    }
+
+    /// Those that reach over `x` on the screen.
+    pub fn column(&self, x: f64) -> Vec<&Stand<'a>> {
+        self.stands.iter().filter(|stand| stand.across[0] <= x && x <= stand.across[1]).collect()
+    }
+
+    /// What is seen along `direction` (1 over the ground), if the ground is met at `ground` (m; infinite if not).
+    pub fn look(&self, column: &[&Stand], direction: DVec3, ground: f64) -> Option<Seen> {
+        let met = column.iter().filter_map(|stand| Some((stand, stand.body.first_hit(stand.eye, direction, 0.0)?)));
+        let (stand, hit) = match self.law {
+            BodyVisibility::Depth => met
+                .filter(|(_, hit)| hit.distance < ground)
+                .min_by(|(_, a), (_, b)| a.distance.total_cmp(&b.distance))?,
+            // Parts of one object share a foot point: the nearer part lies on top.
+            BodyVisibility::AsReported => met.min_by(|(a, near), (b, far)| {
+                a.foot.total_cmp(&b.foot).then(near.distance.total_cmp(&far.distance))
+            })?,
+        };
+        Some(stand.seen(hit.face, hit.distance, direction))
+    }
+}
+
+impl<'a> Stand<'a> {
+    /// `None` if it lies behind the eye.
+    fn new(body: &'a Body, outlook: &Outlook, view: &View, sun: DVec3, dark: bool) -> Option<Self> {
+        let [x, y, height] = outlook.eye();
+        let foot = libm::hypot(body.foot.x - x, body.foot.y - y);
+        let eye = DVec3::new(x, y, height + outlook.drop(foot));
+        let places: Vec<_> = body.vertices.iter().map(|&vertex| view.project(vertex - eye, NEAR)).collect();
+        if places.iter().all(Option::is_none) {
+            return None;
+        }
+        let screen: Option<Vec<[f64; 2]>> = places.into_iter().collect();
+        let across = screen.as_ref().map_or([f64::NEG_INFINITY, f64::INFINITY], |screen| {
+            let each = screen.iter().map(|place| place[0]);
+            [each.clone().fold(f64::INFINITY, f64::min), each.fold(f64::NEG_INFINITY, f64::max)]
+        });
+        Some(Self { body, eye, foot, faces: body.reflectivities(sun).collect(), dark, screen, across })
+    }
+
+    /// Whether ground before the foot point stands higher than it.
+    fn is_hidden(&self, outlook: &Outlook, scratch: &mut Scratch) -> bool {
+        let to = self.body.foot - self.eye;
+        let direction = [to.x / self.foot, to.y / self.foot];
+        let rise = to.z / self.foot + FOOT_TOLERANCE;
+        self.foot > outlook.near() && outlook.hides(&Ray { direction, rise }, self.foot, scratch)
+    }
+
+    /// Places (y) where edges of its faces cross the column at `x`.
+    pub fn edges(&self, x: f64, cuts: &mut Vec<f64>) {
+        let Some(screen) = &self.screen else { return };
+        for (index, face) in self.body.solid.faces().iter().enumerate() {
+            if self.body.normals[index].dot(self.eye - self.body.on_face(index)) <= 0.0 {
+                continue;
+            }
+            for (k, &corner) in face.corners.iter().enumerate() {
+                let next = face.corners[(k + 1) % face.corners.len()];
+                let ([ax, ay], [bx, by]) = (screen[corner as usize], screen[next as usize]);
+                if (ax <= x) != (bx <= x) {
+                    cuts.push(ay + (by - ay) * (x - ax) / (bx - ax));
+                }
+            }
+        }
+    }
+
+    fn seen(&self, face: usize, range: f64, direction: DVec3) -> Seen {
+        let reflectivity = self.faces[face];
+        Seen {
+            intensity: if self.dark { 0.0 } else { reflectivity },
+            range,
+            height: self.eye.z + range * direction.z,
+            normal: self.body.normals[face].to_array(),
+            reflectivity,
+            shade: match reflectivity > 0.0 {
+                false => Shade::Local,
+                true if self.dark => Shade::Remote,
+                true => Shade::Lit,
+            },
+            label: match self.body.kind {
+                Kind::Rock => Label::Rock,
+                Kind::Culture => Label::Culture,
+            },
+        }
+    }
+}

@@ -1,0 +1,169 @@
+//! Control side: which craters a sweep meets, and which sub-generator makes each.
+
+use features::{Crater, Features};
+use hardware_model::{FeatureParts, Organisation};
+
+/// What programs are written from: the same for every sweep of a frame.
+#[derive(Debug, Clone, Copy)]
+pub struct Schedule<'a> {
+    /// All features.
+    pub features: &'a Features,
+    /// Sub-generators and their organisation.
+    pub parts: FeatureParts,
+    /// South-west corner of region (0, 0): north, east (m).
+    pub region_origin: [f64; 2],
+    /// Side of the regions by which features are grouped (m).
+    pub region_size: f64,
+}
+
+/// A crater in a sub-generator.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FeatureLoad {
+    /// Index of the crater.
+    pub crater: u32,
+    /// Which sub-generator of its type, from 0.
+    pub sub_generator: u32,
+    /// Ground range at which the sweep passes the centre (m).
+    pub middle: f64,
+    /// Distance of the centre beside the sweep, positive to the right (m).
+    pub side: f64,
+}
+
+/// Loads of one sweep. Reused from sweep to sweep: once warm, nothing is allocated.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct FeatureProgram {
+    /// Craters that are drawn, ascending: the order of the sum.
+    pub loads: Vec<FeatureLoad>,
+    /// Ground range at which the profile ends (m).
+    pub end_range: f64,
+    /// Craters that found no free sub-generator.
+    pub dropped: u32,
+    /// Most sub-generators in use at once, by crater type.
+    pub most_in_use: [u32; 3],
+    found: Vec<u32>,
+    requests: Vec<Request>,
+    /// Range at which each sub-generator is free again, by crater type.
+    busy: [Vec<f64>; 3],
+}
+
+/// A crater that asks for a sub-generator.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Request {
+    load: FeatureLoad,
+    /// Crater type, from 0.
+    kind: usize,
+    /// Range at which the sweep enters the footprint (m).
+    entry: f64,
+    /// Range from which the sub-generator is taken (m).
+    taken: f64,
+    /// Range at which it is free again (m).
+    freed: f64,
+}
+
+/// A sweep over the ground.
+#[derive(Debug, Clone, Copy)]
+struct Line {
+    eye: [f64; 2],
+    direction: [f64; 2],
+    from: f64,
+    to: f64,
+}
+
+impl Schedule<'_> {
+    /// Writes the program of the sweep from `eye` (north, east; m) along the unit vector `direction`, between two
+    /// ground ranges (m).
+    pub fn write(
+        &self,
+        eye: [f64; 2],
+        direction: [f64; 2],
+        [from, to]: [f64; 2],
+        program: &mut FeatureProgram,
+    ) {
+        program.clear(to);
+        if self.features.is_empty() {
+            return;
+        }
+        let line = Line { eye, direction, from, to };
+        self.features.along(eye, direction, from, to, &mut program.found);
+        let request = |&index: &u32| self.request(index, &line);
+        program.requests.extend(program.found.iter().map(request));
+        program.serve(self.parts.sub_generators);
+    }
+
+    fn request(&self, index: u32, line: &Line) -> Request {
+        let crater = &self.features.craters()[index as usize];
+        let (middle, side) = line.foot(crater);
+        let half = (crater.outer() * crater.outer() - side * side).max(0.0).sqrt();
+        let (entry, exit) = ((middle - half).max(line.from), (middle + half).min(line.to));
+        let (taken, freed) = match self.parts.organisation {
+            Organisation::Scheduled => (entry, exit),
+            Organisation::ByRegion => (self.region(line, entry)[0], self.region(line, exit)[1]),
+        };
+        let load = FeatureLoad { crater: index, sub_generator: 0, middle, side };
+        Request { load, kind: crater.type_number() as usize - 1, entry, taken, freed }
+    }
+
+    /// Ranges at which the sweep enters and leaves the region that it is in at `range` (m).
+    fn region(&self, line: &Line, range: f64) -> [f64; 2] {
+        let mut ends = [f64::NEG_INFINITY, f64::INFINITY];
+        for axis in 0..2 {
+            let (start, rate) = (line.eye[axis] - self.region_origin[axis], line.direction[axis]);
+            if rate != 0.0 {
+                let south = ((start + range * rate) / self.region_size).floor() * self.region_size;
+                let meets = [(south - start) / rate, (south + self.region_size - start) / rate];
+                ends[0] = ends[0].max(meets[0].min(meets[1]));
+                ends[1] = ends[1].min(meets[0].max(meets[1]));
+            }
+        }
+        ends
+    }
+}
+
+impl Line {
+    /// Range at which the line passes the centre of a crater, and the distance of the centre to the right (m).
+    fn foot(&self, crater: &Crater) -> (f64, f64) {
+        let [north, east] = [0, 1].map(|axis| crater.centre()[axis] - self.eye[axis]);
+        let [cos, sin] = self.direction;
+        (north * cos + east * sin, east * cos - north * sin)
+    }
+}
+
+impl FeatureProgram {
+    fn clear(&mut self, end_range: f64) {
+        (self.end_range, self.dropped, self.most_in_use) = (end_range, 0, [0; 3]);
+        self.loads.clear();
+        self.found.clear();
+        self.requests.clear();
+        self.busy.iter_mut().for_each(Vec::clear);
+    }
+
+    /// Gives sub-generators to the requests, nearest first.
+    fn serve(&mut self, limit: Option<u32>) {
+        self.requests.sort_unstable_by(|a, b| {
+            let by_range = a.taken.total_cmp(&b.taken).then(a.entry.total_cmp(&b.entry));
+            by_range.then(a.load.crater.cmp(&b.load.crater))
+        });
+        for request in &self.requests {
+            match take(&mut self.busy[request.kind], request, limit) {
+                Some(sub_generator) => self.loads.push(FeatureLoad { sub_generator, ..request.load }),
+                None => self.dropped += 1,
+            }
+        }
+        self.loads.sort_unstable_by_key(|load| load.crater);
+        // The first free one is taken, so as many were opened as were ever in use at once.
+        self.most_in_use = self.busy.each_ref().map(|busy| busy.len() as u32);
+    }
+}
+
+/// The first sub-generator that is free, if there is one.
+fn take(busy: &mut Vec<f64>, request: &Request, limit: Option<u32>) -> Option<u32> {
+    if let Some(free) = busy.iter().position(|&freed| freed <= request.taken) {
+        busy[free] = request.freed;
+        return Some(free as u32);
+    }
+    let next = busy.len() as u32;
+    limit.is_none_or(|limit| next < limit).then(|| {
+        busy.push(request.freed);
+        next
+    })
+}

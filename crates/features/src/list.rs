@@ -1,0 +1,75 @@
+//! Lists of craters as CSV: `x_m,y_m,radius_m,depth_m,rim_m,type` and, where wanted, `outer_m` and `floor_m`; the header
+//! is required, its columns may stand in any order. Lines that begin with `#` are comments.
+//!
+//! `radius_m` is the radius at which the bowl or wall comes up to the ground around, the inner foot of the rim (r1 of
+//! types 1 and 2, r2 of type 3). `outer_m` is the outer foot of the rim, 1.4 times as far where nothing is given (the
+//! rim crest then stands at 1.2 radii: Pike 1977 has the radius at ground level as 0.83 of that of the crest);
+//! `floor_m` the radius of the flat floor, 0.4 times as far where nothing is given (our choice).
+
+mod columns;
+mod faults;
+mod row;
+
+use std::path::Path;
+use std::sync::Arc;
+
+use diagnostics::{Problem, ProblemList, Source};
+
+use crate::Crater;
+use columns::Columns;
+use faults::Faults;
+use row::{cells, crater};
+
+/// Largest list (bytes): some million rows.
+const MAX_BYTES: u64 = 1 << 28;
+
+/// The craters of a list, in its order.
+///
+/// # Errors
+/// Every fault of the file by line and column, the first twenty of them in full: a file that cannot be read, missing,
+/// doubled or unknown columns, cells that are no finite number or out of range, radii that do not ascend, a type that
+/// is not 1, 2 or 3, values that the type has no use for.
+pub fn read(path: impl AsRef<Path>) -> Result<Vec<Crater>, ProblemList> {
+    let name = path.as_ref().display().to_string();
+    let bytes = files::read_all(path.as_ref(), MAX_BYTES)
+        .map_err(|error| Problem::of_file(&name, error.to_string()))?;
+    let text = String::from_utf8(bytes).map_err(|error| {
+        let title = format!("not text: byte {} is not UTF-8", error.utf8_error().valid_up_to());
+        Problem::of_file(&name, title).help("save the file as UTF-8")
+    })?;
+    parse(Source { name, text })
+}
+
+fn parse(source: Source) -> Result<Vec<Crater>, ProblemList> {
+    let source = Arc::new(source);
+    let mut faults = Faults::new(source.clone());
+    let mut rows = lines(&source.text);
+    let (mut row, mut craters) = (Vec::new(), Vec::new());
+    let Some((start, line)) = rows.next() else {
+        faults.push(0..0, "an empty list of craters".into(), "a header and at least one row");
+        return faults.finish(craters);
+    };
+    cells(line, start, &mut row);
+    let columns = Columns::read(&row, &mut faults);
+    for (start, line) in rows {
+        cells(line, start, &mut row);
+        craters.extend(crater(&row, &columns, &mut faults));
+    }
+    if craters.is_empty() && faults.is_empty() {
+        let title = "a list of craters without rows".into();
+        faults.push(start..start + line.len(), title, "at least one row under the header");
+    }
+    faults.finish(craters)
+}
+
+/// Lines that hold anything but a comment, without their ends, each with the byte at which it begins.
+fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    let without_mark = text.trim_start_matches('\u{feff}');
+    let mut next = text.len() - without_mark.len();
+    let starts = without_mark.split('\n').map(move |line| {
+        let start = next;
+        next += line.len() + 1;
+        (start, line.trim_end())
+    });
+    starts.filter(|(_, line)| !line.is_empty() && !line.trim_start().starts_with('#'))
+}

@@ -1,0 +1,200 @@
+//! Patterns on a lattice: stored over one region, or hashed over the whole ground.
+
+use std::ops::{Add, Mul, Sub};
+
+use quantities::hash_words;
+use signal::{LANES, Lanes, Real};
+
+/// 1.5 * 2^52: added to a number of less than 2^51 it leaves the nearest whole number in the low bits.
+const ROUND: f64 = 6_755_399_441_055_744.0;
+
+/// `place` (in cells) rounded to the lattice line before it, plus [`ROUND`]. On a line itself that may be the line before
+/// and the way from it 1: the same value. Additions only, since rounding to whole numbers is a call on plain processors.
+#[inline(always)]
+fn rounded(place: f64) -> f64 {
+    (place - 0.5) + ROUND
+}
+
+/// Number of the lattice line: its low 32 bits.
+#[inline(always)]
+fn line(rounded: f64) -> u32 {
+    rounded.to_bits() as u32
+}
+
+/// Way from the lattice line, 0..=1.
+#[inline(always)]
+fn way(place: f64) -> f64 {
+    place - (rounded(place) - ROUND)
+}
+
+/// Smooth-step in both directions between four corners, `[west, east]` of the south, then of the north; for one lane or
+/// for all.
+#[inline(always)]
+fn join<T>([south, north]: [[T; 2]; 2], ways: [T; 2], three: T) -> T
+where
+    T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>,
+{
+    let [u, v] = ways.map(|u| u * u * (three - (u + u)));
+    let south = south[0] + v * (south[1] - south[0]);
+    let north = north[0] + v * (north[1] - north[0]);
+    south + u * (north - south)
+}
+
+/// A value of -1..1 in steps of 2^-23 from 24 random bits: exact in f32.
+#[inline(always)]
+fn value(bits: u32) -> f32 {
+    ((bits >> 8) as i32 - (1 << 23)) as f32 * (1.0 / 8_388_608.0)
+}
+
+/// Variant 2: lattice values from a hash of their place, over the whole ground.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Hashed {
+    origin: [f64; 2],
+    inverse_cell: f64,
+    seed: u32,
+}
+
+/// Odd multipliers of the two lattice numbers. The nearest place that shows the same pattern is 35614 cells away (the
+/// shortest vector that both take to 0 in 32 bits).
+const STRIDE: [u32; 2] = [0x9e37_79b1, 0x85eb_ca77];
+
+impl Hashed {
+    /// A pattern of `cell` (m), lattice point (0, 0) at `origin` (m).
+    pub(super) fn new(seed: u64, cell: f64, origin: [f64; 2]) -> Self {
+        Self { origin, inverse_cell: 1.0 / cell, seed: (seed >> 32) as u32 }
+    }
+
+    /// The pattern at (x, y) (m), -1..=1.
+    pub fn at(&self, x: f64, y: f64) -> f64 {
+        let places = [self.place(x, 0), self.place(y, 1)];
+        let key = self.key(places.map(|place| line(rounded(place))));
+        let corner = |offset| f64::from(value(scramble(key.wrapping_add(offset))));
+        join(CORNERS.map(|pair| pair.map(corner)), places.map(way), 3.0)
+    }
+
+    /// [`at`](Self::at) in every lane; the same bits in f64.
+    #[inline(always)]
+    pub fn lanes<S: Real>(&self, x: &Lanes<f64>, y: &Lanes<f64>) -> Lanes<S> {
+        // One step for all lanes at a time: that is what becomes vector instructions.
+        let places = [x.map(|x| self.place(x, 0)), y.map(|y| self.place(y, 1))];
+        let lines = places.map(|places| places.0.map(|place| line(rounded(place))));
+        let keys: [u32; LANES] = std::array::from_fn(|lane| self.key([lines[0][lane], lines[1][lane]]));
+        let corner = |offset: u32| {
+            let values = keys.map(|key| value(scramble(key.wrapping_add(offset))));
+            Lanes::from_fn(|lane| S::from_f64(f64::from(values[lane])))
+        };
+        let ways = places.map(|places| Lanes::from_fn(|lane| S::from_f64(way(places[lane]))));
+        join(CORNERS.map(|pair| pair.map(corner)), ways, Lanes::splat(S::from_f64(3.0)))
+    }
+
+    /// In cells from the origin.
+    #[inline(always)]
+    fn place(&self, place: f64, axis: usize) -> f64 {
+        (place - self.origin[axis]) * self.inverse_cell
+    }
+
+    /// Hash key of the south-west corner of a cell.
+    #[inline(always)]
+    fn key(&self, [row, column]: [u32; 2]) -> u32 {
+        let key = row.wrapping_mul(STRIDE[0]).wrapping_add(column.wrapping_mul(STRIDE[1]));
+        key.wrapping_add(self.seed)
+    }
+}
+
+/// From the key of a cell's south-west corner to those of all four.
+const CORNERS: [[u32; 2]; 2] = [[0, STRIDE[1]], [STRIDE[0], STRIDE[0].wrapping_add(STRIDE[1])]];
+
+/// 32 well-mixed bits (a two-round finaliser of the hash-prospector project): two products, where [`hash_words`] takes
+/// ten.
+#[inline(always)]
+fn scramble(key: u32) -> u32 {
+    let key = (key ^ (key >> 16)).wrapping_mul(0x21f0_aaad);
+    let key = (key ^ (key >> 15)).wrapping_mul(0xd35a_2d97);
+    key ^ (key >> 15)
+}
+
+/// Variant 1: lattice values of one region, read through the folded coordinates of section 6.2, so that every region
+/// shows them, mirrored at its edges. With absolute parity the pattern stays fixed to the ground.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stored {
+    origin: [f64; 2],
+    /// 1 / region size.
+    inverse_region: f64,
+    /// Cells along an edge.
+    cells: usize,
+    /// `(cells + 1)^2` lattice values, east fastest. Those on an edge are shared by the regions it parts.
+    values: Vec<f32>,
+}
+
+/// Most cells along the edge of a region: 16 MB of values a layer.
+const MOST_CELLS: f64 = 2048.0;
+
+impl Stored {
+    /// A pattern of about `cell` (m) over regions of `region_size` (m) from `origin` (m).
+    pub(super) fn new(seed: u64, cell: f64, region_size: f64, origin: [f64; 2]) -> Self {
+        let cells = (region_size / cell).round().clamp(1.0, MOST_CELLS) as usize;
+        let points = cells as u64 + 1;
+        let values = (0..points * points)
+            .map(|index| value((hash_words(seed, &[index / points, index % points]) >> 32) as u32));
+        let mut stored = Self { origin, inverse_region: 1.0 / region_size, cells, values: values.collect() };
+        stored.take_off_the_mean();
+        stored
+    }
+
+    /// Makes the mean over the region zero. Values on an edge lie half in it, those in its corners a quarter. Scaled so
+    /// that all stay within -1..=1.
+    fn take_off_the_mean(&mut self) {
+        let points = self.cells + 1;
+        let weight = |index: usize| if index == 0 || index == self.cells { 0.5 } else { 1.0 };
+        let weighted = self
+            .values
+            .iter()
+            .enumerate()
+            .map(|(index, &value)| weight(index / points) * weight(index % points) * f64::from(value));
+        let mean = weighted.sum::<f64>() / (self.cells * self.cells) as f64;
+        let scale = 1.0 / (1.0 + mean.abs());
+        for value in &mut self.values {
+            *value = ((f64::from(*value) - mean) * scale) as f32;
+        }
+    }
+
+    /// Cells along an edge of a region.
+    pub fn cells(&self) -> usize {
+        self.cells
+    }
+
+    /// The pattern at (x, y) (m), -1..=1.
+    pub fn at(&self, x: f64, y: f64) -> f64 {
+        let ((row, u), (column, v)) = (self.cell_of(x, 0), self.cell_of(y, 1));
+        join(self.corners(row, column).map(|pair| pair.map(f64::from)), [u, v], 3.0)
+    }
+
+    /// [`at`](Self::at) in every lane; the same bits in f64.
+    #[inline(always)]
+    pub fn lanes<S: Real>(&self, x: &Lanes<f64>, y: &Lanes<f64>) -> Lanes<S> {
+        let (rows, columns) = (x.0.map(|x| self.cell_of(x, 0)), y.0.map(|y| self.cell_of(y, 1)));
+        let corners: [_; LANES] = std::array::from_fn(|lane| self.corners(rows[lane].0, columns[lane].0));
+        let corner = |i: usize, j: usize| Lanes::from_fn(|lane| S::from_f64(f64::from(corners[lane][i][j])));
+        let ways = [rows, columns].map(|cells| Lanes::from_fn(|lane| S::from_f64(cells[lane].1)));
+        let corners = [[corner(0, 0), corner(0, 1)], [corner(1, 0), corner(1, 1)]];
+        join(corners, ways, Lanes::splat(S::from_f64(3.0)))
+    }
+
+    /// Lattice line before the folded coordinate, and the way from it in cells.
+    #[inline(always)]
+    fn cell_of(&self, place: f64, axis: usize) -> (usize, f64) {
+        let regions = (place - self.origin[axis]) * self.inverse_region;
+        let folded = regions - 2.0 * ((0.5 * regions + ROUND) - ROUND);
+        let cells = folded.abs() * self.cells as f64;
+        // At X = 1 the last cell is meant, whichever way the place is rounded.
+        let line = (line(rounded(cells)) as usize).min(self.cells - 1);
+        (line, cells - line as f64)
+    }
+
+    #[inline(always)]
+    fn corners(&self, row: usize, column: usize) -> [[f32; 2]; 2] {
+        let at = row * (self.cells + 1) + column;
+        let next = at + self.cells + 1;
+        [[self.values[at], self.values[at + 1]], [self.values[next], self.values[next + 1]]]
+    }
+}

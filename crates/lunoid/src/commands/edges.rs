@@ -1,0 +1,125 @@
+//! Edges of a frame as `exact` sees them: what `compare` leaves out.
+
+use std::path::Path;
+
+use compare::{EDGE_PLANES, EdgeLimits, EdgeMask, edge_mask, ridge_mask};
+use generator::{Generator, PlaneKind, Planes, Session, Stage};
+use rayon::ThreadPool;
+use replay::{HeldRun, SceneryRecord, SettingsRecord};
+use scenario::{PoseTable, Scenario};
+use serde_json::{Value, json};
+use signal::Probe;
+
+use crate::Failure;
+use crate::loading::StageArgs;
+
+/// What of a run decides where its edges are.
+const DECIDING: [&str; 8] = [
+    "/settings/laws",
+    "/settings/range",
+    "/settings/raster/columns",
+    "/settings/raster/lines",
+    "/settings/raster/field_of_view_deg",
+    "/settings/clocks/update",
+    "/settings/yoke",
+    "/scenery/blake3",
+];
+
+/// Which edges are left out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Kind {
+    /// Ridge lines alone; `jump` is the relative step of range that makes one.
+    Ridges {
+        /// Share of the nearer range.
+        jump: f32,
+    },
+    /// Ridges, outlines, shadow boundaries and kinks.
+    Edges(EdgeLimits),
+}
+
+impl Kind {
+    /// The option that asks for it.
+    fn option(self) -> &'static str {
+        match self {
+            Self::Ridges { .. } => "--ridges",
+            Self::Edges(_) => "--edges",
+        }
+    }
+
+    fn planes(self) -> &'static [PlaneKind] {
+        match self {
+            Self::Ridges { .. } => &[PlaneKind::Range],
+            Self::Edges(_) => &EDGE_PLANES,
+        }
+    }
+}
+
+/// A scenario ready to be asked where its edges are.
+pub struct Edges {
+    scenario: Scenario,
+    stage: Stage,
+    session: Box<dyn Session>,
+    kind: Kind,
+}
+
+impl Edges {
+    /// Of the scenario in a file.
+    pub fn of(path: &Path, kind: Kind, pool: &ThreadPool) -> Result<Self, Failure> {
+        let mut loaded = StageArgs::of(path).load()?;
+        let stage = loaded.stage(pool)?;
+        let session = exact::Exact.prepare(stage.clone()).map_err(Failure::input)?;
+        Ok(Self { scenario: loaded.scenario, stage, session, kind })
+    }
+
+    /// Draws on the raster of `run`, which must otherwise be a run of this scenario as it stands.
+    pub fn expect_run(&mut self, folder: &Path, run: &HeldRun) -> Result<(), Failure> {
+        let held = &run.document;
+        let size =
+            |key: &str| held["settings"]["raster"][key].as_u64().and_then(|size| u32::try_from(size).ok());
+        if let (Some(columns), Some(lines)) = (size("columns"), size("lines")) {
+            (self.stage.settings.raster.columns, self.stage.settings.raster.lines) = (columns, lines);
+        }
+        let expected = json!({
+            "settings": SettingsRecord::new(&self.stage.settings),
+            "scenery": SceneryRecord::new(&self.stage),
+        });
+        match DECIDING.iter().find(|key| expected.pointer(key) != held.pointer(key)) {
+            None => Ok(()),
+            Some(key) => {
+                let found = held.pointer(key).unwrap_or(&Value::Null);
+                let expected = expected.pointer(key).unwrap_or(&Value::Null);
+                Err(Failure::input(format!(
+                    "{}: {} = {found}, but the scenario of {} has {expected}; name the scenario of the run",
+                    folder.display(),
+                    key.trim_start_matches('/').replace('/', "."),
+                    self.kind.option(),
+                )))
+            }
+        }
+    }
+
+    /// Pixels along the edges of a frame.
+    pub fn mask(&self, frame: u64, pool: &ThreadPool) -> Result<EdgeMask, Failure> {
+        let planes = self.planes(frame, pool)?;
+        match self.kind {
+            Kind::Edges(limits) => Ok(edge_mask(&planes, &limits)?),
+            Kind::Ridges { jump } => {
+                let range = planes.get(PlaneKind::Range).unwrap_or_default();
+                let pixels = ridge_mask(range, planes.columns(), planes.lines(), jump)?;
+                let ridges = pixels.iter().filter(|pixel| **pixel).count();
+                Ok(EdgeMask { pixels, ridges, outlines: 0, shadows: 0, kinks: 0 })
+            }
+        }
+    }
+
+    fn planes(&self, frame: u64, pool: &ThreadPool) -> Result<Planes, Failure> {
+        let (update, yoke) = (self.stage.settings.timebase.update, self.stage.settings.yoke);
+        let rows = PoseTable::resolve(&self.scenario, &self.stage.landscape, update, yoke, frame..frame + 1);
+        let pose = rows.map_err(Failure::input)?.rows()[0].pose;
+        let raster = &self.stage.settings.raster;
+        let mut planes = Planes::new(raster.columns as usize, raster.lines as usize, self.kind.planes());
+        let draw = || self.session.frame(frame, &pose, &mut planes, &mut Probe::off());
+        pool.install(draw).map_err(Failure::input)?;
+        Ok(planes)
+    }
+}

@@ -1,0 +1,75 @@
+//! What of the machine is there for a stage: a block without work is left out (section 24; economy).
+
+use std::sync::Arc;
+
+use generator::Stage;
+use hardware_model::{Economy, LevelSwitch, Loader};
+use remote_shadow::{Resolution, ShadowBank};
+use scenario::ShadowFineness;
+use shadow_controller::ShadowController;
+
+/// Blocks beside the terrain path.
+#[derive(Debug)]
+pub(crate) struct Blocks {
+    /// Feature generator and VS1.
+    pub features: bool,
+    /// Shadow controller and VS2.
+    pub shadows: Option<Shadows>,
+    /// Texture generator and the adder.
+    pub texture: bool,
+    /// Polyhedron generator and VS3.
+    pub bodies: bool,
+    /// Second terrain generator.
+    pub coarse: Option<Coarse>,
+}
+
+/// Remote shadow: computed before the mission, and the block that blanks by it.
+#[derive(Debug)]
+pub(crate) struct Shadows {
+    pub bank: ShadowBank,
+    pub controller: ShadowController,
+}
+
+/// The second terrain generator of the modified one.
+#[derive(Debug)]
+pub(crate) struct Coarse {
+    pub switch: LevelSwitch,
+    /// Single words are held back on the fine level only.
+    pub loader: Loader,
+}
+
+impl Blocks {
+    /// Blocks that `stage` needs, or all for which there is a source if nothing may be left out.
+    pub fn new(stage: &Stage) -> Self {
+        let Stage { landscape, scenery, settings } = stage;
+        let everything = settings.economy == Economy::Everything;
+        let has_bodies = !scenery.standing().is_empty();
+        let two_levels = landscape.bank().levels().len() > 1;
+        Self {
+            features: everything || !landscape.features().is_empty(),
+            shadows: settings.shadows.then(|| Shadows::new(stage)),
+            texture: landscape.texture().is_some(),
+            bodies: everything || has_bodies,
+            coarse: settings.levels.filter(|_| two_levels).map(|switch| Coarse {
+                switch,
+                loader: Loader { delays: Vec::new(), ..settings.loader.clone() },
+            }),
+        }
+    }
+}
+
+impl Shadows {
+    /// The map of the controller is the finest level.
+    fn new(Stage { landscape, settings, .. }: &Stage) -> Self {
+        let [south, west, north, east] = landscape.level().extent();
+        let ShadowFineness { finest, angle, .. } = settings.shadow_fineness;
+        Self {
+            bank: ShadowBank::new(Arc::clone(landscape), Resolution { finest, angle }),
+            controller: ShadowController {
+                parts: settings.shadow_controller,
+                map_centre: [0.5 * (south + north), 0.5 * (west + east)],
+                map_side: (north - south).max(east - west),
+            },
+        }
+    }
+}

@@ -1,0 +1,176 @@
+//! What the I/O processors bring for a frame before its sweeps run: shadow gates and polyhedra (section 17).
+
+use generator::Stage;
+use glam::DVec3;
+use hardware_model::Economy;
+use landscape::parabolic_drop;
+use polyhedron_generator::{Drawn, FaceLight, LeftOut, PolyhedronGenerator, Sight, ViewPlane};
+use rayon::prelude::*;
+use remote_shadow::{Segment, Tile};
+use scenario::{BodyVisibility, Curvature, ShadowedBodies};
+use shadow_controller::Gate;
+use solids::{Body, Kind};
+use std::sync::Arc;
+
+use crate::blocks::{Blocks, Shadows};
+use crate::control_plane::FramePlan;
+use crate::footing::{Footings, UnderSun};
+use crate::raster::WrittenRaster;
+
+/// Data of a frame, by sweep; the buffers are kept from frame to frame.
+#[derive(Debug, Default)]
+pub(crate) struct Delivery {
+    /// Shadow gate of each sweep; empty without shadows.
+    pub gates: Vec<Gate>,
+    /// Polyhedra in display-plane position.
+    pub polyhedra: PolyhedronGenerator,
+    /// Bodies projected.
+    pub bodies: u64,
+    /// Bodies too far to be seen.
+    pub left_out: LeftOut,
+}
+
+/// What deliveries are made from.
+pub(crate) struct Supply<'a> {
+    pub stage: &'a Stage,
+    pub blocks: &'a Blocks,
+    pub footings: &'a Footings,
+    pub plan: &'a FramePlan,
+    pub raster: WrittenRaster,
+    /// Ground range of each sample (m).
+    pub ranges: &'a [f64],
+}
+
+impl Supply<'_> {
+    /// Brings what the frame at `time` (s) needs.
+    pub fn deliver(&self, time: f64, out: &mut Delivery) {
+        let seen = if self.blocks.bodies { self.within_sight(time, out) } else { Vec::new() };
+        let under_sun = self.blocks.shadows.as_ref().map(|shadows| self.under_sun(shadows));
+        if let Some(under_sun) = &under_sun {
+            // Each footing is found by whoever asks first: all at once is quicker.
+            seen.par_iter().for_each(|&(index, body)| {
+                under_sun.of(index, body);
+            });
+        }
+        out.gates.clear();
+        if let (Some(shadows), Some(under_sun)) = (&self.blocks.shadows, &under_sun) {
+            self.gates(shadows, under_sun, &seen, time, &mut out.gates);
+        }
+        if self.blocks.bodies {
+            self.project(&seen, under_sun.as_ref(), out);
+        }
+    }
+
+    fn eye(&self) -> DVec3 {
+        DVec3::from_array(self.plan.eye)
+    }
+
+    fn under_sun<'a>(&'a self, shadows: &'a Shadows) -> UnderSun<'a> {
+        let bodies = self.stage.scenery.standing().len();
+        self.footings.under(self.plan.sun, bodies, &shadows.bank, &self.stage.landscape)
+    }
+
+    /// Bodies that stand at `time` and are near enough, with their number in the list of the mission.
+    fn within_sight(&self, time: f64, out: &mut Delivery) -> Vec<(usize, &Body)> {
+        out.left_out = LeftOut::default();
+        let standing = self.stage.scenery.standing().iter().enumerate();
+        let present = standing.filter(|(_, body)| body.from <= time && time < body.until);
+        let bodies = present.map(|(index, standing)| (index, &standing.body));
+        match self.stage.settings.economy {
+            Economy::Bounded => {
+                let sights = [Kind::Rock, Kind::Culture].map(|kind| self.sight(kind));
+                bodies
+                    .filter(|(_, body)| {
+                        let sight = &sights[usize::from(body.kind == Kind::Culture)];
+                        sight.reaches(self.eye(), body, &mut out.left_out)
+                    })
+                    .collect()
+            }
+            Economy::Lossless | Economy::Everything => bodies.collect(),
+        }
+    }
+
+    /// The maximal distance of the report, for each kind by its largest: a boulder is no reason to draw pebbles as
+    /// far as a lander.
+    fn sight(&self, kind: Kind) -> Sight {
+        let of_kind = self.stage.scenery.standing().iter().filter(|standing| standing.body.kind == kind);
+        let largest = of_kind.map(|standing| 2.0 * standing.body.radius).fold(0.0, f64::max);
+        let field = 2.0 * libm::atan(self.raster.field.tan_half_height);
+        Sight::new(largest, self.raster.lines as f64, field)
+    }
+
+    fn gates(
+        &self,
+        shadows: &Shadows,
+        under_sun: &UnderSun<'_>,
+        seen: &[(usize, &Body)],
+        time: f64,
+        gates: &mut Vec<Gate>,
+    ) {
+        let sweeps = self.plan.fan.sweeps;
+        let directions: Vec<[f64; 2]> = (0..sweeps).map(|sweep| self.plan.direction(sweep)).collect();
+        let edges = [directions[0], directions[sweeps as usize - 1]];
+        let foot = [self.plan.eye[0], self.plan.eye[1]];
+        let settings = &self.stage.settings;
+        let reach = settings.shadow_fineness.reach.unwrap_or(settings.range.end).min(settings.range.end);
+        let tiles: Vec<Arc<Tile>> = shadows.bank.around(&self.plan.sun, foot, reach, Some(edges));
+        let patches: Vec<Segment> = self.patches(time);
+        let mut segments: Vec<&[Segment]> = tiles.iter().map(|tile| tile.segments.as_slice()).collect();
+        segments.extend(seen.iter().map(|&(index, body)| under_sun.of(index, body).shadow.as_slice()));
+        segments.push(&patches);
+        shadows.controller.gates(foot, &directions, reach, &segments, gates);
+    }
+
+    /// Outlines of the track patches that lie at `time`.
+    fn patches(&self, time: f64) -> Vec<Segment> {
+        let patches = self.stage.scenery.patches(time);
+        patches.iter().flat_map(|patch| Segment::outline(&patch.corners)).collect()
+    }
+
+    fn project(&self, seen: &[(usize, &Body)], under_sun: Option<&UnderSun<'_>>, out: &mut Delivery) {
+        let laws = self.stage.settings.laws;
+        let dark = |index: usize, body: &Body| under_sun.is_some_and(|sun| sun.of(index, body).dark);
+        let drawn = seen.iter().filter_map(|&(index, body)| {
+            let dark = dark(index, body);
+            let vanishes = dark && laws.shadowed_bodies == ShadowedBodies::Vanish;
+            let hidden = laws.body_visibility == BodyVisibility::AsReported && self.is_hidden(body.foot);
+            (!vanishes && !hidden).then_some(Drawn { body, dark })
+        });
+        let view = ViewPlane {
+            eye: self.plan.eye,
+            heading: self.plan.heading,
+            pitch: self.plan.pitch,
+            projection: laws.projection,
+            curvature: laws.curvature,
+            tan_half_height: self.raster.field.tan_half_height,
+            lines: self.raster.lines as f64,
+        };
+        let tangents: Vec<f64> =
+            (0..self.plan.fan.sweeps).map(|sweep| self.plan.fan.tangent(sweep)).collect();
+        let light = FaceLight { sun: DVec3::from_array(self.plan.sun.direction()) };
+        out.bodies = out.polyhedra.run(&view, &tangents, &light, drawn).drawn;
+    }
+
+    /// Whether nearer ground hides a foot point: the rule of the report, at the samples of the sweep through it.
+    fn is_hidden(&self, foot: DVec3) -> bool {
+        let [x, y, height] = self.plan.eye;
+        let (north, east) = (foot.x - x, foot.y - y);
+        let range = (north * north + east * east).sqrt();
+        let tangent = |ground: f64, at: f64| {
+            let drop = match self.stage.settings.laws.curvature {
+                Curvature::None => 0.0,
+                Curvature::Parabolic => parabolic_drop(at),
+            };
+            (ground - drop - height) / at
+        };
+        let own = tangent(foot.z, range);
+        let nearer = self.ranges.partition_point(|&at| at < range * NEAR_FOOT);
+        self.ranges[..nearer].iter().any(|&at| {
+            let ground = self.stage.landscape.height(x + north * at / range, y + east * at / range);
+            ground.is_some_and(|ground| tangent(ground, at) > own)
+        })
+    }
+}
+
+/// Share of the way to a foot point over which ground may hide it: on the last hundredth it is its own ground.
+const NEAR_FOOT: f64 = 0.99;

@@ -1,0 +1,76 @@
+//! Buffers of one worker; they live as long as the session.
+
+use std::array;
+
+use display_projection_processor::Projected;
+use feature_generator::{FeatureProfile, FeatureProgram};
+use mixing_unit::{Mixed, Toggle};
+use polyhedron_generator::Overlay;
+use signal::{LANES, Lanes};
+use sweep_memory::FarStroke;
+use sweep_program::{Ramp, RegisterSet, SweepProgram, SweepStart};
+use terrain_generator::{Overlap, Profile};
+
+use crate::feature_light::Lit;
+
+/// Programs and signals of a group of sweeps, in the order in which they arise.
+#[derive(Debug, Clone)]
+pub(crate) struct Workspace<S> {
+    /// Programs of the terrain generator; of its fine level, if there are two.
+    pub programs: [SweepProgram; LANES],
+    /// Programs of the coarse level.
+    pub coarse: [SweepProgram; LANES],
+    /// Programs of the feature generator.
+    pub features: [FeatureProgram; LANES],
+    /// Terrain profiles.
+    pub profile: Profile<S>,
+    /// Both levels where they blend.
+    pub overlap: Overlap<S>,
+    /// Largest difference of the levels at the switch (m).
+    pub step: f64,
+    /// What features add.
+    pub feature_profile: FeatureProfile<S>,
+    /// Features in the light.
+    pub lit: Lit<S>,
+    /// Whether the first sample is in remote shadow.
+    pub dark_at_start: [bool; LANES],
+    /// Changes of the shadow gate after it.
+    pub toggles: [Vec<Toggle<S>>; LANES],
+    /// Texture of the foreground.
+    pub texture: Vec<Lanes<S>>,
+    /// Composite profiles; not used where terrain is alone.
+    pub mixed: Mixed<S>,
+    /// Projected profiles.
+    pub projected: Projected<S>,
+    /// Mountains behind the last sample.
+    pub far: [Vec<FarStroke>; LANES],
+    /// Third video switch.
+    pub overlay: Overlay,
+}
+
+impl<S: Default + Copy> Default for Workspace<S> {
+    fn default() -> Self {
+        let still = Ramp { start: 0.0, rate: 0.0, polarity: 1.0 };
+        let start = SweepStart { direction: [1.0, 0.0], region: [0, 0], ramps: [still; 2] };
+        let registers = [RegisterSet::default(); 4];
+        let idle =
+            || SweepProgram { start, registers, steps: Vec::new(), end_range: 0.0, misses: Vec::new() };
+        Self {
+            programs: array::from_fn(|_| idle()),
+            coarse: array::from_fn(|_| idle()),
+            features: Default::default(),
+            profile: Profile::default(),
+            overlap: Overlap::default(),
+            step: 0.0,
+            feature_profile: FeatureProfile::default(),
+            lit: Lit::default(),
+            dark_at_start: [false; LANES],
+            toggles: Default::default(),
+            texture: Vec::new(),
+            mixed: Mixed::default(),
+            projected: Projected::default(),
+            far: Default::default(),
+            overlay: Overlay::default(),
+        }
+    }
+}

@@ -1,0 +1,99 @@
+//! A face on the view-plane and what the sweeps cut out of it.
+
+use crate::view::{Place, Sighting};
+
+/// A corner on the picture.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Corner {
+    pub place: Place,
+    /// First sweep that passes through it or to the right of it.
+    pub sweep: usize,
+}
+
+impl Corner {
+    pub fn new(place: Place, sighting: &Sighting, tangents: &[f64]) -> Self {
+        let across = place.x / sighting.spread(place.y);
+        Self { place, sweep: tangents.partition_point(|&tangent| tangent < across) }
+    }
+}
+
+/// A projected face and its crossings; buffers are kept from face to face.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Outline {
+    corners: Vec<Corner>,
+    clipped: Vec<Corner>,
+    /// Upper and lower crossing of each sweep, from the first that meets the face.
+    pub crossings: Vec<[Place; 2]>,
+}
+
+impl Outline {
+    /// Finds the crossings of a face with sweeps at ascending `tangents`; returns the first sweep that meets it.
+    /// `corners` run counter-clockwise on the picture; what lies more than `half_height` off its middle is cut off
+    /// first: within it all sweeps run the same way.
+    pub fn cross(
+        &mut self,
+        corners: impl Iterator<Item = Corner>,
+        half_height: f64,
+        sighting: &Sighting,
+        tangents: &[f64],
+    ) -> usize {
+        self.corners.clear();
+        self.corners.extend(corners);
+        for side in [-1.0, 1.0] {
+            if self.corners.iter().any(|corner| side * corner.place.y > half_height) {
+                self.clip(side, half_height, sighting, tangents);
+            }
+        }
+        self.crossings.clear();
+        let sweeps = self.corners.iter().map(|corner| corner.sweep);
+        let (first, end) = (sweeps.clone().min().unwrap_or_default(), sweeps.max().unwrap_or_default());
+        self.crossings.resize(end - first, Default::default());
+        if first < end {
+            self.meet(first, sighting, tangents);
+        }
+        first
+    }
+
+    fn meet(&mut self, first: usize, sighting: &Sighting, tangents: &[f64]) {
+        for (index, from) in self.corners.iter().enumerate() {
+            let to = &self.corners[(index + 1) % self.corners.len()];
+            // Counter-clockwise: an edge to the right is a lower one.
+            let (end, sweeps) =
+                if from.sweep <= to.sweep { (1, from.sweep..to.sweep) } else { (0, to.sweep..from.sweep) };
+            if sweeps.is_empty() {
+                continue;
+            }
+            let (from, to) = (&from.place, &to.place);
+            let spread = [sighting.spread(from.y), sighting.spread(to.y)];
+            for sweep in sweeps {
+                let [off, beyond] =
+                    [from.x - tangents[sweep] * spread[0], to.x - tangents[sweep] * spread[1]];
+                self.crossings[sweep - first][end] = from.towards(to, off / (off - beyond));
+            }
+        }
+    }
+
+    fn clip(&mut self, side: f64, half_height: f64, sighting: &Sighting, tangents: &[f64]) {
+        self.clipped.clear();
+        let inside = |place: &Place| side * place.y <= half_height;
+        for (index, to) in self.corners.iter().enumerate() {
+            let from = &self.corners[(index + self.corners.len() - 1) % self.corners.len()].place;
+            if inside(from) != inside(&to.place) {
+                let share = (side * half_height - from.y) / (to.place.y - from.y);
+                let edge = Place { y: side * half_height, ..from.towards(&to.place, share) };
+                self.clipped.push(Corner::new(edge, sighting, tangents));
+            }
+            if inside(&to.place) {
+                self.clipped.push(*to);
+            }
+        }
+        std::mem::swap(&mut self.corners, &mut self.clipped);
+    }
+}
+
+impl Place {
+    fn towards(&self, to: &Place, share: f64) -> Place {
+        let mix = |a: f64, b: f64| a + share * (b - a);
+        Place { x: mix(self.x, to.x), y: mix(self.y, to.y), depth: mix(self.depth, to.depth) }
+    }
+}

@@ -1,0 +1,208 @@
+//! The third video switch: spans of one sweep over its lines (section 14).
+
+use scenario::{BodyVisibility, PixelRule};
+use signal::{Signal, Unit};
+
+use crate::{Hold, Span, cut};
+
+/// Signals of the block.
+pub const SIGNALS: &[Signal] = &[
+    Signal::display("pg.present", Unit::Gate, "1 where a polyhedron is seen: gate of VS3 (fig. 29)"),
+    Signal::display("pg.reflectivity", Unit::Reflectivity, "reflectivity of the polyhedron seen (fig. 29)"),
+];
+
+/// A part of a line position axis over which one face is seen.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Run {
+    /// Upper end: line position from the top of the picture.
+    pub top: f32,
+    /// Lower end.
+    pub bottom: f32,
+    /// Reflectivity of the face.
+    pub reflectivity: f32,
+}
+
+/// The switch of one sweep and its buffers; one a worker.
+#[derive(Debug, Clone, Default)]
+pub struct Overlay {
+    pieces: Vec<Span>,
+    ends: Vec<f32>,
+    active: Vec<usize>,
+    runs: Vec<Run>,
+}
+
+impl Overlay {
+    /// Lays the `spans` of a sweep over its `row` of lines, `row[k]` being the line from position k to k + 1.
+    ///
+    /// `AsReported`: bodies are seen as a whole, the nearer foot point on top. `Depth`: what lies below the `hold` of
+    /// the ground in front of it is cut away, and the nearest shows; without a hold nothing is cut.
+    pub fn overlay<L: Fn(usize) -> f32>(
+        &mut self,
+        spans: &[Span],
+        visibility: BodyVisibility,
+        hold: Option<&Hold<L>>,
+        rule: PixelRule,
+        row: &mut [f32],
+    ) {
+        self.compose(spans, visibility, hold);
+        self.write(rule, row);
+    }
+
+    /// What is seen of the spans of a sweep: disjoint runs, from the top.
+    pub fn compose<L: Fn(usize) -> f32>(
+        &mut self,
+        spans: &[Span],
+        visibility: BodyVisibility,
+        hold: Option<&Hold<L>>,
+    ) -> &[Run] {
+        self.pieces.clear();
+        self.runs.clear();
+        match (visibility, hold) {
+            (BodyVisibility::Depth, Some(hold)) => {
+                spans.iter().for_each(|span| cut::above_ground(span, hold, &mut self.pieces));
+            }
+            _ => self.pieces.extend_from_slice(spans),
+        }
+        self.pieces.sort_by(|a, b| a.top.total_cmp(&b.top));
+        self.ends.clear();
+        self.ends.extend(self.pieces.iter().flat_map(|piece| [piece.top, piece.bottom]));
+        self.ends.sort_by(f32::total_cmp);
+        self.ends.dedup();
+        self.sweep_down(visibility);
+        &self.runs
+    }
+
+    /// Lays the runs of the last composition over a row.
+    pub fn write(&self, rule: PixelRule, row: &mut [f32]) {
+        self.lay(rule, row, |run| run.reflectivity);
+    }
+
+    /// The gate: the share of each line over which a polyhedron is seen, added to a row of zeros.
+    pub fn present(&self, rule: PixelRule, row: &mut [f32]) {
+        self.lay(rule, row, |_| 1.0);
+    }
+
+    /// Between two ends the same pieces are there: finds which shows.
+    fn sweep_down(&mut self, visibility: BodyVisibility) {
+        self.active.clear();
+        let mut waiting = 0;
+        for end in 1..self.ends.len() {
+            let (top, bottom) = (self.ends[end - 1], self.ends[end]);
+            while self.pieces.get(waiting).is_some_and(|piece| piece.top <= top) {
+                self.active.push(waiting);
+                waiting += 1;
+            }
+            let pieces = &self.pieces;
+            self.active.retain(|&piece| pieces[piece].bottom > top);
+            if !self.active.is_empty() {
+                let stretch = Stretch { pieces, active: &self.active, visibility };
+                stretch.resolve(top, bottom, Stretch::DEEPEST, &mut self.runs);
+            }
+        }
+    }
+
+    fn lay(&self, rule: PixelRule, row: &mut [f32], value: impl Fn(&Run) -> f32) {
+        match rule {
+            PixelRule::Centre => {
+                for run in &self.runs {
+                    let [first, end] = [run.top, run.bottom]
+                        .map(|end| ((end - 0.5).ceil().max(0.0) as usize).min(row.len()));
+                    row[first..end.max(first)].fill(value(run));
+                }
+            }
+            PixelRule::LineMean => lay_means(&self.runs, row, value),
+        }
+    }
+}
+
+/// Mixes runs into lines by the share that they cover.
+fn lay_means(runs: &[Run], row: &mut [f32], value: impl Fn(&Run) -> f32) {
+    let mut line = Line::default();
+    for run in runs {
+        let end = (run.bottom.ceil().max(0.0) as usize).min(row.len());
+        for index in run.top.max(0.0) as usize..end {
+            if index != line.index {
+                line.mix(row);
+                line = Line { index, ..Line::default() };
+            }
+            let cover = run.bottom.min(index as f32 + 1.0) - run.top.max(index as f32);
+            line.cover += cover;
+            line.sum += cover * value(run);
+        }
+    }
+    line.mix(row);
+}
+
+/// A line being covered.
+#[derive(Debug, Clone, Copy, Default)]
+struct Line {
+    index: usize,
+    cover: f32,
+    sum: f32,
+}
+
+impl Line {
+    fn mix(&self, row: &mut [f32]) {
+        if self.cover > 0.0 {
+            row[self.index] = row[self.index] * (1.0 - self.cover).max(0.0) + self.sum;
+        }
+    }
+}
+
+/// Pieces that lie over one another from one line position to another.
+struct Stretch<'a> {
+    pieces: &'a [Span],
+    active: &'a [usize],
+    visibility: BodyVisibility,
+}
+
+impl Stretch<'_> {
+    /// Halvings at crossings of pieces: more than bodies that stand apart can have.
+    const DEEPEST: u32 = 8;
+
+    /// Depths are linear, so a piece that shows at both ends shows between them; else the two that show cross.
+    fn resolve(&self, top: f32, bottom: f32, deepest: u32, runs: &mut Vec<Run>) {
+        let ends = [self.shown(top), self.shown(bottom)];
+        let crossing =
+            if ends[0] == ends[1] || deepest == 0 { None } else { self.crossing(ends, top, bottom) };
+        match crossing {
+            Some(line) => {
+                self.resolve(top, line, deepest - 1, runs);
+                self.resolve(line, bottom, deepest - 1, runs);
+            }
+            None => {
+                let shown = if ends[0] == ends[1] { ends[0] } else { self.shown(0.5 * (top + bottom)) };
+                runs.push(Run { top, bottom, reflectivity: self.pieces[shown].reflectivity });
+            }
+        }
+    }
+
+    /// The piece that shows at a line position.
+    fn shown(&self, line: f32) -> usize {
+        let on_top = |&a: &usize, &b: &usize| if self.covers(b, a, line) { b } else { a };
+        let first = self.active[0];
+        self.active[1..].iter().fold(first, |shown, other| on_top(&shown, other))
+    }
+
+    /// Whether piece `a` lies over piece `b`.
+    fn covers(&self, a: usize, b: usize, line: f32) -> bool {
+        let (first, second) = (&self.pieces[a], &self.pieces[b]);
+        let foot = |span: &Span| (span.foot_range, span.object);
+        if self.visibility == BodyVisibility::AsReported && foot(first) != foot(second) {
+            return foot(first) < foot(second);
+        }
+        depth(first, line) > depth(second, line)
+    }
+
+    fn crossing(&self, pieces: [usize; 2], top: f32, bottom: f32) -> Option<f32> {
+        let [first, second] = pieces.map(|piece| &self.pieces[piece]);
+        let [above, below] = [top, bottom].map(|line| depth(first, line) - depth(second, line));
+        let line = top + (bottom - top) * (above / (above - below));
+        (line > top && line < bottom).then_some(line)
+    }
+}
+
+/// Inverse depth of a span at a line position.
+fn depth(span: &Span, line: f32) -> f32 {
+    span.depth_at((line - span.top) / (span.bottom - span.top))
+}

@@ -1,0 +1,97 @@
+//! What sweeps cut out of faces, sweep by sweep.
+
+/// The part of a face that lies on one sweep.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Span {
+    /// Upper end: line position from the top of the picture.
+    pub top: f32,
+    /// Lower end, at or below the upper.
+    pub bottom: f32,
+    /// Reflectivity of the face, 0..=1.
+    pub reflectivity: f32,
+    /// Inverse horizontal range from the eye (1/m), at top and bottom. Between them it is `depth` over a linear function.
+    pub near: [f32; 2],
+    /// Inverse distance along the view axis (1/m), at top and bottom; linear in line position between them.
+    pub depth: [f32; 2],
+    /// Index of the body in the order in which bodies were given.
+    pub body: u32,
+    /// The object that the body is a part of.
+    pub object: u32,
+    /// Horizontal range of the object's foot point (m).
+    pub foot_range: f32,
+}
+
+impl Span {
+    /// Inverse distance along the view axis (1/m) at a share of the way from top to bottom.
+    pub fn depth_at(&self, share: f32) -> f32 {
+        self.depth[0] + share * (self.depth[1] - self.depth[0])
+    }
+
+    /// Inverse ground range (1/m) at a share of the way from top to bottom: range over depth is linear.
+    pub fn near_at(&self, share: f32) -> f32 {
+        let stretch = [self.depth[0] / self.near[0], self.depth[1] / self.near[1]];
+        self.depth_at(share) / (stretch[0] + share * (stretch[1] - stretch[0]))
+    }
+
+    /// Line position at a share of the way from top to bottom.
+    pub fn line_at(&self, share: f32) -> f32 {
+        self.top + share * (self.bottom - self.top)
+    }
+}
+
+/// Spans of a frame, sorted by sweep; within a sweep in the order in which bodies and faces were given.
+#[derive(Debug, Clone, Default)]
+pub struct SpanTable {
+    found: Vec<(u32, Span)>,
+    spans: Vec<Span>,
+    starts: Vec<usize>,
+}
+
+impl SpanTable {
+    /// Spans of a sweep; none beyond the last.
+    pub fn sweep(&self, sweep: usize) -> &[Span] {
+        match self.starts.get(sweep..sweep + 2) {
+            Some(&[start, end]) => &self.spans[start..end],
+            _ => &[],
+        }
+    }
+
+    /// Number of spans in all sweeps.
+    pub fn len(&self) -> usize {
+        self.spans.len()
+    }
+
+    /// Whether no sweep meets a body.
+    pub fn is_empty(&self) -> bool {
+        self.spans.is_empty()
+    }
+
+    pub(crate) fn clear(&mut self) {
+        self.found.clear();
+    }
+
+    pub(crate) fn push(&mut self, sweep: usize, span: Span) {
+        self.found.push((sweep as u32, span));
+    }
+
+    /// Sorts what was pushed by sweep, keeping its order: a counting sort.
+    pub(crate) fn sort(&mut self, sweeps: usize) {
+        self.starts.clear();
+        self.starts.resize(sweeps + 1, 0);
+        for (sweep, _) in &self.found {
+            self.starts[*sweep as usize + 1] += 1;
+        }
+        for sweep in 0..sweeps {
+            self.starts[sweep + 1] += self.starts[sweep];
+        }
+        self.spans.resize(self.found.len(), Span::default());
+        for &(sweep, span) in &self.found {
+            let place = &mut self.starts[sweep as usize];
+            self.spans[*place] = span;
+            *place += 1;
+        }
+        // Each start has moved to the next sweep's: move them back.
+        self.starts.copy_within(..sweeps, 1);
+        self.starts[0] = 0;
+    }
+}

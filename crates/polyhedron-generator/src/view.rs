@@ -1,0 +1,133 @@
+//! From terrain axes to the view-plane.
+
+use glam::DVec3;
+use landscape::parabolic_drop;
+use quantities::sin_cos;
+use scenario::{Curvature, Projection};
+
+/// A body with a vertex less than this ahead of the eye is skipped (m): D_near of section 12.
+pub const NEAREST: f64 = 0.05;
+
+/// The view-plane of a frame; the yoke is upright.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ViewPlane {
+    /// Eye: north, east, up (m).
+    pub eye: [f64; 3],
+    /// Heading, clockwise from north (rad).
+    pub heading: f64,
+    /// Pitch, nose up (rad).
+    pub pitch: f64,
+    /// Law that says where the sweeps lie.
+    pub projection: Projection,
+    /// Whether bodies far away are lowered as the ground is.
+    pub curvature: Curvature,
+    /// Tangent of half the vertical field of view.
+    pub tan_half_height: f64,
+    /// Lines of the picture.
+    pub lines: f64,
+}
+
+/// A point on the view-plane.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Place {
+    /// To the right, over the distance of the view-plane.
+    pub x: f64,
+    /// Down, likewise.
+    pub y: f64,
+    /// Inverse distance along the view axis (1/m): linear over the picture of a plane.
+    pub depth: f64,
+}
+
+/// A view-plane made ready for many points.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Sighting {
+    eye: DVec3,
+    heading: (f64, f64),
+    pitch: (f64, f64),
+    curvature: Curvature,
+    straight: bool,
+}
+
+impl Sighting {
+    pub fn new(view: &ViewPlane) -> Self {
+        Self {
+            eye: DVec3::from_array(view.eye),
+            heading: sin_cos(view.heading),
+            pitch: sin_cos(view.pitch),
+            curvature: view.curvature,
+            straight: view.projection == Projection::Exact,
+        }
+    }
+
+    /// The eye as it would stand over ground that is not curved, for a body with its foot point at `foot`; and the
+    /// horizontal range of that point (m).
+    pub fn eye_for(&self, foot: DVec3) -> (DVec3, f64) {
+        let range = (foot - self.eye).truncate().length();
+        let drop = match self.curvature {
+            Curvature::None => 0.0,
+            Curvature::Parabolic => parabolic_drop(range),
+        };
+        (self.eye + DVec3::Z * drop, range)
+    }
+
+    /// `Theta^T Phi^T` times `from_eye` (north, east, up): forward, starboard, down.
+    pub fn turn(&self, from_eye: DVec3) -> DVec3 {
+        let ((sin_heading, cos_heading), (sin, cos)) = (self.heading, self.pitch);
+        let level = cos_heading * from_eye.x + sin_heading * from_eye.y;
+        let starboard = cos_heading * from_eye.y - sin_heading * from_eye.x;
+        DVec3::new(cos * level + sin * from_eye.z, starboard, sin * level - cos * from_eye.z)
+    }
+
+    /// Horizontal way forward for one of `depth^-1` along the view axis, at `y` on the view-plane.
+    fn forward(&self, y: f64) -> f64 {
+        self.pitch.1 + y * self.pitch.0
+    }
+
+    /// What a sweep's tangent multiplies in its line on the view-plane.
+    pub fn spread(&self, y: f64) -> f64 {
+        if self.straight { self.forward(y) } else { 1.0 }
+    }
+
+    /// Inverse horizontal range (1/m) of a place.
+    pub fn near(&self, place: &Place) -> f64 {
+        let forward = self.forward(place.y);
+        place.depth / (forward * forward + place.x * place.x).sqrt()
+    }
+}
+
+/// The picture of a point that is ahead.
+pub(crate) fn project(ahead: DVec3) -> Place {
+    let depth = 1.0 / ahead.x;
+    Place { x: ahead.y * depth, y: ahead.z * depth, depth }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Sighting, ViewPlane, project};
+    use glam::DVec3;
+    use quantities::radians;
+    use scenario::{Curvature, Projection};
+
+    #[test]
+    fn check_table_23_6_without_roll() {
+        let view = ViewPlane {
+            eye: [10.0, 20.0, 2.0],
+            heading: radians(30.0),
+            pitch: radians(-5.0),
+            projection: Projection::Exact,
+            curvature: Curvature::None,
+            tan_half_height: 0.3,
+            lines: 500.0,
+        };
+        let sighting = Sighting::new(&view);
+        let ahead = sighting.turn(DVec3::new(60.0, 45.0, 1.0) - DVec3::from_array(view.eye));
+        let expected = DVec3::new(55.67608525203552, -3.349364905389034, -3.867206451512648);
+        assert!((ahead - expected).length() < 1e-13, "{ahead}");
+        let place = project(ahead);
+        assert!((place.x + 0.0601580533226621).abs() < 1e-15, "{}", place.x);
+        assert!((place.y + 0.06945902237929458).abs() < 1e-15, "{}", place.y);
+        // Inverse range along the ground.
+        let range = (50.0f64 * 50.0 + 25.0 * 25.0).sqrt();
+        assert!((sighting.near(&place) * range - 1.0).abs() < 1e-14);
+    }
+}

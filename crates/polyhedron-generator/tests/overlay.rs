@@ -1,0 +1,206 @@
+//! The third video switch: order, cutting by the ground, mixing into lines.
+
+use polyhedron_generator::{Hold, Overlay, Run, SIGNALS, Span};
+use proptest::collection::vec;
+use proptest::prelude::{prop_assert, proptest};
+use scenario::{BodyVisibility, PixelRule};
+
+/// A face across lines `top` to `bottom` at one range, of an object with its own foot point.
+fn wall(lines: [f32; 2], range: f32, reflectivity: f32, object: u32, foot_range: f32) -> Span {
+    let near = 1.0 / range;
+    Span {
+        top: lines[0],
+        bottom: lines[1],
+        reflectivity,
+        near: [near; 2],
+        depth: [near; 2],
+        body: object,
+        object,
+        foot_range,
+    }
+}
+
+/// A face that leans from one range at the top to another at the bottom.
+fn slope(lines: [f32; 2], ranges: [f32; 2], reflectivity: f32) -> Span {
+    let near = ranges.map(|range| 1.0 / range);
+    Span { near, depth: near, ..wall(lines, 1.0, reflectivity, 0, ranges[1]) }
+}
+
+/// No ground in front of anything.
+const OPEN: Option<&Hold<fn(usize) -> f32>> = None;
+
+fn runs<L: Fn(usize) -> f32>(spans: &[Span], by: BodyVisibility, hold: Option<&Hold<L>>) -> Vec<Run> {
+    Overlay::default().compose(spans, by, hold).to_vec()
+}
+
+fn ends(runs: &[Run]) -> Vec<[f32; 3]> {
+    runs.iter().map(|run| [run.top, run.bottom, run.reflectivity]).collect()
+}
+
+#[test]
+fn as_reported_the_nearer_foot_lies_on_top_and_parts_of_an_object_by_depth() {
+    // The far object leans over the near one: its face there is nearer, its foot is not.
+    let spans = [
+        wall([10.0, 20.0], 4.0, 0.9, 7, 12.0),
+        wall([15.0, 30.0], 6.0, 0.2, 3, 8.0),
+        wall([25.0, 28.0], 5.0, 0.5, 3, 8.0),
+    ];
+    let reported = runs(&spans, BodyVisibility::AsReported, OPEN);
+    assert_eq!(
+        ends(&reported),
+        [[10.0, 15.0, 0.9], [15.0, 20.0, 0.2], [20.0, 25.0, 0.2], [25.0, 28.0, 0.5], [28.0, 30.0, 0.2]]
+    );
+    let depth = runs(&spans, BodyVisibility::Depth, OPEN);
+    assert_eq!(
+        ends(&depth),
+        [[10.0, 15.0, 0.9], [15.0, 20.0, 0.9], [20.0, 25.0, 0.2], [25.0, 28.0, 0.5], [28.0, 30.0, 0.2]]
+    );
+}
+
+#[test]
+fn faces_that_cross_change_over_where_they_cross() {
+    let spans = [slope([0.0, 40.0], [4.0, 12.0], 0.3), wall([0.0, 40.0], 6.0, 0.6, 1, 6.0)];
+    // Inverse ranges 1/4 - s/6 and 1/6 meet at s = 1/2.
+    let crossed = runs(&spans, BodyVisibility::Depth, OPEN);
+    assert_eq!(crossed.len(), 2);
+    assert!((crossed[0].bottom - 20.0).abs() < 1e-4, "{crossed:?}");
+    assert_eq!((crossed[0].reflectivity, crossed[1].reflectivity), (0.3, 0.6));
+}
+
+#[test]
+fn lines_are_mixed_by_cover_or_set_at_their_centre() {
+    let spans = [wall([1.25, 3.6], 4.0, 0.8, 0, 4.0), wall([3.6, 3.8], 4.0, 0.4, 0, 4.0)];
+    let mut overlay = Overlay::default();
+    let mut row = [0.2f32; 5];
+    overlay.overlay(&spans, BodyVisibility::Depth, OPEN, PixelRule::LineMean, &mut row);
+    let expected = [0.2, 0.25 * 0.2 + 0.75 * 0.8, 0.8, 0.6 * 0.8 + 0.2 * 0.4 + 0.2 * 0.2, 0.2];
+    assert!(row.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-6), "{row:?}");
+    let mut gate = [0f32; 5];
+    overlay.present(PixelRule::LineMean, &mut gate);
+    assert!(gate.iter().zip([0.0, 0.75, 1.0, 0.8, 0.0]).all(|(a, b)| (a - b).abs() < 1e-6));
+    let mut row = [0.2f32; 5];
+    overlay.overlay(&spans, BodyVisibility::Depth, OPEN, PixelRule::Centre, &mut row);
+    assert_eq!(row, [0.2, 0.8, 0.8, 0.8, 0.2]);
+}
+
+#[test]
+fn what_reaches_beyond_the_picture_is_cut_off() {
+    let spans = [wall([-7.5, 2.5], 4.0, 0.8, 0, 4.0), wall([8.5, 1e6], 5.0, 0.4, 1, 5.0)];
+    for rule in [PixelRule::LineMean, PixelRule::Centre] {
+        let mut row = [0f32; 10];
+        Overlay::default().overlay(&spans, BodyVisibility::Depth, OPEN, rule, &mut row);
+        assert_eq!((row[0], row[5], row[9]), (0.8, 0.0, 0.4));
+    }
+    let mut row = [0.5f32; 3];
+    Overlay::default().overlay(&[], BodyVisibility::Depth, OPEN, PixelRule::LineMean, &mut row);
+    assert_eq!(row, [0.5; 3]);
+}
+
+/// Level ground, eye 1.5 m above it, line `100 + 100 (1.5 / range) / 0.3`, with samples every 0.25 m from 2 m.
+fn level(rise: impl Fn(f32) -> f32) -> (Vec<f32>, Vec<f32>) {
+    let ranges = (0..400).map(|sample| 2.0 + 0.25 * sample as f32);
+    let line = |range: f32| 100.0 + 100.0 * (1.5 - rise(range)) / range / 0.3;
+    let mut held = f32::INFINITY;
+    let hold = |range: f32| {
+        held = held.min(line(range));
+        held
+    };
+    (ranges.clone().map(|range| 1.0 / range).collect(), ranges.map(hold).collect())
+}
+
+#[test]
+fn level_ground_cuts_off_what_lies_below_it() {
+    let (near, lines) = level(|_| 0.0);
+    let hold = Hold { near: &near, lines: |sample: usize| lines[sample] };
+    // A wall 9.1 m away from 0.5 m above to 0.4 m below ground.
+    let line = |range: f32, up: f32| 100.0 + 100.0 * (1.5 - up) / range / 0.3;
+    let buried = wall([line(9.1, 0.5), line(9.1, -0.4)], 9.1, 0.5, 0, 9.1);
+    let cut = runs(&[buried], BodyVisibility::Depth, Some(&hold));
+    assert_eq!(cut.len(), 1);
+    assert!((cut[0].bottom - line(9.1, 0.0)).abs() < 1e-3, "{cut:?}");
+    // A face that leans away, from 0.5 m up at 9.6 m to 0.5 m deep at 8.1 m: at ground in the middle, 8.85 m.
+    let leaning = slope([line(9.6, 0.5), line(8.1, -0.5)], [9.6, 8.1], 0.5);
+    let cut = runs(&[leaning], BodyVisibility::Depth, Some(&hold));
+    assert!((cut[0].bottom - line(8.85, 0.0)).abs() < 2e-3, "{cut:?}, {}", line(8.85, 0.0));
+    // As reported, bodies are seen as a whole.
+    assert_eq!(runs(&[buried], BodyVisibility::AsReported, Some(&hold))[0].bottom, buried.bottom);
+    // Ground that is not drawn hides nothing.
+    let close = wall([line(1.9, 0.5), line(1.9, -0.4)], 1.9, 0.5, 0, 1.9);
+    assert_eq!(runs(&[close], BodyVisibility::Depth, Some(&hold))[0].bottom, close.bottom);
+}
+
+#[test]
+fn a_ridge_hides_what_stands_behind_it_and_not_what_stands_before() {
+    let (near, lines) = level(|range| if (range - 10.0).abs() < 0.6 { 1.0 } else { 0.0 });
+    let hold = Hold { near: &near, lines: |sample: usize| lines[sample] };
+    let line = |range: f32, up: f32| 100.0 + 100.0 * (1.5 - up) / range / 0.3;
+    let before = wall([line(8.0, 0.8), line(8.0, 0.0)], 8.0, 0.5, 0, 8.0);
+    assert_eq!(ends(&runs(&[before], BodyVisibility::Depth, Some(&hold)))[0][0], before.top);
+    let behind = wall([line(20.0, 2.0), line(20.0, 0.0)], 20.0, 0.5, 0, 20.0);
+    let cut = runs(&[behind], BodyVisibility::Depth, Some(&hold));
+    let crest = line(10.5, 1.0);
+    assert!((cut[0].bottom - crest).abs() < 1e-3, "{cut:?}, {crest}");
+    let low = wall([line(20.0, 0.4), line(20.0, 0.0)], 20.0, 0.5, 0, 20.0);
+    assert_eq!(runs(&[low], BodyVisibility::Depth, Some(&hold)), []);
+    assert_eq!(runs(&[low], BodyVisibility::AsReported, Some(&hold)).len(), 1);
+}
+
+#[test]
+fn signals_are_on_the_display_axis() {
+    assert!(
+        SIGNALS.iter().all(|signal| signal.name.starts_with("pg.") && signal.axis == signal::Axis::Display)
+    );
+}
+
+proptest! {
+    #[test]
+    fn a_span_shows_exactly_where_no_nearer_ground_reaches_above_it(
+        steps in vec((0.05..1.5f32, 0.0..8.0f32), 1..40),
+        ends in [3.0..30.0f32, 3.0..30.0],
+        lines in [20.0..60.0f32, 60.0..190.0],
+    ) {
+        let (mut range, mut line) = (2.0, 200.0);
+        let (mut near, mut held) = (Vec::new(), Vec::new());
+        for (step, fall) in steps {
+            range += step;
+            line -= fall;
+            near.push(1.0 / range);
+            held.push(line);
+        }
+        let hold = Hold { near: &near, lines: |sample: usize| held[sample] };
+        let span = slope(lines, ends, 0.5);
+        let shown = runs(&[span], BodyVisibility::Depth, Some(&hold));
+        for number in 0..=500 {
+            let share = number as f32 / 500.0;
+            let (place, clearance) = (span.line_at(share), hold.at(span.near_at(share)) - span.line_at(share));
+            let seen = shown.iter().any(|run| run.top <= place && place <= run.bottom);
+            // Between two samples the zero is found by false position; a tenth of a line is its allowance.
+            prop_assert!(clearance.abs() < 0.1 || seen == (clearance > 0.0), "share {share}: {clearance}, {seen}");
+        }
+    }
+
+    #[test]
+    fn every_line_position_shows_the_nearest(
+        faces in vec(([0.0..100.0f32, 1.0..60.0], [2.0..20.0f32, 2.0..20.0]), 1..12),
+    ) {
+        let span = |(index, &([top, height], ranges)): (usize, &([f32; 2], [f32; 2]))| {
+            Span { object: index as u32, reflectivity: index as f32, ..slope([top, top + height], ranges, 0.0) }
+        };
+        let spans: Vec<Span> = faces.iter().enumerate().map(span).collect();
+        let shown = runs(&spans, BodyVisibility::Depth, OPEN);
+        for number in 0..1600 {
+            let place = 0.1 * number as f32 + 0.0437;
+            let depth = |span: &&Span| span.depth_at((place - span.top) / (span.bottom - span.top));
+            let covering = spans.iter().filter(|span| span.top <= place && place <= span.bottom);
+            let nearest = covering.max_by(|a, b| depth(a).total_cmp(&depth(b)));
+            let run = shown.iter().find(|run| run.top <= place && place <= run.bottom);
+            match (nearest, run) {
+                (Some(nearest), Some(run)) => {
+                    let found = &spans[run.reflectivity as usize];
+                    prop_assert!(depth(&nearest) - depth(&found) < 1e-4, "at {place}: {found:?}, {nearest:?}");
+                }
+                (nearest, run) => prop_assert!(nearest.is_none() && run.is_none(), "at {place}: {nearest:?} {run:?}"),
+            }
+        }
+    }
+}

@@ -1,0 +1,267 @@
+//! Spans against closed forms and against rays.
+
+use std::sync::Arc;
+
+use glam::{DMat3, DVec3};
+use polyhedron_generator::{
+    Census, Drawn, FaceLight, Hold, LeftOut, Overlay, PolyhedronGenerator, Sight, Span, ViewPlane,
+};
+use proptest::collection::vec;
+use proptest::prelude::{ProptestConfig, Strategy, prop_assert, proptest};
+use proptest::sample::select;
+use scenario::{BodyVisibility, Curvature, PixelRule, Projection};
+use solids::{Body, Kind, Solid, rocks};
+
+const LAWS: [Projection; 3] = [Projection::Exact, Projection::AsReported, Projection::Corrected];
+const LINES: usize = 200;
+
+fn view(projection: Projection, eye: [f64; 3], heading: f64, pitch: f64) -> ViewPlane {
+    let curvature = Curvature::None;
+    ViewPlane { eye, heading, pitch, projection, curvature, tan_half_height: 0.3, lines: LINES as f64 }
+}
+
+fn tangents(edge: f64, sweeps: usize) -> Vec<f64> {
+    let count = sweeps as f64;
+    (0..sweeps).map(|sweep| edge * (2.0 * sweep as f64 + 1.0 - count) / count).collect()
+}
+
+fn boxed(low: [f64; 3], high: [f64; 3], object: u32) -> Body {
+    let (low, high) = (DVec3::from_array(low), DVec3::from_array(high));
+    let foot = ((low + high) * 0.5).truncate().extend(0.0);
+    let solid = Arc::new(Solid::boxed(low - foot, high - foot, 0.8).unwrap());
+    Body::place(object, Kind::Culture, &solid, foot, &DMat3::IDENTITY, 1.0)
+}
+
+fn light() -> FaceLight {
+    FaceLight { sun: DVec3::new(-0.6, 0.48, 0.64) }
+}
+
+fn run<'a>(
+    view: &ViewPlane,
+    tangents: &[f64],
+    bodies: impl IntoIterator<Item = &'a Body>,
+) -> (PolyhedronGenerator, Census) {
+    let mut generator = PolyhedronGenerator::default();
+    let drawn = bodies.into_iter().map(|body| Drawn { body, dark: false });
+    let census = generator.run(view, tangents, &light(), drawn);
+    (generator, census)
+}
+
+/// No ground in front of anything.
+const OPEN: Option<&Hold<fn(usize) -> f32>> = None;
+
+#[test]
+fn a_cube_straight_ahead_has_its_closed_form_at_every_sweep() {
+    let cube = boxed([9.0, -1.0, 0.0], [11.0, 1.0, 2.0], 4);
+    let tangents = tangents(0.4, 161);
+    for projection in LAWS {
+        let (generator, census) = run(&view(projection, [0.0, 0.0, 1.5], 0.0, 0.0), &tangents, [&cube]);
+        assert_eq!((census.drawn, census.vertices), (1, 8));
+        for (sweep, &tangent) in tangents.iter().enumerate() {
+            let spans = generator.table().sweep(sweep);
+            if tangent.abs() > 1.0 / 9.0 {
+                assert_eq!(spans, [], "{projection:?}, sweep {sweep}");
+                continue;
+            }
+            // The front face alone: from 0.5 m above to 1.5 m below the eye, 9 m ahead.
+            let &[Span { top, bottom, reflectivity, near, depth, body, object, foot_range }] = spans else {
+                panic!("{spans:?}");
+            };
+            let line = |y: f64| ((y / 0.3 + 1.0) * 0.5 * LINES as f64) as f32;
+            assert!((top - line(-0.5 / 9.0)).abs() < 1e-4 && (bottom - line(1.5 / 9.0)).abs() < 1e-4);
+            let range = (9.0 * (1.0 + tangent * tangent).sqrt()) as f32;
+            assert!(near.iter().all(|near| (near * range - 1.0).abs() < 1e-6));
+            assert!(depth.iter().all(|depth| (depth * 9.0 - 1.0).abs() < 1e-6));
+            assert!((reflectivity - 0.48).abs() < 1e-6, "0.8 of 0.6");
+            assert_eq!((body, object, foot_range), (0, 4, 10.0));
+        }
+    }
+}
+
+#[test]
+fn with_pitch_level_edges_stay_level_and_sweeps_lie_where_the_law_says() {
+    let cube = boxed([9.0, -1.0, 0.0], [11.0, 1.0, 1.2], 0);
+    let (pitch, tangents) = (-0.12, tangents(0.2, 301));
+    let (sin, cos) = (libm::sin(pitch), libm::cos(pitch));
+    // Y of a point `up` over the eye and `ahead` of it, on the centre sweep and (level edges) on all others.
+    let y = |ahead: f64, up: f64| (sin * ahead - cos * up) / (cos * ahead + sin * up);
+    for projection in LAWS {
+        let (generator, _) = run(&view(projection, [0.0, 0.0, 1.5], 0.0, pitch), &tangents, [&cube]);
+        for (sweep, &tangent) in tangents.iter().enumerate() {
+            let straight = projection == Projection::Exact;
+            // Side edges of the front face: Exact has them at one azimuth, the others at the top's X.
+            let widest = if straight { 1.0 / 9.0 } else { 1.0 / (9.0 * cos - 0.3 * sin) };
+            if tangent.abs() > widest - 1e-3 {
+                continue;
+            }
+            let line = |y: f64| ((y / 0.3 + 1.0) * 0.5 * LINES as f64) as f32;
+            let spans = generator.table().sweep(sweep);
+            let front = spans.iter().find(|span| (span.reflectivity - 0.48).abs() < 1e-5).unwrap();
+            assert!((front.top - line(y(9.0, -0.3))).abs() < 1e-4, "{projection:?} {sweep}: {front:?}");
+            let top = spans.iter().find(|span| (span.reflectivity - 0.512).abs() < 1e-5).unwrap();
+            assert!((top.bottom - front.top).abs() < 1e-4);
+            if tangent.abs() < 0.9 / 11.0 {
+                assert!((top.top - line(y(11.0, -0.3))).abs() < 1e-4);
+                let (half, lateral) = (0.5 * (top.top + top.bottom) as f64, tangent);
+                let y = (half / (0.5 * LINES as f64) - 1.0) * 0.3;
+                let (forward, x) =
+                    (cos + y * sin, if straight { lateral * (cos + y * sin) } else { lateral });
+                let range = 0.3 / (y * cos - sin) * (forward * forward + x * x).sqrt();
+                let middle = f64::from(top.near_at(0.5));
+                assert!(
+                    (middle * range - 1.0).abs() < if straight { 2e-6 } else { 1e-5 },
+                    "{middle} {range}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn behind_beside_and_too_near_is_skipped_and_counted() {
+    let bodies = [
+        boxed([-12.0, -1.0, 0.0], [-10.0, 1.0, 2.0], 0),
+        boxed([5.0, 20.0, 0.0], [7.0, 22.0, 2.0], 1),
+        boxed([-1.0, -1.0, -1.0], [1.0, 1.0, 1.0], 2),
+        boxed([0.04, -0.1, 1.0], [2.0, 0.1, 2.0], 3),
+        boxed([0.06, -0.1, 1.0], [2.0, 0.1, 1.4], 4),
+    ];
+    let view = view(Projection::Exact, [0.0, 0.0, 1.5], 0.0, 0.0);
+    let (generator, census) = run(&view, &tangents(0.4, 50), &bodies);
+    assert_eq!((census.outside, census.too_near, census.drawn), (2, 2, 1));
+    assert!((0..50).all(|sweep| generator.table().sweep(sweep).iter().all(|span| span.body == 4)));
+    assert!(!generator.table().is_empty());
+    assert_eq!(generator.table().sweep(50), []);
+}
+
+#[test]
+fn a_body_in_shadow_is_black_and_the_table_forgets_the_last_frame() {
+    let cube = boxed([9.0, -1.0, 0.0], [11.0, 1.0, 2.0], 0);
+    let (mut generator, tangents) = (PolyhedronGenerator::default(), tangents(0.4, 41));
+    let view = view(Projection::Exact, [0.0, 0.0, 1.5], 0.0, 0.0);
+    generator.run(&view, &tangents, &light(), [Drawn { body: &cube, dark: true }].into_iter());
+    assert_eq!(generator.table().sweep(20)[0].reflectivity, 0.0);
+    let mut overlay = Overlay::default();
+    let mut row = [0.7; LINES];
+    overlay.overlay(generator.table().sweep(20), BodyVisibility::Depth, OPEN, PixelRule::Centre, &mut row);
+    assert!(row.contains(&0.0), "a black body is there all the same");
+    generator.run(&view, &tangents, &light(), std::iter::empty());
+    assert!(generator.table().is_empty());
+}
+
+#[test]
+fn far_bodies_sink_with_the_lunoid() {
+    let tower = boxed([2000.0, -50.0, 0.0], [2010.0, 50.0, 100.0], 0);
+    let flat = view(Projection::Exact, [0.0, 0.0, 1.5], 0.0, 0.0);
+    let curved = ViewPlane { curvature: Curvature::Parabolic, ..flat };
+    let top = |view: &ViewPlane| run(view, &[0.0], [&tower]).0.table().sweep(0)[0].top;
+    let drop = 2005.0 * 2005.0 / (2.0 * 1_737_400.0) / 2000.0 / 0.3 * 100.0;
+    assert!((top(&curved) - top(&flat) - drop as f32).abs() < 1e-3);
+}
+
+#[test]
+fn maximum_viewing_distance_of_the_report() {
+    // 1 m over 1000 lines of 30 degrees: 1909.86 m.
+    let sight = Sight::new(1.0, 1000.0, std::f64::consts::PI / 6.0);
+    assert!((sight.distance - 1909.859_317).abs() < 1e-5);
+    let mut left_out = LeftOut::default();
+    assert!(sight.reaches(DVec3::ZERO, &boxed([1900.0, 0.0, 0.0], [1900.5, 0.5, 0.5], 0), &mut left_out));
+    assert_eq!(left_out, LeftOut::default());
+    assert!(!sight.reaches(DVec3::ZERO, &boxed([3819.0, 0.0, 0.0], [3819.5, 0.5, 0.5], 0), &mut left_out));
+    // 0.866 m at twice the distance: 0.433 of a cell each way.
+    assert_eq!(left_out.bodies, 1);
+    assert!((left_out.cells - 0.1875).abs() < 1e-3, "{}", left_out.cells);
+}
+
+/// What a ray through a point of the view-plane meets first, by the planes of the bodies.
+fn ray_cast(view: &ViewPlane, bodies: &[Body], tangent: f64, y: f64) -> Option<f64> {
+    let (sin, cos) = (libm::sin(view.pitch), libm::cos(view.pitch));
+    let (sin_heading, cos_heading) = (libm::sin(view.heading), libm::cos(view.heading));
+    let forward = cos + y * sin;
+    let x = if view.projection == Projection::Exact { tangent * forward } else { tangent };
+    let direction = DVec3::new(
+        cos_heading * forward - sin_heading * x,
+        sin_heading * forward + cos_heading * x,
+        sin - y * cos,
+    );
+    let eye = DVec3::from_array(view.eye);
+    let hits = bodies.iter().filter_map(|body| Some((body.first_hit(eye, direction, 0.0)?, body)));
+    let (hit, body) = hits.min_by(|a, b| a.0.distance.total_cmp(&b.0.distance))?;
+    body.reflectivities(light().sun).nth(hit.face)
+}
+
+fn stones() -> impl Strategy<Value = Vec<Body>> {
+    let stone = (0..rocks::SHAPES, [2.5..9.0f64, -2.0..2.0, -0.8..0.8], 0.0..6.28f64, 0.4..2.5f64);
+    vec(stone, 1..7).prop_map(|stones| {
+        let shapes: Vec<Arc<Solid>> = rocks::shapes(5).unwrap().into_iter().map(Arc::new).collect();
+        let body = |(index, (shape, foot, turn, size)): (usize, (usize, [f64; 3], f64, f64))| {
+            let turn = DMat3::from_rotation_z(turn) * DMat3::from_rotation_y(0.5 * turn);
+            Body::place(index as u32, Kind::Rock, &shapes[shape], DVec3::from_array(foot), &turn, size)
+        };
+        stones.into_iter().enumerate().map(body).collect()
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 64, ..ProptestConfig::default() })]
+
+    #[test]
+    fn lines_show_what_rays_meet(
+        bodies in stones(),
+        projection in select(&LAWS[..]),
+        pitch in -0.4..0.4f64,
+        heading in -0.3..0.3f64,
+    ) {
+        let view = view(projection, [0.3, 0.1, 0.4], heading, pitch);
+        let tangents = tangents(0.45, 37);
+        let near = |body: &Body| body.vertices.iter().any(|vertex| {
+            let away = *vertex - DVec3::from_array(view.eye);
+            let level = away.x * libm::cos(heading) + away.y * libm::sin(heading);
+            libm::cos(pitch) * level + libm::sin(pitch) * away.z <= 0.06
+        });
+        let bodies: Vec<Body> = bodies.into_iter().filter(|body| !near(body)).collect();
+        let (generator, census) = run(&view, &tangents, &bodies);
+        prop_assert!(census.too_near == 0);
+        let mut overlay = Overlay::default();
+        for (sweep, &tangent) in tangents.iter().enumerate() {
+            let mut row = [-1f32; LINES];
+            overlay.overlay(generator.table().sweep(sweep), BodyVisibility::Depth, OPEN, PixelRule::Centre, &mut row);
+            for (line, &found) in row.iter().enumerate() {
+                let ray = |off: f64| {
+                    let y = ((line as f64 + 0.5 + off) / (0.5 * LINES as f64) - 1.0) * view.tan_half_height;
+                    ray_cast(&view, &bodies, tangent, y).unwrap_or(-1.0)
+                };
+                let met = ray(0.0);
+                // An edge within a thousandth of a line may go either way.
+                let at_edge = ray(-1e-3) != met || ray(1e-3) != met;
+                prop_assert!(at_edge || (f64::from(found) - met).abs() < 1e-6, "sweep {sweep}, line {line}: {found}, {met}");
+            }
+        }
+    }
+
+    #[test]
+    fn line_means_are_means_of_what_rays_meet(bodies in stones(), pitch in -0.3..0.3f64) {
+        let view = view(Projection::Exact, [-1.0, 0.0, 0.4], 0.0, pitch);
+        let tangents = [-0.07, 0.02, 0.11];
+        let (generator, _) = run(&view, &tangents, &bodies);
+        let mut overlay = Overlay::default();
+        for (sweep, &tangent) in tangents.iter().enumerate() {
+            let (mut row, mut gate) = ([0.25f32; LINES], [0f32; LINES]);
+            overlay.overlay(generator.table().sweep(sweep), BodyVisibility::Depth, OPEN, PixelRule::LineMean, &mut row);
+            overlay.present(PixelRule::LineMean, &mut gate);
+            const PARTS: usize = 200;
+            for line in 0..LINES {
+                let mut mean = [0.0; 2];
+                for part in 0..PARTS {
+                    let place = line as f64 + (part as f64 + 0.5) / PARTS as f64;
+                    let y = (place / (0.5 * LINES as f64) - 1.0) * view.tan_half_height;
+                    let met = ray_cast(&view, &bodies, tangent, y);
+                    mean[0] += met.unwrap_or(0.25) / PARTS as f64;
+                    mean[1] += f64::from(u8::from(met.is_some())) / PARTS as f64;
+                }
+                prop_assert!((f64::from(row[line]) - mean[0]).abs() < 0.02, "line {line}: {}, {}", row[line], mean[0]);
+                prop_assert!((f64::from(gate[line]) - mean[1]).abs() < 0.02);
+            }
+        }
+    }
+}

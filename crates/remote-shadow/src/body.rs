@@ -1,0 +1,101 @@
+//! Shadows of bodies on the ground.
+
+use glam::DVec3;
+use landscape::{Landscape, Sun};
+use solids::Body;
+
+use crate::Segment;
+use crate::axes::SunAxes;
+
+/// Pieces that an edge of the outline is cut into: the ground under them need not be flat.
+const PIECES: usize = 4;
+/// Farthest that a shadow is followed over the ground (m).
+const LONGEST: f64 = 5000.0;
+/// Steepest rise of ground towards a ray at which no piece of ground is stepped over.
+const STEEPEST: f64 = 1.0;
+/// Smallest step along the ground (m).
+const SMALLEST_STEP: f64 = 0.02;
+/// Halvings of the last step.
+const HALVINGS: u32 = 30;
+
+/// Outline of the shadow that `body` casts on the ground under `sun`, clockwise.
+///
+/// The outline is that of the body seen from the sun; each of its points is followed along the ray to the ground, for
+/// 5 km at most or to the end of the ground. A point under the ground stays where it is, so the side of the outline
+/// that faces the sun lies at the body's foot. Nothing for a sun that is not above the horizon.
+pub fn cast_by_body(body: &Body, sun: &Sun, landscape: &Landscape) -> Vec<Segment> {
+    if sun.direction()[2] <= 0.0 {
+        return Vec::new();
+    }
+    let axes = SunAxes::new(sun);
+    let hull = outline(&axes, &body.vertices);
+    let next = hull.iter().cycle().skip(1);
+    let edges = hull.iter().zip(next);
+    let points = edges.flat_map(|(&a, &b)| (0..PIECES).map(move |k| a.lerp(b, k as f64 / PIECES as f64)));
+    let corners: Vec<[f64; 2]> = points.map(|point| fall(landscape, &axes, point)).collect();
+    Segment::outline(&corners)
+}
+
+/// Vertices on the convex outline as the sun sees it, in the order that is clockwise on the ground (monotone chain).
+fn outline(axes: &SunAxes, vertices: &[DVec3]) -> Vec<DVec3> {
+    let mut points: Vec<([f64; 2], DVec3)> = vertices.iter().map(|&v| (seen(axes, v), v)).collect();
+    points.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]).then(a.0[1].total_cmp(&b.0[1])));
+    let mut hull = half(points.iter());
+    hull.extend(half(points.iter().rev()));
+    hull
+}
+
+/// One side of the outline, without its last point.
+fn half<'a>(points: impl Iterator<Item = &'a ([f64; 2], DVec3)>) -> Vec<DVec3> {
+    let mut chain: Vec<&([f64; 2], DVec3)> = Vec::new();
+    for point in points {
+        while let [.., a, b] = chain[..]
+            && turn(a.0, b.0, point.0) <= 0.0
+        {
+            chain.pop();
+        }
+        chain.push(point);
+    }
+    chain.pop();
+    chain.into_iter().map(|point| point.1).collect()
+}
+
+fn turn(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
+    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+}
+
+/// Place in the plane square to the sun: across, and away from it along the ground.
+fn seen(axes: &SunAxes, v: DVec3) -> [f64; 2] {
+    let [p, q] = axes.from_ground([v.x, v.y]);
+    [p, v.z * axes.cos + q * axes.sin]
+}
+
+/// Where the ray from the sun through `point` meets the ground: north, east (m).
+fn fall(landscape: &Landscape, axes: &SunAxes, point: DVec3) -> [f64; 2] {
+    let along = |way: f64| [point.x + way * axes.away()[0], point.y + way * axes.away()[1]];
+    if axes.cos <= 0.0 {
+        return along(0.0);
+    }
+    let tan = axes.sin / axes.cos;
+    let clearance = |way: f64| {
+        let [x, y] = along(way);
+        landscape.height(x, y).map(|ground| point.z - way * tan - ground)
+    };
+    let (mut low, mut way) = (0.0, 0.0);
+    while let Some(above) = clearance(way).filter(|_| way < LONGEST) {
+        if above <= 0.0 {
+            return along(bisect(clearance, low, way));
+        }
+        low = way;
+        way += (above / (tan + STEEPEST)).max(SMALLEST_STEP);
+    }
+    along(low)
+}
+
+fn bisect(clearance: impl Fn(f64) -> Option<f64>, mut low: f64, mut high: f64) -> f64 {
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if clearance(middle).is_some_and(|above| above > 0.0) { low = middle } else { high = middle }
+    }
+    high
+}

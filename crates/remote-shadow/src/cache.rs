@@ -1,0 +1,138 @@
+//! Tiles on disk, from run to run.
+//!
+//! Each question that had to compute tiles leaves one file of them: no file is ever changed, so runs side by side do
+//! not disturb each other. A file is: magic, key, number of tiles, tiles, BLAKE3 of all before; little-endian.
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use files::FileError;
+use landscape::{Landscape, Sun, bank_file};
+
+use crate::tile::{Place, STRIPS};
+use crate::{Segment, Tile};
+
+/// Names the format; another number if the meaning of a tile changes.
+const MAGIC: [u8; 8] = *b"lnshad01";
+/// Largest file that is read (bytes).
+const MAX_BYTES: u64 = 1 << 30;
+const HASH: usize = blake3::OUT_LEN;
+const EXTENSION: &str = "shadow";
+
+/// A folder of tiles of one landscape at one resolution.
+#[derive(Debug)]
+pub(crate) struct Cache {
+    folder: PathBuf,
+    ground: blake3::Hasher,
+}
+
+impl Cache {
+    pub(crate) fn new(folder: &Path, landscape: &Landscape, finest: f64) -> Self {
+        let mut ground = blake3::Hasher::new();
+        ground.update(&MAGIC);
+        ground.update(&STRIPS.to_le_bytes());
+        ground.update(&finest.to_le_bytes());
+        ground.update(&bank_file::content_hash(landscape.bank()));
+        for crater in landscape.features().craters() {
+            for number in numbers(crater) {
+                ground.update(&number.to_le_bytes());
+            }
+        }
+        Self { folder: folder.to_owned(), ground }
+    }
+
+    /// All tiles of `sun` that are kept, whole and right.
+    pub(crate) fn read(&self, sun: &Sun) -> Vec<(Place, Tile)> {
+        let key = self.key(sun);
+        let prefix = name_prefix(&key);
+        let is_ours = |path: &PathBuf| {
+            path.extension().is_some_and(|found| found == EXTENSION)
+                && path.file_name().is_some_and(|name| name.to_string_lossy().starts_with(&prefix))
+        };
+        let entries = fs::read_dir(&self.folder).into_iter().flatten().flatten();
+        let paths = entries.map(|entry| entry.path()).filter(is_ours);
+        let tiles = paths.filter_map(|path| decode(&files::read_all(&path, MAX_BYTES).ok()?, &key));
+        tiles.flatten().collect()
+    }
+
+    /// Keeps `tiles` of `sun`.
+    pub(crate) fn write(&self, sun: &Sun, tiles: &[(Place, &Arc<Tile>)]) -> Result<(), FileError> {
+        let key = self.key(sun);
+        let bytes = encode(&key, tiles);
+        let own = blake3::hash(&bytes).to_hex();
+        let name = format!("{}{}.{EXTENSION}", name_prefix(&key), &own[..16]);
+        files::write_atomic(self.folder.join(name), |out: &mut dyn Write| out.write_all(&bytes))
+    }
+
+    fn key(&self, sun: &Sun) -> [u8; HASH] {
+        let mut hasher = self.ground.clone();
+        hasher.update(&sun.azimuth.to_le_bytes());
+        hasher.update(&sun.elevation.to_le_bytes());
+        *hasher.finalize().as_bytes()
+    }
+}
+
+fn numbers(crater: &features::Crater) -> [f64; 8] {
+    let (kind, radii) = match crater.shape() {
+        features::Shape::Bowl { r1 } => (1.0, [r1, 0.0, 0.0]),
+        features::Shape::RimmedBowl { r1, r2 } => (2.0, [r1, r2, 0.0]),
+        features::Shape::FlatFloor { r1, r2, r3 } => (3.0, [r1, r2, r3]),
+    };
+    let [north, east] = crater.centre();
+    [kind, north, east, radii[0], radii[1], radii[2], crater.depth(), crater.rim()]
+}
+
+fn name_prefix(key: &[u8; HASH]) -> String {
+    let hex = blake3::Hash::from_bytes(*key).to_hex();
+    format!("{}-", &hex[..32])
+}
+
+fn encode(key: &[u8; HASH], tiles: &[(Place, &Arc<Tile>)]) -> Vec<u8> {
+    let mut bytes = [&MAGIC[..], key].concat();
+    bytes.extend((tiles.len() as u64).to_le_bytes());
+    for (place, tile) in tiles {
+        bytes.extend(u64::from(place.level).to_le_bytes());
+        bytes.extend(place.at.iter().flat_map(|index| index.to_le_bytes()));
+        bytes.extend(tile.spacing.to_le_bytes());
+        bytes.extend((tile.segments.len() as u64).to_le_bytes());
+        for segment in &tile.segments {
+            bytes.extend(segment.from.iter().chain(&segment.to).flat_map(|place| place.to_le_bytes()));
+        }
+    }
+    let hash = blake3::hash(&bytes);
+    bytes.extend(hash.as_bytes());
+    bytes
+}
+
+/// The tiles of a file; `None` if it is damaged or of another key.
+fn decode(bytes: &[u8], key: &[u8; HASH]) -> Option<Vec<(Place, Tile)>> {
+    let (content, hash) = bytes.split_last_chunk::<HASH>()?;
+    if blake3::hash(content) != *hash {
+        return None;
+    }
+    let mut rest = content.strip_prefix(&MAGIC)?.strip_prefix(key)?;
+    let count = u64::from_le_bytes(word(&mut rest)?);
+    (0..count).map(|_| tile(&mut rest)).collect()
+}
+
+fn tile(rest: &mut &[u8]) -> Option<(Place, Tile)> {
+    let level = u64::from_le_bytes(word(rest)?).try_into().ok()?;
+    let at = [i64::from_le_bytes(word(rest)?), i64::from_le_bytes(word(rest)?)];
+    let spacing = f64::from_le_bytes(word(rest)?);
+    let count = u64::from_le_bytes(word(rest)?);
+    let segments = (0..count).map(|_| Some(Segment { from: point(rest)?, to: point(rest)? }));
+    let tile = Tile { spacing, segments: segments.collect::<Option<_>>()? };
+    Some((Place { level, at }, tile))
+}
+
+fn point(rest: &mut &[u8]) -> Option<[f64; 2]> {
+    Some([f64::from_le_bytes(word(rest)?), f64::from_le_bytes(word(rest)?)])
+}
+
+fn word(rest: &mut &[u8]) -> Option<[u8; 8]> {
+    let (word, tail) = rest.split_first_chunk::<8>()?;
+    *rest = tail;
+    Some(*word)
+}

@@ -1,0 +1,258 @@
+//! The highest caster beyond a place: a search that enters only squares which can hold it.
+
+use features::Crater;
+
+use crate::control_net::Bends;
+use crate::ground::{LitGround, Spot};
+use crate::sheet::{Node, Sheet, highest};
+
+/// Steps of bisection from a lattice point to the top beside it: 2^-14 of the lattice.
+const HALVINGS: u32 = 14;
+/// Share by which rounding could lift a point over its bound.
+const ROUNDING: f64 = 1e-11;
+
+/// The profile on one p, seen from a place on it towards the sun.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Upstream<'a> {
+    lit: LitGround<'a>,
+    p: f64,
+    /// Last point of the lattice that counts.
+    last: i64,
+}
+
+/// What is known of the highest point so far.
+#[derive(Debug, Clone, Copy)]
+struct Best {
+    g: f64,
+    k: i64,
+}
+
+impl Best {
+    const NONE: Self = Self { g: f64::NEG_INFINITY, k: i64::MAX };
+
+    /// Of equal points the one nearest to the sun, in whatever order they come.
+    fn take(&mut self, g: f64, k: i64) {
+        if g > self.g || (g == self.g && k < self.k) {
+            *self = Self { g, k };
+        }
+    }
+}
+
+/// What the search knows of one square.
+struct Square<'a> {
+    bends: Bends,
+    craters: &'a [u32],
+}
+
+impl<'a> Upstream<'a> {
+    /// The profile `p` (m) up to lattice point `last`.
+    pub(crate) fn new(lit: LitGround<'a>, p: f64, last: i64) -> Self {
+        Self { lit, p, last }
+    }
+
+    /// The largest `G cos e` (m) up to the place, and the lattice point that it lies at or beside; `None` if there is
+    /// no ground. `hint`, a lattice point, only saves time.
+    pub(crate) fn highest(&self, hint: Option<i64>) -> Option<(f64, i64)> {
+        let mut best = Best::NONE;
+        if let Some(k) = hint.filter(|&k| k <= self.last) {
+            self.try_point(k, &mut best);
+        }
+        for sheet in &self.lit.ground.sheets {
+            self.search(sheet, sheet.root(), &mut best);
+        }
+        self.refined(best)
+    }
+
+    /// The same from every point of the lattice: what [`highest`](Self::highest) must agree with.
+    #[cfg(test)]
+    pub(crate) fn highest_of_all(&self) -> Option<(f64, i64)> {
+        let mut best = Best::NONE;
+        for sheet in &self.lit.ground.sheets {
+            if let Some([first, last]) = self.clip(sheet.corners(sheet.root())) {
+                for k in first..=last {
+                    self.try_point(k, &mut best);
+                }
+            }
+        }
+        self.refined(best)
+    }
+
+    fn refined(&self, best: Best) -> Option<(f64, i64)> {
+        if best.k == i64::MAX {
+            return None;
+        }
+        Some((best.g.max(self.top_beside(best.k).unwrap_or(best.g)), best.k))
+    }
+
+    fn q(&self, k: i64) -> f64 {
+        k as f64 * self.lit.lattice
+    }
+
+    fn spot(&self, q: f64) -> Option<Spot> {
+        self.lit.spot(self.p, q)
+    }
+
+    fn try_point(&self, k: i64, best: &mut Best) -> Option<Spot> {
+        let spot = self.spot(self.q(k));
+        if let Some(spot) = spot {
+            best.take(spot.g, k);
+        }
+        spot
+    }
+
+    /// First and last lattice point at or just outside the square between two corners that count; `None` if the
+    /// profile misses it.
+    fn clip(&self, [low, high]: [[f64; 2]; 2]) -> Option<[i64; 2]> {
+        let start = self.lit.axes.to_ground([self.p, 0.0]);
+        let away = self.lit.axes.away();
+        let mut span = [f64::NEG_INFINITY, self.q(self.last)];
+        for axis in 0..2 {
+            if away[axis] == 0.0 {
+                if start[axis] < low[axis] || start[axis] > high[axis] {
+                    return None;
+                }
+                continue;
+            }
+            let ends = [low[axis], high[axis]].map(|edge| (edge - start[axis]) / away[axis]);
+            span = [span[0].max(ends[0].min(ends[1])), span[1].min(ends[0].max(ends[1]))];
+        }
+        let lattice = self.lit.lattice;
+        let [first, last] = [(span[0] / lattice).floor() as i64, (span[1] / lattice).ceil() as i64];
+        let last = last.min(self.last);
+        (span[0] <= span[1] + lattice && first <= last).then_some([first, last])
+    }
+
+    fn search(&self, sheet: &Sheet, node: Node, best: &mut Best) {
+        let Some(span) = self.clip(sheet.corners(node)) else { return };
+        if self.bound(sheet.ceiling(node), span) < best.g {
+            return;
+        }
+        if node.layer == 0 {
+            self.search_square(&Square { bends: sheet.bends(node), craters: sheet.craters(node) }, span, best);
+            return;
+        }
+        // The one that promises most comes first: it spares the others.
+        let mut children = [(f64::NEG_INFINITY, node); 4];
+        for (slot, child) in children.iter_mut().zip(sheet.children(node)) {
+            if let Some(span) = self.clip(sheet.corners(child)) {
+                *slot = (self.bound(sheet.ceiling(child), span), child);
+            }
+        }
+        children.sort_by(|a, b| b.0.total_cmp(&a.0));
+        for (bound, child) in children {
+            if bound > f64::NEG_INFINITY && bound >= best.g {
+                self.search(sheet, child, best);
+            }
+        }
+    }
+
+    /// No point with a height up to `ceiling` (m) in the span can have a larger `G cos e`.
+    fn bound(&self, ceiling: f64, span: [i64; 2]) -> f64 {
+        let [first, last] = span.map(|k| self.q(k) * self.lit.axes.sin);
+        let q = first.max(last);
+        ceiling * self.lit.axes.cos + q + ROUNDING * (ceiling.abs() + q.abs())
+    }
+
+    fn search_square(&self, square: &Square<'_>, [first, last]: [i64; 2], best: &mut Best) {
+        // Points just outside belong to the neighbours, whose bending is theirs.
+        self.try_point(first, best);
+        if last > first {
+            self.try_point(last, best);
+        }
+        if last - first >= 2 {
+            let ends = [first + 1, last - 1];
+            let spots = ends.map(|k| self.try_point(k, best));
+            self.halve(square, ends, spots, best);
+        }
+    }
+
+    fn halve(&self, square: &Square<'_>, [a, b]: [i64; 2], ends: [Option<Spot>; 2], best: &mut Best) {
+        if b - a < 2 || self.bound_between(square, [a, b], ends) < best.g {
+            return;
+        }
+        let middle = a + (b - a) / 2;
+        let spot = self.try_point(middle, best);
+        let halves = [([a, middle], [ends[0], spot]), ([middle, b], [spot, ends[1]])];
+        let g = |end: Option<Spot>| end.map_or(f64::NEG_INFINITY, |spot| spot.g);
+        let first = usize::from(g(ends[1]) > g(ends[0]));
+        for half in [first, 1 - first] {
+            let (span, ends) = halves[half];
+            self.halve(square, span, ends, best);
+        }
+    }
+
+    /// Bound between two points of a square: a chord plus what the bending allows, and each crater's highest.
+    fn bound_between(&self, square: &Square<'_>, span: [i64; 2], ends: [Option<Spot>; 2]) -> f64 {
+        let [Some(a), Some(b)] = ends else { return f64::INFINITY };
+        let [n, e] = self.lit.axes.away();
+        let [hxx, hxy, hyy] = square.bends;
+        let bend = n * n * hxx + 2.0 * (n * e).abs() * hxy + e * e * hyy;
+        let [from, to] = span.map(|k| self.q(k));
+        let length = to - from;
+        let craters = square.craters.iter().map(|&k| &self.lit.ground.landscape.features().craters()[k as usize]);
+        let rise: f64 = craters.map(|crater| self.crater_between(crater, [from, to])).sum();
+        let terrain = a.terrain.max(b.terrain);
+        let cos = self.lit.axes.cos;
+        let bound = terrain + cos * (bend * length * length / 8.0 + rise);
+        bound + ROUNDING * (terrain.abs() + rise.abs() + 1.0)
+    }
+
+    fn crater_between(&self, crater: &Crater, [from, to]: [f64; 2]) -> f64 {
+        let [p, q] = self.lit.axes.from_ground(crater.centre());
+        let across = self.p - p;
+        let distance = |along: f64| (across * across + along * along).sqrt();
+        let (a, b) = (distance(from - q), distance(to - q));
+        let near = if from <= q && q <= to { across.abs() } else { a.min(b) };
+        if near >= crater.outer() { 0.0 } else { highest(crater, [near, a.max(b)]) }
+    }
+
+    /// The top between a lattice point and its neighbour on the rising side (11.1 step 2: at kinks the kink).
+    fn top_beside(&self, k: i64) -> Option<f64> {
+        let here = self.spot(self.q(k))?;
+        if here.rise > 0.0 && k == self.last {
+            return None;
+        }
+        let [mut low, mut high] = if here.rise > 0.0 { [here.q, self.q(k + 1)] } else { [self.q(k - 1), here.q] };
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if self.spot(middle)?.rise > 0.0 { low = middle } else { high = middle }
+        }
+        Some(self.spot(low)?.g.max(self.spot(high)?.g))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Upstream;
+    use crate::ground::{Ground, LitGround};
+    use crate::tests::{cratered, two_levels};
+    use landscape::Sun;
+    use quantities::radians;
+    use std::sync::Arc;
+
+    fn same_as_all(landscape: landscape::Landscape, lattice: f64, places: [f64; 2]) {
+        let ground = Ground::new(Arc::new(landscape));
+        for (azimuth, elevation) in [(33.0, 0.4), (180.0, 3.0), (251.0, 10.0), (90.0, 40.0), (0.0, 90.0)] {
+            let sun = Sun { azimuth: radians(azimuth), elevation: radians(elevation) };
+            let lit = LitGround::new(&ground, &sun, lattice);
+            for n in 0..40 {
+                let place = [0, 1].map(|axis| places[1] * quantities::unit_interval(4, &[n, axis]) + places[0]);
+                let [p, q] = lit.axes.from_ground(place);
+                let upstream = Upstream::new(lit, p, (q / lattice).floor() as i64);
+                let all = upstream.highest_of_all();
+                assert_eq!(upstream.highest(None), all);
+                assert_eq!(upstream.highest(Some((q / lattice) as i64 - 7)), all);
+            }
+        }
+    }
+
+    #[test]
+    fn pruning_changes_no_bit() {
+        same_as_all(cratered(1, 150), 0.5, [0.0, 600.0]);
+    }
+
+    #[test]
+    fn pruning_changes_no_bit_over_two_levels() {
+        same_as_all(two_levels(), 4.0, [-3000.0, 8000.0]);
+    }
+}

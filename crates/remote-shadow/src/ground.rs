@@ -1,0 +1,127 @@
+//! The ground as a sun sees it.
+
+use std::sync::Arc;
+
+use features::Crater;
+use landscape::{Landscape, Sun};
+
+use crate::axes::SunAxes;
+use crate::sheet::{Sheet, Stand};
+
+/// A landscape in squares: [`Landscape::at`], bit for bit, without a search for the craters of each point.
+#[derive(Debug)]
+pub(crate) struct Ground {
+    pub(crate) landscape: Arc<Landscape>,
+    pub(crate) sheets: Vec<Sheet>,
+}
+
+impl Ground {
+    pub(crate) fn new(landscape: Arc<Landscape>) -> Self {
+        let levels = 0..landscape.bank().levels().len();
+        let sheets = levels.map(|index| Sheet::new(&landscape, index)).collect();
+        Self { landscape, sheets }
+    }
+
+    /// Height and slopes of the terrain and those of the features on it at a place (m); `None` where there is no
+    /// ground.
+    fn at(&self, [x, y]: [f64; 2]) -> Option<[[f64; 3]; 2]> {
+        let levels = self.landscape.bank().levels().iter().zip(&self.sheets);
+        let (level, sheet, stand) =
+            levels.filter_map(|(level, sheet)| Some((level, sheet, sheet.stand(level, [x, y])?))).next()?;
+        let Stand { region, local, square } = stand;
+        let [height, hu, hv] = level.height_and_slopes(region, local);
+        let d = level.region_size();
+        Some([[height, hu / d, hv / d], self.rise(sheet.craters(square), [x, y])])
+    }
+
+    /// Rises of `craters`, summed in ascending order of index.
+    fn rise(&self, craters: &[u32], place: [f64; 2]) -> [f64; 3] {
+        let all = self.landscape.features().craters();
+        let mut sum = [0.0; 3];
+        craters.iter().for_each(|&index| add(&all[index as usize], place, &mut sum));
+        sum
+    }
+}
+
+fn add(crater: &Crater, [x, y]: [f64; 2], [height, north, east]: &mut [f64; 3]) {
+    let [dx, dy] = [x - crater.centre()[0], y - crater.centre()[1]];
+    let square = dx * dx + dy * dy;
+    // Spares most roots: a comfortable margin over their rounding.
+    if square > 1.000_001 * crater.outer() * crater.outer() {
+        return;
+    }
+    let rho = square.sqrt();
+    if rho < crater.outer() {
+        let [rise, slope] = crater.profile(rho);
+        *height += rise;
+        if rho > 0.0 {
+            *north += slope * dx / rho;
+            *east += slope * dy / rho;
+        }
+    }
+}
+
+/// The ground under one sun.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct LitGround<'a> {
+    pub(crate) ground: &'a Ground,
+    pub(crate) axes: SunAxes,
+    /// Distance between the places at which casters are looked for (m).
+    pub(crate) lattice: f64,
+}
+
+/// A point of a profile.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Spot {
+    /// Distance away from the sun (m).
+    pub(crate) q: f64,
+    /// `G cos e = h cos e + q sin e` (m): how far above the sun ray through the origin. The factor keeps it finite
+    /// for a sun in the zenith.
+    pub(crate) g: f64,
+    /// Its derivative; below 0 is local shadow (section 7).
+    pub(crate) rise: f64,
+    /// The part of `g` without the features (m).
+    pub(crate) terrain: f64,
+}
+
+impl<'a> LitGround<'a> {
+    pub(crate) fn new(ground: &'a Ground, sun: &Sun, lattice: f64) -> Self {
+        Self { ground, axes: SunAxes::new(sun), lattice }
+    }
+
+    /// The ground at (p, q) (m), `None` where there is none.
+    pub(crate) fn spot(&self, p: f64, q: f64) -> Option<Spot> {
+        let [terrain, features] = self.ground.at(self.axes.to_ground([p, q]))?;
+        let [height, north, east] = [0, 1, 2].map(|k: usize| terrain[k] + features[k]);
+        let away = self.axes.away();
+        let slope = north * away[0] + east * away[1];
+        let (sin, cos) = (self.axes.sin, self.axes.cos);
+        let lift = q * sin;
+        Some(Spot { q, g: height * cos + lift, rise: slope * cos + sin, terrain: terrain[0] * cos + lift })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Ground;
+    use crate::tests::{cratered, two_levels};
+    use landscape::Landscape;
+    use quantities::unit_interval;
+    use std::sync::Arc;
+
+    fn is_the_landscape(landscape: Landscape, [from, length]: [f64; 2]) {
+        let ground = Ground::new(Arc::new(landscape));
+        for n in 0..20_000 {
+            let [x, y] = [0, 1].map(|axis| from + length * unit_interval(3, &[n, axis]));
+            let found = ground.at([x, y]).map(|[terrain, features]| [0, 1, 2].map(|k| terrain[k] + features[k]));
+            let expected = ground.landscape.at(x, y);
+            assert_eq!(found, expected.map(|point| [point.height, point.slopes[0], point.slopes[1]]));
+        }
+    }
+
+    #[test]
+    fn it_is_the_landscape_bit_for_bit() {
+        is_the_landscape(cratered(7, 300), [-20.0, 640.0]);
+        is_the_landscape(two_levels(), [-7000.0, 17_400.0]);
+    }
+}

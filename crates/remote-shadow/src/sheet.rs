@@ -1,0 +1,310 @@
+//! One level of the bank as squares with a ceiling each, and the pyramid of maxima over them.
+
+use features::{Crater, Features};
+use landscape::{Landscape, Level};
+use rayon::prelude::*;
+
+use crate::control_net::{Bends, bends};
+
+/// Smallest side of a square (m): below this a ceiling costs more than it saves.
+const SMALLEST_SIDE: f64 = 8.0;
+/// Most squares of a level.
+const MOST_SQUARES: usize = 1 << 20;
+/// Share of a height by which rounding could lift the ground over a ceiling.
+const ROUNDING: f64 = 1e-12;
+
+/// Share by which a crater is taken larger when its squares are looked for: rounding must not lose one.
+const REACH_ROUNDING: f64 = 1e-9;
+
+/// Squares of a level: regions, or equal parts of them.
+#[derive(Debug)]
+pub(crate) struct Sheet {
+    origin: [f64; 2],
+    side: f64,
+    counts: [usize; 2],
+    parts: usize,
+    /// Bending of each region, east fastest; infinite where a finer level lies over a part of it.
+    bends: Vec<Bends>,
+    /// Maxima (m): squares first, then four by four up to one.
+    layers: Vec<Layer>,
+    /// Craters of each square: `craters[starts[n]..starts[n + 1]]`, ascending.
+    starts: Vec<u32>,
+    craters: Vec<u32>,
+}
+
+#[derive(Debug)]
+struct Layer {
+    counts: [usize; 2],
+    ceilings: Vec<f64>,
+}
+
+/// A square of a sheet's pyramid: layer 0 holds the squares themselves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Node {
+    pub(crate) layer: usize,
+    pub(crate) at: [usize; 2],
+}
+
+/// Where a place lies in a level and its sheet.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Stand {
+    pub(crate) region: [usize; 2],
+    pub(crate) local: [f64; 2],
+    pub(crate) square: Node,
+}
+
+impl Sheet {
+    /// The sheet of level `index` of the bank. Squares that lie wholly under a finer level are never met: their
+    /// ceiling is minus infinity.
+    pub(crate) fn new(landscape: &Landscape, index: usize) -> Self {
+        let level = &landscape.bank().levels()[index];
+        let finer = &landscape.bank().levels()[..index];
+        let regions = level.corners().map(|count| count - 1);
+        let parts = parts(level.region_size(), regions);
+        let counts = regions.map(|count| count * parts);
+        let side = level.region_size() / parts as f64;
+        let mut sheet = Self {
+            origin: level.origin(),
+            side,
+            counts,
+            parts,
+            bends: Vec::new(),
+            layers: Vec::new(),
+            starts: Vec::new(),
+            craters: Vec::new(),
+        };
+        sheet.bends = (0..regions[0] * regions[1])
+            .into_par_iter()
+            .map(|n| sheet.region_bends(level, [n / regions[1], n % regions[1]], finer))
+            .collect();
+        sheet.sort_in(landscape.features());
+        let ceilings = (0..counts[0] * counts[1])
+            .into_par_iter()
+            .map(|n| sheet.ceiling_of(level, finer, landscape.features(), [n / counts[1], n % counts[1]]))
+            .collect();
+        sheet.layers = pyramid(Layer { counts, ceilings });
+        sheet
+    }
+
+    /// Where a place (m) lies in `level`, whose sheet this is; `None` outside.
+    pub(crate) fn stand(&self, level: &Level, [x, y]: [f64; 2]) -> Option<Stand> {
+        let (region, local) = level.locate(x, y)?;
+        let part = |axis: usize| ((local[axis] * self.parts as f64) as usize).min(self.parts - 1);
+        let at = std::array::from_fn(|axis| region[axis] * self.parts + part(axis));
+        Some(Stand { region, local, square: Node { layer: 0, at } })
+    }
+
+    /// The square that holds all others.
+    pub(crate) fn root(&self) -> Node {
+        Node { layer: self.layers.len() - 1, at: [0, 0] }
+    }
+
+    /// Upper bound of the height in a node (m).
+    pub(crate) fn ceiling(&self, node: Node) -> f64 {
+        let layer = &self.layers[node.layer];
+        layer.ceilings[node.at[0] * layer.counts[1] + node.at[1]]
+    }
+
+    /// South-west and north-east corner of a node (m).
+    pub(crate) fn corners(&self, node: Node) -> [[f64; 2]; 2] {
+        [0, 1].map(|end| {
+            std::array::from_fn(|axis| {
+                let place = ((node.at[axis] + end) << node.layer).min(self.counts[axis]);
+                self.origin[axis] + place as f64 * self.side
+            })
+        })
+    }
+
+    /// The nodes, four at most, that a node above layer 0 is made of.
+    pub(crate) fn children(&self, node: Node) -> impl Iterator<Item = Node> {
+        let layer = node.layer - 1;
+        let counts = self.layers[layer].counts;
+        (0..4)
+            .map(move |k| Node { layer, at: [2 * node.at[0] + k / 2, 2 * node.at[1] + k % 2] })
+            .filter(move |child| child.at[0] < counts[0] && child.at[1] < counts[1])
+    }
+
+    /// Bending of the ground in a node of layer 0.
+    pub(crate) fn bends(&self, node: Node) -> Bends {
+        let regions = self.counts[1] / self.parts;
+        self.bends[node.at[0] / self.parts * regions + node.at[1] / self.parts]
+    }
+
+    /// Indices of the craters that reach into a node of layer 0, ascending.
+    pub(crate) fn craters(&self, node: Node) -> &[u32] {
+        let square = node.at[0] * self.counts[1] + node.at[1];
+        &self.craters[self.starts[square] as usize..self.starts[square + 1] as usize]
+    }
+
+    fn region_bends(&self, level: &Level, region: [usize; 2], finer: &[Level]) -> Bends {
+        let low: [f64; 2] =
+            std::array::from_fn(|axis| level.origin()[axis] + region[axis] as f64 * level.region_size());
+        let high = low.map(|edge| edge + level.region_size());
+        let overlaid = |fine: &Level| {
+            let [south, west, north, east] = fine.extent();
+            low[0] < north && high[0] > south && low[1] < east && high[1] > west
+        };
+        if finer.iter().any(overlaid) { [f64::INFINITY; 3] } else { bends(level, region) }
+    }
+
+    fn sort_in(&mut self, features: &Features) {
+        let squares = self.counts[0] * self.counts[1];
+        let mut starts = vec![0u32; squares + 1];
+        let craters = features.craters();
+        for crater in craters {
+            self.for_squares(crater, |square| starts[square + 1] += 1);
+        }
+        for square in 0..squares {
+            starts[square + 1] += starts[square];
+        }
+        self.craters = vec![0; starts[squares] as usize];
+        let mut sorted = std::mem::take(&mut self.craters);
+        let mut next = starts.clone();
+        for (index, crater) in craters.iter().enumerate() {
+            self.for_squares(crater, |square| {
+                sorted[next[square] as usize] = index as u32;
+                next[square] += 1;
+            });
+        }
+        (self.starts, self.craters) = (starts, sorted);
+    }
+
+    fn for_squares(&self, crater: &Crater, mut visit: impl FnMut(usize)) {
+        let (centre, outer) = (crater.centre(), crater.outer());
+        let margin = outer * REACH_ROUNDING + REACH_ROUNDING * self.side;
+        let range = |axis: usize| {
+            let at = |place: f64| ((place - self.origin[axis]) / self.side).floor();
+            let first = at(centre[axis] - outer - margin).max(0.0) as usize;
+            let end = (at(centre[axis] + outer + margin) + 1.0).clamp(0.0, self.counts[axis] as f64) as usize;
+            first..end
+        };
+        for north in range(0) {
+            for east in range(1) {
+                let corners = self.corners(Node { layer: 0, at: [north, east] });
+                if distances(corners, centre)[0] <= outer * (1.0 + REACH_ROUNDING) {
+                    visit(north * self.counts[1] + east);
+                }
+            }
+        }
+    }
+
+    fn ceiling_of(&self, level: &Level, finer: &[Level], features: &Features, at: [usize; 2]) -> f64 {
+        let node = Node { layer: 0, at };
+        let corners = self.corners(node);
+        if finer.iter().any(|fine| covers(fine, corners)) {
+            return f64::NEG_INFINITY;
+        }
+        let rises = self.craters(node).iter().map(|&index| &features.craters()[index as usize]);
+        let rise: f64 = rises.map(|crater| highest(crater, distances(corners, crater.centre()))).sum();
+        let terrain = self.terrain_ceiling(level, at);
+        let top = terrain + rise;
+        top + ROUNDING * (terrain.abs() + rise.abs() + 1.0)
+    }
+
+    /// A surface stays below the bilinear one through its corners plus what its bending allows.
+    fn terrain_ceiling(&self, level: &Level, at: [usize; 2]) -> f64 {
+        let region = at.map(|index| index / self.parts);
+        let share = |axis: usize, end: usize| (at[axis] % self.parts + end) as f64 / self.parts as f64;
+        let corner = |k: usize| level.height_and_slopes(region, [share(0, k / 2), share(1, k % 2)])[0];
+        let highest = (0..4).map(corner).fold(f64::NEG_INFINITY, f64::max);
+        let [hxx, _, hyy] = bends(level, region);
+        highest + (hxx + hyy) * self.side * self.side / 8.0
+    }
+}
+
+/// Nearest and farthest distance (m) from a place to the square between two corners.
+fn distances([low, high]: [[f64; 2]; 2], place: [f64; 2]) -> [f64; 2] {
+    let away: [[f64; 2]; 2] = std::array::from_fn(|axis| {
+        let (below, above) = (low[axis] - place[axis], place[axis] - high[axis]);
+        [below.max(above).max(0.0), (-below).max(-above)]
+    });
+    [0, 1].map(|end| (away[0][end] * away[0][end] + away[1][end] * away[1][end]).sqrt())
+}
+
+/// Highest rise (m) of a crater between two distances from its centre: heights rise to the crest, then fall.
+pub(crate) fn highest(crater: &Crater, [near, far]: [f64; 2]) -> f64 {
+    let crest = crest(crater);
+    if near <= crest && crest <= far {
+        return crater.rim();
+    }
+    crater.profile(near)[0].max(crater.profile(far)[0])
+}
+
+fn crest(crater: &Crater) -> f64 {
+    match crater.shape() {
+        features::Shape::Bowl { r1 } => r1,
+        features::Shape::RimmedBowl { r1, r2 } => 0.5 * (r1 + r2),
+        features::Shape::FlatFloor { r2, r3, .. } => 0.5 * (r2 + r3),
+    }
+}
+
+fn covers(level: &Level, [low, high]: [[f64; 2]; 2]) -> bool {
+    let [south, west, north, east] = level.extent();
+    low[0] >= south && high[0] <= north && low[1] >= west && high[1] <= east
+}
+
+/// Parts of a region along an axis: a power of two that keeps squares large and few enough.
+fn parts(region_size: f64, regions: [usize; 2]) -> usize {
+    let mut parts = 1;
+    while region_size / (2 * parts) as f64 >= SMALLEST_SIDE
+        && regions[0] * regions[1] * 4 * parts * parts <= MOST_SQUARES
+    {
+        parts *= 2;
+    }
+    parts
+}
+
+fn pyramid(base: Layer) -> Vec<Layer> {
+    let mut layers = vec![base];
+    while let Some(below) = layers.last().filter(|layer| layer.ceilings.len() > 1) {
+        let above = halved(below);
+        layers.push(above);
+    }
+    layers
+}
+
+fn halved(below: &Layer) -> Layer {
+    let counts = below.counts.map(|count| count.div_ceil(2));
+    let mut ceilings = vec![f64::NEG_INFINITY; counts[0] * counts[1]];
+    for north in 0..below.counts[0] {
+        for east in 0..below.counts[1] {
+            let above = &mut ceilings[north / 2 * counts[1] + east / 2];
+            *above = above.max(below.ceilings[north * below.counts[1] + east]);
+        }
+    }
+    Layer { counts, ceilings }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Node, Sheet};
+    use crate::tests::cratered;
+
+    #[test]
+    fn no_ground_stands_above_its_ceiling() {
+        let landscape = cratered(5, 200);
+        let sheet = Sheet::new(&landscape, 0);
+        let mut closest = f64::INFINITY;
+        for n in 0..40_000u64 {
+            let place = [0, 1].map(|axis| 600.0 * quantities::unit_interval(9, &[n, axis]));
+            let height = landscape.height(place[0], place[1]).unwrap();
+            for layer in 0..sheet.layers.len() {
+                let at = place.map(|along| (along / sheet.side) as usize >> layer);
+                let gap = sheet.ceiling(Node { layer, at }) - height;
+                assert!(gap >= 0.0, "{place:?} at layer {layer}: {gap} m");
+                closest = closest.min(gap);
+            }
+        }
+        assert!(closest < 0.3, "ceilings are of use: {closest} m");
+    }
+
+    #[test]
+    fn children_tile_their_parent() {
+        let sheet = Sheet::new(&cratered(1, 0), 0);
+        let mut squares = vec![sheet.root()];
+        while squares[0].layer > 0 {
+            squares = squares.iter().flat_map(|&node| sheet.children(node)).collect();
+        }
+        assert_eq!(squares.len(), sheet.counts[0] * sheet.counts[1]);
+    }
+}

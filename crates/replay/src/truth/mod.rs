@@ -1,0 +1,242 @@
+//! Ground truth: what each pixel of a run shows, from `exact` at the pixel's centre.
+//!
+//! ```text
+//! truth/frame_000000.npz        one array for each kind that was asked for
+//! truth/poses.csv  poses.json   time, eye, attitude, rotation, sun
+//! truth/truth.json              units, codes, conventions, error, what it was made from, a hash of every file
+//! ```
+//!
+//! It is written after the pictures, frame by frame, whoever drew them, and resumes as they do. The format stands in
+//! `docs/truth-format.md`.
+
+mod item;
+mod poses;
+mod record;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
+use std::path::PathBuf;
+use std::sync::atomic::Ordering;
+
+use exact::Exact;
+use files::{Npy, write_npz};
+use generator::{Generator, PlaneKind, Planes, Session};
+use scenario::{PixelRule, PoseRow, PoseTable};
+use serde_json::json;
+use signal::Probe;
+
+use crate::folder::{TRUTH, truth_name};
+use crate::held::{FileRecord, file_hash, frame_range, hash, whole, write_changed};
+use crate::job::{Control, Job, Progress};
+use crate::journal::{self, Journal};
+use crate::run::pretty;
+use crate::{HeldRun, ReplayError, RunFolder};
+use record::{FORMAT, Finished, HeldTruth, TruthFrame};
+
+pub use item::{TruthItem, TruthItems, UnknownTruth};
+
+/// Files in the folder of the truth beside the frames.
+const RECORD: &str = "truth.json";
+const POSES_CSV: &str = "poses.csv";
+const POSES_JSON: &str = "poses.json";
+const JOURNAL: &str = "truth.journal";
+
+/// All of them, for the folder that knows its own; the record last, so that what a kill leaves is still known.
+pub(crate) const TRUTH_FILES: [&str; 4] = [POSES_CSV, POSES_JSON, JOURNAL, RECORD];
+
+/// How far the truth of a run is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct TruthOutcome {
+    /// Frames that have or are to have their truth.
+    pub frames: u64,
+    /// Frames that have it.
+    pub done: u64,
+    /// Of these made now.
+    pub made: u64,
+}
+
+/// Writes the truth of `job.frames` beside the finished run in `folder`, or what is missing of it. Frames that have
+/// theirs keep it.
+///
+/// # Errors
+/// If the folder has no finished run or holds truth of other kinds, or a file cannot be written. What was finished
+/// before stays, and the same call goes on from there.
+pub fn write_truth(
+    job: &Job,
+    items: &TruthItems,
+    folder: &RunFolder,
+    control: &Control,
+) -> Result<TruthOutcome, ReplayError> {
+    let mut truth = Truth::prepare(job, items, folder, control)?;
+    let kept = truth.frames.len() as u64;
+    let journal = truth.begin()?;
+    truth.draw(&journal)?;
+    let done = truth.frames.len() as u64;
+    let frames = truth.rows.len() as u64;
+    if done == frames {
+        truth.finish()?;
+        journal.end()?;
+    }
+    Ok(TruthOutcome { frames, done, made: done - kept })
+}
+
+struct Truth<'a> {
+    /// The job with the pixel rule of the truth.
+    job: Job<'a>,
+    items: &'a TruthItems,
+    folder: &'a RunFolder,
+    control: &'a Control<'a>,
+    run: HeldRun,
+    session: Box<dyn Session>,
+    fingerprint: String,
+    /// Poses of all frames that are to have truth.
+    rows: Vec<PoseRow>,
+    /// Frames that have it.
+    frames: BTreeMap<u64, TruthFrame>,
+}
+
+impl<'a> Truth<'a> {
+    fn prepare(
+        job: &Job<'a>,
+        items: &'a TruthItems,
+        folder: &'a RunFolder,
+        control: &'a Control<'a>,
+    ) -> Result<Self, ReplayError> {
+        let mut job = job.clone();
+        job.stage.settings.laws.pixel_rule = PixelRule::Centre;
+        let run = HeldRun::read(folder.path())?;
+        let fingerprint = fingerprint(&run, items);
+        let listed = listed(folder, &fingerprint, items)?;
+        let rows = rows(&job, &run, &listed.keys().copied().chain(job.frames.clone()).collect())?;
+        let session = control.pool.install(|| Exact.prepare(job.stage.clone()))?;
+        (control.progress)(Progress::Verifying { frames: listed.len() as u64 });
+        let listed = listed.into_values().collect();
+        let check = || whole(listed, &folder.join(TRUTH), |frame: &TruthFrame| &frame.files);
+        let frames = control.pool.install(check).into_iter().map(|frame| (frame.frame, frame)).collect();
+        Ok(Self { job, items, folder, control, run, session, fingerprint, rows, frames })
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.folder.join(TRUTH).join(name)
+    }
+
+    /// From here on the folder has truth of these kinds.
+    fn begin(&self) -> Result<Journal, ReplayError> {
+        self.folder.make(TRUTH)?;
+        let kept: Vec<&TruthFrame> = self.frames.values().collect();
+        let journal = Journal::begin(self.path(JOURNAL), &self.fingerprint, &kept)?;
+        self.folder.remove_stray_truth(|frame| self.rows.iter().any(|row| row.frame == frame))?;
+        Ok(journal)
+    }
+
+    /// Makes what is missing, one frame after the other: `exact` uses all threads for each.
+    fn draw(&mut self, journal: &Journal) -> Result<(), ReplayError> {
+        let missing: Vec<PoseRow> =
+            self.rows.iter().filter(|row| !self.frames.contains_key(&row.frame)).copied().collect();
+        let (frames, kept) = (self.rows.len() as u64, self.frames.len() as u64);
+        (self.control.progress)(Progress::Begins { what: "truth", frames, kept });
+        let mut planes = self.planes();
+        for row in &missing {
+            if self.control.cancel.load(Ordering::Relaxed) {
+                break;
+            }
+            let frame = self.frame(row, &mut planes)?;
+            journal.add(&frame)?;
+            self.frames.insert(row.frame, frame);
+            (self.control.progress)(Progress::Frame { done: self.frames.len() as u64 });
+        }
+        Ok(())
+    }
+
+    fn planes(&self) -> Planes {
+        let raster = &self.job.stage.settings.raster;
+        let kinds: Vec<PlaneKind> = self.items.arrays().flat_map(TruthItem::kinds).copied().collect();
+        Planes::new(raster.columns as usize, raster.lines as usize, &kinds)
+    }
+
+    fn frame(&self, row: &PoseRow, planes: &mut Planes) -> Result<TruthFrame, ReplayError> {
+        let (frame, time_s) = (row.frame, row.pose.time);
+        if self.items.arrays().next().is_none() {
+            return Ok(TruthFrame { frame, time_s, files: Vec::new() });
+        }
+        let draw = || self.session.frame(frame, &row.pose, planes, &mut Probe::off());
+        self.control.pool.install(draw)?;
+        let mut arrays: Vec<(&str, Npy)> = Vec::new();
+        for item in self.items.arrays() {
+            check_numbers(frame, item, planes)?;
+            let array = item.array(planes).map_err(|source| ReplayError::TruthArray { frame, source })?;
+            arrays.push((item.name(), array));
+        }
+        let file = truth_name(frame);
+        let path = self.path(&file);
+        write_npz(&path, arrays.iter().map(|(name, array)| (*name, array)))?;
+        Ok(TruthFrame { frame, time_s, files: vec![FileRecord { blake3: file_hash(&path)?, file }] })
+    }
+
+    fn finish(&self) -> Result<(), ReplayError> {
+        (self.control.progress)(Progress::Finishing);
+        let (folder, stage) = (self.folder.join(TRUTH), &self.job.stage);
+        let mut outputs = Vec::new();
+        if self.items.has_pose() {
+            outputs.push(write_changed(&folder, POSES_CSV, poses::csv(stage, &self.rows).as_bytes())?);
+            let document = pretty(&poses::document(stage, &self.rows));
+            outputs.push(write_changed(&folder, POSES_JSON, document.as_bytes())?);
+        }
+        let frames: Vec<TruthFrame> = self.frames.values().cloned().collect();
+        let document = record::document(&Finished {
+            job: &self.job,
+            run: &self.run,
+            items: self.items,
+            fingerprint: &self.fingerprint,
+            frames: &frames,
+            outputs: &outputs,
+            omissions: &self.session.omissions(),
+        });
+        write_changed(&folder, RECORD, pretty(&document).as_bytes())?;
+        Ok(())
+    }
+}
+
+/// What decides the arrays: the run, the format, the kinds.
+fn fingerprint(run: &HeldRun, items: &TruthItems) -> String {
+    let document = json!({ "run": run.fingerprint, "format": FORMAT, "items": items.to_string() });
+    hash(document.to_string().as_bytes())
+}
+
+/// Frames that the record or the journal lists.
+fn listed(
+    folder: &RunFolder,
+    fingerprint: &str,
+    items: &TruthItems,
+) -> Result<BTreeMap<u64, TruthFrame>, ReplayError> {
+    let path = folder.join(TRUTH);
+    let held = HeldTruth::read_if_there(&path.join(RECORD))?;
+    let journal = journal::read::<TruthFrame>(&path.join(JOURNAL))?;
+    let held = held.map(|held| (held.fingerprint, held.frames));
+    let found = [held, journal.map(|journal| (journal.fingerprint, journal.frames))];
+    let mut frames = BTreeMap::new();
+    for (found, list) in found.into_iter().flatten() {
+        if found != fingerprint {
+            return Err(ReplayError::OtherTruth { path, asked: items.to_string() });
+        }
+        frames.extend(list.into_iter().map(|frame| (frame.frame, frame)));
+    }
+    Ok(frames)
+}
+
+/// Poses of `frames` that the run has.
+fn rows(job: &Job, run: &HeldRun, frames: &BTreeSet<u64>) -> Result<Vec<PoseRow>, ReplayError> {
+    let range: Range<u64> = frame_range(&run.frames).unwrap_or(0..0);
+    let settings = &job.stage.settings;
+    let (update, yoke) = (settings.timebase.update, settings.yoke);
+    let table = PoseTable::resolve(job.scenario, &job.stage.landscape, update, yoke, range)?;
+    Ok(table.rows().iter().filter(|row| frames.contains(&row.frame)).copied().collect())
+}
+
+fn check_numbers(frame: u64, item: TruthItem, planes: &Planes) -> Result<(), ReplayError> {
+    let mut values = item.kinds().iter().filter_map(|kind| planes.get(*kind)).flatten();
+    match values.any(|value| value.is_nan()) {
+        true => Err(ReplayError::TruthNotANumber { frame, item: item.name() }),
+        false => Ok(()),
+    }
+}

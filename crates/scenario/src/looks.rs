@@ -1,0 +1,52 @@
+//! How ground and sky look: texture, the fineness of shadows, how the display takes roll.
+
+use landscape::{Layer, Source, Texture, TextureError};
+
+/// Texture that a scenario asks for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TextureWish {
+    /// Where it comes from.
+    pub source: Source,
+    /// Names the pattern.
+    pub seed: u64,
+    /// Its grain sizes.
+    pub layers: Vec<Layer>,
+}
+
+impl TextureWish {
+    /// The texture over regions of this size (m) from `origin` (m).
+    ///
+    /// # Errors
+    /// If a number is out of its range.
+    pub fn over(&self, region_size: f64, origin: [f64; 2]) -> Result<Texture, TextureError> {
+        Texture::new(&self.layers, self.source, self.seed, region_size, origin)
+    }
+}
+
+/// How finely remote shadow is worked out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ShadowFineness {
+    /// Smallest distance between profiles (m).
+    pub finest: f64,
+    /// Distance between profiles for each metre of distance from the eye (rad).
+    pub angle: f64,
+    /// Ground range beyond which there is none (m); that of the last sample if open.
+    pub reach: Option<f64>,
+}
+
+impl Default for ShadowFineness {
+    /// A quarter of a metre near the eye, a sweep of a thousand beyond (our choice).
+    fn default() -> Self {
+        Self { finest: 0.25, angle: 1e-3, reach: None }
+    }
+}
+
+/// What the display does about the vehicle's roll (section 18).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum RollDisplay {
+    /// Nothing: the picture stands upright whatever the vehicle does.
+    #[default]
+    None,
+    /// The yoke of the machine turns the picture.
+    Yoke,
+}

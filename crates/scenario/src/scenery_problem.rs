@@ -1,0 +1,73 @@
+//! Why something of a scenario has no place on its ground.
+
+use std::fmt;
+
+use solids::{RockFieldError, SolidError};
+
+use crate::rocks::MAX_ROCKS;
+use crate::tracks::MAX_PATCHES;
+
+/// One thing that does not fit.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SceneryProblem {
+    /// An object stands outside the problem area.
+    #[error(
+        "object \"{id}\" at t = {time} s: x = {x:.2} m, y = {y:.2} m is outside the problem area, expected \
+         x {}..{} m, y {}..{} m; move it or enlarge the landscape",
+        extent[0], extent[2], extent[1], extent[3]
+    )]
+    ObjectOutside {
+        /// Which.
+        id: String,
+        /// Since when (s).
+        time: f64,
+        /// North (m).
+        x: f64,
+        /// East (m).
+        y: f64,
+        /// South, west, north, east edge of the area (m).
+        extent: [f64; 4],
+    },
+    /// More rocks than can be drawn.
+    #[error(
+        "[rocks]: {found:.0} rocks: expected at most {MAX_ROCKS}; raise smallest_m, or lower density_per_m2 or radius_m"
+    )]
+    TooManyRocks {
+        /// How many there would be.
+        found: f64,
+    },
+    /// Rocks that cannot be strewn.
+    #[error("[rocks]: {0}")]
+    Rocks(#[from] RockFieldError),
+    /// The seed makes a rock that is no solid.
+    #[error("[rocks]: a shape of this seed is no solid: {0}; choose another seed")]
+    RockShape(SolidError),
+    /// More track patches than can be kept.
+    #[error("[tracks]: more than {MAX_PATCHES} patches every {spacing} m; raise spacing_m")]
+    TooManyPatches {
+        /// Asked for (m).
+        spacing: f64,
+    },
+    /// A path too long to be walked along.
+    #[error(
+        "[path]: too long for [rocks] or [tracks], which walk along it in steps of {spacing} m; shorten it, or raise \
+         spacing_m or radius_m"
+    )]
+    LongPath {
+        /// Of the steps (m).
+        spacing: f64,
+    },
+}
+
+/// All that does not fit; never empty.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SceneryProblems(pub Vec<SceneryProblem>);
+
+impl fmt::Display for SceneryProblems {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let lines: Vec<String> = self.0.iter().map(SceneryProblem::to_string).collect();
+        f.write_str(&lines.join("\n"))
+    }
+}
+
+impl std::error::Error for SceneryProblems {}

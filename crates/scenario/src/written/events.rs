@@ -1,0 +1,100 @@
+//! `[[event]]`: what happens to objects, and whether it can.
+
+use diagnostics::{Placed, Problem, Reader};
+use quantities::radians;
+
+use super::scenery::place;
+use crate::{Action, Event, Object};
+
+/// The events of a scenario, ascending in time; every one that cannot happen is a problem.
+pub(super) fn events(tables: &[Reader], objects: &[Object]) -> Option<Vec<Event>> {
+    let read: Vec<_> = tables.iter().map(|table| event(table, objects)).collect();
+    let mut events = read.into_iter().collect::<Option<Vec<Placed<Event>>>>()?;
+    // Stable: the later line of two at one time is the one that is refused.
+    events.sort_by(|a, b| a.value.time.total_cmp(&b.value.time));
+    let mut all_happen = true;
+    for number in 0..objects.len() {
+        let own = events.iter().filter(|event| event.value.object == number);
+        for problem in impossible(&objects[number], own) {
+            tables[0].report(problem);
+            all_happen = false;
+        }
+    }
+    all_happen.then(|| events.into_iter().map(|event| event.value).collect())
+}
+
+fn event(table: &Reader, objects: &[Object]) -> Option<Placed<Event>> {
+    let time = table.f64("t_s").at_least(0.0).at_most(1e6).unit("s").placed().required();
+    let object = object(table, objects);
+    #[derive(Clone, Copy, PartialEq)]
+    enum Word {
+        Move,
+        Delete,
+        Add,
+    }
+    let words = [("move", Word::Move), ("delete", Word::Delete), ("add", Word::Add)];
+    let action = match table.one_of("action", &words).required() {
+        Some(Word::Move) => motion(table),
+        Some(Word::Delete) => Some(Action::Delete),
+        Some(Word::Add) => Some(Action::Add),
+        None => {
+            table.ignore_rest();
+            None
+        }
+    };
+    let Placed { value: time, place, key } = time?;
+    Some(Placed { value: Event { time, object: object?, action: action? }, place, key })
+}
+
+fn motion(table: &Reader) -> Option<Action> {
+    let at = place(table);
+    let heading = table.f64("heading_deg").between(-360.0, 360.0).unit("degrees").map(radians);
+    let heading = heading.optional();
+    Some(Action::Move { at: at?, heading })
+}
+
+/// The object that an event is about, by its id.
+fn object(table: &Reader, objects: &[Object]) -> Option<usize> {
+    if objects.is_empty() {
+        let problem = table.problem("object", "an event without an object that it could happen to");
+        table.report(problem.expected("an [[object]] with this id"));
+        table.string("object").optional();
+        return None;
+    }
+    let ids: Vec<(&str, usize)> =
+        objects.iter().enumerate().map(|(number, object)| (object.id.as_str(), number)).collect();
+    table.one_of("object", &ids).required()
+}
+
+/// What is wrong with the events of one object, ascending in time.
+fn impossible<'e>(object: &Object, events: impl Iterator<Item = &'e Placed<Event>>) -> Vec<Problem> {
+    let mut stands = object.present;
+    let mut before: Option<f64> = None;
+    let mut problems = Vec::new();
+    for event in events {
+        let (id, Event { time, action, .. }) = (&object.id, event.value);
+        let fault = if before == Some(time) {
+            Some((format!("two events of \"{id}\" at t = {time} s"), "another time, or one of the two"))
+        } else {
+            match (action, stands) {
+                (Action::Add, true) => {
+                    Some((format!("\"{id}\" is added at t = {time} s and stands already"), ADD))
+                }
+                (Action::Delete, false) => {
+                    Some((format!("\"{id}\" is deleted at t = {time} s and does not stand"), STAND))
+                }
+                (Action::Move { .. }, false) => {
+                    Some((format!("\"{id}\" is moved at t = {time} s and does not stand"), STAND))
+                }
+                _ => None,
+            }
+        };
+        problems.extend(fault.map(|(title, expected)| Problem::of(event, title).expected(expected)));
+        before = Some(time);
+        stands = !matches!(action, Action::Delete);
+    }
+    problems
+}
+
+const ADD: &str = "an object declared with `present = false`, or deleted before";
+const STAND: &str = "an object that stands then: present from the start, or added before";

@@ -1,0 +1,141 @@
+//! What lies and stands on the ground: `[rocks]`, `[tracks]`, `[[object]]`.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use diagnostics::{Placed, Problem, Problems, Reader};
+use landscape::Attitude;
+use quantities::radians;
+use solids::{SizeLaw, Solid, culture, obj};
+
+use super::reference::reference;
+use super::{area, take_over};
+use crate::{Object, RockArea, Rocks, Stance, Tracks};
+
+/// Places beyond this are a mistake, and would lose millimetres.
+pub(super) const MAX_COORDINATE: f64 = 1e7;
+
+pub(super) fn rocks(table: &Reader) -> Option<Rocks> {
+    let seed = table.u64("seed").required();
+    let density = table.f64("density_per_m2").between(0.0, 1000.0).required();
+    let slope = table.f64("slope").between(0.5, 6.0).default(2.0);
+    let size = |key: &str| table.f64(key).between(1e-3, 1000.0).unit("m").placed().required();
+    let (smallest, largest) = (size("smallest_m"), size("largest_m"));
+    let where_to = rock_area(table);
+    let (smallest, largest) = (smallest?, largest?);
+    if largest.value <= smallest.value {
+        let title = format!("`{}` = {} is not above the smallest", largest.key, largest.value);
+        table.report(Problem::of(&largest, title).expected(format!("more than {} m", smallest.value)));
+        return None;
+    }
+    let (smallest, largest) = (smallest.value, largest.value);
+    let law = SizeLaw { smallest, largest, density: density?, slope: slope? };
+    Some(Rocks { seed: seed?, law, area: where_to? })
+}
+
+fn rock_area(table: &Reader) -> Option<RockArea> {
+    let area = area(table);
+    let radius = table.f64("radius_m").above(0.0).at_most(1e6).unit("m");
+    match (table.has("area_m"), table.has("radius_m")) {
+        (true, false) => area?.map(RockArea::Box),
+        (false, true) => radius.optional().map(RockArea::AlongPath),
+        (both, _) => {
+            let title = match both {
+                true => "`rocks.area_m` and `rocks.radius_m` both say where the rocks are",
+                false => "missing key `rocks.area_m` or `rocks.radius_m`",
+            };
+            table.report(table.problem("radius_m", title).expected("one of the two"));
+            None
+        }
+    }
+}
+
+pub(super) fn tracks(table: &Reader) -> Option<Tracks> {
+    let metres = |key: &str, usual: f64| table.f64(key).between(0.01, 100.0).unit("m").default(usual);
+    // Chevrons of the Lunar Roving Vehicle's wheels, 9 inches wide; length and spacing are ours.
+    let (length, width) = (metres("patch_length_m", 0.15), metres("patch_width_m", 0.23));
+    let spacing = metres("spacing_m", 0.3);
+    Some(Tracks { length: length?, width: width?, spacing: spacing? })
+}
+
+/// The objects of `[[object]]`, each with its id's place.
+pub(super) fn objects(tables: &[Reader], folder: &Path, problems: &Problems) -> Option<Vec<Object>> {
+    let found: Vec<_> = tables.iter().map(|table| object(table, folder, problems)).collect();
+    let twins = report_twins(tables, &found);
+    let found: Option<Vec<_>> = found.into_iter().map(|(_, object)| object).collect();
+    found.filter(|_| !twins)
+}
+
+type Id = Option<Placed<String>>;
+
+/// Two objects of one id could not be told apart by events.
+fn report_twins(tables: &[Reader], objects: &[(Id, Option<Object>)]) -> bool {
+    let ids: Vec<_> = objects.iter().map(|(id, _)| id.as_ref()).collect();
+    let mut twins = false;
+    for (index, id) in ids.iter().enumerate() {
+        let Some(id) = id else { continue };
+        if ids[..index].iter().flatten().any(|earlier| earlier.value == id.value) {
+            let title = format!("two objects are called \"{}\"", id.value);
+            tables[index].report(Problem::of(id, title).expected("an id of its own"));
+            twins = true;
+        }
+    }
+    twins
+}
+
+fn object(table: &Reader, folder: &Path, problems: &Problems) -> (Id, Option<Object>) {
+    let is_id = |id: &String| id.chars().all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '_');
+    let id = table.string("id").must("letters, digits and dashes", is_id).placed().required();
+    let shape = shape(table, folder, problems);
+    let scale = table.f64("scale").above(0.0).at_most(1000.0).default(1.0);
+    let stance = stance(table);
+    let present = table.bool("present").default(true);
+    let made = || {
+        let (file, parts) = shape?;
+        let id = id.as_ref()?.value.clone();
+        Some(Object { id, file, parts, scale: scale?, stance: stance?, present: present? })
+    };
+    let object = made();
+    (id, object)
+}
+
+type Shape = (Option<PathBuf>, Vec<Arc<Solid>>);
+
+/// A model that the program carries, or a file.
+fn shape(table: &Reader, folder: &Path, problems: &Problems) -> Option<Shape> {
+    let models: Vec<(&str, &str)> = culture::NAMES.iter().map(|&name| (name, name)).collect();
+    let model = table.one_of("model", &models).optional();
+    let file = reference(table, "file", folder);
+    let shared = |solids: Vec<Solid>| solids.into_iter().map(Arc::new).collect();
+    match (table.has("model"), table.has("file")) {
+        (true, false) => Some((None, shared(culture::model(model?)?))),
+        (false, true) => {
+            let file = file?;
+            let solids = take_over(obj::read(&file), problems)?;
+            Some((Some(file), shared(solids)))
+        }
+        (both, _) => {
+            let [model, file] = [table.path("model"), table.path("file")];
+            let title = match both {
+                true => format!("`{model}` and `{file}` both say what the object is"),
+                false => format!("missing key `{model}` or `{file}`"),
+            };
+            table.report(table.problem("model", title).expected("one of the two"));
+            None
+        }
+    }
+}
+
+fn stance(table: &Reader) -> Option<Stance> {
+    let degrees = |key: &str| table.f64(key).between(-360.0, 360.0).unit("degrees").map(radians).default(0.0);
+    let at = place(table);
+    let (heading, pitch, roll) = (degrees("heading_deg"), degrees("pitch_deg"), degrees("roll_deg"));
+    Some(Stance { at: at?, attitude: Attitude { roll: roll?, pitch: pitch?, heading: heading? } })
+}
+
+/// `x_m` and `y_m`.
+pub(super) fn place(table: &Reader) -> Option<[f64; 2]> {
+    let metres = |key: &str| table.f64(key).between(-MAX_COORDINATE, MAX_COORDINATE).unit("m").required();
+    let (x, y) = (metres("x_m"), metres("y_m"));
+    Some([x?, y?])
+}

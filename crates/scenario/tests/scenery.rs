@@ -1,0 +1,185 @@
+//! Light, bodies and tracks of a scenario, on its ground and over time.
+
+use std::collections::BTreeSet;
+
+use landscape::{Bank, Landscape, Level};
+use scenario::{Ground, Scenario, Scenery, SceneryProblem, SceneryProblems};
+use solids::Kind;
+
+const GOOD: &str = r#"format = 1
+title = "t"
+shows = "s"
+frames = 90
+[landscape.generated]
+seed = 1
+extent_m = [600, 640]
+region_size_m = 40
+tilt_m_per_m = [0.1, 0.0]
+[sun]
+azimuth_deg = 10
+elevation_deg = 12
+[path]
+keyframes = [{ t_s = 0, x_m = 100, y_m = 300 }, { t_s = 100, x_m = 500, y_m = 300 }]
+"#;
+
+const ROCKS: &str = "[rocks]\nseed = 4\ndensity_per_m2 = 0.01\nsmallest_m = 0.2\nlargest_m = 3\n";
+
+fn scenery(tables: &str) -> Result<(Scenario, Scenery), SceneryProblems> {
+    let scenario =
+        Scenario::parse("t.toml", &format!("{GOOD}\n{tables}")).unwrap_or_else(|list| panic!("{list}"));
+    let Ground::Generated(relief) = &scenario.ground else { panic!("generated") };
+    let bank = Bank::new("t", vec![relief.build().unwrap()], None).unwrap();
+    let scenery = Scenery::of(&scenario, &Landscape::new(bank, 1.0))?;
+    Ok((scenario, scenery))
+}
+
+fn made(tables: &str) -> Scenery {
+    scenery(tables).unwrap_or_else(|problems| panic!("{problems}")).1
+}
+
+fn object(id: &str, x: f64, y: f64) -> String {
+    format!("[[object]]\nid = '{id}'\nmodel = 'marker'\nx_m = {x:?}\ny_m = {y:?}\n")
+}
+
+#[test]
+fn a_plain_scenario_has_nothing_on_the_ground() {
+    let (scenario, plain) = scenery("").unwrap();
+    assert_eq!(plain, Scenery::still(scenario.sun));
+}
+
+#[test]
+fn objects_stand_on_the_ground_in_their_time() {
+    let events = "[[event]]\nt_s = 2\naction = 'move'\nobject = 'a'\nx_m = 200\ny_m = 50\n\
+                  [[event]]\nt_s = 4\naction = 'delete'\nobject = 'a'\n";
+    let scenery = made(&(object("a", 300.0, 40.0) + &object("b", 20.0, 20.0) + events));
+    let feet = |time: f64| {
+        let feet = scenery.bodies(time).map(|body| (body.object, body.foot.to_array()));
+        feet.map(|(object, foot)| (object, foot.map(|part| (1e6 * part).round() as i64)))
+            .collect::<BTreeSet<_>>()
+    };
+    let at = |object, x: i64, y: i64| (object, [1_000_000 * x, 1_000_000 * y, 100_000 * x]);
+    assert_eq!(feet(0.0), BTreeSet::from([at(0, 300, 40), at(1, 20, 20)]));
+    assert_eq!(feet(1.999), feet(0.0));
+    assert_eq!(feet(2.0), BTreeSet::from([at(0, 200, 50), at(1, 20, 20)]));
+    assert_eq!(feet(4.0), BTreeSet::from([at(1, 20, 20)]));
+    assert!(scenery.bodies(0.0).all(|body| body.kind == Kind::Culture));
+}
+
+#[test]
+fn objects_beside_the_ground_are_named() {
+    let tables = object("far", 700.0, 40.0) + &object("near", 20.0, 20.0) + &object("west", 20.0, -1.0);
+    let SceneryProblems(problems) = scenery(&tables).unwrap_err();
+    let named = |problem: &SceneryProblem| match problem {
+        SceneryProblem::ObjectOutside { id, .. } => id.clone(),
+        other => panic!("{other}"),
+    };
+    assert_eq!(problems.iter().map(named).collect::<Vec<_>>(), ["far", "west"]);
+    let text = problems[0].to_string();
+    assert!(text.contains("object \"far\"") && text.contains("x 0..600 m, y 0..640 m"), "{text}");
+}
+
+#[test]
+fn rocks_lie_on_the_ground_beside_what_drives_and_stands() {
+    let stand = object("a", 300.0, 330.0);
+    let scenery = made(&format!("{ROCKS}radius_m = 20\n{stand}"));
+    let rocks: Vec<_> = scenery.bodies(0.0).filter(|body| body.kind == Kind::Rock).collect();
+    assert!(rocks.len() > 500, "{}", rocks.len());
+    let numbers: BTreeSet<u32> = rocks.iter().map(|body| body.object).collect();
+    assert!(
+        numbers.len() == rocks.len() && numbers.first() == Some(&1),
+        "one number each, after the objects"
+    );
+    let marker: Vec<_> = scenery.bodies(0.0).filter(|body| body.kind == Kind::Culture).collect();
+    for rock in &rocks {
+        assert!((rock.foot.z - 0.1 * rock.foot.x).abs() < 1e-9);
+        for part in &marker {
+            assert!((rock.foot - part.centre).truncate().length() > part.radius);
+        }
+    }
+    // The path runs along y = 300: nothing large in the lane, nothing at all under the wheels, small ones between.
+    let in_lane = |rock: &&&solids::Body| {
+        (100.0..500.0).contains(&rock.foot.x) && (rock.foot.y - 300.0).abs() < 0.5 * 1.83
+    };
+    let width = |body: &solids::Body| {
+        let across = body.vertices.iter().map(|vertex| vertex.y);
+        across.clone().fold(f64::NEG_INFINITY, f64::max) - across.fold(f64::INFINITY, f64::min)
+    };
+    let lane: Vec<_> = rocks.iter().filter(in_lane).collect();
+    assert!(!lane.is_empty() && lane.iter().all(|rock| width(rock) < 0.36 * 1.42), "{}", lane.len());
+    let under = |rock: &&&solids::Body| ((rock.foot.y - 300.0).abs() - 0.915).abs() < 0.1;
+    assert_eq!(rocks.iter().filter(under).filter(in_lane).count(), 0);
+}
+
+#[test]
+fn large_rocks_lie_as_far_as_they_are_large() {
+    let scenery = made(&format!("{ROCKS}radius_m = 10\n"));
+    let way = |body: &solids::Body| {
+        let north = (100.0 - body.foot.x).max(body.foot.x - 500.0).max(0.0);
+        let east = body.foot.y - 300.0;
+        (north * north + east * east).sqrt()
+    };
+    let farthest = |low: f64, high: f64| {
+        let sized = scenery.bodies(0.0).filter(|body| (low..high).contains(&(2.0 * body.radius)));
+        sized.map(way).fold(0.0, f64::max)
+    };
+    let (small, large) = (farthest(0.0, 0.25), farthest(2.0, 9.0));
+    assert!(small < 20.0 && large > 60.0, "{small} {large}");
+}
+
+#[test]
+fn too_many_rocks_are_refused_before_they_are_made() {
+    let crowd = ROCKS.replace("0.01", "500").replace("smallest_m = 0.2", "smallest_m = 0.8");
+    for area in ["radius_m = 1000", "area_m = [0, 0, 600, 600]"] {
+        let SceneryProblems(problems) = scenery(&format!("{crowd}{area}\n")).unwrap_err();
+        let text = problems[0].to_string();
+        assert!(problems.len() == 1 && text.contains("expected at most 100000"), "{text}");
+    }
+}
+
+#[test]
+fn the_sun_goes_step_by_step() {
+    let text = GOOD.replace(
+        "elevation_deg = 12",
+        "elevation_deg = 12\nstep_s = 2\ndrift = [{ t_s = 8, azimuth_deg = 10, elevation_deg = 8 }]",
+    );
+    let scenario = Scenario::parse("t.toml", &text).unwrap_or_else(|list| panic!("{list}"));
+    let level = Level::new(600.0, [0.0; 2], [2, 2], vec![[0.0; 9]; 4]).unwrap();
+    let landscape = Landscape::new(Bank::new("", vec![level], None).unwrap(), 1.0);
+    let scenery = Scenery::of(&scenario, &landscape).unwrap();
+    for (time, elevation) in [(0.0, 12.0), (1.9, 12.0), (2.0, 11.0), (5.0, 10.0), (8.0, 8.0), (80.0, 8.0)] {
+        let found = quantities::degrees(scenery.sun(time).elevation);
+        assert!((found - elevation).abs() < 1e-12, "t = {time}: {found}");
+    }
+    assert_eq!(scenery.suns().len(), 5);
+}
+
+#[test]
+fn tracks_grow_with_time() {
+    let scenery = made("[tracks]\n");
+    // 4 m/s, patches of 0.15 m every 0.3 m, two wheels.
+    assert_eq!(scenery.patches(0.03).len(), 0);
+    let laid = |time: f64| scenery.patches(time).len();
+    assert_eq!((laid(0.04), laid(1.0)), (2, 26));
+    for (length, expected) in [(6e3, "more than 1000000 patches"), (4e5, "too long")] {
+        let SceneryProblems(problems) = there_and_back("[tracks]\nspacing_m = 0.01\n", length).unwrap_err();
+        assert!(problems[0].to_string().contains(expected), "{}", problems[0]);
+    }
+}
+
+/// The same ride, there and back until it is `length` (m) long.
+fn there_and_back(tables: &str, length: f64) -> Result<Scenery, SceneryProblems> {
+    let rides = (length / 400.0) as usize;
+    let waypoint = |index: usize| scenario::Waypoint {
+        time: index as f64,
+        at: [if index.is_multiple_of(2) { 100.0 } else { 500.0 }, 300.0],
+        heading: Some(0.0),
+        eye_height: None,
+        pitch: None,
+        roll: None,
+    };
+    let path = scenario::Path::new((0..=rides).map(waypoint).collect()).unwrap();
+    let wishes = Scenario::parse("t.toml", &format!("{GOOD}{tables}")).unwrap();
+    let Ground::Generated(relief) = &wishes.ground else { panic!("generated") };
+    let bank = Bank::new("t", vec![relief.build().unwrap()], None).unwrap();
+    Scenery::of(&Scenario { path, ..wishes }, &Landscape::new(bank, 1.0))
+}

@@ -1,0 +1,114 @@
+//! From boundary segments to the gate of every sweep.
+
+use hardware_model::ShadowParts;
+use remote_shadow::Segment;
+
+use crate::crossings::{Crossing, Crossings, Line};
+use crate::line_generators::{Boundary, serve};
+
+/// Two boundaries nearer to each other than this along a sweep are none (m): far less than a display line, far more
+/// than rounding.
+pub const RESOLUTION: f64 = 1e-6;
+
+/// The blanking gate of one sweep.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Gate {
+    /// Whether the sweep starts in shadow.
+    pub dark_at_start: bool,
+    /// Ground ranges at which the gate changes (m, ascending, up to the reach).
+    pub toggles: Vec<f64>,
+    /// Boundary segments that found no line generator free.
+    pub dropped: u32,
+    /// Most line generators in use at one time; 0 without line generators.
+    pub most_in_use: u32,
+}
+
+/// The shadow controller and its I/O processor.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShadowController {
+    /// What it is made of.
+    pub parts: ShadowParts,
+    /// Centre of the map in the scan converter: north, east (m).
+    pub map_centre: [f64; 2],
+    /// Side of that map (m).
+    pub map_side: f64,
+}
+
+impl ShadowController {
+    /// The gate of every sweep, up to a ground range of `reach` (m).
+    ///
+    /// `directions`: unit vectors (north, east) of the sweeps from left to right, less than half a turn apart in all.
+    /// `segments`: any number of lists, each of closed outlines; shadow to the right. What lies behind the eye
+    /// (north, east; m) does not count. `out` gets one gate a sweep; its buffers are used again.
+    pub fn gates(
+        &self,
+        eye: [f64; 2],
+        directions: &[[f64; 2]],
+        reach: f64,
+        segments: &[&[Segment]],
+        out: &mut Vec<Gate>,
+    ) {
+        let all = segments.iter().flat_map(|list| list.iter());
+        let seen = |place| self.seen(place, eye);
+        let lines: Vec<Line> =
+            all.map(|segment| Line { from: seen(segment.from), to: seen(segment.to) }).collect();
+        let mut crossings = Crossings::new(directions, &lines);
+        let mut boundaries = Vec::new();
+        out.resize_with(directions.len(), Gate::default);
+        for (sweep, gate) in out.iter_mut().enumerate() {
+            let boundary = |crossing: &Crossing| {
+                Boundary::new(&lines[crossing.line as usize], directions[sweep], crossing.range)
+            };
+            gate.dark_at_start = unite(crossings.of(sweep), reach, boundary, &mut boundaries);
+            self.load(&mut boundaries, gate);
+        }
+    }
+
+    /// A place of the map as the sweep meets it, from the eye (m).
+    fn seen(&self, place: [f64; 2], eye: [f64; 2]) -> [f64; 2] {
+        let ShadowParts::ScanConverter { offset, gain } = self.parts else {
+            return [place[0] - eye[0], place[1] - eye[1]];
+        };
+        [0, 1].map(|axis: usize| {
+            let centre = self.map_centre[axis];
+            centre + (place[axis] - centre) * (1.0 + gain) + offset[axis] * self.map_side - eye[axis]
+        })
+    }
+
+    fn load(&self, boundaries: &mut Vec<Boundary>, gate: &mut Gate) {
+        (gate.dropped, gate.most_in_use) = (0, 0);
+        if let ShadowParts::Digital { line_generators } = self.parts {
+            let service = serve(boundaries, line_generators);
+            (gate.dropped, gate.most_in_use) = (service.dropped, service.most_in_use);
+        }
+        gate.toggles.clear();
+        gate.toggles.extend(boundaries.iter().map(|boundary| boundary.range));
+    }
+}
+
+/// The I/O processor's editing: of all `crossings` of a sweep those between light and shadow, up to `reach`. Returns
+/// whether the sweep starts in shadow.
+fn unite(
+    crossings: &[Crossing],
+    reach: f64,
+    boundary: impl Fn(&Crossing) -> Boundary,
+    out: &mut Vec<Boundary>,
+) -> bool {
+    out.clear();
+    // Outlines are closed, so beyond the last crossing there is no shadow.
+    let start = -crossings.iter().map(|crossing| crossing.step).sum::<i32>();
+    let mut depth = start;
+    for crossing in crossings.iter().take_while(|crossing| crossing.range <= reach) {
+        let before = depth;
+        depth += crossing.step;
+        if (before > 0) == (depth > 0) {
+            continue;
+        }
+        if out.last().is_some_and(|last| crossing.range - last.range < RESOLUTION) {
+            out.pop();
+        } else {
+            out.push(boundary(crossing));
+        }
+    }
+    start > 0
+}

@@ -1,0 +1,210 @@
+//! Gates against point-in-polygon, and in cases worked by hand.
+
+use hardware_model::ShadowParts;
+use proptest::prelude::*;
+use quantities::{radians, sin_cos, unit_interval};
+use remote_shadow::Segment;
+use shadow_controller::{Gate, ShadowController, blank};
+use signal::Lanes;
+
+const IDEAL: ShadowParts = ShadowParts::Digital { line_generators: None };
+
+fn controller(parts: ShadowParts) -> ShadowController {
+    ShadowController { parts, map_centre: [100.0, 50.0], map_side: 400.0 }
+}
+
+fn direction(azimuth: f64) -> [f64; 2] {
+    let (sin, cos) = sin_cos(azimuth);
+    [cos, sin]
+}
+
+/// `count` sweeps over 50 degrees, evenly in `tan`, as the machine has them.
+fn fan(heading: f64, count: usize) -> Vec<[f64; 2]> {
+    let tan = libm::tan(radians(25.0));
+    (0..count).map(|n| direction(heading + libm::atan(tan * (2.0 * n as f64 / (count - 1) as f64 - 1.0)))).collect()
+}
+
+fn gates(parts: ShadowParts, eye: [f64; 2], directions: &[[f64; 2]], segments: &[Segment]) -> Vec<Gate> {
+    let mut out = vec![Gate { toggles: vec![1.0; 3], ..Gate::default() }];
+    controller(parts).gates(eye, directions, 1000.0, &[segments], &mut out);
+    out
+}
+
+fn one(direction: [f64; 2], segments: &[Segment]) -> Gate {
+    gates(IDEAL, [0.0; 2], &[direction], segments).remove(0)
+}
+
+fn is_dark(gate: &Gate, range: f64) -> bool {
+    gate.dark_at_start ^ (gate.toggles.iter().filter(|&&toggle| toggle <= range).count() % 2 == 1)
+}
+
+/// A clockwise star around `centre`, its corners from 0.3 to 1 of `radius` away.
+fn star(seed: u64, centre: [f64; 2], radius: f64) -> Vec<[f64; 2]> {
+    let corner = |k: u64| {
+        let (sin, cos) = sin_cos(radians(30.0) * k as f64);
+        let away = radius * (0.3 + 0.7 * unit_interval(seed, &[k]));
+        [centre[0] + away * cos, centre[1] + away * sin]
+    };
+    (0..12).map(corner).collect()
+}
+
+fn inside(corners: &[[f64; 2]], place: [f64; 2]) -> bool {
+    let pairs = corners.iter().zip(corners.iter().cycle().skip(1));
+    let crossed = pairs.filter(|(a, b)| {
+        (a[0] > place[0]) != (b[0] > place[0])
+            && place[1] < a[1] + (place[0] - a[0]) / (b[0] - a[0]) * (b[1] - a[1])
+    });
+    crossed.count() % 2 == 1
+}
+
+/// A rectangle from `low` to `high` (north, east), clockwise.
+fn rectangle(low: [f64; 2], high: [f64; 2]) -> Vec<Segment> {
+    Segment::outline(&[low, [high[0], low[1]], high, [low[0], high[1]]])
+}
+
+proptest! {
+    #[test]
+    fn the_gate_is_the_union_of_all_outlines(
+        stars in prop::collection::vec((0u64..1000, -60.0f64..60.0, -60.0f64..60.0, 1.0f64..40.0), 1..20),
+        heading in 0.0f64..6.3,
+        ranges in prop::collection::vec(0.01f64..120.0, 20),
+    ) {
+        let stars: Vec<_> = stars.iter().map(|&(seed, x, y, radius)| star(seed, [x, y], radius)).collect();
+        let outlines: Vec<_> = stars.iter().map(|corners| Segment::outline(corners)).collect();
+        let lists: Vec<&[Segment]> = outlines.iter().map(Vec::as_slice).collect();
+        let directions = fan(heading, 41);
+        let mut out = Vec::new();
+        controller(IDEAL).gates([1.5, -2.5], &directions, 1000.0, &lists, &mut out);
+        for (gate, d) in out.iter().zip(&directions) {
+            prop_assert!(gate.toggles.is_sorted());
+            prop_assert!(!is_dark(gate, 1000.0));
+            for range in ranges.iter().filter(|&r| gate.toggles.iter().all(|t| (t - r).abs() > 1e-5)) {
+                let place = [1.5 + range * d[0], -2.5 + range * d[1]];
+                let dark = stars.iter().any(|corners| inside(corners, place));
+                prop_assert_eq!(is_dark(gate, *range), dark, "range {}", range);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_corner_on_the_sweep_counts_once() {
+    // A diamond with two corners on the sweep, and one that touches it from either side.
+    let diamond = |north: f64, east: f64| {
+        Segment::outline(&[[north - 1.0, east], [north, east - 1.0], [north + 1.0, east], [north, east + 1.0]])
+    };
+    assert_eq!(one([1.0, 0.0], &diamond(5.0, 0.0)).toggles, [4.0, 6.0]);
+    for side in [-1.0, 1.0] {
+        let gate = one([1.0, 0.0], &diamond(5.0, side));
+        assert!(!gate.dark_at_start && gate.toggles.is_empty(), "{side}: {gate:?}");
+    }
+}
+
+#[test]
+fn a_sweep_along_an_edge_is_not_crossed_by_it() {
+    let left = one([1.0, 0.0], &rectangle([2.0, -3.0], [6.0, 0.0]));
+    let right = one([1.0, 0.0], &rectangle([2.0, 0.0], [6.0, 3.0]));
+    let dark = |gate: &Gate| gate.toggles == [2.0, 6.0];
+    assert!(dark(&left) != dark(&right), "the edge belongs to one side: {left:?} {right:?}");
+    let both = [rectangle([2.0, -3.0], [6.0, 0.0]), rectangle([2.0, 0.0], [6.0, 3.0])].concat();
+    assert_eq!(one([1.0, 0.0], &both).toggles, [2.0, 6.0]);
+}
+
+#[test]
+fn overlapping_shadows_unite() {
+    let all = [
+        rectangle([2.0, -1.0], [6.0, 1.0]),
+        rectangle([4.0, -1.0], [9.0, 1.0]),
+        rectangle([5.0, -1.0], [5.5, 1.0]),
+        rectangle([9.0, -1.0], [12.0, 1.0]),
+    ];
+    assert_eq!(one([1.0, 0.0], &all.concat()).toggles, [2.0, 12.0], "tiles that touch leave no slit");
+}
+
+#[test]
+fn an_eye_in_shadow_starts_dark() {
+    let gate = one([1.0, 0.0], &rectangle([-4.0, -1.0], [3.0, 1.0]));
+    assert!(gate.dark_at_start);
+    assert_eq!(gate.toggles, [3.0]);
+    let behind = one([1.0, 0.0], &rectangle([-4.0, -1.0], [-3.0, 1.0]));
+    assert_eq!(behind, Gate { most_in_use: 0, ..Gate::default() });
+}
+
+#[test]
+fn nothing_beyond_the_reach() {
+    let mut out = Vec::new();
+    let far = [rectangle([2.0, -1.0], [60.0, 1.0]), rectangle([70.0, -1.0], [80.0, 1.0])].concat();
+    controller(IDEAL).gates([0.0; 2], &[[1.0, 0.0]], 50.0, &[&far], &mut out);
+    assert_eq!(out[0].toggles, [2.0]);
+    assert!(!out[0].dark_at_start);
+}
+
+#[test]
+fn a_boundary_without_a_line_generator_inverts_the_gate() {
+    // Each side of these slabs is a segment along y: its y extent is swept at once, since the sweep keeps its y.
+    let slabs = [rectangle([2.0, -1.0], [3.0, 1.0]), rectangle([5.0, -1.0], [6.0, 1.0])].concat();
+    let with = |count| gates(ShadowParts::Digital { line_generators: count }, [0.0; 2], &[[1.0, 0.0]], &slabs).remove(0);
+    assert_eq!(with(None), Gate { dark_at_start: false, toggles: vec![2.0, 3.0, 5.0, 6.0], dropped: 0, most_in_use: 4 });
+    let three = with(Some(3));
+    assert_eq!(three, Gate { dark_at_start: false, toggles: vec![2.0, 3.0, 5.0], dropped: 1, most_in_use: 3 });
+    assert!(is_dark(&three, 500.0), "dark to the end of the sweep");
+    assert_eq!(with(Some(0)).toggles, []);
+}
+
+#[test]
+fn line_generators_that_become_free_serve_again() {
+    // Boundaries nearer to x than to y hold one only over their extent along x; two at a time here.
+    let slanted = |north: f64| {
+        Segment::outline(&[[north - 2.0, -1.0], [north, -1.0], [north + 4.0, 1.0], [north + 2.0, 1.0]])
+    };
+    let all: Vec<Segment> = (0..3).flat_map(|n| slanted(10.0 + 20.0 * f64::from(n))).collect();
+    let gate = gates(ShadowParts::Digital { line_generators: Some(2) }, [0.0; 2], &[[1.0, 0.0]], &all).remove(0);
+    assert_eq!((gate.dropped, gate.toggles.len()), (0, 6), "{gate:?}");
+}
+
+#[test]
+fn the_scan_converter_shifts_edges_as_its_errors_say() {
+    let (offset, gain) = ([0.01, -0.005], 0.02);
+    let shadow = rectangle([120.0, 20.0], [150.0, 90.0]);
+    let parts = ShadowParts::ScanConverter { offset, gain };
+    let gate = gates(parts, [60.0, 50.0], &[[1.0, 0.0]], &shadow).remove(0);
+    // About the centre at 100: 120 -> 100 + 20 x 1.02 + 0.01 x 400.
+    for (found, expected) in gate.toggles.iter().zip([124.4 - 60.0, 155.0 - 60.0]) {
+        assert!((found - expected).abs() < 1e-9, "{found} {expected}");
+    }
+    assert_eq!((gate.dropped, gate.most_in_use), (0, 0));
+    let perfect = ShadowParts::ScanConverter { offset: [0.0; 2], gain: 0.0 };
+    let exact = gates(IDEAL, [60.0, 50.0], &[[1.0, 0.0]], &shadow).remove(0);
+    assert_eq!(gates(perfect, [60.0, 50.0], &[[1.0, 0.0]], &shadow)[0].toggles, exact.toggles);
+}
+
+#[test]
+fn two_thousand_segments_in_one_sweep() {
+    let slabs: Vec<Segment> = (0..1000)
+        .flat_map(|n| rectangle([f64::from(n) * 0.9 + 1.0, -1.0], [f64::from(n) * 0.9 + 1.4, 1.0]))
+        .collect();
+    let gate = one([1.0, 0.0], &slabs);
+    assert_eq!((gate.toggles.len(), gate.dropped, gate.most_in_use), (2000, 0, 2000));
+    let sixteen = ShadowParts::Digital { line_generators: Some(16) };
+    let gate = gates(sixteen, [0.0; 2], &[[1.0, 0.0]], &slabs).remove(0);
+    assert_eq!((gate.toggles.len(), gate.dropped, gate.most_in_use), (16, 1984, 16));
+}
+
+#[test]
+fn no_sweep_or_no_segment_is_no_fault() {
+    assert!(gates(IDEAL, [0.0; 2], &[], &rectangle([1.0, -1.0], [2.0, 1.0])).is_empty());
+    assert_eq!(gates(IDEAL, [0.0; 2], &fan(0.0, 2), &[]), vec![Gate::default(); 2]);
+    // Opposite directions have no side that is ahead: nothing is crossed.
+    assert_eq!(gates(IDEAL, [0.0; 2], &[[1.0, 0.0], [-1.0, 0.0]], &rectangle([1.0, -1.0], [2.0, 1.0]))[0], Gate::default());
+}
+
+#[test]
+fn the_sampled_gate_changes_at_its_toggles() {
+    let gate = Gate { dark_at_start: true, toggles: vec![1.5, 3.0, 3.2, 3.4, 6.0], ..Gate::default() };
+    let ranges: Vec<f64> = (0..9).map(f64::from).collect();
+    let mut out = vec![Lanes([7.0f32; 8]); 9];
+    blank(&gate, &ranges, 8.0, 2, &mut out);
+    let found: Vec<f32> = out.iter().map(|lanes| lanes[2]).collect();
+    assert_eq!(found, [1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0]);
+    assert!(out.iter().all(|lanes| lanes[1] == 7.0), "other lanes are others'");
+}

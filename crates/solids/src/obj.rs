@@ -1,0 +1,277 @@
+//! Solids from Wavefront OBJ files.
+//!
+//! **Axes.** Metres; x forward, y to port (left), z up, the foot point at the origin: right-handed, as modelling programs
+//! keep them. A solid's starboard is `-y`.
+//!
+//! **Read.** `v`; `f` with corners `a`, `a/b`, `a//c`, `a/b/c`, counted from 1 or, if negative, back from the last vertex;
+//! `o` and `g` each begin a new part, and every part with faces must be one closed convex solid. Vertices of a part at
+//! the same place are one. Albedo is [`ALBEDO`]: the format's materials have none that would suit.
+//!
+//! **Skipped.** `vn`, `vt`, `s`, `usemtl`, `mtllib`, comments. Anything else is a fault: it would be missed in the picture.
+//!
+//! **Limits.** [`MAX_BYTES`], [`MAX_PARTS`]; [`Solid::MOST`] vertices and faces a part.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::path::Path;
+use std::sync::Arc;
+
+use diagnostics::{Place, Problem, ProblemList, Problems, Source};
+use glam::DVec3;
+
+use crate::{Solid, SolidError};
+
+/// Largest file.
+pub const MAX_BYTES: u64 = 1 << 24;
+/// Largest number of parts.
+pub const MAX_PARTS: usize = 4096;
+/// Albedo of every face.
+pub const ALBEDO: f64 = 0.8;
+/// Faults listed; the rest are counted.
+const LISTED: usize = 20;
+
+/// Statements that say nothing about shape.
+const SKIPPED: [&str; 5] = ["vn", "vt", "s", "usemtl", "mtllib"];
+
+/// Reads the parts of the file at `path`.
+///
+/// # Errors
+/// Every fault with its line: what cannot be read, indices out of range, degenerate faces, parts that are not convex
+/// or not closed.
+pub fn read(path: impl AsRef<Path>) -> Result<Vec<Solid>, ProblemList> {
+    let name = path.as_ref().display().to_string();
+    let bytes =
+        files::read_all(path, MAX_BYTES).map_err(|error| Problem::of_file(&name, error.to_string()))?;
+    let text = String::from_utf8(bytes).map_err(|error| {
+        let title = format!("not text: byte {} is not UTF-8", error.utf8_error().valid_up_to());
+        Problem::of_file(&name, title).help("save the file as UTF-8")
+    })?;
+    parse(&name, text)
+}
+
+/// The same from a text; `name` is the path as the user gave it.
+///
+/// # Errors
+/// As [`read`].
+pub fn parse(name: &str, text: String) -> Result<Vec<Solid>, ProblemList> {
+    let mut reading = Reading::new(name, text);
+    let source = reading.source.clone();
+    for line in lines(&source.text) {
+        reading.statement(line);
+    }
+    let solids = if reading.faults.is_empty() { reading.solids() } else { Vec::new() };
+    if reading.faults.is_empty() && solids.is_empty() {
+        let problem = Problem::of_file(name, "no faces, so no solid");
+        reading.faults.push(problem.expected("`v` and `f` statements of at least one closed convex part"));
+    }
+    listed(name, reading.faults)?;
+    Ok(solids)
+}
+
+fn listed(name: &str, faults: Vec<Problem>) -> Result<(), ProblemList> {
+    let more = faults.len().saturating_sub(LISTED);
+    let problems = Problems::new();
+    faults.into_iter().take(LISTED).for_each(|fault| problems.push(fault));
+    if more > 0 {
+        problems.push(Problem::of_file(name, format!("{more} more faults of this file are not listed")));
+    }
+    problems.into_result()
+}
+
+/// A word and the bytes it takes.
+type Word<'t> = (&'t str, Range<usize>);
+
+/// Lines as words, without comments; empty ones left out.
+fn lines(text: &str) -> impl Iterator<Item = Vec<Word<'_>>> {
+    let start_of = |part: &str| part.as_ptr() as usize - text.as_ptr() as usize;
+    let words = move |line: &'_ str| -> Vec<(usize, usize)> {
+        let said = line.split('#').next().unwrap_or_default();
+        said.split_whitespace().map(|word| (start_of(word), word.len())).collect()
+    };
+    let found = text.lines().map(words).filter(|words| !words.is_empty());
+    found.map(|words| words.into_iter().map(|(at, len)| (&text[at..at + len], at..at + len)).collect())
+}
+
+/// A part as written.
+struct Part {
+    faces: Vec<WrittenFace>,
+}
+
+struct WrittenFace {
+    /// Indices of the file's vertices, from 0.
+    corners: Vec<usize>,
+    span: Range<usize>,
+}
+
+struct Reading {
+    source: Arc<Source>,
+    faults: Vec<Problem>,
+    vertices: Vec<(DVec3, Range<usize>)>,
+    parts: Vec<Part>,
+}
+
+impl Reading {
+    fn new(name: &str, text: String) -> Self {
+        let source = Arc::new(Source { name: name.into(), text });
+        Self { source, faults: Vec::new(), vertices: Vec::new(), parts: Vec::new() }
+    }
+
+    fn fault(&mut self, span: &Range<usize>, title: String, expected: &str) {
+        let place = Place { source: self.source.clone(), span: span.clone() };
+        let found = self.source.text[span.clone()].to_owned();
+        self.faults.push(Problem::at(&place, title).found(found).expected(expected));
+    }
+
+    fn statement(&mut self, words: Vec<Word>) {
+        let (keyword, span) = &words[0];
+        let all = span.start..words[words.len() - 1].1.end;
+        match *keyword {
+            "v" => self.vertex(&words[1..], all),
+            "f" => self.face(&words[1..], all),
+            "o" | "g" => self.begin_part(span),
+            skipped if SKIPPED.contains(&skipped) => {}
+            other => {
+                let title = format!("statement `{other}` is not read");
+                self.fault(span, title, "v, f, o or g (vn, vt, s, usemtl, mtllib are skipped)");
+            }
+        }
+    }
+
+    fn begin_part(&mut self, span: &Range<usize>) {
+        if self.parts.last().is_some_and(|part| part.faces.is_empty()) {
+            return;
+        }
+        if self.parts.len() == MAX_PARTS {
+            self.fault(span, format!("more than {MAX_PARTS} parts"), "fewer parts; use several files");
+        }
+        if self.parts.len() <= MAX_PARTS {
+            self.parts.push(Part { faces: Vec::new() });
+        }
+    }
+
+    fn vertex(&mut self, words: &[Word], all: Range<usize>) {
+        // Behind the three coordinates a weight or a colour may stand.
+        if !(3..=7).contains(&words.len()) {
+            let title = format!("a vertex of {} numbers", words.len());
+            self.fault(&all, title, "three coordinates in metres");
+        }
+        let mut place = DVec3::ZERO;
+        for (axis, (word, span)) in words.iter().take(3).enumerate() {
+            match word.parse().ok().filter(|length: &f64| length.is_finite()) {
+                Some(length) => place[axis] = length,
+                None => {
+                    self.fault(span, format!("a coordinate must be a finite number, not {word}"), "metres")
+                }
+            }
+        }
+        self.vertices.push((DVec3::new(place.x, -place.y, place.z), all));
+    }
+
+    fn face(&mut self, words: &[Word], span: Range<usize>) {
+        let corners: Option<Vec<usize>> = words.iter().map(|word| self.corner(word)).collect();
+        if self.parts.is_empty() {
+            self.parts.push(Part { faces: Vec::new() });
+        }
+        if let (Some(corners), Some(part)) = (corners, self.parts.last_mut()) {
+            part.faces.push(WrittenFace { corners, span });
+        }
+    }
+
+    fn corner(&mut self, (word, span): &Word) -> Option<usize> {
+        let count = self.vertices.len();
+        let number = word.split('/').next().and_then(|number| number.parse::<i64>().ok());
+        let index = match number {
+            Some(number) if number > 0 => usize::try_from(number - 1).ok(),
+            Some(number) if number < 0 => {
+                (count as i64).checked_add(number).and_then(|index| index.try_into().ok())
+            }
+            _ => None,
+        };
+        let found = index.filter(|&index| index < count);
+        if found.is_none() {
+            let title = format!("corner {word} names no vertex: {count} stand above this line");
+            self.fault(span, title, "a vertex number from 1, or counted back from -1, before any `/`");
+        }
+        found
+    }
+
+    fn solids(&mut self) -> Vec<Solid> {
+        let parts = std::mem::take(&mut self.parts);
+        let mut solids = Vec::new();
+        for part in parts.iter().filter(|part| !part.faces.is_empty()) {
+            let gathered = Gathered::new(&self.vertices, part);
+            match Solid::new(gathered.places, gathered.faces) {
+                Ok(solid) => solids.push(solid),
+                Err(error) => self.refuse(&error, part, &gathered.named),
+            }
+        }
+        solids
+    }
+
+    /// Says what is wrong with a part, at the line of the face where one is to blame; `named` gives the file's index
+    /// of each of the part's vertices.
+    fn refuse(&mut self, error: &SolidError, part: &Part, named: &[usize]) {
+        let vertex = |vertex: usize| {
+            let (_, span) = &self.vertices[named[vertex]];
+            let place = Place { source: self.source.clone(), span: span.clone() };
+            format!("vertex {} (line {})", named[vertex] + 1, place.line())
+        };
+        let (face, title) = match error {
+            SolidError::NotConvex { vertex: outside_of, face, outside } => {
+                (*face, format!("not convex: {} lies {outside:.6} m outside this face", vertex(*outside_of)))
+            }
+            SolidError::BadFace { face, what } => (*face, format!("degenerate face: {what}")),
+            SolidError::Open(from, to) => {
+                let (from, to) = (*from as usize, *to as usize);
+                let holds = |face: &WrittenFace| {
+                    [from, to].iter().all(|&end| {
+                        let place = self.vertices[named[end]].0;
+                        face.corners.iter().any(|&corner| self.vertices[corner].0 == place)
+                    })
+                };
+                let face = part.faces.iter().position(holds).unwrap_or_default();
+                let ends = format!("{} and {}", vertex(from), vertex(to));
+                (face, format!("not closed: the edge between {ends} does not part exactly two faces"))
+            }
+            SolidError::BadVertex { vertex: bad } => (0, format!("{}: farther than 1e5 m", vertex(*bad))),
+            other => (0, format!("this part is no solid: {other}")),
+        };
+        let help = "each `o` or `g` must hold one closed convex part: split the object";
+        self.fault(&part.faces[face].span.clone(), title, "a closed convex solid");
+        if let Some(fault) = self.faults.pop() {
+            self.faults.push(fault.help(help));
+        }
+    }
+}
+
+/// Vertices and faces of one part, vertices at the same place joined.
+struct Gathered {
+    places: Vec<DVec3>,
+    /// The file's index of each.
+    named: Vec<usize>,
+    faces: Vec<(Vec<u32>, f64)>,
+}
+
+impl Gathered {
+    fn new(vertices: &[(DVec3, Range<usize>)], part: &Part) -> Self {
+        let mut numbers = BTreeMap::new();
+        let mut gathered = Self { places: Vec::new(), named: Vec::new(), faces: Vec::new() };
+        for face in &part.faces {
+            let mut corners = Vec::with_capacity(face.corners.len());
+            for &corner in &face.corners {
+                let place = vertices[corner].0;
+                // Adding 0 makes -0 the same place as 0.
+                let number = numbers
+                    .entry(place.to_array().map(|length| (length + 0.0).to_bits()))
+                    .or_insert_with(|| {
+                        gathered.places.push(place);
+                        gathered.named.push(corner);
+                        gathered.places.len() as u32 - 1
+                    });
+                corners.push(*number);
+            }
+            gathered.faces.push((corners, ALBEDO));
+        }
+        gathered
+    }
+}

@@ -1,0 +1,63 @@
+//! The landscape of a scenario over a bank.
+
+use features::{Crater, Features};
+use landscape::{Bank, Landscape};
+use scenario::{CraterList, CraterPopulation, Scenario};
+
+use crate::StageError;
+
+/// The ground of `bank` with craters, texture and mountains of `scenario`.
+///
+/// # Errors
+/// If a crater is not wholly inside the problem area, a population cannot be strewn over it, or the scenario goes over
+/// to a coarse level that the bank does not have.
+pub fn landscape(bank: Bank, scenario: &Scenario) -> Result<Landscape, StageError> {
+    if scenario.levels.is_some() && bank.levels().len() < 2 {
+        return Err(StageError::OneLevel);
+    }
+    let level = bank.finest();
+    let features = Features::new(craters(scenario, level.extent())?);
+    let texture = scenario.texture.as_ref().map(|wish| wish.over(level.region_size(), level.origin()));
+    let texture = texture.transpose()?;
+    let landscape = Landscape::new(bank, scenario.albedo).with_features(features).with_texture(texture);
+    Ok(landscape.with_photometry(scenario.photometry).with_silhouettes(scenario.silhouettes.clone()))
+}
+
+/// Those of the list, then those of each population.
+fn craters(scenario: &Scenario, extent: [f64; 4]) -> Result<Vec<Crater>, StageError> {
+    let mut craters = Vec::new();
+    if let Some(list) = &scenario.features.list {
+        expect_inside(list, extent)?;
+        craters.extend_from_slice(&list.craters);
+    }
+    for (number, wish) in scenario.features.populations.iter().enumerate() {
+        craters.extend(strewn(number, wish, extent)?);
+    }
+    Ok(craters)
+}
+
+fn strewn(number: usize, wish: &CraterPopulation, extent: [f64; 4]) -> Result<Vec<Crater>, StageError> {
+    let found = wish.over(extent).craters();
+    let found = found.map_err(|error| StageError::Population { number: number + 1, error })?;
+    match found.iter().all(|crater| is_inside(crater, extent)) {
+        true => Ok(found),
+        false => Err(StageError::PopulationOutside { number: number + 1, extent }),
+    }
+}
+
+fn expect_inside(list: &CraterList, extent: [f64; 4]) -> Result<(), StageError> {
+    let outside = |crater: &&Crater| !is_inside(crater, extent);
+    let count = list.craters.iter().filter(outside).count();
+    let Some(index) = list.craters.iter().position(|crater| !is_inside(crater, extent)) else {
+        return Ok(());
+    };
+    let crater = list.craters[index];
+    let file = list.file.clone();
+    Err(StageError::CraterOutside { file, row: index + 1, crater: Box::new(crater), extent, more: count - 1 })
+}
+
+fn is_inside(crater: &Crater, [south, west, north, east]: [f64; 4]) -> bool {
+    let (low, high) = ([south, west], [north, east]);
+    let (centre, outer) = (crater.centre(), crater.outer());
+    (0..2).all(|axis| centre[axis] - outer >= low[axis] && centre[axis] + outer <= high[axis])
+}

@@ -1,0 +1,81 @@
+//! From a scenario and a hardware model to a stage: what every generator draws.
+//!
+//! ```text
+//! scenario ----+---------------> settings ---+
+//!              |   model --------^           |
+//!              +--> bank --> landscape ------+--> Stage
+//!              |                |            |
+//!              +----------------+--> scenery-+
+//! ```
+//!
+//! - [`settings`]: what a scenario on a model comes to.
+//! - [`build`]: the stage of a scenario; [`over`] puts another bank under it.
+//! - [`bank`]: the terrain alone, read or made; [`landscape`]: with craters, texture and what the scenario says of its
+//!   light.
+
+mod error;
+mod ground;
+
+use std::sync::Arc;
+
+use generator::Stage;
+use hardware_model::{HardwareModel, Settings, SettingsError};
+use landscape::{Bank, bank_file};
+use scenario::{Ground, RollDisplay, Scenario, Scenery};
+
+pub use error::StageError;
+pub use ground::landscape;
+
+/// What `scenario` on `model` comes to.
+///
+/// # Errors
+/// If wishes and model do not fit together.
+pub fn settings(scenario: &Scenario, model: &HardwareModel) -> Result<Settings, SettingsError> {
+    let resolved = Settings::resolve(
+        model,
+        scenario.field,
+        scenario.raster,
+        scenario.range,
+        scenario.laws,
+        scenario.scalar,
+        scenario.display,
+    )?;
+    Ok(Settings {
+        yoke: (scenario.roll == RollDisplay::Yoke).then_some(model.yoke),
+        levels: scenario.levels,
+        shadows: scenario.shadows.is_some(),
+        shadow_fineness: scenario.shadows.unwrap_or_default(),
+        ..resolved
+    })
+}
+
+/// The stage of `scenario`, its ground read or made by the threads of the current pool.
+///
+/// # Errors
+/// If the ground cannot be read or made, or something does not fit on it.
+pub fn build(scenario: &Scenario, settings: Settings) -> Result<Stage, StageError> {
+    over(bank(scenario)?, scenario, settings)
+}
+
+/// The stage of `scenario` over the ground of `bank`, whatever ground it names itself.
+///
+/// # Errors
+/// If something does not fit on the ground.
+pub fn over(bank: Bank, scenario: &Scenario, settings: Settings) -> Result<Stage, StageError> {
+    let landscape = landscape(bank, scenario)?;
+    let scenery = Scenery::of(scenario, &landscape)?;
+    Ok(Stage { landscape: Arc::new(landscape), scenery: Arc::new(scenery), settings })
+}
+
+/// The ground of `scenario`: read, or made from its seed.
+///
+/// # Errors
+/// If the file cannot be read, or the parameters do not make a landscape.
+pub fn bank(scenario: &Scenario) -> Result<Bank, StageError> {
+    let levels = match (&scenario.ground, &scenario.coarse) {
+        (Ground::Bank(path), _) => return Ok(bank_file::read(path)?),
+        (Ground::Generated(relief), None) => vec![relief.build()?],
+        (Ground::Generated(relief), Some(coarse)) => relief.build_two(coarse)?.into(),
+    };
+    Ok(Bank::new(scenario.title.clone(), levels, None)?)
+}

@@ -1,0 +1,145 @@
+//! Scenarios on their ground: what fits is there, what does not is told.
+
+use std::fs;
+use std::path::Path;
+
+use generator::Stage;
+use hardware_model::{HardwareModel, LevelSwitch};
+use landscape::Photometry;
+use scenario::{Scenario, ShadowFineness};
+use stage::StageError;
+
+const GOOD: &str = r#"format = 1
+title = "t"
+shows = "s"
+frames = 90
+[landscape]
+albedo = 0.7
+[landscape.generated]
+seed = 1
+extent_m = [600, 640]
+region_size_m = 40
+[sun]
+azimuth_deg = 10
+elevation_deg = 12
+[path]
+keyframes = [{ t_s = 0, x_m = 100, y_m = 300 }, { t_s = 100, x_m = 500, y_m = 300 }]
+"#;
+
+const POPULATION: &str = "[[features.population]]\nseed = 1\nkind = 'fresh'\ndensity_per_m2 = 0.01\n\
+                          smallest_radius_m = 2\nlargest_radius_m = 20\n";
+
+const COARSE: &str = "[landscape.coarse]\nseed = 2\nextent_m = [4600, 4800]\nregion_size_m = 200\n\
+                      massif = [{ at_m = [300, -1000], height_m = 200, radius_m = 1300, detail_m = 620 }]\n\
+                      [levels]\nswitch_m = 250\nblend_m = 20\n";
+
+fn build_in(folder: &Path, tables: &str) -> Result<Stage, StageError> {
+    let name = folder.join("t.toml");
+    let scenario = Scenario::parse(name.to_str().unwrap(), &format!("{GOOD}\n{tables}"));
+    let scenario = scenario.unwrap_or_else(|list| panic!("{list}"));
+    let settings = stage::settings(&scenario, &HardwareModel::ideal()).unwrap();
+    stage::build(&scenario, settings)
+}
+
+fn build(tables: &str) -> Result<Stage, StageError> {
+    build_in(Path::new(""), tables)
+}
+
+#[test]
+fn a_plain_scenario_is_terrain_alone() {
+    let stage = build("").unwrap();
+    assert!(stage.landscape.features().is_empty() && stage.landscape.texture().is_none());
+    assert_eq!((stage.landscape.albedo(), *stage.landscape.photometry()), (0.7, Photometry::Lambert));
+    let settings = &stage.settings;
+    assert_eq!((settings.yoke, settings.levels, settings.shadows), (None, None, false));
+}
+
+#[test]
+fn what_the_scenario_says_stands_in_the_settings() {
+    let tables = format!(
+        "{COARSE}[roll]\ndisplay = 'yoke'\n[shadows]\nfinest_m = 0.5\n[laws]\ntexture_in_shadow = 'off'\n"
+    );
+    let settings = build(&tables).unwrap().settings;
+    assert_eq!(settings.yoke, Some(HardwareModel::ideal().yoke));
+    assert_eq!(settings.levels, Some(LevelSwitch { range: 250.0, blend: 20.0 }));
+    let fineness = ShadowFineness { finest: 0.5, ..ShadowFineness::default() };
+    assert_eq!((settings.shadows, settings.shadow_fineness), (true, fineness));
+    assert_eq!(settings.laws.texture_in_shadow, scenario::TextureInShadow::Off);
+    assert!(!build("[shadows]\nenabled = false\n").unwrap().settings.shadows);
+}
+
+#[test]
+fn a_coarse_level_lies_around_the_fine_one() {
+    let stage = build(COARSE).unwrap();
+    let levels = stage.landscape.bank().levels();
+    assert_eq!(levels.len(), 2);
+    assert_eq!(levels[1].extent(), [-2000.0, -2080.0, 2600.0, 2720.0]);
+    // The far mountain is in both: no step where they share a corner.
+    let fine = stage.landscape.height(200.0, 120.0).unwrap();
+    let (region, local) = levels[1].locate(200.0, 120.0).unwrap();
+    let coarse = levels[1].height_and_slopes(region, local)[0];
+    assert!(fine.abs() > 0.001 && (fine - coarse).abs() < 1e-9, "{fine} {coarse}");
+    assert!(stage.landscape.height(300.0, -1000.0).unwrap() > 150.0);
+}
+
+#[test]
+fn craters_of_a_list_come_first() {
+    let folder = tempfile::tempdir().unwrap();
+    let list = "x_m,y_m,radius_m,depth_m,rim_m,type\n300,300,10,2,0,1\n# far\n320,310,20,5,1,2\n";
+    fs::write(folder.path().join("c.csv"), list).unwrap();
+    let stage = build_in(folder.path(), &format!("[features]\nlist = 'c.csv'\n{POPULATION}")).unwrap();
+    let craters = stage.landscape.features().craters();
+    assert!(craters.len() > 100, "{}", craters.len());
+    assert_eq!((craters[0].centre(), craters[1].centre()), ([300.0, 300.0], [320.0, 310.0]));
+    let [low, high] = [[0.0, 0.0], [600.0, 640.0]];
+    assert!(craters.iter().all(|crater| (0..2).all(|axis| {
+        crater.centre()[axis] - crater.outer() >= low[axis]
+            && crater.centre()[axis] + crater.outer() <= high[axis]
+    })));
+}
+
+#[test]
+fn craters_over_the_edge_are_named_by_row() {
+    let folder = tempfile::tempdir().unwrap();
+    let list = "x_m,y_m,radius_m,depth_m,rim_m,type\n300,300,10,2,0,1\n595,300,10,2,0,1\n5,5,10,2,0,1\n";
+    fs::write(folder.path().join("c.csv"), list).unwrap();
+    let text = build_in(folder.path(), "[features]\nlist = 'c.csv'\n").unwrap_err().to_string();
+    let words = ["c.csv: row 2", "x = 595 m, y = 300 m", "x 0..600 m, y 0..640 m", "so are 1 others"];
+    assert!(words.iter().all(|word| text.contains(word)), "{text}");
+}
+
+#[test]
+fn what_cannot_be_strewn_is_told() {
+    for (tables, expected) in [
+        (
+            format!("{POPULATION}area_m = [0, 0, 700, 600]\n"),
+            "population]] 1: craters outside the problem area",
+        ),
+        (POPULATION.replace("= 20", "= 400"), "largest radius 400 m"),
+        (POPULATION.replace("0.01", "1e5"), "craters: expected at most"),
+        (
+            "[[object]]\nid = 'a'\nmodel = 'flag'\nx_m = 9000\ny_m = 0\n".into(),
+            "object \"a\" at t = 0 s: x = 9000.00 m",
+        ),
+    ] {
+        let text = build(&tables).unwrap_err().to_string();
+        assert!(text.contains(expected), "{tables}: {text}");
+    }
+}
+
+#[test]
+fn a_bank_of_one_level_has_nothing_to_go_over_to() {
+    let scenario = Scenario::parse("t.toml", &format!("{GOOD}{COARSE}")).unwrap();
+    let settings = stage::settings(&scenario, &HardwareModel::ideal()).unwrap();
+    let one = stage::bank(&Scenario { coarse: None, ..scenario.clone() }).unwrap();
+    let refused = stage::over(one, &scenario, settings);
+    assert!(matches!(refused, Err(StageError::OneLevel)), "{refused:?}");
+}
+
+#[test]
+fn texture_lies_over_the_regions() {
+    let stage =
+        build("[texture]\nsource = 'pattern'\nlayer = [{ cell_m = 1, amplitude = 0.1, range_m = 50 }]\n");
+    let stage = stage.unwrap();
+    assert_eq!(stage.landscape.texture().unwrap().reach(), 50.0);
+}

@@ -1,0 +1,72 @@
+//! One straight motion of the write beam, and what it leaves in the lines.
+
+/// The beam over a stretch between two samples: line positions (`to` is above, that is, smaller) and intensities.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Stroke {
+    pub from: f32,
+    pub to: f32,
+    pub start: f32,
+    pub end: f32,
+}
+
+impl Stroke {
+    /// The part of the stroke whose intensity is above black: the beam is cut off where local shadow begins,
+    /// between two samples.
+    #[inline(always)]
+    pub fn lit(self) -> Option<Self> {
+        let Self { from, to, start, end } = self;
+        if start >= 0.0 && end >= 0.0 {
+            return Some(self);
+        }
+        if start <= 0.0 && end <= 0.0 {
+            return None;
+        }
+        let black = (from + start / (end - start) * (from - to)).clamp(to, from);
+        let lit = if start < 0.0 {
+            Self { from: black, start: 0.0, ..self }
+        } else {
+            Self { to: black, end: 0.0, ..self }
+        };
+        (lit.to < lit.from).then_some(lit)
+    }
+
+    /// Intensity at a line position within the stroke.
+    fn at(&self, line: f32) -> f32 {
+        self.start + (self.from - line) / (self.from - self.to) * (self.end - self.start)
+    }
+}
+
+/// Adds the stroke's integral over each line that it touches.
+pub(crate) fn line_mean(stroke: Stroke, row: &mut [f32]) {
+    let height = row.len() as f32;
+    let (bottom, top) = (stroke.from.min(height), stroke.to.max(0.0));
+    if bottom <= top {
+        return;
+    }
+    let last = top as usize;
+    if bottom <= (last + 1) as f32 && bottom == stroke.from && top == stroke.to {
+        // Nearly all strokes of far ground stay within one line.
+        row[last] += 0.5 * (stroke.start + stroke.end) * (bottom - top);
+        return;
+    }
+    let mut lower = bottom;
+    let mut index = (bottom.ceil() as usize).min(row.len());
+    while index > last {
+        index -= 1;
+        let upper = top.max(index as f32);
+        row[index] += 0.5 * (stroke.at(lower) + stroke.at(upper)) * (lower - upper);
+        lower = upper;
+    }
+}
+
+/// Sets each line whose centre the stroke passes.
+pub(crate) fn centre(stroke: Stroke, row: &mut [f32]) {
+    let first = (stroke.to - 0.5).ceil().max(0.0) as usize;
+    for (index, value) in row.iter_mut().enumerate().skip(first) {
+        let centre = index as f32 + 0.5;
+        if centre >= stroke.from {
+            break;
+        }
+        *value = stroke.at(centre);
+    }
+}

@@ -1,0 +1,167 @@
+//! Two terrain generators, one a level, switched by ground range (section 8).
+
+use std::ops::Range;
+
+use landscape::basis::{derivatives, values};
+use landscape::{GroupLight, SweepLight};
+use signal::{LANES, Lanes, Real};
+use sweep_program::SweepProgram;
+
+use crate::{Profile, TerrainGenerator};
+
+#[cfg(test)]
+mod tests;
+
+/// The modified terrain generator of the report, set for one frame.
+///
+/// Up to the switch a lane shows the fine level, beyond it the coarse one. Over the last `blend` metres before the
+/// switch the height is `w h_fine + (1 - w) h_coarse` with `w = g00`, 1 to 0, level at both ends (our choice): height
+/// and slopes are continuous. The slope along the sweep takes `w' (h_fine - h_coarse)` more; the slope across takes
+/// none, as if neighbouring sweeps went over at the same range. Both generators read the same ranges and subtract the
+/// same datum.
+#[derive(Debug, Clone, Copy)]
+pub struct ModifiedTerrainGenerator<'a> {
+    /// Near ground.
+    pub fine: TerrainGenerator<'a>,
+    /// Far ground.
+    pub coarse: TerrainGenerator<'a>,
+    /// Length of the blend before the switch (m); 0: a video switch within one sample.
+    pub blend: f64,
+}
+
+/// Heights and slopes of the coarse level under the blend; reused from group to group.
+pub type Overlap<S> = Profile<S>;
+
+/// Where one lane goes over.
+#[derive(Debug, Clone, Copy)]
+struct Switch {
+    /// Ground range (m); the sample there is still fine.
+    range: f64,
+    /// First sample that is not purely fine.
+    blended: usize,
+    /// First sample that is purely coarse.
+    beyond: usize,
+}
+
+impl ModifiedTerrainGenerator<'_> {
+    /// Runs the programs of a group on both levels into `profile`; lane n goes over at ground range `switch[n]` (m),
+    /// or at the end of its fine profile if that comes first. A lane whose coarse profile ends before the switch stays
+    /// fine. Returns the step at the switch: the largest `|h_fine - h_coarse|` (m) of the group at its last fine
+    /// samples; with `blend` 0 that is the jump that is seen.
+    ///
+    /// Neither generator computes samples that no lane of the group takes from it.
+    pub fn run<S: Real>(
+        &self,
+        fine: &[SweepProgram; LANES],
+        coarse: &[SweepProgram; LANES],
+        switch: &[f64; LANES],
+        light: &[SweepLight; LANES],
+        profile: &mut Profile<S>,
+        overlap: &mut Overlap<S>,
+    ) -> f64 {
+        let switches: [Switch; LANES] =
+            std::array::from_fn(|lane| self.switch(&fine[lane], &coarse[lane], switch[lane]));
+        let samples = self.fine.ranges.len();
+        let last_fine = switches.iter().map(|switch| switch.beyond).max().unwrap_or(samples);
+        let first_coarse =
+            switches.iter().map(|switch| switch.first_coarse(samples)).min().unwrap_or(samples);
+        let shared = first_coarse..last_fine.max(first_coarse);
+        profile.resize(samples);
+        self.coarse.trace(coarse, first_coarse..samples, profile);
+        set_aside(profile, shared.clone(), overlap);
+        self.fine.trace(fine, 0..last_fine, profile);
+        let step = step_at_switch(profile, overlap, &switches, shared.start);
+        for (coarse, sample) in shared.enumerate() {
+            self.join(&switches, sample, overlap.ground(coarse), profile);
+        }
+        self.fine.reflect(&GroupLight::new(light), profile);
+        step
+    }
+
+    fn switch(&self, fine: &SweepProgram, coarse: &SweepProgram, wanted: f64) -> Switch {
+        let range = wanted.min(fine.end_range);
+        let range = if coarse.end_range <= range { f64::INFINITY } else { range };
+        let beyond = self.fine.ranges.partition_point(|&z| z <= range);
+        let blended = self.fine.ranges.partition_point(|&z| z <= range - self.blend);
+        Switch { range, blended, beyond }
+    }
+
+    /// Joins the levels at one sample that both were computed for.
+    fn join<S: Real>(
+        &self,
+        switches: &[Switch; LANES],
+        sample: usize,
+        coarse: [Lanes<S>; 3],
+        profile: &mut Profile<S>,
+    ) {
+        for (lane, switch) in switches.iter().enumerate() {
+            if sample < switch.blended {
+                continue;
+            }
+            let weights = self.weights(switch, sample);
+            let fine = profile.ground(sample).map(|signal| signal[lane]);
+            let [height, along, across] = blend(fine, coarse.map(|signal| signal[lane]), weights);
+            profile.height[sample][lane] = height;
+            profile.along[sample][lane] = along;
+            profile.across[sample][lane] = across;
+        }
+    }
+
+    /// Weight of the fine level and its rate along the sweep (1/m).
+    fn weights(&self, switch: &Switch, sample: usize) -> [f64; 2] {
+        if sample >= switch.beyond {
+            return [0.0; 2];
+        }
+        let way = (self.fine.ranges[sample] - (switch.range - self.blend)) / self.blend;
+        [values(way)[0], derivatives(way)[0] / self.blend]
+    }
+}
+
+impl Switch {
+    /// Whether the switch falls between two of `samples` samples.
+    fn is_met(&self, samples: usize) -> bool {
+        (1..samples).contains(&self.beyond)
+    }
+
+    /// First sample at which the coarse level is wanted: the last fine one at the latest, where the step is measured.
+    fn first_coarse(&self, samples: usize) -> usize {
+        if self.is_met(samples) { self.blended.min(self.beyond - 1) } else { self.blended }
+    }
+}
+
+/// Keeps what `profile` holds at the samples of `span`.
+fn set_aside<S: Real>(profile: &Profile<S>, span: Range<usize>, overlap: &mut Overlap<S>) {
+    let parts = [
+        (&profile.height, &mut overlap.height),
+        (&profile.along, &mut overlap.along),
+        (&profile.across, &mut overlap.across),
+    ];
+    for (signal, kept) in parts {
+        kept.clear();
+        kept.extend_from_slice(&signal[span.clone()]);
+    }
+}
+
+/// Largest difference in height between the levels at the last fine samples of the lanes (m); `overlap` begins at
+/// sample `first`.
+fn step_at_switch<S: Real>(
+    profile: &Profile<S>,
+    overlap: &Overlap<S>,
+    switches: &[Switch; LANES],
+    first: usize,
+) -> f64 {
+    let step = |(lane, switch): (usize, &Switch)| {
+        let last = switch.beyond - 1;
+        (profile.height[last][lane].to_f64() - overlap.height[last - first][lane].to_f64()).abs()
+    };
+    let met = |switch: &(usize, &Switch)| switch.1.is_met(profile.height.len());
+    switches.iter().enumerate().filter(met).map(step).fold(0.0, f64::max)
+}
+
+/// Height and slopes along and across of both levels in one; the rate of the weight adds to the slope along.
+fn blend<S: Real>(fine: [S; 3], coarse: [S; 3], [weight, rate]: [f64; 2]) -> [S; 3] {
+    let (weight, rate) = (S::from_f64(weight), S::from_f64(rate));
+    let mut joined = std::array::from_fn(|k| weight * fine[k] + (S::ONE - weight) * coarse[k]);
+    joined[1] += rate * (fine[0] - coarse[0]);
+    joined
+}
