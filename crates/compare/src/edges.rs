@@ -83,8 +83,7 @@ pub fn edge_mask(planes: &Planes, limits: &EdgeLimits) -> Result<EdgeMask, Compa
     let kinks = scene.mask(|a, b, around| scene.is_kink(a, b, around, limits.kink));
     let count = |mask: &[bool]| mask.iter().filter(|pixel| **pixel).count();
     let counts = [&ridges, &outlines, &shadows, &kinks].map(|mask| count(mask));
-    let pixels =
-        (0..ridges.len()).map(|at| ridges[at] || outlines[at] || shadows[at] || kinks[at]).collect();
+    let pixels = (0..ridges.len()).map(|at| ridges[at] || outlines[at] || shadows[at] || kinks[at]).collect();
     let [ridges, outlines, shadows, kinks] = counts;
     Ok(EdgeMask { pixels, ridges, outlines, shadows, kinks })
 }
@@ -111,11 +110,7 @@ impl<'a> Scene<'a> {
             range: get(PlaneKind::Range)?,
             label: get(PlaneKind::Label)?,
             shadow: get(PlaneKind::Shadow)?,
-            normal: [
-                get(PlaneKind::NormalNorth)?,
-                get(PlaneKind::NormalEast)?,
-                get(PlaneKind::NormalUp)?,
-            ],
+            normal: [get(PlaneKind::NormalNorth)?, get(PlaneKind::NormalEast)?, get(PlaneKind::NormalUp)?],
         })
     }
 

@@ -26,7 +26,9 @@ fn sizes_must_fit() {
 /// What goes through the display law and back is off by at most half a code, whatever white and gamma.
 #[test]
 fn codes_lead_back_to_intensity() {
-    for (white, gamma, depth) in [(0.3, 2.2, Depth::Eight), (1.0, 1.0, Depth::Eight), (2.0, 0.5, Depth::Sixteen)] {
+    for (white, gamma, depth) in
+        [(0.3, 2.2, Depth::Eight), (1.0, 1.0, Depth::Eight), (2.0, 0.5, Depth::Sixteen)]
+    {
         let transfer = Transfer::new(white, gamma).unwrap();
         let plane: Vec<f32> = (0..1000).map(|at| white * at as f32 / 999.0).collect();
         let picture = Encoder::new(transfer, depth).encode(&plane, 1000, 1).unwrap();

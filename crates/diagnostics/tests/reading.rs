@@ -188,6 +188,25 @@ fn faults_of_syntax_and_of_encoding_have_a_place() {
 }
 
 #[test]
+fn pairs_of_numbers() {
+    let read = |text: &str| {
+        let problems = Problems::new();
+        let file = TomlFile::parse("t", text, &problems).unwrap();
+        let pairs = file.root(&problems).f64_pairs("a").required();
+        problems
+            .into_result()
+            .map_err(|list| list.iter().next().unwrap().found.clone())
+            .map(|()| pairs.unwrap())
+    };
+    assert_eq!(read("a = [[1, 2.5], [-3, 4]]"), Ok(vec![[1.0, 2.5], [-3.0, 4.0]]));
+    assert_eq!(read("a = []"), Ok(vec![]));
+    for (text, found) in [("a = [[1, 2], [3, nan]]", "nan"), ("a = [[1, 2], 3]", "3"), ("a = 1", "1")] {
+        assert_eq!(read(text), Err(Some(found.to_owned())), "{text}");
+    }
+    assert!(read("a = [[1, 2, 3]]").is_err());
+}
+
+#[test]
 fn colour_only_when_asked_for() {
     let list = diagnostics::ProblemList::from(Problem::of_file("a.toml", "no such file"));
     assert!(list.render(true).contains('\u{1b}'));

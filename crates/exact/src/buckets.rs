@@ -86,9 +86,8 @@ impl Buckets {
 
     /// The box of a cell.
     pub fn cell_box(&self, [i, j]: [usize; 2]) -> Box2 {
-        let corner = |i: usize, j: usize| {
-            [self.low[0] + self.size * i as f64, self.low[1] + self.size * j as f64]
-        };
+        let corner =
+            |i: usize, j: usize| [self.low[0] + self.size * i as f64, self.low[1] + self.size * j as f64];
         [corner(i, j), corner(i + 1, j + 1)]
     }
 

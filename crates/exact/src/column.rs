@@ -159,5 +159,6 @@ fn settled(low: &Sample, middle: &Sample, high: &Sample, share: f64) -> bool {
     // Over level ground the inverse range is linear in y.
     let nearness = |sample: &Sample| 1.0 / sample.seen.range;
     let ridge = bend(nearness) > 0.5 * (nearness(low) - nearness(high)).abs();
-    bend(|sample| sample.seen.intensity) * share / 6.0 <= LINE_MEAN_TOLERANCE && !(ridge && share > RIDGE_SHARE)
+    bend(|sample| sample.seen.intensity) * share / 6.0 <= LINE_MEAN_TOLERANCE
+        && !(ridge && share > RIDGE_SHARE)
 }

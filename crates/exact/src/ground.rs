@@ -149,7 +149,8 @@ impl<'a> Ground<'a> {
         let craters = self.ceilings.craters();
         craters.parts(line, ends).find_map(|part| {
             let Some(cell) = part.cell.filter(|&cell| !craters.in_cell(cell).is_empty()) else {
-                return (!relief.is_under(line, part.ends, 0.0)).then(|| bare(relief, line, part.ends, scratch))?;
+                return (!relief.is_under(line, part.ends, 0.0))
+                    .then(|| bare(relief, line, part.ends, scratch))?;
             };
             if relief.is_under(line, part.ends, craters.rise(cell)) {
                 return None;

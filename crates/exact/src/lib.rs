@@ -1,62 +1,108 @@
 //! `exact`: the same picture by closed form and root finding in f64, independent of ramps, registers, sweeps and
-//! sampling. The error of a machine is its difference from this.
+//! sampling. The error of a machine is its difference from this; the planes of truth are its own.
 //!
 //! ```text
-//!  landscape, finest level ---> Ceilings (once a stage) --+
-//!  eye, curvature, near, far ----------------------------+--> Outlook --> first meeting --> slopes --> Lambert
-//!  pixel place x, y --> View (projection law) --> Ray ----+                (range)                  |
-//!                                                                                    pixel rule --> planes
+//!  levels, craters ---> Ceilings (once a stage) ----------------+
+//!                                                               v
+//!  x, y of the screen --> yoke --> View (law) --> Ray ------> Ground --> first meeting --> slopes, craters
+//!                            |                                  ^                               |
+//!                            |      place on the map --> line to the sun <----------- photometry, texture
+//!                            |                                  |                               |
+//!                            v                                  v                               v
+//!  bodies --> perspective --> first face -----> depth ------> shadow ----------------------> Seen --> planes
 //! ```
 //!
 //! # Law
 //!
 //! - **Pixels.** View-plane at distance 1. The centre of column i lies at `x = tan_half_width (2i + 1 - columns) /
 //!   columns`; line j covers y, positive down, from `tan_half_height (2j / lines - 1)` to the same of `j + 1`.
+//! - **Yoke** at angle a: the screen's (x, y) shows `(x cos a - y sin a, x sin a + y cos a)` of the view-plane, what a
+//!   camera rolled by a has there.
 //! - **Rays** (15.3, inverted), theta the pitch:
 //!   `Exact`: forward `cos theta + y sin theta`, starboard `x`, down `y cos theta - sin theta`;
 //!   `AsReported`: azimuth `heading + atan x`, elevation `theta - atan y`;
 //!   `Corrected`: the same azimuth, `tan eta = -y cos(atan x)`.
-//! - **Ground.** At arc s along the azimuth: h of the finest level, less `s^2 / 2R` if the lunoid curves (15.4).
-//!   The ray with `t = tan eta` meets it at the first root of `G(s) = h(s) - s^2 / 2R - H - t s` from the near range
-//!   to the far range or the edge of the problem area: the highest elevation so far, that is the ideal form of
+//! - **Ground.** At arc s along the azimuth: h of the finest level and of all craters (9), less `s^2 / 2R` if the lunoid
+//!   curves (15.4). The ray with `t = tan eta` meets it at the first root of `G(s) = h(s) - s^2 / 2R - H - t s` from
+//!   the near range to the far range or the edge of the level: the highest elevation so far, that is the ideal form of
 //!   both occultation laws (15.2).
-//! - **Intensity.** `albedo max(n.s, 0)` from the exact slopes there (7); 0 in the sky.
+//! - **Two levels** (8), if the settings have a switch: the finest level up to the range of the switch or its own edge,
+//!   then the next level. Over the last `blend` metres before the switch `h = w fine + (1 - w) coarse`, `w = g00`;
+//!   slopes fade with the same w.
+//! - **Light** (7). `albedo n.s` times the photometric factor, from the slopes of terrain and craters; under
+//!   `FeatureLight::AsReported` from those of craters alone inside any footprint. The map is flat for light: sight rises
+//!   by `(h - H) / s`, without curvature.
+//! - **Remote shadow** (11.1), if the settings have it: a place of the map is dark if the straight line from it to the
+//!   sun meets the ground (over all levels, of each place the finest) or a body, or if it lies in a track patch. Its
+//!   own steepness counts: ground in local shadow is dark. The line begins [`LIFT`] above the ground.
+//! - **Texture** (13) is added behind the shadow: to `max(r, 0)` or to black under `TextureInShadow::On`; under `Off` to
+//!   the signed r, nothing in remote shadow. The sum is held to 0..=1.
+//! - **Bodies** (12) stand in true perspective under every projection law, lowered by the drop of the lunoid at their
+//!   foot point. `Depth`: the nearest of ground and faces, by ground range. `AsReported`: a body is drawn whole, over
+//!   everything, the nearer foot on top, unless ground before its foot point stands higher than it by more than
+//!   [`FOOT_TOLERANCE`]. A face returns `albedo max(n.s, 0)`; if terrain and craters shadow the foot point the body is
+//!   black or not there.
+//! - **Silhouettes** (8): a ray that meets nothing shows the first listed that stands above it.
 //! - **Pixel rule.** `Centre`: one ray. `LineMean`: the mean over the line's height at the column's centre, by
 //!   adaptive quadrature to [`LINE_MEAN_TOLERANCE`].
-//! - **Planes.** `intensity`; `range` (m) at the pixel's centre, infinite where no ground is drawn.
+//!
+//! # Planes
+//!
+//! `intensity` follows the pixel rule. All others are of the pixel's centre: `range` (m, along the ground from the
+//! eye's nadir; infinite in the sky and on silhouettes), `height` (m above the tangent plane), `normal_*` (unit, outwards,
+//! of terrain and craters together or of the face, whatever light a law gives them), `reflectivity` (before remote
+//! shadow and texture), `shadow` (local before remote; 0 in the sky and on silhouettes), `label` (track before crater
+//! before terrain). In the sky, and for height and normal of silhouettes, the value is 0. Values are rounded to f32;
+//! the places they tell of are good to rounding.
 //!
 //! # Method
 //!
-//! Within a region G is a polynomial of degree 10. A plane above each region, from the patch's Bernstein control
-//! heights, tells most regions that the ray stays above them. Else G is taken in Bernstein form: coefficients of
-//! one sign prove that there is no root, one change of sign proves one root (Newton within its bracket), and
-//! anything else is halved. A touch that 50 halvings cannot tell from a root counts as one. Nothing is sampled, so
-//! no ridge is stepped over; roots are good to rounding, 1e-12 of the range but where the ray only grazes.
-//! Where a column has one azimuth, a ray starts where the one below it ended.
+//! Within a region terrain along a line is a polynomial of degree 10, of degree 15 where two levels fade. A plane above
+//! each region, from the patch's Bernstein control heights, tells most regions that the line stays above them; bounds
+//! over blocks of 8 and 64 regions pass over more. Craters lie in a grid of cells with the most they can add. In a
+//! cell that the line may meet it is cut at every circle it crosses: between them a crater adds a quadratic in s and,
+//! on walls and rims, a multiple of its distance rho(s), which is convex.
+//!
+//! Without rho, G is taken in Bernstein form: coefficients of one sign prove that there is no root, one change of sign
+//! proves one root (Newton within its bracket), and anything else is halved. With it, chord and tangent of each rho
+//! bound G and its derivative: a bound below 0 proves that there is no root, a derivative of one sign that there is at
+//! most one, and anything else is halved. A touch that 50 halvings cannot tell from a root counts as one. Nothing is
+//! sampled, so no ridge and no rim is stepped over; roots are good to rounding, 1e-12 of the range but where the line
+//! only grazes. Where a column has one azimuth, a ray starts where the one below it ended.
+//!
+//! The quadrature looks at five places of a line, then wherever they disagree. It is told where edges of bodies cross
+//! the column, so a body thinner than a line has its share. A shadow, a patch or a crater that covers less than a quarter
+//! of a line between two such places, with equal light around it, can be missed: by at most that quarter's share.
+//! Texture is followed the same way: grain finer than a quarter of a line may be averaged with an error of its
+//! amplitude.
 //!
 //! # Timing
 //!
 //! No clocks, no state between frames. Columns are drawn by the threads of the current rayon pool, each column
-//! by itself: the bits do not depend on the number of threads. `samples` of the frame's counts are rays.
+//! by itself: the bits do not depend on the number of threads. `samples` of the frame's counts are rays from the eye,
+//! `bodies` those that the laws let be seen.
 //!
 //! # Not modelled
 //!
-//! Parts, words, scalar type, loader, sweeps, sweep memory: whatever makes a machine a machine. Roll: the yoke is
-//! upright. Coarser levels. Nothing can be probed.
+//! Parts, words, scalar type, loader, sweeps, sweep memory: whatever makes a machine a machine. Levels coarser than the
+//! second, for sight. Nothing can be probed.
 //!
 //! # Our choices
 //!
 //! - Ground nearer than the machine's first sample is not drawn: a ray that is under the ground there shows 0 and
-//!   range infinity, and such ground hides nothing.
-//! - Beyond the edge of the problem area there is nothing: sky.
-//! - An eye outside the area or not above its ground is refused; so is |pitch| + half the vertical field of view of
-//!   80 degrees or more, under every projection law.
+//!   range infinity, and such ground hides nothing. Bodies are drawn from the eye on, however far away.
+//! - Beyond the edge of the stored area there is nothing: sky. It casts no shadow either.
+//! - An eye outside the finest level or not above its ground is refused; so is |pitch| + half the vertical field of
+//!   view, yoke included, of 80 degrees or more, under every projection law.
+//! - Shadow is a property of the map: where the coarse level is seen but the fine one stored, the fine one shadows.
+//! - Without remote shadow in the settings there are no tracks, and no body is dark.
+//! - An eye inside a body does not see it.
 //! - A raster is what the planes hold.
 //!
 //! # See also
 //!
-//! `tests/pictures`: planes, the lunoid's horizon and a hidden valley in closed form; every pixel of random scenes
-//! against marching along its ray.
+//! `tests/pictures`: planes, the lunoid's horizon, a hidden valley, rims, shadows, boxes and fading levels in closed form;
+//! random ground with craters, its shadows and whole pictures against marching along each ray.
 
 mod bernstein;
 mod buckets;

@@ -40,7 +40,8 @@ impl<'a> Light<'a> {
             _ => slopes,
         };
         let signed = self.reflectivity(lit_slopes, direction, (height - self.eye_height) / spot.range);
-        let texture = self.landscape.texture().map_or(0.0, |t| t.at(spot.place[0], spot.place[1], spot.range));
+        let texture =
+            self.landscape.texture().map_or(0.0, |t| t.at(spot.place[0], spot.place[1], spot.range));
         let [open, shadowed] = self.with_texture(signed, texture);
         let dark = dark(open > 0.0);
         Seen {

@@ -141,7 +141,8 @@ impl<'a> Outlook<'a> {
         let end = switch.range.min(self.ground.track(0, line).inside()[1]);
         let blend = Blend { from: switch.range - switch.blend, length: switch.blend };
         let fade = if switch.blend > 0.0 { blend.from.min(end) } else { end };
-        let zone = |level, into, low: f64, high: f64| Zone { level, into, ends: [low.max(from), high.min(to)] };
+        let zone =
+            |level, into, low: f64, high: f64| Zone { level, into, ends: [low.max(from), high.min(to)] };
         [
             zone(0, None, f64::NEG_INFINITY, fade),
             zone(0, Some((1, blend)), fade, end),

@@ -26,7 +26,12 @@ impl<'a> Track<'a> {
     /// `line` over a level.
     pub fn new(level: &'a Level, ceilings: &'a LevelCeilings, line: &Line) -> Self {
         let origin = level.in_regions(line.origin[0], line.origin[1]);
-        Self { level, ceilings, origin, step: line.direction.map(|direction| direction / level.region_size()) }
+        Self {
+            level,
+            ceilings,
+            origin,
+            step: line.direction.map(|direction| direction / level.region_size()),
+        }
     }
 
     /// Regions to the north and to the east.
@@ -124,7 +129,9 @@ impl Relief<'_> {
     pub fn crater_rise(&self) -> Option<f64> {
         match self {
             Self::One(sheet) => sheet.ceiling().rise,
-            Self::Two(fine, coarse, _) => [fine, coarse].iter().filter_map(|s| s.ceiling().rise).reduce(f64::max),
+            Self::Two(fine, coarse, _) => {
+                [fine, coarse].iter().filter_map(|s| s.ceiling().rise).reduce(f64::max)
+            }
         }
     }
 

@@ -37,8 +37,7 @@ impl<'a> Scene<'a> {
         let sun: Sun = scenery.sun(pose.time);
         let view = View::new(laws.projection, &pose.attitude).with_yoke(pose.yoke);
         let bodies: Vec<&Body> = scenery.bodies(pose.time).collect();
-        let cast =
-            || Shadows::new(*outlook.ground(), &sun, bodies.clone(), scenery.patches(pose.time));
+        let cast = || Shadows::new(*outlook.ground(), &sun, bodies.clone(), scenery.patches(pose.time));
         let shadows = with_shadows.then(cast);
         let to_sun = DVec3::from_array(sun.direction());
         let standing = Standing::new(&bodies, &outlook, &view, to_sun, shadows.as_ref(), laws);
@@ -58,7 +57,13 @@ impl<'a> Scene<'a> {
 
     /// What is seen at (x, y) of the screen, among the bodies of `column`, if the ray is above the ground up to the
     /// range `clear` (m); and up to where every ray above it in the column is.
-    pub fn look(&self, [x, y]: [f64; 2], column: &[&Stand], clear: f64, scratch: &mut Scratch) -> (Seen, f64) {
+    pub fn look(
+        &self,
+        [x, y]: [f64; 2],
+        column: &[&Stand],
+        clear: f64,
+        scratch: &mut Scratch,
+    ) -> (Seen, f64) {
         let ray = self.view.ray(x, y);
         let sight = self.outlook.look_from(&ray, clear, scratch);
         let (met, clear) = match sight {

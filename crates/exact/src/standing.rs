@@ -73,7 +73,8 @@ impl<'a> Standing<'a> {
 
     /// What is seen along `direction` (1 over the ground), if the ground is met at `ground` (m; infinite if not).
     pub fn look(&self, column: &[&Stand], direction: DVec3, ground: f64) -> Option<Seen> {
-        let met = column.iter().filter_map(|stand| Some((stand, stand.body.first_hit(stand.eye, direction, 0.0)?)));
+        let met =
+            column.iter().filter_map(|stand| Some((stand, stand.body.first_hit(stand.eye, direction, 0.0)?)));
         let (stand, hit) = match self.law {
             BodyVisibility::Depth => met
                 .filter(|(_, hit)| hit.distance < ground)

@@ -1,7 +1,7 @@
 //! From a place on the view-plane to the ray that a projection law gives it (section 15.3).
 
-use landscape::Attitude;
 use glam::DVec3;
+use landscape::Attitude;
 use quantities::sin_cos;
 use scenario::Projection;
 
@@ -168,8 +168,7 @@ mod tests {
     #[test]
     fn the_yoke_is_a_rolled_camera() {
         for (roll, pitch, heading) in [(10.0, 0.0, 0.0), (-25.0, -8.0, 130.0), (40.0, 12.0, 250.0)] {
-            let attitude =
-                Attitude { roll: radians(roll), pitch: radians(pitch), heading: radians(heading) };
+            let attitude = Attitude { roll: radians(roll), pitch: radians(pitch), heading: radians(heading) };
             let view = View::new(Projection::Exact, &attitude).with_yoke(attitude.roll);
             for at in [[0.0, 0.0], [0.4, 0.1], [-0.3, 0.25], [0.2, -0.2]] {
                 let [u, v, w] = (attitude.to_terrain() * DVec3::new(1.0, at[0], at[1])).to_array();

@@ -31,13 +31,7 @@ pub struct Walk {
 
 impl Walk {
     /// A walk over a grid of `regions` north by east; `None` if it begins outside.
-    pub fn new(
-        regions: [usize; 2],
-        origin: [f64; 2],
-        step: [f64; 2],
-        from: f64,
-        end: f64,
-    ) -> Option<Self> {
+    pub fn new(regions: [usize; 2], origin: [f64; 2], step: [f64; 2], from: f64, end: f64) -> Option<Self> {
         let regions = regions.map(|count| count as i64);
         let mut region = [0; 2];
         for axis in 0..2 {

@@ -18,6 +18,9 @@
 //! **State and timing.** A load takes no time. None free: the crater is not drawn in this sweep and counted as
 //! dropped; the nearest come first (22, row 14). Between two kink circles all sub-generators stand still in one zone
 //! of their law, so a sweep is drawn stretch by stretch; the crossings of the circles are the kinks, at their real range.
+//! **Precision.** The offset from a crater is taken in f64 and only then rounded to the signal's scalar, so that far
+//! craters keep their shape: f64 signals agree with the direct sum to 1e-12 of full scale, f32 signals to 2e-5 of it
+//! where rims are at least a tenth as wide as their radius.
 //! **Elaboration.** Without features there is nothing to load and nothing to draw.
 //! **Our choices.** Unfolded sweep voltages relative to the eye's foot (section 10). Sums run in the order of the
 //! crater list, so that they are those of [`features::Features::at`]. A footprint is a circle, not its bounding square.

@@ -39,10 +39,10 @@ impl Outline {
     ) -> usize {
         self.corners.clear();
         self.corners.extend(corners);
-        for side in [-1.0, 1.0] {
-            if self.corners.iter().any(|corner| side * corner.place.y > half_height) {
-                self.clip(side, half_height, sighting, tangents);
-            }
+        let farthest = self.corners.iter().fold(0.0f64, |off, corner| off.max(corner.place.y.abs()));
+        if farthest > half_height {
+            self.clip(-1.0, half_height, sighting, tangents);
+            self.clip(1.0, half_height, sighting, tangents);
         }
         self.crossings.clear();
         let sweeps = self.corners.iter().map(|corner| corner.sweep);

@@ -1,5 +1,7 @@
 //! The digital side of a frame: bodies into spans.
 
+use std::ops::Range;
+
 use glam::DVec3;
 use solids::Body;
 
@@ -21,7 +23,7 @@ pub struct Drawn<'a> {
 pub struct Census {
     /// Bodies transformed and projected.
     pub drawn: u64,
-    /// Bodies outside the picture.
+    /// Bodies outside the picture, or between two sweeps.
     pub outside: u64,
     /// Bodies skipped because a vertex is nearer than [`NEAREST`], or behind the eye.
     pub too_near: u64,
@@ -37,6 +39,15 @@ pub struct PolyhedronGenerator {
     table: SpanTable,
     corners: Vec<Corner>,
     outline: Outline,
+}
+
+/// A body as it is seen.
+struct Aspect<'a> {
+    body: &'a Body,
+    dark: bool,
+    eye: DVec3,
+    /// Sweeps that may meet it.
+    sweeps: Range<usize>,
 }
 
 /// What all bodies of a frame share.
@@ -66,23 +77,21 @@ impl PolyhedronGenerator {
         let frame = Frame::new(view, tangents, light);
         let mut census = Census::default();
         self.table.clear();
-        for (index, drawn) in bodies.enumerate() {
-            let (eye, foot_range) = frame.sighting.eye_for(drawn.body.foot);
-            if !frame.meets(eye, drawn.body) {
+        for (index, Drawn { body, dark }) in bodies.enumerate() {
+            let (eye, foot_range) = frame.sighting.eye_for(body.foot);
+            let Some(sweeps) = frame.sweeps(eye, body) else {
                 census.outside += 1;
-            } else if !self.project(&frame, eye, drawn.body) {
+                continue;
+            };
+            let aspect = Aspect { body, dark, eye, sweeps };
+            if !self.project(&frame, &aspect) {
                 census.too_near += 1;
-            } else {
-                census.drawn += 1;
-                census.vertices += self.corners.len() as u64;
-                let stamp = Span {
-                    body: index as u32,
-                    object: drawn.body.object,
-                    foot_range: foot_range as f32,
-                    ..Span::default()
-                };
-                self.draw(&frame, eye, drawn, stamp);
+                continue;
             }
+            census.drawn += 1;
+            census.vertices += self.corners.len() as u64;
+            let (object, foot_range) = (body.object, foot_range as f32);
+            self.draw(&frame, &aspect, Span { body: index as u32, object, foot_range, ..Span::default() });
         }
         self.table.sort(tangents.len());
         census.spans = self.table.len() as u64;
@@ -90,41 +99,34 @@ impl PolyhedronGenerator {
     }
 
     /// Projects the vertices; false if one is too near.
-    fn project(&mut self, frame: &Frame, eye: DVec3, body: &Body) -> bool {
+    fn project(&mut self, frame: &Frame, aspect: &Aspect) -> bool {
+        let tangents = &frame.tangents[aspect.sweeps.clone()];
         self.corners.clear();
-        for &vertex in &body.vertices {
-            let ahead = frame.sighting.turn(vertex - eye);
+        for &vertex in &aspect.body.vertices {
+            let ahead = frame.sighting.turn(vertex - aspect.eye);
             if ahead.x <= NEAREST {
                 return false;
             }
-            self.corners.push(Corner::new(project(ahead), &frame.sighting, frame.tangents));
+            self.corners.push(Corner::new(project(ahead), &frame.sighting, tangents));
         }
         true
     }
 
-    /// Whether no sweep passes through the body: most far rocks.
-    fn is_between_sweeps(&self, half_height: f64) -> bool {
-        let first = self.corners[0].sweep;
-        self.corners.iter().all(|corner| corner.sweep == first && corner.place.y.abs() <= half_height)
-    }
-
-    fn draw(&mut self, frame: &Frame, eye: DVec3, Drawn { body, dark }: Drawn, stamp: Span) {
-        if self.is_between_sweeps(frame.view.tan_half_height) {
-            return;
-        }
+    fn draw(&mut self, frame: &Frame, aspect: &Aspect, stamp: Span) {
+        let Aspect { body, dark, eye, sweeps } = aspect;
+        let tangents = &frame.tangents[sweeps.clone()];
         for (index, face) in body.solid.faces().iter().enumerate() {
-            if body.normals[index].dot(eye - body.on_face(index)) <= 0.0 {
+            if body.normals[index].dot(*eye - body.on_face(index)) <= 0.0 {
                 continue;
             }
             let corners = face.corners.iter().map(|&corner| self.corners[corner as usize]);
-            let first =
-                self.outline.cross(corners, frame.view.tan_half_height, &frame.sighting, frame.tangents);
-            let reflectivity = frame.light.reflectivity(body, index, dark) as f32;
+            let first = self.outline.cross(corners, frame.view.tan_half_height, &frame.sighting, tangents);
+            let reflectivity = frame.light.reflectivity(body, index, *dark) as f32;
             let stamp = Span { reflectivity, ..stamp };
             for (step, ends) in self.outline.crossings.iter().enumerate() {
                 let span = frame.span(ends, stamp);
                 if span.top < span.bottom {
-                    self.table.push(first + step, span);
+                    self.table.push(sweeps.start + first + step, span);
                 }
             }
         }
@@ -144,18 +146,32 @@ impl<'a> Frame<'a> {
         Self { view, sighting, tangents, light, sides }
     }
 
-    /// Whether the bounding sphere of a body reaches into the picture.
-    fn meets(&self, eye: DVec3, body: &Body) -> bool {
+    /// The sweeps that may meet a body, by its bounding sphere; nothing if it is outside the picture.
+    fn sweeps(&self, eye: DVec3, body: &Body) -> Option<Range<usize>> {
         let ahead = self.sighting.turn(body.centre - eye);
         let reaches =
             |across: f64, edge: f64| across - edge * ahead.x <= body.radius * (1.0 + edge * edge).sqrt();
         let [left, right] = self.sides;
         let half_height = self.view.tan_half_height;
-        ahead.x + body.radius > NEAREST
+        let is_in = ahead.x + body.radius > NEAREST
             && reaches(ahead.y, right)
             && reaches(-ahead.y, -left)
             && reaches(ahead.z, half_height)
-            && reaches(-ahead.z, half_height)
+            && reaches(-ahead.z, half_height);
+        let sweeps = self.sweeps_around(ahead, body.radius);
+        (is_in && !sweeps.is_empty()).then_some(sweeps)
+    }
+
+    /// None for what passes between two sweeps: most small rocks far away.
+    fn sweeps_around(&self, ahead: DVec3, radius: f64) -> Range<usize> {
+        let forward = self.sighting.forward_of(ahead);
+        let [nearest, farthest] = [forward - radius, forward + radius];
+        if nearest <= 0.0 {
+            return 0..self.tangents.len();
+        }
+        let [left, right] = [ahead.y - radius, ahead.y + radius];
+        let sweep = |across: f64| self.tangents.partition_point(|&tangent| tangent < across);
+        sweep((left / nearest).min(left / farthest))..sweep((right / nearest).max(right / farthest))
     }
 
     fn span(&self, [upper, lower]: &[Place; 2], stamp: Span) -> Span {

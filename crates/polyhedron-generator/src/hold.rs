@@ -9,6 +9,9 @@ pub struct Hold<'a, L> {
     pub lines: L,
 }
 
+/// Names the type of a hold that is not there: `None::<&NoHold>`.
+pub type NoHold = Hold<'static, fn(usize) -> f32>;
+
 impl<L: Fn(usize) -> f32> Hold<'_, L> {
     /// First sample at or beyond an inverse range.
     pub(crate) fn sample(&self, near: f32) -> usize {

@@ -36,7 +36,7 @@ mod span;
 mod view;
 
 pub use generator::{Census, Drawn, PolyhedronGenerator};
-pub use hold::Hold;
+pub use hold::{Hold, NoHold};
 pub use light::FaceLight;
 pub use overlay::{Overlay, Run, SIGNALS};
 pub use sight::{LeftOut, Sight};

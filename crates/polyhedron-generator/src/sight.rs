@@ -30,10 +30,20 @@ impl Sight {
         Self { distance: largest / cell, cell }
     }
 
-    /// Whether `body` is near enough to be drawn; if not, it is added to `left_out`.
+    /// Whether `body` lies within the distance; if not, it is added to `left_out`. As reported: one distance for all.
     pub fn reaches(&self, eye: DVec3, body: &Body, left_out: &mut LeftOut) -> bool {
+        self.keep(eye, body, self.distance, left_out)
+    }
+
+    /// Whether `body` itself is as large as a resolution cell; if not, it is added to `left_out`. The same rule body by
+    /// body, for fields of small rocks.
+    pub fn resolves(&self, eye: DVec3, body: &Body, left_out: &mut LeftOut) -> bool {
+        self.keep(eye, body, 2.0 * body.radius / self.cell, left_out)
+    }
+
+    fn keep(&self, eye: DVec3, body: &Body, distance: f64, left_out: &mut LeftOut) -> bool {
         let range = body.centre.distance(eye) - body.radius;
-        if range <= self.distance {
+        if range <= distance {
             return true;
         }
         let cells = 2.0 * body.radius / (range * self.cell);

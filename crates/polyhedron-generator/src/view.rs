@@ -88,6 +88,11 @@ impl Sighting {
         if self.straight { self.forward(y) } else { 1.0 }
     }
 
+    /// The distance (m) of a point ahead that a sweep's tangent is a share of.
+    pub fn forward_of(&self, ahead: DVec3) -> f64 {
+        if self.straight { self.pitch.1 * ahead.x + self.pitch.0 * ahead.z } else { ahead.x }
+    }
+
     /// Inverse horizontal range (1/m) of a place.
     pub fn near(&self, place: &Place) -> f64 {
         let forward = self.forward(place.y);

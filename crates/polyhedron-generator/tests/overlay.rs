@@ -1,6 +1,6 @@
 //! The third video switch: order, cutting by the ground, mixing into lines.
 
-use polyhedron_generator::{Hold, Overlay, Run, SIGNALS, Span};
+use polyhedron_generator::{Hold, NoHold, Overlay, Run, SIGNALS, Span};
 use proptest::collection::vec;
 use proptest::prelude::{prop_assert, proptest};
 use scenario::{BodyVisibility, PixelRule};
@@ -27,7 +27,7 @@ fn slope(lines: [f32; 2], ranges: [f32; 2], reflectivity: f32) -> Span {
 }
 
 /// No ground in front of anything.
-const OPEN: Option<&Hold<fn(usize) -> f32>> = None;
+const OPEN: Option<&NoHold> = None;
 
 fn runs<L: Fn(usize) -> f32>(spans: &[Span], by: BodyVisibility, hold: Option<&Hold<L>>) -> Vec<Run> {
     Overlay::default().compose(spans, by, hold).to_vec()

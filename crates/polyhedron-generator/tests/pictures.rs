@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
 use polyhedron_generator::{
-    Census, Drawn, FaceLight, Hold, LeftOut, Overlay, PolyhedronGenerator, Sight, Span, ViewPlane,
+    Census, Drawn, FaceLight, LeftOut, NoHold, Overlay, PolyhedronGenerator, Sight, Span, ViewPlane,
 };
 use proptest::collection::vec;
 use proptest::prelude::{ProptestConfig, Strategy, prop_assert, proptest};
@@ -48,7 +48,7 @@ fn run<'a>(
 }
 
 /// No ground in front of anything.
-const OPEN: Option<&Hold<fn(usize) -> f32>> = None;
+const OPEN: Option<&NoHold> = None;
 
 #[test]
 fn a_cube_straight_ahead_has_its_closed_form_at_every_sweep() {
@@ -163,7 +163,7 @@ fn far_bodies_sink_with_the_lunoid() {
 fn maximum_viewing_distance_of_the_report() {
     // 1 m over 1000 lines of 30 degrees: 1909.86 m.
     let sight = Sight::new(1.0, 1000.0, std::f64::consts::PI / 6.0);
-    assert!((sight.distance - 1909.859_317).abs() < 1e-5);
+    assert!((sight.distance - 1_909.859_317).abs() < 1e-5);
     let mut left_out = LeftOut::default();
     assert!(sight.reaches(DVec3::ZERO, &boxed([1900.0, 0.0, 0.0], [1900.5, 0.5, 0.5], 0), &mut left_out));
     assert_eq!(left_out, LeftOut::default());
@@ -171,6 +171,11 @@ fn maximum_viewing_distance_of_the_report() {
     // 0.866 m at twice the distance: 0.433 of a cell each way.
     assert_eq!(left_out.bodies, 1);
     assert!((left_out.cells - 0.1875).abs() < 1e-3, "{}", left_out.cells);
+    // The same body by body: a rock of 0.866 m goes from 1654 m on.
+    let rock = |north: f64| boxed([north, 0.0, 0.0], [north + 0.5, 0.5, 0.5], 0);
+    assert!(sight.resolves(DVec3::ZERO, &rock(1650.0), &mut left_out));
+    assert!(!sight.resolves(DVec3::ZERO, &rock(1658.0), &mut left_out));
+    assert_eq!(left_out.bodies, 2);
 }
 
 /// What a ray through a point of the view-plane meets first, by the planes of the bodies.
@@ -191,7 +196,7 @@ fn ray_cast(view: &ViewPlane, bodies: &[Body], tangent: f64, y: f64) -> Option<f
 }
 
 fn stones() -> impl Strategy<Value = Vec<Body>> {
-    let stone = (0..rocks::SHAPES, [2.5..9.0f64, -2.0..2.0, -0.8..0.8], 0.0..6.28f64, 0.4..2.5f64);
+    let stone = (0..rocks::SHAPES, [2.5..9.0f64, -2.0..2.0, -0.8..0.8], 0.0..6.0f64, 0.4..2.5f64);
     vec(stone, 1..7).prop_map(|stones| {
         let shapes: Vec<Arc<Solid>> = rocks::shapes(5).unwrap().into_iter().map(Arc::new).collect();
         let body = |(index, (shape, foot, turn, size)): (usize, (usize, [f64; 3], f64, f64))| {

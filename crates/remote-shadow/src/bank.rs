@@ -90,7 +90,8 @@ impl ShadowBank {
     /// eye, fine near it and coarse far away. `towards`: unit vectors (north, east) of the left and the right edge of
     /// the view, less than half a turn apart; all around if `None`.
     ///
-    /// A sun in the zenith casts nothing, nor is there anything within a reach that is no positive length.
+    /// Nothing for a sun in the zenith, and nothing for a sun, an eye or a reach that is no number. Under a sun below the
+    /// horizon all is dark that no ray from below reaches.
     pub fn around(
         &self,
         sun: &Sun,
@@ -99,7 +100,8 @@ impl ShadowBank {
         towards: Option<[[f64; 2]; 2]>,
     ) -> Vec<Arc<Tile>> {
         let lit = LitGround::new(&self.ground, sun, self.resolution.finest);
-        if lit.axes.cos <= 0.0 || !(reach > 0.0 && reach.is_finite()) {
+        let numbers = [sun.azimuth, sun.elevation, eye[0], eye[1], reach];
+        if lit.axes.cos <= 0.0 || reach <= 0.0 || !numbers.iter().all(|number| number.is_finite()) {
             return Vec::new();
         }
         let cover = Cover::new(&self.ground.landscape, self.resolution, sun, eye, reach, towards);

@@ -128,7 +128,11 @@ impl<'a> Upstream<'a> {
             return;
         }
         if node.layer == 0 {
-            self.search_square(&Square { bends: sheet.bends(node), craters: sheet.craters(node) }, span, best);
+            self.search_square(
+                &Square { bends: sheet.bends(node), craters: sheet.craters(node) },
+                span,
+                best,
+            );
             return;
         }
         // The one that promises most comes first: it spares the others.
@@ -189,7 +193,8 @@ impl<'a> Upstream<'a> {
         let bend = n * n * hxx + 2.0 * (n * e).abs() * hxy + e * e * hyy;
         let [from, to] = span.map(|k| self.q(k));
         let length = to - from;
-        let craters = square.craters.iter().map(|&k| &self.lit.ground.landscape.features().craters()[k as usize]);
+        let craters =
+            square.craters.iter().map(|&k| &self.lit.ground.landscape.features().craters()[k as usize]);
         let rise: f64 = craters.map(|crater| self.crater_between(crater, [from, to])).sum();
         let terrain = a.terrain.max(b.terrain);
         let cos = self.lit.axes.cos;
@@ -212,7 +217,8 @@ impl<'a> Upstream<'a> {
         if here.rise > 0.0 && k == self.last {
             return None;
         }
-        let [mut low, mut high] = if here.rise > 0.0 { [here.q, self.q(k + 1)] } else { [self.q(k - 1), here.q] };
+        let [mut low, mut high] =
+            if here.rise > 0.0 { [here.q, self.q(k + 1)] } else { [self.q(k - 1), here.q] };
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);
             if self.spot(middle)?.rise > 0.0 { low = middle } else { high = middle }
@@ -236,7 +242,8 @@ mod tests {
             let sun = Sun { azimuth: radians(azimuth), elevation: radians(elevation) };
             let lit = LitGround::new(&ground, &sun, lattice);
             for n in 0..40 {
-                let place = [0, 1].map(|axis| places[1] * quantities::unit_interval(4, &[n, axis]) + places[0]);
+                let place =
+                    [0, 1].map(|axis| places[1] * quantities::unit_interval(4, &[n, axis]) + places[0]);
                 let [p, q] = lit.axes.from_ground(place);
                 let upstream = Upstream::new(lit, p, (q / lattice).floor() as i64);
                 let all = upstream.highest_of_all();

@@ -104,7 +104,8 @@ impl Cover {
         let Some([left, right]) = self.sector else { return true };
         let slack = 1e-9 * self.reach;
         let corners = square.corners().map(|c| [c[0] - self.eye[0], c[1] - self.eye[1]]);
-        corners.iter().any(|&c| cross(left, c) >= -slack) && corners.iter().any(|&c| cross(c, right) >= -slack)
+        corners.iter().any(|&c| cross(left, c) >= -slack)
+            && corners.iter().any(|&c| cross(c, right) >= -slack)
     }
 
     fn has_ground(&self, square: Square) -> bool {

@@ -113,7 +113,8 @@ mod tests {
         let ground = Ground::new(Arc::new(landscape));
         for n in 0..20_000 {
             let [x, y] = [0, 1].map(|axis| from + length * unit_interval(3, &[n, axis]));
-            let found = ground.at([x, y]).map(|[terrain, features]| [0, 1, 2].map(|k| terrain[k] + features[k]));
+            let found =
+                ground.at([x, y]).map(|[terrain, features]| [0, 1, 2].map(|k| terrain[k] + features[k]));
             let expected = ground.landscape.at(x, y);
             assert_eq!(found, expected.map(|point| [point.height, point.slopes[0], point.slopes[1]]));
         }

@@ -207,7 +207,8 @@ impl Sheet {
         let share = |axis: usize, end: usize| (at[axis] % self.parts + end) as f64 / self.parts as f64;
         let corner = |k: usize| level.height_and_slopes(region, [share(0, k / 2), share(1, k % 2)])[0];
         let highest = (0..4).map(corner).fold(f64::NEG_INFINITY, f64::max);
-        let [hxx, _, hyy] = bends(level, region);
+        let kept = self.bends[region[0] * (self.counts[1] / self.parts) + region[1]];
+        let [hxx, _, hyy] = if kept[0].is_finite() { kept } else { bends(level, region) };
         highest + (hxx + hyy) * self.side * self.side / 8.0
     }
 }

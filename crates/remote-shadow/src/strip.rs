@@ -50,9 +50,14 @@ pub(crate) fn edge(side: Side<'_>, away: bool, out: &mut Vec<Piece>) {
 /// Past the chain of intervals that begins at `first` (left, right) and overlaps across the strip.
 fn end_of_shadow(left: &[Interval], right: &[Interval], first: [usize; 2]) -> [usize; 2] {
     let start = |dark: &[Interval], n: usize| dark.get(n).map_or(f64::INFINITY, |interval| interval[0]);
-    let reach = |dark: &[Interval], first: usize, n: usize| dark[first..n].last().map_or(f64::NEG_INFINITY, |i| i[1]);
+    let reach =
+        |dark: &[Interval], first: usize, n: usize| dark[first..n].last().map_or(f64::NEG_INFINITY, |i| i[1]);
     let [mut l, mut r] = first;
-    if start(left, l) <= start(right, r) { l += 1 } else { r += 1 }
+    if start(left, l) <= start(right, r) {
+        l += 1
+    } else {
+        r += 1
+    }
     loop {
         if start(left, l) < reach(right, first[1], r) {
             l += 1;

@@ -60,20 +60,67 @@ impl Tile {
                 Walk::intervals(lit, p, start, spacing, STRIPS as usize, top)
             })
             .collect();
-        let pieces = outline(&across, &dark);
+        let pieces = outline(&across, &dark, [start, start + STRIPS as f64 * spacing]);
         let ground = |point| lit.axes.to_ground(point);
         let segments = pieces.iter().map(|&[a, b]| Segment { from: ground(a), to: ground(b) }).collect();
         Self { spacing, segments }
     }
 }
 
-fn outline(across: &[f64], dark: &[Vec<Interval>]) -> Vec<Piece> {
+fn outline(across: &[f64], dark: &[Vec<Interval>], ends: [f64; 2]) -> Vec<Piece> {
     let side = |n: usize| Side { p: across[n], dark: &dark[n] };
     let mut pieces = Vec::new();
     for n in 1..across.len() {
         join(side(n - 1), side(n), &mut pieces);
     }
+    merge_along(ends, &mut pieces);
     edge(side(0), false, &mut pieces);
     edge(side(across.len() - 1), true, &mut pieces);
     pieces
+}
+
+/// Makes one piece of those that follow each other along the tile's own edges.
+fn merge_along(ends: [f64; 2], pieces: &mut Vec<Piece>) {
+    let lies_on = |piece: &Piece, q: f64| piece[0][1] == q && piece[1][1] == q;
+    let mut merged: Vec<Piece> = Vec::new();
+    for (end, q) in ends.into_iter().enumerate() {
+        let first = merged.len();
+        for &[from, to] in pieces.iter().filter(|piece| lies_on(piece, q)) {
+            // Strips come from left to right; on the edge away from the sun the pieces run the other way.
+            match merged[first..].last_mut() {
+                Some(last) if end == 0 && last[1] == from => last[1] = to,
+                Some(last) if end == 1 && last[0] == to => last[0] = from,
+                _ => merged.push([from, to]),
+            }
+        }
+    }
+    pieces.retain(|piece| !ends.iter().any(|&q| lies_on(piece, q)));
+    pieces.append(&mut merged);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Piece, outline};
+
+    fn area(pieces: &[Piece]) -> f64 {
+        pieces.iter().map(|[a, b]| 0.5 * (a[0] * b[1] - b[0] * a[1])).sum()
+    }
+
+    #[test]
+    fn a_dark_tile_has_four_edges() {
+        let across = [0.0, 1.0, 2.0, 3.0];
+        let pieces = outline(&across, &vec![vec![[5.0, 8.0]]; 4], [5.0, 8.0]);
+        assert_eq!(pieces.len(), 4);
+        assert_eq!(area(&pieces), 9.0);
+    }
+
+    #[test]
+    fn merging_keeps_the_area() {
+        let across = [0.0, 1.0, 2.0, 3.0];
+        let dark = [vec![[5.0, 8.0]], vec![[5.0, 6.0], [7.0, 8.0]], vec![[5.0, 8.0]], vec![[5.5, 8.0]]];
+        let merged = outline(&across, &dark, [5.0, 8.0]);
+        let apart = outline(&across, &dark, [f64::NAN; 2]);
+        assert!(merged.len() < apart.len());
+        assert!((area(&merged) - area(&apart)).abs() < 1e-12);
+    }
 }

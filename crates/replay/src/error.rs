@@ -94,7 +94,9 @@ pub enum ReplayError {
         asked: String,
     },
     /// A record of truth that cannot be read.
-    #[error("{path}: not the record of ground truth ({reason}); remove its folder to have the truth made anew")]
+    #[error(
+        "{path}: not the record of ground truth ({reason}); remove its folder to have the truth made anew"
+    )]
     TruthRecord {
         /// The file.
         path: PathBuf,
@@ -102,7 +104,9 @@ pub enum ReplayError {
         reason: String,
     },
     /// A plane with a value that is no number.
-    #[error("frame {frame}: ground truth `{item}` holds a value that is no number; please report the scenario")]
+    #[error(
+        "frame {frame}: ground truth `{item}` holds a value that is no number; please report the scenario"
+    )]
     TruthNotANumber {
         /// Frame number.
         frame: u64,

@@ -18,8 +18,7 @@ use crate::film::{Show, player, sheet, write_film};
 use crate::fingerprint::fingerprint;
 use crate::folder::{ANIMATION, CAMERA, CONTACT_SHEET, FRAMES, PERFORMANCE, PLAYER, POSES, RunFolder};
 use crate::held::{
-    FileRecord, FrameRecord, HeldRun, RUN_RECORD, file_hash, frame_range, total_work, whole,
-    write_changed,
+    FileRecord, FrameRecord, HeldRun, RUN_RECORD, file_hash, frame_range, total_work, whole, write_changed,
 };
 use crate::job::{Control, Job, Progress};
 use crate::journal::{self, JOURNAL, Journal};

@@ -54,9 +54,9 @@ impl SettingsRecord {
                 let [step, rate, travel] = [yoke.step, yoke.rate, yoke.travel].map(degrees);
                 json!({ "step_deg": step, "rate_deg_s": rate, "travel_deg": travel })
             }),
-            levels: settings.levels.map_or(Value::Null, |switch| {
-                json!({ "switch_m": switch.range, "blend_m": switch.blend })
-            }),
+            levels: settings
+                .levels
+                .map_or(Value::Null, |switch| json!({ "switch_m": switch.range, "blend_m": switch.blend })),
             shadows: settings.shadows,
             economy: match settings.economy {
                 Economy::Bounded => "bounded",

@@ -57,7 +57,7 @@ impl ShadowController {
         out.resize_with(directions.len(), Gate::default);
         for (sweep, gate) in out.iter_mut().enumerate() {
             let boundary = |crossing: &Crossing| {
-                Boundary::new(&lines[crossing.line as usize], directions[sweep], crossing.range)
+                Boundary::new(&lines[crossing.line()], directions[sweep], crossing.range())
             };
             gate.dark_at_start = unite(crossings.of(sweep), reach, boundary, &mut boundaries);
             self.load(&mut boundaries, gate);
@@ -96,15 +96,15 @@ fn unite(
 ) -> bool {
     out.clear();
     // Outlines are closed, so beyond the last crossing there is no shadow.
-    let start = -crossings.iter().map(|crossing| crossing.step).sum::<i32>();
+    let start = -crossings.iter().map(|crossing| crossing.step()).sum::<i32>();
     let mut depth = start;
-    for crossing in crossings.iter().take_while(|crossing| crossing.range <= reach) {
+    for crossing in crossings.iter().take_while(|crossing| crossing.range() <= reach) {
         let before = depth;
-        depth += crossing.step;
+        depth += crossing.step();
         if (before > 0) == (depth > 0) {
             continue;
         }
-        if out.last().is_some_and(|last| crossing.range - last.range < RESOLUTION) {
+        if out.last().is_some_and(|last| crossing.range() - last.range < RESOLUTION) {
             out.pop();
         } else {
             out.push(boundary(crossing));

@@ -8,15 +8,31 @@ const NEAREST: f64 = 1e-6;
 /// A segment from the eye: north, east (m).
 pub(crate) type Line = Segment;
 
-/// One sweep crosses one line.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Crossing {
+/// One sweep crosses one line: bits of the range, then whether a shadow ends there, then the line. In this form they
+/// are sorted as they are met, beginnings before endings at the same range.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
+pub(crate) struct Crossing(u128);
+
+impl Crossing {
+    /// `range` (m) must not be negative: only then its bits are in its order.
+    fn new(range: f64, ends: bool, line: u32) -> Self {
+        Self(u128::from(range.to_bits()) << 64 | u128::from(ends) << 32 | u128::from(line))
+    }
+
     /// Ground range (m).
-    pub(crate) range: f64,
-    /// Index of the line.
-    pub(crate) line: u32,
+    pub(crate) fn range(self) -> f64 {
+        f64::from_bits((self.0 >> 64) as u64)
+    }
+
     /// Shadows begun (1) or ended (-1) there.
-    pub(crate) step: i32,
+    pub(crate) fn step(self) -> i32 {
+        1 - 2 * ((self.0 >> 32) as u32 as i32)
+    }
+
+    /// Index of the line.
+    pub(crate) fn line(self) -> usize {
+        self.0 as u32 as usize
+    }
 }
 
 /// Sweeps as they lie ahead: `tan` of the angle from the middle of the view.
@@ -73,7 +89,8 @@ impl<'a> Fan<'a> {
         let range = cross(line.from, way) / cross(direction, way);
         let [a, b] = [line.from, line.to].map(|end| dot(direction, end));
         // A line almost along the sweep: rounding must not throw the crossing off it.
-        if range.is_nan() { a.min(b) } else { range.max(a.min(b)).min(a.max(b)) }
+        let within = if range.is_nan() { a.min(b) } else { range.max(a.min(b)).min(a.max(b)) };
+        within.max(0.0)
     }
 }
 
@@ -110,9 +127,7 @@ impl Crossings {
             return &[];
         };
         let own = &mut self.crossings[start..end];
-        own.sort_unstable_by(|a, b| {
-            a.range.total_cmp(&b.range).then(b.step.cmp(&a.step)).then(a.line.cmp(&b.line))
-        });
+        own.sort_unstable();
         own
     }
 
@@ -129,15 +144,14 @@ impl Crossings {
     }
 
     fn fill(&mut self, fan: &Fan<'_>, lines: &[Line]) {
-        let none = Crossing { range: 0.0, line: 0, step: 0 };
-        self.crossings.resize(self.starts[self.starts.len() - 1], none);
+        self.crossings.resize(self.starts[self.starts.len() - 1], Crossing::default());
         let mut next = self.starts.clone();
         for (index, (line, &[a, b])) in lines.iter().zip(&self.spans).enumerate() {
             // Leftwards its shadow lies beyond it.
-            let step = if b < a { 1 } else { -1 };
+            let ends = a < b;
             for sweep in a.min(b) as usize..a.max(b) as usize {
                 let range = fan.crossing(sweep, line);
-                self.crossings[next[sweep]] = Crossing { range, line: index as u32, step };
+                self.crossings[next[sweep]] = Crossing::new(range, ends, index as u32);
                 next[sweep] += 1;
             }
         }

@@ -80,7 +80,8 @@ mod tests {
 
     #[test]
     fn one_after_the_other_needs_one() {
-        let mut all: Vec<_> = (0..2000).map(|n| boundary(f64::from(n) + 0.5, f64::from(n), f64::from(n + 1))).collect();
+        let mut all: Vec<_> =
+            (0..2000).map(|n| boundary(f64::from(n) + 0.5, f64::from(n), f64::from(n + 1))).collect();
         assert_eq!(serve(&mut all, Some(1)), Service { dropped: 0, most_in_use: 1 });
         assert_eq!(all.len(), 2000);
     }

@@ -21,7 +21,9 @@ fn direction(azimuth: f64) -> [f64; 2] {
 /// `count` sweeps over 50 degrees, evenly in `tan`, as the machine has them.
 fn fan(heading: f64, count: usize) -> Vec<[f64; 2]> {
     let tan = libm::tan(radians(25.0));
-    (0..count).map(|n| direction(heading + libm::atan(tan * (2.0 * n as f64 / (count - 1) as f64 - 1.0)))).collect()
+    (0..count)
+        .map(|n| direction(heading + libm::atan(tan * (2.0 * n as f64 / (count - 1) as f64 - 1.0))))
+        .collect()
 }
 
 fn gates(parts: ShadowParts, eye: [f64; 2], directions: &[[f64; 2]], segments: &[Segment]) -> Vec<Gate> {
@@ -91,7 +93,12 @@ proptest! {
 fn a_corner_on_the_sweep_counts_once() {
     // A diamond with two corners on the sweep, and one that touches it from either side.
     let diamond = |north: f64, east: f64| {
-        Segment::outline(&[[north - 1.0, east], [north, east - 1.0], [north + 1.0, east], [north, east + 1.0]])
+        Segment::outline(&[
+            [north - 1.0, east],
+            [north, east - 1.0],
+            [north + 1.0, east],
+            [north, east + 1.0],
+        ])
     };
     assert_eq!(one([1.0, 0.0], &diamond(5.0, 0.0)).toggles, [4.0, 6.0]);
     for side in [-1.0, 1.0] {
@@ -143,10 +150,18 @@ fn nothing_beyond_the_reach() {
 fn a_boundary_without_a_line_generator_inverts_the_gate() {
     // Each side of these slabs is a segment along y: its y extent is swept at once, since the sweep keeps its y.
     let slabs = [rectangle([2.0, -1.0], [3.0, 1.0]), rectangle([5.0, -1.0], [6.0, 1.0])].concat();
-    let with = |count| gates(ShadowParts::Digital { line_generators: count }, [0.0; 2], &[[1.0, 0.0]], &slabs).remove(0);
-    assert_eq!(with(None), Gate { dark_at_start: false, toggles: vec![2.0, 3.0, 5.0, 6.0], dropped: 0, most_in_use: 4 });
+    let with = |count| {
+        gates(ShadowParts::Digital { line_generators: count }, [0.0; 2], &[[1.0, 0.0]], &slabs).remove(0)
+    };
+    assert_eq!(
+        with(None),
+        Gate { dark_at_start: false, toggles: vec![2.0, 3.0, 5.0, 6.0], dropped: 0, most_in_use: 4 }
+    );
     let three = with(Some(3));
-    assert_eq!(three, Gate { dark_at_start: false, toggles: vec![2.0, 3.0, 5.0], dropped: 1, most_in_use: 3 });
+    assert_eq!(
+        three,
+        Gate { dark_at_start: false, toggles: vec![2.0, 3.0, 5.0], dropped: 1, most_in_use: 3 }
+    );
     assert!(is_dark(&three, 500.0), "dark to the end of the sweep");
     assert_eq!(with(Some(0)).toggles, []);
 }
@@ -158,7 +173,8 @@ fn line_generators_that_become_free_serve_again() {
         Segment::outline(&[[north - 2.0, -1.0], [north, -1.0], [north + 4.0, 1.0], [north + 2.0, 1.0]])
     };
     let all: Vec<Segment> = (0..3).flat_map(|n| slanted(10.0 + 20.0 * f64::from(n))).collect();
-    let gate = gates(ShadowParts::Digital { line_generators: Some(2) }, [0.0; 2], &[[1.0, 0.0]], &all).remove(0);
+    let gate =
+        gates(ShadowParts::Digital { line_generators: Some(2) }, [0.0; 2], &[[1.0, 0.0]], &all).remove(0);
     assert_eq!((gate.dropped, gate.toggles.len()), (0, 6), "{gate:?}");
 }
 
@@ -195,7 +211,10 @@ fn no_sweep_or_no_segment_is_no_fault() {
     assert!(gates(IDEAL, [0.0; 2], &[], &rectangle([1.0, -1.0], [2.0, 1.0])).is_empty());
     assert_eq!(gates(IDEAL, [0.0; 2], &fan(0.0, 2), &[]), vec![Gate::default(); 2]);
     // Opposite directions have no side that is ahead: nothing is crossed.
-    assert_eq!(gates(IDEAL, [0.0; 2], &[[1.0, 0.0], [-1.0, 0.0]], &rectangle([1.0, -1.0], [2.0, 1.0]))[0], Gate::default());
+    assert_eq!(
+        gates(IDEAL, [0.0; 2], &[[1.0, 0.0], [-1.0, 0.0]], &rectangle([1.0, -1.0], [2.0, 1.0]))[0],
+        Gate::default()
+    );
 }
 
 #[test]

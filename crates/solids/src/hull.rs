@@ -126,11 +126,11 @@ impl<'a> Wrapping<'a> {
         Ok(wrapped.faces)
     }
 
-    /// Any face: a plane that touches at the northernmost point, wrapped about two lines.
+    /// Any face: a plane that touches at the hindmost point, wrapped about two lines.
     fn first_face(&self) -> (Plane, Vec<usize>) {
         let by_place = |&a: &usize, &b: &usize| {
-            let (a, b) = (self.points[a].to_array(), self.points[b].to_array());
-            a.partial_cmp(&b).expect("checked to be finite")
+            let [a, b] = [self.points[a], self.points[b]];
+            a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)).then(a.z.total_cmp(&b.z))
         };
         let start = (0..self.points.len()).min_by(by_place).unwrap_or_default();
         let at = self.points[start];
@@ -173,56 +173,35 @@ impl<'a> Wrapping<'a> {
         Some(Plane { at: plane.at, normal: square.normalize() })
     }
 
-    /// Corners of the polygon that the points in `plane` span, in order; two if they lie on a line.
+    /// Corners of the polygon that the points in `plane` span, in order; two if they lie on a line. From the point
+    /// farthest from the middle, a corner, always on to the rightmost; of several in one line to the farthest.
     fn outline(&self, plane: Plane) -> Vec<usize> {
-        let right = plane.normal.any_orthonormal_vector();
-        let up = plane.normal.cross(right);
-        let is_in = |(_, point): &(usize, &DVec3)| plane.normal.dot(**point - plane.at) >= -self.slack;
-        let flat = |(index, point): (usize, &DVec3)| {
-            (index, [(*point - plane.at).dot(right), (*point - plane.at).dot(up)])
-        };
-        let mut places: Vec<_> = self.points.iter().enumerate().filter(is_in).map(flat).collect();
-        places.sort_by(|a, b| a.1.partial_cmp(&b.1).expect("checked to be finite"));
-        let mut outline = self.chain(places.iter());
-        let back = self.chain(places.iter().rev());
-        outline.extend(back);
+        let is_in = |&index: &usize| plane.normal.dot(self.points[index] - plane.at) >= -self.slack;
+        let flat: Vec<usize> = (0..self.points.len()).filter(is_in).collect();
+        let middle = flat.iter().map(|&index| self.points[index]).sum::<DVec3>() / flat.len() as f64;
+        let farness = |&&index: &&usize| self.points[index].distance_squared(middle);
+        let Some(&start) = flat.iter().max_by(|a, b| farness(a).total_cmp(&farness(b))) else { return flat };
+        let mut outline = vec![start];
+        let mut at = start;
+        while let Some(next) = self.rightmost(at, &flat, plane.normal) {
+            if next == start || outline.len() == flat.len() {
+                break;
+            }
+            outline.push(next);
+            at = next;
+        }
         outline
     }
 
-    /// The convex chain from the first place to before the last, turning one way.
-    fn chain<'p>(&self, places: impl Iterator<Item = &'p (usize, [f64; 2])>) -> Vec<usize> {
-        let mut chain: Vec<&(usize, [f64; 2])> = Vec::new();
-        for place in places {
-            while chain.len() >= 2 && !self.turns(chain[chain.len() - 2].1, chain[chain.len() - 1].1, place.1)
-            {
-                chain.pop();
-            }
-            let stays = chain.last().is_some_and(|last| {
-                (last.1[0] - place.1[0]).abs().max((last.1[1] - place.1[1]).abs()) <= self.slack
-            });
-            if !stays {
-                chain.push(place);
-            }
-        }
-        chain.pop();
-        chain.into_iter().map(|place| place.0).collect()
-    }
-
-    /// Whether `at` lies clearly to the right of the line between its neighbours.
-    fn turns(&self, before: [f64; 2], at: [f64; 2], after: [f64; 2]) -> bool {
-        let (line, step) =
-            ([after[0] - before[0], after[1] - before[1]], [at[0] - before[0], at[1] - before[1]]);
-        let length = (line[0] * line[0] + line[1] * line[1]).sqrt();
-        line[1] * step[0] - line[0] * step[1] > self.slack * length
-    }
-}
-#[cfg(test)]
-mod debug {
-    use super::*;
-    #[test]
-    fn dbg() {
-        let c = [[1, 0, 2], [3, 0, 1], [2, 1, 1], [3, 1, 0], [3, 0, 2], [1, 1, 0], [0, 0, 2]];
-        let p: Vec<DVec3> = c.iter().map(|c| DVec3::new(c[0] as f64, c[1] as f64, c[2] as f64) * 0.1).collect();
-        println!("{:?}", Wrapping::new(&p).faces());
+    /// The point of `flat` that has none to its right, seen from point `at`.
+    fn rightmost(&self, at: usize, flat: &[usize], normal: DVec3) -> Option<usize> {
+        let from = self.points[at];
+        let more_right = |best: usize, other: usize| {
+            let (line, step) = (self.points[best] - from, self.points[other] - from);
+            let right = step.cross(line).dot(normal) / line.length();
+            let farther = step.length_squared() > line.length_squared();
+            if right > self.slack || (right >= -self.slack && !farther) { other } else { best }
+        };
+        flat.iter().copied().filter(|&other| other != at).reduce(more_right)
     }
 }

@@ -6,7 +6,9 @@ use crate::scenes::{landscape, laws, level, plane, planes, pose, ray, settings, 
 use generator::{Label, PlaneKind, Shade};
 use hardware_model::Settings;
 use landscape::{Landscape, parabolic_drop};
-use scenario::{BodyVisibility, Curvature, Laws, PixelRule, Pose, Projection, Scenery, ShadowedBodies, Standing};
+use scenario::{
+    BodyVisibility, Curvature, Laws, PixelRule, Pose, Projection, Scenery, ShadowedBodies, Standing,
+};
 
 const PIXELS: [u32; 2] = [61, 81];
 
@@ -154,7 +156,12 @@ fn bodies_come_and_go() {
 #[test]
 fn a_body_smaller_than_a_line_has_its_share() {
     let ground = landscape(plane(50.0, [6, 6], 0.0, [0.0; 2]), 0.0);
-    let settings = settings(1, 30, Laws { pixel_rule: PixelRule::LineMean, ..usual(BodyVisibility::Depth) }, [1.0, 150.0]);
+    let settings = settings(
+        1,
+        30,
+        Laws { pixel_rule: PixelRule::LineMean, ..usual(BodyVisibility::Depth) },
+        [1.0, 150.0],
+    );
     let pose = pose([100.0, 90.0, 2.0], 0.0, 0.0);
     let body = standing_box(0, [120.0, 90.0, 2.0], 0.01, 0.02);
     let light = sun(180.0, 30.0);

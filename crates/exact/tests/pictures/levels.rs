@@ -33,7 +33,8 @@ const EYE: [f64; 3] = [10.0, 30.0, 3.0];
 fn look(switch: Option<LevelSwitch>, direction: [f64; 2], rise: f64) -> Sight {
     let ground = two_levels();
     let ceilings = Ceilings::new(&ground);
-    Outlook::new(&ground, &ceilings, EYE, Curvature::None, [1.0, 1500.0], switch).look(&Ray { direction, rise })
+    Outlook::new(&ground, &ceilings, EYE, Curvature::None, [1.0, 1500.0], switch)
+        .look(&Ray { direction, rise })
 }
 
 fn range(sight: Sight) -> f64 {
@@ -46,7 +47,9 @@ fn range(sight: Sight) -> f64 {
 #[test]
 fn fine_before_the_switch_coarse_behind_it_and_their_mean_between() {
     let switch = Some(LevelSwitch { range: 100.0, blend: 40.0 });
-    for (rise, expected) in [(-0.06, 50.0), (-0.0505, 3.0 / 0.0505), (-0.019, 2.0 / 0.019), (-0.0101, 2.0 / 0.0101)] {
+    for (rise, expected) in
+        [(-0.06, 50.0), (-0.0505, 3.0 / 0.0505), (-0.019, 2.0 / 0.019), (-0.0101, 2.0 / 0.0101)]
+    {
         assert!((range(look(switch, [1.0, 0.0], rise)) - expected).abs() < 1e-9, "{rise}");
     }
     for step in 0..40 {

@@ -113,7 +113,8 @@ fn texture_is_added_behind_the_shadow_switch() {
             let lit = shot.shade(index, slopes, place, range);
             let [hx, hy] = slopes;
             let [north, east, up] = shot.light.direction();
-            let signed = shot.ground.albedo() * (up - hx * north - hy * east) / libm::sqrt(1.0 + hx * hx + hy * hy);
+            let signed =
+                shot.ground.albedo() * (up - hx * north - hy * east) / libm::sqrt(1.0 + hx * hx + hy * hy);
             let added = texture.at(place[0], place[1], range);
             let shade = value(&shot.planes, PlaneKind::Shadow, index);
             let expected = match (law, shade) {
@@ -125,7 +126,10 @@ fn texture_is_added_behind_the_shadow_switch() {
                 (TextureInShadow::Off, _) => signed + added,
             };
             let found = shot.intensity(index);
-            assert!((found - expected.clamp(0.0, 1.0)).abs() < 2e-3, "{law:?} {index}: {found}, not {expected}");
+            assert!(
+                (found - expected.clamp(0.0, 1.0)).abs() < 2e-3,
+                "{law:?} {index}: {found}, not {expected}"
+            );
             assert!((value(&shot.planes, PlaneKind::Reflectivity, index) - lit).abs() < 1e-3);
             counts[shade as usize] += 1;
         }

@@ -13,7 +13,14 @@ use std::sync::Arc;
 fn half_a_turn() {
     let ground = landscape(bumps(2, 0.6), 1.0);
     let height = ground.height(20.0, 20.0).unwrap() + 1.5;
-    let scenery = || Scenery::still(sun(100.0, 20.0)).with_bodies(vec![standing_box(0, [24.0, 25.0, height - 2.0], 0.7, 1.0)]);
+    let scenery = || {
+        Scenery::still(sun(100.0, 20.0)).with_bodies(vec![standing_box(
+            0,
+            [24.0, 25.0, height - 2.0],
+            0.7,
+            1.0,
+        )])
+    };
     for projection in [Projection::Exact, Projection::AsReported] {
         let settings = settings(20, 16, laws(projection, Curvature::None, PixelRule::Centre), [0.5, 45.0]);
         let upright = pose([20.0, 20.0, height], -6.0, 50.0);
@@ -32,7 +39,8 @@ fn half_a_turn() {
 #[test]
 fn the_horizon_leans() {
     let ground = landscape(plane(40.0, [20, 20], 0.0, [0.0; 2]), 1.0);
-    let settings = settings(21, 400, laws(Projection::Exact, Curvature::None, PixelRule::Centre), [0.5, 390.0]);
+    let settings =
+        settings(21, 400, laws(Projection::Exact, Curvature::None, PixelRule::Centre), [0.5, 390.0]);
     let pose = Pose { yoke: radians(10.0), ..pose([400.0, 400.0, 0.01], 0.0, 0.0) };
     let found = planes(&ground, Scenery::still(sun(0.0, 30.0)), &settings, &pose);
     let labels = found.get(PlaneKind::Label).unwrap();
@@ -66,7 +74,8 @@ fn silhouettes_stand_in_the_sky() {
     let high = Silhouette::new(vec![[-1.0, 0.05], [1.0, 0.05]], 0.3).unwrap();
     let ground = Landscape::clone(&landscape(plane(40.0, [4, 4], 0.0, [0.0; 2]), 1.0));
     let ground = Arc::new(ground.with_silhouettes(vec![far.clone(), high]));
-    let settings = settings(31, 40, laws(Projection::Exact, Curvature::None, PixelRule::Centre), [0.5, 390.0]);
+    let settings =
+        settings(31, 40, laws(Projection::Exact, Curvature::None, PixelRule::Centre), [0.5, 390.0]);
     let pose = pose([80.0, 80.0, 2.0], 3.0, 0.0);
     let found = planes(&ground, Scenery::still(sun(0.0, 30.0)), &settings, &pose);
     let mut counts = [0; 4];

@@ -3,14 +3,15 @@
 use std::sync::Arc;
 
 use crate::scenes::{
-    bumps, crater_field, landscape, laws, level, place, plane, planes, pose, settings, standing_box, sun, value,
+    bumps, crater_field, landscape, laws, level, place, plane, planes, pose, settings, standing_box, sun,
+    value,
 };
 use features::{Crater, Features, Shape};
 use generator::{Label, PlaneKind, Shade};
 use hardware_model::Settings;
 use landscape::{Landscape, Sun};
 use proptest::prelude::*;
-use scenario::{Curvature, Pose, PixelRule, Projection, Scenery, TrackPatch};
+use scenario::{Curvature, PixelRule, Pose, Projection, Scenery, TrackPatch};
 
 fn shadowed(columns: u32, lines: u32, ranges: [f64; 2]) -> Settings {
     let laws = laws(Projection::Exact, Curvature::None, PixelRule::Centre);
@@ -106,9 +107,7 @@ fn a_cube_on_level_ground() {
 fn tracks_are_dark() {
     let ground = landscape(plane(40.0, [3, 3], 0.0, [0.0; 2]), 1.0);
     let corners = [[70.0, 58.0], [71.0, 62.0], [66.0, 63.0], [64.0, 59.0]];
-    let patches = [0.0, 5.0].map(|laid| {
-        TrackPatch { laid, corners: corners.map(|[x, y]| [x + laid, y]) }
-    });
+    let patches = [0.0, 5.0].map(|laid| TrackPatch { laid, corners: corners.map(|[x, y]| [x + laid, y]) });
     let settings = shadowed(60, 80, [1.0, 60.0]);
     let pose = pose([55.0, 60.0, 3.0], -10.0, 0.0);
     let scenery = Scenery::still(sun(180.0, 30.0)).with_patches(patches.to_vec());

@@ -76,6 +76,16 @@ fn kinks_at_one_range_both_stand() {
 }
 
 #[test]
+fn circles_that_rounding_joins_are_passed_in_order() {
+    // A rim of one unit in the last place: both circles are crossed at the same range.
+    let crater = rimmed([50.0, 0.0], 1.0, 1.0 + f64::EPSILON, 0.2, 0.1);
+    let found = kinks(vec![crater], ([0.0; 2], 0.0));
+    assert_eq!(found.iter().map(|kink| kink.range).collect::<Vec<_>>(), [49.0, 49.0, 51.0, 51.0]);
+    assert!(!found[0].present[0] && !found[3].present[1]);
+    assert_eq!(found[3].after, [0.0; 2]);
+}
+
+#[test]
 fn kinks_without_samples_on_both_sides_are_left_out() {
     let near = kinks(vec![bowl([0.0, 0.0], 0.5)], ([0.0; 2], 0.0));
     assert!(near.is_empty(), "{near:?}");

@@ -124,6 +124,49 @@ fn ridge_lines_are_left_out_and_measured() {
     scene.expect(2, &["compare", frame, frame, "--ridges", "tiny.toml"]);
 }
 
+#[test]
+fn edges_are_left_out_and_their_share_told() {
+    let scene = Scene::new();
+    let base = ["replay", "tiny.toml", "-q", "--frames", "0..1"];
+    scene.expect(0, &[&base[..], &["--out", "machine"]].concat());
+    scene.expect(0, &[&base[..], &["--out", "exact", "--machine", "exact"]].concat());
+    let compare = ["compare", "machine", "exact", "--edges", "tiny.toml"];
+    let (out, _) = scene.expect(0, &[&compare[..], &["--json"]].concat());
+    let document: serde_json::Value = serde_json::from_str(&out).unwrap();
+    let edges = &document["pictures"][0]["edges"];
+    assert_eq!(edges["masked"], document["pictures"][0]["masked"], "{out}");
+    assert!(edges["ridges"].as_u64().unwrap() >= 40 && edges["share"].as_f64().unwrap() < 0.5, "{out}");
+    assert!(document["pictures"][0]["linear"]["maximum"].is_number(), "{out}");
+    let (out, _) = scene.expect(0, &["compare", "machine", "exact", "--json"]);
+    let whole: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert!(whole["pictures"][0]["linear"]["rmse"].as_f64().unwrap() > 0.0, "{out}");
+    let (out, _) = scene.expect(0, &compare);
+    assert!(out.contains("%) along edges (ridges "), "{out}");
+    scene.expect(2, &[&compare[..], &["--ridges", "tiny.toml"]].concat());
+    scene.expect(2, &["compare", "machine", "exact", "--max-ridge", "1"]);
+}
+
+#[test]
+fn ground_truth_comes_with_any_machine() {
+    let scene = Scene::new();
+    for (machine, out) in [("ideal", "a"), ("exact", "b")] {
+        let truth = ["--truth", "range,label,pose", "--frames", "0..2"];
+        let base = ["replay", "tiny.toml", "--machine", machine, "--out", out];
+        let (said, _) = scene.expect(0, &[&base[..], &truth].concat());
+        assert!(said.contains("ground truth of 2 frames, 2 made now"), "{said}");
+    }
+    let files = ["frame_000000.npz", "frame_000001.npz", "poses.csv", "poses.json", "truth.json"];
+    assert_eq!(scene.list("a/truth"), files);
+    for file in &files[..4] {
+        let read = |run: &str| fs::read(scene.join(run).join("truth").join(file)).unwrap();
+        assert_eq!(read("a"), read("b"), "{file}");
+    }
+    let (_, err) = scene.expect(2, &["replay", "tiny.toml", "--truth", "range,depth"]);
+    assert!(err.contains("`depth`") && err.contains("reflectivity, shadow, label, pose"), "{err}");
+    let (_, err) = scene.expect(4, &["replay", "tiny.toml", "--out", "a", "--truth", "height"]);
+    assert!(err.contains("ground truth of other kinds"), "{err}");
+}
+
 /// A mask that leaves one pixel, equal in both: the sky at the top left.
 fn all_but_one_pixel(scene: &Scene, a: &str, b: &str) -> String {
     let limits = picture::Limits::default();

@@ -21,24 +21,27 @@ fn compare(landscape: Landscape, sun: &Sun, seed: u64, points: u64) -> Tally {
     let landscape = Arc::new(landscape);
     let bank = ShadowBank::new(landscape.clone(), Resolution { finest: SPACING, angle: 0.0 });
     let tiles = bank.around(sun, [320.0, 320.0], 160.0, None);
+    let beside = |place: [f64; 2], dark: bool| {
+        (0..16).any(|k| {
+            let (sin, cos) = quantities::sin_cos(radians(22.5) * f64::from(k));
+            let moved = [place[0] + SPACING * cos, place[1] + SPACING * sin];
+            ray_is_blocked(&landscape, sun, moved, HIGHEST) != dark
+        })
+    };
     let mut tally = Tally { dark: 0, wrongly_dark: 0, wrongly_lit: 0 };
     for n in 0..points {
         let place = [0, 1].map(|axis| 210.0 + 220.0 * unit_interval(seed, &[n, axis]));
         let dark = ray_is_blocked(&landscape, sun, place, HIGHEST);
         let found = winding(&tiles, place);
         assert!(found == 0 || found == 1, "winding {found} at {place:?}");
+        assert!(bank.is_dark(sun, place) == dark || beside(place, dark), "{place:?}: one point, {dark}");
         tally.dark += u32::from(dark);
         if dark == (found == 1) {
             continue;
         }
         *(if dark { &mut tally.wrongly_lit } else { &mut tally.wrongly_dark }) += 1;
         // Where the two differ, a boundary of the reference passes within one spacing.
-        let beside = (0..16).any(|k| {
-            let (sin, cos) = quantities::sin_cos(radians(22.5) * f64::from(k));
-            let moved = [place[0] + SPACING * cos, place[1] + SPACING * sin];
-            ray_is_blocked(&landscape, sun, moved, HIGHEST) != dark
-        });
-        assert!(beside, "{place:?}: the ray says dark = {dark}");
+        assert!(beside(place, dark), "{place:?}: the ray says dark = {dark}");
     }
     tally
 }

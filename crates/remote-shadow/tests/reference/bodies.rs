@@ -33,7 +33,11 @@ fn a_box_on_flat_ground() {
         let (least, most) = across.fold((f64::MAX, f64::MIN), |(a, b), p| (a.min(p), b.max(p)));
         let length = 2.0 / (libm::tan(sun.elevation));
         let expected = 2.0 + (most - least) * length;
-        assert!((area(&outline) - expected).abs() < 1e-6 * expected, "{azimuth}: {} {expected}", area(&outline));
+        assert!(
+            (area(&outline) - expected).abs() < 1e-6 * expected,
+            "{azimuth}: {} {expected}",
+            area(&outline)
+        );
         // Closed, clockwise, and the shadow of a corner of the lid is on it.
         assert!(outline.iter().zip(outline.iter().cycle().skip(1)).all(|(a, b)| a.to == b.from));
     }

@@ -31,8 +31,10 @@ fn changes(tiles: &[Arc<Tile>], start: [f64; 2], direction: [f64; 2], length: f6
 #[test]
 fn the_shadow_in_a_bowl_ends_where_it_must() {
     let bowl = Crater::new([320.0, 320.0], Shape::Bowl { r1: 100.0 }, 20.0, 0.0).unwrap();
-    let bank =
-        ShadowBank::new(Arc::new(landscape(&flat(640.0), vec![bowl])), Resolution { finest: 0.5, angle: 0.0 });
+    let bank = ShadowBank::new(
+        Arc::new(landscape(&flat(640.0), vec![bowl])),
+        Resolution { finest: 0.5, angle: 0.0 },
+    );
     for azimuth in [0.0, 37.0, 90.0, 200.0] {
         let sun = Sun { azimuth: radians(azimuth), elevation: radians(5.0) };
         let tiles = bank.around(&sun, [320.0, 320.0], 140.0, None);
@@ -49,11 +51,19 @@ fn the_shadow_in_a_bowl_ends_where_it_must() {
 #[test]
 fn a_sun_in_the_zenith_casts_nothing() {
     let bank = ShadowBank::new(Arc::new(crate::common::cratered(3)), Resolution { finest: 1.0, angle: 0.0 });
-    assert!(
-        bank.around(&Sun { azimuth: 1.0, elevation: radians(90.0) }, [320.0; 2], 100.0, None).is_empty()
-    );
+    assert!(bank.around(&Sun { azimuth: 1.0, elevation: radians(90.0) }, [320.0; 2], 100.0, None).is_empty());
     let steep = Sun { azimuth: 1.0, elevation: radians(80.0) };
     assert!(bank.around(&steep, [320.0; 2], 100.0, None).iter().all(|tile| tile.segments.is_empty()));
+}
+
+#[test]
+fn below_the_horizon_all_is_dark() {
+    let land = landscape(&flat(640.0), Vec::new());
+    let bank = ShadowBank::new(Arc::new(land), Resolution { finest: 1.0, angle: 0.0 });
+    let tiles = bank.around(&Sun { azimuth: 0.3, elevation: -0.02 }, [320.0; 2], 100.0, None);
+    assert_eq!(winding(&tiles, [313.3, 340.1]), 1);
+    let not_a_number = Sun { azimuth: f64::NAN, elevation: 0.1 };
+    assert!(bank.around(&not_a_number, [320.0; 2], 100.0, None).is_empty());
 }
 
 #[test]
@@ -90,7 +100,10 @@ fn a_shadow_leaves_the_ground_and_comes_back() {
         detail: 120.0,
         ruggedness: 0.0,
     };
-    let relief = landscape::relief::Relief { massifs: vec![massif(1500.0, 60.0), massif(800.0, 50.0)], ..flat(2000.0) };
+    let relief = landscape::relief::Relief {
+        massifs: vec![massif(1500.0, 60.0), massif(800.0, 50.0)],
+        ..flat(2000.0)
+    };
     let land = Arc::new(landscape(&relief, Vec::new()));
     let sun = Sun { azimuth: 0.0, elevation: radians(3.0) };
     let bank = ShadowBank::new(land.clone(), Resolution { finest: 1.0, angle: 0.0 });

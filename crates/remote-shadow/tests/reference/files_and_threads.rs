@@ -54,7 +54,8 @@ fn tiles_are_kept_on_disk_and_damaged_ones_are_made_anew() {
     let folder = tempfile::tempdir().unwrap();
     let landscape = Arc::new(cratered(4));
     let bank = || ShadowBank::new(landscape.clone(), resolution()).with_cache(folder.path());
-    let files = || -> Vec<_> { fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().path()).collect() };
+    let files =
+        || -> Vec<_> { fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().path()).collect() };
     let expected = ask(&bank(), 50.0);
     assert_eq!(files().len(), 1);
     assert_eq!(ask(&bank(), 50.0), expected);

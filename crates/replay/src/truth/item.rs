@@ -28,15 +28,8 @@ pub enum TruthItem {
 
 impl TruthItem {
     /// All, in the order of the files.
-    pub const ALL: [Self; 7] = [
-        Self::Range,
-        Self::Height,
-        Self::Normal,
-        Self::Reflectivity,
-        Self::Shadow,
-        Self::Label,
-        Self::Pose,
-    ];
+    pub const ALL: [Self; 7] =
+        [Self::Range, Self::Height, Self::Normal, Self::Reflectivity, Self::Shadow, Self::Label, Self::Pose];
 
     /// Name on the command line and in files.
     pub fn name(self) -> &'static str {
@@ -118,7 +111,9 @@ impl TruthItem {
             codes.iter().map(|(code, word)| json!({ "code": code, "meaning": word })).collect()
         };
         match self {
-            Self::Shadow => Some(table(Shade::ALL.iter().map(|shade| (shade.code(), shade.name())).collect())),
+            Self::Shadow => {
+                Some(table(Shade::ALL.iter().map(|shade| (shade.code(), shade.name())).collect()))
+            }
             Self::Label => Some(table(Label::ALL.iter().map(|label| (label.code(), label.name())).collect())),
             _ => None,
         }
@@ -225,7 +220,8 @@ mod tests {
     fn vectors_have_their_parts_last() {
         let item = TruthItem::Normal;
         let mut planes = Planes::new(2, 1, item.kinds());
-        for (part, kind) in [PlaneKind::NormalNorth, PlaneKind::NormalEast, PlaneKind::NormalUp].iter().enumerate()
+        for (part, kind) in
+            [PlaneKind::NormalNorth, PlaneKind::NormalEast, PlaneKind::NormalUp].iter().enumerate()
         {
             let values = [part as f32, part as f32 + 10.0];
             planes.get_mut(*kind).unwrap().copy_from_slice(&values);

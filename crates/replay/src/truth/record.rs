@@ -138,8 +138,9 @@ const ERROR: [&str; 6] = [
     "range: first root along the ray of the closed form of the ground, in f64; good to 1e-12 of the range, but where \
      the ray only grazes the ground, where a crest that it touches may count or not",
     "height, normal, reflectivity: closed forms at that place",
-    "shadow: local shadow from the normal; remote shadow by a ray from the place to the sun that starts a little off \
-     the surface, so that its boundary may lie nearer to what casts it by that length",
+    "shadow: local shadow from the normal; remote shadow is a root along the sunbeam, which begins 1e-10 (1 + |height|) \
+     m above the ground, so that a boundary moves by that over the tangent of the sun's elevation; for light the map is \
+     flat, the lunoid's drop counts for sight alone",
     "label: of what the ray meets first",
     "numbers are stored as f32: 6e-8 of the value; poses are f64",
     "one ray a pixel: what lies between the centres of pixels is not seen",
@@ -147,7 +148,8 @@ const ERROR: [&str; 6] = [
 
 /// What the truth leaves out.
 const NOT_IN_IT: [&str; 4] = [
-    "ground nearer than the first range of the sweeps, and ground beyond their last, counts as sky",
+    "ground nearer than the first range of the sweeps, and ground beyond their last, counts as sky; far silhouettes \
+     have a label and a reflectivity and no place",
     "texture: the small detail that is added to the picture has no height, no normal and no share in reflectivity",
     "line means, sweeps, sweep memory, white point and gamma: whatever comes between the scene and the picture",
     "pictures between updates: a refresh shows the update before it",

@@ -147,7 +147,8 @@ fn content(out: &Path) -> BTreeMap<String, Vec<u8>> {
 /// The arrays of an NPZ file without compression, found by their magic bytes and by the names before them.
 fn arrays(bytes: &[u8]) -> BTreeMap<String, Npy> {
     let starts: Vec<usize> = (0..bytes.len()).filter(|at| bytes[*at..].starts_with(b"PK\x03\x04")).collect();
-    let number = |at: usize, size: usize| bytes[at..at + size].iter().rev().fold(0, |n, b| n << 8 | usize::from(*b));
+    let number =
+        |at: usize, size: usize| bytes[at..at + size].iter().rev().fold(0, |n, b| n << 8 | usize::from(*b));
     let entry = |start: &usize| {
         let (size, name, extra) = (number(start + 18, 4), number(start + 26, 2), number(start + 28, 2));
         let text = String::from_utf8_lossy(&bytes[start + 30..start + 30 + name]).into_owned();
@@ -341,7 +342,10 @@ fn truth_of_other_kinds_is_refused() {
     label.write(at.path()).unwrap();
     let before = content(at.path());
     let refused = Wish { items: "label,range", ..Wish::default() }.write(at.path());
-    assert!(matches!(&refused, Err(ReplayError::OtherTruth { asked, .. }) if asked == "range,label"), "{refused:?}");
+    assert!(
+        matches!(&refused, Err(ReplayError::OtherTruth { asked, .. }) if asked == "range,label"),
+        "{refused:?}"
+    );
     assert_eq!(content(at.path()), before);
     fs::write(at.path().join("truth/truth.json"), "{").unwrap();
     assert!(matches!(label.write(at.path()), Err(ReplayError::TruthRecord { .. })));

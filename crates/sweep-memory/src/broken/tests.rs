@@ -164,6 +164,35 @@ fn a_narrow_rim_within_one_step_is_drawn_to_its_top() {
 }
 
 #[test]
+fn no_curve_reaches_across_a_bend_in_sight() {
+    fn scarp(piece: usize, t: f64) -> [f64; 2] {
+        let line = match piece {
+            0 => 120.0 - 2.0 * t,
+            1 => 113.0 - 14.0 * (t - 3.5) - 0.3 * (t - 3.5) * (t - 3.5),
+            _ => 52.2 - 1.5 * (t - 7.5) - 0.2 * (t - 7.5) * (t - 7.5),
+        };
+        [line, 0.1 + 0.2 * (t - 1.5 * (t / 1.5).floor().min(9.0))]
+    }
+    // The light is a sawtooth over whole pieces of three half steps: edges in pairs where it jumps.
+    let jumps = (1..10).map(|k| 1.5 * f64::from(k));
+    let edges = jumps.flat_map(|jump| [jump - 1e-7, jump + 1e-7]).collect();
+    Scene { piece: scarp, rims: vec![3.5, 7.5], edges }.assert_drawn(0.006);
+}
+
+#[test]
+fn a_straight_profile_comes_back_with_its_own_light() {
+    fn valley(piece: usize, t: f64) -> [f64; 2] {
+        let line = match piece {
+            0 => 100.0 - 6.0 * t,
+            1 => 73.0 + 10.0 * (t - 4.5),
+            _ => 90.0 - 7.0 * (t - 6.2),
+        };
+        [line, 0.06 * t]
+    }
+    Scene { piece: valley, rims: vec![4.5, 6.2], edges: vec![8.9, 9.5] }.assert_drawn(0.004);
+}
+
+#[test]
 fn an_edge_of_shadow_does_not_move_the_line() {
     let shape = |piece, t| [crater(piece, t)[0], 1.0];
     let scene = |edges| Scene { piece: shape, rims: vec![5.37, 9.62], edges };

@@ -63,7 +63,6 @@ impl Scene {
     fn new(lift: f64) -> Self {
         let (levels, ranges) = ([level(100.0, 17, 0.0), level(400.0, 7, lift)], ranges());
         let of = |level: &Level| std::array::from_fn(|lane| program(level, EYE, direction(lane), &ranges));
-        let sun = Sun { azimuth: 1.0, elevation: 0.3 };
         let light =
             std::array::from_fn(|lane| SweepLight::new(&SUN, 0.8, Photometry::LunarLambert, direction(lane)));
         let programs = levels.each_ref().map(of);
@@ -113,6 +112,8 @@ fn one_ground_on_two_levels_is_one_profile() {
             assert!((fine.height[sample][lane] - (words[0] - DATUM)).abs() < 1e-11);
             assert!((fine.along[sample][lane] - (words[3] * cos + words[1] * sin)).abs() < 1e-13);
             assert!((fine.across[sample][lane] - (words[1] * cos - words[3] * sin)).abs() < 1e-13);
+            let shade = 0.8 * shade([words[3], words[1]], [cos, sin], (words[0] - DATUM) / range);
+            assert!((fine.reflectivity[sample][lane].max(0.0) - shade).abs() < 1e-6);
         }
     }
     for blend in [0.0, 150.0] {
