@@ -10,7 +10,7 @@ use landscape::{Attitude, Bank, CornerWords, Landscape, Level, Sun};
 use quantities::{Rate, Timebase, radians};
 use scenario::{
     Curvature, Display, FieldOfView, Laws, Occlusion, PixelRule, Pose, Projection, RangeLaw, RangeProgramme,
-    Scalar, Scenery,
+    Scalar, Scenery, ShadowFineness,
 };
 use signal::{Probe, Waveform};
 
@@ -148,6 +148,7 @@ impl Scene {
             yoke: None,
             levels: None,
             shadows: false,
+            shadow_fineness: ShadowFineness::default(),
             economy: Economy::default(),
         }
     }

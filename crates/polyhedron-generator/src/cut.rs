@@ -1,12 +1,13 @@
 //! Cutting a span where the ground hides it.
 
+use crate::overlay::Piece;
 use crate::{Hold, Span};
 
 /// Appends the parts of `span` that no nearer ground reaches above.
 ///
-/// Where the span passes the range of a sample, the hold bends; between two such places its clearance over the ground
-/// is nearly linear, and one step of false position finds its zero.
-pub(crate) fn above_ground<L: Fn(usize) -> f32>(span: &Span, hold: &Hold<L>, pieces: &mut Vec<Span>) {
+/// Where the span passes the range of a sample, the hold bends; between two such places its clearance over the
+/// ground is nearly linear, and one step of false position finds its zero.
+pub(crate) fn above_ground<L: Fn(usize) -> f32>(span: &Span, hold: &Hold<L>, pieces: &mut Vec<Piece>) {
     let mut cutter = Cutter { span, hold, seen_from: None, last: (0.0, f32::INFINITY) };
     cutter.last = (0.0, cutter.clearance(0.0));
     cutter.seen_from = (cutter.last.1 >= 0.0).then_some(0.0);
@@ -39,7 +40,7 @@ impl<L: Fn(usize) -> f32> Cutter<'_, L> {
         self.hold.at(self.span.near_at(share)) - self.span.line_at(share)
     }
 
-    fn advance(&mut self, share: f32, clearance: f32, pieces: &mut Vec<Span>) {
+    fn advance(&mut self, share: f32, clearance: f32, pieces: &mut Vec<Piece>) {
         match (self.seen_from, clearance >= 0.0) {
             (Some(from), false) => {
                 pieces.push(part(self.span, from, self.zero(share, clearance)));
@@ -80,12 +81,12 @@ fn share_at(span: &Span, near: f32) -> f32 {
     (top / (top - bottom)).clamp(0.0, 1.0)
 }
 
-fn part(span: &Span, from: f32, to: f32) -> Span {
-    Span {
+fn part(span: &Span, from: f32, to: f32) -> Piece {
+    Piece::new(&Span {
         top: span.line_at(from),
         bottom: span.line_at(to),
         near: [span.near_at(from), span.near_at(to)],
         depth: [span.depth_at(from), span.depth_at(to)],
         ..*span
-    }
+    })
 }

@@ -1,5 +1,7 @@
 //! A face on the view-plane and what the sweeps cut out of it.
 
+use std::ops::Range;
+
 use crate::view::{Place, Sighting};
 
 /// A corner on the picture.
@@ -27,31 +29,34 @@ pub(crate) struct Outline {
 }
 
 impl Outline {
-    /// Finds the crossings of a face with sweeps at ascending `tangents`; returns the first sweep that meets it.
-    /// `corners` run counter-clockwise on the picture; what lies more than `half_height` off its middle is cut off
-    /// first: within it all sweeps run the same way.
+    /// Finds the crossings of a face with sweeps at ascending `tangents`; returns the first sweep that meets
+    /// it. `corners` run counter-clockwise on the picture; what lies more than `half_height` off its middle is
+    /// cut off first: within it all sweeps run the same way.
     pub fn cross(
         &mut self,
-        corners: impl Iterator<Item = Corner>,
+        corners: impl Iterator<Item = Corner> + Clone,
         half_height: f64,
         sighting: &Sighting,
         tangents: &[f64],
     ) -> usize {
+        self.crossings.clear();
+        let farthest = corners.clone().fold(0.0f64, |off, corner| off.max(corner.place.y.abs()));
+        let reach = sweeps_of(corners.clone());
+        if farthest <= half_height && reach.is_empty() {
+            return reach.start;
+        }
         self.corners.clear();
         self.corners.extend(corners);
-        let farthest = self.corners.iter().fold(0.0f64, |off, corner| off.max(corner.place.y.abs()));
         if farthest > half_height {
             self.clip(-1.0, half_height, sighting, tangents);
             self.clip(1.0, half_height, sighting, tangents);
         }
-        self.crossings.clear();
-        let sweeps = self.corners.iter().map(|corner| corner.sweep);
-        let (first, end) = (sweeps.clone().min().unwrap_or_default(), sweeps.max().unwrap_or_default());
-        self.crossings.resize(end - first, Default::default());
-        if first < end {
-            self.meet(first, sighting, tangents);
+        let reach = sweeps_of(self.corners.iter().copied());
+        self.crossings.resize(reach.len(), Default::default());
+        if !reach.is_empty() {
+            self.meet(reach.start, sighting, tangents);
         }
-        first
+        reach.start
     }
 
     fn meet(&mut self, first: usize, sighting: &Sighting, tangents: &[f64]) {
@@ -89,6 +94,13 @@ impl Outline {
         }
         std::mem::swap(&mut self.corners, &mut self.clipped);
     }
+}
+
+/// The sweeps that pass between the leftmost and the rightmost of some corners.
+fn sweeps_of(corners: impl Iterator<Item = Corner>) -> Range<usize> {
+    let widen = |[low, high]: [usize; 2], corner: Corner| [low.min(corner.sweep), high.max(corner.sweep)];
+    let [first, end] = corners.fold([usize::MAX, 0], widen);
+    first..end
 }
 
 impl Place {

@@ -65,8 +65,8 @@ impl PolyhedronGenerator {
         &self.table
     }
 
-    /// Draws `bodies` for sweeps at ascending `tangents` (of the azimuth against the heading). The field must be such
-    /// that a fan of sweeps covers it: pitch plus half its height less than 80 degrees.
+    /// Draws `bodies` for sweeps at ascending `tangents` (of the azimuth against the heading). The field must
+    /// be such that a fan of sweeps covers it: pitch plus half its height less than 80 degrees.
     pub fn run<'a>(
         &mut self,
         view: &ViewPlane,

@@ -22,10 +22,35 @@ pub struct Run {
     pub reflectivity: f32,
 }
 
+/// A part of a span that the ground does not hide, as the choice between faces needs it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Piece {
+    top: f32,
+    bottom: f32,
+    /// Inverse depth at the top, and its growth a line.
+    depth: f32,
+    slope: f32,
+    reflectivity: f32,
+    /// Range of the foot point, and the object: what decides as reported.
+    foot: (f32, u32),
+}
+
+impl Piece {
+    pub fn new(span: &Span) -> Self {
+        let Span { top, bottom, depth: [depth, below], reflectivity, .. } = *span;
+        let foot = (span.foot_range, span.object);
+        Self { top, bottom, depth, slope: (below - depth) / (bottom - top), reflectivity, foot }
+    }
+
+    fn depth(&self, line: f32) -> f32 {
+        self.depth + self.slope * (line - self.top)
+    }
+}
+
 /// The switch of one sweep and its buffers; one a worker.
 #[derive(Debug, Clone, Default)]
 pub struct Overlay {
-    pieces: Vec<Span>,
+    pieces: Vec<Piece>,
     ends: Vec<f32>,
     active: Vec<usize>,
     runs: Vec<Run>,
@@ -34,8 +59,8 @@ pub struct Overlay {
 impl Overlay {
     /// Lays the `spans` of a sweep over its `row` of lines, `row[k]` being the line from position k to k + 1.
     ///
-    /// `AsReported`: bodies are seen as a whole, the nearer foot point on top. `Depth`: what lies below the `hold` of
-    /// the ground in front of it is cut away, and the nearest shows; without a hold nothing is cut.
+    /// `AsReported`: bodies are seen as a whole, the nearer foot point on top. `Depth`: what lies below the
+    /// `hold` of the ground in front of it is cut away, and the nearest shows; without a hold nothing is cut.
     pub fn overlay<L: Fn(usize) -> f32>(
         &mut self,
         spans: &[Span],
@@ -61,12 +86,12 @@ impl Overlay {
             (BodyVisibility::Depth, Some(hold)) => {
                 spans.iter().for_each(|span| cut::above_ground(span, hold, &mut self.pieces));
             }
-            _ => self.pieces.extend_from_slice(spans),
+            _ => self.pieces.extend(spans.iter().map(Piece::new)),
         }
-        self.pieces.sort_by(|a, b| a.top.total_cmp(&b.top));
+        self.pieces.sort_unstable_by(|a, b| a.top.total_cmp(&b.top));
         self.ends.clear();
         self.ends.extend(self.pieces.iter().flat_map(|piece| [piece.top, piece.bottom]));
-        self.ends.sort_by(f32::total_cmp);
+        self.ends.sort_unstable_by(f32::total_cmp);
         self.ends.dedup();
         self.sweep_down(visibility);
         &self.runs
@@ -151,7 +176,7 @@ impl Line {
 
 /// Pieces that lie over one another from one line position to another.
 struct Stretch<'a> {
-    pieces: &'a [Span],
+    pieces: &'a [Piece],
     active: &'a [usize],
     visibility: BodyVisibility,
 }
@@ -187,22 +212,16 @@ impl Stretch<'_> {
     /// Whether piece `a` lies over piece `b`.
     fn covers(&self, a: usize, b: usize, line: f32) -> bool {
         let (first, second) = (&self.pieces[a], &self.pieces[b]);
-        let foot = |span: &Span| (span.foot_range, span.object);
-        if self.visibility == BodyVisibility::AsReported && foot(first) != foot(second) {
-            return foot(first) < foot(second);
+        if self.visibility == BodyVisibility::AsReported && first.foot != second.foot {
+            return first.foot < second.foot;
         }
-        depth(first, line) > depth(second, line)
+        first.depth(line) > second.depth(line)
     }
 
     fn crossing(&self, pieces: [usize; 2], top: f32, bottom: f32) -> Option<f32> {
         let [first, second] = pieces.map(|piece| &self.pieces[piece]);
-        let [above, below] = [top, bottom].map(|line| depth(first, line) - depth(second, line));
+        let [above, below] = [top, bottom].map(|line| first.depth(line) - second.depth(line));
         let line = top + (bottom - top) * (above / (above - below));
         (line > top && line < bottom).then_some(line)
     }
-}
-
-/// Inverse depth of a span at a line position.
-fn depth(span: &Span, line: f32) -> f32 {
-    span.depth_at((line - span.top) / (span.bottom - span.top))
 }

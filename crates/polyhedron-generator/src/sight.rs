@@ -8,8 +8,8 @@ use solids::Body;
 pub struct LeftOut {
     /// Bodies beyond the distance.
     pub bodies: u64,
-    /// Resolution cells that their bounding spheres would cover together: the sum over the picture of what changes,
-    /// in pixels of full scale, is at most this.
+    /// Resolution cells that their bounding spheres would cover together: the sum over the picture of what
+    /// changes, in pixels of full scale, is at most this.
     pub cells: f64,
 }
 
@@ -23,20 +23,21 @@ pub struct Sight {
 }
 
 impl Sight {
-    /// For bodies up to `largest` (m) on a picture of `lines` lines over a vertical `field` (rad): `r_max = largest
-    /// lines / field`. The report's figures are 1000 lines over 30 degrees.
+    /// For bodies up to `largest` (m) on a picture of `lines` lines over a vertical `field` (rad): `r_max =
+    /// largest lines / field`. The report's figures are 1000 lines over 30 degrees.
     pub fn new(largest: f64, lines: f64, field: f64) -> Self {
         let cell = field / lines;
         Self { distance: largest / cell, cell }
     }
 
-    /// Whether `body` lies within the distance; if not, it is added to `left_out`. As reported: one distance for all.
+    /// Whether `body` lies within the distance; if not, it is added to `left_out`. As reported: one distance
+    /// for all.
     pub fn reaches(&self, eye: DVec3, body: &Body, left_out: &mut LeftOut) -> bool {
         self.keep(eye, body, self.distance, left_out)
     }
 
-    /// Whether `body` itself is as large as a resolution cell; if not, it is added to `left_out`. The same rule body by
-    /// body, for fields of small rocks.
+    /// Whether `body` itself is as large as a resolution cell; if not, it is added to `left_out`. The same rule
+    /// body by body, for fields of small rocks.
     pub fn resolves(&self, eye: DVec3, body: &Body, left_out: &mut LeftOut) -> bool {
         self.keep(eye, body, 2.0 * body.radius / self.cell, left_out)
     }

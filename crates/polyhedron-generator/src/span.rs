@@ -9,7 +9,8 @@ pub struct Span {
     pub bottom: f32,
     /// Reflectivity of the face, 0..=1.
     pub reflectivity: f32,
-    /// Inverse horizontal range from the eye (1/m), at top and bottom. Between them it is `depth` over a linear function.
+    /// Inverse horizontal range from the eye (1/m), at top and bottom. Between them it is `depth` over a linear
+    /// function.
     pub near: [f32; 2],
     /// Inverse distance along the view axis (1/m), at top and bottom; linear in line position between them.
     pub depth: [f32; 2],

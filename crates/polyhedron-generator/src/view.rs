@@ -59,8 +59,8 @@ impl Sighting {
         }
     }
 
-    /// The eye as it would stand over ground that is not curved, for a body with its foot point at `foot`; and the
-    /// horizontal range of that point (m).
+    /// The eye as it would stand over ground that is not curved, for a body with its foot point at `foot`; and
+    /// the horizontal range of that point (m).
     pub fn eye_for(&self, foot: DVec3) -> (DVec3, f64) {
         let range = (foot - self.eye).truncate().length();
         let drop = match self.curvature {

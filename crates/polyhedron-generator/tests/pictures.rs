@@ -208,7 +208,7 @@ fn stones() -> impl Strategy<Value = Vec<Body>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 64, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 32, ..ProptestConfig::default() })]
 
     #[test]
     fn lines_show_what_rays_meet(
@@ -254,7 +254,7 @@ proptest! {
             let (mut row, mut gate) = ([0.25f32; LINES], [0f32; LINES]);
             overlay.overlay(generator.table().sweep(sweep), BodyVisibility::Depth, OPEN, PixelRule::LineMean, &mut row);
             overlay.present(PixelRule::LineMean, &mut gate);
-            const PARTS: usize = 200;
+            const PARTS: usize = 100;
             for line in 0..LINES {
                 let mut mean = [0.0; 2];
                 for part in 0..PARTS {
@@ -264,8 +264,8 @@ proptest! {
                     mean[0] += met.unwrap_or(0.25) / PARTS as f64;
                     mean[1] += f64::from(u8::from(met.is_some())) / PARTS as f64;
                 }
-                prop_assert!((f64::from(row[line]) - mean[0]).abs() < 0.02, "line {line}: {}, {}", row[line], mean[0]);
-                prop_assert!((f64::from(gate[line]) - mean[1]).abs() < 0.02);
+                prop_assert!((f64::from(row[line]) - mean[0]).abs() < 0.03, "line {line}: {}, {}", row[line], mean[0]);
+                prop_assert!((f64::from(gate[line]) - mean[1]).abs() < 0.03);
             }
         }
     }

@@ -33,7 +33,7 @@ impl SunAxes {
     }
 
     /// (p, q) (m) of a place north and east (m).
-    pub(crate) fn from_ground(self, [x, y]: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn to_sun_axes(self, [x, y]: [f64; 2]) -> [f64; 2] {
         let [n, e] = self.away;
         [x * e - y * n, x * n + y * e]
     }
@@ -48,7 +48,7 @@ mod tests {
     fn a_turn_and_back() {
         let axes = SunAxes::new(&Sun { azimuth: 1.1, elevation: 0.1 });
         let [x, y] = axes.to_ground([3.0, -7.0]);
-        let [p, q] = axes.from_ground([x, y]);
+        let [p, q] = axes.to_sun_axes([x, y]);
         assert!((p - 3.0).abs() < 1e-14 && (q + 7.0).abs() < 1e-14);
         let (a, b) = (axes.to_ground([1.0, 0.0]), axes.to_ground([0.0, 1.0]));
         assert!((a[0] * b[1] - a[1] * b[0] - 1.0).abs() < 1e-14, "a rotation, no reflection");

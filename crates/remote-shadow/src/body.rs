@@ -66,7 +66,7 @@ fn turn(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
 
 /// Place in the plane square to the sun: across, and away from it along the ground.
 fn seen(axes: &SunAxes, v: DVec3) -> [f64; 2] {
-    let [p, q] = axes.from_ground([v.x, v.y]);
+    let [p, q] = axes.to_sun_axes([v.x, v.y]);
     [p, v.z * axes.cos + q * axes.sin]
 }
 

@@ -203,7 +203,7 @@ impl<'a> Upstream<'a> {
     }
 
     fn crater_between(&self, crater: &Crater, [from, to]: [f64; 2]) -> f64 {
-        let [p, q] = self.lit.axes.from_ground(crater.centre());
+        let [p, q] = self.lit.axes.to_sun_axes(crater.centre());
         let across = self.p - p;
         let distance = |along: f64| (across * across + along * along).sqrt();
         let (a, b) = (distance(from - q), distance(to - q));
@@ -244,7 +244,7 @@ mod tests {
             for n in 0..40 {
                 let place =
                     [0, 1].map(|axis| places[1] * quantities::unit_interval(4, &[n, axis]) + places[0]);
-                let [p, q] = lit.axes.from_ground(place);
+                let [p, q] = lit.axes.to_sun_axes(place);
                 let upstream = Upstream::new(lit, p, (q / lattice).floor() as i64);
                 let all = upstream.highest_of_all();
                 assert_eq!(upstream.highest(None), all);

@@ -56,7 +56,7 @@ impl Cover {
         towards: Option<[[f64; 2]; 2]>,
     ) -> Self {
         let axes = SunAxes::new(sun);
-        let turned = |place| axes.from_ground(place);
+        let turned = |place| axes.to_sun_axes(place);
         let extents = landscape.bank().levels().iter().map(|level| level.extent()).collect();
         Self { axes, resolution, eye: turned(eye), reach, sector: towards.map(|s| s.map(turned)), extents }
     }
@@ -112,7 +112,7 @@ impl Cover {
         let on_ground = Square::bounding(square.corners().map(|corner| self.axes.to_ground(corner)));
         self.extents.iter().any(|&[south, west, north, east]| {
             let level = Square([[south, west], [north, east]]);
-            let turned = level.corners().map(|corner| self.axes.from_ground(corner));
+            let turned = level.corners().map(|corner| self.axes.to_sun_axes(corner));
             level.meets(on_ground) && square.meets(Square::bounding(turned))
         })
     }
@@ -146,13 +146,13 @@ mod tests {
         for n in 0..5000 {
             let (sin, cos) = sin_cos(heading + 0.8 * (unit_interval(1, &[n]) - 0.5));
             let range = reach * unit_interval(2, &[n]);
-            let point = cover.axes.from_ground([eye[0] + range * cos, eye[1] + range * sin]);
+            let point = cover.axes.to_sun_axes([eye[0] + range * cos, eye[1] + range * sin]);
             let holders: Vec<_> =
                 places.iter().filter(|&&place| cover.square(place).distance(point) == 0.0).collect();
             assert_eq!(holders.len(), 1, "{range}");
             assert!(cover.spacing(holders[0].level) <= resolution.finest.max(resolution.angle * range));
         }
-        let behind = cover.axes.from_ground([eye[0] - 50.0 * edges[0][0], eye[1] - 50.0 * edges[0][1]]);
+        let behind = cover.axes.to_sun_axes([eye[0] - 50.0 * edges[0][0], eye[1] - 50.0 * edges[0][1]]);
         assert!(places.iter().all(|&place| cover.square(place).distance(behind) > 0.0));
     }
 }

@@ -15,7 +15,7 @@ impl ShadowBank {
     /// `sun`; false where there is no ground. Casters are those of a tile that begins just before the place.
     pub fn is_dark(&self, sun: &Sun, place: [f64; 2]) -> bool {
         let lit = LitGround::new(self.ground(), sun, self.resolution().finest);
-        let [p, q] = lit.axes.from_ground(place);
+        let [p, q] = lit.axes.to_sun_axes(place);
         if lit.axes.cos <= 0.0 || lit.spot(p, q).is_none() {
             return false;
         }

@@ -37,36 +37,40 @@ pub(crate) fn plane_of(
     corners: &[u32],
     size: f64,
 ) -> Result<(DVec3, DVec3), SolidError> {
-    let bad = |what| SolidError::BadFace { face, what };
-    if let Some(&vertex) = corners.iter().find(|&&corner| corner as usize >= vertices.len()) {
-        return Err(SolidError::NoVertex { face, vertex, last: vertices.len() - 1 });
-    }
-    if corners.len() < 3 {
-        return Err(bad("fewer than 3 corners"));
-    }
-    if corners.iter().collect::<BTreeSet<_>>().len() < corners.len() {
-        return Err(bad("one corner stands twice"));
-    }
+    check_corners(vertices, face, corners)?;
+    let bad = |what| Err(SolidError::BadFace { face, what });
     let places: Vec<DVec3> = corners.iter().map(|&corner| vertices[corner as usize]).collect();
     let middle = places.iter().sum::<DVec3>() / places.len() as f64;
     let area = edges(&places).map(|(from, to)| (from - middle).cross(to - middle)).sum::<DVec3>();
     // Twice the area over the longest extent is the width of a sliver.
     if area.length() <= f64::EPSILON.sqrt() * size * size {
-        return Err(bad("no area"));
+        return bad("no area");
     }
     let normal = area.normalize();
     if places.iter().any(|place| normal.dot(*place - middle).abs() > Solid::TOLERANCE * size) {
-        return Err(bad("corners not in one plane"));
+        return bad("corners not in one plane");
     }
-    let turns_back = |(index, &at): (usize, &DVec3)| {
-        let (before, after) =
-            (places[(index + places.len() - 1) % places.len()], places[(index + 1) % places.len()]);
-        normal.dot((at - before).cross(after - at)) < -Solid::TOLERANCE * size * size
-    };
-    if places.iter().enumerate().any(turns_back) {
-        return Err(bad("the outline turns back on itself"));
+    let after = edges(&places).skip(1).chain(edges(&places).take(1));
+    let mut turns =
+        edges(&places).zip(after).map(|((from, at), (_, to))| normal.dot((at - from).cross(to - at)));
+    if turns.any(|turn| turn < -Solid::TOLERANCE * size * size) {
+        return bad("the outline turns back on itself");
     }
     Ok((normal, middle))
+}
+
+fn check_corners(vertices: &[DVec3], face: usize, corners: &[u32]) -> Result<(), SolidError> {
+    let bad = |what| Err(SolidError::BadFace { face, what });
+    if let Some(&vertex) = corners.iter().find(|&&corner| corner as usize >= vertices.len()) {
+        return Err(SolidError::NoVertex { face, vertex, last: vertices.len() - 1 });
+    }
+    if corners.len() < 3 {
+        return bad("fewer than 3 corners");
+    }
+    if corners.iter().collect::<BTreeSet<_>>().len() < corners.len() {
+        return bad("one corner stands twice");
+    }
+    Ok(())
 }
 
 fn edges(places: &[DVec3]) -> impl Iterator<Item = (DVec3, DVec3)> {

@@ -1,7 +1,8 @@
 //! Man-made things by name, made of convex parts.
 //!
-//! Body axes: x forward, y starboard, z up (m); the foot point is on the ground below the middle. Proportions follow
-//! the vehicles and instruments of Apollo; shapes are simplified and our own. Parts may touch and sink into one another.
+//! Body axes: x forward, y starboard, z up (m); the foot point is on the ground below the middle. Proportions
+//! follow the vehicles and instruments of Apollo; shapes are simplified and our own. Parts may touch and sink
+//! into one another.
 
 mod flag;
 mod lander;

@@ -10,11 +10,10 @@ use crate::{Solid, SolidError};
 const FLAT: f64 = 1e-9;
 
 impl Solid {
-    /// The convex hull of at most [`Solid::MOST`] `points` (m); points inside are left out, triangles in one plane are
-    /// one polygon. Every face has this `albedo`.
+    /// The convex hull of at most [`Solid::MOST`] `points` (m); points inside are left out, triangles in one
+    /// plane are one polygon. Every face has this `albedo`.
     ///
-    /// # Errors
-    /// If the points are too many, not finite, or lie in one plane.
+    /// # Errors If the points are too many, not finite, or lie in one plane.
     pub fn hull(points: &[DVec3], albedo: f64) -> Result<Self, SolidError> {
         crate::check::check_counts(points.len(), 4)?;
         crate::check::check_vertices(points)?;
@@ -157,7 +156,8 @@ impl<'a> Wrapping<'a> {
         Some((plane, self.outline(plane)))
     }
 
-    /// Turns `plane` about the line `along` through its point, its half `ahead` downwards, until it touches a point.
+    /// Turns `plane` about the line `along` through its point, its half `ahead` downwards, until it touches a
+    /// point.
     fn wrap(&self, plane: Plane, along: DVec3, ahead: DVec3) -> Option<Plane> {
         let across_line = |point: &DVec3| {
             let from = *point - plane.at;
@@ -173,8 +173,9 @@ impl<'a> Wrapping<'a> {
         Some(Plane { at: plane.at, normal: square.normalize() })
     }
 
-    /// Corners of the polygon that the points in `plane` span, in order; two if they lie on a line. From the point
-    /// farthest from the middle, a corner, always on to the rightmost; of several in one line to the farthest.
+    /// Corners of the polygon that the points in `plane` span, in order; two if they lie on a line. From the
+    /// point farthest from the middle, a corner, always on to the rightmost; of several in one line to the
+    /// farthest.
     fn outline(&self, plane: Plane) -> Vec<usize> {
         let is_in = |&index: &usize| plane.normal.dot(self.points[index] - plane.at) >= -self.slack;
         let flat: Vec<usize> = (0..self.points.len()).filter(is_in).collect();
@@ -200,7 +201,7 @@ impl<'a> Wrapping<'a> {
             let (line, step) = (self.points[best] - from, self.points[other] - from);
             let right = step.cross(line).dot(normal) / line.length();
             let farther = step.length_squared() > line.length_squared();
-            if right > self.slack || (right >= -self.slack && !farther) { other } else { best }
+            if right > self.slack || (right >= -self.slack && farther) { other } else { best }
         };
         flat.iter().copied().filter(|&other| other != at).reduce(more_right)
     }

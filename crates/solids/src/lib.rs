@@ -1,8 +1,9 @@
 //! Convex polyhedra: rocks and culture, their shapes, files and places (report III.A.3, section 12).
 //!
 //! A solid has body axes (forward, starboard, up), metres, with its foot point at the origin. A body is a solid
-//! placed on the ground: x north, y east, h up. Both triples are left-handed (section 4), so seen from outside the
-//! corners of a face run counter-clockwise while the cross product of its edges, taken by components, points inwards.
+//! placed on the ground: x north, y east, h up. Both triples are left-handed (section 4), so seen from outside
+//! the corners of a face run counter-clockwise while the cross product of its edges, taken by components,
+//! points inwards.
 //!
 //! - [`Solid`]: checked on making; [`Solid::hull`], [`Solid::boxed`], [`Solid::prism`] make common ones.
 //! - [`Body`]: a solid in its place; bounding sphere, light of its faces, meeting with a ray.

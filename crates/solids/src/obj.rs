@@ -1,13 +1,15 @@
 //! Solids from Wavefront OBJ files.
 //!
-//! **Axes.** Metres; x forward, y to port (left), z up, the foot point at the origin: right-handed, as modelling programs
-//! keep them. A solid's starboard is `-y`.
+//! **Axes.** Metres; x forward, y to port (left), z up, the foot point at the origin: right-handed, as
+//! modelling programs keep them. A solid's starboard is `-y`.
 //!
-//! **Read.** `v`; `f` with corners `a`, `a/b`, `a//c`, `a/b/c`, counted from 1 or, if negative, back from the last vertex;
-//! `o` and `g` each begin a new part, and every part with faces must be one closed convex solid. Vertices of a part at
-//! the same place are one. Albedo is [`ALBEDO`]: the format's materials have none that would suit.
+//! **Read.** `v`; `f` with corners `a`, `a/b`, `a//c`, `a/b/c`, counted from 1 or, if negative, back from the
+//! last vertex; `o` and `g` each begin a new part, and every part with faces must be one closed convex solid.
+//! Vertices of a part at the same place are one. Albedo is [`ALBEDO`]: the format's materials have none that
+//! would suit.
 //!
-//! **Skipped.** `vn`, `vt`, `s`, `usemtl`, `mtllib`, comments. Anything else is a fault: it would be missed in the picture.
+//! **Skipped.** `vn`, `vt`, `s`, `usemtl`, `mtllib`, comments. Anything else is a fault: it would be missed in
+//! the picture.
 //!
 //! **Limits.** [`MAX_BYTES`], [`MAX_PARTS`]; [`Solid::MOST`] vertices and faces a part.
 
@@ -35,9 +37,8 @@ const SKIPPED: [&str; 5] = ["vn", "vt", "s", "usemtl", "mtllib"];
 
 /// Reads the parts of the file at `path`.
 ///
-/// # Errors
-/// Every fault with its line: what cannot be read, indices out of range, degenerate faces, parts that are not convex
-/// or not closed.
+/// # Errors Every fault with its line: what cannot be read, indices out of range, degenerate faces, parts that
+/// are not convex or not closed.
 pub fn read(path: impl AsRef<Path>) -> Result<Vec<Solid>, ProblemList> {
     let name = path.as_ref().display().to_string();
     let bytes =
@@ -117,9 +118,14 @@ impl Reading {
     }
 
     fn fault(&mut self, span: &Range<usize>, title: String, expected: &str) {
+        let problem = self.problem(span, title, expected);
+        self.faults.push(problem);
+    }
+
+    fn problem(&self, span: &Range<usize>, title: String, expected: &str) -> Problem {
         let place = Place { source: self.source.clone(), span: span.clone() };
         let found = self.source.text[span.clone()].to_owned();
-        self.faults.push(Problem::at(&place, title).found(found).expected(expected));
+        Problem::at(&place, title).found(found).expected(expected)
     }
 
     fn statement(&mut self, words: Vec<Word>) {
@@ -211,36 +217,38 @@ impl Reading {
     /// Says what is wrong with a part, at the line of the face where one is to blame; `named` gives the file's index
     /// of each of the part's vertices.
     fn refuse(&mut self, error: &SolidError, part: &Part, named: &[usize]) {
-        let vertex = |vertex: usize| {
-            let (_, span) = &self.vertices[named[vertex]];
-            let place = Place { source: self.source.clone(), span: span.clone() };
-            format!("vertex {} (line {})", named[vertex] + 1, place.line())
-        };
         let (face, title) = match error {
-            SolidError::NotConvex { vertex: outside_of, face, outside } => {
-                (*face, format!("not convex: {} lies {outside:.6} m outside this face", vertex(*outside_of)))
+            SolidError::NotConvex { vertex, face, outside } => {
+                let vertex = self.vertex_named(named[*vertex]);
+                (*face, format!("not convex: {vertex} lies {outside:.6} m outside this face"))
             }
             SolidError::BadFace { face, what } => (*face, format!("degenerate face: {what}")),
-            SolidError::Open(from, to) => {
-                let (from, to) = (*from as usize, *to as usize);
-                let holds = |face: &WrittenFace| {
-                    [from, to].iter().all(|&end| {
-                        let place = self.vertices[named[end]].0;
-                        face.corners.iter().any(|&corner| self.vertices[corner].0 == place)
-                    })
-                };
-                let face = part.faces.iter().position(holds).unwrap_or_default();
-                let ends = format!("{} and {}", vertex(from), vertex(to));
-                (face, format!("not closed: the edge between {ends} does not part exactly two faces"))
+            SolidError::Open(from, to) => self.open_edge(part, [from, to].map(|&end| named[end as usize])),
+            SolidError::BadVertex { vertex } => {
+                (0, format!("{}: farther than 1e5 m", self.vertex_named(named[*vertex])))
             }
-            SolidError::BadVertex { vertex: bad } => (0, format!("{}: farther than 1e5 m", vertex(*bad))),
             other => (0, format!("this part is no solid: {other}")),
         };
+        let problem = self.problem(&part.faces[face].span, title, "a closed convex solid");
         let help = "each `o` or `g` must hold one closed convex part: split the object";
-        self.fault(&part.faces[face].span.clone(), title, "a closed convex solid");
-        if let Some(fault) = self.faults.pop() {
-            self.faults.push(fault.help(help));
-        }
+        self.faults.push(problem.help(help));
+    }
+
+    /// A face at an open edge, and the words for it.
+    fn open_edge(&self, part: &Part, ends: [usize; 2]) -> (usize, String) {
+        let holds = |face: &WrittenFace, end: usize| {
+            face.corners.iter().any(|&corner| self.vertices[corner].0 == self.vertices[end].0)
+        };
+        let face = part.faces.iter().position(|face| ends.iter().all(|&end| holds(face, end)));
+        let [from, to] = ends.map(|end| self.vertex_named(end));
+        let title = format!("not closed: the edge between {from} and {to} does not part exactly two faces");
+        (face.unwrap_or_default(), title)
+    }
+
+    /// The file's name of a vertex, by its index.
+    fn vertex_named(&self, vertex: usize) -> String {
+        let place = Place { source: self.source.clone(), span: self.vertices[vertex].1.clone() };
+        format!("vertex {} (line {})", vertex + 1, place.line())
     }
 }
 

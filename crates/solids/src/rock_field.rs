@@ -1,12 +1,13 @@
 //! Rocks over an area by a cumulative size law, each addressed by where it lies.
 //!
-//! **Law.** `N(>= D) = density (D / 1 m)^-slope` rocks a square metre, cut off at the smallest and largest size.
-//! Counts of blocks on pictures of lunar landers' surroundings follow such powers: slopes between about 1.8 (old mare
-//! regolith) and 2.6 (near blocky craters) were found at the Surveyor sites. The figures of a field are our choice.
+//! **Law.** `N(>= D) = density (D / 1 m)^-slope` rocks a square metre, cut off at the smallest and largest
+//! size. Counts of blocks on pictures of lunar landers' surroundings follow such powers: slopes between about
+//! 1.8 (old mare regolith) and 2.6 (near blocky craters) were found at the Surveyor sites. The figures of a
+//! field are our choice.
 //!
-//! **Method.** Sizes are parted into octaves, each with its own grid of cells that hold about [`IN_A_CELL`] rocks. A
-//! cell's count is Poisson, and it and everything about its rocks is a hash of seed, octave and cell: any box can be
-//! made alone, in any order, and far ground can be asked for its large rocks only.
+//! **Method.** Sizes are parted into octaves, each with its own grid of cells that hold about [`IN_A_CELL`]
+//! rocks. A cell's count is Poisson, and it and everything about its rocks is a hash of seed, octave and cell:
+//! any box can be made alone, in any order, and far ground can be asked for its large rocks only.
 
 use std::f64::consts::TAU;
 
@@ -111,7 +112,8 @@ impl RockField {
         self.law
     }
 
-    /// Mean number of rocks of `at_least` (m) or more in the part of the box from `low` to `high` that lies in the area.
+    /// Mean number of rocks of `at_least` (m) or more in the part of the box from `low` to `high` that lies in
+    /// the area.
     pub fn expected(&self, low: [f64; 2], high: [f64; 2], at_least: f64) -> f64 {
         let [low, high] = self.within(low, high);
         let sides = [0, 1].map(|axis| (high[axis] - low[axis]).max(0.0));
@@ -123,7 +125,8 @@ impl RockField {
         self.larger_in_box(low, high, 0.0)
     }
 
-    /// Those of [`Self::rocks_in_box`] of `at_least` (m) or more, in the same order. Octaves of smaller rocks cost nothing.
+    /// Those of [`Self::rocks_in_box`] of `at_least` (m) or more, in the same order. Octaves of smaller rocks
+    /// cost nothing.
     pub fn larger_in_box(&self, low: [f64; 2], high: [f64; 2], at_least: f64) -> Vec<Rock> {
         let [low, high] = self.within(low, high);
         let mut rocks = Vec::new();

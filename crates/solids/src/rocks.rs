@@ -1,9 +1,9 @@
 //! Seeded shapes of rocks.
 //!
-//! Four habits take turns: angular (broken, no two faces alike), slabby (flat top, low), rounded (worn), blocky (a
-//! box with broken corners). A shape is the hull of seeded points; its greatest horizontal extent is 1, so the scale
-//! of a placed body is the size of the rock in metres. The foot point lies above the lowest vertex by a tenth to a
-//! quarter of the height: a rock is sunk into the soil that it has gathered.
+//! Four habits take turns: angular (broken, no two faces alike), slabby (flat top, low), rounded (worn), blocky
+//! (a box with broken corners). A shape is the hull of seeded points; its greatest horizontal extent is 1, so
+//! the scale of a placed body is the size of the rock in metres. The foot point lies above the lowest vertex by
+//! a tenth to a quarter of the height: a rock is sunk into the soil that it has gathered.
 
 use std::f64::consts::TAU;
 

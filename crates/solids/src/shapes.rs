@@ -23,11 +23,10 @@ impl Solid {
         Self::hull(&(0..8).map(corner).collect::<Vec<_>>(), albedo)
     }
 
-    /// A prism or frustum of `sides` sides about the axis between two points; radii (m) at the corners there. A radius
-    /// of 0 makes a point. One side's corner lies towards the part of `up` that is square to the axis.
+    /// A prism or frustum of `sides` sides about the axis between two points; radii (m) at the corners there. A
+    /// radius of 0 makes a point. One side's corner lies towards the part of `up` that is square to the axis.
     ///
-    /// # Errors
-    /// If it has no volume or fewer than 3 sides.
+    /// # Errors If it has no volume or fewer than 3 sides.
     pub fn prism(
         [from, to]: [DVec3; 2],
         [radius_from, radius_to]: [f64; 2],

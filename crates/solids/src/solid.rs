@@ -31,11 +31,11 @@ impl Solid {
     /// Largest number of vertices, and of faces.
     pub const MOST: usize = 2048;
 
-    /// The solid of `faces`, each a list of corners (indices of `vertices`) and an albedo. Corners may run either
-    /// way round; faces are turned so that normals point outwards.
+    /// The solid of `faces`, each a list of corners (indices of `vertices`) and an albedo. Corners may run
+    /// either way round; faces are turned so that normals point outwards.
     ///
-    /// # Errors
-    /// If the faces are not plane, do not close, or do not enclose a convex volume, within [`Self::TOLERANCE`].
+    /// # Errors If the faces are not plane, do not close, or do not enclose a convex volume, within
+    /// [`Self::TOLERANCE`].
     pub fn new(vertices: Vec<DVec3>, faces: Vec<(Vec<u32>, f64)>) -> Result<Self, SolidError> {
         check_counts(vertices.len(), faces.len())?;
         check_vertices(&vertices)?;

@@ -198,7 +198,8 @@ fn rays_and_a_box() {
     let solid = Arc::new(Solid::boxed(DVec3::ZERO, DVec3::ONE, 0.5).unwrap());
     let body = Body::place(0, Kind::Culture, &solid, DVec3::ZERO, &DMat3::IDENTITY, 2.0);
     let hit = |origin: [f64; 3], direction: DVec3, from: f64| {
-        body.first_hit(DVec3::from_array(origin), direction, from).map(|hit| (hit.distance, body.normals[hit.face]))
+        body.first_hit(DVec3::from_array(origin), direction, from)
+            .map(|hit| (hit.distance, body.normals[hit.face]))
     };
     assert_eq!(hit([-1.0, 1.0, 1.0], DVec3::X, 0.0), Some((1.0, DVec3::NEG_X)));
     assert_eq!(hit([-1.0, 1.0, 1.0], DVec3::X * 0.5, 0.0), Some((2.0, DVec3::NEG_X)));
