@@ -66,15 +66,6 @@ impl Failure {
         }
     }
 
-    /// The message without its heading.
-    pub fn text(&self) -> String {
-        match self {
-            Self::Problems(list) => list.to_string(),
-            Self::Usage(message) | Self::Input(message) | Self::Output(message) => message.clone(),
-            Self::Told | Self::ClosedPipe => String::new(),
-        }
-    }
-
     /// Exit code of the process.
     pub fn exit_code(&self) -> u8 {
         match self {

@@ -281,7 +281,7 @@ keyframes = [{ t_s = 0, x_m = 100, y_m = 200 }, { t_s = 5, x_m = 108, y_m = 205 
         let path = folder.path().join("real.toml");
         fs::write(&path, SCENARIO).unwrap();
         let mut stage = StageArgs::of(&path);
-        let said = |stage: &StageArgs| stage.load().err().unwrap().text();
+        let said = |stage: &StageArgs| stage.load().err().unwrap().message(false).unwrap();
         let text = said(&stage);
         let words = ["real.toml: this scenario needs a bank", "gone.bank: no such file", "`lunoid survey`"];
         assert!(words.iter().all(|word| text.contains(word)), "{text}");

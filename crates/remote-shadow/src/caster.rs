@@ -231,7 +231,7 @@ impl<'a> Upstream<'a> {
 mod tests {
     use super::Upstream;
     use crate::ground::{Ground, LitGround};
-    use crate::tests::{cratered, two_levels};
+    use crate::tests::{cratered, rough, two_levels};
     use landscape::Sun;
     use quantities::radians;
     use std::sync::Arc;
@@ -256,6 +256,11 @@ mod tests {
     #[test]
     fn pruning_changes_no_bit() {
         same_as_all(cratered(1, 150), 0.5, [0.0, 600.0]);
+    }
+
+    #[test]
+    fn pruning_changes_no_bit_on_rough_ground() {
+        same_as_all(rough(), 0.25, [0.0, 400.0]);
     }
 
     #[test]

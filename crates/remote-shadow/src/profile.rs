@@ -134,3 +134,49 @@ fn crossing_of_tangents(a: Spot, b: Spot) -> f64 {
     let along = (b.g - a.g - b.rise * (b.q - a.q)) / (a.rise - b.rise);
     a.g + a.rise * along
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Interval, Walk};
+    use crate::caster::Upstream;
+    use crate::ground::{Ground, LitGround};
+    use crate::tests::cratered;
+    use landscape::Sun;
+    use quantities::radians;
+    use std::sync::Arc;
+
+    const SPACING: f64 = 0.5;
+
+    fn clipped(all: &[Interval], from: f64, to: f64) -> Vec<Interval> {
+        let part = all.iter().map(|&[a, b]| [a.max(from), b.min(to)]);
+        part.filter(|&[a, b]| b - a > 1e-3).collect()
+    }
+
+    #[test]
+    fn a_tile_is_a_part_of_the_whole_profile() {
+        let ground = Ground::new(Arc::new(cratered(6, 120)));
+        let sun = Sun { azimuth: radians(215.0), elevation: radians(4.0) };
+        let lit = LitGround::new(&ground, &sun, SPACING);
+        let [p, q] = lit.axes.to_sun_axes([300.0, 300.0]);
+        let (middle, mut compared) = ((q / SPACING).round() as i64, 0);
+        for n in 0..60 {
+            let p = ((p / SPACING).round() + 3.0 * f64::from(n) - 90.0) * SPACING;
+            let sunward = (middle - 1200) as f64 * SPACING;
+            let whole = Walk::intervals(lit, p, sunward, SPACING, 2400, f64::NEG_INFINITY);
+            for tile in -2..2 {
+                let first = middle + 64 * tile;
+                let top = Upstream::new(lit, p, first).highest(None).map_or(f64::NEG_INFINITY, |top| top.0);
+                let start = first as f64 * SPACING;
+                let end = start + 64.0 * SPACING;
+                let part = clipped(&Walk::intervals(lit, p, start, SPACING, 64, top), start, end);
+                let expected = clipped(&whole, start, end);
+                assert_eq!(part.len(), expected.len(), "p {p}, from {start}: {part:?}, {expected:?}");
+                for (found, expected) in part.iter().flatten().zip(expected.iter().flatten()) {
+                    assert!((found - expected).abs() < 0.01 * SPACING, "p {p}: {found}, {expected}");
+                    compared += 1;
+                }
+            }
+        }
+        assert!(compared > 100, "{compared}");
+    }
+}

@@ -14,6 +14,14 @@ pub(crate) fn cratered(seed: u64, count: u64) -> Landscape {
     Landscape::new(bank, 1.0).with_features(craters(seed, count, 600.0))
 }
 
+/// Ground of 400 m by 400 m that bends much within one square.
+pub(crate) fn rough() -> Landscape {
+    let mut relief = Relief::flat(2, [400.0, 400.0], 10.0);
+    relief.undulation =
+        Some(Undulation { rms_height: 2.0, hurst: 0.2, shortest: 30.0, longest: 60.0, waves: 200 });
+    Landscape::new(Bank::new("rough", vec![relief.build().unwrap()], None).unwrap(), 1.0)
+}
+
 /// Craters of 5 m to 40 m on a square of `side` (m).
 pub(crate) fn craters(seed: u64, count: u64, side: f64) -> Features {
     let crater = |n: u64| {

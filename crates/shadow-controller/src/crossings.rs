@@ -50,10 +50,7 @@ impl<'a> Fan<'a> {
         let (first, last) = (directions.first()?, directions.last()?);
         let sum = [first[0] + last[0], first[1] + last[1]];
         let length = (sum[0] * sum[0] + sum[1] * sum[1]).sqrt();
-        if !(length > NEAREST) {
-            return None;
-        }
-        let middle = sum.map(|part| part / length);
+        let middle = (length > NEAREST).then(|| sum.map(|part| part / length))?;
         let tangents: Vec<f64> = directions.iter().map(|&d| cross(middle, d) / dot(middle, d)).collect();
         let width = tangents[tangents.len() - 1] - tangents[0];
         let density = if width > 0.0 { (tangents.len() - 1) as f64 / width } else { 0.0 };

@@ -2,11 +2,13 @@
 
 use std::sync::Arc;
 
-use crate::scenes::{laws, planes, pose, settings, sun, value};
+use crate::scenes::{bumps, crater_field, laws, planes, pose, settings, sun, value};
 use exact::{Ceilings, Outlook, Ray, Sight};
 use generator::PlaneKind;
 use hardware_model::{LevelSwitch, Settings};
 use landscape::{Bank, CornerWords, Landscape, Level, basis};
+use proptest::prelude::*;
+use quantities::unit_interval;
 use scenario::{Curvature, PixelRule, Projection, Scenery};
 
 fn part(d: f64, origin: [f64; 2], regions: [usize; 2], corner: impl Fn(f64, f64) -> CornerWords) -> Level {
@@ -100,4 +102,64 @@ fn a_hill_of_the_coarse_level_shadows_the_fine_one() {
     };
     // The hill stands over (1300, 0), 300 m high: 13 degrees from the foreground at (21, 0).
     assert!(dark(0.0, 12.0) && !dark(0.0, 14.0) && !dark(180.0, 5.0) && !dark(60.0, 12.0));
+}
+
+/// Height of a level at a place (m), by its own direct sum.
+fn level_height(level: &Level, [x, y]: [f64; 2]) -> Option<f64> {
+    let (region, local) = level.locate(x, y)?;
+    Some(level.height_and_slopes(region, local)[0])
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
+    #[test]
+    fn the_first_ground_of_fading_bumps_with_craters(
+        seed in any::<u64>(), (range, blend) in (5.0..30.0f64, 0.0..30.0f64), up in 0.1..2.0f64,
+    ) {
+        let blend = blend.min(range);
+        let word = |m: f64, n: f64, k: usize| unit_interval(seed, &[m as u64, n as u64, k as u64, 1]) - 0.5;
+        let coarse = part(21.0, [-19.0, -23.0], [4, 4], |m, n| std::array::from_fn(|k| word(m, n, k)));
+        let bank = Bank::new("two", vec![bumps(seed, 0.4), coarse], None).unwrap();
+        let ground = Landscape::new(bank, 1.0).with_features(crater_field(seed, 60, 6.0));
+        let eye = [24.0, 24.0, ground.height(24.0, 24.0).unwrap() + up];
+        let ceilings = Ceilings::new(&ground);
+        let switch = LevelSwitch { range, blend };
+        let outlook = Outlook::new(&ground, &ceilings, eye, Curvature::None, [0.2, 40.0], Some(switch));
+        let levels = ground.bank().levels();
+        for step in 0..40 {
+            let azimuth = 0.157 * f64::from(step) + 0.01;
+            let direction = [libm::cos(azimuth), libm::sin(azimuth)];
+            let ray = Ray { direction, rise: -0.25 + 0.009 * f64::from(step) };
+            let above = |s: f64| {
+                let place = [eye[0] + s * direction[0], eye[1] + s * direction[1]];
+                let fine = level_height(&levels[0], place).filter(|_| s < range);
+                let terrain = match (fine, level_height(&levels[1], place)) {
+                    (Some(fine), _) if s <= range - blend => fine,
+                    (Some(fine), Some(coarse)) => {
+                        let weight = basis::values((s - range + blend) / blend)[0];
+                        weight * fine + (1.0 - weight) * coarse
+                    }
+                    (_, coarse) => coarse?,
+                };
+                Some(terrain + ground.features().at(place[0], place[1]).height - eye[2] - ray.rise * s)
+            };
+            let met = match outlook.look(&ray) {
+                Sight::Ground(spot) => spot.range,
+                Sight::Sky => 40.0,
+                Sight::TooNear => continue,
+            };
+            let mut s = 0.2;
+            while s < met - 1e-9 {
+                let Some(above) = above(s) else { break };
+                prop_assert!(above < 1e-11, "{above} at {s}, before {met}");
+                s += 0.01;
+            }
+            // It lies on the ground, or on the face of a step where a level ends.
+            if met < 40.0 {
+                let [here, behind] = [met, met + 1e-6].map(above);
+                let on = here.is_none_or(|above| above.abs() < 1e-10);
+                prop_assert!(on || behind.is_none_or(|above| above > 0.0), "{here:?} at {met}");
+            }
+        }
+    }
 }

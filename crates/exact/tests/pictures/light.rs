@@ -104,9 +104,11 @@ fn as_reported_features_are_lit_as_if_on_level_ground() {
 fn texture_is_added_behind_the_shadow_switch() {
     let layers = [Layer { cell: 0.7, amplitude: 0.2, range: 30.0 }];
     let texture = Texture::new(&layers, Source::Random, 11, 8.0, [0.0; 2]).unwrap();
-    for law in [TextureInShadow::On, TextureInShadow::Off] {
+    for (law, shadows) in
+        [(TextureInShadow::On, true), (TextureInShadow::Off, true), (TextureInShadow::Off, false)]
+    {
         let laws = Laws { texture_in_shadow: law, ..usual() };
-        let shot = shoot(cratered().with_texture(Some(texture.clone())), laws, true);
+        let shot = shoot(cratered().with_texture(Some(texture.clone())), laws, shadows);
         let mut counts = [0; 3];
         for (index, place, range) in shot.ground() {
             let slopes = shot.ground.at(place[0], place[1]).unwrap().slopes;
@@ -121,8 +123,8 @@ fn texture_is_added_behind_the_shadow_switch() {
                 (TextureInShadow::On, 2.0) => added,
                 (TextureInShadow::Off, 2.0) => 0.0,
                 (TextureInShadow::On, _) => lit + added,
-                // Below 0 in local shadow; black all the same if something else is in front of the sun.
-                (TextureInShadow::Off, _) if signed < 0.0 && shot.intensity(index) == 0.0 => 0.0,
+                // Ground that turns from the sun is remote shadow too, where there is any.
+                (TextureInShadow::Off, 1.0) if shadows => 0.0,
                 (TextureInShadow::Off, _) => signed + added,
             };
             let found = shot.intensity(index);
@@ -133,6 +135,6 @@ fn texture_is_added_behind_the_shadow_switch() {
             assert!((value(&shot.planes, PlaneKind::Reflectivity, index) - lit).abs() < 1e-3);
             counts[shade as usize] += 1;
         }
-        assert!(counts.iter().all(|&count| count > 20), "{counts:?}");
+        assert!(counts[0] > 20 && counts[1] > 20 && (counts[2] > 20) == shadows, "{counts:?}");
     }
 }

@@ -65,7 +65,7 @@ fn events_of_what_is_not_there() {
     let lander = object("model = \"lander\"");
     let event = |rest: &str| format!("{lander}[[event]]\nt_s = 1\n{rest}\n");
     for (tables, words) in [
-        (event("action = \"delete\"\nobject = \"ml\""), &["event[0].object", "did you mean \"lm\"?"][..]),
+        (event("action = \"delete\"\nobject = \"lm2\""), &["event[0].object", "did you mean \"lm\"?"][..]),
         (event("action = \"add\"\nobject = \"lm\""), &["\"lm\" is added at t = 1 s and stands already"]),
         (lander.replace("x_m = 100", "x_m = 900"), &["object \"lm\"", "outside the problem area"]),
         (lander.replace("lander", "landr"), &["did you mean \"lander\"?"]),
