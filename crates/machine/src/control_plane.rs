@@ -29,12 +29,7 @@ pub(crate) struct FramePlan {
 
 impl FramePlan {
     /// Checks that the pose can be drawn and spreads the fan over `field`.
-    pub fn new(
-        frame: u64,
-        pose: &Pose,
-        stage: &Stage,
-        field: &FieldOfView,
-    ) -> Result<Self, FrameError> {
+    pub fn new(frame: u64, pose: &Pose, stage: &Stage, field: &FieldOfView) -> Result<Self, FrameError> {
         let Stage { landscape, scenery, settings } = stage;
         let [x, y, height] = pose.eye;
         // The machine starts on its finest level; what only coarser levels store is far ground.

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use remote_shadow::{Segment, Tile};
 use scenario::{BodyVisibility, Curvature, ShadowedBodies};
 use shadow_controller::Gate;
-use solids::{Body, Kind};
+use solids::Body;
 use std::sync::Arc;
 
 use crate::blocks::{Blocks, Shadows};
@@ -61,13 +61,9 @@ impl Supply<'_> {
         }
     }
 
-    fn eye(&self) -> DVec3 {
-        DVec3::from_array(self.plan.eye)
-    }
-
     fn under_sun<'a>(&'a self, shadows: &'a Shadows) -> UnderSun<'a> {
         let bodies = self.stage.scenery.standing().len();
-        self.footings.under(self.plan.sun, bodies, &shadows.bank, &self.stage.landscape)
+        self.footings.under(self.plan.sun, bodies, &shadows.bank)
     }
 
     /// Bodies that stand at `time` and are near enough, with their number in the list of the mission.
@@ -78,23 +74,17 @@ impl Supply<'_> {
         let bodies = present.map(|(index, standing)| (index, &standing.body));
         match self.stage.settings.economy {
             Economy::Bounded => {
-                let sights = [Kind::Rock, Kind::Culture].map(|kind| self.sight(kind));
-                bodies
-                    .filter(|(_, body)| {
-                        let sight = &sights[usize::from(body.kind == Kind::Culture)];
-                        sight.reaches(self.eye(), body, &mut out.left_out)
-                    })
-                    .collect()
+                let (eye, sight) = (DVec3::from_array(self.plan.eye), self.sight());
+                bodies.filter(|(_, body)| sight.resolves(eye, body, &mut out.left_out)).collect()
             }
             Economy::Lossless | Economy::Everything => bodies.collect(),
         }
     }
 
-    /// The maximal distance of the report, for each kind by its largest: a boulder is no reason to draw pebbles as
-    /// far as a lander.
-    fn sight(&self, kind: Kind) -> Sight {
-        let of_kind = self.stage.scenery.standing().iter().filter(|standing| standing.body.kind == kind);
-        let largest = of_kind.map(|standing| 2.0 * standing.body.radius).fold(0.0, f64::max);
+    /// The maximal distance of the report, body by body: a boulder is no reason to draw pebbles as far as itself.
+    fn sight(&self) -> Sight {
+        let bodies = self.stage.scenery.standing().iter();
+        let largest = bodies.map(|standing| 2.0 * standing.body.radius).fold(0.0, f64::max);
         let field = 2.0 * libm::atan(self.raster.field.tan_half_height);
         Sight::new(largest, self.raster.lines as f64, field)
     }

@@ -101,8 +101,8 @@ impl Lamp<'_> {
         let (c, d) = (three * chord - two * rate[0] - rate[1], rate[0] + rate[1] - two * chord);
         let height = from + u * (rate[0] + u * (c + u * d));
         let along = (rate[0] + u * (two * c + u * three * d)) / step;
-        let across = terrain.across[near][lane]
-            + u * (terrain.across[far][lane] - terrain.across[near][lane]);
+        let across =
+            terrain.across[near][lane] + u * (terrain.across[far][lane] - terrain.across[near][lane]);
         Ground { height, slopes: [along, across] }
     }
 }

@@ -2,8 +2,8 @@
 
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use landscape::{Landscape, Sun};
-use remote_shadow::{Segment, ShadowBank, cast_by_body};
+use landscape::Sun;
+use remote_shadow::{Segment, ShadowBank};
 use solids::Body;
 
 /// A body under a sun.
@@ -24,21 +24,14 @@ const SUNS: usize = 3;
 
 /// Footings under one sun, by the body's place in the list of the mission.
 pub(crate) struct UnderSun<'a> {
-    pub sun: Sun,
-    pub bank: &'a ShadowBank,
-    pub landscape: &'a Landscape,
+    sun: Sun,
+    bank: &'a ShadowBank,
     footings: Arc<[OnceLock<Footing>]>,
 }
 
 impl Footings {
     /// Footings of `bodies` bodies under `sun`.
-    pub fn under<'a>(
-        &self,
-        sun: Sun,
-        bodies: usize,
-        bank: &'a ShadowBank,
-        landscape: &'a Landscape,
-    ) -> UnderSun<'a> {
+    pub fn under<'a>(&self, sun: Sun, bodies: usize, bank: &'a ShadowBank) -> UnderSun<'a> {
         let mut suns = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let known = suns.iter().find(|(known, _)| *known == sun).map(|(_, footings)| Arc::clone(footings));
         let footings = known.unwrap_or_else(|| {
@@ -47,7 +40,7 @@ impl Footings {
             suns.insert(0, (sun, Arc::clone(&footings)));
             footings
         });
-        UnderSun { sun, bank, landscape, footings }
+        UnderSun { sun, bank, footings }
     }
 }
 
@@ -56,7 +49,7 @@ impl UnderSun<'_> {
     pub fn of(&self, index: usize, body: &Body) -> &Footing {
         self.footings[index].get_or_init(|| Footing {
             dark: self.bank.is_dark(&self.sun, [body.foot.x, body.foot.y]),
-            shadow: cast_by_body(body, &self.sun, self.landscape),
+            shadow: self.bank.cast_by_body(body, &self.sun),
         })
     }
 }

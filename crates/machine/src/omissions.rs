@@ -18,9 +18,8 @@ pub(crate) fn omissions(stage: &Stage, blocks: &Blocks) -> Vec<Omission> {
     if blocks.bodies && stage.settings.economy == Economy::Bounded {
         list.push(Omission {
             block: "polyhedron-generator",
-            what: "rocks and culture beyond the distance at which the largest of their kind is a resolution cell"
-                .into(),
-            why: "maximal distance of the report; each changes less than a pixel, --lossless draws them".into(),
+            what: "rocks and culture smaller than a resolution cell of the picture".into(),
+            why: "maximal distance of the report, body by body; --lossless draws them".into(),
             weight: Weight::Bounded(255.0),
         });
     }
@@ -41,11 +40,26 @@ pub(crate) fn omissions(stage: &Stage, blocks: &Blocks) -> Vec<Omission> {
 fn absent_blocks(stage: &Stage, blocks: &Blocks) -> Vec<Omission> {
     let rows = [
         (blocks.features, "feature-generator", "sub-generators and VS1", "the ground has no features"),
-        (blocks.shadows.is_some(), "shadow-controller", "line generators and VS2", "the scenario asks for no shadows"),
+        (
+            blocks.shadows.is_some(),
+            "shadow-controller",
+            "line generators and VS2",
+            "the scenario asks for no shadows",
+        ),
         (blocks.texture, "texture-generator", "texture and its adder", "the ground has no texture"),
         (blocks.bodies, "polyhedron-generator", "polyhedra and VS3", "nothing stands on the ground"),
-        (blocks.coarse.is_some(), "terrain-generator", "second level and its switch", "the ground has one level, or the scenario never switches"),
-        (!stage.landscape.silhouettes().is_empty(), "terrain-generator", "profiles of far mountains", "the scenario has none"),
+        (
+            blocks.coarse.is_some(),
+            "terrain-generator",
+            "second level and its switch",
+            "the ground has one level, or the scenario never switches",
+        ),
+        (
+            !stage.landscape.silhouettes().is_empty(),
+            "terrain-generator",
+            "profiles of far mountains",
+            "the scenario has none",
+        ),
         (stage.settings.yoke.is_some(), "display", "turning yoke", "the display shows no roll"),
     ];
     let absent = rows.into_iter().filter(|(present, ..)| !present);

@@ -87,9 +87,8 @@ impl<S: Real> Recorded<'_, S> {
         let on_datum = |values: &[Lanes<S>]| {
             of(values).into_iter().map(|height| height + group.plan.eye[2]).collect::<Vec<_>>()
         };
-        let drawn = |values: &[Lanes<S>]| {
-            of(values).into_iter().map(|signed| signed.max(0.0)).collect::<Vec<_>>()
-        };
+        let drawn =
+            |values: &[Lanes<S>]| of(values).into_iter().map(|signed| signed.max(0.0)).collect::<Vec<_>>();
         let direction = program.start.direction;
         match name {
             "sweep.x" => self.ramp(program, RampAxis::X),

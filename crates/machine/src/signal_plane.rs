@@ -82,8 +82,7 @@ impl<S: Real> Group<'_, S> {
     fn draw_terrain(&self, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
         let settings = &self.stage.settings;
         let fine = self.stage.landscape.level();
-        let service =
-            CrossingService { level: fine, loader: &settings.loader, timebase: &settings.timebase };
+        let service = CrossingService { level: fine, loader: &settings.loader, timebase: &settings.timebase };
         let light = self.light(sweeps);
         let far = self.blocks.coarse.as_ref().map_or(settings.range.end, |coarse| coarse.switch.range);
         for (&sweep, program) in sweeps.iter().zip(&mut work.programs) {
@@ -176,11 +175,7 @@ impl<S: Real> Group<'_, S> {
     }
 
     /// What the generators send to the mixing unit.
-    pub fn inputs<'w>(
-        &self,
-        work: &'w Workspace<S>,
-        lists: &'w [ToggleList<'w, S>; LANES],
-    ) -> Inputs<'w, S> {
+    pub fn inputs<'w>(&self, work: &'w Workspace<S>, lists: &'w [ToggleList<'w, S>; LANES]) -> Inputs<'w, S> {
         Inputs {
             height: &work.profile.height,
             reflectivity: &work.profile.reflectivity,

@@ -1,39 +1,50 @@
 //! Shadows of bodies on the ground.
 
 use glam::DVec3;
-use landscape::{Landscape, Sun};
+use landscape::Sun;
 use solids::Body;
 
 use crate::Segment;
 use crate::axes::SunAxes;
+use crate::bank::ShadowBank;
+use crate::ground::Ground;
 
-/// Pieces that an edge of the outline is cut into: the ground under them need not be flat.
-const PIECES: usize = 4;
+/// Length of outline over which the ground is taken to be flat (m): a longer edge is cut into pieces.
+const FLAT: f64 = 0.5;
+/// Most pieces of an edge.
+const MOST_PIECES: usize = 6;
 /// Farthest that a shadow is followed over the ground (m).
 const LONGEST: f64 = 5000.0;
 /// Steepest rise of ground towards a ray at which no piece of ground is stepped over.
 const STEEPEST: f64 = 1.0;
 /// Smallest step along the ground (m).
 const SMALLEST_STEP: f64 = 0.02;
-/// Halvings of the last step.
-const HALVINGS: u32 = 30;
+/// Error that ends the search for the ground (m).
+const NEAR_ENOUGH: f64 = 1e-5;
+/// Most steps of that search.
+const MOST_STEPS: u32 = 40;
 
-/// Outline of the shadow that `body` casts on the ground under `sun`, clockwise.
-///
-/// The outline is that of the body seen from the sun; each of its points is followed along the ray to the ground, for
-/// 5 km at most or to the end of the ground. A point under the ground stays where it is, so the side of the outline
-/// that faces the sun lies at the body's foot. Nothing for a sun that is not above the horizon.
-pub fn cast_by_body(body: &Body, sun: &Sun, landscape: &Landscape) -> Vec<Segment> {
-    if sun.direction()[2] <= 0.0 {
-        return Vec::new();
+impl ShadowBank {
+    /// Outline of the shadow that `body` casts on the ground under `sun`, clockwise.
+    ///
+    /// The outline is that of the body seen from the sun; each of its points is followed along the ray to the ground,
+    /// for 5 km at most or to the end of the ground. A point under the ground stays where it is, so the side of the
+    /// outline that faces the sun lies at the body's foot. Nothing for a sun that is not above the horizon.
+    pub fn cast_by_body(&self, body: &Body, sun: &Sun) -> Vec<Segment> {
+        if sun.direction()[2] <= 0.0 {
+            return Vec::new();
+        }
+        let axes = SunAxes::new(sun);
+        let hull = outline(&axes, &body.vertices);
+        let next = hull.iter().cycle().skip(1);
+        let edges = hull.iter().zip(next);
+        let points = edges.flat_map(|(&a, &b)| {
+            let pieces = ((a.distance(b) / FLAT).ceil() as usize).clamp(1, MOST_PIECES);
+            (0..pieces).map(move |k| a.lerp(b, k as f64 / pieces as f64))
+        });
+        let corners: Vec<[f64; 2]> = points.map(|point| fall(self.ground(), &axes, point)).collect();
+        Segment::outline(&corners)
     }
-    let axes = SunAxes::new(sun);
-    let hull = outline(&axes, &body.vertices);
-    let next = hull.iter().cycle().skip(1);
-    let edges = hull.iter().zip(next);
-    let points = edges.flat_map(|(&a, &b)| (0..PIECES).map(move |k| a.lerp(b, k as f64 / PIECES as f64)));
-    let corners: Vec<[f64; 2]> = points.map(|point| fall(landscape, &axes, point)).collect();
-    Segment::outline(&corners)
 }
 
 /// Vertices on the convex outline as the sun sees it, in the order that is clockwise on the ground (monotone chain).
@@ -71,31 +82,41 @@ fn seen(axes: &SunAxes, v: DVec3) -> [f64; 2] {
 }
 
 /// Where the ray from the sun through `point` meets the ground: north, east (m).
-fn fall(landscape: &Landscape, axes: &SunAxes, point: DVec3) -> [f64; 2] {
+fn fall(ground: &Ground, axes: &SunAxes, point: DVec3) -> [f64; 2] {
     let along = |way: f64| [point.x + way * axes.away()[0], point.y + way * axes.away()[1]];
     if axes.cos <= 0.0 {
         return along(0.0);
     }
     let tan = axes.sin / axes.cos;
-    let clearance = |way: f64| {
-        let [x, y] = along(way);
-        landscape.height(x, y).map(|ground| point.z - way * tan - ground)
-    };
-    let (mut low, mut way) = (0.0, 0.0);
+    let clearance = |way: f64| Some(point.z - way * tan - ground.height(along(way))?);
+    let (mut low, mut way) = ([0.0; 2], 0.0);
     while let Some(above) = clearance(way).filter(|_| way < LONGEST) {
         if above <= 0.0 {
-            return along(bisect(clearance, low, way));
+            return along(meeting(clearance, low, [way, above]));
         }
-        low = way;
+        low = [way, above];
         way += (above / (tan + STEEPEST)).max(SMALLEST_STEP);
     }
-    along(low)
+    along(low[0])
 }
 
-fn bisect(clearance: impl Fn(f64) -> Option<f64>, mut low: f64, mut high: f64) -> f64 {
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (low + high);
-        if clearance(middle).is_some_and(|above| above > 0.0) { low = middle } else { high = middle }
+/// Root between a way with clearance above 0 and one with clearance of at most 0: false position, the end that stays
+/// counting half (Illinois).
+fn meeting(clearance: impl Fn(f64) -> Option<f64>, mut low: [f64; 2], mut high: [f64; 2]) -> f64 {
+    for _ in 0..MOST_STEPS {
+        if high[0] - low[0] <= NEAR_ENOUGH {
+            break;
+        }
+        let way = low[0] + (high[0] - low[0]) * low[1] / (low[1] - high[1]);
+        let Some(above) = clearance(way) else { break };
+        if above.abs() <= NEAR_ENOUGH {
+            return way;
+        }
+        if above > 0.0 {
+            (low, high[1]) = ([way, above], 0.5 * high[1]);
+        } else {
+            (high, low[1]) = ([way, above], 0.5 * low[1]);
+        }
     }
-    high
+    high[0]
 }

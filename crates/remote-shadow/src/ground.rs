@@ -22,6 +22,11 @@ impl Ground {
         Self { landscape, sheets }
     }
 
+    /// Height at a place (m); `None` where there is no ground.
+    pub(crate) fn height(&self, place: [f64; 2]) -> Option<f64> {
+        self.at(place).map(|[terrain, features]| terrain[0] + features[0])
+    }
+
     /// Height and slopes of the terrain and those of the features on it at a place (m); `None` where there is no
     /// ground.
     fn at(&self, [x, y]: [f64; 2]) -> Option<[[f64; 3]; 2]> {

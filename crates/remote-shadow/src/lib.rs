@@ -77,6 +77,5 @@ mod tests;
 mod tile;
 
 pub use bank::{Resolution, ShadowBank};
-pub use body::cast_by_body;
 pub use segment::Segment;
 pub use tile::Tile;

@@ -104,10 +104,11 @@ fn a_hill_of_the_coarse_level_shadows_the_fine_one() {
     assert!(dark(0.0, 12.0) && !dark(0.0, 14.0) && !dark(180.0, 5.0) && !dark(60.0, 12.0));
 }
 
-/// Height of a level at a place (m), by its own direct sum.
-fn level_height(level: &Level, [x, y]: [f64; 2]) -> Option<f64> {
+/// Height (m) and slopes of a level at a place, by its own direct sum.
+fn level_at(level: &Level, [x, y]: [f64; 2]) -> Option<[f64; 3]> {
     let (region, local) = level.locate(x, y)?;
-    Some(level.height_and_slopes(region, local)[0])
+    let [height, hu, hv] = level.height_and_slopes(region, local);
+    Some([height, hu / level.region_size(), hv / level.region_size()])
 }
 
 proptest! {
@@ -130,22 +131,25 @@ proptest! {
             let azimuth = 0.157 * f64::from(step) + 0.01;
             let direction = [libm::cos(azimuth), libm::sin(azimuth)];
             let ray = Ray { direction, rise: -0.25 + 0.009 * f64::from(step) };
-            let above = |s: f64| {
-                let place = [eye[0] + s * direction[0], eye[1] + s * direction[1]];
-                let fine = level_height(&levels[0], place).filter(|_| s < range);
-                let terrain = match (fine, level_height(&levels[1], place)) {
+            let place = |s: f64| [eye[0] + s * direction[0], eye[1] + s * direction[1]];
+            let terrain = |s: f64| {
+                let fine = level_at(&levels[0], place(s)).filter(|_| s < range);
+                Some(match (fine, level_at(&levels[1], place(s))) {
                     (Some(fine), _) if s <= range - blend => fine,
                     (Some(fine), Some(coarse)) => {
                         let weight = basis::values((s - range + blend) / blend)[0];
-                        weight * fine + (1.0 - weight) * coarse
+                        std::array::from_fn(|k| weight * fine[k] + (1.0 - weight) * coarse[k])
                     }
                     (_, coarse) => coarse?,
-                };
-                Some(terrain + ground.features().at(place[0], place[1]).height - eye[2] - ray.rise * s)
+                })
             };
-            let met = match outlook.look(&ray) {
-                Sight::Ground(spot) => spot.range,
-                Sight::Sky => 40.0,
+            let above = |s: f64| {
+                let [x, y] = place(s);
+                Some(terrain(s)?[0] + ground.features().at(x, y).height - eye[2] - ray.rise * s)
+            };
+            let (met, found) = match outlook.look(&ray) {
+                Sight::Ground(spot) => (spot.range, [spot.height, spot.slopes[0], spot.slopes[1]]),
+                Sight::Sky => (40.0, [0.0; 3]),
                 Sight::TooNear => continue,
             };
             let mut s = 0.2;
@@ -157,7 +161,9 @@ proptest! {
             // It lies on the ground, or on the face of a step where a level ends.
             if met < 40.0 {
                 let [here, behind] = [met, met + 1e-6].map(above);
+                let expected = terrain(met).unwrap_or(found);
                 let on = here.is_none_or(|above| above.abs() < 1e-10);
+                prop_assert!(!on || (0..3).all(|k| (found[k] - expected[k]).abs() < 1e-9), "{found:?}, {expected:?}");
                 prop_assert!(on || behind.is_none_or(|above| above > 0.0), "{here:?} at {met}");
             }
         }

@@ -2,9 +2,9 @@
 
 use crate::common::{cratered, crossing, flat, landscape};
 use glam::{DMat3, DVec3};
-use landscape::Sun;
+use landscape::{Landscape, Sun};
 use quantities::{radians, sin_cos, unit_interval};
-use remote_shadow::{Segment, cast_by_body};
+use remote_shadow::{Resolution, Segment, ShadowBank};
 use solids::{Body, Kind, Solid};
 use std::sync::Arc;
 
@@ -13,6 +13,10 @@ fn boxed(foot: DVec3, low: f64) -> Body {
     let (sin, cos) = sin_cos(0.4);
     let turn = DMat3::from_cols(DVec3::new(cos, sin, 0.0), DVec3::new(-sin, cos, 0.0), DVec3::Z);
     Body::place(0, Kind::Culture, &Arc::new(solid), foot, &turn, 1.0)
+}
+
+fn bank(ground: Landscape) -> ShadowBank {
+    ShadowBank::new(Arc::new(ground), Resolution { finest: 0.5, angle: 1e-3 })
 }
 
 fn area(outline: &[Segment]) -> f64 {
@@ -27,7 +31,7 @@ fn a_box_on_flat_ground() {
     let body = boxed(DVec3::new(200.0, 200.0, 0.0), 0.0);
     for (azimuth, elevation) in [(0.0, 30.0), (123.0, 3.0), (287.0, 10.0)] {
         let sun = Sun { azimuth: radians(azimuth), elevation: radians(elevation) };
-        let outline = cast_by_body(&body, &sun, &ground);
+        let outline = bank(ground.clone()).cast_by_body(&body, &sun);
         let (sin, cos) = sin_cos(sun.azimuth);
         let across = body.vertices.iter().map(|v| v.y * cos - v.x * sin);
         let (least, most) = across.fold((f64::MAX, f64::MIN), |(a, b), p| (a.min(p), b.max(p)));
@@ -49,7 +53,7 @@ fn a_point_of_the_outline_lies_under_the_edge_of_the_body() {
     let foot = [300.0, 310.0];
     let body = boxed(DVec3::new(foot[0], foot[1], ground.height(foot[0], foot[1]).unwrap()), -0.5);
     let sun = Sun { azimuth: radians(60.0), elevation: radians(12.0) };
-    let outline = cast_by_body(&body, &sun, &ground);
+    let outline = bank(ground.clone()).cast_by_body(&body, &sun);
     let to_sun = DVec3::from(sun.direction());
     let mut inside = 0;
     for n in 0..4000 {
