@@ -104,6 +104,26 @@ fn a_hill_of_the_coarse_level_shadows_the_fine_one() {
     assert!(dark(0.0, 12.0) && !dark(0.0, 14.0) && !dark(180.0, 5.0) && !dark(60.0, 12.0));
 }
 
+/// A sunbeam from outside the fine level goes through it, and over its ground.
+#[test]
+fn a_hill_of_the_fine_level_shadows_the_coarse_one() {
+    let hill = |m: f64, n: f64| height(if (m, n) == (5.0, 1.0) { 40.0 } else { 0.0 });
+    let fine = part(20.0, [0.0, 0.0], [10, 3], hill);
+    let coarse = part(100.0, [-200.0, -200.0], [20, 4], |_, _| height(1.0));
+    let ground = Arc::new(Landscape::new(Bank::new("two", vec![fine, coarse], None).unwrap(), 1.0));
+    let laws = laws(Projection::Exact, Curvature::None, PixelRule::Centre);
+    let switch = Some(LevelSwitch { range: 100.0, blend: 40.0 });
+    let settings = Settings { shadows: true, levels: switch, ..settings(1, 9, laws, [1.0, 150.0]) };
+    let dark = |azimuth: f64, elevation: f64| {
+        let scenery = Scenery::still(sun(azimuth, elevation));
+        let found = planes(&ground, scenery, &settings, &pose([10.0, 20.0, 3.0], 0.0, 180.0));
+        // Coarse ground at about (-7, 20), the hill 107 m to the north.
+        assert!((value(&found, PlaneKind::Range, 6) - 16.8).abs() < 0.1);
+        value(&found, PlaneKind::Shadow, 6) == 2.0
+    };
+    assert_eq!([dark(0.0, 15.0), dark(0.0, 25.0), dark(180.0, 15.0)], [true, false, false]);
+}
+
 /// Height (m) and slopes of a level at a place, by its own direct sum.
 fn level_at(level: &Level, [x, y]: [f64; 2]) -> Option<[f64; 3]> {
     let (region, local) = level.locate(x, y)?;
