@@ -28,7 +28,7 @@
 //!   both occultation laws (15.2).
 //! - **Two levels** (8), if the settings have a switch: the finest level up to the range of the switch or its own edge,
 //!   then the next level. Over the last `blend` metres before the switch `h = w fine + (1 - w) coarse`, `w = g00`;
-//!   slopes fade with the same w.
+//!   slopes are those of that sum along the line of sight.
 //! - **Light** (7). `albedo n.s` times the photometric factor, from the slopes of terrain and craters; under
 //!   `FeatureLight::AsReported` from those of craters alone inside any footprint. The map is flat for light: sight rises
 //!   by `(h - H) / s`, without curvature.

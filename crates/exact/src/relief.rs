@@ -78,6 +78,11 @@ impl<'a> Sheet<'a> {
         std::array::from_fn(|axis| origin[axis] + range * step[axis] - self.region[axis] as f64)
     }
 
+    /// Unit vector of the line over the ground: north, east.
+    fn direction(&self) -> [f64; 2] {
+        self.track.step.map(|step| step * self.track.level.region_size())
+    }
+
     fn along(&self, ends: [f64; 2]) -> Coefficients {
         Patch::new(self.track.level, self.region).along(self.local(ends[0]), self.local(ends[1]))
     }
@@ -154,14 +159,20 @@ impl Relief<'_> {
         }
     }
 
-    /// Height (m) and slopes to the north and east at a range. Slopes fade as heights do.
+    /// Height (m) and slopes to the north and east at a range; over a fade with the rate of the weight along the line.
     pub fn at(&self, range: f64) -> [f64; 3] {
         match self {
             Self::One(sheet) => sheet.at(range),
             Self::Two(fine, coarse, blend) => {
-                let weight = basis::values(blend.share(range))[0];
+                let share = blend.share(range);
+                let (weight, rate) = (basis::values(share)[0], basis::derivatives(share)[0] / blend.length);
+                let direction = fine.direction();
                 let (fine, coarse) = (fine.at(range), coarse.at(range));
-                std::array::from_fn(|k| coarse[k] + weight * (fine[k] - coarse[k]))
+                let mut joined: [f64; 3] =
+                    std::array::from_fn(|k| coarse[k] + weight * (fine[k] - coarse[k]));
+                joined[1] += direction[0] * rate * (fine[0] - coarse[0]);
+                joined[2] += direction[1] * rate * (fine[0] - coarse[0]);
+                joined
             }
         }
     }

@@ -2,7 +2,9 @@
 
 use std::fmt::{self, Write};
 
+use features::{Crater, Features};
 use generator::Stage;
+use scenario::{Scenery, Standing};
 use serde::Serialize;
 use solids::Kind;
 
@@ -24,7 +26,8 @@ impl SceneryRecord {
     pub fn new(stage: &Stage) -> Self {
         let (landscape, scenery) = (&stage.landscape, &stage.scenery);
         let bodies = |kind: Kind| scenery.standing().iter().filter(|one| one.body.kind == kind).count();
-        let all = (landscape.features().craters(), landscape.texture(), landscape.silhouettes());
+        let few = (landscape.texture(), landscape.silhouettes(), landscape.photometry());
+        let dated = (scenery.suns(), scenery.patches(f64::INFINITY));
         Self {
             craters: landscape.features().craters().len(),
             rock_bodies: bodies(Kind::Rock),
@@ -33,9 +36,50 @@ impl SceneryRecord {
             silhouettes: landscape.silhouettes().len(),
             texture: landscape.texture().is_some(),
             photometry: format!("{:?}", landscape.photometry()),
-            blake3: hash_of(&(all, landscape.photometry(), scenery)),
+            blake3: hash_of(&(few, dated, hash_of_craters(landscape.features()), hash_of_bodies(scenery))),
         }
     }
+}
+
+/// Craters and bodies come by the hundred thousand: their numbers are hashed as they are, not as text.
+fn hash_of_numbers(numbers: impl Iterator<Item = f64>) -> blake3::Hash {
+    let mut hasher = blake3::Hasher::new();
+    let mut block = Vec::with_capacity(BLOCK);
+    for number in numbers {
+        block.extend_from_slice(&number.to_le_bytes());
+        if block.len() == BLOCK {
+            hasher.update(&block);
+            block.clear();
+        }
+    }
+    hasher.update(&block);
+    hasher.finalize()
+}
+
+/// Bytes that a hasher takes at once: a whole number of f64.
+const BLOCK: usize = 1 << 14;
+
+fn hash_of_craters(features: &Features) -> blake3::Hash {
+    let numbers = |crater: &Crater| {
+        let [x, y] = crater.centre();
+        let kind = f64::from(crater.type_number());
+        [kind, x, y, crater.floor(), crater.foot(), crater.outer(), crater.depth(), crater.rim()]
+    };
+    hash_of_numbers(features.craters().iter().flat_map(numbers))
+}
+
+fn hash_of_bodies(scenery: &Scenery) -> blake3::Hash {
+    hash_of_numbers(scenery.standing().iter().flat_map(numbers_of_body))
+}
+
+fn numbers_of_body(Standing { from, until, body }: &Standing) -> impl Iterator<Item = f64> {
+    let kind = f64::from(u8::from(body.kind == Kind::Culture));
+    let head = [*from, *until, f64::from(body.object), kind];
+    let points = [body.foot].into_iter().chain(body.vertices.iter().copied());
+    let faces = body.solid.faces().iter().flat_map(|face| {
+        [face.albedo].into_iter().chain(face.corners.iter().map(|&corner| f64::from(corner)))
+    });
+    head.into_iter().chain(points.flat_map(|point| point.to_array())).chain(faces)
 }
 
 /// BLAKE3 of every number in `value`: its Debug text names all fields, and floats in it read back the same.

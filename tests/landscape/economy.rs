@@ -1,0 +1,218 @@
+//! What a scene does not need is left out: the same bits, or a stated bound, and the record names it.
+
+use generator::{Generator, Omission, Weight};
+use glam::DVec3;
+use hardware_model::{Economy, LevelSwitch, Yoke};
+use landscape::{Bank, Landscape, Silhouette, Source};
+use lunoid_tests::{Dice, Drawn};
+use machine::HybridMachine;
+use polyhedron_generator::{LeftOut, Sight};
+use quantities::radians;
+use scenario::Scalar;
+
+use crate::set::{Set, bits, craters, rolling, standing_box, sun};
+
+fn with(set: &Set, economy: Economy, scalar: Scalar) -> Drawn {
+    let mut set = set.clone();
+    (set.stage.settings.economy, set.stage.settings.scalar) = (economy, scalar);
+    set.machine(&["*"])
+}
+
+fn assert_same_bits(a: &Drawn, b: &Drawn, what: &str) {
+    assert!(bits(&a.picture) == bits(&b.picture), "{what}: pictures differ");
+    assert_eq!(a.counts, b.counts, "{what}");
+    assert_eq!(a.waveforms.len(), b.waveforms.len(), "{what}");
+    for (a, b) in a.waveforms.iter().zip(&b.waveforms) {
+        let same = a.values.iter().zip(&b.values).all(|(a, b)| a.to_bits() == b.to_bits());
+        assert!(same, "{what}: {} of sweep {} differs", a.signal.name, a.sweep);
+    }
+}
+
+fn bare(seed: u64) -> Set {
+    let mut set = Set::over(rolling(seed, 4.0));
+    set.pose.attitude.heading = radians(130.0 + 97.0 * seed as f64);
+    set
+}
+
+/// Some of everything.
+fn full(seed: u64) -> Set {
+    let set = Set::over(rolling(seed, 3.0)).under(sun(70.0, 9.0));
+    let middle = [set.pose.eye[0] + 60.0, set.pose.eye[1]];
+    let set = set.with_craters(craters(seed, 24, middle, 60.0, 14.0)).with_texture(Source::Random);
+    let hills = Silhouette::new(vec![[-0.5, 0.02], [0.0, 0.09], [0.5, 0.01]], 0.4).unwrap();
+    let set = set.dressed(|ground| ground.with_silhouettes(vec![hills])).with_shadows();
+    strewn(set, seed, 200, [0.03, 0.4])
+}
+
+/// Boxes as small as pebbles and as large as boulders.
+fn strewn(set: Set, seed: u64, count: u32, [smallest, largest]: [f64; 2]) -> Set {
+    let mut dice = Dice::new(seed);
+    let bodies = (0..count).map(|object| {
+        let place = set.ahead(dice.between(8.0, 180.0), dice.between(-40.0, 40.0));
+        let half = smallest * libm::pow(largest / smallest, dice.between(0.0, 1.0));
+        standing_box(object, place, half, 2.0 * half)
+    });
+    let bodies = bodies.collect();
+    set.with_bodies(bodies)
+}
+
+#[test]
+fn forcing_blocks_without_work_changes_no_bit() {
+    for seed in [1, 2, 3] {
+        for scalar in [Scalar::F32, Scalar::F64] {
+            let everything = with(&bare(seed), Economy::Everything, scalar);
+            for economy in [Economy::Bounded, Economy::Lossless] {
+                let what = format!("seed {seed}, {scalar:?}, {economy:?}");
+                assert_same_bits(&with(&bare(seed), economy, scalar), &everything, &what);
+            }
+        }
+    }
+}
+
+#[test]
+fn lossless_omissions_change_no_bit_of_a_full_scene() {
+    for seed in [4, 5] {
+        for scalar in [Scalar::F32, Scalar::F64] {
+            let [lossless, everything] =
+                [Economy::Lossless, Economy::Everything].map(|economy| with(&full(seed), economy, scalar));
+            let counts = lossless.counts;
+            assert!(counts.features > 0 && counts.shadow_toggles > 0 && counts.bodies > 0, "{counts:?}");
+            assert_same_bits(&lossless, &everything, &format!("seed {seed}, {scalar:?}"));
+        }
+    }
+}
+
+/// What is left out of a frame, worked out beside the machine.
+fn left_out(set: &Set) -> LeftOut {
+    let raster = set.stage.settings.raster;
+    let sight = Sight::new(1.0, f64::from(raster.lines), 2.0 * libm::atan(raster.field.tan_half_height));
+    let mut left_out = LeftOut::default();
+    for body in set.stage.scenery.bodies(0.0) {
+        sight.resolves(DVec3::from_array(set.pose.eye), body, &mut left_out);
+    }
+    left_out
+}
+
+fn sum_of_differences(a: &Drawn, b: &Drawn) -> f64 {
+    a.picture.iter().zip(&b.picture).map(|(a, b)| f64::from((a - b).abs())).sum()
+}
+
+#[test]
+fn bounded_omissions_stay_within_their_bound() {
+    for (seed, elevation, shadows) in [(6, 40.0, false), (7, 40.0, true), (8, 15.0, true), (9, 4.0, true)] {
+        let mut set = strewn(Set::over(rolling(seed, 2.0)), seed, 400, [0.02, 0.3]);
+        set.stage.settings.raster.columns = 70;
+        if shadows {
+            set = set.with_shadows();
+        }
+        let set = set.under(sun(80.0, elevation));
+        let [bounded, lossless] =
+            [Economy::Bounded, Economy::Lossless].map(|economy| with(&set, economy, Scalar::F64));
+        let (bound, found) = (left_out(&set), sum_of_differences(&bounded, &lossless));
+        println!("seed {seed}: {found} of {bound:?}, {:?} {:?}", bounded.counts, lossless.counts);
+        assert!(bound.bodies > 50 && bound.bodies < 390, "{bound:?}");
+        assert!(found > 0.0, "seed {seed}: nothing to bound");
+        assert!(found <= bound.cells, "seed {seed}: {found} of {bound:?}");
+    }
+}
+
+/// Blocks that a session of the machine leaves out, each with what and why.
+fn omissions(set: &Set) -> Vec<Omission> {
+    HybridMachine.prepare(set.stage.clone()).unwrap().omissions()
+}
+
+const ABSENT: [(&str, &str, &str); 7] = [
+    ("feature-generator", "sub-generators and VS1", "no features"),
+    ("shadow-controller", "line generators and VS2", "no shadows"),
+    ("texture-generator", "texture and its adder", "no texture"),
+    ("polyhedron-generator", "polyhedra and VS3", "nothing stands"),
+    ("terrain-generator", "second level and its switch", "one level"),
+    ("terrain-generator", "profiles of far mountains", "has none"),
+    ("display", "turning yoke", "no roll"),
+];
+
+/// Which of [`ABSENT`] a set leaves out.
+fn absent(set: &Set) -> Vec<usize> {
+    let found = omissions(set);
+    let is_left_out = |&index: &usize| {
+        let (block, what, why) = ABSENT[index];
+        let omission = found.iter().find(|omission| omission.block == block && omission.what == what);
+        if let Some(omission) = omission {
+            assert!(omission.why.contains(why), "{omission:?}");
+            assert_eq!(omission.weight, Weight::Lossless);
+        }
+        omission.is_some()
+    };
+    (0..ABSENT.len()).filter(is_left_out).collect()
+}
+
+fn two_levels(set: Set) -> Set {
+    let fine = set.stage.landscape.level().clone();
+    let coarse = lunoid_tests::level_of(8.0 * 32.0, [-256.0; 2], [5; 2], |_, _| [0.0; 9]);
+    let bank = Bank::new("two", vec![fine, coarse], None).unwrap();
+    set.dressed(|ground| Landscape::new(bank, ground.albedo()))
+}
+
+#[test]
+fn the_record_names_each_block_that_is_left_out_and_why() {
+    let bare = || bare(1);
+    let crater = |set: Set| {
+        let place = set.foot();
+        set.with_craters(craters(1, 1, place, 1.0, 4.0))
+    };
+    let body = |set: Set| {
+        let place = set.ahead(10.0, 0.0);
+        set.with_bodies(vec![standing_box(0, place, 1.0, 1.0)])
+    };
+    let hill = |set: Set| {
+        let outline = Silhouette::new(vec![[0.0, 0.1], [1.0, 0.1]], 0.5).unwrap();
+        set.dressed(|ground| ground.with_silhouettes(vec![outline]))
+    };
+    let yoke = |mut set: Set| {
+        set.stage.settings.yoke = Some(Yoke { step: 0.0, rate: 1.0, travel: 1.0 });
+        set
+    };
+    let levels = |set: Set| {
+        let mut set = two_levels(set);
+        set.stage.settings.levels = Some(LevelSwitch { range: 100.0, blend: 0.0 });
+        set
+    };
+    let forced = |mut set: Set| {
+        set.stage.settings.economy = Economy::Everything;
+        set
+    };
+    for (scene, set, left_out) in [
+        ("bare", bare(), &[0, 1, 2, 3, 4, 5, 6][..]),
+        ("a crater", crater(bare()), &[1, 2, 3, 4, 5, 6]),
+        ("shadow", bare().with_shadows(), &[0, 2, 3, 4, 5, 6]),
+        ("texture", bare().with_texture(Source::Pattern), &[0, 1, 3, 4, 5, 6]),
+        ("a body", body(bare()), &[0, 1, 2, 4, 5, 6]),
+        ("two levels", levels(bare()), &[0, 1, 2, 3, 5, 6]),
+        ("a hill", hill(bare()), &[0, 1, 2, 3, 4, 6]),
+        ("a yoke", yoke(bare()), &[0, 1, 2, 3, 4, 5]),
+        ("everything forced", forced(bare()), &[1, 2, 4, 5, 6]),
+        (
+            "all of it",
+            yoke(hill(body(crater(levels(bare()))).with_texture(Source::Pattern)).with_shadows()),
+            &[],
+        ),
+    ] {
+        assert_eq!(absent(&set), left_out, "{scene}");
+    }
+}
+
+#[test]
+fn what_is_not_lossless_says_so() {
+    let weight = |set: &Set, what: &str| {
+        let all = omissions(set);
+        all.into_iter().find(|omission| omission.what.contains(what)).map(|omission| omission.weight)
+    };
+    let unused = two_levels(bare(1));
+    assert_eq!(weight(&unused, "coarser terrain levels"), Some(Weight::NotModelled));
+    let mut bodies = strewn(bare(1), 1, 3, [0.1, 0.2]);
+    assert!(matches!(weight(&bodies, "smaller than a resolution cell"), Some(Weight::Bounded(_))));
+    for economy in [Economy::Lossless, Economy::Everything] {
+        bodies.stage.settings.economy = economy;
+        assert_eq!(weight(&bodies, "smaller than a resolution cell"), None);
+    }
+}

@@ -1,0 +1,133 @@
+//! Remote shadow: the gate against marching to the sun, and what the laws let shadow do.
+
+use landscape::{Landscape, Source, Sun};
+use quantities::radians;
+use scenario::{Laws, ShadowedBodies, TextureInShadow};
+use solids::Kind;
+
+use crate::set::{Set, craters, flat, patch, rolling, standing_box, sun, wave};
+
+/// Distance from a shadow's edge within which the gate may differ (m): two profiles.
+const EDGE: f64 = 0.1;
+
+/// Whether ground stands between a place of the ground and the sun, by steps of 0.1 m.
+fn is_dark(ground: &Landscape, [x, y]: [f64; 2], sun: &Sun, highest: f64) -> bool {
+    let [north, east, up] = sun.direction();
+    let flat = libm::hypot(north, east);
+    let Some(height) = ground.height(x, y) else { return false };
+    let mut way = 0.02;
+    loop {
+        let line = height + way * up / flat;
+        if line > highest {
+            return false;
+        }
+        match ground.height(x + way * north / flat, y + way * east / flat) {
+            Some(other) if other > line + 1e-6 => return true,
+            Some(_) => way += 0.1,
+            None => return false,
+        }
+    }
+}
+
+#[test]
+fn the_gate_is_what_marching_to_the_sun_finds() {
+    for (seed, azimuth, elevation) in [(1, 80.0, 6.0), (2, 200.0, 12.0), (3, 331.0, 3.0)] {
+        let mut set = Set::over(rolling(seed, 6.0)).with_shadows().under(sun(azimuth, elevation));
+        let (middle, raster) = (set.foot(), &mut set.stage.settings.raster);
+        (raster.sweeps, raster.columns, raster.samples) = (5, 5, 160);
+        set.stage.settings.range.end = 120.0;
+        let set = set.with_craters(craters(seed, 40, middle, 90.0, 24.0));
+        let light = set.stage.scenery.sun(0.0);
+        let drawn = set.machine(&["sc.gate", "mu.*", "sweep.range"]);
+        let mut found = [0; 2];
+        for sweep in 0..5 {
+            let gate = wave(&drawn, sweep, "sc.gate");
+            assert_eq!(gate, wave(&drawn, sweep, "mu.vs2"));
+            for (sample, &range) in wave(&drawn, sweep, "sweep.range").iter().enumerate() {
+                let place = set.place(sweep, range);
+                let around = [[0.0; 2], [EDGE, 0.0], [-EDGE, 0.0], [0.0, EDGE], [0.0, -EDGE]];
+                let dark = around
+                    .map(|[a, b]| is_dark(&set.stage.landscape, [place[0] + a, place[1] + b], &light, 12.0));
+                if dark.iter().any(|other| *other != dark[0]) {
+                    continue;
+                }
+                found[usize::from(dark[0])] += 1;
+                let what = format!("seed {seed}, sweep {sweep}, {range} m at {place:?}");
+                assert_eq!(gate[sample] == 1.0, dark[0], "{what}");
+                assert!(!dark[0] || wave(&drawn, sweep, "mu.reflectivity")[sample] == 0.0, "{what}");
+            }
+        }
+        println!("seed {seed}: {found:?} of 800");
+        assert!(found[0] > 100 && found[1] > 100, "seed {seed}: {found:?} lit and dark");
+    }
+}
+
+/// Level ground under a high sun, with texture, and shadow from 20 m to 30 m ahead.
+fn shaded(law: TextureInShadow) -> Set {
+    let set = Set::over(flat()).under(sun(45.0, 40.0)).with_shadows().with_texture(Source::Random);
+    let [x, y] = set.foot();
+    let mut set = set.with_patches(vec![patch([x + 20.0, y - 40.0, x + 30.0, y + 40.0])]);
+    set.stage.settings.laws.texture_in_shadow = law;
+    set
+}
+
+#[test]
+fn texture_in_shadow_follows_its_law() {
+    let lit = libm::sin(radians(40.0));
+    for law in [TextureInShadow::On, TextureInShadow::Off] {
+        let set = shaded(law);
+        let drawn = set.machine(&["txg.texture", "sc.gate", "mu.reflectivity", "sweep.range"]);
+        let mut grained = 0;
+        for sweep in 0..set.stage.settings.raster.sweeps {
+            let signal = |name: &str| wave(&drawn, sweep, name);
+            for (sample, &range) in signal("sweep.range").iter().enumerate() {
+                let [x, y] = set.place(sweep, range);
+                let ahead = x - set.pose.eye[0];
+                let grain = set.stage.landscape.texture().unwrap().at(x, y, range);
+                assert!((signal("txg.texture")[sample] - grain).abs() < 1e-9, "{range} m");
+                let dark = (20.0..=30.0).contains(&ahead);
+                assert_eq!(signal("sc.gate")[sample] == 1.0, dark, "{range} m");
+                let expected = match (dark, law) {
+                    (false, _) => lit + grain,
+                    (true, TextureInShadow::On) => grain,
+                    (true, TextureInShadow::Off) => 0.0,
+                };
+                let found = signal("mu.reflectivity")[sample];
+                assert!((found - expected.clamp(0.0, 1.0)).abs() < 1e-9, "{law:?}, {range} m: {found}");
+                grained += usize::from(dark && grain > 0.01);
+            }
+        }
+        assert!(grained > 100, "{grained}");
+    }
+}
+
+/// A wall of ground and a box behind it, the sun low behind the wall.
+fn behind_a_rim(law: ShadowedBodies, azimuth: f64) -> Set {
+    let set = Set::over(flat()).under(sun(azimuth, 5.0)).with_shadows();
+    let [x, y] = set.foot();
+    let rim = features::Shape::RimmedBowl { r1: 20.0, r2: 32.0 };
+    let rim = features::Crater::new([x + 50.0, y - 45.0], rim, 4.0, 3.0).unwrap();
+    let mut set = set.with_craters(vec![rim]);
+    let foot = set.ahead(50.0, 0.0);
+    set = set.with_bodies(vec![standing_box(0, foot, 2.0, 2.0)]);
+    set.stage.settings.laws.shadowed_bodies = law;
+    set
+}
+
+#[test]
+fn a_body_in_remote_shadow_vanishes_or_is_black() {
+    let drawn = |law, azimuth| behind_a_rim(law, azimuth).machine(&["pg.*"]);
+    let present = |drawn: &lunoid_tests::Drawn, name: &str| -> f64 {
+        (0..64).flat_map(|sweep| wave(drawn, sweep, name)).sum()
+    };
+    let [vanished, black] =
+        [ShadowedBodies::Vanish, ShadowedBodies::Dark].map(|law| drawn(law, 270.0));
+    assert_eq!((vanished.counts.bodies, present(&vanished, "pg.present")), (0, 0.0));
+    assert_eq!((black.counts.bodies, present(&black, "pg.reflectivity")), (1, 0.0));
+    assert!(present(&black, "pg.present") > 10.0);
+    // With the sun on its other side it stands in the light under either law.
+    let [a, b] = [ShadowedBodies::Vanish, ShadowedBodies::Dark].map(|law| drawn(law, 100.0));
+    assert_eq!(a.picture, b.picture);
+    assert!(present(&a, "pg.reflectivity") > 1.0);
+    assert_eq!(behind_a_rim(ShadowedBodies::Dark, 0.0).stage.scenery.standing()[0].body.kind, Kind::Culture);
+}
