@@ -157,11 +157,16 @@ impl Set {
         })
     }
 
-    /// With remote shadow, fine enough for a tolerance of 0.1 m.
-    pub fn with_shadows(mut self) -> Self {
-        self.stage.settings.shadows = true;
-        self.stage.settings.shadow_fineness.finest = 0.05;
-        self.stage.settings.shadow_fineness.angle = 5e-4;
+    /// With remote shadow, coarse.
+    pub fn with_shadows(self) -> Self {
+        self.with_fine_shadows([0.2, 2e-3])
+    }
+
+    /// With remote shadow on profiles at the smallest distance (m) and for each metre of distance (rad).
+    pub fn with_fine_shadows(mut self, [finest, angle]: [f64; 2]) -> Self {
+        let settings = &mut self.stage.settings;
+        settings.shadows = true;
+        (settings.shadow_fineness.finest, settings.shadow_fineness.angle) = (finest, angle);
         self
     }
 

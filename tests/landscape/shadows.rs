@@ -2,8 +2,7 @@
 
 use landscape::{Landscape, Source, Sun};
 use quantities::radians;
-use scenario::{Laws, ShadowedBodies, TextureInShadow};
-use solids::Kind;
+use scenario::{ShadowedBodies, TextureInShadow};
 
 use crate::set::{Set, craters, flat, patch, rolling, standing_box, sun, wave};
 
@@ -31,8 +30,8 @@ fn is_dark(ground: &Landscape, [x, y]: [f64; 2], sun: &Sun, highest: f64) -> boo
 
 #[test]
 fn the_gate_is_what_marching_to_the_sun_finds() {
-    for (seed, azimuth, elevation) in [(1, 80.0, 6.0), (2, 200.0, 12.0), (3, 331.0, 3.0)] {
-        let mut set = Set::over(rolling(seed, 6.0)).with_shadows().under(sun(azimuth, elevation));
+    for (seed, azimuth, elevation) in [(1, 80.0, 4.0), (2, 200.0, 7.0), (3, 331.0, 3.0)] {
+        let mut set = Set::over(rolling(seed, 6.0)).with_fine_shadows([0.5 * EDGE, 5e-4]).under(sun(azimuth, elevation));
         let (middle, raster) = (set.foot(), &mut set.stage.settings.raster);
         (raster.sweeps, raster.columns, raster.samples) = (5, 5, 160);
         set.stage.settings.range.end = 120.0;
@@ -58,7 +57,7 @@ fn the_gate_is_what_marching_to_the_sun_finds() {
             }
         }
         println!("seed {seed}: {found:?} of 800");
-        assert!(found[0] > 100 && found[1] > 100, "seed {seed}: {found:?} lit and dark");
+        assert!(found.iter().all(|count| *count > 40), "seed {seed}: {found:?} lit and dark");
     }
 }
 
@@ -129,5 +128,4 @@ fn a_body_in_remote_shadow_vanishes_or_is_black() {
     let [a, b] = [ShadowedBodies::Vanish, ShadowedBodies::Dark].map(|law| drawn(law, 100.0));
     assert_eq!(a.picture, b.picture);
     assert!(present(&a, "pg.reflectivity") > 1.0);
-    assert_eq!(behind_a_rim(ShadowedBodies::Dark, 0.0).stage.scenery.standing()[0].body.kind, Kind::Culture);
 }

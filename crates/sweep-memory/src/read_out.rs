@@ -93,21 +93,21 @@ impl Store<'_> {
         self.values.len() / self.lines
     }
 
-    /// Mean by distance of the four values around a place; a place beyond the outermost by more than half a sweep or
-    /// half a line is dark.
-    fn linear(&self, sweep: f64, line: f64) -> f32 {
-        let (Some((left, right, across)), Some((upper, lower, down))) =
-            (neighbours(sweep, self.sweeps()), neighbours(line, self.lines))
+    /// The cubics of Catmull and Rom through the sixteen values around a place, kept between the four nearest so that
+    /// no edge rings: a turned line lies between lines everywhere, and a linear spot would blur all of them. A place
+    /// beyond the outermost by more than half a sweep or half a line is dark.
+    fn cubic(&self, sweep: f64, line: f64) -> f32 {
+        let (Some(across), Some(down)) = (Taps::around(sweep, self.sweeps()), Taps::around(line, self.lines))
         else {
             return 0.0;
         };
-        let along = |sweep: usize| {
-            let (above, below) =
-                (self.values[sweep * self.lines + upper], self.values[sweep * self.lines + lower]);
-            above + down * (below - above)
-        };
-        let (left, right) = (along(left), along(right));
-        left + across * (right - left)
+        let stretches = across.cells.map(|sweep| {
+            let values = &self.values[sweep * self.lines..][..self.lines];
+            down.cells.map(|line| values[line])
+        });
+        let read = across.join(stretches.map(|stretch| down.join(stretch)));
+        let [_, [_, a, b, _], [_, c, d, _], _] = stretches;
+        read.clamp(a.min(b).min(c.min(d)), a.max(b).max(c.max(d)))
     }
 
     /// The value of the cell in which a place lies; dark beyond.
@@ -126,15 +126,39 @@ impl Store<'_> {
 /// How far beyond half a cell a place may lie by rounding and still be on the raster.
 const ROUNDING: f64 = 1e-6;
 
-/// The two cells around a place, and how far it is from the first to the second.
-fn neighbours(place: f64, count: usize) -> Option<(usize, usize, f32)> {
-    let last = (count - 1) as f64;
-    if !(-0.5 - ROUNDING..=last + 0.5 + ROUNDING).contains(&place) {
-        return None;
+/// The four cells around a place and their shares in it; at an end the outermost stands in for what is not there.
+#[derive(Debug, Clone, Copy)]
+struct Taps {
+    cells: [usize; 4],
+    shares: [f32; 4],
+}
+
+impl Taps {
+    /// `None` beyond half a cell from the outermost of `count`.
+    fn around(place: f64, count: usize) -> Option<Self> {
+        let last = (count - 1) as f64;
+        if !(-0.5 - ROUNDING..=last + 0.5 + ROUNDING).contains(&place) {
+            return None;
+        }
+        let place = place.clamp(0.0, last);
+        let first = (place as usize).min(count - 1);
+        let u = (place - first as f64) as f32;
+        let (u2, u3) = (u * u, u * u * u);
+        Some(Self {
+            cells: [first.saturating_sub(1), first, (first + 1).min(count - 1), (first + 2).min(count - 1)],
+            shares: [
+                0.5 * (2.0 * u2 - u - u3),
+                0.5 * (2.0 - 5.0 * u2 + 3.0 * u3),
+                0.5 * (u + 4.0 * u2 - 3.0 * u3),
+                0.5 * (u3 - u2),
+            ],
+        })
     }
-    let place = place.clamp(0.0, last);
-    let first = (place as usize).min(count - 1);
-    Some((first, (first + 1).min(count - 1), (place - first as f64) as f32))
+
+    fn join(&self, values: [f32; 4]) -> f32 {
+        let [a, b, c, d] = self.shares;
+        a * values[0] + b * values[1] + (c * values[2] + d * values[3])
+    }
 }
 
 /// Reads `store`, which holds `lines` values a sweep, into `picture` (row by row, `columns` wide).
@@ -143,7 +167,7 @@ pub fn scan_converter(store: &[f32], lines: usize, columns: usize, view: &View, 
     if !view.is_level(lines, picture.len() / columns) {
         let (store, height) = (Store { values: store, lines }, view.raster.tan_half_height);
         return view.read_turned(columns, picture, |x, y| {
-            store.linear(view.fan.position(x * tangent_over_x(y)), cell_of(y, height, lines))
+            store.cubic(view.fan.position(x * tangent_over_x(y)), cell_of(y, height, lines))
         });
     }
     let last = view.fan.sweeps as usize - 1;

@@ -15,4 +15,5 @@ mod outputs;
 mod pictures;
 mod room;
 mod runs;
+mod scenery;
 mod written;
