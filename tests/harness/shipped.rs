@@ -3,7 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use compare::{RidgeError, horizon_of_picture, horizon_of_range, ridge_error, ridge_mask};
+use compare::{
+    EDGE_PLANES, EdgeLimits, RidgeError, edge_mask, horizon_of_picture, horizon_of_range, ridge_error,
+};
 use exact::Exact;
 use generator::{FrameCounts, Generator, PlaneKind, Planes, Stage};
 use hardware_model::{HardwareModel, Settings};
@@ -13,8 +15,8 @@ use picture::{Depth, Encoder, GreyPicture, Transfer};
 use scenario::{PoseRow, PoseTable, Scenario, Scenery};
 use signal::Probe;
 
-/// Scenarios of the folder `scenarios/`, by name.
-pub const SHIPPED: [&str; 7] = [
+/// Scenarios of terrain alone in the folder `scenarios/`, by name.
+pub const TERRAIN: [&str; 7] = [
     "first-light",
     "ridge-crossing",
     "lunar-horizon",
@@ -22,6 +24,19 @@ pub const SHIPPED: [&str; 7] = [
     "rough-ride",
     "descent",
     "range-programmes",
+];
+
+/// Scenarios of the full landscape.
+pub const FULL_LANDSCAPE: [&str; 9] = [
+    "craters",
+    "long-shadows",
+    "landing-site",
+    "regolith",
+    "far-mountains",
+    "tracks",
+    "moving-sun",
+    "lunar-light",
+    "showpiece",
 ];
 
 /// A shipped scenario, ready to be drawn under the ideal model.
@@ -40,8 +55,8 @@ pub struct Shipped {
 pub struct Shown {
     /// Grey, 8 bits.
     pub picture: GreyPicture,
-    /// Ground range of each pixel (m); infinite in the sky. Zero where the generator does not fill it.
-    pub ranges: Vec<f32>,
+    /// Linear intensity, and what edges are found from; zero where the generator does not fill it.
+    pub planes: Planes,
     /// Work done.
     pub counts: FrameCounts,
 }
@@ -49,7 +64,7 @@ pub struct Shown {
 /// How a frame of the machine agrees with `exact` (definition of done of first light).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Agreement {
-    /// Share of the pixels outside the ridge mask that are off by more than 2 levels of 255.
+    /// Share of the pixels outside the edge mask that are off by more than 2 levels of 255.
     pub off: f64,
     /// Share of the pixels that the mask leaves out.
     pub masked: f64,
@@ -112,7 +127,8 @@ impl Shipped {
         };
         let raster = self.settings.raster;
         let (columns, lines) = (raster.columns as usize, raster.lines as usize);
-        let mut planes = Planes::new(columns, lines, &[PlaneKind::Intensity, PlaneKind::Range]);
+        let kinds: Vec<PlaneKind> = [PlaneKind::Intensity].into_iter().chain(EDGE_PLANES).collect();
+        let mut planes = Planes::new(columns, lines, &kinds);
         let session = generator.prepare(stage).expect("a shipped scenario is drawn by every generator");
         let counts =
             session.frame(frame, &self.pose(frame).pose, &mut planes, probe).expect("a shipped frame");
@@ -120,8 +136,7 @@ impl Shipped {
         let transfer = Transfer::new(display.white as f32, display.gamma as f32).expect("a shipped display");
         let intensity = planes.get(PlaneKind::Intensity).expect("asked for");
         let picture = Encoder::new(transfer, Depth::Eight).encode(intensity, columns, lines);
-        let ranges = planes.get(PlaneKind::Range).expect("asked for").to_vec();
-        Shown { picture: picture.expect("no NaN reaches a frame"), ranges, counts }
+        Shown { picture: picture.expect("no NaN reaches a frame"), planes, counts }
     }
 
     /// The machine's frame.
@@ -145,7 +160,8 @@ impl Shipped {
     pub fn agreement(&self, frame: u64) -> Agreement {
         let (machine, exact) = (self.machine(frame), self.exact(frame));
         let (columns, lines) = (machine.picture.columns(), machine.picture.lines());
-        let mask = ridge_mask(&exact.ranges, columns, lines, RIDGE_JUMP).expect("planes of one size");
+        let limits = EdgeLimits { jump: RIDGE_JUMP, ..EdgeLimits::default() };
+        let mask = edge_mask(&exact.planes, &limits).expect("planes of exact").pixels;
         let found = compare::compare(&machine.picture, &exact.picture, Some(&mask), &[2]);
         let found = found.expect("pictures of one size");
         let share = |pixels: usize| pixels as f64 / (columns * lines) as f64;
@@ -167,7 +183,8 @@ const NEARLY_SKY: u16 = 16;
 /// faint first line of the machine counts as ground or sky, whichever is nearer.
 fn lit_ridge_error(machine: &GreyPicture, exact: &Shown) -> RidgeError {
     let (columns, lines) = (machine.columns(), machine.lines());
-    let ground = horizon_of_range(&exact.ranges, columns, lines).expect("a plane of that size");
+    let ranges = exact.planes.get(PlaneKind::Range).expect("asked for");
+    let ground = horizon_of_range(ranges, columns, lines).expect("a plane of that size");
     let mut reference = horizon_of_picture(&exact.picture, NEARLY_SKY);
     for (seen, ground) in reference.iter_mut().zip(ground) {
         let lit = matches!((*seen, ground), (Some(seen), Some(ground)) if seen.abs_diff(ground) <= 1);

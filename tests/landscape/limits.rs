@@ -32,7 +32,8 @@ fn one_sub_generator_draws_the_nearer_of_two_bowls() {
         let limited = draw(&set);
         assert_eq!((limited.counts.features, limited.counts.dropped_features), (2, 1), "{organisation:?}");
         for (found, range) in wave(&limited, 0, "fg.height").iter().zip(wave(&limited, 0, "sweep.range")) {
-            let expected = bowls[0].profile((range - 40.0).abs())[0] + bowls[2].profile((range - 140.0).abs())[0];
+            let expected =
+                bowls[0].profile((range - 40.0).abs())[0] + bowls[2].profile((range - 140.0).abs())[0];
             assert!((found - expected).abs() < 1e-9, "{organisation:?}, {range} m: {found}");
         }
     }
@@ -83,6 +84,20 @@ fn few_line_generators_invert_the_gate() {
     }
 }
 
+/// Shadows that overlap are one: only their outer edges change the gate, and ask for line generators.
+#[test]
+fn shadows_that_overlap_are_one() {
+    let set = alone(Set::over(flat())).under(sun(45.0, 40.0)).with_shadows();
+    let [x, y] = set.foot();
+    let bars = [(20.0, 30.0), (25.0, 35.0), (22.0, 28.0)];
+    let bars = bars.map(|(near, far)| patch([x + near, y - 5.0, x + far, y + 5.0]));
+    let drawn = set.with_patches(bars.to_vec()).machine(&["sc.gate", "sweep.range"]);
+    assert_eq!(drawn.counts.shadow_toggles, 2);
+    for (gate, range) in wave(&drawn, 0, "sc.gate").iter().zip(wave(&drawn, 0, "sweep.range")) {
+        assert_eq!(*gate == 1.0, (20.0..35.0).contains(range), "{range} m");
+    }
+}
+
 #[test]
 fn two_thousand_shadow_segments_in_one_sweep_are_drawn() {
     let mut set = alone(Set::over(flat())).under(sun(45.0, 40.0)).with_shadows();
@@ -122,7 +137,8 @@ fn a_hundred_nested_craters_are_drawn_as_they_are() {
     assert_eq!(drawn.counts.dropped_features, 0);
     assert!(drawn.counts.features > 1500, "{:?}", drawn.counts);
     for sweep in [0, 31, 32, 63] {
-        for (found, &range) in wave(&drawn, sweep, "mu.height").iter().zip(wave(&drawn, sweep, "sweep.range")) {
+        for (found, &range) in wave(&drawn, sweep, "mu.height").iter().zip(wave(&drawn, sweep, "sweep.range"))
+        {
             let [x, y] = set.place(sweep, range);
             let expected = set.stage.landscape.height(x, y).unwrap();
             assert!((found - expected).abs() < 1e-8, "sweep {sweep}, {range} m: {found}, not {expected}");

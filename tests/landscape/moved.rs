@@ -132,7 +132,8 @@ fn a_shadowed_scene_elsewhere_differs_along_edges_of_shadow_only() {
         let [a, b] = [&here, &there].map(|set| set.machine(&["sc.gate"]));
         let share = |differ: usize, all: usize| differ as f64 / all as f64;
         let pixels = a.picture.iter().zip(&b.picture).filter(|(a, b)| (*a - *b).abs() > 2.0 / 255.0).count();
-        let samples = |drawn: &Drawn| drawn.waveforms.iter().flat_map(|wave| wave.values.clone()).collect::<Vec<_>>();
+        let samples =
+            |drawn: &Drawn| drawn.waveforms.iter().flat_map(|wave| wave.values.clone()).collect::<Vec<_>>();
         let (a_gate, b_gate) = (samples(&a), samples(&b));
         let gates = a_gate.iter().zip(&b_gate).filter(|(a, b)| a != b).count();
         println!("seed {seed}: {pixels} pixels, {gates} samples differ");

@@ -47,7 +47,8 @@ pub fn rolling(seed: u64, height: f64) -> Level {
         std::array::from_fn(|word| {
             let (p, q) = (word / 3, word % 3);
             let wave = |([k, l], phase, height): &([f64; 2], f64, f64)| {
-                let phase = phase + k * m as f64 + l * n as f64 + (p + q) as f64 * std::f64::consts::FRAC_PI_2;
+                let phase =
+                    phase + k * m as f64 + l * n as f64 + (p + q) as f64 * std::f64::consts::FRAC_PI_2;
                 height * [1.0, *k, k * k][p] * [1.0, *l, l * l][q] * libm::cos(phase)
             };
             waves.iter().map(wave).sum()
@@ -83,8 +84,7 @@ pub fn craters(seed: u64, count: usize, middle: [f64; 2], spread: f64, largest: 
 pub fn standing_box(object: u32, foot: [f64; 3], half: f64, height: f64) -> Standing {
     let (low, high) = (DVec3::new(-half, -half, 0.0), DVec3::new(half, half, height));
     let solid = Arc::new(Solid::boxed(low, high, 1.0).expect("a box"));
-    let body =
-        Body::place(object, Kind::Culture, &solid, DVec3::from_array(foot), &DMat3::IDENTITY, 1.0);
+    let body = Body::place(object, Kind::Culture, &solid, DVec3::from_array(foot), &DMat3::IDENTITY, 1.0);
     Standing { from: 0.0, until: f64::INFINITY, body }
 }
 

@@ -31,7 +31,9 @@ fn is_dark(ground: &Landscape, [x, y]: [f64; 2], sun: &Sun, highest: f64) -> boo
 #[test]
 fn the_gate_is_what_marching_to_the_sun_finds() {
     for (seed, azimuth, elevation) in [(1, 80.0, 4.0), (2, 200.0, 7.0), (3, 331.0, 3.0)] {
-        let mut set = Set::over(rolling(seed, 6.0)).with_fine_shadows([0.5 * EDGE, 5e-4]).under(sun(azimuth, elevation));
+        let mut set = Set::over(rolling(seed, 6.0))
+            .with_fine_shadows([0.5 * EDGE, 5e-4])
+            .under(sun(azimuth, elevation));
         let (middle, raster) = (set.foot(), &mut set.stage.settings.raster);
         (raster.sweeps, raster.columns, raster.samples) = (5, 5, 160);
         set.stage.settings.range.end = 120.0;
@@ -119,8 +121,7 @@ fn a_body_in_remote_shadow_vanishes_or_is_black() {
     let present = |drawn: &lunoid_tests::Drawn, name: &str| -> f64 {
         (0..64).flat_map(|sweep| wave(drawn, sweep, name)).sum()
     };
-    let [vanished, black] =
-        [ShadowedBodies::Vanish, ShadowedBodies::Dark].map(|law| drawn(law, 270.0));
+    let [vanished, black] = [ShadowedBodies::Vanish, ShadowedBodies::Dark].map(|law| drawn(law, 270.0));
     assert_eq!((vanished.counts.bodies, present(&vanished, "pg.present")), (0, 0.0));
     assert_eq!((black.counts.bodies, present(&black, "pg.reflectivity")), (1, 0.0));
     assert!(present(&black, "pg.present") > 10.0);

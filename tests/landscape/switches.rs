@@ -59,7 +59,10 @@ fn a_presence_line_keeps_the_dark_wall_dark() {
             let inside = inside(&set, sweep, range);
             let expected = inside.unwrap_or(light(0.0)).max(0.0);
             let found = wave(&drawn, sweep, "mu.reflectivity")[sample];
-            assert!((found - expected).abs() < 1e-9, "sweep {sweep}, {range} m: {found}, expected {expected}");
+            assert!(
+                (found - expected).abs() < 1e-9,
+                "sweep {sweep}, {range} m: {found}, expected {expected}"
+            );
             assert_eq!(wave(&drawn, sweep, "mu.vs1")[sample] == 1.0, inside.is_some());
             dark += usize::from(expected == 0.0);
         }
@@ -102,8 +105,7 @@ fn a_self_keyed_gate_lets_lit_terrain_shine_through_the_dark_wall() {
 /// Pictures: only the pixels of the dark wall tell the gates apart, and there the fault is bright.
 #[test]
 fn the_fault_is_where_the_picture_is_black() {
-    let [right, wrong] =
-        [Gate::Presence, Gate::SelfKeyed].map(|gate| bowl(gate, 0.0).1.picture);
+    let [right, wrong] = [Gate::Presence, Gate::SelfKeyed].map(|gate| bowl(gate, 0.0).1.picture);
     let mut faults = 0;
     for (index, (right, wrong)) in right.iter().zip(&wrong).enumerate() {
         assert!(wrong >= &(right - 1e-3), "pixel {index}: {right} {wrong}");

@@ -122,7 +122,8 @@ impl Mission {
         let stage = stage::build(&scenario, settings).unwrap_or_else(|error| panic!("{error}"));
         let (update, yoke) = (stage.settings.timebase.update, stage.settings.yoke);
         let table = PoseTable::resolve(&scenario, &stage.landscape, update, yoke, 0..FRAMES);
-        let poses = table.unwrap_or_else(|error| panic!("{error}")).rows().iter().map(|row| row.pose).collect();
+        let poses =
+            table.unwrap_or_else(|error| panic!("{error}")).rows().iter().map(|row| row.pose).collect();
         Self { stage, poses }
     }
 

@@ -3,14 +3,14 @@
 //! `cargo run --release -p lunoid-tests --example agreement`
 
 use lunoid_tests::Shipped;
-use lunoid_tests::shipped::SHIPPED;
+use lunoid_tests::shipped::{FULL_LANDSCAPE, TERRAIN};
 
 fn main() {
     println!(
         "| scenario | frame | raster | off by more than 2 levels | masked | ridge, 99 % (lines) | ridge, at most (lines) | over columns |"
     );
     println!("|---|---|---|---|---|---|---|---|");
-    for name in SHIPPED {
+    for name in TERRAIN.into_iter().chain(FULL_LANDSCAPE) {
         let shipped = Shipped::read(name, None);
         let last = shipped.frames() - 1;
         for frame in [0, last / 2, last] {

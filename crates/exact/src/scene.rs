@@ -21,28 +21,30 @@ pub struct Scene<'a> {
     view: View,
     light: Light<'a>,
     shadows: Option<Shadows<'a>>,
+    reach: f64,
     standing: Standing<'a>,
 }
 
 impl<'a> Scene<'a> {
-    /// The scene of `outlook` at a pose, with or without remote shadow.
+    /// The scene of `outlook` at a pose, with remote shadow up to a ground range of `reach` (m), or without any.
     pub fn new(
         landscape: &'a Landscape,
         scenery: &'a Scenery,
         outlook: Outlook<'a>,
         laws: Laws,
-        with_shadows: bool,
+        reach: Option<f64>,
         pose: &Pose,
     ) -> Self {
         let sun: Sun = scenery.sun(pose.time);
         let view = View::new(laws.projection, &pose.attitude).with_yoke(pose.yoke);
         let bodies: Vec<&Body> = scenery.bodies(pose.time).collect();
         let cast = || Shadows::new(*outlook.ground(), &sun, bodies.clone(), scenery.patches(pose.time));
-        let shadows = with_shadows.then(cast);
+        let shadows = reach.map(|_| cast());
         let to_sun = DVec3::from_array(sun.direction());
         let standing = Standing::new(&bodies, &outlook, &view, to_sun, shadows.as_ref(), laws);
         let light = Light::new(landscape, &sun, laws, pose.eye[2]);
-        Self { landscape, outlook, view, light, shadows, standing }
+        let reach = reach.unwrap_or_default();
+        Self { landscape, outlook, view, light, shadows, reach, standing }
     }
 
     /// The bodies in it.
@@ -89,7 +91,7 @@ impl<'a> Scene<'a> {
     fn ground(&self, spot: &Spot, ray: &Ray, scratch: &mut Scratch) -> Seen {
         let rise = self.outlook.ground().craters_at(spot.place);
         let dark = |matters: bool| {
-            let shadows = self.shadows.as_ref()?;
+            let shadows = self.shadows.as_ref().filter(|_| spot.range <= self.reach)?;
             shadows.at(spot.place, matters, scratch)
         };
         self.light.ground(spot, ray.direction, &rise, dark)

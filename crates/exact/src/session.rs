@@ -73,7 +73,8 @@ impl Session {
         let (ranges, laws) = ([first, settings.range.end], settings.laws);
         let outlook =
             Outlook::new(landscape, &self.ceilings, pose.eye, laws.curvature, ranges, settings.levels);
-        Scene::new(landscape, scenery, outlook, laws, settings.shadows, pose)
+        let reach = settings.shadows.then(|| settings.shadow_fineness.reach.unwrap_or(f64::INFINITY));
+        Scene::new(landscape, scenery, outlook, laws, reach, pose)
     }
 
     /// Pixels of each column from left to right, top line first, and the rays that they took.

@@ -17,7 +17,7 @@ pub const SIGNALS: &[Signal] = &[
     Signal::ground(
         "fg.reflectivity",
         Unit::Reflectivity,
-        "reflectivity where a feature is: Lambert's factor of the summed slopes times albedo (section 10)",
+        "reflectivity where a feature is: of the summed slopes, or of the features' alone (section 10)",
     ),
 ];
 

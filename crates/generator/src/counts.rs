@@ -3,23 +3,25 @@
 use serde::{Deserialize, Serialize};
 
 macro_rules! counters {
-    ($($(#[$doc:meta])* $name:ident,)*) => {
+    ($($(#[$doc:meta])* $name:ident,)*; largest $($(#[$high_doc:meta])* $high:ident,)*) => {
         /// What a frame, or a run, took.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
         #[serde(default)]
         pub struct FrameCounts {
             $($(#[$doc])* pub $name: u64,)*
+            $($(#[$high_doc])* pub $high: u64,)*
         }
 
         impl FrameCounts {
-            /// Adds another part's work.
+            /// Adds another part's work; of what is a largest value, the larger stays.
             pub fn add(&mut self, other: &Self) {
                 $(self.$name += other.$name;)*
+                $(self.$high = self.$high.max(other.$high);)*
             }
 
             /// All counters with their names, in the order of the record.
             pub fn named(&self) -> impl Iterator<Item = (&'static str, u64)> {
-                [$((stringify!($name), self.$name)),*].into_iter()
+                [$((stringify!($name), self.$name),)* $((stringify!($high), self.$high)),*].into_iter()
             }
         }
     };
@@ -50,4 +52,12 @@ counters! {
     bodies,
     /// Spans of sweeps that bodies cover.
     spans,
+    /// Bodies that were too small to be drawn.
+    bodies_left_out,
+    /// Pixels that these would cover at most, rounded up frame by frame: what they change in the picture is no more
+    /// than so many pixels of full scale.
+    pixels_left_out,
+    ; largest
+    /// Largest step from the fine terrain level to the coarse one at the switch (mm).
+    level_step_mm,
 }

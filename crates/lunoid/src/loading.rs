@@ -50,7 +50,7 @@ pub struct StageArgs {
     /// Leave out only what changes no bit of the picture, and nothing that is merely too small to be seen.
     #[arg(long, conflicts_with = "everything")]
     pub lossless: bool,
-    /// Leave nothing out: every block runs, whether it has work or not.
+    /// Leave nothing out: every block for which there is a source runs, and every switch, with work or not.
     #[arg(long)]
     pub everything: bool,
 }

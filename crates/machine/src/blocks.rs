@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use generator::Stage;
 use hardware_model::{Economy, LevelSwitch, Loader};
+use landscape::Photometry;
 use remote_shadow::{Resolution, ShadowBank};
 use scenario::ShadowFineness;
 use shadow_controller::ShadowController;
@@ -21,6 +22,10 @@ pub(crate) struct Blocks {
     pub bodies: bool,
     /// Second terrain generator.
     pub coarse: Option<Coarse>,
+    /// Whether the mixing unit has anything to switch, add or clip.
+    pub mixing: bool,
+    /// Whether switches without a source are there as well.
+    pub all_switches: bool,
 }
 
 /// Remote shadow: computed before the mission, and the block that blanks by it.
@@ -49,6 +54,13 @@ impl Blocks {
             features: everything || !landscape.features().is_empty(),
             shadows: settings.shadows.then(|| Shadows::new(stage)),
             texture: landscape.texture().is_some(),
+            // Lambert's light never exceeds full scale; other laws need the clip.
+            mixing: everything
+                || settings.shadows
+                || landscape.texture().is_some()
+                || !landscape.features().is_empty()
+                || *landscape.photometry() != Photometry::Lambert,
+            all_switches: everything,
             bodies: everything || has_bodies,
             coarse: settings.levels.filter(|_| two_levels).map(|switch| Coarse {
                 switch,

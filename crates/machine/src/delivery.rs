@@ -109,6 +109,9 @@ impl Supply<'_> {
         segments.extend(seen.iter().map(|&(index, body)| under_sun.of(index, body).shadow.as_slice()));
         segments.push(&patches);
         shadows.controller.gates(foot, &directions, reach, &segments, gates);
+        if reach < settings.range.end {
+            gates.iter_mut().for_each(|gate| end_at(gate, reach));
+        }
     }
 
     /// Outlines of the track patches that lie at `time`.
@@ -159,6 +162,14 @@ impl Supply<'_> {
             let ground = self.stage.landscape.height(x + north * at / range, y + east * at / range);
             ground.is_some_and(|ground| tangent(ground, at) > own)
         })
+    }
+}
+
+/// Beyond the reach no shadow is drawn.
+fn end_at(gate: &mut Gate, reach: f64) {
+    let is_dark = gate.dark_at_start ^ (gate.toggles.len() % 2 == 1);
+    if is_dark {
+        gate.toggles.push(reach);
     }
 }
 

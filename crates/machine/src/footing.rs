@@ -15,18 +15,21 @@ pub(crate) struct Footing {
     pub shadow: Vec<Segment>,
 }
 
+/// Footings under one sun, by the body's place in the list of the mission.
+type Shelf = Arc<[OnceLock<Footing>]>;
+
 /// Footings of all bodies of a mission under the last few suns.
 #[derive(Debug, Default)]
-pub(crate) struct Footings(Mutex<Vec<(Sun, Arc<[OnceLock<Footing>]>)>>);
+pub(crate) struct Footings(Mutex<Vec<(Sun, Shelf)>>);
 
 /// Suns that are remembered.
 const SUNS: usize = 3;
 
-/// Footings under one sun, by the body's place in the list of the mission.
+/// How the bodies of a mission stand under one sun.
 pub(crate) struct UnderSun<'a> {
     sun: Sun,
     bank: &'a ShadowBank,
-    footings: Arc<[OnceLock<Footing>]>,
+    footings: Shelf,
 }
 
 impl Footings {
@@ -35,7 +38,7 @@ impl Footings {
         let mut suns = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let known = suns.iter().find(|(known, _)| *known == sun).map(|(_, footings)| Arc::clone(footings));
         let footings = known.unwrap_or_else(|| {
-            let footings: Arc<[_]> = (0..bodies).map(|_| OnceLock::new()).collect();
+            let footings: Shelf = (0..bodies).map(|_| OnceLock::new()).collect();
             suns.truncate(SUNS - 1);
             suns.insert(0, (sun, Arc::clone(&footings)));
             footings

@@ -1,13 +1,18 @@
 //! The hybrid machine: elaboration, control plane, signal plane (fig. 14; section 24).
 //!
 //! ```text
-//!  control plane                      signal plane, eight sweeps side by side
-//!  pose ▶ fan ▶ ramps ▶ folds ▶ DPU ▶ sweep programs ▶ TG ▶ MU ▶ DPP ▶ SM [sweep, line] ▶ read-out ▶ picture
+//!  control plane                         signal plane, eight sweeps side by side
+//!  pose ▶ fan ▶ ramps ▶ folds ▶ DPU ────▶ TG, fine and coarse ─▶┐
+//!                craters ▶ schedule ────▶ FG ──────────────────▶┤
+//!  shadow bank ▶ segments ▶ SC gates ──────────────────────────▶┼▶ MU ▶ DPP ▶ SM ▶ VS3 ▶ [sweep, line] ▶ read-out
+//!                                         TXG ─────────────────▶┘          ▲ hold   ▲              (yoke)
+//!  bodies ▶ project ▶ spans ───────────────────────────────────────────────┴─ PG ───┘
 //! ```
 //!
 //! Only this crate knows who is wired to whom. [`HybridMachine`] elaborates a stage: the scalar type is chosen,
-//! tables over the sweep are made, and blocks without work are left out. After that a frame is: programs for
-//! every sweep (`control_plane.rs`), profiles and lines (`signal_plane.rs`), one read-out.
+//! tables over the sweep are made, and blocks without work are left out (`blocks.rs`, `omissions.rs`). After that a
+//! frame is: what its I/O processors bring (`delivery.rs`), programs for every sweep (`control_plane.rs`), profiles
+//! and lines (`signal_plane.rs`), one read-out.
 //!
 //! The unit of work is a group of eight sweeps, whatever the number of threads, and nothing survives from one
 //! group to the next: any frame can be made alone, by any number of threads, with the same bits.

@@ -19,7 +19,8 @@ pub(crate) fn omissions(stage: &Stage, blocks: &Blocks) -> Vec<Omission> {
         list.push(Omission {
             block: "polyhedron-generator",
             what: "rocks and culture smaller than a resolution cell of the picture".into(),
-            why: "maximal distance of the report, body by body; --lossless draws them".into(),
+            why: "maximal distance of the report, body by body; `bodies_left_out` and `pixels_left_out` of the record say how much, \
+                  --lossless draws them".into(),
             weight: Weight::Bounded(255.0),
         });
     }

@@ -147,6 +147,7 @@ impl<S: Real> Elaborated<S> {
         let mut counts = terrain_counts(&work.programs[lane]);
         if self.blocks.coarse.is_some() {
             counts.add(&terrain_counts(&work.coarse[lane]));
+            counts.level_step_mm = (work.step * 1000.0).ceil() as u64;
         }
         if self.blocks.features {
             let program = &work.features[lane];
@@ -205,6 +206,8 @@ fn delivery_counts(delivery: &Delivery) -> FrameCounts {
         dropped_segments: gates().map(|gate| u64::from(gate.dropped)).sum(),
         bodies: delivery.bodies,
         spans: delivery.polyhedra.table().len() as u64,
+        bodies_left_out: delivery.left_out.bodies,
+        pixels_left_out: delivery.left_out.cells.ceil() as u64,
         ..FrameCounts::default()
     }
 }

@@ -57,11 +57,6 @@ impl<S: Real> Group<'_, S> {
         self.overlay(first, work, rows);
     }
 
-    /// Whether the mixing unit has anything to mix.
-    fn is_mixed(&self) -> bool {
-        self.blocks.features || self.blocks.texture || self.blocks.shadows.is_some()
-    }
-
     fn light(&self, sweeps: &[u32; LANES]) -> [SweepLight; LANES] {
         let (landscape, sun) = (&self.stage.landscape, &self.plan.sun);
         sweeps.map(|sweep| {
@@ -185,8 +180,8 @@ impl<S: Real> Group<'_, S> {
                 reflectivity: &work.lit.reflectivity,
                 kinks: &work.lit.kinks,
             }),
-            shadow: self.blocks.shadows.is_some().then_some(lists),
-            texture: self.blocks.texture.then_some(&work.texture),
+            shadow: (self.blocks.shadows.is_some() || self.blocks.all_switches).then_some(lists),
+            texture: (self.blocks.texture || self.blocks.all_switches).then_some(&work.texture),
         }
     }
 
@@ -197,7 +192,7 @@ impl<S: Real> Group<'_, S> {
     }
 
     fn mix(&self, work: &mut Workspace<S>) {
-        if self.is_mixed() {
+        if self.blocks.mixing {
             let mut mixed = std::mem::take(&mut work.mixed);
             self.mixing_unit().run(&self.inputs(work, &self.toggle_lists(work)), &mut mixed);
             work.mixed = mixed;
@@ -206,7 +201,7 @@ impl<S: Real> Group<'_, S> {
 
     /// The composite landscape of a group that has been mixed.
     pub fn composite<'w>(&self, work: &'w Workspace<S>) -> Composite<'w, S> {
-        if self.is_mixed() {
+        if self.blocks.mixing {
             work.mixed.composite()
         } else {
             terrain_alone(&work.profile.height, &work.profile.reflectivity)
@@ -224,8 +219,8 @@ impl<S: Real> Group<'_, S> {
         for ((far, &sweep), deflection) in work.far.iter_mut().zip(sweeps).zip(&deflection) {
             self.find_silhouettes(sweep, deflection, far);
         }
-        let height = if self.is_mixed() { &work.mixed.height } else { &work.profile.height };
-        if self.is_mixed() && work.mixed.has_breaks() {
+        let height = if self.blocks.mixing { &work.mixed.height } else { &work.profile.height };
+        if self.blocks.mixing && work.mixed.has_breaks() {
             let broken = BrokenProfile { breaks: &work.mixed.breaks, bends: &work.mixed.bends };
             self.processor.run_broken(height, broken, &deflection, &mut work.projected);
         } else {
@@ -250,7 +245,7 @@ impl<S: Real> Group<'_, S> {
 
     fn write(&self, work: &Workspace<S>, rows: &mut [f32]) {
         let projected = &work.projected;
-        let breaks = (self.is_mixed() && work.mixed.has_breaks()).then(|| BeamBreaks {
+        let breaks = (self.blocks.mixing && work.mixed.has_breaks()).then_some(BeamBreaks {
             breaks: &work.mixed.breaks,
             bends: &work.mixed.bends,
             position: &projected.breaks.position,

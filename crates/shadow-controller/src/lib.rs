@@ -29,10 +29,14 @@
 //! along an edge is not crossed by it. Two boundaries within [`RESOLUTION`] of each other cancel: the edges of
 //! neighbouring tiles leave no slit of light. Any number of segments in one sweep is served.
 
-mod blank;
 mod controller;
 mod crossings;
 mod line_generators;
 
-pub use blank::{SIGNALS, blank};
 pub use controller::{Gate, RESOLUTION, ShadowController};
+
+use signal::{Signal, Unit};
+
+/// Signals of the block.
+pub const SIGNALS: &[Signal] =
+    &[Signal::ground("sc.gate", Unit::Gate, "1 while the sweep is in remote shadow (fig. 25)")];

@@ -4,8 +4,7 @@ use hardware_model::ShadowParts;
 use proptest::prelude::*;
 use quantities::{radians, sin_cos, unit_interval};
 use remote_shadow::Segment;
-use shadow_controller::{Gate, ShadowController, blank};
-use signal::Lanes;
+use shadow_controller::{Gate, ShadowController};
 
 const IDEAL: ShadowParts = ShadowParts::Digital { line_generators: None };
 
@@ -215,15 +214,4 @@ fn no_sweep_or_no_segment_is_no_fault() {
         gates(IDEAL, [0.0; 2], &[[1.0, 0.0], [-1.0, 0.0]], &rectangle([1.0, -1.0], [2.0, 1.0]))[0],
         Gate::default()
     );
-}
-
-#[test]
-fn the_sampled_gate_changes_at_its_toggles() {
-    let gate = Gate { dark_at_start: true, toggles: vec![1.5, 3.0, 3.2, 3.4, 6.0], ..Gate::default() };
-    let ranges: Vec<f64> = (0..9).map(f64::from).collect();
-    let mut out = vec![Lanes([7.0f32; 8]); 9];
-    blank(&gate, &ranges, 8.0, 2, &mut out);
-    let found: Vec<f32> = out.iter().map(|lanes| lanes[2]).collect();
-    assert_eq!(found, [1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0]);
-    assert!(out.iter().all(|lanes| lanes[1] == 7.0), "other lanes are others'");
 }

@@ -95,7 +95,7 @@ fn suns_that_set_at_the_start_or_on_their_way() {
             drift("{ t_s = 4, azimuth_deg = 0, elevation_deg = 0 }"),
             &["sun.drift[1].elevation_deg", "above 0"],
         ),
-        (drift("{ t_s = 1, azimuth_deg = 0, elevation_deg = 2 }"), &["sun.drift[1]"]),
+        (drift("{ t_s = 1, azimuth_deg = 0, elevation_deg = 2 }"), &["s.toml:21:67", "times must ascend"]),
     ] {
         room.vary("s.toml", "elevation_deg = 15", &new);
         for command in ["replay", "check"] {
@@ -111,7 +111,10 @@ fn events_that_cannot_happen() {
     let gone = "action = \"delete\"\nobject = \"mast\"";
     let moved = "action = \"move\"\nobject = \"mast\"\nx_m = 120\ny_m = 90";
     for (events, words) in [
-        (event("1", "action = \"move\"\nobject = \"flag\"\nx_m = 1\ny_m = 1"), &["event[0].object", "flag"][..]),
+        (
+            event("1", "action = \"move\"\nobject = \"flag\"\nx_m = 1\ny_m = 1"),
+            &["event[0].object", "flag"][..],
+        ),
         (event("1", "action = \"add\"\nobject = \"mats\""), &["event[0].object", "did you mean \"mast\"?"]),
         (event("1", gone) + &event("2", gone), &["mast", "t = 2 s"]),
         (event("1", gone) + &event("2", moved), &["mast", "t = 2 s"]),
@@ -128,9 +131,8 @@ fn events_that_cannot_happen() {
 #[test]
 fn a_hundred_nested_craters_are_no_fault() {
     let room = Room::new();
-    let radius = |index: i32| 60.0 * 0.95_f64.powi(index);
     let row = |index| {
-        let r = radius(index);
+        let r = 60.0 - 0.55 * f64::from(index);
         format!("180,210,{r:.4},{:.5},{:.5},2,{:.4},\n", 0.004 * r, 0.001 * r, 1.2 * r)
     };
     room.write("c.csv", format!("{HEADING}\n{}", (0..100).map(row).collect::<String>()));
@@ -138,8 +140,10 @@ fn a_hundred_nested_craters_are_no_fault() {
     room.done(&["replay", "s.toml", "-q", "--out", "h"]);
     room.done(&["replay", "s.toml", "-q", "--machine", "exact", "--out", "e"]);
     room.done(&["compare", "h", "e", "--tolerance", "2", "--share", "2"]);
-    let record = String::from_utf8(room.read("h/run.json")).unwrap();
-    assert!(record.contains("\"dropped_features\":0") || record.contains("\"dropped_features\": 0"), "{record}");
+    let record: serde_json::Value = serde_json::from_slice(&room.read("h/run.json")).unwrap();
+    let counts = &record["frames"][0]["counts"];
+    assert!(counts["features"].as_u64().is_some_and(|count| count > 1000), "{counts}");
+    assert_eq!(counts["dropped_features"], 0, "{counts}");
 }
 
 /// Thousands of track patches, seen from the vehicle that backs away from them.
@@ -156,6 +160,6 @@ fn thousands_of_shadow_segments_are_no_fault() {
     assert_eq!((said.code, said.errors()), (Some(0), 0), "{said:?}");
     let record: serde_json::Value = serde_json::from_slice(&room.read("h/run.json")).unwrap();
     let last = &record["frames"][3]["counts"];
-    assert!(last["shadow_toggles"].as_u64().is_some_and(|toggles| toggles > 2000), "{last}");
+    assert!(last["shadow_toggles"].as_u64().is_some_and(|toggles| toggles > 1500), "{last}");
     assert_eq!(last["dropped_segments"], 0, "{last}");
 }
