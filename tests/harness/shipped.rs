@@ -16,18 +16,12 @@ use scenario::{PoseRow, PoseTable, Scenario, Scenery};
 use signal::Probe;
 
 /// Scenarios of terrain alone in the folder `scenarios/`, by name.
-pub const TERRAIN: [&str; 7] = [
-    "first-light",
-    "ridge-crossing",
-    "lunar-horizon",
-    "low-sun",
-    "rough-ride",
-    "descent",
-    "range-programmes",
-];
+pub const TERRAIN: [&str; 6] =
+    ["first-light", "ridge-crossing", "lunar-horizon", "low-sun", "descent", "range-programmes"];
 
 /// Scenarios of the full landscape.
-pub const FULL_LANDSCAPE: [&str; 9] = [
+pub const FULL_LANDSCAPE: [&str; 10] = [
+    "rough-ride",
     "craters",
     "long-shadows",
     "landing-site",
@@ -85,16 +79,25 @@ pub fn folder() -> PathBuf {
 }
 
 impl Shipped {
-    /// Reads a scenario of [`SHIPPED`], with `sweeps` a frame or as many as it says.
+    /// Reads a scenario of [`TERRAIN`] or [`FULL_LANDSCAPE`], with `sweeps` a frame or as many as it says.
     ///
     /// # Panics
     /// If it cannot be read or its settings do not fit together.
     pub fn read(name: &str, sweeps: Option<u32>) -> Self {
+        Self::changed(name, sweeps, |_| {})
+    }
+
+    /// The same after a change of the scenario.
+    ///
+    /// # Panics
+    /// As [`read`](Self::read).
+    pub fn changed(name: &str, sweeps: Option<u32>, change: impl FnOnce(&mut Scenario)) -> Self {
         let mut scenario =
             Scenario::read(folder().join(format!("{name}.toml"))).unwrap_or_else(|e| panic!("{e}"));
         if sweeps.is_some() {
-            (scenario.raster.sweeps, scenario.raster.lines) = (sweeps, None);
+            (scenario.raster.sweeps, scenario.raster.columns, scenario.raster.lines) = (sweeps, None, None);
         }
+        change(&mut scenario);
         let settings = stage::settings(&scenario, &HardwareModel::ideal()).expect("shipped settings");
         let stage = stage::build(&scenario, settings).unwrap_or_else(|e| panic!("{name}: {e}"));
         Self { landscape: stage.landscape, settings: stage.settings, scenario }

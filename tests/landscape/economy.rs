@@ -90,6 +90,9 @@ fn left_out(set: &Set) -> LeftOut {
     for body in set.stage.scenery.bodies(0.0) {
         sight.resolves(DVec3::from_array(set.pose.eye), body, &mut left_out);
     }
+    // From cells as wide as a line is high to pixels.
+    let square = f64::from(raster.lines) * raster.field.tan_half_width / raster.field.tan_half_height;
+    left_out.cells *= (f64::from(raster.columns) / square).max(1.0);
     left_out
 }
 
@@ -97,23 +100,54 @@ fn sum_of_differences(a: &Drawn, b: &Drawn) -> f64 {
     a.picture.iter().zip(&b.picture).map(|(a, b)| f64::from((a - b).abs())).sum()
 }
 
+/// A set of pebbles, and whether the bound of what is left out of it holds.
+fn check_bound(what: &str, set: &Set) {
+    let [bounded, lossless] =
+        [Economy::Bounded, Economy::Lossless].map(|economy| with(set, economy, Scalar::F64));
+    let (bound, found) = (left_out(set), sum_of_differences(&bounded, &lossless));
+    println!("{what}: {found} of {bound:?}");
+    let told = (bounded.counts.bodies_left_out, bounded.counts.pixels_left_out);
+    assert_eq!(told, (bound.bodies, bound.cells.ceil() as u64), "{what}: what the record says");
+    assert_eq!((lossless.counts.bodies_left_out, lossless.counts.pixels_left_out), (0, 0), "{what}");
+    assert!(bound.bodies > 50 && bound.bodies < 400, "{what}: {bound:?}");
+    assert!(found > 0.0, "{what}: nothing to bound");
+    assert!(found <= bound.cells, "{what}: {found} of {bound:?}");
+}
+
+fn pebbles(seed: u64) -> Set {
+    strewn(Set::over(rolling(seed, 2.0)), seed, 400, [0.02, 0.3])
+}
+
 #[test]
 fn bounded_omissions_stay_within_their_bound() {
-    for (seed, elevation, shadows) in [(6, 40.0, false), (7, 40.0, true), (8, 15.0, true), (9, 4.0, true)] {
-        let mut set = strewn(Set::over(rolling(seed, 2.0)), seed, 400, [0.02, 0.3]);
-        set.stage.settings.raster.columns = 70;
-        if shadows {
-            set = set.with_shadows();
-        }
-        let set = set.under(sun(80.0, elevation));
-        let [bounded, lossless] =
-            [Economy::Bounded, Economy::Lossless].map(|economy| with(&set, economy, Scalar::F64));
-        let (bound, found) = (left_out(&set), sum_of_differences(&bounded, &lossless));
-        println!("seed {seed}: {found} of {bound:?}, {:?} {:?}", bounded.counts, lossless.counts);
-        assert!(bound.bodies > 50 && bound.bodies < 390, "{bound:?}");
-        assert!(found > 0.0, "seed {seed}: nothing to bound");
-        assert!(found <= bound.cells, "seed {seed}: {found} of {bound:?}");
+    check_bound("high sun, no shadows", &pebbles(6).under(sun(80.0, 40.0)));
+    for (seed, azimuth, elevation) in [(7, 80.0, 40.0), (8, 80.0, 15.0), (9, 80.0, 4.0), (10, 0.0, 2.0)] {
+        let set = pebbles(seed).with_shadows().under(sun(azimuth, elevation));
+        check_bound(&format!("sun {elevation} deg high"), &set);
     }
+}
+
+/// From above nothing hides a pebble or its shadow.
+#[test]
+fn the_bound_holds_from_above() {
+    for (seed, elevation, columns) in [(11, 4.0, 64), (12, 20.0, 64), (13, 20.0, 256)] {
+        let mut set = pebbles(seed).with_shadows().under(sun(180.0, elevation));
+        set.pose.eye[2] += 40.0;
+        set.pose.attitude.pitch = radians(-40.0);
+        (set.stage.settings.raster.sweeps, set.stage.settings.raster.columns) = (columns, columns);
+        check_bound(&format!("from above, sun {elevation} deg high, {columns} columns"), &set);
+    }
+}
+
+/// On black ground, the sun behind the eye, each pebble counts as much as it can; columns are a sixth as wide as lines
+/// are high.
+#[test]
+fn the_bound_holds_on_narrow_pixels() {
+    let mut set = pebbles(14).under(sun(180.0, 15.0));
+    set.pose.eye[2] += 40.0;
+    set.pose.attitude.pitch = radians(-30.0);
+    (set.stage.settings.raster.sweeps, set.stage.settings.raster.columns) = (400, 400);
+    check_bound("narrow pixels", &set.dressed(|ground| Landscape::new(ground.bank().clone(), 0.0)));
 }
 
 /// Blocks that a session of the machine leaves out, each with what and why.

@@ -11,6 +11,9 @@ use crate::set::{REGION, Set, craters, rolling, wave};
 /// Ideal signals in f64.
 const CLOSE: f64 = 1e-9;
 
+/// Ground range at which the coarse level takes over (m).
+const SWITCH: f64 = 120.0;
+
 fn assert_close(found: f64, expected: f64, bound: f64, what: &str) {
     assert!((found - expected).abs() <= bound, "{what}: {found}, expected {expected}");
 }
@@ -108,7 +111,7 @@ fn heights(drawn: &Drawn, sweep: u32) -> impl Iterator<Item = (f64, f64)> {
 #[test]
 fn the_levels_follow_one_another_by_ground_range() {
     for (seed, blend) in [(1, 0.0), (2, 40.0), (3, 120.0)] {
-        let set = two_levels(seed, LevelSwitch { range: 120.0, blend });
+        let set = two_levels(seed, LevelSwitch { range: SWITCH, blend });
         let [fine, coarse] = [0, 1].map(|index| set.stage.landscape.bank().levels()[index].clone());
         let drawn = set.machine(&["mu.height", "sweep.range"]);
         let mut largest = 0.0_f64;
@@ -116,16 +119,16 @@ fn the_levels_follow_one_another_by_ground_range() {
             for (range, height) in heights(&drawn, sweep) {
                 let place = set.place(sweep, range);
                 let far = on(&coarse, place)[0];
-                let expected = if range >= 120.0 {
+                let expected = if range >= SWITCH {
                     far
-                } else if range <= 120.0 - blend {
+                } else if range <= SWITCH - blend {
                     on(&fine, place)[0]
                 } else {
-                    let weight = basis::values((range - 120.0 + blend) / blend)[0];
+                    let weight = basis::values((range - SWITCH + blend) / blend)[0];
                     weight * on(&fine, place)[0] + (1.0 - weight) * far
                 };
                 assert_close(height, expected, CLOSE, &format!("seed {seed}, sweep {sweep}, {range} m"));
-                if range < 120.0 {
+                if range < SWITCH {
                     largest = largest.max((on(&fine, place)[0] - far).abs());
                 }
             }
@@ -134,30 +137,33 @@ fn the_levels_follow_one_another_by_ground_range() {
     }
 }
 
-/// Largest rise from sample to sample beyond what slopes of both levels and their difference in the blend allow.
-fn step_at_the_switch(set: &Set, drawn: &Drawn) -> (f64, f64) {
+/// The rise of the profile over the step that holds the switch, and the difference of the levels there (m): the largest
+/// of all sweeps.
+fn step_at_the_switch(set: &Set, drawn: &Drawn) -> [f64; 2] {
     let levels = set.stage.landscape.bank().levels();
-    let (mut step, mut stated) = (0.0_f64, 0.0_f64);
+    let mut largest = [0.0_f64; 2];
     for sweep in 0..set.stage.settings.raster.sweeps {
         let profile: Vec<_> = heights(drawn, sweep).collect();
-        let last = profile.partition_point(|(range, _)| *range < 120.0);
-        let [before, after] = [profile[last - 1], profile[last]];
-        step = step.max((after.1 - before.1).abs());
-        let [fine, coarse] = [0, 1].map(|index| on(&levels[index], set.place(sweep, 120.0))[0]);
-        stated = stated.max((fine - coarse).abs());
+        let last = profile.partition_point(|(range, _)| *range < SWITCH);
+        let rise = profile[last].1 - profile[last - 1].1;
+        let [fine, coarse] = [0, 1].map(|index| on(&levels[index], set.place(sweep, SWITCH))[0]);
+        largest = [largest[0].max(rise.abs()), largest[1].max((fine - coarse).abs())];
     }
-    (step, stated)
+    largest
 }
 
 #[test]
-fn a_blend_takes_the_step_away() {
-    let switch = |blend| LevelSwitch { range: 120.0, blend };
-    let steps = [0.0, 40.0].map(|blend| {
-        let set = two_levels(5, switch(blend));
-        step_at_the_switch(&set, &set.machine(&["mu.height", "sweep.range"]))
+fn a_blend_takes_the_step_away_and_the_record_says_how_large_it_is() {
+    let [sudden, blended] = [0.0, 40.0].map(|blend| {
+        let set = two_levels(5, LevelSwitch { range: SWITCH, blend });
+        let drawn = set.machine(&["mu.height", "sweep.range"]);
+        let told = 1e-3 * drawn.counts.level_step_mm as f64;
+        let [rise, difference] = step_at_the_switch(&set, &drawn);
+        // Measured at the last fine sample, up to 0.8 m before the switch.
+        assert!((told - difference).abs() < 0.05, "{told} m in the record, {difference} m at the switch");
+        [rise, difference]
     });
-    let ([sudden, blended], stated) = (steps.map(|step| step.0), steps[0].1);
     // Ground of less than 1:4 over a sample's 0.8 m.
-    assert!(stated > 0.5 && (sudden - stated).abs() < 0.2, "{steps:?}");
-    assert!(blended < 0.2, "{steps:?}");
+    assert!(sudden[1] > 0.5 && (sudden[0] - sudden[1]).abs() < 0.2, "{sudden:?}");
+    assert!(blended[0] < 0.2, "{blended:?}");
 }

@@ -1,5 +1,6 @@
 //! Sets: seeded ground, what a test puts on it, and where it looks from.
 
+use std::f64::consts::{FRAC_PI_2, TAU};
 use std::sync::Arc;
 
 use exact::Exact;
@@ -38,17 +39,16 @@ pub fn rolling(seed: u64, height: f64) -> Level {
     let mut dice = Dice::new(seed);
     let waves: Vec<_> = (0..6)
         .map(|_| {
-            let (length, (sin, cos)) = (dice.between(100.0, 250.0), sin_cos(dice.between(0.0, 6.28)));
-            let turn = std::f64::consts::TAU * REGION / length;
-            ([turn * cos, turn * sin], dice.between(0.0, 6.28), height * dice.between(0.1, 0.4))
+            let (length, (sin, cos)) = (dice.between(100.0, 250.0), sin_cos(dice.between(0.0, TAU)));
+            let turn = TAU * REGION / length;
+            ([turn * cos, turn * sin], dice.between(0.0, TAU), height * dice.between(0.1, 0.4))
         })
         .collect();
     level_of(REGION, [0.0; 2], [REGIONS + 1; 2], |m, n| {
         std::array::from_fn(|word| {
             let (p, q) = (word / 3, word % 3);
             let wave = |([k, l], phase, height): &([f64; 2], f64, f64)| {
-                let phase =
-                    phase + k * m as f64 + l * n as f64 + (p + q) as f64 * std::f64::consts::FRAC_PI_2;
+                let phase = phase + k * m as f64 + l * n as f64 + (p + q) as f64 * FRAC_PI_2;
                 height * [1.0, *k, k * k][p] * [1.0, *l, l * l][q] * libm::cos(phase)
             };
             waves.iter().map(wave).sum()

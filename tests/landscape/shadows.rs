@@ -86,6 +86,8 @@ fn texture_in_shadow_follows_its_law() {
                 let ahead = x - set.pose.eye[0];
                 let grain = set.stage.landscape.texture().unwrap().at(x, y, range);
                 assert!((signal("txg.texture")[sample] - grain).abs() < 1e-9, "{range} m");
+                let most = 0.1 * (1.0 - range / 60.0).max(0.0) + 0.05 * (1.0 - range / 30.0).max(0.0);
+                assert!(grain.abs() <= most, "{range} m: {grain}, at most {most} is left of it");
                 let dark = (20.0..=30.0).contains(&ahead);
                 assert_eq!(signal("sc.gate")[sample] == 1.0, dark, "{range} m");
                 let expected = match (dark, law) {

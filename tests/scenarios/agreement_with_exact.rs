@@ -34,13 +34,13 @@ fn the_full_landscape_agrees_with_exact() {
         println!("{name}: {found:?}");
         let turned = shipped.settings.yoke.is_some();
         assert!(found.off <= if turned { 0.02 } else { 0.005 }, "{name}: {found:?}");
-        assert!(found.masked <= 0.4, "{name}: a mask must not hide the picture, {found:?}");
+        assert!(found.masked <= 0.5, "{name}: a mask must not hide the picture, {found:?}");
     }
 }
 
 #[test]
 fn a_wrong_law_is_noticed() {
-    let mut shipped = halved("rough-ride");
+    let mut shipped = Shipped::read("rough-ride", Some(240));
     let exact = shipped.exact(20);
     shipped.settings.laws.projection = scenario::Projection::AsReported;
     let machine = shipped.machine(20);

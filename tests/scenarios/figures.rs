@@ -5,7 +5,7 @@ use hardware_model::LatePolicy;
 use lunoid_tests::Shipped;
 use lunoid_tests::shipped::Shown;
 use quantities::radians;
-use scenario::{Curvature, Projection, RangeLaw};
+use scenario::{Curvature, RangeLaw};
 
 fn rmse(a: &Shown, b: &Shown) -> f64 {
     compare(&a.picture, &b.picture, None, &[]).unwrap().rmse
@@ -56,14 +56,6 @@ fn low_sun_leaves_faces_in_local_shadow() {
     assert_figure(shadow(&shipped), 0.261, 0.001);
     shipped.scenario.sun.elevation = radians(60.0);
     assert_eq!(shadow(&shipped), 0.0);
-}
-
-#[test]
-fn rough_ride_bends_under_the_law_of_the_report() {
-    let mut shipped = Shipped::read("rough-ride", None);
-    let straight = shipped.machine(20);
-    shipped.settings.laws.projection = Projection::AsReported;
-    assert_figure(rmse(&shipped.machine(20), &straight), 0.0286, 0.0001);
 }
 
 #[test]

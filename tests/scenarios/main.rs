@@ -2,3 +2,4 @@
 
 mod agreement_with_exact;
 mod figures;
+mod landscape_figures;

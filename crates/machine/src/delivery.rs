@@ -75,7 +75,9 @@ impl Supply<'_> {
         match self.stage.settings.economy {
             Economy::Bounded => {
                 let (eye, sight) = (DVec3::from_array(self.plan.eye), self.sight());
-                bodies.filter(|(_, body)| sight.resolves(eye, body, &mut out.left_out)).collect()
+                let seen = bodies.filter(|(_, body)| sight.resolves(eye, body, &mut out.left_out)).collect();
+                out.left_out.cells *= self.pixels_a_cell();
+                seen
             }
             Economy::Lossless | Economy::Everything => bodies.collect(),
         }
@@ -87,6 +89,13 @@ impl Supply<'_> {
         let largest = bodies.map(|standing| 2.0 * standing.body.radius).fold(0.0, f64::max);
         let field = 2.0 * libm::atan(self.raster.field.tan_half_height);
         Sight::new(largest, self.raster.lines as f64, field)
+    }
+
+    /// Pixels of the screen in a square resolution cell, which is as wide as a line is high; not less than 1.
+    fn pixels_a_cell(&self) -> f64 {
+        let raster = self.stage.settings.raster;
+        let columns = f64::from(raster.columns) / raster.field.tan_half_width;
+        (columns * raster.field.tan_half_height / f64::from(raster.lines)).max(1.0)
     }
 
     fn gates(
