@@ -118,13 +118,13 @@ fn photometry() {
 
 #[test]
 fn remote_shadow() {
-    for (seed, reach) in [(5, None), (6, Some(35.0))] {
-        let mut set = cratered(seed).under(sun(250.0, 4.0)).with_fine_shadows([0.1, 1e-3]);
+    for reach in [None, Some(60.0)] {
+        let mut set = cratered(5).under(sun(250.0, 4.0)).with_fine_shadows([0.1, 1e-3]);
         set.stage.settings.shadow_fineness.reach = reach;
         check("shadow", &set, 0.6);
         let mut lit = set.clone();
         lit.stage.settings.shadows = false;
-        assert!(apart(&set, &lit) > SEEN, "{}", apart(&set, &lit));
+        assert!(apart(&set, &lit) > SEEN, "{reach:?}: {}", apart(&set, &lit));
     }
 }
 

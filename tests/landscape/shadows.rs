@@ -1,8 +1,9 @@
 //! Remote shadow: the gate against marching to the sun, and what the laws let shadow do.
 
+use generator::PlaneKind;
 use landscape::{Landscape, Source, Sun};
 use quantities::radians;
-use scenario::{ShadowedBodies, TextureInShadow};
+use scenario::{ShadowedBodies, TextureInShadow, TrackPatch};
 
 use crate::set::{Set, craters, flat, patch, rolling, standing_box, sun, wave};
 
@@ -131,4 +132,21 @@ fn a_body_in_remote_shadow_vanishes_or_is_black() {
     let [a, b] = [ShadowedBodies::Vanish, ShadowedBodies::Dark].map(|law| drawn(law, 100.0));
     assert_eq!(a.picture, b.picture);
     assert!(present(&a, "pg.reflectivity") > 1.0);
+}
+
+/// A patch laid after two seconds: on the ground from then on, in the machine as in `exact`.
+#[test]
+fn tracks_lie_from_when_they_are_laid() {
+    let set = Set::over(flat()).under(sun(45.0, 40.0)).with_shadows();
+    let [x, y] = set.foot();
+    let mut set =
+        set.with_patches(vec![TrackPatch { laid: 2.0, ..patch([x + 20.0, y - 9.0, x + 40.0, y + 9.0]) }]);
+    for (time, lies) in [(0.0, false), (1.999, false), (2.0, true), (9.0, true)] {
+        set.pose.time = time;
+        assert_eq!(set.machine(&[]).counts.shadow_toggles > 0, lies, "{time} s");
+        let dark = |picture: &[f32]| picture.iter().filter(|value| **value == 0.0).count();
+        let [machine, exact] =
+            [dark(&set.machine(&[]).picture), dark(set.exact().get(PlaneKind::Intensity).unwrap())];
+        assert!(machine.abs_diff(exact) < 40, "{time} s: {machine} {exact} dark pixels");
+    }
 }
