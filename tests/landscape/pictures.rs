@@ -150,6 +150,25 @@ fn bodies_under_both_laws_of_visibility() {
     assert!(apart(&whole, &depth) > SEEN, "{}", apart(&whole, &depth));
 }
 
+/// A rim as high as the eye hides the feet of three boxes, not their heads: by depth the heads are seen, as reported
+/// nothing.
+#[test]
+fn bodies_behind_a_rim_under_both_laws() {
+    let set = over(flat()).under(sun(150.0, 30.0));
+    let [x, y] = set.foot();
+    let rim = Crater::new([x + 60.0, y], Shape::RimmedBowl { r1: 20.0, r2: 32.0 }, 2.0, 3.0).unwrap();
+    let set = set.with_craters(vec![rim]);
+    let behind = [-12.0, 0.0, 12.0].map(|starboard| set.ahead(110.0, starboard));
+    let bodies = (0..).zip(behind).map(|(object, foot)| standing_box(object, foot, 5.0, 7.0));
+    let set = set.clone().with_bodies(bodies.collect());
+    let [whole, depth] = [BodyVisibility::AsReported, BodyVisibility::Depth]
+        .map(|which| law(&set, |laws| laws.body_visibility = which));
+    assert_eq!((whole.machine(&[]).counts.bodies, depth.machine(&[]).counts.bodies), (0, 3));
+    check("behind a rim as reported", &whole, 0.5);
+    check("behind a rim by depth", &depth, 0.5);
+    assert!(apart(&depth, &whole) > SEEN, "{}", apart(&depth, &whole));
+}
+
 #[test]
 fn bodies_in_shadow_under_both_laws() {
     let set = strewn(cratered(9), 9, 60, 70.0).under(sun(240.0, 5.0)).with_shadows();

@@ -24,8 +24,9 @@ fn terrain_agrees_with_exact() {
     }
 }
 
-/// The full landscape at a small raster, where edges take more of the picture than at the full one. A turned picture is
-/// read from between the lines and sweeps: there the tolerance is that of the spot.
+/// The full landscape at a small raster. A line covers four times the ground that it covers at the full one, so `exact`
+/// itself sees less of fine grain in it, and the tolerance is twice that of the full raster (docs/measuring.md). A turned
+/// picture is read from between the lines and sweeps: there it is that of the spot.
 #[test]
 fn the_full_landscape_agrees_with_exact() {
     for name in FULL_LANDSCAPE {
@@ -33,7 +34,7 @@ fn the_full_landscape_agrees_with_exact() {
         let found = shipped.agreement(shipped.frames() / 2);
         println!("{name}: {found:?}");
         let turned = shipped.settings.yoke.is_some();
-        assert!(found.off <= if turned { 0.02 } else { 0.005 }, "{name}: {found:?}");
+        assert!(found.off <= if turned { 0.02 } else { 0.01 }, "{name}: {found:?}");
         assert!(found.masked <= 0.5, "{name}: a mask must not hide the picture, {found:?}");
     }
 }

@@ -27,15 +27,15 @@ const MOST_STEPS: u32 = 40;
 impl ShadowBank {
     /// Outline of the shadow that `body` casts on the ground under `sun`, clockwise.
     ///
-    /// The outline is that of the body seen from the sun; each of its points is followed along the ray to the ground,
-    /// for 5 km at most or to the end of the ground. A point under the ground stays where it is, so the side of the
-    /// outline that faces the sun lies at the body's foot. Nothing for a sun that is not above the horizon.
+    /// The outline is that of what stands above the ground, seen from the sun; each of its points is followed along the
+    /// ray to the ground, for 5 km at most or to the end of the ground. So the side of the outline that faces the sun
+    /// lies where the body enters the ground. Nothing for a sun that is not above the horizon.
     pub fn cast_by_body(&self, body: &Body, sun: &Sun) -> Vec<Segment> {
         if sun.direction()[2] <= 0.0 {
             return Vec::new();
         }
         let axes = SunAxes::new(sun);
-        let hull = outline(&axes, &body.vertices);
+        let hull = outline(&axes, &above_ground(body, self.ground()));
         let next = hull.iter().cycle().skip(1);
         let edges = hull.iter().zip(next);
         let points = edges.flat_map(|(&a, &b)| {
@@ -45,6 +45,29 @@ impl ShadowBank {
         let corners: Vec<[f64; 2]> = points.map(|point| fall(self.ground(), &axes, point)).collect();
         Segment::outline(&corners)
     }
+}
+
+/// Vertices above the ground, and the places where edges enter it: what casts a shadow on the ground.
+fn above_ground(body: &Body, ground: &Ground) -> Vec<DVec3> {
+    let clearance = |vertex: &DVec3| {
+        let height = ground.height([vertex.x, vertex.y]);
+        height.map_or(f64::NEG_INFINITY, |height| vertex.z - height)
+    };
+    let above: Vec<f64> = body.vertices.iter().map(clearance).collect();
+    let mut points: Vec<DVec3> =
+        body.vertices.iter().zip(&above).filter(|(_, above)| **above >= 0.0).map(|(v, _)| *v).collect();
+    for face in body.solid.faces() {
+        let next = face.corners.iter().cycle().skip(1);
+        for (&a, &b) in face.corners.iter().zip(next) {
+            let (from, to) = (above[a as usize], above[b as usize]);
+            // Each edge belongs to two faces, once in either direction.
+            if from > 0.0 && to < 0.0 && to.is_finite() {
+                let (a, b) = (body.vertices[a as usize], body.vertices[b as usize]);
+                points.push(a.lerp(b, from / (from - to)));
+            }
+        }
+    }
+    points
 }
 
 /// Vertices on the convex outline as the sun sees it, in the order that is clockwise on the ground (monotone chain).

@@ -90,3 +90,18 @@ fn meets(body: &Body, start: DVec3, direction: DVec3) -> bool {
     }
     from < to
 }
+
+#[test]
+fn what_is_buried_casts_nothing() {
+    let ground = landscape(&flat(400.0), Vec::new());
+    let sun = Sun { azimuth: radians(60.0), elevation: radians(12.0) };
+    let deep = boxed(DVec3::new(200.0, 200.0, -2.5), -0.5);
+    assert_eq!(bank(ground.clone()).cast_by_body(&deep, &sun), []);
+    // Buried to half its height it casts as a box of half the height.
+    let bank = bank(ground);
+    let buried = bank.cast_by_body(&boxed(DVec3::new(200.0, 200.0, -1.0), -0.5), &sun);
+    let (sin, cos) = sin_cos(sun.azimuth);
+    let across = boxed(DVec3::ZERO, 0.0).vertices.iter().map(|v| v.y * cos - v.x * sin).fold(0.0, f64::max);
+    let expected = 2.0 + 2.0 * across / libm::tan(sun.elevation);
+    assert!((area(&buried) - expected).abs() < 1e-4 * expected, "{} {expected}", area(&buried));
+}
