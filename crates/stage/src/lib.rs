@@ -10,7 +10,7 @@
 //!
 //! - [`settings`]: what a scenario on a model comes to.
 //! - [`build`]: the stage of a scenario; [`over`] puts another bank under it.
-//! - [`bank`]: the terrain alone, read or made; [`landscape`]: with craters, texture and what the scenario says of its
+//! - [`bank`]: the terrain alone, read or made; [`landscape`](fn@landscape): with craters, texture and what the scenario says of its
 //!   light.
 
 mod error;
