@@ -69,6 +69,9 @@ impl<S: Real> Recorded<'_, S> {
 
     fn along_the_ground(&self, name: &str, lane: usize) -> Vec<f64> {
         let ranges = self.group.table.ranges();
+        if name == "sweep.range" {
+            return ranges.to_vec();
+        }
         let in_sight = ranges.partition_point(|&range| range <= self.group.end_range(lane, self.work));
         let mut values = self.values(name, lane);
         values.truncate(in_sight);
@@ -93,7 +96,6 @@ impl<S: Real> Recorded<'_, S> {
         match name {
             "sweep.x" => self.ramp(program, RampAxis::X),
             "sweep.y" => self.ramp(program, RampAxis::Y),
-            "sweep.range" => group.table.ranges().to_vec(),
             "tg.height" => on_datum(&profile.height),
             "tg.slope.u" => slope(&of(&profile.along), &of(&profile.across), direction, 0),
             "tg.slope.v" => slope(&of(&profile.along), &of(&profile.across), direction, 1),
