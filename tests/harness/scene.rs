@@ -149,6 +149,7 @@ impl Scene {
             levels: None,
             shadows: false,
             shadow_fineness: ShadowFineness::default(),
+            shadow_cache: None,
             economy: Economy::default(),
         }
     }

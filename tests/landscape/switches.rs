@@ -6,7 +6,7 @@ use lunoid_tests::Drawn;
 use quantities::radians;
 use scenario::FeatureLight;
 
-use crate::set::{Set, flat, sun, wave};
+use crate::set::{Set, flat, standing_box, sun, wave};
 
 /// Elevation of the sun, which stands ahead (deg).
 const ELEVATION: f64 = 10.0;
@@ -136,4 +136,25 @@ fn the_reported_light_of_features_knows_no_terrain() {
     }
     on_slope.stage.settings.laws.feature_light = FeatureLight::Combined;
     assert_ne!(lit(&on_slope).waveforms, a.waveforms);
+}
+
+/// A box 20 m ahead with the sun behind it: the face towards the eye is black.
+fn boxed(gate: Gate) -> Drawn {
+    let mut set = Set::over(flat()).under(sun(0.0, ELEVATION));
+    set.stage.settings.mixing_unit.gate = gate;
+    let foot = set.ahead(20.0, 0.0);
+    set.with_bodies(vec![standing_box(1, foot, 2.0, 1.0)]).machine(&["pg.*"])
+}
+
+#[test]
+fn a_dark_face_opens_vs3_by_its_presence_line_alone() {
+    let black = |drawn: &Drawn, sweep: u32| {
+        let (present, light) = (wave(drawn, sweep, "pg.present"), wave(drawn, sweep, "pg.reflectivity"));
+        present.iter().zip(light).filter(|(present, light)| **present == 1.0 && **light == 0.0).count()
+    };
+    let [present, keyed] = [Gate::Presence, Gate::SelfKeyed].map(boxed);
+    let middle = 32;
+    assert!(black(&present, middle) > 0, "the face is there");
+    assert_eq!(black(&keyed, middle), 0, "lit ground shines through it");
+    assert_ne!(present.picture, keyed.picture);
 }

@@ -66,6 +66,17 @@ pub enum FrameError {
         /// East (m).
         y: f64,
     },
+    /// Shadow boundaries cannot be kept.
+    #[error(
+        "frame {frame}: shadow boundaries cannot be kept: {reason}; name a folder that can be written by \
+             --shadow-cache, or leave it out"
+    )]
+    ShadowCache {
+        /// Frame number.
+        frame: u64,
+        /// What the system says.
+        reason: String,
+    },
     /// The fan of sweeps cannot cover the view.
     #[error(
         "frame {frame}: pitch {pitch_deg:.1} deg brings the nadir or the zenith near the picture; \

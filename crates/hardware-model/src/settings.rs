@@ -1,5 +1,7 @@
 //! The settings of a run: command line, then scenario, then model.
 
+use std::path::PathBuf;
+
 use quantities::{Rate, Timebase, TimebaseError};
 use scenario::{Display, FieldOfView, LawWishes, Laws, RangeProgramme, RasterWishes, Scalar, ShadowFineness};
 
@@ -41,6 +43,8 @@ pub struct Settings {
     pub shadows: bool,
     /// How finely, if it is.
     pub shadow_fineness: ShadowFineness,
+    /// Folder in which shadow boundaries are kept from run to run; it changes no picture.
+    pub shadow_cache: Option<PathBuf>,
     /// What may be left out.
     pub economy: Economy,
 }
@@ -146,6 +150,7 @@ impl Settings {
             levels: None,
             shadows: false,
             shadow_fineness: ShadowFineness::default(),
+            shadow_cache: None,
             economy: Economy::default(),
         })
     }

@@ -1,5 +1,6 @@
 //! From a command line to a stage: scenario, machine, ground.
 
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::Instant;
@@ -53,6 +54,9 @@ pub struct StageArgs {
     /// Leave nothing out: every block for which there is a source runs, and every switch, with work or not.
     #[arg(long)]
     pub everything: bool,
+    /// Keep shadow boundaries in this folder from run to run: they are found again by ground, sun and fineness.
+    #[arg(long, value_name = "FOLDER")]
+    pub shadow_cache: Option<PathBuf>,
 }
 
 /// Scalar type of the analog signals.
@@ -115,7 +119,7 @@ impl StageArgs {
         let model = self.model(&scenario)?;
         self.wish(&mut scenario);
         let settings = stage::settings(&scenario, &model.model).map_err(|error| self.refused(&error))?;
-        let settings = Settings { economy: self.economy(), ..settings };
+        let settings = Settings { economy: self.economy(), shadow_cache: self.shadow_cache()?, ..settings };
         let inputs = self.inputs(&scenario, &model)?;
         let generator: &dyn Generator =
             if self.machine.as_deref() == Some(EXACT) { &Exact } else { &HybridMachine };
@@ -157,6 +161,16 @@ impl StageArgs {
                 ScalarWord::F64 => scenario::Scalar::F64,
             };
         }
+    }
+
+    /// The folder for shadow boundaries, made if it is not there.
+    fn shadow_cache(&self) -> Result<Option<PathBuf>, Failure> {
+        let Some(folder) = &self.shadow_cache else { return Ok(None) };
+        fs::create_dir_all(folder).map_err(|error| {
+            let folder = folder.display();
+            Failure::output(format!("--shadow-cache {folder}: {error}; name a folder that can be written"))
+        })?;
+        Ok(Some(folder.clone()))
     }
 
     fn economy(&self) -> Economy {

@@ -75,8 +75,12 @@ impl Shadows {
     fn new(Stage { landscape, settings, .. }: &Stage) -> Self {
         let [south, west, north, east] = landscape.level().extent();
         let ShadowFineness { finest, angle, .. } = settings.shadow_fineness;
+        let bank = ShadowBank::new(Arc::clone(landscape), Resolution { finest, angle });
         Self {
-            bank: ShadowBank::new(Arc::clone(landscape), Resolution { finest, angle }),
+            bank: match &settings.shadow_cache {
+                Some(folder) => bank.with_cache(folder),
+                None => bank,
+            },
             controller: ShadowController {
                 parts: settings.shadow_controller,
                 map_centre: [0.5 * (south + north), 0.5 * (west + east)],

@@ -75,7 +75,7 @@ impl<S: Real> Elaborated<S> {
         }
     }
 
-    fn deliver(&self, plan: &FramePlan, time: f64) -> Delivery {
+    fn deliver(&self, plan: &FramePlan, time: f64) -> Result<Delivery, FrameError> {
         let mut delivery = self.deliveries.take();
         let supply = Supply {
             stage: &self.stage,
@@ -86,7 +86,11 @@ impl<S: Real> Elaborated<S> {
             ranges: self.table.ranges(),
         };
         supply.deliver(time, &mut delivery);
-        delivery
+        let failure = self.blocks.shadows.as_ref().and_then(|shadows| shadows.bank.take_cache_failure());
+        match failure {
+            Some(error) => Err(FrameError::ShadowCache { frame: plan.frame, reason: error.to_string() }),
+            None => Ok(delivery),
+        }
     }
 
     /// Runs all groups; each writes its own sweeps of `store`.
@@ -222,7 +226,7 @@ impl<S: Real> Session for Elaborated<S> {
     ) -> Result<FrameCounts, FrameError> {
         let settings = &self.stage.settings;
         let plan = FramePlan::new(frame, pose, &self.stage, &self.raster.field)?;
-        let delivery = self.deliver(&plan, pose.time);
+        let delivery = self.deliver(&plan, pose.time)?;
         let mut store = self.stores.take();
         store.resize(settings.raster.sweeps as usize * self.raster.lines, 0.0);
         let groups = self.sweep_all(&plan, &delivery, probe, &mut store);

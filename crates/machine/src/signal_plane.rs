@@ -6,10 +6,11 @@ use display_projection_processor::{BrokenProfile, Deflection, Processor};
 use dpu::CrossingService;
 use feature_generator::{FeatureGenerator, Schedule};
 use generator::Stage;
+use hardware_model::{Gate, MixingParts};
 use landscape::{Level, SweepLight};
 use mixing_unit::{Composite, FeatureInput, Inputs, MixingUnit, Toggle, ToggleList, terrain_alone};
 use polyhedron_generator::{Hold, Overlay};
-use shadow_controller::Gate;
+use shadow_controller::Gate as ShadowGate;
 use signal::{LANES, Real};
 use sweep_generator::RangeTable;
 use sweep_memory::{Beam, BeamBreaks, FarStroke, write_group};
@@ -286,13 +287,17 @@ impl<S: Real> Group<'_, S> {
         let hold = Hold { near: self.near, lines: held };
         if !spans.is_empty() {
             overlay.compose(spans, self.stage.settings.laws.body_visibility, Some(&hold));
+            let MixingParts { gate, threshold } = self.stage.settings.mixing_unit;
+            if gate == Gate::SelfKeyed {
+                overlay.key(threshold as f32);
+            }
         }
         !spans.is_empty()
     }
 }
 
 /// Whether the first sample of a sweep is dark: changes before it have happened.
-fn dark_at(gate: &Gate, range: f64) -> bool {
+fn dark_at(gate: &ShadowGate, range: f64) -> bool {
     let before = gate.toggles.partition_point(|&toggle| toggle <= range);
     gate.dark_at_start ^ (before % 2 == 1)
 }

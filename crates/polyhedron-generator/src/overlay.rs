@@ -97,6 +97,11 @@ impl Overlay {
         &self.runs
     }
 
+    /// Drops the runs whose own video does not exceed `threshold`: they do not open a self-keyed switch (section 14).
+    pub fn key(&mut self, threshold: f32) {
+        self.runs.retain(|run| run.reflectivity > threshold);
+    }
+
     /// Lays the runs of the last composition over a row.
     pub fn write(&self, rule: PixelRule, row: &mut [f32]) {
         self.lay(rule, row, |run| run.reflectivity);

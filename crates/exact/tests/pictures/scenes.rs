@@ -44,6 +44,7 @@ pub fn settings(columns: u32, lines: u32, laws: Laws, [start, end]: [f64; 2]) ->
         levels: None,
         shadows: false,
         shadow_fineness: ShadowFineness::default(),
+        shadow_cache: None,
         economy: Economy::default(),
     }
 }
