@@ -157,8 +157,12 @@ proptest! {
                 Some(match (fine, level_at(&levels[1], place(s))) {
                     (Some(fine), _) if s <= range - blend => fine,
                     (Some(fine), Some(coarse)) => {
-                        let weight = basis::values((s - range + blend) / blend)[0];
-                        std::array::from_fn(|k| weight * fine[k] + (1.0 - weight) * coarse[k])
+                        let share = (s - range + blend) / blend;
+                        let weight = basis::values(share)[0];
+                        // The weight changes along the ray: so does what it weighs.
+                        let along = basis::derivatives(share)[0] / blend * (fine[0] - coarse[0]);
+                        let turn = [0.0, along * direction[0], along * direction[1]];
+                        std::array::from_fn(|k| weight * fine[k] + (1.0 - weight) * coarse[k] + turn[k])
                     }
                     (_, coarse) => coarse?,
                 })
