@@ -99,7 +99,7 @@ fn rocks_and_tracks_without_end() {
         KEYFRAMES,
         "keyframes = [{ t_s = 0, x_m = 100, y_m = 200 }, { t_s = 5, x_m = 9e6, y_m = 205 }]",
     );
-    room.write("s.toml", format!("{far}\n[tracks]\n"));
+    room.write("s.toml", format!("{far}\n[shadows]\n[tracks]\n"));
     room.refused(INPUT, &["replay", "s.toml"], &["s.toml", "[path]: too long"]);
 }
 
