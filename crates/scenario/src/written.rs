@@ -20,7 +20,7 @@ use quantities::radians;
 
 use crate::{
     Display, FieldOfView, Ground, LawWishes, Length, LevelSwitch, RasterWishes, RollDisplay, Scalar,
-    Scenario, ShadowFineness, Vehicle, words,
+    Scenario, Vehicle, words,
 };
 
 /// Format of scenario files that this program reads.
@@ -60,9 +60,10 @@ impl Scenario {
     }
 }
 
-/// Tracks are patches of remote shadow: nothing draws them where there is no shadow.
-fn check_tracks(root: &Reader, shadows: Option<&Option<Option<ShadowFineness>>>) {
-    if root.has("tracks") && shadows.is_some_and(|shadows| shadows.flatten().is_none()) {
+/// Tracks are patches of remote shadow: nothing draws them where there is none. `[shadows]` that is switched off may
+/// stand beside them, so that both are switched on together.
+fn check_tracks(root: &Reader) {
+    if root.has("tracks") && !root.has("shadows") {
         let problem = root.problem("tracks", "`[tracks]` without `[shadows]`: nothing would draw them");
         root.report(problem.expected("`[shadows]`, since tracks are patches of remote shadow"));
     }
@@ -110,7 +111,7 @@ fn scenario(root: &Reader, folder: &FilePath, problems: &Problems) -> Option<Sce
     let display = display(&root.table_or_empty("display"));
     let scalar = scalar(&root.table_or_empty("run"));
     check_levels(root, ground.as_ref().and_then(|ground| ground.0.as_ref()), &levels);
-    check_tracks(root, shadows.as_ref());
+    check_tracks(root);
     root.finish();
     let ((ground, albedo), (path, path_file)) = (ground?, path??);
     let ((ground, coarse), (sun, drift)) = (ground?, sun??);

@@ -155,13 +155,14 @@ fn the_sun_goes_step_by_step() {
 
 #[test]
 fn tracks_grow_with_time() {
-    let scenery = made("[tracks]\n");
+    let scenery = made("[shadows]\n[tracks]\n");
     // 4 m/s, patches of 0.15 m every 0.3 m, two wheels.
     assert_eq!(scenery.patches(0.03).len(), 0);
     let laid = |time: f64| scenery.patches(time).len();
     assert_eq!((laid(0.04), laid(1.0)), (2, 26));
     for (length, expected) in [(6e3, "more than 1000000 patches"), (4e5, "too long")] {
-        let SceneryProblems(problems) = there_and_back("[tracks]\nspacing_m = 0.01\n", length).unwrap_err();
+        let SceneryProblems(problems) =
+            there_and_back("[shadows]\n[tracks]\nspacing_m = 0.01\n", length).unwrap_err();
         assert!(problems[0].to_string().contains(expected), "{}", problems[0]);
     }
 }
