@@ -3,14 +3,12 @@
 use std::sync::Arc;
 
 use generator::{FrameCounts, FrameError, Generator, PlaneKind, Planes, Stage};
-use hardware_model::{
-    Economy, FeatureParts, LatePolicy, Loader, MixingParts, Raster, Settings, ShadowParts, SweepMemoryKind,
-};
+use hardware_model::{HardwareModel, LatePolicy, Loader, Raster, Settings, SweepMemoryKind};
 use landscape::{Attitude, Bank, CornerWords, Landscape, Level, Sun};
 use quantities::{Rate, Timebase, radians};
 use scenario::{
-    Curvature, Display, FieldOfView, Laws, Occlusion, PixelRule, Pose, Projection, RangeLaw, RangeProgramme,
-    Scalar, Scenery, ShadowFineness,
+    Curvature, Display, FieldOfView, LawWishes, Laws, Occlusion, PixelRule, Pose, Projection, RangeLaw,
+    RangeProgramme, RasterWishes, Scalar, Scenery,
 };
 use signal::{Probe, Waveform};
 
@@ -126,6 +124,16 @@ impl Scene {
         let update = hertz(UPDATE_HZ);
         let timebase =
             Timebase::new(hertz(self.master_hz), update, self.sweeps, self.samples, self.retrace());
+        let ideal = Settings::resolve(
+            &HardwareModel::ideal(),
+            self.field,
+            RasterWishes::default(),
+            None,
+            LawWishes::default(),
+            self.scalar,
+            Display { white: 1.0, gamma: 1.0 },
+        );
+        let ideal = ideal.expect("the ideal model is consistent");
         Settings {
             raster: Raster {
                 sweeps: self.sweeps,
@@ -138,19 +146,9 @@ impl Scene {
             timebase: timebase.expect("clocks of a small raster"),
             range: self.range,
             laws: self.laws,
-            scalar: self.scalar,
-            display: Display { white: 1.0, gamma: 1.0 },
             loader: self.loader.clone(),
             sweep_memory: self.sweep_memory,
-            feature_generator: FeatureParts::default(),
-            shadow_controller: ShadowParts::default(),
-            mixing_unit: MixingParts::default(),
-            yoke: None,
-            levels: None,
-            shadows: false,
-            shadow_fineness: ShadowFineness::default(),
-            shadow_cache: None,
-            economy: Economy::default(),
+            ..ideal
         }
     }
 

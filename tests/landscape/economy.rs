@@ -85,7 +85,7 @@ fn lossless_omissions_change_no_bit_of_a_full_scene() {
 /// What is left out of a frame, worked out beside the machine.
 fn left_out(set: &Set) -> LeftOut {
     let raster = set.stage.settings.raster;
-    let sight = Sight::new(1.0, f64::from(raster.lines), 2.0 * libm::atan(raster.field.tan_half_height));
+    let sight = Sight::new(f64::from(raster.lines), 2.0 * libm::atan(raster.field.tan_half_height));
     let mut left_out = LeftOut::default();
     for body in set.stage.scenery.bodies(0.0) {
         sight.resolves(DVec3::from_array(set.pose.eye), body, &mut left_out);

@@ -7,7 +7,9 @@ use hardware_model::{LevelSwitch, Yoke};
 use landscape::{Bank, Landscape, Level, Photometry, Silhouette, Source};
 use lunoid_tests::{Dice, level_of};
 use quantities::radians;
-use scenario::{BodyVisibility, FeatureLight, Laws, Projection, ShadowedBodies, TextureInShadow};
+use scenario::{
+    BodyVisibility, FeatureLight, Laws, Projection, ShadowFineness, ShadowedBodies, TextureInShadow,
+};
 
 use crate::set::{REGION, Set, craters, flat, rolling, standing_box, sun, wave};
 
@@ -119,11 +121,11 @@ fn photometry() {
 #[test]
 fn remote_shadow() {
     for reach in [None, Some(60.0)] {
-        let mut set = cratered(5).under(sun(250.0, 4.0)).with_fine_shadows([0.1, 1e-3]);
-        set.stage.settings.shadow_fineness.reach = reach;
+        let mut set = cratered(5).under(sun(250.0, 4.0));
+        set.stage.settings.shadows = Some(ShadowFineness { finest: 0.1, angle: 1e-3, reach });
         check("shadow", &set, 0.6);
         let mut lit = set.clone();
-        lit.stage.settings.shadows = false;
+        lit.stage.settings.shadows = None;
         assert!(apart(&set, &lit) > SEEN, "{reach:?}: {}", apart(&set, &lit));
     }
 }

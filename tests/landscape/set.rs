@@ -11,7 +11,9 @@ use landscape::{Landscape, Layer, Level, Source, Sun, Texture};
 use lunoid_tests::{Dice, Drawn, Scene, level_of, plane};
 use machine::HybridMachine;
 use quantities::{radians, sin_cos};
-use scenario::{Curvature, Occlusion, Pose, RangeLaw, RangeProgramme, Scenery, Standing, TrackPatch};
+use scenario::{
+    Curvature, Occlusion, Pose, RangeLaw, RangeProgramme, Scenery, ShadowFineness, Standing, TrackPatch,
+};
 use signal::Probe;
 use solids::{Body, Kind, Solid};
 use sweep_program::Fan;
@@ -165,8 +167,7 @@ impl Set {
     /// With remote shadow on profiles at the smallest distance (m) and for each metre of distance (rad).
     pub fn with_fine_shadows(mut self, [finest, angle]: [f64; 2]) -> Self {
         let settings = &mut self.stage.settings;
-        settings.shadows = true;
-        (settings.shadow_fineness.finest, settings.shadow_fineness.angle) = (finest, angle);
+        settings.shadows = Some(ShadowFineness { finest, angle, reach: None });
         self
     }
 

@@ -73,7 +73,7 @@ impl Session {
         let (ranges, laws) = ([first, settings.range.end], settings.laws);
         let outlook =
             Outlook::new(landscape, &self.ceilings, pose.eye, laws.curvature, ranges, settings.levels);
-        let reach = settings.shadows.then(|| settings.shadow_fineness.reach.unwrap_or(f64::INFINITY));
+        let reach = settings.shadows.map(|fineness| fineness.reach.unwrap_or(f64::INFINITY));
         Scene::new(landscape, scenery, outlook, laws, reach, pose)
     }
 

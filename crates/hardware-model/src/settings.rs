@@ -39,10 +39,8 @@ pub struct Settings {
     pub yoke: Option<Yoke>,
     /// Switch from the fine level to the coarse one, where the scenario has two.
     pub levels: Option<LevelSwitch>,
-    /// Whether remote shadow is drawn.
-    pub shadows: bool,
-    /// How finely, if it is.
-    pub shadow_fineness: ShadowFineness,
+    /// How finely remote shadow is worked out, where it is drawn.
+    pub shadows: Option<ShadowFineness>,
     /// Folder in which shadow boundaries are kept from run to run; it changes no picture.
     pub shadow_cache: Option<PathBuf>,
     /// What may be left out.
@@ -148,8 +146,7 @@ impl Settings {
             mixing_unit: model.mixing_unit,
             yoke: None,
             levels: None,
-            shadows: false,
-            shadow_fineness: ShadowFineness::default(),
+            shadows: None,
             shadow_cache: None,
             economy: Economy::default(),
         })

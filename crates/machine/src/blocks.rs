@@ -33,6 +33,8 @@ pub(crate) struct Blocks {
 pub(crate) struct Shadows {
     pub bank: ShadowBank,
     pub controller: ShadowController,
+    /// Ground range beyond which no shadow is drawn (m).
+    pub reach: f64,
 }
 
 /// The second terrain generator of the modified one.
@@ -52,11 +54,11 @@ impl Blocks {
         let two_levels = landscape.bank().levels().len() > 1;
         Self {
             features: everything || !landscape.features().is_empty(),
-            shadows: settings.shadows.then(|| Shadows::new(stage)),
+            shadows: settings.shadows.map(|fineness| Shadows::new(stage, &fineness)),
             texture: landscape.texture().is_some(),
             // Lambert's light never exceeds full scale; other laws need the clip.
             mixing: everything
-                || settings.shadows
+                || settings.shadows.is_some()
                 || landscape.texture().is_some()
                 || !landscape.features().is_empty()
                 || *landscape.photometry() != Photometry::Lambert,
@@ -72,15 +74,16 @@ impl Blocks {
 
 impl Shadows {
     /// The map of the controller is the finest level.
-    fn new(Stage { landscape, settings, .. }: &Stage) -> Self {
+    fn new(Stage { landscape, settings, .. }: &Stage, fineness: &ShadowFineness) -> Self {
         let [south, west, north, east] = landscape.level().extent();
-        let ShadowFineness { finest, angle, .. } = settings.shadow_fineness;
+        let ShadowFineness { finest, angle, reach } = *fineness;
         let bank = ShadowBank::new(Arc::clone(landscape), Resolution { finest, angle });
         Self {
             bank: match &settings.shadow_cache {
                 Some(folder) => bank.with_cache(folder),
                 None => bank,
             },
+            reach: reach.unwrap_or(settings.range.end).min(settings.range.end),
             controller: ShadowController {
                 parts: settings.shadow_controller,
                 map_centre: [0.5 * (south + north), 0.5 * (west + east)],

@@ -83,12 +83,8 @@ impl Supply<'_> {
         }
     }
 
-    /// The maximal distance of the report, body by body: a boulder is no reason to draw pebbles as far as itself.
     fn sight(&self) -> Sight {
-        let bodies = self.stage.scenery.standing().iter();
-        let largest = bodies.map(|standing| 2.0 * standing.body.radius).fold(0.0, f64::max);
-        let field = 2.0 * libm::atan(self.raster.field.tan_half_height);
-        Sight::new(largest, self.raster.lines as f64, field)
+        Sight::new(self.raster.lines as f64, 2.0 * libm::atan(self.raster.field.tan_half_height))
     }
 
     /// Pixels of the screen in a square resolution cell, which is as wide as a line is high; not less than 1.
@@ -110,16 +106,16 @@ impl Supply<'_> {
         let directions: Vec<[f64; 2]> = (0..sweeps).map(|sweep| self.plan.direction(sweep)).collect();
         let edges = [directions[0], directions[sweeps as usize - 1]];
         let foot = [self.plan.eye[0], self.plan.eye[1]];
-        let settings = &self.stage.settings;
-        let reach = settings.shadow_fineness.reach.unwrap_or(settings.range.end).min(settings.range.end);
+        let (reach, end) = (shadows.reach, self.stage.settings.range.end);
         let tiles: Vec<Arc<Tile>> = shadows.bank.around(&self.plan.sun, foot, reach, Some(edges));
         let patches: Vec<Segment> = self.patches(time);
         let mut segments: Vec<&[Segment]> = tiles.iter().map(|tile| tile.segments.as_slice()).collect();
         segments.extend(seen.iter().map(|&(index, body)| under_sun.of(index, body).shadow.as_slice()));
         segments.push(&patches);
         shadows.controller.gates(foot, &directions, reach, &segments, gates);
-        if reach < settings.range.end {
-            gates.iter_mut().for_each(|gate| end_at(gate, reach));
+        // Beyond the reach no shadow is drawn.
+        if reach < end {
+            gates.iter_mut().filter(|gate| gate.is_dark(reach)).for_each(|gate| gate.toggles.push(reach));
         }
     }
 
@@ -171,14 +167,6 @@ impl Supply<'_> {
             let ground = self.stage.landscape.height(x + north * at / range, y + east * at / range);
             ground.is_some_and(|ground| tangent(ground, at) > own)
         })
-    }
-}
-
-/// Beyond the reach no shadow is drawn.
-fn end_at(gate: &mut Gate, reach: f64) {
-    let is_dark = gate.dark_at_start ^ (gate.toggles.len() % 2 == 1);
-    if is_dark {
-        gate.toggles.push(reach);
     }
 }
 

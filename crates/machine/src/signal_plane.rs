@@ -10,7 +10,6 @@ use hardware_model::{Gate, MixingParts};
 use landscape::{Level, SweepLight};
 use mixing_unit::{Composite, FeatureInput, Inputs, MixingUnit, Toggle, ToggleList, terrain_alone};
 use polyhedron_generator::{Hold, Overlay};
-use shadow_controller::Gate as ShadowGate;
 use signal::{LANES, Real};
 use sweep_generator::RangeTable;
 use sweep_memory::{Beam, BeamBreaks, FarStroke, write_group};
@@ -44,9 +43,10 @@ impl<S: Real> Group<'_, S> {
         // Lanes beyond the last sweep repeat it; nothing of them is kept.
         let last = self.plan.fan.sweeps - 1;
         let sweeps: [u32; LANES] = array::from_fn(|lane| (first + lane as u32).min(last));
-        self.draw_terrain(&sweeps, work);
+        let light = self.light(&sweeps);
+        self.draw_terrain(&sweeps, &light, work);
         if self.blocks.features {
-            self.draw_features(&sweeps, work);
+            self.draw_features(&sweeps, &light, work);
         }
         if self.blocks.texture {
             self.draw_texture(&sweeps, work);
@@ -75,19 +75,18 @@ impl<S: Real> Group<'_, S> {
         }
     }
 
-    fn draw_terrain(&self, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
+    fn draw_terrain(&self, sweeps: &[u32; LANES], light: &[SweepLight; LANES], work: &mut Workspace<S>) {
         let settings = &self.stage.settings;
         let fine = self.stage.landscape.level();
         let service = CrossingService { level: fine, loader: &settings.loader, timebase: &settings.timebase };
-        let light = self.light(sweeps);
         let far = self.blocks.coarse.as_ref().map_or(settings.range.end, |coarse| coarse.switch.range);
         for (&sweep, program) in sweeps.iter().zip(&mut work.programs) {
             let end = self.plan.way_to_edge(sweep, fine).min(far).min(settings.range.end);
             self.plan.write_program(sweep, &service, self.table, end, program);
         }
         match &self.blocks.coarse {
-            None => self.terrain(fine).run(&work.programs, &light, &mut work.profile),
-            Some(coarse) => self.draw_both_levels(coarse, sweeps, &light, work),
+            None => self.terrain(fine).run(&work.programs, light, &mut work.profile),
+            Some(coarse) => self.draw_both_levels(coarse, sweeps, light, work),
         }
     }
 
@@ -121,7 +120,7 @@ impl<S: Real> Group<'_, S> {
         if self.blocks.coarse.is_some() { work.coarse[lane].end_range.max(fine) } else { fine }
     }
 
-    fn draw_features(&self, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
+    fn draw_features(&self, sweeps: &[u32; LANES], light: &[SweepLight; LANES], work: &mut Workspace<S>) {
         let Stage { landscape, settings, .. } = self.stage;
         let (level, ranges) = (landscape.level(), self.table.ranges());
         let schedule = Schedule {
@@ -137,7 +136,7 @@ impl<S: Real> Group<'_, S> {
         }
         let profile = &mut work.feature_profile;
         FeatureGenerator { ranges }.run(landscape.features(), &work.features, profile);
-        let lamp = Lamp { law: settings.laws.feature_light, light: &self.light(sweeps), ranges };
+        let lamp = Lamp { law: settings.laws.feature_light, light, ranges };
         lamp.run(&work.profile, profile, &mut work.lit);
     }
 
@@ -156,7 +155,7 @@ impl<S: Real> Group<'_, S> {
             toggles.clear();
             *dark_at_start = false;
             let Some(gate) = self.delivery.gates.get(sweep as usize) else { continue };
-            *dark_at_start = dark_at(gate, ranges[0]);
+            *dark_at_start = gate.is_dark(ranges[0]);
             let inside = gate.toggles.iter().filter(|&&range| range > ranges[0]);
             toggles.extend(inside.map_while(|&range| toggle_at(ranges, range)));
         }
@@ -294,12 +293,6 @@ impl<S: Real> Group<'_, S> {
         }
         !spans.is_empty()
     }
-}
-
-/// Whether the first sample of a sweep is dark: changes before it have happened.
-fn dark_at(gate: &ShadowGate, range: f64) -> bool {
-    let before = gate.toggles.partition_point(|&toggle| toggle <= range);
-    gate.dark_at_start ^ (before % 2 == 1)
 }
 
 /// A range as a place between two samples; `None` beyond the last.

@@ -161,21 +161,20 @@ fn far_bodies_sink_with_the_lunoid() {
 
 #[test]
 fn maximum_viewing_distance_of_the_report() {
-    // 1 m over 1000 lines of 30 degrees: 1909.86 m.
-    let sight = Sight::new(1.0, 1000.0, std::f64::consts::PI / 6.0);
-    assert!((sight.distance - 1_909.859_317).abs() < 1e-5);
+    // 1000 lines of 30 degrees: 1909.86 m for 1 m, and 1653.99 m for a cube of 0.5 m, 0.866 m across.
+    let sight = Sight::new(1000.0, std::f64::consts::PI / 6.0);
+    let rock = |north: f64| boxed([north, -0.25, -0.25], [north + 0.5, 0.25, 0.25], 0);
     let mut left_out = LeftOut::default();
-    assert!(sight.reaches(DVec3::ZERO, &boxed([1900.0, 0.0, 0.0], [1900.5, 0.5, 0.5], 0), &mut left_out));
+    // The sphere around it begins 0.183 m before its front.
+    assert!(sight.resolves(DVec3::ZERO, &rock(1654.16), &mut left_out));
     assert_eq!(left_out, LeftOut::default());
-    assert!(!sight.reaches(DVec3::ZERO, &boxed([3819.0, 0.0, 0.0], [3819.5, 0.5, 0.5], 0), &mut left_out));
-    // 0.866 m at twice the distance: 0.433 of a cell each way.
+    assert!(!sight.resolves(DVec3::ZERO, &rock(1654.18), &mut left_out));
     assert_eq!(left_out.bodies, 1);
-    assert!((left_out.cells - 0.1875).abs() < 1e-3, "{}", left_out.cells);
-    // The same body by body: a rock of 0.866 m goes from 1654 m on.
-    let rock = |north: f64| boxed([north, 0.0, 0.0], [north + 0.5, 0.5, 0.5], 0);
-    assert!(sight.resolves(DVec3::ZERO, &rock(1650.0), &mut left_out));
-    assert!(!sight.resolves(DVec3::ZERO, &rock(1658.0), &mut left_out));
+    assert!((left_out.cells - 1.0).abs() < 1e-4, "{}", left_out.cells);
+    // At twice the distance half a cell each way.
+    assert!(!sight.resolves(DVec3::ZERO, &rock(3308.15), &mut left_out));
     assert_eq!(left_out.bodies, 2);
+    assert!((left_out.cells - 1.25).abs() < 1e-3, "{}", left_out.cells);
 }
 
 /// What a ray through a point of the view-plane meets first, by the planes of the bodies.

@@ -27,7 +27,7 @@ pub struct SettingsRecord {
     blocks: Value,
     yoke: Value,
     levels: Value,
-    shadows: bool,
+    shadows: Value,
     economy: &'static str,
 }
 
@@ -57,7 +57,9 @@ impl SettingsRecord {
             levels: settings
                 .levels
                 .map_or(Value::Null, |switch| json!({ "switch_m": switch.range, "blend_m": switch.blend })),
-            shadows: settings.shadows,
+            shadows: settings.shadows.map_or(Value::Null, |fineness| {
+                json!({ "finest_m": fineness.finest, "angle_mrad": 1e3 * fineness.angle, "reach_m": fineness.reach })
+            }),
             economy: match settings.economy {
                 Economy::Bounded => "bounded",
                 Economy::Lossless => "lossless",

@@ -23,6 +23,14 @@ pub struct Gate {
     pub most_in_use: u32,
 }
 
+impl Gate {
+    /// Whether the sweep is in shadow at a ground range (m); at a change, what it changes to.
+    pub fn is_dark(&self, range: f64) -> bool {
+        let before = self.toggles.partition_point(|&toggle| toggle <= range);
+        self.dark_at_start ^ (before % 2 == 1)
+    }
+}
+
 /// The shadow controller and its I/O processor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShadowController {

@@ -63,11 +63,6 @@ impl Body {
         Self { object, kind, foot, solid: solid.clone(), vertices, normals, centre, radius }
     }
 
-    /// Centre (terrain axes, m) and radius (m) of a sphere around all vertices.
-    pub fn centre_radius(&self) -> (DVec3, f64) {
-        (self.centre, self.radius)
-    }
-
     /// A corner of a face, in terrain axes: a point of its plane.
     pub fn on_face(&self, face: usize) -> DVec3 {
         self.vertices[self.solid.faces()[face].corners[0] as usize]

@@ -167,7 +167,7 @@ proptest! {
     #[test]
     fn the_bounding_sphere_bounds(points in vec(place(), 6..30)) {
         let Some(body) = placed(&points) else { return Ok(()) };
-        let (centre, radius) = body.centre_radius();
+        let (centre, radius) = (body.centre, body.radius);
         prop_assert!(body.vertices.iter().all(|vertex| vertex.distance(centre) <= radius));
         prop_assert!(body.vertices.iter().any(|vertex| vertex.distance(centre) >= radius * (1.0 - 1e-12)));
         prop_assert!(body.vertices.iter().all(|vertex| vertex.distance(body.foot) <= 1.5 * body.solid.radius() + 1e-9));

@@ -43,8 +43,7 @@ pub fn settings(scenario: &Scenario, model: &HardwareModel) -> Result<Settings, 
     Ok(Settings {
         yoke: (scenario.roll == RollDisplay::Yoke).then_some(model.yoke),
         levels: scenario.levels,
-        shadows: scenario.shadows.is_some(),
-        shadow_fineness: scenario.shadows.unwrap_or_default(),
+        shadows: scenario.shadows,
         ..resolved
     })
 }

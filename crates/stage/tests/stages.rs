@@ -51,7 +51,7 @@ fn a_plain_scenario_is_terrain_alone() {
     assert!(stage.landscape.features().is_empty() && stage.landscape.texture().is_none());
     assert_eq!((stage.landscape.albedo(), *stage.landscape.photometry()), (0.7, Photometry::Lambert));
     let settings = &stage.settings;
-    assert_eq!((settings.yoke, settings.levels, settings.shadows), (None, None, false));
+    assert_eq!((settings.yoke, settings.levels, settings.shadows), (None, None, None));
 }
 
 #[test]
@@ -63,9 +63,9 @@ fn what_the_scenario_says_stands_in_the_settings() {
     assert_eq!(settings.yoke, Some(HardwareModel::ideal().yoke));
     assert_eq!(settings.levels, Some(LevelSwitch { range: 250.0, blend: 20.0 }));
     let fineness = ShadowFineness { finest: 0.5, ..ShadowFineness::default() };
-    assert_eq!((settings.shadows, settings.shadow_fineness), (true, fineness));
+    assert_eq!(settings.shadows, Some(fineness));
     assert_eq!(settings.laws.texture_in_shadow, scenario::TextureInShadow::Off);
-    assert!(!build("[shadows]\nenabled = false\n").unwrap().settings.shadows);
+    assert_eq!(build("[shadows]\nenabled = false\n").unwrap().settings.shadows, None);
 }
 
 #[test]

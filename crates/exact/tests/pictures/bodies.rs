@@ -7,7 +7,8 @@ use generator::{Label, PlaneKind, Shade};
 use hardware_model::Settings;
 use landscape::{Landscape, parabolic_drop};
 use scenario::{
-    BodyVisibility, Curvature, Laws, PixelRule, Pose, Projection, Scenery, ShadowedBodies, Standing,
+    BodyVisibility, Curvature, Laws, PixelRule, Pose, Projection, Scenery, ShadowFineness, ShadowedBodies,
+    Standing,
 };
 
 const PIXELS: [u32; 2] = [61, 81];
@@ -82,6 +83,7 @@ fn ridge() -> Arc<Landscape> {
 }
 
 fn draw(bodies: Vec<Standing>, laws: Laws, shadows: bool, light: landscape::Sun) -> generator::Planes {
+    let shadows = shadows.then(ShadowFineness::default);
     let settings = Settings { shadows, ..body_settings(laws) };
     let scenery = Scenery::still(light).with_bodies(bodies);
     planes(&ridge(), scenery, &settings, &pose([30.0, 30.0, 3.2], 0.0, 0.0))

@@ -9,7 +9,7 @@ use hardware_model::{LevelSwitch, Settings};
 use landscape::{Bank, CornerWords, Landscape, Level, basis};
 use proptest::prelude::*;
 use quantities::unit_interval;
-use scenario::{Curvature, PixelRule, Projection, Scenery};
+use scenario::{Curvature, PixelRule, Projection, Scenery, ShadowFineness};
 
 fn part(d: f64, origin: [f64; 2], regions: [usize; 2], corner: impl Fn(f64, f64) -> CornerWords) -> Level {
     let words = |index: usize| corner((index / (regions[1] + 1)) as f64, (index % (regions[1] + 1)) as f64);
@@ -93,7 +93,11 @@ fn where_the_fine_level_ends_the_coarse_one_begins() {
 fn a_hill_of_the_coarse_level_shadows_the_fine_one() {
     let laws = laws(Projection::Exact, Curvature::None, PixelRule::Centre);
     let switch = Some(LevelSwitch { range: 100.0, blend: 40.0 });
-    let settings = Settings { shadows: true, levels: switch, ..settings(1, 9, laws, [1.0, 1500.0]) };
+    let settings = Settings {
+        shadows: Some(ShadowFineness::default()),
+        levels: switch,
+        ..settings(1, 9, laws, [1.0, 1500.0])
+    };
     let dark = |azimuth: f64, elevation: f64| {
         let scenery = Scenery::still(sun(azimuth, elevation));
         let found = planes(&two_levels(), scenery, &settings, &pose([10.0, 0.0, 3.0], 0.0, 0.0));
@@ -113,7 +117,11 @@ fn a_hill_of_the_fine_level_shadows_the_coarse_one() {
     let ground = Arc::new(Landscape::new(Bank::new("two", vec![fine, coarse], None).unwrap(), 1.0));
     let laws = laws(Projection::Exact, Curvature::None, PixelRule::Centre);
     let switch = Some(LevelSwitch { range: 100.0, blend: 40.0 });
-    let settings = Settings { shadows: true, levels: switch, ..settings(1, 9, laws, [1.0, 150.0]) };
+    let settings = Settings {
+        shadows: Some(ShadowFineness::default()),
+        levels: switch,
+        ..settings(1, 9, laws, [1.0, 150.0])
+    };
     let dark = |azimuth: f64, elevation: f64| {
         let scenery = Scenery::still(sun(azimuth, elevation));
         let found = planes(&ground, scenery, &settings, &pose([10.0, 20.0, 3.0], 0.0, 180.0));

@@ -6,7 +6,9 @@ use crate::scenes::{bumps, crater_field, landscape, laws, place, planes, pose, r
 use generator::{PlaneKind, Planes};
 use hardware_model::Settings;
 use landscape::{Landscape, Layer, Photometry, Source, Sun, Texture};
-use scenario::{Curvature, FeatureLight, Laws, PixelRule, Pose, Projection, Scenery, TextureInShadow};
+use scenario::{
+    Curvature, FeatureLight, Laws, PixelRule, Pose, Projection, Scenery, ShadowFineness, TextureInShadow,
+};
 
 const LINES: u32 = 40;
 
@@ -20,6 +22,7 @@ struct Shot {
 
 fn shoot(ground: Landscape, laws: Laws, shadows: bool) -> Shot {
     let (ground, light) = (Arc::new(ground), sun(130.0, 9.0));
+    let shadows = shadows.then(ShadowFineness::default);
     let settings = Settings { shadows, ..settings(30, LINES, laws, [0.5, 45.0]) };
     let pose = pose([24.0, 24.0, ground.height(24.0, 24.0).unwrap() + 1.5], -8.0, 200.0);
     let planes = planes(&ground, Scenery::still(light), &settings, &pose);

@@ -9,7 +9,7 @@ use exact::{Ceilings, Outlook, Sight, View};
 use generator::PlaneKind;
 use hardware_model::Settings;
 use landscape::{Landscape, Sun};
-use scenario::{Curvature, Laws, PixelRule, Pose, Projection, Scenery};
+use scenario::{Curvature, Laws, PixelRule, Pose, Projection, Scenery, ShadowFineness};
 
 const SUB: u32 = 2000;
 
@@ -116,7 +116,8 @@ fn the_mean_of_a_line_over_everything() {
     let foot = [24.0, 24.0, ground.height(24.0, 24.0).unwrap()];
     let scenery = Scenery::still(sun(200.0, 12.0)).with_bodies(vec![standing_box(0, foot, 0.4, 0.7)]);
     let laws = laws(Projection::Exact, Curvature::None, PixelRule::LineMean);
-    let settings = Settings { shadows: true, ..settings(9, 20, laws, [0.5, 45.0]) };
+    let settings =
+        Settings { shadows: Some(ShadowFineness::default()), ..settings(9, 20, laws, [0.5, 45.0]) };
     let picture = |lines: u32, pixel_rule| {
         let mut settings = Settings { laws: Laws { pixel_rule, ..laws }, ..settings.clone() };
         settings.raster.lines = lines;

@@ -6,14 +6,12 @@ use exact::{Exact, Ray, View};
 use features::{Crater, Features, Shape};
 use generator::{Generator, PlaneKind, Planes, Session, Stage};
 use glam::{DMat3, DVec3};
-use hardware_model::{
-    Economy, FeatureParts, LatePolicy, Loader, MixingParts, Raster, Settings, ShadowParts, SweepMemoryKind,
-};
+use hardware_model::{HardwareModel, Raster, Settings};
 use landscape::{Attitude, Bank, CornerWords, Landscape, Level, Sun};
 use quantities::{Rate, Timebase, radians, unit_interval};
 use scenario::{
-    Curvature, Display, FieldOfView, Laws, Occlusion, PixelRule, Pose, Projection, RangeLaw, RangeProgramme,
-    Scalar, Scenery, ShadowFineness, Standing,
+    Curvature, Display, FieldOfView, LawWishes, Laws, Occlusion, PixelRule, Pose, Projection, RangeLaw,
+    RangeProgramme, RasterWishes, Scalar, Scenery, Standing,
 };
 use signal::Probe;
 use solids::{Body, Kind, Solid};
@@ -28,24 +26,21 @@ pub fn settings(columns: u32, lines: u32, laws: Laws, [start, end]: [f64; 2]) ->
     let update = Rate::new(30, 1).unwrap();
     let field =
         FieldOfView { tan_half_width: libm::tan(radians(25.0)), tan_half_height: libm::tan(radians(15.0)) };
+    let ideal = Settings::resolve(
+        &HardwareModel::ideal(),
+        field,
+        RasterWishes::default(),
+        None,
+        LawWishes::default(),
+        Scalar::F64,
+        Display { white: 1.0, gamma: 1.0 },
+    );
     Settings {
         raster: Raster { sweeps: columns, samples: 1000, columns, lines, field, refresh: update },
         timebase: Timebase::new(Rate::new(10_000_000, 1).unwrap(), update, columns, 1000, 250).unwrap(),
         range: RangeProgramme { law: RangeLaw::Geometric, start, end },
         laws,
-        scalar: Scalar::F64,
-        display: Display { white: 1.0, gamma: 1.0 },
-        loader: Loader { access_ticks: 0, late_policy: LatePolicy::Latched, delays: Vec::new() },
-        sweep_memory: SweepMemoryKind::ScanConverter,
-        feature_generator: FeatureParts::default(),
-        shadow_controller: ShadowParts::default(),
-        mixing_unit: MixingParts::default(),
-        yoke: None,
-        levels: None,
-        shadows: false,
-        shadow_fineness: ShadowFineness::default(),
-        shadow_cache: None,
-        economy: Economy::default(),
+        ..ideal.expect("the ideal model is consistent")
     }
 }
 

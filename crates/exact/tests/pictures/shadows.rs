@@ -11,11 +11,11 @@ use generator::{Label, PlaneKind, Shade};
 use hardware_model::Settings;
 use landscape::{Landscape, Sun};
 use proptest::prelude::*;
-use scenario::{Curvature, PixelRule, Pose, Projection, Scenery, TrackPatch};
+use scenario::{Curvature, PixelRule, Pose, Projection, Scenery, ShadowFineness, TrackPatch};
 
 fn shadowed(columns: u32, lines: u32, ranges: [f64; 2]) -> Settings {
     let laws = laws(Projection::Exact, Curvature::None, PixelRule::Centre);
-    Settings { shadows: true, ..settings(columns, lines, laws, ranges) }
+    Settings { shadows: Some(ShadowFineness::default()), ..settings(columns, lines, laws, ranges) }
 }
 
 /// Whether each pixel of ground is dark, with its place.
@@ -99,7 +99,7 @@ fn a_cube_on_level_ground() {
         counts[usize::from(depth > 0.0)] += 1;
     }
     assert!(counts[1] > 20 && counts[0] > 1000, "{counts:?}");
-    let lit = planes(&ground, scenery(), &Settings { shadows: false, ..settings }, &pose);
+    let lit = planes(&ground, scenery(), &Settings { shadows: None, ..settings }, &pose);
     assert!(lit.get(PlaneKind::Shadow).unwrap().iter().all(|&shade| shade != 2.0));
 }
 

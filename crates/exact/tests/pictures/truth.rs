@@ -6,14 +6,15 @@ use crate::scenes::{bumps, crater_field, landscape, laws, place, planes, pose, s
 use generator::PlaneKind;
 use hardware_model::Settings;
 use landscape::Landscape;
-use scenario::{Curvature, PixelRule, Projection, Scenery};
+use scenario::{Curvature, PixelRule, Projection, Scenery, ShadowFineness};
 
 #[test]
 fn heights_and_normals_are_the_landscape_s() {
     let ground = Landscape::clone(&landscape(bumps(9, 0.4), 0.8)).with_features(crater_field(9, 40, 9.0));
     let ground = Arc::new(ground);
     let laws = laws(Projection::Exact, Curvature::Parabolic, PixelRule::LineMean);
-    let settings = Settings { shadows: true, ..settings(30, 40, laws, [0.5, 45.0]) };
+    let settings =
+        Settings { shadows: Some(ShadowFineness::default()), ..settings(30, 40, laws, [0.5, 45.0]) };
     let pose = pose([24.0, 24.0, ground.height(24.0, 24.0).unwrap() + 1.5], -8.0, 20.0);
     let found = planes(&ground, Scenery::still(sun(130.0, 9.0)), &settings, &pose);
     let (mut seen, mut off) = (0, 0);

@@ -13,7 +13,7 @@ use picture::Depth;
 use replay::{Control, Inputs, Job, Outcome, Pictures, Program, Progress, ReplayError, RunFolder, run};
 use scenario::Scenario;
 
-const SCENARIO: &str = r#"
+pub const SCENARIO: &str = r#"
 format = 1
 title = "A bump <ahead>"
 shows = "Nothing but a test."
@@ -91,20 +91,7 @@ impl Wish {
 
     pub fn run_in(&self, folder: &RunFolder) -> Result<Outcome, ReplayError> {
         let scenario = Scenario::parse("test.toml", &self.scenario).expect("the scenario is right");
-        let job = Job {
-            program: Program {
-                name: "lunoid".into(),
-                version: "0".into(),
-                commit: "c".into(),
-                result_family: "unfused".into(),
-            },
-            inputs: Inputs { model: "ideal".into(), ..Inputs::default() },
-            scenario: &scenario,
-            generator: &HybridMachine,
-            stage: stage(&scenario),
-            frames: self.frames.clone(),
-            pictures: self.pictures,
-        };
+        let job = job(&scenario, self.frames.clone(), self.pictures);
         let pool = rayon::ThreadPoolBuilder::new().num_threads(self.threads).build().expect("threads");
         let cancel = AtomicBool::new(self.cancel_after == Some(0));
         let progress = |progress| {
@@ -118,7 +105,21 @@ impl Wish {
     }
 }
 
-fn stage(scenario: &Scenario) -> Stage {
+/// A job for the machine, ideal parts.
+pub fn job(scenario: &Scenario, frames: Range<u64>, pictures: Pictures) -> Job<'_> {
+    let [name, version, commit, result_family] = ["lunoid", "0", "c", "unfused"].map(str::to_owned);
+    Job {
+        program: Program { name, version, commit, result_family },
+        inputs: Inputs { model: "ideal".into(), ..Inputs::default() },
+        scenario,
+        generator: &HybridMachine,
+        stage: stage(scenario),
+        frames,
+        pictures,
+    }
+}
+
+pub fn stage(scenario: &Scenario) -> Stage {
     let settings = ::stage::settings(scenario, &HardwareModel::ideal()).expect("settings");
     ::stage::build(scenario, settings).expect("a stage")
 }

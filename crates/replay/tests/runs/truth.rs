@@ -7,58 +7,16 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use files::{Npy, NpyData};
-use generator::{Generator, PlaneKind, Planes, Stage};
-use hardware_model::HardwareModel;
+use generator::{Generator, PlaneKind, Planes};
 use landscape::parabolic_drop;
-use machine::HybridMachine;
 use picture::Depth;
-use replay::{
-    Control, Inputs, Job, Pictures, Program, Progress, ReplayError, RunFolder, TruthOutcome, run, write_truth,
-};
+use replay::{Control, Pictures, Progress, ReplayError, RunFolder, TruthOutcome, run, write_truth};
 use scenario::{PixelRule, PoseRow, PoseTable, Scenario};
 use serde_json::Value;
 use signal::Probe;
 use tempfile::tempdir;
 
-/// Small hills on the curved Moon, driven over: heading and pitch change, and some pixels are sky.
-const SCENARIO: &str = r#"
-format = 1
-title = "Truth"
-shows = "Nothing but a test."
-frames = 6
-
-[landscape.generated]
-seed = 3
-extent_m = [400, 400]
-region_size_m = 50
-[landscape.generated.undulation]
-rms_height_m = 2
-hurst = 0.9
-longest_m = 300
-shortest_m = 160
-waves = 20
-
-[sun]
-azimuth_deg = 100
-elevation_deg = 15
-
-[path]
-keyframes = [
-  { t_s = 0, x_m = 100, y_m = 200 },
-  { t_s = 5, x_m = 108, y_m = 205 },
-]
-
-[raster]
-sweeps = 24
-samples_per_sweep = 40
-update_hz = 10
-refresh_hz = 30
-
-[range]
-programme = "geometric"
-start_m = 2
-end_m = 300
-"#;
+use crate::stage::{SCENARIO, job, stage};
 
 struct Wish {
     frames: Range<u64>,
@@ -71,30 +29,22 @@ struct Wish {
 
 impl Default for Wish {
     fn default() -> Self {
-        Self { frames: 0..6, items: "all", scenario: SCENARIO.into(), fresh: false, cancel_after: None }
+        // Heading and pitch change over its hills, and some pixels are sky.
+        let scenario = SCENARIO.replace("sweeps = 40", "sweeps = 24");
+        let scenario = scenario.replace("samples_per_sweep = 80", "samples_per_sweep = 40");
+        Self { frames: 0..6, items: "all", scenario, fresh: false, cancel_after: None }
     }
 }
 
 impl Wish {
-    fn scene(&self) -> (Scenario, Stage) {
-        let scenario = Scenario::parse("truth.toml", &self.scenario).expect("the scenario is right");
-        let settings = ::stage::settings(&scenario, &HardwareModel::ideal()).expect("settings");
-        let stage = ::stage::build(&scenario, settings).expect("a stage");
-        (scenario, stage)
+    fn scenario(&self) -> Scenario {
+        Scenario::parse("truth.toml", &self.scenario).expect("the scenario is right")
     }
 
     fn write(&self, out: &Path) -> Result<TruthOutcome, ReplayError> {
-        let (scenario, stage) = self.scene();
-        let [name, version, commit, result_family] = ["lunoid", "0", "c", "unfused"].map(str::to_owned);
-        let job = Job {
-            program: Program { name, version, commit, result_family },
-            inputs: Inputs { model: "ideal".into(), ..Inputs::default() },
-            scenario: &scenario,
-            generator: &HybridMachine,
-            stage,
-            frames: self.frames.clone(),
-            pictures: Pictures { depth: Depth::Eight, refresh: false, film: false },
-        };
+        let scenario = self.scenario();
+        let pictures = Pictures { depth: Depth::Eight, refresh: false, film: false };
+        let job = job(&scenario, self.frames.clone(), pictures);
         let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().expect("threads");
         let cancel = AtomicBool::new(false);
         let is_truth = AtomicBool::new(false);
@@ -116,7 +66,8 @@ impl Wish {
 
     /// Poses and planes from `exact` itself.
     fn asked_directly(&self, kinds: &[PlaneKind]) -> Vec<(PoseRow, Planes)> {
-        let (scenario, mut stage) = self.scene();
+        let scenario = self.scenario();
+        let mut stage = stage(&scenario);
         stage.settings.laws.pixel_rule = PixelRule::Centre;
         let (raster, update) = (stage.settings.raster, stage.settings.timebase.update);
         let (yoke, frames) = (stage.settings.yoke, self.frames.clone());
@@ -204,7 +155,7 @@ fn a_pixel_leads_back_to_the_ground() {
     let at = tempdir().unwrap();
     let wish = Wish { items: "range,pose", ..Wish::default() };
     wish.write(at.path()).unwrap();
-    let (_, stage) = wish.scene();
+    let stage = stage(&wish.scenario());
     let poses = document(at.path(), "poses.json");
     let numbers = |value: &Value| -> Vec<f64> {
         value.as_array().unwrap().iter().map(|number| number.as_f64().unwrap()).collect()
