@@ -183,7 +183,7 @@ impl Shipped {
 const NEARLY_SKY: u16 = 16;
 
 /// Horizons of both pictures in the columns where the exact one shows its ridge: shadow is as black as sky. A
-/// faint first line of the machine counts as ground or sky, whichever is nearer.
+/// faint first line of the machine counts as ground or sky, whichever is nearer; a mast or rock may stand a column aside.
 fn lit_ridge_error(machine: &GreyPicture, exact: &Shown) -> RidgeError {
     let (columns, lines) = (machine.columns(), machine.lines());
     let ranges = exact.planes.get(PlaneKind::Range).expect("asked for");
@@ -198,5 +198,5 @@ fn lit_ridge_error(machine: &GreyPicture, exact: &Shown) -> RidgeError {
         let distance = |line: &Option<usize>| line.zip(*reference).map_or(usize::MAX, |(a, b)| a.abs_diff(b));
         if distance(&faint) < distance(&plain) { faint } else { plain }
     });
-    ridge_error(&nearer.collect::<Vec<_>>(), &reference).expect("as many columns")
+    ridge_error(&nearer.collect::<Vec<_>>(), &reference, 1).expect("as many columns")
 }

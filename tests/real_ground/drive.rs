@@ -118,7 +118,7 @@ fn lit_horizon_error(test: &GreyPicture, reference: &GreyPicture, crest: &[Optio
     let lit = |horizon: &[Option<usize>]| -> Vec<_> {
         (0..crest.len()).filter(is_lit).map(|column| horizon[column]).collect()
     };
-    ridge_error(&lit(&seen), &lit(&expected)).expect("horizons of one width")
+    ridge_error(&lit(&seen), &lit(&expected), 0).expect("horizons of one width")
 }
 
 /// What the scenario comes to on its own machine, the ideal one: the columns in the middle of its picture, with the

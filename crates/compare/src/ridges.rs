@@ -85,18 +85,30 @@ pub struct RidgeError {
     pub maximum: usize,
 }
 
-/// Compares two horizons.
+/// Compares two horizons. A column is off by the distance from the lines that the reference spans within `reach`
+/// columns to either side: 0 for column against column, 1 for a mask of one pixel along upright edges (masts, rocks).
 ///
 /// # Errors
 /// [`CompareError::Plane`] for different numbers of columns.
-pub fn ridge_error(test: &[Option<usize>], reference: &[Option<usize>]) -> Result<RidgeError, CompareError> {
+pub fn ridge_error(
+    test: &[Option<usize>],
+    reference: &[Option<usize>],
+    reach: usize,
+) -> Result<RidgeError, CompareError> {
     let (found, expected) = (test.len(), reference.len());
     if found != expected {
         return Err(CompareError::Plane { what: "horizon", found, expected });
     }
     let pairs = || test.iter().zip(reference);
-    let mut errors: Vec<usize> =
-        pairs().filter_map(|(test, reference)| Some(test.as_ref()?.abs_diff(*reference.as_ref()?))).collect();
+    let off = |column: usize| {
+        let line = test[column]?;
+        reference[column]?;
+        let near = &reference[column.saturating_sub(reach)..(column + reach + 1).min(expected)];
+        let lines = || near.iter().flatten().copied();
+        let (highest, lowest) = (lines().min()?, lines().max()?);
+        Some(highest.saturating_sub(line).max(line.saturating_sub(lowest)))
+    };
+    let mut errors: Vec<usize> = (0..expected).filter_map(off).collect();
     errors.sort_unstable();
     // Nearest rank; no column at all is no error.
     let rank = |share: usize| {

@@ -59,16 +59,33 @@ fn horizons_are_the_first_ground_from_the_top() {
 fn a_horizon_one_line_off_is_noticed() {
     let reference: Vec<_> = (0..200).map(|column| Some(100 + column % 7)).collect();
     let mut test = reference.clone();
-    assert_eq!(ridge_error(&test, &reference).expect("one size").maximum, 0);
+    assert_eq!(ridge_error(&test, &reference, 0).expect("one size").maximum, 0);
     test[17] = Some(100 + 17 % 7 - 1);
-    let one = ridge_error(&test, &reference).expect("one size");
+    let one = ridge_error(&test, &reference, 0).expect("one size");
     assert_eq!((one.median, one.percentile_99, one.maximum), (0, 0, 1));
     test[18] = Some(0);
     test[19] = None;
     test[20] = Some(104 + 20 % 7);
-    let error = ridge_error(&test, &reference).expect("one size");
+    let error = ridge_error(&test, &reference, 0).expect("one size");
     // 199 columns: rank 198 of the sorted errors is the 99th percentile.
     let expected = RidgeError { compared: 199, only_one: 1, median: 0, percentile_99: 4, maximum: 104 };
     assert_eq!(error, expected);
-    assert!(ridge_error(&test[1..], &reference).is_err());
+    assert!(ridge_error(&test[1..], &reference, 0).is_err());
+}
+
+#[test]
+fn a_mast_may_stand_a_column_aside() {
+    let with_mast =
+        |at: usize| (0..20).map(|column| Some(if column == at { 40 } else { 60 })).collect::<Vec<_>>();
+    let maximum = |test: &[_], reference: &[_], reach| ridge_error(test, reference, reach).expect("one size").maximum;
+    let (mast, aside, far) = (with_mast(7), with_mast(8), with_mast(9));
+    assert_eq!(maximum(&aside, &mast, 0), 20);
+    assert_eq!(maximum(&aside, &mast, 1), 0);
+    assert_eq!(maximum(&far, &mast, 1), 20);
+    // Within reach the lines between foot and top are the mast's; above its top nothing is.
+    let mut between = aside.clone();
+    between[8] = Some(50);
+    assert_eq!(maximum(&between, &mast, 1), 0);
+    between[8] = Some(38);
+    assert_eq!(maximum(&between, &mast, 1), 2);
 }

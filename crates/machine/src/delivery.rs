@@ -84,7 +84,8 @@ impl Supply<'_> {
     }
 
     fn sight(&self) -> Sight {
-        Sight::new(self.raster.lines as f64, 2.0 * libm::atan(self.raster.field.tan_half_height))
+        let raster = self.stage.settings.raster;
+        Sight::new(f64::from(raster.lines), 2.0 * libm::atan(raster.field.tan_half_height))
     }
 
     /// Pixels of the screen in a square resolution cell, which is as wide as a line is high; not less than 1.

@@ -1,6 +1,6 @@
 //! What the sweeps write: the screen, or more of it where the yoke turns the picture.
 
-use hardware_model::Settings;
+use hardware_model::{Settings, SweepMemoryKind};
 use scenario::FieldOfView;
 use sweep_memory::covering;
 
@@ -21,6 +21,13 @@ impl WrittenRaster {
         let Some(yoke) = settings.yoke else { return Self { field: raster.field, lines } };
         let field = covering(raster.field, yoke.travel);
         let growth = field.tan_half_height / raster.field.tan_half_height;
-        Self { field, lines: (f64::from(raster.lines) * growth).ceil() as usize }
+        let finer = match settings.sweep_memory {
+            SweepMemoryKind::ScanConverter => CELLS_A_LINE,
+            SweepMemoryKind::DigitalMemory => 1.0,
+        };
+        Self { field, lines: (f64::from(raster.lines) * growth * finer).ceil() as usize }
     }
 }
+
+/// Cells of a sweep in a line of the screen where the yoke turns: a turned line begins and ends between them.
+const CELLS_A_LINE: f64 = 4.0;

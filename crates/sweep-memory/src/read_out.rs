@@ -93,21 +93,35 @@ impl Store<'_> {
         self.values.len() / self.lines
     }
 
-    /// The cubics of Catmull and Rom through the sixteen values around a place, kept between the four nearest so that
-    /// no edge rings: a turned line lies between lines everywhere, and a linear spot would blur all of them. A place
-    /// beyond the outermost by more than half a sweep or half a line is dark.
-    fn cubic(&self, sweep: f64, line: f64) -> f32 {
-        let (Some(across), Some(down)) = (Taps::around(sweep, self.sweeps()), Taps::around(line, self.lines))
+    /// What a read beam as high as `height` cells sees at a place: their mean along each of the four sweeps around it,
+    /// and across them the cubic of Catmull and Rom, kept between the two nearest so that no edge rings (a linear spot
+    /// would blur all that lies between sweeps, which turned is everything). A place beyond the outermost by more than
+    /// half a sweep or half a cell is dark.
+    fn spot(&self, sweep: f64, line: f64, height: f64) -> f32 {
+        let (Some(across), Some(down)) = (Taps::around(sweep, self.sweeps()), self.window(line, height))
         else {
             return 0.0;
         };
-        let stretches = across.cells.map(|sweep| {
-            let values = &self.values[sweep * self.lines..][..self.lines];
-            down.cells.map(|line| values[line])
-        });
-        let read = across.join(stretches.map(|stretch| down.join(stretch)));
-        let [_, [_, a, b, _], [_, c, d, _], _] = stretches;
-        read.clamp(a.min(b).min(c.min(d)), a.max(b).max(c.max(d)))
+        let means = across.cells.map(|sweep| down.mean(&self.values[sweep * self.lines..][..self.lines]));
+        let [_, a, b, _] = means;
+        across.join(means).clamp(a.min(b), a.max(b))
+    }
+
+    /// The cells under a beam of `height` cells around a place; it is cut off at the ends of a sweep.
+    fn window(&self, line: f64, height: f64) -> Option<Window> {
+        let end = self.lines as f64;
+        let middle = line + 0.5;
+        if !(-ROUNDING..=end + ROUNDING).contains(&middle) {
+            return None;
+        }
+        let [top, bottom] = [middle - 0.5 * height, middle + 0.5 * height].map(|edge| edge.clamp(0.0, end));
+        let [first, last] = [top, bottom].map(|edge| (edge as usize).min(self.lines - 1));
+        Some(Window {
+            first,
+            last,
+            before: (top - first as f64) as f32,
+            within: (bottom - last as f64) as f32,
+        })
     }
 
     /// The value of the cell in which a place lies; dark beyond.
@@ -120,6 +134,25 @@ impl Store<'_> {
             (Some(sweep), Some(line)) => self.values[sweep * self.lines + line],
             _ => 0.0,
         }
+    }
+}
+
+/// Cells under the read beam: from part `before` of the first on, up to part `within` of the last.
+#[derive(Debug, Clone, Copy)]
+struct Window {
+    first: usize,
+    last: usize,
+    before: f32,
+    within: f32,
+}
+
+impl Window {
+    /// Mean of the values of a sweep under the beam.
+    fn mean(self, values: &[f32]) -> f32 {
+        let Self { first, last, before, within } = self;
+        let whole: f32 = values[first..last].iter().sum();
+        let sum = whole - before * values[first] + within * values[last];
+        sum / ((last - first) as f32 - before + within)
     }
 }
 
@@ -165,9 +198,11 @@ impl Taps {
 pub fn scan_converter(store: &[f32], lines: usize, columns: usize, view: &View, picture: &mut [f32]) {
     let tangent_over_x = view.tangent_over_x();
     if !view.is_level(lines, picture.len() / columns) {
-        let (store, height) = (Store { values: store, lines }, view.raster.tan_half_height);
+        let (store, edge) = (Store { values: store, lines }, view.raster.tan_half_height);
+        let cells_a_line =
+            lines as f64 / edge * view.field.tan_half_height / (picture.len() / columns) as f64;
         return view.read_turned(columns, picture, |x, y| {
-            store.cubic(view.fan.position(x * tangent_over_x(y)), cell_of(y, height, lines))
+            store.spot(view.fan.position(x * tangent_over_x(y)), cell_of(y, edge, lines), cells_a_line)
         });
     }
     let last = view.fan.sweeps as usize - 1;
@@ -352,6 +387,19 @@ mod tests {
     }
 
     #[test]
+    fn the_beam_sees_the_mean_of_the_cells_in_its_line() {
+        // Four cells a line, level: every pixel is the mean of its own four, whatever they hold.
+        let values: Vec<f32> = (0..40 * 36).map(|cell| (cell * cell % 97) as f32).collect();
+        let mut picture = vec![0.0; 40 * 9];
+        scan_converter(&values, 36, 40, &view(0.0, 40), &mut picture);
+        for (index, found) in picture.iter().enumerate() {
+            let (line, column) = (index / 40, index % 40);
+            let mean = values[column * 36 + 4 * line..][..4].iter().sum::<f32>() / 4.0;
+            assert!((found - mean).abs() < 1e-3, "{index}: {found}, {mean}");
+        }
+    }
+
+    #[test]
     fn a_part_of_a_larger_raster_is_read_in_its_place() {
         // Sweeps and lines hold their own tangents; the screen is the inner half.
         let raster = FieldOfView { tan_half_width: 0.8, tan_half_height: 0.6 };
@@ -361,10 +409,10 @@ mod tests {
         let store: Vec<f32> = (0..80 * 60)
             .map(|index| (fan.tangent((index / 60) as u32) + 10.0 * 0.6 * centre(index % 60, 60)) as f32)
             .collect();
-        let mut picture = vec![0.0; 41 * 31];
+        let mut picture = vec![0.0; 41 * 15];
         scan_converter(&store, 60, 41, &view, &mut picture);
         for (index, found) in picture.iter().enumerate() {
-            let expected = 0.4 * centre(index % 41, 41) + 10.0 * 0.3 * centre(index / 41, 31);
+            let expected = 0.4 * centre(index % 41, 41) + 10.0 * 0.3 * centre(index / 41, 15);
             assert!((f64::from(*found) - expected).abs() < 1e-5, "{index}");
         }
     }

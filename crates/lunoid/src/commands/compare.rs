@@ -186,7 +186,10 @@ impl Compare {
         });
         let linear = linear.transpose().map_err(refused)?;
         let horizons = [&a, &b].map(|picture| horizon_of_picture(picture, SKY));
-        let ridges = self.edges_of().map(|_| ridge_error(&horizons[0], &horizons[1])).transpose()?;
+        let ridges = self
+            .edges_of()
+            .map(|_| ridge_error(&horizons[0], &horizons[1], usize::from(self.edges.is_some())))
+            .transpose()?;
         Ok(Pair { frame, test, reference, comparison, linear, edges: None, ridges })
     }
 
