@@ -77,7 +77,8 @@ fn a_horizon_one_line_off_is_noticed() {
 fn a_mast_may_stand_a_column_aside() {
     let with_mast =
         |at: usize| (0..20).map(|column| Some(if column == at { 40 } else { 60 })).collect::<Vec<_>>();
-    let maximum = |test: &[_], reference: &[_], reach| ridge_error(test, reference, reach).expect("one size").maximum;
+    let maximum =
+        |test: &[_], reference: &[_], reach| ridge_error(test, reference, reach).expect("one size").maximum;
     let (mast, aside, far) = (with_mast(7), with_mast(8), with_mast(9));
     assert_eq!(maximum(&aside, &mast, 0), 20);
     assert_eq!(maximum(&aside, &mast, 1), 0);

@@ -7,7 +7,7 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use files::{Npy, NpyData};
-use generator::{Generator, PlaneKind, Planes};
+use generator::{Generator, Label, PlaneKind, Planes};
 use landscape::parabolic_drop;
 use picture::Depth;
 use replay::{Control, Pictures, Progress, ReplayError, RunFolder, TruthOutcome, run, write_truth};
@@ -149,24 +149,22 @@ fn every_array_is_what_exact_says() {
     }
 }
 
-/// As `docs/truth-format.md` has it: pixel, range and pose lead to a point of the ground.
-#[test]
-fn a_pixel_leads_back_to_the_ground() {
-    let at = tempdir().unwrap();
-    let wish = Wish { items: "range,pose", ..Wish::default() };
-    wish.write(at.path()).unwrap();
-    let stage = stage(&wish.scenario());
-    let poses = document(at.path(), "poses.json");
+/// As `docs/truth-format.md` has it: pixel, range and pose lead to a point (north, east, height; m), one a pixel of
+/// frame after frame, with the frame, and the label of what is there; the sky has none.
+fn points(out: &Path) -> Vec<(u64, u8, [f64; 3])> {
+    let poses = document(out, "poses.json");
     let numbers = |value: &Value| -> Vec<f64> {
         value.as_array().unwrap().iter().map(|number| number.as_f64().unwrap()).collect()
     };
     let half = numbers(&poses["camera"]["tan_half_field"]);
-    let mut worst = 0.0_f64;
+    let mut found = Vec::new();
     for frame in poses["frames"].as_array().unwrap() {
-        let held = arrays(&content(at.path())[&format!("frame_{:06}.npz", frame["frame"].as_u64().unwrap())]);
+        let number = frame["frame"].as_u64().unwrap();
+        let held = arrays(&content(out)[&format!("frame_{number:06}.npz")]);
         let [lines, columns] = *held["range"].shape() else { panic!("two dimensions") };
         let eye = numbers(&frame["eye_m"]);
         let rotation: Vec<Vec<f64>> = frame["rotation"].as_array().unwrap().iter().map(numbers).collect();
+        let labels = held["label"].data().to_f64();
         for (index, range) in held["range"].data().to_f64().into_iter().enumerate() {
             if range.is_infinite() {
                 continue;
@@ -176,13 +174,79 @@ fn a_pixel_leads_back_to_the_ground() {
             let y = half[1] * (2.0 * line + 1.0 - lines as f64) / lines as f64;
             let d: Vec<f64> = rotation.iter().map(|row| row[0] + row[1] * x + row[2] * y).collect();
             let over = (d[0] * d[0] + d[1] * d[1]).sqrt();
-            let place = [eye[0] + range * d[0] / over, eye[1] + range * d[1] / over];
             let height = eye[2] - range * d[2] / over + parabolic_drop(range);
-            let ground = stage.landscape.height(place[0], place[1]).expect("on the ground");
-            worst = worst.max((height - ground).abs());
+            let point = [eye[0] + range * d[0] / over, eye[1] + range * d[1] / over, height];
+            found.push((number, labels[index] as u8, point));
         }
     }
+    found
+}
+
+#[test]
+fn a_pixel_leads_back_to_the_ground() {
+    let at = tempdir().unwrap();
+    let wish = Wish { items: "range,label,pose", ..Wish::default() };
+    wish.write(at.path()).unwrap();
+    let ground = stage(&wish.scenario()).landscape;
+    let off = |[x, y, height]: [f64; 3]| (height - ground.height(x, y).expect("on the ground")).abs();
+    let worst = points(at.path()).into_iter().map(|(_, _, point)| off(point)).fold(0.0, f64::max);
     assert!(worst > 0.0 && worst < 1e-3, "{worst}");
+}
+
+/// Craters, a lander beside the way, and a camera that rolls with the slope.
+const DRESSED: &str = r#"
+[[features.population]]
+seed = 1
+kind = "fresh"
+density_per_m2 = 0.02
+smallest_radius_m = 1
+largest_radius_m = 15
+area_m = [90, 170, 180, 240]
+
+[[object]]
+id = "lm"
+model = "lander"
+x_m = 118
+y_m = 204
+
+[shadows]
+
+[roll]
+display = "yoke"
+"#;
+
+#[test]
+fn a_pixel_of_a_full_scene_leads_back_to_what_its_label_says() {
+    let at = tempdir().unwrap();
+    let scenario = format!("{}{DRESSED}", Wish::default().scenario);
+    let wish = Wish { items: "range,label,pose", frames: 2..4, scenario, ..Wish::default() };
+    wish.write(at.path()).unwrap();
+    let stage = stage(&wish.scenario());
+    let poses = document(at.path(), "poses.json");
+    let mut pixels = [0; 7];
+    for (frame, label, [x, y, height]) in points(at.path()) {
+        let label = Label::of_code(label).expect("a label");
+        pixels[usize::from(label.code())] += 1;
+        let at = glam::DVec3::new(x, y, height);
+        if matches!(label, Label::Rock | Label::Culture) {
+            let time = poses["frames"][(frame - 2) as usize]["time_s"].as_f64().unwrap();
+            let outside = |body: &solids::Body| {
+                let faces = body.normals.iter().enumerate();
+                faces.map(|(face, normal)| normal.dot(at - body.on_face(face))).fold(f64::MIN, f64::max)
+            };
+            let nearest = stage.scenery.bodies(time).map(outside).min_by(|a, b| a.abs().total_cmp(&b.abs()));
+            assert!(nearest.is_some_and(|distance| distance.abs() < 1e-3), "{label:?}: {nearest:?}");
+        } else {
+            let ground = stage.landscape.height(x, y).expect("on the ground");
+            assert!((height - ground).abs() < 1e-3, "{label:?}: {height}, {ground}");
+        }
+    }
+    println!("{pixels:?}");
+    let count = |label: Label| pixels[usize::from(label.code())];
+    assert!(
+        count(Label::Terrain) > 200 && count(Label::Feature) > 50 && count(Label::Culture) > 20,
+        "{pixels:?}"
+    );
 }
 
 /// The numbers of the worked example in `docs/truth-format.md`.
