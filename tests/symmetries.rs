@@ -146,7 +146,7 @@ fn any_number_of_threads() {
 fn frames_in_any_order_or_alone() {
     for seed in SEEDS {
         let mut scene = random::scene(seed);
-        scene.loader.access_ticks = 25;
+        scene.loader.access = 25;
         scene.master_hz = 200_000;
         let session = HybridMachine.prepare(scene.stage()).unwrap();
         let frame = |frame: u64| {
@@ -278,7 +278,7 @@ fn a_faster_loader_is_never_later() {
         let late: Vec<u64> = [0, 1, 3, 10, 40]
             .into_iter()
             .map(|ticks| {
-                scene.loader.access_ticks = ticks;
+                scene.loader.access = ticks;
                 draw(&scene).counts.late_words
             })
             .collect();

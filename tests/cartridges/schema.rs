@@ -1,6 +1,6 @@
 //! `cartridge.toml`, as `README.md` describes it.
 
-use hardware_model::{LatePolicy, Loader};
+use hardware_model::{HardwareModel, LatePolicy, Loader};
 use landscape::Sun;
 use lunoid_tests::Scene;
 use quantities::radians;
@@ -259,6 +259,6 @@ impl LoaderKeys {
             PolicyWord::StrobeThrough => LatePolicy::StrobeThrough,
             PolicyWord::Latched => LatePolicy::Latched,
         };
-        Loader { access_ticks: self.access_ticks, late_policy, delays: Vec::new() }
+        Loader { access: self.access_ticks, late_policy, ..HardwareModel::ideal().loader }
     }
 }

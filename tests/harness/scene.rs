@@ -96,7 +96,7 @@ impl Scene {
                 ..Laws::default()
             },
             scalar: Scalar::F64,
-            loader: Loader { access_ticks: 0, late_policy: LatePolicy::StrobeThrough, delays: Vec::new() },
+            loader: Loader { late_policy: LatePolicy::StrobeThrough, ..HardwareModel::ideal().loader },
             sweep_memory: SweepMemoryKind::ScanConverter,
         }
     }

@@ -7,7 +7,7 @@ use compare::{
     EDGE_PLANES, EdgeLimits, RidgeError, edge_mask, horizon_of_picture, horizon_of_range, ridge_error,
 };
 use exact::Exact;
-use generator::{FrameCounts, Generator, PlaneKind, Planes, Stage};
+use generator::{FrameCounts, Generator, Label, PlaneKind, Planes, Shade, Stage};
 use hardware_model::{HardwareModel, Settings};
 use landscape::Landscape;
 use machine::HybridMachine;
@@ -182,16 +182,27 @@ impl Shipped {
 /// Codes up to this may be a line that is hardly touched by ground.
 const NEARLY_SKY: u16 = 16;
 
-/// Horizons of both pictures in the columns where the exact one shows its ridge: shadow is as black as sky. A
+/// Horizons of both pictures in the columns where the exact one shows a ridge of the ground, with no shadow, which is as
+/// black as sky, and no outline of a body within a pixel. A
 /// faint first line of the machine counts as ground or sky, whichever is nearer; a mast or rock may stand a column aside.
 fn lit_ridge_error(machine: &GreyPicture, exact: &Shown) -> RidgeError {
     let (columns, lines) = (machine.columns(), machine.lines());
     let ranges = exact.planes.get(PlaneKind::Range).expect("asked for");
     let ground = horizon_of_range(ranges, columns, lines).expect("a plane of that size");
+    let shades = exact.planes.get(PlaneKind::Shadow).expect("asked for");
+    let labels = exact.planes.get(PlaneKind::Label).expect("asked for");
+    let is_body =
+        |label: f32| [Label::Rock, Label::Culture].iter().any(|body| label == f32::from(body.code()));
+    let near = |at: usize, count: usize| at.saturating_sub(1)..(at + 2).min(count);
+    let is_lit = |line: usize, column: usize| {
+        let mut around =
+            near(line, lines).flat_map(|line| near(column, columns).map(move |at| line * columns + at));
+        around.all(|at| shades[at] == f32::from(Shade::Lit.code()) && !is_body(labels[at]))
+    };
     let mut reference = horizon_of_picture(&exact.picture, NEARLY_SKY);
-    for (seen, ground) in reference.iter_mut().zip(ground) {
-        let lit = matches!((*seen, ground), (Some(seen), Some(ground)) if seen.abs_diff(ground) <= 1);
-        *seen = seen.filter(|_| lit);
+    for (column, (seen, ground)) in reference.iter_mut().zip(ground).enumerate() {
+        let shown = seen.zip(ground).is_some_and(|(seen, ground)| seen.abs_diff(ground) <= 1);
+        *seen = seen.filter(|&line| shown && is_lit(line, column));
     }
     let [faint, plain] = [NEARLY_SKY / 2, NEARLY_SKY].map(|sky| horizon_of_picture(machine, sky));
     let nearer = faint.into_iter().zip(plain).zip(&reference).map(|((faint, plain), reference)| {

@@ -26,7 +26,7 @@ fn first_light_late_words_tear_the_massif() {
     let clean = shipped.machine(60);
     assert_eq!(clean.counts.late_words, 0);
     // 90 ns at 1000 MHz.
-    shipped.settings.loader.access_ticks = 90;
+    shipped.settings.loader.access = 90;
     shipped.settings.loader.late_policy = LatePolicy::StrobeThrough;
     let late = shipped.machine(60);
     assert_eq!(late.counts.late_words, 1_403_964);

@@ -35,7 +35,7 @@ fn slow_loaders_agree_under_both_policies() {
     each_seed(1000..1120, |seed, scene| {
         let mut dice = Dice::new(seed);
         scene.loader.late_policy = dice.choose(&[LatePolicy::StrobeThrough, LatePolicy::Latched]);
-        scene.loader.access_ticks = dice.count(1, 40) as u64;
+        scene.loader.access = dice.count(1, 40) as u64;
         // About one tick a step, so that words come some steps after their fold.
         scene.master_hz = 30 * u64::from(scene.sweeps * scene.samples) * dice.count(1, 3) as u64;
         scene.loader.delays = (0..20).map(|_| held_back(&mut dice, scene.sweeps)).collect();
@@ -57,7 +57,7 @@ fn held_back(dice: &mut Dice, sweeps: u32) -> LoadDelay {
 #[test]
 fn slow_loaders_are_late_somewhere() {
     let mut scene = random::scene(1003);
-    scene.loader.access_ticks = 30;
+    scene.loader.access = 30;
     scene.master_hz = 30 * u64::from(scene.sweeps * scene.samples);
     scene.samples = 300;
     scene.range.end = 6.0 * scene.level.region_size();

@@ -157,7 +157,7 @@ impl Service<'_, '_> {
         program: &mut SweepProgram,
     ) {
         let load = Load { colour, target: Target::Preload(register), corner, words };
-        let latency = self.unit.loader.access_ticks + delay;
+        let latency = self.unit.loader.access + delay;
         if latency == 0 {
             program.steps.push(Step::new(fold.time, fold.range, StepKind::Load(load)));
             return;

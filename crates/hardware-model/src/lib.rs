@@ -7,6 +7,7 @@
 //! - [`HardwareModel::read`]: a model over its bases, under overlays and single settings, as a [`LoadedModel`]
 //!   that knows where each value came from. The format is described in `docs/hardware-model-format.md`.
 
+mod digital;
 mod layering;
 mod loaded;
 mod model;
@@ -15,8 +16,9 @@ mod settings;
 mod source;
 mod written;
 
+pub use digital::{Cpu, CrossingServer, DataBanks, Drum, DrumQueue, LatePolicy, LoadDelay, Loader};
 pub use loaded::{EffectiveValue, LoadedModel};
-pub use model::{HardwareModel, LatePolicy, LoadDelay, Loader, ModelRaster, SweepMemoryKind};
+pub use model::{HardwareModel, ModelRaster, SweepMemoryKind};
 pub use parts::{Economy, FeatureParts, Gate, MixingParts, Organisation, ShadowParts};
 pub use scenario::{LevelSwitch, ShadowFineness, Yoke};
 pub use settings::{Raster, Settings, SettingsError};

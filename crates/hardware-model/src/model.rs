@@ -2,9 +2,8 @@
 
 use quantities::Rate;
 use scenario::{Laws, RangeProgramme};
-use sweep_program::{Colour, PreloadRegister};
 
-use crate::{FeatureParts, MixingParts, ShadowParts, Yoke};
+use crate::{Cpu, DataBanks, FeatureParts, Loader, MixingParts, ShadowParts, Yoke};
 
 /// What the machine is made of.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,8 +16,14 @@ pub struct HardwareModel {
     pub range: RangeProgramme,
     /// Master clock of the digital processing unit.
     pub master_clock: Rate,
+    /// Central processor.
+    pub cpu: Cpu,
     /// Delivery of coefficient words to the registers.
     pub loader: Loader,
+    /// Drums and storage buffers.
+    pub data_banks: DataBanks,
+    /// Seed of part-to-part spread and noise.
+    pub seed: u64,
     /// Laws that the machine is wired for.
     pub laws: Laws,
     /// Kind of sweep memory.
@@ -46,45 +51,6 @@ pub struct ModelRaster {
     pub update: Rate,
     /// Pictures shown a second.
     pub refresh: Rate,
-}
-
-/// The path of coefficient words from storage buffer to register (section 6.3; hardware section 4.4).
-#[derive(Debug, Clone, PartialEq)]
-pub struct Loader {
-    /// Master ticks from a fold to the arrival of the words that it asks for.
-    pub access_ticks: u64,
-    /// What happens to words that come after the transfer they were meant for.
-    pub late_policy: LatePolicy,
-    /// Single words held back on purpose, to see what a fault does.
-    pub delays: Vec<LoadDelay>,
-}
-
-/// What happens to words that miss their fold (hardware section 4.5).
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum LatePolicy {
-    /// They go to the hold register as they arrive, word by word.
-    StrobeThrough,
-    /// The hold register keeps the stale words until the colour is transferred again.
-    Latched,
-}
-
-/// One word held back.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct LoadDelay {
-    /// Frame, or every frame.
-    pub frame: Option<u64>,
-    /// Sweep of the frame, from 0 at the left.
-    pub sweep: u32,
-    /// The fold that asks for the word, counted from 0 in the sweep; folds of both axes count.
-    pub crossing: u32,
-    /// Colour register that waits for the word.
-    pub colour: Colour,
-    /// Preload register of that colour.
-    pub register: PreloadRegister,
-    /// Word, `3 p + q`, 0..=8.
-    pub word: usize,
-    /// Master ticks it comes later.
-    pub ticks: u64,
 }
 
 /// Kind of sweep memory (section 16).

@@ -6,8 +6,8 @@ use quantities::{Rate, Timebase, TimebaseError};
 use scenario::{Display, FieldOfView, LawWishes, Laws, RangeProgramme, RasterWishes, Scalar, ShadowFineness};
 
 use crate::{
-    Economy, FeatureParts, HardwareModel, LevelSwitch, Loader, MixingParts, ShadowParts, SweepMemoryKind,
-    Yoke,
+    Cpu, DataBanks, Economy, FeatureParts, HardwareModel, LevelSwitch, Loader, MixingParts, ShadowParts,
+    SweepMemoryKind, Yoke,
 };
 
 /// Everything that decides a picture but landscape, sun and pose.
@@ -25,8 +25,14 @@ pub struct Settings {
     pub scalar: Scalar,
     /// From reflectivity to grey.
     pub display: Display,
+    /// Central processor.
+    pub cpu: Cpu,
     /// Delivery of coefficient words.
     pub loader: Loader,
+    /// Drums and storage buffers.
+    pub data_banks: DataBanks,
+    /// Seed of part-to-part spread and noise.
+    pub seed: u64,
     /// Kind of sweep memory.
     pub sweep_memory: SweepMemoryKind,
     /// Feature generator.
@@ -139,7 +145,10 @@ impl Settings {
             laws: laws.or(model.laws),
             scalar,
             display,
+            cpu: model.cpu,
             loader: model.loader.clone(),
+            data_banks: model.data_banks,
+            seed: model.seed,
             sweep_memory: model.sweep_memory,
             feature_generator: model.feature_generator,
             shadow_controller: model.shadow_controller,

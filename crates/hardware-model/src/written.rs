@@ -7,7 +7,10 @@ use quantities::Rate;
 use scenario::{Laws, words};
 use sweep_program::{Colour, PreloadRegister};
 
-use crate::{HardwareModel, LatePolicy, LoadDelay, Loader, ModelRaster, SweepMemoryKind};
+use crate::{
+    Cpu, CrossingServer, DataBanks, HardwareModel, LatePolicy, LoadDelay, Loader, ModelRaster,
+    SweepMemoryKind,
+};
 
 /// Format of model files that this program reads.
 pub const FORMAT: u64 = 1;
@@ -41,7 +44,10 @@ pub(crate) fn model(root: &Reader, name: String) -> Option<HardwareModel> {
         raster: raster??,
         range: range??,
         master_clock: clock??,
+        cpu: Cpu::default(),
         loader: loader??,
+        data_banks: DataBanks { drum: None, buffer_words: None },
+        seed: 0,
         laws: laws?,
         sweep_memory: kind??,
         feature_generator: feature_generator??,
@@ -79,7 +85,13 @@ fn loader(table: &Reader, clock: Option<Rate>) -> Option<Loader> {
     let delays: Vec<_> = tables.iter().map(delay).collect();
     refuse_twins(&tables, &delays);
     Some(Loader {
-        access_ticks: ticks(access?, clock?),
+        served_by: CrossingServer::WiredPointers,
+        words_per_access: 9,
+        access: ticks(access?, clock?),
+        pointer: 0,
+        strobe: 0,
+        urgent_first: true,
+        diagonal_register: false,
         late_policy: late_policy?,
         delays: delays.into_iter().collect::<Option<_>>()?,
     })

@@ -27,7 +27,7 @@ fn all_examples_are_read() {
     fs::write(&overlay_file, overlay).unwrap();
     let loaded =
         HardwareModel::read(&model_file, &[overlay_file], &[]).unwrap_or_else(|list| panic!("{list}"));
-    assert_eq!((loaded.model.name.as_str(), loaded.model.loader.access_ticks), ("late-loads", 300));
+    assert_eq!((loaded.model.name.as_str(), loaded.model.loader.access), ("late-loads", 300));
     assert_eq!(loaded.model.loader.delays.len(), 1);
     assert_ne!(loaded.model.range, HardwareModel::ideal().range);
 }

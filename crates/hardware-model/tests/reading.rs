@@ -43,7 +43,7 @@ fn the_ideal_model() {
     assert_eq!((ideal.name.as_str(), ideal.raster.sweeps, ideal.raster.samples), ("ideal", 1000, 1000));
     assert_eq!(ideal.master_clock, Rate::new(1_000_000_000, 1).unwrap());
     assert_eq!(ideal.range, RangeProgramme { law: RangeLaw::Geometric, start: 1.5, end: 5000.0 });
-    assert_eq!((ideal.loader.access_ticks, ideal.loader.late_policy), (0, LatePolicy::StrobeThrough));
+    assert_eq!((ideal.loader.access, ideal.loader.late_policy), (0, LatePolicy::StrobeThrough));
     assert_eq!((ideal.laws.projection, ideal.laws.occlusion), (Projection::Exact, Occlusion::PeakHold));
     assert_eq!(
         (ideal.laws.pixel_rule, ideal.sweep_memory),
@@ -166,7 +166,7 @@ fn a_scan_converter_has_its_figures_as_shares() {
 #[test]
 fn access_times_round_up_to_ticks() {
     let ticks = |nanoseconds: &str, clock: &str| {
-        set(&[("loader.access_ns", nanoseconds), ("dpu.clock_mhz", clock)]).unwrap().model.loader.access_ticks
+        set(&[("loader.access_ns", nanoseconds), ("dpu.clock_mhz", clock)]).unwrap().model.loader.access
     };
     assert_eq!(ticks("950", "20"), 19);
     assert_eq!(ticks("951", "20"), 20);

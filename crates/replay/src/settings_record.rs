@@ -184,7 +184,7 @@ fn loader(settings: &Settings) -> Value {
         LatePolicy::Latched => "latched",
     };
     let delays: Vec<Value> = loader.delays.iter().map(delay).collect();
-    json!({ "access_ticks": loader.access_ticks, "late_policy": policy, "delay": delays })
+    json!({ "access_ticks": loader.access, "late_policy": policy, "delay": delays })
 }
 
 fn delay(delay: &LoadDelay) -> Value {

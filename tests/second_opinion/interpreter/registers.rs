@@ -165,7 +165,7 @@ impl<'a> Registers<'a> {
     fn ask(&mut self, colour: usize, register: Axis, time: f64) {
         let words = self.stored(self.ahead(colour, register));
         for (word, value) in words.into_iter().enumerate() {
-            let latency = self.loader.access_ticks + self.held_back(colour, register, word);
+            let latency = self.loader.access + self.held_back(colour, register, word);
             if latency == 0 {
                 self.first[register][colour][word] = value;
                 continue;

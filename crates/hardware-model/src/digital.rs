@@ -1,0 +1,126 @@
+//! The digital side: processor, loader, data banks (hardware sections 2 and 4). Times are whole master ticks.
+
+use sweep_program::{Colour, PreloadRegister};
+
+/// Central processor (hardware section 2.1).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Cpu {
+    /// One memory cycle.
+    pub memory_cycle: u64,
+    /// One multiplication.
+    pub multiply: u64,
+    /// Recognition of an interrupt, saving and restoring the state.
+    pub interrupt: u64,
+    /// Longest instruction that no interrupt breaks.
+    pub longest_instruction: u64,
+    /// Setting up one sweep.
+    pub sweep_setup: u64,
+    /// Visibility and tables of one frame.
+    pub frame_tables: u64,
+    /// Transformation and projection of one vertex of a polyhedron.
+    pub vertex: u64,
+    /// Priority levels; any number if `None`. With one level an interrupt waits for the task that runs.
+    pub priority_levels: Option<u32>,
+}
+
+/// Who answers a fold with coefficient words.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CrossingServer {
+    /// Pointers in hardware, one buffer bank a colour.
+    WiredPointers,
+    /// An I/O processor, one request after another.
+    IoProcessor,
+    /// The central processor, by interrupt, one request after another.
+    CpuInterrupt,
+}
+
+/// The path of coefficient words from storage buffer to register (section 6.3; hardware section 4.4).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Loader {
+    /// Who answers.
+    pub served_by: CrossingServer,
+    /// Words of a set that one access of the storage buffer brings, 1 to 9.
+    pub words_per_access: u32,
+    /// One access.
+    pub access: u64,
+    /// Pointer arithmetic of one set.
+    pub pointer: u64,
+    /// Strobe of the words into their register.
+    pub strobe: u64,
+    /// Whether the set that the next stop of the other axis may need goes first.
+    pub urgent_first: bool,
+    /// Whether a third preload register holds the corner beyond both stops.
+    pub diagonal_register: bool,
+    /// What happens to words that come after the transfer they were meant for.
+    pub late_policy: LatePolicy,
+    /// Single words held back on purpose, to see what a fault does.
+    pub delays: Vec<LoadDelay>,
+}
+
+impl Loader {
+    /// Whether words are in their registers with the fold that asks for them.
+    pub fn is_wired_through(&self) -> bool {
+        self.served_by == CrossingServer::WiredPointers && self.access + self.pointer + self.strobe == 0
+    }
+}
+
+/// What happens to words that miss their fold (hardware section 4.5).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LatePolicy {
+    /// They go to the hold register as they arrive, word by word.
+    StrobeThrough,
+    /// The hold register keeps the stale words until the colour is transferred again.
+    Latched,
+}
+
+/// One word held back.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct LoadDelay {
+    /// Frame, or every frame.
+    pub frame: Option<u64>,
+    /// Sweep of the frame, from 0 at the left.
+    pub sweep: u32,
+    /// The fold that asks for the word, counted from 0 in the sweep; folds of both axes count.
+    pub crossing: u32,
+    /// Colour register that waits for the word.
+    pub colour: Colour,
+    /// Preload register of that colour.
+    pub register: PreloadRegister,
+    /// Word, `3 p + q`, 0..=8.
+    pub word: usize,
+    /// Master ticks it comes later.
+    pub ticks: u64,
+}
+
+/// Data banks of one level: drums behind the storage buffer (hardware section 2.3).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Drum {
+    /// One revolution.
+    pub rotation: u64,
+    /// Master ticks to transfer one 16-bit word.
+    pub word: f64,
+    /// Words of one record: 9 are one corner, 9 n² a square of n x n corners.
+    pub record_words: u32,
+    /// Which request is served next.
+    pub queue: DrumQueue,
+    /// Drums that share the requests.
+    pub count: u32,
+}
+
+/// Queue discipline of a drum.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DrumQueue {
+    /// First come, first served.
+    Fifo,
+    /// The record that comes under the heads first.
+    ShortestLatency,
+}
+
+/// What stands between the data banks and the registers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DataBanks {
+    /// The drums of each level; all words are at hand if `None`.
+    pub drum: Option<Drum>,
+    /// Words of the storage buffer of each level; any number if `None`.
+    pub buffer_words: Option<u32>,
+}

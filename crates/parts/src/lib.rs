@@ -1,0 +1,1 @@
+//! Analog parts: lags, amplifiers, multipliers, converters, comparators, switches, each by its exact solution over a sample.

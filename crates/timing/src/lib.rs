@@ -1,0 +1,1 @@
+//! Timing records: what the digital side did and when, and baselines to hold it to.
