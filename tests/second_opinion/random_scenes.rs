@@ -36,6 +36,10 @@ fn slow_loaders_agree_under_both_policies() {
         let mut dice = Dice::new(seed);
         scene.loader.late_policy = dice.choose(&[LatePolicy::StrobeThrough, LatePolicy::Latched]);
         scene.loader.access = dice.count(1, 40) as u64;
+        scene.loader.pointer = dice.count(0, 5) as u64;
+        scene.loader.strobe = dice.count(0, 3) as u64;
+        scene.loader.words_per_access = dice.count(1, 9) as u32;
+        scene.loader.urgent_first = dice.choose(&[true, false]);
         // About one tick a step, so that words come some steps after their fold.
         scene.master_hz = 30 * u64::from(scene.sweeps * scene.samples) * dice.count(1, 3) as u64;
         scene.loader.delays = (0..20).map(|_| held_back(&mut dice, scene.sweeps)).collect();

@@ -1,1 +1,43 @@
-//! Data banks: drums that turn, their queues, and the storage buffer in front of them (hardware section 2.3).
+//! Data banks: drums that turn, their queues, and the storage buffer in front of them (section 17; hardware
+//! sections 2.3 and 4.7).
+//!
+//! ```text
+//! demand of a frame ─▶ records not held ─▶ queue of each drum ─▶ drum ─▶ storage buffer ─▶ coefficient loader
+//! (corners, urgent first)                  (FIFO | shortest latency)      │ capacity       missing until the
+//!                                                                         ▼ dropped        arrival tick
+//! ```
+//!
+//! **Law.** A drum of revolution `T` that stands at angle `(t + start) mod T` at tick `t` delivers the record that
+//! begins at place `p` at `t + ((p - angle) mod T) + transfer`, and nothing else until then. `transfer` is
+//! `words x ticks a word`, rounded up. A record holds an aligned square of `n x n` corners of nine words each;
+//! record `r` lies on drum `r mod count`, its records end to end along the tracks, heads switched at once.
+//! **Parameters.** [`hardware_model::Drum`] and the words of the buffer. The seed draws start angle and speed of each
+//! drum, 0.5 % (one standard deviation); a slow drum is slow in revolution and in transfer. [`DrumUnit`] shows what
+//! was drawn.
+//! **State and timing.** Whole master ticks. A [`DataBank`] is called once a frame, in order of frames, and keeps
+//! buffer, queues and the record under the heads; a clone is a checkpoint. A demand is acted on at its start. A record
+//! that arrives with the last tick of the frame still belongs to the frame.
+//! **Elaboration.** With all words at hand there is no data bank.
+//! **Our choices.**
+//! - The first frame finds the buffer full of what it demands: it was loaded before the mission.
+//! - Every frame the list of requests is written anew in the order of the demand. FIFO serves that list from its top;
+//!   shortest latency takes what comes under the heads first, and of two at one place the more urgent.
+//! - What the frame no longer wants is cancelled, also under the heads: a drum has no arm to move.
+//! - Room is made when a record is ordered: the record goes that no frame has demanded for longest, and of several
+//!   the least urgent in its last demand. What a frame demands beyond the buffer's capacity is not ordered.
+//! - A record at the edge of the level is as long as any other.
+//!
+//! **Not modelled.** Errors of reading, gaps between records, the time to switch heads, writing (a changed record is
+//! there with the next fetch), editing by the I/O processor. The drum's speed does not wander during a mission.
+
+mod bank;
+mod buffer;
+mod corners;
+mod drum;
+mod layout;
+mod supply;
+
+pub use bank::DataBank;
+pub use corners::{corners_of, nearest_first};
+pub use drum::DrumUnit;
+pub use supply::{Demand, FrameSupply, Missing};

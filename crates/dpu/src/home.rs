@@ -36,6 +36,12 @@ impl Pointers {
         }
     }
 
+    /// The corner beyond both stops.
+    pub fn diagonal(&self, colour: Colour) -> [i64; 2] {
+        let [m, n] = self.corner(colour);
+        [m + 2 * self.heading[0], n + 2 * self.heading[1]]
+    }
+
     /// Moves the two colours that `fold` gives new words.
     pub fn follow(&mut self, fold: Fold) {
         let axis = usize::from(fold.axis == RampAxis::Y);

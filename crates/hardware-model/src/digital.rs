@@ -51,6 +51,8 @@ pub struct Loader {
     pub urgent_first: bool,
     /// Whether a third preload register holds the corner beyond both stops.
     pub diagonal_register: bool,
+    /// Crossings of a sweep after which nothing is transferred any more; never if `None`. A fault, not a part.
+    pub stop_after_crossings: Option<u32>,
     /// What happens to words that come after the transfer they were meant for.
     pub late_policy: LatePolicy,
     /// Single words held back on purpose, to see what a fault does.

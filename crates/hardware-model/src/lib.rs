@@ -7,6 +7,7 @@
 //! - [`HardwareModel::read`]: a model over its bases, under overlays and single settings, as a [`LoadedModel`]
 //!   that knows where each value came from. The format is described in `docs/hardware-model-format.md`.
 
+mod analog;
 mod digital;
 mod layering;
 mod loaded;
@@ -16,6 +17,11 @@ mod settings;
 mod source;
 mod written;
 
+pub use analog::{
+    AmplifierParts, AnalogParts, ComparatorParts, FoldDetect, FunctionGeneratorParts, MemoryParts,
+    MultiplierParts, MultiplyingDacParts, ProjectionParts, ReflectivityParts, RollParts, SMOOTHER_DAMPING,
+    SampleHoldParts, SweepParts, VideoSwitchParts, WriteCompensation,
+};
 pub use digital::{Cpu, CrossingServer, DataBanks, Drum, DrumQueue, LatePolicy, LoadDelay, Loader};
 pub use loaded::{EffectiveValue, LoadedModel};
 pub use model::{HardwareModel, ModelRaster, SweepMemoryKind};

@@ -3,7 +3,7 @@
 use quantities::Rate;
 use scenario::{Laws, RangeProgramme};
 
-use crate::{Cpu, DataBanks, FeatureParts, Loader, MixingParts, ShadowParts, Yoke};
+use crate::{AnalogParts, Cpu, DataBanks, FeatureParts, Loader, MixingParts, ShadowParts, Yoke};
 
 /// What the machine is made of.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,6 +36,10 @@ pub struct HardwareModel {
     pub mixing_unit: MixingParts,
     /// Deflection yoke.
     pub yoke: Yoke,
+    /// Words a second that reach the sub-generators of the feature generator; any number if `None`.
+    pub feature_words: Option<f64>,
+    /// The analog side.
+    pub analog: AnalogParts,
 }
 
 /// Raster of the model and its clocks.

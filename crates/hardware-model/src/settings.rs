@@ -6,8 +6,8 @@ use quantities::{Rate, Timebase, TimebaseError};
 use scenario::{Display, FieldOfView, LawWishes, Laws, RangeProgramme, RasterWishes, Scalar, ShadowFineness};
 
 use crate::{
-    Cpu, DataBanks, Economy, FeatureParts, HardwareModel, LevelSwitch, Loader, MixingParts, ShadowParts,
-    SweepMemoryKind, Yoke,
+    AnalogParts, Cpu, DataBanks, Economy, FeatureParts, HardwareModel, LevelSwitch, Loader, MixingParts,
+    ShadowParts, SweepMemoryKind, Yoke,
 };
 
 /// Everything that decides a picture but landscape, sun and pose.
@@ -41,6 +41,10 @@ pub struct Settings {
     pub shadow_controller: ShadowParts,
     /// Mixing unit.
     pub mixing_unit: MixingParts,
+    /// Words a second that reach the sub-generators of the feature generator; any number if `None`.
+    pub feature_words: Option<f64>,
+    /// The analog side.
+    pub analog: AnalogParts,
     /// Deflection yoke, where the display turns the picture with the vehicle's roll.
     pub yoke: Option<Yoke>,
     /// Switch from the fine level to the coarse one, where the scenario has two.
@@ -153,6 +157,8 @@ impl Settings {
             feature_generator: model.feature_generator,
             shadow_controller: model.shadow_controller,
             mixing_unit: model.mixing_unit,
+            feature_words: model.feature_words,
+            analog: model.analog.clone(),
             yoke: None,
             levels: None,
             shadows: None,

@@ -1,6 +1,6 @@
 //! The digital side of a frame: fan, start of every sweep, folds, sweep programs.
 
-use dpu::{CrossingService, Sector, TimedFold};
+use dpu::{CrossingService, Sector, TimedFold, Watch};
 use generator::{FrameError, Stage};
 use landscape::{Level, Sun};
 use quantities::{degrees, sin_cos};
@@ -80,6 +80,7 @@ impl FramePlan {
         table: &RangeTable,
         end: f64,
         program: &mut SweepProgram,
+        watch: &mut impl Watch,
     ) {
         let [x, y, _] = self.eye;
         let level = service.level;
@@ -92,7 +93,7 @@ impl FramePlan {
             })
             .take_while(|fold| fold.range <= end);
         let range_at = |time| table.range_at(time);
-        service.write_program((self.frame, sweep), start, folds, end, range_at, program);
+        service.write_program((self.frame, sweep), start, folds, end, range_at, program, watch);
     }
 }
 

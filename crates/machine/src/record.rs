@@ -161,7 +161,7 @@ impl<S: Real> Recorded<'_, S> {
         let mut folds = program
             .steps
             .iter()
-            .filter(|step| matches!(step.kind, StepKind::Fold(fold) if fold.axis == axis))
+            .filter(|step| matches!(step.kind, StepKind::Fold(fold) | StepKind::BareFold(fold) if fold.axis == axis))
             .peekable();
         let mut count = 0;
         let value = |&range: &f64| {

@@ -192,7 +192,11 @@ struct GroupResult {
 }
 
 fn terrain_counts(program: &SweepProgram) -> FrameCounts {
-    let folds = program.steps.iter().filter(|step| matches!(step.kind, StepKind::Fold(_))).count();
+    let folds = program
+        .steps
+        .iter()
+        .filter(|step| matches!(step.kind, StepKind::Fold(_) | StepKind::BareFold(_)))
+        .count();
     let late = program.misses.iter().map(|miss| u64::from(miss.words.0.count_ones())).sum();
     FrameCounts {
         folds: folds as u64,

@@ -6,7 +6,7 @@ use display_projection_processor::{BrokenProfile, Deflection, Processor};
 use dpu::CrossingService;
 use feature_generator::{FeatureGenerator, Schedule};
 use generator::Stage;
-use hardware_model::{Gate, MixingParts};
+use hardware_model::{Gate, Loader, MixingParts, Settings};
 use landscape::{Level, SweepLight};
 use mixing_unit::{Composite, FeatureInput, Inputs, MixingUnit, Toggle, ToggleList, terrain_alone};
 use polyhedron_generator::{Hold, Overlay};
@@ -78,16 +78,21 @@ impl<S: Real> Group<'_, S> {
     fn draw_terrain(&self, sweeps: &[u32; LANES], light: &[SweepLight; LANES], work: &mut Workspace<S>) {
         let settings = &self.stage.settings;
         let fine = self.stage.landscape.level();
-        let service = CrossingService { level: fine, loader: &settings.loader, timebase: &settings.timebase };
+        let service = self.service(fine, &settings.loader);
         let far = self.blocks.coarse.as_ref().map_or(settings.range.end, |coarse| coarse.switch.range);
         for (&sweep, program) in sweeps.iter().zip(&mut work.programs) {
             let end = self.plan.way_to_edge(sweep, fine).min(far).min(settings.range.end);
-            self.plan.write_program(sweep, &service, self.table, end, program);
+            self.plan.write_program(sweep, &service, self.table, end, program, &mut ());
         }
         match &self.blocks.coarse {
             None => self.terrain(fine).run(&work.programs, light, &mut work.profile),
             Some(coarse) => self.draw_both_levels(coarse, sweeps, light, work),
         }
+    }
+
+    fn service<'l>(&'l self, level: &'l Level, loader: &'l Loader) -> CrossingService<'l> {
+        let Settings { cpu, timebase, seed, .. } = &self.stage.settings;
+        CrossingService { level, loader, cpu, timebase, missing: &[], seed: *seed }
     }
 
     fn draw_both_levels(
@@ -99,10 +104,10 @@ impl<S: Real> Group<'_, S> {
     ) {
         let Stage { landscape, settings, .. } = self.stage;
         let level = &landscape.bank().levels()[1];
-        let service = CrossingService { level, loader, timebase: &settings.timebase };
+        let service = self.service(level, loader);
         for (&sweep, program) in sweeps.iter().zip(&mut work.coarse) {
             let end = self.plan.way_to_edge(sweep, level).min(settings.range.end);
-            self.plan.write_program(sweep, &service, self.table, end, program);
+            self.plan.write_program(sweep, &service, self.table, end, program, &mut ());
         }
         let generator = ModifiedTerrainGenerator {
             fine: self.terrain(landscape.level()),

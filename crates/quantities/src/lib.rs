@@ -2,7 +2,7 @@
 //!
 //! Time is counted in integers and rounded once. A [`Timebase`] holds the clocks of one machine; a
 //! [`SweepTime`] is a real instant inside one sweep, in units of accumulator steps (samples), and only
-//! [`Timebase::tick_at_or_after`] turns it into a master-clock [`Tick`].
+//! [`SweepClock::tick_at_or_after`] turns it into a master-clock [`Tick`].
 
 mod angle;
 mod hash;
@@ -10,4 +10,4 @@ mod time;
 
 pub use angle::{degrees, radians, sin_cos, wrap_heading};
 pub use hash::{hash_words, unit_interval};
-pub use time::{Rate, SweepTime, Tick, Timebase, TimebaseError};
+pub use time::{Rate, SweepClock, SweepTime, Tick, Timebase, TimebaseError};

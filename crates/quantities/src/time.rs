@@ -138,23 +138,37 @@ impl Timebase {
         self.master.hertz() / self.sample.hertz()
     }
 
-    /// The first tick at or after `time` in sweep `sweep` of frame `frame`: when the digital side sees it.
-    pub fn tick_at_or_after(&self, frame: u64, sweep: u32, time: SweepTime) -> Tick {
+    /// The master clock as one sweep sees it.
+    pub fn sweep_clock(&self, frame: u64, sweep: u32) -> SweepClock {
         let (whole, rest) = self.master.periods_in(self.first_step(frame, sweep), self.sample);
-        // Folds before the first sample have negative instants.
-        let after = (rest + time.0 * self.ticks_per_sample()).ceil() as i64;
-        Tick(whole.saturating_add_signed(after))
-    }
-
-    /// When `tick` falls, as an instant of sweep `sweep` of frame `frame`; negative before its start.
-    pub fn instant_of(&self, tick: Tick, frame: u64, sweep: u32) -> SweepTime {
-        let (whole, rest) = self.master.periods_in(self.first_step(frame, sweep), self.sample);
-        let ticks = tick.0 as i128 - i128::from(whole);
-        SweepTime((ticks as f64 - rest) / self.ticks_per_sample())
+        SweepClock { whole, rest, ticks_per_sample: self.ticks_per_sample() }
     }
 
     fn first_step(&self, frame: u64, sweep: u32) -> u64 {
         (frame * u64::from(self.sweeps) + u64::from(sweep)) * u64::from(self.sweep_samples())
+    }
+}
+
+/// The master clock as one sweep sees it: the first sample falls `rest` of a tick after tick `whole`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SweepClock {
+    whole: u64,
+    rest: f64,
+    ticks_per_sample: f64,
+}
+
+impl SweepClock {
+    /// The first tick at or after `time`: when the digital side sees it.
+    pub fn tick_at_or_after(&self, time: SweepTime) -> Tick {
+        // Folds before the first sample have negative instants.
+        let after = (self.rest + time.0 * self.ticks_per_sample).ceil() as i64;
+        Tick(self.whole.saturating_add_signed(after))
+    }
+
+    /// When `tick` falls; negative before the first sample.
+    pub fn instant_of(&self, tick: Tick) -> SweepTime {
+        let ticks = tick.0 as i128 - i128::from(self.whole);
+        SweepTime((ticks as f64 - self.rest) / self.ticks_per_sample)
     }
 }
 
@@ -177,7 +191,7 @@ mod tests {
     #[test]
     fn a_million_frames_do_not_drift() {
         let clocks = nominal();
-        let start = clocks.tick_at_or_after(3_000_000, 0, SweepTime(0.0));
+        let start = clocks.sweep_clock(3_000_000, 0).tick_at_or_after(SweepTime(0.0));
         // 3 000 000 frames at 30 Hz are 100 000 s of a 20 MHz clock.
         assert_eq!(start, Tick(2_000_000_000_000));
     }
@@ -187,8 +201,9 @@ mod tests {
         let clocks = nominal();
         for sweep in 0..525 {
             let time = SweepTime(f64::from(sweep) * 1.7 - 0.9);
-            let tick = clocks.tick_at_or_after(7, sweep, time);
-            let back = clocks.instant_of(tick, 7, sweep);
+            let clock = clocks.sweep_clock(7, sweep);
+            let tick = clock.tick_at_or_after(time);
+            let back = clock.instant_of(tick);
             let late = (back.0 - time.0) * clocks.ticks_per_sample();
             assert!((-1e-6..1.0 + 1e-6).contains(&late), "sweep {sweep}: {late} ticks late");
         }

@@ -10,6 +10,6 @@ mod program;
 pub use colour::{Colour, PreloadRegister};
 pub use fan::Fan;
 pub use program::{
-    Fold, Load, Miss, Ramp, RampAxis, RegisterSet, Step, StepKind, Stop, SweepProgram, SweepStart, Target,
-    WordMask,
+    Fold, Load, Miss, MissCause, NO_CORNER, Ramp, RampAxis, RegisterSet, Step, StepKind, Stop, SweepProgram,
+    SweepStart, Target, WordMask,
 };

@@ -109,6 +109,21 @@ impl WordMask {
         Self(self.0 & !other.0)
     }
 
+    /// Words `from` up to, not including, `until`.
+    pub fn range(from: u32, until: u32) -> Self {
+        Self(((1 << until) - (1 << from)) as u16)
+    }
+
+    /// The words of both.
+    pub fn and(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+
+    /// The words of either.
+    pub fn or(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
     /// Whether no word is left.
     pub fn is_empty(self) -> bool {
         self.0 == 0
@@ -129,6 +144,9 @@ pub enum Target {
     Hold,
 }
 
+/// Index of a corner that the data bank has not delivered: its words are 0.
+pub const NO_CORNER: u32 = u32::MAX;
+
 /// Words arrive at the registers of a colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Load {
@@ -136,7 +154,7 @@ pub struct Load {
     pub colour: Colour,
     /// Which of them.
     pub target: Target,
-    /// Index of the corner in the storage buffer.
+    /// Index of the corner in the storage buffer; [`NO_CORNER`] brings words of 0.
     pub corner: u32,
     /// Which words.
     pub words: WordMask,
@@ -145,8 +163,10 @@ pub struct Load {
 /// What happens at one instant of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum StepKind {
-    /// A ramp folds.
+    /// A ramp folds, and two colours take their preload register.
     Fold(Fold),
+    /// A ramp folds and nothing is transferred: the loader is off.
+    BareFold(Fold),
     /// Words arrive.
     Load(Load),
 }
@@ -189,14 +209,27 @@ pub struct Miss {
     pub crossing: u32,
     /// When that fold was.
     pub time: SweepTime,
-    /// When the words arrived.
-    pub arrival: SweepTime,
+    /// When the last of the words arrived; `None` if they were dropped before anyone fetched them.
+    pub arrival: Option<SweepTime>,
     /// Whose registers.
     pub colour: Colour,
     /// Which preload register was stale.
     pub register: PreloadRegister,
     /// Which words.
     pub words: WordMask,
+    /// Why.
+    pub cause: MissCause,
+}
+
+/// Why words came late.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MissCause {
+    /// One load takes longer than the stops were apart.
+    Access,
+    /// The load waited for others.
+    Queue,
+    /// The model holds the word back.
+    HeldBack,
 }
 
 /// The program of one sweep: steps in order of time; at one instant in order of cause.

@@ -177,6 +177,7 @@ impl TerrainGenerator<'_> {
             }
             match &step.kind {
                 StepKind::Fold(fold) => lane.registers.fold(*fold),
+                StepKind::BareFold(fold) => lane.registers.turn(*fold),
                 StepKind::Load(load) => lane.registers.load(load, self.buffer),
             }
             if changes_hold(step) {
@@ -255,7 +256,7 @@ impl Stretch {
 /// Whether the words that feed the D/As are others after this step.
 fn changes_hold(step: &Step) -> bool {
     match step.kind {
-        StepKind::Fold(_) => true,
+        StepKind::Fold(_) | StepKind::BareFold(_) => true,
         StepKind::Load(Load { target, .. }) => target == Target::Hold,
     }
 }

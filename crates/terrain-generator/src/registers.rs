@@ -17,7 +17,7 @@ impl Registers {
     /// Registers at the start of a sweep; `buffer` is the storage buffer that the program's indices mean.
     pub fn at_start(program: &SweepProgram, buffer: &[CornerWords]) -> Self {
         let filled = |index: fn(&RegisterSet) -> u32| {
-            std::array::from_fn(|colour| buffer[index(&program.registers[colour]) as usize])
+            std::array::from_fn(|colour| stored(buffer, index(&program.registers[colour])))
         };
         Self {
             hold: filled(|set| set.hold),
@@ -45,13 +45,18 @@ impl Registers {
 
     /// A stop was met: two colours take their preload register, the polarity of the axis flips.
     pub fn fold(&mut self, fold: Fold) {
-        let axis = usize::from(fold.axis == RampAxis::Y);
         let preload = if fold.axis == RampAxis::X { &self.x_first } else { &self.y_first };
         for colour in sweep_program::Colour::ALL {
             if fold.axis.takes(fold.stop, colour) {
                 self.hold[colour as usize] = preload[colour as usize];
             }
         }
+        self.turn(fold);
+    }
+
+    /// A stop was met and nothing is transferred.
+    pub fn turn(&mut self, fold: Fold) {
+        let axis = usize::from(fold.axis == RampAxis::Y);
         self.polarity[axis] = -self.polarity[axis];
         self.folds[axis] += 1;
     }
@@ -63,11 +68,16 @@ impl Registers {
             Target::Preload(PreloadRegister::XFirst) => &mut self.x_first,
             Target::Preload(PreloadRegister::YFirst) => &mut self.y_first,
         };
-        let (set, words) = (&mut register[load.colour as usize], &buffer[load.corner as usize]);
+        let (set, words) = (&mut register[load.colour as usize], stored(buffer, load.corner));
         for word in 0..words.len() {
             if load.words.has(word) {
                 set[word] = words[word];
             }
         }
     }
+}
+
+/// Words of a corner, 0 for one that was not delivered.
+fn stored(buffer: &[CornerWords], corner: u32) -> CornerWords {
+    buffer.get(corner as usize).copied().unwrap_or_default()
 }

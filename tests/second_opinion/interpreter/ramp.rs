@@ -13,7 +13,8 @@ pub struct Ramp {
     pub heading: i64,
     /// Ramp units a metre of ground range, not negative.
     speed: f64,
-    rising: bool,
+    /// Whether it goes towards 1.
+    pub rising: bool,
 }
 
 impl Ramp {

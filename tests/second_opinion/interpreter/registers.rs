@@ -34,11 +34,28 @@ pub struct Clock {
 }
 
 impl Clock {
-    /// `latency` ticks after the first tick at or after `time`.
-    fn later(&self, time: f64, latency: u64) -> f64 {
-        let seen = (self.phase + time * self.ticks_per_step).ceil();
-        (seen + latency as f64 - self.phase) / self.ticks_per_step
+    /// The first tick at or after `time`, counted from the last one before the sweep.
+    fn seen(&self, time: f64) -> i64 {
+        (self.phase + time * self.ticks_per_step).ceil() as i64
     }
+
+    /// When a tick falls.
+    fn time_of(&self, tick: i64) -> f64 {
+        (tick as f64 - self.phase) / self.ticks_per_step
+    }
+}
+
+/// A set that waits for an access of the storage buffer.
+#[derive(Debug, Clone, Copy)]
+struct Asked {
+    tick: i64,
+    event: u32,
+    colour: usize,
+    register: Axis,
+    words: [f64; 9],
+    /// The next stop of the other axis needs it.
+    urgent: bool,
+    late: bool,
 }
 
 /// A word on its way to a register.
@@ -64,6 +81,12 @@ pub struct Registers<'a> {
     /// Lattice corner that each colour stands for.
     pub corner: [[i64; 2]; 4],
     carried: Vec<Carried>,
+    asked: Vec<Asked>,
+    /// Ticks from which on each bank of the storage buffer is free, and up to which all have been walked.
+    free: [i64; 4],
+    walked: i64,
+    /// Whether each ramp meets 1 next; `None` for one that stands.
+    rising: [Option<bool>; 2],
     events: u32,
     level: &'a Level,
     heading: [i64; 2],
@@ -82,6 +105,7 @@ impl<'a> Registers<'a> {
         (frame, sweep): (u64, u32),
         region: [i64; 2],
         heading: [i64; 2],
+        rising: [Option<bool>; 2],
     ) -> Self {
         // Yellow and black at the even one of K, K + 1, red and green at the odd one; likewise in L (6.5, rule 4).
         let corner = CORNERS.map(|side| {
@@ -96,6 +120,10 @@ impl<'a> Registers<'a> {
             first: [[[0.0; 9]; 4]; 2],
             corner,
             carried: Vec::new(),
+            asked: Vec::new(),
+            free: [i64::MIN; 4],
+            walked: -1_000_000,
+            rising,
             events: 0,
             level,
             heading,
@@ -115,6 +143,7 @@ impl<'a> Registers<'a> {
 
     /// Takes in every word that has arrived by `time`.
     pub fn receive(&mut self, time: f64) {
+        self.walk_banks((self.clock.phase + time * self.clock.ticks_per_step).floor() as i64);
         let (arrived, still_carried): (Vec<_>, Vec<_>) =
             self.carried.drain(..).partition(|word| word.arrival <= time);
         self.carried = still_carried;
@@ -126,8 +155,58 @@ impl<'a> Registers<'a> {
         }
     }
 
+    /// Tick by tick up to `last`: a bank that is free begins with the set that is most urgent, else longest asked.
+    fn walk_banks(&mut self, last: i64) {
+        if self.asked.is_empty() {
+            self.walked = self.walked.max(last);
+            return;
+        }
+        for tick in self.walked + 1..=last {
+            for bank in 0..4 {
+                if self.free[bank] > tick {
+                    continue;
+                }
+                let mut waiting: Vec<usize> =
+                    (0..self.asked.len()).filter(|&k| self.asked[k].colour == bank).collect();
+                waiting.retain(|&k| self.asked[k].tick <= tick);
+                let urgent =
+                    waiting.iter().copied().find(|&k| self.asked[k].urgent && self.loader.urgent_first);
+                if let Some(chosen) = urgent.or(waiting.first().copied()) {
+                    let set = self.asked.remove(chosen);
+                    self.fetch(set, tick);
+                }
+            }
+        }
+        self.walked = self.walked.max(last);
+    }
+
+    /// One access after another; held-back words come later than the last of them.
+    fn fetch(&mut self, set: Asked, tick: i64) {
+        let width = self.loader.words_per_access as usize;
+        let begin = tick + self.loader.pointer as i64;
+        let comes = |word: usize| {
+            begin + (word / width + 1) as i64 * self.loader.access as i64 + self.loader.strobe as i64
+        };
+        self.free[set.colour] = comes(8) - self.loader.strobe as i64;
+        for (word, value) in set.words.into_iter().enumerate() {
+            let held = self.held_back(set.event, set.colour, set.register, word) as i64;
+            let arrival = self.clock.time_of(if held > 0 { comes(8) + held } else { comes(word) });
+            let late = set.late && held == 0;
+            self.carried.push(Carried {
+                arrival,
+                colour: set.colour,
+                register: set.register,
+                word,
+                value,
+                late,
+            });
+        }
+    }
+
     /// A stop of `axis` is met at `time`: transfer, then pointers, then requests.
     pub fn event(&mut self, axis: Axis, at_one: bool, time: f64) {
+        self.rising[axis] = Some(!at_one);
+        self.walk_banks(self.clock.seen(time) - 1);
         let colours = colours_at(axis, at_one);
         for colour in colours {
             self.hold[colour] = self.first[axis][colour];
@@ -136,7 +215,7 @@ impl<'a> Registers<'a> {
         }
         for colour in colours {
             for register in 0..2 {
-                self.ask(colour, register, time);
+                self.ask(axis, colour, register, time);
             }
         }
         self.events += 1;
@@ -159,29 +238,49 @@ impl<'a> Registers<'a> {
             }
         }
         self.carried = kept;
+        let mut kept = Vec::new();
+        for mut set in std::mem::take(&mut self.asked) {
+            if set.colour != colour {
+                kept.push(set);
+            } else if set.register == axis && !set.late {
+                self.late_words += 9;
+                set.late = true;
+                if strobe {
+                    kept.push(set);
+                }
+            }
+        }
+        self.asked = kept;
     }
 
     /// Asks for the nine words of a register; a transfer without latency is wired and done at once.
-    fn ask(&mut self, colour: usize, register: Axis, time: f64) {
+    fn ask(&mut self, axis: Axis, colour: usize, register: Axis, time: f64) {
         let words = self.stored(self.ahead(colour, register));
+        let (event, tick) = (self.events, self.clock.seen(time));
+        if self.loader.access + self.loader.pointer + self.loader.strobe > 0 {
+            let next = self.rising[register].map(|at_one| colours_at(register, at_one));
+            let urgent = register != axis && next.is_some_and(|colours| colours.contains(&colour));
+            self.asked.push(Asked { tick, event, colour, register, words, urgent, late: false });
+            return;
+        }
         for (word, value) in words.into_iter().enumerate() {
-            let latency = self.loader.access + self.held_back(colour, register, word);
-            if latency == 0 {
-                self.first[register][colour][word] = value;
-                continue;
+            match self.held_back(event, colour, register, word) as i64 {
+                0 => self.first[register][colour][word] = value,
+                held => {
+                    let arrival = self.clock.time_of(tick + held);
+                    self.carried.push(Carried { arrival, colour, register, word, value, late: false });
+                }
             }
-            let arrival = self.clock.later(time, latency);
-            self.carried.push(Carried { arrival, colour, register, word, value, late: false });
         }
     }
 
     /// Extra ticks that a fault of the model adds to this word.
-    fn held_back(&self, colour: usize, register: Axis, word: usize) -> u64 {
+    fn held_back(&self, event: u32, colour: usize, register: Axis, word: usize) -> u64 {
         let name = [Colour::Yellow, Colour::Green, Colour::Black, Colour::Red][colour];
         let waiting = [PreloadRegister::XFirst, PreloadRegister::YFirst][register];
         let meant = self.loader.delays.iter().find(|delay| {
             delay.frame.unwrap_or(self.frame) == self.frame
-                && (delay.sweep, delay.crossing) == (self.sweep, self.events)
+                && (delay.sweep, delay.crossing) == (self.sweep, event)
                 && (delay.colour, delay.register, delay.word) == (name, waiting, word)
         });
         meant.map_or(0, |delay| delay.ticks)

@@ -39,7 +39,8 @@ pub fn interpret(scene: &Scene, frame: u64, sweep: u32, ranges: &[f64]) -> Recor
     let region = [ramps[0].region, ramps[1].region];
     let heading = [ramps[0].heading, ramps[1].heading];
     let clock = clock(scene, frame, sweep);
-    let registers = Registers::at_start(level, &scene.loader, clock, (frame, sweep), region, heading);
+    let rising = ramps.each_ref().map(|ramp| ramp.moves().then_some(ramp.rising));
+    let registers = Registers::at_start(level, &scene.loader, clock, (frame, sweep), region, heading, rising);
     let mut walk = Walk { scene, ramps, registers, record: Record::default() };
     let mut before = 0.0;
     for (k, &range) in ranges.iter().enumerate() {

@@ -21,6 +21,12 @@ pub(super) fn feature_generator(table: &Reader) -> Option<FeatureParts> {
     Some(FeatureParts { organisation: organisation?, sub_generators: sub_generators? })
 }
 
+/// Words a second; any number if the inner value is `None`.
+pub(super) fn feature_words(table: &Reader) -> Option<Option<f64>> {
+    let rate = table.f64("load_words_us").above(0.0).at_most(1e6).unit("words/µs");
+    rate.map(|rate| 1e6 * rate).or_word("unlimited").required()
+}
+
 /// Both variants' figures stand in every model, so that it can be changed by one word.
 pub(super) fn shadow_controller(table: &Reader) -> Option<ShadowParts> {
     let is_digital = table.one_of("variant", &[("digital", true), ("scan-converter", false)]).required();
@@ -41,7 +47,7 @@ pub(super) fn mixing_unit(table: &Reader) -> Option<MixingParts> {
     Some(MixingParts { gate: gate?, threshold: threshold? })
 }
 
-pub(super) fn roll(table: &Reader) -> Option<Yoke> {
+pub(super) fn yoke(table: &Reader) -> Option<Yoke> {
     let step = table.f64("step_deg").between(0.0, 10.0).unit("degrees").map(radians).required();
     let rate = table.f64("rate_deg_s").above(0.0).at_most(1000.0).unit("degrees/s").map(radians).required();
     let travel = table.f64("travel_deg").between(0.0, 180.0).unit("degrees").map(radians).required();

@@ -1,0 +1,67 @@
+//! What a frame asks of a data bank, and what it gets.
+
+use quantities::Tick;
+
+/// What the sweeps of a frame, and of the frames soon after it, can meet.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Demand {
+    /// Frame of the mission, from 0.
+    pub frame: u64,
+    /// When the demand is known and acted on.
+    pub start: Tick,
+    /// End of the frame: the start of the next demand.
+    pub end: Tick,
+    /// Corners, as indices into the words of their level; most urgent first. A corner may be named twice.
+    pub corners: Vec<u32>,
+}
+
+/// A demanded corner that the storage buffer does not hold as the frame begins.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Missing {
+    /// Index into the words of the level.
+    pub corner: u32,
+    /// When its words are in the buffer; `None` if not before the frame ends.
+    pub arrival: Option<Tick>,
+}
+
+/// What the data bank did in one frame. Counts are of records.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct FrameSupply {
+    /// Demanded corners that are not there at the start, ascending.
+    pub missing: Vec<Missing>,
+    /// Records that the demand touches: those present, on order from frames before, requested now, without room.
+    pub wanted: u64,
+    /// Of these, held in the buffer at the start.
+    pub present: u64,
+    /// Of these, neither held nor ordered, because nearer ones fill the buffer.
+    pub no_room: u64,
+    /// Requests made in this frame.
+    pub requests: u64,
+    /// Requests fulfilled in this frame.
+    pub delivered: u64,
+    /// Requests of frames before that the frame no longer wants.
+    pub cancelled: u64,
+    /// Records dropped from the buffer to make room.
+    pub evicted: u64,
+    /// Requests that are still open as the frame ends.
+    pub pending: u64,
+    /// Master ticks of the frame that each drum spent turning to a record and reading it.
+    pub busy: Vec<u64>,
+    /// Longest queue of a drum, with the record under its heads.
+    pub longest_queue: u32,
+    /// Longest time from request to arrival, of the records delivered (ticks).
+    pub latency_max: u64,
+    /// Sum of these times (ticks): their mean is this over `delivered`.
+    pub latency_sum: u64,
+    /// Words of the buffer that are filled or kept for records on order.
+    pub words_held: u64,
+}
+
+impl FrameSupply {
+    /// Notes a record that was delivered `latency` ticks after its request.
+    pub(crate) fn note_delivery(&mut self, latency: u64) {
+        self.delivered += 1;
+        self.latency_max = self.latency_max.max(latency);
+        self.latency_sum = self.latency_sum.saturating_add(latency);
+    }
+}

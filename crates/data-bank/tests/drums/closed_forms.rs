@@ -1,0 +1,159 @@
+//! What a drum must do on the average, or exactly (hardware section 8, number 10).
+
+use data_bank::DataBank;
+use hardware_model::{Drum, DrumQueue};
+use quantities::Tick;
+
+use crate::{demand, empty_bank, single};
+
+/// Numbers below `modulus` (a prime) in an order without neighbours: records at places that look random.
+fn scattered(modulus: u32) -> impl Fn(u64) -> u32 {
+    move |index| ((index * 7919) % u64::from(modulus)) as u32
+}
+
+#[test]
+fn a_single_corner_waits_half_a_revolution_on_the_average() {
+    let bank = empty_bank(single(700, 1.5, DrumQueue::Fifo), [1, 50]);
+    let unit = bank.drums().next().unwrap();
+    let sum: u64 = (0..unit.rotation)
+        .map(|start| bank.clone().frame(&demand(1, start, start + 2000, [17])))
+        .map(|supply| {
+            assert_eq!((supply.delivered, supply.busy[0]), (1, supply.latency_max));
+            supply.latency_sum
+        })
+        .sum();
+    // Every angle once: exact.
+    assert_eq!(sum, unit.rotation * (unit.rotation - 1) / 2 + unit.rotation * unit.transfer);
+}
+
+#[test]
+fn a_drum_is_near_its_design_and_a_slow_one_is_slow_in_both() {
+    let design = Drum { count: 1000, ..single(1_000_000, 1000.0, DrumQueue::Fifo) };
+    let bank = DataBank::new(design, None, [10, 10], 5);
+    let slowness: Vec<f64> = bank.drums().map(|unit| unit.rotation as f64 / 1e6 - 1.0).collect();
+    let mean = slowness.iter().sum::<f64>() / 1000.0;
+    let variance = slowness.iter().map(|slowness| slowness * slowness).sum::<f64>() / 1000.0;
+    assert!(mean.abs() < 0.0006, "{mean}");
+    assert!((variance.sqrt() - 0.005).abs() < 0.0004, "{variance}");
+    for (unit, slowness) in bank.drums().zip(slowness) {
+        assert!((unit.transfer as f64 - 9000.0 * (1.0 + slowness)).abs() <= 1.0);
+        assert!(unit.start_angle < unit.rotation);
+    }
+}
+
+/// Twenty new corners a frame, oldest first, each demanded for eight frames; utilisation asked for, and the fractions
+/// of the time at work and of the requests that came to nothing.
+fn stream(rotation: u64) -> [f64; 3] {
+    let (frame_ticks, frames, each_frame) = (20_000, 400, 20);
+    let corner = scattered(9973);
+    let mut bank = empty_bank(single(rotation, 10.0, DrumQueue::Fifo), [1, 9973]);
+    let unit = bank.drums().next().unwrap();
+    let [mut busy, mut requests, mut cancelled] = [0; 3];
+    for frame in 0..frames {
+        let corners = (frame * each_frame..(frame + 8) * each_frame).map(&corner);
+        let supply = bank.frame(&demand(frame, frame * frame_ticks, (frame + 1) * frame_ticks, corners));
+        busy += supply.busy[0];
+        requests += supply.requests;
+        cancelled += supply.cancelled;
+    }
+    let mean = unit.rotation as f64 / 2.0 + unit.transfer as f64;
+    [
+        each_frame as f64 * mean / frame_ticks as f64,
+        busy as f64 / (frames * frame_ticks) as f64,
+        cancelled as f64 / requests as f64,
+    ]
+}
+
+#[test]
+fn utilisation_is_rate_times_latency_and_starvation_begins_at_one() {
+    for rotation in [300, 600, 1000, 1500] {
+        let [asked, busy, lost] = stream(rotation);
+        assert!(asked < 0.9 && (busy / asked - 1.0).abs() < 0.03, "{rotation}: {asked} {busy}");
+        assert_eq!(lost, 0.0, "{rotation}");
+    }
+    for rotation in [2500, 4000, 8000] {
+        let [asked, busy, lost] = stream(rotation);
+        assert!(asked > 1.1 && busy > 0.999, "{rotation}: {asked} {busy}");
+        assert!((lost - (1.0 - 1.0 / asked)).abs() < 0.03, "{rotation}: {asked} {lost}");
+    }
+}
+
+/// Busy ticks of one frame in which `corners` scattered corners are asked for at once.
+fn batch(queue: DrumQueue, first: u64, corners: u64) -> u64 {
+    let corner = scattered(9973);
+    let mut bank = empty_bank(single(10_000, 10.0, queue), [1, 9973]);
+    let supply = bank.frame(&demand(1, 0, 1 << 30, (first..first + corners).map(corner)));
+    assert_eq!(supply.delivered, corners);
+    supply.busy[0]
+}
+
+#[test]
+fn shortest_latency_first_beats_first_come() {
+    let [fifo, shortest] = [DrumQueue::Fifo, DrumQueue::ShortestLatency]
+        .map(|queue| (0..50).map(|n| batch(queue, 100 * n, 16)).sum::<u64>());
+    // FIFO turns half a revolution to each of the 16.
+    assert!((fifo as f64 / (50.0 * 16.0 * 5090.0) - 1.0).abs() < 0.05, "{fifo}");
+    assert!(5 * shortest < fifo, "{shortest} against {fifo}");
+}
+
+#[test]
+fn records_that_do_not_overlap_need_one_revolution() {
+    let mut bank = empty_bank(single(10_000, 10.0, DrumQueue::ShortestLatency), [1, 100]);
+    let unit = bank.drums().next().unwrap();
+    let supply = bank.frame(&demand(1, 777, 50_000, (0..100).rev()));
+    assert_eq!(supply.delivered, 100);
+    assert!(supply.latency_max < unit.rotation + unit.transfer);
+    assert!(supply.busy[0] >= 100 * unit.transfer);
+}
+
+#[test]
+fn drums_share_the_records() {
+    let delivered = |count| {
+        let drum = Drum { count, ..single(3000, 10.0, DrumQueue::Fifo) };
+        let corner = scattered(9973);
+        empty_bank(drum, [1, 9973]).frame(&demand(1, 0, 800_000, (0..5000).map(corner))).delivered
+    };
+    let alone = delivered(1) as f64;
+    for count in [2, 4, 8] {
+        let gain = delivered(count) as f64 / alone;
+        assert!((gain / f64::from(count) - 1.0).abs() < 0.05, "{count} drums: {gain}");
+    }
+}
+
+#[test]
+fn degenerate_drums_and_demands() {
+    let instant = single(1, 0.0, DrumQueue::ShortestLatency);
+    let supply = empty_bank(instant, [4, 4]).frame(&demand(1, 5, 6, 0..16));
+    assert!(supply.missing.iter().all(|missing| missing.arrival == Some(Tick(5))));
+    assert_eq!((supply.delivered, supply.busy[0]), (16, 0));
+
+    let long = Drum { record_words: 9 * 64, count: 7, ..single(100, 1.0, DrumQueue::Fifo) };
+    let mut bank = empty_bank(long, [3, 5]);
+    let supply = bank.frame(&demand(1, 0, 10_000, 0..15));
+    assert_eq!((supply.wanted, supply.requests, supply.delivered), (1, 1, 1));
+    assert_eq!(supply.busy.len(), 7);
+    assert!(supply.latency_max >= bank.drums().next().unwrap().transfer);
+
+    let none = Drum { count: 0, record_words: 0, ..single(0, f64::NAN, DrumQueue::Fifo) };
+    assert_eq!(empty_bank(none, [0, 0]).frame(&demand(1, 0, 1, [3])).delivered, 1);
+    let never = single(u64::MAX, f64::INFINITY, DrumQueue::ShortestLatency);
+    let supply = empty_bank(never, [4, 4]).frame(&demand(1, u64::MAX - 1, u64::MAX - 1, [3, 3]));
+    assert_eq!((supply.pending, supply.missing.len()), (1, 1));
+}
+
+#[test]
+fn the_mission_begins_with_a_full_buffer_and_the_nearest_stay() {
+    let drum = single(100, 1.0, DrumQueue::Fifo);
+    let mut bank = DataBank::new(drum, Some(9 * 4 + 8), [1, 20], 1);
+    let supply = bank.frame(&demand(0, 0, 1000, [7, 6, 8, 5, 9, 4]));
+    let missing: Vec<_> = supply.missing.iter().map(|missing| (missing.corner, missing.arrival)).collect();
+    assert_eq!(missing, [(4, None), (9, None)]);
+    assert_eq!((supply.requests, supply.no_room, supply.words_held), (0, 2, 36));
+    // One step on: 4 has moved up, 5 has become the farthest that the buffer held.
+    let supply = bank.frame(&demand(1, 1000, 2000, [6, 7, 4, 8, 5]));
+    assert_eq!((supply.requests, supply.delivered, supply.evicted, supply.no_room), (1, 1, 1, 1));
+    assert_eq!(supply.missing.iter().map(|missing| missing.corner).collect::<Vec<_>>(), [4, 5]);
+
+    let supply = DataBank::new(drum, Some(8), [1, 20], 1).frame(&demand(0, 0, 1000, [3]));
+    assert_eq!((supply.requests, supply.no_room, supply.words_held, supply.missing.len()), (0, 1, 0, 1));
+}

@@ -1,0 +1,254 @@
+//! A data bank that turns its drums tick by tick, with lists instead of order statistics and sums instead of remainders.
+//! It shares with the block what the seed drew, and no code.
+
+use data_bank::{DataBank, DrumUnit, FrameSupply, Missing};
+use hardware_model::{Drum, DrumQueue};
+use proptest::collection::vec;
+use proptest::prelude::{Just, Strategy, any, prop_assert_eq, prop_oneof, proptest};
+use quantities::Tick;
+
+use crate::demand;
+
+enum Heads {
+    Idle,
+    Turning(u32),
+    Reading(u32, u64),
+}
+
+struct SlowDrum {
+    unit: DrumUnit,
+    count: u32,
+    angle: u64,
+    queue: Vec<u32>,
+    heads: Heads,
+}
+
+impl SlowDrum {
+    fn place(&self, record: u32) -> u64 {
+        (0..record / self.count).fold(0, |place, _| (place + self.unit.transfer) % self.unit.rotation)
+    }
+
+    fn choose(&self, queue: DrumQueue) -> Option<usize> {
+        let mut angle = self.angle;
+        while queue == DrumQueue::ShortestLatency && !self.queue.is_empty() {
+            if let Some(at) = self.queue.iter().position(|&record| self.place(record) == angle) {
+                return Some(at);
+            }
+            angle = (angle + 1) % self.unit.rotation;
+        }
+        (!self.queue.is_empty()).then_some(0)
+    }
+
+    /// What happens at the instant `tick`; whether the heads have work afterwards.
+    fn instant(&mut self, tick: u64, queue: Option<DrumQueue>, arrived: &mut Vec<(u32, u64)>) -> bool {
+        loop {
+            match self.heads {
+                Heads::Reading(record, 0) => {
+                    arrived.push((record, tick));
+                    self.heads = Heads::Idle;
+                }
+                Heads::Turning(record) if self.angle == self.place(record) => {
+                    self.heads = Heads::Reading(record, self.unit.transfer);
+                }
+                Heads::Idle => match queue.and_then(|queue| self.choose(queue)) {
+                    Some(at) => self.heads = Heads::Turning(self.queue.remove(at)),
+                    None => return false,
+                },
+                _ => return true,
+            }
+        }
+    }
+
+    fn turn(&mut self) {
+        self.angle = (self.angle + 1) % self.unit.rotation;
+        if let Heads::Reading(_, left) = &mut self.heads {
+            *left -= 1;
+        }
+    }
+}
+
+struct SlowBank {
+    design: Drum,
+    drums: Vec<SlowDrum>,
+    capacity: usize,
+    columns: u32,
+    /// Record, frame and rank of its last demand.
+    held: Vec<(u32, u64, usize)>,
+    ordered: Vec<(u32, u64)>,
+    tick: u64,
+    begun: bool,
+}
+
+impl SlowBank {
+    fn new(design: Drum, buffer_words: Option<u32>, columns: u32, units: Vec<DrumUnit>) -> Self {
+        let count = units.len() as u32;
+        let drum =
+            |unit: DrumUnit| SlowDrum { unit, count, angle: unit.start_angle, queue: vec![], heads: Heads::Idle };
+        let drums = units.into_iter().map(drum).collect();
+        let capacity = buffer_words.map_or(usize::MAX, |words| (words / design.record_words) as usize);
+        Self { design, drums, capacity, columns, held: vec![], ordered: vec![], tick: 0, begun: false }
+    }
+
+    fn record_of(&self, corner: u32) -> u32 {
+        let side = (1..).take_while(|side| side * side * 9 <= self.design.record_words).last().unwrap();
+        let squares_in_a_row = (0..self.columns).filter(|column| column % side == 0).count() as u32;
+        (corner / self.columns / side) * squares_in_a_row + (corner % self.columns) / side
+    }
+
+    fn holds(&self, record: u32) -> bool {
+        self.held.iter().any(|held| held.0 == record)
+    }
+
+    /// Turns to `end`; drums choose only while `serving`. Busy ticks and arrivals.
+    fn run(&mut self, end: u64, serving: bool) -> (Vec<u64>, Vec<(u32, u64)>) {
+        let (mut busy, mut arrived) = (vec![0; self.drums.len()], vec![]);
+        loop {
+            let queue = (serving && self.tick < end).then_some(self.design.queue);
+            for (drum, busy) in self.drums.iter_mut().zip(&mut busy) {
+                *busy += u64::from(drum.instant(self.tick, queue, &mut arrived) && self.tick < end);
+            }
+            if self.tick >= end {
+                return (busy, arrived);
+            }
+            self.drums.iter_mut().for_each(SlowDrum::turn);
+            self.tick += 1;
+        }
+    }
+
+    fn take_in(&mut self, arrived: &[(u32, u64)], frame: u64, wanted: &[u32], supply: &mut FrameSupply) {
+        for &(record, arrival) in arrived {
+            let at = self.ordered.iter().position(|ordered| ordered.0 == record).unwrap();
+            let latency = arrival - self.ordered.remove(at).1;
+            let rank = wanted.iter().position(|&wanted| wanted == record).unwrap();
+            self.held.push((record, frame, rank));
+            supply.delivered += 1;
+            supply.latency_sum += latency;
+            supply.latency_max = supply.latency_max.max(latency);
+        }
+    }
+
+    fn frame(&mut self, frame: u64, end: u64, corners: &[u32], before: &[u32]) -> FrameSupply {
+        let mut supply = FrameSupply::default();
+        let unique = |corners: &[u32]| {
+            let mut wanted = vec![];
+            for &corner in corners {
+                let record = self.record_of(corner);
+                if !wanted.contains(&record) {
+                    wanted.push(record);
+                }
+            }
+            wanted
+        };
+        let (wanted, before) = (unique(corners), unique(before));
+        let gap = self.gap_arrivals();
+        self.take_in(&gap, frame.saturating_sub(1), &before, &mut supply);
+        let kept = &wanted[..wanted.len().min(self.capacity)];
+        if !self.begun {
+            self.begun = true;
+            self.held = kept.iter().enumerate().map(|(rank, &record)| (record, frame, rank)).collect();
+        }
+        self.order(frame, &wanted, kept, &mut supply);
+        for &corner in corners {
+            if !self.holds(self.record_of(corner)) {
+                supply.missing.push(Missing { corner, arrival: None });
+            }
+        }
+        supply.missing.sort_by_key(|missing| missing.corner);
+        supply.missing.dedup();
+        let (busy, arrived) = self.run(end, true);
+        self.take_in(&arrived, frame, &wanted, &mut supply);
+        for missing in &mut supply.missing {
+            let record = self.record_of(missing.corner);
+            missing.arrival = arrived.iter().find(|arrived| arrived.0 == record).map(|found| Tick(found.1));
+        }
+        FrameSupply { busy, pending: self.ordered.len() as u64, ..supply }
+    }
+
+    /// What came since the last frame's end, up to now.
+    fn gap_arrivals(&mut self) -> Vec<(u32, u64)> {
+        let now = self.tick;
+        self.run(now, false).1
+    }
+
+    fn order(&mut self, frame: u64, wanted: &[u32], kept: &[u32], supply: &mut FrameSupply) {
+        let open = self.ordered.len();
+        self.ordered.retain(|ordered| kept.contains(&ordered.0));
+        supply.cancelled = (open - self.ordered.len()) as u64;
+        for drum in &mut self.drums {
+            drum.queue.clear();
+            match drum.heads {
+                Heads::Turning(record) | Heads::Reading(record, _) if !kept.contains(&record) => {
+                    drum.heads = Heads::Idle;
+                }
+                _ => {}
+            }
+        }
+        for held in &mut self.held {
+            if let Some(rank) = wanted.iter().position(|&wanted| wanted == held.0) {
+                (held.1, held.2) = (frame, rank);
+            }
+        }
+        for &record in kept.iter().filter(|&&record| !self.held.iter().any(|held| held.0 == record)) {
+            if !self.ordered.iter().any(|ordered| ordered.0 == record) {
+                self.ordered.push((record, self.tick));
+                supply.requests += 1;
+            }
+            let which = record as usize % self.drums.len();
+            let drum = &mut self.drums[which];
+            if !matches!(drum.heads, Heads::Turning(at) | Heads::Reading(at, _) if at == record) {
+                drum.queue.push(record);
+            }
+        }
+        while self.held.len() + self.ordered.len() > self.capacity {
+            let worst = (0..self.held.len())
+                .min_by_key(|&at| (self.held[at].1, usize::MAX - self.held[at].2))
+                .unwrap();
+            self.held.remove(worst);
+            supply.evicted += 1;
+        }
+        let waiting = |drum: &SlowDrum| drum.queue.len() + usize::from(!matches!(drum.heads, Heads::Idle));
+        supply.wanted = wanted.len() as u64;
+        supply.present = wanted.iter().filter(|&&record| self.holds(record)).count() as u64;
+        supply.no_room = supply.wanted - supply.present - self.ordered.len() as u64;
+        supply.longest_queue = self.drums.iter().map(waiting).max().unwrap() as u32;
+        supply.words_held = (self.held.len() + self.ordered.len()) as u64 * u64::from(self.design.record_words);
+    }
+}
+
+fn designs() -> impl Strategy<Value = Drum> {
+    let queue = prop_oneof![Just(DrumQueue::Fifo), Just(DrumQueue::ShortestLatency)];
+    let words = prop_oneof![Just(9), Just(36), Just(81)];
+    let rotation = prop_oneof![1..40_u64, 1..300_u64];
+    let word = prop_oneof![Just(0.0), 0.0..0.7];
+    (rotation, word, words, queue, 1..4_u32).prop_map(|(rotation, word, record_words, queue, count)| Drum {
+        rotation,
+        word,
+        record_words,
+        queue,
+        count,
+    })
+}
+
+proptest! {
+    #[test]
+    fn every_figure_of_every_frame_is_that_of_a_drum_turned_by_hand(
+        design in designs(),
+        buffer in prop_oneof![Just(None), (0..15_u32).prop_map(Some)],
+        size in [1..9_usize, 1..9_usize],
+        seed in any::<u64>(),
+        frames in vec((0..120_u64, 0..3_u64, vec(any::<proptest::sample::Index>(), 0..12)), 1..12),
+    ) {
+        let buffer = buffer.map(|records| records * design.record_words + records);
+        let mut bank = DataBank::new(design, buffer, size, seed);
+        let mut slow = SlowBank::new(design, buffer, size[1] as u32, bank.drums().collect());
+        let mut before = vec![];
+        for (frame, (length, gap, chosen)) in (0..).zip(frames) {
+            let corners: Vec<_> = chosen.iter().map(|index| index.index(size[0] * size[1]) as u32).collect();
+            let start = slow.tick;
+            let found = bank.frame(&demand(frame, start, start + length, corners.iter().copied()));
+            prop_assert_eq!(found, slow.frame(frame, start + length, &corners, &before));
+            slow.pause(gap);
+            before = corners;
+        }
+    }
+}

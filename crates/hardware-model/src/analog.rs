@@ -1,0 +1,225 @@
+//! The analog side: how good each kind of part is (hardware section 3). Figures of a part that is not there are
+//! `None`, or 0 where the comment says so.
+
+mod ideal;
+
+/// Everything analog. Times in seconds, rates in hertz, voltages in volts; a *share* is of the full scale.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AnalogParts {
+    /// Full scale (V): the machine unit. All voltages of the other parts are against it.
+    pub full_scale: f64,
+    /// Whether parts of a kind differ from one another by the tolerances of hardware section 0. Static errors are
+    /// drawn for each part either way: they are themselves a spread.
+    pub spread: bool,
+    /// Folded ramps and limit stops.
+    pub sweep: SweepParts,
+    /// Basis functions g0, g1, g2 and their derivatives.
+    pub function_generator: FunctionGeneratorParts,
+    /// Products of basis functions; squares and roots of the reflectivity.
+    pub multiplier: MultiplierParts,
+    /// Products with coefficient words.
+    pub multiplying_dac: MultiplyingDacParts,
+    /// Amplifiers of the summers and of the video.
+    pub amplifier: AmplifierParts,
+    /// Inputs of one stage of a summer; one summing point that costs nothing if `None`.
+    pub summer_inputs: Option<u32>,
+    /// Comparators of occlusion, shadow edges and footprints, and of the folds where they are found by one.
+    pub comparator: ComparatorParts,
+    /// Sample-and-hold of the projection processor.
+    pub sample_hold: SampleHoldParts,
+    /// From slopes to reflectivity.
+    pub reflectivity: ReflectivityParts,
+    /// The three video switches.
+    pub video_switch: VideoSwitchParts,
+    /// Function generators of the projection processor.
+    pub projection: ProjectionParts,
+    /// The sweep memory.
+    pub memory: MemoryParts,
+    /// Bandwidth of the video behind the mixing unit (Hz); none is lost if `None`.
+    pub video_bandwidth: Option<f64>,
+    /// The motor of the deflection yoke.
+    pub roll: RollParts,
+}
+
+/// Sweep generator (hardware section 3.1).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SweepParts {
+    /// Bits of the ramp's D/A converter; no steps if `None`.
+    pub dac_bits: Option<u32>,
+    /// Settling of the converter to 0.1 % (s), 6.9 time constants; 0: at once.
+    pub settle: f64,
+    /// Area of the glitch where the highest bit changes (V s); half of it at each lower bit; 0: none.
+    pub glitch: f64,
+    /// Smoother: two poles, damping [`SMOOTHER_DAMPING`], this is 1/w (s); 0: no smoother.
+    pub smoother: f64,
+    /// From the instant at which the ramp meets its stop to the strobe of the registers (s), either sign; 0: aligned.
+    pub strobe_offset: f64,
+    /// How a fold is found.
+    pub fold_detect: FoldDetect,
+}
+
+/// Damping of the sweep generator's smoother (hardware section 3.1).
+pub const SMOOTHER_DAMPING: f64 = 0.8;
+
+/// How a fold is found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FoldDetect {
+    /// By the overflow of the accumulator, ahead of all analog delay.
+    Digital,
+    /// By a comparator on the analog ramp.
+    Comparator,
+}
+
+/// Function generators (hardware section 3.3).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FunctionGeneratorParts {
+    /// Segments of the broken line; the function itself if `None`.
+    pub segments: Option<u32>,
+    /// Static error, one sigma (share).
+    pub error: f64,
+    /// Bandwidth (Hz).
+    pub bandwidth: Option<f64>,
+}
+
+/// Analog multipliers (hardware section 3.4).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MultiplierParts {
+    /// Static error, one sigma (share).
+    pub error: f64,
+    /// Bandwidth (Hz).
+    pub bandwidth: Option<f64>,
+}
+
+/// D/A multipliers with their registers (hardware section 3.5).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MultiplyingDacParts {
+    /// Bits of a coefficient with its sign; the word as it is if `None`.
+    pub bits: Option<u32>,
+    /// Gain error, one sigma (share of the output).
+    pub gain_error: f64,
+    /// Bandwidth of the signal path (Hz).
+    pub bandwidth: Option<f64>,
+    /// Area of the glitch where the highest bit of a word changes (V s); 0: none.
+    pub glitch: f64,
+}
+
+/// Amplifiers (hardware section 3.2).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AmplifierParts {
+    /// Gain-bandwidth product (Hz): n unity inputs leave 1/(n + 1) of it.
+    pub gain_bandwidth: Option<f64>,
+    /// Fastest change of the output (V/s).
+    pub slew: Option<f64>,
+    /// Noise in 10 MHz, rms (V); 0: none.
+    pub noise: f64,
+    /// Output voltage of either sign at which it clips (V).
+    pub saturation: Option<f64>,
+}
+
+/// Comparators (hardware section 3.6).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ComparatorParts {
+    /// From crossing to output (s); 0: at once.
+    pub delay: f64,
+    /// Width of the hysteresis (share); 0: none.
+    pub hysteresis: f64,
+}
+
+/// Sample-and-hold (hardware section 3.6).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SampleHoldParts {
+    /// Acquisition to 0.1 % (s), 6.9 time constants; 0: at once.
+    pub acquire: f64,
+    /// Loss while it holds (V/s); 0: none.
+    pub droop: f64,
+    /// Step at the begin of the hold (V); 0: none.
+    pub pedestal: f64,
+}
+
+/// From slopes to reflectivity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ReflectivityParts {
+    /// Delay of the reflectivity against the height of the same place (s); 0: matched.
+    pub delay_mismatch: f64,
+}
+
+/// Video switches (hardware section 3.6).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct VideoSwitchParts {
+    /// Transition (s); 0: at once.
+    pub time: f64,
+    /// Mismatch of the two inputs' levels, one sigma (share).
+    pub level_mismatch: f64,
+}
+
+/// Function generators of the projection processor: elevation and both deflections.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ProjectionParts {
+    /// Static error, one sigma (share).
+    pub error: f64,
+    /// Bandwidth (Hz).
+    pub bandwidth: Option<f64>,
+}
+
+/// Sweep memory (hardware section 3.8).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MemoryParts {
+    /// Resolution (TV lines a picture height, at 50 % response); as fine as the raster if `None`.
+    pub tv_lines: Option<u32>,
+    /// Shades of grey that can be told apart; any number if `None`.
+    pub grey: Option<u32>,
+    /// Share of a picture that is left after it was erased; 0: none.
+    pub erase_residual: f64,
+    /// Displacement of the reading against the writing, one sigma (share of the picture's height); 0: none.
+    pub registration: f64,
+    /// How the beam current follows the speed of writing.
+    pub write_compensation: WriteCompensation,
+    /// Bandwidth of the write deflection (Hz).
+    pub deflection: Option<f64>,
+    /// Tubes: with 2 one is written while the other is read.
+    pub tubes: u32,
+}
+
+/// How the beam current follows the speed of writing, so that exposure does not depend on it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum WriteCompensation {
+    /// In full.
+    Exact,
+    /// Within this ratio of the greatest to the least current.
+    Ratio(f64),
+    /// Not at all: exposure is the time that the beam stays.
+    Off,
+}
+
+/// Mechanics of the deflection yoke (hardware section 3.9).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RollParts {
+    /// Natural frequency (Hz); it follows its steps at once if `None`.
+    pub natural: Option<f64>,
+    /// Damping, of critical; read with a natural frequency alone.
+    pub damping: f64,
+}
+
+impl AnalogParts {
+    /// Every part does its algebra: full scale 1 V, nothing else is there.
+    pub const fn ideal() -> Self {
+        Self {
+            full_scale: 1.0,
+            spread: false,
+            sweep: SweepParts::IDEAL,
+            function_generator: FunctionGeneratorParts::IDEAL,
+            multiplier: MultiplierParts::IDEAL,
+            multiplying_dac: MultiplyingDacParts::IDEAL,
+            amplifier: AmplifierParts::IDEAL,
+            summer_inputs: None,
+            comparator: ComparatorParts::IDEAL,
+            sample_hold: SampleHoldParts::IDEAL,
+            reflectivity: ReflectivityParts::IDEAL,
+            video_switch: VideoSwitchParts::IDEAL,
+            projection: ProjectionParts::IDEAL,
+            memory: MemoryParts::IDEAL,
+            video_bandwidth: None,
+            roll: RollParts::IDEAL,
+        }
+    }
+}

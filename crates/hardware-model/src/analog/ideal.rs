@@ -1,0 +1,139 @@
+//! Which parts are not there: the figures of an ideal part, and what each block asks before it builds one.
+
+use super::{
+    AmplifierParts, AnalogParts, ComparatorParts, FoldDetect, FunctionGeneratorParts, MemoryParts,
+    MultiplierParts, MultiplyingDacParts, ProjectionParts, ReflectivityParts, RollParts, SampleHoldParts,
+    SweepParts, VideoSwitchParts, WriteCompensation,
+};
+
+impl SweepParts {
+    /// Straight ramps that turn at their stops.
+    pub const IDEAL: Self = Self {
+        dac_bits: None,
+        settle: 0.0,
+        glitch: 0.0,
+        smoother: 0.0,
+        strobe_offset: 0.0,
+        fold_detect: FoldDetect::Digital,
+    };
+}
+
+impl FunctionGeneratorParts {
+    /// The function itself.
+    pub const IDEAL: Self = Self { segments: None, error: 0.0, bandwidth: None };
+}
+
+impl MultiplierParts {
+    /// The product itself.
+    pub const IDEAL: Self = Self { error: 0.0, bandwidth: None };
+}
+
+impl MultiplyingDacParts {
+    /// The product itself.
+    pub const IDEAL: Self = Self { bits: None, gain_error: 0.0, bandwidth: None, glitch: 0.0 };
+}
+
+impl AmplifierParts {
+    /// A wire.
+    pub const IDEAL: Self = Self { gain_bandwidth: None, slew: None, noise: 0.0, saturation: None };
+}
+
+impl ComparatorParts {
+    /// At once, at the very level.
+    pub const IDEAL: Self = Self { delay: 0.0, hysteresis: 0.0 };
+}
+
+impl SampleHoldParts {
+    /// Holds what there was.
+    pub const IDEAL: Self = Self { acquire: 0.0, droop: 0.0, pedestal: 0.0 };
+}
+
+impl ReflectivityParts {
+    /// In step with the height.
+    pub const IDEAL: Self = Self { delay_mismatch: 0.0 };
+}
+
+impl VideoSwitchParts {
+    /// At once, without a step.
+    pub const IDEAL: Self = Self { time: 0.0, level_mismatch: 0.0 };
+}
+
+impl ProjectionParts {
+    /// The functions themselves.
+    pub const IDEAL: Self = Self { error: 0.0, bandwidth: None };
+}
+
+impl MemoryParts {
+    /// Reads what was written; one tube.
+    pub const IDEAL: Self = Self {
+        tv_lines: None,
+        grey: None,
+        erase_residual: 0.0,
+        registration: 0.0,
+        write_compensation: WriteCompensation::Exact,
+        deflection: None,
+        tubes: 1,
+    };
+
+    /// Whether the picture read is the picture written. The number of tubes does not matter where none has a fault.
+    pub fn is_ideal(&self) -> bool {
+        Self { tubes: 1, ..*self } == Self::IDEAL
+    }
+}
+
+impl RollParts {
+    /// Stands where its steps are.
+    pub const IDEAL: Self = Self { natural: None, damping: 1.0 };
+
+    /// Whether the yoke stands where its steps are.
+    pub fn is_ideal(&self) -> bool {
+        self.natural.is_none()
+    }
+}
+
+/// A block asks for its own parts alone; the full scale and the spread matter only where there is a part.
+impl AnalogParts {
+    /// Whether the folded ramps are straight and turn at their stops.
+    pub fn sweep_is_ideal(&self) -> bool {
+        self.sweep == SweepParts::IDEAL
+    }
+
+    /// Whether the terrain generator does its algebra: function generators, multipliers, D/A multipliers, summers,
+    /// and the ramps that feed them.
+    pub fn terrain_is_ideal(&self) -> bool {
+        self.sweep_is_ideal()
+            && self.function_generator == FunctionGeneratorParts::IDEAL
+            && self.multiplier == MultiplierParts::IDEAL
+            && self.multiplying_dac == MultiplyingDacParts::IDEAL
+            && self.amplifier == AmplifierParts::IDEAL
+            && self.reflectivity == ReflectivityParts::IDEAL
+    }
+
+    /// Whether the mixing unit switches at once and the video has no limit.
+    pub fn mixing_is_ideal(&self) -> bool {
+        self.video_switch == VideoSwitchParts::IDEAL && self.video_bandwidth.is_none()
+    }
+
+    /// Whether edges of occlusion, shadows and footprints lie where they are.
+    pub fn comparator_is_ideal(&self) -> bool {
+        self.comparator == ComparatorParts::IDEAL
+    }
+
+    /// Whether the projection processor does its algebra: function generators, comparator, sample-and-hold, and no
+    /// noise on what it differentiates.
+    pub fn projection_is_ideal(&self) -> bool {
+        self.projection == ProjectionParts::IDEAL
+            && self.comparator_is_ideal()
+            && self.sample_hold == SampleHoldParts::IDEAL
+            && self.amplifier.noise == 0.0
+    }
+
+    /// Whether nothing analog can be seen in a picture.
+    pub fn is_ideal(&self) -> bool {
+        self.terrain_is_ideal()
+            && self.mixing_is_ideal()
+            && self.projection_is_ideal()
+            && self.memory.is_ideal()
+            && self.roll.is_ideal()
+    }
+}

@@ -1,0 +1,203 @@
+//! The keys of the analog parts. Units change here: inside, all is in seconds, hertz, volts and shares.
+
+use diagnostics::{Field, Reader};
+
+use crate::{
+    AmplifierParts, AnalogParts, ComparatorParts, FoldDetect, FunctionGeneratorParts, MemoryParts,
+    MultiplierParts, MultiplyingDacParts, ProjectionParts, ReflectivityParts, RollParts, SampleHoldParts,
+    SweepParts, VideoSwitchParts, WriteCompensation,
+};
+
+/// Tables of the blocks that hold analog keys beside others.
+pub(super) struct BlockTables<'r, 'a> {
+    pub dpp: &'r Option<Reader<'a>>,
+    pub memory: &'r Option<Reader<'a>>,
+    pub roll: &'r Option<Reader<'a>>,
+}
+
+/// Every table is read before one that is missing or wrong ends the reading.
+pub(super) fn analog(root: &Reader, blocks: &BlockTables) -> Option<AnalogParts> {
+    let part = |name: &str| root.table(name);
+    let full_scale = part("analog").map(|t| t.f64("full_scale_v").between(1e-3, 1e3).unit("V").required());
+    let switch = [("on", true), ("off", false)];
+    let spread = part("spread").map(|t| t.one_of("parts", &switch).required());
+    let sweep = part("sweep").map(|t| sweep(&t));
+    let function_generator = part("function_generator").map(|t| function_generator(&t));
+    let multiplier = part("multiplier").map(|t| multiplier(&t));
+    let multiplying_dac = part("multiplying_dac").map(|t| multiplying_dac(&t));
+    let amplifier = part("amplifier").map(|t| amplifier(&t));
+    let summer =
+        part("summer").map(|t| t.u32("inputs_per_stage").between(2, 36).or_word("unlimited").required());
+    let comparator = part("comparator").map(|t| comparator(&t));
+    let sample_hold = part("sample_hold").map(|t| sample_hold(&t));
+    let mismatch = part("reflectivity").map(|t| signed_nanoseconds(&t, "delay_mismatch_ns").required());
+    let video_switch = part("video_switch").map(|t| video_switch(&t));
+    let video = part("video").map(|t| megahertz(&t, "bandwidth_mhz").required());
+    let projection = blocks.dpp.as_ref().map(projection);
+    let memory = blocks.memory.as_ref().map(memory);
+    let roll = blocks.roll.as_ref().map(roll);
+    Some(AnalogParts {
+        full_scale: full_scale??,
+        spread: spread??,
+        sweep: sweep??,
+        function_generator: function_generator??,
+        multiplier: multiplier??,
+        multiplying_dac: multiplying_dac??,
+        amplifier: amplifier??,
+        summer_inputs: summer??,
+        comparator: comparator??,
+        sample_hold: sample_hold??,
+        reflectivity: ReflectivityParts { delay_mismatch: mismatch?? },
+        video_switch: video_switch??,
+        projection: projection??,
+        memory: memory??,
+        video_bandwidth: video??,
+        roll: roll??,
+    })
+}
+
+fn nanoseconds<'a>(table: &Reader<'a>, key: &str) -> Field<'a, f64> {
+    table.f64(key).between(0.0, 1e9).unit("ns").map(|time| 1e-9 * time)
+}
+
+fn signed_nanoseconds<'a>(table: &Reader<'a>, key: &str) -> Field<'a, f64> {
+    table.f64(key).between(-1e6, 1e6).unit("ns").map(|time| 1e-9 * time)
+}
+
+/// Millivolts; volts inside.
+fn millivolts<'a>(table: &Reader<'a>, key: &str) -> Field<'a, f64> {
+    table.f64(key).between(0.0, 1e6).unit("mV").map(|voltage| 1e-3 * voltage)
+}
+
+/// Volts times nanoseconds, the area of a pulse; volt seconds inside.
+fn pulse<'a>(table: &Reader<'a>, key: &str) -> Field<'a, f64> {
+    table.f64(key).between(0.0, 1e9).unit("V ns").map(|area| 1e-9 * area)
+}
+
+fn percent<'a>(table: &Reader<'a>, key: &str) -> Field<'a, f64> {
+    table.f64(key).between(0.0, 100.0).unit("%").map(|share| 0.01 * share)
+}
+
+fn megahertz<'a>(table: &Reader<'a>, key: &str) -> Field<'a, Option<f64>> {
+    let rate = table.f64(key).above(0.0).at_most(1e6).unit("MHz");
+    rate.map(|rate| 1e6 * rate).or_word("unlimited")
+}
+
+fn bits<'a>(table: &Reader<'a>, key: &str) -> Field<'a, Option<u32>> {
+    table.u32(key).between(1, 24).or_word("exact")
+}
+
+fn sweep(table: &Reader) -> Option<SweepParts> {
+    let dac_bits = bits(table, "dac_bits").required();
+    let settle = nanoseconds(table, "settle_ns").required();
+    let glitch = pulse(table, "glitch_v_ns").required();
+    let smoother = nanoseconds(table, "smoother_ns").required();
+    let strobe_offset = signed_nanoseconds(table, "strobe_offset_ns").required();
+    let ways = [("digital", FoldDetect::Digital), ("comparator", FoldDetect::Comparator)];
+    let fold_detect = table.one_of("fold_detect", &ways).required();
+    Some(SweepParts {
+        dac_bits: dac_bits?,
+        settle: settle?,
+        glitch: glitch?,
+        smoother: smoother?,
+        strobe_offset: strobe_offset?,
+        fold_detect: fold_detect?,
+    })
+}
+
+fn function_generator(table: &Reader) -> Option<FunctionGeneratorParts> {
+    let segments = table.u32("segments").between(1, 1000).or_word("exact").required();
+    let error = percent(table, "error_pct").required();
+    let bandwidth = megahertz(table, "bandwidth_mhz").required();
+    Some(FunctionGeneratorParts { segments: segments?, error: error?, bandwidth: bandwidth? })
+}
+
+fn multiplier(table: &Reader) -> Option<MultiplierParts> {
+    let error = percent(table, "error_pct").required();
+    let bandwidth = megahertz(table, "bandwidth_mhz").required();
+    Some(MultiplierParts { error: error?, bandwidth: bandwidth? })
+}
+
+fn multiplying_dac(table: &Reader) -> Option<MultiplyingDacParts> {
+    let bits = bits(table, "bits").required();
+    let gain_error = percent(table, "gain_error_pct").required();
+    let bandwidth = megahertz(table, "bandwidth_mhz").required();
+    let glitch = pulse(table, "glitch_v_ns").required();
+    Some(MultiplyingDacParts {
+        bits: bits?,
+        gain_error: gain_error?,
+        bandwidth: bandwidth?,
+        glitch: glitch?,
+    })
+}
+
+fn amplifier(table: &Reader) -> Option<AmplifierParts> {
+    let gain_bandwidth = megahertz(table, "gain_bandwidth_mhz").required();
+    let slew = table.f64("slew_v_us").between(0.0, 1e9).unit("V/µs").map(|slew| 1e6 * slew);
+    let slew = slew.or_word("unlimited").required();
+    let noise = millivolts(table, "noise_mv").required();
+    let saturation = table.f64("saturation_v").above(0.0).at_most(1e6).unit("V");
+    let saturation = saturation.or_word("unlimited").required();
+    Some(AmplifierParts {
+        gain_bandwidth: gain_bandwidth?,
+        slew: slew?,
+        noise: noise?,
+        saturation: saturation?,
+    })
+}
+
+fn comparator(table: &Reader) -> Option<ComparatorParts> {
+    let delay = nanoseconds(table, "delay_ns").required();
+    let hysteresis = percent(table, "hysteresis_pct").required();
+    Some(ComparatorParts { delay: delay?, hysteresis: hysteresis? })
+}
+
+fn sample_hold(table: &Reader) -> Option<SampleHoldParts> {
+    let acquire = nanoseconds(table, "acquire_ns").required();
+    let droop = table.f64("droop_mv_us").between(0.0, 1e6).unit("mV/µs").map(|rate| 1e3 * rate).required();
+    let pedestal = millivolts(table, "pedestal_mv").required();
+    Some(SampleHoldParts { acquire: acquire?, droop: droop?, pedestal: pedestal? })
+}
+
+fn video_switch(table: &Reader) -> Option<VideoSwitchParts> {
+    let time = nanoseconds(table, "time_ns").required();
+    let level_mismatch = percent(table, "level_mismatch_pct").required();
+    Some(VideoSwitchParts { time: time?, level_mismatch: level_mismatch? })
+}
+
+fn projection(table: &Reader) -> Option<ProjectionParts> {
+    let error = percent(table, "function_error_pct").required();
+    let bandwidth = megahertz(table, "function_bandwidth_mhz").required();
+    Some(ProjectionParts { error: error?, bandwidth: bandwidth? })
+}
+
+fn memory(table: &Reader) -> Option<MemoryParts> {
+    let tubes = table.u32("tubes").between(1, 2).required();
+    let tv_lines = table.u32("tv_lines").between(2, 100_000).or_word("unlimited").required();
+    let grey = table.u32("grey").between(2, 65_536).or_word("unlimited").required();
+    let erase_residual = table.f64("erase_residual").at_least(0.0).below(1.0).required();
+    let registration = percent(table, "registration_pct").required();
+    let write_compensation = write_compensation(table).required();
+    let deflection = megahertz(table, "deflection_mhz").required();
+    Some(MemoryParts {
+        tv_lines: tv_lines?,
+        grey: grey?,
+        erase_residual: erase_residual?,
+        registration: registration?,
+        write_compensation: write_compensation?,
+        deflection: deflection?,
+        tubes: tubes?,
+    })
+}
+
+fn write_compensation<'a>(table: &Reader<'a>) -> Field<'a, WriteCompensation> {
+    let ratio = table.f64("write_compensation").between(1.0, 1e9).map(WriteCompensation::Ratio);
+    let or_exact = ratio.or_word("exact").map(|ratio| ratio.unwrap_or(WriteCompensation::Exact));
+    or_exact.or_word("off").map(|found| found.unwrap_or(WriteCompensation::Off))
+}
+
+fn roll(table: &Reader) -> Option<RollParts> {
+    let natural = table.f64("natural_hz").above(0.0).at_most(1e6).unit("Hz").or_word("unlimited").required();
+    let damping = table.f64("damping").between(0.0, 100.0).required();
+    Some(RollParts { natural: natural?, damping: damping? })
+}

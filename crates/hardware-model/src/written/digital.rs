@@ -1,0 +1,92 @@
+//! The keys of processor, drums and storage buffer. Times become whole master ticks here.
+
+use diagnostics::Reader;
+use quantities::Rate;
+
+use crate::{Cpu, DataBanks, Drum, DrumQueue};
+
+/// A table whose times are counted in ticks of the master clock, where that is known.
+pub(super) struct Clocked<'r, 'a> {
+    pub table: &'r Reader<'a>,
+    pub clock: Option<Rate>,
+}
+
+impl Clocked<'_, '_> {
+    pub fn nanoseconds(&self, key: &str) -> Option<u64> {
+        self.time(key, "ns", 1.0)
+    }
+
+    pub fn microseconds(&self, key: &str) -> Option<u64> {
+        self.time(key, "µs", 1e3)
+    }
+
+    pub fn milliseconds(&self, key: &str) -> Option<u64> {
+        self.time(key, "ms", 1e6)
+    }
+
+    /// At most ten seconds: sums of a few stay far from the end of 64 bits.
+    fn time(&self, key: &str, unit: &str, scale: f64) -> Option<u64> {
+        let time = self.table.f64(key).between(0.0, 1e10 / scale).unit(unit).required();
+        Some(ticks(scale * time?, self.clock?))
+    }
+}
+
+/// Whole ticks that `nanoseconds` take: a word is there at the first tick after it came.
+fn ticks(nanoseconds: f64, clock: Rate) -> u64 {
+    let ticks = nanoseconds * clock.hertz() / 1e9;
+    // 950 ns at 20 MHz is 19 ticks, not 20 because of a last bit.
+    (ticks - 1e-9 * ticks).ceil() as u64
+}
+
+pub(super) fn cpu(table: &Reader, clock: Option<Rate>) -> Option<Cpu> {
+    let clocked = Clocked { table, clock };
+    let memory_cycle = clocked.nanoseconds("memory_cycle_ns");
+    let multiply = clocked.microseconds("multiply_us");
+    let interrupt = clocked.microseconds("interrupt_us");
+    let longest_instruction = clocked.microseconds("longest_instruction_us");
+    let sweep_setup = clocked.microseconds("sweep_setup_us");
+    let frame_tables = clocked.milliseconds("frame_tables_ms");
+    let vertex = clocked.microseconds("vertex_us");
+    let levels = table.u32("priority_levels").between(1, 1000).or_word("unlimited").required();
+    Some(Cpu {
+        memory_cycle: memory_cycle?,
+        multiply: multiply?,
+        interrupt: interrupt?,
+        longest_instruction: longest_instruction?,
+        sweep_setup: sweep_setup?,
+        frame_tables: frame_tables?,
+        vertex: vertex?,
+        priority_levels: levels?,
+    })
+}
+
+/// The drums, or nothing for words that are all at hand: the other figures stand in every model, so that it can be
+/// changed by one.
+pub(super) fn drum(table: &Reader, clock: Option<Rate>) -> Option<Option<Drum>> {
+    let rotation = Clocked { table, clock }.milliseconds("rotation_ms");
+    let rate = table.f64("rate_mb_s").between(1e-3, 1e6).unit("MB/s").or_word("unlimited").required();
+    let record = table.u32("record_words").must("9 n² for a square of n x n corners", is_square_of_corners);
+    let record_words = record.required();
+    let queues = [("fifo", DrumQueue::Fifo), ("shortest-latency", DrumQueue::ShortestLatency)];
+    let queue = table.one_of("queue", &queues).required();
+    let count = table.u32("count").between(1, 1000).required();
+    let word = |rate: f64, clock: Rate| 2.0 * clock.hertz() / (1e6 * rate);
+    let drum = Drum {
+        rotation: rotation?,
+        word: rate?.map_or(Some(0.0), |rate| Some(word(rate, clock?)))?,
+        record_words: record_words?,
+        queue: queue?,
+        count: count?,
+    };
+    Some((drum.rotation > 0).then_some(drum))
+}
+
+fn is_square_of_corners(words: &u32) -> bool {
+    let corners = words / 9;
+    words % 9 == 0 && corners > 0 && corners <= 1 << 20 && corners.isqrt() * corners.isqrt() == corners
+}
+
+pub(super) fn data_banks(drum: Option<Drum>, buffer: &Reader) -> Option<DataBanks> {
+    let words = buffer.u32("words").at_least(9).or_word("unlimited").required();
+    Some(DataBanks { drum, buffer_words: words? })
+}

@@ -1,0 +1,86 @@
+//! One deadline that was not met, with all that leads from a fault in the picture to its cause.
+
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+
+use crate::deadline::Deadline;
+
+/// A missed deadline.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Missed {
+    /// Of which kind.
+    pub deadline: Deadline,
+    /// Sweep of the frame, from 0 at the left.
+    pub sweep: u32,
+    /// The fold that found it missing, counted from 0 in the sweep.
+    #[serde(deserialize_with = "Option::deserialize")]
+    pub crossing: Option<u32>,
+    /// Colour whose registers wait: `yellow`, `green`, `black`, `red`.
+    #[serde(deserialize_with = "Option::deserialize")]
+    pub colour: Option<String>,
+    /// Preload register of that colour: `x-first`, `y-first`.
+    #[serde(deserialize_with = "Option::deserialize")]
+    pub register: Option<String>,
+    /// Lattice corner, north index and east index.
+    #[serde(deserialize_with = "Option::deserialize")]
+    pub region: Option<[i64; 2]>,
+    /// Ground range of the fold (m).
+    #[serde(deserialize_with = "Option::deserialize")]
+    pub range_m: Option<f64>,
+    /// When it was due (sweep clock, samples).
+    pub due: f64,
+    /// When it came (sweep clock, samples); none if never.
+    #[serde(deserialize_with = "Option::deserialize")]
+    pub came: Option<f64>,
+    /// The words concerned: bit `3 p + q`.
+    pub words: u16,
+    /// Why.
+    pub cause: Cause,
+}
+
+/// Why a deadline was missed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Cause {
+    /// One load by itself takes longer than the time there was.
+    Access,
+    /// It waited for other loads.
+    Queue,
+    /// The central processor was busy or too slow.
+    Processor,
+    /// The drum had not brought the record.
+    Drum,
+    /// The model holds this word back on purpose.
+    HeldBack,
+}
+
+impl Cause {
+    /// All causes, in the order of tables.
+    pub const ALL: [Self; 5] = [Self::Access, Self::Queue, Self::Processor, Self::Drum, Self::HeldBack];
+
+    /// Its word in files and tables.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Access => "access",
+            Self::Queue => "queue",
+            Self::Processor => "processor",
+            Self::Drum => "drum",
+            Self::HeldBack => "held-back",
+        }
+    }
+}
+
+impl fmt::Display for Cause {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.word())
+    }
+}
+
+impl Missed {
+    /// How late it came (sweep clock, samples); none if never.
+    pub fn lateness(&self) -> Option<f64> {
+        Some(self.came? - self.due)
+    }
+}

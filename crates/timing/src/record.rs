@@ -1,0 +1,90 @@
+//! What a run leaves behind about its digital side, frame by frame.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use crate::deadline::{Deadline, Slack};
+use crate::missed::Missed;
+
+/// Number of the file format; a file of a larger one is refused.
+pub const FORMAT: u32 = 1;
+
+/// Timing of the frames of one run. Given the same inputs it is the same to the bit, on any number of threads.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct TimingRecord {
+    /// [`FORMAT`].
+    pub format: u32,
+    /// Name of the scenario.
+    pub scenario: String,
+    /// Name of the hardware model.
+    pub machine: String,
+    /// Hash of everything that decides the result, as hexadecimal digits.
+    pub inputs: String,
+    /// Master clock as a person writes it, such as `20000000 Hz`.
+    pub master: String,
+    /// Frames in rising order, at least one.
+    pub frames: Vec<FrameTiming>,
+}
+
+/// Timing of one frame.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FrameTiming {
+    /// Frame of the mission, from 0.
+    pub frame: u64,
+    /// Length of the frame (master ticks), at least 1.
+    pub ticks: u64,
+    /// Folds of both ramps in all sweeps (crossings of the hardware report, section 4.2).
+    pub folds: u64,
+    /// What became of the register sets.
+    pub sets: Sets,
+    /// Words that came after the stop they were meant for.
+    pub late_words: u64,
+    /// Slack of every kind of deadline that the machine has.
+    pub deadlines: BTreeMap<Deadline, Slack>,
+    /// Use of the units that the machine has, each named once.
+    pub units: Vec<UnitUse>,
+    /// Deadlines that were not met, in order of sweep and time.
+    pub misses: Vec<Missed>,
+    /// Digital events of the frame.
+    pub events: u64,
+    /// [`crate::EventHash`] of their ordered list: 64 hexadecimal digits.
+    pub events_blake3: String,
+}
+
+/// Register sets of nine words, counted (hardware report, section 4.4).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Sets {
+    /// Asked for.
+    pub wanted: u64,
+    /// Brought to their register.
+    pub loaded: u64,
+    /// After the stop that transfers them.
+    pub late: u64,
+    /// Loaded, and overwritten unused.
+    pub wasted: u64,
+    /// Dropped before they were on their way, or on it.
+    pub cancelled: u64,
+}
+
+/// Use of one unit in one frame.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct UnitUse {
+    /// Name, block first: `cpu`, `loader.red`, `io-processor`, `drum.fine.0`.
+    pub unit: String,
+    /// Time at work (master ticks).
+    pub busy: u64,
+    /// Most requests that waited at one time.
+    pub longest_queue: u32,
+}
+
+impl FrameTiming {
+    /// Part of the frame in which `unit` is at work: 0 idle, 1 all the time; more if its work runs over.
+    pub fn utilisation(&self, unit: &UnitUse) -> f64 {
+        unit.busy as f64 / self.ticks as f64
+    }
+}

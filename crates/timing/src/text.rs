@@ -1,0 +1,132 @@
+//! A record as tables that a person reads.
+
+use std::fmt::{self, Write};
+
+use crate::missed::Missed;
+use crate::record::TimingRecord;
+use crate::totals::{DeadlineTotals, SweepMisses, Totals, UnitTotals};
+
+/// Sweeps of which a table tells the misses.
+const SWEEPS_SHOWN: usize = 12;
+
+impl TimingRecord {
+    /// Tables of the whole record: counters, deadlines, use of units, misses by cause and by sweep.
+    pub fn text(&self) -> String {
+        let mut out = String::new();
+        // A string takes whatever is written to it.
+        let _ = write_tables(&mut out, self);
+        out
+    }
+}
+
+fn write_tables(out: &mut String, record: &TimingRecord) -> fmt::Result {
+    let totals = Totals::of(record);
+    write_head(out, record)?;
+    write_counters(out, &totals)?;
+    write_deadlines(out, &totals)?;
+    write_units(out, &totals)?;
+    write_causes(out, &totals)?;
+    write_sweeps(out, &totals)
+}
+
+fn write_head(out: &mut String, record: &TimingRecord) -> fmt::Result {
+    let TimingRecord { scenario, machine, inputs, master, frames, .. } = record;
+    write!(out, "{scenario} on {machine}, master clock {master}, ")?;
+    match frames.as_slice() {
+        [] => writeln!(out, "no frame")?,
+        [only] => writeln!(out, "frame {}", only.frame)?,
+        [first, .., last] => writeln!(out, "{} frames, {} to {}", frames.len(), first.frame, last.frame)?,
+    }
+    writeln!(out, "inputs {inputs}")
+}
+
+fn write_counters(out: &mut String, totals: &Totals) -> fmt::Result {
+    let sets = totals.sets;
+    let rows = [
+        ("folds", totals.folds),
+        ("sets wanted", sets.wanted),
+        ("sets loaded", sets.loaded),
+        ("sets late", sets.late),
+        ("sets wasted", sets.wasted),
+        ("sets cancelled", sets.cancelled),
+        ("words late", totals.late_words),
+        ("events", totals.events),
+    ];
+    writeln!(out, "\n{:<16} {:>14} {:>14}", "counter", "total", "a frame")?;
+    for (name, total) in rows {
+        let mean = total as f64 / totals.frames.max(1) as f64;
+        writeln!(out, "{name:<16} {total:>14} {mean:>14.1}")?;
+    }
+    Ok(())
+}
+
+fn write_deadlines(out: &mut String, totals: &Totals) -> fmt::Result {
+    writeln!(out, "\n{:<16} {:>14} {:>14} {:>14}  least at", "deadline", "met", "missed", "least slack")?;
+    for (deadline, found) in &totals.deadlines {
+        let slack = found.slack;
+        let met = slack.count.saturating_sub(slack.missed);
+        let least = slack.least.map_or("-".to_owned(), |ticks| format!("{ticks} ticks"));
+        let place = place_of(found);
+        writeln!(out, "{deadline:<16} {met:>14} {:>14} {least:>14}  {place}", slack.missed)?;
+    }
+    Ok(())
+}
+
+fn place_of(found: &DeadlineTotals) -> String {
+    match (found.worst_frame, &found.worst_miss) {
+        (None, _) => "-".to_owned(),
+        (Some(frame), None) => format!("frame {frame}"),
+        (Some(frame), Some(missed)) => format!("frame {frame}, {}", place_of_miss(missed)),
+    }
+}
+
+/// Sweep, fold and register of a miss: `sweep 3, crossing 7, red x-first`.
+pub(crate) fn place_of_miss(missed: &Missed) -> String {
+    let mut place = format!("sweep {}", missed.sweep);
+    if let Some(crossing) = missed.crossing {
+        place += &format!(", crossing {crossing}");
+    }
+    let words = [&missed.colour, &missed.register].into_iter().flatten();
+    for (index, word) in words.enumerate() {
+        place += if index == 0 { ", " } else { " " };
+        place += word;
+    }
+    place
+}
+
+fn write_units(out: &mut String, totals: &Totals) -> fmt::Result {
+    let head = ["least", "mean", "most", "longest queue"];
+    writeln!(out, "\n{:<20} {:>10} {:>12} {:>12}  {}", "unit at work", head[0], head[1], head[2], head[3])?;
+    for (name, unit) in &totals.units {
+        let UnitTotals { least, mean, most, longest_queue, .. } = *unit;
+        let [least, mean, most] = [least, mean, most].map(|part| format!("{:.2} %", 100.0 * part));
+        writeln!(out, "{name:<20} {least:>10} {mean:>12} {most:>12}  {longest_queue:>13}")?;
+    }
+    Ok(())
+}
+
+fn write_causes(out: &mut String, totals: &Totals) -> fmt::Result {
+    if totals.causes.is_empty() {
+        return writeln!(out, "\nno misses");
+    }
+    writeln!(out, "\n{:<16} {:>14}", "cause", "misses")?;
+    for (cause, misses) in &totals.causes {
+        writeln!(out, "{cause:<16} {misses:>14}")?;
+    }
+    Ok(())
+}
+
+fn write_sweeps(out: &mut String, totals: &Totals) -> fmt::Result {
+    let sweeps = totals.worst_sweeps();
+    if sweeps.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "\n{:<16} {:>14} {:>14}", "sweep", "misses", "in frames")?;
+    for (sweep, SweepMisses { misses, frames }) in sweeps.iter().take(SWEEPS_SHOWN) {
+        writeln!(out, "{sweep:<16} {misses:>14} {frames:>14}")?;
+    }
+    match sweeps.len().saturating_sub(SWEEPS_SHOWN) {
+        0 => Ok(()),
+        more => writeln!(out, "and {more} more sweeps"),
+    }
+}
