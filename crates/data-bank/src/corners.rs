@@ -50,6 +50,6 @@ mod tests {
         let mut corners: Vec<u32> = (0..12).collect();
         nearest_first(&mut corners, 4, [1.1, 1.8]);
         assert_eq!(corners[..4], [6, 5, 10, 2]);
-        assert_eq!(corners[11], 8);
+        assert_eq!(corners[11], 0);
     }
 }

@@ -5,7 +5,7 @@ mod blocks;
 mod digital;
 mod loader;
 
-use analog::BlockTables;
+use analog::SharedTables;
 use diagnostics::Reader;
 use scenario::{Laws, words};
 
@@ -26,9 +26,11 @@ pub(crate) fn model(root: &Reader, name: String) -> Option<HardwareModel> {
     let loader = root.table("loader").map(|table| loader::loader(&table, known_clock));
     let drum = root.table("drum").map(|table| digital::drum(&table, known_clock));
     let buffer = root.table("buffer").map(|table| digital::data_banks(drum.flatten().flatten(), &table));
-    let seed = root.table("spread").map(|table| table.u64("seed").required());
+    let spread = root.table("spread");
+    let seed = spread.as_ref().map(|table| table.u64("seed").required());
     let (dpp, memory, roll) = (root.table("dpp"), root.table("sweep_memory"), root.table("roll"));
-    let analog = analog::analog(root, &BlockTables { dpp: &dpp, memory: &memory, roll: &roll });
+    let shared = SharedTables { spread: &spread, dpp: &dpp, memory: &memory, roll: &roll };
+    let analog = analog::analog(root, &shared);
     let kind = memory.as_ref().map(sweep_memory);
     let features = root.table("feature_generator");
     let feature_words = features.as_ref().map(blocks::feature_words);

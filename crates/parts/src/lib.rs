@@ -1,1 +1,61 @@
-//! Analog parts: lags, amplifiers, multipliers, converters, comparators, switches, each by its exact solution over a sample.
+//! Analog parts: what the blocks of a machine that is not ideal are built from (hardware-1969, sections 3 and 6).
+//!
+//! ```text
+//!  word ─▶ converter ─▶ second order ─▶ function generator ─▶ lag ─┐
+//!            D/A          smoother          broken line            ├▶ multiplier ─▶ lag ─▶ amplifier ─▶ ...
+//!  word ─▶ multiplying converter ──────────────────────────────────┘                       slew, clip
+//!
+//!  ... ─▶ differentiator ─▶ comparator ─▶ sample-and-hold, switch
+//! ```
+//!
+//! **Law.** Every part has its own page. A linear part is advanced by its exact solution over a step, for an input
+//! that is a straight line between samples (first-order hold) or jumps at a known share of the step. A nonlinear
+//! part is a chain of such solutions, split at the instants at which its law changes; those instants are roots in
+//! closed form, or bracketed where there is none. No part has a step that it must not exceed.
+//! **Parameters.** Seconds, hertz, radians a second. Values of a signal are shares of full scale (1 = the machine
+//! unit); percent and volts exist at the edge of a file only. Coefficients are worked out once, in f64, and held in
+//! the scalar of the run.
+//! **State and timing.** State is plain data and belongs to the caller. Instants are [`quantities::SweepTime`]:
+//! steps since the first sample of the sweep. A delay longer than a step is whole steps, read from the caller's
+//! buffer, and a [`Delay::share`].
+//! **Elaboration.** A part that is not there is not built. No `step` asks whether its part is present.
+//! **Sameness.** Lanes do not see one another: a lane has the same bits alone and in a group. Randomness is by
+//! address ([`NoiseSource`], [`Spread`]), so order and threads cannot change it.
+//! **Domain.** Times are not negative and may be 0 or infinite; bandwidths, slew and saturation may be infinite;
+//! nothing is NaN. Hardware models are checked before they come here.
+
+mod amplifier;
+mod comparator;
+mod converter;
+mod delay;
+mod differentiator;
+mod function_generator;
+mod lag;
+mod multiplier;
+mod multiplying_converter;
+mod noise;
+mod overload;
+mod quarter_square;
+mod sample_hold;
+mod second_order;
+mod slew;
+mod spread;
+mod switch;
+mod wire;
+
+pub use amplifier::{Amplifier, AmplifierLaw, AmplifierState, summing_time_constant};
+pub use comparator::{Comparator, ComparatorLaw, ComparatorState, Trip};
+pub use converter::{Converter, ConverterLaw, ConverterState, carry_weight};
+pub use delay::Delay;
+pub use differentiator::{Differentiator, differentiated_noise};
+pub use function_generator::{Ends, FunctionGenerator, FunctionLaw, segment_error};
+pub use lag::{LagStep, SplitLag, impulse, settling_time_constant, time_constant};
+pub use multiplier::{Feedthrough, Multiplier, MultiplierLaw};
+pub use multiplying_converter::MultiplyingConverter;
+pub use noise::{BandNoise, NoiseSource, part_key};
+pub use quarter_square::QuarterSquare;
+pub use sample_hold::{SampleHold, SampleHoldLaw};
+pub use second_order::{SecondOrder, SecondOrderState, SecondOrderStep};
+pub use spread::{Spread, Tolerance, relative_sigma};
+pub use switch::{Switch, SwitchLaw};
+pub use wire::Wire;

@@ -22,9 +22,9 @@
 //! which is the spot of the reading beam. [`digital_memory`]: column n is sweep n, whatever its azimuth.
 //! **Yoke** (section 18). A turned yoke shows the raster counter-clockwise by the roll: the picture of a camera that
 //! is truly rolled, since roll turns the view-plane in itself. [`View`] holds the angle, the raster that is written and
-//! the field of the screen; [`covering`] is the raster whose corners fill the screen at any angle of a travel. Between
-//! lines and sweeps the scan converter then reads cubics, kept between the four nearest values;
-//! [`digital_memory_turned`] shows cells as cells.
+//! the field of the screen; [`covering`] is the raster whose corners fill the screen at any angle of a travel. A
+//! sweep then keeps several cells a line, and the scan converter reads their mean under its beam, and across sweeps a
+//! cubic, kept between the two nearest; [`digital_memory_turned`] shows cells as cells.
 //! Upright, with one raster for both, nothing of this is computed.
 //! **Timing.** A frame is read when its last sweep is written. Nothing is allocated while writing or reading.
 //! **Our choices.** Linear spot; the outermost sweeps serve pixels beyond them by at most half a sweep; a turned screen

@@ -75,6 +75,8 @@ struct SlowBank {
     /// Record, frame and rank of its last demand.
     held: Vec<(u32, u64, usize)>,
     ordered: Vec<(u32, u64)>,
+    /// What came while no frame ran.
+    between: Vec<(u32, u64)>,
     tick: u64,
     begun: bool,
 }
@@ -82,11 +84,26 @@ struct SlowBank {
 impl SlowBank {
     fn new(design: Drum, buffer_words: Option<u32>, columns: u32, units: Vec<DrumUnit>) -> Self {
         let count = units.len() as u32;
-        let drum =
-            |unit: DrumUnit| SlowDrum { unit, count, angle: unit.start_angle, queue: vec![], heads: Heads::Idle };
+        let drum = |unit: DrumUnit| SlowDrum {
+            unit,
+            count,
+            angle: unit.start_angle,
+            queue: vec![],
+            heads: Heads::Idle,
+        };
         let drums = units.into_iter().map(drum).collect();
         let capacity = buffer_words.map_or(usize::MAX, |words| (words / design.record_words) as usize);
-        Self { design, drums, capacity, columns, held: vec![], ordered: vec![], tick: 0, begun: false }
+        Self {
+            design,
+            drums,
+            capacity,
+            columns,
+            held: vec![],
+            ordered: vec![],
+            between: vec![],
+            tick: 0,
+            begun: false,
+        }
     }
 
     fn record_of(&self, corner: u32) -> u32 {
@@ -140,8 +157,8 @@ impl SlowBank {
             wanted
         };
         let (wanted, before) = (unique(corners), unique(before));
-        let gap = self.gap_arrivals();
-        self.take_in(&gap, frame.saturating_sub(1), &before, &mut supply);
+        let between = std::mem::take(&mut self.between);
+        self.take_in(&between, frame.saturating_sub(1), &before, &mut supply);
         let kept = &wanted[..wanted.len().min(self.capacity)];
         if !self.begun {
             self.begun = true;
@@ -164,10 +181,9 @@ impl SlowBank {
         FrameSupply { busy, pending: self.ordered.len() as u64, ..supply }
     }
 
-    /// What came since the last frame's end, up to now.
-    fn gap_arrivals(&mut self) -> Vec<(u32, u64)> {
-        let now = self.tick;
-        self.run(now, false).1
+    /// Lets time pass between two frames.
+    fn pause(&mut self, ticks: u64) {
+        self.between = self.run(self.tick + ticks, false).1;
     }
 
     fn order(&mut self, frame: u64, wanted: &[u32], kept: &[u32], supply: &mut FrameSupply) {
@@ -211,7 +227,8 @@ impl SlowBank {
         supply.present = wanted.iter().filter(|&&record| self.holds(record)).count() as u64;
         supply.no_room = supply.wanted - supply.present - self.ordered.len() as u64;
         supply.longest_queue = self.drums.iter().map(waiting).max().unwrap() as u32;
-        supply.words_held = (self.held.len() + self.ordered.len()) as u64 * u64::from(self.design.record_words);
+        supply.words_held =
+            (self.held.len() + self.ordered.len()) as u64 * u64::from(self.design.record_words);
     }
 }
 

@@ -8,19 +8,20 @@ use crate::{
     SweepParts, VideoSwitchParts, WriteCompensation,
 };
 
-/// Tables of the blocks that hold analog keys beside others.
-pub(super) struct BlockTables<'r, 'a> {
+/// Tables that hold analog keys beside others.
+pub(super) struct SharedTables<'r, 'a> {
+    pub spread: &'r Option<Reader<'a>>,
     pub dpp: &'r Option<Reader<'a>>,
     pub memory: &'r Option<Reader<'a>>,
     pub roll: &'r Option<Reader<'a>>,
 }
 
 /// Every table is read before one that is missing or wrong ends the reading.
-pub(super) fn analog(root: &Reader, blocks: &BlockTables) -> Option<AnalogParts> {
+pub(super) fn analog(root: &Reader, shared: &SharedTables) -> Option<AnalogParts> {
     let part = |name: &str| root.table(name);
     let full_scale = part("analog").map(|t| t.f64("full_scale_v").between(1e-3, 1e3).unit("V").required());
     let switch = [("on", true), ("off", false)];
-    let spread = part("spread").map(|t| t.one_of("parts", &switch).required());
+    let spread = shared.spread.as_ref().map(|t| t.one_of("parts", &switch).required());
     let sweep = part("sweep").map(|t| sweep(&t));
     let function_generator = part("function_generator").map(|t| function_generator(&t));
     let multiplier = part("multiplier").map(|t| multiplier(&t));
@@ -33,9 +34,9 @@ pub(super) fn analog(root: &Reader, blocks: &BlockTables) -> Option<AnalogParts>
     let mismatch = part("reflectivity").map(|t| signed_nanoseconds(&t, "delay_mismatch_ns").required());
     let video_switch = part("video_switch").map(|t| video_switch(&t));
     let video = part("video").map(|t| megahertz(&t, "bandwidth_mhz").required());
-    let projection = blocks.dpp.as_ref().map(projection);
-    let memory = blocks.memory.as_ref().map(memory);
-    let roll = blocks.roll.as_ref().map(roll);
+    let projection = shared.dpp.as_ref().map(projection);
+    let memory = shared.memory.as_ref().map(memory);
+    let roll = shared.roll.as_ref().map(roll);
     Some(AnalogParts {
         full_scale: full_scale??,
         spread: spread??,
@@ -123,12 +124,7 @@ fn multiplying_dac(table: &Reader) -> Option<MultiplyingDacParts> {
     let gain_error = percent(table, "gain_error_pct").required();
     let bandwidth = megahertz(table, "bandwidth_mhz").required();
     let glitch = pulse(table, "glitch_v_ns").required();
-    Some(MultiplyingDacParts {
-        bits: bits?,
-        gain_error: gain_error?,
-        bandwidth: bandwidth?,
-        glitch: glitch?,
-    })
+    Some(MultiplyingDacParts { bits: bits?, gain_error: gain_error?, bandwidth: bandwidth?, glitch: glitch? })
 }
 
 fn amplifier(table: &Reader) -> Option<AmplifierParts> {

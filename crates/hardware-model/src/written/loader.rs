@@ -109,4 +109,3 @@ fn delay_as_written(delay: &LoadDelay) -> String {
 fn word<T: PartialEq>(words: &[(&'static str, T)], meaning: T) -> &'static str {
     words.iter().find(|(_, known)| *known == meaning).map_or("", |(word, _)| word)
 }
-

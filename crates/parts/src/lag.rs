@@ -1,0 +1,130 @@
+//! Lag: one pole.
+//!
+//! ```text
+//! u ─▶ 1 / (1 + s tau) ─▶ y        tau = 1 / (2 pi B)
+//! ```
+//!
+//! **Law** (section 6). `tau y' = u - y`. Over a step h with `r = h / tau`, exactly:
+//! - input a straight line ([`LagStep::new`]): `y1 = k y0 + (f - k) u0 + (1 - f) u1`, `k = e^-r`, `f = (1 - k) / r`;
+//! - input that jumps from u0 to u1 at a share p of the step ([`LagStep::jump`]):
+//!   `y1 = k y0 + (e^-(1-p)r - k) u0 + (1 - e^-(1-p)r) u1`;
+//! - input of two straight lines ([`SplitLag`]): a fold, or a jump between ramps.
+//!
+//! **Parameters.** h and tau in seconds. `tau = 0`: y is u, to the bit. `tau` infinite: y stays, to the bit.
+//! **State and timing.** One value.
+//! **Numbers.** The three coefficients add up to 1 in the scalar of the run, so a constant passes unchanged however
+//! slow the lag; what rounding moves instead is the time constant, by `epsilon tau / h` of itself.
+//! **Fold** of a ramp of slope s with this lag: the peak is short by `s tau ln 2`.
+
+use signal::Real;
+
+use crate::Wire;
+
+/// One step: `y1 = keep y0 + from u0 + to u1`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LagStep<S> {
+    /// Share of the output that stays.
+    pub keep: S,
+    /// Weight of the input at the start of the step.
+    pub from: S,
+    /// Weight of the input at its end.
+    pub to: S,
+}
+
+impl<S: Real> LagStep<S> {
+    /// Step of `h` seconds with time constant `tau` (s) for an input that is a straight line over the step.
+    /// A part of a step is `LagStep::new(h * share, tau)`.
+    pub fn new(h: f64, tau: f64) -> Self {
+        let ratio = ratio(h, tau);
+        Self::balanced(libm::exp(-ratio), ramp_share(ratio))
+    }
+
+    /// Step of `h` seconds for an input that is u0 up to `share` (0..=1) of the step and u1 from there on.
+    pub fn jump(h: f64, tau: f64, share: f64) -> Self {
+        let keep = libm::exp(-ratio(h, tau));
+        let to = -libm::expm1(-ratio(h * (1.0 - share), tau));
+        Self::balanced(keep, if to == 0.0 { 0.0 } else { to / (1.0 - keep) })
+    }
+
+    /// Step of `h` seconds for an input that holds u0 throughout (zero-order hold).
+    pub fn held(h: f64, tau: f64) -> Self {
+        Self::jump(h, tau, 1.0)
+    }
+
+    /// `to_share`: the part of the input's weight that u1 has.
+    fn balanced(keep: f64, to_share: f64) -> Self {
+        let keep = S::from_f64(keep);
+        let input = S::ONE - keep;
+        let to = input * S::from_f64(to_share);
+        Self { keep, from: input - to, to }
+    }
+
+    /// Output at the end of the step: `y` at its start, input `u0`, `u1` at its start and end.
+    #[inline(always)]
+    pub fn step<V: Wire<S>>(&self, y: V, u0: V, u1: V) -> V {
+        y * V::splat(self.keep) + u0 * V::splat(self.from) + u1 * V::splat(self.to)
+    }
+}
+
+/// A step whose input is two straight lines that meet, or not, at a share of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SplitLag<S> {
+    first: LagStep<S>,
+    second: LagStep<S>,
+}
+
+impl<S: Real> SplitLag<S> {
+    /// Split at `share` (0..=1) of the step of `h` seconds.
+    pub fn new(h: f64, tau: f64, share: f64) -> Self {
+        Self { first: LagStep::new(h * share, tau), second: LagStep::new(h * (1.0 - share), tau) }
+    }
+
+    /// Output at the end of the step; the input runs from `u0` to `before`, then from `after` to `u1`.
+    #[inline(always)]
+    pub fn step<V: Wire<S>>(&self, y: V, u0: V, before: V, after: V, u1: V) -> V {
+        self.second.step(self.first.step(y, u0, before), after, u1)
+    }
+}
+
+/// Time constant (s) of a part with -3 dB `bandwidth` (Hz): 0 if it is infinite.
+pub fn time_constant(bandwidth: f64) -> f64 {
+    1.0 / (2.0 * std::f64::consts::PI * bandwidth)
+}
+
+/// Time constant (s) of a lag that is within `error` (share of the step) after `settling` seconds; the rule of
+/// section 6 is `t_acq / 6.9`, which is an error of 0.1 %.
+pub fn settling_time_constant(settling: f64, error: f64) -> f64 {
+    settling / -libm::log(error)
+}
+
+/// What an impulse of area 1 (full scale times seconds) into the lag at `share` of a step adds to its output at the
+/// end of the step (1/s). Without a lag it is over by then.
+pub fn impulse(h: f64, tau: f64, share: f64) -> f64 {
+    if tau == 0.0 { 0.0 } else { libm::exp(-h * (1.0 - share) / tau) / tau }
+}
+
+/// `h / tau`; in no time nothing happens, not even without a lag.
+fn ratio(h: f64, tau: f64) -> f64 {
+    if h == 0.0 {
+        0.0
+    } else {
+        h / tau
+    }
+}
+
+/// `(1 - f) / (1 - e^-r)`, `f = (1 - e^-r) / r`: share of the end point in the weight of a straight input, 1/2..=1.
+fn ramp_share(ratio: f64) -> f64 {
+    let input = -libm::expm1(-ratio);
+    if ratio < 0.5 { ramp_series(ratio) / input_over_ratio(ratio, input) } else { (1.0 - input / ratio) / input }
+}
+
+/// `(1 - f) / r = 1/2 - r/6 + r^2/24 - ...`, without the cancellation of the closed form.
+fn ramp_series(ratio: f64) -> f64 {
+    (0..SERIES_TERMS).rev().fold(0.0, |sum, n| (1.0 - sum * ratio) / f64::from(n + 2)) 
+}
+
+const SERIES_TERMS: u32 = 16;
+
+fn input_over_ratio(ratio: f64, input: f64) -> f64 {
+    if ratio == 0.0 { 1.0 } else { input / ratio }
+}
