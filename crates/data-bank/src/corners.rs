@@ -52,4 +52,11 @@ mod tests {
         assert_eq!(corners[..4], [6, 5, 10, 2]);
         assert_eq!(corners[11], 0);
     }
+
+    #[test]
+    fn equal_distances_keep_ascending_indices() {
+        let mut corners = [9, 6, 4, 1, 5];
+        nearest_first(&mut corners, 4, [1.0, 1.0]);
+        assert_eq!(corners, [5, 1, 4, 6, 9]);
+    }
 }

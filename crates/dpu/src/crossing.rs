@@ -277,6 +277,7 @@ impl<W: Watch> Service<'_, '_, '_, W> {
                     arrival: None,
                     colour: job.colour,
                     register,
+                    corner: job.corner,
                     words: WordMask::ALL,
                     cause: MissCause::Queue,
                 };
@@ -302,16 +303,8 @@ impl<W: Watch> Service<'_, '_, '_, W> {
             let missed = delivery.register == fold.fold.axis.register() && load.target != Target::Hold;
             if missed {
                 let Delivery { arrival, register, cause, .. } = *delivery;
-                let (colour, words) = (load.colour, load.words);
-                let miss = Miss {
-                    crossing,
-                    time: fold.time,
-                    arrival: Some(arrival),
-                    colour,
-                    register,
-                    words,
-                    cause,
-                };
+                let Load { colour, corner, words, .. } = *load;
+                let miss = Miss { crossing, time: fold.time, arrival: Some(arrival), colour, register, corner, words, cause };
                 note_miss(&mut program.misses, miss);
                 load.target = Target::Hold;
             }
@@ -470,7 +463,7 @@ impl<W: Watch> Service<'_, '_, '_, W> {
         let (at, missing) = (self.instant_of(tick), self.unit.missing);
         let found = missing.binary_search_by_key(&corner, |missing| missing.corner);
         let arrival = found.ok().and_then(|index| missing[index].arrival);
-        self.watch.starved(at, colour, corner, arrival);
+        self.watch.starved(tick, at, colour, corner, arrival);
         NO_CORNER
     }
 

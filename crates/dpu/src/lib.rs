@@ -24,12 +24,14 @@
 //! A corner that the data bank has not delivered brings words of 0.
 //! **Watching.** [`Watch`] is told of every event; with `()` nothing of that is compiled.
 
+mod cpu;
 mod crossing;
 mod home;
 mod server;
 mod visible;
 mod watch;
 
+pub use cpu::{CpuFrame, CpuLoad, cpu_frame};
 pub use crossing::{CrossingService, MissingCorner, TimedFold};
 pub use home::Pointers;
 pub use visible::Sector;

@@ -28,8 +28,9 @@ pub trait Watch {
     fn arrival(&mut self, _tick: Tick, _load: &Load) {}
     /// A fold used a set that came `slack` ticks before it; below 0 it was late.
     fn transfer(&mut self, _slack: i64) {}
-    /// A set was asked of a corner that was not in the storage buffer.
-    fn starved(&mut self, _at: SweepTime, _colour: Colour, _corner: u32, _arrival: Option<Tick>) {}
+    /// At `tick`, on the sweep clock `at`, a set was asked of a corner that was not in the storage buffer and comes at
+    /// `arrival`, if within the frame.
+    fn starved(&mut self, _tick: Tick, _at: SweepTime, _colour: Colour, _corner: u32, _arrival: Option<Tick>) {}
     /// The sweep is over.
     fn end(&mut self, _lines: &[LineUse; 4]) {}
 }

@@ -1,6 +1,6 @@
 //! A model over its bases, under overlays and single settings.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use diagnostics::{Layers, Placed, Problem, Problems, TomlFile};
 use scenario::words;
@@ -23,19 +23,20 @@ pub(crate) fn layered(
     sets: &[(String, String)],
     problems: &Problems,
 ) -> Option<Layered> {
-    let (name, mut files, sources) = chain(source, problems)?;
+    let (name, mut files, mut sources) = chain(source, problems)?;
     for overlay in overlays {
-        files.push(read_overlay(overlay, problems)?);
+        let overlay = ModelSource::overlay(overlay);
+        files.push(read_overlay(&overlay, problems)?);
+        sources.push(overlay);
     }
     for (key, value) in sets {
         files.push(read_set(key, value, problems)?);
     }
-    let bases = sources.into_iter().filter_map(|source| match source {
+    let read = sources.into_iter().filter_map(|source| match source {
         ModelSource::File(path) => Some(path),
-        ModelSource::BuiltIn(_) => None,
+        ModelSource::BuiltIn(_) | ModelSource::Fault(_) => None,
     });
-    let read = bases.chain(overlays.iter().cloned()).collect();
-    Some(Layered { name, layers: Layers::new(files), files: read })
+    Some(Layered { name, layers: Layers::new(files), files: read.collect() })
 }
 
 /// The model and its bases, the lowest base first.
@@ -90,8 +91,8 @@ fn read_model(source: &ModelSource, problems: &Problems) -> Option<(TomlFile, He
     Some((file, Head { name: name.unwrap_or_default(), base }))
 }
 
-fn read_overlay(path: &Path, problems: &Problems) -> Option<TomlFile> {
-    let file = ModelSource::File(path.to_owned()).parse(problems)?;
+fn read_overlay(overlay: &ModelSource, problems: &Problems) -> Option<TomlFile> {
+    let file = overlay.parse(problems)?;
     let root = file.root(problems);
     let is_known = root.format_version(FORMAT) || !root.has("format");
     for key in ["name", "base"].into_iter().filter(|key| root.has(key)) {

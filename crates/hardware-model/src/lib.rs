@@ -9,6 +9,7 @@
 
 mod analog;
 mod digital;
+mod faults;
 mod layering;
 mod loaded;
 mod model;
@@ -23,6 +24,7 @@ pub use analog::{
     SampleHoldParts, SweepParts, VideoSwitchParts, WriteCompensation,
 };
 pub use digital::{Cpu, CrossingServer, DataBanks, Drum, DrumQueue, LatePolicy, LoadDelay, Loader};
+pub use faults::FAULTS;
 pub use loaded::{EffectiveValue, LoadedModel};
 pub use model::{HardwareModel, ModelRaster, SweepMemoryKind};
 pub use parts::{Economy, FeatureParts, Gate, MixingParts, Organisation, ShadowParts};

@@ -7,8 +7,16 @@ use std::path::{Path, PathBuf};
 use diagnostics::{Problem, ProblemList, Problems, TomlFile};
 use files::FileError;
 
+use crate::faults::FAULTS;
+
 /// Models that the program carries, with their text.
-pub const BUILT_IN: [(&str, &str); 1] = [("ideal", include_str!("../../../hardware-models/ideal.toml"))];
+pub const BUILT_IN: [(&str, &str); 5] = [
+    ("ideal", include_str!("../../../hardware-models/ideal.toml")),
+    ("pra-nominal", include_str!("../../../hardware-models/pra-nominal.toml")),
+    ("pra-frugal", include_str!("../../../hardware-models/pra-frugal.toml")),
+    ("pra-overloaded", include_str!("../../../hardware-models/pra-overloaded.toml")),
+    ("modern-analog", include_str!("../../../hardware-models/modern-analog.toml")),
+];
 
 /// Name of the folder that holds models.
 const FOLDER: &str = "hardware-models";
@@ -23,6 +31,8 @@ pub enum ModelSource {
     File(PathBuf),
     /// One of [`BUILT_IN`], by name.
     BuiltIn(String),
+    /// One of [`FAULTS`], by name.
+    Fault(String),
 }
 
 impl ModelSource {
@@ -50,6 +60,13 @@ impl ModelSource {
         Err(advise(problem, name_or_path, &known).into())
     }
 
+    /// The overlay that a user means: a file, or the name of one of [`FAULTS`] where there is no such file.
+    pub(crate) fn overlay(path: &Path) -> Self {
+        let name = path.to_string_lossy();
+        let is_fault = FAULTS.iter().any(|(known, _)| *known == name);
+        if is_fault && !path.is_file() { Self::Fault(name.into_owned()) } else { Self::File(path.to_owned()) }
+    }
+
     /// The built-in model of a name.
     pub(crate) fn built_in(name: &str) -> Option<Self> {
         BUILT_IN.iter().any(|(known, _)| *known == name).then(|| Self::BuiltIn(name.into()))
@@ -59,7 +76,7 @@ impl ModelSource {
     pub(crate) fn base(&self, name: &str) -> Option<Self> {
         let beside = match self {
             Self::File(path) => Some(path.with_file_name(format!("{name}.toml"))),
-            Self::BuiltIn(_) => None,
+            Self::BuiltIn(_) | Self::Fault(_) => None,
         };
         let file = beside.filter(|path| path.is_file()).map(Self::File);
         file.or_else(|| Self::built_in(name))
@@ -69,7 +86,7 @@ impl ModelSource {
     pub(crate) fn known_bases(&self) -> BTreeSet<String> {
         let folder = match self {
             Self::File(path) => path.parent().map(Path::to_owned),
-            Self::BuiltIn(_) => None,
+            Self::BuiltIn(_) | Self::Fault(_) => None,
         };
         known_names(folder.as_slice())
     }
@@ -79,6 +96,7 @@ impl ModelSource {
         match self {
             Self::File(path) => path.display().to_string(),
             Self::BuiltIn(name) => format!("built-in {name}.toml"),
+            Self::Fault(name) => format!("built-in faults/{name}.toml"),
         }
     }
 
@@ -92,14 +110,17 @@ impl ModelSource {
                 let bytes = files::read_all(path, MAX_BYTES).map_err(refuse).ok()?;
                 TomlFile::parse_bytes(&self.name(), &bytes, problems)
             }
-            Self::BuiltIn(name) => match BUILT_IN.iter().find(|(known, _)| known == name) {
-                Some((_, text)) => TomlFile::parse(&self.name(), text, problems),
-                None => {
-                    problems.push(Problem::of_file(self.name(), format!("unknown built-in model `{name}`")));
-                    None
-                }
-            },
+            Self::BuiltIn(name) => self.parse_carried(&BUILT_IN, name, problems),
+            Self::Fault(name) => self.parse_carried(&FAULTS, name, problems),
         }
+    }
+
+    fn parse_carried(&self, carried: &[(&str, &str)], name: &str, problems: &Problems) -> Option<TomlFile> {
+        let Some((_, text)) = carried.iter().find(|(known, _)| *known == name) else {
+            problems.push(Problem::of_file(self.name(), format!("unknown built-in model `{name}`")));
+            return None;
+        };
+        TomlFile::parse(&self.name(), text, problems)
     }
 }
 

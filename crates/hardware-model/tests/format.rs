@@ -68,6 +68,13 @@ fn changes() -> Vec<(&'static str, Option<Setting>, String)> {
         ("dpu.clock_mhz", None, "20".into()),
         ("loader.access_ns", None, "950".into()),
         ("loader.late_policy", None, "latched".into()),
+        ("loader.served_by", None, "io-processor".into()),
+        ("loader.words_per_access", None, "1".into()),
+        ("loader.pointer_ns", None, "100".into()),
+        ("loader.strobe_ns", None, "30".into()),
+        ("loader.urgent_first", None, "false".into()),
+        ("loader.diagonal_register", None, "true".into()),
+        ("loader.stop_after_crossings", None, "0".into()),
         ("dpp.projection", None, "as-reported".into()),
         ("dpp.occlusion", None, "derivative".into()),
         ("dpp.curvature", None, "none".into()),
@@ -98,8 +105,81 @@ fn changes() -> Vec<(&'static str, Option<Setting>, String)> {
         ("loader.delay.word", "[1, 1]"),
         ("loader.delay.ticks", "9"),
     ];
+    changes.extend(digital_changes());
+    changes.extend(analog_changes().map(|(key, value)| (key, None, value.to_owned())));
     changes.extend(delays.map(|(key, value)| (key, one_delay(), value.to_owned())));
     changes
+}
+
+/// Processor, drums and buffer.
+fn digital_changes() -> impl Iterator<Item = (&'static str, Option<Setting>, String)> {
+    let drum = || Some(("drum.rotation_ms", "17.4".to_owned()));
+    let of_the_drum =
+        [("drum.rate_mb_s", "1.2"), ("drum.record_words", "9"), ("drum.queue", "fifo"), ("drum.count", "4")];
+    let others = [
+        ("cpu.memory_cycle_ns", "850"),
+        ("cpu.multiply_us", "5"),
+        ("cpu.interrupt_us", "8"),
+        ("cpu.longest_instruction_us", "8"),
+        ("cpu.sweep_setup_us", "16"),
+        ("cpu.frame_tables_ms", "5"),
+        ("cpu.vertex_us", "90"),
+        ("cpu.priority_levels", "1"),
+        ("drum.rotation_ms", "17.4"),
+        ("buffer.words", "8192"),
+    ];
+    let of_the_drum = of_the_drum.into_iter().map(move |(key, value)| (key, drum(), value.to_owned()));
+    of_the_drum.chain(others.into_iter().map(|(key, value)| (key, None, value.to_owned())))
+}
+
+fn analog_changes() -> [(&'static str, &'static str); 45] {
+    [
+        ("analog.full_scale_v", "10"),
+        ("spread.parts", "on"),
+        ("spread.seed", "1970"),
+        ("sweep.dac_bits", "10"),
+        ("sweep.settle_ns", "150"),
+        ("sweep.glitch_v_ns", "20"),
+        ("sweep.smoother_ns", "40"),
+        ("sweep.fold_detect", "comparator"),
+        ("sweep.strobe_offset_ns", "-10"),
+        ("function_generator.segments", "20"),
+        ("function_generator.error_pct", "0.1"),
+        ("function_generator.bandwidth_mhz", "5"),
+        ("multiplier.error_pct", "0.25"),
+        ("multiplier.bandwidth_mhz", "8"),
+        ("multiplying_dac.bits", "12"),
+        ("multiplying_dac.gain_error_pct", "0.05"),
+        ("multiplying_dac.bandwidth_mhz", "4"),
+        ("multiplying_dac.glitch_v_ns", "150"),
+        ("amplifier.gain_bandwidth_mhz", "80"),
+        ("amplifier.slew_v_us", "200"),
+        ("amplifier.noise_mv", "0.5"),
+        ("amplifier.saturation_v", "11"),
+        ("summer.inputs_per_stage", "6"),
+        ("comparator.delay_ns", "40"),
+        ("comparator.hysteresis_pct", "0.1"),
+        ("sample_hold.acquire_ns", "400"),
+        ("sample_hold.droop_mv_us", "0.01"),
+        ("sample_hold.pedestal_mv", "5"),
+        ("reflectivity.delay_mismatch_ns", "12"),
+        ("video_switch.time_ns", "20"),
+        ("video_switch.level_mismatch_pct", "1"),
+        ("video.bandwidth_mhz", "12"),
+        ("dpp.function_error_pct", "0.3"),
+        ("dpp.function_bandwidth_mhz", "8"),
+        ("sweep_memory.tubes", "2"),
+        ("sweep_memory.tv_lines", "650"),
+        ("sweep_memory.grey", "8"),
+        ("sweep_memory.erase_residual", "0.08"),
+        ("sweep_memory.registration_pct", "0.7"),
+        ("sweep_memory.write_compensation", "100"),
+        ("sweep_memory.write_compensation", "off"),
+        ("sweep_memory.deflection_mhz", "3"),
+        ("feature_generator.load_words_us", "10"),
+        ("roll.natural_hz", "90"),
+        ("roll.damping", "0.25"),
+    ]
 }
 
 fn model(sets: &[(&str, String)]) -> HardwareModel {

@@ -56,7 +56,7 @@ impl FramePlan {
     /// Regions that the frame can show, out to `range` (m).
     pub fn visible_regions(&self, level: &Level, range: f64) -> usize {
         let [x, y, _] = self.eye;
-        let edges = [0, self.fan.sweeps - 1].map(|sweep| self.fan.direction(sweep, self.turn));
+        let edges = self.edges(0.0);
         let range = range / level.region_size();
         Sector { foot: level.in_regions(x, y), edges, range }.regions(level).count()
     }
@@ -72,10 +72,18 @@ impl FramePlan {
         way_to_edge(level, level.in_regions(x, y), self.direction(sweep))
     }
 
-    /// Writes the program by which one terrain generator draws a sweep up to `end` (m) into `program`.
+    /// Directions of both edges of the fan, `margin` (rad) farther out.
+    pub fn edges(&self, margin: f64) -> [[f64; 2]; 2] {
+        let (sin, cos) = sin_cos(margin);
+        let turned = |[north, east]: [f64; 2], sin: f64| [cos * north - sin * east, sin * north + cos * east];
+        [turned(self.direction(0), -sin), turned(self.direction(self.fan.sweeps - 1), sin)]
+    }
+
+    /// Writes the program by which one terrain generator draws sweep `sweep` with the set-up of sweep `drawn`, up to
+    /// `end` (m), into `program`.
     pub fn write_program(
         &self,
-        sweep: u32,
+        [drawn, sweep]: [u32; 2],
         service: &CrossingService<'_>,
         table: &RangeTable,
         end: f64,
@@ -84,7 +92,7 @@ impl FramePlan {
     ) {
         let [x, y, _] = self.eye;
         let level = service.level;
-        let start = set_up(level.in_regions(x, y), self.direction(sweep));
+        let start = set_up(level.in_regions(x, y), self.direction(drawn));
         let mut time_of = table.times();
         let folds = Folds::new(&start)
             .map(|(regions, fold)| {

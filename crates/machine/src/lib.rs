@@ -19,7 +19,9 @@
 
 mod blocks;
 mod control_plane;
+mod crossings;
 mod delivery;
+mod digital;
 mod elaboration;
 mod feature_light;
 mod footing;
@@ -28,7 +30,9 @@ mod raster;
 mod record;
 mod session;
 mod signal_plane;
+mod timing;
 mod workspace;
 
 pub use elaboration::HybridMachine;
 pub use record::signals;
+pub use timing::ControlPlane;

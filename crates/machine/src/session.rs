@@ -15,12 +15,15 @@ use sweep_program::{StepKind, SweepProgram};
 
 use crate::blocks::Blocks;
 use crate::control_plane::FramePlan;
+use crate::crossings::Crossings;
 use crate::delivery::{Delivery, Supply};
+use crate::digital::{Digital, DigitalFrame};
 use crate::footing::Footings;
 use crate::omissions::omissions;
 use crate::raster::WrittenRaster;
 use crate::record::Recorded;
 use crate::signal_plane::Group;
+use crate::timing::vertices;
 use crate::workspace::Workspace;
 
 /// The machine, its tables, and buffers that wait for the next frame.
@@ -32,6 +35,7 @@ pub(crate) struct Elaborated<S> {
     processor: Processor<S>,
     raster: WrittenRaster,
     footings: Footings,
+    digital: Digital,
     workspaces: Pool<Workspace<S>>,
     deliveries: Pool<Delivery>,
     stores: Pool<Vec<f32>>,
@@ -68,6 +72,7 @@ impl<S: Real> Elaborated<S> {
             raster: WrittenRaster::new(settings),
             table,
             footings: Footings::default(),
+            digital: Digital::new(&stage),
             workspaces: Pool::default(),
             deliveries: Pool::default(),
             stores: Pool::default(),
@@ -93,11 +98,24 @@ impl<S: Real> Elaborated<S> {
         }
     }
 
+    fn digital_frame(&self, plan: &FramePlan, time: f64) -> DigitalFrame {
+        let crossings = Crossings {
+            stage: &self.stage,
+            coarse: self.blocks.coarse.as_ref(),
+            table: &self.table,
+            plan,
+            missing: Default::default(),
+        };
+        let vertices = vertices(&self.stage, &self.blocks, time);
+        self.digital.frame(&self.stage, &self.blocks, &self.raster, &crossings, vertices)
+    }
+
     /// Runs all groups; each writes its own sweeps of `store`.
     fn sweep_all(
         &self,
         plan: &FramePlan,
         delivery: &Delivery,
+        digital: &DigitalFrame,
         probe: &Probe,
         store: &mut [f32],
     ) -> Vec<GroupResult> {
@@ -110,6 +128,7 @@ impl<S: Real> Elaborated<S> {
             raster: self.raster,
             plan,
             delivery,
+            digital,
         };
         store
             .par_chunks_mut(LANES * self.raster.lines)
@@ -233,7 +252,8 @@ impl<S: Real> Session for Elaborated<S> {
         let delivery = self.deliver(&plan, pose.time)?;
         let mut store = self.stores.take();
         store.resize(settings.raster.sweeps as usize * self.raster.lines, 0.0);
-        let groups = self.sweep_all(&plan, &delivery, probe, &mut store);
+        let digital = self.digital_frame(&plan, pose.time);
+        let groups = self.sweep_all(&plan, &delivery, &digital, probe, &mut store);
         self.read_out(&plan, pose.yoke, &store, planes);
         self.stores.give_back(store);
         let regions = plan.visible_regions(self.stage.landscape.level(), settings.range.end);

@@ -3,10 +3,9 @@
 use std::array;
 
 use display_projection_processor::{BrokenProfile, Deflection, Processor};
-use dpu::CrossingService;
 use feature_generator::{FeatureGenerator, Schedule};
 use generator::Stage;
-use hardware_model::{Gate, Loader, MixingParts, Settings};
+use hardware_model::{Gate, MixingParts};
 use landscape::{Level, SweepLight};
 use mixing_unit::{Composite, FeatureInput, Inputs, MixingUnit, Toggle, ToggleList, terrain_alone};
 use polyhedron_generator::{Hold, Overlay};
@@ -18,7 +17,9 @@ use texture_generator::TextureGenerator;
 
 use crate::blocks::{Blocks, Coarse};
 use crate::control_plane::FramePlan;
+use crate::crossings::Crossings;
 use crate::delivery::Delivery;
+use crate::digital::DigitalFrame;
 use crate::feature_light::Lamp;
 use crate::raster::WrittenRaster;
 use crate::workspace::Workspace;
@@ -35,6 +36,7 @@ pub(crate) struct Group<'a, S> {
     pub raster: WrittenRaster,
     pub plan: &'a FramePlan,
     pub delivery: &'a Delivery,
+    pub digital: &'a DigitalFrame,
 }
 
 impl<S: Real> Group<'_, S> {
@@ -42,9 +44,9 @@ impl<S: Real> Group<'_, S> {
     pub fn run(&self, first: u32, work: &mut Workspace<S>, rows: &mut [f32]) {
         // Lanes beyond the last sweep repeat it; nothing of them is kept.
         let last = self.plan.fan.sweeps - 1;
-        let sweeps: [u32; LANES] = array::from_fn(|lane| (first + lane as u32).min(last));
+        let sweeps: [u32; LANES] = array::from_fn(|lane| self.digital.drawn((first + lane as u32).min(last)));
         let light = self.light(&sweeps);
-        self.draw_terrain(&sweeps, &light, work);
+        self.draw_terrain(first, &sweeps, &light, work);
         if self.blocks.features {
             self.draw_features(&sweeps, &light, work);
         }
@@ -75,44 +77,48 @@ impl<S: Real> Group<'_, S> {
         }
     }
 
-    fn draw_terrain(&self, sweeps: &[u32; LANES], light: &[SweepLight; LANES], work: &mut Workspace<S>) {
-        let settings = &self.stage.settings;
-        let fine = self.stage.landscape.level();
-        let service = self.service(fine, &settings.loader);
-        let far = self.blocks.coarse.as_ref().map_or(settings.range.end, |coarse| coarse.switch.range);
-        for (&sweep, program) in sweeps.iter().zip(&mut work.programs) {
-            let end = self.plan.way_to_edge(sweep, fine).min(far).min(settings.range.end);
-            self.plan.write_program(sweep, &service, self.table, end, program, &mut ());
-        }
-        match &self.blocks.coarse {
-            None => self.terrain(fine).run(&work.programs, light, &mut work.profile),
-            Some(coarse) => self.draw_both_levels(coarse, sweeps, light, work),
-        }
-    }
-
-    fn service<'l>(&'l self, level: &'l Level, loader: &'l Loader) -> CrossingService<'l> {
-        let Settings { cpu, timebase, seed, .. } = &self.stage.settings;
-        CrossingService { level, loader, cpu, timebase, missing: &[], seed: *seed }
-    }
-
-    fn draw_both_levels(
+    fn draw_terrain(
         &self,
-        Coarse { switch, loader }: &Coarse,
+        first: u32,
         sweeps: &[u32; LANES],
         light: &[SweepLight; LANES],
         work: &mut Workspace<S>,
     ) {
-        let Stage { landscape, settings, .. } = self.stage;
-        let level = &landscape.bank().levels()[1];
-        let service = self.service(level, loader);
-        for (&sweep, program) in sweeps.iter().zip(&mut work.coarse) {
-            let end = self.plan.way_to_edge(sweep, level).min(settings.range.end);
-            self.plan.write_program(sweep, &service, self.table, end, program, &mut ());
+        for (lane, program) in work.programs.iter_mut().enumerate() {
+            self.crossings().write_fine([sweeps[lane], first + lane as u32], program, &mut ());
+        }
+        match &self.blocks.coarse {
+            None => self.terrain(self.stage.landscape.level()).run(&work.programs, light, &mut work.profile),
+            Some(coarse) => self.draw_both_levels(coarse, first, sweeps, light, work),
+        }
+    }
+
+    fn crossings(&self) -> Crossings<'_> {
+        Crossings {
+            stage: self.stage,
+            coarse: self.blocks.coarse.as_ref(),
+            table: self.table,
+            plan: self.plan,
+            missing: self.digital.missing(),
+        }
+    }
+
+    fn draw_both_levels(
+        &self,
+        coarse: &Coarse,
+        first: u32,
+        sweeps: &[u32; LANES],
+        light: &[SweepLight; LANES],
+        work: &mut Workspace<S>,
+    ) {
+        let landscape = &self.stage.landscape;
+        for (lane, program) in work.coarse.iter_mut().enumerate() {
+            self.crossings().write_coarse(coarse, [sweeps[lane], first + lane as u32], program, &mut ());
         }
         let generator = ModifiedTerrainGenerator {
             fine: self.terrain(landscape.level()),
-            coarse: self.terrain(level),
-            blend: switch.blend,
+            coarse: self.terrain(&landscape.bank().levels()[1]),
+            blend: coarse.switch.blend,
         };
         let ranges = work.programs.each_ref().map(|program| program.end_range);
         let (profile, overlap) = (&mut work.profile, &mut work.overlap);
@@ -271,7 +277,8 @@ impl<S: Real> Group<'_, S> {
     fn overlay(&self, first: u32, work: &mut Workspace<S>, rows: &mut [f32]) {
         let mut overlay = std::mem::take(&mut work.overlay);
         for (lane, row) in rows.chunks_exact_mut(self.raster.lines).enumerate() {
-            if self.compose_bodies(first + lane as u32, lane, work, &mut overlay) {
+            let drawn = self.digital.drawn(first + lane as u32);
+            if self.compose_bodies(drawn, lane, work, &mut overlay) {
                 overlay.write(self.stage.settings.laws.pixel_rule, row);
             }
         }
@@ -286,6 +293,9 @@ impl<S: Real> Group<'_, S> {
         work: &Workspace<S>,
         overlay: &mut Overlay,
     ) -> bool {
+        if !self.digital.tables_are_ready() {
+            return false;
+        }
         let spans = self.delivery.polyhedra.table().sweep(sweep as usize);
         let held = |sample: usize| work.projected.line[sample][lane].to_f64() as f32;
         let hold = Hold { near: self.near, lines: held };

@@ -50,14 +50,9 @@ pub(crate) struct Workspace<S> {
 
 impl<S: Default + Copy> Default for Workspace<S> {
     fn default() -> Self {
-        let still = Ramp { start: 0.0, rate: 0.0, polarity: 1.0 };
-        let start = SweepStart { direction: [1.0, 0.0], region: [0, 0], ramps: [still; 2] };
-        let registers = [RegisterSet::default(); 4];
-        let idle =
-            || SweepProgram { start, registers, steps: Vec::new(), end_range: 0.0, misses: Vec::new() };
         Self {
-            programs: array::from_fn(|_| idle()),
-            coarse: array::from_fn(|_| idle()),
+            programs: array::from_fn(|_| idle_program()),
+            coarse: array::from_fn(|_| idle_program()),
             features: Default::default(),
             profile: Profile::default(),
             overlap: Overlap::default(),
@@ -73,4 +68,12 @@ impl<S: Default + Copy> Default for Workspace<S> {
             overlay: Overlay::default(),
         }
     }
+}
+
+/// A program that draws nothing, to be written over.
+pub(crate) fn idle_program() -> SweepProgram {
+    let still = Ramp { start: 0.0, rate: 0.0, polarity: 1.0 };
+    let start = SweepStart { direction: [1.0, 0.0], region: [0, 0], ramps: [still; 2] };
+    let registers = [RegisterSet::default(); 4];
+    SweepProgram { start, registers, steps: Vec::new(), end_range: 0.0, misses: Vec::new() }
 }

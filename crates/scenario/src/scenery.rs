@@ -3,6 +3,8 @@
 use landscape::Sun;
 use solids::Body;
 
+use crate::Pose;
+
 /// A body that stands from one time to another.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Standing {
@@ -29,6 +31,7 @@ pub struct Scenery {
     suns: Vec<(f64, Sun)>,
     standing: Vec<Standing>,
     patches: Vec<TrackPatch>,
+    course: Vec<Pose>,
 }
 
 impl Scenery {
@@ -39,7 +42,7 @@ impl Scenery {
 
     /// Suns that follow one another, each with the time (s, ascending) from which on it holds; nothing on the ground.
     pub(crate) fn under(suns: Vec<(f64, Sun)>) -> Self {
-        Self { suns, standing: Vec::new(), patches: Vec::new() }
+        Self { suns, standing: Vec::new(), patches: Vec::new(), course: Vec::new() }
     }
 
     /// The same with bodies.
@@ -50,6 +53,16 @@ impl Scenery {
     /// The same with tracks, ascending in time.
     pub fn with_patches(self, patches: Vec<TrackPatch>) -> Self {
         Self { patches, ..self }
+    }
+
+    /// The same with the pose of every frame from the first: what a data bank has to have fetched depends on all.
+    pub fn with_course(self, course: Vec<Pose>) -> Self {
+        Self { course, ..self }
+    }
+
+    /// Poses of the mission, one a frame; none if nobody needs to know how a frame was come by.
+    pub fn course(&self) -> &[Pose] {
+        &self.course
     }
 
     /// The sun at `time` (s): that of the last step up to it.

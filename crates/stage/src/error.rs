@@ -7,7 +7,7 @@ use features::population::PopulationError;
 use landscape::bank_file::BankFileError;
 use landscape::relief::ReliefError;
 use landscape::{BankError, TextureError};
-use scenario::SceneryProblems;
+use scenario::{PathProblems, SceneryProblems};
 
 /// Why a scenario cannot be put on a stage.
 #[derive(Debug, thiserror::Error)]
@@ -21,6 +21,9 @@ pub enum StageError {
     /// The levels are no bank.
     #[error(transparent)]
     Bank(#[from] BankError),
+    /// The vehicle cannot take the path.
+    #[error(transparent)]
+    Path(#[from] PathProblems),
     /// A crater of a list reaches over the edge of the ground.
     #[error("{}", outside(file, *row, crater, extent, *more))]
     CraterOutside {

@@ -20,8 +20,8 @@ use std::sync::Arc;
 
 use generator::Stage;
 use hardware_model::{HardwareModel, Settings, SettingsError};
-use landscape::{Bank, bank_file};
-use scenario::{Ground, RollDisplay, Scenario, Scenery};
+use landscape::{Bank, Landscape, bank_file};
+use scenario::{Ground, PathProblems, Pose, PoseTable, RollDisplay, Scenario, Scenery};
 
 pub use error::StageError;
 pub use ground::landscape;
@@ -62,8 +62,22 @@ pub fn build(scenario: &Scenario, settings: Settings) -> Result<Stage, StageErro
 /// If something does not fit on the ground.
 pub fn over(bank: Bank, scenario: &Scenario, settings: Settings) -> Result<Stage, StageError> {
     let landscape = landscape(bank, scenario)?;
-    let scenery = Scenery::of(scenario, &landscape)?;
+    let mut scenery = Scenery::of(scenario, &landscape)?;
+    if settings.data_banks.drum.is_some() {
+        scenery = scenery.with_course(course(scenario, &landscape, &settings)?);
+    }
     Ok(Stage { landscape: Arc::new(landscape), scenery: Arc::new(scenery), settings })
+}
+
+/// The pose of every frame.
+fn course(
+    scenario: &Scenario,
+    landscape: &Landscape,
+    settings: &Settings,
+) -> Result<Vec<Pose>, PathProblems> {
+    let update = settings.timebase.update;
+    let table = PoseTable::resolve(scenario, landscape, update, settings.yoke, 0..scenario.frames(update))?;
+    Ok(table.rows().iter().map(|row| row.pose).collect())
 }
 
 /// The ground of `scenario`: read, or made from its seed.

@@ -215,6 +215,8 @@ pub struct Miss {
     pub colour: Colour,
     /// Which preload register was stale.
     pub register: PreloadRegister,
+    /// Index of the corner in the storage buffer.
+    pub corner: u32,
     /// Which words.
     pub words: WordMask,
     /// Why.

@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Write};
 
-use crate::comparison::{Comparison, FrameComparison};
+use crate::comparison::Comparison;
 use crate::difference::Difference;
 
 /// What is said of a baseline with another head, before anything else.
@@ -51,13 +51,6 @@ impl Comparison {
             0 => Ok(()),
             more => writeln!(out, "and {more} more"),
         }
-    }
-}
-
-impl FrameComparison {
-    /// Its first `limit` differences, and how many more there are.
-    pub fn text(&self, limit: usize) -> String {
-        diff(&self.differences, limit)
     }
 }
 

@@ -76,8 +76,17 @@ fn place_of(found: &DeadlineTotals) -> String {
     match (found.worst_frame, &found.worst_miss) {
         (None, _) => "-".to_owned(),
         (Some(frame), None) => format!("frame {frame}"),
-        (Some(frame), Some(missed)) => format!("frame {frame}, {}", place_of_miss(missed)),
+        (Some(frame), Some(missed)) => {
+            format!("frame {frame}, {}{}", place_of_miss(missed), ground_of_miss(missed))
+        }
     }
+}
+
+/// Corner and ground range of a miss, where it has them: `, corner 12 -4, range 1530.2 m`.
+fn ground_of_miss(missed: &Missed) -> String {
+    let corner = missed.region.map_or(String::new(), |[m, n]| format!(", corner {m} {n}"));
+    let range = missed.range_m.map_or(String::new(), |range| format!(", range {range:.1} m"));
+    corner + &range
 }
 
 /// Sweep, fold and register of a miss: `sweep 3, crossing 7, red x-first`.

@@ -92,23 +92,27 @@ fn a_buffer_of_one_sector_drops_what_lies_behind() {
     assert_eq!(sum(&frames, |supply| supply.requests), sum(&unlimited, |supply| supply.requests));
 }
 
-/// Of the corners that the fan swept over, the fraction that never came.
-fn starved(speed: f64) -> f64 {
-    let drum = Drum { rotation: 34 * MS, word: 1.0, record_words: 9, queue: DrumQueue::Fifo, count: 1 };
+/// Of the requests of a turn, the fraction that was given up: the fan had passed before they came. 34 ms, FIFO, one
+/// corner a record; the law's utilisation is 1 at 10.6 degrees a second.
+fn given_up(speed: f64) -> f64 {
+    let drum = Drum { rotation: 34 * MS, word: 50.0, record_words: 9, queue: DrumQueue::Fifo, count: 1 };
     let frames = turning(drum, None, 25.0, speed, 200.0);
     for (from, supply) in &frames {
         for missing in supply.missing.iter().filter(|missing| missing.arrival.is_none()) {
             let at =
                 [missing.corner as usize / SIZE, missing.corner as usize % SIZE].map(|index| index as f64);
-            // At moderate turns the gap stays in the leading half of the fan; the margin is for corners beside it.
-            assert!(speed > 30.0 || within(at, from + 25.0, 30.0, 30.0), "{speed} deg/s: {at:?} at {from}");
+            // While the drum keeps up, what is not there yet lies in the leading half of the fan, or just beside it.
+            assert!(speed > 8.0 || within(at, from + 25.0, 90.0, 30.0), "{speed} deg/s: {at:?} at {from}");
         }
     }
     sum(&frames, |supply| supply.cancelled) / sum(&frames, |supply| supply.requests)
 }
 
 #[test]
-fn the_leading_side_starves_beyond_a_turn_rate() {
-    let fractions = [2.0, 5.0, 8.0, 20.0, 40.0, 80.0].map(starved);
-    println!("{fractions:?}");
+fn the_leading_side_starves_beyond_the_turn_rate_that_fills_the_drum() {
+    for speed in [2.0, 5.0, 8.0] {
+        assert_eq!(given_up(speed), 0.0, "{speed} deg/s");
+    }
+    let fractions = [12.0, 16.0, 20.0, 40.0].map(given_up);
+    assert!(fractions[0] > 0.05 && fractions.is_sorted(), "{fractions:?}");
 }

@@ -1,0 +1,198 @@
+//! The digital side before any sweep is drawn: what the data banks hold, and what the processor has ready.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use data_bank::{DataBank, Demand, FrameSupply, corners_of, nearest_first};
+use dpu::{CpuFrame, CpuLoad, MissingCorner, Sector, cpu_frame};
+use generator::Stage;
+use hardware_model::CrossingServer;
+use landscape::Level;
+use quantities::{SweepTime, Tick, wrap_heading};
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+use scenario::Pose;
+
+use crate::blocks::Blocks;
+use crate::control_plane::FramePlan;
+use crate::crossings::Crossings;
+use crate::raster::WrittenRaster;
+use crate::timing::SweepRecorder;
+
+/// The digital side of a mission.
+#[derive(Debug)]
+pub(crate) struct Digital {
+    /// Data banks of the fine and of the coarse level, where words are not all at hand.
+    banks: [Option<Mutex<History>>; 2],
+    /// Whether the processor takes any time.
+    is_timed: bool,
+}
+
+/// A data bank from the start of the mission on, worked out once, in order of frames.
+#[derive(Debug)]
+struct History {
+    bank: DataBank,
+    supplies: Vec<Arc<FrameSupply>>,
+}
+
+/// The digital side of one frame.
+#[derive(Debug, Default)]
+pub(crate) struct DigitalFrame {
+    /// Corners that are not in the storage buffers, by level.
+    pub missing: [Vec<MissingCorner>; 2],
+    /// What the data banks did, by level.
+    pub supplies: [Option<Arc<FrameSupply>>; 2],
+    /// The processor, if it takes any time.
+    pub cpu: Option<CpuFrame>,
+}
+
+impl DigitalFrame {
+    /// The sweep whose set-up `sweep` is drawn with.
+    pub fn drawn(&self, sweep: u32) -> u32 {
+        self.cpu.as_ref().map_or(sweep, |cpu| cpu.drawn[sweep as usize])
+    }
+
+    /// Whether tables and polyhedra were ready before the frame ended.
+    pub fn tables_are_ready(&self) -> bool {
+        self.cpu.as_ref().is_none_or(|cpu| cpu.frame_slack >= 0)
+    }
+
+    pub fn missing(&self) -> [&[MissingCorner]; 2] {
+        self.missing.each_ref().map(Vec::as_slice)
+    }
+}
+
+/// Start of sweep `sweep` of frame `frame`; one more than the last is the end of the frame.
+fn start_of(stage: &Stage, frame: u64, sweep: u32) -> Tick {
+    stage.settings.timebase.sweep_clock(frame, sweep).tick_at_or_after(SweepTime(0.0))
+}
+
+/// Length of a frame in master ticks.
+pub(crate) fn frame_ticks(stage: &Stage, frame: u64) -> [Tick; 2] {
+    [start_of(stage, frame, 0), start_of(stage, frame, stage.settings.raster.sweeps)]
+}
+
+impl Digital {
+    pub fn new(stage: &Stage) -> Self {
+        let settings = &stage.settings;
+        let levels = stage.landscape.bank().levels();
+        let bank = |number: usize| {
+            let (drum, level) = (settings.data_banks.drum?, levels.get(number)?);
+            let words = settings.data_banks.buffer_words;
+            let bank = DataBank::new(drum, words, level.corners(), settings.seed ^ number as u64);
+            Some(Mutex::new(History { bank, supplies: Vec::new() }))
+        };
+        let second = settings.levels.and_then(|_| bank(1));
+        let cpu = settings.cpu;
+        let is_timed = cpu.sweep_setup + cpu.frame_tables + cpu.vertex > 0;
+        Self { banks: [bank(0), second], is_timed }
+    }
+
+    /// The digital side of the frame of `plan`.
+    pub fn frame(
+        &self,
+        stage: &Stage,
+        blocks: &Blocks,
+        raster: &WrittenRaster,
+        crossings: &Crossings<'_>,
+        vertices: u64,
+    ) -> DigitalFrame {
+        let mut out = DigitalFrame::default();
+        let levels = stage.landscape.bank().levels();
+        for (number, bank) in self.banks.iter().enumerate() {
+            let Some(bank) = bank else { continue };
+            let reach = match (number, &blocks.coarse) {
+                (0, Some(coarse)) => coarse.switch.range.min(stage.settings.range.end),
+                _ => stage.settings.range.end,
+            };
+            let supply = supply(bank, stage, raster, &levels[number], reach, crossings.plan);
+            let convert = |missing: &data_bank::Missing| MissingCorner {
+                corner: missing.corner,
+                arrival: missing.arrival,
+            };
+            out.missing[number] = supply.missing.iter().map(convert).collect();
+            out.supplies[number] = Some(supply);
+        }
+        if self.is_timed {
+            let crossings = Crossings { missing: out.missing(), ..*crossings };
+            out.cpu = Some(processor(stage, &crossings, vertices));
+        }
+        out
+    }
+}
+
+/// The data bank's supply of the frame of `plan`, worked out from the first frame on.
+fn supply(
+    history: &Mutex<History>,
+    stage: &Stage,
+    raster: &WrittenRaster,
+    level: &Level,
+    reach: f64,
+    plan: &FramePlan,
+) -> Arc<FrameSupply> {
+    let mut history = history.lock().unwrap_or_else(PoisonError::into_inner);
+    let History { bank, supplies } = &mut *history;
+    let asked = plan.frame as usize;
+    while supplies.len() <= asked {
+        let frame = supplies.len() as u64;
+        let demand = demand(stage, raster, level, reach, plan, frame);
+        supplies.push(Arc::new(bank.frame(&demand)));
+    }
+    Arc::clone(&supplies[asked])
+}
+
+/// Corners that frame `frame` can meet, the nearest first, with the way that the view turns until the drum has come
+/// round once and a half (hardware section 4.7).
+fn demand(
+    stage: &Stage,
+    raster: &WrittenRaster,
+    level: &Level,
+    reach: f64,
+    plan: &FramePlan,
+    frame: u64,
+) -> Demand {
+    let [start, end] = frame_ticks(stage, frame);
+    let course = stage.scenery.course();
+    let pose = |frame: u64| course.get((frame as usize).min(course.len().saturating_sub(1)));
+    let Some(now) = pose(frame) else {
+        return Demand { frame, start, end, corners: Vec::new() };
+    };
+    let before = pose(frame.saturating_sub(1)).unwrap_or(now);
+    let turn = wrap_heading(now.attitude.heading - before.attitude.heading);
+    let turn = if turn > std::f64::consts::PI { turn - 2.0 * std::f64::consts::PI } else { turn };
+    let rotation = stage.settings.data_banks.drum.map_or(0, |drum| drum.rotation);
+    let margin = turn.abs() * 1.5 * rotation as f64 / (end.0 - start.0) as f64;
+    let corners = corners_in_sight(stage, raster, level, reach, plan, now, margin);
+    Demand { frame, start, end, corners }
+}
+
+fn corners_in_sight(
+    stage: &Stage,
+    raster: &WrittenRaster,
+    level: &Level,
+    reach: f64,
+    plan: &FramePlan,
+    pose: &Pose,
+    margin: f64,
+) -> Vec<u32> {
+    let foot = level.in_regions(pose.eye[0], pose.eye[1]);
+    let Ok(plan) = FramePlan::new(plan.frame, pose, stage, &raster.field) else { return Vec::new() };
+    let edges = plan.edges(margin);
+    let sector = Sector { foot, edges, range: reach / level.region_size() };
+    let mut corners = corners_of(sector.regions(level), level.corners());
+    nearest_first(&mut corners, level.corners()[1], foot);
+    corners
+}
+
+/// The processor's frame; where it serves the crossings itself, their time is worked out first, sweep by sweep.
+fn processor(stage: &Stage, crossings: &Crossings<'_>, vertices: u64) -> CpuFrame {
+    let settings = &stage.settings;
+    let (frame, sweeps) = (crossings.plan.frame, settings.raster.sweeps);
+    let first = start_of(stage, frame, 0).0;
+    let starts: Vec<u64> = (0..=sweeps).map(|sweep| start_of(stage, frame, sweep).0 - first).collect();
+    let interrupts: Vec<u64> = if settings.loader.served_by == CrossingServer::CpuInterrupt {
+        let busy = |sweep: u32| SweepRecorder::of(crossings, [sweep, sweep]).busy_of_processor();
+        (0..sweeps).into_par_iter().map(busy).collect()
+    } else {
+        Vec::new()
+    };
+    cpu_frame(&settings.cpu, CpuLoad { starts: &starts, interrupts: &interrupts, vertices })
+}

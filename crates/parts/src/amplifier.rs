@@ -1,0 +1,152 @@
+//! Operational amplifier: bandwidth, slew rate, saturation, recovery.
+//!
+//! ```text
+//! u ─▶ lag tau, rate within ±SR ─▶ y ─▶ clip to ±saturation, late out of overload ─▶ out
+//! ```
+//!
+//! **Law** (section 6). `y' = clip((u - y) / tau, ±SR)`, see `slew`; output `clip(y + x)`, x the store of the
+//! overload, see `overload`. Input a straight line over the step.
+//! **Parameters.** [`AmplifierLaw`]. A summer of n unity inputs has `tau = (n + 1) / (2 pi GBW)`
+//! ([`summing_time_constant`]); one of many inputs is a tree of such parts.
+//! **State and timing.** [`AmplifierState`]. A step V settles to an error e in `V/SR - tau + tau ln(SR tau / e)`.
+//! **Elaboration.** Nearly all steps neither slew nor clip: then the part is its lag. The test is exact: d stays
+//! between its value at the start and `s tau`, and y between its start and the ends of the input. Only lanes that
+//! fail it are walked piece by piece, in f64.
+
+use std::f64::consts::PI;
+
+use signal::{Lanes, Real};
+
+use crate::lag::LagStep;
+use crate::overload::Overload;
+use crate::slew::Slew;
+
+/// What an amplifier is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AmplifierLaw {
+    /// Closed-loop time constant (s).
+    pub tau: f64,
+    /// Slew rate (full scales a second); may be infinite.
+    pub slew: f64,
+    /// Saturation (full scales); may be infinite.
+    pub saturation: f64,
+    /// Overload recovery (s).
+    pub recovery: f64,
+}
+
+/// The part, for one step length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Amplifier<S> {
+    lag: LagStep<S>,
+    /// Share of the overload that is left after a step.
+    remains: S,
+    reach: S,
+    climb: S,
+    saturation: S,
+    h: f64,
+    slew: Slew,
+    overload: Overload,
+}
+
+/// State of an amplifier; all 0 is a quiet one.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct AmplifierState<V> {
+    /// Output before the clip.
+    pub y: V,
+    /// Stored overload.
+    pub excess: V,
+}
+
+impl<S: Real> Amplifier<S> {
+    /// For steps of `h` seconds.
+    pub fn new(h: f64, law: &AmplifierLaw) -> Self {
+        let slew = Slew { tau: law.tau, rate: law.slew };
+        let climb = if law.slew == f64::INFINITY { f64::INFINITY } else { law.slew * h };
+        Self {
+            lag: LagStep::new(h, law.tau),
+            remains: LagStep::new(h, law.recovery).keep,
+            reach: S::from_f64(slew.reach()),
+            climb: S::from_f64(climb),
+            saturation: S::from_f64(law.saturation),
+            h,
+            slew,
+            overload: Overload { saturation: law.saturation, recovery: law.recovery },
+        }
+    }
+
+    /// Advances over a step with the input `u0`, `u1` at its start and end; returns the output at its end.
+    #[inline]
+    pub fn step(&self, state: &mut AmplifierState<S>, u0: S, u1: S) -> S {
+        if self.is_linear(state.y, u0, u1) {
+            state.y = self.lag.step(state.y, u0, u1);
+            state.excess = state.excess * self.remains;
+        } else {
+            *state = self.walk(state, u0, u1);
+        }
+        self.clip(state.y + state.excess)
+    }
+
+    /// [`Amplifier::step`] for a group of sweeps; each lane has the bits it has alone.
+    #[inline]
+    pub fn step_lanes(&self, state: &mut AmplifierState<Lanes<S>>, u0: Lanes<S>, u1: Lanes<S>) -> Lanes<S> {
+        let before = *state;
+        state.y = self.lag.step(before.y, u0, u1);
+        state.excess = before.excess * Lanes::splat(self.remains);
+        let linear = before.y.0.iter().zip(u0.0.iter().zip(&u1.0));
+        if !linear.fold(true, |all, (&y, (&u0, &u1))| all & self.is_linear(y, u0, u1)) {
+            self.walk_lanes(&before, state, u0, u1);
+        }
+        (state.y + state.excess).map(|y| self.clip(y))
+    }
+
+    #[cold]
+    fn walk_lanes(
+        &self,
+        before: &AmplifierState<Lanes<S>>,
+        state: &mut AmplifierState<Lanes<S>>,
+        u0: Lanes<S>,
+        u1: Lanes<S>,
+    ) {
+        for (lane, &y) in before.y.0.iter().enumerate() {
+            if !self.is_linear(y, u0[lane], u1[lane]) {
+                let lane_before = AmplifierState { y, excess: before.excess[lane] };
+                let after = self.walk(&lane_before, u0[lane], u1[lane]);
+                state.y[lane] = after.y;
+                state.excess[lane] = after.excess;
+            }
+        }
+    }
+
+    /// Whether the step neither slews nor clips.
+    #[inline(always)]
+    fn is_linear(&self, y: S, u0: S, u1: S) -> bool {
+        let within = |value: S, bound: S| (-bound <= value) & (value <= bound);
+        within(u0 - y, self.reach)
+            & within(u1 - u0, self.climb)
+            & within(y, self.saturation)
+            & within(u0, self.saturation)
+            & within(u1, self.saturation)
+    }
+
+    #[cold]
+    fn walk(&self, state: &AmplifierState<S>, u0: S, u1: S) -> AmplifierState<S> {
+        let mut excess = state.excess.to_f64();
+        let input = [u0.to_f64(), u1.to_f64()];
+        let y = self.slew.advance(self.h, state.y.to_f64(), input, |piece| {
+            excess = self.overload.advance(excess, piece);
+        });
+        AmplifierState { y: S::from_f64(y), excess: S::from_f64(excess) }
+    }
+
+    #[inline(always)]
+    fn clip(&self, y: S) -> S {
+        let y = if y > self.saturation { self.saturation } else { y };
+        if y < -self.saturation { -self.saturation } else { y }
+    }
+}
+
+/// Time constant (s) of a summer of `inputs` unity inputs and gain-bandwidth `gbw` (Hz): its noise gain is one more
+/// than its inputs (section 3.2).
+pub fn summing_time_constant(inputs: u32, gbw: f64) -> f64 {
+    (f64::from(inputs) + 1.0) / (2.0 * PI * gbw)
+}

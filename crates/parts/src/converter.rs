@@ -1,0 +1,179 @@
+//! D/A converter of the sweep generator.
+//!
+//! ```text
+//! u, 0..=1 ─▶ word of b bits ─▶ level with its nonlinearity ─▶ delay ─▶ settling lag ─▶ y
+//!                      └─ carry ─▶ glitch ──────────────────────────────┘
+//! ```
+//!
+//! **Law** (sections 3.1 and 6). `word = round(2^b u)`, held in `0..2^b`; `level = q + 6 sqrt 3 e q (1 - q)(1 - 2 q)`,
+//! `q = word / 2^b`: a cubic that keeps both ends and the middle and is off by e at most. The output follows by a
+//! lag from the delay on. A change whose highest changed bit has the weight k (1: the lowest, b: the major carry)
+//! adds a pulse of area `A_g 2^(k - b)` with the sign of the change.
+//! **Parameters.** [`ConverterLaw`].
+//! **State and timing.** [`ConverterState`]. A delay longer than a step: feed the word of [`Converter::whole_steps`]
+//! samples ago.
+//! **Our choices.** Nearest word (the top half step is short of it by up to a whole one: there is no word 2^b). The
+//! pulse is an impulse at the instant of the change; without a settling lag it is over by the next sample.
+
+use signal::Real;
+
+use crate::delay::Delay;
+use crate::lag::{LagStep, impulse};
+
+/// What a converter is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ConverterLaw {
+    /// Bits b, 1..=24 (held within).
+    pub bits: u32,
+    /// Largest deviation e of the level (share of full scale), either sign.
+    pub nonlinearity: f64,
+    /// Area `A_g` of the pulse at the major carry (full scale times seconds).
+    pub glitch_area: f64,
+    /// From the word to the change of the output (s).
+    pub delay: f64,
+    /// Settling lag (s): [`crate::settling_time_constant`].
+    pub tau: f64,
+}
+
+/// The part, for one step length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Converter<S> {
+    bits: u32,
+    words: f64,
+    cubic: f64,
+    delay: Delay,
+    settle: LagStep<S>,
+    pulse: S,
+}
+
+/// Word, its level, and the output.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct ConverterState<S> {
+    /// Word at the input.
+    pub word: u32,
+    /// Level it stands for.
+    pub level: S,
+    /// Output.
+    pub y: S,
+}
+
+impl<S: Real> Converter<S> {
+    /// For steps of `h` seconds.
+    pub fn new(h: f64, law: &ConverterLaw) -> Self {
+        let bits = law.bits.clamp(1, 24);
+        let delay = Delay::new(h, law.delay);
+        Self {
+            bits,
+            words: f64::from(1_u32 << bits),
+            cubic: 6.0 * 3.0_f64.sqrt() * law.nonlinearity,
+            delay,
+            settle: LagStep::jump(h, law.tau, delay.share),
+            pulse: S::from_f64(law.glitch_area * impulse(h, law.tau, delay.share)),
+        }
+    }
+
+    /// Whole steps of the delay; what is left of it is in the part.
+    pub fn whole_steps(&self) -> usize {
+        self.delay.whole
+    }
+
+    /// The word for `u` (share of full scale).
+    #[inline]
+    pub fn word(&self, u: S) -> u32 {
+        // `as` holds what is below 0 at 0.
+        ((u.to_f64() * self.words + 0.5) as u32).min((1 << self.bits) - 1)
+    }
+
+    /// The level `word` stands for (share of full scale).
+    #[inline]
+    pub fn level(&self, word: u32) -> S {
+        let q = f64::from(word) / self.words;
+        S::from_f64(q + self.cubic * q * (1.0 - q) * (1.0 - 2.0 * q))
+    }
+
+    /// The converter at rest at `u`.
+    pub fn at_rest(&self, u: S) -> ConverterState<S> {
+        let word = self.word(u);
+        let level = self.level(word);
+        ConverterState { word, level, y: level }
+    }
+
+    /// Gives it `word` at the start of a step; returns the output at its end.
+    #[inline]
+    pub fn step(&self, state: &mut ConverterState<S>, word: u32) -> S {
+        let (before, from) = (state.level, state.word);
+        state.word = word;
+        state.level = self.level(word);
+        let carry = S::from_f64(carry_weight(from, word, self.bits));
+        let pulse = if word < from { -(self.pulse * carry) } else { self.pulse * carry };
+        state.y = self.settle.step(state.y, before, state.level) + pulse;
+        state.y
+    }
+}
+
+/// `2^(k - bits)`, k the weight of the highest bit (1..=`bits`) in which the words differ; 0 if they do not.
+#[inline]
+pub fn carry_weight(from: u32, to: u32, bits: u32) -> f64 {
+    let k = u32::BITS - (from ^ to).leading_zeros();
+    if k == 0 { 0.0 } else { (1_u64 << k) as f64 / (1_u64 << bits) as f64 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Converter, ConverterLaw, carry_weight};
+
+    const BARE: ConverterLaw =
+        ConverterLaw { bits: 10, nonlinearity: 0.0, glitch_area: 0.0, delay: 0.0, tau: 0.0 };
+
+    #[test]
+    fn the_level_is_within_half_a_step_below_the_top() {
+        for bits in 1..=24 {
+            let converter = Converter::<f64>::new(1e-8, &ConverterLaw { bits, ..BARE });
+            let lsb = 1.0 / f64::from(1 << bits);
+            for i in 0..=1000 {
+                let u = f64::from(i) / 1000.0;
+                let off = converter.level(converter.word(u)) - u;
+                assert!(off.abs() <= lsb / 2.0 || (u > 1.0 - lsb && off.abs() <= lsb), "{bits} bits, {u}: {off}");
+            }
+            assert_eq!(converter.word(-0.3), 0);
+            assert_eq!(converter.word(7.0), (1 << bits) - 1);
+        }
+    }
+
+    #[test]
+    fn nonlinearity_keeps_the_ends_and_has_its_size() {
+        let converter = Converter::<f64>::new(1e-8, &ConverterLaw { nonlinearity: 5e-4, ..BARE });
+        let off: Vec<f64> = (0..1024).map(|w| converter.level(w) - f64::from(w) / 1024.0).collect();
+        assert_eq!((off[0], off[512]), (0.0, 0.0));
+        let most = off.iter().fold(0.0_f64, |most, off| most.max(off.abs()));
+        assert!((most - 5e-4).abs() < 1e-8, "{most}");
+        assert!(off[200] > 0.0 && off[800] < 0.0);
+    }
+
+    #[test]
+    fn a_pulse_has_the_area_of_its_carry() {
+        let (h, tau) = (50e-9, 20e-9);
+        let law = ConverterLaw { glitch_area: 10e-9, delay: 8e-9, tau, ..BARE };
+        let converter = Converter::<f64>::new(h, &law);
+        let clean = Converter::<f64>::new(h, &ConverterLaw { glitch_area: 0.0, ..law });
+        for (from, to, weight) in [(511_u32, 512_u32, 1.0), (512, 511, -1.0), (256, 257, 1.0 / 512.0), (9, 9, 0.0)] {
+            let rest = f64::from(from) / 1024.0;
+            let (mut a, mut b) = (converter.at_rest(rest), clean.at_rest(rest));
+            let pulse = converter.step(&mut a, to) - clean.step(&mut b, to);
+            // An impulse of area A into a lag is A / tau, and has decayed since.
+            let expected = weight * 10e-9 / tau * libm::exp(-(h - 8e-9) / tau);
+            assert!((pulse - expected).abs() < 1e-15, "{from} to {to}: {pulse}, {expected}");
+        }
+        assert_eq!(carry_weight(0, 1, 24), 2.0 / f64::from(1 << 24));
+    }
+
+    #[test]
+    fn one_bit_and_no_lag() {
+        let converter = Converter::<f32>::new(1e-8, &ConverterLaw { bits: 0, glitch_area: 1.0, ..BARE });
+        let mut state = converter.at_rest(0.1);
+        assert_eq!(state.y, 0.0);
+        let word = converter.word(0.9);
+        // The delay is 0, so the word is there at once.
+        assert_eq!(converter.step(&mut state, word), 0.5);
+    }
+}

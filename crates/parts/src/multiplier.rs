@@ -1,0 +1,115 @@
+//! Analog multiplier.
+//!
+//! **Law** (section 6), full scale 1: `y = (1 + eg) a b + ex a + ey b + eo + en a (1 - a^2)`, then a lag
+//! ([`crate::LagStep`]). What leaks past it at high frequency is the rate of an input times a constant
+//! ([`Feedthrough`]); the ripple of a diode multiplier is [`crate::QuarterSquare`]. Both are added to the product.
+//! **Parameters.** [`MultiplierLaw`], shares of full scale.
+//! **State and timing.** None.
+
+use std::f64::consts::PI;
+
+use signal::Real;
+
+use crate::Wire;
+
+/// Static errors of a multiplier, shares of full scale; all 0 is an ideal product.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct MultiplierLaw {
+    /// eg: scale error.
+    pub gain: f64,
+    /// ex: feedthrough of the first input.
+    pub feed_a: f64,
+    /// ey: feedthrough of the second input.
+    pub feed_b: f64,
+    /// eo: offset.
+    pub offset: f64,
+    /// en: nonlinearity of the first input.
+    pub nonlinearity: f64,
+}
+
+/// The part.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Multiplier<S> {
+    gain: S,
+    linear: S,
+    feed_b: S,
+    offset: S,
+    cubic: S,
+}
+
+impl<S: Real> Multiplier<S> {
+    /// In the scalar of the run.
+    pub fn new(law: &MultiplierLaw) -> Self {
+        Self {
+            gain: S::from_f64(1.0 + law.gain),
+            linear: S::from_f64(law.feed_a + law.nonlinearity),
+            feed_b: S::from_f64(law.feed_b),
+            offset: S::from_f64(law.offset),
+            cubic: S::from_f64(law.nonlinearity),
+        }
+    }
+
+    /// The product of `a` and `b` with its static errors.
+    #[inline(always)]
+    pub fn product<V: Wire<S>>(&self, a: V, b: V) -> V {
+        let of_a = b * V::splat(self.gain) + V::splat(self.linear) - a * a * V::splat(self.cubic);
+        a * of_a + b * V::splat(self.feed_b) + V::splat(self.offset)
+    }
+}
+
+/// A leak in proportion to an input's rate: `k u'`, the mean over the step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Feedthrough<S> {
+    gain: S,
+}
+
+impl<S: Real> Feedthrough<S> {
+    /// Leak of `share` of a sine wave of `frequency` (Hz), for steps of `h` seconds: `k = share / (2 pi f)`.
+    pub fn new(h: f64, share: f64, frequency: f64) -> Self {
+        Self { gain: S::from_f64(share / (2.0 * PI * frequency) / h) }
+    }
+
+    /// The leak over a step with the input `u0`, `u1` at its start and end.
+    #[inline(always)]
+    pub fn leak<V: Wire<S>>(&self, u0: V, u1: V) -> V {
+        (u1 - u0) * V::splat(self.gain)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use signal::Lanes;
+
+    use super::{Feedthrough, Multiplier, MultiplierLaw};
+
+    const LAW: MultiplierLaw =
+        MultiplierLaw { gain: 0.002, feed_a: 0.001, feed_b: -0.0015, offset: 4e-4, nonlinearity: 0.0025 };
+
+    #[test]
+    fn as_the_law_is_written() {
+        let multiplier = Multiplier::<f64>::new(&LAW);
+        for (a, b) in [(0.0, 0.0), (1.0, 1.0), (-1.0, 0.5), (0.58, -0.3), (0.0, 1.0)] {
+            let errors = LAW.feed_a * a + LAW.feed_b * b + LAW.offset + LAW.nonlinearity * a * (1.0 - a * a);
+            let law = (1.0 + LAW.gain) * a * b + errors;
+            assert!((multiplier.product(a, b) - law).abs() < 1e-15);
+            let lanes = multiplier.product(Lanes::splat(a), Lanes::splat(b));
+            assert_eq!(lanes, Lanes::splat(multiplier.product(a, b)));
+        }
+    }
+
+    #[test]
+    fn an_ideal_product_is_the_product() {
+        assert_eq!(Multiplier::<f64>::new(&MultiplierLaw::default()).product(0.3, -0.7), 0.3 * -0.7);
+    }
+
+    #[test]
+    fn a_sine_wave_leaks_its_share() {
+        let h = 1e-9;
+        let leak = Feedthrough::<f64>::new(h, 0.005, 1e6);
+        let wave = |i: i32| libm::sin(2.0 * PI * 1e6 * f64::from(i) * h);
+        let most = (0..1000).map(|i| leak.leak(wave(i), wave(i + 1)).abs()).fold(0.0, f64::max);
+        assert!((most - 0.005).abs() < 1e-7, "{most}");
+    }
+}

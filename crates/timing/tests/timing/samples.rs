@@ -1,0 +1,169 @@
+//! Records to test with: one small by hand, and any that can be.
+
+use std::collections::BTreeMap;
+
+use proptest::collection::{btree_map, vec};
+use proptest::option;
+use proptest::prelude::{Just, Strategy, any, prop_oneof};
+use proptest::sample::select;
+use timing::{Cause, Deadline, EventHash, FORMAT, FrameTiming, Missed, Sets, Slack, TimingRecord, UnitUse};
+
+fn slack_of(ticks: impl IntoIterator<Item = i64>) -> Slack {
+    let mut slack = Slack::default();
+    ticks.into_iter().for_each(|ticks| slack.add(ticks));
+    slack
+}
+
+fn unit(name: &str, busy: u64, longest_queue: u32) -> UnitUse {
+    UnitUse { unit: name.into(), busy, longest_queue }
+}
+
+pub fn torn_corner() -> Missed {
+    Missed {
+        deadline: Deadline::Transfer,
+        sweep: 402,
+        crossing: Some(7),
+        colour: Some("red".into()),
+        register: Some("y-first".into()),
+        region: Some([12, -4]),
+        range_m: Some(1530.25),
+        due: 365.5,
+        came: Some(369.75),
+        words: 0x1ff,
+        cause: Cause::Queue,
+    }
+}
+
+pub fn starved_corner() -> Missed {
+    Missed {
+        deadline: Deadline::Corner,
+        sweep: 17,
+        crossing: None,
+        colour: None,
+        register: None,
+        region: Some([30, 31]),
+        range_m: None,
+        due: -1.0,
+        came: None,
+        words: 0,
+        cause: Cause::Drum,
+    }
+}
+
+/// Two frames: a clean one, and one with two misses.
+pub fn small() -> TimingRecord {
+    let mut events = EventHash::new();
+    events.push(40, "loader.red", "strobe", &[1, 2, 3]);
+    let (events, events_blake3) = events.finish();
+    let clean = FrameTiming {
+        frame: 12,
+        ticks: 666_667,
+        folds: 9400,
+        sets: Sets { wanted: 37_600, loaded: 37_598, late: 0, wasted: 18_800, cancelled: 2 },
+        late_words: 0,
+        deadlines: BTreeMap::from([
+            (Deadline::Transfer, slack_of([5, 90, 4000])),
+            (Deadline::FrameTasks, slack_of([200_000])),
+        ]),
+        units: vec![unit("cpu", 340_000, 2), unit("loader.red", 33_000, 3)],
+        misses: Vec::new(),
+        events,
+        events_blake3,
+    };
+    let faulty = FrameTiming {
+        frame: 13,
+        sets: Sets { late: 1, ..clean.sets },
+        late_words: 9,
+        deadlines: BTreeMap::from([
+            (Deadline::Transfer, slack_of([5, -5, 4000])),
+            (Deadline::Corner, slack_of([-70_000, 12])),
+        ]),
+        units: vec![unit("cpu", 350_000, 1), unit("drum.fine.0", 666_667, 11)],
+        misses: vec![starved_corner(), torn_corner()],
+        ..clean.clone()
+    };
+    TimingRecord {
+        format: FORMAT,
+        scenario: "mare-drive".into(),
+        machine: "pra-nominal".into(),
+        inputs: "0123abcd".into(),
+        master: "20000000 Hz".into(),
+        frames: vec![clean, faulty],
+    }
+}
+
+fn text() -> impl Strategy<Value = String> {
+    prop_oneof![any::<String>(), "[a-z.]{1,12}"]
+}
+
+fn finite() -> impl Strategy<Value = f64> {
+    prop_oneof![any::<f64>().prop_filter("finite", |value| value.is_finite()), -1e4..1e4]
+}
+
+fn missed() -> impl Strategy<Value = Missed> {
+    let place = (any::<u32>(), option::of(any::<u32>()), option::of(text()), option::of(text()));
+    let what = (select(&Deadline::ALL[..]), select(&Cause::ALL[..]), 0u16..512);
+    let where_ = (option::of(any::<[i64; 2]>()), option::of(finite()), finite(), option::of(finite()));
+    (place, what, where_).prop_map(|(place, (deadline, cause, words), (region, range_m, due, came))| {
+        let (sweep, crossing, colour, register) = place;
+        Missed { deadline, sweep, crossing, colour, register, region, range_m, due, came, words, cause }
+    })
+}
+
+fn sets() -> impl Strategy<Value = Sets> {
+    any::<[u64; 5]>().prop_map(|[wanted, loaded, late, wasted, cancelled]| Sets {
+        wanted,
+        loaded,
+        late,
+        wasted,
+        cancelled,
+    })
+}
+
+fn units() -> impl Strategy<Value = Vec<UnitUse>> {
+    btree_map(text(), any::<(u64, u32)>(), 0..4)
+        .prop_map(|units| units.into_iter().map(|(name, (busy, queue))| unit(&name, busy, queue)).collect())
+}
+
+fn deadlines() -> impl Strategy<Value = BTreeMap<Deadline, Slack>> {
+    let slack = vec(prop_oneof![any::<i64>(), -1000i64..1000], 0..20).prop_map(slack_of);
+    btree_map(select(&Deadline::ALL[..]), slack, 0..4)
+}
+
+fn frame() -> impl Strategy<Value = FrameTiming> {
+    let counters = (1u64.., any::<u64>(), sets(), any::<u64>());
+    let lists = (deadlines(), units(), vec(missed(), 0..4));
+    (counters, lists, any::<u64>(), "[0-9a-f]{64}").prop_map(|(counters, lists, events, events_blake3)| {
+        let (ticks, folds, sets, late_words) = counters;
+        let (deadlines, units, misses) = lists;
+        FrameTiming {
+            frame: 0,
+            ticks,
+            folds,
+            sets,
+            late_words,
+            deadlines,
+            units,
+            misses,
+            events,
+            events_blake3,
+        }
+    })
+}
+
+/// Any record that holds together.
+pub fn record() -> impl Strategy<Value = TimingRecord> {
+    let frames = btree_map(any::<u64>(), frame(), 1..4).prop_map(|frames| {
+        frames.into_iter().map(|(number, frame)| FrameTiming { frame: number, ..frame }).collect()
+    });
+    (Just(FORMAT), text(), text(), "[0-9a-f]{1,64}", text(), frames).prop_map(
+        |(format, scenario, machine, inputs, master, frames)| TimingRecord {
+            format,
+            scenario,
+            machine,
+            inputs,
+            master,
+            frames,
+        },
+    )
+}
