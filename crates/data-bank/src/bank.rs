@@ -29,40 +29,38 @@ struct Order {
     need: Need,
 }
 
-/// The records of a demand.
+/// The records of a demand, each once with its rank: the place of its first corner in the demand.
 struct Wanted {
-    /// Each once, most urgent first.
-    records: Vec<u32>,
-    /// Place of each in `records`.
-    ranks: BTreeMap<u32, u32>,
-    /// How many of them the buffer has room for.
+    /// Most urgent first.
+    by_rank: Vec<(u32, u32)>,
+    /// Ascending records.
+    by_record: Vec<(u32, u32)>,
+    /// How many of the most urgent the buffer has room for.
     kept: usize,
     frame: u64,
 }
 
 impl Wanted {
     fn new(demand: &Demand, layout: &Layout, buffer: &StorageBuffer) -> Self {
-        let (mut records, mut ranks) = (Vec::new(), BTreeMap::new());
-        let mut last = None;
-        for &corner in &demand.corners {
-            let record = layout.record_of(corner);
-            // Neighbours in the demand often share a record.
-            if last.replace(record) != Some(record) && !ranks.contains_key(&record) {
-                ranks.insert(record, records.len() as u32);
-                records.push(record);
-            }
-        }
-        let kept = buffer.room_for(records.len());
-        Self { records, ranks, kept, frame: demand.frame }
+        let records = demand.corners.iter().map(|&corner| layout.record_of(corner));
+        let mut by_record: Vec<(u32, u32)> = records.zip(0..).collect();
+        by_record.sort_unstable();
+        by_record.dedup_by_key(|&mut (record, _)| record);
+        let mut by_rank = by_record.clone();
+        by_rank.sort_unstable_by_key(|&(_, rank)| rank);
+        let kept = buffer.room_for(by_rank.len());
+        Self { by_rank, by_record, kept, frame: demand.frame }
     }
 
     /// Records that the buffer has room for, each with its rank.
-    fn kept(&self) -> impl Iterator<Item = (u32, u32)> {
-        self.records[..self.kept].iter().copied().zip(0..)
+    fn kept(&self) -> &[(u32, u32)] {
+        &self.by_rank[..self.kept]
     }
 
     fn keeps(&self, record: u32) -> bool {
-        self.ranks.get(&record).is_some_and(|&rank| (rank as usize) < self.kept)
+        let first_without_room = self.by_rank.get(self.kept).map_or(u32::MAX, |&(_, rank)| rank);
+        let found = self.by_record.binary_search_by_key(&record, |&(record, _)| record);
+        found.is_ok_and(|at| self.by_record[at].1 < first_without_room)
     }
 
     fn need(&self, rank: u32) -> Need {
@@ -119,39 +117,50 @@ impl DataBank {
     /// Fills the buffer for the first frame.
     fn load_before_mission(&mut self, wanted: &Wanted) {
         if !self.loaded {
-            wanted.kept().for_each(|(record, rank)| self.buffer.put(record, wanted.need(rank)));
+            wanted.kept().iter().for_each(|&(record, rank)| self.buffer.put(record, wanted.need(rank)));
             self.loaded = true;
         }
     }
 
     /// Writes the list of requests anew and makes room for what it asks for.
     fn order(&mut self, wanted: &Wanted, start: u64, supply: &mut FrameSupply) {
-        let open = self.orders.len();
-        self.orders.retain(|&record, _| wanted.keeps(record));
-        self.drums.iter_mut().for_each(|drum| drum.clear(|record| wanted.keeps(record)));
+        supply.cancelled = self.cancel(wanted);
         let kept_open = self.orders.len();
-        for (&record, rank) in wanted.records.iter().zip(0..) {
+        for &(record, rank) in &wanted.by_rank {
             self.buffer.note_need(record, wanted.need(rank));
         }
-        for (record, rank) in wanted.kept().filter(|&(record, _)| !self.buffer.holds(record)) {
-            let need = wanted.need(rank);
-            self.orders.entry(record).or_insert(Order { requested: start, need }).need = need;
-            let drum = record as usize % self.drums.len();
-            self.drums[drum].enqueue(record, rank);
+        for &(record, rank) in wanted.kept() {
+            if !self.buffer.holds(record) {
+                self.request(record, rank, Order { requested: start, need: wanted.need(rank) });
+            }
         }
         supply.evicted = self.buffer.make_room(self.orders.len()) as u64;
-        supply.cancelled = (open - kept_open) as u64;
         supply.requests = (self.orders.len() - kept_open) as u64;
         self.count(wanted, supply);
     }
 
+    /// Gives up what the frame has no use or no room for, and empties the queues; how many orders were given up.
+    fn cancel(&mut self, wanted: &Wanted) -> u64 {
+        let open = self.orders.len();
+        self.orders.retain(|&record, _| wanted.keeps(record));
+        self.drums.iter_mut().for_each(|drum| drum.clear(|record| wanted.keeps(record)));
+        (open - self.orders.len()) as u64
+    }
+
+    /// Puts a record in the queue of its drum; an order of frames before keeps its tick.
+    fn request(&mut self, record: u32, rank: u32, order: Order) {
+        self.orders.entry(record).or_insert(order).need = order.need;
+        let drum = record as usize % self.drums.len();
+        self.drums[drum].enqueue(record, rank);
+    }
+
     /// The figures of the frame's start.
     fn count(&self, wanted: &Wanted, supply: &mut FrameSupply) {
-        let present = wanted.records.iter().filter(|&&record| self.buffer.holds(record)).count();
+        let present = wanted.by_rank.iter().filter(|&&(record, _)| self.buffer.holds(record)).count();
         let queues = self.drums.iter().map(DrumAtWork::open);
-        supply.wanted = wanted.records.len() as u64;
+        supply.wanted = wanted.by_rank.len() as u64;
         supply.present = present as u64;
-        supply.no_room = (wanted.records.len() - present - self.orders.len()) as u64;
+        supply.no_room = (wanted.by_rank.len() - present - self.orders.len()) as u64;
         supply.longest_queue = queues.max().unwrap_or(0) as u32;
         supply.words_held = (self.buffer.len() + self.orders.len()) as u64 * u64::from(self.layout.words);
     }

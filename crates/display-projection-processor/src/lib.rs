@@ -25,7 +25,9 @@
 mod deflection;
 mod occlusion;
 mod processor;
+mod wired;
 
 pub use deflection::Deflection;
 pub use occlusion::BrokenProfile;
 pub use processor::{Processor, Projected, ProjectedBreaks, SIGNALS};
+pub use wired::{Driven, PartsProcessor, Scratch};

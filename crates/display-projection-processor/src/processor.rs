@@ -103,10 +103,19 @@ impl<S: Real> Processor<S> {
         for signal in [&mut *elevation, hold, entry, position, line] {
             signal.resize(height.len(), Lanes::default());
         }
+        self.tangents(height, elevation);
+    }
+
+    /// Tangent of the elevation of each sample.
+    pub(crate) fn tangents(&self, height: &[Lanes<S>], elevation: &mut [Lanes<S>]) {
         let tables = self.drop.iter().zip(&self.inverse_range);
         for ((elevation, &height), (&drop, &inverse)) in elevation.iter_mut().zip(height).zip(tables) {
             *elevation = (height - Lanes::splat(drop)) * Lanes::splat(inverse);
         }
+    }
+
+    pub(crate) fn occlusion(&self) -> Occlusion {
+        self.occlusion
     }
 
     fn elevate_breaks(&self, breaks: &Breaks<S>, out: &mut ProjectedBreaks<S>) {
@@ -145,7 +154,12 @@ fn deflect<S: Real>(deflection: &[Deflection; LANES], out: &mut Projected<S>) {
     deflect_samples(deflection, &out.hold, &mut out.line);
 }
 
-fn deflect_samples<S: Real>(deflection: &[Deflection; LANES], tangents: &[Lanes<S>], lines: &mut [Lanes<S>]) {
+/// Line positions of tangents.
+pub(crate) fn deflect_samples<S: Real>(
+    deflection: &[Deflection; LANES],
+    tangents: &[Lanes<S>],
+    lines: &mut [Lanes<S>],
+) {
     let lanes = |part: fn(&Deflection) -> f64| Lanes::from_fn(|lane| S::from_f64(part(&deflection[lane])));
     let (a, b, c, e) = (lanes(|d| d.a), lanes(|d| d.b), lanes(|d| d.c), lanes(|d| d.e));
     for (line, &tangent) in lines.iter_mut().zip(tangents) {

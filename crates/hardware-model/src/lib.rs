@@ -8,6 +8,9 @@
 //!   that knows where each value came from. The format is described in `docs/hardware-model-format.md`.
 
 mod analog;
+mod budget;
+mod check;
+mod diagram;
 mod digital;
 mod faults;
 mod layering;
@@ -23,6 +26,11 @@ pub use analog::{
     MultiplierParts, MultiplyingDacParts, ProjectionParts, ReflectivityParts, RollParts, SMOOTHER_DAMPING,
     SampleHoldParts, SweepParts, VideoSwitchParts, WriteCompensation,
 };
+pub use budget::{
+    Budget, BudgetLine, CpuBudget, CrossingBudget, DrumBudget, Ground, LoaderBudget, SweepBudget,
+};
+pub use check::{Finding, Grade};
+pub use diagram::PartCounts;
 pub use digital::{Cpu, CrossingServer, DataBanks, Drum, DrumQueue, LatePolicy, LoadDelay, Loader};
 pub use faults::FAULTS;
 pub use loaded::{EffectiveValue, LoadedModel};

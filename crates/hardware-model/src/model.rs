@@ -57,6 +57,18 @@ pub struct ModelRaster {
     pub refresh: Rate,
 }
 
+impl ModelRaster {
+    /// Steps of retrace in a sweep.
+    pub fn retrace_samples(&self) -> u32 {
+        retrace(self.samples, self.blanking_fraction)
+    }
+}
+
+/// Steps of retrace, nearest to the blanking fraction of the whole sweep.
+pub(crate) fn retrace(samples: u32, blanking_fraction: f64) -> u32 {
+    (f64::from(samples) * blanking_fraction / (1.0 - blanking_fraction)).round() as u32
+}
+
 /// Kind of sweep memory (section 16).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SweepMemoryKind {

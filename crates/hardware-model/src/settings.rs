@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use quantities::{Rate, Timebase, TimebaseError};
 use scenario::{Display, FieldOfView, LawWishes, Laws, RangeProgramme, RasterWishes, Scalar, ShadowFineness};
 
+use crate::model::retrace;
 use crate::{
     AnalogParts, Cpu, DataBanks, Economy, FeatureParts, HardwareModel, LevelSwitch, Loader, MixingParts,
     ShadowParts, SweepMemoryKind, Yoke,
@@ -140,8 +141,13 @@ impl Settings {
         let update = wishes.update.unwrap_or(model.raster.update);
         let refresh = wishes.refresh.unwrap_or(model.raster.refresh);
         refresh.whole_ratio(update).ok_or(SettingsError::Refresh { refresh, update })?;
-        let timebase =
-            Timebase::new(model.master_clock, update, sweeps, samples, retrace(samples, &model.raster))?;
+        let timebase = Timebase::new(
+            model.master_clock,
+            update,
+            sweeps,
+            samples,
+            retrace(samples, model.raster.blanking_fraction),
+        )?;
         Ok(Self {
             raster: Raster { sweeps, samples, columns, lines, field, refresh },
             timebase,
@@ -166,11 +172,6 @@ impl Settings {
             economy: Economy::default(),
         })
     }
-}
-
-/// Steps of retrace, nearest to the blanking fraction of the whole sweep.
-fn retrace(samples: u32, raster: &crate::ModelRaster) -> u32 {
-    (f64::from(samples) * raster.blanking_fraction / (1.0 - raster.blanking_fraction)).round() as u32
 }
 
 fn count(key: &'static str, found: u32, low: u32, high: u32) -> Result<u32, SettingsError> {

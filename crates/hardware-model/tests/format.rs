@@ -14,7 +14,8 @@ fn blocks() -> Vec<&'static str> {
 }
 
 fn documented_keys() -> BTreeSet<&'static str> {
-    let rows = DOC.lines().filter_map(|line| line.strip_prefix("| `"));
+    let (_, table) = DOC.split_once("## Keys\n").unwrap();
+    let rows = table.lines().filter_map(|line| line.strip_prefix("| `"));
     rows.map(|row| row.split('`').next().unwrap()).collect()
 }
 

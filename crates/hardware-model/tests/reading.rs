@@ -324,7 +324,7 @@ fn files_that_are_no_model() {
 proptest! {
     #[test]
     fn damage_is_refused_or_read_and_never_panics(
-        cuts in prop::collection::vec((0usize..4000, 0usize..12, "[-a-z0-9_=.,\"'\\[\\]{}\n# ]{0,6}"), 1..6),
+        cuts in prop::collection::vec((0usize..10_000, 0usize..12, "[-a-z0-9_=.,\"'\\[\\]{}\n# ]{0,6}"), 1..6),
     ) {
         let mut text = IDEAL.to_owned();
         for (at, length, put) in cuts {

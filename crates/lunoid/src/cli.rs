@@ -2,7 +2,7 @@
 
 use clap::{Parser, Subcommand};
 
-use crate::commands::{bank, check, compare, info, list, model, probe, replay, survey};
+use crate::commands::{bank, check, compare, info, list, model, probe, replay, sizing, survey, timing};
 use crate::output::Colour;
 
 /// Results of one family are equal to the bit: no fused multiply-add anywhere.
@@ -54,4 +54,8 @@ pub enum Command {
     Survey(survey::SurveyCommand),
     /// Show hardware models.
     Model(model::ModelCommand),
+    /// Show the timing of the digital side, record it, and hold it to a record.
+    Timing(timing::TimingCommand),
+    /// Hold the machine in time against its formulas, and search for the slowest parts that would do.
+    Sizing(sizing::Sizing),
 }

@@ -92,6 +92,8 @@ impl Threads {
 pub struct Loaded {
     /// The scenario, with the wishes of the command line.
     pub scenario: Scenario,
+    /// The hardware model, without the wishes of scenario and command line for raster, range and laws.
+    pub model: HardwareModel,
     /// What the run comes to.
     pub settings: Settings,
     /// Who draws.
@@ -124,7 +126,7 @@ impl StageArgs {
         let generator: &dyn Generator =
             if self.machine.as_deref() == Some(EXACT) { &Exact } else { &HybridMachine };
         let phases = vec![Phase::since("read", start)];
-        Ok(Loaded { scenario, settings, generator, inputs, phases })
+        Ok(Loaded { scenario, model: model.model, settings, generator, inputs, phases })
     }
 
     /// Banks are made and not kept with the scenarios, so a first replay may find none.

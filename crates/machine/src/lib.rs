@@ -27,6 +27,7 @@ mod feature_light;
 mod footing;
 mod omissions;
 mod raster;
+mod real_parts;
 mod record;
 mod session;
 mod signal_plane;

@@ -21,6 +21,7 @@ use crate::digital::{Digital, DigitalFrame};
 use crate::footing::Footings;
 use crate::omissions::omissions;
 use crate::raster::WrittenRaster;
+use crate::real_parts::RealParts;
 use crate::record::Recorded;
 use crate::signal_plane::Group;
 use crate::timing::vertices;
@@ -36,6 +37,7 @@ pub(crate) struct Elaborated<S> {
     raster: WrittenRaster,
     footings: Footings,
     digital: Digital,
+    parts: RealParts<S>,
     workspaces: Pool<Workspace<S>>,
     deliveries: Pool<Delivery>,
     stores: Pool<Vec<f32>>,
@@ -73,6 +75,7 @@ impl<S: Real> Elaborated<S> {
             table,
             footings: Footings::default(),
             digital: Digital::new(&stage),
+            parts: RealParts::new(&stage),
             workspaces: Pool::default(),
             deliveries: Pool::default(),
             stores: Pool::default(),
@@ -129,6 +132,7 @@ impl<S: Real> Elaborated<S> {
             plan,
             delivery,
             digital,
+            parts: &self.parts,
         };
         store
             .par_chunks_mut(LANES * self.raster.lines)

@@ -8,11 +8,12 @@ use generator::Stage;
 use hardware_model::{Gate, MixingParts};
 use landscape::{Level, SweepLight};
 use mixing_unit::{Composite, FeatureInput, Inputs, MixingUnit, Toggle, ToggleList, terrain_alone};
+use parts::LagStep;
 use polyhedron_generator::{Hold, Overlay};
-use signal::{LANES, Real};
+use signal::{LANES, Lanes, Real};
 use sweep_generator::RangeTable;
 use sweep_memory::{Beam, BeamBreaks, FarStroke, write_group};
-use terrain_generator::{ModifiedTerrainGenerator, TerrainGenerator};
+use terrain_generator::{ArrayState, ModifiedTerrainGenerator, PartsArray, TerrainGenerator, Wired};
 use texture_generator::TextureGenerator;
 
 use crate::blocks::{Blocks, Coarse};
@@ -22,6 +23,7 @@ use crate::delivery::Delivery;
 use crate::digital::DigitalFrame;
 use crate::feature_light::Lamp;
 use crate::raster::WrittenRaster;
+use crate::real_parts::{RealParts, Terrain};
 use crate::workspace::Workspace;
 
 /// Everything that the groups of a frame share.
@@ -37,6 +39,7 @@ pub(crate) struct Group<'a, S> {
     pub plan: &'a FramePlan,
     pub delivery: &'a Delivery,
     pub digital: &'a DigitalFrame,
+    pub parts: &'a RealParts<S>,
 }
 
 impl<S: Real> Group<'_, S> {
@@ -87,10 +90,26 @@ impl<S: Real> Group<'_, S> {
         for (lane, program) in work.programs.iter_mut().enumerate() {
             self.crossings().write_fine([sweeps[lane], first + lane as u32], program, &mut ());
         }
-        match &self.blocks.coarse {
-            None => self.terrain(self.stage.landscape.level()).run(&work.programs, light, &mut work.profile),
-            Some(coarse) => self.draw_both_levels(coarse, first, sweeps, light, work),
+        match (&self.blocks.coarse, &self.parts.terrain) {
+            (None, None) => {
+                self.terrain(self.stage.landscape.level()).run(&work.programs, light, &mut work.profile);
+            }
+            (None, Some(parts)) => {
+                let mut wired = self.wired(&parts.fine, first, &mut work.arrays[0]);
+                let generator = self.terrain(self.stage.landscape.level());
+                generator.run_by(&mut wired, &work.programs, light, &mut work.profile);
+            }
+            (Some(coarse), _) => self.draw_both_levels(coarse, first, sweeps, light, work),
         }
+        if let Some(Terrain { reflectivity: Some(lag), .. }) = &self.parts.terrain {
+            delay(lag, &mut work.profile.reflectivity);
+        }
+    }
+
+    /// The array of parts for the group that begins at sweep `first`.
+    fn wired<'w>(&self, array: &'w PartsArray<S>, first: u32, state: &'w mut ArrayState<S>) -> Wired<'w, S> {
+        let sweeps = u64::from(self.stage.settings.raster.sweeps);
+        Wired { array, state, address: self.plan.frame * sweeps + u64::from(first) }
     }
 
     fn crossings(&self) -> Crossings<'_> {
@@ -122,7 +141,15 @@ impl<S: Real> Group<'_, S> {
         };
         let ranges = work.programs.each_ref().map(|program| program.end_range);
         let (profile, overlap) = (&mut work.profile, &mut work.overlap);
-        work.step = generator.run(&work.programs, &work.coarse, &ranges, light, profile, overlap);
+        work.step = match &self.parts.terrain {
+            Some(Terrain { fine, coarse: Some(far), .. }) => {
+                let [near_state, far_state] = &mut work.arrays;
+                let methods =
+                    [&mut self.wired(fine, first, near_state), &mut self.wired(far, first, far_state)];
+                generator.run_by(methods, &work.programs, &work.coarse, &ranges, light, profile, overlap)
+            }
+            _ => generator.run(&work.programs, &work.coarse, &ranges, light, profile, overlap),
+        };
     }
 
     /// Ground range at which the profile of a lane ends (m).
@@ -307,6 +334,16 @@ impl<S: Real> Group<'_, S> {
             }
         }
         !spans.is_empty()
+    }
+}
+
+/// Passes a signal through a lag that is at rest as the sweep begins.
+fn delay<S: Real>(lag: &LagStep<S>, signal: &mut [Lanes<S>]) {
+    let Some(&first) = signal.first() else { return };
+    let (mut before, mut out) = (first, first);
+    for value in signal {
+        out = lag.step(out, before, *value);
+        before = std::mem::replace(value, out);
     }
 }
 

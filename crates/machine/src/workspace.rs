@@ -6,10 +6,10 @@ use display_projection_processor::Projected;
 use feature_generator::{FeatureProfile, FeatureProgram};
 use mixing_unit::{Mixed, Toggle};
 use polyhedron_generator::Overlay;
-use signal::{LANES, Lanes};
+use signal::{LANES, Lanes, Real};
 use sweep_memory::FarStroke;
 use sweep_program::{Ramp, RegisterSet, SweepProgram, SweepStart};
-use terrain_generator::{Overlap, Profile};
+use terrain_generator::{ArrayState, Overlap, Profile};
 
 use crate::feature_light::Lit;
 
@@ -22,6 +22,8 @@ pub(crate) struct Workspace<S> {
     pub coarse: [SweepProgram; LANES],
     /// Programs of the feature generator.
     pub features: [FeatureProgram; LANES],
+    /// Wires of the terrain generators made of parts, the fine level's first.
+    pub arrays: [ArrayState<S>; 2],
     /// Terrain profiles.
     pub profile: Profile<S>,
     /// Both levels where they blend.
@@ -48,12 +50,13 @@ pub(crate) struct Workspace<S> {
     pub overlay: Overlay,
 }
 
-impl<S: Default + Copy> Default for Workspace<S> {
+impl<S: Real> Default for Workspace<S> {
     fn default() -> Self {
         Self {
             programs: array::from_fn(|_| idle_program()),
             coarse: array::from_fn(|_| idle_program()),
             features: Default::default(),
+            arrays: Default::default(),
             profile: Profile::default(),
             overlap: Overlap::default(),
             step: 0.0,

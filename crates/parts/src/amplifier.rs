@@ -34,6 +34,9 @@ pub struct AmplifierLaw {
     pub recovery: f64,
 }
 
+/// A shorter time (s) is none: rates by it would leave the numbers.
+const SHORTEST: f64 = 1e-200;
+
 /// The part, for one step length.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Amplifier<S> {
@@ -60,17 +63,18 @@ pub struct AmplifierState<V> {
 impl<S: Real> Amplifier<S> {
     /// For steps of `h` seconds.
     pub fn new(h: f64, law: &AmplifierLaw) -> Self {
-        let slew = Slew { tau: law.tau, rate: law.slew };
+        let [tau, recovery] = [law.tau, law.recovery].map(|time| if time < SHORTEST { 0.0 } else { time });
+        let slew = Slew { tau, rate: law.slew };
         let climb = if law.slew == f64::INFINITY { f64::INFINITY } else { law.slew * h };
         Self {
-            lag: LagStep::new(h, law.tau),
-            remains: LagStep::new(h, law.recovery).keep,
+            lag: LagStep::new(h, tau),
+            remains: LagStep::new(h, recovery).keep,
             reach: S::from_f64(slew.reach()),
             climb: S::from_f64(climb),
             saturation: S::from_f64(law.saturation),
             h,
             slew,
-            overload: Overload { saturation: law.saturation, recovery: law.recovery },
+            overload: Overload { saturation: law.saturation, recovery },
         }
     }
 

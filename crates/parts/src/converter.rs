@@ -133,7 +133,10 @@ mod tests {
             for i in 0..=1000 {
                 let u = f64::from(i) / 1000.0;
                 let off = converter.level(converter.word(u)) - u;
-                assert!(off.abs() <= lsb / 2.0 || (u > 1.0 - lsb && off.abs() <= lsb), "{bits} bits, {u}: {off}");
+                assert!(
+                    off.abs() <= lsb / 2.0 || (u > 1.0 - lsb && off.abs() <= lsb),
+                    "{bits} bits, {u}: {off}"
+                );
             }
             assert_eq!(converter.word(-0.3), 0);
             assert_eq!(converter.word(7.0), (1 << bits) - 1);
@@ -156,7 +159,9 @@ mod tests {
         let law = ConverterLaw { glitch_area: 10e-9, delay: 8e-9, tau, ..BARE };
         let converter = Converter::<f64>::new(h, &law);
         let clean = Converter::<f64>::new(h, &ConverterLaw { glitch_area: 0.0, ..law });
-        for (from, to, weight) in [(511_u32, 512_u32, 1.0), (512, 511, -1.0), (256, 257, 1.0 / 512.0), (9, 9, 0.0)] {
+        for (from, to, weight) in
+            [(511_u32, 512_u32, 1.0), (512, 511, -1.0), (256, 257, 1.0 / 512.0), (9, 9, 0.0)]
+        {
             let rest = f64::from(from) / 1024.0;
             let (mut a, mut b) = (converter.at_rest(rest), clean.at_rest(rest));
             let pulse = converter.step(&mut a, to) - clean.step(&mut b, to);

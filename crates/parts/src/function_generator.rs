@@ -91,7 +91,7 @@ impl Line {
         let n = law.segments.max(1);
         let exact: Vec<f64> = (0..=n).map(|k| f(k as f64 / n as f64)).collect();
         let sags: Vec<Vec<f64>> = (0..n).map(|k| sags(&f, &exact, k)).collect();
-        let mut shift = balanced(&sags);
+        let mut shift = eased(balanced(&sags), &sags);
         if let Ends::Trimmed([first, last]) = law.ends {
             (shift[0], shift[n]) = (first, last);
         }
@@ -157,22 +157,46 @@ fn balanced(sags: &[Vec<f64>]) -> Vec<f64> {
     shift
 }
 
+/// The same with the most curved segments at half their sag, which their milder neighbours pay for within that bound.
+fn eased(mut shift: Vec<f64>, sags: &[Vec<f64>]) -> Vec<f64> {
+    let bound = sags.iter().flatten().fold(0.0_f64, |most, sag| most.max(sag.abs())) / 2.0;
+    for _ in 0..ROUNDS {
+        for (k, sags) in sags.iter().enumerate() {
+            let worst = worst(sags, shift[k], shift[k + 1]);
+            let beyond = worst - worst.clamp(-bound, bound);
+            for shift in &mut shift[k..k + 2] {
+                *shift = (*shift - beyond).clamp(-bound, bound);
+            }
+        }
+    }
+    shift
+}
+
 /// The inner error of a segment that is largest without regard to sign.
 fn worst(sags: &[f64], start: f64, end: f64) -> f64 {
     let error = |i: usize| sags[i] + start + (end - start) * i as f64 / PLACES as f64;
-    (1..PLACES).map(error).fold(0.0, |worst: f64, error| if error.abs() > worst.abs() { error } else { worst })
+    (1..PLACES)
+        .map(error)
+        .fold(0.0, |worst: f64, error| if error.abs() > worst.abs() { error } else { worst })
 }
 
 #[cfg(test)]
 mod tests {
     use super::{Ends, FunctionGenerator, FunctionLaw, segment_error};
 
-    /// The function generators of the report: g0, g1, g2 and the largest second derivative of each.
-    const BASIS: [(fn(f64) -> f64, f64); 3] = [
-        (|z| (1.0 - z) * (1.0 - z) * (1.0 - z) * (1.0 + z * (3.0 + 6.0 * z)), 5.7735),
-        (|z| z * (1.0 - z) * (1.0 - z) * (1.0 - z) * (1.0 + 3.0 * z), 4.2),
-        (|z| 0.5 * z * z * (1.0 - z) * (1.0 - z) * (1.0 - z), 1.0),
+    /// The function generators of the report: g0, g1, g2.
+    const BASIS: [fn(f64) -> f64; 3] = [
+        |z| (1.0 - z) * (1.0 - z) * (1.0 - z) * (1.0 + z * (3.0 + 6.0 * z)),
+        |z| z * (1.0 - z) * (1.0 - z) * (1.0 - z) * (1.0 + 3.0 * z),
+        |z| 0.5 * z * z * (1.0 - z) * (1.0 - z) * (1.0 - z),
     ];
+
+    /// Largest second derivative over 0..=1.
+    fn bend(f: fn(f64) -> f64) -> f64 {
+        let e = 1e-4;
+        let second = |z: f64| (f(z + e) - 2.0 * f(z) + f(z - e)) / (e * e);
+        (0..=1000).map(|i| second(f64::from(i) / 1000.0).abs()).fold(0.0, f64::max)
+    }
 
     fn generator(segments: usize, rounding: f64, ends: Ends, f: fn(f64) -> f64) -> FunctionGenerator<f64> {
         FunctionGenerator::new(&FunctionLaw { segments, rounding, ends }, f)
@@ -185,19 +209,62 @@ mod tests {
 
     #[test]
     fn equal_ripple_meets_the_segment_error() {
-        for (f, bend) in BASIS {
-            let bend = (0..=1000).map(|i| second(f, f64::from(i) / 1000.0).abs()).fold(0.0, f64::max).min(bend * 1.01);
+        assert!((bend(BASIS[0]) - 5.7735).abs() < 1e-3);
+        for f in BASIS {
             for n in [6, 10, 20, 24] {
                 let error = largest_error(&generator(n, 0.0, Ends::Free, f), f);
-                let share = error / segment_error(bend, n);
-                println!("{n} segments: {error:.2e}, {share:.4} of the formula");
-                assert!(share < 1.03 && share > 0.8, "{n} segments: {share}");
+                let share = error / segment_error(bend(f), n);
+                // g2 is most curved at its end alone, so coarse segments do better than the formula.
+                assert!(share <= 1.0 && share > 0.49, "{n} segments: {share}");
             }
         }
     }
 
-    fn second(f: fn(f64) -> f64, z: f64) -> f64 {
-        let e = 1e-4;
-        (f(z + e) - 2.0 * f(z) + f(z - e)) / (e * e)
+    #[test]
+    fn trimmed_ends_have_their_residue_and_cost_half_as_much_again() {
+        for f in BASIS {
+            for rounding in [0.0, 0.005, 0.2] {
+                let g = generator(20, rounding, Ends::Trimmed([0.0, 5e-4]), f);
+                assert!((g.value(0.0) - f(0.0)).abs() < 1e-15);
+                assert!((g.value(1.0) - f(1.0) - 5e-4).abs() < 1e-15);
+            }
+            let error = largest_error(&generator(20, 0.0, Ends::Trimmed([0.0; 2]), f), f);
+            assert!(error < 1.52 * segment_error(bend(f), 20), "{error}");
+        }
+    }
+
+    #[test]
+    fn slope_jumps_are_those_of_the_reference() {
+        for (n, jump) in [(10, 0.58), (20, 0.29)] {
+            let g = generator(n, 0.0, Ends::Free, BASIS[0]);
+            let slope = |k: usize| {
+                let at = |share: f64| g.value((k as f64 + share) / n as f64);
+                (at(0.9) - at(0.1)) * n as f64 / 0.8
+            };
+            let most = (1..n).map(|k| (slope(k) - slope(k - 1)).abs()).fold(0.0, f64::max);
+            assert!((most - jump).abs() < 0.04 * jump + 0.01, "{n} segments: {most}");
+        }
+    }
+
+    #[test]
+    fn knees_are_softplus() {
+        // One knee, from slope -1 to slope 1.
+        let (width, law) = (0.02, |x: f64| (x - 0.5).abs());
+        let sharp = generator(2, 0.0, Ends::Trimmed([0.0; 2]), law);
+        let round = generator(2, width, Ends::Trimmed([0.0; 2]), law);
+        for i in 0..=1000 {
+            let x = f64::from(i) / 1000.0;
+            let softplus = 2.0 * width * libm::log1p(libm::exp(-(x - 0.5).abs() / width));
+            // Cells of 1/128: J V / 32 (cell / V)^2.
+            assert!((round.value(x) - sharp.value(x) - softplus).abs() < 2.1 * width / 32.0 * 0.1526, "{x}");
+        }
+        assert!((sharp.value(0.3) - 0.2).abs() < 1e-12);
+    }
+
+    #[test]
+    fn beyond_the_ends_the_end_segments_go_on() {
+        let g = generator(10, 0.0, Ends::Free, |x| 3.0 * x);
+        assert!((g.value(-0.1) + 0.3).abs() < 1e-12 && (g.value(1.2) - 3.6).abs() < 1e-12);
+        assert!((generator(0, 0.0, Ends::Free, |x| 3.0 * x).value(0.5) - 1.5).abs() < 1e-12);
     }
 }

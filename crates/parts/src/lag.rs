@@ -12,8 +12,8 @@
 //!
 //! **Parameters.** h and tau in seconds. `tau = 0`: y is u, to the bit. `tau` infinite: y stays, to the bit.
 //! **State and timing.** One value.
-//! **Numbers.** The three coefficients add up to 1 in the scalar of the run, so a constant passes unchanged however
-//! slow the lag; what rounding moves instead is the time constant, by `epsilon tau / h` of itself.
+//! **Numbers.** The three coefficients add up to 1 in the scalar of the run, so the gain is 1 however slow the lag. What
+//! rounding leaves is `epsilon tau / h`, of the time constant and of the signal.
 //! **Fold** of a ramp of slope s with this lag: the peak is short by `s tau ln 2`.
 
 use signal::Real;
@@ -105,22 +105,22 @@ pub fn impulse(h: f64, tau: f64, share: f64) -> f64 {
 
 /// `h / tau`; in no time nothing happens, not even without a lag.
 fn ratio(h: f64, tau: f64) -> f64 {
-    if h == 0.0 {
-        0.0
-    } else {
-        h / tau
-    }
+    if h == 0.0 { 0.0 } else { h / tau }
 }
 
 /// `(1 - f) / (1 - e^-r)`, `f = (1 - e^-r) / r`: share of the end point in the weight of a straight input, 1/2..=1.
 fn ramp_share(ratio: f64) -> f64 {
     let input = -libm::expm1(-ratio);
-    if ratio < 0.5 { ramp_series(ratio) / input_over_ratio(ratio, input) } else { (1.0 - input / ratio) / input }
+    if ratio < 0.5 {
+        ramp_series(ratio) / input_over_ratio(ratio, input)
+    } else {
+        (1.0 - input / ratio) / input
+    }
 }
 
 /// `(1 - f) / r = 1/2 - r/6 + r^2/24 - ...`, without the cancellation of the closed form.
 fn ramp_series(ratio: f64) -> f64 {
-    (0..SERIES_TERMS).rev().fold(0.0, |sum, n| (1.0 - sum * ratio) / f64::from(n + 2)) 
+    (0..SERIES_TERMS).rev().fold(0.0, |sum, n| (1.0 - sum * ratio) / f64::from(n + 2))
 }
 
 const SERIES_TERMS: u32 = 16;

@@ -22,6 +22,9 @@ pub(crate) struct Overload {
 /// At most this many cuts in a piece: one turn, and both clips on either side of it.
 const CUTS: usize = 7;
 
+/// An instant of a piece and the output there.
+type Point = (f64, f64);
+
 impl Overload {
     /// The store after `piece`, from `x`.
     pub fn advance(&self, mut x: f64, piece: &Piece) -> f64 {
@@ -32,42 +35,37 @@ impl Overload {
         x
     }
 
-    /// Instants between which the output lies on one side of each clip, ends of the piece included.
-    fn cuts(&self, piece: &Piece) -> ([f64; CUTS], usize) {
-        let (mut cuts, mut count) = ([0.0; CUTS], 1);
-        let turn = piece.turn();
-        let mut start = 0.0;
-        for end in turn.into_iter().chain([piece.length]) {
-            let rising = piece.y(end) > piece.y(start);
-            let levels = if rising { [-self.saturation, self.saturation] } else { [self.saturation, -self.saturation] };
-            for level in levels {
-                if let Some(t) = crossing(|t| piece.y(t) - level, start, end) {
-                    cuts[count] = t;
+    /// Points between which the output lies on one side of each clip, ends of the piece included.
+    fn cuts(&self, piece: &Piece) -> ([Point; CUTS], usize) {
+        let mut cuts = [(0.0, piece.y(0.0)); CUTS];
+        let mut count = 1;
+        for end in piece.turn().into_iter().chain([piece.length]) {
+            let (start, end) = (cuts[count - 1], (end, piece.y(end)));
+            let upwards = if end.1 > start.1 { self.saturation } else { -self.saturation };
+            for level in [-upwards, upwards] {
+                if let Some(t) = crossing(|t| piece.y(t), level, start, end) {
+                    cuts[count] = (t, level);
                     count += 1;
                 }
             }
             cuts[count] = end;
             count += 1;
-            start = end;
         }
         (cuts, count)
     }
 
-    fn stretch(&self, x: f64, piece: &Piece, a: f64, b: f64) -> f64 {
-        let middle = piece.y((a + b) / 2.0);
-        let level = if middle > self.saturation {
-            self.saturation
-        } else if middle < -self.saturation {
-            -self.saturation
-        } else {
-            return LagStep::<f64>::new(b - a, self.recovery).step(x, 0.0, 0.0);
-        };
-        let excess = [piece.y(a) - level, piece.y(b) - level];
+    fn stretch(&self, x: f64, piece: &Piece, (a, from): Point, (b, to): Point) -> f64 {
+        let mean = (from + to) / 2.0;
+        let level = mean.clamp(-self.saturation, self.saturation);
+        if mean == level {
+            // Nearly always there is nothing to decay.
+            return if x == 0.0 { x } else { LagStep::<f64>::new(b - a, self.recovery).step(x, 0.0, 0.0) };
+        }
         match piece.free_lag() {
-            Some(tau) if tau > 0.0 && tau * self.recovery > 0.0 && (tau * self.recovery).is_finite() => {
-                self.behind_lag(tau, b - a, x, excess[0], [piece.u(a) - level, piece.u(b) - level])
+            Some(tau) if is_time(tau) && is_time(self.recovery) => {
+                self.behind_lag(tau, b - a, x, from - level, [piece.u(a) - level, piece.u(b) - level])
             }
-            _ => LagStep::<f64>::new(b - a, self.recovery).step(x, excess[0], excess[1]),
+            _ => LagStep::<f64>::new(b - a, self.recovery).step(x, from - level, to - level),
         }
     }
 
@@ -80,24 +78,42 @@ impl Overload {
     }
 }
 
-/// The root of the monotonic `f` in `a..b`, if its sign changes: secant steps with the weight of an end that stays
-/// halved each time (Illinois), until the bracket or the value is at rounding.
-fn crossing(f: impl Fn(f64) -> f64, mut a: f64, mut b: f64) -> Option<f64> {
-    let (mut fa, mut fb) = (f(a), f(b));
-    if fa * fb >= 0.0 {
+/// Neither none nor for ever.
+fn is_time(time: f64) -> bool {
+    time > 0.0 && time < f64::INFINITY
+}
+
+/// Where between two points the monotonic `f` is at `level`, if anywhere: a secant step, and a halving where that has
+/// not halved the bracket, until the bracket is at rounding.
+fn crossing(f: impl Fn(f64) -> f64, level: f64, start: Point, end: Point) -> Option<f64> {
+    let mut ends = [(start.0, start.1 - level), (end.0, end.1 - level)];
+    if (ends[0].1 > 0.0) == (ends[1].1 > 0.0) || ends[0].1 == 0.0 || ends[1].1 == 0.0 {
         return None;
     }
-    for _ in 0..100 {
-        let c = (a * fb - b * fa) / (fb - fa);
-        let fc = f(c);
-        if fc == 0.0 || !(a < c && c < b) {
-            return Some(c.clamp(a, b));
+    let off = |t: f64| f(t) - level;
+    loop {
+        let [(a, fa), (b, fb)] = ends;
+        narrow(&mut ends, (a * fb - b * fa) / (fb - fa), &off);
+        if ends[1].0 - ends[0].0 > (b - a) / 2.0 {
+            let middle = (ends[0].0 + ends[1].0) / 2.0;
+            narrow(&mut ends, middle, &off);
         }
-        if (fc > 0.0) == (fb > 0.0) {
-            (b, fb, fa) = (c, fc, fa / 2.0);
-        } else {
-            (a, fa, fb) = (c, fc, fb / 2.0);
+        // Nothing lies between, or nothing that a secant step could find.
+        if ends[1].0 - ends[0].0 >= b - a || ends[0].1 == 0.0 {
+            return Some(ends[0].0);
         }
     }
-    Some((a + b) / 2.0)
+}
+
+/// Moves the end of the bracket that has the sign of `f` at `c`; both on a root.
+fn narrow(ends: &mut [Point; 2], c: f64, f: &impl Fn(f64) -> f64) {
+    if c <= ends[0].0 || c >= ends[1].0 {
+        return;
+    }
+    let value = f(c);
+    if value == 0.0 {
+        *ends = [(c, 0.0); 2];
+    } else {
+        ends[usize::from((value > 0.0) == (ends[1].1 > 0.0))] = (c, value);
+    }
 }

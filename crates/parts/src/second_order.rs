@@ -91,7 +91,9 @@ impl<S: Real> SecondOrderStep<S> {
         let (start, end) = (u0 - y, u1 - y);
         SecondOrderState {
             y: y + start * V::splat(self.from) + end * V::splat(self.to) + rate * V::splat(self.coast),
-            rate: rate * V::splat(self.keep) + start * V::splat(self.push_from) + end * V::splat(self.push_to),
+            rate: rate * V::splat(self.keep)
+                + start * V::splat(self.push_from)
+                + end * V::splat(self.push_to),
         }
     }
 }
@@ -130,21 +132,21 @@ impl Free {
 
     /// By the Taylor series of the impulse response `s`, `s'' = -2 z s' - s`, `s(0) = 0`, `s'(0) = 1`.
     fn short(h: f64, angle: f64, z: f64) -> Self {
-        let (mut term, mut next) = (0.0, 1.0);
-        // angle^n / n!, at n from 0 on.
-        let mut power = 1.0;
+        // Derivative n + 1 of s at 0 times angle^n, and the one before it; then over n!.
+        let (mut before, mut now, mut factorial) = (0.0, 1.0, 1.0);
         let (mut keep, mut reach, mut rise, mut ramp) = (0.0, 0.0, 0.0, 0.0);
-        for n in 0..TERMS {
-            let n = n as f64;
-            keep += next * power;
-            reach += next * power / (n + 1.0);
-            rise += next * power * angle / ((n + 1.0) * (n + 2.0));
-            ramp += next * power * angle / ((n + 1.0) * (n + 2.0) * (n + 3.0));
-            (term, next) = (next, -2.0 * z * next - term);
-            power *= angle / (n + 1.0);
+        for n in 1..=TERMS {
+            let (n, term) = (n as f64, now / factorial);
+            keep += term;
+            reach += term / n;
+            rise += term / (n * (n + 1.0));
+            ramp += term / (n * (n + 1.0) * (n + 2.0));
+            (before, now) = (now, -2.0 * z * angle * now - angle * angle * before);
+            factorial *= n;
         }
-        let push = if h == 0.0 { 0.0 } else { angle * angle * reach / h };
-        Self { rise: rise * angle, ramp: ramp * angle, coast: h * reach, push, keep }
+        let square = angle * angle;
+        let push = if h == 0.0 { 0.0 } else { square * reach / h };
+        Self { rise: rise * square, ramp: ramp * square, coast: h * reach, push, keep }
     }
 
     fn long(h: f64, angle: f64, z: f64) -> Self {
@@ -177,7 +179,8 @@ fn swinging(angle: f64, z: f64) -> (f64, f64, f64) {
 
 /// The same, damping above 1: modes `e^-(z - q) angle` and `e^-(z + q) angle`.
 fn creeping(angle: f64, z: f64) -> (f64, f64, f64) {
-    let q = ((z - 1.0) * (z + 1.0)).sqrt();
+    // Not sqrt(z^2 - 1): the damping of two lags far apart is huge.
+    let q = z * ((1.0 - 1.0 / z) * (1.0 + 1.0 / z)).sqrt();
     let (slow, fast) = (angle / (z + q), angle * (z + q));
     let (left, gone) = (libm::exp(-slow), libm::exp(-fast));
     let swing = left * -libm::expm1(-2.0 * q * angle) / (2.0 * q);

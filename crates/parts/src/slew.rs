@@ -58,8 +58,10 @@ impl Slew {
             let u = u0 + s * t;
             let lasts = self.lasts(motion, u - y, s);
             let piece = Piece { motion, slew: *self, y, u, s, length: lasts.min(h - t) };
-            visit(&piece);
-            y = piece.y(piece.length);
+            if piece.length > 0.0 {
+                visit(&piece);
+                y = piece.y(piece.length);
+            }
             t = if lasts < h - t { t + lasts } else { h };
             motion = next(motion, s);
         }
@@ -114,6 +116,7 @@ impl Piece {
     /// Output at `t`.
     pub fn y(&self, t: f64) -> f64 {
         match self.motion {
+            Motion::Free if self.slew.tau == 0.0 => self.u(t),
             Motion::Free => LagStep::<f64>::new(t, self.slew.tau).step(self.y, self.u, self.u(t)),
             Motion::Up => self.y + self.slew.rate * t,
             Motion::Down => self.y - self.slew.rate * t,

@@ -20,6 +20,9 @@ pub(crate) const HATCH: Colour = [168, 168, 168];
 pub(crate) const TRACES: [Colour; 6] =
     [[31, 78, 121], [192, 86, 33], [63, 125, 88], [125, 80, 150], [150, 120, 30], [90, 90, 90]];
 
+/// What came too late.
+pub(crate) const LATE: Colour = [196, 40, 40];
+
 /// Heights from low to high: slate, lunar grey, sand, near white.
 const HEIGHTS: [Colour; 5] =
     [[92, 108, 126], [136, 145, 151], [176, 174, 167], [211, 203, 184], [246, 242, 231]];

@@ -43,6 +43,11 @@ impl Frame {
     /// Lines at the ticks, to be drawn before the content.
     pub fn grid(&self, canvas: &mut Canvas) {
         self.grid_across(canvas);
+        self.grid_along(canvas);
+    }
+
+    /// Level lines alone.
+    pub fn grid_along(&self, canvas: &mut Canvas) {
         let Area { left, width, .. } = self.area;
         for tick in self.y_ticks() {
             let (_, y) = self.at(self.x.range[0], tick.value);

@@ -1,8 +1,10 @@
-//! Pictures of banks, surveys and waveforms, as PNG: the same bytes on every machine.
+//! Pictures of banks, surveys, waveforms and timing, as PNG: the same bytes on every machine.
 //!
 //! - [`bank_picture`]: shaded ground in the colours of its height, with contours and axes.
 //! - [`survey_picture`]: fitted ground beside the residuals of its samples, with their histogram.
 //! - [`trace_picture`]: waveforms and digital lines against a common axis, as on an oscilloscope.
+//! - [`timeline_picture`]: digital events of one sweep, register by register, below its ramps.
+//! - [`bar_picture`]: histograms of one kind below one another.
 //!
 //! Each returns a [`Drawing`]. Lettering is the outlines of the font Hack, filled like every other curve.
 //!
@@ -17,6 +19,7 @@
 
 mod axis;
 mod bank_picture;
+mod bar_picture;
 mod canvas;
 mod colour;
 mod drawing;
@@ -26,12 +29,15 @@ mod ground;
 mod lettering;
 mod residuals;
 mod survey_picture;
+mod timeline_picture;
 mod trace_picture;
 
 pub use axis::{Axis, Scale};
 pub use bank_picture::{BankLook, bank_picture};
+pub use bar_picture::{Bars, bar_picture};
 pub use drawing::Drawing;
 pub use error::PlotError;
 pub use residuals::Residuals;
 pub use survey_picture::{SurveyLook, survey_picture};
+pub use timeline_picture::{EventLane, Span, Stops, Stretch, Timeline, timeline_picture};
 pub use trace_picture::{Lane, Panel, Trace, TraceLook, trace_picture};

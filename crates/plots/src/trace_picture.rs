@@ -9,9 +9,9 @@ use crate::lettering;
 use crate::{Drawing, PlotError};
 
 /// Room on the right of the panels (pixels).
-const RIGHT: f32 = 28.0;
+pub(crate) const RIGHT: f32 = 28.0;
 /// Room above a panel for its legend.
-const ABOVE: f32 = 24.0;
+pub(crate) const ABOVE: f32 = 24.0;
 /// From one digital line to the next.
 const LANE: f32 = 26.0;
 /// Height of a digital line when high.
@@ -116,7 +116,7 @@ fn check_counts(panels: &[Panel<'_>], lanes: &[Lane<'_>]) -> Result<(), PlotErro
     Ok(())
 }
 
-fn draw_panel(
+pub(crate) fn draw_panel(
     canvas: &mut Canvas,
     panel: &Panel<'_>,
     area: Area,

@@ -10,6 +10,7 @@ use crate::limits::{LimitReport, limit_reports};
 use crate::path::{Station, shortest_turn};
 use crate::pose_problem::{PathProblem, PathProblems, PoseFault};
 use crate::vehicle::{Stand, Vehicle};
+use crate::yoke::Swing;
 use crate::{Path, Pose, Scenario, Yoke};
 
 /// Pitch or roll beyond which a pose is taken for a mistake (our choice): the sweeps need ground ahead.
@@ -53,7 +54,7 @@ impl PoseTable {
         frames: Range<u64>,
     ) -> Result<Self, PathProblems> {
         let driver = Driver { path: &scenario.path, vehicle: &scenario.vehicle, landscape, update };
-        let mut picture = Follower { yoke, driver: &driver, angle: 0.0 };
+        let mut picture = Follower { yoke, driver: &driver, swing: None };
         (0..frames.start).for_each(|frame| picture.pass(frame));
         let found: Vec<_> = frames.map(|frame| (frame, picture.turn(frame, driver.row(frame)))).collect();
         let faults = found.iter().filter_map(|(frame, row)| Some((*frame, row.as_ref().err()?.clone())));
@@ -78,7 +79,8 @@ impl PoseTable {
 struct Follower<'a> {
     yoke: Option<Yoke>,
     driver: &'a Driver<'a>,
-    angle: f64,
+    /// `None` until it has been told a roll.
+    swing: Option<Swing>,
 }
 
 impl Follower<'_> {

@@ -1,4 +1,14 @@
 //! The deflection yoke: how the picture follows the vehicle's roll (section 18).
+//!
+//! ```text
+//! roll ─▶ pulses, or a servo ─▶ where the motor is told to stand ─▶ second order ─▶ angle of the picture
+//! ```
+//!
+//! **Law.** The motor is told to go to the nearest angle at which it can stand, by a step a pulse. A yoke of real
+//! mechanics is a mass on that motor (hardware-1969, section 6: second order, driven by steps): each step swings it,
+//! exactly between the pulses, whatever the frames are.
+
+use parts::{SecondOrder, SecondOrderState};
 
 /// The deflection yoke and its stepping motor.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -9,6 +19,26 @@ pub struct Yoke {
     pub rate: f64,
     /// Whole travel, from stop to stop (rad): half of it either way.
     pub travel: f64,
+    /// Natural frequency of motor and yoke (Hz); the yoke stands where its motor is told to if `None`.
+    pub natural: Option<f64>,
+    /// Damping, of critical; read with a natural frequency alone.
+    pub damping: f64,
+}
+
+/// Where a yoke is on its way.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Swing {
+    /// Where the motor was told to stand (rad).
+    told: f64,
+    /// Angle of the picture (rad), and its rate.
+    yoke: SecondOrderState<f64>,
+}
+
+impl Swing {
+    /// Angle of the picture (rad).
+    pub fn angle(&self) -> f64 {
+        self.yoke.y
+    }
 }
 
 impl Yoke {
@@ -40,6 +70,69 @@ impl Yoke {
         // Sums of steps keep to the multiples at which the motor stands.
         if self.step == 0.0 { moved } else { (moved / self.step).round() * self.step }
     }
+
+    /// At rest, settled at `roll` (rad).
+    pub(crate) fn at_rest(&self, roll: f64) -> Swing {
+        let told = self.settled(roll);
+        Swing { told, yoke: SecondOrderState { y: told, rate: 0.0 } }
+    }
+
+    /// [`Yoke::follow`] with the mass of the yoke.
+    pub(crate) fn swing(&self, from: Swing, roll: f64, times: [f64; 2]) -> Swing {
+        let told = self.follow(from.told, roll, times);
+        let yoke = match self.natural {
+            None => SecondOrderState { y: told, rate: 0.0 },
+            Some(hertz) => {
+                let natural = 2.0 * std::f64::consts::PI * hertz;
+                let mass = SecondOrder { natural, damping: self.damping };
+                Drive { yoke: self, mass, told: [from.told, told], times }.run(from.yoke)
+            }
+        };
+        Swing { told, yoke }
+    }
+}
+
+/// Pulses between two frames beyond which the motor runs rather than steps: no yoke tells them apart.
+const MOST_PULSES: f64 = 1000.0;
+
+/// What the motor does between two frames.
+struct Drive<'a> {
+    yoke: &'a Yoke,
+    mass: SecondOrder,
+    /// Where it is told to stand at the begin and at the end.
+    told: [f64; 2],
+    /// Begin and end (s).
+    times: [f64; 2],
+}
+
+impl Drive<'_> {
+    fn run(&self, state: SecondOrderState<f64>) -> SecondOrderState<f64> {
+        let (Yoke { step, .. }, [from, to]) = (self.yoke, self.told);
+        let pulses = if *step == 0.0 { 0.0 } else { ((to - from).abs() / step).round() };
+        if *step > 0.0 && pulses <= MOST_PULSES { self.steps(state, pulses as u32) } else { self.run_on(state) }
+    }
+
+    /// Pulse by pulse from the first one after the begin.
+    fn steps(&self, mut state: SecondOrderState<f64>, pulses: u32) -> SecondOrderState<f64> {
+        let ([from, to], [begin, end]) = (self.told, self.times);
+        let period = self.yoke.step / self.yoke.rate;
+        let passed = whole_steps(begin / period);
+        let (mut now, mut told) = (begin, from);
+        for pulse in 1..=pulses {
+            let instant = ((passed + f64::from(pulse)) * period).clamp(now, end);
+            state = self.mass.step::<f64>(instant - now).step(state, told, told);
+            (now, told) = (instant, from + (to - from) * f64::from(pulse) / f64::from(pulses));
+        }
+        self.mass.step::<f64>(end - now).step(state, to, to)
+    }
+
+    /// At its rate until it is there.
+    fn run_on(&self, state: SecondOrderState<f64>) -> SecondOrderState<f64> {
+        let ([from, to], [begin, end]) = (self.told, self.times);
+        let running = ((to - from).abs() / self.yoke.rate).min(end - begin);
+        let there = self.mass.step::<f64>(running).step(state, from, to);
+        self.mass.step::<f64>(end - begin - running).step(there, to, to)
+    }
 }
 
 /// Whole steps in `steps`, which may be short of a whole number by the last bits of a division.
@@ -53,7 +146,8 @@ mod tests {
     use quantities::{degrees, radians};
 
     fn yoke(step_deg: f64) -> Yoke {
-        Yoke { step: radians(step_deg), rate: radians(10.0), travel: radians(40.0) }
+        let (rate, travel) = (radians(10.0), radians(40.0));
+        Yoke { step: radians(step_deg), rate, travel, natural: None, damping: 1.0 }
     }
 
     #[test]

@@ -22,3 +22,7 @@ pub struct Break<S> {
 
 /// Breaks of a group, lane by lane, ascending along the sweep.
 pub type Breaks<S> = [Vec<Break<S>>; LANES];
+
+/// Stretches of each sweep of a group, as begin and end on the sweep clock (samples), in order and apart: where the beam
+/// of a machine with real comparators is on.
+pub type Stretches = [Vec<[f64; 2]>; LANES];

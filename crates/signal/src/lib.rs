@@ -11,7 +11,7 @@ mod real;
 mod sink;
 mod table;
 
-pub use breaks::{Break, Breaks};
+pub use breaks::{Break, Breaks, Stretches};
 pub use lanes::{LANES, Lanes};
 pub use probe::{Probe, Waveform};
 pub use real::Real;

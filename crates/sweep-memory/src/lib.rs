@@ -34,11 +34,18 @@
 
 mod broken;
 mod curve;
+mod deflection;
+mod exposure;
+mod gather;
 mod read_out;
 mod stroke;
+mod tube;
 mod write;
+mod write_gun;
 
 pub use broken::BeamBreaks;
 pub use read_out::{View, covering, digital_memory, digital_memory_turned, scan_converter};
 pub use scenario::PixelRule;
+pub use tube::{Tube, TubeRaster};
 pub use write::{Beam, FarStroke, SIGNALS, write_group};
+pub use write_gun::{Drive, GunWork, WriteGun};

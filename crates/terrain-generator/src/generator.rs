@@ -66,12 +66,40 @@ pub struct TerrainGenerator<'a> {
 }
 
 /// Polynomials of a group over its present segments; lane n belongs to sweep n.
-struct Polynomials<S> {
+struct Segments<S> {
     height: [Lanes<S>; 11],
     along: [Lanes<S>; 10],
     across: [Lanes<S>; 10],
     middle: Lanes<S>,
     inverse_half: Lanes<S>,
+}
+
+/// How heights and slopes are worked out.
+pub trait Method<S: Real> {
+    /// Height and slopes at the samples of `span`; nothing else of `profile` is touched.
+    fn trace(
+        &mut self,
+        generator: &TerrainGenerator<'_>,
+        programs: &[SweepProgram; LANES],
+        span: Range<usize>,
+        profile: &mut Profile<S>,
+    );
+}
+
+/// Ideal parts: the array's polynomial along the sweep, expanded from the words in the hold registers.
+#[derive(Debug, Clone, Copy)]
+pub struct Polynomials;
+
+impl<S: Real> Method<S> for Polynomials {
+    fn trace(
+        &mut self,
+        generator: &TerrainGenerator<'_>,
+        programs: &[SweepProgram; LANES],
+        span: Range<usize>,
+        profile: &mut Profile<S>,
+    ) {
+        generator.trace(programs, span, profile);
+    }
 }
 
 /// One sweep on its way.
@@ -93,9 +121,20 @@ impl TerrainGenerator<'_> {
         light: &[SweepLight; LANES],
         profile: &mut Profile<S>,
     ) {
+        self.run_by(&mut Polynomials, programs, light, profile);
+    }
+
+    /// The same by another method.
+    pub fn run_by<S: Real>(
+        &self,
+        method: &mut impl Method<S>,
+        programs: &[SweepProgram; LANES],
+        light: &[SweepLight; LANES],
+        profile: &mut Profile<S>,
+    ) {
         let samples = self.ranges.len();
         profile.resize(samples);
-        self.trace(programs, 0..samples, profile);
+        method.trace(self, programs, 0..samples, profile);
         self.reflect(&GroupLight::new(light), profile);
     }
 
@@ -106,7 +145,7 @@ impl TerrainGenerator<'_> {
         span: Range<usize>,
         profile: &mut Profile<S>,
     ) {
-        let mut polynomials = Polynomials::default();
+        let mut segments = Segments::default();
         let mut lanes = programs.each_ref().map(|program| Lane {
             program,
             registers: Registers::at_start(program, self.buffer),
@@ -118,11 +157,11 @@ impl TerrainGenerator<'_> {
         while sample < span.end {
             for (number, lane) in lanes.iter_mut().enumerate() {
                 if lane.until <= sample {
-                    self.next_segment(lane, number, sample, &mut polynomials);
+                    self.next_segment(lane, number, sample, &mut segments);
                 }
             }
             let until = lanes.iter().map(|lane| lane.until).min().unwrap_or(span.end).min(span.end);
-            polynomials.evaluate(&self.ranges[sample..until], sample, profile);
+            segments.evaluate(&self.ranges[sample..until], sample, profile);
             sample = until;
         }
     }
@@ -151,7 +190,7 @@ impl TerrainGenerator<'_> {
         lane: &mut Lane<'_>,
         number: usize,
         sample: usize,
-        out: &mut Polynomials<S>,
+        out: &mut Segments<S>,
     ) {
         let begin = self.apply_due(lane, sample);
         if sample >= lane.last {
@@ -175,11 +214,7 @@ impl TerrainGenerator<'_> {
             if step.sample > sample {
                 break;
             }
-            match &step.kind {
-                StepKind::Fold(fold) => lane.registers.fold(*fold),
-                StepKind::BareFold(fold) => lane.registers.turn(*fold),
-                StepKind::Load(load) => lane.registers.load(load, self.buffer),
-            }
+            lane.registers.apply(step, self.buffer);
             if changes_hold(step) {
                 begin = begin.max(step.range);
             }
@@ -261,7 +296,7 @@ fn changes_hold(step: &Step) -> bool {
     }
 }
 
-impl<S: Real> Polynomials<S> {
+impl<S: Real> Segments<S> {
     fn set(&mut self, lane: usize, stretch: &Stretch) {
         set_lane(&mut self.height, &stretch.segment.height, lane);
         set_lane(&mut self.along, &stretch.segment.along, lane);
@@ -288,7 +323,7 @@ impl<S: Real> Polynomials<S> {
     }
 }
 
-impl<S: Real> Default for Polynomials<S> {
+impl<S: Real> Default for Segments<S> {
     fn default() -> Self {
         let zero = Lanes::default();
         Self { height: [zero; 11], along: [zero; 10], across: [zero; 10], middle: zero, inverse_half: zero }

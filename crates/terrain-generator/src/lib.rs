@@ -38,9 +38,11 @@ mod modified;
 mod programs;
 mod registers;
 mod segment;
+mod wired;
 
 pub use array::array;
-pub use generator::{OUT_OF_SIGHT, Profile, SIGNALS, TerrainGenerator};
+pub use generator::{Method, OUT_OF_SIGHT, Polynomials, Profile, SIGNALS, TerrainGenerator};
 pub use modified::{ModifiedTerrainGenerator, Overlap};
 pub use registers::Registers;
 pub use segment::{Segment, Span};
+pub use wired::{ArrayState, PartsArray, Scale, Wired};

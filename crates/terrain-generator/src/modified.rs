@@ -7,7 +7,7 @@ use landscape::{GroupLight, SweepLight};
 use signal::{LANES, Lanes, Real};
 use sweep_program::SweepProgram;
 
-use crate::{Profile, TerrainGenerator};
+use crate::{Method, Polynomials, Profile, TerrainGenerator};
 
 #[cfg(test)]
 mod tests;
@@ -59,6 +59,20 @@ impl ModifiedTerrainGenerator<'_> {
         profile: &mut Profile<S>,
         overlap: &mut Overlap<S>,
     ) -> f64 {
+        self.run_by([&mut Polynomials, &mut Polynomials], fine, coarse, switch, light, profile, overlap)
+    }
+
+    /// The same by other methods, the fine level's first.
+    pub fn run_by<S: Real, M: Method<S>>(
+        &self,
+        [by_fine, by_coarse]: [&mut M; 2],
+        fine: &[SweepProgram; LANES],
+        coarse: &[SweepProgram; LANES],
+        switch: &[f64; LANES],
+        light: &[SweepLight; LANES],
+        profile: &mut Profile<S>,
+        overlap: &mut Overlap<S>,
+    ) -> f64 {
         let switches: [Switch; LANES] =
             std::array::from_fn(|lane| self.switch(&fine[lane], &coarse[lane], switch[lane]));
         let samples = self.fine.ranges.len();
@@ -67,9 +81,9 @@ impl ModifiedTerrainGenerator<'_> {
             switches.iter().map(|switch| switch.first_coarse(samples)).min().unwrap_or(samples);
         let shared = first_coarse..last_fine.max(first_coarse);
         profile.resize(samples);
-        self.coarse.trace(coarse, first_coarse..samples, profile);
+        by_coarse.trace(&self.coarse, coarse, first_coarse..samples, profile);
         set_aside(profile, shared.clone(), overlap);
-        self.fine.trace(fine, 0..last_fine, profile);
+        by_fine.trace(&self.fine, fine, 0..last_fine, profile);
         let step = step_at_switch(profile, overlap, &switches, shared.start);
         for (coarse, sample) in shared.enumerate() {
             self.join(&switches, sample, overlap.ground(coarse), profile);

@@ -1,7 +1,9 @@
 //! Hold, XFIRST and YFIRST registers of the four colours, and the polarity flip-flops (fig. 19, 22).
 
 use landscape::CornerWords;
-use sweep_program::{Fold, Load, PreloadRegister, RampAxis, RegisterSet, SweepProgram, Target};
+use sweep_program::{
+    Fold, Load, PreloadRegister, RampAxis, RegisterSet, Step, StepKind, SweepProgram, Target,
+};
 
 /// The digital state of the terrain generator within one sweep.
 #[derive(Debug, Clone, PartialEq)]
@@ -59,6 +61,15 @@ impl Registers {
         let axis = usize::from(fold.axis == RampAxis::Y);
         self.polarity[axis] = -self.polarity[axis];
         self.folds[axis] += 1;
+    }
+
+    /// What happens at one instant of a sweep.
+    pub fn apply(&mut self, step: &Step, buffer: &[CornerWords]) {
+        match &step.kind {
+            StepKind::Fold(fold) => self.fold(*fold),
+            StepKind::BareFold(fold) => self.turn(*fold),
+            StepKind::Load(load) => self.load(load, buffer),
+        }
     }
 
     /// Words arrive.

@@ -83,7 +83,10 @@ pub(super) fn drum(table: &Reader, clock: Option<Rate>) -> Option<Option<Drum>> 
 
 fn is_square_of_corners(words: &u32) -> bool {
     let corners = words / 9;
-    words % 9 == 0 && corners > 0 && corners <= 1 << 20 && corners.isqrt() * corners.isqrt() == corners
+    words.is_multiple_of(9)
+        && corners > 0
+        && corners <= 1 << 20
+        && corners.isqrt() * corners.isqrt() == corners
 }
 
 pub(super) fn data_banks(drum: Option<Drum>, buffer: &Reader) -> Option<DataBanks> {

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use generator::Generator;
-use hardware_model::{BUILT_IN, HardwareModel, ModelSource};
+use hardware_model::{BUILT_IN, FAULTS, HardwareModel, ModelSource};
 use machine::HybridMachine;
 use scenario::Scenario;
 use serde_json::{Value, json};
@@ -90,9 +90,11 @@ fn signals(patterns: &[String], json: bool) -> Result<(), Failure> {
     print(&table(&[heading].into_iter().chain(rows).collect::<Vec<_>>()))
 }
 
-/// Lists hardware models: those of the current folder, and those that the program carries.
+/// Lists hardware models: those of the current folder, and those that the program carries; then the overlays that it
+/// carries.
 pub fn models(json: bool) -> Result<(), Failure> {
-    let files = toml_files("hardware-models");
+    let mut files = toml_files("hardware-models");
+    files.retain(|file| !file.parent().is_some_and(|folder| folder.ends_with("faults")));
     let carried = BUILT_IN.iter().filter(|(name, _)| !files.iter().any(|file| stem(file) == *name));
     let files = files.iter().map(|file| (file.display().to_string(), ModelSource::File(file.clone())));
     let sources =
@@ -108,7 +110,16 @@ pub fn models(json: bool) -> Result<(), Failure> {
             Err(problems) => [stem(Path::new(&place)), faults(problems.len()), place],
         })
         .collect();
-    show("models", ["name", "raster", "from"], &rows, json)
+    let overlays = FAULTS.map(|(name, text)| [name.into(), proves(text), "built in".into()]);
+    let models = Listing { what: "models", heading: ["name", "raster", "from"], rows: &rows };
+    let overlays = Listing { what: "overlays", heading: ["overlay", "proves", "from"], rows: &overlays };
+    show(&[models, overlays], json)
+}
+
+/// What the head of an overlay says it proves.
+fn proves(text: &str) -> String {
+    let (_, rest) = text.split_once("Proves ").unwrap_or_default();
+    rest.split(" (").next().unwrap_or_default().to_owned()
 }
 
 fn scenarios(json: bool) -> Result<(), Failure> {
@@ -117,20 +128,41 @@ fn scenarios(json: bool) -> Result<(), Failure> {
         Err(problems) => [file.display().to_string(), String::new(), faults(problems.len())],
     };
     let rows: Vec<[String; 3]> = toml_files("scenarios").iter().map(row).collect();
-    show("scenarios", ["file", "title", "shows"], &rows, json)
+    show(&[Listing { what: "scenarios", heading: ["file", "title", "shows"], rows: &rows }], json)
 }
 
-fn show(what: &str, heading: [&str; 3], rows: &[[String; 3]], json: bool) -> Result<(), Failure> {
-    if json {
-        let rows = rows.iter().map(|row| {
-            let keys = heading.iter().map(|key| (*key).to_owned());
+/// Rows under a heading.
+struct Listing<'a> {
+    what: &'a str,
+    heading: [&'a str; 3],
+    rows: &'a [[String; 3]],
+}
+
+impl Listing<'_> {
+    fn document(&self) -> Value {
+        let row = |row: &[String; 3]| {
+            let keys = self.heading.iter().map(|key| (*key).to_owned());
             Value::Object(keys.zip(row.iter().map(|cell| Value::from(cell.as_str()))).collect())
-        });
-        return print_json(&json!({ "schema": "lunoid.list/1", what: rows.collect::<Vec<_>>() }));
+        };
+        self.rows.iter().map(row).collect()
     }
-    let heading = heading.map(str::to_owned).to_vec();
-    let rows = rows.iter().map(|row| row.to_vec());
-    print(&table(&[heading].into_iter().chain(rows).collect::<Vec<_>>()))
+
+    fn table(&self) -> String {
+        let heading = self.heading.map(str::to_owned).to_vec();
+        let rows = self.rows.iter().map(|row| row.to_vec());
+        table(&[heading].into_iter().chain(rows).collect::<Vec<_>>())
+    }
+}
+
+fn show(listings: &[Listing], json: bool) -> Result<(), Failure> {
+    if json {
+        let mut document = json!({ "schema": "lunoid.list/1" });
+        for listing in listings {
+            document[listing.what] = listing.document();
+        }
+        return print_json(&document);
+    }
+    print(&listings.iter().map(Listing::table).collect::<Vec<_>>().join("\n"))
 }
 
 fn faults(count: usize) -> String {

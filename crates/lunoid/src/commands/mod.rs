@@ -10,7 +10,9 @@ pub mod model;
 pub mod probe;
 pub mod replay;
 mod scope;
+pub mod sizing;
 pub mod survey;
+pub mod timing;
 
 use crate::cli::{Cli, Command};
 use crate::{Failure, Verdict};
@@ -28,5 +30,7 @@ pub fn run(cli: &Cli) -> Result<Verdict, Failure> {
         Command::Bank(bank) => bank.run(),
         Command::Survey(survey) => survey.run(),
         Command::Model(model) => model.run(),
+        Command::Timing(timing) => timing.run(),
+        Command::Sizing(sizing) => sizing.run(),
     }
 }

@@ -1,6 +1,6 @@
 use crate::scene::{Scene, lunoid};
 
-const COMMANDS: [&[&str]; 16] = [
+const COMMANDS: [&[&str]; 18] = [
     &[],
     &["replay"],
     &["compare"],
@@ -17,6 +17,8 @@ const COMMANDS: [&[&str]; 16] = [
     &["survey"],
     &["model"],
     &["model", "show"],
+    &["model", "check"],
+    &["model", "list"],
 ];
 
 #[test]
@@ -91,21 +93,6 @@ fn lists_are_tables_or_documents() {
         assert_eq!(document["schema"], schema, "{arguments:?}");
         assert!(!document[key].is_null(), "{arguments:?}");
     }
-}
-
-#[test]
-fn a_model_tells_where_its_values_came_from() {
-    let scene = Scene::new();
-    scene.write("over.toml", "format = 1\n[raster]\nupdate_hz = 15\n");
-    let arguments = ["model", "show", "ideal", "--overlay", "over.toml", "--set", "raster.sweeps=525"];
-    let (out, _) = scene.expect(0, &arguments);
-    let line = |key: &str| out.lines().find(|line| line.starts_with(key)).unwrap_or_default().to_owned();
-    assert!(
-        line("raster.update_hz").contains("= 15") && line("raster.update_hz").contains("over.toml:3"),
-        "{out}"
-    );
-    assert!(line("raster.sweeps").contains("= 525") && line("raster.sweeps").contains("--set"), "{out}");
-    assert!(line("dpp.projection").contains("ideal.toml"), "{out}");
 }
 
 /// The reader goes away after the first line, as `head` does.

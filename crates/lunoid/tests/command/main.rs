@@ -3,5 +3,6 @@
 mod bad_input;
 mod banks;
 mod help;
+mod models;
 mod replays;
 mod scene;

@@ -30,6 +30,7 @@ fn no_two_lists_are_written_alike() {
         vec![event(1, "a", "bc", &[])],
         vec![event(1, "a", "bc", &[0])],
         vec![event(1, "a", "bc", &[0, 0])],
+        vec![event(1, "a", "bc", &[0, 0, 0])],
         vec![event(1, "a", "bc", &[]), event(0, "", "", &[])],
         vec![event(2, "a", "bc", &[])],
     ];

@@ -1,0 +1,102 @@
+//! Figures of the parts of one processor, drawn from the seed of the model.
+
+use hardware_model::AnalogParts;
+use parts::{
+    ComparatorLaw, NoiseSource, SampleHoldLaw, Spread, Tolerance, differentiated_noise, relative_sigma,
+};
+
+/// Band in which the noise of an amplifier is told (Hz; hardware section 3.2), and the band of a processor without one.
+const NOISE_BAND: f64 = 10e6;
+
+/// A differentiator with two lags of this over B passes as much of white noise as one that ends at B
+/// (hardware section 6): `1 / (8 tau^3) = 4 pi^2 B^3 / 3`.
+const LAGS: f64 = 0.211_765_268_601_9;
+
+/// The differentiator's `tau_d` (s): its full scale is 10 full scales a microsecond, the fastest elevation of a
+/// constant-rate sweep (hardware section 4.9: 75 to 148 V/µs of 10 V).
+pub(crate) const DERIVATIVE: f64 = 100e-9;
+
+/// Overdrive at which a comparator takes twice its delay (share): 150 ns mV over 40 ns, of 10 V (hardware section 3.6).
+const OVERDRIVE: f64 = 3.75e-4;
+
+/// The longest delay of a comparator, in delays and in seconds: 500 ns of 40 ns.
+const LONGEST: [f64; 2] = [12.5, 500e-9];
+
+/// Parts, each with its own deviates.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Figures<'a> {
+    pub parts: &'a AnalogParts,
+    pub seed: u64,
+}
+
+impl Figures<'_> {
+    /// Static error of a function generator (share).
+    pub fn bow(&self, part: &str) -> Option<f64> {
+        let sigma = self.parts.projection.error;
+        (sigma > 0.0).then(|| Spread::new(self.seed).error(part, 0, sigma))
+    }
+
+    /// Bandwidth of a function generator (Hz).
+    pub fn bandwidth(&self, part: &str) -> Option<f64> {
+        self.parts.projection.bandwidth.map(|b| self.draw(part, b, relative_sigma::BANDWIDTH))
+    }
+
+    /// The differentiator's lag `tau_f` (s), and what its band leaves of the delay to be trimmed.
+    pub fn derivative_lags(&self, part: &str) -> [f64; 2] {
+        let lag = |bandwidth: Option<f64>| bandwidth.map_or(0.0, |bandwidth| LAGS / bandwidth);
+        [lag(self.bandwidth(part)), lag(self.parts.projection.bandwidth)]
+    }
+
+    /// Noise of the elevation (share, one sigma) in the processor's band.
+    pub fn noise(&self) -> f64 {
+        let amplifier = self.parts.amplifier.noise / self.parts.full_scale;
+        amplifier * (self.band() / NOISE_BAND).sqrt()
+    }
+
+    fn band(&self) -> f64 {
+        self.parts.projection.bandwidth.unwrap_or(NOISE_BAND)
+    }
+
+    /// The comparator that finds falling elevation. It needs the whole hysteresis: level ground does not fall.
+    pub fn falling(&self, part: &str) -> ComparatorLaw {
+        let noise = differentiated_noise(self.noise(), self.band()) * DERIVATIVE;
+        let law = self.comparator(part, noise);
+        ComparatorLaw { offset: law.hysteresis / 2.0, ..law }
+    }
+
+    /// A comparator whose thresholds have `noise` (share).
+    pub fn comparator(&self, part: &str, noise: f64) -> ComparatorLaw {
+        let figures = &self.parts.comparator;
+        let delay = self.draw(part, figures.delay, relative_sigma::SWITCH_DELAY);
+        let longest = (LONGEST[0] * delay).min(LONGEST[1].max(delay));
+        ComparatorLaw {
+            offset: 0.0,
+            hysteresis: figures.hysteresis,
+            delay,
+            overdrive: OVERDRIVE * delay,
+            longest,
+            noise,
+        }
+    }
+
+    pub fn source(&self, part: &str) -> NoiseSource {
+        NoiseSource::new(self.seed, part, 0)
+    }
+
+    /// The sample-and-hold; aperture and jitter are not among the figures.
+    pub fn sample_hold(&self, part: &str) -> SampleHoldLaw {
+        let (figures, full_scale) = (&self.parts.sample_hold, self.parts.full_scale);
+        SampleHoldLaw {
+            acquisition: self.draw(&format!("{part}.acquisition"), figures.acquire, relative_sigma::SETTLING),
+            aperture: 0.0,
+            jitter: 0.0,
+            pedestal: self.draw(&format!("{part}.pedestal"), figures.pedestal / full_scale, relative_sigma::GLITCH),
+            droop: self.draw(&format!("{part}.droop"), figures.droop / full_scale, relative_sigma::GLITCH),
+        }
+    }
+
+    fn draw(&self, part: &str, nominal: f64, sigma: f64) -> f64 {
+        let sigma = if self.parts.spread { sigma } else { 0.0 };
+        Spread::new(self.seed).figure(part, 0, &Tolerance { nominal, sigma })
+    }
+}

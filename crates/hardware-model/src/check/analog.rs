@@ -1,0 +1,180 @@
+//! What the analog parts cannot follow.
+
+use scenario::{Occlusion, RangeLaw};
+
+use super::{Check, short};
+use crate::{FoldDetect, WriteCompensation};
+
+pub(super) fn check(check: &mut Check) {
+    ramps(check);
+    bandwidths(check);
+    slew(check);
+    words_and_segments(check);
+    comparators(check);
+    hold(check);
+    light_and_switches(check);
+    foreground(check);
+    memory(check);
+    roll(check);
+}
+
+/// Thresholds in shares of a crossing from hardware 4.9 and A8, A9.
+fn ramps(check: &mut Check) {
+    let (sweep, axis) = (check.model.analog.sweep, check.budget.crossings.axis);
+    let of_crossing = |time: f64| short(100.0 * time / axis);
+    check.warn_if(sweep.smoother > 0.1 * axis, "A8", &["sweep.smoother_ns"], || {
+        format!("the smoother takes {} % of a crossing, more than a tenth", of_crossing(sweep.smoother))
+    });
+    check.warn_if(sweep.strobe_offset.abs() > 0.01 * axis, "A9", &["sweep.strobe_offset_ns"], || {
+        format!("the strobe misses the fold by {} % of a crossing", of_crossing(sweep.strobe_offset))
+    });
+    check.warn_if(sweep.settle > axis, "A9", &["sweep.settle_ns"], || {
+        format!("the ramp's converter settles in {} % of a crossing", of_crossing(sweep.settle))
+    });
+    check.warn_if(sweep.fold_detect == FoldDetect::Comparator, "A9", &["sweep.fold_detect"], || {
+        "folds found on the analog ramp come later than the ramp by the comparator's delay".into()
+    });
+    let step = sweep.dac_bits.map_or(0.0, |bits| check.budget.ground.region_size / f64::from(1_u32 << bits));
+    check.warn_if(step > LINE_AT_100_M, "A12", &["sweep.dac_bits"], || {
+        format!(
+            "a step of the ramp is {} m, a line of level ground at 100 m is {LINE_AT_100_M} m",
+            short(step)
+        )
+    });
+}
+
+/// Level ground in one of 1000 lines of 30 degrees, seen from 1.63 m (hardware 4.8).
+const LINE_AT_100_M: f64 = 3.2;
+
+/// Hardware 4.9: ten times the rate of regions for each factor of a product, five times for the sum.
+fn bandwidths(check: &mut Check) {
+    let (analog, rate) = (&check.model.analog, 1.0 / check.budget.crossings.axis);
+    let video = check.budget.sweep.video_bandwidth;
+    let sum = |product: f64| product / analog.summer_inputs.map_or(1.0, |inputs| f64::from(inputs) + 1.0);
+    let parts = [
+        ("function_generator.bandwidth_mhz", analog.function_generator.bandwidth, 10.0 * rate),
+        ("multiplier.bandwidth_mhz", analog.multiplier.bandwidth, 10.0 * rate),
+        ("multiplying_dac.bandwidth_mhz", analog.multiplying_dac.bandwidth, 10.0 * rate),
+        ("amplifier.gain_bandwidth_mhz", analog.amplifier.gain_bandwidth.map(sum), 5.0 * rate),
+        ("video.bandwidth_mhz", analog.video_bandwidth, video),
+    ];
+    for (key, bandwidth, needed) in parts {
+        let Some(bandwidth) = bandwidth else { continue };
+        check.warn_if(bandwidth < needed, "A6", &[key], || {
+            format!("a bandwidth of {} MHz, needed are {}", short(1e-6 * bandwidth), short(1e-6 * needed))
+        });
+    }
+}
+
+fn slew(check: &mut Check) {
+    let (amplifier, full_scale) = (check.model.analog.amplifier, check.model.analog.full_scale);
+    let needed = 10.0 * check.budget.crossings.ramp;
+    if let Some(slew) = amplifier.slew {
+        check.warn_if(slew < needed, "A7", &["amplifier.slew_v_us"], || {
+            format!("a slew rate of {} V/µs, needed are {}", short(1e-6 * slew), short(1e-6 * needed))
+        });
+    }
+    if let Some(clip) = amplifier.saturation {
+        check.warn_if(clip < full_scale, "A25", &["amplifier.saturation_v", "analog.full_scale_v"], || {
+            format!("outputs clip at {} V, full scale is {} V", short(clip), short(full_scale))
+        });
+    }
+}
+
+fn words_and_segments(check: &mut Check) {
+    let analog = &check.model.analog;
+    let dac = analog.multiplying_dac;
+    check.warn_if(dac.gain_error > 0.005, "A10", &["multiplying_dac.gain_error_pct"], || {
+        format!("gain errors of {} %, trimmed ones have 0.2", short(100.0 * dac.gain_error))
+    });
+    check.warn_if(dac.bits.is_some_and(|bits| bits < 8), "A12", &["multiplying_dac.bits"], || {
+        format!("coefficients of {} bits, converters had 8 to 14", dac.bits.unwrap_or_default())
+    });
+    let segments = analog.function_generator.segments;
+    // Ripple of a broken line, max |g0''| h^2 / 16 (hardware 3.3).
+    let ripple = segments.map_or(0.0, |n| 5.77 / (16.0 * f64::from(n) * f64::from(n)));
+    check.warn_if(ripple > 0.005, "A11", &["function_generator.segments"], || {
+        format!("{} segments leave {} % of ripple", segments.unwrap_or_default(), short(100.0 * ripple))
+    });
+}
+
+fn comparators(check: &mut Check) {
+    let (analog, rate) = (&check.model.analog, check.budget.crossings.rate);
+    let shift = analog.comparator.delay * rate;
+    check.warn_if(shift > 0.1 * check.budget.ground.region_size, "A13", &["comparator.delay_ns"], || {
+        format!("edges lie {} m beyond their place, more than a tenth of a region", short(shift))
+    });
+    let (noise, width) = (analog.amplifier.noise, analog.comparator.hysteresis * analog.full_scale);
+    let chatters = check.model.laws.occlusion == Occlusion::Derivative && width < 3.0 * noise;
+    check.warn_if(
+        chatters,
+        "A16",
+        &["comparator.hysteresis_pct", "amplifier.noise_mv", "dpp.occlusion"],
+        || {
+            let (width, noise) = (short(1e3 * width), short(1e3 * noise));
+            format!("a hysteresis of {width} mV against noise of {noise} mV, needed is three times that")
+        },
+    );
+}
+
+fn hold(check: &mut Check) {
+    let (analog, active) = (&check.model.analog, check.budget.sweep.active);
+    let share = (analog.sample_hold.pedestal + analog.sample_hold.droop * active) / analog.full_scale;
+    check.warn_if(share > 0.01, "A15", &["sample_hold.pedestal_mv", "sample_hold.droop_mv_us"], || {
+        format!("pedestal and droop of a sweep are {} % of full scale", short(100.0 * share))
+    });
+}
+
+fn light_and_switches(check: &mut Check) {
+    let (analog, sample) = (&check.model.analog, check.budget.sweep.sample);
+    let mismatch = analog.reflectivity.delay_mismatch.abs();
+    check.warn_if(mismatch > sample, "A17", &["reflectivity.delay_mismatch_ns"], || {
+        format!("light is {} ns off, a sample takes {}", short(1e9 * mismatch), short(1e9 * sample))
+    });
+    let switch = analog.video_switch;
+    check.warn_if(switch.time > sample, "A22", &["video_switch.time_ns"], || {
+        format!("switches take {} ns, a sample {}", short(1e9 * switch.time), short(1e9 * sample))
+    });
+    check.warn_if(switch.level_mismatch > 0.05, "A22", &["video_switch.level_mismatch_pct"], || {
+        format!(
+            "levels of the switches differ by {} %, adjusted ones by 2",
+            short(100.0 * switch.level_mismatch)
+        )
+    });
+}
+
+fn foreground(check: &mut Check) {
+    let range = &check.model.range;
+    let step = range.end / f64::from(check.model.raster.samples);
+    check.warn_if(range.law == RangeLaw::ConstantRate, "A18", &["range.programme"], || {
+        format!("at a constant rate every sample is {} m, and the foreground has a handful", short(step))
+    });
+}
+
+fn memory(check: &mut Check) {
+    let memory = check.model.analog.memory;
+    let is_poor = match memory.write_compensation {
+        WriteCompensation::Exact => false,
+        WriteCompensation::Ratio(ratio) => ratio < 20.0,
+        WriteCompensation::Off => true,
+    };
+    check.warn_if(is_poor, "A19", &["sweep_memory.write_compensation"], || {
+        "the beam's speed varies 100 000 : 1 in a sweep, its current hardly".into()
+    });
+    check.warn_if(memory.erase_residual > 0.2, "A20", &["sweep_memory.erase_residual"], || {
+        format!("{} of a picture outlives its erasure", short(memory.erase_residual))
+    });
+    check.warn_if(memory.registration > 0.02, "A21", &["sweep_memory.registration_pct"], || {
+        format!("reading is {} % off writing, tubes had 0.3 to 2", short(100.0 * memory.registration))
+    });
+}
+
+fn roll(check: &mut Check) {
+    let (roll, step) = (check.model.analog.roll, quantities::degrees(check.model.yoke.step));
+    check.warn_if(step > 0.5, "A23", &["roll.step_deg"], || {
+        format!("a step turns the horizon by {} degrees", short(step))
+    });
+    check.warn_if(roll.natural.is_some() && roll.damping < 0.1, "A23", &["roll.damping"], || {
+        format!("the yoke rings with a damping of {}", short(roll.damping))
+    });
+}

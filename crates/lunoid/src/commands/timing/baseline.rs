@@ -1,0 +1,166 @@
+//! `lunoid timing record` and `lunoid timing check`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use serde_json::json;
+use timing::{Comparison, RecordError, TimingRecord, Tolerance, Totals, compare};
+
+use super::rehearsal::{Rehearsal, choose, first};
+use crate::loading::{Loaded, StageArgs, Threads};
+use crate::output::{expect_writable, print, print_json};
+use crate::progress::Display;
+use crate::values::{Span, not_negative};
+use crate::{Failure, Verdict};
+
+/// Frames of a baseline that names none.
+const USUAL_FRAMES: u64 = 2;
+/// Differences that are told one by one.
+const TOLD: usize = 60;
+
+/// Write the timing of some frames as a baseline.
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Example:\n  lunoid timing record scenarios/first-light.toml --machine pra-nominal --sweeps 21 --frames 0..2 --out baseline.json"
+)]
+pub struct Record {
+    #[command(flatten)]
+    stage: StageArgs,
+    #[command(flatten)]
+    threads: Threads,
+    /// Frames to record, counted at the update rate: A..B without B. The first two if left out.
+    #[arg(long, value_name = "A..B")]
+    frames: Option<Span>,
+    /// File to write.
+    #[arg(short, long, value_name = "FILE")]
+    out: PathBuf,
+    /// No progress.
+    #[arg(long)]
+    no_progress: bool,
+    /// Print the totals as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+impl Record {
+    /// Records.
+    pub fn run(&self) -> Result<Verdict, Failure> {
+        expect_writable(&self.out)?;
+        let usual = |loaded: &Loaded| choose(loaded, self.frames, first(USUAL_FRAMES));
+        let (rehearsal, frames) = Rehearsal::open(&self.stage, &self.threads, usual)?;
+        let record = rehearsal.record(&frames, &Display::new(!self.no_progress))?;
+        timing::write(&self.out, &record).map_err(refused)?;
+        self.tell(&record)?;
+        Ok(Verdict::Yes)
+    }
+
+    fn tell(&self, record: &TimingRecord) -> Result<(), Failure> {
+        let file = self.out.display();
+        if self.json {
+            return print_json(&json!({
+                "schema": "lunoid.timing.record/1",
+                "file": file.to_string(),
+                "inputs": record.inputs,
+                "frames": frames_of(record),
+                "totals": Totals::of(record),
+            }));
+        }
+        print(&format!("{file}: {}", record.text()))
+    }
+}
+
+/// Hold the timing to a baseline.
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Example:\n  lunoid timing check scenarios/first-light.toml --machine pra-nominal --sweeps 21 --baseline baseline.json --junit timing.xml"
+)]
+pub struct Check {
+    #[command(flatten)]
+    stage: StageArgs,
+    #[command(flatten)]
+    threads: Threads,
+    /// The baseline, as `lunoid timing record` wrote it.
+    #[arg(long, value_name = "FILE")]
+    baseline: PathBuf,
+    /// Frames to check: A..B without B. Those of the baseline if left out; frames of the baseline that are left out
+    /// here are not looked at.
+    #[arg(long, value_name = "A..B")]
+    frames: Option<Span>,
+    /// How far instants may be apart (samples). Digital times, counters and events are exact.
+    #[arg(long, value_name = "SAMPLES", value_parser = not_negative, default_value_t = 1e-6)]
+    tolerance_samples: f64,
+    /// How far ground ranges may be apart (m).
+    #[arg(long, value_name = "METRES", value_parser = not_negative, default_value_t = 1e-6)]
+    tolerance_m: f64,
+    /// Write the result as JUnit XML as well.
+    #[arg(long, value_name = "FILE")]
+    junit: Option<PathBuf>,
+    /// No progress.
+    #[arg(long)]
+    no_progress: bool,
+    /// Print the comparison as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+impl Check {
+    /// Compares.
+    pub fn run(&self) -> Result<Verdict, Failure> {
+        if let Some(junit) = &self.junit {
+            expect_writable(junit)?;
+        }
+        let tolerance =
+            Tolerance::new(self.tolerance_samples, self.tolerance_m).map_err(Failure::usage)?;
+        let mut baseline = timing::read(&self.baseline).map_err(refused)?;
+        let (rehearsal, frames) =
+            Rehearsal::open(&self.stage, &self.threads, |loaded| self.choose(loaded, &baseline))?;
+        if self.frames.is_some() {
+            baseline.frames.retain(|frame| frames.contains(&frame.frame));
+        }
+        let found = rehearsal.record(&frames, &Display::new(!self.no_progress))?;
+        let comparison = compare(&baseline, &found, &tolerance);
+        self.tell(&comparison)?;
+        Ok(if comparison.is_met() { Verdict::Yes } else { Verdict::No })
+    }
+
+    /// What is asked for, or the frames of the baseline that the scenario has.
+    fn choose(&self, loaded: &Loaded, baseline: &TimingRecord) -> Result<Vec<u64>, Failure> {
+        if self.frames.is_some() {
+            return choose(loaded, self.frames, first(0));
+        }
+        let all = loaded.frames();
+        let frames: Vec<u64> = frames_of(baseline).into_iter().filter(|&frame| frame < all).collect();
+        if frames.is_empty() {
+            let (file, first) = (self.baseline.display(), baseline.frames[0].frame);
+            return Err(Failure::input(format!(
+                "{file}: its first frame is {first}, the scenario has frames 0..{all}; expected a baseline of this scenario"
+            )));
+        }
+        Ok(frames)
+    }
+
+    fn tell(&self, comparison: &Comparison) -> Result<(), Failure> {
+        if let Some(junit) = &self.junit {
+            let text = comparison.junit(TOLD);
+            files::write_atomic(junit, |out| out.write_all(text.as_bytes()))?;
+        }
+        if !self.json {
+            return print(&comparison.text(TOLD));
+        }
+        let mut document = comparison.json();
+        document["schema"] = "lunoid.timing.check/1".into();
+        document["baseline"] = self.baseline.display().to_string().into();
+        print_json(&document)
+    }
+}
+
+fn frames_of(record: &TimingRecord) -> Vec<u64> {
+    record.frames.iter().map(|frame| frame.frame).collect()
+}
+
+fn refused(error: RecordError) -> Failure {
+    match error {
+        RecordError::File(error) => error.into(),
+        other => Failure::input(other),
+    }
+}

@@ -1,0 +1,144 @@
+//! A mission's digital side without its pictures: frames through the control plane, into timing records.
+
+use std::ops::Range;
+
+use generator::Stage;
+use hardware_model::HardwareModel;
+use machine::ControlPlane;
+use rayon::ThreadPool;
+use replay::Progress;
+use scenario::{PoseRow, PoseTable, Scenario};
+use timing::{FORMAT, FrameTiming, TimingRecord};
+
+use super::inputs::inputs_hash;
+use crate::Failure;
+use crate::loading::{EXACT, Loaded, StageArgs, Threads};
+use crate::progress::Display;
+use crate::values::Span;
+
+/// Missed deadlines that are kept: more than a person or a version control takes, less than fills the memory.
+const MOST_MISSES: usize = 4_000_000;
+
+/// Everything that a frame of a mission needs, but the frame.
+pub struct Rehearsal {
+    pub scenario: Scenario,
+    pub model: HardwareModel,
+    pub stage: Stage,
+    pub pool: ThreadPool,
+    frames: u64,
+}
+
+impl Rehearsal {
+    /// Reads scenario and model; `frames` is asked of the scenario before any ground is made.
+    pub fn open(
+        stage: &StageArgs,
+        threads: &Threads,
+        frames: impl FnOnce(&Loaded) -> Result<Vec<u64>, Failure>,
+    ) -> Result<(Self, Vec<u64>), Failure> {
+        if stage.machine.as_deref() == Some(EXACT) {
+            return Err(Failure::usage(format!(
+                "--machine {EXACT}: a closed form takes no time; expected a hardware model"
+            )));
+        }
+        let mut loaded = stage.load()?;
+        let chosen = frames(&loaded)?;
+        let pool = threads.pool()?;
+        let stage = loaded.stage(&pool)?;
+        let frames = loaded.frames();
+        let Loaded { scenario, model, .. } = loaded;
+        Ok((Self { scenario, model, stage, pool, frames }, chosen))
+    }
+
+    /// Frames of the mission.
+    pub fn frames(&self) -> u64 {
+        self.frames
+    }
+
+    /// Where the vehicle is in each of `frames`, ascending.
+    pub fn poses(&self, frames: &[u64]) -> Result<Vec<PoseRow>, Failure> {
+        let (Some(&first), Some(&last)) = (frames.first(), frames.last()) else { return Ok(Vec::new()) };
+        let (update, yoke) = (self.stage.settings.timebase.update, self.stage.settings.yoke);
+        let table =
+            PoseTable::resolve(&self.scenario, &self.stage.landscape, update, yoke, first..last + 1);
+        let rows = table.map_err(Failure::input)?;
+        Ok(frames.iter().map(|frame| rows.rows()[(frame - first) as usize]).collect())
+    }
+
+    /// The timing record of `frames`, ascending, at least one.
+    pub fn record(&self, frames: &[u64], display: &Display) -> Result<TimingRecord, Failure> {
+        let control = ControlPlane::new(self.stage.clone());
+        let poses = self.poses(frames)?;
+        display.hear(Progress::Begins { what: "timing", frames: frames.len() as u64, kept: 0 });
+        let mut kept: Vec<FrameTiming> = Vec::with_capacity(frames.len());
+        let mut misses = 0;
+        for (&frame, row) in frames.iter().zip(&poses) {
+            let found = self.pool.install(|| control.frame(frame, &row.pose)).map_err(Failure::input)?;
+            misses += found.misses.len();
+            kept.push(found);
+            check_room(misses, kept.len())?;
+            display.hear(Progress::Frame { done: kept.len() as u64 });
+        }
+        display.end();
+        Ok(TimingRecord {
+            format: FORMAT,
+            scenario: self.scenario.title.clone(),
+            machine: self.model.name.clone(),
+            inputs: inputs_hash(&self.scenario, &self.stage),
+            master: self.stage.settings.timebase.master.to_string(),
+            frames: kept,
+        })
+    }
+}
+
+fn check_room(misses: usize, frames: usize) -> Result<(), Failure> {
+    if misses <= MOST_MISSES {
+        return Ok(());
+    }
+    Err(Failure::usage(format!(
+        "{misses} missed deadlines in {frames} frames: expected at most {MOST_MISSES}; choose fewer --frames or --sweeps"
+    )))
+}
+
+/// The frames asked for, or `usual` of the whole mission.
+pub fn choose(
+    loaded: &Loaded,
+    asked: Option<Span>,
+    usual: impl FnOnce(u64) -> Vec<u64>,
+) -> Result<Vec<u64>, Failure> {
+    match asked {
+        Some(_) => Ok(loaded.choose(asked)?.collect()),
+        None => Ok(usual(loaded.frames())),
+    }
+}
+
+/// The first frames of a mission, at most `count`.
+pub fn first(count: u64) -> impl FnOnce(u64) -> Vec<u64> {
+    move |all| (0..all.min(count)).collect()
+}
+
+/// Frames spread over a mission, the first among them, at most `count`.
+pub fn spread(count: u64) -> impl FnOnce(u64) -> Vec<u64> {
+    move |all| {
+        let chosen = all.min(count);
+        (0..chosen).map(|index| index * all / chosen).collect()
+    }
+}
+
+/// First and end of ascending frames, for people.
+pub fn extent(frames: &[u64]) -> Range<u64> {
+    frames.first().copied().unwrap_or(0)..frames.last().map_or(0, |last| last + 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{extent, first, spread};
+
+    #[test]
+    fn usual_frames() {
+        assert_eq!(first(4)(3), [0, 1, 2]);
+        assert_eq!(first(2)(90), [0, 1]);
+        assert_eq!(spread(4)(90), [0, 22, 45, 67]);
+        assert_eq!(spread(4)(3), [0, 1, 2]);
+        assert_eq!(extent(&spread(4)(90)), 0..68);
+    }
+}

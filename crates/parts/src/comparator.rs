@@ -1,0 +1,224 @@
+//! Comparator with hysteresis, offset and a delay that depends on overdrive.
+//!
+//! **Law** (sections 3.6 and 6). Low goes high where the input passes `offset + V_h / 2`, high goes low where it passes
+//! `offset - V_h / 2`. The output follows `t_c` after the decision, and a decision needs charge: the area of the
+//! overdrive since the passing reaches `k_od`. A steady overdrive V so takes `t_c + k_od / V`, as section 6 has it, and
+//! a ramp of slope s takes `t_c + sqrt(2 k_od / s)`. It takes no longer than the longest delay, and an input that goes
+//! back before the decision leaves no trace.
+//! **Parameters.** [`ComparatorLaw`].
+//! **State and timing.** [`ComparatorState`]. The input is a straight line between samples; passings, decisions and
+//! trips are instants in closed form, and a trip may come several steps after its passing.
+//! **Noise.** Both thresholds move together by `sigma n`, n the deviate of the step's last sample: an input of slope s
+//! trips with the jitter `sigma / s`. Steps further from a threshold than noise can reach draw nothing.
+//! **Our choices.** Overdrive as an area, because the formula leaves open when a moving input's is taken. A threshold
+//! that has been passed stays where it was until the decision.
+
+use quantities::SweepTime;
+use signal::Real;
+
+use crate::NoiseSource;
+use crate::delay::in_steps;
+
+/// What a comparator is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ComparatorLaw {
+    /// Threshold between the two (share of full scale).
+    pub offset: f64,
+    /// Distance V_h of the two thresholds (share of full scale), 0 or more.
+    pub hysteresis: f64,
+    /// Delay t_c at large overdrive (s).
+    pub delay: f64,
+    /// k_od (full scales times seconds).
+    pub overdrive: f64,
+    /// Longest delay in all (s); 500 ns in section 3.6.
+    pub longest: f64,
+    /// Noise of the thresholds (share of full scale).
+    pub noise: f64,
+}
+
+/// The part, for one step length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Comparator<S> {
+    /// Inputs that cannot make a low output go high, and a high one low.
+    quiet_low: S,
+    quiet_high: S,
+    /// Thresholds of a high and of a low output.
+    thresholds: [f64; 2],
+    noise: f64,
+    source: NoiseSource,
+    /// Steps from a decision to the trip.
+    delay: f64,
+    /// k_od (full scales times steps).
+    charge: f64,
+    /// Steps from a passing to a decision at the latest.
+    patience: f64,
+}
+
+/// What a comparator remembers.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct ComparatorState {
+    /// Its decision; the output follows.
+    pub high: bool,
+    /// A threshold that has been passed and not yet led to a decision.
+    pub passing: Option<Passing>,
+}
+
+/// An input beyond its threshold.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Passing {
+    /// When it was passed.
+    pub since: SweepTime,
+    /// The threshold.
+    pub threshold: f64,
+    /// Area of the overdrive so far (full scales times steps).
+    pub charge: f64,
+}
+
+/// A change of the output.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Trip {
+    /// When: a trip at 3.25 lies a quarter into the step from sample 3 to sample 4.
+    pub at: SweepTime,
+    /// The output from then on.
+    pub high: bool,
+}
+
+/// The input over a step, seen from the output: beyond the threshold is positive.
+struct Line {
+    /// Value at the start of the step.
+    start: f64,
+    /// Change over it.
+    change: f64,
+}
+
+/// What comes of a passing within a step; instants are shares of it.
+enum Outcome {
+    Decided(f64),
+    Withdrawn(f64),
+    Open(f64),
+}
+
+impl<S: Real> Comparator<S> {
+    /// For steps of `h` seconds; `source` moves its thresholds.
+    pub fn new(h: f64, law: &ComparatorLaw, source: NoiseSource) -> Self {
+        let thresholds = [law.offset - law.hysteresis / 2.0, law.offset + law.hysteresis / 2.0];
+        let margin = law.noise * NoiseSource::LARGEST;
+        Self {
+            quiet_low: S::from_f64(thresholds[1] - margin),
+            quiet_high: S::from_f64(thresholds[0] + margin),
+            thresholds,
+            noise: law.noise,
+            source,
+            delay: in_steps(law.delay, h),
+            charge: law.overdrive / h,
+            patience: in_steps((law.longest - law.delay).max(0.0), h),
+        }
+    }
+
+    /// Advances over the step from sample `sample - 1` to `sample` of `sweep`; appends the trips it leads to.
+    #[inline]
+    pub fn step(
+        &self,
+        state: &mut ComparatorState,
+        (sweep, sample): (u64, usize),
+        u0: S,
+        u1: S,
+        trips: &mut Vec<Trip>,
+    ) {
+        let quiet = if state.high {
+            (u0 > self.quiet_high) & (u1 > self.quiet_high)
+        } else {
+            (u0 < self.quiet_low) & (u1 < self.quiet_low)
+        };
+        if !quiet || state.passing.is_some() {
+            self.walk(state, (sweep, sample), [u0.to_f64(), u1.to_f64()], trips);
+        }
+    }
+
+    #[cold]
+    fn walk(
+        &self,
+        state: &mut ComparatorState,
+        (sweep, sample): (u64, usize),
+        input: [f64; 2],
+        trips: &mut Vec<Trip>,
+    ) {
+        let base = sample as f64 - 1.0;
+        let shift = self.noise * self.source.normal(sweep, sample as u64);
+        let mut now = 0.0;
+        loop {
+            let open = state.passing.or_else(|| {
+                let threshold = self.thresholds[usize::from(!state.high)] + shift;
+                let at = Line::new(input, threshold, state.high).passes(now)?;
+                Some(Passing { since: SweepTime(base + at), threshold, charge: 0.0 })
+            });
+            let Some(passing) = open else { break };
+            now = (passing.since.0 - base).max(now);
+            match self.outcome(&Line::new(input, passing.threshold, state.high), &passing, now, base) {
+                Outcome::Decided(at) => {
+                    *state = ComparatorState { high: !state.high, passing: None };
+                    trips.push(Trip { at: SweepTime(base + at + self.delay), high: state.high });
+                    now = at;
+                }
+                Outcome::Withdrawn(at) => {
+                    state.passing = None;
+                    now = at;
+                }
+                Outcome::Open(charge) => {
+                    state.passing = Some(Passing { charge, ..passing });
+                    break;
+                }
+            }
+        }
+    }
+
+    /// What comes of `passing` from share `now` of the step on.
+    fn outcome(&self, line: &Line, passing: &Passing, now: f64, base: f64) -> Outcome {
+        let over = line.at(now).max(0.0);
+        let waited = base + now - passing.since.0;
+        let decision = line.fills(over, self.charge - passing.charge).min(self.patience - waited).max(0.0);
+        let withdrawal = if line.change < 0.0 { over / -line.change } else { f64::INFINITY };
+        let left = 1.0 - now;
+        if decision <= left && decision <= withdrawal {
+            Outcome::Decided(now + decision)
+        } else if withdrawal <= left {
+            Outcome::Withdrawn(now + withdrawal)
+        } else {
+            Outcome::Open(passing.charge + left * (over + line.change * left / 2.0))
+        }
+    }
+}
+
+impl Line {
+    fn new([u0, u1]: [f64; 2], threshold: f64, high: bool) -> Self {
+        let sign = if high { -1.0 } else { 1.0 };
+        Self { start: sign * (u0 - threshold), change: sign * (u1 - u0) }
+    }
+
+    fn at(&self, t: f64) -> f64 {
+        self.start + self.change * t
+    }
+
+    /// The first instant from `now` on at which it goes beyond the threshold. Beyond it already counts at the start of
+    /// a step alone: within a step, right after a trip at this very value, it is rounding.
+    fn passes(&self, now: f64) -> Option<f64> {
+        if self.change > 0.0 {
+            let at = (-self.start / self.change).max(now);
+            return (at <= 1.0).then_some(at);
+        }
+        (now == 0.0 && self.start > 0.0).then_some(0.0)
+    }
+
+    /// How long overdrive that begins at `over` takes to an area of `charge`: the root of
+    /// `over t + change t^2 / 2 = charge` in the form without cancellation; for ever if it turns back before.
+    fn fills(&self, over: f64, charge: f64) -> f64 {
+        let root = over * over + 2.0 * self.change * charge;
+        if charge <= 0.0 {
+            0.0
+        } else if root < 0.0 {
+            f64::INFINITY
+        } else {
+            2.0 * charge / (over + root.sqrt())
+        }
+    }
+}

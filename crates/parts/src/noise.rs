@@ -1,0 +1,154 @@
+//! Noise by address: a sample of it is a function of seed, part, sweep and sample, and of nothing before it.
+//!
+//! **Law.** [`NoiseSource`]: normal deviates (Box and Muller) of a hash of the address; two neighbouring samples share
+//! one hash. White noise of one deviate a sample has the band `1 / (2 h)`. [`BandNoise`] bounds it by a lag:
+//! `x1 = k x0 + sigma sqrt(1 - k^2) n`, `k = e^(-h / tau)`, which has the deviation sigma at every sample and the
+//! correlation of a lag between them.
+//! **Parameters.** sigma in shares of full scale, tau in seconds.
+//! **State and timing.** Band noise: one value, begun at `sigma n` in every sweep, so a sweep needs none before it.
+//! **Our choices.** 32 bits each for radius and angle: no deviate beyond [`NoiseSource::LARGEST`].
+
+use std::f64::consts::PI;
+
+use quantities::hash_words;
+use signal::Real;
+
+use crate::Wire;
+
+/// Deviates of one part.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct NoiseSource {
+    seed: u64,
+    part: u64,
+}
+
+impl NoiseSource {
+    /// No deviate is larger: `sqrt(2 ln 2^33)`.
+    pub const LARGEST: f64 = 6.77;
+
+    /// The source of the part called `part`, number `index` of its kind.
+    pub fn new(seed: u64, part: &str, index: u64) -> Self {
+        Self { seed, part: hash_words(part_key(part), &[index]) }
+    }
+
+    /// The standard normal deviate of `sample` of `sweep` (counted over all frames).
+    pub fn normal(&self, sweep: u64, sample: u64) -> f64 {
+        self.pair(sweep, sample / 2)[(sample % 2) as usize]
+    }
+
+    /// The deviates of samples 0, 1, 2 ... of `sweep`, to the bit those of [`NoiseSource::normal`].
+    pub fn fill<S: Real>(&self, sweep: u64, samples: &mut [S]) {
+        for (pair, out) in (0..).zip(samples.chunks_mut(2)) {
+            let deviates = self.pair(sweep, pair);
+            out.iter_mut().zip(deviates).for_each(|(out, deviate)| *out = S::from_f64(deviate));
+        }
+    }
+
+    fn pair(&self, sweep: u64, pair: u64) -> [f64; 2] {
+        let word = hash_words(self.seed, &[self.part, sweep, pair]);
+        let share = |bits: u32| (f64::from(bits) + 0.5) / 4_294_967_296.0;
+        let radius = (-2.0 * libm::log(share((word >> 32) as u32))).sqrt();
+        let (sin, cos) = libm::sincos(2.0 * PI * share(word as u32));
+        [radius * cos, radius * sin]
+    }
+}
+
+/// Noise with the band of a lag, for one step length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BandNoise<S> {
+    keep: S,
+    kick: S,
+    sigma: S,
+}
+
+impl<S: Real> BandNoise<S> {
+    /// Deviation `sigma` (share of full scale) within the band of the lag `tau`; `h` and `tau` in seconds.
+    pub fn new(h: f64, tau: f64, sigma: f64) -> Self {
+        let ratio = h / tau;
+        let kick = sigma * (-libm::expm1(-2.0 * ratio)).sqrt();
+        let s = S::from_f64;
+        Self { keep: s(libm::exp(-ratio)), kick: s(kick), sigma: s(sigma) }
+    }
+
+    /// Its value at the first sample of a sweep, from a deviate.
+    #[inline(always)]
+    pub fn begin<V: Wire<S>>(&self, deviate: V) -> V {
+        deviate * V::splat(self.sigma)
+    }
+
+    /// Its value a step after `x`, from a new deviate.
+    #[inline(always)]
+    pub fn step<V: Wire<S>>(&self, x: V, deviate: V) -> V {
+        x * V::splat(self.keep) + deviate * V::splat(self.kick)
+    }
+}
+
+/// A number for a name: the same for ever.
+pub fn part_key(name: &str) -> u64 {
+    let words: Vec<u64> = name.as_bytes().chunks(8).map(word).collect();
+    hash_words(name.len() as u64, &words)
+}
+
+fn word(bytes: &[u8]) -> u64 {
+    bytes.iter().rev().fold(0, |word, &byte| word << 8 | u64::from(byte))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{BandNoise, NoiseSource, part_key};
+
+    fn moments(values: &[f64]) -> [f64; 3] {
+        let n = values.len() as f64;
+        let mean = values.iter().sum::<f64>() / n;
+        let power = |p: i32| values.iter().map(|v| (0..p).fold(1.0, |x, _| x * (v - mean))).sum::<f64>() / n;
+        [mean, power(2), power(4)]
+    }
+
+    fn deviates(count: usize) -> Vec<f64> {
+        let mut values = vec![0.0; count];
+        NoiseSource::new(7, "mul", 3).fill(11, &mut values);
+        values
+    }
+
+    #[test]
+    fn deviates_are_normal() {
+        let [mean, variance, fourth] = moments(&deviates(200_000));
+        assert!(mean.abs() < 0.01 && (variance - 1.0).abs() < 0.015 && (fourth - 3.0).abs() < 0.12);
+        let beyond = deviates(200_000).iter().filter(|v| v.abs() > 2.0).count() as f64 / 200_000.0;
+        assert!((beyond - 0.0455).abs() < 0.002, "{beyond}");
+    }
+
+    #[test]
+    fn a_deviate_is_its_address() {
+        let source = NoiseSource::new(7, "mul", 3);
+        for (i, value) in deviates(1001).iter().enumerate() {
+            assert_eq!(source.normal(11, i as u64), *value);
+            assert!(value.abs() < NoiseSource::LARGEST);
+        }
+        assert_ne!(source.normal(12, 0), source.normal(11, 0));
+        assert_ne!(NoiseSource::new(8, "mul", 3).normal(11, 0), source.normal(11, 0));
+        assert_ne!(NoiseSource::new(7, "mul", 4).normal(11, 0), source.normal(11, 0));
+        assert_ne!(part_key("mul"), part_key("mul\0"));
+    }
+
+    #[test]
+    fn band_noise_has_its_deviation_and_its_correlation() {
+        let (h, tau, sigma) = (50e-9, 100e-9, 0.02);
+        let part = BandNoise::<f64>::new(h, tau, sigma);
+        let deviates = deviates(200_000);
+        let mut x = part.begin(deviates[0]);
+        let values: Vec<f64> = deviates[1..].iter().map(|&n| (x = part.step(x, n), x).1).collect();
+        let [_, variance, _] = moments(&values);
+        assert!((variance / (sigma * sigma) - 1.0).abs() < 0.03, "{variance}");
+        let next: f64 = values.windows(2).map(|pair| pair[0] * pair[1]).sum::<f64>() / values.len() as f64;
+        assert!((next / variance - libm::exp(-h / tau)).abs() < 0.01);
+    }
+
+    #[test]
+    fn band_noise_of_no_lag_is_white_and_of_an_endless_one_constant() {
+        let white = BandNoise::<f64>::new(50e-9, 0.0, 0.1);
+        assert_eq!(white.step(123.0, 2.0), 0.2);
+        let constant = BandNoise::<f64>::new(50e-9, f64::INFINITY, 0.1);
+        assert_eq!(constant.step(0.07, 2.0), 0.07);
+    }
+}

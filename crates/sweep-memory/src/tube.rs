@@ -1,0 +1,158 @@
+//! The storage tube between writing and reading: what is left of earlier pictures, spot, registration, noise.
+
+use std::iter::successors;
+
+use hardware_model::MemoryParts;
+use parts::{NoiseSource, Spread};
+use rayon::iter::{IndexedParallelIterator, ParallelIterator};
+use rayon::slice::{ParallelSlice, ParallelSliceMut};
+
+use crate::exposure::SATURATED;
+use crate::gather::Gather;
+
+/// Deviation of the Gaussian spot, times TV lines a picture height: half response at `n / 2` cycles a height.
+const SPOT: f64 = 0.375;
+
+/// Pictures that a tube remembers at most.
+const MOST_FRAMES: usize = 16;
+
+/// Residue that nobody sees: half a grey level of 255.
+const UNSEEN: f64 = 0.5 / 255.0;
+
+/// Sigmas of noise in the step between two shades that can be told apart.
+const APART: f64 = 6.0;
+
+/// What is written on the target.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TubeRaster {
+    /// Sweeps side by side.
+    pub sweeps: usize,
+    /// Cells of a sweep: values of a row.
+    pub lines: usize,
+    /// Width of the raster, in its heights.
+    pub width: f64,
+    /// Cells of a line of the screen: 1, or more where a turned line begins and ends between them.
+    pub cells_a_line: f64,
+}
+
+/// The tube, or the tubes that take turns.
+#[derive(Debug, Clone)]
+pub struct Tube {
+    raster: TubeRaster,
+    tubes: u64,
+    residual: f64,
+    memory_frames: usize,
+    /// Across sweeps and along lines, of each tube; empty where reading is where writing was, and as fine.
+    optics: Vec<[Gather; 2]>,
+    noise: Option<ReadNoise>,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct ReadNoise {
+    source: NoiseSource,
+    sigma: f32,
+}
+
+impl Tube {
+    /// The tubes of `parts`; each has its registration error by `seed`.
+    pub fn new(parts: &MemoryParts, raster: TubeRaster, seed: u64) -> Self {
+        let tubes = u64::from(parts.tubes.max(1));
+        let optics = |tube| optics(parts, &raster, &Spread::new(seed), tube);
+        let is_sharp = parts.tv_lines.is_none() && parts.registration == 0.0;
+        Self {
+            raster,
+            tubes,
+            residual: parts.erase_residual,
+            memory_frames: memory_frames(parts.erase_residual),
+            optics: (0..tubes).filter(|_| !is_sharp).map(optics).collect(),
+            noise: parts.grey.map(|shades| ReadNoise {
+                source: NoiseSource::new(seed, "sweep-memory.read", 0),
+                sigma: (raster.cells_a_line.sqrt() / (APART * f64::from(shades))) as f32,
+            }),
+        }
+    }
+
+    /// Pictures before a frame's that count in it: what all others leave together is below half a grey level of 255,
+    /// unless 16 are not enough for that.
+    pub fn memory_frames(&self) -> usize {
+        self.memory_frames
+    }
+
+    /// Frames whose pictures count in that of `frame`, nearest first: those before it in the same tube.
+    pub fn earlier(&self, frame: u64) -> impl Iterator<Item = u64> + use<> {
+        let tubes = self.tubes;
+        successors(frame.checked_sub(tubes), move |frame| frame.checked_sub(tubes)).take(self.memory_frames)
+    }
+
+    /// Adds what erasing has left of `earlier`, stores as they were written, in the order of [`Tube::earlier`].
+    pub fn combine(&self, store: &mut [f32], earlier: &[&[f32]]) {
+        let mut left = 1.0;
+        for picture in earlier {
+            left *= self.residual;
+            store.iter_mut().zip(*picture).for_each(|(value, before)| *value += left as f32 * before);
+        }
+    }
+
+    /// What the reading beam finds of `store`, `lines` values a sweep, in its place; `scratch` holds nothing after.
+    pub fn read(&self, frame: u64, store: &mut [f32], scratch: &mut Vec<f32>) {
+        scratch.resize(store.len(), 0.0);
+        if let Some([across, along]) = self.optics.get((frame % self.tubes) as usize) {
+            let lines = self.raster.lines;
+            let rows = scratch.par_chunks_exact_mut(lines).zip(store.par_chunks_exact(lines));
+            rows.for_each(|(out, row)| along.along(row, out));
+            let rows = store.par_chunks_exact_mut(lines).enumerate();
+            rows.for_each(|(sweep, row)| across.across(sweep, scratch, row));
+        }
+        if let Some(noise) = self.noise {
+            self.add_noise(noise, frame, store, scratch);
+        }
+    }
+
+    fn add_noise(&self, noise: ReadNoise, frame: u64, store: &mut [f32], scratch: &mut [f32]) {
+        let lines = self.raster.lines;
+        let first = frame.wrapping_mul(self.raster.sweeps as u64);
+        let rows = store.par_chunks_exact_mut(lines).zip(scratch.par_chunks_exact_mut(lines));
+        rows.enumerate().for_each(|(sweep, (row, deviates))| {
+            noise.source.fill(first.wrapping_add(sweep as u64), deviates);
+            // No beam is less than none.
+            row.iter_mut().zip(deviates).for_each(|(value, n)| *value = (*value + noise.sigma * *n).max(0.0));
+        });
+    }
+}
+
+/// Spot and registration of a tube.
+fn optics(parts: &MemoryParts, raster: &TubeRaster, spread: &Spread, tube: u64) -> [Gather; 2] {
+    let spot = parts.tv_lines.map_or(0.0, |lines| SPOT / f64::from(lines));
+    let error = |part| spread.error(part, tube, parts.registration);
+    let axis = |cells: usize, heights: f64, [shift, scale]: [f64; 2]| {
+        let (cells_a_height, middle) = (cells as f64 / heights, 0.5 * (cells as f64 - 1.0));
+        Gather::new(cells, spot * cells_a_height, |cell| {
+            cell + shift * cells_a_height + scale * (cell - middle)
+        })
+    };
+    let [across, along] = REGISTRATION.map(|axis| axis.map(error));
+    [axis(raster.sweeps, raster.width, across), axis(raster.lines, 1.0, along)]
+}
+
+/// Shift and scale of the reading, across sweeps and along lines.
+const REGISTRATION: [[&str; 2]; 2] = [
+    ["sweep-memory.shift-across", "sweep-memory.scale-across"],
+    ["sweep-memory.shift-along", "sweep-memory.scale-along"],
+];
+
+/// The fewest pictures beyond which all together leave less than [`UNSEEN`].
+fn memory_frames(residual: f64) -> usize {
+    if residual >= 1.0 {
+        return MOST_FRAMES;
+    }
+    let mut left = f64::from(SATURATED) * residual / (1.0 - residual);
+    let mut frames = 0;
+    while left >= UNSEEN && frames < MOST_FRAMES {
+        left *= residual;
+        frames += 1;
+    }
+    frames
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,145 @@
+//! The write gun of a scan converter of real parts: deflection, and a beam that leaves charge.
+
+use hardware_model::AnalogParts;
+use parts::Spread;
+use signal::{LANES, Lanes, Real, Stretches};
+
+use crate::FarStroke;
+use crate::deflection::Deflection;
+use crate::exposure::{Charge, Levels, Target};
+use crate::stroke::Stroke;
+
+/// What drives the gun for a group: one [`Lanes`] a sample.
+#[derive(Debug, Clone, Copy)]
+pub struct Drive<'a, S> {
+    /// Line position that the deflection is told, whether the beam is on or not (lines from the top of a row).
+    pub position: &'a [Lanes<S>],
+    /// Intensity, negative in local shadow.
+    pub intensity: &'a [Lanes<S>],
+    /// Where the beam is on, by the clock of both.
+    pub on: &'a Stretches,
+    /// Silhouettes behind the last sample, lane by lane, nearest first; `None` if there are none.
+    pub far: Option<&'a [Vec<FarStroke>; LANES]>,
+}
+
+/// A write gun made ready for a run.
+#[derive(Debug, Clone)]
+pub struct WriteGun<S> {
+    lines: usize,
+    deflection: Option<Deflection<S>>,
+    charge: Option<Charge>,
+}
+
+/// Buffers of a worker.
+#[derive(Debug, Clone, Default)]
+pub struct GunWork {
+    steps: Vec<Beam>,
+    covered: Vec<f32>,
+}
+
+/// The beams of a group at a sample.
+#[derive(Debug, Clone, Copy)]
+struct Beam {
+    place: [f32; LANES],
+    drive: [f32; LANES],
+}
+
+impl<S: Real> WriteGun<S> {
+    /// The gun of `parts` for sweeps of `samples` samples, one every `h` seconds, and `lines` lines a row. The part
+    /// itself is drawn from `seed` where parts spread.
+    pub fn new(parts: &AnalogParts, seed: u64, h: f64, samples: usize, lines: usize) -> Self {
+        let spread = parts.spread.then(|| Spread::new(seed));
+        let deflection = |bandwidth| Deflection::new(bandwidth, spread.as_ref(), h, lines);
+        let nominal = lines as f64 / (samples.max(2) - 1) as f64;
+        Self {
+            lines,
+            deflection: parts.memory.deflection.map(deflection),
+            charge: Charge::new(parts.memory.write_compensation, nominal),
+        }
+    }
+
+    /// Writes the first `rows.len() / lines` sweeps of a group into `rows`, `lines` values a sweep, cleared before.
+    pub fn write_stretches(&self, drive: &Drive<'_, S>, work: &mut GunWork, rows: &mut [f32]) {
+        let GunWork { steps, covered } = work;
+        match self.charge {
+            None => self.write(drive, Levels { covered }, steps, rows),
+            Some(charge) => self.write(drive, charge, steps, rows),
+        }
+    }
+
+    fn write(&self, drive: &Drive<'_, S>, mut target: impl Target, steps: &mut Vec<Beam>, rows: &mut [f32]) {
+        debug_assert!(rows.len() / self.lines <= LANES);
+        self.aim(drive, &target, steps);
+        for (lane, row) in rows.chunks_exact_mut(self.lines).enumerate() {
+            target.begin(row);
+            let mut top = self.lines as f32;
+            for &stretch in &drive.on[lane] {
+                strokes(steps, lane, stretch, |stroke, share, speed| {
+                    top = top.min(stroke.to).min(stroke.from);
+                    target.leave(stroke, share, speed, row);
+                });
+            }
+            for stroke in drive.far_strokes(lane, top) {
+                let drive = target.drive(stroke.start);
+                target.leave_exactly(Stroke { start: drive, end: drive, ..stroke }, row);
+            }
+            target.finish(row);
+        }
+    }
+
+    /// Place and drive of the beams at each sample.
+    fn aim(&self, drive: &Drive<'_, S>, target: &impl Target, steps: &mut Vec<Beam>) {
+        steps.clear();
+        let mut intensity = drive.intensity.iter();
+        let mut keep = |place: Lanes<S>| {
+            let drive = intensity.next().map_or([0.0; LANES], |value| single(value).map(|value| target.drive(value)));
+            steps.push(Beam { place: single(&place), drive });
+        };
+        match &self.deflection {
+            None => drive.position.iter().for_each(|&place| keep(place)),
+            Some(deflection) => deflection.run(drive.position, keep),
+        }
+    }
+}
+
+impl<S> Drive<'_, S> {
+    /// Silhouettes rise from the highest place that the beam has written, each hidden by what is before it.
+    fn far_strokes(&self, lane: usize, top: f32) -> impl Iterator<Item = Stroke> + use<'_, S> {
+        let far = self.far.map_or(&[][..], |far| &far[lane]);
+        far.iter().scan(top, |from, &FarStroke { line, intensity }| {
+            let stroke = Stroke { from: *from, to: line.min(*from), start: intensity, end: intensity };
+            *from = stroke.to;
+            Some(stroke)
+        })
+    }
+}
+
+fn single<S: Real>(values: &Lanes<S>) -> [f32; LANES] {
+    values.0.map(|value| value.to_f64() as f32)
+}
+
+/// The strokes of a lane in a stretch of time (samples), each with its share of a step and the speed of the beam in
+/// it. A beam that is nowhere leaves none.
+fn strokes(steps: &[Beam], lane: usize, stretch: [f64; 2], mut draw: impl FnMut(Stroke, f32, f32)) {
+    let last = steps.len().saturating_sub(1) as f64;
+    let [begin, end] = [stretch[0].max(0.0), stretch[1].min(last)];
+    if stretch[0].is_nan() || begin >= end {
+        return;
+    }
+    for sample in begin as usize + 1..=end.ceil() as usize {
+        let origin = (sample - 1) as f64;
+        let [first, finish] = [(begin - origin).max(0.0) as f32, (end - origin).min(1.0) as f32];
+        let (before, after) = (&steps[sample - 1], &steps[sample]);
+        let within = |from: f32, to: f32, share: f32| from + (to - from) * share;
+        let place = |share| within(before.place[lane], after.place[lane], share);
+        let drive = |share| within(before.drive[lane], after.drive[lane], share);
+        let stroke = Stroke { from: place(first), to: place(finish), start: drive(first), end: drive(finish) };
+        let speed = (after.place[lane] - before.place[lane]).abs();
+        if speed.is_finite() && (stroke.start + stroke.end).is_finite() {
+            draw(stroke, finish - first, speed);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,58 @@
+//! The array of fig. 19 made of real parts: a waveform on every wire, sample by sample.
+//!
+//! ```text
+//! accumulator ─▶ D/A ─▶ smoother ─▶ ramp, 1 - ramp ─▶ 24 function generators ─▶ ± polarity
+//!                                                                                  │
+//!        3 x 36 multipliers ◀──────────────────────────────────────────────────────┘
+//!             └▶ 3 x 36 multiplying D/As ◀── hold registers ─▶ 3 summing trees ─▶ height, slopes
+//! ```
+//!
+//! **Law.** That of [`crate::TerrainGenerator`], with the figures of [`hardware_model::AnalogParts`] for each part.
+//! **Units.** Shares of full scale. A basis function is scaled so that its peak is full scale; a word of order
+//! (p, q) then has the full scale of the level over the peaks ([`Scale`]).
+//! **Timing.** The ramps run ahead of the beam by the nominal delay of the chain, so that height and range meet in
+//! the projection processor; strobes and polarity are delayed to where the ramps are (our choices: a sane machine is
+//! trimmed so). What is left is spread, dispersion and the offset that the model names.
+//! **State.** Every wire settles in retrace: a sweep begins with the array at rest at the eye's foot, and there the
+//! datum is trimmed (our choice): an offset of a thousandth of a mountain would bury the eye.
+
+mod basis;
+mod chain;
+mod ramp;
+mod scale;
+mod summer;
+#[cfg(test)]
+mod tests;
+
+pub use chain::{ArrayState, PartsArray};
+pub use scale::Scale;
+
+use std::ops::Range;
+
+use signal::{LANES, Real};
+use sweep_program::SweepProgram;
+
+use crate::{Method, Profile, TerrainGenerator};
+
+/// Real parts: the waveform of every wire.
+#[derive(Debug)]
+pub struct Wired<'a, S> {
+    /// The parts.
+    pub array: &'a PartsArray<S>,
+    /// Their state.
+    pub state: &'a mut ArrayState<S>,
+    /// Number of the first sweep of the group over all frames: noise goes by it.
+    pub address: u64,
+}
+
+impl<S: Real> Method<S> for Wired<'_, S> {
+    fn trace(
+        &mut self,
+        generator: &TerrainGenerator<'_>,
+        programs: &[SweepProgram; LANES],
+        span: Range<usize>,
+        profile: &mut Profile<S>,
+    ) {
+        self.array.trace(generator, programs, span, self.address, self.state, profile);
+    }
+}

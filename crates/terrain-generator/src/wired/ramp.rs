@@ -1,0 +1,114 @@
+//! One folded ramp as a voltage: accumulator, D/A converter, smoother (hardware section 3.1).
+
+use hardware_model::{SMOOTHER_DAMPING, SweepParts};
+use parts::{
+    Converter, ConverterLaw, ConverterState, SecondOrder, SecondOrderState, SecondOrderStep,
+    settling_time_constant,
+};
+use signal::{LANES, Lanes, Real};
+
+/// Settling is told to this error.
+const SETTLED: f64 = 1e-3;
+
+/// The parts of a ramp; both ramps are alike.
+#[derive(Debug, Clone)]
+pub struct RampParts<S> {
+    converter: Option<Converter<S>>,
+    smoother: Option<SecondOrderStep<S>>,
+    delay: f64,
+}
+
+/// One ramp of a group.
+#[derive(Debug, Clone)]
+pub struct RampState<S> {
+    converter: [ConverterState<S>; LANES],
+    input: Lanes<S>,
+    smooth: SecondOrderState<Lanes<S>>,
+}
+
+impl<S: Real> Default for RampState<S> {
+    fn default() -> Self {
+        let zero = Lanes::default();
+        Self {
+            converter: [ConverterState::default(); LANES],
+            input: zero,
+            smooth: SecondOrderState { y: zero, rate: zero },
+        }
+    }
+}
+
+impl<S: Real> RampState<S> {
+    /// The ramp, at rest.
+    pub fn output(&self) -> Lanes<S> {
+        self.smooth.y
+    }
+}
+
+impl<S: Real> RampParts<S> {
+    /// For steps of `h` seconds; `full_scale` in volts.
+    pub fn new(h: f64, full_scale: f64, parts: &SweepParts) -> Self {
+        let settle = settling_time_constant(parts.settle, SETTLED);
+        let law = |bits| ConverterLaw {
+            bits,
+            nonlinearity: 0.0,
+            glitch_area: parts.glitch / full_scale,
+            delay: 0.0,
+            tau: settle,
+        };
+        let smoother = SecondOrder { natural: 1.0 / parts.smoother, damping: SMOOTHER_DAMPING };
+        let has_smoother = parts.smoother > 0.0;
+        // A staircase is late by half a step.
+        let stairs = parts.dac_bits.map_or(0.0, |_| settle + if has_smoother { 0.5 * h } else { 0.0 });
+        let smooth = |law: &SecondOrder| match parts.dac_bits {
+            // The word changes as the step begins.
+            Some(_) if settle == 0.0 => law.staircase(h, 0.0),
+            _ => law.step(h),
+        };
+        Self {
+            converter: parts.dac_bits.map(|bits| Converter::new(h, &law(bits))),
+            smoother: has_smoother.then(|| smooth(&smoother)),
+            delay: stairs + if has_smoother { smoother.group_delay() } else { 0.0 },
+        }
+    }
+
+    /// From the accumulator to the ramp (s).
+    pub fn delay(&self) -> f64 {
+        self.delay
+    }
+
+    /// Whether the ramp is a staircase, which changes as a step begins.
+    pub fn has_steps(&self) -> bool {
+        self.converter.is_some()
+    }
+
+    /// A ramp that stands at `value`.
+    pub fn at_rest(&self, value: Lanes<S>) -> RampState<S> {
+        let converter = std::array::from_fn(|lane| {
+            self.converter.as_ref().map_or(ConverterState::default(), |part| part.at_rest(value[lane]))
+        });
+        let input = match self.converter {
+            Some(_) => Lanes::from_fn(|lane| converter[lane].y),
+            None => value,
+        };
+        RampState { converter, input, smooth: SecondOrderState { y: input, rate: Lanes::default() } }
+    }
+
+    /// A step later; the accumulator changes to `value` as the step begins (to the converter's word), or moves to it in
+    /// a straight line where there is no converter.
+    pub fn step(&self, state: &mut RampState<S>, value: Lanes<S>) -> Lanes<S> {
+        let before = state.input;
+        state.input = match &self.converter {
+            Some(part) => {
+                Lanes::from_fn(|lane| part.step(&mut state.converter[lane], part.word(value[lane])))
+            }
+            None => value,
+        };
+        match &self.smoother {
+            Some(part) => {
+                state.smooth = part.step(state.smooth, before, state.input);
+                state.smooth.y
+            }
+            None => state.input,
+        }
+    }
+}

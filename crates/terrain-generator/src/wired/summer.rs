@@ -1,0 +1,132 @@
+//! A summing tree: 36 products into one voltage (hardware section 3.2, noise gain).
+
+use hardware_model::AnalogParts;
+use parts::{
+    Amplifier, AmplifierLaw, AmplifierState, Spread, Tolerance, relative_sigma, summing_time_constant,
+};
+use signal::{Lanes, Real};
+
+/// Recovery from overload of a nominal amplifier (s).
+const RECOVERY: f64 = 1e-6;
+
+/// Amplifiers of a tree, stage by stage.
+#[derive(Debug, Clone)]
+pub struct Summer<S> {
+    /// Inputs of one amplifier.
+    inputs: usize,
+    stages: Vec<Vec<Amplifier<S>>>,
+    delay: f64,
+}
+
+/// State of a tree.
+#[derive(Debug, Clone)]
+pub struct SummerState<S> {
+    stages: Vec<Vec<Stage<S>>>,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Stage<S> {
+    amplifier: AmplifierState<Lanes<S>>,
+    before: Lanes<S>,
+    out: Lanes<S>,
+}
+
+impl<S: Real> Default for SummerState<S> {
+    fn default() -> Self {
+        Self { stages: Vec::new() }
+    }
+}
+
+impl<S: Real> Summer<S> {
+    /// The tree called `name` over `terms` terms, for steps of `h` seconds.
+    pub fn new(h: f64, terms: usize, parts: &AnalogParts, spread: &Spread, name: &str) -> Self {
+        let figures = &parts.amplifier;
+        let inputs = parts.summer_inputs.map_or(terms, |inputs| (inputs as usize).max(2));
+        let is_ideal =
+            figures.gain_bandwidth.is_none() && figures.slew.is_none() && figures.saturation.is_none();
+        let mut counts = Vec::new();
+        let mut left = terms;
+        while left > 1 && !is_ideal {
+            left = left.div_ceil(inputs);
+            counts.push(left);
+        }
+        // A single summing point has no noise gain of its inputs.
+        let gain = parts.summer_inputs.map_or(1, |_| inputs as u32);
+        let tau = figures.gain_bandwidth.map_or(0.0, |gbw| summing_time_constant(gain, gbw));
+        let full_scale = parts.full_scale;
+        let mut number = 0;
+        let mut amplifier = || {
+            number += 1;
+            let draw = |figure: &str, nominal: f64, sigma: f64| {
+                let sigma = if parts.spread { sigma } else { 0.0 };
+                spread.figure(&format!("{name}.{figure}"), number, &Tolerance { nominal, sigma })
+            };
+            let law = AmplifierLaw {
+                tau: draw("tau", tau, relative_sigma::BANDWIDTH),
+                slew: draw(
+                    "slew",
+                    figures.slew.map_or(f64::INFINITY, |slew| slew / full_scale),
+                    relative_sigma::SLEW,
+                ),
+                saturation: figures.saturation.map_or(f64::INFINITY, |volts| volts / full_scale),
+                recovery: if figures.saturation.is_some() { RECOVERY } else { 0.0 },
+            };
+            Amplifier::new(h, &law)
+        };
+        let stages: Vec<Vec<_>> =
+            counts.iter().map(|&count| (0..count).map(|_| amplifier()).collect()).collect();
+        Self { inputs, delay: tau * stages.len() as f64, stages }
+    }
+
+    /// Nominal delay (s).
+    pub fn delay(&self) -> f64 {
+        self.delay
+    }
+
+    /// The tree at rest.
+    pub fn at_rest(&self, terms: &[Lanes<S>], state: &mut SummerState<S>) -> Lanes<S> {
+        state.stages.clear();
+        let mut signals = terms.to_vec();
+        for stage in &self.stages {
+            let sums: Vec<Lanes<S>> = signals.chunks(self.inputs).map(sum).collect();
+            let rest = |&input: &Lanes<S>| Stage {
+                amplifier: AmplifierState { y: input, excess: Lanes::default() },
+                before: input,
+                out: input,
+            };
+            state.stages.push(sums.iter().map(rest).collect());
+            debug_assert_eq!(stage.len(), sums.len());
+            signals = sums;
+        }
+        sum(&signals)
+    }
+
+    /// A step later, with `terms` at its end.
+    pub fn step(&self, terms: &[Lanes<S>], state: &mut SummerState<S>) -> Lanes<S> {
+        let Some((first, rest)) = self.stages.split_first() else { return sum(terms) };
+        let (first_state, rest_state) = state.stages.split_at_mut(1);
+        for ((part, state), group) in first.iter().zip(&mut first_state[0]).zip(terms.chunks(self.inputs)) {
+            state.step(part, sum(group));
+        }
+        let mut below = &first_state[0];
+        for (stage, states) in rest.iter().zip(rest_state) {
+            for ((part, state), group) in stage.iter().zip(states.iter_mut()).zip(below.chunks(self.inputs)) {
+                let input = group.iter().fold(Lanes::default(), |sum, stage| sum + stage.out);
+                state.step(part, input);
+            }
+            below = states;
+        }
+        below.iter().fold(Lanes::default(), |sum, stage| sum + stage.out)
+    }
+}
+
+impl<S: Real> Stage<S> {
+    fn step(&mut self, part: &Amplifier<S>, input: Lanes<S>) {
+        self.out = part.step_lanes(&mut self.amplifier, self.before, input);
+        self.before = input;
+    }
+}
+
+fn sum<S: Real>(terms: &[Lanes<S>]) -> Lanes<S> {
+    terms.iter().fold(Lanes::default(), |sum, &term| sum + term)
+}
