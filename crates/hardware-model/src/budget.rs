@@ -11,6 +11,7 @@ use std::f64::consts::{PI, SQRT_2};
 pub(crate) use digital::sector_corners;
 pub use digital::{CpuBudget, DrumBudget, LoaderBudget};
 pub use lines::BudgetLine;
+pub(crate) use lines::four_digits;
 
 use crate::HardwareModel;
 
@@ -85,7 +86,7 @@ pub struct CrossingBudget {
 }
 
 impl HardwareModel {
-    /// Regions of 300 m ("a few hundred metres", report III.A.1) out to the end of the model's own range.
+    /// Regions of 300 m ("a few hundred metres", section 3) out to the end of the model's own range.
     pub fn usual_ground(&self) -> Ground {
         Ground { region_size: 300.0, range: self.range.end }
     }

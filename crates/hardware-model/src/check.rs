@@ -4,6 +4,7 @@ mod analog;
 mod digital;
 mod refusals;
 
+use crate::budget::four_digits;
 use crate::{Budget, Ground, HardwareModel};
 
 /// What is wrong with a model, or will be seen.
@@ -78,8 +79,8 @@ impl Check<'_> {
     }
 }
 
-/// A number with at most three decimals.
+/// A number to four digits, without zeros behind the point.
 fn short(value: f64) -> String {
-    let text = format!("{value:.3}");
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    let text = four_digits(value);
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }

@@ -6,6 +6,8 @@
 //! - [`ModelSource::find`]: from a name or a path to the model meant.
 //! - [`HardwareModel::read`]: a model over its bases, under overlays and single settings, as a [`LoadedModel`]
 //!   that knows where each value came from. The format is described in `docs/hardware-model-format.md`.
+//! - [`HardwareModel::budget`]: what the clocks allow over a [`Ground`]; [`HardwareModel::check`]: what cannot hold
+//!   together, and what will show; [`PartCounts`]: the block diagram.
 
 mod analog;
 mod budget;

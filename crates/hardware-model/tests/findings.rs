@@ -31,7 +31,7 @@ fn what_cannot_be_built_is_refused() {
         (
             &[("sample_hold.acquire_ns", "34000")],
             "sample_hold.acquire_ns",
-            "34 µs, longer than the drawn 33.333",
+            "34 µs, longer than the drawn 33.33",
         ),
         (&[("sweep.fold_detect", "comparator")], "comparator.delay_ns", "there is none"),
     ];

@@ -54,7 +54,8 @@ fn the_ideal_model() {
     assert_eq!(ideal.shadow_controller, ShadowParts::default());
     assert_eq!(ideal.mixing_unit, MixingParts::default());
     assert_eq!(ideal.laws.feature_light, FeatureLight::Combined);
-    let yoke = Yoke { step: radians(0.1), rate: radians(10.0), travel: radians(40.0) };
+    let (step, rate, travel) = (radians(0.1), radians(10.0), radians(40.0));
+    let yoke = Yoke { step, rate, travel, natural: None, damping: 1.0 };
     assert_eq!(ideal.yoke, yoke);
 }
 

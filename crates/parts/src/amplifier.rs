@@ -9,9 +9,9 @@
 //! **Parameters.** [`AmplifierLaw`]. A summer of n unity inputs has `tau = (n + 1) / (2 pi GBW)`
 //! ([`summing_time_constant`]); one of many inputs is a tree of such parts.
 //! **State and timing.** [`AmplifierState`]. A step V settles to an error e in `V/SR - tau + tau ln(SR tau / e)`.
-//! **Elaboration.** Nearly all steps neither slew nor clip: then the part is its lag. The test is exact: d stays
-//! between its value at the start and `s tau`, and y between its start and the ends of the input. Only lanes that
-//! fail it are walked piece by piece, in f64.
+//! **Elaboration.** Nearly all steps neither slew nor clip: then the part is its lag. The test is safe: the difference d
+//! of input and output stays between its value at the start and `s tau`, and y within its start and the ends of the
+//! input. Only lanes that fail it are walked piece by piece, in f64; a walk that meets no event is the lag again.
 
 use std::f64::consts::PI;
 

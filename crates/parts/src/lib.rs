@@ -21,8 +21,9 @@
 //! **Elaboration.** A part that is not there is not built. No `step` asks whether its part is present.
 //! **Sameness.** Lanes do not see one another: a lane has the same bits alone and in a group. Randomness is by
 //! address ([`NoiseSource`], [`Spread`]), so order and threads cannot change it.
-//! **Domain.** Times are not negative and may be 0 or infinite; bandwidths, slew and saturation may be infinite;
-//! nothing is NaN. Hardware models are checked before they come here.
+//! **Not modelled.** Drift and temperature; the charge a switch injects; crosstalk that grows with frequency.
+//! **Domain.** Times, slew, saturation and damping are not negative and may be 0; times, bandwidths, slew and saturation
+//! may be infinite; nothing is NaN. Hardware models are checked before they come here.
 
 mod amplifier;
 mod comparator;

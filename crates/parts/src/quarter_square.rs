@@ -2,7 +2,7 @@
 //!
 //! **Law** (sections 3.4 and 6). A parabola of N equal segments on either side of 0, equal ripple, is off by
 //! `(s (1 - s) - 1/8) / N^2`, s the place in the segment 0..1: at most `1 / (8 N^2)`. The ripple of the product is that
-//! at `(a + b) / 2` less that at `(a - b) / 2`.
+//! at `(a + b) / 2` less that at `(a - b) / 2`, so the 1/8 drops out.
 //! **Parameters.** N.
 //! **State and timing.** None.
 
@@ -28,17 +28,19 @@ impl QuarterSquare {
         (a + b).each(|sum| self.parabola(sum)) - (a - b).each(|difference| self.parabola(difference))
     }
 
-    /// Error of the parabola at `twice / 2`.
+    /// Chord less parabola at `twice / 2`.
     #[inline(always)]
     fn parabola<S: Real>(&self, twice: S) -> S {
         let place = (twice.to_f64() / 2.0).abs() * self.segments;
         let s = place - place.floor();
-        S::from_f64((s * (1.0 - s) - 0.125) / (self.segments * self.segments))
+        S::from_f64(s * (1.0 - s) / (self.segments * self.segments))
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use signal::Lanes;
+
     use super::QuarterSquare;
 
     #[test]
@@ -59,6 +61,15 @@ mod tests {
                 assert!((product - with_ripple).abs() < 1e-13, "{a}, {b}");
             }
         }
+    }
+
+    #[test]
+    fn a_lane_is_a_scalar() {
+        let ripple = QuarterSquare::new(7);
+        let (a, b) =
+            (Lanes::from_fn(|lane| lane as f32 / 9.0 - 0.5), Lanes::from_fn(|lane| 0.9 - lane as f32 / 5.0));
+        let alone = Lanes::from_fn(|lane| ripple.ripple::<f32, f32>(a[lane], b[lane]));
+        assert_eq!(ripple.ripple::<f32, Lanes<f32>>(a, b), alone);
     }
 
     #[test]

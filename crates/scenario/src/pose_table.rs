@@ -54,7 +54,7 @@ impl PoseTable {
         frames: Range<u64>,
     ) -> Result<Self, PathProblems> {
         let driver = Driver { path: &scenario.path, vehicle: &scenario.vehicle, landscape, update };
-        let mut picture = Follower { yoke, driver: &driver, swing: None };
+        let mut picture = Follower { yoke, driver: &driver, swing: Swing::default() };
         (0..frames.start).for_each(|frame| picture.pass(frame));
         let found: Vec<_> = frames.map(|frame| (frame, picture.turn(frame, driver.row(frame)))).collect();
         let faults = found.iter().filter_map(|(frame, row)| Some((*frame, row.as_ref().err()?.clone())));
@@ -79,8 +79,7 @@ impl PoseTable {
 struct Follower<'a> {
     yoke: Option<Yoke>,
     driver: &'a Driver<'a>,
-    /// `None` until it has been told a roll.
-    swing: Option<Swing>,
+    swing: Swing,
 }
 
 impl Follower<'_> {
@@ -97,15 +96,15 @@ impl Follower<'_> {
     fn turn(&mut self, frame: u64, row: Result<PoseRow, PathProblem>) -> Result<PoseRow, PathProblem> {
         let mut row = row?;
         self.follow(frame, row.pose.attitude.roll);
-        row.pose.yoke = self.angle;
+        row.pose.yoke = self.swing.angle();
         Ok(row)
     }
 
     fn follow(&mut self, frame: u64, roll: f64) {
         let Some(yoke) = self.yoke else { return };
-        self.angle = match frame {
-            0 => yoke.settled(roll),
-            _ => yoke.follow(self.angle, roll, [frame - 1, frame].map(|frame| self.driver.time(frame))),
+        self.swing = match frame {
+            0 => yoke.at_rest(roll),
+            _ => yoke.swing(self.swing, roll, [frame - 1, frame].map(|frame| self.driver.time(frame))),
         };
     }
 }

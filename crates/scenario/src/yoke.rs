@@ -26,7 +26,7 @@ pub struct Yoke {
 }
 
 /// Where a yoke is on its way.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct Swing {
     /// Where the motor was told to stand (rad).
     told: f64,
@@ -109,7 +109,11 @@ impl Drive<'_> {
     fn run(&self, state: SecondOrderState<f64>) -> SecondOrderState<f64> {
         let (Yoke { step, .. }, [from, to]) = (self.yoke, self.told);
         let pulses = if *step == 0.0 { 0.0 } else { ((to - from).abs() / step).round() };
-        if *step > 0.0 && pulses <= MOST_PULSES { self.steps(state, pulses as u32) } else { self.run_on(state) }
+        if *step > 0.0 && pulses <= MOST_PULSES {
+            self.steps(state, pulses as u32)
+        } else {
+            self.run_on(state)
+        }
     }
 
     /// Pulse by pulse from the first one after the begin.

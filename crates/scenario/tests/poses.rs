@@ -245,7 +245,13 @@ fn the_yoke_is_where_it_is_whatever_part_is_asked_for() {
         waypoint(3.0, 60.0, 121.0, Some(270.0)),
     ];
     let scenario = scenario(points);
-    let yoke = Some(Yoke { step: radians(0.1), rate: radians(4.0), travel: radians(40.0) });
+    let yoke = Some(Yoke {
+        step: radians(0.1),
+        rate: radians(4.0),
+        travel: radians(40.0),
+        natural: None,
+        damping: 1.0,
+    });
     let resolve = |frames| PoseTable::resolve(&scenario, &landscape, hz(30), yoke, frames).unwrap();
     let whole = resolve(0..90);
     for part in [0..7, 7..8, 8..41, 89..90] {

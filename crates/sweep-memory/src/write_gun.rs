@@ -92,7 +92,8 @@ impl<S: Real> WriteGun<S> {
         steps.clear();
         let mut intensity = drive.intensity.iter();
         let mut keep = |place: Lanes<S>| {
-            let drive = intensity.next().map_or([0.0; LANES], |value| single(value).map(|value| target.drive(value)));
+            let drive =
+                intensity.next().map_or([0.0; LANES], |value| single(value).map(|value| target.drive(value)));
             steps.push(Beam { place: single(&place), drive });
         };
         match &self.deflection {
@@ -133,7 +134,8 @@ fn strokes(steps: &[Beam], lane: usize, stretch: [f64; 2], mut draw: impl FnMut(
         let within = |from: f32, to: f32, share: f32| from + (to - from) * share;
         let place = |share| within(before.place[lane], after.place[lane], share);
         let drive = |share| within(before.drive[lane], after.drive[lane], share);
-        let stroke = Stroke { from: place(first), to: place(finish), start: drive(first), end: drive(finish) };
+        let stroke =
+            Stroke { from: place(first), to: place(finish), start: drive(first), end: drive(finish) };
         let speed = (after.place[lane] - before.place[lane]).abs();
         if speed.is_finite() && (stroke.start + stroke.end).is_finite() {
             draw(stroke, finish - first, speed);

@@ -10,7 +10,7 @@ const NOISE_BAND: f64 = 10e6;
 
 /// A differentiator with two lags of this over B passes as much of white noise as one that ends at B
 /// (hardware section 6): `1 / (8 tau^3) = 4 pi^2 B^3 / 3`.
-const LAGS: f64 = 0.211_765_268_601_9;
+const LAGS: f64 = 0.211_782_714_409_354_9;
 
 /// The differentiator's `tau_d` (s): its full scale is 10 full scales a microsecond, the fastest elevation of a
 /// constant-rate sweep (hardware section 4.9: 75 to 148 V/µs of 10 V).

@@ -11,7 +11,8 @@ use crate::{Cpu, CrossingServer, Drum, HardwareModel, Loader};
 const GRACE: f64 = 0.1;
 /// Memory cycles of the eight instructions that move pointers in an interrupt (hardware section 4.6).
 const HANDLING_CYCLES: u64 = 16;
-/// Width of the field of view (degrees) and fastest turn of the rover (degrees/s) (report II.A).
+/// Width of the field of view (degrees) and fastest turn of the rover (degrees/s), a reading of a damaged scan
+/// (section 3).
 const FIELD_DEG: f64 = 50.0;
 const TURN_DEG_S: f64 = 10.0;
 
@@ -27,7 +28,7 @@ pub struct LoaderBudget {
     pub late: f64,
     /// Share of the difference between stale and new words that the height steps by at most, `S0(v t / d)`.
     pub step: f64,
-    /// Time that the sets of one sweep occupy buffer and processor (s); of four banks, the mean.
+    /// Time that the sets of one sweep occupy the buffer, with pointers and accesses (s); of four banks, the mean.
     pub busy: f64,
     /// The same as a share of the drawn part of the sweep.
     pub load: f64,

@@ -47,14 +47,15 @@ impl Budget {
 impl fmt::Display for Budget {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for BudgetLine { meaning, value, unit, formula, .. } in self.lines() {
-            writeln!(f, "{meaning:<44} {:>10} {unit:<8} {formula}", four_digits(value))?;
+            let line = format!("{meaning:<44} {:>10} {unit:<8} {formula}", four_digits(value));
+            writeln!(f, "{}", line.trim_end())?;
         }
         Ok(())
     }
 }
 
 /// Four significant digits; more where they stand before the point.
-fn four_digits(value: f64) -> String {
+pub(crate) fn four_digits(value: f64) -> String {
     if value == 0.0 {
         return "0".into();
     }

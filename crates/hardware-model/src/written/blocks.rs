@@ -51,5 +51,5 @@ pub(super) fn yoke(table: &Reader) -> Option<Yoke> {
     let step = table.f64("step_deg").between(0.0, 10.0).unit("degrees").map(radians).required();
     let rate = table.f64("rate_deg_s").above(0.0).at_most(1000.0).unit("degrees/s").map(radians).required();
     let travel = table.f64("travel_deg").between(0.0, 180.0).unit("degrees").map(radians).required();
-    Some(Yoke { step: step?, rate: rate?, travel: travel? })
+    Some(Yoke { step: step?, rate: rate?, travel: travel?, natural: None, damping: 1.0 })
 }

@@ -83,6 +83,16 @@ fn a_short_visit_leaves_no_trace() {
 }
 
 #[test]
+fn a_visit_shorter_than_the_longest_delay_leaves_no_trace_either() {
+    // Above the threshold for a tenth of a step; patience is 0.4 of one.
+    let law = ComparatorLaw { overdrive: 1.0, longest: 60e-9, ..NOMINAL };
+    let mut input = vec![-0.1 + 5e-4; 8];
+    input[4] = 5e-4 + 0.1 / 19.0;
+    assert_eq!(trips(&law, &input), []);
+    assert_eq!(trips(&ComparatorLaw { longest: 44e-9, ..law }, &input).len(), 2);
+}
+
+#[test]
 fn delay_longer_than_a_sweep_and_none_at_all() {
     let slow = trips(&ComparatorLaw { delay: 1.0, longest: 1.0, ..NOMINAL }, &jump(-0.1, 0.1));
     assert_eq!(slow.len(), 1);
@@ -118,6 +128,14 @@ fn noise_of_the_threshold_is_jitter_of_sigma_over_slope() {
     let variance = instants.iter().map(|t| (t - mean) * (t - mean)).sum::<f64>() / 20_000.0;
     assert_near(mean, 3.5 + 5e-4 / slope + 0.8, 1e-3);
     assert_near(variance.sqrt() / (sigma / slope), 1.0, 0.02);
+}
+
+#[test]
+fn noise_reaches_a_threshold_from_within_its_deviation_alone() {
+    let law = ComparatorLaw { noise: 1e-3, overdrive: 0.0, ..NOMINAL };
+    // Half the hysteresis is 0.5 sigma: two sigma below the threshold, and seven.
+    assert!(!trips(&law, &[-1.5e-3; 1000]).is_empty());
+    assert_eq!(trips(&law, &[-6.5e-3; 1000]), []);
 }
 
 /// The law by marching: `fine` small steps to a step, area by the midpoint.

@@ -107,3 +107,132 @@ fn fast_parts_come_near_the_algebra() {
     // generators that turn there.
     assert!(slow > 5.0 * fast && fast > 6.0 * faster && slow < 0.1, "{slow} {fast} {faster}");
 }
+
+fn parts(change: impl FnOnce(&mut AnalogParts)) -> AnalogParts {
+    let mut parts = AnalogParts::ideal();
+    change(&mut parts);
+    parts
+}
+
+/// Height error of a lane against the algebra (m).
+fn error_of(scene: &Scene, wired: &Profile<f64>, lane: usize) -> Vec<f64> {
+    let ideal = scene.ideal();
+    let last = scene.ranges.partition_point(|&range| range <= scene.programs[lane].end_range);
+    (0..last).map(|sample| wired.height[sample][lane] - ideal.height[sample][lane]).collect()
+}
+
+/// Artefact 12: an error of at most half a step of each word times its basis function, which halves with each bit.
+#[test]
+fn coarse_words_err_by_half_a_step() {
+    let scene = Scene::new();
+    let scale = super::Scale::of(&scene.level);
+    let largest = |bits: u32| {
+        let wired = scene.wired(&parts(|parts| parts.multiplying_dac.bits = Some(bits)));
+        (0..LANES).flat_map(|lane| error_of(&scene, &wired, lane)).fold(0.0, |most: f64, e| most.max(e.abs()))
+    };
+    let errors = [6, 8, 10, 12].map(largest);
+    for (bits, error) in [6, 8, 10, 12].into_iter().zip(errors) {
+        // Four corners, nine words each, and the foot that the datum is trimmed to.
+        let half_a_step = scale.height / f64::from(1 << bits);
+        assert!(error > half_a_step && error < 12.0 * half_a_step, "{bits}: {error}, {half_a_step}");
+    }
+    assert!(errors.windows(2).all(|pair| pair[0] / pair[1] > 2.0 && pair[0] / pair[1] < 8.0), "{errors:?}");
+}
+
+/// Artefact 10: gains of the D/As differ by colour, and colours come round every two regions. The error is continuous
+/// where regions meet, for a corner stays in its own converters.
+#[test]
+fn unequal_gains_are_quilted_with_two_regions() {
+    let mut scene = Scene::new();
+    let flat = vec![[100.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]; 144];
+    let mut tilted = flat;
+    tilted[0][0] = -100.0;
+    scene.level = Level::new(SIZE, [0.0; 2], [12, 12], tilted).unwrap();
+    let wired = scene.wired(&parts(|parts| parts.multiplying_dac.gain_error = 0.02));
+    let error = error_of(&scene, &wired, 0);
+    let steps = error.windows(2).map(|pair| (pair[1] - pair[0]).abs());
+    assert!(steps.fold(0.0, f64::max) < 0.2, "an error of gain has no steps");
+    // Along the direction of lane 0 the pattern comes again after two regions north.
+    let [cos, _] = scene.programs[0].start.direction;
+    let period = 2.0 * SIZE / cos / 1.5;
+    let power = |samples: f64| {
+        let angle = |k: usize| 2.0 * std::f64::consts::PI * k as f64 / samples;
+        let sum =
+            |wave: fn(f64) -> f64| error.iter().enumerate().map(|(k, e)| e * wave(angle(k))).sum::<f64>();
+        let [c, s] = [sum(libm::cos), sum(libm::sin)];
+        c * c + s * s
+    };
+    let others = [0.37, 0.63, 0.8, 1.31, 1.7].map(|share| power(period * share));
+    assert!(others.iter().all(|&other| power(period) > 1.5 * other), "{} of {others:?}", power(period));
+}
+
+/// Artefact 25: a sum beyond what its amplifier gives is flat.
+#[test]
+fn high_ground_is_clipped() {
+    let scene = Scene::new();
+    let scale = super::Scale::of(&scene.level);
+    let clipped = parts(|parts| {
+        parts.amplifier.saturation = Some(0.25);
+        parts.summer_inputs = None;
+    });
+    let array = PartsArray::<f64>::new(STEP, &scene.level, &clipped, 3, "tg");
+    assert_eq!(array.lead(), 0.0);
+    let (ideal, wired) = (scene.ideal(), scene.wired(&clipped));
+    let mut clips = 0;
+    for lane in 0..LANES {
+        let last = scene.ranges.partition_point(|&range| range <= scene.programs[lane].end_range);
+        let trim = wired.height[0][lane] - ideal.height[0][lane];
+        for sample in 0..last {
+            let (right, found) = (
+                ideal.height[sample][lane] + DATUM - scale.datum,
+                wired.height[sample][lane] + DATUM - scale.datum - trim,
+            );
+            assert!(found <= 0.2501 * scale.height && found >= -0.2501 * scale.height, "{found}");
+            clips += usize::from(right.abs() > 0.26 * scale.height);
+        }
+    }
+    assert!(clips > 500, "{clips}");
+}
+
+/// Artefact 7: no wire is faster than its amplifier.
+#[test]
+fn slow_amplifiers_limit_the_slope() {
+    let scene = Scene::new();
+    let scale = super::Scale::of(&scene.level);
+    // A fiftieth of full scale a microsecond.
+    let wired = scene.wired(&parts(|parts| parts.amplifier.slew = Some(2e4)));
+    let most = 2e4 * STEP * scale.height * (1.0 + 1e-9);
+    let mut steepest = 0.0_f64;
+    for lane in 0..LANES {
+        let last = scene.ranges.partition_point(|&range| range <= scene.programs[lane].end_range);
+        for sample in 1..last {
+            steepest = steepest.max((wired.height[sample][lane] - wired.height[sample - 1][lane]).abs());
+        }
+    }
+    assert!(steepest <= most && steepest > 0.99 * most, "{steepest} of {most}");
+}
+
+/// Artefact 11: a broken line of n segments bends n times a region.
+#[test]
+fn broken_lines_err_by_their_segments() {
+    let scene = Scene::new();
+    let largest = |segments: u32| {
+        let wired = scene.wired(&parts(|parts| parts.function_generator.segments = Some(segments)));
+        (0..LANES).flat_map(|lane| error_of(&scene, &wired, lane)).fold(0.0, |most: f64, e| most.max(e.abs()))
+    };
+    let [coarse, fine] = [10, 20].map(largest);
+    // Error of a segment goes with the square of its length.
+    assert!(coarse / fine > 2.5 && coarse / fine < 6.0 && fine > 0.0, "{coarse} {fine}");
+}
+
+/// Artefact 9: a strobe beside its fold leaves a step at every crossing, the larger the farther beside it.
+#[test]
+fn strobes_beside_their_folds_leave_fringes() {
+    let scene = Scene::new();
+    let largest = |offset: f64| {
+        let wired = scene.wired(&parts(|parts| parts.sweep.strobe_offset = offset));
+        (0..LANES).flat_map(|lane| error_of(&scene, &wired, lane)).fold(0.0, |most: f64, e| most.max(e.abs()))
+    };
+    let errors = [0.0, 100e-9, 200e-9, 400e-9].map(largest);
+    assert!(errors[0] < 1e-9 && errors.windows(2).all(|pair| pair[1] > 1.3 * pair[0]), "{errors:?}");
+}

@@ -1,9 +1,14 @@
 //! `lunoid timing`: what the digital side did and when, and baselines to hold it to.
 
 mod baseline;
+mod critical_path;
 mod inputs;
+mod plots;
 pub mod rehearsal;
+pub mod sets;
 mod show;
+pub mod sweeps;
+mod timeline;
 
 use clap::{Args, Subcommand};
 

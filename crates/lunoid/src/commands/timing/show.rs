@@ -2,56 +2,168 @@
 
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use serde_json::json;
-use timing::Totals;
+use timing::{FrameTiming, TimingRecord, Totals};
 
+use super::critical_path::{Chain, chains};
+use super::plots::{write_slack, write_utilisation};
 use super::rehearsal::{Rehearsal, choose, spread};
+use super::sweeps::{Place, Sweeps};
+use super::timeline::SweepTimeline;
 use crate::loading::{Loaded, StageArgs, Threads};
-use crate::output::{print, print_json};
+use crate::output::{expect_writable, print, print_json};
 use crate::progress::Display;
-use crate::values::Span;
+use crate::values::{Span, pair};
 use crate::{Failure, Verdict};
 
 /// Frames that are shown where none are named, spread over the mission.
 const USUAL_FRAMES: u64 = 8;
 
+const AFTER: &str = "Examples:
+  lunoid timing show scenarios/first-light.toml --machine pra-nominal --frames 0..4
+  lunoid timing show scenarios/first-light.toml --machine pra-nominal --frame 12 --sweep 500 --out timeline.png
+  lunoid timing show scenarios/first-light.toml --machine pra-nominal --utilisation use.png --slack slack.png";
+
 /// Show deadlines, use of units, misses and the critical path.
 #[derive(Debug, Args)]
-#[command(after_help = "Example:\n  lunoid timing show scenarios/first-light.toml --machine pra-nominal --frames 0..4")]
+#[command(after_help = AFTER)]
 pub struct Show {
     #[command(flatten)]
     stage: StageArgs,
     #[command(flatten)]
     threads: Threads,
     /// Frames to show, counted at the update rate: A..B without B. Eight, spread over the mission, if left out.
-    #[arg(long, value_name = "A..B")]
+    #[arg(long, value_name = "A..B", conflicts_with = "frame")]
     frames: Option<Span>,
+    /// Show one frame, and its critical path. Without it the path is that of the frame with the least slack.
+    #[arg(long)]
+    frame: Option<u64>,
+    /// Sweep of the timeline, from 0 at the left.
+    #[arg(long, requires = "frame", requires = "out")]
+    sweep: Option<u32>,
+    /// Draw the timeline of the sweep: ramps, stops, sets asked for, on their way, ready, late.
+    #[arg(short, long, value_name = "PNG", requires = "sweep")]
+    out: Option<PathBuf>,
+    /// Level of terrain of the timeline.
+    #[arg(long, value_enum, default_value = "fine", requires = "sweep")]
+    level: LevelWord,
+    /// Ground ranges between which the timeline is drawn (m).
+    #[arg(long, value_name = "NEAR,FAR", value_parser = pair_of_ranges, requires = "sweep")]
+    range_m: Option<[f64; 2]>,
+    /// Draw the use of every unit over the frames.
+    #[arg(long, value_name = "PNG")]
+    utilisation: Option<PathBuf>,
+    /// Draw histograms of slack.
+    #[arg(long, value_name = "PNG")]
+    slack: Option<PathBuf>,
     /// No progress.
     #[arg(long)]
     no_progress: bool,
-    /// Print the record as JSON.
+    /// Print record, totals and critical path as JSON.
     #[arg(long)]
     json: bool,
-    #[arg(skip)]
-    _unused: Option<PathBuf>,
+}
+
+/// Level of terrain.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum LevelWord {
+    /// The finest.
+    Fine,
+    /// That of far mountains.
+    Coarse,
+}
+
+/// Two ranges, the nearer first.
+fn pair_of_ranges(text: &str) -> Result<[f64; 2], String> {
+    let [near, far] = pair(text)?;
+    match 0.0 <= near && near < far {
+        true => Ok([near, far]),
+        false => Err("expected two ranges in metres, the nearer first, as 0,500".into()),
+    }
 }
 
 impl Show {
     /// Shows.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        let usual = |loaded: &Loaded| choose(loaded, self.frames, spread(USUAL_FRAMES));
-        let (rehearsal, frames) = Rehearsal::open(&self.stage, &self.threads, usual)?;
+        let files = [&self.out, &self.utilisation, &self.slack];
+        files.into_iter().flatten().try_for_each(|file| expect_writable(file))?;
+        let (rehearsal, frames) = Rehearsal::open(&self.stage, &self.threads, |loaded| self.choose(loaded))?;
         let record = rehearsal.record(&frames, &Display::new(!self.no_progress))?;
-        if self.json {
-            print_json(&json!({
-                "schema": "lunoid.timing.show/1",
-                "record": record,
-                "totals": Totals::of(&record),
-            }))?;
-        } else {
-            print(&record.text())?;
+        if let Some(path) = &self.utilisation {
+            write_utilisation(&record, path)?;
         }
+        if let Some(path) = &self.slack {
+            write_slack(&record, path)?;
+        }
+        self.draw_timeline(&rehearsal)?;
+        let frame = tightest(&record);
+        let poses = rehearsal.poses(&[frame.frame])?;
+        let chains = chains(&rehearsal.stage, &rehearsal.pool, &poses[0].pose, frame);
+        self.tell(&record, frame.frame, &chains, &rehearsal)?;
         Ok(Verdict::Yes)
     }
+
+    /// Everything that can be wrong on the command line is found before any ground is made.
+    fn choose(&self, loaded: &Loaded) -> Result<Vec<u64>, Failure> {
+        let sweeps = loaded.settings.raster.sweeps;
+        if let Some(sweep) = self.sweep.filter(|&sweep| sweep >= sweeps) {
+            return Err(Failure::usage(format!(
+                "--sweep {sweep}: a frame has sweeps 0..{sweeps}; expected one of them"
+            )));
+        }
+        if self.level == LevelWord::Coarse && loaded.settings.levels.is_none() {
+            return Err(Failure::usage("--level coarse: the scenario has one level of terrain; expected fine"));
+        }
+        match self.frame {
+            None => choose(loaded, self.frames, spread(USUAL_FRAMES)),
+            Some(frame) if frame < loaded.frames() => Ok(vec![frame]),
+            Some(frame) => Err(Failure::usage(format!(
+                "--frame {frame}: the scenario has frames 0..{}; expected one of them",
+                loaded.frames()
+            ))),
+        }
+    }
+
+    fn draw_timeline(&self, rehearsal: &Rehearsal) -> Result<(), Failure> {
+        let (Some(path), Some(frame), Some(sweep)) = (&self.out, self.frame, self.sweep) else { return Ok(()) };
+        let poses = rehearsal.poses(&[frame])?;
+        let sweeps = Sweeps::new(&rehearsal.stage);
+        let levels = sweeps.levels();
+        let number = usize::from(self.level == LevelWord::Coarse).min(levels.len() - 1);
+        let place = Place { frame, pose: &poses[0].pose, sweep };
+        let title = format!("{} on {}", rehearsal.scenario.title, rehearsal.model.name);
+        SweepTimeline::new(&sweeps, levels[number], place).draw(&title, self.range_m, path)
+    }
+
+    fn tell(
+        &self,
+        record: &TimingRecord,
+        frame: u64,
+        chains: &[Chain],
+        rehearsal: &Rehearsal,
+    ) -> Result<(), Failure> {
+        if self.json {
+            return print_json(&json!({
+                "schema": "lunoid.timing.show/1",
+                "record": record,
+                "totals": Totals::of(record),
+                "critical_path": { "frame": frame, "chains": chains },
+            }));
+        }
+        let ns = 1e9 / rehearsal.stage.settings.timebase.master.hertz();
+        let chains: String = chains.iter().map(|chain| chain.text(ns)).collect();
+        print(&format!("{}\ncritical path of frame {frame}\n{chains}", record.text()))
+    }
+}
+
+/// The frame with the least slack of all; the first of several.
+fn tightest(record: &TimingRecord) -> &FrameTiming {
+    let least = |frame: &FrameTiming| {
+        let all = frame.deadlines.values().filter_map(|slack| slack.least);
+        all.min().unwrap_or(i64::MAX)
+    };
+    let mut frames = record.frames.iter();
+    let first = &record.frames[0];
+    frames.by_ref().fold(first, |tightest, frame| if least(frame) < least(tightest) { frame } else { tightest })
 }

@@ -1,0 +1,181 @@
+//! The processor of parts, from height to the wires of the write beam.
+
+use hardware_model::AnalogParts;
+use parts::{Delay, LagStep, time_constant};
+use scenario::{Curvature, Occlusion};
+use signal::{LANES, Lanes, Real, Stretches};
+
+use crate::processor::deflect_samples;
+use crate::wired::derivative::Derivative;
+use crate::wired::field::Field;
+use crate::wired::figures::Figures;
+use crate::wired::function::Function;
+use crate::wired::lane::{Beam, Output, Wire};
+use crate::wired::peak_hold::PeakHold;
+use crate::{Deflection, Processor};
+
+/// A processor of real parts, drawn once from the seed of the model.
+#[derive(Debug, Clone)]
+pub struct PartsProcessor<S> {
+    divider: Processor<S>,
+    lines: f64,
+    elevation: Function<S>,
+    deflection: Function<S>,
+    circuit: Circuit<S>,
+    /// Delay line of the intensity.
+    video: Delay,
+    /// Delay line of the blanking (steps).
+    blanking: f64,
+}
+
+#[derive(Debug, Clone)]
+enum Circuit<S> {
+    Derivative(Derivative<S>),
+    PeakHold(PeakHold<S>),
+}
+
+/// What goes to the sweep memory and to probes: one [`Lanes`] a sample.
+#[derive(Debug, Clone, Default)]
+pub struct Driven<S> {
+    /// Tangent of the elevation behind its function generator.
+    pub elevation: Vec<Lanes<S>>,
+    /// Tangent that the sample-and-hold has.
+    pub hold: Vec<Lanes<S>>,
+    /// Line position of the write beam, from the top of the picture; at most a tenth of it outside.
+    pub position: Vec<Lanes<S>>,
+    /// The highest line position that the hold has had: where bodies and silhouettes come into sight. Never grows.
+    pub line: Vec<Lanes<S>>,
+    /// Reflectivity, delayed to meet its position.
+    pub intensity: Vec<Lanes<S>>,
+    /// Where the beam is on, within the sweep.
+    pub on: Stretches,
+}
+
+/// Trips of the comparators of one sweep; used again from sweep to sweep.
+#[derive(Debug, Clone, Default)]
+pub struct Scratch {
+    outputs: [Output; 2],
+}
+
+impl<S: Real> PartsProcessor<S> {
+    /// A processor for samples at `ranges` (m, ascending, above 0) that are `h` seconds apart, and pictures of `lines`
+    /// lines; `seed` is the model's.
+    pub fn new(
+        (occlusion, curvature): (Occlusion, Curvature),
+        ranges: &[f64],
+        lines: f64,
+        h: f64,
+        parts: &AnalogParts,
+        seed: u64,
+    ) -> Self {
+        let figures = Figures { parts, seed };
+        let function = |name: &str| Function {
+            bow: figures.bow(name).map(S::from_f64),
+            lag: figures.bandwidth(&format!("{name}.bandwidth")).map(|b| LagStep::new(h, time_constant(b))),
+        };
+        let nominal = parts.projection.bandwidth.map_or(0.0, time_constant);
+        let video = parts.video_bandwidth.map_or(0.0, time_constant);
+        let blanking = Delay::new(h, nominal);
+        Self {
+            divider: Processor::new(occlusion, curvature, ranges),
+            lines,
+            elevation: function("dpp.elevation"),
+            deflection: function("dpp.deflection"),
+            circuit: match occlusion {
+                Occlusion::Derivative => Circuit::Derivative(Derivative::new(h, &figures)),
+                Occlusion::PeakHold => Circuit::PeakHold(PeakHold::new(h, &figures)),
+            },
+            video: Delay::new(h, (2.0 * nominal - video).max(0.0)),
+            blanking: blanking.whole as f64 + blanking.share,
+        }
+    }
+
+    /// Projects a group: `height` above the eye (m) and `reflectivity` as they leave the mixing unit, `deflection` in
+    /// lines, `sweeps` counted over all frames (the address of noise).
+    pub fn run(
+        &self,
+        height: &[Lanes<S>],
+        reflectivity: &[Lanes<S>],
+        deflection: &[Deflection; LANES],
+        sweeps: &[u64; LANES],
+        scratch: &mut Scratch,
+        out: &mut Driven<S>,
+    ) {
+        for signal in [&mut out.elevation, &mut out.hold, &mut out.position, &mut out.line] {
+            signal.resize(height.len(), Lanes::default());
+        }
+        self.divider.tangents(height, &mut out.elevation);
+        let field = Field::of(deflection, self.lines);
+        let ends = field.enter(&mut out.elevation);
+        self.elevation.pass(&mut out.elevation, S::ZERO, S::ONE);
+        self.occlude(ends, sweeps, scratch, out);
+        field.leave(&mut out.elevation);
+        field.leave(&mut out.hold);
+        self.deflect(deflection, out);
+        self.delay_video(reflectivity, &mut out.intensity);
+    }
+
+    fn occlude(&self, ends: [usize; LANES], sweeps: &[u64; LANES], scratch: &mut Scratch, out: &mut Driven<S>) {
+        let Driven { elevation, hold, on, .. } = out;
+        for (lane, on) in on.iter_mut().enumerate() {
+            let wire = Wire { elevation, lane, end: ends[lane], sweep: sweeps[lane] };
+            let mut kept = hold.iter_mut();
+            let mut last = wire.elevation.first().map_or(S::ZERO, |first| first[lane]);
+            let keep = |value: S| {
+                last = value;
+                kept.next().into_iter().for_each(|hold| hold[lane] = value);
+            };
+            let beam = Beam::begin(on);
+            match &self.circuit {
+                Circuit::Derivative(circuit) => circuit.run(&wire, &mut scratch.outputs, beam, keep),
+                Circuit::PeakHold(circuit) => circuit.run(&wire, &mut scratch.outputs[0], beam, keep),
+            }
+            kept.for_each(|hold| hold[lane] = last);
+            self.delay_blanking(on, elevation.len());
+        }
+    }
+
+    /// Both deflection signals, and the highest line so far.
+    fn deflect(&self, deflection: &[Deflection; LANES], out: &mut Driven<S>) {
+        let middle = S::from_f64(0.5 * self.lines);
+        let Driven { elevation, hold, position, line, .. } = out;
+        for (tangents, lines) in [(elevation, position), (hold, &mut *line)] {
+            deflect_samples(deflection, tangents, lines);
+            self.deflection.pass(lines, middle, middle);
+        }
+        for sample in 1..line.len() {
+            let highest = line[sample - 1];
+            let lower = |lane: usize| if line[sample][lane] < highest[lane] { line[sample][lane] } else { highest[lane] };
+            line[sample] = Lanes::from_fn(lower);
+        }
+    }
+
+    /// The blanking meets the position, which is behind the elevation by the deflection's function generator.
+    fn delay_blanking(&self, on: &mut Vec<[f64; 2]>, samples: usize) {
+        let last = samples.saturating_sub(1) as f64;
+        let later = |time: f64| if time == 0.0 { 0.0 } else { (time + self.blanking).min(last) };
+        on.iter_mut().for_each(|stretch| *stretch = stretch.map(later));
+        on.retain(|[begin, end]| begin < end);
+    }
+
+    fn delay_video(&self, reflectivity: &[Lanes<S>], intensity: &mut Vec<Lanes<S>>) {
+        let share = Lanes::splat(S::from_f64(self.video.share));
+        let at = |sample: usize| reflectivity[sample.saturating_sub(self.video.whole)];
+        intensity.clear();
+        intensity.extend((0..reflectivity.len()).map(|sample| {
+            let now = at(sample);
+            now + (at(sample.saturating_sub(1)) - now) * share
+        }));
+    }
+
+    /// Blanks that the report's probe shows: 1 at each sample of a lane at which the beam is off.
+    pub fn blank(out: &Driven<S>, lane: usize) -> Vec<f64> {
+        let mut gate = vec![1.0; out.elevation.len()];
+        for &[begin, end] in &out.on[lane] {
+            let first = begin as usize + usize::from(begin > begin.floor());
+            gate[first..=end as usize].fill(0.0);
+        }
+        gate
+    }
+}
+

@@ -1,0 +1,179 @@
+//! Occlusion by derivative, as reported (section 15.2), of real parts.
+//!
+//! **Latch.** Set while the comparator behind the differentiator says that elevation falls; then reset by the comparator
+//! of elevation against hold. Set wins: a blank that comes a little early at a crest stays, and does not free the
+//! ground behind it. The comparator against the hold begins low with every hold.
+
+use parts::{Comparator, ComparatorState, Differentiator, SampleHold, SecondOrderState};
+use signal::Real;
+
+use crate::wired::figures::{DERIVATIVE, Figures};
+use crate::wired::lane::{Beam, Held, Output, Wire};
+
+/// The circuit, for one step length.
+#[derive(Debug, Clone)]
+pub(crate) struct Derivative<S> {
+    differentiator: Differentiator<S>,
+    /// Steps by which the nominal differentiator is late; everything else is delayed by as much.
+    late: f64,
+    falling: Comparator<S>,
+    returning: Comparator<S>,
+    hold: SampleHold<S>,
+}
+
+impl<S: Real> Derivative<S> {
+    pub fn new(h: f64, figures: &Figures<'_>) -> Self {
+        let [lag, nominal] = figures.derivative_lags("dpp.derivative.bandwidth");
+        let (falling, returning) = ("dpp.derivative.comparator", "dpp.hold.comparator");
+        let against_hold = figures.comparator(returning, figures.noise());
+        Self {
+            differentiator: Differentiator::new(h, DERIVATIVE, lag),
+            late: lateness(h, nominal),
+            falling: Comparator::new(h, &figures.falling(falling), figures.source(falling)),
+            returning: Comparator::new(h, &against_hold, figures.source(returning)),
+            hold: SampleHold::new(h, &figures.sample_hold("dpp.hold")),
+        }
+    }
+
+    /// Runs a sweep; `outputs` are scratch for both comparators, `hold` takes what the sample-and-hold has at each
+    /// sample.
+    pub fn run(&self, wire: &Wire<'_, S>, outputs: &mut [Output; 2], mut beam: Beam<'_>, mut hold: impl FnMut(S)) {
+        let Some(last) = wire.end.checked_sub(1) else { return };
+        let [falling, returning] = outputs;
+        self.list_falls(wire, falling);
+        let mut latch = Latch { circuit: self, wire, falling, returning, memory: Memory::Open(wire.at(0)) };
+        hold(wire.at(0));
+        for sample in 1..=last {
+            latch.step(sample, &mut beam);
+            hold(latch.value(sample as f64));
+        }
+        beam.turn_off(last as f64);
+    }
+
+    /// Trips of the comparator behind the differentiator do not depend on the hold: all of a sweep come first.
+    fn list_falls(&self, wire: &Wire<'_, S>, falling: &mut Output) {
+        falling.reset(false);
+        let mut poles = SecondOrderState { y: wire.at(0), rate: S::ZERO };
+        let (mut comparator, mut before) = (ComparatorState::default(), S::ZERO);
+        for sample in 1..wire.end {
+            let rate = self.differentiator.step(&mut poles, wire.at(sample - 1), wire.at(sample));
+            let address = (wire.sweep, sample);
+            self.falling.step(&mut comparator, address, -before, -rate, &mut falling.trips);
+            before = rate;
+        }
+        falling.trips.iter_mut().for_each(|trip| trip.at.0 -= self.late);
+    }
+}
+
+/// Steps by which the differentiator's output at the samples is behind the slope of a parabola, of which it sees the
+/// chords: `1/2 + q / (1 - q) + r q / (1 - q)^2`, `r = h / tau_f`, `q = e^-r`, which is `2 tau_f / h` for long lags.
+pub(crate) fn lateness(h: f64, lag: f64) -> f64 {
+    if lag == 0.0 {
+        return 0.5;
+    }
+    let ratio = h / lag;
+    let left = -libm::expm1(-ratio);
+    let kept = libm::exp(-ratio) / left;
+    0.5 + kept + ratio * kept / left
+}
+
+/// The sample-and-hold of one sweep.
+#[derive(Debug, Clone, Copy)]
+enum Memory<S> {
+    /// Beam on: the tracked value.
+    Open(S),
+    /// Beam off.
+    Blanked(Held<S>, ComparatorState),
+}
+
+struct Latch<'a, S> {
+    circuit: &'a Derivative<S>,
+    wire: &'a Wire<'a, S>,
+    falling: &'a mut Output,
+    returning: &'a mut Output,
+    memory: Memory<S>,
+}
+
+impl<S: Real> Latch<'_, S> {
+    fn value(&self, time: f64) -> S {
+        match self.memory {
+            Memory::Open(tracked) => tracked,
+            Memory::Blanked(held, _) => held.at(&self.circuit.hold, time),
+        }
+    }
+
+    /// The step to `sample`, event by event.
+    fn step(&mut self, sample: usize, beam: &mut Beam<'_>) {
+        let end = sample as f64;
+        let mut now = end - 1.0;
+        if let Memory::Blanked(held, comparator) = self.memory {
+            self.compare(sample, held, comparator, now);
+        }
+        loop {
+            match self.memory {
+                Memory::Open(tracked) => {
+                    let at = self.next_fall(end).map(|at| at.max(now));
+                    let span = [now, at.unwrap_or(end)];
+                    let tracked = self.wire.track(&self.circuit.hold, sample, tracked, span);
+                    self.memory = Memory::Open(tracked);
+                    let Some(at) = at else { break };
+                    beam.turn_off(at);
+                    self.blank(sample, tracked, at);
+                    now = at;
+                }
+                Memory::Blanked(held, _) => {
+                    let Some(at) = self.next_release(end).map(|at| at.max(now)) else { break };
+                    beam.turn_on(at);
+                    self.memory = Memory::Open(held.at(&self.circuit.hold, at));
+                    now = at;
+                }
+            }
+        }
+    }
+
+    fn blank(&mut self, sample: usize, taken: S, since: f64) {
+        self.returning.reset(false);
+        self.compare(sample, Held { taken, since }, ComparatorState::default(), since);
+    }
+
+    /// Feeds the comparator with elevation less hold over the step, as from `now` on.
+    fn compare(&mut self, sample: usize, held: Held<S>, mut comparator: ComparatorState, now: f64) {
+        let [start, end] = held.gap(&self.circuit.hold, self.wire, sample);
+        let share = S::from_f64(now - (sample as f64 - 1.0));
+        let from = start + (end - start) * share;
+        // What lay above the hold before it was taken is not seen.
+        let start = if start < from { start } else { from };
+        let address = (self.wire.sweep, sample);
+        self.circuit.returning.step(&mut comparator, address, start, end, &mut self.returning.trips);
+        self.memory = Memory::Blanked(held, comparator);
+    }
+
+    /// When elevation is found to fall, if before `end`.
+    fn next_fall(&mut self, end: f64) -> Option<f64> {
+        let at = self.falling.next_at();
+        if at > end {
+            return None;
+        }
+        self.falling.advance();
+        if self.falling.is_high() { Some(at) } else { self.next_fall(end) }
+    }
+
+    /// When elevation has returned to the hold and does not fall, if before `end`.
+    fn next_release(&mut self, end: f64) -> Option<f64> {
+        loop {
+            let next = if self.falling.next_at() <= self.returning.next_at() {
+                &mut *self.falling
+            } else {
+                &mut *self.returning
+            };
+            let at = next.next_at();
+            if at > end {
+                return None;
+            }
+            next.advance();
+            if self.returning.is_high() && !self.falling.is_high() {
+                return Some(at);
+            }
+        }
+    }
+}

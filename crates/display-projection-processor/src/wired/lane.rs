@@ -1,0 +1,112 @@
+//! One sweep as the occlusion circuits see it, and what they make of it.
+
+use parts::{SampleHold, Trip};
+use signal::{Lanes, Real};
+
+/// The elevation of one sweep, in straight lines between its samples.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Wire<'a, S> {
+    pub elevation: &'a [Lanes<S>],
+    pub lane: usize,
+    /// Samples of the profile.
+    pub end: usize,
+    /// Counted over all frames: the address of noise.
+    pub sweep: u64,
+}
+
+impl<S: Real> Wire<'_, S> {
+    pub fn at(&self, sample: usize) -> S {
+        self.elevation[sample][self.lane]
+    }
+
+    /// The elevation at `time` within the step to `sample`, and its change in a step.
+    pub fn line(&self, sample: usize, time: f64) -> [S; 2] {
+        let (before, now) = (self.at(sample - 1), self.at(sample));
+        let change = now - before;
+        [before + change * S::from_f64(time - (sample as f64 - 1.0)), change]
+    }
+
+    /// What a sample-and-hold has tracked at `to`, from `tracked` at `from`, both within the step to `sample`.
+    pub fn track(&self, part: &SampleHold<S>, sample: usize, tracked: S, [from, to]: [f64; 2]) -> S {
+        if to - from == 1.0 {
+            return part.track(tracked, self.at(sample - 1), self.at(sample));
+        }
+        let [start, change] = self.line(sample, from);
+        part.tracked(tracked, start, start + change, to - from)
+    }
+}
+
+/// What the sample-and-hold has while the beam is off.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Held<S> {
+    /// Tracked value that it took.
+    pub taken: S,
+    /// When.
+    pub since: f64,
+}
+
+impl<S: Real> Held<S> {
+    pub fn at(&self, part: &SampleHold<S>, time: f64) -> S {
+        part.held(self.taken, S::from_f64(time - self.since))
+    }
+
+    /// Elevation less hold at both ends of the step to `sample`.
+    pub fn gap(&self, part: &SampleHold<S>, wire: &Wire<'_, S>, sample: usize) -> [S; 2] {
+        let less_hold = |sample: usize| wire.at(sample) - self.at(part, sample as f64);
+        [less_hold(sample - 1), less_hold(sample)]
+    }
+}
+
+/// Trips of a comparator that have not come yet, and its output by those that have.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Output {
+    pub trips: Vec<Trip>,
+    next: usize,
+    high: bool,
+}
+
+impl Output {
+    pub fn reset(&mut self, high: bool) {
+        self.trips.clear();
+        (self.next, self.high) = (0, high);
+    }
+
+    /// When the next trip comes.
+    pub fn next_at(&self) -> f64 {
+        self.trips.get(self.next).map_or(f64::INFINITY, |trip| trip.at.0)
+    }
+
+    pub fn advance(&mut self) {
+        self.high = self.trips[self.next].high;
+        self.next += 1;
+    }
+
+    pub fn is_high(&self) -> bool {
+        self.high
+    }
+}
+
+/// Where the beam of a sweep is on, as it comes about.
+#[derive(Debug)]
+pub(crate) struct Beam<'a> {
+    pub on: &'a mut Vec<[f64; 2]>,
+    since: Option<f64>,
+}
+
+impl<'a> Beam<'a> {
+    /// On from the first sample.
+    pub fn begin(on: &'a mut Vec<[f64; 2]>) -> Self {
+        on.clear();
+        Self { on, since: Some(0.0) }
+    }
+
+    pub fn turn_on(&mut self, at: f64) {
+        self.since = Some(at);
+    }
+
+    pub fn turn_off(&mut self, at: f64) {
+        if let Some(since) = self.since.take().filter(|&since| since < at) {
+            self.on.push([since, at]);
+        }
+    }
+}

@@ -1,0 +1,127 @@
+//! Occlusion by comparison with the highest elevation so far, of real parts.
+//!
+//! **Circuit.** While the beam is on, the sample-and-hold tracks what rises (a diode stands before it). One comparator
+//! of elevation against hold turns the beam off and on. While it tracks, noise is on both of its inputs and does not
+//! count; against the held value it does.
+
+use parts::{Comparator, ComparatorState, SampleHold};
+use signal::Real;
+
+use crate::wired::figures::Figures;
+use crate::wired::lane::{Beam, Held, Output, Wire};
+
+/// The circuit, for one step length.
+#[derive(Debug, Clone)]
+pub(crate) struct PeakHold<S> {
+    tracking: Comparator<S>,
+    holding: Comparator<S>,
+    hold: SampleHold<S>,
+}
+
+impl<S: Real> PeakHold<S> {
+    pub fn new(h: f64, figures: &Figures<'_>) -> Self {
+        let part = "dpp.hold.comparator";
+        let comparator =
+            |noise: f64| Comparator::new(h, &figures.comparator(part, noise), figures.source(part));
+        Self {
+            tracking: comparator(0.0),
+            holding: comparator(figures.noise()),
+            hold: SampleHold::new(h, &figures.sample_hold("dpp.hold")),
+        }
+    }
+
+    /// Runs a sweep; `output` is scratch, `hold` takes what the sample-and-hold has at each sample.
+    pub fn run(&self, wire: &Wire<'_, S>, output: &mut Output, mut beam: Beam<'_>, mut hold: impl FnMut(S)) {
+        let Some(last) = wire.end.checked_sub(1) else { return };
+        output.reset(true);
+        let comparator = ComparatorState { high: true, passing: None };
+        let mut detector = Detector { circuit: self, wire, output, comparator, memory: Memory::Open(wire.at(0)) };
+        hold(wire.at(0));
+        for sample in 1..=last {
+            detector.step(sample, &mut beam);
+            hold(detector.value(sample as f64));
+        }
+        beam.turn_off(last as f64);
+    }
+}
+
+#[derive(Debug, Clone, Copy)]
+enum Memory<S> {
+    /// Beam on: the highest tracked value.
+    Open(S),
+    /// Beam off.
+    Blanked(Held<S>),
+}
+
+struct Detector<'a, S> {
+    circuit: &'a PeakHold<S>,
+    wire: &'a Wire<'a, S>,
+    output: &'a mut Output,
+    comparator: ComparatorState,
+    memory: Memory<S>,
+}
+
+impl<S: Real> Detector<'_, S> {
+    fn value(&self, time: f64) -> S {
+        match self.memory {
+            Memory::Open(peak) => peak,
+            Memory::Blanked(held) => held.at(&self.circuit.hold, time),
+        }
+    }
+
+    /// The step to `sample`: the comparator first, then its trips. A trip within the step changes what it compares from
+    /// the next step on.
+    fn step(&mut self, sample: usize, beam: &mut Beam<'_>) {
+        self.compare(sample);
+        let end = sample as f64;
+        let mut now = end - 1.0;
+        while self.output.next_at() <= end {
+            let at = self.output.next_at().max(now);
+            self.output.advance();
+            self.rise(sample, [now, at]);
+            self.turn(at, beam);
+            now = at;
+        }
+        self.rise(sample, [now, end]);
+    }
+
+    fn compare(&mut self, sample: usize) {
+        let Self { circuit, wire, .. } = *self;
+        let (part, gap) = match self.memory {
+            Memory::Open(peak) => {
+                let risen = self.risen(peak, sample, [sample as f64 - 1.0, sample as f64]);
+                // A rise through the peak counts where it happens, and the peak follows it.
+                let rises = risen > peak;
+                let against = if rises && wire.at(sample - 1) < peak { peak } else { risen };
+                (&circuit.tracking, [wire.at(sample - 1) - peak, wire.at(sample) - against])
+            }
+            Memory::Blanked(held) => (&circuit.holding, held.gap(&circuit.hold, wire, sample)),
+        };
+        let address = (wire.sweep, sample);
+        part.step(&mut self.comparator, address, gap[0], gap[1], &mut self.output.trips);
+    }
+
+    fn turn(&mut self, at: f64, beam: &mut Beam<'_>) {
+        match self.memory {
+            Memory::Open(taken) if !self.output.is_high() => {
+                beam.turn_off(at);
+                self.memory = Memory::Blanked(Held { taken, since: at });
+            }
+            Memory::Blanked(held) if self.output.is_high() => {
+                beam.turn_on(at);
+                self.memory = Memory::Open(held.at(&self.circuit.hold, at));
+            }
+            _ => {}
+        }
+    }
+
+    fn rise(&mut self, sample: usize, span: [f64; 2]) {
+        if let Memory::Open(peak) = self.memory {
+            self.memory = Memory::Open(self.risen(peak, sample, span));
+        }
+    }
+
+    fn risen(&self, peak: S, sample: usize, span: [f64; 2]) -> S {
+        self.wire.track(&self.circuit.hold, sample, peak, span).at_least(peak)
+    }
+}

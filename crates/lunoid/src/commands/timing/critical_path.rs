@@ -1,0 +1,287 @@
+//! The chain of waits that ends at the worst deadline of each kind.
+
+use generator::Stage;
+use hardware_model::{CrossingServer, Loader};
+use quantities::{SweepClock, SweepTime};
+use rayon::ThreadPool;
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+use scenario::Pose;
+use serde::Serialize;
+use sweep_program::{Colour, PreloadRegister, RampAxis};
+use timing::{Deadline, FrameTiming};
+
+use super::sets::{Crossing, RegisterSet, sets_of};
+use super::sweeps::{LevelOfSweeps, Place, Sweeps, blank_program};
+
+/// Words of a set.
+const SET: u32 = 9;
+
+/// From what starts a piece of work to the instant at which it is due.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Chain {
+    /// Which deadline.
+    pub deadline: Deadline,
+    /// What is due, and where.
+    pub what: String,
+    /// Unit by unit; the sum of their ticks and of the slack is the time there was.
+    pub links: Vec<Link>,
+    /// What is left (master ticks); below 0 it is missed, none if it never came.
+    pub slack: Option<i64>,
+}
+
+/// One unit's part.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Link {
+    /// Block first: `loader.red`, `cpu`.
+    pub unit: String,
+    /// What it does.
+    pub what: String,
+    /// Master ticks.
+    pub ticks: i64,
+}
+
+fn link(unit: impl Into<String>, what: impl Into<String>, ticks: i64) -> Link {
+    Link { unit: unit.into(), what: what.into(), ticks }
+}
+
+impl Chain {
+    /// Lines of text; `ns` is the length of a tick (ns).
+    pub fn text(&self, ns: f64) -> String {
+        let line = |unit: &str, what: &str, ticks: i64| {
+            format!("  {unit:<16} {ticks:>9} ticks {:>12.1} ns  {what}\n", ticks as f64 * ns)
+        };
+        let links: String = self.links.iter().map(|link| line(&link.unit, &link.what, link.ticks)).collect();
+        let last = match self.slack {
+            Some(slack) if slack < 0 => line("= late", "", -slack),
+            Some(slack) => line("= slack", "", slack),
+            None => "  = never\n".into(),
+        };
+        format!("{}: {}\n{links}{last}", self.deadline, self.what)
+    }
+}
+
+/// The chains of one frame, in the order of [`Deadline::ALL`].
+pub fn chains(stage: &Stage, pool: &ThreadPool, pose: &Pose, frame: &FrameTiming) -> Vec<Chain> {
+    let transfer = || pool.install(|| worst_transfer(stage, pose, frame.frame));
+    let of = |deadline: &Deadline| match deadline {
+        Deadline::Transfer => transfer(),
+        Deadline::SweepSetUp => set_up(stage, frame),
+        Deadline::FrameTasks => frame_tasks(stage, pose, frame),
+        Deadline::Corner => corner(frame),
+    };
+    Deadline::ALL.iter().filter(|deadline| frame.deadlines.contains_key(deadline)).filter_map(of).collect()
+}
+
+/// A set and where it is.
+struct Found<'a> {
+    slack: f64,
+    of: LevelOfSweeps<'a>,
+    sweep: u32,
+    index: usize,
+}
+
+/// The set that comes latest for its use, of all sweeps and levels; the first of several.
+fn worst_transfer(stage: &Stage, pose: &Pose, frame: u64) -> Option<Chain> {
+    let sweeps = Sweeps::new(stage);
+    let worst_of = |sweep: u32| {
+        let place = Place { frame, pose, sweep };
+        sweeps.levels().into_iter().filter_map(|of| worst_of_sweep(&sweeps, of, place)).reduce(worse)
+    };
+    let all: Vec<_> = (0..stage.settings.raster.sweeps).into_par_iter().filter_map(worst_of).collect();
+    let Found { of, sweep, index, .. } = all.into_iter().reduce(worse)?;
+    let sets = sets(&sweeps, &of, Place { frame, pose, sweep });
+    Some(Explained { sweeps: &sweeps, clock: stage.settings.timebase.sweep_clock(frame, sweep), of, sweep }.chain(&sets, index))
+}
+
+fn worse<'a>(a: Found<'a>, b: Found<'a>) -> Found<'a> {
+    if b.slack < a.slack { b } else { a }
+}
+
+fn sets(sweeps: &Sweeps<'_>, of: &LevelOfSweeps<'_>, place: Place<'_>) -> Vec<RegisterSet> {
+    let (mut program, mut sets) = (blank_program(), Vec::new());
+    sweeps.write(of, place, &mut program);
+    sets_of(&program, sweeps.loader().is_wired_through(), &mut sets);
+    sets
+}
+
+fn worst_of_sweep<'a>(sweeps: &Sweeps<'a>, of: LevelOfSweeps<'a>, place: Place<'_>) -> Option<Found<'a>> {
+    let used = sets(sweeps, &of, place).into_iter().enumerate().filter(|(_, set)| set.used.is_some());
+    let found = used.map(|(index, set)| {
+        let slack = set.slack().unwrap_or(f64::NEG_INFINITY);
+        Found { slack, of, sweep: place.sweep, index }
+    });
+    found.reduce(worse)
+}
+
+/// A sweep whose sets are being explained.
+struct Explained<'a> {
+    sweeps: &'a Sweeps<'a>,
+    clock: SweepClock,
+    of: LevelOfSweeps<'a>,
+    sweep: u32,
+}
+
+impl Explained<'_> {
+    fn chain(&self, sets: &[RegisterSet], index: usize) -> Chain {
+        let set = &sets[index];
+        let asked = self.seen(set.asked.time);
+        let due = set.used.map_or(asked, |used| self.due(used.time));
+        let came = set.came.map(|came| self.arrival(came));
+        let links = match came {
+            Some(came) => self.links(sets, index, asked, came),
+            None => vec![self.wait(sets, index, asked, due)],
+        };
+        Chain { deadline: Deadline::Transfer, what: self.what(set), links, slack: came.map(|came| due - came) }
+    }
+
+    fn what(&self, set: &RegisterSet) -> String {
+        let Self { of, sweep, .. } = self;
+        let used = set.used.map_or(String::new(), |used| format!(", due at {}", crossing_text(&used)));
+        let asked = crossing_text(&set.asked);
+        format!("{} level, sweep {sweep}: {}, asked for at {asked}{used}", of.name, name(set))
+    }
+
+    fn links(&self, sets: &[RegisterSet], index: usize, asked: i64, came: i64) -> Vec<Link> {
+        let loader = self.sweeps.loader();
+        let unit = unit_of(loader, sets[index].colour);
+        let access = accesses(loader) * loader.access as i64;
+        let begin = came - loader.strobe as i64 - access - loader.pointer as i64;
+        let words = loader.words_per_access.min(SET);
+        [
+            self.wait(sets, index, asked, begin),
+            link(&unit, "pointer arithmetic", loader.pointer as i64),
+            link(&unit, format!("{} accesses of {words} words", accesses(loader)), access),
+            link(&unit, "strobe", loader.strobe as i64),
+        ]
+        .into_iter()
+        .filter(|link| link.ticks != 0)
+        .collect()
+    }
+
+    /// What the line of the loader does from `asked` until it takes this set up, or until it is given up.
+    fn wait(&self, sets: &[RegisterSet], index: usize, asked: i64, until: i64) -> Link {
+        let loader = self.sweeps.loader();
+        let strobe = loader.strobe as i64;
+        let unit = unit_of(loader, sets[index].colour);
+        let is_before = |set: &&RegisterSet| {
+            let done = set.came.map(|came| self.arrival(came) - strobe);
+            unit_of(loader, set.colour) == unit && done.is_some_and(|done| done > asked && done <= until)
+        };
+        let mut before: Vec<&RegisterSet> = sets.iter().filter(is_before).collect();
+        before.sort_by_key(|set| set.came.map(|came| self.arrival(came)));
+        let names: Vec<String> =
+            before.iter().map(|set| format!("{} of crossing {}", name(set), set.asked.number)).collect();
+        let server = loader.served_by == CrossingServer::CpuInterrupt;
+        let what = match (names.is_empty(), server) {
+            (true, false) => "waits".to_owned(),
+            (true, true) => "interrupt recognised".to_owned(),
+            (false, _) => format!("waits behind {}", names.join(", ")),
+        };
+        link(unit, what, until - asked)
+    }
+
+    fn seen(&self, time: SweepTime) -> i64 {
+        self.clock.tick_at_or_after(time).0 as i64
+    }
+
+    /// The last tick that is in time.
+    fn due(&self, time: SweepTime) -> i64 {
+        let seen = self.clock.tick_at_or_after(time);
+        seen.0 as i64 - i64::from(self.clock.instant_of(seen) > time)
+    }
+
+    /// An instant that a tick was turned into, as that tick.
+    fn arrival(&self, time: SweepTime) -> i64 {
+        let half = 0.5 / self.sweeps.settings().timebase.ticks_per_sample();
+        self.seen(SweepTime(time.0 - half))
+    }
+}
+
+fn accesses(loader: &Loader) -> i64 {
+    i64::from(SET.div_ceil(loader.words_per_access))
+}
+
+/// The unit whose line a colour waits in; the same words as in the record.
+fn unit_of(loader: &Loader, colour: Colour) -> String {
+    match loader.served_by {
+        CrossingServer::WiredPointers => format!("loader.{}", colour_word(colour)),
+        CrossingServer::IoProcessor => "io-processor".into(),
+        CrossingServer::CpuInterrupt => "cpu".into(),
+    }
+}
+
+/// Colour and register, as in the record.
+pub fn name(set: &RegisterSet) -> String {
+    format!("{} {}", colour_word(set.colour), register_word(set.register))
+}
+
+/// As in the record.
+pub fn colour_word(colour: Colour) -> &'static str {
+    match colour {
+        Colour::Yellow => "yellow",
+        Colour::Green => "green",
+        Colour::Black => "black",
+        Colour::Red => "red",
+    }
+}
+
+/// As in the record.
+pub fn register_word(register: PreloadRegister) -> &'static str {
+    match register {
+        PreloadRegister::XFirst => "x-first",
+        PreloadRegister::YFirst => "y-first",
+    }
+}
+
+fn crossing_text(crossing: &Crossing) -> String {
+    let axis = if crossing.fold.axis == RampAxis::X { "X" } else { "Y" };
+    format!("crossing {} ({axis} stop, {:.1} m)", crossing.number, crossing.range)
+}
+
+/// The worst set-up: it begins with the sweep before, behind interrupts and set-ups that run over.
+fn set_up(stage: &Stage, frame: &FrameTiming) -> Option<Chain> {
+    let slack = frame.deadlines.get(&Deadline::SweepSetUp)?.least?;
+    let settings = &stage.settings;
+    let period = (frame.ticks / u64::from(settings.raster.sweeps)) as i64;
+    let own = settings.cpu.sweep_setup as i64;
+    let late = frame.misses.iter().find(|missed| missed.deadline == Deadline::SweepSetUp);
+    let what = late.map_or("program of a sweep".into(), |missed| format!("program of sweep {}", missed.sweep));
+    let links = vec![
+        link("cpu", "interrupts and set-ups before it", period - own - slack),
+        link("cpu", "set-up", own),
+    ];
+    Some(Chain { deadline: Deadline::SweepSetUp, what, links, slack: Some(slack) })
+}
+
+/// Tables and polyhedra fill what crossings and set-ups leave.
+fn frame_tasks(stage: &Stage, pose: &Pose, frame: &FrameTiming) -> Option<Chain> {
+    let slack = frame.deadlines.get(&Deadline::FrameTasks)?.least?;
+    let cpu = &stage.settings.cpu;
+    let count: usize = match cpu.vertex {
+        0 => 0,
+        _ => stage.scenery.bodies(pose.time).map(|body| body.vertices.len()).sum(),
+    };
+    let (tables, vertices) = (cpu.frame_tables as i64, cpu.vertex as i64 * count as i64);
+    let before = frame.ticks as i64 - tables - vertices - slack;
+    let links = vec![
+        link("cpu", "set-ups of sweeps, interrupts, idle", before),
+        link("cpu", "visibility and tables", tables),
+        link("cpu", format!("{count} vertices of polyhedra"), vertices),
+    ];
+    let what = "tables and polyhedra of the next frame".into();
+    Some(Chain { deadline: Deadline::FrameTasks, what, links, slack: Some(slack) })
+}
+
+/// A record that the storage buffer does not hold waits for its drum.
+fn corner(frame: &FrameTiming) -> Option<Chain> {
+    let slack = frame.deadlines.get(&Deadline::Corner)?.least?;
+    let worst = frame.misses.iter().find(|missed| missed.deadline == Deadline::Corner)?;
+    let [m, n] = worst.region?;
+    let drums = frame.units.iter().filter(|unit| unit.unit.starts_with("drum."));
+    let links = drums.map(|unit| {
+        let what = format!("at work in this frame, longest queue {}", unit.longest_queue);
+        link(&unit.unit, what, unit.busy as i64)
+    });
+    let what = format!("corner {m} {n} and others, first asked for in sweep {}", worst.sweep);
+    Some(Chain { deadline: Deadline::Corner, what, links: links.collect(), slack: Some(slack) })
+}

@@ -1,0 +1,124 @@
+//! One sweep as a timeline: what its registers wait for, below the ramps.
+
+use std::path::Path;
+
+use ::plots::{Axis, EventLane, Panel, Span as Bar, Stops, Stretch, Timeline, Trace, TraceLook, timeline_picture};
+use quantities::SweepTime;
+use sweep_program::{Colour, PreloadRegister, RampAxis, StepKind, SweepProgram};
+
+use super::critical_path::{colour_word, register_word};
+use super::sets::{RegisterSet, sets_of};
+use super::sweeps::{LevelOfSweeps, Place, Sweeps, blank_program};
+use crate::Failure;
+
+/// A sweep that has been timed.
+pub struct SweepTimeline<'a> {
+    sweeps: &'a Sweeps<'a>,
+    of: LevelOfSweeps<'a>,
+    place: Place<'a>,
+    program: SweepProgram,
+    sets: Vec<RegisterSet>,
+}
+
+impl<'a> SweepTimeline<'a> {
+    /// Times a sweep over one level.
+    pub fn new(sweeps: &'a Sweeps<'a>, of: LevelOfSweeps<'a>, place: Place<'a>) -> Self {
+        let (mut program, mut sets) = (blank_program(), Vec::new());
+        sweeps.write(&of, place, &mut program);
+        sets_of(&program, sweeps.loader().is_wired_through(), &mut sets);
+        Self { sweeps, of, place, program, sets }
+    }
+
+    /// Draws it over `range` (m), or over all of the sweep.
+    pub fn draw(&self, title: &str, range: Option<[f64; 2]>, path: &Path) -> Result<(), Failure> {
+        let end = self.program.end_range;
+        let window = range.unwrap_or([0.0, end]);
+        let (x, ramps) = self.ramps(window);
+        let traces = ["sweep.x", "sweep.y"].into_iter().zip(&ramps).map(|(name, y)| Trace { name, x: &x, y });
+        let panel = Panel { axis: Axis::new("ramp (regions)").over([-0.05, 1.05]), traces: traces.collect() };
+        let timeline = Timeline {
+            x: Axis::new("ground range (m)").over(window),
+            panels: vec![panel],
+            stops: [RampAxis::X, RampAxis::Y].map(|axis| self.stops(axis)).into(),
+            lanes: self.lanes(),
+        };
+        let look = TraceLook { facts: vec![self.facts()], width: 1200, height: 180, ..TraceLook::titled(title) };
+        let picture = timeline_picture(&timeline, &look).map_err(Failure::usage)?;
+        picture.write(path).map_err(Failure::output)
+    }
+
+    fn facts(&self) -> String {
+        let late = self.sets.iter().filter(|set| set.late).count();
+        let used = self.sets.iter().filter(|set| set.used.is_some()).count();
+        let (crossings, level) = (self.crossings().count(), self.of.name);
+        let Place { frame, sweep, .. } = self.place;
+        format!(
+            "frame {frame}, sweep {sweep}, {level} level: {crossings} crossings, {used} sets used, {late} of them late; every \
+             corner in the storage buffer"
+        )
+    }
+
+    /// Ranges and axes of the folds.
+    fn crossings(&self) -> impl Iterator<Item = (f64, RampAxis)> {
+        self.program.steps.iter().filter_map(|step| match step.kind {
+            StepKind::Fold(fold) | StepKind::BareFold(fold) => Some((step.range, fold.axis)),
+            StepKind::Load(_) => None,
+        })
+    }
+
+    fn stops(&self, axis: RampAxis) -> Stops {
+        let name = if axis == RampAxis::X { "X stop" } else { "Y stop" };
+        Stops { name: name.into(), at: self.crossings().filter(|&(_, of)| of == axis).map(|(at, _)| at).collect() }
+    }
+
+    /// Places within `window`, all folds among them, and both ramps there.
+    fn ramps(&self, [low, high]: [f64; 2]) -> (Vec<f64>, [Vec<f64>; 2]) {
+        let samples = self.sweeps.table.ranges().iter().copied();
+        let folds = self.crossings().map(|(range, _)| range);
+        let end = self.program.end_range.min(high);
+        let mut x: Vec<f64> =
+            samples.chain(folds).chain([low, end]).filter(|&range| range >= low && range <= end).collect();
+        x.sort_by(f64::total_cmp);
+        let ramps = [RampAxis::X, RampAxis::Y].map(|axis| {
+            let ramp = self.program.start.ramps[usize::from(axis == RampAxis::Y)];
+            let folds: Vec<f64> = self.crossings().filter(|&(_, of)| of == axis).map(|(at, _)| at).collect();
+            let value = |&range: &f64| {
+                let passed = folds.partition_point(|&fold| fold <= range) as u32;
+                ramp.at(passed, range / self.of.level.region_size()).0
+            };
+            x.iter().map(value).collect()
+        });
+        (x, ramps)
+    }
+
+    /// Two lanes a colour.
+    fn lanes(&self) -> Vec<EventLane> {
+        let registers = [PreloadRegister::XFirst, PreloadRegister::YFirst];
+        let all = Colour::ALL.into_iter().flat_map(|colour| registers.map(|register| (colour, register)));
+        all.map(|(colour, register)| {
+            let ours = self.sets.iter().filter(|set| set.colour == colour && set.register == register);
+            let name = format!("{} {}", colour_word(colour), register_word(register));
+            EventLane { name, spans: ours.flat_map(|set| self.bars(set)).collect() }
+        })
+        .collect()
+    }
+
+    /// On its way from the fold that asks, late from the fold that needs it, ready until it is used.
+    fn bars(&self, set: &RegisterSet) -> Vec<Bar> {
+        let end = self.program.end_range;
+        let asked = set.asked.range;
+        let used = set.used.map_or(end, |used| used.range);
+        let came = set.came.map_or(end, |came| self.range_at(came));
+        let bar = |from, to, stretch| Bar { from, to, stretch };
+        match (set.late, set.came) {
+            (true, _) => vec![bar(asked, used, Stretch::OnItsWay), bar(used, came, Stretch::Late)],
+            (false, Some(_)) => vec![bar(asked, came, Stretch::OnItsWay), bar(came, used, Stretch::Ready)],
+            // Dropped, since its colour has moved on.
+            (false, None) => Vec::new(),
+        }
+    }
+
+    fn range_at(&self, time: SweepTime) -> f64 {
+        self.sweeps.table.range_at(time).min(self.program.end_range)
+    }
+}
