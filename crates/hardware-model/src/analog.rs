@@ -37,8 +37,6 @@ pub struct AnalogParts {
     pub memory: MemoryParts,
     /// Bandwidth of the video behind the mixing unit (Hz); none is lost if `None`.
     pub video_bandwidth: Option<f64>,
-    /// The motor of the deflection yoke.
-    pub roll: RollParts,
 }
 
 /// Sweep generator (hardware section 3.1).
@@ -191,15 +189,6 @@ pub enum WriteCompensation {
     Off,
 }
 
-/// Mechanics of the deflection yoke (hardware section 3.9).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RollParts {
-    /// Natural frequency (Hz); it follows its steps at once if `None`.
-    pub natural: Option<f64>,
-    /// Damping, of critical; read with a natural frequency alone.
-    pub damping: f64,
-}
-
 impl AnalogParts {
     /// Every part does its algebra: full scale 1 V, nothing else is there.
     pub const fn ideal() -> Self {
@@ -219,7 +208,6 @@ impl AnalogParts {
             projection: ProjectionParts::IDEAL,
             memory: MemoryParts::IDEAL,
             video_bandwidth: None,
-            roll: RollParts::IDEAL,
         }
     }
 }

@@ -25,7 +25,7 @@ mod written;
 
 pub use analog::{
     AmplifierParts, AnalogParts, ComparatorParts, FoldDetect, FunctionGeneratorParts, MemoryParts,
-    MultiplierParts, MultiplyingDacParts, ProjectionParts, ReflectivityParts, RollParts, SMOOTHER_DAMPING,
+    MultiplierParts, MultiplyingDacParts, ProjectionParts, ReflectivityParts, SMOOTHER_DAMPING,
     SampleHoldParts, SweepParts, VideoSwitchParts, WriteCompensation,
 };
 pub use budget::{

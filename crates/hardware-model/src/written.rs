@@ -28,8 +28,8 @@ pub(crate) fn model(root: &Reader, name: String) -> Option<HardwareModel> {
     let buffer = root.table("buffer").map(|table| digital::data_banks(drum.flatten().flatten(), &table));
     let spread = root.table("spread");
     let seed = spread.as_ref().map(|table| table.u64("seed").required());
-    let (dpp, memory, roll) = (root.table("dpp"), root.table("sweep_memory"), root.table("roll"));
-    let shared = SharedTables { spread: &spread, dpp: &dpp, memory: &memory, roll: &roll };
+    let (dpp, memory) = (root.table("dpp"), root.table("sweep_memory"));
+    let shared = SharedTables { spread: &spread, dpp: &dpp, memory: &memory };
     let analog = analog::analog(root, &shared);
     let kind = memory.as_ref().map(sweep_memory);
     let features = root.table("feature_generator");
@@ -37,7 +37,7 @@ pub(crate) fn model(root: &Reader, name: String) -> Option<HardwareModel> {
     let shadows = root.table("shadow_controller").map(|table| blocks::shadow_controller(&table));
     let mixing = root.table("mixing_unit");
     let polyhedra = root.table("polyhedron_generator");
-    let yoke = roll.as_ref().map(blocks::yoke);
+    let yoke = root.table("roll").map(|table| blocks::yoke(&table));
     let laws = laws(&LawTables { dpp, memory, features: &features, mixing: &mixing, polyhedra });
     let feature_generator = features.as_ref().map(blocks::feature_generator);
     let mixing_unit = mixing.as_ref().map(blocks::mixing_unit);

@@ -106,7 +106,7 @@ fn units_of_the_analog_parts() {
         (analog.memory.registration, 0.007),
         (analog.memory.deflection.unwrap(), 3e6),
         (analog.video_bandwidth.unwrap(), 12e6),
-        (analog.roll.natural.unwrap(), 90.0),
+        (model("pra-nominal").yoke.natural.unwrap(), 90.0),
         (model("pra-nominal").feature_words.unwrap(), 10e6),
     ];
     for (found, value) in pairs {

@@ -38,12 +38,14 @@ mod inputs;
 mod stretch;
 mod switch;
 mod unit;
+mod wired;
 
 use signal::{Lanes, Signal, Unit};
 
 pub use inputs::{FeatureInput, Inputs, Kink, Toggle, ToggleList};
 pub use switch::VideoSwitch;
 pub use unit::{Mixed, MixingUnit};
+pub use wired::{PartsMixer, SwitchScratch};
 
 /// Signals of the block.
 pub const SIGNALS: &[Signal] = &[

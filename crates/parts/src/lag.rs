@@ -35,8 +35,8 @@ impl<S: Real> LagStep<S> {
     /// Step of `h` seconds with time constant `tau` (s) for an input that is a straight line over the step.
     /// A part of a step is `LagStep::new(h * share, tau)`.
     pub fn new(h: f64, tau: f64) -> Self {
-        let ratio = ratio(h, tau);
-        Self::balanced(libm::exp(-ratio), ramp_share(ratio))
+        let [input, to_share] = straight(ratio(h, tau));
+        Self::balanced(1.0 - input, to_share)
     }
 
     /// Step of `h` seconds for an input that is u0 up to `share` (0..=1) of the step and u1 from there on.
@@ -108,23 +108,32 @@ fn ratio(h: f64, tau: f64) -> f64 {
     if h == 0.0 { 0.0 } else { h / tau }
 }
 
-/// `(1 - f) / (1 - e^-r)`, `f = (1 - e^-r) / r`: share of the end point in the weight of a straight input, 1/2..=1.
-fn ramp_share(ratio: f64) -> f64 {
-    let input = -libm::expm1(-ratio);
+/// `1 - e^-r`, and of it the share that the end point of a straight input has, `(1 - f) / (1 - e^-r)`: 1/2..=1.
+fn straight(ratio: f64) -> [f64; 2] {
     if ratio < 0.5 {
-        ramp_series(ratio) / input_over_ratio(ratio, input)
+        // 1 - f = r S and 1 - e^-r = r f, without the cancellation of the closed forms.
+        let series = ramp_series(ratio);
+        let f = 1.0 - ratio * series;
+        [ratio * f, series / f]
     } else {
-        (1.0 - input / ratio) / input
+        let input = 1.0 - libm::exp(-ratio);
+        [input, (1.0 - input / ratio) / input]
     }
 }
 
-/// `(1 - f) / r = 1/2 - r/6 + r^2/24 - ...`, without the cancellation of the closed form.
+/// `S = (1 - f) / r = 1/2 - r/6 + r^2/24 - ...`.
 fn ramp_series(ratio: f64) -> f64 {
-    (0..SERIES_TERMS).rev().fold(0.0, |sum, n| (1.0 - sum * ratio) / f64::from(n + 2))
+    INVERSES.iter().rev().fold(0.0, |sum, inverse| (1.0 - sum * ratio) * inverse)
 }
 
-const SERIES_TERMS: u32 = 16;
+/// 1/2, 1/3, ...: as many as a ratio of 1/2 needs.
+const INVERSES: [f64; 15] = {
+    let mut inverses = [0.0; 15];
+    let mut n = 0;
+    while n < inverses.len() {
+        inverses[n] = 1.0 / (n + 2) as f64;
+        n += 1;
+    }
+    inverses
+};
 
-fn input_over_ratio(ratio: f64, input: f64) -> f64 {
-    if ratio == 0.0 { 1.0 } else { input / ratio }
-}

@@ -2,8 +2,8 @@
 
 use super::{
     AmplifierParts, AnalogParts, ComparatorParts, FoldDetect, FunctionGeneratorParts, MemoryParts,
-    MultiplierParts, MultiplyingDacParts, ProjectionParts, ReflectivityParts, RollParts, SampleHoldParts,
-    SweepParts, VideoSwitchParts, WriteCompensation,
+    MultiplierParts, MultiplyingDacParts, ProjectionParts, ReflectivityParts, SampleHoldParts, SweepParts,
+    VideoSwitchParts, WriteCompensation,
 };
 
 impl SweepParts {
@@ -81,16 +81,6 @@ impl MemoryParts {
     }
 }
 
-impl RollParts {
-    /// Stands where its steps are.
-    pub const IDEAL: Self = Self { natural: None, damping: 1.0 };
-
-    /// Whether the yoke stands where its steps are.
-    pub fn is_ideal(&self) -> bool {
-        self.natural.is_none()
-    }
-}
-
 /// A block asks for its own parts alone; the full scale and the spread matter only where there is a part.
 impl AnalogParts {
     /// Whether the folded ramps are straight and turn at their stops.
@@ -128,12 +118,11 @@ impl AnalogParts {
             && self.amplifier.noise == 0.0
     }
 
-    /// Whether nothing analog can be seen in a picture.
+    /// Whether nothing analog can be seen in a picture; the yoke's mechanics are [`crate::Yoke`]'s.
     pub fn is_ideal(&self) -> bool {
         self.terrain_is_ideal()
             && self.mixing_is_ideal()
             && self.projection_is_ideal()
             && self.memory.is_ideal()
-            && self.roll.is_ideal()
     }
 }

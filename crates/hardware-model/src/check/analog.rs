@@ -170,11 +170,11 @@ fn memory(check: &mut Check) {
 }
 
 fn roll(check: &mut Check) {
-    let (roll, step) = (check.model.analog.roll, quantities::degrees(check.model.yoke.step));
+    let (yoke, step) = (check.model.yoke, quantities::degrees(check.model.yoke.step));
     check.warn_if(step > 0.5, "A23", &["roll.step_deg"], || {
         format!("a step turns the horizon by {} degrees", short(step))
     });
-    check.warn_if(roll.natural.is_some() && roll.damping < 0.1, "A23", &["roll.damping"], || {
-        format!("the yoke rings with a damping of {}", short(roll.damping))
+    check.warn_if(yoke.natural.is_some() && yoke.damping < 0.1, "A23", &["roll.damping"], || {
+        format!("the yoke rings with a damping of {}", short(yoke.damping))
     });
 }

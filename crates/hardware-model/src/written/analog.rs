@@ -4,8 +4,8 @@ use diagnostics::{Field, Reader};
 
 use crate::{
     AmplifierParts, AnalogParts, ComparatorParts, FoldDetect, FunctionGeneratorParts, MemoryParts,
-    MultiplierParts, MultiplyingDacParts, ProjectionParts, ReflectivityParts, RollParts, SampleHoldParts,
-    SweepParts, VideoSwitchParts, WriteCompensation,
+    MultiplierParts, MultiplyingDacParts, ProjectionParts, ReflectivityParts, SampleHoldParts, SweepParts,
+    VideoSwitchParts, WriteCompensation,
 };
 
 /// Tables that hold analog keys beside others.
@@ -13,7 +13,6 @@ pub(super) struct SharedTables<'r, 'a> {
     pub spread: &'r Option<Reader<'a>>,
     pub dpp: &'r Option<Reader<'a>>,
     pub memory: &'r Option<Reader<'a>>,
-    pub roll: &'r Option<Reader<'a>>,
 }
 
 /// Every table is read before one that is missing or wrong ends the reading.
@@ -36,7 +35,6 @@ pub(super) fn analog(root: &Reader, shared: &SharedTables) -> Option<AnalogParts
     let video = part("video").map(|t| megahertz(&t, "bandwidth_mhz").required());
     let projection = shared.dpp.as_ref().map(projection);
     let memory = shared.memory.as_ref().map(memory);
-    let roll = shared.roll.as_ref().map(roll);
     Some(AnalogParts {
         full_scale: full_scale??,
         spread: spread??,
@@ -53,7 +51,6 @@ pub(super) fn analog(root: &Reader, shared: &SharedTables) -> Option<AnalogParts
         projection: projection??,
         memory: memory??,
         video_bandwidth: video??,
-        roll: roll??,
     })
 }
 
@@ -190,10 +187,4 @@ fn write_compensation<'a>(table: &Reader<'a>) -> Field<'a, WriteCompensation> {
     let ratio = table.f64("write_compensation").between(1.0, 1e9).map(WriteCompensation::Ratio);
     let or_exact = ratio.or_word("exact").map(|ratio| ratio.unwrap_or(WriteCompensation::Exact));
     or_exact.or_word("off").map(|found| found.unwrap_or(WriteCompensation::Off))
-}
-
-fn roll(table: &Reader) -> Option<RollParts> {
-    let natural = table.f64("natural_hz").above(0.0).at_most(1e6).unit("Hz").or_word("unlimited").required();
-    let damping = table.f64("damping").between(0.0, 100.0).required();
-    Some(RollParts { natural: natural?, damping: damping? })
 }

@@ -51,5 +51,7 @@ pub(super) fn yoke(table: &Reader) -> Option<Yoke> {
     let step = table.f64("step_deg").between(0.0, 10.0).unit("degrees").map(radians).required();
     let rate = table.f64("rate_deg_s").above(0.0).at_most(1000.0).unit("degrees/s").map(radians).required();
     let travel = table.f64("travel_deg").between(0.0, 180.0).unit("degrees").map(radians).required();
-    Some(Yoke { step: step?, rate: rate?, travel: travel?, natural: None, damping: 1.0 })
+    let natural = table.f64("natural_hz").above(0.0).at_most(1e6).unit("Hz").or_word("unlimited").required();
+    let damping = table.f64("damping").between(0.0, 100.0).required();
+    Some(Yoke { step: step?, rate: rate?, travel: travel?, natural: natural?, damping: damping? })
 }

@@ -1,9 +1,7 @@
 //! A mission's digital side without its pictures: frames through the control plane, into timing records.
 
-use std::ops::Range;
-
 use generator::Stage;
-use hardware_model::HardwareModel;
+use hardware_model::{HardwareModel, ModelRaster, Raster, Settings};
 use machine::ControlPlane;
 use rayon::ThreadPool;
 use replay::Progress;
@@ -25,7 +23,6 @@ pub struct Rehearsal {
     pub model: HardwareModel,
     pub stage: Stage,
     pub pool: ThreadPool,
-    frames: u64,
 }
 
 impl Rehearsal {
@@ -44,14 +41,16 @@ impl Rehearsal {
         let chosen = frames(&loaded)?;
         let pool = threads.pool()?;
         let stage = loaded.stage(&pool)?;
-        let frames = loaded.frames();
         let Loaded { scenario, model, .. } = loaded;
-        Ok((Self { scenario, model, stage, pool, frames }, chosen))
+        Ok((Self { scenario, model, stage, pool }, chosen))
     }
 
-    /// Frames of the mission.
-    pub fn frames(&self) -> u64 {
-        self.frames
+    /// The hardware model with raster and range of the run, for formulas.
+    pub fn model_as_run(&self) -> HardwareModel {
+        let Settings { raster, timebase, range, .. } = &self.stage.settings;
+        let Raster { sweeps, samples, refresh, .. } = *raster;
+        let raster = ModelRaster { sweeps, samples, refresh, update: timebase.update, ..self.model.raster };
+        HardwareModel { raster, range: *range, ..self.model.clone() }
     }
 
     /// Where the vehicle is in each of `frames`, ascending.
@@ -124,14 +123,9 @@ pub fn spread(count: u64) -> impl FnOnce(u64) -> Vec<u64> {
     }
 }
 
-/// First and end of ascending frames, for people.
-pub fn extent(frames: &[u64]) -> Range<u64> {
-    frames.first().copied().unwrap_or(0)..frames.last().map_or(0, |last| last + 1)
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{extent, first, spread};
+    use super::{first, spread};
 
     #[test]
     fn usual_frames() {
@@ -139,6 +133,5 @@ mod tests {
         assert_eq!(first(2)(90), [0, 1]);
         assert_eq!(spread(4)(90), [0, 22, 45, 67]);
         assert_eq!(spread(4)(3), [0, 1, 2]);
-        assert_eq!(extent(&spread(4)(90)), 0..68);
     }
 }

@@ -1,0 +1,159 @@
+//! Figures of one level of terrain, sweep by sweep.
+
+use hardware_model::{Budget, Ground, HardwareModel};
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+use scenario::PoseRow;
+
+use super::tear::TearLaw;
+use crate::commands::timing::sets::{RegisterSet, sets_of};
+use crate::commands::timing::sweeps::{LevelOfSweeps, Place, Sweeps, blank_program};
+
+/// What the sweeps of some frames did over one level, and what the formulas say.
+pub struct LevelFigures {
+    pub name: &'static str,
+    /// Side of a region (m).
+    pub region_size: f64,
+    /// Ground range of a sweep, mean (m).
+    pub range: f64,
+    pub frames: u64,
+    pub sweeps: u64,
+    /// Folds: mean, least and most of a sweep.
+    pub crossings: [f64; 3],
+    /// The same by formula at the azimuth of each sweep, mean.
+    pub crossings_at_azimuths: f64,
+    /// Sets used and sets brought, in all.
+    pub used: u64,
+    pub brought: u64,
+    /// From fold to urgent set: mean and most (s); none if none was brought.
+    pub urgent: Option<[f64; 2]>,
+    /// Urgent sets late, all sets late, those that show: in all.
+    pub late_urgent: u64,
+    pub late: u64,
+    pub seen: u64,
+    /// Urgent sets that come late by formula, at the azimuth and range programme of each sweep, in all.
+    pub late_expected: f64,
+    /// The formulas of section 4 over this ground.
+    pub budget: Budget,
+}
+
+/// One sweep.
+#[derive(Default)]
+struct SweepFigures {
+    range: f64,
+    crossings: u64,
+    at_azimuth: f64,
+    direction: [f64; 2],
+    used: u64,
+    brought: u64,
+    /// Number, sum and most of the latencies of urgent sets (samples).
+    urgent: (u64, f64, f64),
+    late_urgent: u64,
+    late: u64,
+    seen: u64,
+}
+
+impl LevelFigures {
+    /// Runs all sweeps of the frames, by all threads of the current pool.
+    pub fn measure(
+        sweeps: &Sweeps<'_>,
+        of: LevelOfSweeps<'_>,
+        poses: &[PoseRow],
+        law: &TearLaw,
+        model: &HardwareModel,
+    ) -> Self {
+        let count = sweeps.settings().raster.sweeps;
+        let places: Vec<Place<'_>> = poses
+            .iter()
+            .flat_map(|row| (0..count).map(|sweep| Place { frame: row.frame, pose: &row.pose, sweep }))
+            .collect();
+        let all: Vec<SweepFigures> =
+            places.par_iter().map(|&place| SweepFigures::of(sweeps, &of, place, law)).collect();
+        let total = all.len().max(1) as f64;
+        let sum = |value: fn(&SweepFigures) -> u64| all.iter().map(value).sum::<u64>();
+        let mean = |value: fn(&SweepFigures) -> f64| all.iter().map(value).sum::<f64>() / total;
+        let range = mean(|sweep| sweep.range);
+        let region_size = of.level.region_size();
+        let budget = model.budget(Ground { region_size, range });
+        let expected = all.iter().map(|sweep| late_expected(sweeps, &of, sweep, budget.loader.urgent));
+        Self {
+            name: of.name,
+            region_size,
+            range,
+            frames: poses.len() as u64,
+            sweeps: all.len() as u64,
+            crossings: [
+                mean(|sweep| sweep.crossings as f64),
+                all.iter().map(|sweep| sweep.crossings).min().unwrap_or(0) as f64,
+                all.iter().map(|sweep| sweep.crossings).max().unwrap_or(0) as f64,
+            ],
+            crossings_at_azimuths: mean(|sweep| sweep.at_azimuth),
+            used: sum(|sweep| sweep.used),
+            brought: sum(|sweep| sweep.brought),
+            urgent: urgent(&all, sweeps.settings().timebase.sample_rate().hertz()),
+            late_urgent: sum(|sweep| sweep.late_urgent),
+            late: sum(|sweep| sweep.late),
+            seen: sum(|sweep| sweep.seen),
+            late_expected: expected.sum(),
+            budget,
+        }
+    }
+}
+
+fn urgent(all: &[SweepFigures], samples_a_second: f64) -> Option<[f64; 2]> {
+    let (mut count, mut sum, mut most) = (0, 0.0, 0.0_f64);
+    for (of_sweep, total, longest) in all.iter().map(|sweep| sweep.urgent) {
+        count += of_sweep;
+        sum += total;
+        most = most.max(longest);
+    }
+    (count > 0).then(|| [sum / count as f64, most].map(|samples| samples / samples_a_second))
+}
+
+/// Urgent sets of one sweep that a stop of the other axis meets within `urgent` (s) of a stop of the one: section 4.5,
+/// with the rate of each sample in place of a constant one.
+fn late_expected(sweeps: &Sweeps<'_>, of: &LevelOfSweeps<'_>, sweep: &SweepFigures, urgent: f64) -> f64 {
+    if sweeps.loader().diagonal_register {
+        return 0.0;
+    }
+    let size = of.level.region_size();
+    let samples = urgent * sweeps.settings().timebase.sample_rate().hertz();
+    let [x, y] = sweep.direction.map(|cosine| cosine.abs() / size);
+    let ranges = sweeps.table.ranges();
+    let of_step = |pair: &[f64]| {
+        let [near, far] = [pair[0], pair[1].min(sweep.range)];
+        let way = (far - near).max(0.0);
+        let within = (pair[1] - pair[0]) * samples;
+        way * (x * (within * y).min(1.0) + y * (within * x).min(1.0))
+    };
+    let foot = [0.0, ranges.first().copied().unwrap_or(0.0)];
+    of_step(&foot) + ranges.windows(2).map(of_step).sum::<f64>()
+}
+
+impl SweepFigures {
+    fn of(sweeps: &Sweeps<'_>, of: &LevelOfSweeps<'_>, place: Place<'_>, law: &TearLaw) -> Self {
+        let (mut program, mut sets) = (blank_program(), Vec::new());
+        sweeps.write(of, place, &mut program);
+        sets_of(&program, sweeps.loader().is_wired_through(), &mut sets);
+        let direction = program.start.direction;
+        let range = program.end_range;
+        let seen = |miss: &&sweep_program::Miss| law.is_seen(miss, &program, of.level, &sweeps.table);
+        let count = |is: fn(&&RegisterSet) -> bool| sets.iter().filter(is).count() as u64;
+        Self {
+            range,
+            crossings: program.folds().count() as u64,
+            at_azimuth: range * (direction[0].abs() + direction[1].abs()) / of.level.region_size(),
+            direction,
+            used: count(|set| set.used.is_some()),
+            brought: count(|set| set.came.is_some()),
+            urgent: latencies(&sets),
+            late_urgent: count(|set| set.late && set.urgent),
+            late: count(|set| set.late),
+            seen: program.misses.iter().filter(seen).count() as u64,
+        }
+    }
+}
+
+fn latencies(sets: &[RegisterSet]) -> (u64, f64, f64) {
+    let urgent = sets.iter().filter(|set| set.urgent).filter_map(RegisterSet::latency);
+    urgent.fold((0, 0.0, 0.0), |(count, sum, most), latency| (count + 1, sum + latency, latency.max(most)))
+}
