@@ -2,7 +2,7 @@
 
 use generator::{Generator, Omission, Weight};
 use glam::DVec3;
-use hardware_model::{Economy, LevelSwitch, Yoke};
+use hardware_model::{Economy, HardwareModel, LevelSwitch, Yoke};
 use landscape::{Bank, Landscape, Silhouette, Source};
 use lunoid_tests::{Dice, Drawn};
 use machine::HybridMachine;
@@ -93,6 +93,11 @@ fn left_out(set: &Set) -> LeftOut {
     // From cells as wide as a line is high to pixels.
     let square = f64::from(raster.lines) * raster.field.tan_half_width / raster.field.tan_half_height;
     left_out.cells *= (f64::from(raster.columns) / square).max(1.0);
+    let [x, y] = [raster.field.tan_half_width, raster.field.tan_half_height];
+    left_out.cells *= libm::pow(1.0 + x * x + y * y, 1.5);
+    if set.stage.settings.shadows.is_some() {
+        left_out.cells *= 1.0 + 1.0 / libm::sin(set.stage.scenery.sun(0.0).elevation);
+    }
     left_out
 }
 
@@ -203,7 +208,8 @@ fn the_record_names_each_block_that_is_left_out_and_why() {
         set.dressed(|ground| ground.with_silhouettes(vec![outline]))
     };
     let yoke = |mut set: Set| {
-        set.stage.settings.yoke = Some(Yoke { step: 0.0, rate: 1.0, travel: 1.0 });
+        set.stage.settings.yoke =
+            Some(Yoke { step: 0.0, rate: 1.0, travel: 1.0, ..HardwareModel::ideal().yoke });
         set
     };
     let levels = |set: Set| {

@@ -3,7 +3,7 @@
 use compare::{EdgeLimits, edge_mask};
 use features::{Crater, Shape};
 use generator::PlaneKind;
-use hardware_model::{LevelSwitch, Yoke};
+use hardware_model::{HardwareModel, LevelSwitch, Yoke};
 use landscape::{Bank, Landscape, Level, Photometry, Silhouette, Source};
 use lunoid_tests::{Dice, level_of};
 use quantities::radians;
@@ -239,7 +239,8 @@ fn a_turned_yoke() {
         if projection == Projection::AsReported {
             set = set.with_bodies(Vec::new());
         }
-        set.stage.settings.yoke = Some(Yoke { step: 0.0, rate: 1.0, travel: radians(40.0) });
+        set.stage.settings.yoke =
+            Some(Yoke { step: 0.0, rate: 1.0, travel: radians(40.0), ..HardwareModel::ideal().yoke });
         (set.stage.settings.raster.sweeps, set.pose.yoke) = (400, radians(degrees));
         let turned = agreement(&set);
         println!("yoke at {degrees} deg, {projection:?}: {turned:?}");

@@ -114,10 +114,6 @@ impl<S: Real> Processor<S> {
         }
     }
 
-    pub(crate) fn occlusion(&self) -> Occlusion {
-        self.occlusion
-    }
-
     fn elevate_breaks(&self, breaks: &Breaks<S>, out: &mut ProjectedBreaks<S>) {
         for ((elevation, hold), breaks) in out.elevation.iter_mut().zip(&mut out.hold).zip(breaks) {
             elevation.clear();

@@ -7,7 +7,7 @@ use landscape::parabolic_drop;
 use polyhedron_generator::{Drawn, FaceLight, LeftOut, PolyhedronGenerator, Sight, ViewPlane};
 use rayon::prelude::*;
 use remote_shadow::{Segment, Tile};
-use scenario::{BodyVisibility, Curvature, ShadowedBodies};
+use scenario::{BodyVisibility, Curvature, FieldOfView, ShadowedBodies};
 use shadow_controller::Gate;
 use solids::Body;
 use std::sync::Arc;
@@ -76,7 +76,7 @@ impl Supply<'_> {
             Economy::Bounded => {
                 let (eye, sight) = (DVec3::from_array(self.plan.eye), self.sight());
                 let seen = bodies.filter(|(_, body)| sight.resolves(eye, body, &mut out.left_out)).collect();
-                out.left_out.cells *= self.pixels_a_cell();
+                out.left_out.cells *= self.pixels_a_cell() * self.with_shadow();
                 seen
             }
             Economy::Lossless | Economy::Everything => bodies.collect(),
@@ -88,11 +88,20 @@ impl Supply<'_> {
         Sight::new(f64::from(raster.lines), 2.0 * libm::atan(raster.field.tan_half_height))
     }
 
-    /// Pixels of the screen in a square resolution cell, which is as wide as a line is high; not less than 1.
+    /// Most pixels of the screen in a square resolution cell, which is as wide as a line is high: not less than 1, and
+    /// more in the corners, where a pixel subtends less.
     fn pixels_a_cell(&self) -> f64 {
         let raster = self.stage.settings.raster;
         let columns = f64::from(raster.columns) / raster.field.tan_half_width;
-        (columns * raster.field.tan_half_height / f64::from(raster.lines)).max(1.0)
+        let squeeze = (columns * raster.field.tan_half_height / f64::from(raster.lines)).max(1.0);
+        let FieldOfView { tan_half_width, tan_half_height } = raster.field;
+        let corner = 1.0 + tan_half_width * tan_half_width + tan_half_height * tan_half_height;
+        squeeze * corner * corner.sqrt()
+    }
+
+    /// What a body can darken beside itself: its shadow on level ground, `1 / sin e` times its own outline.
+    fn with_shadow(&self) -> f64 {
+        self.blocks.shadows.as_ref().map_or(1.0, |_| 1.0 + 1.0 / libm::sin(self.plan.sun.elevation))
     }
 
     fn gates(

@@ -146,6 +146,8 @@ fn whole_steps(steps: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+
     use super::Yoke;
     use quantities::{degrees, radians};
 
@@ -180,5 +182,97 @@ mod tests {
         assert_eq!(motor.follow(angle, angle, [1.0, 1.1]), motor.settled(angle));
         let servo = yoke(0.0).follow(0.0, -1.0, [0.0, 0.5]);
         assert!((degrees(servo) + 5.0).abs() < 1e-12);
+    }
+
+    /// A yoke of 0.05 degrees a step, 300 steps a second, swinging.
+    fn swinging(hertz: f64, damping: f64) -> Yoke {
+        Yoke {
+            step: radians(0.05),
+            rate: radians(15.0),
+            travel: radians(40.0),
+            natural: Some(hertz),
+            damping,
+        }
+    }
+
+    /// Angles (deg) every `h` seconds of a yoke at rest that is told one step just before 0.
+    fn ring(yoke: &Yoke, h: f64, count: usize) -> Vec<f64> {
+        let roll = radians(0.05);
+        let mut swing = yoke.swing(yoke.at_rest(0.0), roll, [0.5 / 300.0, 1.0 / 300.0]);
+        let angle = |k: usize| {
+            let times = [k, k + 1].map(|k| 1.0 / 300.0 + h * k as f64);
+            swing = yoke.swing(swing, roll, times);
+            degrees(swing.angle())
+        };
+        (0..count).map(angle).collect()
+    }
+
+    #[test]
+    fn a_step_rings_at_its_frequency_with_its_damping_and_settles() {
+        for (hertz, damping) in [(90.0, 0.25), (60.0, 0.15), (20.0, 0.05)] {
+            let beat = (1.0f64 - damping * damping).sqrt();
+            // Half a period of the swing: it is furthest out at every one.
+            let half = 0.5 / (hertz * beat);
+            let decay = libm::exp(-PI * damping / beat);
+            let extremes = ring(&swinging(hertz, damping), half, 40);
+            let mut beyond = 0.05 * decay;
+            for (k, angle) in extremes.iter().enumerate() {
+                let side = if k % 2 == 0 { 1.0 } else { -1.0 };
+                assert!((angle - 0.05 - side * beyond).abs() < 1e-9, "{hertz} Hz, {k}: {angle}");
+                beyond *= decay;
+            }
+            let settled = ring(&swinging(hertz, damping), 10.0, 3)[2];
+            assert!((settled - 0.05).abs() < 1e-9, "{settled}");
+        }
+    }
+
+    #[test]
+    fn pulses_swing_it_at_their_own_times_whatever_the_frames_are() {
+        let angle = |yoke: &Yoke, frames: u32| {
+            let time = |frame: u32| f64::from(frame) / f64::from(frames);
+            let start = yoke.at_rest(0.0);
+            let turn = |swing, frame| yoke.swing(swing, radians(20.0), [time(frame), time(frame + 1)]);
+            degrees((0..frames).fold(start, turn).angle())
+        };
+        for yoke in [swinging(90.0, 0.25), Yoke { step: 0.0, ..swinging(90.0, 0.25) }] {
+            let whole = angle(&yoke, 1);
+            for frames in [2, 7, 30, 1000] {
+                assert!((angle(&yoke, frames) - whole).abs() < 1e-9, "{frames}");
+            }
+        }
+        // A servo at 15 deg/s drags its yoke behind by 2 z / w.
+        let late = 2.0 * 0.25 / (2.0 * PI * 90.0);
+        let servo = angle(&Yoke { step: 0.0, ..swinging(90.0, 0.25) }, 30);
+        assert!((servo - 15.0 * (1.0 - late)).abs() < 1e-9, "{servo}");
+    }
+
+    #[test]
+    fn a_stiff_yoke_stands_where_its_motor_does() {
+        let loose = Yoke { natural: None, ..swinging(90.0, 0.25) };
+        let stiff = swinging(f64::INFINITY, 0.25);
+        let (mut a, mut b) = (loose.at_rest(0.0), stiff.at_rest(0.0));
+        for frame in 1..200 {
+            // Frames that begin with a pulse would find the yoke still before it.
+            let times = [frame - 1, frame].map(|frame| f64::from(frame) / 29.73);
+            let roll = radians(20.0) * libm::sin(f64::from(frame) * 0.1);
+            (a, b) = (loose.swing(a, roll, times), stiff.swing(b, roll, times));
+            assert!((a.angle() - b.angle()).abs() < 1e-12);
+            assert_eq!(a.angle(), a.told);
+        }
+    }
+
+    #[test]
+    fn no_yoke_is_nowhere() {
+        for step in [0.0, 1e-12, 0.05, 10.0] {
+            for (hertz, damping) in [(1e-9, 0.0), (90.0, 0.0), (1e12, 50.0), (0.0, 1.0)] {
+                let yoke = Yoke { step: radians(step), ..swinging(hertz, damping) };
+                let mut swing = yoke.at_rest(0.0);
+                for frame in 1..50 {
+                    let times = [frame - 1, frame].map(|frame| f64::from(frame) / 30.0);
+                    swing = yoke.swing(swing, if frame % 20 < 10 { 0.5 } else { -0.5 }, times);
+                    assert!(swing.angle().abs() < 40.0, "{yoke:?}: {swing:?}");
+                }
+            }
+        }
     }
 }

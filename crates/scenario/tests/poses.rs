@@ -252,12 +252,19 @@ fn the_yoke_is_where_it_is_whatever_part_is_asked_for() {
         natural: None,
         damping: 1.0,
     });
-    let resolve = |frames| PoseTable::resolve(&scenario, &landscape, hz(30), yoke, frames).unwrap();
-    let whole = resolve(0..90);
-    for part in [0..7, 7..8, 8..41, 89..90] {
-        let rows = &whole.rows()[part.start as usize..part.end as usize];
-        assert_eq!(rows, resolve(part.clone()).rows(), "{part:?}");
+    let swings = yoke.map(|yoke| Yoke { natural: Some(20.0), damping: 0.1, ..yoke });
+    let resolve = |yoke, frames| PoseTable::resolve(&scenario, &landscape, hz(30), yoke, frames).unwrap();
+    for yoke in [yoke, swings] {
+        let whole = resolve(yoke, 0..90);
+        for part in [0..7, 7..8, 8..41, 89..90] {
+            let rows = &whole.rows()[part.start as usize..part.end as usize];
+            assert_eq!(rows, resolve(yoke, part.clone()).rows(), "{part:?}");
+        }
     }
+    let (whole, swinging) = (resolve(yoke, 0..90), resolve(swings, 0..90));
+    let off = whole.rows().iter().zip(swinging.rows()).map(|(a, b)| (a.pose.yoke - b.pose.yoke).abs());
+    let most = off.fold(0.0, f64::max);
+    assert!((radians(0.02)..radians(0.5)).contains(&most), "{}", degrees(most));
     let rows = whole.rows();
     assert!((rows[0].pose.yoke - rows[0].pose.attitude.roll).abs() <= radians(0.0501));
     let lags = rows.iter().filter(|row| (row.pose.yoke - row.pose.attitude.roll).abs() > radians(1.0));

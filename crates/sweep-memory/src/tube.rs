@@ -31,8 +31,6 @@ pub struct TubeRaster {
     pub lines: usize,
     /// Width of the raster, in its heights.
     pub width: f64,
-    /// Cells of a line of the screen: 1, or more where a turned line begins and ends between them.
-    pub cells_a_line: f64,
 }
 
 /// The tube, or the tubes that take turns.
@@ -67,7 +65,7 @@ impl Tube {
             optics: (0..tubes).filter(|_| !is_sharp).map(optics).collect(),
             noise: parts.grey.map(|shades| ReadNoise {
                 source: NoiseSource::new(seed, "sweep-memory.read", 0),
-                sigma: (raster.cells_a_line.sqrt() / (APART * f64::from(shades))) as f32,
+                sigma: (1.0 / (APART * f64::from(shades.max(1)))) as f32,
             }),
         }
     }
@@ -95,27 +93,25 @@ impl Tube {
 
     /// What the reading beam finds of `store`, `lines` values a sweep, in its place; `scratch` holds nothing after.
     pub fn read(&self, frame: u64, store: &mut [f32], scratch: &mut Vec<f32>) {
+        let Some([across, along]) = self.optics.get((frame % self.tubes) as usize) else { return };
+        let lines = self.raster.lines;
         scratch.resize(store.len(), 0.0);
-        if let Some([across, along]) = self.optics.get((frame % self.tubes) as usize) {
-            let lines = self.raster.lines;
-            let rows = scratch.par_chunks_exact_mut(lines).zip(store.par_chunks_exact(lines));
-            rows.for_each(|(out, row)| along.along(row, out));
-            let rows = store.par_chunks_exact_mut(lines).enumerate();
-            rows.for_each(|(sweep, row)| across.across(sweep, scratch, row));
-        }
-        if let Some(noise) = self.noise {
-            self.add_noise(noise, frame, store, scratch);
-        }
+        let rows = scratch.par_chunks_exact_mut(lines).zip(store.par_chunks_exact(lines));
+        rows.for_each(|(out, row)| along.along(row, out));
+        let rows = store.par_chunks_exact_mut(lines).enumerate();
+        rows.for_each(|(sweep, row)| across.across(sweep, scratch, row));
     }
 
-    fn add_noise(&self, noise: ReadNoise, frame: u64, store: &mut [f32], scratch: &mut [f32]) {
-        let lines = self.raster.lines;
-        let first = frame.wrapping_mul(self.raster.sweeps as u64);
-        let rows = store.par_chunks_exact_mut(lines).zip(scratch.par_chunks_exact_mut(lines));
-        rows.enumerate().for_each(|(sweep, (row, deviates))| {
-            noise.source.fill(first.wrapping_add(sweep as u64), deviates);
-            // No beam is less than none.
-            row.iter_mut().zip(deviates).for_each(|(value, n)| *value = (*value + noise.sigma * *n).max(0.0));
+    /// Adds the noise of the reading to the picture that was read, `columns` wide; `scratch` holds nothing after.
+    pub fn add_noise(&self, frame: u64, columns: usize, picture: &mut [f32], scratch: &mut Vec<f32>) {
+        let Some(ReadNoise { source, sigma }) = self.noise else { return };
+        let first = frame.wrapping_mul((picture.len() / columns) as u64);
+        scratch.resize(picture.len(), 0.0);
+        let rows = picture.par_chunks_exact_mut(columns).zip(scratch.par_chunks_exact_mut(columns));
+        rows.enumerate().for_each(|(line, (row, deviates))| {
+            source.fill(first.wrapping_add(line as u64), deviates);
+            // No light is less than none.
+            row.iter_mut().zip(deviates).for_each(|(value, n)| *value = (*value + sigma * *n).max(0.0));
         });
     }
 }

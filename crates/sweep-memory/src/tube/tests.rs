@@ -10,7 +10,7 @@ use super::{Tube, TubeRaster, memory_frames};
 
 const SWEEPS: usize = 300;
 const LINES: usize = 240;
-const RASTER: TubeRaster = TubeRaster { sweeps: SWEEPS, lines: LINES, width: 1.5, cells_a_line: 1.0 };
+const RASTER: TubeRaster = TubeRaster { sweeps: SWEEPS, lines: LINES, width: 1.5 };
 
 fn tube(parts: MemoryParts) -> Tube {
     Tube::new(&parts, RASTER, 1970)
@@ -45,12 +45,12 @@ fn half_of_the_finest_pattern_is_left_in_both_directions() {
     for (lines, across) in [(120, false), (100, true)] {
         let waves = store(|sweep, line| 0.5 + 0.5 * libm::cos(0.5 * PI * if across { sweep } else { line }));
         let found = swing(&read(&tube(sharp(lines)), 0, waves), across);
-        assert!((found - 0.25).abs() < 0.002, "{lines}: {found}");
+        assert!((found - 0.25).abs() < 0.004, "{lines}: {found}");
         let coarse =
             store(|sweep, line| 0.5 + 0.5 * libm::cos(0.25 * PI * if across { sweep } else { line }));
         let found = swing(&read(&tube(sharp(lines)), 0, coarse), across);
         // The response is a Gaussian: half the frequency has its fourth root.
-        assert!((found - 0.5 * 0.5f64.sqrt().sqrt()).abs() < 0.002, "{lines}: {found}");
+        assert!((found - 0.5 * 0.5f64.sqrt().sqrt()).abs() < 0.004, "{lines}: {found}");
     }
 }
 
@@ -61,7 +61,7 @@ fn an_edge_spreads_as_the_integral_of_the_spot() {
     for line in 100..140 {
         // The sum over cells is the integral from edge to edge of cells.
         let expected = 0.5 * libm::erfc((119.5 - line as f64) / (sigma * 2.0f64.sqrt()));
-        assert!((f64::from(edge[150 * LINES + line]) - expected).abs() < 0.003, "{line}");
+        assert!((f64::from(edge[150 * LINES + line]) - expected).abs() < 0.005, "{line}");
     }
 }
 
@@ -103,7 +103,8 @@ fn registration_is_a_field_that_stays() {
         for ((found, axis), [from_middle, height]) in found.iter().zip(["across", "along"]).zip(places) {
             let expected =
                 deviate(&format!("shift-{axis}")) * height + deviate(&format!("scale-{axis}")) * from_middle;
-            assert!((found - expected).abs() < 0.02, "{axis} at {at:?}: {found}, {expected}");
+            // Spots much smaller than a cell are placed to a tenth of it.
+            assert!((found - expected).abs() < 0.1, "{axis} at {at:?}: {found}, {expected}");
         }
         assert_eq!(found, displacement(&tube, 4, at));
     }
@@ -156,17 +157,21 @@ fn what_is_forgotten_is_below_half_a_grey_level() {
 #[test]
 fn shades_stand_six_sigmas_apart() {
     let tube = tube(MemoryParts { grey: Some(8), ..MemoryParts::IDEAL });
-    let seen = read(&tube, 5, vec![0.5; SWEEPS * LINES]);
+    let noisy = |frame, level| {
+        let mut picture = vec![level; 400 * 300];
+        tube.add_noise(frame, 400, &mut picture, &mut Vec::new());
+        picture
+    };
+    let seen = noisy(5, 0.5);
     let count = seen.len() as f64;
     let mean = seen.iter().map(|value| f64::from(*value)).sum::<f64>() / count;
     let square =
         seen.iter().map(|value| (f64::from(*value) - mean) * (f64::from(*value) - mean)).sum::<f64>();
     assert!((mean - 0.5).abs() < 5e-4 && ((square / count).sqrt() * 48.0 - 1.0).abs() < 0.02);
-    assert_eq!(seen, read(&tube, 5, vec![0.5; SWEEPS * LINES]));
-    assert_ne!(seen, read(&tube, 6, vec![0.5; SWEEPS * LINES]));
-    // A sweep has the noise of its own number, counted over all frames.
-    assert_ne!(seen[..LINES], seen[LINES..2 * LINES]);
-    assert!(read(&tube, 5, vec![0.0; SWEEPS * LINES]).iter().all(|value| *value >= 0.0));
+    assert_eq!(seen, noisy(5, 0.5));
+    assert_ne!(seen, noisy(6, 0.5));
+    assert_ne!(seen[..400], seen[400..800]);
+    assert!(noisy(5, 0.0).iter().all(|value| *value >= 0.0));
 }
 
 #[test]
@@ -175,6 +180,7 @@ fn a_tube_without_faults_keeps_every_bit() {
     let tube = tube(MemoryParts { tubes: 2, ..MemoryParts::IDEAL });
     let mut seen = picture.clone();
     tube.combine(&mut seen, &[]);
+    tube.add_noise(1, SWEEPS, &mut seen, &mut Vec::new());
     assert_eq!(read(&tube, 1, seen), picture);
     assert_eq!(tube.memory_frames(), 0);
 }
@@ -186,9 +192,12 @@ proptest! {
         registration in 0.0..3.0f64, tubes in 0u32..3, seed: u64, frame: u64,
     ) {
         let parts = MemoryParts { tv_lines, registration, tubes, grey: Some(4), ..MemoryParts::IDEAL };
-        let raster = TubeRaster { sweeps, lines, width: 1.7, cells_a_line: 4.0 };
+        let raster = TubeRaster { sweeps, lines, width: 1.7 };
         let mut store = vec![0.5; sweeps * lines];
-        Tube::new(&parts, raster, seed).read(frame, &mut store, &mut Vec::new());
+        let tube = Tube::new(&parts, raster, seed);
+        tube.read(frame, &mut store, &mut Vec::new());
+        prop_assert!(store.iter().all(|value| (value - 0.5).abs() < 1e-5), "{store:?}");
+        tube.add_noise(frame, sweeps, &mut store, &mut Vec::new());
         prop_assert!(store.iter().all(|value| (0.0..=1.5).contains(value)), "{store:?}");
     }
 }

@@ -66,8 +66,8 @@ fn with_exact_compensation_the_intensity_is_what_it_is() {
     for deflection in [None, Some(3e6)] {
         let gun = gun(WriteCompensation::Exact, deflection, 101);
         for speed in [0.03, 0.5, 1.0, 7.0] {
-            let rows = climb(&gun, speed, 0.3, (80.0 / speed) as usize);
-            assert!(rows[20..80].iter().all(|value| (value - 0.3).abs() < 1e-5), "{speed}: {rows:?}");
+            let rows = climb(&gun, speed, 0.3, (88.0 / speed) as usize);
+            assert!(rows[30..80].iter().all(|value| (value - 0.3).abs() < 1e-5), "{speed}: {rows:?}");
         }
     }
 }

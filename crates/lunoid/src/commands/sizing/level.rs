@@ -5,7 +5,7 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use scenario::PoseRow;
 
 use super::tear::TearLaw;
-use crate::commands::timing::sets::{RegisterSet, sets_of};
+use crate::commands::timing::sets::{RegisterSet, crossings, sets_of};
 use crate::commands::timing::sweeps::{LevelOfSweeps, Place, Sweeps, blank_program};
 
 /// What the sweeps of some frames did over one level, and what the formulas say.
@@ -34,6 +34,8 @@ pub struct LevelFigures {
     pub late_expected: f64,
     /// The formulas of section 4 over this ground.
     pub budget: Budget,
+    /// One tick of the master clock (s), 0 where words are wired through.
+    pub tick: f64,
 }
 
 /// One sweep.
@@ -74,7 +76,11 @@ impl LevelFigures {
         let range = mean(|sweep| sweep.range);
         let region_size = of.level.region_size();
         let budget = model.budget(Ground { region_size, range });
-        let expected = all.iter().map(|sweep| late_expected(sweeps, &of, sweep, budget.loader.urgent));
+        // A fold is seen with the next tick of the clock: half a tick later, in the mean.
+        let is_wired = sweeps.loader().is_wired_through();
+        let tick = if is_wired { 0.0 } else { 1.0 / sweeps.settings().timebase.master.hertz() };
+        let urgent_mean = budget.loader.urgent + 0.5 * tick;
+        let expected = all.iter().map(|sweep| late_expected(sweeps, &of, sweep, urgent_mean));
         Self {
             name: of.name,
             region_size,
@@ -95,6 +101,7 @@ impl LevelFigures {
             seen: sum(|sweep| sweep.seen),
             late_expected: expected.sum(),
             budget,
+            tick,
         }
     }
 }
@@ -140,7 +147,7 @@ impl SweepFigures {
         let count = |is: fn(&&RegisterSet) -> bool| sets.iter().filter(is).count() as u64;
         Self {
             range,
-            crossings: program.folds().count() as u64,
+            crossings: crossings(&program).count() as u64,
             at_azimuth: range * (direction[0].abs() + direction[1].abs()) / of.level.region_size(),
             direction,
             used: count(|set| set.used.is_some()),

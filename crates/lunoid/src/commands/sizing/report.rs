@@ -144,6 +144,7 @@ fn level_rows(level: &LevelFigures) -> Vec<Row> {
     let crossings = &budget.crossings;
     let straight = level.range / level.region_size;
     let ns = |index: usize| level.urgent.map(|urgent| 1e9 * urgent[index]);
+    let by_formula = |ticks: f64| 1e9 * (budget.loader.urgent + ticks * level.tick);
     vec![
         row("crossings", "crossings a sweep, mean", mean, crossings.mean, "4 R/(pi d), mean over azimuth"),
         row("crossings_here", "  of these azimuths", mean, level.crossings_at_azimuths, "R (|cos| + |sin|)/d"),
@@ -151,8 +152,8 @@ fn level_rows(level: &LevelFigures) -> Vec<Row> {
         row("crossings_most", "  most", most, crossings.worst, "sqrt(2) R/d, along a diagonal"),
         row("words_used_us", "words used/µs", words(level.used), 1e-6 * crossings.words_used, "18 n/Ta"),
         row("words_loaded_us", "words loaded/µs", words(level.brought), 1e-6 * crossings.words_loaded, "36 n/Ta"),
-        row("t_u_mean_ns", "fold to urgent set, mean (ns)", ns(0), None, ""),
-        row("t_u_most_ns", "  at worst", ns(1), 1e9 * budget.loader.urgent, "t_u"),
+        row("t_u_mean_ns", "fold to urgent set, mean (ns)", ns(0), by_formula(0.5), "t_u, a fold seen half a tick late"),
+        row("t_u_most_ns", "  at worst", ns(1), by_formula(1.0), "t_u and a tick"),
         row(
             "late_urgent",
             "late urgent sets a sweep",

@@ -67,7 +67,7 @@ pub fn chains(stage: &Stage, pool: &ThreadPool, pose: &Pose, frame: &FrameTiming
         Deadline::Transfer => transfer(),
         Deadline::SweepSetUp => set_up(stage, frame),
         Deadline::FrameTasks => frame_tasks(stage, pose, frame),
-        Deadline::Corner => corner(frame),
+        Deadline::Corner => corner(stage, frame),
     };
     Deadline::ALL.iter().filter(|deadline| frame.deadlines.contains_key(deadline)).filter_map(of).collect()
 }
@@ -150,7 +150,7 @@ impl Explained<'_> {
         [
             self.wait(sets, index, asked, begin),
             link(&unit, "pointer arithmetic", loader.pointer as i64),
-            link(&unit, format!("{} accesses of {words} words", accesses(loader)), access),
+            link(&unit, format!("accesses: {}, of {words} words each", accesses(loader)), access),
             link(&unit, "strobe", loader.strobe as i64),
         ]
         .into_iter()
@@ -272,8 +272,9 @@ fn frame_tasks(stage: &Stage, pose: &Pose, frame: &FrameTiming) -> Option<Chain>
     Some(Chain { deadline: Deadline::FrameTasks, what, links, slack: Some(slack) })
 }
 
-/// A record that the storage buffer does not hold waits for its drum.
-fn corner(frame: &FrameTiming) -> Option<Chain> {
+/// A record that the storage buffer does not hold waits for its drum; one that does not come in the frame counts as a
+/// sweep too late.
+fn corner(stage: &Stage, frame: &FrameTiming) -> Option<Chain> {
     let slack = frame.deadlines.get(&Deadline::Corner)?.least?;
     let worst = frame.misses.iter().find(|missed| missed.deadline == Deadline::Corner)?;
     let [m, n] = worst.region?;
@@ -283,5 +284,7 @@ fn corner(frame: &FrameTiming) -> Option<Chain> {
         link(&unit.unit, what, unit.busy as i64)
     });
     let what = format!("corner {m} {n} and others, first asked for in sweep {}", worst.sweep);
-    Some(Chain { deadline: Deadline::Corner, what, links: links.collect(), slack: Some(slack) })
+    let timebase = &stage.settings.timebase;
+    let sweep = (timebase.ticks_per_sample() * f64::from(timebase.sweep_samples())) as i64;
+    Some(Chain { deadline: Deadline::Corner, what, links: links.collect(), slack: Some(slack).filter(|&slack| slack != -sweep) })
 }

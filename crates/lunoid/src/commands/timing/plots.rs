@@ -7,9 +7,13 @@ use timing::{Deadline, Slack, TimingRecord, Totals};
 
 use crate::Failure;
 
-/// Units of one panel: the names in front of the first point of theirs.
-const PANELS: [(&str, &[&str]); 3] =
-    [("processors (%)", &["cpu", "io-processor"]), ("loader (%)", &["loader"]), ("drums (%)", &["drum"])];
+/// Panels, and how the names of their units begin.
+const PANELS: [(&str, &[&str]); 4] = [
+    ("processors (%)", &["cpu", "io-processor"]),
+    ("loader (%)", &["loader."]),
+    ("fine drums (%)", &["drum.fine."]),
+    ("coarse drums (%)", &["drum.coarse."]),
+];
 
 /// A name, and its steps.
 type Line = (String, Vec<f64>, Vec<f64>);
@@ -20,7 +24,7 @@ pub fn write_utilisation(record: &TimingRecord, path: &Path) -> Result<(), Failu
     let groups: Vec<(&str, Vec<Line>)> = PANELS
         .iter()
         .map(|(label, fronts)| {
-            let ours = units.iter().filter(|unit| fronts.contains(&unit.split('.').next().unwrap_or(unit)));
+            let ours = units.iter().filter(|unit| fronts.iter().any(|front| unit.starts_with(front)));
             (*label, ours.map(|unit| line(record, unit)).collect())
         })
         .collect();

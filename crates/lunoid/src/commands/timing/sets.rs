@@ -45,6 +45,14 @@ impl RegisterSet {
     }
 }
 
+/// Ground range (m) and fold of every stop that `program` meets, also of those that transfer nothing.
+pub fn crossings(program: &SweepProgram) -> impl Iterator<Item = (f64, Fold)> {
+    program.steps.iter().filter_map(|step| match step.kind {
+        StepKind::Fold(fold) | StepKind::BareFold(fold) => Some((step.range, fold)),
+        StepKind::Load(_) => None,
+    })
+}
+
 /// Sets of `program` in the order in which their fate is sealed, written into `sets`. Where words are `wired` through,
 /// they come with the fold that asks.
 pub fn sets_of(program: &SweepProgram, wired: bool, sets: &mut Vec<RegisterSet>) {

@@ -4,10 +4,10 @@ use std::path::Path;
 
 use ::plots::{Axis, EventLane, Panel, Span as Bar, Stops, Stretch, Timeline, Trace, TraceLook, timeline_picture};
 use quantities::SweepTime;
-use sweep_program::{Colour, PreloadRegister, RampAxis, StepKind, SweepProgram};
+use sweep_program::{Colour, PreloadRegister, RampAxis, SweepProgram};
 
 use super::critical_path::{colour_word, register_word};
-use super::sets::{RegisterSet, sets_of};
+use super::sets::{RegisterSet, crossings, sets_of};
 use super::sweeps::{LevelOfSweeps, Place, Sweeps, blank_program};
 use crate::Failure;
 
@@ -50,7 +50,7 @@ impl<'a> SweepTimeline<'a> {
     fn facts(&self) -> String {
         let late = self.sets.iter().filter(|set| set.late).count();
         let used = self.sets.iter().filter(|set| set.used.is_some()).count();
-        let (crossings, level) = (self.crossings().count(), self.of.name);
+        let (crossings, level) = (crossings(&self.program).count(), self.of.name);
         let Place { frame, sweep, .. } = self.place;
         format!(
             "frame {frame}, sweep {sweep}, {level} level: {crossings} crossings, {used} sets used, {late} of them late; every \
@@ -58,30 +58,27 @@ impl<'a> SweepTimeline<'a> {
         )
     }
 
-    /// Ranges and axes of the folds.
-    fn crossings(&self) -> impl Iterator<Item = (f64, RampAxis)> {
-        self.program.steps.iter().filter_map(|step| match step.kind {
-            StepKind::Fold(fold) | StepKind::BareFold(fold) => Some((step.range, fold.axis)),
-            StepKind::Load(_) => None,
-        })
+    /// Ground ranges of the folds of one ramp (m).
+    fn folds(&self, axis: RampAxis) -> Vec<f64> {
+        crossings(&self.program).filter(|(_, fold)| fold.axis == axis).map(|(range, _)| range).collect()
     }
 
     fn stops(&self, axis: RampAxis) -> Stops {
         let name = if axis == RampAxis::X { "X stop" } else { "Y stop" };
-        Stops { name: name.into(), at: self.crossings().filter(|&(_, of)| of == axis).map(|(at, _)| at).collect() }
+        Stops { name: name.into(), at: self.folds(axis) }
     }
 
     /// Places within `window`, all folds among them, and both ramps there.
     fn ramps(&self, [low, high]: [f64; 2]) -> (Vec<f64>, [Vec<f64>; 2]) {
         let samples = self.sweeps.table.ranges().iter().copied();
-        let folds = self.crossings().map(|(range, _)| range);
+        let folds = crossings(&self.program).map(|(range, _)| range);
         let end = self.program.end_range.min(high);
         let mut x: Vec<f64> =
             samples.chain(folds).chain([low, end]).filter(|&range| range >= low && range <= end).collect();
         x.sort_by(f64::total_cmp);
         let ramps = [RampAxis::X, RampAxis::Y].map(|axis| {
             let ramp = self.program.start.ramps[usize::from(axis == RampAxis::Y)];
-            let folds: Vec<f64> = self.crossings().filter(|&(_, of)| of == axis).map(|(at, _)| at).collect();
+            let folds = self.folds(axis);
             let value = |&range: &f64| {
                 let passed = folds.partition_point(|&fold| fold <= range) as u32;
                 ramp.at(passed, range / self.of.level.region_size()).0
@@ -105,17 +102,29 @@ impl<'a> SweepTimeline<'a> {
 
     /// On its way from the fold that asks, late from the fold that needs it, ready until it is used.
     fn bars(&self, set: &RegisterSet) -> Vec<Bar> {
-        let end = self.program.end_range;
         let asked = set.asked.range;
-        let used = set.used.map_or(end, |used| used.range);
-        let came = set.came.map_or(end, |came| self.range_at(came));
+        let used = set.used.map_or(self.program.end_range, |used| used.range);
+        let came = set.came.map(|came| self.range_at(came));
         let bar = |from, to, stretch| Bar { from, to, stretch };
-        match (set.late, set.came) {
-            (true, _) => vec![bar(asked, used, Stretch::OnItsWay), bar(used, came, Stretch::Late)],
-            (false, Some(_)) => vec![bar(asked, came, Stretch::OnItsWay), bar(came, used, Stretch::Ready)],
+        match (set.late, came) {
+            (true, came) => {
+                let to = came.unwrap_or_else(|| self.next_use(set));
+                vec![bar(asked, used, Stretch::OnItsWay), bar(used, to, Stretch::Late)]
+            }
+            (false, Some(came)) => vec![bar(asked, came, Stretch::OnItsWay), bar(came, used, Stretch::Ready)],
             // Dropped, since its colour has moved on.
             (false, None) => Vec::new(),
         }
+    }
+
+    /// A set that never comes is missed until the next of its register is used.
+    fn next_use(&self, set: &RegisterSet) -> f64 {
+        let after = |other: &&RegisterSet| {
+            (other.colour, other.register) == (set.colour, set.register)
+                && other.asked.number > set.asked.number
+        };
+        let next = self.sets.iter().filter(after).find_map(|other| other.used);
+        next.map_or(self.program.end_range, |used| used.range)
     }
 
     fn range_at(&self, time: SweepTime) -> f64 {

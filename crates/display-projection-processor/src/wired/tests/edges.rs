@@ -1,0 +1,167 @@
+//! Where the beam goes off and on: A13, A14, A15.
+
+use hardware_model::AnalogParts;
+use parts::time_constant;
+use proptest::prelude::{prop_assert, proptest};
+use scenario::Occlusion;
+
+use super::{BOTH, H, hollow, parts, run, share_at};
+use crate::wired::derivative::lateness;
+use crate::wired::figures::DERIVATIVE;
+
+const BEND: f64 = 0.002;
+
+/// A crest at sample `top`, of a parabola.
+fn crest(top: f64) -> impl Fn(f64) -> f64 {
+    move |k| 0.5 - BEND * (k - top) * (k - top)
+}
+
+/// Delay of a comparator (steps) against an input that leaves its threshold at `slope` shares a step.
+fn delay(seconds: f64, slope: f64) -> f64 {
+    let charge = 3.75e-4 * seconds / H;
+    let most = (12.5 * seconds).min(seconds.max(500e-9)) - seconds;
+    seconds / H + (2.0 * charge / slope).sqrt().min(most / H)
+}
+
+fn first_off(out: &crate::Driven<f64>) -> f64 {
+    out.on[0][0][1]
+}
+
+fn slow(seconds: f64) -> AnalogParts {
+    parts(|parts| parts.comparator.delay = seconds)
+}
+
+proptest! {
+    /// A13: the derivative's slope is `2 bend tau_d / h` a step.
+    #[test]
+    fn a_crest_is_cut_late_by_the_comparators_delay(top in 20.0..30.0_f64, seconds in 0.0..500e-9_f64) {
+        let out = run(Occlusion::Derivative, &slow(seconds), 60, crest(top));
+        let expected = top + delay(seconds, 2.0 * BEND * DERIVATIVE / H);
+        prop_assert!((first_off(&out) - expected).abs() < 1e-7, "{} {expected}", first_off(&out));
+    }
+}
+
+#[test]
+fn the_edge_moves_in_proportion_to_the_delay() {
+    // So bent that overdrive does not count: in steps of h = 50 ns, 95 m/us are 4.75 m a step.
+    for occlusion in BOTH {
+        let at = |seconds: f64| first_off(&run(occlusion, &slow(seconds), 80, hollow(40.0, 60.0, 0.02)));
+        let clean = at(0.0);
+        assert!((clean - 40.0).abs() < 1e-9, "{clean}");
+        let [one, two] = [at(40e-9) - clean, at(80e-9) - clean];
+        // 3.8 m of 40 ns at 95 m/us, and the overdrive's share.
+        assert!(one * 4.75 >= 3.8 - 1e-9 && one * 4.75 < 3.8 * 1.6, "{one}");
+        assert!(two > 1.7 * one && two < 2.01 * one, "{occlusion:?}: {one} {two}");
+    }
+}
+
+#[test]
+fn the_beam_writes_on_downwards_behind_a_crest() {
+    // A14: t_c / h samples more, eta'' t_c^2 / 2 deep.
+    let out = run(Occlusion::Derivative, &slow(100e-9), 60, crest(25.0));
+    let late = first_off(&out) - 25.0;
+    let depth = 0.5 - share_at(&out, first_off(&out));
+    assert!(late > 2.0);
+    assert!((depth - BEND * late * late).abs() < 0.3 * BEND, "{depth} {late}");
+}
+
+#[test]
+fn nominal_delays_are_trimmed_out() {
+    // The same ground goes off as without lags: seen on the clock of the intensity, which is 2 tau late.
+    for bandwidth in [8e6, 1e6] {
+        let lagged = parts(|parts| parts.projection.bandwidth = Some(bandwidth));
+        let out = run(Occlusion::Derivative, &lagged, 400, crest(200.3));
+        let late = 2.0 * time_constant(bandwidth) / H;
+        assert!((first_off(&out) - 200.3 - late).abs() < 1e-6, "{bandwidth}: {}", first_off(&out));
+        let ground = 400.0 * out.intensity[300][0];
+        assert!((ground - (300.0 - late)).abs() < 1e-9, "{ground}");
+    }
+}
+
+#[test]
+fn position_lags_as_long_as_the_intensity() {
+    let lagged = parts(|parts| parts.projection.bandwidth = Some(2e6));
+    for occlusion in BOTH {
+        let out = run(occlusion, &lagged, 300, |k| -0.9 + 0.005 * k);
+        let late = 2.0 * time_constant(2e6) / H;
+        let line = 250.0 - 250.0 * (-0.9 + 0.005 * (250.0 - late));
+        assert!((out.position[250][0] - line).abs() < 1e-6, "{}", out.position[250][0]);
+        assert_eq!(out.on[0], vec![[0.0, 299.0]]);
+    }
+}
+
+#[test]
+fn slow_video_needs_less_of_the_delay_line() {
+    let lagged = parts(|parts| {
+        parts.projection.bandwidth = Some(2e6);
+        parts.video_bandwidth = Some(4e6);
+    });
+    let out = run(Occlusion::PeakHold, &lagged, 100, |k| 0.001 * k);
+    let late = (2.0 * time_constant(2e6) - time_constant(4e6)) / H;
+    assert!((100.0 * out.intensity[60][0] - (60.0 - late)).abs() < 1e-9);
+}
+
+#[test]
+fn hidden_ground_returns_at_the_crest_with_the_errors_of_the_hold() {
+    // A15: V_p - D t, droop counted positive where the hold sinks.
+    for (pedestal, droop) in [(0.0, 0.0), (0.02, 0.0), (0.0, 2e4), (0.02, 2e4), (0.01, -1e4)] {
+        let faulty = parts(|parts| {
+            parts.sample_hold.pedestal = pedestal;
+            parts.sample_hold.droop = droop;
+        });
+        for occlusion in BOTH {
+            let out = run(occlusion, &faulty, 200, hollow(40.0, 90.0, 0.005));
+            let [[_, off], [on, end]] = out.on[0][..] else { panic!("{:?}", out.on[0]) };
+            assert_eq!(end, 199.0);
+            let error = share_at(&out, on) - 0.3;
+            let expected = pedestal - droop * (on - off) * H;
+            assert!((error - expected).abs() < 1e-9, "{occlusion:?} {error} {expected}");
+        }
+    }
+}
+
+#[test]
+fn a_late_return_is_late_by_delay_and_hysteresis() {
+    let rate = 0.005;
+    let late = parts(|parts| {
+        parts.comparator.delay = 100e-9;
+        parts.comparator.hysteresis = 0.004;
+        parts.comparator.delay = 100e-9;
+    });
+    let out = run(Occlusion::PeakHold, &late, 200, hollow(40.0, 90.0, rate));
+    let [[_, off], [on, _]] = out.on[0][..] else { panic!("{:?}", out.on[0]) };
+    let held = 0.002 / rate + delay(100e-9, rate);
+    assert!((off - (40.0 + held)).abs() < 1e-9, "{off}");
+    assert!((on - (140.0 + held)).abs() < 1e-9, "{on}");
+}
+
+#[test]
+fn a_slow_sample_and_hold_holds_what_it_has_tracked() {
+    // Acquisition 400 ns: tau = 400 / 6.9 = 57.9 ns, a ramp is tracked that much late.
+    let slow = parts(|parts| parts.sample_hold.acquire = 400e-9);
+    let rate = 0.005;
+    let out = run(Occlusion::Derivative, &slow, 200, hollow(80.0, 120.0, rate));
+    let [_, [on, _]] = out.on[0][..] else { panic!("{:?}", out.on[0]) };
+    let tau = 400e-9 / libm::log(1000.0) / H;
+    assert!((share_at(&out, on) - (0.3 - rate * tau)).abs() < 1e-7, "{}", share_at(&out, on));
+    // The peak detector is met by the elevation on its way down: `rate tau (1 - e^-x) = rate x`.
+    let out = run(Occlusion::PeakHold, &slow, 200, hollow(80.0, 120.0, rate));
+    let [[_, off], [on, _]] = out.on[0][..] else { panic!("{:?}", out.on[0]) };
+    assert!(off > 80.0 && off < 81.0, "{off}");
+    let below = 0.3 - share_at(&out, on);
+    assert!(below > 0.0 && below < rate * tau, "{below}");
+}
+
+#[test]
+fn the_differentiators_lateness_is_that_of_a_parabola() {
+    for lag in [1e-9, 20e-9, 50e-9, 400e-9] {
+        let part = parts::Differentiator::<f64>::new(H, H, lag);
+        let mut state = parts::SecondOrderState { y: 0.0, rate: 0.0 };
+        let square = |k: i32| 0.5 * f64::from(k * k);
+        let rate = (1..=2000).map(|k| part.step(&mut state, square(k - 1), square(k))).last();
+        let late = 2000.0 - rate.unwrap();
+        assert!((late - lateness(H, lag)).abs() < 1e-7, "{lag}: {late} {}", lateness(H, lag));
+    }
+    assert_eq!(lateness(H, 0.0), 0.5);
+    assert!((lateness(H, 1e-3) * H / 2e-3 - 1.0).abs() < 1e-3);
+}
