@@ -2,12 +2,11 @@
 
 use generator::Stage;
 use glam::DVec3;
-use hardware_model::Economy;
 use landscape::parabolic_drop;
-use polyhedron_generator::{Drawn, FaceLight, LeftOut, PolyhedronGenerator, Sight, ViewPlane};
+use polyhedron_generator::{Drawn, FaceLight, LeftOut, PolyhedronGenerator, ViewPlane};
 use rayon::prelude::*;
 use remote_shadow::{Segment, Tile};
-use scenario::{BodyVisibility, Curvature, FieldOfView, ShadowedBodies};
+use scenario::{BodyVisibility, Curvature, ShadowedBodies};
 use shadow_controller::Gate;
 use solids::Body;
 use std::sync::Arc;
@@ -16,6 +15,7 @@ use crate::blocks::{Blocks, Shadows};
 use crate::control_plane::FramePlan;
 use crate::footing::{Footings, UnderSun};
 use crate::raster::WrittenRaster;
+use crate::sight::InSight;
 
 /// Data of a frame, by sweep; the buffers are kept from frame to frame.
 #[derive(Debug, Default)]
@@ -44,7 +44,8 @@ pub(crate) struct Supply<'a> {
 impl Supply<'_> {
     /// Brings what the frame at `time` (s) needs.
     pub fn deliver(&self, time: f64, out: &mut Delivery) {
-        let seen = if self.blocks.bodies { self.within_sight(time, out) } else { Vec::new() };
+        let InSight { bodies: seen, left_out } = InSight::of(self.stage, self.blocks, self.plan, time);
+        out.left_out = left_out;
         let under_sun = self.blocks.shadows.as_ref().map(|shadows| self.under_sun(shadows));
         if let Some(under_sun) = &under_sun {
             // Each footing is found by whoever asks first: all at once is quicker.
@@ -64,44 +65,6 @@ impl Supply<'_> {
     fn under_sun<'a>(&'a self, shadows: &'a Shadows) -> UnderSun<'a> {
         let bodies = self.stage.scenery.standing().len();
         self.footings.under(self.plan.sun, bodies, &shadows.bank)
-    }
-
-    /// Bodies that stand at `time` and are near enough, with their number in the list of the mission.
-    fn within_sight(&self, time: f64, out: &mut Delivery) -> Vec<(usize, &Body)> {
-        out.left_out = LeftOut::default();
-        let standing = self.stage.scenery.standing().iter().enumerate();
-        let present = standing.filter(|(_, body)| body.from <= time && time < body.until);
-        let bodies = present.map(|(index, standing)| (index, &standing.body));
-        match self.stage.settings.economy {
-            Economy::Bounded => {
-                let (eye, sight) = (DVec3::from_array(self.plan.eye), self.sight());
-                let seen = bodies.filter(|(_, body)| sight.resolves(eye, body, &mut out.left_out)).collect();
-                out.left_out.cells *= self.pixels_a_cell() * self.with_shadow();
-                seen
-            }
-            Economy::Lossless | Economy::Everything => bodies.collect(),
-        }
-    }
-
-    fn sight(&self) -> Sight {
-        let raster = self.stage.settings.raster;
-        Sight::new(f64::from(raster.lines), 2.0 * libm::atan(raster.field.tan_half_height))
-    }
-
-    /// Most pixels of the screen in a square resolution cell, which is as wide as a line is high: not less than 1, and
-    /// more in the corners, where a pixel subtends less.
-    fn pixels_a_cell(&self) -> f64 {
-        let raster = self.stage.settings.raster;
-        let columns = f64::from(raster.columns) / raster.field.tan_half_width;
-        let squeeze = (columns * raster.field.tan_half_height / f64::from(raster.lines)).max(1.0);
-        let FieldOfView { tan_half_width, tan_half_height } = raster.field;
-        let corner = 1.0 + tan_half_width * tan_half_width + tan_half_height * tan_half_height;
-        squeeze * corner * corner.sqrt()
-    }
-
-    /// What a body can darken beside itself: its shadow on level ground, `1 / sin e` times its own outline.
-    fn with_shadow(&self) -> f64 {
-        self.blocks.shadows.as_ref().map_or(1.0, |_| 1.0 + 1.0 / libm::sin(self.plan.sun.elevation))
     }
 
     fn gates(

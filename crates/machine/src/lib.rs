@@ -30,6 +30,7 @@ mod raster;
 mod real_parts;
 mod record;
 mod session;
+mod sight;
 mod signal_plane;
 mod timing;
 mod workspace;

@@ -23,8 +23,8 @@ use crate::omissions::omissions;
 use crate::raster::WrittenRaster;
 use crate::real_parts::RealParts;
 use crate::record::Recorded;
+use crate::sight::vertices;
 use crate::signal_plane::Group;
-use crate::timing::vertices;
 use crate::workspace::Workspace;
 
 /// The machine, its tables, and buffers that wait for the next frame.
@@ -109,7 +109,7 @@ impl<S: Real> Elaborated<S> {
             plan,
             missing: Default::default(),
         };
-        let vertices = vertices(&self.stage, &self.blocks, time);
+        let vertices = vertices(&self.stage, &self.blocks, plan, time);
         self.digital.frame(&self.stage, &self.blocks, &self.raster, &crossings, vertices)
     }
 

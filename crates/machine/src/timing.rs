@@ -20,6 +20,7 @@ use crate::control_plane::FramePlan;
 use crate::crossings::Crossings;
 use crate::digital::{Digital, DigitalFrame, frame_ticks};
 use crate::raster::WrittenRaster;
+use crate::sight::vertices;
 use crate::workspace::idle_program;
 
 /// The digital side of the machine alone: timing records without a picture.
@@ -58,7 +59,7 @@ impl ControlPlane {
             plan: &plan,
             missing: Default::default(),
         };
-        let vertices = vertices(&self.stage, &self.blocks, pose.time);
+        let vertices = vertices(&self.stage, &self.blocks, &plan, pose.time);
         let digital = self.digital.frame(&self.stage, &self.blocks, &self.raster, &crossings, vertices);
         let crossings = Crossings { missing: digital.missing(), ..crossings };
         let sweeps = self.stage.settings.raster.sweeps;
@@ -182,14 +183,6 @@ fn drum_units(digital: &DigitalFrame) -> Vec<UnitUse> {
         })
     });
     units.collect()
-}
-
-/// Vertices of the bodies that stand at `time` (s): all of them are transformed, whether they are seen or not.
-pub(crate) fn vertices(stage: &Stage, blocks: &Blocks, time: f64) -> u64 {
-    if !blocks.bodies || stage.settings.cpu.vertex == 0 {
-        return 0;
-    }
-    stage.scenery.bodies(time).map(|body| body.vertices.len() as u64).sum()
 }
 
 fn add_sets(sum: &mut Sets, sets: &Sets) {

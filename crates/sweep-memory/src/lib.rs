@@ -4,6 +4,11 @@
 //! dpp.y ─────────▶ write deflection ┐
 //! mu.reflectivity ▶ beam intensity ─┴▶ sm.write ─▶ store [sweep, line] ─▶ read-out ─▶ video
 //! breaks of both ▶ when they jump or bend                                    ↑ yoke
+//!
+//! of real parts:
+//! position ─▶ deflection ─┐
+//! intensity ─▶ current ───┴▶ charge ─▶ store ─▶ + residue ─▶ spot, registration ─▶ read-out ─▶ + noise ─▶ video
+//! stretches ─▶ on, off ───┘                     of earlier pictures
 //! ```
 //!
 //! **Law.** While a profile is in sight its beam moves up the lines of its sweep; what a line shows is the mean of
@@ -27,10 +32,27 @@
 //! cubic, kept between the two nearest; [`digital_memory_turned`] shows cells as cells.
 //! Upright, with one raster for both, nothing of this is computed.
 //! **Timing.** A frame is read when its last sweep is written. Nothing is allocated while writing or reading.
+//! **Write gun** ([`WriteGun`]; hardware-1969, sections 3.8 and 6). The beam is on in stretches of time. Between two
+//! samples its position and its current run straight. Deflection is of second order, with the bandwidth of the part
+//! and Butterworth damping; the intensity is delayed as much as the nominal part delays a ramp, so that what is left is
+//! its transients and how far the part is off. The amplifier stops half a picture beyond the edges.
+//! Charge is current times time, and adds: `i(w) c(v) dt` along the stroke, v the speed of the beam. `c` is v within the
+//! range of the compensation (its greatest over its least, about the nominal speed of all lines in all steps), constant
+//! without one. A line of charge q, in those of a white line, shows `(1 - e^-q) / (1 - 1/e)`; the current of an
+//! intensity is the inverse of this, so that a grey comes out as itself at the right exposure.
+//! With exact compensation the store keeps levels: the mean over the line, as from the ideal beam, and what is written
+//! again is written over.
+//! **Tube** ([`Tube`]). The k-th picture before this one in the same tube is left with `rho^k`. The spot is Gaussian,
+//! `0.375 / n` of the picture's height, for half response at `n / 2` cycles a height: that of both guns together. A tube
+//! reads with a displacement and a scale of its own, along and across; where there are two, every second frame has the
+//! other. n shades that can be told apart are noise of `1 / 6n`, in the video.
+//! **Elaboration.** Exact compensation, no deflection, no spot, no residue: each is a stage that is not there. Charge
+//! and levels are two guns, chosen once a group.
 //! **Our choices.** Linear spot; the outermost sweeps serve pixels beyond them by at most half a sweep; a turned screen
-//! is dark beyond the raster.
-//! **Not modelled.** Spot size, writing-speed exposure, residue, quantisation. Polyhedra (VS3) are laid on the store
-//! by the polyhedron generator.
+//! is dark beyond the raster. White is 1 - 1/e of the whole charge. Residue adds in levels. Both spots at the reading.
+//! **Not modelled.** Slew of the deflection, decay while reading, blemishes, the spot's growth with the current. A gun
+//! of real parts knows no cubic between samples, no breaks and no [`PixelRule::Centre`]. Polyhedra (VS3) are laid on
+//! the store by the polyhedron generator.
 
 mod broken;
 mod curve;

@@ -101,7 +101,7 @@ fn the_end_of_a_profile_is_no_fall() {
 #[test]
 fn beyond_the_field_the_beam_waits_at_the_limiter() {
     for occlusion in BOTH {
-        let out = run(occlusion, &AnalogParts::ideal(), 100, |k| -8.0 + 0.1 * k);
+        let out = run(occlusion, &AnalogParts::ideal(), 100, |k| -8.0 + 0.09 * k);
         assert!((out.position[0][0] - 525.0).abs() < 1e-9);
         assert_eq!(out.on[0], vec![[0.0, 99.0]]);
     }

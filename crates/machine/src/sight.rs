@@ -1,0 +1,77 @@
+//! Bodies that are near enough to be drawn (section 12; economy).
+
+use generator::Stage;
+use glam::DVec3;
+use hardware_model::Economy;
+use polyhedron_generator::{LeftOut, Sight};
+use scenario::FieldOfView;
+use solids::Body;
+
+use crate::blocks::Blocks;
+use crate::control_plane::FramePlan;
+
+/// The bodies of a frame, with their number in the list of the mission, and what is too far to be seen.
+#[derive(Debug, Default)]
+pub(crate) struct InSight<'a> {
+    pub bodies: Vec<(usize, &'a Body)>,
+    pub left_out: LeftOut,
+}
+
+impl<'a> InSight<'a> {
+    /// Bodies that stand at `time` (s).
+    pub fn of(stage: &'a Stage, blocks: &Blocks, plan: &FramePlan, time: f64) -> Self {
+        if !blocks.bodies {
+            return Self::default();
+        }
+        let standing = stage.scenery.standing().iter().enumerate();
+        let present = standing.filter(|(_, body)| body.from <= time && time < body.until);
+        let bodies = present.map(|(index, standing)| (index, &standing.body));
+        let mut left_out = LeftOut::default();
+        let bodies = match stage.settings.economy {
+            Economy::Bounded => {
+                let (eye, sight) = (DVec3::from_array(plan.eye), sight(stage));
+                bodies.filter(|(_, body)| sight.resolves(eye, body, &mut left_out)).collect()
+            }
+            Economy::Lossless | Economy::Everything => bodies.collect(),
+        };
+        left_out.cells *= pixels_a_cell(stage) * with_shadow(blocks, plan);
+        Self { bodies, left_out }
+    }
+}
+
+/// Vertices that the processor transforms for the frame at `time` (s): those of bodies that are as large as a resolution
+/// cell and in the sector of the sweeps, whatever else is drawn for the sake of economy.
+pub(crate) fn vertices(stage: &Stage, blocks: &Blocks, plan: &FramePlan, time: f64) -> u64 {
+    if !blocks.bodies || stage.settings.cpu.vertex == 0 {
+        return 0;
+    }
+    let (eye, sight, mut beyond) = (DVec3::from_array(plan.eye), sight(stage), LeftOut::default());
+    let [[ln, le], [rn, re]] = plan.edges(0.0);
+    let mut is_ahead = |body: &Body| {
+        let [north, east] = [body.centre.x - eye.x, body.centre.y - eye.y];
+        let (right_of_left, left_of_right) = (ln * east - le * north, north * re - east * rn);
+        right_of_left > -body.radius && left_of_right > -body.radius && sight.resolves(eye, body, &mut beyond)
+    };
+    stage.scenery.bodies(time).filter(|body| is_ahead(body)).map(|body| body.vertices.len() as u64).sum()
+}
+
+fn sight(stage: &Stage) -> Sight {
+    let raster = stage.settings.raster;
+    Sight::new(f64::from(raster.lines), 2.0 * libm::atan(raster.field.tan_half_height))
+}
+
+/// Most pixels of the screen in a square resolution cell, which is as wide as a line is high: not less than 1, and
+/// more in the corners, where a pixel subtends less.
+fn pixels_a_cell(stage: &Stage) -> f64 {
+    let raster = stage.settings.raster;
+    let FieldOfView { tan_half_width, tan_half_height } = raster.field;
+    let columns = f64::from(raster.columns) / tan_half_width;
+    let squeeze = (columns * tan_half_height / f64::from(raster.lines)).max(1.0);
+    let corner = 1.0 + tan_half_width * tan_half_width + tan_half_height * tan_half_height;
+    squeeze * corner * corner.sqrt()
+}
+
+/// What a body can darken beside itself: its shadow on level ground, `1 / sin e` times its own outline.
+fn with_shadow(blocks: &Blocks, plan: &FramePlan) -> f64 {
+    blocks.shadows.as_ref().map_or(1.0, |_| 1.0 + 1.0 / libm::sin(plan.sun.elevation))
+}
