@@ -3,8 +3,10 @@
 
 mod ideal;
 
+use serde::Serialize;
+
 /// Everything analog. Times in seconds, rates in hertz, voltages in volts; a *share* is of the full scale.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct AnalogParts {
     /// Full scale (V): the machine unit. All voltages of the other parts are against it.
     pub full_scale: f64,
@@ -40,7 +42,7 @@ pub struct AnalogParts {
 }
 
 /// Sweep generator (hardware section 3.1).
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct SweepParts {
     /// Bits of the ramp's D/A converter; no steps if `None`.
     pub dac_bits: Option<u32>,
@@ -60,7 +62,8 @@ pub struct SweepParts {
 pub const SMOOTHER_DAMPING: f64 = 0.8;
 
 /// How a fold is found.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum FoldDetect {
     /// By the overflow of the accumulator, ahead of all analog delay.
     Digital,
@@ -69,7 +72,7 @@ pub enum FoldDetect {
 }
 
 /// Function generators (hardware section 3.3).
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct FunctionGeneratorParts {
     /// Segments of the broken line; the function itself if `None`.
     pub segments: Option<u32>,
@@ -80,7 +83,7 @@ pub struct FunctionGeneratorParts {
 }
 
 /// Analog multipliers (hardware section 3.4).
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct MultiplierParts {
     /// Static error, one sigma (share).
     pub error: f64,
@@ -89,7 +92,7 @@ pub struct MultiplierParts {
 }
 
 /// D/A multipliers with their registers (hardware section 3.5).
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct MultiplyingDacParts {
     /// Bits of a coefficient with its sign; the word as it is if `None`.
     pub bits: Option<u32>,
@@ -102,7 +105,7 @@ pub struct MultiplyingDacParts {
 }
 
 /// Amplifiers (hardware section 3.2).
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct AmplifierParts {
     /// Gain-bandwidth product (Hz): n unity inputs leave 1/(n + 1) of it.
     pub gain_bandwidth: Option<f64>,
@@ -115,7 +118,7 @@ pub struct AmplifierParts {
 }
 
 /// Comparators (hardware section 3.6).
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ComparatorParts {
     /// From crossing to output (s); 0: at once.
     pub delay: f64,
@@ -124,7 +127,7 @@ pub struct ComparatorParts {
 }
 
 /// Sample-and-hold (hardware section 3.6).
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct SampleHoldParts {
     /// Acquisition to 0.1 % (s), 6.9 time constants; 0: at once.
     pub acquire: f64,
@@ -135,14 +138,14 @@ pub struct SampleHoldParts {
 }
 
 /// From slopes to reflectivity.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ReflectivityParts {
     /// Delay of the reflectivity against the height of the same place (s); 0: matched.
     pub delay_mismatch: f64,
 }
 
 /// Video switches (hardware section 3.6).
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct VideoSwitchParts {
     /// Transition (s); 0: at once.
     pub time: f64,
@@ -151,7 +154,7 @@ pub struct VideoSwitchParts {
 }
 
 /// Function generators of the projection processor: elevation and both deflections.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ProjectionParts {
     /// Static error, one sigma (share).
     pub error: f64,
@@ -160,7 +163,7 @@ pub struct ProjectionParts {
 }
 
 /// Sweep memory (hardware section 3.8).
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct MemoryParts {
     /// Resolution (TV lines a picture height, at 50 % response); as fine as the raster if `None`.
     pub tv_lines: Option<u32>,
@@ -179,7 +182,8 @@ pub struct MemoryParts {
 }
 
 /// How the beam current follows the speed of writing, so that exposure does not depend on it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum WriteCompensation {
     /// In full.
     Exact,

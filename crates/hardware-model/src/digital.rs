@@ -1,9 +1,10 @@
 //! The digital side: processor, loader, data banks (hardware sections 2 and 4). Times are whole master ticks.
 
+use serde::Serialize;
 use sweep_program::{Colour, PreloadRegister};
 
 /// Central processor (hardware section 2.1).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub struct Cpu {
     /// One memory cycle.
     pub memory_cycle: u64,
@@ -95,7 +96,7 @@ pub struct LoadDelay {
 }
 
 /// Data banks of one level: drums behind the storage buffer (hardware section 2.3).
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Drum {
     /// One revolution.
     pub rotation: u64,
@@ -110,7 +111,8 @@ pub struct Drum {
 }
 
 /// Queue discipline of a drum.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum DrumQueue {
     /// First come, first served.
     Fifo,
@@ -119,7 +121,7 @@ pub enum DrumQueue {
 }
 
 /// What stands between the data banks and the registers.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct DataBanks {
     /// The drums of each level; all words are at hand if `None`.
     pub drum: Option<Drum>,

@@ -30,8 +30,22 @@
 //! **Our choices.** Presence lines as gates; `self-keyed` shows what the figure taken literally does: the dark wall
 //! of a crater drops the gate, and lit terrain shines through it. Texture as reported is added to what is drawn, so
 //! local shadow is grained like remote shadow; where texture ends the sign comes back.
-//! **Not modelled.** Hysteresis and delay of the switches. A self-keyed gate that opens between two samples without
-//! a kink there switches at the later one.
+//! **Not modelled.** A self-keyed gate that opens between two samples without a kink there switches at the later one.
+//!
+//! # Of real parts
+//!
+//! [`PartsMixer`] is the same block with the figures of [`hardware_model::AnalogParts`]; a machine has one or the other.
+//!
+//! **Law.** A gate is late by the delay of its comparator; then the switch fades from one input to the other in a
+//! straight line over its transition, and what it takes from S is off by a constant level ([`parts::Switch`]). Black
+//! and white are limits before VS2 and behind the adder. A lag of the video bandwidth ends the chain.
+//! **Parameters.** `comparator.delay`, `video_switch`, `video_bandwidth`, `spread`; the seed of the model.
+//! **State and timing.** A step is a sample; all settles in retrace. Edges keep their place between samples: a sample of
+//! a fade is its mean over a step around it. There are no breaks: no switch is sharper than a sample.
+//! **Our choices.** Presence lines have one comparator, the shadow gate another. Beyond its footprint the video of a
+//! feature is the ground's, since it adds no slope; so a late gate leaves no black seam. A gate that changes without a
+//! rim does so half way between samples. The level is a static error: it is drawn for each switch, without `spread` too.
+//! **Not modelled.** Hysteresis, crosstalk, gain and differential delay of the switches: no figures.
 
 mod breaks;
 mod inputs;

@@ -58,7 +58,11 @@ pub fn bar_picture(x: &str, y: &str, panels: &[Bars], look: &TraceLook) -> Resul
 
 fn check_labels(bars: &Bars) -> Result<(), PlotError> {
     let (found, expected) = (bars.edges.len(), bars.counts.len().saturating_sub(1));
-    if found == expected { Ok(()) } else { Err(PlotError::Count { what: bars.name.clone(), found, expected }) }
+    if found == expected {
+        Ok(())
+    } else {
+        Err(PlotError::Count { what: bars.name.clone(), found, expected })
+    }
 }
 
 fn draw_bars(canvas: &mut Canvas, bars: &Bars, area: Area, y: &str) -> Result<(), PlotError> {

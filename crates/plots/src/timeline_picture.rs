@@ -163,7 +163,8 @@ fn draw_legend(canvas: &mut Canvas, timeline: &Timeline<'_>, area: Area) {
         ("ready", colour_of(Stretch::Ready)),
         ("late", colour_of(Stretch::Late)),
     ];
-    let stops = timeline.stops.iter().enumerate().map(|(index, stops)| (stops.name.as_str(), stop_colour(index)));
+    let stops =
+        timeline.stops.iter().enumerate().map(|(index, stops)| (stops.name.as_str(), stop_colour(index)));
     let entries: Vec<(&str, Colour)> = stretches.into_iter().chain(stops).collect();
     crate::bar_picture::legend(canvas, &entries, area);
 }

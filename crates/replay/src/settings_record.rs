@@ -1,7 +1,8 @@
 //! Settings, ground and vehicle as they stand in the record: units in the keys, clocks as exact fractions.
 
 use hardware_model::{
-    Economy, Gate, LatePolicy, LoadDelay, Organisation, Settings, ShadowParts, SweepMemoryKind,
+    AnalogParts, Cpu, CrossingServer, DataBanks, Economy, Gate, LatePolicy, LoadDelay, Organisation,
+    Settings, ShadowParts, SweepMemoryKind,
 };
 use landscape::relief::Relief;
 use landscape::{Landscape, Sun, bank_file};
@@ -22,7 +23,11 @@ pub struct SettingsRecord {
     range: Value,
     laws: Value,
     display: Value,
+    cpu_ticks: Cpu,
     loader: Value,
+    data_banks_ticks: DataBanks,
+    analog_si: AnalogParts,
+    seed: u64,
     sweep_memory: &'static str,
     blocks: Value,
     yoke: Value,
@@ -44,7 +49,11 @@ impl SettingsRecord {
             range: range(&settings.range),
             laws: laws(settings),
             display: json!({ "white": settings.display.white, "gamma": settings.display.gamma }),
+            cpu_ticks: settings.cpu,
             loader: loader(settings),
+            data_banks_ticks: settings.data_banks,
+            analog_si: settings.analog.clone(),
+            seed: settings.seed,
             sweep_memory: match settings.sweep_memory {
                 SweepMemoryKind::ScanConverter => "scan-converter",
                 SweepMemoryKind::DigitalMemory => "digital-memory",
@@ -52,7 +61,8 @@ impl SettingsRecord {
             blocks: blocks(settings),
             yoke: settings.yoke.map_or(Value::Null, |yoke| {
                 let [step, rate, travel] = [yoke.step, yoke.rate, yoke.travel].map(degrees);
-                json!({ "step_deg": step, "rate_deg_s": rate, "travel_deg": travel })
+                json!({ "step_deg": step, "rate_deg_s": rate, "travel_deg": travel,
+                        "natural_hz": yoke.natural, "damping": yoke.damping })
             }),
             levels: settings
                 .levels
@@ -184,7 +194,22 @@ fn loader(settings: &Settings) -> Value {
         LatePolicy::Latched => "latched",
     };
     let delays: Vec<Value> = loader.delays.iter().map(delay).collect();
-    json!({ "access_ticks": loader.access, "late_policy": policy, "delay": delays })
+    json!({
+        "served_by": match loader.served_by {
+            CrossingServer::WiredPointers => "wired-pointers",
+            CrossingServer::IoProcessor => "io-processor",
+            CrossingServer::CpuInterrupt => "cpu-interrupt",
+        },
+        "words_per_access": loader.words_per_access,
+        "access_ticks": loader.access,
+        "pointer_ticks": loader.pointer,
+        "strobe_ticks": loader.strobe,
+        "urgent_first": loader.urgent_first,
+        "diagonal_register": loader.diagonal_register,
+        "stop_after_crossings": loader.stop_after_crossings,
+        "late_policy": policy,
+        "delay": delays,
+    })
 }
 
 fn delay(delay: &LoadDelay) -> Value {

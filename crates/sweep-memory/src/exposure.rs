@@ -11,6 +11,9 @@ pub(crate) const SATURATED: f32 = 1.581_976_7;
 /// Strokes shorter than this stay in one line (lines).
 const POINT: f32 = 1e-3;
 
+/// More than any signal is: what is summed stays finite.
+const LARGEST: f32 = 1e6;
+
 /// How strokes are kept in a row of lines.
 pub(crate) trait Target {
     /// What the beam is driven with to show an intensity; below 0 it is off.
@@ -53,7 +56,7 @@ impl Levels<'_> {
 
 impl Target for Levels<'_> {
     fn drive(&self, intensity: f32) -> f32 {
-        intensity
+        intensity.clamp(-LARGEST, LARGEST)
     }
 
     fn begin(&mut self, row: &mut [f32]) {

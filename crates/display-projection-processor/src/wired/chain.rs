@@ -115,7 +115,13 @@ impl<S: Real> PartsProcessor<S> {
         self.delay_video(reflectivity, &mut out.intensity);
     }
 
-    fn occlude(&self, ends: [usize; LANES], sweeps: &[u64; LANES], scratch: &mut Scratch, out: &mut Driven<S>) {
+    fn occlude(
+        &self,
+        ends: [usize; LANES],
+        sweeps: &[u64; LANES],
+        scratch: &mut Scratch,
+        out: &mut Driven<S>,
+    ) {
         let Driven { elevation, hold, on, .. } = out;
         for (lane, on) in on.iter_mut().enumerate() {
             let wire = Wire { elevation, lane, end: ends[lane], sweep: sweeps[lane] };
@@ -145,7 +151,9 @@ impl<S: Real> PartsProcessor<S> {
         }
         for sample in 1..line.len() {
             let highest = line[sample - 1];
-            let lower = |lane: usize| if line[sample][lane] < highest[lane] { line[sample][lane] } else { highest[lane] };
+            let lower = |lane: usize| {
+                if line[sample][lane] < highest[lane] { line[sample][lane] } else { highest[lane] }
+            };
             line[sample] = Lanes::from_fn(lower);
         }
     }
@@ -167,15 +175,16 @@ impl<S: Real> PartsProcessor<S> {
             now + (at(sample.saturating_sub(1)) - now) * share
         }));
     }
+}
 
-    /// Blanks that the report's probe shows: 1 at each sample of a lane at which the beam is off.
-    pub fn blank(out: &Driven<S>, lane: usize) -> Vec<f64> {
-        let mut gate = vec![1.0; out.elevation.len()];
-        for &[begin, end] in &out.on[lane] {
+impl<S: Real> Driven<S> {
+    /// `dpp.blank` of a lane: 1 at each sample at which its beam is off.
+    pub fn blank(&self, lane: usize) -> Vec<f64> {
+        let mut gate = vec![1.0; self.elevation.len()];
+        for &[begin, end] in &self.on[lane] {
             let first = begin as usize + usize::from(begin > begin.floor());
             gate[first..=end as usize].fill(0.0);
         }
         gate
     }
 }
-

@@ -8,7 +8,7 @@ use parts::{Comparator, ComparatorState, Differentiator, SampleHold, SecondOrder
 use signal::Real;
 
 use crate::wired::figures::{DERIVATIVE, Figures};
-use crate::wired::lane::{Beam, Held, Output, Wire};
+use crate::wired::lane::{Beam, Held, Output, Wire, comparable};
 
 /// The circuit, for one step length.
 #[derive(Debug, Clone)]
@@ -37,7 +37,13 @@ impl<S: Real> Derivative<S> {
 
     /// Runs a sweep; `outputs` are scratch for both comparators, `hold` takes what the sample-and-hold has at each
     /// sample.
-    pub fn run(&self, wire: &Wire<'_, S>, outputs: &mut [Output; 2], mut beam: Beam<'_>, mut hold: impl FnMut(S)) {
+    pub fn run(
+        &self,
+        wire: &Wire<'_, S>,
+        outputs: &mut [Output; 2],
+        mut beam: Beam<'_>,
+        mut hold: impl FnMut(S),
+    ) {
         let Some(last) = wire.end.checked_sub(1) else { return };
         let [falling, returning] = outputs;
         self.list_falls(wire, falling);
@@ -57,8 +63,8 @@ impl<S: Real> Derivative<S> {
         let (mut comparator, mut before) = (ComparatorState::default(), S::ZERO);
         for sample in 1..wire.end {
             let rate = self.differentiator.step(&mut poles, wire.at(sample - 1), wire.at(sample));
-            let address = (wire.sweep, sample);
-            self.falling.step(&mut comparator, address, -before, -rate, &mut falling.trips);
+            let [start, end] = comparable(-before, -rate);
+            self.falling.step(&mut comparator, (wire.sweep, sample), start, end, &mut falling.trips);
             before = rate;
         }
         falling.trips.iter_mut().for_each(|trip| trip.at.0 -= self.late);
@@ -107,7 +113,7 @@ impl<S: Real> Latch<'_, S> {
         let end = sample as f64;
         let mut now = end - 1.0;
         if let Memory::Blanked(held, comparator) = self.memory {
-            self.compare(sample, held, comparator, now);
+            self.compare(sample, held, comparator);
         }
         loop {
             match self.memory {
@@ -133,16 +139,14 @@ impl<S: Real> Latch<'_, S> {
 
     fn blank(&mut self, sample: usize, taken: S, since: f64) {
         self.returning.reset(false);
-        self.compare(sample, Held { taken, since }, ComparatorState::default(), since);
+        self.compare(sample, Held { taken, since }, ComparatorState::default());
     }
 
-    /// Feeds the comparator with elevation less hold over the step, as from `now` on.
-    fn compare(&mut self, sample: usize, held: Held<S>, mut comparator: ComparatorState, now: f64) {
+    /// Feeds the comparator with elevation less hold over the step, whenever in it the hold began: while elevation falls
+    /// what it says does not count.
+    fn compare(&mut self, sample: usize, held: Held<S>, mut comparator: ComparatorState) {
         let [start, end] = held.gap(&self.circuit.hold, self.wire, sample);
-        let share = S::from_f64(now - (sample as f64 - 1.0));
-        let from = start + (end - start) * share;
-        // What lay above the hold before it was taken is not seen.
-        let start = if start < from { start } else { from };
+        let [start, end] = comparable(start, end);
         let address = (self.wire.sweep, sample);
         self.circuit.returning.step(&mut comparator, address, start, end, &mut self.returning.trips);
         self.memory = Memory::Blanked(held, comparator);

@@ -12,9 +12,9 @@ const NOISE_BAND: f64 = 10e6;
 /// (hardware section 6): `1 / (8 tau^3) = 4 pi^2 B^3 / 3`.
 const LAGS: f64 = 0.211_782_714_409_354_9;
 
-/// The differentiator's `tau_d` (s): its full scale is 10 full scales a microsecond, the fastest elevation of a
-/// constant-rate sweep (hardware section 4.9: 75 to 148 V/µs of 10 V).
-pub(crate) const DERIVATIVE: f64 = 100e-9;
+/// The differentiator's `tau_d` (s): a hysteresis of 0.1 % is then 4 full scales a millisecond, three sigma of the noise of
+/// a nominal processor (0.5 mV of 10 V in 10 MHz, bandwidth 8 MHz).
+pub(crate) const DERIVATIVE: f64 = 250e-9;
 
 /// Overdrive at which a comparator takes twice its delay (share): 150 ns mV over 40 ns, of 10 V (hardware section 3.6).
 const OVERDRIVE: f64 = 3.75e-4;
@@ -90,7 +90,11 @@ impl Figures<'_> {
             acquisition: self.draw(&format!("{part}.acquisition"), figures.acquire, relative_sigma::SETTLING),
             aperture: 0.0,
             jitter: 0.0,
-            pedestal: self.draw(&format!("{part}.pedestal"), figures.pedestal / full_scale, relative_sigma::GLITCH),
+            pedestal: self.draw(
+                &format!("{part}.pedestal"),
+                figures.pedestal / full_scale,
+                relative_sigma::GLITCH,
+            ),
             droop: self.draw(&format!("{part}.droop"), figures.droop / full_scale, relative_sigma::GLITCH),
         }
     }

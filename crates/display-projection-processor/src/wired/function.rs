@@ -17,7 +17,9 @@ impl<S: Real> Function<S> {
     pub fn pass(&self, signal: &mut [Lanes<S>], middle: S, half: S) {
         if let Some(bow) = self.bow {
             let (most, inverse) = (bow * half, S::ONE / half);
-            signal.iter_mut().for_each(|value| *value = value.map(|u| bowed(u, most, (u - middle) * inverse)));
+            signal
+                .iter_mut()
+                .for_each(|value| *value = value.map(|u| bowed(u, most, (u - middle) * inverse)));
         }
         if let Some(lag) = &self.lag {
             delay(lag, signal);

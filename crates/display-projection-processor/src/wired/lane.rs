@@ -36,6 +36,17 @@ impl<S: Real> Wire<'_, S> {
     }
 }
 
+/// The ends of a step for a comparator about 0. A start that is 0 but for rounding is 0: the comparator counts instants
+/// in steps of the sweep, and one so early in a step is the step's start.
+pub(crate) fn comparable<S: Real>(start: S, end: S) -> [S; 2] {
+    let size = |value: S| if value < S::ZERO { -value } else { value };
+    let is_rounding = size(start) < size(end) * S::from_f64(ROUNDING);
+    [if is_rounding { S::ZERO } else { start }, end]
+}
+
+/// Part of a step below which an instant is its start.
+const ROUNDING: f64 = 1e-9;
+
 /// What the sample-and-hold has while the beam is off.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Held<S> {

@@ -8,7 +8,7 @@ use parts::{Comparator, ComparatorState, SampleHold};
 use signal::Real;
 
 use crate::wired::figures::Figures;
-use crate::wired::lane::{Beam, Held, Output, Wire};
+use crate::wired::lane::{Beam, Held, Output, Wire, comparable};
 
 /// The circuit, for one step length.
 #[derive(Debug, Clone)]
@@ -35,7 +35,8 @@ impl<S: Real> PeakHold<S> {
         let Some(last) = wire.end.checked_sub(1) else { return };
         output.reset(true);
         let comparator = ComparatorState { high: true, passing: None };
-        let mut detector = Detector { circuit: self, wire, output, comparator, memory: Memory::Open(wire.at(0)) };
+        let mut detector =
+            Detector { circuit: self, wire, output, comparator, memory: Memory::Open(wire.at(0)) };
         hold(wire.at(0));
         for sample in 1..=last {
             detector.step(sample, &mut beam);
@@ -90,15 +91,12 @@ impl<S: Real> Detector<'_, S> {
         let (part, gap) = match self.memory {
             Memory::Open(peak) => {
                 let risen = self.risen(peak, sample, [sample as f64 - 1.0, sample as f64]);
-                // A rise through the peak counts where it happens, and the peak follows it.
-                let rises = risen > peak;
-                let against = if rises && wire.at(sample - 1) < peak { peak } else { risen };
-                (&circuit.tracking, [wire.at(sample - 1) - peak, wire.at(sample) - against])
+                (&circuit.tracking, [wire.at(sample - 1) - peak, wire.at(sample) - risen])
             }
             Memory::Blanked(held) => (&circuit.holding, held.gap(&circuit.hold, wire, sample)),
         };
-        let address = (wire.sweep, sample);
-        part.step(&mut self.comparator, address, gap[0], gap[1], &mut self.output.trips);
+        let [start, end] = comparable(gap[0], gap[1]);
+        part.step(&mut self.comparator, (wire.sweep, sample), start, end, &mut self.output.trips);
     }
 
     fn turn(&mut self, at: f64, beam: &mut Beam<'_>) {

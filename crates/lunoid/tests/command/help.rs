@@ -1,6 +1,6 @@
 use crate::scene::{Scene, lunoid};
 
-const COMMANDS: [&[&str]; 18] = [
+const COMMANDS: [&[&str]; 23] = [
     &[],
     &["replay"],
     &["compare"],
@@ -19,6 +19,11 @@ const COMMANDS: [&[&str]; 18] = [
     &["model", "show"],
     &["model", "check"],
     &["model", "list"],
+    &["timing"],
+    &["timing", "record"],
+    &["timing", "check"],
+    &["timing", "show"],
+    &["sizing"],
 ];
 
 #[test]

@@ -6,3 +6,4 @@ mod help;
 mod models;
 mod replays;
 mod scene;
+mod timing;

@@ -19,15 +19,20 @@ impl GateEdges {
     pub fn follow_shadow<S: Real>(&mut self, list: &ToggleList<'_, S>) {
         self.edges.clear();
         self.open_at_start = list.dark_at_start;
-        self.edges.extend(list.toggles.iter().map(|toggle| toggle.sample as f64 - 1.0 + toggle.share.to_f64()));
+        self.edges
+            .extend(list.toggles.iter().map(|toggle| toggle.sample as f64 - 1.0 + toggle.share.to_f64()));
     }
 
     /// The gate of VS1 on a lane: exact at a rim, otherwise half way between the samples that differ.
-    pub fn follow_features<S: Real>(&mut self, vs1: &VideoSwitch, features: &FeatureInput<'_, S>, lane: usize) {
+    pub fn follow_features<S: Real>(
+        &mut self,
+        vs1: &VideoSwitch,
+        features: &FeatureInput<'_, S>,
+        lane: usize,
+    ) {
         self.edges.clear();
-        let is_open = |sample: usize| {
-            vs1.is_open(features.present[sample][lane], features.reflectivity[sample][lane])
-        };
+        let is_open =
+            |sample: usize| vs1.is_open(features.present[sample][lane], features.reflectivity[sample][lane]);
         let samples = features.present.len();
         self.open_at_start = samples > 0 && is_open(0);
         let (mut open, mut kinks) = (self.open_at_start, features.kinks[lane].iter().peekable());
@@ -43,8 +48,7 @@ impl GateEdges {
 
     fn change(&mut self, open: &mut bool, now: bool, at: f64) {
         if now != *open {
-            // A rim in the second half of a step that the samples do not know must not be overtaken.
-            self.edges.push(self.edges.last().map_or(at, |&last| last.max(at)));
+            self.edges.push(at);
             *open = now;
         }
     }

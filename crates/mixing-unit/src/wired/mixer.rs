@@ -25,6 +25,7 @@ pub struct PartsMixer<S> {
 pub struct SwitchScratch<S> {
     gate: GateEdges,
     fades: Vec<Lanes<S>>,
+    video: Vec<Lanes<S>>,
 }
 
 impl<S: Real> PartsMixer<S> {
@@ -76,20 +77,24 @@ impl<S: Real> PartsMixer<S> {
     }
 
     /// VS1 and the height summer.
-    fn lay_features(&self, features: &FeatureInput<'_, S>, scratch: &mut SwitchScratch<S>, out: &mut Mixed<S>) {
-        let SwitchScratch { gate, fades } = scratch;
+    fn lay_features(
+        &self,
+        features: &FeatureInput<'_, S>,
+        scratch: &mut SwitchScratch<S>,
+        out: &mut Mixed<S>,
+    ) {
+        let SwitchScratch { gate, fades, video } = scratch;
         for lane in 0..LANES {
             gate.follow_features(&self.unit.vs1, features, lane);
             gate.fade(&self.vs1, self.late[0], lane, fades);
         }
-        // Beyond its footprint a feature adds no slope: its video is the ground's. A self-keyed gate is as drawn, black.
-        let goes_on = self.unit.vs1.gate == Gate::Presence;
-        let threshold = S::from_f64(self.unit.vs1.threshold);
-        let signals = out.reflectivity.iter_mut().zip(features.reflectivity).zip(features.present);
-        for (((ground, &video), present), &g) in signals.zip(&*fades) {
-            let is_ground = |lane: usize| goes_on && !(present[lane] > threshold);
-            let open = Lanes::from_fn(|lane| if is_ground(lane) { ground[lane] } else { video[lane] });
-            *ground = self.vs1.part.output(g, *ground, open);
+        video.clear();
+        video.extend_from_slice(features.reflectivity);
+        if self.unit.vs1.gate == Gate::Presence {
+            go_on(features, S::from_f64(self.unit.vs1.threshold), &out.reflectivity, video);
+        }
+        for ((value, &video), &g) in out.reflectivity.iter_mut().zip(&*video).zip(&*fades) {
+            *value = self.vs1.part.output(g, *value, video);
         }
         for (height, &feature) in out.height.iter_mut().zip(features.height) {
             *height = *height + feature;
@@ -103,7 +108,7 @@ impl<S: Real> PartsMixer<S> {
         scratch: &mut SwitchScratch<S>,
         reflectivity: &mut [Lanes<S>],
     ) {
-        let SwitchScratch { gate, fades } = scratch;
+        let SwitchScratch { gate, fades, .. } = scratch;
         for (lane, list) in shadow.iter().enumerate() {
             gate.follow_shadow(list);
             gate.fade(&self.vs2, self.late[1], lane, fades);
@@ -145,6 +150,27 @@ fn begin<S: Real>(inputs: &Inputs<'_, S>, out: &mut Mixed<S>) {
     out.reflectivity.extend_from_slice(inputs.reflectivity);
     out.breaks.iter_mut().for_each(Vec::clear);
     out.bends.iter_mut().for_each(Vec::clear);
+}
+
+/// Beyond its footprint a feature adds no slope, so its video goes on as the ground's; but where the sample outside a rim
+/// stands for some of the footprint, as that of the rim.
+fn go_on<S: Real>(features: &FeatureInput<'_, S>, present: S, ground: &[Lanes<S>], video: &mut [Lanes<S>]) {
+    for ((video, &ground), line) in video.iter_mut().zip(ground).zip(features.present) {
+        *video = Lanes::from_fn(|lane| if line[lane] > present { video[lane] } else { ground[lane] });
+    }
+    for (lane, kinks) in features.kinks.iter().enumerate() {
+        for kink in kinks {
+            let is_early = kink.share < S::from_f64(0.5);
+            let [outside, value] = match (kink.present, is_early) {
+                ([false, true], true) => [kink.sample - 1, 1],
+                ([true, false], false) => [kink.sample, 0],
+                _ => continue,
+            };
+            if features.present[outside][lane] <= present {
+                video[outside][lane] = kink.feature[value];
+            }
+        }
+    }
 }
 
 fn add<S: Real>(texture: &[Lanes<S>], reflectivity: &mut [Lanes<S>]) {

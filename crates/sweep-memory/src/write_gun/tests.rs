@@ -1,7 +1,8 @@
 //! Exposure in closed form, and extremes.
 
 use hardware_model::{AnalogParts, MemoryParts, WriteCompensation};
-use proptest::prelude::{any, prop_assert, proptest};
+use proptest::prelude::{Strategy, any, prop_assert, prop_oneof, proptest};
+use proptest::sample::select;
 use scenario::PixelRule;
 use signal::{LANES, Lanes, Stretches};
 
@@ -160,6 +161,22 @@ fn silhouettes_rise_from_the_highest_place_written() {
     }
 }
 
+#[test]
+fn a_beam_that_stands_leaves_all_its_charge_in_one_line() {
+    for (compensation, rate) in [(WriteCompensation::Off, 1.0), (WriteCompensation::Ratio(16.0), 0.25)] {
+        let found = row(&gun(compensation, None, 101), &[50.5; 4], &[0.3; 4], &[[0.5, 2.0]]);
+        assert!((charge(found[50]) - 1.5 * rate * charge(0.3)).abs() < 1e-6, "{}", found[50]);
+        assert!(found.iter().enumerate().all(|(line, value)| line == 50 || *value == 0.0));
+    }
+}
+
+/// Values that break arithmetic, among ordinary ones.
+fn extreme() -> impl Strategy<Value = f64> {
+    const EDGES: [f64; 10] =
+        [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, 3e38, -3e38, 1.7e38, 1e-40, 0.0, -0.0];
+    prop_oneof![select(&EDGES[..]), any::<f64>(), -50.0..200.0]
+}
+
 proptest! {
     /// The gun of no parts and the ideal beam leave the same of a profile in sight.
     #[test]
@@ -185,9 +202,9 @@ proptest! {
 
     #[test]
     fn whatever_comes_rows_hold_levels(
-        wild in proptest::collection::vec(any::<[f64; 2]>(), 0..30),
+        wild in proptest::collection::vec([extreme(), extreme()], 0..30),
         mild in proptest::collection::vec([-50.0..200.0f64, -0.5..1.5f64], 0..30),
-        on in proptest::collection::vec(any::<[f64; 2]>(), 0..4),
+        on in proptest::collection::vec([extreme(), extreme()], 0..4),
         deflection in proptest::option::of(1e-3..1e9f64),
         ratio in 1.0..1e6f64,
     ) {

@@ -5,7 +5,7 @@ use parts::time_constant;
 use proptest::prelude::{prop_assert, proptest};
 use scenario::Occlusion;
 
-use super::{BOTH, H, hollow, parts, run, share_at};
+use super::{BOTH, H, HALF, hollow, parts, run, share_at};
 use crate::wired::derivative::lateness;
 use crate::wired::figures::DERIVATIVE;
 
@@ -62,6 +62,8 @@ fn the_beam_writes_on_downwards_behind_a_crest() {
     let late = first_off(&out) - 25.0;
     let depth = 0.5 - share_at(&out, first_off(&out));
     assert!(late > 2.0);
+    let blank = out.blank(0);
+    assert!((0..60).all(|k| (blank[k] == 1.0) == (k as f64 > 25.0 + late)));
     assert!((depth - BEND * late * late).abs() < 0.3 * BEND, "{depth} {late}");
 }
 
@@ -106,17 +108,20 @@ fn hidden_ground_returns_at_the_crest_with_the_errors_of_the_hold() {
     // A15: V_p - D t, droop counted positive where the hold sinks.
     for (pedestal, droop) in [(0.0, 0.0), (0.02, 0.0), (0.0, 2e4), (0.02, 2e4), (0.01, -1e4)] {
         let faulty = parts(|parts| {
-            parts.sample_hold.pedestal = pedestal;
-            parts.sample_hold.droop = droop;
+            parts.full_scale = 10.0;
+            parts.sample_hold.pedestal = 10.0 * pedestal;
+            parts.sample_hold.droop = 10.0 * droop;
         });
         for occlusion in BOTH {
-            eprintln!("{occlusion:?} {pedestal} {droop}");
             let out = run(occlusion, &faulty, 200, hollow(40.0, 90.0, 0.005));
             let [[_, off], [on, end]] = out.on[0][..] else { panic!("{:?}", out.on[0]) };
             assert_eq!(end, 199.0);
             let error = share_at(&out, on) - 0.3;
             let expected = pedestal - droop * (on - off) * H;
             assert!((error - expected).abs() < 1e-9, "{occlusion:?} {error} {expected}");
+            // Bodies and silhouettes see the highest that was held.
+            assert!(out.line.windows(2).all(|pair| pair[1][0] <= pair[0][0]));
+            assert!((out.line[41][0] - 250.0 * (0.7 - pedestal)).abs() < 0.3);
         }
     }
 }
@@ -125,7 +130,6 @@ fn hidden_ground_returns_at_the_crest_with_the_errors_of_the_hold() {
 fn a_late_return_is_late_by_delay_and_hysteresis() {
     let rate = 0.005;
     let late = parts(|parts| {
-        parts.comparator.delay = 100e-9;
         parts.comparator.hysteresis = 0.004;
         parts.comparator.delay = 100e-9;
     });
@@ -134,6 +138,28 @@ fn a_late_return_is_late_by_delay_and_hysteresis() {
     let held = 0.002 / rate + delay(100e-9, rate);
     assert!((off - (40.0 + held)).abs() < 1e-9, "{off}");
     assert!((on - (140.0 + held)).abs() < 1e-9, "{on}");
+}
+
+#[test]
+fn noise_makes_the_return_jitter_by_sigma_over_slope() {
+    let (rate, sigma) = (0.005, 0.0005);
+    let noisy = parts(|parts| parts.amplifier.noise = sigma);
+    let out = run(Occlusion::PeakHold, &noisy, 200, hollow(40.0, 90.0, rate));
+    let off: Vec<f64> = out.on.iter().map(|on| on.last().unwrap()[0] - 140.0).collect();
+    let spread = (off.iter().map(|at| at * at).sum::<f64>() / off.len() as f64).sqrt();
+    assert!(spread > 0.3 * sigma / rate && spread < 3.0 * sigma / rate, "{spread}");
+}
+
+#[test]
+fn a_dip_shorter_than_the_delay_still_leaves_its_gap() {
+    // The peak detector has followed the rise when the blank comes.
+    let rate = 0.02;
+    let late = parts(|parts| parts.comparator.delay = 200e-9);
+    let out = run(Occlusion::PeakHold, &late, 80, hollow(40.0, 41.0, rate));
+    let [[_, off], [on, end]] = out.on[0][..] else { panic!("{:?}", out.on[0]) };
+    let held = delay(200e-9, rate);
+    assert!((off - 40.0 - held).abs() < 1e-9, "{off}");
+    assert!(on > off && on - off <= 500e-9 / H && end == 79.0, "{on}");
 }
 
 #[test]
@@ -151,6 +177,21 @@ fn a_slow_sample_and_hold_holds_what_it_has_tracked() {
     assert!(off > 80.0 && off < 81.0, "{off}");
     let below = 0.3 - share_at(&out, on);
     assert!(below > 0.0 && below < rate * tau, "{below}");
+}
+
+#[test]
+fn a_sample_and_hold_goes_on_from_where_it_held() {
+    // One that never acquires: what the first sample left, a pedestal and a droop.
+    let stuck = parts(|parts| {
+        parts.sample_hold.acquire = f64::INFINITY;
+        parts.sample_hold.pedestal = 0.02;
+        parts.sample_hold.droop = 3e3;
+    });
+    let out = run(Occlusion::Derivative, &stuck, 200, hollow(80.0, 120.0, 0.005));
+    let [[_, off], [on, _]] = out.on[0][..] else { panic!("{:?}", out.on[0]) };
+    let left = -0.1 + 0.02 - 3e3 * (on - off) * H;
+    assert!((out.hold[199][0] - HALF * left).abs() < 1e-12, "{}", out.hold[199][0]);
+    assert_eq!((off, on), (80.0, 120.0));
 }
 
 #[test]

@@ -109,13 +109,15 @@ fn beyond_the_field_the_beam_waits_at_the_limiter() {
 
 #[test]
 fn a_camera_that_looks_up_still_has_a_field() {
-    for pitch in [-1.6, -1.2, 0.0, 1.2, 1.6, 3.1] {
-        let deflection = Deflection::new(Projection::Exact, pitch, 0.3).in_lines(LINES, 0.25);
+    let pitched = [-1.6, -1.2, 0.0, 1.2, 1.6, 3.1]
+        .map(|pitch| Deflection::new(Projection::Exact, pitch, 0.3).in_lines(LINES, 0.25));
+    let blind = Deflection { a: 1.0, b: 0.0, c: 1.0, e: 0.0 };
+    for deflection in pitched.into_iter().chain([blind]) {
         let law = (BOTH[0], Curvature::None);
         let processor = PartsProcessor::new(law, &[1.0, 2.0, 3.0], LINES, H, &figures(24), 1);
         let height = [Lanes::splat(-1.0), Lanes::splat(f64::NAN), Lanes::splat(4.0)];
         let mut out = Driven::default();
         processor.run(&height, &height, &[deflection; LANES], &[0; LANES], &mut Scratch::default(), &mut out);
-        assert!(is_sound(&out, 3), "{pitch}: {:?}", out.position);
+        assert!(is_sound(&out, 3), "{deflection:?}: {:?}", out.position);
     }
 }

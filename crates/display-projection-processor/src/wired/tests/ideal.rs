@@ -1,5 +1,7 @@
 //! Parts without faults do what the ideal processor does.
 
+use std::f64::consts::TAU;
+
 use hardware_model::AnalogParts;
 use proptest::prelude::{prop_assert, proptest};
 use scenario::{Curvature, Occlusion};
@@ -32,9 +34,9 @@ proptest! {
         rise in 0.0..0.002_f64,
     ) {
         let lengths = [25.0, 60.0, 140.0];
-        let wave = |k: f64, n: usize| amplitudes[n] * libm::sin(phases[n] + 6.2832 * k / lengths[n]);
+        let wave = |k: f64, n: usize| amplitudes[n] * libm::sin(phases[n] + TAU * k / lengths[n]);
         let share = |k: f64| -0.3 + rise * k + wave(k, 0) + wave(k, 1) + wave(k, 2);
-        let bend: f64 = (0..3).map(|n| amplitudes[n] * (6.2832 / lengths[n]) * (6.2832 / lengths[n])).sum();
+        let bend: f64 = (0..3).map(|n| amplitudes[n] * (TAU / lengths[n]) * (TAU / lengths[n])).sum();
         for occlusion in BOTH {
             let (clean, made) = (ideal(occlusion, share), run(occlusion, &AnalogParts::ideal(), SAMPLES, share));
             for k in 1..SAMPLES {
@@ -76,7 +78,6 @@ fn parts_are_drawn_once_and_apart() {
     let spread = parts(|parts| {
         parts.spread = true;
         parts.comparator.delay = 40e-9;
-        parts.projection.error = 0.003;
         parts.projection.bandwidth = Some(8e6);
     });
     let share = |k: f64| 0.5 - 0.002 * (k - 100.0) * (k - 100.0);

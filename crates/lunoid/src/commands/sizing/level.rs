@@ -5,7 +5,7 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use scenario::PoseRow;
 
 use super::tear::TearLaw;
-use crate::commands::timing::sets::{RegisterSet, crossings, sets_of};
+use crate::commands::timing::sets::{AskedSet, crossings, sets_of};
 use crate::commands::timing::sweeps::{LevelOfSweeps, Place, Sweeps, blank_program};
 
 /// What the sweeps of some frames did over one level, and what the formulas say.
@@ -144,7 +144,7 @@ impl SweepFigures {
         let direction = program.start.direction;
         let range = program.end_range;
         let seen = |miss: &&sweep_program::Miss| law.is_seen(miss, &program, of.level, &sweeps.table);
-        let count = |is: fn(&&RegisterSet) -> bool| sets.iter().filter(is).count() as u64;
+        let count = |is: fn(&&AskedSet) -> bool| sets.iter().filter(is).count() as u64;
         Self {
             range,
             crossings: crossings(&program).count() as u64,
@@ -160,7 +160,7 @@ impl SweepFigures {
     }
 }
 
-fn latencies(sets: &[RegisterSet]) -> (u64, f64, f64) {
-    let urgent = sets.iter().filter(|set| set.urgent).filter_map(RegisterSet::latency);
+fn latencies(sets: &[AskedSet]) -> (u64, f64, f64) {
+    let urgent = sets.iter().filter(|set| set.urgent).filter_map(AskedSet::latency);
     urgent.fold((0, 0.0, 0.0), |(count, sum, most), latency| (count + 1, sum + latency, latency.max(most)))
 }

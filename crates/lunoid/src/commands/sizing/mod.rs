@@ -60,11 +60,20 @@ impl Sizing {
         let (rehearsal, frames) = Rehearsal::open(&self.stage, &self.threads, usual)?;
         let record = rehearsal.record(&frames, &Display::new(!self.no_progress))?;
         let report = self.report(&rehearsal, &frames, &record)?;
-        if self.json { print_json(&report.json())? } else { print(&report.text())? }
+        if self.json {
+            print_json(&report.json())?
+        } else {
+            print(&report.text())?
+        }
         Ok(Verdict::Yes)
     }
 
-    fn report(&self, rehearsal: &Rehearsal, frames: &[u64], record: &TimingRecord) -> Result<Report, Failure> {
+    fn report(
+        &self,
+        rehearsal: &Rehearsal,
+        frames: &[u64],
+        record: &TimingRecord,
+    ) -> Result<Report, Failure> {
         let poses = rehearsal.poses(frames)?;
         let law = TearLaw::new(&rehearsal.stage.settings.raster, self.shows);
         let model = rehearsal.model_as_run();

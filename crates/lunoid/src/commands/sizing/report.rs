@@ -62,7 +62,7 @@ impl Report {
         let names: Vec<String> = frames.iter().map(u64::to_string).collect();
         let head = format!("{} on {}, frames {}", record.scenario, record.machine, names.join(", "));
         let mut tables: Vec<_> = levels.iter().map(|level| (title(level), level_rows(level))).collect();
-        tables.push(("use of units".into(), unit_rows(rehearsal, record, levels, poses)));
+        tables.push(("use of units".into(), unit_rows(rehearsal, record, levels)));
         Self { head, tables, searches, shows, frames }
     }
 
@@ -84,7 +84,10 @@ impl Report {
         }
         if !self.searches.is_empty() {
             let lines = self.shows;
-            text += &format!("\nslowest parts with no step of {lines} lines or more\n{}", table(&self.search_cells()));
+            text += &format!(
+                "\nslowest parts with no step of {lines} lines or more\n{}",
+                table(&self.search_cells())
+            );
         }
         text
     }
@@ -97,9 +100,10 @@ impl Report {
             (slowest, false) => ns(slowest),
         };
         let head = ["part", "slowest", "is", ""].map(String::from).into();
-        let rows = self.searches.iter().map(|search| {
-            vec![search.key.into(), found(search), ns(search.is_ns), search.what.into()]
-        });
+        let rows = self
+            .searches
+            .iter()
+            .map(|search| vec![search.key.into(), found(search), ns(search.is_ns), search.what.into()]);
         [head].into_iter().chain(rows).collect()
     }
 }
@@ -119,12 +123,15 @@ fn four_digits(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
         return format!("{value}");
     }
+    if value.abs() < 1e-4 {
+        return format!("{value:.1e}");
+    }
     let mut decimals = 3;
     let mut scaled = value.abs();
     while scaled >= 10.0 && decimals > 0 {
         (scaled, decimals) = (scaled / 10.0, decimals - 1);
     }
-    while scaled < 1.0 && decimals < 9 {
+    while scaled < 1.0 {
         (scaled, decimals) = (scaled * 10.0, decimals + 1);
     }
     format!("{value:.decimals$}")
@@ -147,12 +154,30 @@ fn level_rows(level: &LevelFigures) -> Vec<Row> {
     let by_formula = |ticks: f64| 1e9 * (budget.loader.urgent + ticks * level.tick);
     vec![
         row("crossings", "crossings a sweep, mean", mean, crossings.mean, "4 R/(pi d), mean over azimuth"),
-        row("crossings_here", "  of these azimuths", mean, level.crossings_at_azimuths, "R (|cos| + |sin|)/d"),
+        row(
+            "crossings_here",
+            "  of these azimuths",
+            mean,
+            level.crossings_at_azimuths,
+            "R (|cos| + |sin|)/d",
+        ),
         row("crossings_least", "  least", least, straight, "R/d, along an axis"),
         row("crossings_most", "  most", most, crossings.worst, "sqrt(2) R/d, along a diagonal"),
         row("words_used_us", "words used/µs", words(level.used), 1e-6 * crossings.words_used, "18 n/Ta"),
-        row("words_loaded_us", "words loaded/µs", words(level.brought), 1e-6 * crossings.words_loaded, "36 n/Ta"),
-        row("t_u_mean_ns", "fold to urgent set, mean (ns)", ns(0), by_formula(0.5), "t_u, a fold seen half a tick late"),
+        row(
+            "words_loaded_us",
+            "words loaded/µs",
+            words(level.brought),
+            1e-6 * crossings.words_loaded,
+            "36 n/Ta",
+        ),
+        row(
+            "t_u_mean_ns",
+            "fold to urgent set, mean (ns)",
+            ns(0),
+            by_formula(0.5),
+            "t_u, a fold seen half a tick late",
+        ),
         row("t_u_most_ns", "  at worst", ns(1), by_formula(1.0), "t_u and a tick"),
         row(
             "late_urgent",
@@ -161,7 +186,13 @@ fn level_rows(level: &LevelFigures) -> Vec<Row> {
             level.late_expected / (*sweeps).max(1) as f64,
             "sum of v t_u |sin 2 theta|/d^2",
         ),
-        row("late_urgent_mean", "  constant rate, mean azimuth", sweep(level.late_urgent), budget.loader.late, "R v t_u 2/(pi d^2)"),
+        row(
+            "late_urgent_mean",
+            "  constant rate, mean azimuth",
+            sweep(level.late_urgent),
+            budget.loader.late,
+            "R v t_u 2/(pi d^2)",
+        ),
         row("late", "late sets a sweep, all", sweep(level.late), None, ""),
         row("tears", "tears a frame", frame(level.late), None, "late sets"),
         row("tears_seen", "  that show", frame(level.seen), None, "S0(e) times the corners' difference"),
@@ -169,13 +200,8 @@ fn level_rows(level: &LevelFigures) -> Vec<Row> {
 }
 
 /// Utilisation in percent.
-fn unit_rows(
-    rehearsal: &Rehearsal,
-    record: &TimingRecord,
-    levels: &[LevelFigures],
-    poses: &[PoseRow],
-) -> Vec<Row> {
-    let formulas = UnitFormulas::new(rehearsal, levels, poses);
+fn unit_rows(rehearsal: &Rehearsal, record: &TimingRecord, levels: &[LevelFigures]) -> Vec<Row> {
+    let formulas = UnitFormulas { levels, turning: turning(rehearsal) / 10.0 };
     let totals = Totals::of(record);
     let rows = totals.units.iter().map(|(name, unit)| {
         let (formula, law) = formulas.of(name);
@@ -187,34 +213,21 @@ fn unit_rows(
 /// Shares of time by formula.
 struct UnitFormulas<'a> {
     levels: &'a [LevelFigures],
-    /// Share of the processor's time that vertices take.
-    vertices: f64,
     /// How fast the view turns, as a share of 10 degrees/s, for which the drum's formula stands.
     turning: f64,
 }
 
-impl<'a> UnitFormulas<'a> {
-    fn new(rehearsal: &Rehearsal, levels: &'a [LevelFigures], poses: &[PoseRow]) -> Self {
-        let stage = &rehearsal.stage;
-        let per_frame = |row: &PoseRow| {
-            let count: usize = stage.scenery.bodies(row.pose.time).map(|body| body.vertices.len()).sum();
-            stage.settings.cpu.vertex as f64 * count as f64
-        };
-        let settings = &stage.settings;
-        let frame = settings.timebase.master.hertz() / settings.timebase.update.hertz();
-        let vertices = poses.iter().map(per_frame).sum::<f64>() / (poses.len().max(1) as f64 * frame);
-        Self { levels, vertices, turning: turning(rehearsal) / 10.0 }
-    }
-
+impl UnitFormulas<'_> {
     fn of(&self, unit: &str) -> (Option<f64>, &'static str) {
         let sum = |share: fn(&LevelFigures) -> f64| self.levels.iter().map(share).sum::<f64>();
         match unit.split('.').collect::<Vec<_>>()[..] {
             ["cpu"] => {
-                let once = self.levels.first().map_or(0.0, |level| {
-                    level.budget.cpu.sweep_setup + level.budget.cpu.frame_tables
-                });
+                let once = self
+                    .levels
+                    .first()
+                    .map_or(0.0, |level| level.budget.cpu.sweep_setup + level.budget.cpu.frame_tables);
                 let crossings = sum(|level| level.budget.cpu.interrupts + level.budget.cpu.loads);
-                (Some(once + crossings + self.vertices), "set-ups, tables, crossings, vertices")
+                (Some(once + crossings), "set-ups, tables, crossings; no vertices")
             }
             ["loader", _] | ["io-processor"] => {
                 (Some(sum(|level| level.budget.loader.busy / level.budget.sweep.period)), "4 sets a crossing")
@@ -247,7 +260,7 @@ mod tests {
 
     #[test]
     fn figures_have_four_digits() {
-        let texts = [0.0, 21.22, 0.000123, 6.3662, 123_456.7].map(four_digits);
-        assert_eq!(texts, ["0", "21.22", "0.0001230", "6.366", "123457"]);
+        let texts = [0.0, 21.22, 0.000_123, 6.3662, 123_456.7, 1e-17].map(four_digits);
+        assert_eq!(texts, ["0", "21.22", "0.0001230", "6.366", "123457", "1.0e-17"]);
     }
 }

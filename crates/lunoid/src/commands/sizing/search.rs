@@ -48,9 +48,15 @@ pub fn all(stage: &Stage, poses: &[PoseRow], law: &TearLaw) -> Vec<Search> {
         Search { key, what, slowest_ticks, slowest_ns, any: slowest_ticks == Some(limit), is_ns }
     };
     let is_wired = loader.served_by == CrossingServer::WiredPointers;
-    let set = u64::from(9_u32.div_ceil(loader.words_per_access)) * loader.access + loader.pointer + loader.strobe;
+    let set =
+        u64::from(9_u32.div_ceil(loader.words_per_access)) * loader.access + loader.pointer + loader.strobe;
     vec![
-        run("loader.access_ns", "one access, all else as it is", &slower_access, Some(loader.access as f64 * ns)),
+        run(
+            "loader.access_ns",
+            "one access, all else as it is",
+            &slower_access,
+            Some(loader.access as f64 * ns),
+        ),
         run("t_u", "a whole set in four banks", &whole_set, is_wired.then_some(set as f64 * ns)),
     ]
 }

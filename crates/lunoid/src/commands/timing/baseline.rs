@@ -109,8 +109,7 @@ impl Check {
         if let Some(junit) = &self.junit {
             expect_writable(junit)?;
         }
-        let tolerance =
-            Tolerance::new(self.tolerance_samples, self.tolerance_m).map_err(Failure::usage)?;
+        let tolerance = Tolerance::new(self.tolerance_samples, self.tolerance_m).map_err(Failure::usage)?;
         let mut baseline = timing::read(&self.baseline).map_err(refused)?;
         let (rehearsal, frames) =
             Rehearsal::open(&self.stage, &self.threads, |loaded| self.choose(loaded, &baseline))?;

@@ -10,7 +10,7 @@ use serde::Serialize;
 use sweep_program::{Colour, PreloadRegister, RampAxis};
 use timing::{Deadline, FrameTiming};
 
-use super::sets::{Crossing, RegisterSet, sets_of};
+use super::sets::{AskedSet, Crossing, sets_of};
 use super::sweeps::{LevelOfSweeps, Place, Sweeps, blank_program};
 
 /// Words of a set.
@@ -66,7 +66,7 @@ pub fn chains(stage: &Stage, pool: &ThreadPool, pose: &Pose, frame: &FrameTiming
     let of = |deadline: &Deadline| match deadline {
         Deadline::Transfer => transfer(),
         Deadline::SweepSetUp => set_up(stage, frame),
-        Deadline::FrameTasks => frame_tasks(stage, pose, frame),
+        Deadline::FrameTasks => frame_tasks(stage, frame),
         Deadline::Corner => corner(stage, frame),
     };
     Deadline::ALL.iter().filter(|deadline| frame.deadlines.contains_key(deadline)).filter_map(of).collect()
@@ -90,14 +90,17 @@ fn worst_transfer(stage: &Stage, pose: &Pose, frame: u64) -> Option<Chain> {
     let all: Vec<_> = (0..stage.settings.raster.sweeps).into_par_iter().filter_map(worst_of).collect();
     let Found { of, sweep, index, .. } = all.into_iter().reduce(worse)?;
     let sets = sets(&sweeps, &of, Place { frame, pose, sweep });
-    Some(Explained { sweeps: &sweeps, clock: stage.settings.timebase.sweep_clock(frame, sweep), of, sweep }.chain(&sets, index))
+    Some(
+        Explained { sweeps: &sweeps, clock: stage.settings.timebase.sweep_clock(frame, sweep), of, sweep }
+            .chain(&sets, index),
+    )
 }
 
 fn worse<'a>(a: Found<'a>, b: Found<'a>) -> Found<'a> {
     if b.slack < a.slack { b } else { a }
 }
 
-fn sets(sweeps: &Sweeps<'_>, of: &LevelOfSweeps<'_>, place: Place<'_>) -> Vec<RegisterSet> {
+fn sets(sweeps: &Sweeps<'_>, of: &LevelOfSweeps<'_>, place: Place<'_>) -> Vec<AskedSet> {
     let (mut program, mut sets) = (blank_program(), Vec::new());
     sweeps.write(of, place, &mut program);
     sets_of(&program, sweeps.loader().is_wired_through(), &mut sets);
@@ -122,7 +125,7 @@ struct Explained<'a> {
 }
 
 impl Explained<'_> {
-    fn chain(&self, sets: &[RegisterSet], index: usize) -> Chain {
+    fn chain(&self, sets: &[AskedSet], index: usize) -> Chain {
         let set = &sets[index];
         let asked = self.seen(set.asked.time);
         let due = set.used.map_or(asked, |used| self.due(used.time));
@@ -131,17 +134,22 @@ impl Explained<'_> {
             Some(came) => self.links(sets, index, asked, came),
             None => vec![self.wait(sets, index, asked, due)],
         };
-        Chain { deadline: Deadline::Transfer, what: self.what(set), links, slack: came.map(|came| due - came) }
+        Chain {
+            deadline: Deadline::Transfer,
+            what: self.what(set),
+            links,
+            slack: came.map(|came| due - came),
+        }
     }
 
-    fn what(&self, set: &RegisterSet) -> String {
+    fn what(&self, set: &AskedSet) -> String {
         let Self { of, sweep, .. } = self;
         let used = set.used.map_or(String::new(), |used| format!(", due at {}", crossing_text(&used)));
         let asked = crossing_text(&set.asked);
         format!("{} level, sweep {sweep}: {}, asked for at {asked}{used}", of.name, name(set))
     }
 
-    fn links(&self, sets: &[RegisterSet], index: usize, asked: i64, came: i64) -> Vec<Link> {
+    fn links(&self, sets: &[AskedSet], index: usize, asked: i64, came: i64) -> Vec<Link> {
         let loader = self.sweeps.loader();
         let unit = unit_of(loader, sets[index].colour);
         let access = accesses(loader) * loader.access as i64;
@@ -159,15 +167,15 @@ impl Explained<'_> {
     }
 
     /// What the line of the loader does from `asked` until it takes this set up, or until it is given up.
-    fn wait(&self, sets: &[RegisterSet], index: usize, asked: i64, until: i64) -> Link {
+    fn wait(&self, sets: &[AskedSet], index: usize, asked: i64, until: i64) -> Link {
         let loader = self.sweeps.loader();
         let strobe = loader.strobe as i64;
         let unit = unit_of(loader, sets[index].colour);
-        let is_before = |set: &&RegisterSet| {
+        let is_before = |set: &&AskedSet| {
             let done = set.came.map(|came| self.arrival(came) - strobe);
             unit_of(loader, set.colour) == unit && done.is_some_and(|done| done > asked && done <= until)
         };
-        let mut before: Vec<&RegisterSet> = sets.iter().filter(is_before).collect();
+        let mut before: Vec<&AskedSet> = sets.iter().filter(is_before).collect();
         before.sort_by_key(|set| set.came.map(|came| self.arrival(came)));
         let names: Vec<String> =
             before.iter().map(|set| format!("{} of crossing {}", name(set), set.asked.number)).collect();
@@ -211,7 +219,7 @@ fn unit_of(loader: &Loader, colour: Colour) -> String {
 }
 
 /// Colour and register, as in the record.
-pub fn name(set: &RegisterSet) -> String {
+pub fn name(set: &AskedSet) -> String {
     format!("{} {}", colour_word(set.colour), register_word(set.register))
 }
 
@@ -245,7 +253,8 @@ fn set_up(stage: &Stage, frame: &FrameTiming) -> Option<Chain> {
     let period = (frame.ticks / u64::from(settings.raster.sweeps)) as i64;
     let own = settings.cpu.sweep_setup as i64;
     let late = frame.misses.iter().find(|missed| missed.deadline == Deadline::SweepSetUp);
-    let what = late.map_or("program of a sweep".into(), |missed| format!("program of sweep {}", missed.sweep));
+    let what =
+        late.map_or("program of a sweep".into(), |missed| format!("program of sweep {}", missed.sweep));
     let links = vec![
         link("cpu", "interrupts and set-ups before it", period - own - slack),
         link("cpu", "set-up", own),
@@ -253,20 +262,22 @@ fn set_up(stage: &Stage, frame: &FrameTiming) -> Option<Chain> {
     Some(Chain { deadline: Deadline::SweepSetUp, what, links, slack: Some(slack) })
 }
 
-/// Tables and polyhedra fill what crossings and set-ups leave.
-fn frame_tasks(stage: &Stage, pose: &Pose, frame: &FrameTiming) -> Option<Chain> {
+/// Tables and polyhedra fill what crossings and set-ups leave. Whatever the processor did beside set-ups and tables is
+/// vertices, and crossings where it serves them itself.
+fn frame_tasks(stage: &Stage, frame: &FrameTiming) -> Option<Chain> {
     let slack = frame.deadlines.get(&Deadline::FrameTasks)?.least?;
     let cpu = &stage.settings.cpu;
-    let count: usize = match cpu.vertex {
-        0 => 0,
-        _ => stage.scenery.bodies(pose.time).map(|body| body.vertices.len()).sum(),
-    };
-    let (tables, vertices) = (cpu.frame_tables as i64, cpu.vertex as i64 * count as i64);
-    let before = frame.ticks as i64 - tables - vertices - slack;
+    let busy = frame.units.iter().find(|unit| unit.unit == "cpu")?.busy as i64;
+    let set_ups = frame.deadlines.get(&Deadline::SweepSetUp).map_or(0, |slack| slack.count);
+    let done = busy - (cpu.sweep_setup * set_ups) as i64;
+    let all = done + (-slack).max(0);
+    let tables = cpu.frame_tables as i64;
+    let serves = stage.settings.loader.served_by == CrossingServer::CpuInterrupt;
+    let rest = if serves { "crossings, vertices of polyhedra" } else { "vertices of polyhedra" };
     let links = vec![
-        link("cpu", "set-ups of sweeps, interrupts, idle", before),
+        link("cpu", "set-ups of sweeps, idle", frame.ticks as i64 - slack - all),
         link("cpu", "visibility and tables", tables),
-        link("cpu", format!("{count} vertices of polyhedra"), vertices),
+        link("cpu", rest, all - tables),
     ];
     let what = "tables and polyhedra of the next frame".into();
     Some(Chain { deadline: Deadline::FrameTasks, what, links, slack: Some(slack) })
@@ -286,5 +297,10 @@ fn corner(stage: &Stage, frame: &FrameTiming) -> Option<Chain> {
     let what = format!("corner {m} {n} and others, first asked for in sweep {}", worst.sweep);
     let timebase = &stage.settings.timebase;
     let sweep = (timebase.ticks_per_sample() * f64::from(timebase.sweep_samples())) as i64;
-    Some(Chain { deadline: Deadline::Corner, what, links: links.collect(), slack: Some(slack).filter(|&slack| slack != -sweep) })
+    Some(Chain {
+        deadline: Deadline::Corner,
+        what,
+        links: links.collect(),
+        slack: Some(slack).filter(|&slack| slack != -sweep),
+    })
 }

@@ -20,6 +20,8 @@ pub fn inputs_hash(scenario: &Scenario, stage: &Stage) -> String {
     let raster = &settings.raster;
     add(&mut hasher, "raster", &(raster.sweeps, raster.samples, raster.field, settings.timebase));
     add(&mut hasher, "fan", &(settings.laws.projection, settings.range, settings.yoke, settings.levels));
+    // Bodies that are too small to be seen are not transformed.
+    add(&mut hasher, "sight", &(settings.economy, raster.lines));
     add(&mut hasher, "cpu", &settings.cpu);
     add(&mut hasher, "loader", &settings.loader);
     add(&mut hasher, "data banks", &settings.data_banks);

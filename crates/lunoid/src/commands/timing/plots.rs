@@ -28,8 +28,11 @@ pub fn write_utilisation(record: &TimingRecord, path: &Path) -> Result<(), Failu
             (*label, ours.map(|unit| line(record, unit)).collect())
         })
         .collect();
-    let panels: Vec<Panel<'_>> =
-        groups.iter().filter(|(_, lines)| !lines.is_empty()).map(|(label, lines)| panel(label, lines)).collect();
+    let panels: Vec<Panel<'_>> = groups
+        .iter()
+        .filter(|(_, lines)| !lines.is_empty())
+        .map(|(label, lines)| panel(label, lines))
+        .collect();
     let look = TraceLook { height: 160, facts: vec![facts(record)], ..TraceLook::titled("Use of units") };
     let picture = trace_picture(&Axis::new("frame"), &panels, &[], &look).map_err(Failure::input)?;
     picture.write(path).map_err(Failure::output)

@@ -57,8 +57,7 @@ impl Rehearsal {
     pub fn poses(&self, frames: &[u64]) -> Result<Vec<PoseRow>, Failure> {
         let (Some(&first), Some(&last)) = (frames.first(), frames.last()) else { return Ok(Vec::new()) };
         let (update, yoke) = (self.stage.settings.timebase.update, self.stage.settings.yoke);
-        let table =
-            PoseTable::resolve(&self.scenario, &self.stage.landscape, update, yoke, first..last + 1);
+        let table = PoseTable::resolve(&self.scenario, &self.stage.landscape, update, yoke, first..last + 1);
         let rows = table.map_err(Failure::input)?;
         Ok(frames.iter().map(|frame| rows.rows()[(frame - first) as usize]).collect())
     }

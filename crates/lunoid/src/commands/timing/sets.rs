@@ -18,7 +18,7 @@ pub struct Crossing {
 
 /// A set of nine words on its way.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RegisterSet {
+pub struct AskedSet {
     pub colour: Colour,
     pub register: PreloadRegister,
     /// The fold that asks for it.
@@ -33,7 +33,7 @@ pub struct RegisterSet {
     pub late: bool,
 }
 
-impl RegisterSet {
+impl AskedSet {
     /// From fold to register (samples).
     pub fn latency(&self) -> Option<f64> {
         Some(self.came?.0 - self.asked.time.0)
@@ -55,7 +55,7 @@ pub fn crossings(program: &SweepProgram) -> impl Iterator<Item = (f64, Fold)> {
 
 /// Sets of `program` in the order in which their fate is sealed, written into `sets`. Where words are `wired` through,
 /// they come with the fold that asks.
-pub fn sets_of(program: &SweepProgram, wired: bool, sets: &mut Vec<RegisterSet>) {
+pub fn sets_of(program: &SweepProgram, wired: bool, sets: &mut Vec<AskedSet>) {
     sets.clear();
     let mut walk = Walk { sets, wired, open: Default::default(), next: first_stops(program), number: 0 };
     program.steps.iter().for_each(|step| walk.pass(step));
@@ -70,8 +70,8 @@ fn first_stops(program: &SweepProgram) -> [Option<Stop>; 2] {
 }
 
 /// A miss knows when the words came, also those that the latched policy dropped.
-fn note_late(miss: &Miss, sets: &mut [RegisterSet]) {
-    let is_it = |set: &&mut RegisterSet| {
+fn note_late(miss: &Miss, sets: &mut [AskedSet]) {
+    let is_it = |set: &&mut AskedSet| {
         set.used.is_some_and(|used| used.number == miss.crossing)
             && (set.colour, set.register) == (miss.colour, miss.register)
     };
@@ -83,10 +83,10 @@ fn note_late(miss: &Miss, sets: &mut [RegisterSet]) {
 
 /// The sweep, fold by fold.
 struct Walk<'s> {
-    sets: &'s mut Vec<RegisterSet>,
+    sets: &'s mut Vec<AskedSet>,
     wired: bool,
     /// By colour and register.
-    open: [[Option<RegisterSet>; 2]; 4],
+    open: [[Option<AskedSet>; 2]; 4],
     next: [Option<Stop>; 2],
     number: u32,
 }
@@ -111,20 +111,20 @@ impl Walk<'_> {
                 let used = (register == axis.register()).then_some(crossing);
                 let fresh = self.asked(colour, register, crossing);
                 if let Some(set) = self.open[colour as usize][register as usize].replace(fresh) {
-                    self.sets.push(RegisterSet { used, ..set });
+                    self.sets.push(AskedSet { used, ..set });
                 }
             }
         }
         self.number += 1;
     }
 
-    fn asked(&self, colour: Colour, register: PreloadRegister, asked: Crossing) -> RegisterSet {
+    fn asked(&self, colour: Colour, register: PreloadRegister, asked: Crossing) -> AskedSet {
         let across = register != asked.fold.axis.register();
         let axis = if register == PreloadRegister::XFirst { RampAxis::X } else { RampAxis::Y };
         let next = self.next[usize::from(axis == RampAxis::Y)];
         let urgent = across && next.is_some_and(|stop| axis.takes(stop, colour));
         let came = self.wired.then_some(asked.time);
-        RegisterSet { colour, register, asked, urgent, came, used: None, late: false }
+        AskedSet { colour, register, asked, urgent, came, used: None, late: false }
     }
 
     fn arrive(&mut self, time: SweepTime, load: Load) {

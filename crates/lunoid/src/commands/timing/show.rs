@@ -113,7 +113,9 @@ impl Show {
             )));
         }
         if self.level == LevelWord::Coarse && loaded.settings.levels.is_none() {
-            return Err(Failure::usage("--level coarse: the scenario has one level of terrain; expected fine"));
+            return Err(Failure::usage(
+                "--level coarse: the scenario has one level of terrain; expected fine",
+            ));
         }
         match self.frame {
             None => choose(loaded, self.frames, spread(USUAL_FRAMES)),
@@ -126,7 +128,9 @@ impl Show {
     }
 
     fn draw_timeline(&self, rehearsal: &Rehearsal) -> Result<(), Failure> {
-        let (Some(path), Some(frame), Some(sweep)) = (&self.out, self.frame, self.sweep) else { return Ok(()) };
+        let (Some(path), Some(frame), Some(sweep)) = (&self.out, self.frame, self.sweep) else {
+            return Ok(());
+        };
         let poses = rehearsal.poses(&[frame])?;
         let sweeps = Sweeps::new(&rehearsal.stage);
         let levels = sweeps.levels();
@@ -165,5 +169,7 @@ fn tightest(record: &TimingRecord) -> &FrameTiming {
     };
     let mut frames = record.frames.iter();
     let first = &record.frames[0];
-    frames.by_ref().fold(first, |tightest, frame| if least(frame) < least(tightest) { frame } else { tightest })
+    frames
+        .by_ref()
+        .fold(first, |tightest, frame| if least(frame) < least(tightest) { frame } else { tightest })
 }

@@ -76,7 +76,8 @@ impl<'a> Sweeps<'a> {
         let switch = self.stage.settings.levels.filter(|_| levels.len() > 1);
         let reach = switch.map_or(end, |LevelSwitch { range, .. }| range.min(end));
         let fine = LevelOfSweeps { name: "fine", level: &levels[0], reach, is_fine: true };
-        let coarse = switch.map(|_| LevelOfSweeps { name: "coarse", level: &levels[1], reach: end, is_fine: false });
+        let coarse =
+            switch.map(|_| LevelOfSweeps { name: "coarse", level: &levels[1], reach: end, is_fine: false });
         [fine].into_iter().chain(coarse).collect()
     }
 

@@ -2,12 +2,14 @@
 
 use std::path::Path;
 
-use ::plots::{Axis, EventLane, Panel, Span as Bar, Stops, Stretch, Timeline, Trace, TraceLook, timeline_picture};
+use ::plots::{
+    Axis, EventLane, Panel, Span as Bar, Stops, Stretch, Timeline, Trace, TraceLook, timeline_picture,
+};
 use quantities::SweepTime;
 use sweep_program::{Colour, PreloadRegister, RampAxis, SweepProgram};
 
 use super::critical_path::{colour_word, register_word};
-use super::sets::{RegisterSet, crossings, sets_of};
+use super::sets::{AskedSet, crossings, sets_of};
 use super::sweeps::{LevelOfSweeps, Place, Sweeps, blank_program};
 use crate::Failure;
 
@@ -17,7 +19,7 @@ pub struct SweepTimeline<'a> {
     of: LevelOfSweeps<'a>,
     place: Place<'a>,
     program: SweepProgram,
-    sets: Vec<RegisterSet>,
+    sets: Vec<AskedSet>,
 }
 
 impl<'a> SweepTimeline<'a> {
@@ -42,7 +44,8 @@ impl<'a> SweepTimeline<'a> {
             stops: [RampAxis::X, RampAxis::Y].map(|axis| self.stops(axis)).into(),
             lanes: self.lanes(),
         };
-        let look = TraceLook { facts: vec![self.facts()], width: 1200, height: 180, ..TraceLook::titled(title) };
+        let look =
+            TraceLook { facts: vec![self.facts()], width: 1200, height: 180, ..TraceLook::titled(title) };
         let picture = timeline_picture(&timeline, &look).map_err(Failure::usage)?;
         picture.write(path).map_err(Failure::output)
     }
@@ -101,7 +104,7 @@ impl<'a> SweepTimeline<'a> {
     }
 
     /// On its way from the fold that asks, late from the fold that needs it, ready until it is used.
-    fn bars(&self, set: &RegisterSet) -> Vec<Bar> {
+    fn bars(&self, set: &AskedSet) -> Vec<Bar> {
         let asked = set.asked.range;
         let used = set.used.map_or(self.program.end_range, |used| used.range);
         let came = set.came.map(|came| self.range_at(came));
@@ -118,8 +121,8 @@ impl<'a> SweepTimeline<'a> {
     }
 
     /// A set that never comes is missed until the next of its register is used.
-    fn next_use(&self, set: &RegisterSet) -> f64 {
-        let after = |other: &&RegisterSet| {
+    fn next_use(&self, set: &AskedSet) -> f64 {
+        let after = |other: &&AskedSet| {
             (other.colour, other.register) == (set.colour, set.register)
                 && other.asked.number > set.asked.number
         };

@@ -1,0 +1,89 @@
+//! Shipped scenarios on the ideal and on the nominal machine, held to the baselines of `tests/timing-baselines/`.
+//!
+//! Each file is what `lunoid timing record` wrote (docs/timing.md has the command); its name is scenario and model.
+
+use std::path::{Path, PathBuf};
+
+use hardware_model::{HardwareModel, ModelSource};
+use lunoid_tests::shipped::{FULL_LANDSCAPE, TERRAIN, folder};
+use machine::ControlPlane;
+use scenario::{PoseTable, Scenario};
+use timing::{Comparison, TimingRecord, Tolerance, compare};
+
+/// Sweeps of a frame of every baseline.
+const SWEEPS: u32 = 21;
+const MODELS: [&str; 2] = ["ideal", "pra-nominal"];
+/// Regions of the shipped scenarios are finer than those that the nominal machine was laid out for: with its buffers, a
+/// baseline would be a list of corners that are not there. Drums have tests of their own.
+const BUFFER: (&str, &str) = ("buffer.words", "unlimited");
+
+fn path(name: &str, model: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("timing-baselines").join(format!("{name}.{model}.json"))
+}
+
+/// The frames of `baseline`, timed anew on a model with one key changed, or none.
+fn again(name: &str, baseline: &TimingRecord, set: Option<(&str, &str)>) -> TimingRecord {
+    let mut scenario =
+        Scenario::read(folder().join(format!("{name}.toml"))).unwrap_or_else(|e| panic!("{e}"));
+    scenario.raster.sweeps = Some(SWEEPS);
+    let source = ModelSource::find(&baseline.machine, Path::new("")).unwrap_or_else(|e| panic!("{e}"));
+    let sets: Vec<(String, String)> =
+        [BUFFER].into_iter().chain(set).map(|(key, value)| (key.into(), value.into())).collect();
+    let model = HardwareModel::load(&source, &[], &sets).unwrap_or_else(|e| panic!("{e}")).model;
+    let settings = stage::settings(&scenario, &model).expect("settings of a shipped scenario");
+    let stage = stage::build(&scenario, settings).unwrap_or_else(|e| panic!("{name}: {e}"));
+    let (update, yoke) = (stage.settings.timebase.update, stage.settings.yoke);
+    let frames = baseline.frames.iter().map(|frame| frame.frame);
+    let end = frames.clone().max().map_or(0, |last| last + 1);
+    let poses = PoseTable::resolve(&scenario, &stage.landscape, update, yoke, 0..end)
+        .unwrap_or_else(|e| panic!("{e}"));
+    let master = stage.settings.timebase.master.to_string();
+    let control = ControlPlane::new(stage);
+    let timed =
+        |frame: u64| control.frame(frame, &poses.rows()[frame as usize].pose).expect("a shipped frame");
+    TimingRecord {
+        scenario: scenario.title,
+        machine: model.name,
+        master,
+        // The hash of the inputs is the command's, which `crates/lunoid/tests` holds to a baseline of its own.
+        inputs: baseline.inputs.clone(),
+        frames: frames.map(timed).collect(),
+        ..*baseline
+    }
+}
+
+fn held(name: &str, model: &str, set: Option<(&str, &str)>) -> Comparison {
+    let path = path(name, model);
+    let baseline = timing::read(&path).unwrap_or_else(|e| panic!("{e}"));
+    compare(&baseline, &again(name, &baseline, set), &Tolerance::default())
+}
+
+#[test]
+fn shipped_scenarios_hold_their_baselines() {
+    let mut failed = Vec::new();
+    for name in TERRAIN.into_iter().chain(FULL_LANDSCAPE) {
+        for model in MODELS {
+            let comparison = held(name, model, None);
+            if !comparison.is_met() {
+                failed.push(comparison.text(12));
+            }
+        }
+    }
+    assert!(failed.is_empty(), "{}", failed.concat());
+}
+
+/// One tick of a slower buffer, or of a slower processor, is not let pass, and the diff says what it changed.
+#[test]
+fn a_part_that_is_a_tick_slower_is_named() {
+    let one_tick = [
+        ("loader.access_ns", "170", "loader.red.busy"),
+        ("loader.strobe_ns", "80", "deadlines.transfer"),
+        ("cpu.sweep_setup_us", "16.05", "deadlines.sweep-set-up.least"),
+    ];
+    for (key, value, named) in one_tick {
+        let comparison = held("ridge-crossing", "pra-nominal", Some((key, value)));
+        let text = comparison.text(1000);
+        assert!(!comparison.is_met() && text.contains(named), "{key}: {text}");
+        assert!(comparison.head.is_empty(), "{text}");
+    }
+}

@@ -1,0 +1,96 @@
+//! Drums of a view that turns (hardware sections 4.7 and 8, number 10).
+
+use hardware_model::{DataBanks, Drum, DrumQueue};
+use landscape::Attitude;
+use lunoid_tests::Scene;
+use machine::ControlPlane;
+use quantities::radians;
+use scenario::Pose;
+use timing::{Deadline, FrameTiming};
+
+use crate::rig::{RANGE, busy, flat, frame, on_course};
+
+const SIZE: f64 = 200.0;
+const MASTER: u64 = 1_000_000;
+const FRAMES: u64 = 150;
+/// One revolution, in ticks of a microsecond: a view is looked ahead for as long as the drum takes to come round once and a
+/// half, and that is one frame here, so that a corner is asked for in the frame before it is seen.
+const ROTATION: u64 = 22_300;
+/// A word so long that the next corner along the edge of the view, a row of the level farther on the track, lies half a
+/// revolution away: the mean case, which the formula is for.
+const WORD: f64 = 22.1;
+
+fn scene() -> Scene {
+    let mut scene = flat(SIZE);
+    (scene.sweeps, scene.master_hz) = (25, MASTER);
+    scene
+}
+
+/// A course that turns at `degrees` a second, 30 frames a second.
+fn course(scene: &Scene, degrees: f64) -> Vec<Pose> {
+    let heading = |frame: u64| radians(7.0 + degrees * frame as f64 / 30.0);
+    let attitude = |frame| Attitude { roll: 0.0, pitch: 0.0, heading: heading(frame) };
+    let pose =
+        |frame: u64| Pose { time: frame as f64 / 30.0, eye: scene.eye, attitude: attitude(frame), yoke: 0.0 };
+    (0..FRAMES).map(pose).collect()
+}
+
+/// The last two thirds of the turn: before them the buffer lives on what it was filled with.
+fn turned(degrees: f64) -> Vec<FrameTiming> {
+    let scene = scene();
+    let course = course(&scene, degrees);
+    let mut stage = on_course(&scene, course.clone());
+    let drum = Drum { rotation: ROTATION, word: WORD, record_words: 9, queue: DrumQueue::Fifo, count: 1 };
+    stage.settings.data_banks = DataBanks { drum: Some(drum), buffer_words: Some(9 * 900) };
+    let control = ControlPlane::new(stage);
+    (FRAMES / 3..FRAMES).map(|number| frame(&control, number, &course[number as usize])).collect()
+}
+
+fn utilisation(frames: &[FrameTiming]) -> f64 {
+    let busy: u64 = frames.iter().map(|frame| busy(frame, "drum.fine.0")).sum();
+    busy as f64 / frames.iter().map(|frame| frame.ticks).sum::<u64>() as f64
+}
+
+/// Corners asked for and not there, a frame.
+fn missing(frames: &[FrameTiming]) -> f64 {
+    let misses = frames.iter().flat_map(|frame| &frame.misses);
+    misses.filter(|missed| missed.deadline == Deadline::Corner).count() as f64 / frames.len() as f64
+}
+
+/// `rate x (latency + record)` with single corners, first come first served.
+fn formula(degrees: f64) -> f64 {
+    let rate = RANGE * RANGE * radians(degrees) / (2.0 * SIZE * SIZE);
+    rate * (0.5 * ROTATION as f64 + 9.0 * WORD) / MASTER as f64
+}
+
+/// Slower and faster than the turn at which the drum is at work all the time: 16 degrees/s by formula.
+const SLOWER: [f64; 7] = [2.0, 4.0, 6.0, 8.0, 10.0, 12.0, 14.0];
+const FASTER: [f64; 4] = [20.0, 24.0, 30.0, 40.0];
+
+/// Latencies of single corners depend on how they lie on the track, so the formula holds for many turns together.
+#[test]
+fn the_drum_is_at_work_as_the_formula_says() {
+    let [found, expected] = SLOWER.iter().fold([0.0; 2], |[found, expected], &degrees| {
+        let one = utilisation(&turned(degrees));
+        println!("{degrees} degrees/s: {one:.3}, {:.3} by formula", formula(degrees));
+        assert!(one < 0.9, "{degrees} degrees/s: {one}");
+        [found + one, expected + formula(degrees)]
+    });
+    assert!((found / expected - 1.0).abs() < 0.1, "{found}, not {expected}");
+}
+
+/// Below, a few are missing that came in a burst; from there on they pile up, as the artefact A5 says.
+#[test]
+fn corners_are_missing_when_its_utilisation_reaches_one() {
+    let most = SLOWER.iter().map(|&degrees| missing(&turned(degrees))).fold(0.0, f64::max);
+    assert!(most < 10.0, "{most} a frame while the drum has time left");
+    let mut before = 20.0 * most;
+    for degrees in FASTER {
+        let frames = turned(degrees);
+        let (found, used) = (missing(&frames), utilisation(&frames));
+        println!("{degrees} degrees/s: {found:.0} a frame");
+        assert!((used - 1.0).abs() < 0.01, "{degrees} degrees/s: {used}");
+        assert!(found > 1.2 * before, "{degrees} degrees/s: {found} after {before}");
+        before = found;
+    }
+}
