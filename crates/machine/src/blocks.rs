@@ -9,6 +9,8 @@ use remote_shadow::{Resolution, ShadowBank};
 use scenario::ShadowFineness;
 use shadow_controller::ShadowController;
 
+use crate::real_parts::mixing_has_parts;
+
 /// Blocks beside the terrain path.
 #[derive(Debug)]
 pub(crate) struct Blocks {
@@ -61,7 +63,8 @@ impl Blocks {
                 || settings.shadows.is_some()
                 || landscape.texture().is_some()
                 || !landscape.features().is_empty()
-                || *landscape.photometry() != Photometry::Lambert,
+                || *landscape.photometry() != Photometry::Lambert
+                || mixing_has_parts(&settings.analog),
             all_switches: everything,
             bodies: everything || has_bodies,
             coarse: settings.levels.filter(|_| two_levels).map(|switch| Coarse {

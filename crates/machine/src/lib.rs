@@ -29,6 +29,7 @@ mod omissions;
 mod raster;
 mod real_parts;
 mod record;
+mod residue;
 mod session;
 mod sight;
 mod signal_plane;

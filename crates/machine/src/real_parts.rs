@@ -1,16 +1,28 @@
 //! What of the machine is made of real parts: a block whose parts are all ideal is its algebra, and nothing of this.
 
+use display_projection_processor::PartsProcessor;
 use generator::Stage;
+use hardware_model::{AnalogParts, WriteCompensation};
 use landscape::Level;
+use mixing_unit::PartsMixer;
 use parts::LagStep;
 use signal::Real;
+use sweep_memory::{Tube, TubeRaster, WriteGun};
 use terrain_generator::PartsArray;
+
+use crate::raster::WrittenRaster;
 
 /// Blocks made of parts.
 #[derive(Debug)]
 pub(crate) struct RealParts<S> {
     /// Terrain generators of the fine and of the coarse level.
     pub terrain: Option<Terrain<S>>,
+    /// Mixing unit.
+    pub mixer: Option<PartsMixer<S>>,
+    /// Projection processor and write gun, which are joined by the beam's gate.
+    pub beam: Option<BeamParts<S>>,
+    /// Storage tubes.
+    pub tube: Option<Tube>,
 }
 
 /// Terrain generators made of parts.
@@ -22,19 +34,61 @@ pub(crate) struct Terrain<S> {
     pub reflectivity: Option<LagStep<S>>,
 }
 
+/// Projection processor and write gun.
+#[derive(Debug)]
+pub(crate) struct BeamParts<S> {
+    pub processor: PartsProcessor<S>,
+    pub gun: WriteGun<S>,
+}
+
+/// Whether the mixing unit is made of parts: its gates wait for their comparators.
+pub(crate) fn mixing_has_parts(parts: &AnalogParts) -> bool {
+    !(parts.mixing_is_ideal() && parts.comparator_is_ideal())
+}
+
+fn beam_has_parts(parts: &AnalogParts) -> bool {
+    let memory = &parts.memory;
+    !parts.projection_is_ideal()
+        || memory.write_compensation != WriteCompensation::Exact
+        || memory.deflection.is_some()
+}
+
 impl<S: Real> RealParts<S> {
-    /// The parts that the model of `stage` names.
-    pub fn new(stage: &Stage) -> Self {
+    /// The parts that the model of `stage` names; `ranges` of the samples (m).
+    pub fn new(stage: &Stage, ranges: &[f64], raster: &WrittenRaster) -> Self {
         let settings = &stage.settings;
+        let (analog, seed, laws) = (&settings.analog, settings.seed, &settings.laws);
         let step = 1.0 / settings.timebase.sample_rate().hertz();
+        let mixing = (&settings.mixing_unit, laws.texture_in_shadow);
+        let occlusion = (laws.occlusion, laws.curvature);
+        let beam = || BeamParts {
+            processor: PartsProcessor::new(occlusion, ranges, raster.lines as f64, step, analog, seed),
+            gun: WriteGun::new(analog, seed, step, ranges.len(), raster.lines),
+        };
+        let tube = TubeRaster {
+            sweeps: settings.raster.sweeps as usize,
+            lines: raster.lines,
+            width: raster.field.tan_half_width / raster.field.tan_half_height,
+        };
+        Self {
+            terrain: (!analog.terrain_is_ideal()).then(|| Terrain::new(stage, step)),
+            mixer: mixing_has_parts(analog).then(|| PartsMixer::new(mixing, step, analog, seed)),
+            beam: beam_has_parts(analog).then(beam),
+            tube: (!analog.memory.is_ideal()).then(|| Tube::new(&analog.memory, tube, seed)),
+        }
+    }
+}
+
+impl<S: Real> Terrain<S> {
+    fn new(stage: &Stage, step: f64) -> Self {
+        let settings = &stage.settings;
         let array = |level: &Level, name| PartsArray::new(step, level, &settings.analog, settings.seed, name);
         let levels = stage.landscape.bank().levels();
         let mismatch = settings.analog.reflectivity.delay_mismatch;
-        let terrain = || Terrain {
+        Self {
             fine: array(&levels[0], "tg"),
             coarse: settings.levels.and_then(|_| levels.get(1)).map(|level| array(level, "mtg")),
             reflectivity: (mismatch > 0.0).then(|| LagStep::new(step, mismatch)),
-        };
-        Self { terrain: (!settings.analog.terrain_is_ideal()).then(terrain) }
+        }
     }
 }

@@ -105,6 +105,7 @@ impl<S: Real> Recorded<'_, S> {
             "dpp.elevation" => of(&projected.elevation),
             "dpp.hold" => of(&projected.hold),
             "dpp.y" => of(&projected.line),
+            "dpp.blank" if group.parts.beam.is_some() => work.driven.blank(lane),
             "dpp.blank" => blanked(&of(&projected.elevation), &of(&projected.hold)),
             _ => self.of_added_blocks(name, lane, direction),
         }

@@ -1,6 +1,6 @@
 //! A machine made ready for one stage.
 
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use display_projection_processor::Processor;
 use generator::{FrameCounts, FrameError, Omission, PlaneKind, Planes, Session, Stage};
@@ -23,6 +23,7 @@ use crate::omissions::omissions;
 use crate::raster::WrittenRaster;
 use crate::real_parts::RealParts;
 use crate::record::Recorded;
+use crate::residue::Recent;
 use crate::sight::vertices;
 use crate::signal_plane::Group;
 use crate::workspace::Workspace;
@@ -38,6 +39,7 @@ pub(crate) struct Elaborated<S> {
     footings: Footings,
     digital: Digital,
     parts: RealParts<S>,
+    recent: Recent,
     workspaces: Pool<Workspace<S>>,
     deliveries: Pool<Delivery>,
     stores: Pool<Vec<f32>>,
@@ -72,10 +74,11 @@ impl<S: Real> Elaborated<S> {
             near: table.ranges().iter().map(|range| (1.0 / range) as f32).collect(),
             processor: Processor::new(laws.occlusion, laws.curvature, table.ranges()),
             raster: WrittenRaster::new(settings),
-            table,
             footings: Footings::default(),
             digital: Digital::new(&stage),
-            parts: RealParts::new(&stage),
+            parts: RealParts::new(&stage, table.ranges(), &WrittenRaster::new(settings)),
+            recent: Recent::default(),
+            table,
             workspaces: Pool::default(),
             deliveries: Pool::default(),
             stores: Pool::default(),
@@ -184,6 +187,67 @@ impl<S: Real> Elaborated<S> {
         FrameCounts { sweeps: 1, samples: self.table.ranges().len() as u64, ..counts }
     }
 
+    /// All sweeps of a frame, into `store`.
+    fn write(
+        &self,
+        plan: &FramePlan,
+        delivery: &Delivery,
+        time: f64,
+        probe: &Probe,
+        store: &mut Vec<f32>,
+    ) -> Vec<GroupResult> {
+        store.resize(self.stage.settings.raster.sweeps as usize * self.raster.lines, 0.0);
+        let digital = self.digital_frame(plan, time);
+        self.sweep_all(plan, delivery, &digital, probe, store)
+    }
+
+    /// What the read beam makes of a store, and of what its tube has left of earlier ones.
+    fn show(
+        &self,
+        plan: &FramePlan,
+        yoke: f64,
+        store: &mut Vec<f32>,
+        planes: &mut Planes,
+    ) -> Result<(), FrameError> {
+        let Some(tube) = &self.parts.tube else {
+            self.read_out(plan, yoke, store, planes);
+            return Ok(());
+        };
+        let mut scratch = self.stores.take();
+        if tube.memory_frames() > 0 {
+            let most = 2 * tube.memory_frames() + 2;
+            self.recent.keep(plan.frame, Arc::new(store.clone()), most);
+            let earlier: Vec<_> = tube.earlier(plan.frame).map_while(|frame| self.written(frame)).collect();
+            let earlier: Vec<Arc<Vec<f32>>> = earlier.into_iter().collect::<Result<_, _>>()?;
+            tube.combine(store, &earlier.iter().map(|store| store.as_slice()).collect::<Vec<_>>());
+        }
+        tube.read(plan.frame, store, &mut scratch);
+        self.read_out(plan, yoke, store, planes);
+        let columns = planes.columns();
+        if let Some(picture) = planes.get_mut(PlaneKind::Intensity) {
+            tube.add_noise(plan.frame, columns, picture, &mut scratch);
+        }
+        self.stores.give_back(scratch);
+        Ok(())
+    }
+
+    /// The store of an earlier frame, drawn again if nobody has kept it; `None` if its pose is not known.
+    fn written(&self, frame: u64) -> Option<Result<Arc<Vec<f32>>, FrameError>> {
+        if let Some(store) = self.recent.get(frame) {
+            return Some(Ok(store));
+        }
+        let pose = self.stage.scenery.course().get(frame as usize)?;
+        let draw = || {
+            let plan = FramePlan::new(frame, pose, &self.stage, &self.raster.field)?;
+            let delivery = self.deliver(&plan, pose.time)?;
+            let mut store = Vec::new();
+            self.write(&plan, &delivery, pose.time, &Probe::off(), &mut store);
+            self.deliveries.give_back(delivery);
+            Ok(Arc::new(store))
+        };
+        Some(draw())
+    }
+
     fn read_out(&self, plan: &FramePlan, yoke: f64, store: &[f32], planes: &mut Planes) {
         let columns = planes.columns();
         let Some(picture) = planes.get_mut(PlaneKind::Intensity) else { return };
@@ -255,10 +319,8 @@ impl<S: Real> Session for Elaborated<S> {
         let plan = FramePlan::new(frame, pose, &self.stage, &self.raster.field)?;
         let delivery = self.deliver(&plan, pose.time)?;
         let mut store = self.stores.take();
-        store.resize(settings.raster.sweeps as usize * self.raster.lines, 0.0);
-        let digital = self.digital_frame(&plan, pose.time);
-        let groups = self.sweep_all(&plan, &delivery, &digital, probe, &mut store);
-        self.read_out(&plan, pose.yoke, &store, planes);
+        let groups = self.write(&plan, &delivery, pose.time, probe, &mut store);
+        self.show(&plan, pose.yoke, &mut store, planes)?;
         self.stores.give_back(store);
         let regions = plan.visible_regions(self.stage.landscape.level(), settings.range.end);
         let mut total = FrameCounts { regions: regions as u64, ..delivery_counts(&delivery) };

@@ -2,7 +2,7 @@
 
 use std::array;
 
-use display_projection_processor::{BrokenProfile, Deflection, Processor};
+use display_projection_processor::{BrokenProfile, Deflection, Driven, Processor};
 use feature_generator::{FeatureGenerator, Schedule};
 use generator::Stage;
 use hardware_model::{Gate, MixingParts};
@@ -12,7 +12,7 @@ use parts::LagStep;
 use polyhedron_generator::{Hold, Overlay};
 use signal::{LANES, Lanes, Real};
 use sweep_generator::RangeTable;
-use sweep_memory::{Beam, BeamBreaks, FarStroke, write_group};
+use sweep_memory::{Beam, BeamBreaks, Drive, FarStroke, write_group};
 use terrain_generator::{ArrayState, ModifiedTerrainGenerator, PartsArray, TerrainGenerator, Wired};
 use texture_generator::TextureGenerator;
 
@@ -23,7 +23,7 @@ use crate::delivery::Delivery;
 use crate::digital::DigitalFrame;
 use crate::feature_light::Lamp;
 use crate::raster::WrittenRaster;
-use crate::real_parts::{RealParts, Terrain};
+use crate::real_parts::{BeamParts, RealParts, Terrain};
 use crate::workspace::Workspace;
 
 /// Everything that the groups of a frame share.
@@ -58,7 +58,7 @@ impl<S: Real> Group<'_, S> {
         }
         self.set_gates(&sweeps, work);
         self.mix(work);
-        self.project(&sweeps, work);
+        self.project(first, &sweeps, work);
         self.write(work, rows);
         self.overlay(first, work, rows);
     }
@@ -108,8 +108,7 @@ impl<S: Real> Group<'_, S> {
 
     /// The array of parts for the group that begins at sweep `first`.
     fn wired<'w>(&self, array: &'w PartsArray<S>, first: u32, state: &'w mut ArrayState<S>) -> Wired<'w, S> {
-        let sweeps = u64::from(self.stage.settings.raster.sweeps);
-        Wired { array, state, address: self.plan.frame * sweeps + u64::from(first) }
+        Wired { array, state, address: self.address(first) }
     }
 
     fn crossings(&self) -> Crossings<'_> {
@@ -231,9 +230,14 @@ impl<S: Real> Group<'_, S> {
 
     fn mix(&self, work: &mut Workspace<S>) {
         if self.blocks.mixing {
-            let mut mixed = std::mem::take(&mut work.mixed);
-            self.mixing_unit().run(&self.inputs(work, &self.toggle_lists(work)), &mut mixed);
-            work.mixed = mixed;
+            let (mut mixed, mut fades) = (std::mem::take(&mut work.mixed), std::mem::take(&mut work.fades));
+            let lists = self.toggle_lists(work);
+            let inputs = self.inputs(work, &lists);
+            match &self.parts.mixer {
+                Some(mixer) => mixer.run(&inputs, &mut fades, &mut mixed),
+                None => self.mixing_unit().run(&inputs, &mut mixed),
+            }
+            (work.mixed, work.fades) = (mixed, fades);
         }
     }
 
@@ -252,10 +256,13 @@ impl<S: Real> Group<'_, S> {
             .in_lines(self.raster.lines as f64, self.raster.field.tan_half_height)
     }
 
-    fn project(&self, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
+    fn project(&self, first: u32, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
         let deflection = sweeps.map(|sweep| self.deflection(sweep));
         for ((far, &sweep), deflection) in work.far.iter_mut().zip(sweeps).zip(&deflection) {
             self.find_silhouettes(sweep, deflection, far);
+        }
+        if let Some(beam) = &self.parts.beam {
+            return self.drive(beam, first, &deflection, work);
         }
         let height = if self.blocks.mixing { &work.mixed.height } else { &work.profile.height };
         if self.blocks.mixing && work.mixed.has_breaks() {
@@ -264,6 +271,32 @@ impl<S: Real> Group<'_, S> {
         } else {
             self.processor.run(height, &deflection, &mut work.projected);
         }
+    }
+
+    /// The processor of parts; what it drives stands where the ideal one's signals do.
+    fn drive(
+        &self,
+        beam: &BeamParts<S>,
+        first: u32,
+        deflection: &[Deflection; LANES],
+        work: &mut Workspace<S>,
+    ) {
+        let address = self.address(first);
+        let sweeps = array::from_fn(|lane| address + lane as u64);
+        let (mut driven, mut chain) = (std::mem::take(&mut work.driven), std::mem::take(&mut work.chain));
+        let Composite { height, reflectivity } = self.composite(work);
+        beam.processor.run(height, reflectivity, deflection, &sweeps, &mut chain, &mut driven);
+        let projected = &mut work.projected;
+        projected.elevation.clone_from(&driven.elevation);
+        projected.hold.clone_from(&driven.hold);
+        projected.position.clone_from(&driven.position);
+        projected.line.clone_from(&driven.line);
+        (work.driven, work.chain) = (driven, chain);
+    }
+
+    /// Number of a sweep over all frames: noise goes by it.
+    fn address(&self, sweep: u32) -> u64 {
+        self.plan.frame * u64::from(self.stage.settings.raster.sweeps) + u64::from(sweep)
     }
 
     /// Mountains of which only the outline is stored, where the sweep meets them (section 8).
@@ -281,7 +314,12 @@ impl<S: Real> Group<'_, S> {
         }));
     }
 
-    fn write(&self, work: &Workspace<S>, rows: &mut [f32]) {
+    fn write(&self, work: &mut Workspace<S>, rows: &mut [f32]) {
+        let far = (!self.stage.landscape.silhouettes().is_empty()).then_some(&work.far);
+        if let Some(beam) = &self.parts.beam {
+            let Driven { position, intensity, on, .. } = &work.driven;
+            return beam.gun.write_stretches(&Drive { position, intensity, on, far }, &mut work.gun, rows);
+        }
         let projected = &work.projected;
         let breaks = (self.blocks.mixing && work.mixed.has_breaks()).then_some(BeamBreaks {
             breaks: &work.mixed.breaks,
@@ -295,7 +333,7 @@ impl<S: Real> Group<'_, S> {
             entry: &projected.entry,
             intensity: self.composite(work).reflectivity,
             breaks,
-            far: (!self.stage.landscape.silhouettes().is_empty()).then_some(&work.far),
+            far,
         };
         write_group(&beam, self.stage.settings.laws.pixel_rule, self.raster.lines, rows);
     }

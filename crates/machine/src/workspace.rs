@@ -2,12 +2,12 @@
 
 use std::array;
 
-use display_projection_processor::Projected;
+use display_projection_processor::{Driven, Projected, Scratch};
 use feature_generator::{FeatureProfile, FeatureProgram};
-use mixing_unit::{Mixed, Toggle};
+use mixing_unit::{Mixed, SwitchScratch, Toggle};
 use polyhedron_generator::Overlay;
 use signal::{LANES, Lanes, Real};
-use sweep_memory::FarStroke;
+use sweep_memory::{FarStroke, GunWork};
 use sweep_program::{Ramp, RegisterSet, SweepProgram, SweepStart};
 use terrain_generator::{ArrayState, Overlap, Profile};
 
@@ -40,6 +40,14 @@ pub(crate) struct Workspace<S> {
     pub toggles: [Vec<Toggle<S>>; LANES],
     /// Texture of the foreground.
     pub texture: Vec<Lanes<S>>,
+    /// Fades of the switches of parts.
+    pub fades: SwitchScratch<S>,
+    /// Projection processor of parts.
+    pub chain: Scratch,
+    /// What it drives.
+    pub driven: Driven<S>,
+    /// Write gun of parts.
+    pub gun: GunWork,
     /// Composite profiles; not used where terrain is alone.
     pub mixed: Mixed<S>,
     /// Projected profiles.
@@ -65,6 +73,10 @@ impl<S: Real> Default for Workspace<S> {
             dark_at_start: [false; LANES],
             toggles: Default::default(),
             texture: Vec::new(),
+            fades: SwitchScratch::default(),
+            chain: Scratch::default(),
+            driven: Driven::default(),
+            gun: GunWork::default(),
             mixed: Mixed::default(),
             projected: Projected::default(),
             far: Default::default(),

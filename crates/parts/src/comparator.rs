@@ -145,15 +145,17 @@ impl<S: Real> Comparator<S> {
     ) {
         let base = sample as f64 - 1.0;
         let shift = self.noise * self.source.normal(sweep, sample as u64);
-        let mut now = 0.0;
+        // A trip that rounds to the start of the step must not be found again.
+        let (mut now, mut fresh) = (0.0, true);
         loop {
             let open = state.passing.or_else(|| {
                 let threshold = self.thresholds[usize::from(!state.high)] + shift;
-                let at = Line::new(input, threshold, state.high).passes(now)?;
+                let at = Line::new(input, threshold, state.high).passes(now, fresh)?;
                 Some(Passing { since: SweepTime(base + at), threshold, charge: 0.0 })
             });
             let Some(passing) = open else { break };
             now = (passing.since.0 - base).max(now);
+            fresh = false;
             match self.outcome(&Line::new(input, passing.threshold, state.high), &passing, now, base) {
                 Outcome::Decided(at) => {
                     *state = ComparatorState { high: !state.high, passing: None };
@@ -200,13 +202,13 @@ impl Line {
     }
 
     /// The first instant from `now` on at which it goes beyond the threshold. Beyond it already counts at the start of
-    /// a step alone: within a step, right after a trip at this very value, it is rounding.
-    fn passes(&self, now: f64) -> Option<f64> {
+    /// a step (`fresh`) alone: within a step, right after a trip at this very value, it is rounding.
+    fn passes(&self, now: f64, fresh: bool) -> Option<f64> {
         if self.change > 0.0 {
             let at = (-self.start / self.change).max(now);
             return (at <= 1.0).then_some(at);
         }
-        (now == 0.0 && self.start > 0.0).then_some(0.0)
+        (fresh && self.start > 0.0).then_some(now)
     }
 
     /// How long overdrive that begins at `over` takes to an area of `charge`: the root of

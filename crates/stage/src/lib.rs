@@ -63,7 +63,8 @@ pub fn build(scenario: &Scenario, settings: Settings) -> Result<Stage, StageErro
 pub fn over(bank: Bank, scenario: &Scenario, settings: Settings) -> Result<Stage, StageError> {
     let landscape = landscape(bank, scenario)?;
     let mut scenery = Scenery::of(scenario, &landscape)?;
-    if settings.data_banks.drum.is_some() {
+    // What data banks hold and what tubes still show depends on the frames before.
+    if settings.data_banks.drum.is_some() || settings.analog.memory.erase_residual > 0.0 {
         scenery = scenery.with_course(course(scenario, &landscape, &settings)?);
     }
     Ok(Stage { landscape: Arc::new(landscape), scenery: Arc::new(scenery), settings })
