@@ -22,6 +22,8 @@ pub struct CpuFrame {
     pub set_ups: Vec<(u32, i64)>,
     /// Ticks from the end of tables and polyhedra to that of the frame; below 0, so much work was left.
     pub frame_slack: i64,
+    /// Vertices that are ready when the frame ends: tables come first.
+    pub vertices: u64,
     /// Ticks of work, interrupts included.
     pub busy: u64,
 }
@@ -59,8 +61,10 @@ pub fn cpu_frame(cpu: &Cpu, load: CpuLoad<'_>) -> CpuFrame {
     for sweep in -1..load.sweeps() as i64 {
         processor.pass(sweep);
     }
-    let Processor { set_ups, frame_slack, busy, .. } = processor;
-    CpuFrame { drawn: drawn_with(&set_ups, load.starts), set_ups, frame_slack, busy }
+    let Processor { set_ups, frame_slack, busy, tables, .. } = processor;
+    let left = if cpu.vertex == 0 { 0 } else { tables.div_ceil(cpu.vertex) };
+    let vertices = load.vertices.saturating_sub(left);
+    CpuFrame { drawn: drawn_with(&set_ups, load.starts), set_ups, frame_slack, vertices, busy }
 }
 
 /// For each sweep the last set-up that is made when it begins, be it an earlier sweep's.
@@ -167,6 +171,15 @@ mod tests {
         assert!(found.set_ups.iter().all(|&(_, slack)| slack == 70) && found.set_ups.len() == 10);
         // 70 ticks of each sweep are left: two sweeps.
         assert_eq!((found.frame_slack, found.busy), (800, 440));
+    }
+
+    #[test]
+    fn vertices_that_are_left_are_not_ready() {
+        let starts = starts(100, 10);
+        let load = CpuLoad { starts: &starts, interrupts: &[], vertices: 50 };
+        let found = cpu_frame(&Cpu { vertex: 40, ..cpu(30, 140) }, load);
+        // 73 ticks of the ten sweeps are left for 140 + 2000 ticks of work: the last sweep has no set-up.
+        assert_eq!((found.frame_slack, found.vertices), (-(2140 - 730), 14));
     }
 
     #[test]

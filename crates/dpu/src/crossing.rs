@@ -304,7 +304,16 @@ impl<W: Watch> Service<'_, '_, '_, W> {
             if missed {
                 let Delivery { arrival, register, cause, .. } = *delivery;
                 let Load { colour, corner, words, .. } = *load;
-                let miss = Miss { crossing, time: fold.time, arrival: Some(arrival), colour, register, corner, words, cause };
+                let miss = Miss {
+                    crossing,
+                    time: fold.time,
+                    arrival: Some(arrival),
+                    colour,
+                    register,
+                    corner,
+                    words,
+                    cause,
+                };
                 note_miss(&mut program.misses, miss);
                 load.target = Target::Hold;
             }

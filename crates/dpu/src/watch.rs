@@ -30,7 +30,15 @@ pub trait Watch {
     fn transfer(&mut self, _slack: i64) {}
     /// At `tick`, on the sweep clock `at`, a set was asked of a corner that was not in the storage buffer and comes at
     /// `arrival`, if within the frame.
-    fn starved(&mut self, _tick: Tick, _at: SweepTime, _colour: Colour, _corner: u32, _arrival: Option<Tick>) {}
+    fn starved(
+        &mut self,
+        _tick: Tick,
+        _at: SweepTime,
+        _colour: Colour,
+        _corner: u32,
+        _arrival: Option<Tick>,
+    ) {
+    }
     /// The sweep is over.
     fn end(&mut self, _lines: &[LineUse; 4]) {}
 }

@@ -39,12 +39,18 @@ pub(crate) struct Supply<'a> {
     pub raster: WrittenRaster,
     /// Ground range of each sample (m).
     pub ranges: &'a [f64],
+    /// Vertices that the processor has ready, if it takes any time.
+    pub ready: Option<u64>,
 }
 
 impl Supply<'_> {
     /// Brings what the frame at `time` (s) needs.
     pub fn deliver(&self, time: f64, out: &mut Delivery) {
-        let InSight { bodies: seen, left_out } = InSight::of(self.stage, self.blocks, self.plan, time);
+        let mut in_sight = InSight::of(self.stage, self.blocks, self.plan, time);
+        if let Some(vertices) = self.ready {
+            in_sight.keep_ready(self.plan, vertices);
+        }
+        let InSight { bodies: seen, left_out } = in_sight;
         out.left_out = left_out;
         let under_sun = self.blocks.shadows.as_ref().map(|shadows| self.under_sun(shadows));
         if let Some(under_sun) = &under_sun {

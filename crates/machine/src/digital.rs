@@ -50,9 +50,9 @@ impl DigitalFrame {
         self.cpu.as_ref().map_or(sweep, |cpu| cpu.drawn[sweep as usize])
     }
 
-    /// Whether tables and polyhedra were ready before the frame ended.
-    pub fn tables_are_ready(&self) -> bool {
-        self.cpu.as_ref().is_none_or(|cpu| cpu.frame_slack >= 0)
+    /// Vertices of polyhedra that the processor has ready, if it takes any time.
+    pub fn ready_vertices(&self) -> Option<u64> {
+        self.cpu.as_ref().map(|cpu| cpu.vertices)
     }
 
     pub fn missing(&self) -> [&[MissingCorner]; 2] {

@@ -86,7 +86,7 @@ impl<S: Real> Elaborated<S> {
         }
     }
 
-    fn deliver(&self, plan: &FramePlan, time: f64) -> Result<Delivery, FrameError> {
+    fn deliver(&self, plan: &FramePlan, digital: &DigitalFrame, time: f64) -> Result<Delivery, FrameError> {
         let mut delivery = self.deliveries.take();
         let supply = Supply {
             stage: &self.stage,
@@ -95,6 +95,7 @@ impl<S: Real> Elaborated<S> {
             plan,
             raster: self.raster,
             ranges: self.table.ranges(),
+            ready: digital.ready_vertices(),
         };
         supply.deliver(time, &mut delivery);
         let failure = self.blocks.shadows.as_ref().and_then(|shadows| shadows.bank.take_cache_failure());
@@ -192,13 +193,12 @@ impl<S: Real> Elaborated<S> {
         &self,
         plan: &FramePlan,
         delivery: &Delivery,
-        time: f64,
+        digital: &DigitalFrame,
         probe: &Probe,
         store: &mut Vec<f32>,
     ) -> Vec<GroupResult> {
         store.resize(self.stage.settings.raster.sweeps as usize * self.raster.lines, 0.0);
-        let digital = self.digital_frame(plan, time);
-        self.sweep_all(plan, delivery, &digital, probe, store)
+        self.sweep_all(plan, delivery, digital, probe, store)
     }
 
     /// What the read beam makes of a store, and of what its tube has left of earlier ones.
@@ -239,9 +239,10 @@ impl<S: Real> Elaborated<S> {
         let pose = self.stage.scenery.course().get(frame as usize)?;
         let draw = || {
             let plan = FramePlan::new(frame, pose, &self.stage, &self.raster.field)?;
-            let delivery = self.deliver(&plan, pose.time)?;
+            let digital = self.digital_frame(&plan, pose.time);
+            let delivery = self.deliver(&plan, &digital, pose.time)?;
             let mut store = Vec::new();
-            self.write(&plan, &delivery, pose.time, &Probe::off(), &mut store);
+            self.write(&plan, &delivery, &digital, &Probe::off(), &mut store);
             self.deliveries.give_back(delivery);
             Ok(Arc::new(store))
         };
@@ -317,9 +318,10 @@ impl<S: Real> Session for Elaborated<S> {
     ) -> Result<FrameCounts, FrameError> {
         let settings = &self.stage.settings;
         let plan = FramePlan::new(frame, pose, &self.stage, &self.raster.field)?;
-        let delivery = self.deliver(&plan, pose.time)?;
+        let digital = self.digital_frame(&plan, pose.time);
+        let delivery = self.deliver(&plan, &digital, pose.time)?;
         let mut store = self.stores.take();
-        let groups = self.write(&plan, &delivery, pose.time, probe, &mut store);
+        let groups = self.write(&plan, &delivery, &digital, probe, &mut store);
         self.show(&plan, pose.yoke, &mut store, planes)?;
         self.stores.give_back(store);
         let regions = plan.visible_regions(self.stage.landscape.level(), settings.range.end);

@@ -39,6 +39,31 @@ impl<'a> InSight<'a> {
     }
 }
 
+impl InSight<'_> {
+    /// Only the bodies of the sector that a processor has ready which came as far as `vertices`, the nearest first.
+    pub fn keep_ready(&mut self, plan: &FramePlan, vertices: u64) {
+        let eye = DVec3::from_array(plan.eye);
+        self.bodies.retain(|(_, body)| is_ahead(plan, body));
+        self.bodies.sort_by(|(_, a), (_, b)| a.centre.distance(eye).total_cmp(&b.centre.distance(eye)));
+        let mut left = vertices;
+        self.bodies.retain(|(_, body)| {
+            let count = body.vertices.len() as u64;
+            let is_ready = count <= left;
+            left = if is_ready { left - count } else { 0 };
+            is_ready
+        });
+        self.bodies.sort_by_key(|&(index, _)| index);
+    }
+}
+
+/// Whether a body reaches into the sector of the sweeps.
+fn is_ahead(plan: &FramePlan, body: &Body) -> bool {
+    let [[ln, le], [rn, re]] = plan.edges(0.0);
+    let [north, east] = [body.centre.x - plan.eye[0], body.centre.y - plan.eye[1]];
+    let (right_of_left, left_of_right) = (ln * east - le * north, north * re - east * rn);
+    right_of_left > -body.radius && left_of_right > -body.radius
+}
+
 /// Vertices that the processor transforms for the frame at `time` (s): those of bodies that are as large as a resolution
 /// cell and in the sector of the sweeps, whatever else is drawn for the sake of economy.
 pub(crate) fn vertices(stage: &Stage, blocks: &Blocks, plan: &FramePlan, time: f64) -> u64 {
@@ -46,13 +71,8 @@ pub(crate) fn vertices(stage: &Stage, blocks: &Blocks, plan: &FramePlan, time: f
         return 0;
     }
     let (eye, sight, mut beyond) = (DVec3::from_array(plan.eye), sight(stage), LeftOut::default());
-    let [[ln, le], [rn, re]] = plan.edges(0.0);
-    let mut is_ahead = |body: &Body| {
-        let [north, east] = [body.centre.x - eye.x, body.centre.y - eye.y];
-        let (right_of_left, left_of_right) = (ln * east - le * north, north * re - east * rn);
-        right_of_left > -body.radius && left_of_right > -body.radius && sight.resolves(eye, body, &mut beyond)
-    };
-    stage.scenery.bodies(time).filter(|body| is_ahead(body)).map(|body| body.vertices.len() as u64).sum()
+    let mut is_wanted = |body: &Body| is_ahead(plan, body) && sight.resolves(eye, body, &mut beyond);
+    stage.scenery.bodies(time).filter(|body| is_wanted(body)).map(|body| body.vertices.len() as u64).sum()
 }
 
 fn sight(stage: &Stage) -> Sight {

@@ -358,9 +358,6 @@ impl<S: Real> Group<'_, S> {
         work: &Workspace<S>,
         overlay: &mut Overlay,
     ) -> bool {
-        if !self.digital.tables_are_ready() {
-            return false;
-        }
         let spans = self.delivery.polyhedra.table().sweep(sweep as usize);
         let held = |sample: usize| work.projected.line[sample][lane].to_f64() as f32;
         let hold = Hold { near: self.near, lines: held };

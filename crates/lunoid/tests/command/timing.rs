@@ -152,6 +152,7 @@ fn bad_input_ends_with_3_and_one_error() {
             "--range-m",
             "9,3",
         ],
+        &["timing", "show", "tiny.toml", "--misses", "40"],
         &["sizing", "tiny.toml", "--machine", "exact"],
         &["sizing", "tiny.toml", "--shows", "0"],
     ];
@@ -184,6 +185,34 @@ fn a_record_is_shown_as_text_document_and_plots() {
     for file in ["use.png", "slack.png", "sweep.png"] {
         assert!(fs::read(scene.join(file)).unwrap().starts_with(b"\x89PNG"), "{file}");
     }
+}
+
+/// From a column of the picture to every line of the record that concerns it.
+#[test]
+fn misses_of_a_sweep_are_listed_line_by_line() {
+    let scene = Scene::new();
+    let show = |sweeps: String| {
+        let more = ["--frame", "2", "--misses", &sweeps];
+        scene.expect(0, &with(&["timing", "show", "tiny.toml"], &more)).0
+    };
+    let lines = |sweeps: String| {
+        let out = show(sweeps);
+        out.lines().filter(|line| line.starts_with('2') && line.ends_with("access")).count()
+    };
+    let document =
+        json(&scene.expect(0, &with(&["timing", "show", "tiny.toml"], &["--frame", "2", "--json"])).0);
+    let misses = document["record"]["frames"][0]["misses"].as_array().unwrap();
+    let of = |range: std::ops::Range<u64>| {
+        let ours = misses.iter().filter(|missed| range.contains(&missed["sweep"].as_u64().unwrap()));
+        ours.filter(|missed| missed["cause"] == "access").count()
+    };
+    assert_eq!(lines("0..40".into()), of(0..40));
+    let sweep = misses[0]["sweep"].as_u64().unwrap();
+    assert_eq!(lines(sweep.to_string()), of(sweep..sweep + 1));
+    assert!(of(0..40) > of(sweep..sweep + 1));
+    let quiet = (0..40).find(|&sweep| misses.iter().all(|missed| missed["sweep"] != sweep)).unwrap();
+    let out = show(quiet.to_string());
+    assert!(out.contains(&format!("no misses in sweeps {quiet}..")), "{out}");
 }
 
 fn rows(document: &Value) -> impl Iterator<Item = &Value> {

@@ -3,6 +3,7 @@
 mod baseline;
 mod critical_path;
 mod inputs;
+mod misses;
 mod plots;
 pub mod rehearsal;
 pub mod sets;

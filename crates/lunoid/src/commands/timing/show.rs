@@ -1,5 +1,6 @@
 //! `lunoid timing show`: a timing record as text, JSON or plots.
 
+use std::ops::Range;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
@@ -7,6 +8,7 @@ use serde_json::json;
 use timing::{FrameTiming, TimingRecord, Totals};
 
 use super::critical_path::{Chain, chains};
+use super::misses;
 use super::plots::{write_slack, write_utilisation};
 use super::rehearsal::{Rehearsal, choose, spread};
 use super::sweeps::{Place, Sweeps};
@@ -57,6 +59,9 @@ pub struct Show {
     /// Draw histograms of slack.
     #[arg(long, value_name = "PNG")]
     slack: Option<PathBuf>,
+    /// List every miss of these sweeps as well: columns of the picture, from 0 at the left.
+    #[arg(long, value_name = "S[..T]")]
+    misses: Option<Span>,
     /// No progress.
     #[arg(long)]
     no_progress: bool,
@@ -107,6 +112,7 @@ impl Show {
     /// Everything that can be wrong on the command line is found before any ground is made.
     fn choose(&self, loaded: &Loaded) -> Result<Vec<u64>, Failure> {
         let sweeps = loaded.settings.raster.sweeps;
+        self.missed_sweeps(sweeps)?;
         if let Some(sweep) = self.sweep.filter(|&sweep| sweep >= sweeps) {
             return Err(Failure::usage(format!(
                 "--sweep {sweep}: a frame has sweeps 0..{sweeps}; expected one of them"
@@ -155,9 +161,20 @@ impl Show {
                 "critical_path": { "frame": frame, "chains": chains },
             }));
         }
-        let ns = 1e9 / rehearsal.stage.settings.timebase.master.hertz();
-        let chains: String = chains.iter().map(|chain| chain.text(ns)).collect();
-        print(&format!("{}\ncritical path of frame {frame}\n{chains}", record.text()))
+        let timebase = &rehearsal.stage.settings.timebase;
+        let [tick, sample] = [timebase.master, timebase.sample_rate()].map(|rate| 1e9 / rate.hertz());
+        let chains: String = chains.iter().map(|chain| chain.text(tick)).collect();
+        let sweeps = self.missed_sweeps(rehearsal.stage.settings.raster.sweeps)?;
+        let misses = sweeps.map_or(String::new(), |sweeps| misses::text(record, &sweeps, sample));
+        print(&format!("{}\ncritical path of frame {frame}\n{chains}{misses}", record.text()))
+    }
+
+    /// The sweeps whose misses are listed.
+    fn missed_sweeps(&self, all: u32) -> Result<Option<Range<u64>>, Failure> {
+        let Some(span) = self.misses else { return Ok(None) };
+        span.within(&(0..u64::from(all))).map(Some).ok_or_else(|| {
+            Failure::usage(format!("--misses {span}: a frame has sweeps 0..{all}; expected a range inside"))
+        })
     }
 }
 
