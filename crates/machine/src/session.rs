@@ -206,7 +206,7 @@ impl<S: Real> Elaborated<S> {
         &self,
         plan: &FramePlan,
         yoke: f64,
-        store: &mut Vec<f32>,
+        store: &mut [f32],
         planes: &mut Planes,
     ) -> Result<(), FrameError> {
         let Some(tube) = &self.parts.tube else {
@@ -216,7 +216,7 @@ impl<S: Real> Elaborated<S> {
         let mut scratch = self.stores.take();
         if tube.memory_frames() > 0 {
             let most = 2 * tube.memory_frames() + 2;
-            self.recent.keep(plan.frame, Arc::new(store.clone()), most);
+            self.recent.keep(plan.frame, Arc::new(store.to_vec()), most);
             let earlier: Vec<_> = tube.earlier(plan.frame).map_while(|frame| self.written(frame)).collect();
             let earlier: Vec<Arc<Vec<f32>>> = earlier.into_iter().collect::<Result<_, _>>()?;
             tube.combine(store, &earlier.iter().map(|store| store.as_slice()).collect::<Vec<_>>());

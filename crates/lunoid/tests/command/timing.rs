@@ -191,16 +191,16 @@ fn a_record_is_shown_as_text_document_and_plots() {
 #[test]
 fn misses_of_a_sweep_are_listed_line_by_line() {
     let scene = Scene::new();
+    let slow = ["--frame", "2", "--set", "loader.access_ns=4000"];
     let show = |sweeps: String| {
-        let more = ["--frame", "2", "--misses", &sweeps];
+        let more = [&slow[..], &["--misses", &sweeps]].concat();
         scene.expect(0, &with(&["timing", "show", "tiny.toml"], &more)).0
     };
     let lines = |sweeps: String| {
         let out = show(sweeps);
         out.lines().filter(|line| line.starts_with('2') && line.ends_with("access")).count()
     };
-    let document =
-        json(&scene.expect(0, &with(&["timing", "show", "tiny.toml"], &["--frame", "2", "--json"])).0);
+    let document = json(&scene.expect(0, &with(&["timing", "show", "tiny.toml", "--json"], &slow)).0);
     let misses = document["record"]["frames"][0]["misses"].as_array().unwrap();
     let of = |range: std::ops::Range<u64>| {
         let ours = misses.iter().filter(|missed| range.contains(&missed["sweep"].as_u64().unwrap()));
