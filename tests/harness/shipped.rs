@@ -8,11 +8,11 @@ use compare::{
 };
 use exact::Exact;
 use generator::{FrameCounts, Generator, Label, PlaneKind, Planes, Shade, Stage};
-use hardware_model::{HardwareModel, Settings};
+use hardware_model::{HardwareModel, ModelSource, Settings};
 use landscape::Landscape;
 use machine::HybridMachine;
 use picture::{Depth, Encoder, GreyPicture, Transfer};
-use scenario::{PoseRow, PoseTable, Scenario, Scenery};
+use scenario::{Pose, PoseRow, PoseTable, Scenario, Scenery};
 use signal::Probe;
 
 /// Scenarios of terrain alone in the folder `scenarios/`, by name.
@@ -40,7 +40,9 @@ pub struct Shipped {
     pub scenario: Scenario,
     /// Its ground.
     pub landscape: Arc<Landscape>,
-    /// Its settings; change them before drawing.
+    /// Poses that the frames before it leave a mark on a frame by.
+    course: Vec<Pose>,
+    /// Its settings, by its own machine; change them before drawing.
     pub settings: Settings,
 }
 
@@ -98,9 +100,12 @@ impl Shipped {
             (scenario.raster.sweeps, scenario.raster.columns, scenario.raster.lines) = (sweeps, None, None);
         }
         change(&mut scenario);
-        let settings = stage::settings(&scenario, &HardwareModel::ideal()).expect("shipped settings");
+        let source = ModelSource::find(&scenario.machine, &folder()).unwrap_or_else(|e| panic!("{e}"));
+        let model = HardwareModel::load(&source, &[], &[]).unwrap_or_else(|e| panic!("{e}")).model;
+        let settings = stage::settings(&scenario, &model).expect("shipped settings");
         let stage = stage::build(&scenario, settings).unwrap_or_else(|e| panic!("{name}: {e}"));
-        Self { landscape: stage.landscape, settings: stage.settings, scenario }
+        let Stage { landscape, scenery, settings } = stage;
+        Self { landscape, course: scenery.course().to_vec(), settings, scenario }
     }
 
     /// Frames that the scenario has.
@@ -118,6 +123,12 @@ impl Shipped {
         table.unwrap_or_else(|e| panic!("{e}")).rows()[0]
     }
 
+    /// What changes over time, by the scenario as it is now.
+    fn scenery(&self) -> Scenery {
+        let scenery = Scenery::of(&self.scenario, &self.landscape).expect("a shipped scenery");
+        scenery.with_course(self.course.clone())
+    }
+
     /// A frame by a generator.
     ///
     /// # Panics
@@ -125,7 +136,7 @@ impl Shipped {
     pub fn draw(&self, generator: &dyn Generator, frame: u64, probe: &mut Probe) -> Shown {
         let stage = Stage {
             landscape: self.landscape.clone(),
-            scenery: Arc::new(Scenery::of(&self.scenario, &self.landscape).expect("a shipped scenery")),
+            scenery: Arc::new(self.scenery()),
             settings: self.settings.clone(),
         };
         let raster = self.settings.raster;

@@ -29,8 +29,18 @@ fn first_light_late_words_tear_the_massif() {
     shipped.settings.loader.access = 90;
     shipped.settings.loader.late_policy = LatePolicy::StrobeThrough;
     let late = shipped.machine(60);
-    assert_eq!(late.counts.late_words, 1_403_964);
-    assert_figure(rmse(&late, &clean), 0.070, 0.001);
+    assert_eq!(late.counts.late_words, 2_506_113);
+    assert_figure(rmse(&late, &clean), 0.118, 0.001);
+}
+
+#[test]
+fn the_nominal_drive_is_late_noisy_and_short_of_rocks() {
+    let shipped = Shipped::read("nominal-drive", None);
+    let ideal = Shipped::changed("nominal-drive", Some(525), |scenario| scenario.machine = "ideal".into());
+    let (nominal, ideal) = (shipped.machine(45), ideal.machine(45));
+    assert_eq!((nominal.counts.late_words, nominal.counts.bodies), (2601, 11));
+    assert_eq!((ideal.counts.late_words, ideal.counts.bodies), (0, 218));
+    assert_figure(rmse(&nominal, &ideal), 0.095, 0.001);
 }
 
 #[test]

@@ -355,7 +355,9 @@ impl<W: Watch> Service<'_, '_, '_, W> {
         self.watch.wanted();
         self.watch.loaded();
         let corner = self.stored(corner, colour, seen);
-        self.is_ready(colour, register, seen);
+        // Wired, it is there with the fold itself: not later than the last tick before it.
+        let slack = slack(&self.clock, fold.time, seen).min(0);
+        self.is_ready(colour, register, Tick(seen.0.saturating_add_signed(slack)));
         let words = self.hold_back(colour, register, corner, self.crossing, seen);
         if !words.is_empty() {
             let load = Load { colour, target: Target::Preload(register), corner, words };

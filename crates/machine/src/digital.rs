@@ -159,7 +159,8 @@ fn demand(
     let turn = wrap_heading(now.attitude.heading - before.attitude.heading);
     let turn = if turn > std::f64::consts::PI { turn - 2.0 * std::f64::consts::PI } else { turn };
     let rotation = stage.settings.data_banks.drum.map_or(0, |drum| drum.rotation);
-    let margin = turn.abs() * 1.5 * rotation as f64 / (end.0 - start.0) as f64;
+    // Orders are given as frames begin: one a little short of a frame away is a frame away.
+    let margin = turn.abs() * (1.5 * rotation as f64 / (end.0 - start.0) as f64).ceil();
     let corners = corners_in_sight(stage, raster, level, reach, plan, now, margin);
     Demand { frame, start, end, corners }
 }

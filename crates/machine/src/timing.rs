@@ -131,7 +131,9 @@ impl ControlPlane {
         misses: &mut Vec<Missed>,
     ) {
         let Some(cpu) = &digital.cpu else { return };
-        units.push(UnitUse { unit: "cpu".into(), busy: cpu.busy, longest_queue: lines[0].longest_queue });
+        let serves = self.stage.settings.loader.served_by == CrossingServer::CpuInterrupt;
+        let longest_queue = if serves { lines[0].longest_queue } else { 0 };
+        units.push(UnitUse { unit: "cpu".into(), busy: cpu.busy, longest_queue });
         let set_up = deadlines.entry(Deadline::SweepSetUp).or_default();
         let per_sample = self.stage.settings.timebase.ticks_per_sample();
         for &(sweep, slack) in &cpu.set_ups {

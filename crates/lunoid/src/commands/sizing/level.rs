@@ -3,6 +3,7 @@
 use hardware_model::{Budget, Ground, HardwareModel};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use scenario::PoseRow;
+use sweep_program::{Miss, StepKind, SweepProgram};
 
 use super::tear::TearLaw;
 use crate::commands::timing::sets::{AskedSet, crossings, sets_of};
@@ -143,14 +144,15 @@ impl SweepFigures {
         sets_of(&program, sweeps.loader().is_wired_through(), &mut sets);
         let direction = program.start.direction;
         let range = program.end_range;
-        let seen = |miss: &&sweep_program::Miss| law.is_seen(miss, &program, of.level, &sweeps.table);
+        let seen = |miss: &&Miss| law.is_seen(miss, &program, of.level, &sweeps.table);
         let count = |is: fn(&&AskedSet) -> bool| sets.iter().filter(is).count() as u64;
         Self {
             range,
             crossings: crossings(&program).count() as u64,
             at_azimuth: range * (direction[0].abs() + direction[1].abs()) / of.level.region_size(),
             direction,
-            used: count(|set| set.used.is_some()),
+            // Each of two colours takes a set, those of the home registers too.
+            used: 2 * transfers(&program),
             brought: count(|set| set.came.is_some()),
             urgent: latencies(&sets),
             late_urgent: count(|set| set.late && set.urgent),
@@ -158,6 +160,10 @@ impl SweepFigures {
             seen: program.misses.iter().filter(seen).count() as u64,
         }
     }
+}
+
+fn transfers(program: &SweepProgram) -> u64 {
+    program.steps.iter().filter(|step| matches!(step.kind, StepKind::Fold(_))).count() as u64
 }
 
 fn latencies(sets: &[AskedSet]) -> (u64, f64, f64) {
