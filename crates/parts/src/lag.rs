@@ -136,4 +136,3 @@ const INVERSES: [f64; 15] = {
     }
     inverses
 };
-
