@@ -4,13 +4,24 @@ use generator::{Omission, Stage, Weight};
 use hardware_model::Economy;
 
 use crate::blocks::Blocks;
+use crate::real_parts::{beam_has_parts, mixing_has_parts};
 
 /// What a machine of these blocks leaves out.
 pub(crate) fn omissions(stage: &Stage, blocks: &Blocks) -> Vec<Omission> {
     let mut list = absent_blocks(stage, blocks);
-    let ideal = "all parts of the model are ideal";
-    list.push(Omission::lossless("terrain-generator", "dynamics of parts", ideal));
-    list.push(Omission::lossless("sweep-memory", "spot, exposure, residue", ideal));
+    let parts = &stage.settings.analog;
+    let ideal = [
+        (parts.terrain_is_ideal(), "terrain-generator", "dynamics of parts"),
+        (!mixing_has_parts(parts), "mixing-unit", "transitions, delays and bandwidth of the switches"),
+        (!beam_has_parts(parts), "display-projection-processor", "dynamics of parts and of the write gun"),
+        (parts.memory.is_ideal(), "sweep-memory", "spot, exposure, residue"),
+    ];
+    let ideal = ideal.into_iter().filter(|(is_ideal, ..)| *is_ideal);
+    list.extend(
+        ideal.map(|(_, block, what)| {
+            Omission::lossless(block, what, "the model names no figure of its parts")
+        }),
+    );
     if let Some(texture) = stage.landscape.texture() {
         let what = format!("texture beyond {} m", texture.reach());
         list.push(Omission::lossless("texture-generator", what, "it has faded to nothing there"));

@@ -46,7 +46,8 @@ pub(crate) fn mixing_has_parts(parts: &AnalogParts) -> bool {
     !(parts.mixing_is_ideal() && parts.comparator_is_ideal())
 }
 
-fn beam_has_parts(parts: &AnalogParts) -> bool {
+/// Whether the projection processor and the write gun are made of parts.
+pub(crate) fn beam_has_parts(parts: &AnalogParts) -> bool {
     let memory = &parts.memory;
     !parts.projection_is_ideal()
         || memory.write_compensation != WriteCompensation::Exact
