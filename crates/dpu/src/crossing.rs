@@ -238,7 +238,7 @@ impl<W: Watch> Service<'_, '_, '_, W> {
     /// What is still on its way for a colour that has just been transferred has come too late or moved on.
     fn settle(&mut self, fold: TimedFold, program: &mut SweepProgram) {
         let axis = fold.fold.axis;
-        for colour in Colour::ALL {
+        for colour in Colour::ALL.into_iter().filter(|_| W::LISTENS) {
             if axis.takes(fold.fold.stop, colour) {
                 self.settle_ready(colour, axis.register(), fold.time);
             }
@@ -356,8 +356,10 @@ impl<W: Watch> Service<'_, '_, '_, W> {
         self.watch.loaded();
         let corner = self.stored(corner, colour, seen);
         // Wired, it is there with the fold itself: not later than the last tick before it.
-        let slack = slack(&self.clock, fold.time, seen).min(0);
-        self.is_ready(colour, register, Tick(seen.0.saturating_add_signed(slack)));
+        if W::LISTENS {
+            let slack = slack(&self.clock, fold.time, seen).min(0);
+            self.is_ready(colour, register, Tick(seen.0.saturating_add_signed(slack)));
+        }
         let words = self.hold_back(colour, register, corner, self.crossing, seen);
         if !words.is_empty() {
             let load = Load { colour, target: Target::Preload(register), corner, words };

@@ -14,6 +14,9 @@ pub struct LineUse {
 
 /// Told what the service does; every method may be left out. Nobody is told at no cost: `()`.
 pub trait Watch {
+    /// Whether anyone is told: what only a listener needs is not worked out for nobody.
+    const LISTENS: bool = true;
+
     /// A stop was seen at `tick`.
     fn fold(&mut self, _tick: Tick, _fold: Fold) {}
     /// A set was asked for.
@@ -43,4 +46,6 @@ pub trait Watch {
     fn end(&mut self, _lines: &[LineUse; 4]) {}
 }
 
-impl Watch for () {}
+impl Watch for () {
+    const LISTENS: bool = false;
+}
