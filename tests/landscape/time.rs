@@ -1,7 +1,9 @@
 //! A mission in which all moves: every frame from its number alone, in any order, by any number of threads.
 
+use std::path::Path;
+
 use generator::{FrameCounts, Generator, PlaneKind, Planes, Session, Stage};
-use hardware_model::HardwareModel;
+use hardware_model::{HardwareModel, ModelSource};
 use machine::HybridMachine;
 use scenario::{Pose, PoseTable, Scenario};
 use signal::Probe;
@@ -117,8 +119,15 @@ struct Mission {
 
 impl Mission {
     fn new() -> Self {
+        Self::by("ideal")
+    }
+
+    /// The mission with the parts of a model; the raster is the mission's.
+    fn by(machine: &str) -> Self {
+        let source = ModelSource::find(machine, Path::new("")).unwrap_or_else(|error| panic!("{error}"));
+        let model = HardwareModel::load(&source, &[], &[]).unwrap_or_else(|faults| panic!("{faults}")).model;
         let scenario = Scenario::parse("mission.toml", MISSION).unwrap_or_else(|faults| panic!("{faults}"));
-        let settings = stage::settings(&scenario, &HardwareModel::ideal()).unwrap();
+        let settings = stage::settings(&scenario, &model).unwrap();
         let stage = stage::build(&scenario, settings).unwrap_or_else(|error| panic!("{error}"));
         let (update, yoke) = (stage.settings.timebase.update, stage.settings.yoke);
         let table = PoseTable::resolve(&scenario, &stage.landscape, update, yoke, 0..FRAMES);
@@ -172,6 +181,23 @@ fn by_any_number_of_threads() {
     let one = on(1, || mission.all(0..FRAMES));
     for threads in [2, 3] {
         assert!(on(threads, || mission.all(0..FRAMES)) == one, "{threads} threads");
+    }
+}
+
+/// Noise, spread, drums, queues, the processor and what the tubes have left: each by its address or by the frames
+/// before, never by what happened to be drawn before.
+#[test]
+fn machines_of_1970_too() {
+    for machine in ["pra-nominal", "pra-frugal", "pra-overloaded"] {
+        let mission = Mission::by(machine);
+        let one = on(1, || mission.all(0..FRAMES));
+        let shuffled = on(2, || mission.all((0..FRAMES).map(|index| (5 * index + 3) % FRAMES)));
+        assert!(one == shuffled, "{machine}: in another order, by two threads");
+        let last = mission.draw(&*mission.session(), FRAMES - 1);
+        assert!(last == one[FRAMES as usize - 1], "{machine}: the last frame alone");
+        let ideal = Mission::new();
+        let same = ideal.draw(&*ideal.session(), FRAMES - 1).0 == last.0;
+        assert!(!same, "{machine} is as good as ideal");
     }
 }
 
