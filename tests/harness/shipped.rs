@@ -194,8 +194,8 @@ impl Shipped {
 const NEARLY_SKY: u16 = 16;
 
 /// Horizons of both pictures in the columns where the exact one shows a ridge of the ground, with no shadow, which is as
-/// black as sky, and no outline of a body within a pixel. A
-/// faint first line of the machine counts as ground or sky, whichever is nearer; a mast or rock may stand a column aside.
+/// black as sky, and no outline of a body within a pixel. A faint first line of the machine counts as ground or sky,
+/// whichever is nearer; a mast or rock may stand a column aside.
 fn lit_ridge_error(machine: &GreyPicture, exact: &Shown) -> RidgeError {
     let (columns, lines) = (machine.columns(), machine.lines());
     let ranges = exact.planes.get(PlaneKind::Range).expect("asked for");
@@ -205,7 +205,7 @@ fn lit_ridge_error(machine: &GreyPicture, exact: &Shown) -> RidgeError {
     let is_body =
         |label: f32| [Label::Rock, Label::Culture].iter().any(|body| label == f32::from(body.code()));
     let near = |at: usize, count: usize| at.saturating_sub(1)..(at + 2).min(count);
-    let is_lit = |line: usize, column: usize| {
+    let is_plain = |line: usize, column: usize| {
         let mut around =
             near(line, lines).flat_map(|line| near(column, columns).map(move |at| line * columns + at));
         around.all(|at| shades[at] == f32::from(Shade::Lit.code()) && !is_body(labels[at]))
@@ -213,7 +213,7 @@ fn lit_ridge_error(machine: &GreyPicture, exact: &Shown) -> RidgeError {
     let mut reference = horizon_of_picture(&exact.picture, NEARLY_SKY);
     for (column, (seen, ground)) in reference.iter_mut().zip(ground).enumerate() {
         let shown = seen.zip(ground).is_some_and(|(seen, ground)| seen.abs_diff(ground) <= 1);
-        *seen = seen.filter(|&line| shown && is_lit(line, column));
+        *seen = seen.filter(|&line| shown && is_plain(line, column));
     }
     let [faint, plain] = [NEARLY_SKY / 2, NEARLY_SKY].map(|sky| horizon_of_picture(machine, sky));
     let nearer = faint.into_iter().zip(plain).zip(&reference).map(|((faint, plain), reference)| {
