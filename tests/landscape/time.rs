@@ -1,6 +1,6 @@
 //! A mission in which all moves: every frame from its number alone, in any order, by any number of threads.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use generator::{FrameCounts, Generator, PlaneKind, Planes, Session, Stage};
 use hardware_model::{HardwareModel, ModelSource};
@@ -124,9 +124,14 @@ impl Mission {
 
     /// The mission with the parts of a model; the raster is the mission's.
     fn by(machine: &str) -> Self {
+        Self::under(machine, &[], MISSION)
+    }
+
+    fn under(machine: &str, overlays: &[PathBuf], mission: &str) -> Self {
         let source = ModelSource::find(machine, Path::new("")).unwrap_or_else(|error| panic!("{error}"));
-        let model = HardwareModel::load(&source, &[], &[]).unwrap_or_else(|faults| panic!("{faults}")).model;
-        let scenario = Scenario::parse("mission.toml", MISSION).unwrap_or_else(|faults| panic!("{faults}"));
+        let model =
+            HardwareModel::load(&source, overlays, &[]).unwrap_or_else(|faults| panic!("{faults}")).model;
+        let scenario = Scenario::parse("mission.toml", mission).unwrap_or_else(|faults| panic!("{faults}"));
         let settings = stage::settings(&scenario, &model).unwrap();
         let stage = stage::build(&scenario, settings).unwrap_or_else(|error| panic!("{error}"));
         let (update, yoke) = (stage.settings.timebase.update, stage.settings.yoke);
@@ -198,6 +203,27 @@ fn machines_of_1970_too() {
         let ideal = Mission::new();
         let same = ideal.draw(&*ideal.session(), FRAMES - 1).0 == last.0;
         assert!(!same, "{machine} is as good as ideal");
+    }
+}
+
+/// Artefact 20: each earlier picture is there with its share, 0.4 of the one before it, whatever was drawn before.
+#[test]
+fn a_sticky_tube_adds_up_the_frames_before() {
+    // A turned picture is kept between its neighbours, which is not linear.
+    let upright = MISSION.replace("[roll]\ndisplay = \"yoke\"\n", "");
+    let light = |frame: &Frame| -> Vec<f32> { frame.0.iter().map(|&bits| f32::from_bits(bits)).collect() };
+    let clean = Mission::under("ideal", &[], &upright).all(0..FRAMES);
+    let sticky = Mission::under("ideal", &["ghost".into()], &upright);
+    for frame in [0, 1, 11] {
+        let found = light(&sticky.draw(&*sticky.session(), frame));
+        let mut expected = vec![0.0_f64; found.len()];
+        for back in 0..=frame.min(7) {
+            let share = (0..back).fold(1.0, |share, _| 0.4 * share);
+            let earlier = light(&clean[(frame - back) as usize]);
+            expected.iter_mut().zip(earlier).for_each(|(sum, value)| *sum += share * f64::from(value));
+        }
+        let worst = found.iter().zip(&expected).map(|(a, b)| (f64::from(*a) - b).abs()).fold(0.0, f64::max);
+        assert!(worst < 1e-5, "frame {frame}: {worst}");
     }
 }
 

@@ -23,7 +23,7 @@ use crate::omissions::omissions;
 use crate::raster::WrittenRaster;
 use crate::real_parts::RealParts;
 use crate::record::Recorded;
-use crate::residue::Recent;
+use crate::residue::{Recent, Written};
 use crate::sight::vertices;
 use crate::signal_plane::Group;
 use crate::workspace::Workspace;
@@ -201,7 +201,8 @@ impl<S: Real> Elaborated<S> {
         self.sweep_all(plan, delivery, digital, probe, store)
     }
 
-    /// What the read beam makes of a store, and of what its tube has left of earlier ones.
+    /// What the read beam makes of a store, and of what its tube has left of earlier ones. A picture lies in its tube
+    /// where it was written: each is read by its own fan and pitch.
     fn show(
         &self,
         plan: &FramePlan,
@@ -209,32 +210,40 @@ impl<S: Real> Elaborated<S> {
         store: &mut [f32],
         planes: &mut Planes,
     ) -> Result<(), FrameError> {
+        let columns = planes.columns();
+        let Some(picture) = planes.get_mut(PlaneKind::Intensity) else { return Ok(()) };
         let Some(tube) = &self.parts.tube else {
-            self.read_out(plan, yoke, store, planes);
+            self.read_out(plan, yoke, store, columns, picture);
             return Ok(());
         };
         let mut scratch = self.stores.take();
         if tube.memory_frames() > 0 {
             let most = 2 * tube.memory_frames() + 2;
-            self.recent.keep(plan.frame, Arc::new(store.to_vec()), most);
-            let earlier: Vec<_> = tube.earlier(plan.frame).map_while(|frame| self.written(frame)).collect();
-            let earlier: Vec<Arc<Vec<f32>>> = earlier.into_iter().collect::<Result<_, _>>()?;
-            tube.combine(store, &earlier.iter().map(|store| store.as_slice()).collect::<Vec<_>>());
+            self.recent.keep(plan.frame, Arc::new((*plan, store.to_vec())), most);
         }
+        let earlier = tube.earlier(plan.frame).map_while(|frame| self.written(frame));
+        let earlier: Vec<Arc<Written>> = earlier.collect::<Result<_, _>>()?;
+        let pictures: Vec<Vec<f32>> = earlier
+            .iter()
+            .map(|written| {
+                let (mut store, mut left) = (written.1.clone(), vec![0.0; picture.len()]);
+                tube.read(plan.frame, &mut store, &mut scratch);
+                self.read_out(&written.0, yoke, &store, columns, &mut left);
+                left
+            })
+            .collect();
         tube.read(plan.frame, store, &mut scratch);
-        self.read_out(plan, yoke, store, planes);
-        let columns = planes.columns();
-        if let Some(picture) = planes.get_mut(PlaneKind::Intensity) {
-            tube.add_noise(plan.frame, columns, picture, &mut scratch);
-        }
+        self.read_out(plan, yoke, store, columns, picture);
+        tube.combine(picture, &pictures.iter().map(Vec::as_slice).collect::<Vec<_>>());
+        tube.add_noise(plan.frame, columns, picture, &mut scratch);
         self.stores.give_back(scratch);
         Ok(())
     }
 
-    /// The store of an earlier frame, drawn again if nobody has kept it; `None` if its pose is not known.
-    fn written(&self, frame: u64) -> Option<Result<Arc<Vec<f32>>, FrameError>> {
-        if let Some(store) = self.recent.get(frame) {
-            return Some(Ok(store));
+    /// What was written in an earlier frame, drawn again if nobody has kept it; `None` if its pose is not known.
+    fn written(&self, frame: u64) -> Option<Result<Arc<Written>, FrameError>> {
+        if let Some(written) = self.recent.get(frame) {
+            return Some(Ok(written));
         }
         let pose = self.stage.scenery.course().get(frame as usize)?;
         let draw = || {
@@ -244,14 +253,12 @@ impl<S: Real> Elaborated<S> {
             let mut store = Vec::new();
             self.write(&plan, &delivery, &digital, &Probe::off(), &mut store);
             self.deliveries.give_back(delivery);
-            Ok(Arc::new(store))
+            Ok(Arc::new((plan, store)))
         };
         Some(draw())
     }
 
-    fn read_out(&self, plan: &FramePlan, yoke: f64, store: &[f32], planes: &mut Planes) {
-        let columns = planes.columns();
-        let Some(picture) = planes.get_mut(PlaneKind::Intensity) else { return };
+    fn read_out(&self, plan: &FramePlan, yoke: f64, store: &[f32], columns: usize, picture: &mut [f32]) {
         let settings = &self.stage.settings;
         let lines = self.raster.lines;
         let view = View {

@@ -82,7 +82,7 @@ impl Tube {
         successors(frame.checked_sub(tubes), move |frame| frame.checked_sub(tubes)).take(self.memory_frames)
     }
 
-    /// Adds what erasing has left of `earlier`, stores as they were written, in the order of [`Tube::earlier`].
+    /// Adds what erasing has left of `earlier`, without residue of their own, in the order of [`Tube::earlier`].
     pub fn combine(&self, store: &mut [f32], earlier: &[&[f32]]) {
         let mut left = 1.0;
         for picture in earlier {
