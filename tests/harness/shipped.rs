@@ -129,21 +129,25 @@ impl Shipped {
         scenery.with_course(self.course.clone())
     }
 
+    /// What generators draw, by the scenario as it is now.
+    pub fn stage(&self) -> Stage {
+        Stage {
+            landscape: self.landscape.clone(),
+            scenery: Arc::new(self.scenery()),
+            settings: self.settings.clone(),
+        }
+    }
+
     /// A frame by a generator.
     ///
     /// # Panics
     /// If it cannot be drawn.
     pub fn draw(&self, generator: &dyn Generator, frame: u64, probe: &mut Probe) -> Shown {
-        let stage = Stage {
-            landscape: self.landscape.clone(),
-            scenery: Arc::new(self.scenery()),
-            settings: self.settings.clone(),
-        };
         let raster = self.settings.raster;
         let (columns, lines) = (raster.columns as usize, raster.lines as usize);
         let kinds: Vec<PlaneKind> = [PlaneKind::Intensity].into_iter().chain(EDGE_PLANES).collect();
         let mut planes = Planes::new(columns, lines, &kinds);
-        let session = generator.prepare(stage).expect("a shipped scenario is drawn by every generator");
+        let session = generator.prepare(self.stage()).expect("a shipped scenario is drawn by every generator");
         let counts =
             session.frame(frame, &self.pose(frame).pose, &mut planes, probe).expect("a shipped frame");
         let display = self.settings.display;

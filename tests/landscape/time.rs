@@ -128,6 +128,10 @@ impl Mission {
     }
 
     fn under(machine: &str, overlays: &[PathBuf], mission: &str) -> Self {
+        Self::of(machine, overlays, mission, FRAMES)
+    }
+
+    fn of(machine: &str, overlays: &[PathBuf], mission: &str, frames: u64) -> Self {
         let source = ModelSource::find(machine, Path::new("")).unwrap_or_else(|error| panic!("{error}"));
         let model =
             HardwareModel::load(&source, overlays, &[]).unwrap_or_else(|faults| panic!("{faults}")).model;
@@ -135,7 +139,7 @@ impl Mission {
         let settings = stage::settings(&scenario, &model).unwrap();
         let stage = stage::build(&scenario, settings).unwrap_or_else(|error| panic!("{error}"));
         let (update, yoke) = (stage.settings.timebase.update, stage.settings.yoke);
-        let table = PoseTable::resolve(&scenario, &stage.landscape, update, yoke, 0..FRAMES);
+        let table = PoseTable::resolve(&scenario, &stage.landscape, update, yoke, 0..frames);
         let poses =
             table.unwrap_or_else(|error| panic!("{error}")).rows().iter().map(|row| row.pose).collect();
         Self { stage, poses }
@@ -225,6 +229,33 @@ fn a_sticky_tube_adds_up_the_frames_before() {
         let worst = found.iter().zip(&expected).map(|(a, b)| (f64::from(*a) - b).abs()).fold(0.0, f64::max);
         assert!(worst < 1e-5, "frame {frame}: {worst}");
     }
+}
+
+/// What lasts from frame to frame lasts to frame 500: residue in the tubes, the angle of the drums, their queues and the
+/// storage buffer, the yoke. A frame alone is the same as within a sequence, and as the last of one.
+#[test]
+fn frame_500_alone() {
+    let slow = MISSION
+        .replace("frames = 12", "frames = 502")
+        .replace("sweeps = 40", "sweeps = 12")
+        .replace("samples_per_sweep = 200", "samples_per_sweep = 60")
+        .replace("t_s = 1.2, x_m = 94", "t_s = 51, x_m = 94")
+        .replace("t_s = 1.2, azimuth_deg", "t_s = 51, azimuth_deg")
+        .replace("step_s = 0.25", "step_s = 10");
+    // Drums that are too slow for the turn, and tubes that keep two fifths of a picture.
+    let faults = ["starve", "ghost"].map(PathBuf::from);
+    let mission = Mission::of("pra-nominal", &faults, &slow, 502);
+    let sequence = mission.session();
+    let drawn: Vec<Frame> = (490..502).map(|frame| mission.draw(&*sequence, frame)).collect();
+    let alone = |frame: u64| mission.draw(&*mission.session(), frame);
+    assert!(alone(500) == drawn[10], "frame 500 alone");
+    let later = mission.session();
+    let [second, first] = [501, 500].map(|frame| mission.draw(&*later, frame));
+    assert!(second == drawn[11] && first == drawn[10], "frame 501, then frame 500");
+    // The tubes do show the frames before: without them the picture is another.
+    let clean = Mission::of("pra-nominal", &faults[..1], &slow, 502);
+    let without = clean.draw(&*clean.session(), 500);
+    assert!(without.0 != drawn[10].0, "nothing is left of earlier frames");
 }
 
 /// The mission does what its file says: otherwise the tests above would hold for a still.

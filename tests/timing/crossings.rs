@@ -103,6 +103,7 @@ fn program(level: &Level, foot: [f64; 2], direction: [f64; 2]) -> SweepProgram {
         cpu: &settings.cpu,
         timebase: &settings.timebase,
         missing: &[],
+        held: 0,
         seed: 0,
     };
     let start = set_up(foot, direction);

@@ -6,6 +6,7 @@ use lunoid_tests::Scene;
 use machine::ControlPlane;
 use quantities::radians;
 use scenario::Pose;
+use sweep_program::{NO_CORNER, StepKind};
 use timing::{Deadline, FrameTiming};
 
 use crate::rig::{RANGE, busy, flat, frame, on_course};
@@ -35,14 +36,19 @@ fn course(scene: &Scene, degrees: f64) -> Vec<Pose> {
     (0..FRAMES).map(pose).collect()
 }
 
-/// The last two thirds of the turn: before them the buffer lives on what it was filled with.
-fn turned(degrees: f64) -> Vec<FrameTiming> {
+/// A turn at `degrees` a second behind one drum.
+fn turning(degrees: f64) -> (ControlPlane, Vec<Pose>) {
     let scene = scene();
     let course = course(&scene, degrees);
     let mut stage = on_course(&scene, course.clone());
     let drum = Drum { rotation: ROTATION, word: WORD, record_words: 9, queue: DrumQueue::Fifo, count: 1 };
     stage.settings.data_banks = DataBanks { drum: Some(drum), buffer_words: Some(9 * 900) };
-    let control = ControlPlane::new(stage);
+    (ControlPlane::new(stage), course)
+}
+
+/// The last two thirds of the turn: before them the buffer lives on what it was filled with.
+fn turned(degrees: f64) -> Vec<FrameTiming> {
+    let (control, course) = turning(degrees);
     (FRAMES / 3..FRAMES).map(|number| frame(&control, number, &course[number as usize])).collect()
 }
 
@@ -92,5 +98,32 @@ fn corners_are_missing_when_its_utilisation_reaches_one() {
         assert!((used - 1.0).abs() < 0.01, "{degrees} degrees/s: {used}");
         assert!(found > 1.2 * before, "{degrees} degrees/s: {found} after {before}");
         before = found;
+    }
+}
+
+/// Each time that a register asks for a corner is a deadline, met or missed: a set a load, and twelve home registers a sweep.
+/// The programs of the very sweeps have words of no corner where the record has a miss.
+#[test]
+fn every_corner_that_is_asked_for_is_a_deadline() {
+    let (control, course) = turning(30.0);
+    let pose = &course[80];
+    let frame = frame(&control, 80, pose);
+    let slack = &frame.deadlines[&Deadline::Corner];
+    assert_eq!(slack.count, frame.sets.loaded + 12 * 25);
+    let misses: Vec<_> = frame.misses.iter().filter(|missed| missed.deadline == Deadline::Corner).collect();
+    assert_eq!(slack.missed as usize, misses.len());
+    let came = misses.iter().filter(|missed| missed.came.is_some()).count();
+    assert!(came > 0 && came < misses.len(), "{came} of {}", misses.len());
+    assert!(misses.iter().filter_map(|missed| missed.lateness()).all(|late| late > 0.0));
+    for sweep in 0..25 {
+        let programs = control.programs(80, pose, sweep).expect("a pose over flat ground");
+        let [program] = &programs[..] else { panic!("one level") };
+        let home = program.registers.iter().flat_map(|set| [set.hold, set.x_first, set.y_first]);
+        let loads = program.steps.iter().filter_map(|step| match step.kind {
+            StepKind::Load(load) => Some(load.corner),
+            _ => None,
+        });
+        let blank = home.chain(loads).filter(|&corner| corner == NO_CORNER).count();
+        assert_eq!(blank, misses.iter().filter(|missed| missed.sweep == sweep).count(), "sweep {sweep}");
     }
 }

@@ -4,6 +4,7 @@ mod baselines;
 mod crossings;
 mod drums;
 mod late_sets;
+mod loads;
 mod order;
 mod processor;
 mod rig;

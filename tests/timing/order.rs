@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use hardware_model::{Cpu, CrossingServer, DataBanks, Drum, DrumQueue};
+use hardware_model::{Cpu, CrossingServer, DataBanks, Drum, DrumQueue, HardwareModel};
 use landscape::Attitude;
 use machine::ControlPlane;
 use quantities::radians;
@@ -30,7 +30,7 @@ fn mission() -> (impl Fn() -> ControlPlane, Arc<[Pose]>) {
     let drum =
         Drum { rotation: 17_400, word: 1.7, record_words: 36, queue: DrumQueue::ShortestLatency, count: 2 };
     stage.settings.data_banks = DataBanks { drum: Some(drum), buffer_words: Some(9 * 400) };
-    stage.settings.cpu = Cpu { sweep_setup: 700, interrupt: 5, longest_instruction: 5, ..Cpu::default() };
+    stage.settings.cpu = Cpu { sweep_setup: 7_000, interrupt: 5, longest_instruction: 5, ..Cpu::default() };
     (move || ControlPlane::new(stage.clone()), course.into())
 }
 
@@ -64,4 +64,35 @@ fn the_number_of_threads_does_not_matter() {
         pool.install(|| timed(&machine(), &course, frames))
     };
     assert_eq!(by(1), by(2));
+}
+
+/// The programs that a frame is drawn with are those that its record is of: late sets, and late set-ups.
+#[test]
+fn programs_are_those_of_the_record() {
+    let (machine, course) = mission();
+    let control = machine();
+    let pose = &course[40];
+    let found = frame(&control, 40, pose);
+    let sweeps = control.sweeps(40, pose).expect("a pose over flat ground");
+    let all: Vec<_> = (0..5).flat_map(|sweep| sweeps.programs(sweep)).collect();
+    assert_eq!(all.iter().map(|program| program.misses.len() as u64).sum::<u64>(), found.sets.late);
+    assert!(found.sets.late > 0);
+    for sweep in 0..5 {
+        let one = control.programs(40, pose, sweep).expect("a pose over flat ground");
+        assert_eq!(one, [all[sweep as usize].clone()]);
+        let behind = control.sweeps_behind(sweeps.loader(), 40, pose).expect("a pose over flat ground");
+        assert_eq!(behind.programs(sweep), one);
+    }
+    // Behind a loader that takes no time nothing is late.
+    let wired = control.sweeps_behind(&HardwareModel::ideal().loader, 40, pose).expect("a pose");
+    assert!((0..5).flat_map(|sweep| wired.programs(sweep)).all(|program| program.misses.is_empty()));
+    // A sweep whose set-up is late runs in the direction of an earlier one.
+    let directions: Vec<_> = all.iter().map(|program| program.start.direction).collect();
+    let drawn = |sweep: u32| sweeps.set_up_of(sweep);
+    let late: Vec<u32> =
+        (0..5).filter(|&sweep| drawn(sweep) != sweep && drawn(drawn(sweep)) == drawn(sweep)).collect();
+    assert!(!late.is_empty());
+    for sweep in late {
+        assert_eq!(directions[sweep as usize], directions[drawn(sweep) as usize]);
+    }
 }

@@ -1,8 +1,8 @@
 //! The processor's time (hardware section 4.6, number 11 of section 8).
 
-use dpu::{CpuLoad, cpu_frame};
+use dpu::{CpuLoad, CrossingTime, cpu_frame};
 use generator::Stage;
-use hardware_model::{Cpu, CrossingServer};
+use hardware_model::{Cpu, CrossingServer, Ground, HardwareModel, ModelSource};
 use lunoid_tests::{Dice, Scene};
 use machine::ControlPlane;
 use timing::{Deadline, FrameTiming};
@@ -36,22 +36,85 @@ fn its_tasks_add_up() {
     assert!(slack > 0 && slack as u64 <= both.ticks - frame_tables, "{slack}");
 }
 
+/// Every fold is one interrupt, with its instructions and multiplications; every set that comes is three ticks of words.
 #[test]
-fn crossings_by_interrupt_come_on_top() {
+fn crossings_by_interrupt_cost_their_instructions() {
     let cpu = Cpu {
         sweep_setup: 300,
         frame_tables: 100_000,
         interrupt: 8,
         longest_instruction: 8,
+        memory_cycle: 2,
+        multiply: 5,
+        crossing_instructions: 4,
+        instruction_cycles: 3,
+        crossing_multiplications: 2,
         ..Cpu::default()
     };
     let without = timed(cpu, CrossingServer::WiredPointers);
     let with = timed(cpu, CrossingServer::CpuInterrupt);
+    assert_eq!(busy(&with, "cpu.interrupts"), (8 + 4 * 3 * 2 + 2 * 5) * with.folds);
+    assert_eq!(busy(&with, "cpu.words"), with.sets.loaded * 3);
     let crossings = busy(&with, "cpu") - busy(&without, "cpu");
-    // Four sets of three ticks, one interrupt of 8 ticks and up to 8 to wait for the instruction.
-    let sets = with.sets.loaded * 3;
-    assert!(crossings >= sets + 8 * with.folds && crossings <= sets + 16 * with.folds, "{crossings}");
+    assert_eq!(crossings, busy(&with, "cpu.interrupts") + busy(&with, "cpu.words"));
     assert!(with.units.iter().all(|unit| !unit.unit.starts_with("loader")), "{:?}", with.units);
+}
+
+/// Words that others bring through the processor's memory: 36 a crossing, a memory cycle each (hardware section 4.6).
+#[test]
+fn words_through_its_memory_steal_its_cycles() {
+    let cpu = Cpu { sweep_setup: 300, memory_cycle: 17, ..Cpu::default() };
+    let own_memory = timed(cpu, CrossingServer::IoProcessor);
+    let through = timed(Cpu { dma_cycles_per_word: 1, ..cpu }, CrossingServer::IoProcessor);
+    assert_eq!(busy(&own_memory, "cpu.words"), 0);
+    assert_eq!(busy(&through, "cpu.words"), 9 * 17 * through.sets.loaded);
+    // But for those that the sweep ends before, four sets a crossing.
+    assert!(through.sets.loaded > 4 * through.folds - 8 * u64::from(SWEEPS));
+    let stolen = busy(&through, "cpu") - busy(&own_memory, "cpu");
+    assert_eq!(stolen, busy(&through, "cpu.words"));
+    // What is stolen is missing for what waits for the processor.
+    let least = |frame: &FrameTiming| frame.deadlines[&Deadline::SweepSetUp].least.unwrap();
+    assert!(least(&through) < least(&own_memory));
+}
+
+/// The row of hardware section 4.6: 25 to 35 µs a crossing, and 31 µs of words.
+#[test]
+fn a_crossing_by_interrupt_takes_25_to_35_microseconds() {
+    for (name, most) in [("pra-nominal", 35e-6), ("pra-frugal", 35e-6), ("pra-overloaded", 50e-6)] {
+        let source = ModelSource::BuiltIn(name.into());
+        let model = HardwareModel::load(&source, &[], &[]).unwrap_or_else(|list| panic!("{list}")).model;
+        let crossing = model.budget(model.usual_ground()).cpu.crossing;
+        assert!((25e-6..=most).contains(&crossing), "{name}: {crossing}");
+    }
+    let set = [("cpu.dma_cycles_per_word", "1")].map(|(key, value)| (key.to_owned(), value.to_owned()));
+    let nominal = ModelSource::BuiltIn("pra-nominal".into());
+    let model = HardwareModel::load(&nominal, &[], &set).unwrap_or_else(|list| panic!("{list}")).model;
+    let budget = model.budget(Ground { region_size: 500.0, range: 5000.0 });
+    let words = budget.cpu.loads * budget.sweep.period / budget.crossings.mean;
+    assert!((words - 36.0 * 0.85e-6).abs() < 1e-9, "{words}");
+}
+
+/// With one level a crossing waits until the set-up is done, and the set-up is never late for it; with more it is the other
+/// way round.
+#[test]
+fn with_several_levels_crossings_interrupt_set_ups() {
+    let timed = |levels| {
+        let cpu = Cpu { sweep_setup: 20_000, interrupt: 50, priority_levels: levels, ..Cpu::default() };
+        timed(cpu, CrossingServer::CpuInterrupt)
+    };
+    let [one, many] = [Some(1), Some(2)].map(timed);
+    assert_eq!(many, timed(None));
+    let least = |frame: &FrameTiming, deadline| frame.deadlines[&deadline].least.unwrap();
+    let period = (one.ticks / u64::from(SWEEPS)) as i64;
+    // Nothing is before a set-up with one level, but for the rounding of a period.
+    assert!((least(&one, Deadline::SweepSetUp) - (period - 20_000)).abs() <= 1);
+    assert!(least(&many, Deadline::SweepSetUp) < least(&one, Deadline::SweepSetUp) - 1000);
+    assert!(one.sets.late > 2 * many.sets.late, "{} with one, {} with two", one.sets.late, many.sets.late);
+    // Nothing comes before the set-up is done.
+    let samples = one.misses.iter().filter(|missed| missed.deadline == Deadline::Transfer);
+    let per_sample = period as f64 / 1000.0;
+    let came = samples.filter_map(|missed| missed.came).fold(f64::INFINITY, f64::min);
+    assert!(came * per_sample > 20_000.0, "{came}");
 }
 
 #[test]
@@ -63,7 +126,9 @@ fn set_ups_that_take_longer_than_a_sweep_repeat_sweeps() {
     let late = slow.misses.iter().filter(|missed| missed.deadline == Deadline::SweepSetUp).count();
     // Every other set-up is made, and all of them late; the others are not made at all.
     assert_eq!(late, SWEEPS as usize, "{:?}", slow.deadlines[&Deadline::SweepSetUp]);
-    assert_eq!(busy(&slow, "cpu") / period, u64::from(SWEEPS) + 1);
+    assert_eq!(slow.deadlines[&Deadline::SweepSetUp].missed, u64::from(SWEEPS));
+    // It is at work all the time, and no longer.
+    assert_eq!(busy(&slow, "cpu"), slow.ticks);
 }
 
 #[test]
@@ -75,12 +140,17 @@ fn no_program_is_used_before_it_is_made() {
         let period = dice.count(50, 400) as u64;
         let starts: Vec<u64> = (0..=sweeps as u64).map(|sweep| sweep * period).collect();
         let interrupts: Vec<u64> = (0..sweeps).map(|_| dice.count(0, 300) as u64).collect();
+        let (words, unbroken) = (dice.count(0, 40) as u64, dice.count(0, 1) == 1);
         let cpu = Cpu {
             sweep_setup: dice.count(1, 500) as u64,
             frame_tables: dice.count(0, 2000) as u64,
             ..Cpu::default()
         };
-        let found = cpu_frame(&cpu, CpuLoad { starts: &starts, interrupts: &interrupts, vertices: 0 });
+        let crossing = |&interrupts: &u64| CrossingTime { interrupts, words: words };
+        let crossings: Vec<CrossingTime> = interrupts.iter().map(crossing).collect();
+        let load = CpuLoad { starts: &starts, crossings: &crossings, unbroken, vertices: 0 };
+        let found = cpu_frame(&cpu, load);
+        assert!(found.time.busy() <= starts[sweeps], "{found:?}");
         let done = |sweep: u32| {
             let made = found.set_ups.iter().find(|&&(made, _)| made == sweep);
             made.map(|&(_, slack)| starts[sweep as usize] as i64 - slack)

@@ -49,7 +49,7 @@
 //! Full scale of the derivative: 4 full scales a microsecond, so that 0.1 % is three sigma of a nominal noise. Noise is
 //! that of the processor's band, at the comparators; a peak detector that tracks has it on both inputs. A comparator
 //! needs twice its delay at an overdrive of 3.75 mV of 10 V, and at most 12.5 delays or 500 ns. Set wins in the latch.
-//! **Not modelled.** Noise and slew on the deflection, aperture and offset, breaks between samples: a rim is as sharp as
+//! **Not modelled.** Noise and slew on the deflection, offset, bends of height between samples: a rim is as sharp as
 //! the samples around it.
 
 mod deflection;

@@ -9,10 +9,15 @@ use crate::{BrokenProfile, Deflection};
 
 /// Signals of the block.
 pub const SIGNALS: &[Signal] = &[
-    Signal::ground("dpp.elevation", Unit::Tangent, "tangent of the elevation of the profile (fig. 30)"),
-    Signal::ground("dpp.blank", Unit::Gate, "1 while the profile is hidden by nearer ground (fig. 30)"),
-    Signal::ground("dpp.hold", Unit::Tangent, "highest elevation so far: what the sample-and-hold keeps"),
-    Signal::ground("dpp.y", Unit::Line, "line position of the write beam, from the top (fig. 30)"),
+    Signal::ground("dpp.elevation", Unit::Tangent, "tangent of the elevation of the profile", "fig. 30"),
+    Signal::ground("dpp.blank", Unit::Gate, "1 while the profile is hidden by nearer ground", "fig. 30"),
+    Signal::ground(
+        "dpp.hold",
+        Unit::Tangent,
+        "highest elevation so far: what the sample-and-hold keeps",
+        "fig. 30",
+    ),
+    Signal::ground("dpp.y", Unit::Line, "line position of the write beam, from the top", "fig. 30"),
 ];
 
 /// What the block is set to for a run: tables over the sweep.

@@ -7,10 +7,43 @@ use hardware_model::Cpu;
 pub struct CpuLoad<'a> {
     /// Start of each sweep, and the end of the frame.
     pub starts: &'a [u64],
-    /// Ticks that crossings take of each sweep by interrupt; empty if others serve them.
-    pub interrupts: &'a [u64],
+    /// What the crossings of each sweep take of it; empty if they take nothing.
+    pub crossings: &'a [CrossingTime],
+    /// Whether crossings wait until a set-up is done, having no level above it.
+    pub unbroken: bool,
     /// Vertices of polyhedra to transform and project.
     pub vertices: u64,
+}
+
+/// What the crossings of one sweep take of the processor (ticks).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct CrossingTime {
+    /// Interrupts: recognition, save, restore, pointers.
+    pub interrupts: u64,
+    /// Words that its program moves, or memory cycles that others take from it for theirs.
+    pub words: u64,
+}
+
+/// The processor's time, by what it was at (ticks).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct CpuTime {
+    /// Interrupts of crossings.
+    pub interrupts: u64,
+    /// Words of crossings.
+    pub words: u64,
+    /// Set-ups of sweeps.
+    pub set_ups: u64,
+    /// Visibility and tables of the next frame.
+    pub tables: u64,
+    /// Vertices of polyhedra.
+    pub vertices: u64,
+}
+
+impl CpuTime {
+    /// All of it: never more than the frame.
+    pub fn busy(&self) -> u64 {
+        self.interrupts + self.words + self.set_ups + self.tables + self.vertices
+    }
 }
 
 /// What came of it.
@@ -24,14 +57,14 @@ pub struct CpuFrame {
     pub frame_slack: i64,
     /// Vertices that are ready when the frame ends: tables come first.
     pub vertices: u64,
-    /// Ticks of work, interrupts included.
-    pub busy: u64,
+    /// Its work within the frame.
+    pub time: CpuTime,
 }
 
-/// A set-up in work.
+/// A set-up in work; `None` for the first sweep of the frame that follows.
 #[derive(Debug, Clone, Copy)]
 struct SetUp {
-    sweep: u32,
+    sweep: Option<u32>,
     rest: u64,
 }
 
@@ -40,31 +73,31 @@ struct Processor<'a> {
     cpu: &'a Cpu,
     load: CpuLoad<'a>,
     in_work: Option<SetUp>,
-    /// Work on tables and polyhedra that is left.
-    tables: u64,
+    /// Work on tables and on vertices that is left.
+    left: [u64; 2],
     frame_slack: i64,
     set_ups: Vec<(u32, i64)>,
-    busy: u64,
+    /// Ticks of set-up in the time of each sweep.
+    held: Vec<u64>,
+    time: CpuTime,
 }
 
 /// The processor's frame. During each sweep the next one is set up; a set-up that takes longer goes on, and then the
 /// sweep after the present one is next. A sweep is drawn with the last set-up that is made when it begins. Crossings come
-/// first in each sweep's time, set-ups next, tables and polyhedra fill the rest. The frame's interrupt clears what the frame
-/// before left (our choices), so frames do not depend on one another.
+/// first in each sweep's time and set-ups next, or with one level the other way round; tables and polyhedra fill the rest.
+/// With the last sweep begins the set-up of the next frame's first, whatever else is in work: no sweep could be drawn with
+/// that any more. The frame's interrupt clears the tasks that the frame before left, so frames do not depend on one another
+/// (our choices), and a set-up that runs over the end of a frame counts in both, part by part.
 pub fn cpu_frame(cpu: &Cpu, load: CpuLoad<'_>) -> CpuFrame {
-    let tables = cpu.frame_tables + cpu.vertex * load.vertices;
-    let end = load.end();
-    let frame_slack = if tables == 0 { end as i64 } else { -(tables as i64) };
-    let mut processor =
-        Processor { cpu, load, in_work: None, tables, frame_slack, set_ups: Vec::new(), busy: 0 };
-    // The first sweep is set up before the frame begins.
-    for sweep in -1..load.sweeps() as i64 {
-        processor.pass(sweep);
-    }
-    let Processor { set_ups, frame_slack, busy, tables, .. } = processor;
-    let left = if cpu.vertex == 0 { 0 } else { tables.div_ceil(cpu.vertex) };
-    let vertices = load.vertices.saturating_sub(left);
-    CpuFrame { drawn: drawn_with(&set_ups, load.starts), set_ups, frame_slack, vertices, busy }
+    let Processor { set_ups, frame_slack, time, left, .. } = Processor::run(cpu, load);
+    let not_ready = if cpu.vertex == 0 { 0 } else { left[1].div_ceil(cpu.vertex) };
+    let vertices = load.vertices.saturating_sub(not_ready);
+    CpuFrame { drawn: drawn_with(&set_ups, load.starts), set_ups, frame_slack, vertices, time }
+}
+
+/// For each sweep, the ticks from its start in which a set-up runs that no interrupt breaks; `starts` as in [`CpuLoad`].
+pub fn held_by_set_ups(cpu: &Cpu, starts: &[u64]) -> Vec<u64> {
+    Processor::run(cpu, CpuLoad { starts, crossings: &[], unbroken: true, vertices: 0 }).held
 }
 
 /// For each sweep the last set-up that is made when it begins, be it an earlier sweep's.
@@ -100,62 +133,130 @@ impl CpuLoad<'_> {
         }
     }
 
-    fn interrupts_of(&self, sweep: i64) -> u64 {
-        usize::try_from(sweep).ok().and_then(|sweep| self.interrupts.get(sweep)).copied().unwrap_or(0)
+    /// Crossings of a sweep; those before the frame are as in its last sweep, whose place they are in.
+    fn crossings_of(&self, sweep: i64) -> CrossingTime {
+        let found = usize::try_from(sweep).map_or(self.crossings.last(), |sweep| self.crossings.get(sweep));
+        found.copied().unwrap_or_default()
     }
 }
 
-impl Processor<'_> {
-    /// One sweep's time.
-    fn pass(&mut self, sweep: i64) {
-        let [begin, end] = self.load.time_of(sweep);
-        let interrupts = self.load.interrupts_of(sweep).min((end - begin) as u64);
-        self.busy += interrupts;
-        let mut now = begin + interrupts as i64;
-        let next = (sweep + 1) as u32;
-        let mut asked = (next as usize) < self.load.sweeps();
-        while now < end {
-            if self.in_work.is_none() && asked {
-                self.in_work = Some(SetUp { sweep: next, rest: self.cpu.sweep_setup });
-                asked = false;
-            }
-            let Some(set_up) = &mut self.in_work else { break };
-            asked &= set_up.sweep != next;
-            let done = set_up.rest.min((end - now) as u64);
-            set_up.rest -= done;
-            now += done as i64;
-            self.busy += done;
-            if set_up.rest == 0 {
-                let start = self.load.starts[set_up.sweep as usize] as i64;
-                self.set_ups.push((set_up.sweep, start - now));
-                self.in_work = None;
-            }
+/// One sweep's time as it is spent.
+struct Span {
+    now: i64,
+    end: i64,
+}
+
+impl Span {
+    /// Spends up to `work` ticks; how many.
+    fn spend(&mut self, work: u64) -> u64 {
+        let done = work.min((self.end - self.now) as u64);
+        self.now += done as i64;
+        done
+    }
+}
+
+impl<'a> Processor<'a> {
+    fn run(cpu: &'a Cpu, load: CpuLoad<'a>) -> Self {
+        let left = [cpu.frame_tables, cpu.vertex * load.vertices];
+        let all = left[0] + left[1];
+        let frame_slack = if all == 0 { load.end() as i64 } else { -(all as i64) };
+        let (in_work, set_ups, held, time) = (None, Vec::new(), Vec::new(), CpuTime::default());
+        let mut processor = Self { cpu, load, in_work, left, frame_slack, set_ups, held, time };
+        // The first sweep is set up before the frame begins.
+        for sweep in -1..load.sweeps() as i64 {
+            processor.pass(sweep);
         }
-        if sweep >= 0 && now < end {
-            self.fill(now, end);
+        processor
+    }
+
+    /// One sweep's time. What is done before the frame counts in the frame before.
+    fn pass(&mut self, sweep: i64) {
+        let [now, end] = self.load.time_of(sweep);
+        let mut span = Span { now, end };
+        let mut time = CpuTime::default();
+        if self.load.unbroken {
+            time.set_ups = self.set_up(sweep, &mut span);
+            self.cross(sweep, &mut span, &mut time);
+        } else {
+            self.cross(sweep, &mut span, &mut time);
+            time.set_ups = self.set_up(sweep, &mut span);
+        }
+        if sweep >= 0 {
+            self.fill(&mut span, &mut time);
+            self.held.push(time.set_ups);
+            self.count(time);
         }
     }
 
+    fn count(&mut self, more: CpuTime) {
+        let sum = &mut self.time;
+        sum.interrupts += more.interrupts;
+        sum.words += more.words;
+        sum.set_ups += more.set_ups;
+        sum.tables += more.tables;
+        sum.vertices += more.vertices;
+    }
+
+    /// Crossings of one sweep; retrace clears those for which no time is left.
+    fn cross(&self, sweep: i64, span: &mut Span, time: &mut CpuTime) {
+        let CrossingTime { interrupts, words } = self.load.crossings_of(sweep);
+        time.interrupts = span.spend(interrupts);
+        time.words = span.spend(words);
+    }
+
+    /// Set-ups in what is left of a sweep's time; the ticks that they took. One that no interrupt breaks begins with a
+    /// sweep or not in it.
+    fn set_up(&mut self, sweep: i64, span: &mut Span) -> u64 {
+        let begin = span.now;
+        let next = u32::try_from(sweep + 1).ok().filter(|&next| (next as usize) < self.load.sweeps());
+        if next.is_none() {
+            self.in_work = None;
+        }
+        let mut is_asked = true;
+        while span.now < span.end {
+            if self.in_work.is_none() && is_asked {
+                self.in_work = Some(SetUp { sweep: next, rest: self.cpu.sweep_setup });
+            }
+            let Some(mut work) = self.in_work.take() else { break };
+            is_asked &= work.sweep != next && !self.load.unbroken;
+            work.rest -= span.spend(work.rest);
+            if work.rest > 0 {
+                self.in_work = Some(work);
+            } else if let Some(made) = work.sweep {
+                let start = self.load.starts[made as usize] as i64;
+                self.set_ups.push((made, start - span.now));
+            }
+        }
+        (span.now - begin) as u64
+    }
+
     /// Tables and polyhedra, in what is left of a sweep's time.
-    fn fill(&mut self, now: i64, end: i64) {
-        let done = self.tables.min((end - now) as u64);
-        self.tables -= done;
-        self.busy += done;
-        if done > 0 {
-            let frame_end = self.load.end() as i64;
-            self.frame_slack =
-                if self.tables == 0 { frame_end - (now + done as i64) } else { -(self.tables as i64) };
+    fn fill(&mut self, span: &mut Span, time: &mut CpuTime) {
+        time.tables = span.spend(self.left[0]);
+        self.left[0] -= time.tables;
+        time.vertices = span.spend(self.left[1]);
+        self.left[1] -= time.vertices;
+        if time.tables + time.vertices > 0 {
+            let left = self.left[0] + self.left[1];
+            self.frame_slack = if left == 0 { self.load.end() as i64 - span.now } else { -(left as i64) };
         }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{CpuLoad, cpu_frame};
+    use super::{CpuFrame, CpuLoad, CrossingTime, cpu_frame, held_by_set_ups};
     use hardware_model::Cpu;
 
     fn starts(period: u64, sweeps: u64) -> Vec<u64> {
         (0..=sweeps).map(|sweep| sweep * period).collect()
+    }
+
+    /// `interrupts` by sweep; `unbroken` with one level.
+    fn made(cpu: &Cpu, starts: &[u64], interrupts: &[u64], unbroken: bool, vertices: u64) -> CpuFrame {
+        let crossing = |&interrupts| CrossingTime { interrupts, words: 0 };
+        let crossings: Vec<CrossingTime> = interrupts.iter().map(crossing).collect();
+        cpu_frame(cpu, CpuLoad { starts, crossings: &crossings, unbroken, vertices })
     }
 
     fn cpu(sweep_setup: u64, frame_tables: u64) -> Cpu {
@@ -165,39 +266,52 @@ mod tests {
     #[test]
     fn quick_set_ups_are_ready_and_tables_fill_the_rest() {
         let starts = starts(100, 10);
-        let load = CpuLoad { starts: &starts, interrupts: &[], vertices: 0 };
-        let found = cpu_frame(&cpu(30, 140), load);
+        let found = made(&cpu(30, 140), &starts, &[], false, 0);
         assert_eq!(found.drawn, (0..10).collect::<Vec<u32>>());
         assert!(found.set_ups.iter().all(|&(_, slack)| slack == 70) && found.set_ups.len() == 10);
         // 70 ticks of each sweep are left: two sweeps.
-        assert_eq!((found.frame_slack, found.busy), (800, 440));
+        assert_eq!((found.frame_slack, found.time.busy()), (800, 440));
     }
 
     #[test]
     fn vertices_that_are_left_are_not_ready() {
         let starts = starts(100, 10);
-        let load = CpuLoad { starts: &starts, interrupts: &[], vertices: 50 };
-        let found = cpu_frame(&Cpu { vertex: 40, ..cpu(30, 140) }, load);
-        // 73 ticks of the ten sweeps are left for 140 + 2000 ticks of work: the last sweep has no set-up.
-        assert_eq!((found.frame_slack, found.vertices), (-(2140 - 730), 14));
+        let found = made(&Cpu { vertex: 40, ..cpu(30, 140) }, &starts, &[], false, 50);
+        // 70 ticks of each of ten sweeps are left for 140 + 2000 ticks of work.
+        assert_eq!((found.frame_slack, found.vertices), (-(2140 - 700), 14));
+        assert_eq!((found.time.tables, found.time.vertices, found.time.busy()), (140, 560, 1000));
     }
 
     #[test]
     fn slow_set_ups_repeat_sweeps() {
         // 3.15 sweeps each: made at 215, 530, 845, for the sweeps after 0, 215 and 530.
         let starts = starts(100, 10);
-        let found = cpu_frame(&cpu(315, 0), CpuLoad { starts: &starts, interrupts: &[], vertices: 0 });
+        let found = made(&cpu(315, 0), &starts, &[], false, 0);
         assert_eq!(found.set_ups[..3], [(0, -215), (3, -230), (6, -245)]);
         assert_eq!(found.drawn, [0, 0, 0, 0, 0, 0, 3, 3, 3, 6]);
+        // It is at set-ups all the time, with the last sweep at that of the next frame's first.
+        assert_eq!((found.time.busy(), found.set_ups.len()), (1000, 3));
     }
 
     #[test]
     fn crossings_come_first() {
         let starts = starts(100, 8);
-        let load = CpuLoad { starts: &starts, interrupts: &[90, 90, 90, 90, 0, 0, 0, 0], vertices: 0 };
-        let found = cpu_frame(&cpu(30, 0), load);
+        let found = made(&cpu(30, 0), &starts, &[90, 90, 90, 90, 0, 0, 0, 0], false, 0);
         // Sweep 1 is set up in sweeps 0 to 2, 10 ticks each; then sweep 4, in 3 and 4.
         assert_eq!(found.set_ups[..4], [(0, 70), (1, -200), (4, -20), (5, 50)]);
         assert_eq!(found.drawn, [0, 0, 0, 1, 1, 5, 6, 7]);
+    }
+
+    #[test]
+    fn with_one_level_set_ups_come_first() {
+        let starts = starts(100, 8);
+        let found = made(&cpu(30, 0), &starts, &[90; 8], true, 0);
+        assert!(found.set_ups.iter().all(|&(_, slack)| slack == 70), "{found:?}");
+        assert_eq!(found.drawn, (0..8).collect::<Vec<u32>>());
+        // Of each sweep crossings get what the set-up leaves.
+        assert_eq!((found.time.set_ups, found.time.interrupts), (240, 560));
+        assert_eq!(held_by_set_ups(&cpu(30, 0), &starts), [30; 8]);
+        // Each runs over into the next sweep, and none begins in that.
+        assert_eq!(held_by_set_ups(&cpu(130, 0), &starts), [30, 100, 30, 100, 30, 100, 30, 100]);
     }
 }

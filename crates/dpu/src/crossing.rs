@@ -5,12 +5,12 @@ use landscape::Level;
 use quantities::{SweepClock, SweepTime, Tick, Timebase};
 use sweep_program::{
     Colour, Fold, Load, Miss, MissCause, NO_CORNER, PreloadRegister, RampAxis, Step, StepKind, Stop,
-    SweepProgram, SweepStart, Target, WordMask,
+    SweepProgram, SweepStart, Target, WordMask, slack,
 };
 
 use crate::Pointers;
 use crate::server::{Job, Served, Server, Wanted};
-use crate::watch::Watch;
+use crate::watch::{AskedCorner, CornerArrival, Watch};
 
 /// A fold and its instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,6 +45,9 @@ pub struct CrossingService<'a> {
     pub timebase: &'a Timebase,
     /// What is not in the storage buffer, in order of corners.
     pub missing: &'a [MissingCorner],
+    /// Ticks from the start of the sweep in which a processor that serves the crossings is at a set-up that no interrupt
+    /// breaks.
+    pub held: u64,
     /// Seed of the model.
     pub seed: u64,
 }
@@ -60,6 +63,14 @@ struct Delivery {
     /// The preload register that asked.
     register: PreloadRegister,
     cause: MissCause,
+}
+
+/// Who asks for a corner.
+#[derive(Debug, Clone, Copy)]
+struct Asking {
+    crossing: Option<u32>,
+    colour: Colour,
+    register: Option<PreloadRegister>,
 }
 
 /// The program being written.
@@ -102,14 +113,21 @@ impl CrossingService<'_> {
         program.end_range = end_range;
         program.steps.clear();
         program.misses.clear();
+        let clock = self.timebase.sweep_clock(frame, sweep);
         let mut service = Service {
             unit: self,
             watch,
             frame,
             sweep,
-            clock: self.timebase.sweep_clock(frame, sweep),
+            clock,
             pointers,
-            server: Server::new(self.loader, self.cpu, self.seed, [frame, u64::from(sweep)]),
+            server: Server::new(
+                self.loader,
+                self.cpu,
+                self.seed,
+                [frame, u64::from(sweep)],
+                self.held_until(&clock),
+            ),
             pending: Vec::new(),
             ready: Default::default(),
             diagonals: [Some(Tick(0)); 4],
@@ -117,9 +135,7 @@ impl CrossingService<'_> {
             crossing: 0,
             requests: 0,
         };
-        if !self.missing.is_empty() {
-            service.blank_missing_home(program);
-        }
+        service.look_up_home(program);
         for fold in folds {
             service.reach(fold, &range_at, program);
             service.serve(fold, program);
@@ -140,11 +156,19 @@ impl CrossingService<'_> {
         })
     }
 
-    /// Whether `corner` is in the storage buffer at `tick`.
-    fn has(&self, corner: u32, tick: Tick) -> bool {
+    /// When a processor that serves the crossings is done with the set-up that no interrupt breaks.
+    fn held_until(&self, clock: &SweepClock) -> Tick {
+        match self.held {
+            0 => Tick(0),
+            held => Tick(clock.tick_at_or_after(SweepTime(0.0)).0 + held),
+        }
+    }
+
+    /// When `corner` is in the storage buffer.
+    fn arrival_of(&self, corner: u32) -> CornerArrival {
         match self.missing.binary_search_by_key(&corner, |missing| missing.corner) {
-            Ok(index) => self.missing[index].arrival.is_some_and(|arrival| arrival <= tick),
-            Err(_) => true,
+            Ok(index) => self.missing[index].arrival.map_or(CornerArrival::NotInFrame, CornerArrival::At),
+            Err(_) => CornerArrival::BeforeFrame,
         }
     }
 }
@@ -228,7 +252,8 @@ impl<W: Watch> Service<'_, '_, '_, W> {
         program: &mut SweepProgram,
     ) {
         let [m, n] = self.pointers.ahead(colour, register);
-        let corner = self.stored(self.unit.level.clamped_index(m, n) as u32, colour, seen);
+        let asking = Asking { crossing: Some(self.crossing), colour, register: Some(register) };
+        let corner = self.stored(self.unit.level.clamped_index(m, n) as u32, seen, asking);
         let load = Load { colour, target: Target::Preload(register), corner, words: WordMask::ALL };
         program.steps.push(Step::new(fold.time, fold.range, StepKind::Load(load)));
         self.ready[colour as usize][register as usize] = Some(seen);
@@ -354,7 +379,8 @@ impl<W: Watch> Service<'_, '_, '_, W> {
     ) {
         self.watch.wanted();
         self.watch.loaded();
-        let corner = self.stored(corner, colour, seen);
+        let asking = Asking { crossing: Some(self.crossing), colour, register: Some(register) };
+        let corner = self.stored(corner, seen, asking);
         // Wired, it is there with the fold itself: not later than the last tick before it.
         if W::LISTENS {
             let slack = slack(&self.clock, fold.time, seen).min(0);
@@ -421,10 +447,15 @@ impl<W: Watch> Service<'_, '_, '_, W> {
 
     fn bring(&mut self, served: &Served, program: &mut SweepProgram) {
         let Job { number, colour, wanted, corner, late, crossing, .. } = served.job;
-        let corner = self.stored(corner, colour, served.begin);
+        let register = match wanted {
+            Wanted::Register(register) => Some(register),
+            Wanted::Diagonal => None,
+        };
+        let asking = Asking { crossing: Some(crossing), colour, register };
+        let corner = self.stored(corner, served.begin, asking);
         let last = self.server.arrivals(served).map(|(tick, _)| tick).last().unwrap_or(served.begin);
         self.watch.loaded();
-        let Wanted::Register(register) = wanted else {
+        let Some(register) = register else {
             self.diagonals[colour as usize] = Some(last);
             return;
         };
@@ -468,24 +499,33 @@ impl<W: Watch> Service<'_, '_, '_, W> {
         }
     }
 
-    /// Index of a corner in the storage buffer at `tick`, or that of no corner.
-    fn stored(&mut self, corner: u32, colour: Colour, tick: Tick) -> u32 {
-        if self.unit.missing.is_empty() || self.unit.has(corner, tick) {
+    /// Index of a corner in the storage buffer at `tick`, or that of no corner; `of` is who asks for it.
+    fn stored(&mut self, corner: u32, tick: Tick, of: Asking) -> u32 {
+        if !W::LISTENS && self.unit.missing.is_empty() {
             return corner;
         }
-        let (at, missing) = (self.instant_of(tick), self.unit.missing);
-        let found = missing.binary_search_by_key(&corner, |missing| missing.corner);
-        let arrival = found.ok().and_then(|index| missing[index].arrival);
-        self.watch.starved(tick, at, colour, corner, arrival);
-        NO_CORNER
+        let arrival = self.unit.arrival_of(corner);
+        let Asking { crossing, colour, register } = of;
+        let at = self.instant_of(tick);
+        self.watch.corner(&AskedCorner { tick, at, crossing, colour, register, corner, arrival });
+        let is_there = match arrival {
+            CornerArrival::BeforeFrame => true,
+            CornerArrival::At(arrival) => arrival <= tick,
+            CornerArrival::NotInFrame => false,
+        };
+        if is_there { corner } else { NO_CORNER }
     }
 
     /// Home registers are filled from the same buffer.
-    fn blank_missing_home(&mut self, program: &mut SweepProgram) {
+    fn look_up_home(&mut self, program: &mut SweepProgram) {
+        if !W::LISTENS && self.unit.missing.is_empty() {
+            return;
+        }
         let tick = self.seen(SweepTime(0.0));
         for (colour, set) in Colour::ALL.into_iter().zip(&mut program.registers) {
-            for corner in [&mut set.hold, &mut set.x_first, &mut set.y_first] {
-                *corner = self.stored(*corner, colour, tick);
+            let [x, y] = [PreloadRegister::XFirst, PreloadRegister::YFirst].map(Some);
+            for (register, corner) in [(None, &mut set.hold), (x, &mut set.x_first), (y, &mut set.y_first)] {
+                *corner = self.stored(*corner, tick, Asking { crossing: None, colour, register });
             }
         }
     }
@@ -515,13 +555,6 @@ fn axis_of(register: PreloadRegister) -> RampAxis {
         PreloadRegister::XFirst => RampAxis::X,
         PreloadRegister::YFirst => RampAxis::Y,
     }
-}
-
-/// Ticks from the arrival of a set to the last tick that is not after the fold that needs it; below 0 it is late.
-fn slack(clock: &SweepClock, fold: SweepTime, arrival: Tick) -> i64 {
-    let seen = clock.tick_at_or_after(fold);
-    let after = i64::from(clock.instant_of(seen) > fold);
-    seen.0 as i64 - after - arrival.0 as i64
 }
 
 /// Adds a miss, or its words to that of the same set.

@@ -11,7 +11,8 @@
 //! **Who answers** ([`hardware_model::CrossingServer`]). Wired pointers: a bank of the storage buffer for each colour,
 //! side by side. An I/O processor or the processor itself: one line for all. A set takes its pointer arithmetic, then
 //! one access after another, each of `words_per_access` words; the strobe of one overlaps with the next. An interrupt
-//! is recognised after the instruction (with one priority level: the task) that runs, and saves its state once a fold.
+//! is recognised after the instruction that runs (with one priority level: after the set-up), saves its state and moves
+//! the pointers by its instructions, once a fold.
 //! **Timing.** A fold is seen at the first master tick at or after it. With no access, pointer or strobe time the
 //! transfer is wired and words arrive with the fold itself. Words that come after the fold that needs them are late:
 //! the model's policy says whether they go straight through to hold or are lost.
@@ -31,8 +32,8 @@ mod server;
 mod visible;
 mod watch;
 
-pub use cpu::{CpuFrame, CpuLoad, cpu_frame};
+pub use cpu::{CpuFrame, CpuLoad, CpuTime, CrossingTime, cpu_frame, held_by_set_ups};
 pub use crossing::{CrossingService, MissingCorner, TimedFold};
 pub use home::Pointers;
 pub use visible::Sector;
-pub use watch::{LineUse, Watch};
+pub use watch::{AskedCorner, CornerArrival, LineUse, Watch};

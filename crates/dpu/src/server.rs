@@ -56,21 +56,22 @@ pub(crate) struct Server<'a> {
     place: [u64; 2],
     queue: Vec<Job>,
     free_at: [Tick; 4],
-    /// The fold whose interrupt is being handled.
-    handling: Option<u32>,
+    /// Folds whose interrupt was handled.
+    handled: Vec<u32>,
     lines: [LineUse; 4],
 }
 
 impl<'a> Server<'a> {
-    pub fn new(loader: &'a Loader, cpu: &'a Cpu, seed: u64, place: [u64; 2]) -> Self {
+    /// `held` is when a processor that serves the crossings is done with a set-up that no interrupt breaks.
+    pub fn new(loader: &'a Loader, cpu: &'a Cpu, seed: u64, place: [u64; 2], held: Tick) -> Self {
         Self {
             loader,
             cpu,
             seed,
             place,
             queue: Vec::new(),
-            free_at: [Tick(0); 4],
-            handling: None,
+            free_at: [held; 4],
+            handled: Vec::new(),
             lines: [LineUse::default(); 4],
         }
     }
@@ -111,28 +112,28 @@ impl<'a> Server<'a> {
         let first = own().filter(|job| job.asked <= start).min_by_key(|job| rank(job))?.number;
         let index = self.queue.iter().position(|job| job.number == first)?;
         let job = self.queue.remove(index);
-        let begin = Tick(start.0 + self.recognition(&job, start) + self.loader.pointer);
+        let (rest, interrupt) = self.recognition(&job, start);
+        let begin = Tick(start.0 + rest + interrupt + self.loader.pointer);
         let end = Tick(begin.0 + u64::from(self.accesses()) * self.loader.access);
-        self.lines[line].busy += end.0 - start.0;
+        self.lines[line].busy += end.0 - start.0 - rest;
+        self.lines[line].interrupts += interrupt;
         self.free_at[line] = end;
         Some(Served { job, begin, waited: start > job.asked })
     }
 
-    /// Time from the start of a service to its pointers: an interrupt is recognised after what the processor is at,
-    /// and its state is saved, once for all sets of a fold.
-    fn recognition(&mut self, job: &Job, start: Tick) -> u64 {
-        if self.loader.served_by != CrossingServer::CpuInterrupt || self.handling == Some(job.crossing) {
-            return 0;
+    /// Time from the start of a service to its pointers: the rest of the instruction that the processor is at, which is
+    /// the interrupted task's, and the interrupt itself, once for all sets of a fold.
+    fn recognition(&mut self, job: &Job, start: Tick) -> (u64, u64) {
+        let is_served_so = self.loader.served_by == CrossingServer::CpuInterrupt;
+        // The newest stand last, and an urgent set may go before those of an older fold.
+        if !is_served_so || self.handled.iter().rev().any(|&fold| fold == job.crossing) {
+            return (0, 0);
         }
-        self.handling = Some(job.crossing);
-        let busy_with = match self.cpu.priority_levels {
-            Some(1) => self.cpu.sweep_setup.max(self.cpu.longest_instruction),
-            _ => self.cpu.longest_instruction,
-        };
+        self.handled.push(job.crossing);
         let interrupted = start == job.asked;
         let share = unit_interval(self.seed, &[self.place[0], self.place[1], u64::from(job.crossing)]);
-        let rest = if interrupted { (share * busy_with as f64) as u64 } else { 0 };
-        rest + self.cpu.interrupt
+        let rest = if interrupted { (share * self.cpu.longest_instruction as f64) as u64 } else { 0 };
+        (rest, self.cpu.crossing())
     }
 
     fn accesses(&self) -> u32 {

@@ -1,15 +1,47 @@
 //! What someone may want to know of the service of the crossings.
 
 use quantities::{SweepTime, Tick};
-use sweep_program::{Colour, Fold, Load};
+use sweep_program::{Colour, Fold, Load, PreloadRegister};
 
 /// Use of one line of the loader in one sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct LineUse {
     /// Ticks of service.
     pub busy: u64,
+    /// Of these, interrupts: recognition, save, restore, pointers.
+    pub interrupts: u64,
     /// Most sets that waited at once.
     pub longest_queue: u32,
+}
+
+/// A corner that a register asks of the storage buffer.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AskedCorner {
+    /// When its access begins.
+    pub tick: Tick,
+    /// The same on the sweep clock.
+    pub at: SweepTime,
+    /// The fold that asks, counted from 0 in the sweep; none for home registers.
+    pub crossing: Option<u32>,
+    /// Whose register.
+    pub colour: Colour,
+    /// Which preload register; none for hold, and for the corner beyond both stops.
+    pub register: Option<PreloadRegister>,
+    /// Index in the level.
+    pub corner: u32,
+    /// When it is in the buffer.
+    pub arrival: CornerArrival,
+}
+
+/// When the data bank has delivered a corner.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CornerArrival {
+    /// Before the frame began.
+    BeforeFrame,
+    /// Within it.
+    At(Tick),
+    /// Not in this frame.
+    NotInFrame,
 }
 
 /// Told what the service does; every method may be left out. Nobody is told at no cost: `()`.
@@ -31,17 +63,8 @@ pub trait Watch {
     fn arrival(&mut self, _tick: Tick, _load: &Load) {}
     /// A fold used a set that came `slack` ticks before it; below 0 it was late.
     fn transfer(&mut self, _slack: i64) {}
-    /// At `tick`, on the sweep clock `at`, a set was asked of a corner that was not in the storage buffer and comes at
-    /// `arrival`, if within the frame.
-    fn starved(
-        &mut self,
-        _tick: Tick,
-        _at: SweepTime,
-        _colour: Colour,
-        _corner: u32,
-        _arrival: Option<Tick>,
-    ) {
-    }
+    /// A set was asked of the storage buffer.
+    fn corner(&mut self, _asked: &AskedCorner) {}
     /// The sweep is over.
     fn end(&mut self, _lines: &[LineUse; 4]) {}
 }

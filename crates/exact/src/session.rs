@@ -8,7 +8,7 @@ use landscape::Landscape;
 use quantities::{degrees, sin_cos};
 use rayon::prelude::*;
 use scenario::Pose;
-use signal::{Probe, Signal};
+use signal::{Probe, Signal, Wire};
 
 use crate::column::{Column, Frame, Pixel};
 use crate::scene::Scene;
@@ -53,7 +53,11 @@ impl GeneratorSession for Session {
         check_eye(&self.stage.landscape, frame, pose)?;
         self.check_pitch(frame, pose)?;
         let scene = self.scene(pose);
-        let (columns, rays): (Vec<_>, Vec<u64>) = self.columns(&scene, planes).into_iter().unzip();
+        let drawn: Vec<_> = {
+            let draw = |column| self.column(&scene, column, [planes.columns(), planes.lines()]);
+            (0..planes.columns()).into_par_iter().map(draw).collect()
+        };
+        let (columns, rays): (Vec<_>, Vec<u64>) = drawn.into_iter().unzip();
         for kind in PlaneKind::ALL {
             fill(planes, kind, &columns);
         }
@@ -63,6 +67,42 @@ impl GeneratorSession for Session {
 
     fn omissions(&self) -> Vec<Omission> {
         Vec::new()
+    }
+
+    fn wires(&self) -> Vec<Wire> {
+        Vec::new()
+    }
+}
+
+/// Single columns of pictures, for whoever does not need the rest.
+pub struct Columns(Session);
+
+impl Columns {
+    /// Columns of the pictures of `stage`.
+    pub fn new(stage: Stage) -> Self {
+        let ceilings = Ceilings::new(&stage.landscape);
+        Self(Session { stage, ceilings })
+    }
+
+    /// Column `column` of frame `frame` as the raster of the stage has it: planes `kinds`, one pixel wide.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
+    pub fn column(
+        &self,
+        frame: u64,
+        pose: &Pose,
+        column: usize,
+        kinds: &[PlaneKind],
+    ) -> Result<Planes, FrameError> {
+        let raster = &self.0.stage.settings.raster;
+        let size = [raster.columns as usize, raster.lines as usize];
+        check_eye(&self.0.stage.landscape, frame, pose)?;
+        self.0.check_pitch(frame, pose)?;
+        let (pixels, _) = self.0.column(&self.0.scene(pose), column, size);
+        let mut planes = Planes::new(1, size[1], kinds);
+        kinds.iter().for_each(|&kind| fill(&mut planes, kind, std::slice::from_ref(&pixels)));
+        Ok(planes)
     }
 }
 
@@ -77,16 +117,12 @@ impl Session {
         Scene::new(landscape, scenery, outlook, laws, reach, pose)
     }
 
-    /// Pixels of each column from left to right, top line first, and the rays that they took.
-    fn columns(&self, scene: &Scene, planes: &Planes) -> Vec<(Vec<Pixel>, u64)> {
+    /// Pixels of a column of a picture of `columns` x `lines`, top line first, and the rays that they took.
+    fn column(&self, scene: &Scene, column: usize, [columns, lines]: [usize; 2]) -> (Vec<Pixel>, u64) {
         let (field, rule) = (self.stage.settings.raster.field, self.stage.settings.laws.pixel_rule);
-        let frame = Frame { scene, half_height: field.tan_half_height, lines: planes.lines() };
-        let count = planes.columns() as f64;
-        let draw = |column: usize| {
-            let x = field.tan_half_width * (2.0 * column as f64 + 1.0 - count) / count;
-            Column::new(frame, x).draw(rule)
-        };
-        (0..planes.columns()).into_par_iter().map(draw).collect()
+        let frame = Frame { scene, half_height: field.tan_half_height, lines };
+        let x = field.tan_half_width * (2.0 * column as f64 + 1.0 - columns as f64) / columns as f64;
+        Column::new(frame, x).draw(rule)
     }
 
     /// The corners of a turned screen look farther up and down than its edges.

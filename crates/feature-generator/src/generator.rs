@@ -56,7 +56,7 @@ impl Sweep<'_> {
                 break;
             }
             sample = next;
-            if sample == 0 {
+            if sample == 0 || step.is_late {
                 bank.apply(step);
             } else {
                 profile.kinks[self.lane].push(self.kink(step, sample, bank));

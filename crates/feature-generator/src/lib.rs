@@ -15,24 +15,32 @@
 //! *Scheduled* (report, organisation B): a sub-generator is taken for the chord of one crater. *By region* (A): craters
 //! are stored with every region they touch and loaded group by group, so a sub-generator stays taken from the edge
 //! where the sweep enters the first region of the chord to the edge where it leaves the last.
-//! **State and timing.** A load takes no time. None free: the crater is not drawn in this sweep and counted as
-//! dropped; the nearest come first (22, row 14). Between two kink circles all sub-generators stand still in one zone
-//! of their law, so a sweep is drawn stretch by stretch; the crossings of the circles are the kinks, at their real range.
+//! **State and timing.** Eight words a crater, one crater after another on a line of so many words a second, from the
+//! retrace before the sweep on, in the order in which the sweep comes to need them ([`Schedule::write_by`]); or in no time.
+//! A crater whose words come behind its leading edge is drawn from where they come (strobe-through) or not at all in this
+//! sweep (latched); words that could not set out before the sweep has left the crater do not. No sub-generator free: the
+//! crater is not drawn in this sweep and counted as dropped; the nearest come first (22, row 14). Between two kink circles
+//! all sub-generators stand still in one zone of their law, so a sweep is drawn stretch by stretch; the crossings of the
+//! circles are the kinks, at their real range.
 //! **Precision.** The offset from a crater is taken in f64 and only then rounded to the signal's scalar, so that far
 //! craters keep their shape: f64 signals agree with the direct sum to 1e-12 of full scale, f32 signals to 2e-5 of it
 //! where rims are at least a tenth as wide as their radius.
 //! **Elaboration.** Without features there is nothing to load and nothing to draw.
 //! **Our choices.** Unfolded sweep voltages relative to the eye's foot (section 10). Sums run in the order of the
 //! crater list, so that they are those of [`features::Features::at`]. A footprint is a circle, not its bounding square.
-//! **Not modelled.** Bandwidth of the chain, delay of the comparators, time of a load: ideal parts.
+//! **Parts.** [`PartsGenerator`]: bandwidth and static errors of the chain; the comparators' delay is the mixing unit's.
 
 mod bank;
 mod generator;
+mod loads;
 mod profile;
 mod schedule;
 mod steps;
 mod sub_generator;
+mod wired;
 
 pub use generator::FeatureGenerator;
+pub use loads::{CRATER_WORDS, FeatureMiss};
 pub use profile::{FeatureProfile, Kink, SIGNALS};
 pub use schedule::{FeatureLoad, FeatureProgram, Schedule};
+pub use wired::{ChainScratch, MOST, PartsGenerator};

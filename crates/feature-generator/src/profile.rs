@@ -6,18 +6,20 @@ use crate::bank::Bank;
 
 /// Signals of the block.
 pub const SIGNALS: &[Signal] = &[
-    Signal::ground("fg.height", Unit::Metre, "height that features add to the terrain (section 10)"),
-    Signal::ground("fg.slope.u", Unit::Slope, "slope of the features to the north (section 10)"),
-    Signal::ground("fg.slope.v", Unit::Slope, "slope of the features to the east (section 10)"),
+    Signal::ground("fg.height", Unit::Metre, "height that features add to the terrain", "section 10"),
+    Signal::ground("fg.slope.u", Unit::Slope, "slope of the features to the north", "section 10"),
+    Signal::ground("fg.slope.v", Unit::Slope, "slope of the features to the east", "section 10"),
     Signal::ground(
         "fg.present",
         Unit::Gate,
-        "1 inside the footprint of a feature that is drawn (section 14)",
+        "1 inside the footprint of a feature that is drawn",
+        "section 14",
     ),
     Signal::ground(
         "fg.reflectivity",
         Unit::Reflectivity,
-        "reflectivity where a feature is: of the summed slopes, or of the features' alone (section 10)",
+        "reflectivity where a feature is: of the summed slopes, or of the features' alone",
+        "section 10",
     ),
 ];
 

@@ -2,6 +2,10 @@
 
 use features::{Crater, Features};
 use hardware_model::{FeatureParts, Organisation};
+use quantities::SweepTime;
+use sweep_program::{LoadTiming, NoTiming};
+
+use crate::loads::{FeatureMiss, bring};
 
 /// What programs are written from: the same for every sweep of a frame.
 #[derive(Debug, Clone, Copy)]
@@ -27,6 +31,9 @@ pub struct FeatureLoad {
     pub middle: f64,
     /// Distance of the centre beside the sweep, positive to the right (m).
     pub side: f64,
+    /// Ground range from which it is drawn, where its words come behind its edge; negative infinity if they are in time
+    /// (m).
+    pub from: f64,
 }
 
 /// Loads of one sweep. Reused from sweep to sweep: once warm, nothing is allocated.
@@ -40,6 +47,12 @@ pub struct FeatureProgram {
     pub dropped: u32,
     /// Most sub-generators in use at once, by crater type.
     pub most_in_use: [u32; 3],
+    /// Craters that are not drawn, or not from their edge on, in the order in which the sweep meets them.
+    pub misses: Vec<FeatureMiss>,
+    /// Ticks that each load came before its crater's edge, if loads take time; below 0 it was late.
+    pub slacks: Vec<i64>,
+    /// Ticks that the loads took the line.
+    pub load_ticks: u64,
     found: Vec<u32>,
     requests: Vec<Request>,
     /// Range at which each sub-generator is free again, by crater type.
@@ -48,16 +61,17 @@ pub struct FeatureProgram {
 
 /// A crater that asks for a sub-generator.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Request {
-    load: FeatureLoad,
+pub(crate) struct Request {
+    pub load: FeatureLoad,
     /// Crater type, from 0.
-    kind: usize,
-    /// Range at which the sweep enters the footprint (m).
-    entry: f64,
+    pub kind: usize,
+    /// Ranges at which the sweep enters and leaves the footprint (m).
+    pub entry: f64,
+    pub exit: f64,
     /// Range from which the sub-generator is taken (m).
-    taken: f64,
+    pub taken: f64,
     /// Range at which it is free again (m).
-    freed: f64,
+    pub freed: f64,
 }
 
 /// A sweep over the ground.
@@ -71,12 +85,18 @@ struct Line {
 
 impl Schedule<'_> {
     /// Writes the program of the sweep from `eye` (north, east; m) along the unit vector `direction`, between two
-    /// ground ranges (m).
-    pub fn write(
+    /// ground ranges (m). Loads take no time.
+    pub fn write(&self, eye: [f64; 2], direction: [f64; 2], span: [f64; 2], program: &mut FeatureProgram) {
+        self.write_by(eye, direction, span, None::<NoTiming>, program);
+    }
+
+    /// The same with loads that take the time of `timing`, if there is any.
+    pub fn write_by(
         &self,
         eye: [f64; 2],
         direction: [f64; 2],
         [from, to]: [f64; 2],
+        timing: Option<LoadTiming<impl Fn(f64) -> SweepTime, impl Fn(SweepTime) -> f64>>,
         program: &mut FeatureProgram,
     ) {
         program.clear(to);
@@ -87,7 +107,12 @@ impl Schedule<'_> {
         self.features.along(eye, direction, from, to, &mut program.found);
         let request = |&index: &u32| self.request(index, &line);
         program.requests.extend(program.found.iter().map(request));
-        program.serve(self.parts.sub_generators);
+        program.order();
+        match timing {
+            None => program.serve(self.parts.sub_generators),
+            Some(timing) => program.serve_in_time(&self.parts, timing),
+        }
+        program.loads.sort_unstable_by_key(|load| load.crater);
     }
 
     fn request(&self, index: u32, line: &Line) -> Request {
@@ -99,8 +124,8 @@ impl Schedule<'_> {
             Organisation::Scheduled => (entry, exit),
             Organisation::ByRegion => (self.region(line, entry)[0], self.region(line, exit)[1]),
         };
-        let load = FeatureLoad { crater: index, sub_generator: 0, middle, side };
-        Request { load, kind: crater.type_number() as usize - 1, entry, taken, freed }
+        let load = FeatureLoad { crater: index, sub_generator: 0, middle, side, from: f64::NEG_INFINITY };
+        Request { load, kind: crater.type_number() as usize - 1, entry, exit, taken, freed }
     }
 
     /// Ranges at which the sweep enters and leaves the region that it is in at `range` (m).
@@ -131,27 +156,62 @@ impl Line {
 impl FeatureProgram {
     fn clear(&mut self, end_range: f64) {
         (self.end_range, self.dropped, self.most_in_use) = (end_range, 0, [0; 3]);
+        self.load_ticks = 0;
+        self.slacks.clear();
+        self.misses.clear();
         self.loads.clear();
         self.found.clear();
         self.requests.clear();
         self.busy.iter_mut().for_each(Vec::clear);
     }
 
-    /// Gives sub-generators to the requests, nearest first.
-    fn serve(&mut self, limit: Option<u32>) {
+    /// Requests in the order in which the sweep comes to need sub-generators.
+    fn order(&mut self) {
         self.requests.sort_unstable_by(|a, b| {
             let by_range = a.taken.total_cmp(&b.taken).then(a.entry.total_cmp(&b.entry));
             by_range.then(a.load.crater.cmp(&b.load.crater))
         });
+    }
+
+    /// Gives sub-generators to the requests, nearest first.
+    fn serve(&mut self, limit: Option<u32>) {
         for request in &self.requests {
             match take(&mut self.busy[request.kind], request, limit) {
                 Some(sub_generator) => self.loads.push(FeatureLoad { sub_generator, ..request.load }),
-                None => self.dropped += 1,
+                None => {
+                    self.dropped += 1;
+                    self.misses.push(FeatureMiss::occupied(request));
+                }
             }
         }
-        self.loads.sort_unstable_by_key(|load| load.crater);
         // The first free one is taken, so as many were opened as were ever in use at once.
         self.most_in_use = self.busy.each_ref().map(|busy| busy.len() as u32);
+    }
+
+    /// The same where words take time. Of the free sub-generators that is taken which has been free for longest: its words
+    /// can come soonest.
+    fn serve_in_time(
+        &mut self,
+        parts: &FeatureParts,
+        mut timing: LoadTiming<impl Fn(f64) -> SweepTime, impl Fn(SweepTime) -> f64>,
+    ) {
+        for index in 0..self.requests.len() {
+            let request = self.requests[index];
+            let busy = &mut self.busy[request.kind];
+            let Some(found) = longest_free(busy, &request, parts.sub_generators) else {
+                self.dropped += 1;
+                self.misses.push(FeatureMiss::occupied(&request));
+                continue;
+            };
+            busy[found.0 as usize] = request.freed;
+            let in_use = busy.iter().filter(|&&freed| freed > request.taken).count() as u32;
+            self.most_in_use[request.kind] = self.most_in_use[request.kind].max(in_use);
+            let found = bring(&mut timing, &request, found, parts.organisation);
+            self.loads.extend(found.load);
+            self.misses.extend(found.miss);
+            self.slacks.push(found.slack);
+        }
+        self.load_ticks = timing.line.busy();
     }
 }
 
@@ -166,4 +226,16 @@ fn take(busy: &mut Vec<f64>, request: &Request, limit: Option<u32>) -> Option<u3
         busy.push(request.freed);
         next
     })
+}
+
+/// The sub-generator that has been free for longest, and the range since when; one that was not used yet has been free
+/// always. `None` if all are taken.
+fn longest_free(busy: &mut Vec<f64>, request: &Request, limit: Option<u32>) -> Option<(u32, f64)> {
+    let next = busy.len() as u32;
+    if limit.is_none_or(|limit| next < limit) {
+        busy.push(f64::NEG_INFINITY);
+        return Some((next, f64::NEG_INFINITY));
+    }
+    let free = busy.iter().copied().enumerate().filter(|&(_, freed)| freed <= request.taken);
+    free.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(index, freed)| (index as u32, freed))
 }

@@ -18,6 +18,8 @@ pub(crate) struct Step {
     pub from: Zone,
     /// Zone after it.
     pub to: Zone,
+    /// Whether it is no circle that is crossed but the arrival of late words.
+    pub is_late: bool,
 }
 
 impl Step {
@@ -40,8 +42,10 @@ impl Step {
     }
 }
 
-/// Adds the steps of one load.
+/// Adds the steps of one load. Where its words come behind its edge, the crater is there from then on: one step into the
+/// zone of that place, and no kink, since its height does not begin at 0.
 pub(crate) fn collect(crater: &Crater, load: &FeatureLoad, number: u32, steps: &mut Vec<Step>) {
+    let first = steps.len();
     let mut outside = Zone::Outside;
     for radius in [crater.outer(), crater.foot()] {
         let inside = if radius > crater.foot() { Zone::Ring } else { Zone::Hollow };
@@ -49,9 +53,26 @@ pub(crate) fn collect(crater: &Crater, load: &FeatureLoad, number: u32, steps: &
         let [entry, exit] = [-1.0, 1.0].map(|sign| load.middle + sign * square.max(0.0).sqrt());
         // A chord that only touches the circle, or is lost in rounding, crosses nothing.
         if inside != outside && entry < exit {
-            steps.push(Step { range: entry, load: number, from: outside, to: inside });
-            steps.push(Step { range: exit, load: number, from: inside, to: outside });
+            steps.push(Step { range: entry, load: number, from: outside, to: inside, is_late: false });
+            steps.push(Step { range: exit, load: number, from: inside, to: outside, is_late: false });
             outside = inside;
         }
+    }
+    if load.from > f64::NEG_INFINITY {
+        delay(load.from, number, first, steps);
+    }
+}
+
+/// Puts one step at `range` in the place of those before it, of the steps from `first` on.
+fn delay(range: f64, load: u32, first: usize, steps: &mut Vec<Step>) {
+    let passed = |step: &&Step| step.range < range;
+    let zone = steps[first..].iter().filter(passed).max_by(|a, b| a.order(b)).map(|step| step.to);
+    let mut index = 0;
+    steps.retain(|step| {
+        index += 1;
+        index <= first || step.range >= range
+    });
+    if let Some(to) = zone.filter(|&zone| zone != Zone::Outside) {
+        steps.push(Step { range, load, from: Zone::Outside, to, is_late: true });
     }
 }

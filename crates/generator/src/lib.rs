@@ -13,7 +13,7 @@ use std::sync::Arc;
 use hardware_model::Settings;
 use landscape::Landscape;
 use scenario::{Pose, Scenery};
-use signal::{Probe, Signal};
+use signal::{Probe, Signal, Wire};
 
 pub use counts::FrameCounts;
 pub use omission::{Omission, Weight};
@@ -111,7 +111,8 @@ pub trait Generator: Sync {
 pub trait Session: Send + Sync {
     /// Draws frame `frame` from `pose` into the planes that `planes` holds, and records what `probe` wants.
     /// Uses the threads of the current rayon pool; the bits do not depend on their number. The planes must have
-    /// as many columns and lines as the settings' raster.
+    /// as many columns and lines as the settings' raster; if there are none, no picture is wanted, and no more is
+    /// worked out than what `probe` looks at.
     ///
     /// # Errors
     /// If the pose cannot be drawn.
@@ -125,4 +126,8 @@ pub trait Session: Send + Sync {
 
     /// What was left out at elaboration, and why.
     fn omissions(&self) -> Vec<Omission>;
+
+    /// The signals that this session can record, with their full scales; those of blocks that are left out are not
+    /// among them.
+    fn wires(&self) -> Vec<Wire>;
 }

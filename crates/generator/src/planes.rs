@@ -163,6 +163,11 @@ impl Planes {
         self.lines
     }
 
+    /// Whether there are any: whether a picture is wanted.
+    pub fn any(&self) -> bool {
+        !self.planes.is_empty()
+    }
+
     /// The values of `kind`, if it was asked for.
     pub fn get(&self, kind: PlaneKind) -> Option<&[f32]> {
         self.planes.iter().find(|plane| plane.kind == kind).map(|plane| plane.values.as_slice())

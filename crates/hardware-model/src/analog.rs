@@ -33,6 +33,12 @@ pub struct AnalogParts {
     pub reflectivity: ReflectivityParts,
     /// The three video switches.
     pub video_switch: VideoSwitchParts,
+    /// Sub-generators of the feature generator.
+    pub feature: FeatureChainParts,
+    /// Line generators of the shadow controller.
+    pub shadow_line: ShadowLineParts,
+    /// D/A converter and filter of the texture generator.
+    pub texture: TextureParts,
     /// Function generators of the projection processor.
     pub projection: ProjectionParts,
     /// The sweep memory.
@@ -48,6 +54,8 @@ pub struct SweepParts {
     pub dac_bits: Option<u32>,
     /// Settling of the converter to 0.1 % (s), 6.9 time constants; 0: at once.
     pub settle: f64,
+    /// Largest deviation of the converter from a straight line (share); 0: none.
+    pub nonlinearity: f64,
     /// Area of the glitch where the highest bit changes (V s); half of it at each lower bit; 0: none.
     pub glitch: f64,
     /// Smoother: two poles, damping [`SMOOTHER_DAMPING`], this is 1/w (s); 0: no smoother.
@@ -76,6 +84,8 @@ pub enum FoldDetect {
 pub struct FunctionGeneratorParts {
     /// Segments of the broken line; the function itself if `None`.
     pub segments: Option<u32>,
+    /// Width of the diodes' knees (V); 0: sharp. There are knees with segments alone.
+    pub rounding: f64,
     /// Static error, one sigma (share).
     pub error: f64,
     /// Bandwidth (Hz).
@@ -87,9 +97,16 @@ pub struct FunctionGeneratorParts {
 pub struct MultiplierParts {
     /// Static error, one sigma (share).
     pub error: f64,
+    /// Scale error, one sigma (share of the product).
+    pub scale_error: f64,
+    /// What leaks of an input past a multiplier, at [`FEEDTHROUGH_FREQUENCY`] (share); it goes with the frequency.
+    pub feedthrough: f64,
     /// Bandwidth (Hz).
     pub bandwidth: Option<f64>,
 }
+
+/// Where feedthrough is told (Hz; hardware sections 3.4 and 3.5).
+pub const FEEDTHROUGH_FREQUENCY: f64 = 1e6;
 
 /// D/A multipliers with their registers (hardware section 3.5).
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -102,6 +119,10 @@ pub struct MultiplyingDacParts {
     pub bandwidth: Option<f64>,
     /// Area of the glitch where the highest bit of a word changes (V s); 0: none.
     pub glitch: f64,
+    /// From the strobe of a register to its word's effect (s); 0: at once.
+    pub switching: f64,
+    /// What leaks of the signal past its switches, at [`FEEDTHROUGH_FREQUENCY`] (share).
+    pub feedthrough: f64,
 }
 
 /// Amplifiers (hardware section 3.2).
@@ -115,6 +136,8 @@ pub struct AmplifierParts {
     pub noise: f64,
     /// Output voltage of either sign at which it clips (V).
     pub saturation: Option<f64>,
+    /// Recovery from overload (s); of effect with a saturation alone.
+    pub recovery: f64,
 }
 
 /// Comparators (hardware section 3.6).
@@ -135,6 +158,10 @@ pub struct SampleHoldParts {
     pub droop: f64,
     /// Step at the begin of the hold (V); 0: none.
     pub pedestal: f64,
+    /// Aperture delay: the held value is this much older than its command (s).
+    pub aperture: f64,
+    /// Jitter of the aperture, one sigma (s).
+    pub jitter: f64,
 }
 
 /// From slopes to reflectivity.
@@ -151,6 +178,40 @@ pub struct VideoSwitchParts {
     pub time: f64,
     /// Mismatch of the two inputs' levels, one sigma (share).
     pub level_mismatch: f64,
+    /// Mismatch of their gains, one sigma (share).
+    pub gain_mismatch: f64,
+    /// Delay of the input S against C (s), drawn like any delay.
+    pub delay_mismatch: f64,
+    /// What gets through of the input that is off, at [`CROSSTALK_FREQUENCY`] (share): a small capacity.
+    pub crosstalk: Option<f64>,
+}
+
+/// Where crosstalk is told (Hz; hardware section 3.6).
+pub const CROSSTALK_FREQUENCY: f64 = 5e6;
+
+/// Sub-generators of the feature generator: two squarers, sum, limiter, parabola (hardware section 3.7).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct FeatureChainParts {
+    /// Static error of each of its multipliers, one sigma (share).
+    pub error: f64,
+    /// Bandwidth of the chain (Hz).
+    pub bandwidth: Option<f64>,
+}
+
+/// Line generators of the shadow controller (hardware section 3.7).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct ShadowLineParts {
+    /// Static error, one sigma (share): full scale is the length of the segment.
+    pub error: f64,
+}
+
+/// Converter and filter of the texture generator (hardware section 3.7).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct TextureParts {
+    /// Bits of its D/A converter, with the sign; the pattern as it is if `None`.
+    pub bits: Option<u32>,
+    /// Bandwidth of the filter behind it (Hz).
+    pub bandwidth: Option<f64>,
 }
 
 /// Function generators of the projection processor: elevation and both deflections.
@@ -209,6 +270,9 @@ impl AnalogParts {
             sample_hold: SampleHoldParts::IDEAL,
             reflectivity: ReflectivityParts::IDEAL,
             video_switch: VideoSwitchParts::IDEAL,
+            feature: FeatureChainParts::IDEAL,
+            shadow_line: ShadowLineParts::IDEAL,
+            texture: TextureParts::IDEAL,
             projection: ProjectionParts::IDEAL,
             memory: MemoryParts::IDEAL,
             video_bandwidth: None,

@@ -14,14 +14,49 @@ pub struct Cpu {
     pub interrupt: u64,
     /// Longest instruction that no interrupt breaks.
     pub longest_instruction: u64,
+    /// Instructions by which an interrupt moves the pointers of a crossing and returns.
+    pub crossing_instructions: u32,
+    /// Memory cycles of one of them: fetch and operand.
+    pub instruction_cycles: u32,
+    /// Multiplications among what an interrupt does for a crossing.
+    pub crossing_multiplications: u32,
+    /// Memory cycles that each word of a crossing takes from the processor where others bring it; 0 if the storage
+    /// buffer is a memory of its own.
+    pub dma_cycles_per_word: u32,
     /// Setting up one sweep.
     pub sweep_setup: u64,
     /// Visibility and tables of one frame.
     pub frame_tables: u64,
     /// Transformation and projection of one vertex of a polyhedron.
     pub vertex: u64,
-    /// Priority levels; any number if `None`. With one level an interrupt waits for the task that runs.
+    /// Priority levels of interrupts; any number if `None`. With one level a crossing waits until the set-up that runs is
+    /// done, with more it interrupts it.
     pub priority_levels: Option<u32>,
+}
+
+impl Cpu {
+    /// One crossing by interrupt, without its words: recognition, save and restore, and the instructions that move the
+    /// pointers (hardware section 4.6).
+    pub fn crossing(&self) -> u64 {
+        self.interrupt
+            + u64::from(self.crossing_instructions) * u64::from(self.instruction_cycles) * self.memory_cycle
+            + u64::from(self.crossing_multiplications) * self.multiply
+    }
+
+    /// What `words` that others bring through its memory take from the processor.
+    pub fn stolen(&self, words: u64) -> u64 {
+        words * u64::from(self.dma_cycles_per_word) * self.memory_cycle
+    }
+
+    /// Whether no interrupt breaks a set-up.
+    pub fn has_one_level(&self) -> bool {
+        self.priority_levels == Some(1)
+    }
+
+    /// Whether any task takes it time.
+    pub fn is_timed(&self) -> bool {
+        self.sweep_setup + self.frame_tables + self.vertex + self.stolen(1) > 0
+    }
 }
 
 /// Who answers a fold with coefficient words.

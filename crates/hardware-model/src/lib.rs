@@ -20,13 +20,15 @@ mod loaded;
 mod model;
 mod parts;
 mod settings;
+mod sides;
 mod source;
 mod written;
 
 pub use analog::{
-    AmplifierParts, AnalogParts, ComparatorParts, FoldDetect, FunctionGeneratorParts, MemoryParts,
-    MultiplierParts, MultiplyingDacParts, ProjectionParts, ReflectivityParts, SMOOTHER_DAMPING,
-    SampleHoldParts, SweepParts, VideoSwitchParts, WriteCompensation,
+    AmplifierParts, AnalogParts, CROSSTALK_FREQUENCY, ComparatorParts, FEEDTHROUGH_FREQUENCY,
+    FeatureChainParts, FoldDetect, FunctionGeneratorParts, MemoryParts, MultiplierParts, MultiplyingDacParts,
+    ProjectionParts, ReflectivityParts, SMOOTHER_DAMPING, SampleHoldParts, ShadowLineParts, SweepParts,
+    TextureParts, VideoSwitchParts, WriteCompensation,
 };
 pub use budget::{
     Budget, BudgetLine, CpuBudget, CrossingBudget, DrumBudget, Ground, LoaderBudget, SweepBudget,
@@ -40,5 +42,6 @@ pub use model::{HardwareModel, ModelRaster, SweepMemoryKind};
 pub use parts::{Economy, FeatureParts, Gate, MixingParts, Organisation, ShadowParts};
 pub use scenario::{LevelSwitch, ShadowFineness, Yoke};
 pub use settings::{Raster, Settings, SettingsError};
+pub use sides::Side;
 pub use source::{BUILT_IN, ModelSource};
 pub use written::FORMAT;

@@ -38,6 +38,8 @@ pub struct HardwareModel {
     pub yoke: Yoke,
     /// Words a second that reach the sub-generators of the feature generator; any number if `None`.
     pub feature_words: Option<f64>,
+    /// Words a second that reach the line generators of the shadow controller; any number if `None`.
+    pub segment_words: Option<f64>,
     /// The analog side.
     pub analog: AnalogParts,
 }

@@ -44,6 +44,8 @@ pub struct Settings {
     pub mixing_unit: MixingParts,
     /// Words a second that reach the sub-generators of the feature generator; any number if `None`.
     pub feature_words: Option<f64>,
+    /// Words a second that reach the line generators of the shadow controller; any number if `None`.
+    pub segment_words: Option<f64>,
     /// The analog side.
     pub analog: AnalogParts,
     /// Deflection yoke, where the display turns the picture with the vehicle's roll.
@@ -164,6 +166,7 @@ impl Settings {
             shadow_controller: model.shadow_controller,
             mixing_unit: model.mixing_unit,
             feature_words: model.feature_words,
+            segment_words: model.segment_words,
             analog: model.analog.clone(),
             yoke: None,
             levels: None,

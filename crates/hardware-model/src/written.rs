@@ -29,12 +29,14 @@ pub(crate) fn model(root: &Reader, name: String) -> Option<HardwareModel> {
     let spread = root.table("spread");
     let seed = spread.as_ref().map(|table| table.u64("seed").required());
     let (dpp, memory) = (root.table("dpp"), root.table("sweep_memory"));
-    let shared = SharedTables { spread: &spread, dpp: &dpp, memory: &memory };
+    let (features, shadows) = (root.table("feature_generator"), root.table("shadow_controller"));
+    let shared =
+        SharedTables { spread: &spread, dpp: &dpp, memory: &memory, features: &features, shadows: &shadows };
     let analog = analog::analog(root, &shared);
     let kind = memory.as_ref().map(sweep_memory);
-    let features = root.table("feature_generator");
-    let feature_words = features.as_ref().map(blocks::feature_words);
-    let shadows = root.table("shadow_controller").map(|table| blocks::shadow_controller(&table));
+    let feature_words = features.as_ref().map(blocks::load_words);
+    let segment_words = shadows.as_ref().map(blocks::load_words);
+    let shadow_controller = shadows.as_ref().map(blocks::shadow_controller);
     let mixing = root.table("mixing_unit");
     let polyhedra = root.table("polyhedron_generator");
     let yoke = root.table("roll").map(|table| blocks::yoke(&table));
@@ -55,10 +57,11 @@ pub(crate) fn model(root: &Reader, name: String) -> Option<HardwareModel> {
         laws: laws?,
         sweep_memory: kind??,
         feature_generator: feature_generator??,
-        shadow_controller: shadows??,
+        shadow_controller: shadow_controller??,
         mixing_unit: mixing_unit??,
         yoke: yoke??,
         feature_words: feature_words??,
+        segment_words: segment_words??,
         analog: analog?,
     })
 }

@@ -122,18 +122,23 @@ fn digital_changes() -> impl Iterator<Item = (&'static str, Option<Setting>, Str
         ("cpu.multiply_us", "5"),
         ("cpu.interrupt_us", "8"),
         ("cpu.longest_instruction_us", "8"),
+        ("cpu.crossing_instructions", "10"),
+        ("cpu.instruction_cycles", "2"),
+        ("cpu.crossing_multiplications", "1"),
+        ("cpu.dma_cycles_per_word", "1"),
         ("cpu.sweep_setup_us", "16"),
         ("cpu.frame_tables_ms", "5"),
         ("cpu.vertex_us", "90"),
         ("cpu.priority_levels", "1"),
         ("drum.rotation_ms", "17.4"),
         ("buffer.words", "8192"),
+        ("shadow_controller.load_words_us", "10"),
     ];
     let of_the_drum = of_the_drum.into_iter().map(move |(key, value)| (key, drum(), value.to_owned()));
     of_the_drum.chain(others.into_iter().map(|(key, value)| (key, None, value.to_owned())))
 }
 
-fn analog_changes() -> [(&'static str, &'static str); 45] {
+fn analog_changes() -> [(&'static str, &'static str); 62] {
     [
         ("analog.full_scale_v", "10"),
         ("spread.parts", "on"),
@@ -178,6 +183,23 @@ fn analog_changes() -> [(&'static str, &'static str); 45] {
         ("sweep_memory.write_compensation", "off"),
         ("sweep_memory.deflection_mhz", "3"),
         ("feature_generator.load_words_us", "10"),
+        ("sweep.nonlinearity_pct", "0.05"),
+        ("function_generator.rounding_mv", "50"),
+        ("multiplier.scale_error_pct", "0.2"),
+        ("multiplier.feedthrough_pct", "0.5"),
+        ("multiplying_dac.switching_ns", "80"),
+        ("multiplying_dac.feedthrough_pct", "0.3"),
+        ("amplifier.recovery_us", "1"),
+        ("sample_hold.aperture_ns", "20"),
+        ("sample_hold.jitter_ns", "1"),
+        ("video_switch.gain_mismatch_pct", "1"),
+        ("video_switch.delay_mismatch_ns", "5"),
+        ("video_switch.crosstalk_db", "-50"),
+        ("feature_generator.chain_error_pct", "0.25"),
+        ("feature_generator.chain_bandwidth_mhz", "5"),
+        ("shadow_controller.line_error_pct", "0.25"),
+        ("texture_generator.dac_bits", "6"),
+        ("texture_generator.filter_mhz", "5"),
         ("roll.natural_hz", "90"),
         ("roll.damping", "0.25"),
     ]

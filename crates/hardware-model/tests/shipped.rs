@@ -100,7 +100,23 @@ fn units_of_the_analog_parts() {
         (analog.sample_hold.droop, 10.0),
         (analog.sample_hold.pedestal, 5e-3),
         (analog.reflectivity.delay_mismatch, 12e-9),
+        (analog.sample_hold.aperture, 20e-9),
+        (analog.sample_hold.jitter, 1e-9),
         (analog.video_switch.time, 20e-9),
+        (analog.video_switch.gain_mismatch, 0.01),
+        (analog.video_switch.delay_mismatch, 5e-9),
+        (analog.video_switch.crosstalk.unwrap(), 0.003_162_277_660_168_379_5),
+        (analog.sweep.nonlinearity, 0.0005),
+        (analog.function_generator.rounding, 0.05),
+        (analog.multiplier.scale_error, 0.002),
+        (analog.multiplier.feedthrough, 0.005),
+        (analog.multiplying_dac.switching, 80e-9),
+        (analog.multiplying_dac.feedthrough, 0.003),
+        (analog.amplifier.recovery, 1e-6),
+        (analog.feature.error, 0.0025),
+        (analog.feature.bandwidth.unwrap(), 5e6),
+        (analog.shadow_line.error, 0.0025),
+        (analog.texture.bandwidth.unwrap(), 5e6),
         (analog.projection.error, 0.003),
         (analog.memory.erase_residual, 0.08),
         (analog.memory.registration, 0.007),
@@ -114,6 +130,7 @@ fn units_of_the_analog_parts() {
     }
     assert_eq!((analog.sweep.dac_bits, analog.multiplying_dac.bits), (Some(10), Some(12)));
     assert_eq!((analog.function_generator.segments, analog.summer_inputs), (Some(20), Some(6)));
+    assert_eq!(analog.texture.bits, Some(6));
     assert_eq!(analog.memory.write_compensation, WriteCompensation::Ratio(100.0));
     assert_eq!(model("pra-overloaded").analog.memory.write_compensation, WriteCompensation::Off);
     assert_eq!(model("pra-overloaded").analog.sweep.fold_detect, FoldDetect::Comparator);

@@ -2,7 +2,7 @@
 
 use clap::{Parser, Subcommand};
 
-use crate::commands::{bank, check, compare, info, list, model, probe, replay, sizing, survey, timing};
+use crate::commands::{bank, check, compare, explain, info, list, model, page, probe, replay, sizing, survey, timing, trace, trigger};
 use crate::output::Colour;
 
 /// Results of one family are equal to the bit: no fused multiply-add anywhere.
@@ -36,6 +36,8 @@ pub struct Cli {
 pub enum Command {
     /// Draw a scenario into a folder of frames.
     Replay(replay::Replay),
+    /// Write the page of a run again, from its folder.
+    Page(page::PageCommand),
     /// Say how far one picture, or one run, is from another.
     Compare(compare::Compare),
     /// Read scenarios and hardware models and list every fault.
@@ -48,6 +50,12 @@ pub enum Command {
     Probe(probe::ProbeCommand),
     /// List the signals that can be probed.
     Signals(list::Signals),
+    /// Say which sweep and sample made a pixel, and what every block did there.
+    Explain(explain::Explain),
+    /// Find where in a mission a condition on signals is met.
+    Trigger(trigger::TriggerCommand),
+    /// List the digital events of a frame, or show all registers at an instant.
+    Trace(trace::Trace),
     /// Make, read and draw banks of terrain coefficients.
     Bank(bank::BankCommand),
     /// Fit a bank to an elevation file.

@@ -86,6 +86,14 @@ fn numbers<const N: usize>(text: &str) -> Option<[f64; N]> {
     numbers.ok()?.try_into().ok()
 }
 
+/// A pixel: column and line.
+pub fn pixel(text: &str) -> Result<[usize; 2], String> {
+    let expected = || "expected column and line, as 500,300".to_owned();
+    let (column, line) = text.split_once(',').ok_or_else(expected)?;
+    let number = |word: &str| word.trim().parse::<usize>().map_err(|_| expected());
+    Ok([number(column)?, number(line)?])
+}
+
 #[cfg(test)]
 mod tests {
     use super::{Span, edges, pair, setting};

@@ -67,11 +67,18 @@ impl Blocks {
                 || mixing_has_parts(&settings.analog),
             all_switches: everything,
             bodies: everything || has_bodies,
-            coarse: settings.levels.filter(|_| two_levels).map(|switch| Coarse {
-                switch,
-                loader: Loader { delays: Vec::new(), ..settings.loader.clone() },
-            }),
+            coarse: settings
+                .levels
+                .filter(|_| two_levels)
+                .map(|switch| Coarse::new(switch, &settings.loader)),
         }
+    }
+}
+
+impl Coarse {
+    /// The second generator behind a loader such as the fine level's.
+    pub fn new(switch: LevelSwitch, loader: &Loader) -> Self {
+        Self { switch, loader: Loader { delays: Vec::new(), ..loader.clone() } }
     }
 }
 

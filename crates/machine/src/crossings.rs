@@ -19,6 +19,9 @@ pub(crate) struct Crossings<'a> {
     pub plan: &'a FramePlan,
     /// Corners that are not in the storage buffer of the fine and of the coarse level.
     pub missing: [&'a [MissingCorner]; 2],
+    /// Ticks from the start of each sweep in which a processor that serves the crossings is at a set-up that no interrupt
+    /// breaks; empty if there are none.
+    pub held: &'a [u64],
 }
 
 impl<'a> Crossings<'a> {
@@ -28,7 +31,7 @@ impl<'a> Crossings<'a> {
         let level = self.stage.landscape.level();
         let far = self.coarse.map_or(range.end, |coarse| coarse.switch.range);
         let end = self.plan.way_to_edge(drawn, level).min(far).min(range.end);
-        let service = self.service(level, loader, self.missing[0]);
+        let service = self.service(sweep, level, loader, self.missing[0]);
         self.plan.write_program([drawn, sweep], &service, self.table, end, program, watch);
     }
 
@@ -42,17 +45,19 @@ impl<'a> Crossings<'a> {
     ) {
         let level = &self.stage.landscape.bank().levels()[1];
         let end = self.plan.way_to_edge(drawn, level).min(self.stage.settings.range.end);
-        let service = self.service(level, &coarse.loader, self.missing[1]);
+        let service = self.service(sweep, level, &coarse.loader, self.missing[1]);
         self.plan.write_program([drawn, sweep], &service, self.table, end, program, watch);
     }
 
     fn service(
         &self,
+        sweep: u32,
         level: &'a Level,
         loader: &'a Loader,
         missing: &'a [MissingCorner],
     ) -> CrossingService<'a> {
         let Settings { cpu, timebase, seed, .. } = &self.stage.settings;
-        CrossingService { level, loader, cpu, timebase, missing, seed: *seed }
+        let held = self.held.get(sweep as usize).copied().unwrap_or(0);
+        CrossingService { level, loader, cpu, timebase, missing, held, seed: *seed }
     }
 }

@@ -1,18 +1,20 @@
 //! What the I/O processors bring for a frame before its sweeps run: shadow gates and polyhedra (section 17).
 
-use generator::Stage;
+use generator::{FrameError, Stage};
 use glam::DVec3;
 use landscape::parabolic_drop;
 use polyhedron_generator::{Drawn, FaceLight, LeftOut, PolyhedronGenerator, ViewPlane};
 use rayon::prelude::*;
 use remote_shadow::{Segment, Tile};
 use scenario::{BodyVisibility, Curvature, ShadowedBodies};
-use shadow_controller::Gate;
+use shadow_controller::{Gate, SEGMENT_WORDS};
 use solids::Body;
 use std::sync::Arc;
+use sweep_generator::RangeTable;
 
 use crate::blocks::{Blocks, Shadows};
 use crate::control_plane::FramePlan;
+use crate::feature_loads::load_timing;
 use crate::footing::{Footings, UnderSun};
 use crate::raster::WrittenRaster;
 use crate::sight::InSight;
@@ -37,8 +39,8 @@ pub(crate) struct Supply<'a> {
     pub footings: &'a Footings,
     pub plan: &'a FramePlan,
     pub raster: WrittenRaster,
-    /// Ground range of each sample (m).
-    pub ranges: &'a [f64],
+    /// The ground-range programme.
+    pub table: &'a RangeTable,
     /// Vertices that the processor has ready, if it takes any time.
     pub ready: Option<u64>,
 }
@@ -46,19 +48,9 @@ pub(crate) struct Supply<'a> {
 impl Supply<'_> {
     /// Brings what the frame at `time` (s) needs.
     pub fn deliver(&self, time: f64, out: &mut Delivery) {
-        let mut in_sight = InSight::of(self.stage, self.blocks, self.plan, time);
-        if let Some(vertices) = self.ready {
-            in_sight.keep_ready(self.plan, vertices);
-        }
-        let InSight { bodies: seen, left_out } = in_sight;
+        let (seen, left_out) = self.in_sight(time);
         out.left_out = left_out;
-        let under_sun = self.blocks.shadows.as_ref().map(|shadows| self.under_sun(shadows));
-        if let Some(under_sun) = &under_sun {
-            // Each footing is found by whoever asks first: all at once is quicker.
-            seen.par_iter().for_each(|&(index, body)| {
-                under_sun.of(index, body);
-            });
-        }
+        let under_sun = self.footed(&seen);
         out.gates.clear();
         if let (Some(shadows), Some(under_sun)) = (&self.blocks.shadows, &under_sun) {
             self.gates(shadows, under_sun, &seen, time, &mut out.gates);
@@ -66,6 +58,42 @@ impl Supply<'_> {
         if self.blocks.bodies {
             self.project(&seen, under_sun.as_ref(), out);
         }
+    }
+
+    /// Whether the shadow cache could be kept.
+    pub fn check_cache(&self) -> Result<(), FrameError> {
+        let failure = self.blocks.shadows.as_ref().and_then(|shadows| shadows.bank.take_cache_failure());
+        failure.map_or(Ok(()), |error| {
+            Err(FrameError::ShadowCache { frame: self.plan.frame, reason: error.to_string() })
+        })
+    }
+
+    /// Shadow gates alone, as [`deliver`](Self::deliver) brings them.
+    pub fn shadow_gates(&self, time: f64) -> Vec<Gate> {
+        let (seen, _) = self.in_sight(time);
+        let mut gates = Vec::new();
+        if let (Some(shadows), Some(under_sun)) = (&self.blocks.shadows, self.footed(&seen)) {
+            self.gates(shadows, &under_sun, &seen, time, &mut gates);
+        }
+        gates
+    }
+
+    /// Bodies that are ready and near enough, and what is too far.
+    fn in_sight(&self, time: f64) -> (Vec<(usize, &Body)>, LeftOut) {
+        let mut in_sight = InSight::of(self.stage, self.blocks, self.plan, time);
+        if let Some(vertices) = self.ready {
+            in_sight.keep_ready(self.plan, vertices);
+        }
+        (in_sight.bodies, in_sight.left_out)
+    }
+
+    /// How they stand, where there are shadows. Each footing is found by whoever asks first: all at once is quicker.
+    fn footed(&self, seen: &[(usize, &Body)]) -> Option<UnderSun<'_>> {
+        let under_sun = self.under_sun(self.blocks.shadows.as_ref()?);
+        seen.par_iter().for_each(|&(index, body)| {
+            under_sun.of(index, body);
+        });
+        Some(under_sun)
     }
 
     fn under_sun<'a>(&'a self, shadows: &'a Shadows) -> UnderSun<'a> {
@@ -91,7 +119,12 @@ impl Supply<'_> {
         let mut segments: Vec<&[Segment]> = tiles.iter().map(|tile| tile.segments.as_slice()).collect();
         segments.extend(seen.iter().map(|&(index, body)| under_sun.of(index, body).shadow.as_slice()));
         segments.push(&patches);
-        shadows.controller.gates(foot, &directions, reach, &segments, gates);
+        let timing = |sweep: u32| {
+            let place = (self.plan.frame, sweep);
+            let rate = self.stage.settings.segment_words?;
+            Some(load_timing(self.stage, self.table, place, SEGMENT_WORDS, rate))
+        };
+        shadows.controller.gates_by(foot, &directions, reach, &segments, timing, gates);
         // Beyond the reach no shadow is drawn.
         if reach < end {
             gates.iter_mut().filter(|gate| gate.is_dark(reach)).for_each(|gate| gate.toggles.push(reach));
@@ -141,8 +174,9 @@ impl Supply<'_> {
             (ground - drop - height) / at
         };
         let own = tangent(foot.z, range);
-        let nearer = self.ranges.partition_point(|&at| at < range * NEAR_FOOT);
-        self.ranges[..nearer].iter().any(|&at| {
+        let ranges = self.table.ranges();
+        let nearer = ranges.partition_point(|&at| at < range * NEAR_FOOT);
+        ranges[..nearer].iter().any(|&at| {
             let ground = self.stage.landscape.height(x + north * at / range, y + east * at / range);
             ground.is_some_and(|ground| tangent(ground, at) > own)
         })

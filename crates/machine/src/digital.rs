@@ -3,19 +3,20 @@
 use std::sync::{Arc, Mutex, PoisonError};
 
 use data_bank::{DataBank, Demand, FrameSupply, corners_of, nearest_first};
-use dpu::{CpuFrame, CpuLoad, MissingCorner, Sector, cpu_frame};
+use dpu::{CpuFrame, CpuLoad, CrossingTime, MissingCorner, Sector, cpu_frame, held_by_set_ups};
 use generator::Stage;
 use hardware_model::CrossingServer;
 use landscape::Level;
 use quantities::{SweepTime, Tick, wrap_heading};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use scenario::Pose;
+use timing::Vertices;
 
 use crate::blocks::Blocks;
 use crate::control_plane::FramePlan;
 use crate::crossings::Crossings;
 use crate::raster::WrittenRaster;
-use crate::timing::SweepRecorder;
+use crate::sweep_recorder::SweepRecorder;
 
 /// The digital side of a mission.
 #[derive(Debug)]
@@ -42,6 +43,10 @@ pub(crate) struct DigitalFrame {
     pub supplies: [Option<Arc<FrameSupply>>; 2],
     /// The processor, if it takes any time.
     pub cpu: Option<CpuFrame>,
+    /// Ticks of each sweep in which crossings wait for a set-up that they cannot interrupt; empty if they never do.
+    pub held: Vec<u64>,
+    /// Vertices of polyhedra that the frame asks for.
+    pub vertices: u64,
 }
 
 impl DigitalFrame {
@@ -50,9 +55,14 @@ impl DigitalFrame {
         self.cpu.as_ref().map_or(sweep, |cpu| cpu.drawn[sweep as usize])
     }
 
-    /// Vertices of polyhedra that the processor has ready, if it takes any time.
+    /// Vertices of polyhedra that the processor has ready, if they are not all that the frame asks for.
     pub fn ready_vertices(&self) -> Option<u64> {
-        self.cpu.as_ref().map(|cpu| cpu.vertices)
+        self.cpu.as_ref().map(|cpu| cpu.vertices).filter(|&ready| ready < self.vertices)
+    }
+
+    /// Vertices asked for, and those that are ready.
+    pub fn vertices(&self) -> Vertices {
+        Vertices { asked: self.vertices, ready: self.ready_vertices().unwrap_or(self.vertices) }
     }
 
     pub fn missing(&self) -> [&[MissingCorner]; 2] {
@@ -81,9 +91,8 @@ impl Digital {
             Some(Mutex::new(History { bank, supplies: Vec::new() }))
         };
         let second = settings.levels.and_then(|_| bank(1));
-        let cpu = settings.cpu;
-        let is_timed = cpu.sweep_setup + cpu.frame_tables + cpu.vertex > 0;
-        Self { banks: [bank(0), second], is_timed }
+        let serves = settings.loader.served_by == CrossingServer::CpuInterrupt;
+        Self { banks: [bank(0), second], is_timed: settings.cpu.is_timed() || serves }
     }
 
     /// The digital side of the frame of `plan`.
@@ -95,7 +104,7 @@ impl Digital {
         crossings: &Crossings<'_>,
         vertices: u64,
     ) -> DigitalFrame {
-        let mut out = DigitalFrame::default();
+        let mut out = DigitalFrame { vertices, ..DigitalFrame::default() };
         let levels = stage.landscape.bank().levels();
         for (number, bank) in self.banks.iter().enumerate() {
             let Some(bank) = bank else { continue };
@@ -112,8 +121,10 @@ impl Digital {
             out.supplies[number] = Some(supply);
         }
         if self.is_timed {
-            let crossings = Crossings { missing: out.missing(), ..*crossings };
-            out.cpu = Some(processor(stage, &crossings, vertices));
+            let starts = starts(stage, crossings.plan.frame);
+            out.held = held(stage, &starts);
+            let crossings = Crossings { missing: out.missing(), held: &out.held, ..*crossings };
+            out.cpu = Some(processor(stage, &crossings, &starts, vertices));
         }
         out
     }
@@ -183,17 +194,31 @@ fn corners_in_sight(
     corners
 }
 
-/// The processor's frame; where it serves the crossings itself, their time is worked out first, sweep by sweep.
-fn processor(stage: &Stage, crossings: &Crossings<'_>, vertices: u64) -> CpuFrame {
-    let settings = &stage.settings;
-    let (frame, sweeps) = (crossings.plan.frame, settings.raster.sweeps);
+/// Starts of the sweeps of a frame and its end, in ticks from its start.
+fn starts(stage: &Stage, frame: u64) -> Vec<u64> {
     let first = start_of(stage, frame, 0).0;
-    let starts: Vec<u64> = (0..=sweeps).map(|sweep| start_of(stage, frame, sweep).0 - first).collect();
-    let interrupts: Vec<u64> = if settings.loader.served_by == CrossingServer::CpuInterrupt {
-        let busy = |sweep: u32| SweepRecorder::of(crossings, [sweep, sweep]).busy_of_processor();
-        (0..sweeps).into_par_iter().map(busy).collect()
-    } else {
-        Vec::new()
+    (0..=stage.settings.raster.sweeps).map(|sweep| start_of(stage, frame, sweep).0 - first).collect()
+}
+
+/// With one level of interrupts the crossings of a sweep wait until the set-up that runs in it is done.
+fn held(stage: &Stage, starts: &[u64]) -> Vec<u64> {
+    let settings = &stage.settings;
+    let waits = settings.loader.served_by == CrossingServer::CpuInterrupt && settings.cpu.has_one_level();
+    if waits { held_by_set_ups(&settings.cpu, starts) } else { Vec::new() }
+}
+
+/// The processor's frame. What the crossings of each sweep take of it is worked out first: their interrupts and words where
+/// it serves them itself, the memory cycles of their words where these go through its memory.
+fn processor(stage: &Stage, crossings: &Crossings<'_>, starts: &[u64], vertices: u64) -> CpuFrame {
+    let settings = &stage.settings;
+    let serves = settings.loader.served_by == CrossingServer::CpuInterrupt;
+    let taken = |sweep: u32| {
+        let sweep = SweepRecorder::of(crossings, [sweep, sweep]);
+        if serves { sweep.time_of_processor() } else { sweep.stolen(settings) }
     };
-    cpu_frame(&settings.cpu, CpuLoad { starts: &starts, interrupts: &interrupts, vertices })
+    let takes_time = serves || settings.cpu.stolen(1) > 0;
+    let sweeps = if takes_time { 0..settings.raster.sweeps } else { 0..0 };
+    let taken: Vec<CrossingTime> = sweeps.into_par_iter().map(taken).collect();
+    let unbroken = serves && settings.cpu.has_one_level();
+    cpu_frame(&settings.cpu, CpuLoad { starts, crossings: &taken, unbroken, vertices })
 }

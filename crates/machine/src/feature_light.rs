@@ -30,9 +30,15 @@ struct Ground<S> {
 }
 
 impl Lamp<'_> {
-    /// Lights the features of a group into `out`.
-    pub fn run<S: Real>(&self, terrain: &Profile<S>, features: &FeatureProfile<S>, out: &mut Lit<S>) {
-        self.light_samples(terrain, features, &mut out.reflectivity);
+    /// Lights the features of a group into `out`; `lit` is 1 where they add to the surface.
+    pub fn run<S: Real>(
+        &self,
+        terrain: &Profile<S>,
+        features: &FeatureProfile<S>,
+        lit: &[Lanes<S>],
+        out: &mut Lit<S>,
+    ) {
+        self.light_samples(terrain, features, lit, &mut out.reflectivity);
         for (lane, kinks) in out.kinks.iter_mut().enumerate() {
             kinks.clear();
             let lit = features.kinks[lane].iter().map(|kink| self.light_kink(lane, terrain, kink));
@@ -44,6 +50,7 @@ impl Lamp<'_> {
         &self,
         terrain: &Profile<S>,
         features: &FeatureProfile<S>,
+        where_lit: &[Lanes<S>],
         out: &mut Vec<Lanes<S>>,
     ) {
         out.clear();
@@ -51,7 +58,7 @@ impl Lamp<'_> {
         let light = GroupLight::new(self.light);
         let nothing = Lanes::default();
         for (sample, lit) in out.iter_mut().enumerate() {
-            if features.present[sample] == nothing {
+            if where_lit[sample] == nothing {
                 continue;
             }
             let (mut along, mut across) = (features.along[sample], features.across[sample]);
@@ -61,7 +68,7 @@ impl Lamp<'_> {
             }
             let range = Lanes::splat(S::from_f64(self.ranges[sample]));
             let sight = (terrain.height[sample] + features.height[sample]) / range;
-            *lit = light.reflectivity(along, across, sight) * features.present[sample];
+            *lit = light.reflectivity(along, across, sight) * where_lit[sample];
         }
     }
 

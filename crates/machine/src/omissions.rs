@@ -12,11 +12,22 @@ pub(crate) fn omissions(stage: &Stage, blocks: &Blocks) -> Vec<Omission> {
     let parts = &stage.settings.analog;
     let ideal = [
         (parts.terrain_is_ideal(), "terrain-generator", "dynamics of parts"),
+        (parts.features_are_ideal(), "feature-generator", "bandwidth and errors of the sub-generators"),
+        (parts.shadow_lines_are_ideal(), "shadow-controller", "errors of line generators, hysteresis"),
+        (parts.texture_is_ideal(), "texture-generator", "bits and filter"),
+        (parts.body_switch_is_ideal(), "polyhedron-generator", "delay and transition of the third switch"),
         (!mixing_has_parts(parts), "mixing-unit", "transitions, delays and bandwidth of the switches"),
         (!beam_has_parts(parts), "display-projection-processor", "dynamics of parts and of the write gun"),
         (parts.memory.is_ideal(), "sweep-memory", "spot, exposure, residue"),
     ];
-    let ideal = ideal.into_iter().filter(|(is_ideal, ..)| *is_ideal);
+    let absent = |block: &str| match block {
+        "feature-generator" => !blocks.features,
+        "shadow-controller" => blocks.shadows.is_none(),
+        "texture-generator" => !blocks.texture,
+        "polyhedron-generator" => !blocks.bodies,
+        _ => false,
+    };
+    let ideal = ideal.into_iter().filter(|(is_ideal, block, _)| *is_ideal && !absent(block));
     list.extend(
         ideal.map(|(_, block, what)| {
             Omission::lossless(block, what, "the model names no figure of its parts")

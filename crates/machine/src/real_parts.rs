@@ -1,14 +1,18 @@
 //! What of the machine is made of real parts: a block whose parts are all ideal is its algebra, and nothing of this.
 
 use display_projection_processor::PartsProcessor;
+use feature_generator::PartsGenerator;
 use generator::Stage;
 use hardware_model::{AnalogParts, WriteCompensation};
 use landscape::Level;
 use mixing_unit::PartsMixer;
 use parts::LagStep;
+use polyhedron_generator::BodySwitch;
+use shadow_controller::PartsLines;
 use signal::Real;
 use sweep_memory::{Tube, TubeRaster, WriteGun};
 use terrain_generator::PartsArray;
+use texture_generator::PartsTexture;
 
 use crate::raster::WrittenRaster;
 
@@ -17,6 +21,14 @@ use crate::raster::WrittenRaster;
 pub(crate) struct RealParts<S> {
     /// Terrain generators of the fine and of the coarse level.
     pub terrain: Option<Terrain<S>>,
+    /// Sub-generators of the feature generator.
+    pub features: Option<PartsGenerator>,
+    /// Line generators of the shadow controller.
+    pub lines: Option<PartsLines>,
+    /// Converter and filter of the texture generator.
+    pub texture: Option<PartsTexture<S>>,
+    /// Third video switch.
+    pub bodies: Option<BodySwitch>,
     /// Mixing unit.
     pub mixer: Option<PartsMixer<S>>,
     /// Projection processor and write gun, which are joined by the beam's gate.
@@ -66,6 +78,8 @@ impl<S: Real> RealParts<S> {
             processor: PartsProcessor::new(occlusion, ranges, raster.lines as f64, step, analog, seed),
             gun: WriteGun::new(analog, seed, step, ranges.len(), raster.lines),
         };
+        let texture = stage.landscape.texture().filter(|_| !analog.texture_is_ideal());
+        let lines_a_second = raster.lines as f64 / (ranges.len() as f64 * step);
         let tube = TubeRaster {
             sweeps: settings.raster.sweeps as usize,
             lines: raster.lines,
@@ -73,6 +87,13 @@ impl<S: Real> RealParts<S> {
         };
         Self {
             terrain: (!analog.terrain_is_ideal()).then(|| Terrain::new(stage, step)),
+            features: (!analog.features_are_ideal())
+                .then(|| PartsGenerator::new(step, &settings.feature_generator, analog, seed)),
+            lines: (!analog.shadow_lines_are_ideal())
+                .then(|| PartsLines::new(&settings.shadow_controller, analog, seed))
+                .flatten(),
+            texture: texture.map(|texture| PartsTexture::new(texture, ranges, step, analog, seed)),
+            bodies: (!analog.body_switch_is_ideal()).then(|| BodySwitch::new(lines_a_second, analog, seed)),
             mixer: mixing_has_parts(analog).then(|| PartsMixer::new(mixing, step, analog, seed)),
             beam: beam_has_parts(analog).then(beam),
             tube: (!analog.memory.is_ideal()).then(|| Tube::new(&analog.memory, tube, seed)),

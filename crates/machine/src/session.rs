@@ -8,7 +8,7 @@ use hardware_model::SweepMemoryKind;
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 use scenario::Pose;
-use signal::{LANES, Probe, Real, Waveform};
+use signal::{LANES, Probe, Real, Waveform, Wire};
 use sweep_generator::RangeTable;
 use sweep_memory::{View, digital_memory, digital_memory_turned, scan_converter};
 use sweep_program::{StepKind, SweepProgram};
@@ -22,7 +22,7 @@ use crate::footing::Footings;
 use crate::omissions::omissions;
 use crate::raster::WrittenRaster;
 use crate::real_parts::RealParts;
-use crate::record::Recorded;
+use crate::record::{Recorded, wires};
 use crate::residue::{Recent, Written};
 use crate::sight::vertices;
 use crate::signal_plane::Group;
@@ -94,15 +94,12 @@ impl<S: Real> Elaborated<S> {
             footings: &self.footings,
             plan,
             raster: self.raster,
-            ranges: self.table.ranges(),
+            table: &self.table,
             ready: digital.ready_vertices(),
         };
         supply.deliver(time, &mut delivery);
-        let failure = self.blocks.shadows.as_ref().and_then(|shadows| shadows.bank.take_cache_failure());
-        match failure {
-            Some(error) => Err(FrameError::ShadowCache { frame: plan.frame, reason: error.to_string() }),
-            None => Ok(delivery),
-        }
+        supply.check_cache()?;
+        Ok(delivery)
     }
 
     fn digital_frame(&self, plan: &FramePlan, time: f64) -> DigitalFrame {
@@ -112,6 +109,7 @@ impl<S: Real> Elaborated<S> {
             table: &self.table,
             plan,
             missing: Default::default(),
+            held: &[],
         };
         let vertices = vertices(&self.stage, &self.blocks, plan, time);
         self.digital.frame(&self.stage, &self.blocks, &self.raster, &crossings, vertices)
@@ -123,7 +121,7 @@ impl<S: Real> Elaborated<S> {
         plan: &FramePlan,
         delivery: &Delivery,
         digital: &DigitalFrame,
-        probe: &Probe,
+        wanted: Wanted<'_>,
         store: &mut [f32],
     ) -> Vec<GroupResult> {
         let group = Group {
@@ -143,9 +141,12 @@ impl<S: Real> Elaborated<S> {
             .enumerate()
             .map(|(index, rows)| {
                 let first = (index * LANES) as u32;
+                if !wanted.group(first) {
+                    return GroupResult::default();
+                }
                 let mut work = self.workspaces.take();
                 group.run(first, &mut work, rows);
-                let result = self.look_at(&group, probe, first, &work, rows);
+                let result = self.look_at(&group, wanted.probe, first, &work, rows);
                 self.workspaces.give_back(work);
                 result
             })
@@ -194,11 +195,11 @@ impl<S: Real> Elaborated<S> {
         plan: &FramePlan,
         delivery: &Delivery,
         digital: &DigitalFrame,
-        probe: &Probe,
+        wanted: Wanted<'_>,
         store: &mut Vec<f32>,
     ) -> Vec<GroupResult> {
         store.resize(self.stage.settings.raster.sweeps as usize * self.raster.lines, 0.0);
-        self.sweep_all(plan, delivery, digital, probe, store)
+        self.sweep_all(plan, delivery, digital, wanted, store)
     }
 
     /// What the read beam makes of a store, and of what its tube has left of earlier ones. A picture lies in its tube
@@ -251,7 +252,8 @@ impl<S: Real> Elaborated<S> {
             let digital = self.digital_frame(&plan, pose.time);
             let delivery = self.deliver(&plan, &digital, pose.time)?;
             let mut store = Vec::new();
-            self.write(&plan, &delivery, &digital, &Probe::off(), &mut store);
+            let wanted = Wanted { probe: &Probe::off(), picture: true };
+            self.write(&plan, &delivery, &digital, wanted, &mut store);
             self.deliveries.give_back(delivery);
             Ok(Arc::new((plan, store)))
         };
@@ -276,6 +278,20 @@ impl<S: Real> Elaborated<S> {
                 digital_memory_turned(store, lines, columns, &view, picture);
             }
         }
+    }
+}
+
+/// What a frame is worked out for.
+#[derive(Clone, Copy)]
+struct Wanted<'a> {
+    probe: &'a Probe,
+    picture: bool,
+}
+
+impl Wanted<'_> {
+    /// Whether anyone wants a sweep of the group that begins at sweep `first`.
+    fn group(&self, first: u32) -> bool {
+        self.picture || self.probe.wants_any_of(first..first + LANES as u32)
     }
 }
 
@@ -328,7 +344,8 @@ impl<S: Real> Session for Elaborated<S> {
         let digital = self.digital_frame(&plan, pose.time);
         let delivery = self.deliver(&plan, &digital, pose.time)?;
         let mut store = self.stores.take();
-        let groups = self.write(&plan, &delivery, &digital, probe, &mut store);
+        let wanted = Wanted { probe, picture: planes.any() };
+        let groups = self.write(&plan, &delivery, &digital, wanted, &mut store);
         self.show(&plan, pose.yoke, &mut store, planes)?;
         self.stores.give_back(store);
         let regions = plan.visible_regions(self.stage.landscape.level(), settings.range.end);
@@ -343,5 +360,9 @@ impl<S: Real> Session for Elaborated<S> {
 
     fn omissions(&self) -> Vec<Omission> {
         omissions(&self.stage, &self.blocks)
+    }
+
+    fn wires(&self) -> Vec<Wire> {
+        wires(&self.stage, &self.blocks, &self.raster)
     }
 }

@@ -67,7 +67,7 @@ fn is_ahead(plan: &FramePlan, body: &Body) -> bool {
 /// Vertices that the processor transforms for the frame at `time` (s): those of bodies that are as large as a resolution
 /// cell and in the sector of the sweeps, whatever else is drawn for the sake of economy.
 pub(crate) fn vertices(stage: &Stage, blocks: &Blocks, plan: &FramePlan, time: f64) -> u64 {
-    if !blocks.bodies || stage.settings.cpu.vertex == 0 {
+    if !blocks.bodies {
         return 0;
     }
     let (eye, sight, mut beyond) = (DVec3::from_array(plan.eye), sight(stage), LeftOut::default());

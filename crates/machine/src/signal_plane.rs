@@ -3,7 +3,7 @@
 use std::array;
 
 use display_projection_processor::{BrokenProfile, Deflection, Driven, Processor};
-use feature_generator::{FeatureGenerator, Schedule};
+use feature_generator::FeatureGenerator;
 use generator::Stage;
 use hardware_model::{Gate, MixingParts};
 use landscape::{Level, SweepLight};
@@ -22,6 +22,7 @@ use crate::crossings::Crossings;
 use crate::delivery::Delivery;
 use crate::digital::DigitalFrame;
 use crate::feature_light::Lamp;
+use crate::feature_loads::FeatureLoads;
 use crate::raster::WrittenRaster;
 use crate::real_parts::{BeamParts, RealParts, Terrain};
 use crate::workspace::Workspace;
@@ -51,7 +52,7 @@ impl<S: Real> Group<'_, S> {
         let light = self.light(&sweeps);
         self.draw_terrain(first, &sweeps, &light, work);
         if self.blocks.features {
-            self.draw_features(&sweeps, &light, work);
+            self.draw_features(first, &sweeps, &light, work);
         }
         if self.blocks.texture {
             self.draw_texture(&sweeps, work);
@@ -71,7 +72,8 @@ impl<S: Real> Group<'_, S> {
         })
     }
 
-    fn terrain<'l>(&'l self, level: &'l Level) -> TerrainGenerator<'l> {
+    /// The terrain generator of a level, set for the frame.
+    pub fn terrain<'l>(&'l self, level: &'l Level) -> TerrainGenerator<'l> {
         TerrainGenerator {
             buffer: level.words(),
             region_size: level.region_size(),
@@ -107,7 +109,7 @@ impl<S: Real> Group<'_, S> {
     }
 
     /// The array of parts for the group that begins at sweep `first`.
-    fn wired<'w>(&self, array: &'w PartsArray<S>, first: u32, state: &'w mut ArrayState<S>) -> Wired<'w, S> {
+    pub fn wired<'w>(&self, array: &'w PartsArray<S>, first: u32, state: &'w mut ArrayState<S>) -> Wired<'w, S> {
         Wired { array, state, address: self.address(first) }
     }
 
@@ -118,6 +120,7 @@ impl<S: Real> Group<'_, S> {
             table: self.table,
             plan: self.plan,
             missing: self.digital.missing(),
+            held: &self.digital.held,
         }
     }
 
@@ -157,24 +160,35 @@ impl<S: Real> Group<'_, S> {
         if self.blocks.coarse.is_some() { work.coarse[lane].end_range.max(fine) } else { fine }
     }
 
-    fn draw_features(&self, sweeps: &[u32; LANES], light: &[SweepLight; LANES], work: &mut Workspace<S>) {
+    fn draw_features(
+        &self,
+        first: u32,
+        sweeps: &[u32; LANES],
+        light: &[SweepLight; LANES],
+        work: &mut Workspace<S>,
+    ) {
         let Stage { landscape, settings, .. } = self.stage;
-        let (level, ranges) = (landscape.level(), self.table.ranges());
-        let schedule = Schedule {
-            features: landscape.features(),
-            parts: settings.feature_generator,
-            region_origin: level.origin(),
-            region_size: level.region_size(),
-        };
-        let eye = [self.plan.eye[0], self.plan.eye[1]];
-        for (lane, &sweep) in sweeps.iter().enumerate() {
-            let span = [ranges[0], self.end_range(lane, work)];
-            schedule.write(eye, self.plan.direction(sweep), span, &mut work.features[lane]);
+        let ranges = self.table.ranges();
+        let loads = FeatureLoads { stage: self.stage, table: self.table, plan: self.plan };
+        for (lane, &drawn) in sweeps.iter().enumerate() {
+            let end = self.end_range(lane, work);
+            loads.write([drawn, first + lane as u32], end, &mut work.features[lane]);
         }
         let profile = &mut work.feature_profile;
-        FeatureGenerator { ranges }.run(landscape.features(), &work.features, profile);
+        let lit = match &self.parts.features {
+            None => {
+                FeatureGenerator { ranges }.run(landscape.features(), &work.features, profile);
+                &profile.present
+            }
+            Some(parts) => {
+                let directions = sweeps.map(|sweep| self.plan.direction(sweep));
+                let (features, chains) = (landscape.features(), &mut work.chains);
+                parts.run(features, ranges, &work.features, &directions, chains, profile);
+                &chains.lit
+            }
+        };
         let lamp = Lamp { law: settings.laws.feature_light, light, ranges };
-        lamp.run(&work.profile, profile, &mut work.lit);
+        lamp.run(&work.profile, profile, lit, &mut work.lit);
     }
 
     fn draw_texture(&self, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
@@ -182,6 +196,9 @@ impl<S: Real> Group<'_, S> {
         let directions = sweeps.map(|sweep| self.plan.direction(sweep));
         let eye = [self.plan.eye[0], self.plan.eye[1]];
         TextureGenerator { texture, ranges: self.table.ranges() }.run(eye, &directions, &mut work.texture);
+        if let Some(parts) = &self.parts.texture {
+            parts.run(&mut work.texture);
+        }
     }
 
     /// Ranges at which the gates change, as places between samples.
@@ -192,9 +209,16 @@ impl<S: Real> Group<'_, S> {
             toggles.clear();
             *dark_at_start = false;
             let Some(gate) = self.delivery.gates.get(sweep as usize) else { continue };
-            *dark_at_start = gate.is_dark(ranges[0]);
-            let inside = gate.toggles.iter().filter(|&&range| range > ranges[0]);
-            toggles.extend(inside.map_while(|&range| toggle_at(ranges, range)));
+            let changes = match &self.parts.lines {
+                None => &gate.toggles,
+                Some(lines) => {
+                    lines.displace(gate, &mut work.displaced);
+                    &work.displaced
+                }
+            };
+            let passed = changes.partition_point(|&range| range <= ranges[0]);
+            *dark_at_start = gate.dark_at_start ^ (passed % 2 == 1);
+            toggles.extend(changes[passed..].iter().map_while(|&range| toggle_at(ranges, range)));
         }
     }
 
@@ -215,6 +239,10 @@ impl<S: Real> Group<'_, S> {
                 height: &work.feature_profile.height,
                 present: &work.feature_profile.present,
                 reflectivity: &work.lit.reflectivity,
+                lit: match &self.parts.features {
+                    None => &work.feature_profile.present,
+                    Some(_) => &work.chains.lit,
+                },
                 kinks: &work.lit.kinks,
             }),
             shadow: (self.blocks.shadows.is_some() || self.blocks.all_switches).then_some(lists),
@@ -285,7 +313,8 @@ impl<S: Real> Group<'_, S> {
         let sweeps = array::from_fn(|lane| address + lane as u64);
         let (mut driven, mut chain) = (std::mem::take(&mut work.driven), std::mem::take(&mut work.chain));
         let Composite { height, reflectivity } = self.composite(work);
-        beam.processor.run(height, reflectivity, deflection, &sweeps, &mut chain, &mut driven);
+        let video = (reflectivity, &work.mixed.breaks);
+        beam.processor.run(height, video, deflection, &sweeps, &mut chain, &mut driven);
         let projected = &mut work.projected;
         projected.elevation.clone_from(&driven.elevation);
         projected.hold.clone_from(&driven.hold);
@@ -317,8 +346,10 @@ impl<S: Real> Group<'_, S> {
     fn write(&self, work: &mut Workspace<S>, rows: &mut [f32]) {
         let far = (!self.stage.landscape.silhouettes().is_empty()).then_some(&work.far);
         if let Some(beam) = &self.parts.beam {
-            let Driven { position, intensity, on, .. } = &work.driven;
-            return beam.gun.write_stretches(&Drive { position, intensity, on, far }, &mut work.gun, rows);
+            let Driven { position, intensity, breaks, on, .. } = &work.driven;
+            let breaks = breaks.iter().any(|breaks| !breaks.is_empty()).then_some(breaks);
+            let drive = Drive { position, intensity, breaks, on, far };
+            return beam.gun.write_stretches(&drive, &mut work.gun, rows);
         }
         let projected = &work.projected;
         let breaks = (self.blocks.mixing && work.mixed.has_breaks()).then_some(BeamBreaks {
@@ -344,7 +375,10 @@ impl<S: Real> Group<'_, S> {
         for (lane, row) in rows.chunks_exact_mut(self.raster.lines).enumerate() {
             let drawn = self.digital.drawn(first + lane as u32);
             if self.compose_bodies(drawn, lane, work, &mut overlay) {
-                overlay.write(self.stage.settings.laws.pixel_rule, row);
+                match &self.parts.bodies {
+                    None => overlay.write(self.stage.settings.laws.pixel_rule, row),
+                    Some(switch) => switch.write(overlay.runs(), &mut work.body_fade, row),
+                }
             }
         }
         work.overlay = overlay;

@@ -3,9 +3,9 @@
 use std::array;
 
 use display_projection_processor::{Driven, Projected, Scratch};
-use feature_generator::{FeatureProfile, FeatureProgram};
+use feature_generator::{ChainScratch, FeatureProfile, FeatureProgram};
 use mixing_unit::{Mixed, SwitchScratch, Toggle};
-use polyhedron_generator::Overlay;
+use polyhedron_generator::{BodyFade, Overlay};
 use signal::{LANES, Lanes, Real};
 use sweep_memory::{FarStroke, GunWork};
 use sweep_program::{Ramp, RegisterSet, SweepProgram, SweepStart};
@@ -32,10 +32,14 @@ pub(crate) struct Workspace<S> {
     pub step: f64,
     /// What features add.
     pub feature_profile: FeatureProfile<S>,
+    /// Sub-generators of parts, and where their craters are lit.
+    pub chains: ChainScratch<S>,
     /// Features in the light.
     pub lit: Lit<S>,
     /// Whether the first sample is in remote shadow.
     pub dark_at_start: [bool; LANES],
+    /// Ranges at which the gate of a lane changes, by line generators of parts (m).
+    pub displaced: Vec<f64>,
     /// Changes of the shadow gate after it.
     pub toggles: [Vec<Toggle<S>>; LANES],
     /// Texture of the foreground.
@@ -56,6 +60,8 @@ pub(crate) struct Workspace<S> {
     pub far: [Vec<FarStroke>; LANES],
     /// Third video switch.
     pub overlay: Overlay,
+    /// The same of parts.
+    pub body_fade: BodyFade,
 }
 
 impl<S: Real> Default for Workspace<S> {
@@ -69,8 +75,10 @@ impl<S: Real> Default for Workspace<S> {
             overlap: Overlap::default(),
             step: 0.0,
             feature_profile: FeatureProfile::default(),
+            chains: ChainScratch::default(),
             lit: Lit::default(),
             dark_at_start: [false; LANES],
+            displaced: Vec::new(),
             toggles: Default::default(),
             texture: Vec::new(),
             fades: SwitchScratch::default(),
@@ -81,6 +89,7 @@ impl<S: Real> Default for Workspace<S> {
             projected: Projected::default(),
             far: Default::default(),
             overlay: Overlay::default(),
+            body_fade: BodyFade::default(),
         }
     }
 }

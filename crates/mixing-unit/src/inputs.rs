@@ -30,6 +30,9 @@ pub struct FeatureInput<'a, S> {
     pub present: &'a [Lanes<S>],
     /// Reflectivity of the surface that features make, with its sign; 0 where there is none.
     pub reflectivity: &'a [Lanes<S>],
+    /// 1 where `reflectivity` is that of the surface: inside footprints, and where a chain of real parts has not come to
+    /// rest behind them.
+    pub lit: &'a [Lanes<S>],
     /// Kinks lane by lane, ascending.
     pub kinks: &'a [Vec<Kink<S>>; LANES],
 }

@@ -36,16 +36,21 @@
 //!
 //! [`PartsMixer`] is the same block with the figures of [`hardware_model::AnalogParts`]; a machine has one or the other.
 //!
-//! **Law.** A gate is late by the delay of its comparator; then the switch fades from one input to the other in a
-//! straight line over its transition, and what it takes from S is off by a constant level ([`parts::Switch`]). Black
-//! and white are limits before VS2 and behind the adder. A lag of the video bandwidth ends the chain.
+//! **Law.** A gate is late by the delay of its comparator; about that instant the switch fades from one input to the other
+//! in a straight line over its transition ([`parts::Fade`]). What it takes from S is off by gain and level
+//! ([`parts::Switch`]) and later by the difference of both ways. Of the input that is off a small capacity lets through
+//! what changes fast ([`parts::HighPass`]). Black and white are limits before VS2 and behind the adder. A lag of the video
+//! bandwidth ends the chain.
 //! **Parameters.** `comparator.delay`, `video_switch`, `video_bandwidth`, `spread`; the seed of the model.
-//! **State and timing.** A step is a sample; all settles in retrace. Edges keep their place between samples: a sample of
-//! a fade is its mean over a step around it. There are no breaks: no switch is sharper than a sample.
+//! **State and timing.** A step is a sample; all settles in retrace. Between samples the video is straight lines, but for
+//! breaks: where a fade begins and ends, where the video of a feature jumps, at rims. They leave the unit as
+//! [`signal::Breaks`], at their instants and with what the chain makes of them there; the lag is split at each, exactly,
+//! and its decay behind one is divided by three more.
 //! **Our choices.** Presence lines have one comparator, the shadow gate another. Beyond its footprint the video of a
 //! feature is the ground's, since it adds no slope; so a late gate leaves no black seam. A gate that changes without a
-//! rim does so half way between samples. The level is a static error: it is drawn for each switch, without `spread` too.
-//! **Not modelled.** Hysteresis, crosstalk, gain and differential delay of the switches: no figures.
+//! rim does so half way between samples. Level and gain are static errors: drawn for each switch, without `spread` too.
+//! The toggle is the middle of a fade: what a switch needs to get there is in the comparator's delay.
+//! **Not modelled.** Hysteresis of the gates; where between two samples local shadow begins; curves between samples.
 
 mod breaks;
 mod inputs;
@@ -63,18 +68,19 @@ pub use wired::{PartsMixer, SwitchScratch};
 
 /// Signals of the block.
 pub const SIGNALS: &[Signal] = &[
-    Signal::ground("mu.height", Unit::Metre, "height of the composite landscape (fig. 28)"),
+    Signal::ground("mu.height", Unit::Metre, "height of the composite landscape", "fig. 28"),
     Signal::ground(
         "mu.reflectivity",
         Unit::Reflectivity,
-        "reflectivity of the composite landscape (fig. 28)",
+        "reflectivity of the composite landscape",
+        "fig. 28",
     ),
 ];
 
 /// Gates of the video switches, where there are switches; [`Inputs::vs1_gate`] and [`Inputs::vs2_gate`] give them.
 pub const GATES: &[Signal] = &[
-    Signal::ground("mu.vs1", Unit::Gate, "1 while features lie on terrain (fig. 28)"),
-    Signal::ground("mu.vs2", Unit::Gate, "1 while remote shadow lies on both (fig. 28)"),
+    Signal::ground("mu.vs1", Unit::Gate, "1 while features lie on terrain", "fig. 28"),
+    Signal::ground("mu.vs2", Unit::Gate, "1 while remote shadow lies on both", "fig. 28"),
 ];
 
 /// The landscape profile of a group of sweeps: one [`Lanes`] a sample.

@@ -21,16 +21,19 @@
 //! **Elaboration.** A part that is not there is not built. No `step` asks whether its part is present.
 //! **Sameness.** Lanes do not see one another: a lane has the same bits alone and in a group. Randomness is by
 //! address ([`NoiseSource`], [`Spread`]), so order and threads cannot change it.
-//! **Not modelled.** Drift and temperature; the charge a switch injects; crosstalk that grows with frequency.
+//! **Not modelled.** Drift and temperature; the charge a switch injects.
 //! **Domain.** Times, slew, saturation and damping are not negative and may be 0; times, bandwidths, slew and saturation
 //! may be infinite; nothing is NaN. Hardware models are checked before they come here.
 
 mod amplifier;
+mod broken;
 mod comparator;
 mod converter;
 mod delay;
 mod differentiator;
+mod fade;
 mod function_generator;
+mod high_pass;
 mod lag;
 mod multiplier;
 mod multiplying_converter;
@@ -45,11 +48,14 @@ mod switch;
 mod wire;
 
 pub use amplifier::{Amplifier, AmplifierLaw, AmplifierState, summing_time_constant};
+pub use broken::{Jump, broken_at};
 pub use comparator::{Comparator, ComparatorLaw, ComparatorState, Trip};
 pub use converter::{Converter, ConverterLaw, ConverterState, carry_weight};
 pub use delay::Delay;
 pub use differentiator::{Differentiator, differentiated_noise};
+pub use fade::Fade;
 pub use function_generator::{Ends, FunctionGenerator, FunctionLaw, segment_error};
+pub use high_pass::HighPass;
 pub use lag::{LagStep, SplitLag, impulse, settling_time_constant, time_constant};
 pub use multiplier::{Feedthrough, Multiplier, MultiplierLaw};
 pub use multiplying_converter::MultiplyingConverter;

@@ -122,6 +122,20 @@ impl Ruler {
         }
     }
 
+    /// Round values over `length` pixels, labels about `pitch` apart: within one decade as on a linear axis, where
+    /// decades alone would label hardly any.
+    pub fn round_ticks(&self, length: f32, pitch: f32) -> Vec<Tick> {
+        let target = (length / pitch).clamp(1.0, 12.0) as usize;
+        let ticks = self.ticks(target);
+        if ticks.iter().filter(|tick| !tick.label.is_empty()).count() > 2 {
+            return ticks;
+        }
+        let linear = Self { scale: Scale::Linear, ..*self };
+        let coarse = linear.linear_ticks(target);
+        let fine = if coarse.len() > 2 { coarse } else { linear.linear_ticks(2 * target) };
+        if fine.is_empty() { ticks } else { fine }
+    }
+
     fn linear_ticks(&self, target: usize) -> Vec<Tick> {
         let [low, high] = self.range;
         let (mantissa, exponent) = round_step((high - low) / target.max(1) as f64);
@@ -178,8 +192,8 @@ fn power_of_ten(exponent: i32) -> f64 {
 
 /// A number with a true minus sign and thousands set apart; far powers of ten as such.
 pub(crate) fn number(value: f64, decimals: usize) -> String {
-    if value != 0.0 && (value.abs() >= 1e7 || decimals > 5) {
-        return format!("{value:.0e}").replace('-', "−");
+    if value != 0.0 && (value.abs() >= 1e7 || (decimals > 5 && value.abs() < 0.1)) {
+        return scientific(value);
     }
     let text = format!("{:.*}", decimals, value.abs());
     let (whole, fraction) = text.split_once('.').map_or((text.as_str(), None), |(w, f)| (w, Some(f)));
@@ -187,6 +201,30 @@ pub(crate) fn number(value: f64, decimals: usize) -> String {
     let sign = if value < 0.0 && !zero { "−" } else { "" };
     let fraction = fraction.map_or(String::new(), |fraction| format!(".{fraction}"));
     format!("{sign}{}{fraction}", grouped(whole))
+}
+
+/// Far powers of ten; rounding errors beyond ten digits are not shown.
+fn scientific(value: f64) -> String {
+    let text = format!("{value:.9e}");
+    let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    let mantissa = mantissa.trim_end_matches('0').trim_end_matches('.');
+    format!("{mantissa}e{exponent}").replace('-', "−")
+}
+
+/// A measured value in `digits` significant digits.
+pub(crate) fn reading(value: f64, digits: i32) -> String {
+    let size = value.abs();
+    if size == 0.0 {
+        return "0".to_owned();
+    }
+    let text = if (1e-3..1e6).contains(&size) {
+        let decimals = (digits - 1 - libm::log10(size).floor() as i32).max(0) as usize;
+        format!("{value:.decimals$}")
+    } else {
+        let digits = (digits - 1).max(0) as usize;
+        format!("{value:.digits$e}")
+    };
+    text.replace('-', "−")
 }
 
 fn grouped(digits: &str) -> String {
@@ -202,7 +240,7 @@ fn grouped(digits: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Axis, Ruler, Scale, number, round_up};
+    use super::{Axis, Ruler, Scale, number, reading, round_up};
 
     fn labels(range: [f64; 2], scale: Scale, target: usize) -> Vec<String> {
         Ruler { range, scale }.ticks(target).into_iter().map(|tick| tick.label).collect()
@@ -222,6 +260,9 @@ mod tests {
         assert_eq!(number(-0.0, 1), "0.0");
         assert_eq!(number(-0.04, 1), "0.0");
         assert_eq!(number(-1234567.0, 0), "−1\u{a0}234\u{a0}567");
+        assert_eq!([number(1.2e8, 0), number(-2e-7, 7)], ["1.2e8", "−2e−7"]);
+        let readings = [0.0, 1234.5678, -0.012345, 1e300, -1e-300, 99999.6].map(|value| reading(value, 5));
+        assert_eq!(readings, ["0", "1234.6", "−0.012345", "1.0000e300", "−1.0000e−300", "100000"]);
         assert_eq!((round_up(0.012), round_up(5.0), round_up(f64::NAN)), (0.02, 5.0, 1.0));
     }
 

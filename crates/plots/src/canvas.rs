@@ -1,31 +1,14 @@
-//! What the pictures are drawn on.
+//! What the pictures are drawn on: paper that remembers every stroke.
 
 use crate::Drawing;
-use crate::colour::{Colour, PAPER};
+use crate::colour::{Colour, LIGHT, Palette};
 use crate::lettering::{self, Size};
-use tiny_skia::{
-    Color, FillRule, LineCap, LineJoin, Mask, Paint, PathBuilder, Pixmap, PremultipliedColorU8, Rect, Stroke,
-    Transform,
-};
+use crate::mark::{Letters, Mark};
 
-/// A rectangle of pixels.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Area {
-    pub left: f32,
-    pub top: f32,
-    pub width: f32,
-    pub height: f32,
-}
+pub(crate) use crate::mark::Area;
 
-impl Area {
-    pub fn right(&self) -> f32 {
-        self.left + self.width
-    }
-
-    pub fn bottom(&self) -> f32 {
-        self.top + self.height
-    }
-}
+/// No stroke goes farther from the paper than this (pixels), whatever the values are.
+const FARTHEST: f32 = 30_000.0;
 
 /// Where a text stands relative to its point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -47,37 +30,50 @@ impl Anchor {
 
 /// Paper of a fixed size.
 pub(crate) struct Canvas {
-    pixels: Pixmap,
-    clip: Option<Mask>,
+    columns: u32,
+    lines: u32,
+    palette: &'static Palette,
+    title: String,
+    marks: Vec<Mark>,
 }
 
 impl Canvas {
-    /// Blank paper; a side of 0 becomes 1.
+    /// Blank white paper; a side of 0 becomes 1.
     pub fn new(columns: u32, lines: u32) -> Self {
-        let mut pixels = Pixmap::new(columns.max(1), lines.max(1)).expect("sides are positive and bounded");
-        pixels.fill(color(PAPER));
-        Self { pixels, clip: None }
+        Self::of(&LIGHT, columns, lines)
+    }
+
+    /// Blank paper for the colours of `palette`.
+    pub fn of(palette: &'static Palette, columns: u32, lines: u32) -> Self {
+        let (columns, lines) = (columns.max(1), lines.max(1));
+        Self { columns, lines, palette, title: String::new(), marks: Vec::new() }
+    }
+
+    /// The colours that this paper is for.
+    pub fn palette(&self) -> &'static Palette {
+        self.palette
+    }
+
+    /// Names the drawing, for whoever does not see it.
+    pub fn name(&mut self, title: &str) {
+        title.clone_into(&mut self.title);
     }
 
     /// Keeps curves within `area` until [`unclip`](Self::unclip).
     pub fn clip(&mut self, area: Area) {
-        let mut mask = Mask::new(self.pixels.width(), self.pixels.height()).expect("as large as the paper");
-        if let Some(rect) = rect(area) {
-            mask.fill_path(&PathBuilder::from_rect(rect), FillRule::Winding, false, Transform::identity());
-        }
-        self.clip = Some(mask);
+        self.marks.push(Mark::Clip(Some(area)));
     }
 
     /// Lets curves go anywhere.
     pub fn unclip(&mut self) {
-        self.clip = None;
+        self.marks.push(Mark::Clip(None));
     }
 
-    /// Fills `area`.
+    /// Fills `area`; one without width or height is not there.
     pub fn fill(&mut self, area: Area, colour: Colour) {
-        if let Some(rect) = rect(area) {
-            let clip = self.clip.as_ref();
-            self.pixels.fill_rect(rect, &paint(colour), Transform::identity(), clip);
+        let Area { left, top, width, height } = area;
+        if [left, top, width, height].iter().all(|side| side.is_finite()) && width > 0.0 && height > 0.0 {
+            self.marks.push(Mark::Fill(area, colour));
         }
     }
 
@@ -92,67 +88,62 @@ impl Canvas {
 
     /// Joined lines through `points` (pixels).
     pub fn line(&mut self, points: &[(f32, f32)], width: f32, colour: Colour) {
-        let mut path = PathBuilder::new();
-        for (index, &(x, y)) in points.iter().enumerate() {
-            if index == 0 { path.move_to(x, y) } else { path.line_to(x, y) }
+        self.stroke(points, width, None, colour);
+    }
+
+    /// Joined lines of dashes, `[ink, gap]` pixels long.
+    pub fn dashed(&mut self, points: &[(f32, f32)], width: f32, dash: [f32; 2], colour: Colour) {
+        self.stroke(points, width, Some(dash), colour);
+    }
+
+    fn stroke(&mut self, points: &[(f32, f32)], width: f32, dash: Option<[f32; 2]>, colour: Colour) {
+        let points = near(points);
+        if points.len() > 1 {
+            self.marks.push(Mark::Line { points, width, dash, colour });
         }
-        let stroke =
-            Stroke { width, line_cap: LineCap::Butt, line_join: LineJoin::Bevel, ..Stroke::default() };
-        if let Some(path) = path.finish() {
-            let clip = self.clip.as_ref();
-            self.pixels.stroke_path(&path, &paint(colour), &stroke, Transform::identity(), clip);
+    }
+
+    /// A closed polygon, filled.
+    pub fn polygon(&mut self, points: &[(f32, f32)], colour: Colour) {
+        let points = near(points);
+        if points.len() > 2 {
+            self.marks.push(Mark::Polygon(points, colour));
         }
     }
 
     /// Text with its base line at `at`.
     pub fn text(&mut self, text: &str, at: (f32, f32), anchor: Anchor, size: Size, colour: Colour) {
         let left = at.0 + anchor.shift(lettering::width(text, size));
-        self.letters(text, size, colour, Transform::from_translate(left, at.1));
+        self.letters(text, (left, at.1), false, size, colour);
     }
 
     /// Text that runs upwards, centred on `at`.
     pub fn text_upwards(&mut self, text: &str, at: (f32, f32), size: Size, colour: Colour) {
         let below = at.1 + lettering::width(text, size) / 2.0;
-        self.letters(text, size, colour, Transform::from_row(0.0, -1.0, 1.0, 0.0, at.0, below));
+        self.letters(text, (at.0, below), true, size, colour);
     }
 
-    fn letters(&mut self, text: &str, size: Size, colour: Colour, place: Transform) {
-        if let Some(path) = lettering::outline(text, size) {
-            self.pixels.fill_path(&path, &paint(colour), FillRule::Winding, place, None);
+    fn letters(&mut self, text: &str, at: (f32, f32), upwards: bool, size: Size, colour: Colour) {
+        if !text.trim().is_empty() {
+            self.marks.push(Mark::Letters(Letters { text: text.to_owned(), at, upwards, size, colour }));
         }
     }
 
     /// Sets the pixels of `area`, whose corners lie on whole pixels, to `colour_of(column, line)`.
     pub fn image(&mut self, area: Area, colour_of: impl Fn(u32, u32) -> Colour) {
-        let stride = self.pixels.width() as usize;
-        let (left, top) = (area.left as usize, area.top as usize);
-        for line in 0..area.height as u32 {
-            for column in 0..area.width as u32 {
-                let [r, g, b] = colour_of(column, line);
-                let place = (top + line as usize) * stride + left + column as usize;
-                let opaque = PremultipliedColorU8::from_rgba(r, g, b, 255);
-                self.pixels.pixels_mut()[place] = opaque.expect("opaque colours are premultiplied");
-            }
-        }
+        let (columns, lines) = (area.width as u32, area.height as u32);
+        let line = |line| (0..columns).map(move |column| (column, line));
+        let colours = (0..lines).flat_map(line).map(|(column, line)| colour_of(column, line)).collect();
+        self.marks.push(Mark::Image(area, colours));
     }
 
     /// The picture.
     pub fn finish(self) -> Drawing {
-        let rgb = self.pixels.pixels().iter().flat_map(|p| [p.red(), p.green(), p.blue()]).collect();
-        Drawing::new(self.pixels.width(), self.pixels.height(), rgb)
+        Drawing::new([self.columns, self.lines], self.palette.paper, self.title, self.marks)
     }
 }
 
-fn rect(area: Area) -> Option<Rect> {
-    Rect::from_xywh(area.left, area.top, area.width, area.height)
-}
-
-fn color([r, g, b]: Colour) -> Color {
-    Color::from_rgba8(r, g, b, 255)
-}
-
-fn paint(colour: Colour) -> Paint<'static> {
-    let mut paint = Paint::default();
-    paint.set_color(color(colour));
-    paint
+fn near(points: &[(f32, f32)]) -> Vec<(f32, f32)> {
+    let finite = points.iter().filter(|(x, y)| x.is_finite() && y.is_finite());
+    finite.map(|(x, y)| (x.clamp(-FARTHEST, FARTHEST), y.clamp(-FARTHEST, FARTHEST))).collect()
 }

@@ -1,20 +1,37 @@
 //! A finished picture.
 
-use crate::PlotError;
 use std::io::Write;
 use std::path::Path;
+use std::sync::OnceLock;
 
-/// Pixels of 8-bit red, green, blue, line by line from the top.
-#[derive(Debug, Clone, PartialEq, Eq)]
+use crate::PlotError;
+use crate::colour::Colour;
+use crate::mark::{Mark, Surface};
+use crate::pixels::Pixels;
+use crate::svg::Svg;
+
+/// A finished picture: its strokes, as pixels or as SVG.
+#[derive(Debug, Clone)]
 pub struct Drawing {
     columns: u32,
     lines: u32,
-    rgb: Vec<u8>,
+    paper: Colour,
+    title: String,
+    marks: Vec<Mark>,
+    rgb: OnceLock<Vec<u8>>,
+}
+
+impl PartialEq for Drawing {
+    /// Whether both are the same strokes on the same paper.
+    fn eq(&self, other: &Self) -> bool {
+        let sheet = |drawing: &Self| (drawing.columns, drawing.lines, drawing.paper);
+        sheet(self) == sheet(other) && self.title == other.title && self.marks == other.marks
+    }
 }
 
 impl Drawing {
-    pub(crate) fn new(columns: u32, lines: u32, rgb: Vec<u8>) -> Self {
-        Self { columns, lines, rgb }
+    pub(crate) fn new([columns, lines]: [u32; 2], paper: Colour, title: String, marks: Vec<Mark>) -> Self {
+        Self { columns, lines, paper, title, marks, rgb: OnceLock::new() }
     }
 
     /// Pixels to the right.
@@ -29,7 +46,11 @@ impl Drawing {
 
     /// Red, green, blue of every pixel, three bytes each.
     pub fn rgb(&self) -> &[u8] {
-        &self.rgb
+        self.rgb.get_or_init(|| {
+            let mut pixels = Pixels::new(self.columns, self.lines, self.paper);
+            self.draw(&mut pixels);
+            pixels.rgb()
+        })
     }
 
     /// The bytes of a PNG file.
@@ -39,13 +60,25 @@ impl Drawing {
         bytes
     }
 
-    /// Writes a PNG file, whole or not at all.
+    /// The text of an SVG file, without fonts, scripts or links; it may stand within a page as it is.
+    pub fn svg(&self) -> String {
+        let mut svg = Svg::new(self.columns, self.lines, self.paper, &self.title);
+        self.draw(&mut svg);
+        svg.finish()
+    }
+
+    /// Writes an SVG file if `path` ends in `.svg`, a PNG file otherwise, whole or not at all.
     ///
     /// # Errors
     /// If the file cannot be written.
     pub fn write(&self, path: impl AsRef<Path>) -> Result<(), PlotError> {
-        let bytes = self.png();
+        let is_svg = path.as_ref().extension().is_some_and(|end| end.eq_ignore_ascii_case("svg"));
+        let bytes = if is_svg { self.svg().into_bytes() } else { self.png() };
         Ok(files::write_atomic(path, |out: &mut dyn Write| out.write_all(&bytes))?)
+    }
+
+    fn draw(&self, on: &mut dyn Surface) {
+        self.marks.iter().for_each(|mark| on.take(mark));
     }
 
     fn encode(&self, out: &mut Vec<u8>) -> Result<(), png::EncodingError> {
@@ -53,7 +86,7 @@ impl Drawing {
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);
         let mut writer = encoder.write_header()?;
-        writer.write_image_data(&self.rgb)?;
+        writer.write_image_data(self.rgb())?;
         writer.finish()
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::axis::{Ruler, Tick};
 use crate::canvas::{Anchor, Area, Canvas};
-use crate::colour::{Colour, FAINT, INK, SOFT};
+use crate::colour::Colour;
 use crate::lettering::{self, Size};
 
 /// Title (pixels an em).
@@ -51,7 +51,7 @@ impl Frame {
         let Area { left, width, .. } = self.area;
         for tick in self.y_ticks() {
             let (_, y) = self.at(self.x.range[0], tick.value);
-            canvas.fill(Area { left, top: y.floor(), width, height: 1.0 }, FAINT);
+            canvas.fill(Area { left, top: y.floor(), width, height: 1.0 }, canvas.palette().faint);
         }
     }
 
@@ -60,24 +60,33 @@ impl Frame {
         let Area { top, height, .. } = self.area;
         for tick in self.x_ticks() {
             let (x, _) = self.at(tick.value, self.y.range[0]);
-            canvas.fill(Area { left: x.floor(), top, width: 1.0, height }, FAINT);
+            canvas.fill(Area { left: x.floor(), top, width: 1.0, height }, canvas.palette().faint);
         }
     }
 
     /// Border, ticks and labels; without `x_label` the horizontal axis is left to a panel below.
     pub fn axes(&self, canvas: &mut Canvas, x_label: Option<&str>, y_label: &str) {
-        canvas.border(self.area, SOFT);
+        canvas.border(self.area, canvas.palette().soft);
         if let Some(label) = x_label {
             self.x_axis(canvas, label);
         }
         for tick in self.y_ticks() {
             let (_, y) = self.at(self.x.range[0], tick.value);
             let (right, length) = (self.area.left, tick_length(&tick));
-            canvas.fill(Area { left: right - length, top: y.floor(), width: length, height: 1.0 }, SOFT);
-            canvas.text(&tick.label, (right - TICK - 4.0, y + 4.0), Anchor::Right, SMALL, SOFT);
+            canvas.fill(
+                Area { left: right - length, top: y.floor(), width: length, height: 1.0 },
+                canvas.palette().soft,
+            );
+            canvas.text(
+                &tick.label,
+                (right - TICK - 4.0, y + 4.0),
+                Anchor::Right,
+                SMALL,
+                canvas.palette().soft,
+            );
         }
         let middle = self.area.top + self.area.height / 2.0;
-        canvas.text_upwards(y_label, (self.area.left - LEFT + 18.0, middle), TEXT, INK);
+        canvas.text_upwards(y_label, (self.area.left - LEFT + 18.0, middle), TEXT, canvas.palette().ink);
     }
 
     /// Ticks and labels below the panel.
@@ -85,11 +94,14 @@ impl Frame {
         let bottom = self.area.bottom();
         for tick in self.x_ticks() {
             let (x, _) = self.at(tick.value, self.y.range[0]);
-            canvas.fill(Area { left: x.floor(), top: bottom, width: 1.0, height: tick_length(&tick) }, SOFT);
-            canvas.text(&tick.label, (x, bottom + TICK + 14.0), Anchor::Middle, SMALL, SOFT);
+            canvas.fill(
+                Area { left: x.floor(), top: bottom, width: 1.0, height: tick_length(&tick) },
+                canvas.palette().soft,
+            );
+            canvas.text(&tick.label, (x, bottom + TICK + 14.0), Anchor::Middle, SMALL, canvas.palette().soft);
         }
         let middle = self.area.left + self.area.width / 2.0;
-        canvas.text(label, (middle, bottom + 44.0), Anchor::Middle, TEXT, INK);
+        canvas.text(label, (middle, bottom + 44.0), Anchor::Middle, TEXT, canvas.palette().ink);
     }
 
     fn x_ticks(&self) -> Vec<Tick> {
@@ -124,14 +136,14 @@ pub(crate) fn colour_bar(
     let area = Area { left: (beside.right() + 18.0).floor(), width: BAR, ..beside };
     let frame = Frame { area, x: Ruler::linear([0.0, 1.0]), y: ruler };
     canvas.image(area, |_, line| colour_of(1.0 - (f64::from(line) + 0.5) / f64::from(area.height)));
-    canvas.border(area, SOFT);
+    canvas.border(area, canvas.palette().soft);
     for tick in frame.y_ticks() {
         let (right, y) = frame.at(1.0, tick.value);
-        canvas.fill(Area { left: right, top: y.floor(), width: TICK, height: 1.0 }, SOFT);
-        canvas.text(&tick.label, (right + TICK + 4.0, y + 4.0), Anchor::Left, SMALL, SOFT);
+        canvas.fill(Area { left: right, top: y.floor(), width: TICK, height: 1.0 }, canvas.palette().soft);
+        canvas.text(&tick.label, (right + TICK + 4.0, y + 4.0), Anchor::Left, SMALL, canvas.palette().soft);
     }
     let middle = area.top + area.height / 2.0;
-    canvas.text_upwards(label, (beside.right() + BAR_ROOM - 8.0, middle), TEXT, INK);
+    canvas.text_upwards(label, (beside.right() + BAR_ROOM - 8.0, middle), TEXT, canvas.palette().ink);
 }
 
 /// Title and facts, broken into lines of a given width.
@@ -153,15 +165,16 @@ impl Header {
     }
 
     pub fn draw(&self, canvas: &mut Canvas, left: f32) {
+        canvas.name(&self.title.join(" "));
         let mut base = 14.0;
         for line in &self.title {
             base += TITLE + 7.0;
-            canvas.text(line, (left, base), Anchor::Left, TITLE, INK);
+            canvas.text(line, (left, base), Anchor::Left, TITLE, canvas.palette().ink);
         }
         base += 4.0;
         for line in &self.facts {
             base += LEADING;
-            canvas.text(line, (left, base), Anchor::Left, TEXT, SOFT);
+            canvas.text(line, (left, base), Anchor::Left, TEXT, canvas.palette().soft);
         }
     }
 }

@@ -28,6 +28,43 @@ pub(crate) fn outline(text: &str, size: Size) -> Option<Path> {
     path.finish()
 }
 
+/// The outline of one sign in units of the font, as the data of an SVG path; empty if it has no ink.
+pub(crate) fn sign(sign: char) -> String {
+    let font = font();
+    let Some(outline) = font.outline(font.glyph_id(sign)) else { return String::new() };
+    let (mut path, mut last) = (String::new(), None);
+    for curve in &outline.curves {
+        let (from, to) = ends(curve);
+        if last != Some(from) {
+            let close = if last.is_some() { "Z" } else { "" };
+            path += &format!("{close}M{}", at(from));
+        }
+        last = Some(to);
+        path += &match *curve {
+            OutlineCurve::Line(..) => format!("L{}", at(to)),
+            OutlineCurve::Quad(_, control, _) => format!("Q{} {}", at(control), at(to)),
+            OutlineCurve::Cubic(_, a, b, _) => format!("C{} {} {}", at(a), at(b), at(to)),
+        };
+    }
+    path + "Z"
+}
+
+/// The outlines of the font lie on whole units, or on halves of them.
+fn at(point: Point) -> String {
+    format!("{} {}", point.x, point.y)
+}
+
+/// From one sign to the next, in units of the font.
+pub(crate) fn advance(sign: char) -> f32 {
+    let font = font();
+    font.h_advance_unscaled(font.glyph_id(sign))
+}
+
+/// Pixels a unit of the font.
+pub(crate) fn em(size: Size) -> f32 {
+    scale(&font(), size)
+}
+
 fn add_curves(curves: &[OutlineCurve], place: impl Fn(Point) -> (f32, f32), path: &mut PathBuilder) {
     let mut last = None;
     for curve in curves {

@@ -1,12 +1,15 @@
-//! Pictures of banks, surveys, waveforms and timing, as PNG: the same bytes on every machine.
+//! Pictures of banks, surveys, waveforms and timing, as PNG and as SVG: the same bytes on every machine.
 //!
 //! - [`bank_picture`]: shaded ground in the colours of its height, with contours and axes.
 //! - [`survey_picture`]: fitted ground beside the residuals of its samples, with their histogram.
+//! - [`scope_picture`]: one sweep as on an oscilloscope with a logic analyser.
 //! - [`trace_picture`]: waveforms and digital lines against a common axis, as on an oscilloscope.
 //! - [`timeline_picture`]: digital events of one sweep, register by register, below its ramps.
 //! - [`bar_picture`]: histograms of one kind below one another.
+//! - [`columns_picture`]: grey pictures below one another, and what each column of them is.
 //!
-//! Each returns a [`Drawing`]. Lettering is the outlines of the font Hack, filled like every other curve.
+//! Each returns a [`Drawing`]. A drawing remembers its strokes, and each of the two files is the
+//! same strokes on another ground. Lettering is the outlines of the font Hack, filled like every other curve.
 //!
 //! ```
 //! use landscape::{Level, Sun};
@@ -22,22 +25,32 @@ mod bank_picture;
 mod bar_picture;
 mod canvas;
 mod colour;
+mod columns_picture;
 mod drawing;
 mod error;
 mod frame;
 mod ground;
 mod lettering;
+mod mark;
+mod pixels;
 mod residuals;
+mod scope;
 mod survey_picture;
+mod svg;
 mod timeline_picture;
 mod trace_picture;
 
 pub use axis::{Axis, Scale};
 pub use bank_picture::{BankLook, bank_picture};
 pub use bar_picture::{Bars, bar_picture};
+pub use columns_picture::{Columns, columns_picture};
 pub use drawing::Drawing;
 pub use error::PlotError;
 pub use residuals::Residuals;
+pub use scope::{
+    Along, Clock, Crossing, Curve, Curves, Logic, LogicLane, PictureColumn, Place, RegisterColour, Scope,
+    ScopeLook, Theme, Upright, Volts, scope_picture,
+};
 pub use survey_picture::{SurveyLook, survey_picture};
 pub use timeline_picture::{EventLane, Span, Stops, Stretch, Timeline, timeline_picture};
 pub use trace_picture::{Lane, Panel, Trace, TraceLook, trace_picture};

@@ -21,7 +21,8 @@
 //! by depth, a span ends where the ground hides it, and the nearest span shows. Parts of one object stand in
 //! order of depth either way.
 //! **Elaboration.** Without bodies there is no generator, and the switch has no second input.
-//! **Not modelled.** Threshold and delay of the switch, words of the digital side, specular light, a body's
+//! **Parts.** [`BodySwitch`]: delay, transition, gain and level of the switch.
+//! **Not modelled.** Words of the digital side, specular light, a body's
 //! shadow on the ground (that is the shadow controller's) and on other bodies.
 //! **Our choices.** Spans keep real line positions, f32. A body is lowered by the lunoid's drop at its foot
 //! point, as a whole. Ground range between the ends of a span is exact under `Exact`, and under the other laws
@@ -37,6 +38,7 @@ mod overlay;
 mod sight;
 mod span;
 mod view;
+mod wired;
 
 pub use generator::{Census, Drawn, PolyhedronGenerator};
 pub use hold::{Hold, NoHold};
@@ -45,3 +47,4 @@ pub use overlay::{Overlay, Run, SIGNALS};
 pub use sight::{LeftOut, Sight};
 pub use span::{Span, SpanTable};
 pub use view::{NEAREST, ViewPlane};
+pub use wired::{BodyFade, BodySwitch};

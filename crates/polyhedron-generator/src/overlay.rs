@@ -7,8 +7,8 @@ use crate::{Hold, Span, cut};
 
 /// Signals of the block.
 pub const SIGNALS: &[Signal] = &[
-    Signal::display("pg.present", Unit::Gate, "1 where a polyhedron is seen: gate of VS3 (fig. 29)"),
-    Signal::display("pg.reflectivity", Unit::Reflectivity, "reflectivity of the polyhedron seen (fig. 29)"),
+    Signal::display("pg.present", Unit::Gate, "1 where a polyhedron is seen: gate of VS3", "fig. 29"),
+    Signal::display("pg.reflectivity", Unit::Reflectivity, "reflectivity of the polyhedron seen", "fig. 29"),
 ];
 
 /// A part of a line position axis over which one face is seen.
@@ -100,6 +100,11 @@ impl Overlay {
     /// Drops the runs whose own video does not exceed `threshold`: they do not open a self-keyed switch (section 14).
     pub fn key(&mut self, threshold: f32) {
         self.runs.retain(|run| run.reflectivity > threshold);
+    }
+
+    /// The runs of the last composition.
+    pub fn runs(&self) -> &[Run] {
+        &self.runs
     }
 
     /// Lays the runs of the last composition over a row.

@@ -23,12 +23,21 @@ pub(crate) const CAMERA: &str = "camera.json";
 pub(crate) const CONTACT_SHEET: &str = "contact-sheet.png";
 /// The film that a browser plays.
 pub(crate) const ANIMATION: &str = "animation.png";
-/// The page that steps through frames.
-pub(crate) const PLAYER: &str = "index.html";
+/// The page of the run, which whoever asked for the run writes.
+pub const PAGE: &str = "index.html";
+/// What the page shows beside the record.
+pub const PAGE_DATA: &str = "page.json";
+/// Plots of recorded sweeps.
+pub const SCOPES: &str = "scopes";
+/// Media type of a plot.
+pub const SCOPE_KIND: &str = "image/svg+xml";
 
 /// Every file that a run writes beside its frames; a film for other programs is put there by name.
-const OWN: [&str; 9] =
-    [RUN_RECORD, JOURNAL, PERFORMANCE, POSES, CAMERA, CONTACT_SHEET, ANIMATION, PLAYER, "video.y4m"];
+const OWN: [&str; 10] =
+    [RUN_RECORD, JOURNAL, PERFORMANCE, POSES, CAMERA, CONTACT_SHEET, ANIMATION, PAGE, PAGE_DATA, "video.y4m"];
+
+/// Folders that a run makes in its own.
+const FOLDERS: [&str; 3] = [FRAMES, TRUTH, SCOPES];
 
 /// A folder that this process, and no other, draws into.
 #[derive(Debug)]
@@ -87,7 +96,7 @@ impl RunFolder {
 
     fn clear_leftovers(&self) -> Result<(), ReplayError> {
         files::remove_leftovers(&self.path)?;
-        for path in [FRAMES, TRUTH].map(|name| self.join(name)).iter().filter(|path| path.is_dir()) {
+        for path in FOLDERS.map(|name| self.join(name)).iter().filter(|path| path.is_dir()) {
             files::remove_leftovers(path)?;
         }
         Ok(())
@@ -98,7 +107,7 @@ impl RunFolder {
         let (begun, mut names): (Vec<_>, Vec<_>) =
             list(&self.path)?.into_iter().partition(|name| name.starts_with(&format!(".{JOURNAL}.")));
         begun.iter().try_for_each(|name| self.remove(name))?;
-        let is_folder = |name: &str| name == FRAMES || name == TRUTH;
+        let is_folder = |name: &str| FOLDERS.contains(&name);
         names.retain(|name| name != LOCK && !(is_folder(name) && is_empty(&self.join(name))));
         let ours = |name: &&String| OWN.contains(&name.as_str()) || is_folder(name);
         let path = self.path.clone();
@@ -124,10 +133,11 @@ impl RunFolder {
     fn remove_run(&self) -> Result<(), ReplayError> {
         self.remove_strays(|_| false)?;
         self.remove_stray_truth(|_| false)?;
+        self.remove_unknown(SCOPES, scope_frame, |_| false)?;
         let truth = TRUTH_FILES.map(|name| format!("{TRUTH}/{name}"));
         let own = truth.iter().map(String::as_str).chain(OWN.into_iter().rev());
         own.filter(|name| self.join(name).exists()).try_for_each(|name| self.remove(name))?;
-        for name in [FRAMES, TRUTH] {
+        for name in FOLDERS {
             // Files of somebody else keep it.
             let _ = fs::remove_dir(self.join(name));
         }
@@ -169,8 +179,9 @@ impl Drop for RunFolder {
     fn drop(&mut self) {
         self.lock = None;
         // A folder with anything in it stays.
-        let _ = fs::remove_dir(self.join(FRAMES));
-        let _ = fs::remove_dir(self.join(TRUTH));
+        for name in FOLDERS {
+            let _ = fs::remove_dir(self.join(name));
+        }
         for folder in &self.made {
             let _ = fs::remove_dir(folder);
         }
@@ -178,7 +189,7 @@ impl Drop for RunFolder {
 }
 
 /// Name of a picture from the run folder: the index goes on from 0 for the whole mission.
-pub(crate) fn picture_name(index: u64) -> String {
+pub fn picture_name(index: u64) -> String {
     format!("{FRAMES}/frame-{index:06}.png")
 }
 
@@ -186,6 +197,17 @@ fn frame_index(name: &str) -> Option<u64> {
     let digits = name.strip_prefix("frame-")?.strip_suffix(".png")?;
     let index = digits.parse().ok()?;
     (picture_name(index).ends_with(name)).then_some(index)
+}
+
+/// Name of the plot of a sweep from the run folder.
+pub fn scope_name(frame: u64, sweep: u32) -> String {
+    format!("{SCOPES}/frame-{frame:06}-sweep-{sweep:04}.svg")
+}
+
+fn scope_frame(name: &str) -> Option<u64> {
+    let (frame, sweep) = name.strip_prefix("frame-")?.strip_suffix(".svg")?.split_once("-sweep-")?;
+    let (frame, sweep) = (frame.parse().ok()?, sweep.parse().ok()?);
+    scope_name(frame, sweep).ends_with(&format!("/{name}")).then_some(frame)
 }
 
 /// Name of the truth of a frame, from the folder of the truth.
@@ -215,7 +237,7 @@ fn is_empty(path: &Path) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{frame_index, picture_name, truth_index, truth_name};
+    use super::{frame_index, picture_name, scope_frame, scope_name, truth_index, truth_name};
 
     #[test]
     fn only_names_that_a_run_writes_are_frames() {
@@ -224,6 +246,12 @@ mod tests {
         assert_eq!(frame_index("frame-000012.png"), Some(12));
         for foreign in ["frame-12.png", "frame-000012.jpg", "frame--00012.png", "frame-+00012.png", "x.png"] {
             assert_eq!(frame_index(foreign), None, "{foreign}");
+        }
+        assert_eq!(scope_name(12, 500), "scopes/frame-000012-sweep-0500.svg");
+        assert_eq!(scope_frame("frame-000012-sweep-0500.svg"), Some(12));
+        for foreign in ["frame-12-sweep-500.svg", "frame-000012.svg", "frame-000012-sweep-0500.png", "x.svg"]
+        {
+            assert_eq!(scope_frame(foreign), None, "{foreign}");
         }
         assert_eq!(truth_index(&truth_name(12)), Some(12));
         for foreign in ["frame_12.npz", "frame_000012.npy", "frame-000012.npz", "frame_+00012.npz"] {

@@ -15,7 +15,7 @@ use crate::ReplayError;
 pub(crate) const RUN_SCHEMA: &str = "lunoid.run/1";
 
 /// Record of a run, in its folder.
-pub(crate) const RUN_RECORD: &str = "run.json";
+pub const RUN_RECORD: &str = "run.json";
 
 /// Largest file of a run that is read back.
 pub(crate) const MAX_BYTES: u64 = 1 << 32;

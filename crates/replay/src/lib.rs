@@ -7,7 +7,8 @@
 //! run.json                  what was drawn from what, with which settings, and a hash of every frame's pixels
 //! performance.json          wall times, threads, rates: all that differs between equal runs
 //! poses.csv  camera.json    where the eye was, and from pixel to ray
-//! contact-sheet.png  index.html  animation.png
+//! contact-sheet.png  animation.png
+//! index.html  page.json  scopes/    the page of the run: crate `report` writes it, the folder knows its names
 //! truth/                    what each pixel shows: [`write_truth`]
 //! ```
 //!
@@ -36,8 +37,8 @@ mod truth;
 
 pub use error::ReplayError;
 pub use film::write_y4m;
-pub use folder::RunFolder;
-pub use held::{FileRecord, FrameRecord, HeldRun, file_hash};
+pub use folder::{PAGE, PAGE_DATA, RunFolder, SCOPE_KIND, SCOPES, picture_name, scope_name};
+pub use held::{FileRecord, FrameRecord, HeldRun, RUN_RECORD, file_hash};
 pub use job::{Control, Inputs, Job, Pictures, Program, Progress};
 pub use performance::Phase;
 pub use run::{Outcome, run};

@@ -5,7 +5,7 @@ use std::ops::Range;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use generator::{Omission, Session};
+use generator::Session;
 use picture::{Encoder, Transfer};
 use quantities::Rate;
 use scenario::{LimitReport, PoseTable, poses_csv};
@@ -14,11 +14,11 @@ use serde_json::Value;
 use crate::ReplayError;
 use crate::camera::camera;
 use crate::draw::{Drawing, draw_all};
-use crate::film::{Show, player, sheet, write_film};
+use crate::film::{sheet, write_film};
 use crate::fingerprint::fingerprint;
-use crate::folder::{ANIMATION, CAMERA, CONTACT_SHEET, FRAMES, PERFORMANCE, PLAYER, POSES, RunFolder};
+use crate::folder::{ANIMATION, CAMERA, CONTACT_SHEET, FRAMES, PERFORMANCE, POSES, RunFolder};
 use crate::held::{
-    FileRecord, FrameRecord, HeldRun, RUN_RECORD, file_hash, frame_range, total_work, whole, write_changed,
+    FileRecord, FrameRecord, HeldRun, RUN_RECORD, file_hash, frame_range, whole, write_changed,
 };
 use crate::job::{Control, Job, Progress};
 use crate::journal::{self, JOURNAL, Journal};
@@ -230,7 +230,7 @@ impl<'a> Run<'a> {
         all.extend(drawn);
         let frames: Vec<FrameRecord> = all.into_values().collect();
         let omissions = self.session.omissions();
-        let outputs = self.write_outputs(&frames, &omissions)?;
+        let outputs = self.write_outputs(&frames)?;
         let record = RunRecord::new(
             self.job,
             &Finished {
@@ -259,29 +259,13 @@ impl<'a> Run<'a> {
     }
 
     /// Everything that follows from the frames; what is there and right is not written again.
-    fn write_outputs(
-        &self,
-        frames: &[FrameRecord],
-        omissions: &[Omission],
-    ) -> Result<Vec<FileRecord>, ReplayError> {
+    fn write_outputs(&self, frames: &[FrameRecord]) -> Result<Vec<FileRecord>, ReplayError> {
         let files = frames.iter().flat_map(|frame| &frame.files);
         let pictures: Vec<PathBuf> = files.map(|file| self.folder.join(&file.file)).collect();
-        let showings = self.showings();
         let film = self.job.pictures.film || self.earlier_output(ANIMATION).is_some();
-        let page = player(&Show {
-            title: &self.job.scenario.title,
-            shows: &self.job.scenario.shows,
-            first: self.frames.start * showings,
-            end: self.frames.end * showings,
-            rate: self.picture_rate(),
-            film,
-            work: total_work(frames),
-            omissions,
-        });
         let mut outputs = vec![
             self.write(POSES, poses_csv(&self.poses).as_bytes())?,
             self.write(CAMERA, pretty(&camera(&self.job.stage)).as_bytes())?,
-            self.write(PLAYER, page.as_bytes())?,
             self.unchanged(CONTACT_SHEET)
                 .map_or_else(|| self.write(CONTACT_SHEET, &sheet(&pictures)?), Ok)?,
         ];

@@ -1,10 +1,12 @@
 //! From boundary segments to the gate of every sweep.
 
 use hardware_model::ShadowParts;
+use quantities::SweepTime;
 use remote_shadow::Segment;
+use sweep_program::{LoadTiming, NoTiming};
 
 use crate::crossings::{Crossing, Crossings, Line};
-use crate::line_generators::{Boundary, serve};
+use crate::line_generators::{Boundary, SegmentMiss, Service, serve, serve_in_time};
 
 /// Two boundaries nearer to each other than this along a sweep are none (m): far less than a display line, far more
 /// than rounding.
@@ -17,10 +19,18 @@ pub struct Gate {
     pub dark_at_start: bool,
     /// Ground ranges at which the gate changes (m, ascending, up to the reach).
     pub toggles: Vec<f64>,
+    /// By how much each of them moves along the sweep for an error of its line of the line's full scale, its length (m).
+    pub swings: Vec<f64>,
     /// Boundary segments that found no line generator free.
     pub dropped: u32,
     /// Most line generators in use at one time; 0 without line generators.
     pub most_in_use: u32,
+    /// Boundaries that do not act, or not where they are crossed, in the order in which the sweep comes to need them.
+    pub misses: Vec<SegmentMiss>,
+    /// Ticks that each load came before its crossing, if loads take time; below 0 it was late.
+    pub slacks: Vec<i64>,
+    /// Ticks that the loads took the line.
+    pub load_ticks: u64,
 }
 
 impl Gate {
@@ -56,6 +66,19 @@ impl ShadowController {
         segments: &[&[Segment]],
         out: &mut Vec<Gate>,
     ) {
+        self.gates_by(eye, directions, reach, segments, |_| None::<NoTiming>, out);
+    }
+
+    /// The same with loads that take the time of `timing` of each sweep, if there is any.
+    pub fn gates_by<T: Fn(f64) -> SweepTime, R: Fn(SweepTime) -> f64>(
+        &self,
+        eye: [f64; 2],
+        directions: &[[f64; 2]],
+        reach: f64,
+        segments: &[&[Segment]],
+        timing: impl Fn(u32) -> Option<LoadTiming<T, R>>,
+        out: &mut Vec<Gate>,
+    ) {
         let all = segments.iter().flat_map(|list| list.iter());
         let seen = |place| self.seen(place, eye);
         let lines: Vec<Line> =
@@ -68,7 +91,7 @@ impl ShadowController {
                 Boundary::new(&lines[crossing.line()], directions[sweep], crossing.range())
             };
             gate.dark_at_start = unite(crossings.of(sweep), reach, boundary, &mut boundaries);
-            self.load(&mut boundaries, gate);
+            self.load(&mut boundaries, reach, timing(sweep as u32), gate);
         }
     }
 
@@ -83,14 +106,31 @@ impl ShadowController {
         })
     }
 
-    fn load(&self, boundaries: &mut Vec<Boundary>, gate: &mut Gate) {
-        (gate.dropped, gate.most_in_use) = (0, 0);
+    fn load(
+        &self,
+        boundaries: &mut Vec<Boundary>,
+        reach: f64,
+        timing: Option<LoadTiming<impl Fn(f64) -> SweepTime, impl Fn(SweepTime) -> f64>>,
+        gate: &mut Gate,
+    ) {
+        let (mut service, mut load_ticks) = (Service::default(), 0);
         if let ShadowParts::Digital { line_generators } = self.parts {
-            let service = serve(boundaries, line_generators);
-            (gate.dropped, gate.most_in_use) = (service.dropped, service.most_in_use);
+            service = match timing {
+                None => serve(boundaries, line_generators),
+                Some(mut timing) => {
+                    let service = serve_in_time(boundaries, line_generators, reach, &mut timing);
+                    load_ticks = timing.line.busy();
+                    service
+                }
+            };
         }
+        let Service { dropped, most_in_use, misses, slacks } = service;
+        (gate.dropped, gate.most_in_use, gate.load_ticks) = (dropped, most_in_use, load_ticks);
+        (gate.misses, gate.slacks) = (misses, slacks);
         gate.toggles.clear();
         gate.toggles.extend(boundaries.iter().map(|boundary| boundary.range));
+        gate.swings.clear();
+        gate.swings.extend(boundaries.iter().map(|boundary| boundary.swing));
     }
 }
 

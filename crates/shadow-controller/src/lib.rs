@@ -18,12 +18,15 @@
 //! the boundaries are read displaced by `offset` of the map's side and scaled about its centre by `1 + gain`; nothing
 //! is ever dropped.
 //!
-//! **State and timing.** None between sweeps. A crossing acts at once: the comparator has no delay.
+//! **State and timing.** None between sweeps. A crossing acts at once. Four words a boundary,
+//! one after another on a line of so many words a second, from the retrace before the sweep on, in the order in which the
+//! sweep comes to need line generators ([`ShadowController::gates_by`]); or in no time. A boundary whose words come behind
+//! the crossing changes the gate when they come (strobe-through) or not in this sweep (latched).
 //!
 //! **Elaboration.** Where no segment is in view all gates are 0 for the whole frame, and the block can be left out.
 //!
-//! **Not modelled.** Words, quantisation and error of the line generators; the time to load one; the width of a line
-//! in the scan converter; two crossings within one comparator delay.
+//! **Parts.** [`PartsLines`]: errors of the line generators, hysteresis; the comparator's delay is the mixing unit's.
+//! **Not modelled.** Quantisation of the line generators; the width of a line in the scan converter; two crossings within one comparator delay.
 //!
 //! **Our choices.** Ends count half-open by the sweep that they lie on, so a shared corner counts once and a sweep
 //! along an edge is not crossed by it. Two boundaries within [`RESOLUTION`] of each other cancel: the edges of
@@ -32,11 +35,14 @@
 mod controller;
 mod crossings;
 mod line_generators;
+mod wired;
 
 pub use controller::{Gate, RESOLUTION, ShadowController};
+pub use line_generators::{SEGMENT_WORDS, SegmentMiss};
+pub use wired::{MOST, PartsLines};
 
 use signal::{Signal, Unit};
 
 /// Signals of the block.
 pub const SIGNALS: &[Signal] =
-    &[Signal::ground("sc.gate", Unit::Gate, "1 while the sweep is in remote shadow (fig. 25)")];
+    &[Signal::ground("sc.gate", Unit::Gate, "1 while the sweep is in remote shadow", "fig. 25")];

@@ -2,7 +2,38 @@
 
 use std::collections::BinaryHeap;
 
+use quantities::SweepTime;
+use sweep_program::{LoadTiming, MissCause, TimedLoad};
+
 use crate::crossings::Line;
+
+/// Words of a boundary: place, length, direction (hardware section 3.7).
+pub const SEGMENT_WORDS: u32 = 4;
+
+/// A boundary whose words were not there when the sweep crossed it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SegmentMiss {
+    /// Line generator that waited for them; none if all were taken.
+    pub line_generator: Option<u32>,
+    /// Ground range of the crossing (m).
+    pub range: f64,
+    /// When that was; none if all line generators were taken.
+    pub due: Option<SweepTime>,
+    /// When the words came; none if never.
+    pub arrival: Option<SweepTime>,
+    /// Why; none if all line generators were taken.
+    pub cause: Option<MissCause>,
+}
+
+impl SegmentMiss {
+    /// A boundary that found no free line generator.
+    fn occupied(boundary: &Boundary) -> Self {
+        Self { line_generator: None, range: boundary.range, due: None, arrival: None, cause: None }
+    }
+}
+
+/// Least rate at which a sweep and a line part (metres a metre of range): a flatter one counts as this.
+pub(crate) const FLATTEST: f64 = 0.1;
 
 /// One true boundary of a sweep, and how long it needs a line generator.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -11,6 +42,8 @@ pub(crate) struct Boundary {
     pub(crate) range: f64,
     /// Ground ranges between which the sweep is within the segment's extent (m).
     pub(crate) held: [f64; 2],
+    /// By how much the crossing moves along the sweep for an error of the line of its full scale, which is its length (m).
+    pub(crate) swing: f64,
 }
 
 impl Boundary {
@@ -25,25 +58,36 @@ impl Boundary {
         } else {
             [ends[0].min(ends[1]).max(0.0), ends[0].max(ends[1])]
         };
-        Self { range, held }
+        let slope = (line.to[1 - axis] - line.from[1 - axis]) / (line.to[axis] - line.from[axis]);
+        let rate = direction[1 - axis] - slope * direction[axis];
+        let length = (extent[0] * extent[0] + extent[1] * extent[1]).sqrt();
+        Self { range, held, swing: length * rate.signum() / rate.abs().max(FLATTEST) }
     }
 }
 
 /// What became of the boundaries of one sweep.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Service {
     pub(crate) dropped: u32,
     pub(crate) most_in_use: u32,
+    pub(crate) misses: Vec<SegmentMiss>,
+    /// Ticks that each load came before its crossing, if loads take time.
+    pub(crate) slacks: Vec<i64>,
+}
+
+/// Boundaries in the order in which the sweep comes to need them.
+fn order(boundaries: &mut [Boundary]) {
+    boundaries.sort_by(|a, b| a.held[0].total_cmp(&b.held[0]).then(a.range.total_cmp(&b.range)));
 }
 
 /// Gives line generators to `boundaries` in the order in which the sweep comes to need them, and removes those that
 /// find none of `limit` free.
 pub(crate) fn serve(boundaries: &mut Vec<Boundary>, limit: Option<u32>) -> Service {
     let limit = limit.map_or(usize::MAX, |limit| limit as usize);
-    boundaries.sort_by(|a, b| a.held[0].total_cmp(&b.held[0]).then(a.range.total_cmp(&b.range)));
+    order(boundaries);
     // Ranges are not negative, so their bits are in their order; the heap gives the largest, hence the complement.
     let mut free_at: BinaryHeap<u64> = BinaryHeap::new();
-    let (mut dropped, mut most) = (0, 0);
+    let (mut service, mut most) = (Service::default(), 0);
     boundaries.retain(|boundary| {
         while free_at.peek().is_some_and(|&end| f64::from_bits(!end) <= boundary.held[0]) {
             free_at.pop();
@@ -53,28 +97,83 @@ pub(crate) fn serve(boundaries: &mut Vec<Boundary>, limit: Option<u32>) -> Servi
             free_at.push(!boundary.held[1].max(0.0).to_bits());
             most = most.max(free_at.len());
         } else {
-            dropped += 1;
+            service.dropped += 1;
+            service.misses.push(SegmentMiss::occupied(boundary));
         }
         served
     });
     boundaries.sort_by(|a, b| a.range.total_cmp(&b.range));
-    Service { dropped, most_in_use: most as u32 }
+    Service { most_in_use: most as u32, ..service }
+}
+
+/// The same where words take time: of the free line generators that is taken which has been free for longest. A boundary
+/// whose words are late acts from where they come, if that is not beyond `reach` (m), or not at all.
+pub(crate) fn serve_in_time(
+    boundaries: &mut Vec<Boundary>,
+    limit: Option<u32>,
+    reach: f64,
+    timing: &mut LoadTiming<impl Fn(f64) -> SweepTime, impl Fn(SweepTime) -> f64>,
+) -> Service {
+    order(boundaries);
+    let (mut busy, mut service) = (Vec::new(), Service::default());
+    boundaries.retain_mut(|boundary| {
+        let Some((line_generator, free)) = longest_free(&mut busy, boundary, limit) else {
+            service.dropped += 1;
+            service.misses.push(SegmentMiss::occupied(boundary));
+            return false;
+        };
+        busy[line_generator as usize] = boundary.held[1];
+        let in_use = busy.iter().filter(|&&freed| freed > boundary.held[0]).count() as u32;
+        service.most_in_use = service.most_in_use.max(in_use);
+        let TimedLoad { due, arrival, range, slack, cause } =
+            timing.load(free, boundary.range, boundary.held[1].min(reach));
+        service.slacks.push(slack);
+        if slack >= 0 {
+            return true;
+        }
+        let line_generator = Some(line_generator);
+        let (due, cause) = (Some(due), Some(cause));
+        service.misses.push(SegmentMiss { line_generator, range: boundary.range, due, arrival, cause });
+        boundary.range = range;
+        timing.strobes_through && range <= reach
+    });
+    boundaries.sort_by(|a, b| a.range.total_cmp(&b.range));
+    service
+}
+
+/// The line generator that has been free for longest, and the ground range since when (m); one that was not used yet has
+/// been free always. `None` if all are taken.
+fn longest_free(busy: &mut Vec<f64>, boundary: &Boundary, limit: Option<u32>) -> Option<(u32, f64)> {
+    let next = busy.len() as u32;
+    if limit.is_none_or(|limit| next < limit) {
+        busy.push(f64::NEG_INFINITY);
+        return Some((next, f64::NEG_INFINITY));
+    }
+    let free = busy.iter().copied().enumerate().filter(|&(_, freed)| freed <= boundary.held[0]);
+    free.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(index, freed)| (index as u32, freed))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Boundary, Service, serve};
+    use super::{Boundary, serve};
     use remote_shadow::Segment;
 
     fn boundary(range: f64, from: f64, to: f64) -> Boundary {
-        Boundary { range, held: [from, to] }
+        Boundary { range, held: [from, to], swing: 1.0 }
+    }
+
+    /// Boundaries dropped, and most in use.
+    fn served(all: &mut Vec<Boundary>, limit: Option<u32>) -> (u32, u32) {
+        let service = serve(all, limit);
+        assert_eq!(service.misses.len() as u32, service.dropped);
+        (service.dropped, service.most_in_use)
     }
 
     #[test]
     fn nested_extents_need_one_each() {
         let mut all = vec![boundary(5.0, 0.0, 10.0), boundary(6.0, 1.0, 9.0), boundary(7.0, 2.0, 8.0)];
-        assert_eq!(serve(&mut all.clone(), None), Service { dropped: 0, most_in_use: 3 });
-        assert_eq!(serve(&mut all, Some(2)), Service { dropped: 1, most_in_use: 2 });
+        assert_eq!(served(&mut all.clone(), None), (0, 3));
+        assert_eq!(served(&mut all, Some(2)), (1, 2));
         assert_eq!(all.iter().map(|b| b.range).collect::<Vec<_>>(), [5.0, 6.0]);
     }
 
@@ -82,14 +181,14 @@ mod tests {
     fn one_after_the_other_needs_one() {
         let mut all: Vec<_> =
             (0..2000).map(|n| boundary(f64::from(n) + 0.5, f64::from(n), f64::from(n + 1))).collect();
-        assert_eq!(serve(&mut all, Some(1)), Service { dropped: 0, most_in_use: 1 });
+        assert_eq!(served(&mut all, Some(1)), (0, 1));
         assert_eq!(all.len(), 2000);
     }
 
     #[test]
     fn the_one_needed_first_is_served_first() {
         let mut all = vec![boundary(3.0, 2.5, 3.5), boundary(9.0, 1.0, 9.5)];
-        assert_eq!(serve(&mut all, Some(1)), Service { dropped: 1, most_in_use: 1 });
+        assert_eq!(served(&mut all, Some(1)), (1, 1));
         assert_eq!(all[0].range, 9.0);
     }
 

@@ -2,9 +2,10 @@
 
 use hardware_model::ShadowParts;
 use proptest::prelude::*;
-use quantities::{radians, sin_cos, unit_interval};
+use quantities::{Rate, SweepTime, Timebase, radians, sin_cos, unit_interval};
 use remote_shadow::Segment;
-use shadow_controller::{Gate, ShadowController};
+use shadow_controller::{Gate, SEGMENT_WORDS, ShadowController};
+use sweep_program::{LoadLine, LoadTiming, MissCause};
 
 const IDEAL: ShadowParts = ShadowParts::Digital { line_generators: None };
 
@@ -29,6 +30,56 @@ fn gates(parts: ShadowParts, eye: [f64; 2], directions: &[[f64; 2]], segments: &
     let mut out = vec![Gate { toggles: vec![1.0; 3], ..Gate::default() }];
     controller(parts).gates(eye, directions, 1000.0, &[segments], &mut out);
     out
+}
+
+/// The gate of a sweep to the north that passes a metre a sample, with loads that take as long as `metres`.
+fn in_time(slabs: &[Segment], line_generators: Option<u32>, metres: f64, strobes_through: bool) -> Gate {
+    let rate = |hertz| Rate::new(hertz, 1).unwrap();
+    let timebase = Timebase::new(rate(10_000), rate(1), 1, 1000, 0).unwrap();
+    let words_a_second = f64::from(SEGMENT_WORDS) * 1000.0 / metres;
+    let timing = |sweep| {
+        Some(LoadTiming {
+            line: LoadLine::new(&timebase, (0, sweep), SEGMENT_WORDS, words_a_second),
+            strobes_through,
+            time_of: SweepTime,
+            range_at: |SweepTime(time)| time,
+        })
+    };
+    let mut out = Vec::new();
+    let parts = ShadowParts::Digital { line_generators };
+    controller(parts).gates_by([0.0; 2], &[[1.0, 0.0]], 1000.0, &[slabs], timing, &mut out);
+    out.remove(0)
+}
+
+#[test]
+fn a_late_boundary_changes_the_gate_when_its_words_come() {
+    // Sides along y: all four are wanted from the beginning of the sweep on.
+    let slabs = [rectangle([20.0, -1.0], [35.0, 1.0]), rectangle([36.0, -1.0], [60.0, 1.0])].concat();
+    let toggles = |metres, strobes| in_time(&slabs, None, metres, strobes).toggles;
+    assert_eq!(toggles(9.0, true), [20.0, 35.0, 36.0, 60.0]);
+    // Words at 15, 30, 45, 60 m: the third is nine metres late.
+    assert_eq!(toggles(15.0, true), [20.0, 35.0, 45.0, 60.0]);
+    assert_eq!(toggles(15.0, false), [20.0, 35.0, 60.0]);
+    let gate = in_time(&slabs, None, 15.0, true);
+    let miss = gate.misses[0];
+    assert_eq!((miss.range, miss.due, miss.arrival), (36.0, Some(SweepTime(36.0)), Some(SweepTime(45.0))));
+    assert_eq!((gate.misses.len(), gate.slacks.clone(), gate.load_ticks), (1, vec![50, 50, -90, 0], 600));
+    assert_eq!((miss.line_generator, miss.cause), (Some(2), Some(MissCause::Queue)));
+    // The fourth finds no generator free, and is no load.
+    let three = in_time(&slabs, Some(3), 9.0, true);
+    assert_eq!((three.toggles.clone(), three.dropped, three.slacks.len()), (vec![20.0, 35.0, 36.0], 1, 3));
+    assert_eq!((three.misses[0].range, three.misses[0].cause), (60.0, None));
+}
+
+#[test]
+fn loads_in_time_change_nothing() {
+    let corners = star(5, [60.0, 0.0], 50.0);
+    let outline = Segment::outline(&corners);
+    let quick = in_time(&outline, None, 0.001, false);
+    let untimed = gates(IDEAL, [0.0; 2], &[[1.0, 0.0]], &outline).remove(0);
+    assert!(!untimed.toggles.is_empty());
+    assert_eq!((quick.toggles, quick.dark_at_start), (untimed.toggles, untimed.dark_at_start));
+    assert_eq!(quick.most_in_use, untimed.most_in_use);
 }
 
 fn one(direction: [f64; 2], segments: &[Segment]) -> Gate {
@@ -152,15 +203,10 @@ fn a_boundary_without_a_line_generator_inverts_the_gate() {
     let with = |count| {
         gates(ShadowParts::Digital { line_generators: count }, [0.0; 2], &[[1.0, 0.0]], &slabs).remove(0)
     };
-    assert_eq!(
-        with(None),
-        Gate { dark_at_start: false, toggles: vec![2.0, 3.0, 5.0, 6.0], dropped: 0, most_in_use: 4 }
-    );
+    let found = |gate: &Gate| (gate.dark_at_start, gate.toggles.clone(), gate.dropped, gate.most_in_use);
+    assert_eq!(found(&with(None)), (false, vec![2.0, 3.0, 5.0, 6.0], 0, 4));
     let three = with(Some(3));
-    assert_eq!(
-        three,
-        Gate { dark_at_start: false, toggles: vec![2.0, 3.0, 5.0], dropped: 1, most_in_use: 3 }
-    );
+    assert_eq!(found(&three), (false, vec![2.0, 3.0, 5.0], 1, 3));
     assert!(is_dark(&three, 500.0), "dark to the end of the sweep");
     assert_eq!(with(Some(0)).toggles, []);
 }

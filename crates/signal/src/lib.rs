@@ -1,4 +1,4 @@
-//! Sweep buffers in groups of lanes, the scalar of a run, the signal table, recorders.
+//! Sweep buffers in groups of lanes, the scalar of a run, the signal table, probes.
 //!
 //! Sweeps do not depend on one another, so the signal plane runs [`LANES`] of them side by side: a buffer holds
 //! one [`Lanes`] a sample. A group of sweeps is the unit of work whatever the number of threads, so threads
@@ -8,12 +8,10 @@ mod breaks;
 mod lanes;
 mod probe;
 mod real;
-mod sink;
 mod table;
 
 pub use breaks::{Break, Breaks, Stretches};
 pub use lanes::{LANES, Lanes};
 pub use probe::{Probe, Waveform};
 pub use real::Real;
-pub use sink::{write_csv, write_npz};
-pub use table::{Axis, Signal, Unit};
+pub use table::{Axis, Kind, Signal, Unit, Wire};

@@ -13,7 +13,10 @@ pub struct Waveform {
     pub frame: u64,
     /// Sweep of the frame.
     pub sweep: u32,
-    /// One value a sample or a line, as the signal's axis says.
+    /// Instants of the values, in samples from the start of the sweep; empty unless the signal is one of
+    /// [`Axis::Changes`](crate::Axis::Changes).
+    pub times: Vec<f64>,
+    /// One value a sample, a line or an instant, as the signal's axis says.
     pub values: Vec<f64>,
 }
 
@@ -35,6 +38,16 @@ impl Probe {
     /// Signals that match any of `patterns` (see [`Signal::matches`]) in `sweeps`.
     pub fn new(patterns: Vec<String>, sweeps: Range<u32>) -> Self {
         Self { patterns, sweeps, waveforms: Vec::new() }
+    }
+
+    /// Whether any signal is wanted.
+    pub fn is_on(&self) -> bool {
+        !self.patterns.is_empty() && !self.sweeps.is_empty()
+    }
+
+    /// Whether any signal of a sweep of `sweeps` is wanted.
+    pub fn wants_any_of(&self, sweeps: Range<u32>) -> bool {
+        self.is_on() && sweeps.start < self.sweeps.end && self.sweeps.start < sweeps.end
     }
 
     /// Whether any signal of `sweep` is wanted.

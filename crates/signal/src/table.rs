@@ -19,6 +19,10 @@ pub enum Unit {
     Line,
     /// A gate: 0 or 1.
     Gate,
+    /// Index of a corner in the storage buffer of its level; -1 where the data bank has not delivered.
+    Corner,
+    /// Plain number: what is meant stands in the signal's meaning.
+    Number,
 }
 
 impl Unit {
@@ -32,6 +36,8 @@ impl Unit {
             Self::Tangent => "tangent of elevation",
             Self::Line => "display line",
             Self::Gate => "gate",
+            Self::Corner => "corner",
+            Self::Number => "number",
         }
     }
 
@@ -40,7 +46,8 @@ impl Unit {
         match self {
             Self::Metre => "m",
             Self::Slope => "m/m",
-            Self::Reflectivity | Self::Tangent | Self::Gate => "1",
+            Self::Reflectivity | Self::Tangent | Self::Gate | Self::Number => "1",
+            Self::Corner => "corner",
             Self::Region => "d",
             Self::Line => "line",
         }
@@ -60,36 +67,137 @@ pub enum Axis {
     Ground,
     /// One value a display line.
     Display,
+    /// The sweep clock: a value whenever there is a new one, at its own instant.
+    Changes,
+}
+
+impl Axis {
+    /// Word in tables and files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Ground => "ground",
+            Self::Display => "display",
+            Self::Changes => "changes",
+        }
+    }
+}
+
+/// What kind of wire carries a signal.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// A voltage.
+    Analog,
+    /// Two levels.
+    Gate,
+    /// Wires that carry a number together.
+    Bus,
+    /// A pulse, with what is told at it.
+    Event,
+}
+
+impl Kind {
+    /// Word in tables and files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Analog => "analog",
+            Self::Gate => "gate",
+            Self::Bus => "bus",
+            Self::Event => "event",
+        }
+    }
 }
 
 /// One wire of the machine.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Signal {
-    /// Dotted name, block first.
+    /// Dotted name, prefix of the block first.
     pub name: &'static str,
     /// Unit of its value.
     pub unit: Unit,
+    /// What kind of wire it is.
+    pub kind: Kind,
     /// Against what it is sampled.
     pub axis: Axis,
-    /// What it is, with the figure of the report that shows it.
+    /// What it is.
     pub meaning: &'static str,
+    /// Figure or section of the report that has it.
+    pub figure: &'static str,
 }
 
 impl Signal {
-    /// A signal on the sweep clock.
-    pub const fn ground(name: &'static str, unit: Unit, meaning: &'static str) -> Self {
-        Self { name, unit, axis: Axis::Ground, meaning }
+    /// A signal on the sweep clock: a gate if its unit is that of a gate, a voltage otherwise.
+    pub const fn ground(
+        name: &'static str,
+        unit: Unit,
+        meaning: &'static str,
+        figure: &'static str,
+    ) -> Self {
+        Self { name, unit, kind: Self::kind_of(unit), axis: Axis::Ground, meaning, figure }
     }
 
     /// A signal against display lines.
-    pub const fn display(name: &'static str, unit: Unit, meaning: &'static str) -> Self {
-        Self { name, unit, axis: Axis::Display, meaning }
+    pub const fn display(
+        name: &'static str,
+        unit: Unit,
+        meaning: &'static str,
+        figure: &'static str,
+    ) -> Self {
+        Self { name, unit, kind: Self::kind_of(unit), axis: Axis::Display, meaning, figure }
+    }
+
+    /// A digital signal: told when it changes, or when it happens.
+    pub const fn digital(
+        name: &'static str,
+        unit: Unit,
+        kind: Kind,
+        meaning: &'static str,
+        figure: &'static str,
+    ) -> Self {
+        Self { name, unit, kind, axis: Axis::Changes, meaning, figure }
+    }
+
+    const fn kind_of(unit: Unit) -> Kind {
+        if matches!(unit, Unit::Gate) { Kind::Gate } else { Kind::Analog }
+    }
+
+    /// The part of the name before the first dot.
+    pub fn prefix(&self) -> &'static str {
+        self.name.split_once('.').map_or(self.name, |(prefix, _)| prefix)
+    }
+
+    /// Crate of the block that drives the wire: the block of the report's figures by its name.
+    pub fn block(&self) -> &'static str {
+        match self.prefix() {
+            "sweep" => "sweep-generator",
+            "dpu" => "dpu",
+            "tg" => "terrain-generator",
+            "fg" => "feature-generator",
+            "sc" => "shadow-controller",
+            "txg" => "texture-generator",
+            "mu" => "mixing-unit",
+            "dpp" => "display-projection-processor",
+            "pg" => "polyhedron-generator",
+            _ => "sweep-memory",
+        }
     }
 
     /// Whether `pattern` names this signal: exact, or with `*` for any run of characters.
     pub fn matches(&self, pattern: &str) -> bool {
         matches(pattern.as_bytes(), self.name.as_bytes())
     }
+}
+
+/// A signal as it is in an elaborated machine.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Wire {
+    /// Which signal.
+    pub signal: Signal,
+    /// Value at full scale, in the unit of the signal; 1 for what is digital.
+    pub full_scale: f64,
+    /// Voltage at full scale (V); 0 for buses and events, which have none.
+    pub volts: f64,
+    /// Value at 0 V, in the unit of the signal.
+    pub datum: f64,
 }
 
 fn matches(pattern: &[u8], name: &[u8]) -> bool {
@@ -106,7 +214,7 @@ mod tests {
 
     #[test]
     fn patterns() {
-        let signal = Signal::ground("tg.slope.u", Unit::Slope, "");
+        let signal = Signal::ground("tg.slope.u", Unit::Slope, "", "");
         for yes in ["tg.slope.u", "tg.*", "*", "*.u", "tg.*.u"] {
             assert!(signal.matches(yes), "{yes}");
         }

@@ -33,7 +33,7 @@
 //! Upright, with one raster for both, nothing of this is computed.
 //! **Timing.** A frame is read when its last sweep is written. Nothing is allocated while writing or reading.
 //! **Write gun** ([`WriteGun`]; hardware-1969, sections 3.8 and 6). The beam is on in stretches of time. Between two
-//! samples its position and its current run straight. Deflection is of second order, with the bandwidth of the part
+//! samples its position and its current run straight; where the current jumps or bends between them, the stroke is divided. Deflection is of second order, with the bandwidth of the part
 //! and Butterworth damping; the intensity is delayed as much as the nominal part delays a ramp, so that what is left is
 //! its transients and how far the part is off. The amplifier stops half a picture beyond the edges.
 //! Charge is current times time, and adds: `i(w) c(v) dt` along the stroke, v the speed of the beam. `c` is v within the
@@ -51,7 +51,7 @@
 //! **Our choices.** Linear spot; the outermost sweeps serve pixels beyond them by at most half a sweep; a turned screen
 //! is dark beyond the raster. White is 1 - 1/e of the whole charge. Residue adds in levels. Both spots at the reading.
 //! **Not modelled.** Slew of the deflection, decay while reading, blemishes, the spot's growth with the current. A gun
-//! of real parts knows no cubic between samples, no breaks and no [`PixelRule::Centre`]. Polyhedra (VS3) are laid on
+//! of real parts knows no cubic between samples, no bends of position and no [`PixelRule::Centre`]. Polyhedra (VS3) are laid on
 //! the store by the polyhedron generator.
 
 mod broken;

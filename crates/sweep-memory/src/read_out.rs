@@ -51,6 +51,26 @@ impl View {
         move |y| 1.0 / (cos + sin * y)
     }
 
+    /// Where the centre of a pixel of a picture of `columns` x `lines` lies in what was written, `cells` a sweep: sweep
+    /// and cell, whole numbers at their centres. A scan converter is read between them, a digital memory at the nearest.
+    pub fn source(
+        &self,
+        [columns, lines]: [usize; 2],
+        cells: usize,
+        [column, line]: [usize; 2],
+        tube: bool,
+    ) -> [f64; 2] {
+        let (sin, cos) = sin_cos(self.yoke);
+        let y = self.field.tan_half_height * centre(line, lines);
+        let x = self.field.tan_half_width * centre(column, columns);
+        let (x, y) = (cos * x - sin * y, sin * x + cos * y);
+        let sweep = match tube {
+            true => self.fan.position(x * self.tangent_over_x()(y)),
+            false => cell_of(x, self.raster.tan_half_width, self.fan.sweeps as usize),
+        };
+        [sweep, cell_of(y, self.raster.tan_half_height, cells)]
+    }
+
     /// Whether display lines are the lines that were written.
     fn is_level(&self, written: usize, lines: usize) -> bool {
         self.yoke == 0.0 && self.raster == self.field && written == lines
@@ -314,6 +334,25 @@ mod tests {
                 let row = 0.5 * ((ahead[2] / FIELD.tan_half_height + 1.0) * 175.0 - 1.0);
                 assert!((x - column).abs() < 1.0 && (y - row).abs() < 1.0, "{x}, {y}: {column}, {row}");
             }
+        }
+    }
+
+    /// A lone cell that is bright is seen where its place says.
+    #[test]
+    fn the_source_of_a_pixel_is_what_it_shows() {
+        let (pitch, raster) = (radians(6.0), covering(FIELD, radians(40.0)));
+        let (sweeps, lines, columns, height) = (301, 201, 61, 35);
+        let fan = Fan::covering(Projection::Exact, pitch, &raster, 301).unwrap();
+        let view =
+            View { fan, projection: Projection::Exact, pitch, raster, field: FIELD, yoke: radians(9.0) };
+        for (tube, pixel) in [(true, [13, 20]), (false, [13, 20]), (true, [60, 0]), (false, [0, 34])] {
+            let [sweep, cell] = view.source([columns, height], lines, pixel, tube).map(|place| place.round());
+            let mut store = vec![0.0; sweeps * lines];
+            store[sweep as usize * lines + cell as usize] = 1.0;
+            let mut picture = vec![0.0; columns * height];
+            let read = if tube { scan_converter } else { digital_memory_turned };
+            read(&store, lines, columns, &view, &mut picture);
+            assert!(picture[pixel[1] * columns + pixel[0]] > 0.0, "{pixel:?} by a tube: {tube}");
         }
     }
 

@@ -10,8 +10,12 @@ use crate::curve::{Cubic, MOST_BEND, STRAIGHT, chords};
 use crate::stroke::{Stroke, centre, line_mean};
 
 /// Signals of the block.
-pub const SIGNALS: &[Signal] =
-    &[Signal::display("sm.write", Unit::Reflectivity, "what the sweep leaves in each display line")];
+pub const SIGNALS: &[Signal] = &[Signal::display(
+    "sm.write",
+    Unit::Reflectivity,
+    "what the sweep leaves in each display line",
+    "fig. 14",
+)];
 
 /// What drives the write beam of a group: one [`Lanes`] a sample.
 #[derive(Debug, Clone, Copy)]

@@ -2,7 +2,7 @@
 
 use hardware_model::AnalogParts;
 use parts::Spread;
-use signal::{LANES, Lanes, Real, Stretches};
+use signal::{Breaks, LANES, Lanes, Real, Stretches};
 
 use crate::FarStroke;
 use crate::deflection::Deflection;
@@ -16,6 +16,8 @@ pub struct Drive<'a, S> {
     pub position: &'a [Lanes<S>],
     /// Intensity, negative in local shadow.
     pub intensity: &'a [Lanes<S>],
+    /// Where the intensity jumps or bends between samples; `None` if it does not.
+    pub breaks: Option<&'a Breaks<S>>,
     /// Where the beam is on, by the clock of both.
     pub on: &'a Stretches,
     /// Silhouettes behind the last sample, lane by lane, nearest first; `None` if there are none.
@@ -34,7 +36,19 @@ pub struct WriteGun<S> {
 #[derive(Debug, Clone, Default)]
 pub struct GunWork {
     steps: Vec<Beam>,
+    cuts: Vec<Cut>,
     covered: Vec<f32>,
+}
+
+/// Where the drive of a beam jumps or bends between two samples.
+#[derive(Debug, Clone, Copy)]
+struct Cut {
+    /// The step ends at this sample.
+    sample: usize,
+    /// Share of the step.
+    share: f32,
+    /// Drive just before and just after it.
+    drive: [f32; 2],
 }
 
 /// The beams of a group at a sample.
@@ -60,21 +74,28 @@ impl<S: Real> WriteGun<S> {
 
     /// Writes the first `rows.len() / lines` sweeps of a group into `rows`, `lines` values a sweep, cleared before.
     pub fn write_stretches(&self, drive: &Drive<'_, S>, work: &mut GunWork, rows: &mut [f32]) {
-        let GunWork { steps, covered } = work;
+        let GunWork { steps, cuts, covered } = work;
         match self.charge {
-            None => self.write(drive, Levels { covered }, steps, rows),
-            Some(charge) => self.write(drive, charge, steps, rows),
+            None => self.write(drive, Levels { covered }, (steps, cuts), rows),
+            Some(charge) => self.write(drive, charge, (steps, cuts), rows),
         }
     }
 
-    fn write(&self, drive: &Drive<'_, S>, mut target: impl Target, steps: &mut Vec<Beam>, rows: &mut [f32]) {
+    fn write(
+        &self,
+        drive: &Drive<'_, S>,
+        mut target: impl Target,
+        (steps, cuts): (&mut Vec<Beam>, &mut Vec<Cut>),
+        rows: &mut [f32],
+    ) {
         debug_assert!(rows.len() / self.lines <= LANES);
         self.aim(drive, &target, steps);
         for (lane, row) in rows.chunks_exact_mut(self.lines).enumerate() {
             target.begin(row);
             let mut top = self.lines as f32;
+            drive.list_cuts(lane, &target, cuts);
             for &stretch in &drive.on[lane] {
-                strokes(steps, lane, stretch, |stroke, share, speed| {
+                strokes((steps, cuts), lane, stretch, |stroke, share, speed| {
                     top = top.min(stroke.to).min(stroke.from);
                     target.leave(stroke, share, speed, row);
                 });
@@ -103,6 +124,18 @@ impl<S: Real> WriteGun<S> {
     }
 }
 
+impl<S: Real> Drive<'_, S> {
+    fn list_cuts(&self, lane: usize, target: &impl Target, cuts: &mut Vec<Cut>) {
+        cuts.clear();
+        let single = |value: S| value.to_f64() as f32;
+        cuts.extend(self.breaks.iter().flat_map(|breaks| &breaks[lane]).map(|place| Cut {
+            sample: place.sample,
+            share: single(place.share),
+            drive: [place.before, place.after].map(|value| target.drive(single(value))),
+        }));
+    }
+}
+
 impl<S> Drive<'_, S> {
     /// Silhouettes rise from the highest place that the beam has written, each hidden by what is before it.
     fn far_strokes(&self, lane: usize, top: f32) -> impl Iterator<Item = Stroke> + use<'_, S> {
@@ -121,25 +154,45 @@ fn single<S: Real>(values: &Lanes<S>) -> [f32; LANES] {
 
 /// The strokes of a lane in a stretch of time (samples), each with its share of a step and the speed of the beam in
 /// it. A beam that is nowhere leaves none.
-fn strokes(steps: &[Beam], lane: usize, stretch: [f64; 2], mut draw: impl FnMut(Stroke, f32, f32)) {
+fn strokes(
+    (steps, cuts): (&[Beam], &[Cut]),
+    lane: usize,
+    stretch: [f64; 2],
+    mut draw: impl FnMut(Stroke, f32, f32),
+) {
     let last = steps.len().saturating_sub(1) as f64;
     let [begin, end] = [stretch[0].max(0.0), stretch[1].min(last)];
     if stretch[0].is_nan() || begin >= end {
         return;
     }
+    let mut ahead = &cuts[cuts.partition_point(|cut| cut.sample <= begin as usize)..];
     for sample in begin as usize + 1..=end.ceil() as usize {
         let origin = (sample - 1) as f64;
-        let [first, finish] = [(begin - origin).max(0.0) as f32, (end - origin).min(1.0) as f32];
+        let within = [(begin - origin).max(0.0) as f32, (end - origin).min(1.0) as f32];
         let (before, after) = (&steps[sample - 1], &steps[sample]);
-        let within = |from: f32, to: f32, share: f32| from + (to - from) * share;
-        let place = |share| within(before.place[lane], after.place[lane], share);
-        let drive = |share| within(before.drive[lane], after.drive[lane], share);
-        let stroke =
-            Stroke { from: place(first), to: place(finish), start: drive(first), end: drive(finish) };
+        let place = |share: f32| before.place[lane] + (after.place[lane] - before.place[lane]) * share;
         let speed = (after.place[lane] - before.place[lane]).abs();
-        if speed.is_finite() && (stroke.start + stroke.end).is_finite() {
-            draw(stroke, finish - first, speed);
+        let own = ahead.iter().take_while(|cut| cut.sample == sample).count();
+        pieces([before.drive[lane], after.drive[lane]], &ahead[..own], within, |[from, to], [start, end]| {
+            if speed.is_finite() && (start + end).is_finite() {
+                draw(Stroke { from: place(from), to: place(to), start, end }, to - from, speed);
+            }
+        });
+        ahead = &ahead[own..];
+    }
+}
+
+/// The parts of a step between its cuts, as far as they lie `within` two shares of it: shares and drives at their ends.
+fn pieces(ends: [f32; 2], cuts: &[Cut], within: [f32; 2], mut visit: impl FnMut([f32; 2], [f32; 2])) {
+    let (mut from, mut start) = (0.0_f32, ends[0]);
+    let last = Cut { sample: 0, share: 1.0, drive: [ends[1]; 2] };
+    for cut in cuts.iter().chain([&last]) {
+        let (to, end) = (cut.share, cut.drive[0]);
+        let part = [from.max(within[0]), to.min(within[1])];
+        if part[0] < part[1] {
+            visit(part, part.map(|share| start + (end - start) * ((share - from) / (to - from))));
         }
+        (from, start) = (to, cut.drive[1]);
     }
 }
 

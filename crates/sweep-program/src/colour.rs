@@ -18,6 +18,16 @@ impl Colour {
     /// All four; the index of a colour in register arrays is its place here: 1 at X = 1 plus 2 at Y = 1.
     pub const ALL: [Self; 4] = [Self::Yellow, Self::Green, Self::Black, Self::Red];
 
+    /// Word in files and tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Yellow => "yellow",
+            Self::Green => "green",
+            Self::Black => "black",
+            Self::Red => "red",
+        }
+    }
+
     /// Colour of lattice corner (m, n).
     pub fn of_corner(m: i64, n: i64) -> Self {
         Self::ALL[((m & 1) + 2 * (n & 1)) as usize]

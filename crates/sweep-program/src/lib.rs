@@ -5,10 +5,12 @@
 
 mod colour;
 mod fan;
+mod load_line;
 mod program;
 
 pub use colour::{Colour, PreloadRegister};
 pub use fan::Fan;
+pub use load_line::{LoadLine, LoadTiming, Loaded, NoTiming, TimedLoad, slack};
 pub use program::{
     Fold, Load, Miss, MissCause, NO_CORNER, Ramp, RampAxis, RegisterSet, Step, StepKind, Stop, SweepProgram,
     SweepStart, Target, WordMask,

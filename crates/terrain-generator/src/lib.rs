@@ -33,6 +33,7 @@
 
 mod array;
 mod generator;
+mod inside;
 mod modified;
 #[cfg(test)]
 mod programs;
@@ -41,7 +42,8 @@ mod segment;
 mod wired;
 
 pub use array::array;
-pub use generator::{Method, OUT_OF_SIGHT, Polynomials, Profile, SIGNALS, TerrainGenerator};
+pub use generator::{INNER_SIGNALS, Method, OUT_OF_SIGHT, Polynomials, Profile, SIGNALS, TerrainGenerator};
+pub use inside::Inside;
 pub use modified::{ModifiedTerrainGenerator, Overlap};
 pub use registers::Registers;
 pub use segment::{Segment, Span};

@@ -16,10 +16,13 @@
 //! amplitude a layer.
 //! **Elaboration.** Nothing is computed beyond the reach of the farthest layer; a layer ends at its own reach. Without
 //! texture the block is not there.
-//! **Not modelled.** Bandwidth of the D/A and its filter; the filter of a shift register, which would round the pattern
-//! along the sweep only.
+//! **Parts.** [`PartsTexture`]: bits of the D/A converter, filter.
 //! **Our choices.** Layers of several grains; smooth-step between lattice values; zero mean over a region; a mirrored
 //! pattern as the reading of "symmetric along its edges"; the whole clipped by the mixing unit (section 22, rows 29, 30).
+
+mod wired;
+
+pub use wired::PartsTexture;
 
 use landscape::{Grain, Lattice, Texture};
 use signal::{LANES, Lanes, Real, Signal, Unit};
@@ -28,7 +31,8 @@ use signal::{LANES, Lanes, Real, Signal, Unit};
 pub const SIGNALS: &[Signal] = &[Signal::ground(
     "txg.texture",
     Unit::Reflectivity,
-    "what texture adds to reflectivity (fig. 28); none beyond its reach",
+    "what texture adds to reflectivity; none beyond its reach",
+    "fig. 28",
 )];
 
 /// The block, set for one stage.

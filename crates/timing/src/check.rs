@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::deadline::{BINS, Slack};
 use crate::missed::Missed;
-use crate::record::{FORMAT, FrameTiming, TimingRecord};
+use crate::record::{FORMAT, FrameTiming, TimingRecord, Vertices};
 
 /// Words of a register set: bits of [`Missed::words`].
 const WORDS: u16 = 9;
@@ -64,6 +64,10 @@ fn check_frame(frame: &FrameTiming) -> Checked {
         return Err(Fault::new("ticks", 0, "at least 1"));
     }
     check_hex("events_blake3", &frame.events_blake3, Some(2 * blake3::OUT_LEN))?;
+    let Vertices { asked, ready } = frame.vertices;
+    if ready > asked {
+        return Err(Fault::new("vertices.ready", ready, format!("at most the {asked} asked for")));
+    }
     for (deadline, slack) in &frame.deadlines {
         check_slack(slack).map_err(|fault| fault.within(&format!("deadlines.{deadline}")))?;
     }

@@ -16,11 +16,16 @@ pub enum Deadline {
     FrameTasks,
     /// The record of a corner is in the storage buffer before a register asks for it.
     Corner,
+    /// The words of a crater are in its sub-generator before the sweep meets its edge.
+    Feature,
+    /// The words of a shadow boundary are in its line generator before the sweep crosses it.
+    Segment,
 }
 
 impl Deadline {
     /// All kinds, in the order of records and tables.
-    pub const ALL: [Self; 4] = [Self::Transfer, Self::SweepSetUp, Self::FrameTasks, Self::Corner];
+    pub const ALL: [Self; 6] =
+        [Self::Transfer, Self::SweepSetUp, Self::FrameTasks, Self::Corner, Self::Feature, Self::Segment];
 
     /// Its word in files and tables.
     pub fn word(self) -> &'static str {
@@ -29,6 +34,8 @@ impl Deadline {
             Self::SweepSetUp => "sweep-set-up",
             Self::FrameTasks => "frame-tasks",
             Self::Corner => "corner",
+            Self::Feature => "feature",
+            Self::Segment => "segment",
         }
     }
 }

@@ -29,6 +29,14 @@ pub enum RecordError {
         /// Its format.
         found: u64,
     },
+    /// An earlier lunoid wrote it.
+    #[error("{path}: format: found {found}, expected {FORMAT}; record it again with `lunoid timing record`")]
+    Older {
+        /// The path as given.
+        path: PathBuf,
+        /// Its format.
+        found: u64,
+    },
     /// Not JSON, or not of this shape.
     #[error(
         "{path}:{line}:{column}: {message}; expected a timing record of format {FORMAT}: restore the file, or record it \
@@ -57,7 +65,7 @@ pub enum RecordError {
 /// Reads a record.
 ///
 /// # Errors
-/// [`RecordError`] if the file cannot be read, is of a newer format, is no timing record, or does not hold together.
+/// [`RecordError`] if the file cannot be read, is of another format, is no timing record, or does not hold together.
 pub fn read(path: impl AsRef<Path>) -> Result<TimingRecord, RecordError> {
     let path = path.as_ref();
     let bytes = files::read_all(path, MAX_BYTES)?;
@@ -66,6 +74,9 @@ pub fn read(path: impl AsRef<Path>) -> Result<TimingRecord, RecordError> {
     let Head { format } = serde_json::from_slice(&bytes).map_err(damaged)?;
     if format > u64::from(FORMAT) {
         return Err(RecordError::Newer { path: path.to_owned(), found: format });
+    }
+    if format < u64::from(FORMAT) {
+        return Err(RecordError::Older { path: path.to_owned(), found: format });
     }
     let record: TimingRecord = serde_json::from_slice(&bytes).map_err(damaged)?;
     record.check().map_err(|fault| RecordError::Faulty { path: path.to_owned(), fault })?;

@@ -7,7 +7,7 @@ use crate::comparison::Tolerance;
 use crate::deadline::{Deadline, Slack};
 use crate::difference::{Difference, Differences, pairs};
 use crate::missed::Missed;
-use crate::record::{FrameTiming, Sets, UnitUse};
+use crate::record::{FrameTiming, Sets, UnitUse, Vertices};
 use crate::text::place_of_miss;
 
 /// Everything in which `found` is not as `baseline`: digital times and counters exactly, analog instants within
@@ -23,6 +23,7 @@ pub(crate) fn frame_differences(
         folds,
         sets,
         late_words,
+        vertices,
         deadlines,
         units,
         misses,
@@ -35,6 +36,7 @@ pub(crate) fn frame_differences(
     differences.exact("folds", folds, &found.folds);
     differences.sets(sets, &found.sets);
     differences.exact("late_words", late_words, &found.late_words);
+    differences.vertices(vertices, &found.vertices);
     differences.deadlines(deadlines, &found.deadlines);
     differences.units(units, &found.units);
     differences.misses(misses, &found.misses, tolerance);
@@ -53,6 +55,12 @@ impl Differences {
         self.exact("sets.late", late, found.late);
         self.exact("sets.wasted", wasted, found.wasted);
         self.exact("sets.cancelled", cancelled, found.cancelled);
+    }
+
+    fn vertices(&mut self, baseline: &Vertices, found: &Vertices) {
+        let Vertices { asked, ready } = *baseline;
+        self.exact("vertices.asked", asked, found.asked);
+        self.exact("vertices.ready", ready, found.ready);
     }
 
     fn deadlines(&mut self, baseline: &Slacks, found: &Slacks) {
@@ -118,12 +126,13 @@ impl Differences {
     }
 }
 
-type Identity<'a> = (u32, Option<u32>, Deadline, Option<&'a str>, Option<&'a str>);
+type Identity<'a> = (u32, Option<u32>, Deadline, [Option<&'a str>; 3], Option<u32>);
 
 /// What makes two misses of a frame one and the same.
 fn identity(missed: &Missed) -> Identity<'_> {
-    let Missed { deadline, sweep, crossing, colour, register, .. } = missed;
-    (*sweep, *crossing, *deadline, colour.as_deref(), register.as_deref())
+    let Missed { deadline, sweep, crossing, colour, register, part, crater, .. } = missed;
+    let words = [colour, register, part].map(Option::as_deref);
+    (*sweep, *crossing, *deadline, words, *crater)
 }
 
 fn place(missed: &Missed) -> String {

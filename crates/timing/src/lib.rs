@@ -16,9 +16,9 @@
 //! **Events.** [`EventHash`] depends on the order of events. Sweeps are hashed apart, on any thread, and joined in
 //! their order.
 //! **Files.** JSON, one line for a counter, a slack, a unit or a miss, so that a change of one is a change of one line.
-//! [`read`] refuses a newer format, damage, and records that do not [hold together](TimingRecord::check).
+//! [`read`] refuses another format, damage, and records that do not [hold together](TimingRecord::check).
 //! **Our choices.** Sixteen bins of slack between powers of two near the decades of a tick. A miss is the same miss if
-//! frame, sweep, fold, deadline, colour and register are; what else has changed of it is told value by value. A
+//! frame, sweep, fold, deadline, colour, register, part and crater are; what else has changed of it is told value by value. A
 //! difference of scenario, machine, inputs or clock is told before all others: such a baseline is of another run.
 //! **Not modelled.** What is late in the picture; a record has the sweep, the fold and the range that lead there.
 //!
@@ -51,5 +51,5 @@ pub use difference::Difference;
 pub use event_hash::EventHash;
 pub use file::{RecordError, read, write};
 pub use missed::{Cause, Missed};
-pub use record::{FORMAT, FrameTiming, Sets, TimingRecord, UnitUse};
+pub use record::{FORMAT, FrameTiming, Sets, TimingRecord, UnitUse, Vertices};
 pub use totals::{DeadlineTotals, SweepMisses, Totals, UnitTotals};

@@ -23,10 +23,16 @@ pub struct Missed {
     /// Preload register of that colour: `x-first`, `y-first`.
     #[serde(deserialize_with = "Option::deserialize")]
     pub register: Option<String>,
+    /// What else waits: `sub-generator.2.0`, the first of type 2; `line-generator`.
+    #[serde(deserialize_with = "Option::deserialize")]
+    pub part: Option<String>,
+    /// Crater, as an index into those of the ground.
+    #[serde(deserialize_with = "Option::deserialize")]
+    pub crater: Option<u32>,
     /// Lattice corner, north index and east index.
     #[serde(deserialize_with = "Option::deserialize")]
     pub region: Option<[i64; 2]>,
-    /// Ground range of the fold (m).
+    /// Ground range of the fold, of the crater's edge or of the shadow's (m).
     #[serde(deserialize_with = "Option::deserialize")]
     pub range_m: Option<f64>,
     /// When it was due (sweep clock, samples).
@@ -34,7 +40,7 @@ pub struct Missed {
     /// When it came (sweep clock, samples); none if never.
     #[serde(deserialize_with = "Option::deserialize")]
     pub came: Option<f64>,
-    /// The words concerned: bit `3 p + q`.
+    /// The words concerned: bit `3 p + q` of a corner, the first 8 bits for a crater, 4 for a boundary.
     pub words: u16,
     /// Why.
     pub cause: Cause,
@@ -52,13 +58,16 @@ pub enum Cause {
     Processor,
     /// The drum had not brought the record.
     Drum,
+    /// No part was free to take it.
+    Occupied,
     /// The model holds this word back on purpose.
     HeldBack,
 }
 
 impl Cause {
     /// All causes, in the order of tables.
-    pub const ALL: [Self; 5] = [Self::Access, Self::Queue, Self::Processor, Self::Drum, Self::HeldBack];
+    pub const ALL: [Self; 6] =
+        [Self::Access, Self::Queue, Self::Processor, Self::Drum, Self::Occupied, Self::HeldBack];
 
     /// Its word in files and tables.
     pub fn word(self) -> &'static str {
@@ -67,6 +76,7 @@ impl Cause {
             Self::Queue => "queue",
             Self::Processor => "processor",
             Self::Drum => "drum",
+            Self::Occupied => "occupied",
             Self::HeldBack => "held-back",
         }
     }

@@ -7,8 +7,8 @@ use serde::{Deserialize, Serialize};
 use crate::deadline::{Deadline, Slack};
 use crate::missed::Missed;
 
-/// Number of the file format; a file of a larger one is refused.
-pub const FORMAT: u32 = 1;
+/// Number of the file format; a file of another is refused. 2 has vertices, corners that are met, loads of features.
+pub const FORMAT: u32 = 2;
 
 /// Timing of the frames of one run. Given the same inputs it is the same to the bit, on any number of threads.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -42,6 +42,8 @@ pub struct FrameTiming {
     pub sets: Sets,
     /// Words that came after the stop they were meant for.
     pub late_words: u64,
+    /// Vertices of polyhedra.
+    pub vertices: Vertices,
     /// Slack of every kind of deadline that the machine has.
     pub deadlines: BTreeMap<Deadline, Slack>,
     /// Use of the units that the machine has, each named once.
@@ -68,6 +70,16 @@ pub struct Sets {
     pub wasted: u64,
     /// Dropped before they were on their way, or on it.
     pub cancelled: u64,
+}
+
+/// Vertices of polyhedra that the frame shows (hardware report, section 4.6).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Vertices {
+    /// Of the bodies in view.
+    pub asked: u64,
+    /// Transformed and projected when the frame began, at most those asked for.
+    pub ready: u64,
 }
 
 /// Use of one unit in one frame.

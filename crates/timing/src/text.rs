@@ -50,6 +50,8 @@ fn write_counters(out: &mut String, totals: &Totals) -> fmt::Result {
         ("sets wasted", sets.wasted),
         ("sets cancelled", sets.cancelled),
         ("words late", totals.late_words),
+        ("vertices asked", totals.vertices.asked),
+        ("vertices ready", totals.vertices.ready),
         ("events", totals.events),
     ];
     writeln!(out, "\n{:<16} {:>14} {:>14}", "counter", "total", "a frame")?;
@@ -99,6 +101,12 @@ pub(crate) fn place_of_miss(missed: &Missed) -> String {
     for (index, word) in words.enumerate() {
         place += if index == 0 { ", " } else { " " };
         place += word;
+    }
+    if let Some(crater) = missed.crater {
+        place += &format!(", crater {crater}");
+    }
+    if let Some(part) = &missed.part {
+        place += &format!(", {part}");
     }
     place
 }

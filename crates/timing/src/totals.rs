@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::deadline::{Deadline, Slack};
 use crate::missed::{Cause, Missed};
-use crate::record::{FrameTiming, Sets, TimingRecord, UnitUse};
+use crate::record::{FrameTiming, Sets, TimingRecord, UnitUse, Vertices};
 
 /// A record as a whole. Sums stay at the largest number rather than run over.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
@@ -21,6 +21,8 @@ pub struct Totals {
     pub sets: Sets,
     /// Words after the stop they were meant for.
     pub late_words: u64,
+    /// Vertices of polyhedra.
+    pub vertices: Vertices,
     /// Digital events.
     pub events: u64,
     /// Every kind of deadline.
@@ -92,6 +94,8 @@ impl Totals {
         sum(&mut self.ticks, frame.ticks);
         sum(&mut self.folds, frame.folds);
         sum(&mut self.late_words, frame.late_words);
+        sum(&mut self.vertices.asked, frame.vertices.asked);
+        sum(&mut self.vertices.ready, frame.vertices.ready);
         sum(&mut self.events, frame.events);
         self.sets.add(&frame.sets);
         for (&deadline, slack) in &frame.deadlines {

@@ -1,16 +1,16 @@
 //! The processor of parts, from height to the wires of the write beam.
 
 use hardware_model::AnalogParts;
-use parts::{Delay, LagStep, time_constant};
+use parts::{Delay, Jump, LagStep, broken_at, time_constant};
 use scenario::{Curvature, Occlusion};
-use signal::{LANES, Lanes, Real, Stretches};
+use signal::{Break, Breaks, LANES, Lanes, Real, Stretches};
 
 use crate::processor::deflect_samples;
 use crate::wired::derivative::Derivative;
 use crate::wired::field::Field;
 use crate::wired::figures::Figures;
 use crate::wired::function::Function;
-use crate::wired::lane::{Beam, Output, Wire};
+use crate::wired::lane::{Beam, Output, Trace, Wire};
 use crate::wired::peak_hold::PeakHold;
 use crate::{Deflection, Processor};
 
@@ -47,6 +47,8 @@ pub struct Driven<S> {
     pub line: Vec<Lanes<S>>,
     /// Reflectivity, delayed to meet its position.
     pub intensity: Vec<Lanes<S>>,
+    /// Where `intensity` jumps or bends between samples, delayed like it.
+    pub breaks: Breaks<S>,
     /// Where the beam is on, within the sweep.
     pub on: Stretches,
 }
@@ -55,6 +57,8 @@ pub struct Driven<S> {
 #[derive(Debug, Clone, Default)]
 pub struct Scratch {
     outputs: [Output; 2],
+    trace: Trace,
+    jumps: Vec<Jump>,
 }
 
 impl<S: Real> PartsProcessor<S> {
@@ -90,12 +94,12 @@ impl<S: Real> PartsProcessor<S> {
         }
     }
 
-    /// Projects a group: `height` above the eye (m) and `reflectivity` as they leave the mixing unit, `deflection` in
-    /// lines, `sweeps` counted over all frames (the address of noise).
+    /// Projects a group: `height` above the eye (m) and `reflectivity` with its `breaks` as they leave the mixing unit,
+    /// `deflection` in lines, `sweeps` counted over all frames (the address of noise).
     pub fn run(
         &self,
         height: &[Lanes<S>],
-        reflectivity: &[Lanes<S>],
+        (reflectivity, breaks): (&[Lanes<S>], &Breaks<S>),
         deflection: &[Deflection; LANES],
         sweeps: &[u64; LANES],
         scratch: &mut Scratch,
@@ -113,6 +117,9 @@ impl<S: Real> PartsProcessor<S> {
         field.leave(&mut out.hold);
         self.deflect(deflection, out);
         self.delay_video(reflectivity, &mut out.intensity);
+        for (lane, breaks) in breaks.iter().enumerate() {
+            self.delay_breaks(reflectivity, lane, breaks, &mut scratch.jumps, out);
+        }
     }
 
     fn occlude(
@@ -133,8 +140,12 @@ impl<S: Real> PartsProcessor<S> {
             };
             let beam = Beam::begin(on);
             match &self.circuit {
-                Circuit::Derivative(circuit) => circuit.run(&wire, &mut scratch.outputs, beam, keep),
-                Circuit::PeakHold(circuit) => circuit.run(&wire, &mut scratch.outputs[0], beam, keep),
+                Circuit::Derivative(circuit) => {
+                    circuit.run(&wire, (&mut scratch.outputs, &mut scratch.trace), beam, keep);
+                }
+                Circuit::PeakHold(circuit) => {
+                    circuit.run(&wire, (&mut scratch.outputs[0], &mut scratch.trace), beam, keep);
+                }
             }
             kept.for_each(|hold| hold[lane] = last);
             self.delay_blanking(on, elevation.len());
@@ -174,6 +185,39 @@ impl<S: Real> PartsProcessor<S> {
             let now = at(sample);
             now + (at(sample.saturating_sub(1)) - now) * share
         }));
+    }
+
+    /// Breaks are as late as the samples, and no straight line is drawn across one.
+    fn delay_breaks(
+        &self,
+        reflectivity: &[Lanes<S>],
+        lane: usize,
+        breaks: &[Break<S>],
+        jumps: &mut Vec<Jump>,
+        out: &mut Driven<S>,
+    ) {
+        out.breaks[lane].clear();
+        jumps.clear();
+        jumps.extend(breaks.iter().map(|place| Jump {
+            at: place.sample as f64 - 1.0 + place.share.to_f64(),
+            before: place.before.to_f64(),
+            after: place.after.to_f64(),
+        }));
+        let (late, last) = (self.video.whole as f64 + self.video.share, reflectivity.len().saturating_sub(1));
+        for (place, jump) in breaks.iter().zip(&*jumps) {
+            let behind = place.sample.saturating_add(self.video.whole);
+            if behind <= last {
+                let video = |sample: usize| reflectivity[sample][lane].to_f64();
+                let [_, value] = broken_at(video, last, jumps, behind as f64 - late);
+                out.intensity[behind][lane] = S::from_f64(value);
+            }
+            let at = jump.at + late;
+            if at < last as f64 {
+                let sample = (at.ceil() as usize).max(1);
+                let share = S::from_f64(at - (sample - 1) as f64);
+                out.breaks[lane].push(Break { sample, share, ..*place });
+            }
+        }
     }
 }
 

@@ -4,11 +4,11 @@
 //! of elevation against hold. Set wins: a blank that comes a little early at a crest stays, and does not free the
 //! ground behind it. The comparator against the hold begins low with every hold.
 
-use parts::{Comparator, ComparatorState, Differentiator, SampleHold, SecondOrderState};
+use parts::{Comparator, ComparatorState, Differentiator, NoiseSource, SampleHold, SecondOrderState};
 use signal::Real;
 
 use crate::wired::figures::{DERIVATIVE, Figures};
-use crate::wired::lane::{Beam, Held, Output, Wire, comparable};
+use crate::wired::lane::{Beam, Held, Output, Trace, Wire, comparable};
 
 /// The circuit, for one step length.
 #[derive(Debug, Clone)]
@@ -19,6 +19,7 @@ pub(crate) struct Derivative<S> {
     falling: Comparator<S>,
     returning: Comparator<S>,
     hold: SampleHold<S>,
+    aperture: NoiseSource,
 }
 
 impl<S: Real> Derivative<S> {
@@ -32,22 +33,25 @@ impl<S: Real> Derivative<S> {
             falling: Comparator::new(h, &figures.falling(falling), figures.source(falling)),
             returning: Comparator::new(h, &against_hold, figures.source(returning)),
             hold: SampleHold::new(h, &figures.sample_hold("dpp.hold")),
+            aperture: figures.source("dpp.hold.aperture"),
         }
     }
 
-    /// Runs a sweep; `outputs` are scratch for both comparators, `hold` takes what the sample-and-hold has at each
+    /// Runs a sweep; `outputs` are scratch for both comparators, `trace` for the sample-and-hold, `hold` takes what the sample-and-hold has at each
     /// sample.
     pub fn run(
         &self,
         wire: &Wire<'_, S>,
-        outputs: &mut [Output; 2],
+        (outputs, trace): (&mut [Output; 2], &mut Trace),
         mut beam: Beam<'_>,
         mut hold: impl FnMut(S),
     ) {
         let Some(last) = wire.end.checked_sub(1) else { return };
         let [falling, returning] = outputs;
         self.list_falls(wire, falling);
-        let mut latch = Latch { circuit: self, wire, falling, returning, memory: Memory::Open(wire.at(0)) };
+        trace.begin(0.0, wire.at(0));
+        let memory = Memory::Open(wire.at(0));
+        let mut latch = Latch { circuit: self, wire, falling, returning, trace, memory };
         hold(wire.at(0));
         for sample in 1..=last {
             latch.step(sample, &mut beam);
@@ -97,6 +101,7 @@ struct Latch<'a, S> {
     wire: &'a Wire<'a, S>,
     falling: &'a mut Output,
     returning: &'a mut Output,
+    trace: &'a mut Trace,
     memory: Memory<S>,
 }
 
@@ -122,15 +127,20 @@ impl<S: Real> Latch<'_, S> {
                     let span = [now, at.unwrap_or(end)];
                     let tracked = self.wire.track(&self.circuit.hold, sample, tracked, span);
                     self.memory = Memory::Open(tracked);
+                    self.trace.go_on(span[1], tracked);
                     let Some(at) = at else { break };
                     beam.turn_off(at);
-                    self.blank(sample, tracked, at);
+                    let deviate = self.circuit.aperture.normal(self.wire.sweep, sample as u64);
+                    let taken = self.trace.taken(&self.circuit.hold, at, deviate, tracked);
+                    self.blank(sample, taken, at);
                     now = at;
                 }
                 Memory::Blanked(held, _) => {
                     let Some(at) = self.next_release(end).map(|at| at.max(now)) else { break };
                     beam.turn_on(at);
-                    self.memory = Memory::Open(held.at(&self.circuit.hold, at));
+                    let value = held.at(&self.circuit.hold, at);
+                    self.trace.begin(at, value);
+                    self.memory = Memory::Open(value);
                     now = at;
                 }
             }

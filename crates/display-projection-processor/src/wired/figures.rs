@@ -83,13 +83,13 @@ impl Figures<'_> {
         NoiseSource::new(self.seed, part, 0)
     }
 
-    /// The sample-and-hold; aperture and jitter are not among the figures.
+    /// The sample-and-hold.
     pub fn sample_hold(&self, part: &str) -> SampleHoldLaw {
         let (figures, full_scale) = (&self.parts.sample_hold, self.parts.full_scale);
         SampleHoldLaw {
             acquisition: self.draw(&format!("{part}.acquisition"), figures.acquire, relative_sigma::SETTLING),
-            aperture: 0.0,
-            jitter: 0.0,
+            aperture: self.draw(&format!("{part}.aperture"), figures.aperture, relative_sigma::SWITCH_DELAY),
+            jitter: figures.jitter,
             pedestal: self.draw(
                 &format!("{part}.pedestal"),
                 figures.pedestal / full_scale,

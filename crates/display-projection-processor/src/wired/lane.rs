@@ -1,6 +1,7 @@
 //! One sweep as the occlusion circuits see it, and what they make of it.
 
 use parts::{SampleHold, Trip};
+use quantities::SweepTime;
 use signal::{Lanes, Real};
 
 /// The elevation of one sweep, in straight lines between its samples.
@@ -65,6 +66,37 @@ impl<S: Real> Held<S> {
     pub fn gap(&self, part: &SampleHold<S>, wire: &Wire<'_, S>, sample: usize) -> [S; 2] {
         let less_hold = |sample: usize| wire.at(sample) - self.at(part, sample as f64);
         [less_hold(sample - 1), less_hold(sample)]
+    }
+}
+
+/// What the sample-and-hold has tracked since the beam came on, in straight lines.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Trace {
+    knots: Vec<[f64; 2]>,
+}
+
+impl Trace {
+    pub fn begin<S: Real>(&mut self, at: f64, value: S) {
+        self.knots.clear();
+        self.go_on(at, value);
+    }
+
+    pub fn go_on<S: Real>(&mut self, at: f64, value: S) {
+        self.knots.push([at, value.to_f64()]);
+    }
+
+    /// What a command at `command` takes, `tracked` then: the value of an aperture delay before. What was there before
+    /// the beam came on is forgotten.
+    pub fn taken<S: Real>(&self, part: &SampleHold<S>, command: f64, deviate: f64, tracked: S) -> S {
+        let at = part.taken_at(SweepTime(command), deviate).0;
+        let next = self.knots.partition_point(|knot| knot[0] <= at);
+        match (next.checked_sub(1).map(|last| self.knots[last]), self.knots.get(next)) {
+            (_, None) => tracked,
+            (None, Some(&[_, first])) => S::from_f64(first),
+            (Some([from, value]), Some(&[to, end])) => {
+                S::from_f64(value + (end - value) * ((at - from) / (to - from)))
+            }
+        }
     }
 }
 

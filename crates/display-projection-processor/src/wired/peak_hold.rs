@@ -4,11 +4,11 @@
 //! of elevation against hold turns the beam off and on. While it tracks, noise is on both of its inputs and does not
 //! count; against the held value it does.
 
-use parts::{Comparator, ComparatorState, SampleHold};
+use parts::{Comparator, ComparatorState, NoiseSource, SampleHold};
 use signal::Real;
 
 use crate::wired::figures::Figures;
-use crate::wired::lane::{Beam, Held, Output, Wire, comparable};
+use crate::wired::lane::{Beam, Held, Output, Trace, Wire, comparable};
 
 /// The circuit, for one step length.
 #[derive(Debug, Clone)]
@@ -16,6 +16,7 @@ pub(crate) struct PeakHold<S> {
     tracking: Comparator<S>,
     holding: Comparator<S>,
     hold: SampleHold<S>,
+    aperture: NoiseSource,
 }
 
 impl<S: Real> PeakHold<S> {
@@ -27,16 +28,24 @@ impl<S: Real> PeakHold<S> {
             tracking: comparator(0.0),
             holding: comparator(figures.noise()),
             hold: SampleHold::new(h, &figures.sample_hold("dpp.hold")),
+            aperture: figures.source("dpp.hold.aperture"),
         }
     }
 
-    /// Runs a sweep; `output` is scratch, `hold` takes what the sample-and-hold has at each sample.
-    pub fn run(&self, wire: &Wire<'_, S>, output: &mut Output, mut beam: Beam<'_>, mut hold: impl FnMut(S)) {
+    /// Runs a sweep; `output` and `trace` are scratch, `hold` takes what the sample-and-hold has at each sample.
+    pub fn run(
+        &self,
+        wire: &Wire<'_, S>,
+        (output, trace): (&mut Output, &mut Trace),
+        mut beam: Beam<'_>,
+        mut hold: impl FnMut(S),
+    ) {
         let Some(last) = wire.end.checked_sub(1) else { return };
         output.reset(true);
         let comparator = ComparatorState { high: true, passing: None };
-        let mut detector =
-            Detector { circuit: self, wire, output, comparator, memory: Memory::Open(wire.at(0)) };
+        trace.begin(0.0, wire.at(0));
+        let memory = Memory::Open(wire.at(0));
+        let mut detector = Detector { circuit: self, wire, output, trace, comparator, memory };
         hold(wire.at(0));
         for sample in 1..=last {
             detector.step(sample, &mut beam);
@@ -58,6 +67,7 @@ struct Detector<'a, S> {
     circuit: &'a PeakHold<S>,
     wire: &'a Wire<'a, S>,
     output: &'a mut Output,
+    trace: &'a mut Trace,
     comparator: ComparatorState,
     memory: Memory<S>,
 }
@@ -80,7 +90,7 @@ impl<S: Real> Detector<'_, S> {
             let at = self.output.next_at().max(now);
             self.output.advance();
             self.rise(sample, [now, at]);
-            self.turn(at, beam);
+            self.turn(sample, at, beam);
             now = at;
         }
         self.rise(sample, [now, end]);
@@ -99,15 +109,19 @@ impl<S: Real> Detector<'_, S> {
         part.step(&mut self.comparator, (wire.sweep, sample), start, end, &mut self.output.trips);
     }
 
-    fn turn(&mut self, at: f64, beam: &mut Beam<'_>) {
+    fn turn(&mut self, sample: usize, at: f64, beam: &mut Beam<'_>) {
         match self.memory {
-            Memory::Open(taken) if !self.output.is_high() => {
+            Memory::Open(peak) if !self.output.is_high() => {
                 beam.turn_off(at);
+                let deviate = self.circuit.aperture.normal(self.wire.sweep, sample as u64);
+                let taken = self.trace.taken(&self.circuit.hold, at, deviate, peak);
                 self.memory = Memory::Blanked(Held { taken, since: at });
             }
             Memory::Blanked(held) if self.output.is_high() => {
                 beam.turn_on(at);
-                self.memory = Memory::Open(held.at(&self.circuit.hold, at));
+                let value = held.at(&self.circuit.hold, at);
+                self.trace.begin(at, value);
+                self.memory = Memory::Open(value);
             }
             _ => {}
         }
@@ -115,7 +129,9 @@ impl<S: Real> Detector<'_, S> {
 
     fn rise(&mut self, sample: usize, span: [f64; 2]) {
         if let Memory::Open(peak) = self.memory {
-            self.memory = Memory::Open(self.risen(peak, sample, span));
+            let risen = self.risen(peak, sample, span);
+            self.trace.go_on(span[1], risen);
+            self.memory = Memory::Open(risen);
         }
     }
 

@@ -2,5 +2,6 @@
 
 mod common;
 mod kinks;
+mod loads;
 mod profiles;
 mod schedules;

@@ -1,9 +1,9 @@
 //! Which parts are not there: the figures of an ideal part, and what each block asks before it builds one.
 
 use super::{
-    AmplifierParts, AnalogParts, ComparatorParts, FoldDetect, FunctionGeneratorParts, MemoryParts,
-    MultiplierParts, MultiplyingDacParts, ProjectionParts, ReflectivityParts, SampleHoldParts, SweepParts,
-    VideoSwitchParts, WriteCompensation,
+    AmplifierParts, AnalogParts, ComparatorParts, FeatureChainParts, FoldDetect, FunctionGeneratorParts,
+    MemoryParts, MultiplierParts, MultiplyingDacParts, ProjectionParts, ReflectivityParts, SampleHoldParts,
+    ShadowLineParts, SweepParts, TextureParts, VideoSwitchParts, WriteCompensation,
 };
 
 impl SweepParts {
@@ -11,6 +11,7 @@ impl SweepParts {
     pub const IDEAL: Self = Self {
         dac_bits: None,
         settle: 0.0,
+        nonlinearity: 0.0,
         glitch: 0.0,
         smoother: 0.0,
         strobe_offset: 0.0,
@@ -20,22 +21,24 @@ impl SweepParts {
 
 impl FunctionGeneratorParts {
     /// The function itself.
-    pub const IDEAL: Self = Self { segments: None, error: 0.0, bandwidth: None };
+    pub const IDEAL: Self = Self { segments: None, rounding: 0.0, error: 0.0, bandwidth: None };
 }
 
 impl MultiplierParts {
     /// The product itself.
-    pub const IDEAL: Self = Self { error: 0.0, bandwidth: None };
+    pub const IDEAL: Self = Self { error: 0.0, scale_error: 0.0, feedthrough: 0.0, bandwidth: None };
 }
 
 impl MultiplyingDacParts {
     /// The product itself.
-    pub const IDEAL: Self = Self { bits: None, gain_error: 0.0, bandwidth: None, glitch: 0.0 };
+    pub const IDEAL: Self =
+        Self { bits: None, gain_error: 0.0, bandwidth: None, glitch: 0.0, switching: 0.0, feedthrough: 0.0 };
 }
 
 impl AmplifierParts {
     /// A wire.
-    pub const IDEAL: Self = Self { gain_bandwidth: None, slew: None, noise: 0.0, saturation: None };
+    pub const IDEAL: Self =
+        Self { gain_bandwidth: None, slew: None, noise: 0.0, saturation: None, recovery: 0.0 };
 }
 
 impl ComparatorParts {
@@ -45,7 +48,7 @@ impl ComparatorParts {
 
 impl SampleHoldParts {
     /// Holds what there was.
-    pub const IDEAL: Self = Self { acquire: 0.0, droop: 0.0, pedestal: 0.0 };
+    pub const IDEAL: Self = Self { acquire: 0.0, droop: 0.0, pedestal: 0.0, aperture: 0.0, jitter: 0.0 };
 }
 
 impl ReflectivityParts {
@@ -55,7 +58,23 @@ impl ReflectivityParts {
 
 impl VideoSwitchParts {
     /// At once, without a step.
-    pub const IDEAL: Self = Self { time: 0.0, level_mismatch: 0.0 };
+    pub const IDEAL: Self =
+        Self { time: 0.0, level_mismatch: 0.0, gain_mismatch: 0.0, delay_mismatch: 0.0, crosstalk: None };
+}
+
+impl FeatureChainParts {
+    /// The law of the crater itself.
+    pub const IDEAL: Self = Self { error: 0.0, bandwidth: None };
+}
+
+impl ShadowLineParts {
+    /// Lines where they are.
+    pub const IDEAL: Self = Self { error: 0.0 };
+}
+
+impl TextureParts {
+    /// The pattern itself.
+    pub const IDEAL: Self = Self { bits: None, bandwidth: None };
 }
 
 impl ProjectionParts {
@@ -99,6 +118,26 @@ impl AnalogParts {
             && self.reflectivity == ReflectivityParts::IDEAL
     }
 
+    /// Whether craters have the shape of their law, at once.
+    pub fn features_are_ideal(&self) -> bool {
+        self.feature == FeatureChainParts::IDEAL
+    }
+
+    /// Whether the comparators of the shadow controller find boundaries where they are; their delay is the mixing unit's.
+    pub fn shadow_lines_are_ideal(&self) -> bool {
+        self.shadow_line == ShadowLineParts::IDEAL && self.comparator.hysteresis == 0.0
+    }
+
+    /// Whether texture is the pattern itself.
+    pub fn texture_is_ideal(&self) -> bool {
+        self.texture == TextureParts::IDEAL
+    }
+
+    /// Whether the third video switch lays bodies where they are: it switches at once, without a step.
+    pub fn body_switch_is_ideal(&self) -> bool {
+        self.video_switch == VideoSwitchParts::IDEAL && self.comparator.delay == 0.0
+    }
+
     /// Whether the mixing unit switches at once and the video has no limit.
     pub fn mixing_is_ideal(&self) -> bool {
         self.video_switch == VideoSwitchParts::IDEAL && self.video_bandwidth.is_none()
@@ -121,6 +160,9 @@ impl AnalogParts {
     /// Whether nothing analog can be seen in a picture; the yoke's mechanics are [`crate::Yoke`]'s.
     pub fn is_ideal(&self) -> bool {
         self.terrain_is_ideal()
+            && self.features_are_ideal()
+            && self.shadow_lines_are_ideal()
+            && self.texture_is_ideal()
             && self.mixing_is_ideal()
             && self.projection_is_ideal()
             && self.memory.is_ideal()

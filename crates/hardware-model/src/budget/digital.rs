@@ -9,8 +9,6 @@ use crate::{Cpu, CrossingServer, Drum, HardwareModel, Loader};
 
 /// Share of a region by which a set may be late before it shows (hardware section 4.5).
 const GRACE: f64 = 0.1;
-/// Memory cycles of the eight instructions that move pointers in an interrupt (hardware section 4.6).
-const HANDLING_CYCLES: u64 = 16;
 /// Width of the field of view (degrees) and fastest turn of the rover (degrees/s), a reading of a damaged scan
 /// (section 3).
 const FIELD_DEG: f64 = 50.0;
@@ -80,13 +78,14 @@ fn urgent_ticks(loader: &Loader) -> u64 {
 /// From a fold to the first pointer, at worst: nothing but where an interrupt has to be served.
 fn interrupt(loader: &Loader, cpu: &Cpu) -> u64 {
     match loader.served_by {
-        CrossingServer::CpuInterrupt => cpu.longest_instruction + handling(cpu),
+        CrossingServer::CpuInterrupt => cpu.longest_instruction.max(unbroken(cpu)) + cpu.crossing(),
         CrossingServer::WiredPointers | CrossingServer::IoProcessor => 0,
     }
 }
 
-fn handling(cpu: &Cpu) -> u64 {
-    cpu.interrupt + HANDLING_CYCLES * cpu.memory_cycle
+/// The set-up that an interrupt may have to wait for.
+fn unbroken(cpu: &Cpu) -> u64 {
+    if cpu.has_one_level() { cpu.sweep_setup } else { 0 }
 }
 
 /// Shares of the processor's time (hardware section 4.6).
@@ -96,9 +95,11 @@ pub struct CpuBudget {
     pub sweep_setup: f64,
     /// Visibility and tables of frames.
     pub frame_tables: f64,
+    /// One crossing by interrupt, without its words (s), whoever serves the crossings.
+    pub crossing: f64,
     /// Interrupts of crossings, without the words; 0 where others serve them.
     pub interrupts: f64,
-    /// Words of crossings; 0 where others serve them.
+    /// Words of crossings: moved by its program, or memory cycles that others take from it for them.
     pub loads: f64,
     /// All of these.
     pub total: f64,
@@ -118,11 +119,14 @@ impl CpuBudget {
         let frame_tables = model.seconds(cpu.frame_tables) / sweep.frame;
         let serves = model.loader.served_by == CrossingServer::CpuInterrupt;
         let if_it_serves = |time: f64| if serves { time / sweep.period } else { 0.0 };
-        let interrupts = if_it_serves(crossings.mean * model.seconds(handling(cpu)));
-        let loads = if_it_serves(loader.busy);
+        let crossing = model.seconds(cpu.crossing());
+        let interrupts = if_it_serves(crossings.mean * crossing);
+        let stolen = crossings.mean * model.seconds(cpu.stolen((SETS_LOADED * SET) as u64)) / sweep.period;
+        let loads = if serves { if_it_serves(loader.busy) } else { stolen };
         Self {
             sweep_setup,
             frame_tables,
+            crossing,
             interrupts,
             loads,
             total: sweep_setup + frame_tables + interrupts + loads,

@@ -117,13 +117,25 @@ fn loader_lines(loader: &LoaderBudget) -> [BudgetLine; 5] {
     ]
 }
 
-fn cpu_lines(cpu: &CpuBudget) -> [BudgetLine; 6] {
+fn cpu_lines(cpu: &CpuBudget) -> [BudgetLine; 7] {
     let percent = |key, meaning, share: f64, formula| line(key, meaning, 100.0 * share, "%", formula);
     [
         percent("cpu_sweep_setup_pct", "processor: sweep set-up", cpu.sweep_setup, "of T"),
         percent("cpu_frame_tables_pct", "processor: frame tables", cpu.frame_tables, "of 1/f"),
-        percent("cpu_interrupts_pct", "processor: crossing interrupts", cpu.interrupts, "of T"),
-        percent("cpu_loads_pct", "processor: words of crossings", cpu.loads, "of T"),
+        line(
+            "cpu_crossing_us",
+            "processor: one crossing by interrupt",
+            1e6 * cpu.crossing,
+            "µs",
+            "t_int + instructions",
+        ),
+        percent(
+            "cpu_interrupts_pct",
+            "processor: crossing interrupts",
+            cpu.interrupts,
+            "of T, if it serves them",
+        ),
+        percent("cpu_loads_pct", "processor: words of crossings", cpu.loads, "of T, through its memory"),
         percent("cpu_total_pct", "processor: all of these", cpu.total, ""),
         percent("cpu_vertices_pct", "processor: 100 vertices, beside", cpu.hundred_vertices, "of 1/f"),
     ]

@@ -13,6 +13,7 @@ pub(super) fn check(check: &mut Check) {
     comparators(check);
     hold(check);
     light_and_switches(check);
+    features_and_shadows(check);
     foreground(check);
     memory(check);
     roll(check);
@@ -141,6 +142,31 @@ fn light_and_switches(check: &mut Check) {
             short(100.0 * switch.level_mismatch)
         )
     });
+}
+
+/// Craters behind their chain, edges of shadow beside their lines, what a switch lets through.
+fn features_and_shadows(check: &mut Check) {
+    let (analog, crossings) = (&check.model.analog, &check.budget.crossings);
+    let (region_size, rate) = (check.budget.ground.region_size, crossings.rate);
+    if let Some(bandwidth) = analog.feature.bandwidth {
+        let late = rate / (2.0 * std::f64::consts::PI * bandwidth);
+        let key = "feature_generator.chain_bandwidth_mhz";
+        check.warn_if(late > 0.1 * region_size, "A6", &[key], || {
+            format!("craters lie {} m beyond their place, more than a tenth of a region", short(late))
+        });
+    }
+    let lines = analog.shadow_line.error;
+    check.warn_if(lines > 0.01, "A13", &["shadow_controller.line_error_pct"], || {
+        format!("line generators are {} % off, multipliers had 0.1 to 1", short(100.0 * lines))
+    });
+    if let Some(crosstalk) = analog.video_switch.crosstalk {
+        check.warn_if(crosstalk > 0.0101, "A22", &["video_switch.crosstalk_db"], || {
+            format!(
+                "{} % of what is off gets through at 5 MHz, good switches had 0.1 to 1",
+                short(100.0 * crosstalk)
+            )
+        });
+    }
 }
 
 fn foreground(check: &mut Check) {

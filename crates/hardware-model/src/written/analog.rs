@@ -3,9 +3,9 @@
 use diagnostics::{Field, Reader};
 
 use crate::{
-    AmplifierParts, AnalogParts, ComparatorParts, FoldDetect, FunctionGeneratorParts, MemoryParts,
-    MultiplierParts, MultiplyingDacParts, ProjectionParts, ReflectivityParts, SampleHoldParts, SweepParts,
-    VideoSwitchParts, WriteCompensation,
+    AmplifierParts, AnalogParts, ComparatorParts, FeatureChainParts, FoldDetect, FunctionGeneratorParts,
+    MemoryParts, MultiplierParts, MultiplyingDacParts, ProjectionParts, ReflectivityParts, SampleHoldParts,
+    ShadowLineParts, SweepParts, TextureParts, VideoSwitchParts, WriteCompensation,
 };
 
 /// Tables that hold analog keys beside others.
@@ -13,6 +13,8 @@ pub(super) struct SharedTables<'r, 'a> {
     pub spread: &'r Option<Reader<'a>>,
     pub dpp: &'r Option<Reader<'a>>,
     pub memory: &'r Option<Reader<'a>>,
+    pub features: &'r Option<Reader<'a>>,
+    pub shadows: &'r Option<Reader<'a>>,
 }
 
 /// Every table is read before one that is missing or wrong ends the reading.
@@ -35,6 +37,9 @@ pub(super) fn analog(root: &Reader, shared: &SharedTables) -> Option<AnalogParts
     let video = part("video").map(|t| megahertz(&t, "bandwidth_mhz").required());
     let projection = shared.dpp.as_ref().map(projection);
     let memory = shared.memory.as_ref().map(memory);
+    let feature = shared.features.as_ref().map(feature_chain);
+    let shadow_line = shared.shadows.as_ref().map(|t| percent(t, "line_error_pct").required());
+    let texture = part("texture_generator").map(|t| texture(&t));
     Some(AnalogParts {
         full_scale: full_scale??,
         spread: spread??,
@@ -48,6 +53,9 @@ pub(super) fn analog(root: &Reader, shared: &SharedTables) -> Option<AnalogParts
         sample_hold: sample_hold??,
         reflectivity: ReflectivityParts { delay_mismatch: mismatch?? },
         video_switch: video_switch??,
+        feature: feature??,
+        shadow_line: ShadowLineParts { error: shadow_line?? },
+        texture: texture??,
         projection: projection??,
         memory: memory??,
         video_bandwidth: video??,
@@ -88,6 +96,7 @@ fn bits<'a>(table: &Reader<'a>, key: &str) -> Field<'a, Option<u32>> {
 fn sweep(table: &Reader) -> Option<SweepParts> {
     let dac_bits = bits(table, "dac_bits").required();
     let settle = nanoseconds(table, "settle_ns").required();
+    let nonlinearity = percent(table, "nonlinearity_pct").required();
     let glitch = pulse(table, "glitch_v_ns").required();
     let smoother = nanoseconds(table, "smoother_ns").required();
     let strobe_offset = signed_nanoseconds(table, "strobe_offset_ns").required();
@@ -96,6 +105,7 @@ fn sweep(table: &Reader) -> Option<SweepParts> {
     Some(SweepParts {
         dac_bits: dac_bits?,
         settle: settle?,
+        nonlinearity: nonlinearity?,
         glitch: glitch?,
         smoother: smoother?,
         strobe_offset: strobe_offset?,
@@ -105,15 +115,28 @@ fn sweep(table: &Reader) -> Option<SweepParts> {
 
 fn function_generator(table: &Reader) -> Option<FunctionGeneratorParts> {
     let segments = table.u32("segments").between(1, 1000).or_word("exact").required();
+    let rounding = millivolts(table, "rounding_mv").required();
     let error = percent(table, "error_pct").required();
     let bandwidth = megahertz(table, "bandwidth_mhz").required();
-    Some(FunctionGeneratorParts { segments: segments?, error: error?, bandwidth: bandwidth? })
+    Some(FunctionGeneratorParts {
+        segments: segments?,
+        rounding: rounding?,
+        error: error?,
+        bandwidth: bandwidth?,
+    })
 }
 
 fn multiplier(table: &Reader) -> Option<MultiplierParts> {
     let error = percent(table, "error_pct").required();
+    let scale_error = percent(table, "scale_error_pct").required();
+    let feedthrough = percent(table, "feedthrough_pct").required();
     let bandwidth = megahertz(table, "bandwidth_mhz").required();
-    Some(MultiplierParts { error: error?, bandwidth: bandwidth? })
+    Some(MultiplierParts {
+        error: error?,
+        scale_error: scale_error?,
+        feedthrough: feedthrough?,
+        bandwidth: bandwidth?,
+    })
 }
 
 fn multiplying_dac(table: &Reader) -> Option<MultiplyingDacParts> {
@@ -121,7 +144,16 @@ fn multiplying_dac(table: &Reader) -> Option<MultiplyingDacParts> {
     let gain_error = percent(table, "gain_error_pct").required();
     let bandwidth = megahertz(table, "bandwidth_mhz").required();
     let glitch = pulse(table, "glitch_v_ns").required();
-    Some(MultiplyingDacParts { bits: bits?, gain_error: gain_error?, bandwidth: bandwidth?, glitch: glitch? })
+    let switching = nanoseconds(table, "switching_ns").required();
+    let feedthrough = percent(table, "feedthrough_pct").required();
+    Some(MultiplyingDacParts {
+        bits: bits?,
+        gain_error: gain_error?,
+        bandwidth: bandwidth?,
+        glitch: glitch?,
+        switching: switching?,
+        feedthrough: feedthrough?,
+    })
 }
 
 fn amplifier(table: &Reader) -> Option<AmplifierParts> {
@@ -131,11 +163,13 @@ fn amplifier(table: &Reader) -> Option<AmplifierParts> {
     let noise = millivolts(table, "noise_mv").required();
     let saturation = table.f64("saturation_v").above(0.0).at_most(1e6).unit("V");
     let saturation = saturation.or_word("unlimited").required();
+    let recovery = table.f64("recovery_us").between(0.0, 1e6).unit("µs").map(|time| 1e-6 * time).required();
     Some(AmplifierParts {
         gain_bandwidth: gain_bandwidth?,
         slew: slew?,
         noise: noise?,
         saturation: saturation?,
+        recovery: recovery?,
     })
 }
 
@@ -149,13 +183,48 @@ fn sample_hold(table: &Reader) -> Option<SampleHoldParts> {
     let acquire = nanoseconds(table, "acquire_ns").required();
     let droop = table.f64("droop_mv_us").between(0.0, 1e6).unit("mV/µs").map(|rate| 1e3 * rate).required();
     let pedestal = millivolts(table, "pedestal_mv").required();
-    Some(SampleHoldParts { acquire: acquire?, droop: droop?, pedestal: pedestal? })
+    let aperture = nanoseconds(table, "aperture_ns").required();
+    let jitter = nanoseconds(table, "jitter_ns").required();
+    Some(SampleHoldParts {
+        acquire: acquire?,
+        droop: droop?,
+        pedestal: pedestal?,
+        aperture: aperture?,
+        jitter: jitter?,
+    })
 }
 
 fn video_switch(table: &Reader) -> Option<VideoSwitchParts> {
     let time = nanoseconds(table, "time_ns").required();
     let level_mismatch = percent(table, "level_mismatch_pct").required();
-    Some(VideoSwitchParts { time: time?, level_mismatch: level_mismatch? })
+    let gain_mismatch = percent(table, "gain_mismatch_pct").required();
+    let delay_mismatch = nanoseconds(table, "delay_mismatch_ns").required();
+    let crosstalk = decibels(table, "crosstalk_db").required();
+    Some(VideoSwitchParts {
+        time: time?,
+        level_mismatch: level_mismatch?,
+        gain_mismatch: gain_mismatch?,
+        delay_mismatch: delay_mismatch?,
+        crosstalk: crosstalk?,
+    })
+}
+
+/// Decibels below the signal; a share inside.
+fn decibels<'a>(table: &Reader<'a>, key: &str) -> Field<'a, Option<f64>> {
+    let loss = table.f64(key).between(-200.0, -1.0).unit("dB");
+    loss.map(|loss| libm::pow(10.0, loss / 20.0)).or_word("none")
+}
+
+fn feature_chain(table: &Reader) -> Option<FeatureChainParts> {
+    let error = percent(table, "chain_error_pct").required();
+    let bandwidth = megahertz(table, "chain_bandwidth_mhz").required();
+    Some(FeatureChainParts { error: error?, bandwidth: bandwidth? })
+}
+
+fn texture(table: &Reader) -> Option<TextureParts> {
+    let bits = bits(table, "dac_bits").required();
+    let bandwidth = megahertz(table, "filter_mhz").required();
+    Some(TextureParts { bits: bits?, bandwidth: bandwidth? })
 }
 
 fn projection(table: &Reader) -> Option<ProjectionParts> {

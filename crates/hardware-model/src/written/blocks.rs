@@ -22,7 +22,7 @@ pub(super) fn feature_generator(table: &Reader) -> Option<FeatureParts> {
 }
 
 /// Words a second; any number if the inner value is `None`.
-pub(super) fn feature_words(table: &Reader) -> Option<Option<f64>> {
+pub(super) fn load_words(table: &Reader) -> Option<Option<f64>> {
     let rate = table.f64("load_words_us").above(0.0).at_most(1e6).unit("words/µs");
     rate.map(|rate| 1e6 * rate).or_word("unlimited").required()
 }

@@ -5,6 +5,10 @@ use quantities::Rate;
 
 use crate::{Cpu, DataBanks, Drum, DrumQueue};
 
+/// Most instructions of a crossing, cycles of an instruction, cycles of a word: their products stay far from the end of
+/// 64 bits.
+const MOST_OF_A_KIND: u32 = 1000;
+
 /// A table whose times are counted in ticks of the master clock, where that is known.
 pub(super) struct Clocked<'r, 'a> {
     pub table: &'r Reader<'a>,
@@ -44,6 +48,11 @@ pub(super) fn cpu(table: &Reader, clock: Option<Rate>) -> Option<Cpu> {
     let multiply = clocked.microseconds("multiply_us");
     let interrupt = clocked.microseconds("interrupt_us");
     let longest_instruction = clocked.microseconds("longest_instruction_us");
+    let count = |key| table.u32(key).between(0, MOST_OF_A_KIND).required();
+    let crossing_instructions = count("crossing_instructions");
+    let instruction_cycles = count("instruction_cycles");
+    let crossing_multiplications = count("crossing_multiplications");
+    let dma_cycles_per_word = count("dma_cycles_per_word");
     let sweep_setup = clocked.microseconds("sweep_setup_us");
     let frame_tables = clocked.milliseconds("frame_tables_ms");
     let vertex = clocked.microseconds("vertex_us");
@@ -53,6 +62,10 @@ pub(super) fn cpu(table: &Reader, clock: Option<Rate>) -> Option<Cpu> {
         multiply: multiply?,
         interrupt: interrupt?,
         longest_instruction: longest_instruction?,
+        crossing_instructions: crossing_instructions?,
+        instruction_cycles: instruction_cycles?,
+        crossing_multiplications: crossing_multiplications?,
+        dma_cycles_per_word: dma_cycles_per_word?,
         sweep_setup: sweep_setup?,
         frame_tables: frame_tables?,
         vertex: vertex?,

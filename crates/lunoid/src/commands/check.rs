@@ -1,5 +1,6 @@
 //! `lunoid check`: scenarios and hardware models, every fault of each.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -15,8 +16,9 @@ use crate::{Failure, Verdict};
 const AFTER: &str = "Example:
   lunoid check scenarios/*.toml hardware-models/*.toml
 
-A scenario is read with its machine, its ground is made and its path driven over it; nothing is drawn. Exit code 3
-if there is any fault.";
+A scenario is read with its machine, its ground is made and its path driven over it; nothing is drawn. A file of
+differences, with neither `name` nor `base`, is read as an overlay over the ideal machine. Exit code 3 if there is any
+fault.";
 
 /// Read scenarios and hardware models and list every fault.
 #[derive(Debug, Args)]
@@ -37,6 +39,8 @@ pub enum Kind {
     Scenario,
     /// A hardware model.
     Model,
+    /// Differences to be laid over a hardware model.
+    Overlay,
     /// The description beside a bank, which only people read.
     Sidecar,
 }
@@ -51,11 +55,14 @@ impl Kind {
         let has = |keys: &[&str]| {
             file.as_ref().is_some_and(|file| keys.iter().any(|key| file.root(&problems).has(key)))
         };
-        let is_model = has(&["name", "base", "loader", "dpu", "dpp", "sweep_memory"]);
         if has(&["content_blake3"]) {
             Self::Sidecar
-        } else if is_model && !has(&["title", "landscape", "path", "sun"]) {
+        } else if has(&["title", "landscape", "path", "sun"]) {
+            Self::Scenario
+        } else if has(&["name", "base"]) {
             Self::Model
+        } else if has(&parts_of_a_model().iter().map(String::as_str).collect::<Vec<_>>()) {
+            Self::Overlay
         } else {
             Self::Scenario
         }
@@ -65,6 +72,7 @@ impl Kind {
         match self {
             Self::Scenario => "scenario",
             Self::Model => "hardware-model",
+            Self::Overlay => "overlay over ideal",
             Self::Sidecar => "description of a bank",
         }
     }
@@ -78,6 +86,7 @@ impl Check {
             let result = match kind {
                 Kind::Scenario => check_scenario(file),
                 Kind::Model => check_model(file),
+                Kind::Overlay => check_overlay(file),
                 Kind::Sidecar => Ok(()),
             };
             (file, kind, result)
@@ -106,6 +115,19 @@ impl Check {
 
 fn check_model(path: &Path) -> Result<(), ProblemList> {
     HardwareModel::read(path, &[], &[]).map(|_| ())
+}
+
+/// Differences have no faults by themselves: they are those of the ideal machine under them.
+fn check_overlay(path: &Path) -> Result<(), ProblemList> {
+    let ideal = ModelSource::BuiltIn("ideal".into());
+    HardwareModel::load(&ideal, &[path.to_owned()], &[]).map(|_| ())
+}
+
+/// Tables of a model, by the one that has all of them.
+fn parts_of_a_model() -> BTreeSet<String> {
+    let ideal = HardwareModel::load(&ModelSource::BuiltIn("ideal".into()), &[], &[]);
+    let values = ideal.map_or(Vec::new(), |ideal| ideal.values);
+    values.iter().filter_map(|value| Some(value.key.split_once('.')?.0.to_owned())).collect()
 }
 
 fn check_scenario(path: &Path) -> Result<(), ProblemList> {

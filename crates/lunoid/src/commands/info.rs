@@ -62,6 +62,10 @@ fn look(path: &Path) -> Result<(Value, String), Failure> {
                 "{}: the description of a bank; expected the bank itself, the same name without .toml",
                 path.display()
             ))),
+            Kind::Overlay => Err(Failure::input(format!(
+                "{0}: differences from a hardware model; expected a model. `lunoid model show ideal --overlay {0}` has them",
+                path.display()
+            ))),
             Kind::Model => {
                 let loaded = HardwareModel::read(path, &[], &[])?;
                 Ok((model::document(&loaded), loaded.effective()))

@@ -1,18 +1,21 @@
 //! `lunoid list`, `lunoid signals`: what there is.
 
+mod signals;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use generator::Generator;
 use hardware_model::{BUILT_IN, FAULTS, HardwareModel, ModelSource};
-use machine::HybridMachine;
 use scenario::Scenario;
 use serde_json::{Value, json};
-use signal::Axis;
 
 use crate::output::{print, print_json, table};
 use crate::{Failure, Verdict};
+
+use signals::SignalListing;
+
+pub use signals::Signals;
 
 /// List what there is.
 #[derive(Debug, Args)]
@@ -38,56 +41,16 @@ enum Kind {
     Signals,
 }
 
-/// List the signals that can be probed.
-#[derive(Debug, Args)]
-#[command(after_help = "Example:\n  lunoid signals 'tg.*'")]
-pub struct Signals {
-    /// Names, with * for any run of characters.
-    #[arg(default_value = "*")]
-    patterns: Vec<String>,
-    /// Print as JSON.
-    #[arg(long)]
-    json: bool,
-}
-
 impl List {
     /// Lists.
     pub fn run(&self) -> Result<Verdict, Failure> {
         match self.what {
             Kind::Models => models(self.json)?,
             Kind::Scenarios => scenarios(self.json)?,
-            Kind::Signals => signals(&["*".into()], self.json)?,
+            Kind::Signals => SignalListing::of_table().show(self.json)?,
         }
         Ok(Verdict::Yes)
     }
-}
-
-impl Signals {
-    /// Lists.
-    pub fn run(&self) -> Result<Verdict, Failure> {
-        signals(&self.patterns, self.json)?;
-        Ok(Verdict::Yes)
-    }
-}
-
-fn signals(patterns: &[String], json: bool) -> Result<(), Failure> {
-    let wanted = HybridMachine.signals().iter().filter(|signal| patterns.iter().any(|p| signal.matches(p)));
-    let axis = |axis: Axis| match axis {
-        Axis::Ground => "ground",
-        Axis::Display => "display",
-    };
-    if json {
-        let rows = wanted.map(|signal| {
-            json!({ "name": signal.name, "unit": signal.unit.symbol(), "axis": axis(signal.axis),
-                    "meaning": signal.meaning })
-        });
-        return print_json(&json!({ "schema": "lunoid.signals/1", "signals": rows.collect::<Vec<_>>() }));
-    }
-    let heading = ["name", "unit", "axis", "meaning"].map(str::to_owned).to_vec();
-    let rows = wanted.map(|signal| {
-        vec![signal.name.into(), signal.unit.to_string(), axis(signal.axis).into(), signal.meaning.into()]
-    });
-    print(&table(&[heading].into_iter().chain(rows).collect::<Vec<_>>()))
 }
 
 /// Lists hardware models: those of the current folder, and those that the program carries; then the overlays that it

@@ -4,15 +4,19 @@ pub mod bank;
 pub mod check;
 pub mod compare;
 pub mod edges;
+pub mod explain;
 pub mod info;
 pub mod list;
 pub mod model;
+pub mod page;
 pub mod probe;
 pub mod replay;
 mod scope;
 pub mod sizing;
 pub mod survey;
 pub mod timing;
+pub mod trace;
+pub mod trigger;
 
 use crate::cli::{Cli, Command};
 use crate::{Failure, Verdict};
@@ -21,12 +25,16 @@ use crate::{Failure, Verdict};
 pub fn run(cli: &Cli) -> Result<Verdict, Failure> {
     match &cli.command {
         Command::Replay(replay) => replay.run(),
+        Command::Page(page) => page.run(),
         Command::Compare(compare) => compare.run(),
         Command::Check(check) => check.run(cli.color),
         Command::List(list) => list.run(),
         Command::Info(info) => info.run(),
         Command::Probe(probe) => probe.run(),
         Command::Signals(signals) => signals.run(),
+        Command::Explain(explain) => explain.run(),
+        Command::Trigger(trigger) => trigger.run(),
+        Command::Trace(trace) => trace.run(),
         Command::Bank(bank) => bank.run(),
         Command::Survey(survey) => survey.run(),
         Command::Model(model) => model.run(),

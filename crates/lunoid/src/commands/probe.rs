@@ -1,28 +1,36 @@
 //! `lunoid probe`: waveforms of some signals of some sweeps.
 
-use std::path::{Path, PathBuf};
+mod choice;
+mod target;
+mod trace;
+
+use std::ops::Range;
+use std::path::PathBuf;
 
 use clap::Args;
-use generator::{Planes, Stage};
+use generator::Stage;
 use scenario::PoseTable;
-use signal::{Probe, Signal, write_csv, write_npz};
+use serde_json::json;
+use waveform::{Format, Header};
 
-use crate::commands::scope::{RANGE, write_picture};
-use crate::loading::{StageArgs, Threads};
-use crate::output::{expect_writable, print, print_json};
+use crate::commands::scope::{NEEDS, Recorded, ScopeArgs, write_picture};
+use crate::loading::{Loaded, StageArgs, Threads};
+use crate::output::{expect_writable, print, print_json, tell};
 use crate::values::Span;
 use crate::{Failure, Verdict};
 
-const AFTER: &str = "Example:
-  lunoid probe scenarios/first-light.toml --frame 12 --sweep 500..502 --signals 'tg.*,dpp.y' --out tg.npz
+use choice::{Choice, expect_known};
+use target::{FormatWord, Target, names};
+use trace::{Look, Order, WINDOW, Written, size, trace};
 
+const AFTER: &str = "Examples:
+  lunoid probe scenarios/first-light.toml --frame 12 --sweep 500..502 --signals 'tg.*,dpp.y' --out tg.npz
+  lunoid probe scenarios/first-light.toml --frame 12 --sweep all --signals 'sweep.*,tg.*' --out tg.fst
   lunoid probe scenarios/first-light.toml --frame 60 --sweep 500 --signals 'sweep.x,tg.*,dpp.blank' --out tg.png
 
-The file is numpy's .npz (one array [sweep, sample] a signal), .csv, or, for one sweep, a picture of the waveforms
-against ground range as .png: as its name says.";
-
-/// Values that are recorded without being asked twice: 2 GB of f64.
-const MOST_VALUES: u64 = 250_000_000;
+The file is what its name says, or --format. FST and VCD open in GTKWave (`gtkwave -A tg.fst` draws curves at once), FST in
+Surfer, NPZ in numpy, raw in ngspice, sr in PulseView; docs/waveform-files.md says what each holds. PNG and SVG are a
+page of the scope, of one sweep. About how large the file will be is said before it is written.";
 
 /// Record waveforms of some signals of some sweeps.
 #[derive(Debug, Args)]
@@ -35,30 +43,68 @@ pub struct ProbeCommand {
     /// Frame, counted at the update rate.
     #[arg(long)]
     frame: u64,
-    /// Sweeps, from 0 at the left: S or S..T without T.
-    #[arg(long, value_name = "S[..T]")]
+    /// Sweeps, from 0 at the left: S, S..T without T, or all.
+    #[arg(long, value_name = "S[..T]", value_parser = span)]
     sweep: Span,
     /// Signals, separated by commas, with * for any run of characters; `lunoid signals` lists them.
     #[arg(long, value_delimiter = ',', default_value = "*", value_name = "NAMES")]
     signals: Vec<String>,
-    /// File to write: .npz, .csv or .png.
+    /// File to write.
     #[arg(short, long, value_name = "FILE")]
     out: PathBuf,
+    /// What kind of file it is; as its name ends if left out.
+    #[arg(long, value_enum, value_name = "FORMAT")]
+    format: Option<FormatWord>,
+    /// Write the file even if it has more than 2 GB.
+    #[arg(long)]
+    large: bool,
+    /// Say how large the file would be, and write nothing.
+    #[arg(long)]
+    dry_run: bool,
     /// Print what was recorded as JSON.
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    scope: ScopeArgs,
+}
+
+/// `all`, or a span.
+fn span(text: &str) -> Result<Span, String> {
+    if text == "all" { "..".parse() } else { text.parse() }
 }
 
 impl ProbeCommand {
     /// Records.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        let format = Format::of(&self.out)?;
+        let target = Target::of(self.format, &self.out)?;
         expect_writable(&self.out)?;
         let mut loaded = self.stage.load()?;
-        let raster = loaded.settings.raster;
-        let sweeps = self.sweep.within(&(0..u64::from(raster.sweeps))).ok_or_else(|| {
-            let (span, end) = (self.sweep, raster.sweeps);
-            Failure::usage(format!("--sweep {span}: a frame has sweeps 0..{end}; expected a range inside"))
+        let sweeps = self.sweeps(&loaded, target)?;
+        let table = loaded.generator.signals();
+        expect_known(table, &self.signals, loaded.generator.name())?;
+        let pool = self.threads.pool()?;
+        let stage = loaded.stage(&pool)?;
+        let pose = self.pose(&loaded, &stage)?;
+        let settings = stage.settings.clone();
+        let session = loaded.generator.prepare(stage).map_err(Failure::input)?;
+        let choice = Choice::of(table, &session.wires(), &self.signals);
+        let raster = [settings.raster.columns as usize, settings.raster.lines as usize];
+        let look = Look { session: &*session, pool: &pool, frame: self.frame, pose: &pose, raster };
+        let written = match target {
+            Target::Picture => self.draw(&look, &loaded, &choice, sweeps.start)?,
+            Target::Waveforms(format) => {
+                let header = self.header(&loaded, &choice, sweeps.clone());
+                trace(&look, header, &self.order(format))?
+            }
+        };
+        self.tell(target, &choice, sweeps, &written)?;
+        Ok(Verdict::Yes)
+    }
+
+    fn sweeps(&self, loaded: &Loaded, target: Target) -> Result<Range<u32>, Failure> {
+        let (span, all) = (self.sweep, loaded.settings.raster.sweeps);
+        let sweeps = span.within(&(0..u64::from(all))).ok_or_else(|| {
+            Failure::usage(format!("--sweep {span}: a frame has sweeps 0..{all}; expected a range inside"))
         })?;
         if self.frame >= loaded.frames() {
             let (frame, end) = (self.frame, loaded.frames());
@@ -66,111 +112,102 @@ impl ProbeCommand {
                 "--frame {frame}: the scenario has frames 0..{end}; expected one of them"
             )));
         }
-        if format == Format::Picture && sweeps.end - sweeps.start != 1 {
-            let sweep = self.sweep;
-            return Err(Failure::usage(format!("--sweep {sweep}: a picture shows one sweep; expected one")));
+        if target == Target::Picture && sweeps.end - sweeps.start != 1 {
+            return Err(Failure::usage(format!("--sweep {span}: a picture shows one sweep; expected one")));
         }
-        let signals = self.chosen(loaded.generator.signals(), loaded.generator.name())?;
-        check_size(&signals, sweeps.end - sweeps.start, raster.samples.max(raster.lines))?;
-        let pool = self.threads.pool()?;
-        let stage = loaded.stage(&pool)?;
-        let mut patterns = self.signals.clone();
-        if format == Format::Picture {
-            patterns.push(RANGE.into());
-        }
-        let mut probe = Probe::new(patterns, sweeps.start as u32..sweeps.end as u32);
-        let row = PoseTable::resolve(
-            &loaded.scenario,
-            &stage.landscape,
-            stage.settings.timebase.update,
-            stage.settings.yoke,
-            self.frame..self.frame + 1,
-        );
-        let row = row.map_err(Failure::input)?.rows()[0];
-        let Stage { settings, .. } = &stage;
-        let mut planes = Planes::new(settings.raster.columns as usize, settings.raster.lines as usize, &[]);
-        let session = loaded.generator.prepare(stage).map_err(Failure::input)?;
-        pool.install(|| session.frame(self.frame, &row.pose, &mut planes, &mut probe))
-            .map_err(Failure::input)?;
-        let names: Vec<&str> = signals.iter().map(|signal| signal.name).collect();
-        match format {
-            Format::Npz => write_npz(&self.out, &probe.waveforms)?,
-            Format::Csv => write_csv(&self.out, &probe.waveforms)?,
-            Format::Picture => write_picture(&self.out, &probe.waveforms, &names)?,
-        }
-        self.tell(&signals, sweeps)?;
-        Ok(Verdict::Yes)
+        Ok(sweeps.start as u32..sweeps.end as u32)
     }
 
-    /// Every pattern must name something.
-    fn chosen(&self, signals: &'static [Signal], generator: &str) -> Result<Vec<&'static Signal>, Failure> {
-        if signals.is_empty() {
-            return Err(Failure::usage(format!(
-                "machine {generator} has no signals; expected a hardware model"
-            )));
-        }
-        let matches = |pattern: &String| signals.iter().any(|signal| signal.matches(pattern));
-        if let Some(pattern) = self.signals.iter().find(|pattern| !matches(pattern)) {
-            return Err(Failure::usage(format!(
-                "--signals {pattern}: no signal of this name; `lunoid signals` lists them"
-            )));
-        }
-        Ok(signals
-            .iter()
-            .filter(|signal| self.signals.iter().any(|pattern| signal.matches(pattern)))
-            .collect())
+    fn pose(&self, loaded: &Loaded, stage: &Stage) -> Result<scenario::Pose, Failure> {
+        let frames = self.frame..self.frame + 1;
+        let Stage { landscape, settings, .. } = stage;
+        let update = settings.timebase.update;
+        let table = PoseTable::resolve(&loaded.scenario, landscape, update, settings.yoke, frames);
+        Ok(table.map_err(Failure::input)?.rows()[0].pose)
     }
 
-    fn tell(&self, signals: &[&Signal], sweeps: std::ops::Range<u64>) -> Result<(), Failure> {
-        let names: Vec<&str> = signals.iter().map(|signal| signal.name).collect();
-        if self.json {
-            return print_json(&serde_json::json!({
-                "schema": "lunoid.probe/1",
-                "file": self.out.display().to_string(),
-                "frame": self.frame,
-                "sweeps": [sweeps.start, sweeps.end],
-                "signals": names,
-            }));
+    fn header(&self, loaded: &Loaded, choice: &Choice, sweeps: Range<u32>) -> Header {
+        let scenario = loaded.inputs.scenario.as_ref();
+        let hash = scenario.map(|scenario| ("scenario_blake3", scenario.blake3.clone()));
+        let provenance = [
+            ("program", format!("lunoid {}", env!("CARGO_PKG_VERSION"))),
+            ("commit", crate::cli::COMMIT.to_owned()),
+            ("scenario", self.stage.scenario.display().to_string()),
+            ("machine", loaded.inputs.model.clone()),
+        ];
+        Header {
+            title: format!("{}: frame {}", loaded.scenario.title, self.frame),
+            provenance: provenance.into_iter().chain(hash).map(|(key, words)| (key.into(), words)).collect(),
+            wires: choice.wires.clone(),
+            timebase: loaded.settings.timebase,
+            lines: loaded.settings.raster.lines,
+            frame: self.frame,
+            sweeps,
+        }
+    }
+
+    fn order(&self, format: Format) -> Order<'_> {
+        let Self { large, dry_run, .. } = *self;
+        Order { format, out: &self.out, large, dry_run, window: WINDOW }
+    }
+
+    fn draw(
+        &self,
+        look: &Look<'_>,
+        loaded: &Loaded,
+        choice: &Choice,
+        sweep: u32,
+    ) -> Result<Written, Failure> {
+        let wanted = choice.names();
+        let recorded = wanted.iter().chain(&NEEDS).map(|name| (*name).to_owned()).collect();
+        let waveforms = look.at(recorded, sweep..sweep + 1)?;
+        let recorded = Recorded {
+            title: &loaded.scenario.title,
+            waveforms: &waveforms,
+            wires: &look.session.wires(),
+            wanted: &wanted,
+            settings: &loaded.settings,
+        };
+        write_picture(&self.out, &recorded, &self.scope)?;
+        Ok(Written { estimate: 0, files: vec![self.out.clone()] })
+    }
+
+    fn tell(
+        &self,
+        target: Target,
+        choice: &Choice,
+        sweeps: Range<u32>,
+        written: &Written,
+    ) -> Result<(), Failure> {
+        for name in &choice.left_out {
+            tell(&format!("{name}: this machine has no such wire; 0 throughout (--everything puts it in)\n"));
         }
         let (out, frame) = (self.out.display(), self.frame);
-        print(&format!(
-            "{out}: frame {frame}, sweeps {}..{}: {}\n",
-            sweeps.start,
-            sweeps.end,
-            names.join(", ")
-        ))
-    }
-}
-
-/// What is written, by the name of the file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Format {
-    Npz,
-    Csv,
-    Picture,
-}
-
-impl Format {
-    fn of(out: &Path) -> Result<Self, Failure> {
-        match out.extension().and_then(|extension| extension.to_str()) {
-            Some("npz") => Ok(Self::Npz),
-            Some("csv") => Ok(Self::Csv),
-            Some("png") => Ok(Self::Picture),
-            _ => Err(Failure::usage(format!(
-                "--out {}: expected a name that ends in .npz, .csv or .png",
-                out.display()
-            ))),
+        if self.json {
+            return print_json(&json!({
+                "schema": "lunoid.probe/1",
+                "file": out.to_string(),
+                "files": names(&written.files),
+                "format": target.name(&self.out),
+                "frame": frame,
+                "sweeps": [sweeps.start, sweeps.end],
+                "signals": choice.names(),
+                "left_out": choice.left_out,
+                "estimated_bytes": (written.estimate > 0).then_some(written.estimate),
+            }));
         }
+        let signals = choice.names().join(", ");
+        let dry = if self.dry_run {
+            format!("about {}, not written: ", size(written.estimate))
+        } else {
+            String::new()
+        };
+        let line = format!("{out}: {dry}frame {frame}, sweeps {}..{}: {signals}\n", sweeps.start, sweeps.end);
+        if self.out.exists() && !self.out.is_file() {
+            // The device may be standard output.
+            tell(&line);
+            return Ok(());
+        }
+        print(&line)
     }
-}
-
-fn check_size(signals: &[&Signal], sweeps: u64, samples: u32) -> Result<(), Failure> {
-    let values = signals.len() as u64 * sweeps * u64::from(samples);
-    if values <= MOST_VALUES {
-        return Ok(());
-    }
-    let gigabytes = values as f64 * 8e-9;
-    Err(Failure::usage(format!(
-        "{values} values, {gigabytes:.1} GB: expected at most {MOST_VALUES}; choose fewer sweeps or signals"
-    )))
 }

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::{Args, ValueEnum};
+use hardware_model::HardwareModel;
 use picture::Depth;
 use quantities::Rate;
 use replay::{
@@ -14,6 +15,7 @@ use replay::{
 use serde_json::{Value, json};
 
 use crate::cli::{COMMIT, RESULT_FAMILY};
+use crate::commands::page::{Making, Request, check};
 use crate::loading::{Loaded, StageArgs, Threads};
 use crate::output::{expect_writable, print, print_json, tell};
 use crate::progress::Display;
@@ -25,6 +27,7 @@ const AFTER: &str = "Examples:
   lunoid replay scenarios/first-light.toml --frames 0..2 --machine exact --out runs/exact
   lunoid replay scenarios/first-light.toml --y4m - | ffmpeg -i - film.mp4
   lunoid replay scenarios/first-light.toml --frames 0..2 --truth range,normal,label,pose
+  lunoid replay scenarios/first-light.toml --probe 60:500 --probe '12:300..303:tg.*,dpp.y'
 
 The same command again goes on where it was interrupted. Open index.html in the folder to look at the run.";
 
@@ -59,6 +62,11 @@ pub struct Replay {
     /// format.
     #[arg(long, value_name = "LIST")]
     truth: Option<TruthItems>,
+    /// Record sweeps for the page of the run, as waveforms that a click on their column leads to: of one frame a sweep or
+    /// S..T, and signals separated by commas, with * for any run of characters; may be given several times. Sweeps
+    /// recorded before stay.
+    #[arg(long, value_name = "FRAME:SWEEP[:SIGNALS]")]
+    probe: Vec<Request>,
     /// Remove the run that the folder holds, and nothing else, and start anew.
     #[arg(long)]
     fresh: bool,
@@ -93,6 +101,8 @@ impl Replay {
         self.check_film()?;
         let mut loaded = self.stage.load()?;
         let frames = loaded.choose(self.frames)?;
+        let (sweeps, generator) = (loaded.settings.raster.sweeps, loaded.generator);
+        check(&self.probe, &frames, sweeps, generator.signals(), generator.name())?;
         let out = self.out();
         let pool = self.threads.pool()?;
         let folder = RunFolder::claim(&out, self.fresh)?;
@@ -111,20 +121,25 @@ impl Replay {
         let progress = |progress| display.hear(progress);
         let control =
             Control { pool: &pool, cancel: &CANCEL, progress: &progress, phases: loaded.phases.clone() };
-        let made = self.make(&job, &folder, &control);
+        let made = self.make(&job, &loaded.model, &folder, &control);
         display.end();
         let (outcome, truth) = made?;
         self.tell(&loaded, &folder, outcome, truth)
     }
 
-    /// The pictures, and then, unless told to end, the truth.
+    /// The pictures, and then, unless told to end, their page and the truth.
     fn make(
         &self,
         job: &Job,
+        model: &HardwareModel,
         folder: &RunFolder,
         control: &Control,
     ) -> Result<(Outcome, Option<TruthOutcome>), Failure> {
         let outcome = run(job, folder, control)?;
+        if matches!(outcome, Outcome::Finished { .. }) {
+            let requests = &self.probe;
+            Making { job, stage: &self.stage, model, requests, pool: control.pool }.write(folder)?;
+        }
         let truth = match (&outcome, &self.truth) {
             (Outcome::Finished { .. }, Some(items)) => Some(write_truth(job, items, folder, control)?),
             _ => None,

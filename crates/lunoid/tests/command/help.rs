@@ -1,6 +1,6 @@
 use crate::scene::{Scene, lunoid};
 
-const COMMANDS: [&[&str]; 23] = [
+const COMMANDS: [&[&str]; 24] = [
     &[],
     &["replay"],
     &["compare"],
@@ -23,6 +23,7 @@ const COMMANDS: [&[&str]; 23] = [
     &["timing", "record"],
     &["timing", "check"],
     &["timing", "show"],
+    &["timing", "columns"],
     &["sizing"],
 ];
 

@@ -2,8 +2,10 @@
 
 mod bad_input;
 mod banks;
+mod columns;
 mod help;
 mod models;
+mod overlays;
 mod replays;
 mod scene;
 mod timing;

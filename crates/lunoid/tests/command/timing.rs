@@ -111,7 +111,7 @@ fn bad_input_ends_with_3_and_one_error() {
     let cases = [
         ("gone.json", "no such file"),
         ("broken.json", "expected a timing record"),
-        ("newer.json", "expected at most 1"),
+        ("newer.json", "expected at most 2"),
         ("late.json", "its first frame is 91, the scenario has frames 0..4"),
     ];
     for (file, said) in cases {

@@ -81,7 +81,7 @@ fn feature() -> Feature {
 impl Feature {
     fn input(&self) -> Option<FeatureInput<'_, f64>> {
         let Self { height, present, reflectivity, kinks } = self;
-        Some(FeatureInput { height, present, reflectivity, kinks })
+        Some(FeatureInput { height, present, reflectivity, lit: present, kinks })
     }
 }
 

@@ -1,8 +1,6 @@
-//! When the gate of a switch changes, and the fade that follows.
+//! When the gate of a switch changes.
 
-use parts::Switch;
-use quantities::SweepTime;
-use signal::{Lanes, Real};
+use signal::Real;
 
 use crate::{FeatureInput, ToggleList, VideoSwitch};
 
@@ -52,52 +50,4 @@ impl GateEdges {
             *open = now;
         }
     }
-
-    /// The fade of a switch whose gate is this, `late` steps behind, into one lane of `fades`.
-    pub fn fade<S: Real>(&self, switch: &FadingSwitch<S>, late: f64, lane: usize, fades: &mut [Lanes<S>]) {
-        let acts = self.edges.iter().map(|&edge| switch.part.acts_at(SweepTime(edge + late)).0);
-        let mut acts = acts.peekable();
-        let mut fade = Fade { g: share(self.open_at_start), target: share(self.open_at_start), now: -0.5 };
-        for (sample, out) in fades.iter_mut().enumerate() {
-            let end = sample as f64 + 0.5;
-            let mut area = 0.0;
-            while let Some(at) = acts.next_if(|&at| at <= end) {
-                area += fade.advance(switch, at);
-                fade.target = 1.0 - fade.target;
-            }
-            out[lane] = S::from_f64(area + fade.advance(switch, end));
-        }
-    }
-}
-
-/// A video switch and how long it fades (steps).
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct FadingSwitch<S> {
-    pub part: Switch<S>,
-    pub transition: f64,
-}
-
-/// The fade of one sweep.
-struct Fade {
-    g: f64,
-    target: f64,
-    now: f64,
-}
-
-impl Fade {
-    /// Goes on to `to`; returns the area of g on the way (steps). The fade is a straight line up to where it ends.
-    fn advance<S: Real>(&mut self, switch: &FadingSwitch<S>, to: f64) -> f64 {
-        let (start, length) = (self.g, (to - self.now).max(0.0));
-        self.now = self.now.max(to);
-        if start == self.target {
-            return length * start;
-        }
-        self.g = switch.part.fade(S::from_f64(start), self.target > start, S::from_f64(length)).to_f64();
-        let way = ((self.target - start).abs() * switch.transition).min(length);
-        way * (start + self.g) / 2.0 + (length - way) * self.g
-    }
-}
-
-fn share(open: bool) -> f64 {
-    f64::from(u8::from(open))
 }

@@ -1,31 +1,43 @@
 //! Switches, adder and video amplifier in the order of fig. 28.
 
-use hardware_model::{AnalogParts, Gate, MixingParts};
-use parts::{LagStep, Spread, Switch, SwitchLaw, Tolerance, relative_sigma, time_constant};
+use hardware_model::{AnalogParts, MixingParts};
+use parts::{Delay, Fade, Jump, Spread, Tolerance, relative_sigma, time_constant};
 use scenario::TextureInShadow;
 use signal::{LANES, Lanes, Real};
 
-use crate::wired::edges::{FadingSwitch, GateEdges};
+use crate::wired::amplifier::{Amplifier, Lagged};
+use crate::wired::edges::GateEdges;
+use crate::wired::events::{Event, jumps};
+use crate::wired::switch::{FadingSwitch, Leaks};
 use crate::{FeatureInput, Inputs, Mixed, MixingUnit, ToggleList};
 
 /// A mixing unit of real parts, drawn once from the seed of the model.
 #[derive(Debug, Clone)]
 pub struct PartsMixer<S> {
     /// The same unit without faults: its gates and the place of its adder.
-    unit: MixingUnit,
-    vs1: FadingSwitch<S>,
-    vs2: FadingSwitch<S>,
+    pub(crate) unit: MixingUnit,
+    pub(crate) vs1: FadingSwitch<S>,
+    pub(crate) vs2: FadingSwitch<S>,
     /// Delays of the comparators of feature presence and of the shadow gate (steps).
     late: [f64; 2],
-    video: Option<LagStep<S>>,
+    video: Option<Amplifier<S>>,
 }
 
-/// Gates and fades of a group; used again from group to group.
+/// Gates, fades and wires of a group; used again from group to group.
 #[derive(Debug, Clone, Default)]
 pub struct SwitchScratch<S> {
     gate: GateEdges,
-    fades: Vec<Lanes<S>>,
-    video: Vec<Lanes<S>>,
+    /// Of VS1 and VS2.
+    pub(crate) fades: [[Fade; LANES]; 2],
+    pub(crate) leaks: [Leaks<S>; 2],
+    /// Input S of VS1 at the samples, and where it jumps between them.
+    pub(crate) video: Vec<Lanes<S>>,
+    pub(crate) jumps: [Vec<Jump>; LANES],
+    pub(crate) events: Vec<Event<S>>,
+    /// How far a switch is open at the samples.
+    open: Vec<Lanes<S>>,
+    before: Vec<f64>,
+    lagged: Lagged<S>,
 }
 
 impl<S: Real> PartsMixer<S> {
@@ -44,19 +56,19 @@ impl<S: Real> PartsMixer<S> {
         let bandwidth = parts.video_bandwidth.map(|b| figures.draw("mu.video", b, relative_sigma::BANDWIDTH));
         Self {
             unit: MixingUnit::new(mixing, texture_in_shadow),
-            vs1: figures.switch(h, "mu.vs1"),
-            vs2: figures.switch(h, "mu.vs2"),
+            vs1: FadingSwitch::new(h, &figures, "mu.vs1"),
+            vs2: FadingSwitch::new(h, &figures, "mu.vs2"),
             late: [late("fg.comparator"), late("sc.comparator")],
-            video: bandwidth.map(|bandwidth| LagStep::new(h, time_constant(bandwidth))),
+            video: bandwidth.map(|bandwidth| Amplifier::new(h, time_constant(bandwidth))),
         }
     }
 
-    /// Mixes a group, without breaks. All signals are as long as the terrain's, texture at most.
+    /// Mixes a group. All signals are as long as the terrain's, texture at most.
     pub fn run(&self, inputs: &Inputs<'_, S>, scratch: &mut SwitchScratch<S>, out: &mut Mixed<S>) {
         begin(inputs, out);
-        scratch.fades.resize(out.height.len(), Lanes::default());
+        scratch.open.resize(out.height.len(), Lanes::default());
         if let Some(features) = &inputs.features {
-            self.lay_features(features, scratch, out);
+            self.lay_features(inputs, features, scratch, out);
         }
         let texture = inputs.texture.unwrap_or_default();
         let before_vs2 = self.unit.texture_in_shadow == TextureInShadow::Off;
@@ -71,31 +83,28 @@ impl<S: Real> PartsMixer<S> {
             add(texture, &mut out.reflectivity);
         }
         limit(&mut out.reflectivity);
-        if let Some(lag) = &self.video {
-            amplify(lag, &mut out.reflectivity);
+        scratch.list_breaks(self, inputs, out);
+        if let Some(amplifier) = &self.video {
+            amplifier.run(out, &mut scratch.lagged);
         }
     }
 
     /// VS1 and the height summer.
     fn lay_features(
         &self,
+        inputs: &Inputs<'_, S>,
         features: &FeatureInput<'_, S>,
         scratch: &mut SwitchScratch<S>,
         out: &mut Mixed<S>,
     ) {
-        let SwitchScratch { gate, fades, video } = scratch;
+        scratch.take_video(inputs, features, self.vs1.late.as_ref());
         for lane in 0..LANES {
-            gate.follow_features(&self.unit.vs1, features, lane);
-            gate.fade(&self.vs1, self.late[0], lane, fades);
+            scratch.gate.follow_features(&self.unit.vs1, features, lane);
+            scratch.open(0, lane, self.late[0], &self.vs1);
         }
-        video.clear();
-        video.extend_from_slice(features.reflectivity);
-        if self.unit.vs1.gate == Gate::Presence {
-            go_on(features, S::from_f64(self.unit.vs1.threshold), &out.reflectivity, video);
-        }
-        for ((value, &video), &g) in out.reflectivity.iter_mut().zip(&*video).zip(&*fades) {
-            *value = self.vs1.part.output(g, *value, video);
-        }
+        let SwitchScratch { open, video, leaks: [leaks, _], .. } = scratch;
+        self.vs1.leak(&out.reflectivity, Some(video), leaks);
+        self.vs1.run(open, Some(video), leaks, &mut out.reflectivity);
         for (height, &feature) in out.height.iter_mut().zip(features.height) {
             *height = *height + feature;
         }
@@ -108,36 +117,54 @@ impl<S: Real> PartsMixer<S> {
         scratch: &mut SwitchScratch<S>,
         reflectivity: &mut [Lanes<S>],
     ) {
-        let SwitchScratch { gate, fades, .. } = scratch;
         for (lane, list) in shadow.iter().enumerate() {
-            gate.follow_shadow(list);
-            gate.fade(&self.vs2, self.late[1], lane, fades);
+            scratch.gate.follow_shadow(list);
+            scratch.open(1, lane, self.late[1], &self.vs2);
         }
-        for (value, &g) in reflectivity.iter_mut().zip(&*fades) {
-            *value = self.vs2.part.output(g, *value, Lanes::default());
+        let SwitchScratch { open, leaks: [_, leaks], .. } = scratch;
+        self.vs2.leak(reflectivity, None, leaks);
+        self.vs2.run(open, None, leaks, reflectivity);
+    }
+}
+
+impl<S: Real> SwitchScratch<S> {
+    /// The fade of a switch whose gate is `gate`, `late` steps behind, and what it is at the samples of a lane.
+    fn open(&mut self, switch: usize, lane: usize, late: f64, part: &FadingSwitch<S>) {
+        let fade = &mut self.fades[switch][lane];
+        let toggles = self.gate.edges.iter().map(|&edge| edge + late);
+        fade.follow(self.gate.open_at_start, toggles, part.transition);
+        let open = &mut self.open;
+        fade.sample(open.len(), |sample, g| open[sample][lane] = S::from_f64(g));
+    }
+
+    /// Input S of VS1: beyond its footprint a feature adds no slope, so its video goes on as the ground's.
+    fn take_video(&mut self, inputs: &Inputs<'_, S>, features: &FeatureInput<'_, S>, delay: Option<&Delay>) {
+        self.video.clear();
+        let wires = features.lit.iter().zip(features.reflectivity.iter().zip(inputs.reflectivity));
+        self.video.extend(wires.map(|(lit, (feature, ground))| {
+            Lanes::from_fn(|lane| if lit[lane] > S::ZERO { feature[lane] } else { ground[lane] })
+        }));
+        for lane in 0..LANES {
+            jumps(inputs, lane, &mut self.jumps[lane]);
+            let Some(delay) = delay else { continue };
+            self.before.clear();
+            self.before.extend(self.video.iter().map(|value| value[lane].to_f64()));
+            let (before, video) = (&self.before, &mut self.video);
+            let put = |sample: usize, value: f64| video[sample][lane] = S::from_f64(value);
+            delay.pass_broken(|sample| before[sample], before.len(), &mut self.jumps[lane], put);
         }
     }
 }
 
 /// Parts and their deviates.
-struct Figures<'a> {
-    parts: &'a AnalogParts,
-    spread: Spread,
+pub(crate) struct Figures<'a> {
+    pub parts: &'a AnalogParts,
+    pub spread: Spread,
 }
 
 impl Figures<'_> {
-    fn switch<S: Real>(&self, h: f64, name: &str) -> FadingSwitch<S> {
-        let figures = &self.parts.video_switch;
-        let time = self.draw(&format!("{name}.time"), figures.time, relative_sigma::SWITCH_DELAY);
-        let law = SwitchLaw {
-            transition: time,
-            level_mismatch: self.spread.error(&format!("{name}.level"), 0, figures.level_mismatch),
-            ..SwitchLaw::default()
-        };
-        FadingSwitch { part: Switch::new(h, &law), transition: time / h }
-    }
-
-    fn draw(&self, part: &str, nominal: f64, sigma: f64) -> f64 {
+    /// The figure of one part, spread by `sigma` where parts are.
+    pub fn draw(&self, part: &str, nominal: f64, sigma: f64) -> f64 {
         let sigma = if self.parts.spread { sigma } else { 0.0 };
         self.spread.figure(part, 0, &Tolerance { nominal, sigma })
     }
@@ -152,27 +179,6 @@ fn begin<S: Real>(inputs: &Inputs<'_, S>, out: &mut Mixed<S>) {
     out.bends.iter_mut().for_each(Vec::clear);
 }
 
-/// Beyond its footprint a feature adds no slope, so its video goes on as the ground's; but where the sample outside a rim
-/// stands for some of the footprint, as that of the rim.
-fn go_on<S: Real>(features: &FeatureInput<'_, S>, present: S, ground: &[Lanes<S>], video: &mut [Lanes<S>]) {
-    for ((video, &ground), line) in video.iter_mut().zip(ground).zip(features.present) {
-        *video = Lanes::from_fn(|lane| if line[lane] > present { video[lane] } else { ground[lane] });
-    }
-    for (lane, kinks) in features.kinks.iter().enumerate() {
-        for kink in kinks {
-            let is_early = kink.share < S::from_f64(0.5);
-            let [outside, value] = match (kink.present, is_early) {
-                ([false, true], true) => [kink.sample - 1, 1],
-                ([true, false], false) => [kink.sample, 0],
-                _ => continue,
-            };
-            if features.present[outside][lane] <= present {
-                video[outside][lane] = kink.feature[value];
-            }
-        }
-    }
-}
-
 fn add<S: Real>(texture: &[Lanes<S>], reflectivity: &mut [Lanes<S>]) {
     for (value, &texture) in reflectivity.iter_mut().zip(texture) {
         *value = *value + texture;
@@ -180,21 +186,11 @@ fn add<S: Real>(texture: &[Lanes<S>], reflectivity: &mut [Lanes<S>]) {
 }
 
 /// Black and white are the ends of the video; what is not a number is black.
-fn limit<S: Real>(reflectivity: &mut [Lanes<S>]) {
-    let within = |value: S| {
-        let value = value.at_least(S::ZERO);
-        if value > S::ONE { S::ONE } else { value }
-    };
-    reflectivity.iter_mut().for_each(|value| *value = value.map(within));
+pub(crate) fn limited<S: Real>(value: S) -> S {
+    let value = value.at_least(S::ZERO);
+    if value > S::ONE { S::ONE } else { value }
 }
 
-/// Passes the video through its lag, settled at the first sample.
-fn amplify<S: Real>(lag: &LagStep<S>, video: &mut [Lanes<S>]) {
-    let Some(&first) = video.first() else { return };
-    let (mut before, mut out) = (first, first);
-    for value in video {
-        out = lag.step(out, before, *value);
-        before = *value;
-        *value = out;
-    }
+fn limit<S: Real>(reflectivity: &mut [Lanes<S>]) {
+    reflectivity.iter_mut().for_each(|value| *value = value.map(limited));
 }

@@ -1,7 +1,10 @@
 //! The mixing unit made of real parts; the data sheet is the crate's.
 
+mod amplifier;
 mod edges;
+mod events;
 mod mixer;
+mod switch;
 
 pub use mixer::{PartsMixer, SwitchScratch};
 

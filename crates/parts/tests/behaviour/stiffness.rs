@@ -2,8 +2,8 @@
 
 use parts::{
     Amplifier, AmplifierLaw, AmplifierState, BandNoise, Comparator, ComparatorLaw, ComparatorState,
-    Converter, ConverterLaw, Delay, Differentiator, LagStep, NoiseSource, SampleHold, SampleHoldLaw,
-    SecondOrder, SecondOrderState, SplitLag, Switch, SwitchLaw,
+    Converter, ConverterLaw, Delay, Differentiator, Fade, HighPass, LagStep, NoiseSource, SampleHold,
+    SampleHoldLaw, SecondOrder, SecondOrderState, SplitLag, Switch, SwitchLaw,
 };
 use signal::Real;
 
@@ -122,11 +122,16 @@ fn holds_and_switches<S: Real>() {
             y = if n % 3 == 0 { hold.tracked(y, u0, u1, 0.4) } else { hold.track(y, u0, u1) };
             hold.held(y, u0)
         });
-        let switch = Switch::<S>::new(H, &SwitchLaw { transition: time, ..SwitchLaw::default() });
-        let mut g = S::ZERO;
+        let (switch, mut fade) = (Switch::<S>::new(&SwitchLaw::default()), Fade::default());
+        fade.follow(false, (1..400).map(|n| f64::from(n) * 2.3), time / H);
         drive(&format!("switch, {time:e}"), 1.0, |n, u0, u1| {
-            g = switch.fade(g, n % 7 < 3, S::from_f64(0.3));
-            switch.output(g, u0, u1)
+            let [before, after] = fade.at(n as f64).map(S::from_f64);
+            switch.output(before, u0, u1) + switch.output(after, u0, u1) - switch.output(before, u0, u1)
+        });
+        let (leak, mut x) = (HighPass::<S>::new(H, time), S::ZERO);
+        drive(&format!("high pass, {time:e}"), 2.0, |_, u0, u1| {
+            x = leak.step(x, u0, u1);
+            x
         });
         let (noise, mut x) = (BandNoise::<S>::new(H, time, 0.1), S::ZERO);
         drive(&format!("noise, {time:e}"), 2.0, |_, _, u1| {

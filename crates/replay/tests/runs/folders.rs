@@ -136,7 +136,7 @@ fn a_failing_write_is_one_error_and_can_be_resumed() {
         drop(folder);
         resume(&whole, &out, name);
     }
-    for (index, name) in ["poses.csv", "contact-sheet.png", "index.html", "run.json"].iter().enumerate() {
+    for (index, name) in ["poses.csv", "contact-sheet.png", "run.json"].iter().enumerate() {
         let out = at.path().join(format!("late-{index}"));
         let folder = RunFolder::claim(&out, false).unwrap();
         fs::create_dir(out.join(name)).unwrap();

@@ -4,7 +4,7 @@ use hardware_model::{AnalogParts, MemoryParts, WriteCompensation};
 use proptest::prelude::{Strategy, any, prop_assert, prop_oneof, proptest};
 use proptest::sample::select;
 use scenario::PixelRule;
-use signal::{LANES, Lanes, Stretches};
+use signal::{Break, Breaks, LANES, Lanes, Stretches};
 
 use super::{Drive, GunWork, WriteGun};
 use crate::exposure::SATURATED;
@@ -23,7 +23,13 @@ fn row(gun: &WriteGun<f64>, position: &[f64], intensity: &[f64], on: &[[f64; 2]]
     let lanes = |values: &[f64]| values.iter().map(|&value| Lanes::splat(value)).collect::<Vec<_>>();
     let mut stretches = Stretches::default();
     stretches[2] = on.to_vec();
-    let drive = Drive { position: &lanes(position), intensity: &lanes(intensity), on: &stretches, far: None };
+    let drive = Drive {
+        position: &lanes(position),
+        intensity: &lanes(intensity),
+        on: &stretches,
+        breaks: None,
+        far: None,
+    };
     let (mut work, mut rows) = (GunWork::default(), vec![9.0; LANES * LINES]);
     gun.write_stretches(&drive, &mut work, &mut rows);
     assert!(rows.chunks(LINES).enumerate().all(|(lane, row)| lane == 2 || row.iter().all(|v| *v == 0.0)));
@@ -34,6 +40,26 @@ fn row(gun: &WriteGun<f64>, position: &[f64], intensity: &[f64], on: &[[f64; 2]]
 fn climb(gun: &WriteGun<f64>, speed: f64, intensity: f64, samples: usize) -> Vec<f32> {
     let position: Vec<f64> = (0..samples).map(|k| 90.0 - speed * k as f64).collect();
     row(gun, &position, &vec![intensity; samples], &[[0.0, (samples - 1) as f64]])
+}
+
+/// An edge between two samples is written where it is: two levels, and the line that it lies in by its shares.
+#[test]
+fn a_break_is_written_at_its_instant() {
+    let gun = gun(WriteCompensation::Exact, None, 10);
+    let position: Vec<_> = (0..10).map(|k| Lanes::splat(90.0 - 8.0 * k as f64)).collect();
+    let intensity: Vec<_> = (0..10).map(|k| Lanes::splat(if k < 5 { 0.25 } else { 0.75 })).collect();
+    let mut breaks = Breaks::<f64>::default();
+    // 4.3 samples are 55.6 lines from the top.
+    breaks[0].push(Break { sample: 5, share: 0.3, height: 0.0, before: 0.25, after: 0.75 });
+    let mut on = Stretches::default();
+    on[0] = vec![[0.0, 4.1], [4.1, 9.0]];
+    let drive =
+        Drive { position: &position, intensity: &intensity, on: &on, breaks: Some(&breaks), far: None };
+    let mut rows = vec![0.0; LANES * LINES];
+    gun.write_stretches(&drive, &mut GunWork::default(), &mut rows);
+    for (line, expected) in [(89, 0.25), (56, 0.25), (55, 0.25 * 0.4 + 0.75 * 0.6), (54, 0.75), (30, 0.75)] {
+        assert!((rows[line] - expected).abs() < 1e-5, "{line}: {}", rows[line]);
+    }
 }
 
 /// Charge of a line that shows `value`, in charges of a white one.
@@ -151,7 +177,7 @@ fn silhouettes_rise_from_the_highest_place_written() {
         vec![FarStroke { line: 40.0, intensity: 0.8 }, FarStroke { line: 45.0, intensity: 0.1 }]
     });
     let on = std::array::from_fn(|_| vec![[0.0, 1.0]]);
-    let drive = Drive { position: &position, intensity: &intensity, on: &on, far: Some(&far) };
+    let drive = Drive { position: &position, intensity: &intensity, on: &on, breaks: None, far: Some(&far) };
     for compensation in [WriteCompensation::Exact, WriteCompensation::Ratio(100.0)] {
         let mut rows = vec![0.0; LINES];
         gun(compensation, None, 11).write_stretches(&drive, &mut GunWork::default(), &mut rows);

@@ -9,9 +9,6 @@ use signal::{Lanes, Real};
 
 use super::scale::{PEAKS, SLOPE_PEAKS};
 
-/// Knees of the diodes: 50 mV of 10 V (hardware section 3.3).
-const KNEE: f64 = 0.005;
-
 /// Function generators of one axis: values and slopes, at the near and at the far end, of the three orders.
 pub const UNITS: usize = 12;
 
@@ -55,9 +52,10 @@ impl<S: Real> AxisGenerators<S> {
     /// Those of axis `axis` (0: X) of the array called `name`, for steps of `h` seconds.
     pub fn new(h: f64, parts: &AnalogParts, spread: &Spread, name: &str, axis: usize) -> Self {
         let figures = &parts.function_generator;
+        let knee = figures.rounding / parts.full_scale;
         let number = |unit: usize| (UNITS * axis + unit) as u64;
         let unit = |unit: usize| Unit {
-            law: curve(figures.segments, unit / 6 == 1, unit % 3),
+            law: curve(figures.segments, knee, unit / 6 == 1, unit % 3),
             bow: S::from_f64(spread.error(&format!("{name}.fn"), number(unit), figures.error)),
         };
         let sigma = if parts.spread { relative_sigma::BANDWIDTH } else { 0.0 };
@@ -114,7 +112,7 @@ impl<S: Real> Unit<S> {
 }
 
 /// The curve of one order, scaled to its peak.
-fn curve<S: Real>(segments: Option<u32>, slope: bool, order: usize) -> Curve<S> {
+fn curve<S: Real>(segments: Option<u32>, knee: f64, slope: bool, order: usize) -> Curve<S> {
     match segments {
         None => {
             let powers = if slope { derivative(NEAR[order]) } else { NEAR[order] };
@@ -123,7 +121,7 @@ fn curve<S: Real>(segments: Option<u32>, slope: bool, order: usize) -> Curve<S> 
         }
         Some(segments) => {
             let law =
-                FunctionLaw { segments: segments as usize, rounding: KNEE, ends: Ends::Trimmed([0.0; 2]) };
+                FunctionLaw { segments: segments as usize, rounding: knee, ends: Ends::Trimmed([0.0; 2]) };
             let line = if slope {
                 FunctionGenerator::new(&law, |z| derivatives(z)[order] / SLOPE_PEAKS[order])
             } else {

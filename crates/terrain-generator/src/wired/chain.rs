@@ -2,11 +2,11 @@
 
 use std::ops::Range;
 
-use hardware_model::{AnalogParts, FoldDetect};
+use hardware_model::{AnalogParts, FEEDTHROUGH_FREQUENCY, FoldDetect};
 use landscape::{CornerWords, Level};
 use parts::{
-    LagStep, Multiplier, MultiplierLaw, MultiplyingConverter, NoiseSource, Spread, Tolerance, impulse,
-    relative_sigma, time_constant,
+    Feedthrough, LagStep, Multiplier, MultiplierLaw, MultiplyingConverter, NoiseSource, Spread, Tolerance,
+    impulse, relative_sigma, time_constant,
 };
 use signal::{LANES, Lanes, Real};
 use sweep_program::{RampAxis, Step, StepKind, SweepProgram};
@@ -34,6 +34,9 @@ pub struct PartsArray<S> {
     generators: [AxisGenerators<S>; 2],
     multipliers: Vec<Multiplier<S>>,
     multiplier_lags: Vec<LagStep<S>>,
+    /// What leaks of the first input past each multiplier, and of the signal past each D/A; empty without.
+    multiplier_leaks: Vec<Feedthrough<S>>,
+    converter_leaks: Vec<Feedthrough<S>>,
     words: Option<MultiplyingConverter>,
     /// Gains of the multiplying D/As.
     gains: Vec<f64>,
@@ -61,7 +64,11 @@ pub struct ArrayState<S> {
     raw: [Vec<Lanes<S>>; 2],
     /// Products, now and a sample ago.
     products: [Vec<Lanes<S>>; 2],
+    /// Factors a sample ago, with their signs: X, Y.
+    factors: [[Lanes<S>; UNITS]; 2],
     terms: Vec<Lanes<S>>,
+    /// Terms with what leaks past the D/As.
+    leaky: Vec<Lanes<S>>,
     summers: [SummerState<S>; 3],
     sums: [Lanes<S>; 3],
     /// What the datum of each sweep is trimmed by (m).
@@ -100,7 +107,9 @@ impl<S: Real> Default for ArrayState<S> {
             axes: Default::default(),
             raw: Default::default(),
             products: Default::default(),
+            factors: [[Lanes::default(); UNITS]; 2],
             terms: Vec::new(),
+            leaky: Vec::new(),
             summers: Default::default(),
             sums: [Lanes::default(); 3],
             trim: [0.0; LANES],
@@ -143,12 +152,16 @@ impl<S: Real> PartsArray<S> {
         let multiplier = |index: usize| {
             let sigma = parts.multiplier.error;
             Multiplier::new(&MultiplierLaw {
+                gain: error("mul.eg", index, parts.multiplier.scale_error),
                 feed_a: error("mul.ex", index, 0.5 * sigma),
                 feed_b: error("mul.ey", index, 0.5 * sigma),
                 offset: error("mul.eo", index, 0.5 * sigma),
                 nonlinearity: error("mul.en", index, 0.5 * sigma),
-                ..MultiplierLaw::default()
             })
+        };
+        let leaks = |figure: &str, share: f64| -> Vec<Feedthrough<S>> {
+            let leak = |index| Feedthrough::new(h, error(figure, index, share), FEEDTHROUGH_FREQUENCY);
+            if share > 0.0 { (0..ALL).map(leak).collect() } else { Vec::new() }
         };
         let converter_taus = lags("mdac.bandwidth", parts.multiplying_dac.bandwidth);
         let steps = |taus: &[f64]| taus.iter().map(|&tau| LagStep::new(h, tau)).collect();
@@ -160,8 +173,12 @@ impl<S: Real> PartsArray<S> {
         let to_converters = to_generators + nominal(parts.multiplier.bandwidth);
         let lead = to_converters + nominal(parts.multiplying_dac.bandwidth) + summers[0].delay();
         let (to_polarity, to_registers) = match parts.sweep.fold_detect {
-            FoldDetect::Digital => (to_generators, to_converters),
-            FoldDetect::Comparator => [ramps.delay() + parts.comparator.delay; 2].into(),
+            // Strobes are trimmed for the time that words take to act, as far as they can come earlier.
+            FoldDetect::Digital => (to_generators, to_converters.max(parts.multiplying_dac.switching)),
+            FoldDetect::Comparator => {
+                let found = ramps.delay() + parts.comparator.delay;
+                (found, found + parts.multiplying_dac.switching)
+            }
         };
         Self {
             step: h,
@@ -169,6 +186,8 @@ impl<S: Real> PartsArray<S> {
             generators: [0, 1].map(|axis| AxisGenerators::new(h, parts, &spread, name, axis)),
             multipliers: (0..ALL).map(multiplier).collect(),
             multiplier_lags: steps(&lags("mul.bandwidth", parts.multiplier.bandwidth)),
+            multiplier_leaks: leaks("mul.feedthrough", parts.multiplier.feedthrough),
+            converter_leaks: leaks("mdac.feedthrough", parts.multiplying_dac.feedthrough),
             words: parts.multiplying_dac.bits.map(|bits| MultiplyingConverter::new(h, bits, 1.0, 0.0, 0.0)),
             gains: (0..ALL)
                 .map(|index| 1.0 + error("mdac.gain", index, parts.multiplying_dac.gain_error))
@@ -186,11 +205,6 @@ impl<S: Real> PartsArray<S> {
         }
     }
 
-    /// By how much the ramps run ahead of the beam (s).
-    pub fn lead(&self) -> f64 {
-        self.lead
-    }
-
     /// Runs a group of sweeps; the samples of `span` go into `profile`. `address` numbers the first sweep over all
     /// frames, for the noise.
     pub(crate) fn trace(
@@ -201,6 +215,7 @@ impl<S: Real> PartsArray<S> {
         address: u64,
         state: &mut ArrayState<S>,
         profile: &mut Profile<S>,
+        tap: &mut impl Tap<S>,
     ) {
         let run = Run { array: self, generator, programs };
         // The accumulators leave the eye's foot a sample before the first, and the beam is behind them.
@@ -212,9 +227,21 @@ impl<S: Real> PartsArray<S> {
             }
             if sample >= span.start as i64 {
                 run.put(sample as usize, address, state, profile);
+                tap.see(self, state);
             }
         }
         run.end_profiles(span, profile);
+    }
+
+    /// Output of a function generator of values: ramp or complement of an axis (`2 axis + end`), order `p`.
+    pub(crate) fn function(&self, state: &ArrayState<S>, lane: usize, fed: usize, p: usize) -> f64 {
+        state.axes[fed / 2].out[3 * (fed % 2) + p][lane].to_f64() * PEAKS[p]
+    }
+
+    /// What the multiplying D/As of a colour send to the sum of the height (m).
+    pub(crate) fn share(&self, state: &ArrayState<S>, lane: usize, colour: usize) -> f64 {
+        let terms = (0..TERMS).filter(|&term| word_of(term)[0] == colour);
+        terms.map(|term| state.terms[term][lane].to_f64()).sum::<f64>() * self.scale.height
     }
 
     /// How much later than its program time, in samples, something acts on the wires, `delay` seconds down the chain.
@@ -238,6 +265,16 @@ impl<S: Real> PartsArray<S> {
     }
 }
 
+/// Whoever looks inside the array, sample by sample; `()` is nobody.
+pub(crate) trait Tap<S> {
+    /// The wires at the next sample.
+    fn see(&mut self, array: &PartsArray<S>, state: &ArrayState<S>);
+}
+
+impl<S> Tap<S> for () {
+    fn see(&mut self, _: &PartsArray<S>, _: &ArrayState<S>) {}
+}
+
 /// One group on its way through the array.
 #[derive(Clone, Copy)]
 struct Run<'a, S> {
@@ -250,8 +287,9 @@ impl<S: Real> Run<'_, S> {
     /// Everything at rest under ramps that stand as they do at sample `first`.
     fn settle(&self, first: i64, state: &mut ArrayState<S>) {
         let array = self.array;
-        state.lanes =
-            self.programs.iter().map(|program| Lane::at_start(program, self.generator.buffer)).collect();
+        state.lanes.clear();
+        let lanes = self.programs.iter().map(|program| Lane::at_start(program, self.generator.buffer));
+        state.lanes.extend(lanes);
         state.weights.clear();
         let weight = |lane: &Lane, index: usize| {
             array.weight(&lane.registers.hold()[word_of(index % TERMS)[0]], index)
@@ -264,10 +302,11 @@ impl<S: Real> Run<'_, S> {
             state.ramps[axis] = array.ramps.at_rest(ramps[axis]);
             state.axes[axis] = array.generators[axis].at_rest(state.ramps[axis].output());
         }
+        state.factors = self.factors(state);
         self.multiply(state);
         let [raw, before] = &mut state.raw;
         before.clone_from(raw);
-        state.products = state.raw.clone();
+        state.products.clone_from(&state.raw);
         state.terms.clear();
         state.terms.extend((0..ALL).map(|index| state.products[0][index] * state.weights[index]));
         for (sum, summer) in array.summers.iter().enumerate() {
@@ -310,8 +349,10 @@ impl<S: Real> Run<'_, S> {
             now[index] = lag.step(before[index], state.raw[1][index], state.raw[0][index]);
         }
         self.convert(sample, state);
+        self.leak(state);
+        let terms = if array.converter_leaks.is_empty() { &state.terms } else { &state.leaky };
         for (sum, summer) in array.summers.iter().enumerate() {
-            state.sums[sum] = summer.step(&state.terms[sum * TERMS..][..TERMS], &mut state.summers[sum]);
+            state.sums[sum] = summer.step(&terms[sum * TERMS..][..TERMS], &mut state.summers[sum]);
         }
     }
 
@@ -330,18 +371,37 @@ impl<S: Real> Run<'_, S> {
         out
     }
 
+    /// What the function generators put out, with their signs.
+    fn factors(&self, state: &ArrayState<S>) -> [[Lanes<S>; UNITS]; 2] {
+        std::array::from_fn(|axis| {
+            let sign = Lanes::from_fn(|lane| S::from_f64(state.lanes[lane].polarity[axis]));
+            signed(&state.axes[axis].out, sign)
+        })
+    }
+
     /// All products, without their lags, into `state.raw[0]`.
     fn multiply(&self, state: &mut ArrayState<S>) {
-        let signs: [Lanes<S>; 2] =
-            std::array::from_fn(|axis| Lanes::from_fn(|lane| S::from_f64(state.lanes[lane].polarity[axis])));
-        let [x, y]: [[Lanes<S>; UNITS]; 2] =
-            std::array::from_fn(|axis| signed(&state.axes[axis].out, signs[axis]));
+        let [x, y] = self.factors(state);
+        let before = std::mem::replace(&mut state.factors, [x, y]);
         let raw = &mut state.raw[0];
         raw.clear();
         raw.extend((0..ALL).map(|index| {
             let [a, b] = factors(index / TERMS, index % TERMS);
             self.array.multipliers[index].product(x[a], y[b])
         }));
+        for (index, leak) in self.array.multiplier_leaks.iter().enumerate() {
+            let [a, _] = factors(index / TERMS, index % TERMS);
+            raw[index] = raw[index] + leak.leak(before[0][a], x[a]);
+        }
+    }
+
+    /// Past the multiplying D/As, whatever their words.
+    fn leak(&self, state: &mut ArrayState<S>) {
+        let [now, before] = &state.products;
+        let leaks = self.array.converter_leaks.iter().zip(before.iter().zip(now));
+        let leaky = state.terms.iter().zip(leaks);
+        state.leaky.clear();
+        state.leaky.extend(leaky.map(|(&term, (leak, (&before, &now)))| term + leak.leak(before, now)));
     }
 
     /// Registers up to `sample`, and the outputs of the multiplying D/As then.

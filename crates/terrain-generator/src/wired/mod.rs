@@ -24,6 +24,7 @@ mod summer;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use chain::Tap;
 pub use chain::{ArrayState, PartsArray};
 pub use scale::Scale;
 
@@ -53,6 +54,6 @@ impl<S: Real> Method<S> for Wired<'_, S> {
         span: Range<usize>,
         profile: &mut Profile<S>,
     ) {
-        self.array.trace(generator, programs, span, self.address, self.state, profile);
+        self.array.trace(generator, programs, span, self.address, self.state, profile, &mut ());
     }
 }

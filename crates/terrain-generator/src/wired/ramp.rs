@@ -50,7 +50,7 @@ impl<S: Real> RampParts<S> {
         let settle = settling_time_constant(parts.settle, SETTLED);
         let law = |bits| ConverterLaw {
             bits,
-            nonlinearity: 0.0,
+            nonlinearity: parts.nonlinearity,
             glitch_area: parts.glitch / full_scale,
             delay: 0.0,
             tau: settle,

@@ -6,9 +6,6 @@ use parts::{
 };
 use signal::{Lanes, Real};
 
-/// Recovery from overload of a nominal amplifier (s).
-const RECOVERY: f64 = 1e-6;
-
 /// Amplifiers of a tree, stage by stage.
 #[derive(Debug, Clone)]
 pub struct Summer<S> {
@@ -69,7 +66,7 @@ impl<S: Real> Summer<S> {
                     relative_sigma::SLEW,
                 ),
                 saturation: figures.saturation.map_or(f64::INFINITY, |volts| volts / full_scale),
-                recovery: if figures.saturation.is_some() { RECOVERY } else { 0.0 },
+                recovery: figures.recovery,
             };
             Amplifier::new(h, &law)
         };
@@ -85,20 +82,18 @@ impl<S: Real> Summer<S> {
 
     /// The tree at rest.
     pub fn at_rest(&self, terms: &[Lanes<S>], state: &mut SummerState<S>) -> Lanes<S> {
-        state.stages.clear();
-        let mut signals = terms.to_vec();
-        for stage in &self.stages {
-            let sums: Vec<Lanes<S>> = signals.chunks(self.inputs).map(sum).collect();
-            let rest = |&input: &Lanes<S>| Stage {
-                amplifier: AmplifierState { y: input, excess: Lanes::default() },
-                before: input,
-                out: input,
-            };
-            state.stages.push(sums.iter().map(rest).collect());
-            debug_assert_eq!(stage.len(), sums.len());
-            signals = sums;
+        state.stages.resize_with(self.stages.len(), Vec::new);
+        for index in 0..state.stages.len() {
+            let (done, left) = state.stages.split_at_mut(index);
+            left[0].clear();
+            match done.last() {
+                None => left[0].extend(terms.chunks(self.inputs).map(|group| Stage::at_rest(sum(group)))),
+                Some(below) => {
+                    left[0].extend(below.chunks(self.inputs).map(|group| Stage::at_rest(outputs(group))));
+                }
+            }
         }
-        sum(&signals)
+        state.stages.last().map_or_else(|| sum(terms), |last| outputs(last))
     }
 
     /// A step later, with `terms` at its end.
@@ -111,16 +106,19 @@ impl<S: Real> Summer<S> {
         let mut below = &first_state[0];
         for (stage, states) in rest.iter().zip(rest_state) {
             for ((part, state), group) in stage.iter().zip(states.iter_mut()).zip(below.chunks(self.inputs)) {
-                let input = group.iter().fold(Lanes::default(), |sum, stage| sum + stage.out);
-                state.step(part, input);
+                state.step(part, outputs(group));
             }
             below = states;
         }
-        below.iter().fold(Lanes::default(), |sum, stage| sum + stage.out)
+        outputs(below)
     }
 }
 
 impl<S: Real> Stage<S> {
+    fn at_rest(input: Lanes<S>) -> Self {
+        Self { amplifier: AmplifierState { y: input, excess: Lanes::default() }, before: input, out: input }
+    }
+
     fn step(&mut self, part: &Amplifier<S>, input: Lanes<S>) {
         self.out = part.step_lanes(&mut self.amplifier, self.before, input);
         self.before = input;
@@ -129,4 +127,8 @@ impl<S: Real> Stage<S> {
 
 fn sum<S: Real>(terms: &[Lanes<S>]) -> Lanes<S> {
     terms.iter().fold(Lanes::default(), |sum, &term| sum + term)
+}
+
+fn outputs<S: Real>(stages: &[Stage<S>]) -> Lanes<S> {
+    stages.iter().fold(Lanes::default(), |sum, stage| sum + stage.out)
 }

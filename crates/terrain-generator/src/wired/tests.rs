@@ -175,8 +175,6 @@ fn high_ground_is_clipped() {
         parts.amplifier.saturation = Some(0.25);
         parts.summer_inputs = None;
     });
-    let array = PartsArray::<f64>::new(STEP, &scene.level, &clipped, 3, "tg");
-    assert_eq!(array.lead(), 0.0);
     let (ideal, wired) = (scene.ideal(), scene.wired(&clipped));
     let mut clips = 0;
     for lane in 0..LANES {
@@ -235,4 +233,72 @@ fn strobes_beside_their_folds_leave_fringes() {
     };
     let errors = [0.0, 100e-9, 200e-9, 400e-9].map(largest);
     assert!(errors[0] < 1e-9 && errors.windows(2).all(|pair| pair[1] > 1.3 * pair[0]), "{errors:?}");
+}
+
+/// The parts beyond the matrix of artefacts: each leaves an error of its size, and the smaller the part's the smaller.
+#[test]
+fn errors_go_with_the_figures_of_their_parts() {
+    let scene = Scene::new();
+    let wired = |change: &dyn Fn(&mut AnalogParts)| {
+        scene.wired(&parts(|parts| {
+            parts.full_scale = 10.0;
+            parts.sweep.dac_bits = Some(24);
+            change(parts);
+        }))
+    };
+    let clean = wired(&|_| {});
+    let largest = |change: &dyn Fn(&mut AnalogParts)| apart(&wired(change), &clean)[0];
+    let full_scale = super::Scale::of(&scene.level).height;
+    let scale_error = [0.002, 0.004].map(|e| largest(&|parts| parts.multiplier.scale_error = e));
+    let feedthrough = [0.005, 0.01].map(|e| largest(&|parts| parts.multiplier.feedthrough = e));
+    let past_dacs = [0.003, 0.006].map(|e| largest(&|parts| parts.multiplying_dac.feedthrough = e));
+    let bent_ramps = [0.0005, 0.001].map(|e| largest(&|parts| parts.sweep.nonlinearity = e));
+    for [small, large] in [scale_error, feedthrough, past_dacs, bent_ramps] {
+        assert!(small > 1e-6 * full_scale && small < 0.05 * full_scale, "{small} of {full_scale}");
+        assert!((large / small - 2.0).abs() < 0.1, "{small} {large}");
+    }
+    // Rounded knees lie off a broken line by J V ln 2 at most, and J is 0.29 with twenty segments.
+    let knees = [0.0, 0.05].map(|volts| {
+        largest(&|parts| {
+            parts.function_generator.segments = Some(20);
+            parts.function_generator.rounding = volts;
+        })
+    });
+    assert!(knees[1] != knees[0] && (knees[1] - knees[0]).abs() < 0.02 * full_scale, "{knees:?}");
+}
+
+/// A word that takes longer to act than the chain to come to it is late, like a strobe beside its fold.
+#[test]
+fn slow_words_are_strobes_beside_their_folds() {
+    let scene = Scene::new();
+    let tears = [200e-9, 400e-9].map(|seconds| {
+        let wired = scene.wired(&parts(|parts| parts.multiplying_dac.switching = seconds));
+        (0..LANES).flat_map(|lane| error_of(&scene, &wired, lane)).fold(0.0, |most: f64, e| most.max(e.abs()))
+    });
+    // Tears go with the third power of their lateness: 10 e^3 - 15 e^4 + 6 e^5.
+    assert!(tears[0] > 1e-3 && (5.0..9.0).contains(&(tears[1] / tears[0])), "{tears:?}");
+    let within = parts(|parts| {
+        parts.multiplying_dac.switching = 20e-9;
+        parts.multiplier.bandwidth = Some(5e6);
+    });
+    let trimmed = parts(|parts| parts.multiplier.bandwidth = Some(5e6));
+    assert_eq!(apart(&scene.wired(&within), &scene.wired(&trimmed)), [0.0; 3], "the chain takes longer");
+}
+
+/// A25: the tail behind an overload has the recovery of its amplifiers.
+#[test]
+fn overload_takes_the_recovery_of_the_amplifier() {
+    let scene = Scene::new();
+    let clipped = |recovery: f64| {
+        scene.wired(&parts(|parts| {
+            parts.amplifier.saturation = Some(0.25);
+            parts.amplifier.recovery = recovery;
+            parts.summer_inputs = None;
+        }))
+    };
+    let (plain, late) = (clipped(0.0), clipped(2e-6));
+    let tails = (0..LANES)
+        .flat_map(|lane| error_of(&scene, &late, lane).into_iter().zip(error_of(&scene, &plain, lane)));
+    let longest = tails.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(longest > 0.01 * super::Scale::of(&scene.level).height, "{longest}");
 }

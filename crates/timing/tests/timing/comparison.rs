@@ -39,7 +39,7 @@ fn leaves(value: &Value, way: &str, found: &mut Vec<String>) {
 /// Another value of the same kind. What is not there comes to be there.
 fn another(key: &str, value: &Value) -> Value {
     match value {
-        Value::Null if ["colour", "register"].contains(&key) => json!("red"),
+        Value::Null if ["colour", "register", "part"].contains(&key) => json!("red"),
         Value::Null if key == "region" => json!([7, -7]),
         Value::Null => json!(7),
         Value::Number(number) if number.as_u64() == Some(u64::MAX) => json!(u64::MAX - 1),
@@ -57,7 +57,7 @@ fn another(key: &str, value: &Value) -> Value {
 
 /// One less where more may not fit.
 fn other_count(key: &str, count: u64) -> Value {
-    let narrow = ["sweep", "crossing", "words", "longest_queue", "format"].contains(&key);
+    let narrow = ["sweep", "crossing", "crater", "words", "longest_queue", "format"].contains(&key);
     let most = if narrow { 500 } else { i64::MAX as u64 - 1 };
     json!(if count > most { count - 1 } else { count + 1 })
 }
@@ -88,7 +88,7 @@ fn expect_change_is_found(record: &TimingRecord, way: &str) {
     let text = comparison.text(99);
     let named = match key {
         "unit" => "units.",
-        "deadline" | "sweep" | "crossing" | "colour" | "register" => "miss (",
+        "deadline" | "sweep" | "crossing" | "colour" | "register" | "part" | "crater" => "miss (",
         key => key,
     };
     assert!(places.iter().all(|place| place.contains(named) && text.contains(place)), "{way}: {places:?}");

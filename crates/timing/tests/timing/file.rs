@@ -68,13 +68,17 @@ fn messages_name_file_place_expectation_and_remedy() {
     };
     assert_eq!(
         message(&GOLDEN.replacen("\"folds\": 9400", "\"folds\": \"many\"", 1)),
-        ":11:21: invalid type: string \"many\", expected u64; expected a timing record of format 1: restore the file, or \
+        ":11:21: invalid type: string \"many\", expected u64; expected a timing record of format 2: restore the file, or \
          record it again with `lunoid timing record`"
     );
     assert_eq!(
-        message("{ \"format\": 2, \"frames\": 7 }"),
-        ": format: found 2, expected at most 1; read it with the lunoid that wrote it, or record it again with \
+        message("{ \"format\": 3, \"frames\": 7 }"),
+        ": format: found 3, expected at most 2; read it with the lunoid that wrote it, or record it again with \
          `lunoid timing record`"
+    );
+    assert_eq!(
+        message("{ \"format\": 1, \"frames\": 7 }"),
+        ": format: found 1, expected 2; record it again with `lunoid timing record`"
     );
     assert_eq!(
         message(&GOLDEN.replacen("\"count\": 3", "\"count\": 4", 1)),
@@ -129,12 +133,12 @@ fn every_key_is_needed_and_no_other_is_known() {
 fn values_that_cannot_be_are_refused() {
     let whole: Value = serde_json::from_str(GOLDEN).expect("JSON");
     for (way, value, place) in [
-        ("/format", json!(0), "format"),
         ("/inputs", json!("01 23"), "inputs"),
         ("/inputs", json!(""), "inputs"),
         ("/frames", json!([]), "frames"),
         ("/frames/1/frame", json!(12), "frames"),
         ("/frames/0/ticks", json!(0), "frame 12, ticks"),
+        ("/frames/1/vertices/ready", json!(321), "frame 13, vertices.ready"),
         ("/frames/0/events_blake3", json!("12"), "frame 12, events_blake3"),
         ("/frames/0/deadlines/transfer/missed", json!(1), "frame 12, deadlines.transfer, missed"),
         ("/frames/0/deadlines/transfer/least", json!(-5), "frame 12, deadlines.transfer, least"),

@@ -6,7 +6,9 @@ use proptest::collection::{btree_map, vec};
 use proptest::option;
 use proptest::prelude::{Just, Strategy, any, prop_oneof};
 use proptest::sample::select;
-use timing::{Cause, Deadline, EventHash, FORMAT, FrameTiming, Missed, Sets, Slack, TimingRecord, UnitUse};
+use timing::{
+    Cause, Deadline, EventHash, FORMAT, FrameTiming, Missed, Sets, Slack, TimingRecord, UnitUse, Vertices,
+};
 
 fn slack_of(ticks: impl IntoIterator<Item = i64>) -> Slack {
     let mut slack = Slack::default();
@@ -25,6 +27,8 @@ pub fn torn_corner() -> Missed {
         crossing: Some(7),
         colour: Some("red".into()),
         register: Some("y-first".into()),
+        part: None,
+        crater: None,
         region: Some([12, -4]),
         range_m: Some(1530.25),
         due: 365.5,
@@ -41,6 +45,8 @@ pub fn starved_corner() -> Missed {
         crossing: None,
         colour: None,
         register: None,
+        part: None,
+        crater: None,
         region: Some([30, 31]),
         range_m: None,
         due: -1.0,
@@ -61,6 +67,7 @@ pub fn small() -> TimingRecord {
         folds: 9400,
         sets: Sets { wanted: 37_600, loaded: 37_598, late: 0, wasted: 18_800, cancelled: 2 },
         late_words: 0,
+        vertices: Vertices { asked: 320, ready: 320 },
         deadlines: BTreeMap::from([
             (Deadline::Transfer, slack_of([5, 90, 4000])),
             (Deadline::FrameTasks, slack_of([200_000])),
@@ -74,6 +81,7 @@ pub fn small() -> TimingRecord {
         frame: 13,
         sets: Sets { late: 1, ..clean.sets },
         late_words: 9,
+        vertices: Vertices { asked: 320, ready: 96 },
         deadlines: BTreeMap::from([
             (Deadline::Transfer, slack_of([5, -5, 4000])),
             (Deadline::Corner, slack_of([-70_000, 12])),
@@ -104,9 +112,26 @@ fn missed() -> impl Strategy<Value = Missed> {
     let place = (any::<u32>(), option::of(any::<u32>()), option::of(text()), option::of(text()));
     let what = (select(&Deadline::ALL[..]), select(&Cause::ALL[..]), 0u16..512);
     let where_ = (option::of(any::<[i64; 2]>()), option::of(finite()), finite(), option::of(finite()));
-    (place, what, where_).prop_map(|(place, (deadline, cause, words), (region, range_m, due, came))| {
+    let part = (option::of(text()), option::of(any::<u32>()));
+    (place, what, where_, part).prop_map(|(place, what, where_, part)| {
+        let ((deadline, cause, words), (region, range_m, due, came)) = (what, where_);
         let (sweep, crossing, colour, register) = place;
-        Missed { deadline, sweep, crossing, colour, register, region, range_m, due, came, words, cause }
+        let (part, crater) = part;
+        Missed {
+            deadline,
+            sweep,
+            crossing,
+            colour,
+            register,
+            part,
+            crater,
+            region,
+            range_m,
+            due,
+            came,
+            words,
+            cause,
+        }
     })
 }
 
@@ -131,10 +156,11 @@ fn deadlines() -> impl Strategy<Value = BTreeMap<Deadline, Slack>> {
 }
 
 fn frame() -> impl Strategy<Value = FrameTiming> {
-    let counters = (1u64.., any::<u64>(), sets(), any::<u64>());
+    let vertices = any::<[u64; 2]>().prop_map(|[a, b]| Vertices { asked: a.max(b), ready: a.min(b) });
+    let counters = (1u64.., any::<u64>(), sets(), any::<u64>(), vertices);
     let lists = (deadlines(), units(), vec(missed(), 0..4));
     (counters, lists, any::<u64>(), "[0-9a-f]{64}").prop_map(|(counters, lists, events, events_blake3)| {
-        let (ticks, folds, sets, late_words) = counters;
+        let (ticks, folds, sets, late_words, vertices) = counters;
         let (deadlines, units, misses) = lists;
         FrameTiming {
             frame: 0,
@@ -142,6 +168,7 @@ fn frame() -> impl Strategy<Value = FrameTiming> {
             folds,
             sets,
             late_words,
+            vertices,
             deadlines,
             units,
             misses,

@@ -3,9 +3,10 @@
 use hardware_model::AnalogParts;
 use parts::time_constant;
 use proptest::prelude::{prop_assert, proptest};
-use scenario::Occlusion;
+use scenario::{Curvature, Occlusion};
+use signal::{Break, Breaks, LANES, Lanes};
 
-use super::{BOTH, H, HALF, hollow, parts, run, share_at};
+use super::{BOTH, Driven, H, HALF, LINES, PartsProcessor, Scratch, hollow, level, parts, run, share_at};
 use crate::wired::derivative::lateness;
 use crate::wired::figures::DERIVATIVE;
 
@@ -23,7 +24,7 @@ fn delay(seconds: f64, slope: f64) -> f64 {
     seconds / H + (2.0 * charge / slope).sqrt().min(most / H)
 }
 
-fn first_off(out: &crate::Driven<f64>) -> f64 {
+fn first_off(out: &Driven<f64>) -> f64 {
     out.on[0][0][1]
 }
 
@@ -206,4 +207,77 @@ fn the_differentiators_lateness_is_that_of_a_parabola() {
     }
     assert_eq!(lateness(H, 0.0), 0.5);
     assert!((lateness(H, 1e-3) * H / 2e-3 - 1.0).abs() < 1e-3);
+}
+
+/// A15: what is held is as old as the aperture says: hidden ground returns lower by its rise in that time.
+#[test]
+fn an_aperture_takes_what_there_was() {
+    let rate = 0.005;
+    for aperture in [10e-9, 20e-9, 100e-9, 210e-9] {
+        let late = parts(|parts| parts.sample_hold.aperture = aperture);
+        let out = run(Occlusion::Derivative, &late, 200, hollow(40.0, 90.0, rate));
+        let [[_, off], [on, _]] = out.on[0][..] else { panic!("{:?}", out.on[0]) };
+        let held = share_at(&out, off) - rate * aperture / H;
+        assert!((share_at(&out, on) - held).abs() < 1e-9, "{aperture:e}: {held}");
+    }
+}
+
+/// A peak detector has had its peak for as long as its comparator takes: an aperture shorter than that takes nothing away.
+#[test]
+fn a_peak_detector_does_not_mind_a_short_aperture() {
+    let late = |aperture: f64| {
+        let parts = parts(|parts| {
+            parts.comparator.delay = 100e-9;
+            parts.sample_hold.aperture = aperture;
+        });
+        run(Occlusion::PeakHold, &parts, 200, hollow(40.0, 90.0, 0.005)).on
+    };
+    assert_eq!(late(0.0), late(60e-9));
+}
+
+/// Jitter: the held values of many sweeps spread by the rise of the elevation in it.
+#[test]
+fn jitter_spreads_what_is_held() {
+    let (rate, jitter) = (0.005, 5e-9);
+    let shaky = parts(|parts| {
+        parts.sample_hold.aperture = 100e-9;
+        parts.sample_hold.jitter = jitter;
+    });
+    let out = run(Occlusion::Derivative, &shaky, 200, hollow(40.0, 90.0, rate));
+    let off = |lane: usize| out.hold[60][lane] / HALF - (0.3 - rate * 100e-9 / H);
+    let sigma = ((0..LANES).map(|lane| off(lane) * off(lane)).sum::<f64>() / LANES as f64).sqrt();
+    let expected = rate * jitter / H;
+    assert!(sigma > 0.3 * expected && sigma < 2.0 * expected, "{sigma} {expected}");
+    assert_eq!(run(Occlusion::Derivative, &shaky, 200, hollow(40.0, 90.0, rate)).on, out.on);
+}
+
+/// Breaks of the light are as late as its samples, and no straight line goes across one.
+#[test]
+fn breaks_are_delayed_like_their_samples() {
+    let slow = parts(|parts| parts.projection.bandwidth = Some(2e6));
+    let late = 2.0 * time_constant(2e6) / H;
+    let ranges: Vec<f64> = (0..60).map(|k| 1.0 + 1e-6 * f64::from(k)).collect();
+    let light = |time: f64| if time < 20.4 { 0.1 + 0.01 * time } else { 0.9 - 0.01 * time };
+    let samples: Vec<Lanes<f64>> = (0..60).map(|k| Lanes::splat(light(f64::from(k)))).collect();
+    let mut breaks = Breaks::<f64>::default();
+    breaks[3].push(Break { sample: 21, share: 0.4, height: 0.0, before: 0.304, after: 0.696 });
+    let processor =
+        PartsProcessor::new((Occlusion::PeakHold, Curvature::None), &ranges, LINES, H, &slow, 1970);
+    let mut out = Driven::default();
+    let height: Vec<Lanes<f64>> = ranges.iter().map(|z| Lanes::splat(0.1 * z)).collect();
+    processor.run(
+        &height,
+        (&samples, &breaks),
+        &[level(); LANES],
+        &[0; LANES],
+        &mut Scratch::default(),
+        &mut out,
+    );
+    for k in 10..60 {
+        let expected = light(k as f64 - late);
+        assert!((out.intensity[k][3] - expected).abs() < 1e-9, "{k}: {} {expected}", out.intensity[k][3]);
+    }
+    let [moved] = out.breaks[3][..] else { panic!("{:?}", out.breaks[3]) };
+    assert!((moved.sample as f64 - 1.0 + moved.share - 20.4 - late).abs() < 1e-9);
+    assert_eq!((moved.before, moved.after), (0.304, 0.696));
 }

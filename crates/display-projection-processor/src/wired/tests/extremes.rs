@@ -3,7 +3,7 @@
 use hardware_model::AnalogParts;
 use proptest::prelude::{any, prop_assert, prop_assert_eq, proptest};
 use scenario::{Curvature, Projection};
-use signal::{LANES, Lanes};
+use signal::{Breaks, LANES, Lanes};
 
 use super::{BOTH, H, LINES, level, parts, run};
 use crate::{Deflection, Driven, PartsProcessor, Scratch};
@@ -70,7 +70,7 @@ proptest! {
             let processor = PartsProcessor::<f32>::new(law, &ranges, LINES, H, &figures(figure), 3);
             let run = |height: &[Lanes<f32>]| {
                 let mut out = Driven::default();
-                processor.run(height, height, &[level(); LANES], &[5; LANES], &mut Scratch::default(), &mut out);
+                processor.run(height, (height, &Breaks::default()), &[level(); LANES], &[5; LANES], &mut Scratch::default(), &mut out);
                 out
             };
             let value = |pick: u8| f32::from(pick) / 64.0 - 2.0;
@@ -117,7 +117,14 @@ fn a_camera_that_looks_up_still_has_a_field() {
         let processor = PartsProcessor::new(law, &[1.0, 2.0, 3.0], LINES, H, &figures(24), 1);
         let height = [Lanes::splat(-1.0), Lanes::splat(f64::NAN), Lanes::splat(4.0)];
         let mut out = Driven::default();
-        processor.run(&height, &height, &[deflection; LANES], &[0; LANES], &mut Scratch::default(), &mut out);
+        processor.run(
+            &height,
+            (&height, &Breaks::default()),
+            &[deflection; LANES],
+            &[0; LANES],
+            &mut Scratch::default(),
+            &mut out,
+        );
         assert!(is_sound(&out, 3), "{deflection:?}: {:?}", out.position);
     }
 }

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use hardware_model::AnalogParts;
 use proptest::prelude::{prop_assert, proptest};
 use scenario::{Curvature, Occlusion};
-use signal::{LANES, Lanes};
+use signal::{Breaks, LANES, Lanes};
 
 use super::{BOTH, Driven, H, HALF, LINES, PartsProcessor, Scratch, level, parts, run};
 use crate::{Processor, Projected};
@@ -87,7 +87,14 @@ fn parts_are_drawn_once_and_apart() {
         let law = (Occlusion::Derivative, Curvature::None);
         let made = PartsProcessor::new(law, &ranges, LINES, H, &spread, seed);
         let mut out = Driven::default();
-        made.run(&height, &height, &[level(); LANES], &[0; LANES], &mut Scratch::default(), &mut out);
+        made.run(
+            &height,
+            (&height, &Breaks::default()),
+            &[level(); LANES],
+            &[0; LANES],
+            &mut Scratch::default(),
+            &mut out,
+        );
         out.on[0][0][1]
     };
     assert_eq!(edge(7), edge(7));

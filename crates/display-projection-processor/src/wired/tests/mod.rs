@@ -7,7 +7,7 @@ mod ideal;
 
 use hardware_model::AnalogParts;
 use scenario::{Curvature, Occlusion, Projection};
-use signal::{LANES, Lanes};
+use signal::{Breaks, LANES, Lanes};
 
 use super::{Driven, PartsProcessor, Scratch};
 use crate::Deflection;
@@ -40,7 +40,14 @@ fn run(occlusion: Occlusion, parts: &AnalogParts, samples: usize, share: impl Fn
     let processor = PartsProcessor::new((occlusion, Curvature::None), &ranges, LINES, H, parts, 1970);
     let mut out = Driven::default();
     let sweeps = std::array::from_fn(|lane| lane as u64);
-    processor.run(&height, &light, &[level(); LANES], &sweeps, &mut Scratch::default(), &mut out);
+    processor.run(
+        &height,
+        (&light, &Breaks::default()),
+        &[level(); LANES],
+        &sweeps,
+        &mut Scratch::default(),
+        &mut out,
+    );
     out
 }
 

@@ -1,13 +1,15 @@
 //! Figures of one level of terrain, sweep by sweep.
 
-use hardware_model::{Budget, Ground, HardwareModel};
-use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
-use scenario::PoseRow;
+use generator::Stage;
+use hardware_model::{Budget, Ground};
+use machine::FrameSweeps;
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use sweep_program::{Miss, StepKind, SweepProgram};
 
 use super::tear::TearLaw;
+use crate::commands::timing::levels::{DrawnLevel, drawn_levels};
+use crate::commands::timing::rehearsal::Rehearsal;
 use crate::commands::timing::sets::{AskedSet, crossings, sets_of};
-use crate::commands::timing::sweeps::{LevelOfSweeps, Place, Sweeps, blank_program};
 
 /// What the sweeps of some frames did over one level, and what the formulas say.
 pub struct LevelFigures {
@@ -56,37 +58,50 @@ struct SweepFigures {
 }
 
 impl LevelFigures {
-    /// Runs all sweeps of the frames, by all threads of the current pool.
-    pub fn measure(
-        sweeps: &Sweeps<'_>,
-        of: LevelOfSweeps<'_>,
-        poses: &[PoseRow],
-        law: &TearLaw,
-        model: &HardwareModel,
+    /// Runs all sweeps of the frames, by all threads of the current pool: the figures of each level.
+    pub fn measure(rehearsal: &Rehearsal, frames: &[FrameSweeps<'_>], law: &TearLaw) -> Vec<Self> {
+        let levels = drawn_levels(&rehearsal.stage);
+        let sweeps = rehearsal.stage.settings.raster.sweeps;
+        let of_sweep = |index: u32| {
+            let frame = &frames[(index / sweeps) as usize];
+            let programs = frame.programs(index % sweeps);
+            let of_level = |of: &DrawnLevel<'_>| SweepFigures::of(frame, of, &programs[of.number], law);
+            levels.iter().map(of_level).collect()
+        };
+        let all: Vec<Vec<SweepFigures>> =
+            (0..sweeps * frames.len() as u32).into_par_iter().map(of_sweep).collect();
+        let of_level = |of: &DrawnLevel<'_>| {
+            let sweeps: Vec<&SweepFigures> = all.iter().map(|sweep| &sweep[of.number]).collect();
+            Self::of(rehearsal, frames, of, &sweeps)
+        };
+        levels.iter().map(of_level).collect()
+    }
+
+    fn of(
+        rehearsal: &Rehearsal,
+        frames: &[FrameSweeps<'_>],
+        of: &DrawnLevel<'_>,
+        all: &[&SweepFigures],
     ) -> Self {
-        let count = sweeps.settings().raster.sweeps;
-        let places: Vec<Place<'_>> = poses
-            .iter()
-            .flat_map(|row| (0..count).map(|sweep| Place { frame: row.frame, pose: &row.pose, sweep }))
-            .collect();
-        let all: Vec<SweepFigures> =
-            places.par_iter().map(|&place| SweepFigures::of(sweeps, &of, place, law)).collect();
+        let stage = &rehearsal.stage;
         let total = all.len().max(1) as f64;
-        let sum = |value: fn(&SweepFigures) -> u64| all.iter().map(value).sum::<u64>();
-        let mean = |value: fn(&SweepFigures) -> f64| all.iter().map(value).sum::<f64>() / total;
+        let sum = |value: fn(&SweepFigures) -> u64| all.iter().map(|sweep| value(sweep)).sum::<u64>();
+        let mean =
+            |value: fn(&SweepFigures) -> f64| all.iter().map(|sweep| value(sweep)).sum::<f64>() / total;
         let range = mean(|sweep| sweep.range);
         let region_size = of.level.region_size();
-        let budget = model.budget(Ground { region_size, range });
+        let budget = rehearsal.model_as_run().budget(Ground { region_size, range });
         // A fold is seen with the next tick of the clock: half a tick later, in the mean.
-        let is_wired = sweeps.loader().is_wired_through();
-        let tick = if is_wired { 0.0 } else { 1.0 / sweeps.settings().timebase.master.hertz() };
+        let is_wired = stage.settings.loader.is_wired_through();
+        let tick = if is_wired { 0.0 } else { 1.0 / stage.settings.timebase.master.hertz() };
         let urgent_mean = budget.loader.urgent + 0.5 * tick;
-        let expected = all.iter().map(|sweep| late_expected(sweeps, &of, sweep, urgent_mean));
+        let ranges = frames.first().map_or(&[][..], |frame| frame.table().ranges());
+        let expected = all.iter().map(|sweep| late_expected(stage, ranges, region_size, sweep, urgent_mean));
         Self {
             name: of.name,
             region_size,
             range,
-            frames: poses.len() as u64,
+            frames: frames.len() as u64,
             sweeps: all.len() as u64,
             crossings: [
                 mean(|sweep| sweep.crossings as f64),
@@ -96,7 +111,7 @@ impl LevelFigures {
             crossings_at_azimuths: mean(|sweep| sweep.at_azimuth),
             used: sum(|sweep| sweep.used),
             brought: sum(|sweep| sweep.brought),
-            urgent: urgent(&all, sweeps.settings().timebase.sample_rate().hertz()),
+            urgent: urgent(all, stage.settings.timebase.sample_rate().hertz()),
             late_urgent: sum(|sweep| sweep.late_urgent),
             late: sum(|sweep| sweep.late),
             seen: sum(|sweep| sweep.seen),
@@ -107,7 +122,7 @@ impl LevelFigures {
     }
 }
 
-fn urgent(all: &[SweepFigures], samples_a_second: f64) -> Option<[f64; 2]> {
+fn urgent(all: &[&SweepFigures], samples_a_second: f64) -> Option<[f64; 2]> {
     let (mut count, mut sum, mut most) = (0, 0.0, 0.0_f64);
     for (of_sweep, total, longest) in all.iter().map(|sweep| sweep.urgent) {
         count += of_sweep;
@@ -119,14 +134,12 @@ fn urgent(all: &[SweepFigures], samples_a_second: f64) -> Option<[f64; 2]> {
 
 /// Urgent sets of one sweep that a stop of the other axis meets within `urgent` (s) of a stop of the one: section 4.5,
 /// with the rate of each sample in place of a constant one.
-fn late_expected(sweeps: &Sweeps<'_>, of: &LevelOfSweeps<'_>, sweep: &SweepFigures, urgent: f64) -> f64 {
-    if sweeps.loader().diagonal_register {
+fn late_expected(stage: &Stage, ranges: &[f64], size: f64, sweep: &SweepFigures, urgent: f64) -> f64 {
+    if stage.settings.loader.diagonal_register {
         return 0.0;
     }
-    let size = of.level.region_size();
-    let samples = urgent * sweeps.settings().timebase.sample_rate().hertz();
+    let samples = urgent * stage.settings.timebase.sample_rate().hertz();
     let [x, y] = sweep.direction.map(|cosine| cosine.abs() / size);
-    let ranges = sweeps.table.ranges();
     let of_step = |pair: &[f64]| {
         let [near, far] = [pair[0], pair[1].min(sweep.range)];
         let way = (far - near).max(0.0);
@@ -138,21 +151,20 @@ fn late_expected(sweeps: &Sweeps<'_>, of: &LevelOfSweeps<'_>, sweep: &SweepFigur
 }
 
 impl SweepFigures {
-    fn of(sweeps: &Sweeps<'_>, of: &LevelOfSweeps<'_>, place: Place<'_>, law: &TearLaw) -> Self {
-        let (mut program, mut sets) = (blank_program(), Vec::new());
-        sweeps.write(of, place, &mut program);
-        sets_of(&program, sweeps.loader().is_wired_through(), &mut sets);
+    fn of(frame: &FrameSweeps<'_>, of: &DrawnLevel<'_>, program: &SweepProgram, law: &TearLaw) -> Self {
+        let mut sets = Vec::new();
+        sets_of(program, frame.loader().is_wired_through(), &mut sets);
         let direction = program.start.direction;
         let range = program.end_range;
-        let seen = |miss: &&Miss| law.is_seen(miss, &program, of.level, &sweeps.table);
+        let seen = |miss: &&Miss| law.is_seen(miss, program, of.level, frame.table());
         let count = |is: fn(&&AskedSet) -> bool| sets.iter().filter(is).count() as u64;
         Self {
             range,
-            crossings: crossings(&program).count() as u64,
+            crossings: crossings(program).count() as u64,
             at_azimuth: range * (direction[0].abs() + direction[1].abs()) / of.level.region_size(),
             direction,
             // Each of two colours takes a set, those of the home registers too.
-            used: 2 * transfers(&program),
+            used: 2 * transfers(program),
             brought: count(|set| set.came.is_some()),
             urgent: latencies(&sets),
             late_urgent: count(|set| set.late && set.urgent),

@@ -6,6 +6,8 @@ mod search;
 mod tear;
 
 use clap::Args;
+use generator::FrameError;
+use machine::FrameSweeps;
 use timing::TimingRecord;
 
 use self::level::LevelFigures;
@@ -13,7 +15,6 @@ use self::report::Report;
 use self::search::Search;
 use self::tear::TearLaw;
 use crate::commands::timing::rehearsal::{Rehearsal, choose, spread};
-use crate::commands::timing::sweeps::Sweeps;
 use crate::loading::{Loaded, StageArgs, Threads};
 use crate::output::{print, print_json, tell};
 use crate::progress::Display;
@@ -76,19 +77,25 @@ impl Sizing {
     ) -> Result<Report, Failure> {
         let poses = rehearsal.poses(frames)?;
         let law = TearLaw::new(&rehearsal.stage.settings.raster, self.shows);
-        let model = rehearsal.model_as_run();
-        let sweeps = Sweeps::new(&rehearsal.stage);
-        let figures = |of| LevelFigures::measure(&sweeps, of, &poses, &law, &model);
-        let levels: Vec<LevelFigures> =
-            rehearsal.pool.install(|| sweeps.levels().into_iter().map(figures).collect());
-        let searches = if self.no_search { Vec::new() } else { self.search(rehearsal, &poses, &law) };
+        let sweeps = |row: &scenario::PoseRow| rehearsal.control.sweeps(row.frame, &row.pose);
+        let levels = rehearsal.pool.install(|| {
+            let frames = poses.iter().map(sweeps).collect::<Result<Vec<FrameSweeps<'_>>, _>>()?;
+            Ok(LevelFigures::measure(rehearsal, &frames, &law))
+        });
+        let levels = levels.map_err(|error: FrameError| Failure::input(error))?;
+        let searches = if self.no_search { Vec::new() } else { self.search(rehearsal, &poses, &law)? };
         Ok(Report::new(rehearsal, record, &levels, &poses, searches, self.shows))
     }
 
-    fn search(&self, rehearsal: &Rehearsal, poses: &[scenario::PoseRow], law: &TearLaw) -> Vec<Search> {
+    fn search(
+        &self,
+        rehearsal: &Rehearsal,
+        poses: &[scenario::PoseRow],
+        law: &TearLaw,
+    ) -> Result<Vec<Search>, Failure> {
         if !self.no_progress {
             tell("searching for the slowest parts\n");
         }
-        rehearsal.pool.install(|| search::all(&rehearsal.stage, poses, law))
+        rehearsal.pool.install(|| search::all(rehearsal, poses, law)).map_err(Failure::input)
     }
 }

@@ -1,15 +1,14 @@
 //! The slowest parts with which no tear shows.
 
-use std::borrow::Cow;
-
-use generator::Stage;
+use generator::{FrameError, Stage};
 use hardware_model::{CrossingServer, Loader};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use scenario::PoseRow;
 use serde::Serialize;
 
 use super::tear::TearLaw;
-use crate::commands::timing::sweeps::{Place, Sweeps, blank_program};
+use crate::commands::timing::levels::drawn_levels;
+use crate::commands::timing::rehearsal::Rehearsal;
 
 /// What is made slower.
 #[derive(Debug, Clone, Serialize)]
@@ -29,7 +28,8 @@ pub struct Search {
 }
 
 /// Both searches of a model.
-pub fn all(stage: &Stage, poses: &[PoseRow], law: &TearLaw) -> Vec<Search> {
+pub fn all(rehearsal: &Rehearsal, poses: &[PoseRow], law: &TearLaw) -> Result<Vec<Search>, FrameError> {
+    let stage = &rehearsal.stage;
     let loader = &stage.settings.loader;
     let slower_access = |access: u64| Loader { access, ..loader.clone() };
     let whole_set = |access: u64| Loader {
@@ -43,14 +43,14 @@ pub fn all(stage: &Stage, poses: &[PoseRow], law: &TearLaw) -> Vec<Search> {
     let ns = 1e9 / stage.settings.timebase.master.hertz();
     let run = |key, what, loader_of: &dyn Fn(u64) -> Loader, is_ns| {
         let limit = sweep_ticks(stage);
-        let slowest_ticks = slowest(limit, |ticks| tears_show(stage, poses, law, loader_of(ticks)));
+        let slowest_ticks = slowest(limit, |ticks| tears_show(rehearsal, poses, law, &loader_of(ticks)))?;
         let slowest_ns = slowest_ticks.map(|ticks| ticks as f64 * ns);
-        Search { key, what, slowest_ticks, slowest_ns, any: slowest_ticks == Some(limit), is_ns }
+        Ok(Search { key, what, slowest_ticks, slowest_ns, any: slowest_ticks == Some(limit), is_ns })
     };
     let is_wired = loader.served_by == CrossingServer::WiredPointers;
     let set =
         u64::from(9_u32.div_ceil(loader.words_per_access)) * loader.access + loader.pointer + loader.strobe;
-    vec![
+    [
         run(
             "loader.access_ns",
             "one access, all else as it is",
@@ -59,6 +59,8 @@ pub fn all(stage: &Stage, poses: &[PoseRow], law: &TearLaw) -> Vec<Search> {
         ),
         run("t_u", "a whole set in four banks", &whole_set, is_wired.then_some(set as f64 * ns)),
     ]
+    .into_iter()
+    .collect()
 }
 
 fn sweep_ticks(stage: &Stage) -> u64 {
@@ -67,51 +69,65 @@ fn sweep_ticks(stage: &Stage) -> u64 {
 }
 
 /// The largest of 0..=`limit` for which `fails` does not hold, if it holds from some number on; none if at once.
-fn slowest(limit: u64, fails: impl Fn(u64) -> bool) -> Option<u64> {
-    if fails(0) {
-        return None;
+fn slowest<E>(limit: u64, fails: impl Fn(u64) -> Result<bool, E>) -> Result<Option<u64>, E> {
+    if fails(0)? {
+        return Ok(None);
     }
     let (mut good, mut bad) = (0, 1);
-    while bad <= limit && !fails(bad) {
+    while bad <= limit && !fails(bad)? {
         (good, bad) = (bad, 2 * bad);
     }
-    if bad > limit && !fails(limit) {
-        return Some(limit);
+    if bad > limit && !fails(limit)? {
+        return Ok(Some(limit));
     }
     bad = bad.min(limit);
     while bad - good > 1 {
         let middle = good + (bad - good) / 2;
-        if fails(middle) { bad = middle } else { good = middle }
+        if fails(middle)? { bad = middle } else { good = middle }
     }
-    Some(good)
+    Ok(Some(good))
 }
 
-fn tears_show(stage: &Stage, poses: &[PoseRow], law: &TearLaw, loader: Loader) -> bool {
-    let sweeps = Sweeps::behind(stage, Cow::Owned(loader));
-    let levels = sweeps.levels();
-    let count = stage.settings.raster.sweeps;
-    (0..count * poses.len() as u32).into_par_iter().any(|index| {
-        let row = &poses[(index / count) as usize];
-        let place = Place { frame: row.frame, pose: &row.pose, sweep: index % count };
-        let mut program = blank_program();
-        levels.iter().any(|of| {
-            sweeps.write(of, place, &mut program);
-            program.misses.iter().any(|miss| law.is_seen(miss, &program, of.level, &sweeps.table))
-        })
-    })
+/// Whether a tear shows in any sweep of the frames behind `loader`.
+fn tears_show(
+    rehearsal: &Rehearsal,
+    poses: &[PoseRow],
+    law: &TearLaw,
+    loader: &Loader,
+) -> Result<bool, FrameError> {
+    let levels = drawn_levels(&rehearsal.stage);
+    let sweeps = rehearsal.stage.settings.raster.sweeps;
+    for row in poses {
+        let frame = rehearsal.control.sweeps_behind(loader, row.frame, &row.pose)?;
+        let is_torn = |sweep: u32| {
+            let programs = frame.programs(sweep);
+            levels.iter().any(|of| {
+                let program = &programs[of.number];
+                program.misses.iter().any(|miss| law.is_seen(miss, program, of.level, frame.table()))
+            })
+        };
+        if (0..sweeps).into_par_iter().any(is_torn) {
+            return Ok(true);
+        }
+    }
+    Ok(false)
 }
 
 #[cfg(test)]
 mod tests {
     use super::slowest;
 
+    fn found(limit: u64, fails: impl Fn(u64) -> bool) -> Option<u64> {
+        slowest(limit, |ticks| Ok::<_, ()>(fails(ticks))).unwrap()
+    }
+
     #[test]
     fn the_last_that_does_is_found() {
         for last in 0..40 {
-            assert_eq!(slowest(40, |ticks| ticks > last), Some(last));
+            assert_eq!(found(40, |ticks| ticks > last), Some(last));
         }
-        assert_eq!(slowest(40, |_| false), Some(40));
-        assert_eq!(slowest(40, |_| true), None);
-        assert_eq!(slowest(0, |_| false), Some(0));
+        assert_eq!(found(40, |_| false), Some(40));
+        assert_eq!(found(40, |_| true), None);
+        assert_eq!(found(0, |_| false), Some(0));
     }
 }

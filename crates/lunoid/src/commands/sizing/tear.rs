@@ -40,9 +40,10 @@ impl TearLaw {
 }
 
 /// Largest difference of height between a corner and those of its colour beside it: one of them is the stale one (m).
+/// What the data bank has not brought is wrong however soon it comes: its hole is no tear.
 fn largest_difference(level: &Level, corner: u32) -> f64 {
     if corner == NO_CORNER {
-        return f64::INFINITY;
+        return 0.0;
     }
     let columns = level.corners()[1];
     let [m, n] = [corner as usize / columns, corner as usize % columns].map(|index| index as i64);

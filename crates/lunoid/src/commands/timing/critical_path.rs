@@ -2,16 +2,18 @@
 
 use generator::Stage;
 use hardware_model::{CrossingServer, Loader};
+use machine::FrameSweeps;
 use quantities::{SweepClock, SweepTime};
-use rayon::ThreadPool;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use scenario::Pose;
 use serde::Serialize;
-use sweep_program::{Colour, PreloadRegister, RampAxis};
-use timing::{Deadline, FrameTiming};
+use sweep_program::{Colour, PreloadRegister, RampAxis, SweepProgram};
+use timing::{Deadline, FrameTiming, Missed};
 
+use super::levels::{DrawnLevel, drawn_levels};
+use super::rehearsal::Rehearsal;
 use super::sets::{AskedSet, Crossing, sets_of};
-use super::sweeps::{LevelOfSweeps, Place, Sweeps, blank_program};
+use crate::Failure;
 
 /// Words of a set.
 const SET: u32 = 9;
@@ -61,66 +63,81 @@ impl Chain {
 }
 
 /// The chains of one frame, in the order of [`Deadline::ALL`].
-pub fn chains(stage: &Stage, pool: &ThreadPool, pose: &Pose, frame: &FrameTiming) -> Vec<Chain> {
-    let transfer = || pool.install(|| worst_transfer(stage, pose, frame.frame));
+pub fn chains(rehearsal: &Rehearsal, pose: &Pose, frame: &FrameTiming) -> Result<Vec<Chain>, Failure> {
+    let stage = &rehearsal.stage;
+    let sweeps = rehearsal.pool.install(|| rehearsal.control.sweeps(frame.frame, pose));
+    let sweeps = sweeps.map_err(Failure::input)?;
     let of = |deadline: &Deadline| match deadline {
-        Deadline::Transfer => transfer(),
+        Deadline::Transfer => rehearsal.pool.install(|| worst_transfer(stage, &sweeps, frame.frame)),
         Deadline::SweepSetUp => set_up(stage, frame),
         Deadline::FrameTasks => frame_tasks(stage, frame),
-        Deadline::Corner => corner(stage, frame),
+        Deadline::Corner => corner(frame),
+        Deadline::Feature | Deadline::Segment => load(*deadline, frame),
     };
-    Deadline::ALL.iter().filter(|deadline| frame.deadlines.contains_key(deadline)).filter_map(of).collect()
+    let all = Deadline::ALL.iter().filter(|deadline| frame.deadlines.contains_key(deadline));
+    Ok(all.filter_map(of).collect())
 }
 
 /// A set and where it is.
 struct Found<'a> {
     slack: f64,
-    of: LevelOfSweeps<'a>,
+    of: DrawnLevel<'a>,
     sweep: u32,
     index: usize,
 }
 
 /// The set that comes latest for its use, of all sweeps and levels; the first of several.
-fn worst_transfer(stage: &Stage, pose: &Pose, frame: u64) -> Option<Chain> {
-    let sweeps = Sweeps::new(stage);
+fn worst_transfer(stage: &Stage, sweeps: &FrameSweeps<'_>, frame: u64) -> Option<Chain> {
+    let levels = drawn_levels(stage);
     let worst_of = |sweep: u32| {
-        let place = Place { frame, pose, sweep };
-        sweeps.levels().into_iter().filter_map(|of| worst_of_sweep(&sweeps, of, place)).reduce(worse)
+        let programs = sweeps.programs(sweep);
+        let found = levels.iter().filter_map(|of| worst_of_sweep(sweeps, &programs[of.number], *of, sweep));
+        found.reduce(worse)
     };
     let all: Vec<_> = (0..stage.settings.raster.sweeps).into_par_iter().filter_map(worst_of).collect();
     let Found { of, sweep, index, .. } = all.into_iter().reduce(worse)?;
-    let sets = sets(&sweeps, &of, Place { frame, pose, sweep });
-    Some(
-        Explained { sweeps: &sweeps, clock: stage.settings.timebase.sweep_clock(frame, sweep), of, sweep }
-            .chain(&sets, index),
-    )
+    let sets = sets(sweeps, &sweeps.programs(sweep)[of.number]);
+    let timebase = stage.settings.timebase;
+    let explained = Explained {
+        loader: sweeps.loader(),
+        clock: timebase.sweep_clock(frame, sweep),
+        ticks_per_sample: timebase.ticks_per_sample(),
+        of,
+        sweep,
+    };
+    Some(explained.chain(&sets, index))
 }
 
 fn worse<'a>(a: Found<'a>, b: Found<'a>) -> Found<'a> {
     if b.slack < a.slack { b } else { a }
 }
 
-fn sets(sweeps: &Sweeps<'_>, of: &LevelOfSweeps<'_>, place: Place<'_>) -> Vec<AskedSet> {
-    let (mut program, mut sets) = (blank_program(), Vec::new());
-    sweeps.write(of, place, &mut program);
-    sets_of(&program, sweeps.loader().is_wired_through(), &mut sets);
+fn sets(sweeps: &FrameSweeps<'_>, program: &SweepProgram) -> Vec<AskedSet> {
+    let mut sets = Vec::new();
+    sets_of(program, sweeps.loader().is_wired_through(), &mut sets);
     sets
 }
 
-fn worst_of_sweep<'a>(sweeps: &Sweeps<'a>, of: LevelOfSweeps<'a>, place: Place<'_>) -> Option<Found<'a>> {
-    let used = sets(sweeps, &of, place).into_iter().enumerate().filter(|(_, set)| set.used.is_some());
+fn worst_of_sweep<'a>(
+    sweeps: &FrameSweeps<'_>,
+    program: &SweepProgram,
+    of: DrawnLevel<'a>,
+    sweep: u32,
+) -> Option<Found<'a>> {
+    let used = sets(sweeps, program).into_iter().enumerate().filter(|(_, set)| set.used.is_some());
     let found = used.map(|(index, set)| {
         let slack = set.slack().unwrap_or(f64::NEG_INFINITY);
-        Found { slack, of, sweep: place.sweep, index }
+        Found { slack, of, sweep, index }
     });
     found.reduce(worse)
 }
 
 /// A sweep whose sets are being explained.
 struct Explained<'a> {
-    sweeps: &'a Sweeps<'a>,
+    loader: &'a Loader,
     clock: SweepClock,
-    of: LevelOfSweeps<'a>,
+    ticks_per_sample: f64,
+    of: DrawnLevel<'a>,
     sweep: u32,
 }
 
@@ -150,7 +167,7 @@ impl Explained<'_> {
     }
 
     fn links(&self, sets: &[AskedSet], index: usize, asked: i64, came: i64) -> Vec<Link> {
-        let loader = self.sweeps.loader();
+        let loader = self.loader;
         let unit = unit_of(loader, sets[index].colour);
         let access = accesses(loader) * loader.access as i64;
         let begin = came - loader.strobe as i64 - access - loader.pointer as i64;
@@ -168,7 +185,7 @@ impl Explained<'_> {
 
     /// What the line of the loader does from `asked` until it takes this set up, or until it is given up.
     fn wait(&self, sets: &[AskedSet], index: usize, asked: i64, until: i64) -> Link {
-        let loader = self.sweeps.loader();
+        let loader = self.loader;
         let strobe = loader.strobe as i64;
         let unit = unit_of(loader, sets[index].colour);
         let is_before = |set: &&AskedSet| {
@@ -200,7 +217,7 @@ impl Explained<'_> {
 
     /// An instant that a tick was turned into, as that tick.
     fn arrival(&self, time: SweepTime) -> i64 {
-        let half = 0.5 / self.sweeps.settings().timebase.ticks_per_sample();
+        let half = 0.5 / self.ticks_per_sample;
         self.seen(SweepTime(time.0 - half))
     }
 }
@@ -246,48 +263,53 @@ fn crossing_text(crossing: &Crossing) -> String {
     format!("crossing {} ({axis} stop, {:.1} m)", crossing.number, crossing.range)
 }
 
-/// The worst set-up: it begins with the sweep before, behind interrupts and set-ups that run over.
+/// The worst set-up: it begins with the sweep before, behind interrupts and set-ups that run over. One that is not made
+/// counts as a sweep too late.
 fn set_up(stage: &Stage, frame: &FrameTiming) -> Option<Chain> {
     let slack = frame.deadlines.get(&Deadline::SweepSetUp)?.least?;
     let settings = &stage.settings;
     let period = (frame.ticks / u64::from(settings.raster.sweeps)) as i64;
     let own = settings.cpu.sweep_setup as i64;
-    let late = frame.misses.iter().find(|missed| missed.deadline == Deadline::SweepSetUp);
+    let worst = latest(Deadline::SweepSetUp, frame);
     let what =
-        late.map_or("program of a sweep".into(), |missed| format!("program of sweep {}", missed.sweep));
-    let links = vec![
-        link("cpu", "interrupts and set-ups before it", period - own - slack),
-        link("cpu", "set-up", own),
-    ];
-    Some(Chain { deadline: Deadline::SweepSetUp, what, links, slack: Some(slack) })
+        worst.map_or("program of a sweep".into(), |missed| format!("program of sweep {}", missed.sweep));
+    let is_made = worst.is_none_or(|missed| missed.came.is_some());
+    let before = "interrupts and set-ups before it";
+    let links = match is_made {
+        true => vec![link("cpu", before, period - own - slack), link("cpu", "set-up", own)],
+        false => vec![link("cpu", before, period)],
+    };
+    Some(Chain { deadline: Deadline::SweepSetUp, what, links, slack: is_made.then_some(slack) })
 }
 
-/// Tables and polyhedra fill what crossings and set-ups leave. Whatever the processor did beside set-ups and tables is
-/// vertices, and crossings where it serves them itself.
+/// The miss of a frame that comes latest after its time; the first of several.
+fn latest(deadline: Deadline, frame: &FrameTiming) -> Option<&Missed> {
+    let lateness = |missed: &Missed| missed.lateness().unwrap_or(f64::INFINITY);
+    let ours = frame.misses.iter().filter(|missed| missed.deadline == deadline);
+    ours.reduce(|worst, missed| if lateness(missed) > lateness(worst) { missed } else { worst })
+}
+
+/// Tables and polyhedra fill what crossings and set-ups leave.
 fn frame_tasks(stage: &Stage, frame: &FrameTiming) -> Option<Chain> {
     let slack = frame.deadlines.get(&Deadline::FrameTasks)?.least?;
-    let cpu = &stage.settings.cpu;
-    let busy = frame.units.iter().find(|unit| unit.unit == "cpu")?.busy as i64;
-    let set_ups = frame.deadlines.get(&Deadline::SweepSetUp).map_or(0, |slack| slack.count);
-    let done = busy - (cpu.sweep_setup * set_ups) as i64;
-    let all = done + (-slack).max(0);
-    let tables = cpu.frame_tables as i64;
-    let serves = stage.settings.loader.served_by == CrossingServer::CpuInterrupt;
-    let rest = if serves { "crossings, vertices of polyhedra" } else { "vertices of polyhedra" };
+    let busy =
+        |unit: &str| frame.units.iter().find(|found| found.unit == unit).map(|found| found.busy as i64);
+    let all = busy("cpu.tables")? + busy("cpu.vertices")? + (-slack).max(0);
+    let tables = (stage.settings.cpu.frame_tables as i64).min(all);
     let links = vec![
-        link("cpu", "set-ups of sweeps, idle", frame.ticks as i64 - slack - all),
+        link("cpu", "crossings, set-ups of sweeps, idle", frame.ticks as i64 - slack - all),
         link("cpu", "visibility and tables", tables),
-        link("cpu", rest, all - tables),
+        link("cpu", format!("vertices of polyhedra: {}", frame.vertices.asked), all - tables),
     ];
     let what = "tables and polyhedra of the next frame".into();
     Some(Chain { deadline: Deadline::FrameTasks, what, links, slack: Some(slack) })
 }
 
 /// A record that the storage buffer does not hold waits for its drum; one that does not come in the frame counts as a
-/// sweep too late.
-fn corner(stage: &Stage, frame: &FrameTiming) -> Option<Chain> {
+/// sweep too late. There is no chain where every corner was there.
+fn corner(frame: &FrameTiming) -> Option<Chain> {
     let slack = frame.deadlines.get(&Deadline::Corner)?.least?;
-    let worst = frame.misses.iter().find(|missed| missed.deadline == Deadline::Corner)?;
+    let worst = latest(Deadline::Corner, frame)?;
     let [m, n] = worst.region?;
     let drums = frame.units.iter().filter(|unit| unit.unit.starts_with("drum."));
     let links = drums.map(|unit| {
@@ -295,12 +317,26 @@ fn corner(stage: &Stage, frame: &FrameTiming) -> Option<Chain> {
         link(&unit.unit, what, unit.busy as i64)
     });
     let what = format!("corner {m} {n} and others, first asked for in sweep {}", worst.sweep);
-    let timebase = &stage.settings.timebase;
-    let sweep = (timebase.ticks_per_sample() * f64::from(timebase.sweep_samples())) as i64;
+    let slack = worst.came.map(|_| slack);
+    Some(Chain { deadline: Deadline::Corner, what, links: links.collect(), slack })
+}
+
+/// Words of a crater or of a shadow boundary wait for their line, and for the part that they go to. There is no chain where
+/// all are in time.
+fn load(deadline: Deadline, frame: &FrameTiming) -> Option<Chain> {
+    let slack = frame.deadlines.get(&deadline)?.least?;
+    let worst = latest(deadline, frame)?;
+    let unit =
+        if deadline == Deadline::Feature { "feature-generator.load" } else { "shadow-controller.load" };
+    let busy = frame.units.iter().find(|found| found.unit == unit);
+    let links = busy.map(|found| link(unit, "at work in this frame, all loads together", found.busy as i64));
+    let crater = worst.crater.map_or("shadow boundary".into(), |crater| format!("crater {crater}"));
+    let part = worst.part.as_ref().map_or(", no part free".into(), |part| format!(", {part}"));
+    let range = worst.range_m.map_or(String::new(), |range| format!(" at {range:.1} m"));
     Some(Chain {
-        deadline: Deadline::Corner,
-        what,
-        links: links.collect(),
-        slack: Some(slack).filter(|&slack| slack != -sweep),
+        deadline,
+        what: format!("sweep {}: {crater}{range}{part}", worst.sweep),
+        links: links.into_iter().collect(),
+        slack: worst.came.map(|_| slack),
     })
 }

@@ -4,11 +4,13 @@ use std::fmt::Debug;
 
 use blake3::Hasher;
 use generator::Stage;
+use hardware_model::ShadowParts;
 use landscape::bank_file;
 use scenario::Scenario;
 
 /// Hash of everything that decides the timing of a mission: ground, bodies, path, and the settings of the digital side.
-/// Neither the frames that are recorded nor analog parts, light and display are in it: they change no event.
+/// Neither the frames that are recorded nor analog parts and display are in it: they change no event; light only where
+/// shadows have a timing.
 pub fn inputs_hash(scenario: &Scenario, stage: &Stage) -> String {
     let Stage { landscape, scenery, settings } = stage;
     let mut hasher = Hasher::new_derive_key("lunoid timing, inputs, format 1");
@@ -26,7 +28,32 @@ pub fn inputs_hash(scenario: &Scenario, stage: &Stage) -> String {
     add(&mut hasher, "loader", &settings.loader);
     add(&mut hasher, "data banks", &settings.data_banks);
     add(&mut hasher, "seed", &settings.seed);
+    add_craters(&mut hasher, stage);
+    add_shadows(&mut hasher, scenario, stage);
     hasher.finalize().to_hex().to_string()
+}
+
+/// Craters, where their words take time or parts to take them are few.
+fn add_craters(hasher: &mut Hasher, Stage { landscape, settings, .. }: &Stage) {
+    let parts = settings.feature_generator;
+    if landscape.features().is_empty() || (settings.feature_words.is_none() && parts.sub_generators.is_none())
+    {
+        return;
+    }
+    add(hasher, "feature generator", &(parts, settings.feature_words));
+    landscape.features().craters().iter().for_each(|crater| add(hasher, "crater", crater));
+}
+
+/// What casts shadows and when, where the words of their boundaries take time or parts to take them are few.
+fn add_shadows(hasher: &mut Hasher, scenario: &Scenario, Stage { scenery, settings, .. }: &Stage) {
+    let ShadowParts::Digital { line_generators } = settings.shadow_controller else { return };
+    if settings.shadows.is_none() || (settings.segment_words.is_none() && line_generators.is_none()) {
+        return;
+    }
+    add(hasher, "shadow controller", &(line_generators, settings.segment_words, settings.shadows));
+    add(hasher, "suns", &scenery.suns());
+    add(hasher, "tracks", &scenario.tracks);
+    scenery.standing().iter().for_each(|standing| add(hasher, "body", &standing.body));
 }
 
 /// Debug text names all fields, and floats in it read back the same.

@@ -24,18 +24,22 @@ pub fn text(record: &TimingRecord, sweeps: &Range<u64>, ns: f64) -> String {
     let all =
         record.frames.iter().flat_map(|frame| frame.misses.iter().map(move |missed| (frame.frame, missed)));
     let ours = all.filter(|(_, missed)| sweeps.contains(&u64::from(missed.sweep)));
-    let head = HEAD.map(String::from).into();
-    let rows: Vec<Vec<String>> =
-        [head].into_iter().chain(ours.map(|(frame, missed)| cells(frame, missed, ns))).collect();
+    let rows = rows(ours, ns);
     match rows.len() {
         1 => format!("\nno misses in sweeps {}..{}\n", sweeps.start, sweeps.end),
         _ => format!("\n{}", table(&rows)),
     }
 }
 
+/// Head and cells of misses, each with its frame.
+pub fn rows<'a>(misses: impl Iterator<Item = (u64, &'a Missed)>, ns: f64) -> Vec<Vec<String>> {
+    let head = HEAD.map(String::from).into();
+    [head].into_iter().chain(misses.map(|(frame, missed)| cells(frame, missed, ns))).collect()
+}
+
 fn cells(frame: u64, missed: &Missed, ns: f64) -> Vec<String> {
     let or_none = |text: Option<String>| text.unwrap_or_else(|| "-".into());
-    let words = [&missed.colour, &missed.register].into_iter().flatten();
+    let words = [&missed.colour, &missed.register, &missed.part].into_iter().flatten();
     let register = words.map(String::as_str).collect::<Vec<_>>().join(" ");
     vec![
         frame.to_string(),
@@ -43,7 +47,12 @@ fn cells(frame: u64, missed: &Missed, ns: f64) -> Vec<String> {
         missed.deadline.to_string(),
         or_none(missed.crossing.map(|crossing| crossing.to_string())),
         or_none(Some(register).filter(|register| !register.is_empty())),
-        or_none(missed.region.map(|[m, n]| format!("{m} {n}"))),
+        or_none(
+            missed
+                .crater
+                .map(|crater| format!("crater {crater}"))
+                .or_else(|| missed.region.map(|[m, n]| format!("{m} {n}"))),
+        ),
         or_none(missed.range_m.map(|range| format!("{range:.1}"))),
         missed.lateness().map_or("never came".into(), |late| format!("{:.1}", late * ns)),
         missed.words.count_ones().to_string(),

@@ -1,14 +1,15 @@
 //! `lunoid timing`: what the digital side did and when, and baselines to hold it to.
 
 mod baseline;
+mod columns;
 mod critical_path;
 mod inputs;
+pub mod levels;
 mod misses;
 mod plots;
 pub mod rehearsal;
 pub mod sets;
 mod show;
-pub mod sweeps;
 mod timeline;
 
 use clap::{Args, Subcommand};
@@ -36,6 +37,8 @@ enum What {
     Check(baseline::Check),
     /// Show deadlines, use of units, misses and the critical path, as text, JSON or plots.
     Show(show::Show),
+    /// Trace every column that differs from the ideal machine to lines of the record: 0 all are accounted for, 1 not.
+    Columns(columns::Columns),
 }
 
 impl TimingCommand {
@@ -45,6 +48,7 @@ impl TimingCommand {
             What::Record(record) => record.run(),
             What::Check(check) => check.run(),
             What::Show(show) => show.run(),
+            What::Columns(columns) => columns.run(),
         }
     }
 }

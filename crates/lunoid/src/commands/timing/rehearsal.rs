@@ -22,6 +22,8 @@ pub struct Rehearsal {
     pub scenario: Scenario,
     pub model: HardwareModel,
     pub stage: Stage,
+    /// The digital side of the stage.
+    pub control: ControlPlane,
     pub pool: ThreadPool,
 }
 
@@ -42,7 +44,8 @@ impl Rehearsal {
         let pool = threads.pool()?;
         let stage = loaded.stage(&pool)?;
         let Loaded { scenario, model, .. } = loaded;
-        Ok((Self { scenario, model, stage, pool }, chosen))
+        let control = ControlPlane::new(stage.clone());
+        Ok((Self { scenario, model, stage, control, pool }, chosen))
     }
 
     /// The hardware model with raster and range of the run, for formulas.
@@ -64,13 +67,12 @@ impl Rehearsal {
 
     /// The timing record of `frames`, ascending, at least one.
     pub fn record(&self, frames: &[u64], display: &Display) -> Result<TimingRecord, Failure> {
-        let control = ControlPlane::new(self.stage.clone());
         let poses = self.poses(frames)?;
         display.hear(Progress::Begins { what: "timing", frames: frames.len() as u64, kept: 0 });
         let mut kept: Vec<FrameTiming> = Vec::with_capacity(frames.len());
         let mut misses = 0;
         for (&frame, row) in frames.iter().zip(&poses) {
-            let found = self.pool.install(|| control.frame(frame, &row.pose)).map_err(Failure::input)?;
+            let found = self.pool.install(|| self.control.frame(frame, &row.pose)).map_err(Failure::input)?;
             misses += found.misses.len();
             kept.push(found);
             check_room(misses, kept.len())?;

@@ -2,7 +2,8 @@
 
 use quantities::SweepTime;
 use sweep_program::{
-    Colour, Fold, Load, Miss, PreloadRegister, RampAxis, Step, StepKind, Stop, SweepProgram, Target,
+    Colour, Fold, Load, Miss, NO_CORNER, PreloadRegister, RampAxis, Step, StepKind, Stop, SweepProgram,
+    Target,
 };
 
 /// A fold of the sweep.
@@ -31,6 +32,8 @@ pub struct AskedSet {
     pub used: Option<Crossing>,
     /// Whether it came after that fold, or never.
     pub late: bool,
+    /// Whether the data bank had not brought its corner: its words are 0.
+    pub is_missing: bool,
 }
 
 impl AskedSet {
@@ -124,7 +127,7 @@ impl Walk<'_> {
         let next = self.next[usize::from(axis == RampAxis::Y)];
         let urgent = across && next.is_some_and(|stop| axis.takes(stop, colour));
         let came = self.wired.then_some(asked.time);
-        AskedSet { colour, register, asked, urgent, came, used: None, late: false }
+        AskedSet { colour, register, asked, urgent, came, used: None, late: false, is_missing: false }
     }
 
     fn arrive(&mut self, time: SweepTime, load: Load) {
@@ -132,6 +135,7 @@ impl Walk<'_> {
         let Target::Preload(register) = load.target else { return };
         if let Some(set) = &mut self.open[load.colour as usize][register as usize] {
             set.came = Some(set.came.map_or(time, |known| if time > known { time } else { known }));
+            set.is_missing |= load.corner == NO_CORNER;
         }
     }
 

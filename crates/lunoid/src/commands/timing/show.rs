@@ -8,10 +8,10 @@ use serde_json::json;
 use timing::{FrameTiming, TimingRecord, Totals};
 
 use super::critical_path::{Chain, chains};
+use super::levels::drawn_levels;
 use super::misses;
 use super::plots::{write_slack, write_utilisation};
 use super::rehearsal::{Rehearsal, choose, spread};
-use super::sweeps::{Place, Sweeps};
 use super::timeline::SweepTimeline;
 use crate::loading::{Loaded, StageArgs, Threads};
 use crate::output::{expect_writable, print, print_json};
@@ -104,7 +104,7 @@ impl Show {
         self.draw_timeline(&rehearsal)?;
         let frame = tightest(&record);
         let poses = rehearsal.poses(&[frame.frame])?;
-        let chains = chains(&rehearsal.stage, &rehearsal.pool, &poses[0].pose, frame);
+        let chains = chains(&rehearsal, &poses[0].pose, frame)?;
         self.tell(&record, frame.frame, &chains, &rehearsal)?;
         Ok(Verdict::Yes)
     }
@@ -138,12 +138,11 @@ impl Show {
             return Ok(());
         };
         let poses = rehearsal.poses(&[frame])?;
-        let sweeps = Sweeps::new(&rehearsal.stage);
-        let levels = sweeps.levels();
+        let sweeps = rehearsal.control.sweeps(frame, &poses[0].pose).map_err(Failure::input)?;
+        let levels = drawn_levels(&rehearsal.stage);
         let number = usize::from(self.level == LevelWord::Coarse).min(levels.len() - 1);
-        let place = Place { frame, pose: &poses[0].pose, sweep };
         let title = format!("{} on {}", rehearsal.scenario.title, rehearsal.model.name);
-        SweepTimeline::new(&sweeps, levels[number], place).draw(&title, self.range_m, path)
+        SweepTimeline::new(&sweeps, levels[number], (frame, sweep)).draw(&title, self.range_m, path)
     }
 
     fn tell(

@@ -5,30 +5,33 @@ use std::path::Path;
 use ::plots::{
     Axis, EventLane, Panel, Span as Bar, Stops, Stretch, Timeline, Trace, TraceLook, timeline_picture,
 };
+use machine::FrameSweeps;
 use quantities::SweepTime;
-use sweep_program::{Colour, PreloadRegister, RampAxis, SweepProgram};
+use sweep_generator::RangeTable;
+use sweep_program::{Colour, NO_CORNER, PreloadRegister, RampAxis, SweepProgram};
 
 use super::critical_path::{colour_word, register_word};
+use super::levels::DrawnLevel;
 use super::sets::{AskedSet, crossings, sets_of};
-use super::sweeps::{LevelOfSweeps, Place, Sweeps, blank_program};
 use crate::Failure;
 
 /// A sweep that has been timed.
 pub struct SweepTimeline<'a> {
-    sweeps: &'a Sweeps<'a>,
-    of: LevelOfSweeps<'a>,
-    place: Place<'a>,
+    of: DrawnLevel<'a>,
+    table: &'a RangeTable,
+    /// Frame, sweep, and the sweep whose set-up draws it.
+    place: (u64, u32, u32),
     program: SweepProgram,
     sets: Vec<AskedSet>,
 }
 
 impl<'a> SweepTimeline<'a> {
-    /// Times a sweep over one level.
-    pub fn new(sweeps: &'a Sweeps<'a>, of: LevelOfSweeps<'a>, place: Place<'a>) -> Self {
-        let (mut program, mut sets) = (blank_program(), Vec::new());
-        sweeps.write(&of, place, &mut program);
+    /// Times a sweep over one level of a frame.
+    pub fn new(sweeps: &'a FrameSweeps<'_>, of: DrawnLevel<'a>, (frame, sweep): (u64, u32)) -> Self {
+        let program = sweeps.programs(sweep).swap_remove(of.number);
+        let mut sets = Vec::new();
         sets_of(&program, sweeps.loader().is_wired_through(), &mut sets);
-        Self { sweeps, of, place, program, sets }
+        Self { of, table: sweeps.table(), place: (frame, sweep, sweeps.set_up_of(sweep)), program, sets }
     }
 
     /// Draws it over `range` (m), or over all of the sweep.
@@ -44,21 +47,33 @@ impl<'a> SweepTimeline<'a> {
             stops: [RampAxis::X, RampAxis::Y].map(|axis| self.stops(axis)).into(),
             lanes: self.lanes(),
         };
-        let look =
-            TraceLook { facts: vec![self.facts()], width: 1200, height: 180, ..TraceLook::titled(title) };
+        let look = TraceLook { facts: self.facts(), width: 1200, height: 180, ..TraceLook::titled(title) };
         let picture = timeline_picture(&timeline, &look).map_err(Failure::usage)?;
         picture.write(path).map_err(Failure::output)
     }
 
-    fn facts(&self) -> String {
+    fn facts(&self) -> Vec<String> {
         let late = self.sets.iter().filter(|set| set.late).count();
         let used = self.sets.iter().filter(|set| set.used.is_some()).count();
         let (crossings, level) = (crossings(&self.program).count(), self.of.name);
-        let Place { frame, sweep, .. } = self.place;
-        format!(
-            "frame {frame}, sweep {sweep}, {level} level: {crossings} crossings, {used} sets used, {late} of them late; every \
-             corner in the storage buffer"
-        )
+        let (frame, sweep, drawn) = self.place;
+        let counts = format!(
+            "frame {frame}, sweep {sweep}, {level} level: {crossings} crossings, {used} sets used, {late} of them late"
+        );
+        let late_set_up =
+            (drawn != sweep).then(|| format!("its own set-up is late: drawn with that of sweep {drawn}"));
+        let missing = self.missing();
+        let missing = (missing > 0).then(|| {
+            format!("{missing} sets of corners that are not in the storage buffer, home registers with them")
+        });
+        [counts].into_iter().chain(late_set_up).chain(missing).collect()
+    }
+
+    /// Sets whose corner the data bank has not brought, those of the home registers too.
+    fn missing(&self) -> usize {
+        let home = self.program.registers.iter().flat_map(|set| [set.hold, set.x_first, set.y_first]);
+        let sets = self.sets.iter().filter(|set| set.is_missing);
+        home.filter(|&corner| corner == NO_CORNER).count() + sets.count()
     }
 
     /// Ground ranges of the folds of one ramp (m).
@@ -73,7 +88,7 @@ impl<'a> SweepTimeline<'a> {
 
     /// Places within `window`, all folds among them, and both ramps there.
     fn ramps(&self, [low, high]: [f64; 2]) -> (Vec<f64>, [Vec<f64>; 2]) {
-        let samples = self.sweeps.table.ranges().iter().copied();
+        let samples = self.table.ranges().iter().copied();
         let folds = crossings(&self.program).map(|(range, _)| range);
         let end = self.program.end_range.min(high);
         let mut x: Vec<f64> =
@@ -103,7 +118,8 @@ impl<'a> SweepTimeline<'a> {
         .collect()
     }
 
-    /// On its way from the fold that asks, late from the fold that needs it, ready until it is used.
+    /// On its way from the fold that asks, late from the fold that needs it, ready until it is used; words of a corner that
+    /// is not there are as wrong as late ones.
     fn bars(&self, set: &AskedSet) -> Vec<Bar> {
         let asked = set.asked.range;
         let used = set.used.map_or(self.program.end_range, |used| used.range);
@@ -114,7 +130,10 @@ impl<'a> SweepTimeline<'a> {
                 let to = came.unwrap_or_else(|| self.next_use(set));
                 vec![bar(asked, used, Stretch::OnItsWay), bar(used, to, Stretch::Late)]
             }
-            (false, Some(came)) => vec![bar(asked, came, Stretch::OnItsWay), bar(came, used, Stretch::Ready)],
+            (false, Some(came)) => {
+                let waits = if set.is_missing { Stretch::Late } else { Stretch::Ready };
+                vec![bar(asked, came, Stretch::OnItsWay), bar(came, used, waits)]
+            }
             // Dropped, since its colour has moved on.
             (false, None) => Vec::new(),
         }
@@ -131,6 +150,6 @@ impl<'a> SweepTimeline<'a> {
     }
 
     fn range_at(&self, time: SweepTime) -> f64 {
-        self.sweeps.table.range_at(time).min(self.program.end_range)
+        self.table.range_at(time).min(self.program.end_range)
     }
 }

@@ -1,0 +1,117 @@
+//! The answer in words.
+
+use crate::ground::GroundPoint;
+use crate::seek::{Explanation, Writer};
+
+/// Below this a pixel counts as dark.
+const DARK: f64 = 0.02;
+/// From here on the error against the closed form is worth a sentence: two levels of 255.
+const TELLING: f64 = 2.0 / 255.0;
+
+/// Why the pixel is as it is: who wrote it, what made it bright or dark, what was late, how far it is from right.
+pub fn because(told: &Explanation) -> Vec<String> {
+    let mut reasons = vec![writer(told)];
+    if let Some(ground) = told.ground.as_ref().filter(|_| told.writer == Writer::Ground) {
+        reasons.push(light(ground));
+        reasons.extend(stale(ground));
+    }
+    reasons.extend(digital(told));
+    reasons.extend(reading(told));
+    reasons.extend(error(told));
+    reasons
+}
+
+fn writer(told: &Explanation) -> String {
+    let sweep = told.place.sweep;
+    match (&told.ground, told.writer) {
+        (Some(ground), Writer::Ground) => format!(
+            "sweep {sweep} drew it at sample {}: ground at {:.1} m, {} level, region {}, {}",
+            ground.sample, ground.range_m, ground.level, ground.region[0], ground.region[1]
+        ),
+        (Some(ground), Writer::Body) => {
+            format!("a body covers it on sweep {sweep}; behind it lies ground at {:.1} m", ground.range_m)
+        }
+        (None, Writer::Body) => format!("a body covers it on sweep {sweep}; behind it is sky"),
+        (_, Writer::Silhouette) => {
+            format!("a stored outline stands there, behind the last sample of sweep {sweep}")
+        }
+        _ => match told.highest {
+            Some((line, range)) => format!(
+                "sky: no stroke of sweep {sweep} crosses cell {}; its profile reaches up to {line:.2}, at {range:.1} m",
+                told.place.cell
+            ),
+            None => format!("sky: sweep {sweep} wrote nothing"),
+        },
+    }
+}
+
+/// What made the ground bright or dark.
+fn light(ground: &GroundPoint) -> String {
+    let value = ground.reflectivity;
+    match ground {
+        _ if ground.in_shadow => format!("sc.gate is on: something stands between it and the sun ({value:.3})"),
+        GroundPoint { features_shown: true, .. } if value <= DARK => {
+            format!("mu.vs1 shows a crater, whose face here is turned from the sun ({value:.3})")
+        }
+        GroundPoint { features_shown: true, .. } => {
+            format!("mu.vs1 shows a crater in the light ({value:.3})")
+        }
+        GroundPoint { terrain_slopes: [north, east], .. } if value <= DARK => {
+            format!("tg.reflectivity: the slope ({north:.3} north, {east:.3} east) is turned from the sun ({value:.3})")
+        }
+        GroundPoint { terrain_slopes: [north, east], .. } => {
+            format!("tg.reflectivity: the slope ({north:.3} north, {east:.3} east) is lit ({value:.3})")
+        }
+    }
+}
+
+fn stale(ground: &GroundPoint) -> impl Iterator<Item = String> {
+    ground.colours.iter().filter(|colour| colour.stale).map(|colour| {
+        let [m, n] = colour.wanted;
+        match colour.held {
+            Some([p, q]) => {
+                format!("tg.{}.hold is stale: it holds corner {p}, {q}; the region has {m}, {n}", colour.colour)
+            }
+            None => format!("tg.{}.hold is empty: the data bank has not delivered corner {m}, {n}", colour.colour),
+        }
+    })
+}
+
+fn digital(told: &Explanation) -> Vec<String> {
+    let mut reasons = Vec::new();
+    let (sweep, drawn) = (told.place.sweep, told.place.drawn_with);
+    if sweep != drawn {
+        reasons.push(format!("the set-up of sweep {sweep} was not ready: that of sweep {drawn} was drawn again"));
+    }
+    let in_force = told.late.iter().filter(|late| late.in_force);
+    reasons.extend(in_force.map(|late| {
+        format!(
+            "late words in force: {} {}, due at crossing {} (dpu.late, cause {})",
+            late.colour, late.register, late.crossing, late.cause
+        )
+    }));
+    reasons
+}
+
+/// What the read beam and the tube made of it.
+fn reading(told: &Explanation) -> Option<String> {
+    let difference = told.intensity - told.left;
+    (difference.abs() > TELLING).then(|| {
+        format!(
+            "sm.write left {:.3}; the read-out shows {:.3}: its beam lies at sweep {:.2}, cell {:.2}, and a tube adds residue and noise",
+            told.left, told.intensity, told.place.between_sweeps, told.place.between_cells
+        )
+    })
+}
+
+fn error(told: &Explanation) -> Option<String> {
+    let exact = told.exact.as_ref()?;
+    let difference = told.intensity - exact.intensity;
+    let place = exact.range_m.map_or_else(|| "sky".to_owned(), |range| format!("{} at {range:.1} m", exact.label));
+    Some(if difference.abs() <= TELLING {
+        format!("exact agrees: {:.3}, {place}", exact.intensity)
+    } else {
+        let word = if difference < 0.0 { "darker" } else { "brighter" };
+        format!("exact has {:.3}, {place}: the machine is {:.3} {word}", exact.intensity, difference.abs())
+    })
+}

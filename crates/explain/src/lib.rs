@@ -1,0 +1,28 @@
+//! From a pixel of a frame to the wires that made it.
+//!
+//! ```text
+//! pixel ─▶ read beam ─▶ sweep, cell ─▶ last stroke across the cell ─▶ sample ─▶ every signal there
+//!                          │                                            └▶ region, colours, craters, gates
+//!                          └▶ program of the sweep ─▶ registers then, late words in force
+//! exact ─▶ the same pixel by closed form ─▶ error
+//! ```
+//!
+//! **Law.** The stroke from sample k-1 to k crosses the middle of a cell if the beam's line passes it and the beam is not
+//! blanked at k; of several the last one stays in the store. What the sample tells is the machine's own: every number is
+//! a signal of the signal table or follows from the program that the sweep ran.
+//! **Our choices.** A pixel that a tube reads between four sweeps is told by the nearest. What bodies cover is told as
+//! theirs; the ground behind is told as well. A register is stale if its corner is not the one that the region asks
+//! for, whatever brought it there.
+//! **Not told.** What the read beam, the tube's residue and its noise add to what the sweep left: that is the difference
+//! between `left` and the pixel's `intensity`.
+
+mod because;
+mod column;
+mod ground;
+mod registers;
+mod seek;
+
+pub use column::SweepColumn;
+pub use ground::{ColourState, GroundPoint};
+pub use registers::Late;
+pub use seek::{ExactPixel, Explanation, Inquiry, InquiryError, Place, Writer};

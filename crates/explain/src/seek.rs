@@ -1,0 +1,219 @@
+//! The way from a pixel to its sample.
+
+use exact::Columns;
+use generator::{FrameError, Label, PlaneKind, Planes, Session, Shade, Stage};
+use machine::{ControlPlane, FrameSweeps};
+use scenario::Pose;
+use serde::Serialize;
+use signal::Probe;
+
+use crate::because::because;
+use crate::column::{SIGNALS, SweepColumn};
+use crate::ground::GroundPoint;
+use crate::registers::{Late, late};
+
+/// Where a pixel lies in what the sweeps wrote.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Place {
+    /// Sweep and its fraction: the centre of sweep n is at n.
+    pub between_sweeps: f64,
+    /// Cell of the sweep and its fraction.
+    pub between_cells: f64,
+    /// The nearest sweep.
+    pub sweep: u32,
+    /// The nearest cell, from the top.
+    pub cell: usize,
+    /// Cells of a sweep: lines of the picture, or finer ones under a yoke.
+    pub cells: usize,
+    /// Sweep whose set-up this one was drawn with: another one if its own came late.
+    pub drawn_with: u32,
+}
+
+/// Who left what the pixel shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Writer {
+    /// Terrain and features.
+    Ground,
+    /// A polyhedron, over whatever is behind.
+    Body,
+    /// A mountain of which only the outline is stored.
+    Silhouette,
+    /// Nobody.
+    Sky,
+}
+
+/// The same pixel by closed form.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ExactPixel {
+    /// Linear intensity under the pixel rule.
+    pub intensity: f64,
+    /// Ground range of the pixel's centre (m); none in the sky.
+    pub range_m: Option<f64>,
+    /// Height there (m).
+    pub height_m: f64,
+    /// What is seen.
+    pub label: &'static str,
+    /// How it is lit.
+    pub shade: &'static str,
+}
+
+/// From a pixel to the wires that made it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Explanation {
+    /// Frame.
+    pub frame: u64,
+    /// Its time (s).
+    pub time_s: f64,
+    /// Column and line, from the top left.
+    pub pixel: [usize; 2],
+    /// What the picture shows there: linear, 0..=1.
+    pub intensity: f64,
+    /// What the sweep left in the nearest cell.
+    pub left: f64,
+    /// Where that is.
+    pub place: Place,
+    /// Who wrote it.
+    pub writer: Writer,
+    /// The ground there, or behind the body that hides it.
+    pub ground: Option<GroundPoint>,
+    /// Highest line that the profile of the sweep reaches, and at which range (m).
+    pub highest: Option<(f64, f64)>,
+    /// Words of the sweep that were late before the sample.
+    pub late: Vec<Late>,
+    /// By closed form.
+    pub exact: Option<ExactPixel>,
+    /// The same in words, most telling first.
+    pub because: Vec<String>,
+}
+
+/// Why a pixel cannot be explained.
+#[derive(Debug, thiserror::Error)]
+pub enum InquiryError {
+    /// The frame cannot be drawn.
+    #[error(transparent)]
+    Frame(#[from] FrameError),
+    /// There is no such pixel.
+    #[error("pixel {x},{y}: a picture has columns 0..{columns} and lines 0..{lines}; expected one of them")]
+    Pixel {
+        /// Column asked for.
+        x: usize,
+        /// Line asked for.
+        y: usize,
+        /// Columns of the picture.
+        columns: u32,
+        /// Lines of the picture.
+        lines: u32,
+    },
+}
+
+/// A machine that answers questions about its pictures.
+pub struct Inquiry<'a> {
+    /// What it draws.
+    pub stage: &'a Stage,
+    /// The machine.
+    pub session: &'a dyn Session,
+    /// Its digital side.
+    pub control: &'a ControlPlane,
+    /// The closed form, if the error is to be told.
+    pub exact: Option<&'a Columns>,
+}
+
+impl Inquiry<'_> {
+    /// Explains pixel (column, line) of a frame. The frame is drawn by the threads of the current pool.
+    ///
+    /// # Errors
+    /// If there is no such pixel, or the pose cannot be drawn.
+    pub fn explain(
+        &self,
+        frame: u64,
+        pose: &Pose,
+        [x, y]: [usize; 2],
+    ) -> Result<Explanation, InquiryError> {
+        let raster = &self.stage.settings.raster;
+        let (columns, lines) = (raster.columns, raster.lines);
+        if x >= columns as usize || y >= lines as usize {
+            return Err(InquiryError::Pixel { x, y, columns, lines });
+        }
+        let sweeps = self.control.sweeps(frame, pose)?;
+        let place = self.place(&sweeps, pose, [x, y]);
+        let patterns = SIGNALS.iter().map(|name| (*name).to_owned()).collect();
+        let mut probe = Probe::new(patterns, place.sweep..place.sweep + 1);
+        let mut planes = Planes::new(columns as usize, lines as usize, &[PlaneKind::Intensity]);
+        self.session.frame(frame, pose, &mut planes, &mut probe)?;
+        let shown = planes.get(PlaneKind::Intensity).map_or(0.0, |plane| plane[y * columns as usize + x]);
+        let column = SweepColumn::new(std::mem::take(&mut probe.waveforms));
+        let mut explanation = self.of_column(&sweeps, pose, place, &column);
+        explanation.frame = frame;
+        explanation.pixel = [x, y];
+        explanation.intensity = f64::from(shown);
+        explanation.exact = self.exact.map(|exact| exact_pixel(exact, frame, pose, [x, y])).transpose()?;
+        explanation.because = because(&explanation);
+        Ok(explanation)
+    }
+
+    fn place(&self, sweeps: &FrameSweeps<'_>, pose: &Pose, pixel: [usize; 2]) -> Place {
+        let [between_sweeps, between_cells] = sweeps.place_of(pose, pixel);
+        let (last, cells) = (self.stage.settings.raster.sweeps - 1, sweeps.cells());
+        let sweep = between_sweeps.round().clamp(0.0, f64::from(last)) as u32;
+        let cell = between_cells.round().clamp(0.0, (cells - 1) as f64) as usize;
+        Place { between_sweeps, between_cells, sweep, cell, cells, drawn_with: sweeps.set_up_of(sweep) }
+    }
+
+    fn of_column(
+        &self,
+        sweeps: &FrameSweeps<'_>,
+        pose: &Pose,
+        place: Place,
+        column: &SweepColumn,
+    ) -> Explanation {
+        let programs = sweeps.programs(place.sweep);
+        let period_us = 1e6 / self.stage.settings.timebase.sample_rate().hertz();
+        let stroke = column.stroke_across(place.cell);
+        let ground = stroke.map(|sample| {
+            GroundPoint::at(sample, column, &programs, &self.stage.landscape, pose.eye, period_us)
+        });
+        let left = column.at("sm.write", place.cell);
+        let writer = match &ground {
+            _ if column.at("pg.present", place.cell) > 0.0 => Writer::Body,
+            Some(_) => Writer::Ground,
+            None if left > 0.0 => Writer::Silhouette,
+            None => Writer::Sky,
+        };
+        let missed = |sample| programs.iter().flat_map(|program| late(program, sample)).collect();
+        Explanation {
+            frame: 0,
+            time_s: pose.time,
+            pixel: [0, 0],
+            intensity: 0.0,
+            left,
+            writer,
+            highest: column.highest().map(|(line, sample)| (line, column.at("sweep.range", sample))),
+            late: stroke.map_or_else(Vec::new, missed),
+            place,
+            ground,
+            exact: None,
+            because: Vec::new(),
+        }
+    }
+}
+
+fn exact_pixel(
+    exact: &Columns,
+    frame: u64,
+    pose: &Pose,
+    [x, y]: [usize; 2],
+) -> Result<ExactPixel, FrameError> {
+    let kinds =
+        [PlaneKind::Intensity, PlaneKind::Range, PlaneKind::Height, PlaneKind::Label, PlaneKind::Shadow];
+    let planes = exact.column(frame, pose, x, &kinds)?;
+    let of = |kind| planes.get(kind).map_or(0.0, |plane| f64::from(plane[y]));
+    let range = of(PlaneKind::Range);
+    Ok(ExactPixel {
+        intensity: of(PlaneKind::Intensity),
+        range_m: range.is_finite().then_some(range),
+        height_m: of(PlaneKind::Height),
+        label: Label::of_code(of(PlaneKind::Label) as u8).map_or("unknown", Label::name),
+        shade: Shade::of_code(of(PlaneKind::Shadow) as u8).map_or("unknown", Shade::name),
+    })
+}

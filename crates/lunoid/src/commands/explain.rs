@@ -1,0 +1,154 @@
+//! `lunoid explain`: from a pixel of a frame to the wires that made it.
+
+use clap::Args;
+use exact::Columns;
+use explain::{Explanation, GroundPoint, Inquiry, InquiryError, Late};
+use generator::Generator;
+use machine::HybridMachine;
+
+use crate::commands::timing::rehearsal::Rehearsal;
+use crate::loading::{StageArgs, Threads};
+use crate::output::{print, print_json};
+use crate::values::pixel;
+use crate::{Failure, Verdict};
+
+const AFTER: &str = "Examples:
+  lunoid explain scenarios/first-light.toml --frame 60 --pixel 500,300
+  lunoid explain scenarios/nominal-drive.toml --frame 45 --pixel 210,260 --json
+
+Then look at the wires: lunoid probe SCENARIO --frame F --sweep S --out sweep.png";
+
+/// Say which sweep and sample made a pixel, and what every block did there.
+#[derive(Debug, Args)]
+#[command(after_help = AFTER)]
+pub struct Explain {
+    #[command(flatten)]
+    stage: StageArgs,
+    #[command(flatten)]
+    threads: Threads,
+    /// Frame, counted at the update rate.
+    #[arg(long)]
+    frame: u64,
+    /// Pixel: column and line, from 0 at the top left.
+    #[arg(long, value_name = "X,Y", value_parser = pixel)]
+    pixel: [usize; 2],
+    /// Leave the closed form out, and with it the error.
+    #[arg(long)]
+    no_exact: bool,
+    /// Print as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+impl Explain {
+    /// Explains.
+    pub fn run(&self) -> Result<Verdict, Failure> {
+        let (rehearsal, _) = Rehearsal::open(&self.stage, &self.threads, |loaded| {
+            let (frame, frames) = (self.frame, loaded.frames());
+            match frame < frames {
+                true => Ok(vec![frame]),
+                false => Err(Failure::usage(format!(
+                    "--frame {frame}: the scenario has frames 0..{frames}; expected one of them"
+                ))),
+            }
+        })?;
+        let pose = rehearsal.poses(&[self.frame])?[0].pose;
+        let session = HybridMachine.prepare(rehearsal.stage.clone()).map_err(Failure::input)?;
+        let exact = (!self.no_exact).then(|| Columns::new(rehearsal.stage.clone()));
+        let inquiry = Inquiry {
+            stage: &rehearsal.stage,
+            session: session.as_ref(),
+            control: &rehearsal.control,
+            exact: exact.as_ref(),
+        };
+        let told = rehearsal.pool.install(|| inquiry.explain(self.frame, &pose, self.pixel));
+        let told = told.map_err(|error| match error {
+            InquiryError::Pixel { .. } => Failure::usage(format!("--pixel: {error}")),
+            InquiryError::Frame(error) => Failure::input(error),
+        })?;
+        if self.json {
+            let mut document = serde_json::to_value(&told).map_err(Failure::input)?;
+            document["schema"] = "lunoid.explain/1".into();
+            print_json(&document)?;
+        } else {
+            print(&text(&told))?;
+        }
+        Ok(Verdict::Yes)
+    }
+}
+
+fn text(told: &Explanation) -> String {
+    let place = &told.place;
+    let [x, y] = told.pixel;
+    let mut lines = vec![format!(
+        "frame {} ({:.3} s), pixel {x},{y}: {:.4} of full scale",
+        told.frame, told.time_s, told.intensity
+    )];
+    lines.extend(told.because.iter().map(|reason| format!("  - {reason}")));
+    lines.push(String::new());
+    lines.push(row(
+        "read beam",
+        &format!("sweep {:.3}, cell {:.3} of {}", place.between_sweeps, place.between_cells, place.cells),
+    ));
+    lines.push(row("sm.write", &format!("{:.4} in cell {} of sweep {}", told.left, place.cell, place.sweep)));
+    lines.extend(told.ground.iter().flat_map(ground_rows));
+    lines.extend(told.late.iter().map(late_row));
+    let Some(exact) = &told.exact else { return lines.join("\n") + "\n" };
+    let range = exact.range_m.map_or_else(String::new, |range| format!(" at {range:.2} m, {:.3} m high", exact.height_m));
+    lines.push(row("exact", &format!("{:.4}: {}{range}, {}", exact.intensity, exact.label, exact.shade)));
+    lines.join("\n") + "\n"
+}
+
+fn row(name: &str, value: &str) -> String {
+    format!("{name:<18} {value}")
+}
+
+fn ground_rows(ground: &GroundPoint) -> Vec<String> {
+    let [north, east] = ground.place_m;
+    let gate = |on: bool| if on { "on" } else { "off" };
+    let mut rows = vec![
+        row("sample", &format!("{}, {:.3} µs", ground.sample, ground.time_us)),
+        row("sweep.range", &format!("{:.2} m: {north:.2} m north, {east:.2} m east", ground.range_m)),
+        row("sweep.x, sweep.y", &format!("{:.4}, {:.4}; s_x {:+}, s_y {:+}", ground.ramps[0], ground.ramps[1], ground.polarity[0], ground.polarity[1])),
+        row("region", &format!("{}, {} of the {} level", ground.region[0], ground.region[1], ground.level)),
+    ];
+    rows.extend(ground.colours.iter().map(|colour| {
+        let corner = |place: [i64; 2]| format!("{}, {}", place[0], place[1]);
+        let held = colour.held.map_or_else(|| "nothing".to_owned(), corner);
+        let share = colour.height_m.map_or_else(String::new, |height| format!(", adds {height:.3} m"));
+        let stale = if colour.stale { format!(" STALE: wants {}", corner(colour.wanted)) } else { String::new() };
+        row(&format!("tg.{}.hold", colour.colour), &format!("corner {held}{share}{stale}"))
+    }));
+    let [u, v] = ground.terrain_slopes;
+    rows.extend([
+        row("tg.height", &format!("{:.3} m", ground.terrain_height_m)),
+        row("tg.slope", &format!("{u:.4} north, {v:.4} east")),
+        row("tg.reflectivity", &format!("{:.4}", ground.terrain_reflectivity)),
+        row("fg.height", &format!("{:.3} m{}", ground.feature_height_m, craters(&ground.craters))),
+        row("mu.vs1, sc.gate", &format!("{}, {}", gate(ground.features_shown), gate(ground.in_shadow))),
+        row("txg.texture", &format!("{:.4}", ground.texture)),
+        row("mu", &format!("height {:.3} m, reflectivity {:.4}", ground.height_m, ground.reflectivity)),
+        row("dpp", &format!("elevation {:.6}, hold {:.6}, line {:.3}", ground.elevation, ground.hold, ground.line)),
+    ]);
+    rows.extend(ground.hides_m.map(|[near, far]| row("dpp.blank", &format!("hides the ground from {near:.1} to {far:.1} m"))));
+    rows
+}
+
+fn craters(numbers: &[u32]) -> String {
+    match numbers {
+        [] => String::new(),
+        _ => format!(": craters {}", numbers.iter().map(u32::to_string).collect::<Vec<_>>().join(", ")),
+    }
+}
+
+fn late_row(late: &Late) -> String {
+    let came = late.came.map_or_else(|| "never came".to_owned(), |came| format!("came at {came:.2}"));
+    let force = if late.in_force { ", in force" } else { "" };
+    row(
+        "dpu.late",
+        &format!(
+            "crossing {}, {} {}: due at sample {:.2}, {came}, words {:#05x}, {}{force}",
+            late.crossing, late.colour, late.register, late.due, late.words, late.cause
+        ),
+    )
+}

@@ -1,0 +1,164 @@
+//! `lunoid signals`: what can be probed.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use generator::Generator;
+use machine::HybridMachine;
+use serde_json::{Value, json};
+use signal::{Signal, Wire};
+use waveform::wire_record;
+
+use crate::loading::{StageArgs, Threads};
+use crate::output::{print, print_json, table};
+use crate::{Failure, Verdict};
+
+const AFTER: &str = "Examples:
+  lunoid signals 'tg.*'
+  lunoid signals scenarios/first-light.toml --machine pra-nominal 'tg.*,dpp.*'
+
+Without a scenario, all signals that a machine can have. With one (a file, or a name that ends in .toml), the wires of the
+machine that it is elaborated to, with the value and the voltage at full scale.";
+
+/// List the signals that can be probed.
+#[derive(Debug, Args)]
+#[command(after_help = AFTER)]
+pub struct Signals {
+    /// Scenario file, then names, with * for any run of characters; all if left out.
+    #[arg(value_name = "SCENARIO] [NAMES", value_delimiter = ',')]
+    words: Vec<String>,
+    /// Hardware model by name or path; the scenario's own if left out.
+    #[arg(short, long, value_name = "MODEL")]
+    machine: Option<String>,
+    /// Leave nothing out of the machine.
+    #[arg(long)]
+    everything: bool,
+    #[command(flatten)]
+    threads: Threads,
+    /// Print as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+impl Signals {
+    /// Lists.
+    pub fn run(&self) -> Result<Verdict, Failure> {
+        let (scenario, patterns) = self.scenario();
+        let listing = match scenario {
+            None if self.machine.is_some() || self.everything => {
+                return Err(Failure::usage(
+                    "--machine, --everything: a machine is elaborated for a scenario; name its file first",
+                ));
+            }
+            None => SignalListing::of_table(),
+            Some(path) => self.of_scenario(path)?,
+        };
+        listing.matching(&patterns)?.show(self.json)?;
+        Ok(Verdict::Yes)
+    }
+
+    /// The first word is a scenario if it is a file or is called like one.
+    fn scenario(&self) -> (Option<PathBuf>, Vec<String>) {
+        let is_scenario = |word: &&String| word.ends_with(".toml") || Path::new(word).is_file();
+        let scenario = self.words.first().filter(is_scenario).map(PathBuf::from);
+        let patterns: Vec<String> =
+            self.words.iter().skip(usize::from(scenario.is_some())).cloned().collect();
+        (scenario, if patterns.is_empty() { vec!["*".into()] } else { patterns })
+    }
+
+    fn of_scenario(&self, scenario: PathBuf) -> Result<SignalListing, Failure> {
+        let (machine, everything) = (self.machine.clone(), self.everything);
+        let stage = StageArgs { scenario, machine, everything, ..StageArgs::default() };
+        let mut loaded = stage.load()?;
+        let built = loaded.stage(&self.threads.pool()?)?;
+        let wires = loaded.generator.prepare(built).map_err(Failure::input)?.wires();
+        if wires.is_empty() {
+            let name = loaded.generator.name();
+            return Err(Failure::usage(format!("machine {name} has no signals; expected a hardware model")));
+        }
+        let rows = wires.into_iter().map(|wire| Row { signal: wire.signal, wire: Some(wire) }).collect();
+        let of = Some((stage.scenario.display().to_string(), loaded.inputs.model));
+        Ok(SignalListing { rows, of })
+    }
+}
+
+/// Signals, and the machine whose they are.
+pub struct SignalListing {
+    rows: Vec<Row>,
+    /// Scenario and machine.
+    of: Option<(String, String)>,
+}
+
+/// A signal, with its wire in an elaborated machine.
+struct Row {
+    signal: Signal,
+    wire: Option<Wire>,
+}
+
+impl SignalListing {
+    /// All signals that a machine can have.
+    pub fn of_table() -> Self {
+        let rows = HybridMachine.signals().iter().map(|signal| Row { signal: *signal, wire: None });
+        Self { rows: rows.collect(), of: None }
+    }
+
+    /// Those that match a pattern; every pattern must match one.
+    fn matching(mut self, patterns: &[String]) -> Result<Self, Failure> {
+        let matches = |row: &Row, pattern: &String| row.signal.matches(pattern);
+        if let Some(pattern) =
+            patterns.iter().find(|pattern| !self.rows.iter().any(|row| matches(row, pattern)))
+        {
+            return Err(Failure::usage(format!(
+                "{pattern}: no signal of this name; `lunoid signals` lists them"
+            )));
+        }
+        self.rows.retain(|row| patterns.iter().any(|pattern| matches(row, pattern)));
+        Ok(self)
+    }
+
+    /// Prints a table or a document.
+    pub fn show(&self, json: bool) -> Result<(), Failure> {
+        if json {
+            let rows: Vec<Value> = self.rows.iter().map(Row::record).collect();
+            let mut document = json!({ "schema": "lunoid.signals/1", "signals": rows });
+            if let Some((scenario, machine)) = &self.of {
+                document["scenario"] = scenario.as_str().into();
+                document["machine"] = machine.as_str().into();
+            }
+            return print_json(&document);
+        }
+        let scale: &[&str] = if self.of.is_some() { &["full scale", "volts", "0 V at"] } else { &[] };
+        let heading = [&["name", "unit"], scale, &["kind", "axis", "block", "figure", "meaning"]].concat();
+        let heading = heading.into_iter().map(str::to_owned).collect();
+        print(&table(&[heading].into_iter().chain(self.rows.iter().map(Row::cells)).collect::<Vec<_>>()))
+    }
+}
+
+impl Row {
+    fn cells(&self) -> Vec<String> {
+        let Signal { name, unit, kind, axis, meaning, figure } = self.signal;
+        let mut cells = vec![name.to_owned(), unit.to_string()];
+        if let Some(wire) = &self.wire {
+            cells.extend([wire.full_scale, wire.volts, wire.datum].map(short));
+        }
+        cells.extend([kind.name(), axis.name(), self.signal.block(), figure, meaning].map(str::to_owned));
+        cells
+    }
+
+    /// The wire as all files tell it; of a signal alone, without scales.
+    fn record(&self) -> Value {
+        let Self { signal, wire } = self;
+        let nothing = Wire { signal: *signal, full_scale: 0.0, volts: 0.0, datum: 0.0 };
+        let mut record = wire_record(wire.as_ref().unwrap_or(&nothing));
+        if let (None, Some(record)) = (wire, record.as_object_mut()) {
+            ["full_scale", "volts", "datum"].iter().for_each(|key| drop(record.remove(*key)));
+        }
+        record
+    }
+}
+
+/// A number in a table, to six digits.
+fn short(value: f64) -> String {
+    let text = format!("{value}");
+    if text.len() <= 9 { text } else { format!("{value:.3}") }
+}

@@ -1,0 +1,89 @@
+//! What a replay puts into the folder of its run for the page, and the page.
+
+use generator::Stage;
+use hardware_model::HardwareModel;
+use machine::ControlPlane;
+use rayon::ThreadPool;
+use replay::{HeldRun, Job, RunFolder};
+use report::{Beside, ReportError, TimingSummary, write_page};
+use scenario::{PoseRow, PoseTable};
+use timing::{FORMAT, TimingRecord};
+
+use super::Request;
+use super::recording::record;
+use super::sight::sight;
+use super::words::words;
+use crate::Failure;
+use crate::commands::timing::rehearsal::spread;
+use crate::loading::StageArgs;
+
+/// Frames whose timing is summed up: enough to see whether the machine keeps up, few enough to cost nothing.
+const TIMED_FRAMES: u64 = 8;
+
+/// A page in the making.
+pub struct Making<'a> {
+    /// The finished job.
+    pub job: &'a Job<'a>,
+    /// The words that chose its stage.
+    pub stage: &'a StageArgs,
+    /// Its hardware model.
+    pub model: &'a HardwareModel,
+    /// Sweeps to record.
+    pub requests: &'a [Request],
+    /// Threads.
+    pub pool: &'a ThreadPool,
+}
+
+impl Making<'_> {
+    /// Writes page.json, plots and page into `folder`. What is there and right is not worked out again.
+    pub fn write(&self, folder: &RunFolder) -> Result<(), Failure> {
+        let held = HeldRun::read(folder.path())?;
+        let mut beside = match Beside::read(folder.path(), &held.fingerprint) {
+            Err(ReportError::Content { .. }) => Beside::new(&held.fingerprint),
+            other => other?,
+        };
+        beside.stage = words(self.stage);
+        if !self.job.generator.signals().is_empty() {
+            let poses = self.poses(&held)?;
+            beside.sight = sight(&self.job.stage, &poses);
+            self.sum_up_timing(&poses, &mut beside)?;
+            record(self, &poses, folder.path(), &mut beside)?;
+        }
+        beside.write(folder.path())?;
+        write_page(folder.path())?;
+        Ok(())
+    }
+
+    /// Poses of the frames that the folder holds.
+    fn poses(&self, held: &HeldRun) -> Result<Vec<PoseRow>, Failure> {
+        let (Some(first), Some(last)) = (held.frames.first(), held.frames.last()) else { return Ok(vec![]) };
+        let Stage { landscape, settings, .. } = &self.job.stage;
+        let (update, yoke) = (settings.timebase.update, settings.yoke);
+        let frames = first.frame..last.frame + 1;
+        let table = PoseTable::resolve(self.job.scenario, landscape, update, yoke, frames);
+        Ok(table.map_err(Failure::input)?.rows().to_vec())
+    }
+
+    fn sum_up_timing(&self, poses: &[PoseRow], beside: &mut Beside) -> Result<(), Failure> {
+        let chosen = spread(TIMED_FRAMES)(poses.len() as u64);
+        let rows: Vec<&PoseRow> = chosen.iter().map(|&index| &poses[index as usize]).collect();
+        let frames = rows.iter().map(|row| row.frame);
+        if beside.timing.as_ref().is_some_and(|known| frames.eq(known.frames.iter().copied())) {
+            return Ok(());
+        }
+        let control = ControlPlane::new(self.job.stage.clone());
+        let frame = |row: &&PoseRow| self.pool.install(|| control.frame(row.frame, &row.pose));
+        let frames = rows.iter().map(frame).collect::<Result<Vec<_>, _>>().map_err(Failure::input)?;
+        let master = self.job.stage.settings.timebase.master;
+        let record = TimingRecord {
+            format: FORMAT,
+            scenario: self.job.scenario.title.clone(),
+            machine: self.model.name.clone(),
+            inputs: String::new(),
+            master: master.to_string(),
+            frames,
+        };
+        beside.timing = Some(TimingSummary::of(&record, 1.0 / master.hertz()));
+        Ok(())
+    }
+}

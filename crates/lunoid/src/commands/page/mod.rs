@@ -1,0 +1,64 @@
+//! `lunoid page`: the page of a run, written again from its folder; and what a replay puts into that folder for it.
+
+mod making;
+mod recording;
+mod request;
+mod sight;
+mod words;
+
+use std::path::PathBuf;
+
+use clap::Args;
+use replay::{HeldRun, RunFolder};
+use report::{ReportError, write_page};
+use serde_json::json;
+
+use crate::output::{print, print_json};
+use crate::{Failure, Verdict};
+
+pub use making::Making;
+pub use request::{Request, check};
+
+const AFTER: &str = "Example:
+  lunoid page runs/first-light
+
+A replay writes the page by itself. This writes it again, from run.json, poses.csv, page.json and the frames, after an
+update of the program or where index.html was lost. Sweeps are recorded by `lunoid replay --probe FRAME:SWEEP`.";
+
+/// Write the page of a run again, from its folder.
+#[derive(Debug, Args)]
+#[command(after_help = AFTER)]
+pub struct PageCommand {
+    /// Folder of a finished run.
+    run: PathBuf,
+    /// Print where the page is as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+impl PageCommand {
+    /// Writes.
+    pub fn run(&self) -> Result<Verdict, Failure> {
+        // Before the folder is claimed: a claim would make one that is not there.
+        HeldRun::read(&self.run)?;
+        let folder = RunFolder::claim(&self.run, false)?;
+        let page = write_page(folder.path())?;
+        let page = page.display().to_string();
+        match self.json {
+            true => print_json(&json!({ "schema": "lunoid.page-written/1", "page": page }))?,
+            false => print(&format!("{page}\n"))?,
+        }
+        Ok(Verdict::Yes)
+    }
+}
+
+impl From<ReportError> for Failure {
+    fn from(error: ReportError) -> Self {
+        match error {
+            ReportError::File(error) => error.into(),
+            ReportError::Run(error) => error.into(),
+            ReportError::PictureFile(error) => error.into(),
+            ReportError::Content { .. } | ReportError::Strip { .. } => Self::input(error),
+        }
+    }
+}

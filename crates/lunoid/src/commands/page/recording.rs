@@ -1,0 +1,87 @@
+//! Sweeps recorded for a page.
+
+use std::fs;
+use std::path::Path;
+
+use generator::{Planes, Session};
+use replay::{SCOPES, file_hash, scope_name};
+use report::{Beside, ScopePlot};
+use scenario::PoseRow;
+use signal::{Axis, Probe, Waveform};
+
+use super::{Making, Request};
+use crate::Failure;
+use crate::commands::scope::{NEEDS, Recorded, ScopeArgs, write_picture};
+
+/// Draws a plot of every sweep asked for that `beside` does not have, and adds it there.
+pub fn record(making: &Making, poses: &[PoseRow], folder: &Path, beside: &mut Beside) -> Result<(), Failure> {
+    let missing: Vec<(&Request, u32)> =
+        making.requests.iter().flat_map(|request| missing(making, request, beside)).collect();
+    if missing.is_empty() {
+        return Ok(());
+    }
+    let scopes = folder.join(SCOPES);
+    fs::create_dir_all(&scopes)
+        .map_err(|error| Failure::output(format!("{}: cannot make the folder: {error}", scopes.display())))?;
+    let prepared = making.pool.install(|| making.job.generator.prepare(making.job.stage.clone()));
+    let session = prepared.map_err(Failure::input)?;
+    for (request, sweep) in missing {
+        let row = poses.iter().find(|row| row.frame == request.frame);
+        let Some(row) = row else { continue };
+        beside.add(plot(making, &*session, row, (request, sweep), folder)?);
+    }
+    Ok(())
+}
+
+/// Sweeps of `request` that are not there, or with other signals.
+fn missing<'a>(making: &Making, request: &'a Request, beside: &Beside) -> Vec<(&'a Request, u32)> {
+    let is_there = |sweep: u32| {
+        let same = |plot: &ScopePlot| {
+            (plot.frame, plot.sweep, &plot.asked) == (request.frame, sweep, &request.patterns)
+        };
+        beside.scopes.iter().any(same)
+    };
+    let sweeps = request.sweeps(making.job.stage.settings.raster.sweeps).unwrap_or(0..0);
+    sweeps.map(|sweep| sweep as u32).filter(|&sweep| !is_there(sweep)).map(|sweep| (request, sweep)).collect()
+}
+
+fn plot(
+    making: &Making,
+    session: &dyn Session,
+    row: &PoseRow,
+    (request, sweep): (&Request, u32),
+    folder: &Path,
+) -> Result<ScopePlot, Failure> {
+    let settings = &making.job.stage.settings;
+    let mut planes = Planes::new(settings.raster.columns as usize, settings.raster.lines as usize, &[]);
+    let patterns = request.patterns.iter().cloned().chain(NEEDS.map(str::to_owned)).collect();
+    let mut probe = Probe::new(patterns, sweep..sweep + 1);
+    let drawn = making.pool.install(|| session.frame(row.frame, &row.pose, &mut planes, &mut probe));
+    drawn.map_err(Failure::input)?;
+    let wanted = shown(&probe.waveforms, request);
+    let title = format!("{}, {}", making.job.scenario.title, making.model.name);
+    let recorded = Recorded {
+        title: &title,
+        waveforms: &probe.waveforms,
+        wires: &session.wires(),
+        wanted: &wanted,
+        settings,
+    };
+    let path = folder.join(scope_name(row.frame, sweep));
+    write_picture(&path, &recorded, &ScopeArgs::default())?;
+    Ok(ScopePlot {
+        frame: row.frame,
+        sweep,
+        asked: request.patterns.clone(),
+        signals: wanted.into_iter().map(str::to_owned).collect(),
+        blake3: file_hash(&path)?,
+    })
+}
+
+/// Names of the signals that a plot shows: those asked for that the machine has and that run along the sweep.
+fn shown(waveforms: &[Waveform], request: &Request) -> Vec<&'static str> {
+    let is_asked =
+        |waveform: &&Waveform| request.patterns.iter().any(|pattern| waveform.signal.matches(pattern));
+    let along = waveforms.iter().filter(|waveform| waveform.signal.axis != Axis::Display).filter(is_asked);
+    along.map(|waveform| waveform.signal.name).filter(|name| *name != "sweep.range").collect()
+}

@@ -1,0 +1,144 @@
+//! Which sweeps of which frames a replay records.
+
+use std::fmt;
+use std::ops::Range;
+use std::str::FromStr;
+
+use signal::Signal;
+
+use crate::Failure;
+use crate::values::Span;
+
+/// Signals that are recorded where none are named: one of each block, those that are there.
+const USUAL: [&str; 8] = [
+    "mu.height",
+    "tg.height",
+    "mu.reflectivity",
+    "dpp.elevation",
+    "dpp.hold",
+    "dpp.blank",
+    "sc.gate",
+    "dpp.y",
+];
+
+/// Plots that are drawn without being asked twice.
+const MOST_PLOTS: u64 = 200;
+
+/// `FRAME:SWEEP[..SWEEP][:SIGNALS]`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Request {
+    /// Frame, counted at the update rate.
+    pub frame: u64,
+    /// Patterns of signals.
+    pub patterns: Vec<String>,
+    sweeps: Span,
+}
+
+impl FromStr for Request {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let wrong = || {
+            format!(
+                "expected FRAME:SWEEP, FRAME:SWEEP..SWEEP or FRAME:SWEEP:SIGNALS, as 12:500 or '12:500:tg.*,dpp.y', not `{text}`"
+            )
+        };
+        let mut parts = text.splitn(3, ':');
+        let frame = parts.next().and_then(|frame| frame.trim().parse().ok()).ok_or_else(wrong)?;
+        let sweeps: Span = parts.next().ok_or_else(wrong)?.trim().parse().map_err(|_| wrong())?;
+        let patterns = match parts.next() {
+            None => USUAL.map(str::to_owned).into(),
+            Some(list) => list.split(',').map(|pattern| pattern.trim().to_owned()).collect(),
+        };
+        Ok(Self { frame, patterns, sweeps })
+    }
+}
+
+impl fmt::Display for Request {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "--probe {}:{}", self.frame, self.sweeps)
+    }
+}
+
+impl Request {
+    /// The sweeps, of a frame of `all`.
+    pub fn sweeps(&self, all: u32) -> Option<Range<u64>> {
+        self.sweeps.within(&(0..u64::from(all)))
+    }
+}
+
+/// Everything that can be wrong with `requests`, before anything is drawn: a run of `frames`, `sweeps` a frame, by
+/// `generator` with `signals`.
+pub fn check(
+    requests: &[Request],
+    frames: &Range<u64>,
+    sweeps: u32,
+    signals: &[Signal],
+    generator: &str,
+) -> Result<(), Failure> {
+    let mut plots = 0;
+    for request in requests {
+        if signals.is_empty() {
+            return Err(Failure::usage(format!(
+                "{request}: machine {generator} has no signals; expected a hardware model"
+            )));
+        }
+        if !frames.contains(&request.frame) {
+            let Range { start, end } = frames;
+            return Err(Failure::usage(format!(
+                "{request}: the run has frames {start}..{end}; expected one of them"
+            )));
+        }
+        let range = request.sweeps(sweeps).ok_or_else(|| {
+            Failure::usage(format!("{request}: a frame has sweeps 0..{sweeps}; expected a range inside"))
+        })?;
+        let is_known = |pattern: &&String| !signals.iter().any(|signal| signal.matches(pattern));
+        if let Some(pattern) = request.patterns.iter().find(is_known) {
+            return Err(Failure::usage(format!(
+                "{request}:{pattern}: no signal of this name; `lunoid signals` lists them"
+            )));
+        }
+        plots += range.end - range.start;
+    }
+    match plots > MOST_PLOTS {
+        true => Err(Failure::usage(format!("--probe: {plots} sweeps; expected at most {MOST_PLOTS}"))),
+        false => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use generator::Generator;
+    use machine::HybridMachine;
+
+    use super::{Request, check};
+
+    fn request(text: &str) -> Request {
+        text.parse().expect(text)
+    }
+
+    #[test]
+    fn spellings() {
+        let one = request("12:500");
+        assert_eq!((one.frame, one.sweeps(525), one.patterns.len()), (12, Some(500..501), 8));
+        assert_eq!(request("0:3..5").sweeps(40), Some(3..5));
+        assert_eq!(request("0:39..").sweeps(40), Some(39..40));
+        assert_eq!(request("0:40").sweeps(40), None);
+        assert_eq!(request("1:2:tg.*, dpp.y").patterns, ["tg.*", "dpp.y"]);
+        for wrong in ["", "12", "12:", ":500", "a:1", "1:b", "-1:2", "1:3..3"] {
+            assert!(wrong.parse::<Request>().is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_recorded_is_refused() {
+        let signals = HybridMachine.signals();
+        let checked = |text: &str| check(&[request(text)], &(10..20), 525, signals, "hybrid").is_ok();
+        assert!(checked("10:0") && checked("19:524") && checked("12:0..200"));
+        for wrong in ["9:0", "20:0", "10:525", "10:524..526", "10:0:nothing", "10:0:", "10:0..201"] {
+            assert!(!checked(wrong), "{wrong}");
+        }
+        assert!(check(&[request("10:0")], &(10..20), 525, &[], "exact").is_err());
+        assert!(check(&[], &(10..20), 525, &[], "exact").is_ok());
+    }
+}

@@ -1,0 +1,53 @@
+//! The words of a command line that choose a stage, for commands that a page shows.
+
+use crate::loading::{ScalarWord, StageArgs};
+
+/// The scenario, then the options that were given.
+pub fn words(stage: &StageArgs) -> Vec<String> {
+    let path = |path: &std::path::PathBuf| path.display().to_string();
+    let mut words = vec![path(&stage.scenario)];
+    let mut option = |name: &str, value: String| words.extend([name.to_owned(), value]);
+    stage.machine.iter().for_each(|machine| option("--machine", machine.clone()));
+    stage.overlay.iter().for_each(|file| option("--overlay", path(file)));
+    stage.set.iter().for_each(|(key, value)| option("--set", format!("{key}={value}")));
+    stage.bank.iter().for_each(|bank| option("--bank", path(bank)));
+    stage.sweeps.iter().for_each(|sweeps| option("--sweeps", sweeps.to_string()));
+    stage.samples.iter().for_each(|samples| option("--samples", samples.to_string()));
+    let scalar = |word: &ScalarWord| match word {
+        ScalarWord::F32 => "f32",
+        ScalarWord::F64 => "f64",
+    };
+    stage.scalar.iter().for_each(|word| option("--scalar", scalar(word).to_owned()));
+    let flags = [(stage.lossless, "--lossless"), (stage.everything, "--everything")];
+    words.extend(flags.into_iter().filter(|(is_given, _)| *is_given).map(|(_, word)| word.to_owned()));
+    words
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::Parser;
+
+    use super::words;
+    use crate::loading::StageArgs;
+
+    #[derive(Debug, Parser)]
+    struct Line {
+        #[command(flatten)]
+        stage: StageArgs,
+    }
+
+    fn given(line: &[&str]) -> Vec<String> {
+        words(&Line::parse_from([&["lunoid"], line].concat()).stage)
+    }
+
+    #[test]
+    fn they_choose_the_same_stage() {
+        assert_eq!(given(&["a.toml"]), ["a.toml"]);
+        let all = "a.toml --machine m --overlay o.toml --set raster.sweeps=5 --set dpp.curvature=none --bank b \
+                   --sweeps 40 --samples 80 --scalar f64 --everything";
+        let all: Vec<&str> = all.split_whitespace().collect();
+        assert_eq!(given(&all), all);
+        let again: Vec<String> = given(&all);
+        assert_eq!(given(&again.iter().map(String::as_str).collect::<Vec<_>>()), all);
+    }
+}

@@ -1,0 +1,186 @@
+//! From a session into a file, some sweeps at a time.
+
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use generator::{Planes, Session};
+use rayon::ThreadPool;
+use scenario::Pose;
+use signal::{Axis, LANES, Probe, Waveform, Wire};
+use waveform::{Format, Header, SweepTraces, WaveformError, estimate, open};
+
+use crate::Failure;
+use crate::output::tell;
+
+/// Values that are held at once: 64 MB.
+pub const WINDOW: usize = 8 << 20;
+/// What is written without being asked twice (bytes).
+const MOST_BYTES: u64 = 2_000_000_000;
+/// Sweeps by which the size is judged.
+const SPECIMEN: usize = 16;
+/// Instants that a wire told when it changes is taken to have in a sweep.
+const CHANGES: usize = 64;
+/// Time between two lines of progress.
+const EVERY: Duration = Duration::from_secs(5);
+
+/// One frame that is looked at.
+pub struct Look<'a> {
+    /// The machine.
+    pub session: &'a dyn Session,
+    /// Its threads.
+    pub pool: &'a ThreadPool,
+    /// The frame.
+    pub frame: u64,
+    /// Where it is seen from.
+    pub pose: &'a Pose,
+    /// Columns and lines of its picture, which is not drawn.
+    pub raster: [usize; 2],
+}
+
+impl Look<'_> {
+    /// Waveforms of `names` in `sweeps`, by sweep, then by signal table order.
+    pub fn at(&self, names: Vec<String>, sweeps: Range<u32>) -> Result<Vec<Waveform>, Failure> {
+        let mut probe = Probe::new(names, sweeps);
+        let mut planes = Planes::new(self.raster[0], self.raster[1], &[]);
+        let drawn = self.pool.install(|| self.session.frame(self.frame, self.pose, &mut planes, &mut probe));
+        drawn.map_err(Failure::input)?;
+        Ok(probe.waveforms)
+    }
+}
+
+/// What is written where.
+pub struct Order<'a> {
+    /// The format.
+    pub format: Format,
+    /// The file.
+    pub out: &'a Path,
+    /// More than [`MOST_BYTES`] may be written.
+    pub large: bool,
+    /// Nothing is written: the size alone is wanted.
+    pub dry_run: bool,
+    /// Values that are held at once.
+    pub window: usize,
+}
+
+/// What came of it.
+#[derive(Debug)]
+pub struct Written {
+    /// Size that was said before.
+    pub estimate: u64,
+    /// Files, the one that was asked for first; none for a dry run.
+    pub files: Vec<PathBuf>,
+}
+
+/// Traces the sweeps of `header` into a file. Its lines are those that the first sweep has.
+pub fn trace(look: &Look<'_>, mut header: Header, order: &Order<'_>) -> Result<Written, Failure> {
+    let names: Vec<String> = header.wires.iter().map(|wire| wire.signal.name.to_owned()).collect();
+    let mut windows = windows(&header, order.window).into_iter();
+    let mut waveforms = look.at(names.clone(), windows.next().unwrap_or_default())?;
+    header.lines = lines(&waveforms).unwrap_or(header.lines);
+    let estimate = judge(&header, order.format, &waveforms)?;
+    say(order, estimate)?;
+    if order.dry_run {
+        return Ok(Written { estimate, files: Vec::new() });
+    }
+    let (count, frame) = (header.wires.len(), header.frame);
+    let mut progress = Progress::new(header.sweeps.clone());
+    let mut sink = open(order.format, order.out, header).map_err(refused)?;
+    loop {
+        for waveforms in waveforms.chunks(count) {
+            let sweep = waveforms[0].sweep;
+            sink.sweep(&SweepTraces { frame, sweep, waveforms }).map_err(refused)?;
+            progress.at(sweep);
+        }
+        let Some(window) = windows.next() else { break };
+        drop(waveforms);
+        waveforms = look.at(names.clone(), window)?;
+    }
+    Ok(Written { estimate, files: sink.finish().map_err(refused)? })
+}
+
+/// Sweeps that are worked out together: as many as fit, in whole groups.
+fn windows(header: &Header, window: usize) -> Vec<Range<u32>> {
+    let samples = header.timebase.active_samples as usize;
+    let of = |wire: &Wire| match wire.signal.axis {
+        Axis::Ground => samples,
+        Axis::Display => header.lines as usize,
+        Axis::Changes => 2 * CHANGES,
+    };
+    let values = header.wires.iter().map(of).sum::<usize>().max(1);
+    let groups = (window / values / LANES).max(1);
+    let (mut windows, mut start) = (Vec::new(), header.sweeps.start);
+    while start < header.sweeps.end {
+        let first = start as usize / LANES * LANES;
+        let end = ((first + groups * LANES) as u32).min(header.sweeps.end);
+        windows.push(start..end);
+        start = end;
+    }
+    windows
+}
+
+fn lines(waveforms: &[Waveform]) -> Option<u32> {
+    let display = waveforms.iter().find(|waveform| waveform.signal.axis == Axis::Display);
+    display.map(|waveform| waveform.values.len() as u32)
+}
+
+/// The size of the file, by some sweeps out of the middle of those that are there.
+fn judge(header: &Header, format: Format, waveforms: &[Waveform]) -> Result<u64, Failure> {
+    let sweeps: Vec<SweepTraces<'_>> = waveforms
+        .chunks(header.wires.len())
+        .map(|waveforms| SweepTraces { frame: header.frame, sweep: waveforms[0].sweep, waveforms })
+        .collect();
+    let begin = sweeps.len().saturating_sub(SPECIMEN) / 2;
+    let end = (begin + SPECIMEN).min(sweeps.len());
+    estimate(format, header, &sweeps[begin..end]).map_err(refused)
+}
+
+/// Says the size before anything is written, and refuses what is large.
+fn say(order: &Order<'_>, bytes: u64) -> Result<(), Failure> {
+    let (out, size) = (order.out.display(), size(bytes));
+    if bytes > MOST_BYTES && !order.large && !order.dry_run {
+        return Err(Failure::usage(format!(
+            "{out}: the file would have about {size}; give --large to write it, or choose fewer sweeps or signals"
+        )));
+    }
+    tell(&format!("{out}: about {size}\n"));
+    Ok(())
+}
+
+/// Bytes for people.
+pub fn size(bytes: u64) -> String {
+    match bytes {
+        ..10_000 => format!("{bytes} B"),
+        ..1_000_000 => format!("{:.1} kB", bytes as f64 / 1e3),
+        ..1_000_000_000 => format!("{:.1} MB", bytes as f64 / 1e6),
+        _ => format!("{:.1} GB", bytes as f64 / 1e9),
+    }
+}
+
+fn refused(error: WaveformError) -> Failure {
+    match error {
+        WaveformError::File(error) => error.into(),
+        other => Failure::input(other),
+    }
+}
+
+/// A line now and then, when it takes long.
+struct Progress {
+    sweeps: Range<u32>,
+    last: Instant,
+}
+
+impl Progress {
+    fn new(sweeps: Range<u32>) -> Self {
+        Self { sweeps, last: Instant::now() }
+    }
+
+    fn at(&mut self, sweep: u32) {
+        if self.last.elapsed() < EVERY {
+            return;
+        }
+        self.last = Instant::now();
+        let (done, all) = (sweep + 1 - self.sweeps.start, self.sweeps.end - self.sweeps.start);
+        tell(&format!("sweeps {done}/{all}  {} %\n", 100 * u64::from(done) / u64::from(all)));
+    }
+}

@@ -1,0 +1,98 @@
+//! How a page of the scope is asked for.
+
+use clap::{Args, ValueEnum};
+use plots::{Along, Place, ScopeLook, Theme};
+
+/// How a picture of one sweep is drawn.
+#[derive(Debug, Clone, Default, Args)]
+#[command(next_help_heading = "Pictures of a sweep")]
+pub struct ScopeArgs {
+    /// One or two cursors, each at a ground range (m) or, with `us`, at a sweep time (µs): every value there, the
+    /// difference and its slope are written below.
+    #[arg(long, value_name = "A[,B]", value_delimiter = ',', value_parser = place, num_args = 1..=2)]
+    pub cursor: Vec<Place>,
+    /// Where the picture begins: ground range (m), or sweep time with `us`.
+    #[arg(long, value_name = "PLACE", value_parser = place)]
+    pub from: Option<Place>,
+    /// Where it ends.
+    #[arg(long, value_name = "PLACE", value_parser = place)]
+    pub to: Option<Place>,
+    /// Along what it runs; the other one stands at the top.
+    #[arg(long, value_enum, default_value_t)]
+    pub axis: AxisWord,
+    /// Ground range evenly, not its decades.
+    #[arg(long)]
+    pub linear: bool,
+    /// Width of the page (pixels) [default: 1200].
+    #[arg(long, value_parser = clap::value_parser!(u32).range(600..=8000))]
+    pub width: Option<u32>,
+    /// Height of each panel of curves (pixels) [default: 180].
+    #[arg(long, value_parser = clap::value_parser!(u32).range(120..=8000))]
+    pub height: Option<u32>,
+    /// Ink on paper, or phosphor on glass.
+    #[arg(long, value_enum, default_value_t)]
+    pub theme: ThemeWord,
+}
+
+/// Along what a page runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub enum AxisWord {
+    /// Ground range.
+    #[default]
+    Range,
+    /// Sweep time.
+    Time,
+}
+
+/// Paper of a page.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub enum ThemeWord {
+    /// Ink on paper.
+    #[default]
+    Light,
+    /// Phosphor on glass.
+    Dark,
+}
+
+impl ScopeArgs {
+    /// What is asked for, over what a page is by itself.
+    pub fn look(&self, title: &str, facts: Vec<String>) -> ScopeLook {
+        let page = ScopeLook::titled(title);
+        let along = match (self.axis, self.linear) {
+            (AxisWord::Time, _) => Along::Time,
+            (AxisWord::Range, true) => Along::Range,
+            (AxisWord::Range, false) => Along::LogRange,
+        };
+        let theme = if self.theme == ThemeWord::Dark { Theme::Dark } else { Theme::Light };
+        let (from, to, cursors) = (self.from, self.to, self.cursor.clone());
+        let [width, height] = [(self.width, page.width), (self.height, page.height)]
+            .map(|(asked, usual)| asked.unwrap_or(usual));
+        ScopeLook { facts, width, height, theme, along, from, to, cursors, ..page }
+    }
+}
+
+fn place(text: &str) -> Result<Place, String> {
+    let (number, of): (&str, fn(f64) -> Place) = match text.strip_suffix("us") {
+        Some(number) => (number, Place::Time),
+        None => (text.strip_suffix('m').unwrap_or(text), Place::Range),
+    };
+    let value = number.trim().parse().ok().filter(|value: &f64| value.is_finite() && *value >= 0.0);
+    value.map(of).ok_or_else(|| {
+        format!("`{text}`: expected a ground range in metres, as 120.5, or a sweep time in microseconds, as 8.2us")
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Place, place};
+
+    #[test]
+    fn places_have_units() {
+        assert_eq!(place("120.5"), Ok(Place::Range(120.5)));
+        assert_eq!(place("120m"), Ok(Place::Range(120.0)));
+        assert_eq!(place("8.25us"), Ok(Place::Time(8.25)));
+        for bad in ["", "us", "-1", "inf", "NaN", "3km", "1,2"] {
+            assert!(place(bad).is_err(), "{bad}");
+        }
+    }
+}

@@ -1,0 +1,45 @@
+//! One sweep as a page of the scope: PNG or SVG, as the file is named.
+
+mod args;
+mod page;
+
+use std::path::Path;
+
+use hardware_model::Settings;
+use plots::{Drawing, scope_picture};
+use signal::{Waveform, Wire};
+
+use crate::Failure;
+
+pub use args::ScopeArgs;
+
+/// Signals that a page needs beside those that it shows: its axes, what it shades, its crossings and the picture column.
+pub const NEEDS: [&str; 6] =
+    ["sweep.range", "sweep.fold.x", "sweep.fold.y", "dpp.blank", "dpp.y", "sm.write"];
+
+/// What was recorded of one sweep.
+#[derive(Debug, Clone, Copy)]
+pub struct Recorded<'a> {
+    /// What was drawn, and by what machine.
+    pub title: &'a str,
+    /// Signals of the sweep, [`NEEDS`] among them.
+    pub waveforms: &'a [Waveform],
+    /// Wires of the machine, for voltages.
+    pub wires: &'a [Wire],
+    /// Names of the signals to be shown.
+    pub wanted: &'a [&'a str],
+    /// Clocks and display of the run.
+    pub settings: &'a Settings,
+}
+
+/// Writes the page of one sweep.
+pub fn write_picture(path: &Path, recorded: &Recorded<'_>, args: &ScopeArgs) -> Result<(), Failure> {
+    draw(recorded, args)?.write(path).map_err(Failure::output)
+}
+
+/// Draws the page of one sweep.
+pub fn draw(recorded: &Recorded<'_>, args: &ScopeArgs) -> Result<Drawing, Failure> {
+    let page = page::Page::new(recorded)?;
+    let look = args.look(recorded.title, page.facts());
+    scope_picture(&page.scope()?, &look).map_err(Failure::usage)
+}

@@ -1,0 +1,107 @@
+//! `lunoid timing columns`: from every column that differs from the ideal machine to its cause.
+//!
+//! The frame is drawn four times: by the machine as it is, by the ideal machine, and with either side alone ideal
+//! ([`hardware_model::Side`] says what belongs to which, and what is kept). What remains of a difference with one side
+//! ideal shows whose work it is; what the timing has a hand in is traced to the misses of the sweeps that the pixel is
+//! read from.
+
+mod drawing;
+mod four;
+mod ground;
+mod lines;
+mod place;
+mod tell;
+mod trace;
+mod verdict;
+
+use std::path::PathBuf;
+
+use clap::Args;
+use sweep_generator::RangeTable;
+
+use self::tell::Told;
+use self::trace::{Trace, remembered};
+use super::rehearsal::Rehearsal;
+use crate::loading::{Loaded, StageArgs, Threads};
+use crate::output::{expect_writable, print, print_json};
+use crate::progress::Display;
+use crate::{Failure, Verdict};
+
+const AFTER: &str = "Example:
+  lunoid timing columns scenarios/far-mountains.toml --machine pra-frugal --frame 3 --out columns.png
+
+The ideal machine keeps the raster, the clocks, the range programme, the laws and the seed of the run. Exit code 0 if
+every column that differs is traced to lines of the timing record or is the work of the parts alone, 1 if not.";
+
+/// Trace every column that differs from the ideal machine to lines of the timing record.
+#[derive(Debug, Args)]
+#[command(after_help = AFTER)]
+pub struct Columns {
+    #[command(flatten)]
+    stage: StageArgs,
+    #[command(flatten)]
+    threads: Threads,
+    /// Frame, counted at the update rate.
+    #[arg(long)]
+    frame: u64,
+    /// A column differs if any pixel of it is off by more levels of 255 than this.
+    #[arg(long, default_value_t = 8, value_parser = clap::value_parser!(u32).range(0..=254))]
+    levels: u32,
+    /// Lines of the record that are listed of each column, the last before its pixel; `timing show --misses` has all.
+    #[arg(long, value_name = "N", default_value_t = 4)]
+    lines: usize,
+    /// Draw both pictures, their difference, and a strip with the class of every column.
+    #[arg(short, long, value_name = "PNG")]
+    out: Option<PathBuf>,
+    /// No progress.
+    #[arg(long)]
+    no_progress: bool,
+    /// Print columns, their lines and the totals as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+impl Columns {
+    /// Traces.
+    pub fn run(&self) -> Result<Verdict, Failure> {
+        self.out.as_deref().map_or(Ok(()), expect_writable)?;
+        let (rehearsal, frames) = Rehearsal::open(&self.stage, &self.threads, |loaded| self.choose(loaded))?;
+        let record = rehearsal.record(&frames, &Display::new(!self.no_progress))?;
+        let settings = &rehearsal.stage.settings;
+        let table = RangeTable::new(&settings.range, settings.raster.samples as usize);
+        let (four, seen) = four::draw(&rehearsal, self.frame)?;
+        let trace = Trace::new(&rehearsal, &record, &table, &seen)?;
+        let columns = verdict::judge(&four, self.levels, |pixel, way| trace.is_reached(pixel, way));
+        let told = Told {
+            title: format!("{} on {}, frame {}", record.scenario, record.machine, self.frame),
+            levels: self.levels,
+            compared: four.machine.columns(),
+            columns: &columns,
+            trace: &trace,
+            most_lines: self.lines,
+            ns: 1e9 / settings.timebase.sample_rate().hertz(),
+        };
+        if let Some(path) = &self.out {
+            drawing::write(&four, &columns, &told, path)?;
+        }
+        if self.json {
+            print_json(&told.json())?
+        } else {
+            print(&told.text())?
+        }
+        let is_met = columns.iter().all(verdict::Column::is_accounted_for);
+        Ok(if is_met { Verdict::Yes } else { Verdict::No })
+    }
+
+    /// The frame, behind those that its tube still shows.
+    fn choose(&self, loaded: &Loaded) -> Result<Vec<u64>, Failure> {
+        let (frame, end) = (self.frame, loaded.frames());
+        if frame >= end {
+            return Err(Failure::usage(format!(
+                "--frame {frame}: the scenario has frames 0..{end}; expected one of them"
+            )));
+        }
+        let earlier = remembered(&loaded.settings, frame);
+        Ok(earlier.into_iter().rev().chain([frame]).collect())
+    }
+}

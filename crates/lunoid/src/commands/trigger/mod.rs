@@ -1,0 +1,188 @@
+//! `lunoid trigger`: where in a mission a signal does what is waited for.
+
+mod around;
+mod find;
+mod pixel;
+mod report;
+mod write;
+
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use clap::Args;
+use signal::Signal;
+use trigger::{Condition, ConditionError, Which};
+
+use crate::commands::timing::rehearsal::Rehearsal;
+use crate::loading::{EXACT, StageArgs, Threads};
+use crate::output::{expect_writable, tell};
+use crate::progress::Display;
+use crate::values::Span;
+use crate::{Failure, Verdict};
+
+use around::Around;
+use find::{Area, Finder};
+use report::Report;
+use write::File;
+
+const AFTER: &str = "Examples:
+  lunoid trigger scenarios/first-light.toml --on 'rising tg.height 12'
+  lunoid trigger scenarios/nominal-drive.toml --on late-load --frames 40..50 --all
+  lunoid trigger scenarios/first-light.toml --on 'blank and tg.height > 5' --nth 3 --around 4
+  lunoid trigger scenarios/first-light.toml --on 'slope mu.height > 0.4/m' --out there.png
+
+CONDITION, clauses joined by `and`:
+  SIGNAL > V   also >= < <= = !=             SIGNAL in A..B          SIGNAL outside A..B
+  slope SIGNAL > V/m   also /sample /us      rising SIGNAL V [by H]  falling SIGNAL V [by H]
+  SIGNAL enters A..B   SIGNAL leaves A..B    GATE                    GATE shorter W   GATE longer W [m, us]
+  EVENT [= V]          fold [x, y] [= STOP]  late-load               blank   unblank
+  saturation [SIGNAL]
+docs/trigger-and-trace.md has the grammar; `lunoid signals` lists the signals.
+
+Exit code 0: found; 1: not found.";
+
+/// Set by Ctrl-C.
+static CANCEL: AtomicBool = AtomicBool::new(false);
+
+/// Find where in a mission a condition on signals is met: first, n-th, or all.
+#[derive(Debug, Args)]
+#[command(after_help = AFTER)]
+pub struct TriggerCommand {
+    #[command(flatten)]
+    stage: StageArgs,
+    #[command(flatten)]
+    threads: Threads,
+    /// What is waited for.
+    #[arg(long, value_name = "CONDITION", value_parser = condition)]
+    on: Condition,
+    /// Frames, half-open; all if left out.
+    #[arg(long, value_name = "A..B")]
+    frames: Option<Span>,
+    /// Sweeps of each frame that are looked at. (How many a frame has is --sweeps.)
+    #[arg(long, value_name = "S..T")]
+    sweep: Option<Span>,
+    /// Samples of each sweep at which the trigger is armed. (How many a sweep has is --samples.)
+    #[arg(long, value_name = "A..B")]
+    sample: Option<Span>,
+    /// The n-th place, from 1.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..), conflicts_with = "all")]
+    nth: Option<u64>,
+    /// Every place.
+    #[arg(long)]
+    all: bool,
+    /// Show so many samples before and after it.
+    #[arg(long, value_name = "K", conflicts_with = "all", value_parser = clap::value_parser!(u32).range(..=100_000))]
+    around: Option<u32>,
+    /// Show, and write, so many sweeps to the left and to the right of it.
+    #[arg(long, value_name = "N", conflicts_with = "all", value_parser = clap::value_parser!(u32).range(..=8192))]
+    around_sweeps: Option<u32>,
+    /// Write the sweep of the place: what the name ends in says how, as in `lunoid probe`.
+    #[arg(short, long, value_name = "FILE", conflicts_with = "all")]
+    out: Option<PathBuf>,
+    /// Signals that are written beside those of the condition, separated by commas, with * for any run of characters.
+    #[arg(long, value_delimiter = ',', value_name = "NAMES", requires = "out")]
+    signals: Vec<String>,
+    /// Print as JSON.
+    #[arg(long)]
+    json: bool,
+    /// Show no progress.
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+fn condition(text: &str) -> Result<Condition, ConditionError> {
+    Condition::parse(text, machine::signals())
+}
+
+impl TriggerCommand {
+    /// Searches.
+    pub fn run(&self) -> Result<Verdict, Failure> {
+        if self.stage.machine.as_deref() == Some(EXACT) {
+            return Err(Failure::usage(format!("--machine {EXACT}: it has no signals; expected a hardware model")));
+        }
+        self.check_signals(machine::signals())?;
+        let file = self.out.as_deref().map(|out| File::named(out, self.around_sweeps.unwrap_or(0))).transpose()?;
+        self.out.as_deref().map_or(Ok(()), expect_writable)?;
+        let mut places = None;
+        let (rehearsal, frames) = Rehearsal::open(&self.stage, &self.threads, |loaded| {
+            let raster = &loaded.settings.raster;
+            let samples = if self.on.is_of_display() { raster.lines } else { raster.samples };
+            let sweeps = within("--sweep", "sweeps", self.sweep, raster.sweeps)?;
+            places = Some((sweeps, within("--sample", "samples", self.sample, samples)?));
+            Ok(loaded.choose(self.frames)?.collect())
+        })?;
+        let (sweeps, samples) = places.unwrap_or_default();
+        catch_ctrl_c()?;
+        let area = Area { frames, sweeps, samples };
+        let display = Display::new(!self.quiet);
+        let finder = Finder::new(&rehearsal, &self.on)?;
+        let mut report = Report::begin(&finder, self.on.text(), self.json)?;
+        let sweeps = area.sweeps.clone();
+        let ended = finder.search(&area, self.which(), &display, &CANCEL, |found| {
+            let around = self.look_around(&finder, &found, sweeps.clone(), file.as_ref())?;
+            report.add(&found, around.as_ref(), &self.stage)
+        });
+        display.end();
+        let ended = ended?;
+        report.end(&ended)?;
+        if let Some(frame) = ended.interrupted_at {
+            tell(&format!("interrupted: --frames {frame}.. goes on\n"));
+            return Ok(Verdict::Interrupted);
+        }
+        Ok(if ended.shown > 0 { Verdict::Yes } else { Verdict::No })
+    }
+
+    fn which(&self) -> Which {
+        if self.all { Which::All } else { Which::Nth(self.nth.unwrap_or(1)) }
+    }
+
+    /// Every pattern must name something.
+    fn check_signals(&self, table: &[Signal]) -> Result<(), Failure> {
+        let names = |pattern: &&String| table.iter().any(|signal| signal.matches(pattern));
+        match self.signals.iter().find(|pattern| !names(pattern)) {
+            None => Ok(()),
+            Some(pattern) => Err(Failure::usage(format!(
+                "--signals {pattern}: no signal of this name; `lunoid signals` lists them"
+            ))),
+        }
+    }
+
+    /// The neighbourhood of a place, where one place is wanted.
+    fn look_around(
+        &self,
+        finder: &Finder<'_>,
+        found: &find::Found,
+        sweeps: std::ops::Range<u32>,
+        file: Option<&File>,
+    ) -> Result<Option<Around>, Failure> {
+        if self.all {
+            return Ok(None);
+        }
+        let beside = self.around_sweeps.unwrap_or(0);
+        let near = found.sweep.saturating_sub(beside).max(sweeps.start)..(found.sweep + beside + 1).min(sweeps.end);
+        let around = Around::record(finder, found, near, self.around, &self.signals, file.is_some_and(File::is_picture))?;
+        if let Some(file) = file {
+            let written = file.write(finder, found, &around, self.on.text())?;
+            tell(&format!("{}\n", written.join(", ")));
+        }
+        Ok(Some(around))
+    }
+}
+
+fn within(option: &str, what: &str, asked: Option<Span>, count: u32) -> Result<std::ops::Range<u32>, Failure> {
+    let Some(span) = asked else { return Ok(0..count) };
+    let found = span.within(&(0..u64::from(count))).ok_or_else(|| {
+        Failure::usage(format!("{option} {span}: there are {what} 0..{count}; expected a range inside"))
+    })?;
+    Ok(found.start as u32..found.end as u32)
+}
+
+/// The first Ctrl-C ends the search, the second at once.
+fn catch_ctrl_c() -> Result<(), Failure> {
+    let handler = || {
+        if CANCEL.swap(true, Ordering::Relaxed) {
+            std::process::exit(130);
+        }
+    };
+    ctrlc::set_handler(handler).map_err(|error| Failure::output(format!("cannot catch Ctrl-C: {error}")))
+}

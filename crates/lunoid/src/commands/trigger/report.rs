@@ -1,0 +1,224 @@
+//! What was found, as text or JSON, written as it is found.
+
+use serde_json::{Map, Value, json};
+
+use super::around::{Around, Row};
+use super::find::{Ended, Finder, Found};
+use crate::Failure;
+use crate::loading::{ScalarWord, StageArgs};
+use crate::output::{print, table};
+
+/// A report that is being written.
+pub struct Report<'a> {
+    finder: &'a Finder<'a>,
+    is_json: bool,
+    added: u64,
+}
+
+impl<'a> Report<'a> {
+    /// Writes what comes before the first place.
+    pub fn begin(finder: &'a Finder<'a>, condition: &str, is_json: bool) -> Result<Self, Failure> {
+        if is_json {
+            print(&format!(
+                "{{\n  \"schema\": \"lunoid.trigger/1\",\n  \"condition\": {},\n  \"places\": [",
+                Value::from(condition)
+            ))?;
+        }
+        Ok(Self { finder, is_json, added: 0 })
+    }
+
+    /// Writes a place.
+    pub fn add(&mut self, found: &Found, around: Option<&Around>, stage: &StageArgs) -> Result<(), Failure> {
+        let comma = if self.added == 0 { "" } else { "," };
+        self.added += 1;
+        let next = around.map_or_else(Vec::new, |around| next(found, around, stage));
+        match self.is_json {
+            true => print(&format!("{comma}\n    {}", self.document(found, around, &next))),
+            false => print(&(self.head(found) + &self.details(found, around, &next))),
+        }
+    }
+
+    /// Writes what comes after the last.
+    pub fn end(self, ended: &Ended) -> Result<(), Failure> {
+        let Ended { met, shown, sweeps, interrupted_at } = ended;
+        if self.is_json {
+            let is_whole = interrupted_at.is_none();
+            return print(&format!("\n  ],\n  \"met\": {met},\n  \"sweeps\": {sweeps},\n  \"is_whole\": {is_whole}\n}}\n"));
+        }
+        match (shown, met) {
+            (0, 0) => print(&format!("not found in {sweeps} sweeps\n")),
+            (0, _) => print(&format!("found {met} times in {sweeps} sweeps, not more\n")),
+            (1, _) => Ok(()),
+            _ => print(&format!("found {met} times in {sweeps} sweeps\n")),
+        }
+    }
+
+    fn is_of_display(&self) -> bool {
+        self.finder.is_of_display
+    }
+
+    fn head(&self, found: &Found) -> String {
+        let Found { number, frame, pose, sweep, hit } = found;
+        let sample = match self.is_of_display() {
+            true => format!("line {}", hit.sample),
+            false => format!("sample {:.3}, {:.3} µs", hit.time, hit.time * self.finder.sample_us()),
+        };
+        let range = hit.range.map_or_else(String::new, |range| format!(", {range:.2} m"));
+        let values = hit.readings.iter().map(|reading| {
+            let (name, unit) = (reading.signal.name, reading.signal.unit);
+            format!("{name} {}{}", number_text(reading.value), unit_text(&unit.to_string()))
+        });
+        format!(
+            "{number}: frame {frame} ({:.3} s), sweep {sweep}, {sample}{range}: {}\n",
+            pose.time,
+            values.collect::<Vec<_>>().join(", ")
+        )
+    }
+
+    fn details(&self, found: &Found, around: Option<&Around>, next: &[String]) -> String {
+        let Some(around) = around else { return String::new() };
+        let blanked = if around.is_blanked { "; the beam is blanked here" } else { "" };
+        let pixel = match around.pixel {
+            Some([x, y]) => format!("   pixel {x},{y}{blanked}\n"),
+            None => "   beyond the picture\n".into(),
+        };
+        let next: String = next.iter().map(|command| format!("   {command}\n")).collect();
+        pixel + &self.rows_text(found, around) + "\n" + &next
+    }
+
+    fn rows_text(&self, found: &Found, around: &Around) -> String {
+        if around.rows.is_empty() {
+            return String::new();
+        }
+        let place = if self.is_of_display() { "line" } else { "sample" };
+        let head = ["", "sweep", place, "range (m)"].into_iter().chain(around.columns());
+        let row = |row: &Row| {
+            let is_it = (row.sweep, row.sample) == (found.sweep, found.hit.sample);
+            let values = row.values.iter().map(|value| value.map_or_else(|| "-".into(), number_text));
+            [
+                if is_it { "=>" } else { "" }.to_owned(),
+                row.sweep.to_string(),
+                row.sample.to_string(),
+                row.range.map_or_else(|| "-".into(), |range| format!("{range:.2}")),
+            ]
+            .into_iter()
+            .chain(values)
+            .collect()
+        };
+        let head = head.map(String::from).collect();
+        "\n".to_owned() + &table(&[head].into_iter().chain(around.rows.iter().map(row)).collect::<Vec<_>>())
+    }
+
+    fn document(&self, found: &Found, around: Option<&Around>, next: &[String]) -> Value {
+        let Found { number, frame, pose, sweep, hit } = found;
+        let values: Map<String, Value> =
+            hit.readings.iter().map(|reading| (reading.signal.name.to_owned(), reading.value.into())).collect();
+        let mut document = json!({
+            "number": number,
+            "frame": frame,
+            "time_s": pose.time,
+            "sweep": sweep,
+            "sample": hit.sample,
+            "instant": hit.time,
+            "range_m": hit.range,
+            "values": values,
+        });
+        if !self.is_of_display() {
+            document["instant_us"] = (hit.time * self.finder.sample_us()).into();
+        }
+        if let Some(around) = around {
+            document["pixel"] = json!(around.pixel);
+            document["is_blanked"] = around.is_blanked.into();
+            document["next"] = json!(next);
+            document["around"] = around.rows.iter().map(|row| row_document(row, around)).collect();
+        }
+        document
+    }
+}
+
+fn row_document(row: &Row, around: &Around) -> Value {
+    let values = around.columns().zip(&row.values).map(|(name, value)| (name.to_owned(), json!(value)));
+    json!({
+        "sweep": row.sweep,
+        "sample": row.sample,
+        "range_m": row.range,
+        "values": values.collect::<Map<String, Value>>(),
+    })
+}
+
+/// Six digits, and whole numbers as they are.
+fn number_text(value: f64) -> String {
+    if value == value.trunc() && value.abs() < 1e15 { format!("{value}") } else { format!("{value:.6}") }
+}
+
+fn unit_text(symbol: &str) -> String {
+    if symbol == "1" { String::new() } else { format!(" {symbol}") }
+}
+
+/// Commands that go on from a place.
+fn next(found: &Found, around: &Around, stage: &StageArgs) -> Vec<String> {
+    let Found { frame, sweep, hit, .. } = found;
+    let of = |command: &str, rest: String| {
+        let words = stage_words(stage).join(" ");
+        format!("lunoid {command} {words} --frame {frame} {rest}")
+    };
+    let cursor = hit.range.map_or_else(String::new, |range| format!(" --cursor {:.4}", range.max(0.0)));
+    let names = around.columns().collect::<Vec<_>>().join(",");
+    let mut commands =
+        vec![of("probe", format!("--sweep {sweep} --signals {names},dpp.y,dpp.blank{cursor} --out sweep.png"))];
+    commands.extend(around.pixel.map(|[x, y]| of("explain", format!("--pixel {x},{y}"))));
+    if hit.range.is_some() {
+        commands.push(of("trace", format!("--at {sweep}:{}", hit.sample)));
+    }
+    commands
+}
+
+/// The options that choose the same stage.
+fn stage_words(stage: &StageArgs) -> Vec<String> {
+    let mut words = vec![quoted(&stage.scenario.display().to_string())];
+    let mut add = |name: &str, value: String| words.extend([format!("--{name}"), quoted(&value)]);
+    stage.machine.iter().for_each(|machine| add("machine", machine.clone()));
+    stage.overlay.iter().for_each(|overlay| add("overlay", overlay.display().to_string()));
+    stage.set.iter().for_each(|(key, value)| add("set", format!("{key}={value}")));
+    stage.bank.iter().for_each(|bank| add("bank", bank.display().to_string()));
+    stage.sweeps.iter().for_each(|sweeps| add("sweeps", sweeps.to_string()));
+    stage.samples.iter().for_each(|samples| add("samples", samples.to_string()));
+    stage.shadow_cache.iter().for_each(|folder| add("shadow-cache", folder.display().to_string()));
+    stage.scalar.iter().for_each(|scalar| {
+        add("scalar", if *scalar == ScalarWord::F32 { "f32" } else { "f64" }.into());
+    });
+    let switches = [(stage.lossless, "--lossless"), (stage.everything, "--everything")];
+    words.extend(switches.into_iter().filter(|(is_on, _)| *is_on).map(|(_, word)| word.to_owned()));
+    words
+}
+
+/// A word as a shell reads it.
+fn quoted(word: &str) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "._-/=,:+".contains(c);
+    if !word.is_empty() && word.chars().all(is_plain) { word.to_owned() } else { format!("'{}'", word.replace('\'', "'\\''")) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{number_text, quoted, stage_words};
+    use crate::loading::StageArgs;
+
+    #[test]
+    fn commands_can_be_typed_again() {
+        let stage = StageArgs {
+            scenario: "my scenes/it's.toml".into(),
+            set: vec![("a.b".into(), "\"x\"".into())],
+            sweeps: Some(21),
+            lossless: true,
+            ..StageArgs::default()
+        };
+        let expected = ["'my scenes/it'\\''s.toml'", "--set", "'a.b=\"x\"'", "--sweeps", "21", "--lossless"];
+        assert_eq!(stage_words(&stage), expected);
+        assert_eq!(quoted(""), "''");
+    }
+
+    #[test]
+    fn numbers_are_short() {
+        assert_eq!(["511", "0.333333", "-2"], [511.0, 1.0 / 3.0, -2.0].map(number_text).each_ref().map(String::as_str));
+    }
+}

@@ -1,0 +1,177 @@
+//! One event of the digital side.
+
+use std::fmt;
+
+use quantities::{SweepTime, Tick};
+use sweep_program::{Colour, Fold, MissCause, PreloadRegister, WordMask};
+
+/// Who does it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DigitalUnit {
+    /// The unit that sees the stops and moves the pointers.
+    Dpu,
+    /// The bank of a colour.
+    Loader(Colour),
+    /// One processor for all crossings.
+    IoProcessor,
+    /// The central processor.
+    Cpu,
+    /// The drums of a level: 0 fine, 1 coarse.
+    Drum(usize),
+    /// The registers of the terrain generator.
+    Registers,
+}
+
+impl fmt::Display for DigitalUnit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Dpu => f.write_str("dpu"),
+            Self::Loader(colour) => write!(f, "loader.{}", colour.name()),
+            Self::IoProcessor => f.write_str("io-processor"),
+            Self::Cpu => f.write_str("cpu"),
+            Self::Drum(level) => write!(f, "drum.{}", ["fine", "coarse"][usize::from(*level > 0)]),
+            Self::Registers => f.write_str("registers"),
+        }
+    }
+}
+
+macro_rules! words {
+    ($($(#[$doc:meta])* $variant:ident = $word:literal,)*) => {
+        /// What happens.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+        pub enum EventWord {
+            $($(#[$doc])* $variant,)*
+        }
+
+        impl EventWord {
+            /// All, in the order of the guide.
+            pub const ALL: &'static [Self] = &[$(Self::$variant),*];
+
+            /// Word in listings.
+            pub fn name(self) -> &'static str {
+                match self { $(Self::$variant => $word),* }
+            }
+        }
+    };
+}
+
+words! {
+    /// A register is full when the sweep begins.
+    Home = "home",
+    /// A ramp meets its stop.
+    Stop = "stop",
+    /// A hold register takes its preload register.
+    Transfer = "transfer",
+    /// Words miss the stop that they are meant for.
+    Late = "late",
+    /// A full set is overwritten unused.
+    Wasted = "wasted",
+    /// A set is no longer wanted before anyone fetches it.
+    Cancelled = "cancelled",
+    /// A set is asked for.
+    Wanted = "wanted",
+    /// The corner beyond both stops is at hand and moves over.
+    Diagonal = "diagonal",
+    /// The storage buffer is read: the first access of a set begins.
+    Access = "access",
+    /// The storage buffer has not the corner: its words are 0.
+    Absent = "absent",
+    /// Words arrive at a register.
+    Load = "load",
+    /// The program of a sweep is ready in time.
+    SetUp = "set-up",
+    /// The program of a sweep is ready when the sweep has begun.
+    SetUpLate = "set-up-late",
+    /// A sweep begins with the program of another.
+    OldSetUp = "old-set-up",
+    /// Tables and polyhedra of the next frame are ready.
+    Tables = "tables",
+    /// The frame ends before they are.
+    TablesLate = "tables-late",
+    /// A record arrives from a drum.
+    Record = "record",
+}
+
+/// A register of a colour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Register {
+    /// Feeds the multiplying D/As.
+    Hold,
+    /// Waits for a stop.
+    Preload(PreloadRegister),
+    /// Waits for both.
+    Diagonal,
+}
+
+impl Register {
+    /// Word in listings and records.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Hold => "hold",
+            Self::Preload(PreloadRegister::XFirst) => "x-first",
+            Self::Preload(PreloadRegister::YFirst) => "y-first",
+            Self::Diagonal => "diagonal",
+        }
+    }
+}
+
+/// One event. What does not belong to it is `None`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DigitalEvent {
+    /// When.
+    pub tick: Tick,
+    /// What happens.
+    pub event: EventWord,
+    /// Who does it.
+    pub unit: DigitalUnit,
+    /// Sweep that it is done for.
+    pub sweep: Option<u32>,
+    /// Level of terrain: 0 fine, 1 coarse.
+    pub level: Option<usize>,
+    /// Fold of the sweep, from 0: the stop itself, or the one that asked.
+    pub crossing: Option<u32>,
+    /// The stop.
+    pub fold: Option<Fold>,
+    /// Whose registers.
+    pub colour: Option<Colour>,
+    /// Which of them.
+    pub register: Option<Register>,
+    /// North and east index of the corner.
+    pub corner: Option<[i64; 2]>,
+    /// Which words of the set, bit 3p + q.
+    pub mask: WordMask,
+    /// How many words.
+    pub words: u32,
+    /// Ticks that were left; below 0 it is late.
+    pub slack: Option<i64>,
+    /// Why it is late.
+    pub cause: Option<MissCause>,
+    /// When what is late comes (samples of the sweep); none if never.
+    pub comes: Option<SweepTime>,
+    /// The sweep whose set-up is used.
+    pub other: Option<u32>,
+}
+
+impl DigitalEvent {
+    /// An event of which no more is known.
+    pub(crate) fn new(tick: Tick, event: EventWord, unit: DigitalUnit) -> Self {
+        Self {
+            tick,
+            event,
+            unit,
+            sweep: None,
+            level: None,
+            crossing: None,
+            fold: None,
+            colour: None,
+            register: None,
+            corner: None,
+            mask: WordMask(0),
+            words: 0,
+            slack: None,
+            cause: None,
+            comes: None,
+            other: None,
+        }
+    }
+}

@@ -1,0 +1,66 @@
+//! Events of the frame beside the crossings.
+
+use std::collections::BTreeMap;
+
+use quantities::{SweepTime, Tick};
+use sweep_program::WordMask;
+
+use super::event::{DigitalEvent, DigitalUnit, EventWord};
+use crate::FrameSweeps;
+use crate::digital::frame_ticks;
+
+/// Set-ups of sweeps as the processor makes them, and its tables.
+pub fn processor(sweeps: &FrameSweeps<'_>) -> Vec<DigitalEvent> {
+    let Some(cpu) = &sweeps.digital().cpu else { return Vec::new() };
+    let stage = sweeps.crossings().stage;
+    let frame = sweeps.plan().frame;
+    let clock = |sweep| stage.settings.timebase.sweep_clock(frame, sweep);
+    let start = |sweep: u32| clock(sweep).tick_at_or_after(SweepTime(0.0));
+    let made = cpu.set_ups.iter().map(|&(sweep, slack)| {
+        let word = if slack < 0 { EventWord::SetUpLate } else { EventWord::SetUp };
+        let ready = Tick(start(sweep).0.saturating_add_signed(-slack));
+        DigitalEvent {
+            sweep: Some(sweep),
+            slack: Some(slack),
+            ..DigitalEvent::new(ready, word, DigitalUnit::Cpu)
+        }
+    });
+    let old = (0u32..).zip(&cpu.drawn).filter(|(sweep, drawn)| sweep != *drawn).map(|(sweep, &drawn)| {
+        let event = DigitalEvent::new(start(sweep), EventWord::OldSetUp, DigitalUnit::Cpu);
+        DigitalEvent { sweep: Some(sweep), other: Some(drawn), ..event }
+    });
+    let [_, end] = frame_ticks(stage, frame);
+    let slack = cpu.frame_slack;
+    // Left-over work has no end in this frame.
+    let (word, tick) = match slack < 0 {
+        true => (EventWord::TablesLate, end),
+        false => (EventWord::Tables, Tick(end.0.saturating_add_signed(-slack))),
+    };
+    let tables = DigitalEvent { slack: Some(slack), ..DigitalEvent::new(tick, word, DigitalUnit::Cpu) };
+    made.chain(old).chain([tables]).collect()
+}
+
+/// Records that the drums bring while the frame runs: each with the corners that the frame asks of it.
+pub fn records(sweeps: &FrameSweeps<'_>) -> Vec<DigitalEvent> {
+    let levels = sweeps.crossings().stage.landscape.bank().levels();
+    let mut arrived: BTreeMap<(Tick, usize), Vec<u32>> = BTreeMap::new();
+    for (level, missing) in sweeps.digital().missing().into_iter().enumerate() {
+        for corner in missing {
+            if let Some(tick) = corner.arrival {
+                arrived.entry((tick, level)).or_default().push(corner.corner);
+            }
+        }
+    }
+    let record = |((tick, level), corners): ((Tick, usize), Vec<u32>)| {
+        let columns = levels[level].corners()[1];
+        let corner = corners.first().map(|&first| first as usize);
+        DigitalEvent {
+            level: Some(level),
+            corner: corner.map(|first| [(first / columns) as i64, (first % columns) as i64]),
+            mask: WordMask::ALL,
+            words: WordMask::ALL.0.count_ones() * corners.len() as u32,
+            ..DigitalEvent::new(tick, EventWord::Record, DigitalUnit::Drum(level))
+        }
+    };
+    arrived.into_iter().map(record).collect()
+}

@@ -1,0 +1,42 @@
+//! The digital side as a list of events: what the timing record counts, one by one.
+//!
+//! A listener of the service knows what was told; what was not told follows from it: which set a fold asks for, transfers,
+//! overwrites or cancels is fixed by the wiring (section 6.3). Late words are those of the sweep program.
+
+mod event;
+mod frame;
+mod listener;
+
+use crate::FrameSweeps;
+use crate::workspace::idle_program;
+
+pub use event::{DigitalEvent, DigitalUnit, EventWord, Register};
+
+use listener::Listener;
+
+impl FrameSweeps<'_> {
+    /// Digital events of one sweep, both levels, in order of ticks; at one tick in order of cause, the fine level first.
+    pub fn events(&self, sweep: u32) -> Vec<DigitalEvent> {
+        let (crossings, sweeps) = (self.crossings(), [self.set_up_of(sweep), sweep]);
+        let levels = crossings.stage.landscape.bank().levels();
+        let mut program = idle_program();
+        let loader = &crossings.stage.settings.loader;
+        let mut fine = Listener::new(self, sweep, 0, &levels[0], loader);
+        crossings.write_fine(sweeps, &mut program, &mut fine);
+        let mut events = fine.finish(&program);
+        if let Some(coarse) = crossings.coarse {
+            let mut listener = Listener::new(self, sweep, 1, &levels[1], &coarse.loader);
+            crossings.write_coarse(coarse, sweeps, &mut program, &mut listener);
+            events.extend(listener.finish(&program));
+        }
+        events.sort_by_key(|event| event.tick);
+        events
+    }
+
+    /// Events of the frame that belong to no fold: set-ups, tables, records from the drums; in order of ticks.
+    pub fn frame_events(&self) -> Vec<DigitalEvent> {
+        let mut events = [frame::processor(self), frame::records(self)].concat();
+        events.sort_by_key(|event| event.tick);
+        events
+    }
+}

@@ -1,0 +1,66 @@
+//! Craters of a sweep and the loads of their words.
+
+use feature_generator::{CRATER_WORDS, FeatureProgram, Schedule};
+use generator::Stage;
+use hardware_model::{LatePolicy, Settings};
+use quantities::SweepTime;
+use sweep_generator::RangeTable;
+use sweep_program::{LoadLine, LoadTiming};
+
+use crate::control_plane::FramePlan;
+
+/// The schedule of the feature generator in one frame.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct FeatureLoads<'a> {
+    pub stage: &'a Stage,
+    pub table: &'a RangeTable,
+    pub plan: &'a FramePlan,
+}
+
+impl FeatureLoads<'_> {
+    /// Writes the program for sweep `sweep`, which is drawn with the set-up of sweep `drawn` up to ground range `end` (m).
+    pub fn write(&self, [drawn, sweep]: [u32; 2], end: f64, program: &mut FeatureProgram) {
+        let landscape = &self.stage.landscape;
+        let level = landscape.level();
+        let schedule = Schedule {
+            features: landscape.features(),
+            parts: self.stage.settings.feature_generator,
+            region_origin: level.origin(),
+            region_size: level.region_size(),
+        };
+        let eye = [self.plan.eye[0], self.plan.eye[1]];
+        let span = [self.table.ranges()[0], end];
+        schedule.write_by(eye, self.plan.direction(drawn), span, self.timing(sweep), program);
+    }
+
+    /// Whether any crater can come late, or find no sub-generator.
+    pub fn can_miss(stage: &Stage) -> bool {
+        let settings = &stage.settings;
+        let is_limited =
+            settings.feature_words.is_some() || settings.feature_generator.sub_generators.is_some();
+        is_limited && !stage.landscape.features().is_empty()
+    }
+
+    /// Where the model has a rate, the words of a sweep come one after another.
+    fn timing(&self, sweep: u32) -> Option<LoadTiming<impl Fn(f64) -> SweepTime, impl Fn(SweepTime) -> f64>> {
+        let rate = self.stage.settings.feature_words?;
+        Some(load_timing(self.stage, self.table, (self.plan.frame, sweep), CRATER_WORDS, rate))
+    }
+}
+
+/// Loads of `words` words at `rate` words a second in sweep `sweep` of a frame.
+pub(crate) fn load_timing<'a>(
+    stage: &Stage,
+    table: &'a RangeTable,
+    place: (u64, u32),
+    words: u32,
+    rate: f64,
+) -> LoadTiming<impl Fn(f64) -> SweepTime + use<'a>, impl Fn(SweepTime) -> f64 + use<'a>> {
+    let Settings { timebase, loader, .. } = &stage.settings;
+    LoadTiming {
+        line: LoadLine::new(timebase, place, words, rate),
+        strobes_through: loader.late_policy == LatePolicy::StrobeThrough,
+        time_of: |range| table.time_of(range),
+        range_at: |time| table.range_at(time),
+    }
+}

@@ -1,0 +1,73 @@
+//! What the script of the page works with, as one JSON document.
+
+use serde_json::{Value, json};
+
+use crate::Beside;
+use crate::run::Run;
+use crate::strip::Small;
+use crate::viewer::{SPEEDS, USUAL_SPEED};
+
+/// The document.
+pub(crate) fn data(run: &Run, beside: &Beside, strip: &[Small]) -> Value {
+    let first = run.first_picture();
+    let scopes: Vec<Value> = beside.scopes.iter().map(|plot| json!([plot.frame, plot.sweep])).collect();
+    json!({
+        "first": first,
+        "end": first + run.pictures(),
+        "showings": run.showings(),
+        "rate": run.picture_rate(),
+        "columns": run.settings.raster.columns,
+        "lines": run.settings.raster.lines,
+        "speeds": SPEEDS,
+        "speed": USUAL_SPEED,
+        "poses": run.poses.iter().map(|pose| pose.map(rounded)).collect::<Vec<_>>(),
+        "strip": strip.iter().map(|small| small.picture).collect::<Vec<_>>(),
+        "sight": beside.sight,
+        "scopes": scopes,
+        "stage": shell_words(&beside.stage),
+    })
+}
+
+/// To four places: tenths of a millimetre, and less than an arc second. A person reads no more.
+fn rounded(value: f64) -> f64 {
+    (value * 1e4).round() / 1e4
+}
+
+/// The document inside a script element: nothing in it can end the element.
+pub(crate) fn in_script(document: &Value) -> String {
+    document.to_string().replace('<', "\\u003c").replace('>', "\\u003e").replace('&', "\\u0026")
+}
+
+/// Words as a shell takes them.
+pub(crate) fn shell_words(words: &[String]) -> String {
+    words.iter().map(|word| quoted(word)).collect::<Vec<_>>().join(" ")
+}
+
+fn quoted(word: &str) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./,:=+@%".contains(c);
+    match !word.is_empty() && word.chars().all(is_plain) {
+        true => word.into(),
+        false => format!("'{}'", word.replace('\'', "'\\''")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::{Value, json};
+
+    use super::{in_script, shell_words};
+
+    #[test]
+    fn a_script_element_cannot_be_ended() {
+        let document = json!({ "a": "</script><!--&\u{2028}" });
+        let text = in_script(&document);
+        assert!(!text.contains(['<', '>', '&']), "{text}");
+        assert_eq!(serde_json::from_str::<Value>(&text).expect("JSON"), document);
+    }
+
+    #[test]
+    fn words_of_a_shell() {
+        let words = ["scenarios/a.toml", "--set", "raster.sweeps=5", "it's; rm *", ""].map(str::to_owned);
+        assert_eq!(shell_words(&words), "scenarios/a.toml --set raster.sweeps=5 'it'\\''s; rm *' ''");
+    }
+}

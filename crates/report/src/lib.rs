@@ -1,0 +1,46 @@
+//! The page of a run: one self-contained HTML file.
+//!
+//! ```text
+//! run.json ──────────────┐
+//! poses.csv ─────────────┤
+//! frames/*.png ─▶ strip ─┼─▶ write_page ─▶ index.html
+//! page.json ─────────────┤
+//! scopes/*.svg ──────────┘
+//! ```
+//!
+//! **Law.** The page is a function of the folder: the same files give the same bytes, however often and by whomever it
+//! is written. It holds no clock, so it says nothing of `performance.json`.
+//! **What it shows.** Frames with pose and time, a contact sheet, the machine with what was left out of it, timing of the
+//! digital side, waveforms of recorded sweeps, error, and the record.
+//! **What is needed beside it.** The frames. A page that has lost its folder shows its own [strip](STRIP_FRAMES) of small
+//! frames instead, and says so; plots are part of the page until they are too many.
+//! **No network.** Style, script and data are in the file, and its content security policy forbids the rest.
+//! **page.json** ([`Beside`]) keeps what the record does not have: the words of the command line, where a pixel lies among
+//! the sweeps, a [summary](TimingSummary) of timing, the list of plots. Without it the page has fewer sections.
+//! **Our choices.** The page is no output of `run.json`, whose hashes it shows: it can be written again from the folder.
+//! **Not modelled.** Anything that would need the machine again.
+
+mod base64;
+mod beside;
+mod cells;
+mod data;
+mod diagram;
+mod error;
+mod machine_section;
+mod masthead;
+mod page;
+mod record_section;
+mod run;
+mod scope_section;
+mod sight;
+mod strip;
+mod timing_section;
+mod timing_summary;
+mod viewer;
+
+pub use beside::{BESIDE, Beside, ScopePlot};
+pub use error::ReportError;
+pub use page::write_page;
+pub use sight::{Sight, SightLine};
+pub use strip::STRIP_FRAMES;
+pub use timing_summary::{DeadlineLine, TimingSummary, UnitLine};

@@ -1,0 +1,109 @@
+//! The machine that drew: its blocks, what was left out and why, its work, its parts.
+
+use maud::{Markup, html};
+use serde_json::Value;
+
+use crate::cells::{grouped, shortened};
+use crate::diagram::diagram;
+use crate::run::{Omission, Run};
+
+/// The section.
+pub(crate) fn machine(run: &Run) -> Markup {
+    html! {
+        section #machine aria-labelledby="machine-title" {
+            h2 #machine-title { "Machine" }
+            @if run.has_sweeps() {
+                p.lead { "The hybrid machine with the parts of " b { (run.model.name) } ", as it was elaborated for this scene." }
+                figure.plate {
+                    (diagram(&run.omissions))
+                    figcaption { "Blocks and wires. Broken lines: left out with all that joins them. A dot: parts of it are left out." }
+                }
+            } @else {
+                p.lead { "Drawn by " b { (run.generator) } ": closed form and root finding, without blocks, sweeps or samples." }
+            }
+            h3 { "Left out" }
+            (omissions(&run.omissions))
+            div.columns {
+                div { h3 { "Work" } (work(run)) }
+                div { h3 { "Laws and range" } (laws(run)) }
+            }
+            @if run.has_sweeps() { (parts(run)) }
+        }
+    }
+}
+
+fn omissions(list: &[Omission]) -> Markup {
+    if list.is_empty() {
+        return html! { p { "Nothing was left out." } };
+    }
+    html! {
+        div.wide tabindex="0" role="group" aria-label="What was left out" { table.omissions {
+            thead { tr { th scope="col" { "Block" } th scope="col" { "What" } th scope="col" { "Why" }
+                th scope="col" { "Difference to the picture" } } }
+            tbody { @for omission in list { tr {
+                th scope="row" { (omission.block) }
+                td { (omission.what) }
+                td { (omission.why) }
+                td.weight.lossless[omission.weight == "lossless"] { (weight(&omission.weight)) }
+            } } }
+        } }
+    }
+}
+
+fn weight(weight: &Value) -> String {
+    match weight {
+        Value::String(word) if word == "lossless" => "none: the same bits".into(),
+        Value::String(word) => word.clone(),
+        other => match other["bounded_grey_levels_of_255"].as_f64() {
+            Some(levels) => format!("at most {} grey levels of 255", shortened(levels, 2)),
+            None => other.to_string(),
+        },
+    }
+}
+
+/// What the run took; counters that are zero are not named.
+fn work(run: &Run) -> Markup {
+    let rows = run.totals.iter().filter(|(_, count)| **count > 0);
+    html! {
+        table.counts { tbody { @for (name, count) in rows {
+            tr { th scope="row" { (name.replace('_', " ")) } td { (grouped(*count)) } }
+        } } }
+    }
+}
+
+fn laws(run: &Run) -> Markup {
+    let laws = run.settings.laws.iter().map(|(law, word)| (law.replace('_', " "), word.clone()));
+    let range = run.settings.range.iter().map(|(key, value)| (key.replace('_', " "), plain(value)));
+    html! {
+        table.counts { tbody {
+            @for (name, value) in laws.chain(range) { tr { th scope="row" { (name) } td { (value) } } }
+            tr { th scope="row" { "scalar" } td { (run.settings.scalar) } }
+            tr { th scope="row" { "sample clock" } td { (run.settings.clocks.sample) } }
+            tr { th scope="row" { "master clock" } td { (run.settings.clocks.master) } }
+        } }
+    }
+}
+
+/// A value without the quotation marks of JSON.
+pub(crate) fn plain(value: &Value) -> String {
+    match value {
+        Value::String(text) => text.clone(),
+        Value::Number(number) => number.as_f64().map_or(number.to_string(), |value| shortened(value, 6)),
+        other => other.to_string(),
+    }
+}
+
+/// The effective model.
+fn parts(run: &Run) -> Markup {
+    html! {
+        details {
+            summary { "Hardware model: " (run.model.values.len()) " values of " (run.model.name) }
+            div.wide tabindex="0" role="group" aria-label="Hardware model" { table {
+                thead { tr { th scope="col" { "Key" } th scope="col" { "Value" } th scope="col" { "From" } } }
+                tbody { @for value in &run.model.values { tr {
+                    th scope="row" { (value.key) } td { (value.value) } td.origin { (value.origin) }
+                } } }
+            } }
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! The whole page.
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+use crate::data::{data, in_script};
+use crate::machine_section::machine;
+use crate::masthead::masthead;
+use crate::record_section::{error, record};
+use crate::run::Run;
+use crate::scope_section::scopes;
+use crate::strip::strip;
+use crate::timing_section::timing;
+use crate::viewer::{contact_sheet, viewer};
+use crate::{Beside, ReportError};
+
+const STYLE: &str = include_str!("page.css");
+const SCRIPT: &str = include_str!("page.js");
+
+/// Nothing from anywhere but this file and the folder that it lies in.
+const POLICY: &str = "default-src 'none'; img-src 'self' file: data:; style-src 'unsafe-inline'; \
+                      script-src 'unsafe-inline'; base-uri 'none'; form-action 'none'";
+
+const SECTIONS: [(&str, &str); 7] = [
+    ("picture", "Picture"),
+    ("contact-sheet", "Contact sheet"),
+    ("machine", "Machine"),
+    ("timing", "Timing"),
+    ("waveforms", "Waveforms"),
+    ("error", "Error"),
+    ("record", "Record"),
+];
+
+/// Writes the page of the finished run in `folder`, from what the folder holds; where it is. A page that is there and
+/// right is not touched.
+///
+/// # Errors
+/// If the folder holds no finished run, its files are not what a run writes, or the page cannot be written.
+pub fn write_page(folder: &Path) -> Result<PathBuf, ReportError> {
+    let text = page(folder)?.into_string();
+    let path = folder.join(replay::PAGE);
+    if !fs::read(&path).is_ok_and(|found| found == text.as_bytes()) {
+        files::write_atomic(&path, |out: &mut dyn Write| out.write_all(text.as_bytes()))?;
+    }
+    Ok(path)
+}
+
+fn page(folder: &Path) -> Result<Markup, ReportError> {
+    let run = Run::read(folder)?;
+    let beside = Beside::read(folder, &run.fingerprint)?;
+    let strip = strip(folder, &run)?;
+    let waveforms = scopes(folder, &beside, run.has_sweeps())?;
+    let data = in_script(&data(&run, &beside, &strip));
+    Ok(html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta http-equiv="Content-Security-Policy" content=(POLICY);
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="color-scheme" content="light dark";
+                link rel="icon" href="data:,";
+                title { (run.scenario.title) " – run of lunoid" }
+                style { (PreEscaped(STYLE)) }
+                script #data type="application/json" { (PreEscaped(data)) }
+                script { (PreEscaped(SCRIPT)) }
+            }
+            body {
+                a.skip href="#picture" { "To the picture" }
+                (masthead(&run))
+                nav.contents aria-label="Sections" { ol { @for (id, title) in SECTIONS { li { a href=(format!("#{id}")) { (title) } } } } }
+                main {
+                    (viewer(&run))
+                    (contact_sheet(&run, &strip))
+                    (machine(&run))
+                    (timing(&beside, run.has_sweeps()))
+                    (waveforms)
+                    (error(&run, &beside))
+                    (record(&run))
+                }
+            }
+        }
+    })
+}

@@ -1,0 +1,96 @@
+//! Error, and the record from which the page was made.
+
+use maud::{Markup, html};
+use replay::FileRecord;
+use serde_json::Value;
+
+use crate::Beside;
+use crate::data::shell_words;
+use crate::machine_section::plain;
+use crate::run::Run;
+
+/// How far the pictures are from `exact`.
+pub(crate) fn error(run: &Run, beside: &Beside) -> Markup {
+    html! {
+        section #error aria-labelledby="error-title" {
+            h2 #error-title { "Error" }
+            @match &run.error {
+                Some(found) => (figures(found)),
+                None if !run.has_sweeps() => p { "The run is its own reference: " (run.generator) " is what error is measured against." },
+                None => (unchecked(run, beside)),
+            }
+        }
+    }
+}
+
+fn figures(found: &Value) -> Markup {
+    let rows = found.as_object().into_iter().flatten();
+    html! {
+        table.counts { tbody { @for (name, value) in rows {
+            tr { th scope="row" { (name.replace('_', " ")) } td { (plain(value)) } }
+        } } }
+    }
+}
+
+fn unchecked(run: &Run, beside: &Beside) -> Markup {
+    let (first, end) = (run.frames[0].frame, run.frames[run.frames.len() - 1].frame + 1);
+    let end = end.min(first + 2);
+    html! {
+        p { "Not checked. The first frames against the closed form:" }
+        pre.more { code {
+            "lunoid replay " (shell_words(&exact_words(&beside.stage))) " --frames " (first) ".." (end) " --out runs/exact\n"
+            "lunoid replay " (shell_words(&beside.stage)) " --frames " (first) ".." (end) " --out runs/checked\n"
+            "lunoid compare runs/checked runs/exact"
+        } }
+    }
+}
+
+/// The words of the stage, drawn by `exact`.
+fn exact_words(words: &[String]) -> Vec<String> {
+    let mut kept: Vec<String> = Vec::with_capacity(words.len() + 2);
+    let mut words = words.iter();
+    while let Some(word) = words.next() {
+        match word.as_str() {
+            "--machine" => drop(words.next()),
+            _ => kept.push(word.clone()),
+        }
+    }
+    kept.extend(["--machine", "exact"].map(str::to_owned));
+    kept
+}
+
+/// What decided the pixels, and the files beside the page.
+pub(crate) fn record(run: &Run) -> Markup {
+    let program = &run.program;
+    let inputs: Vec<&FileRecord> =
+        run.scenario.file.iter().chain(&run.references).chain(&run.model.files).collect();
+    let own = ["run.json", "performance.json"].into_iter();
+    let beside: Vec<&str> = own.chain(run.outputs.iter().map(|output| output.file.as_str())).collect();
+    html! {
+        section #record aria-labelledby="record-title" {
+            h2 #record-title { "Record" }
+            p { "Drawn by " (program.name) " " (program.version) ", commit " code { (program.commit) }
+                ", result family " (program.result_family) ". Runs of the same fingerprint are equal to the bit." }
+            dl.hashes {
+                div { dt { "fingerprint" } dd { code { (run.fingerprint) } } }
+                @for file in inputs { div { dt { (file.file) } dd { code { (file.blake3) } } } }
+            }
+            p { "Beside this page: "
+                @for (index, file) in beside.iter().enumerate() {
+                    @if index > 0 { ", " } a href=(file) { (file) }
+                } "." }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::exact_words;
+
+    #[test]
+    fn exact_takes_the_place_of_the_machine() {
+        let words = ["a.toml", "--machine", "pra-nominal", "--sweeps", "40"].map(str::to_owned);
+        assert_eq!(exact_words(&words), ["a.toml", "--sweeps", "40", "--machine", "exact"]);
+        assert_eq!(exact_words(&words[..1]), ["a.toml", "--machine", "exact"]);
+    }
+}

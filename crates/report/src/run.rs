@@ -1,0 +1,249 @@
+//! What a page reads of the record of a run.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use replay::{FileRecord, FrameRecord, HeldRun, picture_name};
+use serde::Deserialize;
+use serde_json::Value;
+
+use crate::ReportError;
+
+const POSES: &str = "poses.csv";
+const MAX_BYTES: u64 = 1 << 30;
+
+/// A run as its record says.
+#[derive(Debug, Deserialize)]
+pub(crate) struct Run {
+    pub fingerprint: String,
+    pub program: Program,
+    pub scenario: Scenario,
+    #[serde(default)]
+    pub references: Vec<FileRecord>,
+    pub generator: String,
+    pub model: Model,
+    pub ground: Ground,
+    pub sun: Sun,
+    pub settings: Settings,
+    pub pictures: Pictures,
+    pub omissions: Vec<Omission>,
+    pub limits: Vec<Limit>,
+    pub totals: BTreeMap<String, u64>,
+    pub frames: Vec<FrameRecord>,
+    pub outputs: Vec<FileRecord>,
+    /// Error against `exact`, where a run has been checked.
+    #[serde(default)]
+    pub error: Option<Value>,
+    /// Eye and attitude of every frame, in the order of the frames.
+    #[serde(skip)]
+    pub poses: Vec<[f64; 7]>,
+}
+
+#[derive(Debug, Deserialize)]
+pub(crate) struct Program {
+    pub name: String,
+    pub version: String,
+    pub commit: String,
+    pub result_family: String,
+}
+
+#[derive(Debug, Deserialize)]
+pub(crate) struct Scenario {
+    pub file: Option<FileRecord>,
+    pub title: String,
+    pub shows: String,
+}
+
+#[derive(Debug, Deserialize)]
+pub(crate) struct Model {
+    pub name: String,
+    pub files: Vec<FileRecord>,
+    pub values: Vec<ModelValue>,
+}
+
+#[derive(Debug, Deserialize)]
+pub(crate) struct ModelValue {
+    pub key: String,
+    pub value: String,
+    pub origin: String,
+}
+
+#[derive(Debug, Deserialize)]
+pub(crate) struct Ground {
+    pub source: String,
+    pub levels: Vec<Level>,
+}
+
+#[derive(Debug, Deserialize)]
+pub(crate) struct Level {
+    pub region_size_m: f64,
+    pub corners: [u64; 2],
+}
+
+#[derive(Debug, Deserialize)]
+pub(crate) struct Sun {
+    pub azimuth_deg: f64,
+    pub elevation_deg: f64,
+}
+
+#[derive(Debug, Deserialize)]
+pub(crate) struct Settings {
+    pub scalar: String,
+    pub raster: Raster,
+    pub clocks: Clocks,
+    pub laws: BTreeMap<String, String>,
+    pub range: BTreeMap<String, Value>,
+}
+
+#[derive(Debug, Deserialize)]
+pub(crate) struct Raster {
+    pub sweeps: u64,
+    pub samples_per_sweep: u64,
+    pub columns: u64,
+    pub lines: u64,
+    pub field_of_view_deg: [f64; 2],
+}
+
+#[derive(Debug, Deserialize)]
+pub(crate) struct Clocks {
+    pub master: String,
+    pub sample: String,
+    pub update: String,
+    pub refresh: String,
+}
+
+#[derive(Debug, Deserialize)]
+pub(crate) struct Pictures {
+    pub depth: u64,
+    pub one_file_for_each: String,
+}
+
+#[derive(Debug, Deserialize)]
+pub(crate) struct Omission {
+    pub block: String,
+    pub what: String,
+    pub why: String,
+    pub weight: Value,
+}
+
+#[derive(Debug, Deserialize)]
+pub(crate) struct Limit {
+    pub limit: String,
+    pub unit: String,
+    pub allowed: f64,
+    pub found: f64,
+    pub frames: [u64; 2],
+}
+
+impl Run {
+    /// The run in `folder`.
+    pub fn read(folder: &Path) -> Result<Self, ReportError> {
+        let held = HeldRun::read(folder)?;
+        let path = folder.join(replay::RUN_RECORD);
+        let refused = |reason: String| ReportError::Content { path: path.clone(), reason };
+        let mut run: Self =
+            serde_json::from_value(held.document).map_err(|error| refused(error.to_string()))?;
+        if run.frames.is_empty() || run.showings() == 0 || run.settings.raster.columns == 0 {
+            return Err(refused("it lists no frame, expected at least one".into()));
+        }
+        let expected = (run.first_picture()..).map(picture_name);
+        let found = run.frames.iter().flat_map(|frame| &frame.files).map(|file| &file.file);
+        if let Some((expected, found)) = expected.zip(found).find(|(expected, found)| expected != *found) {
+            return Err(refused(format!("it lists the picture `{found}`, expected `{expected}`")));
+        }
+        run.poses = poses(folder, &run.frames)?;
+        Ok(run)
+    }
+
+    /// Pictures of a frame: more than one if there is one for each that the tube shows.
+    pub fn showings(&self) -> u64 {
+        self.frames[0].files.len() as u64
+    }
+
+    /// Index of the first picture of the run.
+    pub fn first_picture(&self) -> u64 {
+        self.frames[0].frame * self.showings()
+    }
+
+    /// Pictures of the run.
+    pub fn pictures(&self) -> u64 {
+        self.frames.len() as u64 * self.showings()
+    }
+
+    /// Pictures a second.
+    pub fn picture_rate(&self) -> f64 {
+        let clocks = &self.settings.clocks;
+        let clock =
+            if self.pictures.one_file_for_each == "refresh" { &clocks.refresh } else { &clocks.update };
+        hertz(clock).unwrap_or(30.0)
+    }
+
+    /// Width of the screen over its height.
+    pub fn aspect(&self) -> f64 {
+        let [width, height] = self.settings.raster.field_of_view_deg.map(|angle| tangent_of_half(angle));
+        let aspect = width / height;
+        if aspect.is_finite() && aspect > 0.0 { aspect } else { 1.0 }
+    }
+
+    /// Whether the hybrid machine drew it, with sweeps and signals.
+    pub fn has_sweeps(&self) -> bool {
+        self.generator == "hybrid"
+    }
+}
+
+fn tangent_of_half(degrees: f64) -> f64 {
+    libm::tan(degrees.to_radians() / 2.0)
+}
+
+/// A clock as a record writes it: `30 Hz`, `30000/1001 Hz`.
+fn hertz(clock: &str) -> Option<f64> {
+    let number = clock.strip_suffix(" Hz")?;
+    let (above, below) = number.split_once('/').unwrap_or((number, "1"));
+    let rate = above.trim().parse::<f64>().ok()? / below.trim().parse::<f64>().ok()?;
+    (rate.is_finite() && rate > 0.0).then_some(rate)
+}
+
+/// Time, eye and attitude of `frames`: seven numbers each, in the order of the file.
+fn poses(folder: &Path, frames: &[FrameRecord]) -> Result<Vec<[f64; 7]>, ReportError> {
+    let path = folder.join(POSES);
+    let bytes = files::read_all(&path, MAX_BYTES)?;
+    let refused = |reason: String| ReportError::Content { path: path.clone(), reason };
+    let text = std::str::from_utf8(&bytes).map_err(|error| refused(error.to_string()))?;
+    let rows: Vec<&str> = text.lines().skip(1).collect();
+    if rows.len() != frames.len() {
+        let (found, expected) = (rows.len(), frames.len());
+        return Err(refused(format!("{found} rows, expected one for each of {expected} frames")));
+    }
+    let row = |(line, row): (usize, &&str)| {
+        pose(row).ok_or_else(|| refused(format!("line {}: `{row}`, expected numbers", line + 2)))
+    };
+    rows.iter().enumerate().map(row).collect()
+}
+
+fn pose(row: &str) -> Option<[f64; 7]> {
+    let cells: Result<Vec<f64>, _> = row.split(',').skip(1).take(7).map(str::parse).collect();
+    let cells: [f64; 7] = cells.ok()?.try_into().ok()?;
+    cells.iter().all(|cell| cell.is_finite()).then_some(cells)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{hertz, pose};
+
+    #[test]
+    fn clocks_are_fractions() {
+        assert_eq!(hertz("30 Hz"), Some(30.0));
+        assert_eq!(hertz("30000/1001 Hz"), Some(30000.0 / 1001.0));
+        for wrong in ["", "30", "0 Hz", "1/0 Hz", "x Hz", "-3 Hz"] {
+            assert_eq!(hertz(wrong), None, "{wrong}");
+        }
+    }
+
+    #[test]
+    fn rows_of_poses() {
+        assert_eq!(pose("3,0.5,1,2,3,4,5,6,7,8,9"), Some([0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0]));
+        for wrong in ["", "3,0.5,1,2", "3,0.5,1,2,x,4,5,6", "3,0.5,1,2,NaN,4,5,6"] {
+            assert_eq!(pose(wrong), None, "{wrong}");
+        }
+    }
+}

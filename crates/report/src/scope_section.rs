@@ -1,0 +1,61 @@
+//! Waveforms of recorded sweeps.
+
+use std::path::Path;
+
+use maud::{Markup, html};
+
+use crate::base64::data_url;
+use crate::data::shell_words;
+use crate::{Beside, ReportError, ScopePlot};
+
+/// Bytes of plots that are part of the page; the others are read from beside it.
+const MOST_EMBEDDED: u64 = 4 << 20;
+const MAX_BYTES: u64 = 1 << 28;
+
+/// The section.
+pub(crate) fn scopes(folder: &Path, beside: &Beside, has_sweeps: bool) -> Result<Markup, ReportError> {
+    let sources = sources(folder, &beside.scopes)?;
+    Ok(html! {
+        section #waveforms aria-labelledby="waveforms-title" {
+            h2 #waveforms-title { "Waveforms" }
+            @if !has_sweeps {
+                p { "There are no sweeps, and no signals." }
+            } @else if beside.scopes.is_empty() {
+                p { "No sweep was recorded. Click a column of the picture for the commands that look into its sweep, or record "
+                    "some with the run:" }
+                p.more { code { "lunoid replay " (shell_words(&beside.stage)) " --probe FRAME:SWEEP" } }
+            }
+            @for (plot, source) in beside.scopes.iter().zip(&sources) { (figure(plot, source)) }
+        }
+    })
+}
+
+fn figure(plot: &ScopePlot, source: &str) -> Markup {
+    let ScopePlot { frame, sweep, .. } = plot;
+    html! {
+        figure.plate.scope id=(format!("scope-{frame}-{sweep}")) tabindex="-1" {
+            a.sheet-of href=(plot.file()) { img src=(source) loading="lazy" decoding="async"
+                alt=(format!("Waveforms of sweep {sweep} of frame {frame}")); }
+            figcaption {
+                b { "Frame " (frame) ", sweep " (sweep) "." } " " (plot.signals.join(", ")) ". "
+                button.needs-script type="button" data-frame=(frame) data-sweep=(sweep) { "Show in the picture" }
+            }
+        }
+    }
+}
+
+/// Where each plot is read from: the page itself, as long as there is room.
+fn sources(folder: &Path, plots: &[ScopePlot]) -> Result<Vec<String>, ReportError> {
+    let mut room = MOST_EMBEDDED;
+    let mut source = |plot: &ScopePlot| {
+        let bytes = files::read_all(folder.join(plot.file()), MAX_BYTES)?;
+        match room.checked_sub(bytes.len() as u64) {
+            Some(left) => {
+                room = left;
+                Ok(data_url(replay::SCOPE_KIND, &bytes))
+            }
+            None => Ok(plot.file()),
+        }
+    };
+    plots.iter().map(|plot| source(plot)).collect()
+}

@@ -1,0 +1,82 @@
+//! Timing of the digital side over some frames of a run, as much of it as a page shows.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+use timing::{Cause, Deadline, Sets, Slack, TimingRecord, Totals, UnitTotals};
+
+/// Timing over some frames.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct TimingSummary {
+    /// The frames, ascending.
+    pub frames: Vec<u64>,
+    /// Period of the master clock (s).
+    pub tick_s: f64,
+    /// Folds of both ramps.
+    pub folds: u64,
+    /// Words after the stop they were meant for.
+    pub late_words: u64,
+    /// What became of the register sets.
+    pub sets: Sets,
+    /// Every kind of deadline that the machine has.
+    pub deadlines: Vec<DeadlineLine>,
+    /// Every unit, by name.
+    pub units: Vec<UnitLine>,
+    /// Misses by cause.
+    pub causes: BTreeMap<Cause, u64>,
+    /// Sweeps with misses, ascending, and how many they have.
+    pub sweeps: Vec<(u32, u64)>,
+}
+
+/// One kind of deadline.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct DeadlineLine {
+    /// Which.
+    pub deadline: Deadline,
+    /// Slack of all (master ticks).
+    pub slack: Slack,
+    /// The first frame with the least slack.
+    pub worst_frame: Option<u64>,
+}
+
+/// One unit: time at work over time.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct UnitLine {
+    /// Its name.
+    pub unit: String,
+    /// Of the idlest frame.
+    pub least: f64,
+    /// Of all frames.
+    pub mean: f64,
+    /// Of the busiest frame.
+    pub most: f64,
+    /// Most requests that waited at one time.
+    pub longest_queue: u32,
+}
+
+impl TimingSummary {
+    /// Of all frames of `record`, whose master clock has the period `tick_s` (s).
+    pub fn of(record: &TimingRecord, tick_s: f64) -> Self {
+        let totals = Totals::of(record);
+        let deadline = |(deadline, line): (Deadline, timing::DeadlineTotals)| DeadlineLine {
+            deadline,
+            slack: line.slack,
+            worst_frame: line.worst_frame,
+        };
+        let unit = |(unit, line): (String, UnitTotals)| {
+            let UnitTotals { least, mean, most, longest_queue, .. } = line;
+            UnitLine { unit, least, mean, most, longest_queue }
+        };
+        Self {
+            frames: record.frames.iter().map(|frame| frame.frame).collect(),
+            tick_s,
+            folds: totals.folds,
+            late_words: totals.late_words,
+            sets: totals.sets,
+            deadlines: totals.deadlines.into_iter().map(deadline).collect(),
+            units: totals.units.into_iter().map(unit).collect(),
+            causes: totals.causes,
+            sweeps: totals.sweeps.into_iter().map(|(sweep, found)| (sweep, found.misses)).collect(),
+        }
+    }
+}

@@ -1,0 +1,229 @@
+//! The page in a real browser, from a file.
+
+use crate::run_folder::{RunFolder, SWEEPS};
+use std::sync::MutexGuard;
+
+use crate::webdriver::{Browser, turn};
+
+const LEFT: &str = "\u{e012}";
+const RIGHT: &str = "\u{e014}";
+const HOME: &str = "\u{e011}";
+const END: &str = "\u{e010}";
+const ENTER: &str = "\u{e007}";
+const ESCAPE: &str = "\u{e00c}";
+
+/// A run of 30 frames with recorded sweeps, its page, and a browser that shows it.
+fn shown(size: [u32; 2]) -> Option<(RunFolder, Browser, MutexGuard<'static, ()>)> {
+    let turn = turn();
+    let browser = Browser::open(size, false)?;
+    let run = RunFolder::new(5, 30);
+    run.beside(&[(6, 16), (7, 3)]);
+    report::write_page(run.path()).unwrap();
+    browser.go(&address(&run));
+    Some((run, browser, turn))
+}
+
+fn address(run: &RunFolder) -> String {
+    format!("file://{}", run.join("index.html").display())
+}
+
+fn source(browser: &Browser) -> String {
+    let source = browser.value("document.getElementById('frame').getAttribute('src')");
+    source.as_str().unwrap().to_owned()
+}
+
+#[test]
+fn keys_step_frames() {
+    let Some((_run, browser, _turn)) = shown([1280, 900]) else { return };
+    let at = || browser.text("number").parse::<u64>().unwrap();
+    assert_eq!((at(), source(&browser).as_str()), (5, "frames/frame-000005.png"));
+    browser.press(RIGHT);
+    browser.press(RIGHT);
+    assert_eq!((at(), source(&browser).as_str()), (7, "frames/frame-000007.png"));
+    assert_eq!([browser.text("time"), browser.text("north")], ["0.700 s", "107.00 m"]);
+    assert_eq!(browser.text("pitch"), "\u{2212}2.50°");
+    browser.press(LEFT);
+    assert_eq!(at(), 6);
+    browser.press(END);
+    assert_eq!((at(), source(&browser).as_str()), (34, "frames/frame-000034.png"));
+    browser.press(RIGHT);
+    assert_eq!(at(), 34);
+    browser.press(HOME);
+    browser.press(LEFT);
+    assert_eq!(at(), 5);
+    assert_eq!(browser.value("document.getElementById('at').value"), "5");
+    assert_eq!(browser.value("location.hash"), "#frame=5");
+    browser.press("+");
+    assert_eq!(browser.value("document.getElementById('speed').value"), "4");
+    browser.press("--");
+    assert_eq!(browser.value("document.getElementById('speed').value"), "2");
+    browser.press("  ");
+    assert_eq!(browser.text("play"), "Play");
+    browser.press("+++ ");
+    assert_eq!(browser.text("play"), "Pause");
+    std::thread::sleep(std::time::Duration::from_millis(500));
+    browser.press(" ");
+    assert!(at() > 5, "{}", at());
+    // The slider has the keys that the page has, and no step is counted twice.
+    browser.press(HOME);
+    browser.value("document.getElementById('at').focus()");
+    browser.press(RIGHT);
+    assert_eq!(at(), 6);
+    quiet(&browser);
+}
+
+/// No complaint, and no request but for files.
+fn quiet(browser: &Browser) {
+    let (complaints, asked) = browser.logs();
+    assert!(complaints.is_empty(), "{complaints:?}");
+    assert!(!asked.is_empty(), "the log of requests is kept");
+    let strange: Vec<&String> =
+        asked.iter().filter(|url| !url.starts_with("file:") && !url.starts_with("data:")).collect();
+    assert!(strange.is_empty(), "{strange:?}");
+}
+
+#[test]
+fn a_column_leads_to_its_sweep() {
+    let Some((run, browser, _turn)) = shown([1280, 900]) else { return };
+    let sight = run.beside(&[(6, 16), (7, 3)]).sight.unwrap();
+    browser.press(RIGHT);
+    assert_eq!(browser.value("document.querySelectorAll('#marks line').length"), 1);
+    for (column, line) in [(33, 17), (33, 2), (10, 30), (60, 8)] {
+        let share = [(f64::from(column) + 0.5) / 64.0, (f64::from(line) + 0.5) / 36.0];
+        let sweep = sight.sweep_at(6, share.map(|share| 2.0 * share - 1.0)).unwrap();
+        let sweep = sweep.round().clamp(0.0, f64::from(SWEEPS - 1)) as u32;
+        browser.click("#screen", share);
+        assert_eq!(browser.text("place"), format!("{column}, {line}"));
+        assert_eq!(browser.text("under"), sweep.to_string());
+        assert_eq!(browser.text("look-title"), format!("Sweep {sweep} of frame 6"));
+        assert_eq!(browser.value("location.hash"), format!("#frame=6&sweep={sweep}"));
+        let commands = browser.text("commands");
+        if sweep == 16 {
+            assert_eq!(browser.value("document.activeElement.id"), "scope-6-16");
+        } else {
+            let stage = "'scenarios/it'\\''s.toml' --sweeps 32 --frame 6";
+            assert!(commands.contains(&format!("lunoid probe {stage} --sweep {sweep} --out")), "{commands}");
+            assert!(
+                commands.contains(&format!("lunoid explain {stage} --pixel {column},{line}")),
+                "{commands}"
+            );
+            assert!(commands.contains(&format!("--probe 6:{sweep}")), "{commands}");
+        }
+    }
+    let [x, y] = [0, 1].map(|end| {
+        let get = |name: &str| {
+            browser.value(&format!("document.getElementById('chosen').getAttribute('{name}{}')", end + 1))
+        };
+        [get("x"), get("y")].map(|value| value.as_str().unwrap().parse::<f64>().unwrap())
+    });
+    let middle = |share: f64| [0, 1].map(|axis| x[axis] + share * (y[axis] - x[axis]));
+    let chosen: f64 = browser.value("Number(location.hash.split('sweep=')[1])").as_f64().unwrap();
+    for share in [0.4, 0.5, 0.6] {
+        assert!(
+            (sight.sweep_at(6, middle(share)).unwrap() - chosen).abs() < 1e-6,
+            "the cursor lies on its sweep"
+        );
+    }
+    quiet(&browser);
+}
+
+#[test]
+fn the_sweep_cursor_has_keys() {
+    let Some((_run, browser, _turn)) = shown([1280, 900]) else { return };
+    browser.press(".");
+    assert_eq!(browser.text("look-title"), "Sweep 16 of frame 5");
+    browser.press(".");
+    browser.press("<");
+    assert_eq!(browser.text("look-title"), "Sweep 7 of frame 5");
+    browser.press(RIGHT);
+    browser.press(RIGHT);
+    browser.press(",,,,");
+    assert_eq!(browser.text("look-title"), "Sweep 3 of frame 7");
+    browser.press(ENTER);
+    assert_eq!(browser.value("document.activeElement.id"), "scope-7-3");
+    browser.press(ESCAPE);
+    assert_eq!(browser.value("document.getElementById('look').hidden"), true);
+    // Back from the plot to its column.
+    browser.value("document.querySelector('#scope-6-16 button').click()");
+    assert_eq!([browser.text("number"), browser.text("look-title")], ["6", "Sweep 16 of frame 6"]);
+    quiet(&browser);
+}
+
+#[test]
+fn a_link_leads_to_frame_and_sweep() {
+    let Some((run, browser, _turn)) = shown([1280, 900]) else { return };
+    browser.go("about:blank");
+    browser.go(&format!("{}#frame=9&sweep=30", address(&run)));
+    assert_eq!([browser.text("number"), browser.text("look-title")], ["9", "Sweep 30 of frame 9"]);
+    browser.click(".sheet [data-picture=\"34\"]", [0.5, 0.5]);
+    assert_eq!(browser.text("number"), "34");
+    assert_eq!(browser.value("document.querySelector('.sheet [aria-current]').dataset.picture"), "34");
+    browser.value("document.querySelector('#timing td a').click()");
+    browser.press(" ");
+    quiet(&browser);
+}
+
+#[test]
+fn dark_and_light() {
+    let Some((run, browser, _turn)) = shown([1280, 900]) else { return };
+    let paper =
+        |browser: &Browser| browser.value("getComputedStyle(document.documentElement).backgroundColor");
+    let light = paper(&browser);
+    browser.click("#theme", [0.5, 0.5]);
+    assert_eq!(browser.value("document.documentElement.dataset.theme"), "dark");
+    let dark = paper(&browser);
+    assert_ne!(light, dark);
+    browser.press("d");
+    assert_eq!(
+        (browser.value("document.documentElement.dataset.theme"), paper(&browser)),
+        ("light".into(), light)
+    );
+    let Some(other) = Browser::open([1280, 900], true) else { return };
+    other.go(&address(&run));
+    assert!(other.value("document.documentElement.dataset.theme").is_null());
+    assert_eq!(other.value("matchMedia('(prefers-color-scheme: dark)').matches"), true);
+    assert_eq!(paper(&other), dark);
+    quiet(&browser);
+}
+
+#[test]
+fn alone_it_shows_its_own_small_frames() {
+    let Some((run, browser, _turn)) = shown([1280, 900]) else { return };
+    let alone = tempfile::tempdir().unwrap();
+    let page = alone.path().join("mailed.html");
+    std::fs::copy(run.join("index.html"), &page).unwrap();
+    browser.go(&format!("file://{}", page.display()));
+    browser.press(RIGHT);
+    assert!(source(&browser).starts_with("data:image/png"));
+    assert_eq!(browser.value("document.getElementById('reduced').hidden"), false);
+    assert_eq!(browser.value("document.getElementById('frame').naturalWidth"), 64);
+    assert!(
+        browser
+            .value("document.querySelector('.scope img').src")
+            .as_str()
+            .unwrap()
+            .starts_with("data:image/svg")
+    );
+}
+
+/// Nothing sticks out at any width, and what is shown does not move when frames come.
+#[test]
+fn it_fits_a_phone_and_does_not_jump() {
+    let Some((_run, browser, _turn)) = shown([500, 900]) else { return };
+    for width in [320, 375, 500] {
+        let script = format!(
+            "(() => {{ document.documentElement.style.width = '{width}px'; \
+             return [...document.querySelectorAll('body *')].filter(part => !part.closest('.wide, .plate, .contents, .unseen, .skip, svg')) \
+             .filter(part => part.getBoundingClientRect().right > {width} + 1).map(part => part.tagName + '.' + part.className).slice(0, 5); }})()"
+        );
+        assert_eq!(browser.value(&script), serde_json::json!([]), "at {width}");
+    }
+    let place =
+        || browser.value("document.getElementById('contact-sheet').getBoundingClientRect().top + scrollY");
+    let before = place();
+    for key in [RIGHT, END, HOME] {
+        browser.press(key);
+        assert_eq!(place(), before);
+    }
+    quiet(&browser);
+}

@@ -1,0 +1,6 @@
+//! The page of a run: its text, and how it behaves in a browser.
+
+mod browser;
+mod run_folder;
+mod text;
+mod webdriver;

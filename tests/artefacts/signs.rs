@@ -1,0 +1,135 @@
+//! More of what the hardware report says of some artefacts: proportions, and what they leave alone.
+
+use hardware_model::{HardwareModel, ModelSource};
+
+use crate::causes::{faulty, model};
+use crate::detectors::{array, beam, late, picture};
+use crate::look::{Look, Run, largest, mean};
+use crate::scene::facing;
+use crate::scenes::{Place, turning_at};
+
+/// A scene under the ideal machine with some settings.
+fn set<T>(place: Place, settings: &[(&str, &str)], at: impl FnOnce(&Look<'_>) -> T) -> T {
+    let sets: Vec<(String, String)> =
+        settings.iter().map(|(key, value)| (key.to_string(), value.to_string())).collect();
+    let loaded = HardwareModel::load(&ModelSource::BuiltIn("ideal".into()), &[], &sets);
+    let scene = place.scene();
+    let clean = Run::of(&scene, &model(None));
+    let run = Run::of(&scene, &loaded.unwrap_or_else(|e| panic!("{e}")).model);
+    at(&Look { scene: &scene, clean: &clean, run: &run })
+}
+
+fn near(found: f64, expected: f64, within: f64) {
+    assert!((found - expected).abs() <= within, "{found}, expected {expected} within {within}");
+}
+
+/// A5: nothing is missing from a turn that the drum can follow.
+#[test]
+fn a_slow_turn_starves_nobody() {
+    let scene = turning_at(|scene, _, time| facing(scene, time, quantities::radians(5.0 * time), 0.0));
+    let [clean, run] = [model(None), faulty(5)].map(|model| Run::of(&scene, &model));
+    let found = late::drum_starvation(&Look { scene: &scene, clean: &clean, run: &run });
+    assert!(found < 2.0, "{found} corners a frame");
+}
+
+/// A12: no word is off by more than half a step, and a bit halves the step.
+#[test]
+fn a_bit_more_halves_the_steps() {
+    for (bits, step) in [("6", 1.0), ("7", 0.5), ("8", 0.25), ("9", 0.125)] {
+        let errors = set(Place::Rows, &[("multiplying_dac.bits", bits)], |look| {
+            array::row_heights(look)
+                .into_iter()
+                .map(|[found, right]| (found - right).abs())
+                .collect::<Vec<_>>()
+        });
+        let most = largest(errors);
+        assert!(most <= 0.5001 * step && most > 0.35 * step, "{bits} bits: {most} m");
+    }
+}
+
+/// A13: edges move with the delay, down to a small part of a sample; those into shadow as those out of it.
+#[test]
+fn edges_move_in_proportion_and_shadows_keep_their_width() {
+    for delay in [4.0, 40.0, 160.0, 400.0] {
+        let text = delay.to_string();
+        set(Place::Strips, &[("comparator.delay_ns", &text)], |look| {
+            let expected = delay * 1e-3 * look.speed() / look.pace();
+            let behind = look.own().flat_map(|sweep| beam::edges(look, sweep)).map(|edge| edge.behind);
+            let behind: Vec<f64> = behind.collect();
+            // A signal at its samples tells an edge to half a sample, many edges to a part of that.
+            behind.iter().for_each(|&behind| near(behind, expected, 0.501));
+            near(mean(&behind), expected, 0.15);
+        });
+    }
+}
+
+/// A20: two frames on the residue is the square, and it lies where the ground was.
+#[test]
+fn residue_fades_by_its_share_with_every_frame() {
+    for residual in [0.08_f64, 0.4] {
+        let text = residual.to_string();
+        set(Place::Pictures, &[("sweep_memory.erase_residual", &text)], |look| {
+            for (age, left) in [(1, residual), (2, residual * residual)] {
+                near(picture::residue_after(look, age), left, 1e-3);
+            }
+        });
+    }
+}
+
+/// A21: the field of a tube stays, and two tubes take turns.
+#[test]
+fn two_tubes_have_two_fields_in_turn() {
+    let scene = Place::Pictures.scene();
+    let [clean, run] = [model(None), faulty(21)].map(|model| Run::of(&scene, &model));
+    let look = Look { scene: &scene, clean: &clean, run: &run };
+    let spread = parts::Spread::new(1970);
+    let lines = f64::from(clean.settings.raster.lines);
+    for frame in 0..3 {
+        let error = |part| spread.error(&format!("sweep-memory.{part}-along"), frame as u64 % 2, 0.03);
+        let (shift, scale) = (lines * error("shift"), error("scale"));
+        let line = picture::horizon_line(&clean, frame);
+        // The reading beam at line l is at l + shift + scale (l - middle) of what was written.
+        let read = (line - shift + scale * 0.5 * lines) / (1.0 + scale);
+        // A sharp spot is placed to a tenth of a cell, twice on the way to a line of the picture.
+        near(picture::displacement(&look, frame)[0], read - line, 0.25);
+    }
+}
+
+/// A22: what is lit stays; what is dark is grey by one level.
+#[test]
+fn a_seam_is_one_step_of_level() {
+    let place = Place::Strips.scene();
+    let [clean, run] = [model(None), faulty(22)].map(|model| Run::of(&place, &model));
+    let look = Look { scene: &place, clean: &clean, run: &run };
+    let (mut dark, mut lit) = (Vec::new(), Vec::new());
+    for edge in look.own().flat_map(|sweep| beam::edges(&look, sweep)) {
+        dark.push(edge.levels[0].min(edge.levels[1]));
+        lit.push(edge.levels[0].max(edge.levels[1]));
+    }
+    near(mean(&lit), libm::sin(place.sun.elevation), 1e-9);
+    let level = parts::Spread::new(1970).error("mu.vs2.level", 0, 0.1);
+    near(mean(&dark), level, 1e-9);
+    near(largest(dark.iter().copied()), mean(&dark), 1e-9);
+}
+
+/// A25: behind a flat top the overload goes as the amplifier recovers, by 1/e in a microsecond.
+#[test]
+fn an_overload_leaves_a_tail() {
+    let scene = Place::Rows.scene();
+    let [clean, run] = [model(None), faulty(25)].map(|model| Run::of(&scene, &model));
+    let look = Look { scene: &scene, clean: &clean, run: &run };
+    let top = 0.5 * array::FULL_SCALE;
+    let mut points = Vec::new();
+    for sweep in look.own() {
+        let (error, height) = (look.error(sweep), clean.wave(sweep, "tg.height"));
+        let Some(end) = (1..height.len()).find(|&k| height[k - 1] > top && height[k] <= top) else {
+            continue;
+        };
+        let found = run.wave(sweep, "tg.height");
+        let tail = (end..height.len()).skip_while(|&k| found[k] > 0.999 * top);
+        let tail: Vec<usize> = tail.take_while(|&k| height[k] > -0.9 * top && error[k] > 0.0).collect();
+        points.extend(tail.iter().map(|&k| [(k - end) as f64 * clean.sample(), libm::log(error[k])]));
+    }
+    assert!(points.len() > 50, "{}", points.len());
+    near(beam::slope(&points), -1.0, 0.1);
+}

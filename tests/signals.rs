@@ -1,0 +1,192 @@
+//! The signal table, and wires that only a probe asks for: held to the ground they stand for.
+
+use std::collections::BTreeSet;
+
+use generator::{Generator, PlaneKind, Planes};
+use landscape::Level;
+use landscape::basis::values;
+use lunoid_tests::{Scene, Shipped, random};
+use machine::{HybridMachine, signals};
+use signal::{Axis, Kind, Probe, Waveform};
+use sweep_program::{Colour, Fan};
+
+const SEEDS: std::ops::Range<u64> = 7100..7112;
+
+fn named<'w>(waves: &'w [Waveform], sweep: u32, name: &str) -> &'w Waveform {
+    let found = waves.iter().find(|wave| wave.sweep == sweep && wave.signal.name == name);
+    found.unwrap_or_else(|| panic!("{name} of sweep {sweep} was not recorded"))
+}
+
+/// Value of a wire of changes when a sample is taken.
+fn held(wave: &Waveform, sample: f64) -> f64 {
+    wave.values[wave.times.partition_point(|&time| time <= sample) - 1]
+}
+
+fn drawn(scene: &Scene) -> Vec<Waveform> {
+    scene.draw(&HybridMachine, 1, &["*"]).unwrap().waveforms
+}
+
+/// Samples that lie inside the profile, with their ground ranges.
+fn inside(waves: &[Waveform], sweep: u32) -> impl Iterator<Item = (usize, f64)> {
+    let ranges = named(waves, sweep, "sweep.range").values.clone();
+    let end = named(waves, sweep, "tg.height").values.windows(2).rposition(|pair| pair[0] != pair[1]);
+    ranges.into_iter().enumerate().take(end.map_or(0, |last| last + 1))
+}
+
+#[test]
+fn every_signal_is_named_once_and_belongs_to_a_block_of_the_house() {
+    let names: BTreeSet<_> = signals().iter().map(|signal| signal.name).collect();
+    assert_eq!(names.len(), signals().len());
+    for signal in signals() {
+        assert!(signal.name.contains('.') && !signal.name.contains(['-', ' ']), "{}", signal.name);
+        assert!(!signal.meaning.is_empty() && !signal.figure.is_empty(), "{}", signal.name);
+        let digital = matches!(signal.kind, Kind::Bus | Kind::Event);
+        assert!(!digital || signal.axis == Axis::Changes, "{}", signal.name);
+        let block = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates").join(signal.block());
+        assert!(block.is_dir(), "{}: {}", signal.name, block.display());
+    }
+}
+
+#[test]
+fn what_the_colours_add_is_the_height() {
+    for seed in SEEDS {
+        let scene = random::scene(seed);
+        let waves = drawn(&scene);
+        for sweep in [0, scene.sweeps - 1] {
+            let height = named(&waves, sweep, "tg.height");
+            let shares = Colour::ALL.map(|c| named(&waves, sweep, &format!("tg.{}.height", c.name())));
+            let scale = height.values.iter().fold(1.0_f64, |most, value| most.max(value.abs()));
+            for (sample, range) in inside(&waves, sweep) {
+                let sum: f64 = shares.iter().map(|share| share.values[sample]).sum();
+                let error = (sum - height.values[sample]).abs();
+                let tolerance = if scene.scalar == scenario::Scalar::F64 { 1e-9 } else { 1e-4 };
+                assert!(error <= tolerance * scale, "seed {seed}, sweep {sweep}, {range} m: {error}");
+            }
+        }
+    }
+}
+
+#[test]
+fn function_generators_follow_the_ramps() {
+    let waves = drawn(&random::scene(7107));
+    for (axis, fed, turned) in [("x", "x", false), ("x", "cx", true), ("y", "y", false), ("y", "cy", true)] {
+        let ramp = &named(&waves, 0, &format!("sweep.{axis}")).values;
+        for (p, function) in ["g0", "g1", "g2"].into_iter().enumerate() {
+            let wire = &named(&waves, 0, &format!("tg.fn.{fed}.{function}")).values;
+            for (sample, _) in inside(&waves, 0) {
+                let ramp = if turned { 1.0 - ramp[sample] } else { ramp[sample] };
+                assert!((wire[sample] - values(ramp)[p]).abs() < 1e-12, "{fed} {function} at {sample}");
+            }
+        }
+    }
+}
+
+/// Corner of the region of a place that has a colour, by its place on the lattice alone.
+fn corner(level: &Level, [x, y]: [f64; 2], colour: Colour) -> Option<f64> {
+    let [k, l] = level.in_regions(x, y).map(|place| place.floor() as i64);
+    let corners = [[k, l], [k + 1, l], [k, l + 1], [k + 1, l + 1]];
+    let [m, n] = corners.into_iter().find(|[m, n]| Colour::of_corner(*m, *n) == colour)?;
+    let [north, east] = level.corners().map(|count| count as i64);
+    (0..north).contains(&m).then_some(())?;
+    (0..east).contains(&n).then_some((m * east + n) as f64)
+}
+
+#[test]
+fn registers_hold_the_corners_of_the_region_they_are_in() {
+    for seed in SEEDS {
+        let scene = random::scene(seed);
+        let waves = drawn(&scene);
+        let fan = Fan::covering(scene.laws.projection, scene.pitch, &scene.field, scene.sweeps).unwrap();
+        for sweep in [0, scene.sweeps / 2, scene.sweeps - 1] {
+            let (sin, cos) = quantities::sin_cos(scene.heading);
+            let direction = fan.direction(sweep, [cos, sin]);
+            for (sample, range) in inside(&waves, sweep) {
+                let place: [f64; 2] = std::array::from_fn(|axis| scene.eye[axis] + range * direction[axis]);
+                let [u, v] = scene.level.in_regions(place[0], place[1]);
+                // At a boundary either region is right.
+                if [u, v].iter().any(|place| (place - place.round()).abs() < 1e-6) {
+                    continue;
+                }
+                for colour in Colour::ALL {
+                    let hold = named(&waves, sweep, &format!("tg.{}.hold", colour.name()));
+                    if let Some(corner) = corner(&scene.level, place, colour) {
+                        let found = held(hold, sample as f64);
+                        assert_eq!(found, corner, "seed {seed}, sweep {sweep}, {range} m, {colour:?}");
+                    }
+                }
+                for (axis, at) in ["x", "y"].into_iter().zip([u, v]) {
+                    let polarity = held(named(&waves, sweep, &format!("sweep.polarity.{axis}")), sample as f64);
+                    assert_eq!(polarity, f64::from(u8::from(at.floor() as i64 % 2 == 0)), "{axis} at {range} m");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn late_words_are_told_at_the_stops_that_missed_them() {
+    let mut scene = random::scene(7103);
+    scene.loader.access = 25;
+    scene.master_hz = 200_000;
+    let drawn = scene.draw(&HybridMachine, 1, &["dpu.late", "sweep.fold.*"]).unwrap();
+    let mut words = 0;
+    for sweep in 0..scene.sweeps {
+        let late = named(&drawn.waveforms, sweep, "dpu.late");
+        words += late.values.iter().map(|&mask| u64::from((mask as u16).count_ones())).sum::<u64>();
+        let folds = ["x", "y"].map(|axis| named(&drawn.waveforms, sweep, &format!("sweep.fold.{axis}")));
+        for time in &late.times {
+            assert!(folds.iter().any(|fold| fold.times.contains(time)), "sweep {sweep}, {time}");
+        }
+    }
+    assert!(words > 0);
+    assert_eq!(words, drawn.counts.late_words);
+}
+
+#[test]
+fn a_probe_without_a_picture_sees_the_same_waves() {
+    let shipped = Shipped::read("craters", Some(64));
+    let stage = shipped.stage();
+    let session = HybridMachine.prepare(stage.clone()).unwrap();
+    let pose = shipped.pose(10).pose;
+    let raster = &stage.settings.raster;
+    let waves = |kinds: &[PlaneKind]| {
+        let mut probe = Probe::new(vec!["*".into()], 3..21);
+        let mut planes = Planes::new(raster.columns as usize, raster.lines as usize, kinds);
+        let counts = session.frame(10, &pose, &mut planes, &mut probe).unwrap();
+        (probe.waveforms, counts.sweeps)
+    };
+    let (alone, sweeps) = waves(&[]);
+    let (beside, all) = waves(&[PlaneKind::Intensity]);
+    assert_eq!(all, u64::from(raster.sweeps));
+    assert_eq!(sweeps, 24, "three groups of eight");
+    assert_eq!(alone, beside);
+    let wires = session.wires();
+    assert!(wires.iter().any(|wire| wire.signal.name == "fg.height"));
+    assert!(!wires.iter().any(|wire| wire.signal.name.contains(".coarse.")), "craters has one level");
+    assert!(wires.iter().all(|wire| wire.full_scale > 0.0 && wire.volts.is_finite()));
+}
+
+#[test]
+fn inner_wires_of_real_parts_are_those_of_the_parts() {
+    let mut shipped = Shipped::read("first-light", Some(64));
+    let ideal = shipped.settings.analog.clone();
+    let segments = hardware_model::HardwareModel::load(
+        &hardware_model::ModelSource::BuiltIn("ideal".into()),
+        &[lunoid_tests::shipped::folder().join("../hardware-models/faults/facet.toml")],
+        &[],
+    );
+    let pose = shipped.pose(10).pose;
+    let mut recorded = |analog| {
+        shipped.settings.analog = analog;
+        let session = HybridMachine.prepare(shipped.stage()).unwrap();
+        let mut probe = Probe::new(vec!["tg.fn.x.g0".into(), "sweep.range".into()], 20..21);
+        session.frame(10, &pose, &mut Planes::new(64, 64, &[]), &mut probe).unwrap();
+        named(&probe.waveforms, 20, "tg.fn.x.g0").values.clone()
+    };
+    let clean = recorded(ideal);
+    let broken = recorded(segments.unwrap().model.analog);
+    // A broken line of six segments is off by at most max |g''| h^2 / 16, equal ripple (hardware report 3.3).
+    let most = 5.774 / 36.0 / 16.0;
+    let error = clean.iter().zip(&broken).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(error > 0.3 * most && error < 2.5 * most, "{error} against {most}");
+}

@@ -1,0 +1,195 @@
+//! Words of craters and of shadow boundaries that come late (hardware sections 3.7 and 7): what the record says, and that
+//! nothing else changes in the picture.
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use features::{Crater, Features, Shape};
+use generator::{Generator, PlaneKind, Planes, Stage};
+use hardware_model::{LatePolicy, ShadowParts};
+use lunoid_tests::{Dice, Scene, level_of, plane};
+use machine::{ControlPlane, HybridMachine};
+use rayon::ThreadPoolBuilder;
+use scenario::{ShadowFineness, TrackPatch};
+use signal::Probe;
+use sweep_program::Fan;
+use timing::{Cause, Deadline, FrameTiming, Missed};
+
+use crate::rig::busy;
+
+const SWEEPS: u32 = 21;
+/// Words a second that leave some craters late, and some boundaries.
+const SLOW: f64 = 0.02e6;
+
+fn scene() -> Scene {
+    let mut scene = Scene::over(level_of(32.0, [0.0; 2], [17; 2], plane(32.0, 0.0, [0.0; 2])));
+    scene.sweeps = SWEEPS;
+    // Low enough to see what is near.
+    scene.eye[2] = 1.5;
+    scene
+}
+
+fn words(stage: Stage, rate: Option<f64>, policy: LatePolicy) -> Stage {
+    let mut stage = stage;
+    (stage.settings.feature_words, stage.settings.segment_words) = (rate, rate);
+    stage.settings.loader.late_policy = policy;
+    stage
+}
+
+/// Bowls ahead of the eye, anywhere in the field of view.
+fn craters(scene: &Scene) -> Vec<Crater> {
+    let (mut dice, [x, y, _]) = (Dice::new(11), scene.eye);
+    let one = |_| {
+        let (range, side, r1) = (dice.between(8.0, 110.0), dice.between(-0.4, 0.4), dice.between(0.5, 3.0));
+        Crater::new([x + range, y + side * range], Shape::Bowl { r1 }, 0.2 * r1, 0.0).expect("a bowl")
+    };
+    (0..30).map(one).collect()
+}
+
+fn cratered(scene: &Scene) -> Stage {
+    let stage = scene.stage();
+    let ground = (*stage.landscape).clone().with_features(Features::new(craters(scene)));
+    Stage { landscape: Arc::new(ground), ..stage }
+}
+
+/// Dark bars across the view, the farther the narrower: outer sweeps meet the first alone.
+fn barred(scene: &Scene) -> Stage {
+    let mut stage = scene.stage();
+    let [x, y, _] = scene.eye;
+    let bar = |k: u32| {
+        let [near, far] = [6.0 + 3.0 * f64::from(k), 7.0 + 3.5 * f64::from(k)].map(|range| x + range);
+        let half = [40.0, 4.0, 3.0, 2.0][k as usize];
+        let [west, east] = [y - half, y + half];
+        TrackPatch { laid: 0.0, corners: [[far, west], [far, east], [near, east], [near, west]] }
+    };
+    let patches = (0..4).map(bar).collect();
+    stage.scenery = Arc::new((*stage.scenery).clone().with_patches(patches));
+    stage.settings.shadows = Some(ShadowFineness { finest: 0.5, angle: 5e-3, reach: None });
+    stage
+}
+
+fn timed(stage: &Stage, scene: &Scene) -> FrameTiming {
+    ControlPlane::new(stage.clone()).frame(0, &scene.pose()).expect("a pose over flat ground")
+}
+
+fn picture(stage: &Stage, scene: &Scene) -> Vec<f32> {
+    let session = HybridMachine.prepare(stage.clone()).expect("a stage that the machine draws");
+    let mut planes = Planes::new(SWEEPS as usize, scene.lines as usize, &[PlaneKind::Intensity]);
+    session.frame(0, &scene.pose(), &mut planes, &mut Probe::off()).expect("a pose over flat ground");
+    planes.get(PlaneKind::Intensity).expect("the plane asked for").to_vec()
+}
+
+/// Columns in which two pictures differ.
+fn columns(a: &[f32], b: &[f32]) -> BTreeSet<u32> {
+    let differs = |index: usize| (a[index] != b[index]).then_some(index as u32 % SWEEPS);
+    (0..a.len()).filter_map(differs).collect()
+}
+
+fn misses(frame: &FrameTiming, deadline: Deadline) -> Vec<&Missed> {
+    frame.misses.iter().filter(|missed| missed.deadline == deadline).collect()
+}
+
+/// Whatever differs from the picture of words in time stands in the record, sweep by sweep.
+fn expect_traced(stage: &Stage, scene: &Scene, deadline: Deadline) {
+    let in_time = picture(&words(stage.clone(), None, LatePolicy::StrobeThrough), scene);
+    for policy in [LatePolicy::StrobeThrough, LatePolicy::Latched] {
+        let stage = words(stage.clone(), Some(SLOW), policy);
+        let frame = timed(&stage, scene);
+        let late: BTreeSet<u32> = misses(&frame, deadline).iter().map(|missed| missed.sweep).collect();
+        let changed = columns(&picture(&stage, scene), &in_time);
+        assert!(changed.is_subset(&late), "{policy:?}: {changed:?} changed, late in {late:?}");
+        assert!(changed.len() > 5 && late.len() < SWEEPS as usize, "{policy:?}: {changed:?}, {late:?}");
+        let slack = &frame.deadlines[&deadline];
+        assert_eq!(slack.missed as usize, misses(&frame, deadline).len());
+        assert!(slack.count > slack.missed);
+    }
+}
+
+#[test]
+fn columns_with_late_craters_are_those_of_the_record() {
+    let scene = scene();
+    expect_traced(&cratered(&scene), &scene, Deadline::Feature);
+}
+
+#[test]
+fn columns_with_late_boundaries_are_those_of_the_record() {
+    let scene = scene();
+    expect_traced(&barred(&scene), &scene, Deadline::Segment);
+}
+
+#[test]
+fn a_late_crater_has_its_edge_its_part_and_its_cause() {
+    let scene = scene();
+    let mut stage = words(cratered(&scene), Some(SLOW), LatePolicy::StrobeThrough);
+    stage.settings.feature_generator.sub_generators = Some(1);
+    let frame = timed(&stage, &scene);
+    let (all, [x, y, _]) = (craters(&scene), scene.eye);
+    let settings = &stage.settings;
+    let fan = Fan::covering(settings.laws.projection, 0.0, &settings.raster.field, SWEEPS).expect("level");
+    let found = misses(&frame, Deadline::Feature);
+    for missed in &found {
+        let crater = &all[missed.crater.expect("a crater") as usize];
+        let [cos, sin] = fan.direction(missed.sweep, [1.0, 0.0]);
+        let [north, east] = [crater.centre()[0] - x, crater.centre()[1] - y];
+        let (middle, side) = (north * cos + east * sin, east * cos - north * sin);
+        let edge = middle - (crater.outer() * crater.outer() - side * side).sqrt();
+        assert!((missed.range_m.expect("a range") - edge).abs() < 1e-9, "{missed:?}");
+        match missed.cause {
+            Cause::Occupied => assert!(missed.part.is_none() && missed.came.is_none()),
+            Cause::Queue | Cause::Access => {
+                assert_eq!(missed.part.as_deref(), Some("sub-generator.1.0"));
+                assert!(missed.came.is_none_or(|came| came > missed.due), "{missed:?}");
+            }
+            other => panic!("{other}"),
+        }
+        assert_eq!(missed.words, 0xff);
+    }
+    let causes: BTreeSet<Cause> = found.iter().map(|missed| missed.cause).collect();
+    assert!(causes.len() == 3 && found.len() > 10, "{causes:?}, {}", found.len());
+    // Eight words at 0.02 a microsecond of 20 ticks, once a load.
+    let loads = busy(&frame, "feature-generator.load") / 8000;
+    let occupied = found.iter().filter(|missed| missed.cause == Cause::Occupied).count() as u64;
+    assert_eq!(busy(&frame, "feature-generator.load") % 8000, 0);
+    assert!(loads > 10 && loads <= frame.deadlines[&Deadline::Feature].count - occupied, "{loads}");
+}
+
+#[test]
+fn without_a_rate_nothing_is_timed() {
+    let scene = scene();
+    for stage in [cratered(&scene), barred(&scene)] {
+        let frame = timed(&words(stage, None, LatePolicy::Latched), &scene);
+        assert!(!frame.deadlines.contains_key(&Deadline::Feature) && frame.misses.is_empty());
+        assert!(!frame.deadlines.contains_key(&Deadline::Segment));
+        assert!(frame.units.iter().all(|unit| !unit.unit.ends_with(".load")), "{:?}", frame.units);
+    }
+}
+
+/// Line generators that are too few are in the record without any rate.
+#[test]
+fn boundaries_without_a_line_generator_are_in_the_record() {
+    let scene = scene();
+    let mut stage = words(barred(&scene), None, LatePolicy::Latched);
+    stage.settings.shadow_controller = ShadowParts::Digital { line_generators: Some(2) };
+    let frame = timed(&stage, &scene);
+    let found = misses(&frame, Deadline::Segment);
+    assert!(found.iter().all(|missed| missed.cause == Cause::Occupied && missed.range_m.is_some()));
+    assert!(found.len() >= SWEEPS as usize, "{}", found.len());
+}
+
+#[test]
+fn threads_and_order_do_not_matter() {
+    let scene = scene();
+    for stage in [cratered(&scene), barred(&scene)] {
+        let stage = words(stage, Some(SLOW), LatePolicy::StrobeThrough);
+        let by = |threads: usize, frames: [u64; 3]| {
+            let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
+            let control = ControlPlane::new(stage.clone());
+            let mut all = pool.install(|| {
+                frames.map(|frame| control.frame(frame, &scene.pose()).expect("a pose over flat ground"))
+            });
+            all.sort_by_key(|frame| frame.frame);
+            all
+        };
+        assert_eq!(by(1, [0, 7, 3]), by(2, [3, 0, 7]));
+    }
+}
