@@ -51,7 +51,7 @@ pub(crate) const LIGHT: Palette = Palette {
     ink: INK,
     soft: SOFT,
     faint: FAINT,
-    shade: [238, 240, 244],
+    shade: [229, 233, 240],
     traces: [[0, 60, 140], [222, 74, 0], [10, 148, 100], [128, 40, 205], [76, 36, 24], [120, 124, 190]],
     registers: [[232, 184, 0], [0, 148, 110], [40, 40, 40], [208, 74, 0]],
     late: LATE,

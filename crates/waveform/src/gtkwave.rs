@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use signal::{Signal, Wire};
+
 use crate::Header;
 use crate::clock::Clock;
 use crate::header::Form;
@@ -20,7 +22,7 @@ const ROWS: usize = 3;
 /// Colours of GTKWave but red, which stands for what is unknown: orange to violet.
 const COLOURS: [u32; 6] = [2, 3, 4, 5, 6, 7];
 /// Widths of the window that GTKWave calls a frame (200 pixels), in the window that opens.
-const FRAMES: u64 = 6;
+const FRAMES: u64 = 4;
 
 /// The text of the save file for the waveforms at `path`.
 pub fn text(path: &Path, header: &Header) -> String {
@@ -29,7 +31,7 @@ pub fn text(path: &Path, header: &Header) -> String {
     let mut text = format!(
         "[*]\n[*] lunoid: {}\n[*]\n[dumpfile] \"{name}\"\n[timestart] {start}\n[size] 1600 900\n[pos] -1 -1\n\
          *-{zoom}.000000 {start} -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1\n\
-         [sst_width] 220\n[signals_width] 240\n[sst_expanded] 1\n",
+         [sst_width] 220\n[signals_width] 300\n[sst_expanded] 1\n",
         header.title.lines().collect::<Vec<_>>().join(" ")
     );
     let mut block = "";
@@ -42,7 +44,7 @@ pub fn text(path: &Path, header: &Header) -> String {
         }
         let (scopes, own) = tree_path(wire);
         let name = [&scopes[..], &[own]].concat().join(".");
-        text += &rows(Form::of(&wire.signal), &name, COLOURS[colour]);
+        text += &rows(wire, &name, COLOURS[colour]);
     }
     text + "[pattern_trace] 1\n[pattern_trace] 0\n"
 }
@@ -51,15 +53,19 @@ pub fn text(path: &Path, header: &Header) -> String {
 fn window(header: &Header) -> (u64, u32) {
     let at = |sweep| Clock::new(header).map_or(0, |clock| clock.at(sweep, 0.0));
     let (start, end) = (at(header.sweeps.start), at(header.sweeps.start + 1));
-    (start, ((end - start) / FRAMES).max(1).ilog2())
+    (start, ((end - start) / FRAMES).next_power_of_two().ilog2())
 }
 
-fn rows(form: Form, name: &str, colour: u32) -> String {
-    let row = |flags: &str, name: &str| format!("{flags}\n[color] {colour}\n{name}\n");
-    match form {
-        Form::Real => row(ANALOG_STEP, name) + ANALOG_HEIGHT + "\n" + &"-\n".repeat(ROWS),
-        Form::Bit => row(BITS, name),
-        Form::Word => row(SIGNED_DECIMAL, &format!("{name}[31:0]")),
-        Form::Pulse => row(BITS, name) + &row(REAL, &format!("{name}{TOLD}")),
+/// The rows of a wire, called as it is everywhere else, with its unit.
+fn rows(wire: &Wire, name: &str, colour: u32) -> String {
+    let Signal { name: own, unit, .. } = wire.signal;
+    let row =
+        |flags: &str, alias: &str, name: &str| format!("{flags}\n[color] {colour}\n+{{{alias}}} {name}\n");
+    let with_unit = format!("{own} [{unit}]");
+    match Form::of(&wire.signal) {
+        Form::Real => row(ANALOG_STEP, &with_unit, name) + ANALOG_HEIGHT + "\n" + &"-\n".repeat(ROWS),
+        Form::Bit => row(BITS, own, name),
+        Form::Word => row(SIGNED_DECIMAL, &with_unit, &format!("{name}[31:0]")),
+        Form::Pulse => row(BITS, own, name) + &row(REAL, &format!("{own} told"), &format!("{name}{TOLD}")),
     }
 }

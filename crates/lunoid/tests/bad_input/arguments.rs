@@ -36,7 +36,7 @@ fn probes_and_comparisons_that_cannot_be() {
     room.refused(USAGE, &probe("99", "0", "x.npz"), &["the scenario has frames 0..4"]);
     room.refused(USAGE, &probe("0", "40", "x.npz"), &["a frame has sweeps 0..40"]);
     room.refused(USAGE, &probe("0", "3..1", "x.npz"), &["expected"]);
-    room.refused(USAGE, &probe("0", "0", "x.txt"), &["ends in .npz, .csv or .png"]);
+    room.refused(USAGE, &probe("0", "0", "x.txt"), &["ends in .csv, .vcd", "or --format"]);
     let named = [&probe("0", "0", "x.csv")[..], &["--signals", "zz"]].concat();
     room.refused(USAGE, &named, &["no signal of this name", "lunoid signals"]);
     let compare = |options: &[&'static str]| [&["compare", "a.png", "b.png"], options].concat();

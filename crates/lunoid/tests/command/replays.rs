@@ -215,12 +215,12 @@ fn another_run_is_refused_unless_fresh() {
 #[test]
 fn waveforms_of_a_sweep() {
     let scene = Scene::new();
-    let base = ["probe", "tiny.toml", "--frame", "1", "--sweep", "3..5", "--signals", "tg.height,sweep.*"];
+    let base = ["probe", "tiny.toml", "--frame", "1", "--sweep", "3..5", "--signals", "tg.height,sweep.x,sweep.fold.x"];
     let (out, _) = scene.expect(0, &[&base[..], &["--out", "w.csv"]].concat());
-    assert_eq!(out, "w.csv: frame 1, sweeps 3..5: sweep.x, sweep.y, sweep.range, tg.height\n");
+    assert_eq!(out, "w.csv: frame 1, sweeps 3..5: sweep.x, sweep.fold.x, tg.height\n");
     let csv = fs::read_to_string(scene.join("w.csv")).unwrap();
     let mut lines = csv.lines();
-    assert_eq!(lines.next(), Some("frame,sweep,index,sweep.x [d],sweep.y [d],sweep.range [m],tg.height [m]"));
+    assert_eq!(lines.next(), Some("frame,sweep,index,time [s],sweep.x [d],sweep.fold.x [1],tg.height [m]"));
     assert_eq!(lines.count(), 2 * 80);
     scene.expect(0, &[&base[..], &["--out", "w.npz", "--json"]].concat());
     assert!(fs::read(scene.join("w.npz")).unwrap().starts_with(b"PK"));

@@ -43,6 +43,15 @@ fn options_that_cannot_be() {
 }
 
 #[test]
+fn on_a_plain_nothing_rises() {
+    let scene = Scene::new();
+    scene.vary("plain.toml", "rms_height_m = 2", "rms_height_m = 0");
+    let of = |on: &str, code| scene.expect(code, &["trigger", "plain.toml", "-q", "--on", on]).0;
+    assert_eq!(of("slope tg.height > 0.01/m", 1), "not found in 160 sweeps\n");
+    assert!(of("slope tg.height < 0.01/m", 0).starts_with("1: frame 0 (0.000 s), sweep 0, sample 1.000"));
+}
+
+#[test]
 fn traces_that_cannot_be() {
     let scene = Scene::new();
     for (more, words) in [
@@ -50,7 +59,7 @@ fn traces_that_cannot_be() {
         (&["--frame", "0", "--sweep", "40"], "sweeps 0..40"),
         (&["--frame", "0", "--unit", "loader.blue"], "loader.blue"),
         (&["--frame", "0", "--event", "fold"], "possible values"),
-        (&["--frame", "0", "--at", "7000000"], "frame 0 has ticks 0..2000000"),
+        (&["--frame", "0", "--at", "700000000"], "frame 0 has ticks 0..100000000"),
         (&["--frame", "0", "--at", "3:80"], "samples 0..80"),
         (&["--frame", "0", "--at", "3.5"], "expected a tick, or sweep and sample"),
         (&["--frame", "0", "--at", "3:5", "--csv"], "cannot be used with"),

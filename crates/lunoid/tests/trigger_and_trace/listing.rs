@@ -26,7 +26,7 @@ fn text<'v>(event: &'v Value, key: &str) -> &'v str {
     event[key].as_str().unwrap_or_default()
 }
 
-const SLOW: [&str; 4] = ["--set", "buffer.words=unlimited", "--set", "loader.access_ns=2000"];
+const SLOW: [&str; 4] = ["--set", "buffer.words=unlimited", "--set", "loader.access_ns=300000"];
 
 /// Machines whose digital sides differ in kind.
 fn stages() -> Vec<Vec<&'static str>> {
@@ -37,6 +37,9 @@ fn stages() -> Vec<Vec<&'static str>> {
         on("pra-nominal", &[&SLOW[..], &["--set", "loader.late_policy=\"latched\""]].concat()),
         on("pra-nominal", &[&SLOW[..], &["--set", "loader.diagonal_register=true"]].concat()),
         on("pra-frugal", &["--set", "buffer.words=unlimited"]),
+        // Sets wait through more than one move of their colour.
+        on("pra-frugal", &SLOW),
+        on("pra-frugal", &[&SLOW[..], &["--set", "loader.diagonal_register=true"]].concat()),
         on("pra-overloaded", &[]),
     ]
 }
@@ -57,7 +60,8 @@ fn counts_are_those_of_the_record() {
             .sum();
         let found = [of("stop"), of("wanted"), of("access"), of("late"), of("wasted"), of("cancelled"), late];
         let names = ["folds", "wanted", "loaded", "late", "wasted", "cancelled", "late_words"];
-        let expected = names.map(|name| if matches!(name, "folds" | "late_words") { &record[name] } else { &sets[name] });
+        let expected = names
+            .map(|name| if matches!(name, "folds" | "late_words") { &record[name] } else { &sets[name] });
         assert_eq!(found.map(Value::from).each_ref(), expected, "{stage:?}: {names:?}");
         assert_eq!(Value::from(of("stop") + of("load")), record["events"], "{stage:?}");
         assert!(of("transfer") <= 2 * of("stop") && of("stop") > 100, "{stage:?}");
@@ -75,11 +79,18 @@ fn the_hash_of_the_events_is_that_of_the_record() {
         let (listing, record) = (trace(&scene, &stage, &[]), record(&scene, &stage));
         let hash = |sweep: u64| {
             let mut hash = EventHash::new();
-            events(&listing).iter().filter(|event| event["sweep"] == sweep).for_each(|event| push(&mut hash, event));
+            events(&listing)
+                .iter()
+                .filter(|event| event["sweep"] == sweep)
+                .for_each(|event| push(&mut hash, event));
             hash.part()
         };
         let (count, hash) = EventHash::join((0..40).map(hash));
-        assert_eq!((Value::from(count), Value::from(hash)), (record["events"].clone(), record["events_blake3"].clone()), "{stage:?}");
+        assert_eq!(
+            (Value::from(count), Value::from(hash)),
+            (record["events"].clone(), record["events_blake3"].clone()),
+            "{stage:?}"
+        );
     }
 }
 

@@ -16,7 +16,7 @@ fn json(text: &str) -> Value {
 
 /// `tiny.toml` on the nominal machine with a buffer that holds all of it, slow enough for late sets.
 const NOMINAL: [&str; 6] =
-    ["--machine", "pra-nominal", "--set", "buffer.words=unlimited", "--set", "loader.access_ns=2000"];
+    ["--machine", "pra-nominal", "--set", "buffer.words=unlimited", "--set", "loader.access_ns=100000"];
 
 fn with<'a>(command: &[&'a str], more: &[&'a str]) -> Vec<&'a str> {
     command.iter().chain(&NOMINAL).chain(more).copied().collect()

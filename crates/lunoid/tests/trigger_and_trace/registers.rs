@@ -20,7 +20,8 @@ const FRAME: u64 = 2;
 fn control(scene: &Scene) -> (ControlPlane, scenario::Pose) {
     let scenario = Scenario::read(&scene.join("tiny.toml")).unwrap();
     let source = ModelSource::find("pra-nominal", Path::new("")).unwrap();
-    let set = [("buffer.words", "unlimited"), ("loader.access_ns", "2000")].map(|(key, value)| (key.into(), value.into()));
+    let set = [("buffer.words", "unlimited"), ("loader.access_ns", "100000")]
+        .map(|(key, value)| (key.into(), value.into()));
     let model = HardwareModel::load(&source, &[], &set).unwrap().model;
     let stage = stage::build(&scenario, stage::settings(&scenario, &model).unwrap()).unwrap();
     let (update, yoke) = (stage.settings.timebase.update, stage.settings.yoke);
@@ -49,12 +50,17 @@ fn they_hold_the_words_of_the_terrain_generator() {
     let (control, pose) = control(&scene);
     let sweeps = control.sweeps(FRAME, &pose).unwrap();
     let scenario = Scenario::read(&scene.join("tiny.toml")).unwrap();
-    let model = HardwareModel::load(&ModelSource::find("ideal", Path::new("")).unwrap(), &[], &[]).unwrap().model;
+    let model =
+        HardwareModel::load(&ModelSource::find("ideal", Path::new("")).unwrap(), &[], &[]).unwrap().model;
     let stage = stage::build(&scenario, stage::settings(&scenario, &model).unwrap()).unwrap();
     let level = stage.landscape.level();
     let buffer = level.words();
     let mut stale = 0;
-    for (sweep, sample) in [(0, 0.0), (0, 79.0), (3, 31.25), (11, 47.0), (17, 62.5), (25, 55.125), (39, 70.0)] {
+    let anywhere = [(0, 0.0), (0, 79.0), (3, 31.25), (17, 62.5), (25, 55.125), (39, 70.0)];
+    // Just after a stop that found words missing, the hold register is wrong.
+    let first_miss = |sweep: u32| Some((sweep, sweeps.programs(sweep)[0].misses.first()?.time.0 + 0.01));
+    let missed = (0..40).step_by(6).filter_map(first_miss).filter(|(_, sample)| *sample < 80.0);
+    for (sweep, sample) in anywhere.into_iter().chain(missed) {
         let told = at(&scene, &format!("{sweep}:{sample}"));
         let level_told = &told["levels"][0];
         let program = &sweeps.programs(sweep)[0];
@@ -68,7 +74,11 @@ fn they_hold_the_words_of_the_terrain_generator() {
             stale += register["stale"].as_u64().unwrap().count_ones();
             for (number, word) in words.iter().enumerate() {
                 let [m, n] = [0, 1].map(|axis| register["words"][number][axis].as_i64().unwrap());
-                assert_eq!(buffer[level.clamped_index(m, n)][number], *word, "{sweep}:{sample} colour {colour} word {number}");
+                assert_eq!(
+                    buffer[level.clamped_index(m, n)][number],
+                    *word,
+                    "{sweep}:{sample} colour {colour} word {number}"
+                );
             }
         }
     }
@@ -95,5 +105,8 @@ fn a_tick_is_an_instant_of_its_sweep() {
     assert_eq!(at(&scene, &format!("11:{sample}"))["levels"], then["levels"]);
     let text = ["trace", "tiny.toml", "--frame", &frame, "--at", &tick.to_string()];
     let (out, _) = scene.expect(0, &[&text[..], &NOMINAL].concat());
-    assert!(out.contains("fine level at ") && out.contains("yellow hold") && out.contains("red y-first"), "{out}");
+    assert!(
+        out.contains("fine level at ") && out.contains("yellow hold") && out.contains("red y-first"),
+        "{out}"
+    );
 }

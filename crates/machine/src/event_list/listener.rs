@@ -42,6 +42,9 @@ pub struct Listener<'a> {
     held: [[u32; 3]; 4],
     /// Words of each preload register that have come since its colour moved.
     come: [[WordMask; 2]; 4],
+    /// Sets wasted and cancelled so far, as they were told and as they are listed.
+    told: [usize; 2],
+    listed: [usize; 2],
 }
 
 impl<'a> Listener<'a> {
@@ -67,16 +70,24 @@ impl<'a> Listener<'a> {
             queue: Vec::new(),
             held: [[NO_CORNER; 3]; 4],
             come: [[WordMask(0); 2]; 4],
+            told: [0; 2],
+            listed: [0; 2],
         }
     }
 
     /// The events in the order in which they were told, then what the program says of late words.
     pub fn finish(mut self, program: &SweepProgram) -> Vec<DigitalEvent> {
+        self.compare();
         for miss in &program.misses {
             let event = self.late(miss);
             self.events.push(event);
         }
         self.events
+    }
+
+    /// What follows from the wiring is what the service does, fold by fold.
+    fn compare(&self) {
+        debug_assert_eq!(self.told, self.listed, "sweep {}, fold {}", self.sweep, self.folds);
     }
 
     fn event(&self, tick: Tick, event: EventWord, unit: DigitalUnit) -> DigitalEvent {
@@ -122,6 +133,7 @@ impl<'a> Listener<'a> {
         for register in PRELOADS {
             let come = std::mem::replace(&mut self.come[colour as usize][register as usize], WordMask(0));
             if register != used && come == WordMask::ALL {
+                self.listed[0] += 1;
                 let wasted = self.event(tick, EventWord::Wasted, DigitalUnit::Registers);
                 let corner = self.place(self.held[colour as usize][1 + register as usize]);
                 self.events.push(DigitalEvent {
@@ -151,6 +163,7 @@ impl<'a> Listener<'a> {
             }
             needed && strobe
         });
+        self.listed[1] += dropped.len();
         for asked in dropped {
             let event = self.of_set(tick, EventWord::Cancelled, asked);
             self.events.push(event);
@@ -207,6 +220,7 @@ fn taken(fold: Fold) -> impl Iterator<Item = Colour> {
 
 impl Watch for Listener<'_> {
     fn fold(&mut self, tick: Tick, fold: Fold) {
+        self.compare();
         let crossing = self.folds;
         self.seen = tick;
         self.folds += 1;
@@ -225,6 +239,14 @@ impl Watch for Listener<'_> {
         self.queue.push(asked);
         let event = self.of_set(self.seen, EventWord::Wanted, asked);
         self.events.push(event);
+    }
+
+    fn wasted(&mut self) {
+        self.told[0] += 1;
+    }
+
+    fn cancelled(&mut self) {
+        self.told[1] += 1;
     }
 
     fn corner(&mut self, asked: &AskedCorner) {

@@ -10,7 +10,7 @@ use super::page::{Crossing, RegisterColour};
 /// Height of the row of caps above the first panel.
 pub(crate) const CAPS: f32 = 22.0;
 /// Upright lines are not closer than this.
-const APART: f32 = 5.0;
+const APART: f32 = 8.0;
 /// Letters need this room.
 const LETTERED: f32 = 19.0;
 /// Size of the letters.
@@ -62,10 +62,10 @@ impl Verticals {
     pub fn draw(&self, canvas: &mut Canvas, area: Area) {
         let palette = canvas.palette();
         for (x, loads) in &self.kept {
-            let [under, over] = loads.map(|colour| mix(palette.paper, colour.of(palette), 0.75));
+            let [under, over] = loads.map(|colour| mix(palette.paper, colour.of(palette), 0.6));
             let (x, bottom) = (x.floor() + 0.5, area.bottom());
-            canvas.line(&[(x, area.top), (x, bottom)], 1.6, under);
-            canvas.dashed(&[(x, area.top), (x, bottom)], 1.6, [7.0, 7.0], over);
+            canvas.line(&[(x, area.top), (x, bottom)], 1.4, under);
+            canvas.dashed(&[(x, area.top), (x, bottom)], 1.4, [7.0, 7.0], over);
         }
     }
 
@@ -122,8 +122,8 @@ mod tests {
         let crossing = |index: u32| Crossing { at: f64::from(index), loads };
         let crossings: Vec<Crossing> = (0..=1000).rev().map(crossing).collect();
         let verticals = Verticals::new(&crossings, &view);
-        // Half a pixel apart: one in ten is drawn.
-        assert_eq!((verticals.count, verticals.drawn()), (1001, 101));
+        // Half a pixel apart: one in sixteen is drawn.
+        assert_eq!((verticals.count, verticals.drawn()), (1001, 63));
         assert!(verticals.kept.windows(2).all(|pair| pair[1].0 - pair[0].0 >= APART));
         assert_eq!(verticals.crowded, [[0.0, 499.5]]);
         assert_eq!(verticals.colours(), loads);

@@ -78,7 +78,9 @@ fn place(text: &str) -> Result<Place, String> {
     };
     let value = number.trim().parse().ok().filter(|value: &f64| value.is_finite() && *value >= 0.0);
     value.map(of).ok_or_else(|| {
-        format!("`{text}`: expected a ground range in metres, as 120.5, or a sweep time in microseconds, as 8.2us")
+        format!(
+            "`{text}`: expected a ground range in metres, as 120.5, or a sweep time in microseconds, as 8.2us"
+        )
     })
 }
 

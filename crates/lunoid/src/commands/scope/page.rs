@@ -99,7 +99,10 @@ impl<'a> Page<'a> {
     /// What each fold of a ramp loads: the corners on the side that the sweep comes to (section 6.3).
     fn crossings(&self) -> Vec<Crossing> {
         use RegisterColour::{Black, Green, Red, Yellow};
-        let axes = [("sweep.fold.x", [[Red, Green], [Yellow, Black]]), ("sweep.fold.y", [[Red, Black], [Green, Yellow]])];
+        let axes = [
+            ("sweep.fold.x", [[Red, Green], [Yellow, Black]]),
+            ("sweep.fold.y", [[Red, Black], [Green, Yellow]]),
+        ];
         let of_axis = |(name, loads): (&str, [[RegisterColour; 2]; 2])| {
             let folds = find(self.recorded, name).map_or(Vec::new(), instants);
             folds.into_iter().map(move |(at, stop)| Crossing { at, loads: loads[usize::from(stop > 0.5)] })
@@ -134,7 +137,10 @@ fn logic(waveform: &Waveform) -> Logic {
         (_, Kind::Event) => Logic::Pulses(changes().map(|(at, value)| (at, format!("{value}"))).collect()),
         _ => {
             let word = |value: f64| (value >= 0.0).then(|| format!("{value}"));
-            Logic::Words(changes().map(|(at, value)| (at, word(value))).collect(), colour(waveform.signal.name))
+            Logic::Words(
+                changes().map(|(at, value)| (at, word(value))).collect(),
+                colour(waveform.signal.name),
+            )
         }
     }
 }

@@ -76,7 +76,11 @@ impl<'a> Listing<'a> {
         match self.form {
             Form::Text => print(&format!("events: {}\n", self.listed)),
             Form::Csv => Ok(()),
-            Form::Json => print(&format!("\n  ],\n  \"listed\": {},\n  \"is_all\": {}\n}}\n", self.listed, self.next.is_none())),
+            Form::Json => print(&format!(
+                "\n  ],\n  \"listed\": {},\n  \"is_all\": {}\n}}\n",
+                self.listed,
+                self.next.is_none()
+            )),
         }
     }
 
@@ -136,7 +140,11 @@ fn details(event: &DigitalEvent) -> String {
     words.extend(event.corner.map(|[m, n]| format!("corner {m} {n}")));
     words.extend(Some(event.words).filter(|words| *words > 0).map(|count| format!("words {count}")));
     // All nine words of a set need no mask.
-    words.extend(Some(event.mask.0).filter(|mask| *mask != 0 && *mask != 0x1ff).map(|mask| format!("mask {mask:#05x}")));
+    words.extend(
+        Some(event.mask.0)
+            .filter(|mask| *mask != 0 && *mask != 0x1ff)
+            .map(|mask| format!("mask {mask:#05x}")),
+    );
     words.extend(event.crossing.map(|crossing| format!("crossing {crossing}")));
     words.extend(event.slack.map(|slack| match slack < 0 {
         true => format!("{} ticks late", -slack),

@@ -17,7 +17,8 @@ pub fn show(frame: &Frame<'_>, at: Instant, is_json: bool) -> Result<(), Failure
     let levels = || states.iter().zip(frame.levels).zip(["fine", "coarse"]);
     let time = frame.microseconds(at.tick);
     if is_json {
-        let levels: Vec<Value> = levels().map(|((state, level), name)| document(state, level, name)).collect();
+        let levels: Vec<Value> =
+            levels().map(|((state, level), name)| document(state, level, name)).collect();
         return print_json(&json!({
             "schema": "lunoid.trace.at/1",
             "frame": frame.number,

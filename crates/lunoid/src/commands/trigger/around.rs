@@ -53,8 +53,7 @@ impl Around {
         let needed = if is_picture { &NEEDS[..] } else { &[] };
         let all = named.iter().chain(&BEAM).chain(needed).map(|name| (*name).to_owned()).collect();
         let waveforms = finder.record(found.frame, &found.pose, all, sweeps.clone())?;
-        let mut around =
-            Self { sweeps, waveforms, named, rows: Vec::new(), pixel: None, is_blanked: false };
+        let mut around = Self { sweeps, waveforms, named, rows: Vec::new(), pixel: None, is_blanked: false };
         around.rows = around.rows(finder, found, samples);
         around.place(finder, found)?;
         Ok(around)
@@ -108,7 +107,8 @@ impl Around {
         let raster = &finder.rehearsal.stage.settings.raster;
         let sweeps = self.digital_side(finder, found)?;
         let size = [raster.columns, raster.lines];
-        self.pixel = line.and_then(|line| pixel_of(&sweeps, &found.pose, size, [f64::from(found.sweep), line]));
+        self.pixel =
+            line.and_then(|line| pixel_of(&sweeps, &found.pose, size, [f64::from(found.sweep), line]));
         Ok(())
     }
 

@@ -98,10 +98,13 @@ impl TriggerCommand {
     /// Searches.
     pub fn run(&self) -> Result<Verdict, Failure> {
         if self.stage.machine.as_deref() == Some(EXACT) {
-            return Err(Failure::usage(format!("--machine {EXACT}: it has no signals; expected a hardware model")));
+            return Err(Failure::usage(format!(
+                "--machine {EXACT}: it has no signals; expected a hardware model"
+            )));
         }
         self.check_signals(machine::signals())?;
-        let file = self.out.as_deref().map(|out| File::named(out, self.around_sweeps.unwrap_or(0))).transpose()?;
+        let file =
+            self.out.as_deref().map(|out| File::named(out, self.around_sweeps.unwrap_or(0))).transpose()?;
         self.out.as_deref().map_or(Ok(()), expect_writable)?;
         let mut places = None;
         let (rehearsal, frames) = Rehearsal::open(&self.stage, &self.threads, |loaded| {
@@ -159,8 +162,16 @@ impl TriggerCommand {
             return Ok(None);
         }
         let beside = self.around_sweeps.unwrap_or(0);
-        let near = found.sweep.saturating_sub(beside).max(sweeps.start)..(found.sweep + beside + 1).min(sweeps.end);
-        let around = Around::record(finder, found, near, self.around, &self.signals, file.is_some_and(File::is_picture))?;
+        let near =
+            found.sweep.saturating_sub(beside).max(sweeps.start)..(found.sweep + beside + 1).min(sweeps.end);
+        let around = Around::record(
+            finder,
+            found,
+            near,
+            self.around,
+            &self.signals,
+            file.is_some_and(File::is_picture),
+        )?;
         if let Some(file) = file {
             let written = file.write(finder, found, &around, self.on.text())?;
             tell(&format!("{}\n", written.join(", ")));
@@ -169,7 +180,12 @@ impl TriggerCommand {
     }
 }
 
-fn within(option: &str, what: &str, asked: Option<Span>, count: u32) -> Result<std::ops::Range<u32>, Failure> {
+fn within(
+    option: &str,
+    what: &str,
+    asked: Option<Span>,
+    count: u32,
+) -> Result<std::ops::Range<u32>, Failure> {
     let Some(span) = asked else { return Ok(0..count) };
     let found = span.within(&(0..u64::from(count))).ok_or_else(|| {
         Failure::usage(format!("{option} {span}: there are {what} 0..{count}; expected a range inside"))

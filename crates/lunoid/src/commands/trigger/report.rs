@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use super::around::{Around, Row};
+use super::around::{Around, BEAM, Row};
 use super::find::{Ended, Finder, Found};
 use crate::Failure;
 use crate::loading::{ScalarWord, StageArgs};
@@ -43,7 +43,9 @@ impl<'a> Report<'a> {
         let Ended { met, shown, sweeps, interrupted_at } = ended;
         if self.is_json {
             let is_whole = interrupted_at.is_none();
-            return print(&format!("\n  ],\n  \"met\": {met},\n  \"sweeps\": {sweeps},\n  \"is_whole\": {is_whole}\n}}\n"));
+            return print(&format!(
+                "\n  ],\n  \"met\": {met},\n  \"sweeps\": {sweeps},\n  \"is_whole\": {is_whole}\n}}\n"
+            ));
         }
         match (shown, met) {
             (0, 0) => print(&format!("not found in {sweeps} sweeps\n")),
@@ -111,8 +113,11 @@ impl<'a> Report<'a> {
 
     fn document(&self, found: &Found, around: Option<&Around>, next: &[String]) -> Value {
         let Found { number, frame, pose, sweep, hit } = found;
-        let values: Map<String, Value> =
-            hit.readings.iter().map(|reading| (reading.signal.name.to_owned(), reading.value.into())).collect();
+        let values: Map<String, Value> = hit
+            .readings
+            .iter()
+            .map(|reading| (reading.signal.name.to_owned(), reading.value.into()))
+            .collect();
         let mut document = json!({
             "number": number,
             "frame": frame,
@@ -163,9 +168,10 @@ fn next(found: &Found, around: &Around, stage: &StageArgs) -> Vec<String> {
         format!("lunoid {command} {words} --frame {frame} {rest}")
     };
     let cursor = hit.range.map_or_else(String::new, |range| format!(" --cursor {:.4}", range.max(0.0)));
-    let names = around.columns().collect::<Vec<_>>().join(",");
+    let beam = BEAM.into_iter().filter(|name| !around.named.contains(name));
+    let names = around.columns().chain(beam).collect::<Vec<_>>().join(",");
     let mut commands =
-        vec![of("probe", format!("--sweep {sweep} --signals {names},dpp.y,dpp.blank{cursor} --out sweep.png"))];
+        vec![of("probe", format!("--sweep {sweep} --signals {names}{cursor} --out sweep.png"))];
     commands.extend(around.pixel.map(|[x, y]| of("explain", format!("--pixel {x},{y}"))));
     if hit.range.is_some() {
         commands.push(of("trace", format!("--at {sweep}:{}", hit.sample)));
@@ -195,7 +201,11 @@ fn stage_words(stage: &StageArgs) -> Vec<String> {
 /// A word as a shell reads it.
 fn quoted(word: &str) -> String {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "._-/=,:+".contains(c);
-    if !word.is_empty() && word.chars().all(is_plain) { word.to_owned() } else { format!("'{}'", word.replace('\'', "'\\''")) }
+    if !word.is_empty() && word.chars().all(is_plain) {
+        word.to_owned()
+    } else {
+        format!("'{}'", word.replace('\'', "'\\''"))
+    }
 }
 
 #[cfg(test)]
@@ -219,6 +229,9 @@ mod tests {
 
     #[test]
     fn numbers_are_short() {
-        assert_eq!(["511", "0.333333", "-2"], [511.0, 1.0 / 3.0, -2.0].map(number_text).each_ref().map(String::as_str));
+        assert_eq!(
+            ["511", "0.333333", "-2"],
+            [511.0, 1.0 / 3.0, -2.0].map(number_text).each_ref().map(String::as_str)
+        );
     }
 }

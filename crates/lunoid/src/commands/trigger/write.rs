@@ -32,7 +32,9 @@ impl File {
             )));
         }
         if is_picture && beside > 0 {
-            return Err(Failure::usage("--around-sweeps: a picture shows one sweep; leave it out, or write another format"));
+            return Err(Failure::usage(
+                "--around-sweeps: a picture shows one sweep; leave it out, or write another format",
+            ));
         }
         Ok(Self { path: path.to_owned(), format })
     }

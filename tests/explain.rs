@@ -1,0 +1,108 @@
+//! From a pixel to its wires: what is told is what the machine did, and where `exact` sees it.
+
+use exact::Columns;
+use explain::{Explanation, Inquiry, InquiryError, Writer};
+use generator::{Generator, Stage};
+use hardware_model::{HardwareModel, ModelSource};
+use lunoid_tests::{Dice, Shipped, shipped};
+use machine::{ControlPlane, HybridMachine};
+
+fn told(stage: &Stage, scene: &Shipped, frame: u64, pixels: &[[usize; 2]]) -> Vec<Explanation> {
+    let session = HybridMachine.prepare(stage.clone()).unwrap();
+    let (control, exact) = (ControlPlane::new(stage.clone()), Columns::new(stage.clone()));
+    let inquiry = Inquiry { stage, session: session.as_ref(), control: &control, exact: Some(&exact) };
+    let pose = scene.pose(frame).pose;
+    pixels.iter().map(|&pixel| inquiry.explain(frame, &pose, pixel).unwrap()).collect()
+}
+
+fn pixels(scene: &Shipped, seed: u64, count: usize) -> Vec<[usize; 2]> {
+    let raster = scene.settings.raster;
+    let mut dice = Dice::new(seed);
+    (0..count)
+        .map(|_| [dice.count(0, raster.columns as usize - 1), dice.count(0, raster.lines as usize - 1)])
+        .collect()
+}
+
+#[test]
+fn ground_is_where_exact_sees_it() {
+    let (mut same, mut seen) = (0, 0);
+    for (name, frame) in [("first-light", 60), ("craters", 10), ("descent", 20)] {
+        let scene = Shipped::read(name, Some(96));
+        for told in told(&scene.stage(), &scene, frame, &pixels(&scene, 11, 12)) {
+            let exact = told.exact.as_ref().unwrap();
+            let (Some(ground), Some(range)) = (&told.ground, exact.range_m) else { continue };
+            if told.writer != Writer::Ground {
+                continue;
+            }
+            seen += 1;
+            // Within two samples of the programme: the stroke ends at the next sample.
+            same += usize::from((ground.range_m / range - 1.0).abs() < 0.03);
+            assert!(ground.colours.iter().all(|colour| !colour.stale), "{name}: {told:?}");
+            assert!(told.late.is_empty() && told.place.sweep == told.place.drawn_with);
+            let sum: f64 = ground.colours.iter().filter_map(|colour| colour.height_m).sum();
+            assert!((sum - ground.terrain_height_m).abs() < 1e-2, "{name}: {sum} {}", ground.terrain_height_m);
+            let height = ground.terrain_height_m + ground.feature_height_m;
+            assert!((height - ground.height_m).abs() < 1e-2, "{name}: {told:?}");
+        }
+    }
+    assert!(seen >= 15, "{seen} pixels show ground");
+    assert!(same * 10 >= seen * 9, "{same} of {seen}: edges may fall between samples");
+}
+
+#[test]
+fn sky_and_bodies_are_told_as_such() {
+    let scene = Shipped::read("landing-site", Some(120));
+    let top = told(&scene.stage(), &scene, 0, &[[60, 0]]).remove(0);
+    assert_eq!((top.writer, top.intensity), (Writer::Sky, 0.0));
+    assert!(top.because[0].starts_with("sky"), "{:?}", top.because);
+    let [columns, lines] = [scene.settings.raster.columns as usize, scene.settings.raster.lines as usize];
+    let grid: Vec<[usize; 2]> =
+        (0..columns).step_by(11).flat_map(|x| (lines / 3..lines).step_by(8).map(move |y| [x, y])).collect();
+    let told = told(&scene.stage(), &scene, 0, &grid);
+    let body = told.iter().find(|told| told.writer == Writer::Body).expect("a body is in sight");
+    assert!(body.because[0].starts_with("a body covers it"));
+    let agree = |told: &&Explanation| {
+        let label = told.exact.as_ref().unwrap().label;
+        (told.writer == Writer::Body) == (label == "rock" || label == "man-made thing" || label == "culture")
+    };
+    assert!(told.iter().filter(agree).count() * 20 >= told.len() * 19, "bodies are where exact has them");
+}
+
+fn with_fault(scene: &Shipped, fault: &str) -> Stage {
+    let overlay = shipped::folder().join(format!("../hardware-models/faults/{fault}.toml"));
+    let source = ModelSource::BuiltIn("ideal".into());
+    let model = HardwareModel::load(&source, &[overlay], &[]).unwrap().model;
+    let settings = stage::settings(&scene.scenario, &model).unwrap();
+    stage::build(&scene.scenario, settings).unwrap()
+}
+
+#[test]
+fn stale_registers_and_late_words_are_named() {
+    let scene = Shipped::read("craters", Some(200));
+    let stage = with_fault(&scene, "stale");
+    let (mut stale, mut in_force) = (0, 0);
+    for told in told(&stage, &scene, 10, &pixels(&scene, 12, 24)) {
+        let Some(ground) = &told.ground else { continue };
+        let late: Vec<_> = told.late.iter().filter(|late| late.in_force).collect();
+        let wrong: Vec<_> = ground.colours.iter().filter(|colour| colour.stale).collect();
+        stale += wrong.len();
+        in_force += late.len();
+        for colour in wrong {
+            let named = told.late.iter().any(|late| late.colour == colour.colour);
+            assert!(named, "a register is stale, so words of it were late: {told:?}");
+            assert!(told.because.iter().any(|reason| reason.contains(&format!("tg.{}.hold", colour.colour))));
+        }
+    }
+    assert!(stale > 0 && in_force > 0, "{stale} stale, {in_force} in force");
+}
+
+#[test]
+fn a_pixel_outside_is_refused() {
+    let scene = Shipped::read("first-light", Some(64));
+    let stage = scene.stage();
+    let session = HybridMachine.prepare(stage.clone()).unwrap();
+    let control = ControlPlane::new(stage.clone());
+    let inquiry = Inquiry { stage: &stage, session: session.as_ref(), control: &control, exact: None };
+    let refused = inquiry.explain(0, &scene.pose(0).pose, [64, 0]).unwrap_err();
+    assert!(matches!(refused, InquiryError::Pixel { x: 64, columns: 64, .. }), "{refused}");
+}
