@@ -107,7 +107,8 @@
     function begin(now) { from = at; since = now; }
     function tick(now) {
       if (!playing) return;
-      const due = from + Math.floor((now - since) / 1000 * rate());
+      // The time of a paint may lie before the click that began it.
+      const due = from + Math.floor(Math.max(0, now - since) / 1000 * rate());
       if (due > last) { if (hold(run.first).isReady) { show(run.first); begin(now); } }
       else if (due !== at) { if (hold(due).isReady) show(due); else { holdAround(at); begin(now - 1000 / rate() * 0.99); } }
       requestAnimationFrame(tick);

@@ -98,7 +98,7 @@ fn units(units: &[UnitLine]) -> Markup {
         return html! { p { "The model has no unit that takes time." } };
     }
     html! {
-        table.numbers.units {
+        div.wide tabindex="0" role="group" aria-label="Units at work" { table.numbers.units {
             thead { tr { th scope="col" { "Unit" } th scope="col" { "At work" } th scope="col" { "Mean" }
                 th scope="col" { "Most" } th scope="col" { "Queue" } } }
             tbody { @for unit in units { tr {
@@ -108,7 +108,7 @@ fn units(units: &[UnitLine]) -> Markup {
                 td.bad[unit.most > 1.0] { (percent(unit.most)) }
                 td { (unit.longest_queue) }
             } } }
-        }
+        } }
     }
 }
 

@@ -226,12 +226,13 @@ fn only_what_is_named_is_looked_at() {
 
 #[test]
 fn what_holds_where_the_trigger_is_armed_is_found_there() {
-    let of = |text: &str, armed| places(&trigger(text).find(&sweep([ramp(), gate(&[10..30])]), armed));
+    let of =
+        |text: &str, armed| places(&trigger(text).find(&sweep([ramp(), gate(&[10..30, 98..99])]), armed));
     assert_eq!(of("tg.height > 1701", 50..60), [(50.0, 50)]);
     assert_eq!(of("tg.height > 1701", 20..26), []);
     assert_eq!(of("rising tg.height 1701", 27..60), []);
     assert_eq!(of("dpp.blank", 20..25), [(20.0, 20)]);
-    assert_eq!(of("dpp.blank", 95..2000), []);
+    assert_eq!(of("dpp.blank", 99..2000), []);
     assert_eq!(of("dpp.blank", 100..2000), []);
 }
 

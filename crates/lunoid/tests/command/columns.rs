@@ -77,7 +77,8 @@ fn columns_of_parts_need_no_line() {
 fn everything_at_once_is_still_accounted_for() {
     let scene = scene();
     let document = columns(&scene, 0, &["--machine", "pra-overloaded"]);
-    let [differing, traced, parts] = ["differing", "traced", "parts_alone"].map(|name| total(&document, name));
+    let [differing, traced, parts] =
+        ["differing", "traced", "parts_alone"].map(|name| total(&document, name));
     assert!(differing > 300 && traced > 300 && traced + parts == differing, "{}", document["totals"]);
     assert_eq!(total(&document, "untraced"), 0);
 }
@@ -85,13 +86,15 @@ fn everything_at_once_is_still_accounted_for() {
 #[test]
 fn text_and_picture_say_the_same() {
     let scene = scene();
-    let command = ["timing", "columns", "rugged.toml", "--overlay", "stale", "--frame", "2", "--out", "c.png"];
+    let command =
+        ["timing", "columns", "rugged.toml", "--overlay", "stale", "--frame", "2", "--out", "c.png"];
     let (out, _) = scene.expect(0, &command);
     let words = ["Tiny on ideal, frame 2", "timing, ", "transfer", "columns beyond 8 levels: compared 400"];
     assert!(words.iter().all(|word| out.contains(word)), "{out}");
     assert!(scene.join("c.png").is_file());
     let (_, err) = scene.expect(2, &["timing", "columns", "rugged.toml", "--frame", "99"]);
     assert!(err.contains("the scenario has frames 0..4"), "{err}");
-    let (_, err) = scene.expect(2, &["timing", "columns", "rugged.toml", "--frame", "1", "--machine", "exact"]);
+    let (_, err) =
+        scene.expect(2, &["timing", "columns", "rugged.toml", "--frame", "1", "--machine", "exact"]);
     assert!(err.contains("takes no time"), "{err}");
 }

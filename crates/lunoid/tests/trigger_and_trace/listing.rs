@@ -141,6 +141,9 @@ fn late_words_are_the_misses_of_the_record() {
     assert!(least >= record["deadlines"]["transfer"]["least"].as_i64().unwrap() && least < 0);
 }
 
+/// What a filter lets through.
+type Passes<'a> = &'a dyn Fn(&Value) -> bool;
+
 #[test]
 fn filters_take_from_the_whole_what_they_say() {
     let scene = Scene::new();
@@ -149,7 +152,7 @@ fn filters_take_from_the_whole_what_they_say() {
     let all = events(&whole);
     let middle = all[all.len() / 2]["tick"].as_u64().unwrap();
     let tick = middle.to_string();
-    let cases: [(&[&str], &dyn Fn(&Value) -> bool); 7] = [
+    let cases: [(&[&str], Passes<'_>); 7] = [
         (&["--sweep", "7..9"], &|event| (7..9).contains(&event["sweep"].as_u64().unwrap_or(99))),
         (&["--unit", "loader"], &|event| text(event, "unit").starts_with("loader.")),
         (&["--unit", "loader.red,dpu"], &|event| matches!(text(event, "unit"), "loader.red" | "dpu")),

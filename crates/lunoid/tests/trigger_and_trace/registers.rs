@@ -18,7 +18,7 @@ const FRAME: u64 = 2;
 
 /// The digital side of `tiny.toml` as the command makes it.
 fn control(scene: &Scene) -> (ControlPlane, scenario::Pose) {
-    let scenario = Scenario::read(&scene.join("tiny.toml")).unwrap();
+    let scenario = Scenario::read(scene.join("tiny.toml")).unwrap();
     let source = ModelSource::find("pra-nominal", Path::new("")).unwrap();
     let set = [("buffer.words", "unlimited"), ("loader.access_ns", "100000")]
         .map(|(key, value)| (key.into(), value.into()));
@@ -49,7 +49,7 @@ fn they_hold_the_words_of_the_terrain_generator() {
     let scene = Scene::new();
     let (control, pose) = control(&scene);
     let sweeps = control.sweeps(FRAME, &pose).unwrap();
-    let scenario = Scenario::read(&scene.join("tiny.toml")).unwrap();
+    let scenario = Scenario::read(scene.join("tiny.toml")).unwrap();
     let model =
         HardwareModel::load(&ModelSource::find("ideal", Path::new("")).unwrap(), &[], &[]).unwrap().model;
     let stage = stage::build(&scenario, stage::settings(&scenario, &model).unwrap()).unwrap();

@@ -53,7 +53,8 @@ fn every_format_and_its_size() {
         assert!(err.contains(&format!("{out}: about ")), "{err}");
         let document: Value = serde_json::from_str(&text).unwrap();
         assert_eq!((&document["schema"], &document["format"]), (&"lunoid.probe/1".into(), &format.into()));
-        assert_eq!((&document["sweeps"], &document["files"][0]), (&serde_json::json!([0, 40]), &out.into()));
+        assert_eq!(document["sweeps"], serde_json::json!([0, 40]));
+        assert_eq!(document["files"][0], out.as_str());
         let said = document["estimated_bytes"].as_f64().unwrap();
         let real = fs::metadata(room.path().join(&out)).unwrap().len() as f64;
         assert!((0.75..1.25).contains(&(said / real)), "{format}: {said} said, {real} written");

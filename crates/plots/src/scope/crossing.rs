@@ -125,7 +125,7 @@ mod tests {
         // Half a pixel apart: one in sixteen is drawn.
         assert_eq!((verticals.count, verticals.drawn()), (1001, 63));
         assert!(verticals.kept.windows(2).all(|pair| pair[1].0 - pair[0].0 >= APART));
-        assert_eq!(verticals.crowded, [[0.0, 499.5]]);
+        assert_eq!(verticals.crowded, [[0.0, 500.0]]);
         assert_eq!(verticals.colours(), loads);
         let few = Verticals::new(&crossings[..3], &view);
         assert_eq!((few.count, few.drawn()), (3, 1));

@@ -93,14 +93,14 @@ fn a_column_leads_to_its_sweep() {
         let sweep = sight.sweep_at(6, share.map(|share| 2.0 * share - 1.0)).unwrap();
         let sweep = sweep.round().clamp(0.0, f64::from(SWEEPS - 1)) as u32;
         browser.click("#screen", share);
-        assert_eq!(browser.text("place"), format!("{column}, {line}"));
-        assert_eq!(browser.text("under"), sweep.to_string());
         assert_eq!(browser.text("look-title"), format!("Sweep {sweep} of frame 6"));
         assert_eq!(browser.value("location.hash"), format!("#frame=6&sweep={sweep}"));
         let commands = browser.text("commands");
         if sweep == 16 {
             assert_eq!(browser.value("document.activeElement.id"), "scope-6-16");
         } else {
+            assert_eq!(browser.text("place"), format!("{column}, {line}"));
+            assert_eq!(browser.text("under"), sweep.to_string());
             let stage = "'scenarios/it'\\''s.toml' --sweeps 32 --frame 6";
             assert!(commands.contains(&format!("lunoid probe {stage} --sweep {sweep} --out")), "{commands}");
             assert!(

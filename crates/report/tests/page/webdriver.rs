@@ -4,6 +4,7 @@ use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
 use std::process::{Child, Command, Stdio};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
 
 use serde_json::{Value, json};
 
@@ -40,8 +41,14 @@ impl Browser {
         });
         let mut browser = Self { driver, port: port.expect("a port"), session: String::new() };
         let size = format!("--window-size={width},{height}");
-        let mut arguments =
-            vec!["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", &size];
+        let mut arguments = vec![
+            "--headless=new",
+            "--no-sandbox",
+            "--disable-gpu",
+            "--disable-dev-shm-usage",
+            "--force-prefers-reduced-motion",
+            &size,
+        ];
         if is_dark {
             arguments.push("--force-dark-mode");
         }
@@ -155,15 +162,11 @@ impl Browser {
 impl Drop for Browser {
     fn drop(&mut self) {
         // The driver closes its browser when it is asked; killed, it would leave one behind.
-        if !self.session.is_empty() && !std::thread::panicking() {
-            self.ask("DELETE", &self.session, &Value::Null);
-        } else if let Ok(mut stream) = TcpStream::connect(("127.0.0.1", self.port)) {
-            let _ = write!(
-                stream,
-                "DELETE {} HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n",
-                self.session
-            );
-            let _ = stream.read_to_end(&mut Vec::new());
+        if let Ok(mut stream) = TcpStream::connect(("127.0.0.1", self.port)) {
+            let _ = stream.set_read_timeout(Some(Duration::from_secs(10)));
+            let request =
+                format!("DELETE {} HTTP/1.1\r\nHost: localhost\r\nContent-Length: 0\r\n\r\n", self.session);
+            let _ = stream.write_all(request.as_bytes()).and_then(|()| stream.read(&mut [0; 64]));
         }
         let _ = self.driver.kill();
         let _ = self.driver.wait();

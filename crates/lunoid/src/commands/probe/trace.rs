@@ -184,3 +184,61 @@ impl Progress {
         tell(&format!("sweeps {done}/{all}  {} %\n", 100 * u64::from(done) / u64::from(all)));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+    use std::path::Path;
+
+    use scenario::PoseTable;
+    use waveform::{Format, Header};
+
+    use super::{Look, Order, WINDOW, size, trace, windows};
+    use crate::loading::{StageArgs, Threads};
+
+    const TINY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/tiny.toml");
+
+    /// Traces sweeps 3..31 of the tiny scenario into a CSV, `window` values at a time; the text, and the windows.
+    fn traced(window: usize) -> (String, usize) {
+        let mut loaded = StageArgs::of(Path::new(TINY)).load().unwrap();
+        let pool = Threads { jobs: Some(2) }.pool().unwrap();
+        let stage = loaded.stage(&pool).unwrap();
+        let settings = stage.settings.clone();
+        let clocks = settings.timebase;
+        let poses =
+            PoseTable::resolve(&loaded.scenario, &stage.landscape, clocks.update, settings.yoke, 1..2);
+        let pose = poses.unwrap().rows()[0].pose;
+        let session = loaded.generator.prepare(stage).unwrap();
+        let raster = [settings.raster.columns as usize, settings.raster.lines as usize];
+        let look = Look { session: &*session, pool: &pool, frame: 1, pose: &pose, raster };
+        let header = Header {
+            title: "tiny".into(),
+            provenance: vec![],
+            wires: session.wires(),
+            timebase: clocks,
+            lines: settings.raster.lines,
+            frame: 1,
+            sweeps: 3..31,
+        };
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("w.csv");
+        let order = Order { format: Format::Csv, out: &out, large: false, dry_run: false, window };
+        let count = windows(&header, window).len();
+        trace(&look, header, &order).unwrap();
+        (fs::read_to_string(&out).unwrap(), count)
+    }
+
+    /// In one window and in four the values are the same to the bit: CSV has all digits.
+    #[test]
+    fn windows_change_nothing() {
+        let ((whole, one), (parts, four)) = (traced(WINDOW), traced(1));
+        assert_eq!((one, four), (1, 4));
+        assert!(whole == parts && whole.lines().count() == 1 + 28 * 80);
+    }
+
+    #[test]
+    fn sizes_for_people() {
+        let said = [9_999, 250_000, 12_345_678, 3_100_000_000].map(size);
+        assert_eq!(said, ["9999 B", "250.0 kB", "12.3 MB", "3.1 GB"]);
+    }
+}

@@ -47,6 +47,9 @@ impl<'a> Report<'a> {
                 "\n  ],\n  \"met\": {met},\n  \"sweeps\": {sweeps},\n  \"is_whole\": {is_whole}\n}}\n"
             ));
         }
+        if interrupted_at.is_some() {
+            return print(&format!("found {met} times in {sweeps} sweeps so far\n"));
+        }
         match (shown, met) {
             (0, 0) => print(&format!("not found in {sweeps} sweeps\n")),
             (0, _) => print(&format!("found {met} times in {sweeps} sweeps, not more\n")),
