@@ -40,7 +40,11 @@ fn ground_is_where_exact_sees_it() {
             assert!(ground.colours.iter().all(|colour| !colour.stale), "{name}: {told:?}");
             assert!(told.late.is_empty() && told.place.sweep == told.place.drawn_with);
             let sum: f64 = ground.colours.iter().filter_map(|colour| colour.height_m).sum();
-            assert!((sum - ground.terrain_height_m).abs() < 1e-2, "{name}: {sum} {}", ground.terrain_height_m);
+            assert!(
+                (sum - ground.terrain_height_m).abs() < 1e-2,
+                "{name}: {sum} {}",
+                ground.terrain_height_m
+            );
             let height = ground.terrain_height_m + ground.feature_height_m;
             assert!((height - ground.height_m).abs() < 1e-2, "{name}: {told:?}");
         }

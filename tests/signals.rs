@@ -115,8 +115,13 @@ fn registers_hold_the_corners_of_the_region_they_are_in() {
                     }
                 }
                 for (axis, at) in ["x", "y"].into_iter().zip([u, v]) {
-                    let polarity = held(named(&waves, sweep, &format!("sweep.polarity.{axis}")), sample as f64);
-                    assert_eq!(polarity, f64::from(u8::from(at.floor() as i64 % 2 == 0)), "{axis} at {range} m");
+                    let polarity =
+                        held(named(&waves, sweep, &format!("sweep.polarity.{axis}")), sample as f64);
+                    assert_eq!(
+                        polarity,
+                        f64::from(u8::from(at.floor() as i64 % 2 == 0)),
+                        "{axis} at {range} m"
+                    );
                 }
             }
         }

@@ -147,7 +147,8 @@ impl Shipped {
         let (columns, lines) = (raster.columns as usize, raster.lines as usize);
         let kinds: Vec<PlaneKind> = [PlaneKind::Intensity].into_iter().chain(EDGE_PLANES).collect();
         let mut planes = Planes::new(columns, lines, &kinds);
-        let session = generator.prepare(self.stage()).expect("a shipped scenario is drawn by every generator");
+        let session =
+            generator.prepare(self.stage()).expect("a shipped scenario is drawn by every generator");
         let counts =
             session.frame(frame, &self.pose(frame).pose, &mut planes, probe).expect("a shipped frame");
         let display = self.settings.display;

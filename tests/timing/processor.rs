@@ -146,7 +146,7 @@ fn no_program_is_used_before_it_is_made() {
             frame_tables: dice.count(0, 2000) as u64,
             ..Cpu::default()
         };
-        let crossing = |&interrupts: &u64| CrossingTime { interrupts, words: words };
+        let crossing = |&interrupts: &u64| CrossingTime { interrupts, words };
         let crossings: Vec<CrossingTime> = interrupts.iter().map(crossing).collect();
         let load = CpuLoad { starts: &starts, crossings: &crossings, unbroken, vertices: 0 };
         let found = cpu_frame(&cpu, load);

@@ -49,7 +49,9 @@ fn writer(told: &Explanation) -> String {
 fn light(ground: &GroundPoint) -> String {
     let value = ground.reflectivity;
     match ground {
-        _ if ground.in_shadow => format!("sc.gate is on: something stands between it and the sun ({value:.3})"),
+        _ if ground.in_shadow => {
+            format!("sc.gate is on: something stands between it and the sun ({value:.3})")
+        }
         GroundPoint { features_shown: true, .. } if value <= DARK => {
             format!("mu.vs1 shows a crater, whose face here is turned from the sun ({value:.3})")
         }
@@ -57,7 +59,9 @@ fn light(ground: &GroundPoint) -> String {
             format!("mu.vs1 shows a crater in the light ({value:.3})")
         }
         GroundPoint { terrain_slopes: [north, east], .. } if value <= DARK => {
-            format!("tg.reflectivity: the slope ({north:.3} north, {east:.3} east) is turned from the sun ({value:.3})")
+            format!(
+                "tg.reflectivity: the slope ({north:.3} north, {east:.3} east) is turned from the sun ({value:.3})"
+            )
         }
         GroundPoint { terrain_slopes: [north, east], .. } => {
             format!("tg.reflectivity: the slope ({north:.3} north, {east:.3} east) is lit ({value:.3})")
@@ -70,9 +74,14 @@ fn stale(ground: &GroundPoint) -> impl Iterator<Item = String> {
         let [m, n] = colour.wanted;
         match colour.held {
             Some([p, q]) => {
-                format!("tg.{}.hold is stale: it holds corner {p}, {q}; the region has {m}, {n}", colour.colour)
+                format!(
+                    "tg.{}.hold is stale: it holds corner {p}, {q}; the region has {m}, {n}",
+                    colour.colour
+                )
             }
-            None => format!("tg.{}.hold is empty: the data bank has not delivered corner {m}, {n}", colour.colour),
+            None => {
+                format!("tg.{}.hold is empty: the data bank has not delivered corner {m}, {n}", colour.colour)
+            }
         }
     })
 }
@@ -81,7 +90,9 @@ fn digital(told: &Explanation) -> Vec<String> {
     let mut reasons = Vec::new();
     let (sweep, drawn) = (told.place.sweep, told.place.drawn_with);
     if sweep != drawn {
-        reasons.push(format!("the set-up of sweep {sweep} was not ready: that of sweep {drawn} was drawn again"));
+        reasons.push(format!(
+            "the set-up of sweep {sweep} was not ready: that of sweep {drawn} was drawn again"
+        ));
     }
     let in_force = told.late.iter().filter(|late| late.in_force);
     reasons.extend(in_force.map(|late| {
@@ -107,7 +118,8 @@ fn reading(told: &Explanation) -> Option<String> {
 fn error(told: &Explanation) -> Option<String> {
     let exact = told.exact.as_ref()?;
     let difference = told.intensity - exact.intensity;
-    let place = exact.range_m.map_or_else(|| "sky".to_owned(), |range| format!("{} at {range:.1} m", exact.label));
+    let place =
+        exact.range_m.map_or_else(|| "sky".to_owned(), |range| format!("{} at {range:.1} m", exact.label));
     Some(if difference.abs() <= TELLING {
         format!("exact agrees: {:.3}, {place}", exact.intensity)
     } else {

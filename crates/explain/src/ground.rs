@@ -92,13 +92,18 @@ impl GroundPoint {
         let place_m = [eye[0] + range_m * cos, eye[1] + range_m * sin];
         let region = level.in_regions(place_m[0], place_m[1]).map(|place| place.floor() as i64);
         let state = state_at(program, sample);
-        let inner = |colour: Colour| {
-            (!is_coarse).then(|| column.at(&format!("tg.{}.height", colour.name()), sample))
-        };
+        let inner =
+            |colour: Colour| (!is_coarse).then(|| column.at(&format!("tg.{}.height", colour.name()), sample));
         let colours = Colour::ALL.map(|colour| {
             let wanted = wanted(region, colour);
             let held = state.held[colour as usize].map(|corner| place_of(level, corner));
-            ColourState { colour: colour.name(), wanted, stale: held != Some(wanted), held, height_m: inner(colour) }
+            ColourState {
+                colour: colour.name(),
+                wanted,
+                stale: held != Some(wanted),
+                held,
+                height_m: inner(colour),
+            }
         });
         let hidden = column.hidden_behind(sample);
         Self {

@@ -124,12 +124,7 @@ impl Inquiry<'_> {
     ///
     /// # Errors
     /// If there is no such pixel, or the pose cannot be drawn.
-    pub fn explain(
-        &self,
-        frame: u64,
-        pose: &Pose,
-        [x, y]: [usize; 2],
-    ) -> Result<Explanation, InquiryError> {
+    pub fn explain(&self, frame: u64, pose: &Pose, [x, y]: [usize; 2]) -> Result<Explanation, InquiryError> {
         let raster = &self.stage.settings.raster;
         let (columns, lines) = (raster.columns, raster.lines);
         if x >= columns as usize || y >= lines as usize {

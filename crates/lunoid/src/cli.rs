@@ -2,7 +2,10 @@
 
 use clap::{Parser, Subcommand};
 
-use crate::commands::{bank, check, compare, explain, info, list, model, page, probe, replay, sizing, survey, timing, trace, trigger};
+use crate::commands::{
+    bank, check, compare, explain, info, list, model, page, probe, replay, sizing, survey, timing, trace,
+    trigger,
+};
 use crate::output::Colour;
 
 /// Results of one family are equal to the bit: no fused multiply-add anywhere.

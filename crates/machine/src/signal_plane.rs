@@ -109,7 +109,12 @@ impl<S: Real> Group<'_, S> {
     }
 
     /// The array of parts for the group that begins at sweep `first`.
-    pub fn wired<'w>(&self, array: &'w PartsArray<S>, first: u32, state: &'w mut ArrayState<S>) -> Wired<'w, S> {
+    pub fn wired<'w>(
+        &self,
+        array: &'w PartsArray<S>,
+        first: u32,
+        state: &'w mut ArrayState<S>,
+    ) -> Wired<'w, S> {
         Wired { array, state, address: self.address(first) }
     }
 

@@ -180,7 +180,7 @@ impl Run {
 
     /// Width of the screen over its height.
     pub fn aspect(&self) -> f64 {
-        let [width, height] = self.settings.raster.field_of_view_deg.map(|angle| tangent_of_half(angle));
+        let [width, height] = self.settings.raster.field_of_view_deg.map(tangent_of_half);
         let aspect = width / height;
         if aspect.is_finite() && aspect > 0.0 { aspect } else { 1.0 }
     }

@@ -47,7 +47,7 @@ fn figure(plot: &ScopePlot, source: &str) -> Markup {
 /// Where each plot is read from: the page itself, as long as there is room.
 fn sources(folder: &Path, plots: &[ScopePlot]) -> Result<Vec<String>, ReportError> {
     let mut room = MOST_EMBEDDED;
-    let mut source = |plot: &ScopePlot| {
+    let source = |plot: &ScopePlot| {
         let bytes = files::read_all(folder.join(plot.file()), MAX_BYTES)?;
         match room.checked_sub(bytes.len() as u64) {
             Some(left) => {
@@ -57,5 +57,5 @@ fn sources(folder: &Path, plots: &[ScopePlot]) -> Result<Vec<String>, ReportErro
             None => Ok(plot.file()),
         }
     };
-    plots.iter().map(|plot| source(plot)).collect()
+    plots.iter().map(source).collect()
 }

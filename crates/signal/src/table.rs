@@ -126,12 +126,7 @@ pub struct Signal {
 
 impl Signal {
     /// A signal on the sweep clock: a gate if its unit is that of a gate, a voltage otherwise.
-    pub const fn ground(
-        name: &'static str,
-        unit: Unit,
-        meaning: &'static str,
-        figure: &'static str,
-    ) -> Self {
+    pub const fn ground(name: &'static str, unit: Unit, meaning: &'static str, figure: &'static str) -> Self {
         Self { name, unit, kind: Self::kind_of(unit), axis: Axis::Ground, meaning, figure }
     }
 

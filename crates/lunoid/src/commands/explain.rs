@@ -94,7 +94,9 @@ fn text(told: &Explanation) -> String {
     lines.extend(told.ground.iter().flat_map(ground_rows));
     lines.extend(told.late.iter().map(late_row));
     let Some(exact) = &told.exact else { return lines.join("\n") + "\n" };
-    let range = exact.range_m.map_or_else(String::new, |range| format!(" at {range:.2} m, {:.3} m high", exact.height_m));
+    let range = exact
+        .range_m
+        .map_or_else(String::new, |range| format!(" at {range:.2} m, {:.3} m high", exact.height_m));
     lines.push(row("exact", &format!("{:.4}: {}{range}, {}", exact.intensity, exact.label, exact.shade)));
     lines.join("\n") + "\n"
 }
@@ -109,14 +111,21 @@ fn ground_rows(ground: &GroundPoint) -> Vec<String> {
     let mut rows = vec![
         row("sample", &format!("{}, {:.3} µs", ground.sample, ground.time_us)),
         row("sweep.range", &format!("{:.2} m: {north:.2} m north, {east:.2} m east", ground.range_m)),
-        row("sweep.x, sweep.y", &format!("{:.4}, {:.4}; s_x {:+}, s_y {:+}", ground.ramps[0], ground.ramps[1], ground.polarity[0], ground.polarity[1])),
+        row(
+            "sweep.x, sweep.y",
+            &format!(
+                "{:.4}, {:.4}; s_x {:+}, s_y {:+}",
+                ground.ramps[0], ground.ramps[1], ground.polarity[0], ground.polarity[1]
+            ),
+        ),
         row("region", &format!("{}, {} of the {} level", ground.region[0], ground.region[1], ground.level)),
     ];
     rows.extend(ground.colours.iter().map(|colour| {
         let corner = |place: [i64; 2]| format!("{}, {}", place[0], place[1]);
         let held = colour.held.map_or_else(|| "nothing".to_owned(), corner);
         let share = colour.height_m.map_or_else(String::new, |height| format!(", adds {height:.3} m"));
-        let stale = if colour.stale { format!(" STALE: wants {}", corner(colour.wanted)) } else { String::new() };
+        let stale =
+            if colour.stale { format!(" STALE: wants {}", corner(colour.wanted)) } else { String::new() };
         row(&format!("tg.{}.hold", colour.colour), &format!("corner {held}{share}{stale}"))
     }));
     let [u, v] = ground.terrain_slopes;
@@ -128,9 +137,16 @@ fn ground_rows(ground: &GroundPoint) -> Vec<String> {
         row("mu.vs1, sc.gate", &format!("{}, {}", gate(ground.features_shown), gate(ground.in_shadow))),
         row("txg.texture", &format!("{:.4}", ground.texture)),
         row("mu", &format!("height {:.3} m, reflectivity {:.4}", ground.height_m, ground.reflectivity)),
-        row("dpp", &format!("elevation {:.6}, hold {:.6}, line {:.3}", ground.elevation, ground.hold, ground.line)),
+        row(
+            "dpp",
+            &format!("elevation {:.6}, hold {:.6}, line {:.3}", ground.elevation, ground.hold, ground.line),
+        ),
     ]);
-    rows.extend(ground.hides_m.map(|[near, far]| row("dpp.blank", &format!("hides the ground from {near:.1} to {far:.1} m"))));
+    rows.extend(
+        ground
+            .hides_m
+            .map(|[near, far]| row("dpp.blank", &format!("hides the ground from {near:.1} to {far:.1} m"))),
+    );
     rows
 }
 

@@ -21,6 +21,7 @@ fn a_scenario_becomes_a_folder() {
         "contact-sheet.png",
         "frames",
         "index.html",
+        "page.json",
         "performance.json",
         "poses.csv",
         "run.json",
@@ -215,7 +216,16 @@ fn another_run_is_refused_unless_fresh() {
 #[test]
 fn waveforms_of_a_sweep() {
     let scene = Scene::new();
-    let base = ["probe", "tiny.toml", "--frame", "1", "--sweep", "3..5", "--signals", "tg.height,sweep.x,sweep.fold.x"];
+    let base = [
+        "probe",
+        "tiny.toml",
+        "--frame",
+        "1",
+        "--sweep",
+        "3..5",
+        "--signals",
+        "tg.height,sweep.x,sweep.fold.x",
+    ];
     let (out, _) = scene.expect(0, &[&base[..], &["--out", "w.csv"]].concat());
     assert_eq!(out, "w.csv: frame 1, sweeps 3..5: sweep.x, sweep.fold.x, tg.height\n");
     let csv = fs::read_to_string(scene.join("w.csv")).unwrap();

@@ -140,11 +140,16 @@ fn folds(program: &SweepProgram, axis: &str) -> Changes {
 
 fn polarities(program: &SweepProgram, axis: &str) -> Changes {
     let start = program.start.ramps[usize::from(axis == "y")].polarity > 0.0;
-    let mut changes = Changes { times: vec![0.0], values: vec![f64::from(u8::from(start))] };
+    let mut changes = Changes { times: vec![beginning(program)], values: vec![f64::from(u8::from(start))] };
     for (fold, time) in folds(program, axis).times.into_iter().enumerate() {
         changes.push(time, f64::from(u8::from(start == (fold % 2 == 1))));
     }
     changes
+}
+
+/// When the state at the start of a sweep holds: at the first sample, or with a step on the way from the eye's foot to it.
+fn beginning(program: &SweepProgram) -> f64 {
+    program.steps.first().map_or(0.0, |step| step.time.0.min(0.0))
 }
 
 fn late(program: &SweepProgram) -> Changes {
@@ -171,7 +176,7 @@ fn register_of(program: &SweepProgram, colour: &str, place: &str) -> Changes {
         };
         changes.becomes(time, if corner == NO_CORNER { -1.0 } else { f64::from(corner) });
     };
-    tell(0.0, &set);
+    tell(beginning(program), &set);
     for step in &program.steps {
         match step.kind {
             StepKind::Fold(fold) if fold.axis.takes(fold.stop, colour) => {

@@ -73,7 +73,9 @@ impl<S: Real> Recorded<'_, S> {
         wanted
             .map(|signal| {
                 let Changes { times, values } = match signal.axis {
-                    Axis::Ground => self.sampled(self.along_the_ground(signal.name, lane, sweep, &mut inside)),
+                    Axis::Ground => {
+                        self.sampled(self.along_the_ground(signal.name, lane, sweep, &mut inside))
+                    }
                     Axis::Display => self.sampled(self.down_the_display(signal.name, lane, sweep)),
                     Axis::Changes => self.digital(signal.name, lane),
                 };
@@ -97,13 +99,7 @@ impl<S: Real> Recorded<'_, S> {
         }
     }
 
-    fn along_the_ground(
-        &self,
-        name: &str,
-        lane: usize,
-        sweep: u32,
-        inside: &mut Option<Inside>,
-    ) -> Vec<f64> {
+    fn along_the_ground(&self, name: &str, lane: usize, sweep: u32, inside: &mut Option<Inside>) -> Vec<f64> {
         let ranges = self.group.table.ranges();
         if name == "sweep.range" {
             return ranges.to_vec();

@@ -134,7 +134,7 @@ fn the_retrace_of_the_last_sweep_is_there() {
     let end = picosecond(5, (SAMPLES + RETRACE) as f64);
     assert!(text.ends_with(&format!("#{end}\n")), "{}", &text[text.len() - 40..]);
     assert!(text.contains("tg.height [m], full scale 500 = 10 V, 120 = 0 V"), "{}", &text[..2000]);
-    assert!(RATE[0] % 7 != 0 && end > 0);
+    assert!(!RATE[0].is_multiple_of(7) && end > 0);
 }
 
 #[test]
