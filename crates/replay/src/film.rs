@@ -80,7 +80,7 @@ fn delay(rate: Rate) -> (u16, u16) {
 mod tests {
     use quantities::Rate;
 
-    use super::{Show, delay, fraction, player};
+    use super::{delay, fraction};
 
     #[test]
     fn rates_become_fractions() {

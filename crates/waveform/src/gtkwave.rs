@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use signal::{Signal, Wire};
+use signal::Wire;
 
 use crate::Header;
 use crate::clock::Clock;
@@ -56,16 +56,16 @@ fn window(header: &Header) -> (u64, u32) {
     (start, ((end - start) / FRAMES).next_power_of_two().ilog2())
 }
 
-/// The rows of a wire, called as it is everywhere else, with its unit.
+/// The rows of a wire, under its whole name with its unit; of names with dots GTKWave shows the end alone.
 fn rows(wire: &Wire, name: &str, colour: u32) -> String {
-    let Signal { name: own, unit, .. } = wire.signal;
+    let (own, unit) = (wire.signal.name.replace('.', " "), wire.signal.unit);
     let row =
         |flags: &str, alias: &str, name: &str| format!("{flags}\n[color] {colour}\n+{{{alias}}} {name}\n");
     let with_unit = format!("{own} [{unit}]");
     match Form::of(&wire.signal) {
         Form::Real => row(ANALOG_STEP, &with_unit, name) + ANALOG_HEIGHT + "\n" + &"-\n".repeat(ROWS),
-        Form::Bit => row(BITS, own, name),
+        Form::Bit => row(BITS, &own, name),
         Form::Word => row(SIGNED_DECIMAL, &with_unit, &format!("{name}[31:0]")),
-        Form::Pulse => row(BITS, own, name) + &row(REAL, &format!("{own} told"), &format!("{name}{TOLD}")),
+        Form::Pulse => row(BITS, &own, name) + &row(REAL, &format!("{own} told"), &format!("{name}{TOLD}")),
     }
 }
