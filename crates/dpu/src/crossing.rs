@@ -207,8 +207,26 @@ impl<W: Watch> Service<'_, '_, '_, W> {
                     self.renew(colour, fold, seen, program);
                 }
             }
+        } else {
+            self.stand_still(fold, program);
         }
         self.crossing += 1;
+    }
+
+    /// Nothing is transferred any more: what the fold should have brought never comes.
+    fn stand_still(&self, fold: TimedFold, program: &mut SweepProgram) {
+        let Fold { axis, stop } = fold.fold;
+        let missed = |colour| Miss {
+            crossing: self.crossing,
+            time: fold.time,
+            arrival: None,
+            colour,
+            register: axis.register(),
+            corner: NO_CORNER,
+            words: WordMask::ALL,
+            cause: MissCause::HeldBack,
+        };
+        program.misses.extend(Colour::ALL.into_iter().filter(|&colour| axis.takes(stop, colour)).map(missed));
     }
 
     fn pass_stop(&mut self, fold: Fold) {

@@ -2,12 +2,13 @@
 
 use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
 
+use signal::Axis;
+
 use crate::clock::seconds;
 use crate::output::{Output, Store};
 use crate::sink::Encoder;
 use crate::zipped::{Zip, begin, options};
 use crate::{Header, SweepTraces};
-use signal::Axis;
 
 /// The signal that says where the samples lie on the ground: the same for every sweep.
 const RANGE: &str = "sweep.range";

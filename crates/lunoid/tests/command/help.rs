@@ -1,8 +1,9 @@
 use crate::scene::{Scene, lunoid};
 
-const COMMANDS: [&[&str]; 24] = [
+const COMMANDS: [&[&str]; 25] = [
     &[],
     &["replay"],
+    &["page"],
     &["compare"],
     &["check"],
     &["list"],
