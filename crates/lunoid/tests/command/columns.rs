@@ -38,7 +38,7 @@ fn nothing_differs_from_itself() {
 fn columns_of_late_words_and_set_ups_lead_to_their_lines() {
     let scene = scene();
     let slow = ["--set", "loader.access_ns=3000"];
-    for (fault, more) in [("tear", &slow[..]), ("stale", &[]), ("stripe", &[])] {
+    for (fault, more) in [("tear", &slow[..]), ("stale", &[]), ("mirror", &[]), ("stripe", &[])] {
         let document = columns(&scene, 0, &[&["--overlay", fault], more].concat());
         let differing = total(&document, "differing");
         assert!(differing > 10, "{fault}: {differing}");

@@ -248,7 +248,7 @@ fn a_sweep_as_a_picture() {
     let (_, err) = scene.expect(2, &probe("3..5", "tg.*", "two.png"));
     assert!(err.contains("a picture shows one sweep"), "{err}");
     let (_, err) = scene.expect(2, &probe("3", "sm.write", "lines.png"));
-    assert!(err.contains("no signal on the sweep clock"), "{err}");
+    assert!(err.contains("none of them runs along the sweep"), "{err}");
     assert!(!scene.join("two.png").exists() && !scene.join("lines.png").exists());
 }
 
