@@ -85,7 +85,7 @@ fn stale_registers_and_late_words_are_named() {
     let scene = Shipped::read("craters", Some(200));
     let stage = with_fault(&scene, "stale");
     let (mut stale, mut in_force) = (0, 0);
-    for told in told(&stage, &scene, 10, &pixels(&scene, 12, 24)) {
+    for told in told(&stage, &scene, 10, &pixels(&scene, 12, 60)) {
         let Some(ground) = &told.ground else { continue };
         let late: Vec<_> = told.late.iter().filter(|late| late.in_force).collect();
         let wrong: Vec<_> = ground.colours.iter().filter(|colour| colour.stale).collect();

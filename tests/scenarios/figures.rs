@@ -38,9 +38,9 @@ fn the_nominal_drive_is_late_noisy_and_short_of_rocks() {
     let shipped = Shipped::read("nominal-drive", None);
     let ideal = Shipped::changed("nominal-drive", Some(525), |scenario| scenario.machine = "ideal".into());
     let (nominal, ideal) = (shipped.machine(45), ideal.machine(45));
-    assert_eq!((nominal.counts.late_words, nominal.counts.bodies), (2601, 11));
-    assert_eq!((ideal.counts.late_words, ideal.counts.bodies), (0, 218));
-    assert_figure(rmse(&nominal, &ideal), 0.095, 0.001);
+    assert_eq!((nominal.counts.late_words, nominal.counts.bodies), (17_595, 24));
+    assert_eq!((ideal.counts.late_words, ideal.counts.bodies), (0, 48));
+    assert_figure(rmse(&nominal, &ideal), 0.085, 0.001);
 }
 
 #[test]
