@@ -44,7 +44,9 @@ fn assert_same_bits(a: &Drawn, b: &Drawn, what: &str) {
     assert!(bits(a) == bits(b), "{what}: pictures differ");
     assert_eq!(a.counts, b.counts, "{what}");
     assert_eq!(a.waveforms.len(), b.waveforms.len(), "{what}");
-    for (a, b) in a.waveforms.iter().zip(&b.waveforms) {
+    // The number of a corner is its place in the grid that is stored.
+    let waves = a.waveforms.iter().zip(&b.waveforms);
+    for (a, b) in waves.filter(|(a, _)| a.signal.unit != signal::Unit::Corner) {
         let same = a.values.iter().zip(&b.values).all(|(a, b)| a.to_bits() == b.to_bits());
         assert!(same, "{what}: {} of sweep {} differs", a.signal.name, a.sweep);
     }

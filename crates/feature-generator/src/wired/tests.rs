@@ -164,7 +164,7 @@ proptest! {
     /// Multipliers that are off: the quadratic form of both squarers, wherever the sweep goes.
     #[test]
     fn squarers_that_are_off_make_ellipses(
-        azimuth in 0.0..6.28_f64, beside in -30.0..30.0_f64,
+        azimuth in 0.0..std::f64::consts::TAU, beside in -30.0..30.0_f64,
         x in -0.05..0.05_f64, y in -0.05..0.05_f64, offset in -0.02..0.02_f64,
     ) {
         let (c, s) = (libm::cos(azimuth), libm::sin(azimuth));

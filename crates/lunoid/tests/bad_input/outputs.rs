@@ -126,8 +126,8 @@ fn a_run_that_fills_the_disk_goes_on_later() {
         for (path, bytes) in content(&room.join(&out)) {
             let name = path.strip_prefix(room.join(&out)).unwrap();
             // The journal is on its way, and what a run took is of that run alone.
-            let is_ours = name.extension().is_some_and(|kind| kind != "journal")
-                && !name.ends_with("performance.json");
+            let is_ours =
+                name.extension().is_some_and(|kind| kind != "journal") && !name.ends_with("performance.json");
             let reference = whole.get(&room.join("whole").join(name));
             assert!(!is_ours || reference == Some(&bytes), "{blocks}: {}", path.display());
         }
