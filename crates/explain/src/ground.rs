@@ -1,11 +1,11 @@
 //! What a sample of a sweep is: place, registers, and the share of every block.
 
 use landscape::{Landscape, Level};
+use machine::RegisterState;
 use serde::Serialize;
-use sweep_program::{Colour, SweepProgram};
+use sweep_program::Colour;
 
 use crate::column::SweepColumn;
-use crate::registers::state_at;
 
 /// A hold register at a sample.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -16,7 +16,7 @@ pub struct ColourState {
     pub wanted: [i64; 2],
     /// Corner whose words it holds; none if the data bank has not delivered.
     pub held: Option<[i64; 2]>,
-    /// Whether these differ.
+    /// Whether any of the nine words is of another corner.
     pub stale: bool,
     /// What it adds to the height (m); none on the coarse level, whose inner wires are no signals.
     pub height_m: Option<f64>,
@@ -74,35 +74,33 @@ pub struct GroundPoint {
 }
 
 impl GroundPoint {
-    /// The ground at `sample`; `programs` of the fine and of the coarse level, `period_us` of a sample.
+    /// The ground at `sample` of a sweep that runs in `direction`; `state` of the registers then, by level; the fine level is
+    /// drawn up to `fine_end_m`, and a sample takes `period_us`.
     pub(crate) fn at(
         sample: usize,
         column: &SweepColumn,
-        programs: &[SweepProgram],
+        states: &[RegisterState],
+        (fine_end_m, direction): (f64, [f64; 2]),
         landscape: &Landscape,
         eye: [f64; 3],
         period_us: f64,
     ) -> Self {
         let of = |name: &str| column.at(name, sample);
         let range_m = of("sweep.range");
-        let is_coarse = programs.len() > 1 && range_m > programs[0].end_range;
+        let is_coarse = states.len() > 1 && range_m > fine_end_m;
         let index = usize::from(is_coarse);
-        let (program, level) = (&programs[index], &landscape.bank().levels()[index]);
-        let [cos, sin] = program.start.direction;
-        let place_m = [eye[0] + range_m * cos, eye[1] + range_m * sin];
+        let (state, level) = (&states[index], &landscape.bank().levels()[index]);
+        let place_m: [f64; 2] = std::array::from_fn(|axis| eye[axis] + range_m * direction[axis]);
         let region = level.in_regions(place_m[0], place_m[1]).map(|place| place.floor() as i64);
-        let state = state_at(program, sample);
-        let inner =
-            |colour: Colour| (!is_coarse).then(|| column.at(&format!("tg.{}.height", colour.name()), sample));
         let colours = Colour::ALL.map(|colour| {
-            let wanted = wanted(region, colour);
-            let held = state.held[colour as usize].map(|corner| place_of(level, corner));
+            let [hold, ..] = &state.colours[colour as usize];
+            let share = || column.at(&format!("tg.{}.height", colour.name()), sample);
             ColourState {
                 colour: colour.name(),
-                wanted,
-                stale: held != Some(wanted),
-                held,
-                height_m: inner(colour),
+                wanted: place_of(level, hold.wanted),
+                held: hold.corner().map(|corner| place_of(level, corner)),
+                stale: !hold.stale().is_empty(),
+                height_m: (!is_coarse).then(share),
             }
         });
         let hidden = column.hidden_behind(sample);
@@ -138,15 +136,6 @@ fn last_of(column: &SweepColumn, sample: usize) -> usize {
     sample.min(column.all("sweep.range").len().saturating_sub(1))
 }
 
-/// The corner of a region that has a colour: parities of its indices are those of the colour.
-fn wanted(region: [i64; 2], colour: Colour) -> [i64; 2] {
-    let far = [colour.at_far_x(), colour.at_far_y()];
-    std::array::from_fn(|axis| {
-        let is_odd = region[axis].rem_euclid(2) == 1;
-        region[axis] + i64::from(is_odd != far[axis])
-    })
-}
-
 fn place_of(level: &Level, corner: u32) -> [i64; 2] {
     let (corner, columns) = (corner as usize, level.corners()[1]);
     [(corner / columns) as i64, (corner % columns) as i64]
@@ -163,23 +152,4 @@ fn craters_at(landscape: &Landscape, [x, y]: [f64; 2]) -> Vec<u32> {
     });
     found.sort_unstable();
     found
-}
-
-#[cfg(test)]
-mod tests {
-    use super::wanted;
-    use sweep_program::Colour;
-
-    #[test]
-    fn the_corners_of_a_region_have_all_colours() {
-        for region in [[0, 0], [3, 4], [-1, 2], [-5, -7]] {
-            let mut corners = Colour::ALL.map(|colour| wanted(region, colour));
-            for (colour, [m, n]) in Colour::ALL.into_iter().zip(corners) {
-                assert_eq!(Colour::of_corner(m, n), colour);
-            }
-            corners.sort_unstable();
-            let [k, l] = region;
-            assert_eq!(corners, [[k, l], [k, l + 1], [k + 1, l], [k + 1, l + 1]]);
-        }
-    }
 }

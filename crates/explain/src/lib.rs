@@ -19,10 +19,10 @@
 mod because;
 mod column;
 mod ground;
-mod registers;
+mod late;
 mod seek;
 
 pub use column::SweepColumn;
 pub use ground::{ColourState, GroundPoint};
-pub use registers::Late;
+pub use late::Late;
 pub use seek::{ExactPixel, Explanation, Inquiry, InquiryError, Place, Writer};

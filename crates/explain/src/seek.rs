@@ -3,6 +3,7 @@
 use exact::Columns;
 use generator::{FrameError, Label, PlaneKind, Planes, Session, Shade, Stage};
 use machine::{ControlPlane, FrameSweeps};
+use quantities::SweepTime;
 use scenario::Pose;
 use serde::Serialize;
 use signal::Probe;
@@ -10,7 +11,7 @@ use signal::Probe;
 use crate::because::because;
 use crate::column::{SIGNALS, SweepColumn};
 use crate::ground::GroundPoint;
-use crate::registers::{Late, late};
+use crate::late::{Late, late};
 
 /// Where a pixel lies in what the sweeps wrote.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -165,8 +166,10 @@ impl Inquiry<'_> {
         let programs = sweeps.programs(place.sweep);
         let period_us = 1e6 / self.stage.settings.timebase.sample_rate().hertz();
         let stroke = column.stroke_across(place.cell);
+        let way = (programs[0].end_range, programs[0].start.direction);
         let ground = stroke.map(|sample| {
-            GroundPoint::at(sample, column, &programs, &self.stage.landscape, pose.eye, period_us)
+            let states = sweeps.registers(place.sweep, SweepTime(sample as f64));
+            GroundPoint::at(sample, column, &states, way, &self.stage.landscape, pose.eye, period_us)
         });
         let left = column.at("sm.write", place.cell);
         let writer = match &ground {

@@ -3,6 +3,7 @@
 mod bad_input;
 mod banks;
 mod columns;
+mod explain;
 mod help;
 mod models;
 mod overlays;

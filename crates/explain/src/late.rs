@@ -1,10 +1,7 @@
-//! Registers at an instant of a sweep, and the late words that are in force then.
+//! Words that were late, and whether they still are.
 
 use serde::Serialize;
-use sweep_program::{
-    Colour, Load, Miss, MissCause, NO_CORNER, PreloadRegister, RampAxis, StepKind, SweepProgram, Target,
-    WordMask,
-};
+use sweep_program::{Load, Miss, MissCause, PreloadRegister, StepKind, SweepProgram, Target, WordMask};
 
 /// Words that missed the stop they were meant for.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -25,46 +22,6 @@ pub struct Late {
     pub cause: &'static str,
     /// Whether the hold register is still wrong for them at the sample.
     pub in_force: bool,
-}
-
-/// Digital state of the terrain generator at an instant.
-#[derive(Debug, Clone, PartialEq)]
-pub struct State {
-    /// Corner in each hold register, by [`Colour`]; none if the data bank did not deliver it.
-    pub held: [Option<u32>; 4],
-    /// Polarity flip-flops.
-    pub polarity: [f64; 2],
-}
-
-/// The state when sample `sample` is taken.
-pub fn state_at(program: &SweepProgram, sample: usize) -> State {
-    let mut sets = program.registers;
-    let mut polarity = program.start.ramps.map(|ramp| ramp.polarity);
-    for step in program.steps.iter().take_while(|step| step.sample <= sample) {
-        match step.kind {
-            StepKind::Fold(fold) | StepKind::BareFold(fold) => {
-                let axis = usize::from(fold.axis == RampAxis::Y);
-                polarity[axis] = -polarity[axis];
-                if matches!(step.kind, StepKind::BareFold(_)) {
-                    continue;
-                }
-                for colour in Colour::ALL.into_iter().filter(|&colour| fold.axis.takes(fold.stop, colour)) {
-                    let set = &mut sets[colour as usize];
-                    set.hold = if fold.axis == RampAxis::X { set.x_first } else { set.y_first };
-                }
-            }
-            StepKind::Load(Load { colour, target, corner, words }) if words.has(0) => {
-                let set = &mut sets[colour as usize];
-                match target {
-                    Target::Hold => set.hold = corner,
-                    Target::Preload(PreloadRegister::XFirst) => set.x_first = corner,
-                    Target::Preload(PreloadRegister::YFirst) => set.y_first = corner,
-                }
-            }
-            StepKind::Load(_) => {}
-        }
-    }
-    State { held: sets.map(|set| (set.hold != NO_CORNER).then_some(set.hold)), polarity }
 }
 
 /// The misses of a program up to `sample`.

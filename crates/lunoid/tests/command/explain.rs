@@ -1,0 +1,37 @@
+//! `lunoid explain`: from a pixel to its wires.
+
+use serde_json::Value;
+
+use crate::scene::Scene;
+
+#[test]
+fn a_pixel_leads_to_its_sweep_and_agrees_with_the_picture() {
+    let scene = Scene::new();
+    scene.write("scene.toml", include_str!("../tiny.toml"));
+    let pixel = ["explain", "scene.toml", "--frame", "1", "--pixel", "20,20"];
+    let (text, _) = scene.expect(0, &pixel);
+    assert!(text.starts_with("frame 1 (") && text.contains("\nread beam "), "{text}");
+    let (json, _) = scene.expect(0, &[&pixel[..], &["--json"]].concat());
+    let told: Value = serde_json::from_str(&json).unwrap();
+    assert_eq!((&told["schema"], &told["pixel"]), (&"lunoid.explain/1".into(), &Value::from(vec![20, 20])));
+    assert_eq!(told["place"]["sweep"], 20, "forty sweeps, forty columns");
+    let difference = told["intensity"].as_f64().unwrap() - told["left"].as_f64().unwrap();
+    assert!(difference.abs() < 0.05, "{told}");
+    let reason = told["because"][0].as_str().unwrap();
+    assert!(text.contains(reason), "{text}");
+}
+
+#[test]
+fn a_pixel_that_is_not_there() {
+    let scene = Scene::new();
+    scene.write("scene.toml", include_str!("../tiny.toml"));
+    let wrong = |code: i32, more: &[&str]| scene.expect(code, &[&["explain", "scene.toml"], more].concat()).1;
+    let outside = wrong(2, &["--frame", "1", "--pixel", "400,3"]);
+    assert!(outside.contains("--pixel") && outside.contains("columns 0..40"), "{outside}");
+    let late = wrong(2, &["--frame", "100000", "--pixel", "4,3"]);
+    assert!(late.contains("--frame 100000"), "{late}");
+    let words = wrong(2, &["--frame", "1", "--pixel", "4"]);
+    assert!(words.contains("column and line"), "{words}");
+    let exact = wrong(2, &["--frame", "1", "--pixel", "4,3", "--machine", "exact"]);
+    assert!(exact.contains("exact"), "{exact}");
+}
