@@ -1,6 +1,6 @@
 use crate::scene::{Scene, lunoid};
 
-const COMMANDS: [&[&str]; 25] = [
+const COMMANDS: [&[&str]; 28] = [
     &[],
     &["replay"],
     &["page"],
