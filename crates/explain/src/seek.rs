@@ -138,12 +138,24 @@ impl Inquiry<'_> {
         let mut planes = Planes::new(columns as usize, lines as usize, &[PlaneKind::Intensity]);
         self.session.frame(frame, pose, &mut planes, &mut probe)?;
         let shown = planes.get(PlaneKind::Intensity).map_or(0.0, |plane| plane[y * columns as usize + x]);
-        let column = SweepColumn::new(std::mem::take(&mut probe.waveforms));
-        let mut explanation = self.of_column(&sweeps, pose, place, &column);
-        explanation.frame = frame;
-        explanation.pixel = [x, y];
-        explanation.intensity = f64::from(shown);
-        explanation.exact = self.exact.map(|exact| exact_pixel(exact, frame, pose, [x, y])).transpose()?;
+        let column = SweepColumn::new(probe.waveforms);
+        let (programs, stroke) = (sweeps.programs(place.sweep), column.stroke_across(place.cell));
+        let ground = stroke.map(|sample| self.ground(&sweeps, pose, (place.sweep, sample), &column));
+        let missed = |sample| programs.iter().flat_map(|program| late(program, sample)).collect();
+        let mut explanation = Explanation {
+            frame,
+            time_s: pose.time,
+            pixel: [x, y],
+            intensity: f64::from(shown),
+            left: column.at("sm.write", place.cell),
+            writer: writer(&column, place.cell, ground.is_some()),
+            ground,
+            highest: column.highest().map(|(line, sample)| (line, column.at("sweep.range", sample))),
+            late: stroke.map_or_else(Vec::new, missed),
+            place,
+            exact: self.exact.map(|exact| exact_pixel(exact, frame, pose, [x, y])).transpose()?,
+            because: Vec::new(),
+        };
         explanation.because = because(&explanation);
         Ok(explanation)
     }
@@ -156,43 +168,27 @@ impl Inquiry<'_> {
         Place { between_sweeps, between_cells, sweep, cell, cells, drawn_with: sweeps.set_up_of(sweep) }
     }
 
-    fn of_column(
+    fn ground(
         &self,
         sweeps: &FrameSweeps<'_>,
         pose: &Pose,
-        place: Place,
+        (sweep, sample): (u32, usize),
         column: &SweepColumn,
-    ) -> Explanation {
-        let programs = sweeps.programs(place.sweep);
+    ) -> GroundPoint {
+        let states = sweeps.registers(sweep, SweepTime(sample as f64));
+        let fine = &sweeps.programs(sweep)[0];
+        let way = (fine.end_range, fine.start.direction);
         let period_us = 1e6 / self.stage.settings.timebase.sample_rate().hertz();
-        let stroke = column.stroke_across(place.cell);
-        let way = (programs[0].end_range, programs[0].start.direction);
-        let ground = stroke.map(|sample| {
-            let states = sweeps.registers(place.sweep, SweepTime(sample as f64));
-            GroundPoint::at(sample, column, &states, way, &self.stage.landscape, pose.eye, period_us)
-        });
-        let left = column.at("sm.write", place.cell);
-        let writer = match &ground {
-            _ if column.at("pg.present", place.cell) > 0.0 => Writer::Body,
-            Some(_) => Writer::Ground,
-            None if left > 0.0 => Writer::Silhouette,
-            None => Writer::Sky,
-        };
-        let missed = |sample| programs.iter().flat_map(|program| late(program, sample)).collect();
-        Explanation {
-            frame: 0,
-            time_s: pose.time,
-            pixel: [0, 0],
-            intensity: 0.0,
-            left,
-            writer,
-            highest: column.highest().map(|(line, sample)| (line, column.at("sweep.range", sample))),
-            late: stroke.map_or_else(Vec::new, missed),
-            place,
-            ground,
-            exact: None,
-            because: Vec::new(),
-        }
+        GroundPoint::at(sample, column, &states, way, &self.stage.landscape, pose.eye, period_us)
+    }
+}
+
+fn writer(column: &SweepColumn, cell: usize, is_ground: bool) -> Writer {
+    match is_ground {
+        _ if column.at("pg.present", cell) > 0.0 => Writer::Body,
+        true => Writer::Ground,
+        false if column.at("sm.write", cell) > 0.0 => Writer::Silhouette,
+        false => Writer::Sky,
     }
 }
 

@@ -29,7 +29,8 @@
 //! **Our choices.** The eye's height is subtracted in the summer, so that f32 signals keep their precision near
 //! the eye. Beyond the end of the profile the height drops out of sight ([`OUT_OF_SIGHT`]). Levels
 //! are blended before the light, so the light is that of the ground that is shown.
-//! **Not modelled yet.** Function generators as diode broken lines, bandwidths, D/A bits: ideal parts only.
+//! **Of real parts.** [`PartsArray`] is the same array wire by wire; a machine has one or the other. Whoever looks inside
+//! either gets [`Inside`].
 
 mod array;
 mod generator;
