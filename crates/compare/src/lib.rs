@@ -4,6 +4,7 @@
 //!   [`ssim`] of the whole picture.
 //! - [`compare_linear`]: RMSE, PSNR, bias and largest error of linear intensity; [`linear_intensity`] recovers it from a
 //!   picture.
+//! - [`flip`]: how different two pictures look to an eye.
 //! - [`edge_mask`]: the pixels along ridges, outlines, shadow boundaries and kinks, with their share.
 //! - [`ridge_mask`]: the pixels along silhouettes, where a shift by a fraction of a line is a large step.
 //! - [`ridge_error`]: by how many lines the horizon lies elsewhere.
@@ -22,12 +23,14 @@
 
 mod difference;
 mod edges;
+mod flip;
 mod linear;
 mod metrics;
 mod ridges;
 mod ssim;
 
 pub use difference::{difference_picture, triptych};
+pub use flip::{Flip, PIXELS_PER_DEGREE, flip, flip_map};
 pub use edges::{EDGE_PLANES, EdgeLimits, EdgeMask, edge_mask};
 pub use linear::{LinearComparison, compare_linear, linear_intensity};
 pub use metrics::{Beyond, CompareError, Comparison, WorstPixel, compare};

@@ -22,6 +22,33 @@ const FINEST_SHARE: f64 = 1.0 / 8192.0;
 /// Share of a line on either side of an edge of a body that is left to the other side.
 const EDGE: f64 = 1e-7;
 
+/// How far the quadrature of a line goes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fineness {
+    /// Step of reflectivity at which it stops.
+    pub tolerance: f64,
+    /// Share of a line down to which a part that may hide a ridge is looked into.
+    pub ridge_share: f64,
+    /// The smallest part.
+    finest_share: f64,
+}
+
+impl Fineness {
+    /// That of every picture but those that hold it to account.
+    pub const USUAL: Self =
+        Self { tolerance: LINE_MEAN_TOLERANCE, ridge_share: RIDGE_SHARE, finest_share: FINEST_SHARE };
+
+    /// Every limit halved so many times.
+    pub fn halved(self, times: u32) -> Self {
+        let share = libm::ldexp(1.0, -(times as i32));
+        Self {
+            tolerance: self.tolerance * share,
+            ridge_share: self.ridge_share * share,
+            finest_share: self.finest_share * share,
+        }
+    }
+}
+
 /// What one pixel holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pixel {
@@ -40,6 +67,8 @@ pub struct Frame<'a> {
     pub half_height: f64,
     /// Lines of the picture.
     pub lines: usize,
+    /// How far the quadrature of a line goes.
+    pub fineness: Fineness,
 }
 
 /// A column to be drawn.
@@ -134,7 +163,8 @@ impl<'a> Column<'a> {
     /// Adaptive Simpson's rule over a part of a line that covers `share` of it.
     fn integral(&mut self, low: &Sample, high: &Sample, share: f64) -> f64 {
         let middle = self.sample(0.5 * (low.y + high.y), low.clear);
-        if share <= FINEST_SHARE || settled(low, &middle, high, share) {
+        let fineness = self.frame.fineness;
+        if share <= fineness.finest_share || settled([low, &middle, high], share, &fineness) {
             let intensities = low.seen.intensity + 4.0 * middle.seen.intensity + high.seen.intensity;
             return share * intensities / 6.0;
         }
@@ -154,11 +184,11 @@ fn line_height(frame: &Frame) -> f64 {
 }
 
 /// Whether shade is as good as known between three samples, and ranges do not betray a ridge.
-fn settled(low: &Sample, middle: &Sample, high: &Sample, share: f64) -> bool {
+fn settled([low, middle, high]: [&Sample; 3], share: f64, fineness: &Fineness) -> bool {
     let bend = |value: fn(&Sample) -> f64| (value(low) - 2.0 * value(middle) + value(high)).abs();
     // Over level ground the inverse range is linear in y.
     let nearness = |sample: &Sample| 1.0 / sample.seen.range;
     let ridge = bend(nearness) > 0.5 * (nearness(low) - nearness(high)).abs();
-    bend(|sample| sample.seen.intensity) * share / 6.0 <= LINE_MEAN_TOLERANCE
-        && !(ridge && share > RIDGE_SHARE)
+    bend(|sample| sample.seen.intensity) * share / 6.0 <= fineness.tolerance
+        && !(ridge && share > fineness.ridge_share)
 }

@@ -74,6 +74,23 @@ impl<'a> Ground<'a> {
         Track::new(&self.landscape.bank().levels()[index], self.ceilings.level(index), line)
     }
 
+    /// The region of level `index` in which `line` is at `range` (m); `None` outside the level.
+    pub fn sheet(&self, index: usize, line: &Line, range: f64) -> Option<Sheet<'a>> {
+        let track = self.track(index, line);
+        let [x, y] = line.place(range);
+        let (region, _) = track.level.locate(x, y)?;
+        Some(Sheet::new(track, region))
+    }
+
+    /// The terrain of `zone` at `range` (m) of `line`; `None` outside its levels.
+    pub fn relief(&self, zone: &Zone, line: &Line, range: f64) -> Option<Relief<'a>> {
+        let fine = self.sheet(zone.level, line, range)?;
+        Some(match zone.into {
+            None => Relief::One(fine),
+            Some((level, blend)) => Relief::Two(fine, self.sheet(level, line, range)?, blend),
+        })
+    }
+
     /// Whether `line` has risen above all ground by the range `from` (m).
     pub fn is_below(&self, line: &Line, from: f64) -> bool {
         line.rise >= 0.0 && line.height + (line.bend * from + line.rise) * from > self.ceilings.highest()

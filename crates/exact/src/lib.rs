@@ -126,9 +126,9 @@ mod view;
 mod walk;
 
 pub use ceilings::Ceilings;
-pub use column::{LINE_MEAN_TOLERANCE, RIDGE_SHARE};
+pub use column::{Fineness, LINE_MEAN_TOLERANCE, RIDGE_SHARE};
 pub use outlook::{Outlook, Ray, Sight, Spot};
-pub use session::{Columns, Exact};
+pub use session::{Columns, Exact, ExactWithin, ProfilePoint};
 pub use shadow::LIFT;
 pub use standing::FOOT_TOLERANCE;
 pub use view::View;

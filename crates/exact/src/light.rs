@@ -57,7 +57,7 @@ impl<'a> Light<'a> {
 
     /// Albedo times `n.s` times the photometric factor, below 0 in local shadow, for ground that the eye sees at a
     /// tangent of elevation `sight`.
-    fn reflectivity(&self, [hx, hy]: [f64; 2], direction: [f64; 2], sight: f64) -> f64 {
+    pub fn reflectivity(&self, [hx, hy]: [f64; 2], direction: [f64; 2], sight: f64) -> f64 {
         let ([north, east, up], photometry) = (self.sun, self.landscape.photometry());
         let length = (1.0 + hx * hx + hy * hy).sqrt();
         let lambert = (up - hx * north - hy * east) / length;

@@ -6,7 +6,7 @@ use scenario::{Curvature, LevelSwitch};
 use crate::ceilings::Ceilings;
 use crate::ground::{Ground, Met, Scratch, Zone};
 use crate::line::Line;
-use crate::relief::Blend;
+use crate::relief::{Blend, Relief};
 
 /// A line of sight: where it goes over the ground, and how it rises.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -116,6 +116,21 @@ impl<'a> Outlook<'a> {
     /// Height of terrain and craters (m).
     pub fn height(&self, spot: &Spot) -> f64 {
         spot.height + self.ground.craters_at(spot.place).height
+    }
+
+    /// The ground at `range` (m) in `direction` (unit vector: north, east), whether or not it is seen; `None` outside
+    /// the problem area.
+    pub fn spot_at(&self, direction: [f64; 2], range: f64) -> Option<Spot> {
+        let line = self.line(&Ray { direction, rise: 0.0 });
+        let relief = match self.switch {
+            None => Relief::One(self.ground.sheet(0, &line, range)?),
+            Some(switch) => {
+                let zones = self.zones(&line, switch, [range, range]);
+                let zone = zones.iter().find(|zone| zone.ends[0] <= zone.ends[1])?;
+                self.ground.relief(zone, &line, range)?
+            }
+        };
+        Some(self.spot(&line, &Met { range, relief }))
     }
 
     fn line(&self, ray: &Ray) -> Line {

@@ -10,7 +10,8 @@ use rayon::prelude::*;
 use scenario::Pose;
 use signal::{Probe, Signal, Wire};
 
-use crate::column::{Column, Frame, Pixel};
+use crate::column::{Column, Fineness, Frame, Pixel};
+use crate::light::Light;
 use crate::scene::Scene;
 use crate::{Ceilings, Outlook};
 
@@ -31,14 +32,32 @@ impl Generator for Exact {
     }
 
     fn prepare(&self, stage: Stage) -> Result<Box<dyn GeneratorSession>, PrepareError> {
-        let ceilings = Ceilings::new(&stage.landscape);
-        Ok(Box::new(Session { stage, ceilings }))
+        Ok(Box::new(Session::new(stage, Fineness::USUAL)))
+    }
+}
+
+/// The same with another quadrature of the lines: what `exact` itself is held to account by.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ExactWithin(pub Fineness);
+
+impl Generator for ExactWithin {
+    fn name(&self) -> &'static str {
+        Exact.name()
+    }
+
+    fn signals(&self) -> &'static [Signal] {
+        Exact.signals()
+    }
+
+    fn prepare(&self, stage: Stage) -> Result<Box<dyn GeneratorSession>, PrepareError> {
+        Ok(Box::new(Session::new(stage, self.0)))
     }
 }
 
 struct Session {
     stage: Stage,
     ceilings: Ceilings,
+    fineness: Fineness,
 }
 
 impl GeneratorSession for Session {
@@ -80,8 +99,7 @@ pub struct Columns(Session);
 impl Columns {
     /// Columns of the pictures of `stage`.
     pub fn new(stage: Stage) -> Self {
-        let ceilings = Ceilings::new(&stage.landscape);
-        Self(Session { stage, ceilings })
+        Self(Session::new(stage, Fineness::USUAL))
     }
 
     /// Column `column` of frame `frame` as the raster of the stage has it: planes `kinds`, one pixel wide.
@@ -106,21 +124,64 @@ impl Columns {
     }
 }
 
+/// The ground below a sweep, whether or not it is seen.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ProfilePoint {
+    /// Height of terrain and craters (m above the tangent plane).
+    pub height: f64,
+    /// Slopes of the terrain alone to the north and to the east.
+    pub slopes: [f64; 2],
+    /// Reflectivity of the terrain alone, 0..=1.
+    pub reflectivity: f64,
+    /// Tangent of the elevation under which the eye would see it, curvature included.
+    pub elevation: f64,
+}
+
+impl Columns {
+    /// The ground at each of `ranges` (m, above 0) from the eye of `pose` in `direction` (unit vector: north, east);
+    /// `None` outside the problem area. What the signals of a sweep stand for.
+    pub fn profile(&self, pose: &Pose, direction: [f64; 2], ranges: &[f64]) -> Vec<Option<ProfilePoint>> {
+        let Stage { landscape, scenery, settings } = &self.0.stage;
+        let outlook = self.0.outlook(pose);
+        let light = Light::new(landscape, &scenery.sun(pose.time), settings.laws, pose.eye[2]);
+        let point = |range: &f64| {
+            let spot = outlook.spot_at(direction, *range)?;
+            let height = outlook.height(&spot);
+            let sight = |height: f64| (height - pose.eye[2]) / spot.range;
+            Some(ProfilePoint {
+                height,
+                slopes: spot.slopes,
+                reflectivity: light.reflectivity(spot.slopes, direction, sight(spot.height)).clamp(0.0, 1.0),
+                elevation: sight(height - outlook.drop(spot.range)),
+            })
+        };
+        ranges.iter().map(point).collect()
+    }
+}
+
 impl Session {
+    fn new(stage: Stage, fineness: Fineness) -> Self {
+        let ceilings = Ceilings::new(&stage.landscape);
+        Self { stage, ceilings, fineness }
+    }
+
+    fn outlook(&self, pose: &Pose) -> Outlook<'_> {
+        let Stage { landscape, settings, .. } = &self.stage;
+        let first = settings.range.at_sample(0, settings.raster.samples as usize);
+        let ranges = [first, settings.range.end];
+        Outlook::new(landscape, &self.ceilings, pose.eye, settings.laws.curvature, ranges, settings.levels)
+    }
+
     fn scene(&self, pose: &Pose) -> Scene<'_> {
         let Stage { landscape, scenery, settings } = &self.stage;
-        let first = settings.range.at_sample(0, settings.raster.samples as usize);
-        let (ranges, laws) = ([first, settings.range.end], settings.laws);
-        let outlook =
-            Outlook::new(landscape, &self.ceilings, pose.eye, laws.curvature, ranges, settings.levels);
         let reach = settings.shadows.map(|fineness| fineness.reach.unwrap_or(f64::INFINITY));
-        Scene::new(landscape, scenery, outlook, laws, reach, pose)
+        Scene::new(landscape, scenery, self.outlook(pose), settings.laws, reach, pose)
     }
 
     /// Pixels of a column of a picture of `columns` x `lines`, top line first, and the rays that they took.
     fn column(&self, scene: &Scene, column: usize, [columns, lines]: [usize; 2]) -> (Vec<Pixel>, u64) {
         let (field, rule) = (self.stage.settings.raster.field, self.stage.settings.laws.pixel_rule);
-        let frame = Frame { scene, half_height: field.tan_half_height, lines };
+        let frame = Frame { scene, half_height: field.tan_half_height, lines, fineness: self.fineness };
         let x = field.tan_half_width * (2.0 * column as f64 + 1.0 - columns as f64) / columns as f64;
         Column::new(frame, x).draw(rule)
     }

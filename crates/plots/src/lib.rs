@@ -6,6 +6,7 @@
 //! - [`trace_picture`]: waveforms and digital lines against a common axis, as on an oscilloscope.
 //! - [`timeline_picture`]: digital events of one sweep, register by register, below its ramps.
 //! - [`bar_picture`]: histograms of one kind below one another.
+//! - [`ladder_picture`]: error against time or step, on logarithmic axes.
 //! - [`columns_picture`]: grey pictures below one another, and what each column of them is.
 //!
 //! Each returns a [`Drawing`]. A drawing remembers its strokes, and each of the two files is the
@@ -30,6 +31,7 @@ mod drawing;
 mod error;
 mod frame;
 mod ground;
+mod ladder_picture;
 mod lettering;
 mod mark;
 mod pixels;
@@ -46,10 +48,11 @@ pub use bar_picture::{Bars, bar_picture};
 pub use columns_picture::{Columns, columns_picture};
 pub use drawing::Drawing;
 pub use error::PlotError;
+pub use ladder_picture::{PointSeries, SlopeGuide, ladder_picture};
 pub use residuals::Residuals;
 pub use scope::{
     Along, Clock, Crossing, Curve, Curves, Logic, LogicLane, PictureColumn, Place, RegisterColour, Scope,
-    ScopeLook, Theme, Upright, Volts, scope_picture,
+    ScopeLook, Theme, Upright, Volts, scope_picture, scope_svg,
 };
 pub use survey_picture::{SurveyLook, survey_picture};
 pub use timeline_picture::{EventLane, Span, Stops, Stretch, Timeline, timeline_picture};

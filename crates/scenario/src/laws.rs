@@ -133,6 +133,22 @@ pub struct LawWishes {
     pub texture_in_shadow: Option<TextureInShadow>,
 }
 
+impl From<Laws> for LawWishes {
+    /// Wishes for exactly these laws.
+    fn from(laws: Laws) -> Self {
+        Self {
+            projection: Some(laws.projection),
+            curvature: Some(laws.curvature),
+            occlusion: Some(laws.occlusion),
+            pixel_rule: Some(laws.pixel_rule),
+            feature_light: Some(laws.feature_light),
+            body_visibility: Some(laws.body_visibility),
+            shadowed_bodies: Some(laws.shadowed_bodies),
+            texture_in_shadow: Some(laws.texture_in_shadow),
+        }
+    }
+}
+
 impl LawWishes {
     /// These wishes, and `model` where nothing is wished.
     pub fn or(self, model: Laws) -> Laws {

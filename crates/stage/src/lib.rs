@@ -9,7 +9,7 @@
 //! ```
 //!
 //! - [`settings`]: what a scenario on a model comes to.
-//! - [`build`]: the stage of a scenario; [`over`] puts another bank under it.
+//! - [`build`]: the stage of a scenario; [`over`] puts another bank under it, [`under`] gives it other settings.
 //! - [`bank`]: the terrain alone, read or made; [`landscape`](fn@landscape): with craters, texture and what the scenario says of its
 //!   light.
 
@@ -61,13 +61,32 @@ pub fn build(scenario: &Scenario, settings: Settings) -> Result<Stage, StageErro
 /// # Errors
 /// If something does not fit on the ground.
 pub fn over(bank: Bank, scenario: &Scenario, settings: Settings) -> Result<Stage, StageError> {
-    let landscape = landscape(bank, scenario)?;
-    let mut scenery = Scenery::of(scenario, &landscape)?;
+    let landscape = Arc::new(landscape(bank, scenario)?);
+    let scenery = Scenery::of(scenario, &landscape)?;
+    joined(landscape, scenery, scenario, settings)
+}
+
+/// `stage` under other settings: ground and scenery are shared with it.
+///
+/// # Errors
+/// If the path does not suit the settings.
+pub fn under(stage: &Stage, scenario: &Scenario, settings: Settings) -> Result<Stage, StageError> {
+    joined(stage.landscape.clone(), (*stage.scenery).clone(), scenario, settings)
+}
+
+fn joined(
+    landscape: Arc<Landscape>,
+    scenery: Scenery,
+    scenario: &Scenario,
+    settings: Settings,
+) -> Result<Stage, StageError> {
     // What data banks hold and what tubes still show depends on the frames before.
-    if settings.data_banks.drum.is_some() || settings.analog.memory.erase_residual > 0.0 {
-        scenery = scenery.with_course(course(scenario, &landscape, &settings)?);
-    }
-    Ok(Stage { landscape: Arc::new(landscape), scenery: Arc::new(scenery), settings })
+    let is_lasting = settings.data_banks.drum.is_some() || settings.analog.memory.erase_residual > 0.0;
+    let scenery = match is_lasting {
+        true => scenery.with_course(course(scenario, &landscape, &settings)?),
+        false => scenery,
+    };
+    Ok(Stage { landscape, scenery: Arc::new(scenery), settings })
 }
 
 /// The pose of every frame.

@@ -1,0 +1,253 @@
+//! `lunoid study error`: ladders of settings against `exact`.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use exact::Columns;
+use hardware_model::{BUILT_IN, HardwareModel, ModelSource};
+use serde_json::{Value, json};
+use study::ladder::{Extent, Ladder, LadderOutcome, OrderOutcome, ladders};
+use study::{Advice, Effort, ExactPictures, Rehearsed, SelfError, StudyError, Subject, advise, climb, csv, table};
+
+use super::plots::write_plots;
+use crate::cli::COMMIT;
+use crate::loading::{EXACT, StageArgs, Threads};
+use crate::output::{print, print_json, table as columns, tell};
+use crate::{Failure, Verdict};
+
+/// Frames of a point: more would repeat what the first ones say.
+const MOST_FRAMES: usize = 3;
+/// Repetitions that are timed.
+const REPETITIONS: u32 = 5;
+const QUICK_REPETITIONS: u32 = 3;
+/// How near a measured order must come to theory.
+const WITHIN: f64 = 0.2;
+
+const AFTER: &str = "Examples:
+  lunoid study error scenarios/first-light.toml --quick
+  lunoid study error scenarios/showpiece.toml --frame 0 --out studies/showpiece
+  lunoid study error scenarios/first-light.toml --only samples --only scalar --json
+
+--out gets error.json, error.csv, error.md, a plot of error against time of all ladders and of every ladder by itself,
+and exact/, where the pictures of exact are kept: the next study of the same ground takes them from there.
+docs/error-and-time.md says how to read them.";
+
+/// Error against run time: ladders of one factor about the settings of the scenario, and of some pairs.
+#[derive(Debug, Args)]
+#[command(after_help = AFTER)]
+pub struct ErrorStudy {
+    #[command(flatten)]
+    stage: StageArgs,
+    #[command(flatten)]
+    threads: Threads,
+    /// Frame to look at; up to three times. The middle of the mission if left out.
+    #[arg(long, value_name = "F")]
+    frame: Vec<u64>,
+    /// Repetitions of each frame that are timed.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    repetitions: Option<u32>,
+    /// This ladder alone; may be given several times.
+    #[arg(long, value_name = "LADDER")]
+    only: Vec<String>,
+    /// A few rungs of each ladder.
+    #[arg(long)]
+    quick: bool,
+    /// Folder for tables, plots and the pictures of `exact`.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// No progress.
+    #[arg(long)]
+    no_progress: bool,
+    /// Print as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+/// What came of it.
+struct Outcome {
+    title: String,
+    frames: Vec<u64>,
+    threads: usize,
+    exact: SelfError,
+    ladders: Vec<LadderOutcome>,
+    advice: Vec<Advice>,
+}
+
+impl ErrorStudy {
+    /// Studies.
+    pub fn run(&self) -> Result<Verdict, Failure> {
+        if self.stage.machine.as_deref() == Some(EXACT) {
+            return Err(Failure::usage(format!(
+                "--machine {EXACT}: a study holds a machine against it; expected a hardware model"
+            )));
+        }
+        let mut loaded = self.stage.load()?;
+        let frames = self.frames(loaded.frames())?;
+        let pool = self.threads.pool()?;
+        let stage = loaded.stage(&pool)?;
+        let subject =
+            Subject::new(loaded.scenario, loaded.model, stage, &frames).map_err(Failure::input)?;
+        let outcome = pool.install(|| self.study(&subject))?;
+        if let Some(folder) = &self.out {
+            outcome.write(folder)?;
+        }
+        if self.json { print_json(&outcome.json())? } else { print(&outcome.text())? }
+        Ok(Verdict::Yes)
+    }
+
+    fn frames(&self, all: u64) -> Result<Vec<u64>, Failure> {
+        let mut frames = if self.frame.is_empty() { vec![all / 2] } else { self.frame.clone() };
+        frames.sort_unstable();
+        frames.dedup();
+        if frames.len() > MOST_FRAMES {
+            let found = frames.len();
+            return Err(Failure::usage(format!("--frame: {found} frames; expected at most {MOST_FRAMES}")));
+        }
+        match frames.iter().find(|frame| **frame >= all) {
+            Some(frame) => Err(Failure::usage(format!(
+                "--frame {frame}: the scenario has frames 0..{all}; expected one of them"
+            ))),
+            None => Ok(frames),
+        }
+    }
+
+    fn study(&self, subject: &Subject) -> Result<Outcome, Failure> {
+        let extent = if self.quick { Extent::Quick } else { Extent::Whole };
+        let chosen = self.chosen(ladders(subject, &self.models()?, extent))?;
+        let usual = if self.quick { QUICK_REPETITIONS } else { REPETITIONS };
+        let effort = Effort { repetitions: self.repetitions.unwrap_or(usual) };
+        let folder = self.out.as_ref().map(|out| out.join("exact"));
+        let pictures = ExactPictures::new(COMMIT, &subject.scenario, &subject.stage, folder);
+        let mut exact = pictures.map_err(StudyError::from).map_err(failure)?;
+        let columns = Columns::new(subject.stage.clone());
+        self.say("exact, and exact with its limits halved\n");
+        let own = exact.self_error(&subject.stage, &subject.frames).map_err(failure)?;
+        let mut study = Rehearsed { subject, exact: &mut exact, columns: &columns };
+        let mut outcomes = Vec::with_capacity(chosen.len());
+        for ladder in &chosen {
+            self.say(&format!("{}: {} rungs\n", ladder.name, ladder.rungs.len()));
+            let mut hear = |label: &str| self.say(&format!("  {label}\n"));
+            outcomes.push(climb(&mut study, ladder, effort, &mut hear).map_err(failure)?);
+        }
+        Ok(Outcome {
+            title: subject.scenario.title.clone(),
+            frames: subject.frames.iter().map(|(frame, _)| *frame).collect(),
+            threads: rayon::current_num_threads(),
+            exact: own,
+            advice: advise(&outcomes),
+            ladders: outcomes,
+        })
+    }
+
+    /// The shipped models, whose parts are a ladder.
+    fn models(&self) -> Result<Vec<HardwareModel>, Failure> {
+        let folder = self.stage.scenario.parent().unwrap_or(Path::new(""));
+        let load = |name: &str| Ok(HardwareModel::load(&ModelSource::find(name, folder)?, &[], &[])?.model);
+        BUILT_IN.iter().map(|(name, _)| load(name)).collect()
+    }
+
+    fn chosen(&self, mut all: Vec<Ladder>) -> Result<Vec<Ladder>, Failure> {
+        let known: Vec<&str> = all.iter().map(|ladder| ladder.name).collect();
+        if let Some(unknown) = self.only.iter().find(|name| !known.contains(&name.as_str())) {
+            return Err(Failure::usage(format!(
+                "--only {unknown}: no such ladder for this scenario; known: {}",
+                known.join(", ")
+            )));
+        }
+        all.retain(|ladder| self.only.is_empty() || self.only.iter().any(|name| name == ladder.name));
+        Ok(all)
+    }
+
+    fn say(&self, text: &str) {
+        if !self.no_progress {
+            tell(text);
+        }
+    }
+}
+
+/// Pictures that cannot be kept are a failure of an output; everything else comes of what was read.
+fn failure(error: StudyError) -> Failure {
+    match error {
+        StudyError::Reference(error) => Failure::output(error),
+        other => Failure::input(other),
+    }
+}
+
+impl Outcome {
+    fn json(&self) -> Value {
+        json!({
+            "schema": "lunoid.study-error/1",
+            "commit": COMMIT,
+            "title": self.title,
+            "frames": self.frames,
+            "threads": self.threads,
+            "exact": self.exact,
+            "ladders": self.ladders,
+            "advice": self.advice,
+        })
+    }
+
+    fn facts(&self) -> String {
+        let frames: Vec<String> = self.frames.iter().map(u64::to_string).collect();
+        format!(
+            "{}, frame {}, {} threads, commit {COMMIT}",
+            self.title,
+            frames.join(", "),
+            self.threads
+        )
+    }
+
+    fn text(&self) -> String {
+        let mut text = format!("{}\n{}\n", self.facts(), self.exact.sentence());
+        for ladder in &self.ladders {
+            text += &format!("\n{}: {}\n{}", ladder.name, ladder.what, columns(&table(ladder)));
+            ladder.orders.iter().for_each(|order| text += &format!("  {}\n", order_words(order)));
+        }
+        text += "\n";
+        self.advice.iter().for_each(|advice| text += &format!("{}\n", advice.sentence()));
+        text
+    }
+
+    /// The same as a page of Markdown.
+    fn page(&self) -> String {
+        let mut text = format!("{}. {}\n", self.facts(), self.exact.sentence());
+        for ladder in &self.ladders {
+            text += &format!("\n### {}\n\n![{} against time]({}.svg)\n\n", ladder.what, ladder.name, ladder.name);
+            for (row, cells) in table(ladder).iter().enumerate() {
+                text += &format!("| {} |\n", cells.join(" | "));
+                if row == 0 {
+                    text += &format!("|{}\n", "---|".repeat(cells.len()));
+                }
+            }
+            ladder.orders.iter().for_each(|order| text += &format!("\n{}\n", order_words(order)));
+        }
+        text += "\n";
+        self.advice.iter().for_each(|advice| text += &format!("- {}\n", advice.sentence()));
+        text
+    }
+
+    fn write(&self, folder: &Path) -> Result<(), Failure> {
+        let put = |name: &str, text: &str| {
+            files::write_atomic(folder.join(name), |out: &mut dyn std::io::Write| out.write_all(text.as_bytes()))
+        };
+        put("error.json", &format!("{:#}\n", self.json()))?;
+        put("error.csv", &csv(&self.ladders))?;
+        put("error.md", &self.page())?;
+        write_plots(folder, &self.facts(), &self.ladders)
+    }
+}
+
+fn order_words(order: &OrderOutcome) -> String {
+    let expected = &order.expected;
+    let theory = format!("theory says {} ({})", expected.order, expected.why);
+    match order.measured {
+        Some(found) => format!(
+            "{}: order {:.2} over {} rungs, {theory}: {}",
+            expected.error,
+            found.slope,
+            found.rungs,
+            if order.agrees(WITHIN) { "agrees" } else { "differs" }
+        ),
+        None => format!("{}: no straight part; {theory}", expected.error),
+    }
+}

@@ -1,0 +1,65 @@
+//! One setting over the base.
+
+use hardware_model::{HardwareModel, ShadowParts, SweepMemoryKind};
+use scenario::{Projection, RangeLaw, Scalar, Scenario};
+
+/// A scenario on a model, to be changed.
+#[derive(Debug, Clone)]
+pub struct Variant {
+    /// The scenario.
+    pub scenario: Scenario,
+    /// The hardware model.
+    pub model: HardwareModel,
+}
+
+/// What a rung does to the base setting.
+#[derive(Debug, Clone)]
+pub enum Change {
+    /// So many samples a sweep.
+    Samples(u32),
+    /// So many sweeps a frame; a digital memory then has as many columns.
+    Sweeps(u32),
+    /// Scalar type of the analog signals.
+    Scalar(Scalar),
+    /// Analog parts, storage tubes and yoke of another model; the digital side stays.
+    Parts(Box<HardwareModel>),
+    /// Another law of the ground-range programme, between the same ends.
+    Programme(RangeLaw),
+    /// Another projection law.
+    Projection(Projection),
+    /// The fine level alone, to its edge.
+    FineLevelAlone,
+    /// Another shadow controller.
+    Shadow(ShadowParts),
+}
+
+impl Change {
+    /// Changes `variant`.
+    pub fn apply(&self, variant: &mut Variant) {
+        let Variant { scenario, model } = variant;
+        match self {
+            Self::Samples(samples) => scenario.raster.samples = Some(*samples),
+            Self::Sweeps(sweeps) => {
+                scenario.raster.sweeps = Some(*sweeps);
+                if model.sweep_memory == SweepMemoryKind::DigitalMemory {
+                    scenario.raster.columns = Some(*sweeps);
+                }
+            }
+            Self::Scalar(scalar) => scenario.scalar = *scalar,
+            Self::Parts(other) => {
+                model.analog = other.analog.clone();
+                model.sweep_memory = other.sweep_memory;
+                model.mixing_unit = other.mixing_unit;
+                model.yoke = other.yoke;
+            }
+            Self::Programme(law) => {
+                if let Some(range) = &mut scenario.range {
+                    range.law = *law;
+                }
+            }
+            Self::Projection(projection) => scenario.laws.projection = Some(*projection),
+            Self::FineLevelAlone => scenario.levels = None,
+            Self::Shadow(parts) => model.shadow_controller = *parts,
+        }
+    }
+}

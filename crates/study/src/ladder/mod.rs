@@ -1,0 +1,131 @@
+//! Ladders: what is varied, rung by rung, and what came of it.
+
+mod plan;
+
+use serde::Serialize;
+
+use crate::change::Change;
+use crate::figures::Figures;
+use crate::order::{Order, fit};
+
+pub use plan::{Extent, ladders};
+
+/// One factor, or two, over a base setting.
+#[derive(Debug, Clone)]
+pub struct Ladder {
+    /// Name on the command line and in the tables.
+    pub name: &'static str,
+    /// What is varied.
+    pub what: &'static str,
+    /// What theory says.
+    pub expected: Vec<Expectation>,
+    /// Settings, coarse to fine where they have an order.
+    pub rungs: Vec<Rung>,
+}
+
+/// A setting.
+#[derive(Debug, Clone)]
+pub struct Rung {
+    /// Its name in the ladder.
+    pub label: String,
+    /// What convergence is measured along, such as `1 / samples`; `None` where the rungs have no order.
+    pub step: Option<f64>,
+    /// What it does to the base.
+    pub changes: Vec<Change>,
+}
+
+/// What theory says of an error along a ladder.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Expectation {
+    /// Name of the error.
+    pub error: &'static str,
+    /// Order in the step.
+    pub order: f64,
+    /// Why.
+    pub why: &'static str,
+}
+
+/// What came of a rung.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RungOutcome {
+    /// Its name.
+    pub label: String,
+    /// What convergence is measured along.
+    pub step: Option<f64>,
+    /// Median, smallest and largest time (s), in the ladder's unit of work.
+    pub time_s: Option<[f64; 3]>,
+    /// Samples, or evaluations, in a unit of work: a count that no busy machine changes.
+    pub work: u64,
+    /// Errors.
+    pub errors: Figures,
+    /// Why there are none.
+    pub refused: Option<String>,
+}
+
+impl RungOutcome {
+    /// The value of an error.
+    pub fn error(&self, name: &str) -> Option<f64> {
+        self.errors.iter().find(|error| error.name == name).map(|error| error.value)
+    }
+}
+
+/// The order of an error along a ladder, beside what theory says.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct OrderOutcome {
+    /// What theory says.
+    #[serde(flatten)]
+    pub expected: Expectation,
+    /// What was measured; `None` without a straight part.
+    pub measured: Option<Order>,
+}
+
+impl OrderOutcome {
+    /// Whether theory and measurement agree within `within`.
+    pub fn agrees(&self, within: f64) -> bool {
+        self.measured.is_some_and(|order| (order.slope - self.expected.order).abs() <= within)
+    }
+}
+
+/// What came of a ladder.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct LadderOutcome {
+    /// Its name.
+    pub name: &'static str,
+    /// What was varied.
+    pub what: &'static str,
+    /// What a time is of: `frame`, `sample`.
+    pub unit_of_work: &'static str,
+    /// Rung by rung.
+    pub rungs: Vec<RungOutcome>,
+    /// Convergence.
+    pub orders: Vec<OrderOutcome>,
+}
+
+impl LadderOutcome {
+    /// The outcome of `rungs`, with the orders that theory speaks of.
+    pub fn new(
+        (name, what): (&'static str, &'static str),
+        unit_of_work: &'static str,
+        expected: &[Expectation],
+        rungs: Vec<RungOutcome>,
+    ) -> Self {
+        let order = |expected: &Expectation| {
+            let point = |rung: &RungOutcome| Some([rung.step?, rung.error(expected.error)?]);
+            let points: Vec<[f64; 2]> = rungs.iter().filter_map(point).collect();
+            OrderOutcome { expected: *expected, measured: fit(&points) }
+        };
+        let orders = expected.iter().map(order).collect();
+        Self { name, what, unit_of_work, rungs, orders }
+    }
+
+    /// Errors that any rung has, in the order of the first that has them.
+    pub fn error_names(&self) -> Vec<(&'static str, &'static str)> {
+        let mut names = Vec::new();
+        for error in self.rungs.iter().flat_map(|rung| &rung.errors) {
+            if !names.contains(&(error.name, error.unit)) {
+                names.push((error.name, error.unit));
+            }
+        }
+        names
+    }
+}

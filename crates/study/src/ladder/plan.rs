@@ -1,0 +1,201 @@
+//! The ladders of a machine.
+
+use hardware_model::{HardwareModel, ShadowParts};
+use scenario::{Projection, RangeLaw, RangeProgramme, Scalar};
+
+use crate::Subject;
+use crate::change::Change;
+use crate::ladder::{Expectation, Ladder, Rung};
+
+/// How far ladders reach.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Extent {
+    /// A few rungs about the base: an answer within a minute.
+    Quick,
+    /// All rungs.
+    Whole,
+}
+
+/// Samples a sweep, all rungs.
+const SAMPLES: [u32; 8] = [125, 250, 500, 1000, 2000, 4000, 8000, 16_000];
+/// Share of the range at which the modified terrain generator switches, and share of the samples before: those of
+/// `pra-nominal`.
+const TWO_RATE: [f64; 2] = [0.01, 0.2];
+/// A storage tube that displaces the shadow map by this share of its side (hardware section 3: 0.3 to 2 %).
+const OFFSET: [f64; 2] = [0.003, 0.003];
+
+/// The ladders that have a meaning for `subject`; `models` are those whose parts are compared.
+pub fn ladders(subject: &Subject, models: &[HardwareModel], extent: Extent) -> Vec<Ladder> {
+    let mut all = vec![
+        samples(extent),
+        sweeps(subject, extent),
+        scalar(),
+        parts(models),
+        programme(subject),
+        projection(),
+    ];
+    all.extend(subject.scenario.levels.is_some().then(levels));
+    all.extend(subject.scenario.shadows.is_some().then(shadow));
+    all.extend([
+        samples_and_scalar(extent),
+        samples_and_programme(subject, extent),
+        samples_and_parts(models, extent),
+    ]);
+    all
+}
+
+fn rung(label: impl Into<String>, step: Option<f64>, changes: Vec<Change>) -> Rung {
+    Rung { label: label.into(), step, changes }
+}
+
+fn sample_counts(extent: Extent) -> &'static [u32] {
+    match extent {
+        Extent::Quick => &SAMPLES[..5],
+        Extent::Whole => &SAMPLES,
+    }
+}
+
+fn samples(extent: Extent) -> Ladder {
+    let at = |&samples: &u32| {
+        rung(samples.to_string(), Some(1.0 / f64::from(samples)), vec![Change::Samples(samples)])
+    };
+    let expected = vec![
+        Expectation {
+            error: "height between samples rms",
+            order: 2.0,
+            why: "a straight line between samples of a smooth profile",
+        },
+        Expectation { error: "ridge rms", order: 2.0, why: "a crest that lies between samples is round" },
+    ];
+    Ladder {
+        name: "samples",
+        what: "samples a sweep",
+        expected,
+        rungs: sample_counts(extent).iter().map(at).collect(),
+    }
+}
+
+fn sweeps(subject: &Subject, extent: Extent) -> Ladder {
+    let base = subject.stage.settings.raster.sweeps;
+    let most = if extent == Extent::Quick { base } else { 2 * base };
+    let counts = [base / 8, base / 4, base / 2, base, 2 * base];
+    let fitting = counts.into_iter().filter(|sweeps| (1..=most.min(8192)).contains(sweeps));
+    let at =
+        |sweeps: u32| rung(sweeps.to_string(), Some(1.0 / f64::from(sweeps)), vec![Change::Sweeps(sweeps)]);
+    let rungs = fitting.map(at).collect();
+    Ladder {
+        name: "sweeps",
+        what: "sweeps a frame, shown on the columns of the base",
+        expected: Vec::new(),
+        rungs,
+    }
+}
+
+fn scalar() -> Ladder {
+    let of = |(label, scalar)| rung(label, None, vec![Change::Scalar(scalar)]);
+    let rungs = [("f32", Scalar::F32), ("f64", Scalar::F64)].map(of).into();
+    Ladder { name: "scalar", what: "scalar type of the signals", expected: Vec::new(), rungs }
+}
+
+fn parts(models: &[HardwareModel]) -> Ladder {
+    let of = |model: &HardwareModel| rung(&model.name, None, vec![Change::Parts(Box::new(model.clone()))]);
+    Ladder {
+        name: "parts",
+        what: "analog parts of each model, the digital side as in the base",
+        expected: Vec::new(),
+        rungs: models.iter().map(of).collect(),
+    }
+}
+
+/// The four laws of the ground-range programme between the ends of `range`.
+fn programmes(range: RangeProgramme) -> [(&'static str, RangeLaw); 4] {
+    let [switch, fine_share] = TWO_RATE;
+    let two_rate = match range.law {
+        RangeLaw::TwoRate { .. } => range.law,
+        _ => RangeLaw::TwoRate { switch: (switch * range.end).max(2.0 * range.start), fine_share },
+    };
+    [
+        ("constant-rate", RangeLaw::ConstantRate),
+        ("two-rate", two_rate),
+        ("constant-elevation", RangeLaw::ConstantElevation),
+        ("geometric", RangeLaw::Geometric),
+    ]
+}
+
+fn programme(subject: &Subject) -> Ladder {
+    let of = |(label, law)| rung(label, None, vec![Change::Programme(law)]);
+    Ladder {
+        name: "programme",
+        what: "law of the ground-range programme",
+        expected: Vec::new(),
+        rungs: programmes(subject.stage.settings.range).map(of).into(),
+    }
+}
+
+fn projection() -> Ladder {
+    let laws = [
+        ("as-reported", Projection::AsReported),
+        ("corrected", Projection::Corrected),
+        ("exact", Projection::Exact),
+    ];
+    let of = |(label, law)| rung(label, None, vec![Change::Projection(law)]);
+    Ladder { name: "projection", what: "projection law", expected: Vec::new(), rungs: laws.map(of).into() }
+}
+
+fn levels() -> Ladder {
+    let rungs =
+        vec![rung("fine and coarse", None, vec![]), rung("fine alone", None, vec![Change::FineLevelAlone])];
+    Ladder { name: "levels", what: "terrain levels", expected: Vec::new(), rungs }
+}
+
+fn shadow() -> Ladder {
+    let few = ShadowParts::Digital { line_generators: Some(8) };
+    let tube = ShadowParts::ScanConverter { offset: OFFSET, gain: 0.0 };
+    let variants = [
+        ("digital, any number of line generators", ShadowParts::Digital { line_generators: None }),
+        ("digital, eight line generators", few),
+        ("scan converter, aligned", ShadowParts::ScanConverter { offset: [0.0, 0.0], gain: 0.0 }),
+        ("scan converter, off by 0.3 %", tube),
+    ];
+    let of = |(label, parts)| rung(label, None, vec![Change::Shadow(parts)]);
+    Ladder { name: "shadow", what: "shadow controller", expected: Vec::new(), rungs: variants.map(of).into() }
+}
+
+fn samples_and_scalar(extent: Extent) -> Ladder {
+    let scalars = [("f32", Scalar::F32), ("f64", Scalar::F64)];
+    let rungs = pairs(&few(extent), &scalars, |scalar| Change::Scalar(*scalar));
+    Ladder { name: "samples-scalar", what: "samples a sweep, by scalar type", expected: Vec::new(), rungs }
+}
+
+fn samples_and_programme(subject: &Subject, extent: Extent) -> Ladder {
+    let laws = programmes(subject.stage.settings.range);
+    let rungs = pairs(&few(extent), &laws, |law| Change::Programme(*law));
+    Ladder { name: "samples-programme", what: "samples a sweep, by programme", expected: Vec::new(), rungs }
+}
+
+fn samples_and_parts(models: &[HardwareModel], extent: Extent) -> Ladder {
+    let usable = models
+        .iter()
+        .filter(|model| matches!(model.name.as_str(), "ideal" | "pra-nominal" | "modern-analog"));
+    let models: Vec<(&str, &HardwareModel)> = usable.map(|model| (model.name.as_str(), model)).collect();
+    let rungs = pairs(&few(extent), &models, |model| Change::Parts(Box::new((*model).clone())));
+    Ladder { name: "samples-parts", what: "samples a sweep, by analog parts", expected: Vec::new(), rungs }
+}
+
+/// Samples of a pair of factors: more would only repeat the single ladders.
+fn few(extent: Extent) -> Vec<u32> {
+    match extent {
+        Extent::Quick => vec![250, 1000],
+        Extent::Whole => vec![250, 1000, 4000],
+    }
+}
+
+fn pairs<T>(samples: &[u32], others: &[(&str, T)], change: impl Fn(&T) -> Change) -> Vec<Rung> {
+    let of = |&count: &u32| {
+        let change = &change;
+        others.iter().map(move |(label, other)| {
+            rung(format!("{count}, {label}"), None, vec![Change::Samples(count), change(other)])
+        })
+    };
+    samples.iter().flat_map(of).collect()
+}

@@ -1,0 +1,36 @@
+//! Studies: error against run time, one factor at a time.
+//!
+//! ```text
+//! subject: scenario, model, frames
+//!    │
+//!    ├─▶ ladders of settings ─▶ session of each rung ─▶ frames, timed in turn ─▶ seconds a frame
+//!    │                                  └─▶ signals, picture ─┐
+//!    └─▶ exact: profiles, pictures (kept by hash) ────────────┴▶ errors ─▶ order, Pareto front, advice
+//! ```
+//!
+//! **Law.** A *ladder* changes one factor of a base setting, or a named pair of them, rung by rung. The error of a rung is
+//! against `exact` under the laws of the rung; where a rung has another law than the base, its picture is held against
+//! the base's law as well, so that error of parts and difference of law are two numbers. Time is the median of several
+//! repetitions, and within a ladder the rungs take turns, so that a machine that slows down slows all of them.
+//! **Not in the time.** Reading, elaboration, shadow boundaries that are found once, encoding.
+//! **Our choices.** Signals are compared on six groups of eight sweeps spread over the frame. A picture of fewer or more sweeps than the
+//! base is held against the base's columns, each taken from the nearest sweep.
+
+mod advice;
+mod change;
+mod figures;
+pub mod ladder;
+mod order;
+mod reference;
+mod subject;
+mod table;
+mod work;
+
+pub use advice::{Advice, advise, front, total_error};
+pub use change::{Change, Variant};
+pub use figures::{ErrorFigure, Figures, NAMES};
+pub use order::{Order, fit};
+pub use reference::{ExactPictures, ReferenceError, SelfError};
+pub use subject::{StudyError, Subject};
+pub use table::{csv, table};
+pub use work::{Effort, Rehearsed, climb};

@@ -1,0 +1,106 @@
+//! What is studied: a scenario on a model, some of its frames, the ground below them.
+
+use generator::{FrameError, PrepareError, Stage};
+use hardware_model::{HardwareModel, SettingsError};
+use scenario::{PathProblems, Pose, PoseTable, Scenario};
+use stage::StageError;
+
+use crate::change::{Change, Variant};
+use crate::reference::ReferenceError;
+
+/// Why a study cannot go on.
+#[derive(Debug, thiserror::Error)]
+pub enum StudyError {
+    /// A variant does not fit together.
+    #[error(transparent)]
+    Settings(#[from] SettingsError),
+    /// Its stage cannot be built.
+    #[error(transparent)]
+    Stage(#[from] StageError),
+    /// The vehicle cannot follow its path.
+    #[error(transparent)]
+    Path(#[from] PathProblems),
+    /// The machine lacks what the stage asks for.
+    #[error(transparent)]
+    Prepare(#[from] PrepareError),
+    /// A frame cannot be drawn.
+    #[error(transparent)]
+    Frame(#[from] FrameError),
+    /// Pictures of `exact` cannot be kept.
+    #[error(transparent)]
+    Reference(#[from] ReferenceError),
+    /// Pictures cannot be compared.
+    #[error(transparent)]
+    Compare(#[from] compare::CompareError),
+    /// A picture cannot be encoded.
+    #[error(transparent)]
+    Picture(#[from] picture::PictureError),
+}
+
+/// The base setting of a study, and the frames that it looks at.
+#[derive(Debug, Clone)]
+pub struct Subject {
+    /// The scenario, its raster, range and laws settled: no model changes them any more.
+    pub scenario: Scenario,
+    /// The hardware model.
+    pub model: HardwareModel,
+    /// What is drawn at the base setting.
+    pub stage: Stage,
+    /// Frames and their poses.
+    pub frames: Vec<(u64, Pose)>,
+}
+
+impl Subject {
+    /// The subject of `scenario` on `model` with the stage that these two have made; `frames` ascending, at least one.
+    ///
+    /// # Errors
+    /// If the vehicle cannot follow its path.
+    pub fn new(
+        scenario: Scenario,
+        model: HardwareModel,
+        stage: Stage,
+        frames: &[u64],
+    ) -> Result<Self, StudyError> {
+        let scenario = settled(scenario, &stage);
+        let subject = Self { scenario, model, stage, frames: Vec::new() };
+        let poses = frames.iter().map(|&frame| Ok((frame, subject.pose(frame)?)));
+        let frames = poses.collect::<Result<_, StudyError>>()?;
+        Ok(Self { frames, ..subject })
+    }
+
+    fn pose(&self, frame: u64) -> Result<Pose, StudyError> {
+        let settings = &self.stage.settings;
+        let (update, yoke) = (settings.timebase.update, settings.yoke);
+        let table =
+            PoseTable::resolve(&self.scenario, &self.stage.landscape, update, yoke, frame..frame + 1)?;
+        Ok(table.rows()[0].pose)
+    }
+
+    /// The stage under `changes`; ground and scenery are shared.
+    ///
+    /// # Errors
+    /// If what comes out does not fit together.
+    pub fn changed(&self, changes: &[Change]) -> Result<Stage, StudyError> {
+        let mut variant = Variant { scenario: self.scenario.clone(), model: self.model.clone() };
+        changes.iter().for_each(|change| change.apply(&mut variant));
+        let mut settings = stage::settings(&variant.scenario, &variant.model)?;
+        settings.economy = self.stage.settings.economy;
+        settings.shadow_cache.clone_from(&self.stage.settings.shadow_cache);
+        Ok(stage::under(&self.stage, &variant.scenario, settings)?)
+    }
+}
+
+/// `scenario` with everything wished that a model would otherwise decide and that no part is.
+fn settled(mut scenario: Scenario, stage: &Stage) -> Scenario {
+    let settings = &stage.settings;
+    let raster = &mut scenario.raster;
+    raster.sweeps = Some(settings.raster.sweeps);
+    raster.samples = Some(settings.raster.samples);
+    raster.columns = Some(settings.raster.columns);
+    raster.lines = Some(settings.raster.lines);
+    raster.update = Some(settings.timebase.update);
+    raster.refresh = Some(settings.raster.refresh);
+    scenario.range = Some(settings.range);
+    scenario.laws = settings.laws.into();
+    scenario
+}

@@ -1,0 +1,130 @@
+//! Ladders of a small scene: what is exact has no error, what converges has its order, and a kept picture is taken again.
+
+use exact::Columns;
+use hardware_model::HardwareModel;
+use scenario::Scenario;
+use study::ladder::{Extent, Ladder, LadderOutcome, ladders};
+use study::{Effort, ExactPictures, Rehearsed, Subject, climb};
+
+/// Smooth ground, no craters: between samples a profile is a parabola.
+const SMOOTH: &str = r#"
+format = 1
+title = "Smooth"
+shows = "Nothing but a test."
+machine = "ideal"
+frames = 4
+
+[landscape]
+albedo = 1.0
+
+[landscape.generated]
+seed = 11
+extent_m = [4000, 4000]
+region_size_m = 100
+
+[landscape.generated.undulation]
+rms_height_m = 12
+hurst = 0.9
+longest_m = 2500
+shortest_m = 700
+waves = 60
+
+[sun]
+azimuth_deg = 100
+elevation_deg = 25
+
+[path]
+keyframes = [{ t_s = 0, x_m = 2000, y_m = 2000 }, { t_s = 5, x_m = 2008, y_m = 2005 }]
+
+[raster]
+sweeps = 48
+samples_per_sweep = 500
+lines = 40
+
+[run]
+scalar = "f64"
+"#;
+
+fn subject() -> Subject {
+    let scenario =
+        Scenario::parse("smooth.toml", SMOOTH).unwrap_or_else(|list| panic!("{}", list.render(false)));
+    let model = HardwareModel::ideal();
+    let settings = stage::settings(&scenario, &model).unwrap();
+    let stage = stage::build(&scenario, settings).unwrap();
+    Subject::new(scenario, model, stage, &[1]).unwrap()
+}
+
+fn climbed(subject: &Subject, ladder: &Ladder) -> LadderOutcome {
+    let mut exact = ExactPictures::new("test", &subject.scenario, &subject.stage, None).unwrap();
+    let columns = Columns::new(subject.stage.clone());
+    let mut study = Rehearsed { subject, exact: &mut exact, columns: &columns };
+    climb(&mut study, ladder, Effort { repetitions: 1 }, &mut |_| ()).unwrap()
+}
+
+fn ladder(subject: &Subject, name: &str) -> Ladder {
+    let models = [HardwareModel::ideal()];
+    let mut all = ladders(subject, &models, Extent::Quick).into_iter();
+    all.find(|ladder| ladder.name == name).unwrap()
+}
+
+#[test]
+fn samples_converge_as_theory_says() {
+    let subject = subject();
+    let outcome = climbed(&subject, &ladder(&subject, "samples"));
+    assert!(outcome.rungs.iter().all(|rung| rung.refused.is_none()), "{outcome:#?}");
+    for order in &outcome.orders {
+        assert!(order.agrees(0.2), "{order:?}");
+    }
+    // At the samples themselves the ideal machine is the ground, in f64 to rounding.
+    for rung in &outcome.rungs {
+        assert!(rung.error("height rms").unwrap() < 1e-9, "{rung:?}");
+        assert!(rung.error("slope max").unwrap() < 1e-9, "{rung:?}");
+        assert!(rung.error("reflectivity max").unwrap() < 1e-9, "{rung:?}");
+    }
+    let picture: Vec<f64> = outcome.rungs.iter().map(|rung| rung.error("picture rmse").unwrap()).collect();
+    assert!(picture[0] > picture[4] && picture[4] < 0.02, "{picture:?}");
+}
+
+#[test]
+fn single_precision_is_told_from_double() {
+    let subject = subject();
+    let outcome = climbed(&subject, &ladder(&subject, "scalar"));
+    let [single, double] = [0, 1].map(|rung: usize| outcome.rungs[rung].error("height rms").unwrap());
+    assert!(single > 1e-8 && single < 1e-3, "{single}");
+    assert!(double < 1e-3 * single, "{double} {single}");
+}
+
+#[test]
+fn a_difference_of_law_is_a_number_of_its_own() {
+    let subject = subject();
+    let outcome = climbed(&subject, &ladder(&subject, "projection"));
+    let [reported, exact] = [0, 2].map(|rung: usize| &outcome.rungs[rung]);
+    let law = "picture rmse, law of the base";
+    assert!(reported.error(law).unwrap() > 2.0 * reported.error("picture rmse").unwrap(), "{reported:?}");
+    assert_eq!(exact.error(law), None, "the base's own law");
+}
+
+#[test]
+fn kept_pictures_are_taken_again_and_damaged_ones_drawn_again() {
+    let subject = subject();
+    let folder = tempfile::tempdir().unwrap();
+    let (frame, pose) = subject.frames[0];
+    let drawn = || {
+        let kept = Some(folder.path().join("exact"));
+        let mut exact = ExactPictures::new("test", &subject.scenario, &subject.stage, kept).unwrap();
+        exact.picture(&subject.stage, (frame, &pose), [48, 40]).unwrap()
+    };
+    let first = drawn();
+    let files = || std::fs::read_dir(folder.path().join("exact")).unwrap().map(|entry| entry.unwrap().path());
+    assert_eq!(files().count(), 1);
+    assert_eq!(drawn(), first);
+    let file = files().next().unwrap();
+    let mut bytes = std::fs::read(&file).unwrap();
+    // Another value at the end: what is kept is what is taken.
+    let last = bytes.len() - 1;
+    bytes[last] ^= 1;
+    std::fs::write(&file, &bytes).unwrap();
+    assert_ne!(drawn(), first);
+    std::fs::write(&file, b"no array").unwrap();
+    assert_eq!(drawn(), first);
+}
