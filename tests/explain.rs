@@ -10,7 +10,7 @@ use machine::{ControlPlane, HybridMachine};
 fn told(stage: &Stage, scene: &Shipped, frame: u64, pixels: &[[usize; 2]]) -> Vec<Explanation> {
     let session = HybridMachine.prepare(stage.clone()).unwrap();
     let (control, exact) = (ControlPlane::new(stage.clone()), Columns::new(stage.clone()));
-    let inquiry = Inquiry { stage, session: session.as_ref(), control: &control, exact: Some(&exact) };
+    let inquiry = Inquiry::new(stage, session.as_ref(), &control, Some(&exact));
     let pose = scene.pose(frame).pose;
     pixels.iter().map(|&pixel| inquiry.explain(frame, &pose, pixel).unwrap()).collect()
 }
@@ -47,6 +47,8 @@ fn ground_is_where_exact_sees_it() {
             );
             let height = ground.terrain_height_m + ground.feature_height_m;
             assert!((height - ground.height_m).abs() < 1e-2, "{name}: {told:?}");
+            assert_eq!(ground.video, ground.reflectivity, "{name}: the beam is on where the stroke is");
+            assert_eq!(ground.elevation_change, None, "{name}: occlusion is by peak-hold");
         }
     }
     assert!(seen >= 15, "{seen} pixels show ground");
@@ -106,7 +108,25 @@ fn a_pixel_outside_is_refused() {
     let stage = scene.stage();
     let session = HybridMachine.prepare(stage.clone()).unwrap();
     let control = ControlPlane::new(stage.clone());
-    let inquiry = Inquiry { stage: &stage, session: session.as_ref(), control: &control, exact: None };
+    let inquiry = Inquiry::new(&stage, session.as_ref(), &control, None);
     let refused = inquiry.explain(0, &scene.pose(0).pose, [64, 0]).unwrap_err();
     assert!(matches!(refused, InquiryError::Pixel { x: 64, columns: 64, .. }), "{refused}");
+}
+
+/// Two pixels of a frame are told as by two inquiries, and so is a third of another frame.
+#[test]
+fn the_picture_that_is_kept_is_the_right_one() {
+    let scene = Shipped::read("first-light", Some(64));
+    let stage = scene.stage();
+    let session = HybridMachine.prepare(stage.clone()).unwrap();
+    let control = ControlPlane::new(stage.clone());
+    let new = || Inquiry::new(&stage, session.as_ref(), &control, None);
+    let kept = new();
+    let ask = |inquiry: &Inquiry<'_>, frame: u64, pixel| {
+        inquiry.explain(frame, &scene.pose(frame).pose, pixel).unwrap()
+    };
+    let asked = [(0, [10, 30]), (0, [50, 25]), (70, [10, 30]), (0, [10, 30])];
+    let told = asked.map(|(frame, pixel)| (ask(&kept, frame, pixel), ask(&new(), frame, pixel)));
+    assert!(told.iter().all(|(kept, new)| kept == new));
+    assert!(told[0].0.intensity != told[2].0.intensity, "the frames differ there");
 }

@@ -195,3 +195,76 @@ fn inner_wires_of_real_parts_are_those_of_the_parts() {
     let error = clean.iter().zip(&broken).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     assert!(error > 0.3 * most && error < 2.5 * most, "{error} against {most}");
 }
+
+/// Waves of some signals of frame 10 of `craters`, by a machine with `parts` and occlusion by derivative.
+fn by_derivative(parts: Option<&str>) -> (Vec<Waveform>, f64) {
+    let mut shipped = Shipped::read("craters", Some(64));
+    if let Some(name) = parts {
+        let source = hardware_model::ModelSource::BuiltIn(name.into());
+        shipped.settings.analog = hardware_model::HardwareModel::load(&source, &[], &[]).unwrap().model.analog;
+    }
+    shipped.settings.laws.occlusion = scenario::Occlusion::Derivative;
+    let stage = shipped.stage();
+    let session = HybridMachine.prepare(stage.clone()).unwrap();
+    assert!(session.wires().iter().any(|wire| wire.signal.name == "dpp.derivative"));
+    let wanted = ["dpp.*", "mu.reflectivity", "sm.video"].map(str::to_owned);
+    let mut probe = Probe::new(wanted.into(), 0..64);
+    session.frame(10, &shipped.pose(10).pose, &mut Planes::new(64, 64, &[]), &mut probe).unwrap();
+    (probe.waveforms, 1e6 / stage.settings.timebase.sample_rate().hertz())
+}
+
+#[test]
+fn the_derivative_is_that_of_the_elevation_and_blanks_where_it_falls() {
+    for (parts, tolerance) in [(None, 1e-9), (Some("pra-nominal"), 0.02)] {
+        let (waves, sample_us) = by_derivative(parts);
+        let (mut fallen, mut blanked, mut off, mut size) = (0, 0, 0.0_f64, 0.0_f64);
+        for sweep in 0..64 {
+            let [elevation, derivative, blank] =
+                ["dpp.elevation", "dpp.derivative", "dpp.blank"].map(|name| &named(&waves, sweep, name).values);
+            // What it has changed by so far is how far it has come; from parts it is smoothed over a few samples.
+            let mut come = elevation[1];
+            let end = elevation.windows(2).rposition(|pair| pair[0] != pair[1]).map_or(0, |last| last);
+            for sample in 2..end {
+                come += derivative[sample] * sample_us;
+                off = off.max((come - elevation[sample]).abs());
+                size = size.max((elevation[sample] - elevation[1]).abs());
+                if blank[sample] > blank[sample - 1] {
+                    blanked += 1;
+                    // From parts the gate comes late: by then the elevation has fallen.
+                    let before = sample.saturating_sub(8);
+                    fallen += usize::from(derivative[before..=sample].iter().any(|&change| change < 0.0));
+                }
+            }
+            assert!(derivative[end + 2..].iter().all(|&change| change == 0.0), "{parts:?}, sweep {sweep}");
+        }
+        assert!(off <= tolerance * size, "{parts:?}: off by {off} of {size}");
+        // A rim that falls between two samples is blanked behind a step that has risen by as much.
+        assert!(blanked > 100 && fallen * 100 >= blanked * 99, "{parts:?}: {fallen} of {blanked} blanks");
+    }
+}
+
+#[test]
+fn video_is_the_composite_where_the_beam_is_on() {
+    let (waves, _) = by_derivative(None);
+    let (mut on, mut off) = (0, 0);
+    for sweep in 0..64 {
+        let [light, blank, video] =
+            ["mu.reflectivity", "dpp.blank", "sm.video"].map(|name| &named(&waves, sweep, name).values);
+        let end = light.windows(2).rposition(|pair| pair[0] != pair[1]).map_or(0, |last| last);
+        for sample in 0..=end {
+            let expected = if blank[sample] > 0.5 { 0.0 } else { light[sample] };
+            assert_eq!(video[sample], expected, "sweep {sweep}, sample {sample}");
+            on += usize::from(expected > 0.0);
+            off += usize::from(blank[sample] > 0.5 && light[sample] > 0.0);
+        }
+    }
+    assert!(on > 1000 && off > 1000, "{on} samples written, {off} blanked");
+}
+
+#[test]
+fn without_occlusion_by_derivative_there_is_no_such_wire() {
+    let shipped = Shipped::read("profile", Some(16));
+    let session = HybridMachine.prepare(shipped.stage()).unwrap();
+    let has = |name: &str| session.wires().iter().any(|wire| wire.signal.name == name);
+    assert!(!has("dpp.derivative") && has("sm.video"));
+}

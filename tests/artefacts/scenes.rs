@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use features::{Crater, Features, Shape};
 use glam::{DMat3, DVec3};
 use hardware_model::Settings;
 use landscape::Level;
@@ -23,6 +24,7 @@ pub enum Place {
     Plateau,
     Waves,
     Strips,
+    Bowls,
     Flat,
     Pictures,
     Turn,
@@ -31,6 +33,7 @@ pub enum Place {
 }
 
 impl Place {
+    /// Those that a detector looks at.
     pub const ALL: [Self; 11] = [
         Self::Plane,
         Self::Relief,
@@ -53,6 +56,7 @@ impl Place {
             Self::Plateau => plateau(),
             Self::Waves => waves(),
             Self::Strips => strips(),
+            Self::Bowls => bowls(),
             Self::Flat => flat(),
             Self::Pictures => pictures(),
             Self::Turn => turning(),
@@ -183,6 +187,21 @@ fn patch(scene: &Scene, [near, far]: [f64; 2]) -> TrackPatch {
     let [x, y, _] = scene.eye;
     let (south, north, west, east) = (x + near, x + far, y - 100.0, y + 100.0);
     TrackPatch { laid: 0.0, corners: [[north, west], [north, east], [south, east], [south, west]] }
+}
+
+/// Bowls of [`Place::Bowls`]: their radius, and where their centres lie (m ahead).
+pub const BOWL: f64 = 20.0;
+pub const BOWLS: [f64; 3] = [90.03, 190.11, 300.17];
+
+/// Three bowls straight ahead on level ground, their near walls dark: 12.5 m/µs.
+fn bowls() -> Scene {
+    let mut scene = Scene::over(level_ground(32.0, 18), [40.0, 280.0], [8, 2000], 400.0);
+    scene.field = field(0.1, 15.0);
+    let [x, y, _] = scene.eye;
+    let bowl = |ahead| Crater::new([x + ahead, y], Shape::Bowl { r1: BOWL }, 4.0, 0.0).expect("a bowl");
+    scene.landscape = scene.landscape.clone().with_features(Features::new(BOWLS.map(bowl).to_vec()));
+    scene.signals = &["sweep.x", "sweep.y", "mu.reflectivity"];
+    scene
 }
 
 /// Level ground to the horizon, of which the machine may choose how it is swept and hidden.

@@ -4,9 +4,9 @@ use hardware_model::{HardwareModel, ModelSource};
 
 use crate::causes::{faulty, model};
 use crate::detectors::{array, beam, late, picture};
-use crate::look::{Look, Run, largest, mean};
+use crate::look::{Look, Run, largest, mean, median};
 use crate::scene::facing;
-use crate::scenes::{Place, turning_at};
+use crate::scenes::{BOWL, Place, WAVE, turning_at};
 
 /// A scene under the ideal machine with some settings.
 fn set<T>(place: Place, settings: &[(&str, &str)], at: impl FnOnce(&Look<'_>) -> T) -> T {
@@ -61,6 +61,66 @@ fn edges_move_in_proportion_and_shadows_keep_their_width() {
             near(mean(&behind), expected, 0.15);
         });
     }
+}
+
+/// A13: rims of craters move as edges of shadow do. Along a sweep over the centre of a footprint of radius R a comparator sees
+/// a slope of `2 v / R`.
+#[test]
+fn footprints_move_with_the_delay_and_with_the_overdrive() {
+    for (delay, overdrive) in [(40.0, 0.0), (160.0, 0.0), (400.0, 0.0), (40.0, 1500.0), (40.0, 4000.0)] {
+        let texts = [delay, overdrive].map(|value: f64| value.to_string());
+        let sets =
+            [("comparator.delay_ns", texts[0].as_str()), ("comparator.overdrive_mv_ns", texts[1].as_str())];
+        set(Place::Bowls, &sets, |look| {
+            // Millivolts of 1 V times nanoseconds, in full scales times microseconds.
+            let slope = 2.0 * look.speed() / BOWL;
+            let wait = (2.0 * overdrive * 1e-6 / slope).sqrt();
+            let expected = (delay * 1e-3 + wait) * look.speed() / look.pace();
+            let behind: Vec<f64> = look.own().flat_map(|sweep| beam::rims(look, sweep)).collect();
+            // A signal at its samples tells a rim to half a sample, three of them to a quarter.
+            behind.iter().for_each(|&behind| near(behind, expected, 0.501));
+            near(mean(&behind), expected, 0.25);
+        });
+    }
+}
+
+/// A14: the beam goes on for the delay, and at a round crest of bend c (full scales a µs²) for `(6 k_od / c)^(1/3)` more.
+#[test]
+fn the_beam_goes_on_behind_a_crest_in_proportion_to_its_causes() {
+    for delay in [100.0, 200.0, 400.0] {
+        let text = delay.to_string();
+        let found = set(Place::Waves, &[("comparator.delay_ns", &text)], beam::crest_overdraw);
+        near(found, delay * 1e-3, 0.017);
+    }
+    let mut last = 0.0;
+    for overdrive in [4.0_f64, 32.0] {
+        let text = overdrive.to_string();
+        let sets = [("comparator.delay_ns", "100"), ("comparator.overdrive_mv_ns", text.as_str())];
+        let [found, expected] = set(Place::Waves, &sets, |look| {
+            // Millivolts of 1 V times nanoseconds, in full scales times microseconds.
+            let waits =
+                beam::crest_bends(look).into_iter().map(|bend| libm::cbrt(6.0 * overdrive * 1e-6 / bend));
+            let waits: Vec<f64> = waits.map(|wait| 0.1 + wait.min(0.4)).collect();
+            [beam::crest_overdraw(look), median(&waits)]
+        });
+        near(found, expected, 0.03);
+        assert!(found > last + 0.03, "{found} after {last}");
+        last = found;
+    }
+}
+
+/// A6: what a chain is late by beside its trim moves crests: by the phase of its lags, less their delay.
+#[test]
+fn crests_are_displaced_by_what_the_trim_leaves() {
+    let scene = Place::Waves.scene();
+    let [clean, run] = [model(None), faulty(6)].map(|model| Run::of(&scene, &model));
+    let look = Look { scene: &scene, clean: &clean, run: &run };
+    let turn = 2.0 * std::f64::consts::PI * look.speed() / WAVE[0];
+    let tau = 1.0 / (2.0 * std::f64::consts::PI * 0.5);
+    let late = |tau: f64| libm::atan(turn * tau) / turn - tau;
+    let expected = look.speed() * (late(tau) + late(2.0 * tau));
+    near(array::ridge_displacement(&look), expected, 0.1 * expected.abs());
+    assert!(expected < -2.0, "towards the viewer: {expected} m");
 }
 
 /// A20: two frames on the residue is the square, and it lies where the ground was.

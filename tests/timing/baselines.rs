@@ -45,6 +45,7 @@ fn again(name: &str, baseline: &TimingRecord, set: Option<(&str, &str)>) -> Timi
         .unwrap_or_else(|e| panic!("{e}"));
     let master = stage.settings.timebase.master.to_string();
     let control = ControlPlane::new(stage);
+    let before_mission = control.before_mission(&poses.rows()[0].pose).expect("a shipped frame");
     let timed =
         |frame: u64| control.frame(frame, &poses.rows()[frame as usize].pose).expect("a shipped frame");
     TimingRecord {
@@ -53,6 +54,7 @@ fn again(name: &str, baseline: &TimingRecord, set: Option<(&str, &str)>) -> Timi
         master,
         // The hash of the inputs is the command's, which `crates/lunoid/tests` holds to a baseline of its own.
         inputs: baseline.inputs.clone(),
+        before_mission,
         frames: frames.map(timed).collect(),
         ..*baseline
     }

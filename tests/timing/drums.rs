@@ -1,6 +1,6 @@
 //! Drums of a view that turns (hardware sections 4.7 and 8, number 10).
 
-use hardware_model::{DataBanks, Drum, DrumQueue};
+use hardware_model::{Channels, DataBanks, Drum, DrumQueue};
 use landscape::Attitude;
 use lunoid_tests::Scene;
 use machine::ControlPlane;
@@ -42,7 +42,8 @@ fn turning(degrees: f64) -> (ControlPlane, Vec<Pose>) {
     let course = course(&scene, degrees);
     let mut stage = on_course(&scene, course.clone());
     let drum = Drum { rotation: ROTATION, word: WORD, record_words: 9, queue: DrumQueue::Fifo, count: 1 };
-    stage.settings.data_banks = DataBanks { drum: Some(drum), buffer_words: Some(9 * 900) };
+    stage.settings.data_banks =
+        DataBanks { drum: Some(drum), channels: Channels::default(), buffer_words: Some(9 * 900) };
     (ControlPlane::new(stage), course)
 }
 

@@ -8,7 +8,7 @@ use features::{Crater, Features, Shape};
 use generator::{Generator, PlaneKind, Planes, Stage};
 use hardware_model::{LatePolicy, ShadowParts};
 use lunoid_tests::{Dice, Scene, level_of, plane};
-use machine::{ControlPlane, HybridMachine};
+use machine::{ControlPlane, DigitalEvent, EventWord, HybridMachine};
 use rayon::ThreadPoolBuilder;
 use scenario::{ShadowFineness, TrackPatch};
 use signal::Probe;
@@ -192,4 +192,57 @@ fn threads_and_order_do_not_matter() {
         };
         assert_eq!(by(1, [0, 7, 3]), by(2, [3, 0, 7]));
     }
+}
+
+/// Words of an event and of its kinds: in time, late, dropped.
+const CRATER: [EventWord; 3] = [EventWord::CraterLoad, EventWord::CraterLate, EventWord::CraterDropped];
+const SEGMENT: [EventWord; 3] = [EventWord::SegmentLoad, EventWord::SegmentLate, EventWord::SegmentDropped];
+
+/// The list of events has as many loads as the record, and each miss of the record at its tick.
+fn expect_listed(stage: &Stage, scene: &Scene, deadline: Deadline, [load, late, dropped]: [EventWord; 3]) {
+    for (rate, parts) in [(Some(SLOW), None), (Some(SLOW), Some(1)), (None, Some(1)), (None, None)] {
+        let mut stage = words(stage.clone(), rate, LatePolicy::StrobeThrough);
+        stage.settings.feature_generator.sub_generators = parts;
+        stage.settings.shadow_controller = ShadowParts::Digital { line_generators: parts };
+        let (control, case) =
+            (ControlPlane::new(stage.clone()), format!("{deadline:?}, {rate:?}, {parts:?}"));
+        let frame = control.frame(0, &scene.pose()).expect("a pose over flat ground");
+        let sweeps = control.sweeps_with_gates(0, &scene.pose()).expect("a pose over flat ground");
+        let events: Vec<DigitalEvent> = (0..SWEEPS).flat_map(|sweep| sweeps.events(sweep)).collect();
+        let of = |word: EventWord| events.iter().filter(move |event| event.event == word);
+        let missed = misses(&frame, deadline);
+        assert_eq!(of(late).count() + of(dropped).count(), missed.len(), "{case}");
+        assert_eq!(missed.is_empty(), rate.is_none() && parts.is_none(), "{case}");
+        if let Some(slack) = frame.deadlines.get(&deadline).filter(|_| rate.is_some()) {
+            assert_eq!((of(load).count() + missed.len()) as u64, slack.count, "{case}");
+            assert!(of(load).all(|event| event.slack.is_some_and(|slack| slack >= 0)), "{case}");
+        }
+        assert!(of(load).count() > 5 && of(load).all(|event| event.words > 0), "{case}");
+        for missed in missed {
+            let is_it = |event: &&DigitalEvent| {
+                (event.sweep, event.crater, event.range)
+                    == (Some(missed.sweep), missed.crater, missed.range_m)
+            };
+            let event =
+                of(late).chain(of(dropped)).find(is_it).unwrap_or_else(|| panic!("{case}: {missed:?}"));
+            let part = event.part.map(|part| part.to_string());
+            assert_eq!((event.event == late, part), (missed.came.is_some(), missed.part.clone()), "{case}");
+            let clock = stage.settings.timebase.sweep_clock(0, missed.sweep);
+            if let Some(came) = missed.came {
+                assert_eq!(clock.instant_of(event.tick).0, came, "{case}: {missed:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn craters_are_listed_as_the_record_has_them() {
+    let scene = scene();
+    expect_listed(&cratered(&scene), &scene, Deadline::Feature, CRATER);
+}
+
+#[test]
+fn boundaries_are_listed_as_the_record_has_them() {
+    let scene = scene();
+    expect_listed(&barred(&scene), &scene, Deadline::Segment, SEGMENT);
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use hardware_model::{Cpu, CrossingServer, DataBanks, Drum, DrumQueue, HardwareModel};
+use hardware_model::{Channels, Cpu, CrossingServer, DataBanks, Drum, DrumQueue, HardwareModel};
 use landscape::Attitude;
 use machine::ControlPlane;
 use quantities::radians;
@@ -29,7 +29,8 @@ fn mission() -> (impl Fn() -> ControlPlane, Arc<[Pose]>) {
     let mut stage = on_course(&scene, course.clone());
     let drum =
         Drum { rotation: 17_400, word: 1.7, record_words: 36, queue: DrumQueue::ShortestLatency, count: 2 };
-    stage.settings.data_banks = DataBanks { drum: Some(drum), buffer_words: Some(9 * 400) };
+    stage.settings.data_banks =
+        DataBanks { drum: Some(drum), channels: Channels::default(), buffer_words: Some(9 * 400) };
     stage.settings.cpu = Cpu { sweep_setup: 7_000, interrupt: 5, longest_instruction: 5, ..Cpu::default() };
     (move || ControlPlane::new(stage.clone()), course.into())
 }

@@ -77,6 +77,27 @@ fn words_through_its_memory_steal_its_cycles() {
     assert!(least(&through) < least(&own_memory));
 }
 
+/// Interleaved banks: what others bring meets the processor in one cycle of four (hardware section 2.1), and the sum over a
+/// frame is that to a tick a sweep.
+#[test]
+fn interleaved_banks_leave_the_processor_most_of_its_cycles() {
+    let cpu = Cpu { sweep_setup: 300, memory_cycle: 17, dma_cycles_per_word: 1, ..Cpu::default() };
+    let server = CrossingServer::IoProcessor;
+    let one = timed(cpu, server);
+    let four = timed(Cpu { memory_banks: 4, ..cpu }, server);
+    assert_eq!(one.sets, four.sets);
+    let [all, quarter] = [&one, &four].map(|frame| busy(frame, "cpu.words"));
+    assert_eq!(all, 9 * 17 * one.sets.loaded);
+    assert!(4 * quarter >= all && 4 * quarter < all + 4 * u64::from(SWEEPS), "{quarter} of {all}");
+    // Without cycles for a word the number of banks is nothing to it.
+    let none = Cpu { dma_cycles_per_word: 0, ..cpu };
+    assert_eq!(timed(Cpu { memory_banks: 8, ..none }, server), timed(none, server));
+    assert_eq!(
+        [Cpu { memory_banks: 4, ..cpu }.stolen(8), Cpu { memory_banks: 4, ..cpu }.stolen(9)],
+        [34, 39]
+    );
+}
+
 /// The row of hardware section 4.6: 25 to 35 µs a crossing, and 31 µs of words.
 #[test]
 fn a_crossing_by_interrupt_takes_25_to_35_microseconds() {
@@ -86,7 +107,8 @@ fn a_crossing_by_interrupt_takes_25_to_35_microseconds() {
         let crossing = model.budget(model.usual_ground()).cpu.crossing;
         assert!((25e-6..=most).contains(&crossing), "{name}: {crossing}");
     }
-    let set = [("cpu.dma_cycles_per_word", "1")].map(|(key, value)| (key.to_owned(), value.to_owned()));
+    let set = [("cpu.dma_cycles_per_word", "1"), ("cpu.memory_banks", "1")]
+        .map(|(key, value)| (key.to_owned(), value.to_owned()));
     let nominal = ModelSource::BuiltIn("pra-nominal".into());
     let model = HardwareModel::load(&nominal, &[], &set).unwrap_or_else(|list| panic!("{list}")).model;
     let budget = model.budget(Ground { region_size: 500.0, range: 5000.0 });

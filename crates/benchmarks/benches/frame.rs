@@ -4,10 +4,10 @@
 
 use std::hint::black_box;
 
-use benchmarks::first_light;
+use benchmarks::Scene;
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use exact::Exact;
-use generator::{Generator, PlaneKind, Planes};
+use generator::Generator;
 use machine::HybridMachine;
 use scenario::Scalar;
 use signal::Probe;
@@ -18,13 +18,11 @@ fn whole_frame(c: &mut Criterion) {
     group.sample_size(20);
     for (name, scalar) in [("f32", Scalar::F32), ("f64", Scalar::F64)] {
         for threads in [1, 2] {
-            let (stage, pose) = first_light(scalar);
-            let raster = stage.settings.raster;
-            let mut planes =
-                Planes::new(raster.columns as usize, raster.lines as usize, &[PlaneKind::Intensity]);
-            let session = HybridMachine.prepare(stage).expect("the ideal machine draws terrain");
+            let scene = Scene::shipped("first-light", Some(scalar));
+            let (mut planes, pose) = (scene.planes(), scene.pose);
+            group.throughput(Throughput::Elements(scene.samples()));
+            let session = HybridMachine.prepare(scene.stage).expect("the ideal machine draws terrain");
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-            group.throughput(Throughput::Elements(u64::from(raster.sweeps) * u64::from(raster.samples)));
             group.bench_function(BenchmarkId::new(name, format!("{threads} threads")), |b| {
                 pool.install(|| {
                     b.iter(|| black_box(session.frame(0, &pose, &mut planes, &mut Probe::off())));
@@ -37,10 +35,9 @@ fn whole_frame(c: &mut Criterion) {
 
 /// The same frame by closed form and root finding.
 fn exact_frame(c: &mut Criterion) {
-    let (stage, pose) = first_light(Scalar::F64);
-    let raster = stage.settings.raster;
-    let mut planes = Planes::new(raster.columns as usize, raster.lines as usize, &[PlaneKind::Intensity]);
-    let session = Exact.prepare(stage).expect("exact draws terrain");
+    let scene = Scene::shipped("first-light", Some(Scalar::F64));
+    let (mut planes, pose) = (scene.planes(), scene.pose);
+    let session = Exact.prepare(scene.stage).expect("exact draws terrain");
     let mut group = c.benchmark_group("exact frame");
     group.sample_size(10);
     group.bench_function("all threads", |b| {

@@ -30,8 +30,8 @@ mod ridges;
 mod ssim;
 
 pub use difference::{difference_picture, triptych};
-pub use flip::{Flip, PIXELS_PER_DEGREE, flip, flip_map};
 pub use edges::{EDGE_PLANES, EdgeLimits, EdgeMask, edge_mask};
+pub use flip::{Flip, PIXELS_PER_DEGREE, flip, flip_map};
 pub use linear::{LinearComparison, compare_linear, linear_intensity};
 pub use metrics::{Beyond, CompareError, Comparison, WorstPixel, compare};
 pub use ridges::{RidgeError, horizon_of_picture, horizon_of_range, ridge_error, ridge_mask};

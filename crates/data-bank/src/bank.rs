@@ -3,12 +3,14 @@
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
-use hardware_model::Drum;
+use hardware_model::{Channels, Drum};
 use quantities::Tick;
 
 use crate::buffer::{Need, StorageBuffer};
+use crate::channel::{self, ChannelWork};
 use crate::drum::{DrumAtWork, DrumUnit};
 use crate::layout::Layout;
+use crate::span::Span;
 use crate::{Demand, FrameSupply, Missing};
 
 /// Drums, queues and storage buffer of one level.
@@ -16,6 +18,8 @@ use crate::{Demand, FrameSupply, Missing};
 pub struct DataBank {
     layout: Layout,
     drums: Vec<DrumAtWork>,
+    /// Channels that the drums share in turn; at most one each.
+    channels: usize,
     buffer: StorageBuffer,
     orders: BTreeMap<u32, Order>,
     /// Whether the buffer was filled for the first frame.
@@ -69,18 +73,25 @@ impl Wanted {
 }
 
 impl DataBank {
-    /// Drums of the design `drum` behind a buffer of `buffer_words` words (any number if `None`), for a level of
+    /// Drums of the design `drum` on `channels` behind a buffer of `buffer_words` words (any number if `None`), for a level of
     /// `corners` (north, east). `seed` draws start angle and speed of each drum. A buffer smaller than one record
     /// holds none.
-    pub fn new(drum: Drum, buffer_words: Option<u32>, corners: [usize; 2], seed: u64) -> Self {
+    pub fn new(
+        drum: Drum,
+        channels: Channels,
+        buffer_words: Option<u32>,
+        corners: [usize; 2],
+        seed: u64,
+    ) -> Self {
         let layout = Layout::new(&drum, corners);
         let count = drum.count.max(1);
         let drums = (0..count)
-            .map(|unit| DrumUnit::drawn(&drum, layout.words, seed, unit))
+            .map(|unit| DrumUnit::drawn(&drum, &channels, layout.words, seed, unit))
             .map(|unit| DrumAtWork::new(unit, drum.queue, count));
         Self {
             layout,
             drums: drums.collect(),
+            channels: channels.count.unwrap_or(count).clamp(1, count) as usize,
             buffer: StorageBuffer::new(buffer_words.map(|words| (words / layout.words) as usize)),
             orders: BTreeMap::new(),
             loaded: false,
@@ -90,6 +101,13 @@ impl DataBank {
     /// The drums as the seed drew them.
     pub fn drums(&self) -> impl ExactSizeIterator<Item = DrumUnit> {
         self.drums.iter().map(|drum| drum.unit)
+    }
+
+    /// What it takes to fill the buffer with the first demand of a mission, which a bank that has not begun yet finds there
+    /// as the mission begins. The drums turn as in its first frame.
+    pub fn first_load(&self, demand: &Demand) -> FrameSupply {
+        let mut empty = Self { loaded: true, ..self.clone() };
+        empty.frame(&Demand { end: Tick(u64::MAX), ..demand.clone() })
     }
 
     /// Follows the data bank through one frame. The first call is the first frame of the mission.
@@ -108,10 +126,11 @@ impl DataBank {
         FrameSupply { missing, pending: self.orders.len() as u64, ..supply }
     }
 
-    /// Lets records arrive that were under the heads while no frame ran.
+    /// What arrives between two frames, in which no request is served.
     fn finish_before(&mut self, start: u64, supply: &mut FrameSupply) {
-        let arrived: Vec<_> = self.drums.iter_mut().filter_map(|drum| drum.arrived_by(start)).collect();
-        self.take_in(&arrived, supply);
+        for work in self.follow(Span { start, end: start }, false) {
+            self.take_in(&work.arrived, supply);
+        }
     }
 
     /// Fills the buffer for the first frame.
@@ -124,7 +143,7 @@ impl DataBank {
 
     /// Writes the list of requests anew and makes room for what it asks for.
     fn order(&mut self, wanted: &Wanted, start: u64, supply: &mut FrameSupply) {
-        supply.cancelled = self.cancel(wanted);
+        supply.cancelled = self.cancel(wanted, start);
         let kept_open = self.orders.len();
         for &(record, rank) in &wanted.by_rank {
             self.buffer.note_need(record, wanted.need(rank));
@@ -140,18 +159,22 @@ impl DataBank {
     }
 
     /// Gives up what the frame has no use or no room for, and empties the queues; how many orders were given up.
-    fn cancel(&mut self, wanted: &Wanted) -> u64 {
+    fn cancel(&mut self, wanted: &Wanted, start: u64) -> u64 {
         let open = self.orders.len();
         self.orders.retain(|&record, _| wanted.keeps(record));
-        self.drums.iter_mut().for_each(|drum| drum.clear(|record| wanted.keeps(record)));
+        self.drums.iter_mut().for_each(|drum| drum.clear(start, |record| wanted.keeps(record)));
         (open - self.orders.len()) as u64
     }
 
     /// Puts a record in the queue of its drum; an order of frames before keeps its tick.
     fn request(&mut self, record: u32, rank: u32, order: Order) {
         self.orders.entry(record).or_insert(order).need = order.need;
-        let drum = record as usize % self.drums.len();
+        let drum = self.drum_of(record);
         self.drums[drum].enqueue(record, rank);
+    }
+
+    fn drum_of(&self, record: u32) -> usize {
+        record as usize % self.drums.len()
     }
 
     /// The figures of the frame's start.
@@ -171,17 +194,32 @@ impl DataBank {
         let mut corners: Vec<u32> = demand.corners.iter().copied().filter(absent).collect();
         corners.sort_unstable();
         corners.dedup();
-        corners.into_iter().map(|corner| Missing { corner, arrival: None }).collect()
+        let drum = |corner| self.drum_of(self.layout.record_of(corner)) as u32;
+        corners.into_iter().map(|corner| Missing { corner, drum: drum(corner), arrival: None }).collect()
     }
 
     /// Lets the drums work through the frame; the arrival of each record that came.
     fn work(&mut self, demand: &Demand, supply: &mut FrameSupply) -> BTreeMap<u32, u64> {
-        let mut arrived = Vec::new();
-        for drum in &mut self.drums {
-            supply.busy.push(drum.work(demand.start.0, demand.end.0, &mut arrived));
+        let mut arrivals = BTreeMap::new();
+        supply.busy = vec![0; self.drums.len()];
+        let span = Span { start: demand.start.0, end: demand.end.0 };
+        for (channel, work) in self.follow(span, true).into_iter().enumerate() {
+            supply.carried.push(work.carried);
+            let drums = supply.busy.iter_mut().skip(channel).step_by(self.channels);
+            drums.zip(&work.busy).for_each(|(busy, &found)| *busy = found);
+            self.take_in(&work.arrived, supply);
+            arrivals.extend(work.arrived);
         }
-        self.take_in(&arrived, supply);
-        arrived.into_iter().collect()
+        arrivals
+    }
+
+    /// Follows every channel through `span`.
+    fn follow(&mut self, span: Span, serves: bool) -> Vec<ChannelWork> {
+        let of_channel = |channel| {
+            let drums = self.drums.iter_mut().skip(channel).step_by(self.channels);
+            channel::work(&mut drums.collect::<Vec<_>>(), span, serves)
+        };
+        (0..self.channels).map(of_channel).collect()
     }
 
     /// Takes delivered records into the buffer.

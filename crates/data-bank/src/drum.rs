@@ -2,8 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use hardware_model::{Drum, DrumQueue};
+use hardware_model::{Channels, Drum, DrumQueue};
 use quantities::unit_interval;
+
+use crate::span::Span;
 
 /// Spread of the speed of drums, one standard deviation (hardware section 2.3).
 const SPEED_SPREAD: f64 = 0.005;
@@ -15,21 +17,23 @@ const LONGEST: u64 = 1 << 62;
 pub struct DrumUnit {
     /// One revolution, at least 1.
     pub rotation: u64,
-    /// Reading one record.
+    /// Reading one record over its channel.
     pub transfer: u64,
     /// Angle at tick 0, `0..rotation`.
     pub start_angle: u64,
 }
 
 impl DrumUnit {
-    /// Drum number `unit` of the design `drum`, with records of `words`.
-    pub(crate) fn drawn(drum: &Drum, words: u32, seed: u64, unit: u32) -> Self {
+    /// Drum number `unit` of the design `drum`, with records of `words`, laid out for its channel.
+    pub(crate) fn drawn(drum: &Drum, channels: &Channels, words: u32, seed: u64, unit: u32) -> Self {
         let draw = |word: u64| unit_interval(seed, &[u64::from(unit), word]);
         // Twelve uniform numbers, each of variance 1/12: near enough to normal, and never beyond six sigma.
         let deviate = (1..=12).map(draw).sum::<f64>() - 6.0;
         let slowness = 1.0 + SPEED_SPREAD * deviate;
         let rotation = ((drum.rotation as f64 * slowness).round() as u64).clamp(1, LONGEST);
-        let transfer = ((f64::from(words) * drum.word * slowness).ceil() as u64).min(LONGEST);
+        let words = f64::from(words);
+        let transfer = (words * drum.word * slowness).max(words * channels.word);
+        let transfer = (transfer.ceil() as u64).min(LONGEST);
         let start_angle = ((draw(0) * rotation as f64) as u64).min(rotation - 1);
         Self { rotation, transfer, start_angle }
     }
@@ -45,22 +49,40 @@ impl DrumUnit {
         (along % u128::from(self.rotation)) as u64
     }
 
-    /// When a record that begins at `place` has been read, if the drum turns to it from `tick` on.
-    pub fn arrival(&self, place: u64, tick: u64) -> u64 {
-        let wait = (place + self.rotation - self.angle(tick)) % self.rotation;
-        tick.saturating_add(wait).saturating_add(self.transfer)
+    /// When a record that begins at `place` comes under the heads, from `tick` on.
+    pub fn passes(&self, place: u64, tick: u64) -> u64 {
+        tick.saturating_add((place + self.rotation - self.angle(tick)) % self.rotation)
     }
 }
 
 /// A request that waits: place that decides (0 for all under FIFO), rank in the demand, record.
 type Waiting = (u64, u32, u32);
 
-/// A record under the heads.
+/// What a drum is at.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Reading {
-    record: u32,
-    begun: u64,
-    arrival: u64,
+enum Heads {
+    Idle,
+    /// It turns to a record, which is to be read from `under` on.
+    Turning {
+        record: u32,
+        begun: u64,
+        under: u64,
+    },
+    /// It reads one, over its channel.
+    Reading {
+        record: u32,
+        begun: u64,
+        under: u64,
+    },
+}
+
+/// What happens next to a drum, and when; of one tick, what stands first comes first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Event {
+    /// A record has been read.
+    Arrival,
+    /// A record is under the heads.
+    Passage,
 }
 
 /// A drum with its queue.
@@ -71,26 +93,30 @@ pub(crate) struct DrumAtWork {
     /// Drums that share the records.
     count: u32,
     waiting: BTreeSet<Waiting>,
-    reading: Option<Reading>,
-    /// Since when nothing is under the heads.
-    free: u64,
+    heads: Heads,
 }
 
 impl DrumAtWork {
     /// An idle drum, one of `count`.
     pub(crate) fn new(unit: DrumUnit, discipline: DrumQueue, count: u32) -> Self {
-        Self { unit, discipline, count, waiting: BTreeSet::new(), reading: None, free: 0 }
+        Self { unit, discipline, count, waiting: BTreeSet::new(), heads: Heads::Idle }
     }
 
-    /// Forgets the queue, and the record under the heads unless it is `wanted` still.
-    pub(crate) fn clear(&mut self, wanted: impl Fn(u32) -> bool) {
+    /// Forgets the queue at `tick`, and the record that it turns to or reads unless it is `wanted` still. One that had to
+    /// pass because the channel was taken is looked at again.
+    pub(crate) fn clear(&mut self, tick: u64, wanted: impl Fn(u32) -> bool) {
         self.waiting.clear();
-        self.reading = self.reading.filter(|reading| wanted(reading.record));
+        if self.record().is_some_and(|record| !wanted(record)) {
+            self.heads = Heads::Idle;
+        }
+        if let Heads::Turning { record, begun, .. } = self.heads {
+            self.heads = self.turning(record, begun, tick);
+        }
     }
 
     /// Puts a record in the queue, unless it is under the heads.
     pub(crate) fn enqueue(&mut self, record: u32, rank: u32) {
-        if self.reading.is_none_or(|reading| reading.record != record) {
+        if self.record() != Some(record) {
             let place = match self.discipline {
                 DrumQueue::Fifo => 0,
                 DrumQueue::ShortestLatency => self.place_of(record),
@@ -101,42 +127,84 @@ impl DrumAtWork {
 
     /// Requests open, with the one under the heads.
     pub(crate) fn open(&self) -> usize {
-        self.waiting.len() + usize::from(self.reading.is_some())
+        self.waiting.len() + usize::from(self.record().is_some())
     }
 
-    /// What is under the heads and arrives by `tick`.
-    pub(crate) fn arrived_by(&mut self, tick: u64) -> Option<(u32, u64)> {
-        let Reading { record, arrival, .. } = self.reading.take_if(|reading| reading.arrival <= tick)?;
-        self.free = arrival;
-        Some((record, arrival))
-    }
-
-    /// Works from `start` to `end`; appends each record that arrives, with its tick. Returns the ticks at work.
-    pub(crate) fn work(&mut self, start: u64, end: u64, arrived: &mut Vec<(u32, u64)>) -> u64 {
-        let mut busy = 0;
-        loop {
-            self.reading = self.reading.or_else(|| self.take_next(start.max(self.free), end));
-            let Some(reading) = self.reading else { return busy };
-            busy += reading.arrival.min(end).saturating_sub(reading.begun.max(start));
-            let Some(done) = self.arrived_by(end) else { return busy };
-            arrived.push(done);
+    /// The record that it turns to or reads.
+    fn record(&self) -> Option<u32> {
+        match self.heads {
+            Heads::Idle => None,
+            Heads::Turning { record, .. } | Heads::Reading { record, .. } => Some(record),
         }
     }
 
-    /// The request that the discipline serves from `now` on; none once the frame is over.
-    fn take_next(&mut self, now: u64, end: u64) -> Option<Reading> {
-        if now >= end {
-            return None;
+    /// What happens next, if it is at work.
+    pub(crate) fn next_event(&self) -> Option<(u64, Event)> {
+        match self.heads {
+            Heads::Idle => None,
+            Heads::Turning { under, .. } => Some((under, Event::Passage)),
+            Heads::Reading { under, .. } => Some((self.read_until(under), Event::Arrival)),
         }
+    }
+
+    /// Until when it keeps its channel, if it does.
+    pub(crate) fn carries_until(&self) -> Option<u64> {
+        self.next_event().filter(|&(_, event)| event == Event::Arrival).map(|(tick, _)| tick)
+    }
+
+    /// The record that passes is read.
+    pub(crate) fn read(&mut self) {
+        if let Heads::Turning { record, begun, under } = self.heads {
+            self.heads = Heads::Reading { record, begun, under };
+        }
+    }
+
+    /// The record passes, for the channel is taken until `free`.
+    pub(crate) fn let_pass(&mut self, free: u64) {
+        if let Heads::Turning { record, begun, .. } = self.heads {
+            self.heads = self.turning(record, begun, free);
+        }
+    }
+
+    /// The record that has been read, with its tick.
+    pub(crate) fn finish(&mut self) -> Option<(u32, u64)> {
+        let Heads::Reading { record, under, .. } = self.heads else { return None };
+        self.heads = Heads::Idle;
+        Some((record, self.read_until(under)))
+    }
+
+    /// Ticks of `span` in which it turned to its present record or read it, and in which its channel carried it.
+    pub(crate) fn time_at_record(&self, span: Span) -> [u64; 2] {
+        match self.heads {
+            Heads::Idle => [0, 0],
+            Heads::Turning { begun, .. } => [span.part(begun, span.end), 0],
+            Heads::Reading { begun, under, .. } => {
+                [begun, under].map(|from| span.part(from, self.read_until(under)))
+            }
+        }
+    }
+
+    /// Turns to the request that the discipline serves from `now` on, if any waits.
+    pub(crate) fn take_next(&mut self, now: u64) {
         // All FIFO requests wait at place 0, so that the first at or behind 0 is the first of all.
         let angle = match self.discipline {
             DrumQueue::Fifo => 0,
             DrumQueue::ShortestLatency => self.unit.angle(now),
         };
-        let next = self.waiting.range((angle, 0, 0)..).next().or_else(|| self.waiting.first()).copied()?;
-        self.waiting.remove(&next);
-        let record = next.2;
-        Some(Reading { record, begun: now, arrival: self.unit.arrival(self.place_of(record), now) })
+        let next = self.waiting.range((angle, 0, 0)..).next().or_else(|| self.waiting.first()).copied();
+        if let Some(next) = next {
+            self.waiting.remove(&next);
+            self.heads = self.turning(next.2, now, now);
+        }
+    }
+
+    /// Turning to a record since `begun`, to read it where it passes from `tick` on.
+    fn turning(&self, record: u32, begun: u64, tick: u64) -> Heads {
+        Heads::Turning { record, begun, under: self.unit.passes(self.place_of(record), tick) }
+    }
+
+    fn read_until(&self, under: u64) -> u64 {
+        under.saturating_add(self.unit.transfer)
     }
 
     fn place_of(&self, record: u32) -> u64 {

@@ -2,16 +2,17 @@
 //! sections 2.3 and 4.7).
 //!
 //! ```text
-//! demand of a frame ─▶ records not held ─▶ queue of each drum ─▶ drum ─▶ storage buffer ─▶ coefficient loader
-//! (corners, urgent first)                  (FIFO | shortest latency)      │ capacity       missing until the
-//!                                                                         ▼ dropped        arrival tick
+//! demand of a frame ─▶ records not held ─▶ queue of each drum ─▶ drum ─▶ channel ─▶ storage buffer ─▶ loader
+//! (corners, urgent first)                  (FIFO | shortest latency)               │ capacity   missing until
+//!                                                                                  ▼ dropped    the arrival tick
 //! ```
 //!
 //! **Law.** A drum of revolution `T` that stands at angle `(t + start) mod T` at tick `t` delivers the record that
 //! begins at place `p` at `t + ((p - angle) mod T) + transfer`, and nothing else until then. `transfer` is
-//! `words x ticks a word`, rounded up. A record holds an aligned square of `n x n` corners of nine words each;
-//! record `r` lies on drum `r mod count`, its records end to end along the tracks, heads switched at once.
-//! **Parameters.** [`hardware_model::Drum`] and the words of the buffer. The seed draws start angle and speed of each
+//! `words x ticks a word` of the slower of drum and channel, rounded up. A channel carries one record at a time: one that
+//! passes meanwhile waits for the next turn of its drum. A record holds an aligned square of `n x n` corners of nine words each;
+//! record `r` lies on drum `r mod count`, drum `d` is on channel `d mod channels`, its records end to end along the tracks, heads switched at once.
+//! **Parameters.** [`hardware_model::Drum`], [`hardware_model::Channels`] and the words of the buffer. The seed draws start angle and speed of each
 //! drum, 0.5 % (one standard deviation); a slow drum is slow in revolution and in transfer. [`DrumUnit`] shows what
 //! was drawn.
 //! **State and timing.** Whole master ticks. A [`DataBank`] is called once a frame, in order of frames, and keeps
@@ -19,7 +20,11 @@
 //! that arrives with the last tick of the frame still belongs to the frame.
 //! **Elaboration.** With all words at hand there is no data bank.
 //! **Our choices.**
-//! - The first frame finds the buffer full of what it demands: it was loaded before the mission.
+//! - The first frame finds the buffer full of what it demands: it was loaded before the mission, in the time that
+//!   [`DataBank::first_load`] tells.
+//! - Behind a channel that is slower than the drum a record is laid out interleaved, so long that it comes at the channel's
+//!   rate. Of two records that pass in one tick that of the drum with the lower number is read. A drum that had to let its
+//!   record pass keeps to it.
 //! - Every frame the list of requests is written anew in the order of the demand. FIFO serves that list from its top;
 //!   shortest latency takes what comes under the heads first, and of two at one place the more urgent.
 //! - What the frame no longer wants is cancelled, also under the heads: a drum has no arm to move.
@@ -32,9 +37,11 @@
 
 mod bank;
 mod buffer;
+mod channel;
 mod corners;
 mod drum;
 mod layout;
+mod span;
 mod supply;
 
 pub use bank::DataBank;

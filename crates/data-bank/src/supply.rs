@@ -20,6 +20,8 @@ pub struct Demand {
 pub struct Missing {
     /// Index into the words of the level.
     pub corner: u32,
+    /// Drum that has its record.
+    pub drum: u32,
     /// When its words are in the buffer; `None` if not before the frame ends.
     pub arrival: Option<Tick>,
 }
@@ -47,6 +49,8 @@ pub struct FrameSupply {
     pub pending: u64,
     /// Master ticks of the frame that each drum spent turning to a record and reading it.
     pub busy: Vec<u64>,
+    /// Master ticks of the frame in which each channel carried a record.
+    pub carried: Vec<u64>,
     /// Longest queue of a drum, with the record under its heads.
     pub longest_queue: u32,
     /// Longest time from request to arrival, of the records delivered (ticks).

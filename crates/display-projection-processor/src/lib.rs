@@ -60,4 +60,4 @@ mod wired;
 pub use deflection::Deflection;
 pub use occlusion::BrokenProfile;
 pub use processor::{Processor, Projected, ProjectedBreaks, SIGNALS};
-pub use wired::{Driven, PartsProcessor, Scratch};
+pub use wired::{DERIVATIVE, Driven, PartsProcessor, Scratch};

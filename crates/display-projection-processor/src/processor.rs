@@ -10,6 +10,12 @@ use crate::{BrokenProfile, Deflection};
 /// Signals of the block.
 pub const SIGNALS: &[Signal] = &[
     Signal::ground("dpp.elevation", Unit::Tangent, "tangent of the elevation of the profile", "fig. 30"),
+    Signal::ground(
+        "dpp.derivative",
+        Unit::TangentRate,
+        "change of the elevation: below 0 it falls; where occlusion is by derivative",
+        "fig. 30",
+    ),
     Signal::ground("dpp.blank", Unit::Gate, "1 while the profile is hidden by nearer ground", "fig. 30"),
     Signal::ground(
         "dpp.hold",

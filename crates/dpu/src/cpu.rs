@@ -53,6 +53,9 @@ pub struct CpuFrame {
     pub drawn: Vec<u32>,
     /// Each set-up that was made, and the ticks from its end to its sweep; below 0 it is late.
     pub set_ups: Vec<(u32, i64)>,
+    /// Each set-up that was begun, made or not, and the ticks from the frame's start to its beginning; below 0 it began in
+    /// the frame before.
+    pub begun: Vec<(u32, i64)>,
     /// Ticks from the end of tables and polyhedra to that of the frame; below 0, so much work was left.
     pub frame_slack: i64,
     /// Vertices that are ready when the frame ends: tables come first.
@@ -77,6 +80,7 @@ struct Processor<'a> {
     left: [u64; 2],
     frame_slack: i64,
     set_ups: Vec<(u32, i64)>,
+    begun: Vec<(u32, i64)>,
     /// Ticks of set-up in the time of each sweep.
     held: Vec<u64>,
     time: CpuTime,
@@ -89,10 +93,10 @@ struct Processor<'a> {
 /// that any more. The frame's interrupt clears the tasks that the frame before left, so frames do not depend on one another
 /// (our choices), and a set-up that runs over the end of a frame counts in both, part by part.
 pub fn cpu_frame(cpu: &Cpu, load: CpuLoad<'_>) -> CpuFrame {
-    let Processor { set_ups, frame_slack, time, left, .. } = Processor::run(cpu, load);
+    let Processor { set_ups, begun, frame_slack, time, left, .. } = Processor::run(cpu, load);
     let not_ready = if cpu.vertex == 0 { 0 } else { left[1].div_ceil(cpu.vertex) };
     let vertices = load.vertices.saturating_sub(not_ready);
-    CpuFrame { drawn: drawn_with(&set_ups, load.starts), set_ups, frame_slack, vertices, time }
+    CpuFrame { drawn: drawn_with(&set_ups, load.starts), set_ups, begun, frame_slack, vertices, time }
 }
 
 /// For each sweep, the ticks from its start in which a set-up runs that no interrupt breaks; `starts` as in [`CpuLoad`].
@@ -160,8 +164,9 @@ impl<'a> Processor<'a> {
         let left = [cpu.frame_tables, cpu.vertex * load.vertices];
         let all = left[0] + left[1];
         let frame_slack = if all == 0 { load.end() as i64 } else { -(all as i64) };
-        let (in_work, set_ups, held, time) = (None, Vec::new(), Vec::new(), CpuTime::default());
-        let mut processor = Self { cpu, load, in_work, left, frame_slack, set_ups, held, time };
+        let (in_work, set_ups, begun) = (None, Vec::new(), Vec::new());
+        let (held, time) = (Vec::new(), CpuTime::default());
+        let mut processor = Self { cpu, load, in_work, left, frame_slack, set_ups, begun, held, time };
         // The first sweep is set up before the frame begins.
         for sweep in -1..load.sweeps() as i64 {
             processor.pass(sweep);
@@ -216,6 +221,7 @@ impl<'a> Processor<'a> {
         while span.now < span.end {
             if self.in_work.is_none() && is_asked {
                 self.in_work = Some(SetUp { sweep: next, rest: self.cpu.sweep_setup });
+                self.begun.extend(next.map(|sweep| (sweep, span.now)));
             }
             let Some(mut work) = self.in_work.take() else { break };
             is_asked &= work.sweep != next && !self.load.unbroken;
@@ -271,6 +277,11 @@ mod tests {
         assert!(found.set_ups.iter().all(|&(_, slack)| slack == 70) && found.set_ups.len() == 10);
         // 70 ticks of each sweep are left: two sweeps.
         assert_eq!((found.frame_slack, found.time.busy()), (800, 440));
+        // Each is begun as the sweep before it begins, the first before the frame.
+        assert_eq!(
+            found.begun,
+            (0..10).map(|sweep| (sweep, 100 * i64::from(sweep) - 100)).collect::<Vec<_>>()
+        );
     }
 
     #[test]
@@ -299,6 +310,7 @@ mod tests {
         let found = made(&cpu(30, 0), &starts, &[90, 90, 90, 90, 0, 0, 0, 0], false, 0);
         // Sweep 1 is set up in sweeps 0 to 2, 10 ticks each; then sweep 4, in 3 and 4.
         assert_eq!(found.set_ups[..4], [(0, 70), (1, -200), (4, -20), (5, 50)]);
+        assert_eq!(found.begun[..4], [(0, -100), (1, 90), (4, 390), (5, 420)]);
         assert_eq!(found.drawn, [0, 0, 0, 1, 1, 5, 6, 7]);
     }
 

@@ -1,7 +1,11 @@
 //! Pointers of the four colours, and what the home registers hold at sweep start.
 
+use hardware_model::{Cpu, Loader};
 use landscape::Level;
+use quantities::Tick;
 use sweep_program::{Colour, Fold, PreloadRegister, RampAxis, RegisterSet, SweepStart};
+
+use crate::server::{Job, Server, Wanted};
 
 /// The corner that each colour stands for, as lattice indices, and the way the sweep goes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -60,5 +64,56 @@ impl Pointers {
             x_first: index(self.ahead(colour, PreloadRegister::XFirst)),
             y_first: index(self.ahead(colour, PreloadRegister::YFirst)),
         })
+    }
+}
+
+/// Sets of the home registers: hold and both preload registers of four colours.
+pub const HOME_SETS: u32 = 12;
+
+/// Ticks in which the server of the crossings fills the home registers before the mission, when it has nothing else to do:
+/// as if one fold asked for all sets.
+pub fn home_load(loader: &Loader, cpu: &Cpu) -> u64 {
+    let idle = Cpu { longest_instruction: 0, ..*cpu };
+    let mut server = Server::new(loader, &idle, 0, [0; 2], Tick(0));
+    for number in 0..HOME_SETS {
+        // A set takes its time whatever register it is for.
+        server.ask(Job {
+            number,
+            colour: Colour::ALL[number as usize % 4],
+            wanted: Wanted::Diagonal,
+            corner: 0,
+            asked: Tick(0),
+            crossing: 0,
+            urgent: false,
+            late: false,
+        });
+    }
+    let mut last = 0;
+    while let Some(served) = server.next(None) {
+        last = server.arrivals(&served).map(|(tick, _)| tick.0).fold(last, u64::max);
+    }
+    last
+}
+
+#[cfg(test)]
+mod tests {
+    use super::home_load;
+    use hardware_model::{Cpu, CrossingServer, HardwareModel, IoProcessor, Loader};
+
+    /// Twelve sets in four banks, on one line behind one order, on one line behind one interrupt.
+    #[test]
+    fn home_registers_are_filled_by_the_server_of_the_crossings() {
+        let io_processor = IoProcessor { order: 7, chain: 3, edit: 0 };
+        let ideal = HardwareModel::ideal().loader;
+        assert_eq!(home_load(&ideal, &Cpu::default()), 0);
+        let cpu = Cpu { interrupt: 50, longest_instruction: 90, ..Cpu::default() };
+        let load = |served_by| {
+            let loader =
+                Loader { served_by, pointer: 1, access: 5, strobe: 2, io_processor, ..ideal.clone() };
+            home_load(&loader, &cpu)
+        };
+        assert_eq!(load(CrossingServer::WiredPointers), 3 * (1 + 5) + 2);
+        assert_eq!(load(CrossingServer::IoProcessor), 7 + 12 * (3 + 1 + 5) + 2);
+        assert_eq!(load(CrossingServer::CpuInterrupt), 50 + 12 * (1 + 5) + 2);
     }
 }

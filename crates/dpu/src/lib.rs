@@ -9,7 +9,8 @@
 //! (two corners) along the sweep, and both preload registers of both colours are asked for anew: 18 words used,
 //! 36 loaded. `XFIRST(c) = array_c[ptr_c + (cx, 0)]`, `YFIRST(c) = array_c[ptr_c + (0, cy)]`.
 //! **Who answers** ([`hardware_model::CrossingServer`]). Wired pointers: a bank of the storage buffer for each colour,
-//! side by side. An I/O processor or the processor itself: one line for all. A set takes its pointer arithmetic, then
+//! side by side. An I/O processor or the processor itself: one line for all. An I/O processor is started once a fold by an
+//! order, fetches a command of its chain for each set, and edits each word behind its access. A set takes its pointer arithmetic, then
 //! one access after another, each of `words_per_access` words; the strobe of one overlaps with the next. An interrupt
 //! is recognised after the instruction that runs (with one priority level: after the set-up), saves its state and moves
 //! the pointers by its instructions, once a fold.
@@ -25,15 +26,17 @@
 //! A corner that the data bank has not delivered brings words of 0.
 //! **Watching.** [`Watch`] is told of every event; with `()` nothing of that is compiled.
 
+mod accesses;
 mod cpu;
 mod crossing;
 mod home;
 mod server;
+mod service;
 mod visible;
 mod watch;
 
 pub use cpu::{CpuFrame, CpuLoad, CpuTime, CrossingTime, cpu_frame, held_by_set_ups};
 pub use crossing::{CrossingService, MissingCorner, TimedFold};
-pub use home::Pointers;
+pub use home::{HOME_SETS, Pointers, home_load};
 pub use visible::Sector;
 pub use watch::{AskedCorner, CornerArrival, LineUse, Watch};

@@ -1,13 +1,11 @@
 //! Who answers a fold: four banks with wired pointers, an I/O processor, or the processor itself (hardware 4.4).
 
-use hardware_model::{Cpu, CrossingServer, Loader};
+use hardware_model::{Cpu, CrossingServer, IoProcessor, Loader};
 use quantities::{Tick, unit_interval};
 use sweep_program::{Colour, PreloadRegister, WordMask};
 
+use crate::accesses::Accesses;
 use crate::watch::LineUse;
-
-/// Words of a set.
-const SET: u32 = 9;
 
 /// What a set is wanted for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -50,14 +48,16 @@ pub(crate) struct Served {
 #[derive(Debug)]
 pub(crate) struct Server<'a> {
     loader: &'a Loader,
+    programme: IoProcessor,
+    accesses: Accesses,
     cpu: &'a Cpu,
     /// Seed and place of the sweep, for what the processor happens to be at.
     seed: u64,
     place: [u64; 2],
     queue: Vec<Job>,
     free_at: [Tick; 4],
-    /// Folds whose interrupt was handled.
-    handled: Vec<u32>,
+    /// Folds whose interrupt was handled, or whose chain of commands was started.
+    begun: Vec<u32>,
     lines: [LineUse; 4],
 }
 
@@ -66,12 +66,14 @@ impl<'a> Server<'a> {
     pub fn new(loader: &'a Loader, cpu: &'a Cpu, seed: u64, place: [u64; 2], held: Tick) -> Self {
         Self {
             loader,
+            programme: loader.channel_programme(),
+            accesses: Accesses::of(loader),
             cpu,
             seed,
             place,
             queue: Vec::new(),
             free_at: [held; 4],
-            handled: Vec::new(),
+            begun: Vec::new(),
             lines: [LineUse::default(); 4],
         }
     }
@@ -112,41 +114,134 @@ impl<'a> Server<'a> {
         let first = own().filter(|job| job.asked <= start).min_by_key(|job| rank(job))?.number;
         let index = self.queue.iter().position(|job| job.number == first)?;
         let job = self.queue.remove(index);
-        let (rest, interrupt) = self.recognition(&job, start);
-        let begin = Tick(start.0 + rest + interrupt + self.loader.pointer);
-        let end = Tick(begin.0 + u64::from(self.accesses()) * self.loader.access);
+        let Opening { rest, interrupt, order } = self.open(&job, start);
+        let set = self.programme.chain + self.loader.pointer;
+        let begin = Tick(start.0 + rest + interrupt + order + set);
+        let end = self.accesses.end(begin);
         self.lines[line].busy += end.0 - start.0 - rest;
         self.lines[line].interrupts += interrupt;
         self.free_at[line] = end;
         Some(Served { job, begin, waited: start > job.asked })
     }
 
-    /// Time from the start of a service to its pointers: the rest of the instruction that the processor is at, which is
-    /// the interrupted task's, and the interrupt itself, once for all sets of a fold.
-    fn recognition(&mut self, job: &Job, start: Tick) -> (u64, u64) {
-        let is_served_so = self.loader.served_by == CrossingServer::CpuInterrupt;
+    /// What stands before the first set of a fold that is served, once for all of its sets.
+    fn open(&mut self, job: &Job, start: Tick) -> Opening {
+        let opens = self.loader.served_by != CrossingServer::WiredPointers;
         // The newest stand last, and an urgent set may go before those of an older fold.
-        if !is_served_so || self.handled.iter().rev().any(|&fold| fold == job.crossing) {
-            return (0, 0);
+        if !opens || self.begun.iter().rev().any(|&fold| fold == job.crossing) {
+            return Opening::default();
         }
-        self.handled.push(job.crossing);
+        self.begun.push(job.crossing);
+        if self.loader.served_by == CrossingServer::IoProcessor {
+            return Opening { order: self.programme.order, ..Opening::default() };
+        }
         let interrupted = start == job.asked;
         let share = unit_interval(self.seed, &[self.place[0], self.place[1], u64::from(job.crossing)]);
         let rest = if interrupted { (share * self.cpu.longest_instruction as f64) as u64 } else { 0 };
-        (rest, self.cpu.crossing())
+        Opening { rest, interrupt: self.cpu.crossing(), order: 0 }
     }
 
-    fn accesses(&self) -> u32 {
-        SET.div_ceil(self.loader.words_per_access)
-    }
-
-    /// The words of a set and when they are in their register, access by access.
+    /// The words of a set and when they are in their register.
     pub fn arrivals(&self, served: &Served) -> impl Iterator<Item = (Tick, WordMask)> + use<> {
-        let begin = served.begin.0;
-        let Loader { words_per_access: width, access, strobe, .. } = *self.loader;
-        (0..self.accesses()).map(move |number| {
-            let words = WordMask::range(number * width, ((number + 1) * width).min(SET));
-            (Tick(begin + u64::from(number + 1) * access + strobe), words)
-        })
+        self.accesses.arrivals(served.begin)
+    }
+}
+
+/// Ticks before the first set of a fold.
+#[derive(Debug, Clone, Copy, Default)]
+struct Opening {
+    /// Rest of the instruction that the processor is at, which is the interrupted task's.
+    rest: u64,
+    /// The interrupt itself.
+    interrupt: u64,
+    /// The order that starts the chain of an I/O processor.
+    order: u64,
+}
+
+#[cfg(test)]
+mod tests {
+    use hardware_model::{Cpu, CrossingServer, HardwareModel, IoProcessor, Loader};
+    use quantities::Tick;
+    use sweep_program::{Colour, PreloadRegister};
+
+    use super::{Job, Server, Wanted};
+
+    fn loader(served_by: CrossingServer, words_per_access: u32, io_processor: IoProcessor) -> Loader {
+        let [pointer, access, strobe] = [1, 5, 2];
+        Loader {
+            served_by,
+            words_per_access,
+            pointer,
+            access,
+            strobe,
+            io_processor,
+            ..HardwareModel::ideal().loader
+        }
+    }
+
+    /// Sets of the folds at `asked`, four each; begin and end of service, last word.
+    fn served(loader: &Loader, asked: &[u64]) -> (Vec<[u64; 2]>, u64) {
+        let cpu = Cpu::default();
+        let mut server = Server::new(loader, &cpu, 0, [0; 2], Tick(0));
+        for (crossing, &asked) in asked.iter().enumerate() {
+            for set in 0..4 {
+                server.ask(Job {
+                    number: (4 * crossing + set) as u32,
+                    colour: Colour::ALL[set / 2],
+                    wanted: Wanted::Register(PreloadRegister::XFirst),
+                    corner: 0,
+                    asked: Tick(asked),
+                    crossing: crossing as u32,
+                    urgent: set == 0,
+                    late: false,
+                });
+            }
+        }
+        let mut sets = Vec::new();
+        while let Some(found) = server.next(None) {
+            let last = server.arrivals(&found).last().expect("words").0;
+            sets.push([found.begin.0, last.0]);
+        }
+        (sets, server.use_of_lines()[0].busy)
+    }
+
+    const PROGRAMME: IoProcessor = IoProcessor { order: 7, chain: 3, edit: 2 };
+
+    /// Order, command, pointer, nine accesses with a word each to be edited, strobe.
+    #[test]
+    fn an_uncontended_set_takes_the_sum_of_its_parts() {
+        let (sets, _) = served(&loader(CrossingServer::IoProcessor, 1, PROGRAMME), &[100]);
+        let begin = 100 + 7 + 3 + 1;
+        assert_eq!(sets[0], [begin, begin + 9 * (5 + 2) + 2]);
+        // Two words an access: five accesses, nine words edited.
+        let (sets, _) = served(&loader(CrossingServer::IoProcessor, 2, PROGRAMME), &[100]);
+        assert_eq!(sets[0], [begin, begin + 5 * 5 + 9 * 2 + 2]);
+    }
+
+    /// The order is given once for the four sets of a crossing.
+    #[test]
+    fn four_sets_of_a_crossing_share_its_order() {
+        let set = 3 + 1 + 9 * (5 + 2);
+        let (sets, busy) = served(&loader(CrossingServer::IoProcessor, 1, PROGRAMME), &[100]);
+        let begins: Vec<u64> = sets.iter().map(|set| set[0]).collect();
+        assert_eq!(begins, [0, 1, 2, 3].map(|number| 100 + 7 + number * set + 3 + 1));
+        assert_eq!(busy, 7 + 4 * set);
+        // Also where sets of a later crossing go before those of an earlier one.
+        let (sets, busy) = served(&loader(CrossingServer::IoProcessor, 1, PROGRAMME), &[100, 101]);
+        assert_eq!((sets.len() as u64, busy), (8, 2 * (7 + 4 * set)));
+        // The first set of the second crossing is urgent, and second in line.
+        assert_eq!(sets[1][0], 100 + 7 + set + 7 + 3 + 1);
+    }
+
+    #[test]
+    fn others_have_no_channel_programme() {
+        for (server, count) in [(CrossingServer::WiredPointers, 4), (CrossingServer::CpuInterrupt, 8)] {
+            let [with, without] = [PROGRAMME, IoProcessor::default()]
+                .map(|programme| served(&loader(server, 1, programme), &[100, 101]));
+            assert_eq!(with, without);
+            assert!(with.0.len() >= count);
+        }
+        let without = served(&loader(CrossingServer::IoProcessor, 1, IoProcessor::default()), &[100]);
+        assert_eq!(without.1, 4 * (1 + 9 * 5));
     }
 }

@@ -13,6 +13,7 @@ pub fn because(told: &Explanation) -> Vec<String> {
     let mut reasons = vec![writer(told)];
     if let Some(ground) = told.ground.as_ref().filter(|_| told.writer == Writer::Ground) {
         reasons.push(light(ground));
+        reasons.extend(driven(ground));
         reasons.extend(stale(ground));
     }
     reasons.extend(digital(told));
@@ -50,7 +51,9 @@ fn light(ground: &GroundPoint) -> String {
     let value = ground.reflectivity;
     match ground {
         _ if ground.in_shadow => {
-            format!("sc.gate is on: something stands between it and the sun ({value:.3})")
+            format!(
+                "sc.gate is on: something stands between it and the sun, and mu.vs2 puts black there ({value:.3})"
+            )
         }
         GroundPoint { features_shown: true, .. } if value <= DARK => {
             format!("mu.vs1 shows a crater, whose face here is turned from the sun ({value:.3})")
@@ -67,6 +70,17 @@ fn light(ground: &GroundPoint) -> String {
             format!("tg.reflectivity: the slope ({north:.3} north, {east:.3} east) is lit ({value:.3})")
         }
     }
+}
+
+/// What lies between the mixing unit and the tube.
+fn driven(ground: &GroundPoint) -> Option<String> {
+    let GroundPoint { reflectivity, video, .. } = ground;
+    ((video - reflectivity).abs() > TELLING).then(|| {
+        format!(
+            "sm.video is {video:.3} where mu.reflectivity is {reflectivity:.3}: its delay line, or the blanking, is not where \
+             the position is"
+        )
+    })
 }
 
 fn stale(ground: &GroundPoint) -> impl Iterator<Item = String> {

@@ -16,7 +16,7 @@ pub(crate) const SIGNALS: &[&str] = &[
     "mu.*",
     "dpp.*",
     "pg.*",
-    "sm.write",
+    "sm.*",
 ];
 
 /// Sampled signals of one sweep.

@@ -67,6 +67,10 @@ pub struct GroundPoint {
     pub elevation: f64,
     /// Highest tangent so far.
     pub hold: f64,
+    /// Change of its elevation (tangents a microsecond), where occlusion goes by it.
+    pub elevation_change: Option<f64>,
+    /// What the write beam is driven with.
+    pub video: f64,
     /// Line of the beam, from the top of what is written.
     pub line: f64,
     /// Ground ranges (m) of the stretch right behind that this place hides.
@@ -126,6 +130,8 @@ impl GroundPoint {
             reflectivity: of("mu.reflectivity"),
             elevation: of("dpp.elevation"),
             hold: of("dpp.hold"),
+            elevation_change: None,
+            video: of("sm.video"),
             line: of("dpp.y"),
             hides_m: hidden.map(|samples| samples.map(|k| column.at("sweep.range", last_of(column, k)))),
         }

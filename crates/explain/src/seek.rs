@@ -1,10 +1,12 @@
 //! The way from a pixel to its sample.
 
+use std::sync::{Mutex, PoisonError};
+
 use exact::Columns;
 use generator::{FrameError, Label, PlaneKind, Planes, Session, Shade, Stage};
 use machine::{ControlPlane, FrameSweeps};
 use quantities::SweepTime;
-use scenario::Pose;
+use scenario::{Occlusion, Pose};
 use serde::Serialize;
 use signal::Probe;
 
@@ -110,18 +112,34 @@ pub enum InquiryError {
 
 /// A machine that answers questions about its pictures.
 pub struct Inquiry<'a> {
-    /// What it draws.
-    pub stage: &'a Stage,
-    /// The machine.
-    pub session: &'a dyn Session,
-    /// Its digital side.
-    pub control: &'a ControlPlane,
-    /// The closed form, if the error is to be told.
-    pub exact: Option<&'a Columns>,
+    stage: &'a Stage,
+    session: &'a dyn Session,
+    control: &'a ControlPlane,
+    exact: Option<&'a Columns>,
+    /// The picture that was asked about last: questions of one frame need one picture.
+    last: Mutex<Option<Picture>>,
 }
 
-impl Inquiry<'_> {
-    /// Explains pixel (column, line) of a frame. The frame is drawn by the threads of the current pool.
+/// A picture, and what it is of.
+struct Picture {
+    frame: u64,
+    pose: Pose,
+    planes: Planes,
+}
+
+impl<'a> Inquiry<'a> {
+    /// The machine `session` that draws `stage`, and its digital side; `exact` if the error is to be told.
+    pub fn new(
+        stage: &'a Stage,
+        session: &'a dyn Session,
+        control: &'a ControlPlane,
+        exact: Option<&'a Columns>,
+    ) -> Self {
+        Self { stage, session, control, exact, last: Mutex::new(None) }
+    }
+
+    /// Explains pixel (column, line) of a frame. The frame is drawn by the threads of the current pool, once for all pixels
+    /// that are asked about one after another.
     ///
     /// # Errors
     /// If there is no such pixel, or the pose cannot be drawn.
@@ -133,12 +151,7 @@ impl Inquiry<'_> {
         }
         let sweeps = self.control.sweeps(frame, pose)?;
         let place = self.place(&sweeps, pose, [x, y]);
-        let patterns = SIGNALS.iter().map(|name| (*name).to_owned()).collect();
-        let mut probe = Probe::new(patterns, place.sweep..place.sweep + 1);
-        let mut planes = Planes::new(columns as usize, lines as usize, &[PlaneKind::Intensity]);
-        self.session.frame(frame, pose, &mut planes, &mut probe)?;
-        let shown = planes.get(PlaneKind::Intensity).map_or(0.0, |plane| plane[y * columns as usize + x]);
-        let column = SweepColumn::new(probe.waveforms);
+        let (shown, column) = self.look(frame, pose, [x, y], place.sweep)?;
         let (programs, stroke) = (sweeps.programs(place.sweep), column.stroke_across(place.cell));
         let ground = stroke.map(|sample| self.ground(&sweeps, pose, (place.sweep, sample), &column));
         let missed = |sample| programs.iter().flat_map(|program| late(program, sample)).collect();
@@ -160,6 +173,30 @@ impl Inquiry<'_> {
         Ok(explanation)
     }
 
+    /// What the picture shows at a pixel, and the signals of a sweep. Where the picture is known the sweep alone is drawn.
+    fn look(
+        &self,
+        frame: u64,
+        pose: &Pose,
+        [x, y]: [usize; 2],
+        sweep: u32,
+    ) -> Result<(f32, SweepColumn), FrameError> {
+        let raster = &self.stage.settings.raster;
+        let [columns, lines] = [raster.columns, raster.lines].map(|count| count as usize);
+        let mut last = self.last.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = last.take().filter(|known| known.frame == frame && known.pose == *pose);
+        let kinds: &[PlaneKind] = if known.is_some() { &[] } else { &[PlaneKind::Intensity] };
+        let mut planes = Planes::new(columns, lines, kinds);
+        let patterns = SIGNALS.iter().map(|name| (*name).to_owned()).collect();
+        let mut probe = Probe::new(patterns, sweep..sweep + 1);
+        self.session.frame(frame, pose, &mut planes, &mut probe)?;
+        let picture = known.unwrap_or(Picture { frame, pose: *pose, planes });
+        let intensity = picture.planes.get(PlaneKind::Intensity);
+        let shown = intensity.map_or(0.0, |plane| plane[y * columns + x]);
+        *last = Some(picture);
+        Ok((shown, SweepColumn::new(probe.waveforms)))
+    }
+
     fn place(&self, sweeps: &FrameSweeps<'_>, pose: &Pose, pixel: [usize; 2]) -> Place {
         let [between_sweeps, between_cells] = sweeps.place_of(pose, pixel);
         let (last, cells) = (self.stage.settings.raster.sweeps - 1, sweeps.cells());
@@ -179,7 +216,11 @@ impl Inquiry<'_> {
         let fine = &sweeps.programs(sweep)[0];
         let way = (fine.end_range, fine.start.direction);
         let period_us = 1e6 / self.stage.settings.timebase.sample_rate().hertz();
-        GroundPoint::at(sample, column, &states, way, &self.stage.landscape, pose.eye, period_us)
+        let by_derivative = self.stage.settings.laws.occlusion == Occlusion::Derivative;
+        GroundPoint {
+            elevation_change: by_derivative.then(|| column.at("dpp.derivative", sample)),
+            ..GroundPoint::at(sample, column, &states, way, &self.stage.landscape, pose.eye, period_us)
+        }
     }
 }
 

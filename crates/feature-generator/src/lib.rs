@@ -28,7 +28,8 @@
 //! **Elaboration.** Without features there is nothing to load and nothing to draw.
 //! **Our choices.** Unfolded sweep voltages relative to the eye's foot (section 10). Sums run in the order of the
 //! crater list, so that they are those of [`features::Features::at`]. A footprint is a circle, not its bounding square.
-//! **Parts.** [`PartsGenerator`]: bandwidth and static errors of the chain; the comparators' delay is the mixing unit's.
+//! **Parts.** [`PartsGenerator`]: bandwidth and static errors of the chain, offsets of the footprints' comparators; their
+//! delay is the mixing unit's.
 
 mod bank;
 mod generator;
@@ -40,7 +41,7 @@ mod sub_generator;
 mod wired;
 
 pub use generator::FeatureGenerator;
-pub use loads::{CRATER_WORDS, FeatureMiss};
+pub use loads::{CRATER_WORDS, FeatureArrival, FeatureMiss};
 pub use profile::{FeatureProfile, Kink, SIGNALS};
 pub use schedule::{FeatureLoad, FeatureProgram, Schedule};
 pub use wired::{ChainScratch, MOST, PartsGenerator};

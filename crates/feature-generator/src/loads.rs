@@ -29,6 +29,21 @@ pub struct FeatureMiss {
     pub cause: Option<MissCause>,
 }
 
+/// A crater whose words took time to come.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FeatureArrival {
+    /// Index of the crater.
+    pub crater: u32,
+    /// Its type, 1 to 3.
+    pub kind: u32,
+    /// Sub-generator of that type that waited for them.
+    pub sub_generator: u32,
+    /// Ground range of the edge at which the sweep meets it (m).
+    pub range: f64,
+    /// When they came; a slack below 0 is late.
+    pub load: TimedLoad,
+}
+
 impl FeatureMiss {
     /// A crater that found no free sub-generator.
     pub(crate) fn occupied(request: &Request) -> Self {
@@ -50,8 +65,8 @@ pub(crate) struct Brought {
     pub load: Option<FeatureLoad>,
     /// If it is late.
     pub miss: Option<FeatureMiss>,
-    /// Ticks before its edge.
-    pub slack: i64,
+    /// When its words came.
+    pub arrival: FeatureArrival,
 }
 
 /// Brings the words of a crater into a sub-generator that is free from ground range `free` on (m). The report's
@@ -67,20 +82,28 @@ pub(crate) fn bring(
         Organisation::ByRegion => free.max(request.taken),
     };
     let load = FeatureLoad { sub_generator, ..request.load };
-    let TimedLoad { due, arrival, range, slack, cause } = timing.load(free, request.entry, request.exit);
-    if slack >= 0 {
-        return Brought { load: Some(load), miss: None, slack };
+    let timed = timing.load(free, request.entry, request.exit);
+    let arrival = FeatureArrival {
+        crater: load.crater,
+        kind: request.kind as u32 + 1,
+        sub_generator,
+        range: request.entry,
+        load: timed,
+    };
+    if timed.slack >= 0 {
+        return Brought { load: Some(load), miss: None, arrival };
     }
+    let TimedLoad { due, range, cause, .. } = timed;
     let is_drawn = timing.strobes_through && range < request.exit;
     Brought {
         load: is_drawn.then_some(FeatureLoad { from: range, ..load }),
         miss: Some(FeatureMiss {
             due: Some(due),
-            arrival,
+            arrival: timed.arrival,
             cause: Some(cause),
             sub_generator: Some(sub_generator),
             ..FeatureMiss::occupied(request)
         }),
-        slack,
+        arrival,
     }
 }

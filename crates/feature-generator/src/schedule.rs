@@ -5,7 +5,7 @@ use hardware_model::{FeatureParts, Organisation};
 use quantities::SweepTime;
 use sweep_program::{LoadTiming, NoTiming};
 
-use crate::loads::{FeatureMiss, bring};
+use crate::loads::{FeatureArrival, FeatureMiss, bring};
 
 /// What programs are written from: the same for every sweep of a frame.
 #[derive(Debug, Clone, Copy)]
@@ -49,8 +49,8 @@ pub struct FeatureProgram {
     pub most_in_use: [u32; 3],
     /// Craters that are not drawn, or not from their edge on, in the order in which the sweep meets them.
     pub misses: Vec<FeatureMiss>,
-    /// Ticks that each load came before its crater's edge, if loads take time; below 0 it was late.
-    pub slacks: Vec<i64>,
+    /// Loads that took time, in the order in which they came.
+    pub arrivals: Vec<FeatureArrival>,
     /// Ticks that the loads took the line.
     pub load_ticks: u64,
     found: Vec<u32>,
@@ -118,7 +118,7 @@ impl Schedule<'_> {
     fn request(&self, index: u32, line: &Line) -> Request {
         let crater = &self.features.craters()[index as usize];
         let (middle, side) = line.foot(crater);
-        let half = (crater.outer() * crater.outer() - side * side).max(0.0).sqrt();
+        let half = half_chord(crater, side);
         let (entry, exit) = ((middle - half).max(line.from), (middle + half).min(line.to));
         let (taken, freed) = match self.parts.organisation {
             Organisation::Scheduled => (entry, exit),
@@ -144,6 +144,18 @@ impl Schedule<'_> {
     }
 }
 
+/// Half of what a sweep crosses of the footprint of a crater whose centre lies `side` beside it (m).
+fn half_chord(crater: &Crater, side: f64) -> f64 {
+    (crater.outer() * crater.outer() - side * side).max(0.0).sqrt()
+}
+
+impl FeatureLoad {
+    /// Ground range at which the sweep meets the footprint of its `crater` (m); below 0 behind the eye.
+    pub fn edge(&self, crater: &Crater) -> f64 {
+        self.middle - half_chord(crater, self.side)
+    }
+}
+
 impl Line {
     /// Range at which the line passes the centre of a crater, and the distance of the centre to the right (m).
     fn foot(&self, crater: &Crater) -> (f64, f64) {
@@ -157,7 +169,7 @@ impl FeatureProgram {
     fn clear(&mut self, end_range: f64) {
         (self.end_range, self.dropped, self.most_in_use) = (end_range, 0, [0; 3]);
         self.load_ticks = 0;
-        self.slacks.clear();
+        self.arrivals.clear();
         self.misses.clear();
         self.loads.clear();
         self.found.clear();
@@ -209,7 +221,7 @@ impl FeatureProgram {
             let found = bring(&mut timing, &request, found, parts.organisation);
             self.loads.extend(found.load);
             self.misses.extend(found.miss);
-            self.slacks.push(found.slack);
+            self.arrivals.push(found.arrival);
         }
         self.load_ticks = timing.line.busy();
     }

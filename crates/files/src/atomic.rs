@@ -3,10 +3,9 @@
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
-use std::process;
-use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::error::{Action, FileError, folder_of};
+use crate::temporary::Temporary;
 
 /// Larger than the usual 8 KiB: frames and waveforms are megabytes.
 const BUFFER_BYTES: usize = 1 << 16;
@@ -15,7 +14,7 @@ const BUFFER_BYTES: usize = 1 << 16;
 ///
 /// The content goes to a temporary file in the same folder, is brought to the disk, renamed, and the folder
 /// is brought to the disk. On failure the temporary file is removed and the old file stays. A device or a
-/// pipe (`/dev/null`) is written directly.
+/// pipe (`/dev/null`) is written directly. A symbolic link stays: what it leads to is written, as without a rename.
 ///
 /// # Errors
 /// A [`FileError`] with the path; what `write` returns is its source.
@@ -37,8 +36,23 @@ pub(crate) fn write_atomic_file(
         }
         // Renaming over a device would replace the device.
         Ok(found) if !found.is_file() => write_device(path, write),
-        _ => write_and_rename(path, write),
+        _ => write_and_rename(&behind_links(path)?, write),
     }
+}
+
+/// Where `path` leads: renaming over a link would replace the link, and leave the file behind it as it was.
+fn behind_links(path: &Path) -> Result<PathBuf, FileError> {
+    /// As many as Linux itself follows.
+    const MOST: usize = 40;
+    let mut at = path.to_owned();
+    for _ in 0..MOST {
+        match fs::read_link(&at) {
+            Ok(next) => at = folder_of(&at).join(next),
+            Err(_) => return Ok(at),
+        }
+    }
+    let source = io::Error::other(format!("more than {MOST} symbolic links in a row; name the file itself"));
+    Err(FileError::new(path, Action::Write, source))
 }
 
 fn write_device(
@@ -54,28 +68,13 @@ fn write_and_rename(
     path: &Path,
     write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
 ) -> Result<(), FileError> {
-    let temporary = temporary_path(path)?;
-    let written = write_new(path, &temporary, write).and_then(|()| {
-        fs::rename(&temporary, path).map_err(|source| FileError::new(path, Action::Rename, source))
-    });
-    if written.is_err() {
-        // The first failure is the one to report; a leftover is removed by the next run.
-        let _ = fs::remove_file(&temporary);
-    }
-    written?;
-    sync_folder(path)
-}
-
-fn write_new(
-    path: &Path,
-    temporary: &Path,
-    write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
-) -> Result<(), FileError> {
     let failed = |action| move |source| FileError::new(path, action, source);
-    let file = File::create(temporary).map_err(failed(Action::Create))?;
+    let (temporary, file) = Temporary::beside(path).map_err(failed(Action::Create))?;
     let mut buffer = BufWriter::with_capacity(BUFFER_BYTES, file);
     write(&mut buffer).and_then(|()| buffer.flush()).map_err(failed(Action::Write))?;
-    buffer.get_ref().sync_all().map_err(failed(Action::Sync))
+    buffer.get_ref().sync_all().map_err(failed(Action::Sync))?;
+    temporary.rename(path).map_err(failed(Action::Rename))?;
+    sync_folder(path)
 }
 
 #[cfg(unix)]
@@ -88,18 +87,6 @@ fn sync_folder(path: &Path) -> Result<(), FileError> {
 #[cfg(not(unix))]
 fn sync_folder(_path: &Path) -> Result<(), FileError> {
     Ok(())
-}
-
-/// `.name.<pid>-<n>.tmp`: apart for every process and every thread.
-fn temporary_path(path: &Path) -> Result<PathBuf, FileError> {
-    static COUNT: AtomicU64 = AtomicU64::new(0);
-    let name = path.file_name().ok_or_else(|| {
-        let source = io::Error::from(io::ErrorKind::InvalidFilename);
-        FileError::new(path, Action::Create, source)
-    })?;
-    let count = COUNT.fetch_add(1, Ordering::Relaxed);
-    let name = format!(".{}.{}-{count}.tmp", name.to_string_lossy(), process::id());
-    Ok(folder_of(path).join(name))
 }
 
 /// Removes the temporary files that killed runs left in a folder; tells how many. No run may be writing

@@ -1,6 +1,7 @@
 //! Whole files or none: atomic writes, bounded reads, NPY and NPZ.
 //!
 //! - [`write_atomic`] writes beside the target and renames: a reader sees the old file or the new one.
+//! - [`Temporary`] is what a file is called until it is whole; [`abandon_temporaries`] leaves none behind a process that ends.
 //! - [`read_all`] reads a file up to a limit that the caller states.
 //! - [`Npy`] and [`write_npz`] are numpy's formats; the bytes depend on the values alone.
 //!
@@ -19,9 +20,11 @@ mod npy;
 mod npy_header;
 mod npz;
 mod read;
+mod temporary;
 
 pub use atomic::{remove_leftovers, write_atomic};
 pub use error::{Action, FileError};
 pub use npy::{Npy, NpyData, NpyError, NpyFileError, read_npy, write_npy};
 pub use npz::write_npz;
 pub use read::read_all;
+pub use temporary::{Temporary, abandon_temporaries};

@@ -1,6 +1,7 @@
 //! The analog side: how good each kind of part is (hardware section 3). Figures of a part that is not there are
 //! `None`, or 0 where the comment says so.
 
+mod comparator;
 mod ideal;
 
 use serde::Serialize;
@@ -143,10 +144,14 @@ pub struct AmplifierParts {
 /// Comparators (hardware section 3.6).
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ComparatorParts {
-    /// From crossing to output (s); 0: at once.
+    /// From crossing to output at large overdrive (s); 0: at once.
     pub delay: f64,
+    /// Overdrive times time that a decision takes beside it (V s); 0: none.
+    pub overdrive: f64,
     /// Width of the hysteresis (share); 0: none.
     pub hysteresis: f64,
+    /// Offset of the thresholds, one sigma (V); 0: none.
+    pub offset: f64,
 }
 
 /// Sample-and-hold (hardware section 3.6).

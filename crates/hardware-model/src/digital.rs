@@ -4,10 +4,12 @@ use serde::Serialize;
 use sweep_program::{Colour, PreloadRegister};
 
 /// Central processor (hardware section 2.1).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Cpu {
     /// One memory cycle.
     pub memory_cycle: u64,
+    /// Banks of its memory that work side by side, words dealt out to them in turn: at least 1.
+    pub memory_banks: u32,
     /// One multiplication.
     pub multiply: u64,
     /// Recognition of an interrupt, saving and restoring the state.
@@ -20,8 +22,8 @@ pub struct Cpu {
     pub instruction_cycles: u32,
     /// Multiplications among what an interrupt does for a crossing.
     pub crossing_multiplications: u32,
-    /// Memory cycles that each word of a crossing takes from the processor where others bring it; 0 if the storage
-    /// buffer is a memory of its own.
+    /// Memory cycles that each word of a crossing takes of one bank where others bring it; 0 if the storage buffer is a
+    /// memory of its own.
     pub dma_cycles_per_word: u32,
     /// Setting up one sweep.
     pub sweep_setup: u64,
@@ -34,18 +36,55 @@ pub struct Cpu {
     pub priority_levels: Option<u32>,
 }
 
+/// Instructions and multiplications of one entry of the table of the sweeps' azimuths: sine and cosine by rotation of the
+/// entry before, 16 moves and two additions (hardware section 4.6).
+const ENTRY_INSTRUCTIONS: u32 = 18;
+const ENTRY_MULTIPLICATIONS: u32 = 4;
+
+/// A processor that takes no time.
+impl Default for Cpu {
+    fn default() -> Self {
+        Self {
+            memory_cycle: 0,
+            memory_banks: 1,
+            multiply: 0,
+            interrupt: 0,
+            longest_instruction: 0,
+            crossing_instructions: 0,
+            instruction_cycles: 0,
+            crossing_multiplications: 0,
+            dma_cycles_per_word: 0,
+            sweep_setup: 0,
+            frame_tables: 0,
+            vertex: 0,
+            priority_levels: None,
+        }
+    }
+}
+
 impl Cpu {
     /// One crossing by interrupt, without its words: recognition, save and restore, and the instructions that move the
     /// pointers (hardware section 4.6).
     pub fn crossing(&self) -> u64 {
-        self.interrupt
-            + u64::from(self.crossing_instructions) * u64::from(self.instruction_cycles) * self.memory_cycle
-            + u64::from(self.crossing_multiplications) * self.multiply
+        self.interrupt + self.program(self.crossing_instructions, self.crossing_multiplications)
     }
 
-    /// What `words` that others bring through its memory take from the processor.
+    /// A table of sine and cosine with `entries` entries, made before the mission.
+    pub fn sine_table(&self, entries: u32) -> u64 {
+        u64::from(entries) * self.program(ENTRY_INSTRUCTIONS, ENTRY_MULTIPLICATIONS)
+    }
+
+    fn program(&self, instructions: u32, multiplications: u32) -> u64 {
+        u64::from(instructions) * u64::from(self.instruction_cycles) * self.memory_cycle
+            + u64::from(multiplications) * self.multiply
+    }
+
+    /// What `words` that others bring through its memory take from the processor. Of interleaved banks it meets that of
+    /// the word in one cycle out of as many as there are banks: the mean, and what is left of a tick is a whole one (our
+    /// choice).
     pub fn stolen(&self, words: u64) -> u64 {
-        words * u64::from(self.dma_cycles_per_word) * self.memory_cycle
+        let cycles = words * u64::from(self.dma_cycles_per_word);
+        (cycles * self.memory_cycle).div_ceil(u64::from(self.memory_banks))
     }
 
     /// Whether no interrupt breaks a set-up.
@@ -81,6 +120,8 @@ pub struct Loader {
     pub access: u64,
     /// Pointer arithmetic of one set.
     pub pointer: u64,
+    /// Channel programme of an I/O processor.
+    pub io_processor: IoProcessor,
     /// Strobe of the words into their register.
     pub strobe: u64,
     /// Whether the set that the next stop of the other axis may need goes first.
@@ -95,7 +136,26 @@ pub struct Loader {
     pub delays: Vec<LoadDelay>,
 }
 
+/// What an I/O processor does for a crossing beside pointers and accesses: a chain of commands, one a set.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+pub struct IoProcessor {
+    /// The order that starts the chain, once a crossing.
+    pub order: u64,
+    /// Fetch of the next command of the chain, once a set.
+    pub chain: u64,
+    /// Rearranging one word on its way: half of a core word, sign.
+    pub edit: u64,
+}
+
 impl Loader {
+    /// The channel programme, if an I/O processor serves the crossings; otherwise it takes no time.
+    pub fn channel_programme(&self) -> IoProcessor {
+        match self.served_by {
+            CrossingServer::IoProcessor => self.io_processor,
+            CrossingServer::WiredPointers | CrossingServer::CpuInterrupt => IoProcessor::default(),
+        }
+    }
+
     /// Whether words are in their registers with the fold that asks for them.
     pub fn is_wired_through(&self) -> bool {
         self.served_by == CrossingServer::WiredPointers && self.access + self.pointer + self.strobe == 0
@@ -145,6 +205,16 @@ pub struct Drum {
     pub count: u32,
 }
 
+/// Channels between the drums of one level and its storage buffer (hardware section 2.2). Drum `k` is on channel `k` mod
+/// the number of channels, and a channel carries one record at a time. The default is no limit.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct Channels {
+    /// How many; every drum has its own if `None`.
+    pub count: Option<u32>,
+    /// Master ticks that one 16-bit word takes, at least.
+    pub word: f64,
+}
+
 /// Queue discipline of a drum.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -160,6 +230,8 @@ pub enum DrumQueue {
 pub struct DataBanks {
     /// The drums of each level; all words are at hand if `None`.
     pub drum: Option<Drum>,
+    /// The channels of each level's drums.
+    pub channels: Channels,
     /// Words of the storage buffer of each level; any number if `None`.
     pub buffer_words: Option<u32>,
 }

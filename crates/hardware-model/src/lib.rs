@@ -35,7 +35,9 @@ pub use budget::{
 };
 pub use check::{Finding, Grade};
 pub use diagram::PartCounts;
-pub use digital::{Cpu, CrossingServer, DataBanks, Drum, DrumQueue, LatePolicy, LoadDelay, Loader};
+pub use digital::{
+    Channels, Cpu, CrossingServer, DataBanks, Drum, DrumQueue, IoProcessor, LatePolicy, LoadDelay, Loader,
+};
 pub use faults::FAULTS;
 pub use loaded::{EffectiveValue, LoadedModel};
 pub use model::{HardwareModel, ModelRaster, SweepMemoryKind};

@@ -23,9 +23,14 @@ pub(crate) fn model(root: &Reader, name: String) -> Option<HardwareModel> {
     let clock = root.table("dpu").map(|table| words::rate(&table, "clock_mhz", 1_000_000).required());
     let known_clock = clock.flatten();
     let cpu = root.table("cpu").map(|table| digital::cpu(&table, known_clock));
-    let loader = root.table("loader").map(|table| loader::loader(&table, known_clock));
+    let io_processor = root.table("io_processor").map(|table| loader::io_processor(&table, known_clock));
+    let loader =
+        root.table("loader").map(|table| loader::loader(&table, known_clock, io_processor.flatten()));
     let drum = root.table("drum").map(|table| digital::drum(&table, known_clock));
-    let buffer = root.table("buffer").map(|table| digital::data_banks(drum.flatten().flatten(), &table));
+    let channels = root.table("channel").map(|table| digital::channels(&table, known_clock));
+    let buffer = root
+        .table("buffer")
+        .map(|table| digital::data_banks(drum.flatten().flatten(), channels.flatten(), &table));
     let spread = root.table("spread");
     let seed = spread.as_ref().map(|table| table.u64("seed").required());
     let (dpp, memory) = (root.table("dpp"), root.table("sweep_memory"));

@@ -119,6 +119,7 @@ fn digital_changes() -> impl Iterator<Item = (&'static str, Option<Setting>, Str
         [("drum.rate_mb_s", "1.2"), ("drum.record_words", "9"), ("drum.queue", "fifo"), ("drum.count", "4")];
     let others = [
         ("cpu.memory_cycle_ns", "850"),
+        ("cpu.memory_banks", "4"),
         ("cpu.multiply_us", "5"),
         ("cpu.interrupt_us", "8"),
         ("cpu.longest_instruction_us", "8"),
@@ -131,6 +132,11 @@ fn digital_changes() -> impl Iterator<Item = (&'static str, Option<Setting>, Str
         ("cpu.vertex_us", "90"),
         ("cpu.priority_levels", "1"),
         ("drum.rotation_ms", "17.4"),
+        ("io_processor.order_ns", "400"),
+        ("io_processor.chain_ns", "200"),
+        ("io_processor.edit_ns", "100"),
+        ("channel.count", "1"),
+        ("channel.rate_mb_s", "0.45"),
         ("buffer.words", "8192"),
         ("shadow_controller.load_words_us", "10"),
     ];
@@ -138,7 +144,7 @@ fn digital_changes() -> impl Iterator<Item = (&'static str, Option<Setting>, Str
     of_the_drum.chain(others.into_iter().map(|(key, value)| (key, None, value.to_owned())))
 }
 
-fn analog_changes() -> [(&'static str, &'static str); 62] {
+fn analog_changes() -> [(&'static str, &'static str); 64] {
     [
         ("analog.full_scale_v", "10"),
         ("spread.parts", "on"),
@@ -164,7 +170,9 @@ fn analog_changes() -> [(&'static str, &'static str); 62] {
         ("amplifier.saturation_v", "11"),
         ("summer.inputs_per_stage", "6"),
         ("comparator.delay_ns", "40"),
+        ("comparator.overdrive_mv_ns", "150"),
         ("comparator.hysteresis_pct", "0.1"),
+        ("comparator.offset_mv", "2"),
         ("sample_hold.acquire_ns", "400"),
         ("sample_hold.droop_mv_us", "0.01"),
         ("sample_hold.pedestal_mv", "5"),

@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use hardware_model::{
-    AnalogParts, BUILT_IN, CrossingServer, DrumQueue, FAULTS, FoldDetect, Grade, HardwareModel, LoadedModel,
-    ModelSource, PartCounts, WriteCompensation,
+    AnalogParts, BUILT_IN, Channels, CrossingServer, DrumQueue, FAULTS, FoldDetect, Grade, HardwareModel,
+    IoProcessor, LoadedModel, ModelSource, PartCounts, WriteCompensation,
 };
 
 const STATUS: [&str; 6] = ["reported", "inferred", "period", "unsourced", "chosen", "measured"];
@@ -74,6 +74,7 @@ fn nothing_analog_is_there_in_the_ideal_model() {
     assert_eq!(ideal.analog, AnalogParts::ideal());
     assert!(ideal.analog.is_ideal() && ideal.loader.is_wired_through());
     assert_eq!((ideal.data_banks.drum, ideal.data_banks.buffer_words), (None, None));
+    assert_eq!(ideal.data_banks.channels, Channels::default());
     assert_eq!((ideal.cpu, ideal.feature_words, ideal.seed), (Default::default(), None, 0));
 }
 
@@ -95,7 +96,9 @@ fn units_of_the_analog_parts() {
         (analog.amplifier.noise, 0.5e-3),
         (analog.amplifier.saturation.unwrap(), 11.0),
         (analog.comparator.delay, 40e-9),
+        (analog.comparator.overdrive, 150e-12),
         (analog.comparator.hysteresis, 0.001),
+        (analog.comparator.offset, 2e-3),
         (analog.sample_hold.acquire, 400e-9),
         (analog.sample_hold.droop, 10.0),
         (analog.sample_hold.pedestal, 5e-3),
@@ -146,6 +149,14 @@ fn times_of_the_digital_side_are_ticks() {
     assert_eq!((drum.rotation, drum.count, drum.queue), (348_000, 4, DrumQueue::ShortestLatency));
     // 1.2 MB/s are 0.6 words a microsecond: 33 1/3 ticks a word.
     assert_near(drum.word, 100.0 / 3.0);
+    // Its channels are faster, and as many: 3 MB/s are 13 1/3 ticks a word.
+    let channels = nominal.data_banks.channels;
+    assert_eq!(channels.count, Some(4));
+    assert_near(channels.word, 40.0 / 3.0);
+    // At 5 MHz: 1.2 µs are 6 ticks, 200 ns 1. Nobody else has an I/O processor.
+    let frugal = model("pra-frugal").loader;
+    assert_eq!(frugal.channel_programme(), IoProcessor { order: 6, chain: 1, edit: 0 });
+    assert_eq!(nominal.loader.channel_programme(), IoProcessor::default());
     assert_eq!(model("modern-analog").data_banks.drum, None);
     assert_eq!(model("pra-overloaded").loader.served_by, CrossingServer::CpuInterrupt);
 }

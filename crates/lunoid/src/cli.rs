@@ -3,8 +3,8 @@
 use clap::{Parser, Subcommand};
 
 use crate::commands::{
-    bank, check, compare, explain, info, list, model, page, probe, replay, sizing, survey, timing, trace,
-    trigger,
+    bank, check, compare, explain, info, list, model, page, probe, replay, sizing, study, survey, timing,
+    trace, trigger,
 };
 use crate::output::Colour;
 
@@ -69,4 +69,6 @@ pub enum Command {
     Timing(timing::TimingCommand),
     /// Hold the machine in time against its formulas, and search for the slowest parts that would do.
     Sizing(sizing::Sizing),
+    /// Measure error against run time.
+    Study(study::StudyCommand),
 }

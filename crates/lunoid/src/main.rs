@@ -1,11 +1,13 @@
 //! `lunoid`: a lunar rover's television picture, as the hybrid generator of 1970 made it.
 //!
 //! Results go to standard output, everything else to standard error. Exit codes: 0 done, 1 the answer is no,
-//! 2 wrong usage, 3 bad input, 4 output failed, 130 interrupted and resumable.
+//! 2 wrong usage, 3 bad input, 4 output failed, 130 interrupted.
 
 mod cli;
 mod commands;
 mod failure;
+mod frame;
+mod interrupt;
 mod loading;
 mod output;
 mod progress;
@@ -31,10 +33,10 @@ enum Verdict {
 
 fn main() -> ExitCode {
     let cli = Cli::parse();
-    let code = match commands::run(&cli) {
+    let code = match interrupt::catch().and_then(|()| commands::run(&cli)) {
         Ok(Verdict::Yes) | Err(Failure::ClosedPipe) => 0,
         Ok(Verdict::No) => 1,
-        Ok(Verdict::Interrupted) => 130,
+        Ok(Verdict::Interrupted) => interrupt::EXIT_CODE,
         Err(failure) => {
             if let Some(message) = failure.message(cli.color.on_stderr()) {
                 output::tell(&format!("{message}\n"));

@@ -71,6 +71,30 @@ fn any_way_to_the_same_run_leads_to_the_same_page() {
     assert!(page(&scene, "a").contains("Every deadline was met."));
 }
 
+/// The command that the page offers is that of the run: it finds every frame there.
+#[test]
+fn the_commands_of_a_page_are_those_of_its_run() {
+    let scene = scene();
+    fs::write(scene.path().join("less.toml"), "format = 1\n[raster]\nsamples_per_sweep = 60\n").unwrap();
+    let stage =
+        "tiny.toml --overlay less.toml --set raster.sweeps=32 --scalar f64 --shadow-cache shadows --lossless";
+    let pictures = "--depth 16 --refresh";
+    let run = format!("replay {stage} {pictures} --frames 1..3 --out a");
+    lunoid(&scene, 0, &run.split(' ').collect::<Vec<_>>());
+    let data = data(&page(&scene, "a"));
+    let offered = |key: &str| data[key].as_str().unwrap().to_owned();
+    assert_eq!([offered("stage"), offered("pictures")], [stage.to_owned(), format!(" {pictures}")]);
+    assert!(
+        page(&scene, "a")
+            .contains(&format!("lunoid replay {stage} --frames 1..3 {pictures} --out runs/checked"))
+    );
+    let again =
+        format!("replay {}{} --frames 1..3 --out a --probe 2:5", offered("stage"), offered("pictures"));
+    let said = lunoid(&scene, 0, &again.split(' ').collect::<Vec<_>>());
+    assert!(said.contains("all there already"), "{said}");
+    assert_eq!(plots(&scene.path().join("a")), ["frame-000002-sweep-0005.svg"]);
+}
+
 #[test]
 fn a_page_is_written_again_from_its_folder() {
     let scene = scene();

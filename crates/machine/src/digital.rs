@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use data_bank::{DataBank, Demand, FrameSupply, corners_of, nearest_first};
 use dpu::{CpuFrame, CpuLoad, CrossingTime, MissingCorner, Sector, cpu_frame, held_by_set_ups};
 use generator::Stage;
-use hardware_model::CrossingServer;
+use hardware_model::{CrossingServer, DataBanks, Settings};
 use landscape::Level;
 use quantities::{SweepTime, Tick, wrap_heading};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
@@ -83,16 +83,13 @@ pub(crate) fn frame_ticks(stage: &Stage, frame: u64) -> [Tick; 2] {
 impl Digital {
     pub fn new(stage: &Stage) -> Self {
         let settings = &stage.settings;
-        let levels = stage.landscape.bank().levels();
-        let bank = |number: usize| {
-            let (drum, level) = (settings.data_banks.drum?, levels.get(number)?);
-            let words = settings.data_banks.buffer_words;
-            let bank = DataBank::new(drum, words, level.corners(), settings.seed ^ number as u64);
+        let history = |number: usize| {
+            let bank = bank_of(stage, number)?;
             Some(Mutex::new(History { bank, supplies: Vec::new() }))
         };
-        let second = settings.levels.and_then(|_| bank(1));
+        let second = settings.levels.and_then(|_| history(1));
         let serves = settings.loader.served_by == CrossingServer::CpuInterrupt;
-        Self { banks: [bank(0), second], is_timed: settings.cpu.is_timed() || serves }
+        Self { banks: [history(0), second], is_timed: settings.cpu.is_timed() || serves }
     }
 
     /// The digital side of the frame of `plan`.
@@ -108,11 +105,8 @@ impl Digital {
         let levels = stage.landscape.bank().levels();
         for (number, bank) in self.banks.iter().enumerate() {
             let Some(bank) = bank else { continue };
-            let reach = match (number, &blocks.coarse) {
-                (0, Some(coarse)) => coarse.switch.range.min(stage.settings.range.end),
-                _ => stage.settings.range.end,
-            };
-            let supply = supply(bank, stage, raster, &levels[number], reach, crossings.plan);
+            let sight = Sight { stage, raster, level: &levels[number], reach: reach(stage, blocks, number) };
+            let supply = sight.supply(bank, crossings.plan.frame);
             let convert = |missing: &data_bank::Missing| MissingCorner {
                 corner: missing.corner,
                 arrival: missing.arrival,
@@ -130,68 +124,87 @@ impl Digital {
     }
 }
 
-/// The data bank's supply of the frame of `plan`, worked out from the first frame on.
-fn supply(
-    history: &Mutex<History>,
-    stage: &Stage,
-    raster: &WrittenRaster,
-    level: &Level,
-    reach: f64,
-    plan: &FramePlan,
-) -> Arc<FrameSupply> {
-    let mut history = history.lock().unwrap_or_else(PoisonError::into_inner);
-    let History { bank, supplies } = &mut *history;
-    let asked = plan.frame as usize;
-    while supplies.len() <= asked {
-        let frame = supplies.len() as u64;
-        let demand = demand(stage, raster, level, reach, plan, frame);
-        supplies.push(Arc::new(bank.frame(&demand)));
+/// The data bank of a level as a mission finds it, where words are not all at hand.
+fn bank_of(stage: &Stage, number: usize) -> Option<DataBank> {
+    let Settings { data_banks, seed, .. } = &stage.settings;
+    let DataBanks { drum, channels, buffer_words } = *data_banks;
+    let level = stage.landscape.bank().levels().get(number)?;
+    Some(DataBank::new(drum?, channels, buffer_words, level.corners(), seed ^ number as u64))
+}
+
+/// Ground range up to which a level is drawn (m).
+fn reach(stage: &Stage, blocks: &Blocks, number: usize) -> f64 {
+    let end = stage.settings.range.end;
+    match (number, &blocks.coarse) {
+        (0, Some(coarse)) => coarse.switch.range.min(end),
+        _ => end,
     }
-    Arc::clone(&supplies[asked])
 }
 
-/// Corners that frame `frame` can meet, the nearest first, with the way that the view turns until the drum has come
-/// round once and a half (hardware section 4.7).
-fn demand(
+/// What the data banks of the fine and of the coarse level have to bring before the mission, where there are any.
+pub(crate) fn first_loads(
     stage: &Stage,
+    blocks: &Blocks,
     raster: &WrittenRaster,
-    level: &Level,
-    reach: f64,
-    plan: &FramePlan,
-    frame: u64,
-) -> Demand {
-    let [start, end] = frame_ticks(stage, frame);
-    let course = stage.scenery.course();
-    let pose = |frame: u64| course.get((frame as usize).min(course.len().saturating_sub(1)));
-    let Some(now) = pose(frame) else {
-        return Demand { frame, start, end, corners: Vec::new() };
-    };
-    let before = pose(frame.saturating_sub(1)).unwrap_or(now);
-    let turn = wrap_heading(now.attitude.heading - before.attitude.heading);
-    let turn = if turn > std::f64::consts::PI { turn - 2.0 * std::f64::consts::PI } else { turn };
-    let rotation = stage.settings.data_banks.drum.map_or(0, |drum| drum.rotation);
-    // Orders are given as frames begin: one a little short of a frame away is a frame away.
-    let margin = turn.abs() * (1.5 * rotation as f64 / (end.0 - start.0) as f64).ceil();
-    let corners = corners_in_sight(stage, raster, level, reach, plan, now, margin);
-    Demand { frame, start, end, corners }
+) -> [Option<FrameSupply>; 2] {
+    let levels = stage.landscape.bank().levels();
+    let drawn = 1 + usize::from(stage.settings.levels.is_some());
+    [0, 1].map(|number| {
+        let bank = bank_of(stage, number).filter(|_| number < drawn)?;
+        let sight = Sight { stage, raster, level: &levels[number], reach: reach(stage, blocks, number) };
+        Some(bank.first_load(&sight.demand(0)))
+    })
 }
 
-fn corners_in_sight(
-    stage: &Stage,
-    raster: &WrittenRaster,
-    level: &Level,
+/// What the frames of a mission can see of one level.
+struct Sight<'a> {
+    stage: &'a Stage,
+    raster: &'a WrittenRaster,
+    level: &'a Level,
+    /// Ground range up to which the level is drawn (m).
     reach: f64,
-    plan: &FramePlan,
-    pose: &Pose,
-    margin: f64,
-) -> Vec<u32> {
-    let foot = level.in_regions(pose.eye[0], pose.eye[1]);
-    let Ok(plan) = FramePlan::new(plan.frame, pose, stage, &raster.field) else { return Vec::new() };
-    let edges = plan.edges(margin);
-    let sector = Sector { foot, edges, range: reach / level.region_size() };
-    let mut corners = corners_of(sector.regions(level), level.corners());
-    nearest_first(&mut corners, level.corners()[1], foot);
-    corners
+}
+
+impl Sight<'_> {
+    /// The data bank's supply of a frame, worked out from the first frame on.
+    fn supply(&self, history: &Mutex<History>, asked: u64) -> Arc<FrameSupply> {
+        let mut history = history.lock().unwrap_or_else(PoisonError::into_inner);
+        let History { bank, supplies } = &mut *history;
+        while supplies.len() as u64 <= asked {
+            let demand = self.demand(supplies.len() as u64);
+            supplies.push(Arc::new(bank.frame(&demand)));
+        }
+        Arc::clone(&supplies[asked as usize])
+    }
+
+    /// Corners that frame `frame` can meet, the nearest first, with the way that the view turns until the drum has come
+    /// round once and a half (hardware section 4.7).
+    fn demand(&self, frame: u64) -> Demand {
+        let [start, end] = frame_ticks(self.stage, frame);
+        let course = self.stage.scenery.course();
+        let pose = |frame: u64| course.get((frame as usize).min(course.len().saturating_sub(1)));
+        let Some(now) = pose(frame) else {
+            return Demand { frame, start, end, corners: Vec::new() };
+        };
+        let before = pose(frame.saturating_sub(1)).unwrap_or(now);
+        let turn = wrap_heading(now.attitude.heading - before.attitude.heading);
+        let turn = if turn > std::f64::consts::PI { turn - 2.0 * std::f64::consts::PI } else { turn };
+        let rotation = self.stage.settings.data_banks.drum.map_or(0, |drum| drum.rotation);
+        // Orders are given as frames begin: one a little short of a frame away is a frame away.
+        let margin = turn.abs() * (1.5 * rotation as f64 / (end.0 - start.0) as f64).ceil();
+        Demand { frame, start, end, corners: self.corners(frame, now, margin) }
+    }
+
+    fn corners(&self, frame: u64, pose: &Pose, margin: f64) -> Vec<u32> {
+        let Self { stage, raster, level, reach } = *self;
+        let foot = level.in_regions(pose.eye[0], pose.eye[1]);
+        let Ok(plan) = FramePlan::new(frame, pose, stage, &raster.field) else { return Vec::new() };
+        let edges = plan.edges(margin);
+        let sector = Sector { foot, edges, range: reach / level.region_size() };
+        let mut corners = corners_of(sector.regions(level), level.corners());
+        nearest_first(&mut corners, level.corners()[1], foot);
+        corners
+    }
 }
 
 /// Starts of the sweeps of a frame and its end, in ticks from its start.

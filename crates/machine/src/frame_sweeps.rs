@@ -4,7 +4,9 @@ use std::borrow::Cow;
 
 use generator::{FrameError, Stage};
 use hardware_model::{Loader, Settings, SweepMemoryKind};
+use quantities::SweepClock;
 use scenario::Pose;
+use shadow_controller::Gate;
 use sweep_generator::RangeTable;
 use sweep_memory::View;
 use sweep_program::SweepProgram;
@@ -26,6 +28,8 @@ pub struct FrameSweeps<'a> {
     table: &'a RangeTable,
     plan: FramePlan,
     digital: DigitalFrame,
+    /// Shadow gates of all sweeps, if they were asked for.
+    pub(crate) gates: Vec<Gate>,
 }
 
 impl ControlPlane {
@@ -36,6 +40,16 @@ impl ControlPlane {
     /// If the pose cannot be drawn.
     pub fn programs(&self, frame: u64, pose: &Pose, sweep: u32) -> Result<Vec<SweepProgram>, FrameError> {
         Ok(self.sweeps(frame, pose)?.programs(sweep))
+    }
+
+    /// All sweeps of frame `frame` with their shadow gates, whose boundaries their events then tell as well.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn, or the shadow cache not be kept.
+    pub fn sweeps_with_gates(&self, frame: u64, pose: &Pose) -> Result<FrameSweeps<'_>, FrameError> {
+        let sweeps = self.sweeps(frame, pose)?;
+        let gates = self.shadow_gates(&sweeps, pose.time)?;
+        Ok(FrameSweeps { gates, ..sweeps })
     }
 
     /// All sweeps of frame `frame`: what the frame has in common is worked out once.
@@ -71,7 +85,7 @@ impl ControlPlane {
         let switch = self.blocks().coarse.as_ref().map(|coarse| coarse.switch);
         let coarse = switch.map(|switch| Coarse::new(switch, &stage.settings.loader));
         let table = self.table();
-        let mut sweeps = FrameSweeps { stage, coarse, table, plan, digital: DigitalFrame::default() };
+        let mut sweeps = FrameSweeps { stage, coarse, table, plan, digital: DigitalFrame::default(), gates: Vec::new() };
         let wanted = vertices(&sweeps.stage, self.blocks(), &sweeps.plan, pose.time);
         sweeps.digital = self.digital_of(&sweeps.crossings(), wanted);
         Ok(sweeps)
@@ -128,6 +142,11 @@ impl FrameSweeps<'_> {
     /// The loader that the sweeps run behind.
     pub fn loader(&self) -> &Loader {
         &self.stage.settings.loader
+    }
+
+    /// The clock of a sweep.
+    pub(crate) fn clock(&self, sweep: u32) -> SweepClock {
+        self.stage.settings.timebase.sweep_clock(self.plan.frame, sweep)
     }
 
     /// The ground-range programme of every sweep.

@@ -17,6 +17,7 @@
 //! The unit of work is a group of eight sweeps, whatever the number of threads, and nothing survives from one
 //! group to the next: any frame can be made alone, by any number of threads, with the same bits.
 
+mod before_mission;
 mod blocks;
 mod control_plane;
 mod crossings;
@@ -28,6 +29,8 @@ mod feature_light;
 mod feature_loads;
 mod footing;
 mod frame_sweeps;
+mod lane_gate;
+mod look;
 mod omissions;
 mod raster;
 mod real_parts;
@@ -39,11 +42,13 @@ mod sight;
 mod signal_plane;
 mod sweep_recorder;
 mod timing;
+mod unprobed;
 mod workspace;
 
 pub use elaboration::HybridMachine;
-pub use event_list::{DigitalEvent, DigitalUnit, EventWord, Register};
+pub use event_list::{DigitalEvent, DigitalUnit, EventWord, LoadedPart, Register};
 pub use frame_sweeps::FrameSweeps;
 pub use record::signals;
 pub use register_state::{RegisterState, RegisterWords};
 pub use timing::ControlPlane;
+pub use unprobed::UnprobedMachine;

@@ -19,6 +19,7 @@ use crate::crossings::Crossings;
 use crate::delivery::{Delivery, Supply};
 use crate::digital::{Digital, DigitalFrame};
 use crate::footing::Footings;
+use crate::look::{Look, Wanted};
 use crate::omissions::omissions;
 use crate::raster::WrittenRaster;
 use crate::real_parts::RealParts;
@@ -121,7 +122,7 @@ impl<S: Real> Elaborated<S> {
         plan: &FramePlan,
         delivery: &Delivery,
         digital: &DigitalFrame,
-        wanted: Wanted<'_>,
+        wanted: Wanted<'_, impl Look>,
         store: &mut [f32],
     ) -> Vec<GroupResult> {
         let group = Group {
@@ -146,7 +147,7 @@ impl<S: Real> Elaborated<S> {
                 }
                 let mut work = self.workspaces.take();
                 group.run(first, &mut work, rows);
-                let result = self.look_at(&group, wanted.probe, first, &work, rows);
+                let result = self.look_at(&group, wanted.look, first, &work, rows);
                 self.workspaces.give_back(work);
                 result
             })
@@ -156,7 +157,7 @@ impl<S: Real> Elaborated<S> {
     fn look_at(
         &self,
         group: &Group<'_, S>,
-        probe: &Probe,
+        look: &impl Look,
         first: u32,
         work: &Workspace<S>,
         rows: &[f32],
@@ -165,11 +166,8 @@ impl<S: Real> Elaborated<S> {
         let mut result = GroupResult::default();
         for lane in 0..sweeps {
             result.counts.add(&self.counts(work, lane));
-            let sweep = first + lane as u32;
-            if probe.wants_sweep(sweep) {
-                let recorded = Recorded { group, work, rows };
-                result.waveforms.extend(recorded.waveforms(probe, lane, sweep));
-            }
+            let recorded = Recorded { group, work, rows };
+            look.look(&recorded, lane, first + lane as u32, &mut result.waveforms);
         }
         result
     }
@@ -195,7 +193,7 @@ impl<S: Real> Elaborated<S> {
         plan: &FramePlan,
         delivery: &Delivery,
         digital: &DigitalFrame,
-        wanted: Wanted<'_>,
+        wanted: Wanted<'_, impl Look>,
         store: &mut Vec<f32>,
     ) -> Vec<GroupResult> {
         store.resize(self.stage.settings.raster.sweeps as usize * self.raster.lines, 0.0);
@@ -252,7 +250,7 @@ impl<S: Real> Elaborated<S> {
             let digital = self.digital_frame(&plan, pose.time);
             let delivery = self.deliver(&plan, &digital, pose.time)?;
             let mut store = Vec::new();
-            let wanted = Wanted { probe: &Probe::off(), picture: true };
+            let wanted = Wanted { look: &(), picture: true };
             self.write(&plan, &delivery, &digital, wanted, &mut store);
             self.deliveries.give_back(delivery);
             Ok(Arc::new((plan, store)))
@@ -278,20 +276,6 @@ impl<S: Real> Elaborated<S> {
                 digital_memory_turned(store, lines, columns, &view, picture);
             }
         }
-    }
-}
-
-/// What a frame is worked out for.
-#[derive(Clone, Copy)]
-struct Wanted<'a> {
-    probe: &'a Probe,
-    picture: bool,
-}
-
-impl Wanted<'_> {
-    /// Whether anyone wants a sweep of the group that begins at sweep `first`.
-    fn group(&self, first: u32) -> bool {
-        self.picture || self.probe.wants_any_of(first..first + LANES as u32)
     }
 }
 
@@ -331,6 +315,36 @@ fn delivery_counts(delivery: &Delivery) -> FrameCounts {
     }
 }
 
+impl<S: Real> Elaborated<S> {
+    /// One frame, and what `look` has seen of it.
+    pub fn draw(
+        &self,
+        frame: u64,
+        pose: &Pose,
+        planes: &mut Planes,
+        look: &impl Look,
+    ) -> Result<(FrameCounts, Vec<Waveform>), FrameError> {
+        let settings = &self.stage.settings;
+        let plan = FramePlan::new(frame, pose, &self.stage, &self.raster.field)?;
+        let digital = self.digital_frame(&plan, pose.time);
+        let delivery = self.deliver(&plan, &digital, pose.time)?;
+        let mut store = self.stores.take();
+        let wanted = Wanted { look, picture: planes.any() };
+        let groups = self.write(&plan, &delivery, &digital, wanted, &mut store);
+        self.show(&plan, pose.yoke, &mut store, planes)?;
+        self.stores.give_back(store);
+        let regions = plan.visible_regions(self.stage.landscape.level(), settings.range.end);
+        let mut total = FrameCounts { regions: regions as u64, ..delivery_counts(&delivery) };
+        self.deliveries.give_back(delivery);
+        let mut waveforms = Vec::new();
+        for group in groups {
+            total.add(&group.counts);
+            waveforms.extend(group.waveforms);
+        }
+        Ok((total, waveforms))
+    }
+}
+
 impl<S: Real> Session for Elaborated<S> {
     fn frame(
         &self,
@@ -339,23 +353,9 @@ impl<S: Real> Session for Elaborated<S> {
         planes: &mut Planes,
         probe: &mut Probe,
     ) -> Result<FrameCounts, FrameError> {
-        let settings = &self.stage.settings;
-        let plan = FramePlan::new(frame, pose, &self.stage, &self.raster.field)?;
-        let digital = self.digital_frame(&plan, pose.time);
-        let delivery = self.deliver(&plan, &digital, pose.time)?;
-        let mut store = self.stores.take();
-        let wanted = Wanted { probe, picture: planes.any() };
-        let groups = self.write(&plan, &delivery, &digital, wanted, &mut store);
-        self.show(&plan, pose.yoke, &mut store, planes)?;
-        self.stores.give_back(store);
-        let regions = plan.visible_regions(self.stage.landscape.level(), settings.range.end);
-        let mut total = FrameCounts { regions: regions as u64, ..delivery_counts(&delivery) };
-        self.deliveries.give_back(delivery);
-        for group in groups {
-            total.add(&group.counts);
-            probe.waveforms.extend(group.waveforms);
-        }
-        Ok(total)
+        let (counts, waveforms) = self.draw(frame, pose, planes, &*probe)?;
+        probe.waveforms.extend(waveforms);
+        Ok(counts)
     }
 
     fn omissions(&self) -> Vec<Omission> {

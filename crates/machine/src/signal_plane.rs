@@ -3,11 +3,11 @@
 use std::array;
 
 use display_projection_processor::{BrokenProfile, Deflection, Driven, Processor};
-use feature_generator::FeatureGenerator;
+use feature_generator::{FeatureGenerator, PartsGenerator};
 use generator::Stage;
 use hardware_model::{Gate, MixingParts};
 use landscape::{Level, SweepLight};
-use mixing_unit::{Composite, FeatureInput, Inputs, MixingUnit, Toggle, ToggleList, terrain_alone};
+use mixing_unit::{Composite, FeatureInput, Inputs, MixingUnit, ToggleList, terrain_alone};
 use parts::LagStep;
 use polyhedron_generator::{Hold, Overlay};
 use signal::{LANES, Lanes, Real};
@@ -23,6 +23,7 @@ use crate::delivery::Delivery;
 use crate::digital::DigitalFrame;
 use crate::feature_light::Lamp;
 use crate::feature_loads::FeatureLoads;
+use crate::lane_gate::LaneGate;
 use crate::raster::WrittenRaster;
 use crate::real_parts::{BeamParts, RealParts, Terrain};
 use crate::workspace::Workspace;
@@ -189,6 +190,9 @@ impl<S: Real> Group<'_, S> {
                 let directions = sweeps.map(|sweep| self.plan.direction(sweep));
                 let (features, chains) = (landscape.features(), &mut work.chains);
                 parts.run(features, ranges, &work.features, &directions, chains, profile);
+                for (gate, edges) in work.presence.iter_mut().zip(&chains.gates) {
+                    gate.follow(false, edges, ranges);
+                }
                 &chains.lit
             }
         };
@@ -206,37 +210,34 @@ impl<S: Real> Group<'_, S> {
         }
     }
 
-    /// Ranges at which the gates change, as places between samples.
+    /// Gates of remote shadow, as places between samples.
     fn set_gates(&self, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
-        let ranges = self.table.ranges();
-        let lanes = work.toggles.iter_mut().zip(&mut work.dark_at_start);
-        for ((toggles, dark_at_start), &sweep) in lanes.zip(sweeps) {
-            toggles.clear();
-            *dark_at_start = false;
-            let Some(gate) = self.delivery.gates.get(sweep as usize) else { continue };
-            let changes = match &self.parts.lines {
-                None => &gate.toggles,
-                Some(lines) => {
-                    lines.displace(gate, &mut work.displaced);
-                    &work.displaced
-                }
+        for (lane_gate, &sweep) in work.shadow.iter_mut().zip(sweeps) {
+            let Some(gate) = self.delivery.gates.get(sweep as usize) else {
+                lane_gate.close();
+                continue;
             };
-            let passed = changes.partition_point(|&range| range <= ranges[0]);
-            *dark_at_start = gate.dark_at_start ^ (passed % 2 == 1);
-            toggles.extend(changes[passed..].iter().map_while(|&range| toggle_at(ranges, range)));
+            work.edges.clear();
+            match &self.parts.lines {
+                None => work.edges.extend(gate.edges()),
+                Some(lines) => lines.displace(gate, &mut work.edges),
+            }
+            lane_gate.follow(gate.dark_at_start, &work.edges, self.table.ranges());
         }
     }
 
-    /// Gates of the group as the mixing unit takes them.
-    pub fn toggle_lists<'w>(&self, work: &'w Workspace<S>) -> [ToggleList<'w, S>; LANES] {
-        array::from_fn(|lane| ToggleList {
-            dark_at_start: work.dark_at_start[lane],
-            toggles: &work.toggles[lane],
-        })
+    /// Gates of the group as the mixing unit takes them: of remote shadow, and of the presence of features.
+    pub fn toggle_lists<'w>(&self, work: &'w Workspace<S>) -> [[ToggleList<'w, S>; LANES]; 2] {
+        [LaneGate::lists(&work.shadow), LaneGate::lists(&work.presence)]
     }
 
     /// What the generators send to the mixing unit.
-    pub fn inputs<'w>(&self, work: &'w Workspace<S>, lists: &'w [ToggleList<'w, S>; LANES]) -> Inputs<'w, S> {
+    pub fn inputs<'w>(
+        &self,
+        work: &'w Workspace<S>,
+        [shadow, presence]: &'w [[ToggleList<'w, S>; LANES]; 2],
+    ) -> Inputs<'w, S> {
+        let has_comparators = self.parts.features.as_ref().is_some_and(PartsGenerator::has_comparators);
         Inputs {
             height: &work.profile.height,
             reflectivity: &work.profile.reflectivity,
@@ -249,8 +250,9 @@ impl<S: Real> Group<'_, S> {
                     Some(_) => &work.chains.lit,
                 },
                 kinks: &work.lit.kinks,
+                gates: has_comparators.then_some(presence),
             }),
-            shadow: (self.blocks.shadows.is_some() || self.blocks.all_switches).then_some(lists),
+            shadow: (self.blocks.shadows.is_some() || self.blocks.all_switches).then_some(shadow),
             texture: (self.blocks.texture || self.blocks.all_switches).then_some(&work.texture),
         }
     }
@@ -419,11 +421,4 @@ fn delay<S: Real>(lag: &LagStep<S>, signal: &mut [Lanes<S>]) {
         out = lag.step(out, before, *value);
         before = std::mem::replace(value, out);
     }
-}
-
-/// A range as a place between two samples; `None` beyond the last.
-fn toggle_at<S: Real>(ranges: &[f64], range: f64) -> Option<Toggle<S>> {
-    let sample = ranges.partition_point(|&z| z < range);
-    let (near, far) = (ranges[sample.checked_sub(1)?], *ranges.get(sample)?);
-    Some(Toggle { sample, share: S::from_f64((range - near) / (far - near)) })
 }

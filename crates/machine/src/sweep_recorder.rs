@@ -13,6 +13,7 @@ use timing::{Cause, Deadline, EventHash, Missed, Sets, Slack};
 
 use crate::crossings::Crossings;
 use crate::digital::frame_ticks;
+use crate::event_list::LoadedPart;
 use crate::feature_loads::FeatureLoads;
 use crate::workspace::idle_program;
 
@@ -98,12 +99,12 @@ impl SweepRecorder {
         let mut program = FeatureProgram::default();
         FeatureLoads { stage, table, plan }.write([drawn, self.sweep], self.end_range, &mut program);
         self.load_ticks[0] = program.load_ticks;
-        program.slacks.iter().for_each(|&slack| self.features.add(slack));
+        program.arrivals.iter().for_each(|arrival| self.features.add(arrival.load.slack));
         for miss in &program.misses {
             if miss.cause.is_none() {
                 self.features.add(-self.period);
             }
-            let part = miss.sub_generator.map(|number| format!("sub-generator.{}.{number}", miss.kind));
+            let part = miss.sub_generator.map(|number| LoadedPart::SubGenerator(miss.kind, number));
             let &FeatureMiss { range, due, arrival, cause, .. } = miss;
             let load = LateLoad { range, due, arrival, cause, words: CRATER_WORDS };
             self.misses.push(Missed {
@@ -117,12 +118,12 @@ impl SweepRecorder {
     pub fn note_gate(&mut self, crossings: &Crossings<'_>, gate: Option<&Gate>) {
         let Some(gate) = gate else { return };
         self.load_ticks[1] = gate.load_ticks;
-        gate.slacks.iter().for_each(|&slack| self.segments.add(slack));
+        gate.loads.iter().for_each(|load| self.segments.add(load.load.slack));
         for miss in &gate.misses {
             if miss.cause.is_none() {
                 self.segments.add(-self.period);
             }
-            let part = miss.line_generator.map(|number| format!("line-generator.{number}"));
+            let part = miss.line_generator.map(LoadedPart::LineGenerator);
             let &SegmentMiss { range, due, arrival, cause, .. } = miss;
             let load = LateLoad { range, due, arrival, cause, words: SEGMENT_WORDS };
             let missed = self.late_load(Deadline::Segment, part, load, crossings.table);
@@ -149,44 +150,32 @@ impl SweepRecorder {
     fn late_load(
         &self,
         deadline: Deadline,
-        part: Option<String>,
+        part: Option<LoadedPart>,
         load: LateLoad,
         table: &RangeTable,
     ) -> Missed {
         let LateLoad { range, due, arrival, cause, words } = load;
         Missed {
-            deadline,
-            sweep: self.sweep,
-            crossing: None,
-            colour: None,
-            register: None,
-            part,
-            crater: None,
-            region: None,
+            part: part.map(|part| part.to_string()),
             range_m: Some(range),
             due: due.unwrap_or_else(|| table.time_of(range)).0,
             came: arrival.map(|arrival| arrival.0),
             words: WordMask::range(0, words).0,
-            cause: cause.map_or(Cause::Occupied, cause_of),
+            ..Missed::of(deadline, self.sweep, cause.map_or(Cause::Occupied, cause_of))
         }
     }
 
     /// A corner that was not there when it was asked for.
     fn missing(&self, asked: &AskedCorner, came: Option<f64>) -> Missed {
         Missed {
-            deadline: Deadline::Corner,
-            sweep: self.sweep,
             crossing: asked.crossing,
             colour: Some(asked.colour.name().into()),
             register: asked.register.map(|register| register_word(register).into()),
-            part: None,
-            crater: None,
             region: self.place(asked.corner),
-            range_m: None,
             due: asked.at.0,
             came,
             words: WordMask::ALL.0,
-            cause: Cause::Drum,
+            ..Missed::of(Deadline::Corner, self.sweep, Cause::Drum)
         }
     }
 
@@ -198,19 +187,15 @@ impl SweepRecorder {
 
     fn missed(&self, miss: &Miss, range: f64) -> Missed {
         Missed {
-            deadline: Deadline::Transfer,
-            sweep: self.sweep,
             crossing: Some(miss.crossing),
             colour: Some(miss.colour.name().into()),
             register: Some(register_word(miss.register).into()),
-            part: None,
-            crater: None,
             region: self.place(miss.corner),
             range_m: range.is_finite().then_some(range),
             due: miss.time.0,
             came: miss.arrival.map(|arrival| arrival.0),
             words: miss.words.0,
-            cause: cause_of(miss.cause),
+            ..Missed::of(Deadline::Transfer, self.sweep, cause_of(miss.cause))
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use data_bank::FrameSupply;
 use dpu::{CpuTime, LineUse};
 use generator::{FrameError, Stage};
 use hardware_model::{CrossingServer, ShadowParts};
@@ -77,6 +78,11 @@ impl ControlPlane {
         if self.blocks.shadows.is_none() || (settings.segment_words.is_none() && line_generators.is_none()) {
             return Ok(Vec::new());
         }
+        self.shadow_gates(sweeps, time)
+    }
+
+    /// Shadow gates of all sweeps.
+    pub(crate) fn shadow_gates(&self, sweeps: &FrameSweeps<'_>, time: f64) -> Result<Vec<Gate>, FrameError> {
         let supply = Supply {
             stage: &self.stage,
             blocks: &self.blocks,
@@ -101,6 +107,10 @@ impl ControlPlane {
 
     pub(crate) fn table(&self) -> &RangeTable {
         &self.table
+    }
+
+    pub(crate) fn raster(&self) -> &WrittenRaster {
+        &self.raster
     }
 
     pub(crate) fn plan(&self, frame: u64, pose: &Pose) -> Result<FramePlan, FrameError> {
@@ -146,6 +156,9 @@ impl ControlPlane {
         let mut units = self.loader_units(&lines);
         self.processor(digital, &lines, &mut deadlines, &mut units, &mut misses);
         units.extend(drum_units(digital));
+        if self.stage.settings.data_banks.channels.count.is_some() {
+            units.extend(channel_units(digital));
+        }
         units.extend(self.load_units(load_ticks));
         misses.sort_by(|a, b| a.sweep.cmp(&b.sweep).then(a.due.total_cmp(&b.due)));
         FrameTiming {
@@ -239,35 +252,31 @@ impl ControlPlane {
 
 /// A task of the processor that was not ready.
 fn late_task(deadline: Deadline, sweep: u32, came: Option<f64>) -> Missed {
-    Missed {
-        deadline,
-        sweep,
-        crossing: None,
-        colour: None,
-        register: None,
-        part: None,
-        crater: None,
-        region: None,
-        range_m: None,
-        due: 0.0,
-        came,
-        words: 0,
-        cause: Cause::Processor,
-    }
+    Missed { came, ..Missed::of(deadline, sweep, Cause::Processor) }
 }
 
-fn drum_units(digital: &DigitalFrame) -> Vec<UnitUse> {
+/// What each level's data bank did, with the name of the level.
+fn supplied(digital: &DigitalFrame) -> impl Iterator<Item = (&'static str, &FrameSupply)> {
     let levels = ["fine", "coarse"].into_iter().zip(&digital.supplies);
-    let supplied = levels.filter_map(|(level, supply)| Some((level, supply.as_ref()?)));
-    let units = supplied.flat_map(|(level, supply)| {
-        let drums = supply.busy.iter().enumerate();
-        drums.map(move |(number, &busy)| UnitUse {
-            unit: format!("drum.{level}.{number}"),
-            busy,
-            longest_queue: supply.longest_queue,
-        })
-    });
-    units.collect()
+    levels.filter_map(|(level, supply)| Some((level, supply.as_deref()?)))
+}
+
+fn drum_units(digital: &DigitalFrame) -> impl Iterator<Item = UnitUse> {
+    supplied(digital).flat_map(|(level, supply)| numbered("drum", level, &supply.busy, supply.longest_queue))
+}
+
+/// Nothing waits for a channel but the drums that would use it.
+fn channel_units(digital: &DigitalFrame) -> impl Iterator<Item = UnitUse> {
+    supplied(digital).flat_map(|(level, supply)| numbered("channel", level, &supply.carried, 0))
+}
+
+/// `drum.fine.0` and so on.
+fn numbered(kind: &str, level: &str, busy: &[u64], longest_queue: u32) -> impl Iterator<Item = UnitUse> {
+    busy.iter().enumerate().map(move |(number, &busy)| UnitUse {
+        unit: format!("{kind}.{level}.{number}"),
+        busy,
+        longest_queue,
+    })
 }
 
 fn add_sets(sum: &mut Sets, sets: &Sets) {

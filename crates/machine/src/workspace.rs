@@ -4,7 +4,8 @@ use std::array;
 
 use display_projection_processor::{Driven, Projected, Scratch};
 use feature_generator::{ChainScratch, FeatureProfile, FeatureProgram};
-use mixing_unit::{Mixed, SwitchScratch, Toggle};
+use mixing_unit::{Mixed, SwitchScratch};
+use parts::GateEdge;
 use polyhedron_generator::{BodyFade, Overlay};
 use signal::{LANES, Lanes, Real};
 use sweep_memory::{FarStroke, GunWork};
@@ -12,6 +13,7 @@ use sweep_program::{Ramp, RegisterSet, SweepProgram, SweepStart};
 use terrain_generator::{ArrayState, Overlap, Profile};
 
 use crate::feature_light::Lit;
+use crate::lane_gate::LaneGate;
 
 /// Programs and signals of a group of sweeps, in the order in which they arise.
 #[derive(Debug, Clone)]
@@ -36,12 +38,12 @@ pub(crate) struct Workspace<S> {
     pub chains: ChainScratch<S>,
     /// Features in the light.
     pub lit: Lit<S>,
-    /// Whether the first sample is in remote shadow.
-    pub dark_at_start: [bool; LANES],
-    /// Ranges at which the gate of a lane changes, by line generators of parts (m).
-    pub displaced: Vec<f64>,
-    /// Changes of the shadow gate after it.
-    pub toggles: [Vec<Toggle<S>>; LANES],
+    /// Changes of a gate along a sweep, as they are found.
+    pub edges: Vec<GateEdge>,
+    /// Gates of remote shadow.
+    pub shadow: [LaneGate<S>; LANES],
+    /// Presence of features, by comparators of parts.
+    pub presence: [LaneGate<S>; LANES],
     /// Texture of the foreground.
     pub texture: Vec<Lanes<S>>,
     /// Fades of the switches of parts.
@@ -77,9 +79,9 @@ impl<S: Real> Default for Workspace<S> {
             feature_profile: FeatureProfile::default(),
             chains: ChainScratch::default(),
             lit: Lit::default(),
-            dark_at_start: [false; LANES],
-            displaced: Vec::new(),
-            toggles: Default::default(),
+            edges: Vec::new(),
+            shadow: Default::default(),
+            presence: Default::default(),
             texture: Vec::new(),
             fades: SwitchScratch::default(),
             chain: Scratch::default(),

@@ -20,7 +20,7 @@ pub(crate) struct Profile<'a, S> {
 impl<S: Real> Profile<'_, S> {
     /// Adds kinks and toggles to `breaks` in order, blanked as VS2 does. `bends` says which of them are kinks.
     pub fn merge(&self, shadow: ToggleList<'_, S>, breaks: &mut Vec<Break<S>>, bends: &mut Vec<bool>) {
-        let (mut kink, mut toggle, mut dark) = (0, 0, shadow.dark_at_start);
+        let (mut kink, mut toggle, mut dark) = (0, 0, shadow.open_at_start);
         loop {
             let bend = match (self.kinks.get(kink), shadow.toggles.get(toggle)) {
                 (None, None) => break,
@@ -50,7 +50,7 @@ impl<S: Real> Profile<'_, S> {
     fn at_toggle(&self, toggle: &Toggle<S>, next: usize) -> Break<S> {
         let (height, light) = self.stretches(toggle.sample, next);
         let value = light.at(toggle.share);
-        let Toggle { sample, share } = *toggle;
+        let Toggle { sample, share, .. } = *toggle;
         Break { sample, share, height: height.at(share), before: value, after: value }
     }
 

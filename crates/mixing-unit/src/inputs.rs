@@ -35,22 +35,27 @@ pub struct FeatureInput<'a, S> {
     pub lit: &'a [Lanes<S>],
     /// Kinks lane by lane, ascending.
     pub kinks: &'a [Vec<Kink<S>>; LANES],
+    /// The presence line where comparators of real parts make it; without them it changes at the kinks.
+    pub gates: Option<&'a [ToggleList<'a, S>; LANES]>,
 }
 
-/// The sweep crosses a boundary of remote shadow.
+/// A gate changes: the sweep crosses a boundary of remote shadow, or the edge of a footprint.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Toggle<S> {
     /// The step: it lies between samples `sample - 1` and `sample`; at least 1, below the number of samples.
     pub sample: usize,
     /// Part of the step, 0..=1.
     pub share: S,
+    /// Slope of what the gate's comparator sees there (full scales a step), above 0; infinite for a jump. Without real
+    /// parts nobody asks.
+    pub slope: f64,
 }
 
-/// The gate of the shadow controller over one sweep.
+/// A gate over one sweep.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ToggleList<'a, S> {
-    /// Whether the first sample is in remote shadow.
-    pub dark_at_start: bool,
+    /// Whether it is open at the first sample: in remote shadow, or in a footprint.
+    pub open_at_start: bool,
     /// Where the gate changes, ascending.
     pub toggles: &'a [Toggle<S>],
 }
@@ -87,22 +92,22 @@ impl<S: Real> Inputs<'_, S> {
     pub fn vs2_gate(&self, lane: usize) -> Vec<f64> {
         let mut gate = vec![0.0; self.height.len()];
         if let Some(shadow) = self.shadow {
-            shadow[lane].for_each_dark(gate.len(), |sample| gate[sample] = 1.0);
+            shadow[lane].for_each_open(gate.len(), |sample| gate[sample] = 1.0);
         }
         gate
     }
 }
 
 impl<S: Real> ToggleList<'_, S> {
-    /// Each sample in remote shadow, of `samples`.
-    pub(crate) fn for_each_dark(&self, samples: usize, mut visit: impl FnMut(usize)) {
-        let (mut dark, mut from) = (self.dark_at_start, 0);
+    /// Each sample at which it is open, of `samples`.
+    pub(crate) fn for_each_open(&self, samples: usize, mut visit: impl FnMut(usize)) {
+        let (mut open, mut from) = (self.open_at_start, 0);
         let ends = self.toggles.iter().map(|toggle| toggle.sample.min(samples));
         for end in ends.chain(std::iter::once(samples)) {
-            if dark {
+            if open {
                 (from..end).for_each(&mut visit);
             }
-            (dark, from) = (!dark, end);
+            (open, from) = (!open, end);
         }
     }
 }

@@ -36,21 +36,21 @@
 //!
 //! [`PartsMixer`] is the same block with the figures of [`hardware_model::AnalogParts`]; a machine has one or the other.
 //!
-//! **Law.** A gate is late by the delay of its comparator; about that instant the switch fades from one input to the other
+//! **Law.** A gate is late by the delay of its comparator on a ramp of the slope with which the generator met the edge; about that instant the switch fades from one input to the other
 //! in a straight line over its transition ([`parts::Fade`]). What it takes from S is off by gain and level
 //! ([`parts::Switch`]) and later by the difference of both ways. Of the input that is off a small capacity lets through
 //! what changes fast ([`parts::HighPass`]). Black and white are limits before VS2 and behind the adder. A lag of the video
 //! bandwidth ends the chain.
-//! **Parameters.** `comparator.delay`, `video_switch`, `video_bandwidth`, `spread`; the seed of the model.
+//! **Parameters.** `comparator.delay` and `.overdrive`, `video_switch`, `video_bandwidth`, `spread`; the seed of the model.
 //! **State and timing.** A step is a sample; all settles in retrace. Between samples the video is straight lines, but for
-//! breaks: where a fade begins and ends, where the video of a feature jumps, at rims. They leave the unit as
+//! breaks: where a fade begins and ends, where the video of a feature jumps, where local shadow begins, at rims. They leave the unit as
 //! [`signal::Breaks`], at their instants and with what the chain makes of them there; the lag is split at each, exactly,
 //! and its decay behind one is divided by three more.
 //! **Our choices.** Presence lines have one comparator, the shadow gate another. Beyond its footprint the video of a
 //! feature is the ground's, since it adds no slope; so a late gate leaves no black seam. A gate that changes without a
 //! rim does so half way between samples. Level and gain are static errors: drawn for each switch, without `spread` too.
 //! The toggle is the middle of a fade: what a switch needs to get there is in the comparator's delay.
-//! **Not modelled.** Hysteresis of the gates; where between two samples local shadow begins; curves between samples.
+//! **Not modelled.** Hysteresis of the gates; curves between samples.
 
 mod breaks;
 mod inputs;

@@ -84,7 +84,7 @@ impl MixingUnit {
             bends.clear();
             let kinks = inputs.features.map_or([].as_slice(), |features| &features.kinks[lane]);
             let profile = Profile { lane, height, reflectivity, kinks, vs1: &self.vs1, texture };
-            let lit = ToggleList { dark_at_start: false, toggles: &[] };
+            let lit = ToggleList { open_at_start: false, toggles: &[] };
             profile.merge(inputs.shadow.map_or(lit, |shadow| shadow[lane]), breaks, bends);
         }
     }
@@ -93,7 +93,7 @@ impl MixingUnit {
 /// VS2 at the samples.
 fn lay_shadow<S: Real>(shadow: Option<&[ToggleList<'_, S>; LANES]>, reflectivity: &mut [Lanes<S>]) {
     for (lane, toggles) in shadow.into_iter().flatten().enumerate() {
-        toggles.for_each_dark(reflectivity.len(), |sample| reflectivity[sample][lane] = S::ZERO);
+        toggles.for_each_open(reflectivity.len(), |sample| reflectivity[sample][lane] = S::ZERO);
     }
 }
 

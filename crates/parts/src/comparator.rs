@@ -74,6 +74,15 @@ pub struct Passing {
     pub charge: f64,
 }
 
+/// Where a sweep takes what a comparator sees past its threshold.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GateEdge {
+    /// Ground range (m).
+    pub range: f64,
+    /// How steeply (full scales a metre), above 0; infinite for a jump.
+    pub slope: f64,
+}
+
 /// A change of the output.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Trip {
@@ -133,6 +142,12 @@ impl<S: Real> Comparator<S> {
         if !quiet || state.passing.is_some() {
             self.walk(state, (sweep, sample), [u0.to_f64(), u1.to_f64()], trips);
         }
+    }
+
+    /// Steps from the instant at which a ramp passes a threshold to the trip, `t_c + sqrt(2 k_od / s)`; `slope` s in full
+    /// scales a step, above 0, and infinite for a jump.
+    pub fn on_ramp(&self, slope: f64) -> f64 {
+        self.delay + Line { start: 0.0, change: slope }.fills(0.0, self.charge).min(self.patience)
     }
 
     #[cold]

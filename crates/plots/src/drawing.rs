@@ -67,6 +67,20 @@ impl Drawing {
         svg.finish()
     }
 
+    /// The same, in the colours of `dark` where the reader, or the page that shows it as an image, prefers dark. `dark` is
+    /// the same strokes on dark paper.
+    pub(crate) fn svg_or_dark(&self, dark: &Self) -> String {
+        let mut svg = Svg::new(self.columns, self.lines, self.paper, &self.title);
+        svg.in_the_dark(self.paper, dark.paper);
+        for (mark, dark) in self.marks.iter().zip(&dark.marks) {
+            if let (Some(colour), Some(dark)) = (mark.colour(), dark.colour()) {
+                svg.in_the_dark(colour, dark);
+            }
+        }
+        self.draw(&mut svg);
+        svg.finish()
+    }
+
     /// Writes an SVG file if `path` ends in `.svg`, a PNG file otherwise, whole or not at all.
     ///
     /// # Errors

@@ -53,6 +53,17 @@ pub(crate) enum Mark {
     Image(Area, Vec<Colour>),
 }
 
+impl Mark {
+    /// The one colour of a stroke; pixels and clips have none.
+    pub fn colour(&self) -> Option<Colour> {
+        match self {
+            Self::Fill(_, colour) | Self::Polygon(_, colour) | Self::Line { colour, .. } => Some(*colour),
+            Self::Letters(letters) => Some(letters.colour),
+            Self::Clip(_) | Self::Image(..) => None,
+        }
+    }
+}
+
 /// Something that can be drawn on.
 pub(crate) trait Surface {
     /// Takes the next mark of a drawing.

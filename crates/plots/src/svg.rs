@@ -1,7 +1,7 @@
 //! Marks as SVG text: letters are outlines of the same font, every glyph once, so nothing depends on the fonts of
 //! whoever reads it.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 use crate::colour::Colour;
@@ -18,6 +18,8 @@ pub(crate) struct Svg {
     signs: BTreeSet<char>,
     clips: BTreeSet<String>,
     clip: Option<String>,
+    /// Colours, and what they are for whoever prefers dark.
+    dark: BTreeMap<Colour, Colour>,
 }
 
 impl Svg {
@@ -27,7 +29,13 @@ impl Svg {
         let colour = hex(paper);
         let _ = writeln!(body, "<path d=\"M0 0H{columns}V{lines}H0Z\" fill=\"{colour}\"/>");
         let (signs, clips) = (BTreeSet::new(), BTreeSet::new());
-        Self { columns, lines, title: escaped(title), body, signs, clips, clip: None }
+        let (clip, dark) = (None, BTreeMap::new());
+        Self { columns, lines, title: escaped(title), body, signs, clips, clip, dark }
+    }
+
+    /// Whoever prefers dark sees `dark` instead of `colour`.
+    pub fn in_the_dark(&mut self, colour: Colour, dark: Colour) {
+        self.dark.insert(colour, dark);
     }
 
     /// The document.
@@ -35,7 +43,8 @@ impl Svg {
         let Self { columns, lines, title, body, .. } = &self;
         let mut out = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{columns}\" height=\"{lines}\" \
-             viewBox=\"0 0 {columns} {lines}\" role=\"img\">\n<title>{title}</title>\n<defs>\n"
+             viewBox=\"0 0 {columns} {lines}\" role=\"img\">\n<title>{title}</title>\n{}<defs>\n",
+            self.dark_style()
         );
         for sign in &self.signs {
             let outline = lettering::sign(*sign);
@@ -45,6 +54,19 @@ impl Svg {
             let _ = writeln!(out, "<clipPath id=\"c{}\"><path d=\"{clip}\"/></clipPath>", clip_id(clip));
         }
         out + "</defs>\n" + body + "</svg>\n"
+    }
+
+    /// A rule for every colour: a rule goes before what stands with the stroke itself.
+    fn dark_style(&self) -> String {
+        if self.dark.is_empty() {
+            return String::new();
+        }
+        let rule = |(colour, dark): (&Colour, &Colour)| {
+            let (colour, dark) = (hex(*colour), hex(*dark));
+            format!("[fill=\"{colour}\"]{{fill:{dark}}}[stroke=\"{colour}\"]{{stroke:{dark}}}")
+        };
+        let rules: String = self.dark.iter().map(rule).collect();
+        format!("<style>@media (prefers-color-scheme:dark){{{rules}}}</style>\n")
     }
 
     fn clip(&mut self, area: Option<Area>) {

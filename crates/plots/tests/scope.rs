@@ -2,7 +2,7 @@
 
 use plots::{
     Along, Clock, Crossing, Curve, Curves, Drawing, Logic, LogicLane, PictureColumn, Place, PlotError,
-    RegisterColour, Scope, ScopeLook, Theme, Upright, Volts, scope_picture,
+    RegisterColour, Scope, ScopeLook, Theme, Upright, Volts, scope_picture, scope_svg,
 };
 
 const CURSOR: [u8; 3] = [176, 0, 96];
@@ -41,6 +41,7 @@ fn scope<'a>(ranges: &'a [f64], values: &'a [f64]) -> Scope<'a> {
         panels: vec![Curves { label, unit, upright: Upright::Values, volts: None, curves }],
         lanes: vec![],
         crossings: vec![],
+        coarse: vec![],
         blanked: vec![],
         column: None,
     }
@@ -78,6 +79,7 @@ fn full<'a>(ranges: &'a [f64], waves: &'a [Vec<f64>; 3], grey: &'a [f64]) -> Sco
             crossing(50.0, Red, Green),
             crossing(80.0, Green, Yellow),
         ],
+        coarse: vec![],
         blanked: vec![[62.0, 75.0]],
         column: Some(PictureColumn { grey, line: Some(line) }),
     }
@@ -246,6 +248,29 @@ fn svg_is_whole_and_has_both_texts_and_pixels() {
     assert_eq!(count("<path id=\"hack"), used.len());
 }
 
+/// The dark half of the file, taken apart: with its rules applied the light page is the dark one.
+#[test]
+fn one_svg_is_light_and_dark() {
+    let (ranges, waves, grey) = waves();
+    let (scope, look) = (full(&ranges, &waves, &grey), full_look());
+    let both = scope_svg(&scope, &look).unwrap();
+    let page = |theme| scope_picture(&scope, &ScopeLook { theme, ..look.clone() }).unwrap().svg();
+    let (start, rest) = both.split_once("<style>@media (prefers-color-scheme:dark){").unwrap();
+    let (rules, end) = rest.split_once("}</style>\n").unwrap();
+    assert_eq!(format!("{start}{end}"), page(Theme::Light));
+    assert!(rules.len() < 5000, "{} bytes of rules", rules.len());
+    let mut dark = format!("{start}{end}").replace('"', "\u{1}");
+    for rule in rules.split_terminator('}') {
+        let (selector, value) = rule.split_once("]{").unwrap();
+        let (what, colour) = selector.strip_prefix('[').unwrap().split_once('=').unwrap();
+        let value = value.split_once(':').unwrap().1;
+        // Marked as done, so that no colour is turned twice.
+        let (colour, quoted) = (colour.trim_matches('"'), format!("\"{value}\""));
+        dark = dark.replace(&format!("{what}=\u{1}{colour}\u{1}"), &format!("{what}={quoted}"));
+    }
+    assert_eq!(dark.replace('\u{1}', "\""), page(Theme::Dark));
+}
+
 /// Bytes that must be the same on every machine; a change of design changes them too.
 #[test]
 fn bytes_do_not_depend_on_the_machine() {
@@ -257,5 +282,27 @@ fn bytes_do_not_depend_on_the_machine() {
         [page.svg().as_bytes(), page.rgb()].map(|bytes| blake3::hash(bytes).to_hex()[..16].to_owned())
     };
     let found = [of(Theme::Light, Along::LogRange), of(Theme::Dark, Along::Time)];
-    assert_eq!(found, [["5384ce4544240016", "8251a7b5ee94c6e5"], ["00c752a8d301f966", "240197bb478a8df0"]]);
+    assert_eq!(found, [["d478ad225c1e31ba", "57cd5a7d2122b28f"], ["7bd26937ac05d9d7", "7df170c8e2ed32fd"]]);
+}
+
+/// A narrow page puts the entries of its key into more rows, and nothing into its right margin.
+#[test]
+fn the_key_of_a_narrow_page_has_more_rows() {
+    use RegisterColour::{Black, Green, Red, Yellow};
+    let (ranges, waves, grey) = waves();
+    let mut scope = full(&ranges, &waves, &grey);
+    let crossing = |at: u32, loads| Crossing { at: f64::from(at), loads };
+    scope.crossings = (0..60).map(|at| crossing(at, [Yellow, Red])).collect();
+    scope.coarse = (0..10).map(|at| crossing(9 * at, [Green, Black])).collect();
+    let look = |width| ScopeLook { width, cursors: vec![], ..full_look() };
+    let (narrow, wide) = (scope_picture(&scope, &look(600)).unwrap(), scope_picture(&scope, &look(1600)).unwrap());
+    let (columns, rgb) = (narrow.columns() as usize, narrow.rgb());
+    let margin = |line: usize| 3 * (line * columns + columns - 16)..3 * (line + 1) * columns;
+    let is_paper = |line| rgb[margin(line)].iter().all(|part| *part == 255);
+    let inked: Vec<usize> = (0..narrow.lines() as usize).filter(|line| !is_paper(*line)).collect();
+    assert!(inked.is_empty(), "lines {inked:?} run into the right margin");
+    assert!(narrow.lines() >= wide.lines() + 20, "{} lines against {}", narrow.lines(), wide.lines());
+    let fine = Scope { coarse: vec![], ..scope.clone() };
+    let fine = scope_picture(&fine, &look(1600)).unwrap();
+    assert_eq!(wide.lines() - fine.lines(), 22, "coarse crossings have a row of their own");
 }

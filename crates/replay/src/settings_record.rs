@@ -203,6 +203,7 @@ fn loader(settings: &Settings) -> Value {
         "words_per_access": loader.words_per_access,
         "access_ticks": loader.access,
         "pointer_ticks": loader.pointer,
+        "io_processor_ticks": loader.io_processor,
         "strobe_ticks": loader.strobe,
         "urgent_first": loader.urgent_first,
         "diagonal_register": loader.diagonal_register,

@@ -2,19 +2,23 @@
 
 const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/// A `data:` URL of bytes (RFC 4648, section 4).
+/// A `data:` URL of bytes.
 pub(crate) fn data_url(kind: &str, bytes: &[u8]) -> String {
-    let mut url = format!("data:{kind};base64,");
-    url.reserve(bytes.len().div_ceil(3) * 4);
+    format!("data:{kind};base64,{}", base64(bytes))
+}
+
+/// RFC 4648, section 4.
+pub(crate) fn base64(bytes: &[u8]) -> String {
+    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
     for group in bytes.chunks(3) {
         let byte = |index: usize| u32::from(group.get(index).copied().unwrap_or(0));
         let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
         for place in 0..4 {
             let digit = DIGITS[(bits >> (18 - 6 * place) & 63) as usize];
-            url.push(if place <= group.len() { char::from(digit) } else { '=' });
+            text.push(if place <= group.len() { char::from(digit) } else { '=' });
         }
     }
-    url
+    text
 }
 
 #[cfg(test)]

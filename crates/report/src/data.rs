@@ -3,12 +3,13 @@
 use serde_json::{Value, json};
 
 use crate::Beside;
+use crate::film::Film;
 use crate::run::Run;
 use crate::strip::Small;
 use crate::viewer::{SPEEDS, USUAL_SPEED};
 
 /// The document.
-pub(crate) fn data(run: &Run, beside: &Beside, strip: &[Small]) -> Value {
+pub(crate) fn data(run: &Run, beside: &Beside, strip: &[Small], film: &Film) -> Value {
     let first = run.first_picture();
     let scopes: Vec<Value> = beside.scopes.iter().map(|plot| json!([plot.frame, plot.sweep])).collect();
     json!({
@@ -22,9 +23,11 @@ pub(crate) fn data(run: &Run, beside: &Beside, strip: &[Small]) -> Value {
         "speed": USUAL_SPEED,
         "poses": run.poses.iter().map(|pose| pose.map(rounded)).collect::<Vec<_>>(),
         "strip": strip.iter().map(|small| small.picture).collect::<Vec<_>>(),
+        "film": film.pictures,
         "sight": beside.sight,
         "scopes": scopes,
         "stage": shell_words(&beside.stage),
+        "pictures": run.picture_words(),
     })
 }
 

@@ -12,8 +12,9 @@
 //! is written. It holds no clock, so it says nothing of `performance.json`.
 //! **What it shows.** Frames with pose and time, a contact sheet, the machine with what was left out of it, timing of the
 //! digital side, waveforms of recorded sweeps, error, and the record.
-//! **What is needed beside it.** The frames. A page that has lost its folder shows its own [strip](STRIP_FRAMES) of small
-//! frames instead, and says so; plots are part of the page until they are too many.
+//! **What is needed beside it.** Nothing: frames and plots are part of it, byte for byte. A run whose frames take more than
+//! [`FILM_BYTES`] has every n-th of them in its page, and the others beside it; where those are gone the nearest frame
+//! stands in, and the page says so.
 //! **No network.** Style, script and data are in the file, and its content security policy forbids the rest.
 //! **page.json** ([`Beside`]) keeps what the record does not have: the words of the command line, where a pixel lies among
 //! the sweeps, a [summary](TimingSummary) of timing, the list of plots. Without it the page has fewer sections.
@@ -26,6 +27,7 @@ mod cells;
 mod data;
 mod diagram;
 mod error;
+mod film;
 mod machine_section;
 mod masthead;
 mod page;
@@ -40,6 +42,7 @@ mod viewer;
 
 pub use beside::{BESIDE, Beside, ScopePlot};
 pub use error::ReportError;
+pub use film::FILM_BYTES;
 pub use page::write_page;
 pub use sight::{Sight, SightLine};
 pub use strip::STRIP_FRAMES;

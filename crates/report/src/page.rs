@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::data::{data, in_script};
+use crate::film::film;
 use crate::machine_section::machine;
 use crate::masthead::masthead;
 use crate::record_section::{error, record};
@@ -18,6 +19,7 @@ use crate::viewer::{contact_sheet, viewer};
 use crate::{Beside, ReportError};
 
 const STYLE: &str = include_str!("page.css");
+const THEME: &str = include_str!("theme.js");
 const SCRIPT: &str = include_str!("page.js");
 
 /// Nothing from anywhere but this file and the folder that it lies in.
@@ -52,8 +54,9 @@ fn page(folder: &Path) -> Result<Markup, ReportError> {
     let run = Run::read(folder)?;
     let beside = Beside::read(folder, &run.fingerprint)?;
     let strip = strip(folder, &run)?;
+    let film = film(folder, &run)?;
     let waveforms = scopes(folder, &beside, run.has_sweeps())?;
-    let data = in_script(&data(&run, &beside, &strip));
+    let data = in_script(&data(&run, &beside, &strip, &film));
     Ok(html! {
         (DOCTYPE)
         html lang="en" {
@@ -65,22 +68,25 @@ fn page(folder: &Path) -> Result<Markup, ReportError> {
                 link rel="icon" href="data:,";
                 title { (run.scenario.title) " – run of lunoid" }
                 style { (PreEscaped(STYLE)) }
-                script #data type="application/json" { (PreEscaped(data)) }
-                script { (PreEscaped(SCRIPT)) }
+                script { (PreEscaped(THEME)) }
             }
             body {
                 a.skip href="#picture" { "To the picture" }
                 (masthead(&run))
                 nav.contents aria-label="Sections" { ol { @for (id, title) in SECTIONS { li { a href=(format!("#{id}")) { (title) } } } } }
                 main {
-                    (viewer(&run))
-                    (contact_sheet(&run, &strip))
+                    (viewer(&run, &film))
+                    (contact_sheet(&run, &strip, &film))
                     (machine(&run))
                     (timing(&beside, run.has_sweeps()))
                     (waveforms)
                     (error(&run, &beside))
                     (record(&run))
                 }
+                script #data type="application/json" { (PreEscaped(data)) }
+                // The page works before its frames are read.
+                script { (PreEscaped(SCRIPT)) }
+                (film.elements())
             }
         }
     })

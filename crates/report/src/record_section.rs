@@ -35,11 +35,12 @@ fn figures(found: &Value) -> Markup {
 fn unchecked(run: &Run, beside: &Beside) -> Markup {
     let (first, end) = (run.frames[0].frame, run.frames[run.frames.len() - 1].frame + 1);
     let end = end.min(first + 2);
+    let frames = format!("--frames {first}..{end}{}", run.picture_words());
     html! {
         p { "Not checked. The first frames against the closed form:" }
         pre.more { code {
-            "lunoid replay " (shell_words(&exact_words(&beside.stage))) " --frames " (first) ".." (end) " --out runs/exact\n"
-            "lunoid replay " (shell_words(&beside.stage)) " --frames " (first) ".." (end) " --out runs/checked\n"
+            "lunoid replay " (shell_words(&exact_words(&beside.stage))) " " (frames) " --out runs/exact\n"
+            "lunoid replay " (shell_words(&beside.stage)) " " (frames) " --out runs/checked\n"
             "lunoid compare runs/checked runs/exact"
         } }
     }

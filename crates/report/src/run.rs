@@ -178,6 +178,17 @@ impl Run {
         hertz(clock).unwrap_or(30.0)
     }
 
+    /// The options of a replay that draws the same pictures, each after a space.
+    pub fn picture_words(&self) -> String {
+        let depth = if self.pictures.depth == 8 {
+            String::new()
+        } else {
+            format!(" --depth {}", self.pictures.depth)
+        };
+        let refresh = if self.pictures.one_file_for_each == "refresh" { " --refresh" } else { "" };
+        depth + refresh
+    }
+
     /// Width of the screen over its height.
     pub fn aspect(&self) -> f64 {
         let [width, height] = self.settings.raster.field_of_view_deg.map(tangent_of_half);

@@ -8,8 +8,8 @@ use crate::base64::data_url;
 use crate::data::shell_words;
 use crate::{Beside, ReportError, ScopePlot};
 
-/// Bytes of plots that are part of the page; the others are read from beside it.
-const MOST_EMBEDDED: u64 = 4 << 20;
+/// Bytes of plots that are part of the page; the others are read from beside it. Several hundred fit.
+const MOST_EMBEDDED: u64 = 32 << 20;
 const MAX_BYTES: u64 = 1 << 28;
 
 /// The section.
@@ -37,10 +37,19 @@ fn figure(plot: &ScopePlot, source: &str) -> Markup {
             a.sheet-of href=(plot.file()) { img src=(source) loading="lazy" decoding="async"
                 alt=(format!("Waveforms of sweep {sweep} of frame {frame}")); }
             figcaption {
-                b { "Frame " (frame) ", sweep " (sweep) "." } " " (plot.signals.join(", ")) ". "
+                b { "Frame " (frame) ", sweep " (sweep) "." } " " (signals(plot)) ". "
                 button.needs-script type="button" data-frame=(frame) data-sweep=(sweep) { "Show in the picture" }
             }
         }
+    }
+}
+
+/// The signals of a plot; where there are many, how they were asked for.
+fn signals(plot: &ScopePlot) -> String {
+    const MOST_NAMED: usize = 12;
+    match plot.signals.len() {
+        0..=MOST_NAMED => plot.signals.join(", "),
+        count => format!("{} ({count} signals)", plot.asked.join(", ")),
     }
 }
 

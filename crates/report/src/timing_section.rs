@@ -55,7 +55,7 @@ fn deadlines(summary: &TimingSummary) -> Markup {
         div.wide tabindex="0" role="group" aria-label="Deadlines" { table.numbers {
             thead { tr { th scope="col" { "Deadline" } th scope="col" { "Met" } th scope="col" { "Missed" }
                 th scope="col" { "Least slack" } th scope="col" { "In frame" }
-                th scope="col" { "Slack" small { "missed | met" } } } }
+                th.bins scope="col" { "Slack" small { "missed | met" } } } }
             tbody { @for line in &summary.deadlines { tr {
                 th scope="row" { (line.deadline.word()) }
                 td { (grouped(line.slack.count - line.slack.missed.min(line.slack.count))) }
@@ -97,11 +97,13 @@ fn units(units: &[UnitLine]) -> Markup {
     if units.is_empty() {
         return html! { p { "The model has no unit that takes time." } };
     }
+    let (busy, at_rest): (Vec<_>, Vec<_>) =
+        units.iter().partition(|unit| unit.most > 0.0 || unit.longest_queue > 0);
     html! {
         div.wide tabindex="0" role="group" aria-label="Units at work" { table.numbers.units {
-            thead { tr { th scope="col" { "Unit" } th scope="col" { "At work" } th scope="col" { "Mean" }
+            thead { tr { th scope="col" { "Unit" } th.bar scope="col" { "At work" } th scope="col" { "Mean" }
                 th scope="col" { "Most" } th scope="col" { "Queue" } } }
-            tbody { @for unit in units { tr {
+            tbody { @for unit in &busy { tr {
                 th scope="row" { (unit.unit) }
                 td.bar { (bar(unit)) }
                 td { (percent(unit.mean)) }
@@ -109,6 +111,10 @@ fn units(units: &[UnitLine]) -> Markup {
                 td { (unit.longest_queue) }
             } } }
         } }
+        @if !at_rest.is_empty() {
+            p.rest { "At rest throughout: "
+                (at_rest.iter().map(|unit| unit.unit.as_str()).collect::<Vec<_>>().join(", ")) "." }
+        }
     }
 }
 

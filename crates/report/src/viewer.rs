@@ -4,6 +4,7 @@ use maud::{Markup, html};
 use replay::picture_name;
 
 use crate::cells::{placed, shortened};
+use crate::film::Film;
 use crate::run::Run;
 use crate::strip::Small;
 
@@ -25,9 +26,8 @@ const KEYS: [(&str, &str); 8] = [
 ];
 
 /// The first section.
-pub(crate) fn viewer(run: &Run) -> Markup {
+pub(crate) fn viewer(run: &Run, film: &Film) -> Markup {
     let raster = &run.settings.raster;
-    let first = picture_name(run.first_picture());
     let last = run.first_picture() + run.pictures() - 1;
     let style = format!("aspect-ratio:{:.6}", run.aspect());
     let coarse = raster.columns < 480;
@@ -38,7 +38,7 @@ pub(crate) fn viewer(run: &Run) -> Markup {
                 figure.tube {
                     div #screen.screen.coarse[coarse] style=(style) tabindex="0" role="group"
                         aria-label="Picture of the run: click a column to look into its sweep" aria-describedby="keys" {
-                        img #frame src=(first) width=(raster.columns) height=(raster.lines)
+                        img #frame src=(film.first) data-picture=(run.first_picture()) width=(raster.columns) height=(raster.lines)
                             alt=(format!("Picture {}", run.first_picture()));
                         svg #cursor viewBox="-1 -1 2 2" preserveAspectRatio="none" aria-hidden="true" {
                             g #marks {}
@@ -47,7 +47,7 @@ pub(crate) fn viewer(run: &Run) -> Markup {
                         }
                     }
                     p #reduced.notice hidden {
-                        "The frames are not beside this page. It shows the nearest of its own small frames."
+                        "This frame is neither part of this page nor beside it. The nearest one that is stands in its place."
                     }
                     (controls(run.first_picture(), last))
                     div #look.look hidden tabindex="-1" {
@@ -130,14 +130,14 @@ fn keys() -> Markup {
 }
 
 /// The second section.
-pub(crate) fn contact_sheet(run: &Run, strip: &[Small]) -> Markup {
+pub(crate) fn contact_sheet(run: &Run, strip: &[Small], film: &Film) -> Markup {
     let all = strip.len() as u64 == run.pictures();
     html! {
         section #contact-sheet aria-labelledby="sheet-title" {
             h2 #sheet-title { "Contact sheet" }
             p.lead {
                 @if all { "All frames. " } @else { (strip.len()) " of " (run.pictures()) " frames, evenly spread. " }
-                "They are part of this file: mailed alone, the page still shows them."
+                (film.in_words(run))
             }
             ol.sheet {
                 @for small in strip {

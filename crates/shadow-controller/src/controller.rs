@@ -1,12 +1,13 @@
 //! From boundary segments to the gate of every sweep.
 
 use hardware_model::ShadowParts;
+use parts::GateEdge;
 use quantities::SweepTime;
 use remote_shadow::Segment;
 use sweep_program::{LoadTiming, NoTiming};
 
 use crate::crossings::{Crossing, Crossings, Line};
-use crate::line_generators::{Boundary, SegmentMiss, Service, serve, serve_in_time};
+use crate::line_generators::{Boundary, SegmentLoad, SegmentMiss, Service, serve, serve_in_time};
 
 /// Two boundaries nearer to each other than this along a sweep are none (m): far less than a display line, far more
 /// than rounding.
@@ -19,7 +20,8 @@ pub struct Gate {
     pub dark_at_start: bool,
     /// Ground ranges at which the gate changes (m, ascending, up to the reach).
     pub toggles: Vec<f64>,
-    /// By how much each of them moves along the sweep for an error of its line of the line's full scale, its length (m).
+    /// By how much each of them moves along the sweep for an error of its line of the line's full scale, its length (m); 0
+    /// where no line generator makes it.
     pub swings: Vec<f64>,
     /// Boundary segments that found no line generator free.
     pub dropped: u32,
@@ -27,8 +29,8 @@ pub struct Gate {
     pub most_in_use: u32,
     /// Boundaries that do not act, or not where they are crossed, in the order in which the sweep comes to need them.
     pub misses: Vec<SegmentMiss>,
-    /// Ticks that each load came before its crossing, if loads take time; below 0 it was late.
-    pub slacks: Vec<i64>,
+    /// Loads that took time, in the order in which they came.
+    pub loads: Vec<SegmentLoad>,
     /// Ticks that the loads took the line.
     pub load_ticks: u64,
 }
@@ -38,6 +40,12 @@ impl Gate {
     pub fn is_dark(&self, range: f64) -> bool {
         let before = self.toggles.partition_point(|&toggle| toggle <= range);
         self.dark_at_start ^ (before % 2 == 1)
+    }
+
+    /// Where it changes, as the comparators see it.
+    pub fn edges(&self) -> impl Iterator<Item = GateEdge> {
+        let pairs = self.toggles.iter().zip(&self.swings);
+        pairs.map(|(&range, &swing)| GateEdge { range, slope: 1.0 / swing.abs() })
     }
 }
 
@@ -124,13 +132,14 @@ impl ShadowController {
                 }
             };
         }
-        let Service { dropped, most_in_use, misses, slacks } = service;
+        let Service { dropped, most_in_use, misses, loads } = service;
         (gate.dropped, gate.most_in_use, gate.load_ticks) = (dropped, most_in_use, load_ticks);
-        (gate.misses, gate.slacks) = (misses, slacks);
+        (gate.misses, gate.loads) = (misses, loads);
         gate.toggles.clear();
         gate.toggles.extend(boundaries.iter().map(|boundary| boundary.range));
         gate.swings.clear();
-        gate.swings.extend(boundaries.iter().map(|boundary| boundary.swing));
+        let has_lines = matches!(self.parts, ShadowParts::Digital { .. });
+        gate.swings.extend(boundaries.iter().map(|boundary| if has_lines { boundary.swing } else { 0.0 }));
     }
 }
 

@@ -25,7 +25,7 @@
 //!
 //! **Elaboration.** Where no segment is in view all gates are 0 for the whole frame, and the block can be left out.
 //!
-//! **Parts.** [`PartsLines`]: errors of the line generators, hysteresis; the comparator's delay is the mixing unit's.
+//! **Parts.** [`PartsLines`]: errors of the line generators, hysteresis, offset; the comparator's delay is the mixing unit's.
 //! **Not modelled.** Quantisation of the line generators; the width of a line in the scan converter; two crossings within one comparator delay.
 //!
 //! **Our choices.** Ends count half-open by the sweep that they lie on, so a shared corner counts once and a sweep
@@ -38,7 +38,7 @@ mod line_generators;
 mod wired;
 
 pub use controller::{Gate, RESOLUTION, ShadowController};
-pub use line_generators::{SEGMENT_WORDS, SegmentMiss};
+pub use line_generators::{SEGMENT_WORDS, SegmentLoad, SegmentMiss};
 pub use wired::{MOST, PartsLines};
 
 use signal::{Signal, Unit};

@@ -25,6 +25,17 @@ pub struct SegmentMiss {
     pub cause: Option<MissCause>,
 }
 
+/// A boundary whose words took time to come.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SegmentLoad {
+    /// Line generator that waited for them.
+    pub line_generator: u32,
+    /// Ground range of the crossing (m).
+    pub range: f64,
+    /// When they came; a slack below 0 is late.
+    pub load: TimedLoad,
+}
+
 impl SegmentMiss {
     /// A boundary that found no free line generator.
     fn occupied(boundary: &Boundary) -> Self {
@@ -71,8 +82,8 @@ pub(crate) struct Service {
     pub(crate) dropped: u32,
     pub(crate) most_in_use: u32,
     pub(crate) misses: Vec<SegmentMiss>,
-    /// Ticks that each load came before its crossing, if loads take time.
-    pub(crate) slacks: Vec<i64>,
+    /// Loads that took time.
+    pub(crate) loads: Vec<SegmentLoad>,
 }
 
 /// Boundaries in the order in which the sweep comes to need them.
@@ -125,9 +136,9 @@ pub(crate) fn serve_in_time(
         busy[line_generator as usize] = boundary.held[1];
         let in_use = busy.iter().filter(|&&freed| freed > boundary.held[0]).count() as u32;
         service.most_in_use = service.most_in_use.max(in_use);
-        let TimedLoad { due, arrival, range, slack, cause } =
-            timing.load(free, boundary.range, boundary.held[1].min(reach));
-        service.slacks.push(slack);
+        let load = timing.load(free, boundary.range, boundary.held[1].min(reach));
+        service.loads.push(SegmentLoad { line_generator, range: boundary.range, load });
+        let TimedLoad { due, arrival, range, slack, cause } = load;
         if slack >= 0 {
             return true;
         }

@@ -15,6 +15,8 @@ pub enum Unit {
     Region,
     /// Tangent of the elevation angle.
     Tangent,
+    /// Tangent of the elevation angle a microsecond.
+    TangentRate,
     /// Display lines from the top of the picture.
     Line,
     /// A gate: 0 or 1.
@@ -34,6 +36,7 @@ impl Unit {
             Self::Reflectivity => "reflectivity",
             Self::Region => "folded ramp (regions)",
             Self::Tangent => "tangent of elevation",
+            Self::TangentRate => "change of elevation (1/µs)",
             Self::Line => "display line",
             Self::Gate => "gate",
             Self::Corner => "corner",
@@ -47,6 +50,7 @@ impl Unit {
             Self::Metre => "m",
             Self::Slope => "m/m",
             Self::Reflectivity | Self::Tangent | Self::Gate | Self::Number => "1",
+            Self::TangentRate => "1/us",
             Self::Corner => "corner",
             Self::Region => "d",
             Self::Line => "line",

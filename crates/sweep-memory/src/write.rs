@@ -10,12 +10,15 @@ use crate::curve::{Cubic, MOST_BEND, STRAIGHT, chords};
 use crate::stroke::{Stroke, centre, line_mean};
 
 /// Signals of the block.
-pub const SIGNALS: &[Signal] = &[Signal::display(
-    "sm.write",
-    Unit::Reflectivity,
-    "what the sweep leaves in each display line",
-    "fig. 14",
-)];
+pub const SIGNALS: &[Signal] = &[
+    Signal::ground(
+        "sm.video",
+        Unit::Reflectivity,
+        "intensity that the write beam is driven with: 0 in shadow and while it is blanked",
+        "fig. 14",
+    ),
+    Signal::display("sm.write", Unit::Reflectivity, "what the sweep leaves in each display line", "fig. 14"),
+];
 
 /// What drives the write beam of a group: one [`Lanes`] a sample.
 #[derive(Debug, Clone, Copy)]

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use crate::before_mission::MissionTask;
 use crate::deadline::{BINS, Slack};
 use crate::missed::Missed;
 use crate::record::{FORMAT, FrameTiming, TimingRecord, Vertices};
@@ -44,6 +45,7 @@ impl TimingRecord {
             return Err(Fault::new("format", self.format, FORMAT.to_string()));
         }
         check_hex("inputs", &self.inputs, None)?;
+        check_tasks(&self.before_mission)?;
         if self.frames.is_empty() {
             return Err(Fault::new("frames", "none", "at least one"));
         }
@@ -57,6 +59,21 @@ impl TimingRecord {
             check_frame(frame).map_err(|fault| fault.within(&format!("frame {}", frame.frame)))
         })
     }
+}
+
+fn check_tasks(tasks: &[MissionTask]) -> Checked {
+    let mut names = BTreeSet::new();
+    tasks.iter().try_for_each(|MissionTask { unit, task, pieces, ticks }| {
+        let place = |key: &str| format!("before_mission, {unit} {task}{key}");
+        if !names.insert([unit, task]) {
+            return Err(Fault::new(place(""), "it twice", "every task of a unit once"));
+        }
+        let mut counts = [("pieces", pieces), ("ticks", ticks)].into_iter();
+        match counts.find(|(_, count)| **count == 0) {
+            Some((key, _)) => Err(Fault::new(place(&format!(", {key}")), 0, "at least 1")),
+            None => Ok(()),
+        }
+    })
 }
 
 fn check_frame(frame: &FrameTiming) -> Checked {

@@ -3,6 +3,7 @@
 use serde::Serialize;
 use serde_json::{Value, json};
 
+use crate::before_mission::MissionTask;
 use crate::difference::{Difference, Differences, pairs};
 use crate::frame_differences::frame_differences;
 use crate::record::TimingRecord;
@@ -59,6 +60,8 @@ pub struct Comparison {
     pub tolerance: Tolerance,
     /// Format, scenario, machine, inputs, master clock. Anything here, and the baseline is of another run.
     pub head: Vec<Difference>,
+    /// Tasks before the mission.
+    pub before_mission: Vec<Difference>,
     /// Every frame of either side, rising.
     pub frames: Vec<FrameComparison>,
 }
@@ -88,6 +91,7 @@ pub fn compare(baseline: &TimingRecord, found: &TimingRecord, tolerance: &Tolera
         machine: found.machine.clone(),
         tolerance: *tolerance,
         head: head_differences(baseline, found),
+        before_mission: task_differences(&baseline.before_mission, &found.before_mission),
         frames: compared.collect(),
     }
 }
@@ -100,7 +104,7 @@ fn missing_frame(in_baseline: bool, in_found: bool) -> Vec<Difference> {
 }
 
 fn head_differences(baseline: &TimingRecord, found: &TimingRecord) -> Vec<Difference> {
-    let TimingRecord { format, scenario, machine, inputs, master, frames: _ } = baseline;
+    let TimingRecord { format, scenario, machine, inputs, master, before_mission: _, frames: _ } = baseline;
     let mut differences = Differences::default();
     differences.exact("format", format, &found.format);
     differences.exact("scenario", scenario, &found.scenario);
@@ -110,10 +114,26 @@ fn head_differences(baseline: &TimingRecord, found: &TimingRecord) -> Vec<Differ
     differences.0
 }
 
+fn task_differences(baseline: &[MissionTask], found: &[MissionTask]) -> Vec<Difference> {
+    let mut differences = Differences::default();
+    let described = |task: &MissionTask| format!("{} pieces, {} ticks", task.pieces, task.ticks);
+    for ((unit, task), baseline, found) in pairs(baseline, found, |task| (&task.unit, &task.task)) {
+        let place = format!("before_mission.{unit}.{task}");
+        match (baseline, found) {
+            (Some(baseline), Some(found)) => {
+                differences.exact(format!("{place}.pieces"), baseline.pieces, found.pieces);
+                differences.exact(format!("{place}.ticks"), baseline.ticks, found.ticks);
+            }
+            (baseline, found) => differences.option(place, baseline.map(described), found.map(described)),
+        }
+    }
+    differences.0
+}
+
 impl Comparison {
     /// Whether the record is as the baseline says.
     pub fn is_met(&self) -> bool {
-        self.head.is_empty() && self.frames_that_differ() == 0
+        self.head.is_empty() && self.before_mission.is_empty() && self.frames_that_differ() == 0
     }
 
     /// Frames with a difference.
@@ -123,13 +143,14 @@ impl Comparison {
 
     /// The whole comparison as a document; keys as the fields here, and `met`.
     pub fn json(&self) -> Value {
-        let Self { scenario, machine, tolerance, head, frames } = self;
+        let Self { scenario, machine, tolerance, head, before_mission, frames } = self;
         json!({
             "met": self.is_met(),
             "scenario": scenario,
             "machine": machine,
             "tolerance": tolerance,
             "head": head,
+            "before_mission": before_mission,
             "frames": frames,
         })
     }

@@ -25,6 +25,10 @@ impl Comparison {
             writeln!(out, "{OTHER_INPUTS}")?;
             out.push_str(&diff(&self.head, self.head.len()));
         }
+        if !self.before_mission.is_empty() {
+            writeln!(out, "@@ before the mission @@")?;
+            out.push_str(&diff(&self.before_mission, self.before_mission.len()));
+        }
         let mut left = limit;
         for frame in self.frames.iter().filter(|frame| !frame.differences.is_empty()) {
             if left > 0 {

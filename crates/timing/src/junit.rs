@@ -7,7 +7,7 @@ use crate::diff::{OTHER_INPUTS, diff};
 use crate::difference::Difference;
 
 impl Comparison {
-    /// One test case for the head and one a frame; a failure holds the first `limit` differences of its frame.
+    /// One test case for the head, one for the tasks before the mission and one a frame; a failure holds the first `limit` differences of its frame.
     pub fn junit(&self, limit: usize) -> String {
         let mut out = String::new();
         // A string takes whatever is written to it.
@@ -16,20 +16,27 @@ impl Comparison {
     }
 
     fn write_junit(&self, out: &mut String, limit: usize) -> fmt::Result {
-        let tests = self.frames.len() + 1;
-        let failures = self.frames_that_differ() + usize::from(!self.head.is_empty());
+        let tests = self.frames.len() + 2;
+        let failures = self.frames_that_differ()
+            + usize::from(!self.head.is_empty())
+            + usize::from(!self.before_mission.is_empty());
         let suite = escaped(&format!("timing {} {}", self.scenario, self.machine));
         let counts = format!("tests=\"{tests}\" failures=\"{failures}\"");
         writeln!(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites {counts}>")?;
         writeln!(out, "  <testsuite name=\"{suite}\" {counts} errors=\"0\" skipped=\"0\">")?;
         write_case(out, &suite, "head", &self.head, OTHER_INPUTS, limit)?;
+        let tasks = &self.before_mission;
+        write_case(out, &suite, "before the mission", tasks, &differing(tasks), limit)?;
         for frame in &self.frames {
             let name = format!("frame {}", frame.frame);
-            let message = format!("differences: {}", frame.differences.len());
-            write_case(out, &suite, &name, &frame.differences, &message, limit)?;
+            write_case(out, &suite, &name, &frame.differences, &differing(&frame.differences), limit)?;
         }
         out.write_str("  </testsuite>\n</testsuites>\n")
     }
+}
+
+fn differing(differences: &[Difference]) -> String {
+    format!("differences: {}", differences.len())
 }
 
 fn write_case(

@@ -28,6 +28,7 @@
 //! assert_eq!((slack.count, slack.missed, slack.least), (3, 1, Some(-3)));
 //! ```
 
+mod before_mission;
 mod check;
 mod comparison;
 mod deadline;
@@ -44,6 +45,7 @@ mod record;
 mod text;
 mod totals;
 
+pub use before_mission::MissionTask;
 pub use check::Fault;
 pub use comparison::{Comparison, FrameComparison, Tolerance, ToleranceError, compare};
 pub use deadline::{BINS, Deadline, Slack};

@@ -46,6 +46,27 @@ pub struct Missed {
     pub cause: Cause,
 }
 
+impl Missed {
+    /// A deadline of the start of a sweep, of which no more is known: a task of the processor.
+    pub fn of(deadline: Deadline, sweep: u32, cause: Cause) -> Self {
+        Self {
+            deadline,
+            sweep,
+            crossing: None,
+            colour: None,
+            register: None,
+            part: None,
+            crater: None,
+            region: None,
+            range_m: None,
+            due: 0.0,
+            came: None,
+            words: 0,
+            cause,
+        }
+    }
+}
+
 /// Why a deadline was missed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]

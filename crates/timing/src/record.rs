@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use crate::before_mission::MissionTask;
 use crate::deadline::{Deadline, Slack};
 use crate::missed::Missed;
 
@@ -24,6 +25,10 @@ pub struct TimingRecord {
     pub inputs: String,
     /// Master clock as a person writes it, such as `20000000 Hz`.
     pub master: String,
+    /// What has to be done before frame 0, in the order in which it is; nothing in a machine that is ready at once. The key
+    /// may be missing.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub before_mission: Vec<MissionTask>,
     /// Frames in rising order, at least one.
     pub frames: Vec<FrameTiming>,
 }

@@ -2,6 +2,7 @@
 
 use std::fmt::{self, Write};
 
+use crate::before_mission::MissionTask;
 use crate::missed::Missed;
 use crate::record::TimingRecord;
 use crate::totals::{DeadlineTotals, SweepMisses, Totals, UnitTotals};
@@ -22,6 +23,7 @@ impl TimingRecord {
 fn write_tables(out: &mut String, record: &TimingRecord) -> fmt::Result {
     let totals = Totals::of(record);
     write_head(out, record)?;
+    write_tasks(out, record)?;
     write_counters(out, &totals)?;
     write_deadlines(out, &totals)?;
     write_units(out, &totals)?;
@@ -38,6 +40,21 @@ fn write_head(out: &mut String, record: &TimingRecord) -> fmt::Result {
         [first, .., last] => writeln!(out, "{} frames, {} to {}", frames.len(), first.frame, last.frame)?,
     }
     writeln!(out, "inputs {inputs}")
+}
+
+/// The last line has their sum, in frames, too.
+fn write_tasks(out: &mut String, record: &TimingRecord) -> fmt::Result {
+    if record.before_mission.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "\n{:<20} {:<16} {:>10} {:>14}", "before the mission", "task", "pieces", "ticks")?;
+    for MissionTask { unit, task, pieces, ticks } in &record.before_mission {
+        writeln!(out, "{unit:<20} {task:<16} {pieces:>10} {ticks:>14}")?;
+    }
+    let ready = record.ready_after();
+    write!(out, "{:<48} {ready:>14}", "ready after")?;
+    let frame = record.frames.first().map_or(0, |frame| frame.ticks);
+    if frame > 0 { writeln!(out, "  {:.2} frames", ready as f64 / frame as f64) } else { writeln!(out) }
 }
 
 fn write_counters(out: &mut String, totals: &Totals) -> fmt::Result {

@@ -25,6 +25,8 @@ pub struct Totals {
     pub vertices: Vertices,
     /// Digital events.
     pub events: u64,
+    /// When the tasks before the mission are done, one after another (master ticks).
+    pub ready_after: u64,
     /// Every kind of deadline.
     pub deadlines: BTreeMap<Deadline, DeadlineTotals>,
     /// Every unit, by name.
@@ -75,7 +77,7 @@ pub struct SweepMisses {
 impl Totals {
     /// Of all frames of `record`.
     pub fn of(record: &TimingRecord) -> Self {
-        let mut totals = Self::default();
+        let mut totals = Self { ready_after: record.ready_after(), ..Self::default() };
         for frame in &record.frames {
             totals.add(frame);
         }

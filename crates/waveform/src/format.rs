@@ -41,6 +41,19 @@ impl Format {
         }
     }
 
+    /// What it is, in a few words.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Self::Csv => "A table, a row a sample",
+            Self::Vcd => "Value changes as text, for every viewer",
+            Self::Fst => "Value changes for GTKWave and Surfer",
+            Self::Npz => "Arrays of numpy",
+            Self::Json => "A document",
+            Self::Raw => "Vectors of ngspice, in volts",
+            Self::Sr => "A session of sigrok, in volts",
+        }
+    }
+
     /// The format that the ending of `path` says.
     pub fn of_path(path: &Path) -> Option<Self> {
         path.extension().and_then(|ending| ending.to_str())?.parse().ok()

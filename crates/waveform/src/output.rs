@@ -4,11 +4,9 @@ use std::cell::Cell;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
-use std::process;
 use std::rc::Rc;
-use std::sync::atomic::{AtomicU64, Ordering};
 
-use files::{Action, FileError};
+use files::{Action, FileError, Temporary};
 
 use crate::error::file_error;
 
@@ -22,16 +20,16 @@ pub trait Store: Read + Write + Seek {}
 
 impl<T: Read + Write + Seek> Store for T {}
 
-/// A file that is not there yet. Unless it is kept, nothing of it stays.
+/// A file that is written: unless it is kept, nothing of it stays.
 #[derive(Debug)]
-pub struct Temporary {
+pub struct Destination {
     target: PathBuf,
     /// `None` for a device or a pipe, which is written directly: renaming would replace it.
-    temporary: Option<PathBuf>,
+    temporary: Option<Temporary>,
     file: File,
 }
 
-impl Temporary {
+impl Destination {
     /// Beside `target`.
     ///
     /// # Errors
@@ -48,9 +46,8 @@ impl Temporary {
             _ => {
                 // Where a link leads, not over the link.
                 let target = fs::canonicalize(target).unwrap_or_else(|_| target.to_owned());
-                let temporary = temporary_path(&target);
-                let file = OpenOptions::new().read(true).write(true).create_new(true).open(&temporary);
-                let file = file.map_err(|source| file_error(&owned, Action::Create, source))?;
+                let made = Temporary::beside(&target);
+                let (temporary, file) = made.map_err(|source| file_error(&owned, Action::Create, source))?;
                 Ok(Self { target, temporary: Some(temporary), file })
             }
         }
@@ -86,31 +83,11 @@ impl Temporary {
     ///
     /// # Errors
     /// If the system refuses; then nothing stays.
-    pub fn keep(mut self) -> Result<(), FileError> {
-        let Some(temporary) = &self.temporary else { return Ok(()) };
+    pub fn keep(self) -> Result<(), FileError> {
+        let Some(temporary) = self.temporary else { return Ok(()) };
         self.file.sync_all().map_err(|source| file_error(&self.target, Action::Sync, source))?;
-        fs::rename(temporary, &self.target)
-            .map_err(|source| file_error(&self.target, Action::Rename, source))?;
-        self.temporary = None;
-        Ok(())
+        temporary.rename(&self.target).map_err(|source| file_error(&self.target, Action::Rename, source))
     }
-}
-
-impl Drop for Temporary {
-    fn drop(&mut self) {
-        if let Some(temporary) = &self.temporary {
-            // Whoever drops it has another failure to tell, or none.
-            let _ = fs::remove_file(temporary);
-        }
-    }
-}
-
-/// `.name.<pid>-<n>.tmp`, as `files` calls what a later run may remove.
-fn temporary_path(target: &Path) -> PathBuf {
-    static COUNT: AtomicU64 = AtomicU64::new(0);
-    let count = COUNT.fetch_add(1, Ordering::Relaxed);
-    let name = target.file_name().unwrap_or_default().to_string_lossy();
-    target.with_file_name(format!(".{name}.{}-{count}.tmp", process::id()))
 }
 
 /// Takes bytes and keeps how many there are.

@@ -10,7 +10,7 @@ use crate::error::file_error;
 use crate::fst_file::FstFile;
 use crate::json_file::JsonFile;
 use crate::npz_file::NpzFile;
-use crate::output::{Counter, Output, Store, Temporary};
+use crate::output::{Counter, Output, Store, Destination};
 use crate::raw_file::RawFile;
 use crate::sigrok_file::SigrokFile;
 use crate::vcd_file::VcdFile;
@@ -45,8 +45,8 @@ pub(crate) trait Encoder {
 /// # Errors
 /// If it cannot be made.
 pub fn open(format: Format, path: &Path, header: Header) -> Result<Box<dyn Sink>, WaveformError> {
-    let file = Temporary::new(path)?;
-    let waiting = if format == Format::Npz { Some(Temporary::waiting(path)?) } else { None };
+    let file = Destination::new(path)?;
+    let waiting = if format == Format::Npz { Some(Destination::waiting(path)?) } else { None };
     let store: Box<dyn Store> = match &waiting {
         Some(waiting) => Box::new(waiting.handle()?),
         None => Box::new(Cursor::new(Vec::new())),
@@ -111,9 +111,9 @@ struct FileSink {
     header: Header,
     taken: u32,
     encoder: Box<dyn Encoder>,
-    file: Temporary,
+    file: Destination,
     /// Held so that it is removed with the sink.
-    waiting: Option<Temporary>,
+    waiting: Option<Destination>,
 }
 
 impl Sink for FileSink {

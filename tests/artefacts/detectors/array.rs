@@ -23,6 +23,20 @@ pub fn ridge_smear(look: &Look<'_>) -> f64 {
     mean(&lost.collect::<Vec<_>>())
 }
 
+/// A6: by how much crests are displaced away from the viewer (m), by the phases of the waves.
+pub fn ridge_displacement(look: &Look<'_>) -> f64 {
+    let moved = look.own().map(|sweep| {
+        let [found, right] = [look.run, look.clean].map(|run| {
+            let [cos, sin] = harmonic(look, sweep, run.wave(sweep, "tg.height"));
+            libm::atan2(sin, cos)
+        });
+        let turn = found - right;
+        let turn = turn - (turn / (2.0 * PI)).round() * 2.0 * PI;
+        turn / (2.0 * PI) * WAVE[0] / look.direction(sweep)[0]
+    });
+    median(&moved.collect::<Vec<_>>())
+}
+
 /// Height of the waves of the clean run (m).
 pub fn wave_height(look: &Look<'_>) -> f64 {
     amplitude(look, 0, look.clean.wave(0, "tg.height"))

@@ -2,7 +2,7 @@
 
 use crate::detectors::array::harmonic;
 use crate::look::{Look, largest, mean, median};
-use crate::scenes::{STRIPS, WAVE};
+use crate::scenes::{BOWL, BOWLS, STRIPS, WAVE};
 
 /// Edge of a strip of shadow as it is drawn (samples): where the light leaves its level, and where it has arrived.
 #[derive(Debug, Clone, Copy)]
@@ -38,6 +38,25 @@ pub fn edges(look: &Look<'_>, sweep: u32) -> Vec<Edge> {
         Edge { behind: middle, width, levels }
     };
     STRIPS.iter().flatten().map(edge).collect()
+}
+
+/// Samples by which the near rims of the bowls of a sweep are behind their place: where the light of the ground ends.
+pub fn rims(look: &Look<'_>, sweep: u32) -> Vec<f64> {
+    let light = look.run.wave(sweep, "mu.reflectivity");
+    let (ground, north) = (light[10], look.direction(sweep)[0]);
+    let place = |sample: f64| look.range_at(sample);
+    let rim = |&ahead: &f64| {
+        // The centre lies straight ahead, a little beside the sweep.
+        let [middle, beside] = [ahead * north, ahead * (1.0 - north * north).sqrt()];
+        let near = middle - (BOWL * BOWL - beside * beside).sqrt();
+        let begin = light
+            .iter()
+            .enumerate()
+            .position(|(sample, &light)| place(sample as f64) > near - 1.0 && (light - ground).abs() > 1e-9);
+        // It lies in the step before the first sample that sees it.
+        begin.expect("a bowl") as f64 - 0.5 - (near / look.pace() - 1.0)
+    };
+    BOWLS.iter().map(rim).collect()
 }
 
 /// A13: by how much the edges of shadow are behind their place (m): those into the dark and those out of it, alike.
@@ -80,6 +99,22 @@ fn crest(look: &Look<'_>, elevation: &[f64], first: usize) -> usize {
     let near = first.saturating_sub(reach)..(first + reach).min(elevation.len());
     near.reduce(|best, sample| if elevation[sample] > elevation[best] { sample } else { best })
         .unwrap_or(first)
+}
+
+/// Bends of the elevation at the crests of the clean sweeps (full scales a µs²), downwards.
+pub fn crest_bends(look: &Look<'_>) -> Vec<f64> {
+    let (half, sample) = (look.run.settings.raster.field.tan_half_height, look.clean.sample());
+    let reach = (0.2 / sample) as usize;
+    let bends = look.own().flat_map(|sweep| {
+        let elevation = look.clean.wave(sweep, "dpp.elevation");
+        hidden(look, sweep).into_iter().map(move |[first, _]| {
+            let top = crest(look, elevation, first);
+            let bend = elevation[top - reach] - 2.0 * elevation[top] + elevation[top + reach];
+            let time = reach as f64 * sample;
+            -bend / (time * time) / half
+        })
+    });
+    bends.collect()
 }
 
 /// A14: how long the beam stays on behind a crest (µs).

@@ -1,7 +1,7 @@
 //! The data bank's books balance, whatever is demanded.
 
 use data_bank::{DataBank, Demand, FrameSupply};
-use hardware_model::{Drum, DrumQueue};
+use hardware_model::{Channels, Drum, DrumQueue};
 use proptest::collection::vec;
 use proptest::prelude::{Just, Strategy, any, prop_assert, prop_assert_eq, prop_oneof, proptest};
 use proptest::test_runner::TestCaseError;
@@ -22,6 +22,12 @@ fn designs() -> impl Strategy<Value = Drum> {
             count,
         },
     )
+}
+
+/// As many as drums or fewer, faster and slower than they.
+fn channels() -> impl Strategy<Value = Channels> {
+    (prop_oneof![Just(None), (1..5_u32).prop_map(Some)], prop_oneof![Just(0.0), 0.0..300.0])
+        .prop_map(|(count, word)| Channels { count, word })
 }
 
 /// Rectangles that wander over the level, at frames of any length.
@@ -68,10 +74,10 @@ fn check(
 proptest! {
     #[test]
     fn no_request_is_lost_and_the_buffer_never_overflows(
-        design in designs(), seed in any::<u64>(), words in prop_oneof![Just(None), (0..4000_u32).prop_map(Some)],
+        design in designs(), channels in channels(), seed in any::<u64>(), words in prop_oneof![Just(None), (0..4000_u32).prop_map(Some)],
         demands in demands(),
     ) {
-        let mut bank = DataBank::new(design, words, SIZE, seed);
+        let mut bank = DataBank::new(design, channels, words, SIZE, seed);
         let mut pending = 0;
         for demand in &demands {
             let supply = bank.frame(demand);
@@ -81,12 +87,12 @@ proptest! {
     }
 
     #[test]
-    fn a_clone_goes_on_like_the_original(design in designs(), seed in any::<u64>(), demands in demands()) {
-        let mut bank = DataBank::new(design, Some(3000), SIZE, seed);
+    fn a_clone_goes_on_like_the_original(design in designs(), channels in channels(), seed in any::<u64>(), demands in demands()) {
+        let mut bank = DataBank::new(design, channels, Some(3000), SIZE, seed);
         let (before, after) = demands.split_at(demands.len() / 2);
         before.iter().for_each(|demand| { bank.frame(demand); });
         let mut copy = bank.clone();
-        let mut again = DataBank::new(design, Some(3000), SIZE, seed);
+        let mut again = DataBank::new(design, channels, Some(3000), SIZE, seed);
         before.iter().for_each(|demand| { again.frame(demand); });
         for demand in after {
             let supply = bank.frame(demand);
@@ -96,15 +102,16 @@ proptest! {
     }
 
     #[test]
-    fn what_stays_demanded_arrives(design in designs(), seed in any::<u64>(), demands in demands()) {
-        let mut bank = DataBank::new(design, None, SIZE, seed);
+    fn what_stays_demanded_arrives(design in designs(), channels in channels(), seed in any::<u64>(), demands in demands()) {
+        let mut bank = DataBank::new(design, channels, None, SIZE, seed);
         let mut start = Tick(0);
         for demand in &demands {
             bank.frame(demand);
             start = demand.end;
         }
-        // Each of at most 100 records takes at most a slow revolution and a slow transfer.
-        let transfer = f64::from(design.record_words) * design.word;
+        // Each of at most 100 records takes at most a slow revolution and a slow transfer: while one waits, a channel is never
+        // free for longer than a revolution.
+        let transfer = f64::from(design.record_words) * design.word.max(channels.word);
         let longest = ((design.rotation as f64 + transfer) * 1.03) as u64 + 2;
         let last = Demand { start, end: Tick(start.0 + 100 * longest), ..demands.last().unwrap().clone() };
         prop_assert_eq!(bank.frame(&last).pending, 0);

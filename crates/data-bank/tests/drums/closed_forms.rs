@@ -1,7 +1,7 @@
 //! What a drum must do on the average, or exactly (hardware section 8, number 10).
 
-use data_bank::DataBank;
-use hardware_model::{Drum, DrumQueue};
+use data_bank::{DataBank, DrumUnit};
+use hardware_model::{Channels, Drum, DrumQueue};
 use quantities::{Tick, hash_words};
 
 use crate::{demand, empty_bank, single};
@@ -38,7 +38,7 @@ fn a_single_corner_waits_half_a_revolution_on_the_average() {
 #[test]
 fn a_drum_is_near_its_design_and_a_slow_one_is_slow_in_both() {
     let design = Drum { count: 1000, ..single(1_000_000, 1000.0, DrumQueue::Fifo) };
-    let bank = DataBank::new(design, None, [10, 10], 5);
+    let bank = DataBank::new(design, Channels::default(), None, [10, 10], 5);
     let slowness: Vec<f64> = bank.drums().map(|unit| unit.rotation as f64 / 1e6 - 1.0).collect();
     let mean = slowness.iter().sum::<f64>() / 1000.0;
     let variance = slowness.iter().map(|slowness| slowness * slowness).sum::<f64>() / 1000.0;
@@ -132,6 +132,83 @@ fn drums_share_the_records() {
     }
 }
 
+/// Two drums with nothing in their buffer, and what the seed drew of them.
+fn pair(channels: Channels) -> (DataBank, Vec<DrumUnit>) {
+    let drum = Drum { count: 2, ..single(1000, 20.0, DrumQueue::Fifo) };
+    let mut bank = DataBank::new(drum, channels, None, [1, 40], 1);
+    bank.frame(&demand(0, 0, 0, []));
+    let units = bank.drums().collect();
+    (bank, units)
+}
+
+/// Corners 0 and 1 are the first of drum 0 and of drum 1, both at place 0: each is under the heads when its drum has come
+/// round from its start angle, and is read in 180 ticks.
+#[test]
+fn a_drum_that_finds_its_channel_taken_waits_for_the_next_turn() {
+    let arrivals = |channels| {
+        let (mut bank, units) = pair(channels);
+        let supply = bank.frame(&demand(1, 0, 10_000, [0, 1]));
+        let arrivals = supply.missing.iter().map(|missing| missing.arrival.unwrap().0).collect::<Vec<_>>();
+        (arrivals, supply, units)
+    };
+    let (own, supply, units) = arrivals(Channels::default());
+    let passes =
+        [0, 1].map(|drum: usize| (units[drum].rotation - units[drum].start_angle) % units[drum].rotation);
+    assert_eq!(own, [0, 1].map(|drum| passes[drum] + units[drum].transfer));
+    assert_eq!(supply.carried, [units[0].transfer, units[1].transfer]);
+    // As the seed drew them, the passages overlap.
+    let first = usize::from(passes[1] < passes[0]);
+    let second = 1 - first;
+    let word = 45.0;
+    let transfer = 9 * 45;
+    assert!(passes[second] - passes[first] < transfer && transfer < units[second].rotation);
+
+    // One channel, and slower: both records are laid out longer, and the later drum needs another turn.
+    let (shared, supply, _) = arrivals(Channels { count: Some(1), word });
+    assert_eq!(shared[first], passes[first] + transfer);
+    assert_eq!(shared[second], passes[second] + units[second].rotation + transfer);
+    assert_eq!((supply.carried[0], supply.carried.len()), (2 * transfer, 1));
+    // Both are at work until their record has come.
+    assert_eq!(supply.busy, shared);
+}
+
+/// What fills the buffer before the mission is what a bank with nothing in its buffer brings.
+#[test]
+fn the_first_load_is_that_of_an_empty_bank() {
+    for (count, word) in [(None, 0.0), (Some(1), 0.0), (Some(2), 30.0)] {
+        let channels = Channels { count, word };
+        let drum = Drum { count: 3, ..single(3000, 10.0, DrumQueue::ShortestLatency) };
+        let fresh = DataBank::new(drum, channels, Some(9 * 30), [1, 40], 1);
+        let found = fresh.first_load(&demand(0, 0, 1000, 0..35));
+        let mut empty = DataBank::new(drum, channels, Some(9 * 30), [1, 40], 1);
+        empty.frame(&demand(0, 0, 0, []));
+        let brought = empty.frame(&demand(1, 0, 1 << 40, 0..35));
+        assert_eq!((found.delivered, found.no_room, found.pending), (30, 5, 0));
+        assert_eq!((found.latency_max, &found.busy), (brought.latency_max, &brought.busy));
+        // The bank has not begun yet, and finds its buffer full.
+        assert_eq!(fresh.clone().frame(&demand(0, 0, 1000, 0..35)).present, 30);
+    }
+}
+
+/// A channel that is no slower than its drums, and of which each has one, changes nothing.
+#[test]
+fn one_channel_a_drum_is_no_limit() {
+    for count in [1, 3] {
+        let drum = Drum { count, ..single(3000, 10.0, DrumQueue::ShortestLatency) };
+        let supplies = [Channels::default(), Channels { count: Some(count), word: 9.8 }].map(|channels| {
+            let mut bank = DataBank::new(drum, channels, Some(9 * 50), [1, CORNERS as usize], 1);
+            let corners = shuffled();
+            let frame = |frame: u64| {
+                let wanted = corners[frame as usize * 7..][..40].iter().copied();
+                bank.frame(&demand(frame, frame * 4000, frame * 4000 + 4000, wanted))
+            };
+            (0..50).map(frame).collect::<Vec<_>>()
+        });
+        assert_eq!(supplies[0], supplies[1]);
+        assert!(supplies[0].iter().any(|supply| supply.delivered > 0));
+    }
+}
+
 #[test]
 fn degenerate_drums_and_demands() {
     let instant = single(1, 0.0, DrumQueue::ShortestLatency);
@@ -156,7 +233,7 @@ fn degenerate_drums_and_demands() {
 #[test]
 fn the_mission_begins_with_a_full_buffer_and_the_nearest_stay() {
     let drum = single(100, 1.0, DrumQueue::Fifo);
-    let mut bank = DataBank::new(drum, Some(9 * 4 + 8), [1, 20], 1);
+    let mut bank = DataBank::new(drum, Channels::default(), Some(9 * 4 + 8), [1, 20], 1);
     let supply = bank.frame(&demand(0, 0, 1000, [7, 6, 8, 5, 9, 4]));
     let missing: Vec<_> = supply.missing.iter().map(|missing| (missing.corner, missing.arrival)).collect();
     assert_eq!(missing, [(4, None), (9, None)]);
@@ -166,6 +243,7 @@ fn the_mission_begins_with_a_full_buffer_and_the_nearest_stay() {
     assert_eq!((supply.requests, supply.delivered, supply.evicted, supply.no_room), (1, 1, 1, 1));
     assert_eq!(supply.missing.iter().map(|missing| missing.corner).collect::<Vec<_>>(), [4, 5]);
 
-    let supply = DataBank::new(drum, Some(8), [1, 20], 1).frame(&demand(0, 0, 1000, [3]));
+    let supply =
+        DataBank::new(drum, Channels::default(), Some(8), [1, 20], 1).frame(&demand(0, 0, 1000, [3]));
     assert_eq!((supply.requests, supply.no_room, supply.words_held, supply.missing.len()), (0, 1, 0, 1));
 }

@@ -6,7 +6,7 @@ mod second_opinion;
 mod turning;
 
 use data_bank::{DataBank, Demand};
-use hardware_model::{Drum, DrumQueue};
+use hardware_model::{Channels, Drum, DrumQueue};
 use quantities::Tick;
 
 /// One drum with records of one corner.
@@ -20,7 +20,7 @@ fn demand(frame: u64, start: u64, end: u64, corners: impl IntoIterator<Item = u3
 
 /// A bank behind an unlimited buffer that begins the mission with nothing in it.
 fn empty_bank(drum: Drum, corners: [usize; 2]) -> DataBank {
-    let mut bank = DataBank::new(drum, None, corners, 1);
+    let mut bank = DataBank::new(drum, Channels::default(), None, corners, 1);
     bank.frame(&demand(0, 0, 0, []));
     bank
 }

@@ -2,7 +2,7 @@
 //! It shares with the block what the seed drew, and no code.
 
 use data_bank::{DataBank, DrumUnit, FrameSupply, Missing};
-use hardware_model::{Drum, DrumQueue};
+use hardware_model::{Channels, Drum, DrumQueue};
 use proptest::collection::vec;
 use proptest::prelude::{Just, Strategy, any, prop_assert_eq, prop_oneof, proptest};
 use quantities::Tick;
@@ -39,24 +39,23 @@ impl SlowDrum {
         (!self.queue.is_empty()).then_some(0)
     }
 
-    /// What happens at the instant `tick`; whether the heads have work afterwards.
-    fn instant(&mut self, tick: u64, queue: Option<DrumQueue>, arrived: &mut Vec<(u32, u64)>) -> bool {
-        loop {
-            match self.heads {
-                Heads::Reading(record, 0) => {
-                    arrived.push((record, tick));
-                    self.heads = Heads::Idle;
-                }
-                Heads::Turning(record) if self.angle == self.place(record) => {
-                    self.heads = Heads::Reading(record, self.unit.transfer);
-                }
-                Heads::Idle => match queue.and_then(|queue| self.choose(queue)) {
-                    Some(at) => self.heads = Heads::Turning(self.queue.remove(at)),
-                    None => return false,
-                },
-                _ => return true,
-            }
+    /// With free heads, on to the next request.
+    fn serve(&mut self, queue: Option<DrumQueue>) {
+        if let (Heads::Idle, Some(at)) = (&self.heads, queue.and_then(|queue| self.choose(queue))) {
+            self.heads = Heads::Turning(self.queue.remove(at));
         }
+    }
+
+    /// The record that passes under the heads in this instant, if it is wanted.
+    fn passing(&self) -> Option<u32> {
+        match self.heads {
+            Heads::Turning(record) if self.angle == self.place(record) => Some(record),
+            _ => None,
+        }
+    }
+
+    fn is_reading(&self) -> bool {
+        matches!(self.heads, Heads::Reading(..))
     }
 
     fn turn(&mut self) {
@@ -70,6 +69,7 @@ impl SlowDrum {
 struct SlowBank {
     design: Drum,
     drums: Vec<SlowDrum>,
+    channels: usize,
     capacity: usize,
     columns: u32,
     /// Record, frame and rank of its last demand.
@@ -82,7 +82,13 @@ struct SlowBank {
 }
 
 impl SlowBank {
-    fn new(design: Drum, buffer_words: Option<u32>, columns: u32, units: Vec<DrumUnit>) -> Self {
+    fn new(
+        design: Drum,
+        channels: Option<u32>,
+        buffer_words: Option<u32>,
+        columns: u32,
+        units: Vec<DrumUnit>,
+    ) -> Self {
         let count = units.len() as u32;
         let drum = |unit: DrumUnit| SlowDrum {
             unit,
@@ -96,6 +102,7 @@ impl SlowBank {
         Self {
             design,
             drums,
+            channels: channels.map_or(count as usize, |channels| channels.min(count) as usize),
             capacity,
             columns,
             held: vec![],
@@ -116,19 +123,53 @@ impl SlowBank {
         self.held.iter().any(|held| held.0 == record)
     }
 
-    /// Turns to `end`; drums choose only while `serving`. Busy ticks and arrivals.
-    fn run(&mut self, end: u64, serving: bool) -> (Vec<u64>, Vec<(u32, u64)>) {
-        let (mut busy, mut arrived) = (vec![0; self.drums.len()], vec![]);
+    /// Turns to `end`; drums choose only while `serving`. Busy ticks of drums and of channels, and arrivals.
+    fn run(&mut self, end: u64, serving: bool) -> ([Vec<u64>; 2], Vec<(u32, u64)>) {
+        let mut busy = [vec![0; self.drums.len()], vec![0; self.channels]];
+        let mut arrived = vec![];
         loop {
             let queue = (serving && self.tick < end).then_some(self.design.queue);
-            for (drum, busy) in self.drums.iter_mut().zip(&mut busy) {
-                *busy += u64::from(drum.instant(self.tick, queue, &mut arrived) && self.tick < end);
-            }
+            (0..self.channels).for_each(|channel| self.instant(channel, queue, &mut arrived));
             if self.tick >= end {
                 return (busy, arrived);
             }
-            self.drums.iter_mut().for_each(SlowDrum::turn);
+            for (number, drum) in self.drums.iter_mut().enumerate() {
+                busy[0][number] += u64::from(!matches!(drum.heads, Heads::Idle));
+                busy[1][number % self.channels] += u64::from(drum.is_reading());
+                drum.turn();
+            }
             self.tick += 1;
+        }
+    }
+
+    /// What happens in this instant to the drums of a channel: what has been read arrives, then what passes is read if
+    /// the channel is free, the lower number first.
+    fn instant(&mut self, channel: usize, queue: Option<DrumQueue>, arrived: &mut Vec<(u32, u64)>) {
+        let of_channel = (0..self.drums.len()).filter(|number| number % self.channels == channel);
+        let of_channel: Vec<usize> = of_channel.collect();
+        of_channel.iter().for_each(|&number| self.drums[number].serve(queue));
+        let mut let_pass = vec![];
+        loop {
+            let mut numbers = of_channel.iter().copied();
+            let read = numbers.clone().find_map(|number| match self.drums[number].heads {
+                Heads::Reading(record, 0) => Some((number, record)),
+                _ => None,
+            });
+            if let Some((number, record)) = read {
+                arrived.push((record, self.tick));
+                self.drums[number].heads = Heads::Idle;
+                self.drums[number].serve(queue);
+                continue;
+            }
+            let is_taken = numbers.clone().any(|number| self.drums[number].is_reading());
+            let is_next =
+                |number: &usize| self.drums[*number].passing().is_some() && !let_pass.contains(number);
+            let Some(number) = numbers.find(is_next) else { return };
+            let drum = &mut self.drums[number];
+            match drum.passing() {
+                Some(record) if !is_taken => drum.heads = Heads::Reading(record, drum.unit.transfer),
+                _ => let_pass.push(number),
+            }
         }
     }
 
@@ -167,18 +208,19 @@ impl SlowBank {
         self.order(frame, &wanted, kept, &mut supply);
         for &corner in corners {
             if !self.holds(self.record_of(corner)) {
-                supply.missing.push(Missing { corner, arrival: None });
+                let drum = self.record_of(corner) % self.drums.len() as u32;
+                supply.missing.push(Missing { corner, drum, arrival: None });
             }
         }
         supply.missing.sort_by_key(|missing| missing.corner);
         supply.missing.dedup();
-        let (busy, arrived) = self.run(end, true);
+        let ([busy, carried], arrived) = self.run(end, true);
         self.take_in(&arrived, frame, &wanted, &mut supply);
         for missing in &mut supply.missing {
             let record = self.record_of(missing.corner);
             missing.arrival = arrived.iter().find(|arrived| arrived.0 == record).map(|found| Tick(found.1));
         }
-        FrameSupply { busy, pending: self.ordered.len() as u64, ..supply }
+        FrameSupply { busy, carried, pending: self.ordered.len() as u64, ..supply }
     }
 
     /// Lets time pass between two frames.
@@ -251,13 +293,15 @@ proptest! {
     fn every_figure_of_every_frame_is_that_of_a_drum_turned_by_hand(
         design in designs(),
         buffer in prop_oneof![Just(None), (0..15_u32).prop_map(Some)],
+        channels in (prop_oneof![Just(None), (1..4_u32).prop_map(Some)], prop_oneof![Just(0.0), 0.0..0.9]),
         size in [1..9_usize, 1..9_usize],
         seed in any::<u64>(),
         frames in vec((0..120_u64, 0..3_u64, vec(any::<proptest::sample::Index>(), 0..12)), 1..12),
     ) {
         let buffer = buffer.map(|records| records * design.record_words + records);
-        let mut bank = DataBank::new(design, buffer, size, seed);
-        let mut slow = SlowBank::new(design, buffer, size[1] as u32, bank.drums().collect());
+        let channels = Channels { count: channels.0, word: channels.1 };
+        let mut bank = DataBank::new(design, channels, buffer, size, seed);
+        let mut slow = SlowBank::new(design, channels.count, buffer, size[1] as u32, bank.drums().collect());
         let mut before = vec![];
         for (frame, (length, gap, chosen)) in (0..).zip(frames) {
             let corners: Vec<_> = chosen.iter().map(|index| index.index(size[0] * size[1]) as u32).collect();

@@ -1,7 +1,7 @@
 //! The sector of a vehicle that turns on the spot (hardware section 4.7; artefact A5).
 
 use data_bank::{DataBank, FrameSupply, corners_of, nearest_first};
-use hardware_model::{Drum, DrumQueue};
+use hardware_model::{Channels, Drum, DrumQueue};
 use quantities::{radians, sin_cos};
 
 use crate::demand;
@@ -41,7 +41,7 @@ fn sector(from: f64, width: f64, range: f64) -> Vec<u32> {
 /// A turn to the right by `turn` degrees at `speed` degrees a second with a fan of 50 degrees; the supply of every
 /// frame, with the azimuth at which its fan begins.
 fn turning(drum: Drum, buffer: Option<u32>, range: f64, speed: f64, turn: f64) -> Vec<(f64, FrameSupply)> {
-    let mut bank = DataBank::new(drum, buffer, [SIZE; 2], 3);
+    let mut bank = DataBank::new(drum, Channels::default(), buffer, [SIZE; 2], 3);
     (0..(turn / speed * 30.0) as u64)
         .map(|frame| {
             let from = speed * frame as f64 / 30.0;

@@ -122,6 +122,14 @@ impl<S: Real> PartsProcessor<S> {
         }
     }
 
+    /// `dpp.derivative` of a lane of what was driven (tangents a second): what the comparator of falls sees, at the time at
+    /// which its trips count. `None` where occlusion is by peak-hold, and there is no differentiator.
+    pub fn derivative(&self, driven: &Driven<S>, lane: usize) -> Option<Vec<f64>> {
+        let Circuit::Derivative(circuit) = &self.circuit else { return None };
+        let elevation = &driven.elevation;
+        Some(circuit.rates(&Wire { elevation, lane, end: elevation.len(), sweep: 0 }))
+    }
+
     fn occlude(
         &self,
         ends: [usize; LANES],

@@ -60,6 +60,23 @@ impl<S: Real> Derivative<S> {
         beam.turn_off(last as f64);
     }
 
+    /// What comes out of the differentiator (units of the wire a second), earlier by what everything else is delayed.
+    pub fn rates(&self, wire: &Wire<'_, S>) -> Vec<f64> {
+        let Some(last) = wire.end.checked_sub(1) else { return Vec::new() };
+        let mut poles = SecondOrderState { y: wire.at(0), rate: S::ZERO };
+        let mut out = vec![0.0];
+        out.extend((1..=last).map(|sample| {
+            let rate = self.differentiator.step(&mut poles, wire.at(sample - 1), wire.at(sample));
+            rate.to_f64() / DERIVATIVE
+        }));
+        let late = |sample: usize| {
+            let at = (sample as f64 + self.late).min(last as f64);
+            let (before, share) = (at as usize, at.fract());
+            out[before] + share * (out[last.min(before + 1)] - out[before])
+        };
+        (0..=last).map(late).collect()
+    }
+
     /// Trips of the comparator behind the differentiator do not depend on the hold: all of a sweep come first.
     fn list_falls(&self, wire: &Wire<'_, S>, falling: &mut Output) {
         falling.reset(false);

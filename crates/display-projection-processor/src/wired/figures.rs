@@ -14,13 +14,7 @@ const LAGS: f64 = 0.211_782_714_409_354_9;
 
 /// The differentiator's `tau_d` (s): a hysteresis of 0.1 % is then 4 full scales a millisecond, three sigma of the noise of
 /// a nominal processor (0.5 mV of 10 V in 10 MHz, bandwidth 8 MHz).
-pub(crate) const DERIVATIVE: f64 = 250e-9;
-
-/// Overdrive at which a comparator takes twice its delay (share): 150 ns mV over 40 ns, of 10 V (hardware section 3.6).
-const OVERDRIVE: f64 = 3.75e-4;
-
-/// The longest delay of a comparator, in delays and in seconds: 500 ns of 40 ns.
-const LONGEST: [f64; 2] = [12.5, 500e-9];
+pub const DERIVATIVE: f64 = 250e-9;
 
 /// Parts, each with its own deviates.
 #[derive(Debug, Clone, Copy)]
@@ -61,22 +55,12 @@ impl Figures<'_> {
     pub fn falling(&self, part: &str) -> ComparatorLaw {
         let noise = differentiated_noise(self.noise(), self.band()) * DERIVATIVE;
         let law = self.comparator(part, noise);
-        ComparatorLaw { offset: law.hysteresis / 2.0, ..law }
+        ComparatorLaw { offset: law.offset + law.hysteresis / 2.0, ..law }
     }
 
     /// A comparator whose thresholds have `noise` (share).
     pub fn comparator(&self, part: &str, noise: f64) -> ComparatorLaw {
-        let figures = &self.parts.comparator;
-        let delay = self.draw(part, figures.delay, relative_sigma::SWITCH_DELAY);
-        let longest = (LONGEST[0] * delay).min(LONGEST[1].max(delay));
-        ComparatorLaw {
-            offset: 0.0,
-            hysteresis: figures.hysteresis,
-            delay,
-            overdrive: OVERDRIVE * delay,
-            longest,
-            noise,
-        }
+        ComparatorLaw { noise, ..self.parts.comparator_law(&Spread::new(self.seed), part, 0) }
     }
 
     pub fn source(&self, part: &str) -> NoiseSource {

@@ -9,6 +9,7 @@ mod lane;
 mod peak_hold;
 
 pub use chain::{Driven, PartsProcessor, Scratch};
+pub use figures::DERIVATIVE;
 
 #[cfg(test)]
 mod tests;

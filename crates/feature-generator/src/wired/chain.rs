@@ -2,11 +2,12 @@
 
 use features::{Crater, Features};
 use hardware_model::{AnalogParts, FeatureParts};
-use parts::{LagStep, Spread};
+use parts::{GateEdge, LagStep, Spread};
 use signal::{LANES, Lanes, Real};
 
 use crate::steps::{Step, collect};
 use crate::sub_generator::{SubGenerator, Zone};
+use crate::wired::footprint::{self, Rim};
 use crate::wired::sub_generator::Chain;
 use crate::{FeatureLoad, FeatureProfile, FeatureProgram, Kink};
 
@@ -23,6 +24,8 @@ pub struct PartsGenerator {
     h: f64,
     /// Of each crater type.
     chains: [Vec<Chain>; 3],
+    /// Whether footprints are found by comparators that mind how they are met.
+    has_comparators: bool,
 }
 
 /// Buffers of a group, used again; and where its craters are lit.
@@ -30,6 +33,10 @@ pub struct PartsGenerator {
 pub struct ChainScratch<S> {
     /// 1 where a chain is at work: inside its footprint, and behind it until it is at rest.
     pub lit: Vec<Lanes<S>>,
+    /// Changes of the presence line, ascending, which is 0 as a sweep begins; of a generator with comparators
+    /// ([`PartsGenerator::has_comparators`]) alone.
+    pub gates: [Vec<GateEdge>; LANES],
+    rims: Vec<Rim>,
     at_work: Vec<AtWork>,
     steps: Vec<Step>,
     /// Of each kink of the lane: its load and the zone that it leads to.
@@ -41,17 +48,26 @@ impl PartsGenerator {
     pub fn new(h: f64, features: &FeatureParts, parts: &AnalogParts, seed: u64) -> Self {
         let (spread, count) = (Spread::new(seed), features.sub_generators.unwrap_or(MOST).clamp(1, MOST));
         let chain = |kind: usize| move |index: u32| Chain::new(h, parts, &spread, kind, u64::from(index));
-        Self { h, chains: std::array::from_fn(|kind| (0..count).map(chain(kind)).collect()) }
+        let has_comparators = parts.comparator.offset > 0.0 || parts.comparator.overdrive > 0.0;
+        let chains = std::array::from_fn(|kind| (0..count).map(chain(kind)).collect());
+        Self { h, chains, has_comparators }
     }
 
     #[cfg(test)]
     pub(crate) fn of(h: f64, chain: Chain) -> Self {
-        Self { h, chains: std::array::from_fn(|_| vec![chain]) }
+        let has_comparators = chain.threshold != 0.0;
+        Self { h, chains: std::array::from_fn(|_| vec![chain]), has_comparators }
+    }
+
+    /// Whether its presence line is that of comparators that mind how a footprint is met: [`ChainScratch::gates`].
+    pub fn has_comparators(&self) -> bool {
+        self.has_comparators
     }
 
     /// Runs the programs of a group side by side into `profile`, along `directions` (cosine, sine of azimuth) over samples
-    /// at `ranges` (m, ascending); `features` are those from which the programs were written. The profile's presence and
-    /// the places of its kinks are those of the footprints as the sub-generators have them, before any delay.
+    /// at `ranges` (m, ascending); `features` are those from which the programs were written. The profile's presence is
+    /// that of the comparators, the places of its kinks are those of the footprints as the sub-generators have them; both
+    /// are before any delay.
     pub fn run<S: Real>(
         &self,
         features: &Features,
@@ -69,6 +85,10 @@ impl PartsGenerator {
             let sweep = Sweep { h: self.h, ranges: &ranges[..last], lane };
             self.load(features, program, directions[lane], scratch);
             sweep.find_kinks(scratch, profile);
+            if self.has_comparators {
+                footprint::unite(&mut scratch.rims, &mut scratch.gates[lane]);
+                sweep.follow(&scratch.gates[lane], profile);
+            }
             for load in 0..scratch.at_work.len() {
                 sweep.draw(load as u32, scratch, profile);
             }
@@ -84,11 +104,13 @@ impl PartsGenerator {
     ) {
         scratch.at_work.clear();
         scratch.steps.clear();
+        scratch.rims.clear();
         for (number, load) in (0..).zip(&program.loads) {
             let crater = &features.craters()[load.crater as usize];
             let chain = self.chain(crater.type_number(), load);
             let (crater, load) = chain.distorted(crater, load, direction);
             collect(&crater, &load, number, &mut scratch.steps);
+            footprint::collect(&crater, &load, chain.threshold, &mut scratch.rims);
             scratch.at_work.push(AtWork::new(&crater, &load, chain));
         }
         scratch.steps.sort_unstable_by(Step::order);
@@ -166,6 +188,15 @@ impl Sweep<'_> {
         self.be_present(inside, sample..self.ranges.len(), profile);
     }
 
+    /// Presence at the samples, anew, from its changes.
+    fn follow<S: Real>(&self, edges: &[GateEdge], profile: &mut FeatureProfile<S>) {
+        profile.present.iter_mut().for_each(|sample| sample[self.lane] = S::ZERO);
+        let after = |edge: &GateEdge| self.ranges.partition_point(|&range| range < edge.range);
+        for pair in edges.chunks_exact(2) {
+            self.be_present(1, after(&pair[0])..after(&pair[1]), profile);
+        }
+    }
+
     fn be_present<S: Real>(
         &self,
         inside: i32,
@@ -179,7 +210,7 @@ impl Sweep<'_> {
 
     /// Adds what one sub-generator puts out to samples and kinks.
     fn draw<S: Real>(&self, load: u32, scratch: &mut ChainScratch<S>, profile: &mut FeatureProfile<S>) {
-        let ChainScratch { at_work, steps, marks, lit } = scratch;
+        let ChainScratch { at_work, steps, marks, lit, .. } = scratch;
         let AtWork { law, chain, rest } = &at_work[load as usize];
         let mut own = steps.iter().filter(|step| step.load == load).peekable();
         let Some(first) = own.peek().map(|step| step.sample(self.ranges)) else { return };

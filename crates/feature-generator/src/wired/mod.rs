@@ -10,9 +10,10 @@
 //! squarers, and the gain is set with the load), and a parabola with a scale error. Together: a footprint and circles that
 //! are ellipses, a little off, which for one sweep is a crater with another foot and other radii in closed form
 //! ([`sub_generator`]). Behind it height and slopes pass one lag ([`parts::LagStep`]), exactly for straight lines
-//! between samples, split at every circle that the sweep crosses.
-//! **Parameters.** [`hardware_model::FeatureChainParts`]: static error (one sigma of each multiplier), bandwidth; the
-//! delay of the footprint's comparator is the mixing unit's, which has the gate.
+//! between samples, split at every circle that the sweep crosses. The comparator of the footprint is off by an offset o of
+//! full scale, which is a presence line for a radius `R sqrt(1 - o)`; what it sees there has a slope ([`footprint`]).
+//! **Parameters.** [`hardware_model::FeatureChainParts`]: static error (one sigma of each multiplier), bandwidth;
+//! `comparator.offset`. The delay of the comparators is the mixing unit's, which has the gate.
 //! **State and timing.** A chain settles in retrace, and comes to rest behind each footprint. At a rate v of ground range a
 //! crater lies v tau farther away than it is; the floor of a bowl with curvature c is higher by `c (v tau)^2 / 2`.
 //! **Elaboration.** With ideal figures the block is its algebra, and nothing of this is there.
@@ -22,6 +23,7 @@
 //! **Not modelled.** Noise, the summing amplifier, bits of the registers.
 
 mod chain;
+mod footprint;
 mod sub_generator;
 #[cfg(test)]
 mod tests;

@@ -19,6 +19,8 @@ pub(crate) struct Chain {
     squarers: [f64; 2],
     /// Offset of their sum (share of the square of the footprint's radius).
     offset: f64,
+    /// Offset of the footprint's comparator (share of the square of the footprint's radius).
+    pub threshold: f64,
     /// Scale of the parabola.
     pub gain: f64,
     /// Time constant of the chain (s).
@@ -40,6 +42,7 @@ impl Chain {
         Self {
             squarers: [error("square-x"), error("square-y")],
             offset: error("sum"),
+            threshold: parts.comparator_law(spread, &name("comparator"), index).offset,
             gain: 1.0 + error("parabola"),
             tau,
             lag: LagStep::new(h, tau),
@@ -76,6 +79,6 @@ impl Chain {
 impl Chain {
     /// A chain of these errors and this time constant.
     pub fn of(h: f64, squarers: [f64; 2], offset: f64, gain: f64, tau: f64) -> Self {
-        Self { squarers, offset, gain, tau, lag: LagStep::new(h, tau) }
+        Self { squarers, offset, threshold: 0.0, gain, tau, lag: LagStep::new(h, tau) }
     }
 }

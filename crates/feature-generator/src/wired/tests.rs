@@ -2,8 +2,8 @@
 
 use features::{Crater, Features, Shape};
 use hardware_model::{AnalogParts, FeatureChainParts, FeatureParts, Organisation};
-use parts::time_constant;
-use proptest::prelude::{prop_assert, proptest};
+use parts::{GateEdge, time_constant};
+use proptest::prelude::{prop_assert, prop_assert_eq, proptest};
 use signal::{LANES, Lanes};
 
 use super::sub_generator::Chain;
@@ -21,6 +21,7 @@ struct Seen {
     made: FeatureProfile<f64>,
     ideal: FeatureProfile<f64>,
     lit: Vec<Lanes<f64>>,
+    gates: Vec<GateEdge>,
 }
 
 fn see(craters: Vec<Crater>, azimuth: f64, generator: &PartsGenerator) -> Seen {
@@ -36,7 +37,8 @@ fn see(craters: Vec<Crater>, azimuth: f64, generator: &PartsGenerator) -> Seen {
     let mut scratch = ChainScratch::default();
     generator.run(&features, &ranges, &programs, &[direction; LANES], &mut scratch, &mut made);
     FeatureGenerator { ranges: &ranges }.run(&features, &programs, &mut ideal);
-    Seen { ranges, made, ideal, lit: scratch.lit }
+    let [_, _, gates, ..] = scratch.gates;
+    Seen { ranges, made, ideal, lit: scratch.lit, gates }
 }
 
 fn bowl(centre: [f64; 2], r1: f64, depth: f64) -> Crater {
@@ -190,6 +192,53 @@ fn a_machine_is_named_by_its_seed_and_its_sub_generators_differ() {
     let off = |k: usize| seen.made.height[k][0] - seen.ideal.height[k - 1][0];
     assert!(off(400).abs() > 1e-4 && off(400).abs() < 0.5, "{}", off(400));
     assert!(time_constant(5e6) < H);
+}
+
+fn threshold(offset: f64) -> PartsGenerator {
+    let mut chain = Chain::of(H, [0.0; 2], 0.0, 1.0, 0.0);
+    chain.threshold = offset;
+    PartsGenerator::of(H, chain)
+}
+
+proptest! {
+    /// A comparator off by o finds the footprint where `1 - rho^2 / R^2 = o`, and sees its slope there; the ground is as it was.
+    #[test]
+    fn an_offset_moves_the_rims_of_the_presence_line(
+        offset in -0.02..0.02_f64, beside in -30.0..30.0_f64, r1 in 40.0..60.0_f64,
+    ) {
+        let seen = see(vec![bowl([300.0, beside], r1, 5.0)], 0.0, &threshold(offset));
+        let half = (r1 * r1 * (1.0 - offset) - beside * beside).sqrt();
+        let [entry, exit] = seen.gates[..] else { panic!("{:?}", seen.gates) };
+        for (edge, place) in [(entry, 300.0 - half), (exit, 300.0 + half)] {
+            // A thousand-millionth of a sample of half a metre.
+            prop_assert!((edge.range - place).abs() < 0.5e-9, "{edge:?} {place}");
+            let seen_there = |z: f64| 1.0 - ((z - 300.0) * (z - 300.0) + beside * beside) / (r1 * r1);
+            let slope = (seen_there(place + 1e-3) - seen_there(place - 1e-3)) / 2e-3;
+            prop_assert!((edge.slope - slope.abs()).abs() < 1e-9, "{edge:?} {slope}");
+        }
+        for (range, present) in seen.ranges.iter().zip(&seen.made.present) {
+            prop_assert_eq!(present[2] == 1.0, 300.0 - half <= *range && *range < 300.0 + half);
+        }
+        prop_assert_eq!(seen.made.kinks[2].len(), 2);
+        for (kink, ideal) in seen.made.kinks[2].iter().zip(&seen.ideal.kinks[2]) {
+            prop_assert!((kink.range - ideal.range).abs() < 1e-9);
+        }
+    }
+}
+
+#[test]
+fn footprints_that_overlap_are_one_and_a_grazed_one_is_none() {
+    let edges = |craters: Vec<Crater>, offset: f64| see(craters, 0.0, &threshold(offset)).gates;
+    let three =
+        vec![bowl([200.0, 0.0], 30.0, 5.0), bowl([240.0, 0.0], 30.0, 5.0), bowl([400.0, 0.0], 20.0, 5.0)];
+    let found: Vec<f64> = edges(three, 1e-12).iter().map(|edge| edge.range).collect();
+    for (found, right) in found.iter().zip([170.0, 270.0, 380.0, 420.0]) {
+        assert!((found - right).abs() < 1e-9, "{found} {right}");
+    }
+    assert_eq!(found.len(), 4);
+    // The sweep passes at 0.999 of the radius: 0.002 of full scale is all that the comparator sees.
+    let grazed = || vec![bowl([200.0, 29.97], 30.0, 5.0)];
+    assert_eq!((edges(grazed(), 0.001).len(), edges(grazed(), 0.003).len()), (2, 0));
 }
 
 #[test]

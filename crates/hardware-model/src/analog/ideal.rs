@@ -43,7 +43,7 @@ impl AmplifierParts {
 
 impl ComparatorParts {
     /// At once, at the very level.
-    pub const IDEAL: Self = Self { delay: 0.0, hysteresis: 0.0 };
+    pub const IDEAL: Self = Self { delay: 0.0, overdrive: 0.0, hysteresis: 0.0, offset: 0.0 };
 }
 
 impl SampleHoldParts {
@@ -118,14 +118,19 @@ impl AnalogParts {
             && self.reflectivity == ReflectivityParts::IDEAL
     }
 
-    /// Whether craters have the shape of their law, at once.
+    /// Whether craters have the shape of their law, at once, and their comparators find footprints where they are and
+    /// however steeply they are met; the comparators' delay is the mixing unit's.
     pub fn features_are_ideal(&self) -> bool {
         self.feature == FeatureChainParts::IDEAL
+            && self.comparator.offset == 0.0
+            && self.comparator.overdrive == 0.0
     }
 
     /// Whether the comparators of the shadow controller find boundaries where they are; their delay is the mixing unit's.
     pub fn shadow_lines_are_ideal(&self) -> bool {
-        self.shadow_line == ShadowLineParts::IDEAL && self.comparator.hysteresis == 0.0
+        self.shadow_line == ShadowLineParts::IDEAL
+            && self.comparator.hysteresis == 0.0
+            && self.comparator.offset == 0.0
     }
 
     /// Whether texture is the pattern itself.

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use quantities::radians;
 
 use super::{CrossingBudget, Ground, SET, SETS_LOADED, SweepBudget};
-use crate::{Cpu, CrossingServer, Drum, HardwareModel, Loader};
+use crate::{Cpu, CrossingServer, Drum, HardwareModel, IoProcessor, Loader};
 
 /// Share of a region by which a set may be late before it shows (hardware section 4.5).
 const GRACE: f64 = 0.1;
@@ -40,11 +40,13 @@ impl LoaderBudget {
         crossings: &CrossingBudget,
     ) -> Self {
         let loader = &model.loader;
-        let urgent = model.seconds(interrupt(loader, &model.cpu) + urgent_ticks(loader));
+        let urgent = model.seconds(before_first_set(loader, &model.cpu) + urgent_ticks(loader));
         let share = urgent / crossings.axis;
         let expected = ground.range / ground.region_size * share * 2.0 / PI;
         let banks = if loader.served_by == CrossingServer::WiredPointers { 4.0 } else { 1.0 };
-        let busy = crossings.mean * SETS_LOADED * model.seconds(set_ticks(loader)) / banks;
+        let order = loader.channel_programme().order;
+        let crossing = model.seconds(order) + SETS_LOADED * model.seconds(set_ticks(loader));
+        let busy = crossings.mean * crossing / banks;
         Self {
             urgent,
             grace: GRACE * crossings.axis,
@@ -62,7 +64,9 @@ fn step(e: f64) -> f64 {
 }
 
 fn set_ticks(loader: &Loader) -> u64 {
-    loader.pointer + u64::from(9_u32.div_ceil(loader.words_per_access)) * loader.access
+    let IoProcessor { chain, edit, .. } = loader.channel_programme();
+    let accesses = u64::from(9_u32.div_ceil(loader.words_per_access)) * loader.access;
+    chain + loader.pointer + accesses + SET as u64 * edit
 }
 
 /// Without precedence the urgent set may be the last: of two in its colour's bank, or of four.
@@ -75,11 +79,12 @@ fn urgent_ticks(loader: &Loader) -> u64 {
     (1 + before) * set_ticks(loader) + loader.strobe
 }
 
-/// From a fold to the first pointer, at worst: nothing but where an interrupt has to be served.
-fn interrupt(loader: &Loader, cpu: &Cpu) -> u64 {
+/// From a fold to the first set, at worst: an interrupt to be served, or the order to an I/O processor.
+fn before_first_set(loader: &Loader, cpu: &Cpu) -> u64 {
     match loader.served_by {
         CrossingServer::CpuInterrupt => cpu.longest_instruction.max(unbroken(cpu)) + cpu.crossing(),
-        CrossingServer::WiredPointers | CrossingServer::IoProcessor => 0,
+        CrossingServer::IoProcessor => loader.io_processor.order,
+        CrossingServer::WiredPointers => 0,
     }
 }
 
@@ -153,6 +158,9 @@ pub struct DrumBudget {
 impl DrumBudget {
     pub(super) fn of(model: &HardwareModel, ground: Ground) -> Option<Self> {
         let Drum { rotation, word, record_words, count, .. } = model.data_banks.drum?;
+        let channels = model.data_banks.channels;
+        let word = word.max(channels.word);
+        let at_once = channels.count.map_or(count, |channels| channels.min(count));
         let words = SET * sector_corners(ground);
         let seconds = |ticks: f64| ticks / model.master_clock.hertz();
         let ratio = ground.range / ground.region_size;
@@ -162,7 +170,7 @@ impl DrumBudget {
         Some(Self {
             corners: words / SET,
             words,
-            fill: seconds(words * word) / f64::from(count),
+            fill: seconds(words * word) / f64::from(at_once),
             turning,
             load: turning * SET / record * fetch / f64::from(count),
         })

@@ -175,8 +175,11 @@ fn amplifier(table: &Reader) -> Option<AmplifierParts> {
 
 fn comparator(table: &Reader) -> Option<ComparatorParts> {
     let delay = nanoseconds(table, "delay_ns").required();
+    let overdrive = table.f64("overdrive_mv_ns").between(0.0, 1e9).unit("mV ns").map(|area| 1e-12 * area);
+    let overdrive = overdrive.required();
     let hysteresis = percent(table, "hysteresis_pct").required();
-    Some(ComparatorParts { delay: delay?, hysteresis: hysteresis? })
+    let offset = millivolts(table, "offset_mv").required();
+    Some(ComparatorParts { delay: delay?, overdrive: overdrive?, hysteresis: hysteresis?, offset: offset? })
 }
 
 fn sample_hold(table: &Reader) -> Option<SampleHoldParts> {

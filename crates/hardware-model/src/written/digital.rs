@@ -1,9 +1,9 @@
-//! The keys of processor, drums and storage buffer. Times become whole master ticks here.
+//! The keys of processor, drums, channels and storage buffer. Times become whole master ticks here.
 
 use diagnostics::Reader;
 use quantities::Rate;
 
-use crate::{Cpu, DataBanks, Drum, DrumQueue};
+use crate::{Channels, Cpu, DataBanks, Drum, DrumQueue};
 
 /// Most instructions of a crossing, cycles of an instruction, cycles of a word: their products stay far from the end of
 /// 64 bits.
@@ -45,6 +45,7 @@ fn ticks(nanoseconds: f64, clock: Rate) -> u64 {
 pub(super) fn cpu(table: &Reader, clock: Option<Rate>) -> Option<Cpu> {
     let clocked = Clocked { table, clock };
     let memory_cycle = clocked.nanoseconds("memory_cycle_ns");
+    let memory_banks = table.u32("memory_banks").between(1, MOST_OF_A_KIND).required();
     let multiply = clocked.microseconds("multiply_us");
     let interrupt = clocked.microseconds("interrupt_us");
     let longest_instruction = clocked.microseconds("longest_instruction_us");
@@ -59,6 +60,7 @@ pub(super) fn cpu(table: &Reader, clock: Option<Rate>) -> Option<Cpu> {
     let levels = table.u32("priority_levels").between(1, 1000).or_word("unlimited").required();
     Some(Cpu {
         memory_cycle: memory_cycle?,
+        memory_banks: memory_banks?,
         multiply: multiply?,
         interrupt: interrupt?,
         longest_instruction: longest_instruction?,
@@ -77,21 +79,28 @@ pub(super) fn cpu(table: &Reader, clock: Option<Rate>) -> Option<Cpu> {
 /// changed by one.
 pub(super) fn drum(table: &Reader, clock: Option<Rate>) -> Option<Option<Drum>> {
     let rotation = Clocked { table, clock }.milliseconds("rotation_ms");
-    let rate = table.f64("rate_mb_s").between(1e-3, 1e6).unit("MB/s").or_word("unlimited").required();
+    let word = ticks_a_word(table, clock);
     let record = table.u32("record_words").must("9 n² for a square of n x n corners", is_square_of_corners);
     let record_words = record.required();
     let queues = [("fifo", DrumQueue::Fifo), ("shortest-latency", DrumQueue::ShortestLatency)];
     let queue = table.one_of("queue", &queues).required();
     let count = table.u32("count").between(1, 1000).required();
-    let word = |rate: f64, clock: Rate| 2.0 * clock.hertz() / (1e6 * rate);
-    let drum = Drum {
-        rotation: rotation?,
-        word: rate?.map_or(Some(0.0), |rate| Some(word(rate, clock?)))?,
-        record_words: record_words?,
-        queue: queue?,
-        count: count?,
-    };
+    let drum =
+        Drum { rotation: rotation?, word: word?, record_words: record_words?, queue: queue?, count: count? };
     Some((drum.rotation > 0).then_some(drum))
+}
+
+/// The channels between drums and storage buffer.
+pub(super) fn channels(table: &Reader, clock: Option<Rate>) -> Option<Channels> {
+    let count = table.u32("count").between(1, 1000).or_word("unlimited").required();
+    let word = ticks_a_word(table, clock);
+    Some(Channels { count: count?, word: word? })
+}
+
+/// Ticks of one word of two bytes at the rate of a table.
+fn ticks_a_word(table: &Reader, clock: Option<Rate>) -> Option<f64> {
+    let rate = table.f64("rate_mb_s").between(1e-3, 1e6).unit("MB/s").or_word("unlimited").required();
+    rate?.map_or(Some(0.0), |rate| Some(2.0 * clock?.hertz() / (1e6 * rate)))
 }
 
 fn is_square_of_corners(words: &u32) -> bool {
@@ -102,7 +111,11 @@ fn is_square_of_corners(words: &u32) -> bool {
         && corners.isqrt() * corners.isqrt() == corners
 }
 
-pub(super) fn data_banks(drum: Option<Drum>, buffer: &Reader) -> Option<DataBanks> {
+pub(super) fn data_banks(
+    drum: Option<Drum>,
+    channels: Option<Channels>,
+    buffer: &Reader,
+) -> Option<DataBanks> {
     let words = buffer.u32("words").at_least(9).or_word("unlimited").required();
-    Some(DataBanks { drum, buffer_words: words? })
+    Some(DataBanks { drum, channels: channels?, buffer_words: words? })
 }

@@ -1,11 +1,11 @@
-//! The keys of the loader, and of single words that it holds back.
+//! The keys of the loader, of the I/O processor, and of single words that are held back.
 
 use diagnostics::Reader;
 use quantities::Rate;
 use sweep_program::{Colour, PreloadRegister};
 
 use super::digital::Clocked;
-use crate::{CrossingServer, LatePolicy, LoadDelay, Loader};
+use crate::{CrossingServer, IoProcessor, LatePolicy, LoadDelay, Loader};
 
 const COLOURS: [(&str, Colour); 4] =
     [("yellow", Colour::Yellow), ("green", Colour::Green), ("black", Colour::Black), ("red", Colour::Red)];
@@ -22,7 +22,19 @@ const SERVERS: [(&str, CrossingServer); 3] = [
 const POLICIES: [(&str, LatePolicy); 2] =
     [("strobe-through", LatePolicy::StrobeThrough), ("latched", LatePolicy::Latched)];
 
-pub(super) fn loader(table: &Reader, clock: Option<Rate>) -> Option<Loader> {
+pub(super) fn io_processor(table: &Reader, clock: Option<Rate>) -> Option<IoProcessor> {
+    let clocked = Clocked { table, clock };
+    let order = clocked.nanoseconds("order_ns");
+    let chain = clocked.nanoseconds("chain_ns");
+    let edit = clocked.nanoseconds("edit_ns");
+    Some(IoProcessor { order: order?, chain: chain?, edit: edit? })
+}
+
+pub(super) fn loader(
+    table: &Reader,
+    clock: Option<Rate>,
+    io_processor: Option<IoProcessor>,
+) -> Option<Loader> {
     let clocked = Clocked { table, clock };
     let served_by = table.one_of("served_by", &SERVERS).required();
     let words_per_access = table.u32("words_per_access").between(1, 9).required();
@@ -41,6 +53,7 @@ pub(super) fn loader(table: &Reader, clock: Option<Rate>) -> Option<Loader> {
         words_per_access: words_per_access?,
         access: access?,
         pointer: pointer?,
+        io_processor: io_processor?,
         strobe: strobe?,
         urgent_first: urgent_first?,
         diagonal_register: diagonal_register?,

@@ -6,8 +6,8 @@ use explain::{Explanation, GroundPoint, Inquiry, InquiryError, Late};
 use generator::Generator;
 use machine::HybridMachine;
 
-use crate::commands::timing::rehearsal::Rehearsal;
-use crate::loading::{StageArgs, Threads};
+use crate::commands::again::command;
+use crate::frame::FrameArgs;
 use crate::output::{print, print_json};
 use crate::values::pixel;
 use crate::{Failure, Verdict};
@@ -16,19 +16,15 @@ const AFTER: &str = "Examples:
   lunoid explain scenarios/first-light.toml --frame 60 --pixel 500,300
   lunoid explain scenarios/nominal-drive.toml --frame 45 --pixel 210,260 --json
 
-Then look at the wires: lunoid probe SCENARIO --frame F --sweep S --out sweep.png";
+The first lines say why, the table has every wire at the sample, the last lines are commands that go on from there: the sweep
+on a page of the scope, the registers at the sample, the digital events of the sweep.";
 
 /// Say which sweep and sample made a pixel, and what every block did there.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER)]
 pub struct Explain {
     #[command(flatten)]
-    stage: StageArgs,
-    #[command(flatten)]
-    threads: Threads,
-    /// Frame, counted at the update rate.
-    #[arg(long)]
-    frame: u64,
+    chosen: FrameArgs,
     /// Pixel: column and line, from 0 at the top left.
     #[arg(long, value_name = "X,Y", value_parser = pixel)]
     pixel: [usize; 2],
@@ -43,25 +39,14 @@ pub struct Explain {
 impl Explain {
     /// Explains.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        let (rehearsal, _) = Rehearsal::open(&self.stage, &self.threads, |loaded| {
-            let (frame, frames) = (self.frame, loaded.frames());
-            match frame < frames {
-                true => Ok(vec![frame]),
-                false => Err(Failure::usage(format!(
-                    "--frame {frame}: the scenario has frames 0..{frames}; expected one of them"
-                ))),
-            }
-        })?;
-        let pose = rehearsal.poses(&[self.frame])?[0].pose;
+        let frame = self.chosen.frame;
+        let rehearsal = self.chosen.rehearse(|_| Ok(()))?;
+        let pose = rehearsal.poses(&[frame])?[0].pose;
         let session = HybridMachine.prepare(rehearsal.stage.clone()).map_err(Failure::input)?;
         let exact = (!self.no_exact).then(|| Columns::new(rehearsal.stage.clone()));
-        let inquiry = Inquiry {
-            stage: &rehearsal.stage,
-            session: session.as_ref(),
-            control: &rehearsal.control,
-            exact: exact.as_ref(),
-        };
-        let told = rehearsal.pool.install(|| inquiry.explain(self.frame, &pose, self.pixel));
+        let inquiry =
+            Inquiry::new(&rehearsal.stage, session.as_ref(), &rehearsal.control, exact.as_ref());
+        let told = rehearsal.pool.install(|| inquiry.explain(frame, &pose, self.pixel));
         let told = told.map_err(|error| match error {
             InquiryError::Pixel { .. } => Failure::usage(format!("--pixel: {error}")),
             InquiryError::Frame(error) => Failure::input(error),
@@ -71,9 +56,22 @@ impl Explain {
             document["schema"] = "lunoid.explain/1".into();
             print_json(&document)?;
         } else {
-            print(&text(&told))?;
+            print(&(text(&told) + "\n" + &self.next(&told)))?;
         }
         Ok(Verdict::Yes)
+    }
+
+    /// Commands that go on from the pixel: its wires on a page of the scope, its registers and what was loaded into them.
+    fn next(&self, told: &Explanation) -> String {
+        let (stage, frame, sweep) = (&self.chosen.stage, self.chosen.frame, told.place.sweep);
+        let cursor = told.ground.as_ref().map(|ground| format!(" --cursor {:.4}", ground.range_m));
+        let page = format!(
+            "--sweep {sweep} --signals 'tg.reflectivity,mu.*,sc.gate,dpp.*,sm.video'{} --out sweep.png",
+            cursor.unwrap_or_default()
+        );
+        let registers = told.ground.as_ref().map(|ground| ("trace", format!("--at {sweep}:{}", ground.sample)));
+        let commands = [("probe", page)].into_iter().chain(registers).chain([("trace", format!("--sweep {sweep}"))]);
+        commands.map(|(name, rest)| command(name, stage, frame, &rest) + "\n").collect()
     }
 }
 
@@ -142,6 +140,11 @@ fn ground_rows(ground: &GroundPoint) -> Vec<String> {
             &format!("elevation {:.6}, hold {:.6}, line {:.3}", ground.elevation, ground.hold, ground.line),
         ),
     ]);
+    rows.extend(ground.elevation_change.map(|change| {
+        let way = if change < 0.0 { "falls" } else { "does not fall" };
+        row("dpp.derivative", &format!("{change:.6} a µs: the elevation {way}"))
+    }));
+    rows.push(row("sm.video", &format!("{:.4}", ground.video)));
     rows.extend(
         ground
             .hides_m

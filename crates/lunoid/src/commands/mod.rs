@@ -1,5 +1,6 @@
 //! One file a command.
 
+mod again;
 pub mod bank;
 pub mod check;
 pub mod compare;
@@ -13,6 +14,7 @@ pub mod probe;
 pub mod replay;
 mod scope;
 pub mod sizing;
+pub mod study;
 pub mod survey;
 pub mod timing;
 pub mod trace;
@@ -40,5 +42,6 @@ pub fn run(cli: &Cli) -> Result<Verdict, Failure> {
         Command::Model(model) => model.run(),
         Command::Timing(timing) => timing.run(),
         Command::Sizing(sizing) => sizing.run(),
+        Command::Study(study) => study.run(),
     }
 }

@@ -13,14 +13,17 @@ use scenario::PoseTable;
 use serde_json::json;
 use waveform::{Format, Header};
 
-use crate::commands::scope::{NEEDS, Recorded, ScopeArgs, write_picture};
-use crate::loading::{Loaded, StageArgs, Threads};
+use crate::commands::scope::{NEEDS, Recorded, ScopeArgs, columns_of, write_picture};
+use crate::frame::FrameArgs;
+use crate::loading::Loaded;
 use crate::output::{expect_writable, print, print_json, tell};
 use crate::values::Span;
 use crate::{Failure, Verdict};
 
 use choice::{Choice, expect_known};
-use target::{FormatWord, Target, names};
+use target::{names, words};
+pub use target::Target;
+
 use trace::{Look, Order, WINDOW, Written, size, trace};
 
 const AFTER: &str = "Examples:
@@ -37,12 +40,7 @@ page of the scope, of one sweep. About how large the file will be is said before
 #[command(after_help = AFTER)]
 pub struct ProbeCommand {
     #[command(flatten)]
-    stage: StageArgs,
-    #[command(flatten)]
-    threads: Threads,
-    /// Frame, counted at the update rate.
-    #[arg(long)]
-    frame: u64,
+    chosen: FrameArgs,
     /// Sweeps, from 0 at the left: S, S..T without T, or all.
     #[arg(long, value_name = "S[..T]", value_parser = span)]
     sweep: Span,
@@ -53,8 +51,8 @@ pub struct ProbeCommand {
     #[arg(short, long, value_name = "FILE")]
     out: PathBuf,
     /// What kind of file it is; as its name ends if left out.
-    #[arg(long, value_enum, value_name = "FORMAT")]
-    format: Option<FormatWord>,
+    #[arg(long, value_name = "FORMAT", value_parser = words())]
+    format: Option<String>,
     /// Write the file even if it has more than 2 GB.
     #[arg(long)]
     large: bool,
@@ -76,22 +74,22 @@ fn span(text: &str) -> Result<Span, String> {
 impl ProbeCommand {
     /// Records.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        let target = Target::of(self.format, &self.out)?;
+        let target = Target::of(self.format.as_deref(), &self.out)?;
         expect_writable(&self.out)?;
-        let mut loaded = self.stage.load()?;
+        let mut loaded = self.chosen.stage.load()?;
         let sweeps = self.sweeps(&loaded, target)?;
         let table = loaded.generator.signals();
         expect_known(table, &self.signals, loaded.generator.name())?;
-        let pool = self.threads.pool()?;
+        let pool = self.chosen.threads.pool()?;
         let stage = loaded.stage(&pool)?;
         let pose = self.pose(&loaded, &stage)?;
-        let settings = stage.settings.clone();
+        let (settings, columns) = (stage.settings.clone(), columns_of(stage.landscape.bank()));
         let session = loaded.generator.prepare(stage).map_err(Failure::input)?;
         let choice = Choice::of(table, &session.wires(), &self.signals);
         let raster = [settings.raster.columns as usize, settings.raster.lines as usize];
-        let look = Look { session: &*session, pool: &pool, frame: self.frame, pose: &pose, raster };
+        let look = Look { session: &*session, pool: &pool, frame: self.chosen.frame, pose: &pose, raster };
         let written = match target {
-            Target::Picture => self.draw(&look, &loaded, &choice, sweeps.start)?,
+            Target::Picture => self.draw(&look, &loaded, &choice, (sweeps.start, &columns))?,
             Target::Waveforms(format) => {
                 let header = self.header(&loaded, &choice, sweeps.clone());
                 trace(&look, header, &self.order(format))?
@@ -106,12 +104,7 @@ impl ProbeCommand {
         let sweeps = span.within(&(0..u64::from(all))).ok_or_else(|| {
             Failure::usage(format!("--sweep {span}: a frame has sweeps 0..{all}; expected a range inside"))
         })?;
-        if self.frame >= loaded.frames() {
-            let (frame, end) = (self.frame, loaded.frames());
-            return Err(Failure::usage(format!(
-                "--frame {frame}: the scenario has frames 0..{end}; expected one of them"
-            )));
-        }
+        self.chosen.expect_in(loaded)?;
         if target == Target::Picture && sweeps.end - sweeps.start != 1 {
             return Err(Failure::usage(format!("--sweep {span}: a picture shows one sweep; expected one")));
         }
@@ -119,7 +112,7 @@ impl ProbeCommand {
     }
 
     fn pose(&self, loaded: &Loaded, stage: &Stage) -> Result<scenario::Pose, Failure> {
-        let frames = self.frame..self.frame + 1;
+        let frames = self.chosen.frame..self.chosen.frame + 1;
         let Stage { landscape, settings, .. } = stage;
         let update = settings.timebase.update;
         let table = PoseTable::resolve(&loaded.scenario, landscape, update, settings.yoke, frames);
@@ -132,16 +125,16 @@ impl ProbeCommand {
         let provenance = [
             ("program", format!("lunoid {}", env!("CARGO_PKG_VERSION"))),
             ("commit", crate::cli::COMMIT.to_owned()),
-            ("scenario", self.stage.scenario.display().to_string()),
+            ("scenario", self.chosen.stage.scenario.display().to_string()),
             ("machine", loaded.inputs.model.clone()),
         ];
         Header {
-            title: format!("{}: frame {}", loaded.scenario.title, self.frame),
+            title: format!("{}: frame {}", loaded.scenario.title, self.chosen.frame),
             provenance: provenance.into_iter().chain(hash).map(|(key, words)| (key.into(), words)).collect(),
             wires: choice.wires.clone(),
             timebase: loaded.settings.timebase,
             lines: loaded.settings.raster.lines,
-            frame: self.frame,
+            frame: self.chosen.frame,
             sweeps,
         }
     }
@@ -156,7 +149,7 @@ impl ProbeCommand {
         look: &Look<'_>,
         loaded: &Loaded,
         choice: &Choice,
-        sweep: u32,
+        (sweep, columns): (u32, &[usize]),
     ) -> Result<Written, Failure> {
         let wanted = choice.names();
         let recorded = wanted.iter().chain(&NEEDS).map(|name| (*name).to_owned()).collect();
@@ -167,6 +160,7 @@ impl ProbeCommand {
             wires: &look.session.wires(),
             wanted: &wanted,
             settings: &loaded.settings,
+            columns,
         };
         write_picture(&self.out, &recorded, &self.scope)?;
         Ok(Written { estimate: 0, files: vec![self.out.clone()] })
@@ -182,7 +176,7 @@ impl ProbeCommand {
         for name in &choice.left_out {
             tell(&format!("{name}: this machine has no such wire; 0 throughout (--everything puts it in)\n"));
         }
-        let (out, frame) = (self.out.display(), self.frame);
+        let (out, frame) = (self.out.display(), self.chosen.frame);
         if self.json {
             return print_json(&json!({
                 "schema": "lunoid.probe/1",

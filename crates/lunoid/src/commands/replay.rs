@@ -2,7 +2,6 @@
 
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::{Args, ValueEnum};
 use hardware_model::HardwareModel;
@@ -16,6 +15,7 @@ use serde_json::{Value, json};
 
 use crate::cli::{COMMIT, RESULT_FAMILY};
 use crate::commands::page::{Making, Request, check};
+use crate::interrupt;
 use crate::loading::{Loaded, StageArgs, Threads};
 use crate::output::{expect_writable, print, print_json, tell};
 use crate::progress::Display;
@@ -92,9 +92,6 @@ enum DepthWord {
     Sixteen,
 }
 
-/// Set by Ctrl-C.
-static CANCEL: AtomicBool = AtomicBool::new(false);
-
 impl Replay {
     /// Draws.
     pub fn run(&self) -> Result<Verdict, Failure> {
@@ -106,7 +103,7 @@ impl Replay {
         let out = self.out();
         let pool = self.threads.pool()?;
         let folder = RunFolder::claim(&out, self.fresh)?;
-        catch_ctrl_c()?;
+        let cancel = interrupt::listen();
         let stage = loaded.stage(&pool)?;
         let job = Job {
             program: program(),
@@ -120,7 +117,7 @@ impl Replay {
         let display = Display::new(!self.no_progress && !self.quiet);
         let progress = |progress| display.hear(progress);
         let control =
-            Control { pool: &pool, cancel: &CANCEL, progress: &progress, phases: loaded.phases.clone() };
+            Control { pool: &pool, cancel, progress: &progress, phases: loaded.phases.clone() };
         let made = self.make(&job, &loaded.model, &folder, &control);
         display.end();
         let (outcome, truth) = made?;
@@ -243,16 +240,6 @@ fn program() -> Program {
         commit: COMMIT.into(),
         result_family: RESULT_FAMILY.into(),
     }
-}
-
-/// The first Ctrl-C ends the run with whole frames, the second at once: files are whole or not there anyway.
-fn catch_ctrl_c() -> Result<(), Failure> {
-    let handler = || {
-        if CANCEL.swap(true, Ordering::Relaxed) {
-            std::process::exit(130);
-        }
-    };
-    ctrlc::set_handler(handler).map_err(|error| Failure::output(format!("cannot catch Ctrl-C: {error}")))
 }
 
 /// What a finished run comes to.

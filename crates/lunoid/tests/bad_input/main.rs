@@ -9,6 +9,8 @@ mod banks;
 mod build;
 mod elevation;
 #[cfg(unix)]
+mod interrupted;
+#[cfg(unix)]
 mod killed;
 mod landscape;
 mod outputs;

@@ -16,10 +16,32 @@ pub enum DigitalUnit {
     IoProcessor,
     /// The central processor.
     Cpu,
-    /// The drums of a level: 0 fine, 1 coarse.
-    Drum(usize),
+    /// A drum: its level, 0 fine, 1 coarse, and its number there.
+    Drum(usize, u32),
     /// The registers of the terrain generator.
     Registers,
+    /// The line over which craters come.
+    FeatureGenerator,
+    /// The line over which shadow boundaries come.
+    ShadowController,
+}
+
+/// A part that words are loaded into.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LoadedPart {
+    /// Type of crater, 1 to 3, and number of the sub-generator.
+    SubGenerator(u32, u32),
+    /// Number of the line generator.
+    LineGenerator(u32),
+}
+
+impl fmt::Display for LoadedPart {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::SubGenerator(kind, number) => write!(f, "sub-generator.{kind}.{number}"),
+            Self::LineGenerator(number) => write!(f, "line-generator.{number}"),
+        }
+    }
 }
 
 impl fmt::Display for DigitalUnit {
@@ -29,8 +51,12 @@ impl fmt::Display for DigitalUnit {
             Self::Loader(colour) => write!(f, "loader.{}", colour.name()),
             Self::IoProcessor => f.write_str("io-processor"),
             Self::Cpu => f.write_str("cpu"),
-            Self::Drum(level) => write!(f, "drum.{}", ["fine", "coarse"][usize::from(*level > 0)]),
+            Self::Drum(level, number) => {
+                write!(f, "drum.{}.{number}", ["fine", "coarse"][usize::from(*level > 0)])
+            }
             Self::Registers => f.write_str("registers"),
+            Self::FeatureGenerator => f.write_str("feature-generator.load"),
+            Self::ShadowController => f.write_str("shadow-controller.load"),
         }
     }
 }
@@ -78,6 +104,20 @@ words! {
     Absent = "absent",
     /// Words arrive at a register.
     Load = "load",
+    /// A sub-generator has the words of a crater.
+    CraterLoad = "crater-load",
+    /// It has them when the sweep has met the crater.
+    CraterLate = "crater-late",
+    /// A crater finds no sub-generator, or its words never come.
+    CraterDropped = "crater-dropped",
+    /// A line generator has the words of a shadow boundary.
+    SegmentLoad = "segment-load",
+    /// It has them when the sweep has crossed the boundary.
+    SegmentLate = "segment-late",
+    /// A shadow boundary finds no line generator, or its words never come.
+    SegmentDropped = "segment-dropped",
+    /// The processor begins with the program of a sweep.
+    SetUpBegins = "set-up-begins",
     /// The program of a sweep is ready in time.
     SetUp = "set-up",
     /// The program of a sweep is ready when the sweep has begun.
@@ -150,6 +190,12 @@ pub struct DigitalEvent {
     pub comes: Option<SweepTime>,
     /// The sweep whose set-up is used.
     pub other: Option<u32>,
+    /// Part that words are loaded into.
+    pub part: Option<LoadedPart>,
+    /// Crater, by its number in the list of features.
+    pub crater: Option<u32>,
+    /// Ground range at which the words are wanted (m).
+    pub range: Option<f64>,
 }
 
 impl DigitalEvent {
@@ -172,6 +218,9 @@ impl DigitalEvent {
             cause: None,
             comes: None,
             other: None,
+            part: None,
+            crater: None,
+            range: None,
         }
     }
 }

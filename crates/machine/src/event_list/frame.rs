@@ -15,7 +15,12 @@ pub fn processor(sweeps: &FrameSweeps<'_>) -> Vec<DigitalEvent> {
     let stage = sweeps.crossings().stage;
     let frame = sweeps.plan().frame;
     let clock = |sweep| stage.settings.timebase.sweep_clock(frame, sweep);
+    let [first, end] = frame_ticks(stage, frame);
     let start = |sweep: u32| clock(sweep).tick_at_or_after(SweepTime(0.0));
+    let begun = cpu.begun.iter().map(|&(sweep, since)| DigitalEvent {
+        sweep: Some(sweep),
+        ..DigitalEvent::new(Tick(first.0.saturating_add_signed(since)), EventWord::SetUpBegins, DigitalUnit::Cpu)
+    });
     let made = cpu.set_ups.iter().map(|&(sweep, slack)| {
         let word = if slack < 0 { EventWord::SetUpLate } else { EventWord::SetUp };
         let ready = Tick(start(sweep).0.saturating_add_signed(-slack));
@@ -29,7 +34,6 @@ pub fn processor(sweeps: &FrameSweeps<'_>) -> Vec<DigitalEvent> {
         let event = DigitalEvent::new(start(sweep), EventWord::OldSetUp, DigitalUnit::Cpu);
         DigitalEvent { sweep: Some(sweep), other: Some(drawn), ..event }
     });
-    let [_, end] = frame_ticks(stage, frame);
     let slack = cpu.frame_slack;
     // Left-over work has no end in this frame.
     let (word, tick) = match slack < 0 {
@@ -37,21 +41,21 @@ pub fn processor(sweeps: &FrameSweeps<'_>) -> Vec<DigitalEvent> {
         false => (EventWord::Tables, Tick(end.0.saturating_add_signed(-slack))),
     };
     let tables = DigitalEvent { slack: Some(slack), ..DigitalEvent::new(tick, word, DigitalUnit::Cpu) };
-    made.chain(old).chain([tables]).collect()
+    begun.chain(made).chain(old).chain([tables]).collect()
 }
 
 /// Records that the drums bring while the frame runs: each with the corners that the frame asks of it.
 pub fn records(sweeps: &FrameSweeps<'_>) -> Vec<DigitalEvent> {
     let levels = sweeps.crossings().stage.landscape.bank().levels();
-    let mut arrived: BTreeMap<(Tick, usize), Vec<u32>> = BTreeMap::new();
-    for (level, missing) in sweeps.digital().missing().into_iter().enumerate() {
-        for corner in missing {
-            if let Some(tick) = corner.arrival {
-                arrived.entry((tick, level)).or_default().push(corner.corner);
+    let mut arrived: BTreeMap<(Tick, usize, u32), Vec<u32>> = BTreeMap::new();
+    for (level, supply) in sweeps.digital().supplies.iter().enumerate() {
+        for missing in supply.iter().flat_map(|supply| &supply.missing) {
+            if let Some(tick) = missing.arrival {
+                arrived.entry((tick, level, missing.drum)).or_default().push(missing.corner);
             }
         }
     }
-    let record = |((tick, level), corners): ((Tick, usize), Vec<u32>)| {
+    let record = |((tick, level, drum), corners): ((Tick, usize, u32), Vec<u32>)| {
         let columns = levels[level].corners()[1];
         let corner = corners.first().map(|&first| first as usize);
         DigitalEvent {
@@ -59,7 +63,7 @@ pub fn records(sweeps: &FrameSweeps<'_>) -> Vec<DigitalEvent> {
             corner: corner.map(|first| [(first / columns) as i64, (first % columns) as i64]),
             mask: WordMask::ALL,
             words: WordMask::ALL.0.count_ones() * corners.len() as u32,
-            ..DigitalEvent::new(tick, EventWord::Record, DigitalUnit::Drum(level))
+            ..DigitalEvent::new(tick, EventWord::Record, DigitalUnit::Drum(level, drum))
         }
     };
     arrived.into_iter().map(record).collect()

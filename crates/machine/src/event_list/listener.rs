@@ -5,9 +5,10 @@ use std::collections::VecDeque;
 use dpu::{AskedCorner, CornerArrival, Watch};
 use hardware_model::{CrossingServer, LatePolicy, Loader};
 use landscape::Level;
-use quantities::{SweepClock, SweepTime, Tick};
+use quantities::{SweepClock, Tick};
 use sweep_program::{Colour, Fold, Load, Miss, NO_CORNER, PreloadRegister, SweepProgram, Target, WordMask};
 
+use super::tick_of;
 use super::event::{DigitalEvent, DigitalUnit, EventWord, Register};
 use crate::FrameSweeps;
 
@@ -26,12 +27,12 @@ struct Asked {
 /// The listener.
 pub struct Listener<'a> {
     events: Vec<DigitalEvent>,
+    sweeps: &'a FrameSweeps<'a>,
     sweep: u32,
     number: usize,
     level: &'a Level,
     loader: &'a Loader,
     clock: SweepClock,
-    ticks_per_sample: f64,
     /// When the last fold was seen, and folds so far.
     seen: Tick,
     folds: u32,
@@ -49,21 +50,20 @@ pub struct Listener<'a> {
 
 impl<'a> Listener<'a> {
     pub fn new(
-        sweeps: &FrameSweeps<'_>,
+        sweeps: &'a FrameSweeps<'a>,
         sweep: u32,
         number: usize,
         level: &'a Level,
         loader: &'a Loader,
     ) -> Self {
-        let timebase = &sweeps.crossings().stage.settings.timebase;
         Self {
             events: Vec::new(),
+            sweeps,
             sweep,
             number,
             level,
             loader,
-            clock: timebase.sweep_clock(sweeps.plan().frame, sweep),
-            ticks_per_sample: timebase.ticks_per_sample(),
+            clock: sweeps.clock(sweep),
             seen: Tick(0),
             folds: 0,
             next: VecDeque::new(),
@@ -195,9 +195,6 @@ impl<'a> Listener<'a> {
     fn late(&self, miss: &Miss) -> DigitalEvent {
         let seen = self.clock.tick_at_or_after(miss.time);
         let due = seen.0 as i64 - i64::from(self.clock.instant_of(seen) > miss.time);
-        // An instant that a tick was turned into is that tick again half a tick earlier.
-        let half = 0.5 / self.ticks_per_sample;
-        let tick_of = |time: SweepTime| self.clock.tick_at_or_after(SweepTime(time.0 - half)).0 as i64;
         DigitalEvent {
             crossing: Some(miss.crossing),
             colour: Some(miss.colour),
@@ -205,7 +202,7 @@ impl<'a> Listener<'a> {
             corner: self.place(miss.corner),
             mask: miss.words,
             words: miss.words.0.count_ones(),
-            slack: miss.arrival.map(|arrival| due - tick_of(arrival)),
+            slack: miss.arrival.map(|arrival| due - tick_of(self.sweeps, self.sweep, arrival).0 as i64),
             cause: Some(miss.cause),
             comes: miss.arrival,
             ..self.event(seen, EventWord::Late, DigitalUnit::Registers)

@@ -34,6 +34,8 @@ pub const REGISTERS: &[Signal] = &[
 
 /// The same of the coarse level.
 pub const COARSE: &[Signal] = &[
+    event("sweep.coarse.fold.x", "ramp X of the coarse level folds: 1 at stop 1, 0 at stop 0", "fig. 17"),
+    event("sweep.coarse.fold.y", "ramp Y of the coarse level folds: 1 at stop 1, 0 at stop 0", "fig. 17"),
     event("dpu.coarse.late", "a stop found words missing: bit 3p + q for each, coarse level", "section 6.3"),
     register("tg.coarse.yellow.hold", "corner that feeds the yellow multiplying D/As"),
     register("tg.coarse.yellow.xfirst", "corner that waits for an X stop"),

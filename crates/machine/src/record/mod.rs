@@ -7,6 +7,7 @@ use std::sync::OnceLock;
 
 use mixing_unit::Inputs;
 use polyhedron_generator::Overlay;
+use scenario::Occlusion;
 use signal::{Axis, Lanes, Probe, Real, Signal, Unit, Waveform};
 use sweep_program::{Colour, RampAxis, StepKind, SweepProgram};
 use terrain_generator::{ArrayState, Inside};
@@ -17,6 +18,8 @@ use crate::workspace::Workspace;
 use digital::{Changes, changes, feature_centres};
 
 pub(crate) use wires::wires;
+
+use wires::MICROSECONDS;
 
 /// Signals of the sweep generator, recorded from the program.
 const SWEEP: &[Signal] = &[
@@ -65,6 +68,16 @@ fn blanked(elevation: &[f64], hold: &[f64]) -> Vec<f64> {
     elevation.iter().enumerate().map(gate).collect()
 }
 
+/// How much each value is above the one before.
+fn rises(values: &[f64]) -> Vec<f64> {
+    let first = values.first().map(|_| 0.0);
+    first.into_iter().chain(values.windows(2).map(|pair| pair[1] - pair[0])).collect()
+}
+
+fn of_lane<S: Real>(values: &[Lanes<S>], lane: usize) -> Vec<f64> {
+    values.iter().map(|value| value[lane].to_f64()).collect()
+}
+
 impl<S: Real> Recorded<'_, S> {
     /// What `probe` wants of lane `lane`, which is sweep `sweep`.
     pub fn waveforms(&self, probe: &Probe, lane: usize, sweep: u32) -> Vec<Waveform> {
@@ -111,9 +124,13 @@ impl<S: Real> Recorded<'_, S> {
             self.values(name, lane)
         };
         values.truncate(in_sight);
-        // Beyond the problem area a wire keeps its last value; where a generator is not there, it is 0.
-        let last = values.last().copied().unwrap_or(0.0);
-        values.resize(ranges.len(), last);
+        // Beyond the problem area a wire keeps its last value, so nothing changes and nothing is drawn; where a generator is
+        // not there, it is 0.
+        let beyond = match name {
+            "dpp.derivative" | "sm.video" => 0.0,
+            _ => values.last().copied().unwrap_or(0.0),
+        };
+        values.resize(ranges.len(), beyond);
         values
     }
 
@@ -135,7 +152,7 @@ impl<S: Real> Recorded<'_, S> {
         let program = &work.programs[lane];
         let (profile, projected) = (&work.profile, &work.projected);
         let composite = group.composite(work);
-        let of = |values: &[Lanes<S>]| values.iter().map(|value| value[lane].to_f64()).collect::<Vec<_>>();
+        let of = |values: &[Lanes<S>]| of_lane(values, lane);
         let on_datum = |values: &[Lanes<S>]| {
             of(values).into_iter().map(|height| height + group.plan.eye[2]).collect::<Vec<_>>()
         };
@@ -154,16 +171,53 @@ impl<S: Real> Recorded<'_, S> {
             "dpp.elevation" => of(&projected.elevation),
             "dpp.hold" => of(&projected.hold),
             "dpp.y" => of(&projected.line),
-            "dpp.blank" if group.parts.beam.is_some() => work.driven.blank(lane),
-            "dpp.blank" => blanked(&of(&projected.elevation), &of(&projected.hold)),
+            "dpp.derivative" => self.derivative(lane),
+            "dpp.blank" => self.blank(lane),
+            "sm.video" => self.video(lane),
             _ => self.of_added_blocks(name, lane, direction),
         }
+    }
+
+    /// The gate that turns the write beam off.
+    fn blank(&self, lane: usize) -> Vec<f64> {
+        let Self { group, work, .. } = self;
+        match group.parts.beam {
+            Some(_) => work.driven.blank(lane),
+            None => blanked(&of_lane(&work.projected.elevation, lane), &of_lane(&work.projected.hold, lane)),
+        }
+    }
+
+    /// What the circuit of occlusion by derivative compares with 0 (tangents a microsecond): 0 where there is none.
+    fn derivative(&self, lane: usize) -> Vec<f64> {
+        let Self { group, work, .. } = self;
+        let settings = &group.stage.settings;
+        let samples = group.table.ranges().len();
+        if settings.laws.occlusion != Occlusion::Derivative {
+            return vec![0.0; samples];
+        }
+        let (rates, a_second) = match &group.parts.beam {
+            Some(beam) => (beam.processor.derivative(&work.driven, lane), 1.0),
+            None => (Some(rises(&of_lane(&work.projected.elevation, lane))), settings.timebase.sample_rate().hertz()),
+        };
+        let in_microseconds = |rate: f64| rate * a_second / MICROSECONDS;
+        rates.map_or_else(|| vec![0.0; samples], |rates| rates.into_iter().map(in_microseconds).collect())
+    }
+
+    /// What drives the write beam: from parts it comes behind the delay line that meets the position.
+    fn video(&self, lane: usize) -> Vec<f64> {
+        let Self { group, work, .. } = self;
+        let intensity = match group.parts.beam {
+            Some(_) => of_lane(&work.driven.intensity, lane),
+            None => of_lane(group.composite(work).reflectivity, lane),
+        };
+        let seen = |(video, blank): (f64, f64)| if blank > 0.5 { 0.0 } else { video.max(0.0) };
+        intensity.into_iter().zip(self.blank(lane)).map(seen).collect()
     }
 
     /// Signals of blocks that may not be there: 0 throughout if they are not.
     fn of_added_blocks(&self, name: &str, lane: usize, direction: [f64; 2]) -> Vec<f64> {
         let Self { group, work, .. } = self;
-        let of = |values: &[Lanes<S>]| values.iter().map(|value| value[lane].to_f64()).collect::<Vec<_>>();
+        let of = |values: &[Lanes<S>]| of_lane(values, lane);
         let features = &work.feature_profile;
         let samples = group.table.ranges().len();
         let has_features = group.blocks.features;

@@ -1,6 +1,8 @@
 //! Which wires an elaborated machine has, and what full scale means on them.
 
+use display_projection_processor::DERIVATIVE;
 use generator::Stage;
+use scenario::{Laws, Occlusion};
 use signal::{Kind, Signal, Unit, Wire};
 use terrain_generator::Scale;
 
@@ -10,6 +12,9 @@ use crate::record::signals;
 
 /// High level of a gate (V): transistor logic of the time (our choice).
 const LOGIC: f64 = 5.0;
+
+/// Microseconds of a second.
+pub(super) const MICROSECONDS: f64 = 1e6;
 
 /// Full scales of a stage.
 struct Scales {
@@ -29,15 +34,16 @@ struct Scales {
 /// Wires of the machine elaborated for `stage`, in the order of the signal table: those of blocks that are there.
 pub(crate) fn wires(stage: &Stage, blocks: &Blocks, raster: &WrittenRaster) -> Vec<Wire> {
     let scales = Scales::of(stage, raster);
-    signals().iter().filter(|signal| is_there(signal, blocks)).map(|signal| scales.wire(signal)).collect()
+    signals().iter().filter(|signal| is_there(signal, blocks, &stage.settings.laws)).map(|signal| scales.wire(signal)).collect()
 }
 
-fn is_there(signal: &Signal, blocks: &Blocks) -> bool {
+fn is_there(signal: &Signal, blocks: &Blocks, laws: &Laws) -> bool {
     match (signal.prefix(), signal.name) {
         ("fg", _) | (_, "mu.vs1") => blocks.features,
         ("sc", _) | (_, "mu.vs2") => blocks.shadows.is_some(),
         ("txg", _) => blocks.texture,
         ("pg", _) => blocks.bodies,
+        (_, "dpp.derivative") => laws.occlusion == Occlusion::Derivative,
         (_, name) if name.contains(".coarse.") => blocks.coarse.is_some(),
         _ => true,
     }
@@ -72,6 +78,7 @@ impl Scales {
             Unit::Metre => [0.0, self.height[1]],
             Unit::Slope => [0.0, self.slope],
             Unit::Tangent => [0.0, self.tangent],
+            Unit::TangentRate => [0.0, self.tangent / (DERIVATIVE * MICROSECONDS)],
             Unit::Line => [0.0, self.lines],
             _ => [0.0, 1.0],
         };

@@ -81,16 +81,16 @@ fn feature() -> Feature {
 impl Feature {
     fn input(&self) -> Option<FeatureInput<'_, f64>> {
         let Self { height, present, reflectivity, kinks } = self;
-        Some(FeatureInput { height, present, reflectivity, lit: present, kinks })
+        Some(FeatureInput { height, present, reflectivity, lit: present, kinks, gates: None })
     }
 }
 
 fn dark(toggles: &[Toggle<f64>]) -> [ToggleList<'_, f64>; LANES] {
-    [ToggleList { dark_at_start: false, toggles }; LANES]
+    [ToggleList { open_at_start: false, toggles }; LANES]
 }
 
 fn toggle(sample: usize, share: f64) -> Toggle<f64> {
-    Toggle { sample, share }
+    Toggle { sample, share, slope: f64::INFINITY }
 }
 
 fn about(found: f64, expected: f64) {
@@ -237,7 +237,7 @@ proptest! {
         let mut toggles: Vec<_> = places.iter().map(|&(sample, share)| toggle(sample, share)).collect();
         toggles.sort_by(|a, b| (a.sample, a.share).partial_cmp(&(b.sample, b.share)).unwrap());
         let (terrain, feature) = (terrain(), feature());
-        let shadow = [ToggleList { dark_at_start: start, toggles: &toggles }; LANES];
+        let shadow = [ToggleList { open_at_start: start, toggles: &toggles }; LANES];
         let inputs = Inputs { features: feature.input(), shadow: Some(&shadow), ..terrain.inputs() };
         let mixed = mix(&presence(), &inputs);
         let lit = mix(&presence(), &Inputs { shadow: None, ..inputs });

@@ -1,10 +1,11 @@
 //! When the gate of a switch changes.
 
+use parts::Comparator;
 use signal::Real;
 
 use crate::{FeatureInput, ToggleList, VideoSwitch};
 
-/// A gate over one sweep: how it begins, and the instants at which it changes.
+/// A gate behind its comparator over one sweep: how it begins, and the instants at which it changes.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct GateEdges {
     pub open_at_start: bool,
@@ -13,20 +14,24 @@ pub(crate) struct GateEdges {
 }
 
 impl GateEdges {
-    /// The gate of VS2: the toggles of the shadow controller.
-    pub fn follow_shadow<S: Real>(&mut self, list: &ToggleList<'_, S>) {
+    /// A gate whose edges are told. Two of them may change their order: they are the same two changes.
+    pub fn follow<S: Real>(&mut self, list: &ToggleList<'_, S>, comparator: &Comparator<S>) {
         self.edges.clear();
-        self.open_at_start = list.dark_at_start;
-        self.edges
-            .extend(list.toggles.iter().map(|toggle| toggle.sample as f64 - 1.0 + toggle.share.to_f64()));
+        self.open_at_start = list.open_at_start;
+        self.edges.extend(list.toggles.iter().map(|toggle| {
+            toggle.sample as f64 - 1.0 + toggle.share.to_f64() + comparator.on_ramp(toggle.slope)
+        }));
+        self.edges.sort_by(f64::total_cmp);
     }
 
-    /// The gate of VS1 on a lane: exact at a rim, otherwise half way between the samples that differ.
-    pub fn follow_features<S: Real>(
+    /// A gate that follows presence or video at the samples of a lane: exact at a rim, otherwise half way between the samples
+    /// that differ. Each change is a jump.
+    pub fn follow_samples<S: Real>(
         &mut self,
         vs1: &VideoSwitch,
         features: &FeatureInput<'_, S>,
         lane: usize,
+        comparator: &Comparator<S>,
     ) {
         self.edges.clear();
         let is_open =
@@ -42,6 +47,8 @@ impl GateEdges {
             }
             self.change(&mut open, is_open(sample), step + 0.5);
         }
+        let late = comparator.on_ramp(f64::INFINITY);
+        self.edges.iter_mut().for_each(|edge| *edge += late);
     }
 
     fn change(&mut self, open: &mut bool, now: bool, at: f64) {

@@ -1,4 +1,4 @@
-//! What happens between two samples: rims, and the fades of the switches.
+//! What happens between two samples: rims, the fades of the switches, and the begin and end of local shadow.
 
 use parts::{Fade, Jump, broken_at};
 use scenario::TextureInShadow;
@@ -26,20 +26,23 @@ pub(crate) struct Between<'a, S> {
 impl<S: Real> SwitchScratch<S> {
     /// Lists the breaks of all lanes as they come to the amplifier.
     pub(crate) fn list_breaks(&mut self, mixer: &PartsMixer<S>, inputs: &Inputs<'_, S>, out: &mut Mixed<S>) {
+        let (mut events, mut terminators) =
+            (std::mem::take(&mut self.events), std::mem::take(&mut self.terminators));
         for lane in 0..LANES {
-            let mut events = std::mem::take(&mut self.events);
             self.collect(inputs, lane, &mut events);
             let between = Between { mixer, inputs, scratch: self, lane };
-            let last = inputs.height.len().saturating_sub(1) as f64;
-            for event in events.iter().filter(|event| event.at > 0.0 && event.at < last) {
+            between.find_terminators(&events, &mut terminators);
+            events.append(&mut terminators);
+            sort(&mut events);
+            for event in &events {
                 out.breaks[lane].push(between.break_at(event, out));
                 out.bends[lane].push(event.bend.is_some());
             }
-            self.events = events;
         }
+        (self.events, self.terminators) = (events, terminators);
     }
 
-    /// All instants of a lane, ascending; one of each.
+    /// All instants of a lane but those of local shadow, ascending; one of each.
     fn collect(&self, inputs: &Inputs<'_, S>, lane: usize, events: &mut Vec<Event<S>>) {
         events.clear();
         if let Some(features) = &inputs.features {
@@ -55,8 +58,9 @@ impl<S: Real> SwitchScratch<S> {
         if inputs.shadow.is_some() {
             events.extend(knots(&self.fades[1][lane]));
         }
-        events.sort_by(|a, b| a.at.total_cmp(&b.at).then(b.bend.is_some().cmp(&a.bend.is_some())));
-        events.dedup_by(|next, kept| next.at == kept.at && next.bend.is_none());
+        let last = inputs.height.len().saturating_sub(1) as f64;
+        events.retain(|event| event.at > 0.0 && event.at < last);
+        sort(events);
     }
 }
 
@@ -64,7 +68,31 @@ fn knots<S>(fade: &Fade) -> impl Iterator<Item = Event<S>> + use<'_, S> {
     fade.knots().iter().map(|&[at, _]| Event { at, bend: None })
 }
 
+/// Ascending, and one at each instant: a rim rather than what coincides with it.
+fn sort<S: Real>(events: &mut Vec<Event<S>>) {
+    events.sort_by(|a, b| a.at.total_cmp(&b.at).then(b.bend.is_some().cmp(&a.bend.is_some())));
+    events.dedup_by(|next, kept| next.at == kept.at && next.bend.is_none());
+}
+
 impl<S: Real> Between<'_, S> {
+    /// Where what comes to the limiter before VS2 passes 0, straight between samples and `events`: there local shadow
+    /// begins and ends.
+    fn find_terminators(&self, events: &[Event<S>], found: &mut Vec<Event<S>>) {
+        found.clear();
+        let signed = |sample: usize| self.scratch.signed[sample][self.lane].to_f64();
+        let mut events = events.iter().peekable();
+        for sample in 1..self.scratch.signed.len() {
+            let end = sample as f64;
+            let (mut at, mut value) = (end - 1.0, signed(sample - 1));
+            while let Some(event) = events.next_if(|event| event.at < end) {
+                let [before, after] = self.signed(event.at, sample);
+                found.extend(terminator([at, event.at], [value, before]));
+                (at, value) = (event.at, after);
+            }
+            found.extend(terminator([at, end], [value, signed(sample)]));
+        }
+    }
+
     fn break_at(&self, event: &Event<S>, out: &Mixed<S>) -> Break<S> {
         let sample = event.at.ceil() as usize;
         let share = S::from_f64(event.at - (sample - 1) as f64);
@@ -79,6 +107,22 @@ impl<S: Real> Between<'_, S> {
     /// What comes to the amplifier just before and just after `time` within the step to `sample`.
     fn video(&self, time: f64, sample: usize) -> [f64; 2] {
         let Self { mixer, inputs, scratch, lane } = *self;
+        let mut value = self.signed(time, sample).map(limited);
+        if inputs.shadow.is_some() {
+            let g = scratch.fades[1][lane].at(time);
+            value = [0, 1]
+                .map(|side| mixer.vs2.output([g[side], value[side], 0.0], &scratch.leaks[1], sample, lane));
+        }
+        let behind = match mixer.unit.texture_in_shadow {
+            TextureInShadow::Off => 0.0,
+            TextureInShadow::On => self.texture(time, sample),
+        };
+        value.map(|value| limited(value + behind))
+    }
+
+    /// What comes to the limiter before VS2.
+    fn signed(&self, time: f64, sample: usize) -> [f64; 2] {
+        let Self { mixer, inputs, scratch, lane } = *self;
         let ground = |sample: usize| inputs.reflectivity[sample][lane].to_f64();
         let mut value = broken_at(ground, inputs.reflectivity.len() - 1, &[], time);
         if inputs.features.is_some() {
@@ -89,20 +133,15 @@ impl<S: Real> Between<'_, S> {
             };
             value = [out(0, before), out(1, after)];
         }
-        let share = S::from_f64(time - (sample - 1) as f64);
-        let texture = inputs.texture.unwrap_or_default();
-        let texture = texture_at(texture, lane, sample, share).to_f64();
-        let [grain, behind] = match mixer.unit.texture_in_shadow {
-            TextureInShadow::Off => [texture, 0.0],
-            TextureInShadow::On => [0.0, texture],
-        };
-        value = value.map(|value| limited(value + grain));
-        if inputs.shadow.is_some() {
-            let g = scratch.fades[1][lane].at(time);
-            value = [0, 1]
-                .map(|side| mixer.vs2.output([g[side], value[side], 0.0], &scratch.leaks[1], sample, lane));
+        match mixer.unit.texture_in_shadow {
+            TextureInShadow::Off => value.map(|value| value + self.texture(time, sample)),
+            TextureInShadow::On => value,
         }
-        value.map(|value| limited(value + behind))
+    }
+
+    fn texture(&self, time: f64, sample: usize) -> f64 {
+        let share = S::from_f64(time - (sample - 1) as f64);
+        texture_at(self.inputs.texture.unwrap_or_default(), self.lane, sample, share).to_f64()
     }
 
     /// Input S of VS1.
@@ -111,6 +150,15 @@ impl<S: Real> Between<'_, S> {
         let video = |sample: usize| scratch.video[sample][lane].to_f64();
         broken_at(video, scratch.video.len() - 1, &scratch.jumps[lane], time)
     }
+}
+
+/// Where a straight piece passes 0, if within it.
+fn terminator<S>([from, to]: [f64; 2], [value, target]: [f64; 2]) -> Option<Event<S>> {
+    if value * target >= 0.0 {
+        return None;
+    }
+    let at = from + (to - from) * (value / (value - target));
+    (at > from && at < to).then_some(Event { at, bend: None })
 }
 
 /// Where the video of the features jumps, as it leaves them: beyond what is lit it is the ground's.

@@ -1,7 +1,7 @@
 //! Switches, adder and video amplifier in the order of fig. 28.
 
-use hardware_model::{AnalogParts, MixingParts};
-use parts::{Delay, Fade, Jump, Spread, Tolerance, relative_sigma, time_constant};
+use hardware_model::{AnalogParts, Gate, MixingParts};
+use parts::{Comparator, Delay, Fade, Jump, NoiseSource, Spread, Tolerance, relative_sigma, time_constant};
 use scenario::TextureInShadow;
 use signal::{LANES, Lanes, Real};
 
@@ -18,8 +18,8 @@ pub struct PartsMixer<S> {
     pub(crate) unit: MixingUnit,
     pub(crate) vs1: FadingSwitch<S>,
     pub(crate) vs2: FadingSwitch<S>,
-    /// Delays of the comparators of feature presence and of the shadow gate (steps).
-    late: [f64; 2],
+    /// Comparators of feature presence and of the shadow gate; their offsets are the generators'.
+    comparators: [Comparator<S>; 2],
     video: Option<Amplifier<S>>,
 }
 
@@ -34,6 +34,9 @@ pub struct SwitchScratch<S> {
     pub(crate) video: Vec<Lanes<S>>,
     pub(crate) jumps: [Vec<Jump>; LANES],
     pub(crate) events: Vec<Event<S>>,
+    pub(crate) terminators: Vec<Event<S>>,
+    /// What comes to the limiter before VS2 at the samples: below 0 is local shadow.
+    pub(crate) signed: Vec<Lanes<S>>,
     /// How far a switch is open at the samples.
     open: Vec<Lanes<S>>,
     before: Vec<f64>,
@@ -49,16 +52,16 @@ impl<S: Real> PartsMixer<S> {
         seed: u64,
     ) -> Self {
         let figures = Figures { parts, spread: Spread::new(seed) };
-        let late = |part: &str| {
-            let delay = figures.draw(part, parts.comparator.delay, relative_sigma::SWITCH_DELAY);
-            if delay == 0.0 { 0.0 } else { delay / h }
+        let comparator = |part: &str| {
+            let law = parts.comparator_law(&figures.spread, part, 0);
+            Comparator::new(h, &law, NoiseSource::new(seed, part, 0))
         };
         let bandwidth = parts.video_bandwidth.map(|b| figures.draw("mu.video", b, relative_sigma::BANDWIDTH));
         Self {
             unit: MixingUnit::new(mixing, texture_in_shadow),
             vs1: FadingSwitch::new(h, &figures, "mu.vs1"),
             vs2: FadingSwitch::new(h, &figures, "mu.vs2"),
-            late: [late("fg.comparator"), late("sc.comparator")],
+            comparators: ["fg.comparator", "sc.comparator"].map(comparator),
             video: bandwidth.map(|bandwidth| Amplifier::new(h, time_constant(bandwidth))),
         }
     }
@@ -75,6 +78,7 @@ impl<S: Real> PartsMixer<S> {
         if before_vs2 {
             add(texture, &mut out.reflectivity);
         }
+        scratch.signed.clone_from(&out.reflectivity);
         limit(&mut out.reflectivity);
         if let Some(shadow) = inputs.shadow {
             self.lay_shadow(shadow, scratch, &mut out.reflectivity);
@@ -99,8 +103,12 @@ impl<S: Real> PartsMixer<S> {
     ) {
         scratch.take_video(inputs, features, self.vs1.late.as_ref());
         for lane in 0..LANES {
-            scratch.gate.follow_features(&self.unit.vs1, features, lane);
-            scratch.open(0, lane, self.late[0], &self.vs1);
+            let comparator = &self.comparators[0];
+            match features.gates.filter(|_| self.unit.vs1.gate == Gate::Presence) {
+                Some(gates) => scratch.gate.follow(&gates[lane], comparator),
+                None => scratch.gate.follow_samples(&self.unit.vs1, features, lane, comparator),
+            }
+            scratch.open(0, lane, &self.vs1);
         }
         let SwitchScratch { open, video, leaks: [leaks, _], .. } = scratch;
         self.vs1.leak(&out.reflectivity, Some(video), leaks);
@@ -118,8 +126,8 @@ impl<S: Real> PartsMixer<S> {
         reflectivity: &mut [Lanes<S>],
     ) {
         for (lane, list) in shadow.iter().enumerate() {
-            scratch.gate.follow_shadow(list);
-            scratch.open(1, lane, self.late[1], &self.vs2);
+            scratch.gate.follow(list, &self.comparators[1]);
+            scratch.open(1, lane, &self.vs2);
         }
         let SwitchScratch { open, leaks: [_, leaks], .. } = scratch;
         self.vs2.leak(reflectivity, None, leaks);
@@ -128,11 +136,10 @@ impl<S: Real> PartsMixer<S> {
 }
 
 impl<S: Real> SwitchScratch<S> {
-    /// The fade of a switch whose gate is `gate`, `late` steps behind, and what it is at the samples of a lane.
-    fn open(&mut self, switch: usize, lane: usize, late: f64, part: &FadingSwitch<S>) {
+    /// The fade of a switch whose gate is `gate`, and what it is at the samples of a lane.
+    fn open(&mut self, switch: usize, lane: usize, part: &FadingSwitch<S>) {
         let fade = &mut self.fades[switch][lane];
-        let toggles = self.gate.edges.iter().map(|&edge| edge + late);
-        fade.follow(self.gate.open_at_start, toggles, part.transition);
+        fade.follow(self.gate.open_at_start, self.gate.edges.iter().copied(), part.transition);
         let open = &mut self.open;
         fade.sample(open.len(), |sample, g| open[sample][lane] = S::from_f64(g));
     }

@@ -4,7 +4,7 @@ use std::array;
 
 use hardware_model::{AnalogParts, Gate, MixingParts};
 use parts::{Jump, Spread, Tolerance, broken_at, relative_sigma, time_constant};
-use proptest::prelude::{any, prop_assert, prop_assert_eq, proptest};
+use proptest::prelude::{any, prop_assert, prop_assert_eq, prop_assume, proptest};
 use scenario::TextureInShadow;
 use signal::{Break, LANES, Lanes, Real};
 
@@ -78,11 +78,20 @@ impl Seen {
     }
 }
 
+fn toggle(at: f64, slope: f64) -> Toggle<f64> {
+    Toggle { sample: at as usize + 1, share: at - at.floor(), slope }
+}
+
 /// Ground of reflectivity 0.8, and shadow from `begin` to `end` (samples).
 fn in_shadow(parts: &AnalogParts, begin: f64, end: f64) -> Seen {
+    in_shadow_met_at(parts, [begin, end], [f64::INFINITY; 2])
+}
+
+/// The same, its edges met at `slopes` (full scales a step).
+fn in_shadow_met_at(parts: &AnalogParts, edges: [f64; 2], slopes: [f64; 2]) -> Seen {
     let (height, light) = (signal(|k| k as f64), signal(|_| 0.8));
-    let toggles = [begin, end].map(|at| Toggle { sample: at as usize + 1, share: at - at.floor() });
-    let list = ToggleList { dark_at_start: false, toggles: &toggles };
+    let toggles = [0, 1].map(|side| toggle(edges[side], slopes[side]));
+    let list = ToggleList { open_at_start: false, toggles: &toggles };
     let lists = [list; LANES];
     let inputs =
         Inputs { height: &height, reflectivity: &light, features: None, shadow: Some(&lists), texture: None };
@@ -94,7 +103,19 @@ fn hole(seen: &Seen) -> [f64; 2] {
 }
 
 /// A feature of reflectivity `dim`, growing by `slope` a sample, from `begin` to `end`, on ground of 0.8.
-fn feature(parts: &AnalogParts, [dim, slope]: [f64; 2], [begin, end]: [f64; 2]) -> Seen {
+fn feature(parts: &AnalogParts, light: [f64; 2], rims: [f64; 2]) -> Seen {
+    feature_found_at(parts, light, rims, None)
+}
+
+/// The same; `found`: where its comparator finds its rims, and the slopes at which it meets them (full scales a step).
+fn feature_found_at(
+    parts: &AnalogParts,
+    [dim, slope]: [f64; 2],
+    [begin, end]: [f64; 2],
+    found: Option<[[f64; 2]; 2]>,
+) -> Seen {
+    let toggles = found.map(|edges| edges.map(|[at, slope]| toggle(at, slope)));
+    let lists = toggles.as_ref().map(|toggles| [ToggleList { open_at_start: false, toggles }; LANES]);
     let (height, light) = (signal(|k| k as f64), signal(|_| 0.8));
     let inside = |k: usize| begin <= k as f64 && k as f64 <= end;
     let present = signal(|k| f64::from(u8::from(inside(k))));
@@ -114,6 +135,7 @@ fn feature(parts: &AnalogParts, [dim, slope]: [f64; 2], [begin, end]: [f64; 2]) 
         reflectivity: &video,
         lit: &present,
         kinks: &kinks,
+        gates: lists.as_ref(),
     };
     let inputs = Inputs {
         height: &height,
@@ -147,6 +169,83 @@ proptest! {
         prop_assert!((middle - expected).abs() < 1e-9, "{middle} {expected}");
     }
 
+    /// A13: the delay of a comparator on a ramp of slope s is `t_c + sqrt(2 k_od / s)`, at most 500 ns, at edges of shadow and at
+    /// rims alike, each by its own slope.
+    #[test]
+    fn an_edge_met_slowly_comes_later(
+        begin in 5.0..15.0_f64,
+        width in 20.0..25.0_f64,
+        seconds in 40e-9..400e-9_f64,
+        overdrive in 0.0..400e-12_f64,
+        slopes in proptest::collection::vec(1e-4..0.1_f64, 2),
+    ) {
+        let slow = parts(|parts| {
+            parts.full_scale = 10.0;
+            (parts.comparator.delay, parts.comparator.overdrive) = (seconds, overdrive);
+        });
+        let expected = |slope: f64| {
+            let longest = (12.5 * seconds).min(500e-9);
+            (seconds + (2.0 * overdrive / (10.0 * slope / H)).sqrt()).min(longest) / H
+        };
+        let edges = [begin, begin + width];
+        let shadow = in_shadow_met_at(&slow, edges, [slopes[0], slopes[1]]);
+        for (edge, &slope) in edges.iter().zip(&slopes) {
+            let place = edge + expected(slope);
+            let found = shadow.jumps.iter().any(|jump| jump.before != jump.after && (jump.at - place).abs() < 1e-9);
+            prop_assert!(found, "{place}: {:?}", shadow.jumps);
+        }
+        let rims = feature_found_at(&slow, [0.3, 0.0], edges, Some([[edges[0], slopes[0]], [edges[1], slopes[1]]]));
+        // At the far rim the video has ended before the gate: its near one alone is seen.
+        let place = edges[0] + expected(slopes[0]);
+        let found = rims.jumps.iter().any(|jump| jump.before - jump.after > 0.49 && (jump.at - place).abs() < 1e-9);
+        prop_assert!(found, "{place}: {:?}", rims.jumps);
+    }
+
+    /// Without overdrive the gates are those of comparators that know a delay alone, to the bit.
+    #[test]
+    fn without_overdrive_slopes_and_told_rims_change_no_bit(
+        begin in 5.0..15.0_f64,
+        width in 4.0..15.0_f64,
+        seconds in 0.0..400e-9_f64,
+        slopes in proptest::collection::vec(1e-4..0.1_f64, 2),
+    ) {
+        let slow = parts(|parts| {
+            parts.comparator.delay = seconds;
+            parts.video_switch.time = 70e-9;
+            parts.video_bandwidth = Some(6e6);
+        });
+        let edges = [begin, begin + width];
+        let bits = |seen: Seen| (seen.samples, seen.jumps);
+        let met = in_shadow_met_at(&slow, edges, [slopes[0], slopes[1]]);
+        prop_assert_eq!(bits(met), bits(in_shadow(&slow, edges[0], edges[1])));
+        let told = Some([[edges[0], slopes[0]], [edges[1], slopes[1]]]);
+        let found = feature_found_at(&slow, [0.3, 0.01], edges, told);
+        prop_assert_eq!(bits(found), bits(feature(&slow, [0.3, 0.01], edges)));
+    }
+
+    /// Local shadow begins and ends where its light passes 0 between two samples, in light that runs straight.
+    #[test]
+    fn local_shadow_begins_between_samples(middle in 20.2..39.8_f64, width in 0.3..12.0_f64, slope in 0.01..0.05_f64) {
+        let half = 0.5 * width;
+        let light = signal(|k| slope * ((k as f64 - middle).abs() - half));
+        let height = signal(|k| k as f64);
+        let inputs = Inputs { height: &height, reflectivity: &light, features: None, shadow: None, texture: None };
+        let seen = Seen::of(&mix(&AnalogParts::ideal(), &inputs));
+        let is_straight = |at: f64| (at.floor() - middle) * (at.ceil() - middle) > 0.0;
+        for at in [middle - half, middle + half].into_iter().filter(|&at| is_straight(at)) {
+            prop_assert!(seen.jumps.iter().any(|jump| (jump.at - at).abs() < 1e-9), "{at}: {:?}", seen.jumps);
+            let sunward = (at - middle).signum();
+            for step in [0.05, 0.1] {
+                prop_assume!(is_straight(at + sunward * step) && is_straight(at - sunward * step));
+                prop_assert!((seen.at(at + sunward * step)[0] - slope * step).abs() < 1e-9);
+                prop_assert!(seen.at(at - sunward * step)[0] < 1e-12);
+            }
+        }
+        for jump in &seen.jumps {
+            prop_assert!(jump.before == jump.after && jump.after < 1e-12, "light passes 0, and does not jump: {jump:?}");
+        }
+    }
+
     #[test]
     fn whatever_comes_in_light_goes_out(
         picks in proptest::collection::vec(0..6_usize, SAMPLES),
@@ -158,8 +257,8 @@ proptest! {
         let present = signal(|k| f64::from(u8::from(picks[k] > 2)));
         let none = array::from_fn(|_| Vec::new());
         let features =
-            FeatureInput { height: &light, present: &present, reflectivity: &light, lit: &present, kinks: &none };
-        let shadow = [ToggleList { dark_at_start: true, toggles: &[] }; LANES];
+            FeatureInput { height: &light, present: &present, reflectivity: &light, lit: &present, kinks: &none, gates: None };
+        let shadow = [ToggleList { open_at_start: true, toggles: &[] }; LANES];
         let inputs = Inputs {
             height: &light,
             reflectivity: &light,
@@ -195,15 +294,15 @@ proptest! {
         let mut places: Vec<f64> = toggles.iter().map(|toggle| toggle.0).collect();
         places.sort_by(f64::total_cmp);
         let toggles: Vec<_> =
-            places.iter().map(|&at| Toggle { sample: at as usize + 1, share: at - at.floor() }).collect();
-        let lists = [ToggleList { dark_at_start: false, toggles: &toggles }; LANES];
+            places.iter().map(|&at| toggle(at, f64::INFINITY)).collect();
+        let lists = [ToggleList { open_at_start: false, toggles: &toggles }; LANES];
         let (height, light) = (signal(|k| k as f64), signal(|k| ground[k]));
         let [near, far] = [bound[0].min(bound[1]), bound[0].max(bound[1])];
         let present = signal(|k| f64::from(u8::from(near <= k as f64 && k as f64 <= far)));
         let video = signal(|k| 0.5 * present[k][0]);
         let none = array::from_fn(|_| Vec::new());
         let features =
-            FeatureInput { height: &height, present: &present, reflectivity: &video, lit: &present, kinks: &none };
+            FeatureInput { height: &height, present: &present, reflectivity: &video, lit: &present, kinks: &none, gates: None };
         let inputs = Inputs {
             height: &height,
             reflectivity: &light,
@@ -292,7 +391,7 @@ fn crosstalk_goes_with_the_frequency() {
             0.5 + 0.4 * libm::sin(2.0 * std::f64::consts::PI * megahertz * 1e6 * H * k as f64)
         };
         let (height, light, grain) = (signal(|k| k as f64), signal(wave), signal(|_| 0.5));
-        let shadow = [ToggleList { dark_at_start: true, toggles: &[] }; LANES];
+        let shadow = [ToggleList { open_at_start: true, toggles: &[] }; LANES];
         let inputs = Inputs {
             height: &height,
             reflectivity: &light,
@@ -322,7 +421,7 @@ fn a_rim_keeps_its_place_between_samples() {
 #[test]
 fn texture_grains_shadow_behind_the_switch_and_not_before_it() {
     let (light, grain) = (signal::<f64>(|_| 0.5), signal(|_| 0.125));
-    let shadow = [ToggleList { dark_at_start: true, toggles: &[] }; LANES];
+    let shadow = [ToggleList { open_at_start: true, toggles: &[] }; LANES];
     let inputs = Inputs {
         height: &light,
         reflectivity: &light,

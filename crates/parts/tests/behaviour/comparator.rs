@@ -58,6 +58,10 @@ fn a_ramp_takes_the_root_of_its_slope() {
         let decision = ((2.0 * charge / slope).sqrt()).min(460.0 / 50.0);
         assert_eq!(trips.len(), 1);
         assert_near(trips[0].at.0, passing + decision + 0.8, 1e-10);
+        let comparator = Comparator::<f64>::new(H, &NOMINAL, NoiseSource::new(1, "comparator", 0));
+        assert_near(comparator.on_ramp(slope), decision + 0.8, 1e-10);
+        // A jump needs no charge.
+        assert_near(comparator.on_ramp(f64::INFINITY), 0.8, 1e-12);
     }
 }
 

@@ -2,7 +2,6 @@
 
 use crate::canvas::{Anchor, Area, Canvas};
 use crate::colour::mix;
-use crate::lettering;
 
 use super::clock::View;
 use super::page::{Crossing, RegisterColour};
@@ -91,19 +90,6 @@ impl Verticals {
                 canvas.text(&text, (x, bottom - 11.0), Anchor::Middle, LETTER, palette.soft);
             }
         }
-    }
-
-    /// What the colours mean, from `left` on at `base`; where the text ends.
-    pub fn key(&self, canvas: &mut Canvas, (mut left, base): (f32, f32), size: f32) -> f32 {
-        let palette = canvas.palette();
-        for colour in self.colours() {
-            let patch = Area { left, top: base - 8.0, width: 8.0, height: 8.0 };
-            canvas.fill(patch, colour.of(palette));
-            let text = format!("{} {}", colour.letter(), colour.word());
-            canvas.text(&text, (left + 13.0, base), Anchor::Left, size, palette.soft);
-            left += 13.0 + lettering::width(&text, size) + 14.0;
-        }
-        left
     }
 }
 

@@ -16,6 +16,8 @@ mod clock;
 mod column;
 mod crossing;
 mod cursor;
+mod flow;
+mod key;
 mod lane;
 mod page;
 mod panel;
@@ -29,6 +31,7 @@ use clock::View;
 use column::{LINES, STRIP, Strip};
 use crossing::{CAPS, Verticals};
 use cursor::{Cursors, Readouts};
+use key::Key;
 use lane::{LANE, Lane};
 use panel::{Panel, room_above};
 
@@ -46,8 +49,6 @@ const LEFT: f32 = 96.0;
 const VOLTS: f32 = 54.0;
 /// At the right edge of the page.
 const EDGE: f32 = 22.0;
-/// Row of the key.
-const KEY: f32 = 20.0;
 /// Ticks and labels above the first panel.
 const OTHER: f32 = 26.0;
 /// Ticks and labels below the last lane.
@@ -68,11 +69,21 @@ pub fn scope_picture(scope: &Scope<'_>, look: &ScopeLook) -> Result<Drawing, Plo
         look,
         view: &view,
         verticals: Verticals::new(&scope.crossings, &view),
+        coarse: Verticals::new(&scope.coarse, &view),
         readouts: Readouts::new(scope, &view, &cursors),
         cursors,
         layout,
     };
     page.draw()
+}
+
+/// The same as the text of an SVG file that is light or dark as its reader prefers, whatever the look's theme.
+///
+/// # Errors
+/// Those of [`scope_picture`].
+pub fn scope_svg(scope: &Scope<'_>, look: &ScopeLook) -> Result<String, PlotError> {
+    let [light, dark] = [Theme::Light, Theme::Dark].map(|theme| ScopeLook { theme, ..look.clone() });
+    Ok(scope_picture(scope, &light)?.svg_or_dark(&scope_picture(scope, &dark)?))
 }
 
 fn check(scope: &Scope<'_>, look: &ScopeLook) -> Result<(), PlotError> {
@@ -124,6 +135,7 @@ struct Page<'p, 'a> {
     look: &'p ScopeLook,
     view: &'p View<'a>,
     verticals: Verticals,
+    coarse: Verticals,
     readouts: Readouts,
     cursors: Cursors,
     layout: Layout,
@@ -133,21 +145,30 @@ impl<'p, 'a> Page<'p, 'a> {
     fn draw(&self) -> Result<Drawing, PlotError> {
         let width = self.layout.right - self.layout.left;
         let header = Header::new(&self.look.title, &self.look.facts, width);
-        let caps = if self.verticals.count > 0 { CAPS } else { 0.0 };
-        let top = header.height() + KEY + OTHER + self.cursors.flags() + caps;
+        let room = self.look.width as f32 - EDGE - self.layout.left;
+        let key = Key::new(!self.scope.blanked.is_empty(), &self.verticals, &self.coarse, room);
+        let rows = [&self.verticals, &self.coarse].map(|level| if level.count > 0 { CAPS } else { 0.0 });
+        let axis = header.height() + key.height() + OTHER;
+        let top = axis + self.cursors.flags() + rows[0] + rows[1];
         let (panels, bottom) = self.panels(top)?;
         let lanes = self.lanes(bottom);
         let bottom = lanes.last().map_or(bottom, |lane| lane.area.bottom() + 4.0);
         let height = bottom + BELOW + self.readouts.height();
         let mut canvas = Canvas::of(self.look.theme.palette(), self.look.width, height.ceil() as u32);
         header.draw(&mut canvas, self.layout.left);
-        self.key(&mut canvas, header.height() + 8.0);
-        self.axes(&mut canvas, header.height() + KEY + OTHER, bottom);
-        self.cursors.draw_flags(&mut canvas, self.view, header.height() + KEY + OTHER + 2.0);
+        key.draw(&mut canvas, self.layout.left, header.height() + 8.0);
+        self.axes(&mut canvas, axis, bottom);
+        self.cursors.draw_flags(&mut canvas, self.view, axis + 2.0);
         let areas = panels.iter().map(|panel| panel.area).chain(lanes_area(&lanes)).collect::<Vec<_>>();
         areas.iter().for_each(|area| self.background(&mut canvas, *area));
         if let Some(first) = areas.first() {
-            self.verticals.caps(&mut canvas, top.min(first.top));
+            let bottom = top.min(first.top);
+            self.verticals.caps(&mut canvas, bottom);
+            if self.coarse.count > 0 {
+                self.coarse.caps(&mut canvas, bottom - rows[0]);
+                let at = (self.layout.left - 10.0, bottom - rows[0] - 2.0);
+                canvas.text("coarse", at, Anchor::Right, SMALL, canvas.palette().soft);
+            }
         }
         panels.iter().for_each(|panel| panel.grid(&mut canvas));
         panels.iter().for_each(|panel| panel.draw(&mut canvas));
@@ -197,27 +218,6 @@ impl<'p, 'a> Page<'p, 'a> {
             }
         }
         self.verticals.draw(canvas, area);
-    }
-
-    /// What shades and colours mean.
-    fn key(&self, canvas: &mut Canvas, base: f32) {
-        let (mut left, palette) = (self.layout.left, canvas.palette());
-        if !self.scope.blanked.is_empty() {
-            let patch = Area { left, top: base - 9.0, width: 20.0, height: 11.0 };
-            canvas.fill(patch, palette.shade);
-            canvas.border(patch, palette.faint);
-            canvas.text("blanked", (left + 26.0, base), Anchor::Left, SMALL, palette.soft);
-            left += 26.0 + lettering::width("blanked", SMALL) + 24.0;
-        }
-        if self.verticals.count > 0 {
-            let (count, drawn) = (self.verticals.count, self.verticals.drawn());
-            let some = if drawn < count { format!(", {drawn} drawn") } else { String::new() };
-            let plural = if count == 1 { "" } else { "s" };
-            let text = format!("{count} region crossing{plural}{some}; loaded there:");
-            canvas.text(&text, (left, base), Anchor::Left, SMALL, palette.soft);
-            let at = (left + lettering::width(&text, SMALL) + 12.0, base);
-            self.verticals.key(canvas, at, SMALL);
-        }
     }
 
     /// The axis of the page below `bottom`, the other one above `top`.

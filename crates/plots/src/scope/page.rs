@@ -15,6 +15,8 @@ pub struct Scope<'a> {
     pub lanes: Vec<LogicLane<'a>>,
     /// Where the sweep passes from region to region, in any order.
     pub crossings: Vec<Crossing>,
+    /// The same of the coarse level, where there is one.
+    pub coarse: Vec<Crossing>,
     /// Stretches that are not written, as begin and end.
     pub blanked: Vec<[f64; 2]>,
     /// What the sweep leaves in the picture.

@@ -8,7 +8,8 @@ use crate::frame::{SMALL, TEXT};
 use crate::lettering;
 
 use super::clock::View;
-use super::page::{Curves, Upright};
+use super::flow::{flow, rows};
+use super::page::{Curve, Curves, Upright};
 
 /// Height of a row of the legend.
 const ROW: f32 = 18.0;
@@ -35,24 +36,15 @@ pub(crate) fn styled(canvas: &mut Canvas, points: &[(f32, f32)], width: f32, ind
     }
 }
 
-/// Rows that the legend takes within `width`, as places of the names.
+/// Places of the names of the legend within `width`.
 fn legend(curves: &Curves<'_>, width: f32) -> Vec<(usize, f32)> {
-    let (mut places, mut row, mut left) = (Vec::new(), 0, 0.0);
-    for curve in &curves.curves {
-        let needs = SWATCH + 6.0 + lettering::width(curve.name, SMALL);
-        if left > 0.0 && left + needs > width {
-            (row, left) = (row + 1, 0.0);
-        }
-        places.push((row, left));
-        left += needs + 24.0;
-    }
-    places
+    let needs = |curve: &Curve<'_>| SWATCH + 6.0 + lettering::width(curve.name, SMALL);
+    flow(curves.curves.iter().map(needs), 24.0, width)
 }
 
 /// Pixels above a panel for its legend.
 pub(crate) fn room_above(curves: &Curves<'_>, width: f32) -> f32 {
-    let rows = legend(curves, width).last().map_or(1, |(row, _)| row + 1);
-    ABOVE + ROW * rows as f32
+    ABOVE + ROW * rows(&legend(curves, width)) as f32
 }
 
 /// A panel of curves over a stretch of the sweep.

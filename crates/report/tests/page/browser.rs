@@ -32,20 +32,34 @@ fn source(browser: &Browser) -> String {
     source.as_str().unwrap().to_owned()
 }
 
+/// Index of the picture that is shown.
+fn shown_picture(browser: &Browser) -> u64 {
+    let picture = browser.value("document.getElementById('frame').dataset.picture");
+    picture.as_str().unwrap().parse().unwrap()
+}
+
+/// Grey of the middle of the picture that is shown: every frame has another.
+fn grey(browser: &Browser) -> u64 {
+    let script = "(image => { const canvas = document.createElement('canvas'); canvas.width = 64; canvas.height = 36; \
+                  const context = canvas.getContext('2d'); context.drawImage(image, 0, 0); \
+                  return context.getImageData(0, 18, 1, 1).data[0]; })(document.getElementById('frame'))";
+    browser.value(script).as_u64().unwrap()
+}
+
 #[test]
 fn keys_step_frames() {
     let Some((_run, browser, _turn)) = shown([1280, 900]) else { return };
     let at = || browser.text("number").parse::<u64>().unwrap();
-    assert_eq!((at(), source(&browser).as_str()), (5, "frames/frame-000005.png"));
+    assert_eq!((at(), shown_picture(&browser), grey(&browser)), (5, 5, 5));
     browser.press(RIGHT);
     browser.press(RIGHT);
-    assert_eq!((at(), source(&browser).as_str()), (7, "frames/frame-000007.png"));
+    assert_eq!((at(), shown_picture(&browser), grey(&browser)), (7, 7, 7));
     assert_eq!([browser.text("time"), browser.text("north")], ["0.700 s", "107.00 m"]);
     assert_eq!(browser.text("pitch"), "\u{2212}2.50°");
     browser.press(LEFT);
     assert_eq!(at(), 6);
     browser.press(END);
-    assert_eq!((at(), source(&browser).as_str()), (34, "frames/frame-000034.png"));
+    assert_eq!((at(), shown_picture(&browser), grey(&browser)), (34, 34, 34));
     browser.press(RIGHT);
     assert_eq!(at(), 34);
     browser.press(HOME);
@@ -186,24 +200,76 @@ fn dark_and_light() {
     quiet(&browser);
 }
 
-#[test]
-fn alone_it_shows_its_own_small_frames() {
-    let Some((run, browser, _turn)) = shown([1280, 900]) else { return };
+/// The page of `run`, changed, in a folder of its own.
+fn mailed(run: &RunFolder, change: impl Fn(String) -> String) -> (tempfile::TempDir, String) {
     let alone = tempfile::tempdir().unwrap();
     let page = alone.path().join("mailed.html");
-    std::fs::copy(run.join("index.html"), &page).unwrap();
-    browser.go(&format!("file://{}", page.display()));
+    std::fs::write(&page, change(std::fs::read_to_string(run.join("index.html")).unwrap())).unwrap();
+    let address = format!("file://{}", page.display());
+    (alone, address)
+}
+
+#[test]
+fn alone_it_has_every_frame() {
+    let Some((run, browser, _turn)) = shown([1280, 900]) else { return };
+    let (_alone, address) = mailed(&run, |page| page);
+    browser.go(&address);
+    for picture in 5..35 {
+        assert_eq!((shown_picture(&browser), grey(&browser)), (picture, picture));
+        browser.press(RIGHT);
+    }
+    assert_eq!(browser.value("document.getElementById('reduced').hidden"), true);
+    let plot = browser.value("document.querySelector('.scope img').src");
+    assert!(plot.as_str().unwrap().starts_with("data:image/svg"));
+    quiet(&browser);
+}
+
+/// As if the frames were too large: a page that has every tenth of them.
+#[test]
+fn frames_that_it_does_not_have_are_read_from_beside_it() {
+    let Some((run, browser, _turn)) = shown([1280, 900]) else { return };
+    let all: Vec<u64> = (5..35).collect();
+    let some = |page: String| {
+        let all = format!("\"film\":{}", serde_json::json!(all));
+        assert!(page.contains(&all));
+        page.replace(&all, "\"film\":[5,15,25]")
+    };
+    let page = std::fs::read_to_string(run.join("index.html")).unwrap();
+    std::fs::write(run.join("index.html"), some(page)).unwrap();
+    browser.go("about:blank");
+    browser.go(&address(&run));
     browser.press(RIGHT);
-    assert!(source(&browser).starts_with("data:image/png"));
+    assert_eq!((source(&browser).as_str(), shown_picture(&browser)), ("frames/frame-000006.png", 6));
+    let (_alone, address) = mailed(&run, |page| page);
+    browser.go(&format!("{address}#frame=12"));
+    assert_eq!((browser.text("number").as_str(), grey(&browser)), ("12", 15));
     assert_eq!(browser.value("document.getElementById('reduced').hidden"), false);
-    assert_eq!(browser.value("document.getElementById('frame').naturalWidth"), 64);
-    assert!(
-        browser
-            .value("document.querySelector('.scope img').src")
-            .as_str()
-            .unwrap()
-            .starts_with("data:image/svg")
+    browser.press(&RIGHT.repeat(3));
+    assert_eq!(
+        (grey(&browser), browser.value("document.getElementById('reduced').hidden")),
+        (15, true.into())
     );
+}
+
+/// What the plots say of themselves in the dark is what the page asks for.
+#[test]
+fn plots_are_dark_on_a_dark_page() {
+    let Some((run, browser, _turn)) = shown([1280, 900]) else { return };
+    // The plot is an image: what it looks like is known once it is drawn again.
+    let corner = || {
+        let script = "(image => { const canvas = document.createElement('canvas'); canvas.width = 9; canvas.height = 4; \
+                      const context = canvas.getContext('2d'); context.drawImage(image, 0, 0, 9, 4); \
+                      return context.getImageData(8, 3, 1, 1).data[0]; })(document.querySelector('.scope img'))";
+        browser.value(script).as_u64().unwrap()
+    };
+    browser.value("document.querySelectorAll('.scope img').forEach(image => { image.loading = 'eager'; })");
+    browser.press("");
+    assert_eq!(corner(), 255);
+    browser.press("d");
+    assert_eq!(corner(), 18);
+    browser.press("d");
+    assert_eq!(corner(), 255);
+    drop(run);
 }
 
 /// Nothing sticks out at any width, and what is shown does not move when frames come.

@@ -95,7 +95,9 @@ impl RunFolder {
         };
         let path = self.join(&plot.file());
         let svg = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 90 40\"><text x=\"4\" y=\"20\">{frame} {sweep}</text></svg>"
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"90\" height=\"40\" viewBox=\"0 0 90 40\">\
+             <style>@media (prefers-color-scheme:dark){{[fill=\"#ffffff\"]{{fill:#12151a}}}}</style>\
+             <path d=\"M0 0H90V40H0Z\" fill=\"#ffffff\"/><text x=\"4\" y=\"20\">{frame} {sweep}</text></svg>"
         );
         fs::write(&path, svg).unwrap();
         plot.blake3 = file_hash(&path).unwrap();

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use report::{BESIDE, Beside, ReportError, write_page};
+use report::{BESIDE, Beside, ReportError, UnitLine, write_page};
 use serde_json::{Value, json};
 
 use crate::run_folder::RunFolder;
@@ -43,7 +43,8 @@ fn texts_of_a_scenario_cannot_become_markup() {
         page.contains("A &lt;bump&gt; &amp; more")
             && page.contains("the ground has none &amp; &lt;never&gt;")
     );
-    assert_eq!(page.matches("</script>").count(), 2);
+    // Colours, data, script, and the second frame.
+    assert_eq!(page.matches("</script>").count(), 4);
     assert_eq!(data(&page)["stage"], "'scenarios/it'\\''s.toml' --sweeps 32");
 }
 
@@ -88,9 +89,31 @@ fn every_section_says_what_it_has() {
         assert!(page.contains(part), "{part}");
     }
     assert!(!page.contains("late words"), "counters that are zero are not named");
-    assert_eq!(page.matches("src=\"data:image/png;base64,").count(), 24);
+    // The contact sheet, and the first frame.
+    assert_eq!(page.matches("src=\"data:image/png;base64,").count(), 25);
+    assert_eq!(page.matches("type=\"text/plain\"").count(), 29);
+    assert!(page.contains("All frames are part of this file, byte for byte."));
     assert_eq!(data(&page)["poses"].as_array().unwrap().len(), 30);
     assert_eq!(data(&page)["scopes"], json!([[1, 3]]));
+}
+
+/// Units that do nothing need no row, and of a plot of many signals it is told how they were asked for.
+#[test]
+fn what_is_long_is_told_shortly() {
+    let run = RunFolder::new(0, 3);
+    let mut beside = run.beside(&[(1, 3)]);
+    let timing = beside.timing.as_mut().unwrap();
+    let idle = UnitLine { unit: "drum.0".into(), least: 0.0, mean: 0.0, most: 0.0, longest_queue: 0 };
+    timing.units.extend([idle.clone(), UnitLine { unit: "drum.1".into(), ..idle }]);
+    beside.scopes[0].signals = (0..13).map(|number| format!("tg.wire{number}")).collect();
+    beside.write(run.path()).unwrap();
+    let page = run.page();
+    assert!(page.contains("At rest throughout: drum.0, drum.1."));
+    assert!(page.contains("loader.red</th>") && !page.contains("drum.0</th>"));
+    assert!(page.contains("tg.* (13 signals)") && !page.contains("tg.wire3"));
+    beside.scopes[0].signals.pop();
+    beside.write(run.path()).unwrap();
+    assert!(run.page().contains("tg.wire3"));
 }
 
 #[test]

@@ -6,21 +6,22 @@
 //! ```
 //!
 //! **Law.** A line generator is off by `e` (share of full scale F, the length of the segment in it), so it and the sweep meet
-//! where they are apart by `e F` metres; a comparator of hysteresis V_h answers `V_h F / 2` beyond. With r the rate at which they
-//! part (metres a metre of range; for a line across the sweep near 1) the crossing moves along the sweep by
-//! `e F / r + V_h F / (2 |r|)`: the first either way, the second outwards, alike at both edges of a shadow.
-//! **Parameters.** [`hardware_model::ShadowLineParts`], `comparator.hysteresis`. The comparator's delay t_c moves both
-//! edges by v t_c more; it is the mixing unit's, which has the gate.
+//! where they are apart by `e F` metres; a comparator of offset o and hysteresis V_h answers where they are apart by `o F` and
+//! `V_h F / 2` beyond. With r the rate at which they part (metres a metre of range; for a line across the sweep near 1) the
+//! crossing moves along the sweep by `(e + o) F / r + V_h F / (2 |r|)`: the first either way, the second outwards, alike at
+//! both edges of a shadow. What the comparator sees there has the slope `|r| / F` (full scales a metre).
+//! **Parameters.** [`hardware_model::ShadowLineParts`], `comparator.hysteresis`, `comparator.offset`. The comparator's delay
+//! moves both edges by v t_c more, and by what a ramp of that slope costs; it is the mixing unit's, which has the gate.
 //! **State and timing.** None. Crossings that change their order are the same two changes of the gate.
 //! **Elaboration.** Without errors and hysteresis this is not there; the scan converter has no line generators.
 //! **Our choices.** Line generators take turns, crossing by crossing; of any number [`MOST`] differ. A line that the sweep
 //! meets at a rate below 0.1 counts as one of that rate: outlines have many segments, and another is met first. The segment's
 //! point is taken off before multiplier and comparator, and their gain is set with the load: against the ground range
 //! of a sweep an error of 0.25 % would be 12 m, and no shadow of the foreground would be where it is.
-//! **Not modelled.** Overdrive of these comparators, bits of the registers.
+//! **Not modelled.** Bits of the registers.
 
 use hardware_model::{AnalogParts, ShadowParts};
-use parts::Spread;
+use parts::{GateEdge, Spread};
 
 use crate::Gate;
 
@@ -30,7 +31,7 @@ pub const MOST: u32 = 64;
 /// The line generators of a machine, drawn once from the seed of the model.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PartsLines {
-    /// Of each line generator (share of full scale).
+    /// Of each line generator, with the offset of its comparator (share of full scale).
     errors: Vec<f64>,
     /// Half the hysteresis (share).
     behind: f64,
@@ -41,19 +42,23 @@ impl PartsLines {
     pub fn new(controller: &ShadowParts, parts: &AnalogParts, seed: u64) -> Option<Self> {
         let ShadowParts::Digital { line_generators } = *controller else { return None };
         let (spread, count) = (Spread::new(seed), line_generators.unwrap_or(MOST).clamp(1, MOST));
-        let error = |index: u32| spread.error("sc.line-generator", u64::from(index), parts.shadow_line.error);
+        let error = |index: u32| {
+            let index = u64::from(index);
+            spread.error("sc.line-generator", index, parts.shadow_line.error)
+                + parts.comparator_law(&spread, "sc.comparator", index).offset
+        };
         Some(Self { errors: (0..count).map(error).collect(), behind: 0.5 * parts.comparator.hysteresis })
     }
 
-    /// Ground ranges (m, ascending) at which the gate changes, into `toggles`.
-    pub fn displace(&self, gate: &Gate, toggles: &mut Vec<f64>) {
-        toggles.clear();
-        let turns = self.errors.iter().cycle();
-        let crossings = gate.toggles.iter().zip(&gate.swings).zip(turns);
-        toggles.extend(
-            crossings.map(|((&range, &swing), &error)| range + error * swing + self.behind * swing.abs()),
-        );
-        toggles.sort_by(f64::total_cmp);
+    /// Where the gate changes, ascending, into `edges`.
+    pub fn displace(&self, gate: &Gate, edges: &mut Vec<GateEdge>) {
+        edges.clear();
+        let crossings = gate.edges().zip(&gate.swings).zip(self.errors.iter().cycle());
+        edges.extend(crossings.map(|((edge, &swing), &error)| {
+            let range = edge.range + error * swing + self.behind * swing.abs();
+            GateEdge { range, ..edge }
+        }));
+        edges.sort_by(|a, b| a.range.total_cmp(&b.range));
     }
 }
 

@@ -1,7 +1,7 @@
 //! Displaced edges against the crossing of displaced lines.
 
 use hardware_model::{AnalogParts, ShadowParts};
-use parts::Spread;
+use parts::{GateEdge, Spread};
 use proptest::prelude::{prop_assert, proptest};
 use remote_shadow::Segment;
 
@@ -61,7 +61,7 @@ proptest! {
             let out = if n[0].abs() > n[1].abs() { n[0] } else { n[1] };
             prop_assert!(rate.abs() < 0.1 * out.abs() || {
                 let expected = range + error * out / rate;
-                found.iter().any(|found| (found - expected).abs() < 1e-6)
+                found.iter().any(|found| (found.range - expected).abs() < 1e-6)
             }, "{index}: {found:?}");
         }
     }
@@ -74,19 +74,41 @@ fn hysteresis_moves_both_edges_away_from_the_viewer() {
     lines(0.0, 0.001).displace(&gate, &mut found);
     assert_eq!(found.len(), 2);
     for (found, edge) in found.iter().zip([940.0, 1060.0]) {
-        assert!((found - edge - 0.06).abs() < 1e-9, "{found}");
+        assert!((found.range - edge - 0.06).abs() < 1e-9, "{found:?}");
     }
+}
+
+/// On the ramp that a comparator sees an offset V is `V / s`, either way: here against the same line displaced.
+#[test]
+fn an_offset_moves_an_edge_by_itself_over_the_slope() {
+    let (gate, mut found) = (gate([1000.0, 0.0], 0.3, 0.01), Vec::new());
+    let mut parts = AnalogParts::ideal();
+    (parts.full_scale, parts.comparator.offset) = (10.0, 5e-3);
+    PartsLines::new(&ONE, &parts, 1970).unwrap().displace(&gate, &mut found);
+    let offset = Spread::new(1970).error("sc.comparator.offset", 0, 5e-4);
+    assert!(offset.abs() > 1e-5 && found.len() == 2);
+    for (edge, right) in found.iter().zip(gate.edges()) {
+        // Square of 120 m turned by 0.3: its sides part from a sweep by cos 0.29 / cos 0.3 a metre, of 120 m.
+        let slope = libm::cos(0.29) / libm::cos(0.3) / FULL_SCALE;
+        assert!((edge.slope - slope).abs() < 1e-12, "{edge:?} {slope}");
+        // Both sides part from the sweep the same way.
+        let moved = gate.swings[0].signum() * offset / slope;
+        assert!((edge.range - right.range - moved).abs() < 1e-9, "{edge:?} {right:?} {moved}");
+    }
+    // One comparator, two parallel sides: the shadow is moved and keeps its width.
+    let width = |edges: &[GateEdge]| edges[1].range - edges[0].range;
+    assert!((width(&found) - width(&gate.edges().collect::<Vec<_>>())).abs() < 1e-9);
 }
 
 #[test]
 fn edges_that_pass_each_other_stay_in_order_and_none_is_lost() {
     let gate =
         Gate { toggles: vec![100.0, 100.5, 101.0], swings: vec![100.0, -100.0, 1000.0], ..Gate::default() };
-    let mut found = vec![7.0];
+    let mut found = vec![GateEdge { range: 7.0, slope: 1.0 }];
     lines(0.003, 0.0).displace(&gate, &mut found);
-    assert!(found.len() == 3 && found.windows(2).all(|pair| pair[0] <= pair[1]));
+    assert!(found.len() == 3 && found.windows(2).all(|pair| pair[0].range <= pair[1].range));
     lines(0.0, 0.0).displace(&gate, &mut found);
-    assert_eq!(found, gate.toggles);
+    assert_eq!(found, gate.edges().collect::<Vec<_>>());
 }
 
 #[test]

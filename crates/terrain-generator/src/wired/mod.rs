@@ -17,16 +17,22 @@
 //! datum is trimmed (our choice): an offset of a thousandth of a mountain would bury the eye.
 
 mod basis;
-mod chain;
+mod converters;
+mod parts_array;
 mod ramp;
+mod run;
 mod scale;
+mod state;
 mod summer;
+mod terms;
 #[cfg(test)]
 mod tests;
+mod timing;
 
-pub(crate) use chain::Tap;
-pub use chain::{ArrayState, PartsArray};
+pub use parts_array::PartsArray;
+pub(crate) use parts_array::Tap;
 pub use scale::Scale;
+pub use state::ArrayState;
 
 use std::ops::Range;
 

@@ -4,6 +4,8 @@ use quantities::unit_interval;
 use signal::LANES;
 use sweep_program::SweepProgram;
 
+mod when;
+
 use super::{ArrayState, PartsArray, Wired};
 use crate::programs::program;
 use crate::{OUT_OF_SIGHT, Polynomials, Profile, TerrainGenerator};

@@ -19,7 +19,8 @@ fn changed(change: impl FnOnce(&mut TimingRecord)) -> Comparison {
 
 fn places(comparison: &Comparison) -> Vec<&str> {
     let of_frames = comparison.frames.iter().flat_map(|frame| &frame.differences);
-    comparison.head.iter().chain(of_frames).map(|difference| difference.place.as_str()).collect()
+    let of_mission = comparison.head.iter().chain(&comparison.before_mission);
+    of_mission.chain(of_frames).map(|difference| difference.place.as_str()).collect()
 }
 
 /// Pointers to every single value of a document.
@@ -87,6 +88,7 @@ fn expect_change_is_found(record: &TimingRecord, way: &str) {
     let places = places(&comparison);
     let text = comparison.text(99);
     let named = match key {
+        "unit" | "task" if way.starts_with("/before_mission") => "before_mission.",
         "unit" => "units.",
         "deadline" | "sweep" | "crossing" | "colour" | "register" | "part" | "crater" => "miss (",
         key => key,

@@ -91,20 +91,26 @@ fn unescaped(text: &str) -> Option<String> {
 }
 
 #[test]
-fn one_case_a_frame_and_one_for_the_head() {
+fn one_case_a_frame_one_for_the_head_and_one_for_the_tasks_before() {
     let mut found = small();
     found.scenario = "mare & \"drive\" <2>\u{1}".into();
     found.frames[1].folds += 1;
+    found.before_mission[1].ticks += 1;
     let comparison = compare(&small(), &found, &Tolerance::default());
     let document = comparison.junit(10);
     let root = parse(&document).expect("XML");
-    assert_eq!((root.attribute("tests"), root.attribute("failures")), ("3", "2"));
+    assert_eq!((root.attribute("tests"), root.attribute("failures")), ("4", "3"));
     let suite = &root.children[0];
     assert_eq!(suite.attribute("name"), "timing mare & \"drive\" <2>\u{FFFD} pra-nominal");
     let names: Vec<_> = suite.children.iter().map(|case| case.attribute("name")).collect();
-    assert_eq!(names, ["head", "frame 12", "frame 13"]);
-    assert!(suite.children[1].children.is_empty());
-    let failure = &suite.children[2].children[0];
+    assert_eq!(names, ["head", "before the mission", "frame 12", "frame 13"]);
+    assert_eq!(
+        suite.children[1].children[0].text,
+        "-before_mission.drum.fine.first-sector.ticks: 350000\n\
+         +before_mission.drum.fine.first-sector.ticks: 350001\n"
+    );
+    assert!(suite.children[2].children.is_empty());
+    let failure = &suite.children[3].children[0];
     assert_eq!((failure.name.as_str(), failure.attribute("message")), ("failure", "differences: 1"));
     assert_eq!(failure.text, "-folds: 9400\n+folds: 9401\n");
     assert!(suite.children[0].children[0].text.contains("+scenario: mare & \"drive\" <2>\u{FFFD}"));
@@ -118,7 +124,7 @@ fn a_long_failure_is_cut() {
     found.frames[0].events += 1;
     let document = compare(&small(), &found, &Tolerance::default()).junit(1);
     let root = parse(&document).expect("XML");
-    let failure = &root.children[0].children[1].children[0];
+    let failure = &root.children[0].children[2].children[0];
     assert_eq!(failure.text, "-ticks: 666667\n+ticks: 666668\nand 2 more\n");
 }
 
@@ -137,7 +143,7 @@ proptest! {
         let document = comparison.junit(limit.into());
         let root = parse(&document).unwrap_or_else(|rest| panic!("stops before {rest:?}"));
         let suite = &root.children[0];
-        assert_eq!(suite.children.len(), comparison.frames.len() + 1);
+        assert_eq!(suite.children.len(), comparison.frames.len() + 2);
         let failures = suite.children.iter().filter(|case| !case.children.is_empty()).count();
         assert_eq!(suite.attribute("failures"), failures.to_string());
         assert_eq!(failures == 0, comparison.is_met());

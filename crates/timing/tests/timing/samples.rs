@@ -7,7 +7,8 @@ use proptest::option;
 use proptest::prelude::{Just, Strategy, any, prop_oneof};
 use proptest::sample::select;
 use timing::{
-    Cause, Deadline, EventHash, FORMAT, FrameTiming, Missed, Sets, Slack, TimingRecord, UnitUse, Vertices,
+    Cause, Deadline, EventHash, FORMAT, FrameTiming, Missed, MissionTask, Sets, Slack, TimingRecord, UnitUse,
+    Vertices,
 };
 
 fn slack_of(ticks: impl IntoIterator<Item = i64>) -> Slack {
@@ -56,6 +57,10 @@ pub fn starved_corner() -> Missed {
     }
 }
 
+fn mission_task(unit: &str, task: &str, pieces: u64, ticks: u64) -> MissionTask {
+    MissionTask { unit: unit.into(), task: task.into(), pieces, ticks }
+}
+
 /// Two frames: a clean one, and one with two misses.
 pub fn small() -> TimingRecord {
     let mut events = EventHash::new();
@@ -96,6 +101,10 @@ pub fn small() -> TimingRecord {
         machine: "pra-nominal".into(),
         inputs: "0123abcd".into(),
         master: "20000000 Hz".into(),
+        before_mission: vec![
+            mission_task("cpu", "sine-table", 525, 531_300),
+            mission_task("drum.fine", "first-sector", 16, 350_000),
+        ],
         frames: vec![clean, faulty],
     }
 }
@@ -183,13 +192,20 @@ pub fn record() -> impl Strategy<Value = TimingRecord> {
     let frames = btree_map(any::<u64>(), frame(), 1..4).prop_map(|frames| {
         frames.into_iter().map(|(number, frame)| FrameTiming { frame: number, ..frame }).collect()
     });
-    (Just(FORMAT), text(), text(), "[0-9a-f]{1,64}", text(), frames).prop_map(
-        |(format, scenario, machine, inputs, master, frames)| TimingRecord {
+    let tasks = btree_map((text(), text()), (1..u64::MAX, 1..u64::MAX), 0..4).prop_map(|tasks| {
+        let task = |((unit, task), (pieces, ticks)): ((String, String), _)| {
+            mission_task(&unit, &task, pieces, ticks)
+        };
+        tasks.into_iter().map(task).collect()
+    });
+    (Just(FORMAT), text(), text(), "[0-9a-f]{1,64}", text(), tasks, frames).prop_map(
+        |(format, scenario, machine, inputs, master, before_mission, frames)| TimingRecord {
             format,
             scenario,
             machine,
             inputs,
             master,
+            before_mission,
             frames,
         },
     )

@@ -1,7 +1,7 @@
 //! Where the beam goes off and on: A13, A14, A15.
 
 use hardware_model::AnalogParts;
-use parts::time_constant;
+use parts::{Spread, time_constant};
 use proptest::prelude::{prop_assert, proptest};
 use scenario::{Curvature, Occlusion};
 use signal::{Break, Breaks, LANES, Lanes};
@@ -17,7 +17,12 @@ fn crest(top: f64) -> impl Fn(f64) -> f64 {
     move |k| 0.5 - BEND * (k - top) * (k - top)
 }
 
-/// Delay of a comparator (steps) against an input that leaves its threshold at `slope` shares a step.
+/// A comparator of this delay, which takes twice as long at 3.75e-4 of full scale: 3.75 mV of 10 V.
+fn late(parts: &mut AnalogParts, seconds: f64) {
+    (parts.comparator.delay, parts.comparator.overdrive) = (seconds, 3.75e-4 * seconds * parts.full_scale);
+}
+
+/// Delay of such a comparator (steps) against an input that leaves its threshold at `slope` shares a step.
 fn delay(seconds: f64, slope: f64) -> f64 {
     let charge = 3.75e-4 * seconds / H;
     let most = (12.5 * seconds).min(seconds.max(500e-9)) - seconds;
@@ -29,7 +34,7 @@ fn first_off(out: &Driven<f64>) -> f64 {
 }
 
 fn slow(seconds: f64) -> AnalogParts {
-    parts(|parts| parts.comparator.delay = seconds)
+    parts(|parts| late(parts, seconds))
 }
 
 proptest! {
@@ -130,15 +135,45 @@ fn hidden_ground_returns_at_the_crest_with_the_errors_of_the_hold() {
 #[test]
 fn a_late_return_is_late_by_delay_and_hysteresis() {
     let rate = 0.005;
-    let late = parts(|parts| {
+    let slow = parts(|parts| {
         parts.comparator.hysteresis = 0.004;
-        parts.comparator.delay = 100e-9;
+        late(parts, 100e-9);
     });
-    let out = run(Occlusion::PeakHold, &late, 200, hollow(40.0, 90.0, rate));
+    let out = run(Occlusion::PeakHold, &slow, 200, hollow(40.0, 90.0, rate));
     let [[_, off], [on, _]] = out.on[0][..] else { panic!("{:?}", out.on[0]) };
     let held = 0.002 / rate + delay(100e-9, rate);
     assert!((off - (40.0 + held)).abs() < 1e-9, "{off}");
     assert!((on - (140.0 + held)).abs() < 1e-9, "{on}");
+}
+
+/// An offset moves the thresholds together: on a ramp of slope s by `o / s`, down and up alike.
+#[test]
+fn an_offset_moves_the_edges_by_itself_over_the_slope() {
+    let rate = 0.005;
+    for volts in [0.5e-3, 2e-3] {
+        let off_by = parts(|parts| {
+            parts.comparator.hysteresis = 0.02;
+            parts.comparator.offset = volts;
+        });
+        let offset = Spread::new(1970).error("dpp.hold.comparator.offset", 0, volts);
+        assert!(offset.abs() > 1e-4 && offset.abs() < 0.01);
+        let out = run(Occlusion::PeakHold, &off_by, 200, hollow(40.0, 90.0, rate));
+        let [[_, off], [on, _]] = out.on[0][..] else { panic!("{:?}", out.on[0]) };
+        assert!((off - (40.0 + (0.01 - offset) / rate)).abs() < 1e-9, "{off}");
+        assert!((on - (140.0 + (0.01 + offset) / rate)).abs() < 1e-9, "{on}");
+    }
+}
+
+/// The comparator behind the differentiator: on a parabola the derivative's slope is `2 bend tau_d / h` a step.
+#[test]
+fn an_offset_finds_a_fall_sooner_or_later() {
+    for volts in [0.5e-3, 2e-3] {
+        let off_by = parts(|parts| parts.comparator.offset = volts);
+        let offset = Spread::new(1970).error("dpp.derivative.comparator.offset", 0, volts);
+        let out = run(Occlusion::Derivative, &off_by, 60, crest(25.3));
+        let expected = 25.3 + offset / (2.0 * BEND * DERIVATIVE / H);
+        assert!(offset != 0.0 && (first_off(&out) - expected).abs() < 1e-9, "{} {expected}", first_off(&out));
+    }
 }
 
 #[test]
@@ -155,8 +190,7 @@ fn noise_makes_the_return_jitter_by_sigma_over_slope() {
 fn a_dip_shorter_than_the_delay_still_leaves_its_gap() {
     // The peak detector has followed the rise when the blank comes.
     let rate = 0.02;
-    let late = parts(|parts| parts.comparator.delay = 200e-9);
-    let out = run(Occlusion::PeakHold, &late, 80, hollow(40.0, 41.0, rate));
+    let out = run(Occlusion::PeakHold, &slow(200e-9), 80, hollow(40.0, 41.0, rate));
     let [[_, off], [on, end]] = out.on[0][..] else { panic!("{:?}", out.on[0]) };
     let held = delay(200e-9, rate);
     assert!((off - 40.0 - held).abs() < 1e-9, "{off}");
@@ -227,7 +261,7 @@ fn an_aperture_takes_what_there_was() {
 fn a_peak_detector_does_not_mind_a_short_aperture() {
     let late = |aperture: f64| {
         let parts = parts(|parts| {
-            parts.comparator.delay = 100e-9;
+            late(parts, 100e-9);
             parts.sample_hold.aperture = aperture;
         });
         run(Occlusion::PeakHold, &parts, 200, hollow(40.0, 90.0, 0.005)).on

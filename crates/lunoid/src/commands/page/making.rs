@@ -81,6 +81,7 @@ impl Making<'_> {
             machine: self.model.name.clone(),
             inputs: String::new(),
             master: master.to_string(),
+            before_mission: Vec::new(),
             frames,
         };
         beside.timing = Some(TimingSummary::of(&record, 1.0 / master.hertz()));

@@ -18,6 +18,7 @@ use crate::{Failure, Verdict};
 
 pub use making::Making;
 pub use request::{Request, check};
+pub use words::words;
 
 const AFTER: &str = "Example:
   lunoid page runs/first-light

@@ -11,7 +11,7 @@ use signal::{Axis, Probe, Waveform};
 
 use super::{Making, Request};
 use crate::Failure;
-use crate::commands::scope::{NEEDS, Recorded, ScopeArgs, write_picture};
+use crate::commands::scope::{NEEDS, Recorded, columns_of, light_or_dark_svg};
 
 /// Draws a plot of every sweep asked for that `beside` does not have, and adds it there.
 pub fn record(making: &Making, poses: &[PoseRow], folder: &Path, beside: &mut Beside) -> Result<(), Failure> {
@@ -66,9 +66,11 @@ fn plot(
         wires: &session.wires(),
         wanted: &wanted,
         settings,
+        columns: &columns_of(making.job.stage.landscape.bank()),
     };
     let path = folder.join(scope_name(row.frame, sweep));
-    write_picture(&path, &recorded, &ScopeArgs::default())?;
+    let svg = light_or_dark_svg(&recorded)?;
+    files::write_atomic(&path, |out| out.write_all(svg.as_bytes()))?;
     Ok(ScopePlot {
         frame: row.frame,
         sweep,

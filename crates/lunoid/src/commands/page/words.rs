@@ -18,6 +18,7 @@ pub fn words(stage: &StageArgs) -> Vec<String> {
         ScalarWord::F64 => "f64",
     };
     stage.scalar.iter().for_each(|word| option("--scalar", scalar(word).to_owned()));
+    stage.shadow_cache.iter().for_each(|folder| option("--shadow-cache", path(folder)));
     let flags = [(stage.lossless, "--lossless"), (stage.everything, "--everything")];
     words.extend(flags.into_iter().filter(|(is_given, _)| *is_given).map(|(_, word)| word.to_owned()));
     words
@@ -44,7 +45,7 @@ mod tests {
     fn they_choose_the_same_stage() {
         assert_eq!(given(&["a.toml"]), ["a.toml"]);
         let all = "a.toml --machine m --overlay o.toml --set raster.sweeps=5 --set dpp.curvature=none --bank b \
-                   --sweeps 40 --samples 80 --scalar f64 --everything";
+                   --sweeps 40 --samples 80 --scalar f64 --shadow-cache shadows --everything";
         let all: Vec<&str> = all.split_whitespace().collect();
         assert_eq!(given(&all), all);
         let again: Vec<String> = given(&all);

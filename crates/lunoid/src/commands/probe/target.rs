@@ -2,33 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::ValueEnum;
+use clap::builder::PossibleValue;
 use waveform::Format;
 
 use crate::Failure;
 
-/// A kind of file, as `--format` says it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum FormatWord {
-    /// A table, a row a sample.
-    Csv,
-    /// Value changes as text, for every viewer.
-    Vcd,
-    /// Value changes for GTKWave and Surfer.
-    Fst,
-    /// Arrays of numpy.
-    Npz,
-    /// A document.
-    Json,
-    /// Vectors of ngspice, in volts.
-    Raw,
-    /// A session of sigrok, in volts.
-    Sr,
-    /// A page of the scope.
-    Png,
-    /// The same, as vectors.
-    Svg,
-}
+/// Pictures of a sweep, by the ending of their names.
+const PICTURES: [(&str, &str); 2] = [("png", "A page of the scope"), ("svg", "The same, as vectors")];
 
 /// What a command writes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,17 +19,21 @@ pub enum Target {
     Picture,
 }
 
+/// The words of `--format`.
+pub fn words() -> Vec<PossibleValue> {
+    let formats = Format::ALL.map(|format| PossibleValue::new(format.name()).help(format.meaning()));
+    let pictures = PICTURES.map(|(name, meaning)| PossibleValue::new(name).help(meaning));
+    formats.into_iter().chain(pictures).collect()
+}
+
 impl Target {
-    /// By `--format`, else by the name of the file.
-    pub fn of(format: Option<FormatWord>, out: &Path) -> Result<Self, Failure> {
+    /// By a word of `--format`, else by the name of the file.
+    pub fn of(word: Option<&str>, out: &Path) -> Result<Self, Failure> {
         let ending = out.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
-        let word = match format {
-            Some(word) => word,
-            None => FormatWord::from_str(ending, false).map_err(|_| unknown(out))?,
-        };
-        let name = word.name();
+        let name = word.unwrap_or(ending);
         match Format::ALL.into_iter().find(|format| format.name() == name) {
             Some(format) => Ok(Self::Waveforms(format)),
+            None if !PICTURES.iter().any(|(picture, _)| *picture == name) => Err(unknown(out)),
             None if ending == name => Ok(Self::Picture),
             None => Err(Failure::usage(format!(
                 "--out {}: expected a name that ends in .{name} for --format {name}",
@@ -67,16 +51,10 @@ impl Target {
     }
 }
 
-impl FormatWord {
-    fn name(self) -> String {
-        self.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default()
-    }
-}
-
 fn unknown(out: &Path) -> Failure {
-    let words = FormatWord::value_variants().iter().map(|word| format!(".{}", word.name()));
-    let words = words.collect::<Vec<_>>().join(", ");
-    Failure::usage(format!("--out {}: expected a name that ends in {words}, or --format", out.display()))
+    let words = words();
+    let endings = words.iter().map(|word| format!(".{}", word.get_name())).collect::<Vec<_>>().join(", ");
+    Failure::usage(format!("--out {}: expected a name that ends in {endings}", out.display()))
 }
 
 /// The names of files, as they are told.
@@ -90,15 +68,15 @@ mod tests {
 
     use waveform::Format;
 
-    use super::{FormatWord, Target};
+    use super::Target;
 
     #[test]
     fn names_and_words() {
         let of = |format, out| Target::of(format, Path::new(out));
         assert_eq!(of(None, "a.fst").ok(), Some(Target::Waveforms(Format::Fst)));
-        assert_eq!(of(Some(FormatWord::Csv), "a.txt").ok(), Some(Target::Waveforms(Format::Csv)));
+        assert_eq!(of(Some("csv"), "a.txt").ok(), Some(Target::Waveforms(Format::Csv)));
         assert_eq!(of(None, "a.svg").ok(), Some(Target::Picture));
-        for (format, out) in [(None, "a.txt"), (None, "a"), (Some(FormatWord::Png), "a.svg")] {
+        for (format, out) in [(None, "a.txt"), (None, "a"), (Some("png"), "a.svg")] {
             assert!(of(format, out).is_err(), "{out}");
         }
     }

@@ -13,8 +13,8 @@ use waveform::{Format, Header, SweepTraces, WaveformError, estimate, open};
 use crate::Failure;
 use crate::output::tell;
 
-/// Values that are held at once: 64 MB.
-pub const WINDOW: usize = 8 << 20;
+/// Values that are held at once: 32 MB. The allocator keeps up to as much again for each thread.
+pub const WINDOW: usize = 4 << 20;
 /// What is written without being asked twice (bytes).
 const MOST_BYTES: u64 = 2_000_000_000;
 /// Sweeps by which the size is judged.

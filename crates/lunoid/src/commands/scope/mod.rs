@@ -6,7 +6,7 @@ mod page;
 use std::path::Path;
 
 use hardware_model::Settings;
-use plots::{Drawing, scope_picture};
+use plots::{Drawing, scope_picture, scope_svg};
 use signal::{Waveform, Wire};
 
 use crate::Failure;
@@ -14,8 +14,16 @@ use crate::Failure;
 pub use args::ScopeArgs;
 
 /// Signals that a page needs beside those that it shows: its axes, what it shades, its crossings and the picture column.
-pub const NEEDS: [&str; 6] =
-    ["sweep.range", "sweep.fold.x", "sweep.fold.y", "dpp.blank", "dpp.y", "sm.write"];
+pub const NEEDS: [&str; 8] = [
+    "sweep.range",
+    "sweep.fold.x",
+    "sweep.fold.y",
+    "sweep.coarse.fold.x",
+    "sweep.coarse.fold.y",
+    "dpp.blank",
+    "dpp.y",
+    "sm.write",
+];
 
 /// What was recorded of one sweep.
 #[derive(Debug, Clone, Copy)]
@@ -30,6 +38,8 @@ pub struct Recorded<'a> {
     pub wanted: &'a [&'a str],
     /// Clocks and display of the run.
     pub settings: &'a Settings,
+    /// Corners to the east of the fine and of the coarse level: a corner's number is told as its place.
+    pub columns: &'a [usize],
 }
 
 /// Writes the page of one sweep.
@@ -37,9 +47,21 @@ pub fn write_picture(path: &Path, recorded: &Recorded<'_>, args: &ScopeArgs) -> 
     draw(recorded, args)?.write(path).map_err(Failure::output)
 }
 
+/// The text of an SVG file of one sweep, light or dark as its reader prefers.
+pub fn light_or_dark_svg(recorded: &Recorded<'_>) -> Result<String, Failure> {
+    let page = page::Page::new(recorded)?;
+    let look = ScopeArgs::default().look(recorded.title, page.facts());
+    scope_svg(&page.scope()?, &look).map_err(Failure::usage)
+}
+
 /// Draws the page of one sweep.
 pub fn draw(recorded: &Recorded<'_>, args: &ScopeArgs) -> Result<Drawing, Failure> {
     let page = page::Page::new(recorded)?;
     let look = args.look(recorded.title, page.facts());
     scope_picture(&page.scope()?, &look).map_err(Failure::usage)
+}
+
+/// Corners to the east of each level of a bank.
+pub fn columns_of(bank: &landscape::Bank) -> Vec<usize> {
+    bank.levels().iter().map(|level| level.corners()[1]).collect()
 }

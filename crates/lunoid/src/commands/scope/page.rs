@@ -56,7 +56,8 @@ impl<'a> Page<'a> {
             clock: Clock { ranges: &self.range.values, period },
             panels: self.panels(),
             lanes: self.lanes(),
-            crossings: self.crossings(),
+            crossings: self.crossings("sweep"),
+            coarse: self.crossings("sweep.coarse"),
             blanked: find(self.recorded, "dpp.blank").map_or(Vec::new(), |gate| stretches(&gate.values)),
             column: (!self.grey.is_empty()).then_some(column),
         })
@@ -93,18 +94,40 @@ impl<'a> Page<'a> {
 
     fn lanes(&self) -> Vec<LogicLane<'_>> {
         let digital = self.shown.iter().filter(|waveform| waveform.signal.kind != Kind::Analog);
-        digital.map(|waveform| LogicLane { name: waveform.signal.name, logic: logic(waveform) }).collect()
+        digital.map(|waveform| LogicLane { name: waveform.signal.name, logic: self.logic(waveform) }).collect()
+    }
+
+    fn logic(&self, waveform: &Waveform) -> Logic {
+        let changes = || instants(waveform).into_iter();
+        match (waveform.signal.axis, waveform.signal.kind) {
+            (Axis::Ground, _) => Logic::sampled(&waveform.values),
+            (_, Kind::Gate) => Logic::Levels(changes().map(|(at, value)| (at, value > 0.5)).collect()),
+            (_, Kind::Event) => {
+                Logic::Pulses(changes().map(|(at, value)| (at, format!("{value}"))).collect())
+            }
+            _ => {
+                let name = waveform.signal.name;
+                let word = |value: f64| (value >= 0.0).then(|| self.corner(name, value as usize));
+                Logic::Words(changes().map(|(at, value)| (at, word(value))).collect(), colour(name))
+            }
+        }
+    }
+
+    /// A corner by its north and east index.
+    fn corner(&self, register: &str, number: usize) -> String {
+        let columns = self.recorded.columns.get(usize::from(register.contains(".coarse."))).filter(|count| **count > 0);
+        columns.map_or_else(|| number.to_string(), |count| format!("{},{}", number / count, number % count))
     }
 
     /// What each fold of a ramp loads: the corners on the side that the sweep comes to (section 6.3).
-    fn crossings(&self) -> Vec<Crossing> {
+    fn crossings(&self, ramps: &str) -> Vec<Crossing> {
         use RegisterColour::{Black, Green, Red, Yellow};
         let axes = [
-            ("sweep.fold.x", [[Red, Green], [Yellow, Black]]),
-            ("sweep.fold.y", [[Red, Black], [Green, Yellow]]),
+            ("fold.x", [[Red, Green], [Yellow, Black]]),
+            ("fold.y", [[Red, Black], [Green, Yellow]]),
         ];
         let of_axis = |(name, loads): (&str, [[RegisterColour; 2]; 2])| {
-            let folds = find(self.recorded, name).map_or(Vec::new(), instants);
+            let folds = find(self.recorded, &format!("{ramps}.{name}")).map_or(Vec::new(), instants);
             folds.into_iter().map(move |(at, stop)| Crossing { at, loads: loads[usize::from(stop > 0.5)] })
         };
         axes.into_iter().flat_map(of_axis).collect()
@@ -127,22 +150,6 @@ fn grey(recorded: &Recorded<'_>) -> Result<Vec<f64>, Failure> {
 
 fn instants(waveform: &Waveform) -> Vec<(f64, f64)> {
     waveform.times.iter().copied().zip(waveform.values.iter().copied()).collect()
-}
-
-fn logic(waveform: &Waveform) -> Logic {
-    let changes = || instants(waveform).into_iter();
-    match (waveform.signal.axis, waveform.signal.kind) {
-        (Axis::Ground, _) => Logic::sampled(&waveform.values),
-        (_, Kind::Gate) => Logic::Levels(changes().map(|(at, value)| (at, value > 0.5)).collect()),
-        (_, Kind::Event) => Logic::Pulses(changes().map(|(at, value)| (at, format!("{value}"))).collect()),
-        _ => {
-            let word = |value: f64| (value >= 0.0).then(|| format!("{value}"));
-            Logic::Words(
-                changes().map(|(at, value)| (at, word(value))).collect(),
-                colour(waveform.signal.name),
-            )
-        }
-    }
 }
 
 /// The colour whose registers a signal is of, by its name.

@@ -4,14 +4,16 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use exact::Columns;
-use hardware_model::{BUILT_IN, HardwareModel, ModelSource};
+use hardware_model::{BUILT_IN, HardwareModel, ModelSource, Settings};
 use serde_json::{Value, json};
 use study::ladder::{Extent, Ladder, LadderOutcome, OrderOutcome, ladders};
-use study::{Advice, Effort, ExactPictures, Rehearsed, SelfError, StudyError, Subject, advise, climb, csv, table};
+use study::{
+    Advice, Effort, ExactPictures, Rehearsed, SelfError, StudyError, Subject, advise, climb, csv, table,
+};
 
 use super::plots::write_plots;
 use crate::cli::COMMIT;
-use crate::loading::{EXACT, StageArgs, Threads};
+use crate::loading::{EXACT, Loaded, StageArgs, Threads};
 use crate::output::{print, print_json, table as columns, tell};
 use crate::{Failure, Verdict};
 
@@ -20,6 +22,8 @@ const MOST_FRAMES: usize = 3;
 /// Repetitions that are timed.
 const REPETITIONS: u32 = 5;
 const QUICK_REPETITIONS: u32 = 3;
+/// A quick study has so many times fewer sweeps, columns and lines.
+const QUICK_SHARE: u32 = 4;
 /// How near a measured order must come to theory.
 const WITHIN: f64 = 0.2;
 
@@ -49,7 +53,7 @@ pub struct ErrorStudy {
     /// This ladder alone; may be given several times.
     #[arg(long, value_name = "LADDER")]
     only: Vec<String>,
-    /// A few rungs of each ladder.
+    /// A few rungs of each ladder, on a quarter of the sweeps, columns and lines.
     #[arg(long)]
     quick: bool,
     /// Folder for tables, plots and the pictures of `exact`.
@@ -82,16 +86,22 @@ impl ErrorStudy {
             )));
         }
         let mut loaded = self.stage.load()?;
+        if self.quick {
+            quarter(&mut loaded)?;
+        }
         let frames = self.frames(loaded.frames())?;
         let pool = self.threads.pool()?;
         let stage = loaded.stage(&pool)?;
-        let subject =
-            Subject::new(loaded.scenario, loaded.model, stage, &frames).map_err(Failure::input)?;
+        let subject = Subject::new(loaded.scenario, loaded.model, stage, &frames).map_err(Failure::input)?;
         let outcome = pool.install(|| self.study(&subject))?;
         if let Some(folder) = &self.out {
             outcome.write(folder)?;
         }
-        if self.json { print_json(&outcome.json())? } else { print(&outcome.text())? }
+        if self.json {
+            print_json(&outcome.json())?
+        } else {
+            print(&outcome.text())?
+        }
         Ok(Verdict::Yes)
     }
 
@@ -165,6 +175,20 @@ impl ErrorStudy {
     }
 }
 
+/// A quarter of the sweeps, columns and lines: a sixteenth of `exact`, a quarter of the machine.
+fn quarter(loaded: &mut Loaded) -> Result<(), Failure> {
+    let settings = &loaded.settings;
+    let share = |count: u32| Some((count / QUICK_SHARE).max(1));
+    let raster = &mut loaded.scenario.raster;
+    raster.sweeps = share(settings.raster.sweeps);
+    raster.columns = share(settings.raster.columns);
+    raster.lines = share(settings.raster.lines);
+    let smaller = stage::settings(&loaded.scenario, &loaded.model).map_err(Failure::input)?;
+    loaded.settings =
+        Settings { economy: settings.economy, shadow_cache: settings.shadow_cache.clone(), ..smaller };
+    Ok(())
+}
+
 /// Pictures that cannot be kept are a failure of an output; everything else comes of what was read.
 fn failure(error: StudyError) -> Failure {
     match error {
@@ -189,12 +213,7 @@ impl Outcome {
 
     fn facts(&self) -> String {
         let frames: Vec<String> = self.frames.iter().map(u64::to_string).collect();
-        format!(
-            "{}, frame {}, {} threads, commit {COMMIT}",
-            self.title,
-            frames.join(", "),
-            self.threads
-        )
+        format!("{}, frame {}, {} threads, commit {COMMIT}", self.title, frames.join(", "), self.threads)
     }
 
     fn text(&self) -> String {
@@ -212,7 +231,8 @@ impl Outcome {
     fn page(&self) -> String {
         let mut text = format!("{}. {}\n", self.facts(), self.exact.sentence());
         for ladder in &self.ladders {
-            text += &format!("\n### {}\n\n![{} against time]({}.svg)\n\n", ladder.what, ladder.name, ladder.name);
+            text +=
+                &format!("\n### {}\n\n![{} against time]({}.svg)\n\n", ladder.what, ladder.name, ladder.name);
             for (row, cells) in table(ladder).iter().enumerate() {
                 text += &format!("| {} |\n", cells.join(" | "));
                 if row == 0 {
@@ -228,7 +248,9 @@ impl Outcome {
 
     fn write(&self, folder: &Path) -> Result<(), Failure> {
         let put = |name: &str, text: &str| {
-            files::write_atomic(folder.join(name), |out: &mut dyn std::io::Write| out.write_all(text.as_bytes()))
+            files::write_atomic(folder.join(name), |out: &mut dyn std::io::Write| {
+                out.write_all(text.as_bytes())
+            })
         };
         put("error.json", &format!("{:#}\n", self.json()))?;
         put("error.csv", &csv(&self.ladders))?;

@@ -15,7 +15,8 @@ const PICTURE: &str = "RMSE of the picture against exact (1 = white)";
 
 /// `all.svg` and `all.png` of the ladders of frames, and a plot of each ladder under its own name.
 pub fn write_plots(folder: &Path, facts: &str, ladders: &[LadderOutcome]) -> Result<(), Failure> {
-    let of_frames: Vec<&LadderOutcome> = ladders.iter().filter(|ladder| ladder.unit_of_work == "frame").collect();
+    let of_frames: Vec<&LadderOutcome> =
+        ladders.iter().filter(|ladder| ladder.unit_of_work == "frame").collect();
     draw_front(folder, "all", "Error against run time", facts, &of_frames)?;
     for ladder in ladders {
         draw_front(folder, ladder.name, ladder.what, facts, &[ladder])?;
@@ -81,7 +82,8 @@ fn draw_order(
         .collect();
     let Some((_, middle)) = drawn.get(drawn.len() / 2) else { return Ok(()) };
     let steps: Vec<f64> = drawn.iter().map(|(_, point)| point[0]).collect();
-    let ends = [steps.iter().copied().fold(f64::INFINITY, f64::min), steps.iter().copied().fold(0.0, f64::max)];
+    let ends =
+        [steps.iter().copied().fold(f64::INFINITY, f64::min), steps.iter().copied().fold(0.0, f64::max)];
     let guide = SlopeGuide {
         name: format!("order {}", expected.order),
         order: expected.order,

@@ -22,7 +22,8 @@ use sweep_generator::RangeTable;
 use self::tell::Told;
 use self::trace::{Trace, remembered};
 use super::rehearsal::Rehearsal;
-use crate::loading::{Loaded, StageArgs, Threads};
+use crate::frame::FrameArgs;
+use crate::loading::Loaded;
 use crate::output::{expect_writable, print, print_json};
 use crate::progress::Display;
 use crate::{Failure, Verdict};
@@ -38,12 +39,7 @@ every column that differs is traced to lines of the timing record or is the work
 #[command(after_help = AFTER)]
 pub struct Columns {
     #[command(flatten)]
-    stage: StageArgs,
-    #[command(flatten)]
-    threads: Threads,
-    /// Frame, counted at the update rate.
-    #[arg(long)]
-    frame: u64,
+    chosen: FrameArgs,
     /// A column differs if any pixel of it is off by more levels of 255 than this.
     #[arg(long, default_value_t = 8, value_parser = clap::value_parser!(u32).range(0..=254))]
     levels: u32,
@@ -65,15 +61,15 @@ impl Columns {
     /// Traces.
     pub fn run(&self) -> Result<Verdict, Failure> {
         self.out.as_deref().map_or(Ok(()), expect_writable)?;
-        let (rehearsal, frames) = Rehearsal::open(&self.stage, &self.threads, |loaded| self.choose(loaded))?;
+        let (rehearsal, frames) = Rehearsal::open(&self.chosen.stage, &self.chosen.threads, |loaded| self.choose(loaded))?;
         let record = rehearsal.record(&frames, &Display::new(!self.no_progress))?;
         let settings = &rehearsal.stage.settings;
         let table = RangeTable::new(&settings.range, settings.raster.samples as usize);
-        let (four, seen) = four::draw(&rehearsal, self.frame)?;
+        let (four, seen) = four::draw(&rehearsal, self.chosen.frame)?;
         let trace = Trace::new(&rehearsal, &record, &table, &seen)?;
         let columns = verdict::judge(&four, self.levels, |pixel, way| trace.is_reached(pixel, way));
         let told = Told {
-            title: format!("{} on {}, frame {}", record.scenario, record.machine, self.frame),
+            title: format!("{} on {}, frame {}", record.scenario, record.machine, self.chosen.frame),
             levels: self.levels,
             compared: four.machine.columns(),
             columns: &columns,
@@ -95,12 +91,8 @@ impl Columns {
 
     /// The frame, behind those that its tube still shows.
     fn choose(&self, loaded: &Loaded) -> Result<Vec<u64>, Failure> {
-        let (frame, end) = (self.frame, loaded.frames());
-        if frame >= end {
-            return Err(Failure::usage(format!(
-                "--frame {frame}: the scenario has frames 0..{end}; expected one of them"
-            )));
-        }
+        let frame = self.chosen.frame;
+        self.chosen.expect_in(loaded)?;
         let earlier = remembered(&loaded.settings, frame);
         Ok(earlier.into_iter().rev().chain([frame]).collect())
     }

@@ -1,7 +1,7 @@
 //! The chain of waits that ends at the worst deadline of each kind.
 
 use generator::Stage;
-use hardware_model::{CrossingServer, Loader};
+use hardware_model::{CrossingServer, IoProcessor, Loader};
 use machine::FrameSweeps;
 use quantities::{SweepClock, SweepTime};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
@@ -169,13 +169,17 @@ impl Explained<'_> {
     fn links(&self, sets: &[AskedSet], index: usize, asked: i64, came: i64) -> Vec<Link> {
         let loader = self.loader;
         let unit = unit_of(loader, sets[index].colour);
+        let IoProcessor { chain, edit, .. } = loader.channel_programme();
         let access = accesses(loader) * loader.access as i64;
-        let begin = came - loader.strobe as i64 - access - loader.pointer as i64;
+        let [chain, edit] = [chain as i64, i64::from(SET) * edit as i64];
+        let begin = came - loader.strobe as i64 - access - edit - loader.pointer as i64 - chain;
         let words = loader.words_per_access.min(SET);
         [
             self.wait(sets, index, asked, begin),
+            link(&unit, "command of the chain", chain),
             link(&unit, "pointer arithmetic", loader.pointer as i64),
             link(&unit, format!("accesses: {}, of {words} words each", accesses(loader)), access),
+            link(&unit, "words edited", edit),
             link(&unit, "strobe", loader.strobe as i64),
         ]
         .into_iter()
@@ -196,10 +200,10 @@ impl Explained<'_> {
         before.sort_by_key(|set| set.came.map(|came| self.arrival(came)));
         let names: Vec<String> =
             before.iter().map(|set| format!("{} of crossing {}", name(set), set.asked.number)).collect();
-        let server = loader.served_by == CrossingServer::CpuInterrupt;
-        let what = match (names.is_empty(), server) {
-            (true, false) => "waits".to_owned(),
-            (true, true) => "interrupt recognised".to_owned(),
+        let what = match (names.is_empty(), loader.served_by) {
+            (true, CrossingServer::WiredPointers) => "waits".to_owned(),
+            (true, CrossingServer::IoProcessor) => "order that starts the chain".to_owned(),
+            (true, CrossingServer::CpuInterrupt) => "interrupt recognised".to_owned(),
             (false, _) => format!("waits behind {}", names.join(", ")),
         };
         link(unit, what, until - asked)

@@ -8,11 +8,12 @@ use timing::{Deadline, Slack, TimingRecord, Totals};
 use crate::Failure;
 
 /// Panels, and how the names of their units begin.
-const PANELS: [(&str, &[&str]); 4] = [
+const PANELS: [(&str, &[&str]); 5] = [
     ("processors (%)", &["cpu", "io-processor"]),
     ("loader (%)", &["loader."]),
     ("fine drums (%)", &["drum.fine."]),
     ("coarse drums (%)", &["drum.coarse."]),
+    ("channels (%)", &["channel."]),
 ];
 
 /// A name, and its steps.

@@ -68,6 +68,8 @@ impl Rehearsal {
     /// The timing record of `frames`, ascending, at least one.
     pub fn record(&self, frames: &[u64], display: &Display) -> Result<TimingRecord, Failure> {
         let poses = self.poses(frames)?;
+        let first = self.poses(&[0])?[0].pose;
+        let before_mission = self.pool.install(|| self.control.before_mission(&first));
         display.hear(Progress::Begins { what: "timing", frames: frames.len() as u64, kept: 0 });
         let mut kept: Vec<FrameTiming> = Vec::with_capacity(frames.len());
         let mut misses = 0;
@@ -85,6 +87,7 @@ impl Rehearsal {
             machine: self.model.name.clone(),
             inputs: inputs_hash(&self.scenario, &self.stage),
             master: self.stage.settings.timebase.master.to_string(),
+            before_mission: before_mission.map_err(Failure::input)?,
             frames: kept,
         })
     }

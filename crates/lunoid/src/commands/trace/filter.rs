@@ -6,7 +6,7 @@ use machine::{DigitalEvent, EventWord};
 use sweep_program::Colour;
 
 /// Units as the timing record calls them, and the first words of their names.
-const UNITS: [&str; 12] = [
+const UNITS: [&str; 14] = [
     "dpu",
     "loader",
     "loader.yellow",
@@ -19,6 +19,8 @@ const UNITS: [&str; 12] = [
     "drum.fine",
     "drum.coarse",
     "registers",
+    "feature-generator",
+    "shadow-controller",
 ];
 
 const LEVELS: [&str; 2] = ["fine", "coarse"];
@@ -26,9 +28,9 @@ const LEVELS: [&str; 2] = ["fine", "coarse"];
 /// What an event must be to be listed.
 #[derive(Debug, Clone, Default, Args)]
 pub struct Filter {
-    /// Units, separated by commas; `loader` is those of all colours.
-    #[arg(long, value_name = "UNITS", value_delimiter = ',', hide_possible_values = true,
-          value_parser = PossibleValuesParser::new(UNITS))]
+    /// Units, separated by commas: dpu, loader (all colours) or loader.COLOUR, io-processor, cpu, registers, drum or
+    /// drum.LEVEL or drum.LEVEL.NUMBER, feature-generator, shadow-controller.
+    #[arg(long, value_name = "UNITS", value_delimiter = ',', value_parser = unit)]
     pub unit: Vec<String>,
     /// Events, separated by commas.
     #[arg(long, value_name = "EVENTS", value_delimiter = ',',
@@ -49,7 +51,24 @@ pub struct Filter {
     pub to: Option<u64>,
 }
 
+/// A unit, the first words of some, or one drum by its number.
+fn unit(text: &str) -> Result<String, String> {
+    let text = text.trim();
+    let is_drum = text.rsplit_once('.').is_some_and(|(drums, number)| {
+        matches!(drums, "drum.fine" | "drum.coarse") && number.parse::<u32>().is_ok()
+    });
+    match is_drum || UNITS.contains(&text) {
+        true => Ok(text.to_owned()),
+        false => Err(format!("expected {}, or a drum by its number, as drum.fine.0", UNITS.join(", "))),
+    }
+}
+
 impl Filter {
+    /// Whether an event of one of `words` may be listed.
+    pub fn may_pass(&self, words: &[EventWord], unit: &str) -> bool {
+        words.iter().any(|word| is_among(&self.event, Some(word.name()))) && self.has_unit(unit)
+    }
+
     /// Whether an event is listed.
     pub fn passes(&self, event: &DigitalEvent) -> bool {
         let (ticks, colour) = (event.tick.0, event.colour.map(Colour::name));

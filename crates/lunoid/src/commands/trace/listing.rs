@@ -19,7 +19,7 @@ pub enum Form {
 }
 
 const CSV: &str = "tick,time_us,sweep,unit,event,level,crossing,axis,stop,colour,register,corner_north,corner_east,\
-                   words,mask,slack_ticks,cause,comes_sample,set_up_of\n";
+                   words,mask,slack_ticks,cause,comes_sample,set_up_of,part,crater,range_m\n";
 
 /// A listing that is being written.
 pub struct Listing<'a> {
@@ -37,7 +37,7 @@ impl<'a> Listing<'a> {
         let [start, end] = frame.ticks().map(|tick| tick.0);
         match form {
             Form::Text => print(&format!(
-                "frame {}: ticks {start}..{end} of {}\n{:>12} {:>11} {:>5}  {:<13} {:<11}\n",
+                "frame {}: ticks {start}..{end} of {}\n{:>12} {:>11} {:>5}  {:<22} {:<15}\n",
                 frame.number, frame.timebase.master, "tick", "µs", "sweep", "unit", "event"
             ))?,
             Form::Csv => print(CSV)?,
@@ -90,7 +90,7 @@ impl<'a> Listing<'a> {
         let _ = match self.form {
             Form::Text => writeln!(
                 text,
-                "{:>12} {time:>11.3} {:>5}  {:<13} {:<11} {}",
+                "{:>12} {time:>11.3} {:>5}  {:<22} {:<15} {}",
                 event.tick.0,
                 or_empty(event.sweep),
                 event.unit.to_string(),
@@ -137,12 +137,15 @@ fn details(event: &DigitalEvent) -> String {
     words.extend(event.fold.map(|fold| format!("{} at {}", axis_word(fold.axis), stop_number(fold.stop))));
     words.extend(event.colour.map(|colour| colour.name().to_owned()));
     words.extend(event.register.map(|register| register.name().to_owned()));
+    words.extend(event.crater.map(|crater| format!("crater {crater}")));
+    words.extend(event.part.map(|part| part.to_string()));
+    words.extend(event.range.map(|range| format!("at {range:.2} m")));
     words.extend(event.corner.map(|[m, n]| format!("corner {m} {n}")));
     words.extend(Some(event.words).filter(|words| *words > 0).map(|count| format!("words {count}")));
-    // All nine words of a set need no mask.
+    // All nine words of a set need no mask; what is loaded into other parts comes whole.
     words.extend(
         Some(event.mask.0)
-            .filter(|mask| *mask != 0 && *mask != 0x1ff)
+            .filter(|mask| *mask != 0 && *mask != 0x1ff && event.range.is_none())
             .map(|mask| format!("mask {mask:#05x}")),
     );
     words.extend(event.crossing.map(|crossing| format!("crossing {crossing}")));
@@ -180,6 +183,9 @@ fn row(event: &DigitalEvent, time: f64) -> String {
         or_empty(event.cause.map(cause_word)),
         or_empty(event.comes.map(|comes| comes.0)),
         or_empty(event.other),
+        or_empty(event.part),
+        or_empty(event.crater),
+        or_empty(event.range),
     ]
     .join(",")
 }
@@ -204,5 +210,8 @@ fn document(event: &DigitalEvent, time: f64) -> Value {
         "cause": event.cause.map(cause_word),
         "comes_sample": event.comes.map(|comes| comes.0),
         "set_up_of": event.other,
+        "part": event.part.map(|part| part.to_string()),
+        "crater": event.crater,
+        "range_m": event.range,
     })
 }

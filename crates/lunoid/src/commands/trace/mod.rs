@@ -8,12 +8,11 @@ use std::ops::Range;
 use std::str::FromStr;
 
 use clap::Args;
-use machine::{DigitalEvent, FrameSweeps};
+use machine::{DigitalEvent, EventWord, FrameSweeps};
 use quantities::{SweepTime, Tick, Timebase};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
-use crate::commands::timing::rehearsal::Rehearsal;
-use crate::loading::{StageArgs, Threads};
+use crate::frame::FrameArgs;
 use crate::values::Span;
 use crate::{Failure, Verdict};
 
@@ -28,6 +27,10 @@ const AFTER: &str = "Examples:
 
 Ticks are those of the master clock since the start of the mission.";
 
+/// Events that need the shadow gates of the frame.
+const SEGMENTS: [EventWord; 3] =
+    [EventWord::SegmentLoad, EventWord::SegmentLate, EventWord::SegmentDropped];
+
 /// Sweeps that are worked out side by side.
 const AT_ONCE: u32 = 32;
 
@@ -36,12 +39,7 @@ const AT_ONCE: u32 = 32;
 #[command(after_help = AFTER)]
 pub struct Trace {
     #[command(flatten)]
-    stage: StageArgs,
-    #[command(flatten)]
-    threads: Threads,
-    /// Frame, counted at the update rate.
-    #[arg(long)]
-    frame: u64,
+    chosen: FrameArgs,
     /// Sweeps, from 0 at the left: S or S..T without T.
     #[arg(long, value_name = "S[..T]")]
     sweep: Option<Span>,
@@ -89,21 +87,20 @@ impl Trace {
     /// Lists, or shows.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let mut sweeps = 0..0;
-        let (rehearsal, _) = Rehearsal::open(&self.stage, &self.threads, |loaded| {
+        let number = self.chosen.frame;
+        let rehearsal = self.chosen.rehearse(|loaded| {
             sweeps = self.sweeps(loaded.settings.raster.sweeps)?;
-            match self.frame < loaded.frames() {
-                true => Ok(vec![self.frame]),
-                false => Err(Failure::usage(format!(
-                    "--frame {}: the scenario has frames 0..{}; expected one of them",
-                    self.frame,
-                    loaded.frames()
-                ))),
-            }
+            Ok(())
         })?;
-        let pose = rehearsal.poses(&[self.frame])?[0].pose;
-        let frame = rehearsal.pool.install(|| rehearsal.control.sweeps(self.frame, &pose));
+        let pose = rehearsal.poses(&[number])?[0].pose;
+        // Shadow boundaries take longer to find than all else takes.
+        let gates = self.at.is_none() && self.filter.may_pass(&SEGMENTS, "shadow-controller.load");
+        let frame = rehearsal.pool.install(|| match gates {
+            true => rehearsal.control.sweeps_with_gates(number, &pose),
+            false => rehearsal.control.sweeps(number, &pose),
+        });
         let frame = Frame {
-            number: self.frame,
+            number,
             timebase: rehearsal.stage.settings.timebase,
             levels: rehearsal.stage.landscape.bank().levels(),
             sweeps: frame.map_err(Failure::input)?,
@@ -140,8 +137,8 @@ impl Trace {
             let found: Vec<Vec<DigitalEvent>> = (next..until).into_par_iter().map(of).collect();
             waiting.extend(found.into_iter().flatten().filter(|event| self.filter.passes(event)));
             waiting.sort_by_key(|event| event.tick);
-            // The eye's foot is at -1: nothing of a sweep comes before.
-            let safe = frame.tick(until, -1.0);
+            // Words of craters set out with the retrace before their sweep: nothing of a sweep comes before.
+            let safe = frame.tick(until, -f64::from(frame.timebase.retrace_samples).max(1.0));
             let whole = waiting.partition_point(|event| until == sweeps.end || event.tick < safe);
             listing.add(waiting.drain(..whole))?;
             next = until;

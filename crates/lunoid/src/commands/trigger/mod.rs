@@ -7,12 +7,12 @@ mod report;
 mod write;
 
 use std::path::PathBuf;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
 use signal::Signal;
 use trigger::{Condition, ConditionError, Which};
 
+use crate::interrupt;
 use crate::commands::timing::rehearsal::Rehearsal;
 use crate::loading::{EXACT, StageArgs, Threads};
 use crate::output::{expect_writable, tell};
@@ -40,9 +40,6 @@ CONDITION, clauses joined by `and`:
 docs/trigger-and-trace.md has the grammar; `lunoid signals` lists the signals.
 
 Exit code 0: found; 1: not found.";
-
-/// Set by Ctrl-C.
-static CANCEL: AtomicBool = AtomicBool::new(false);
 
 /// Find where in a mission a condition on signals is met: first, n-th, or all.
 #[derive(Debug, Args)]
@@ -115,13 +112,13 @@ impl TriggerCommand {
             Ok(loaded.choose(self.frames)?.collect())
         })?;
         let (sweeps, samples) = places.unwrap_or_default();
-        catch_ctrl_c()?;
+        let cancel = interrupt::listen();
         let area = Area { frames, sweeps, samples };
         let display = Display::new(!self.quiet);
         let finder = Finder::new(&rehearsal, &self.on)?;
         let mut report = Report::begin(&finder, self.on.text(), self.json)?;
         let sweeps = area.sweeps.clone();
-        let ended = finder.search(&area, self.which(), &display, &CANCEL, |found| {
+        let ended = finder.search(&area, self.which(), &display, cancel, |found| {
             let around = self.look_around(&finder, &found, sweeps.clone(), file.as_ref())?;
             report.add(&found, around.as_ref(), &self.stage)
         });
@@ -191,14 +188,4 @@ fn within(
         Failure::usage(format!("{option} {span}: there are {what} 0..{count}; expected a range inside"))
     })?;
     Ok(found.start as u32..found.end as u32)
-}
-
-/// The first Ctrl-C ends the search, the second at once.
-fn catch_ctrl_c() -> Result<(), Failure> {
-    let handler = || {
-        if CANCEL.swap(true, Ordering::Relaxed) {
-            std::process::exit(130);
-        }
-    };
-    ctrlc::set_handler(handler).map_err(|error| Failure::output(format!("cannot catch Ctrl-C: {error}")))
 }

@@ -5,7 +5,8 @@ use serde_json::{Map, Value, json};
 use super::around::{Around, BEAM, Row};
 use super::find::{Ended, Finder, Found};
 use crate::Failure;
-use crate::loading::{ScalarWord, StageArgs};
+use crate::commands::again::command;
+use crate::loading::StageArgs;
 use crate::output::{print, table};
 
 /// A report that is being written.
@@ -166,10 +167,7 @@ fn unit_text(symbol: &str) -> String {
 /// Commands that go on from a place.
 fn next(found: &Found, around: &Around, stage: &StageArgs) -> Vec<String> {
     let Found { frame, sweep, hit, .. } = found;
-    let of = |command: &str, rest: String| {
-        let words = stage_words(stage).join(" ");
-        format!("lunoid {command} {words} --frame {frame} {rest}")
-    };
+    let of = |name: &str, rest: String| command(name, stage, *frame, &rest);
     let cursor = hit.range.map_or_else(String::new, |range| format!(" --cursor {:.4}", range.max(0.0)));
     let beam = BEAM.into_iter().filter(|name| !around.named.contains(name));
     let names = around.columns().chain(beam).collect::<Vec<_>>().join(",");
@@ -182,53 +180,9 @@ fn next(found: &Found, around: &Around, stage: &StageArgs) -> Vec<String> {
     commands
 }
 
-/// The options that choose the same stage.
-fn stage_words(stage: &StageArgs) -> Vec<String> {
-    let mut words = vec![quoted(&stage.scenario.display().to_string())];
-    let mut add = |name: &str, value: String| words.extend([format!("--{name}"), quoted(&value)]);
-    stage.machine.iter().for_each(|machine| add("machine", machine.clone()));
-    stage.overlay.iter().for_each(|overlay| add("overlay", overlay.display().to_string()));
-    stage.set.iter().for_each(|(key, value)| add("set", format!("{key}={value}")));
-    stage.bank.iter().for_each(|bank| add("bank", bank.display().to_string()));
-    stage.sweeps.iter().for_each(|sweeps| add("sweeps", sweeps.to_string()));
-    stage.samples.iter().for_each(|samples| add("samples", samples.to_string()));
-    stage.shadow_cache.iter().for_each(|folder| add("shadow-cache", folder.display().to_string()));
-    stage.scalar.iter().for_each(|scalar| {
-        add("scalar", if *scalar == ScalarWord::F32 { "f32" } else { "f64" }.into());
-    });
-    let switches = [(stage.lossless, "--lossless"), (stage.everything, "--everything")];
-    words.extend(switches.into_iter().filter(|(is_on, _)| *is_on).map(|(_, word)| word.to_owned()));
-    words
-}
-
-/// A word as a shell reads it.
-fn quoted(word: &str) -> String {
-    let is_plain = |c: char| c.is_ascii_alphanumeric() || "._-/=,:+".contains(c);
-    if !word.is_empty() && word.chars().all(is_plain) {
-        word.to_owned()
-    } else {
-        format!("'{}'", word.replace('\'', "'\\''"))
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{number_text, quoted, stage_words};
-    use crate::loading::StageArgs;
-
-    #[test]
-    fn commands_can_be_typed_again() {
-        let stage = StageArgs {
-            scenario: "my scenes/it's.toml".into(),
-            set: vec![("a.b".into(), "\"x\"".into())],
-            sweeps: Some(21),
-            lossless: true,
-            ..StageArgs::default()
-        };
-        let expected = ["'my scenes/it'\\''s.toml'", "--set", "'a.b=\"x\"'", "--sweeps", "21", "--lossless"];
-        assert_eq!(stage_words(&stage), expected);
-        assert_eq!(quoted(""), "''");
-    }
+    use super::number_text;
 
     #[test]
     fn numbers_are_short() {

@@ -9,39 +9,30 @@ use waveform::{Format, Header, SweepTraces, WaveformError, open};
 use super::around::{Around, BEAM};
 use super::find::{Finder, Found};
 use crate::Failure;
-use crate::commands::scope::{Recorded, ScopeArgs, write_picture};
+use crate::commands::probe::Target;
+use crate::commands::scope::{Recorded, ScopeArgs, columns_of, write_picture};
 
 /// A file that is to be written.
 pub struct File {
     path: PathBuf,
-    /// None for a page of the scope.
-    format: Option<Format>,
+    target: Target,
 }
 
 impl File {
     /// The kind of file that its name says; `beside` is how many sweeps it has to each side.
     pub fn named(path: &Path, beside: u32) -> Result<Self, Failure> {
-        let ending = path.extension().and_then(|ending| ending.to_str());
-        let is_picture = matches!(ending, Some("png" | "svg"));
-        let format = Format::of_path(path);
-        if !is_picture && format.is_none() {
-            let words = Format::ALL.map(|format| format!(".{}", format.name())).join(", ");
-            return Err(Failure::usage(format!(
-                "--out {}: expected a name that ends in {words}, .png or .svg",
-                path.display()
-            )));
-        }
-        if is_picture && beside > 0 {
+        let target = Target::of(None, path)?;
+        if target == Target::Picture && beside > 0 {
             return Err(Failure::usage(
                 "--around-sweeps: a picture shows one sweep; leave it out, or write another format",
             ));
         }
-        Ok(Self { path: path.to_owned(), format })
+        Ok(Self { path: path.to_owned(), target })
     }
 
     /// Whether it is a page of the scope.
     pub fn is_picture(&self) -> bool {
-        self.format.is_none()
+        self.target == Target::Picture
     }
 
     /// Writes it; the names of what was written.
@@ -53,7 +44,7 @@ impl File {
         condition: &str,
     ) -> Result<Vec<String>, Failure> {
         let title = format!("{}: {condition}", finder.rehearsal.scenario.title);
-        let Some(format) = self.format else {
+        let Target::Waveforms(format) = self.target else {
             self.draw(finder, found, around, &title)?;
             return Ok(vec![self.path.display().to_string()]);
         };
@@ -66,12 +57,14 @@ impl File {
         // Events alone are no curve: the beam always is.
         let beam = BEAM.iter().filter(|name| !around.named.contains(name));
         let wanted: Vec<&str> = around.named.iter().chain(beam).copied().collect();
+        let stage = &finder.rehearsal.stage;
         let recorded = Recorded {
             title,
             waveforms: &around.waveforms,
             wires: &finder.wires,
             wanted: &wanted,
-            settings: &finder.rehearsal.stage.settings,
+            settings: &stage.settings,
+            columns: &columns_of(stage.landscape.bank()),
         };
         let cursor = found.hit.range.map(Place::Range).into_iter().collect();
         write_picture(&self.path, &recorded, &ScopeArgs { cursor, ..ScopeArgs::default() })

@@ -109,22 +109,7 @@ mod tests {
     use super::Lines;
 
     fn missed(deadline: Deadline, sweep: u32, range_m: Option<f64>, came: Option<f64>) -> Missed {
-        let cause = Cause::Processor;
-        Missed {
-            deadline,
-            sweep,
-            crossing: None,
-            colour: None,
-            register: None,
-            part: None,
-            crater: None,
-            region: None,
-            range_m,
-            due: 0.0,
-            came,
-            words: 0,
-            cause,
-        }
+        Missed { range_m, came, ..Missed::of(deadline, sweep, Cause::Processor) }
     }
 
     #[test]

@@ -1,0 +1,67 @@
+//! Instructions of a kernel, counted by callgrind of valgrind.
+
+use std::hint::black_box;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::{self, Command};
+use std::{env, fs};
+
+/// Runs `work` once. Instructions are counted within this function alone: callgrind knows it by its name, so it is never
+/// part of another.
+#[inline(never)]
+pub fn counted(work: &mut dyn FnMut()) {
+    work();
+    // Without anything after it the call would be a jump, and callgrind would not see the return.
+    black_box(());
+}
+
+/// Why instructions could not be counted.
+#[derive(Debug, thiserror::Error)]
+pub enum CountError {
+    /// No valgrind on this system.
+    #[error("valgrind: no such program; install it (Debian: valgrind), it counts the instructions")]
+    NoValgrind,
+    /// It could not be started or ended badly.
+    #[error("valgrind: {kernel}: {reason}")]
+    Failed {
+        /// The kernel.
+        kernel: String,
+        /// What went wrong.
+        reason: String,
+    },
+}
+
+/// Instructions that `program`, told `--run` and the name of a kernel, takes within [`counted`]. The same build gives
+/// the same number again; only what goes by addresses or by random keys may vary.
+///
+/// # Errors
+/// If there is no valgrind, or the program does not end well under it.
+pub fn instructions_of(program: &Path, kernel: &str) -> Result<u64, CountError> {
+    let failed = |reason: String| CountError::Failed { kernel: kernel.to_owned(), reason };
+    let out =
+        Remains(env::temp_dir().join(format!("callgrind-{}-{}", process::id(), kernel.replace('/', "-"))));
+    let mut valgrind = Command::new("valgrind");
+    valgrind.args(["--tool=callgrind", "--quiet", "--toggle-collect=*benchmarks*counted*"]);
+    valgrind.arg(format!("--callgrind-out-file={}", out.0.display()));
+    valgrind.arg(program).args(["--run", kernel]);
+    let ended = valgrind.output().map_err(|error| match error.kind() {
+        io::ErrorKind::NotFound => CountError::NoValgrind,
+        _ => failed(error.to_string()),
+    })?;
+    if !ended.status.success() {
+        return Err(failed(format!("{}\n{}", ended.status, String::from_utf8_lossy(&ended.stderr))));
+    }
+    let written = fs::read_to_string(&out.0).map_err(|error| failed(error.to_string()))?;
+    let total = written.lines().find_map(|line| line.strip_prefix("totals:")?.trim().parse().ok());
+    // None at all: the function was not found.
+    total.filter(|&total| total > 0).ok_or_else(|| failed("it counted nothing".into()))
+}
+
+/// A file that goes when it is no longer needed.
+struct Remains(PathBuf);
+
+impl Drop for Remains {
+    fn drop(&mut self) {
+        let _ = fs::remove_file(&self.0);
+    }
+}

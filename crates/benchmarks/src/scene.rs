@@ -1,0 +1,49 @@
+//! Shipped scenarios, made ready.
+
+use std::path::Path;
+
+use generator::{PlaneKind, Planes, Stage};
+use hardware_model::{HardwareModel, ModelSource};
+use scenario::{Pose, PoseTable, Scalar, Scenario};
+
+/// A shipped scenario under its own machine, made ready for its first frame.
+#[derive(Debug)]
+pub struct Scene {
+    /// Ground, scenery, settings.
+    pub stage: Stage,
+    /// Of frame 0.
+    pub pose: Pose,
+}
+
+impl Scene {
+    /// The scenario called `name`, with signals of its own scalar type, or of `scalar`.
+    ///
+    /// # Panics
+    /// If the shipped scenario cannot be read: then the tests fail as well.
+    pub fn shipped(name: &str, scalar: Option<Scalar>) -> Self {
+        let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios"));
+        let mut scenario = Scenario::read(folder.join(name).with_extension("toml"))
+            .expect("the shipped scenario is read by the tests");
+        scenario.scalar = scalar.unwrap_or(scenario.scalar);
+        let source = ModelSource::find(&scenario.machine, folder).expect("it names a shipped model");
+        let model = HardwareModel::load(&source, &[], &[]).expect("which is read by the tests").model;
+        let settings = stage::settings(&scenario, &model).expect("settings are resolved by the tests");
+        let stage = stage::build(&scenario, settings).expect("the ground is made by the tests");
+        let (update, yoke) = (stage.settings.timebase.update, stage.settings.yoke);
+        let poses = PoseTable::resolve(&scenario, &stage.landscape, update, yoke, 0..1);
+        let pose = poses.expect("the path is driven by the tests").rows()[0].pose;
+        Self { stage, pose }
+    }
+
+    /// Planes of its raster for a picture.
+    pub fn planes(&self) -> Planes {
+        let raster = self.stage.settings.raster;
+        Planes::new(raster.columns as usize, raster.lines as usize, &[PlaneKind::Intensity])
+    }
+
+    /// Samples of a frame, retrace not counted.
+    pub fn samples(&self) -> u64 {
+        let raster = self.stage.settings.raster;
+        u64::from(raster.sweeps) * u64::from(raster.samples)
+    }
+}

@@ -1,0 +1,55 @@
+//! Probing nothing costs nothing.
+
+use std::path::Path;
+
+use benchmarks::{CountError, instructions_of};
+
+/// Part of the instructions of a frame that probing nothing may take.
+const BOUND: f64 = 0.005;
+
+fn count(kernel: &str) -> Option<f64> {
+    match instructions_of(Path::new(env!("CARGO_BIN_EXE_instructions")), kernel) {
+        Ok(count) => Some(count as f64),
+        Err(error @ CountError::NoValgrind) => {
+            eprintln!("SKIPPED: {error}");
+            None
+        }
+        Err(error) => panic!("{error}"),
+    }
+}
+
+/// What `scene` takes when nothing is probed, over what it takes without probes; none without valgrind.
+fn ratio(scene: &str) -> Option<f64> {
+    let [off, without] = ["probe-off", "no-probe"].map(|how| count(&format!("{scene}/{how}")));
+    Some(off? / without?)
+}
+
+fn expect_nothing_for_nothing(scene: &str) {
+    let Some(ratio) = ratio(scene) else { return };
+    println!("{scene}: {ratio:.6}");
+    assert!((ratio - 1.0).abs() < BOUND, "{scene}: {ratio}");
+}
+
+#[test]
+#[cfg_attr(
+    debug_assertions,
+    ignore = "instructions are those of a release build: cargo test --release -p benchmarks"
+)]
+fn probing_nothing_takes_the_instructions_of_a_machine_without_probes() {
+    expect_nothing_for_nothing("first-light");
+}
+
+#[test]
+#[ignore = "two minutes: cargo test --release -p benchmarks -- --ignored"]
+fn nor_does_it_where_parts_are_real() {
+    expect_nothing_for_nothing("nominal-drive");
+}
+
+#[test]
+fn a_kernel_that_is_not_there_is_said_so() {
+    let error = instructions_of(Path::new(env!("CARGO_BIN_EXE_instructions")), "nothing").unwrap_err();
+    assert!(
+        matches!(error, CountError::NoValgrind) || error.to_string().contains("no kernel of this name"),
+        "{error}"
+    );
+}

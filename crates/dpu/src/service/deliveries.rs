@@ -1,0 +1,118 @@
+//! Words on their way: from the server, or held back, into the program in order of arrival.
+
+use quantities::{SweepTime, Tick};
+use sweep_program::{
+    Colour, Load, Miss, MissCause, PreloadRegister, Step, StepKind, SweepProgram, Target, slack,
+};
+
+use super::Service;
+use super::stored::Asking;
+use crate::server::{Job, Served, Wanted};
+use crate::watch::Watch;
+
+/// Words on their way.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Delivery {
+    pub tick: Tick,
+    pub arrival: SweepTime,
+    /// Number of the request: what arrives in one instant keeps the order in which it was asked for.
+    pub number: u32,
+    pub load: Load,
+    /// The preload register that asked.
+    pub register: PreloadRegister,
+    pub cause: MissCause,
+}
+
+impl<W: Watch> Service<'_, '_, '_, W> {
+    /// Words that come at `tick`.
+    pub(super) fn send(
+        &mut self,
+        load: Load,
+        register: PreloadRegister,
+        tick: Tick,
+        number: u32,
+        cause: MissCause,
+    ) {
+        let arrival = self.instant_of(tick);
+        self.pending.push(Delivery { tick, arrival, number, load, register, cause });
+    }
+
+    /// Serves what begins before `end`.
+    pub(super) fn run_server(&mut self, end: Option<Tick>, program: &mut SweepProgram) {
+        while let Some(served) = self.server.next(end) {
+            self.bring(&served, program);
+        }
+    }
+
+    fn bring(&mut self, served: &Served, program: &mut SweepProgram) {
+        let Job { number, colour, wanted, corner, late, crossing, .. } = served.job;
+        let register = match wanted {
+            Wanted::Register(register) => Some(register),
+            Wanted::Diagonal => None,
+        };
+        let asking = Asking { crossing: Some(crossing), colour, register };
+        let corner = self.stored(corner, served.begin, asking);
+        let last = self.server.arrivals(served).map(|(tick, _)| tick).last().unwrap_or(served.begin);
+        self.watch.loaded();
+        let Some(register) = register else {
+            self.diagonals[colour as usize] = Some(last);
+            return;
+        };
+        let (target, cause) = (
+            if late { Target::Hold } else { Target::Preload(register) },
+            if served.waited { MissCause::Queue } else { MissCause::Access },
+        );
+        if late {
+            self.late_set_comes(colour, register, crossing, last, program);
+        } else {
+            self.is_ready(colour, register, last);
+        }
+        let in_time = self.hold_back(colour, register, corner, crossing, last);
+        for (tick, words) in self.server.arrivals(served) {
+            let load = Load { colour, target, corner, words: words.and(in_time) };
+            if !load.words.is_empty() {
+                self.send(load, register, tick, number, cause);
+            }
+        }
+    }
+
+    /// A set that a fold missed while it waited is on its way: now it is known when it comes.
+    fn late_set_comes(
+        &mut self,
+        colour: Colour,
+        register: PreloadRegister,
+        asked: u32,
+        tick: Tick,
+        program: &mut SweepProgram,
+    ) {
+        let arrival = self.instant_of(tick);
+        let waits = |miss: &&mut Miss| {
+            miss.arrival.is_none()
+                && miss.colour == colour
+                && miss.register == register
+                && miss.crossing > asked
+        };
+        if let Some(miss) = program.misses.iter_mut().rev().find(waits) {
+            miss.arrival = Some(arrival);
+            self.watch.transfer(slack(&self.clock, miss.time, tick));
+        }
+    }
+
+    /// Puts what arrives until `time` into the program, in order of arrival.
+    pub(super) fn deliver_until(
+        &mut self,
+        time: SweepTime,
+        range_at: &impl Fn(SweepTime) -> f64,
+        program: &mut SweepProgram,
+    ) {
+        if self.pending.is_empty() {
+            return;
+        }
+        self.pending.sort_by(|a, b| a.arrival.0.total_cmp(&b.arrival.0).then(a.number.cmp(&b.number)));
+        let arrived = self.pending.partition_point(|delivery| delivery.arrival <= time);
+        for Delivery { tick, arrival, load, .. } in self.pending.drain(..arrived) {
+            program.steps.push(Step::new(arrival, range_at(arrival), StepKind::Load(load)));
+            self.watch.arrival(tick, &load);
+        }
+    }
+}

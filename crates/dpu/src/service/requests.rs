@@ -1,0 +1,150 @@
+//! What a fold asks for: both preload registers of the colours that moved, and the corner beyond both stops.
+
+use quantities::Tick;
+use sweep_program::{
+    Colour, Load, MissCause, PreloadRegister, RampAxis, Step, StepKind, SweepProgram, Target, WordMask, slack,
+};
+
+use super::Service;
+use super::stored::Asking;
+use crate::crossing::TimedFold;
+use crate::server::{Job, Wanted};
+use crate::watch::Watch;
+
+impl<W: Watch> Service<'_, '_, '_, W> {
+    /// Both preload registers of a colour that has moved, and its diagonal one.
+    pub(super) fn renew(&mut self, colour: Colour, fold: TimedFold, seen: Tick, program: &mut SweepProgram) {
+        let other = match fold.fold.axis {
+            RampAxis::X => PreloadRegister::YFirst,
+            RampAxis::Y => PreloadRegister::XFirst,
+        };
+        let loader = self.unit.loader;
+        let has_diagonal = loader.diagonal_register && !loader.is_wired_through();
+        let at_hand = has_diagonal && self.diagonals[colour as usize].is_some_and(|ready| ready <= seen);
+        for register in [PreloadRegister::XFirst, PreloadRegister::YFirst] {
+            if at_hand && register == other {
+                self.take_diagonal(colour, register, fold, seen, program);
+            } else {
+                self.request(colour, register, register == other, fold, seen, program);
+            }
+        }
+        if has_diagonal {
+            self.diagonals[colour as usize] = None;
+            let [m, n] = self.pointers.diagonal(colour);
+            let corner = self.unit.level.clamped_index(m, n) as u32;
+            self.ask(colour, Wanted::Diagonal, corner, false, seen);
+        }
+    }
+
+    /// The corner beyond both stops is at hand: it moves over with the fold itself.
+    fn take_diagonal(
+        &mut self,
+        colour: Colour,
+        register: PreloadRegister,
+        fold: TimedFold,
+        seen: Tick,
+        program: &mut SweepProgram,
+    ) {
+        let [m, n] = self.pointers.ahead(colour, register);
+        let asking = Asking { crossing: Some(self.crossing), colour, register: Some(register) };
+        let corner = self.stored(self.unit.level.clamped_index(m, n) as u32, seen, asking);
+        let load = Load { colour, target: Target::Preload(register), corner, words: WordMask::ALL };
+        program.steps.push(Step::new(fold.time, fold.range, StepKind::Load(load)));
+        self.ready[colour as usize][register as usize] = Some(seen);
+        self.watch.arrival(seen, &load);
+    }
+
+    fn request(
+        &mut self,
+        colour: Colour,
+        register: PreloadRegister,
+        across: bool,
+        fold: TimedFold,
+        seen: Tick,
+        program: &mut SweepProgram,
+    ) {
+        let unit = self.unit;
+        let [m, n] = self.pointers.ahead(colour, register);
+        let corner = unit.level.clamped_index(m, n) as u32;
+        if unit.loader.is_wired_through() {
+            return self.transfer_at_once(colour, register, corner, fold, seen, program);
+        }
+        let other = usize::from(register == PreloadRegister::YFirst);
+        let next = self.next_stop[other].filter(|_| across);
+        let urgent = next.is_some_and(|stop| axis_of(register).takes(stop, colour));
+        self.ask(colour, Wanted::Register(register), corner, urgent, seen);
+    }
+
+    /// Words that come with the fold that asks for them, but those that the model holds back.
+    fn transfer_at_once(
+        &mut self,
+        colour: Colour,
+        register: PreloadRegister,
+        corner: u32,
+        fold: TimedFold,
+        seen: Tick,
+        program: &mut SweepProgram,
+    ) {
+        self.watch.wanted();
+        self.watch.loaded();
+        let asking = Asking { crossing: Some(self.crossing), colour, register: Some(register) };
+        let corner = self.stored(corner, seen, asking);
+        // Wired, it is there with the fold itself: not later than the last tick before it.
+        if W::LISTENS {
+            let slack = slack(&self.clock, fold.time, seen).min(0);
+            self.is_ready(colour, register, Tick(seen.0.saturating_add_signed(slack)));
+        }
+        let words = self.hold_back(colour, register, corner, self.crossing, seen);
+        if !words.is_empty() {
+            let load = Load { colour, target: Target::Preload(register), corner, words };
+            program.steps.push(Step::new(fold.time, fold.range, StepKind::Load(load)));
+            self.watch.arrival(seen, &load);
+        }
+    }
+
+    /// Sends the words that the model holds back, later than `tick`, when their set comes; the words that are left.
+    pub(super) fn hold_back(
+        &mut self,
+        colour: Colour,
+        register: PreloadRegister,
+        corner: u32,
+        crossing: u32,
+        tick: Tick,
+    ) -> WordMask {
+        let mut in_time = WordMask::ALL;
+        let unit = self.unit;
+        for delay in unit.delays(self.frame, self.sweep, crossing) {
+            if delay.colour == colour && delay.register == register && delay.ticks > 0 {
+                let words = WordMask::only(delay.word);
+                in_time = in_time.without(words);
+                let tick = Tick(tick.0 + delay.ticks);
+                let load = Load { colour, target: Target::Preload(register), corner, words };
+                self.send(load, register, tick, self.requests, MissCause::HeldBack);
+                self.requests += 1;
+                self.is_ready(colour, register, tick);
+            }
+        }
+        in_time
+    }
+
+    fn ask(&mut self, colour: Colour, wanted: Wanted, corner: u32, urgent: bool, asked: Tick) {
+        let (number, crossing) = (self.requests, self.crossing);
+        self.requests += 1;
+        self.server.ask(Job { number, colour, wanted, corner, asked, crossing, urgent, late: false });
+        self.watch.wanted();
+    }
+
+    /// The last words of a register come at `tick`, or later.
+    pub(super) fn is_ready(&mut self, colour: Colour, register: PreloadRegister, tick: Tick) {
+        let ready = &mut self.ready[colour as usize][register as usize];
+        *ready = Some(ready.map_or(tick, |known| known.max(tick)));
+    }
+}
+
+/// The axis whose stop transfers a preload register.
+fn axis_of(register: PreloadRegister) -> RampAxis {
+    match register {
+        PreloadRegister::XFirst => RampAxis::X,
+        PreloadRegister::YFirst => RampAxis::Y,
+    }
+}

@@ -1,0 +1,42 @@
+//! One frame of a scenario, as a command is told of it.
+
+use clap::Args;
+
+use crate::Failure;
+use crate::commands::timing::rehearsal::Rehearsal;
+use crate::loading::{Loaded, StageArgs, Threads};
+
+/// Which frame of which scenario, drawn by what.
+#[derive(Debug, Args)]
+pub struct FrameArgs {
+    #[command(flatten)]
+    pub stage: StageArgs,
+    #[command(flatten)]
+    pub threads: Threads,
+    /// Frame, from 0, counted at the update rate.
+    #[arg(long)]
+    pub frame: u64,
+}
+
+impl FrameArgs {
+    /// Sees that the scenario has the frame.
+    pub fn expect_in(&self, loaded: &Loaded) -> Result<(), Failure> {
+        let (frame, end) = (self.frame, loaded.frames());
+        match frame < end {
+            true => Ok(()),
+            false => Err(Failure::usage(format!(
+                "--frame {frame}: the scenario has frames 0..{end}; expected one of them"
+            ))),
+        }
+    }
+
+    /// Everything but the frame; `check` sees the scenario before any ground is made.
+    pub fn rehearse(&self, check: impl FnOnce(&Loaded) -> Result<(), Failure>) -> Result<Rehearsal, Failure> {
+        let (rehearsal, _) = Rehearsal::open(&self.stage, &self.threads, |loaded| {
+            check(loaded)?;
+            self.expect_in(loaded)?;
+            Ok(vec![self.frame])
+        })?;
+        Ok(rehearsal)
+    }
+}
