@@ -6,6 +6,8 @@ use crate::ladder::{LadderOutcome, RungOutcome};
 
 /// Errors of the picture for which a setting is named.
 const WANTED: [f64; 4] = [0.05, 0.02, 0.01, 0.005];
+/// How many times cheaper a pair of factors must be than a single one to be advised.
+const CLEARLY: f64 = 1.25;
 /// The error that decides.
 const DECIDES: &str = "picture rmse";
 
@@ -43,9 +45,13 @@ pub fn advise(ladders: &[LadderOutcome]) -> Vec<Advice> {
         .flat_map(|ladder| ladder.rungs.iter().map(move |rung| (ladder, rung)))
         .filter_map(|(ladder, rung)| Some((ladder, rung, rung.time_s?[0], total_error(rung)?)))
         .collect();
+    // A pair of factors is named where it is clearly cheaper than any one factor.
+    let cost = |found: &(&LadderOutcome, &RungOutcome, f64, f64)| {
+        found.2 * if found.1.changes > 1 { CLEARLY } else { 1.0 }
+    };
     let cheapest = |within: f64| {
         let good = all.iter().filter(|(.., error)| *error <= within);
-        good.min_by(|a, b| a.2.total_cmp(&b.2))
+        good.min_by(|a, b| cost(a).total_cmp(&cost(b)))
     };
     let advice = |within: f64| {
         let found = cheapest(within);
@@ -87,6 +93,7 @@ mod tests {
         RungOutcome {
             label: label.into(),
             step: None,
+            changes: 1,
             time_s: Some([time; 3]),
             work: 0,
             errors: vec![ErrorFigure { name: "picture rmse", unit: "1", value: error }],

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use blake3::Hasher;
-use exact::{Exact, ExactWithin, Fineness, LINE_MEAN_TOLERANCE};
+use exact::{Exact, ExactWithin, Fineness, LINE_MEAN_TOLERANCE, RIDGE_SHARE};
 use files::{FileError, Npy, NpyData, NpyError};
 use generator::{Generator, PlaneKind, Planes, Stage};
 use landscape::bank_file;
@@ -46,17 +46,20 @@ pub struct SelfError {
     pub rms: f64,
     /// The largest difference.
     pub max: f64,
-    /// What it is published to be, for an edge inside a line.
-    pub published: f64,
+    /// What an edge inside a line is published to shift its mean by, at most.
+    pub edge: f64,
+    /// Share of a line below which a ridge between equal shades is not looked for: it may shift the mean by that share of
+    /// what is hidden.
+    pub ridge: f64,
 }
 
 impl SelfError {
     /// The same in words.
     pub fn sentence(&self) -> String {
-        let Self { rms, max, published } = self;
+        let Self { rms, max, edge, ridge } = self;
         format!(
-            "exact against itself with its limits halved twice: RMS {rms:.1e}, at most {max:.1e} of full intensity; \
-             published: {published:.0e} an edge inside a line"
+            "exact against itself with its limits halved twice: RMS {rms:.1e}, at most {max:.1e} of full intensity \
+             (published: {edge:.0e} for an edge inside a line, {ridge} of its contrast for a ridge between equal shades)"
         )
     }
 }
@@ -146,7 +149,7 @@ impl ExactPictures {
             let pairs = usual.intensity.iter().zip(&finer.intensity);
             pairs.for_each(|(usual, finer)| sum.add(f64::from(*usual) - f64::from(*finer)));
         }
-        Ok(SelfError { rms: sum.rms(), max: sum.max(), published: 2.0 * LINE_MEAN_TOLERANCE })
+        Ok(SelfError { rms: sum.rms(), max: sum.max(), edge: 2.0 * LINE_MEAN_TOLERANCE, ridge: RIDGE_SHARE })
     }
 
     /// What a picture of `exact` depends on: laws, first and last range, levels, shadow, view and pose.

@@ -23,6 +23,7 @@ pub struct Effort {
 struct Standing {
     label: String,
     step: Option<f64>,
+    changes: usize,
     ready: Result<Ready, StudyError>,
 }
 
@@ -75,7 +76,7 @@ fn stand(subject: &Subject, rung: &Rung) -> Standing {
         let session = HybridMachine.prepare(stage.clone())?;
         Ok(Ready { stage, session, times: Vec::new(), pictures: Vec::new(), samples: 0 })
     };
-    Standing { label: rung.label.clone(), step: rung.step, ready: ready() }
+    Standing { label: rung.label.clone(), step: rung.step, changes: rung.changes.len(), ready: ready() }
 }
 
 impl Standing {
@@ -94,6 +95,7 @@ impl Standing {
         let outcome = RungOutcome {
             label: self.label,
             step: self.step,
+            changes: self.changes,
             time_s: None,
             work: 0,
             errors: Vec::new(),
@@ -165,7 +167,7 @@ fn shown(plane: &[f32], from: usize, [columns, lines]: [usize; 2]) -> Vec<f32> {
 }
 
 /// Median, smallest and largest.
-fn spread(times: &[f64]) -> [f64; 3] {
+pub(crate) fn spread(times: &[f64]) -> [f64; 3] {
     let mut sorted = times.to_vec();
     sorted.sort_by(f64::total_cmp);
     match sorted.as_slice() {

@@ -52,6 +52,8 @@ pub struct RungOutcome {
     pub label: String,
     /// What convergence is measured along.
     pub step: Option<f64>,
+    /// Settings that are not those of the base.
+    pub changes: usize,
     /// Median, smallest and largest time (s), in the ladder's unit of work.
     pub time_s: Option<[f64; 3]>,
     /// Samples, or evaluations, in a unit of work: a count that no busy machine changes.

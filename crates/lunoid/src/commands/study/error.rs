@@ -8,12 +8,13 @@ use hardware_model::{BUILT_IN, HardwareModel, ModelSource, Settings};
 use serde_json::{Value, json};
 use study::ladder::{Extent, Ladder, LadderOutcome, OrderOutcome, ladders};
 use study::{
-    Advice, Effort, ExactPictures, Rehearsed, SelfError, StudyError, Subject, advise, climb, csv, table,
+    Advice, Effort, ExactPictures, REGION_LADDERS, Rehearsed, SelfError, StudyError, Subject, advise, climb, csv,
+    regions, table,
 };
 
 use super::plots::write_plots;
 use crate::cli::COMMIT;
-use crate::loading::{EXACT, Loaded, StageArgs, Threads};
+use crate::loading::{Loaded, StageArgs, Threads};
 use crate::output::{print, print_json, table as columns, tell};
 use crate::{Failure, Verdict};
 
@@ -80,16 +81,12 @@ struct Outcome {
 impl ErrorStudy {
     /// Studies.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        if self.stage.machine.as_deref() == Some(EXACT) {
-            return Err(Failure::usage(format!(
-                "--machine {EXACT}: a study holds a machine against it; expected a hardware model"
-            )));
-        }
+        self.stage.expect_machine("a study holds a machine against the closed form")?;
         let mut loaded = self.stage.load()?;
         if self.quick {
             quarter(&mut loaded)?;
         }
-        let frames = self.frames(loaded.frames())?;
+        let frames = frames(&self.frame, loaded.frames())?;
         let pool = self.threads.pool()?;
         let stage = loaded.stage(&pool)?;
         let subject = Subject::new(loaded.scenario, loaded.model, stage, &frames).map_err(Failure::input)?;
@@ -103,22 +100,6 @@ impl ErrorStudy {
             print(&outcome.text())?
         }
         Ok(Verdict::Yes)
-    }
-
-    fn frames(&self, all: u64) -> Result<Vec<u64>, Failure> {
-        let mut frames = if self.frame.is_empty() { vec![all / 2] } else { self.frame.clone() };
-        frames.sort_unstable();
-        frames.dedup();
-        if frames.len() > MOST_FRAMES {
-            let found = frames.len();
-            return Err(Failure::usage(format!("--frame: {found} frames; expected at most {MOST_FRAMES}")));
-        }
-        match frames.iter().find(|frame| **frame >= all) {
-            Some(frame) => Err(Failure::usage(format!(
-                "--frame {frame}: the scenario has frames 0..{all}; expected one of them"
-            ))),
-            None => Ok(frames),
-        }
     }
 
     fn study(&self, subject: &Subject) -> Result<Outcome, Failure> {
@@ -139,6 +120,12 @@ impl ErrorStudy {
             let mut hear = |label: &str| self.say(&format!("  {label}\n"));
             outcomes.push(climb(&mut study, ladder, effort, &mut hear).map_err(failure)?);
         }
+        if REGION_LADDERS.into_iter().any(|name| self.wants(name)) {
+            self.say("banks of several region sizes\n");
+            let mut banks = regions(subject, extent, effort).map_err(failure)?;
+            banks.retain(|ladder| self.wants(ladder.name));
+            outcomes.extend(banks);
+        }
         Ok(Outcome {
             title: subject.scenario.title.clone(),
             frames: subject.frames.iter().map(|(frame, _)| *frame).collect(),
@@ -157,15 +144,19 @@ impl ErrorStudy {
     }
 
     fn chosen(&self, mut all: Vec<Ladder>) -> Result<Vec<Ladder>, Failure> {
-        let known: Vec<&str> = all.iter().map(|ladder| ladder.name).collect();
+        let known: Vec<&str> = all.iter().map(|ladder| ladder.name).chain(REGION_LADDERS).collect();
         if let Some(unknown) = self.only.iter().find(|name| !known.contains(&name.as_str())) {
             return Err(Failure::usage(format!(
                 "--only {unknown}: no such ladder for this scenario; known: {}",
                 known.join(", ")
             )));
         }
-        all.retain(|ladder| self.only.is_empty() || self.only.iter().any(|name| name == ladder.name));
+        all.retain(|ladder| self.wants(ladder.name));
         Ok(all)
+    }
+
+    fn wants(&self, ladder: &str) -> bool {
+        self.only.is_empty() || self.only.iter().any(|name| name == ladder)
     }
 
     fn say(&self, text: &str) {
@@ -175,8 +166,25 @@ impl ErrorStudy {
     }
 }
 
+/// The frames asked for, of `all`; the middle one if there are none.
+pub(super) fn frames(asked: &[u64], all: u64) -> Result<Vec<u64>, Failure> {
+    let mut frames = if asked.is_empty() { vec![all / 2] } else { asked.to_vec() };
+    frames.sort_unstable();
+    frames.dedup();
+    if frames.len() > MOST_FRAMES {
+        let found = frames.len();
+        return Err(Failure::usage(format!("--frame: {found} frames; expected at most {MOST_FRAMES}")));
+    }
+    match frames.iter().find(|frame| **frame >= all) {
+        Some(frame) => Err(Failure::usage(format!(
+            "--frame {frame}: the scenario has frames 0..{all}; expected one of them"
+        ))),
+        None => Ok(frames),
+    }
+}
+
 /// A quarter of the sweeps, columns and lines: a sixteenth of `exact`, a quarter of the machine.
-fn quarter(loaded: &mut Loaded) -> Result<(), Failure> {
+pub(super) fn quarter(loaded: &mut Loaded) -> Result<(), Failure> {
     let settings = &loaded.settings;
     let share = |count: u32| Some((count / QUICK_SHARE).max(1));
     let raster = &mut loaded.scenario.raster;
@@ -190,7 +198,7 @@ fn quarter(loaded: &mut Loaded) -> Result<(), Failure> {
 }
 
 /// Pictures that cannot be kept are a failure of an output; everything else comes of what was read.
-fn failure(error: StudyError) -> Failure {
+pub(super) fn failure(error: StudyError) -> Failure {
     match error {
         StudyError::Reference(error) => Failure::output(error),
         other => Failure::input(other),
