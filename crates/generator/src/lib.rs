@@ -77,6 +77,18 @@ pub enum FrameError {
         /// What the system says.
         reason: String,
     },
+    /// The generator lacks something that the pose asks for.
+    #[error("frame {frame}: {generator} cannot do {what}: {remedy}")]
+    Unsupported {
+        /// Frame number.
+        frame: u64,
+        /// Name of the generator.
+        generator: &'static str,
+        /// What is asked for.
+        what: String,
+        /// What to do instead.
+        remedy: &'static str,
+    },
     /// The fan of sweeps cannot cover the view.
     #[error(
         "frame {frame}: pitch {pitch_deg:.1} deg brings the nadir or the zenith near the picture; \
@@ -90,6 +102,21 @@ pub enum FrameError {
         /// The limit (deg).
         limit_deg: f64,
     },
+}
+
+/// The eye stands over the finest level of `landscape` and above its ground: sight begins there.
+///
+/// # Errors
+/// If it does not.
+pub fn check_eye(landscape: &Landscape, frame: u64, pose: &Pose) -> Result<(), FrameError> {
+    let [x, y, height] = pose.eye;
+    let inside = landscape.level().locate(x, y).is_some();
+    let ground = landscape.height(x, y).filter(|_| inside);
+    let ground = ground.ok_or(FrameError::OutsideProblemArea { frame, x, y })?;
+    match height > ground {
+        true => Ok(()),
+        false => Err(FrameError::EyeUnderGround { frame, below: ground - height }),
+    }
 }
 
 /// An image generator: the hybrid machine, `exact`, and others of the field's history.

@@ -168,6 +168,11 @@ impl Planes {
         !self.planes.is_empty()
     }
 
+    /// Fills every plane with what it holds where there is sky.
+    pub fn fill_sky(&mut self) {
+        self.planes.iter_mut().for_each(|plane| plane.values.fill(plane.kind.sky()));
+    }
+
     /// The values of `kind`, if it was asked for.
     pub fn get(&self, kind: PlaneKind) -> Option<&[f32]> {
         self.planes.iter().find(|plane| plane.kind == kind).map(|plane| plane.values.as_slice())

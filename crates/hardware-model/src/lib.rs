@@ -41,7 +41,7 @@ pub use digital::{
 pub use faults::FAULTS;
 pub use loaded::{EffectiveValue, LoadedModel};
 pub use model::{HardwareModel, ModelRaster, SweepMemoryKind};
-pub use parts::{Economy, FeatureParts, Gate, MixingParts, Organisation, ShadowParts};
+pub use parts::{Economy, FeatureParts, Forced, Gate, MixingParts, Organisation, ShadowParts};
 pub use scenario::{LevelSwitch, ShadowFineness, Yoke};
 pub use settings::{Raster, Settings, SettingsError};
 pub use sides::Side;

@@ -82,6 +82,47 @@ pub enum Economy {
     Bounded,
     /// Only what leaves every bit as it is.
     Lossless,
+    /// The same, but one thing that has no work runs: what it costs is what leaving it out saves.
+    LosslessBut(Forced),
     /// Nothing: every block runs, whether it has work or not.
     Everything,
+}
+
+/// What runs without work if it is told to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Forced {
+    /// Feature generator and VS1.
+    Features,
+    /// VS2 and the adder, with no gate and no texture to them.
+    Switches,
+    /// The mixing unit, as two wires and a clip.
+    Mixing,
+    /// Occlusion around breaks, in groups of sweeps that have none.
+    Breaks,
+    /// Polyhedron generator and VS3.
+    Bodies,
+}
+
+impl Forced {
+    /// All of them.
+    pub const ALL: [Self; 5] =
+        [Self::Features, Self::Switches, Self::Mixing, Self::Breaks, Self::Bodies];
+
+    /// Its name in tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Features => "feature generator and VS1",
+            Self::Switches => "VS2 and the adder",
+            Self::Mixing => "mixing unit",
+            Self::Breaks => "occlusion around breaks",
+            Self::Bodies => "polyhedron generator and VS3",
+        }
+    }
+}
+
+impl Economy {
+    /// Whether `what` runs without work.
+    pub fn forces(self, what: Forced) -> bool {
+        self == Self::Everything || self == Self::LosslessBut(what)
+    }
 }

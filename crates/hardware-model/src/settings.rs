@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 
 use quantities::{Rate, Timebase, TimebaseError};
-use scenario::{Display, FieldOfView, LawWishes, Laws, RangeProgramme, RasterWishes, Scalar, ShadowFineness};
+use scenario::{
+    Display, FieldOfView, LawWishes, Laws, LunsimRun, RangeProgramme, RasterWishes, Scalar, ShadowFineness,
+};
 
 use crate::model::retrace;
 use crate::{
@@ -58,6 +60,8 @@ pub struct Settings {
     pub shadow_cache: Option<PathBuf>,
     /// What may be left out.
     pub economy: Economy,
+    /// Run parameters of LUNSIM; no machine reads them.
+    pub lunsim: LunsimRun,
 }
 
 /// Sweeps, samples and read-out.
@@ -117,8 +121,8 @@ pub enum SettingsError {
 }
 
 impl Settings {
-    /// What raster, range, laws and display of a run come to; yoke, levels, shadows and economy are as for a scene
-    /// that has none of them. `wishes` is the command line's raster over the scenario's.
+    /// What raster, range, laws and display of a run come to; yoke, levels, shadows, economy and LUNSIM's
+    /// parameters are as for a scene that has none of them. `wishes` is the command line's raster over the scenario's.
     ///
     /// # Errors
     /// If a count is out of range or the rates do not divide.
@@ -173,6 +177,7 @@ impl Settings {
             shadows: None,
             shadow_cache: None,
             economy: Economy::default(),
+            lunsim: LunsimRun::default(),
         })
     }
 }

@@ -10,6 +10,7 @@ use diagnostics::{Problem, ProblemList, Problems};
 use exact::Exact;
 use generator::{Generator, Stage};
 use hardware_model::{Economy, HardwareModel, LoadedModel, ModelSource, Settings};
+use lunsim::Lunsim;
 use machine::HybridMachine;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use replay::{FileRecord, Inputs, Phase, file_hash};
@@ -21,19 +22,36 @@ use crate::{Failure, values};
 /// Name under which `--machine` means the closed form instead of a hardware model.
 pub const EXACT: &str = "exact";
 
+/// Generators that are no machine, each with what it is: their names stand where that of a hardware model would.
+pub const OTHERS: [(&'static dyn Generator, &str); 2] = [
+    (&Exact, "the same picture by closed form and root finding"),
+    (&Lunsim, "the report's program: a ground grid onto the positions of a film recorder"),
+];
+
+/// The generator of that name, if it is no machine.
+pub fn other(name: &str) -> Option<&'static dyn Generator> {
+    OTHERS.iter().map(|(generator, _)| *generator).find(|generator| generator.name() == name)
+}
+
+/// The hardware model that a scenario names; raster, range and laws of a scenario for a generator that has none are
+/// those of the ideal machine.
+pub fn hardware_model(named: &str) -> &str {
+    if other(named).is_some() { "ideal" } else { named }
+}
+
 /// Which scenario, drawn by what.
 #[derive(Debug, Default, Args)]
 pub struct StageArgs {
     /// Scenario file.
     pub scenario: PathBuf,
-    /// Hardware model by name or path, or `exact` for the closed form without any machine. The scenario's own if
-    /// left out.
+    /// Hardware model by name or path, `exact` for the closed form without any machine, or `lunsim` for the report's
+    /// program. The scenario's own if left out.
     #[arg(short, long, value_name = "MODEL")]
     pub machine: Option<String>,
     /// Merge a TOML file of differences over the hardware model; may be given several times.
     #[arg(long, value_name = "FILE")]
     pub overlay: Vec<PathBuf>,
-    /// Set one key of the hardware model, over what the scenario wishes; may be given several times.
+    /// Set one key of the hardware model, or of `lunsim`, over what the scenario wishes; may be given several times.
     #[arg(long, value_name = "PART.KEY=VALUE", value_parser = values::setting)]
     pub set: Vec<(String, String)>,
     /// Ground from this bank instead of the scenario's.
@@ -105,6 +123,14 @@ pub struct Loaded {
 }
 
 impl StageArgs {
+    /// Refuses a generator that is no machine; `why` is what it lacks.
+    pub fn expect_machine(&self, why: &str) -> Result<(), Failure> {
+        match self.machine.as_deref().filter(|name| other(name).is_some()) {
+            Some(name) => Err(Failure::usage(format!("--machine {name}: {why}; expected a hardware model"))),
+            None => Ok(()),
+        }
+    }
+
     /// A scenario as it stands.
     pub fn of(scenario: &Path) -> Self {
         Self { scenario: scenario.to_owned(), ..Self::default() }
@@ -119,12 +145,12 @@ impl StageArgs {
         }
         self.expect_bank(&scenario)?;
         let model = self.model(&scenario)?;
-        self.wish(&mut scenario);
+        self.wish(&mut scenario)?;
         let settings = stage::settings(&scenario, &model.model).map_err(|error| self.refused(&error))?;
         let settings = Settings { economy: self.economy(), shadow_cache: self.shadow_cache()?, ..settings };
         let inputs = self.inputs(&scenario, &model)?;
-        let generator: &dyn Generator =
-            if self.machine.as_deref() == Some(EXACT) { &Exact } else { &HybridMachine };
+        let generator = self.machine.as_deref().map_or_else(|| other(&scenario.machine), other);
+        let generator = generator.unwrap_or(&HybridMachine);
         let phases = vec![Phase::since("read", start)];
         Ok(Loaded { scenario, model: model.model, settings, generator, inputs, phases })
     }
@@ -145,15 +171,21 @@ impl StageArgs {
     }
 
     fn model(&self, scenario: &Scenario) -> Result<LoadedModel, Failure> {
-        let name = self.machine.as_deref().filter(|name| *name != EXACT).unwrap_or(&scenario.machine);
+        let asked = self.machine.as_deref().filter(|name| other(name).is_none());
+        let name = asked.unwrap_or(hardware_model(&scenario.machine));
         let folder = self.scenario.parent().unwrap_or(Path::new(""));
-        Ok(HardwareModel::load(&ModelSource::find(name, folder)?, &self.overlay, &self.set)?)
+        let of_model: Vec<_> =
+            self.set.iter().filter(|(key, _)| lunsim_key(key).is_none()).cloned().collect();
+        Ok(HardwareModel::load(&ModelSource::find(name, folder)?, &self.overlay, &of_model)?)
     }
 
     /// The command line is over the scenario.
-    fn wish(&self, scenario: &mut Scenario) {
-        for (key, _) in &self.set {
-            drop_wish(scenario, key);
+    fn wish(&self, scenario: &mut Scenario) -> Result<(), Failure> {
+        for (key, value) in &self.set {
+            match lunsim_key(key) {
+                Some(key) => scenario.lunsim = scenario.lunsim.with("--set", &format!("{key} = {value}"))?,
+                None => drop_wish(scenario, key),
+            }
         }
         let wishes = RasterWishes { sweeps: self.sweeps, samples: self.samples, ..RasterWishes::default() };
         scenario.raster = wishes.or(scenario.raster);
@@ -163,6 +195,7 @@ impl StageArgs {
                 ScalarWord::F64 => scenario::Scalar::F64,
             };
         }
+        Ok(())
     }
 
     /// The folder for shadow boundaries, made if it is not there.
@@ -201,6 +234,11 @@ impl StageArgs {
             model_values: model.values.clone(),
         })
     }
+}
+
+/// The key of a `--set` that is LUNSIM's and not the hardware model's.
+fn lunsim_key(key: &str) -> Option<&str> {
+    key.strip_prefix("lunsim.")
 }
 
 /// What `--set` says the scenario no longer wishes.

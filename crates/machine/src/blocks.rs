@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use generator::Stage;
-use hardware_model::{Economy, LevelSwitch, Loader};
+use hardware_model::{Forced, LevelSwitch, Loader};
 use landscape::Photometry;
 use remote_shadow::{Resolution, ShadowBank};
 use scenario::ShadowFineness;
@@ -28,6 +28,8 @@ pub(crate) struct Blocks {
     pub mixing: bool,
     /// Whether switches without a source are there as well.
     pub all_switches: bool,
+    /// Whether breaks are walked in groups that have none as well.
+    pub breaks: bool,
 }
 
 /// Remote shadow: computed before the mission, and the block that blanks by it.
@@ -51,22 +53,24 @@ impl Blocks {
     /// Blocks that `stage` needs, or all for which there is a source if nothing may be left out.
     pub fn new(stage: &Stage) -> Self {
         let Stage { landscape, scenery, settings } = stage;
-        let everything = settings.economy == Economy::Everything;
+        let forces = |what| settings.economy.forces(what);
+        let runs_idle = [Forced::Mixing, Forced::Features, Forced::Switches, Forced::Breaks];
         let has_bodies = !scenery.standing().is_empty();
         let two_levels = landscape.bank().levels().len() > 1;
         Self {
-            features: everything || !landscape.features().is_empty(),
+            features: forces(Forced::Features) || !landscape.features().is_empty(),
             shadows: settings.shadows.map(|fineness| Shadows::new(stage, &fineness)),
             texture: landscape.texture().is_some(),
             // Lambert's light never exceeds full scale; other laws need the clip.
-            mixing: everything
+            mixing: runs_idle.into_iter().any(forces)
                 || settings.shadows.is_some()
                 || landscape.texture().is_some()
                 || !landscape.features().is_empty()
                 || *landscape.photometry() != Photometry::Lambert
                 || mixing_has_parts(&settings.analog),
-            all_switches: everything,
-            bodies: everything || has_bodies,
+            all_switches: forces(Forced::Switches),
+            breaks: forces(Forced::Breaks),
+            bodies: forces(Forced::Bodies) || has_bodies,
             coarse: settings
                 .levels
                 .filter(|_| two_levels)

@@ -85,7 +85,8 @@ impl ControlPlane {
         let switch = self.blocks().coarse.as_ref().map(|coarse| coarse.switch);
         let coarse = switch.map(|switch| Coarse::new(switch, &stage.settings.loader));
         let table = self.table();
-        let mut sweeps = FrameSweeps { stage, coarse, table, plan, digital: DigitalFrame::default(), gates: Vec::new() };
+        let mut sweeps =
+            FrameSweeps { stage, coarse, table, plan, digital: DigitalFrame::default(), gates: Vec::new() };
         let wanted = vertices(&sweeps.stage, self.blocks(), &sweeps.plan, pose.time);
         sweeps.digital = self.digital_of(&sweeps.crossings(), wanted);
         Ok(sweeps)
@@ -104,6 +105,19 @@ impl FrameSweeps<'_> {
             program
         });
         [fine].into_iter().chain(coarse).collect()
+    }
+
+    /// Direction over the ground that sweep `sweep` should have, whatever set-up it is drawn with: unit vector, north and
+    /// east.
+    pub fn direction(&self, sweep: u32) -> [f64; 2] {
+        self.plan.direction(sweep)
+    }
+
+    /// Shadow boundaries that the gates of all sweeps were given, and crossings that united with others and are none; 0
+    /// where no gates were asked for.
+    pub fn shadow_edges(&self) -> [u64; 2] {
+        let sum = |of: fn(&Gate) -> u64| self.gates.iter().map(of).sum();
+        [sum(|gate| gate.toggles.len() as u64 + u64::from(gate.dropped)), sum(|gate| u64::from(gate.united))]
     }
 
     /// Where the centre of pixel (column, line) of the picture lies in what the sweeps wrote: sweep and cell of the sweep,

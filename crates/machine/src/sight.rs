@@ -32,7 +32,7 @@ impl<'a> InSight<'a> {
                 let (eye, sight) = (DVec3::from_array(plan.eye), sight(stage));
                 bodies.filter(|(_, body)| sight.resolves(eye, body, &mut left_out)).collect()
             }
-            Economy::Lossless | Economy::Everything => bodies.collect(),
+            Economy::Lossless | Economy::LosslessBut(_) | Economy::Everything => bodies.collect(),
         };
         left_out.cells *= pixels_a_cell(stage) * with_shadow(blocks, plan);
         Self { bodies, left_out }

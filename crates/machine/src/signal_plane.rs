@@ -300,12 +300,16 @@ impl<S: Real> Group<'_, S> {
             return self.drive(beam, first, &deflection, work);
         }
         let height = if self.blocks.mixing { &work.mixed.height } else { &work.profile.height };
-        if self.blocks.mixing && work.mixed.has_breaks() {
+        if self.walks_breaks(work) {
             let broken = BrokenProfile { breaks: &work.mixed.breaks, bends: &work.mixed.bends };
             self.processor.run_broken(height, broken, &deflection, &mut work.projected);
         } else {
             self.processor.run(height, &deflection, &mut work.projected);
         }
+    }
+
+    fn walks_breaks(&self, work: &Workspace<S>) -> bool {
+        self.blocks.mixing && (self.blocks.breaks || work.mixed.has_breaks())
     }
 
     /// The processor of parts; what it drives stands where the ideal one's signals do.
@@ -359,7 +363,7 @@ impl<S: Real> Group<'_, S> {
             return beam.gun.write_stretches(&drive, &mut work.gun, rows);
         }
         let projected = &work.projected;
-        let breaks = (self.blocks.mixing && work.mixed.has_breaks()).then_some(BeamBreaks {
+        let breaks = self.walks_breaks(work).then_some(BeamBreaks {
             breaks: &work.mixed.breaks,
             bends: &work.mixed.bends,
             position: &projected.breaks.position,

@@ -295,7 +295,8 @@ fn the_key_of_a_narrow_page_has_more_rows() {
     scope.crossings = (0..60).map(|at| crossing(at, [Yellow, Red])).collect();
     scope.coarse = (0..10).map(|at| crossing(9 * at, [Green, Black])).collect();
     let look = |width| ScopeLook { width, cursors: vec![], ..full_look() };
-    let (narrow, wide) = (scope_picture(&scope, &look(600)).unwrap(), scope_picture(&scope, &look(1600)).unwrap());
+    let (narrow, wide) =
+        (scope_picture(&scope, &look(600)).unwrap(), scope_picture(&scope, &look(1600)).unwrap());
     let (columns, rgb) = (narrow.columns() as usize, narrow.rgb());
     let margin = |line: usize| 3 * (line * columns + columns - 16)..3 * (line + 1) * columns;
     let is_paper = |line| rgb[margin(line)].iter().all(|part| *part == 255);

@@ -134,6 +134,14 @@ pub enum ReplayError {
         /// Frames asked for.
         asked: Range<u64>,
     },
+    /// More sweeps to be checked than there are.
+    #[error("--check {asked}: the run has {available} sweeps; expected no more of them")]
+    TooManyChecks {
+        /// Sweeps asked for.
+        asked: u32,
+        /// Sweeps of the run.
+        available: u64,
+    },
     /// No frame was asked for.
     #[error("frames {}..{}: expected at least one frame", .0.start, .0.end)]
     NoFrames(Range<u64>),

@@ -68,6 +68,9 @@ pub struct Job<'a> {
     pub frames: Range<u64>,
     /// How frames become files.
     pub pictures: Pictures,
+    /// Sweeps that are checked against `exact` when all frames are there; at 0 none, and a check that was made of the same
+    /// frames stays.
+    pub check: u32,
 }
 
 /// What a running job tells.

@@ -19,6 +19,7 @@
 //! Every finished frame is written to a journal; the same job again verifies what stands there and draws the rest.
 
 mod camera;
+mod check;
 mod draw;
 mod error;
 mod film;

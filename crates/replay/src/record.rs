@@ -35,6 +35,8 @@ pub(crate) struct RunRecord<'a> {
     limits: Vec<Value>,
     range: [u64; 2],
     totals: FrameCounts,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    check: Option<&'a Value>,
     frames: &'a [FrameRecord],
     outputs: &'a [FileRecord],
 }
@@ -48,6 +50,8 @@ pub(crate) struct Finished<'a> {
     pub omissions: &'a [Omission],
     pub limits: &'a [LimitReport],
     pub range: &'a Range<u64>,
+    /// Error against `exact`, if sweeps were checked.
+    pub check: Option<&'a Value>,
     pub frames: &'a [FrameRecord],
     pub outputs: &'a [FileRecord],
 }
@@ -83,6 +87,7 @@ impl<'a> RunRecord<'a> {
             limits: finished.limits.iter().map(limit).collect(),
             range: [finished.range.start, finished.range.end],
             totals: total_work(finished.frames),
+            check: finished.check,
             frames: finished.frames,
             outputs: finished.outputs,
         }

@@ -13,12 +13,13 @@ use serde_json::Value;
 
 use crate::ReplayError;
 use crate::camera::camera;
+use crate::check::Check;
 use crate::draw::{Drawing, draw_all};
 use crate::film::{sheet, write_film};
 use crate::fingerprint::fingerprint;
 use crate::folder::{ANIMATION, CAMERA, CONTACT_SHEET, FRAMES, PERFORMANCE, POSES, RunFolder};
 use crate::held::{
-    FileRecord, FrameRecord, HeldRun, RUN_RECORD, file_hash, frame_range, whole, write_changed,
+    FileRecord, FrameRecord, HeldRun, MAX_BYTES, RUN_RECORD, file_hash, frame_range, whole, write_changed,
 };
 use crate::job::{Control, Job, Progress};
 use crate::journal::{self, JOURNAL, Journal};
@@ -26,6 +27,9 @@ use crate::performance::{Phase, StepTimes, performance};
 use crate::record::{Finished, RunRecord};
 use crate::scenery_record::SceneryRecord;
 use crate::settings_record::{GroundRecord, SettingsRecord};
+
+/// The check, as a key of the record and as a phase.
+const CHECK: &str = "check";
 
 /// How a run ended.
 #[derive(Debug, Clone, PartialEq)]
@@ -74,7 +78,9 @@ pub fn run(job: &Job, folder: &RunFolder, control: &Control) -> Result<Outcome, 
         run.leave(journal)?;
         return Ok(Outcome::Interrupted { done, of: all });
     }
-    let performance = run.finish(drawn)?;
+    let Some(performance) = run.finish(drawn)? else {
+        return Ok(Outcome::Interrupted { done, of: all });
+    };
     journal.end()?;
     let drawn = run.drawn;
     Ok(Outcome::Finished { frames: run.frames, drawn, limits: run.poses.limits().to_vec(), performance })
@@ -221,14 +227,20 @@ impl<'a> Run<'a> {
         Ok(drawn)
     }
 
-    fn finish(&mut self, drawn: BTreeMap<u64, FrameRecord>) -> Result<Value, ReplayError> {
+    /// Everything that follows from the frames; `None` if told to end.
+    fn finish(&mut self, drawn: BTreeMap<u64, FrameRecord>) -> Result<Option<Value>, ReplayError> {
         (self.control.progress)(Progress::Finishing);
-        let start = Instant::now();
         let fresh: Vec<u64> = drawn.keys().copied().collect();
         let drawing = self.phases.last().map_or(0.0, |phase| phase.seconds);
         let mut all = std::mem::take(&mut self.kept);
         all.extend(drawn);
         let frames: Vec<FrameRecord> = all.into_values().collect();
+        let start = Instant::now();
+        let Some((check, is_new)) = self.checked(&frames, fresh.is_empty())? else { return Ok(None) };
+        if is_new {
+            self.phases.push(Phase::since(CHECK, start));
+        }
+        let start = Instant::now();
         let omissions = self.session.omissions();
         let outputs = self.write_outputs(&frames)?;
         let record = RunRecord::new(
@@ -241,6 +253,7 @@ impl<'a> Run<'a> {
                 omissions: &omissions,
                 limits: self.poses.limits(),
                 range: &self.frames,
+                check: check.as_ref(),
                 frames: &frames,
                 outputs: &outputs,
             },
@@ -252,10 +265,42 @@ impl<'a> Run<'a> {
         let threads = self.control.pool.current_num_threads();
         let update = self.job.stage.settings.timebase.update;
         let times = performance(&self.phases, &self.times, threads, &drawn, drawing, update);
-        if !drawn.is_empty() || !self.folder.join(PERFORMANCE).exists() {
+        let path = self.folder.join(PERFORMANCE);
+        if !drawn.is_empty() || !path.exists() {
             self.write(PERFORMANCE, pretty(&times).as_bytes())?;
+        } else if is_new {
+            let checked = with_check(&files::read_all(&path, MAX_BYTES)?, &self.phases);
+            self.write(PERFORMANCE, pretty(&checked.unwrap_or_else(|| times.clone())).as_bytes())?;
         }
-        Ok(times)
+        Ok(Some(times))
+    }
+
+    /// The check that the job asks for, and whether it was made now; `None` if told to end. One that was made of the same
+    /// frames stays, unless another number of sweeps is asked for.
+    fn checked(
+        &self,
+        frames: &[FrameRecord],
+        nothing_drawn: bool,
+    ) -> Result<Option<(Option<Value>, bool)>, ReplayError> {
+        let earlier = self
+            .earlier
+            .as_ref()
+            .filter(|earlier| nothing_drawn && frame_range(&earlier.frames).as_ref() == Some(&self.frames));
+        let held = earlier.and_then(|earlier| earlier.document.get(CHECK));
+        if self.job.check == 0 || held.is_some_and(|held| held["sweeps"] == self.job.check) {
+            return Ok(Some((held.cloned(), false)));
+        }
+        let check = Check {
+            job: self.job,
+            session: &*self.session,
+            folder: self.folder,
+            poses: &self.poses,
+            frames,
+            fingerprint: &self.fingerprint,
+            cancel: self.control.cancel,
+        };
+        let record = self.control.pool.install(|| check.run(self.job.check))?;
+        Ok(record.map(|record| (Some(serde_json::json!(record)), true)))
     }
 
     /// Everything that follows from the frames; what is there and right is not written again.
@@ -312,6 +357,16 @@ fn join(
         return Err(ReplayError::Gap { path: folder.path().to_owned(), held, asked: asked.clone() });
     }
     Ok(held.start.min(asked.start)..held.end.max(asked.end))
+}
+
+/// Wall times of an earlier session with the time of the check that was made now.
+fn with_check(earlier: &[u8], phases: &[Phase]) -> Option<Value> {
+    let mut times: Value = serde_json::from_slice(earlier).ok()?;
+    let phase = serde_json::json!(phases.iter().find(|phase| phase.phase == CHECK)?);
+    let held = times.get_mut("phases")?.as_array_mut()?;
+    held.retain(|held| held["phase"] != CHECK);
+    held.push(phase);
+    Some(times)
 }
 
 pub(crate) fn pretty(value: &Value) -> String {

@@ -34,6 +34,7 @@ pub struct SettingsRecord {
     levels: Value,
     shadows: Value,
     economy: &'static str,
+    lunsim: Value,
 }
 
 impl SettingsRecord {
@@ -72,9 +73,14 @@ impl SettingsRecord {
             }),
             economy: match settings.economy {
                 Economy::Bounded => "bounded",
-                Economy::Lossless => "lossless",
+                Economy::Lossless | Economy::LosslessBut(_) => "lossless",
                 Economy::Everything => "everything",
             },
+            lunsim: json!({
+                "grid": settings.lunsim.grid,
+                "intensity_codes": settings.lunsim.intensity_codes,
+                "restrictions": settings.lunsim.restrictions,
+            }),
         }
     }
 }

@@ -85,7 +85,7 @@ fn laws(run: &Run) -> Markup {
 }
 
 /// A value without the quotation marks of JSON.
-pub(crate) fn plain(value: &Value) -> String {
+fn plain(value: &Value) -> String {
     match value {
         Value::String(text) => text.clone(),
         Value::Number(number) => number.as_f64().map_or(number.to_string(), |value| shortened(value, 6)),

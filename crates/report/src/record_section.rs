@@ -2,20 +2,18 @@
 
 use maud::{Markup, html};
 use replay::FileRecord;
-use serde_json::Value;
 
 use crate::Beside;
 use crate::data::shell_words;
-use crate::machine_section::plain;
-use crate::run::Run;
+use crate::run::{Check, CheckedSweep, Run};
 
 /// How far the pictures are from `exact`.
 pub(crate) fn error(run: &Run, beside: &Beside) -> Markup {
     html! {
         section #error aria-labelledby="error-title" {
             h2 #error-title { "Error" }
-            @match &run.error {
-                Some(found) => (figures(found)),
+            @match &run.check {
+                Some(check) => (figures(check)),
                 None if !run.has_sweeps() => p { "The run is its own reference: " (run.generator) " is what error is measured against." },
                 None => (unchecked(run, beside)),
             }
@@ -23,22 +21,55 @@ pub(crate) fn error(run: &Run, beside: &Beside) -> Markup {
     }
 }
 
-fn figures(found: &Value) -> Markup {
-    let rows = found.as_object().into_iter().flatten();
+fn figures(check: &Check) -> Markup {
+    let percent = 100.0 * check.confidence;
     html! {
-        table.counts { tbody { @for (name, value) in rows {
-            tr { th scope="row" { (name.replace('_', " ")) } td { (plain(value)) } }
-        } } }
+        p { (check.sweeps) " sweeps, drawn at random and spread over the run, against the closed form: signals sample by sample, and
+            the column of the picture at the sweep. Intervals hold the error of all sweeps with " (percent) " % confidence ("
+            (check.interval_by) "). performance.json has the time that it took." }
+        table.counts {
+            thead { tr { th { "error" } th { "root mean square" } th { "interval" } th { "largest" } } }
+            tbody { @for error in &check.errors { tr {
+                th scope="row" { (error.error) @if error.unit != "1" { " (" (error.unit) ")" } }
+                td { (figure(error.rms)) }
+                td { @match error.interval {
+                    Some([low, high]) => { (figure(low)) " to " (figure(high)) }
+                    None => "of one sweep none",
+                } }
+                td { (figure(error.max)) }
+            } } }
+        }
+        (worst(check))
     }
+}
+
+/// Where the picture is worst, of the sweeps that were checked.
+fn worst(check: &Check) -> Markup {
+    let rms = |sweep: &CheckedSweep| sweep.rms_and_max[0].map_or(0.0, |[rms, _]| rms);
+    let worst = check.checked.iter().max_by(|a, b| rms(a).total_cmp(&rms(b)));
+    html! {
+        @if let Some(sweep) = worst {
+            p { "The largest error of a column: " (figure(rms(sweep))) ", "
+                a href=(format!("#frame={}&sweep={}", sweep.frame, sweep.sweep)) {
+                    "frame " (sweep.frame) ", sweep " (sweep.sweep)
+                } "." }
+        }
+    }
+}
+
+/// Three digits.
+fn figure(value: f64) -> String {
+    if value == 0.0 || (1e-3..1e4).contains(&value) { format!("{value:.4}") } else { format!("{value:.2e}") }
 }
 
 fn unchecked(run: &Run, beside: &Beside) -> Markup {
     let (first, end) = (run.frames[0].frame, run.frames[run.frames.len() - 1].frame + 1);
-    let end = end.min(first + 2);
+    let (all, end) = (end, end.min(first + 2));
     let frames = format!("--frames {first}..{end}{}", run.picture_words());
     html! {
-        p { "Not checked. The first frames against the closed form:" }
+        p { "Not checked. Twenty sweeps of this run, and its first frames, against the closed form:" }
         pre.more { code {
+            "lunoid replay " (shell_words(&beside.stage)) " " (format!("--frames {}..{}{}", first, all, run.picture_words())) " --check 20\n"
             "lunoid replay " (shell_words(&exact_words(&beside.stage))) " " (frames) " --out runs/exact\n"
             "lunoid replay " (shell_words(&beside.stage)) " " (frames) " --out runs/checked\n"
             "lunoid compare runs/checked runs/exact"

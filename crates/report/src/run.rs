@@ -31,12 +31,38 @@ pub(crate) struct Run {
     pub totals: BTreeMap<String, u64>,
     pub frames: Vec<FrameRecord>,
     pub outputs: Vec<FileRecord>,
-    /// Error against `exact`, where a run has been checked.
+    /// Error against `exact`, where sweeps of the run have been checked.
     #[serde(default)]
-    pub error: Option<Value>,
+    pub check: Option<Check>,
     /// Eye and attitude of every frame, in the order of the frames.
     #[serde(skip)]
     pub poses: Vec<[f64; 7]>,
+}
+
+#[derive(Debug, Deserialize)]
+pub(crate) struct Check {
+    pub sweeps: u64,
+    pub confidence: f64,
+    pub interval_by: String,
+    pub errors: Vec<CheckError>,
+    pub checked: Vec<CheckedSweep>,
+}
+
+#[derive(Debug, Deserialize)]
+pub(crate) struct CheckError {
+    pub error: String,
+    pub unit: String,
+    pub rms: f64,
+    pub interval: Option<[f64; 2]>,
+    pub max: f64,
+}
+
+#[derive(Debug, Deserialize)]
+pub(crate) struct CheckedSweep {
+    pub frame: u64,
+    pub sweep: u64,
+    /// Of picture, height, slope and reflectivity.
+    pub rms_and_max: [Option<[f64; 2]>; 4],
 }
 
 #[derive(Debug, Deserialize)]

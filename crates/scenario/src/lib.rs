@@ -16,6 +16,7 @@ mod drift;
 mod laws;
 mod limits;
 mod looks;
+mod lunsim;
 mod meant;
 mod objects;
 mod path;
@@ -43,6 +44,7 @@ pub use laws::{
 };
 pub use limits::{Limit, LimitReport};
 pub use looks::{RollDisplay, ShadowFineness, TextureWish};
+pub use lunsim::LunsimRun;
 pub use meant::{Ground, Length, Scenario};
 pub use objects::{Action, Event, Object, Stance};
 pub use path::{Path, PathError, Station, Waypoint};

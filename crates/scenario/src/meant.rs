@@ -7,7 +7,7 @@ use landscape::{Photometry, Silhouette, Sun};
 use quantities::Rate;
 
 use crate::{
-    CraterWishes, Display, Drift, Event, FieldOfView, LawWishes, LevelSwitch, Object, Path, RangeProgramme,
+    CraterWishes, Display, Drift, Event, FieldOfView, LawWishes, LevelSwitch, LunsimRun, Object, Path, RangeProgramme,
     RasterWishes, Rocks, RollDisplay, Scalar, ShadowFineness, TextureWish, Tracks, Vehicle,
 };
 
@@ -72,6 +72,8 @@ pub struct Scenario {
     pub display: Display,
     /// Scalar type of the analog signals.
     pub scalar: Scalar,
+    /// Run parameters of LUNSIM.
+    pub lunsim: LunsimRun,
 }
 
 /// Length of a scenario.

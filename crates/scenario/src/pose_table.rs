@@ -16,6 +16,10 @@ use crate::{Path, Pose, Scenario, Yoke};
 /// Pitch or roll beyond which a pose is taken for a mistake (our choice): the sweeps need ground ahead.
 const MAX_TILT_DEG: f64 = 60.0;
 
+/// The same for a pitch that the path states: a lander looks straight down (section 20), and the curve through the rows
+/// rounds. What a generator cannot draw it refuses itself.
+const MAX_STATED_PITCH_DEG: f64 = 90.000_001;
+
 /// Pose of one frame and how the vehicle moves in it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PoseRow {
@@ -45,7 +49,7 @@ impl PoseTable {
     ///
     /// # Errors
     /// Every stretch of frames in which the path leaves the problem area, the eye is under the ground, or the
-    /// attitude is beyond 60 degrees.
+    /// attitude is beyond 60 degrees (a pitch that the path states: beyond 90).
     pub fn resolve(
         scenario: &Scenario,
         landscape: &Landscape,
@@ -152,8 +156,9 @@ impl Driver<'_> {
         if eye <= ground {
             return Err(PoseFault::EyeUnderGround { eye, ground });
         }
-        check_tilt("pitch", attitude.pitch)?;
-        check_tilt("roll", attitude.roll)?;
+        let steepest = if station.pitch.is_some() { MAX_STATED_PITCH_DEG } else { MAX_TILT_DEG };
+        check_tilt("pitch", attitude.pitch, steepest)?;
+        check_tilt("roll", attitude.roll, MAX_TILT_DEG)?;
         Ok((eye, attitude, stand))
     }
 
@@ -182,8 +187,8 @@ impl Driver<'_> {
     }
 }
 
-fn check_tilt(what: &'static str, found: f64) -> Result<(), PoseFault> {
-    let allowed = radians(MAX_TILT_DEG);
+fn check_tilt(what: &'static str, found: f64, allowed_deg: f64) -> Result<(), PoseFault> {
+    let allowed = radians(allowed_deg);
     if found.abs() <= allowed { Ok(()) } else { Err(PoseFault::Tilt { what, found, allowed }) }
 }
 

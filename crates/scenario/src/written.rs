@@ -19,7 +19,7 @@ use landscape::relief::Relief;
 use quantities::radians;
 
 use crate::{
-    Display, FieldOfView, Ground, LawWishes, Length, LevelSwitch, RasterWishes, RollDisplay, Scalar,
+    Display, FieldOfView, Ground, LawWishes, Length, LevelSwitch, LunsimRun, RasterWishes, RollDisplay, Scalar,
     Scenario, Vehicle, words,
 };
 
@@ -110,6 +110,7 @@ fn scenario(root: &Reader, folder: &FilePath, problems: &Problems) -> Option<Sce
     let laws = laws(&root.table_or_empty("laws"));
     let display = display(&root.table_or_empty("display"));
     let scalar = scalar(&root.table_or_empty("run"));
+    let lunsim = LunsimRun::of_table(&root.table_or_empty("lunsim"), LunsimRun::default());
     check_levels(root, ground.as_ref().and_then(|ground| ground.0.as_ref()), &levels);
     check_tracks(root);
     root.finish();
@@ -145,6 +146,7 @@ fn scenario(root: &Reader, folder: &FilePath, problems: &Problems) -> Option<Sce
         laws,
         display: display?,
         scalar: scalar?,
+        lunsim: lunsim?,
     })
 }
 

@@ -23,6 +23,8 @@ pub struct Gate {
     /// By how much each of them moves along the sweep for an error of its line of the line's full scale, its length (m); 0
     /// where no line generator makes it.
     pub swings: Vec<f64>,
+    /// Crossings up to the reach that are no boundary between light and shadow: shadows that overlap, edges of tiles.
+    pub united: u32,
     /// Boundary segments that found no line generator free.
     pub dropped: u32,
     /// Most line generators in use at one time; 0 without line generators.
@@ -98,7 +100,10 @@ impl ShadowController {
             let boundary = |crossing: &Crossing| {
                 Boundary::new(&lines[crossing.line()], directions[sweep], crossing.range())
             };
-            gate.dark_at_start = unite(crossings.of(sweep), reach, boundary, &mut boundaries);
+            let crossed = crossings.of(sweep);
+            gate.dark_at_start = unite(crossed, reach, boundary, &mut boundaries);
+            let within = crossed.partition_point(|crossing| crossing.range() <= reach);
+            gate.united = (within - boundaries.len()) as u32;
             self.load(&mut boundaries, reach, timing(sweep as u32), gate);
         }
     }

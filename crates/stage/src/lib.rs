@@ -44,6 +44,7 @@ pub fn settings(scenario: &Scenario, model: &HardwareModel) -> Result<Settings, 
         yoke: (scenario.roll == RollDisplay::Yoke).then_some(model.yoke),
         levels: scenario.levels,
         shadows: scenario.shadows,
+        lunsim: scenario.lunsim,
         ..resolved
     })
 }

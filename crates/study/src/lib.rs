@@ -12,16 +12,23 @@
 //! against `exact` under the laws of the rung; where a rung has another law than the base, its picture is held against
 //! the base's law as well, so that error of parts and difference of law are two numbers. Time is the median of several
 //! repetitions, and within a ladder the rungs take turns, so that a machine that slows down slows all of them.
+//! **Economy** ([`economy`]): what a scene does not need, what leaving it out saves, the waste that remains. **Banks**
+//! ([`regions()`]): region size of a survey against the ground.
 //! **Not in the time.** Reading, elaboration, shadow boundaries that are found once, encoding.
 //! **Our choices.** Signals are compared on six groups of eight sweeps spread over the frame. A picture of fewer or more sweeps than the
 //! base is held against the base's columns, each taken from the nearest sweep.
 
 mod advice;
 mod change;
+pub mod economy;
 mod figures;
 pub mod ladder;
 mod order;
+pub mod polynomial;
 mod reference;
+mod regions;
+pub mod solver;
+pub mod stability;
 mod subject;
 mod table;
 mod work;
@@ -31,6 +38,7 @@ pub use change::{Change, Variant};
 pub use figures::{ErrorFigure, Figures, NAMES};
 pub use order::{Order, fit};
 pub use reference::{ExactPictures, ReferenceError, SelfError};
+pub use regions::{REGION_LADDERS, regions};
 pub use subject::{StudyError, Subject};
 pub use table::{csv, table};
 pub use work::{Effort, Rehearsed, climb};

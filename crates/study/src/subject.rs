@@ -29,6 +29,9 @@ pub enum StudyError {
     /// Pictures of `exact` cannot be kept.
     #[error(transparent)]
     Reference(#[from] ReferenceError),
+    /// A bank cannot be fitted.
+    #[error(transparent)]
+    Survey(#[from] survey::SurveyError),
     /// Pictures cannot be compared.
     #[error(transparent)]
     Compare(#[from] compare::CompareError),

@@ -10,7 +10,7 @@ use crate::error::file_error;
 use crate::fst_file::FstFile;
 use crate::json_file::JsonFile;
 use crate::npz_file::NpzFile;
-use crate::output::{Counter, Output, Store, Destination};
+use crate::output::{Counter, Destination, Output, Store};
 use crate::raw_file::RawFile;
 use crate::sigrok_file::SigrokFile;
 use crate::vcd_file::VcdFile;

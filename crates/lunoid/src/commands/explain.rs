@@ -44,8 +44,7 @@ impl Explain {
         let pose = rehearsal.poses(&[frame])?[0].pose;
         let session = HybridMachine.prepare(rehearsal.stage.clone()).map_err(Failure::input)?;
         let exact = (!self.no_exact).then(|| Columns::new(rehearsal.stage.clone()));
-        let inquiry =
-            Inquiry::new(&rehearsal.stage, session.as_ref(), &rehearsal.control, exact.as_ref());
+        let inquiry = Inquiry::new(&rehearsal.stage, session.as_ref(), &rehearsal.control, exact.as_ref());
         let told = rehearsal.pool.install(|| inquiry.explain(frame, &pose, self.pixel));
         let told = told.map_err(|error| match error {
             InquiryError::Pixel { .. } => Failure::usage(format!("--pixel: {error}")),
@@ -69,8 +68,10 @@ impl Explain {
             "--sweep {sweep} --signals 'tg.reflectivity,mu.*,sc.gate,dpp.*,sm.video'{} --out sweep.png",
             cursor.unwrap_or_default()
         );
-        let registers = told.ground.as_ref().map(|ground| ("trace", format!("--at {sweep}:{}", ground.sample)));
-        let commands = [("probe", page)].into_iter().chain(registers).chain([("trace", format!("--sweep {sweep}"))]);
+        let registers =
+            told.ground.as_ref().map(|ground| ("trace", format!("--at {sweep}:{}", ground.sample)));
+        let commands =
+            [("probe", page)].into_iter().chain(registers).chain([("trace", format!("--sweep {sweep}"))]);
         commands.map(|(name, rest)| command(name, stage, frame, &rest) + "\n").collect()
     }
 }

@@ -10,6 +10,7 @@ use hardware_model::{BUILT_IN, FAULTS, HardwareModel, ModelSource};
 use scenario::Scenario;
 use serde_json::{Value, json};
 
+use crate::loading::OTHERS;
 use crate::output::{print, print_json, table};
 use crate::{Failure, Verdict};
 
@@ -33,6 +34,8 @@ pub struct List {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Kind {
+    /// Whatever `--machine` can name: hardware models, and generators that are none.
+    Machines,
     /// Hardware models.
     Models,
     /// Scenarios.
@@ -45,6 +48,7 @@ impl List {
     /// Lists.
     pub fn run(&self) -> Result<Verdict, Failure> {
         match self.what {
+            Kind::Machines => machines(self.json)?,
             Kind::Models => models(self.json)?,
             Kind::Scenarios => scenarios(self.json)?,
             Kind::Signals => SignalListing::of_table().show(self.json)?,
@@ -53,16 +57,35 @@ impl List {
     }
 }
 
+/// Lists what draws: hardware models, then generators that are none.
+fn machines(json: bool) -> Result<(), Failure> {
+    let others = OTHERS.map(|(generator, what)| [generator.name().into(), what.into(), "built in".into()]);
+    let others = Listing { what: "generators", heading: ["generator", "draws", "from"], rows: &others };
+    let models = model_rows();
+    let models = Listing { what: "models", heading: MODEL_HEADING, rows: &models };
+    show(&[models, others], json)
+}
+
 /// Lists hardware models: those of the current folder, and those that the program carries; then the overlays that it
 /// carries.
 pub fn models(json: bool) -> Result<(), Failure> {
+    let rows = model_rows();
+    let overlays = FAULTS.map(|(name, text)| [name.into(), proves(text), "built in".into()]);
+    let models = Listing { what: "models", heading: MODEL_HEADING, rows: &rows };
+    let overlays = Listing { what: "overlays", heading: ["overlay", "proves", "from"], rows: &overlays };
+    show(&[models, overlays], json)
+}
+
+const MODEL_HEADING: [&str; 3] = ["name", "raster", "from"];
+
+fn model_rows() -> Vec<[String; 3]> {
     let mut files = toml_files("hardware-models");
     files.retain(|file| !file.parent().is_some_and(|folder| folder.ends_with("faults")));
     let carried = BUILT_IN.iter().filter(|(name, _)| !files.iter().any(|file| stem(file) == *name));
     let files = files.iter().map(|file| (file.display().to_string(), ModelSource::File(file.clone())));
     let sources =
         files.chain(carried.map(|(name, _)| ("built in".into(), ModelSource::BuiltIn((*name).into()))));
-    let rows: Vec<[String; 3]> = sources
+    sources
         .map(|(place, source)| match HardwareModel::load(&source, &[], &[]) {
             Ok(loaded) => {
                 let raster = loaded.model.raster;
@@ -72,11 +95,7 @@ pub fn models(json: bool) -> Result<(), Failure> {
             }
             Err(problems) => [stem(Path::new(&place)), faults(problems.len()), place],
         })
-        .collect();
-    let overlays = FAULTS.map(|(name, text)| [name.into(), proves(text), "built in".into()]);
-    let models = Listing { what: "models", heading: ["name", "raster", "from"], rows: &rows };
-    let overlays = Listing { what: "overlays", heading: ["overlay", "proves", "from"], rows: &overlays };
-    show(&[models, overlays], json)
+        .collect()
 }
 
 /// What the head of an overlay says it proves.

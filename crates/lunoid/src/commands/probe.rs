@@ -21,8 +21,8 @@ use crate::values::Span;
 use crate::{Failure, Verdict};
 
 use choice::{Choice, expect_known};
-use target::{names, words};
 pub use target::Target;
+use target::{names, words};
 
 use trace::{Look, Order, WINDOW, Written, size, trace};
 

@@ -4,6 +4,7 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
+use generator::Generator;
 use hardware_model::HardwareModel;
 use picture::Depth;
 use quantities::Rate;
@@ -67,6 +68,10 @@ pub struct Replay {
     /// recorded before stay.
     #[arg(long, value_name = "FRAME:SWEEP[:SIGNALS]")]
     probe: Vec<Request>,
+    /// Check N sweeps, drawn at random and spread over the frames, against `exact`: error and its confidence stand in
+    /// run.json and on the page, the time that it took in performance.json. docs/run-page.md says how.
+    #[arg(long, value_name = "N", default_value = "0", hide_default_value = true)]
+    check: u32,
     /// Remove the run that the folder holds, and nothing else, and start anew.
     #[arg(long)]
     fresh: bool,
@@ -99,6 +104,7 @@ impl Replay {
         let mut loaded = self.stage.load()?;
         let frames = loaded.choose(self.frames)?;
         let (sweeps, generator) = (loaded.settings.raster.sweeps, loaded.generator);
+        self.expect_sweeps(generator)?;
         check(&self.probe, &frames, sweeps, generator.signals(), generator.name())?;
         let out = self.out();
         let pool = self.threads.pool()?;
@@ -113,11 +119,11 @@ impl Replay {
             stage,
             frames,
             pictures: self.pictures(),
+            check: self.check,
         };
         let display = Display::new(!self.no_progress && !self.quiet);
         let progress = |progress| display.hear(progress);
-        let control =
-            Control { pool: &pool, cancel, progress: &progress, phases: loaded.phases.clone() };
+        let control = Control { pool: &pool, cancel, progress: &progress, phases: loaded.phases.clone() };
         let made = self.make(&job, &loaded.model, &folder, &control);
         display.end();
         let (outcome, truth) = made?;
@@ -142,6 +148,17 @@ impl Replay {
             _ => None,
         };
         Ok((outcome, truth))
+    }
+
+    /// Only a machine has sweeps that can be checked.
+    fn expect_sweeps(&self, generator: &dyn Generator) -> Result<(), Failure> {
+        if self.check > 0 && generator.signals().is_empty() {
+            let (asked, name) = (self.check, generator.name());
+            return Err(Failure::usage(format!(
+                "--check {asked}: {name} has no sweeps to hold against the closed form; expected a hardware model"
+            )));
+        }
+        Ok(())
     }
 
     fn check_film(&self) -> Result<(), Failure> {

@@ -38,7 +38,9 @@ fn start(room: &Room, arguments: &[&str]) -> Child {
 fn a_probe_that_is_interrupted_leaves_nothing() {
     let room = Room::new();
     for out in ["w.fst", "w.npz", "w.csv"] {
-        let base = ["probe", "tiny.toml", "--frame", "1", "--sweep", "all", "--out", out];
+        let signals = "tg.height,mu.height,dpp.elevation,dpp.y";
+        let base =
+            ["probe", "tiny.toml", "--frame", "1", "--sweep", "all", "--signals", signals, "--out", out];
         let child = start(&room, &[&base[..], &SLOW].concat());
         let is_written = || {
             let len = |name: &String| fs::metadata(room.join(name)).map_or(0, |file| file.len());

@@ -2,6 +2,7 @@
 
 mod bad_input;
 mod banks;
+mod checks;
 mod columns;
 mod explain;
 mod help;

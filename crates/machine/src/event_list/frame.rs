@@ -19,7 +19,11 @@ pub fn processor(sweeps: &FrameSweeps<'_>) -> Vec<DigitalEvent> {
     let start = |sweep: u32| clock(sweep).tick_at_or_after(SweepTime(0.0));
     let begun = cpu.begun.iter().map(|&(sweep, since)| DigitalEvent {
         sweep: Some(sweep),
-        ..DigitalEvent::new(Tick(first.0.saturating_add_signed(since)), EventWord::SetUpBegins, DigitalUnit::Cpu)
+        ..DigitalEvent::new(
+            Tick(first.0.saturating_add_signed(since)),
+            EventWord::SetUpBegins,
+            DigitalUnit::Cpu,
+        )
     });
     let made = cpu.set_ups.iter().map(|&(sweep, slack)| {
         let word = if slack < 0 { EventWord::SetUpLate } else { EventWord::SetUp };

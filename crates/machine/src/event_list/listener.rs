@@ -8,8 +8,8 @@ use landscape::Level;
 use quantities::{SweepClock, Tick};
 use sweep_program::{Colour, Fold, Load, Miss, NO_CORNER, PreloadRegister, SweepProgram, Target, WordMask};
 
-use super::tick_of;
 use super::event::{DigitalEvent, DigitalUnit, EventWord, Register};
+use super::tick_of;
 use crate::FrameSweeps;
 
 const PRELOADS: [PreloadRegister; 2] = [PreloadRegister::XFirst, PreloadRegister::YFirst];

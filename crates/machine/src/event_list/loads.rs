@@ -45,7 +45,11 @@ impl Loads<'_> {
         let (stage, plan) = (crossings.stage, crossings.plan);
         let mut program = FeatureProgram::default();
         let drawn = self.sweeps.set_up_of(self.sweep);
-        FeatureLoads { stage, table: self.sweeps.table(), plan }.write([drawn, self.sweep], end, &mut program);
+        FeatureLoads { stage, table: self.sweeps.table(), plan }.write(
+            [drawn, self.sweep],
+            end,
+            &mut program,
+        );
         let is_timed = stage.settings.feature_words.is_some();
         let came = program.arrivals.iter().map(|arrival| DigitalEvent {
             crater: Some(arrival.crater),
@@ -61,9 +65,11 @@ impl Loads<'_> {
                 ..self.at_once(&CRATER, 0, load.edge(crater))
             }
         });
-        let occupied = program.misses.iter().filter(|miss| miss.sub_generator.is_none()).map(|miss| {
-            DigitalEvent { crater: Some(miss.crater), ..self.at_once(&CRATER, 2, miss.range) }
-        });
+        let occupied = program
+            .misses
+            .iter()
+            .filter(|miss| miss.sub_generator.is_none())
+            .map(|miss| DigitalEvent { crater: Some(miss.crater), ..self.at_once(&CRATER, 2, miss.range) });
         came.chain(at_hand).chain(occupied).collect()
     }
 
@@ -91,7 +97,8 @@ impl Loads<'_> {
     fn timed(&self, kind: &Kind, range: f64, load: &TimedLoad) -> DigitalEvent {
         let &TimedLoad { due, arrival, slack, cause, .. } = load;
         let outcome = if arrival.is_none() { 2 } else { usize::from(slack < 0) };
-        let tick = arrival.map_or_else(|| self.seen(due), |arrival| tick_of(self.sweeps, self.sweep, arrival));
+        let tick =
+            arrival.map_or_else(|| self.seen(due), |arrival| tick_of(self.sweeps, self.sweep, arrival));
         DigitalEvent {
             slack: arrival.map(|_| slack),
             cause: (slack < 0).then_some(cause),

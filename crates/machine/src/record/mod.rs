@@ -197,7 +197,10 @@ impl<S: Real> Recorded<'_, S> {
         }
         let (rates, a_second) = match &group.parts.beam {
             Some(beam) => (beam.processor.derivative(&work.driven, lane), 1.0),
-            None => (Some(rises(&of_lane(&work.projected.elevation, lane))), settings.timebase.sample_rate().hertz()),
+            None => (
+                Some(rises(&of_lane(&work.projected.elevation, lane))),
+                settings.timebase.sample_rate().hertz(),
+            ),
         };
         let in_microseconds = |rate: f64| rate * a_second / MICROSECONDS;
         rates.map_or_else(|| vec![0.0; samples], |rates| rates.into_iter().map(in_microseconds).collect())

@@ -34,7 +34,11 @@ struct Scales {
 /// Wires of the machine elaborated for `stage`, in the order of the signal table: those of blocks that are there.
 pub(crate) fn wires(stage: &Stage, blocks: &Blocks, raster: &WrittenRaster) -> Vec<Wire> {
     let scales = Scales::of(stage, raster);
-    signals().iter().filter(|signal| is_there(signal, blocks, &stage.settings.laws)).map(|signal| scales.wire(signal)).collect()
+    signals()
+        .iter()
+        .filter(|signal| is_there(signal, blocks, &stage.settings.laws))
+        .map(|signal| scales.wire(signal))
+        .collect()
 }
 
 fn is_there(signal: &Signal, blocks: &Blocks, laws: &Laws) -> bool {

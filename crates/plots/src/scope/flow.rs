@@ -25,7 +25,14 @@ mod tests {
 
     #[test]
     fn what_does_not_fit_goes_into_the_next_row() {
-        assert_eq!(flow([30.0, 40.0, 20.0, 90.0, 5.0], 10.0, 80.0), [(0, 0.0), (0, 40.0), (1, 0.0), (2, 0.0), (3, 0.0)]);
-        assert_eq!((rows(&flow([90.0], 10.0, 80.0)), rows(&[])), (1, 1), "what is too wide has a row of its own");
+        assert_eq!(
+            flow([30.0, 40.0, 20.0, 90.0, 5.0], 10.0, 80.0),
+            [(0, 0.0), (0, 40.0), (1, 0.0), (2, 0.0), (3, 0.0)]
+        );
+        assert_eq!(
+            (rows(&flow([90.0], 10.0, 80.0)), rows(&[])),
+            (1, 1),
+            "what is too wide has a row of its own"
+        );
     }
 }

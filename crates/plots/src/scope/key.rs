@@ -35,7 +35,8 @@ impl Key {
     pub fn new(is_blanked: bool, fine: &Verticals, coarse: &Verticals, room: f32) -> Self {
         let mut entries: Vec<Entry> = is_blanked.then_some(Entry::Blanked).into_iter().collect();
         entries.extend(counted(fine, coarse).into_iter().map(Entry::Text));
-        let loaded = |colour: &RegisterColour| [fine, coarse].iter().any(|level| level.colours().contains(colour));
+        let loaded =
+            |colour: &RegisterColour| [fine, coarse].iter().any(|level| level.colours().contains(colour));
         entries.extend(RegisterColour::ALL.into_iter().filter(loaded).map(Entry::Register));
         let places = flow(entries.iter().map(Entry::width), APART, room);
         let rows = rows(&places);

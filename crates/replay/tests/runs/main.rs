@@ -1,5 +1,6 @@
 //! Runs of a tiny scene: same bytes for any number of threads and interruptions, and whose files may be touched.
 
+mod checks;
 mod folders;
 mod outputs;
 mod resume;

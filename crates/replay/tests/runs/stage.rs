@@ -62,6 +62,8 @@ pub struct Wish {
     pub fresh: bool,
     /// Cancel after so many frames.
     pub cancel_after: Option<u64>,
+    /// Sweeps to be checked.
+    pub check: u32,
 }
 
 impl Default for Wish {
@@ -74,6 +76,7 @@ impl Default for Wish {
             scenario: SCENARIO.into(),
             fresh: false,
             cancel_after: None,
+            check: 0,
         }
     }
 }
@@ -91,7 +94,7 @@ impl Wish {
 
     pub fn run_in(&self, folder: &RunFolder) -> Result<Outcome, ReplayError> {
         let scenario = Scenario::parse("test.toml", &self.scenario).expect("the scenario is right");
-        let job = job(&scenario, self.frames.clone(), self.pictures);
+        let job = Job { check: self.check, ..job(&scenario, self.frames.clone(), self.pictures) };
         let pool = rayon::ThreadPoolBuilder::new().num_threads(self.threads).build().expect("threads");
         let cancel = AtomicBool::new(self.cancel_after == Some(0));
         let progress = |progress| {
@@ -116,6 +119,7 @@ pub fn job(scenario: &Scenario, frames: Range<u64>, pictures: Pictures) -> Job<'
         stage: stage(scenario),
         frames,
         pictures,
+        check: 0,
     }
 }
 

@@ -149,12 +149,32 @@ fn an_exact_run_has_no_machine() {
 }
 
 #[test]
-fn an_error_in_the_record_is_shown() {
+fn a_check_in_the_record_is_shown() {
     let mut run = RunFolder::new(0, 2);
-    run.record["error"] = json!({ "picture_rmse": 0.0125, "checked_sweeps": 40 });
+    let sweep = |sweep: u32, rms: f64| json!({ "frame": 1, "sweep": sweep, "column": sweep, "rms_and_max": [[rms, 0.2], null, null, null] });
+    run.record["check"] = json!({
+        "against": "exact", "sweeps": 2, "confidence": 0.95, "interval_by": "bootstrap",
+        "errors": [
+            { "error": "picture", "unit": "1", "rms": 0.0125, "interval": [0.011, 0.014], "max": 0.2 },
+            { "error": "height", "unit": "m", "rms": 2.5e-7, "interval": null, "max": 1e-6 },
+        ],
+        "checked": [sweep(3, 0.011), sweep(5, 0.014)],
+    });
     run.write_record();
     let page = run.page();
-    assert!(page.contains("picture rmse") && page.contains("0.0125") && !page.contains("Not checked."));
+    for part in [
+        "2 sweeps",
+        "95 %",
+        "0.0125",
+        "0.0110 to 0.0140",
+        "height (m)",
+        "2.50e-7",
+        "of one sweep none",
+        "#frame=1&amp;sweep=5",
+    ] {
+        assert!(page.contains(part), "{part}");
+    }
+    assert!(!page.contains("Not checked."));
 }
 
 #[test]

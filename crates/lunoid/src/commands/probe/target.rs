@@ -29,17 +29,25 @@ pub fn words() -> Vec<PossibleValue> {
 impl Target {
     /// By a word of `--format`, else by the name of the file.
     pub fn of(word: Option<&str>, out: &Path) -> Result<Self, Failure> {
-        let ending = out.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
-        let name = word.unwrap_or(ending);
-        match Format::ALL.into_iter().find(|format| format.name() == name) {
-            Some(format) => Ok(Self::Waveforms(format)),
-            None if !PICTURES.iter().any(|(picture, _)| *picture == name) => Err(unknown(out)),
-            None if ending == name => Ok(Self::Picture),
-            None => Err(Failure::usage(format!(
+        let name = word.unwrap_or(ending(out));
+        match Self::called(name).ok_or_else(|| unknown(out, ", or --format"))? {
+            Self::Picture if ending(out) != name => Err(Failure::usage(format!(
                 "--out {}: expected a name that ends in .{name} for --format {name}",
                 out.display()
             ))),
+            target => Ok(target),
         }
+    }
+
+    /// By the name of the file alone.
+    pub fn of_name(out: &Path) -> Result<Self, Failure> {
+        Self::called(ending(out)).ok_or_else(|| unknown(out, ""))
+    }
+
+    fn called(name: &str) -> Option<Self> {
+        let format = Format::ALL.into_iter().find(|format| format.name() == name);
+        let is_picture = PICTURES.iter().any(|(picture, _)| *picture == name);
+        format.map(Self::Waveforms).or(is_picture.then_some(Self::Picture))
     }
 
     /// Word of the format, as in the record.
@@ -51,10 +59,14 @@ impl Target {
     }
 }
 
-fn unknown(out: &Path) -> Failure {
+fn ending(out: &Path) -> &str {
+    out.extension().and_then(|ending| ending.to_str()).unwrap_or_default()
+}
+
+fn unknown(out: &Path, more: &str) -> Failure {
     let words = words();
     let endings = words.iter().map(|word| format!(".{}", word.get_name())).collect::<Vec<_>>().join(", ");
-    Failure::usage(format!("--out {}: expected a name that ends in {endings}", out.display()))
+    Failure::usage(format!("--out {}: expected a name that ends in {endings}{more}", out.display()))
 }
 
 /// The names of files, as they are told.

@@ -94,7 +94,9 @@ impl<'a> Page<'a> {
 
     fn lanes(&self) -> Vec<LogicLane<'_>> {
         let digital = self.shown.iter().filter(|waveform| waveform.signal.kind != Kind::Analog);
-        digital.map(|waveform| LogicLane { name: waveform.signal.name, logic: self.logic(waveform) }).collect()
+        digital
+            .map(|waveform| LogicLane { name: waveform.signal.name, logic: self.logic(waveform) })
+            .collect()
     }
 
     fn logic(&self, waveform: &Waveform) -> Logic {
@@ -115,17 +117,15 @@ impl<'a> Page<'a> {
 
     /// A corner by its north and east index.
     fn corner(&self, register: &str, number: usize) -> String {
-        let columns = self.recorded.columns.get(usize::from(register.contains(".coarse."))).filter(|count| **count > 0);
+        let columns =
+            self.recorded.columns.get(usize::from(register.contains(".coarse."))).filter(|count| **count > 0);
         columns.map_or_else(|| number.to_string(), |count| format!("{},{}", number / count, number % count))
     }
 
     /// What each fold of a ramp loads: the corners on the side that the sweep comes to (section 6.3).
     fn crossings(&self, ramps: &str) -> Vec<Crossing> {
         use RegisterColour::{Black, Green, Red, Yellow};
-        let axes = [
-            ("fold.x", [[Red, Green], [Yellow, Black]]),
-            ("fold.y", [[Red, Black], [Green, Yellow]]),
-        ];
+        let axes = [("fold.x", [[Red, Green], [Yellow, Black]]), ("fold.y", [[Red, Black], [Green, Yellow]])];
         let of_axis = |(name, loads): (&str, [[RegisterColour; 2]; 2])| {
             let folds = find(self.recorded, &format!("{ramps}.{name}")).map_or(Vec::new(), instants);
             folds.into_iter().map(move |(at, stop)| Crossing { at, loads: loads[usize::from(stop > 0.5)] })

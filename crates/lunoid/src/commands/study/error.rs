@@ -6,6 +6,8 @@ use clap::Args;
 use exact::Columns;
 use hardware_model::{BUILT_IN, HardwareModel, ModelSource, Settings};
 use serde_json::{Value, json};
+use study::polynomial::{POLYNOMIAL, polynomial_ladder};
+use study::solver::{Chain, SOLVER, solver_ladders};
 use study::ladder::{Extent, Ladder, LadderOutcome, OrderOutcome, ladders};
 use study::{
     Advice, Effort, ExactPictures, REGION_LADDERS, Rehearsed, SelfError, StudyError, Subject, advise, climb, csv,
@@ -18,6 +20,8 @@ use crate::loading::{Loaded, StageArgs, Threads};
 use crate::output::{print, print_json, table as columns, tell};
 use crate::{Failure, Verdict};
 
+/// The model whose parts make the chain that is solved.
+const CHAIN_OF: &str = "pra-nominal";
 /// Frames of a point: more would repeat what the first ones say.
 const MOST_FRAMES: usize = 3;
 /// Repetitions that are timed.
@@ -126,6 +130,16 @@ impl ErrorStudy {
             banks.retain(|ladder| self.wants(ladder.name));
             outcomes.extend(banks);
         }
+        if self.wants(POLYNOMIAL) {
+            self.say("ways to evaluate the ground along a sweep\n");
+            outcomes.push(polynomial_ladder(subject, effort, extent).map_err(failure)?);
+        }
+        if self.wants(SOLVER) {
+            self.say("solvers of an analog chain\n");
+            let models = self.models()?;
+            let real = models.iter().find(|model| model.name == CHAIN_OF).unwrap_or(&subject.model);
+            outcomes.extend(solver_ladders(&Chain::of(real), effort, extent));
+        }
         Ok(Outcome {
             title: subject.scenario.title.clone(),
             frames: subject.frames.iter().map(|(frame, _)| *frame).collect(),
@@ -144,7 +158,7 @@ impl ErrorStudy {
     }
 
     fn chosen(&self, mut all: Vec<Ladder>) -> Result<Vec<Ladder>, Failure> {
-        let known: Vec<&str> = all.iter().map(|ladder| ladder.name).chain(REGION_LADDERS).collect();
+        let known: Vec<&str> = all.iter().map(|ladder| ladder.name).chain(REGION_LADDERS).chain([POLYNOMIAL, SOLVER]).collect();
         if let Some(unknown) = self.only.iter().find(|name| !known.contains(&name.as_str())) {
             return Err(Failure::usage(format!(
                 "--only {unknown}: no such ladder for this scenario; known: {}",

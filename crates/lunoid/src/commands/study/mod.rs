@@ -1,7 +1,9 @@
 //! `lunoid study`: the three promises as numbers.
 
+mod economy;
 mod error;
 mod plots;
+mod stability;
 
 use clap::{Args, Subcommand};
 
@@ -9,9 +11,10 @@ use crate::{Failure, Verdict};
 
 const AFTER: &str = "Examples:
   lunoid study error scenarios/first-light.toml --quick
+  lunoid study economy scenarios/showpiece.toml --quick
   lunoid study error --help";
 
-/// Measure error against run time.
+/// Measure error against run time, and what a scene does not need.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER)]
 pub struct StudyCommand {
@@ -23,6 +26,10 @@ pub struct StudyCommand {
 enum Study {
     /// Error against run time, one factor at a time.
     Error(error::ErrorStudy),
+    /// What is left out, what that saves, and what is still wasted.
+    Economy(economy::EconomyStudy),
+    /// Stiff parts and extreme scenes, each by every method.
+    Stability(stability::StabilityStudy),
 }
 
 impl StudyCommand {
@@ -30,6 +37,8 @@ impl StudyCommand {
     pub fn run(&self) -> Result<Verdict, Failure> {
         match &self.study {
             Study::Error(study) => study.run(),
+            Study::Economy(study) => study.run(),
+            Study::Stability(study) => study.run(),
         }
     }
 }

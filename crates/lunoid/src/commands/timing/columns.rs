@@ -61,7 +61,8 @@ impl Columns {
     /// Traces.
     pub fn run(&self) -> Result<Verdict, Failure> {
         self.out.as_deref().map_or(Ok(()), expect_writable)?;
-        let (rehearsal, frames) = Rehearsal::open(&self.chosen.stage, &self.chosen.threads, |loaded| self.choose(loaded))?;
+        let (rehearsal, frames) =
+            Rehearsal::open(&self.chosen.stage, &self.chosen.threads, |loaded| self.choose(loaded))?;
         let record = rehearsal.record(&frames, &Display::new(!self.no_progress))?;
         let settings = &rehearsal.stage.settings;
         let table = RangeTable::new(&settings.range, settings.raster.samples as usize);

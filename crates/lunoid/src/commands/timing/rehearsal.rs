@@ -10,7 +10,7 @@ use timing::{FORMAT, FrameTiming, TimingRecord};
 
 use super::inputs::inputs_hash;
 use crate::Failure;
-use crate::loading::{EXACT, Loaded, StageArgs, Threads};
+use crate::loading::{Loaded, StageArgs, Threads};
 use crate::progress::Display;
 use crate::values::Span;
 
@@ -34,11 +34,7 @@ impl Rehearsal {
         threads: &Threads,
         frames: impl FnOnce(&Loaded) -> Result<Vec<u64>, Failure>,
     ) -> Result<(Self, Vec<u64>), Failure> {
-        if stage.machine.as_deref() == Some(EXACT) {
-            return Err(Failure::usage(format!(
-                "--machine {EXACT}: a closed form takes no time; expected a hardware model"
-            )));
-        }
+        stage.expect_machine("without clocks it takes no time")?;
         let mut loaded = stage.load()?;
         let chosen = frames(&loaded)?;
         let pool = threads.pool()?;

@@ -28,8 +28,7 @@ const AFTER: &str = "Examples:
 Ticks are those of the master clock since the start of the mission.";
 
 /// Events that need the shadow gates of the frame.
-const SEGMENTS: [EventWord; 3] =
-    [EventWord::SegmentLoad, EventWord::SegmentLate, EventWord::SegmentDropped];
+const SEGMENTS: [EventWord; 3] = [EventWord::SegmentLoad, EventWord::SegmentLate, EventWord::SegmentDropped];
 
 /// Sweeps that are worked out side by side.
 const AT_ONCE: u32 = 32;

@@ -12,9 +12,9 @@ use clap::Args;
 use signal::Signal;
 use trigger::{Condition, ConditionError, Which};
 
-use crate::interrupt;
 use crate::commands::timing::rehearsal::Rehearsal;
-use crate::loading::{EXACT, StageArgs, Threads};
+use crate::interrupt;
+use crate::loading::{StageArgs, Threads};
 use crate::output::{expect_writable, tell};
 use crate::progress::Display;
 use crate::values::Span;
@@ -94,11 +94,7 @@ fn condition(text: &str) -> Result<Condition, ConditionError> {
 impl TriggerCommand {
     /// Searches.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        if self.stage.machine.as_deref() == Some(EXACT) {
-            return Err(Failure::usage(format!(
-                "--machine {EXACT}: it has no signals; expected a hardware model"
-            )));
-        }
+        self.stage.expect_machine("it has no signals")?;
         self.check_signals(machine::signals())?;
         let file =
             self.out.as_deref().map(|out| File::named(out, self.around_sweeps.unwrap_or(0))).transpose()?;

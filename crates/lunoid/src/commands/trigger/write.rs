@@ -21,7 +21,7 @@ pub struct File {
 impl File {
     /// The kind of file that its name says; `beside` is how many sweeps it has to each side.
     pub fn named(path: &Path, beside: u32) -> Result<Self, Failure> {
-        let target = Target::of(None, path)?;
+        let target = Target::of_name(path)?;
         if target == Target::Picture && beside > 0 {
             return Err(Failure::usage(
                 "--around-sweeps: a picture shows one sweep; leave it out, or write another format",

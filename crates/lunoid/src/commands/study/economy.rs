@@ -1,0 +1,242 @@
+//! `lunoid study economy`: what is left out, what that saves, what remains.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use plots::{Bars, TraceLook, bar_picture};
+use serde_json::{Value, json};
+use study::Subject;
+use study::economy::{EconomyOutcome, economy};
+
+use super::error::{failure, frames, quarter};
+use crate::cli::COMMIT;
+use crate::loading::{StageArgs, Threads};
+use crate::output::{print, print_json, table as columns, tell};
+use crate::{Failure, Verdict};
+
+/// Repetitions that are timed.
+const REPETITIONS: u32 = 7;
+const QUICK_REPETITIONS: u32 = 3;
+
+const AFTER: &str = "Examples:
+  lunoid study economy scenarios/first-light.toml --quick
+  lunoid study economy scenarios/showpiece.toml --frame 0 --frame 150 --out studies/economy
+
+--out gets economy.json, economy.csv, economy.md and a plot. The exit status is 1 if a machine that claims to draw the same
+bits does not. docs/economy.md says how to read it.";
+
+/// What the scenario does not need: left out, saved, and still wasted.
+#[derive(Debug, Args)]
+#[command(after_help = AFTER)]
+pub struct EconomyStudy {
+    #[command(flatten)]
+    stage: StageArgs,
+    #[command(flatten)]
+    threads: Threads,
+    /// Frame to look at; up to three times. The middle of the mission if left out.
+    #[arg(long, value_name = "F")]
+    frame: Vec<u64>,
+    /// Repetitions of each frame that are timed.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    repetitions: Option<u32>,
+    /// A quarter of the sweeps, columns and lines.
+    #[arg(long)]
+    quick: bool,
+    /// Folder for tables and the plot.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// No progress.
+    #[arg(long)]
+    no_progress: bool,
+    /// Print as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+/// What came of it.
+struct Outcome {
+    title: String,
+    frames: Vec<u64>,
+    threads: usize,
+    found: EconomyOutcome,
+}
+
+impl EconomyStudy {
+    /// Studies.
+    pub fn run(&self) -> Result<Verdict, Failure> {
+        self.stage.expect_machine("it leaves nothing out")?;
+        let mut loaded = self.stage.load()?;
+        if self.quick {
+            quarter(&mut loaded)?;
+        }
+        let frames = frames(&self.frame, loaded.frames())?;
+        let pool = self.threads.pool()?;
+        let stage = loaded.stage(&pool)?;
+        let subject = Subject::new(loaded.scenario, loaded.model, stage, &frames).map_err(Failure::input)?;
+        let usual = if self.quick { QUICK_REPETITIONS } else { REPETITIONS };
+        let repetitions = self.repetitions.unwrap_or(usual);
+        let mut hear = |what: &str| {
+            if !self.no_progress {
+                tell(&format!("{what}\n"));
+            }
+        };
+        let found = pool.install(|| economy(&subject, repetitions, &mut hear)).map_err(failure)?;
+        let threads = pool.current_num_threads();
+        let outcome = Outcome { title: subject.scenario.title.clone(), frames, threads, found };
+        if let Some(folder) = &self.out {
+            outcome.write(folder)?;
+        }
+        if self.json {
+            print_json(&outcome.json())?
+        } else {
+            print(&outcome.text())?
+        }
+        Ok(if outcome.found.holds() { Verdict::Yes } else { Verdict::No })
+    }
+}
+
+fn percent(some: u64, all: u64) -> String {
+    format!("{:.1} %", 100.0 * some as f64 / all.max(1) as f64)
+}
+
+impl Outcome {
+    fn json(&self) -> Value {
+        json!({
+            "schema": "lunoid.study-economy/1",
+            "commit": COMMIT,
+            "title": self.title,
+            "frames": self.frames,
+            "threads": self.threads,
+            "bits_are_equal": self.found.holds(),
+            "economy": self.found,
+        })
+    }
+
+    fn facts(&self) -> String {
+        let frames: Vec<String> = self.frames.iter().map(u64::to_string).collect();
+        format!("{}, frame {}, {} threads, commit {COMMIT}", self.title, frames.join(", "), self.threads)
+    }
+
+    /// Titles and tables, each with the names of its columns first.
+    fn tables(&self) -> [(&'static str, Vec<Vec<String>>); 3] {
+        [
+            ("Time and bits", self.modes()),
+            ("What is left out", self.left_out()),
+            ("What is computed and touches no pixel", self.waste()),
+        ]
+    }
+
+    fn modes(&self) -> Vec<Vec<String>> {
+        let base = self.found.modes[1].time_s[0];
+        let lossless = &self.found.modes[1].blake3;
+        let head = ["machine", "ms a frame", "least", "most", "against lossless", "bits", "pixels"];
+        let row = |mode: &study::economy::ModeOutcome| {
+            let [median, least, most] = mode.time_s.map(|time| format!("{:.1}", 1e3 * time));
+            let against = format!("{:+.1} %", 100.0 * (mode.time_s[0] / base - 1.0));
+            let [rms, max] = mode.off;
+            let bits = match (mode.blake3 == *lossless, mode.claims_equal) {
+                (true, _) => "equal".to_owned(),
+                (false, true) => format!("NOT EQUAL: RMS {rms:.1e}"),
+                (false, false) => format!("RMS {rms:.1e}, at most {max:.2}"),
+            };
+            vec![mode.name.clone(), median, least, most, against, bits, mode.blake3[..12].to_owned()]
+        };
+        [head.map(str::to_owned).into()].into_iter().chain(self.found.modes.iter().map(row)).collect()
+    }
+
+    fn left_out(&self) -> Vec<Vec<String>> {
+        let head = ["level", "block", "what", "left out", "of", "share", "weight", "why"];
+        let row = |left: &study::economy::LeftOut| {
+            let [some, all, share] = match left.count {
+                Some([some, all]) => [some.to_string(), all.to_string(), percent(some, all)],
+                None => ["all", "", ""].map(str::to_owned),
+            };
+            let [level, block] = [left.level.name(), left.block].map(str::to_owned);
+            vec![level, block, left.what.clone(), some, all, share, left.weight.clone(), left.why.clone()]
+        };
+        [head.map(str::to_owned).into()].into_iter().chain(self.found.left_out.iter().map(row)).collect()
+    }
+
+    fn waste(&self) -> Vec<Vec<String>> {
+        let head = ["block", "what", "wasted", "of", "share", "why it is done"];
+        let row = |waste: &study::economy::Waste| {
+            let [some, all] = [waste.wasted, waste.of];
+            let [block, what, why] = [waste.block, waste.what, waste.why].map(str::to_owned);
+            vec![block, what, some.to_string(), all.to_string(), percent(some, all), why]
+        };
+        [head.map(str::to_owned).into()].into_iter().chain(self.found.waste.iter().map(row)).collect()
+    }
+
+    fn text(&self) -> String {
+        let tables = self.tables();
+        let text = tables.iter().map(|(title, rows)| format!("\n{title}\n{}", columns(rows)));
+        format!("{}\n{}", self.facts(), text.collect::<String>())
+    }
+
+    /// The same as a page of Markdown.
+    fn page(&self) -> String {
+        let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
+        let mut text = format!("{}.\n", self.facts());
+        for (title, rows) in self.tables() {
+            text += &format!("\n### {title}\n\n{}|{}\n", line(&rows[0]), "---|".repeat(rows[0].len()));
+            rows[1..].iter().for_each(|row| text += &line(row));
+        }
+        text
+    }
+
+    /// All tables, each row with its table in front.
+    fn csv(&self) -> String {
+        let quoted = |cell: &String| format!("\"{}\"", cell.replace('"', "\"\""));
+        let mut text = String::new();
+        for (title, rows) in self.tables() {
+            for row in rows {
+                let cells: Vec<String> = [title.to_owned()].iter().chain(&row).map(quoted).collect();
+                text += &format!("{}\n", cells.join(","));
+            }
+        }
+        text
+    }
+
+    fn write(&self, folder: &Path) -> Result<(), Failure> {
+        std::fs::create_dir_all(folder).map_err(|error| {
+            Failure::output(format!("--out {}: {error}; name a folder that can be written", folder.display()))
+        })?;
+        let put = |name: &str, text: &str| {
+            files::write_atomic(folder.join(name), |out: &mut dyn std::io::Write| {
+                out.write_all(text.as_bytes())
+            })
+        };
+        put("economy.json", &format!("{:#}\n", self.json()))?;
+        put("economy.csv", &self.csv())?;
+        put("economy.md", &self.page())?;
+        self.plot(folder)
+    }
+
+    /// Samples by what becomes of them.
+    fn plot(&self, folder: &Path) -> Result<(), Failure> {
+        let fates = self
+            .found
+            .waste
+            .iter()
+            .filter(|waste| waste.block == "machine" && waste.what.starts_with("samples"));
+        let panels: Vec<Bars> = fates
+            .map(|waste| Bars {
+                name: waste.what.to_owned(),
+                counts: vec![waste.wasted as f64, (waste.of - waste.wasted) as f64],
+                edges: vec!["no | yes".to_owned()],
+                wrong: 1,
+            })
+            .collect();
+        let look = TraceLook {
+            title: "What becomes of samples".into(),
+            facts: vec![self.facts()],
+            width: 600,
+            height: 90,
+        };
+        let drawing = bar_picture("touches a pixel", "samples", &panels, &look).map_err(Failure::output)?;
+        for end in ["svg", "png"] {
+            drawing.write(folder.join(format!("waste.{end}"))).map_err(Failure::output)?;
+        }
+        Ok(())
+    }
+}

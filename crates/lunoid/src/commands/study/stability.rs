@@ -1,0 +1,212 @@
+//! `lunoid study stability`: parts and whole frames at their limits.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use hardware_model::{HardwareModel, ModelSource};
+use scenario::Scenario;
+use serde_json::{Value, json};
+use study::Subject;
+use study::ladder::Extent;
+use study::stability::{BASE, Cell, Choice, FitOutcome, Scene, matrix, rows, survey_fits, table};
+
+use crate::cli::COMMIT;
+use crate::loading::{StageArgs, Threads};
+use crate::output::{print, print_json, table as columns, tell};
+use crate::{Failure, Verdict};
+
+const AFTER: &str = "Examples:
+  lunoid study stability --quick
+  lunoid study stability --out studies/stability
+  lunoid study stability scenarios/first-light.toml --only light --only corner
+  lunoid study stability --only pair --pairs
+  lunoid study stability --mixtures 1000 --seed 7
+
+Without a scenario a small one that the program carries is pushed to its limits; of a scenario it is the ground of the
+finest level, the eye and the light of its first frame. --out gets stability.json, stability.csv and stability.md.
+The exit code is 1 if a method of the machine has a cell that does not hold. docs/stability.md says how to read it.";
+
+/// The machines of the matrix: signals of ideal parts, pictures of real ones.
+const MODELS: [&str; 2] = ["ideal", "pra-nominal"];
+
+/// Stability: stiff parts and extreme scenes, each by every method.
+#[derive(Debug, Args)]
+#[command(after_help = AFTER)]
+pub struct StabilityStudy {
+    /// Scenario file; a small scene of its own if left out.
+    scenario: Option<PathBuf>,
+    #[command(flatten)]
+    threads: Threads,
+    /// Short runs: drift over a million samples, not a thousand million.
+    #[arg(long)]
+    quick: bool,
+    /// Every pair of extremes of different rows as well.
+    #[arg(long, conflicts_with = "quick")]
+    pairs: bool,
+    /// So many random mixtures of extremes as well.
+    #[arg(long, value_name = "N", default_value_t = 0, conflicts_with = "quick")]
+    mixtures: u32,
+    /// Seed of the mixtures.
+    #[arg(long, value_name = "SEED", default_value_t = 1)]
+    seed: u64,
+    /// This row alone; may be given several times.
+    #[arg(long, value_name = "ROW")]
+    only: Vec<String>,
+    /// Folder for the tables.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// No progress.
+    #[arg(long)]
+    no_progress: bool,
+    /// Print as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+/// What came of it.
+struct Outcome {
+    title: String,
+    seed: u64,
+    cells: Vec<Cell>,
+    fits: Vec<FitOutcome>,
+}
+
+/// The row of the survey fit, which is a table of its own.
+const SURVEY: &str = "survey";
+
+impl StabilityStudy {
+    /// Studies.
+    pub fn run(&self) -> Result<Verdict, Failure> {
+        self.check_rows()?;
+        let pool = self.threads.pool()?;
+        let outcome = pool.install(|| self.study())?;
+        if let Some(folder) = &self.out {
+            outcome.write(folder)?;
+        }
+        if self.json {
+            print_json(&outcome.json())?
+        } else {
+            print(&outcome.text())?
+        }
+        Ok(if table::faults(&outcome.cells).is_empty() { Verdict::Yes } else { Verdict::No })
+    }
+
+    fn check_rows(&self) -> Result<(), Failure> {
+        let known: Vec<&str> = rows().into_iter().chain([SURVEY]).collect();
+        match self.only.iter().find(|row| !known.contains(&row.as_str())) {
+            Some(row) => {
+                Err(Failure::usage(format!("--only {row}: no such row; known: {}", known.join(", "))))
+            }
+            None => Ok(()),
+        }
+    }
+
+    fn study(&self) -> Result<Outcome, Failure> {
+        let subject = self.subject()?;
+        let folder = self.scenario.as_deref().and_then(Path::parent).unwrap_or(Path::new(""));
+        let load = |name: &str| -> Result<HardwareModel, Failure> {
+            Ok(HardwareModel::load(&ModelSource::find(name, folder)?, &[], &[])?.model)
+        };
+        let [ideal, parts] = [load(MODELS[0])?, load(MODELS[1])?];
+        let choice = Choice {
+            extent: if self.quick { Extent::Quick } else { Extent::Whole },
+            rows: self.only.clone(),
+            pairs: self.pairs,
+            mixtures: self.mixtures,
+            seed: self.seed,
+        };
+        let cells = matrix(&Scene::of(&subject), [&ideal, &parts], &choice, &mut |name| self.say(name));
+        let is_wanted = self.only.is_empty() || self.only.iter().any(|row| row == SURVEY);
+        let fits = if is_wanted { survey_fits() } else { Vec::new() };
+        Ok(Outcome { title: subject.scenario.title.clone(), seed: self.seed, cells, fits })
+    }
+
+    fn subject(&self) -> Result<Subject, Failure> {
+        let (scenario, model, stage) = match &self.scenario {
+            Some(file) => {
+                let mut loaded = StageArgs::of(file).load()?;
+                let stage = loaded.stage(&self.threads.pool()?)?;
+                (loaded.scenario, loaded.model, stage)
+            }
+            None => {
+                let scenario = Scenario::parse("small", BASE)?;
+                let source = ModelSource::find(MODELS[0], Path::new(""))?;
+                let model = HardwareModel::load(&source, &[], &[])?.model;
+                let settings = stage::settings(&scenario, &model).map_err(Failure::input)?;
+                let stage = stage::build(&scenario, settings).map_err(Failure::input)?;
+                (scenario, model, stage)
+            }
+        };
+        Subject::new(scenario, model, stage, &[0]).map_err(Failure::input)
+    }
+
+    fn say(&self, text: &str) {
+        if !self.no_progress {
+            tell(&format!("{text}\n"));
+        }
+    }
+}
+
+impl Outcome {
+    fn json(&self) -> Value {
+        json!({
+            "schema": "lunoid.study-stability/1",
+            "commit": COMMIT,
+            "title": self.title,
+            "seed": self.seed,
+            "cells": self.cells,
+            "survey": self.fits,
+        })
+    }
+
+    fn facts(&self) -> String {
+        let own = self.cells.iter().filter(|cell| cell.own).count();
+        let faults = table::faults(&self.cells).len();
+        format!("{}, {own} cells of the machine, {faults} do not hold, commit {COMMIT}", self.title)
+    }
+
+    fn text(&self) -> String {
+        let mut text = format!("{}\n\n{}", self.facts(), columns(&table::summary(&self.cells)));
+        if !self.fits.is_empty() {
+            text += &format!("\nsurvey fit\n{}", columns(&table::fits(&self.fits)));
+        }
+        table::faults(&self.cells).iter().for_each(|fault| text += &format!("\n{fault}"));
+        text + "\n"
+    }
+
+    /// The same as a page of Markdown.
+    fn page(&self) -> String {
+        let mut text = format!("{}.\n\n{}", self.facts(), markdown(&table::summary(&self.cells)));
+        if !self.fits.is_empty() {
+            text += &format!("\n### Survey fit\n\n{}", markdown(&table::fits(&self.fits)));
+        }
+        let faults = table::faults(&self.cells);
+        if !faults.is_empty() {
+            text += "\n### What does not hold\n\n";
+            faults.iter().for_each(|fault| text += &format!("- {fault}\n"));
+        }
+        text
+    }
+
+    fn write(&self, folder: &Path) -> Result<(), Failure> {
+        let put = |name: &str, text: &str| {
+            files::write_atomic(folder.join(name), |out: &mut dyn Write| out.write_all(text.as_bytes()))
+        };
+        put("stability.json", &format!("{:#}\n", self.json()))?;
+        put("stability.csv", &table::csv(&self.cells))?;
+        put("stability.md", &self.page())?;
+        Ok(())
+    }
+}
+
+fn markdown(rows: &[Vec<String>]) -> String {
+    let mut text = String::new();
+    for (number, row) in rows.iter().enumerate() {
+        text += &format!("| {} |\n", row.join(" | "));
+        if number == 0 {
+            text += &format!("|{}\n", "---|".repeat(row.len()));
+        }
+    }
+    text
+}

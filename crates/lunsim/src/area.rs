@@ -1,0 +1,88 @@
+//! The viewed area (block 5): what part of the map the picture can show.
+
+use landscape::{LUNOID_RADIUS, Landscape, Level};
+
+use crate::observer::Observer;
+
+/// A rectangle of the map in the observer's axes (m).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct ViewedArea {
+    /// Nearest and farthest row; the nearest may lie behind the observer's foot point.
+    pub along: [f64; 2],
+    /// Left and right column.
+    pub across: [f64; 2],
+}
+
+/// Least and greatest height of the ground (m): stored corners, widened by the deepest crater and the highest rim.
+pub(crate) fn heights(landscape: &Landscape) -> [f64; 2] {
+    let corners = landscape.level().words().iter().map(|words| words[0]);
+    let [low, high] = corners
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], height| [low.min(height), high.max(height)]);
+    let craters = landscape.features().craters();
+    let deepest = craters.iter().map(|crater| crater.depth()).fold(0.0, f64::max);
+    let highest = craters.iter().map(|crater| crater.highest()).fold(0.0, f64::max);
+    [low - deepest, high + highest]
+}
+
+/// The area that the field of view covers on ground of heights `low` to `high` (m), on the curved lunoid or a flat
+/// one, as far as `end` (m) and the map reach; `None` if that is nothing.
+pub(crate) fn viewed(
+    observer: &Observer,
+    level: &Level,
+    [low, high]: [f64; 2],
+    is_curved: bool,
+    end: f64,
+) -> Option<ViewedArea> {
+    let [half_width, half_height] = observer.half_field;
+    let drop_to = |height: f64| (observer.eye[2] - height).max(0.0);
+    let upper = observer.ray(-half_height);
+    let lower = observer.ray(half_height);
+    // A corner of the picture looks less steeply than the middle of its edge, and so sees farther ground.
+    let reach = |x: f64| {
+        let slant = (upper[0] * upper[0] + x * x).sqrt();
+        let range = meeting(upper[1] / slant, drop_to(low), high - low, is_curved).min(end);
+        [range * upper[0] / slant, range * x / slant]
+    };
+    let (middle, corner) = (reach(0.0), reach(half_width));
+    let far = middle[0].max(corner[0]);
+    // Below a lower edge that looks ahead high ground is nearest, below one that looks back low ground.
+    let nearest = if lower[0] > 0.0 { drop_to(high) } else { drop_to(low) };
+    let steps = |drop: f64| if lower[1] > 0.0 { drop / lower[1] } else { 0.0 };
+    let near = steps(nearest) * lower[0];
+    let side = corner[1].max(steps(drop_to(low)) * half_width);
+    let [along, across] = on_map(observer, level);
+    let area = ViewedArea {
+        along: [near.max(along[0]), far.min(along[1])],
+        across: [across[0].max(-side), across[1].min(side)],
+    };
+    (area.along[0] < area.along[1] && area.across[0] < area.across[1]).then_some(area)
+}
+
+/// Ground range at which a ray of `slope` downwards meets ground `drop` (m) below the eye: on the lunoid the place
+/// where it goes through the curved ground or, if it passes above, the range at which what stands `relief` (m) above
+/// that ground has sunk below the horizon.
+fn meeting(slope: f64, drop: f64, relief: f64, is_curved: bool) -> f64 {
+    if !is_curved {
+        return if slope > 0.0 { drop / slope } else { f64::INFINITY };
+    }
+    // t s = drop + s^2 / 2R.
+    let root = slope * slope - 2.0 * drop / LUNOID_RADIUS;
+    match slope > 0.0 && root >= 0.0 {
+        true => 2.0 * drop / (slope + root.sqrt()),
+        false => (2.0 * LUNOID_RADIUS * drop).sqrt() + (2.0 * LUNOID_RADIUS * relief).sqrt(),
+    }
+}
+
+/// The box around the map in the observer's axes: along, across. Looking along a cardinal direction it is the map.
+fn on_map(observer: &Observer, level: &Level) -> [[f64; 2]; 2] {
+    let [south, west, north, east] = level.extent();
+    let corners = [[south, west], [south, east], [north, west], [north, east]];
+    let places = corners.map(|[x, y]| observer.in_axes([x - observer.eye[0], y - observer.eye[1]]));
+    std::array::from_fn(|axis| {
+        let values = places.map(|place| place[axis]);
+        [
+            values.into_iter().fold(f64::INFINITY, f64::min),
+            values.into_iter().fold(f64::NEG_INFINITY, f64::max),
+        ]
+    })
+}

@@ -1,0 +1,6 @@
+//! Pictures of LUNSIM in closed form, its restrictions, and its session.
+
+mod closed_forms;
+mod restrictions;
+mod scenes;
+mod session;

@@ -1,0 +1,142 @@
+//! The matrix: every case by every method.
+
+use hardware_model::HardwareModel;
+use quantities::hash_words;
+use scenario::Scalar;
+
+use super::cell::{Cell, Theory};
+use super::extremes::{Extreme, extremes};
+use super::frames::{Drawer, draw};
+use super::scene::Scene;
+use super::{linear, refusals, switching};
+use crate::ladder::Extent;
+
+/// A dimension of the matrix that needs no scene.
+type PartRow = (&'static str, fn(Extent) -> Vec<Cell>);
+
+/// Dimensions of the parts.
+const PART_ROWS: [PartRow; 7] = [
+    ("time constant", linear::time_constants),
+    ("chain", linear::chains),
+    ("second order", linear::second_orders),
+    ("limits", switching::slew),
+    ("comparator", switching::comparators),
+    ("hold", switching::holds),
+    ("drift", linear::drift),
+];
+/// The row of what readers refuse.
+const INPUT: &str = "input";
+/// Picture of a machine with parts against exact: beyond this it shows something else.
+const PARTS_ALLOWED: f64 = 0.6;
+
+/// What is run.
+#[derive(Debug, Clone)]
+pub struct Choice {
+    /// How long runs are.
+    pub extent: Extent,
+    /// These rows alone; all of them if empty.
+    pub rows: Vec<String>,
+    /// Whether every pair of extremes of different rows is run.
+    pub pairs: bool,
+    /// Random mixtures.
+    pub mixtures: u32,
+    /// Seed of the mixtures.
+    pub seed: u64,
+}
+
+impl Choice {
+    fn has(&self, row: &str) -> bool {
+        self.rows.is_empty() || self.rows.iter().any(|wanted| wanted == row)
+    }
+}
+
+/// Names of all rows.
+pub fn rows() -> Vec<&'static str> {
+    let mut names: Vec<&str> = PART_ROWS.iter().map(|(name, _)| *name).collect();
+    for extreme in extremes() {
+        if names.last() != Some(&extreme.row) {
+            names.push(extreme.row);
+        }
+    }
+    names.push(INPUT);
+    names
+}
+
+/// Runs what is chosen over `scene`; `ideal` and `parts` are the models that draw. `hear` is told of each row.
+pub fn matrix(
+    scene: &Scene,
+    [ideal, parts]: [&HardwareModel; 2],
+    choice: &Choice,
+    hear: &mut dyn FnMut(&str),
+) -> Vec<Cell> {
+    let drawers = [
+        Drawer { name: "ideal, f64", model: ideal, scalar: Scalar::F64, is_ideal: true },
+        Drawer { name: "ideal, f32", model: ideal, scalar: Scalar::F32, is_ideal: true },
+        Drawer { name: "parts, f32", model: parts, scalar: Scalar::F32, is_ideal: false },
+    ];
+    let mut cells = Vec::new();
+    for (name, run) in PART_ROWS.iter().filter(|(name, _)| choice.has(name)) {
+        hear(name);
+        cells.extend(run(choice.extent));
+    }
+    let all = extremes();
+    for extreme in all.iter().filter(|extreme| choice.has(extreme.row)) {
+        hear(&format!("{}: {}", extreme.row, extreme.name));
+        cells.extend(frame_cells(scene, &drawers, extreme.row, &[extreme]));
+    }
+    if choice.has(INPUT) {
+        hear(INPUT);
+        cells.extend(refusals::refusals());
+    }
+    if choice.pairs {
+        let pairs = all.iter().enumerate().flat_map(|(k, a)| all[k + 1..].iter().map(move |b| [a, b]));
+        for pair in pairs.filter(|[a, b]| a.row != b.row && (choice.has(a.row) || choice.has(b.row))) {
+            cells.extend(frame_cells(scene, &drawers, "pair", &pair));
+        }
+    }
+    for number in 0..choice.mixtures {
+        hear(&format!("mixture {number} of seed {}", choice.seed));
+        cells.extend(frame_cells(scene, &drawers, "mixture", &mixture(&all, choice.seed, number)));
+    }
+    cells
+}
+
+/// Two to five extremes of different rows.
+fn mixture(all: &[Extreme], seed: u64, number: u32) -> Vec<&Extreme> {
+    let draw = |what: u64| hash_words(seed, &[u64::from(number), what]);
+    let count = 2 + (draw(0) % 4) as usize;
+    let mut chosen: Vec<&Extreme> = Vec::new();
+    for k in 1..64 {
+        let extreme = &all[(draw(k) % all.len() as u64) as usize];
+        if chosen.len() < count && chosen.iter().all(|other| other.row != extreme.row) {
+            chosen.push(extreme);
+        }
+    }
+    // Ground before eye: the order of the table.
+    let place = |extreme: &Extreme| all.iter().position(|other| std::ptr::eq(other, extreme));
+    chosen.sort_by_key(|extreme| place(extreme));
+    chosen
+}
+
+/// One extreme, or several together, by every machine.
+fn frame_cells(scene: &Scene, drawers: &[Drawer<'_>], row: &'static str, pushed: &[&Extreme]) -> Vec<Cell> {
+    let mut scene = scene.clone();
+    pushed.iter().for_each(|extreme| extreme.apply.apply(&mut scene));
+    let names: Vec<&str> = pushed.iter().map(|extreme| extreme.name.as_str()).collect();
+    let case = names.join(" + ");
+    let roundings = pushed.iter().map(|extreme| extreme.roundings).fold(0.0, f64::max);
+    let cell = |drawer: &Drawer<'_>| {
+        let found = draw(&scene, drawer);
+        let theory = if pushed.iter().any(|extreme| extreme.refused) {
+            Theory::Refuses
+        } else {
+            Theory::Answers(match (drawer.is_ideal, drawer.scalar) {
+                (true, Scalar::F64) => roundings * f64::EPSILON,
+                (true, Scalar::F32) => roundings * f64::from(f32::EPSILON),
+                (false, _) => PARTS_ALLOWED,
+            })
+        };
+        Cell::own(row, &case, drawer.name, theory, found)
+    };
+    drawers.iter().map(cell).collect()
+}

@@ -1,0 +1,100 @@
+//! The singles of the matrix.
+
+use hardware_model::{HardwareModel, ModelSource};
+use scenario::Scenario;
+
+use super::{BASE, Cell, Choice, FitOutcome, Scene, matrix, survey_fits};
+use crate::Subject;
+use crate::ladder::Extent;
+
+fn model(name: &str) -> HardwareModel {
+    HardwareModel::load(&ModelSource::BuiltIn(name.into()), &[], &[]).unwrap().model
+}
+
+fn scene() -> Scene {
+    let (scenario, ideal) = (Scenario::parse("small", BASE).unwrap(), model("ideal"));
+    let stage = stage::build(&scenario, stage::settings(&scenario, &ideal).unwrap()).unwrap();
+    Scene::of(&Subject::new(scenario, ideal, stage, &[0]).unwrap())
+}
+
+fn run(choice: &Choice) -> Vec<Cell> {
+    matrix(&scene(), [&model("ideal"), &model("pra-nominal")], choice, &mut |name| eprintln!("{:?} {name}", std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).unwrap().as_millis() % 1000000))
+}
+
+fn singles() -> Choice {
+    Choice { extent: Extent::Quick, rows: Vec::new(), pairs: false, mixtures: 0, seed: 1 }
+}
+
+fn assert_sound(cells: &[Cell]) {
+    let broken: Vec<String> = cells
+        .iter()
+        .filter(|cell| cell.fault.is_some())
+        .map(|c| format!("{}: {}, {}: {:?} ({:?} of {:?}), {:?}", c.row, c.case, c.method, c.fault, c.error, c.allowed, c.action))
+        .collect();
+    assert!(broken.is_empty(), "{} of {} cells:\n{}", broken.len(), cells.len(), broken.join("\n"));
+}
+
+#[test]
+fn every_single_extreme_holds() {
+    let cells = run(&singles());
+    assert!(cells.iter().filter(|cell| cell.own).count() > 300, "{}", cells.len());
+    assert_sound(&cells);
+}
+
+#[test]
+fn explicit_steps_break_where_they_must() {
+    let cells = run(&Choice { rows: vec!["time constant".into()], ..singles() });
+    let of = |case: &str, method: &str| {
+        cells.iter().find(|cell| cell.case == case && cell.method == method).unwrap()
+    };
+    assert!(!of("lag of 1e-1 samples", "Runge-Kutta").bounded);
+    assert!(of("lag of 1e1 samples", "Runge-Kutta").bounded);
+    assert!(of("lag of 1e-6 samples", "backward Euler").bounded);
+}
+
+#[test]
+fn mixtures_are_named_by_their_seed() {
+    let choice = Choice { rows: vec!["none".into()], mixtures: 4, ..singles() };
+    let names = |choice: &Choice| run(choice).into_iter().map(|cell| cell.case).collect::<Vec<_>>();
+    let first = names(&choice);
+    assert_eq!(first, names(&choice));
+    assert_ne!(first, names(&Choice { seed: 2, ..choice }));
+}
+
+#[test]
+fn fits_are_determined() {
+    for fit in survey_fits() {
+        let FitOutcome { region, holes, growth, .. } = &fit;
+        assert!(fit.refused.is_some() || *growth < 3.0, "{region} samples, {holes} holes: {fit:?}");
+    }
+}
+
+#[test]
+fn tmp_nested() {
+    for count in [100.0, 300.0, 1000.0, 3000.0] {
+        let mut scene = scene();
+        let centre = [scene.foot[0] + 60.0, scene.foot[1]];
+        scene.craters = (0..count as u32).map(|k| { let r1 = 1.0 + 20.0 * f64::from(k) / count; features::Crater::new(centre, features::Shape::RimmedBowl { r1, r2: 1.3 * r1 }, 1e-4 * r1, 1e-5 * r1).unwrap() }).collect();
+        scene.attitude.heading = 0.0;
+        let t = std::time::Instant::now();
+        let (stage, pose) = scene.build(&model("ideal"), scenario::Scalar::F64).unwrap();
+        eprintln!("build {count} {:?}", t.elapsed());
+        let t = std::time::Instant::now();
+        use generator::Generator;
+        let session = machine::HybridMachine.prepare(stage.clone()).unwrap();
+        eprintln!("prepare {:?}", t.elapsed());
+        let t = std::time::Instant::now();
+        let mut planes = generator::Planes::new(48, 32, &[generator::PlaneKind::Intensity]);
+        session.frame(0, &pose, &mut planes, &mut signal::Probe::off()).unwrap();
+        eprintln!("ideal frame {:?}", t.elapsed());
+        let t = std::time::Instant::now();
+        let session = exact::Exact.prepare(stage.clone()).unwrap();
+        session.frame(0, &pose, &mut planes, &mut signal::Probe::off()).unwrap();
+        eprintln!("exact frame {:?}", t.elapsed());
+        let (stage, pose) = scene.build(&model("pra-nominal"), scenario::Scalar::F32).unwrap();
+        let t = std::time::Instant::now();
+        let session = machine::HybridMachine.prepare(stage.clone()).unwrap();
+        session.frame(0, &pose, &mut planes, &mut signal::Probe::off()).unwrap();
+        eprintln!("nominal frame {:?}", t.elapsed());
+    }
+}

@@ -1,0 +1,101 @@
+//! The error of the grid, and how it falls with the grid.
+
+use std::sync::Arc;
+
+use features::{Crater, Features, Shape};
+use generator::Stage;
+use hardware_model::{HardwareModel, Raster, Settings};
+use landscape::relief::{Relief, Undulation};
+use landscape::{Attitude, Bank, Landscape, Sun};
+use quantities::radians;
+use scenario::{
+    Curvature, Display, FieldOfView, LawWishes, Laws, LunsimRun, PixelRule, Pose, RangeLaw, RangeProgramme,
+    RasterWishes, Scalar, Scenery, ShadowFineness,
+};
+
+use crate::shared::{Distance, distance};
+
+/// A square field of 30 degrees on every position of the recorder, so that a pixel's middle is a position's.
+fn settings(grid: u32, restrictions: bool) -> Settings {
+    let half = libm::tan(radians(15.0));
+    let field = FieldOfView { tan_half_width: half, tan_half_height: half };
+    let display = Display { white: 1.0, gamma: 1.0 };
+    let (model, raster, laws) = (HardwareModel::ideal(), RasterWishes::default(), LawWishes::default());
+    let ideal = Settings::resolve(&model, field, raster, None, laws, Scalar::F64, display).unwrap();
+    Settings {
+        raster: Raster { columns: 1024, lines: 1024, ..ideal.raster },
+        range: RangeProgramme { law: RangeLaw::Geometric, start: 1.0, end: 30_000.0 },
+        laws: Laws { curvature: Curvature::None, pixel_rule: PixelRule::Centre, ..Laws::default() },
+        shadows: Some(ShadowFineness::default()),
+        lunsim: LunsimRun { grid, intensity_codes: 256, restrictions },
+        ..ideal
+    }
+}
+
+/// One crater of each type, one in another.
+fn craters() -> Features {
+    let crater = |at: [f64; 2], shape, depth, rim| Crater::new(at, shape, depth, rim).unwrap();
+    Features::new(vec![
+        crater([5200.0, 3900.0], Shape::Bowl { r1: 500.0 }, 90.0, 0.0),
+        crater([5300.0, 4900.0], Shape::RimmedBowl { r1: 350.0, r2: 500.0 }, 110.0, 25.0),
+        crater([6500.0, 4100.0], Shape::FlatFloor { r1: 350.0, r2: 700.0, r3: 950.0 }, 140.0, 40.0),
+        crater([6700.0, 3900.0], Shape::RimmedBowl { r1: 200.0, r2: 280.0 }, 50.0, 10.0),
+    ])
+}
+
+fn stage(relief: &Relief, sun: f64, settings: Settings) -> Stage {
+    let bank = Bank::new("test", vec![relief.build().unwrap()], None).unwrap();
+    let sun = Sun { azimuth: radians(sun), elevation: radians(14.0) };
+    Stage {
+        landscape: Arc::new(Landscape::new(bank, 1.0).with_features(craters())),
+        scenery: Arc::new(Scenery::still(sun)),
+        settings,
+    }
+}
+
+fn pose(heading: f64) -> Pose {
+    let attitude = Attitude { roll: 0.0, pitch: radians(-38.0), heading: radians(heading) };
+    Pose { time: 0.0, eye: [3500.0, 4200.0, 1900.0], attitude, yoke: 0.0 }
+}
+
+/// Errors at grids of 64, 128, 256, 512 and 1024 points.
+fn ladder(relief: &Relief, sun: f64, heading: f64, restrictions: bool) -> Vec<Distance> {
+    let at = |grid| distance(&stage(relief, sun, settings(grid, restrictions)), 0, &pose(heading), 64);
+    [64, 128, 256, 512, 1024].map(at).to_vec()
+}
+
+/// The orders by which an error falls from each grid to the next of twice as many points.
+fn orders(ladder: &[Distance], of: fn(&Distance) -> f64) -> Vec<f64> {
+    ladder.windows(2).map(|pair| libm::log2(of(&pair[0]) / of(&pair[1]))).collect()
+}
+
+fn show(name: &str, ladder: &[Distance]) {
+    for (grid, distance) in [64, 128, 256, 512, 1024].into_iter().zip(ladder) {
+        let Distance { reflectivity, intensity, shade, missing } = distance;
+        println!(
+            "{name} {grid:4}: reflectivity {reflectivity:.6} intensity {intensity:.6} shade {shade:.6} missing {missing:.6}"
+        );
+    }
+}
+
+/// What is drawn at a position is a grid point up to a step away, so the error is of first order in the step.
+#[test]
+fn the_error_falls_with_the_first_order_of_the_grid() {
+    let flat = Relief::flat(1, [12_000.0, 9000.0], 300.0);
+    for sun in [270.0, 0.0] {
+        let ladder = ladder(&flat, sun, 0.0, true);
+        show(&format!("craters, sun at {sun}"), &ladder);
+        println!("{:?} {:?}", orders(&ladder, |d| d.reflectivity), orders(&ladder, |d| d.intensity));
+    }
+}
+
+/// Lifted: rolling ground, a sun and a line of sight on no cardinal point.
+#[test]
+fn what_restrictions_forbade_converges_as_well() {
+    let undulation =
+        Undulation { rms_height: 15.0, hurst: 0.9, longest: 5000.0, shortest: 1000.0, waves: 60 };
+    let rolling = Relief { undulation: Some(undulation), ..Relief::flat(4, [12_000.0, 9000.0], 300.0) };
+    let ladder = ladder(&rolling, 235.0, 12.0, false);
+    show("rolling ground", &ladder);
+    println!("{:?} {:?}", orders(&ladder, |d| d.reflectivity), orders(&ladder, |d| d.intensity));
+}
