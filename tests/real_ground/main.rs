@@ -5,6 +5,7 @@
 //! figures that stand in `docs/real-ground.md`.
 
 mod apollo;
+mod catalogue;
 mod drive;
 mod shared;
 

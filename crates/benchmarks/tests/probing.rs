@@ -40,12 +40,6 @@ fn probing_nothing_takes_the_instructions_of_a_machine_without_probes() {
 }
 
 #[test]
-#[ignore = "two minutes: cargo test --release -p benchmarks -- --ignored"]
-fn nor_does_it_where_parts_are_real() {
-    expect_nothing_for_nothing("nominal-drive");
-}
-
-#[test]
 fn a_kernel_that_is_not_there_is_said_so() {
     let error = instructions_of(Path::new(env!("CARGO_BIN_EXE_instructions")), "nothing").unwrap_err();
     assert!(

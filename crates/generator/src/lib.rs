@@ -78,16 +78,12 @@ pub enum FrameError {
         reason: String,
     },
     /// The generator lacks something that the pose asks for.
-    #[error("frame {frame}: {generator} cannot do {what}: {remedy}")]
+    #[error("frame {frame}: {reason}")]
     Unsupported {
         /// Frame number.
         frame: u64,
-        /// Name of the generator.
-        generator: &'static str,
-        /// What is asked for.
-        what: String,
-        /// What to do instead.
-        remedy: &'static str,
+        /// The generator, what it cannot do, and what to do instead.
+        reason: String,
     },
     /// The fan of sweeps cannot cover the view.
     #[error(

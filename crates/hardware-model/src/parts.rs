@@ -105,8 +105,7 @@ pub enum Forced {
 
 impl Forced {
     /// All of them.
-    pub const ALL: [Self; 5] =
-        [Self::Features, Self::Switches, Self::Mixing, Self::Breaks, Self::Bodies];
+    pub const ALL: [Self; 5] = [Self::Features, Self::Switches, Self::Mixing, Self::Breaks, Self::Bodies];
 
     /// Its name in tables.
     pub fn name(self) -> &'static str {

@@ -19,9 +19,6 @@ use stage::StageError;
 
 use crate::{Failure, values};
 
-/// Name under which `--machine` means the closed form instead of a hardware model.
-pub const EXACT: &str = "exact";
-
 /// Generators that are no machine, each with what it is: their names stand where that of a hardware model would.
 pub const OTHERS: [(&'static dyn Generator, &str); 2] = [
     (&Exact, "the same picture by closed form and root finding"),

@@ -100,3 +100,27 @@ fn ground(landscape: &Landscape, [x, y]: [f64; 2]) -> (f64, Cover) {
     };
     (height + rise.height, cover)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Cover, Grid};
+
+    /// Slopes of a tilted plane are its own at every point, those with one neighbour too.
+    #[test]
+    fn a_tilted_plane_has_one_slope_up_to_its_edges() {
+        let size = 9;
+        let height =
+            |index: usize| 3.0 + 0.25 * 4.0 * (index / size) as f64 - 0.5 * 2.0 * (index % size) as f64;
+        let grid = Grid {
+            size,
+            steps: [4.0, 2.0],
+            heights: (0..size * size).map(height).collect(),
+            covers: vec![Cover::Terrain; size * size],
+            origin: [0.0; 2],
+            is_curved: false,
+        };
+        for index in 0..size * size {
+            assert_eq!(grid.slopes(index / size, index % size), [0.25, -0.5], "point {index}");
+        }
+    }
+}

@@ -35,9 +35,11 @@ pub(crate) fn light(
     let law = SweepLight::new(sun, landscape.albedo(), *landscape.photometry(), observer.direction());
     let to_sun = Sun { elevation: 0.0, ..*sun }.direction();
     let horizontal = observer.in_axes([to_sun[0], to_sun[1]]);
-    let dark = casts
-        .then(|| shadows(&grid.heights, grid.size, grid.steps, horizontal, libm::tan(sun.elevation)))
-        .unwrap_or_default();
+    let tangent = libm::tan(sun.elevation);
+    let dark = match casts {
+        true => shadows(&grid.heights, grid.size, grid.steps, horizontal, tangent),
+        false => vec![false; grid.heights.len()],
+    };
     let point = |index: usize| {
         let (row, column) = (index / grid.size, index % grid.size);
         let [along, across] = grid.place(row, column);
@@ -48,7 +50,7 @@ pub(crate) fn light(
         let [sun_along, sun_across] = turned([law.along, law.across], direction);
         let law = SweepLight { along: sun_along, across: sun_across, ..law };
         let signed = law.at(slopes[0], slopes[1], (grid.heights[index] - observer.eye[2]) / range);
-        let shade = match (signed <= 0.0, dark.get(index).copied().unwrap_or(false)) {
+        let shade = match (signed <= 0.0, dark[index]) {
             (true, _) => Shade::Local,
             (false, true) => Shade::Remote,
             (false, false) => Shade::Lit,

@@ -56,7 +56,8 @@ pub(crate) fn check_pose(frame: u64, pose: &Pose, field: FieldOfView) -> Result<
     match broken.is_empty() {
         true => Ok(()),
         false => {
-            Err(FrameError::Unsupported { frame, generator: NAME, what: broken.join("; "), remedy: REMEDY })
+            let reason = format!("{NAME} cannot do {}: {REMEDY}", broken.join("; "));
+            Err(FrameError::Unsupported { frame, reason })
         }
     }
 }

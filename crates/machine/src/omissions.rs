@@ -13,7 +13,11 @@ pub(crate) fn omissions(stage: &Stage, blocks: &Blocks) -> Vec<Omission> {
     let ideal = [
         (parts.terrain_is_ideal(), "terrain-generator", "dynamics of parts"),
         (parts.features_are_ideal(), "feature-generator", "bandwidth and errors of the sub-generators"),
-        (parts.shadow_lines_are_ideal(), "shadow-controller", "errors of line generators, hysteresis and offset"),
+        (
+            parts.shadow_lines_are_ideal(),
+            "shadow-controller",
+            "errors of line generators, hysteresis and offset",
+        ),
         (parts.texture_is_ideal(), "texture-generator", "bits and filter"),
         (parts.body_switch_is_ideal(), "polyhedron-generator", "delay and transition of the third switch"),
         (!mixing_has_parts(parts), "mixing-unit", "transitions, delays and bandwidth of the switches"),

@@ -7,8 +7,8 @@ use landscape::{Photometry, Silhouette, Sun};
 use quantities::Rate;
 
 use crate::{
-    CraterWishes, Display, Drift, Event, FieldOfView, LawWishes, LevelSwitch, LunsimRun, Object, Path, RangeProgramme,
-    RasterWishes, Rocks, RollDisplay, Scalar, ShadowFineness, TextureWish, Tracks, Vehicle,
+    CraterWishes, Display, Drift, Event, FieldOfView, LawWishes, LevelSwitch, LunsimRun, Object, Path,
+    RangeProgramme, RasterWishes, Rocks, RollDisplay, Scalar, ShadowFineness, TextureWish, Tracks, Vehicle,
 };
 
 /// What happens: ground, light, vehicle, path, and how it is to be seen.

@@ -19,8 +19,8 @@ use landscape::relief::Relief;
 use quantities::radians;
 
 use crate::{
-    Display, FieldOfView, Ground, LawWishes, Length, LevelSwitch, LunsimRun, RasterWishes, RollDisplay, Scalar,
-    Scenario, Vehicle, words,
+    Display, FieldOfView, Ground, LawWishes, Length, LevelSwitch, LunsimRun, RasterWishes, RollDisplay,
+    Scalar, Scenario, Vehicle, words,
 };
 
 /// Format of scenario files that this program reads.

@@ -182,9 +182,13 @@ fn an_eye_under_ground_and_a_wild_tilt_are_refused() {
     let low = Waypoint { eye_height: Some(99.0), ..waypoint(0.0, 100.0, 100.0, None) };
     let problems = PoseTable::resolve(&scenario(vec![low]), &landscape, hz(10), None, 0..2).unwrap_err();
     assert!(problems.to_string().contains("eye under ground, z = 99.000 m"), "{problems}");
-    let diving = Waypoint { pitch: Some(radians(-80.0)), ..waypoint(0.0, 100.0, 100.0, None) };
-    let problems = PoseTable::resolve(&scenario(vec![diving]), &landscape, hz(10), None, 0..2).unwrap_err();
-    assert!(problems.to_string().contains("pitch of -80.0 deg"), "{problems}");
+    let stated = |pitch: f64| {
+        let diving = Waypoint { pitch: Some(radians(pitch)), ..waypoint(0.0, 100.0, 100.0, None) };
+        PoseTable::resolve(&scenario(vec![diving]), &landscape, hz(10), None, 0..2)
+    };
+    let problems = stated(-91.0).unwrap_err();
+    assert!(problems.to_string().contains("pitch of -91.0 deg, expected at most 90 deg"), "{problems}");
+    assert!(stated(-90.0).is_ok());
     let cliff = ground(0.0, [2.5, 0.0], 0.0);
     let standing = scenario(vec![waypoint(0.0, 100.0, 100.0, Some(0.0))]);
     let problems = PoseTable::resolve(&standing, &cliff, hz(10), None, 0..1).unwrap_err();

@@ -31,13 +31,19 @@ pub enum StudyError {
     Reference(#[from] ReferenceError),
     /// A bank cannot be fitted.
     #[error(transparent)]
-    Survey(#[from] survey::SurveyError),
+    Survey(Box<survey::SurveyError>),
     /// Pictures cannot be compared.
     #[error(transparent)]
     Compare(#[from] compare::CompareError),
     /// A picture cannot be encoded.
     #[error(transparent)]
     Picture(#[from] picture::PictureError),
+}
+
+impl From<survey::SurveyError> for StudyError {
+    fn from(error: survey::SurveyError) -> Self {
+        Self::Survey(Box::new(error))
+    }
 }
 
 /// The base setting of a study, and the frames that it looks at.

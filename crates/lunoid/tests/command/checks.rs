@@ -27,7 +27,7 @@ fn a_fault_shows_beyond_its_interval() {
         scene.expect(0, &[&["replay", "tiny.toml", "--check", "12", "--out", out], more].concat());
     };
     replay("clean", &[]);
-    replay("again", &["--threads", "1"]);
+    replay("again", &["--jobs", "1"]);
     replay("faulty", &["--overlay", COARSE]);
     let [clean, again, faulty] = ["clean", "again", "faulty"].map(|folder| check(&scene, folder));
     assert_eq!(clean, again);

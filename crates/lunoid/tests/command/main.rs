@@ -6,6 +6,7 @@ mod checks;
 mod columns;
 mod explain;
 mod help;
+mod lunsim;
 mod models;
 mod overlays;
 mod replays;

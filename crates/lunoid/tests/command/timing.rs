@@ -61,7 +61,7 @@ fn a_slower_part_is_caught_told_and_reported() {
     assert!(words.iter().all(|word| out.contains(word)), "{out}");
     let junit = fs::read_to_string(scene.join("timing.xml")).unwrap();
     assert!(
-        junit.contains("tests=\"3\" failures=\"3\"") && junit.contains("<failure type=\"timing\""),
+        junit.contains("tests=\"4\" failures=\"4\"") && junit.contains("<failure type=\"timing\""),
         "{junit}"
     );
     let (out, _) =

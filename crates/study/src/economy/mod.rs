@@ -31,6 +31,8 @@ pub struct ModeOutcome {
     pub name: String,
     /// Median, smallest and largest time (s a frame).
     pub time_s: [f64; 3],
+    /// Least processor time of all threads (s a frame), where the system tells it: other programs disturb it less.
+    pub cpu_s: Option<f64>,
     /// BLAKE3 of the intensities of all frames, bit by bit.
     pub blake3: String,
     /// Whether it claims the bits of `lossless`.
@@ -93,6 +95,7 @@ struct Mode {
     pictures: Vec<Vec<f32>>,
     counts: FrameCounts,
     times: Vec<f64>,
+    processor: Vec<f64>,
 }
 
 fn modes(stage: &Stage) -> Result<Vec<Mode>, StudyError> {
@@ -112,6 +115,7 @@ fn modes(stage: &Stage) -> Result<Vec<Mode>, StudyError> {
             pictures: Vec::new(),
             counts: FrameCounts::default(),
             times: Vec::new(),
+            processor: Vec::new(),
         })
     };
     all.map(mode).collect()
@@ -121,7 +125,7 @@ impl Mode {
     fn run(&mut self, subject: &Subject, is_timed: bool) -> Result<(), StudyError> {
         let raster = subject.stage.settings.raster;
         let mut planes = Planes::new(raster.columns as usize, raster.lines as usize, &[PlaneKind::Intensity]);
-        let mut seconds = 0.0;
+        let (mut seconds, processor) = (0.0, processor_time());
         for (frame, pose) in &subject.frames {
             let start = Instant::now();
             let counts = self.session.frame(*frame, pose, &mut planes, &mut Probe::off())?;
@@ -132,7 +136,10 @@ impl Mode {
             }
         }
         if is_timed {
-            self.times.push(seconds / subject.frames.len() as f64);
+            let frames = subject.frames.len() as f64;
+            self.times.push(seconds / frames);
+            let spent = processor_time().zip(processor).map(|(now, before)| (now - before) / frames);
+            self.processor.extend(spent);
         }
         Ok(())
     }
@@ -144,11 +151,22 @@ impl Mode {
         ModeOutcome {
             name: self.name.clone(),
             time_s: spread(&self.times),
+            cpu_s: self.processor.iter().copied().reduce(f64::min),
             blake3: hash(&self.pictures),
             claims_equal: self.claims_equal,
             off: [off.rms(), off.max()],
         }
     }
+}
+
+/// Processor time of all threads of this process so far (s), where the system tells it.
+fn processor_time() -> Option<f64> {
+    let of_thread = |entry: std::io::Result<std::fs::DirEntry>| -> Option<f64> {
+        let text = std::fs::read_to_string(entry.ok()?.path().join("schedstat")).ok()?;
+        text.split_whitespace().next()?.parse().ok()
+    };
+    let threads = std::fs::read_dir("/proc/self/task").ok()?;
+    threads.map(of_thread).sum::<Option<f64>>().map(|nanoseconds| 1e-9 * nanoseconds)
 }
 
 fn hash(pictures: &[Vec<f32>]) -> String {

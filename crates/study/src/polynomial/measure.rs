@@ -79,7 +79,11 @@ impl<S: Real> Rung for Run<S> {
 ///
 /// # Errors
 /// If the frame cannot be drawn.
-pub fn polynomial_ladder(subject: &Subject, effort: Effort, extent: Extent) -> Result<LadderOutcome, StudyError> {
+pub fn polynomial_ladder(
+    subject: &Subject,
+    effort: Effort,
+    extent: Extent,
+) -> Result<LadderOutcome, StudyError> {
     let (frame, pose) = subject.frames[0];
     let all = stretches(&subject.stage, frame, &pose)?;
     let mut rungs = runs(&all, extent);

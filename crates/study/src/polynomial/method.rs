@@ -52,9 +52,13 @@ impl<S: Real> Ready<S> {
     pub fn heights(&self, method: Method, stretch: &Stretch, out: &mut Vec<f64>) {
         let places = || stretch.points.iter().map(|point| S::from_f64(point.place));
         match method {
-            Method::Products => out.extend(stretch.points.iter().map(|point| self.products(stretch, point.ramps))),
+            Method::Products => {
+                out.extend(stretch.points.iter().map(|point| self.products(stretch, point.ramps)))
+            }
             Method::Array => {
-                out.extend(stretch.points.iter().map(|point| array(&stretch.hold, stretch.polarity, point.ramps)[0]));
+                out.extend(
+                    stretch.points.iter().map(|point| array(&stretch.hold, stretch.polarity, point.ramps)[0]),
+                );
             }
             Method::Powers => out.extend(places().map(|place| self.horner(place))),
             Method::Chebyshev(_) | Method::ChebyshevWithin(_) => {

@@ -54,7 +54,12 @@ pub fn stretches(stage: &Stage, frame: u64, pose: &Pose) -> Result<Vec<Stretch>,
     let mut found = Vec::new();
     for index in 0..chosen {
         let programs = frame.programs((2 * index + 1) * all / (2 * chosen));
-        let sweep = Sweep { program: &programs[0], ranges: &ranges, buffer: level.words(), size: level.region_size() };
+        let sweep = Sweep {
+            program: &programs[0],
+            ranges: &ranges,
+            buffer: level.words(),
+            size: level.region_size(),
+        };
         sweep.stretches(&mut found);
     }
     Ok(found)
@@ -154,7 +159,8 @@ fn height(hold: &[CornerWords; 4], polarity: [f64; 2], [x, y]: [Double; 2]) -> D
 
 /// `g_ip` with its sign, index `3 i + p`; `g_1p` of the ramp is `g_0p` of its complement but for the sign of `p = 1`.
 fn functions(ramp: Double, polarity: f64) -> [Double; 6] {
-    let horner = |c: &[f64; 6]| c.iter().rev().fold(Double::default(), |sum, &c| sum * ramp + Double::from(c));
+    let horner =
+        |c: &[f64; 6]| c.iter().rev().fold(Double::default(), |sum, &c| sum * ramp + Double::from(c));
     std::array::from_fn(|index| {
         let (far, p) = (index / 3, index % 3);
         let value = horner(if far == 1 { &FAR[p] } else { &NEAR[p] });

@@ -105,7 +105,8 @@ impl Chain {
     /// The run in steps of `step` samples by the parts of the machine.
     pub fn by_parts(&self, step: f64, steps: usize) -> Record {
         let h = step * self.sample;
-        let (smoother, multiplier) = (self.smoother.step::<f64>(h), Multiplier::new(&MultiplierLaw::default()));
+        let (smoother, multiplier) =
+            (self.smoother.step::<f64>(h), Multiplier::new(&MultiplierLaw::default()));
         let [product, sum] = [self.product, self.sum].map(|tau| LagStep::<f64>::new(h, tau));
         let hold = SampleHold::<f64>::new(h, &self.hold);
         let [x, _, y, _, at_rest, ..] = self.at_rest();
@@ -157,7 +158,8 @@ impl Chain {
 impl Record {
     /// A record of so many steps, which begins with `[summed, tracked]`.
     pub fn starting(values: [f64; 2], steps: usize) -> Self {
-        let mut record = Self { summed: Vec::with_capacity(steps + 1), tracked: Vec::with_capacity(steps + 1) };
+        let mut record =
+            Self { summed: Vec::with_capacity(steps + 1), tracked: Vec::with_capacity(steps + 1) };
         record.push(values);
         record
     }

@@ -23,13 +23,7 @@ pub fn runge_kutta<const N: usize>(flow: &impl Flow<N>, t: f64, h: f64, y: &[f64
 
 /// A step whose rate is taken by the share `late` at its end and by the rest at its start: 1 is backward Euler, 1/2 the
 /// trapezoidal rule.
-pub fn implicit<const N: usize>(
-    flow: &impl Flow<N>,
-    t: f64,
-    h: f64,
-    y: &[f64; N],
-    late: f64,
-) -> [f64; N] {
+pub fn implicit<const N: usize>(flow: &impl Flow<N>, t: f64, h: f64, y: &[f64; N], late: f64) -> [f64; N] {
     let start = flow.rate(t, y);
     let known = moved(y, h * (1.0 - late), &start);
     let mut next = *y;
@@ -94,7 +88,8 @@ mod tests {
 
     #[test]
     fn methods_have_their_orders() {
-        let order = |method: &dyn Fn(f64, f64, &[f64; 2]) -> [f64; 2]| libm::log2(off(64, method) / off(128, method));
+        type Method<'a> = &'a dyn Fn(f64, f64, &[f64; 2]) -> [f64; 2];
+        let order = |method: Method<'_>| libm::log2(off(64, method) / off(128, method));
         let explicit = order(&|t, h, y| runge_kutta(&Pendulum, t, h, y));
         let trapezoidal = order(&|t, h, y| implicit(&Pendulum, t, h, y, 0.5));
         let backward = order(&|t, h, y| implicit(&Pendulum, t, h, y, 1.0));

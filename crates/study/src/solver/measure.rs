@@ -126,7 +126,11 @@ impl Run {
 
     fn outcome(self, chain: &Chain, truth: &Truth) -> RungOutcome {
         let gave_up = || "the solver gave up".to_owned();
-        let found = self.record.as_ref().ok_or_else(gave_up).and_then(|record| truth.errors(chain, record, self.step));
+        let found = self
+            .record
+            .as_ref()
+            .ok_or_else(gave_up)
+            .and_then(|record| truth.errors(chain, record, self.step));
         let (errors, refused) = found.map_or_else(|why| (Vec::new(), Some(why)), |errors| (errors, None));
         RungOutcome {
             changes: 1,
@@ -144,13 +148,17 @@ impl Run {
 pub fn solver_ladders(chain: &Chain, effort: Effort, extent: Extent) -> Vec<LadderOutcome> {
     let truth = Truth::new(chain);
     let first = if extent == Extent::Quick { QUICK } else { 0 };
-    let stepped = |method: Method| STEPS[first..].iter().map(|&step| Run::new(method, step)).collect::<Vec<_>>();
+    let stepped =
+        |method: Method| STEPS[first..].iter().map(|&step| Run::new(method, step)).collect::<Vec<_>>();
     let library = TOLERANCES.map(|tolerance| Run::new(Method::Library(tolerance), 1.0)).into_iter().collect();
     let mut runs = [
         stepped(Method::Parts),
         stepped(Method::Trapezoidal),
         stepped(Method::BackwardEuler),
-        [stepped(Method::RungeKutta), FINER.map(|step| Run::new(Method::RungeKutta, step)).into()].into_iter().flatten().collect(),
+        [stepped(Method::RungeKutta), FINER.map(|step| Run::new(Method::RungeKutta, step)).into()]
+            .into_iter()
+            .flatten()
+            .collect(),
         library,
     ];
     // The first turn is not timed, and within a turn all methods are as busy as the machine.

@@ -1,8 +1,8 @@
 //! The chain by one method, step by step.
 
 use differential_equations::ivp::IVP;
-use differential_equations::methods::DiagonallyImplicitRungeKutta;
 use differential_equations::linalg::Matrix;
+use differential_equations::methods::DiagonallyImplicitRungeKutta;
 use differential_equations::ode::ODE;
 
 use super::chain::{Chain, FOLDS, Record, SAMPLES};

@@ -46,8 +46,20 @@ fn extreme(row: &'static str, name: String, figure: f64, change: fn(&mut Scene, 
 
 /// All of them, in the order in which several are put on one scene: ground first, then where the eye stands on it.
 pub fn extremes() -> Vec<Extreme> {
-    [regions(), heights(), features(), light(), attitude(), azimuths(), corners(), eyes(), ranges(), rasters(), fields()]
-        .concat()
+    [
+        regions(),
+        heights(),
+        features(),
+        light(),
+        attitude(),
+        azimuths(),
+        corners(),
+        eyes(),
+        ranges(),
+        rasters(),
+        fields(),
+    ]
+    .concat()
 }
 
 fn light() -> Vec<Extreme> {
@@ -164,12 +176,13 @@ fn heights() -> Vec<Extreme> {
             scene.craters.clear();
         })
     };
-    let alternating = extreme("height", "words at full scale, signs alternating".into(), 100.0, |scene, full| {
-        scene.set_words(|north, east| {
-            std::array::from_fn(|word| if (north + east + word) % 2 == 0 { full } else { -full })
+    let alternating =
+        extreme("height", "words at full scale, signs alternating".into(), 100.0, |scene, full| {
+            scene.set_words(|north, east| {
+                std::array::from_fn(|word| if (north + east + word) % 2 == 0 { full } else { -full })
+            });
+            scene.craters.clear();
         });
-        scene.craters.clear();
-    });
     [of(1e-9), of(1.0), of(1e6), wall(10.0), wall(1e3), wall(1e6), alternating].into()
 }
 
@@ -256,7 +269,8 @@ fn fields() -> Vec<Extreme> {
         refused,
         ..extreme("field", format!("field of view {degrees} deg"), degrees, |scene, degrees| {
             let tan_half_width = libm::tan(radians(degrees / 2.0));
-            scene.field = FieldOfView { tan_half_width, tan_half_height: tan_half_width.min(0.6 * tan_half_width) };
+            scene.field =
+                FieldOfView { tan_half_width, tan_half_height: tan_half_width.min(0.6 * tan_half_width) };
         })
     };
     [of(1e-9, false), of(0.1, false), of(120.0, false), of(170.0, true)].into()

@@ -56,7 +56,8 @@ fn drawn(scene: &Scene, drawer: &Drawer<'_>) -> Result<Found, String> {
     let session = HybridMachine.prepare(stage.clone()).map_err(|error| error.to_string())?;
     let mut planes = planes(&stage);
     let start = Instant::now();
-    let counts = session.frame(0, &pose, &mut planes, &mut Probe::off()).map_err(|error| error.to_string())?;
+    let counts =
+        session.frame(0, &pose, &mut planes, &mut Probe::off()).map_err(|error| error.to_string())?;
     let time_s = start.elapsed().as_secs_f64();
     let picture = planes.get(PlaneKind::Intensity).unwrap_or_default();
     let wires = wires_are_finite(&stage, session.as_ref(), &pose)?;
@@ -109,7 +110,8 @@ fn signal_error(
     let mut errors = SignalErrors::default();
     errors.add_frame(&bench, 0, pose).map_err(|error| error.to_string())?;
     let figures = errors.figures();
-    let value = |name: &str| figures.iter().find(|figure| figure.name == name).map_or(0.0, |figure| figure.value);
+    let value =
+        |name: &str| figures.iter().find(|figure| figure.name == name).map_or(0.0, |figure| figure.value);
     let full_scale = (scene.highest() + pose.eye[2].abs()).max(f64::MIN_POSITIVE);
     Ok((value("height max") / full_scale).max(value("reflectivity rms")))
 }

@@ -10,8 +10,7 @@ use crate::ladder::Extent;
 use crate::solver::{Flow, implicit, runge_kutta};
 
 /// Time constants over a sample.
-const RATIOS: [f64; 13] =
-    [1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0, 1e3, 1e4, 1e5, 1e6];
+const RATIOS: [f64; 13] = [1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0, 1e3, 1e4, 1e5, 1e6];
 /// Samples of a run, and from fold to fold of the ramp that drives it.
 const SAMPLES: usize = 128;
 const FOLD: usize = 16;
@@ -114,7 +113,13 @@ fn lag_cells(tau: f64) -> Vec<Cell> {
         Cell::own(row, &case, "parts, f64", theory, own(own_lag::<f64>(tau))),
         Cell::own(row, &case, "parts, f32", rounding(f64::from(f32::EPSILON)), own(own_lag::<f32>(tau))),
         Cell::comparison(row, &case, "trapezoidal", theory, stepped(&|t, y| implicit(&flow, t, 1.0, y, 0.5))),
-        Cell::comparison(row, &case, "backward Euler", theory, stepped(&|t, y| implicit(&flow, t, 1.0, y, 1.0))),
+        Cell::comparison(
+            row,
+            &case,
+            "backward Euler",
+            theory,
+            stepped(&|t, y| implicit(&flow, t, 1.0, y, 1.0)),
+        ),
         Cell::comparison(row, &case, "Runge-Kutta", theory, stepped(&|t, y| runge_kutta(&flow, t, 1.0, y))),
     ]
 }
@@ -231,7 +236,13 @@ fn second_order_cells(poles: &Poles) -> Vec<Cell> {
         Cell::own(row, &case, "parts, f64", theory, found(own_poles::<f64>(poles), Action::Exact)),
         Cell::own(row, &case, "parts, f32", single, found(own_poles::<f32>(poles), Action::Exact)),
         Cell::comparison(row, &case, "trapezoidal", theory, stepped(&|t, y| implicit(poles, t, 1.0, y, 0.5))),
-        Cell::comparison(row, &case, "backward Euler", theory, stepped(&|t, y| implicit(poles, t, 1.0, y, 1.0))),
+        Cell::comparison(
+            row,
+            &case,
+            "backward Euler",
+            theory,
+            stepped(&|t, y| implicit(poles, t, 1.0, y, 1.0)),
+        ),
         Cell::comparison(row, &case, "Runge-Kutta", theory, stepped(&|t, y| runge_kutta(poles, t, 1.0, y))),
     ]
 }

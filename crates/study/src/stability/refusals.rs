@@ -38,9 +38,13 @@ pub fn refusals() -> Vec<Cell> {
         cell(&format!("scenario with {wrong}"), Found { time_s: start.elapsed().as_secs_f64(), ..found })
     });
     let words = |value: f64| vec![[value; 9]; 4];
-    let level = |value: f64| Level::new(10.0, [0.0; 2], [2, 2], words(value)).map(|_| ()).map_err(|e| e.to_string());
-    let bowl = |r1: f64| Crater::new([0.0; 2], Shape::Bowl { r1 }, 1.0, 0.0).map(|_| ()).map_err(|e| e.to_string());
-    let place = |x: f64| Crater::new([x, 0.0], Shape::Bowl { r1: 1.0 }, 1.0, 0.0).map(|_| ()).map_err(|e| e.to_string());
+    let level =
+        |value: f64| Level::new(10.0, [0.0; 2], [2, 2], words(value)).map(|_| ()).map_err(|e| e.to_string());
+    let bowl =
+        |r1: f64| Crater::new([0.0; 2], Shape::Bowl { r1 }, 1.0, 0.0).map(|_| ()).map_err(|e| e.to_string());
+    let place = |x: f64| {
+        Crater::new([x, 0.0], Shape::Bowl { r1: 1.0 }, 1.0, 0.0).map(|_| ()).map_err(|e| e.to_string())
+    };
     let data = [
         ("words of NaN", level(f64::NAN), "word"),
         ("words of infinity", level(f64::INFINITY), "word"),

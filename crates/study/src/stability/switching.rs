@@ -3,8 +3,8 @@
 use std::time::Instant;
 
 use parts::{
-    Amplifier, AmplifierLaw, AmplifierState, Comparator, ComparatorLaw, ComparatorState, NoiseSource, SampleHold,
-    SampleHoldLaw, Trip,
+    Amplifier, AmplifierLaw, AmplifierState, Comparator, ComparatorLaw, ComparatorState, NoiseSource,
+    SampleHold, SampleHoldLaw, Trip,
 };
 use quantities::SweepTime;
 use signal::Real;
@@ -23,7 +23,12 @@ fn ramp(t: f64) -> f64 {
 
 /// Slew against lag, saturation, recovery.
 pub fn slew(_: Extent) -> Vec<Cell> {
-    let law = |tau: f64, slew: f64, saturation: f64, recovery: f64| AmplifierLaw { tau, slew, saturation, recovery };
+    let law = |tau: f64, slew: f64, saturation: f64, recovery: f64| AmplifierLaw {
+        tau,
+        slew,
+        saturation,
+        recovery,
+    };
     let free = f64::INFINITY;
     let cases = [
         ("no slew limit", law(2.0, free, free, 0.0)),
@@ -42,7 +47,8 @@ pub fn slew(_: Extent) -> Vec<Cell> {
 
 fn own_amplifier<S: Real>(law: &AmplifierLaw) -> (Vec<f64>, f64) {
     let (part, start) = (Amplifier::<S>::new(1.0, law), Instant::now());
-    let mut state = AmplifierState { y: S::from_f64(ramp(0.0).clamp(-law.saturation, law.saturation)), excess: S::ZERO };
+    let mut state =
+        AmplifierState { y: S::from_f64(ramp(0.0).clamp(-law.saturation, law.saturation)), excess: S::ZERO };
     let step = |k: usize| {
         let [from, to] = [k as f64, k as f64 + 1.0].map(|t| S::from_f64(ramp(t)));
         part.step(&mut state, from, to).to_f64()
@@ -81,7 +87,9 @@ fn slew_cells(case: &str, law: &AmplifierLaw) -> Vec<Cell> {
         Found {
             finite: values.iter().all(|value| value.is_finite()),
             // A saturation is the nearest value of the scalar.
-            bounded: values.iter().all(|value| value.abs() <= law.saturation.min(1.0) * (1.0 + f64::from(f32::EPSILON))),
+            bounded: values
+                .iter()
+                .all(|value| value.abs() <= law.saturation.min(1.0) * (1.0 + f64::from(f32::EPSILON))),
             error: Some(off.fold(0.0, f64::max)),
             action,
             time_s,
@@ -131,7 +139,13 @@ fn grazing(hysteresis: f64, over: f64) -> Cell {
     let time_s = start.elapsed().as_secs_f64();
     let peaks = SAMPLES / FOLD;
     let threshold = law.offset + hysteresis / 2.0;
-    let most = if PEAK > threshold { 2 * peaks } else if PEAK < threshold { 0 } else { 2 * peaks };
+    let most = if PEAK > threshold {
+        2 * peaks
+    } else if PEAK < threshold {
+        0
+    } else {
+        2 * peaks
+    };
     let alternate = trips.windows(2).all(|pair| pair[0].high != pair[1].high && pair[0].at.0 <= pair[1].at.0);
     // Up where the rise meets the upper threshold, down where the fall meets the lower one.
     let late = |trip: &Trip| {
@@ -158,7 +172,11 @@ fn grazing(hysteresis: f64, over: f64) -> Cell {
 pub fn holds(_: Extent) -> Vec<Cell> {
     let acquisition = [0.0, 1e-6, 1.0, 6.9, 100.0];
     let aperture = [0.0, 0.25, 3.0];
-    acquisition.iter().flat_map(|&acquired| aperture.map(|late| hold_cells(acquired, late))).flatten().collect()
+    acquisition
+        .iter()
+        .flat_map(|&acquired| aperture.map(|late| hold_cells(acquired, late)))
+        .flatten()
+        .collect()
 }
 
 /// Held at instants that no sample has: the ramp's value then, less what a lag is behind a ramp.

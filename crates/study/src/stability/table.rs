@@ -53,7 +53,8 @@ pub fn faults(cells: &[Cell]) -> Vec<String> {
 
 /// Every cell, one a line.
 pub fn csv(cells: &[Cell]) -> String {
-    let mut text = String::from("row,case,method,own,finite,bounded,error_fs,allowed_fs,action,time_s,fault,message\n");
+    let mut text =
+        String::from("row,case,method,own,finite,bounded,error_fs,allowed_fs,action,time_s,fault,message\n");
     let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\"").replace('\n', " "));
     let figure = |value: Option<f64>| value.map_or_else(String::new, |value| format!("{value:e}"));
     for cell in cells {

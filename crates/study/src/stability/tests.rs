@@ -18,7 +18,7 @@ fn scene() -> Scene {
 }
 
 fn run(choice: &Choice) -> Vec<Cell> {
-    matrix(&scene(), [&model("ideal"), &model("pra-nominal")], choice, &mut |name| eprintln!("{:?} {name}", std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).unwrap().as_millis() % 1000000))
+    matrix(&scene(), [&model("ideal"), &model("pra-nominal")], choice, &mut |_| {})
 }
 
 fn singles() -> Choice {
@@ -29,7 +29,12 @@ fn assert_sound(cells: &[Cell]) {
     let broken: Vec<String> = cells
         .iter()
         .filter(|cell| cell.fault.is_some())
-        .map(|c| format!("{}: {}, {}: {:?} ({:?} of {:?}), {:?}", c.row, c.case, c.method, c.fault, c.error, c.allowed, c.action))
+        .map(|c| {
+            format!(
+                "{}: {}, {}: {:?} ({:?} of {:?}), {:?}",
+                c.row, c.case, c.method, c.fault, c.error, c.allowed, c.action
+            )
+        })
         .collect();
     assert!(broken.is_empty(), "{} of {} cells:\n{}", broken.len(), cells.len(), broken.join("\n"));
 }
@@ -66,35 +71,5 @@ fn fits_are_determined() {
     for fit in survey_fits() {
         let FitOutcome { region, holes, growth, .. } = &fit;
         assert!(fit.refused.is_some() || *growth < 3.0, "{region} samples, {holes} holes: {fit:?}");
-    }
-}
-
-#[test]
-fn tmp_nested() {
-    for count in [100.0, 300.0, 1000.0, 3000.0] {
-        let mut scene = scene();
-        let centre = [scene.foot[0] + 60.0, scene.foot[1]];
-        scene.craters = (0..count as u32).map(|k| { let r1 = 1.0 + 20.0 * f64::from(k) / count; features::Crater::new(centre, features::Shape::RimmedBowl { r1, r2: 1.3 * r1 }, 1e-4 * r1, 1e-5 * r1).unwrap() }).collect();
-        scene.attitude.heading = 0.0;
-        let t = std::time::Instant::now();
-        let (stage, pose) = scene.build(&model("ideal"), scenario::Scalar::F64).unwrap();
-        eprintln!("build {count} {:?}", t.elapsed());
-        let t = std::time::Instant::now();
-        use generator::Generator;
-        let session = machine::HybridMachine.prepare(stage.clone()).unwrap();
-        eprintln!("prepare {:?}", t.elapsed());
-        let t = std::time::Instant::now();
-        let mut planes = generator::Planes::new(48, 32, &[generator::PlaneKind::Intensity]);
-        session.frame(0, &pose, &mut planes, &mut signal::Probe::off()).unwrap();
-        eprintln!("ideal frame {:?}", t.elapsed());
-        let t = std::time::Instant::now();
-        let session = exact::Exact.prepare(stage.clone()).unwrap();
-        session.frame(0, &pose, &mut planes, &mut signal::Probe::off()).unwrap();
-        eprintln!("exact frame {:?}", t.elapsed());
-        let (stage, pose) = scene.build(&model("pra-nominal"), scenario::Scalar::F32).unwrap();
-        let t = std::time::Instant::now();
-        let session = machine::HybridMachine.prepare(stage.clone()).unwrap();
-        session.frame(0, &pose, &mut planes, &mut signal::Probe::off()).unwrap();
-        eprintln!("nominal frame {:?}", t.elapsed());
     }
 }

@@ -10,19 +10,19 @@ use study::economy::{EconomyOutcome, economy};
 
 use super::error::{failure, frames, quarter};
 use crate::cli::COMMIT;
-use crate::loading::{StageArgs, Threads};
+use crate::loading::{Loaded, StageArgs, Threads};
 use crate::output::{print, print_json, table as columns, tell};
 use crate::{Failure, Verdict};
 
 /// Repetitions that are timed.
-const REPETITIONS: u32 = 7;
+const REPETITIONS: u32 = 5;
 const QUICK_REPETITIONS: u32 = 3;
 
 const AFTER: &str = "Examples:
   lunoid study economy scenarios/first-light.toml --quick
   lunoid study economy scenarios/showpiece.toml --frame 0 --frame 150 --out studies/economy
 
---out gets economy.json, economy.csv, economy.md and a plot. The exit status is 1 if a machine that claims to draw the same
+--out gets economy.json, economy.csv, economy.md, a plot, and shadows/, where boundaries are kept for the next study. The exit status is 1 if a machine that claims to draw the same
 bits does not. docs/economy.md says how to read it.";
 
 /// What the scenario does not need: left out, saved, and still wasted.
@@ -71,6 +71,7 @@ impl EconomyStudy {
         }
         let frames = frames(&self.frame, loaded.frames())?;
         let pool = self.threads.pool()?;
+        self.keep_shadows(&mut loaded)?;
         let stage = loaded.stage(&pool)?;
         let subject = Subject::new(loaded.scenario, loaded.model, stage, &frames).map_err(Failure::input)?;
         let usual = if self.quick { QUICK_REPETITIONS } else { REPETITIONS };
@@ -93,6 +94,24 @@ impl EconomyStudy {
         }
         Ok(if outcome.found.holds() { Verdict::Yes } else { Verdict::No })
     }
+}
+
+impl EconomyStudy {
+    /// Every machine of the study wants the same shadow boundaries: they are found once if there is a place for them.
+    fn keep_shadows(&self, loaded: &mut Loaded) -> Result<(), Failure> {
+        if let (None, Some(out)) = (&loaded.settings.shadow_cache, &self.out) {
+            let folder = out.join("shadows");
+            make(&folder)?;
+            loaded.settings.shadow_cache = Some(folder);
+        }
+        Ok(())
+    }
+}
+
+fn make(folder: &Path) -> Result<(), Failure> {
+    std::fs::create_dir_all(folder).map_err(|error| {
+        Failure::output(format!("--out {}: {error}; name a folder that can be written", folder.display()))
+    })
 }
 
 fn percent(some: u64, all: u64) -> String {
@@ -127,19 +146,22 @@ impl Outcome {
     }
 
     fn modes(&self) -> Vec<Vec<String>> {
-        let base = self.found.modes[1].time_s[0];
+        let base = self.found.modes[1].cpu_s;
         let lossless = &self.found.modes[1].blake3;
-        let head = ["machine", "ms a frame", "least", "most", "against lossless", "bits", "pixels"];
+        let head =
+            ["machine", "ms a frame", "least", "most", "processor, ms", "against lossless", "bits", "pixels"];
         let row = |mode: &study::economy::ModeOutcome| {
             let [median, least, most] = mode.time_s.map(|time| format!("{:.1}", 1e3 * time));
-            let against = format!("{:+.1} %", 100.0 * (mode.time_s[0] / base - 1.0));
+            let cpu = mode.cpu_s.map_or_else(|| "-".to_owned(), |cpu| format!("{:.1}", 1e3 * cpu));
+            let share = mode.cpu_s.zip(base).map(|(cpu, base)| 100.0 * (cpu / base - 1.0));
+            let against = share.map_or_else(|| "-".to_owned(), |share| format!("{share:+.1} %"));
             let [rms, max] = mode.off;
             let bits = match (mode.blake3 == *lossless, mode.claims_equal) {
                 (true, _) => "equal".to_owned(),
                 (false, true) => format!("NOT EQUAL: RMS {rms:.1e}"),
                 (false, false) => format!("RMS {rms:.1e}, at most {max:.2}"),
             };
-            vec![mode.name.clone(), median, least, most, against, bits, mode.blake3[..12].to_owned()]
+            vec![mode.name.clone(), median, least, most, cpu, against, bits, mode.blake3[..12].to_owned()]
         };
         [head.map(str::to_owned).into()].into_iter().chain(self.found.modes.iter().map(row)).collect()
     }
@@ -198,9 +220,7 @@ impl Outcome {
     }
 
     fn write(&self, folder: &Path) -> Result<(), Failure> {
-        std::fs::create_dir_all(folder).map_err(|error| {
-            Failure::output(format!("--out {}: {error}; name a folder that can be written", folder.display()))
-        })?;
+        make(folder)?;
         let put = |name: &str, text: &str| {
             files::write_atomic(folder.join(name), |out: &mut dyn std::io::Write| {
                 out.write_all(text.as_bytes())
@@ -231,7 +251,7 @@ impl Outcome {
             title: "What becomes of samples".into(),
             facts: vec![self.facts()],
             width: 600,
-            height: 90,
+            height: 120,
         };
         let drawing = bar_picture("touches a pixel", "samples", &panels, &look).map_err(Failure::output)?;
         for end in ["svg", "png"] {

@@ -6,12 +6,12 @@ use clap::Args;
 use exact::Columns;
 use hardware_model::{BUILT_IN, HardwareModel, ModelSource, Settings};
 use serde_json::{Value, json};
+use study::ladder::{Extent, Ladder, LadderOutcome, OrderOutcome, ladders};
 use study::polynomial::{POLYNOMIAL, polynomial_ladder};
 use study::solver::{Chain, SOLVER, solver_ladders};
-use study::ladder::{Extent, Ladder, LadderOutcome, OrderOutcome, ladders};
 use study::{
-    Advice, Effort, ExactPictures, REGION_LADDERS, Rehearsed, SelfError, StudyError, Subject, advise, climb, csv,
-    regions, table,
+    Advice, Effort, ExactPictures, REGION_LADDERS, Rehearsed, SelfError, StudyError, Subject, advise, climb,
+    csv, regions, table,
 };
 
 use super::plots::write_plots;
@@ -158,7 +158,8 @@ impl ErrorStudy {
     }
 
     fn chosen(&self, mut all: Vec<Ladder>) -> Result<Vec<Ladder>, Failure> {
-        let known: Vec<&str> = all.iter().map(|ladder| ladder.name).chain(REGION_LADDERS).chain([POLYNOMIAL, SOLVER]).collect();
+        let known: Vec<&str> =
+            all.iter().map(|ladder| ladder.name).chain(REGION_LADDERS).chain([POLYNOMIAL, SOLVER]).collect();
         if let Some(unknown) = self.only.iter().find(|name| !known.contains(&name.as_str())) {
             return Err(Failure::usage(format!(
                 "--only {unknown}: no such ladder for this scenario; known: {}",

@@ -190,6 +190,10 @@ impl Outcome {
     }
 
     fn write(&self, folder: &Path) -> Result<(), Failure> {
+        std::fs::create_dir_all(folder).map_err(|error| {
+            let folder = folder.display();
+            Failure::output(format!("--out {folder}: {error}; name a folder that can be written"))
+        })?;
         let put = |name: &str, text: &str| {
             files::write_atomic(folder.join(name), |out: &mut dyn Write| out.write_all(text.as_bytes()))
         };
