@@ -127,7 +127,7 @@ impl Supply<'_> {
         shadows.controller.gates_by(foot, &directions, reach, &segments, timing, gates);
         // Beyond the reach no shadow is drawn.
         if reach < end {
-            gates.iter_mut().filter(|gate| gate.is_dark(reach)).for_each(|gate| gate.toggles.push(reach));
+            gates.iter_mut().for_each(|gate| gate.end_at(reach));
         }
     }
 

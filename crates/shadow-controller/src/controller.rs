@@ -44,6 +44,14 @@ impl Gate {
         self.dark_at_start ^ (before % 2 == 1)
     }
 
+    /// Lets no shadow lie beyond `reach` (m), which is not before the last change: no line generator makes that edge.
+    pub fn end_at(&mut self, reach: f64) {
+        if self.is_dark(reach) {
+            self.toggles.push(reach);
+            self.swings.push(0.0);
+        }
+    }
+
     /// Where it changes, as the comparators see it.
     pub fn edges(&self) -> impl Iterator<Item = GateEdge> {
         let pairs = self.toggles.iter().zip(&self.swings);
