@@ -38,13 +38,16 @@ impl Advice {
     }
 }
 
-/// One advice for each wanted error, over all ladders of frames. Rungs that change a law are held against the base's.
+/// One advice for each wanted error, over all ladders of frames; none without such ladders. Rungs that change a law are held against the base's.
 pub fn advise(ladders: &[LadderOutcome]) -> Vec<Advice> {
     let of_frames = ladders.iter().filter(|ladder| ladder.unit_of_work == "frame");
     let all: Vec<(&LadderOutcome, &RungOutcome, f64, f64)> = of_frames
         .flat_map(|ladder| ladder.rungs.iter().map(move |rung| (ladder, rung)))
         .filter_map(|(ladder, rung)| Some((ladder, rung, rung.time_s?[0], total_error(rung)?)))
         .collect();
+    if all.is_empty() {
+        return Vec::new();
+    }
     // A pair of factors is named where it is clearly cheaper than any one factor.
     let cost = |found: &(&LadderOutcome, &RungOutcome, f64, f64)| {
         found.2 * if found.1.changes > 1 { CLEARLY } else { 1.0 }

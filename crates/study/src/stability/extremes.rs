@@ -21,6 +21,8 @@ pub struct Extreme {
     pub refused: bool,
     /// How many roundings of the scalar the signals may be off by, in full scales.
     pub roundings: f64,
+    /// Whether it takes many seconds, and `exact` far more: it is left to a whole study, and to ideal parts.
+    pub long: bool,
 }
 
 /// A change of a scene by a figure.
@@ -41,7 +43,7 @@ impl Push {
 const USUAL: f64 = 2e3;
 
 fn extreme(row: &'static str, name: String, figure: f64, change: fn(&mut Scene, f64)) -> Extreme {
-    Extreme { row, name, apply: Push { figure, change }, refused: false, roundings: USUAL }
+    Extreme { row, name, apply: Push { figure, change }, refused: false, roundings: USUAL, long: false }
 }
 
 /// All of them, in the order in which several are put on one scene: ground first, then where the eye stands on it.
@@ -232,15 +234,19 @@ fn ranges() -> Vec<Extreme> {
 }
 
 fn features() -> Vec<Extreme> {
-    let nested = extreme("features", "three hundred nested craters".into(), 300.0, |scene, count| {
-        let centre = [scene.foot[0] + 60.0, scene.foot[1]];
-        let crater = |k: u32| {
-            let r1 = 1.0 + 20.0 * f64::from(k) / count;
-            Crater::new(centre, Shape::RimmedBowl { r1, r2: 1.3 * r1 }, 1e-4 * r1, 1e-5 * r1)
-        };
-        scene.craters = (0..count as u32).filter_map(|k| crater(k).ok()).collect();
-        scene.attitude.heading = 0.0;
-    });
+    let nested = |name: &str, count: f64| {
+        extreme("features", format!("{name} nested craters"), count, |scene, count| {
+            let centre = [scene.foot[0] + 60.0, scene.foot[1]];
+            let crater = |k: u32| {
+                let r1 = 1.0 + 20.0 * f64::from(k) / count;
+                Crater::new(centre, Shape::RimmedBowl { r1, r2: 1.3 * r1 }, 1e-4 * r1, 1e-5 * r1)
+            };
+            scene.craters = (0..count as u32).filter_map(|k| crater(k).ok()).collect();
+            scene.attitude.heading = 0.0;
+        })
+    };
+    // Heights are sums over as many craters: their roundings add up.
+    let many = Extreme { long: true, roundings: 10.0 * USUAL, ..nested("ten thousand", 1e4) };
     let tiny = extreme("features", "a crater of 1e-6 m".into(), 1e-6, |scene, r1| {
         let centre = [scene.foot[0] + 30.0, scene.foot[1]];
         scene.craters = Crater::new(centre, Shape::Bowl { r1 }, 0.2 * r1, 0.0).into_iter().collect();
@@ -248,7 +254,7 @@ fn features() -> Vec<Extreme> {
     let vast = extreme("features", "a crater larger than the ground".into(), 1e7, |scene, r1| {
         scene.craters = Crater::new(scene.foot, Shape::Bowl { r1 }, 10.0, 0.0).into_iter().collect();
     });
-    [nested, tiny, vast].into()
+    [nested("three hundred", 300.0), many, tiny, vast].into()
 }
 
 fn rasters() -> Vec<Extreme> {

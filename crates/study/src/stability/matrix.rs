@@ -79,15 +79,19 @@ pub fn matrix(
         hear(name);
         cells.extend(run(choice.extent));
     }
-    let all = extremes();
+    let mut all = extremes();
+    all.retain(|extreme| choice.extent == Extent::Whole || !extreme.long);
     for extreme in all.iter().filter(|extreme| choice.has(extreme.row)) {
         hear(&format!("{}: {}", extreme.row, extreme.name));
-        cells.extend(frame_cells(scene, &drawers, extreme.row, &[extreme]));
+        let able =
+            drawers.iter().filter(|drawer| drawer.is_ideal || !extreme.long).copied().collect::<Vec<_>>();
+        cells.extend(frame_cells(scene, &able, extreme.row, &[extreme]));
     }
     if choice.has(INPUT) {
         hear(INPUT);
         cells.extend(refusals::refusals());
     }
+    all.retain(|extreme| !extreme.long);
     if choice.pairs {
         let pairs = all.iter().enumerate().flat_map(|(k, a)| all[k + 1..].iter().map(move |b| [a, b]));
         for pair in pairs.filter(|[a, b]| a.row != b.row && (choice.has(a.row) || choice.has(b.row))) {

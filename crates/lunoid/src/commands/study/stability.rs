@@ -20,7 +20,7 @@ const AFTER: &str = "Examples:
   lunoid study stability --quick
   lunoid study stability --out studies/stability
   lunoid study stability scenarios/first-light.toml --only light --only corner
-  lunoid study stability --only pair --pairs
+  lunoid study stability --only eye --pairs
   lunoid study stability --mixtures 1000 --seed 7
 
 Without a scenario a small one that the program carries is pushed to its limits; of a scenario it is the ground of the
