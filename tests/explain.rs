@@ -66,6 +66,8 @@ fn sky_and_bodies_are_told_as_such() {
         (0..columns).step_by(11).flat_map(|x| (lines / 3..lines).step_by(8).map(move |y| [x, y])).collect();
     let told = told(&scene.stage(), &scene, 0, &grid);
     let body = told.iter().find(|told| told.writer == Writer::Body).expect("a body is in sight");
+    assert!(body.because.iter().any(|reason| reason.contains("pg.present is on")), "{:?}", body.because);
+    assert!(told.iter().all(|told| told.body.is_some() == (told.writer == Writer::Body)));
     assert!(body.because[0].starts_with("a body covers it"));
     let agree = |told: &&Explanation| {
         let label = told.exact.as_ref().unwrap().label;

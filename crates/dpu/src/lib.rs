@@ -20,8 +20,8 @@
 //! **Order.** Of the sets that wait, the one that the next stop of the other axis transfers is urgent; with
 //! `urgent_first` it goes before the others, else first asked, first served. A third preload register, if there is
 //! one, holds the corner beyond both stops: then nothing is urgent, since it moves over with the fold.
-//! **Our choices.** Home registers: at sweep start all registers are full, and the queue is empty: retrace clears it,
-//! so that sweeps do not depend on one another. A set whose colour has moved on is dropped if it waits, and overwritten
+//! **Our choices.** Home registers: at sweep start all registers are full, and the queue is empty: what waits at the
+//! last fold is served on into retrace, so that sweeps do not depend on one another. A set whose colour has moved on is dropped if it waits, and overwritten
 //! if it is on its way; the access that has begun is finished. Pointers that leave the stored area clamp to its edge.
 //! A corner that the data bank has not delivered brings words of 0.
 //! **Watching.** [`Watch`] is told of every event; with `()` nothing of that is compiled.

@@ -44,7 +44,8 @@ pub(crate) struct Served {
     pub waited: bool,
 }
 
-/// The queue within one sweep; retrace clears it (our choice).
+/// The queue within one sweep. What waits at the last fold is served on into retrace; nothing of it waits for the next sweep
+/// (our choice).
 #[derive(Debug)]
 pub(crate) struct Server<'a> {
     loader: &'a Loader,

@@ -16,6 +16,7 @@ pub fn because(told: &Explanation) -> Vec<String> {
         reasons.extend(driven(ground));
         reasons.extend(stale(ground));
     }
+    reasons.extend(told.body.map(body));
     reasons.extend(digital(told));
     reasons.extend(reading(told));
     reasons.extend(error(told));
@@ -44,6 +45,14 @@ fn writer(told: &Explanation) -> String {
             None => format!("sky: sweep {sweep} wrote nothing"),
         },
     }
+}
+
+/// What made a polyhedron bright or dark.
+fn body(reflectivity: f64) -> String {
+    let face = if reflectivity <= DARK { "is turned from the sun or in shadow" } else { "is lit" };
+    format!(
+        "pg.present is on, so that VS3 shows the polyhedron, whose face {face}: pg.reflectivity {reflectivity:.3}"
+    )
 }
 
 /// What made the ground bright or dark.

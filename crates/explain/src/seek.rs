@@ -78,6 +78,8 @@ pub struct Explanation {
     pub place: Place,
     /// Who wrote it.
     pub writer: Writer,
+    /// Reflectivity of the polyhedron that VS3 shows in the nearest cell.
+    pub body: Option<f64>,
     /// The ground there, or behind the body that hides it.
     pub ground: Option<GroundPoint>,
     /// Highest line that the profile of the sweep reaches, and at which range (m).
@@ -162,6 +164,7 @@ impl<'a> Inquiry<'a> {
             intensity: f64::from(shown),
             left: column.at("sm.write", place.cell),
             writer: writer(&column, place.cell, ground.is_some()),
+            body: shown_body(&column, place.cell),
             ground,
             highest: column.highest().map(|(line, sample)| (line, column.at("sweep.range", sample))),
             late: stroke.map_or_else(Vec::new, missed),
@@ -224,9 +227,13 @@ impl<'a> Inquiry<'a> {
     }
 }
 
+fn shown_body(column: &SweepColumn, cell: usize) -> Option<f64> {
+    (column.at("pg.present", cell) > 0.0).then(|| column.at("pg.reflectivity", cell))
+}
+
 fn writer(column: &SweepColumn, cell: usize, is_ground: bool) -> Writer {
     match is_ground {
-        _ if column.at("pg.present", cell) > 0.0 => Writer::Body,
+        _ if shown_body(column, cell).is_some() => Writer::Body,
         true => Writer::Ground,
         false if column.at("sm.write", cell) > 0.0 => Writer::Silhouette,
         false => Writer::Sky,

@@ -68,10 +68,16 @@ impl Explain {
             "--sweep {sweep} --signals 'tg.reflectivity,mu.*,sc.gate,dpp.*,sm.video'{} --out sweep.png",
             cursor.unwrap_or_default()
         );
+        // Polyhedra join along the line of the display, not along the sweep: a table, not a page.
+        let body =
+            told.body.map(|_| ("probe", format!("--sweep {sweep} --signals 'pg.*,sm.write' --out body.csv")));
         let registers =
             told.ground.as_ref().map(|ground| ("trace", format!("--at {sweep}:{}", ground.sample)));
-        let commands =
-            [("probe", page)].into_iter().chain(registers).chain([("trace", format!("--sweep {sweep}"))]);
+        let commands = [("probe", page)]
+            .into_iter()
+            .chain(body)
+            .chain(registers)
+            .chain([("trace", format!("--sweep {sweep}"))]);
         commands.map(|(name, rest)| command(name, stage, frame, &rest) + "\n").collect()
     }
 }
@@ -90,6 +96,7 @@ fn text(told: &Explanation) -> String {
         &format!("sweep {:.3}, cell {:.3} of {}", place.between_sweeps, place.between_cells, place.cells),
     ));
     lines.push(row("sm.write", &format!("{:.4} in cell {} of sweep {}", told.left, place.cell, place.sweep)));
+    lines.extend(told.body.map(|light| row("pg", &format!("present, reflectivity {light:.4}"))));
     lines.extend(told.ground.iter().flat_map(ground_rows));
     lines.extend(told.late.iter().map(late_row));
     let Some(exact) = &told.exact else { return lines.join("\n") + "\n" };
