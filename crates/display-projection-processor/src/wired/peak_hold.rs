@@ -135,7 +135,13 @@ impl<S: Real> Detector<'_, S> {
         }
     }
 
+    /// A straight input takes the hold no higher than its own ends: a peak above the sample by rounding would be a fall.
     fn risen(&self, peak: S, sample: usize, span: [f64; 2]) -> S {
-        self.wire.track(&self.circuit.hold, sample, peak, span).at_least(peak)
+        let risen = self.wire.track(&self.circuit.hold, sample, peak, span).at_least(peak);
+        if span[1] < sample as f64 {
+            return risen;
+        }
+        let most = self.wire.line(sample, span[0])[0].at_least(self.wire.at(sample)).at_least(peak);
+        -(-risen).at_least(-most)
     }
 }

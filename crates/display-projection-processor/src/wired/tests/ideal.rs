@@ -53,6 +53,24 @@ proptest! {
     }
 }
 
+/// The beam comes on within one step, and the next begins where the hold is above the sample by rounding.
+#[test]
+fn a_beam_that_has_come_on_stays_on() {
+    let waves = [
+        (0.095_420_361_674_548_86, 0.660_390_055_537_972_3, 25.0),
+        (0.082_699_033_641_610_84, 1.055_653_617_680_887_5, 60.0),
+    ];
+    let last = (0.008_938_264_915_835_666, 5.301_833_912_538_777, 140.0);
+    let share = |k: f64| {
+        let wave =
+            |&(amplitude, phase, length): &(f64, f64, f64)| amplitude * libm::sin(phase + TAU * k / length);
+        -0.3 + 0.001_559_796_196_495_943_4 * k + wave(&waves[0]) + wave(&waves[1]) + wave(&last)
+    };
+    let made = run(Occlusion::PeakHold, &AnalogParts::ideal(), SAMPLES, share);
+    let [from, to] = made.on[0][made.on[0].len() - 1];
+    assert!(from > 297.8 && from < 298.0 && to == 299.0, "{:?}", made.on[0]);
+}
+
 #[test]
 fn intensity_is_not_delayed() {
     let out = run(Occlusion::Derivative, &AnalogParts::ideal(), 50, |_| 0.0);
