@@ -1,6 +1,6 @@
 //! `lunoid study economy`: what is left out, what that saves, what remains.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use clap::Args;
 use plots::{Bars, TraceLook, bar_picture};
@@ -9,9 +9,10 @@ use study::Subject;
 use study::economy::{EconomyOutcome, economy};
 
 use super::error::{failure, frames, quarter};
+use super::outputs::{Outputs, make, markdown, write};
 use crate::cli::COMMIT;
 use crate::loading::{Loaded, StageArgs, Threads};
-use crate::output::{print, print_json, table as columns, tell};
+use crate::output::table as columns;
 use crate::{Failure, Verdict};
 
 /// Repetitions that are timed.
@@ -22,8 +23,8 @@ const AFTER: &str = "Examples:
   lunoid study economy scenarios/first-light.toml --quick
   lunoid study economy scenarios/showpiece.toml --frame 0 --frame 150 --out studies/economy
 
---out gets economy.json, economy.csv, economy.md, a plot, and shadows/, where boundaries are kept for the next study. The exit status is 1 if a machine that claims to draw the same
-bits does not. docs/economy.md says how to read it.";
+--out gets economy.json, economy.csv, economy.md, a plot, and shadows/, where boundaries are kept for the next
+study. The exit status is 1 if a machine that claims to draw the same bits does not. docs/economy.md says how to read it.";
 
 /// What the scenario does not need: left out, saved, and still wasted.
 #[derive(Debug, Args)]
@@ -42,15 +43,8 @@ pub struct EconomyStudy {
     /// A quarter of the sweeps, columns and lines.
     #[arg(long)]
     quick: bool,
-    /// Folder for tables and the plot.
-    #[arg(long, value_name = "DIR")]
-    out: Option<PathBuf>,
-    /// No progress.
-    #[arg(long)]
-    no_progress: bool,
-    /// Print as JSON.
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    outputs: Outputs,
 }
 
 /// What came of it.
@@ -76,22 +70,15 @@ impl EconomyStudy {
         let subject = Subject::new(loaded.scenario, loaded.model, stage, &frames).map_err(Failure::input)?;
         let usual = if self.quick { QUICK_REPETITIONS } else { REPETITIONS };
         let repetitions = self.repetitions.unwrap_or(usual);
-        let mut hear = |what: &str| {
-            if !self.no_progress {
-                tell(&format!("{what}\n"));
-            }
-        };
+        let mut hear = |what: &str| self.outputs.say(what);
         let found = pool.install(|| economy(&subject, repetitions, &mut hear)).map_err(failure)?;
         let threads = pool.current_num_threads();
         let outcome = Outcome { title: subject.scenario.title.clone(), frames, threads, found };
-        if let Some(folder) = &self.out {
-            outcome.write(folder)?;
+        if let Some(folder) = &self.outputs.out {
+            write(folder, "economy", &outcome.json(), &outcome.csv(), &outcome.page())?;
+            outcome.plot(folder)?;
         }
-        if self.json {
-            print_json(&outcome.json())?
-        } else {
-            print(&outcome.text())?
-        }
+        self.outputs.print(&outcome.json(), &outcome.text())?;
         Ok(if outcome.found.holds() { Verdict::Yes } else { Verdict::No })
     }
 }
@@ -99,19 +86,13 @@ impl EconomyStudy {
 impl EconomyStudy {
     /// Every machine of the study wants the same shadow boundaries: they are found once if there is a place for them.
     fn keep_shadows(&self, loaded: &mut Loaded) -> Result<(), Failure> {
-        if let (None, Some(out)) = (&loaded.settings.shadow_cache, &self.out) {
+        if let (None, Some(out)) = (&loaded.settings.shadow_cache, &self.outputs.out) {
             let folder = out.join("shadows");
             make(&folder)?;
             loaded.settings.shadow_cache = Some(folder);
         }
         Ok(())
     }
-}
-
-fn make(folder: &Path) -> Result<(), Failure> {
-    std::fs::create_dir_all(folder).map_err(|error| {
-        Failure::output(format!("--out {}: {error}; name a folder that can be written", folder.display()))
-    })
 }
 
 fn percent(some: u64, all: u64) -> String {
@@ -197,11 +178,9 @@ impl Outcome {
 
     /// The same as a page of Markdown.
     fn page(&self) -> String {
-        let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
         let mut text = format!("{}.\n", self.facts());
         for (title, rows) in self.tables() {
-            text += &format!("\n### {title}\n\n{}|{}\n", line(&rows[0]), "---|".repeat(rows[0].len()));
-            rows[1..].iter().for_each(|row| text += &line(row));
+            text += &format!("\n### {title}\n\n{}", markdown(&rows));
         }
         text
     }
@@ -217,19 +196,6 @@ impl Outcome {
             }
         }
         text
-    }
-
-    fn write(&self, folder: &Path) -> Result<(), Failure> {
-        make(folder)?;
-        let put = |name: &str, text: &str| {
-            files::write_atomic(folder.join(name), |out: &mut dyn std::io::Write| {
-                out.write_all(text.as_bytes())
-            })
-        };
-        put("economy.json", &format!("{:#}\n", self.json()))?;
-        put("economy.csv", &self.csv())?;
-        put("economy.md", &self.page())?;
-        self.plot(folder)
     }
 
     /// Samples by what becomes of them.

@@ -1,6 +1,6 @@
 //! `lunoid study error`: ladders of settings against `exact`.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use clap::Args;
 use exact::Columns;
@@ -14,10 +14,11 @@ use study::{
     csv, regions, table,
 };
 
+use super::outputs::{Outputs, markdown, write};
 use super::plots::write_plots;
 use crate::cli::COMMIT;
 use crate::loading::{Loaded, StageArgs, Threads};
-use crate::output::{print, print_json, table as columns, tell};
+use crate::output::table as columns;
 use crate::{Failure, Verdict};
 
 /// The model whose parts make the chain that is solved.
@@ -61,15 +62,8 @@ pub struct ErrorStudy {
     /// A few rungs of each ladder, on a quarter of the sweeps, columns and lines.
     #[arg(long)]
     quick: bool,
-    /// Folder for tables, plots and the pictures of `exact`.
-    #[arg(long, value_name = "DIR")]
-    out: Option<PathBuf>,
-    /// No progress.
-    #[arg(long)]
-    no_progress: bool,
-    /// Print as JSON.
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    outputs: Outputs,
 }
 
 /// What came of it.
@@ -95,14 +89,11 @@ impl ErrorStudy {
         let stage = loaded.stage(&pool)?;
         let subject = Subject::new(loaded.scenario, loaded.model, stage, &frames).map_err(Failure::input)?;
         let outcome = pool.install(|| self.study(&subject))?;
-        if let Some(folder) = &self.out {
-            outcome.write(folder)?;
+        if let Some(folder) = &self.outputs.out {
+            write(folder, "error", &outcome.json(), &csv(&outcome.ladders), &outcome.page())?;
+            write_plots(folder, &outcome.facts(), &outcome.ladders)?;
         }
-        if self.json {
-            print_json(&outcome.json())?
-        } else {
-            print(&outcome.text())?
-        }
+        self.outputs.print(&outcome.json(), &outcome.text())?;
         Ok(Verdict::Yes)
     }
 
@@ -111,31 +102,31 @@ impl ErrorStudy {
         let chosen = self.chosen(ladders(subject, &self.models()?, extent))?;
         let usual = if self.quick { QUICK_REPETITIONS } else { REPETITIONS };
         let effort = Effort { repetitions: self.repetitions.unwrap_or(usual) };
-        let folder = self.out.as_ref().map(|out| out.join("exact"));
+        let folder = self.outputs.out.as_ref().map(|out| out.join("exact"));
         let pictures = ExactPictures::new(COMMIT, &subject.scenario, &subject.stage, folder);
         let mut exact = pictures.map_err(StudyError::from).map_err(failure)?;
         let columns = Columns::new(subject.stage.clone());
-        self.say("exact, and exact with its limits halved\n");
+        self.outputs.say("exact, and exact with its limits halved");
         let own = exact.self_error(&subject.stage, &subject.frames).map_err(failure)?;
         let mut study = Rehearsed { subject, exact: &mut exact, columns: &columns };
         let mut outcomes = Vec::with_capacity(chosen.len());
         for ladder in &chosen {
-            self.say(&format!("{}: {} rungs\n", ladder.name, ladder.rungs.len()));
-            let mut hear = |label: &str| self.say(&format!("  {label}\n"));
+            self.outputs.say(&format!("{}: {} rungs", ladder.name, ladder.rungs.len()));
+            let mut hear = |label: &str| self.outputs.say(&format!("  {label}"));
             outcomes.push(climb(&mut study, ladder, effort, &mut hear).map_err(failure)?);
         }
         if REGION_LADDERS.into_iter().any(|name| self.wants(name)) {
-            self.say("banks of several region sizes\n");
+            self.outputs.say("banks of several region sizes");
             let mut banks = regions(subject, extent, effort).map_err(failure)?;
             banks.retain(|ladder| self.wants(ladder.name));
             outcomes.extend(banks);
         }
         if self.wants(POLYNOMIAL) {
-            self.say("ways to evaluate the ground along a sweep\n");
+            self.outputs.say("ways to evaluate the ground along a sweep");
             outcomes.push(polynomial_ladder(subject, effort, extent).map_err(failure)?);
         }
         if self.wants(SOLVER) {
-            self.say("solvers of an analog chain\n");
+            self.outputs.say("solvers of an analog chain");
             let models = self.models()?;
             let real = models.iter().find(|model| model.name == CHAIN_OF).unwrap_or(&subject.model);
             outcomes.extend(solver_ladders(&Chain::of(real), effort, extent));
@@ -172,12 +163,6 @@ impl ErrorStudy {
 
     fn wants(&self, ladder: &str) -> bool {
         self.only.is_empty() || self.only.iter().any(|name| name == ladder)
-    }
-
-    fn say(&self, text: &str) {
-        if !self.no_progress {
-            tell(text);
-        }
     }
 }
 
@@ -256,29 +241,12 @@ impl Outcome {
         for ladder in &self.ladders {
             text +=
                 &format!("\n### {}\n\n![{} against time]({}.svg)\n\n", ladder.what, ladder.name, ladder.name);
-            for (row, cells) in table(ladder).iter().enumerate() {
-                text += &format!("| {} |\n", cells.join(" | "));
-                if row == 0 {
-                    text += &format!("|{}\n", "---|".repeat(cells.len()));
-                }
-            }
+            text += &markdown(&table(ladder));
             ladder.orders.iter().for_each(|order| text += &format!("\n{}\n", order_words(order)));
         }
         text += "\n";
         self.advice.iter().for_each(|advice| text += &format!("- {}\n", advice.sentence()));
         text
-    }
-
-    fn write(&self, folder: &Path) -> Result<(), Failure> {
-        let put = |name: &str, text: &str| {
-            files::write_atomic(folder.join(name), |out: &mut dyn std::io::Write| {
-                out.write_all(text.as_bytes())
-            })
-        };
-        put("error.json", &format!("{:#}\n", self.json()))?;
-        put("error.csv", &csv(&self.ladders))?;
-        put("error.md", &self.page())?;
-        write_plots(folder, &self.facts(), &self.ladders)
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod economy;
 mod error;
+mod outputs;
 mod plots;
 mod stability;
 

@@ -1,6 +1,5 @@
 //! `lunoid study stability`: parts and whole frames at their limits.
 
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -11,9 +10,10 @@ use study::Subject;
 use study::ladder::Extent;
 use study::stability::{BASE, Cell, Choice, FitOutcome, Scene, matrix, rows, survey_fits, table};
 
+use super::outputs::{Outputs, markdown, write};
 use crate::cli::COMMIT;
 use crate::loading::{StageArgs, Threads};
-use crate::output::{print, print_json, table as columns, tell};
+use crate::output::table as columns;
 use crate::{Failure, Verdict};
 
 const AFTER: &str = "Examples:
@@ -53,15 +53,8 @@ pub struct StabilityStudy {
     /// This row alone; may be given several times.
     #[arg(long, value_name = "ROW")]
     only: Vec<String>,
-    /// Folder for the tables.
-    #[arg(long, value_name = "DIR")]
-    out: Option<PathBuf>,
-    /// No progress.
-    #[arg(long)]
-    no_progress: bool,
-    /// Print as JSON.
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    outputs: Outputs,
 }
 
 /// What came of it.
@@ -81,14 +74,11 @@ impl StabilityStudy {
         self.check_rows()?;
         let pool = self.threads.pool()?;
         let outcome = pool.install(|| self.study())?;
-        if let Some(folder) = &self.out {
-            outcome.write(folder)?;
+        if let Some(folder) = &self.outputs.out {
+            let csv = table::csv(&outcome.cells);
+            write(folder, "stability", &outcome.json(), &csv, &outcome.page())?;
         }
-        if self.json {
-            print_json(&outcome.json())?
-        } else {
-            print(&outcome.text())?
-        }
+        self.outputs.print(&outcome.json(), &outcome.text())?;
         Ok(if table::faults(&outcome.cells).is_empty() { Verdict::Yes } else { Verdict::No })
     }
 
@@ -116,7 +106,8 @@ impl StabilityStudy {
             mixtures: self.mixtures,
             seed: self.seed,
         };
-        let cells = matrix(&Scene::of(&subject), [&ideal, &parts], &choice, &mut |name| self.say(name));
+        let cells =
+            matrix(&Scene::of(&subject), [&ideal, &parts], &choice, &mut |name| self.outputs.say(name));
         let is_wanted = self.only.is_empty() || self.only.iter().any(|row| row == SURVEY);
         let fits = if is_wanted { survey_fits() } else { Vec::new() };
         Ok(Outcome { title: subject.scenario.title.clone(), seed: self.seed, cells, fits })
@@ -139,12 +130,6 @@ impl StabilityStudy {
             }
         };
         Subject::new(scenario, model, stage, &[0]).map_err(Failure::input)
-    }
-
-    fn say(&self, text: &str) {
-        if !self.no_progress {
-            tell(&format!("{text}\n"));
-        }
     }
 }
 
@@ -188,29 +173,4 @@ impl Outcome {
         }
         text
     }
-
-    fn write(&self, folder: &Path) -> Result<(), Failure> {
-        std::fs::create_dir_all(folder).map_err(|error| {
-            let folder = folder.display();
-            Failure::output(format!("--out {folder}: {error}; name a folder that can be written"))
-        })?;
-        let put = |name: &str, text: &str| {
-            files::write_atomic(folder.join(name), |out: &mut dyn Write| out.write_all(text.as_bytes()))
-        };
-        put("stability.json", &format!("{:#}\n", self.json()))?;
-        put("stability.csv", &table::csv(&self.cells))?;
-        put("stability.md", &self.page())?;
-        Ok(())
-    }
-}
-
-fn markdown(rows: &[Vec<String>]) -> String {
-    let mut text = String::new();
-    for (number, row) in rows.iter().enumerate() {
-        text += &format!("| {} |\n", row.join(" | "));
-        if number == 0 {
-            text += &format!("|{}\n", "---|".repeat(row.len()));
-        }
-    }
-    text
 }

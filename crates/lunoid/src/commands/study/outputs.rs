@@ -1,0 +1,68 @@
+//! What a study leaves: text or a document on standard output, tables in a folder.
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use serde_json::Value;
+
+use crate::Failure;
+use crate::output::{print, print_json, tell};
+
+/// Where results go.
+#[derive(Debug, Args)]
+pub struct Outputs {
+    /// Folder for tables and plots.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// No progress.
+    #[arg(long)]
+    no_progress: bool,
+    /// Print as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+impl Outputs {
+    /// Tells of progress, to whoever wants to hear.
+    pub fn say(&self, text: &str) {
+        if !self.no_progress {
+            tell(&format!("{text}\n"));
+        }
+    }
+
+    /// Prints a result.
+    pub fn print(&self, document: &Value, text: &str) -> Result<(), Failure> {
+        if self.json { print_json(document) } else { print(text) }
+    }
+}
+
+/// Makes a folder for results, if it is not there.
+pub fn make(folder: &Path) -> Result<(), Failure> {
+    fs::create_dir_all(folder).map_err(|error| {
+        Failure::output(format!("--out {}: {error}; name a folder that can be written", folder.display()))
+    })
+}
+
+/// Writes `name.json`, `name.csv` and `name.md` into `folder`.
+pub fn write(folder: &Path, name: &str, document: &Value, csv: &str, page: &str) -> Result<(), Failure> {
+    make(folder)?;
+    for (end, text) in [("json", format!("{document:#}\n").as_str()), ("csv", csv), ("md", page)] {
+        let path = folder.join(format!("{name}.{end}"));
+        files::write_atomic(path, |out: &mut dyn Write| out.write_all(text.as_bytes()))?;
+    }
+    Ok(())
+}
+
+/// Rows as a table of Markdown, the first with the names of the columns.
+pub fn markdown(rows: &[Vec<String>]) -> String {
+    let mut text = String::new();
+    for (number, row) in rows.iter().enumerate() {
+        text += &format!("| {} |\n", row.join(" | "));
+        if number == 0 {
+            text += &format!("|{}\n", "---|".repeat(row.len()));
+        }
+    }
+    text
+}
