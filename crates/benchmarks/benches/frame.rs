@@ -4,7 +4,7 @@
 
 use std::hint::black_box;
 
-use benchmarks::Scene;
+use benchmarks::{Choice, Scene};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use exact::Exact;
 use generator::Generator;
@@ -18,7 +18,7 @@ fn whole_frame(c: &mut Criterion) {
     group.sample_size(20);
     for (name, scalar) in [("f32", Scalar::F32), ("f64", Scalar::F64)] {
         for threads in [1, 2] {
-            let scene = Scene::shipped("first-light", Some(scalar));
+            let scene = Scene::shipped("first-light", &Choice { scalar: Some(scalar), ..Choice::default() });
             let (mut planes, pose) = (scene.planes(), scene.pose);
             group.throughput(Throughput::Elements(scene.samples()));
             let session = HybridMachine.prepare(scene.stage).expect("the ideal machine draws terrain");
@@ -35,7 +35,7 @@ fn whole_frame(c: &mut Criterion) {
 
 /// The same frame by closed form and root finding.
 fn exact_frame(c: &mut Criterion) {
-    let scene = Scene::shipped("first-light", Some(Scalar::F64));
+    let scene = Scene::shipped("first-light", &Choice { scalar: Some(Scalar::F64), ..Choice::default() });
     let (mut planes, pose) = (scene.planes(), scene.pose);
     let session = Exact.prepare(scene.stage).expect("exact draws terrain");
     let mut group = c.benchmark_group("exact frame");

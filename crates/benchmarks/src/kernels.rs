@@ -4,7 +4,7 @@ use generator::Generator;
 use machine::{HybridMachine, UnprobedMachine};
 use signal::Probe;
 
-use crate::Scene;
+use crate::{Choice, Scene};
 
 /// Work that is made ready once and then run, each time the same.
 #[derive(Debug, Clone, Copy)]
@@ -35,6 +35,11 @@ pub const KERNELS: &[Kernel] = &[
         ready: || frame("first-light", &HybridMachine, Probe::new(vec!["*".into()], 500..501)),
     },
     Kernel {
+        name: "showpiece/no-probe",
+        about: "frame 0, f32, ideal parts, everything on the ground, by a machine without probes",
+        ready: || frame("showpiece", &UnprobedMachine, Probe::off()),
+    },
+    Kernel {
         name: "nominal-drive/no-probe",
         about: "frame 0, parts of 1970, by a machine without probes",
         ready: || frame("nominal-drive", &UnprobedMachine, Probe::off()),
@@ -55,7 +60,7 @@ pub fn kernel(name: &str) -> Option<&'static Kernel> {
 fn frame(scenario: &str, generator: &dyn Generator, mut probe: Probe) -> Box<dyn FnMut()> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread().build();
     let pool = pool.expect("a process runs one kernel");
-    let scene = pool.install(|| Scene::shipped(scenario, None));
+    let scene = pool.install(|| Scene::shipped(scenario, &Choice::default()));
     let (mut planes, pose) = (scene.planes(), scene.pose);
     let session = generator.prepare(scene.stage).expect("the machine draws what is shipped");
     Box::new(move || {

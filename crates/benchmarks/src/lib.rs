@@ -1,16 +1,20 @@
-//! What a frame costs: in time (`cargo bench -p benchmarks`) and in instructions (the binary `instructions`).
+//! What a frame costs: in time (`cargo bench -p benchmarks`, the binary `speed`) and in instructions (the binary
+//! `instructions`).
 //!
 //! `docs/measuring.md` says how to read the figures. The scenes are shipped ones, so that the figures are of pictures that
 //! one can look at.
 //!
 //! - [`Scene`]: a shipped scenario made ready, and the pose of its first frame.
+//! - [`ROWS`]: frames whose time `speed` tells.
 //! - [`KERNELS`]: named pieces of work, each of which can be run by itself.
 //! - [`instructions_of`]: how many instructions a kernel takes, counted by callgrind, within [`counted`] alone.
 
 mod callgrind;
 mod kernels;
+mod rows;
 mod scene;
 
 pub use callgrind::{CountError, counted, instructions_of};
 pub use kernels::{KERNELS, Kernel, kernel};
-pub use scene::Scene;
+pub use rows::{REAL_TIME, ROWS, Row, STANDARD};
+pub use scene::{Choice, Scene};

@@ -15,17 +15,32 @@ pub struct Scene {
     pub pose: Pose,
 }
 
+/// What is measured of a scenario instead of what it says itself; `None` leaves it as it is.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Choice {
+    /// Hardware model by name.
+    pub model: Option<&'static str>,
+    /// Scalar type of the signals.
+    pub scalar: Option<Scalar>,
+    /// Sweeps a frame and samples a sweep.
+    pub raster: Option<[u32; 2]>,
+}
+
 impl Scene {
-    /// The scenario called `name`, with signals of its own scalar type, or of `scalar`.
+    /// The scenario called `name`, with `choice` made.
     ///
     /// # Panics
     /// If the shipped scenario cannot be read: then the tests fail as well.
-    pub fn shipped(name: &str, scalar: Option<Scalar>) -> Self {
+    pub fn shipped(name: &str, choice: &Choice) -> Self {
         let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios"));
         let mut scenario = Scenario::read(folder.join(name).with_extension("toml"))
             .expect("the shipped scenario is read by the tests");
-        scenario.scalar = scalar.unwrap_or(scenario.scalar);
-        let source = ModelSource::find(&scenario.machine, folder).expect("it names a shipped model");
+        scenario.scalar = choice.scalar.unwrap_or(scenario.scalar);
+        if let Some([sweeps, samples]) = choice.raster {
+            (scenario.raster.sweeps, scenario.raster.samples) = (Some(sweeps), Some(samples));
+        }
+        let model = choice.model.unwrap_or(&scenario.machine);
+        let source = ModelSource::find(model, folder).expect("it names a shipped model");
         let model = HardwareModel::load(&source, &[], &[]).expect("which is read by the tests").model;
         let settings = stage::settings(&scenario, &model).expect("settings are resolved by the tests");
         let stage = stage::build(&scenario, settings).expect("the ground is made by the tests");

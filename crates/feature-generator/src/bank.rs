@@ -30,7 +30,7 @@ impl Bank {
             self.sub_generators.push(SubGenerator::new(crater, load));
             collect(crater, load, number, &mut self.steps);
         }
-        self.steps.sort_unstable_by(Step::order);
+        Step::sort(&mut self.steps);
     }
 
     /// Whether the sweep is in no footprint.
@@ -50,14 +50,23 @@ impl Bank {
         }
     }
 
-    /// Height, slope along and slope across at one range.
-    pub fn sum(&self, range: f64) -> [f64; 3] {
-        let mut sum = [0.0; 3];
-        for &(load, zone) in &self.at_work {
-            let one = self.sub_generators[load as usize].at(zone, range);
-            (0..3).for_each(|signal| sum[signal] += one[signal]);
-        }
-        sum
+    /// Height, slope along and slope across where a step lies, just before it and just after it: all sub-generators but its
+    /// own answer once for both.
+    pub fn around(&self, step: &Step) -> [[f64; 3]; 2] {
+        let mut sums = [[0.0; 3]; 2];
+        let mut add = |load: u32, zone: Zone, sides: Range<usize>| {
+            let one = self.sub_generators[load as usize].at(zone, step.range);
+            sums[sides].iter_mut().for_each(|sum| (0..3).for_each(|signal| sum[signal] += one[signal]));
+        };
+        let place = self.at_work.partition_point(|(load, _)| *load < step.load);
+        let (lower, own) = self.at_work.split_at(place);
+        let upper = own.iter().position(|(load, _)| *load > step.load).unwrap_or(own.len());
+        let (own, upper) = own.split_at(upper);
+        lower.iter().for_each(|&(load, zone)| add(load, zone, 0..2));
+        own.iter().for_each(|&(load, zone)| add(load, zone, 0..1));
+        add(step.load, step.to, 1..2);
+        upper.iter().for_each(|&(load, zone)| add(load, zone, 0..2));
+        sums
     }
 
     /// Adds what is at work to samples of a lane.

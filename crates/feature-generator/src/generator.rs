@@ -68,9 +68,8 @@ impl Sweep<'_> {
     /// Applies a step between two samples; what it changes.
     fn kink<S: Real>(&self, step: &Step, sample: usize, bank: &mut Bank) -> Kink<S> {
         let (near, far) = (self.ranges[sample - 1], self.ranges[sample]);
-        let ([height, along, across], idle) = (bank.sum(step.range), bank.is_idle());
+        let ([[height, along, across], after], idle) = (bank.around(step), bank.is_idle());
         bank.apply(step);
-        let after = bank.sum(step.range);
         Kink {
             sample,
             share: S::from_f64((step.range - near) / (far - near)),

@@ -1,7 +1,5 @@
 //! Where a sweep crosses the kink circles of the craters it draws.
 
-use std::cmp::Ordering;
-
 use features::Crater;
 
 use crate::FeatureLoad;
@@ -22,6 +20,9 @@ pub(crate) struct Step {
     pub is_late: bool,
 }
 
+/// Samples that are looked at one by one before the rest is searched.
+const STRIDE: usize = 8;
+
 impl Step {
     /// Whether it leads towards the centre.
     pub fn is_inward(&self) -> bool {
@@ -31,14 +32,26 @@ impl Step {
     /// First sample after it. A circle itself counts to what is outside of it (section 9, interval convention).
     pub fn sample(&self, ranges: &[f64]) -> usize {
         let inward = self.is_inward();
-        ranges.partition_point(|&range| range < self.range || (inward && range == self.range))
+        let before = |range: &f64| *range < self.range || (inward && *range == self.range);
+        // Nearly always a few samples on.
+        let near = ranges.iter().take(STRIDE).take_while(|range| before(range)).count();
+        if near < STRIDE { near } else { STRIDE + ranges[STRIDE..].partition_point(before) }
     }
 
-    /// By range; at one range first what is left, then what is entered; circles of a crater in the order of passing.
-    pub fn order(&self, other: &Self) -> Ordering {
-        let passing = |step: &Self| if step.is_inward() { step.to as i8 } else { -(step.to as i8) };
-        let at_one_range = |step: &Self| (step.is_inward(), step.load, passing(step));
-        self.range.total_cmp(&other.range).then(at_one_range(self).cmp(&at_one_range(other)))
+    /// Its place in the order of a sweep as one number: by range; at one range first what is left, then what is entered;
+    /// circles of a crater in the order of passing.
+    fn rank(&self) -> u128 {
+        // IEEE bits of ascending numbers ascend, those of negative ones the other way round.
+        let bits = self.range.to_bits();
+        let range = if bits >> 63 == 1 { !bits } else { bits | 1 << 63 };
+        let inward = self.is_inward();
+        let passing = if inward { self.to as u64 } else { Zone::Hollow as u64 - self.to as u64 };
+        u128::from(range) << 64 | u128::from(inward) << 63 | u128::from(self.load) << 2 | u128::from(passing)
+    }
+
+    /// Puts steps in the order in which the sweep comes to them.
+    pub fn sort(steps: &mut [Self]) {
+        steps.sort_unstable_by_key(Self::rank);
     }
 }
 
@@ -66,7 +79,7 @@ pub(crate) fn collect(crater: &Crater, load: &FeatureLoad, number: u32, steps: &
 /// Puts one step at `range` in the place of those before it, of the steps from `first` on.
 fn delay(range: f64, load: u32, first: usize, steps: &mut Vec<Step>) {
     let passed = |step: &&Step| step.range < range;
-    let zone = steps[first..].iter().filter(passed).max_by(|a, b| a.order(b)).map(|step| step.to);
+    let zone = steps[first..].iter().filter(passed).max_by_key(|step| step.rank()).map(|step| step.to);
     let mut index = 0;
     steps.retain(|step| {
         index += 1;

@@ -1,5 +1,7 @@
 //! Light of the features: what VS1 lays on the terrain, at the samples and at the kinks (sections 10, 14).
 
+use std::array;
+
 use feature_generator::FeatureProfile;
 use landscape::{GroupLight, SweepLight};
 use mixing_unit::Kink;
@@ -41,8 +43,10 @@ impl Lamp<'_> {
         self.light_samples(terrain, features, lit, &mut out.reflectivity);
         for (lane, kinks) in out.kinks.iter_mut().enumerate() {
             kinks.clear();
-            let lit = features.kinks[lane].iter().map(|kink| self.light_kink(lane, terrain, kink));
-            kinks.extend(lit);
+            let light = GroupLight::new(&[self.light[lane]; LANES]);
+            for some in features.kinks[lane].chunks(LANES) {
+                self.light_kinks(&light, lane, terrain, some, kinks);
+            }
         }
     }
 
@@ -72,28 +76,40 @@ impl Lamp<'_> {
         }
     }
 
-    fn light_kink<S: Real>(
+    /// Up to [`LANES`] kinks of one sweep side by side; `light` is that of the sweep in every lane.
+    fn light_kinks<S: Real>(
         &self,
+        light: &GroupLight<S>,
         lane: usize,
         terrain: &Profile<S>,
-        kink: &feature_generator::Kink<S>,
-    ) -> Kink<S> {
-        let ground = self.ground(terrain, lane, kink.sample, kink.share);
-        let height = ground.height + kink.height;
-        let sight = height / S::from_f64(kink.range);
-        let lit = |[along, across]: [S; 2]| self.light[lane].at(along, across, sight);
-        let surface = |feature: [S; 2]| match self.law {
-            FeatureLight::AsReported => lit(feature),
-            FeatureLight::Combined => lit([feature[0] + ground.slopes[0], feature[1] + ground.slopes[1]]),
+        kinks: &[feature_generator::Kink<S>],
+        out: &mut Vec<Kink<S>>,
+    ) {
+        // Places beyond the last kink repeat it.
+        let kink = |k: usize| &kinks[k.min(kinks.len() - 1)];
+        let ground: [Ground<S>; LANES] =
+            array::from_fn(|k| self.ground(terrain, lane, kink(k).sample, kink(k).share));
+        let height = Lanes::from_fn(|k| ground[k].height + kink(k).height);
+        let sight = height / Lanes::from_fn(|k| S::from_f64(kink(k).range));
+        let lit = |along: Lanes<S>, across: Lanes<S>| light.reflectivity(along, across, sight);
+        let terrain = [0, 1].map(|axis| Lanes::from_fn(|k| ground[k].slopes[axis]));
+        let surface = |slope: fn(&feature_generator::Kink<S>) -> &[S; 2]| {
+            let [along, across] = [0, 1].map(|axis| Lanes::from_fn(|k| slope(kink(k))[axis]));
+            match self.law {
+                FeatureLight::AsReported => lit(along, across),
+                FeatureLight::Combined => lit(along + terrain[0], across + terrain[1]),
+            }
         };
-        Kink {
+        let feature = [surface(|kink| &kink.before), surface(|kink| &kink.after)];
+        let terrain = lit(terrain[0], terrain[1]);
+        out.extend(kinks.iter().enumerate().map(|(k, kink)| Kink {
             sample: kink.sample,
             share: kink.share,
-            height,
-            feature: [surface(kink.before), surface(kink.after)],
-            terrain: lit(ground.slopes),
+            height: height[k],
+            feature: feature.map(|light| light[k]),
+            terrain: terrain[k],
             present: kink.present,
-        }
+        }));
     }
 
     /// The terrain at a part of the step that ends at `sample`: the cubic of its heights and slopes.

@@ -48,17 +48,22 @@ impl<'a, S: Real> Cursors<'a, S> {
         lanes.filter_map(next).min().unwrap_or(usize::MAX)
     }
 
-    /// The step to `sample` in a lane, if a break lies in it or beside it.
-    pub fn around(&mut self, sample: usize, lane: usize) -> Option<BrokenStep<'a, S>> {
-        let breaks = &self.broken.breaks[lane];
-        let count = |from: usize, until: usize| {
-            from + breaks[from..].iter().take_while(|place| place.sample < until).count()
-        };
-        let before = count(self.passed[lane], sample - 1);
-        let begin = count(before, sample);
-        let end = count(begin, sample + 1);
-        let beyond = count(end, sample + 2);
-        self.passed[lane] = before;
+    /// Leaves behind what no step from that to `sample` on touches in a lane.
+    pub fn pass(&mut self, sample: usize, lane: usize) {
+        self.passed[lane] = self.ahead(lane, self.passed[lane], sample - 1);
+    }
+
+    /// The first break of a lane from `from` on that lies in step `until` or beyond.
+    fn ahead(&self, lane: usize, from: usize, until: usize) -> usize {
+        from + self.broken.breaks[lane][from..].iter().take_while(|place| place.sample < until).count()
+    }
+
+    /// The step to `sample` in a lane, which has been [passed](Self::pass), if a break lies in it or beside it.
+    pub fn around(&self, sample: usize, lane: usize) -> Option<BrokenStep<'a, S>> {
+        let before = self.passed[lane];
+        let begin = self.ahead(lane, before, sample);
+        let end = self.ahead(lane, begin, sample + 1);
+        let beyond = self.ahead(lane, end, sample + 2);
         (before < beyond).then_some(BrokenStep {
             broken: self.broken,
             sample,

@@ -1,6 +1,8 @@
 //! The read beam: from sweep space to the picture.
 
 use quantities::sin_cos;
+use rayon::iter::{IndexedParallelIterator, ParallelIterator};
+use rayon::slice::ParallelSliceMut;
 use scenario::{FieldOfView, Projection};
 use sweep_program::Fan;
 
@@ -77,17 +79,17 @@ impl View {
     }
 
     /// Fills a picture with what the beam sees at a place (X, Y) of the upright view-plane.
-    fn read_turned(&self, columns: usize, picture: &mut [f32], seen_at: impl Fn(f64, f64) -> f32) {
+    fn read_turned(&self, columns: usize, picture: &mut [f32], seen_at: impl Fn(f64, f64) -> f32 + Sync) {
         let (sin, cos) = sin_cos(self.yoke);
         let lines = picture.len() / columns;
-        for (line, row) in picture.chunks_exact_mut(columns).enumerate() {
+        picture.par_chunks_exact_mut(columns).enumerate().for_each(|(line, row)| {
             let y = self.field.tan_half_height * centre(line, lines);
             for (column, pixel) in row.iter_mut().enumerate() {
                 let x = self.field.tan_half_width * centre(column, columns);
                 // Psi of section 12: from the rolled view-plane to the upright one.
                 *pixel = seen_at(cos * x - sin * y, sin * x + cos * y);
             }
-        }
+        });
     }
 }
 
@@ -226,7 +228,7 @@ pub fn scan_converter(store: &[f32], lines: usize, columns: usize, view: &View, 
         });
     }
     let last = view.fan.sweeps as usize - 1;
-    for (line, row) in picture.chunks_exact_mut(columns).enumerate() {
+    picture.par_chunks_exact_mut(columns).enumerate().for_each(|(line, row)| {
         let y = view.field.tan_half_height * centre(line, lines);
         let scale = view.field.tan_half_width * tangent_over_x(y) / columns as f64;
         for (column, pixel) in row.iter_mut().enumerate() {
@@ -238,16 +240,16 @@ pub fn scan_converter(store: &[f32], lines: usize, columns: usize, view: &View, 
             let (left, right) = (store[left * lines + line], store[right * lines + line]);
             *pixel = left + share * (right - left);
         }
-    }
+    });
 }
 
 /// Reads the raster as it was written: column n is sweep n.
 pub fn digital_memory(store: &[f32], lines: usize, columns: usize, picture: &mut [f32]) {
-    for (line, row) in picture.chunks_exact_mut(columns).enumerate() {
+    picture.par_chunks_exact_mut(columns).enumerate().for_each(|(line, row)| {
         for (sweep, pixel) in row.iter_mut().enumerate() {
             *pixel = store[sweep * lines + line];
         }
-    }
+    });
 }
 
 /// The same on a screen whose yoke turns, or which shows a part of the raster: sweep n is column n of the raster,

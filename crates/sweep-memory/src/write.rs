@@ -99,6 +99,11 @@ impl<S: Real> Writer<'_, '_, S> {
 
     fn disturbed_step(&self, sample: usize, cursors: &mut Cursors<'_, S>, rows: &mut [f32]) {
         for lane in 0..rows.len() / self.lines {
+            cursors.pass(sample, lane);
+            // The held line never grows: where it stands, nothing between the samples rises above it either.
+            if at(self.beam.line, sample, lane) >= at(self.beam.line, sample - 1, lane) {
+                continue;
+            }
             match cursors.around(sample, lane) {
                 None => self.smooth_steps(sample..sample + 1, lane..lane + 1, rows),
                 Some(step) => {

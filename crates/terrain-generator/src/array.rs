@@ -4,38 +4,37 @@ use landscape::CornerWords;
 use landscape::basis::{derivatives, values};
 
 /// Height, `h_u` and `h_v` (all metres) at the ramps `[x, y]`, from the words in `hold`, by colour.
-pub fn array(hold: &[CornerWords; 4], polarity: [f64; 2], [x, y]: [f64; 2]) -> [f64; 3] {
-    let (gx, dx) = function_generators(x, polarity[0]);
-    let (gy, dy) = function_generators(y, polarity[1]);
+pub fn array(hold: [&CornerWords; 4], polarity: [f64; 2], [x, y]: [f64; 2]) -> [f64; 3] {
+    // Fed with the ramps and their complements, with the signs of section 6.4: odd terms of value, even terms of slope
+    // carry `s` at the near corner and `-s` at the far one.
+    let [near_x, far_x, near_y, far_y] =
+        function_generators([x, 1.0 - x, y, 1.0 - y], [polarity[0], -polarity[0], polarity[1], -polarity[1]]);
     let mut sums = [0.0; 3];
-    for ap in 0..6 {
-        let (mut value, mut slope) = (0.0, 0.0);
-        for bq in 0..6 {
-            let word = hold[ap / 3 + 2 * (bq / 3)][3 * (ap % 3) + bq % 3];
-            value += word * gy[bq];
-            slope += word * dy[bq];
+    for (a, (gx, dx)) in [near_x, far_x].into_iter().enumerate() {
+        for p in 0..3 {
+            let (mut value, mut slope) = (0.0, 0.0);
+            for (b, (gy, dy)) in [near_y, far_y].into_iter().enumerate() {
+                for q in 0..3 {
+                    let word = hold[a + 2 * b][3 * p + q];
+                    value += word * gy[q];
+                    slope += word * dy[q];
+                }
+            }
+            sums[0] += gx[p] * value;
+            sums[1] += dx[p] * value;
+            sums[2] += gx[p] * slope;
         }
-        sums[0] += gx[ap] * value;
-        sums[1] += dx[ap] * value;
-        sums[2] += gx[ap] * slope;
     }
     sums
 }
 
-/// `g_p` fed with the ramp and with its complement, and the slope generators, with the signs of section 6.4: odd
-/// terms of value, even terms of slope carry `s` at the near corner and `-s` at the far one. Index `3 a + p`.
-fn function_generators(ramp: f64, polarity: f64) -> ([f64; 6], [f64; 6]) {
-    let ends = [(ramp, polarity), (1.0 - ramp, -polarity)];
-    let (mut value, mut slope) = ([0.0; 6], [0.0; 6]);
-    for (a, (fed, sign)) in ends.into_iter().enumerate() {
-        let (g, dg) = (values(fed), derivatives(fed));
-        for p in 0..3 {
-            let odd = p == 1;
-            value[3 * a + p] = if odd { sign * g[p] } else { g[p] };
-            slope[3 * a + p] = if odd { dg[p] } else { sign * dg[p] };
-        }
-    }
-    (value, slope)
+/// `g_0p` and its derivative of four inputs, odd terms of the one and even terms of the other times `signs`.
+#[inline(always)]
+fn function_generators(fed: [f64; 4], signs: [f64; 4]) -> [([f64; 3], [f64; 3]); 4] {
+    std::array::from_fn(|k| {
+        let (g, d) = (values(fed[k]), derivatives(fed[k]));
+        ([g[0], signs[k] * g[1], g[2]], [signs[k] * d[0], d[1], signs[k] * d[2]])
+    })
 }
 
 #[cfg(test)]
@@ -63,8 +62,8 @@ mod tests {
                 half_length: 0.01,
                 across: [-sin * polarity[0], cos * polarity[1]],
             };
-            let segment = Segment::expand(&hold, polarity, &span);
-            let [height, hu, hv] = array(&hold, polarity, ramp);
+            let segment = Segment::expand(hold.each_ref(), polarity, &span);
+            let [height, hu, hv] = array(hold.each_ref(), polarity, ramp);
             prop_assert!((segment.height[0] - height).abs() < 1e-13);
             prop_assert!((segment.along[0] - (hu * cos + hv * sin)).abs() < 1e-12);
             prop_assert!((segment.across[0] - (hv * cos - hu * sin)).abs() < 1e-12);

@@ -177,7 +177,7 @@ impl TerrainGenerator<'_> {
         let mut segments = Segments::default();
         let mut lanes = programs.each_ref().map(|program| Lane {
             program,
-            registers: Registers::at_start(program, self.buffer),
+            registers: Registers::at_start(program),
             next_step: 0,
             until: span.start,
             last: self.ranges.partition_point(|&range| range <= program.end_range),
@@ -271,14 +271,18 @@ impl TerrainGenerator<'_> {
             half_length,
             across: [-sin * polarity[0] / self.region_size, cos * polarity[1] / self.region_size],
         };
-        Stretch { segment: Segment::expand(registers.hold(), polarity, &span), middle, half_length }
+        Stretch {
+            segment: Segment::expand(registers.hold(self.buffer), polarity, &span),
+            middle,
+            half_length,
+        }
     }
 
     /// Height and the slopes along and across at one range, straight through the array.
     fn at(&self, lane: &Lane<'_>, range: f64) -> [f64; 3] {
         let (registers, [cos, sin]) = (&lane.registers, lane.program.start.direction);
         let [(x, _), (y, _)] = self.ramps(lane, range);
-        let [height, hu, hv] = array(registers.hold(), registers.polarity(), [x, y]);
+        let [height, hu, hv] = array(registers.hold(self.buffer), registers.polarity(), [x, y]);
         [height, (hu * cos + hv * sin) / self.region_size, (hv * cos - hu * sin) / self.region_size]
     }
 

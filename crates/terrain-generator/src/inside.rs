@@ -22,7 +22,7 @@ impl TerrainGenerator<'_> {
     /// What runs through the array of ideal parts while `program` is swept, up to the last sample of the profile.
     pub fn inside(&self, program: &SweepProgram) -> Inside {
         let mut inside = Inside::default();
-        let mut registers = Registers::at_start(program, self.buffer);
+        let mut registers = Registers::at_start(program);
         let mut steps = program.steps.iter().peekable();
         let last = self.ranges.partition_point(|&range| range <= program.end_range);
         for (sample, &range) in self.ranges[..last].iter().enumerate() {
@@ -31,7 +31,7 @@ impl TerrainGenerator<'_> {
             }
             let lambda = range / self.region_size;
             let ramp = |axis: usize| program.start.ramps[axis].at(registers.folds()[axis], lambda).0;
-            inside.add(&registers, [ramp(0), ramp(1)]);
+            inside.add(&registers, self.buffer, [ramp(0), ramp(1)]);
         }
         inside
     }
@@ -75,12 +75,12 @@ impl<S: Real> Tap<S> for Tapped {
 }
 
 impl Inside {
-    fn add(&mut self, registers: &Registers, [x, y]: [f64; 2]) {
+    fn add(&mut self, registers: &Registers, buffer: &[CornerWords], [x, y]: [f64; 2]) {
         let functions = [x, 1.0 - x, y, 1.0 - y].map(near);
         for (wires, values) in self.functions.iter_mut().zip(functions) {
             wires.iter_mut().zip(values).for_each(|(wire, value)| wire.push(value));
         }
-        for (colour, words) in registers.hold().iter().enumerate() {
+        for (colour, words) in registers.hold(buffer).into_iter().enumerate() {
             let [a, b] = [colour & 1, colour >> 1];
             let signs = registers.polarity();
             let odd = [if a == 0 { signs[0] } else { -signs[0] }, if b == 0 { signs[1] } else { -signs[1] }];

@@ -2,37 +2,57 @@
 
 use landscape::CornerWords;
 use sweep_program::{
-    Fold, Load, PreloadRegister, RampAxis, RegisterSet, Step, StepKind, SweepProgram, Target,
+    Fold, Load, NO_CORNER, PreloadRegister, RampAxis, RegisterSet, Step, StepKind, SweepProgram, Target,
+    WordMask,
 };
 
 /// The digital state of the terrain generator within one sweep.
+///
+/// A register that took all its words from one corner is kept as that corner: nine words move as one number, and are looked
+/// up when the array asks for them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Registers {
-    hold: [CornerWords; 4],
-    x_first: [CornerWords; 4],
-    y_first: [CornerWords; 4],
+    /// Corner in each register, by [`HOLD`], [`X_FIRST`], [`Y_FIRST`] and colour; [`MIXED`] where `mixed` has its words.
+    corners: [[u32; 4]; 3],
+    /// Words of the registers that took those of more than one corner: late and stale ones side by side.
+    mixed: [[CornerWords; 4]; 3],
     polarity: [f64; 2],
     folds: [u32; 2],
 }
 
+const HOLD: usize = 0;
+const X_FIRST: usize = 1;
+const Y_FIRST: usize = 2;
+
+/// No corner either: see [`NO_CORNER`].
+const MIXED: u32 = NO_CORNER - 1;
+
+/// Words of a corner that was not delivered.
+const NO_WORDS: &CornerWords = &[0.0; 9];
+
 impl Registers {
-    /// Registers at the start of a sweep; `buffer` is the storage buffer that the program's indices mean.
-    pub fn at_start(program: &SweepProgram, buffer: &[CornerWords]) -> Self {
-        let filled = |index: fn(&RegisterSet) -> u32| {
-            std::array::from_fn(|colour| stored(buffer, index(&program.registers[colour])))
-        };
+    /// Registers at the start of a sweep.
+    pub fn at_start(program: &SweepProgram) -> Self {
+        let filled = |index: fn(&RegisterSet) -> u32| program.registers.map(|set| index(&set));
         Self {
-            hold: filled(|set| set.hold),
-            x_first: filled(|set| set.x_first),
-            y_first: filled(|set| set.y_first),
+            corners: [filled(|set| set.hold), filled(|set| set.x_first), filled(|set| set.y_first)],
+            mixed: [[*NO_WORDS; 4]; 3],
             polarity: program.start.ramps.map(|ramp| ramp.polarity),
             folds: [0; 2],
         }
     }
 
-    /// Words that feed the multiplying D/As, by colour.
-    pub fn hold(&self) -> &[CornerWords; 4] {
-        &self.hold
+    /// Words that feed the multiplying D/As, by colour; `buffer` is the storage buffer that the program's indices mean.
+    #[inline]
+    pub fn hold<'w>(&'w self, buffer: &'w [CornerWords]) -> [&'w CornerWords; 4] {
+        std::array::from_fn(|colour| self.words(HOLD, colour, buffer))
+    }
+
+    fn words<'w>(&'w self, register: usize, colour: usize, buffer: &'w [CornerWords]) -> &'w CornerWords {
+        match self.corners[register][colour] {
+            MIXED => &self.mixed[register][colour],
+            corner => buffer.get(corner as usize).unwrap_or(NO_WORDS),
+        }
     }
 
     /// Polarity flip-flops s_x, s_y: +1 or -1.
@@ -47,10 +67,14 @@ impl Registers {
 
     /// A stop was met: two colours take their preload register, the polarity of the axis flips.
     pub fn fold(&mut self, fold: Fold) {
-        let preload = if fold.axis == RampAxis::X { &self.x_first } else { &self.y_first };
+        let preload = if fold.axis == RampAxis::X { X_FIRST } else { Y_FIRST };
         for colour in sweep_program::Colour::ALL {
             if fold.axis.takes(fold.stop, colour) {
-                self.hold[colour as usize] = preload[colour as usize];
+                let colour = colour as usize;
+                self.corners[HOLD][colour] = self.corners[preload][colour];
+                if self.corners[HOLD][colour] == MIXED {
+                    self.mixed[HOLD][colour] = self.mixed[preload][colour];
+                }
             }
         }
         self.turn(fold);
@@ -64,6 +88,7 @@ impl Registers {
     }
 
     /// What happens at one instant of a sweep.
+    #[inline]
     pub fn apply(&mut self, step: &Step, buffer: &[CornerWords]) {
         match &step.kind {
             StepKind::Fold(fold) => self.fold(*fold),
@@ -75,20 +100,20 @@ impl Registers {
     /// Words arrive.
     pub fn load(&mut self, load: &Load, buffer: &[CornerWords]) {
         let register = match load.target {
-            Target::Hold => &mut self.hold,
-            Target::Preload(PreloadRegister::XFirst) => &mut self.x_first,
-            Target::Preload(PreloadRegister::YFirst) => &mut self.y_first,
+            Target::Hold => HOLD,
+            Target::Preload(PreloadRegister::XFirst) => X_FIRST,
+            Target::Preload(PreloadRegister::YFirst) => Y_FIRST,
         };
-        let (set, words) = (&mut register[load.colour as usize], stored(buffer, load.corner));
-        for word in 0..words.len() {
-            if load.words.has(word) {
-                set[word] = words[word];
-            }
+        let colour = load.colour as usize;
+        if load.words == WordMask::ALL {
+            self.corners[register][colour] = load.corner;
+            return;
         }
+        let mut words = *self.words(register, colour, buffer);
+        let arrived = buffer.get(load.corner as usize).unwrap_or(NO_WORDS);
+        for word in (0..words.len()).filter(|&word| load.words.has(word)) {
+            words[word] = arrived[word];
+        }
+        (self.corners[register][colour], self.mixed[register][colour]) = (MIXED, words);
     }
-}
-
-/// Words of a corner, 0 for one that was not delivered.
-fn stored(buffer: &[CornerWords], corner: u32) -> CornerWords {
-    buffer.get(corner as usize).copied().unwrap_or_default()
 }

@@ -65,7 +65,7 @@ impl Segment {
     pub const ZERO: Self = Self { height: [0.0; 11], along: [0.0; 10], across: [0.0; 10] };
 
     /// Expands the sum of 6.4 from the words in `hold`, by colour, with the present `polarity`.
-    pub fn expand(hold: &[CornerWords; 4], polarity: [f64; 2], span: &Span) -> Self {
+    pub fn expand(hold: [&CornerWords; 4], polarity: [f64; 2], span: &Span) -> Self {
         let rows = region_polynomial(hold, polarity);
         let (mut values, mut across) = ([[0.0; 6]; 6], [[0.0; 6]; 6]);
         for i in 0..6 {
@@ -88,7 +88,7 @@ impl Segment {
 }
 
 /// The region's height as `sum M[i][j] (X - 1/2)^i (Y - 1/2)^j`.
-fn region_polynomial(hold: &[CornerWords; 4], polarity: [f64; 2]) -> [[f64; 6]; 6] {
+fn region_polynomial(hold: [&CornerWords; 4], polarity: [f64; 2]) -> [[f64; 6]; 6] {
     let mut rows = [[0.0; 6]; 6];
     for a in 0..2 {
         let ex = if a == 1 { -polarity[0] } else { polarity[0] };
@@ -107,10 +107,10 @@ fn region_polynomial(hold: &[CornerWords; 4], polarity: [f64; 2]) -> [[f64; 6]; 
 }
 
 /// The six terms in Y that share `g_p(X_a)`, as a polynomial in `Y - 1/2`.
-fn words_along_y(hold: &[CornerWords; 4], polarity: f64, a: usize, p: usize) -> [f64; 6] {
+fn words_along_y(hold: [&CornerWords; 4], polarity: f64, a: usize, p: usize) -> [f64; 6] {
     let mut sum = [0.0; 6];
     for b in 0..2 {
-        let words = &hold[a + 2 * b];
+        let words = hold[a + 2 * b];
         let ey = if b == 1 { -polarity } else { polarity };
         for q in 0..3 {
             let word = if q == 1 { ey * words[3 * p + q] } else { words[3 * p + q] };
@@ -195,7 +195,7 @@ mod tests {
             let polarity = [if signs & 1 == 0 { 1.0 } else { -1.0 }, if signs & 2 == 0 { 1.0 } else { -1.0 }];
             let mut hold = [[0.0; 9]; 4];
             hold[colour][word] = 1.0;
-            let segment = Segment::expand(&hold, polarity, &span);
+            let segment = Segment::expand(hold.each_ref(), polarity, &span);
             for s in [-1.0, -0.4, 0.0, 0.9] {
                 let (a, b, p, q) = (colour & 1, colour >> 1, word / 3, word % 3);
                 let at = |axis: usize, far: usize| {

@@ -113,7 +113,7 @@ impl PartsGenerator {
             footprint::collect(&crater, &load, chain.threshold, &mut scratch.rims);
             scratch.at_work.push(AtWork::new(&crater, &load, chain));
         }
-        scratch.steps.sort_unstable_by(Step::order);
+        Step::sort(&mut scratch.steps);
     }
 
     fn chain(&self, kind: u32, load: &FeatureLoad) -> &Chain {

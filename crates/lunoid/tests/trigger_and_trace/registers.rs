@@ -31,7 +31,7 @@ fn control(scene: &Scene) -> (ControlPlane, scenario::Pose) {
 
 /// The registers by the terrain generator, after all that happens up to `time`.
 fn of_generator(program: &SweepProgram, buffer: &[CornerWords], time: f64) -> Registers {
-    let mut registers = Registers::at_start(program, buffer);
+    let mut registers = Registers::at_start(program);
     for step in program.steps.iter().take_while(|step| step.time <= SweepTime(time)) {
         registers.apply(step, buffer);
     }
@@ -68,7 +68,7 @@ fn they_hold_the_words_of_the_terrain_generator() {
         let polarity = expected.polarity().map(Value::from);
         assert_eq!((&level_told["polarity"][0], &level_told["polarity"][1]), (&polarity[0], &polarity[1]));
         assert_eq!(level_told["folds"], serde_json::json!(expected.folds()), "{sweep}:{sample}");
-        for (colour, words) in expected.hold().iter().enumerate() {
+        for (colour, words) in expected.hold(buffer).into_iter().enumerate() {
             let register = &level_told["registers"][3 * colour];
             assert_eq!(register["register"], "hold");
             stale += register["stale"].as_u64().unwrap().count_ones();

@@ -57,7 +57,10 @@ impl<S: Real> Ready<S> {
             }
             Method::Array => {
                 out.extend(
-                    stretch.points.iter().map(|point| array(&stretch.hold, stretch.polarity, point.ramps)[0]),
+                    stretch
+                        .points
+                        .iter()
+                        .map(|point| array(stretch.hold.each_ref(), stretch.polarity, point.ramps)[0]),
                 );
             }
             Method::Powers => out.extend(places().map(|place| self.horner(place))),

@@ -74,7 +74,7 @@ struct Sweep<'a> {
 
 impl Sweep<'_> {
     fn stretches(&self, found: &mut Vec<Stretch>) {
-        let mut registers = Registers::at_start(self.program, self.buffer);
+        let mut registers = Registers::at_start(self.program);
         let last = self.ranges.partition_point(|&range| range <= self.program.end_range);
         let (mut sample, mut begin) = (0, self.ranges[0]);
         for step in self.program.steps.iter().filter(|step| step.sample < last) {
@@ -108,7 +108,7 @@ impl Sweep<'_> {
             half_length,
             across: [0.0; 2],
         };
-        let (hold, polarity) = (*registers.hold(), registers.polarity());
+        let (hold, polarity) = (registers.hold(self.buffer).map(|words| *words), registers.polarity());
         let point = |&range: &f64| {
             let way = Double::ratio(range, self.size);
             let exact = [0, 1].map(|axis| ramp(&ramps[axis], folds[axis], way));
@@ -119,7 +119,7 @@ impl Sweep<'_> {
             }
         };
         let points = self.ranges[samples].iter().map(point).collect();
-        Some(Stretch { segment: Segment::expand(&hold, polarity, &span), hold, polarity, points })
+        Some(Stretch { segment: Segment::expand(hold.each_ref(), polarity, &span), hold, polarity, points })
     }
 }
 

@@ -42,7 +42,7 @@ impl<S: Real> Run<'_, S> {
         while let Some((old, at)) = digital.strobe(sample, program, (timing, self.generator)) {
             for index in 0..ALL {
                 let [colour, word] = word_of(index % TERMS);
-                let [old, new] = [&old[colour], &digital.registers.hold()[colour]];
+                let [old, new] = [&old[colour], digital.registers.hold(self.generator.buffer)[colour]];
                 if new[word] != old[word] {
                     let (at, weight) = (at + timing.later(index), self.array.weight(new, index));
                     let pulse = self.pulse(index, [old, new]);

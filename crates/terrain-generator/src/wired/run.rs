@@ -28,11 +28,11 @@ impl<S: Real> Run<'_, S> {
     pub(super) fn settle(&self, first: i64, state: &mut ArrayState<S>) {
         let array = self.array;
         state.lanes.clear();
-        let lanes = self.programs.iter().map(|program| Lane::at_start(program, self.generator.buffer));
+        let lanes = self.programs.iter().map(Lane::at_start);
         state.lanes.extend(lanes);
         state.weights.clear();
         let weight = |lane: &Lane, index: usize| {
-            array.weight(&lane.registers.hold()[word_of(index % TERMS)[0]], index)
+            array.weight(lane.registers.hold(self.generator.buffer)[word_of(index % TERMS)[0]], index)
         };
         let weights =
             (0..ALL).map(|index| Lanes::from_fn(|lane| S::from_f64(weight(&state.lanes[lane], index))));
@@ -61,7 +61,7 @@ impl<S: Real> Run<'_, S> {
         for (lane, program) in self.programs.iter().enumerate() {
             let digital = &state.lanes[lane].registers;
             let foot = program.start.ramps.map(|ramp| ramp.start);
-            let [right, ..] = array(digital.hold(), digital.polarity(), foot);
+            let [right, ..] = array(digital.hold(self.generator.buffer), digital.polarity(), foot);
             state.trim[lane] = right - (state.sums[0][lane].to_f64() * height + datum);
         }
     }

@@ -92,8 +92,8 @@ impl<S: signal::Real> Default for ArrayState<S> {
 }
 
 impl Lane {
-    pub(super) fn at_start(program: &SweepProgram, buffer: &[CornerWords]) -> Self {
-        let registers = Registers::at_start(program, buffer);
+    pub(super) fn at_start(program: &SweepProgram) -> Self {
+        let registers = Registers::at_start(program);
         let polarity = registers.polarity();
         Self {
             registers,
@@ -147,7 +147,7 @@ impl Lane {
         if at + timing.earliest > sample as f64 {
             return None;
         }
-        let before = *self.registers.hold();
+        let before = self.registers.hold(generator.buffer).map(|words| *words);
         (self.strobed, self.strobed_at) = (self.strobed + 1, at);
         self.registers.apply(step, generator.buffer);
         Some((before, at))

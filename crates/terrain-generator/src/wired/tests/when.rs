@@ -96,7 +96,7 @@ fn each_word_acts_after_its_own_switching_time() {
         for index in 0..ALL {
             let time =
                 Spread::new(3).figure("tg.mdac.switching", index as u64, &Tolerance { nominal, sigma });
-            let mut registers = Registers::at_start(program, generator.buffer);
+            let mut registers = Registers::at_start(program);
             let mut steps = program.steps.iter().peekable();
             for (sample, weights) in weights.0.iter().enumerate() {
                 while steps.next_if(|step| step.time.0 + time / STEP <= sample as f64).is_some_and(|step| {
@@ -106,7 +106,7 @@ fn each_word_acts_after_its_own_switching_time() {
                 let [colour, _] = word_of(index % TERMS);
                 assert_eq!(
                     weights[index],
-                    array.weight(&registers.hold()[colour], index),
+                    array.weight(registers.hold(generator.buffer)[colour], index),
                     "{index} {sample}"
                 );
             }
