@@ -80,6 +80,15 @@ impl CrossingService<'_> {
         }
     }
 
+    /// Whether every fold finds its words: wired through, nothing held back, nothing missing, no end of the service.
+    pub(crate) fn has_all_at_once(&self) -> bool {
+        let Loader { delays, stop_after_crossings, .. } = self.loader;
+        self.loader.is_wired_through()
+            && delays.is_empty()
+            && stop_after_crossings.is_none()
+            && self.missing.is_empty()
+    }
+
     pub(crate) fn delays(&self, frame: u64, sweep: u32, crossing: u32) -> impl Iterator<Item = &LoadDelay> {
         self.loader.delays.iter().filter(move |delay| {
             delay.frame.is_none_or(|wanted| wanted == frame)
@@ -101,6 +110,72 @@ impl CrossingService<'_> {
         match self.missing.binary_search_by_key(&corner, |missing| missing.corner) {
             Ok(index) => self.missing[index].arrival.map_or(CornerArrival::NotInFrame, CornerArrival::At),
             Err(_) => CornerArrival::BeforeFrame,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{CrossingService, TimedFold};
+    use crate::watch::Watch;
+    use hardware_model::{Cpu, HardwareModel};
+    use landscape::Level;
+    use proptest::prelude::{any, prop_assert_eq, proptest};
+    use quantities::{Rate, SweepTime, Timebase};
+    use sweep_program::{Fold, Ramp, RampAxis, RegisterSet, Stop, SweepProgram, SweepStart};
+
+    /// Listens, so that nothing is left out.
+    struct Listener;
+
+    impl Watch for Listener {}
+
+    fn program(
+        level: &Level,
+        start: &SweepStart,
+        folds: &[TimedFold],
+        watch: &mut impl Watch,
+    ) -> SweepProgram {
+        let model = HardwareModel::ideal();
+        let rate = |hertz| Rate::new(hertz, 1).expect("not 0");
+        let timebase = Timebase::new(rate(20_000_000), rate(30), 525, 100, 10).expect("it fits");
+        let (loader, cpu) = (&model.loader, &Cpu::default());
+        let service =
+            CrossingService { level, loader, cpu, timebase: &timebase, missing: &[], held: 0, seed: 1 };
+        let registers = [RegisterSet::default(); 4];
+        let mut program =
+            SweepProgram { start: *start, registers, steps: Vec::new(), end_range: 0.0, misses: Vec::new() };
+        let range_at = |time: SweepTime| time.0;
+        service.write_program((3, 7), *start, folds.iter().copied(), 90.0, range_at, &mut program, watch);
+        program
+    }
+
+    proptest! {
+        /// The short way of a service without delays writes what the long one does.
+        #[test]
+        fn at_once_is_in_time(
+            axes in proptest::collection::vec(any::<bool>(), 0..60),
+            signs in any::<[bool; 2]>(),
+            region in proptest::array::uniform2(-1..12i64),
+        ) {
+            let level = Level::new(1.0, [0.0; 2], [11, 9], vec![[0.0; 9]; 99]).unwrap();
+            let ramps = [0, 1].map(|axis| Ramp {
+                start: 0.25,
+                rate: if signs[axis] { 0.7 } else { -0.7 },
+                polarity: if region[axis] % 2 == 0 { 1.0 } else { -1.0 },
+            });
+            let direction = [0, 1].map(|axis: usize| ramps[axis].rate * ramps[axis].polarity);
+            let start = SweepStart { direction, region, ramps };
+            let mut next = ramps.map(|ramp| ramp.first_stop().1);
+            let folds: Vec<TimedFold> = axes.iter().enumerate().map(|(k, &is_y)| {
+                let axis = usize::from(is_y);
+                let stop = next[axis];
+                next[axis] = if stop == Stop::One { Stop::Zero } else { Stop::One };
+                let at = 1.3 * k as f64;
+                let fold = Fold { axis: if is_y { RampAxis::Y } else { RampAxis::X }, stop };
+                TimedFold { time: SweepTime(at), range: at, fold }
+            }).collect();
+            let short = program(&level, &start, &folds, &mut ());
+            prop_assert_eq!(short, program(&level, &start, &folds, &mut Listener));
         }
     }
 }

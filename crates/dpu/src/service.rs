@@ -7,8 +7,8 @@ mod stored;
 
 use quantities::{SweepClock, SweepTime, Tick};
 use sweep_program::{
-    Colour, Fold, Miss, MissCause, NO_CORNER, RampAxis, Step, StepKind, Stop, SweepProgram, SweepStart,
-    WordMask,
+    Colour, Fold, Load, Miss, MissCause, NO_CORNER, PreloadRegister, RampAxis, Step, StepKind, Stop,
+    SweepProgram, SweepStart, Target, WordMask,
 };
 
 use self::deliveries::Delivery;
@@ -35,6 +35,8 @@ pub(crate) struct Service<'a, 's, 'w, W> {
     next_stop: [Option<Stop>; 2],
     crossing: u32,
     requests: u32,
+    /// Whether words come with the fold that asks for them, none can be missing, and nobody is told.
+    at_once: bool,
 }
 
 impl<'a, 's, 'w, W: Watch> Service<'a, 's, 'w, W> {
@@ -61,6 +63,7 @@ impl<'a, 's, 'w, W: Watch> Service<'a, 's, 'w, W> {
             next_stop: start.ramps.map(|ramp| (ramp.rate != 0.0).then(|| ramp.first_stop().1)),
             crossing: 0,
             requests: 0,
+            at_once: !W::LISTENS && unit.has_all_at_once(),
         }
     }
 
@@ -86,6 +89,9 @@ impl<'a, 's, 'w, W: Watch> Service<'a, 's, 'w, W> {
 
     /// One fold: transfer, pointers, requests.
     pub fn serve(&mut self, fold: TimedFold, program: &mut SweepProgram) {
+        if self.at_once {
+            return self.serve_at_once(fold, program);
+        }
         let enabled = self.unit.loader.stop_after_crossings.is_none_or(|last| self.crossing < last);
         let kind = if enabled { StepKind::Fold(fold.fold) } else { StepKind::BareFold(fold.fold) };
         program.steps.push(Step::new(fold.time, fold.range, kind));
@@ -104,6 +110,21 @@ impl<'a, 's, 'w, W: Watch> Service<'a, 's, 'w, W> {
             self.stand_still(fold, program);
         }
         self.crossing += 1;
+    }
+
+    /// The same where nothing can be late: what a fold does is a matter of its pointers alone.
+    fn serve_at_once(&mut self, TimedFold { time, range, fold }: TimedFold, program: &mut SweepProgram) {
+        let step = Step::new(time, range, StepKind::Fold(fold));
+        program.steps.push(step);
+        self.pointers.follow(fold);
+        for colour in Colour::ALL.into_iter().filter(|&colour| fold.axis.takes(fold.stop, colour)) {
+            for register in [PreloadRegister::XFirst, PreloadRegister::YFirst] {
+                let [m, n] = self.pointers.ahead(colour, register);
+                let corner = self.unit.level.clamped_index(m, n) as u32;
+                let load = Load { colour, target: Target::Preload(register), corner, words: WordMask::ALL };
+                program.steps.push(Step { kind: StepKind::Load(load), ..step });
+            }
+        }
     }
 
     /// Nothing is transferred any more: what the fold should have brought never comes.

@@ -18,13 +18,32 @@ impl Sector {
     /// few beside its edges may be among them, none that a sweep enters is missing.
     pub fn regions(&self, level: &Level) -> impl Iterator<Item = [usize; 2]> {
         let sector = *self;
-        let [rows, columns] = [0, 1].map(|axis| {
-            let last = level.corners()[axis] as f64 - 2.0;
-            let bound = |place: f64| place.floor().clamp(0.0, last) as usize;
-            bound(sector.foot[axis] - sector.range)..bound(sector.foot[axis] + sector.range) + 1
-        });
-        rows.flat_map(move |m| columns.clone().map(move |n| [m, n]))
-            .filter(move |&region| sector.touches(region))
+        let last = level.corners().map(|corners| corners as f64 - 2.0);
+        let bound = move |axis: usize, place: f64| place.floor().clamp(0.0, last[axis]) as usize;
+        let rows = bound(0, sector.foot[0] - sector.range)..bound(0, sector.foot[0] + sector.range) + 1;
+        rows.flat_map(move |m| {
+            let [west, east] = sector.columns(m);
+            (bound(1, west)..bound(1, east) + 1).map(move |n| [m, n])
+        })
+        .filter(move |&region| sector.touches(region))
+    }
+
+    /// Columns of row `m` between which the sector's regions lie: within the range and between the edges, with one more
+    /// on either side for what rounding loses.
+    fn columns(&self, m: usize) -> [f64; 2] {
+        let north = m as f64 - self.foot[0];
+        let [mut west, mut east] = [-self.range, self.range];
+        let [left, right] = self.edges;
+        // A corner (a, b) from the foot is on the inner side of an edge where p b + q a is not below 0.
+        for [p, q] in [[left[0], -left[1]], [-right[0], right[1]]] {
+            let across = -(q * north).max(q * (north + 1.0)) / p;
+            if p > 0.0 {
+                west = west.max(across);
+            } else if p < 0.0 {
+                east = east.min(across);
+            }
+        }
+        [self.foot[1] + west - 2.0, self.foot[1] + east + 1.0]
     }
 
     /// Whether a region has a corner on the inner side of both edges and is not beyond the range.

@@ -18,6 +18,8 @@ pub struct Schedule<'a> {
     pub region_origin: [f64; 2],
     /// Side of the regions by which features are grouped (m).
     pub region_size: f64,
+    /// The craters that the sweep can meet, ascending, where that is known; otherwise all are asked.
+    pub among: Option<&'a [u32]>,
 }
 
 /// A crater in a sub-generator.
@@ -104,7 +106,10 @@ impl Schedule<'_> {
             return;
         }
         let line = Line { eye, direction, from, to };
-        self.features.along(eye, direction, from, to, &mut program.found);
+        match self.among {
+            None => self.features.along(eye, direction, from, to, &mut program.found),
+            Some(among) => self.features.along_among(among, eye, direction, from, to, &mut program.found),
+        }
         let request = |&index: &u32| self.request(index, &line);
         program.requests.extend(program.found.iter().map(request));
         program.order();

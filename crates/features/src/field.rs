@@ -1,6 +1,7 @@
 //! All craters of a problem area.
 
 use crate::Crater;
+use crate::fan::Fan;
 use crate::index::Index;
 
 /// What features add to the ground at a point.
@@ -53,17 +54,50 @@ impl Features {
     /// `direction` meets between the ranges `from` and `to` (m); ascending. A ray that only touches a circle does not
     /// meet it.
     pub fn along(&self, origin: [f64; 2], direction: [f64; 2], from: f64, to: f64, found: &mut Vec<u32>) {
+        let start = [0, 1].map(|axis| origin[axis] + from * direction[axis]);
+        let near = self.index.near_stretch(start, direction, to - from);
+        self.keep_met(near, origin, direction, [from, to], found);
+        found.sort_unstable();
+    }
+
+    /// The same if only those of `among` can be met, ascending indices such as [`between`](Self::between) finds.
+    pub fn along_among(
+        &self,
+        among: &[u32],
+        origin: [f64; 2],
+        direction: [f64; 2],
+        from: f64,
+        to: f64,
+        found: &mut Vec<u32>,
+    ) {
+        self.keep_met(among.iter().copied(), origin, direction, [from, to], found);
+    }
+
+    /// Indices of all craters that rays from `origin` (north, east; m) can meet up to range `to` (m) whose directions lie
+    /// between two unit vectors, the left and the right one, less than a quarter turn apart; ascending. A few that none
+    /// of them meets may be among them.
+    pub fn between(&self, origin: [f64; 2], edges: [[f64; 2]; 2], to: f64, found: &mut Vec<u32>) {
         found.clear();
+        found.extend(self.index.near_fan(&Fan::new(origin, edges, to)));
+        found.sort_unstable();
+    }
+
+    fn keep_met(
+        &self,
+        near: impl Iterator<Item = u32>,
+        origin: [f64; 2],
+        direction: [f64; 2],
+        [from, to]: [f64; 2],
+        found: &mut Vec<u32>,
+    ) {
         let meets = |crater: &Crater| {
             let [dx, dy] = [0, 1].map(|axis| crater.centre()[axis] - origin[axis]);
             let nearest = (dx * direction[0] + dy * direction[1]).max(from).min(to);
             let [dx, dy] = [dx - nearest * direction[0], dy - nearest * direction[1]];
             dx * dx + dy * dy < crater.outer() * crater.outer()
         };
-        let start = [0, 1].map(|axis| origin[axis] + from * direction[axis]);
-        let near = self.index.near_stretch(start, direction, to - from);
+        found.clear();
         found.extend(near.filter(|&index| meets(self.crater(index))));
-        found.sort_unstable();
     }
 
     /// What the features add at (x, y) (m): heights and slopes summed in ascending order of index.
@@ -206,6 +240,14 @@ mod tests {
                 for (from, to) in [(0.0, 2.0 * size[0]), (0.3 * size[1], 1.5 * size[1])] {
                     features.along(at, [cos, sin], from, to, &mut found);
                     prop_assert_eq!(&found, &along_by_force(&craters, at, [cos, sin], from, to));
+                    let edges = [-0.3, 0.2].map(|turn| {
+                        let (sin, cos) = quantities::sin_cos(angle + turn * size[1] / 500.0);
+                        [cos, sin]
+                    });
+                    let (mut among, mut met) = (Vec::new(), Vec::new());
+                    features.between(at, edges, to, &mut among);
+                    features.along_among(&among, at, [cos, sin], from, to, &mut met);
+                    prop_assert_eq!(&met, &found);
                 }
             }
         }

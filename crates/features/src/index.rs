@@ -1,6 +1,7 @@
 //! Where the craters are: tiers of grids by powers of two of their size.
 
 use crate::Crater;
+use crate::fan::Fan;
 use crate::tier::Tier;
 
 /// Tiers, the smallest craters first. A crater of outer radius above `2^(k-1)` m and up to `2^k` m is in the tier of its k.
@@ -34,6 +35,11 @@ impl Index {
         length: f64,
     ) -> impl Iterator<Item = u32> {
         self.tiers.iter().flat_map(move |tier| tier.near_stretch(from, direction, length))
+    }
+
+    /// Indices of craters that may meet a ray of the fan, in no useful order.
+    pub fn near_fan<'a>(&'a self, fan: &'a Fan) -> impl Iterator<Item = u32> + 'a {
+        self.tiers.iter().flat_map(move |tier| tier.near_fan(fan))
     }
 }
 

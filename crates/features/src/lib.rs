@@ -8,6 +8,7 @@
 //! - [`population`]: craters from a seed and a size-frequency law.
 
 mod crater;
+mod fan;
 mod field;
 mod index;
 pub mod list;

@@ -1,6 +1,7 @@
 //! What the index keeps of a crater.
 
 use crate::Crater;
+use crate::fan::Fan;
 
 /// Slack of lengths (m and share): places are up to 1e9 m, so a difference of two is good to 1e-7 m.
 const SLACK: f64 = 1e-6;
@@ -47,5 +48,11 @@ impl Spot {
         let [dx, dy] = [dx - nearest * direction[0], dy - nearest * direction[1]];
         let outer = f64::from(self.outer);
         dx * dx + dy * dy <= outer * outer
+    }
+
+    /// Whether its circle may meet a ray of a fan that begins at `origin` of the grid.
+    pub fn meets_fan(&self, fan: &Fan, origin: [f64; 2]) -> bool {
+        let offset = [0, 1].map(|axis| f64::from(self.centre[axis]) - origin[axis]);
+        fan.may_reach(offset, f64::from(self.outer))
     }
 }

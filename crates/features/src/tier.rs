@@ -1,6 +1,7 @@
 //! One tier of the index: craters of about one size, by the cell in which their centres lie.
 
 use crate::Crater;
+use crate::fan::Fan;
 use crate::spot::{Spot, with_slack};
 
 /// Cells a crater at most: bounds the memory of a tier whose craters are few and far between.
@@ -113,6 +114,34 @@ impl Tier {
         let start = self.offset(from);
         let met = runs.flatten().filter(move |spot| spot.meets_stretch(start, direction, length));
         met.map(|spot| spot.index)
+    }
+
+    /// Craters whose circles may meet a ray of the fan: row by row, only the cells between its edges and beside them.
+    pub fn near_fan<'a>(&'a self, fan: &'a Fan) -> impl Iterator<Item = u32> + 'a {
+        let sides = fan.sides();
+        let (south, north) = fan.northings();
+        let rows = [self.cell(0, south - self.reach), self.cell(0, north + self.reach)];
+        let columns = move |row: usize| {
+            let met = sides.iter().filter(|side| self.is_near_row(row, side)).map(|&[from, to]| {
+                let drift = (to[1] - from[1]) / (to[0] - from[0]);
+                self.east_range(row, [from, to], drift)
+            });
+            let hull = |[west, east]: [f64; 2], [w, e]: [f64; 2]| [west.min(w), east.max(e)];
+            let [west, east] = met.fold([f64::INFINITY, f64::NEG_INFINITY], hull);
+            [self.cell(1, west - self.reach), self.cell(1, east + self.reach)]
+        };
+        let runs = (rows[0]..=rows[1]).flat_map(move |row| self.run(row, columns(row)));
+        let origin = self.offset(fan.origin());
+        runs.filter(move |spot| spot.meets_fan(fan, origin)).map(|spot| spot.index)
+    }
+
+    /// Whether a stretch comes within reach of a row of cells; the rows at the border hold all that lies beyond.
+    fn is_near_row(&self, row: usize, [from, to]: &[[f64; 2]; 2]) -> bool {
+        let south_edge = self.corner[0] + row as f64 * self.side;
+        let is_border = row == 0 || row + 1 == self.cells[0];
+        is_border
+            || (from[0].min(to[0]) <= south_edge + self.side + self.reach
+                && from[0].max(to[0]) >= south_edge - self.reach)
     }
 
     fn offset(&self, place: [f64; 2]) -> [f64; 2] {

@@ -51,9 +51,9 @@ impl Supply<'_> {
         let (seen, left_out) = self.in_sight(time);
         out.left_out = left_out;
         let under_sun = self.footed(&seen);
-        out.gates.clear();
-        if let (Some(shadows), Some(under_sun)) = (&self.blocks.shadows, &under_sun) {
-            self.gates(shadows, under_sun, &seen, time, &mut out.gates);
+        match (&self.blocks.shadows, &under_sun) {
+            (Some(shadows), Some(under_sun)) => self.gates(shadows, under_sun, &seen, time, &mut out.gates),
+            _ => out.gates.clear(),
         }
         if self.blocks.bodies {
             self.project(&seen, under_sun.as_ref(), out);

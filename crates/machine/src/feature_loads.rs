@@ -15,6 +15,8 @@ pub(crate) struct FeatureLoads<'a> {
     pub stage: &'a Stage,
     pub table: &'a RangeTable,
     pub plan: &'a FramePlan,
+    /// The craters that the sweeps can meet, where they are known.
+    pub among: Option<&'a [u32]>,
 }
 
 impl FeatureLoads<'_> {
@@ -27,6 +29,7 @@ impl FeatureLoads<'_> {
             parts: self.stage.settings.feature_generator,
             region_origin: level.origin(),
             region_size: level.region_size(),
+            among: self.among,
         };
         let eye = [self.plan.eye[0], self.plan.eye[1]];
         let span = [self.table.ranges()[0], end];

@@ -175,10 +175,16 @@ impl<S: Real> Group<'_, S> {
     ) {
         let Stage { landscape, settings, .. } = self.stage;
         let ranges = self.table.ranges();
-        let loads = FeatureLoads { stage: self.stage, table: self.table, plan: self.plan };
+        let ends: [f64; LANES] = array::from_fn(|lane| self.end_range(lane, work));
+        self.find_craters(sweeps, ends.into_iter().fold(0.0, f64::max), &mut work.craters);
+        let loads = FeatureLoads {
+            stage: self.stage,
+            table: self.table,
+            plan: self.plan,
+            among: Some(&work.craters),
+        };
         for (lane, &drawn) in sweeps.iter().enumerate() {
-            let end = self.end_range(lane, work);
-            loads.write([drawn, first + lane as u32], end, &mut work.features[lane]);
+            loads.write([drawn, first + lane as u32], ends[lane], &mut work.features[lane]);
         }
         let profile = &mut work.feature_profile;
         let lit = match &self.parts.features {
@@ -198,6 +204,14 @@ impl<S: Real> Group<'_, S> {
         };
         let lamp = Lamp { law: settings.laws.feature_light, light, ranges };
         lamp.run(&work.profile, profile, lit, &mut work.lit);
+    }
+
+    /// All craters that sweeps of the group can meet up to range `end` (m): the index is asked once a group.
+    fn find_craters(&self, sweeps: &[u32; LANES], end: f64, found: &mut Vec<u32>) {
+        let [left, right] = sweeps.iter().fold([u32::MAX, 0], |[l, r], &sweep| [l.min(sweep), r.max(sweep)]);
+        let edges = [left, right].map(|sweep| self.plan.direction(sweep));
+        let eye = [self.plan.eye[0], self.plan.eye[1]];
+        self.stage.landscape.features().between(eye, edges, end, found);
     }
 
     fn draw_texture(&self, sweeps: &[u32; LANES], work: &mut Workspace<S>) {

@@ -97,7 +97,11 @@ impl SweepRecorder {
             return;
         }
         let mut program = FeatureProgram::default();
-        FeatureLoads { stage, table, plan }.write([drawn, self.sweep], self.end_range, &mut program);
+        FeatureLoads { stage, table, plan, among: None }.write(
+            [drawn, self.sweep],
+            self.end_range,
+            &mut program,
+        );
         self.load_ticks[0] = program.load_ticks;
         program.arrivals.iter().for_each(|arrival| self.features.add(arrival.load.slack));
         for miss in &program.misses {

@@ -22,6 +22,8 @@ pub(crate) struct Workspace<S> {
     pub programs: [SweepProgram; LANES],
     /// Programs of the coarse level.
     pub coarse: [SweepProgram; LANES],
+    /// Craters that the group can meet.
+    pub craters: Vec<u32>,
     /// Programs of the feature generator.
     pub features: [FeatureProgram; LANES],
     /// Wires of the terrain generators made of parts, the fine level's first.
@@ -71,6 +73,7 @@ impl<S: Real> Default for Workspace<S> {
         Self {
             programs: array::from_fn(|_| idle_program()),
             coarse: array::from_fn(|_| idle_program()),
+            craters: Vec::new(),
             features: Default::default(),
             arrays: Default::default(),
             profile: Profile::default(),

@@ -1,17 +1,24 @@
 //! From boundary segments to the gate of every sweep.
 
+use std::collections::BinaryHeap;
+
 use hardware_model::ShadowParts;
 use parts::GateEdge;
 use quantities::SweepTime;
+use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
+use rayon::slice::ParallelSliceMut;
 use remote_shadow::Segment;
 use sweep_program::{LoadTiming, NoTiming};
 
-use crate::crossings::{Crossing, Crossings, Line};
+use crate::crossings::{Crossing, Crossings, Line, Spans};
 use crate::line_generators::{Boundary, SegmentLoad, SegmentMiss, Service, serve, serve_in_time};
 
 /// Two boundaries nearer to each other than this along a sweep are none (m): far less than a display line, far more
 /// than rounding.
 pub const RESOLUTION: f64 = 1e-6;
+
+/// Sweeps that are worked on together: all lines are looked over once a band.
+const BAND: usize = 64;
 
 /// The blanking gate of one sweep.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -94,26 +101,32 @@ impl ShadowController {
         directions: &[[f64; 2]],
         reach: f64,
         segments: &[&[Segment]],
-        timing: impl Fn(u32) -> Option<LoadTiming<T, R>>,
+        timing: impl Fn(u32) -> Option<LoadTiming<T, R>> + Sync,
         out: &mut Vec<Gate>,
     ) {
-        let all = segments.iter().flat_map(|list| list.iter());
         let seen = |place| self.seen(place, eye);
-        let lines: Vec<Line> =
-            all.map(|segment| Line { from: seen(segment.from), to: seen(segment.to) }).collect();
-        let mut crossings = Crossings::new(directions, &lines);
-        let mut boundaries = Vec::new();
+        let line = |segment: &Segment| Line { from: seen(segment.from), to: seen(segment.to) };
+        let lines: Vec<Line> = segments.par_iter().flat_map_iter(|list| list.iter().map(line)).collect();
+        let spans = Spans::new(directions, &lines);
         out.resize_with(directions.len(), Gate::default);
-        for (sweep, gate) in out.iter_mut().enumerate() {
-            let boundary = |crossing: &Crossing| {
-                Boundary::new(&lines[crossing.line()], directions[sweep], crossing.range())
-            };
-            let crossed = crossings.of(sweep);
-            gate.dark_at_start = unite(crossed, reach, boundary, &mut boundaries);
-            let within = crossed.partition_point(|crossing| crossing.range() <= reach);
-            gate.united = (within - boundaries.len()) as u32;
-            self.load(&mut boundaries, reach, timing(sweep as u32), gate);
-        }
+        out.par_chunks_mut(BAND).enumerate().for_each_init(
+            || (Crossings::default(), Vec::new(), BinaryHeap::new()),
+            |(crossings, boundaries, free_at), (band, gates)| {
+                let first = band * BAND;
+                crossings.find(&spans, &lines, first..first + gates.len());
+                for (number, gate) in gates.iter_mut().enumerate() {
+                    let sweep = first + number;
+                    let boundary = |crossing: &Crossing| {
+                        Boundary::new(&lines[crossing.line()], directions[sweep], crossing.range())
+                    };
+                    let crossed = crossings.of(number);
+                    gate.dark_at_start = unite(crossed, reach, boundary, boundaries);
+                    let within = crossed.partition_point(|crossing| crossing.range() <= reach);
+                    gate.united = (within - boundaries.len()) as u32;
+                    self.load(boundaries, free_at, reach, timing(sweep as u32), gate);
+                }
+            },
+        );
     }
 
     /// A place of the map as the sweep meets it, from the eye (m).
@@ -130,6 +143,7 @@ impl ShadowController {
     fn load(
         &self,
         boundaries: &mut Vec<Boundary>,
+        free_at: &mut BinaryHeap<u64>,
         reach: f64,
         timing: Option<LoadTiming<impl Fn(f64) -> SweepTime, impl Fn(SweepTime) -> f64>>,
         gate: &mut Gate,
@@ -137,7 +151,7 @@ impl ShadowController {
         let (mut service, mut load_ticks) = (Service::default(), 0);
         if let ShadowParts::Digital { line_generators } = self.parts {
             service = match timing {
-                None => serve(boundaries, line_generators),
+                None => serve(boundaries, line_generators, free_at),
                 Some(mut timing) => {
                     let service = serve_in_time(boundaries, line_generators, reach, &mut timing);
                     load_ticks = timing.line.busy();

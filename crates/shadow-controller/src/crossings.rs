@@ -1,5 +1,8 @@
 //! Where the sweeps of a frame cross boundary segments.
 
+use std::ops::Range;
+
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use remote_shadow::Segment;
 
 /// Nearest place ahead of the eye that counts (m).
@@ -100,56 +103,75 @@ fn clipped(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [NEAREST, a[1] + share * (b[1] - a[1])]
 }
 
-/// All crossings of a frame, sweep by sweep.
+/// Which sweeps cross each line of a frame.
+pub(crate) struct Spans<'a> {
+    fan: Option<Fan<'a>>,
+    /// Sweeps to the left of both ends.
+    spans: Vec<[u32; 2]>,
+}
+
+impl<'a> Spans<'a> {
+    /// For the sweeps of `directions`.
+    pub(crate) fn new(directions: &'a [[f64; 2]], lines: &[Line]) -> Self {
+        let fan = Fan::new(directions);
+        let span = |fan: &Fan<'_>, line| fan.span(line).unwrap_or([0; 2]).map(|n| n as u32);
+        let spans = fan.as_ref().map(|fan| lines.par_iter().map(|line| span(fan, line)).collect());
+        Self { spans: spans.unwrap_or_default(), fan }
+    }
+}
+
+/// All crossings of a band of sweeps, sweep by sweep; used again from band to band.
 #[derive(Debug, Default)]
 pub(crate) struct Crossings {
-    spans: Vec<[u32; 2]>,
+    /// Lines that are crossed, and by which sweeps of the band.
+    met: Vec<(u32, Range<u32>)>,
+    /// Where the crossings of each sweep begin; one more at the end.
     starts: Vec<usize>,
+    /// Where the next crossing of each sweep goes.
+    next: Vec<usize>,
     crossings: Vec<Crossing>,
 }
 
 impl Crossings {
-    /// Finds where sweeps of `directions` cross `lines`.
-    pub(crate) fn new(directions: &[[f64; 2]], lines: &[Line]) -> Self {
-        let Some(fan) = Fan::new(directions) else { return Self::default() };
-        let mut found = Self { starts: vec![0; directions.len() + 1], ..Self::default() };
-        found.count(&fan, lines);
-        found.fill(&fan, lines);
-        found
-    }
-
-    /// Crossings of one sweep, by range; at one range beginnings come first.
-    pub(crate) fn of(&mut self, sweep: usize) -> &[Crossing] {
-        let (Some(&start), Some(&end)) = (self.starts.get(sweep), self.starts.get(sweep + 1)) else {
-            return &[];
-        };
-        let own = &mut self.crossings[start..end];
-        own.sort_unstable();
-        own
-    }
-
-    fn count(&mut self, fan: &Fan<'_>, lines: &[Line]) {
-        self.spans.extend(lines.iter().map(|line| fan.span(line).unwrap_or([0; 2]).map(|n| n as u32)));
-        for &[a, b] in &self.spans {
-            for sweep in a.min(b)..a.max(b) {
-                self.starts[sweep as usize + 1] += 1;
+    /// Finds where sweeps of `band` cross `lines`.
+    pub(crate) fn find(&mut self, spans: &Spans<'_>, lines: &[Line], band: Range<usize>) {
+        self.met.clear();
+        self.starts.clear();
+        self.starts.resize(band.len() + 1, 0);
+        let Some(fan) = &spans.fan else { return };
+        let [first, end] = [band.start as u32, band.end as u32];
+        for (line, &[a, b]) in (0..).zip(&spans.spans) {
+            let met = a.min(b).max(first)..a.max(b).min(end);
+            if !met.is_empty() {
+                met.clone().for_each(|sweep| self.starts[(sweep - first) as usize + 1] += 1);
+                self.met.push((line, met));
             }
         }
         for sweep in 1..self.starts.len() {
             self.starts[sweep] += self.starts[sweep - 1];
         }
+        self.fill(fan, &spans.spans, lines, band.start);
     }
 
-    fn fill(&mut self, fan: &Fan<'_>, lines: &[Line]) {
+    /// Crossings of one sweep, counted from the first of the band, by range; at one range beginnings come first.
+    pub(crate) fn of(&mut self, number: usize) -> &[Crossing] {
+        let own = &mut self.crossings[self.starts[number]..self.starts[number + 1]];
+        own.sort_unstable();
+        own
+    }
+
+    fn fill(&mut self, fan: &Fan<'_>, spans: &[[u32; 2]], lines: &[Line], first: usize) {
+        self.crossings.clear();
         self.crossings.resize(self.starts[self.starts.len() - 1], Crossing::default());
-        let mut next = self.starts.clone();
-        for (index, (line, &[a, b])) in lines.iter().zip(&self.spans).enumerate() {
+        self.next.clone_from(&self.starts);
+        for (line, met) in &self.met {
             // Leftwards its shadow lies beyond it.
-            let ends = a < b;
-            for sweep in a.min(b) as usize..a.max(b) as usize {
-                let range = fan.crossing(sweep, line);
-                self.crossings[next[sweep]] = Crossing::new(range, ends, index as u32);
-                next[sweep] += 1;
+            let [a, b] = spans[*line as usize];
+            for sweep in met.start as usize..met.end as usize {
+                let range = fan.crossing(sweep, &lines[*line as usize]);
+                let next = &mut self.next[sweep - first];
+                self.crossings[*next] = Crossing::new(range, a < b, *line);
+                *next += 1;
             }
         }
     }

@@ -1,5 +1,6 @@
 //! A limited number of line generators.
 
+use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use quantities::SweepTime;
@@ -88,16 +89,25 @@ pub(crate) struct Service {
 
 /// Boundaries in the order in which the sweep comes to need them.
 fn order(boundaries: &mut [Boundary]) {
-    boundaries.sort_by(|a, b| a.held[0].total_cmp(&b.held[0]).then(a.range.total_cmp(&b.range)));
+    boundaries.sort_unstable_by(|a, b| a.held[0].total_cmp(&b.held[0]).then_with(|| by_range(a, b)));
+}
+
+/// As the sweep crosses them: no two are at one place.
+fn by_range(a: &Boundary, b: &Boundary) -> Ordering {
+    a.range.total_cmp(&b.range)
 }
 
 /// Gives line generators to `boundaries` in the order in which the sweep comes to need them, and removes those that
-/// find none of `limit` free.
-pub(crate) fn serve(boundaries: &mut Vec<Boundary>, limit: Option<u32>) -> Service {
+/// find none of `limit` free. `free_at` is used again from sweep to sweep.
+pub(crate) fn serve(
+    boundaries: &mut Vec<Boundary>,
+    limit: Option<u32>,
+    free_at: &mut BinaryHeap<u64>,
+) -> Service {
     let limit = limit.map_or(usize::MAX, |limit| limit as usize);
     order(boundaries);
     // Ranges are not negative, so their bits are in their order; the heap gives the largest, hence the complement.
-    let mut free_at: BinaryHeap<u64> = BinaryHeap::new();
+    free_at.clear();
     let (mut service, mut most) = (Service::default(), 0);
     boundaries.retain(|boundary| {
         while free_at.peek().is_some_and(|&end| f64::from_bits(!end) <= boundary.held[0]) {
@@ -113,7 +123,7 @@ pub(crate) fn serve(boundaries: &mut Vec<Boundary>, limit: Option<u32>) -> Servi
         }
         served
     });
-    boundaries.sort_by(|a, b| a.range.total_cmp(&b.range));
+    boundaries.sort_unstable_by(by_range);
     Service { most_in_use: most as u32, ..service }
 }
 
@@ -148,7 +158,7 @@ pub(crate) fn serve_in_time(
         boundary.range = range;
         timing.strobes_through && range <= reach
     });
-    boundaries.sort_by(|a, b| a.range.total_cmp(&b.range));
+    boundaries.sort_unstable_by(by_range);
     service
 }
 
@@ -175,7 +185,7 @@ mod tests {
 
     /// Boundaries dropped, and most in use.
     fn served(all: &mut Vec<Boundary>, limit: Option<u32>) -> (u32, u32) {
-        let service = serve(all, limit);
+        let service = serve(all, limit, &mut BinaryHeap::new());
         assert_eq!(service.misses.len() as u32, service.dropped);
         (service.dropped, service.most_in_use)
     }

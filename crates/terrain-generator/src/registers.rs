@@ -10,7 +10,7 @@ use sweep_program::{
 ///
 /// A register that took all its words from one corner is kept as that corner: nine words move as one number, and are looked
 /// up when the array asks for them.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Registers {
     /// Corner in each register, by [`HOLD`], [`X_FIRST`], [`Y_FIRST`] and colour; [`MIXED`] where `mixed` has its words.
     corners: [[u32; 4]; 3],

@@ -27,7 +27,7 @@ pub fn program(
     (eye, angle): Sweep,
     range: [f64; 2],
 ) -> FeatureProgram {
-    let schedule = Schedule { features, parts, region_origin: [0.0; 2], region_size: 100.0 };
+    let schedule = Schedule { features, parts, region_origin: [0.0; 2], region_size: 100.0, among: None };
     let (sin, cos) = quantities::sin_cos(angle);
     let mut program = FeatureProgram::default();
     schedule.write(eye, [cos, sin], range, &mut program);

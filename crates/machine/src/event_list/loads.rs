@@ -45,7 +45,7 @@ impl Loads<'_> {
         let (stage, plan) = (crossings.stage, crossings.plan);
         let mut program = FeatureProgram::default();
         let drawn = self.sweeps.set_up_of(self.sweep);
-        FeatureLoads { stage, table: self.sweeps.table(), plan }.write(
+        FeatureLoads { stage, table: self.sweeps.table(), plan, among: None }.write(
             [drawn, self.sweep],
             end,
             &mut program,

@@ -1,6 +1,7 @@
 //! A group of sweeps on its way through the array.
 
 use std::ops::Range;
+use std::{array as lanes, mem};
 
 use signal::{LANES, Lanes, Real};
 use sweep_program::SweepProgram;
@@ -27,9 +28,9 @@ impl<S: Real> Run<'_, S> {
     /// Everything at rest under ramps that stand as they do at sample `first`.
     pub(super) fn settle(&self, first: i64, state: &mut ArrayState<S>) {
         let array = self.array;
-        state.lanes.clear();
-        let lanes = self.programs.iter().map(Lane::at_start);
-        state.lanes.extend(lanes);
+        state.lanes = lanes::from_fn(|lane| {
+            Lane::at_start(&self.programs[lane], mem::take(&mut state.lanes[lane].pending))
+        });
         state.weights.clear();
         let weight = |lane: &Lane, index: usize| {
             array.weight(lane.registers.hold(self.generator.buffer)[word_of(index % TERMS)[0]], index)
@@ -122,7 +123,7 @@ impl<S: Real> Run<'_, S> {
     /// All products, without their lags, into `state.raw[0]`.
     fn multiply(&self, state: &mut ArrayState<S>) {
         let [x, y] = self.factors(state);
-        let before = std::mem::replace(&mut state.factors, [x, y]);
+        let before = mem::replace(&mut state.factors, [x, y]);
         let raw = &mut state.raw[0];
         raw.clear();
         raw.extend((0..ALL).map(|index| {

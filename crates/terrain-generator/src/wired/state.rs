@@ -31,11 +31,11 @@ pub struct ArrayState<S> {
     /// What each multiplying D/A multiplies by.
     pub(super) weights: Vec<Lanes<S>>,
     pub(super) divided: Vec<Divided>,
-    pub(super) lanes: Vec<Lane>,
+    pub(super) lanes: [Lane; LANES],
 }
 
 /// The digital side of one sweep of the group.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Lane {
     pub(super) registers: Registers,
     /// Next step of the program for the accumulators, the polarity and the registers.
@@ -86,22 +86,24 @@ impl<S: signal::Real> Default for ArrayState<S> {
             trim: [0.0; LANES],
             weights: Vec::new(),
             divided: Vec::new(),
-            lanes: Vec::new(),
+            lanes: Default::default(),
         }
     }
 }
 
 impl Lane {
-    pub(super) fn at_start(program: &SweepProgram) -> Self {
+    /// At the start of a sweep; `pending` is a buffer that is used again.
+    pub(super) fn at_start(program: &SweepProgram, mut pending: Vec<Change>) -> Self {
         let registers = Registers::at_start(program);
         let polarity = registers.polarity();
+        pending.clear();
         Self {
             registers,
             folded: 0,
             turned: 0,
             strobed: 0,
             strobed_at: f64::NEG_INFINITY,
-            pending: Vec::new(),
+            pending,
             folds: [0; 2],
             polarity,
         }

@@ -1,0 +1,51 @@
+//! Once warm, sweeps are drawn without asking for memory: a frame of four times the work asks no more often.
+
+use std::alloc::System;
+
+use benchmarks::{Choice, Scene};
+use generator::Generator;
+use machine::HybridMachine;
+use signal::Probe;
+use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
+
+#[global_allocator]
+static COUNTED: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
+
+/// How often the third frame of a scene asks for memory, on one thread.
+fn asked(scenario: &str, raster: [u32; 2]) -> usize {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
+    let scene = Scene::shipped(scenario, &Choice { raster: Some(raster), ..Choice::default() });
+    let (mut planes, pose) = (scene.planes(), scene.pose);
+    let session = HybridMachine.prepare(scene.stage).expect("the machine draws what is shipped");
+    let mut draw = || {
+        let region = Region::new(COUNTED);
+        let counts = pool.install(|| session.frame(0, &pose, &mut planes, &mut Probe::off()));
+        assert!(counts.expect("drawn by the tests").samples > 0);
+        let change = region.change();
+        change.allocations + change.reallocations
+    };
+    draw();
+    draw();
+    draw()
+}
+
+#[test]
+fn sweeps_ask_for_no_memory() {
+    for scenario in ["first-light", "long-shadows", "range-programmes"] {
+        expect_at_most(scenario, 0.1);
+    }
+}
+
+/// Where words take time, each sweep queues them anew: a few times, whatever its samples are.
+#[test]
+fn queues_of_words_are_all_that_parts_of_1970_add() {
+    expect_at_most("nominal-drive", 10.0);
+}
+
+/// Four times the sweeps with four times the samples: at most so many requests more for each sweep more.
+fn expect_at_most(scenario: &str, a_sweep: f64) {
+    let [few, many] = [[16, 125], [64, 500]].map(|raster| asked(scenario, raster));
+    println!("{scenario}: {few} and {many}");
+    let most = few as f64 + a_sweep * (64 - 16) as f64;
+    assert!(many as f64 <= most, "{scenario}: {few} times at 16 sweeps, {many} times at 64");
+}
