@@ -176,6 +176,8 @@ fn longest_free(busy: &mut Vec<f64>, boundary: &Boundary, limit: Option<u32>) ->
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BinaryHeap;
+
     use super::{Boundary, serve};
     use remote_shadow::Segment;
 
