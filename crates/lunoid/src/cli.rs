@@ -3,8 +3,8 @@
 use clap::{Parser, Subcommand};
 
 use crate::commands::{
-    bank, check, compare, explain, info, list, model, page, probe, replay, sizing, study, survey, timing,
-    trace, trigger,
+    augment, bank, check, compare, explain, info, list, model, page, probe, replay, sizing, study, survey,
+    timing, trace, trigger,
 };
 use crate::output::Colour;
 
@@ -41,6 +41,8 @@ pub enum Command {
     Replay(replay::Replay),
     /// Write the page of a run again, from its folder.
     Page(page::PageCommand),
+    /// Put the vehicle's shadow, and its tracks, into an existing picture sequence.
+    Augment(augment::Augment),
     /// Say how far one picture, or one run, is from another.
     Compare(compare::Compare),
     /// Read scenarios and hardware models and list every fault.

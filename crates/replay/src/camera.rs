@@ -25,6 +25,7 @@ pub(crate) fn camera(stage: &Stage) -> Value {
             "X = tan_half_field[0] (2 column + 1 - columns) / columns, \
              Y = tan_half_field[1] (2 line + 1 - lines) / lines; ray [1, X, Y] in vehicle axes",
         "vehicle_axes": "forward, starboard, down; origin at the eye",
+        "roll_drawn": stage.settings.yoke.is_some(),
         "terrain_axes": "north, east, down; poses.csv gives x_m north, y_m east, z_m up",
         "vehicle_to_terrain": {
             "formula": "ray_terrain = Phi Theta Psi ray_vehicle with the heading and pitch of poses.csv",

@@ -25,7 +25,10 @@ const FLYING: f64 = 1.5;
 impl Tracks {
     /// The patches of both rear wheels, ascending in time: each is laid when the wheel has come to its far end. Path
     /// and vehicle decide them, never the frames that are drawn.
-    pub(crate) fn lay(
+    ///
+    /// # Errors
+    /// If the path is too long for its patches.
+    pub fn lay(
         &self,
         path: &Path,
         vehicle: &Vehicle,

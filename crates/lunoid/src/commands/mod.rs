@@ -1,6 +1,7 @@
 //! One file a command.
 
 mod again;
+pub mod augment;
 pub mod bank;
 pub mod check;
 pub mod compare;
@@ -28,6 +29,7 @@ pub fn run(cli: &Cli) -> Result<Verdict, Failure> {
     match &cli.command {
         Command::Replay(replay) => replay.run(),
         Command::Page(page) => page.run(),
+        Command::Augment(augment) => augment.run(),
         Command::Compare(compare) => compare.run(),
         Command::Check(check) => check.run(cli.color),
         Command::List(list) => list.run(),

@@ -1,9 +1,10 @@
 use crate::scene::{Scene, lunoid};
 
-const COMMANDS: [&[&str]; 28] = [
+const COMMANDS: [&[&str]; 29] = [
     &[],
     &["replay"],
     &["page"],
+    &["augment"],
     &["compare"],
     &["check"],
     &["list"],

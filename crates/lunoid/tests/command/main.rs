@@ -1,5 +1,6 @@
 //! What a user types and sees.
 
+mod augment;
 mod bad_input;
 mod banks;
 mod checks;
@@ -11,4 +12,5 @@ mod models;
 mod overlays;
 mod replays;
 mod scene;
+mod stability;
 mod timing;

@@ -1,0 +1,96 @@
+//! `augment`: the shadow in the pictures of a run, what is told of it, what is refused.
+
+use std::fs;
+
+use serde_json::Value;
+
+use crate::scene::Scene;
+
+/// The pictures of `tiny.toml`: the rover drives at 32 degrees, so a sun at 212 stands behind it.
+fn run() -> Scene {
+    let scene = Scene::new();
+    scene.expect(0, &["replay", "tiny.toml", "-q", "--frames", "0..2", "--out", "run"]);
+    scene
+}
+
+const PICTURES: [&str; 4] = ["augment", "run/frames", "run/poses.csv", "--vehicle"];
+
+fn augment(scene: &Scene, code: i32, rest: &[&str]) -> (String, String) {
+    scene.expect(code, &[&PICTURES[..], rest].concat())
+}
+
+#[test]
+fn the_shadow_of_a_run_is_put_in_and_told() {
+    let scene = run();
+    let (out, _) = augment(&scene, 0, &["rover", "--sun", "212,6", "--out", "new", "--json"]);
+    let record: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(fs::read_to_string(scene.join("new/augment.json")).unwrap(), out);
+    assert_eq!(scene.list("new"), ["augment.json", "frame-000000.png", "frame-000001.png"]);
+    assert_eq!(record["schema"], "lunoid.augment/1");
+    assert_eq!(record["camera"]["roll_drawn"], false);
+    assert_eq!(record["timing"]["picture_period_s"], 0.1);
+    let frame = &record["frames"][1];
+    let number = |key: &str| frame[key].as_f64().unwrap();
+    assert!(number("dark") > 0.01 && number("dark") < 0.5, "{frame}");
+    assert_eq!(number("points"), record["vehicle"]["points"].as_f64().unwrap());
+    let expected = 90e-6 * number("points") + 25e-6 * number("intersections");
+    assert!((number("setup_s") - expected).abs() < 1e-9);
+    let pixels = |name: &str| fs::read(scene.join(name)).unwrap();
+    assert_ne!(pixels("new/frame-000001.png"), pixels("run/frames/frame-000001.png"));
+    // True ground has the sun of the scenario, which stands beside the rover, unless another is asked for.
+    let ground = ["rover", "--ground", "tiny.toml", "--json", "--out"];
+    let (beside, _) = augment(&scene, 0, &[&ground[..], &["beside"]].concat());
+    let (behind, _) = augment(&scene, 0, &[&ground[..], &["behind", "--sun", "212,6"]].concat());
+    let [beside, behind]: [Value; 2] = [beside, behind].map(|out| serde_json::from_str(&out).unwrap());
+    assert!(beside["frames"][1]["dark"].as_f64().unwrap() < 0.5 * number("dark"));
+    let dark = behind["frames"][1]["dark"].as_f64().unwrap();
+    assert!((dark / number("dark") - 1.0).abs() < 0.4, "{dark} for {}", number("dark"));
+    assert!(beside["sun_deg"].is_null() && behind["ground"] == "tiny.toml");
+}
+
+#[test]
+fn tracks_want_ground() {
+    let scene = run();
+    let (_, err) = augment(&scene, 2, &["rover", "--sun", "212,6", "--tracks", "--out", "new"]);
+    assert!(err.contains("tracks need ground data") && err.contains("gives no heights"), "{err}");
+    let tracks = ["rover", "--ground", "tiny.toml", "--tracks", "--out", "new", "--json"];
+    let (out, _) = augment(&scene, 0, &tracks);
+    let record: Value = serde_json::from_str(&out).unwrap();
+    // 0.1 s at 1.9 m/s: one patch of each rear wheel.
+    assert_eq!(record["track_patches"], 2, "{record}");
+}
+
+#[test]
+fn what_cannot_be_is_refused() {
+    let scene = run();
+    fs::copy(scene.join("run/poses.csv"), scene.join("poses.csv")).unwrap();
+    fs::create_dir(scene.join("none")).unwrap();
+    for (code, rest, words) in [
+        (2, &["rover"][..], "--out"),
+        (2, &["rover", "--out", "new"], "flat ground has no sun of its own"),
+        (2, &["rover", "--sun", "212,0", "--out", "new"], "frame 0: the sun at an elevation of 0 deg"),
+        (2, &["rover", "--sun", "212,0.2", "--penumbra", "--out", "new"], "expected more than 0.2666"),
+        (2, &["rover", "--sun", "212", "--out", "new"], "expected two numbers"),
+        (2, &["rover", "--sun", "212,6", "--out", "run/frames"], "would replace the old ones"),
+        (2, &["rover", "--sun", "212,6", "--gain", "2", "--out", "new"], "expected 0 to 1"),
+        (2, &["rover", "--sun", "212,6", "--field", "50,180", "--out", "new"], "below 170 degrees"),
+        (3, &["rowboat", "--sun", "212,6", "--out", "new"], "no vehicle has the name `rowboat`"),
+        (3, &["gone.obj", "--sun", "212,6", "--out", "new"], "gone.obj: no such file"),
+        (3, &["rover", "--sun", "212,6", "--camera", "tiny.toml", "--out", "new"], "tiny.toml: "),
+        (3, &["rover", "--ground", "gone.toml", "--out", "new"], "gone.toml"),
+    ] {
+        let (_, err) = augment(&scene, code, rest);
+        assert!(err.contains(words), "{rest:?}: {err}");
+    }
+    for (frames, poses, words) in [
+        ("none", "run/poses.csv", "no picture here"),
+        ("gone", "run/poses.csv", "cannot list this folder"),
+        ("run/frames", "gone.csv", "gone.csv: no such file"),
+        ("run/frames", "poses.csv", "no camera.json beside the poses"),
+    ] {
+        let camera = if poses == "gone.csv" { &["--field", "50,30"][..] } else { &[] };
+        let rest = ["augment", frames, poses, "--vehicle", "rover", "--sun", "212,6", "--out", "new"];
+        let (_, err) = scene.expect(3, &[&rest[..], camera].concat());
+        assert!(err.contains(words), "{frames} {poses}: {err}");
+    }
+}

@@ -1,0 +1,196 @@
+//! The shadow of one vehicle in one picture after the other.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use generator::check_eye;
+use glam::DVec3;
+use landscape::Sun;
+use picture::{GreyPicture, Limits, encode_png, read_png};
+use scenario::{Pose, TrackPatch};
+use serde::Serialize;
+
+use crate::flat_ground::{OutlineRule, flat_gates, shadow_outlines};
+use crate::gate::Gates;
+use crate::insertion::{Method, Shade};
+use crate::sequence::{Sequence, SequenceFrame};
+use crate::suns::suns;
+use crate::true_ground::TrueGround;
+use crate::view_lines::LineCounts;
+use crate::work::{Work, WorkTimes};
+use crate::{AugmentError, Shape, Shot};
+
+/// What the ground is taken for.
+#[derive(Debug, Clone)]
+pub enum GroundLaw {
+    /// Flat and level, `eye_height` under the eye: the report's law.
+    Flat(OutlineRule),
+    /// As a scenario has it.
+    True {
+        /// Its ground and what stands on it.
+        ground: Box<TrueGround>,
+        /// Tracks of the vehicle, in the order in which they are laid; none if they are not wanted.
+        tracks: Vec<TrackPatch>,
+    },
+}
+
+/// What is put into pictures, and how.
+#[derive(Debug, Clone)]
+pub struct Augmentation {
+    /// The vehicle.
+    pub shape: Shape,
+    /// Height of its eye above its foot point, and above the ground where the poses do not tell (m).
+    pub eye_height: f64,
+    /// The sun; that of the scenario at the time of the frame if open.
+    pub sun: Option<Sun>,
+    /// Whether the sun is a disc.
+    pub penumbra: bool,
+    /// What the ground is.
+    pub ground: GroundLaw,
+    /// How the shadow gets into the video.
+    pub method: Method,
+}
+
+/// What became of one frame.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FrameWork {
+    /// Its number.
+    pub frame: u64,
+    /// Seconds since the start of the mission.
+    pub time_s: f64,
+    /// Name of the file.
+    pub file: String,
+    /// Hash of the new picture's pixels.
+    pub pixels_blake3: String,
+    /// Counts.
+    #[serde(flatten)]
+    pub work: Work,
+    /// Times of gear of 1969.
+    #[serde(flatten)]
+    pub times: WorkTimes,
+}
+
+impl Augmentation {
+    /// How dark each pixel of a picture of `size` (columns, lines) becomes, and what that takes.
+    ///
+    /// # Errors
+    /// If the sun does not stand above the horizontal, or the eye not above the ground.
+    pub fn shade(&self, frame: u64, shot: &Shot, size: [usize; 2]) -> Result<(Shade, Work), AugmentError> {
+        let sun = self.sun(shot.time);
+        let suns = suns(&sun, self.penumbra).map_err(|source| AugmentError::Sun { frame, source })?;
+        let raster = self.method.raster(size);
+        let (gates, lines) = match &self.ground {
+            GroundLaw::Flat(rule) => self.flat(shot, &suns, *rule, raster[1]),
+            GroundLaw::True { ground, tracks } => {
+                let pose = Pose { time: shot.time, eye: shot.eye, attitude: shot.camera, yoke: 0.0 };
+                check_eye(&ground.stage().landscape, frame, &pose)?;
+                let laid = &tracks[..tracks.partition_point(|patch| patch.laid <= shot.time)];
+                (ground.gates(&self.shape, shot, &suns, laid, raster), LineCounts::default())
+            }
+        };
+        let shade = self.method.shade(&gates, shot.field.tan_half_width, size);
+        let work = Work {
+            points: (self.shape.function().vertices() * suns.len()) as u64,
+            lines,
+            intersections: gates.iter().map(|gates| gates.crossings).sum(),
+            line_generators: gates.iter().map(|gates| gates.line_generators).sum(),
+            dark: shade.shares().iter().sum::<f64>() / shade.shares().len() as f64,
+        };
+        Ok((shade, work))
+    }
+
+    fn sun(&self, time: f64) -> Sun {
+        match (&self.sun, &self.ground) {
+            (Some(sun), _) => *sun,
+            (None, GroundLaw::True { ground, .. }) => ground.stage().scenery.sun(time),
+            // Refused by `suns` as standing on the horizon.
+            (None, GroundLaw::Flat(_)) => Sun { azimuth: 0.0, elevation: 0.0 },
+        }
+    }
+
+    fn flat(&self, shot: &Shot, suns: &[DVec3], rule: OutlineRule, lines: usize) -> (Vec<Gates>, LineCounts) {
+        let mut counts = LineCounts::default();
+        let gates = suns.iter().map(|&sun| {
+            let (outlines, types) = shadow_outlines(self.shape.function(), shot, sun, rule);
+            counts += types;
+            flat_gates(&outlines, shot, lines)
+        });
+        (gates.collect(), counts)
+    }
+
+    /// Puts the shadow into all pictures of `sequence` and writes them, under the same names, into the folder `out`,
+    /// which is made if it is not there. Each file is written whole or not at all. Ends early, with whole pictures only,
+    /// when `cancel` is set; `heard` hears how many are done.
+    ///
+    /// # Errors
+    /// The first fault; pictures before it are written.
+    pub fn run(
+        &self,
+        sequence: &Sequence,
+        out: &Path,
+        cancel: &AtomicBool,
+        heard: &dyn Fn(u64),
+    ) -> Result<Vec<FrameWork>, AugmentError> {
+        make_folder(sequence.folder(), out)?;
+        let mut size = sequence.camera().size.map(|size| (size, "camera.json says".to_owned()));
+        let mut done = Vec::with_capacity(sequence.frames().len());
+        for frame in sequence.frames() {
+            if cancel.load(Ordering::Relaxed) {
+                break;
+            }
+            let picture = read_png(&frame.path, &Limits::default())?;
+            let found = [picture.columns(), picture.lines()];
+            let (expected, of) = size.get_or_insert_with(|| (found, frame.path.display().to_string()));
+            if found != *expected {
+                let (path, expected, of) = (frame.path.clone(), *expected, of.clone());
+                return Err(AugmentError::Size { path, found, expected, of });
+            }
+            done.push(self.frame(sequence, frame, &picture, out)?);
+            heard(done.len() as u64);
+        }
+        Ok(done)
+    }
+
+    fn frame(
+        &self,
+        sequence: &Sequence,
+        frame: &SequenceFrame,
+        picture: &GreyPicture,
+        out: &Path,
+    ) -> Result<FrameWork, AugmentError> {
+        let shot = frame.pose.shot(sequence.camera(), self.eye_height);
+        let (shade, work) = self.shade(frame.frame, &shot, [picture.columns(), picture.lines()])?;
+        let file = frame.path.file_name().unwrap_or_default();
+        let path = out.join(file);
+        let refused = |source| picture::PictureFileError::Picture { path: path.clone(), source };
+        let new = GreyPicture::new(picture.columns(), picture.lines(), picture.depth(), shade.blank(picture))
+            .map_err(refused)?;
+        let texts = [("Frame", frame.frame.to_string()), ("Time", format!("{} s", frame.pose.time))];
+        let bytes =
+            encode_png(&new, &texts.each_ref().map(|(key, text)| (*key, text.as_str()))).map_err(refused)?;
+        files::write_atomic(&path, |file| file.write_all(&bytes))?;
+        Ok(FrameWork {
+            frame: frame.frame,
+            time_s: frame.pose.time,
+            file: file.to_string_lossy().into_owned(),
+            pixels_blake3: new.pixel_hash(),
+            times: work.times(&self.method, sequence.period()),
+            work,
+        })
+    }
+}
+
+/// Makes `out`, which must not be the folder of the pictures.
+fn make_folder(pictures: &Path, out: &Path) -> Result<(), AugmentError> {
+    let failed = |path: &Path, doing| {
+        let path: PathBuf = path.to_owned();
+        move |source| AugmentError::Folder { path, doing, source }
+    };
+    fs::create_dir_all(out).map_err(failed(out, "make this folder"))?;
+    let real = |path: &Path| fs::canonicalize(path).map_err(failed(path, "find this folder"));
+    if real(pictures)? == real(out)? {
+        return Err(AugmentError::SameFolder { path: out.to_owned() });
+    }
+    Ok(())
+}

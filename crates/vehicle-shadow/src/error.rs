@@ -1,0 +1,140 @@
+//! Why a picture sequence cannot have a shadow.
+
+use std::io;
+use std::path::PathBuf;
+
+use files::FileError;
+use generator::FrameError;
+use picture::PictureFileError;
+
+use crate::suns::LowSun;
+
+/// A sequence that cannot be read, or into which the shadow cannot be put.
+#[derive(Debug, thiserror::Error)]
+pub enum AugmentError {
+    /// A file that cannot be read or written.
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// A frame that is no picture.
+    #[error(transparent)]
+    Picture(#[from] PictureFileError),
+    /// A folder that cannot be listed or made.
+    #[error("{path}: cannot {doing}: {source}")]
+    Folder {
+        /// The folder.
+        path: PathBuf,
+        /// What was tried.
+        doing: &'static str,
+        /// The system's words.
+        source: io::Error,
+    },
+    /// A file of poses or of a camera that says something else than it should.
+    #[error("{path}{}: {what}; expected {expected}", line.map(|line| format!(", line {line}")).unwrap_or_default())]
+    Content {
+        /// The file.
+        path: PathBuf,
+        /// Line from 1, where one is to blame.
+        line: Option<u64>,
+        /// What is wrong.
+        what: String,
+        /// What should stand there.
+        expected: String,
+    },
+    /// The pictures do not say from where they were taken.
+    #[error(
+        "{path}: no camera.json beside the poses: expected the camera's field of view; name its file by --camera, or \
+         give --field WIDTH,HEIGHT in degrees"
+    )]
+    NoCamera {
+        /// The file that is missing.
+        path: PathBuf,
+    },
+    /// A folder without pictures.
+    #[error(
+        "{path}: no picture here: expected PNG files whose names end in their frame's number, as frame-000012.png"
+    )]
+    NoFrames {
+        /// The folder.
+        path: PathBuf,
+    },
+    /// Two pictures of one frame.
+    #[error("{first} and {second}: both are frame {frame}; expected one picture a frame; take one out")]
+    TwoFrames {
+        /// The frame.
+        frame: u64,
+        /// The one.
+        first: PathBuf,
+        /// The other.
+        second: PathBuf,
+    },
+    /// Poses without pictures.
+    #[error("{folder}: no picture of {}, which {poses} has; expected one for each pose", named(frames))]
+    MissingFrames {
+        /// Folder of the pictures.
+        folder: PathBuf,
+        /// File of the poses.
+        poses: PathBuf,
+        /// Frames that are missing, ascending.
+        frames: Vec<u64>,
+    },
+    /// Pictures without poses.
+    #[error("{poses}: no pose of {}, which {folder} has; expected one for each picture", named(frames))]
+    MissingPoses {
+        /// Folder of the pictures.
+        folder: PathBuf,
+        /// File of the poses.
+        poses: PathBuf,
+        /// Frames that are missing, ascending.
+        frames: Vec<u64>,
+    },
+    /// A picture of another size.
+    #[error(
+        "{path}: {} columns and {} lines, expected {} and {} as {of}; give each size a sequence of its own",
+        found[0], found[1], expected[0], expected[1]
+    )]
+    Size {
+        /// The picture.
+        path: PathBuf,
+        /// Columns and lines found.
+        found: [usize; 2],
+        /// Columns and lines expected.
+        expected: [usize; 2],
+        /// Whose they are.
+        of: String,
+    },
+    /// The pictures would be written over.
+    #[error("{path}: the new pictures would replace the old ones; choose another folder")]
+    SameFolder {
+        /// The folder.
+        path: PathBuf,
+    },
+    /// The sun has no shadow.
+    #[error("frame {frame}: {source}")]
+    Sun {
+        /// The frame.
+        frame: u64,
+        /// Why not.
+        source: LowSun,
+    },
+    /// The pose is not over the ground.
+    #[error("{0}; do these pictures show the ground of this scenario?")]
+    Pose(#[from] FrameError),
+    /// Tracks without ground data.
+    #[error(
+        "tracks need ground data: a picture alone gives no heights, so a track behind a rise cannot be hidden, nor one \
+         on a slope be laid (report IV.A); name the scenario of the ground by --ground"
+    )]
+    TracksWithoutGround,
+    /// Poses along which no tracks can be laid.
+    #[error("tracks along the poses: {0}")]
+    Tracks(String),
+}
+
+/// "frames 3, 4, 7 and 12 others".
+fn named(frames: &[u64]) -> String {
+    const MOST: usize = 5;
+    let words: Vec<String> = frames.iter().take(MOST).map(u64::to_string).collect();
+    let more = frames.len().saturating_sub(MOST);
+    let others = if more > 0 { format!(" and {more} others") } else { String::new() };
+    format!("frame{} {}{others}", if frames.len() == 1 { "" } else { "s" }, words.join(", "))
+}

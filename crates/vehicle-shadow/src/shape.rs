@@ -1,0 +1,71 @@
+//! The vehicle that casts the shadow.
+
+use std::sync::Arc;
+
+use diagnostics::{Problem, ProblemList};
+use glam::{DMat3, DVec3};
+use solids::{Body, Kind, Solid, culture, obj};
+
+use crate::{CharacteristicFunction, Shot};
+
+/// A vehicle of convex parts.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Shape {
+    parts: Vec<Arc<Solid>>,
+    eye_height: f64,
+    function: CharacteristicFunction,
+}
+
+impl Shape {
+    /// Convex parts in common body axes (forward, starboard, up; the foot point at the origin); the eye stands
+    /// `eye_height` (m) above the foot point.
+    pub fn new(parts: Vec<Solid>, eye_height: f64) -> Self {
+        let function = CharacteristicFunction::of_parts(&parts, eye_height);
+        Self { parts: parts.into_iter().map(Arc::new).collect(), eye_height, function }
+    }
+
+    /// The man-made thing of that name, or the OBJ file of that path.
+    ///
+    /// # Errors
+    /// If it is neither, or the file has faults.
+    pub fn find(name: &str, eye_height: f64) -> Result<Self, ProblemList> {
+        let is_file = name.contains(['.', '/', '\\']);
+        let parts = match culture::model(name) {
+            Some(parts) => parts,
+            None if is_file => obj::read(name)?,
+            None => {
+                let problem = Problem::of_file(name, format!("no vehicle has the name `{name}`"));
+                return Err(problem
+                    .expected(format!("one of {}, or a Wavefront OBJ file", culture::NAMES.join(", ")))
+                    .into());
+            }
+        };
+        Ok(Self::new(parts, eye_height))
+    }
+
+    /// The same as a string of points.
+    pub fn function(&self) -> &CharacteristicFunction {
+        &self.function
+    }
+
+    /// The parts where they stand: north, east, up. The vehicle turns about the eye.
+    pub fn bodies(&self, shot: &Shot) -> Vec<Body> {
+        let flip = DMat3::from_diagonal(DVec3::new(1.0, 1.0, -1.0));
+        let to_ground = flip * shot.vehicle.to_terrain() * flip;
+        let foot = DVec3::from_array(shot.eye) - to_ground * (DVec3::Z * self.eye_height);
+        self.parts.iter().map(|part| Body::place(0, Kind::Culture, part, foot, &to_ground, 1.0)).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Shape;
+
+    #[test]
+    fn names_and_files() {
+        assert!(Shape::find("rover", 1.6).is_ok());
+        let said = |name: &str| Shape::find(name, 1.6).unwrap_err().to_string();
+        assert!(said("rowboat").contains("rowboat") && said("rowboat").contains("lander, rover"));
+        assert!(said("gone.obj").contains("gone.obj: no such file"), "{}", said("gone.obj"));
+    }
+}
