@@ -6,15 +6,18 @@
 //!
 //! - [`Scene`]: a shipped scenario made ready, and the pose of its first frame.
 //! - [`ROWS`]: frames whose time `speed` tells.
+//! - [`LADDERS`]: scenes that grow in one thing, timed by the binary `scaling`.
 //! - [`KERNELS`]: named pieces of work, each of which can be run by itself.
 //! - [`instructions_of`]: how many instructions a kernel takes, counted by callgrind, within [`counted`] alone.
 
 mod callgrind;
 mod kernels;
+mod ladder;
 mod rows;
 mod scene;
 
 pub use callgrind::{CountError, counted, instructions_of};
 pub use kernels::{KERNELS, Kernel, kernel};
+pub use ladder::{BASE, LADDERS, Ladder, Size};
 pub use rows::{REAL_TIME, ROWS, Row, STANDARD};
 pub use scene::{Choice, Scene};

@@ -33,8 +33,16 @@ impl Scene {
     /// If the shipped scenario cannot be read: then the tests fail as well.
     pub fn shipped(name: &str, choice: &Choice) -> Self {
         let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios"));
-        let mut scenario = Scenario::read(folder.join(name).with_extension("toml"))
-            .expect("the shipped scenario is read by the tests");
+        Self::read(&folder.join(name).with_extension("toml"), choice)
+    }
+
+    /// The scenario of a file that is known to be good, with `choice` made.
+    ///
+    /// # Panics
+    /// If it is not.
+    pub fn read(path: &Path, choice: &Choice) -> Self {
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let mut scenario = Scenario::read(path).expect("the scenario is good");
         scenario.scalar = choice.scalar.unwrap_or(scenario.scalar);
         if let Some([sweeps, samples]) = choice.raster {
             (scenario.raster.sweeps, scenario.raster.samples) = (Some(sweeps), Some(samples));

@@ -251,7 +251,8 @@ fn within(name: impl Into<String>, value: f64, least: f64, most: f64) -> Result<
     if (least..=most).contains(&value) {
         return Ok(());
     }
-    Err(ReliefError::Parameter { name: name.into(), value, expected: format!("{least} to {most}") })
+    let expected = if most < f64::MAX { format!("{least} to {most}") } else { format!("at least {least}") };
+    Err(ReliefError::Parameter { name: name.into(), value, expected })
 }
 
 fn above(name: impl Into<String>, value: f64, least: f64) -> Result<(), ReliefError> {
