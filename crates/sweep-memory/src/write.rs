@@ -76,6 +76,10 @@ impl<S: Real> Writer<'_, '_, S> {
     #[inline(never)]
     fn smooth_steps(&self, samples: Range<usize>, lanes: Range<usize>, rows: &mut [f32]) {
         for sample in samples {
+            // Neighbouring sweeps are mostly hidden together: one look at all of them.
+            if self.beam.is_hidden(sample) {
+                continue;
+            }
             for lane in lanes.clone() {
                 let row = &mut rows[lane * self.lines..(lane + 1) * self.lines];
                 self.beam.strokes(sample, lane, |stroke| self.draw(stroke, row));
@@ -123,6 +127,13 @@ impl<S: Real> Writer<'_, '_, S> {
 }
 
 impl<S: Real> Beam<'_, S> {
+    /// Whether the profile is hidden in all lanes over the step that ends at `sample`.
+    #[inline(always)]
+    fn is_hidden(&self, sample: usize) -> bool {
+        let (before, now) = (&self.line[sample - 1], &self.line[sample]);
+        (0..LANES).fold(true, |hidden, lane| hidden & (now[lane] >= before[lane]))
+    }
+
     /// The strokes of the step that ends at `sample`: none where the profile is hidden; straight where that is
     /// near enough; else chords of the cubic through the four samples around.
     #[inline(always)]
