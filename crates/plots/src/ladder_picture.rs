@@ -5,6 +5,7 @@ use crate::bank_picture::check_panel;
 use crate::canvas::{Anchor, Area, Canvas};
 use crate::colour::{Colour, INK, PAPER, SOFT, TRACES, mix};
 use crate::frame::{BELOW, Frame, Header, LEFT, SMALL, TEXT};
+use crate::labels::Labels;
 use crate::lettering;
 use crate::trace_picture::{ABOVE, RIGHT, TraceLook};
 use crate::{Drawing, PlotError};
@@ -23,7 +24,7 @@ pub struct PointSeries<'a> {
     pub name: &'a str,
     /// Places; those that a logarithm does not have are left out.
     pub points: Vec<[f64; 2]>,
-    /// What stands beside each point; may be shorter.
+    /// What stands beside each point, where there is room; may be shorter.
     pub labels: Vec<&'a str>,
     /// Whether a line joins them.
     pub joined: bool,
@@ -86,18 +87,28 @@ pub fn ladder_picture(
         if series.joined {
             canvas.line(&pixels(&series.points), 1.5, colour);
         }
-        for (number, &[x, y]) in series.points.iter().enumerate() {
-            let at = frame.at(x, y);
-            mark(&mut canvas, at, index, colour);
-            if let Some(label) = series.labels.get(number) {
-                canvas.text(label, (at.0 + MARK + 4.0, at.1 - MARK), Anchor::Left, SMALL, SOFT);
-            }
-        }
+        pixels(&series.points).into_iter().for_each(|at| mark(&mut canvas, at, index, colour));
     }
+    draw_labels(&mut canvas, &frame, series);
     canvas.unclip();
     frame.axes(&mut canvas, Some(x), y);
     draw_key(&mut canvas, &keys, series, (LEFT, header.height() + ABOVE - 8.0));
     Ok(canvas.finish())
+}
+
+/// Each where it covers nothing; one that has no room is left out, and the table has it.
+fn draw_labels(canvas: &mut Canvas, frame: &Frame, series: &[PointSeries<'_>]) {
+    let at = |point: &[f64; 2]| frame.at(point[0], point[1]);
+    let points = series.iter().flat_map(|series| &series.points).map(at);
+    let mut labels = Labels::new(frame.area, SMALL, MARK, points);
+    for (point, label) in series.iter().flat_map(|series| series.points.iter().zip(&series.labels)) {
+        if let Some(placed) = labels.place(label, at(point)) {
+            if let Some(end) = placed.leader {
+                canvas.line(&[at(point), end], 1.0, mix(SOFT, PAPER, 0.5));
+            }
+            canvas.text(label, placed.at, Anchor::Left, SMALL, SOFT);
+        }
+    }
 }
 
 fn draw_guide(canvas: &mut Canvas, frame: &Frame, guide: &SlopeGuide) {

@@ -7,6 +7,7 @@
 //! - [`timeline_picture`]: digital events of one sweep, register by register, below its ramps.
 //! - [`bar_picture`]: histograms of one kind below one another.
 //! - [`ladder_picture`]: error against time or step, on logarithmic axes.
+//! - [`matrix_picture`]: cases by methods, each cell in the colour of what came of it.
 //! - [`columns_picture`]: grey pictures below one another, and what each column of them is.
 //!
 //! Each returns a [`Drawing`]. A drawing remembers its strokes, and each of the two files is the
@@ -31,9 +32,11 @@ mod drawing;
 mod error;
 mod frame;
 mod ground;
+mod labels;
 mod ladder_picture;
 mod lettering;
 mod mark;
+mod matrix_picture;
 mod pixels;
 mod residuals;
 mod scope;
@@ -49,6 +52,7 @@ pub use columns_picture::{Columns, columns_picture};
 pub use drawing::Drawing;
 pub use error::PlotError;
 pub use ladder_picture::{PointSeries, SlopeGuide, ladder_picture};
+pub use matrix_picture::{MatrixBlock, MatrixCell, MatrixRow, Tone, matrix_picture};
 pub use residuals::Residuals;
 pub use scope::{
     Along, Clock, Crossing, Curve, Curves, Logic, LogicLane, PictureColumn, Place, RegisterColour, Scope,

@@ -24,6 +24,7 @@
 mod base64;
 mod beside;
 mod cells;
+mod check_plot;
 mod data;
 mod diagram;
 mod error;

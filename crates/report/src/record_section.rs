@@ -3,9 +3,9 @@
 use maud::{Markup, html};
 use replay::FileRecord;
 
-use crate::Beside;
 use crate::data::shell_words;
 use crate::run::{Check, CheckedSweep, Run};
+use crate::{Beside, check_plot};
 
 /// How far the pictures are from `exact`.
 pub(crate) fn error(run: &Run, beside: &Beside) -> Markup {
@@ -39,6 +39,7 @@ fn figures(check: &Check) -> Markup {
                 td { (figure(error.max)) }
             } } }
         }
+        (check_plot::plot(&check.checked))
         (worst(check))
     }
 }

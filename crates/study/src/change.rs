@@ -4,7 +4,7 @@ use hardware_model::{HardwareModel, ShadowParts, SweepMemoryKind};
 use scenario::{Projection, RangeLaw, Scalar, Scenario};
 
 /// A scenario on a model, to be changed.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Variant {
     /// The scenario.
     pub scenario: Scenario,

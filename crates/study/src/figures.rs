@@ -208,6 +208,16 @@ impl SignalErrors {
         }
     }
 
+    /// One of the figures by its name.
+    pub fn value(&self, name: &str) -> f64 {
+        self.figures().iter().find(|figure| figure.name == name).map_or(0.0, |figure| figure.value)
+    }
+
+    /// Largest height (m) and slope met.
+    pub fn largest(&self) -> [f64; 2] {
+        [self.highest, self.steepest]
+    }
+
     /// The figures, in the order of [`NAMES`].
     pub fn figures(&self) -> Figures {
         let share = |rms: f64, full: f64| if full > 0.0 { rms / full } else { 0.0 };

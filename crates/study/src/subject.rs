@@ -85,12 +85,27 @@ impl Subject {
         Ok(table.rows()[0].pose)
     }
 
+    fn base(&self) -> Variant {
+        Variant { scenario: self.scenario.clone(), model: self.model.clone() }
+    }
+
+    /// How many of `changes` change something: a rung may be the base itself.
+    pub fn differing(&self, changes: &[Change]) -> usize {
+        let base = self.base();
+        let differs = |change: &&Change| {
+            let mut variant = base.clone();
+            change.apply(&mut variant);
+            variant != base
+        };
+        changes.iter().filter(differs).count()
+    }
+
     /// The stage under `changes`; ground and scenery are shared.
     ///
     /// # Errors
     /// If what comes out does not fit together.
     pub fn changed(&self, changes: &[Change]) -> Result<Stage, StudyError> {
-        let mut variant = Variant { scenario: self.scenario.clone(), model: self.model.clone() };
+        let mut variant = self.base();
         changes.iter().for_each(|change| change.apply(&mut variant));
         let mut settings = stage::settings(&variant.scenario, &variant.model)?;
         settings.economy = self.stage.settings.economy;

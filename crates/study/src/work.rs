@@ -76,7 +76,12 @@ fn stand(subject: &Subject, rung: &Rung) -> Standing {
         let session = HybridMachine.prepare(stage.clone())?;
         Ok(Ready { stage, session, times: Vec::new(), pictures: Vec::new(), samples: 0 })
     };
-    Standing { label: rung.label.clone(), step: rung.step, changes: rung.changes.len(), ready: ready() }
+    Standing {
+        label: rung.label.clone(),
+        step: rung.step,
+        changes: subject.differing(&rung.changes),
+        ready: ready(),
+    }
 }
 
 impl Standing {

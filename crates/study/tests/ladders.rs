@@ -102,6 +102,7 @@ fn a_difference_of_law_is_a_number_of_its_own() {
     let law = "picture rmse, law of the base";
     assert!(reported.error(law).unwrap() > 2.0 * reported.error("picture rmse").unwrap(), "{reported:?}");
     assert_eq!(exact.error(law), None, "the base's own law");
+    assert_eq!([reported.changes, exact.changes], [1, 0], "changes of the base");
 }
 
 #[test]

@@ -17,6 +17,10 @@ fn replay<'a>(out: &'a str, options: &[&'a str]) -> Vec<&'a str> {
     [&base[..], options].concat()
 }
 
+fn words(command: &str) -> Vec<&str> {
+    command.split(' ').collect()
+}
+
 fn room() -> Room {
     let room = Room::new();
     room.vary("long.toml", "frames = 4", &format!("frames = {FRAMES}"));
@@ -88,6 +92,33 @@ fn a_run_that_is_killed_at_any_moment_goes_on() {
         fs::remove_dir_all(folder).unwrap();
     }
     assert!(interrupted > 4, "only {interrupted} moments were inside the run");
+}
+
+/// While its sweeps are checked a run has all its frames and no record yet.
+#[test]
+fn a_check_that_is_killed_is_made_again() {
+    const FRAMES: usize = 4;
+    let room = Room::new();
+    let command =
+        |out: &str| format!("replay tiny.toml --no-progress --samples 1500 --check 120 --out {out}");
+    room.done(&words(&command("whole")));
+    let whole = run(&room.join("whole"));
+    let mut checking = 0;
+    for moment in 0..8_u64 {
+        let out = format!("killed-{moment}");
+        let folder = room.join(&out);
+        let command = command(&out);
+        let mut child = start(&room, &words(&command));
+        wait_for_pictures(&mut child, &folder, if moment == 0 { 1 } else { FRAMES });
+        sleep(Duration::from_millis(5 * moment));
+        signal(&child, if moment % 2 == 0 { "-KILL" } else { "-INT" });
+        child.wait().unwrap();
+        let pictures = pictures_are_whole(&folder, &whole);
+        checking += usize::from(pictures == FRAMES && !folder.join("run.json").exists());
+        room.done(&words(&command));
+        assert!(run(&folder) == whole, "moment {moment}: another folder than that of a run in one go");
+    }
+    assert!(checking > 2, "only {checking} moments were inside the check");
 }
 
 #[test]

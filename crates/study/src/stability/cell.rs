@@ -7,6 +7,8 @@ use serde::Serialize;
 pub enum Theory {
     /// An answer whose error is at most this (full scales).
     Answers(f64),
+    /// An answer that is finite and bounded; of its error nothing is said.
+    Bounded,
     /// A refusal with a message.
     Refuses,
 }
@@ -110,7 +112,7 @@ impl Cell {
         let Found { finite, bounded, error, action, time_s } = found;
         let allowed = match theory {
             Theory::Answers(allowed) => Some(allowed),
-            Theory::Refuses => None,
+            Theory::Bounded | Theory::Refuses => None,
         };
         Self {
             row,
@@ -138,15 +140,18 @@ impl Cell {
 fn fault(theory: Theory, found: &Found) -> Option<&'static str> {
     match (&found.action, theory) {
         (Action::Panicked(_), _) => Some("panicked"),
-        (Action::Refused(_), Theory::Answers(_)) => Some("refused, though theory has an answer"),
+        (Action::Refused(_), Theory::Answers(_) | Theory::Bounded) => {
+            Some("refused, though theory has an answer")
+        }
         (Action::Refused(message), Theory::Refuses) => message.is_empty().then_some("refused without a word"),
         (_, Theory::Refuses) => Some("silent: answered what it should refuse"),
-        (_, Theory::Answers(allowed)) => {
+        (_, Theory::Answers(_) | Theory::Bounded) => {
+            let beyond = |error: f64| matches!(theory, Theory::Answers(allowed) if error > allowed);
             if !found.finite {
                 Some("not finite")
             } else if !found.bounded {
                 Some("unbounded")
-            } else if found.error.is_some_and(|error| error.is_nan() || error > allowed) {
+            } else if found.error.is_some_and(|error| error.is_nan() || beyond(error)) {
                 Some("silent: error beyond theory")
             } else {
                 None
@@ -169,6 +174,8 @@ mod tests {
             Found { finite: true, bounded: true, error: Some(1e-9), action: Action::Exact, time_s: 0.0 };
         let answers = Theory::Answers(1e-6);
         assert_eq!(fault(answers, good.clone()), None);
+        assert_eq!(fault(Theory::Bounded, Found { error: Some(1e9), ..good.clone() }), None);
+        assert_eq!(fault(Theory::Bounded, Found { bounded: false, ..good.clone() }), Some("unbounded"));
         assert_eq!(fault(Theory::Answers(1e-12), good.clone()), Some("silent: error beyond theory"));
         assert!(fault(answers, Found { error: Some(f64::NAN), ..good.clone() }).is_some());
         assert_eq!(fault(answers, Found { finite: false, ..good.clone() }), Some("not finite"));

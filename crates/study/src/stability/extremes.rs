@@ -17,10 +17,12 @@ pub struct Extreme {
     pub name: String,
     /// What it does to a scene.
     pub apply: Push,
-    /// Whether the machine must refuse it.
+    /// Whether the machine must refuse it, whatever else the scene is.
     pub refused: bool,
     /// How many roundings of the scalar the signals may be off by, in full scales.
     pub roundings: f64,
+    /// How many times more than usual real parts may be off.
+    pub shares: f64,
     /// Whether it takes many seconds, and `exact` far more: it is left to a whole study, and to ideal parts.
     pub long: bool,
 }
@@ -43,7 +45,15 @@ impl Push {
 const USUAL: f64 = 2e3;
 
 fn extreme(row: &'static str, name: String, figure: f64, change: fn(&mut Scene, f64)) -> Extreme {
-    Extreme { row, name, apply: Push { figure, change }, refused: false, roundings: USUAL, long: false }
+    Extreme {
+        row,
+        name,
+        apply: Push { figure, change },
+        refused: false,
+        roundings: USUAL,
+        shares: 1.0,
+        long: false,
+    }
 }
 
 /// All of them, in the order in which several are put on one scene: ground first, then where the eye stands on it.
@@ -86,9 +96,8 @@ fn light() -> Vec<Extreme> {
 }
 
 fn attitude() -> Vec<Extreme> {
-    let pitch = |degrees: f64, refused: bool| Extreme {
-        refused,
-        ..extreme("attitude", format!("pitch {degrees} deg"), degrees, |scene, degrees| {
+    let pitch = |degrees: f64| {
+        extreme("attitude", format!("pitch {degrees} deg"), degrees, |scene, degrees| {
             scene.attitude.pitch = radians(degrees);
         })
     };
@@ -97,10 +106,8 @@ fn attitude() -> Vec<Extreme> {
             scene.yoke = radians(degrees);
         })
     };
-    [pitch(64.0, false), pitch(-64.0, false), pitch(66.0, true), pitch(90.0, true), pitch(-90.0, true)]
-        .into_iter()
-        .chain([yoke(40.0), yoke(90.0), yoke(180.0)])
-        .collect()
+    let pitches = [64.0, -64.0, 66.0, 90.0, -90.0].map(pitch);
+    pitches.into_iter().chain([yoke(40.0), yoke(90.0), yoke(180.0)]).collect()
 }
 
 /// With an odd number of sweeps the one in the middle runs along the heading.
@@ -178,13 +185,16 @@ fn heights() -> Vec<Extreme> {
             scene.craters.clear();
         })
     };
-    let alternating =
-        extreme("height", "words at full scale, signs alternating".into(), 100.0, |scene, full| {
+    // All 36 products are at full scale at once, and sums of six of them beyond it, where their amplifiers saturate.
+    let alternating = Extreme {
+        shares: 4.0,
+        ..extreme("height", "words at full scale, signs alternating".into(), 100.0, |scene, full| {
             scene.set_words(|north, east| {
                 std::array::from_fn(|word| if (north + east + word) % 2 == 0 { full } else { -full })
             });
             scene.craters.clear();
-        });
+        })
+    };
     [of(1e-9), of(1.0), of(1e6), wall(10.0), wall(1e3), wall(1e6), alternating].into()
 }
 

@@ -24,15 +24,54 @@ pub struct Drawer<'a> {
     pub model: &'a HardwareModel,
     /// Its signals.
     pub scalar: Scalar,
-    /// Whether its parts are ideal: then its signals are held against the ground.
-    pub is_ideal: bool,
+    /// What they are held against.
+    pub judge: Judge,
+}
+
+/// What a frame is held against.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Judge {
+    /// Ideal parts: height and reflectivity are the ground's, to roundings.
+    Rounding,
+    /// Real parts, words always in time: height and slopes are the ground's, to a share of full scale.
+    Share,
+    /// A machine whose words come late is wrong by a whole region wherever they do: of its error nothing is said, but its
+    /// picture's is told.
+    Bounds,
+}
+
+/// What parts may be off by at rest, root mean square, as a share of full scale (figures of `pra-nominal`). A product passes
+/// two function generators (knees rounded by 0.5 % of full scale), two multipliers (0.25 and 0.2 %) and a converter
+/// (0.05 %): 0.84 % together, and the sum of 36 that are off independently of each other the root of 36 times as much.
+const SHARE: f64 = 0.05;
+/// How late function generators, multipliers and summers are together (s; hardware section 4.9).
+const DELAY: f64 = 120e-9;
+/// What a signal moves by in a region at most, root mean square, that swings through full scale both ways once in two; and
+/// what it can move by at all (full scales).
+const SWING: f64 = std::f64::consts::PI;
+const FARTHEST: f64 = 2.0;
+
+/// What real parts may be off by on `scene`, as a share of full scale: at rest, and by as much as signals move while they
+/// are on their way. Of few samples the mean is no mean: so much more.
+pub fn share_allowed(scene: &Scene, drawer: &Drawer<'_>) -> f64 {
+    let Ok((stage, _)) = scene.build(drawer.model, drawer.scalar) else { return SHARE };
+    let count = scene.samples as usize;
+    let ranges: Vec<f64> = (0..count).map(|sample| stage.settings.range.at_sample(sample, count)).collect();
+    let late = DELAY * stage.settings.timebase.sample_rate().hertz();
+    let mut moved = Sum::default();
+    for step in ranges.windows(2).filter(|step| step[0] < scene.reach()) {
+        let regions = (step[1] - step[0]) / scene.region_size;
+        // A ramp with a fold or more in one step of its converter may be anywhere.
+        moved.add(if regions > 1.0 { FARTHEST } else { (SWING * late * regions).min(FARTHEST) });
+    }
+    let few = 2.0 / (f64::from(scene.sweeps) * f64::from(scene.samples)).sqrt();
+    (SHARE * (1.0 + few) + moved.rms()).min(1.0)
 }
 
 /// A picture may be brighter than white by what parts can overshoot.
 const BRIGHTEST: f64 = 2.0;
 
-/// What comes of `scene` by `drawer`: the error is that of its signals, heights over their full scale and reflectivity; of a
-/// machine with parts, which are wrong by design, that of the picture.
+/// What comes of `scene` by `drawer`.
 pub fn draw(scene: &Scene, drawer: &Drawer<'_>) -> Found {
     match catch_unwind(AssertUnwindSafe(|| drawn(scene, drawer))) {
         Ok(found) => found.unwrap_or_else(Found::refused),
@@ -61,9 +100,10 @@ fn drawn(scene: &Scene, drawer: &Drawer<'_>) -> Result<Found, String> {
     let time_s = start.elapsed().as_secs_f64();
     let picture = planes.get(PlaneKind::Intensity).unwrap_or_default();
     let wires = wires_are_finite(&stage, session.as_ref(), &pose)?;
-    let error = match drawer.is_ideal {
-        true => signal_error(scene, &stage, session.as_ref(), &pose)?,
-        false => picture_error(&stage, &pose, picture)?,
+    let error = match drawer.judge {
+        Judge::Rounding => rounding_error(scene, &signals(&stage, session.as_ref(), &pose)?, &pose),
+        Judge::Share => share_error(scene, &signals(&stage, session.as_ref(), &pose)?, &pose),
+        Judge::Bounds => picture_error(&stage, &pose, picture)?,
     };
     Ok(Found {
         finite: wires && picture.iter().all(|pixel| pixel.is_finite()),
@@ -98,22 +138,30 @@ fn wires_are_finite(stage: &Stage, session: &dyn generator::Session, pose: &Pose
     Ok(!probe.waveforms.is_empty() && values.fold(true, |all, value| all & value.is_finite()))
 }
 
-/// Height over the full scale of its wire, or reflectivity, whichever is more wrong.
-fn signal_error(
-    scene: &Scene,
-    stage: &Stage,
-    session: &dyn generator::Session,
-    pose: &Pose,
-) -> Result<f64, String> {
+/// Signals against the ground below the sweeps.
+fn signals(stage: &Stage, session: &dyn generator::Session, pose: &Pose) -> Result<SignalErrors, String> {
     let (control, exact) = (ControlPlane::new(stage.clone()), Columns::new(stage.clone()));
     let bench = Bench { stage, session, control: &control, exact: &exact };
     let mut errors = SignalErrors::default();
     errors.add_frame(&bench, 0, pose).map_err(|error| error.to_string())?;
-    let figures = errors.figures();
-    let value =
-        |name: &str| figures.iter().find(|figure| figure.name == name).map_or(0.0, |figure| figure.value);
+    Ok(errors)
+}
+
+/// Height over its full scale, or reflectivity, whichever is more wrong.
+fn rounding_error(scene: &Scene, errors: &SignalErrors, pose: &Pose) -> f64 {
     let full_scale = (scene.highest() + pose.eye[2].abs()).max(f64::MIN_POSITIVE);
-    Ok((value("height max") / full_scale).max(value("reflectivity rms")))
+    (errors.value("height max") / full_scale).max(errors.value("reflectivity rms"))
+}
+
+/// Height or slope over what is largest on the wire, whichever is more wrong in the mean.
+fn share_error(scene: &Scene, errors: &SignalErrors, pose: &Pose) -> f64 {
+    let [highest, steepest] = errors.largest();
+    // Heights are counted from the eye, whose own is rounded.
+    let rounding = f64::from(f32::EPSILON) * pose.eye[2].abs() / SHARE;
+    let height = scene.highest().max(highest) + rounding;
+    let slope = scene.steepest().max(steepest);
+    let share = |rms: f64, full: f64| if full > 0.0 { rms / full } else { rms };
+    share(errors.value("height rms"), height).max(share(errors.value("slope rms"), slope))
 }
 
 /// RMSE of the picture against `exact`.

@@ -1,4 +1,4 @@
-//! Linear parts: time constants, chains, poles, drift.
+//! Linear parts: time constants, chains, drift.
 
 use std::time::Instant;
 
@@ -12,24 +12,27 @@ use crate::solver::{Flow, implicit, runge_kutta};
 /// Time constants over a sample.
 const RATIOS: [f64; 13] = [1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0, 1e3, 1e4, 1e5, 1e6];
 /// Samples of a run, and from fold to fold of the ramp that drives it.
-const SAMPLES: usize = 128;
-const FOLD: usize = 16;
+pub const SAMPLES: usize = 128;
+pub const FOLD: usize = 16;
 /// Rounding of a run, in units of the last place: some at every sample, and a lag forgets them.
-const ROUNDINGS: f64 = 16.0;
+pub const ROUNDINGS: f64 = 16.0;
 
 /// A folded ramp from 0, one unit from fold to fold.
-fn ramp(t: f64) -> f64 {
+pub fn ramp(t: f64) -> f64 {
     let turns = t / FOLD as f64;
     (turns - 2.0 * (turns / 2.0).round()).abs()
 }
 
 /// Runs at samples 1, 2 ...: values of a method.
-struct Run {
-    values: Vec<f64>,
-    time_s: f64,
+pub struct Run {
+    /// Sample by sample.
+    pub values: Vec<f64>,
+    /// Seconds that it took.
+    pub time_s: f64,
 }
 
-fn run(samples: usize, mut step: impl FnMut(f64) -> f64) -> Run {
+/// Runs `step` from the begin of each sample on.
+pub fn run(samples: usize, mut step: impl FnMut(f64) -> f64) -> Run {
     let start = Instant::now();
     let values = (0..samples).map(|k| step(k as f64)).collect();
     Run { values, time_s: start.elapsed().as_secs_f64() }
@@ -37,7 +40,7 @@ fn run(samples: usize, mut step: impl FnMut(f64) -> f64) -> Run {
 
 impl Run {
     /// Against the truth, where nothing may lie farther from 0 than `bound`.
-    fn found(&self, truth: &[f64], bound: f64, action: Action) -> Found {
+    pub fn found(&self, truth: &[f64], bound: f64, action: Action) -> Found {
         let off = self.values.iter().zip(truth).map(|(found, truth)| (found - truth).abs());
         Found {
             finite: self.values.iter().all(|value| value.is_finite()),
@@ -170,80 +173,6 @@ fn chain_cells(case: &str, taus: &[f64]) -> Vec<Cell> {
     vec![
         Cell::own("chain", case, "parts, f64", theory, own(own_chain::<f64>(taus, 1))),
         Cell::own("chain", case, "parts, f32", theory, own(own_chain::<f32>(taus, 1))),
-    ]
-}
-
-/// A second order of natural frequency `w` (rad a sample) and damping `z`.
-struct Poles {
-    w: f64,
-    z: f64,
-}
-
-impl Flow<2> for Poles {
-    fn rate(&self, t: f64, y: &[f64; 2]) -> [f64; 2] {
-        [y[1], self.w * (self.w * (ramp(t) - y[0]) - 2.0 * self.z * y[1])]
-    }
-
-    fn jacobian(&self, _: f64, _: &[f64; 2]) -> [[f64; 2]; 2] {
-        [[0.0, 1.0], [-self.w * self.w, -2.0 * self.z * self.w]]
-    }
-}
-
-/// Second order of every damping: none, little, critical, nearly critical from both sides, far above.
-pub fn second_orders(_: Extent) -> Vec<Cell> {
-    let damping = [0.0, 1e-6, 0.1, 1.0 - 1e-12, 1.0, 1.0 + 1e-12, 2.0, 10.0];
-    let natural = [1e-3, 0.1, 1.0, 3.0];
-    let cases = natural.into_iter().flat_map(|w| damping.map(|z| Poles { w, z }));
-    cases.flat_map(|poles| second_order_cells(&poles)).collect()
-}
-
-fn own_poles<S: Real>(poles: &Poles) -> Run {
-    let part = SecondOrder { natural: poles.w, damping: poles.z }.step::<S>(1.0);
-    let mut state = SecondOrderState { y: S::ZERO, rate: S::ZERO };
-    run(SAMPLES, |t| {
-        state = part.step(state, S::from_f64(ramp(t)), S::from_f64(ramp(t + 1.0)));
-        state.y.to_f64()
-    })
-}
-
-fn second_order_cells(poles: &Poles) -> Vec<Cell> {
-    let Poles { w, z } = *poles;
-    let (row, case) = ("second order", format!("w h = {w}, damping {z}"));
-    // Runge-Kutta in steps of a hundredth of the fastest mode, as a second opinion that shares nothing with the parts.
-    let fastest = w * (1.0 + 2.0 * z);
-    let fine = libm::ceil((100.0 * fastest).clamp(16.0, 1e5));
-    let (mut y, h) = ([0.0; 2], 1.0 / fine);
-    let truth = run(SAMPLES, |t| {
-        (0..fine as usize).for_each(|k| y = runge_kutta(poles, t + k as f64 * h, h, &y));
-        y[0]
-    });
-    // A ramp's slope jumps by 2 / FOLD at each fold and the beat adds up without damping: a swing of slope over w each.
-    let folds = (SAMPLES / FOLD) as f64;
-    let bound = 1.0 + 2.0 * folds / (FOLD as f64 * w);
-    let found = |run: Run, action: Action| run.found(&truth.values, bound, action);
-    let stepped = |step: &dyn Fn(f64, &[f64; 2]) -> [f64; 2]| {
-        let mut y = [0.0; 2];
-        let values = run(SAMPLES, |t| {
-            y = step(t, &y);
-            y[0]
-        });
-        found(values, Action::Stepped)
-    };
-    let theory = Theory::Answers(1e-7);
-    // Of f32: rounding of every step, and the phase of an undamped beat.
-    let single = Theory::Answers(2e-4);
-    vec![
-        Cell::own(row, &case, "parts, f64", theory, found(own_poles::<f64>(poles), Action::Exact)),
-        Cell::own(row, &case, "parts, f32", single, found(own_poles::<f32>(poles), Action::Exact)),
-        Cell::comparison(row, &case, "trapezoidal", theory, stepped(&|t, y| implicit(poles, t, 1.0, y, 0.5))),
-        Cell::comparison(
-            row,
-            &case,
-            "backward Euler",
-            theory,
-            stepped(&|t, y| implicit(poles, t, 1.0, y, 1.0)),
-        ),
-        Cell::comparison(row, &case, "Runge-Kutta", theory, stepped(&|t, y| runge_kutta(poles, t, 1.0, y))),
     ]
 }
 

@@ -6,9 +6,9 @@ use scenario::Scalar;
 
 use super::cell::{Cell, Theory};
 use super::extremes::{Extreme, extremes};
-use super::frames::{Drawer, draw};
+use super::frames::{Drawer, Judge, draw, share_allowed};
 use super::scene::Scene;
-use super::{linear, refusals, switching};
+use super::{linear, refusals, second_order, switching};
 use crate::ladder::Extent;
 
 /// A dimension of the matrix that needs no scene.
@@ -18,7 +18,7 @@ type PartRow = (&'static str, fn(Extent) -> Vec<Cell>);
 const PART_ROWS: [PartRow; 7] = [
     ("time constant", linear::time_constants),
     ("chain", linear::chains),
-    ("second order", linear::second_orders),
+    ("second order", second_order::second_orders),
     ("limits", switching::slew),
     ("comparator", switching::comparators),
     ("hold", switching::holds),
@@ -26,8 +26,6 @@ const PART_ROWS: [PartRow; 7] = [
 ];
 /// The row of what readers refuse.
 const INPUT: &str = "input";
-/// Picture of a machine with parts against exact: beyond this it shows something else.
-const PARTS_ALLOWED: f64 = 0.6;
 
 /// What is run.
 #[derive(Debug, Clone)]
@@ -62,17 +60,20 @@ pub fn rows() -> Vec<&'static str> {
     names
 }
 
-/// Runs what is chosen over `scene`; `ideal` and `parts` are the models that draw. `hear` is told of each row.
+/// Runs what is chosen over `scene`; `ideal` and `real` are the models that draw. `hear` is told of each row.
 pub fn matrix(
     scene: &Scene,
-    [ideal, parts]: [&HardwareModel; 2],
+    [ideal, real]: [&HardwareModel; 2],
     choice: &Choice,
     hear: &mut dyn FnMut(&str),
 ) -> Vec<Cell> {
+    let parts = with_parts(ideal, real);
+    let drawer = |name, model, scalar, judge| Drawer { name, model, scalar, judge };
     let drawers = [
-        Drawer { name: "ideal, f64", model: ideal, scalar: Scalar::F64, is_ideal: true },
-        Drawer { name: "ideal, f32", model: ideal, scalar: Scalar::F32, is_ideal: true },
-        Drawer { name: "parts, f32", model: parts, scalar: Scalar::F32, is_ideal: false },
+        drawer("ideal, f64", ideal, Scalar::F64, Judge::Rounding),
+        drawer("ideal, f32", ideal, Scalar::F32, Judge::Rounding),
+        drawer("parts, f32", &parts, Scalar::F32, Judge::Share),
+        drawer("machine, f32", real, Scalar::F32, Judge::Bounds),
     ];
     let mut cells = Vec::new();
     for (name, run) in PART_ROWS.iter().filter(|(name, _)| choice.has(name)) {
@@ -83,8 +84,11 @@ pub fn matrix(
     all.retain(|extreme| choice.extent == Extent::Whole || !extreme.long);
     for extreme in all.iter().filter(|extreme| choice.has(extreme.row)) {
         hear(&format!("{}: {}", extreme.row, extreme.name));
-        let able =
-            drawers.iter().filter(|drawer| drawer.is_ideal || !extreme.long).copied().collect::<Vec<_>>();
+        let able = drawers
+            .iter()
+            .filter(|drawer| drawer.judge == Judge::Rounding || !extreme.long)
+            .copied()
+            .collect::<Vec<_>>();
         cells.extend(frame_cells(scene, &able, extreme.row, &[extreme]));
     }
     if choice.has(INPUT) {
@@ -103,6 +107,12 @@ pub fn matrix(
         cells.extend(frame_cells(scene, &drawers, "mixture", &mixture(&all, choice.seed, number)));
     }
     cells
+}
+
+/// Analog parts, storage tubes and yoke of `real` behind the digital side of `ideal`, whose words are never late.
+fn with_parts(ideal: &HardwareModel, real: &HardwareModel) -> HardwareModel {
+    let HardwareModel { analog, sweep_memory, mixing_unit, yoke, .. } = real.clone();
+    HardwareModel { analog, sweep_memory, mixing_unit, yoke, ..ideal.clone() }
 }
 
 /// Two to five extremes of different rows.
@@ -129,16 +139,19 @@ fn frame_cells(scene: &Scene, drawers: &[Drawer<'_>], row: &'static str, pushed:
     let names: Vec<&str> = pushed.iter().map(|extreme| extreme.name.as_str()).collect();
     let case = names.join(" + ");
     let roundings = pushed.iter().map(|extreme| extreme.roundings).fold(0.0, f64::max);
+    let shares = pushed.iter().map(|extreme| extreme.shares).fold(1.0, f64::max);
+    let is_refused = pushed.iter().any(|extreme| extreme.refused) || scene.nears_the_zenith();
     let cell = |drawer: &Drawer<'_>| {
         let found = draw(&scene, drawer);
-        let theory = if pushed.iter().any(|extreme| extreme.refused) {
+        let theory = if is_refused {
             Theory::Refuses
         } else {
-            Theory::Answers(match (drawer.is_ideal, drawer.scalar) {
-                (true, Scalar::F64) => roundings * f64::EPSILON,
-                (true, Scalar::F32) => roundings * f64::from(f32::EPSILON),
-                (false, _) => PARTS_ALLOWED,
-            })
+            match (drawer.judge, drawer.scalar) {
+                (Judge::Rounding, Scalar::F64) => Theory::Answers(roundings * f64::EPSILON),
+                (Judge::Rounding, Scalar::F32) => Theory::Answers(roundings * f64::from(f32::EPSILON)),
+                (Judge::Share, _) => Theory::Answers(shares * share_allowed(&scene, drawer)),
+                (Judge::Bounds, _) => Theory::Bounded,
+            }
         };
         Cell::own(row, &case, drawer.name, theory, found)
     };

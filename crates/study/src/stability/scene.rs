@@ -6,6 +6,7 @@ use features::{Crater, Features};
 use generator::Stage;
 use hardware_model::{HardwareModel, Settings};
 use landscape::{Attitude, Bank, CornerWords, Landscape, Level, Sun};
+use quantities::radians;
 use scenario::{Display, FieldOfView, LawWishes, Pose, RangeProgramme, RasterWishes, Scalar, Scenery};
 
 use crate::Subject;
@@ -93,6 +94,27 @@ impl Scene {
     /// Largest height of a corner (m).
     pub fn highest(&self) -> f64 {
         self.words.iter().map(|words| words[0].abs()).fold(0.0, f64::max)
+    }
+
+    /// Largest slope of a corner, or of the way up from a corner of height 0 to the highest.
+    pub fn steepest(&self) -> f64 {
+        // Steepest in the middle, 15/8 of the mean.
+        let along = |words: &CornerWords| words[1].abs().max(words[3].abs()) / self.region_size;
+        let between = 1.875 * self.highest() / self.region_size;
+        self.words.iter().map(along).fold(between, f64::max)
+    }
+
+    /// Farthest that any of the ground lies (m).
+    pub fn reach(&self) -> f64 {
+        let [north, east] = self.corners.map(|corners| corners as f64 * self.region_size);
+        (north * north + east * east).sqrt()
+    }
+
+    /// Whether the nadir or the zenith comes within ten degrees of the picture: there is no way to lay sweeps about it, and
+    /// a machine must say so.
+    pub fn nears_the_zenith(&self) -> bool {
+        let half_height = libm::atan(self.field.tan_half_height);
+        self.attitude.pitch.abs() + half_height >= radians(80.0)
     }
 
     /// Stage and pose on `model`.

@@ -1,8 +1,9 @@
 //! The singles of the matrix.
 
 use hardware_model::{HardwareModel, ModelSource};
-use scenario::Scenario;
+use scenario::{Scalar, Scenario};
 
+use super::frames::{Drawer, Judge, share_allowed};
 use super::{BASE, Cell, Choice, FitOutcome, Scene, matrix, survey_fits};
 use crate::Subject;
 use crate::ladder::Extent;
@@ -55,6 +56,32 @@ fn explicit_steps_break_where_they_must() {
     assert!(!of("lag of 1e-1 samples", "Runge-Kutta").bounded);
     assert!(of("lag of 1e1 samples", "Runge-Kutta").bounded);
     assert!(of("lag of 1e-6 samples", "backward Euler").bounded);
+}
+
+/// An allowance in which a wrong sign could hide would prove nothing.
+#[test]
+fn real_parts_are_allowed_little_unless_ramps_run_away() {
+    let (mut scene, parts) = (scene(), model("pra-nominal"));
+    let allowed = |scene: &Scene| {
+        let drawer = Drawer { name: "parts", model: &parts, scalar: Scalar::F32, judge: Judge::Share };
+        share_allowed(scene, &drawer)
+    };
+    let usual = allowed(&scene);
+    assert!((0.05..0.08).contains(&usual), "{usual}");
+    // Seventeen regions from the first sample to the second.
+    (scene.samples, scene.sweeps) = (2, 2);
+    assert_eq!(allowed(&scene), 1.0);
+}
+
+#[test]
+fn what_must_be_refused_is_a_matter_of_the_whole_scene() {
+    let mut scene = scene();
+    let pitched = |scene: &mut Scene, degrees: f64, tan_half_height: f64| {
+        (scene.attitude.pitch, scene.field.tan_half_height) = (quantities::radians(degrees), tan_half_height);
+        scene.nears_the_zenith()
+    };
+    assert!(!pitched(&mut scene, -66.0, 1e-3) && pitched(&mut scene, -66.0, 0.26));
+    assert!(!pitched(&mut scene, 30.0, 1.0) && pitched(&mut scene, 64.0, 1.0));
 }
 
 #[test]

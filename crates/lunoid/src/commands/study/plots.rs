@@ -105,7 +105,8 @@ fn draw_order(
     save(folder, name, &ladder_picture(["step", expected.error], &[series], &[], &[guide], &look))
 }
 
-fn save(
+/// `name.svg` and `name.png`.
+pub fn save(
     folder: &Path,
     name: &str,
     drawing: &Result<plots::Drawing, plots::PlotError>,

@@ -10,6 +10,7 @@ use study::Subject;
 use study::ladder::Extent;
 use study::stability::{BASE, Cell, Choice, FitOutcome, Scene, matrix, rows, survey_fits, table};
 
+use super::matrix_plot::write_matrix;
 use super::outputs::{Outputs, markdown, write};
 use crate::cli::COMMIT;
 use crate::loading::{StageArgs, Threads};
@@ -24,10 +25,11 @@ const AFTER: &str = "Examples:
   lunoid study stability --mixtures 1000 --seed 7
 
 Without a scenario a small one that the program carries is pushed to its limits; of a scenario it is the ground of the
-finest level, the eye and the light of its first frame. --out gets stability.json, stability.csv and stability.md.
+finest level, the eye and the light of its first frame. --out gets stability.json, stability.csv, stability.md, and the
+matrix as a picture, matrix.svg and matrix.png.
 The exit code is 1 if a method of the machine has a cell that does not hold. docs/stability.md says how to read it.";
 
-/// The machines of the matrix: signals of ideal parts, pictures of real ones.
+/// The models of the matrix: ideal parts and real ones.
 const MODELS: [&str; 2] = ["ideal", "pra-nominal"];
 
 /// Stability: stiff parts and extreme scenes, each by every method.
@@ -77,6 +79,7 @@ impl StabilityStudy {
         if let Some(folder) = &self.outputs.out {
             let csv = table::csv(&outcome.cells);
             write(folder, "stability", &outcome.json(), &csv, &outcome.page())?;
+            write_matrix(folder, &outcome.facts(), &outcome.cells)?;
         }
         self.outputs.print(&outcome.json(), &outcome.text())?;
         Ok(if table::faults(&outcome.cells).is_empty() { Verdict::Yes } else { Verdict::No })
@@ -162,7 +165,11 @@ impl Outcome {
 
     /// The same as a page of Markdown.
     fn page(&self) -> String {
-        let mut text = format!("{}.\n\n{}", self.facts(), markdown(&table::summary(&self.cells)));
+        let mut text = format!("{}.\n\n", self.facts());
+        if !self.cells.is_empty() {
+            text += "![Cases by methods](matrix.svg)\n\n";
+        }
+        text += &markdown(&table::summary(&self.cells));
         if !self.fits.is_empty() {
             text += &format!("\n### Survey fit\n\n{}", markdown(&table::fits(&self.fits)));
         }
