@@ -77,6 +77,9 @@ impl Body {
     /// Where the ray from `origin` along `direction` first comes into the body from outside, at a distance of
     /// `from` or more. A ray that is within the body there enters nothing: faces are met from outside only.
     pub fn first_hit(&self, origin: DVec3, direction: DVec3, from: f64) -> Option<Hit> {
+        if !self.is_near(origin, direction) {
+            return None;
+        }
         let mut entry = Hit { distance: f64::NEG_INFINITY, face: 0 };
         let mut exit = f64::INFINITY;
         for (face, &normal) in self.normals.iter().enumerate() {
@@ -95,7 +98,16 @@ impl Body {
         }
         (entry.distance >= from && entry.distance <= exit).then_some(entry)
     }
+
+    /// Whether a ray comes near the bounding sphere, with room for rounding: nearly all pass by.
+    fn is_near(&self, origin: DVec3, direction: DVec3) -> bool {
+        let beside = (self.centre - origin).cross(direction).length_squared();
+        beside <= self.radius * self.radius * direction.length_squared() * (1.0 + NEAR) + NEAR
+    }
 }
+
+/// Room for rounding around a bounding sphere (part of its radius squared, and m2 for a unit vector).
+const NEAR: f64 = 1e-6;
 
 /// A sphere about the middle of the box around all vertices.
 fn bounding_sphere(vertices: &[DVec3]) -> (DVec3, f64) {

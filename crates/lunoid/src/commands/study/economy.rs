@@ -9,9 +9,9 @@ use study::Subject;
 use study::economy::{EconomyOutcome, economy};
 
 use super::error::{failure, frames, quarter};
-use super::outputs::{Outputs, make, markdown, write};
+use super::outputs::{Outputs, markdown, write};
 use crate::cli::COMMIT;
-use crate::loading::{Loaded, StageArgs, Threads};
+use crate::loading::{StageArgs, Threads};
 use crate::output::table as columns;
 use crate::{Failure, Verdict};
 
@@ -65,7 +65,7 @@ impl EconomyStudy {
         }
         let frames = frames(&self.frame, loaded.frames())?;
         let pool = self.threads.pool()?;
-        self.keep_shadows(&mut loaded)?;
+        self.outputs.keep_shadows(&mut loaded)?;
         let stage = loaded.stage(&pool)?;
         let subject = Subject::new(loaded.scenario, loaded.model, stage, &frames).map_err(Failure::input)?;
         let usual = if self.quick { QUICK_REPETITIONS } else { REPETITIONS };
@@ -80,18 +80,6 @@ impl EconomyStudy {
         }
         self.outputs.print(&outcome.json(), &outcome.text())?;
         Ok(if outcome.found.holds() { Verdict::Yes } else { Verdict::No })
-    }
-}
-
-impl EconomyStudy {
-    /// Every machine of the study wants the same shadow boundaries: they are found once if there is a place for them.
-    fn keep_shadows(&self, loaded: &mut Loaded) -> Result<(), Failure> {
-        if let (None, Some(out)) = (&loaded.settings.shadow_cache, &self.outputs.out) {
-            let folder = out.join("shadows");
-            make(&folder)?;
-            loaded.settings.shadow_cache = Some(folder);
-        }
-        Ok(())
     }
 }
 

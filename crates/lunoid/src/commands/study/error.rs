@@ -39,7 +39,8 @@ const AFTER: &str = "Examples:
   lunoid study error scenarios/first-light.toml --only samples --only scalar --json
 
 --out gets error.json, error.csv, error.md, a plot of error against time of all ladders and of every ladder by itself,
-and exact/, where the pictures of exact are kept: the next study of the same ground takes them from there.
+exact/ and shadows/, where pictures of exact and boundaries of shadow are kept: the next study of the same ground takes
+them from there.
 docs/error-and-time.md says how to read them.";
 
 /// Error against run time: ladders of one factor about the settings of the scenario, and of some pairs.
@@ -84,6 +85,7 @@ impl ErrorStudy {
         if self.quick {
             quarter(&mut loaded)?;
         }
+        self.outputs.keep_shadows(&mut loaded)?;
         let frames = frames(&self.frame, loaded.frames())?;
         let pool = self.threads.pool()?;
         let stage = loaded.stage(&pool)?;

@@ -8,6 +8,7 @@ use clap::Args;
 use serde_json::Value;
 
 use crate::Failure;
+use crate::loading::Loaded;
 use crate::output::{print, print_json, tell};
 
 /// Where results go.
@@ -30,6 +31,16 @@ impl Outputs {
         if !self.no_progress {
             tell(&format!("{text}\n"));
         }
+    }
+
+    /// Every machine of a study wants the same shadow boundaries: they are found once if there is a place for them.
+    pub fn keep_shadows(&self, loaded: &mut Loaded) -> Result<(), Failure> {
+        if let (None, Some(out)) = (&loaded.settings.shadow_cache, &self.out) {
+            let folder = out.join("shadows");
+            make(&folder)?;
+            loaded.settings.shadow_cache = Some(folder);
+        }
+        Ok(())
     }
 
     /// Prints a result.
