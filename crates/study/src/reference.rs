@@ -9,6 +9,7 @@ use blake3::Hasher;
 use exact::{Exact, ExactWithin, Fineness, LINE_MEAN_TOLERANCE, RIDGE_SHARE};
 use files::{FileError, Npy, NpyData, NpyError};
 use generator::{Generator, PlaneKind, Planes, Stage};
+use hardware_model::Raster;
 use landscape::bank_file;
 use scenario::{Pose, Scenario};
 use serde::Serialize;
@@ -135,12 +136,13 @@ impl ExactPictures {
         Ok(picture)
     }
 
-    /// By how much the pictures of `frames` at the raster of `stage` may be off.
+    /// By how much the pictures of `frames` at the lines of `stage` may be off, over a quarter of its columns.
     ///
     /// # Errors
     /// If one cannot be drawn or kept.
     pub fn self_error(&mut self, stage: &Stage, frames: &[(u64, Pose)]) -> Result<SelfError, StudyError> {
-        let size = [stage.settings.raster.columns as usize, stage.settings.raster.lines as usize];
+        let Raster { columns, lines, .. } = stage.settings.raster;
+        let size = [columns.div_ceil(4) as usize, lines as usize];
         let mut sum = Sum::default();
         for (frame, pose) in frames {
             let usual = self.picture(stage, (*frame, pose), size)?;

@@ -15,8 +15,18 @@ use crate::{StudyError, Subject};
 /// How much a study does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Effort {
-    /// Repetitions of each frame that are timed, at least 1.
+    /// Repetitions of each frame that are timed, at least 1; fewer where a turn over all rungs takes long.
     pub repetitions: u32,
+}
+
+/// What the timed turns of one ladder may take (s), beyond the first of them.
+const PATIENCE: f64 = 30.0;
+
+impl Effort {
+    /// Repetitions that fit, where one turn takes `turn` seconds.
+    fn fitting(self, turn: f64) -> u32 {
+        self.repetitions.min((PATIENCE / turn) as u32).max(1)
+    }
 }
 
 /// A rung made ready, with what its frames took.
@@ -58,10 +68,17 @@ pub fn climb(
     hear: &mut dyn FnMut(&str),
 ) -> Result<LadderOutcome, StudyError> {
     let mut rungs: Vec<Standing> = ladder.rungs.iter().map(|rung| stand(study.subject, rung)).collect();
-    // The first turn is not timed: it warms up, and leaves the pictures.
-    for turn in 0..=effort.repetitions {
-        rungs.iter_mut().for_each(|rung| rung.run(study.subject, turn > 0));
-    }
+    let mut turn = |is_timed: bool| {
+        let begin = Instant::now();
+        rungs.iter_mut().for_each(|rung| rung.run(study.subject, is_timed));
+        begin.elapsed().as_secs_f64()
+    };
+    // The first turn is not counted: it warms up, and leaves the pictures.
+    turn(false);
+    let first = turn(true);
+    (1..effort.fitting(first)).for_each(|_| {
+        turn(true);
+    });
     let mut outcomes = Vec::with_capacity(rungs.len());
     for rung in rungs {
         hear(&rung.label);

@@ -169,7 +169,8 @@ fn samples_and_scalar(extent: Extent) -> Ladder {
 
 fn samples_and_programme(subject: &Subject, extent: Extent) -> Ladder {
     let laws = programmes(subject.stage.settings.range);
-    let rungs = pairs(&few(extent), &laws, |law| Change::Programme(*law));
+    // Each number of samples begins at another range: `exact` draws a picture for it, so there are two.
+    let rungs = pairs(&[250, *few(extent).last().unwrap_or(&1000)], &laws, |law| Change::Programme(*law));
     Ladder { name: "samples-programme", what: "samples a sweep, by programme", expected: Vec::new(), rungs }
 }
 
