@@ -29,16 +29,13 @@ fn asked(scenario: &str, raster: [u32; 2]) -> usize {
     draw()
 }
 
+/// One test, so that no other asks at the same time. Where words take time, each sweep queues them anew: a few times,
+/// whatever its samples are.
 #[test]
 fn sweeps_ask_for_no_memory() {
     for scenario in ["first-light", "long-shadows", "range-programmes"] {
         expect_at_most(scenario, 0.1);
     }
-}
-
-/// Where words take time, each sweep queues them anew: a few times, whatever its samples are.
-#[test]
-fn queues_of_words_are_all_that_parts_of_1970_add() {
     expect_at_most("nominal-drive", 10.0);
 }
 
