@@ -11,7 +11,7 @@ pub(crate) struct Fan {
 }
 
 impl Fan {
-    /// `edges` are less than a quarter turn apart.
+    /// `edges` are less than half a turn apart.
     pub fn new(origin: [f64; 2], edges: [[f64; 2]; 2], to: f64) -> Self {
         let [left, right] = edges;
         // Cosine of half the angle, squared.

@@ -74,7 +74,7 @@ impl Features {
     }
 
     /// Indices of all craters that rays from `origin` (north, east; m) can meet up to range `to` (m) whose directions lie
-    /// between two unit vectors, the left and the right one, less than a quarter turn apart; ascending. A few that none
+    /// between two unit vectors, the left and the right one, less than half a turn apart; ascending. A few that none
     /// of them meets may be among them.
     pub fn between(&self, origin: [f64; 2], edges: [[f64; 2]; 2], to: f64, found: &mut Vec<u32>) {
         found.clear();
@@ -240,7 +240,7 @@ mod tests {
                 for (from, to) in [(0.0, 2.0 * size[0]), (0.3 * size[1], 1.5 * size[1])] {
                     features.along(at, [cos, sin], from, to, &mut found);
                     prop_assert_eq!(&found, &along_by_force(&craters, at, [cos, sin], from, to));
-                    let edges = [-0.3, 0.2].map(|turn| {
+                    let edges = [-1.5, 1.2].map(|turn| {
                         let (sin, cos) = quantities::sin_cos(angle + turn * size[1] / 500.0);
                         [cos, sin]
                     });

@@ -51,6 +51,22 @@ fn in_time(slabs: &[Segment], line_generators: Option<u32>, metres: f64, strobes
     out.remove(0)
 }
 
+/// More sweeps than are worked on together: each has the gate that it has alone, to the bit.
+#[test]
+fn a_sweep_among_many_is_the_sweep_alone() {
+    let boxes = (0..40).map(|n| {
+        let (ahead, across) = (10.0 + 7.0 * f64::from(n), 60.0 * f64::from(n % 7) / 7.0 - 30.0);
+        rectangle([ahead, across], [ahead + 5.0, across + 9.0])
+    });
+    let segments: Vec<Segment> = boxes.flatten().collect();
+    let directions = fan(0.1, 150);
+    let together = gates(IDEAL, [0.0; 2], &directions, &segments);
+    assert!(together.iter().filter(|gate| !gate.toggles.is_empty()).count() > 100);
+    for (gate, direction) in together.iter().zip(&directions) {
+        assert_eq!(*gate, gates(IDEAL, [0.0; 2], &[*direction], &segments)[0]);
+    }
+}
+
 #[test]
 fn a_late_boundary_changes_the_gate_when_its_words_come() {
     // Sides along y: all four are wanted from the beginning of the sweep on.

@@ -164,6 +164,18 @@ proptest! {
         }
     }
 
+    /// Corners are where the bounding sphere is met.
+    #[test]
+    fn a_ray_to_a_place_just_within_a_corner_enters(points in vec(place(), 6..30), origin in place()) {
+        let Some(body) = placed(&points) else { return Ok(()) };
+        let origin = body.centre + (origin + DVec3::splat(0.01)).normalize() * 3.0 * body.radius;
+        let middle = body.vertices.iter().sum::<DVec3>() / body.vertices.len() as f64;
+        for &vertex in &body.vertices {
+            let within = vertex + (middle - vertex) * 1e-3;
+            prop_assert!(body.first_hit(origin, within - origin, 0.0).is_some(), "{}", vertex);
+        }
+    }
+
     #[test]
     fn the_bounding_sphere_bounds(points in vec(place(), 6..30)) {
         let Some(body) = placed(&points) else { return Ok(()) };

@@ -89,7 +89,7 @@ fn measured(arguments: &Arguments) -> Result<Vec<Line>, String> {
     });
     let pools = pools.collect::<Result<Vec<ThreadPool>, String>>()?;
     let mut times = vec![Vec::new(); rows.len() * pools.len()];
-    for repetition in 0..=arguments.repetitions {
+    for repetition in 0..=arguments.repetitions.max(1) {
         for (index, times) in times.iter_mut().enumerate() {
             let time = rows[index / pools.len()].draw(&pools[index % pools.len()]);
             // The first time fills buffers and caches.
