@@ -10,7 +10,7 @@ pub(crate) const STRAIGHT: (f32, f32) = (0.05, 0.0025);
 pub(crate) const MOST_BEND: f32 = 200.0;
 
 /// Strokes of a curved step.
-const CHORDS: u32 = 4;
+pub(crate) const CHORDS: u32 = 4;
 
 /// A quantity over a step, as a function of the part of the step that has passed.
 pub(crate) trait Curve {
@@ -18,38 +18,9 @@ pub(crate) trait Curve {
     fn at(&self, u: f32) -> f32;
 }
 
-/// The cubic between the middle two of four equally spaced values whose slopes are those of their neighbours.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Cubic {
-    values: [f32; 4],
-}
-
-impl Cubic {
-    pub fn through(values: [f32; 4]) -> Self {
-        Self { values }
-    }
-
-    /// Largest second difference; infinite where a value is not finite.
-    pub fn bend(&self) -> f32 {
-        let [a, b, c, d] = self.values;
-        let (first, last) = ((a - 2.0 * b + c).abs(), (b - 2.0 * c + d).abs());
-        if (first + last).is_finite() { first.max(last) } else { f32::INFINITY }
-    }
-}
-
-impl Curve for Cubic {
-    #[inline(always)]
-    fn at(&self, u: f32) -> f32 {
-        let [a, b, c, d] = self.values;
-        let (first, last) = (0.5 * (c - a), 0.5 * (d - b));
-        let chord = c - b;
-        b + u * (first + u * (3.0 * chord - 2.0 * first - last + u * (first + last - 2.0 * chord)))
-    }
-}
-
 /// A smooth part of a step, from a sample or a break to a break or a sample: the chord, bent as the parabola through
 /// its ends and a sample beyond; with a sample beyond either end as the mean of two parabolas by distance, which is
-/// the [`Cubic`].
+/// the [`Cubic`](crate::side_by_side::Cubic).
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Stretch {
     start: (f32, f32),
@@ -120,7 +91,9 @@ pub(crate) fn chords(
 
 #[cfg(test)]
 mod tests {
-    use super::{Cubic, Curve, Stretch};
+    use super::{Curve, Stretch};
+    use crate::side_by_side::Cubic;
+    use signal::Lanes;
 
     fn parabola(u: f32) -> f32 {
         3.0 - 2.0 * u + 0.7 * u * u
@@ -148,9 +121,10 @@ mod tests {
     #[test]
     fn a_whole_step_between_smooth_neighbours_is_the_cubic() {
         let values @ [a, b, c, d] = [0.3, 1.0, 1.4, -0.2];
-        let (cubic, stretch) = (Cubic::through(values), Stretch::new((0.0, b), (1.0, c), Some(a), Some(d)));
+        let cubic = Cubic::through(values.map(Lanes::splat));
+        let stretch = Stretch::new((0.0, b), (1.0, c), Some(a), Some(d));
         for u in [0.0, 0.1, 0.5, 0.8, 1.0] {
-            assert!((cubic.at(u) - stretch.at(u)).abs() < 1e-6);
+            assert!((cubic.at(Lanes::splat(u))[3] - stretch.at(u)).abs() < 1e-6);
         }
     }
 

@@ -60,6 +60,7 @@ mod deflection;
 mod exposure;
 mod gather;
 mod read_out;
+mod side_by_side;
 mod stroke;
 mod tube;
 mod write;

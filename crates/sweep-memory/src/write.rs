@@ -6,7 +6,8 @@ use scenario::PixelRule;
 use signal::{LANES, Lanes, Real, Signal, Unit};
 
 use crate::broken::{BeamBreaks, Cursors};
-use crate::curve::{Cubic, MOST_BEND, STRAIGHT, chords};
+use crate::curve::{MOST_BEND, STRAIGHT};
+use crate::side_by_side::{Cubic, Strokes, chords};
 use crate::stroke::{Stroke, centre, line_mean};
 
 /// Signals of the block.
@@ -49,14 +50,10 @@ pub struct FarStroke {
 /// Writes the first `rows.len() / lines` sweeps of a group into `rows`, `lines` values a sweep, cleared before.
 pub fn write_group<S: Real>(beam: &Beam<'_, S>, rule: PixelRule, lines: usize, rows: &mut [f32]) {
     rows.fill(0.0);
-    let deposit = match rule {
-        PixelRule::LineMean => line_mean,
-        PixelRule::Centre => centre,
-    };
     debug_assert!(rows.len() / lines <= LANES);
-    let writer = Writer { beam, deposit, lines };
+    let writer = Writer { beam, rule, lines };
     match beam.breaks {
-        None => writer.smooth_steps(1..beam.line.len(), 0..rows.len() / lines, rows),
+        None => writer.smooth_steps(1..beam.line.len(), rows),
         Some(broken) => writer.steps_among(broken, rows),
     }
     for (lane, row) in rows.chunks_exact_mut(lines).enumerate() {
@@ -67,33 +64,47 @@ pub fn write_group<S: Real>(beam: &Beam<'_, S>, rule: PixelRule, lines: usize, r
 /// The beam of a group, and how its strokes are left in the lines.
 struct Writer<'a, 'b, S> {
     beam: &'a Beam<'b, S>,
-    deposit: fn(Stroke, &mut [f32]),
+    rule: PixelRule,
     lines: usize,
 }
 
 impl<S: Real> Writer<'_, '_, S> {
     /// Steps with no break in them or beside them: nearly all. In one place, so that all of it is inlined there.
     #[inline(never)]
-    fn smooth_steps(&self, samples: Range<usize>, lanes: Range<usize>, rows: &mut [f32]) {
+    fn smooth_steps(&self, samples: Range<usize>, rows: &mut [f32]) {
         for sample in samples {
             // Neighbouring sweeps are mostly hidden together: one look at all of them.
-            if self.beam.is_hidden(sample) {
-                continue;
-            }
-            for lane in lanes.clone() {
-                let row = &mut rows[lane * self.lines..(lane + 1) * self.lines];
-                self.beam.strokes(sample, lane, |stroke| self.draw(stroke, row));
+            if !self.beam.is_hidden(sample) {
+                self.smooth_step(sample, [true; LANES], rows);
             }
         }
     }
 
-    /// Smooth steps side by side, and lane by lane those with a break of any lane in them or beside them.
+    /// The step that ends at `sample` in the lanes for which `smooth` is true: nothing where the profile is hidden;
+    /// straight where that is near enough; else chords of the cubics through the four samples around.
+    #[inline(always)]
+    fn smooth_step(&self, sample: usize, smooth: [bool; LANES], rows: &mut [f32]) {
+        let Beam { line, entry, intensity, .. } = self.beam;
+        let [from, to] = [sample - 1, sample].map(|sample| all(line, sample));
+        let [before, end] = [sample - 1, sample].map(|sample| all(intensity, sample));
+        let entry = all(entry, sample);
+        let strokes = Strokes { from, to, start: before + entry * (end - before), end }.only(smooth);
+        let Some(Curves { position, intensity, bent }) = self.beam.curves(sample) else {
+            return self.leave(&strokes, rows);
+        };
+        self.leave(&strokes.only(bent.map(|bent| !bent)), rows);
+        if (0..LANES).any(|lane| bent[lane] && strokes.lane(lane).is_some()) {
+            chords(&position, &intensity, strokes.only(bent), entry, |chord| self.leave(chord, rows));
+        }
+    }
+
+    /// Smooth steps side by side, and apart from them those with a break in them or beside them.
     fn steps_among(&self, broken: BeamBreaks<'_, S>, rows: &mut [f32]) {
         let (samples, mut sample) = (self.beam.line.len(), 1);
         let mut cursors = Cursors::new(broken);
         while sample < samples {
             let disturbed = cursors.next_disturbed(sample).min(samples);
-            self.smooth_steps(sample..disturbed, 0..rows.len() / self.lines, rows);
+            self.smooth_steps(sample..disturbed, rows);
             if disturbed < samples {
                 self.disturbed_step(disturbed, &mut cursors, rows);
             }
@@ -102,28 +113,50 @@ impl<S: Real> Writer<'_, '_, S> {
     }
 
     fn disturbed_step(&self, sample: usize, cursors: &mut Cursors<'_, S>, rows: &mut [f32]) {
-        for lane in 0..rows.len() / self.lines {
+        let mut smooth = [false; LANES];
+        for (lane, row) in rows.chunks_exact_mut(self.lines).enumerate() {
             cursors.pass(sample, lane);
             // The held line never grows: where it stands, nothing between the samples rises above it either.
             if at(self.beam.line, sample, lane) >= at(self.beam.line, sample - 1, lane) {
                 continue;
             }
             match cursors.around(sample, lane) {
-                None => self.smooth_steps(sample..sample + 1, lane..lane + 1, rows),
-                Some(step) => {
-                    let row = &mut rows[lane * self.lines..(lane + 1) * self.lines];
-                    step.strokes(self.beam, &mut |stroke| self.draw(stroke, row));
+                None => smooth[lane] = true,
+                Some(step) => step.strokes(self.beam, &mut |stroke| self.draw(stroke, row)),
+            }
+        }
+        if smooth.contains(&true) {
+            self.smooth_step(sample, smooth, rows);
+        }
+    }
+
+    #[inline(always)]
+    fn leave(&self, strokes: &Strokes, rows: &mut [f32]) {
+        match self.rule {
+            PixelRule::LineMean => strokes.leave_line_means(self.lines, rows),
+            PixelRule::Centre => {
+                for (lane, row) in rows.chunks_exact_mut(self.lines).enumerate() {
+                    strokes.lane(lane).into_iter().for_each(|stroke| self.draw(stroke, row));
                 }
             }
         }
     }
 
-    #[inline(always)]
     fn draw(&self, stroke: Stroke, row: &mut [f32]) {
         if let Some(stroke) = stroke.lit() {
-            (self.deposit)(stroke, row);
+            match self.rule {
+                PixelRule::LineMean => line_mean(stroke, row),
+                PixelRule::Centre => centre(stroke, row),
+            }
         }
     }
+}
+
+/// Position and intensity over a step, and in which lanes either bends.
+struct Curves {
+    position: Cubic,
+    intensity: Cubic,
+    bent: [bool; LANES],
 }
 
 impl<S: Real> Beam<'_, S> {
@@ -134,33 +167,20 @@ impl<S: Real> Beam<'_, S> {
         (0..LANES).fold(true, |hidden, lane| hidden & (now[lane] >= before[lane]))
     }
 
-    /// The strokes of the step that ends at `sample`: none where the profile is hidden; straight where that is
-    /// near enough; else chords of the cubic through the four samples around.
+    /// Curves over the step that ends at `sample`, if any lane bends there.
     #[inline(always)]
-    fn strokes(&self, sample: usize, lane: usize, mut draw: impl FnMut(Stroke)) {
-        let (from, to) = (at(self.line, sample - 1, lane), at(self.line, sample, lane));
-        if to < from {
-            let entry = at(self.entry, sample, lane);
-            let (before, end) = (at(self.intensity, sample - 1, lane), at(self.intensity, sample, lane));
-            let straight = Stroke { from, to, start: before + entry * (end - before), end };
-            match self.curves(sample, lane) {
-                None => draw(straight),
-                Some([position, intensity]) => chords(&position, &intensity, straight, [entry, 1.0], draw),
-            }
-        }
-    }
-
-    /// Position and intensity over the step as cubics, where either bends.
-    #[inline(always)]
-    fn curves(&self, sample: usize, lane: usize) -> Option<[Cubic; 2]> {
+    fn curves(&self, sample: usize) -> Option<Curves> {
         if sample < 2 || sample + 1 >= self.line.len() {
             return None;
         }
-        let cubic = |values| Cubic::through(std::array::from_fn(|k| at(values, sample + k - 2, lane)));
+        let cubic = |values| Cubic::through(std::array::from_fn(|k| all(values, sample + k - 2)));
         let (position, intensity) = (cubic(self.position), cubic(self.intensity));
-        let bends = position.bend() > STRAIGHT.0 || intensity.bend() > STRAIGHT.1;
-        // A neighbour beyond the end of the profile is far out of sight and says nothing of its shape.
-        (bends && position.bend() < MOST_BEND).then_some([position, intensity])
+        let (bend, fade) = (position.bend(), intensity.bend());
+        let bent = std::array::from_fn(|lane| {
+            // A neighbour beyond the end of the profile is far out of sight and says nothing of its shape.
+            ((bend[lane] > STRAIGHT.0) | (fade[lane] > STRAIGHT.1)) & (bend[lane] < MOST_BEND)
+        });
+        bent.contains(&true).then_some(Curves { position, intensity, bent })
     }
 
     /// Silhouettes rise from the held elevation, each hidden by what is before it.
@@ -178,6 +198,11 @@ impl<S: Real> Beam<'_, S> {
 
 pub(crate) fn at<S: Real>(values: &[Lanes<S>], sample: usize, lane: usize) -> f32 {
     values[sample][lane].to_f64() as f32
+}
+
+#[inline(always)]
+fn all<S: Real>(values: &[Lanes<S>], sample: usize) -> Lanes<f32> {
+    Lanes::from_fn(|lane| values[sample][lane].to_f64() as f32)
 }
 
 #[cfg(test)]
