@@ -39,5 +39,8 @@ pub const ROWS: &[Row] = &[
     row("craters, ideal, f32", "craters", "ideal", Scalar::F32, STANDARD),
     row("first light, ideal, f32", "first-light", "ideal", Scalar::F32, STANDARD),
     row("first light, ideal, f64", "first-light", "ideal", Scalar::F64, STANDARD),
+    row("lunar horizon, ideal, f32", "lunar-horizon", "ideal", Scalar::F32, STANDARD),
+    row("nominal drive, ideal, f32", "nominal-drive", "ideal", Scalar::F32, STANDARD),
+    row("nominal drive, ideal, f64", "nominal-drive", "ideal", Scalar::F64, STANDARD),
     row("nominal drive, pra-nominal, f32", "nominal-drive", "pra-nominal", Scalar::F32, STANDARD),
 ];

@@ -33,14 +33,14 @@ impl Strokes {
         Self { to, ..self }
     }
 
-    /// Adds each stroke's integral over each line that it touches to the row of its lane, of `lines` lines.
+    /// Adds each stroke's integral over each line that it touches to the row of its lane: `sweeps` rows of `lines` lines.
     #[inline(always)]
-    pub fn leave_line_means(&self, lines: usize, rows: &mut [f32]) {
+    pub fn leave_line_means(&self, [sweeps, lines]: [usize; 2], rows: &mut [f32]) {
         let Deposits { line, here, below, others } = self.deposits(lines as f32);
-        for (lane, row) in rows.chunks_exact_mut(lines).enumerate() {
-            let line = line[lane] as usize;
-            row[line] += here[lane];
-            row[(line + 1).min(lines - 1)] += below[lane];
+        for lane in 0..sweeps {
+            let (row, line) = (lane * lines, line[lane] as usize);
+            rows[row + line] += here[lane];
+            rows[row + (line + 1).min(lines - 1)] += below[lane];
         }
         if others.contains(&true) {
             self.leave_others(others, lines, rows);
@@ -201,7 +201,7 @@ mod tests {
                 let strokes = Strokes {
                     from: part(|s| s.from), to: part(|s| s.to), start: part(|s| s.start), end: part(|s| s.end),
                 };
-                strokes.leave_line_means(LINES, &mut together);
+                strokes.leave_line_means([sweeps, LINES], &mut together);
                 for (stroke, row) in turn.iter().zip(alone.chunks_exact_mut(LINES)) {
                     if let Some(lit) = Some(*stroke).filter(|s| s.to < s.from).and_then(Stroke::lit) {
                         line_mean(lit, row);

@@ -51,7 +51,7 @@ pub struct FarStroke {
 pub fn write_group<S: Real>(beam: &Beam<'_, S>, rule: PixelRule, lines: usize, rows: &mut [f32]) {
     rows.fill(0.0);
     debug_assert!(rows.len() / lines <= LANES);
-    let writer = Writer { beam, rule, lines };
+    let writer = Writer { beam, rule, sweeps: rows.len() / lines, lines };
     match beam.breaks {
         None => writer.smooth_steps(1..beam.line.len(), rows),
         Some(broken) => writer.steps_among(broken, rows),
@@ -65,6 +65,7 @@ pub fn write_group<S: Real>(beam: &Beam<'_, S>, rule: PixelRule, lines: usize, r
 struct Writer<'a, 'b, S> {
     beam: &'a Beam<'b, S>,
     rule: PixelRule,
+    sweeps: usize,
     lines: usize,
 }
 
@@ -133,7 +134,7 @@ impl<S: Real> Writer<'_, '_, S> {
     #[inline(always)]
     fn leave(&self, strokes: &Strokes, rows: &mut [f32]) {
         match self.rule {
-            PixelRule::LineMean => strokes.leave_line_means(self.lines, rows),
+            PixelRule::LineMean => strokes.leave_line_means([self.sweeps, self.lines], rows),
             PixelRule::Centre => {
                 for (lane, row) in rows.chunks_exact_mut(self.lines).enumerate() {
                     strokes.lane(lane).into_iter().for_each(|stroke| self.draw(stroke, row));
