@@ -6,15 +6,19 @@
 //!
 //! - [`Scene`]: a shipped scenario made ready, and the pose of its first frame.
 //! - [`ROWS`]: frames whose time `speed` tells.
+//! - [`chain`]: an analog chain by exact steps and by ngspice, held against each other by the binary `goals`.
+//! - [`startup`]: a large problem area prepared in a folder, and what it takes to begin with it.
 //! - [`LADDERS`]: scenes that grow in one thing, timed by the binary `scaling`.
 //! - [`KERNELS`]: named pieces of work, each of which can be run by itself.
 //! - [`instructions_of`]: how many instructions a kernel takes, counted by callgrind, within [`counted`] alone.
 
 mod callgrind;
+pub mod chain;
 mod kernels;
 mod ladder;
 mod rows;
 mod scene;
+pub mod startup;
 
 pub use callgrind::{CountError, counted, instructions_of};
 pub use kernels::{KERNELS, Kernel, kernel};

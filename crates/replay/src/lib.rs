@@ -41,7 +41,7 @@ pub use film::write_y4m;
 pub use folder::{PAGE, PAGE_DATA, RunFolder, SCOPE_KIND, SCOPES, picture_name, scope_name};
 pub use held::{FileRecord, FrameRecord, HeldRun, RUN_RECORD, file_hash};
 pub use job::{Control, Inputs, Job, Pictures, Program, Progress};
-pub use performance::Phase;
+pub use performance::{Phase, peak_memory};
 pub use run::{Outcome, run};
 pub use scenery_record::SceneryRecord;
 pub use settings_record::{GroundRecord, SettingsRecord};

@@ -81,8 +81,8 @@ pub(crate) fn performance(
     })
 }
 
-/// Largest resident memory so far (KiB), where the system tells it.
-fn peak_memory() -> Option<u64> {
+/// Largest resident memory of this process so far (KiB), where the system tells it.
+pub fn peak_memory() -> Option<u64> {
     let status = fs::read_to_string("/proc/self/status").ok()?;
     status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?.split_whitespace().next()?.parse().ok()
 }

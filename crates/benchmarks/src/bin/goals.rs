@@ -1,0 +1,195 @@
+//! What `speed` does not tell: the control plane by itself, memory, start-up, and an analog chain against ngspice.
+
+use std::env;
+use std::path::Path;
+use std::process::{Command, ExitCode};
+use std::time::Instant;
+
+use benchmarks::chain::{Stepped, difference, simulate};
+use benchmarks::startup::{begin, prepare};
+use benchmarks::{Choice, Scene};
+use clap::{Parser, Subcommand};
+use generator::Generator;
+use machine::{ControlPlane, HybridMachine};
+use signal::Probe;
+
+/// Measure what stands beside the frames in the table of goals.
+#[derive(Debug, Parser)]
+struct Arguments {
+    #[command(subcommand)]
+    part: Option<Part>,
+}
+
+#[derive(Debug, Clone, Subcommand)]
+enum Part {
+    /// Programs of all sweeps of a frame, by the control plane alone.
+    Control,
+    /// Peak memory of a process that draws three frames of a scene.
+    Memory,
+    /// A bank of a million corners and a million craters: from nothing to the first frame.
+    Startup,
+    /// An analog chain by exact steps and by ngspice.
+    Circuit,
+    /// Peak memory (KiB) of this process after three frames of a shipped scenario under ideal parts.
+    #[command(hide = true)]
+    Peak { scenario: String },
+    /// Times and peak memory of this process beginning with a scenario.
+    #[command(hide = true)]
+    Begin { scenario: String },
+}
+
+fn main() -> ExitCode {
+    let parts = match Arguments::parse().part {
+        None => vec![Part::Control, Part::Memory, Part::Startup, Part::Circuit],
+        Some(part) => vec![part],
+    };
+    match parts.iter().try_for_each(run) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("error: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(part: &Part) -> Result<(), String> {
+    match part {
+        Part::Control => control(),
+        Part::Memory => memory(),
+        Part::Startup => startup(),
+        Part::Circuit => circuit(),
+        Part::Peak { scenario } => peak(scenario),
+        Part::Begin { scenario } => tell_beginning(Path::new(scenario)),
+    }
+}
+
+/// Least and median of the times of `work` (s), after once to warm up.
+fn times(repetitions: usize, mut work: impl FnMut()) -> [f64; 2] {
+    work();
+    let mut times: Vec<f64> = (0..repetitions)
+        .map(|_| {
+            let begin = Instant::now();
+            work();
+            begin.elapsed().as_secs_f64()
+        })
+        .collect();
+    times.sort_unstable_by(f64::total_cmp);
+    [times[0], times[repetitions / 2]]
+}
+
+fn control() -> Result<(), String> {
+    println!("| control plane, one thread | sweeps | ms a frame | least |\n|---|---|---|---|");
+    for (scenario, model) in
+        [("nominal-drive", "pra-nominal"), ("nominal-drive", "ideal"), ("showpiece", "ideal")]
+    {
+        let choice = Choice { model: Some(model), ..Choice::default() };
+        let (plane, scene) =
+            (ControlPlane::new(Scene::shipped(scenario, &choice).stage), Scene::shipped(scenario, &choice));
+        let count = scene.stage.settings.raster.sweeps;
+        let mut written = 0;
+        let [least, median] = times(9, || {
+            let sweeps = plane.sweeps(0, &scene.pose).expect("drawn by the tests");
+            written = (0..count).map(|sweep| sweeps.programs(sweep).len()).sum();
+        });
+        assert!(written > 0);
+        println!("| {scenario}, {model} | {count} | {:.2} | {:.2} |", median * 1e3, least * 1e3);
+    }
+    println!();
+    Ok(())
+}
+
+fn memory() -> Result<(), String> {
+    println!("| peak memory of a process | MB |\n|---|---|");
+    for scenario in ["first-light", "nominal-drive", "showpiece"] {
+        let kib: f64 = apart(&["peak", scenario])?.trim().parse().map_err(|_| "no peak".to_owned())?;
+        println!("| {scenario}, ideal | {:.1} |", kib * 1024.0 / 1e6);
+    }
+    println!();
+    Ok(())
+}
+
+fn peak(scenario: &str) -> Result<(), String> {
+    let scene = Scene::shipped(scenario, &Choice { model: Some("ideal"), ..Choice::default() });
+    let (mut planes, pose) = (scene.planes(), scene.pose);
+    let session = HybridMachine.prepare(scene.stage).map_err(|error| error.to_string())?;
+    for _ in 0..3 {
+        session.frame(0, &pose, &mut planes, &mut Probe::off()).map_err(|error| error.to_string())?;
+    }
+    println!("{}", replay::peak_memory().ok_or("this system does not tell the peak")?);
+    Ok(())
+}
+
+fn startup() -> Result<(), String> {
+    println!(
+        "| craters | landscape s | machine s | first frame ms | next ms | peak MB |\n|---|---|---|---|---|---|"
+    );
+    for craters in [0, 1_000_000] {
+        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+        let scenario = prepare(folder.path(), craters)?.display().to_string();
+        // Files are in memory after the first time: what is left is our own work.
+        apart(&["begin", &scenario])?;
+        println!("| {craters} | {}", apart(&["begin", &scenario])?.trim());
+    }
+    println!();
+    Ok(())
+}
+
+fn tell_beginning(scenario: &Path) -> Result<(), String> {
+    let took = begin(scenario)?;
+    let peak = replay::peak_memory().map_or(f64::NAN, |kib| kib as f64 * 1024.0 / 1e6);
+    println!(
+        "{:.2} | {:.2} | {:.1} | {:.1} | {peak:.0} |",
+        took.landscape,
+        took.machine,
+        took.frame * 1e3,
+        took.next * 1e3
+    );
+    Ok(())
+}
+
+/// What this program prints when it is called so: in a process of its own, whose peak is its own.
+fn apart(arguments: &[&str]) -> Result<String, String> {
+    let program = env::current_exe().map_err(|error| error.to_string())?;
+    let ended = Command::new(program).args(arguments).output().map_err(|error| error.to_string())?;
+    let said = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    if ended.status.success() { Ok(said(&ended.stdout)) } else { Err(said(&ended.stderr)) }
+}
+
+/// Rasters of 50 ns of the comparison: 400 µs, a hundred rises and falls.
+const RASTERS: usize = 8001;
+
+fn circuit() -> Result<(), String> {
+    let run = |a_raster: usize| {
+        let (chain, mut out, mut held) = (Stepped::new(a_raster), Vec::new(), Vec::new());
+        let [least, _] = times(5, || chain.run(RASTERS, &mut out, &mut held));
+        assert!(!held.is_empty());
+        (out, least)
+    };
+    let (right, _) = run(256);
+    println!(
+        "| analog chain, 400 us | rms error | largest | s | of ngspice's default |\n|---|---|---|---|---|"
+    );
+    let Some(default) = simulate(RASTERS, None)? else {
+        println!("| ngspice is not here | | | | |\n");
+        return Ok(());
+    };
+    let tell = |name: &str, m: &[f64], seconds: f64| {
+        let [rms, most] = difference(m, &right);
+        println!(
+            "| {name} | {rms:.1e} | {most:.1e} | {seconds:.3e} | {:.0} times |",
+            default.seconds / seconds
+        );
+    };
+    tell("ngspice, default", &default.m, default.seconds);
+    for reltol in [1e-4, 1e-5, 1e-6] {
+        if let Some(run) = simulate(RASTERS, Some(reltol))? {
+            tell(&format!("ngspice, reltol {reltol:e}"), &run.m, run.seconds);
+        }
+    }
+    for a_raster in [1, 2, 4, 16] {
+        let (m, seconds) = run(a_raster);
+        tell(&format!("exact steps of {} ns", 50.0 / a_raster as f64), &m, seconds);
+    }
+    println!();
+    Ok(())
+}
