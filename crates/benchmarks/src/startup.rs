@@ -1,10 +1,10 @@
 //! A large problem area as files, and the time from nothing to its first frame.
 
-use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use files::{Npy, write_npy};
 use generator::Generator;
 use landscape::{Bank, Level, bank_file};
 use machine::HybridMachine;
@@ -33,25 +33,19 @@ pub fn prepare(folder: &Path, craters: usize) -> Result<PathBuf, String> {
         Level::new(REGION, [0.0; 2], [SIDE; 2], words.collect()).map_err(|error| error.to_string())?;
     let bank = Bank::new("start-up", vec![level], None).map_err(|error| error.to_string())?;
     bank_file::write(folder.join("large.bank"), &bank).map_err(|error| error.to_string())?;
-    let mut list = String::from("x_m,y_m,radius_m,depth_m,rim_m,type\n");
     let side = REGION * (SIDE - 1) as f64;
-    for crater in 0..craters as u64 {
+    let row = |crater: u64| {
         let [x, y, size] = [0, 1, 2].map(|part| unit_interval(2, &[crater, part]));
         let radius = 0.8 / (0.01 + size).sqrt();
         let place = |share: f64| 20.0 + share * (side - 40.0);
-        let _ = writeln!(
-            list,
-            "{:.3},{:.3},{radius:.3},{:.4},{:.4},2",
-            place(x),
-            place(y),
-            0.2 * radius,
-            0.03 * radius
-        );
-    }
+        [place(x), place(y), radius, 0.2 * radius, 0.03 * radius, 2.0]
+    };
     let mut features = "";
     if craters > 0 {
-        fs::write(folder.join("craters.csv"), list).map_err(|error| error.to_string())?;
-        features = "[features]\nlist = \"craters.csv\"\n";
+        let rows: Vec<f64> = (0..craters as u64).flat_map(row).collect();
+        let array = Npy::new(vec![craters, 6], rows).map_err(|error| error.to_string())?;
+        write_npy(folder.join("craters.npy"), &array).map_err(|error| error.to_string())?;
+        features = "[features]\nlist = \"craters.npy\"\n";
     }
     let middle = 0.5 * side;
     let text = format!(

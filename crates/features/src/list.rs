@@ -5,7 +5,10 @@
 //! types 1 and 2, r2 of type 3). `outer_m` is the outer foot of the rim, 1.4 times as far where nothing is given (the
 //! rim crest then stands at 1.2 radii: Pike 1977 has the radius at ground level as 0.83 of that of the crest);
 //! `floor_m` the radius of the flat floor, 0.4 times as far where nothing is given (our choice).
+//!
+//! A file whose name ends in `.npy` holds the same columns as an array.
 
+mod array;
 mod columns;
 mod faults;
 mod row;
@@ -28,8 +31,11 @@ const MAX_BYTES: u64 = 1 << 28;
 /// # Errors
 /// Every fault of the file by line and column, the first twenty of them in full: a file that cannot be read, missing,
 /// doubled or unknown columns, cells that are no finite number or out of range, radii that do not ascend, a type that
-/// is not 1, 2 or 3, values that the type has no use for.
+/// is not 1, 2 or 3, values that the type has no use for. Of an array: by row.
 pub fn read(path: impl AsRef<Path>) -> Result<Vec<Crater>, ProblemList> {
+    if path.as_ref().extension().is_some_and(|end| end == "npy") {
+        return array::read(path.as_ref());
+    }
     let name = path.as_ref().display().to_string();
     let bytes = files::read_all(path.as_ref(), MAX_BYTES)
         .map_err(|error| Problem::of_file(&name, error.to_string()))?;

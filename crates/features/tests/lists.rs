@@ -112,3 +112,53 @@ proptest! {
         }
     }
 }
+
+/// The file of an array of rows.
+fn array(folder: &tempfile::TempDir, width: usize, rows: &[f64]) -> std::path::PathBuf {
+    let path = folder.path().join("craters.npy");
+    let array = files::Npy::new(vec![rows.len() / width, width], rows.to_vec()).unwrap();
+    files::write_npy(&path, &array).unwrap();
+    path
+}
+
+#[test]
+fn an_array_is_the_same_list() {
+    let nan = f64::NAN;
+    let rows = [
+        [1.0, 2.0, 100.0, 20.0, 0.0, 1.0, nan, nan],
+        [-3.5, 400.0, 100.0, 20.0, 6.0, 2.0, nan, nan],
+        [5.0, 6.0, 100.0, 20.0, 6.0, 3.0, 140.0, 40.0],
+        [7.0, 8.0, 100.0, 20.0, 6.0, 3.0, nan, nan],
+    ];
+    let text = "x_m,y_m,radius_m,depth_m,rim_m,type,outer_m,floor_m\n1,2,100,20,0,1,,\n-3.5,4e2,100,20,6,2,,\n\
+        5,6,100,20,6,3,140,40\n7,8,100,20,6,3,,\n";
+    let folder = tempfile::tempdir().unwrap();
+    let expected = read(file(text).path()).unwrap();
+    assert_eq!(read(array(&folder, 8, rows.as_flattened())).unwrap(), expected);
+    let narrow: Vec<f64> = rows[..2].iter().flat_map(|row| row[..6].to_vec()).collect();
+    assert_eq!(read(array(&folder, 6, &narrow)).unwrap(), expected[..2]);
+}
+
+#[test]
+fn rows_of_an_array_that_are_no_craters_are_named() {
+    let good = [1.0, 2.0, 100.0, 20.0, 0.0, 1.0, f64::NAN, f64::NAN];
+    let with = |column: usize, value: f64| {
+        let mut row = good;
+        row[column] = value;
+        row
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let rows = [good, with(2, f64::NAN), with(5, 1.5), with(6, 140.0), with(3, -1.0), with(0, f64::INFINITY)];
+    let faults = read(array(&folder, 8, rows.as_flattened())).unwrap_err();
+    let titles: Vec<&str> = faults.iter().map(|problem| problem.title.as_str()).collect();
+    assert_eq!(titles.len(), 5, "{titles:?}");
+    for (row, title) in (1..).zip(&titles) {
+        assert!(title.starts_with(&format!("row {row} (from 0)")), "{title}");
+    }
+    assert!(titles[1].contains("type is 1.5") && titles[2].contains("outer_m is 140"), "{titles:?}");
+    let many: Vec<f64> = (0..50).flat_map(|_| with(2, 0.0)).collect();
+    assert_eq!(read(array(&folder, 8, &many)).unwrap_err().len(), 21);
+    for (width, rows) in [(7, vec![0.0; 14]), (8, vec![])] {
+        assert_eq!(read(array(&folder, width, &rows)).unwrap_err().len(), 1);
+    }
+}

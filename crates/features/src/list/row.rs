@@ -7,10 +7,10 @@ use super::faults::Faults;
 use crate::{Crater, Shape};
 
 /// Outer foot of the rim over radius, where the list does not say.
-const OUTER: f64 = 1.4;
+pub(super) const OUTER: f64 = 1.4;
 
 /// Floor over radius, where the list does not say.
-const FLOOR: f64 = 0.4;
+pub(super) const FLOOR: f64 = 0.4;
 
 /// Radii beyond this are a mistake (m).
 const LARGEST: f64 = 1e8;
