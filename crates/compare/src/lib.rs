@@ -8,6 +8,7 @@
 //! - [`edge_mask`]: the pixels along ridges, outlines, shadow boundaries and kinks, with their share.
 //! - [`ridge_mask`]: the pixels along silhouettes, where a shift by a fraction of a line is a large step.
 //! - [`ridge_error`]: by how many lines the horizon lies elsewhere.
+//! - [`shadow_agreement`]: where one picture is dark and the other lit.
 //! - [`difference_picture`] and [`triptych`]: to look at.
 //!
 //! ```
@@ -27,6 +28,7 @@ mod flip;
 mod linear;
 mod metrics;
 mod ridges;
+mod shadows;
 mod ssim;
 
 pub use difference::{difference_picture, triptych};
@@ -35,4 +37,5 @@ pub use flip::{Flip, PIXELS_PER_DEGREE, flip, flip_map};
 pub use linear::{LinearComparison, compare_linear, linear_intensity};
 pub use metrics::{Beyond, CompareError, Comparison, WorstPixel, compare};
 pub use ridges::{RidgeError, horizon_of_picture, horizon_of_range, ridge_error, ridge_mask};
+pub use shadows::{ShadowAgreement, shadow_agreement};
 pub use ssim::ssim;

@@ -45,6 +45,13 @@ pub struct StageArgs {
     /// program. The scenario's own if left out.
     #[arg(short, long, value_name = "MODEL")]
     pub machine: Option<String>,
+    #[command(flatten)]
+    pub options: StageOptions,
+}
+
+/// What a stage is made of beside its scenario and who draws it.
+#[derive(Debug, Default, Clone, Args)]
+pub struct StageOptions {
     /// Merge a TOML file of differences over the hardware model; may be given several times.
     #[arg(long, value_name = "FILE")]
     pub overlay: Vec<PathBuf>,
@@ -137,7 +144,7 @@ impl StageArgs {
     pub fn load(&self) -> Result<Loaded, Failure> {
         let start = Instant::now();
         let mut scenario = Scenario::read(&self.scenario)?;
-        if let Some(bank) = &self.bank {
+        if let Some(bank) = &self.options.bank {
             scenario.ground = Ground::Bank(bank.clone());
         }
         self.expect_bank(&scenario)?;
@@ -155,7 +162,7 @@ impl StageArgs {
     /// Banks are made and not kept with the scenarios, so a first replay may find none.
     fn expect_bank(&self, scenario: &Scenario) -> Result<(), Failure> {
         match &scenario.ground {
-            Ground::Bank(bank) if self.bank.is_none() && !bank.exists() => {
+            Ground::Bank(bank) if self.options.bank.is_none() && !bank.exists() => {
                 let scenario = self.scenario.display();
                 Err(Failure::input(format!(
                     "{scenario}: this scenario needs a bank; {}: no such file; `lunoid survey` or `lunoid bank import` \
@@ -172,21 +179,25 @@ impl StageArgs {
         let name = asked.unwrap_or(hardware_model(&scenario.machine));
         let folder = self.scenario.parent().unwrap_or(Path::new(""));
         let of_model: Vec<_> =
-            self.set.iter().filter(|(key, _)| lunsim_key(key).is_none()).cloned().collect();
-        Ok(HardwareModel::load(&ModelSource::find(name, folder)?, &self.overlay, &of_model)?)
+            self.options.set.iter().filter(|(key, _)| lunsim_key(key).is_none()).cloned().collect();
+        Ok(HardwareModel::load(&ModelSource::find(name, folder)?, &self.options.overlay, &of_model)?)
     }
 
     /// The command line is over the scenario.
     fn wish(&self, scenario: &mut Scenario) -> Result<(), Failure> {
-        for (key, value) in &self.set {
+        for (key, value) in &self.options.set {
             match lunsim_key(key) {
                 Some(key) => scenario.lunsim = scenario.lunsim.with("--set", &format!("{key} = {value}"))?,
                 None => drop_wish(scenario, key),
             }
         }
-        let wishes = RasterWishes { sweeps: self.sweeps, samples: self.samples, ..RasterWishes::default() };
+        let wishes = RasterWishes {
+            sweeps: self.options.sweeps,
+            samples: self.options.samples,
+            ..RasterWishes::default()
+        };
         scenario.raster = wishes.or(scenario.raster);
-        if let Some(scalar) = self.scalar {
+        if let Some(scalar) = self.options.scalar {
             scenario.scalar = match scalar {
                 ScalarWord::F32 => scenario::Scalar::F32,
                 ScalarWord::F64 => scenario::Scalar::F64,
@@ -197,7 +208,7 @@ impl StageArgs {
 
     /// The folder for shadow boundaries, made if it is not there.
     fn shadow_cache(&self) -> Result<Option<PathBuf>, Failure> {
-        let Some(folder) = &self.shadow_cache else { return Ok(None) };
+        let Some(folder) = &self.options.shadow_cache else { return Ok(None) };
         fs::create_dir_all(folder).map_err(|error| {
             let folder = folder.display();
             Failure::output(format!("--shadow-cache {folder}: {error}; name a folder that can be written"))
@@ -206,7 +217,7 @@ impl StageArgs {
     }
 
     fn economy(&self) -> Economy {
-        match (self.lossless, self.everything) {
+        match (self.options.lossless, self.options.everything) {
             (false, false) => Economy::Bounded,
             (_, true) => Economy::Everything,
             (true, false) => Economy::Lossless,
@@ -337,7 +348,7 @@ keyframes = [{ t_s = 0, x_m = 100, y_m = 200 }, { t_s = 5, x_m = 108, y_m = 205 
         let words = ["real.toml: this scenario needs a bank", "gone.bank: no such file", "`lunoid survey`"];
         assert!(words.iter().all(|word| text.contains(word)), "{text}");
         // Whoever names a bank is told of the name.
-        stage.bank = Some(folder.path().join("other.bank"));
+        stage.options.bank = Some(folder.path().join("other.bank"));
         assert!(said(&stage).contains("other.bank: no such file; check the spelling"), "{}", said(&stage));
     }
 

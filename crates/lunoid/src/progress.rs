@@ -5,6 +5,7 @@ use std::io::{self, IsTerminal};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
+use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use replay::Progress;
 
@@ -12,6 +13,27 @@ use crate::output::tell;
 
 /// Time between two plain lines.
 const EVERY: Duration = Duration::from_secs(5);
+
+/// What a long command says while it runs, and how it tells what came of it.
+#[derive(Debug, Args)]
+pub struct Saying {
+    /// No progress.
+    #[arg(long)]
+    pub no_progress: bool,
+    /// Say nothing but errors.
+    #[arg(short, long)]
+    pub quiet: bool,
+    /// Print what came of it as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+impl Saying {
+    /// Shows progress, if that is wanted.
+    pub fn display(&self) -> Display {
+        Display::new(!self.no_progress && !self.quiet)
+    }
+}
 
 /// Shows the frames of a replay.
 pub enum Display {

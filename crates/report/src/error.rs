@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use compare::CompareError;
 use files::FileError;
 use picture::{PictureError, PictureFileError};
 use replay::ReplayError;
@@ -25,6 +26,14 @@ pub enum ReportError {
         path: PathBuf,
         /// What is wrong.
         source: PictureError,
+    },
+    /// Pictures of two runs that cannot be compared.
+    #[error("{path}: {source}")]
+    Compare {
+        /// The picture.
+        path: PathBuf,
+        /// What is wrong.
+        source: CompareError,
     },
     /// A file of the run that does not hold what a run writes.
     #[error("{path}: {reason}; the same `lunoid replay` again writes it anew")]

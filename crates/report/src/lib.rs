@@ -18,6 +18,8 @@
 //! **No network.** Style, script and data are in the file, and its content security policy forbids the rest.
 //! **page.json** ([`Beside`]) keeps what the record does not have: the words of the command line, where a pixel lies among
 //! the sweeps, a [summary](TimingSummary) of timing, the list of plots. Without it the page has fewer sections.
+//! **Side by side.** [`write_side_by_side`] makes one page of the runs of several machines: frames in columns, errors against one
+//! of them, and what their drawing took, which it reads from `performance.json`: it alone has a clock.
 //! **Our choices.** The page is no output of `run.json`, whose hashes it shows: it can be written again from the folder.
 //! **Not modelled.** Anything that would need the machine again.
 
@@ -35,6 +37,7 @@ mod page;
 mod record_section;
 mod run;
 mod scope_section;
+mod side_by_side;
 mod sight;
 mod strip;
 mod timing_section;
@@ -45,6 +48,7 @@ pub use beside::{BESIDE, Beside, ScopePlot};
 pub use error::ReportError;
 pub use film::FILM_BYTES;
 pub use page::write_page;
+pub use side_by_side::{FrameError, MachineFigures, RunTime, SIDE_BY_SIDE, SideBySide, write_side_by_side};
 pub use sight::{Sight, SightLine};
 pub use strip::STRIP_FRAMES;
 pub use timing_summary::{DeadlineLine, TimingSummary, UnitLine};

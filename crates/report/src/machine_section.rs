@@ -32,7 +32,7 @@ pub(crate) fn machine(run: &Run) -> Markup {
     }
 }
 
-fn omissions(list: &[Omission]) -> Markup {
+pub(crate) fn omissions(list: &[Omission]) -> Markup {
     if list.is_empty() {
         return html! { p { "Nothing was left out." } };
     }
@@ -85,7 +85,7 @@ fn laws(run: &Run) -> Markup {
 }
 
 /// A value without the quotation marks of JSON.
-fn plain(value: &Value) -> String {
+pub(crate) fn plain(value: &Value) -> String {
     match value {
         Value::String(text) => text.clone(),
         Value::Number(number) => number.as_f64().map_or(number.to_string(), |value| shortened(value, 6)),

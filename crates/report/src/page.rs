@@ -18,12 +18,12 @@ use crate::timing_section::timing;
 use crate::viewer::{contact_sheet, viewer};
 use crate::{Beside, ReportError};
 
-const STYLE: &str = include_str!("page.css");
-const THEME: &str = include_str!("theme.js");
+pub(crate) const STYLE: &str = include_str!("page.css");
+pub(crate) const THEME: &str = include_str!("theme.js");
 const SCRIPT: &str = include_str!("page.js");
 
 /// Nothing from anywhere but this file and the folder that it lies in.
-const POLICY: &str = "default-src 'none'; img-src 'self' file: data:; style-src 'unsafe-inline'; \
+pub(crate) const POLICY: &str = "default-src 'none'; img-src 'self' file: data:; style-src 'unsafe-inline'; \
                       script-src 'unsafe-inline'; base-uri 'none'; form-action 'none'";
 
 const SECTIONS: [(&str, &str); 7] = [

@@ -31,7 +31,7 @@ pub(crate) fn strip(folder: &Path, run: &Run) -> Result<Vec<Small>, ReportError>
     chosen.into_iter().map(|picture| small(folder, picture, run)).collect()
 }
 
-fn spread(first: u64, pictures: u64, most: u64) -> Vec<u64> {
+pub(crate) fn spread(first: u64, pictures: u64, most: u64) -> Vec<u64> {
     let count = pictures.min(most);
     (0..count).map(|index| first + index * (pictures - 1) / (count - 1).max(1)).collect()
 }
@@ -39,15 +39,20 @@ fn spread(first: u64, pictures: u64, most: u64) -> Vec<u64> {
 fn small(folder: &Path, picture: u64, run: &Run) -> Result<Small, ReportError> {
     let path = folder.join(picture_name(picture));
     let whole = read_png(&path, &Limits::default())?.to_eight_bits();
-    let shrunk = fitted(&whole, run).map_err(|source| ReportError::Strip { path: path.clone(), source })?;
+    let shrunk =
+        fitted(&whole, run, COLUMNS).map_err(|source| ReportError::Strip { path: path.clone(), source })?;
     let png = encode_png(&shrunk, &[]).map_err(|source| ReportError::Strip { path, source })?;
     let (columns, lines) = (shrunk.columns(), shrunk.lines());
     Ok(Small { picture, url: data_url("image/png", &png), columns, lines })
 }
 
-/// The picture in the form of the screen: few sweeps are wide ones.
-fn fitted(picture: &GreyPicture, run: &Run) -> Result<GreyPicture, picture::PictureError> {
-    let columns = picture.columns().min(COLUMNS);
+/// The picture in the form of the screen, at most `most` columns wide: few sweeps are wide ones.
+pub(crate) fn fitted(
+    picture: &GreyPicture,
+    run: &Run,
+    most: usize,
+) -> Result<GreyPicture, picture::PictureError> {
+    let columns = picture.columns().min(most);
     let lines = (columns as f64 / run.aspect()).round().max(1.0) as usize;
     match columns == picture.columns() {
         true => Ok(picture.clone()),

@@ -22,16 +22,19 @@ fn quoted(word: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::{command, quoted};
-    use crate::loading::StageArgs;
+    use crate::loading::{StageArgs, StageOptions};
 
     #[test]
     fn commands_can_be_typed_again() {
         let stage = StageArgs {
             scenario: "my scenes/it's.toml".into(),
-            set: vec![("a.b".into(), "\"x\"".into())],
-            sweeps: Some(21),
-            lossless: true,
-            ..StageArgs::default()
+            machine: None,
+            options: StageOptions {
+                set: vec![("a.b".into(), "\"x\"".into())],
+                sweeps: Some(21),
+                lossless: true,
+                ..StageOptions::default()
+            },
         };
         let expected = "lunoid trace 'my scenes/it'\\''s.toml' --set 'a.b=\"x\"' --sweeps 21 --lossless --frame 3 --at 1:2";
         assert_eq!(command("trace", &stage, 3, "--at 1:2"), expected);

@@ -18,7 +18,7 @@ use crate::cli::COMMIT;
 use crate::interrupt;
 use crate::loading::{StageArgs, Threads};
 use crate::output::{print, print_json, tell};
-use crate::progress::Display;
+use crate::progress::Saying;
 use crate::{Failure, Verdict, values};
 
 /// What was done, beside the pictures.
@@ -91,15 +91,8 @@ pub struct Augment {
     gain: f64,
     #[command(flatten)]
     threads: Threads,
-    /// No progress.
-    #[arg(long)]
-    no_progress: bool,
-    /// Say nothing but errors.
-    #[arg(short, long)]
-    quiet: bool,
-    /// Print the record as JSON.
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    saying: Saying,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -144,7 +137,7 @@ impl Augment {
             method: self.method(),
         };
         let cancel = interrupt::listen();
-        let display = Display::new(!self.no_progress && !self.quiet);
+        let display = self.saying.display();
         let frames = sequence.frames().len() as u64;
         display.hear(Progress::Begins { what: "frames", frames, kept: 0 });
         let hear = |done| display.hear(Progress::Frame { done });
@@ -272,7 +265,7 @@ impl Augment {
     }
 
     fn print(&self, record: &Value) -> Result<(), Failure> {
-        match (self.json, self.quiet) {
+        match (self.saying.json, self.saying.quiet) {
             (true, _) => print_json(record),
             (_, true) => Ok(()),
             _ => print(&self.text(record)),

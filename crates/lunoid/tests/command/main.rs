@@ -12,5 +12,6 @@ mod models;
 mod overlays;
 mod replays;
 mod scene;
+mod side_by_side;
 mod stability;
 mod timing;

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use signal::{Signal, Wire};
 use waveform::wire_record;
 
-use crate::loading::{StageArgs, Threads};
+use crate::loading::{StageArgs, StageOptions, Threads};
 use crate::output::{print, print_json, table};
 use crate::{Failure, Verdict};
 
@@ -68,7 +68,8 @@ impl Signals {
 
     fn of_scenario(&self, scenario: PathBuf) -> Result<SignalListing, Failure> {
         let (machine, everything) = (self.machine.clone(), self.everything);
-        let stage = StageArgs { scenario, machine, everything, ..StageArgs::default() };
+        let options = StageOptions { everything, ..StageOptions::default() };
+        let stage = StageArgs { scenario, machine, options };
         let mut loaded = stage.load()?;
         let built = loaded.stage(&self.threads.pool()?)?;
         let wires = loaded.generator.prepare(built).map_err(Failure::input)?.wires();

@@ -59,7 +59,9 @@ impl From<ReportError> for Failure {
             ReportError::File(error) => error.into(),
             ReportError::Run(error) => error.into(),
             ReportError::PictureFile(error) => error.into(),
-            ReportError::Content { .. } | ReportError::Strip { .. } => Self::input(error),
+            ReportError::Content { .. } | ReportError::Strip { .. } | ReportError::Compare { .. } => {
+                Self::input(error)
+            }
         }
     }
 }

@@ -62,8 +62,8 @@ mod tests {
             ("first-light", &[("sweep_memory.kind", "\"digital-memory\"")]),
         ] {
             let mut stage = StageArgs::of(&root.join(format!("scenarios/{scenario}.toml")));
-            stage.sweeps = Some(90);
-            stage.set = options.iter().map(|(key, value)| ((*key).into(), (*value).into())).collect();
+            stage.options.sweeps = Some(90);
+            stage.options.set = options.iter().map(|(key, value)| ((*key).into(), (*value).into())).collect();
             let mut loaded = stage.load().unwrap_or_else(|failure| panic!("{:?}", failure.message(false)));
             let stage = loaded.stage(&pool).ok().unwrap();
             let (update, yoke) = (stage.settings.timebase.update, stage.settings.yoke);

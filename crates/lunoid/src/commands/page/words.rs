@@ -4,22 +4,23 @@ use crate::loading::{ScalarWord, StageArgs};
 
 /// The scenario, then the options that were given.
 pub fn words(stage: &StageArgs) -> Vec<String> {
+    let options = &stage.options;
     let path = |path: &std::path::PathBuf| path.display().to_string();
     let mut words = vec![path(&stage.scenario)];
     let mut option = |name: &str, value: String| words.extend([name.to_owned(), value]);
     stage.machine.iter().for_each(|machine| option("--machine", machine.clone()));
-    stage.overlay.iter().for_each(|file| option("--overlay", path(file)));
-    stage.set.iter().for_each(|(key, value)| option("--set", format!("{key}={value}")));
-    stage.bank.iter().for_each(|bank| option("--bank", path(bank)));
-    stage.sweeps.iter().for_each(|sweeps| option("--sweeps", sweeps.to_string()));
-    stage.samples.iter().for_each(|samples| option("--samples", samples.to_string()));
+    options.overlay.iter().for_each(|file| option("--overlay", path(file)));
+    options.set.iter().for_each(|(key, value)| option("--set", format!("{key}={value}")));
+    options.bank.iter().for_each(|bank| option("--bank", path(bank)));
+    options.sweeps.iter().for_each(|sweeps| option("--sweeps", sweeps.to_string()));
+    options.samples.iter().for_each(|samples| option("--samples", samples.to_string()));
     let scalar = |word: &ScalarWord| match word {
         ScalarWord::F32 => "f32",
         ScalarWord::F64 => "f64",
     };
-    stage.scalar.iter().for_each(|word| option("--scalar", scalar(word).to_owned()));
-    stage.shadow_cache.iter().for_each(|folder| option("--shadow-cache", path(folder)));
-    let flags = [(stage.lossless, "--lossless"), (stage.everything, "--everything")];
+    options.scalar.iter().for_each(|word| option("--scalar", scalar(word).to_owned()));
+    options.shadow_cache.iter().for_each(|folder| option("--shadow-cache", path(folder)));
+    let flags = [(options.lossless, "--lossless"), (options.everything, "--everything")];
     words.extend(flags.into_iter().filter(|(is_given, _)| *is_given).map(|(_, word)| word.to_owned()));
     words
 }

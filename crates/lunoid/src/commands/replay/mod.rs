@@ -1,6 +1,10 @@
 //! `lunoid replay`: a scenario into a folder of frames.
 
+mod several;
+mod summary;
+
 use std::io::{self, BufWriter, Write};
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
@@ -8,20 +12,21 @@ use generator::Generator;
 use hardware_model::HardwareModel;
 use picture::Depth;
 use quantities::Rate;
+use rayon::ThreadPool;
 use replay::{
     Control, HeldRun, Job, Outcome, Pictures, Program, RunFolder, TruthItems, TruthOutcome, run, write_truth,
     write_y4m,
 };
-use serde_json::{Value, json};
 
 use crate::cli::{COMMIT, RESULT_FAMILY};
 use crate::commands::page::{Making, Request, check};
 use crate::interrupt;
-use crate::loading::{Loaded, StageArgs, Threads};
+use crate::loading::{Loaded, StageArgs, StageOptions, Threads};
 use crate::output::{expect_writable, print, print_json, tell};
-use crate::progress::Display;
+use crate::progress::Saying;
 use crate::values::Span;
 use crate::{Failure, Verdict};
+use summary::Summary;
 
 const AFTER: &str = "Examples:
   lunoid replay scenarios/first-light.toml
@@ -29,21 +34,29 @@ const AFTER: &str = "Examples:
   lunoid replay scenarios/first-light.toml --y4m - | ffmpeg -i - film.mp4
   lunoid replay scenarios/first-light.toml --frames 0..2 --truth range,normal,label,pose
   lunoid replay scenarios/first-light.toml --probe 60:500 --probe '12:300..303:tg.*,dpp.y'
+  lunoid replay scenarios/first-light.toml --machine ideal --machine pra-nominal --frames 0..4
 
-The same command again goes on where it was interrupted. Open index.html in the folder to look at the run.";
+The same command again goes on where it was interrupted. Open index.html in the folder to look at the run.
+Several machines draw into sub-folders of one folder, exact among them, and one page holds them against it.";
 
 /// Draw a scenario into a folder of frames.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER)]
 pub struct Replay {
+    /// Scenario file.
+    scenario: PathBuf,
+    /// Hardware model by name or path, `exact` for the closed form without any machine, or `lunsim` for the report's
+    /// program. The scenario's own if left out; given several times they stand side by side, with `exact` among them.
+    #[arg(short, long, value_name = "MODEL")]
+    machine: Vec<String>,
     #[command(flatten)]
-    stage: StageArgs,
+    options: StageOptions,
     #[command(flatten)]
     threads: Threads,
     /// Frames to draw, counted at the update rate: A..B without B. All if left out.
     #[arg(long, value_name = "A..B")]
     frames: Option<Span>,
-    /// Folder of the run; runs/NAME-OF-THE-SCENARIO if left out.
+    /// Folder of the run; runs/NAME-OF-THE-SCENARIO if left out, of several machines with -side-by-side behind.
     #[arg(short, long, value_name = "FOLDER")]
     out: Option<PathBuf>,
     /// One file for each picture that the tube shows, instead of one for each that the machine computes.
@@ -75,15 +88,8 @@ pub struct Replay {
     /// Remove the run that the folder holds, and nothing else, and start anew.
     #[arg(long)]
     fresh: bool,
-    /// No progress.
-    #[arg(long)]
-    no_progress: bool,
-    /// Say nothing but errors.
-    #[arg(short, long)]
-    quiet: bool,
-    /// Print the summary as JSON.
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    saying: Saying,
 }
 
 /// Bits of a pixel.
@@ -100,39 +106,64 @@ enum DepthWord {
 impl Replay {
     /// Draws.
     pub fn run(&self) -> Result<Verdict, Failure> {
+        match self.machine.as_slice() {
+            [] => self.alone(None),
+            [machine] => self.alone(Some(machine.clone())),
+            machines => self.several(machines),
+        }
+    }
+
+    fn alone(&self, machine: Option<String>) -> Result<Verdict, Failure> {
         self.check_film()?;
-        let mut loaded = self.stage.load()?;
+        let stage = self.stage(machine);
+        let mut loaded = stage.load()?;
         let frames = loaded.choose(self.frames)?;
         let (sweeps, generator) = (loaded.settings.raster.sweeps, loaded.generator);
         self.expect_sweeps(generator)?;
         check(&self.probe, &frames, sweeps, generator.signals(), generator.name())?;
-        let out = self.out();
         let pool = self.threads.pool()?;
-        let folder = RunFolder::claim(&out, self.fresh)?;
+        let folder = RunFolder::claim(&self.out(""), self.fresh)?;
+        let (outcome, truth) = self.draw(&stage, &mut loaded, frames, &folder, &pool)?;
+        self.tell(&loaded, &folder, outcome, truth)
+    }
+
+    fn stage(&self, machine: Option<String>) -> StageArgs {
+        StageArgs { scenario: self.scenario.clone(), machine, options: self.options.clone() }
+    }
+
+    /// Pictures, page and truth of one machine.
+    fn draw(
+        &self,
+        stage: &StageArgs,
+        loaded: &mut Loaded,
+        frames: Range<u64>,
+        folder: &RunFolder,
+        pool: &ThreadPool,
+    ) -> Result<(Outcome, Option<TruthOutcome>), Failure> {
         let cancel = interrupt::listen();
-        let stage = loaded.stage(&pool)?;
+        let built = loaded.stage(pool)?;
         let job = Job {
             program: program(),
             inputs: loaded.inputs.clone(),
             scenario: &loaded.scenario,
             generator: loaded.generator,
-            stage,
+            stage: built,
             frames,
             pictures: self.pictures(),
             check: self.check,
         };
-        let display = Display::new(!self.no_progress && !self.quiet);
+        let display = self.saying.display();
         let progress = |progress| display.hear(progress);
-        let control = Control { pool: &pool, cancel, progress: &progress, phases: loaded.phases.clone() };
-        let made = self.make(&job, &loaded.model, &folder, &control);
+        let control = Control { pool, cancel, progress: &progress, phases: loaded.phases.clone() };
+        let made = self.make(stage, &job, &loaded.model, folder, &control);
         display.end();
-        let (outcome, truth) = made?;
-        self.tell(&loaded, &folder, outcome, truth)
+        made
     }
 
     /// The pictures, and then, unless told to end, their page and the truth.
     fn make(
         &self,
+        stage: &StageArgs,
         job: &Job,
         model: &HardwareModel,
         folder: &RunFolder,
@@ -141,7 +172,7 @@ impl Replay {
         let outcome = run(job, folder, control)?;
         if matches!(outcome, Outcome::Finished { .. }) {
             let requests = &self.probe;
-            Making { job, stage: &self.stage, model, requests, pool: control.pool }.write(folder)?;
+            Making { job, stage, model, requests, pool: control.pool }.write(folder)?;
         }
         let truth = match (&outcome, &self.truth) {
             (Outcome::Finished { .. }, Some(items)) => Some(write_truth(job, items, folder, control)?),
@@ -163,7 +194,7 @@ impl Replay {
 
     fn check_film(&self) -> Result<(), Failure> {
         match self.y4m.as_deref() {
-            Some(path) if is_stdout(path) && self.json => {
+            Some(path) if is_stdout(path) && self.saying.json => {
                 Err(Failure::usage("--json and --y4m - both want standard output; give the film a file name"))
             }
             Some(path) if !is_stdout(path) => expect_writable(path),
@@ -171,9 +202,10 @@ impl Replay {
         }
     }
 
-    fn out(&self) -> PathBuf {
-        let stem = self.stage.scenario.file_stem().unwrap_or_default();
-        self.out.clone().unwrap_or_else(|| Path::new("runs").join(stem))
+    /// The folder asked for, or the usual one; `of` is what stands behind its name.
+    fn out(&self, of: &str) -> PathBuf {
+        let stem = self.scenario.file_stem().unwrap_or_default().to_string_lossy();
+        self.out.clone().unwrap_or_else(|| Path::new("runs").join(format!("{stem}{of}")))
     }
 
     fn pictures(&self) -> Pictures {
@@ -191,16 +223,10 @@ impl Replay {
         outcome: Outcome,
         truth: Option<TruthOutcome>,
     ) -> Result<Verdict, Failure> {
-        let interrupted = |what: &str, done: u64, of: u64| {
-            tell(&format!(
-                "interrupted: {done} of {of} {what} are whole; the same command again draws the rest\n"
-            ));
-            Ok(Verdict::Interrupted)
-        };
         match (outcome, truth) {
-            (Outcome::Interrupted { done, of }, _) => interrupted("frames", done, of),
+            (Outcome::Interrupted { done, of }, _) => Ok(interrupted("frames", done, of)),
             (_, Some(TruthOutcome { frames, done, .. })) if done < frames => {
-                interrupted("frames' ground truth", done, frames)
+                Ok(interrupted("frames' ground truth", done, frames))
             }
             (Outcome::Finished { frames, drawn, limits, performance }, truth) => {
                 self.write_film(loaded, folder)?;
@@ -234,7 +260,7 @@ impl Replay {
 
     fn print(&self, summary: &Summary) -> Result<(), Failure> {
         let pipes = self.y4m.as_deref().is_some_and(is_stdout);
-        match (self.json, self.quiet, pipes) {
+        match (self.saying.json, self.saying.quiet, pipes) {
             (true, _, _) => print_json(&summary.document()),
             (_, true, _) => Ok(()),
             (_, _, true) => {
@@ -244,6 +270,12 @@ impl Replay {
             _ => print(&summary.text()),
         }
     }
+}
+
+/// Says that the same command goes on.
+fn interrupted(what: &str, done: u64, of: u64) -> Verdict {
+    tell(&format!("interrupted: {done} of {of} {what} are whole; the same command again draws the rest\n"));
+    Verdict::Interrupted
 }
 
 fn is_stdout(path: &Path) -> bool {
@@ -256,56 +288,5 @@ fn program() -> Program {
         version: env!("CARGO_PKG_VERSION").into(),
         commit: COMMIT.into(),
         result_family: RESULT_FAMILY.into(),
-    }
-}
-
-/// What a finished run comes to.
-struct Summary<'a> {
-    folder: &'a Path,
-    frames: [u64; 2],
-    drawn: u64,
-    truth: Option<TruthOutcome>,
-    limits: Vec<String>,
-    performance: &'a Value,
-}
-
-impl Summary<'_> {
-    fn document(&self) -> Value {
-        json!({
-            "schema": "lunoid.replay/1",
-            "folder": self.folder.display().to_string(),
-            "frames": self.frames,
-            "drawn": self.drawn,
-            "kept": self.frames[1] - self.frames[0] - self.drawn,
-            "truth": self.truth.map(|truth| json!({ "frames": truth.frames, "made": truth.made })),
-            "limits": self.limits,
-            "performance": self.performance,
-        })
-    }
-
-    fn text(&self) -> String {
-        let [start, end] = self.frames;
-        let mut text = format!("{}: frames {start}..{end}", self.folder.display());
-        if self.drawn == 0 {
-            text += ", all there already";
-        } else {
-            text += &format!(", {} drawn now{}\n", self.drawn, self.rates());
-        }
-        let truth = self.truth.map(|TruthOutcome { frames, made, .. }| {
-            format!("  ground truth of {frames} frames, {made} made now\n")
-        });
-        let limits = self.limits.iter().map(|limit| format!("  beyond the vehicle: {limit}\n"));
-        text.trim_end().to_owned() + "\n" + &truth.into_iter().chain(limits).collect::<String>()
-    }
-
-    fn rates(&self) -> String {
-        let number = |key: &str| self.performance[key].as_f64().unwrap_or(0.0);
-        format!(
-            " in {:.1} s: {:.1} frames/s, {:.1} million samples/s, {:.2} of real time",
-            number("drawing_s"),
-            number("frames_per_s"),
-            number("samples_per_s") / 1e6,
-            number("real_time_factor"),
-        )
     }
 }

@@ -1,0 +1,168 @@
+//! Several machines on one scenario: a run of each in a folder of its own, and one page beside them.
+
+use std::fs;
+use std::path::Path;
+
+use exact::Exact;
+use generator::Generator;
+use replay::{Outcome, RUN_RECORD, RunFolder};
+use report::{SIDE_BY_SIDE, write_side_by_side};
+use serde_json::{Value, json};
+
+use super::summary::Summary;
+use super::{Replay, interrupted};
+use crate::loading::{Loaded, StageArgs, other};
+use crate::output::{print, print_json, tell};
+use crate::{Failure, Verdict};
+
+/// One of them.
+struct Entry {
+    /// Its folder below that of the page.
+    name: String,
+    stage: StageArgs,
+    loaded: Loaded,
+}
+
+impl Replay {
+    /// Draws `machines`, and what they are held against, one after the other.
+    pub(super) fn several(&self, machines: &[String]) -> Result<Verdict, Failure> {
+        self.expect_no_option_of_one()?;
+        let mut entries = self.entries(machines)?;
+        expect_one_raster(&entries)?;
+        let out = self.out("-side-by-side");
+        expect_no_run(&out)?;
+        let pool = self.threads.pool()?;
+        let claim = |entry: &Entry| RunFolder::claim(&out.join(&entry.name), self.fresh);
+        let folders = entries.iter().map(claim).collect::<Result<Vec<_>, _>>()?;
+        let mut summaries = Vec::new();
+        for (Entry { name, stage, loaded }, folder) in entries.iter_mut().zip(&folders) {
+            if !self.saying.quiet && !self.saying.no_progress {
+                tell(&format!("{name}\n"));
+            }
+            let frames = loaded.choose(self.frames)?;
+            match self.draw(stage, loaded, frames, folder, &pool)?.0 {
+                Outcome::Interrupted { done, of } => {
+                    return Ok(interrupted(&format!("frames of {name}"), done, of));
+                }
+                Outcome::Finished { frames, drawn, limits, performance } => {
+                    let summary = Summary {
+                        folder: folder.path(),
+                        frames: [frames.start, frames.end],
+                        drawn,
+                        truth: None,
+                        limits: limits.iter().map(ToString::to_string).collect(),
+                        performance: &performance,
+                    };
+                    summaries.push((summary.document(), summary.text()));
+                }
+            }
+        }
+        let names: Vec<String> = entries.into_iter().map(|entry| entry.name).collect();
+        let (figures, page) = pool.install(|| write_side_by_side(&out, &names, Exact.name()))?;
+        let (documents, texts): (Vec<Value>, Vec<String>) = summaries.into_iter().unzip();
+        match (self.saying.json, self.saying.quiet) {
+            (true, _) => print_json(&json!({
+                "schema": "lunoid.replay-several/1",
+                "folder": out.display().to_string(),
+                "page": page.display().to_string(),
+                "runs": documents,
+                "side_by_side": figures,
+            }))?,
+            (_, true) => {}
+            _ => print(&format!("{}{}\n", texts.concat(), page.display()))?,
+        }
+        Ok(Verdict::Yes)
+    }
+
+    /// What belongs to the run of one machine.
+    fn expect_no_option_of_one(&self) -> Result<(), Failure> {
+        let given = [
+            (self.y4m.is_some(), "--y4m"),
+            (self.truth.is_some(), "--truth"),
+            (!self.probe.is_empty(), "--probe"),
+            (self.check > 0, "--check"),
+        ];
+        match given.iter().find(|(is_given, _)| *is_given) {
+            Some((_, option)) => Err(Failure::usage(format!(
+                "{option}: this belongs to one machine, and several are given; draw them first, then ask one of them: \
+                 --machine MODEL --out FOLDER/MODEL {option} ..."
+            ))),
+            None => Ok(()),
+        }
+    }
+
+    /// `machines` and the one that they are held against, read and found right.
+    fn entries(&self, machines: &[String]) -> Result<Vec<Entry>, Failure> {
+        let judge = Exact.name().to_owned();
+        let judge = (!machines.contains(&judge)).then_some(judge);
+        let mut entries: Vec<Entry> = Vec::new();
+        for machine in machines.iter().cloned().chain(judge) {
+            let name = folder_name(&machine)?;
+            if entries.iter().any(|entry| entry.name == name) {
+                return Err(Failure::usage(format!(
+                    "--machine {machine}: two machines would draw into the folder `{name}`; expected each name once"
+                )));
+            }
+            let stage = self.stage(Some(machine));
+            let loaded = stage.load()?;
+            loaded.choose(self.frames)?;
+            entries.push(Entry { name, stage, loaded });
+        }
+        Ok(entries)
+    }
+}
+
+/// A model by its path has the name of its file.
+fn folder_name(machine: &str) -> Result<String, Failure> {
+    let stem = match other(machine) {
+        Some(generator) => Some(generator.name().into()),
+        None => Path::new(machine).file_stem().map(|stem| stem.to_string_lossy().into_owned()),
+    };
+    stem.ok_or_else(|| {
+        Failure::usage(format!("--machine {machine}: expected the name or the file of a model"))
+    })
+}
+
+/// Pictures that stand side by side have one size and show the same instants.
+fn expect_one_raster(entries: &[Entry]) -> Result<(), Failure> {
+    let of = |entry: &Entry| {
+        let settings = &entry.loaded.settings;
+        (settings.raster.columns, settings.raster.lines, settings.timebase.update)
+    };
+    let words = |entry: &Entry| {
+        let (columns, lines, update) = of(entry);
+        format!("{} draws {columns} x {lines} pixels at {update}", entry.name)
+    };
+    let other = entries.iter().find(|entry| of(entry) != of(&entries[0]));
+    other.map_or(Ok(()), |other| {
+        Err(Failure::usage(format!(
+            "{}, {}: pictures side by side are of one size and of the same instants; give --sweeps and --set \
+             raster.update_hz=RATE, or columns, lines and update_hz in the scenario's [raster]",
+            words(&entries[0]),
+            words(other)
+        )))
+    })
+}
+
+/// The folder of the page holds the folders of runs, and no run itself.
+fn expect_no_run(out: &Path) -> Result<(), Failure> {
+    let refused = |found: String| {
+        Err(Failure::output(format!(
+            "{}: there is `{found}` already, expected a folder of runs side by side or an empty one; name another by --out",
+            out.display()
+        )))
+    };
+    if out.exists() && !out.is_dir() {
+        return refused("a file of this name".into());
+    }
+    if out.join(RUN_RECORD).exists() || (out.join(replay::PAGE).exists() && !out.join(SIDE_BY_SIDE).exists())
+    {
+        return refused(replay::PAGE.into());
+    }
+    let journal = fs::read_dir(out)
+        .into_iter()
+        .flatten()
+        .flatten()
+        .find(|entry| entry.path().extension().is_some_and(|end| end == "journal"));
+    journal.map_or(Ok(()), |entry| refused(entry.file_name().to_string_lossy().into_owned()))
+}

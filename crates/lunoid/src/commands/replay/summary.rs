@@ -1,0 +1,59 @@
+//! What a finished run comes to, in words and as JSON.
+
+use std::path::Path;
+
+use replay::TruthOutcome;
+use serde_json::{Value, json};
+
+/// What a finished run comes to.
+pub struct Summary<'a> {
+    pub folder: &'a Path,
+    pub frames: [u64; 2],
+    pub drawn: u64,
+    pub truth: Option<TruthOutcome>,
+    pub limits: Vec<String>,
+    pub performance: &'a Value,
+}
+
+impl Summary<'_> {
+    /// As JSON.
+    pub fn document(&self) -> Value {
+        json!({
+            "schema": "lunoid.replay/1",
+            "folder": self.folder.display().to_string(),
+            "frames": self.frames,
+            "drawn": self.drawn,
+            "kept": self.frames[1] - self.frames[0] - self.drawn,
+            "truth": self.truth.map(|truth| json!({ "frames": truth.frames, "made": truth.made })),
+            "limits": self.limits,
+            "performance": self.performance,
+        })
+    }
+
+    /// As text.
+    pub fn text(&self) -> String {
+        let [start, end] = self.frames;
+        let mut text = format!("{}: frames {start}..{end}", self.folder.display());
+        if self.drawn == 0 {
+            text += ", all there already";
+        } else {
+            text += &format!(", {} drawn now{}\n", self.drawn, self.rates());
+        }
+        let truth = self.truth.map(|TruthOutcome { frames, made, .. }| {
+            format!("  ground truth of {frames} frames, {made} made now\n")
+        });
+        let limits = self.limits.iter().map(|limit| format!("  beyond the vehicle: {limit}\n"));
+        text.trim_end().to_owned() + "\n" + &truth.into_iter().chain(limits).collect::<String>()
+    }
+
+    fn rates(&self) -> String {
+        let number = |key: &str| self.performance[key].as_f64().unwrap_or(0.0);
+        format!(
+            " in {:.1} s: {:.1} frames/s, {:.1} million samples/s, {:.2} of real time",
+            number("drawing_s"),
+            number("frames_per_s"),
+            number("samples_per_s") / 1e6,
+            number("real_time_factor"),
+        )
+    }
+}
