@@ -3,6 +3,7 @@
 //!
 //! - `economy`: what is left out, and that it may be.
 //! - `profiles`, `shadows`, `pictures`: block by block, by probes and by pictures.
+//! - `own_shadow`: the vehicle's.
 //! - `switches`: the video switches with either gate.
 //! - `limits`: too few sub-generators and line generators; more craters and segments than anybody draws.
 //! - `time`: any frame alone, in any order, by any number of threads.
@@ -11,6 +12,7 @@
 mod economy;
 mod limits;
 mod moved;
+mod own_shadow;
 mod pictures;
 mod profiles;
 mod set;

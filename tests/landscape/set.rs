@@ -13,6 +13,7 @@ use machine::HybridMachine;
 use quantities::{radians, sin_cos};
 use scenario::{
     Curvature, Occlusion, Pose, RangeLaw, RangeProgramme, Scenery, ShadowFineness, Standing, TrackPatch,
+    VehicleShape,
 };
 use signal::Probe;
 use solids::{Body, Kind, Solid};
@@ -149,6 +150,10 @@ impl Set {
 
     pub fn with_patches(self, patches: Vec<TrackPatch>) -> Self {
         self.with_scenery(|scenery| scenery.with_patches(patches))
+    }
+
+    pub fn with_vehicle(self, shape: VehicleShape) -> Self {
+        self.with_scenery(|scenery| scenery.with_vehicle(Some(shape)))
     }
 
     /// Under another sun, nothing else on the ground changed.

@@ -91,6 +91,11 @@ fn tracks_are_seen_after_the_turn() {
 }
 
 #[test]
+fn the_rover_casts_its_own_shadow() {
+    assert_figure(off_by("own-shadow", 33, |scenario| scenario.vehicle_shape = None), 0.138, 0.001);
+}
+
+#[test]
 fn the_sun_moves() {
     let shipped = small("moving-sun", as_it_stands);
     assert_figure(black(&shipped.machine(0)), 0.424, 0.001);

@@ -33,7 +33,7 @@
 //!   `FeatureLight::AsReported` from those of craters alone inside any footprint. The map is flat for light: sight rises
 //!   by `(h - H) / s`, without curvature.
 //! - **Remote shadow** (11.1), if the settings have it: a place of the map is dark if the straight line from it to the
-//!   sun meets the ground (over all levels, of each place the finest) or a body, or if it lies in a track patch. Its
+//!   sun meets the ground (over all levels, of each place the finest), a body or a part of the vehicle, or if it lies in a track patch. Its
 //!   own steepness counts: ground in local shadow is dark. The line begins [`LIFT`] above the ground.
 //! - **Texture** (13) is added behind the shadow: to `max(r, 0)` or to black under `TextureInShadow::On`; under `Off` to
 //!   the signed r, nothing in remote shadow. The sum is held to 0..=1.

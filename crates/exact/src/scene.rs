@@ -1,5 +1,7 @@
 //! One frame's scene: what a ray through any place of the screen sees.
 
+use std::borrow::Cow;
+
 use glam::DVec3;
 use landscape::{Landscape, Sun};
 use scenario::{Laws, Pose, Scenery};
@@ -38,7 +40,12 @@ impl<'a> Scene<'a> {
         let sun: Sun = scenery.sun(pose.time);
         let view = View::new(laws.projection, &pose.attitude).with_yoke(pose.yoke);
         let bodies: Vec<&Body> = scenery.bodies(pose.time).collect();
-        let cast = || Shadows::new(*outlook.ground(), &sun, bodies.clone(), scenery.patches(pose.time));
+        // The vehicle is not seen: it casts alone.
+        let casters = || {
+            let own = scenery.own_bodies(pose.eye, pose.attitude);
+            bodies.iter().map(|&body| Cow::Borrowed(body)).chain(own.into_iter().map(Cow::Owned)).collect()
+        };
+        let cast = || Shadows::new(*outlook.ground(), &sun, casters(), scenery.patches(pose.time));
         let shadows = reach.map(|_| cast());
         let to_sun = DVec3::from_array(sun.direction());
         let standing = Standing::new(&bodies, &outlook, &view, to_sun, shadows.as_ref(), laws);

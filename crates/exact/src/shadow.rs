@@ -2,6 +2,8 @@
 //!
 //! The map is flat for light, as it is for the shadow data bank: whether a place is dark depends on the place alone.
 
+use std::borrow::Cow;
+
 use glam::DVec3;
 use landscape::Sun;
 use quantities::sin_cos;
@@ -30,7 +32,7 @@ pub enum Dark {
 pub struct Shadows<'a> {
     ground: Ground<'a>,
     beam: Beam,
-    bodies: Vec<&'a Body>,
+    bodies: Vec<Cow<'a, Body>>,
     /// Bodies by their place in the plane that the sun sees.
     casters: Buckets,
     patches: &'a [TrackPatch],
@@ -39,9 +41,9 @@ pub struct Shadows<'a> {
 
 impl<'a> Shadows<'a> {
     /// Shadows under `sun` of the ground, of `bodies`, and `patches` of track.
-    pub fn new(ground: Ground<'a>, sun: &Sun, bodies: Vec<&'a Body>, patches: &'a [TrackPatch]) -> Self {
+    pub fn new(ground: Ground<'a>, sun: &Sun, bodies: Vec<Cow<'a, Body>>, patches: &'a [TrackPatch]) -> Self {
         let beam = Beam::new(sun);
-        let seen = |body: &&Body| hull(body.vertices.iter().map(|&vertex| beam.across(vertex)));
+        let seen = |body: &Cow<Body>| hull(body.vertices.iter().map(|&vertex| beam.across(vertex)));
         let casters = Buckets::new(&bodies.iter().map(seen).collect::<Vec<_>>());
         let laid = |patch: &TrackPatch| hull(patch.corners.into_iter());
         let tracks = Buckets::new(&patches.iter().map(laid).collect::<Vec<_>>());
@@ -73,7 +75,7 @@ impl<'a> Shadows<'a> {
     fn is_behind_body(&self, [x, y]: [f64; 2], height: f64) -> bool {
         let origin = DVec3::new(x, y, height);
         let covers = |body: &Body| body.first_hit(origin, self.beam.to_sun, 0.0).is_some();
-        self.casters.at(self.beam.across(origin)).iter().any(|&index| covers(self.bodies[index as usize]))
+        self.casters.at(self.beam.across(origin)).iter().any(|&index| covers(&self.bodies[index as usize]))
     }
 
     fn is_behind_ground(&self, place: [f64; 2], height: f64, scratch: &mut Scratch) -> bool {

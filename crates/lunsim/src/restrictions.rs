@@ -107,6 +107,7 @@ fn not_modelled(stage: &Stage) -> impl Iterator<Item = (&'static str, &'static s
     [
         (!scenery.standing().is_empty(), "rocks and man-made things", CRATERS),
         (!scenery.patches(f64::INFINITY).is_empty(), "vehicle tracks", CRATERS),
+        (scenery.vehicle().is_some(), "the vehicle's own shadow", CRATERS),
         (landscape.texture().is_some(), "texture", SMOOTH),
         (!landscape.silhouettes().is_empty(), "far silhouettes", "its picture ends at the horizontal"),
         (settings.levels.is_some(), "a second level of ground", SMOOTH),

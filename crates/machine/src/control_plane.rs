@@ -21,6 +21,8 @@ pub(crate) struct FramePlan {
     turn: [f64; 2],
     /// Pitch of the eye (rad).
     pub pitch: f64,
+    /// Roll of the vehicle (rad).
+    pub roll: f64,
     /// Eye: north, east, height (m).
     pub eye: [f64; 3],
     /// The sun.
@@ -48,6 +50,7 @@ impl FramePlan {
             heading: pose.attitude.heading,
             turn: [cos, sin],
             pitch,
+            roll: pose.attitude.roll,
             eye: pose.eye,
             sun: scenery.sun(pose.time),
         })

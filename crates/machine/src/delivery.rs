@@ -2,7 +2,7 @@
 
 use generator::{FrameError, Stage};
 use glam::DVec3;
-use landscape::parabolic_drop;
+use landscape::{Attitude, parabolic_drop};
 use polyhedron_generator::{Drawn, FaceLight, LeftOut, PolyhedronGenerator, ViewPlane};
 use rayon::prelude::*;
 use remote_shadow::{Segment, Tile};
@@ -119,6 +119,8 @@ impl Supply<'_> {
         let mut segments: Vec<&[Segment]> = tiles.iter().map(|tile| tile.segments.as_slice()).collect();
         segments.extend(seen.iter().map(|&(index, body)| under_sun.of(index, body).shadow.as_slice()));
         segments.push(&patches);
+        let own = self.own_shadow(shadows);
+        segments.push(&own);
         let timing = |sweep: u32| {
             let place = (self.plan.frame, sweep);
             let rate = self.stage.settings.segment_words?;
@@ -129,6 +131,13 @@ impl Supply<'_> {
         if reach < end {
             gates.iter_mut().for_each(|gate| gate.end_at(reach));
         }
+    }
+
+    /// Outlines of the shadow that the vehicle casts on the ground: as of any body, but found anew for every pose.
+    fn own_shadow(&self, shadows: &Shadows) -> Vec<Segment> {
+        let FramePlan { eye, roll, pitch, heading, .. } = *self.plan;
+        let parts = self.stage.scenery.own_bodies(eye, Attitude { roll, pitch, heading });
+        parts.par_iter().flat_map_iter(|part| shadows.bank.cast_by_body(part, &self.plan.sun)).collect()
     }
 
     /// Outlines of the track patches that lie at `time`.

@@ -4,6 +4,7 @@ use std::fmt::{self, Write};
 
 use features::{Crater, Features};
 use generator::Stage;
+use landscape::Attitude;
 use scenario::{Scenery, Standing};
 use serde::Serialize;
 use solids::Kind;
@@ -69,7 +70,12 @@ fn hash_of_craters(features: &Features) -> blake3::Hash {
 }
 
 fn hash_of_bodies(scenery: &Scenery) -> blake3::Hash {
-    hash_of_numbers(scenery.standing().iter().flat_map(numbers_of_body))
+    let own = scenery.vehicle().into_iter().flat_map(|shape| {
+        // Where it stands follows from the poses.
+        shape.bodies([0.0, 0.0, shape.eye_height], Attitude::default())
+    });
+    let own: Vec<Standing> = own.map(|body| Standing { from: 0.0, until: 0.0, body }).collect();
+    hash_of_numbers(scenery.standing().iter().chain(&own).flat_map(numbers_of_body))
 }
 
 fn numbers_of_body(Standing { from, until, body }: &Standing) -> impl Iterator<Item = f64> {

@@ -9,6 +9,7 @@ use quantities::Rate;
 use crate::{
     CraterWishes, Display, Drift, Event, FieldOfView, LawWishes, LevelSwitch, LunsimRun, Object, Path,
     RangeProgramme, RasterWishes, Rocks, RollDisplay, Scalar, ShadowFineness, TextureWish, Tracks, Vehicle,
+    VehicleShape,
 };
 
 /// What happens: ground, light, vehicle, path, and how it is to be seen.
@@ -52,6 +53,10 @@ pub struct Scenario {
     pub tracks: Option<Tracks>,
     /// Size and limits of the vehicle.
     pub vehicle: Vehicle,
+    /// What casts the vehicle's own shadow, where it casts one.
+    pub vehicle_shape: Option<VehicleShape>,
+    /// File of that shape, where it has one of its own.
+    pub vehicle_file: Option<PathBuf>,
     /// Where it drives.
     pub path: Path,
     /// File of the path, where it has one of its own.
@@ -112,6 +117,7 @@ impl Scenario {
         };
         let list = self.features.list.as_ref().map(|list| list.file.as_path());
         let shapes = self.objects.iter().filter_map(|object| object.file.as_deref());
-        bank.into_iter().chain(self.path_file.as_deref()).chain(list).chain(shapes).collect()
+        let vehicle = self.vehicle_file.as_deref();
+        bank.into_iter().chain(self.path_file.as_deref()).chain(list).chain(shapes).chain(vehicle).collect()
     }
 }

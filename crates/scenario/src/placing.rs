@@ -28,7 +28,10 @@ impl Scenery {
             return Err(SceneryProblems(problems));
         }
         let standing = culture.into_iter().chain(rocks).collect();
-        Ok(Self::under(suns(scenario)).with_bodies(standing).with_patches(patches))
+        Ok(Self::under(suns(scenario))
+            .with_bodies(standing)
+            .with_patches(patches)
+            .with_vehicle(scenario.vehicle_shape.clone()))
     }
 }
 

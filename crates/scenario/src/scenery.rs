@@ -1,9 +1,9 @@
 //! What stands on the ground and how it is lit, at any time of a mission.
 
-use landscape::Sun;
+use landscape::{Attitude, Sun};
 use solids::Body;
 
-use crate::Pose;
+use crate::{Pose, VehicleShape};
 
 /// A body that stands from one time to another.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,6 +32,7 @@ pub struct Scenery {
     standing: Vec<Standing>,
     patches: Vec<TrackPatch>,
     course: Vec<Pose>,
+    vehicle: Option<VehicleShape>,
 }
 
 impl Scenery {
@@ -42,7 +43,7 @@ impl Scenery {
 
     /// Suns that follow one another, each with the time (s, ascending) from which on it holds; nothing on the ground.
     pub(crate) fn under(suns: Vec<(f64, Sun)>) -> Self {
-        Self { suns, standing: Vec::new(), patches: Vec::new(), course: Vec::new() }
+        Self { suns, standing: Vec::new(), patches: Vec::new(), course: Vec::new(), vehicle: None }
     }
 
     /// The same with bodies.
@@ -53,6 +54,11 @@ impl Scenery {
     /// The same with tracks, ascending in time.
     pub fn with_patches(self, patches: Vec<TrackPatch>) -> Self {
         Self { patches, ..self }
+    }
+
+    /// The same with a vehicle that casts its own shadow, if there is one.
+    pub fn with_vehicle(self, vehicle: Option<VehicleShape>) -> Self {
+        Self { vehicle, ..self }
     }
 
     /// The same with the pose of every frame from the first: what a data bank has to have fetched depends on all.
@@ -75,6 +81,16 @@ impl Scenery {
     pub fn bodies(&self, time: f64) -> impl Iterator<Item = &Body> {
         let stands = move |standing: &&Standing| standing.from <= time && time < standing.until;
         self.standing.iter().filter(stands).map(|standing| &standing.body)
+    }
+
+    /// What casts the vehicle's own shadow.
+    pub fn vehicle(&self) -> Option<&VehicleShape> {
+        self.vehicle.as_ref()
+    }
+
+    /// The vehicle's parts where they stand with the eye at `eye` (north, east, up; m): they cast shadow, and are not seen.
+    pub fn own_bodies(&self, eye: [f64; 3], attitude: Attitude) -> Vec<Body> {
+        self.vehicle.iter().flat_map(|shape| shape.bodies(eye, attitude)).collect()
     }
 
     /// Every sun of the mission, each with the time (s) from which on it holds; never empty.

@@ -20,7 +20,7 @@ use quantities::radians;
 
 use crate::{
     Display, FieldOfView, Ground, LawWishes, Length, LevelSwitch, LunsimRun, RasterWishes, RollDisplay,
-    Scalar, Scenario, Vehicle, words,
+    Scalar, Scenario, Vehicle, VehicleShape, words,
 };
 
 /// Format of scenario files that this program reads.
@@ -69,6 +69,15 @@ fn check_tracks(root: &Reader) {
     }
 }
 
+/// The vehicle's own shadow is remote shadow too.
+fn check_own_shadow(root: &Reader, vehicle: &Reader) {
+    if let Some(key) = ["model", "file"].into_iter().find(|key| vehicle.has(key) && !root.has("shadows")) {
+        let title =
+            format!("`vehicle.{key}` without `[shadows]`: nothing would draw the vehicle's own shadow");
+        vehicle.report(vehicle.problem(key, title).expected("`[shadows]`, or no shape of the vehicle"));
+    }
+}
+
 fn folder_of(path: &FilePath) -> &FilePath {
     path.parent().unwrap_or(FilePath::new(""))
 }
@@ -100,7 +109,9 @@ fn scenario(root: &Reader, folder: &FilePath, problems: &Problems) -> Option<Sce
         }
     };
     let tracks = part(root, "tracks", scenery::tracks);
-    let vehicle = vehicle(&root.table_or_empty("vehicle"));
+    let vehicle_table = root.table_or_empty("vehicle");
+    let vehicle_shape = scenery::optional_shape(&vehicle_table, folder, problems);
+    let vehicle = vehicle(&vehicle_table);
     let path = root.table("path").map(|table| course::course(&table, folder, problems));
     let raster = root.table_or_empty("raster");
     let (wishes, field) = (raster_wishes(&raster), field_of_view(&raster));
@@ -113,9 +124,12 @@ fn scenario(root: &Reader, folder: &FilePath, problems: &Problems) -> Option<Sce
     let lunsim = LunsimRun::of_table(&root.table_or_empty("lunsim"), LunsimRun::default());
     check_levels(root, ground.as_ref().and_then(|ground| ground.0.as_ref()), &levels);
     check_tracks(root);
+    check_own_shadow(root, &vehicle_table);
     root.finish();
     let ((ground, albedo), (path, path_file)) = (ground?, path??);
     let ((ground, coarse), (sun, drift)) = (ground?, sun??);
+    let (vehicle, (vehicle_file, parts)) = (vehicle?, vehicle_shape?.unzip());
+    let vehicle_shape = parts.map(|parts| VehicleShape { parts, eye_height: vehicle.eye_height });
     Some(Scenario {
         title: title?,
         shows: shows?,
@@ -137,7 +151,9 @@ fn scenario(root: &Reader, folder: &FilePath, problems: &Problems) -> Option<Sce
         tracks: tracks?,
         levels: levels?,
         roll: roll?,
-        vehicle: vehicle?,
+        vehicle,
+        vehicle_shape,
+        vehicle_file: vehicle_file.flatten(),
         path,
         path_file,
         raster: wishes,

@@ -276,7 +276,7 @@ fn objects_that_cannot_be() {
     for (tables, expected) in [
         (LANDER.replace("'lander'", "'landr'"), "must be one of \"lander\""),
         (LANDER.replace("model = 'lander'\n", ""), "missing key `object[0].model` or `object[0].file`"),
-        (LANDER.replace("model", "file = 'a.obj'\nmodel"), "both say what the object is"),
+        (LANDER.replace("model", "file = 'a.obj'\nmodel"), "both say what it is"),
         (LANDER.replace("model = 'lander'", "file = '../a.obj'"), "stays in the scenario's folder"),
         (LANDER.replace("'lm'", "'l m'"), "letters, digits and dashes"),
         (LANDER.replace("x_m = 60", "x_m = nan"), "not nan"),
@@ -362,6 +362,8 @@ fn parts_of_the_landscape_that_cannot_be() {
         ("[[silhouette]]\nreflectivity = 1\noutline_deg = [[0, 1], [0]]".into(), "an array of pairs"),
         ("[shadows]\n[tracks]\nspacing_m = 0".into(), "from 0.01 to 100"),
         ("[tracks]".into(), "`[tracks]` without `[shadows]`"),
+        ("[vehicle]\nmodel = 'rover'".into(), "`vehicle.model` without `[shadows]`"),
+        ("[shadows]\n[vehicle]\nmodel = 'rover'\nfile = 'a.obj'".into(), "both say what it is"),
         ("[shadows]\nfinest_m = 0".into(), "from 0.01 to 1000"),
         ("[roll]\ndisplay = 'yolk'".into(), "must be one of \"none\", \"yoke\""),
         ("rocks = 5".into(), "`landscape.generated.rocks`"),

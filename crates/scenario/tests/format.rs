@@ -251,6 +251,8 @@ const CHANGES: &[(&str, usize, &str, &str)] = &[
     ("event.x_m", 2, "x_m = 507", "x_m = 506"),
     ("event.y_m", 2, "y_m = 793", "y_m = 794"),
     ("event.heading_deg", 2, "heading_deg = 15", "heading_deg = 16"),
+    ("vehicle.model", 2, "[vehicle]\nmodel = \"rover\"", "[vehicle]\nmodel = \"marker\""),
+    ("vehicle.file", 2, "[vehicle]\nmodel = \"rover\"", "[vehicle]\nfile = \"mast.obj\""),
     ("tracks.patch_length_m", 2, "patch_length_m = 0.2", "patch_length_m = 0.3"),
     ("tracks.patch_width_m", 2, "patch_width_m = 0.25", "patch_width_m = 0.26"),
     ("tracks.spacing_m", 2, "spacing_m = 0.35", "spacing_m = 0.36"),

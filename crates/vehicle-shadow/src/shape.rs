@@ -3,16 +3,15 @@
 use std::sync::Arc;
 
 use diagnostics::{Problem, ProblemList};
-use glam::{DMat3, DVec3};
-use solids::{Body, Kind, Solid, culture, obj};
+use scenario::VehicleShape;
+use solids::{Body, Solid, culture, obj};
 
 use crate::{CharacteristicFunction, Shot};
 
 /// A vehicle of convex parts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shape {
-    parts: Vec<Arc<Solid>>,
-    eye_height: f64,
+    shape: VehicleShape,
     function: CharacteristicFunction,
 }
 
@@ -21,7 +20,8 @@ impl Shape {
     /// `eye_height` (m) above the foot point.
     pub fn new(parts: Vec<Solid>, eye_height: f64) -> Self {
         let function = CharacteristicFunction::of_parts(&parts, eye_height);
-        Self { parts: parts.into_iter().map(Arc::new).collect(), eye_height, function }
+        let parts = parts.into_iter().map(Arc::new).collect();
+        Self { shape: VehicleShape { parts, eye_height }, function }
     }
 
     /// The man-made thing of that name, or the OBJ file of that path.
@@ -50,10 +50,7 @@ impl Shape {
 
     /// The parts where they stand: north, east, up. The vehicle turns about the eye.
     pub fn bodies(&self, shot: &Shot) -> Vec<Body> {
-        let flip = DMat3::from_diagonal(DVec3::new(1.0, 1.0, -1.0));
-        let to_ground = flip * shot.vehicle.to_terrain() * flip;
-        let foot = DVec3::from_array(shot.eye) - to_ground * (DVec3::Z * self.eye_height);
-        self.parts.iter().map(|part| Body::place(0, Kind::Culture, part, foot, &to_ground, 1.0)).collect()
+        self.shape.bodies(shot.eye, shot.vehicle).collect()
     }
 }
 

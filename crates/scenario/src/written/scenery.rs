@@ -101,29 +101,37 @@ fn object(table: &Reader, folder: &Path, problems: &Problems) -> (Id, Option<Obj
 
 type Shape = (Option<PathBuf>, Vec<Arc<Solid>>);
 
-/// A model that the program carries, or a file.
-fn shape(table: &Reader, folder: &Path, problems: &Problems) -> Option<Shape> {
+/// A model that the program carries, or a file; `Some(None)` where the table names neither.
+pub(super) fn optional_shape(table: &Reader, folder: &Path, problems: &Problems) -> Option<Option<Shape>> {
     let models: Vec<(&str, &str)> = culture::NAMES.iter().map(|&name| (name, name)).collect();
     let model = table.one_of("model", &models).optional();
     let file = reference(table, "file", folder);
     let shared = |solids: Vec<Solid>| solids.into_iter().map(Arc::new).collect();
     match (table.has("model"), table.has("file")) {
-        (true, false) => Some((None, shared(culture::model(model?)?))),
+        (false, false) => Some(None),
+        (true, false) => Some(Some((None, shared(culture::model(model?)?)))),
         (false, true) => {
             let file = file?;
             let solids = take_over(obj::read(&file), problems)?;
-            Some((Some(file), shared(solids)))
+            Some(Some((Some(file), shared(solids))))
         }
-        (both, _) => {
+        (true, true) => {
             let [model, file] = [table.path("model"), table.path("file")];
-            let title = match both {
-                true => format!("`{model}` and `{file}` both say what the object is"),
-                false => format!("missing key `{model}` or `{file}`"),
-            };
+            let title = format!("`{model}` and `{file}` both say what it is");
             table.report(table.problem("model", title).expected("one of the two"));
             None
         }
     }
+}
+
+/// The same of what must have a shape.
+fn shape(table: &Reader, folder: &Path, problems: &Problems) -> Option<Shape> {
+    let shape = optional_shape(table, folder, problems)?;
+    if shape.is_none() {
+        let title = format!("missing key `{}` or `{}`", table.path("model"), table.path("file"));
+        table.report(table.problem("model", title).expected("one of the two"));
+    }
+    shape
 }
 
 fn stance(table: &Reader) -> Option<Stance> {

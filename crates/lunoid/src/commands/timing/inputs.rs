@@ -54,6 +54,7 @@ fn add_shadows(hasher: &mut Hasher, scenario: &Scenario, Stage { scenery, settin
     add(hasher, "suns", &scenery.suns());
     add(hasher, "tracks", &scenario.tracks);
     scenery.standing().iter().for_each(|standing| add(hasher, "body", &standing.body));
+    scenery.vehicle().iter().for_each(|vehicle| add(hasher, "vehicle", vehicle));
 }
 
 /// Debug text names all fields, and floats in it read back the same.
