@@ -65,22 +65,30 @@ fn wait_for_pictures(child: &mut Child, folder: &Path, count: usize) {
     }
 }
 
-#[test]
-fn a_run_that_is_killed_at_any_moment_goes_on() {
+/// `runs` runs, each killed twice at random moments, the second time while it is resumed, and then resumed to its end.
+fn killed_and_resumed(runs: u32, seed: u64) {
+    println!("seed {seed}");
+    let mut dice = seed;
+    // Steele and Vigna's splitmix64.
+    let mut up_to = |end: u64| {
+        dice = dice.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mixed = (dice ^ (dice >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        (mixed ^ (mixed >> 31)) % end
+    };
     let room = room();
     room.done(&replay("whole", &["--apng"]));
     let whole = run(&room.join("whole"));
     let mut interrupted = 0;
-    for moment in 0..12_u32 {
+    for moment in 0..runs {
         let out = format!("killed-{moment}");
         let folder = room.join(&out);
         let arguments = replay(&out, &["--apng", "--jobs", ["1", "2", "3"][moment as usize % 3]]);
         let name = if moment % 2 == 0 { "-KILL" } else { "-INT" };
-        // Moments over the whole length, twice a run: the resumed run is killed too.
-        for part in [moment, (5 * moment + 3) % 12].map(|part| part as usize) {
+        for _ in 0..2 {
             let mut child = start(&room, &arguments);
-            wait_for_pictures(&mut child, &folder, FRAMES * part / 12);
-            sleep(Duration::from_millis(u64::from(7 * moment)));
+            wait_for_pictures(&mut child, &folder, up_to(FRAMES as u64) as usize);
+            sleep(Duration::from_millis(up_to(80)));
             signal(&child, name);
             let status = child.wait().unwrap();
             assert!(status.code().is_none_or(|code| code == 0 || code == 130), "{moment}: {status}");
@@ -91,7 +99,20 @@ fn a_run_that_is_killed_at_any_moment_goes_on() {
         assert!(run(&folder) == whole, "{name} {moment}: another folder than that of a run in one go");
         fs::remove_dir_all(folder).unwrap();
     }
-    assert!(interrupted > 4, "only {interrupted} moments were inside the run");
+    println!("{} kills, {interrupted} of them inside a run; all {runs} runs resumed byte for byte", 2 * runs);
+    assert!(interrupted > runs as usize / 3, "only {interrupted} moments were inside the run");
+}
+
+#[test]
+fn a_run_that_is_killed_at_any_moment_goes_on() {
+    killed_and_resumed(6, 1970);
+}
+
+/// `cargo test -p lunoid --test bad_input two_hundred_kills -- --ignored --nocapture`.
+#[test]
+#[ignore = "a hundred runs of 120 frames take minutes"]
+fn two_hundred_kills() {
+    killed_and_resumed(100, 11);
 }
 
 /// While its sweeps are checked a run has all its frames and no record yet.

@@ -8,6 +8,8 @@ mod arguments;
 mod banks;
 mod build;
 mod elevation;
+#[cfg(target_os = "linux")]
+mod failing_disk;
 #[cfg(unix)]
 mod interrupted;
 #[cfg(unix)]
