@@ -1,16 +1,17 @@
 //! GeoTIFF: decoded by the `tiff` crate, geo tags by [`super::geo_keys`].
 
 use std::fs::File;
-use std::io::BufReader;
+use std::io::{BufReader, Seek};
 use std::path::Path;
 
 use tiff::decoder::ifd::Value;
-use tiff::decoder::{Decoder, DecodingResult};
+use tiff::decoder::{Decoder, DecodingResult, Limits};
 use tiff::tags::Tag;
 use tiff::{TiffError, TiffResult};
 
 use super::geo_keys::GeoTags;
 use super::samples::Conversion;
+use super::tiff_directory::{TooLarge, too_large};
 use super::{ReadOptions, check_raster, field};
 use crate::elevation::Elevation;
 use crate::error::SurveyError;
@@ -27,10 +28,15 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<Elevation, SurveyError
     let at = |place: &'static str| {
         move |source| SurveyError::Tiff { path: path.to_path_buf(), place: place.into(), source }
     };
-    let file = File::open(path).map_err(|source| SurveyError::Read { path: path.to_path_buf(), source })?;
-    let bytes =
-        file.metadata().map_err(|source| SurveyError::Read { path: path.to_path_buf(), source })?.len();
-    let mut tiff = Decoder::new(BufReader::new(file)).map_err(at("header"))?;
+    let failed = |source| SurveyError::Read { path: path.to_path_buf(), source };
+    let mut file = BufReader::new(File::open(path).map_err(failed)?);
+    let bytes = file.get_ref().metadata().map_err(failed)?.len();
+    if let Some(claim) = too_large(&mut file, bytes) {
+        return Err(impossible(path, claim, bytes));
+    }
+    file.rewind().map_err(failed)?;
+    let tiff = Decoder::new(file).map_err(at("header"))?;
+    let mut tiff = tiff.with_limits(limits(bytes));
     let (columns, lines) = tiff.dimensions().map_err(at("header"))?;
     check_raster(path, lines.into(), columns.into())?;
     refuse_inverted(path, &mut tiff)?;
@@ -56,6 +62,23 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<Elevation, SurveyError
     elevation.sources = vec![path.to_path_buf()];
     elevation.notes = notes;
     Ok(elevation)
+}
+
+fn impossible(path: &Path, TooLarge { tag, bytes }: TooLarge, size: u64) -> SurveyError {
+    let place = tag.map_or_else(|| "directory".to_owned(), |tag| format!("tag {tag}"));
+    let expected = format!("at most {size}, the bytes of the file");
+    field(path, place, format!("{bytes} bytes"), expected, "the header is damaged: fetch the file again")
+}
+
+/// What a strip or a value of a file of so many bytes may take, whatever its header claims.
+fn limits(bytes: u64) -> Limits {
+    let usual = Limits::default();
+    let most = |bytes: u64, usual: usize| usize::try_from(bytes).map_or(usual, |bytes| bytes.min(usual));
+    let mut limits = usual.clone();
+    limits.decoding_buffer_size = most(bytes.saturating_mul(MOST_EXPANSION), usual.decoding_buffer_size);
+    limits.intermediate_buffer_size = most(bytes, usual.intermediate_buffer_size);
+    limits.ifd_value_size = most(bytes, usual.ifd_value_size);
+    limits
 }
 
 /// How the samples are stored.

@@ -5,6 +5,7 @@ mod geotiff;
 mod npy;
 mod pds3;
 mod samples;
+mod tiff_directory;
 
 use std::fs::File;
 use std::io::Read;

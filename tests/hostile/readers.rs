@@ -1,0 +1,111 @@
+//! Every reader of a file that people, or other programs, write.
+
+use std::fmt::Display;
+use std::fs;
+use std::path::Path;
+
+use hardware_model::{HardwareModel, ModelSource};
+use scenario::Scenario;
+use survey::ReadOptions;
+use vehicle_shadow::Camera;
+
+use crate::allocation::largest_request;
+
+/// Most bytes that a piece of memory may have for a file of so many bytes: packed elevations grow by up to 4096, PNG by up to
+/// 1032; a parser's tables of some hundred bytes for each byte come to less.
+fn most_memory(file: usize) -> usize {
+    (1 << 22) + 8192 * file
+}
+
+/// A reader: a file of this name goes in, nothing or an error comes out.
+#[derive(Debug, Clone, Copy)]
+pub struct Reader {
+    /// Folder of the corpus.
+    pub name: &'static str,
+    /// Name that its files have.
+    pub file: &'static str,
+    read: fn(&Path) -> Result<(), String>,
+}
+
+/// All of them.
+pub const READERS: [Reader; 15] = [
+    Reader { name: "scenario", file: "scene.toml", read: |path| said(Scenario::read(path)) },
+    Reader {
+        name: "path-csv",
+        file: "path.csv",
+        read: |path| scene_of(path, "[path]\nfile = \"path.csv\"\n"),
+    },
+    Reader {
+        name: "path-tum",
+        file: "path.tum",
+        read: |path| scene_of(path, "[path]\nfile = \"path.tum\"\n"),
+    },
+    Reader { name: "model", file: "model.toml", read: model },
+    Reader { name: "craters", file: "craters.csv", read: |path| said(features::list::read(path)) },
+    Reader { name: "obj", file: "shape.obj", read: |path| said(solids::obj::read(path)) },
+    Reader { name: "bank", file: "ground.bank", read: |path| said(landscape::bank_file::read(path)) },
+    Reader { name: "geotiff", file: "dem.tif", read: elevation },
+    Reader { name: "pds", file: "dem.lbl", read: elevation },
+    Reader { name: "npy", file: "dem.npy", read: elevation },
+    Reader {
+        name: "png",
+        file: "frame.png",
+        read: |path| said(picture::read_png(path, &picture::Limits::default())),
+    },
+    Reader { name: "baseline", file: "timing.json", read: |path| said(timing::read(path)) },
+    Reader { name: "run", file: "run.json", read: |path| said(replay::HeldRun::read(folder(path))) },
+    Reader { name: "poses", file: "poses.csv", read: |path| said(vehicle_shadow::read_poses(path)) },
+    Reader { name: "camera", file: "camera.json", read: |path| said(Camera::read(path)) },
+];
+
+/// The reader of a folder of the corpus.
+pub fn reader(name: &str) -> Reader {
+    let found = READERS.into_iter().find(|reader| reader.name == name);
+    found.unwrap_or_else(|| panic!("no reader is called `{name}`"))
+}
+
+impl Reader {
+    /// What it says of `bytes` in `folder`. Panics if it asks for more memory than such a file may, or if its error does not
+    /// name the file.
+    pub fn read(&self, folder: &Path, bytes: &[u8]) -> Result<(), String> {
+        let path = folder.join(self.file);
+        fs::write(&path, bytes).expect("a folder that can be written");
+        let (result, largest) = largest_request(|| (self.read)(&path));
+        let most = most_memory(bytes.len());
+        assert!(largest <= most, "{}: {largest} bytes at once for a file of {}", self.name, bytes.len());
+        if let Err(said) = &result {
+            assert!(said.contains(self.stem()), "{}: does not name its file: {said}", self.name);
+        }
+        result
+    }
+
+    /// The image beside a label is its file too.
+    fn stem(&self) -> &str {
+        self.file.split('.').next().unwrap_or(self.file)
+    }
+}
+
+fn said<T>(result: Result<T, impl Display>) -> Result<(), String> {
+    result.map(|_| ()).map_err(|error| error.to_string())
+}
+
+fn folder(path: &Path) -> &Path {
+    path.parent().expect("a file in a folder")
+}
+
+fn model(path: &Path) -> Result<(), String> {
+    said(HardwareModel::load(&ModelSource::File(path.to_owned()), &[], &[]))
+}
+
+fn elevation(path: &Path) -> Result<(), String> {
+    said(survey::read(path, &ReadOptions { band: Some(1), spacing: Some([10.0; 2]), ..ReadOptions::default() }))
+}
+
+/// A whole scenario around a path file.
+fn scene_of(path: &Path, course: &str) -> Result<(), String> {
+    let text = format!(
+        "format = 1\ntitle = \"T\"\nshows = \"T.\"\nframes = 2\n[landscape.generated]\nseed = 1\nextent_m = [400, 400]\n\
+         region_size_m = 50\n[sun]\nazimuth_deg = 100\nelevation_deg = 15\n{course}"
+    );
+    said(Scenario::parse(&folder(path).join("scene.toml").display().to_string(), &text))
+}

@@ -1,0 +1,119 @@
+//! Whole files, from which damaged ones are made.
+
+use landscape::{Bank, Georeference};
+use lunoid_tests::{level_of, plane};
+use picture::{Depth, GreyPicture, encode_png};
+
+use crate::build::{Tiff, doubles, npy};
+
+const LABEL: &str = "PDS_VERSION_ID = \"PDS3\"
+RECORD_BYTES = 6
+^IMAGE = 200
+OBJECT = IMAGE
+  NAME = HEIGHT
+  LINES = 2
+  LINE_SAMPLES = 3
+  SAMPLE_TYPE = LSB_INTEGER
+  SAMPLE_BITS = 16
+  SCALING_FACTOR = 0.5
+  OFFSET = 1737400.
+  MISSING_CONSTANT = -32768
+END_OBJECT = IMAGE
+OBJECT = IMAGE_MAP_PROJECTION
+  MAP_PROJECTION_TYPE = \"SIMPLE CYLINDRICAL\"
+  MAP_RESOLUTION = 4 <pix/deg>
+  A_AXIS_RADIUS = 1737.4 <km>
+  POSITIVE_LONGITUDE_DIRECTION = \"EAST\"
+  CENTER_LATITUDE = 0 <deg>
+  CENTER_LONGITUDE = 180 <deg>
+  LINE_PROJECTION_OFFSET = 359.5 <pix>
+  SAMPLE_PROJECTION_OFFSET = 719.5 <pix>
+  MAP_SCALE = 0.1 <km/pix>
+END_OBJECT = IMAGE_MAP_PROJECTION
+END
+";
+
+const CUBE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\no box\n\
+                    f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+
+const RUN: &str = r#"{"schema":"lunoid.run/1","format":1,"fingerprint":"00ff","range":[0,1],
+"frames":[{"frame":0,"time_s":0.0,"pixels_blake3":"aa","files":[{"file":"frames/frame-000000.png","blake3":"bb"}],"counts":{}}],
+"outputs":[{"file":"poses.csv","blake3":"cc"}],"settings":{"display":{"white":1.0,"gamma":2.2}}}"#;
+
+/// Whole files of the reader of that name.
+pub fn seeds(name: &str) -> Vec<Vec<u8>> {
+    let texts: &[&str] = match name {
+        "scenario" => &[
+            include_str!("../../crates/lunoid/tests/tiny.toml"),
+            include_str!("../../scenarios/showpiece.toml"),
+            include_str!("../../scenarios/low-sun.toml"),
+        ],
+        "path-csv" => &[
+            "t_s,x_m,y_m,heading_deg\n0,100,200,\n2.5,108,205,40\n5,116,206,\n",
+            "# a climb\nt_s,x_m,y_m,z_m,pitch_deg\n0,100,200,30,-10\n5,110,201,20,-12\n",
+        ],
+        "path-tum" => &["# t tx ty tz qx qy qz qw\n0 100 200 -3.2 0 0 0 1\n1 102 201 -3.2 0 0 0.1 0.995\n"],
+        "model" => &[
+            include_str!("../../hardware-models/pra-nominal.toml"),
+            "format = 1\nname = \"mine\"\nbase = \"ideal\"\n[loader]\naccess_ns = 90\n",
+        ],
+        "craters" => &[
+            "x_m,y_m,radius_m,depth_m,rim_m,type,outer_m,floor_m\n200,200,10,2,0,1,,\n210,190,8,1,0.2,2,12,\n\
+                        150,150,20,2,0.5,3,30,9\n",
+        ],
+        "obj" => &[CUBE],
+        "baseline" => &[include_str!("../timing-baselines/first-light.ideal.json")],
+        "run" => &[RUN],
+        "poses" => &[
+            "frame,t_s,x_m,y_m,z_m,heading_deg,pitch_deg,roll_deg,yoke_deg,height_m\n0,0,1,2,3,4,5,6,0,1.6\n1,0.1,1,2,3,4,5,6,0,1.6\n",
+        ],
+        "camera" => &[
+            r#"{"schema":"lunoid.camera/1","tan_half_field":[0.466,0.268],"columns":40,"lines":23,"projection":"exact","roll_drawn":false}"#,
+        ],
+        _ => &[],
+    };
+    match name {
+        "bank" => banks(),
+        "geotiff" => vec![
+            Tiff::plane().bytes(),
+            Tiff { bands: 2, heights: vec![1.5; 800], no_data: Some("-9999"), ..Tiff::plane() }.bytes(),
+        ],
+        "pds" => vec![label()],
+        "npy" => vec![
+            npy("<f8", "(5, 5)", &doubles(&[1.0; 25])),
+            npy("<i2", "(3, 4)", &[7; 24]),
+            npy(">f4", "(2, 2)", &[0; 16]),
+        ],
+        "png" => [Depth::Eight, Depth::Sixteen].into_iter().map(png).collect(),
+        _ => texts.iter().map(|text| text.as_bytes().to_vec()).collect(),
+    }
+}
+
+/// A label with its image behind it.
+fn label() -> Vec<u8> {
+    let mut bytes = LABEL.as_bytes().to_vec();
+    bytes.resize(199 * 6, b' ');
+    bytes.extend([2_i16, -4, 6, 8, -32768, 12].iter().flat_map(|height| height.to_le_bytes()));
+    bytes
+}
+
+fn banks() -> Vec<Vec<u8>> {
+    let level = |corners| level_of(40.0, [0.0, 10.0], [corners; 2], plane(40.0, 3.0, [0.1, -0.2]));
+    let place = Some(Georeference { latitude: 0.1, longitude: 0.2, at: [50.0, 60.0] });
+    let one = Bank::new("One", vec![level(3)], None).expect("a bank");
+    let two = Bank::new("Placed", vec![level(4)], place).expect("a bank");
+    [one, two].iter().map(|bank| written(bank)).collect()
+}
+
+fn written(bank: &Bank) -> Vec<u8> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("a.bank");
+    landscape::bank_file::write(&path, bank).expect("a bank that can be written");
+    std::fs::read(path).expect("what was written")
+}
+
+fn png(depth: Depth) -> Vec<u8> {
+    let codes = (0..24_u16).map(|code| code * 7).collect();
+    let picture = GreyPicture::new(6, 4, depth, codes).expect("a picture");
+    encode_png(&picture, &[("Frame", "3")]).expect("a PNG")
+}
