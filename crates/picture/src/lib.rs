@@ -25,6 +25,6 @@ pub use apng::Apng;
 pub use compose::{GAP, beside, contact_sheet, shrink};
 pub use error::{PictureError, PictureFileError};
 pub use grey::{Depth, GreyPicture};
-pub use png_file::{Limits, decode_png, encode_png, read_png, write_png};
+pub use png_file::{Limits, decode_png, encode_png, png_texts, read_png, write_png};
 pub use transfer::{Encoder, Transfer};
 pub use y4m::{Y4m, Y4mColour};

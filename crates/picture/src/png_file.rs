@@ -100,6 +100,13 @@ pub fn decode_png(bytes: &[u8], limits: &Limits) -> Result<GreyPicture, PictureE
     GreyPicture::new(columns as usize, lines as usize, depth, codes)
 }
 
+/// Text chunks in front of a PNG's pixels, keyword and text; none of a file that is no PNG.
+pub fn png_texts(bytes: &[u8]) -> Vec<(String, String)> {
+    let Ok(reader) = Decoder::new(Cursor::new(bytes)).read_info() else { return Vec::new() };
+    let texts = reader.info().uncompressed_latin1_text.iter();
+    texts.map(|chunk| (chunk.keyword.clone(), chunk.text.clone())).collect()
+}
+
 fn grey_depth(colour: ColorType, depth: BitDepth) -> Result<Depth, PictureError> {
     match (colour, depth) {
         (ColorType::Grayscale, BitDepth::Eight) => Ok(Depth::Eight),

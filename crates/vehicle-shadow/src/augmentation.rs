@@ -7,13 +7,14 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use generator::check_eye;
 use glam::DVec3;
 use landscape::Sun;
-use picture::{GreyPicture, Limits, encode_png, read_png};
+use picture::{GreyPicture, Limits, PictureFileError, decode_png, encode_png};
 use scenario::{Pose, TrackPatch};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::flat_ground::{OutlineRule, flat_gates, shadow_outlines};
 use crate::gate::Gates;
 use crate::insertion::{Method, Shade};
+use crate::kept::{Made, kept, stamp};
 use crate::sequence::{Sequence, SequenceFrame};
 use crate::suns::suns;
 use crate::true_ground::TrueGround;
@@ -50,10 +51,12 @@ pub struct Augmentation {
     pub ground: GroundLaw,
     /// How the shadow gets into the video.
     pub method: Method,
+    /// Hash of program, vehicle, sun, ground and method: a picture that was made from the same is made once.
+    pub inputs: String,
 }
 
 /// What became of one frame.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FrameWork {
     /// Its number.
     pub frame: u64,
@@ -120,8 +123,9 @@ impl Augmentation {
     }
 
     /// Puts the shadow into all pictures of `sequence` and writes them, under the same names, into the folder `out`,
-    /// which is made if it is not there. Each file is written whole or not at all. Ends early, with whole pictures only,
-    /// when `cancel` is set; `heard` hears how many are done.
+    /// which is made if it is not there, and goes again if nothing comes into it. Each file is written whole or not at all; one
+    /// that is there, made from the same by an earlier run, stays. Ends early, with whole pictures only, when `cancel` is set;
+    /// `heard` hears how many are done.
     ///
     /// # Errors
     /// The first fault; pictures before it are written.
@@ -132,21 +136,22 @@ impl Augmentation {
         cancel: &AtomicBool,
         heard: &dyn Fn(u64),
     ) -> Result<Vec<FrameWork>, AugmentError> {
-        make_folder(sequence.folder(), out)?;
+        let _made = make_folder(sequence.folder(), out)?;
         let mut size = sequence.camera().size.map(|size| (size, "camera.json says".to_owned()));
         let mut done = Vec::with_capacity(sequence.frames().len());
         for frame in sequence.frames() {
             if cancel.load(Ordering::Relaxed) {
                 break;
             }
-            let picture = read_png(&frame.path, &Limits::default())?;
+            let source = Source::read(&frame.path)?;
+            let picture = &source.picture;
             let found = [picture.columns(), picture.lines()];
             let (expected, of) = size.get_or_insert_with(|| (found, frame.path.display().to_string()));
             if found != *expected {
                 let (path, expected, of) = (frame.path.clone(), *expected, of.clone());
                 return Err(AugmentError::Size { path, found, expected, of });
             }
-            done.push(self.frame(sequence, frame, &picture, out)?);
+            done.push(self.frame(sequence, frame, &source, out)?);
             heard(done.len() as u64);
         }
         Ok(done)
@@ -156,41 +161,76 @@ impl Augmentation {
         &self,
         sequence: &Sequence,
         frame: &SequenceFrame,
-        picture: &GreyPicture,
+        source: &Source,
         out: &Path,
     ) -> Result<FrameWork, AugmentError> {
         let shot = frame.pose.shot(sequence.camera(), self.eye_height);
-        let (shade, work) = self.shade(frame.frame, &shot, [picture.columns(), picture.lines()])?;
+        let picture = &source.picture;
         let file = frame.path.file_name().unwrap_or_default();
         let path = out.join(file);
-        let refused = |source| picture::PictureFileError::Picture { path: path.clone(), source };
+        let key = self.key(frame.frame, &shot, source);
+        if let Some(kept) = kept(&path, &key) {
+            return Ok(kept);
+        }
+        let (shade, work) = self.shade(frame.frame, &shot, [picture.columns(), picture.lines()])?;
+        let refused = |source| PictureFileError::Picture { path: path.clone(), source };
         let new = GreyPicture::new(picture.columns(), picture.lines(), picture.depth(), shade.blank(picture))
             .map_err(refused)?;
-        let texts = [("Frame", frame.frame.to_string()), ("Time", format!("{} s", frame.pose.time))];
-        let bytes =
-            encode_png(&new, &texts.each_ref().map(|(key, text)| (*key, text.as_str()))).map_err(refused)?;
-        files::write_atomic(&path, |file| file.write_all(&bytes))?;
-        Ok(FrameWork {
+        let work = FrameWork {
             frame: frame.frame,
             time_s: frame.pose.time,
             file: file.to_string_lossy().into_owned(),
             pixels_blake3: new.pixel_hash(),
             times: work.times(&self.method, sequence.period()),
             work,
-        })
+        };
+        let texts = [
+            ("Frame", frame.frame.to_string()),
+            ("Time", format!("{} s", frame.pose.time)),
+            stamp(&key, &work),
+        ];
+        let bytes =
+            encode_png(&new, &texts.each_ref().map(|(key, text)| (*key, text.as_str()))).map_err(refused)?;
+        files::write_atomic(&path, |file| file.write_all(&bytes))?;
+        Ok(work)
+    }
+
+    /// Hash of everything that a new picture is made from.
+    fn key(&self, frame: u64, shot: &Shot, source: &Source) -> String {
+        let mut hasher = blake3::Hasher::new();
+        hasher.update(format!("{} {frame} {shot:?} ", self.inputs).as_bytes());
+        hasher.update(&source.bytes);
+        hasher.finalize().to_hex().to_string()
+    }
+}
+
+/// A picture of the sequence.
+struct Source {
+    bytes: Vec<u8>,
+    picture: GreyPicture,
+}
+
+impl Source {
+    fn read(path: &Path) -> Result<Self, AugmentError> {
+        let limits = Limits::default();
+        let bytes = files::read_all(path, limits.file_bytes)?;
+        let refused = |source| PictureFileError::Picture { path: path.to_owned(), source };
+        let picture = decode_png(&bytes, &limits).map_err(refused)?;
+        Ok(Self { bytes, picture })
     }
 }
 
 /// Makes `out`, which must not be the folder of the pictures.
-fn make_folder(pictures: &Path, out: &Path) -> Result<(), AugmentError> {
+fn make_folder(pictures: &Path, out: &Path) -> Result<Made, AugmentError> {
     let failed = |path: &Path, doing| {
         let path: PathBuf = path.to_owned();
         move |source| AugmentError::Folder { path, doing, source }
     };
+    let made = Made::at(out);
     fs::create_dir_all(out).map_err(failed(out, "make this folder"))?;
     let real = |path: &Path| fs::canonicalize(path).map_err(failed(path, "find this folder"));
     if real(pictures)? == real(out)? {
         return Err(AugmentError::SameFolder { path: out.to_owned() });
     }
-    Ok(())
+    Ok(made)
 }

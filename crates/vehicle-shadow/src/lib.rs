@@ -59,6 +59,7 @@ mod function;
 mod gate;
 mod hull;
 mod insertion;
+mod kept;
 mod node_table;
 mod outline;
 mod poses;

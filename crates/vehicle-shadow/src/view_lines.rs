@@ -33,7 +33,7 @@ impl LineType {
 }
 
 /// How many lines were of each type, in the report's order.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 pub struct LineCounts {
     /// Type 1.
     pub visible: u64,

@@ -1,6 +1,6 @@
 //! What one picture costs the computer and the gear between it and the video (section 19.6).
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::insertion::{Method, ScanConverter};
 use crate::view_lines::LineCounts;
@@ -14,7 +14,7 @@ const WRITE_S: f64 = 33e-3;
 const ERASE_S: f64 = 33e-3;
 
 /// Counts of one picture; with a penumbra, over all points of the sun.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Work {
     /// Points that went through the chain.
     pub points: u64,
@@ -29,7 +29,7 @@ pub struct Work {
 }
 
 /// Times of one picture.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct WorkTimes {
     /// The computer's, until the next picture's shadow is set up (s).
     pub setup_s: f64,

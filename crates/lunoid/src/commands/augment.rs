@@ -95,6 +95,14 @@ pub struct Augment {
     saying: Saying,
 }
 
+/// What is under the vehicle.
+struct Grounded {
+    law: GroundLaw,
+    vehicle: Vehicle,
+    /// What decides it.
+    inputs: String,
+}
+
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum MethodWord {
     /// Blanking where television lines cross outlines.
@@ -124,10 +132,12 @@ impl Augment {
         self.expect_ground()?;
         let pool = self.threads.pool()?;
         let sequence = Sequence::read(&self.frames, &self.poses, self.camera()?)?;
-        let (ground, vehicle) = self.ground(&sequence, &pool)?;
+        let Grounded { law: ground, vehicle, inputs } = self.ground(&sequence, &pool)?;
         let eye_height = self.eye_height.unwrap_or(vehicle.eye_height);
+        let shape = Shape::find(&self.vehicle, eye_height)?;
         let augmentation = Augmentation {
-            shape: Shape::find(&self.vehicle, eye_height)?,
+            inputs: self.inputs(&shape, eye_height, &inputs),
+            shape,
             eye_height,
             sun: self
                 .sun
@@ -147,7 +157,7 @@ impl Augment {
         if (made.len() as u64) < frames {
             let done = made.len();
             tell(&format!(
-                "interrupted: {done} of {frames} frames are whole; the same command again makes all\n"
+                "interrupted: {done} of {frames} frames are whole; the same command again makes the rest\n"
             ));
             return Ok(Verdict::Interrupted);
         }
@@ -185,14 +195,24 @@ impl Augment {
         }
     }
 
+    /// Hash of all that decides every picture of the sequence.
+    fn inputs(&self, shape: &Shape, eye_height: f64, ground: &str) -> String {
+        let program = (env!("CARGO_PKG_VERSION"), COMMIT);
+        let words = (self.sun, self.penumbra, self.method(), ground);
+        blake3::hash(format!("{program:?} {shape:?} {eye_height:?} {words:?}").as_bytes())
+            .to_hex()
+            .to_string()
+    }
+
     /// The ground, and the vehicle that drives on it.
-    fn ground(&self, sequence: &Sequence, pool: &ThreadPool) -> Result<(GroundLaw, Vehicle), Failure> {
+    fn ground(&self, sequence: &Sequence, pool: &ThreadPool) -> Result<Grounded, Failure> {
         if self.ground == FLAT {
             let rule = match self.outline {
                 OutlineWord::Parts => OutlineRule::Parts,
                 OutlineWord::Walk => OutlineRule::Walk,
             };
-            return Ok((GroundLaw::Flat(rule), Vehicle::default()));
+            let inputs = format!("{rule:?}");
+            return Ok(Grounded { law: GroundLaw::Flat(rule), vehicle: Vehicle::default(), inputs });
         }
         let mut loaded = StageArgs::of(Path::new(&self.ground)).load()?;
         let stage = loaded.stage(pool)?;
@@ -204,8 +224,9 @@ impl Augment {
             }
             false => Vec::new(),
         };
+        let inputs = format!("{:?} {:?} {tracks:?}", loaded.inputs.scenario, loaded.inputs.references);
         let ground = Box::new(pool.install(|| TrueGround::new(stage)));
-        Ok((GroundLaw::True { ground, tracks }, vehicle))
+        Ok(Grounded { law: GroundLaw::True { ground, tracks }, vehicle, inputs })
     }
 
     fn method(&self) -> Method {

@@ -49,6 +49,25 @@ fn the_shadow_of_a_run_is_put_in_and_told() {
 }
 
 #[test]
+fn pictures_that_are_there_stay() {
+    let scene = run();
+    let (whole, _) = augment(&scene, 0, &["rover", "--sun", "212,6", "--out", "new", "--json"]);
+    let picture = |frame: u32| scene.join(&format!("new/frame-{frame:06}.png"));
+    let made = |frame: u32| fs::metadata(picture(frame)).unwrap().modified().unwrap();
+    let (bytes, first) = (fs::read(picture(1)).unwrap(), made(0));
+    // As a run leaves it that was killed between its pictures, and one of them damaged since.
+    fs::remove_file(scene.join("new/augment.json")).unwrap();
+    fs::write(picture(1), &bytes[..bytes.len() - 30]).unwrap();
+    let (again, _) = augment(&scene, 0, &["rover", "--sun", "212,6", "--out", "new", "--json"]);
+    assert_eq!((again, fs::read(picture(1)).unwrap()), (whole, bytes.clone()));
+    assert_eq!(made(0), first, "it was not made again");
+    // Under another sun all are.
+    augment(&scene, 0, &["rover", "--sun", "213,6", "--out", "new"]);
+    assert_ne!(fs::read(picture(1)).unwrap(), bytes);
+    assert_ne!(made(0), first);
+}
+
+#[test]
 fn tracks_want_ground() {
     let scene = run();
     let (_, err) = augment(&scene, 2, &["rover", "--sun", "212,6", "--tracks", "--out", "new"]);
@@ -81,6 +100,7 @@ fn what_cannot_be_is_refused() {
     ] {
         let (_, err) = augment(&scene, code, rest);
         assert!(err.contains(words), "{rest:?}: {err}");
+        assert!(!scene.join("new").exists(), "{rest:?} leaves a folder");
     }
     for (frames, poses, words) in [
         ("none", "run/poses.csv", "no picture here"),

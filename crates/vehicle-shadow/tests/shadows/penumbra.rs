@@ -26,6 +26,7 @@ fn across_the_edge(height: f64, ahead: f64, ground: GroundLaw) -> Vec<f64> {
     let wall =
         Solid::boxed(DVec3::new(-ahead - 0.5, -50.0, 0.0), DVec3::new(-ahead, 50.0, height), 1.0).unwrap();
     let augmentation = Augmentation {
+        inputs: String::new(),
         shape: Shape::new(vec![wall], 10.0),
         eye_height: 10.0,
         sun: Some(sun(180.0, 20.0)),

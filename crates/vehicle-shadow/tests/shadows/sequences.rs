@@ -58,6 +58,7 @@ impl Folder {
 
     fn run(&self, method: Method, out: &Path) -> Result<Vec<FrameWork>, AugmentError> {
         let augmentation = Augmentation {
+            inputs: String::new(),
             shape: Shape::find("rover", 1.6334).unwrap(),
             eye_height: 1.6334,
             sun: Some(sun(215.0, 22.0)),

@@ -40,6 +40,7 @@ fn read(frames: &[u64]) -> (Scenario, TrueGround, Vec<Shot>) {
 
 fn augmentation(scenario: &Scenario, ground: GroundLaw) -> Augmentation {
     Augmentation {
+        inputs: String::new(),
         shape: Shape::new(culture::model("rover").unwrap(), scenario.vehicle.eye_height),
         eye_height: scenario.vehicle.eye_height,
         sun: Some(scenario.sun),
