@@ -7,8 +7,8 @@
 //! - `pictures`: scenarios damaged at random, drawn by the machine and by `exact` where they can be.
 //!
 //! ```sh
-//! cargo test -p lunoid-tests --test hostile                              # as in CI
-//! cargo test -p lunoid-tests --test hostile -- --ignored --nocapture     # the long run
+//! cargo test -p lunoid-tests --test hostile                               # as in CI
+//! cargo test -p lunoid-tests --test hostile_long -- --nocapture long_     # the long run
 //! ```
 
 mod allocation;

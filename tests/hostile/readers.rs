@@ -98,7 +98,10 @@ fn model(path: &Path) -> Result<(), String> {
 }
 
 fn elevation(path: &Path) -> Result<(), String> {
-    said(survey::read(path, &ReadOptions { band: Some(1), spacing: Some([10.0; 2]), ..ReadOptions::default() }))
+    said(survey::read(
+        path,
+        &ReadOptions { band: Some(1), spacing: Some([10.0; 2]), ..ReadOptions::default() },
+    ))
 }
 
 /// A whole scenario around a path file.

@@ -102,7 +102,7 @@ fn banks() -> Vec<Vec<u8>> {
     let place = Some(Georeference { latitude: 0.1, longitude: 0.2, at: [50.0, 60.0] });
     let one = Bank::new("One", vec![level(3)], None).expect("a bank");
     let two = Bank::new("Placed", vec![level(4)], place).expect("a bank");
-    [one, two].iter().map(|bank| written(bank)).collect()
+    [one, two].iter().map(written).collect()
 }
 
 fn written(bank: &Bank) -> Vec<u8> {

@@ -66,7 +66,7 @@ fn wait_for_pictures(child: &mut Child, folder: &Path, count: usize) {
 }
 
 /// `runs` runs, each killed twice at random moments, the second time while it is resumed, and then resumed to its end.
-fn killed_and_resumed(runs: u32, seed: u64) {
+pub fn killed_and_resumed(runs: u32, seed: u64) {
     println!("seed {seed}");
     let mut dice = seed;
     // Steele and Vigna's splitmix64.
@@ -106,13 +106,6 @@ fn killed_and_resumed(runs: u32, seed: u64) {
 #[test]
 fn a_run_that_is_killed_at_any_moment_goes_on() {
     killed_and_resumed(6, 1970);
-}
-
-/// `cargo test -p lunoid --test bad_input two_hundred_kills -- --ignored --nocapture`.
-#[test]
-#[ignore = "a hundred runs of 120 frames take minutes"]
-fn two_hundred_kills() {
-    killed_and_resumed(100, 11);
 }
 
 /// While its sweeps are checked a run has all its frames and no record yet.
