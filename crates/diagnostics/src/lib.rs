@@ -68,8 +68,11 @@
 //!
 //! A file with a `base` is read through [`Layers`], where a later file wins key by key and every value
 //! remembers the file and the line it came from.
+//!
+//! [`JunitSuite`] writes what was checked for continuous integration.
 
 mod field;
+mod junit;
 mod layers;
 mod place;
 mod problem;
@@ -79,6 +82,7 @@ mod toml_file;
 mod tree;
 
 pub use field::{Bounded, Field};
+pub use junit::{JunitCase, JunitSuite};
 pub use layers::{Layers, Origin};
 pub use place::{Place, Placed, Source};
 pub use problem::{Problem, ProblemList, ProblemRecord, Problems};

@@ -3,7 +3,7 @@
 use clap::{Parser, Subcommand};
 
 use crate::commands::{
-    augment, bank, check, compare, explain, info, list, model, page, probe, replay, sizing, study, survey,
+    augment, bank, cartridge, check, compare, explain, info, list, model, page, probe, replay, sizing, study, survey,
     timing, trace, trigger,
 };
 use crate::output::Colour;
@@ -73,4 +73,6 @@ pub enum Command {
     Sizing(sizing::Sizing),
     /// Measure error against run time.
     Study(study::StudyCommand),
+    /// Run test cartridges: scenes whose answer is known in closed form.
+    Cartridge(cartridge::CartridgeCommand),
 }

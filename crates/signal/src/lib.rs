@@ -14,4 +14,4 @@ pub use breaks::{Break, Breaks, Stretches};
 pub use lanes::{LANES, Lanes};
 pub use probe::{Probe, Waveform};
 pub use real::Real;
-pub use table::{Axis, Kind, Signal, Unit, Wire};
+pub use table::{Axis, Kind, Signal, Unit, Wire, name_matches};

@@ -182,7 +182,7 @@ impl Signal {
 
     /// Whether `pattern` names this signal: exact, or with `*` for any run of characters.
     pub fn matches(&self, pattern: &str) -> bool {
-        matches(pattern.as_bytes(), self.name.as_bytes())
+        name_matches(pattern, self.name)
     }
 }
 
@@ -197,6 +197,11 @@ pub struct Wire {
     pub volts: f64,
     /// Value at 0 V, in the unit of the signal.
     pub datum: f64,
+}
+
+/// Whether `pattern` names `name`: exact, or with `*` for any run of characters.
+pub fn name_matches(pattern: &str, name: &str) -> bool {
+    matches(pattern.as_bytes(), name.as_bytes())
 }
 
 fn matches(pattern: &[u8], name: &[u8]) -> bool {

@@ -3,6 +3,7 @@
 mod again;
 pub mod augment;
 pub mod bank;
+pub mod cartridge;
 pub mod check;
 pub mod compare;
 pub mod edges;
@@ -45,5 +46,6 @@ pub fn run(cli: &Cli) -> Result<Verdict, Failure> {
         Command::Timing(timing) => timing.run(),
         Command::Sizing(sizing) => sizing.run(),
         Command::Study(study) => study.run(),
+        Command::Cartridge(cartridge) => cartridge.run(),
     }
 }

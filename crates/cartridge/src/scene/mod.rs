@@ -1,0 +1,121 @@
+//! Scenes: what is run.
+
+pub mod drum;
+pub mod ground;
+pub mod machine;
+pub mod noise;
+pub mod part;
+pub mod view;
+
+use serde::Deserialize;
+
+use crate::file::Engine;
+use crate::reading::Reading;
+
+/// What is run.
+#[derive(Debug, Clone, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(tag = "kind", rename_all = "kebab-case")]
+pub enum Scene {
+    /// The whole machine, or `exact`, over a ground: one frame.
+    Machine(machine::MachineScene),
+    /// One analog part on the bench.
+    Part(part::PartScene),
+    /// The deviates that noise is made of.
+    Noise(noise::NoiseScene),
+    /// One drum behind a storage buffer.
+    Drum(drum::DrumScene),
+    /// Pixels, the rays through them, and pixels again.
+    View(view::ViewScene),
+}
+
+/// One run of a scene: one hardware model, one heading, one ground.
+#[derive(Debug, Clone)]
+pub enum Case {
+    Machine(Box<machine::MachineCase>),
+    Part(part::PartCase),
+    Noise(noise::NoiseCase),
+    Drum(drum::DrumCase),
+    View(view::ViewScene),
+}
+
+/// What came of a run.
+#[derive(Debug, Clone)]
+pub enum Seen {
+    Machine(Box<machine::Drawn>),
+    Part(part::Output),
+    Noise(noise::Deviates),
+    Drum(drum::Waits),
+    View(view::Trips),
+}
+
+impl Scene {
+    /// Its word in files.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::Machine(_) => "machine",
+            Self::Part(_) => "part",
+            Self::Noise(_) => "noise",
+            Self::Drum(_) => "drum",
+            Self::View(_) => "view",
+        }
+    }
+
+    /// Whether an engine runs scenes of this kind.
+    pub fn is_for(&self, engine: Engine) -> bool {
+        match self {
+            Self::Machine(_) => engine != Engine::Part,
+            _ => engine == Engine::Part,
+        }
+    }
+
+    /// Every run that the scene means.
+    pub fn cases(&self) -> Result<Vec<Case>, String> {
+        let cases: Vec<Case> = match self {
+            Self::Machine(scene) => {
+                scene.cases()?.into_iter().map(|case| Case::Machine(Box::new(case))).collect()
+            }
+            Self::Part(scene) => scene.cases()?.into_iter().map(Case::Part).collect(),
+            Self::Noise(scene) => scene.cases()?.into_iter().map(Case::Noise).collect(),
+            Self::Drum(scene) => scene.cases()?.into_iter().map(Case::Drum).collect(),
+            Self::View(scene) => vec![Case::View(scene.clone())],
+        };
+        if cases.is_empty() {
+            Err("the scene means no run at all: a list of it is empty".into())
+        } else {
+            Ok(cases)
+        }
+    }
+}
+
+impl Case {
+    /// For messages.
+    pub fn what(&self) -> String {
+        match self {
+            Self::Machine(case) => case.what(),
+            Self::Part(case) => case.model.name.clone(),
+            Self::Noise(case) => case.model.name.clone(),
+            Self::Drum(case) => case.model.name.clone(),
+            Self::View(_) => "all views".into(),
+        }
+    }
+
+    /// Runs it on an engine, and keeps what the readings look at.
+    pub fn run(&self, engine: Engine, readings: &[&Reading]) -> Result<Seen, String> {
+        Ok(match self {
+            Self::Machine(case) => Seen::Machine(Box::new(case.draw(engine, readings)?)),
+            Self::Part(case) => Seen::Part(case.run()),
+            Self::Noise(case) => Seen::Noise(case.run()),
+            Self::Drum(case) => Seen::Drum(case.run()),
+            Self::View(scene) => Seen::View(scene.run()),
+        })
+    }
+}
+
+/// `value` is within a range that its key allows.
+pub(crate) fn within(key: &str, value: f64, low: f64, high: f64) -> Result<(), String> {
+    match (low..=high).contains(&value) {
+        true => Ok(()),
+        false => Err(format!("{key} = {value}: expected {low} to {high}")),
+    }
+}

@@ -1,0 +1,96 @@
+//! From a pixel to its ray, to a point on the ray, and back to a pixel.
+
+use exact::View;
+use glam::DVec3;
+use landscape::Attitude;
+use quantities::radians;
+use scenario::Projection;
+use serde::Deserialize;
+
+/// Every pixel of a picture under every pitch, heading and angle of the yoke. Angles in degrees.
+#[derive(Debug, Clone, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct ViewScene {
+    /// Nose up.
+    pub pitches_deg: Vec<f64>,
+    /// Clockwise from north.
+    pub headings_deg: Vec<f64>,
+    /// Starboard down.
+    pub yokes_deg: Vec<f64>,
+    /// Field of view, across and upright.
+    pub field_deg: [f64; 2],
+    /// Columns and lines.
+    pub raster: [u32; 2],
+    /// Ranges along the rays at which the way back begins (m).
+    pub ranges_m: Vec<f64>,
+    /// Projection law of the rays.
+    pub projection: ProjectionWord,
+}
+
+/// A projection law.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(rename_all = "kebab-case")]
+pub enum ProjectionWord {
+    /// `Y = D tan(theta - eta)`.
+    AsReported,
+    /// `Y = (D / cos beta) tan(-eta)`.
+    Corrected,
+    /// In perspective.
+    Exact,
+}
+
+/// Pixels that went out, and where they came back (columns and lines).
+#[derive(Debug, Clone, Default)]
+pub struct Trips {
+    pub out: Vec<[f64; 2]>,
+    pub back: Vec<[f64; 2]>,
+}
+
+impl ViewScene {
+    pub(super) fn run(&self) -> Trips {
+        let mut trips = Trips::default();
+        for &pitch in &self.pitches_deg {
+            for &heading in &self.headings_deg {
+                for &yoke in &self.yokes_deg {
+                    let attitude = Attitude {
+                        roll: 0.0,
+                        pitch: radians(pitch),
+                        heading: radians(heading.rem_euclid(360.0)),
+                    };
+                    self.add(&View::new(self.law(), &attitude).with_yoke(radians(yoke)), &mut trips);
+                }
+            }
+        }
+        trips
+    }
+
+    fn law(&self) -> Projection {
+        match self.projection {
+            ProjectionWord::AsReported => Projection::AsReported,
+            ProjectionWord::Corrected => Projection::Corrected,
+            ProjectionWord::Exact => Projection::Exact,
+        }
+    }
+
+    fn add(&self, view: &View, trips: &mut Trips) {
+        let half = self.field_deg.map(|field| libm::tan(0.5 * radians(field)));
+        let [columns, lines] = self.raster;
+        let middle = |count: u32| 0.5 * f64::from(count);
+        let sizes = [middle(columns), middle(lines)];
+        for pixel in (0..lines).flat_map(|line| (0..columns).map(move |column| [column, line])) {
+            let out = pixel.map(|index| f64::from(index) + 0.5);
+            let on_screen: [f64; 2] = std::array::from_fn(|k| half[k] * (out[k] / sizes[k] - 1.0));
+            let ray = view.ray(on_screen[0], on_screen[1]);
+            for &range in &self.ranges_m {
+                let [north, east] = ray.direction;
+                let point = DVec3::new(north, east, ray.rise) * range;
+                let found = view.project(point, 1e-6);
+                let back = found.map(|back| std::array::from_fn(|k| sizes[k] * (1.0 + back[k] / half[k])));
+                trips.out.push(out);
+                trips.back.push(back.unwrap_or([f64::NAN; 2]));
+            }
+        }
+    }
+}
