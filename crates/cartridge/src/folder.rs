@@ -36,6 +36,7 @@ carried! {
     "drum-wait"
     "flat-plane"
     "fold-table"
+    "folds-of-every-machine"
     "gain-error"
     "lag-fold"
     "lag-step"

@@ -3,8 +3,8 @@
 use clap::{Parser, Subcommand};
 
 use crate::commands::{
-    augment, bank, cartridge, check, compare, explain, info, list, model, page, probe, replay, sizing, study, survey,
-    timing, trace, trigger,
+    augment, bank, cartridge, check, compare, explain, info, list, model, page, probe, replay, sizing, study,
+    survey, timing, trace, trigger,
 };
 use crate::output::Colour;
 

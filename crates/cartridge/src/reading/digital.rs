@@ -16,6 +16,15 @@ pub struct FoldsReading {
     pub count: u64,
 }
 
+/// Sets of words asked for at a fold, in the mean of the frame.
+#[derive(Debug, Clone, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct SetsAFoldReading {
+    /// How many: two registers for each colour that changes.
+    pub count: f64,
+}
+
 /// A response time.
 #[derive(Debug, Clone, Deserialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
@@ -70,6 +79,14 @@ impl Task {
 impl FoldsReading {
     pub(super) fn deviation(&self, seen: &Drawn) -> Result<Deviation, String> {
         Ok(Deviation::of("folds", seen.folds as f64, self.count as f64, 1.0))
+    }
+}
+
+impl SetsAFoldReading {
+    pub(super) fn deviation(&self, seen: &Drawn) -> Result<Deviation, String> {
+        let timing = seen.timing()?;
+        let found = timing.sets.wanted as f64 / timing.folds as f64;
+        Ok(Deviation::of("sets a fold", found, self.count, 1.0))
     }
 }
 

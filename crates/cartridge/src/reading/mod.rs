@@ -43,6 +43,8 @@ pub enum Reading {
     Changes(changes::ChangesReading),
     /// Folds of the frame. Tolerance: counts.
     Folds(digital::FoldsReading),
+    /// Register sets asked for at a fold. Tolerance: counts.
+    SetsAFold(digital::SetsAFoldReading),
     /// Where ground of one brightness ends, in every column. Tolerance: lines.
     HorizonLine(horizon_line::HorizonLineReading),
     /// Lambert's value of a plane on some lines of every column. Tolerance: reflectivity.
@@ -90,6 +92,7 @@ impl Reading {
             Self::Turns(reading) => format!("turns {}", reading.signal),
             Self::Changes(reading) => format!("changes {}", reading.signal),
             Self::Folds(_) => "folds".into(),
+            Self::SetsAFold(_) => "sets-a-fold".into(),
             Self::HorizonLine(_) => "horizon-line".into(),
             Self::Brightness(_) => "brightness".into(),
             Self::Hidden(_) => "hidden".into(),
@@ -149,7 +152,7 @@ impl Reading {
 
     /// Whether it looks at the digital side.
     pub fn looks_at_timing(&self) -> bool {
-        matches!(self, Self::Response(_) | Self::Missed(_) | Self::Utilisation(_))
+        matches!(self, Self::SetsAFold(_) | Self::Response(_) | Self::Missed(_) | Self::Utilisation(_))
     }
 
     /// How far what is seen is from what is meant, where it is farthest.
@@ -163,6 +166,7 @@ impl Reading {
                 Self::Turns(reading) => reading.deviation(seen),
                 Self::Changes(reading) => reading.deviation(meant, seen),
                 Self::Folds(reading) => reading.deviation(seen),
+                Self::SetsAFold(reading) => reading.deviation(seen),
                 Self::HorizonLine(reading) => reading.deviation(meant, seen),
                 Self::Brightness(reading) => reading.deviation(meant, seen),
                 Self::Hidden(reading) => reading.deviation(meant, seen),

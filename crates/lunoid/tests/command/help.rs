@@ -1,6 +1,6 @@
 use crate::scene::{Scene, lunoid};
 
-const COMMANDS: [&[&str]; 29] = [
+const COMMANDS: [&[&str]; 33] = [
     &[],
     &["replay"],
     &["page"],
@@ -30,6 +30,10 @@ const COMMANDS: [&[&str]; 29] = [
     &["timing", "show"],
     &["timing", "columns"],
     &["sizing"],
+    &["cartridge"],
+    &["cartridge", "run"],
+    &["cartridge", "list"],
+    &["cartridge", "schema"],
 ];
 
 #[test]

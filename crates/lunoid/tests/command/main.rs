@@ -3,6 +3,7 @@
 mod augment;
 mod bad_input;
 mod banks;
+mod cartridges;
 mod checks;
 mod columns;
 mod explain;

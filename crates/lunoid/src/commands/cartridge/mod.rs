@@ -35,6 +35,7 @@ enum Action {
     /// List cartridges.
     List(List),
     /// Print the JSON schema of cartridge.toml.
+    #[command(after_help = "Example:\n  lunoid cartridge schema > cartridge.schema.json")]
     Schema,
 }
 

@@ -1,6 +1,5 @@
 //! `lunoid cartridge run`.
 
-use std::io::Write;
 use std::path::PathBuf;
 
 use cartridge::{Answer, Cartridge, CartridgeError, Outcome, Summary, junit};
