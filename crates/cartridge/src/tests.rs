@@ -195,6 +195,8 @@ fn one_error_names_file_and_place() {
         assert!(parts.iter().all(|part| found.contains(part)), "{to}: {found}");
         assert!(!found.trim_end().contains('\n') || to.contains("sw"), "{to}: several lines: {found}");
     }
+    let many = refused("pixel-ray-pixel", "raster = [25, 17]", "raster = [60000, 60000]");
+    assert!(many.contains("raster = ") && many.contains("expected 1 to 10000000"), "{many}");
     let signal = refused("axis-parallel", "signal = \"tg.height\"", "signal = \"tg.hight\"");
     assert!(signal.contains("expect 1: the machine has no signal `tg.hight`"), "{signal}");
 }
@@ -216,6 +218,28 @@ fn a_folder_of_cartridges_is_read() {
     std::fs::write(folder.path().join("one/cartridge.toml"), [0xff, 0xfe]).unwrap();
     let binary = of_folder(folder.path()).unwrap_err().to_string();
     assert!(binary.contains("cartridge.toml: not in UTF-8"), "{binary}");
+}
+
+/// Readings of what is not there are errors, not panics, and no wrong answers.
+#[test]
+fn what_cannot_be_read_is_an_error() {
+    for (name, from, to, part) in [
+        ("flat-plane", "last_line = 239", "last_line = 9223372036854775807", "are not in the picture"),
+        ("flat-plane", "last_line = 239", "last_line = 240", "are not in the picture"),
+        ("fold-table", "at_m = [50.0, 150.0", "at_m = [50.5, 150.0", "no sample is at 50.5 m"),
+        ("flat-plane", "eye_m = [7900.0, 8300.0, 9.0]", "eye_m = [7900.0, 8300.0, 5.0]", "under the ground"),
+        (
+            "lag-fold",
+            "kind = \"fold\", per_us = 0.4, fold_us = 2.0",
+            "kind = \"step\", to = 1.0",
+            "kind fold",
+        ),
+    ] {
+        let text = text_of(name).replacen(from, to, 1);
+        let found = Cartridge::parse(name, name, &text).and_then(|cartridge| cartridge.run());
+        let error = found.expect_err(to).to_string();
+        assert!(error.contains(part) && error.starts_with(name), "{error}");
+    }
 }
 
 /// A wrong answer, an overlay that nothing notices, and an answer that is right.

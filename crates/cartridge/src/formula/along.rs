@@ -103,6 +103,9 @@ fn folded(place: f64) -> f64 {
     if over < 1.0 { over } else { 2.0 - over }
 }
 
+/// No sweep crosses more lines (regions).
+const FARTHEST: f64 = 4096.0;
+
 /// Folds so far back have died out (time constants of the smoother).
 const FORGOTTEN: f64 = 60.0;
 
@@ -116,7 +119,8 @@ fn smoothed(of: &MachineCase, range: f64, north: f64) -> f64 {
     let (w, z) = (1.0 / of.model.analog.sweep.smoother, hardware_model::SMOOTHER_DAMPING);
     let delay = 2.0 * z / w;
     // Where the accumulator is, and how far back its folds are not forgotten.
-    let (now, oldest) = (place + rate * delay, place - rate * FORGOTTEN / w);
+    let back = (rate * FORGOTTEN / w).clamp(-FARTHEST, FARTHEST);
+    let (now, oldest) = (place + (rate * delay).clamp(-FARTHEST, FARTHEST), place - back);
     let lines = (oldest.min(now).ceil() as i64)..=(oldest.max(now).floor() as i64);
     let off = lines.map(|line| {
         let since = (now - line as f64) / rate;

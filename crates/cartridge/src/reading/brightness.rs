@@ -20,9 +20,11 @@ pub struct BrightnessReading {
 impl BrightnessReading {
     pub(super) fn deviation(&self, meant: &MachineCase, seen: &Drawn) -> Result<Deviation, String> {
         let columns = meant.settings.raster.columns as usize;
-        let ground = seen.picture.get(self.first_line * columns..(self.last_line + 1) * columns);
-        let ground = ground
-            .ok_or(format!("lines {} to {} are not in the picture", self.first_line, self.last_line))?;
+        let Self { first_line, last_line } = *self;
+        if first_line > last_line || last_line >= meant.settings.raster.lines as usize {
+            return Err(format!("lines {first_line} to {last_line} are not in the picture"));
+        }
+        let ground = &seen.picture[first_line * columns..(last_line + 1) * columns];
         let [_, north, east] = meant.surface([meant.scene.eye_m[0], meant.scene.eye_m[1]]);
         let found: Vec<f64> = ground.iter().map(|&value| f64::from(value)).collect();
         let expected = vec![lambert(&meant.scene, [north, east]); found.len()];

@@ -111,7 +111,7 @@ impl Ground {
                     *value = scale * self.derivative(orders, place);
                 }
             }
-            Self::Rows { heights_m } => words[0] = heights_m[m],
+            Self::Rows { heights_m } => words[0] = heights_m.get(m).copied().unwrap_or(0.0),
             Self::OneWord { corners, words: places, value_m } => {
                 if corners[0] == [m, n] {
                     words[places[0]] = *value_m;

@@ -29,6 +29,9 @@ pub enum Scene {
     View(view::ViewScene),
 }
 
+/// Runs of a scene at most: models by headings by grounds.
+const MOST_RUNS: usize = 1000;
+
 /// One run of a scene: one hardware model, one heading, one ground.
 #[derive(Debug, Clone)]
 pub enum Case {
@@ -78,12 +81,12 @@ impl Scene {
             Self::Part(scene) => scene.cases()?.into_iter().map(Case::Part).collect(),
             Self::Noise(scene) => scene.cases()?.into_iter().map(Case::Noise).collect(),
             Self::Drum(scene) => scene.cases()?.into_iter().map(Case::Drum).collect(),
-            Self::View(scene) => vec![Case::View(scene.clone())],
+            Self::View(scene) => scene.checked().map(|()| vec![Case::View(scene.clone())])?,
         };
-        if cases.is_empty() {
-            Err("the scene means no run at all: a list of it is empty".into())
-        } else {
-            Ok(cases)
+        match cases.len() {
+            0 => Err("the scene means no run at all: a list of it is empty".into()),
+            1..=MOST_RUNS => Ok(cases),
+            count => Err(format!("the scene means {count} runs: expected at most {MOST_RUNS}")),
         }
     }
 }

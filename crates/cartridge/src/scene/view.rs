@@ -7,6 +7,8 @@ use quantities::radians;
 use scenario::Projection;
 use serde::Deserialize;
 
+use super::within;
+
 /// Every pixel of a picture under every pitch, heading and angle of the yoke. Angles in degrees.
 #[derive(Debug, Clone, Deserialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
@@ -48,7 +50,18 @@ pub struct Trips {
     pub back: Vec<[f64; 2]>,
 }
 
+/// Ways out and back of a scene at most.
+const MOST_TRIPS: f64 = 1e7;
+
 impl ViewScene {
+    pub(super) fn checked(&self) -> Result<(), String> {
+        self.field_deg.iter().try_for_each(|&field| within("field_deg", field, 0.01, 160.0))?;
+        let lists = [&self.pitches_deg, &self.headings_deg, &self.yokes_deg, &self.ranges_m];
+        let trips = lists.iter().map(|list| list.len() as f64).product::<f64>();
+        let trips = trips * f64::from(self.raster[0]) * f64::from(self.raster[1]);
+        within("pitches x headings x yokes x ranges x raster", trips, 1.0, MOST_TRIPS)
+    }
+
     pub(super) fn run(&self) -> Trips {
         let mut trips = Trips::default();
         for &pitch in &self.pitches_deg {
