@@ -246,7 +246,7 @@ fn what_cannot_be_read_is_an_error() {
 #[test]
 fn what_is_wrong_is_told() {
     let text = text_of("lag-step");
-    let right = Cartridge::parse("right", "", &text).unwrap().run().unwrap();
+    let right = Cartridge::parse("right", "", text).unwrap().run().unwrap();
     assert!(right.passed() && right.faults().is_empty(), "{:?}", right.faults());
     let deaf = text.replace("tolerance = 1e-14", "tolerance = 1e3");
     let deaf = Cartridge::parse("deaf", "", &deaf).unwrap().run().unwrap();
