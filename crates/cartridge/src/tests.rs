@@ -228,12 +228,7 @@ fn what_cannot_be_read_is_an_error() {
         ("flat-plane", "last_line = 239", "last_line = 240", "are not in the picture"),
         ("fold-table", "at_m = [50.0, 150.0", "at_m = [50.5, 150.0", "no sample is at 50.5 m"),
         ("flat-plane", "eye_m = [7900.0, 8300.0, 9.0]", "eye_m = [7900.0, 8300.0, 5.0]", "under the ground"),
-        (
-            "lag-fold",
-            "kind = \"fold\", per_us = 0.4, fold_us = 2.0",
-            "kind = \"step\", to = 1.0",
-            "kind fold",
-        ),
+        ("lag-step", "kind = \"output\"", "kind = \"peak\", peak = \"late-by\"", "of the kind fold"),
     ] {
         let text = text_of(name).replacen(from, to, 1);
         let found = Cartridge::parse(name, name, &text).and_then(|cartridge| cartridge.run());
