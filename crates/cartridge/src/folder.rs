@@ -41,6 +41,7 @@ carried! {
     "lag-fold"
     "lag-step"
     "late-word"
+    "late-word-tick"
     "lunoid-horizon"
     "lunoid-horizon-eye"
     "near-axis"
