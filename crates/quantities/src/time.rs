@@ -41,6 +41,11 @@ impl Rate {
         self.numerator as f64 / self.denominator as f64
     }
 
+    /// Numerator and denominator, in lowest terms.
+    pub fn fraction(self) -> [u64; 2] {
+        [self.numerator, self.denominator]
+    }
+
     /// `self * factor`; `None` on overflow.
     pub fn times(self, factor: u64) -> Option<Self> {
         Self::new(self.numerator.checked_mul(factor)?, self.denominator)

@@ -1,6 +1,6 @@
-//! Function generators, products, sums and light (sections 5.2, 6.1, 6.4, 7).
+//! Function generators, products and sums (sections 5.2, 6.1, 6.4).
 
-use crate::interpreter::registers::CORNERS;
+use crate::registers::CORNERS;
 
 /// Outputs of the three kinds of function generator at z, and of their derivative generators.
 #[derive(Debug, Clone, Copy)]
@@ -26,10 +26,23 @@ fn generators(z: f64) -> Generators {
     }
 }
 
-/// Height and its derivatives in u and v (all metres) from what is in the hold registers: the sums of 6.4.
-pub fn sums(hold: &[[f64; 9]; 4], ramps: [f64; 2], polarity: [f64; 2]) -> [f64; 3] {
+/// What the array gives at one sample; metres.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Sums {
+    /// Height, and its derivatives in u and v.
+    pub ground: [f64; 3],
+    /// What each colour adds to the height.
+    pub colours: [f64; 4],
+    /// Outputs of the function generators fed X, 1 - X, Y, 1 - Y.
+    pub functions: [[f64; 3]; 4],
+}
+
+/// The sums of 6.4 from what is in the hold registers.
+pub fn sums(hold: &[[f64; 9]; 4], ramps: [f64; 2], polarity: [f64; 2]) -> Sums {
     let [of_x, of_one_minus_x] = [generators(ramps[0]), generators(1.0 - ramps[0])];
     let [of_y, of_one_minus_y] = [generators(ramps[1]), generators(1.0 - ramps[1])];
+    let functions = [of_x, of_one_minus_x, of_y, of_one_minus_y].map(|fed| fed.value);
+    let mut colours = [0.0; 4];
     let [mut h, mut h_u, mut h_v] = [0.0; 3];
     for (colour, [a, b]) in CORNERS.into_iter().enumerate() {
         let (gx, ex) = if a == 0 { (of_x, polarity[0]) } else { (of_one_minus_x, -polarity[0]) };
@@ -40,30 +53,11 @@ pub fn sums(hold: &[[f64; 9]; 4], ramps: [f64; 2], polarity: [f64; 2]) -> [f64; 
                 let odd_y = if q == 1 { ey } else { 1.0 };
                 let word = odd_x * odd_y * hold[colour][3 * p + q];
                 h += gx.value[p] * gy.value[q] * word;
+                colours[colour] += gx.value[p] * gy.value[q] * word;
                 h_u += ex * gx.slope[p] * gy.value[q] * word;
                 h_v += ey * gx.value[p] * gy.slope[q] * word;
             }
         }
     }
-    [h, h_u, h_v]
-}
-
-/// Coefficient multipliers of the light, set once a mission.
-#[derive(Debug, Clone, Copy)]
-pub struct Light {
-    /// `cos e cos a`, `cos e sin a`.
-    pub level: [f64; 2],
-    /// `sin e`.
-    pub up: f64,
-    /// Share of the light that is returned.
-    pub albedo: f64,
-}
-
-impl Light {
-    /// Reflectivity of ground with slopes (hx, hy); local shadow is 0.
-    pub fn reflectivity(&self, hx: f64, hy: f64) -> f64 {
-        let towards_sun = self.up - hx * self.level[0] - hy * self.level[1];
-        let lambert = towards_sun / (1.0 + hx * hx + hy * hy).sqrt();
-        if lambert > 0.0 { self.albedo * lambert } else { 0.0 }
-    }
+    Sums { ground: [h, h_u, h_v], colours, functions }
 }

@@ -2,15 +2,20 @@
 
 use std::sync::Arc;
 
+use features::{Crater, Features};
 use generator::{FrameCounts, FrameError, Generator, PlaneKind, Planes, Stage};
-use hardware_model::{HardwareModel, LatePolicy, Loader, Raster, Settings, SweepMemoryKind};
-use landscape::{Attitude, Bank, CornerWords, Landscape, Level, Sun};
+use hardware_model::{HardwareModel, LatePolicy, LevelSwitch, Loader, Raster, Settings, SweepMemoryKind};
+use landscape::{
+    Attitude, Bank, CornerWords, Landscape, Layer, Level, Photometry, Source, Sun, Texture,
+};
 use quantities::{Rate, Timebase, radians};
 use scenario::{
     Curvature, Display, FieldOfView, LawWishes, Laws, Occlusion, PixelRule, Pose, Projection, RangeLaw,
     RangeProgramme, RasterWishes, Scalar, Scenery,
 };
 use signal::{Probe, Waveform};
+
+use crate::{Engines, Report};
 
 /// Frames a second of every test scene.
 pub const UPDATE_HZ: u64 = 30;
@@ -20,6 +25,14 @@ pub const UPDATE_HZ: u64 = 30;
 pub struct Scene {
     /// The ground.
     pub level: Level,
+    /// Ground beyond the switch, where there are two levels.
+    pub coarse: Option<(Level, LevelSwitch)>,
+    /// Craters on it.
+    pub craters: Vec<Crater>,
+    /// Grain sizes of the texture; none without layers.
+    pub texture: Vec<Layer>,
+    /// Law of reflection.
+    pub photometry: Photometry,
     /// Share of the light that is returned, 0..=1.
     pub albedo: f64,
     /// The light.
@@ -76,6 +89,10 @@ impl Scene {
             eye: [middle[0], middle[1], ground + 10.0],
             range: RangeProgramme { law: RangeLaw::Geometric, start: 2.0, end: 4.0 * level.region_size() },
             level,
+            coarse: None,
+            craters: Vec::new(),
+            texture: Vec::new(),
+            photometry: Photometry::Lambert,
             albedo: 1.0,
             sun: Sun { azimuth: radians(70.0), elevation: radians(25.0) },
             heading: 0.0,
@@ -112,13 +129,31 @@ impl Scene {
     }
 
     /// The stage of the scene.
+    ///
+    /// # Panics
+    /// If its levels do not make a bank, or its layers no texture.
     pub fn stage(&self) -> Stage {
-        let bank = Bank::new("test", vec![self.level.clone()], None).expect("one level is a bank");
-        let landscape = Arc::new(Landscape::new(bank, self.albedo));
-        Stage { landscape, scenery: Arc::new(Scenery::still(self.sun)), settings: self.settings() }
+        let coarse = self.coarse.iter().map(|(level, _)| level.clone());
+        let levels = [self.level.clone()].into_iter().chain(coarse).collect();
+        let bank = Bank::new("test", levels, None).expect("levels from fine to coarse are a bank");
+        let landscape = Landscape::new(bank, self.albedo)
+            .with_features(Features::new(self.craters.clone()))
+            .with_texture(self.grain())
+            .with_photometry(self.photometry);
+        let scenery = Arc::new(Scenery::still(self.sun));
+        Stage { landscape: Arc::new(landscape), scenery, settings: self.settings() }
+    }
+
+    fn grain(&self) -> Option<Texture> {
+        let level = &self.level;
+        let made = |layers| Texture::new(layers, Source::Random, 1970, level.region_size(), level.origin());
+        (!self.texture.is_empty()).then(|| made(&self.texture).expect("layers in their ranges"))
     }
 
     /// The settings of the run.
+    ///
+    /// # Panics
+    /// If raster and clocks do not fit together.
     pub fn settings(&self) -> Settings {
         let hertz = |count| Rate::new(count, 1).expect("a rate above zero");
         let update = hertz(UPDATE_HZ);
@@ -146,6 +181,7 @@ impl Scene {
             timebase: timebase.expect("clocks of a small raster"),
             range: self.range,
             laws: self.laws,
+            levels: self.coarse.as_ref().map(|(_, switch)| *switch),
             loader: self.loader.clone(),
             sweep_memory: self.sweep_memory,
             ..ideal
@@ -156,6 +192,18 @@ impl Scene {
     pub fn pose(&self) -> Pose {
         let attitude = Attitude { roll: 0.0, pitch: self.pitch, heading: self.heading };
         Pose { time: 0.0, eye: self.eye, attitude, yoke: 0.0 }
+    }
+
+    /// Frame `frame` of the scene on both engines, all sweeps.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
+    ///
+    /// # Panics
+    /// If the machine refuses the stage.
+    pub fn lockstep(&self, frame: u64) -> Result<Report, FrameError> {
+        let engines = Engines::new(self.stage()).expect("a stage that the machine can draw");
+        engines.compare(frame, &self.pose(), 0..self.sweeps)
     }
 
     /// Draws frame `frame` and records `signals` (patterns) of every sweep.
@@ -182,7 +230,7 @@ impl Scene {
     }
 }
 
-/// Height of the ground by direct evaluation (m).
+/// Height of the terrain by direct evaluation (m).
 fn direct(level: &Level, [x, y]: [f64; 2]) -> f64 {
     let (region, local) = level.locate(x, y).expect("a point of the problem area");
     level.height_and_slopes(region, local)[0]

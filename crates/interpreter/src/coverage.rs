@@ -1,0 +1,60 @@
+//! What the interpreter does not model, and why: those signals are not compared.
+
+use hardware_model::{CrossingServer, Settings, WriteCompensation};
+
+/// What of one sweep it cannot know.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Unknown {
+    /// Corners that the data bank has not delivered.
+    pub corners: bool,
+    /// Craters that came late or found no sub-generator.
+    pub craters: bool,
+}
+
+/// Why the interpreter has no opinion on `signal` under `settings`; `None` if it has.
+pub fn why_not(signal: &str, settings: &Settings, unknown: Unknown) -> Option<&'static str> {
+    let parts = &settings.analog;
+    let of = |other: &str| why_not(other, settings, unknown);
+    match signal {
+        "sweep.x" | "sweep.y" | "sweep.range" => None,
+        "sc.gate" | "mu.vs2" => Some("given: the gate is taken as the machine has it"),
+        "sm.write" => Some("strokes of the beam between samples"),
+        "pg.present" | "pg.reflectivity" => Some("polyhedra"),
+        "txg.texture" => (!parts.texture_is_ideal()).then_some("real parts of the texture generator"),
+        "fg.reflectivity" => of("fg.height").or_else(|| of("tg.height")),
+        "mu.height" => of("tg.height").or_else(|| of("fg.height")),
+        "mu.vs1" | "mu.reflectivity" if !(parts.mixing_is_ideal() && parts.comparator_is_ideal()) => {
+            Some("real video switches, comparators or amplifier")
+        }
+        "mu.vs1" => of("fg.reflectivity"),
+        "mu.reflectivity" => of("fg.reflectivity").or_else(|| of("txg.texture")),
+        "sm.video" => of("mu.reflectivity").or_else(|| of("dpp.hold")),
+        _ if signal.starts_with("tg.fn.") => terrain_parts(settings),
+        _ if signal.starts_with("tg.") => terrain_parts(settings).or_else(|| words(settings, unknown)),
+        _ if signal.starts_with("fg.") && !parts.features_are_ideal() => Some("real parts of the sub-generators"),
+        _ if signal.starts_with("fg.") => unknown.craters.then_some("craters that came late or were dropped"),
+        _ if signal.starts_with("dpp.") && drives_parts(settings) => {
+            Some("real parts of projection processor or write gun")
+        }
+        _ if signal.starts_with("dpp.") => of("mu.height"),
+        _ => Some("no such wire in the report's drawing"),
+    }
+}
+
+/// Why it does not know which words are in the registers.
+pub fn words(settings: &Settings, unknown: Unknown) -> Option<&'static str> {
+    let by_interrupt = settings.loader.served_by == CrossingServer::CpuInterrupt;
+    let waits = by_interrupt.then_some("words by interrupt: how long one waits is drawn from a seed");
+    waits.or_else(|| unknown.corners.then_some("corners that the drums have not delivered"))
+}
+
+fn terrain_parts(settings: &Settings) -> Option<&'static str> {
+    (!settings.analog.terrain_is_ideal()).then_some("real parts of the terrain generator")
+}
+
+fn drives_parts(settings: &Settings) -> bool {
+    let memory = &settings.analog.memory;
+    !settings.analog.projection_is_ideal()
+        || memory.write_compensation != WriteCompensation::Exact
+        || memory.deflection.is_some()
+}

@@ -1,0 +1,83 @@
+//! The modified terrain generator: a fine one near, a coarse one far (section 8).
+
+use hardware_model::Loader;
+use scenario::LevelSwitch;
+
+use crate::scene::Scene;
+use crate::walk::{Course, Walk, walk};
+
+/// Terrain at one sample.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ground {
+    /// Height (m).
+    pub height: f64,
+    /// Slopes to the north and to the east.
+    pub slopes: [f64; 2],
+}
+
+/// Both generators of a sweep, and what they make together.
+#[derive(Debug, Clone)]
+pub struct Terrain {
+    /// The fine one.
+    pub fine: Walk,
+    /// The coarse one, where there is one.
+    pub coarse: Option<Walk>,
+    /// What is drawn, sample by sample, up to the end of the stored ground.
+    pub ground: Vec<Ground>,
+}
+
+/// The terrain of sweep `sweep` along `direction`.
+pub fn terrain(scene: &Scene<'_>, sweep: u32, direction: [f64; 2], ranges: &[f64]) -> Terrain {
+    let loader = &scene.settings.loader;
+    let switch = scene.settings.levels.filter(|_| scene.coarse().is_some());
+    let until = switch.map_or(f64::INFINITY, |switch| switch.range);
+    let course = Course { level: scene.fine(), number: 0, loader, direction, sweep, until };
+    let fine = walk(scene, &course, ranges);
+    let (Some(level), Some(switch)) = (scene.coarse(), switch) else {
+        let ground = fine.samples.iter().map(|s| Ground { height: s.height, slopes: s.slopes }).collect();
+        return Terrain { fine, coarse: None, ground };
+    };
+    // Words are held back on the fine level alone.
+    let plain = Loader { delays: Vec::new(), ..loader.clone() };
+    let course = Course { level, number: 1, loader: &plain, until: f64::INFINITY, ..course };
+    let coarse = walk(scene, &course, ranges);
+    let ground = both(&fine, &coarse, switch, direction, ranges);
+    Terrain { fine, coarse: Some(coarse), ground }
+}
+
+/// The fine level up to the switch, or to its own edge; over the last stretch before it fades into the coarse one.
+fn both(
+    fine: &Walk,
+    coarse: &Walk,
+    LevelSwitch { range: switch, blend }: LevelSwitch,
+    [cos, sin]: [f64; 2],
+    ranges: &[f64],
+) -> Vec<Ground> {
+    let switch = fine.edge.unwrap_or(switch);
+    let mut ground = Vec::new();
+    for (k, &range) in ranges.iter().enumerate() {
+        let (near, far) = (fine.samples.get(k), coarse.samples.get(k));
+        let shown = match (near, far) {
+            (None, None) => break,
+            (Some(near), _) if range <= switch - blend => Ground { height: near.height, slopes: near.slopes },
+            (Some(near), Some(far)) => {
+                let part = (range - (switch - blend)) / blend;
+                let (p2, p3) = (part * part, part * part * part);
+                let w = 1.0 - 10.0 * p3 + 15.0 * p3 * part - 6.0 * p3 * p2;
+                let rate = -30.0 * p2 * (1.0 - part) * (1.0 - part) / blend;
+                let step = near.height - far.height;
+                let slope = |axis: usize, c: f64| {
+                    w * near.slopes[axis] + (1.0 - w) * far.slopes[axis] + rate * step * c
+                };
+                Ground {
+                    height: w * near.height + (1.0 - w) * far.height,
+                    slopes: [slope(0, cos), slope(1, sin)],
+                }
+            }
+            (Some(near), None) => Ground { height: near.height, slopes: near.slopes },
+            (None, Some(far)) => Ground { height: far.height, slopes: far.slopes },
+        };
+        ground.push(shown);
+    }
+    ground
+}

@@ -1,0 +1,45 @@
+//! The second engine: a slow and obvious interpreter of one sweep, as the report draws it (sections 6 to 10, 13 to 15, 24).
+//!
+//! ```text
+//! clock ──▶ registers ◀── stops of ramps ──▶ event list
+//!               │              │
+//!             hold ──▶ 36 products, sums ─┬─▶ light ─▶ VS1 ─▶ VS2 ─▶ + ─▶ clip ─┬─▶ video
+//! craters ─▶ closed forms ────────────────┴─▶ height ─▶ elevation ─▶ occlusion ─┴─▶ deflection
+//! ```
+//!
+//! **What it shares with the machine**: words of the bank, list of craters, pattern of the texture, sun and pose; the
+//! numbers of a hardware model; the names of signals. **What it does not share**: any code that makes a signal. It
+//! knows no polynomials in ground range, no lanes and no programs: at every accumulator step it reads the two ramps,
+//! forms 36 products and adds them, asks every crater, and feeds the occlusion circuit sample by sample, all in f64.
+//!
+//! Files, by part of the drawing: [`scene`] (what is given), [`fan`] (azimuths, ranges), [`clock`] (ticks), [`ramp`],
+//! [`registers`] and [`server`] (hold, preload registers, pointers, words on their way), [`terrain`] (function
+//! generators, products, sums), [`walk`] (one terrain generator along a sweep), [`levels`] (two of them), [`light`],
+//! [`craters`], [`mixing`], [`projector`], [`sweep`] (one sweep in order), [`coverage`] (what it does not model).
+//!
+//! **Our choices.** Ground range of the samples is taken as it is given, so that both engines look at the same places;
+//! [`range_programme`] is an opinion of its own on it. The gate of remote shadow is given too: boundaries are made
+//! before the mission.
+
+pub mod clock;
+pub mod coverage;
+pub mod craters;
+pub mod event;
+pub mod fan;
+pub mod levels;
+pub mod light;
+pub mod mixing;
+pub mod projector;
+pub mod ramp;
+pub mod registers;
+pub mod scene;
+pub mod server;
+pub mod sweep;
+pub mod terrain;
+pub mod walk;
+
+pub use coverage::{Unknown, why_not};
+pub use event::{Event, Happening, Register};
+pub use fan::range_programme;
+pub use scene::{Given, Scene};
+pub use sweep::{Record, interpret};

@@ -1,0 +1,46 @@
+//! What a sweep is made from.
+
+use hardware_model::Settings;
+use landscape::{Landscape, Level, Sun};
+
+/// A frame: ground, light, pose and the numbers of the run.
+#[derive(Debug, Clone, Copy)]
+pub struct Scene<'a> {
+    /// Words, craters, texture, law of reflection.
+    pub landscape: &'a Landscape,
+    /// Raster, clocks, range programme, laws, loader.
+    pub settings: &'a Settings,
+    /// The light of the frame.
+    pub sun: Sun,
+    /// Eye: north, east, height (m).
+    pub eye: [f64; 3],
+    /// Clockwise from north (rad).
+    pub heading: f64,
+    /// Nose up (rad).
+    pub pitch: f64,
+    /// Number of the frame.
+    pub frame: u64,
+}
+
+/// What the interpreter does not work out and takes as the machine has it.
+#[derive(Debug, Clone, Copy)]
+pub struct Given<'a> {
+    /// Ground range of each sample (m).
+    pub ranges: &'a [f64],
+    /// The sweep whose set-up this one is drawn with: its own, but where the processor is late.
+    pub set_up: u32,
+    /// Gate of remote shadow at each sample, 0 or 1; empty where there is no shadow.
+    pub shadow: &'a [f64],
+}
+
+impl Scene<'_> {
+    /// The finest level.
+    pub(crate) fn fine(&self) -> &Level {
+        self.landscape.level()
+    }
+
+    /// The coarse level, where the scenario switches to one.
+    pub(crate) fn coarse(&self) -> Option<&Level> {
+        self.settings.levels.and(self.landscape.bank().levels().get(1))
+    }
+}

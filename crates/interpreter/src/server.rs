@@ -1,0 +1,96 @@
+//! Who brings the words: accesses of the storage buffer, tick by tick (sections 6.3, 22 no. 7; sheet of the DPU).
+
+use hardware_model::{CrossingServer, Loader};
+
+use crate::event::Register;
+
+/// Which register a set is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Wanted {
+    /// A preload register.
+    Preload(Register),
+    /// The corner beyond both stops.
+    Diagonal,
+}
+
+/// A set of nine words that waits.
+#[derive(Debug, Clone, Copy)]
+pub struct Asked {
+    /// Tick at which it was asked for.
+    pub tick: i64,
+    /// The stop that did.
+    pub crossing: u32,
+    /// Yellow, green, black, red.
+    pub colour: usize,
+    /// Where it goes.
+    pub wanted: Wanted,
+    /// Corner that it is of.
+    pub corner: [i64; 2],
+    /// The next stop of the other axis needs it.
+    pub urgent: bool,
+    /// Its stop has passed: straight on to hold.
+    pub late: bool,
+}
+
+/// The lines over which words come: one a colour, or one for all.
+#[derive(Debug, Clone)]
+pub struct Server<'a> {
+    loader: &'a Loader,
+    /// Tick from which on each line is free.
+    free: [i64; 4],
+    walked: i64,
+    /// Stops whose chain of commands has been started.
+    ordered: Option<u32>,
+    /// What waits, the longest asked first.
+    pub queue: Vec<Asked>,
+}
+
+impl<'a> Server<'a> {
+    /// Idle, from well before the sweep on.
+    pub fn at_start(loader: &'a Loader, begun: i64) -> Self {
+        Self { loader, free: [i64::MIN; 4], walked: begun - 1_000_000, ordered: None, queue: Vec::new() }
+    }
+
+    /// Tick by tick up to `last`: what each free line begins with, and the tick at which each word is in its register.
+    pub fn walk(&mut self, last: i64) -> Vec<(Asked, [i64; 9])> {
+        let mut served = Vec::new();
+        while self.walked < last && !self.queue.is_empty() {
+            self.walked += 1;
+            for line in 0..self.lines() {
+                if self.free[line] <= self.walked {
+                    served.extend(self.begin(line));
+                }
+            }
+        }
+        self.walked = self.walked.max(last);
+        served
+    }
+
+    fn lines(&self) -> usize {
+        if self.loader.served_by == CrossingServer::WiredPointers { 4 } else { 1 }
+    }
+
+    /// A free line begins with the set that is most urgent, else longest asked.
+    fn begin(&mut self, line: usize) -> Option<(Asked, [i64; 9])> {
+        let here = |set: &Asked| (self.lines() == 1 || set.colour == line) && set.tick <= self.walked;
+        let urgent = self.queue.iter().position(|set| here(set) && set.urgent && self.loader.urgent_first);
+        let chosen = urgent.or_else(|| self.queue.iter().position(here))?;
+        let set = self.queue.remove(chosen);
+        let chain = self.loader.channel_programme();
+        let mut now = self.walked;
+        if self.ordered != Some(set.crossing) {
+            now += chain.order as i64;
+            self.ordered = Some(set.crossing);
+        }
+        now += (chain.chain + self.loader.pointer) as i64;
+        let width = self.loader.words_per_access as usize;
+        let mut comes = [0; 9];
+        for first in (0..9).step_by(width) {
+            let words = first..(first + width).min(9);
+            now += self.loader.access as i64 + chain.edit as i64 * words.len() as i64;
+            words.for_each(|word| comes[word] = now + self.loader.strobe as i64);
+        }
+        self.free[line] = now;
+        Some((set, comes))
+    }
+}

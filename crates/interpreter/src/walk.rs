@@ -1,0 +1,157 @@
+//! One terrain generator along a sweep: ramps, stops, registers, sums.
+
+use hardware_model::Loader;
+use landscape::Level;
+
+use crate::clock::Clock;
+use crate::event::Event;
+use crate::ramp::Ramp;
+use crate::registers::{Registers, Start};
+use crate::scene::Scene;
+use crate::terrain::{Sums, sums};
+
+/// Nearer to a tick than this, rounding decides which tick sees a stop.
+const UNDECIDED: f64 = 1e-6;
+
+/// One sample.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sample {
+    /// Folded ramps.
+    pub ramps: [f64; 2],
+    /// What the array gives.
+    pub sums: Sums,
+    /// Height (m).
+    pub height: f64,
+    /// Slopes to the north and to the east.
+    pub slopes: [f64; 2],
+}
+
+/// A walk up to the end of the ground asked for, or of the stored area.
+#[derive(Debug, Clone, Default)]
+pub struct Walk {
+    /// Samples on the way.
+    pub samples: Vec<Sample>,
+    /// Event list.
+    pub events: Vec<Event>,
+    /// Instants of the stops, in accumulator steps from the first sample, with axis (0 is X).
+    pub stops: Vec<(f64, usize)>,
+    /// Ground range at which the stored area ended, if it did (m).
+    pub edge: Option<f64>,
+    /// Ticks in which it is rounding that says when a stop is seen.
+    pub undecided: Vec<i64>,
+    /// The last tick of the walk.
+    pub last_tick: i64,
+}
+
+/// Which generator, and how far.
+#[derive(Debug, Clone, Copy)]
+pub struct Course<'a> {
+    /// Its ground.
+    pub level: &'a Level,
+    /// 0 fine, 1 coarse.
+    pub number: usize,
+    /// How words come.
+    pub loader: &'a Loader,
+    /// Cosine and sine of the azimuth.
+    pub direction: [f64; 2],
+    /// Sweep whose time it is.
+    pub sweep: u32,
+    /// Ground range beyond which nobody looks (m).
+    pub until: f64,
+}
+
+/// Walks along `ranges` (m).
+pub fn walk(scene: &Scene<'_>, course: &Course<'_>, ranges: &[f64]) -> Walk {
+    let level = course.level;
+    let ramps: [Ramp; 2] = std::array::from_fn(|axis| {
+        let place = (scene.eye[axis] - level.origin()[axis]) / level.region_size();
+        Ramp::at_start(place, course.direction[axis], level.region_size())
+    });
+    let clock = Clock::of(scene, course.sweep);
+    let start = Start {
+        region: ramps.each_ref().map(|ramp| ramp.region),
+        heading: ramps.each_ref().map(|ramp| ramp.heading),
+        rising: ramps.each_ref().map(|ramp| ramp.moves().then_some(ramp.rising)),
+        place: (scene.frame, course.sweep),
+        level: course.number,
+    };
+    let registers = Registers::at_start(level, course.loader, clock, start);
+    let mut walker = Walker { course, clock, ramps, registers, found: Walk::default() };
+    let mut before = 0.0;
+    walker.found.last_tick = clock.seen(-1.0);
+    if walker.is_outside() {
+        walker.found.edge = Some(0.0);
+    }
+    for (k, &range) in ranges.iter().enumerate() {
+        if walker.found.edge.is_some() || !walker.step(k as f64 - 1.0, before, range) {
+            break;
+        }
+        walker.found.last_tick = clock.last_before(k as f64);
+        walker.sample();
+        before = range;
+    }
+    walker.found.events = walker.registers.events;
+    walker.found
+}
+
+struct Walker<'a> {
+    course: &'a Course<'a>,
+    clock: Clock,
+    ramps: [Ramp; 2],
+    registers: Registers<'a>,
+    found: Walk,
+}
+
+impl Walker<'_> {
+    /// One accumulator step, from ground range `from` at time `start` to `to` one step later, with every stop and
+    /// every arrival within it. False if the sample is not reached.
+    fn step(&mut self, start: f64, from: f64, to: f64) -> bool {
+        let mut now = from;
+        loop {
+            let [x, y] = [self.ramps[0].way_to_stop(), self.ramps[1].way_to_stop()];
+            let (axis, way) = if x <= y { (0, x) } else { (1, y) };
+            if now + way > to.min(self.course.until) {
+                break;
+            }
+            now += way;
+            let time = start + (now - from) / (to - from);
+            self.ramps.iter_mut().for_each(|ramp| ramp.advance(way));
+            self.registers.receive(time);
+            let at_one = self.ramps[axis].fold();
+            if self.is_outside() {
+                self.found.edge = Some(now);
+                // The stop at the edge, and all that the same tick sees, is nobody's.
+                self.found.last_tick = self.found.last_tick.min(self.clock.seen(time) - 1);
+                return false;
+            }
+            if self.clock.distance_to_tick(time) < UNDECIDED {
+                self.found.undecided.push(self.clock.seen(time));
+            }
+            self.registers.event(axis, at_one, time);
+            self.found.stops.push((time, axis));
+        }
+        if to > self.course.until {
+            return false;
+        }
+        self.ramps.iter_mut().for_each(|ramp| ramp.advance(to - now));
+        self.registers.receive(start + 1.0);
+        true
+    }
+
+    /// Whether a moving ramp is in a region that is not stored.
+    fn is_outside(&self) -> bool {
+        (0..2).any(|axis| {
+            let last = self.course.level.corners()[axis] as i64 - 2;
+            self.ramps[axis].moves() && !(0..=last).contains(&self.ramps[axis].region)
+        })
+    }
+
+    fn sample(&mut self) {
+        let [x, y] = &self.ramps;
+        let sums = sums(&self.registers.hold, [x.value, y.value], [x.polarity, y.polarity]);
+        let [height, h_u, h_v] = sums.ground;
+        let d = self.course.level.region_size();
+        let sample = Sample { ramps: [x.value, y.value], sums, height, slopes: [h_u / d, h_v / d] };
+        self.found.samples.push(sample);
+    }
+}

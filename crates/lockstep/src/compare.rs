@@ -1,0 +1,172 @@
+//! One sweep of both engines, signal by signal and event by event.
+
+use interpreter::clock::Clock;
+use interpreter::coverage::words;
+use interpreter::{Record, Scene, Unknown, range_programme, why_not};
+use machine::DigitalEvent;
+use scenario::Scalar;
+use signal::{Unit, Waveform, Wire};
+
+use crate::bounds;
+use crate::events::{in_order, of_machine};
+use crate::report::{Difference, EventDifference, Report, Tally};
+
+/// One sweep as both have it.
+pub struct Sides<'a> {
+    pub scene: &'a Scene<'a>,
+    pub wires: &'a [Wire],
+    pub sweep: u32,
+    pub unknown: Unknown,
+    pub machine: &'a [Waveform],
+    pub events: &'a [DigitalEvent],
+    pub record: &'a Record,
+}
+
+/// What the comparison comes to.
+pub fn compare(sides: &Sides<'_>) -> Report {
+    let mut report = Report { sweeps: 1, ..Report::default() };
+    compare_events(sides, &mut report);
+    let mut first: Option<Difference> = None;
+    for wave in sides.machine {
+        let (tally, difference) = sides.signal(wave);
+        report.signals.insert(wave.signal.name.to_owned(), tally);
+        // Of one sample, the signal that comes first in the drawing.
+        if let Some(difference) = difference
+            && first.as_ref().is_none_or(|first| difference.sample < first.sample)
+        {
+            first = Some(difference);
+        }
+    }
+    report.difference = first;
+    report
+}
+
+fn compare_events(sides: &Sides<'_>, report: &mut Report) {
+    let Sides { scene, record, .. } = *sides;
+    let with_words = words(scene.settings, sides.unknown).is_none();
+    let machine = in_order(&of_machine(sides.events), record.last_ticks, with_words);
+    let interpreter = in_order(&record.events, record.last_ticks, with_words);
+    let all = of_machine(sides.events).len() as u64;
+    let first = (0..machine.len().max(interpreter.len())).find(|&k| machine.get(k) != interpreter.get(k));
+    match first {
+        // Rounding says which tick sees a stop: no opinion on this sweep's events.
+        Some(_) if record.undecided.iter().any(|ticks| !ticks.is_empty()) => report.events_left_out += all,
+        Some(k) => {
+            report.event_difference = Some(EventDifference {
+                frame: scene.frame,
+                sweep: sides.sweep,
+                machine: machine.get(k).copied(),
+                interpreter: interpreter.get(k).copied(),
+            });
+        }
+        None => {
+            for event in &machine {
+                *report.events.entry(event.what.name()).or_default() += 1;
+            }
+            report.events_left_out += if with_words { 0 } else { all - machine.len() as u64 };
+        }
+    }
+}
+
+impl Sides<'_> {
+    /// One signal: its row, and the first sample at which it differs.
+    fn signal(&self, wave: &Waveform) -> (Tally, Option<Difference>) {
+        let name = wave.signal.name;
+        let mut tally = Tally::default();
+        if let Some(reason) = why_not(name, self.scene.settings, self.unknown) {
+            tally.not_compared.insert(reason, wave.values.len() as u64);
+            return (tally, None);
+        }
+        let programme;
+        let expected = if name == "sweep.range" {
+            programme = range_programme(&self.scene.settings.range, self.scene.settings.raster.samples);
+            programme.as_slice()
+        } else {
+            self.record.signals.get(name).map_or(&[][..], Vec::as_slice)
+        };
+        let beyond = wave.values.len() - expected.len();
+        if beyond > 0 {
+            tally.not_compared.insert("beyond the stored ground", beyond as u64);
+        }
+        let declared = self.declared(wave);
+        let scale = self.full_scale(wave, declared, expected);
+        let mut first = None;
+        for (sample, (&machine, &interpreter)) in wave.values.iter().zip(expected).enumerate() {
+            if self.is_doubtful(name, sample) {
+                tally.doubtful += 1;
+                continue;
+            }
+            tally.samples += 1;
+            let scale = if wave.signal.unit == Unit::Line { off_the_picture(declared, interpreter) } else { scale };
+            let allowed = if wave.signal.unit == Unit::Gate { 0.0 } else { self.bound(name) * scale };
+            let off = (machine - interpreter).abs();
+            if wave.signal.unit != Unit::Gate {
+                tally.worst = tally.worst.max(off / scale);
+            }
+            // NaN agrees with nothing.
+            let agrees = off <= allowed;
+            if !agrees && first.is_none() {
+                first = Some(Difference {
+                    signal: name.to_owned(),
+                    frame: self.scene.frame,
+                    sweep: self.sweep,
+                    sample,
+                    tick: Clock::of(self.scene, self.sweep).last_before(sample as f64),
+                    range: self.range(sample),
+                    machine,
+                    interpreter,
+                    allowed,
+                });
+            }
+        }
+        (tally, first)
+    }
+
+    fn range(&self, sample: usize) -> f64 {
+        let wave = self.machine.iter().find(|wave| wave.signal.name == "sweep.range");
+        wave.map_or(f64::NAN, |wave| wave.values[sample])
+    }
+
+    /// Full scale of the wire, or the largest value that the sweep has on it; the summer takes the eye's height off, so
+    /// that counts as a height.
+    fn full_scale(&self, wave: &Waveform, declared: f64, values: &[f64]) -> f64 {
+        let eye = if wave.signal.unit == Unit::Metre { self.scene.eye[2].abs() } else { 0.0 };
+        values.iter().fold(declared.max(eye), |largest, value| largest.max(value.abs()))
+    }
+
+    fn declared(&self, wave: &Waveform) -> f64 {
+        let wire = self.wires.iter().find(|wire| wire.signal == wave.signal);
+        wire.map_or(1.0, |wire| wire.full_scale)
+    }
+
+    fn bound(&self, name: &str) -> f64 {
+        let settings = self.scene.settings;
+        match name {
+            // A rounding of 1/z shows in the farthest range by the ratio of both ends.
+            "sweep.range" => 4.0 * f64::EPSILON * (settings.range.end / settings.range.start).max(16.0),
+            // Differences of neighbours: a rounding of either is one of a step, and a quarter of a microsecond has many.
+            "dpp.derivative" => {
+                let steps = 0.25e-6 * settings.timebase.sample_rate().hertz();
+                bounds::of(settings.scalar) * steps.max(1.0)
+            }
+            _ => bounds::of(settings.scalar),
+        }
+    }
+
+    fn is_doubtful(&self, name: &str, sample: usize) -> bool {
+        let margin = self.record.margins.get(name).and_then(|margins| margins.get(sample));
+        let limit = match (name, self.scene.settings.scalar) {
+            ("dpp.blank" | "sm.video", Scalar::F64) => 4.0 * bounds::F64,
+            ("dpp.blank" | "sm.video", Scalar::F32) => 4.0 * bounds::F32,
+            (_, scalar) => bounds::undecided(scalar),
+        };
+        margin.is_some_and(|&margin| margin < limit)
+    }
+}
+
+/// Full scale of a line position: it is a quotient, and off the picture its divisor goes to 0, so that a rounding of the
+/// elevation counts with the square of the position.
+fn off_the_picture(lines: f64, position: f64) -> f64 {
+    let pictures = 1.0 + position.abs() / lines;
+    lines * pictures * pictures
+}

@@ -1,0 +1,118 @@
+//! Both engines, set for one stage.
+
+use generator::{FrameError, Generator, Planes, PrepareError, Session, Stage};
+use interpreter::{Given, Record, Scene, Unknown, interpret};
+use machine::{ControlPlane, DigitalEvent, EventWord, HybridMachine};
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+use scenario::Pose;
+use signal::{Axis, Probe, Waveform};
+
+use crate::compare::{Sides, compare};
+use crate::report::Report;
+
+/// Changes the machine's waveforms before they are compared: how a comparison is seen to be awake.
+pub type Tamper<'a> = &'a (dyn Fn(&mut Waveform) + Sync);
+
+/// Both engines, set for one stage.
+pub struct Engines {
+    stage: Stage,
+    session: Box<dyn Session>,
+    control: ControlPlane,
+}
+
+/// One sweep on both.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Seen {
+    /// What the machine recorded.
+    pub machine: Vec<Waveform>,
+    /// What the interpreter did.
+    pub interpreter: Record,
+    /// What a comparison of the two comes to.
+    pub report: Report,
+}
+
+impl Engines {
+    /// Elaborates the machine for `stage`.
+    ///
+    /// # Errors
+    /// If the machine cannot draw it.
+    pub fn new(stage: Stage) -> Result<Self, PrepareError> {
+        let session = HybridMachine.prepare(stage.clone())?;
+        Ok(Self { control: ControlPlane::new(stage.clone()), stage, session })
+    }
+
+    /// Sweeps `sweeps` of frame `frame` seen from `pose`, on both.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
+    pub fn run(
+        &self,
+        frame: u64,
+        pose: &Pose,
+        sweeps: impl IntoIterator<Item = u32>,
+        tamper: Tamper<'_>,
+    ) -> Result<Vec<Seen>, FrameError> {
+        let digital = self.control.sweeps_with_gates(frame, pose)?;
+        let missing = digital.missing_corners().iter().any(|&corners| corners > 0);
+        let scene = Scene {
+            landscape: &self.stage.landscape,
+            settings: &self.stage.settings,
+            sun: self.stage.scenery.sun(pose.time),
+            eye: pose.eye,
+            heading: pose.attitude.heading,
+            pitch: pose.attitude.pitch,
+            frame,
+        };
+        let wires = self.session.wires();
+        let one = |sweep: u32| {
+            let mut probe = Probe::new(vec!["*".into()], sweep..sweep + 1);
+            let counts = self.session.frame(frame, pose, &mut Planes::new(0, 0, &[]), &mut probe)?;
+            let events = digital.events(sweep);
+            let mut machine = probe.waveforms;
+            machine.retain(|wave| {
+                wave.signal.axis != Axis::Changes && wires.iter().any(|wire| wire.signal == wave.signal)
+            });
+            machine.iter_mut().for_each(tamper);
+            let values = |name: &str| {
+                let wave = machine.iter().find(|wave| wave.signal.name == name);
+                wave.map_or(&[][..], |wave| wave.values.as_slice())
+            };
+            let set_up = digital.set_up_of(sweep);
+            let given = Given { ranges: values("sweep.range"), set_up, shadow: values("sc.gate") };
+            let record = interpret(&scene, sweep, &given);
+            let unknown = Unknown { corners: missing, craters: events.iter().any(has_lost_a_crater) };
+            let sides = Sides {
+                scene: &scene,
+                wires: &wires,
+                sweep,
+                unknown,
+                machine: &machine,
+                events: &events,
+                record: &record,
+            };
+            let mut report = compare(&sides);
+            report.counts = counts;
+            Ok(Seen { machine, interpreter: record, report })
+        };
+        sweeps.into_iter().collect::<Vec<_>>().into_par_iter().map(one).collect()
+    }
+
+    /// The reports of [`run`](Self::run) in one.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
+    pub fn compare(
+        &self,
+        frame: u64,
+        pose: &Pose,
+        sweeps: impl IntoIterator<Item = u32>,
+    ) -> Result<Report, FrameError> {
+        let mut sum = Report::default();
+        self.run(frame, pose, sweeps, &|_| {})?.into_iter().for_each(|seen| sum.add(seen.report));
+        Ok(sum)
+    }
+}
+
+fn has_lost_a_crater(event: &DigitalEvent) -> bool {
+    matches!(event.event, EventWord::CraterLate | EventWord::CraterDropped)
+}

@@ -1,0 +1,64 @@
+//! The event lists of both, in one form.
+
+use std::collections::BTreeMap;
+
+use interpreter::{Event, Happening, Register};
+use machine::{DigitalEvent, EventWord};
+use sweep_program::{PreloadRegister, RampAxis, Stop};
+
+/// What the machine's digital side did in a sweep, in the interpreter's words; what has none there is left out.
+pub fn of_machine(events: &[DigitalEvent]) -> Vec<Event> {
+    events.iter().filter_map(translated).collect()
+}
+
+fn translated(event: &DigitalEvent) -> Option<Event> {
+    let colour = || event.colour.map(|colour| colour as usize);
+    let register = || {
+        Some(match event.register? {
+            machine::Register::Hold => Register::Hold,
+            machine::Register::Preload(PreloadRegister::XFirst) => Register::XFirst,
+            machine::Register::Preload(PreloadRegister::YFirst) => Register::YFirst,
+            machine::Register::Diagonal => return None,
+        })
+    };
+    let words = event.mask.0;
+    let what = match event.event {
+        EventWord::Stop => {
+            let fold = event.fold?;
+            let axis = usize::from(fold.axis == RampAxis::Y);
+            Happening::Stop { axis, at_one: fold.stop == Stop::One, crossing: event.crossing? }
+        }
+        EventWord::Transfer => {
+            Happening::Transfer { colour: colour()?, register: register()?, crossing: event.crossing? }
+        }
+        EventWord::Load => {
+            Happening::Load { colour: colour()?, register: register()?, corner: event.corner?, words }
+        }
+        EventWord::Late => {
+            Happening::Late { colour: colour()?, register: register()?, crossing: event.crossing?, words }
+        }
+        _ => return None,
+    };
+    Some(Event { tick: event.tick.0 as i64, level: event.level?, what })
+}
+
+/// The events up to the last tick of each level, in one order, those that are one but for their words joined.
+pub fn in_order(events: &[Event], last_ticks: [i64; 2], with_words: bool) -> Vec<Event> {
+    let mut joined: BTreeMap<Event, u16> = BTreeMap::new();
+    for event in events.iter().filter(|event| event.tick <= last_ticks[event.level]) {
+        let (mut key, mut words) = (*event, 0);
+        if let Happening::Load { words: some, .. } | Happening::Late { words: some, .. } = &mut key.what {
+            words = std::mem::take(some);
+        }
+        if with_words || words == 0 {
+            *joined.entry(key).or_default() |= words;
+        }
+    }
+    let restored = |(mut event, all): (Event, u16)| {
+        if let Happening::Load { words, .. } | Happening::Late { words, .. } = &mut event.what {
+            *words = all;
+        }
+        event
+    };
+    joined.into_iter().map(restored).collect()
+}

@@ -1,0 +1,27 @@
+//! Machine and interpreter side by side (trust 3.3).
+//!
+//! ```text
+//! stage ─┬▶ machine, probed ───▶ waveforms ─┐
+//!        ├▶ control plane ─────▶ events ────┼─▶ compare ─▶ report: a row a signal, first difference
+//!        └▶ interpreter, f64 ──▶ record ────┘
+//! ```
+//!
+//! **What is compared.** Every signal that the interpreter has an opinion on, at every sample within the stored ground;
+//! stops, transfers, loads and late words with their tick. Events are equal or not. Signals agree within a part of full
+//! scale ([`bounds`]). Where a value is nearer to a threshold than rounding can tell, the sample counts as doubtful.
+//!
+//! [`Scene`] is a scene by hand, [`random`] one from a seed; [`shrink`] makes one that differs as small as it can.
+
+pub mod bounds;
+mod compare;
+mod engines;
+mod events;
+pub mod random;
+mod report;
+pub mod scene;
+pub mod shrink;
+
+pub use engines::{Engines, Seen, Tamper};
+pub use random::Dice;
+pub use report::{Difference, EventDifference, Report, Tally};
+pub use scene::{Drawn, Scene, level_of, plane};
