@@ -1,7 +1,7 @@
 //! The machine's signals against the direct sum over the bank (5.1): what the ground is, not how it is made.
 
 use landscape::{Bank, Landscape};
-use lunoid_tests::lockstep::F64_BOUND;
+use ::lockstep::bounds::F64;
 use lunoid_tests::{Lockstep, Scene, random};
 
 /// Height, both slopes and reflectivity by direct evaluation at each sample that `interpret` has.
@@ -9,29 +9,26 @@ fn check(scene: &Scene, what: &str) {
     let bank = Bank::new("direct", vec![scene.level.clone()], None).unwrap();
     let landscape = Landscape::new(bank, scene.albedo);
     let lockstep = Lockstep::run(scene, 0);
-    let probed = |sweep: u32, name: &str| {
-        let mut waves = lockstep.drawn.waveforms.iter();
-        waves.find(|wave| wave.sweep == sweep && wave.signal.name == name).unwrap().values.as_slice()
-    };
     let names = ["tg.height", "tg.slope.u", "tg.slope.v", "tg.reflectivity"];
     let mut scale = [0.0_f64; 4];
     let mut worst = [0.0_f64; 4];
-    for (sweep, record) in lockstep.records.iter().enumerate() {
-        for (sample, &range) in record.range.iter().enumerate() {
+    for (sweep, seen) in lockstep.sweeps.iter().enumerate() {
+        let ranges = lockstep.machine(sweep, "sweep.range");
+        for (sample, &range) in ranges[..seen.interpreter.samples].iter().enumerate() {
             let azimuth = direction(scene, sweep as u32);
             let place = [0, 1].map(|axis| scene.eye[axis] + range * azimuth[axis]);
             let Some(ground) = landscape.at(place[0], place[1]) else { continue };
             let light = ground.albedo * scene.sun.reflectivity(ground.slopes);
             let direct = [ground.height, ground.slopes[0], ground.slopes[1], light];
             for (k, name) in names.iter().enumerate() {
-                let off = probed(sweep as u32, name)[sample] - direct[k];
+                let off = lockstep.machine(sweep, name)[sample] - direct[k];
                 worst[k] = worst[k].max(off.abs());
                 scale[k] = scale[k].max(direct[k].abs());
             }
         }
     }
     for (k, name) in names.iter().enumerate() {
-        assert!(worst[k] <= F64_BOUND * scale[k], "{what}: {name} off by {:e} of {:e}", worst[k], scale[k]);
+        assert!(worst[k] <= F64 * scale[k], "{what}: {name} off by {:e} of {:e}", worst[k], scale[k]);
     }
 }
 

@@ -1,6 +1,6 @@
 //! The interpreter itself against the worked tables of the report (6.6, 23.2b).
 
-use lunoid_tests::interpreter::{Record, interpret, range_programme};
+use lunoid_tests::lockstep::walk;
 use lunoid_tests::{Scene, level_of};
 use quantities::radians;
 use scenario::{RangeLaw, RangeProgramme};
@@ -20,10 +20,6 @@ fn lattice() -> Scene {
     scene
 }
 
-fn walk(scene: &Scene) -> Record {
-    interpret(scene, 0, 0, &range_programme(scene))
-}
-
 /// One row of the table: lambda, X, Y, h, h_u, h_v.
 type Row = [f64; 6];
 
@@ -36,7 +32,7 @@ fn check(foot: [f64; 2], degrees: f64, rows: &[Row]) {
     for row in rows {
         let sample = (row[0] * 10.0).round() as usize - 1;
         for (name, expected) in names.iter().zip(&row[1..]) {
-            let found = record.signals[name][sample];
+            let found = record.signals[*name][sample];
             assert!((found - expected).abs() < 2e-12, "{name} at {}: {found}, expected {expected}", row[0]);
         }
     }

@@ -5,12 +5,13 @@ mod interpreter_alone;
 mod late_words;
 mod named_sweeps;
 mod random_scenes;
+mod shipped;
 
 use lunoid_tests::{Lockstep, Scene};
 
 /// Fails with the first difference between machine and interpreter.
 fn agree(scene: &Scene, what: &str) {
-    if let Some(difference) = Lockstep::run(scene, 0).first_difference() {
+    if let Some(difference) = Lockstep::run(scene, 0).report.first_difference() {
         panic!("{what}: {difference}");
     }
 }

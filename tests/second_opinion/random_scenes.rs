@@ -13,7 +13,7 @@ fn each_seed(seeds: Range<u64>, change: impl Fn(u64, &mut Scene) + Sync) {
     let difference = |seed: u64| {
         let mut scene = random::scene(seed);
         change(seed, &mut scene);
-        let difference = Lockstep::run(&scene, 1 + seed % 7).first_difference()?;
+        let difference = Lockstep::run(&scene, 1 + seed % 7).report.first_difference()?;
         Some(format!("seed {seed}, {:?}, loader {:?}: {difference}", scene.scalar, scene.loader))
     };
     let differences: Vec<_> = seeds.into_par_iter().filter_map(difference).collect();
@@ -65,6 +65,6 @@ fn slow_loaders_are_late_somewhere() {
     scene.master_hz = 30 * u64::from(scene.sweeps * scene.samples);
     scene.samples = 300;
     scene.range.end = 6.0 * scene.level.region_size();
-    let late: u64 = Lockstep::run(&scene, 0).records.iter().map(|record| record.late_words).sum();
+    let late = Lockstep::run(&scene, 0).report.events["late"];
     assert!(late > 0, "no word was late: the test above tests nothing");
 }

@@ -17,7 +17,8 @@ impl Clock {
     /// The clock of sweep `sweep`: steps and ticks are whole counts since the start of the mission.
     pub fn of(scene: &Scene<'_>, sweep: u32) -> Self {
         let timebase = &scene.settings.timebase;
-        let ([ticks, in_seconds], [frames, seconds]) = (timebase.master.fraction(), timebase.update.fraction());
+        let ([ticks, in_seconds], [frames, seconds]) =
+            (timebase.master.fraction(), timebase.update.fraction());
         let steps_a_sweep = u64::from(timebase.active_samples + timebase.retrace_samples);
         let steps_a_frame = u64::from(timebase.sweeps) * steps_a_sweep;
         let first_step = scene.frame * steps_a_frame + u64::from(sweep) * steps_a_sweep;
@@ -32,9 +33,9 @@ impl Clock {
         }
     }
 
-    /// The first tick at or after `time`.
+    /// The first tick at or after `time`; what happens before the mission begins is seen as it begins, at tick 0.
     pub fn seen(&self, time: f64) -> i64 {
-        self.begun + (self.phase + time * self.ticks_per_step).ceil() as i64
+        (self.begun + (self.phase + time * self.ticks_per_step).ceil() as i64).max(0)
     }
 
     /// The last tick at or before `time`.

@@ -31,7 +31,9 @@ pub fn why_not(signal: &str, settings: &Settings, unknown: Unknown) -> Option<&'
         "sm.video" => of("mu.reflectivity").or_else(|| of("dpp.hold")),
         _ if signal.starts_with("tg.fn.") => terrain_parts(settings),
         _ if signal.starts_with("tg.") => terrain_parts(settings).or_else(|| words(settings, unknown)),
-        _ if signal.starts_with("fg.") && !parts.features_are_ideal() => Some("real parts of the sub-generators"),
+        _ if signal.starts_with("fg.") && !parts.features_are_ideal() => {
+            Some("real parts of the sub-generators")
+        }
         _ if signal.starts_with("fg.") => unknown.craters.then_some("craters that came late or were dropped"),
         _ if signal.starts_with("dpp.") && drives_parts(settings) => {
             Some("real parts of projection processor or write gun")

@@ -74,7 +74,9 @@ fn outermost(crater: &Crater) -> f64 {
 /// Height and its derivative outwards (section 9).
 fn profile(crater: &Crater, rho: f64) -> [f64; 2] {
     let (a, delta) = (crater.depth(), crater.rim());
-    let bowl = |rho: f64, radius: f64| [a * (rho * rho / (radius * radius) - 1.0), 2.0 * a * rho / (radius * radius)];
+    let bowl = |rho: f64, radius: f64| {
+        [a * (rho * rho / (radius * radius) - 1.0), 2.0 * a * rho / (radius * radius)]
+    };
     let rim = |inner: f64, outer: f64| {
         let from_crest = 2.0 * rho - inner - outer;
         let width = outer - inner;

@@ -40,7 +40,8 @@ impl Light {
         let mu0 = (up - hx * north - hy * east) / normal_length;
         // From the ground back to the eye.
         let sight_length = (1.0 + sight * sight).sqrt();
-        let to_eye = [-self.direction[0] / sight_length, -self.direction[1] / sight_length, -sight / sight_length];
+        let to_eye =
+            [-self.direction[0] / sight_length, -self.direction[1] / sight_length, -sight / sight_length];
         let mu = (to_eye[2] - hx * to_eye[0] - hy * to_eye[1]) / normal_length;
         let cos_g = north * to_eye[0] + east * to_eye[1] + up * to_eye[2];
         self.albedo * mu0 * factor(self.law, mu0, mu, cos_g)

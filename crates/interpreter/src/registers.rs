@@ -126,7 +126,8 @@ impl<'a> Registers<'a> {
 
     fn receive_ticks(&mut self, last: i64) {
         self.walk(last);
-        let (mut arrived, still): (Vec<_>, Vec<_>) = self.carried.drain(..).partition(|word| word.tick <= last);
+        let (mut arrived, still): (Vec<_>, Vec<_>) =
+            self.carried.drain(..).partition(|word| word.tick <= last);
         self.carried = still;
         arrived.sort_by_key(|word| word.tick);
         for Carried { tick, colour, axis, corner, word, late } in arrived {
@@ -328,9 +329,13 @@ impl<'a> Registers<'a> {
 
     fn note(&mut self, tick: i64, what: Happening) {
         // Words of one access are one event.
-        if let (Happening::Load { colour, register, corner, words }, Some(last)) = (what, self.events.last_mut())
-            && let Event { tick: before, what: Happening::Load { colour: c, register: r, corner: k, words: w }, .. } =
-                last
+        if let (Happening::Load { colour, register, corner, words }, Some(last)) =
+            (what, self.events.last_mut())
+            && let Event {
+                tick: before,
+                what: Happening::Load { colour: c, register: r, corner: k, words: w },
+                ..
+            } = last
             && (*before, *c, *r, *k) == (tick, colour, register, corner)
         {
             *w |= words;

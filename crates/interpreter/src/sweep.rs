@@ -238,7 +238,8 @@ impl Walker<'_> {
         self.record.left_the_area = ground.len() < self.given.ranges.len();
         self.record.stops = fine.stops;
         self.record.last_ticks = [fine.last_tick, coarse.as_ref().map_or(i64::MIN, |walk| walk.last_tick)];
-        self.record.undecided = [fine.undecided, coarse.as_ref().map_or(vec![], |walk| walk.undecided.clone())];
+        self.record.undecided =
+            [fine.undecided, coarse.as_ref().map_or(vec![], |walk| walk.undecided.clone())];
         self.record.events = [fine.events, coarse.map_or(vec![], |walk| walk.events)].concat();
         self.record
     }

@@ -13,6 +13,9 @@ use crate::terrain::{Sums, sums};
 /// Nearer to a tick than this, rounding decides which tick sees a stop.
 const UNDECIDED: f64 = 1e-6;
 
+/// Nearer to one another than this share of their range, rounding decides which of two stops comes first.
+const SAME_PLACE: f64 = 1e-12;
+
 /// One sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sample {
@@ -87,7 +90,7 @@ pub fn walk(scene: &Scene<'_>, course: &Course<'_>, ranges: &[f64]) -> Walk {
             break;
         }
         walker.found.last_tick = clock.last_before(k as f64);
-        walker.sample();
+        walker.sample(range);
         before = range;
     }
     walker.found.events = walker.registers.events;
@@ -106,25 +109,23 @@ impl Walker<'_> {
     /// One accumulator step, from ground range `from` at time `start` to `to` one step later, with every stop and
     /// every arrival within it. False if the sample is not reached.
     fn step(&mut self, start: f64, from: f64, to: f64) -> bool {
-        let mut now = from;
         loop {
-            let [x, y] = [self.ramps[0].way_to_stop(), self.ramps[1].way_to_stop()];
-            let (axis, way) = if x <= y { (0, x) } else { (1, y) };
-            if now + way > to.min(self.course.until) {
+            let [x, y] = [self.ramps[0].stop(), self.ramps[1].stop()];
+            let (axis, range) = if x <= y { (0, x) } else { (1, y) };
+            if range > to.min(self.course.until) {
                 break;
             }
-            now += way;
-            let time = start + (now - from) / (to - from);
-            self.ramps.iter_mut().for_each(|ramp| ramp.advance(way));
+            let time = start + (range - from) / (to - from);
             self.registers.receive(time);
             let at_one = self.ramps[axis].fold();
             if self.is_outside() {
-                self.found.edge = Some(now);
+                self.found.edge = Some(range);
                 // The stop at the edge, and all that the same tick sees, is nobody's.
                 self.found.last_tick = self.found.last_tick.min(self.clock.seen(time) - 1);
                 return false;
             }
-            if self.clock.distance_to_tick(time) < UNDECIDED {
+            let is_a_corner = (x - y).abs() <= SAME_PLACE * range;
+            if is_a_corner || self.clock.distance_to_tick(time) < UNDECIDED {
                 self.found.undecided.push(self.clock.seen(time));
             }
             self.registers.event(axis, at_one, time);
@@ -133,7 +134,6 @@ impl Walker<'_> {
         if to > self.course.until {
             return false;
         }
-        self.ramps.iter_mut().for_each(|ramp| ramp.advance(to - now));
         self.registers.receive(start + 1.0);
         true
     }
@@ -146,12 +146,13 @@ impl Walker<'_> {
         })
     }
 
-    fn sample(&mut self) {
-        let [x, y] = &self.ramps;
-        let sums = sums(&self.registers.hold, [x.value, y.value], [x.polarity, y.polarity]);
+    fn sample(&mut self, range: f64) {
+        let ramps = self.ramps.each_ref().map(|ramp| ramp.value(range));
+        let polarity = self.ramps.each_ref().map(|ramp| ramp.polarity);
+        let sums = sums(&self.registers.hold, ramps, polarity);
         let [height, h_u, h_v] = sums.ground;
         let d = self.course.level.region_size();
-        let sample = Sample { ramps: [x.value, y.value], sums, height, slopes: [h_u / d, h_v / d] };
+        let sample = Sample { ramps, sums, height, slopes: [h_u / d, h_v / d] };
         self.found.samples.push(sample);
     }
 }

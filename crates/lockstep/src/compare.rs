@@ -1,5 +1,6 @@
 //! One sweep of both engines, signal by signal and event by event.
 
+use features::{Crater, Shape};
 use interpreter::clock::Clock;
 use interpreter::coverage::words;
 use interpreter::{Record, Scene, Unknown, range_programme, why_not};
@@ -97,7 +98,8 @@ impl Sides<'_> {
                 continue;
             }
             tally.samples += 1;
-            let scale = if wave.signal.unit == Unit::Line { off_the_picture(declared, interpreter) } else { scale };
+            let scale =
+                if wave.signal.unit == Unit::Line { off_the_picture(declared, interpreter) } else { scale };
             let allowed = if wave.signal.unit == Unit::Gate { 0.0 } else { self.bound(name) * scale };
             let off = (machine - interpreter).abs();
             if wave.signal.unit != Unit::Gate {
@@ -149,8 +151,18 @@ impl Sides<'_> {
                 let steps = 0.25e-6 * settings.timebase.sample_rate().hertz();
                 bounds::of(settings.scalar) * steps.max(1.0)
             }
+            "fg.height" | "fg.slope.u" | "fg.slope.v" | "fg.reflectivity" | "mu.reflectivity" | "sm.video" => {
+                bounds::of(settings.scalar) + self.of_small_craters()
+            }
             _ => bounds::of(settings.scalar),
         }
+    }
+
+    /// What rounding of the place makes of the slope of the narrowest ring: four units in the last place of the farthest
+    /// range, as a part of its width.
+    fn of_small_craters(&self) -> f64 {
+        let rings = self.scene.landscape.features().craters().iter().map(narrowest);
+        4.0 * f64::EPSILON * self.scene.settings.range.end / rings.fold(f64::INFINITY, f64::min)
     }
 
     fn is_doubtful(&self, name: &str, sample: usize) -> bool {
@@ -161,6 +173,15 @@ impl Sides<'_> {
             (_, scalar) => bounds::undecided(scalar),
         };
         margin.is_some_and(|&margin| margin < limit)
+    }
+}
+
+/// Width of the narrowest ring of a crater, or the radius of its bowl (m).
+fn narrowest(crater: &Crater) -> f64 {
+    match crater.shape() {
+        Shape::Bowl { r1 } => r1,
+        Shape::RimmedBowl { r1, r2 } => r1.min(r2 - r1),
+        Shape::FlatFloor { r1, r2, r3 } => (r2 - r1).min(r3 - r2),
     }
 }
 

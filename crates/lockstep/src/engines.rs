@@ -52,7 +52,7 @@ impl Engines {
         sweeps: impl IntoIterator<Item = u32>,
         tamper: Tamper<'_>,
     ) -> Result<Vec<Seen>, FrameError> {
-        let digital = self.control.sweeps_with_gates(frame, pose)?;
+        let digital = self.control.sweeps(frame, pose)?;
         let missing = digital.missing_corners().iter().any(|&corners| corners > 0);
         let scene = Scene {
             landscape: &self.stage.landscape,

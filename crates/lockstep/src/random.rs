@@ -4,9 +4,7 @@ use features::{Crater, Shape};
 use hardware_model::{LatePolicy, LevelSwitch};
 use landscape::{Layer, Photometry, Sun};
 use quantities::{radians, unit_interval};
-use scenario::{
-    Curvature, FeatureLight, Occlusion, Projection, RangeLaw, RangeProgramme, TextureInShadow,
-};
+use scenario::{Curvature, FeatureLight, Occlusion, Projection, RangeLaw, RangeProgramme, TextureInShadow};
 
 use crate::scene::{Scene, level_of};
 
@@ -99,7 +97,8 @@ pub fn landscape(seed: u64) -> Scene {
         };
         scene.texture = (0..dice.count(1, 3)).map(|_| layer(&mut dice)).collect();
     }
-    let highlight = Photometry::Specular { strength: dice.between(0.1, 2.0), exponent: dice.count(1, 60) as u32 };
+    let highlight =
+        Photometry::Specular { strength: dice.between(0.1, 2.0), exponent: dice.count(1, 60) as u32 };
     let laws = [Photometry::Lambert, Photometry::LommelSeeliger, Photometry::LunarLambert, highlight];
     scene.photometry = dice.choose(&laws);
     scene.laws.feature_light = dice.choose(&[FeatureLight::Combined, FeatureLight::AsReported]);

@@ -5,9 +5,7 @@ use std::sync::Arc;
 use features::{Crater, Features};
 use generator::{FrameCounts, FrameError, Generator, PlaneKind, Planes, Stage};
 use hardware_model::{HardwareModel, LatePolicy, LevelSwitch, Loader, Raster, Settings, SweepMemoryKind};
-use landscape::{
-    Attitude, Bank, CornerWords, Landscape, Layer, Level, Photometry, Source, Sun, Texture,
-};
+use landscape::{Attitude, Bank, CornerWords, Landscape, Layer, Level, Photometry, Source, Sun, Texture};
 use quantities::{Rate, Timebase, radians};
 use scenario::{
     Curvature, Display, FieldOfView, LawWishes, Laws, Occlusion, PixelRule, Pose, Projection, RangeLaw,

@@ -102,7 +102,8 @@ pub struct Shrunk {
 impl Shrunk {
     /// What is left of it, in a few words.
     pub fn describe(&self) -> String {
-        let Scene { level, sweeps, samples, craters, texture, eye, heading, pitch, laws, range, .. } = &self.scene;
+        let Scene { level, sweeps, samples, craters, texture, eye, heading, pitch, laws, range, .. } =
+            &self.scene;
         let [north, east] = level.corners();
         format!(
             "{sweeps} sweeps of {samples} samples over {north} x {east} corners of {} m from {:?} m; {} craters {craters:?}; \

@@ -3,7 +3,8 @@
 use clap::{Parser, Subcommand};
 
 use crate::commands::{
-    augment, bank, cartridge, check, compare, explain, info, list, model, page, probe, replay, sizing, study,
+    augment, bank, cartridge, check, compare, explain, info, list, lockstep, model, page, probe, replay, sizing,
+    study,
     survey, timing, trace, trigger,
 };
 use crate::output::Colour;
@@ -71,6 +72,8 @@ pub enum Command {
     Timing(timing::TimingCommand),
     /// Hold the machine in time against its formulas, and search for the slowest parts that would do.
     Sizing(sizing::Sizing),
+    /// Run machine and interpreter side by side and compare every signal and every event.
+    Lockstep(lockstep::LockstepCommand),
     /// Measure error against run time.
     Study(study::StudyCommand),
     /// Run test cartridges: scenes whose answer is known in closed form.

@@ -10,6 +10,7 @@ pub mod edges;
 pub mod explain;
 pub mod info;
 pub mod list;
+pub mod lockstep;
 pub mod model;
 pub mod page;
 pub mod probe;
@@ -47,5 +48,6 @@ pub fn run(cli: &Cli) -> Result<Verdict, Failure> {
         Command::Sizing(sizing) => sizing.run(),
         Command::Study(study) => study.run(),
         Command::Cartridge(cartridge) => cartridge.run(),
+        Command::Lockstep(lockstep) => lockstep.run(),
     }
 }

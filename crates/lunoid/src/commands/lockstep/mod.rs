@@ -1,0 +1,153 @@
+//! `lunoid lockstep`: machine and interpreter side by side.
+
+mod tell;
+
+use clap::Args;
+use generator::Stage;
+use hardware_model::{HardwareModel, Settings};
+use lockstep::{Engines, Report, Trials, trials};
+use scenario::{PoseTable, Scalar};
+
+use crate::loading::{Loaded, ScalarWord, StageArgs, Threads};
+use crate::values::Span;
+use crate::{Failure, Verdict};
+
+use tell::Told;
+
+const AFTER: &str = "Examples:
+  lunoid lockstep scenarios/first-light.toml
+  lunoid lockstep scenarios/craters.toml --frame 12 --sweep 500..508 --scalar f64
+  lunoid lockstep scenarios/showpiece.toml --machine pra-nominal --ideal-parts --every 50
+  lunoid lockstep --random 1000 --seed 7
+
+The interpreter is a second engine in double precision that shares no code with the machine: docs/lockstep.md says what is
+compared, within which bounds, and what it does not model. Without --frame the first, the middle and the last frame run;
+without --sweep or --every eight sweeps of each. The exit code is 1 if anything differs, and the first difference is told
+with signal, sweep, sample, tick and both values; of a random scene the smallest one that still differs is told too.";
+
+/// Run machine and interpreter side by side and compare every signal and every event.
+#[derive(Debug, Args)]
+#[command(after_help = AFTER)]
+#[command(mut_arg("scenario", |arg| arg.required(false).required_unless_present("random")))]
+pub struct LockstepCommand {
+    #[command(flatten)]
+    stage: Option<StageArgs>,
+    #[command(flatten)]
+    threads: Threads,
+    /// One frame, from 0, counted at the update rate.
+    #[arg(long, conflicts_with = "random")]
+    frame: Option<u64>,
+    /// Sweeps, from 0 at the left: S or S..T without T.
+    #[arg(long, value_name = "S[..T]", conflicts_with = "random")]
+    sweep: Option<Span>,
+    /// Every K-th sweep.
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..), conflicts_with_all = ["sweep", "random"])]
+    every: Option<u32>,
+    /// Ideal parts in place of the model's; its raster, range programme, loader and processor stay.
+    #[arg(long, conflicts_with = "random")]
+    ideal_parts: bool,
+    /// So many random scenes instead of a scenario.
+    #[arg(long, value_name = "N", conflicts_with_all = ["scenario", "machine"])]
+    random: Option<u64>,
+    /// Seed of the first of them; the next have the next.
+    #[arg(long, default_value_t = 0, requires = "random")]
+    seed: u64,
+    /// Print the tables as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+/// Sweeps of a frame if nobody says which.
+const SWEEPS: u32 = 8;
+
+impl LockstepCommand {
+    /// Runs both.
+    pub fn run(&self) -> Result<Verdict, Failure> {
+        let pool = self.threads.pool()?;
+        let told = match (&self.random, &self.stage) {
+            (Some(count), stage) => self.random(*count, stage.as_ref(), &pool)?,
+            (None, Some(stage)) => {
+                stage.expect_machine("there is no interpreter of it")?;
+                let mut loaded = stage.load()?;
+                let ideal = HardwareModel::ideal().analog;
+                if self.ideal_parts {
+                    loaded.settings = Settings { analog: ideal, ..loaded.settings };
+                }
+                let frames = self.frames(&loaded)?;
+                let stage = loaded.stage(&pool)?;
+                let report = pool.install(|| self.compare(&loaded, stage, &frames))?;
+                let what = format!("{}, {}", loaded.scenario.title, loaded.inputs.model);
+                Told { what, frames, report, faults: Vec::new() }
+            }
+            (None, None) => return Err(Failure::usage("expected a scenario file, or --random N")),
+        };
+        told.print(self.json)?;
+        Ok(if told.agrees() { Verdict::Yes } else { Verdict::No })
+    }
+
+    fn random(
+        &self,
+        count: u64,
+        stage: Option<&StageArgs>,
+        pool: &rayon::ThreadPool,
+    ) -> Result<Told, Failure> {
+        let end = self.seed.checked_add(count).filter(|_| count > 0);
+        let end =
+            end.ok_or_else(|| Failure::usage(format!("--random {count}: expected 1 or more scenes")))?;
+        let scalar = match stage.and_then(|stage| stage.scalar) {
+            Some(ScalarWord::F32) => Scalar::F32,
+            Some(ScalarWord::F64) | None => Scalar::F64,
+        };
+        let Trials { scenes, refused, report, faults } = pool.install(|| trials(self.seed..end, scalar));
+        let what = format!(
+            "{scenes} random scenes of seeds {}..{end} in {scalar:?}; {refused} could not be drawn",
+            self.seed
+        );
+        Ok(Told { what, frames: Vec::new(), report, faults })
+    }
+
+    fn frames(&self, loaded: &Loaded) -> Result<Vec<u64>, Failure> {
+        let all = loaded.frames();
+        match self.frame {
+            None => {
+                let mut frames = vec![0, all / 2, all - 1];
+                frames.dedup();
+                Ok(frames)
+            }
+            Some(frame) if frame < all => Ok(vec![frame]),
+            Some(frame) => Err(Failure::usage(format!(
+                "--frame {frame}: the scenario has frames 0..{all}; expected one of them"
+            ))),
+        }
+    }
+
+    fn sweeps(&self, all: u32) -> Result<Vec<u32>, Failure> {
+        if let Some(span) = self.sweep {
+            let sweeps = span.within(&(0..u64::from(all))).ok_or_else(|| {
+                Failure::usage(format!(
+                    "--sweep {span}: a frame has sweeps 0..{all}; expected a range inside"
+                ))
+            })?;
+            return Ok((sweeps.start as u32..sweeps.end as u32).collect());
+        }
+        let every = self.every.unwrap_or(all.div_ceil(SWEEPS));
+        Ok((0..all).skip(every as usize / 2).step_by(every as usize).collect())
+    }
+
+    fn compare(&self, loaded: &Loaded, stage: Stage, frames: &[u64]) -> Result<Report, Failure> {
+        let sweeps = self.sweeps(loaded.settings.raster.sweeps)?;
+        let Stage { landscape, settings, .. } = &stage;
+        let (update, yoke) = (settings.timebase.update, settings.yoke);
+        let poses =
+            |frame: u64| PoseTable::resolve(&loaded.scenario, landscape, update, yoke, frame..frame + 1);
+        let tables: Vec<_> = frames.iter().map(|&frame| poses(frame)).collect();
+        let engines = Engines::new(stage.clone()).map_err(Failure::input)?;
+        let mut sum = Report::default();
+        for (&frame, table) in frames.iter().zip(tables) {
+            let pose = table.map_err(Failure::input)?.rows()[0].pose;
+            let report = engines.compare(frame, &pose, sweeps.iter().copied());
+            sum.add(report.map_err(Failure::input)?);
+        }
+        Ok(sum)
+    }
+}

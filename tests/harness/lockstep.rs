@@ -1,0 +1,55 @@
+//! A scene by hand on machine and interpreter.
+
+use ::lockstep::{Engines, Report, Seen};
+use interpreter::{Given, Record, interpret, range_programme};
+
+use crate::Scene;
+
+/// All sweeps of a frame on both engines.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Lockstep {
+    /// Sweep by sweep.
+    pub sweeps: Vec<Seen>,
+    /// Of all sweeps together.
+    pub report: Report,
+}
+
+impl Lockstep {
+    /// Runs frame `frame` of a scene on both.
+    ///
+    /// # Panics
+    /// If the machine cannot draw the scene.
+    pub fn run(scene: &Scene, frame: u64) -> Self {
+        let engines = Engines::new(scene.stage()).expect("a stage that the machine can draw");
+        let sweeps = engines.run(frame, &scene.pose(), 0..scene.sweeps, &|_| {});
+        let sweeps = sweeps.expect("a pose that can be drawn");
+        let mut report = Report::default();
+        sweeps.iter().for_each(|seen| report.add(seen.report.clone()));
+        Self { sweeps, report }
+    }
+
+    /// What the machine recorded of a signal in a sweep.
+    ///
+    /// # Panics
+    /// If it has no such signal.
+    pub fn machine(&self, sweep: usize, signal: &str) -> &[f64] {
+        let mut waves = self.sweeps[sweep].machine.iter();
+        &waves.find(|wave| wave.signal.name == signal).expect("a signal of the machine").values
+    }
+}
+
+/// The interpreter alone: sweep 0 of frame 0, along its own range programme.
+pub fn walk(scene: &Scene) -> Record {
+    let stage = scene.stage();
+    let scene = interpreter::Scene {
+        landscape: &stage.landscape,
+        settings: &stage.settings,
+        sun: scene.sun,
+        eye: scene.eye,
+        heading: scene.heading,
+        pitch: scene.pitch,
+        frame: 0,
+    };
+    let ranges = range_programme(&stage.settings.range, stage.settings.raster.samples);
+    interpret(&scene, 0, &Given { ranges: &ranges, set_up: 0, shadow: &[] })
+}

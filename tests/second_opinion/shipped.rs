@@ -1,0 +1,71 @@
+//! A few sweeps of every shipped scenario, under every shipped hardware model, on both engines.
+//!
+//! Under a model as it is, the blocks of real parts are not compared, only what is ideal: ramps, stops, transfers, words,
+//! and whatever hangs on these alone. With its parts replaced by ideal ones, everything else of the model is: raster,
+//! range programme, loader, processor, laws.
+
+use generator::Stage;
+use hardware_model::{HardwareModel, ModelSource, Settings};
+use lockstep::{Engines, Report};
+use lunoid_tests::shipped::{FULL_LANDSCAPE, TERRAIN, folder};
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+use scenario::{PoseTable, Scalar, Scenario};
+
+const MODELS: [&str; 5] = ["ideal", "modern-analog", "pra-frugal", "pra-nominal", "pra-overloaded"];
+const SWEEPS: u32 = 3;
+
+fn model(name: &str) -> HardwareModel {
+    let source = ModelSource::find(name, &folder()).unwrap_or_else(|e| panic!("{e}"));
+    HardwareModel::load(&source, &[], &[]).unwrap_or_else(|e| panic!("{e}")).model
+}
+
+/// A frame of the scenario `stage` was made for under `settings`: sweeps from the left, the middle and the right.
+fn report(stage: &Stage, scenario: &Scenario, settings: Settings) -> Report {
+    let stage = stage::under(stage, scenario, settings).unwrap_or_else(|e| panic!("{e}"));
+    let Stage { landscape, settings, .. } = &stage;
+    let (update, yoke, sweeps) = (settings.timebase.update, settings.yoke, settings.raster.sweeps);
+    let frame = scenario.frames(update) / 2;
+    let table = PoseTable::resolve(scenario, landscape, update, yoke, frame..frame + 1);
+    let pose = table.unwrap_or_else(|e| panic!("{e}")).rows()[0].pose;
+    let chosen = (0..SWEEPS).map(|k| (2 * k + 1) * sweeps / (2 * SWEEPS));
+    let engines = Engines::new(stage.clone()).expect("a shipped stage");
+    engines.compare(frame, &pose, chosen).expect("a shipped pose")
+}
+
+/// All models, each as it is and with ideal parts. Remote shadow is left out: it takes minutes before the first sweep, and
+/// the interpreter is given its gate in any case.
+fn check(name: &str) -> Vec<String> {
+    let scenario = Scenario::read(folder().join(format!("{name}.toml"))).unwrap_or_else(|e| panic!("{e}"));
+    let ideal_parts = HardwareModel::ideal().analog;
+    let settings = |model: &HardwareModel| {
+        let settings = stage::settings(&scenario, model).unwrap_or_else(|e| panic!("{name}: {e}"));
+        Settings { shadows: None, scalar: Scalar::F64, ..settings }
+    };
+    let stage = stage::build(&scenario, settings(&HardwareModel::ideal())).unwrap_or_else(|e| panic!("{e}"));
+    let mut differences = Vec::new();
+    for model_name in MODELS {
+        let as_it_is = settings(&model(model_name));
+        let replaced = Settings { analog: ideal_parts.clone(), ..as_it_is.clone() };
+        for (parts, settings) in [("its parts", as_it_is), ("ideal parts", replaced)] {
+            let report = report(&stage, &scenario, settings);
+            let what = format!("{name}, {model_name}, {parts}");
+            assert!(report.events.get("stop").copied().unwrap_or(0) > 0, "{what}: no event was compared");
+            assert!(report.signals["sweep.x"].samples > 0, "{what}: no ramp was compared");
+            if (model_name, parts) == ("ideal", "ideal parts") {
+                for signal in ["tg.height", "mu.reflectivity", "dpp.y", "sm.video"] {
+                    assert!(report.signals[signal].samples > 0, "{what}: {signal} was not compared");
+                }
+            }
+            let difference = report.first_difference();
+            differences.extend(difference.map(|difference| format!("{what}: {difference}")));
+        }
+    }
+    differences
+}
+
+#[test]
+fn every_scenario_under_every_model() {
+    let all: Vec<&str> = TERRAIN.into_iter().chain(FULL_LANDSCAPE).collect();
+    let found: Vec<String> = all.into_par_iter().flat_map_iter(check).collect();
+    assert!(found.is_empty(), "{} differ:\n{}", found.len(), found.join("\n"));
+}
