@@ -1,7 +1,7 @@
 //! The machine's signals against the direct sum over the bank (5.1): what the ground is, not how it is made.
 
-use landscape::{Bank, Landscape};
 use ::lockstep::bounds::F64;
+use landscape::{Bank, Landscape};
 use lunoid_tests::{Lockstep, Scene, random};
 
 /// Height, both slopes and reflectivity by direct evaluation at each sample that `interpret` has.

@@ -81,7 +81,10 @@ fn a_sweep_along_an_axis_never_folds_the_other_ramp() {
         let lockstep = Lockstep::run(&scene, 0);
         // 1051 m on 200 m regions: the first stop comes a full region out.
         assert_eq!(lockstep.report.counts.folds, 5, "heading {heading}");
-        assert!(lockstep.sweeps[0].interpreter.stops.iter().all(|&(_, axis)| axis == moving), "heading {heading}");
+        assert!(
+            lockstep.sweeps[0].interpreter.stops.iter().all(|&(_, axis)| axis == moving),
+            "heading {heading}"
+        );
     }
 }
 

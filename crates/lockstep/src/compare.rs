@@ -151,9 +151,8 @@ impl Sides<'_> {
                 let steps = 0.25e-6 * settings.timebase.sample_rate().hertz();
                 bounds::of(settings.scalar) * steps.max(1.0)
             }
-            "fg.height" | "fg.slope.u" | "fg.slope.v" | "fg.reflectivity" | "mu.reflectivity" | "sm.video" => {
-                bounds::of(settings.scalar) + self.of_small_craters()
-            }
+            "fg.height" | "fg.slope.u" | "fg.slope.v" | "fg.reflectivity" | "mu.reflectivity"
+            | "sm.video" => bounds::of(settings.scalar) + self.of_small_craters(),
             _ => bounds::of(settings.scalar),
         }
     }

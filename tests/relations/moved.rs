@@ -1,4 +1,4 @@
-//! Relations that hold for any scene, whatever its answer (`docs/architecture.md`): bit for bit, or to rounding.
+//! The same scene elsewhere, larger, higher, mirrored, in another order: bit for bit, or to rounding.
 
 use generator::{Generator, PlaneKind, Planes};
 use landscape::{CornerWords, Level};
@@ -11,13 +11,13 @@ use signal::Probe;
 const SEEDS: std::ops::Range<u64> = 3000..3016;
 const SCALARS: [Scalar; 2] = [Scalar::F32, Scalar::F64];
 
-fn draw(scene: &Scene) -> Drawn {
+pub fn draw(scene: &Scene) -> Drawn {
     scene.draw(&HybridMachine, 1, &["*"]).unwrap()
 }
 
 /// Random ground on lengths that double precision holds exactly, with the eye in the middle of it: sums and
 /// differences of places are exact, and no sweep leaves the problem area.
-fn dyadic(seed: u64) -> Scene {
+pub fn dyadic(seed: u64) -> Scene {
     let mut scene = random::scene(seed);
     let old = &scene.level;
     let [north, east] = old.corners();
@@ -39,7 +39,7 @@ fn dyadic(seed: u64) -> Scene {
     scene
 }
 
-fn assert_same_bits(a: &Drawn, b: &Drawn, what: &str) {
+pub fn assert_same_bits(a: &Drawn, b: &Drawn, what: &str) {
     let bits = |drawn: &Drawn| drawn.picture.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
     assert!(bits(a) == bits(b), "{what}: pictures differ");
     assert_eq!(a.counts, b.counts, "{what}");

@@ -1,0 +1,85 @@
+//! The same bits by any number of threads, probed or not, in any order of frames (trust 3.11), over the full landscape and
+//! with real parts.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+use generator::{Generator, PlaneKind, Planes, Session, Stage};
+use hardware_model::{HardwareModel, ModelSource, Settings};
+use lunoid_tests::shipped::folder;
+use lunoid_tests::{Scene, random};
+use machine::HybridMachine;
+use quantities::radians;
+use rayon::ThreadPoolBuilder;
+use scenario::{Pose, Scalar};
+use signal::Probe;
+
+const FRAMES: u64 = 3;
+
+fn pose(scene: &Scene, frame: u64) -> Pose {
+    let mut pose = scene.pose();
+    pose.time = frame as f64 / 30.0;
+    pose.attitude.heading += radians(3.0) * frame as f64;
+    pose
+}
+
+/// Bits of a frame: counters and picture.
+fn frame(session: &dyn Session, scene: &Scene, number: u64, probed: bool) -> String {
+    let pose = pose(scene, number);
+    let mut planes = Planes::new(scene.sweeps as usize, scene.lines as usize, &[PlaneKind::Intensity]);
+    let mut probe = if probed { Probe::new(vec!["*".into()], 3..17) } else { Probe::off() };
+    let counts = session.frame(number, &pose, &mut planes, &mut probe).unwrap();
+    assert_eq!(probed, !probe.waveforms.is_empty());
+    let picture = planes.get(PlaneKind::Intensity).unwrap();
+    let bits: Vec<u32> = picture.iter().map(|value| value.to_bits()).collect();
+    format!("{counts:?} {bits:?}")
+}
+
+/// What came out of drawing the frames of a stage, and by which ways.
+fn all_ways(scene: &Scene, stage: &Stage) -> BTreeMap<Vec<String>, Vec<String>> {
+    let mut found: BTreeMap<Vec<String>, Vec<String>> = BTreeMap::new();
+    let mut note = |way: String, frames: Vec<String>| found.entry(frames).or_default().push(way);
+    for threads in [1, 2, 3, 8] {
+        let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| {
+            let session = HybridMachine.prepare(stage.clone()).unwrap();
+            for probed in [false, true] {
+                let forward: Vec<_> = (0..FRAMES).map(|k| frame(&*session, scene, k, probed)).collect();
+                let mut backward: Vec<_> =
+                    (0..FRAMES).rev().map(|k| frame(&*session, scene, k, probed)).collect();
+                backward.reverse();
+                note(format!("{threads} threads, probed {probed}, forward"), forward);
+                note(format!("{threads} threads, probed {probed}, backward"), backward);
+            }
+            let alone = |k: u64| frame(&*HybridMachine.prepare(stage.clone()).unwrap(), scene, k, false);
+            note(format!("{threads} threads, alone"), (0..FRAMES).map(alone).collect());
+        });
+    }
+    found
+}
+
+#[test]
+fn one_outcome_of_every_way() {
+    let nominal = ModelSource::find("pra-nominal", &folder()).unwrap();
+    let nominal = HardwareModel::load(&nominal, &[], &[]).unwrap().model;
+    for (seed, scalar) in [(6000, Scalar::F32), (6001, Scalar::F64), (6002, Scalar::F32), (6003, Scalar::F32)]
+    {
+        let mut scene = Scene { scalar, ..random::landscape(seed) };
+        scene.sweeps = 29;
+        scene.samples = scene.samples.min(200);
+        let ideal = scene.stage();
+        // What tubes still show depends on the frames before, which the scenery tells.
+        let course = (0..FRAMES).map(|frame| pose(&scene, frame)).collect();
+        let scenery = Arc::new((*ideal.scenery).clone().with_course(course));
+        let ideal = Stage { scenery, ..ideal };
+        let settings = Settings { analog: nominal.analog.clone(), ..ideal.settings.clone() };
+        for (what, stage) in [("ideal", ideal.clone()), ("parts of pra-nominal", Stage { settings, ..ideal })]
+        {
+            let outcomes = all_ways(&scene, &stage);
+            let ways: Vec<_> = outcomes.values().collect();
+            assert_eq!(ways.len(), 1, "seed {seed}, {scalar:?}, {what}: {ways:#?}");
+            let frames: BTreeSet<_> = outcomes.keys().flatten().collect();
+            assert_eq!(frames.len(), FRAMES as usize, "seed {seed}, {what}: frames are alike");
+        }
+    }
+}
