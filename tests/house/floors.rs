@@ -136,3 +136,13 @@ fn a_table_that_cannot_be_read_is_refused() {
         assert!(refused.contains(complaint), "{refused}");
     }
 }
+
+/// Data, numbers and elementary functions: what a second engine may share with the first.
+const DATA: [&str; 4] = ["features", "hardware-model", "landscape", "scenario"];
+
+#[test]
+fn the_second_engine_shares_data_alone() {
+    let workspace = workspace();
+    let shared: Vec<&str> = workspace["interpreter"].iter().map(String::as_str).collect();
+    assert_eq!(shared, DATA, "the interpreter depends on more than data");
+}

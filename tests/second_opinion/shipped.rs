@@ -13,6 +13,8 @@ use scenario::{PoseTable, Scalar, Scenario};
 
 const MODELS: [&str; 5] = ["ideal", "modern-analog", "pra-frugal", "pra-nominal", "pra-overloaded"];
 const SWEEPS: u32 = 3;
+/// An early frame: what drums hold in a late one takes all frames before it.
+const EARLY: u64 = 2;
 
 fn model(name: &str) -> HardwareModel {
     let source = ModelSource::find(name, &folder()).unwrap_or_else(|e| panic!("{e}"));
@@ -24,7 +26,7 @@ fn report(stage: &Stage, scenario: &Scenario, settings: Settings) -> Report {
     let stage = stage::under(stage, scenario, settings).unwrap_or_else(|e| panic!("{e}"));
     let Stage { landscape, settings, .. } = &stage;
     let (update, yoke, sweeps) = (settings.timebase.update, settings.yoke, settings.raster.sweeps);
-    let frame = scenario.frames(update) / 2;
+    let frame = (scenario.frames(update) - 1).min(EARLY);
     let table = PoseTable::resolve(scenario, landscape, update, yoke, frame..frame + 1);
     let pose = table.unwrap_or_else(|e| panic!("{e}")).rows()[0].pose;
     let chosen = (0..SWEEPS).map(|k| (2 * k + 1) * sweeps / (2 * SWEEPS));

@@ -152,16 +152,15 @@ impl Sides<'_> {
                 bounds::of(settings.scalar) * steps.max(1.0)
             }
             "fg.height" | "fg.slope.u" | "fg.slope.v" | "fg.reflectivity" | "mu.reflectivity"
-            | "sm.video" => bounds::of(settings.scalar) + self.of_small_craters(),
+            | "sm.video" => bounds::of(settings.scalar) + self.of_craters(),
             _ => bounds::of(settings.scalar),
         }
     }
 
-    /// What rounding of the place makes of the slope of the narrowest ring: four units in the last place of the farthest
-    /// range, as a part of its width.
-    fn of_small_craters(&self) -> f64 {
+    fn of_craters(&self) -> f64 {
         let rings = self.scene.landscape.features().craters().iter().map(narrowest);
-        4.0 * f64::EPSILON * self.scene.settings.range.end / rings.fold(f64::INFINITY, f64::min)
+        let ring = rings.fold(f64::INFINITY, f64::min);
+        bounds::of_craters(self.scene.settings.scalar, ring, self.scene.settings.range.end)
     }
 
     fn is_doubtful(&self, name: &str, sample: usize) -> bool {

@@ -94,7 +94,7 @@ impl LockstepCommand {
         let end = self.seed.checked_add(count).filter(|_| count > 0);
         let end =
             end.ok_or_else(|| Failure::usage(format!("--random {count}: expected 1 or more scenes")))?;
-        let scalar = match stage.and_then(|stage| stage.scalar) {
+        let scalar = match stage.and_then(|stage| stage.options.scalar) {
             Some(ScalarWord::F32) => Scalar::F32,
             Some(ScalarWord::F64) | None => Scalar::F64,
         };
