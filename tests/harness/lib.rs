@@ -2,10 +2,12 @@
 //!
 //! - [`Scene`], [`random`], [`level_of`], [`Dice`]: scenes by hand and from a seed, of the crate `lockstep`.
 //! - [`lockstep`](mod@lockstep): such a scene on machine and interpreter.
+//! - [`trust`]: the evidence of docs/trust.md, and the page made of it.
 //! - [`shipped`]: the scenarios of the folder `scenarios/`, and their agreement with `exact`.
 
 pub mod lockstep;
 pub mod shipped;
+pub mod trust;
 
 pub use ::lockstep::{Dice, Drawn, Scene, level_of, plane, random, scene};
 pub use lockstep::Lockstep;

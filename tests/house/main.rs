@@ -4,3 +4,4 @@ mod floors;
 mod licences;
 mod metadata;
 mod sources;
+mod trust;

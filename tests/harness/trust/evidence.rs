@@ -1,0 +1,91 @@
+//! What the page of trust rests on: a command each.
+
+/// One piece of evidence.
+#[derive(Debug, Clone, Copy)]
+pub struct Evidence {
+    /// Name of its file in `docs/trust/`.
+    pub name: &'static str,
+    /// What it shows.
+    pub title: &'static str,
+    /// The command; what it prints is kept.
+    pub command: &'static str,
+    /// What stands on the page, from what was kept.
+    pub form: Form,
+}
+
+/// How what a command has printed is shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Form {
+    /// A table of `lunoid cartridge run --json`.
+    Cartridges,
+    /// A table of `lunoid lockstep --json`.
+    Lockstep,
+    /// A table of the file that `awake --json` writes.
+    Awake,
+    /// The lines that it printed.
+    Lines,
+}
+
+/// All of it, in the order of the page: closed forms first, then a second computation, then what is only unchanged.
+pub const EVIDENCE: &[Evidence] = &[
+    Evidence {
+        name: "cartridges",
+        title: "Scenes whose answer is known in closed form",
+        command: "cargo run --quiet -p lunoid -- cartridge run --json",
+        form: Form::Cartridges,
+    },
+    Evidence {
+        name: "lockstep-f64",
+        title: "A second engine in lockstep: random scenes, machine in f64",
+        command: "cargo run --quiet -p lunoid -- lockstep --random 1000 --seed 1 --json",
+        form: Form::Lockstep,
+    },
+    Evidence {
+        name: "lockstep-shipped",
+        title: "The same: shipped scenarios under every shipped model",
+        command: "cargo test --quiet -p lunoid-tests --test second_opinion shipped -- --nocapture",
+        form: Form::Lines,
+    },
+    Evidence {
+        name: "relations",
+        title: "Relations that must hold for any scene, and the determinism matrix",
+        command: "cargo test --quiet -p lunoid-tests --test relations -- --nocapture",
+        form: Form::Lines,
+    },
+    Evidence {
+        name: "endurance",
+        title: "A hundred thousand frames, memory flat to one percent",
+        command: "cargo run --quiet -p lunoid-tests --example endurance -- 100000",
+        form: Form::Lines,
+    },
+    Evidence {
+        name: "kills",
+        title: "Killed at random moments and resumed",
+        command: "cargo test --quiet -p lunoid --test long_runs -- --nocapture long_two",
+        form: Form::Lines,
+    },
+    Evidence {
+        name: "disks",
+        title: "Every file operation made to fail",
+        command: "cargo test --quiet -p lunoid --test long_runs -- --nocapture long_every",
+        form: Form::Lines,
+    },
+    Evidence {
+        name: "hostile",
+        title: "Damaged and hostile files",
+        command: "cargo test --quiet -p lunoid-tests --test hostile_long -- --nocapture long_",
+        form: Form::Lines,
+    },
+    Evidence {
+        name: "awake",
+        title: "Deliberate breaks, and the test that caught each",
+        command: "cargo run --quiet -p lunoid-tests --bin awake -- --json docs/trust/awake.json",
+        form: Form::Awake,
+    },
+    Evidence {
+        name: "supply",
+        title: "Licences of all that is linked",
+        command: "cargo test --quiet -p lunoid-tests --test house licences -- --nocapture",
+        form: Form::Lines,
+    },
+];
