@@ -7,6 +7,9 @@ use std::time::Instant;
 use super::{B, DELAY, MULTIPLIER, RASTER, RISE, SMOOTHER, TAU_H, TAU_M, THRESHOLD};
 use parts::{MultiplierLaw, SecondOrder};
 
+/// The least time of so many runs counts.
+const RUNS: usize = 3;
+
 /// What the simulator made of the chain.
 #[derive(Debug)]
 pub struct Simulated {
@@ -40,8 +43,13 @@ pub fn simulate(times: usize, reltol: Option<f64>) -> Result<Option<Simulated>, 
         let m: Option<Vec<f64>> = text.lines().filter(|line| !line.trim().is_empty()).map(value).collect();
         Ok(Some((m.ok_or("ngspice wrote no numbers")?, seconds)))
     };
-    let (Some((_, start)), Some((m, whole))) = (run(2)?, run(times)?) else { return Ok(None) };
-    Ok(Some(Simulated { m, seconds: whole - start }))
+    let mut least = [f64::INFINITY; 2];
+    let mut found = Vec::new();
+    for _ in 0..RUNS {
+        let (Some((_, start)), Some((m, whole))) = (run(2)?, run(times)?) else { return Ok(None) };
+        (least, found) = ([least[0].min(start), least[1].min(whole)], m);
+    }
+    Ok(Some(Simulated { m: found, seconds: least[1] - least[0] }))
 }
 
 /// An RLC smoother, a formula, RC lags, a delay line, a switch.
