@@ -12,6 +12,7 @@
 //! against `exact` under the laws of the rung; where a rung has another law than the base, its picture is held against
 //! the base's law as well, so that error of parts and difference of law are two numbers. Time is the median of several
 //! repetitions, and within a ladder the rungs take turns, so that a machine that slows down slows all of them.
+//! **LUNSIM** ([`grid_ladder`]): its picture over the size of its grid, where the scenario is its own.
 //! **Economy** ([`economy`]): what a scene does not need, what leaving it out saves, the waste that remains. **Banks**
 //! ([`regions()`]): region size of a survey against the ground.
 //! **Not in the time.** Reading, elaboration, shadow boundaries that are found once, encoding.
@@ -22,6 +23,7 @@ mod advice;
 mod change;
 pub mod economy;
 mod figures;
+mod grid;
 pub mod ladder;
 mod order;
 pub mod polynomial;
@@ -36,6 +38,7 @@ mod work;
 pub use advice::{Advice, Setting, advise, front, total_error};
 pub use change::{Change, Variant};
 pub use figures::{ErrorFigure, Figures, NAMES};
+pub use grid::{GRID, grid_ladder};
 pub use order::{Order, fit};
 pub use reference::{ExactPictures, ReferenceError, SelfError};
 pub use regions::{REGION_LADDERS, regions};

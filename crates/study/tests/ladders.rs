@@ -2,9 +2,11 @@
 
 use exact::Columns;
 use hardware_model::HardwareModel;
+use landscape::Attitude;
+use quantities::radians;
 use scenario::Scenario;
 use study::ladder::{Extent, Ladder, LadderOutcome, ladders};
-use study::{Effort, ExactPictures, Rehearsed, Subject, climb};
+use study::{Effort, ExactPictures, Rehearsed, Subject, climb, grid_ladder};
 
 /// Smooth ground, no craters: between samples a profile is a parabola.
 const SMOOTH: &str = r#"
@@ -46,8 +48,12 @@ scalar = "f64"
 "#;
 
 fn subject() -> Subject {
+    subject_of(SMOOTH)
+}
+
+fn subject_of(text: &str) -> Subject {
     let scenario =
-        Scenario::parse("smooth.toml", SMOOTH).unwrap_or_else(|list| panic!("{}", list.render(false)));
+        Scenario::parse("smooth.toml", text).unwrap_or_else(|list| panic!("{}", list.render(false)));
     let model = HardwareModel::ideal();
     let settings = stage::settings(&scenario, &model).unwrap();
     let stage = stage::build(&scenario, settings).unwrap();
@@ -128,4 +134,39 @@ fn kept_pictures_are_taken_again_and_damaged_ones_drawn_again() {
     assert_ne!(drawn(), first);
     std::fs::write(&file, b"no array").unwrap();
     assert_eq!(drawn(), first);
+}
+
+/// The same ground on positions of LUNSIM's recorder, from 400 m above and looking down.
+fn lunsim(restrictions: bool) -> LadderOutcome {
+    let text = SMOOTH.replace("\"ideal\"", "\"lunsim\"").replace("lines = 40", "columns = 256\nlines = 256");
+    // Rough enough that 256 codes do not hide the grid.
+    let text = text
+        .replace("region_size_m = 100", "region_size_m = 25")
+        .replace("2500", "600")
+        .replace("700", "150");
+    let law = "[laws]\npixel_rule = \"centre\"";
+    let mut subject = subject_of(&format!("{text}\n{law}\n[lunsim]\nrestrictions = {restrictions}\n"));
+    let (_, pose) = &mut subject.frames[0];
+    pose.eye[2] += 400.0;
+    pose.attitude = Attitude { roll: 0.0, pitch: radians(-50.0), heading: 0.0 };
+    let mut exact = ExactPictures::new("test", &subject.scenario, &subject.stage, None).unwrap();
+    grid_ladder(&subject, &mut exact, Effort { repetitions: 1 }, Extent::Quick).unwrap()
+}
+
+#[test]
+fn a_finer_grid_of_lunsim_is_nearer_to_exact() {
+    let ladder = lunsim(false);
+    let means: Vec<f64> = ladder.rungs.iter().map(|rung| rung.error("picture mean").unwrap()).collect();
+    assert!(means.len() == 4 && means.windows(2).all(|pair| pair[1] < 0.7 * pair[0]), "{means:?}");
+    let work: Vec<u64> = ladder.rungs.iter().map(|rung| rung.work).collect();
+    assert_eq!(work, [64, 128, 256, 512].map(|points: u64| points * points));
+    assert!(ladder.rungs.iter().all(|rung| rung.time_s.is_some_and(|times| times[0] > 0.0)));
+}
+
+#[test]
+fn what_lunsim_cannot_do_is_told_rung_by_rung() {
+    let ladder = lunsim(true);
+    let told =
+        |rung: &study::ladder::RungOutcome| rung.refused.as_ref().is_some_and(|why| why.contains("relief"));
+    assert!(ladder.rungs.iter().all(told), "{ladder:?}");
 }

@@ -4,14 +4,16 @@ use std::path::Path;
 
 use clap::Args;
 use exact::Columns;
+use generator::Generator;
 use hardware_model::{BUILT_IN, HardwareModel, ModelSource, Settings};
+use lunsim::Lunsim;
 use serde_json::{Value, json};
 use study::ladder::{Extent, Ladder, LadderOutcome, OrderOutcome, ladders};
 use study::polynomial::{POLYNOMIAL, polynomial_ladder};
 use study::solver::{Chain, SOLVER, solver_ladders};
 use study::{
-    Advice, Effort, ExactPictures, REGION_LADDERS, Rehearsed, SelfError, StudyError, Subject, advise, climb,
-    csv, regions, table,
+    Advice, Effort, ExactPictures, GRID, REGION_LADDERS, Rehearsed, SelfError, StudyError, Subject, advise,
+    climb, csv, grid_ladder, regions, table,
 };
 
 use super::outputs::{Outputs, markdown, write};
@@ -37,6 +39,7 @@ const AFTER: &str = "Examples:
   lunoid study error scenarios/first-light.toml --quick
   lunoid study error scenarios/showpiece.toml --frame 0 --out studies/showpiece
   lunoid study error scenarios/first-light.toml --only samples --only scalar --json
+  lunoid study error scenarios/lunsim-roving.toml --only grid
 
 --out gets error.json, error.csv, error.md, a plot of error against time of all ladders and of every ladder by itself,
 exact/ and shadows/, where pictures of exact and boundaries of shadow are kept: the next study of the same ground takes
@@ -101,7 +104,7 @@ impl ErrorStudy {
 
     fn study(&self, subject: &Subject) -> Result<Outcome, Failure> {
         let extent = if self.quick { Extent::Quick } else { Extent::Whole };
-        let chosen = self.chosen(ladders(subject, &self.models()?, extent))?;
+        let chosen = self.chosen(subject, ladders(subject, &self.models()?, extent))?;
         let usual = if self.quick { QUICK_REPETITIONS } else { REPETITIONS };
         let effort = Effort { repetitions: self.repetitions.unwrap_or(usual) };
         let folder = self.outputs.out.as_ref().map(|out| out.join("exact"));
@@ -116,6 +119,10 @@ impl ErrorStudy {
             self.outputs.say(&format!("{}: {} rungs", ladder.name, ladder.rungs.len()));
             let mut hear = |label: &str| self.outputs.say(&format!("  {label}"));
             outcomes.push(climb(&mut study, ladder, effort, &mut hear).map_err(failure)?);
+        }
+        if of_lunsim(subject) && self.wants(GRID) {
+            self.outputs.say("LUNSIM's grid");
+            outcomes.push(grid_ladder(subject, study.exact, effort, extent).map_err(failure)?);
         }
         if REGION_LADDERS.into_iter().any(|name| self.wants(name)) {
             self.outputs.say("banks of several region sizes");
@@ -150,9 +157,9 @@ impl ErrorStudy {
         BUILT_IN.iter().map(|(name, _)| load(name)).collect()
     }
 
-    fn chosen(&self, mut all: Vec<Ladder>) -> Result<Vec<Ladder>, Failure> {
-        let known: Vec<&str> =
-            all.iter().map(|ladder| ladder.name).chain(REGION_LADDERS).chain([POLYNOMIAL, SOLVER]).collect();
+    fn chosen(&self, subject: &Subject, mut all: Vec<Ladder>) -> Result<Vec<Ladder>, Failure> {
+        let known = all.iter().map(|ladder| ladder.name).chain(REGION_LADDERS).chain([POLYNOMIAL, SOLVER]);
+        let known: Vec<&str> = known.chain(of_lunsim(subject).then_some(GRID)).collect();
         if let Some(unknown) = self.only.iter().find(|name| !known.contains(&name.as_str())) {
             return Err(Failure::usage(format!(
                 "--only {unknown}: no such ladder for this scenario; known: {}",
@@ -166,6 +173,11 @@ impl ErrorStudy {
     fn wants(&self, ladder: &str) -> bool {
         self.only.is_empty() || self.only.iter().any(|name| name == ladder)
     }
+}
+
+/// Whether the scenario is LUNSIM's own.
+fn of_lunsim(subject: &Subject) -> bool {
+    subject.scenario.machine == Lunsim.name()
 }
 
 /// The frames asked for, of `all`; the middle one if there are none.
