@@ -289,7 +289,6 @@ impl<'a> Registers<'a> {
         let other = 1 - axis;
         let next = self.start.rising[other].map(|at_one| colours_at(other, at_one));
         let urgent = wanted == Wanted::Preload(PRELOADS[other])
-            && !self.loader.diagonal_register
             && next.is_some_and(|colours| colours.contains(&colour));
         self.server.queue.push(Asked { tick, crossing, colour, wanted, corner, urgent, late: false });
     }

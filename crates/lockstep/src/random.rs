@@ -1,7 +1,7 @@
 //! Scenes from a seed.
 
 use features::{Crater, Shape};
-use hardware_model::{LatePolicy, LevelSwitch};
+use hardware_model::{CrossingServer, IoProcessor, LatePolicy, LevelSwitch};
 use landscape::{Layer, Photometry, Sun};
 use quantities::{radians, unit_interval};
 use scenario::{Curvature, FeatureLight, Occlusion, Projection, RangeLaw, RangeProgramme, TextureInShadow};
@@ -160,6 +160,10 @@ fn slow(dice: &mut Dice, scene: &mut Scene) {
     loader.strobe = dice.count(0, 3) as u64;
     loader.words_per_access = dice.count(1, 9) as u32;
     loader.urgent_first = dice.choose(&[true, false]);
+    loader.diagonal_register = dice.choose(&[true, false]);
+    loader.served_by = dice.choose(&[CrossingServer::WiredPointers, CrossingServer::IoProcessor]);
+    let command = |dice: &mut Dice| dice.count(0, 4) as u64;
+    loader.io_processor = IoProcessor { order: command(dice), chain: command(dice), edit: command(dice) };
     // About one tick a step, so that words come some steps after their fold.
     scene.master_hz = 30 * u64::from(scene.sweeps * scene.samples) * dice.count(1, 3) as u64;
 }

@@ -116,11 +116,12 @@ impl LoadLine {
     }
 }
 
-/// Ticks from `ready` to the last tick that is not after `due`; below 0 it is late.
+/// Ticks from `ready` to the last tick that is not after `due`; below 0 it is late. Before the mission, which begins at tick
+/// 0, nothing is due.
 pub fn slack(clock: &SweepClock, due: SweepTime, ready: Tick) -> i64 {
     let seen = clock.tick_at_or_after(due);
     let after = i64::from(clock.instant_of(seen) > due);
-    seen.0 as i64 - after - ready.0 as i64
+    (seen.0 as i64 - after).max(0) - ready.0 as i64
 }
 
 #[cfg(test)]

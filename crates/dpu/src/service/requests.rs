@@ -20,7 +20,9 @@ impl<W: Watch> Service<'_, '_, '_, W> {
         };
         let loader = self.unit.loader;
         let has_diagonal = loader.diagonal_register && !loader.is_wired_through();
-        let at_hand = has_diagonal && self.diagonals[colour as usize].is_some_and(|ready| ready <= seen);
+        // There at the fold itself, not only at the tick that sees it; tick 0 is before the sweep.
+        let is_there = |ready: Tick| ready == Tick(0) || self.instant_of(ready) <= fold.time;
+        let at_hand = has_diagonal && self.diagonals[colour as usize].is_some_and(is_there);
         for register in [PreloadRegister::XFirst, PreloadRegister::YFirst] {
             if at_hand && register == other {
                 self.take_diagonal(colour, register, fold, seen, program);

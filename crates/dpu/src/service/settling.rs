@@ -28,8 +28,6 @@ impl<W: Watch> Service<'_, '_, '_, W> {
         for register in [PreloadRegister::XFirst, PreloadRegister::YFirst] {
             let Some(ready) = self.ready[colour as usize][register as usize].take() else { continue };
             let slack = slack(&self.clock, time, ready);
-            // Wired words are there in the instant of their fold, before the tick that sees it.
-            let slack = if self.unit.loader.is_wired_through() { slack.max(0) } else { slack };
             if register == used {
                 self.watch.transfer(slack);
             } else if slack >= 0 {
