@@ -25,6 +25,7 @@ carried! {
     "axis-parallel"
     "coefficient-steps"
     "comparator-delay"
+    "comparator-delay-small"
     "comparator-ramp"
     "converter-bits"
     "converter-on-plane"

@@ -28,7 +28,10 @@ impl Cartridge {
                 overlays.push(OverlayOutcome { engine, because, caught: !by.is_empty(), by });
             }
         }
+        let right = answers.iter().all(|answer| answer.passed);
+        let passed = right && overlays.iter().all(|overlay| overlay.caught);
         Ok(Outcome {
+            passed,
             name: self.name.clone(),
             title: self.title.clone(),
             runs: self.cases.len(),

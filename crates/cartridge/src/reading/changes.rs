@@ -18,14 +18,18 @@ pub struct ChangesReading {
 
 impl ChangesReading {
     pub(super) fn deviation(&self, meant: &MachineCase, seen: &Drawn) -> Result<Deviation, String> {
-        let sweep = meant.settings.raster.sweeps / 2;
-        let (ranges, values) = (seen.ranges_of(sweep)?, seen.wave(&self.signal, sweep)?);
-        let (low, high) = values
-            .iter()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)));
-        let middle = 0.5 * (low + high);
-        let steps = (1..values.len()).filter(|&k| (values[k - 1] < middle) != (values[k] < middle));
-        let found: Vec<f64> = steps.map(|k| 0.5 * (ranges[k - 1] + ranges[k])).collect();
+        let found = changes(seen, &self.signal, meant.settings.raster.sweeps / 2)?;
         Ok(Deviation::between(&format!("changes of {}", self.signal), &found, &self.at_m, 1.0))
     }
+}
+
+/// Ground ranges (m) at which a signal passes the middle of its span: the middle of each such step.
+pub(super) fn changes(seen: &Drawn, signal: &str, sweep: u32) -> Result<Vec<f64>, String> {
+    let (ranges, values) = (seen.ranges_of(sweep)?, seen.wave(signal, sweep)?);
+    let (low, high) = values
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &value| (low.min(value), high.max(value)));
+    let middle = 0.5 * (low + high);
+    let steps = (1..values.len()).filter(|&k| (values[k - 1] < middle) != (values[k] < middle));
+    Ok(steps.map(|k| 0.5 * (ranges[k - 1] + ranges[k])).collect())
 }

@@ -6,6 +6,7 @@ mod changes;
 mod deviation;
 mod digital;
 mod display_line;
+mod edge_shift;
 mod fourier_line;
 mod hidden;
 mod horizon_line;
@@ -41,6 +42,8 @@ pub enum Reading {
     Turns(turns::TurnsReading),
     /// Ground ranges at which a signal of the middle sweep goes from one half of its span to the other. Tolerance: m.
     Changes(changes::ChangesReading),
+    /// Way by which edges across the heading are displaced, mean of all sweeps. Tolerance: m.
+    EdgeShift(edge_shift::EdgeShiftReading),
     /// Folds of the frame. Tolerance: counts.
     Folds(digital::FoldsReading),
     /// Register sets asked for at a fold. Tolerance: counts.
@@ -91,6 +94,7 @@ impl Reading {
             Self::FourierLine(reading) => format!("fourier-line {}", reading.signal),
             Self::Turns(reading) => format!("turns {}", reading.signal),
             Self::Changes(reading) => format!("changes {}", reading.signal),
+            Self::EdgeShift(reading) => format!("edge-shift {}", reading.signal),
             Self::Folds(_) => "folds".into(),
             Self::SetsAFold(_) => "sets-a-fold".into(),
             Self::HorizonLine(_) => "horizon-line".into(),
@@ -136,6 +140,7 @@ impl Reading {
             | Self::Statistic(statistic::StatisticReading { signal, .. })
             | Self::FourierLine(fourier_line::FourierLineReading { signal, .. })
             | Self::Turns(turns::TurnsReading { signal, .. })
+            | Self::EdgeShift(edge_shift::EdgeShiftReading { signal, .. })
             | Self::Changes(changes::ChangesReading { signal, .. }) => vec![RANGE, signal],
             Self::Hidden(_) | Self::LunoidHorizonRange(_) => one("dpp.blank"),
             Self::DisplayLine(_) => vec![RANGE, "dpp.elevation", "dpp.blank", "dpp.y"],
@@ -165,6 +170,7 @@ impl Reading {
                 Self::FourierLine(reading) => reading.deviation(meant, seen),
                 Self::Turns(reading) => reading.deviation(seen),
                 Self::Changes(reading) => reading.deviation(meant, seen),
+                Self::EdgeShift(reading) => reading.deviation(meant, seen),
                 Self::Folds(reading) => reading.deviation(seen),
                 Self::SetsAFold(reading) => reading.deviation(seen),
                 Self::HorizonLine(reading) => reading.deviation(meant, seen),
