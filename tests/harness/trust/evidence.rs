@@ -43,7 +43,7 @@ pub const EVIDENCE: &[Evidence] = &[
     Evidence {
         name: "lockstep-shipped",
         title: "The same: shipped scenarios under every shipped model",
-        command: "cargo test --quiet -p lunoid-tests --test second_opinion under_every_model -- --ignored --nocapture",
+        command: "cargo test --quiet -p lunoid-tests --test lockstep_long -- --nocapture long_",
         form: Form::Lines,
     },
     Evidence {
