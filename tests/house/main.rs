@@ -1,5 +1,6 @@
 //! Rules of the house: floors, licences, what sources may not contain.
 
+mod awake;
 mod floors;
 mod licences;
 mod metadata;

@@ -1,0 +1,92 @@
+//! Runs of `cargo test`, and what they say.
+
+use std::collections::BTreeSet;
+use std::fmt;
+use std::process::Command;
+
+use lunoid_tests::breaks::Break;
+
+use crate::checkout::Checkout;
+use crate::go_on;
+
+/// What became of a break.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Verdict {
+    /// The first test that failed, and the arguments of cargo that ran it.
+    Caught { test: String, arguments: String },
+    /// All tests passed.
+    NotCaught,
+    /// The fault is in the break: the compiler or the end of a test program, no test, has stopped it.
+    Fault(String),
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Caught { test, arguments } => write!(f, "{test} ({arguments})"),
+            Self::NotCaught => f.write_str("NOT CAUGHT"),
+            Self::Fault(what) => write!(f, "{}", what.to_uppercase()),
+        }
+    }
+}
+
+/// One run of `cargo test`.
+struct Run {
+    passed: usize,
+    failed: Option<String>,
+    fault: Option<String>,
+}
+
+/// That all tests of the breaks pass before anything is broken, and that there are such tests.
+pub fn check_unbroken(checkout: &Checkout, breaks: &[Break]) -> Result<(), String> {
+    let lines: BTreeSet<&String> = breaks.iter().flat_map(|one| &one.tests).collect();
+    eprintln!("{} runs of tests before anything is broken", lines.len());
+    for line in lines {
+        let Run { passed, failed, fault } = run(checkout, line)?;
+        if let Some(what) = failed.or(fault) {
+            return Err(format!("cargo test {line}: {what} fails although nothing is broken; mend it first"));
+        }
+        if passed == 0 {
+            return Err(format!("cargo test {line}: no test runs; mend the list tests/awake/breaks.toml"));
+        }
+    }
+    Ok(())
+}
+
+/// What the tests say of a break that is applied.
+pub fn verdict(checkout: &Checkout, one: &Break) -> Result<Verdict, String> {
+    for arguments in &one.tests {
+        let Run { failed, fault, .. } = run(checkout, arguments)?;
+        if let Some(test) = failed {
+            return Ok(Verdict::Caught { test, arguments: arguments.clone() });
+        }
+        if let Some(fault) = fault {
+            return Ok(Verdict::Fault(fault));
+        }
+    }
+    Ok(Verdict::NotCaught)
+}
+
+fn run(checkout: &Checkout, arguments: &str) -> Result<Run, String> {
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let output = Command::new(cargo)
+        .args(["test", "--locked"])
+        .args(arguments.split_whitespace())
+        .current_dir(&checkout.root)
+        .env("CARGO_TARGET_DIR", &checkout.target)
+        .output()
+        .map_err(|error| format!("cargo: {error}"))?;
+    go_on()?;
+    let (said, errors) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+    let tests = || said.lines().filter_map(|line| line.strip_prefix("test ")?.rsplit_once(" ... "));
+    let failed = tests().find(|(_, end)| *end == "FAILED").map(|(name, _)| name.to_owned());
+    let fault = (!output.status.success() && failed.is_none()).then(|| fault(&errors));
+    Ok(Run { passed: tests().filter(|(_, end)| *end == "ok").count(), failed, fault })
+}
+
+fn fault(errors: &str) -> String {
+    if errors.contains("could not compile") {
+        return "does not compile".into();
+    }
+    errors.lines().rfind(|line| !line.trim().is_empty()).unwrap_or("cargo said nothing").to_owned()
+}
