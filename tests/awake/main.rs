@@ -42,7 +42,7 @@ struct Options {
     /// Break this checkout and restore it, instead of a clone of its last commit in the target folder
     #[arg(long)]
     in_place: bool,
-    /// Write what was found to this file as well
+    /// Write what was found to this file as well; what it says of other breaks stays
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
 }

@@ -116,13 +116,16 @@ impl CrossingService<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::{CrossingService, TimedFold};
+    use super::{CrossingService, MissingCorner, TimedFold};
     use crate::watch::Watch;
-    use hardware_model::{Cpu, HardwareModel};
+    use hardware_model::{Cpu, HardwareModel, LoadDelay, Loader};
     use landscape::Level;
     use proptest::prelude::{any, prop_assert_eq, proptest};
-    use quantities::{Rate, SweepTime, Timebase};
-    use sweep_program::{Fold, Ramp, RampAxis, RegisterSet, Stop, SweepProgram, SweepStart};
+    use quantities::{Rate, SweepTime, Tick, Timebase};
+    use sweep_program::{
+        Colour, Fold, Load, NO_CORNER, PreloadRegister, Ramp, RampAxis, RegisterSet, StepKind, Stop,
+        SweepProgram, SweepStart, Target, WordMask,
+    };
 
     /// Listens, so that nothing is left out.
     struct Listener;
@@ -133,20 +136,72 @@ mod tests {
         level: &Level,
         start: &SweepStart,
         folds: &[TimedFold],
+        (loader, missing): (&Loader, &[MissingCorner]),
         watch: &mut impl Watch,
     ) -> SweepProgram {
-        let model = HardwareModel::ideal();
         let rate = |hertz| Rate::new(hertz, 1).expect("not 0");
         let timebase = Timebase::new(rate(20_000_000), rate(30), 525, 100, 10).expect("it fits");
-        let (loader, cpu) = (&model.loader, &Cpu::default());
-        let service =
-            CrossingService { level, loader, cpu, timebase: &timebase, missing: &[], held: 0, seed: 1 };
+        let cpu = &Cpu::default();
+        let service = CrossingService { level, loader, cpu, timebase: &timebase, missing, held: 0, seed: 1 };
         let registers = [RegisterSet::default(); 4];
         let mut program =
             SweepProgram { start: *start, registers, steps: Vec::new(), end_range: 0.0, misses: Vec::new() };
         let range_at = |time: SweepTime| time.0;
         service.write_program((3, 7), *start, folds.iter().copied(), 90.0, range_at, &mut program, watch);
         program
+    }
+
+    fn level() -> Level {
+        Level::new(1.0, [0.0; 2], [11, 9], vec![[0.0; 9]; 99]).unwrap()
+    }
+
+    /// What is loaded after a first fold at X = 1, on a sweep to the north-east out of region (0, 0).
+    fn loads(delays: Vec<LoadDelay>, missing: &[MissingCorner]) -> Vec<Load> {
+        let ramps = [Ramp { start: 0.25, rate: 0.7, polarity: 1.0 }; 2];
+        let start = SweepStart { direction: [0.7; 2], region: [0, 0], ramps };
+        let fold = Fold { axis: RampAxis::X, stop: Stop::One };
+        let folds = [TimedFold { time: SweepTime(1.0), range: 1.0, fold }];
+        let loader = Loader { delays, ..HardwareModel::ideal().loader };
+        let program = program(&level(), &start, &folds, (&loader, missing), &mut ());
+        let load = |kind: &StepKind| if let StepKind::Load(load) = kind { Some(*load) } else { None };
+        program.steps.iter().filter_map(|step| load(&step.kind)).collect()
+    }
+
+    fn load(colour: Colour, register: PreloadRegister, corner: u32) -> Load {
+        Load { colour, target: Target::Preload(register), corner, words: WordMask::ALL }
+    }
+
+    /// Yellow has moved from corner (0, 0) to (2, 0), black from (0, 1) to (2, 1): what lies two further on either axis
+    /// waits for the next fold (6.3). Nine corners make a row.
+    #[test]
+    fn a_fold_asks_for_the_next_corners_of_its_colours() {
+        let (x_first, y_first) = (PreloadRegister::XFirst, PreloadRegister::YFirst);
+        let expected = [
+            load(Colour::Yellow, x_first, 4 * 9),
+            load(Colour::Yellow, y_first, 2 * 9 + 2),
+            load(Colour::Black, x_first, 4 * 9 + 1),
+            load(Colour::Black, y_first, 2 * 9 + 3),
+        ];
+        assert_eq!(loads(vec![], &[]), expected);
+    }
+
+    #[test]
+    fn a_corner_counts_from_the_tick_at_which_the_drum_has_brought_it() {
+        for (arrival, found) in [(Some(Tick(0)), 36), (Some(Tick(u64::MAX)), NO_CORNER), (None, NO_CORNER)] {
+            let loads = loads(vec![], &[MissingCorner { corner: 36, arrival }]);
+            assert_eq!(loads[0], load(Colour::Yellow, PreloadRegister::XFirst, found), "{arrival:?}");
+        }
+    }
+
+    #[test]
+    fn a_word_held_back_comes_alone() {
+        let (colour, register) = (Colour::Yellow, PreloadRegister::XFirst);
+        let delay = LoadDelay { frame: None, sweep: 7, crossing: 0, colour, register, word: 4, ticks: 10 };
+        let loads = loads(vec![delay], &[]);
+        let whole = load(colour, register, 36);
+        assert_eq!(loads[0], Load { words: WordMask::ALL.without(WordMask::only(4)), ..whole });
+        assert_eq!(loads[4], Load { words: WordMask::only(4), ..whole });
+        assert_eq!(loads.len(), 5);
     }
 
     proptest! {
@@ -157,7 +212,6 @@ mod tests {
             signs in any::<[bool; 2]>(),
             region in proptest::array::uniform2(-1..12i64),
         ) {
-            let level = Level::new(1.0, [0.0; 2], [11, 9], vec![[0.0; 9]; 99]).unwrap();
             let ramps = [0, 1].map(|axis| Ramp {
                 start: 0.25,
                 rate: if signs[axis] { 0.7 } else { -0.7 },
@@ -174,8 +228,9 @@ mod tests {
                 let fold = Fold { axis: if is_y { RampAxis::Y } else { RampAxis::X }, stop };
                 TimedFold { time: SweepTime(at), range: at, fold }
             }).collect();
-            let short = program(&level, &start, &folds, &mut ());
-            prop_assert_eq!(short, program(&level, &start, &folds, &mut Listener));
+            let (level, loader) = (level(), HardwareModel::ideal().loader);
+            let short = program(&level, &start, &folds, (&loader, &[]), &mut ());
+            prop_assert_eq!(short, program(&level, &start, &folds, (&loader, &[]), &mut Listener));
         }
     }
 }

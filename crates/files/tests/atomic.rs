@@ -156,3 +156,60 @@ fn leftovers_are_removed_and_nothing_else() {
     kept.sort();
     assert_eq!(names(folder.path()), kept);
 }
+
+/// Set for a child of a test: the file it is to write.
+const TO_WRITE: &str = "FILES_TEST_WRITES";
+
+/// This test program as an argument list that runs one test.
+fn only(test: &str) -> [std::ffi::OsString; 3] {
+    [std::env::current_exe().expect("a name").into_os_string(), "--exact".into(), test.into()]
+}
+
+#[test]
+#[cfg(unix)]
+fn what_the_disk_does_not_take_is_an_error() {
+    if let Some(path) = std::env::var_os(TO_WRITE) {
+        // The child, whose files may have a kilobyte: fewer than the buffer holds.
+        let error = write_atomic(path, |out| out.write_all(&[0; 4000])).expect_err("no room");
+        assert!(matches!(error, FileError::Io { action: Action::Write, .. }), "{error:?}");
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("a.txt");
+    write_atomic(&path, |out| out.write_all(b"old")).expect("written");
+    let child = std::process::Command::new("sh")
+        .args(["-c", "ulimit -f 1; trap '' XFSZ; exec \"$@\"", "sh"])
+        .args(only("what_the_disk_does_not_take_is_an_error"))
+        .env(TO_WRITE, &path)
+        .output()
+        .expect("a shell");
+    assert!(child.status.success(), "{}", String::from_utf8_lossy(&child.stdout));
+    assert_eq!(read_all(&path, 9999).expect("read"), b"old");
+    assert_eq!(names(folder.path()), ["a.txt"]);
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_file_is_on_the_disk_before_it_has_its_name() {
+    if let Some(path) = std::env::var_os(TO_WRITE) {
+        return write_atomic(path, |out| out.write_all(b"new")).expect("written");
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let log = folder.path().join("log");
+    let child = std::process::Command::new("strace")
+        .args(["-f", "-qq", "-e", "trace=fsync,rename,renameat,renameat2", "-o"])
+        .arg(&log)
+        .args(only("a_file_is_on_the_disk_before_it_has_its_name"))
+        .env(TO_WRITE, folder.path().join("a.txt"))
+        .output();
+    // A container may forbid to trace.
+    if !child.is_ok_and(|child| child.status.success()) {
+        return eprintln!("skipped: strace is missing or may not trace");
+    }
+    let calls = fs::read_to_string(log).expect("a log");
+    let order: Vec<&str> = calls
+        .lines()
+        .filter_map(|line| ["fsync(", "rename"].into_iter().find(|call| line.contains(call)))
+        .collect();
+    assert_eq!(order, ["fsync(", "rename", "fsync("], "the file, its name, the folder:\n{calls}");
+}

@@ -214,6 +214,16 @@ mod tests {
         }
     }
 
+    /// 20 MHz over 15 750 sweeps a second: sweep k begins at 1269 + 53/63 ticks times k.
+    #[test]
+    fn a_sweep_begins_between_two_ticks() {
+        let clocks = nominal();
+        for (sweep, tick) in [(0, 0), (1, 1270), (2, 2540), (3, 3810), (63, 80_000), (64, 81_270)] {
+            let clock = clocks.sweep_clock(0, sweep);
+            assert_eq!(clock.tick_at_or_after(SweepTime(0.0)), Tick(tick), "sweep {sweep}");
+        }
+    }
+
     #[test]
     fn rates_are_in_lowest_terms() {
         assert_eq!(Rate::new(60_000, 1001), Rate::new(120_000, 2002));

@@ -75,6 +75,16 @@ fn pulled(pull: f64) -> Result<Solid, SolidError> {
     Solid::new((0..8).map(corner).collect(), squares.iter().flat_map(halves).collect())
 }
 
+/// Each edge of the faces that are left is run through once each way, but those of the lid.
+#[test]
+fn a_box_without_its_lid_is_open() {
+    let corner =
+        |index: u32| DVec3::new(f64::from(index & 1), f64::from(index >> 1 & 1), f64::from(index >> 2));
+    let sides = [[0, 1, 3, 2], [0, 1, 5, 4], [2, 3, 7, 6], [0, 2, 6, 4], [1, 3, 7, 5]];
+    let open = Solid::new((0..8).map(corner).collect(), sides.map(|side| (side.to_vec(), 1.0)).to_vec());
+    assert!(matches!(open, Err(SolidError::Open(4..=7, 4..=7))), "{open:?}");
+}
+
 #[test]
 fn a_dent_is_found_with_its_depth_and_rounding_passes() {
     assert!(pulled(-0.2).is_ok());

@@ -117,3 +117,46 @@ impl Registers {
         (self.corners[register][colour], self.mixed[register][colour]) = (MIXED, words);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use landscape::CornerWords;
+    use sweep_program::{Colour, Fold, Load, PreloadRegister, RampAxis, Stop, Target, WordMask};
+
+    use super::Registers;
+
+    /// Corner k of the buffer has k as all its words; hold registers have corners 0 to 3, XFIRST 4 to 7, YFIRST 8 to 11.
+    fn filled() -> (Registers, Vec<CornerWords>) {
+        let corners = [[0, 1, 2, 3], [4, 5, 6, 7], [8, 9, 10, 11]];
+        let registers = Registers { corners, polarity: [1.0; 2], ..Registers::default() };
+        (registers, (0..13).map(|corner| [f64::from(corner); 9]).collect())
+    }
+
+    /// Event table of 6.3: yellow and black lie at the near x, yellow and green at the near y.
+    #[test]
+    fn a_fold_gives_each_colour_what_waits_for_it() {
+        for (axis, stop, held) in [
+            (RampAxis::X, Stop::One, [4.0, 1.0, 6.0, 3.0]),
+            (RampAxis::X, Stop::Zero, [0.0, 5.0, 2.0, 7.0]),
+            (RampAxis::Y, Stop::One, [8.0, 9.0, 2.0, 3.0]),
+            (RampAxis::Y, Stop::Zero, [0.0, 1.0, 10.0, 11.0]),
+        ] {
+            let (mut registers, buffer) = filled();
+            registers.fold(Fold { axis, stop });
+            assert_eq!(registers.hold(&buffer).map(|words| words[0]), held, "{axis:?} at {stop:?}");
+            let turned = usize::from(axis == RampAxis::Y);
+            assert_eq!([registers.polarity[turned], registers.polarity[1 - turned]], [-1.0, 1.0]);
+        }
+    }
+
+    #[test]
+    fn a_word_that_comes_alone_goes_through_the_fold_with_the_others() {
+        let (mut registers, buffer) = filled();
+        let target = Target::Preload(PreloadRegister::XFirst);
+        registers.load(&Load { colour: Colour::Red, target, corner: 12, words: WordMask::only(4) }, &buffer);
+        registers.fold(Fold { axis: RampAxis::X, stop: Stop::Zero });
+        let expected = [7.0, 7.0, 7.0, 7.0, 12.0, 7.0, 7.0, 7.0, 7.0];
+        assert_eq!(registers.hold(&buffer)[Colour::Red as usize], &expected);
+        assert_eq!(registers.hold(&buffer)[Colour::Green as usize], &[5.0; 9]);
+    }
+}
