@@ -130,20 +130,22 @@ fn lockstep(text: &mut String, found: &Value) {
 }
 
 fn awake(text: &mut String, evidence: &Evidence, found: &Value) {
-    let breaks = list(found, "breaks");
-    let caught = breaks.iter().filter(|broken| broken["caught_by"].is_string()).count();
+    let outcomes = list(found, "outcomes");
+    let caught = outcomes.iter().filter(|outcome| outcome["caught_by"].is_string()).count();
+    let dates = || outcomes.iter().map(|outcome| cell(outcome, "date"));
     let _ = writeln!(
         text,
-        "{}, commit {}:\n\n```sh\n{}\n```\n\n{caught} of {} breaks were caught, none of them by a golden picture.\n",
-        cell(found, "date"),
-        cell(found, "commit"),
+        "From {} to {}:\n\n```sh\n{}\n```\n\n{caught} of {} breaks were caught, none of them by a golden picture.\n",
+        dates().min().unwrap_or_default(),
+        dates().max().unwrap_or_default(),
         evidence.command,
-        breaks.len()
+        outcomes.len()
     );
     text.push_str("| break | caught by |\n|---|---|\n");
-    for broken in breaks {
+    for outcome in outcomes {
+        let is_caught = outcome["caught_by"].is_string();
         let by =
-            if broken["caught_by"].is_string() { cell(broken, "caught_by") } else { "**not caught**".into() };
-        let _ = writeln!(text, "| {} | {by} |", cell(broken, "what"));
+            if is_caught { format!("`{}`", cell(outcome, "caught_by")) } else { "**not caught**".into() };
+        let _ = writeln!(text, "| {} | {by} |", cell(outcome, "what"));
     }
 }
