@@ -91,6 +91,7 @@ impl Sides<'_> {
         }
         let declared = self.declared(wave);
         let scale = self.full_scale(wave, declared, expected);
+        let bound = self.bound(name);
         let mut first = None;
         for (sample, (&machine, &interpreter)) in wave.values.iter().zip(expected).enumerate() {
             if self.is_doubtful(name, sample) {
@@ -100,7 +101,7 @@ impl Sides<'_> {
             tally.samples += 1;
             let scale =
                 if wave.signal.unit == Unit::Line { off_the_picture(declared, interpreter) } else { scale };
-            let allowed = if wave.signal.unit == Unit::Gate { 0.0 } else { self.bound(name) * scale };
+            let allowed = if wave.signal.unit == Unit::Gate { 0.0 } else { bound * scale };
             let off = (machine - interpreter).abs();
             if wave.signal.unit != Unit::Gate {
                 tally.worst = tally.worst.max(off / scale);
