@@ -76,7 +76,7 @@ pub const LADDERS: &[Ladder] = &[
     Ladder {
         name: "rocks (1/m2)",
         expected: (1.0, "as many more are drawn, until they hide one another"),
-        values: &[3e-5, 3e-4, 3e-3, 8e-3],
+        values: &[4e-5, 4e-4, 1.3e-3, 4e-3],
         at: |value| Size { rocks: value, ..BASE },
     },
     Ladder {
