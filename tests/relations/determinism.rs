@@ -78,7 +78,10 @@ fn one_outcome_of_every_way() {
             let outcomes = all_ways(&scene, &stage);
             let ways: Vec<_> = outcomes.values().collect();
             assert_eq!(ways.len(), 1, "seed {seed}, {scalar:?}, {what}: {ways:#?}");
-            println!("{what}, {scalar:?}, seed {seed}: {} ways of drawing {FRAMES} frames, one outcome", ways[0].len());
+            println!(
+                "{what}, {scalar:?}, seed {seed}: {} ways of drawing {FRAMES} frames, one outcome",
+                ways[0].len()
+            );
             let frames: BTreeSet<_> = outcomes.keys().flatten().collect();
             assert_eq!(frames.len(), FRAMES as usize, "seed {seed}, {what}: frames are alike");
         }

@@ -3,9 +3,8 @@
 use clap::{Parser, Subcommand};
 
 use crate::commands::{
-    augment, bank, cartridge, check, compare, explain, info, list, lockstep, model, page, probe, replay, sizing,
-    study,
-    survey, timing, trace, trigger,
+    augment, bank, cartridge, check, compare, explain, info, list, lockstep, model, page, probe, replay,
+    sizing, study, survey, timing, trace, trigger,
 };
 use crate::output::Colour;
 
