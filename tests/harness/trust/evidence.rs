@@ -37,7 +37,13 @@ pub const EVIDENCE: &[Evidence] = &[
     Evidence {
         name: "lockstep-f64",
         title: "A second engine in lockstep: random scenes, machine in f64",
-        command: "cargo run --quiet -p lunoid -- lockstep --random 1000 --seed 1 --json",
+        command: "cargo run --quiet -p lunoid -- lockstep --random 200 --seed 0 --json",
+        form: Form::Lockstep,
+    },
+    Evidence {
+        name: "lockstep-more",
+        title: "The same: a thousand more",
+        command: "cargo run --quiet -p lunoid -- lockstep --random 1000 --seed 1000 --json",
         form: Form::Lockstep,
     },
     Evidence {

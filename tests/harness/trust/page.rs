@@ -27,7 +27,7 @@ pub fn page(folder: &Path) -> Result<String, String> {
             },
             _ => match kept::<Kept>(folder, evidence.name)? {
                 None => not_measured(&mut text, evidence),
-                Some(found) => section(&mut text, evidence, &found)?,
+                Some(found) => section(&mut text, evidence, &found),
             },
         }
     }
@@ -39,21 +39,22 @@ fn not_measured(text: &mut String, evidence: &Evidence) {
     let _ = writeln!(text, "Not measured yet: `{}`.", evidence.command);
 }
 
-fn section(text: &mut String, evidence: &Evidence, kept: &Kept) -> Result<(), String> {
+fn section(text: &mut String, evidence: &Evidence, kept: &Kept) {
     let Kept { date, commit, command, seconds, passed, said } = kept;
     let outcome = if *passed { "held" } else { "**did not hold**" };
     let _ = writeln!(text, "{outcome}, {date}, commit {commit}, {seconds} s:\n\n```sh\n{command}\n```\n");
-    let json = || {
-        serde_json::from_str::<Value>(&said.join("\n")).map_err(|error| format!("{}: {error}", evidence.name))
-    };
-    match evidence.form {
-        Form::Cartridges => cartridges(text, &json()?),
-        Form::Lockstep => lockstep(text, &json()?),
-        Form::Lines | Form::Awake => {
-            let _ = writeln!(text, "```text\n{}\n```", said.join("\n"));
+    let whole = said.join("\n");
+    match (evidence.form, serde_json::from_str::<Value>(&whole)) {
+        (Form::Cartridges, Ok(found)) => cartridges(text, &found),
+        (Form::Lockstep, Ok(found)) => lockstep(text, &found),
+        // A command that ended before its table was whole.
+        (Form::Cartridges | Form::Lockstep, Err(_)) if whole.is_empty() => {
+            text.push_str("It printed nothing.\n")
+        }
+        _ => {
+            let _ = writeln!(text, "```text\n{whole}\n```");
         }
     }
-    Ok(())
 }
 
 /// A member of a JSON object as text, numbers to three digits.
