@@ -39,8 +39,8 @@ pub struct Server<'a> {
     /// Tick from which on each line is free.
     free: [i64; 4],
     walked: i64,
-    /// Stops whose chain of commands has been started.
-    ordered: Option<u32>,
+    /// Stops whose chain of commands has been started: sets of a later one may go before those of an earlier.
+    ordered: Vec<u32>,
     /// What waits, the longest asked first.
     pub queue: Vec<Asked>,
 }
@@ -48,7 +48,7 @@ pub struct Server<'a> {
 impl<'a> Server<'a> {
     /// Idle, from well before the sweep on.
     pub fn at_start(loader: &'a Loader, begun: i64) -> Self {
-        Self { loader, free: [i64::MIN; 4], walked: begun - 1_000_000, ordered: None, queue: Vec::new() }
+        Self { loader, free: [i64::MIN; 4], walked: begun - 1_000_000, ordered: Vec::new(), queue: Vec::new() }
     }
 
     /// Tick by tick up to `last`: what each free line begins with, and the tick at which each word is in its register.
@@ -78,9 +78,9 @@ impl<'a> Server<'a> {
         let set = self.queue.remove(chosen);
         let chain = self.loader.channel_programme();
         let mut now = self.walked;
-        if self.ordered != Some(set.crossing) {
+        if !self.ordered.contains(&set.crossing) {
             now += chain.order as i64;
-            self.ordered = Some(set.crossing);
+            self.ordered.push(set.crossing);
         }
         now += (chain.chain + self.loader.pointer) as i64;
         let width = self.loader.words_per_access as usize;
