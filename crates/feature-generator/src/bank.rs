@@ -30,7 +30,7 @@ impl Bank {
             self.sub_generators.push(SubGenerator::new(crater, load));
             collect(crater, load, number, &mut self.steps);
         }
-        Step::sort(&mut self.steps);
+        self.steps.sort_unstable();
     }
 
     /// Whether the sweep is in no footprint.
@@ -39,32 +39,33 @@ impl Bank {
     }
 
     /// Sets the sub-generator of a step to its new zone.
-    pub fn apply(&mut self, step: &Step) {
-        let at_work = &mut self.at_work;
-        match (at_work.binary_search_by_key(&step.load, |(load, _)| *load), step.to) {
+    pub fn apply(&mut self, step: Step) {
+        let (at_work, load, [_, to]) = (&mut self.at_work, step.load(), step.zones());
+        match (at_work.binary_search_by_key(&load, |(load, _)| *load), to) {
             (Ok(place), Zone::Outside) => {
                 at_work.remove(place);
             }
             (Ok(place), zone) => at_work[place].1 = zone,
-            (Err(place), zone) => at_work.insert(place, (step.load, zone)),
+            (Err(place), zone) => at_work.insert(place, (load, zone)),
         }
     }
 
     /// Height, slope along and slope across where a step lies, just before it and just after it: all sub-generators but its
     /// own answer once for both.
-    pub fn around(&self, step: &Step) -> [[f64; 3]; 2] {
+    pub fn around(&self, step: Step) -> [[f64; 3]; 2] {
+        let (range, crossed, [_, to]) = (step.range(), step.load(), step.zones());
         let mut sums = [[0.0; 3]; 2];
         let mut add = |load: u32, zone: Zone, sides: Range<usize>| {
-            let one = self.sub_generators[load as usize].at(zone, step.range);
+            let one = self.sub_generators[load as usize].at(zone, range);
             sums[sides].iter_mut().for_each(|sum| (0..3).for_each(|signal| sum[signal] += one[signal]));
         };
-        let place = self.at_work.partition_point(|(load, _)| *load < step.load);
+        let place = self.at_work.partition_point(|(load, _)| *load < crossed);
         let (lower, own) = self.at_work.split_at(place);
-        let upper = own.iter().position(|(load, _)| *load > step.load).unwrap_or(own.len());
+        let upper = own.iter().position(|(load, _)| *load > crossed).unwrap_or(own.len());
         let (own, upper) = own.split_at(upper);
         lower.iter().for_each(|&(load, zone)| add(load, zone, 0..2));
         own.iter().for_each(|&(load, zone)| add(load, zone, 0..1));
-        add(step.load, step.to, 1..2);
+        add(crossed, to, 1..2);
         upper.iter().for_each(|&(load, zone)| add(load, zone, 0..2));
         sums
     }

@@ -49,14 +49,14 @@ impl Sweep<'_> {
     fn run<S: Real>(&self, bank: &mut Bank, profile: &mut FeatureProfile<S>) {
         let steps = mem::take(&mut bank.steps);
         let mut sample = 0;
-        for step in &steps {
+        for &step in &steps {
             let next = sample + step.sample(&self.ranges[sample..]);
             bank.draw(self.ranges, sample..next.min(self.last), self.lane, profile);
             if next >= self.last {
                 break;
             }
             sample = next;
-            if sample == 0 || step.is_late {
+            if sample == 0 || step.is_late() {
                 bank.apply(step);
             } else {
                 profile.kinks[self.lane].push(self.kink(step, sample, bank));
@@ -66,14 +66,14 @@ impl Sweep<'_> {
     }
 
     /// Applies a step between two samples; what it changes.
-    fn kink<S: Real>(&self, step: &Step, sample: usize, bank: &mut Bank) -> Kink<S> {
+    fn kink<S: Real>(&self, step: Step, sample: usize, bank: &mut Bank) -> Kink<S> {
         let (near, far) = (self.ranges[sample - 1], self.ranges[sample]);
         let ([[height, along, across], after], idle) = (bank.around(step), bank.is_idle());
         bank.apply(step);
         Kink {
             sample,
-            share: S::from_f64((step.range - near) / (far - near)),
-            range: step.range,
+            share: S::from_f64((step.range() - near) / (far - near)),
+            range: step.range(),
             height: S::from_f64(height),
             before: [along, across].map(S::from_f64),
             after: [after[1], after[2]].map(S::from_f64),

@@ -5,12 +5,12 @@ use std::collections::BinaryHeap;
 use hardware_model::ShadowParts;
 use parts::GateEdge;
 use quantities::SweepTime;
-use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
+use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 use remote_shadow::Segment;
 use sweep_program::{LoadTiming, NoTiming};
 
-use crate::crossings::{Crossing, Crossings, Line, Spans};
+use crate::crossings::{Crossing, Crossings, Line, Met};
 use crate::line_generators::{Boundary, SegmentLoad, SegmentMiss, Service, serve, serve_in_time};
 
 /// Two boundaries nearer to each other than this along a sweep are none (m): far less than a display line, far more
@@ -106,18 +106,17 @@ impl ShadowController {
     ) {
         let seen = |place| self.seen(place, eye);
         let line = |segment: &Segment| Line { from: seen(segment.from), to: seen(segment.to) };
-        let lines: Vec<Line> = segments.par_iter().flat_map_iter(|list| list.iter().map(line)).collect();
-        let spans = Spans::new(directions, &lines);
+        let met = Met::new(directions, segments, line);
         out.resize_with(directions.len(), Gate::default);
         out.par_chunks_mut(BAND).enumerate().for_each_init(
             || (Crossings::default(), Vec::new(), BinaryHeap::new()),
             |(crossings, boundaries, free_at), (band, gates)| {
                 let first = band * BAND;
-                crossings.find(&spans, &lines, first..first + gates.len());
+                crossings.find(&met, first..first + gates.len());
                 for (number, gate) in gates.iter_mut().enumerate() {
                     let sweep = first + number;
                     let boundary = |crossing: &Crossing| {
-                        Boundary::new(&lines[crossing.line()], directions[sweep], crossing.range())
+                        Boundary::new(met.line(*crossing), directions[sweep], crossing.range())
                     };
                     let crossed = crossings.of(number);
                     gate.dark_at_start = unite(crossed, reach, boundary, boundaries);

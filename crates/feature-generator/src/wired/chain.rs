@@ -113,7 +113,7 @@ impl PartsGenerator {
             footprint::collect(&crater, &load, chain.threshold, &mut scratch.rims);
             scratch.at_work.push(AtWork::new(&crater, &load, chain));
         }
-        Step::sort(&mut scratch.steps);
+        scratch.steps.sort_unstable();
     }
 
     fn chain(&self, kind: u32, load: &FeatureLoad) -> &Chain {
@@ -170,14 +170,15 @@ impl Sweep<'_> {
                 return;
             }
             let before = inside > 0;
-            inside += i32::from(step.from == Zone::Outside) - i32::from(step.to == Zone::Outside);
+            let [from, to] = step.zones();
+            inside += i32::from(from == Zone::Outside) - i32::from(to == Zone::Outside);
             if sample > 0 {
                 let [near, far] = [self.ranges[sample - 1], self.ranges[sample]];
-                scratch.marks.push((step.load, step.to));
+                scratch.marks.push((step.load(), to));
                 profile.kinks[self.lane].push(Kink {
                     sample,
-                    share: S::from_f64((step.range - near) / (far - near)),
-                    range: step.range,
+                    share: S::from_f64((step.range() - near) / (far - near)),
+                    range: step.range(),
                     height: S::ZERO,
                     before: [S::ZERO; 2],
                     after: [S::ZERO; 2],
@@ -212,13 +213,13 @@ impl Sweep<'_> {
     fn draw<S: Real>(&self, load: u32, scratch: &mut ChainScratch<S>, profile: &mut FeatureProfile<S>) {
         let ChainScratch { at_work, steps, marks, lit, .. } = scratch;
         let AtWork { law, chain, rest } = &at_work[load as usize];
-        let mut own = steps.iter().filter(|step| step.load == load).peekable();
+        let mut own = steps.iter().filter(|step| step.load() == load).peekable();
         let Some(first) = own.peek().map(|step| step.sample(self.ranges)) else { return };
         let mut walk = Walk { chain: *chain, zone: Zone::Outside, share: 0.0, u: [0.0; 3], y: [0.0; 3] };
         while let Some(step) = own.next_if(|step| step.sample(self.ranges) == 0) {
-            walk.zone = step.to;
+            walk.zone = step.zones()[1];
         }
-        let last_step = steps.iter().rfind(|step| step.load == load).map_or(0.0, |step| step.range);
+        let last_step = steps.iter().rfind(|step| step.load() == load).map_or(0.0, |step| step.range());
         let kinks = &mut profile.kinks[self.lane];
         let mut next = kinks.partition_point(|kink| kink.sample < first.max(1));
         for sample in first..self.ranges.len() {
