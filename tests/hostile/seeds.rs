@@ -6,32 +6,7 @@ use picture::{Depth, GreyPicture, encode_png};
 
 use crate::build::{Tiff, doubles, npy};
 
-const LABEL: &str = "PDS_VERSION_ID = \"PDS3\"
-RECORD_BYTES = 6
-^IMAGE = 200
-OBJECT = IMAGE
-  NAME = HEIGHT
-  LINES = 2
-  LINE_SAMPLES = 3
-  SAMPLE_TYPE = LSB_INTEGER
-  SAMPLE_BITS = 16
-  SCALING_FACTOR = 0.5
-  OFFSET = 1737400.
-  MISSING_CONSTANT = -32768
-END_OBJECT = IMAGE
-OBJECT = IMAGE_MAP_PROJECTION
-  MAP_PROJECTION_TYPE = \"SIMPLE CYLINDRICAL\"
-  MAP_RESOLUTION = 4 <pix/deg>
-  A_AXIS_RADIUS = 1737.4 <km>
-  POSITIVE_LONGITUDE_DIRECTION = \"EAST\"
-  CENTER_LATITUDE = 0 <deg>
-  CENTER_LONGITUDE = 180 <deg>
-  LINE_PROJECTION_OFFSET = 359.5 <pix>
-  SAMPLE_PROJECTION_OFFSET = 719.5 <pix>
-  MAP_SCALE = 0.1 <km/pix>
-END_OBJECT = IMAGE_MAP_PROJECTION
-END
-";
+const LABEL: &str = include_str!("../../crates/survey/tests/ground.lbl");
 
 const CUBE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\no box\n\
                     f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
@@ -91,7 +66,7 @@ pub fn seeds(name: &str) -> Vec<Vec<u8>> {
 
 /// A label with its image behind it.
 fn label() -> Vec<u8> {
-    let mut bytes = LABEL.as_bytes().to_vec();
+    let mut bytes = LABEL.replace("\"GROUND.IMG\"", "200").into_bytes();
     bytes.resize(199 * 6, b' ');
     bytes.extend([2_i16, -4, 6, 8, -32768, 12].iter().flat_map(|height| height.to_le_bytes()));
     bytes

@@ -18,12 +18,12 @@ use crate::timing_section::timing;
 use crate::viewer::{contact_sheet, viewer};
 use crate::{Beside, ReportError};
 
-pub(crate) const STYLE: &str = include_str!("page.css");
-pub(crate) const THEME: &str = include_str!("theme.js");
+const STYLE: &str = include_str!("page.css");
+const THEME: &str = include_str!("theme.js");
 const SCRIPT: &str = include_str!("page.js");
 
 /// Nothing from anywhere but this file and the folder that it lies in.
-pub(crate) const POLICY: &str = "default-src 'none'; img-src 'self' file: data:; style-src 'unsafe-inline'; \
+const POLICY: &str = "default-src 'none'; img-src 'self' file: data:; style-src 'unsafe-inline'; \
                       script-src 'unsafe-inline'; base-uri 'none'; form-action 'none'";
 
 const SECTIONS: [(&str, &str); 7] = [
@@ -50,6 +50,22 @@ pub fn write_page(folder: &Path) -> Result<PathBuf, ReportError> {
     Ok(path)
 }
 
+/// The head of a page with a style of its own beside that of all pages.
+pub(crate) fn head(title: &str, own_style: &str) -> Markup {
+    html! {
+        head {
+            meta charset="utf-8";
+            meta http-equiv="Content-Security-Policy" content=(POLICY);
+            meta name="viewport" content="width=device-width, initial-scale=1";
+            meta name="color-scheme" content="light dark";
+            link rel="icon" href="data:,";
+            title { (title) }
+            style { (PreEscaped(STYLE)) (PreEscaped(own_style)) }
+            script { (PreEscaped(THEME)) }
+        }
+    }
+}
+
 fn page(folder: &Path) -> Result<Markup, ReportError> {
     let run = Run::read(folder)?;
     let beside = Beside::read(folder, &run.fingerprint)?;
@@ -60,16 +76,7 @@ fn page(folder: &Path) -> Result<Markup, ReportError> {
     Ok(html! {
         (DOCTYPE)
         html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta http-equiv="Content-Security-Policy" content=(POLICY);
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta name="color-scheme" content="light dark";
-                link rel="icon" href="data:,";
-                title { (run.scenario.title) " – run of lunoid" }
-                style { (PreEscaped(STYLE)) }
-                script { (PreEscaped(THEME)) }
-            }
+            (head(&format!("{} – run of lunoid", run.scenario.title), ""))
             body {
                 a.skip href="#picture" { "To the picture" }
                 (masthead(&run))

@@ -8,32 +8,7 @@ use quantities::degrees;
 use survey::{Elevation, Frame, Method, ReadOptions, SurveyError, read};
 use tempfile::TempDir;
 
-const LABEL: &str = "PDS_VERSION_ID = \"PDS3\"
-RECORD_BYTES = 6
-^IMAGE = \"GROUND.IMG\"
-OBJECT = IMAGE
-  NAME = HEIGHT
-  LINES = 2
-  LINE_SAMPLES = 3
-  SAMPLE_TYPE = LSB_INTEGER
-  SAMPLE_BITS = 16
-  SCALING_FACTOR = 0.5
-  OFFSET = 1737400.
-  MISSING_CONSTANT = -32768
-END_OBJECT = IMAGE
-OBJECT = IMAGE_MAP_PROJECTION
-  MAP_PROJECTION_TYPE = \"SIMPLE CYLINDRICAL\"
-  MAP_RESOLUTION = 4 <pix/deg>
-  A_AXIS_RADIUS = 1737.4 <km>
-  POSITIVE_LONGITUDE_DIRECTION = \"EAST\"
-  CENTER_LATITUDE = 0 <deg>
-  CENTER_LONGITUDE = 180 <deg>
-  LINE_PROJECTION_OFFSET = 359.5 <pix>
-  SAMPLE_PROJECTION_OFFSET = 719.5 <pix>
-  MAP_SCALE = 0.1 <km/pix>
-END_OBJECT = IMAGE_MAP_PROJECTION
-END
-";
+const LABEL: &str = include_str!("ground.lbl");
 
 fn little() -> Vec<u8> {
     [2i16, -4, 6, 8, -32768, 12].iter().flat_map(|height| height.to_le_bytes()).collect()

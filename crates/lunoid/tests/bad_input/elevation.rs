@@ -3,29 +3,7 @@
 use crate::build::{Tiff, doubles, npy};
 use crate::room::{INPUT, KEYFRAMES, Room, USAGE};
 
-const LABEL: &str = "PDS_VERSION_ID = \"PDS3\"
-RECORD_BYTES = 6
-^IMAGE = \"GROUND.IMG\"
-OBJECT = IMAGE
-  LINES = 2
-  LINE_SAMPLES = 3
-  SAMPLE_TYPE = LSB_INTEGER
-  SAMPLE_BITS = 16
-  SCALING_FACTOR = 0.5
-END_OBJECT = IMAGE
-OBJECT = IMAGE_MAP_PROJECTION
-  MAP_PROJECTION_TYPE = \"SIMPLE CYLINDRICAL\"
-  MAP_RESOLUTION = 4 <pix/deg>
-  A_AXIS_RADIUS = 1737.4 <km>
-  POSITIVE_LONGITUDE_DIRECTION = \"EAST\"
-  CENTER_LATITUDE = 0 <deg>
-  CENTER_LONGITUDE = 180 <deg>
-  LINE_PROJECTION_OFFSET = 0.5 <pix>
-  SAMPLE_PROJECTION_OFFSET = 719.5 <pix>
-  MAP_SCALE = 0.1 <km/pix>
-END_OBJECT = IMAGE_MAP_PROJECTION
-END
-";
+const LABEL: &str = include_str!("../../../survey/tests/ground.lbl");
 
 fn survey<'a>(file: &'a str, options: &[&'a str]) -> Vec<&'a str> {
     [&["survey", file, "-o", "x.bank", "--picture", "x.png"], options].concat()
@@ -120,11 +98,11 @@ fn damaged_pds3_labels() {
         ("\"GROUND.IMG\"", "\"/etc/passwd\"", &["^IMAGE", "expected a file in the folder of the label"]),
         ("\"GROUND.IMG\"", "\"folder\"", &["folder", "Is a directory"]),
         ("LINES = 2", "LINES = 900", &["GROUND.IMG", "has 12 bytes; expected at least 5400"]),
-        ("LINES = 2", "LINES = -2", &["label line 5, LINES", "found -2"]),
+        ("LINES = 2", "LINES = -2", &["label line 6, LINES", "found -2"]),
         ("LINES = 2", "LINES = 0", &["0 lines of 3 samples"]),
-        ("LSB_INTEGER", "VAX_REAL", &["label line 7, SAMPLE_TYPE", "VAX_REAL", "IEEE_REAL"]),
-        ("SAMPLE_BITS = 16", "SAMPLE_BITS = 12", &["label line 8, SAMPLE_BITS", "8, 16 or 32"]),
-        ("= 0.5\n", "= nan\n", &["label line 9, SCALING_FACTOR", "expected a finite number"]),
+        ("LSB_INTEGER", "VAX_REAL", &["label line 8, SAMPLE_TYPE", "VAX_REAL", "IEEE_REAL"]),
+        ("SAMPLE_BITS = 16", "SAMPLE_BITS = 12", &["label line 9, SAMPLE_BITS", "8, 16 or 32"]),
+        ("FACTOR = 0.5", "FACTOR = nan", &["label line 10, SCALING_FACTOR", "expected a finite number"]),
         ("SIMPLE CYLINDRICAL", "SINUSOIDAL", &["MAP_PROJECTION_TYPE", "SINUSOIDAL"]),
         ("^IMAGE = \"GROUND.IMG\"\n", "", &["label, ^IMAGE: found nothing"]),
     ] {
@@ -132,8 +110,8 @@ fn damaged_pds3_labels() {
         room.write("ground.lbl", LABEL.replace(old, new));
         room.refused(INPUT, &survey("ground.lbl", &["--region-size-m", "40"]), words);
     }
-    room.write("ground.lbl", &LABEL[..120]);
-    refused(&room, "ground.lbl", &["label line 7", "followed by the end", "fetch it again"]);
+    room.write("ground.lbl", &LABEL[..135]);
+    refused(&room, "ground.lbl", &["label line 8", "followed by the end", "fetch it again"]);
     refused(&room, "gone.lbl", &["No such file"]);
 }
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use compare::difference_picture;
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{DOCTYPE, Markup, html};
 use picture::{GreyPicture, Limits, encode_png, read_png};
 use replay::picture_name;
 
@@ -12,7 +12,7 @@ use crate::ReportError;
 use crate::base64::data_url;
 use crate::cells::{grouped, percent, shortened};
 use crate::machine_section::{omissions, plain};
-use crate::page::{POLICY, STYLE, THEME};
+use crate::page::head;
 use crate::run::Run;
 use crate::strip::{fitted, spread};
 
@@ -36,16 +36,7 @@ pub(crate) fn page(
     Ok(html! {
         (DOCTYPE)
         html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta http-equiv="Content-Security-Policy" content=(POLICY);
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta name="color-scheme" content="light dark";
-                link rel="icon" href="data:,";
-                title { (figures.title) " – side by side" }
-                style { (PreEscaped(STYLE)) (PreEscaped(OWN_STYLE)) }
-                script { (PreEscaped(THEME)) }
-            }
+            (head(&format!("{} – side by side", figures.title), OWN_STYLE))
             body.wide-page {
                 header.masthead {
                     div.running { span.house { "lunoid" } span { "Machines side by side" } }
