@@ -64,11 +64,12 @@ impl CrossingService<'_> {
         watch: &mut impl Watch,
     ) {
         program.start = start;
-        program.registers = Pointers::at_start(&start).home_registers(self.level);
+        let pointers = Pointers::at_start(&start);
+        program.registers = pointers.home_registers(self.level);
         program.end_range = end_range;
         program.steps.clear();
         program.misses.clear();
-        let mut service = Service::new(self, place, &start, watch);
+        let mut service = Service::new(self, place, &start, pointers, watch);
         service.look_up_home(program);
         for fold in folds {
             service.reach(fold, &range_at, program);
@@ -202,6 +203,41 @@ mod tests {
         assert_eq!(loads[0], Load { words: WordMask::ALL.without(WordMask::only(4)), ..whole });
         assert_eq!(loads[4], Load { words: WordMask::only(4), ..whole });
         assert_eq!(loads.len(), 5);
+    }
+
+    /// Ticks at which folds were seen, and sets that were overwritten unused.
+    #[derive(Default)]
+    struct Tally {
+        seen: Vec<Tick>,
+        wasted: u32,
+    }
+
+    impl Watch for Tally {
+        fn fold(&mut self, tick: Tick, _: Fold) {
+            self.seen.push(tick);
+        }
+
+        fn wasted(&mut self) {
+            self.wasted += 1;
+        }
+    }
+
+    /// The corner beyond both stops moves over with the fold: at the next fold of its colour it is there, even if that is
+    /// within the same tick.
+    #[test]
+    fn what_moves_over_from_the_diagonal_register_is_there_within_the_tick() {
+        let ramps = [Ramp { start: 0.25, rate: 0.7, polarity: 1.0 }; 2];
+        let start = SweepStart { direction: [0.7; 2], region: [0, 0], ramps };
+        let folds = [Stop::One, Stop::Zero, Stop::One].map(|stop| Fold { axis: RampAxis::X, stop });
+        let times = [1.001, 1.002, 1.003];
+        let folds =
+            [0, 1, 2].map(|k| TimedFold { time: SweepTime(times[k]), range: times[k], fold: folds[k] });
+        let loader = Loader { access: 5, diagonal_register: true, ..HardwareModel::ideal().loader };
+        let mut tally = Tally::default();
+        program(&level(), &start, &folds, (&loader, &[]), &mut tally);
+        assert!(tally.seen[0] > Tick(0) && tally.seen.iter().all(|tick| *tick == tally.seen[0]));
+        // Y-first of yellow and black, which moved over with the first fold.
+        assert_eq!(tally.wasted, 2);
     }
 
     proptest! {

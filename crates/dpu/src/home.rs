@@ -49,10 +49,8 @@ impl Pointers {
     /// Moves the two colours that `fold` gives new words.
     pub fn follow(&mut self, fold: Fold) {
         let axis = usize::from(fold.axis == RampAxis::Y);
-        for colour in Colour::ALL {
-            if fold.axis.takes(fold.stop, colour) {
-                self.corners[colour as usize][axis] += 2 * self.heading[axis];
-            }
+        for colour in fold.colours() {
+            self.corners[colour as usize][axis] += 2 * self.heading[axis];
         }
     }
 
@@ -89,8 +87,8 @@ pub fn home_load(loader: &Loader, cpu: &Cpu) -> u64 {
         });
     }
     let mut last = 0;
-    while let Some(served) = server.next(None) {
-        last = server.arrivals(&served).map(|(tick, _)| tick.0).fold(last, u64::max);
+    while let Some(served) = server.lines().find_map(|line| server.next(line, None)) {
+        last = last.max(server.last(&served).0);
     }
     last
 }

@@ -1,5 +1,7 @@
 //! Who answers a fold: four banks with wired pointers, an I/O processor, or the processor itself (hardware 4.4).
 
+use std::ops::Range;
+
 use hardware_model::{Cpu, CrossingServer, IoProcessor, Loader};
 use quantities::{Tick, unit_interval};
 use sweep_program::{Colour, PreloadRegister, WordMask};
@@ -55,7 +57,8 @@ pub(crate) struct Server<'a> {
     /// Seed and place of the sweep, for what the processor happens to be at.
     seed: u64,
     place: [u64; 2],
-    queue: Vec<Job>,
+    /// What waits for each line, in order of number, and so of the time at which it was asked for.
+    queues: [Vec<Job>; 4],
     free_at: [Tick; 4],
     /// Folds whose interrupt was handled, or whose chain of commands was started.
     begun: Vec<u32>,
@@ -72,7 +75,7 @@ impl<'a> Server<'a> {
             cpu,
             seed,
             place,
-            queue: Vec::new(),
+            queues: Default::default(),
             free_at: [held; 4],
             begun: Vec::new(),
             lines: [LineUse::default(); 4],
@@ -84,37 +87,51 @@ impl<'a> Server<'a> {
         if self.loader.served_by == CrossingServer::WiredPointers { colour as usize } else { 0 }
     }
 
+    #[inline]
     pub fn ask(&mut self, job: Job) {
-        self.queue.push(job);
         let line = self.line_of(job.colour);
-        let waiting = self.queue.iter().filter(|job| self.line_of(job.colour) == line).count() as u32;
+        self.queues[line].push(job);
+        let waiting = self.queues[line].len() as u32;
         self.lines[line].longest_queue = self.lines[line].longest_queue.max(waiting);
     }
 
-    /// What waits, to be changed or dropped.
-    pub fn retain(&mut self, keep: impl FnMut(&mut Job) -> bool) {
-        self.queue.retain_mut(keep);
+    /// What waits behind the two colours of a fold, to be changed or dropped, in order of number.
+    pub fn retain(&mut self, colours: [Colour; 2], mut keep: impl FnMut(&mut Job) -> bool) {
+        let [first, second] = colours.map(|colour| self.line_of(colour));
+        if first == second {
+            return self.queues[first].retain_mut(|job| !colours.contains(&job.colour) || keep(job));
+        }
+        let is_before = |a: &Vec<Job>, b: &Vec<Job>| match (a.last(), b.last()) {
+            (Some(a), Some(b)) => a.number < b.number,
+            _ => true,
+        };
+        let order = [first, second];
+        let order =
+            if is_before(&self.queues[first], &self.queues[second]) { order } else { [second, first] };
+        order.into_iter().for_each(|line| self.queues[line].retain_mut(&mut keep));
     }
 
     pub fn use_of_lines(&self) -> [LineUse; 4] {
         self.lines
     }
 
-    /// The next set whose service begins before `end`, at any time if that is open.
-    pub fn next(&mut self, end: Option<Tick>) -> Option<Served> {
-        (0..self.free_at.len()).find_map(|line| self.next_of_line(line, end))
+    /// Lines that serve sets.
+    pub fn lines(&self) -> Range<usize> {
+        0..if self.loader.served_by == CrossingServer::WiredPointers { Colour::ALL.len() } else { 1 }
     }
 
-    fn next_of_line(&mut self, line: usize, end: Option<Tick>) -> Option<Served> {
-        let own = || self.queue.iter().filter(|job| self.line_of(job.colour) == line);
-        let start = own().map(|job| job.asked).min()?.max(self.free_at[line]);
+    /// The next set of a line whose service begins before `end`, at any time if that is open.
+    #[inline]
+    pub fn next(&mut self, line: usize, end: Option<Tick>) -> Option<Served> {
+        let queue = &mut self.queues[line];
+        let first = queue.first()?;
+        let start = first.asked.max(self.free_at[line]);
         if end.is_some_and(|end| start >= end) {
             return None;
         }
-        let rank = |job: &Job| (!(job.urgent && self.loader.urgent_first), job.number);
-        let first = own().filter(|job| job.asked <= start).min_by_key(|job| rank(job))?.number;
-        let index = self.queue.iter().position(|job| job.number == first)?;
-        let job = self.queue.remove(index);
+        let waits = || queue.iter().take_while(|job| job.asked <= start);
+        let urgent = if self.loader.urgent_first { waits().position(|job| job.urgent) } else { None };
+        let job = queue.remove(urgent.unwrap_or(0));
         let Opening { rest, interrupt, order } = self.open(&job, start);
         let set = self.programme.chain + self.loader.pointer;
         let begin = Tick(start.0 + rest + interrupt + order + set);
@@ -140,6 +157,11 @@ impl<'a> Server<'a> {
         let share = unit_interval(self.seed, &[self.place[0], self.place[1], u64::from(job.crossing)]);
         let rest = if interrupted { (share * self.cpu.longest_instruction as f64) as u64 } else { 0 };
         Opening { rest, interrupt: self.cpu.crossing(), order: 0 }
+    }
+
+    /// When the last word of a set is in its register.
+    pub fn last(&self, served: &Served) -> Tick {
+        self.accesses.last(served.begin)
     }
 
     /// The words of a set and when they are in their register.
@@ -199,9 +221,8 @@ mod tests {
             }
         }
         let mut sets = Vec::new();
-        while let Some(found) = server.next(None) {
-            let last = server.arrivals(&found).last().expect("words").0;
-            sets.push([found.begin.0, last.0]);
+        while let Some(found) = server.lines().find_map(|line| server.next(line, None)) {
+            sets.push([found.begin.0, server.last(&found).0]);
         }
         (sets, server.use_of_lines()[0].busy)
     }

@@ -7,8 +7,8 @@ mod stored;
 
 use quantities::{SweepClock, SweepTime, Tick};
 use sweep_program::{
-    Colour, Fold, Load, Miss, MissCause, NO_CORNER, PreloadRegister, RampAxis, Step, StepKind, Stop,
-    SweepProgram, SweepStart, Target, WordMask,
+    Fold, Load, Miss, MissCause, NO_CORNER, PreloadRegister, RampAxis, Step, StepKind, Stop, SweepProgram,
+    SweepStart, Target, WordMask,
 };
 
 use self::deliveries::Delivery;
@@ -26,6 +26,7 @@ pub(crate) struct Service<'a, 's, 'w, W> {
     clock: SweepClock,
     pointers: Pointers,
     server: Server<'s>,
+    /// Words on their way, in the order in which they come.
     pending: Vec<Delivery>,
     /// When the last word of each preload register comes; `None` while nobody has fetched it, and at sweep start.
     ready: [[Option<Tick>; 2]; 4],
@@ -45,6 +46,7 @@ impl<'a, 's, 'w, W: Watch> Service<'a, 's, 'w, W> {
         unit: &'s CrossingService<'a>,
         (frame, sweep): (u64, u32),
         start: &SweepStart,
+        pointers: Pointers,
         watch: &'w mut W,
     ) -> Self {
         let clock = unit.timebase.sweep_clock(frame, sweep);
@@ -55,7 +57,7 @@ impl<'a, 's, 'w, W: Watch> Service<'a, 's, 'w, W> {
             frame,
             sweep,
             clock,
-            pointers: Pointers::at_start(start),
+            pointers,
             server: Server::new(unit.loader, unit.cpu, unit.seed, place, unit.held_until(&clock)),
             pending: Vec::new(),
             ready: Default::default(),
@@ -101,10 +103,8 @@ impl<'a, 's, 'w, W: Watch> Service<'a, 's, 'w, W> {
         if enabled {
             self.settle(fold, program);
             self.pointers.follow(fold.fold);
-            for colour in Colour::ALL {
-                if fold.fold.axis.takes(fold.fold.stop, colour) {
-                    self.renew(colour, fold, seen, program);
-                }
+            for colour in fold.fold.colours() {
+                self.renew(colour, fold, seen, program);
             }
         } else {
             self.stand_still(fold, program);
@@ -117,7 +117,7 @@ impl<'a, 's, 'w, W: Watch> Service<'a, 's, 'w, W> {
         let step = Step::new(time, range, StepKind::Fold(fold));
         program.steps.push(step);
         self.pointers.follow(fold);
-        for colour in Colour::ALL.into_iter().filter(|&colour| fold.axis.takes(fold.stop, colour)) {
+        for colour in fold.colours() {
             for register in [PreloadRegister::XFirst, PreloadRegister::YFirst] {
                 let [m, n] = self.pointers.ahead(colour, register);
                 let corner = self.unit.level.clamped_index(m, n) as u32;
@@ -129,18 +129,17 @@ impl<'a, 's, 'w, W: Watch> Service<'a, 's, 'w, W> {
 
     /// Nothing is transferred any more: what the fold should have brought never comes.
     fn stand_still(&self, fold: TimedFold, program: &mut SweepProgram) {
-        let Fold { axis, stop } = fold.fold;
         let missed = |colour| Miss {
             crossing: self.crossing,
             time: fold.time,
             arrival: None,
             colour,
-            register: axis.register(),
+            register: fold.fold.axis.register(),
             corner: NO_CORNER,
             words: WordMask::ALL,
             cause: MissCause::HeldBack,
         };
-        program.misses.extend(Colour::ALL.into_iter().filter(|&colour| axis.takes(stop, colour)).map(missed));
+        program.misses.extend(fold.fold.colours().into_iter().map(missed));
     }
 
     fn pass_stop(&mut self, fold: Fold) {

@@ -129,6 +129,7 @@ impl Level {
     }
 
     /// Index into [`words`](Self::words) of the corner nearest to (m, n) that is stored (6.5: pointers clamp).
+    #[inline]
     pub fn clamped_index(&self, m: i64, n: i64) -> usize {
         let clamp = |index: i64, count: usize| index.clamp(0, count as i64 - 1) as usize;
         clamp(m, self.corners[0]) * self.corners[1] + clamp(n, self.corners[1])

@@ -57,6 +57,29 @@ fn some_in_f32() {
     check(&trials(200..260, Scalar::F32));
 }
 
+/// A late word that comes on the very tick of a sample is seen by that sample.
+#[test]
+fn a_late_word_on_the_tick_of_a_sample() {
+    let found = trials(102_874..102_875, Scalar::F64);
+    check(&found);
+    assert!(found.report.events["late"] > 100);
+}
+
+/// A corner that moves over from the diagonal register and is overwritten by another fold of the same tick was there: the event
+/// list, which stops a debug build if it is told otherwise, has it as wasted.
+#[test]
+fn folds_of_one_tick_behind_diagonal_registers() {
+    check(&trials(511..512, Scalar::F64));
+}
+
+/// An I/O processor is ordered once a crossing, also where sets of a later crossing go before the rest of an earlier one's.
+#[test]
+fn the_channel_is_ordered_once_a_crossing() {
+    for seed in [311, 1001, 1059, 1112, 1224, 1289, 1302, 1320] {
+        check(&trials(seed..seed + 1, Scalar::F64));
+    }
+}
+
 /// A signal broken on its way into the comparison: only where a crater is, only beyond the twentieth sample.
 fn tampered(scene: &Scene, seed: u64) -> Option<String> {
     let engines = lockstep::Engines::new(scene.stage()).ok()?;

@@ -96,15 +96,19 @@ impl ControlPlane {
 impl FrameSweeps<'_> {
     /// The programs of one sweep: fine level, then the coarse one where there is one.
     pub fn programs(&self, sweep: u32) -> Vec<SweepProgram> {
+        let mut programs = Vec::new();
+        self.write_programs(sweep, &mut programs);
+        programs
+    }
+
+    /// The same into `programs`, whose buffers are used again.
+    pub fn write_programs(&self, sweep: u32, programs: &mut Vec<SweepProgram>) {
         let (crossings, sweeps) = (self.crossings(), [self.set_up_of(sweep), sweep]);
-        let mut fine = idle_program();
-        crossings.write_fine(sweeps, &mut fine, &mut ());
-        let coarse = self.coarse.as_ref().map(|coarse| {
-            let mut program = idle_program();
-            crossings.write_coarse(coarse, sweeps, &mut program, &mut ());
-            program
-        });
-        [fine].into_iter().chain(coarse).collect()
+        programs.resize_with(1 + usize::from(self.coarse.is_some()), idle_program);
+        crossings.write_fine(sweeps, &mut programs[0], &mut ());
+        if let Some(coarse) = &self.coarse {
+            crossings.write_coarse(coarse, sweeps, &mut programs[1], &mut ());
+        }
     }
 
     /// Direction over the ground that sweep `sweep` should have, whatever set-up it is drawn with: unit vector, north and

@@ -89,7 +89,7 @@ impl RegisterState {
     }
 
     fn transfer(&mut self, fold: Fold) {
-        for colour in Colour::ALL.into_iter().filter(|&colour| fold.axis.takes(fold.stop, colour)) {
+        for colour in fold.colours() {
             let [hold, x_first, y_first] = &mut self.colours[colour as usize];
             hold.corners = if fold.axis == RampAxis::X { x_first.corners } else { y_first.corners };
         }

@@ -12,10 +12,11 @@ pub struct SweepTime(pub f64);
 
 impl SweepTime {
     /// Index of the first sample at or after this instant.
+    #[inline]
     pub fn sample_at_or_after(self) -> usize {
-        // The cast truncates and takes negative instants to 0.
-        let whole = self.0 as usize;
-        if (whole as f64) < self.0 { whole + 1 } else { whole }
+        // The cast truncates.
+        let whole = (self.0 as i64).max(0);
+        whole as usize + usize::from((whole as f64) < self.0)
     }
 }
 
@@ -162,18 +163,30 @@ pub struct SweepClock {
     ticks_per_sample: f64,
 }
 
+/// Steps by which a tick and a step may differ and are one instant: ticks and steps are whole counts of two exact rates, and
+/// what does not fall together is farther apart.
+const SAME_INSTANT: f64 = 1e-9;
+
 impl SweepClock {
     /// The first tick at or after `time`: when the digital side sees it.
+    #[inline]
     pub fn tick_at_or_after(&self, time: SweepTime) -> Tick {
-        // Folds before the first sample have negative instants.
-        let after = (self.rest + time.0 * self.ticks_per_sample).ceil() as i64;
+        // Folds before the first sample have negative instants. The cast truncates towards 0.
+        let ticks = self.rest + time.0 * self.ticks_per_sample;
+        let whole = ticks as i64;
+        let after = if (whole as f64) < ticks { whole.saturating_add(1) } else { whole };
         Tick(self.whole.saturating_add_signed(after))
     }
 
     /// When `tick` falls; negative before the first sample.
+    #[inline]
     pub fn instant_of(&self, tick: Tick) -> SweepTime {
-        let ticks = tick.0 as i128 - i128::from(self.whole);
-        SweepTime((ticks as f64 - self.rest) / self.ticks_per_sample)
+        let distance = tick.0.abs_diff(self.whole) as f64;
+        let ticks = if tick.0 < self.whole { -distance } else { distance };
+        let steps = (ticks - self.rest) / self.ticks_per_sample;
+        // Rounding must not put what falls on a step behind it, where the next one sees it first.
+        let nearest = (steps + 0.5) as i64 as f64;
+        SweepTime(if (steps - nearest).abs() < SAME_INSTANT { nearest } else { steps })
     }
 }
 
@@ -222,6 +235,19 @@ mod tests {
             let clock = clocks.sweep_clock(0, sweep);
             assert_eq!(clock.tick_at_or_after(SweepTime(0.0)), Tick(tick), "sweep {sweep}");
         }
+    }
+
+    /// 20 250 ticks to 25 110 steps: tick 50 of a sweep that begins on a tick is its step 62, which the quotient of the rates
+    /// puts at 62.000 000 000 000 01.
+    #[test]
+    fn a_tick_that_falls_on_a_step_is_seen_by_it() {
+        let rate = |hertz| Rate::new(hertz, 1).unwrap();
+        let clocks = Timebase::new(rate(20_250), rate(30), 9, 75, 18).unwrap();
+        let clock = clocks.sweep_clock(3, 2);
+        assert_eq!(clock.tick_at_or_after(SweepTime(0.0)), Tick(2175));
+        let instant = clock.instant_of(Tick(2225));
+        assert_eq!((instant, instant.sample_at_or_after()), (SweepTime(62.0), 62));
+        assert_eq!(clock.instant_of(Tick(2224)).sample_at_or_after(), 61);
     }
 
     #[test]

@@ -57,6 +57,7 @@ impl Iterator for Folds {
     type Item = PlacedFold;
 
     /// Never ends unless the sweep crosses no stop at all.
+    #[inline]
     fn next(&mut self) -> Option<PlacedFold> {
         let [x, y] = self.axes.map(|axis| axis.next_range());
         let (axis, range) = if x <= y { (0, x) } else { (1, y) };

@@ -25,18 +25,24 @@ impl RangeTable {
         self.time_before(self.ranges.partition_point(|&z| z < range), range)
     }
 
-    /// When the sweep passes a range, for ranges that ascend from call to call: one walk along the table.
+    /// When the sweep passes a range, for ranges that ascend from call to call: from where the last one was in steps that
+    /// double, then by halves.
     pub fn times(&self) -> impl FnMut(f64) -> SweepTime {
         let mut after = 0;
         move |range| {
-            while self.ranges.get(after).is_some_and(|&z| z < range) {
-                after += 1;
+            let rest = &self.ranges[after..];
+            let mut bound = 1;
+            while rest.get(bound).is_some_and(|&z| z < range) {
+                bound *= 2;
             }
+            let near = bound / 2..rest.len().min(bound + 1);
+            after += near.start + rest[near].partition_point(|&z| z < range);
             self.time_before(after, range)
         }
     }
 
     /// When the sweep passes `range`, given the first sample that is not nearer.
+    #[inline]
     fn time_before(&self, after: usize, range: f64) -> SweepTime {
         SweepTime(match after {
             0 => range / self.ranges[0] - 1.0,
@@ -49,11 +55,12 @@ impl RangeTable {
     }
 
     /// Range at an instant of the sweep (m), straight between samples and from the eye's foot to the first.
+    #[inline]
     pub fn range_at(&self, time: SweepTime) -> f64 {
         if time.0 <= 0.0 {
             return self.ranges[0] * (1.0 + time.0).max(0.0);
         }
-        let before = (time.0.floor() as usize).min(self.ranges.len() - 1);
+        let before = (time.0 as usize).min(self.ranges.len() - 1);
         match self.ranges.get(before + 1) {
             Some(&far) => {
                 let near = self.ranges[before];

@@ -118,6 +118,7 @@ impl LoadLine {
 
 /// Ticks from `ready` to the last tick that is not after `due`; below 0 it is late. Before the mission, which begins at tick
 /// 0, nothing is due.
+#[inline]
 pub fn slack(clock: &SweepClock, due: SweepTime, ready: Tick) -> i64 {
     let seen = clock.tick_at_or_after(due);
     let after = i64::from(clock.instant_of(seen) > due);

@@ -15,6 +15,7 @@ pub enum RampAxis {
 
 impl RampAxis {
     /// The preload register that a fold of this axis transfers.
+    #[inline]
     pub fn register(self) -> PreloadRegister {
         match self {
             Self::X => PreloadRegister::XFirst,
@@ -23,6 +24,7 @@ impl RampAxis {
     }
 
     /// Whether a fold of this axis at `stop` gives `colour` new words (event table of 6.3).
+    #[inline]
     pub fn takes(self, stop: Stop, colour: Colour) -> bool {
         let far = match self {
             Self::X => colour.at_far_x(),
@@ -89,6 +91,20 @@ pub struct Fold {
     pub axis: RampAxis,
     /// Which stop.
     pub stop: Stop,
+}
+
+impl Fold {
+    /// The two colours that it gives new words, in order (event table of 6.3).
+    #[inline]
+    pub fn colours(self) -> [Colour; 2] {
+        use Colour::{Black, Green, Red, Yellow};
+        match (self.axis, self.stop) {
+            (RampAxis::X, Stop::One) => [Yellow, Black],
+            (RampAxis::X, Stop::Zero) => [Green, Red],
+            (RampAxis::Y, Stop::One) => [Yellow, Green],
+            (RampAxis::Y, Stop::Zero) => [Black, Red],
+        }
+    }
 }
 
 /// Which of the nine words of a set arrive together: bit `3 p + q`.
@@ -186,6 +202,7 @@ pub struct Step {
 
 impl Step {
     /// A step at an instant.
+    #[inline]
     pub fn new(time: SweepTime, range: f64, kind: StepKind) -> Self {
         Self { time, range, sample: time.sample_at_or_after(), kind }
     }
@@ -247,4 +264,20 @@ pub struct SweepProgram {
     pub end_range: f64,
     /// Loads that came too late.
     pub misses: Vec<Miss>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Fold, RampAxis, Stop};
+    use crate::Colour;
+
+    #[test]
+    fn a_fold_gives_words_to_the_two_colours_that_its_stop_leaves() {
+        for axis in [RampAxis::X, RampAxis::Y] {
+            for stop in [Stop::Zero, Stop::One] {
+                let taken = Colour::ALL.into_iter().filter(|&colour| axis.takes(stop, colour));
+                assert_eq!(Vec::from(Fold { axis, stop }.colours()), taken.collect::<Vec<_>>());
+            }
+        }
+    }
 }

@@ -5,13 +5,13 @@ use std::path::Path;
 use std::process::{Command, ExitCode};
 use std::time::Instant;
 
-use benchmarks::chain::{Stepped, difference, simulate};
+use benchmarks::chain::{Outputs, Stepped, difference, simulate};
 use benchmarks::startup::{begin, prepare};
 use benchmarks::{Choice, Scene};
 use clap::{Parser, Subcommand};
 use generator::Generator;
 use machine::{ControlPlane, HybridMachine};
-use signal::Probe;
+use signal::{LANES, Lanes, Probe, Real};
 
 /// Measure what stands beside the frames in the table of goals.
 #[derive(Debug, Parser)]
@@ -77,8 +77,11 @@ fn times(repetitions: usize, mut work: impl FnMut()) -> [f64; 2] {
     [times[0], times[repetitions / 2]]
 }
 
+/// Frames of the control plane that are timed.
+const REPETITIONS: usize = 99;
+
 fn control() -> Result<(), String> {
-    println!("| control plane, one thread | sweeps | ms a frame | least |\n|---|---|---|---|");
+    println!("| control plane, one thread | sweeps | steps | ms a frame | least |\n|---|---|---|---|---|");
     for (scenario, model) in
         [("nominal-drive", "pra-nominal"), ("nominal-drive", "ideal"), ("showpiece", "ideal")]
     {
@@ -86,13 +89,17 @@ fn control() -> Result<(), String> {
         let (plane, scene) =
             (ControlPlane::new(Scene::shipped(scenario, &choice).stage), Scene::shipped(scenario, &choice));
         let count = scene.stage.settings.raster.sweeps;
-        let mut written = 0;
-        let [least, median] = times(9, || {
+        let (mut written, mut programs) = (0, Vec::new());
+        let [least, median] = times(REPETITIONS, || {
             let sweeps = plane.sweeps(0, &scene.pose).expect("drawn by the tests");
-            written = (0..count).map(|sweep| sweeps.programs(sweep).len()).sum();
+            written = 0;
+            for sweep in 0..count {
+                sweeps.write_programs(sweep, &mut programs);
+                written += programs.iter().map(|program| program.steps.len()).sum::<usize>();
+            }
         });
         assert!(written > 0);
-        println!("| {scenario}, {model} | {count} | {:.2} | {:.2} |", median * 1e3, least * 1e3);
+        println!("| {scenario}, {model} | {count} | {written} | {:.2} | {:.2} |", median * 1e3, least * 1e3);
     }
     println!();
     Ok(())
@@ -159,37 +166,42 @@ fn apart(arguments: &[&str]) -> Result<String, String> {
 const RASTERS: usize = 8001;
 
 fn circuit() -> Result<(), String> {
-    let run = |a_raster: usize| {
-        let (chain, mut out, mut held) = (Stepped::new(a_raster), Vec::new(), Vec::new());
-        let [least, _] = times(5, || chain.run(RASTERS, &mut out, &mut held));
-        assert!(!held.is_empty());
-        (out, least)
-    };
-    let (right, _) = run(256);
+    let mut right = Outputs::<f64>::default();
+    Stepped::new(256, RASTERS).run(&mut right);
+    let right = right.m;
     println!(
-        "| analog chain, 400 us | rms error | largest | s | of ngspice's default |\n|---|---|---|---|---|"
+        "| analog chain, 400 us | chains | rms error | largest | s a chain | of ngspice's default |\n|---|---|---|---|---|---|"
     );
-    let Some(default) = simulate(RASTERS, None)? else {
-        println!("| ngspice is not here | | | | |\n");
+    let Some(default) = simulate(1, RASTERS, None)? else {
+        println!("| ngspice is not here | | | | | |\n");
         return Ok(());
     };
-    let tell = |name: &str, m: &[f64], seconds: f64| {
-        let [rms, most] = difference(m, &right);
-        println!(
-            "| {name} | {rms:.1e} | {most:.1e} | {seconds:.3e} | {:.0} times |",
-            default.seconds / seconds
-        );
+    let tell = |name: &str, chains: usize, [rms, most]: [f64; 2], seconds: f64| {
+        let (a_chain, times) = (seconds / chains as f64, default.seconds * chains as f64 / seconds);
+        println!("| {name} | {chains} | {rms:.1e} | {most:.1e} | {a_chain:.3e} | {times:.1} times |");
     };
-    tell("ngspice, default", &default.m, default.seconds);
-    for reltol in [1e-4, 1e-5, 1e-6] {
-        if let Some(run) = simulate(RASTERS, Some(reltol))? {
-            tell(&format!("ngspice, reltol {reltol:e}"), &run.m, run.seconds);
+    tell("ngspice, default", 1, difference(&default.m, &right, 1), default.seconds);
+    for (chains, reltol) in [(LANES, None), (1, Some(1e-4)), (1, Some(1e-5)), (1, Some(1e-6))] {
+        if let Some(run) = simulate(chains, RASTERS, reltol)? {
+            let name = reltol.map_or("default".to_owned(), |reltol| format!("reltol {reltol:e}"));
+            tell(&format!("ngspice, {name}"), chains, difference(&run.m, &right, chains), run.seconds);
         }
     }
     for a_raster in [1, 2, 4, 16] {
-        let (m, seconds) = run(a_raster);
-        tell(&format!("exact steps of {} ns", 50.0 / a_raster as f64), &m, seconds);
+        let name = |scalar: &str| format!("exact steps of {} ns, {scalar}", 50.0 / a_raster as f64);
+        let (error, seconds) = stepped::<f32>(a_raster, &right);
+        tell(&name("f32"), LANES, error, seconds);
+        let (error, seconds) = stepped::<f64>(a_raster, &right);
+        tell(&name("f64"), LANES, error, seconds);
     }
     println!();
     Ok(())
+}
+
+/// Error of eight chains side by side, and their time (s).
+fn stepped<S: Real>(a_raster: usize, right: &[Lanes<f64>]) -> ([f64; 2], f64) {
+    let (chains, mut out) = (Stepped::<S>::new(a_raster, RASTERS), Outputs::default());
+    let [least, _] = times(9, || chains.run(&mut out));
+    assert!(out.held.iter().all(|held| !held.is_empty()));
+    (difference(&out.m, right, LANES), least)
 }

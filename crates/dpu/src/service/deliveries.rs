@@ -34,13 +34,17 @@ impl<W: Watch> Service<'_, '_, '_, W> {
         cause: MissCause,
     ) {
         let arrival = self.instant_of(tick);
-        self.pending.push(Delivery { tick, arrival, number, load, register, cause });
+        let later = |delivery: &Delivery| (delivery.tick, delivery.number) > (tick, number);
+        let place = self.pending.iter().rposition(|delivery| !later(delivery)).map_or(0, |before| before + 1);
+        self.pending.insert(place, Delivery { tick, arrival, number, load, register, cause });
     }
 
     /// Serves what begins before `end`.
     pub(super) fn run_server(&mut self, end: Option<Tick>, program: &mut SweepProgram) {
-        while let Some(served) = self.server.next(end) {
-            self.bring(&served, program);
+        for line in self.server.lines() {
+            while let Some(served) = self.server.next(line, end) {
+                self.bring(&served, program);
+            }
         }
     }
 
@@ -52,7 +56,7 @@ impl<W: Watch> Service<'_, '_, '_, W> {
         };
         let asking = Asking { crossing: Some(crossing), colour, register };
         let corner = self.stored(corner, served.begin, asking);
-        let last = self.server.arrivals(served).map(|(tick, _)| tick).last().unwrap_or(served.begin);
+        let last = self.server.last(served);
         self.watch.loaded();
         let Some(register) = register else {
             self.diagonals[colour as usize] = Some(last);
@@ -105,11 +109,10 @@ impl<W: Watch> Service<'_, '_, '_, W> {
         range_at: &impl Fn(SweepTime) -> f64,
         program: &mut SweepProgram,
     ) {
-        if self.pending.is_empty() {
+        let arrived = self.pending.iter().take_while(|delivery| delivery.arrival <= time).count();
+        if arrived == 0 {
             return;
         }
-        self.pending.sort_by(|a, b| a.arrival.0.total_cmp(&b.arrival.0).then(a.number.cmp(&b.number)));
-        let arrived = self.pending.partition_point(|delivery| delivery.arrival <= time);
         for Delivery { tick, arrival, load, .. } in self.pending.drain(..arrived) {
             program.steps.push(Step::new(arrival, range_at(arrival), StepKind::Load(load)));
             self.watch.arrival(tick, &load);

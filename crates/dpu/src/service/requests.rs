@@ -52,7 +52,7 @@ impl<W: Watch> Service<'_, '_, '_, W> {
         let corner = self.stored(self.unit.level.clamped_index(m, n) as u32, seen, asking);
         let load = Load { colour, target: Target::Preload(register), corner, words: WordMask::ALL };
         program.steps.push(Step::new(fold.time, fold.range, StepKind::Load(load)));
-        self.ready[colour as usize][register as usize] = Some(seen);
+        self.ready[colour as usize][register as usize] = Some(self.there_with(fold, seen));
         self.watch.arrival(seen, &load);
     }
 
@@ -91,10 +91,8 @@ impl<W: Watch> Service<'_, '_, '_, W> {
         self.watch.loaded();
         let asking = Asking { crossing: Some(self.crossing), colour, register: Some(register) };
         let corner = self.stored(corner, seen, asking);
-        // Wired, it is there with the fold itself: not later than the last tick before it.
         if W::LISTENS {
-            let slack = slack(&self.clock, fold.time, seen).min(0);
-            self.is_ready(colour, register, Tick(seen.0.saturating_add_signed(slack)));
+            self.is_ready(colour, register, self.there_with(fold, seen));
         }
         let words = self.hold_back(colour, register, corner, self.crossing, seen);
         if !words.is_empty() {
@@ -102,6 +100,13 @@ impl<W: Watch> Service<'_, '_, '_, W> {
             program.steps.push(Step::new(fold.time, fold.range, StepKind::Load(load)));
             self.watch.arrival(seen, &load);
         }
+    }
+
+    /// When words that are there with a fold itself are ready: not later than the last tick before it, so that another
+    /// fold within the same tick finds them.
+    fn there_with(&self, fold: TimedFold, seen: Tick) -> Tick {
+        let slack = slack(&self.clock, fold.time, seen).min(0);
+        Tick(seen.0.saturating_add_signed(slack))
     }
 
     /// Sends the words that the model holds back, later than `tick`, when their set comes; the words that are left.

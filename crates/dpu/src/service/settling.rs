@@ -13,11 +13,8 @@ use crate::watch::Watch;
 impl<W: Watch> Service<'_, '_, '_, W> {
     /// What is still on its way for a colour that has just been transferred has come too late or moved on.
     pub(super) fn settle(&mut self, fold: TimedFold, program: &mut SweepProgram) {
-        let axis = fold.fold.axis;
-        for colour in Colour::ALL.into_iter().filter(|_| W::LISTENS) {
-            if axis.takes(fold.fold.stop, colour) {
-                self.settle_ready(colour, axis.register(), fold.time);
-            }
+        for colour in fold.fold.colours().into_iter().filter(|_| W::LISTENS) {
+            self.settle_ready(colour, fold.fold.axis.register(), fold.time);
         }
         self.settle_queue(fold, program);
         self.settle_pending(fold, program);
@@ -37,13 +34,10 @@ impl<W: Watch> Service<'_, '_, '_, W> {
     }
 
     fn settle_queue(&mut self, fold: TimedFold, program: &mut SweepProgram) {
-        let (axis, stop, crossing) = (fold.fold.axis, fold.fold.stop, self.crossing);
+        let (axis, crossing) = (fold.fold.axis, self.crossing);
         let strobe = self.unit.loader.late_policy == LatePolicy::StrobeThrough;
         let watch = &mut *self.watch;
-        self.server.retain(|job| {
-            if !axis.takes(stop, job.colour) {
-                return true;
-            }
+        self.server.retain(fold.fold.colours(), |job| {
             let needed = job.wanted == Wanted::Register(axis.register()) && !job.late;
             if needed {
                 let register = axis.register();

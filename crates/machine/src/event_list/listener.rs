@@ -112,7 +112,7 @@ impl<'a> Listener<'a> {
     /// Two colours take a preload register each (fig. 22); their other one is overwritten, full or not.
     fn transfer(&mut self, tick: Tick, fold: Fold, crossing: u32) {
         let used = fold.axis.register();
-        for colour in taken(fold) {
+        for colour in fold.colours() {
             let corner = self.held[colour as usize][1 + used as usize];
             self.held[colour as usize][0] = corner;
             let transfer = self.event(tick, EventWord::Transfer, DigitalUnit::Registers);
@@ -184,7 +184,7 @@ impl<'a> Listener<'a> {
     /// Sets that a fold asks for: both preload registers of either colour, then its diagonal one.
     fn expect(&mut self, fold: Fold) {
         self.next.clear();
-        for colour in taken(fold) {
+        for colour in fold.colours() {
             self.next.extend(PRELOADS.map(|register| (colour, Register::Preload(register))));
             if self.loader.diagonal_register && !self.loader.is_wired_through() {
                 self.next.push_back((colour, Register::Diagonal));
@@ -208,11 +208,6 @@ impl<'a> Listener<'a> {
             ..self.event(seen, EventWord::Late, DigitalUnit::Registers)
         }
     }
-}
-
-/// Colours that a fold gives new words.
-fn taken(fold: Fold) -> impl Iterator<Item = Colour> {
-    Colour::ALL.into_iter().filter(move |&colour| fold.axis.takes(fold.stop, colour))
 }
 
 impl Watch for Listener<'_> {

@@ -1,35 +1,20 @@
 //! Smoother, multiplier, comparator and sample-and-hold in a chain, against the integrator and against ngspice.
-//!
-//! ```text
-//! ramp u ─▶ smoother ─▶ a ─┐
-//! constant b ──────────────┴▶ multiplier ─▶ lag ─▶ m ─┬▶ sample-and-hold ─▶ held
-//!                                                     └▶ comparator ──────────┘ command
-//! ```
+
+mod circuit;
 
 use std::path::Path;
 use std::process::Command;
 
-use parts::{
-    Comparator, ComparatorLaw, ComparatorState, LagStep, Multiplier, MultiplierLaw, NoiseSource, SampleHold,
-    SampleHoldLaw, SecondOrder, SecondOrderState,
-};
-
 use crate::assert_near;
 use crate::runge_kutta::integrate;
 
-const RISE: f64 = 2e-6;
+use circuit::{
+    B, DELAY, MULTIPLIER, Outputs, RASTER, RISE, SMOOTHER, Stepped, TAU_H, TAU_M, THRESHOLD, netlist,
+};
+
+/// Rasters up to the time at which all is looked at: the first triangle still rises.
+const TIMES: usize = 31;
 const END: f64 = 1.5e-6;
-const B: f64 = 0.9;
-const SMOOTHER: SecondOrder = SecondOrder { natural: 1.6 / 40e-9, damping: 0.8 };
-const TAU_M: f64 = 20e-9;
-const MULTIPLIER: MultiplierLaw =
-    MultiplierLaw { gain: 0.002, feed_a: 0.003, feed_b: -0.002, offset: 0.001, nonlinearity: 0.0025 };
-const THRESHOLD: f64 = 0.4;
-const DELAY: f64 = 40e-9;
-const HOLD: SampleHoldLaw =
-    SampleHoldLaw { acquisition: 400e-9, aperture: 0.0, jitter: 0.0, pedestal: 0.0, droop: 0.0 };
-/// 400 ns over ln 1000.
-const TAU_H: f64 = 400e-9 / 6.907_755_278_982_137;
 
 /// What is looked at.
 #[derive(Debug)]
@@ -42,36 +27,13 @@ struct Seen {
     held: f64,
 }
 
-fn by_parts(h: f64) -> Seen {
-    let smoother = SMOOTHER.step::<f64>(h);
-    let multiplier = Multiplier::new(&MULTIPLIER);
-    let lag = LagStep::new(h, TAU_M);
-    let law = ComparatorLaw {
-        offset: THRESHOLD,
-        hysteresis: 0.0,
-        delay: DELAY,
-        overdrive: 0.0,
-        longest: 500e-9,
-        noise: 0.0,
-    };
-    let comparator = Comparator::new(h, &law, NoiseSource::new(0, "chain", 0));
-    let hold = SampleHold::new(h, &HOLD);
-    let (mut a, mut m, mut tracked) = (SecondOrderState::default(), vec![0.0], vec![0.0]);
-    let (mut state, mut trips) = (ComparatorState::default(), Vec::new());
-    let mut product = multiplier.product(0.0, B);
-    for n in 1..=(END / h).round() as usize {
-        a = smoother.step(a, (n - 1) as f64 * h / RISE, n as f64 * h / RISE);
-        let next = multiplier.product(a.y, B);
-        m.push(lag.step(m[n - 1], product, next));
-        product = next;
-        comparator.step(&mut state, (0, n), m[n - 1], m[n], &mut trips);
-        tracked.push(hold.track(tracked[n - 1], m[n - 1], m[n]));
-    }
-    assert_eq!(trips.len(), 1);
-    let at = hold.taken_at(trips[0].at, 0.0).0;
-    let n = at as usize;
-    let held = hold.held(hold.tracked(tracked[n], m[n], m[n + 1], at.fract()), 100.0);
-    Seen { m: m[m.len() - 1], trip: trips[0].at.0 * h, held }
+/// The first of eight chains side by side.
+fn by_parts(a_raster: usize) -> Seen {
+    let mut out = Outputs::<f64>::default();
+    Stepped::new(a_raster, TIMES).run(&mut out);
+    assert!((RASTER * (TIMES - 1) as f64 - END).abs() < 1e-15);
+    let &[(trip, held)] = &out.held[0][..] else { panic!("{:?}", out.held[0]) };
+    Seen { m: out.m[TIMES - 1][0], trip, held }
 }
 
 /// Smoothed ramp and its rate, multiplier, tracked signal at `t`.
@@ -100,56 +62,46 @@ fn as_the_integrator_has_it() {
     }
     let trip = high + DELAY;
     // The product of a ramp bends between samples: only that is left, and it goes with the square of the step.
-    for (h, off) in [(50e-9, 3e-5), (10e-9, 1.2e-6)] {
-        let seen = by_parts(h);
+    for (a_raster, off) in [(1, 3e-5), (5, 1.2e-6)] {
+        let seen = by_parts(a_raster);
         assert_near(seen.m, integrated(END)[2], off);
         assert_near(seen.trip * 1e6, trip * 1e6, off * 2.0);
         assert_near(seen.held, integrated(trip)[3], off);
     }
 }
 
-/// The chain as a netlist: an RLC smoother, a formula, RC lags, a delay line, a switch.
-fn netlist() -> String {
-    let SecondOrder { natural, damping } = SMOOTHER;
-    let MultiplierLaw { gain, feed_a, feed_b, offset, nonlinearity } = MULTIPLIER;
-    // L = 1 uH: C = 1 / (w^2 L), R = 2 z w L.
-    let (c, r) = (1e6 / (natural * natural), 2e-6 * damping * natural);
-    format!(
-        "smoother, multiplier, comparator, sample-and-hold
-Vu u 0 PWL(0 0 {RISE:e} 1)
-Rs u s1 {r:e}
-Ls s1 a 1e-6
-Cs a 0 {c:e}
-Bp p 0 V = {scale:e}*V(a) + {feed_a:e}*V(a) + {of_b:e} + {offset:e} + {nonlinearity:e}*V(a)*(1 - V(a)*V(a))
-Rm p m1 1000
-Cm m1 0 {cm:e} IC=0
-Em m 0 m1 0 1
-Bc c 0 V = 0.5*(1 - tanh(2e4*(V(m) - {THRESHOLD})))
-Rc c c1 50
-Tc c1 0 c2 0 Z0=50 TD={DELAY:e}
-Rt c2 0 50
-Sh m held c2 0 track
-Ch held 0 {ch:e} IC=0
-.model track SW(vt=0.25 vh=0 ron=1000 roff=1e14)
-.options reltol=1e-6 abstol=1e-14 vntol=1e-9
-.tran 0.02n {END:e} 0 0.02n uic
-.meas tran m FIND v(m) AT={last:e}
-.meas tran passing WHEN v(m)={THRESHOLD} RISE=1
-.meas tran held FIND v(held) AT={last:e}
-.end
-",
-        scale = (1.0 + gain) * B,
-        of_b = feed_b * B,
-        cm = TAU_M / 1e3,
-        ch = TAU_H / 1e3,
-        last = END * 0.999_999,
-    )
+/// Each chain does what the first does, later: five rasters, a whole number of steps.
+#[test]
+fn chains_side_by_side_do_the_same_later() {
+    let mut out = Outputs::<f64>::default();
+    Stepped::new(1, 2 * TIMES).run(&mut out);
+    for chain in 1..8 {
+        let times = 0..2 * TIMES - 5 * chain;
+        let late = |n: usize| (out.m[n][0] - out.m[n + 5 * chain][chain]).abs();
+        // Before its triangle begins a lag has the errors of the product at 0.
+        let most = times.map(late).fold(0.0, f64::max);
+        assert!(most < 2e-3, "chain {chain}: {most}");
+        let by = |chain: usize, n: usize| out.held[chain][n];
+        let ((first, held), (later, value)) = (by(0, 0), by(chain, 0));
+        assert!((later - first - 0.25e-6 * chain as f64).abs() < 1e-10, "chain {chain}: {first}, {later}");
+        assert!((value - held).abs() < 1e-4, "chain {chain}: {held}, {value}");
+    }
 }
 
 #[test]
 fn as_ngspice_has_it() {
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("chain.cir");
-    std::fs::write(&path, netlist()).expect("the target folder can be written");
+    let analysis = format!(
+        ".options reltol=1e-6 abstol=1e-14 vntol=1e-9
+.tran 0.02n {END:e} 0 0.02n uic
+.meas tran m FIND v(m0) AT={last:e}
+.meas tran passing WHEN v(m0)={THRESHOLD} RISE=1
+.meas tran held FIND v(held0) AT={last:e}
+.end
+",
+        last = END * 0.999_999,
+    );
+    std::fs::write(&path, netlist(1) + &analysis).expect("the target folder can be written");
     let Ok(run) = Command::new("ngspice").arg("-b").arg(&path).output() else {
         println!("skipped: no ngspice here; its netlist is in the target folder");
         return;
@@ -160,7 +112,7 @@ fn as_ngspice_has_it() {
         let value = line.and_then(|rest| rest.split_whitespace().next()?.parse().ok());
         value.unwrap_or_else(|| panic!("ngspice says nothing of {name}:\n{text}"))
     };
-    let seen = by_parts(10e-9);
+    let seen = by_parts(5);
     // It prints seven digits; its switch opens within a step of 20 ps.
     assert_near(measured("m"), seen.m, 2e-6);
     assert_near((measured("passing") + DELAY) * 1e9, seen.trip * 1e9, 2e-3);
