@@ -15,7 +15,7 @@
 
 use std::f64::consts::PI;
 
-use signal::{Lanes, Real};
+use signal::{LANES, Lanes, Real};
 
 use crate::lag::LagStep;
 use crate::overload::Overload;
@@ -91,16 +91,25 @@ impl<S: Real> Amplifier<S> {
     }
 
     /// [`Amplifier::step`] for a group of sweeps; each lane has the bits it has alone.
-    #[inline]
+    #[inline(always)]
     pub fn step_lanes(&self, state: &mut AmplifierState<Lanes<S>>, u0: Lanes<S>, u1: Lanes<S>) -> Lanes<S> {
         let before = *state;
-        state.y = self.lag.step(before.y, u0, u1);
-        state.excess = before.excess * Lanes::splat(self.remains);
-        let linear = before.y.0.iter().zip(u0.0.iter().zip(&u1.0));
-        if !linear.fold(true, |all, (&y, (&u0, &u1))| all & self.is_linear(y, u0, u1)) {
+        // One flag for the group, without a branch a lane.
+        let mut bent = [0_u32; LANES];
+        for lane in 0..LANES {
+            let y = before.y.0[lane];
+            bent[lane] = u32::from(!self.is_linear(y, u0.0[lane], u1.0[lane]));
+            state.y.0[lane] = self.lag.step(y, u0.0[lane], u1.0[lane]);
+            state.excess.0[lane] = before.excess.0[lane] * self.remains;
+        }
+        if bent.iter().fold(0, |any, bent| any | bent) != 0 {
             self.walk_lanes(&before, state, u0, u1);
         }
-        (state.y + state.excess).map(|y| self.clip(y))
+        let mut out = state.y;
+        for lane in 0..LANES {
+            out.0[lane] = self.clip(state.y.0[lane] + state.excess.0[lane]);
+        }
+        out
     }
 
     #[cold]

@@ -15,10 +15,11 @@
 //! **Our choices.** Nearest word (the top half step is short of it by up to a whole one: there is no word 2^b). The
 //! pulse is an impulse at the instant of the change; without a settling lag it is over by the next sample.
 
-use signal::Real;
+use signal::{LANES, Lanes, Real};
 
 use crate::delay::Delay;
 use crate::lag::{LagStep, impulse};
+use crate::whole::{WHOLE, whole};
 
 /// What a converter is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -111,6 +112,56 @@ impl<S: Real> Converter<S> {
     }
 }
 
+/// Words, levels and outputs of a group.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ConverterLanes<S> {
+    word: [f64; LANES],
+    level: Lanes<S>,
+    /// Outputs.
+    pub y: Lanes<S>,
+}
+
+impl<S: Real> Default for ConverterLanes<S> {
+    fn default() -> Self {
+        Self { word: [0.0; LANES], level: Lanes::default(), y: Lanes::default() }
+    }
+}
+
+/// The bits of an f64 without its mantissa: the power of two at or below it.
+const POWER: u64 = 0xfff0_0000_0000_0000;
+
+impl<S: Real> Converter<S> {
+    /// A group of converters at rest at `u`.
+    pub fn lanes_at_rest(&self, u: Lanes<S>) -> ConverterLanes<S> {
+        let states = u.0.map(|u| self.at_rest(u));
+        let y = Lanes(states.map(|state| state.y));
+        ConverterLanes { word: states.map(|state| f64::from(state.word)), level: y, y }
+    }
+
+    /// [`Converter::step`] for the words of `u` (shares of full scale); each lane has the bits it has alone. Words are held
+    /// as numbers, so that a group needs no conversions and no branches.
+    #[inline(always)]
+    pub fn step_lanes(&self, state: &mut ConverterLanes<S>, u: Lanes<S>) -> Lanes<S> {
+        let (top, lsb, major) = (self.words - 1.0, 1.0 / self.words, 2.0 / self.words);
+        for lane in 0..LANES {
+            let word = whole(u.0[lane].to_f64() * self.words + 0.5);
+            let word = if word > 0.0 { word } else { 0.0 };
+            let word = if word < top { word } else { top };
+            let from = state.word[lane];
+            let changed = ((word + WHOLE).to_bits() ^ (from + WHOLE).to_bits()) | WHOLE.to_bits();
+            let highest = f64::from_bits((f64::from_bits(changed) - WHOLE).to_bits() & POWER);
+            let pulse = self.pulse * S::from_f64(highest * major);
+            let q = word * lsb;
+            let level = S::from_f64(q + self.cubic * q * (1.0 - q) * (1.0 - 2.0 * q));
+            let settled = self.settle.step(state.y.0[lane], state.level.0[lane], level);
+            state.y.0[lane] = settled + if word < from { -pulse } else { pulse };
+            state.level.0[lane] = level;
+            state.word[lane] = word;
+        }
+        state.y
+    }
+}
+
 /// `2^(k - bits)`, k the weight of the highest bit (1..=`bits`) in which the words differ; 0 if they do not.
 #[inline]
 pub fn carry_weight(from: u32, to: u32, bits: u32) -> f64 {
@@ -120,6 +171,8 @@ pub fn carry_weight(from: u32, to: u32, bits: u32) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use signal::{LANES, Lanes};
+
     use super::{Converter, ConverterLaw, carry_weight};
 
     const BARE: ConverterLaw =
@@ -170,6 +223,26 @@ mod tests {
             assert!((pulse - expected).abs() < 1e-15, "{from} to {to}: {pulse}, {expected}");
         }
         assert_eq!(carry_weight(0, 1, 24), 2.0 / f64::from(1 << 24));
+    }
+
+    #[test]
+    fn a_group_has_the_bits_of_its_converters() {
+        for bits in [1, 6, 10, 24] {
+            let law = ConverterLaw { bits, nonlinearity: 5e-4, glitch_area: 2e-9, delay: 0.0, tau: 22e-9 };
+            let part = Converter::<f32>::new(50e-9, &law);
+            let u = |step: usize, lane: usize| {
+                1.3 * quantities::unit_interval(8, &[step as u64, lane as u64]) as f32 - 0.15
+            };
+            let mut group = part.lanes_at_rest(Lanes::from_fn(|lane| u(0, lane)));
+            let mut alone: [_; LANES] = std::array::from_fn(|lane| part.at_rest(u(0, lane)));
+            for step in 1..500 {
+                let y = part.step_lanes(&mut group, Lanes::from_fn(|lane| u(step, lane)));
+                for (lane, alone) in alone.iter_mut().enumerate() {
+                    let word = part.word(u(step, lane));
+                    assert_eq!(y[lane], part.step(alone, word), "{bits} bits, {step}, {lane}");
+                }
+            }
+        }
     }
 
     #[test]

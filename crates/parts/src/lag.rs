@@ -62,7 +62,20 @@ impl<S: Real> LagStep<S> {
     /// Output at the end of the step: `y` at its start, input `u0`, `u1` at its start and end.
     #[inline(always)]
     pub fn step<V: Wire<S>>(&self, y: V, u0: V, u1: V) -> V {
-        y * V::splat(self.keep) + u0 * V::splat(self.from) + u1 * V::splat(self.to)
+        self.end(self.leave(y, u0), u1)
+    }
+
+    /// What output `y` and input `u0` at the start of a step leave for its end: the half of [`LagStep::step`] that is known
+    /// a sample before.
+    #[inline(always)]
+    pub fn leave<V: Wire<S>>(&self, y: V, u0: V) -> V {
+        y * V::splat(self.keep) + u0 * V::splat(self.from)
+    }
+
+    /// Output at the end of a step, from what was left for it and the input `u1` there.
+    #[inline(always)]
+    pub fn end<V: Wire<S>>(&self, left: V, u1: V) -> V {
+        left + u1 * V::splat(self.to)
     }
 }
 

@@ -72,7 +72,13 @@ impl<S: Real> Feedthrough<S> {
     /// The leak over a step with the input `u0`, `u1` at its start and end.
     #[inline(always)]
     pub fn leak<V: Wire<S>>(&self, u0: V, u1: V) -> V {
-        (u1 - u0) * V::splat(self.gain)
+        self.of_change(u1 - u0)
+    }
+
+    /// The leak over a step in which the input changes by `change`.
+    #[inline(always)]
+    pub fn of_change<V: Wire<S>>(&self, change: V) -> V {
+        change * V::splat(self.gain)
     }
 }
 

@@ -5,7 +5,13 @@
 ///
 /// The values never change between versions: landscapes and noise are named by their seed.
 pub fn hash_words(seed: u64, words: &[u64]) -> u64 {
-    words.iter().fold(mix(seed), |state, &word| mix(state ^ mix(word.wrapping_add(GOLDEN))))
+    words.iter().fold(mix(seed), |state, &word| hash_on(state, word))
+}
+
+/// The hash of one word more, from that of the words before it ([`hash_words`]).
+#[inline]
+pub fn hash_on(state: u64, word: u64) -> u64 {
+    mix(state ^ mix(word.wrapping_add(GOLDEN)))
 }
 
 /// A number in `[0, 1)` with 53 random bits, of `seed` and `words`.
@@ -16,6 +22,7 @@ pub fn unit_interval(seed: u64, words: &[u64]) -> f64 {
 /// Odd constant nearest to 2^64 over the golden ratio: spreads small integers over all bits.
 const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
 
+#[inline]
 fn mix(word: u64) -> u64 {
     let word = word.wrapping_add(GOLDEN);
     let word = (word ^ (word >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

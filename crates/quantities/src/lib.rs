@@ -9,5 +9,5 @@ mod hash;
 mod time;
 
 pub use angle::{degrees, radians, sin_cos, wrap_heading};
-pub use hash::{hash_words, unit_interval};
+pub use hash::{hash_on, hash_words, unit_interval};
 pub use time::{Rate, SweepClock, SweepTime, Tick, Timebase, TimebaseError};

@@ -3,7 +3,8 @@
 use hardware_model::AnalogParts;
 use landscape::basis::{NEAR, derivatives, values};
 use parts::{
-    Ends, FunctionGenerator, FunctionLaw, LagStep, Spread, Tolerance, relative_sigma, time_constant,
+    BANK, Ends, FunctionBank, FunctionGenerator, FunctionLaw, LagStep, Spread, Tolerance, relative_sigma,
+    time_constant,
 };
 use signal::{Lanes, Real};
 
@@ -12,39 +13,38 @@ use super::scale::{PEAKS, SLOPE_PEAKS};
 /// Function generators of one axis: values and slopes, at the near and at the far end, of the three orders.
 pub const UNITS: usize = 12;
 
-/// A function generator: `6 slope + 3 end + order`.
-#[derive(Debug, Clone)]
-struct Unit<S> {
-    law: Curve<S>,
-    /// Deviation at the middle, in the shape of a bow (share).
-    bow: S,
-}
+/// Curves: values and slopes of the three orders (`3 slope + order`), the same at both ends.
+const CURVES: usize = 6;
 
-#[derive(Debug, Clone)]
-enum Curve<S> {
-    /// Ascending powers.
-    Exact([S; 6]),
-    Broken(FunctionGenerator<S>),
-}
-
-/// The function generators of one axis.
+/// The function generators of one axis; unit `6 slope + 3 end + order`.
 #[derive(Debug, Clone)]
 pub struct AxisGenerators<S> {
-    units: Vec<Unit<S>>,
-    lags: Vec<LagStep<S>>,
+    curves: Curves<S>,
+    /// Deviation of each unit at the middle times four: bows are `4 z (1 - z)` (share).
+    bows: [S; UNITS],
+    lags: [LagStep<S>; UNITS],
+    slowest: f64,
 }
 
-/// Inputs of a group's function generators a sample ago, and their outputs.
+#[derive(Debug, Clone)]
+enum Curves<S> {
+    /// Ascending powers.
+    Exact([[S; 6]; CURVES]),
+    Broken(FunctionBank<S>),
+}
+
+/// A group's function generators.
 #[derive(Debug, Clone)]
 pub struct AxisState<S> {
-    before: [Lanes<S>; UNITS],
+    /// What the lags have left for the next sample.
+    left: [Lanes<S>; UNITS],
     /// Outputs, shares of full scale.
     pub out: [Lanes<S>; UNITS],
 }
 
 impl<S: Real> Default for AxisState<S> {
     fn default() -> Self {
-        Self { before: [Lanes::default(); UNITS], out: [Lanes::default(); UNITS] }
+        Self { left: [Lanes::default(); UNITS], out: [Lanes::default(); UNITS] }
     }
 }
 
@@ -54,80 +54,97 @@ impl<S: Real> AxisGenerators<S> {
         let figures = &parts.function_generator;
         let knee = figures.rounding / parts.full_scale;
         let number = |unit: usize| (UNITS * axis + unit) as u64;
-        let unit = |unit: usize| Unit {
-            law: curve(figures.segments, knee, unit / 6 == 1, unit % 3),
-            bow: S::from_f64(spread.error(&format!("{name}.fn"), number(unit), figures.error)),
+        let bow = |unit: usize| {
+            let middle = S::from_f64(spread.error(&format!("{name}.fn"), number(unit), figures.error));
+            S::from_f64(4.0) * middle
         };
         let sigma = if parts.spread { relative_sigma::BANDWIDTH } else { 0.0 };
-        let lag = |unit: usize, bandwidth: f64| {
-            let tolerance = Tolerance { nominal: bandwidth, sigma };
-            let bandwidth = spread.figure(&format!("{name}.fn.bandwidth"), number(unit), &tolerance);
-            LagStep::new(h, time_constant(bandwidth))
+        let tau = |unit: usize| {
+            figures.bandwidth.map_or(0.0, |nominal| {
+                let tolerance = Tolerance { nominal, sigma };
+                time_constant(spread.figure(&format!("{name}.fn.bandwidth"), number(unit), &tolerance))
+            })
         };
+        let taus: [f64; UNITS] = std::array::from_fn(tau);
         Self {
-            units: (0..UNITS).map(unit).collect(),
-            lags: figures.bandwidth.map_or(Vec::new(), |b| (0..UNITS).map(|unit| lag(unit, b)).collect()),
+            curves: Curves::new(figures.segments, knee),
+            bows: std::array::from_fn(bow),
+            lags: taus.map(|tau| LagStep::new(h, tau)),
+            slowest: taus.into_iter().fold(0.0, f64::max),
         }
+    }
+
+    /// Largest time constant (s).
+    pub fn slowest(&self) -> f64 {
+        self.slowest
     }
 
     /// The generators at rest under a ramp that stands.
     pub fn at_rest(&self, ramp: Lanes<S>) -> AxisState<S> {
-        let before = self.inputs(ramp);
-        AxisState { before, out: before }
+        let out = self.inputs(ramp);
+        AxisState { left: std::array::from_fn(|unit| self.lags[unit].leave(out[unit], out[unit])), out }
     }
 
     /// A step later, the ramp at `ramp` at its end.
+    #[inline(always)]
     pub fn step(&self, state: &mut AxisState<S>, ramp: Lanes<S>) {
         let now = self.inputs(ramp);
-        if self.lags.is_empty() {
-            state.out = now;
+        for unit in 0..UNITS {
+            let out = self.lags[unit].end(state.left[unit], now[unit]);
+            state.left[unit] = self.lags[unit].leave(out, now[unit]);
+            state.out[unit] = out;
         }
-        for (unit, lag) in self.lags.iter().enumerate() {
-            state.out[unit] = lag.step(state.out[unit], state.before[unit], now[unit]);
-        }
-        state.before = now;
     }
 
+    #[inline(always)]
     fn inputs(&self, ramp: Lanes<S>) -> [Lanes<S>; UNITS] {
-        let far = Lanes::splat(S::ONE) - ramp;
-        std::array::from_fn(|unit| {
-            let fed = if unit / 3 % 2 == 0 { ramp } else { far };
-            self.units[unit].at(fed)
-        })
-    }
-}
-
-impl<S: Real> Unit<S> {
-    fn at(&self, ramp: Lanes<S>) -> Lanes<S> {
-        let curve = match &self.law {
-            Curve::Exact(powers) => {
-                let [rest @ .., top] = powers;
-                rest.iter().rev().fold(Lanes::splat(*top), |sum, &power| sum * ramp + Lanes::splat(power))
+        let one = Lanes::splat(S::ONE);
+        let mut out = [Lanes::default(); UNITS];
+        for (end, fed) in [ramp, one - ramp].into_iter().enumerate() {
+            let values = self.curves.at(fed);
+            let bow = fed * (one - fed);
+            for (curve, &value) in values.iter().enumerate().take(CURVES) {
+                let unit = 6 * (curve / 3) + 3 * end + curve % 3;
+                out[unit] = value + bow * Lanes::splat(self.bows[unit]);
             }
-            Curve::Broken(line) => ramp.map(|z| line.value(z)),
-        };
-        let bow = ramp * (Lanes::splat(S::ONE) - ramp) * Lanes::splat(S::from_f64(4.0) * self.bow);
-        curve + bow
+        }
+        out
     }
 }
 
-/// The curve of one order, scaled to its peak.
-fn curve<S: Real>(segments: Option<u32>, knee: f64, slope: bool, order: usize) -> Curve<S> {
-    match segments {
-        None => {
-            let powers = if slope { derivative(NEAR[order]) } else { NEAR[order] };
-            let peak = if slope { SLOPE_PEAKS[order] } else { PEAKS[order] };
-            Curve::Exact(powers.map(|power| S::from_f64(power / peak)))
-        }
-        Some(segments) => {
-            let law =
-                FunctionLaw { segments: segments as usize, rounding: knee, ends: Ends::Trimmed([0.0; 2]) };
-            let line = if slope {
-                FunctionGenerator::new(&law, |z| derivatives(z)[order] / SLOPE_PEAKS[order])
-            } else {
-                FunctionGenerator::new(&law, |z| values(z)[order] / PEAKS[order])
-            };
-            Curve::Broken(line)
+impl<S: Real> Curves<S> {
+    /// Each scaled to its peak.
+    fn new(segments: Option<u32>, knee: f64) -> Self {
+        let peak = |curve: usize| if curve < 3 { PEAKS[curve] } else { SLOPE_PEAKS[curve - 3] };
+        let Some(segments) = segments else {
+            return Self::Exact(std::array::from_fn(|curve| {
+                let powers = if curve < 3 { NEAR[curve] } else { derivative(NEAR[curve - 3]) };
+                powers.map(|power| S::from_f64(power / peak(curve)))
+            }));
+        };
+        let law = FunctionLaw { segments: segments as usize, rounding: knee, ends: Ends::Trimmed([0.0; 2]) };
+        let broken = |curve: usize| {
+            let value = |z| if curve < 3 { values(z)[curve] } else { derivatives(z)[curve - 3] };
+            FunctionGenerator::new(&law, |z| value(z) / peak(curve))
+        };
+        Self::Broken(FunctionBank::new(&std::array::from_fn::<_, CURVES, _>(broken)))
+    }
+
+    #[inline(always)]
+    fn at(&self, fed: Lanes<S>) -> [Lanes<S>; BANK] {
+        match self {
+            Self::Broken(bank) => bank.values(fed),
+            Self::Exact(curves) => {
+                let mut out = [Lanes::default(); BANK];
+                for (out, [rest @ .., top]) in out.iter_mut().zip(curves) {
+                    let mut sum = Lanes::splat(*top);
+                    for &power in rest.iter().rev() {
+                        sum = sum * fed + Lanes::splat(power);
+                    }
+                    *out = sum;
+                }
+                out
+            }
         }
     }
 }

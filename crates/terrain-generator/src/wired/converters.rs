@@ -1,105 +1,140 @@
-//! The multiplying D/As of a group: words as they come to act, and what they make of the products.
+//! The words of the multiplying D/As of a group: strobed, on their way, and what a change does within a step.
+//!
+//! **Law.** A D/A is linear: a word that changes from w to v at a share p of the step adds to its output at the end what
+//! the signal times `v - w` makes of a D/A at rest over the part of the step that is left, and a pulse adds what is left
+//! of it. So changes add to the step that all lanes have taken, and several in one step add up.
 
 use landscape::CornerWords;
-use parts::{LagStep, impulse};
+use parts::LagStep;
 use signal::{LANES, Real};
 
 use super::run::Run;
-use super::state::{ArrayState, Change, Divided};
+use super::state::{ArrayState, Change, Due, Lane};
 use super::terms::{ALL, TERMS, word_of};
 
 impl<S: Real> Run<'_, S> {
-    /// Registers up to `sample`, and the outputs of the multiplying D/As then.
-    pub(super) fn convert(&self, sample: i64, state: &mut ArrayState<S>) {
-        let array = self.array;
-        state.divided.clear();
-        for lane in 0..LANES {
-            self.strobe(sample, lane, state);
-        }
-        let [now, before] = &state.products;
-        if array.converter_lags.is_empty() {
-            for (index, term) in state.terms.iter_mut().enumerate() {
-                *term = now[index] * state.weights[index];
-            }
-            return;
-        }
-        for (index, lag) in array.converter_lags.iter().enumerate() {
-            let weight = state.weights[index];
-            state.terms[index] = lag.step(state.terms[index], before[index] * weight, now[index] * weight);
-        }
-        for &Divided { lane, index, share, output } in &state.divided {
-            let weight = state.weights[index][lane].to_f64();
-            let [start, end] = [share, 1.0].map(|share| self.product_at(state, lane, index, share) * weight);
-            let lag = LagStep::<f64>::new(array.timing.step * (1.0 - share), array.converter_taus[index]);
-            state.terms[index][lane] = S::from_f64(lag.step(output, start, end));
-        }
-    }
-
-    /// Words of a lane that act up to `sample`.
-    fn strobe(&self, sample: i64, lane: usize, state: &mut ArrayState<S>) {
-        let (timing, program) = (&self.array.timing, &self.programs[lane]);
-        let digital = &mut state.lanes[lane];
-        while let Some((old, at)) = digital.strobe(sample, program, (timing, self.generator)) {
-            for index in 0..ALL {
-                let [colour, word] = word_of(index % TERMS);
-                let [old, new] = [&old[colour], digital.registers.hold(self.generator.buffer)[colour]];
-                if new[word] != old[word] {
-                    let (at, weight) = (at + timing.later(index), self.array.weight(new, index));
-                    let pulse = self.pulse(index, [old, new]);
-                    digital.pending.push(Change { at, index, weight, pulse });
+    /// Puts the words on their way whose strobes are due by `sample`.
+    #[inline(never)]
+    pub(super) fn strobe(&self, sample: i64, state: &mut ArrayState<S>) {
+        let when = (&self.array.timing, self.generator);
+        for (lane, program) in state.lanes.iter_mut().zip(self.programs) {
+            while let Some((at, has_new)) = lane.strobe(sample, program, when) {
+                if has_new {
+                    self.send(at, lane);
                 }
             }
         }
-        if digital.pending.is_empty() {
-            return;
-        }
-        let mut pending = std::mem::take(&mut digital.pending);
-        // Stable: what acts at one instant acts in the order of the program.
-        pending.sort_by(|a, b| a.at.total_cmp(&b.at));
-        let due = pending.partition_point(|change| change.at <= sample as f64);
-        for change in pending.drain(..due) {
-            self.change_word(lane, (change.at - (sample - 1) as f64).clamp(0.0, 1.0), &change, state);
-        }
-        state.lanes[lane].pending = pending;
+        state.due = Due::of(&state.lanes);
     }
 
-    /// Gives a D/A its new word at `share` of the step.
-    fn change_word(&self, lane: usize, share: f64, change: &Change, state: &mut ArrayState<S>) {
-        let Change { index, weight, pulse, .. } = *change;
-        let step = self.array.timing.step;
-        if let Some(&tau) = self.array.converter_taus.get(index) {
-            let known =
-                state.divided.iter().position(|divided| (divided.lane, divided.index) == (lane, index));
-            let (from, output) = known.map_or((0.0, state.terms[index][lane].to_f64()), |known| {
-                let divided = state.divided[known];
-                (divided.share, divided.output)
-            });
-            let weight = state.weights[index][lane].to_f64();
-            let [start, end] = [from, share].map(|share| self.product_at(state, lane, index, share));
-            let lag = LagStep::<f64>::new(step * (share - from), tau);
-            let pulse = pulse * end * impulse(step, tau, 1.0);
-            let output = lag.step(output, start * weight, end * weight) + pulse;
-            let divided = Divided { lane, index, share, output };
-            match known {
-                Some(known) => state.divided[known] = divided,
-                None => state.divided.push(divided),
+    /// Puts the words of the hold registers on their way that are others than before; a nominal D/A has them `at`.
+    fn send(&self, at: f64, lane: &mut Lane) {
+        let array = self.array;
+        let mut pulses = [[None; 9]; 4];
+        for colour in 0..4 {
+            let new = lane.registers.hold(self.generator.buffer)[colour];
+            for word in 0..9 {
+                if new[word] != lane.held[colour][word] {
+                    let number = array.number(new, word);
+                    let carry = array
+                        .words
+                        .as_ref()
+                        .map_or(0.0, |part| part.carry(lane.numbers[colour][word], number));
+                    pulses[colour][word] = Some(array.glitch * carry);
+                    lane.numbers[colour][word] = number;
+                }
+            }
+            lane.held[colour] = *new;
+        }
+        lane.pending.drain(..lane.acted);
+        lane.acted = 0;
+        let behind = lane.pending.last().map_or(f64::NEG_INFINITY, |last| last.at);
+        let first = lane.pending.len();
+        for &index in &array.by_lateness {
+            let [colour, word] = word_of(index % TERMS);
+            if let Some(pulse) = pulses[colour][word] {
+                let weight = array.weight(&lane.held[colour], index);
+                let at = at + array.timing.later(index);
+                lane.pending.push(Change { at, index, weight, pulse });
             }
         }
-        state.weights[index][lane] = S::from_f64(weight);
+        if lane.pending.get(first).is_some_and(|next| next.at < behind) {
+            // Stable: what acts at one instant acts in the order of the program.
+            lane.pending.sort_by(|a, b| a.at.total_cmp(&b.at));
+        }
+        lane.due.change = lane.next_change();
     }
 
-    fn product_at(&self, state: &ArrayState<S>, lane: usize, index: usize, share: f64) -> f64 {
-        let [now, before] = state.products.each_ref().map(|products| products[index][lane].to_f64());
-        before + share * (now - before)
+    /// Registers as they are as a sweep begins.
+    pub(super) fn fill_registers(&self, state: &mut ArrayState<S>) {
+        let array = self.array;
+        for (number, lane) in state.lanes.iter_mut().enumerate() {
+            lane.held = lane.registers.hold(self.generator.buffer).map(|words| *words);
+            lane.numbers =
+                lane.held.each_ref().map(|words| std::array::from_fn(|word| array.number(words, word)));
+            for (index, wires) in state.wires.iter_mut().enumerate() {
+                let [colour, _] = word_of(index % TERMS);
+                wires.weight[number] = S::from_f64(array.weight(&lane.held[colour], index));
+            }
+        }
     }
 
-    /// Area of what the bits that switch apart add to the output of a D/A, for a product of full scale.
-    fn pulse(&self, index: usize, [old, new]: [&CornerWords; 2]) -> f64 {
-        let Some(converter) = self.array.words.as_ref().filter(|_| self.array.glitch > 0.0) else {
-            return 0.0;
-        };
-        let [_, word] = word_of(index % TERMS);
-        let [old, new] = [old, new].map(|words| converter.word(self.array.scale.share(words, word)));
-        self.array.glitch * converter.carry(old, new)
+    /// Gives D/As at rest the words that act by `sample`.
+    pub(super) fn take_words(&self, sample: i64, state: &mut ArrayState<S>) {
+        for lane in 0..LANES {
+            while let Some(change) = state.lanes[lane].next_word(sample) {
+                state.wires[change.index].weight[lane] = S::from_f64(change.weight);
+            }
+        }
+        state.due = Due::of(&state.lanes);
+    }
+
+    /// Gives D/As the words that act in the step to `sample`, which they have taken with those before.
+    #[inline(never)]
+    pub(super) fn change_words(&self, sample: i64, state: &mut ArrayState<S>) {
+        let mut touched = [false; ALL];
+        for lane in 0..LANES {
+            while let Some(change) = state.lanes[lane].next_word(sample) {
+                let share = (change.at - (sample - 1) as f64).clamp(0.0, 1.0);
+                self.change_word(lane, share, &change, state);
+                touched[self.array.grid.group_of(change.index)] = true;
+            }
+        }
+        for (group, sum) in state.partial.iter_mut().enumerate().filter(|(group, _)| touched[*group]) {
+            *sum = self.array.grid.sum(group, &state.wires);
+        }
+        state.due = Due::of(&state.lanes);
+    }
+
+    fn change_word(&self, lane: usize, share: f64, change: &Change, state: &mut ArrayState<S>) {
+        let Change { index, weight, pulse, .. } = *change;
+        let (wires, tau) = (&mut state.wires[index], self.array.converter_taus[index]);
+        let [before, end] = [wires.before, wires.product].map(|product| product[lane].to_f64());
+        let start = before + share * (end - before);
+        let rest = LagStep::<f64>::new(self.array.timing.step * (1.0 - share), tau);
+        let step = weight - wires.weight[lane].to_f64();
+        let kick = if tau > 0.0 { pulse * start * (rest.keep / tau) } else { 0.0 };
+        let term = S::from_f64(wires.term[lane].to_f64() + (rest.step(0.0, start * step, end * step) + kick));
+        wires.weight[lane] = S::from_f64(weight);
+        wires.term[lane] = term;
+        wires.term_left[lane] =
+            self.array.grid.cells[index].converter.leave(term, wires.product[lane] * wires.weight[lane]);
+    }
+}
+
+impl Lane {
+    /// The next word, if it acts by `sample`.
+    fn next_word(&mut self, sample: i64) -> Option<Change> {
+        let next = *self.pending.get(self.acted).filter(|change| change.at <= sample as f64)?;
+        self.acted += 1;
+        self.due.change = self.next_change();
+        Some(next)
+    }
+}
+
+impl<S: Real> super::PartsArray<S> {
+    /// The number of a word in its D/A; 0 where they take any.
+    fn number(&self, words: &CornerWords, word: usize) -> i32 {
+        self.words.as_ref().map_or(0, |converter| converter.word(self.scale.share(words, word)))
     }
 }

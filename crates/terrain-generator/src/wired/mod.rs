@@ -18,6 +18,8 @@
 
 mod basis;
 mod converters;
+mod grid;
+mod out;
 mod parts_array;
 mod ramp;
 mod run;

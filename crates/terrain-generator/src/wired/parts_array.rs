@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use fearless_simd::dispatch;
 use hardware_model::{AnalogParts, FEEDTHROUGH_FREQUENCY, SweepParts};
 use landscape::{CornerWords, Level};
 use parts::{
@@ -12,12 +13,13 @@ use signal::{LANES, Real};
 use sweep_program::SweepProgram;
 
 use super::basis::AxisGenerators;
+use super::grid::{Cell, Grid};
 use super::ramp::RampParts;
 use super::run::Run;
 use super::scale::{PEAKS, SLOPE_PEAKS, Scale};
 use super::state::ArrayState;
 use super::summer::Summer;
-use super::terms::{ALL, TERMS, word_of};
+use super::terms::{ALL, TERMS, factors, word_of};
 use super::timing::{Delays, Timing, lag_of};
 use crate::TerrainGenerator;
 use crate::generator::Profile;
@@ -28,23 +30,24 @@ pub struct PartsArray<S> {
     pub(super) scale: Scale,
     pub(super) ramps: [RampParts<S>; 2],
     pub(super) generators: [AxisGenerators<S>; 2],
-    pub(super) multipliers: Vec<Multiplier<S>>,
-    pub(super) multiplier_lags: Vec<LagStep<S>>,
-    /// What leaks of the first input past each multiplier, and of the signal past each D/A; empty without.
-    pub(super) multiplier_leaks: Vec<Feedthrough<S>>,
-    pub(super) converter_leaks: Vec<Feedthrough<S>>,
+    pub(super) grid: Grid<S>,
     pub(super) words: Option<MultiplyingConverter>,
     /// Gains of the multiplying D/As.
     pub(super) gains: Vec<f64>,
-    pub(super) converter_lags: Vec<LagStep<S>>,
-    /// Time constants of the multiplying D/As (s), for steps that a new word divides; empty without lags.
+    /// Time constants of the multiplying D/As (s), for steps that a new word divides.
     pub(super) converter_taus: Vec<f64>,
+    /// The multiplying D/As in the order in which words that are strobed together act.
+    pub(super) by_lateness: Vec<usize>,
     /// Area of the pulse at the major carry of a word (full scale times seconds).
     pub(super) glitch: f64,
     pub(super) summers: [Summer<S>; 3],
     pub(super) noise: [NoiseSource; 3],
     pub(super) sigma: f64,
     pub(super) timing: Timing,
+    /// Samples after which no part remembers that it was at rest.
+    pub(super) warm_up: i64,
+    /// Vectors that the processor has.
+    vectors: fearless_simd::Level,
 }
 
 impl<S: Real> PartsArray<S> {
@@ -61,8 +64,8 @@ impl<S: Real> PartsArray<S> {
         let tau = |figure: &str, index: usize, bandwidth: f64| {
             time_constant(draw(figure, index, bandwidth, relative_sigma::BANDWIDTH))
         };
-        let lags = |figure: &str, bandwidth: Option<f64>| -> Vec<f64> {
-            bandwidth.map_or(Vec::new(), |b| (0..ALL).map(|index| tau(figure, index, b)).collect())
+        let taus = |figure: &str, bandwidth: Option<f64>| -> Vec<f64> {
+            (0..ALL).map(|index| bandwidth.map_or(0.0, |b| tau(figure, index, b))).collect()
         };
         let multiplier = |index: usize| {
             let sigma = parts.multiplier.error;
@@ -74,43 +77,59 @@ impl<S: Real> PartsArray<S> {
                 nonlinearity: error("mul.en", index, 0.5 * sigma),
             })
         };
-        let leaks = |figure: &str, share: f64| -> Vec<Feedthrough<S>> {
-            let leak = |index| Feedthrough::new(h, error(figure, index, share), FEEDTHROUGH_FREQUENCY);
-            if share > 0.0 { (0..ALL).map(leak).collect() } else { Vec::new() }
+        let leak = |figure: &str, index: usize, share: f64| {
+            Feedthrough::new(h, error(figure, index, share), FEEDTHROUGH_FREQUENCY)
         };
-        let converter_taus = lags("mdac.bandwidth", parts.multiplying_dac.bandwidth);
-        let steps = |taus: &[f64]| taus.iter().map(|&tau| LagStep::new(h, tau)).collect();
+        let multiplier_taus = taus("mul.bandwidth", parts.multiplier.bandwidth);
+        let converter_taus = taus("mdac.bandwidth", parts.multiplying_dac.bandwidth);
+        let cell = |index: usize| Cell {
+            factors: factors(index / TERMS, index % TERMS),
+            multiplier: multiplier(index),
+            leak: leak("mul.feedthrough", index, parts.multiplier.feedthrough),
+            lag: LagStep::new(h, multiplier_taus[index]),
+            converter: LagStep::new(h, converter_taus[index]),
+            past: leak("mdac.feedthrough", index, parts.multiplying_dac.feedthrough),
+        };
         let nominal = RampParts::<S>::new(h, parts.full_scale, &parts.sweep);
         let ramps = [0, 1].map(|axis| {
             let settle = draw("ramp.settle", axis, parts.sweep.settle, relative_sigma::SETTLING);
             RampParts::new(h, parts.full_scale, &SweepParts { settle, ..parts.sweep })
         });
         let summers = ["height", "slope-u", "slope-v"]
-            .map(|sum| Summer::new(h, TERMS, parts, &spread, &format!("{name}.{sum}")));
+            .map(|sum| Summer::new(h, parts, &spread, &format!("{name}.{sum}")));
         let to_generators = nominal.delay() + lag_of(parts.function_generator.bandwidth);
         let to_converters = to_generators + lag_of(parts.multiplier.bandwidth);
         let to_sums = to_converters + lag_of(parts.multiplying_dac.bandwidth) + summers[0].delay();
         let delays = Delays { to_ramps: nominal.delay(), to_generators, to_converters, to_sums };
         let timing = Timing::new(h, &delays, &ramps, parts, (&spread, name));
+        let generators = [0, 1].map(|axis| AxisGenerators::new(h, parts, &spread, name, axis));
+        let mut by_lateness: Vec<usize> = (0..ALL).collect();
+        by_lateness.sort_by(|&a, &b| timing.later(a).total_cmp(&timing.later(b)));
+        let largest = |taus: &[f64]| taus.iter().copied().fold(0.0, f64::max);
+        let mut chain = vec![largest(&multiplier_taus), largest(&converter_taus)];
+        for axis in 0..2 {
+            chain.push(generators[axis].slowest());
+            chain.extend(ramps[axis].slowest());
+        }
+        summers.iter().for_each(|summer| chain.extend(summer.slowest()));
         Self {
             scale: Scale::of(level),
-            generators: [0, 1].map(|axis| AxisGenerators::new(h, parts, &spread, name, axis)),
-            multipliers: (0..ALL).map(multiplier).collect(),
-            multiplier_lags: steps(&lags("mul.bandwidth", parts.multiplier.bandwidth)),
-            multiplier_leaks: leaks("mul.feedthrough", parts.multiplier.feedthrough),
-            converter_leaks: leaks("mdac.feedthrough", parts.multiplying_dac.feedthrough),
+            generators,
+            grid: Grid { cells: (0..ALL).map(cell).collect(), inputs: summers[0].inputs() },
             words: parts.multiplying_dac.bits.map(|bits| MultiplyingConverter::new(h, bits, 1.0, 0.0, 0.0)),
             gains: (0..ALL)
                 .map(|index| 1.0 + error("mdac.gain", index, parts.multiplying_dac.gain_error))
                 .collect(),
-            converter_lags: steps(&converter_taus),
             converter_taus,
+            by_lateness,
             glitch: parts.multiplying_dac.glitch / parts.full_scale,
             summers,
             noise: [0, 1, 2].map(|sum| NoiseSource::new(seed, &format!("{name}.noise"), sum)),
             sigma: parts.amplifier.noise / parts.full_scale,
+            warm_up: warm_up(h, &chain, parts),
             timing,
             ramps,
+            vectors: fearless_simd::Level::new(),
         }
     }
 
@@ -128,17 +147,15 @@ impl<S: Real> PartsArray<S> {
     ) {
         let run = Run { array: self, generator, programs };
         // The accumulators leave the eye's foot a sample before the first, and the beam is behind them.
-        let first = -(1.0 + self.timing.lead / self.timing.step).ceil() as i64;
-        run.settle(first, state);
-        for sample in first..span.end as i64 {
-            if sample > first {
-                run.advance(sample, state);
-            }
-            if sample >= span.start as i64 {
-                run.put(sample as usize, address, state, profile);
-                tap.see(self, state);
-            }
+        let foot = -(1.0 + self.timing.lead / self.timing.step).ceil() as i64;
+        run.begin(state);
+        run.settle(foot, state);
+        run.trim(state);
+        let first = foot.max((span.start as i64).saturating_sub(self.warm_up));
+        if first > foot {
+            run.settle(first, state);
         }
+        dispatch!(self.vectors, _ => run.sweep(first, span.clone(), address, state, profile, tap));
         run.end_profiles(span, profile);
     }
 
@@ -150,7 +167,7 @@ impl<S: Real> PartsArray<S> {
     /// What the multiplying D/As of a colour send to the sum of the height (m).
     pub(crate) fn share(&self, state: &ArrayState<S>, lane: usize, colour: usize) -> f64 {
         let terms = (0..TERMS).filter(|&term| word_of(term)[0] == colour);
-        terms.map(|term| state.terms[term][lane].to_f64()).sum::<f64>() * self.scale.height
+        terms.map(|term| state.wires[term].term[lane].to_f64()).sum::<f64>() * self.scale.height
     }
 
     /// What D/A `index` multiplies by for these words.
@@ -167,6 +184,19 @@ impl<S: Real> PartsArray<S> {
                 _ => share * to_slope * SLOPE_PEAKS[q] / PEAKS[q],
             }
     }
+}
+
+/// Samples (at most those of 2^32) after which an array that was at rest is where it would be if it had run for ever: what
+/// one pole remembers of its start is then below the last bit of any scalar, e^-37, whatever stands before and behind it
+/// (four more of each time constant of the `chain`), amplifiers have slewed from end to end, and of an overload in
+/// that time e^-7 is left.
+fn warm_up(h: f64, chain: &[f64], parts: &AnalogParts) -> i64 {
+    let slowest = chain.iter().copied().fold(0.0, f64::max);
+    let amplifier = &parts.amplifier;
+    let swing = amplifier.slew.map_or(0.0, |slew| 2.0 * parts.full_scale / slew);
+    let overload = amplifier.saturation.map_or(0.0, |_| 7.0 * amplifier.recovery);
+    let settled = 37.0 * slowest + 4.0 * chain.iter().sum::<f64>() + swing;
+    (settled.max(overload) / h).ceil().min(4_294_967_296.0) as i64
 }
 
 /// Whoever looks inside the array, sample by sample; `()` is nobody.

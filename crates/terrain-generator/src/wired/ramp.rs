@@ -2,10 +2,10 @@
 
 use hardware_model::{SMOOTHER_DAMPING, SweepParts};
 use parts::{
-    Converter, ConverterLaw, ConverterState, SecondOrder, SecondOrderState, SecondOrderStep,
+    Converter, ConverterLanes, ConverterLaw, SecondOrder, SecondOrderState, SecondOrderStep,
     settling_time_constant,
 };
-use signal::{LANES, Lanes, Real};
+use signal::{Lanes, Real};
 
 /// Settling is told to this error.
 const SETTLED: f64 = 1e-3;
@@ -16,12 +16,13 @@ pub struct RampParts<S> {
     converter: Option<Converter<S>>,
     smoother: Option<SecondOrderStep<S>>,
     delay: f64,
+    slowest: [f64; 2],
 }
 
 /// One ramp of a group.
 #[derive(Debug, Clone)]
 pub struct RampState<S> {
-    converter: [ConverterState<S>; LANES],
+    converter: ConverterLanes<S>,
     input: Lanes<S>,
     smooth: SecondOrderState<Lanes<S>>,
 }
@@ -30,7 +31,7 @@ impl<S: Real> Default for RampState<S> {
     fn default() -> Self {
         let zero = Lanes::default();
         Self {
-            converter: [ConverterState::default(); LANES],
+            converter: ConverterLanes::default(),
             input: zero,
             smooth: SecondOrderState { y: zero, rate: zero },
         }
@@ -68,12 +69,19 @@ impl<S: Real> RampParts<S> {
             converter: parts.dac_bits.map(|bits| Converter::new(h, &law(bits))),
             smoother: has_smoother.then(|| smooth(&smoother)),
             delay: stairs + if has_smoother { smoother.group_delay() } else { 0.0 },
+            // The envelope of two poles falls by their damping.
+            slowest: [settle, parts.smoother / SMOOTHER_DAMPING],
         }
     }
 
     /// From the accumulator to the ramp (s).
     pub fn delay(&self) -> f64 {
         self.delay
+    }
+
+    /// Time constants of its parts, one after the other (s).
+    pub fn slowest(&self) -> [f64; 2] {
+        self.slowest
     }
 
     /// Whether the ramp is a staircase, which changes as a step begins.
@@ -83,24 +91,23 @@ impl<S: Real> RampParts<S> {
 
     /// A ramp that stands at `value`.
     pub fn at_rest(&self, value: Lanes<S>) -> RampState<S> {
-        let converter = std::array::from_fn(|lane| {
-            self.converter.as_ref().map_or(ConverterState::default(), |part| part.at_rest(value[lane]))
-        });
-        let input = match self.converter {
-            Some(_) => Lanes::from_fn(|lane| converter[lane].y),
-            None => value,
+        let (converter, input) = match &self.converter {
+            Some(part) => {
+                let state = part.lanes_at_rest(value);
+                (state, state.y)
+            }
+            None => (ConverterLanes::default(), value),
         };
         RampState { converter, input, smooth: SecondOrderState { y: input, rate: Lanes::default() } }
     }
 
     /// A step later; the accumulator changes to `value` as the step begins (to the converter's word), or moves to it in
     /// a straight line where there is no converter.
+    #[inline(always)]
     pub fn step(&self, state: &mut RampState<S>, value: Lanes<S>) -> Lanes<S> {
         let before = state.input;
         state.input = match &self.converter {
-            Some(part) => {
-                Lanes::from_fn(|lane| part.step(&mut state.converter[lane], part.word(value[lane])))
-            }
+            Some(part) => part.step_lanes(&mut state.converter, value),
             None => value,
         };
         match &self.smoother {

@@ -1,16 +1,17 @@
 //! A group of sweeps on its way through the array.
 
+use std::mem;
 use std::ops::Range;
-use std::{array as lanes, mem};
 
 use signal::{LANES, Lanes, Real};
 use sweep_program::SweepProgram;
 
-use super::basis::UNITS;
+use super::Tap;
+use super::out::Out;
 use super::parts_array::PartsArray;
 use super::scale::Scale;
-use super::state::{ArrayState, Lane};
-use super::terms::{ALL, TERMS, factors, signed, word_of};
+use super::state::{ArrayState, Due, Lane};
+use super::terms::{ALL, signed};
 use super::timing::range_at;
 use crate::TerrainGenerator;
 use crate::array::array;
@@ -25,39 +26,42 @@ pub(super) struct Run<'a, S> {
 }
 
 impl<S: Real> Run<'_, S> {
-    /// Everything at rest under ramps that stand as they do at sample `first`.
+    /// The digital side as it is at the eye's foot.
+    pub(super) fn begin(&self, state: &mut ArrayState<S>) {
+        let when = (&self.array.timing, self.generator);
+        for (number, program) in self.programs.iter().enumerate() {
+            let mut lane = Lane::at_start(program, mem::take(&mut state.lanes[number].pending));
+            lane.look_ahead(program, when);
+            (0..2).for_each(|axis| state.accumulators.set(number, axis, program, 0));
+            state.lanes[number] = lane;
+        }
+        state.due = Due::of(&state.lanes);
+        state.wires.resize(ALL, Default::default());
+        state.partial.resize(3 * self.array.grid.groups(), Lanes::default());
+        self.fill_registers(state);
+        self.put_signs(state);
+    }
+
+    /// Everything at rest under ramps that stand as they do at sample `first`, with the words that act there.
     pub(super) fn settle(&self, first: i64, state: &mut ArrayState<S>) {
         let array = self.array;
-        state.lanes = lanes::from_fn(|lane| {
-            Lane::at_start(&self.programs[lane], mem::take(&mut state.lanes[lane].pending))
-        });
-        state.weights.clear();
-        let weight = |lane: &Lane, index: usize| {
-            array.weight(lane.registers.hold(self.generator.buffer)[word_of(index % TERMS)[0]], index)
-        };
-        let weights =
-            (0..ALL).map(|index| Lanes::from_fn(|lane| S::from_f64(weight(&state.lanes[lane], index))));
-        state.weights.extend(weights);
         let ramps = self.accumulators(first, state);
         for axis in 0..2 {
             state.ramps[axis] = array.ramps[axis].at_rest(ramps[axis]);
             state.axes[axis] = array.generators[axis].at_rest(state.ramps[axis].output());
         }
-        state.factors = self.factors(state);
-        self.multiply(state);
-        let [raw, before] = &mut state.raw;
-        before.clone_from(raw);
-        state.products.clone_from(&state.raw);
-        state.terms.clear();
-        state.terms.extend((0..ALL).map(|index| state.products[0][index] * state.weights[index]));
+        self.turn(first, state);
+        self.strobe(first, state);
+        self.take_words(first, state);
+        state.factors = [0, 1].map(|axis| signed(&state.axes[axis].out, state.signs[axis]));
+        array.grid.settle(&state.factors, &mut state.wires, &mut state.partial);
         for (sum, summer) in array.summers.iter().enumerate() {
-            state.sums[sum] = summer.at_rest(&state.terms[sum * TERMS..][..TERMS], &mut state.summers[sum]);
+            state.sums[sum] = summer.at_rest(groups_of(sum, &state.partial), &mut state.summers[sum]);
         }
-        self.trim(state);
     }
 
     /// The datum is set in retrace so that the height at the eye's foot is right: offsets are common to all of a sweep.
-    fn trim(&self, state: &mut ArrayState<S>) {
+    pub(super) fn trim(&self, state: &mut ArrayState<S>) {
         let Scale { datum, height, .. } = self.array.scale;
         for (lane, program) in self.programs.iter().enumerate() {
             let digital = &state.lanes[lane].registers;
@@ -67,100 +71,94 @@ impl<S: Real> Run<'_, S> {
         }
     }
 
+    /// From rest at sample `first` to the end of `span`, whose samples go into `profile`.
+    #[inline(always)]
+    pub(super) fn sweep(
+        &self,
+        first: i64,
+        span: Range<usize>,
+        address: u64,
+        state: &mut ArrayState<S>,
+        profile: &mut Profile<S>,
+        tap: &mut impl Tap<S>,
+    ) {
+        let out = Out::new(self, address, &state.trim);
+        for sample in first..span.end as i64 {
+            if sample > first {
+                self.advance(sample, state);
+            }
+            if sample >= span.start as i64 {
+                if self.array.sigma > 0.0 && (sample % 2 == 0 || sample == span.start as i64) {
+                    state.noise = out.noise.each_ref().map(|noise| noise.pair(sample as u64 / 2));
+                }
+                out.put(sample as usize, state, profile);
+                tap.see(self.array, state);
+            }
+        }
+    }
+
     /// From the sample before to `sample`.
-    pub(super) fn advance(&self, sample: i64, state: &mut ArrayState<S>) {
+    #[inline(always)]
+    fn advance(&self, sample: i64, state: &mut ArrayState<S>) {
         let array = self.array;
         let ramps = self.accumulators(sample - i64::from(array.ramps[0].has_steps()), state);
         for axis in 0..2 {
             let ramp = array.ramps[axis].step(&mut state.ramps[axis], ramps[axis]);
             array.generators[axis].step(&mut state.axes[axis], ramp);
         }
-        for (lane, program) in state.lanes.iter_mut().zip(self.programs) {
-            lane.turn_until(sample, program, (&array.timing, self.generator));
+        if state.due.turn <= sample as f64 {
+            self.turn(sample, state);
         }
-        state.raw.swap(0, 1);
-        self.multiply(state);
-        state.products.swap(0, 1);
-        let [now, before] = &mut state.products;
-        if array.multiplier_lags.is_empty() {
-            now.clone_from(&state.raw[0]);
+        if state.due.strobe <= sample as f64 {
+            self.strobe(sample, state);
         }
-        for (index, lag) in array.multiplier_lags.iter().enumerate() {
-            now[index] = lag.step(before[index], state.raw[1][index], state.raw[0][index]);
+        let before = state.factors[0];
+        for axis in 0..2 {
+            state.factors[axis] = signed(&state.axes[axis].out, state.signs[axis]);
         }
-        self.convert(sample, state);
-        self.leak(state);
-        let terms = if array.converter_leaks.is_empty() { &state.terms } else { &state.leaky };
+        array.grid.step(&state.factors, &before, &mut state.wires, &mut state.partial);
+        if state.due.change <= sample as f64 {
+            self.change_words(sample, state);
+        }
         for (sum, summer) in array.summers.iter().enumerate() {
-            state.sums[sum] = summer.step(&terms[sum * TERMS..][..TERMS], &mut state.summers[sum]);
+            state.sums[sum] = summer.step(groups_of(sum, &state.partial), &mut state.summers[sum]);
         }
     }
 
     /// Ramps in the accumulators as the beam is at `sample`.
+    #[inline(always)]
     fn accumulators(&self, sample: i64, state: &mut ArrayState<S>) -> [Lanes<S>; 2] {
         let timing = &self.array.timing;
         let range = range_at(self.generator.ranges, sample as f64 + timing.lead / timing.step);
-        let mut out = [Lanes::default(); 2];
+        if range >= state.due.fold {
+            self.fold(range, state);
+        }
+        state.accumulators.at(range / self.generator.region_size)
+    }
+
+    #[inline(never)]
+    fn fold(&self, range: f64, state: &mut ArrayState<S>) {
         for (number, (lane, program)) in state.lanes.iter_mut().zip(self.programs).enumerate() {
-            lane.fold_until(program, range);
-            for axis in 0..2 {
-                let ramp = &program.start.ramps[axis];
-                let (value, _) = ramp.at(lane.folds[axis], range / self.generator.region_size);
-                out[axis][number] = S::from_f64(value);
+            if lane.due.fold <= range {
+                let folds = lane.fold_until(program, range);
+                (0..2).for_each(|axis| state.accumulators.set(number, axis, program, folds[axis]));
             }
         }
-        out
+        state.due = Due::of(&state.lanes);
     }
 
-    /// What the function generators put out, with their signs.
-    fn factors(&self, state: &ArrayState<S>) -> [[Lanes<S>; UNITS]; 2] {
-        std::array::from_fn(|axis| {
-            let sign = Lanes::from_fn(|lane| S::from_f64(state.lanes[lane].polarity[axis]));
-            signed(&state.axes[axis].out, sign)
-        })
-    }
-
-    /// All products, without their lags, into `state.raw[0]`.
-    fn multiply(&self, state: &mut ArrayState<S>) {
-        let [x, y] = self.factors(state);
-        let before = mem::replace(&mut state.factors, [x, y]);
-        let raw = &mut state.raw[0];
-        raw.clear();
-        raw.extend((0..ALL).map(|index| {
-            let [a, b] = factors(index / TERMS, index % TERMS);
-            self.array.multipliers[index].product(x[a], y[b])
-        }));
-        for (index, leak) in self.array.multiplier_leaks.iter().enumerate() {
-            let [a, _] = factors(index / TERMS, index % TERMS);
-            raw[index] = raw[index] + leak.leak(before[0][a], x[a]);
+    #[inline(never)]
+    fn turn(&self, sample: i64, state: &mut ArrayState<S>) {
+        for (lane, program) in state.lanes.iter_mut().zip(self.programs) {
+            lane.turn_until(sample, program, (&self.array.timing, self.generator));
         }
+        state.due = Due::of(&state.lanes);
+        self.put_signs(state);
     }
 
-    /// Past the multiplying D/As, whatever their words.
-    fn leak(&self, state: &mut ArrayState<S>) {
-        let [now, before] = &state.products;
-        let leaks = self.array.converter_leaks.iter().zip(before.iter().zip(now));
-        let leaky = state.terms.iter().zip(leaks);
-        state.leaky.clear();
-        state.leaky.extend(leaky.map(|(&term, (leak, (&before, &now)))| term + leak.leak(before, now)));
-    }
-
-    /// Height and slopes at one sample.
-    pub(super) fn put(&self, sample: usize, address: u64, state: &ArrayState<S>, profile: &mut Profile<S>) {
-        let Scale { datum, height, slope } = self.array.scale;
-        let noise = |sum: usize, lane: usize| match self.array.sigma {
-            0.0 => 0.0,
-            sigma => sigma * self.array.noise[sum].normal(address + lane as u64, sample as u64),
-        };
-        for (lane, program) in self.programs.iter().enumerate() {
-            let value = |sum: usize| state.sums[sum][lane].to_f64() + noise(sum, lane);
-            let [hu, hv] = [1, 2].map(|sum| value(sum) * slope / self.generator.region_size);
-            let [cos, sin] = program.start.direction;
-            profile.height[sample][lane] =
-                S::from_f64(value(0) * height + datum + state.trim[lane] - self.generator.datum);
-            profile.along[sample][lane] = S::from_f64(hu * cos + hv * sin);
-            profile.across[sample][lane] = S::from_f64(hv * cos - hu * sin);
-        }
+    fn put_signs(&self, state: &mut ArrayState<S>) {
+        let polarity = |axis: usize| Lanes::from_fn(|lane| S::from_f64(state.lanes[lane].polarity[axis]));
+        state.signs = [polarity(0), polarity(1)];
     }
 
     pub(super) fn end_profiles(&self, span: Range<usize>, profile: &mut Profile<S>) {
@@ -173,4 +171,11 @@ impl<S: Real> Run<'_, S> {
             }
         }
     }
+}
+
+/// What meets at the first stage of a sum.
+#[inline(always)]
+fn groups_of<S>(sum: usize, partial: &[Lanes<S>]) -> &[Lanes<S>] {
+    let groups = partial.len() / 3;
+    &partial[groups * sum..groups * (sum + 1)]
 }

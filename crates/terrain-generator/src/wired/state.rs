@@ -1,10 +1,11 @@
 //! Wires and registers of a group of sweeps.
 
 use landscape::CornerWords;
-use signal::{LANES, Lanes};
-use sweep_program::{RampAxis, Step, StepKind, SweepProgram};
+use signal::{LANES, Lanes, Real};
+use sweep_program::{Fold, Load, RampAxis, Step, StepKind, SweepProgram, Target};
 
 use super::basis::{AxisState, UNITS};
+use super::grid::Wires;
 use super::ramp::RampState;
 use super::summer::SummerState;
 use super::timing::Timing;
@@ -13,25 +14,45 @@ use crate::{Registers, TerrainGenerator};
 /// Wires of a group of sweeps; used again from group to group.
 #[derive(Debug, Clone)]
 pub struct ArrayState<S> {
+    pub(super) accumulators: Accumulators,
     pub(super) ramps: [RampState<S>; 2],
     pub(super) axes: [AxisState<S>; 2],
-    /// Products without their lags, now and a sample ago.
-    pub(super) raw: [Vec<Lanes<S>>; 2],
-    /// Products, now and a sample ago.
-    pub(super) products: [Vec<Lanes<S>>; 2],
-    /// Factors a sample ago, with their signs: X, Y.
+    /// Signs that the polarity gives the odd terms.
+    pub(super) signs: [Lanes<S>; 2],
+    /// Factors with their signs: X, Y.
     pub(super) factors: [[Lanes<S>; UNITS]; 2],
-    pub(super) terms: Vec<Lanes<S>>,
-    /// Terms with what leaks past the D/As.
-    pub(super) leaky: Vec<Lanes<S>>,
+    pub(super) wires: Vec<Wires<S>>,
+    /// What meets at the amplifiers of the first stages.
+    pub(super) partial: Vec<Lanes<S>>,
     pub(super) summers: [SummerState<S>; 3],
     pub(super) sums: [Lanes<S>; 3],
+    /// Deviates of the sums, at this sample and at the other of its pair.
+    pub(super) noise: [[[f64; LANES]; 2]; 3],
     /// What the datum of each sweep is trimmed by (m).
     pub(super) trim: [f64; LANES],
-    /// What each multiplying D/A multiplies by.
-    pub(super) weights: Vec<Lanes<S>>,
-    pub(super) divided: Vec<Divided>,
     pub(super) lanes: [Lane; LANES],
+    pub(super) due: Due,
+}
+
+/// Both ramps of a group in their accumulators, `base + sign (rate lambda + offset)` with the bracket within 0..=1 and
+/// lambda the range in regions: [`sweep_program::Ramp::at`] after so many folds.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Accumulators {
+    rate: [[f64; LANES]; 2],
+    offset: [[f64; LANES]; 2],
+    base: [[f64; LANES]; 2],
+    sign: [[f64; LANES]; 2],
+}
+
+/// When something digital is next due in any lane: between these instants nobody asks.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Due {
+    /// A step for the accumulators (m of ground range).
+    pub(super) fold: f64,
+    /// A step for the polarity, a strobe, a word that acts (samples).
+    pub(super) turn: f64,
+    pub(super) strobe: f64,
+    pub(super) change: f64,
 }
 
 /// The digital side of one sweep of the group.
@@ -39,24 +60,20 @@ pub struct ArrayState<S> {
 pub(super) struct Lane {
     pub(super) registers: Registers,
     /// Next step of the program for the accumulators, the polarity and the registers.
-    pub(super) folded: usize,
-    pub(super) turned: usize,
-    pub(super) strobed: usize,
+    folded: usize,
+    turned: usize,
+    strobed: usize,
     /// When a nominal D/A had the words of the last strobe (samples).
     strobed_at: f64,
-    /// Words that have been strobed and not yet acted.
+    /// Words in the hold registers after the last strobe, and their numbers in a D/A, by colour.
+    pub(super) held: [CornerWords; 4],
+    pub(super) numbers: [[i32; 9]; 4],
+    /// Words that have been strobed, ascending in time; those before `acted` act.
     pub(super) pending: Vec<Change>,
-    pub(super) folds: [u32; 2],
+    pub(super) acted: usize,
+    folds: [u32; 2],
     pub(super) polarity: [f64; 2],
-}
-
-/// A multiplying D/A whose word changes within a sample: its output at `share` of it.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Divided {
-    pub(super) lane: usize,
-    pub(super) index: usize,
-    pub(super) share: f64,
-    pub(super) output: f64,
+    pub(super) due: Due,
 }
 
 /// A multiplying D/A takes a new word.
@@ -71,22 +88,72 @@ pub(super) struct Change {
     pub(super) pulse: f64,
 }
 
-impl<S: signal::Real> Default for ArrayState<S> {
+impl<S: Real> Default for ArrayState<S> {
     fn default() -> Self {
         Self {
+            accumulators: Accumulators::default(),
             ramps: Default::default(),
             axes: Default::default(),
-            raw: Default::default(),
-            products: Default::default(),
+            signs: [Lanes::default(); 2],
             factors: [[Lanes::default(); UNITS]; 2],
-            terms: Vec::new(),
-            leaky: Vec::new(),
+            wires: Vec::new(),
+            partial: Vec::new(),
             summers: Default::default(),
             sums: [Lanes::default(); 3],
+            noise: [[[0.0; LANES]; 2]; 3],
             trim: [0.0; LANES],
-            weights: Vec::new(),
-            divided: Vec::new(),
             lanes: Default::default(),
+            due: Due::default(),
+        }
+    }
+}
+
+impl Accumulators {
+    /// Ramp `axis` of a lane from its next fold on.
+    pub(super) fn set(&mut self, lane: usize, axis: usize, program: &SweepProgram, folds: u32) {
+        let ramp = &program.start.ramps[axis];
+        let (rate, offset, falls) = if folds == 0 {
+            (ramp.rate, ramp.start, false)
+        } else {
+            let (first, stop) = ramp.first_stop();
+            let falls = (stop == sweep_program::Stop::One) == (folds % 2 == 1);
+            (ramp.rate.abs(), -(first + f64::from(folds - 1)), falls)
+        };
+        self.rate[axis][lane] = rate;
+        self.offset[axis][lane] = offset;
+        (self.base[axis][lane], self.sign[axis][lane]) = if falls { (1.0, -1.0) } else { (0.0, 1.0) };
+    }
+
+    /// Both ramps at range `lambda` (in regions).
+    #[inline(always)]
+    pub(super) fn at<S: Real>(&self, lambda: f64) -> [Lanes<S>; 2] {
+        let mut out = [Lanes::default(); 2];
+        for axis in 0..2 {
+            for lane in 0..LANES {
+                let way = self.rate[axis][lane] * lambda + self.offset[axis][lane];
+                let way = if way > 0.0 { way } else { 0.0 };
+                let way = if way < 1.0 { way } else { 1.0 };
+                out[axis].0[lane] = S::from_f64(self.base[axis][lane] + self.sign[axis][lane] * way);
+            }
+        }
+        out
+    }
+}
+
+impl Due {
+    /// The earliest of all lanes.
+    pub(super) fn of(lanes: &[Lane; LANES]) -> Self {
+        let earliest = |which: fn(&Self) -> f64| {
+            lanes
+                .iter()
+                .map(|lane| which(&lane.due))
+                .fold(f64::INFINITY, |first, at| if at < first { at } else { first })
+        };
+        Self {
+            fold: earliest(|due| due.fold),
+            turn: earliest(|due| due.turn),
+            strobe: earliest(|due| due.strobe),
+            change: earliest(|due| due.change),
         }
     }
 }
@@ -97,26 +164,54 @@ impl Lane {
         let registers = Registers::at_start(program);
         let polarity = registers.polarity();
         pending.clear();
-        Self {
-            registers,
-            folded: 0,
-            turned: 0,
-            strobed: 0,
-            strobed_at: f64::NEG_INFINITY,
-            pending,
-            folds: [0; 2],
-            polarity,
-        }
+        Self { registers, strobed_at: f64::NEG_INFINITY, pending, polarity, ..Self::default() }
     }
 
-    /// Folds of the accumulators up to `range` (m).
-    pub(super) fn fold_until(&mut self, program: &SweepProgram, range: f64) {
+    /// Looks up when something is next due.
+    pub(super) fn look_ahead(&mut self, program: &SweepProgram, when: (&Timing, &TerrainGenerator<'_>)) {
+        self.due =
+            Due { fold: self.next_fold(program), turn: self.next_turn(program, when), ..Due::default() };
+        self.due.strobe = self.next_strobe(program, when) + when.0.earliest;
+        self.due.change = self.next_change();
+    }
+
+    fn next_fold(&self, program: &SweepProgram) -> f64 {
+        program.steps.get(self.folded).map_or(f64::INFINITY, |step| step.range)
+    }
+
+    fn next_turn(
+        &self,
+        program: &SweepProgram,
+        (timing, generator): (&Timing, &TerrainGenerator<'_>),
+    ) -> f64 {
+        let next = program.steps.get(self.turned);
+        next.map_or(f64::INFINITY, |step| timing.of_polarity(step, generator, program))
+    }
+
+    /// When a nominal D/A has the words of the next strobe.
+    fn next_strobe(
+        &self,
+        program: &SweepProgram,
+        (timing, generator): (&Timing, &TerrainGenerator<'_>),
+    ) -> f64 {
+        let next = program.steps.get(self.strobed);
+        next.map_or(f64::INFINITY, |step| timing.of_words(step, generator, program).max(self.strobed_at))
+    }
+
+    pub(super) fn next_change(&self) -> f64 {
+        self.pending.get(self.acted).map_or(f64::INFINITY, |change| change.at)
+    }
+
+    /// Folds of the accumulators up to `range` (m); the folds of each axis so far.
+    pub(super) fn fold_until(&mut self, program: &SweepProgram, range: f64) -> [u32; 2] {
         for step in program.steps[self.folded..].iter().take_while(|step| step.range <= range) {
             self.folded += 1;
-            if let StepKind::Fold(fold) | StepKind::BareFold(fold) = step.kind {
-                self.folds[usize::from(fold.axis == RampAxis::Y)] += 1;
+            if let Some(fold) = fold_of(step) {
+                self.folds[axis_of(fold)] += 1;
             }
         }
+        self.due.fold = self.next_fold(program);
+        self.folds
     }
 
     /// Polarity as it is on the wires at `sample`.
@@ -124,34 +219,46 @@ impl Lane {
         &mut self,
         sample: i64,
         program: &SweepProgram,
-        (timing, generator): (&Timing, &TerrainGenerator<'_>),
+        when: (&Timing, &TerrainGenerator<'_>),
     ) {
-        let has_acted = |step: &&Step| timing.of_polarity(step, generator, program) <= sample as f64;
-        for step in program.steps[self.turned..].iter().take_while(has_acted) {
-            self.turned += 1;
-            if let StepKind::Fold(fold) | StepKind::BareFold(fold) = step.kind {
-                let axis = usize::from(fold.axis == RampAxis::Y);
+        while self.due.turn <= sample as f64 {
+            if let Some(fold) = program.steps.get(self.turned).and_then(fold_of) {
+                let axis = axis_of(fold);
                 self.polarity[axis] = -self.polarity[axis];
             }
+            self.turned += 1;
+            self.due.turn = self.next_turn(program, when);
         }
     }
 
-    /// The next strobe, if any D/A has its words by `sample`: what was in the hold registers before it, and when a nominal
-    /// D/A has what is there now (samples).
+    /// The next strobe, if any D/A has its words by `sample`: when a nominal D/A has them (samples), and whether they are
+    /// others than before.
     pub(super) fn strobe(
         &mut self,
         sample: i64,
         program: &SweepProgram,
-        (timing, generator): (&Timing, &TerrainGenerator<'_>),
-    ) -> Option<([CornerWords; 4], f64)> {
-        let step = program.steps.get(self.strobed)?;
-        let at = timing.of_words(step, generator, program).max(self.strobed_at);
-        if at + timing.earliest > sample as f64 {
+        when: (&Timing, &TerrainGenerator<'_>),
+    ) -> Option<(f64, bool)> {
+        if self.due.strobe > sample as f64 {
             return None;
         }
-        let before = self.registers.hold(generator.buffer).map(|words| *words);
+        let step = program.steps.get(self.strobed)?;
+        let at = self.next_strobe(program, when);
         (self.strobed, self.strobed_at) = (self.strobed + 1, at);
-        self.registers.apply(step, generator.buffer);
-        Some((before, at))
+        self.registers.apply(step, when.1.buffer);
+        self.due.strobe = self.next_strobe(program, when) + when.0.earliest;
+        let waits = matches!(step.kind, StepKind::Load(Load { target: Target::Preload(_), .. }));
+        Some((at, !waits))
     }
+}
+
+fn fold_of(step: &Step) -> Option<&Fold> {
+    match &step.kind {
+        StepKind::Fold(fold) | StepKind::BareFold(fold) => Some(fold),
+        StepKind::Load(_) => None,
+    }
+}
+
+fn axis_of(fold: &Fold) -> usize {
+    usize::from(fold.axis == RampAxis::Y)
 }

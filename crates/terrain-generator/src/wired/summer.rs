@@ -6,12 +6,15 @@ use parts::{
 };
 use signal::{Lanes, Real};
 
+use super::terms::TERMS;
+
 /// Amplifiers of a tree, stage by stage.
 #[derive(Debug, Clone)]
 pub struct Summer<S> {
     /// Inputs of one amplifier.
     inputs: usize,
     stages: Vec<Vec<Amplifier<S>>>,
+    slowest: Vec<f64>,
     delay: f64,
 }
 
@@ -35,14 +38,14 @@ impl<S: Real> Default for SummerState<S> {
 }
 
 impl<S: Real> Summer<S> {
-    /// The tree called `name` over `terms` terms, for steps of `h` seconds.
-    pub fn new(h: f64, terms: usize, parts: &AnalogParts, spread: &Spread, name: &str) -> Self {
+    /// The tree called `name`, for steps of `h` seconds.
+    pub fn new(h: f64, parts: &AnalogParts, spread: &Spread, name: &str) -> Self {
         let figures = &parts.amplifier;
-        let inputs = parts.summer_inputs.map_or(terms, |inputs| (inputs as usize).max(2));
+        let inputs = parts.summer_inputs.map_or(TERMS, |inputs| (inputs as usize).max(2));
         let is_ideal =
             figures.gain_bandwidth.is_none() && figures.slew.is_none() && figures.saturation.is_none();
         let mut counts = Vec::new();
-        let mut left = terms;
+        let mut left = TERMS;
         while left > 1 && !is_ideal {
             left = left.div_ceil(inputs);
             counts.push(left);
@@ -68,11 +71,15 @@ impl<S: Real> Summer<S> {
                 saturation: figures.saturation.map_or(f64::INFINITY, |volts| volts / full_scale),
                 recovery: figures.recovery,
             };
-            Amplifier::new(h, &law)
+            (law.tau, Amplifier::new(h, &law))
         };
-        let stages: Vec<Vec<_>> =
-            counts.iter().map(|&count| (0..count).map(|_| amplifier()).collect()).collect();
-        Self { inputs, delay: tau * stages.len() as f64, stages }
+        let (mut stages, mut slowest) = (Vec::new(), Vec::new());
+        for &count in &counts {
+            let (taus, stage): (Vec<f64>, Vec<_>) = (0..count).map(|_| amplifier()).unzip();
+            slowest.push(taus.into_iter().fold(0.0, f64::max));
+            stages.push(stage);
+        }
+        Self { inputs, delay: tau * stages.len() as f64, stages, slowest }
     }
 
     /// Nominal delay (s).
@@ -80,28 +87,39 @@ impl<S: Real> Summer<S> {
         self.delay
     }
 
-    /// The tree at rest.
-    pub fn at_rest(&self, terms: &[Lanes<S>], state: &mut SummerState<S>) -> Lanes<S> {
+    /// Terms that meet at one amplifier of the first stage; all, where there are no amplifiers.
+    pub fn inputs(&self) -> usize {
+        if self.stages.is_empty() { TERMS } else { self.inputs }
+    }
+
+    /// Time constants from terms to sum, the largest of each stage (s).
+    pub fn slowest(&self) -> &[f64] {
+        &self.slowest
+    }
+
+    /// The tree at rest; `sums` are what meets at the amplifiers of its first stage.
+    pub fn at_rest(&self, sums: &[Lanes<S>], state: &mut SummerState<S>) -> Lanes<S> {
         state.stages.resize_with(self.stages.len(), Vec::new);
         for index in 0..state.stages.len() {
             let (done, left) = state.stages.split_at_mut(index);
             left[0].clear();
             match done.last() {
-                None => left[0].extend(terms.chunks(self.inputs).map(|group| Stage::at_rest(sum(group)))),
+                None => left[0].extend(sums.iter().map(|&sum| Stage::at_rest(sum))),
                 Some(below) => {
                     left[0].extend(below.chunks(self.inputs).map(|group| Stage::at_rest(outputs(group))));
                 }
             }
         }
-        state.stages.last().map_or_else(|| sum(terms), |last| outputs(last))
+        state.stages.last().map_or_else(|| total(sums), |last| outputs(last))
     }
 
-    /// A step later, with `terms` at its end.
-    pub fn step(&self, terms: &[Lanes<S>], state: &mut SummerState<S>) -> Lanes<S> {
-        let Some((first, rest)) = self.stages.split_first() else { return sum(terms) };
+    /// A step later, with `sums` at the first stage at its end.
+    #[inline(always)]
+    pub fn step(&self, sums: &[Lanes<S>], state: &mut SummerState<S>) -> Lanes<S> {
+        let Some((first, rest)) = self.stages.split_first() else { return total(sums) };
         let (first_state, rest_state) = state.stages.split_at_mut(1);
-        for ((part, state), group) in first.iter().zip(&mut first_state[0]).zip(terms.chunks(self.inputs)) {
-            state.step(part, sum(group));
+        for ((part, state), &sum) in first.iter().zip(&mut first_state[0]).zip(sums) {
+            state.step(part, sum);
         }
         let mut below = &first_state[0];
         for (stage, states) in rest.iter().zip(rest_state) {
@@ -119,16 +137,27 @@ impl<S: Real> Stage<S> {
         Self { amplifier: AmplifierState { y: input, excess: Lanes::default() }, before: input, out: input }
     }
 
+    #[inline(always)]
     fn step(&mut self, part: &Amplifier<S>, input: Lanes<S>) {
         self.out = part.step_lanes(&mut self.amplifier, self.before, input);
         self.before = input;
     }
 }
 
-fn sum<S: Real>(terms: &[Lanes<S>]) -> Lanes<S> {
-    terms.iter().fold(Lanes::default(), |sum, &term| sum + term)
+#[inline(always)]
+fn total<S: Real>(terms: &[Lanes<S>]) -> Lanes<S> {
+    let mut sum = Lanes::default();
+    for &term in terms {
+        sum = sum + term;
+    }
+    sum
 }
 
+#[inline(always)]
 fn outputs<S: Real>(stages: &[Stage<S>]) -> Lanes<S> {
-    stages.iter().fold(Lanes::default(), |sum, stage| sum + stage.out)
+    let mut sum = Lanes::default();
+    for stage in stages {
+        sum = sum + stage.out;
+    }
+    sum
 }

@@ -23,6 +23,7 @@ pub(super) fn word_of(term: usize) -> [usize; 2] {
 
 /// Function generators with their signs (section 6.4): odd orders of value and even ones of slope carry the polarity
 /// at the near end, and its opposite at the far one.
+#[inline(always)]
 pub(super) fn signed<S: Real>(out: &[Lanes<S>; UNITS], sign: Lanes<S>) -> [Lanes<S>; UNITS] {
     std::array::from_fn(|unit| {
         let (is_slope, is_far, order) = (unit / 6 == 1, unit / 3 % 2 == 1, unit % 3);
