@@ -94,20 +94,19 @@ impl<S: Real> Amplifier<S> {
     #[inline(always)]
     pub fn step_lanes(&self, state: &mut AmplifierState<Lanes<S>>, u0: Lanes<S>, u1: Lanes<S>) -> Lanes<S> {
         let before = *state;
-        // One flag for the group, without a branch a lane.
-        let mut bent = [0_u32; LANES];
+        let (mut out, mut beyond) = (u1, [S::ZERO; LANES]);
         for lane in 0..LANES {
-            let y = before.y.0[lane];
-            bent[lane] = u32::from(!self.is_linear(y, u0.0[lane], u1.0[lane]));
-            state.y.0[lane] = self.lag.step(y, u0.0[lane], u1.0[lane]);
+            let (y, u0, u1) = (before.y.0[lane], u0.0[lane], u1.0[lane]);
+            beyond[lane] = self.beyond(y, u0, u1);
+            state.y.0[lane] = self.lag.step(y, u0, u1);
             state.excess.0[lane] = before.excess.0[lane] * self.remains;
-        }
-        if bent.iter().fold(0, |any, bent| any | bent) != 0 {
-            self.walk_lanes(&before, state, u0, u1);
-        }
-        let mut out = state.y;
-        for lane in 0..LANES {
             out.0[lane] = self.clip(state.y.0[lane] + state.excess.0[lane]);
+        }
+        // One branch for the group.
+        let most = beyond.iter().fold(beyond[0], |most, &beyond| beyond.at_least(most));
+        if most > S::ZERO {
+            self.walk_lanes(&before, state, u0, u1);
+            out = (state.y + state.excess).map(|y| self.clip(y));
         }
         out
     }
@@ -133,12 +132,18 @@ impl<S: Real> Amplifier<S> {
     /// Whether the step neither slews nor clips.
     #[inline(always)]
     fn is_linear(&self, y: S, u0: S, u1: S) -> bool {
-        let within = |value: S, bound: S| (-bound <= value) & (value <= bound);
-        within(u0 - y, self.reach)
-            & within(u1 - u0, self.climb)
-            & within(y, self.saturation)
-            & within(u0, self.saturation)
-            & within(u1, self.saturation)
+        self.beyond(y, u0, u1) <= S::ZERO
+    }
+
+    /// How far the step is beyond the bounds within which it neither slews nor clips: below or at 0 within them all.
+    #[inline(always)]
+    fn beyond(&self, y: S, u0: S, u1: S) -> S {
+        let over = |value: S, bound: S| (-value).at_least(value) - bound;
+        over(u0 - y, self.reach)
+            .at_least(over(u1 - u0, self.climb))
+            .at_least(over(y, self.saturation))
+            .at_least(over(u0, self.saturation))
+            .at_least(over(u1, self.saturation))
     }
 
     #[cold]

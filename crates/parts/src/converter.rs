@@ -143,18 +143,20 @@ impl<S: Real> Converter<S> {
     #[inline(always)]
     pub fn step_lanes(&self, state: &mut ConverterLanes<S>, u: Lanes<S>) -> Lanes<S> {
         let (top, lsb, major) = (self.words - 1.0, 1.0 / self.words, 2.0 / self.words);
+        let before = *state;
         for lane in 0..LANES {
             let word = whole(u.0[lane].to_f64() * self.words + 0.5);
             let word = if word > 0.0 { word } else { 0.0 };
             let word = if word < top { word } else { top };
-            let from = state.word[lane];
+            let from = before.word[lane];
             let changed = ((word + WHOLE).to_bits() ^ (from + WHOLE).to_bits()) | WHOLE.to_bits();
             let highest = f64::from_bits((f64::from_bits(changed) - WHOLE).to_bits() & POWER);
             let pulse = self.pulse * S::from_f64(highest * major);
             let q = word * lsb;
             let level = S::from_f64(q + self.cubic * q * (1.0 - q) * (1.0 - 2.0 * q));
-            let settled = self.settle.step(state.y.0[lane], state.level.0[lane], level);
-            state.y.0[lane] = settled + if word < from { -pulse } else { pulse };
+            let sign = if word < from { -1.0 } else { 1.0 };
+            let settled = self.settle.step(before.y.0[lane], before.level.0[lane], level);
+            state.y.0[lane] = settled + pulse * S::from_f64(sign);
             state.level.0[lane] = level;
             state.word[lane] = word;
         }

@@ -16,9 +16,12 @@
 //! rounding leaves is `epsilon tau / h`, of the time constant and of the signal.
 //! **Fold** of a ramp of slope s with this lag: the peak is short by `s tau ln 2`.
 
+use std::f64::consts::{LN_2, LOG2_E};
+
 use signal::Real;
 
 use crate::Wire;
+use crate::whole::{WHOLE, whole};
 
 /// One step: `y1 = keep y0 + from u0 + to u1`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -78,6 +81,62 @@ impl<S: Real> LagStep<S> {
         left + u1 * V::splat(self.to)
     }
 }
+
+/// Steps of several lags side by side, for an input that is a straight line: what [`LagStep::new`] has to 1e-12 of the input,
+/// without a branch and without a library.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LagSteps<const N: usize> {
+    /// Shares of the outputs that stay.
+    pub keep: [f64; N],
+    /// Weights of the inputs at the start of the step.
+    pub from: [f64; N],
+    /// Weights of the inputs at its end.
+    pub to: [f64; N],
+}
+
+impl<const N: usize> LagSteps<N> {
+    /// Steps of `h` seconds with time constants `tau` (s), from 0 to infinity both.
+    #[inline(always)]
+    pub fn new(h: [f64; N], tau: [f64; N]) -> Self {
+        let [mut keep, mut from, mut to] = [[0.0; N]; 3];
+        for n in 0..N {
+            let ratio = if h[n] > 0.0 { h[n] / tau[n] } else { 0.0 };
+            keep[n] = decayed(ratio);
+            let mean = (1.0 - keep[n]) / ratio;
+            // Short steps: the series of `1 - f`, without the cancellation of the closed form.
+            let short = ratio * (0.5 - ratio * (1.0 / 6.0 - ratio * (1.0 / 24.0 - ratio * (1.0 / 120.0))));
+            to[n] = if ratio < 0.01 { short } else { 1.0 - mean };
+            from[n] = (1.0 - to[n]) - keep[n];
+        }
+        Self { keep, from, to }
+    }
+}
+
+/// `e^-x` for x from 0 on, to 1e-14: a power of two, and the series of what is left, up to ln 2 / 2.
+#[inline(always)]
+fn decayed(x: f64) -> f64 {
+    // Beyond 700 nothing is left.
+    let x = if x < 700.0 { x } else { 700.0 };
+    let power = whole(x * LOG2_E + 0.5);
+    let rest = power * LN_2 - x;
+    let mut sum = 0.0;
+    for factor in INVERSE_FACTORIALS.iter().rev() {
+        sum = sum * rest + factor;
+    }
+    // The exponent of 2^-power stands in the mantissa of the whole number, and goes to its place.
+    sum * f64::from_bits((1023.0 - power + WHOLE).to_bits() << 52)
+}
+
+/// 1, 1, 1/2, 1/6, ...: as many as `e^(ln 2 / 2)` needs.
+const INVERSE_FACTORIALS: [f64; 13] = {
+    let mut powers = [1.0; 13];
+    let mut n = 1;
+    while n < powers.len() {
+        powers[n] = powers[n - 1] / n as f64;
+        n += 1;
+    }
+    powers
+};
 
 /// A step whose input is two straight lines that meet, or not, at a share of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -149,3 +208,24 @@ const INVERSES: [f64; 15] = {
     }
     inverses
 };
+
+#[cfg(test)]
+mod tests {
+    use super::{LagStep, LagSteps};
+
+    #[test]
+    fn lags_side_by_side_are_lags() {
+        let h = 50e-9;
+        let mut taus = vec![0.0, f64::INFINITY, 1e-30, 1e30];
+        taus.extend((0..2000).map(|k| h * libm::exp2(f64::from(k - 1000) / 60.0)));
+        for tau in taus {
+            for share in [0.0, 1e-9, 0.3, 0.999, 1.0] {
+                let right = LagStep::<f64>::new(h * share, tau);
+                let LagSteps { keep, from, to } = LagSteps::new([h * share; 2], [tau; 2]);
+                for (found, right) in [(keep, right.keep), (from, right.from), (to, right.to)] {
+                    assert!((found[1] - right).abs() < 1e-12, "{tau} {share}: {found:?} {right}");
+                }
+            }
+        }
+    }
+}

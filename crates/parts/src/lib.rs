@@ -57,7 +57,7 @@ pub use differentiator::{Differentiator, differentiated_noise};
 pub use fade::Fade;
 pub use function_generator::{BANK, Ends, FunctionBank, FunctionGenerator, FunctionLaw, segment_error};
 pub use high_pass::HighPass;
-pub use lag::{LagStep, SplitLag, impulse, settling_time_constant, time_constant};
+pub use lag::{LagStep, LagSteps, SplitLag, impulse, settling_time_constant, time_constant};
 pub use multiplier::{Feedthrough, Multiplier, MultiplierLaw};
 pub use multiplying_converter::MultiplyingConverter;
 pub use noise::{BandNoise, GroupNoise, NoiseSource, part_key};

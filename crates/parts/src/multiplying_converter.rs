@@ -18,6 +18,7 @@ use quantities::SweepTime;
 
 use crate::converter::carry_weight;
 use crate::delay::Delay;
+use crate::whole::whole;
 
 /// Words of a converter and what they stand for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,7 +44,7 @@ impl MultiplyingConverter {
     /// The word for `coefficient`.
     pub fn word(&self, coefficient: f64) -> i32 {
         let steps = if self.lsb == 0.0 { 0.0 } else { coefficient / self.lsb };
-        (steps + 0.5).floor().clamp(-self.half, self.half - 1.0) as i32
+        whole(steps + 0.5).clamp(-self.half, self.half - 1.0) as i32
     }
 
     /// What `word` multiplies by, gain error included.

@@ -31,6 +31,7 @@ pub trait Real:
     fn sqrt(self) -> Self;
 
     /// The larger; `other` if `self` is NaN (one instruction, unlike the library's `max`).
+    #[inline(always)]
     fn at_least(self, other: Self) -> Self {
         if self > other { self } else { other }
     }

@@ -5,12 +5,15 @@
 //! of it. So changes add to the step that all lanes have taken, and several in one step add up.
 
 use landscape::CornerWords;
-use parts::LagStep;
+use parts::LagSteps;
 use signal::{LANES, Real};
 
 use super::run::Run;
 use super::state::{ArrayState, Change, Due, Lane};
 use super::terms::{ALL, TERMS, word_of};
+
+/// Changes of one lane whose lags are worked out side by side.
+const AT_ONCE: usize = 8;
 
 impl<S: Real> Run<'_, S> {
     /// Puts the words on their way whose strobes are due by `sample`.
@@ -30,18 +33,15 @@ impl<S: Real> Run<'_, S> {
     /// Puts the words of the hold registers on their way that are others than before; a nominal D/A has them `at`.
     fn send(&self, at: f64, lane: &mut Lane) {
         let array = self.array;
-        let mut pulses = [[None; 9]; 4];
+        let mut changed = [[None; 9]; 4];
         for colour in 0..4 {
             let new = lane.registers.hold(self.generator.buffer)[colour];
             for word in 0..9 {
                 if new[word] != lane.held[colour][word] {
-                    let number = array.number(new, word);
-                    let carry = array
-                        .words
-                        .as_ref()
-                        .map_or(0.0, |part| part.carry(lane.numbers[colour][word], number));
-                    pulses[colour][word] = Some(array.glitch * carry);
-                    lane.numbers[colour][word] = number;
+                    let (number, share) = array.number(new, word);
+                    let from = std::mem::replace(&mut lane.numbers[colour][word], number);
+                    let carry = array.words.as_ref().map_or(0.0, |part| part.carry(from, number));
+                    changed[colour][word] = Some((share, array.glitch * carry));
                 }
             }
             lane.held[colour] = *new;
@@ -52,9 +52,8 @@ impl<S: Real> Run<'_, S> {
         let first = lane.pending.len();
         for &index in &array.by_lateness {
             let [colour, word] = word_of(index % TERMS);
-            if let Some(pulse) = pulses[colour][word] {
-                let weight = array.weight(&lane.held[colour], index);
-                let at = at + array.timing.later(index);
+            if let Some((share, pulse)) = changed[colour][word] {
+                let (at, weight) = (at + array.timing.later(index), share * array.factors[index]);
                 lane.pending.push(Change { at, index, weight, pulse });
             }
         }
@@ -71,7 +70,7 @@ impl<S: Real> Run<'_, S> {
         for (number, lane) in state.lanes.iter_mut().enumerate() {
             lane.held = lane.registers.hold(self.generator.buffer).map(|words| *words);
             lane.numbers =
-                lane.held.each_ref().map(|words| std::array::from_fn(|word| array.number(words, word)));
+                lane.held.each_ref().map(|words| std::array::from_fn(|word| array.number(words, word).0));
             for (index, wires) in state.wires.iter_mut().enumerate() {
                 let [colour, _] = word_of(index % TERMS);
                 wires.weight[number] = S::from_f64(array.weight(&lane.held[colour], index));
@@ -94,10 +93,17 @@ impl<S: Real> Run<'_, S> {
     pub(super) fn change_words(&self, sample: i64, state: &mut ArrayState<S>) {
         let mut touched = [false; ALL];
         for lane in 0..LANES {
-            while let Some(change) = state.lanes[lane].next_word(sample) {
-                let share = (change.at - (sample - 1) as f64).clamp(0.0, 1.0);
-                self.change_word(lane, share, &change, state);
-                touched[self.array.grid.group_of(change.index)] = true;
+            while state.lanes[lane].due.change <= sample as f64 {
+                let mut acting = [Change::default(); AT_ONCE];
+                let mut count = 0;
+                while let Some(change) =
+                    (count < AT_ONCE).then(|| state.lanes[lane].next_word(sample)).flatten()
+                {
+                    touched[self.array.grid.group_of(change.index)] = true;
+                    acting[count] = change;
+                    count += 1;
+                }
+                self.change_some(lane, sample, &acting, count, state);
             }
         }
         for (group, sum) in state.partial.iter_mut().enumerate().filter(|(group, _)| touched[*group]) {
@@ -106,19 +112,31 @@ impl<S: Real> Run<'_, S> {
         state.due = Due::of(&state.lanes);
     }
 
-    fn change_word(&self, lane: usize, share: f64, change: &Change, state: &mut ArrayState<S>) {
-        let Change { index, weight, pulse, .. } = *change;
-        let (wires, tau) = (&mut state.wires[index], self.array.converter_taus[index]);
-        let [before, end] = [wires.before, wires.product].map(|product| product[lane].to_f64());
-        let start = before + share * (end - before);
-        let rest = LagStep::<f64>::new(self.array.timing.step * (1.0 - share), tau);
-        let step = weight - wires.weight[lane].to_f64();
-        let kick = if tau > 0.0 { pulse * start * (rest.keep / tau) } else { 0.0 };
-        let term = S::from_f64(wires.term[lane].to_f64() + (rest.step(0.0, start * step, end * step) + kick));
-        wires.weight[lane] = S::from_f64(weight);
-        wires.term[lane] = term;
-        wires.term_left[lane] =
-            self.array.grid.cells[index].converter.leave(term, wires.product[lane] * wires.weight[lane]);
+    /// The first `count` of these changes, of one lane.
+    fn change_some(
+        &self,
+        lane: usize,
+        sample: i64,
+        acting: &[Change; AT_ONCE],
+        count: usize,
+        state: &mut ArrayState<S>,
+    ) {
+        let array = self.array;
+        let shares = acting.map(|change| (change.at - (sample - 1) as f64).clamp(0.0, 1.0));
+        let taus = acting.map(|change| array.converter_taus[change.index]);
+        let rest = LagSteps::new(shares.map(|share| array.timing.step * (1.0 - share)), taus);
+        for (n, change) in acting.iter().enumerate().take(count) {
+            let (wires, cell) = (&mut state.wires[change.index], &array.grid.cells[change.index]);
+            let [before, end] = [wires.before, wires.product].map(|product| product[lane].to_f64());
+            let start = before + shares[n] * (end - before);
+            let step = change.weight - wires.weight[lane].to_f64();
+            let kick = if taus[n] > 0.0 { change.pulse * start * (rest.keep[n] / taus[n]) } else { 0.0 };
+            let more = (start * rest.from[n] + end * rest.to[n]) * step + kick;
+            let term = S::from_f64(wires.term[lane].to_f64() + more);
+            wires.weight[lane] = S::from_f64(change.weight);
+            wires.term[lane] = term;
+            wires.term_left[lane] = cell.converter.leave(term, wires.product[lane] * wires.weight[lane]);
+        }
     }
 }
 
@@ -133,8 +151,17 @@ impl Lane {
 }
 
 impl<S: Real> super::PartsArray<S> {
-    /// The number of a word in its D/A; 0 where they take any.
-    fn number(&self, words: &CornerWords, word: usize) -> i32 {
-        self.words.as_ref().map_or(0, |converter| converter.word(self.scale.share(words, word)))
+    /// The number of a word in its D/A, 0 where they take any, and its share of full scale there.
+    fn number(&self, words: &CornerWords, word: usize) -> (i32, f64) {
+        let share = self.scale.share(words, word);
+        self.words.as_ref().map_or((0, share), |converter| {
+            let number = converter.word(share);
+            (number, converter.coefficient(number))
+        })
+    }
+
+    /// What D/A `index` multiplies by for these words.
+    pub(super) fn weight(&self, words: &CornerWords, index: usize) -> f64 {
+        self.number(words, word_of(index % TERMS)[1]).1 * self.factors[index]
     }
 }

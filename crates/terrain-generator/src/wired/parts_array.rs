@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use fearless_simd::dispatch;
 use hardware_model::{AnalogParts, FEEDTHROUGH_FREQUENCY, SweepParts};
-use landscape::{CornerWords, Level};
+use landscape::Level;
 use parts::{
     Feedthrough, LagStep, Multiplier, MultiplierLaw, MultiplyingConverter, NoiseSource, Spread, Tolerance,
     relative_sigma, time_constant,
@@ -32,8 +32,8 @@ pub struct PartsArray<S> {
     pub(super) generators: [AxisGenerators<S>; 2],
     pub(super) grid: Grid<S>,
     pub(super) words: Option<MultiplyingConverter>,
-    /// Gains of the multiplying D/As.
-    pub(super) gains: Vec<f64>,
+    /// What each multiplying D/A makes of a share of full scale: its gain, and the scale of its sum.
+    pub(super) factors: Vec<f64>,
     /// Time constants of the multiplying D/As (s), for steps that a new word divides.
     pub(super) converter_taus: Vec<f64>,
     /// The multiplying D/As in the order in which words that are strobed together act.
@@ -103,6 +103,17 @@ impl<S: Real> PartsArray<S> {
         let delays = Delays { to_ramps: nominal.delay(), to_generators, to_converters, to_sums };
         let timing = Timing::new(h, &delays, &ramps, parts, (&spread, name));
         let generators = [0, 1].map(|axis| AxisGenerators::new(h, parts, &spread, name, axis));
+        let scale = Scale::of(level);
+        let factor = |index: usize| {
+            let gain = 1.0 + error("mdac.gain", index, parts.multiplying_dac.gain_error);
+            let (sum, [_, word]) = (index / TERMS, word_of(index % TERMS));
+            let slope_of = |order: usize| scale.height / scale.slope * SLOPE_PEAKS[order] / PEAKS[order];
+            gain * match sum {
+                0 => 1.0,
+                1 => slope_of(word / 3),
+                _ => slope_of(word % 3),
+            }
+        };
         let mut by_lateness: Vec<usize> = (0..ALL).collect();
         by_lateness.sort_by(|&a, &b| timing.later(a).total_cmp(&timing.later(b)));
         let largest = |taus: &[f64]| taus.iter().copied().fold(0.0, f64::max);
@@ -113,13 +124,11 @@ impl<S: Real> PartsArray<S> {
         }
         summers.iter().for_each(|summer| chain.extend(summer.slowest()));
         Self {
-            scale: Scale::of(level),
+            scale,
             generators,
             grid: Grid { cells: (0..ALL).map(cell).collect(), inputs: summers[0].inputs() },
             words: parts.multiplying_dac.bits.map(|bits| MultiplyingConverter::new(h, bits, 1.0, 0.0, 0.0)),
-            gains: (0..ALL)
-                .map(|index| 1.0 + error("mdac.gain", index, parts.multiplying_dac.gain_error))
-                .collect(),
+            factors: (0..ALL).map(factor).collect(),
             converter_taus,
             by_lateness,
             glitch: parts.multiplying_dac.glitch / parts.full_scale,
@@ -168,21 +177,6 @@ impl<S: Real> PartsArray<S> {
     pub(crate) fn share(&self, state: &ArrayState<S>, lane: usize, colour: usize) -> f64 {
         let terms = (0..TERMS).filter(|&term| word_of(term)[0] == colour);
         terms.map(|term| state.wires[term].term[lane].to_f64()).sum::<f64>() * self.scale.height
-    }
-
-    /// What D/A `index` multiplies by for these words.
-    pub(super) fn weight(&self, words: &CornerWords, index: usize) -> f64 {
-        let (sum, [_, word]) = (index / TERMS, word_of(index % TERMS));
-        let share = self.scale.share(words, word);
-        let share = self.words.as_ref().map_or(share, |converter| converter.quantised(share));
-        let (p, q) = (word / 3, word % 3);
-        let to_slope = self.scale.height / self.scale.slope;
-        self.gains[index]
-            * match sum {
-                0 => share,
-                1 => share * to_slope * SLOPE_PEAKS[p] / PEAKS[p],
-                _ => share * to_slope * SLOPE_PEAKS[q] / PEAKS[q],
-            }
     }
 }
 

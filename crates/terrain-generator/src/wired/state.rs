@@ -77,7 +77,7 @@ pub(super) struct Lane {
 }
 
 /// A multiplying D/A takes a new word.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Change {
     /// When (samples).
     pub(super) at: f64,
