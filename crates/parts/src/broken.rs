@@ -19,7 +19,7 @@ pub fn broken_at(sample: impl Fn(usize) -> f64, last: usize, jumps: &[Jump], tim
     if time <= 0.0 {
         return [sample(0); 2];
     }
-    let end = (time.ceil() as usize).min(last);
+    let end = step_of(time).min(last);
     if time > last as f64 || end == 0 {
         return [sample(last); 2];
     }
@@ -38,6 +38,12 @@ pub fn broken_at(sample: impl Fn(usize) -> f64, last: usize, jumps: &[Jump], tim
     [jumps[first].before, jumps[behind - 1].after]
 }
 
+/// The sample at which the step ends in which `time` lies, 0 or later.
+fn step_of(time: f64) -> usize {
+    let whole = time as usize;
+    whole + usize::from(time > whole as f64)
+}
+
 impl Delay {
     /// The signal of one sweep behind this delay: `sample` before it, `jumps` before it and then behind it, `put` takes each
     /// sample behind it. Before the sweep the signal stood as it begins.
@@ -50,9 +56,20 @@ impl Delay {
     ) {
         let Some(last) = samples.checked_sub(1) else { return };
         let late = self.whole as f64 + self.share;
+        let mut ahead = 0;
         for index in 0..samples {
-            let [_, after] = broken_at(&sample, last, jumps, index as f64 - late);
-            put(index, after);
+            let time = index as f64 - late;
+            let end = step_of(time.max(0.0));
+            let begin = end as f64 - 1.0;
+            ahead += jumps[ahead..].iter().take_while(|jump| jump.at < begin).count();
+            let is_straight = jumps.get(ahead).is_none_or(|jump| jump.at > end as f64);
+            if is_straight && (1..=last).contains(&end) {
+                let [value, target] = [end - 1, end].map(&sample);
+                put(index, value + (target - value) * (time - begin));
+            } else {
+                let [_, after] = broken_at(&sample, last, jumps, time);
+                put(index, after);
+            }
         }
         jumps.iter_mut().for_each(|jump| jump.at += late);
         jumps.retain(|jump| jump.at < last as f64);

@@ -159,7 +159,8 @@ impl<S: Real> Comparator<S> {
         trips: &mut Vec<Trip>,
     ) {
         let base = sample as f64 - 1.0;
-        let shift = self.noise * self.source.normal(sweep, sample as u64);
+        let shift =
+            if self.noise > 0.0 { self.noise * self.source.normal(sweep, sample as u64) } else { 0.0 };
         // A trip that rounds to the start of the step must not be found again.
         let (mut now, mut fresh) = (0.0, true);
         loop {

@@ -186,13 +186,15 @@ impl<S: Real> PartsProcessor<S> {
     }
 
     fn delay_video(&self, reflectivity: &[Lanes<S>], intensity: &mut Vec<Lanes<S>>) {
-        let share = Lanes::splat(S::from_f64(self.video.share));
-        let at = |sample: usize| reflectivity[sample.saturating_sub(self.video.whole)];
+        let (share, whole) = (Lanes::splat(S::from_f64(self.video.share)), self.video.whole);
+        let Some(&first) = reflectivity.first() else { return intensity.clear() };
         intensity.clear();
-        intensity.extend((0..reflectivity.len()).map(|sample| {
-            let now = at(sample);
-            now + (at(sample.saturating_sub(1)) - now) * share
-        }));
+        intensity.resize(reflectivity.len().min(whole), first);
+        let mut before = first;
+        for &now in &reflectivity[..reflectivity.len() - intensity.len()] {
+            intensity.push(now + (before - now) * share);
+            before = now;
+        }
     }
 
     /// Breaks are as late as the samples, and no straight line is drawn across one.

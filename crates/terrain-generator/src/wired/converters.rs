@@ -89,7 +89,7 @@ impl<S: Real> Run<'_, S> {
     }
 
     /// Gives D/As the words that act in the step to `sample`, which they have taken with those before.
-    #[inline(never)]
+    #[inline(always)]
     pub(super) fn change_words(&self, sample: i64, state: &mut ArrayState<S>) {
         let mut touched = [false; ALL];
         for lane in 0..LANES {
@@ -113,6 +113,7 @@ impl<S: Real> Run<'_, S> {
     }
 
     /// The first `count` of these changes, of one lane.
+    #[inline(always)]
     fn change_some(
         &self,
         lane: usize,
