@@ -190,6 +190,19 @@ impl<S: Real> Comparator<S> {
         }
     }
 
+    /// Whether the noise of this step cannot bring a threshold to the input.
+    fn is_out_of_reach(&self, high: bool, (sweep, sample): (u64, usize), [u0, u1]: [f64; 2]) -> bool {
+        if self.noise == 0.0 {
+            return false;
+        }
+        let reach = self.noise * self.source.most(sweep, sample as u64);
+        if high {
+            u0.min(u1) > self.thresholds[0] + reach
+        } else {
+            u0.max(u1) < self.thresholds[1] - reach
+        }
+    }
+
     /// What comes of `passing` from share `now` of the step on.
     fn outcome(&self, line: &Line, passing: &Passing, now: f64, base: f64) -> Outcome {
         let over = line.at(now).max(0.0);

@@ -13,6 +13,14 @@ use crate::{Inputs, Mixed};
 pub(crate) struct Event<S> {
     at: f64,
     bend: Option<S>,
+    /// What comes to the limiter before VS2 just before and just after it, once that has been looked up.
+    signed: Option<[f64; 2]>,
+}
+
+impl<S> Event<S> {
+    fn new(at: f64, bend: Option<S>) -> Self {
+        Self { at, bend, signed: None }
+    }
 }
 
 /// The unit between the samples of one lane.
@@ -31,7 +39,7 @@ impl<S: Real> SwitchScratch<S> {
         for lane in 0..LANES {
             self.collect(inputs, lane, &mut events);
             let between = Between { mixer, inputs, scratch: self, lane };
-            between.find_terminators(&events, &mut terminators);
+            between.find_terminators(&mut events, &mut terminators);
             events.append(&mut terminators);
             sort(&mut events);
             for event in &events {
@@ -50,9 +58,9 @@ impl<S: Real> SwitchScratch<S> {
             events.extend(
                 features.kinks[lane]
                     .iter()
-                    .map(|kink| Event { at: instant(kink.sample, kink.share), bend: Some(kink.height) }),
+                    .map(|kink| Event::new(instant(kink.sample, kink.share), Some(kink.height))),
             );
-            events.extend(self.jumps[lane].iter().map(|jump| Event { at: jump.at, bend: None }));
+            events.extend(self.jumps[lane].iter().map(|jump| Event::new(jump.at, None)));
             events.extend(knots(&self.fades[0][lane]));
         }
         if inputs.shadow.is_some() {
@@ -65,7 +73,7 @@ impl<S: Real> SwitchScratch<S> {
 }
 
 fn knots<S>(fade: &Fade) -> impl Iterator<Item = Event<S>> + use<'_, S> {
-    fade.knots().iter().map(|&[at, _]| Event { at, bend: None })
+    fade.knots().iter().map(|&[at, _]| Event::new(at, None))
 }
 
 /// Ascending, and one at each instant: a rim rather than what coincides with it.
@@ -77,15 +85,18 @@ fn sort<S: Real>(events: &mut Vec<Event<S>>) {
 impl<S: Real> Between<'_, S> {
     /// Where what comes to the limiter before VS2 passes 0, straight between samples and `events`: there local shadow
     /// begins and ends.
-    fn find_terminators(&self, events: &[Event<S>], found: &mut Vec<Event<S>>) {
+    fn find_terminators(&self, events: &mut [Event<S>], found: &mut Vec<Event<S>>) {
         found.clear();
         let signed = |sample: usize| self.scratch.signed[sample][self.lane].to_f64();
-        let mut events = events.iter().peekable();
+        let mut events = events.iter_mut().peekable();
         for sample in 1..self.scratch.signed.len() {
             let end = sample as f64;
             let (mut at, mut value) = (end - 1.0, signed(sample - 1));
             while let Some(event) = events.next_if(|event| event.at < end) {
-                let [before, after] = self.signed(event.at, sample);
+                let signed = self.signed(event.at, sample);
+                // At a sample, the break is of the step before.
+                event.signed = (event.at > end - 1.0).then_some(signed);
+                let [before, after] = signed;
                 found.extend(terminator([at, event.at], [value, before]));
                 (at, value) = (event.at, after);
             }
@@ -96,7 +107,7 @@ impl<S: Real> Between<'_, S> {
     fn break_at(&self, event: &Event<S>, out: &Mixed<S>) -> Break<S> {
         let sample = event.at.ceil() as usize;
         let share = S::from_f64(event.at - (sample - 1) as f64);
-        let [before, after] = self.video(event.at, sample).map(S::from_f64);
+        let [before, after] = self.video(event, sample).map(S::from_f64);
         let straight = || {
             let from = out.height[sample - 1][self.lane];
             from + (out.height[sample][self.lane] - from) * share
@@ -104,10 +115,11 @@ impl<S: Real> Between<'_, S> {
         Break { sample, share, height: event.bend.unwrap_or_else(straight), before, after }
     }
 
-    /// What comes to the amplifier just before and just after `time` within the step to `sample`.
-    fn video(&self, time: f64, sample: usize) -> [f64; 2] {
+    /// What comes to the amplifier just before and just after an event within the step to `sample`.
+    fn video(&self, event: &Event<S>, sample: usize) -> [f64; 2] {
         let Self { mixer, inputs, scratch, lane } = *self;
-        let mut value = self.signed(time, sample).map(limited);
+        let time = event.at;
+        let mut value = event.signed.unwrap_or_else(|| self.signed(time, sample)).map(limited);
         if inputs.shadow.is_some() {
             let g = scratch.fades[1][lane].at(time);
             value = [0, 1]
@@ -158,7 +170,7 @@ fn terminator<S>([from, to]: [f64; 2], [value, target]: [f64; 2]) -> Option<Even
         return None;
     }
     let at = from + (to - from) * (value / (value - target));
-    (at > from && at < to).then_some(Event { at, bend: None })
+    (at > from && at < to).then_some(Event::new(at, None))
 }
 
 /// Where the video of the features jumps, as it leaves them: beyond what is lit it is the ground's.

@@ -89,7 +89,9 @@ impl<S: Real> Run<'_, S> {
             }
             if sample >= span.start as i64 {
                 if self.array.sigma > 0.0 && (sample % 2 == 0 || sample == span.start as i64) {
-                    state.noise = out.noise.each_ref().map(|noise| noise.pair(sample as u64 / 2));
+                    for sum in 0..3 {
+                        state.noise[sum] = out.noise[sum].pair(sample as u64 / 2);
+                    }
                 }
                 out.put(sample as usize, state, profile);
                 tap.see(self.array, state);
