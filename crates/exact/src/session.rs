@@ -68,8 +68,7 @@ impl GeneratorSession for Session {
         planes: &mut Planes,
         _probe: &mut Probe,
     ) -> Result<FrameCounts, FrameError> {
-        check_eye(&self.stage.landscape, frame, pose)?;
-        self.check_pitch(frame, pose)?;
+        self.check(frame, pose)?;
         let scene = self.scene(pose);
         let drawn: Vec<_> = {
             let draw = |column| self.column(&scene, column, [planes.columns(), planes.lines()]);
@@ -81,6 +80,11 @@ impl GeneratorSession for Session {
         }
         let (samples, bodies) = (rays.into_iter().sum(), scene.standing().len() as u64);
         Ok(FrameCounts { samples, bodies, ..FrameCounts::default() })
+    }
+
+    fn check(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {
+        check_eye(&self.stage.landscape, frame, pose)?;
+        self.check_pitch(frame, pose)
     }
 
     fn omissions(&self) -> Vec<Omission> {
@@ -114,8 +118,7 @@ impl Columns {
     ) -> Result<Planes, FrameError> {
         let raster = &self.0.stage.settings.raster;
         let size = [raster.columns as usize, raster.lines as usize];
-        check_eye(&self.0.stage.landscape, frame, pose)?;
-        self.0.check_pitch(frame, pose)?;
+        self.0.check(frame, pose)?;
         let (pixels, _) = self.0.column(&self.0.scene(pose), column, size);
         let mut planes = Planes::new(1, size[1], kinds);
         kinds.iter().for_each(|&kind| fill(&mut planes, kind, std::slice::from_ref(&pixels)));

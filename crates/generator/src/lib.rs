@@ -147,6 +147,12 @@ pub trait Session: Send + Sync {
         probe: &mut Probe,
     ) -> Result<FrameCounts, FrameError>;
 
+    /// Whether [`frame`](Self::frame) can draw frame `frame` from `pose`; nothing is drawn.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
+    fn check(&self, frame: u64, pose: &Pose) -> Result<(), FrameError>;
+
     /// What was left out at elaboration, and why.
     fn omissions(&self) -> Vec<Omission>;
 

@@ -290,7 +290,16 @@ impl Loaded {
         Ok(stage)
     }
 
-    fn scenario_file(&self) -> &str {
+    /// The stage over the ground of `first`, a stage of the same scenario for another machine.
+    pub fn stage_beside(&mut self, first: &Stage) -> Result<Stage, Failure> {
+        let start = Instant::now();
+        let stage = stage::under(first, &self.scenario, self.settings.clone())?;
+        self.phases.push(Phase::since("landscape", start));
+        Ok(stage)
+    }
+
+    /// Name of the scenario's file.
+    pub fn scenario_file(&self) -> &str {
         self.inputs.scenario.as_ref().map_or("scenario", |record| &record.file)
     }
 

@@ -42,14 +42,15 @@ pub(crate) fn check_pose(frame: u64, pose: &Pose, field: FieldOfView) -> Result<
     let (heading, pitch) = (pose.attitude.heading, pose.attitude.pitch);
     if !is_cardinal(heading) {
         broken.push(format!(
-            "a line of sight at heading {:.3} deg (the observer stands on one of the four cardinal points)",
+            "a line of sight at heading {:.3} deg ([path]: the observer stands on one of the four cardinal points)",
             degrees(heading)
         ));
     }
     let upper = pitch + libm::atan(field.tan_half_height);
     if upper > TOLERANCE {
         broken.push(format!(
-            "an upper edge of the picture {:.3} deg above the horizontal (its highest line of sight is level)",
+            "an upper edge of the picture {:.3} deg above the horizontal ([path]: its highest line of \
+                 sight is level)",
             degrees(upper)
         ));
     }
@@ -64,10 +65,10 @@ pub(crate) fn check_pose(frame: u64, pose: &Pose, field: FieldOfView) -> Result<
 
 /// What is left out once restrictions are lifted: there is no law for it.
 pub(crate) fn omissions(stage: &Stage) -> Vec<Omission> {
-    let omission = |(what, why): (&str, &str)| Omission {
+    let omission = |lack: Lack| Omission {
         block: NAME,
-        what: what.into(),
-        why: why.into(),
+        what: lack.what.into(),
+        why: lack.why.into(),
         weight: Weight::NotModelled,
     };
     not_modelled(stage).map(omission).collect()
@@ -84,12 +85,12 @@ fn of_program(stage: &Stage) -> impl Iterator<Item = String> {
     let sun = stage.scenery.suns().iter().find(|(_, sun)| !is_cardinal(sun.azimuth));
     [
         (grid > LARGEST_GRID)
-            .then(|| format!("a grid of {grid} points (at most {LARGEST_GRID}, the recorder's positions)")),
-        (!is_smooth).then(|| "ground of any relief (its surface is smooth but for craters)".to_owned()),
-        (!is_lambert).then(|| "another law of reflection (its surface is perfectly diffuse: Lambert)".to_owned()),
+            .then(|| format!("a grid of {grid} points ([lunsim]: at most {LARGEST_GRID}, the recorder's positions)")),
+        (!is_smooth).then(|| "ground of any relief ([landscape]: its surface is smooth but for craters)".to_owned()),
+        (!is_lambert).then(|| "another law of reflection ([photometry]: its surface is perfectly diffuse: Lambert)".to_owned()),
         sun.map(|(time, sun)| {
             format!(
-                "a sun at azimuth {:.3} deg from {time} s on (sun calculations run along rows and columns, so it \
+                "a sun at azimuth {:.3} deg from {time} s on ([sun]: sun calculations run along rows and columns, so it \
                  stands on one of the four cardinal points)",
                 degrees(sun.azimuth)
             )
@@ -99,26 +100,39 @@ fn of_program(stage: &Stage) -> impl Iterator<Item = String> {
     .flatten()
 }
 
-/// What no law is given for, with the reason.
-fn not_modelled(stage: &Stage) -> impl Iterator<Item = (&'static str, &'static str)> {
+/// Something that no law is given for.
+struct Lack {
+    what: &'static str,
+    /// Where a scenario asks for it.
+    place: &'static str,
+    /// The report's reason.
+    why: &'static str,
+}
+
+fn not_modelled(stage: &Stage) -> impl Iterator<Item = Lack> {
     const CRATERS: &str = "its features are craters of three types";
     const SMOOTH: &str = "its surface is smooth but for craters";
     let Stage { landscape, scenery, settings } = stage;
     [
-        (!scenery.standing().is_empty(), "rocks and man-made things", CRATERS),
-        (!scenery.patches(f64::INFINITY).is_empty(), "vehicle tracks", CRATERS),
-        (scenery.vehicle().is_some(), "the vehicle's own shadow", CRATERS),
-        (landscape.texture().is_some(), "texture", SMOOTH),
-        (!landscape.silhouettes().is_empty(), "far silhouettes", "its picture ends at the horizontal"),
-        (settings.levels.is_some(), "a second level of ground", SMOOTH),
-        (settings.yoke.is_some(), "roll", "its observer has an azimuth and an elevation angle"),
+        (!scenery.standing().is_empty(), "rocks and man-made things", "[rocks], [[object]]", CRATERS),
+        (!scenery.patches(f64::INFINITY).is_empty(), "vehicle tracks", "[tracks]", CRATERS),
+        (scenery.vehicle().is_some(), "the vehicle's own shadow", "[vehicle]", CRATERS),
+        (landscape.texture().is_some(), "texture", "[texture]", SMOOTH),
+        (
+            !landscape.silhouettes().is_empty(),
+            "far silhouettes",
+            "[[silhouette]]",
+            "its picture ends at the horizontal",
+        ),
+        (settings.levels.is_some(), "a second level of ground", "[levels]", SMOOTH),
+        (settings.yoke.is_some(), "roll", "[roll]", "its observer has an azimuth and an elevation angle"),
     ]
     .into_iter()
-    .filter_map(|(is_there, what, why)| is_there.then_some((what, why)))
+    .filter_map(|(is_there, what, place, why)| is_there.then_some(Lack { what, place, why }))
 }
 
-fn told((what, why): (&str, &str)) -> String {
-    format!("{what} ({why})")
+fn told(Lack { what, place, why }: Lack) -> String {
+    format!("{what} ({place}: {why})")
 }
 
 fn is_cardinal(azimuth: f64) -> bool {

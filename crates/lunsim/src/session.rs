@@ -50,10 +50,7 @@ impl GeneratorSession for Session {
         _probe: &mut Probe,
     ) -> Result<FrameCounts, FrameError> {
         let Stage { landscape, scenery, settings } = &self.stage;
-        check_eye(landscape, frame, pose)?;
-        if settings.lunsim.restrictions {
-            restrictions::check_pose(frame, pose, settings.raster.field)?;
-        }
+        self.check(frame, pose)?;
         let observer = Observer::new(pose, settings.raster.field);
         let is_curved = settings.laws.curvature == Curvature::Parabolic;
         let (level, end) = (landscape.level(), settings.range.end);
@@ -70,6 +67,15 @@ impl GeneratorSession for Session {
         film.develop(settings.laws.pixel_rule, planes);
         let features = self.craters(&observer, &area) as u64;
         Ok(FrameCounts { samples: (size * size) as u64, features, ..FrameCounts::default() })
+    }
+
+    fn check(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {
+        let Stage { landscape, settings, .. } = &self.stage;
+        check_eye(landscape, frame, pose)?;
+        match settings.lunsim.restrictions {
+            true => restrictions::check_pose(frame, pose, settings.raster.field),
+            false => Ok(()),
+        }
     }
 
     fn omissions(&self) -> Vec<Omission> {

@@ -358,6 +358,10 @@ impl<S: Real> Session for Elaborated<S> {
         Ok(counts)
     }
 
+    fn check(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {
+        FramePlan::new(frame, pose, &self.stage, &self.raster.field).map(drop)
+    }
+
     fn omissions(&self) -> Vec<Omission> {
         omissions(&self.stage, &self.blocks)
     }

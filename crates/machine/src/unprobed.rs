@@ -40,6 +40,10 @@ impl<S: Real> Session for Unprobed<S> {
         self.0.draw(frame, pose, planes, &()).map(|(counts, _)| counts)
     }
 
+    fn check(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {
+        self.0.check(frame, pose)
+    }
+
     fn omissions(&self) -> Vec<Omission> {
         self.0.omissions()
     }

@@ -21,6 +21,7 @@
 mod camera;
 mod check;
 mod draw;
+mod drawable;
 mod error;
 mod film;
 mod fingerprint;

@@ -126,14 +126,8 @@ impl<'a> Run<'a> {
         let listed = listed.chain(journal.iter().flat_map(|journal| &journal.frames));
         let listed: BTreeMap<u64, FrameRecord> = listed.map(|frame| (frame.frame, frame.clone())).collect();
         let frames = join(folder, &listed, &job.frames)?;
-        let poses = PoseTable::resolve(
-            job.scenario,
-            &job.stage.landscape,
-            job.stage.settings.timebase.update,
-            job.stage.settings.yoke,
-            frames.clone(),
-        )?;
-        let session = control.pool.install(|| job.generator.prepare(job.stage.clone()))?;
+        let poses = job.poses(frames.clone())?;
+        let session = job.session(control.pool)?;
         let mut phases = control.phases.clone();
         phases.push(Phase::since("prepare", start));
         let times = StepTimes::default();

@@ -84,12 +84,39 @@ fn what_cannot_stand_side_by_side_is_refused() {
     open[1] = "open.toml";
     let (_, err) = scene.expect(2, &open);
     assert!(err.contains("ideal draws 1000 x ") && err.contains("pra-nominal draws 525 x "), "{err}");
-    let (_, err) = scene.expect(3, &[&SEVERAL[..], &["--machine", "lunsim"]].concat());
-    assert!(err.contains("lunsim cannot do ground of any relief"), "{err}");
+    assert!(!scene.join("all").exists(), "nothing was begun");
     scene.expect(0, &["replay", "tiny.toml", "-q", "--out", "one"]);
     let mut one = SEVERAL;
     one[7] = "one";
     let (_, err) = scene.expect(4, &one);
     assert!(err.contains("one: there is `index.html` already"), "{err}");
+    scene.expect(0, &SEVERAL);
     scene.expect(4, &["replay", "tiny.toml", "--out", "all"]);
+}
+
+/// Before any machine draws: what one cannot do at elaboration, and what it cannot do in a later frame.
+#[test]
+fn a_machine_that_cannot_draw_the_scenario_stops_all_of_them() {
+    let scene = Scene::new();
+    let (_, err) = scene.expect(3, &[&SEVERAL[..], &["--machine", "lunsim"]].concat());
+    let words = [
+        "error: tiny.toml: --machine lunsim: lunsim cannot do",
+        "ground of any relief ([landscape]: ",
+        "change the scenario, or lift",
+    ];
+    assert!(words.iter().all(|word| err.contains(word)) && err.lines().count() == 1, "{err}");
+    assert!(!scene.join("all").exists(), "nothing was begun");
+    // The eye looks down in the last frame, and it is seen before the first is drawn.
+    let keyframes = "keyframes = [
+  { t_s = 0, x_m = 100, y_m = 200 },
+  { t_s = 5, x_m = 108, y_m = 205 },
+]";
+    scene.vary("down.toml", keyframes, "file = 'down.csv'");
+    let rows = "0,100,200,30,0,0,0\n0.2,101,200,30,0,0,0\n0.3,102,200,30,0,85,0\n";
+    scene.write("down.csv", format!("t_s,x_m,y_m,z_m,heading_deg,pitch_deg,roll_deg\n{rows}"));
+    let mut down = SEVERAL;
+    down[1] = "down.toml";
+    let (_, err) = scene.expect(3, &down);
+    assert!(err.starts_with("error: down.toml: --machine ideal: frame 3: pitch 85.0 deg"), "{err}");
+    assert!(!scene.join("all").exists(), "nothing was begun");
 }

@@ -57,10 +57,10 @@ fn what_has_a_law_all_the_same() {
     let cases = [
         (
             Stage { landscape: relief(&tilted, vec![]), ..usual() },
-            "ground of any relief (its surface is smooth",
+            "ground of any relief ([landscape]: its surface is smooth",
         ),
         (over(level.with_photometry(Photometry::LunarLambert)), "another law of reflection"),
-        (with(|settings| settings.lunsim.grid = 1025), "a grid of 1025 points (at most 1024"),
+        (with(|settings| settings.lunsim.grid = 1025), "a grid of 1025 points ([lunsim]: at most 1024"),
         (
             Stage { scenery: Arc::new(Scenery::still(sun(271.0, 20.0))), ..usual() },
             "a sun at azimuth 271.000 deg",

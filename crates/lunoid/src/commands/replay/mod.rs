@@ -8,7 +8,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use generator::Generator;
+use generator::{Generator, Stage};
 use hardware_model::HardwareModel;
 use picture::Depth;
 use quantities::Rate;
@@ -123,7 +123,10 @@ impl Replay {
         check(&self.probe, &frames, sweeps, generator.signals(), generator.name())?;
         let pool = self.threads.pool()?;
         let folder = RunFolder::claim(&self.out(""), self.fresh)?;
-        let (outcome, truth) = self.draw(&stage, &mut loaded, frames, &folder, &pool)?;
+        interrupt::listen();
+        let built = loaded.stage(&pool)?;
+        let job = self.job(&loaded, built, frames);
+        let (outcome, truth) = self.draw(&stage, &loaded, &job, &folder, &pool)?;
         self.tell(&loaded, &folder, outcome, truth)
     }
 
@@ -131,31 +134,34 @@ impl Replay {
         StageArgs { scenario: self.scenario.clone(), machine, options: self.options.clone() }
     }
 
-    /// Pictures, page and truth of one machine.
-    fn draw(
-        &self,
-        stage: &StageArgs,
-        loaded: &mut Loaded,
-        frames: Range<u64>,
-        folder: &RunFolder,
-        pool: &ThreadPool,
-    ) -> Result<(Outcome, Option<TruthOutcome>), Failure> {
-        let cancel = interrupt::listen();
-        let built = loaded.stage(pool)?;
-        let job = Job {
+    /// What one machine is to draw.
+    fn job<'a>(&self, loaded: &'a Loaded, stage: Stage, frames: Range<u64>) -> Job<'a> {
+        Job {
             program: program(),
             inputs: loaded.inputs.clone(),
             scenario: &loaded.scenario,
             generator: loaded.generator,
-            stage: built,
+            stage,
             frames,
             pictures: self.pictures(),
             check: self.check,
-        };
+        }
+    }
+
+    /// Pictures, page and truth of one machine.
+    fn draw(
+        &self,
+        stage: &StageArgs,
+        loaded: &Loaded,
+        job: &Job,
+        folder: &RunFolder,
+        pool: &ThreadPool,
+    ) -> Result<(Outcome, Option<TruthOutcome>), Failure> {
+        let cancel = interrupt::listen();
         let display = self.saying.display();
         let progress = |progress| display.hear(progress);
         let control = Control { pool, cancel, progress: &progress, phases: loaded.phases.clone() };
-        let made = self.make(stage, &job, &loaded.model, folder, &control);
+        let made = self.make(stage, job, &loaded.model, folder, &control);
         display.end();
         made
     }

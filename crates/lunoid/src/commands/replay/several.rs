@@ -4,13 +4,15 @@ use std::fs;
 use std::path::Path;
 
 use exact::Exact;
-use generator::Generator;
-use replay::{Outcome, RUN_RECORD, RunFolder};
+use generator::{Generator, Stage};
+use rayon::ThreadPool;
+use replay::{Job, Outcome, RUN_RECORD, ReplayError, RunFolder};
 use report::{SIDE_BY_SIDE, write_side_by_side};
 use serde_json::{Value, json};
 
 use super::summary::Summary;
 use super::{Replay, interrupted};
+use crate::interrupt;
 use crate::loading::{Loaded, StageArgs, other};
 use crate::output::{print, print_json, tell};
 use crate::{Failure, Verdict};
@@ -32,15 +34,18 @@ impl Replay {
         let out = self.out("-side-by-side");
         expect_no_run(&out)?;
         let pool = self.threads.pool()?;
+        interrupt::listen();
+        let stages = stages(&mut entries, &pool)?;
+        let jobs = entries.iter().zip(stages).map(|(entry, stage)| self.drawable(entry, stage, &pool));
+        let jobs = jobs.collect::<Result<Vec<_>, _>>()?;
         let claim = |entry: &Entry| RunFolder::claim(&out.join(&entry.name), self.fresh);
         let folders = entries.iter().map(claim).collect::<Result<Vec<_>, _>>()?;
         let mut summaries = Vec::new();
-        for (Entry { name, stage, loaded }, folder) in entries.iter_mut().zip(&folders) {
+        for ((Entry { name, stage, loaded }, job), folder) in entries.iter().zip(&jobs).zip(&folders) {
             if !self.saying.quiet && !self.saying.no_progress {
                 tell(&format!("{name}\n"));
             }
-            let frames = loaded.choose(self.frames)?;
-            match self.draw(stage, loaded, frames, folder, &pool)?.0 {
+            match self.draw(stage, loaded, job, folder, &pool)?.0 {
                 Outcome::Interrupted { done, of } => {
                     return Ok(interrupted(&format!("frames of {name}"), done, of));
                 }
@@ -57,7 +62,7 @@ impl Replay {
                 }
             }
         }
-        let names: Vec<String> = entries.into_iter().map(|entry| entry.name).collect();
+        let names: Vec<String> = entries.iter().map(|entry| entry.name.clone()).collect();
         let (figures, page) = pool.install(|| write_side_by_side(&out, &names, Exact.name()))?;
         let (documents, texts): (Vec<Value>, Vec<String>) = summaries.into_iter().unzip();
         match (self.saying.json, self.saying.quiet) {
@@ -72,6 +77,20 @@ impl Replay {
             _ => print(&format!("{}{}\n", texts.concat(), page.display()))?,
         }
         Ok(Verdict::Yes)
+    }
+
+    /// What `entry` is to draw, if its machine can draw all of it: none begins what another cannot do.
+    fn drawable<'a>(&self, entry: &'a Entry, stage: Stage, pool: &ThreadPool) -> Result<Job<'a>, Failure> {
+        let Entry { name, loaded, .. } = entry;
+        let job = self.job(loaded, stage, loaded.choose(self.frames)?);
+        let refused = |error: ReplayError| match error {
+            ReplayError::Prepare(_) | ReplayError::Frame(_) => {
+                Failure::input(format!("{}: --machine {name}: {error}", loaded.scenario_file()))
+            }
+            other => other.into(),
+        };
+        job.expect_drawable(pool).map_err(refused)?;
+        Ok(job)
     }
 
     /// What belongs to the run of one machine.
@@ -110,6 +129,19 @@ impl Replay {
         }
         Ok(entries)
     }
+}
+
+/// The stages of `entries`, all over the ground of the first.
+fn stages(entries: &mut [Entry], pool: &ThreadPool) -> Result<Vec<Stage>, Failure> {
+    let mut stages: Vec<Stage> = Vec::with_capacity(entries.len());
+    for Entry { loaded, .. } in entries {
+        let stage = match stages.first() {
+            Some(first) => loaded.stage_beside(first)?,
+            None => loaded.stage(pool)?,
+        };
+        stages.push(stage);
+    }
+    Ok(stages)
 }
 
 /// A model by its path has the name of its file.
