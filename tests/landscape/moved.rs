@@ -37,7 +37,6 @@ fn moved_body(standing: &Standing, by: DVec3) -> Standing {
     let mut moved = standing.clone();
     moved.body.foot += by;
     moved.body.centre += by;
-    moved.body.vertices.iter_mut().for_each(|vertex| *vertex += by);
     moved
 }
 

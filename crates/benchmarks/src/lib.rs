@@ -7,6 +7,7 @@
 //! - [`Scene`]: a shipped scenario made ready, and the pose of its first frame.
 //! - [`ROWS`]: frames whose time `speed` tells.
 //! - [`chain`]: an analog chain by exact steps and by ngspice, held against each other by the binary `goals`.
+//! - [`mesh`]: the ground of a scene drawn by a ray tracer, held against the machine by the same binary.
 //! - [`startup`]: a large problem area prepared in a folder, and what it takes to begin with it.
 //! - [`LADDERS`]: scenes that grow in one thing, timed by the binary `scaling`.
 //! - [`KERNELS`]: named pieces of work, each of which can be run by itself.
@@ -16,6 +17,7 @@ mod callgrind;
 pub mod chain;
 mod kernels;
 mod ladder;
+pub mod mesh;
 mod rows;
 mod scene;
 pub mod startup;

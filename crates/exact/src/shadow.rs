@@ -43,7 +43,7 @@ impl<'a> Shadows<'a> {
     /// Shadows under `sun` of the ground, of `bodies`, and `patches` of track.
     pub fn new(ground: Ground<'a>, sun: &Sun, bodies: Vec<Cow<'a, Body>>, patches: &'a [TrackPatch]) -> Self {
         let beam = Beam::new(sun);
-        let seen = |body: &Cow<Body>| hull(body.vertices.iter().map(|&vertex| beam.across(vertex)));
+        let seen = |body: &Cow<Body>| hull(body.vertices().map(|vertex| beam.across(vertex)));
         let casters = Buckets::new(&bodies.iter().map(seen).collect::<Vec<_>>());
         let laid = |patch: &TrackPatch| hull(patch.corners.into_iter());
         let tracks = Buckets::new(&patches.iter().map(laid).collect::<Vec<_>>());

@@ -94,7 +94,7 @@ impl<'a> Stand<'a> {
         let [x, y, height] = outlook.eye();
         let foot = libm::hypot(body.foot.x - x, body.foot.y - y);
         let eye = DVec3::new(x, y, height + outlook.drop(foot));
-        let places: Vec<_> = body.vertices.iter().map(|&vertex| view.project(vertex - eye, NEAR)).collect();
+        let places: Vec<_> = body.vertices().map(|vertex| view.project(vertex - eye, NEAR)).collect();
         if places.iter().all(Option::is_none) {
             return None;
         }
@@ -118,7 +118,7 @@ impl<'a> Stand<'a> {
     pub fn edges(&self, x: f64, cuts: &mut Vec<f64>) {
         let Some(screen) = &self.screen else { return };
         for (index, face) in self.body.solid.faces().iter().enumerate() {
-            if self.body.normals[index].dot(self.eye - self.body.on_face(index)) <= 0.0 {
+            if self.body.normal(index).dot(self.eye - self.body.on_face(index)) <= 0.0 {
                 continue;
             }
             for (k, &corner) in face.corners.iter().enumerate() {
@@ -137,7 +137,7 @@ impl<'a> Stand<'a> {
             intensity: if self.dark { 0.0 } else { reflectivity },
             range,
             height: self.eye.z + range * direction.z,
-            normal: self.body.normals[face].to_array(),
+            normal: self.body.normal(face).to_array(),
             reflectivity,
             shade: match reflectivity > 0.0 {
                 false => Shade::Local,

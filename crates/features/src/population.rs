@@ -165,7 +165,11 @@ impl Population {
             Kind::Secondaries(primaries) => Some(Throw::new(self, primaries, count)?),
             _ => None,
         };
-        (0..count).map(|number| self.crater(number, count, throw.as_ref())).collect()
+        let mut craters = Vec::with_capacity(count as usize);
+        for number in 0..count {
+            craters.push(self.crater(number, count, throw.as_ref())?);
+        }
+        Ok(craters)
     }
 
     fn crater(&self, number: u64, count: u64, throw: Option<&Throw>) -> Result<Crater, PopulationError> {

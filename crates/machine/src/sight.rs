@@ -47,7 +47,7 @@ impl InSight<'_> {
         self.bodies.sort_by(|(_, a), (_, b)| a.centre.distance(eye).total_cmp(&b.centre.distance(eye)));
         let mut left = vertices;
         self.bodies.retain(|(_, body)| {
-            let count = body.vertices.len() as u64;
+            let count = body.vertices().len() as u64;
             let is_ready = count <= left;
             left = if is_ready { left - count } else { 0 };
             is_ready
@@ -72,7 +72,7 @@ pub(crate) fn vertices(stage: &Stage, blocks: &Blocks, plan: &FramePlan, time: f
     }
     let (eye, sight, mut beyond) = (DVec3::from_array(plan.eye), sight(stage), LeftOut::default());
     let mut is_wanted = |body: &Body| is_ahead(plan, body) && sight.resolves(eye, body, &mut beyond);
-    stage.scenery.bodies(time).filter(|body| is_wanted(body)).map(|body| body.vertices.len() as u64).sum()
+    stage.scenery.bodies(time).filter(|body| is_wanted(body)).map(|body| body.vertices().len() as u64).sum()
 }
 
 fn sight(stage: &Stage) -> Sight {

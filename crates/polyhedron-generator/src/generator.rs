@@ -102,7 +102,7 @@ impl PolyhedronGenerator {
     fn project(&mut self, frame: &Frame, aspect: &Aspect) -> bool {
         let tangents = &frame.tangents[aspect.sweeps.clone()];
         self.corners.clear();
-        for &vertex in &aspect.body.vertices {
+        for vertex in aspect.body.vertices() {
             let ahead = frame.sighting.turn(vertex - aspect.eye);
             if ahead.x <= NEAREST {
                 return false;
@@ -116,7 +116,7 @@ impl PolyhedronGenerator {
         let Aspect { body, dark, eye, sweeps } = aspect;
         let tangents = &frame.tangents[sweeps.clone()];
         for (index, face) in body.solid.faces().iter().enumerate() {
-            if body.normals[index].dot(*eye - body.on_face(index)) <= 0.0 {
+            if body.normal(index).dot(*eye - body.on_face(index)) <= 0.0 {
                 continue;
             }
             let corners = face.corners.iter().map(|&corner| self.corners[corner as usize]);

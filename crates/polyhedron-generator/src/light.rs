@@ -16,6 +16,6 @@ impl FaceLight {
         if dark {
             return 0.0;
         }
-        body.normals[face].dot(self.sun).max(0.0) * body.solid.faces()[face].albedo
+        body.normal(face).dot(self.sun).max(0.0) * body.solid.faces()[face].albedo
     }
 }

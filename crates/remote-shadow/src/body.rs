@@ -53,16 +53,17 @@ fn above_ground(body: &Body, ground: &Ground) -> Vec<DVec3> {
         let height = ground.height([vertex.x, vertex.y]);
         height.map_or(f64::NEG_INFINITY, |height| vertex.z - height)
     };
-    let above: Vec<f64> = body.vertices.iter().map(clearance).collect();
+    let vertices: Vec<DVec3> = body.vertices().collect();
+    let above: Vec<f64> = vertices.iter().map(clearance).collect();
     let mut points: Vec<DVec3> =
-        body.vertices.iter().zip(&above).filter(|(_, above)| **above >= 0.0).map(|(v, _)| *v).collect();
+        vertices.iter().zip(&above).filter(|(_, above)| **above >= 0.0).map(|(v, _)| *v).collect();
     for face in body.solid.faces() {
         let next = face.corners.iter().cycle().skip(1);
         for (&a, &b) in face.corners.iter().zip(next) {
             let (from, to) = (above[a as usize], above[b as usize]);
             // Each edge belongs to two faces, once in either direction.
             if from > 0.0 && to < 0.0 && to.is_finite() {
-                let (a, b) = (body.vertices[a as usize], body.vertices[b as usize]);
+                let (a, b) = (vertices[a as usize], vertices[b as usize]);
                 points.push(a.lerp(b, from / (from - to)));
             }
         }

@@ -81,7 +81,7 @@ fn hash_of_bodies(scenery: &Scenery) -> blake3::Hash {
 fn numbers_of_body(Standing { from, until, body }: &Standing) -> impl Iterator<Item = f64> {
     let kind = f64::from(u8::from(body.kind == Kind::Culture));
     let head = [*from, *until, f64::from(body.object), kind];
-    let points = [body.foot].into_iter().chain(body.vertices.iter().copied());
+    let points = [body.foot].into_iter().chain(body.vertices());
     let faces = body.solid.faces().iter().flat_map(|face| {
         [face.albedo].into_iter().chain(face.corners.iter().map(|&corner| f64::from(corner)))
     });

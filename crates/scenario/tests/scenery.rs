@@ -101,7 +101,7 @@ fn rocks_lie_on_the_ground_beside_what_drives_and_stands() {
         (100.0..500.0).contains(&rock.foot.x) && (rock.foot.y - 300.0).abs() < 0.5 * 1.83
     };
     let width = |body: &solids::Body| {
-        let across = body.vertices.iter().map(|vertex| vertex.y);
+        let across = body.vertices().map(|vertex| vertex.y);
         across.clone().fold(f64::NEG_INFINITY, f64::max) - across.fold(f64::INFINITY, f64::min)
     };
     let lane: Vec<_> = rocks.iter().filter(in_lane).collect();

@@ -15,21 +15,22 @@ pub enum Kind {
     Culture,
 }
 
-/// A convex solid on the ground, in terrain axes: x north, y east, h up (m).
+/// A convex solid on the ground, in terrain axes: x north, y east, h up (m). A mission has tens of thousands: vertices and normals
+/// in terrain axes are worked out when they are asked for.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Body {
     /// Names the object that it is a part of; stable over a mission.
     pub object: u32,
     /// What it is.
     pub kind: Kind,
-    /// Foot point of its object: decides whether it is seen and shadowed.
+    /// Foot point of its object: decides whether it is seen and shadowed. The solid's own foot point stands there.
     pub foot: DVec3,
     /// Its shape: corners and albedo of the faces; its own vertices and normals are in body axes.
     pub solid: Arc<Solid>,
-    /// Vertices of the solid in terrain axes.
-    pub vertices: Vec<DVec3>,
-    /// Normal of each face of the solid in terrain axes.
-    pub normals: Vec<DVec3>,
+    /// From body axes (forward, starboard, up) to north, east, up.
+    to_ground: DMat3,
+    /// How many times as large it is as its solid.
+    scale: f64,
     /// Centre of the bounding sphere, in terrain axes.
     pub centre: DVec3,
     /// Radius of the bounding sphere (m).
@@ -56,21 +57,39 @@ impl Body {
         to_ground: &DMat3,
         scale: f64,
     ) -> Self {
-        let placed = |&vertex: &DVec3| foot + *to_ground * (vertex * scale);
-        let vertices: Vec<DVec3> = solid.vertices().iter().map(placed).collect();
-        let normals = solid.faces().iter().map(|face| *to_ground * face.normal).collect();
-        let (centre, radius) = bounding_sphere(&vertices);
-        Self { object, kind, foot, solid: solid.clone(), vertices, normals, centre, radius }
+        let (to_ground, centre, solid) = (*to_ground, foot, solid.clone());
+        let body = Self { object, kind, foot, solid, to_ground, scale, centre, radius: 0.0 };
+        let (centre, radius) = bounding_sphere(body.vertices());
+        Self { centre, radius, ..body }
+    }
+
+    /// Vertices of the solid in terrain axes.
+    pub fn vertices(&self) -> impl ExactSizeIterator<Item = DVec3> + Clone {
+        self.solid.vertices().iter().map(|&vertex| self.placed(vertex))
+    }
+
+    /// Normal of each face of the solid in terrain axes.
+    pub fn normals(&self) -> impl ExactSizeIterator<Item = DVec3> + Clone {
+        self.solid.faces().iter().map(|face| self.to_ground * face.normal)
+    }
+
+    /// Normal of one face in terrain axes.
+    pub fn normal(&self, face: usize) -> DVec3 {
+        self.to_ground * self.solid.faces()[face].normal
+    }
+
+    fn placed(&self, vertex: DVec3) -> DVec3 {
+        self.foot + self.to_ground * (vertex * self.scale)
     }
 
     /// A corner of a face, in terrain axes: a point of its plane.
     pub fn on_face(&self, face: usize) -> DVec3 {
-        self.vertices[self.solid.faces()[face].corners[0] as usize]
+        self.placed(self.solid.vertices()[self.solid.faces()[face].corners[0] as usize])
     }
 
     /// Diffuse reflectivity of each face, `max(n.s, 0)` times its albedo, under the unit vector to the sun.
     pub fn reflectivities(&self, sun_direction: DVec3) -> impl Iterator<Item = f64> {
-        let lit = self.normals.iter().map(move |normal| normal.dot(sun_direction).max(0.0));
+        let lit = self.normals().map(move |normal| normal.dot(sun_direction).max(0.0));
         lit.zip(self.solid.faces()).map(|(cosine, face)| cosine * face.albedo)
     }
 
@@ -82,7 +101,7 @@ impl Body {
         }
         let mut entry = Hit { distance: f64::NEG_INFINITY, face: 0 };
         let mut exit = f64::INFINITY;
-        for (face, &normal) in self.normals.iter().enumerate() {
+        for (face, normal) in self.normals().enumerate() {
             let height = normal.dot(origin - self.on_face(face));
             let rate = normal.dot(direction);
             if rate < 0.0 {
@@ -110,10 +129,10 @@ impl Body {
 const NEAR: f64 = 1e-6;
 
 /// A sphere about the middle of the box around all vertices.
-fn bounding_sphere(vertices: &[DVec3]) -> (DVec3, f64) {
-    let low = vertices.iter().copied().fold(DVec3::INFINITY, DVec3::min);
-    let high = vertices.iter().copied().fold(DVec3::NEG_INFINITY, DVec3::max);
+fn bounding_sphere(vertices: impl Iterator<Item = DVec3> + Clone) -> (DVec3, f64) {
+    let low = vertices.clone().fold(DVec3::INFINITY, DVec3::min);
+    let high = vertices.clone().fold(DVec3::NEG_INFINITY, DVec3::max);
     let centre = (low + high) * 0.5;
-    let radius = vertices.iter().map(|vertex| vertex.distance(centre)).fold(0.0, f64::max);
+    let radius = vertices.map(|vertex| vertex.distance(centre)).fold(0.0, f64::max);
     (centre, radius)
 }

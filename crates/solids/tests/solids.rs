@@ -107,7 +107,7 @@ fn place() -> impl Strategy<Value = DVec3> {
 
 /// Whether a point lies in a body, by its planes.
 fn holds(body: &Body, point: DVec3, slack: f64) -> bool {
-    (0..body.normals.len()).all(|face| body.normals[face].dot(point - body.on_face(face)) <= slack)
+    (0..body.normals().len()).all(|face| body.normal(face).dot(point - body.on_face(face)) <= slack)
 }
 
 fn placed(points: &[DVec3]) -> Option<Body> {
@@ -163,8 +163,8 @@ proptest! {
             (Some(hit), Some(number)) if number > 0 => {
                 prop_assert!((hit.distance - step * f64::from(number)).abs() <= step);
                 let met = origin + direction * hit.distance;
-                prop_assert!(body.normals[hit.face].dot(met - body.on_face(hit.face)).abs() < 1e-9);
-                prop_assert!(body.normals[hit.face].dot(direction) < 0.0);
+                prop_assert!(body.normal(hit.face).dot(met - body.on_face(hit.face)).abs() < 1e-9);
+                prop_assert!(body.normal(hit.face).dot(direction) < 0.0);
             }
             // A ray that begins within enters nothing.
             (None, Some(number)) => prop_assert_eq!(number, 0),
@@ -179,8 +179,8 @@ proptest! {
     fn a_ray_to_a_place_just_within_a_corner_enters(points in vec(place(), 6..30), origin in place()) {
         let Some(body) = placed(&points) else { return Ok(()) };
         let origin = body.centre + (origin + DVec3::splat(0.01)).normalize() * 3.0 * body.radius;
-        let middle = body.vertices.iter().sum::<DVec3>() / body.vertices.len() as f64;
-        for &vertex in &body.vertices {
+        let middle = body.vertices().sum::<DVec3>() / body.vertices().len() as f64;
+        for vertex in body.vertices() {
             let within = vertex + (middle - vertex) * 1e-3;
             prop_assert!(body.first_hit(origin, within - origin, 0.0).is_some(), "{}", vertex);
         }
@@ -190,9 +190,9 @@ proptest! {
     fn the_bounding_sphere_bounds(points in vec(place(), 6..30)) {
         let Some(body) = placed(&points) else { return Ok(()) };
         let (centre, radius) = (body.centre, body.radius);
-        prop_assert!(body.vertices.iter().all(|vertex| vertex.distance(centre) <= radius));
-        prop_assert!(body.vertices.iter().any(|vertex| vertex.distance(centre) >= radius * (1.0 - 1e-12)));
-        prop_assert!(body.vertices.iter().all(|vertex| vertex.distance(body.foot) <= 1.5 * body.solid.radius() + 1e-9));
+        prop_assert!(body.vertices().all(|vertex| vertex.distance(centre) <= radius));
+        prop_assert!(body.vertices().any(|vertex| vertex.distance(centre) >= radius * (1.0 - 1e-12)));
+        prop_assert!(body.vertices().all(|vertex| vertex.distance(body.foot) <= 1.5 * body.solid.radius() + 1e-9));
     }
 }
 
@@ -202,7 +202,7 @@ fn light_of_a_box() {
     let body = Body::place(0, Kind::Culture, &solid, DVec3::ZERO, &DMat3::IDENTITY, 2.0);
     let sun = DVec3::new(0.6, 0.0, 0.8);
     for (face, light) in body.reflectivities(sun).enumerate() {
-        let normal = body.normals[face];
+        let normal = body.normal(face);
         let expected = if normal.x > 0.9 {
             0.3
         } else if normal.z > 0.9 {
@@ -221,7 +221,7 @@ fn rays_and_a_box() {
     let body = Body::place(0, Kind::Culture, &solid, DVec3::ZERO, &DMat3::IDENTITY, 2.0);
     let hit = |origin: [f64; 3], direction: DVec3, from: f64| {
         body.first_hit(DVec3::from_array(origin), direction, from)
-            .map(|hit| (hit.distance, body.normals[hit.face]))
+            .map(|hit| (hit.distance, body.normal(hit.face)))
     };
     assert_eq!(hit([-1.0, 1.0, 1.0], DVec3::X, 0.0), Some((1.0, DVec3::NEG_X)));
     assert_eq!(hit([-1.0, 1.0, 1.0], DVec3::X * 0.5, 0.0), Some((2.0, DVec3::NEG_X)));

@@ -31,7 +31,10 @@ fn craters(scenario: &Scenario, extent: [f64; 4]) -> Result<Vec<Crater>, StageEr
         craters.extend_from_slice(&list.craters);
     }
     for (number, wish) in scenario.features.populations.iter().enumerate() {
-        craters.extend(strewn(number, wish, extent)?);
+        let found = strewn(number, wish, extent)?;
+        // There may be a million: no room for twice as many.
+        craters.reserve_exact(found.len());
+        craters.extend(found);
     }
     Ok(craters)
 }

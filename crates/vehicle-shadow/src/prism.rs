@@ -15,11 +15,11 @@ impl Prism {
     /// within the outline that the sun sees. Nothing for a body that has no outline.
     pub fn shadow(body: &Body, to_sun: DVec3) -> Option<Self> {
         let (right, above) = to_sun.any_orthonormal_pair();
-        let across = |vertex: &DVec3| DVec2::new(right.dot(*vertex), above.dot(*vertex));
-        let outline = hull(body.vertices.iter().map(across).collect())?;
-        let lit = body.normals.iter().enumerate().filter(|(_, normal)| normal.dot(to_sun) > 0.0);
+        let across = |vertex: DVec3| DVec2::new(right.dot(vertex), above.dot(vertex));
+        let outline = hull(body.vertices().map(across).collect())?;
+        let lit = body.normals().enumerate().filter(|(_, normal)| normal.dot(to_sun) > 0.0);
         let mut planes: Vec<(DVec3, f64)> =
-            lit.map(|(face, &normal)| (normal, normal.dot(body.on_face(face)))).collect();
+            lit.map(|(face, normal)| (normal, normal.dot(body.on_face(face)))).collect();
         // The hull's corners turn from the first axis towards the second: outwards is to the other side.
         planes.extend(outline.iter().zip(outline.iter().cycle().skip(1)).map(|(&from, &to)| {
             let outwards = -(to - from).perp();

@@ -6,11 +6,15 @@ use std::process::{Command, ExitCode};
 use std::time::Instant;
 
 use benchmarks::chain::{Outputs, Stepped, difference, simulate};
+use benchmarks::mesh::trace;
 use benchmarks::startup::{begin, prepare};
-use benchmarks::{Choice, Scene};
+use benchmarks::{Choice, STANDARD, Scene};
 use clap::{Parser, Subcommand};
-use generator::Generator;
+use exact::Exact;
+use generator::{Generator, PlaneKind};
+use landscape::Attitude;
 use machine::{ControlPlane, HybridMachine};
+use scenario::{Curvature, Laws, PixelRule, Pose, Projection, Scalar};
 use signal::{LANES, Lanes, Probe, Real};
 
 /// Measure what stands beside the frames in the table of goals.
@@ -30,6 +34,8 @@ enum Part {
     Startup,
     /// An analog chain by exact steps and by ngspice.
     Circuit,
+    /// The ground as finer and finer meshes by POV-Ray, against the machine at equal error.
+    Mesh,
     /// Peak memory (KiB) of this process after three frames of a shipped scenario under ideal parts.
     #[command(hide = true)]
     Peak { scenario: String },
@@ -40,7 +46,7 @@ enum Part {
 
 fn main() -> ExitCode {
     let parts = match Arguments::parse().part {
-        None => vec![Part::Control, Part::Memory, Part::Startup, Part::Circuit],
+        None => vec![Part::Control, Part::Memory, Part::Startup, Part::Circuit, Part::Mesh],
         Some(part) => vec![part],
     };
     match parts.iter().try_for_each(run) {
@@ -58,6 +64,7 @@ fn run(part: &Part) -> Result<(), String> {
         Part::Memory => memory(),
         Part::Startup => startup(),
         Part::Circuit => circuit(),
+        Part::Mesh => mesh(),
         Part::Peak { scenario } => peak(scenario),
         Part::Begin { scenario } => tell_beginning(Path::new(scenario)),
     }
@@ -160,6 +167,66 @@ fn apart(arguments: &[&str]) -> Result<String, String> {
     let ended = Command::new(program).args(arguments).output().map_err(|error| error.to_string())?;
     let said = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
     if ended.status.success() { Ok(said(&ended.stdout)) } else { Err(said(&ended.stderr)) }
+}
+
+/// Meridians and rings of the meshes, coarse to fine.
+const SIDES: [usize; 6] = [64, 128, 256, 512, 1024, 2048];
+
+fn mesh() -> Result<(), String> {
+    let choice = Choice { model: Some("ideal"), scalar: Some(Scalar::F32), raster: Some(STANDARD) };
+    let mut scene = Scene::shipped("first-light", &choice);
+    let raster = scene.stage.settings.raster;
+    println!(
+        "| first light, {} x {} pixels, two threads | triangles | rms error | ms | of the machine's |\n|---|---|---|---|---|",
+        raster.columns, raster.lines
+    );
+    // What a camera over flat ground sees, at the centre of each pixel.
+    let laws = &mut scene.stage.settings.laws;
+    *laws = Laws {
+        projection: Projection::Exact,
+        curvature: Curvature::None,
+        pixel_rule: PixelRule::Centre,
+        ..*laws
+    };
+    let pose =
+        Pose { attitude: Attitude { pitch: 0.0, roll: 0.0, ..scene.pose.attitude }, yoke: 0.0, ..scene.pose };
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().map_err(|error| error.to_string())?;
+    let drawn = |generator: &dyn Generator, repetitions| {
+        let session = generator.prepare(scene.stage.clone()).map_err(|error| error.to_string())?;
+        let mut planes = scene.planes();
+        let [least, _] = pool.install(|| {
+            times(repetitions, || {
+                session.frame(0, &pose, &mut planes, &mut Probe::off()).expect("drawn by the tests");
+            })
+        });
+        let picture = planes.get(PlaneKind::Intensity).ok_or("no picture")?.to_vec();
+        Ok::<_, String>((picture, least))
+    };
+    let (right, _) = drawn(&Exact, 1)?;
+    let (picture, machine) = drawn(&HybridMachine, 15)?;
+    let rms = |picture: &[f32]| {
+        let squares = picture.iter().zip(&right).map(|(a, b)| f64::from(a - b) * f64::from(a - b));
+        (squares.sum::<f64>() / right.len() as f64).sqrt()
+    };
+    let error = rms(&picture);
+    println!("| hybrid machine, ideal, f32 | | {error:.2e} | {:.1} | 1 times |", machine * 1e3);
+    for side in SIDES {
+        let Some(traced) = trace(&scene, &pose, side)? else {
+            println!("| POV-Ray is not here | | | | |");
+            break;
+        };
+        let (found, ratio) = (rms(&traced.picture), traced.seconds / machine);
+        println!(
+            "| POV-Ray, {side} x {side} | {} | {found:.2e} | {:.0} | {ratio:.1} times |",
+            traced.triangles,
+            traced.seconds * 1e3
+        );
+        if found <= error {
+            break;
+        }
+    }
+    println!();
+    Ok(())
 }
 
 /// Rasters of 50 ns of the comparison: 400 µs, a hundred rises and falls.

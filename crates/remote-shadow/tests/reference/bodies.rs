@@ -33,7 +33,7 @@ fn a_box_on_flat_ground() {
         let sun = Sun { azimuth: radians(azimuth), elevation: radians(elevation) };
         let outline = bank(ground.clone()).cast_by_body(&body, &sun);
         let (sin, cos) = sin_cos(sun.azimuth);
-        let across = body.vertices.iter().map(|v| v.y * cos - v.x * sin);
+        let across = body.vertices().map(|v| v.y * cos - v.x * sin);
         let (least, most) = across.fold((f64::MAX, f64::MIN), |(a, b), p| (a.min(p), b.max(p)));
         let length = 2.0 / (libm::tan(sun.elevation));
         let expected = 2.0 + (most - least) * length;
@@ -77,8 +77,8 @@ fn a_point_of_the_outline_lies_under_the_edge_of_the_body() {
 
 fn meets(body: &Body, start: DVec3, direction: DVec3) -> bool {
     let (mut from, mut to) = (0.0f64, f64::MAX);
-    for (face, normal) in body.solid.faces().iter().zip(&body.normals) {
-        let away = normal.dot(body.vertices[face.corners[0] as usize] - start);
+    for (face, normal) in body.normals().enumerate() {
+        let away = normal.dot(body.on_face(face) - start);
         let speed = normal.dot(direction);
         if speed < 0.0 {
             from = from.max(away / speed);
@@ -101,7 +101,7 @@ fn what_is_buried_casts_nothing() {
     let bank = bank(ground);
     let buried = bank.cast_by_body(&boxed(DVec3::new(200.0, 200.0, -1.0), -0.5), &sun);
     let (sin, cos) = sin_cos(sun.azimuth);
-    let across = boxed(DVec3::ZERO, 0.0).vertices.iter().map(|v| v.y * cos - v.x * sin).fold(0.0, f64::max);
+    let across = boxed(DVec3::ZERO, 0.0).vertices().map(|v| v.y * cos - v.x * sin).fold(0.0, f64::max);
     let expected = 2.0 + 2.0 * across / libm::tan(sun.elevation);
     assert!((area(&buried) - expected).abs() < 1e-4 * expected, "{} {expected}", area(&buried));
 }

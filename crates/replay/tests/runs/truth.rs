@@ -231,7 +231,7 @@ fn a_pixel_of_a_full_scene_leads_back_to_what_its_label_says() {
         if matches!(label, Label::Rock | Label::Culture) {
             let time = poses["frames"][(frame - 2) as usize]["time_s"].as_f64().unwrap();
             let outside = |body: &solids::Body| {
-                let faces = body.normals.iter().enumerate();
+                let faces = body.normals().enumerate();
                 faces.map(|(face, normal)| normal.dot(at - body.on_face(face))).fold(f64::MIN, f64::max)
             };
             let nearest = stage.scenery.bodies(time).map(outside).min_by(|a, b| a.abs().total_cmp(&b.abs()));

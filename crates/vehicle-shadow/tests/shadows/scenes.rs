@@ -45,7 +45,7 @@ pub fn stone(seed: u64, count: u64, middle: DVec3, half: DVec3) -> Option<Solid>
 /// Whether the line from a place to the sun meets the body, or begins in it: face by face.
 pub fn lies_behind(body: &Body, place: DVec3, to_sun: DVec3) -> bool {
     let (mut enters, mut leaves) = (0.0f64, f64::INFINITY);
-    for (face, &normal) in body.normals.iter().enumerate() {
+    for (face, normal) in body.normals().enumerate() {
         let (outside, rate) = (normal.dot(place - body.on_face(face)), normal.dot(to_sun));
         if rate > 0.0 {
             leaves = leaves.min(-outside / rate);

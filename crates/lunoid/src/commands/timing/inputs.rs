@@ -17,7 +17,7 @@ pub fn inputs_hash(scenario: &Scenario, stage: &Stage) -> String {
     hasher.update(&bank_file::content_hash(landscape.bank()));
     add(&mut hasher, "path", &(scenario.path.waypoints(), &scenario.vehicle));
     for standing in scenery.standing() {
-        add(&mut hasher, "body", &(standing.from, standing.until, standing.body.vertices.len()));
+        add(&mut hasher, "body", &(standing.from, standing.until, standing.body.vertices().len()));
     }
     let raster = &settings.raster;
     add(&mut hasher, "raster", &(raster.sweeps, raster.samples, raster.field, settings.timebase));
