@@ -38,6 +38,31 @@ pub fn broken_at(sample: impl Fn(usize) -> f64, last: usize, jumps: &[Jump], tim
     [jumps[first].before, jumps[behind - 1].after]
 }
 
+/// Jumps of a signal as time goes on: those that [`broken_at`] needs, without a search.
+#[derive(Debug, Clone)]
+pub struct NearJumps<'a> {
+    /// From the first that has not been passed.
+    ahead: &'a [Jump],
+}
+
+impl<'a> NearJumps<'a> {
+    /// Of ascending jumps.
+    pub fn new(jumps: &'a [Jump]) -> Self {
+        Self { ahead: jumps }
+    }
+
+    /// Those of the step in which `time` (steps) lies; not earlier than the step before it was asked for.
+    #[inline]
+    pub fn at(&mut self, time: f64) -> &'a [Jump] {
+        let end = step_of(time.max(0.0)) as f64;
+        while self.ahead.first().is_some_and(|jump| jump.at < end - 1.0) {
+            self.ahead = &self.ahead[1..];
+        }
+        let count = self.ahead.iter().take_while(|jump| jump.at <= end).count();
+        &self.ahead[..count]
+    }
+}
+
 /// The sample at which the step ends in which `time` lies, 0 or later.
 fn step_of(time: f64) -> usize {
     let whole = time as usize;
@@ -56,20 +81,11 @@ impl Delay {
     ) {
         let Some(last) = samples.checked_sub(1) else { return };
         let late = self.whole as f64 + self.share;
-        let mut ahead = 0;
+        let mut near = NearJumps::new(jumps);
         for index in 0..samples {
             let time = index as f64 - late;
-            let end = step_of(time.max(0.0));
-            let begin = end as f64 - 1.0;
-            ahead += jumps[ahead..].iter().take_while(|jump| jump.at < begin).count();
-            let is_straight = jumps.get(ahead).is_none_or(|jump| jump.at > end as f64);
-            if is_straight && (1..=last).contains(&end) {
-                let [value, target] = [end - 1, end].map(&sample);
-                put(index, value + (target - value) * (time - begin));
-            } else {
-                let [_, after] = broken_at(&sample, last, jumps, time);
-                put(index, after);
-            }
+            let [_, after] = broken_at(&sample, last, near.at(time), time);
+            put(index, after);
         }
         jumps.iter_mut().for_each(|jump| jump.at += late);
         jumps.retain(|jump| jump.at < last as f64);
@@ -78,7 +94,7 @@ impl Delay {
 
 #[cfg(test)]
 mod tests {
-    use super::{Jump, broken_at};
+    use super::{Jump, NearJumps, broken_at};
     use crate::Delay;
 
     const SAMPLES: [f64; 5] = [0.0, 1.0, 2.0, 7.0, 8.0];
@@ -95,6 +111,15 @@ mod tests {
         assert_eq!([at(2.125), at(2.25), at(2.375)], [[2.25; 2], [2.5, 6.0], [6.25; 2]]);
         assert_eq!([at(2.5), at(2.75), at(3.0)], [[6.5; 2], [6.75; 2], [7.0; 2]]);
         assert_eq!([at(3.5), at(4.0), at(9.0)], [[7.5; 2], [8.0; 2], [8.0; 2]]);
+    }
+
+    #[test]
+    fn jumps_that_are_near_are_all_that_counts() {
+        let mut near = NearJumps::new(&JUMPS);
+        for k in -10..60 {
+            let time = f64::from(k) * 0.125;
+            assert_eq!(broken_at(|k| SAMPLES[k], 4, near.at(time), time), at(time), "{time}");
+        }
     }
 
     #[test]

@@ -196,11 +196,7 @@ impl<S: Real> Comparator<S> {
             return false;
         }
         let reach = self.noise * self.source.most(sweep, sample as u64);
-        if high {
-            u0.min(u1) > self.thresholds[0] + reach
-        } else {
-            u0.max(u1) < self.thresholds[1] - reach
-        }
+        if high { u0.min(u1) > self.thresholds[0] + reach } else { u0.max(u1) < self.thresholds[1] - reach }
     }
 
     /// What comes of `passing` from share `now` of the step on.

@@ -112,6 +112,15 @@ impl<const N: usize> LagSteps<N> {
     }
 }
 
+impl LagStep<f64> {
+    /// [`LagStep::new`] to 1e-12 of the input: for parts of steps, which are new every time.
+    #[inline]
+    pub fn part(h: f64, tau: f64) -> Self {
+        let LagSteps { keep: [keep], from: [from], to: [to] } = LagSteps::new([h], [tau]);
+        Self { keep, from, to }
+    }
+}
+
 /// `e^-x` for x from 0 on, to 1e-14: a power of two, and the series of what is left, up to ln 2 / 2.
 #[inline(always)]
 fn decayed(x: f64) -> f64 {
@@ -222,6 +231,10 @@ mod tests {
             for share in [0.0, 1e-9, 0.3, 0.999, 1.0] {
                 let right = LagStep::<f64>::new(h * share, tau);
                 let LagSteps { keep, from, to } = LagSteps::new([h * share; 2], [tau; 2]);
+                assert_eq!(
+                    LagStep::part(h * share, tau),
+                    LagStep { keep: keep[0], from: from[0], to: to[0] }
+                );
                 for (found, right) in [(keep, right.keep), (from, right.from), (to, right.to)] {
                     assert!((found[1] - right).abs() < 1e-12, "{tau} {share}: {found:?} {right}");
                 }

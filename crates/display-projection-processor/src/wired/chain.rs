@@ -1,7 +1,7 @@
 //! The processor of parts, from height to the wires of the write beam.
 
 use hardware_model::AnalogParts;
-use parts::{Delay, Jump, LagStep, broken_at, time_constant};
+use parts::{Delay, Jump, LagStep, NearJumps, broken_at, time_constant};
 use scenario::{Curvature, Occlusion};
 use signal::{Break, Breaks, LANES, Lanes, Real, Stretches};
 
@@ -214,11 +214,13 @@ impl<S: Real> PartsProcessor<S> {
             after: place.after.to_f64(),
         }));
         let (late, last) = (self.video.whole as f64 + self.video.share, reflectivity.len().saturating_sub(1));
+        let mut near = NearJumps::new(jumps);
         for (place, jump) in breaks.iter().zip(&*jumps) {
             let behind = place.sample.saturating_add(self.video.whole);
             if behind <= last {
                 let video = |sample: usize| reflectivity[sample][lane].to_f64();
-                let [_, value] = broken_at(video, last, jumps, behind as f64 - late);
+                let time = behind as f64 - late;
+                let [_, value] = broken_at(video, last, near.at(time), time);
                 out.intensity[behind][lane] = S::from_f64(value);
             }
             let at = jump.at + late;

@@ -287,7 +287,7 @@ impl Walk {
     }
 
     fn advance(&mut self, h: f64, share: f64, u: [f64; 3]) {
-        let lag = LagStep::<f64>::new(h * (share - self.share).max(0.0), self.chain.tau);
+        let lag = LagStep::part(h * (share - self.share).max(0.0), self.chain.tau);
         for ((y, before), now) in self.y.iter_mut().zip(self.u).zip(u) {
             *y = lag.step(*y, before, now);
         }

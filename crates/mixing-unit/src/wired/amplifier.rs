@@ -112,7 +112,7 @@ impl<S: Real> Walk<'_, S> {
 
     /// On to `share`, the input going straight to `u`.
     fn advance(&mut self, share: f64, u: f64) {
-        let lag = LagStep::<f64>::new((share - self.share).max(0.0), self.amplifier.tau);
+        let lag = LagStep::part((share - self.share).max(0.0), self.amplifier.tau);
         self.y = lag.step(self.y, self.u, u);
         (self.share, self.u) = (share, u);
     }

@@ -1,6 +1,6 @@
 //! What happens between two samples: rims, the fades of the switches, and the begin and end of local shadow.
 
-use parts::{Fade, Jump, broken_at};
+use parts::{Fade, Jump, NearJumps, broken_at};
 use scenario::TextureInShadow;
 use signal::{Break, LANES, Real};
 
@@ -89,11 +89,12 @@ impl<S: Real> Between<'_, S> {
         found.clear();
         let signed = |sample: usize| self.scratch.signed[sample][self.lane].to_f64();
         let mut events = events.iter_mut().peekable();
+        let mut near = NearJumps::new(&self.scratch.jumps[self.lane]);
         for sample in 1..self.scratch.signed.len() {
             let end = sample as f64;
             let (mut at, mut value) = (end - 1.0, signed(sample - 1));
             while let Some(event) = events.next_if(|event| event.at < end) {
-                let signed = self.signed(event.at, sample);
+                let signed = self.signed(event.at, sample, near.at(event.at));
                 // At a sample, the break is of the step before.
                 event.signed = (event.at > end - 1.0).then_some(signed);
                 let [before, after] = signed;
@@ -119,7 +120,8 @@ impl<S: Real> Between<'_, S> {
     fn video(&self, event: &Event<S>, sample: usize) -> [f64; 2] {
         let Self { mixer, inputs, scratch, lane } = *self;
         let time = event.at;
-        let mut value = event.signed.unwrap_or_else(|| self.signed(time, sample)).map(limited);
+        let mut value =
+            event.signed.unwrap_or_else(|| self.signed(time, sample, &scratch.jumps[lane])).map(limited);
         if inputs.shadow.is_some() {
             let g = scratch.fades[1][lane].at(time);
             value = [0, 1]
@@ -132,13 +134,13 @@ impl<S: Real> Between<'_, S> {
         value.map(|value| limited(value + behind))
     }
 
-    /// What comes to the limiter before VS2.
-    fn signed(&self, time: f64, sample: usize) -> [f64; 2] {
+    /// What comes to the limiter before VS2; `jumps` of the features, at least those near.
+    fn signed(&self, time: f64, sample: usize, jumps: &[Jump]) -> [f64; 2] {
         let Self { mixer, inputs, scratch, lane } = *self;
         let ground = |sample: usize| inputs.reflectivity[sample][lane].to_f64();
         let mut value = broken_at(ground, inputs.reflectivity.len() - 1, &[], time);
         if inputs.features.is_some() {
-            let [before, after] = self.features(time);
+            let [before, after] = self.features(time, jumps);
             let g = scratch.fades[0][lane].at(time);
             let out = |side: usize, s: f64| {
                 mixer.vs1.output([g[side], value[side], s], &scratch.leaks[0], sample, lane)
@@ -157,10 +159,10 @@ impl<S: Real> Between<'_, S> {
     }
 
     /// Input S of VS1.
-    fn features(&self, time: f64) -> [f64; 2] {
+    fn features(&self, time: f64, jumps: &[Jump]) -> [f64; 2] {
         let Self { scratch, lane, .. } = *self;
         let video = |sample: usize| scratch.video[sample][lane].to_f64();
-        broken_at(video, scratch.video.len() - 1, &scratch.jumps[lane], time)
+        broken_at(video, scratch.video.len() - 1, jumps, time)
     }
 }
 
