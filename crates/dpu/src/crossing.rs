@@ -133,6 +133,14 @@ mod tests {
 
     impl Watch for Listener {}
 
+    /// Frame and sweep.
+    const PLACE: (u64, u32) = (3, 7);
+
+    fn timebase() -> Timebase {
+        let rate = |hertz| Rate::new(hertz, 1).expect("not 0");
+        Timebase::new(rate(20_000_000), rate(30), 525, 100, 10).expect("it fits")
+    }
+
     fn program(
         level: &Level,
         start: &SweepStart,
@@ -140,15 +148,13 @@ mod tests {
         (loader, missing): (&Loader, &[MissingCorner]),
         watch: &mut impl Watch,
     ) -> SweepProgram {
-        let rate = |hertz| Rate::new(hertz, 1).expect("not 0");
-        let timebase = Timebase::new(rate(20_000_000), rate(30), 525, 100, 10).expect("it fits");
-        let cpu = &Cpu::default();
-        let service = CrossingService { level, loader, cpu, timebase: &timebase, missing, held: 0, seed: 1 };
+        let (cpu, timebase) = (&Cpu::default(), &timebase());
+        let service = CrossingService { level, loader, cpu, timebase, missing, held: 0, seed: 1 };
         let registers = [RegisterSet::default(); 4];
         let mut program =
             SweepProgram { start: *start, registers, steps: Vec::new(), end_range: 0.0, misses: Vec::new() };
         let range_at = |time: SweepTime| time.0;
-        service.write_program((3, 7), *start, folds.iter().copied(), 90.0, range_at, &mut program, watch);
+        service.write_program(PLACE, *start, folds.iter().copied(), 90.0, range_at, &mut program, watch);
         program
     }
 
@@ -238,6 +244,41 @@ mod tests {
         assert!(tally.seen[0] > Tick(0) && tally.seen.iter().all(|tick| *tick == tally.seen[0]));
         // Y-first of yellow and black, which moved over with the first fold.
         assert_eq!(tally.wasted, 2);
+    }
+
+    /// Lockstep found it: three sets of 1 + 5 ticks after the fold that asks, and a strobe of 2, yellow's diagonal word is
+    /// there. A Y fold less than a tick before is seen in that very tick, and has to fetch its word all the same.
+    #[test]
+    fn a_diagonal_word_is_at_hand_at_the_instant_of_the_fold_not_at_the_tick_that_sees_it() {
+        let loader = Loader {
+            diagonal_register: true,
+            pointer: 1,
+            access: 5,
+            strobe: 2,
+            ..HardwareModel::ideal().loader
+        };
+        let ramps = [Ramp { start: 0.25, rate: 0.7, polarity: 1.0 }; 2];
+        let start = SweepStart { direction: [0.7; 2], region: [0, 0], ramps };
+        let clock = timebase().sweep_clock(PLACE.0, PLACE.1);
+        let first = clock.tick_at_or_after(SweepTime(1.0));
+        let is_at_hand = |ticks: f64| {
+            let origin = clock.instant_of(first).0;
+            let time = |ticks: f64| SweepTime(origin + ticks / timebase().ticks_per_sample());
+            let fold = |axis, ticks| TimedFold {
+                time: time(ticks),
+                range: time(ticks).0,
+                fold: Fold { axis, stop: Stop::One },
+            };
+            let folds = [fold(RampAxis::X, -0.3), fold(RampAxis::Y, ticks)];
+            let steps = program(&level(), &start, &folds, (&loader, &[]), &mut ()).steps;
+            // Yellow goes from corner (2, 0) to (2, 2): two further north lies (4, 2).
+            let wanted = StepKind::Load(load(Colour::Yellow, PreloadRegister::XFirst, 4 * 9 + 2));
+            let came = steps.iter().find(|step| step.kind == wanted).expect("it is fetched or moved over");
+            came.time == folds[1].time
+        };
+        let there = f64::from(3 * (1 + 5) + 2);
+        let found = [there - 1.3, there - 0.3, there + 0.3].map(is_at_hand);
+        assert_eq!(found, [false, false, true]);
     }
 
     proptest! {

@@ -12,6 +12,7 @@ use std::sync::Arc;
 
 use hardware_model::Settings;
 use landscape::Landscape;
+use quantities::Timebase;
 use scenario::{Pose, Scenery};
 use signal::{Probe, Signal, Wire};
 
@@ -122,6 +123,17 @@ pub trait Generator: Sync {
 
     /// The signals that its sessions can record.
     fn signals(&self) -> &'static [Signal];
+
+    /// Whether it draws by sweeps of the report's machine, with clocks and deadlines.
+    fn is_machine(&self) -> bool {
+        false
+    }
+
+    /// Clocks that its waveforms are told against: as many sweeps and samples as they have. One that has no clocks makes
+    /// them up.
+    fn timebase(&self, settings: &Settings) -> Timebase {
+        settings.timebase
+    }
 
     /// Elaborates `stage`: after this nothing is looked up by name.
     ///

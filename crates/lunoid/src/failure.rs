@@ -12,6 +12,7 @@ use plots::PlotError;
 use replay::ReplayError;
 use stage::StageError;
 use survey::SurveyError;
+use timing::RecordError;
 
 /// Why a command did not do what it was told.
 #[derive(Debug)]
@@ -125,6 +126,15 @@ impl From<NpyFileError> for Failure {
     fn from(error: NpyFileError) -> Self {
         match error {
             NpyFileError::File(error) => error.into(),
+            other => Self::input(other),
+        }
+    }
+}
+
+impl From<RecordError> for Failure {
+    fn from(error: RecordError) -> Self {
+        match error {
+            RecordError::File(error) => error.into(),
             other => Self::input(other),
         }
     }

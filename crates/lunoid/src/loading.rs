@@ -298,6 +298,11 @@ impl Loaded {
         Ok(stage)
     }
 
+    /// Name of who draws: the hardware model, or the generator that is no machine.
+    pub fn drawn_by(&self) -> &str {
+        if self.generator.is_machine() { &self.inputs.model } else { self.generator.name() }
+    }
+
     /// Name of the scenario's file.
     pub fn scenario_file(&self) -> &str {
         self.inputs.scenario.as_ref().map_or("scenario", |record| &record.file)

@@ -37,6 +37,11 @@
 //! `intensity` is the grey of the codes. All others are of the grid point under the pixel's middle: `normal_*` with the
 //! lean of the lunoid, `height` without its drop, `label` terrain or crater.
 //!
+//! # Signals
+//!
+//! Rows of the grid, point by point: place, height, slopes, light, shadow, line, code (`rows.rs`). A row stands for a sweep of
+//! the probe.
+//!
 //! # Timing
 //!
 //! No clocks, no state between frames. Rows, points and columns are worked out by the threads of the current rayon pool,
@@ -66,6 +71,7 @@ mod light;
 mod observer;
 mod projection;
 mod restrictions;
+mod rows;
 mod session;
 mod shadow;
 

@@ -18,9 +18,14 @@ pub(crate) struct Lit {
 }
 
 impl Lit {
+    /// Whether it lies in shadow.
+    pub fn is_dark(self) -> bool {
+        self.shade != Shade::Lit
+    }
+
     /// What it returns, 0..=1: nothing in shadow.
     pub fn intensity(self) -> f64 {
-        if self.shade == Shade::Lit { self.reflectivity } else { 0.0 }
+        if self.is_dark() { 0.0 } else { self.reflectivity }
     }
 }
 

@@ -55,6 +55,12 @@ impl Plot {
     }
 }
 
+/// Line of positions, of `lines` over twice `half_height`, at `y` (down) of the view-plane: -1 for all that lies above the
+/// first, `lines` for all below the last.
+pub(crate) fn line(y: f64, half_height: f64, lines: usize) -> i32 {
+    (0.5 * (y / half_height + 1.0) * lines as f64).floor().clamp(-1.0, lines as f64) as i32
+}
+
 /// Where a row crosses each column of positions: at the point whose projection lies nearest to the column's middle.
 fn crossings(grid: &Grid, observer: &Observer, row: usize, [columns, lines]: [usize; 2]) -> Vec<Crossing> {
     let project = |column: usize| {
@@ -65,8 +71,6 @@ fn crossings(grid: &Grid, observer: &Observer, row: usize, [columns, lines]: [us
     };
     let points: Vec<_> = (0..grid.size).filter_map(project).collect();
     let [half_width, half_height] = observer.half_field;
-    let line =
-        |y: f64| (0.5 * (y / half_height + 1.0) * lines as f64).floor().clamp(-1.0, lines as f64) as i32;
     let mut nearest = 0;
     let crossing = |column: usize| {
         let middle = half_width * ((2 * column + 1) as f64 / columns as f64 - 1.0);
@@ -79,7 +83,7 @@ fn crossings(grid: &Grid, observer: &Observer, row: usize, [columns, lines]: [us
         let beside = [nearest.checked_sub(1), Some(nearest + 1)];
         let spacing = beside.into_iter().flatten().filter_map(|at| points.get(at)).map(|p| (p.0 - x).abs());
         let reach = 0.5 * spacing.fold(2.0 * half_width / columns as f64, f64::max);
-        ((x - middle).abs() <= reach).then(|| Crossing { line: line(y), point })
+        ((x - middle).abs() <= reach).then(|| Crossing { line: line(y, half_height, lines), point })
     };
     (0..columns).map(crossing).map(|found| found.unwrap_or(Crossing { line: 0, point: SKY })).collect()
 }

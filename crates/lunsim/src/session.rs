@@ -4,6 +4,8 @@ use generator::{
     FrameCounts, FrameError, Generator, Omission, Planes, PrepareError, Session as GeneratorSession, Stage,
     check_eye,
 };
+use hardware_model::Settings;
+use quantities::Timebase;
 use scenario::{Curvature, Pose};
 use signal::{Probe, Signal, Wire};
 
@@ -13,7 +15,7 @@ use crate::grid::Grid;
 use crate::light::light;
 use crate::observer::Observer;
 use crate::projection::Plot;
-use crate::{NAME, restrictions};
+use crate::{NAME, restrictions, rows};
 
 /// The program of the report's appendix; see the crate's data sheet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -25,7 +27,11 @@ impl Generator for Lunsim {
     }
 
     fn signals(&self) -> &'static [Signal] {
-        &[]
+        &rows::SIGNALS
+    }
+
+    fn timebase(&self, settings: &Settings) -> Timebase {
+        rows::timebase(settings)
     }
 
     fn prepare(&self, stage: Stage) -> Result<Box<dyn GeneratorSession>, PrepareError> {
@@ -41,30 +47,32 @@ struct Session {
 }
 
 impl GeneratorSession for Session {
-    /// The raster is that of `planes`; nothing can be probed.
+    /// The raster is that of `planes`; a sweep of `probe` is a row of the grid.
     fn frame(
         &self,
         frame: u64,
         pose: &Pose,
         planes: &mut Planes,
-        _probe: &mut Probe,
+        probe: &mut Probe,
     ) -> Result<FrameCounts, FrameError> {
         let Stage { landscape, scenery, settings } = &self.stage;
         self.check(frame, pose)?;
         let observer = Observer::new(pose, settings.raster.field);
         let is_curved = settings.laws.curvature == Curvature::Parabolic;
         let (level, end) = (landscape.level(), settings.range.end);
+        let size = settings.lunsim.grid as usize;
         let Some(area) = area::viewed(&observer, level, self.heights, is_curved, end) else {
             planes.fill_sky();
+            rows::record(frame, size, None, probe);
             return Ok(FrameCounts::default());
         };
-        let size = settings.lunsim.grid as usize;
         let grid = Grid::new(landscape, &observer, &area, size, is_curved);
         let lit = light(&grid, &observer, landscape, &scenery.sun(pose.time), settings.shadows.is_some());
         let plot = Plot::new(&grid, &observer);
         let codes = IntensityCodes { count: settings.lunsim.intensity_codes, white: settings.display.white };
         let film = Film { plot: &plot, grid: &grid, light: &lit, observer: &observer, codes };
         film.develop(settings.laws.pixel_rule, planes);
+        rows::record(frame, size, Some(&film), probe);
         let features = self.craters(&observer, &area) as u64;
         Ok(FrameCounts { samples: (size * size) as u64, features, ..FrameCounts::default() })
     }
@@ -83,7 +91,7 @@ impl GeneratorSession for Session {
     }
 
     fn wires(&self) -> Vec<Wire> {
-        Vec::new()
+        rows::wires(&self.stage, self.heights)
     }
 }
 

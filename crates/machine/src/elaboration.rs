@@ -20,6 +20,10 @@ impl Generator for HybridMachine {
         signals()
     }
 
+    fn is_machine(&self) -> bool {
+        true
+    }
+
     fn prepare(&self, stage: Stage) -> Result<Box<dyn Session>, PrepareError> {
         Ok(match stage.settings.scalar {
             Scalar::F32 => Box::new(Elaborated::<f32>::new(stage)),

@@ -21,6 +21,10 @@ impl Generator for UnprobedMachine {
         &[]
     }
 
+    fn is_machine(&self) -> bool {
+        true
+    }
+
     fn prepare(&self, stage: Stage) -> Result<Box<dyn Session>, PrepareError> {
         Ok(match stage.settings.scalar {
             Scalar::F32 => Box::new(Unprobed(Elaborated::<f32>::new(stage))),

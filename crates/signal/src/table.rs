@@ -176,6 +176,7 @@ impl Signal {
             "mu" => "mixing-unit",
             "dpp" => "display-projection-processor",
             "pg" => "polyhedron-generator",
+            "lunsim" => "lunsim",
             _ => "sweep-memory",
         }
     }

@@ -127,9 +127,9 @@ pub fn slack(clock: &SweepClock, due: SweepTime, ready: Tick) -> i64 {
 
 #[cfg(test)]
 mod tests {
-    use super::LoadLine;
+    use super::{LoadLine, slack};
     use crate::MissCause;
-    use quantities::{Rate, SweepTime, Timebase};
+    use quantities::{Rate, SweepTime, Tick, Timebase};
 
     /// Ten ticks a sample, a retrace of ten samples, and loads of 8 words that take 40 ticks.
     fn line() -> LoadLine {
@@ -137,6 +137,19 @@ mod tests {
         let timebase = Timebase::new(rate(10_000), rate(1), 9, 90, 20).unwrap();
         assert!((timebase.ticks_per_sample() - 10_000.0 / 990.0).abs() < 1e-12);
         LoadLine::new(&timebase, (3, 4), 8, 2000.0)
+    }
+
+    /// Lockstep found it: a fold before the first sample of the mission was told as late by a tick, of words that are always
+    /// there. In any later sweep the tick before it counts.
+    #[test]
+    fn nothing_is_due_before_the_mission() {
+        let rate = |hertz| Rate::new(hertz, 1).unwrap();
+        let timebase = Timebase::new(rate(10_000), rate(1), 9, 90, 20).unwrap();
+        let early = SweepTime(-0.05);
+        assert_eq!(slack(&timebase.sweep_clock(0, 0), early, Tick(0)), 0);
+        // 110 samples of 10.1 ticks a sweep: sweep 1 begins at tick 1111.1, and early is half a tick before.
+        let second = timebase.sweep_clock(0, 1);
+        assert_eq!([1110, 1111].map(|ready| slack(&second, early, Tick(ready))), [0, -1]);
     }
 
     #[test]

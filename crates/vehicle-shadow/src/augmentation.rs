@@ -11,6 +11,7 @@ use picture::{GreyPicture, Limits, PictureFileError, decode_png, encode_png};
 use scenario::{Pose, TrackPatch};
 use serde::{Deserialize, Serialize};
 
+use crate::blanking::Blanking;
 use crate::flat_ground::{OutlineRule, flat_gates, shadow_outlines};
 use crate::gate::Gates;
 use crate::insertion::{Method, Shade};
@@ -72,14 +73,22 @@ pub struct FrameWork {
     /// Times of gear of 1969.
     #[serde(flatten)]
     pub times: WorkTimes,
+    /// Where the video is blanked.
+    #[serde(flatten)]
+    pub blanking: Blanking,
 }
 
 impl Augmentation {
-    /// How dark each pixel of a picture of `size` (columns, lines) becomes, and what that takes.
+    /// How dark each pixel of a picture of `size` (columns, lines) becomes, what that takes, and where the video is blanked.
     ///
     /// # Errors
     /// If the sun does not stand above the horizontal, or the eye not above the ground.
-    pub fn shade(&self, frame: u64, shot: &Shot, size: [usize; 2]) -> Result<(Shade, Work), AugmentError> {
+    pub fn shade(
+        &self,
+        frame: u64,
+        shot: &Shot,
+        size: [usize; 2],
+    ) -> Result<(Shade, Work, Blanking), AugmentError> {
         let sun = self.sun(shot.time);
         let suns = suns(&sun, self.penumbra).map_err(|source| AugmentError::Sun { frame, source })?;
         let raster = self.method.raster(size);
@@ -100,7 +109,7 @@ impl Augmentation {
             line_generators: gates.iter().map(|gates| gates.line_generators).sum(),
             dark: shade.shares().iter().sum::<f64>() / shade.shares().len() as f64,
         };
-        Ok((shade, work))
+        Ok((shade, work, Blanking::of(&self.method, &gates, shot.field.tan_half_width)))
     }
 
     fn sun(&self, time: f64) -> Sun {
@@ -172,7 +181,7 @@ impl Augmentation {
         if let Some(kept) = kept(&path, &key) {
             return Ok(kept);
         }
-        let (shade, work) = self.shade(frame.frame, &shot, [picture.columns(), picture.lines()])?;
+        let (shade, work, blanking) = self.shade(frame.frame, &shot, [picture.columns(), picture.lines()])?;
         let refused = |source| PictureFileError::Picture { path: path.clone(), source };
         let new = GreyPicture::new(picture.columns(), picture.lines(), picture.depth(), shade.blank(picture))
             .map_err(refused)?;
@@ -183,6 +192,7 @@ impl Augmentation {
             pixels_blake3: new.pixel_hash(),
             times: work.times(&self.method, sequence.period()),
             work,
+            blanking,
         };
         let texts = [
             ("Frame", frame.frame.to_string()),

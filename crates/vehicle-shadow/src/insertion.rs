@@ -89,7 +89,7 @@ fn unit(gate: &Gate, half_width: f64) -> Vec<[f64; 2]> {
 }
 
 /// The same at the nearest places that the converters have.
-fn converted(gate: &Gate, half_width: f64, bits: u32) -> Vec<[f64; 2]> {
+pub(crate) fn converted(gate: &Gate, half_width: f64, bits: u32) -> Vec<[f64; 2]> {
     let steps = f64::from(1u32 << bits);
     let nearest = |share: f64| (share * steps).round() / steps;
     unit(gate, half_width).into_iter().map(|stretch| stretch.map(nearest)).collect()

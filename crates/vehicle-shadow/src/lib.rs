@@ -48,6 +48,7 @@
 //! - The sun has 64 points.
 
 mod augmentation;
+mod blanking;
 mod camera;
 mod casters;
 mod cells;
@@ -69,12 +70,14 @@ mod shape;
 mod shot;
 mod stretch;
 mod suns;
+mod timing_record;
 mod tracks;
 mod true_ground;
 mod view_lines;
 mod work;
 
 pub use augmentation::{Augmentation, FrameWork, GroundLaw};
+pub use blanking::Blanking;
 pub use camera::Camera;
 pub use chain::{Chain, shadow_projection};
 pub use error::AugmentError;
@@ -89,6 +92,7 @@ pub use sequence::{Sequence, SequenceFrame};
 pub use shape::Shape;
 pub use shot::Shot;
 pub use suns::{LowSun, SUN_HALF_ANGLE_DEG, SUN_POINTS, suns};
+pub use timing_record::timing_record;
 pub use tracks::{USUAL_TRACKS, tracks_along};
 pub use true_ground::TrueGround;
 pub use view_lines::{LineCounts, LineType, view_lines};

@@ -9,15 +9,16 @@ use rayon::ThreadPool;
 use replay::Progress;
 use scenario::Vehicle;
 use serde_json::{Value, json};
+use timing::{Comparison, Tolerance, compare};
 use vehicle_shadow::{
     AugmentError, Augmentation, Camera, DAC_BITS, FrameWork, GroundLaw, Method, OutlineRule, SUN_POINTS,
-    ScanConverter, Sequence, Shape, TrueGround, USUAL_TRACKS, tracks_along,
+    ScanConverter, Sequence, Shape, TrueGround, USUAL_TRACKS, timing_record, tracks_along,
 };
 
 use crate::cli::COMMIT;
 use crate::interrupt;
 use crate::loading::{StageArgs, Threads};
-use crate::output::{print, print_json, tell};
+use crate::output::{expect_writable, print, print_json, tell};
 use crate::progress::Saying;
 use crate::{Failure, Verdict, values};
 
@@ -25,6 +26,8 @@ use crate::{Failure, Verdict, values};
 const RECORD: &str = "augment.json";
 /// Stands beside the poses of a run.
 const CAMERA: &str = "camera.json";
+/// Differences from a baseline that are told one by one.
+const TOLD: usize = 60;
 /// The ground that is no scenario.
 const FLAT: &str = "flat";
 
@@ -32,6 +35,7 @@ const AFTER: &str = "Examples:
   lunoid augment runs/tracks/frames runs/tracks/poses.csv --vehicle rover --sun 268,19 --out shadowed
   lunoid augment FRAMES POSES --vehicle rover --sun 268,19 --out shadowed --method scan-converter --penumbra
   lunoid augment FRAMES POSES --vehicle rover --ground scenarios/tracks.toml --tracks --out shadowed
+  lunoid augment FRAMES POSES --vehicle rover --sun 268,19 --out shadowed --baseline augment-timing.json
 
 docs/blocks/vehicle-shadow.md has the formats of poses and camera.";
 
@@ -89,6 +93,12 @@ pub struct Augment {
     /// Share of the video that a fully written scan converter takes away, 0 to 1.
     #[arg(long, default_value_t = ScanConverter::default().gain, value_parser = share)]
     gain: f64,
+    /// Write the timing of the pictures as a baseline, in the format of `lunoid timing record`.
+    #[arg(long, value_name = "FILE")]
+    timing: Option<PathBuf>,
+    /// Hold the timing of the pictures to a baseline: exit code 0 it is met, 1 it is not.
+    #[arg(long, value_name = "FILE")]
+    baseline: Option<PathBuf>,
     #[command(flatten)]
     threads: Threads,
     #[command(flatten)]
@@ -130,13 +140,16 @@ impl Augment {
     /// Augments.
     pub fn run(&self) -> Result<Verdict, Failure> {
         self.expect_ground()?;
+        self.timing.as_deref().map_or(Ok(()), expect_writable)?;
+        let baseline = self.baseline.as_deref().map(timing::read).transpose()?;
         let pool = self.threads.pool()?;
         let sequence = Sequence::read(&self.frames, &self.poses, self.camera()?)?;
         let Grounded { law: ground, vehicle, inputs } = self.ground(&sequence, &pool)?;
         let eye_height = self.eye_height.unwrap_or(vehicle.eye_height);
         let shape = Shape::find(&self.vehicle, eye_height)?;
+        let decided = self.decided(&shape, eye_height, &inputs);
         let augmentation = Augmentation {
-            inputs: self.inputs(&shape, eye_height, &inputs),
+            inputs: hash(&format!("{:?} {decided}", (env!("CARGO_PKG_VERSION"), COMMIT))),
             shape,
             eye_height,
             sun: self
@@ -163,8 +176,20 @@ impl Augment {
         }
         let record = self.record(&augmentation, &sequence, &made);
         files::write_atomic(self.out.join(RECORD), |out| writeln!(out, "{record:#}"))?;
-        self.print(&record)?;
-        Ok(Verdict::Yes)
+        let poses: Vec<_> = sequence.frames().iter().map(|frame| frame.pose).collect();
+        let timing = timing_record(
+            &self.vehicle,
+            hash(&format!("{decided} {:?} {poses:?}", sequence.camera())),
+            &augmentation.method,
+            sequence.period(),
+            &made,
+        );
+        if let Some(path) = &self.timing {
+            timing::write(path, &timing)?;
+        }
+        let check = baseline.map(|baseline| compare(&baseline, &timing, &Tolerance::default()));
+        self.print(record, check.as_ref())?;
+        Ok(if check.is_none_or(|check| check.is_met()) { Verdict::Yes } else { Verdict::No })
     }
 
     /// What flat ground cannot give.
@@ -195,13 +220,10 @@ impl Augment {
         }
     }
 
-    /// Hash of all that decides every picture of the sequence.
-    fn inputs(&self, shape: &Shape, eye_height: f64, ground: &str) -> String {
-        let program = (env!("CARGO_PKG_VERSION"), COMMIT);
+    /// All that decides every picture of the sequence but the program, the camera and the pictures.
+    fn decided(&self, shape: &Shape, eye_height: f64, ground: &str) -> String {
         let words = (self.sun, self.penumbra, self.method(), ground);
-        blake3::hash(format!("{program:?} {shape:?} {eye_height:?} {words:?}").as_bytes())
-            .to_hex()
-            .to_string()
+        format!("{shape:?} {eye_height:?} {words:?}")
     }
 
     /// The ground, and the vehicle that drives on it.
@@ -285,11 +307,16 @@ impl Augment {
         })
     }
 
-    fn print(&self, record: &Value) -> Result<(), Failure> {
+    fn print(&self, mut record: Value, check: Option<&Comparison>) -> Result<(), Failure> {
         match (self.saying.json, self.saying.quiet) {
-            (true, _) => print_json(record),
+            (true, _) => {
+                if let Some(check) = check {
+                    record["timing_check"] = check.json();
+                }
+                print_json(&record)
+            }
             (_, true) => Ok(()),
-            _ => print(&self.text(record)),
+            _ => print(&(self.text(&record) + &check.map(|check| check.text(TOLD)).unwrap_or_default())),
         }
     }
 
@@ -309,6 +336,10 @@ impl Augment {
             timing["most_line_generators"],
         )
     }
+}
+
+fn hash(text: &str) -> String {
+    blake3::hash(text.as_bytes()).to_hex().to_string()
 }
 
 /// The word of the command line.

@@ -100,11 +100,19 @@ impl ProbeCommand {
     }
 
     fn sweeps(&self, loaded: &Loaded, target: Target) -> Result<Range<u32>, Failure> {
-        let (span, all) = (self.sweep, loaded.settings.raster.sweeps);
+        let generator = loaded.generator;
+        let (span, all) = (self.sweep, generator.timebase(&loaded.settings).sweeps);
         let sweeps = span.within(&(0..u64::from(all))).ok_or_else(|| {
             Failure::usage(format!("--sweep {span}: a frame has sweeps 0..{all}; expected a range inside"))
         })?;
         self.chosen.expect_in(loaded)?;
+        if target == Target::Picture && !generator.is_machine() {
+            let (out, name) = (self.out.display(), generator.name());
+            return Err(Failure::usage(format!(
+                "--out {out}: {name} has no sweeps that a scope could show; expected a file of waveforms, such as .csv, or a \
+                 hardware model"
+            )));
+        }
         if target == Target::Picture && sweeps.end - sweeps.start != 1 {
             return Err(Failure::usage(format!("--sweep {span}: a picture shows one sweep; expected one")));
         }
@@ -126,13 +134,13 @@ impl ProbeCommand {
             ("program", format!("lunoid {}", env!("CARGO_PKG_VERSION"))),
             ("commit", crate::cli::COMMIT.to_owned()),
             ("scenario", self.chosen.stage.scenario.display().to_string()),
-            ("machine", loaded.inputs.model.clone()),
+            ("machine", loaded.drawn_by().to_owned()),
         ];
         Header {
             title: format!("{}: frame {}", loaded.scenario.title, self.chosen.frame),
             provenance: provenance.into_iter().chain(hash).map(|(key, words)| (key.into(), words)).collect(),
             wires: choice.wires.clone(),
-            timebase: loaded.settings.timebase,
+            timebase: loaded.generator.timebase(&loaded.settings),
             lines: loaded.settings.raster.lines,
             frame: self.chosen.frame,
             sweeps,

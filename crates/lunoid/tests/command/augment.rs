@@ -67,6 +67,34 @@ fn pictures_that_are_there_stay() {
     assert_ne!(made(0), first);
 }
 
+/// The format and the comparison are those of `lunoid timing`.
+#[test]
+fn timing_is_held_to_a_baseline() {
+    let scene = run();
+    let rover = ["rover", "--out", "new", "--sun"];
+    let with = |code, rest: &[&str]| augment(&scene, code, &[&rover[..], rest].concat());
+    with(0, &["212,6", "--timing", "timing.json"]);
+    let record: Value = serde_json::from_slice(&fs::read(scene.join("timing.json")).unwrap()).unwrap();
+    let frame = &record["frames"][1];
+    let told: Value = serde_json::from_slice(&fs::read(scene.join("new/augment.json")).unwrap()).unwrap();
+    let told = &told["frames"][1];
+    assert_eq!(frame["units"][0]["busy"], (1e6 * told["setup_s"].as_f64().unwrap()).round() as u64);
+    assert_eq!((&frame["events"], &frame["events_blake3"]), (&told["events"], &told["events_blake3"]));
+    assert!(frame["events"].as_u64().unwrap() > 20, "{frame}");
+    // From kept pictures as from new ones.
+    let (out, _) = with(0, &["212,6", "--baseline", "timing.json", "--json"]);
+    let out: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(out["timing_check"]["met"], true, "{out}");
+    // Other gear, another sun: of another run.
+    let (out, _) = with(1, &["212,6", "--baseline", "timing.json", "--dac-bits", "6"]);
+    assert!(out.contains("events"), "{out}");
+    let (out, _) = with(1, &["212,7", "--baseline", "timing.json"]);
+    assert!(out.contains("inputs"), "{out}");
+    scene.write("half.json", "{");
+    let (_, err) = with(3, &["212,6", "--baseline", "half.json"]);
+    assert!(err.contains("half.json:1:") && err.contains("expected a timing record"), "{err}");
+}
+
 #[test]
 fn tracks_want_ground() {
     let scene = run();

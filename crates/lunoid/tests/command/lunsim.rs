@@ -35,3 +35,36 @@ fn machines_are_models_and_generators() {
     assert_eq!(names, ["exact", "lunsim"]);
     assert!(document["models"].as_array().unwrap().iter().any(|row| row["name"] == "ideal"));
 }
+
+/// A row of the grid stands for a sweep.
+#[test]
+fn rows_of_the_grid_are_listed_and_probed() {
+    let scene = Scene::new();
+    let lunsim = ["--machine", "lunsim", "--set", "lunsim.restrictions=false", "--set", "lunsim.grid=64"];
+    let probe = |code, rest: &[&str]| {
+        scene.expect(code, &[&["probe", "tiny.toml", "--frame", "0"], rest, &lunsim[..]].concat())
+    };
+    probe(0, &["--sweep", "62..64", "--signals", "lunsim.height,*.code", "--out", "rows.csv"]);
+    let text = std::fs::read_to_string(scene.join("rows.csv")).unwrap();
+    let rows = text.lines().filter(|line| line.starts_with(|c: char| c.is_ascii_digit())).count();
+    assert_eq!(rows, 128, "{text}");
+    assert!(text.contains("lunsim.height") && text.contains("machine: lunsim"), "{text}");
+    for format in ["fst", "vcd", "npz", "json", "raw", "sr"] {
+        probe(0, &["--sweep", "0..2", "--out", &format!("rows.{format}")]);
+    }
+    let (_, err) = probe(2, &["--sweep", "64", "--out", "rows.csv"]);
+    assert!(err.contains("a frame has sweeps 0..64"), "{err}");
+    let (_, err) = probe(2, &["--sweep", "1", "--out", "rows.png"]);
+    assert!(err.contains("lunsim has no sweeps that a scope could show"), "{err}");
+    let (_, err) = probe(2, &["--sweep", "1", "--signals", "tg.height", "--out", "rows.csv"]);
+    assert!(err.contains("tg.height: no signal of this name"), "{err}");
+    let (_, err) =
+        scene.expect(2, &[&["replay", "tiny.toml", "--out", "r", "--check", "1"], &lunsim[..]].concat());
+    assert!(err.contains("lunsim has no sweeps"), "{err}");
+    scene.vary("lunsim.toml", "[sun]", "[lunsim]\nrestrictions = false\ngrid = 64\n\n[sun]");
+    let (out, _) = scene.expect(0, &["signals", "lunsim.toml", "--machine", "lunsim", "--json"]);
+    let document: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert_eq!((&document["machine"], document["signals"].as_array().unwrap().len()), (&"lunsim".into(), 9));
+    assert_eq!(document["signals"][8]["full_scale"], 15.0);
+    assert_eq!(document["signals"][0]["block"], "lunsim");
+}

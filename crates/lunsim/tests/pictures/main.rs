@@ -2,5 +2,6 @@
 
 mod closed_forms;
 mod restrictions;
+mod rows;
 mod scenes;
 mod session;

@@ -1,7 +1,6 @@
 //! The session: refusals, codes, threads, extremes.
 
-use generator::{FrameError, Generator, PlaneKind, Planes};
-use lunsim::Lunsim;
+use generator::{FrameError, PlaneKind, Planes};
 use scenario::{Curvature, Laws, LunsimRun};
 use signal::Probe;
 
@@ -21,12 +20,6 @@ fn eyes_that_see_nothing_are_refused() {
     assert_eq!(refusal([-0.5, 80.0, 5.0]), FrameError::OutsideProblemArea { frame: 7, x: -0.5, y: 80.0 });
     assert_eq!(refusal([80.0, 80.0, -0.5]), FrameError::EyeUnderGround { frame: 7, below: 0.5 });
     assert!(matches!(refusal([80.0, f64::NAN, 5.0]), FrameError::OutsideProblemArea { .. }));
-}
-
-#[test]
-fn nothing_is_probed() {
-    let session = prepare(stage(&scene(), sun(0.0, 9.0), &settings(8, 30.0, 16))).unwrap();
-    assert_eq!((Lunsim.name(), Lunsim.signals().len(), session.wires().len()), ("lunsim", 0, 0));
 }
 
 /// The film shows whole codes and nothing between them, all of them and none brighter.

@@ -78,7 +78,7 @@ impl Signals {
             return Err(Failure::usage(format!("machine {name} has no signals; expected a hardware model")));
         }
         let rows = wires.into_iter().map(|wire| Row { signal: wire.signal, wire: Some(wire) }).collect();
-        let of = Some((stage.scenario.display().to_string(), loaded.inputs.model));
+        let of = Some((stage.scenario.display().to_string(), loaded.drawn_by().to_owned()));
         Ok(SignalListing { rows, of })
     }
 }

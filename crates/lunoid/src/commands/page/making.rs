@@ -43,7 +43,7 @@ impl Making<'_> {
             other => other?,
         };
         beside.stage = words(self.stage);
-        if !self.job.generator.signals().is_empty() {
+        if self.job.generator.is_machine() {
             let poses = self.poses(&held)?;
             beside.sight = sight(&self.job.stage, &poses);
             self.sum_up_timing(&poses, &mut beside)?;

@@ -4,7 +4,7 @@ use std::fmt;
 use std::ops::Range;
 use std::str::FromStr;
 
-use signal::Signal;
+use generator::Generator;
 
 use crate::Failure;
 use crate::values::Span;
@@ -68,19 +68,20 @@ impl Request {
 }
 
 /// Everything that can be wrong with `requests`, before anything is drawn: a run of `frames`, `sweeps` a frame, by
-/// `generator` with `signals`.
+/// `generator`.
 pub fn check(
     requests: &[Request],
     frames: &Range<u64>,
     sweeps: u32,
-    signals: &[Signal],
-    generator: &str,
+    generator: &dyn Generator,
 ) -> Result<(), Failure> {
+    let signals = generator.signals();
     let mut plots = 0;
     for request in requests {
-        if signals.is_empty() {
+        if !generator.is_machine() {
+            let name = generator.name();
             return Err(Failure::usage(format!(
-                "{request}: machine {generator} has no signals; expected a hardware model"
+                "{request}: {name} has no sweeps that a page could show; expected a hardware model"
             )));
         }
         if !frames.contains(&request.frame) {
@@ -108,7 +109,8 @@ pub fn check(
 
 #[cfg(test)]
 mod tests {
-    use generator::Generator;
+    use exact::Exact;
+    use lunsim::Lunsim;
     use machine::HybridMachine;
 
     use super::{Request, check};
@@ -132,13 +134,13 @@ mod tests {
 
     #[test]
     fn what_cannot_be_recorded_is_refused() {
-        let signals = HybridMachine.signals();
-        let checked = |text: &str| check(&[request(text)], &(10..20), 525, signals, "hybrid").is_ok();
+        let checked = |text: &str| check(&[request(text)], &(10..20), 525, &HybridMachine).is_ok();
         assert!(checked("10:0") && checked("19:524") && checked("12:0..200"));
         for wrong in ["9:0", "20:0", "10:525", "10:524..526", "10:0:nothing", "10:0:", "10:0..201"] {
             assert!(!checked(wrong), "{wrong}");
         }
-        assert!(check(&[request("10:0")], &(10..20), 525, &[], "exact").is_err());
-        assert!(check(&[], &(10..20), 525, &[], "exact").is_ok());
+        assert!(check(&[request("10:0")], &(10..20), 525, &Exact).is_err());
+        assert!(check(&[request("10:0")], &(10..20), 525, &Lunsim).is_err());
+        assert!(check(&[], &(10..20), 525, &Exact).is_ok());
     }
 }

@@ -120,7 +120,7 @@ impl Replay {
         let frames = loaded.choose(self.frames)?;
         let (sweeps, generator) = (loaded.settings.raster.sweeps, loaded.generator);
         self.expect_sweeps(generator)?;
-        check(&self.probe, &frames, sweeps, generator.signals(), generator.name())?;
+        check(&self.probe, &frames, sweeps, generator)?;
         let pool = self.threads.pool()?;
         let folder = RunFolder::claim(&self.out(""), self.fresh)?;
         interrupt::listen();
@@ -189,7 +189,7 @@ impl Replay {
 
     /// Only a machine has sweeps that can be checked.
     fn expect_sweeps(&self, generator: &dyn Generator) -> Result<(), Failure> {
-        if self.check > 0 && generator.signals().is_empty() {
+        if self.check > 0 && !generator.is_machine() {
             let (asked, name) = (self.check, generator.name());
             return Err(Failure::usage(format!(
                 "--check {asked}: {name} has no sweeps to hold against the closed form; expected a hardware model"

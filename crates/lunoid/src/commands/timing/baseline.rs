@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use serde_json::json;
-use timing::{Comparison, RecordError, TimingRecord, Tolerance, Totals, compare};
+use timing::{Comparison, TimingRecord, Tolerance, Totals, compare};
 
 use super::rehearsal::{Rehearsal, choose, first};
 use crate::loading::{Loaded, StageArgs, Threads};
@@ -49,7 +49,7 @@ impl Record {
         let usual = |loaded: &Loaded| choose(loaded, self.frames, first(USUAL_FRAMES));
         let (rehearsal, frames) = Rehearsal::open(&self.stage, &self.threads, usual)?;
         let record = rehearsal.record(&frames, &Display::new(!self.no_progress))?;
-        timing::write(&self.out, &record).map_err(refused)?;
+        timing::write(&self.out, &record)?;
         self.tell(&record)?;
         Ok(Verdict::Yes)
     }
@@ -110,7 +110,7 @@ impl Check {
             expect_writable(junit)?;
         }
         let tolerance = Tolerance::new(self.tolerance_samples, self.tolerance_m).map_err(Failure::usage)?;
-        let mut baseline = timing::read(&self.baseline).map_err(refused)?;
+        let mut baseline = timing::read(&self.baseline)?;
         let (rehearsal, frames) =
             Rehearsal::open(&self.stage, &self.threads, |loaded| self.choose(loaded, &baseline))?;
         if self.frames.is_some() {
@@ -155,11 +155,4 @@ impl Check {
 
 fn frames_of(record: &TimingRecord) -> Vec<u64> {
     record.frames.iter().map(|frame| frame.frame).collect()
-}
-
-fn refused(error: RecordError) -> Failure {
-    match error {
-        RecordError::File(error) => error.into(),
-        other => Failure::input(other),
-    }
 }

@@ -1,0 +1,113 @@
+//! Rows of the grid as waveforms: what the program worked out of each point, block by block.
+
+use generator::Stage;
+use hardware_model::Settings;
+use quantities::Timebase;
+use signal::{Probe, Signal, Unit, Waveform, Wire};
+
+use crate::film::Film;
+use crate::projection::line;
+
+/// What can be looked at; a row of the grid stands for a sweep, its points for samples, from the nearest row and the
+/// leftmost point on.
+pub(crate) const SIGNALS: [Signal; 9] = [
+    Signal::ground(
+        "lunsim.along",
+        Unit::Metre,
+        "place of the row along the line of sight",
+        "appendix, block 10",
+    ),
+    Signal::ground(
+        "lunsim.across",
+        Unit::Metre,
+        "place of the point to the right of it",
+        "appendix, block 10",
+    ),
+    Signal::ground(
+        "lunsim.height",
+        Unit::Metre,
+        "height, the drop of the lunoid taken off",
+        "appendix, block 10",
+    ),
+    Signal::ground("lunsim.slope.along", Unit::Slope, "slope along the line of sight", "appendix, block 11"),
+    Signal::ground("lunsim.slope.across", Unit::Slope, "slope across it", "appendix, block 12"),
+    Signal::ground(
+        "lunsim.reflectivity",
+        Unit::Reflectivity,
+        "light before remote shadow",
+        "appendix, block 13",
+    ),
+    Signal::ground("lunsim.shadow", Unit::Gate, "high in shadow, local or remote", "appendix, block 13"),
+    Signal::ground(
+        "lunsim.line",
+        Unit::Line,
+        "line of plotting positions from the top; -1 above the picture or behind, their number below it",
+        "appendix, block 14",
+    ),
+    Signal::ground("lunsim.code", Unit::Number, "intensity code of the recorder", "appendix, block 14"),
+];
+
+/// Clocks for as many rows and points as the grid has: the program had none, so the rows part a frame evenly.
+pub(crate) fn timebase(settings: &Settings) -> Timebase {
+    let (update, grid) = (settings.timebase.update, settings.lunsim.grid);
+    Timebase::new(update, update, grid, grid, 0).unwrap_or(settings.timebase)
+}
+
+/// The wires of a stage whose ground lies between the heights `low` and `high` (m). Numbers of a program have no voltage.
+pub(crate) fn wires(stage: &Stage, [low, high]: [f64; 2]) -> Vec<Wire> {
+    let Stage { settings, .. } = stage;
+    let wire = |signal: &Signal| {
+        let [datum, full_scale] = match (signal.unit, signal.name) {
+            (Unit::Metre, "lunsim.height") => [0.5 * (low + high), (0.5 * (high - low)).max(1.0)],
+            (Unit::Metre, _) => [0.0, settings.range.end],
+            (Unit::Line, _) => [0.0, crate::POSITIONS as f64],
+            (Unit::Number, _) => [0.0, f64::from(settings.lunsim.intensity_codes - 1)],
+            _ => [0.0, 1.0],
+        };
+        Wire { signal: *signal, full_scale, volts: 0.0, datum }
+    };
+    SIGNALS.iter().map(wire).collect()
+}
+
+/// Records the rows of `film` that `probe` wants, of a grid of `size` x `size` points; without a film, as nothing is in
+/// view, all is 0.
+pub(crate) fn record(frame: u64, size: usize, film: Option<&Film<'_>>, probe: &mut Probe) {
+    for row in 0..size {
+        if !probe.wants_sweep(row as u32) {
+            continue;
+        }
+        for signal in SIGNALS {
+            if probe.wants(&signal) {
+                let value = |column: usize| film.map_or(0.0, |film| value(film, signal.name, row, column));
+                let values = (0..size).map(value).collect();
+                probe.waveforms.push(Waveform {
+                    signal,
+                    frame,
+                    sweep: row as u32,
+                    times: Vec::new(),
+                    values,
+                });
+            }
+        }
+    }
+}
+
+fn value(film: &Film<'_>, name: &str, row: usize, column: usize) -> f64 {
+    let Film { grid, light, observer, plot, codes } = film;
+    let index = row * grid.size + column;
+    let (height, lit) = (grid.heights[index], light[index]);
+    match name {
+        "lunsim.along" => grid.place(row, column)[0],
+        "lunsim.across" => grid.place(row, column)[1],
+        "lunsim.height" => height,
+        "lunsim.slope.along" => grid.slopes(row, column)[0],
+        "lunsim.slope.across" => grid.slopes(row, column)[1],
+        "lunsim.reflectivity" => lit.reflectivity,
+        "lunsim.shadow" => f64::from(u8::from(lit.is_dark())),
+        "lunsim.line" => {
+            let place = observer.project(grid.place(row, column), height - observer.eye[2]);
+            place.map_or(-1.0, |[_, y]| f64::from(line(y, observer.half_field[1], plot.size[1])))
+        }
+        _ => f64::from(codes.code(lit.intensity())),
+    }
+}

@@ -1,0 +1,124 @@
+//! The timing of augmented pictures as a timing record, so that the same baselines hold it.
+
+use std::collections::BTreeMap;
+
+use timing::{Cause, Deadline, FORMAT, FrameTiming, Missed, Sets, Slack, TimingRecord, UnitUse, Vertices};
+
+use crate::FrameWork;
+use crate::insertion::Method;
+
+/// Ticks of the record in a second: a microsecond each (our choice; hardware table 3.7 has no finer times).
+const MASTER_HZ: f64 = 1e6;
+
+/// The record of `made`, pictures with the shadow of `name` under `method`, one every `period` (s); `inputs` is a hash of what decides
+/// them.
+///
+/// Deadline of a picture is the end of the one before: [`Deadline::FrameTasks`]. Units are the computer, busy with points
+/// and intersections, and the scan converter, if there is one. Events are those of [`Blanking`](crate::Blanking), vertices
+/// the points of the chain; there are no folds, no register sets.
+pub fn timing_record(
+    name: &str,
+    inputs: String,
+    method: &Method,
+    period: f64,
+    made: &[FrameWork],
+) -> TimingRecord {
+    let machine = match method {
+        Method::Synchronised { dac_bits } => format!("augment, synchronised, {dac_bits} bits"),
+        Method::ScanConverter(tube) => format!("augment, scan converter, {} lines", tube.tv_lines),
+    };
+    TimingRecord {
+        format: FORMAT,
+        scenario: name.to_owned(),
+        machine,
+        inputs,
+        master: format!("{MASTER_HZ} Hz"),
+        before_mission: Vec::new(),
+        frames: made.iter().map(|frame| frame_timing(frame, method, period)).collect(),
+    }
+}
+
+fn frame_timing(frame: &FrameWork, method: &Method, period: f64) -> FrameTiming {
+    let [setup, write] = [frame.times.setup_s, frame.times.write_s].map(ticks);
+    let whole = ticks(period).max(1);
+    let slack_ticks = whole as i64 - setup.max(write) as i64;
+    let mut slack = Slack::default();
+    slack.add(slack_ticks);
+    let tube = matches!(method, Method::ScanConverter(_));
+    let cause = if setup >= write { Cause::Processor } else { Cause::Occupied };
+    let unit = |unit: &str, busy| UnitUse { unit: unit.to_owned(), busy, longest_queue: 0 };
+    FrameTiming {
+        frame: frame.frame,
+        ticks: whole,
+        folds: 0,
+        sets: Sets::default(),
+        late_words: 0,
+        vertices: Vertices { asked: frame.work.points, ready: frame.work.points },
+        deadlines: BTreeMap::from([(Deadline::FrameTasks, slack)]),
+        units: [Some(unit("cpu", setup)), tube.then(|| unit("scan-converter", write))]
+            .into_iter()
+            .flatten()
+            .collect(),
+        misses: (slack_ticks < 0).then(|| Missed::of(Deadline::FrameTasks, 0, cause)).into_iter().collect(),
+        events: frame.blanking.events,
+        events_blake3: frame.blanking.events_blake3.clone(),
+    }
+}
+
+fn ticks(seconds: f64) -> u64 {
+    (seconds * MASTER_HZ).round() as u64
+}
+
+#[cfg(test)]
+mod tests {
+    use timing::{Cause, Deadline};
+
+    use super::timing_record;
+    use crate::blanking::Blanking;
+    use crate::insertion::{Method, ScanConverter};
+    use crate::work::Work;
+    use crate::{FrameWork, Gates};
+
+    fn made(method: &Method, work: Work) -> FrameWork {
+        FrameWork {
+            frame: 3,
+            time_s: 0.1,
+            file: "frame-3.png".into(),
+            pixels_blake3: String::new(),
+            work,
+            times: work.times(method, 0.04),
+            blanking: Blanking::of(method, &[Gates::default()], 1.0),
+        }
+    }
+
+    /// 1000 intersections of 25 us and 100 points of 90 us are 34 ms of a picture of 40 ms; 2000 are too many.
+    #[test]
+    fn a_shadow_is_due_when_the_picture_before_it_ends() {
+        let method = Method::Synchronised { dac_bits: 10 };
+        let of = |intersections| {
+            let work = Work { points: 100, intersections, ..Work::default() };
+            let record = timing_record("rover", "00".into(), &method, 0.04, &[made(&method, work)]);
+            record.check().unwrap();
+            record.frames[0].clone()
+        };
+        let [met, missed] = [of(1000), of(2000)];
+        assert_eq!((met.ticks, met.units[0].busy, met.vertices.asked), (40_000, 34_000, 100));
+        assert_eq!(met.deadlines[&Deadline::FrameTasks].least, Some(6_000));
+        assert!(met.misses.is_empty() && met.units.len() == 1);
+        assert_eq!(missed.deadlines[&Deadline::FrameTasks].least, Some(-19_000));
+        assert_eq!(missed.misses[0].cause, Cause::Processor);
+    }
+
+    /// A tube all dark takes 66 ms, the computer 9 ms.
+    #[test]
+    fn a_scan_converter_is_a_unit_of_its_own() {
+        let method = Method::ScanConverter(ScanConverter::default());
+        let work = Work { points: 100, intersections: 1000, dark: 1.0, ..Work::default() };
+        let record = timing_record("rover", "00".into(), &method, 0.04, &[made(&method, work)]);
+        record.check().unwrap();
+        let frame = &record.frames[0];
+        let busy: Vec<_> = frame.units.iter().map(|unit| (unit.unit.as_str(), unit.busy)).collect();
+        assert_eq!(busy, [("cpu", 9_000), ("scan-converter", 66_000)]);
+        assert_eq!((frame.misses[0].cause, frame.events), (Cause::Occupied, 0));
+    }
+}
