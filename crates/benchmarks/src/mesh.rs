@@ -8,6 +8,7 @@
 use std::fmt::Write as _;
 use std::io;
 use std::process::Command;
+use std::time::Instant;
 
 use quantities::sin_cos;
 use scenario::Pose;
@@ -23,12 +24,14 @@ pub struct Traced {
     pub picture: Vec<f32>,
     /// Tracing alone (s): neither reading the mesh nor dividing space.
     pub seconds: f64,
+    /// The whole run (s).
+    pub whole: f64,
 }
 
 /// Meridians stand this much farther out than the picture's edges: no ray passes the mesh.
 const WIDER: f64 = 1.01;
 /// The least of so many runs counts.
-const RUNS: usize = 3;
+const RUNS: usize = 2;
 
 /// Traces the ground that `scene` shows from `pose`, which looks level, by two threads; `side` meridians and as many rings. `None`
 /// where there is no POV-Ray.
@@ -41,8 +44,9 @@ pub fn trace(scene: &Scene, pose: &Pose, side: usize) -> Result<Option<Traced>, 
     let size = [raster.columns as usize, raster.lines as usize];
     let (text, triangles) = described(scene, pose, side);
     std::fs::write(folder.path().join("mesh.pov"), text).map_err(|error| error.to_string())?;
-    let mut seconds = f64::INFINITY;
+    let (mut seconds, mut whole) = (f64::INFINITY, f64::INFINITY);
     for _ in 0..RUNS {
+        let begin = Instant::now();
         let [width, height] = [format!("+W{}", size[0]), format!("+H{}", size[1])];
         let options = ["+Imesh.pov", "+Omesh.ppm", "+FP16", "File_Gamma=1.0", "-D", "-A", "+WT2"];
         let run =
@@ -52,11 +56,12 @@ pub fn trace(scene: &Scene, pose: &Pose, side: usize) -> Result<Option<Traced>, 
             Err(error) => return Err(format!("povray: {error}")),
             Ok(ended) => String::from_utf8_lossy(&ended.stderr).into_owned(),
         };
+        whole = whole.min(begin.elapsed().as_secs_f64());
         seconds = seconds.min(trace_time(&said).ok_or(format!("povray told no trace time:\n{said}"))?);
     }
     let file = std::fs::read(folder.path().join("mesh.ppm")).map_err(|error| error.to_string())?;
     let picture = pixels(&file, size[0] * size[1]).ok_or("povray wrote no 16-bit PPM of that size")?;
-    Ok(Some(Traced { triangles, picture, seconds }))
+    Ok(Some(Traced { triangles, picture, seconds, whole }))
 }
 
 /// The seconds in brackets behind `Trace Time:`.

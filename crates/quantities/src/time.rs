@@ -181,8 +181,8 @@ impl SweepClock {
     /// When `tick` falls; negative before the first sample.
     #[inline]
     pub fn instant_of(&self, tick: Tick) -> SweepTime {
-        let distance = tick.0.abs_diff(self.whole) as f64;
-        let ticks = if tick.0 < self.whole { -distance } else { distance };
+        // The difference of two counts either way, each below 2^63.
+        let ticks = tick.0.wrapping_sub(self.whole) as i64 as f64;
         let steps = (ticks - self.rest) / self.ticks_per_sample;
         // Rounding must not put what falls on a step behind it, where the next one sees it first.
         let nearest = (steps + 0.5) as i64 as f64;

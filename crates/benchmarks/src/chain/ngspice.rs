@@ -9,7 +9,7 @@ use signal::Lanes;
 use super::circuit::{RASTER, netlist};
 
 /// The least time of so many runs counts.
-const RUNS: usize = 3;
+const RUNS: usize = 7;
 
 /// What the simulator made of the chains.
 #[derive(Debug)]
