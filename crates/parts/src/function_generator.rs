@@ -12,9 +12,7 @@
 //! With [`Ends::Trimmed`] the end knees are set last, as a technician does, and the end segments pay: up to 3/2 of the
 //! error where the function is most curved there.
 
-use signal::{LANES, Lanes, Real};
-
-use crate::whole::{index, whole};
+use signal::Real;
 
 /// Cells of the table to a segment with rounded knees.
 pub const FINE: usize = 64;
@@ -44,7 +42,7 @@ pub struct FunctionLaw {
 pub struct FunctionGenerator<S> {
     cells: S,
     /// Start and rise of each cell.
-    table: Vec<[S; 2]>,
+    pub(crate) table: Vec<[S; 2]>,
 }
 
 impl<S: Real> FunctionGenerator<S> {
@@ -66,60 +64,6 @@ impl<S: Real> FunctionGenerator<S> {
         let cell = (place.to_f64() as usize).min(self.table.len() - 1);
         let [start, rise] = self.table[cell];
         start + rise * (place - S::from_f64(cell as f64))
-    }
-}
-
-/// Places in a row of a [`FunctionBank`].
-pub const BANK: usize = 8;
-
-/// Function generators under one input: what they have at a cell stands side by side.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FunctionBank<S> {
-    cells: f64,
-    rows: Vec<Row<S>>,
-}
-
-/// Starts and rises of a cell.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[repr(align(64))]
-struct Row<S> {
-    start: [S; BANK],
-    rise: [S; BANK],
-}
-
-impl<S: Real> FunctionBank<S> {
-    /// The bank of `generators`, at most [`BANK`] of as many cells each; places beyond them put out 0.
-    pub fn new(generators: &[FunctionGenerator<S>]) -> Self {
-        let cells = generators.first().map_or(0, |first| first.table.len());
-        debug_assert!(generators.len() <= BANK && generators.iter().all(|one| one.table.len() == cells));
-        let at = |cell: usize, part: usize| {
-            std::array::from_fn(|place| generators.get(place).map_or(S::ZERO, |one| one.table[cell][part]))
-        };
-        let row = |cell: usize| Row { start: at(cell, 0), rise: at(cell, 1) };
-        Self { cells: cells as f64, rows: (0..cells).map(row).collect() }
-    }
-
-    /// What the generators put out for input `z`, of each lane; to the bit as [`FunctionGenerator::value`] has it.
-    #[inline(always)]
-    pub fn values(&self, z: Lanes<S>) -> [Lanes<S>; BANK] {
-        let (cells, top) = (S::from_f64(self.cells), self.cells - 1.0);
-        let mut by_lane = [[S::ZERO; BANK]; LANES];
-        let mut cell = [0.0_f64; LANES];
-        let mut beyond = z;
-        for lane in 0..LANES {
-            let place = z.0[lane] * cells;
-            let below = whole(place.to_f64());
-            let below = if below > 0.0 { below } else { 0.0 };
-            cell[lane] = if below < top { below } else { top };
-            beyond.0[lane] = place - S::from_f64(cell[lane]);
-        }
-        for lane in 0..LANES {
-            let Row { start, rise } = &self.rows[index(cell[lane])];
-            for place in 0..BANK {
-                by_lane[lane][place] = start[place] + rise[place] * beyond.0[lane];
-            }
-        }
-        std::array::from_fn(|place| Lanes::from_fn(|lane| by_lane[lane][place]))
     }
 }
 
@@ -233,9 +177,7 @@ fn worst(sags: &[f64], start: f64, end: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use signal::{LANES, Lanes};
-
-    use super::{Ends, FunctionBank, FunctionGenerator, FunctionLaw, segment_error};
+    use super::{Ends, FunctionGenerator, FunctionLaw, segment_error};
 
     /// The function generators of the report: g0, g1, g2.
     const BASIS: [fn(f64) -> f64; 3] = [
@@ -258,23 +200,6 @@ mod tests {
     fn largest_error(generator: &FunctionGenerator<f64>, f: fn(f64) -> f64) -> f64 {
         let off = |i: i32| (generator.value(f64::from(i) / 1e4) - f(f64::from(i) / 1e4)).abs();
         (0..=10_000).map(off).fold(0.0, f64::max)
-    }
-
-    #[test]
-    fn a_bank_has_the_bits_of_its_generators() {
-        for rounding in [0.0, 0.005] {
-            let law = FunctionLaw { segments: 20, rounding, ends: Ends::Trimmed([0.0; 2]) };
-            let generators: Vec<_> = BASIS.iter().map(|f| FunctionGenerator::<f32>::new(&law, f)).collect();
-            let bank = FunctionBank::new(&generators);
-            for step in 0..2000_usize {
-                let z = Lanes::from_fn(|lane| ((step * LANES + lane) as f32) / 12_000.0 - 0.15);
-                let found = bank.values(z);
-                for (place, values) in found.iter().enumerate() {
-                    let alone = z.map(|z| generators.get(place).map_or(0.0, |one| one.value(z)));
-                    assert_eq!(*values, alone, "{place} of {step}");
-                }
-            }
-        }
     }
 
     #[test]

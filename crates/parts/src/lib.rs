@@ -32,6 +32,7 @@ mod converter;
 mod delay;
 mod differentiator;
 mod fade;
+mod function_bank;
 mod function_generator;
 mod high_pass;
 mod lag;
@@ -55,7 +56,8 @@ pub use converter::{Converter, ConverterLanes, ConverterLaw, ConverterState, car
 pub use delay::Delay;
 pub use differentiator::{Differentiator, differentiated_noise};
 pub use fade::Fade;
-pub use function_generator::{BANK, Ends, FunctionBank, FunctionGenerator, FunctionLaw, segment_error};
+pub use function_bank::{BANK, FunctionBank};
+pub use function_generator::{Ends, FunctionGenerator, FunctionLaw, segment_error};
 pub use high_pass::HighPass;
 pub use lag::{LagStep, LagSteps, SplitLag, impulse, settling_time_constant, time_constant};
 pub use multiplier::{Feedthrough, Multiplier, MultiplierLaw};

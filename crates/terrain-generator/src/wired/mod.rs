@@ -14,7 +14,12 @@
 //! the projection processor; strobes and polarity are delayed to where the ramps are (our choices: a sane machine is
 //! trimmed so). What is left is spread, dispersion and the offset that the model names.
 //! **State.** Every wire settles in retrace: a sweep begins with the array at rest at the eye's foot, and there the
-//! datum is trimmed (our choice): an offset of a thousandth of a mountain would bury the eye.
+//! datum is trimmed (our choice): an offset of a thousandth of a mountain would bury the eye. An array whose first samples
+//! nobody takes starts later, at rest, by as much before the first that is taken as its parts need to forget that
+//! (`warm_up`).
+//! **How it is computed.** Eight lanes go through a part side by side, compiled once for each width of vectors that a
+//! processor may have and chosen as the program runs; the bits are the same. What is digital is looked at when it is due,
+//! not at every sample. The plain form, part by part and lane by lane, is the test's (`tests/plain.rs`).
 
 mod basis;
 mod converters;

@@ -47,7 +47,7 @@ pub struct PartsArray<S> {
     /// Samples after which no part remembers that it was at rest.
     pub(super) warm_up: i64,
     /// Vectors that the processor has.
-    vectors: fearless_simd::Level,
+    pub(super) vectors: fearless_simd::Level,
 }
 
 impl<S: Real> PartsArray<S> {

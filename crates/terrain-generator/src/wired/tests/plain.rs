@@ -1,8 +1,9 @@
 //! The array part by part as its pages have it, one sweep and one wire at a time: what the fast form is held to.
 
+use fearless_simd::Level;
 use hardware_model::AnalogParts;
 use parts::LagStep;
-use signal::{LANES, Lanes};
+use signal::{LANES, Lanes, Real};
 use sweep_program::{RampAxis, Step, StepKind, SweepProgram};
 
 use super::{STEP, Scene, parts};
@@ -197,6 +198,29 @@ fn the_array_is_its_parts_one_by_one() {
             }
         }
     }
+}
+
+#[test]
+fn vectors_of_any_width_have_the_same_bits() {
+    fn traced<S: Real>(scene: &Scene, vectors: Option<Level>) -> Profile<S> {
+        let made = of_1970(|parts| parts.amplifier.noise = 5e-4);
+        let mut array = PartsArray::<S>::new(STEP, &scene.level, &made, 3, "tg");
+        array.vectors = vectors.unwrap_or(array.vectors);
+        let (mut profile, state) = (Profile::default(), &mut ArrayState::default());
+        profile.resize(scene.ranges.len());
+        let span = 0..scene.ranges.len();
+        array.trace(&scene.generator(), &scene.programs, span, 40, state, &mut profile, &mut ());
+        profile
+    }
+    fn compare<S: Real>(scene: &Scene) {
+        let [narrow, wide] = [Some(Level::baseline()), None].map(|vectors| traced::<S>(scene, vectors));
+        assert_eq!(narrow.height, wide.height);
+        assert_eq!(narrow.along, wide.along);
+        assert_eq!(narrow.across, wide.across);
+    }
+    let scene = Scene::new();
+    compare::<f32>(&scene);
+    compare::<f64>(&scene);
 }
 
 /// An array that starts late has forgotten that it was at rest: its samples are those of a whole sweep.

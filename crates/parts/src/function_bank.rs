@@ -1,0 +1,90 @@
+//! Function generators under one input.
+//!
+//! **Law.** That of [`FunctionGenerator`]. Generators of as many segments find the same cell: what they have there stands in
+//! one row, and a group of sweeps goes through it side by side.
+
+use signal::{LANES, Lanes, Real};
+
+use crate::FunctionGenerator;
+use crate::whole::{index, whole};
+
+/// Places in a row of a [`FunctionBank`].
+pub const BANK: usize = 8;
+
+/// Function generators under one input: what they have at a cell stands side by side.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FunctionBank<S> {
+    cells: f64,
+    rows: Vec<Row<S>>,
+}
+
+/// Starts and rises of a cell.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(align(64))]
+struct Row<S> {
+    start: [S; BANK],
+    rise: [S; BANK],
+}
+
+impl<S: Real> FunctionBank<S> {
+    /// The bank of `generators`, at most [`BANK`] of as many cells each; places beyond them put out 0.
+    pub fn new(generators: &[FunctionGenerator<S>]) -> Self {
+        let cells = generators.first().map_or(0, |first| first.table.len());
+        debug_assert!(generators.len() <= BANK && generators.iter().all(|one| one.table.len() == cells));
+        let at = |cell: usize, part: usize| {
+            std::array::from_fn(|place| generators.get(place).map_or(S::ZERO, |one| one.table[cell][part]))
+        };
+        let row = |cell: usize| Row { start: at(cell, 0), rise: at(cell, 1) };
+        Self { cells: cells as f64, rows: (0..cells).map(row).collect() }
+    }
+
+    /// What the generators put out for input `z`, of each lane; to the bit as [`FunctionGenerator::value`] has it.
+    #[inline(always)]
+    pub fn values(&self, z: Lanes<S>) -> [Lanes<S>; BANK] {
+        let (cells, top) = (S::from_f64(self.cells), self.cells - 1.0);
+        let mut by_lane = [[S::ZERO; BANK]; LANES];
+        let mut cell = [0.0_f64; LANES];
+        let mut beyond = z;
+        for lane in 0..LANES {
+            let place = z.0[lane] * cells;
+            let below = whole(place.to_f64());
+            let below = if below > 0.0 { below } else { 0.0 };
+            cell[lane] = if below < top { below } else { top };
+            beyond.0[lane] = place - S::from_f64(cell[lane]);
+        }
+        for lane in 0..LANES {
+            let Row { start, rise } = &self.rows[index(cell[lane])];
+            for place in 0..BANK {
+                by_lane[lane][place] = start[place] + rise[place] * beyond.0[lane];
+            }
+        }
+        std::array::from_fn(|place| Lanes::from_fn(|lane| by_lane[lane][place]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use signal::{LANES, Lanes};
+
+    use super::FunctionBank;
+    use crate::{Ends, FunctionGenerator, FunctionLaw};
+
+    const CURVES: [fn(f64) -> f64; 3] = [|z| z * z, |z| z * (1.0 - z) * (1.0 - z), |z| 1.0 / (1.0 + z)];
+
+    #[test]
+    fn a_bank_has_the_bits_of_its_generators() {
+        for rounding in [0.0, 0.005] {
+            let law = FunctionLaw { segments: 20, rounding, ends: Ends::Trimmed([0.0; 2]) };
+            let generators: Vec<_> = CURVES.iter().map(|f| FunctionGenerator::<f32>::new(&law, f)).collect();
+            let bank = FunctionBank::new(&generators);
+            for step in 0..2000_usize {
+                let z = Lanes::from_fn(|lane| ((step * LANES + lane) as f32) / 12_000.0 - 0.15);
+                let found = bank.values(z);
+                for (place, values) in found.iter().enumerate() {
+                    let alone = z.map(|z| generators.get(place).map_or(0.0, |one| one.value(z)));
+                    assert_eq!(*values, alone, "{place} of {step}");
+                }
+            }
+        }
+    }
+}
