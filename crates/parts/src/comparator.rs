@@ -158,6 +158,9 @@ impl<S: Real> Comparator<S> {
         input: [f64; 2],
         trips: &mut Vec<Trip>,
     ) {
+        if state.passing.is_none() && self.is_out_of_reach(state.high, (sweep, sample), input) {
+            return;
+        }
         let base = sample as f64 - 1.0;
         let shift =
             if self.noise > 0.0 { self.noise * self.source.normal(sweep, sample as u64) } else { 0.0 };
@@ -247,5 +250,40 @@ impl Line {
         } else {
             2.0 * charge / (over + root.sqrt())
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Comparator, ComparatorLaw};
+    use crate::NoiseSource;
+
+    #[test]
+    fn what_is_out_of_reach_is_not_reached() {
+        let law = ComparatorLaw {
+            offset: 0.0,
+            hysteresis: 2e-3,
+            delay: 40e-9,
+            overdrive: 0.0,
+            longest: 500e-9,
+            noise: 1e-3,
+        };
+        let source = NoiseSource::new(5, "comparator", 0);
+        let part = Comparator::<f64>::new(50e-9, &law, source);
+        let mut passed_over = 0;
+        for sample in 0..4000_usize {
+            let shift = law.noise * source.normal(3, sample as u64);
+            // A deviation to six from the thresholds of a low and of a high output.
+            let off = 1e-3 * (1.0 + sample as f64 / 800.0);
+            if part.is_out_of_reach(false, (3, sample), [-1.0, 1e-3 - off]) {
+                assert!(1e-3 - off < 1e-3 + shift, "{sample}");
+                passed_over += 1;
+            }
+            if part.is_out_of_reach(true, (3, sample), [off - 1e-3, 1.0]) {
+                assert!(off - 1e-3 > -1e-3 + shift, "{sample}");
+                passed_over += 1;
+            }
+        }
+        assert!((5000..8000).contains(&passed_over), "{passed_over}");
     }
 }
