@@ -75,7 +75,7 @@ impl<S: Real> Cell<S> {
             let term = self.converter.end(wires.term_left.0[n], weighted);
             wires.term_left.0[n] = self.converter.leave(term, weighted);
             wires.term.0[n] = term;
-            sum.0[n] = sum.0[n] + (term + self.past.of_change(product - before));
+            sum.0[n] += term + self.past.of_change(product - before);
         }
     }
 }
