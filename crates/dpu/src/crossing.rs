@@ -246,8 +246,9 @@ mod tests {
         assert_eq!(tally.wasted, 2);
     }
 
-    /// Lockstep found it: three sets of 1 + 5 ticks after the fold that asks, and a strobe of 2, yellow's diagonal word is
-    /// there. A Y fold less than a tick before is seen in that very tick, and has to fetch its word all the same.
+    /// Lockstep found it: two sets of 1 + 5 ticks after the fold that asks, and a strobe of 2, yellow's diagonal word is there
+    /// (Y-first comes from the one that the sweep begins with). A Y fold less than a tick before is seen in that very tick,
+    /// and has to fetch its word all the same.
     #[test]
     fn a_diagonal_word_is_at_hand_at_the_instant_of_the_fold_not_at_the_tick_that_sees_it() {
         let loader = Loader {
@@ -276,7 +277,7 @@ mod tests {
             let came = steps.iter().find(|step| step.kind == wanted).expect("it is fetched or moved over");
             came.time == folds[1].time
         };
-        let there = f64::from(3 * (1 + 5) + 2);
+        let there = f64::from(2 * (1 + 5) + 2);
         let found = [there - 1.3, there - 0.3, there + 0.3].map(is_at_hand);
         assert_eq!(found, [false, false, true]);
     }
