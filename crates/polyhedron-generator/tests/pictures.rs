@@ -219,7 +219,7 @@ proptest! {
         let view = view(projection, [0.3, 0.1, 0.4], heading, pitch);
         let tangents = tangents(0.45, 37);
         let near = |body: &Body| body.vertices().any(|vertex| {
-            let away = *vertex - DVec3::from_array(view.eye);
+            let away = vertex - DVec3::from_array(view.eye);
             let level = away.x * libm::cos(heading) + away.y * libm::sin(heading);
             libm::cos(pitch) * level + libm::sin(pitch) * away.z <= 0.06
         });
