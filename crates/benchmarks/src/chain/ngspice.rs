@@ -27,7 +27,7 @@ pub struct Simulated {
 /// If it ends badly or writes what nobody expects.
 pub fn simulate(chains: usize, times: usize, reltol: Option<f64>) -> Result<Option<Simulated>, String> {
     let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
-    let run = |times: usize| -> Result<Option<(Vec<Lanes<f64>>, f64)>, String> {
+    let run = |times: usize| -> Result<Option<Simulated>, String> {
         let (circuit, out) = (folder.path().join("chain.cir"), folder.path().join("m.txt"));
         let text = netlist(chains) + &analysis(chains, times, reltol, &out.display().to_string());
         std::fs::write(&circuit, text).map_err(|error| error.to_string())?;
@@ -42,13 +42,13 @@ pub fn simulate(chains: usize, times: usize, reltol: Option<f64>) -> Result<Opti
             std::fs::read_to_string(&out).map_err(|error| format!("ngspice wrote nothing: {error}"))?;
         let lines = text.lines().filter(|line| !line.trim().is_empty());
         let m: Option<Vec<_>> = lines.map(|line| outputs(line, chains)).collect();
-        Ok(Some((m.ok_or("ngspice wrote no numbers")?, seconds)))
+        Ok(Some(Simulated { m: m.ok_or("ngspice wrote no numbers")?, seconds }))
     };
     let mut least = [f64::INFINITY; 2];
     let mut found = Vec::new();
     for _ in 0..RUNS {
-        let (Some((_, start)), Some((m, whole))) = (run(2)?, run(times)?) else { return Ok(None) };
-        (least, found) = ([least[0].min(start), least[1].min(whole)], m);
+        let (Some(start), Some(whole)) = (run(2)?, run(times)?) else { return Ok(None) };
+        (least, found) = ([least[0].min(start.seconds), least[1].min(whole.seconds)], whole.m);
     }
     Ok(Some(Simulated { m: found, seconds: least[1] - least[0] }))
 }
