@@ -109,6 +109,16 @@ mod tests {
             .collect()
     }
 
+    /// On the lines x = 2 and y = 2, moving neither up nor down across them.
+    #[test]
+    fn along_a_boundary_the_region_is_the_one_beyond_it() {
+        for way in [1.0, -1.0] {
+            let found = [set_up([2.0, 3.5], [0.0, way]), set_up([3.5, 2.0], [way, 0.0])];
+            assert_eq!(found.map(|start| start.region), [[2, 3], [3, 2]]);
+            assert_eq!([found[0].ramps[0].start, found[1].ramps[1].start], [0.0; 2]);
+        }
+    }
+
     fn assert_folds(found: &[(f64, RampAxis, Stop)], expected: &[(f64, RampAxis, Stop)]) {
         assert_eq!(found.len(), expected.len(), "{found:?}");
         for (found, expected) in found.iter().zip(expected) {

@@ -89,6 +89,14 @@ pub const EVIDENCE: &[Evidence] = &[
         form: Form::Awake,
     },
     Evidence {
+        name: "mutants",
+        title: "Law files changed by a mutation tool",
+        command: "cargo mutants --workspace --file crates/landscape/src/photometry.rs --file crates/landscape/src/lunoid.rs \
+                  --file crates/sweep-generator/src/ramps.rs \
+                  --file crates/display-projection-processor/src/deflection.rs --timeout 60 --cap-lints true --output target",
+        form: Form::Lines,
+    },
+    Evidence {
         name: "supply",
         title: "Licences of all that is linked",
         command: "cargo test --quiet -p lunoid-tests --test house licences -- --nocapture",
