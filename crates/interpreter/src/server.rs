@@ -48,7 +48,13 @@ pub struct Server<'a> {
 impl<'a> Server<'a> {
     /// Idle, from well before the sweep on.
     pub fn at_start(loader: &'a Loader, begun: i64) -> Self {
-        Self { loader, free: [i64::MIN; 4], walked: begun - 1_000_000, ordered: Vec::new(), queue: Vec::new() }
+        Self {
+            loader,
+            free: [i64::MIN; 4],
+            walked: begun - 1_000_000,
+            ordered: Vec::new(),
+            queue: Vec::new(),
+        }
     }
 
     /// Tick by tick up to `last`: what each free line begins with, and the tick at which each word is in its register.

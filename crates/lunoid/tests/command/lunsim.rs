@@ -48,7 +48,10 @@ fn rows_of_the_grid_are_listed_and_probed() {
     let text = std::fs::read_to_string(scene.join("rows.csv")).unwrap();
     let rows = text.lines().filter(|line| line.starts_with(|c: char| c.is_ascii_digit())).count();
     assert_eq!(rows, 128, "{text}");
-    assert!(text.starts_with("frame,sweep,index,time [s],lunsim.height [m],lunsim.code [1]\n0,62,0,"), "{text}");
+    assert!(
+        text.starts_with("frame,sweep,index,time [s],lunsim.height [m],lunsim.code [1]\n0,62,0,"),
+        "{text}"
+    );
     for format in ["fst", "vcd", "npz", "json", "raw", "sr"] {
         probe(0, &["--sweep", "0..2", "--out", &format!("rows.{format}")]);
     }
