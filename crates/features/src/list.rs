@@ -17,14 +17,12 @@ use std::path::Path;
 use std::sync::Arc;
 
 use diagnostics::{Problem, ProblemList, Source};
+use limits::Limit;
 
 use crate::Crater;
 use columns::Columns;
 use faults::Faults;
 use row::{cells, crater};
-
-/// Largest list (bytes): some million rows.
-const MAX_BYTES: u64 = 1 << 28;
 
 /// The craters of a list, in its order.
 ///
@@ -37,7 +35,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Vec<Crater>, ProblemList> {
         return array::read(path.as_ref());
     }
     let name = path.as_ref().display().to_string();
-    let bytes = files::read_all(path.as_ref(), MAX_BYTES)
+    let bytes = files::read_all(path.as_ref(), Limit::ListBytes)
         .map_err(|error| Problem::of_file(&name, error.to_string()))?;
     let text = String::from_utf8(bytes).map_err(|error| {
         let title = format!("not text: byte {} is not UTF-8", error.utf8_error().valid_up_to());

@@ -22,12 +22,11 @@ mod shapes;
 
 pub use secondaries::Primary;
 
+use limits::Limit;
+
 use crate::Crater;
 use draw::{Draw, Purpose};
 use secondaries::Throw;
-
-/// Most craters of a population.
-pub const MAX_CRATERS: f64 = 4e6;
 
 /// Cumulative size-frequency law: `density (D / reference)^-slope` craters a square metre are larger than D, between the
 /// smallest and the largest; none are outside.
@@ -109,7 +108,9 @@ pub enum PopulationError {
     },
     /// More craters than can be held.
     #[error(
-        "{found:.0} craters: expected at most {MAX_CRATERS}; raise the smallest radius or lower the density"
+        "{found:.0} craters: expected at most {limit}; raise the smallest radius or lower the density; {advice}",
+        limit = Limit::Craters.value(),
+        advice = Limit::Craters
     )]
     TooMany {
         /// What the law comes to.
@@ -213,7 +214,11 @@ impl Population {
             return Err(PopulationError::TooLarge { radius, outer, side });
         }
         let found = self.sizes.all() * (north - south) * (east - west);
-        if found > MAX_CRATERS { Err(PopulationError::TooMany { found }) } else { Ok(found.round() as u64) }
+        if found > Limit::Craters.value() as f64 {
+            Err(PopulationError::TooMany { found })
+        } else {
+            Ok(found.round() as u64)
+        }
     }
 }
 

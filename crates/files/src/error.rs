@@ -4,6 +4,8 @@ use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use limits::Limit;
+
 /// A file that could not be read or written. Every message begins with the path.
 #[derive(Debug, thiserror::Error)]
 pub enum FileError {
@@ -22,7 +24,7 @@ pub enum FileError {
         action: Action,
     },
     /// The file is larger than the reader allows.
-    #[error("{path}: the file has {bytes} bytes, expected at most {limit}; is it the right file?")]
+    #[error("{path}: the file has {bytes} bytes, expected at most {limit}; is it the right file?{}", advice(.raised_by))]
     TooLarge {
         /// The path as given.
         path: PathBuf,
@@ -30,6 +32,8 @@ pub enum FileError {
         bytes: u64,
         /// Largest size allowed.
         limit: u64,
+        /// What would allow more.
+        raised_by: Option<Limit>,
     },
     /// The folder in which to write does not exist.
     #[error("{path}: {action}: there is no folder {folder}; make it first")]
@@ -132,6 +136,10 @@ impl FileError {
             | Self::Io { path, .. } => path,
         }
     }
+}
+
+fn advice(raised_by: &Option<Limit>) -> String {
+    raised_by.map_or(String::new(), |limit| format!(" {limit}"))
 }
 
 /// The folder a path lies in; the current one for a bare name.

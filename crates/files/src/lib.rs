@@ -26,5 +26,5 @@ pub use atomic::{remove_leftovers, write_atomic};
 pub use error::{Action, FileError};
 pub use npy::{Npy, NpyData, NpyError, NpyFileError, read_npy, write_npy};
 pub use npz::write_npz;
-pub use read::read_all;
+pub use read::{Most, read_all};
 pub use temporary::{Temporary, abandon_temporaries};

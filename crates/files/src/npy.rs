@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use crate::atomic::write_atomic;
 use crate::error::FileError;
 use crate::npy_header as header;
-use crate::read::read_all;
+use crate::read::{Most, read_all};
 
 /// An array in C order (last index fastest); the number of values is the product of the shape.
 #[derive(Clone, Debug, PartialEq)]
@@ -282,13 +282,13 @@ fn fortran_indices(shape: &[usize]) -> impl Iterator<Item = usize> + '_ {
     })
 }
 
-/// Reads an NPY file of at most `limit` bytes.
+/// Reads an NPY file of at most so many bytes.
 ///
 /// # Errors
 /// [`NpyFileError`], which names the file.
-pub fn read_npy(path: impl AsRef<Path>, limit: u64) -> Result<Npy, NpyFileError> {
+pub fn read_npy(path: impl AsRef<Path>, most: impl Into<Most>) -> Result<Npy, NpyFileError> {
     let path = path.as_ref();
-    let bytes = read_all(path, limit)?;
+    let bytes = read_all(path, most)?;
     Npy::parse(&bytes).map_err(|source| NpyFileError::Format { path: path.to_owned(), source })
 }
 

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use diagnostics::{Problem, ProblemList, Problems, TomlFile};
 use files::FileError;
+use limits::Limit;
 
 use crate::faults::FAULTS;
 
@@ -20,9 +21,6 @@ pub const BUILT_IN: [(&str, &str); 5] = [
 
 /// Name of the folder that holds models.
 const FOLDER: &str = "hardware-models";
-
-/// Larger than any model that a person writes.
-const MAX_BYTES: u64 = 16 << 20;
 
 /// Where a model is.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
@@ -107,7 +105,7 @@ impl ModelSource {
                 let refuse = |error: FileError| {
                     problems.push(Problem::of_file(self.name(), error.to_string()));
                 };
-                let bytes = files::read_all(path, MAX_BYTES).map_err(refuse).ok()?;
+                let bytes = files::read_all(path, Limit::TextBytes).map_err(refuse).ok()?;
                 TomlFile::parse_bytes(&self.name(), &bytes, problems)
             }
             Self::BuiltIn(name) => self.parse_carried(&BUILT_IN, name, problems),

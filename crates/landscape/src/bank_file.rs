@@ -29,12 +29,12 @@ pub use error::{BankFileError, BankFormatError, SectionName};
 pub use layout::FORMAT;
 pub use sidecar::{describe, sidecar_path};
 
-use crate::Bank;
 use std::io::Write;
 use std::path::Path;
 
-/// Largest bank file that [`read`] takes (bytes): 4 GiB, 59 million corners.
-pub const MAX_BYTES: u64 = 1 << 32;
+use limits::Limit;
+
+use crate::Bank;
 
 /// Writes `bank` to `path` and its description to [`sidecar_path`], each whole or not at all.
 ///
@@ -55,7 +55,7 @@ pub fn write(path: impl AsRef<Path>, bank: &Bank) -> Result<(), BankFileError> {
 /// If the file cannot be read, or is damaged: which section, at which byte, what was found and expected.
 pub fn read(path: impl AsRef<Path>) -> Result<Bank, BankFileError> {
     let path = path.as_ref();
-    let bytes = files::read_all(path, MAX_BYTES)?;
+    let bytes = files::read_all(path, Limit::BankBytes)?;
     decode(&bytes).map_err(|source| BankFileError::Format { path: path.to_owned(), source })
 }
 

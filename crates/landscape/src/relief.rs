@@ -24,13 +24,11 @@ pub use massif::Massif;
 pub use rille::{Meander, Rille};
 pub use undulation::Undulation;
 
+use limits::Limit;
+
 use crate::{BankError, CornerWords, Level, WORDS};
 use grid::Grid;
 
-/// Largest number of corners that [`Relief::build`] makes (288 MB of words).
-pub const MAX_CORNERS: usize = 4_000_000;
-/// Largest number of craters in one relief.
-pub const MAX_CRATERS: usize = 1_000_000;
 /// Largest number of plane waves in one undulation.
 pub const MAX_WAVES: usize = 20_000;
 
@@ -69,7 +67,7 @@ pub enum ReliefError {
         expected: String,
     },
     /// More corners than fit the limit.
-    #[error("{north} x {east} corners: expected at most {MAX_CORNERS} in all; enlarge the regions")]
+    #[error("{north} x {east} corners: expected at most {} in all; enlarge the regions; {}", Limit::Corners.value(), Limit::Corners)]
     TooManyCorners {
         /// Corners to the north.
         north: f64,
@@ -78,7 +76,9 @@ pub enum ReliefError {
     },
     /// More craters than fit the limit.
     #[error(
-        "{0} craters: expected at most {MAX_CRATERS}; raise smallest_radius, lower largest_radius or density"
+        "{0} craters: expected at most {limit}; raise smallest_radius, lower largest_radius or density; {advice}",
+        limit = Limit::GroundCraters.value(),
+        advice = Limit::GroundCraters
     )]
     TooManyCraters(f64),
     /// The words do not make a level.
@@ -208,7 +208,7 @@ impl Relief {
             }
         }
         let [north, east] = regions.map(|count| count + 1.0);
-        if north * east > MAX_CORNERS as f64 {
+        if north * east > Limit::Corners.value() as f64 {
             return Err(ReliefError::TooManyCorners { north, east });
         }
         Ok(Grid { origin: [0.0; 2], region_size: self.region_size, corners: [north as usize, east as usize] })

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use files::FileError;
+use limits::Limit;
 
 use crate::grey::Depth;
 
@@ -71,7 +72,10 @@ pub enum PictureError {
         found: String,
     },
     /// A PNG with more pixels than the limit.
-    #[error("the PNG has {columns} columns and {lines} lines, expected at most {limit} pixels")]
+    #[error(
+        "the PNG has {columns} columns and {lines} lines, expected at most {limit} pixels; {}",
+        Limit::Pixels
+    )]
     TooManyPixels {
         /// Columns.
         columns: u32,

@@ -3,7 +3,8 @@
 use std::io::Cursor;
 use std::path::Path;
 
-use files::{read_all, write_atomic};
+use files::{Most, read_all, write_atomic};
+use limits::Limit;
 use png::{BitDepth, ColorType, Decoder, Encoder, Writer};
 
 use crate::error::{PictureError, PictureFileError};
@@ -12,15 +13,15 @@ use crate::grey::{Depth, GreyPicture};
 /// What a reader allows before anything is allocated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
-    /// Largest file in bytes; 256 MiB by default.
+    /// Largest file in bytes; [`Limit::PictureBytes`] by default.
     pub file_bytes: u64,
-    /// Most pixels; 64 Mi by default, twice the largest raster.
+    /// Most pixels; [`Limit::Pixels`] by default, twice the largest raster.
     pub pixels: u64,
 }
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { file_bytes: 256 << 20, pixels: 64 << 20 }
+        Self { file_bytes: Limit::PictureBytes.value(), pixels: Limit::Pixels.value() }
     }
 }
 
@@ -121,7 +122,8 @@ fn grey_depth(colour: ColorType, depth: BitDepth) -> Result<Depth, PictureError>
 /// [`PictureFileError`], which names the file.
 pub fn read_png(path: impl AsRef<Path>, limits: &Limits) -> Result<GreyPicture, PictureFileError> {
     let path = path.as_ref();
-    let bytes = read_all(path, limits.file_bytes)?;
+    let most = Most { bytes: limits.file_bytes, raised_by: Some(Limit::PictureBytes) };
+    let bytes = read_all(path, most)?;
     decode_png(&bytes, limits).map_err(|source| at(path, source))
 }
 

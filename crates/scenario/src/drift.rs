@@ -4,9 +4,6 @@ use landscape::Sun;
 
 use crate::path::shortest_turn;
 
-/// Most steps of one mission: shadows of each are computed anew.
-pub const MAX_SUN_STEPS: usize = 100_000;
-
 /// Where the sun goes after the start.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Drift {

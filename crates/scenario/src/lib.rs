@@ -38,7 +38,7 @@ mod written;
 mod yoke;
 
 pub use craters::{CraterList, CraterPopulation, CraterWishes};
-pub use drift::{Drift, MAX_SUN_STEPS};
+pub use drift::Drift;
 pub use laws::{
     BodyVisibility, Curvature, FeatureLight, LawWishes, Laws, Occlusion, PixelRule, Projection,
     ShadowedBodies, TextureInShadow,
@@ -54,10 +54,10 @@ pub use pose_problem::{PathProblem, PathProblems, PoseFault};
 pub use pose_table::{PoseRow, PoseTable, poses_csv};
 pub use range::{LevelSwitch, RangeLaw, RangeProgramme};
 pub use raster::{Display, FieldOfView, RasterWishes, Scalar};
-pub use rocks::{MAX_ROCKS, RockArea, Rocks};
+pub use rocks::{RockArea, Rocks};
 pub use scenery::{Scenery, Standing, TrackPatch};
 pub use scenery_problem::{SceneryProblem, SceneryProblems};
-pub use tracks::{MAX_PATCHES, Tracks};
+pub use tracks::Tracks;
 pub use vehicle::{Stand, Vehicle};
 pub use vehicle_shape::VehicleShape;
 pub use written::FORMAT;

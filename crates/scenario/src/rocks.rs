@@ -4,14 +4,12 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use landscape::{Attitude, Landscape};
+use limits::Limit;
 use solids::{Body, Kind, Rock, RockField, SizeLaw, Solid, rocks};
 
 use crate::objects::Stance;
 use crate::ride::{Lane, distance, instants};
 use crate::{Path, SceneryProblem, Standing, Vehicle};
-
-/// Most rocks of a scenario.
-pub const MAX_ROCKS: usize = 100_000;
 
 /// Rocks that a scenario asks for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -64,7 +62,7 @@ impl Rocks {
                 && !is_hit(rock, lane.distance(rock.at), clear.vehicle)
                 && !is_under(rock, clear.culture)
         });
-        if found.len() > MAX_ROCKS {
+        if !Limit::Rocks.allows(found.len() as u64) {
             return Err(SceneryProblem::TooManyRocks { found: found.len() as f64 });
         }
         let standing = |(number, rock): (usize, &Rock)| {
@@ -120,7 +118,7 @@ impl Rocks {
 }
 
 fn expect_few(expected: f64) -> Result<(), SceneryProblem> {
-    let few = expected <= MAX_ROCKS as f64;
+    let few = expected <= Limit::Rocks.value() as f64;
     if few { Ok(()) } else { Err(SceneryProblem::TooManyRocks { found: expected }) }
 }
 

@@ -2,10 +2,8 @@
 
 use std::fmt;
 
+use limits::Limit;
 use solids::{RockFieldError, SolidError};
-
-use crate::rocks::MAX_ROCKS;
-use crate::tracks::MAX_PATCHES;
 
 /// One thing that does not fit.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -30,7 +28,9 @@ pub enum SceneryProblem {
     },
     /// More rocks than can be drawn.
     #[error(
-        "[rocks]: {found:.0} rocks: expected at most {MAX_ROCKS}; raise smallest_m, or lower density_per_m2 or radius_m"
+        "[rocks]: {found:.0} rocks: expected at most {limit}; raise smallest_m, or lower density_per_m2 or radius_m; {advice}",
+        limit = Limit::Rocks.value(),
+        advice = Limit::Rocks
     )]
     TooManyRocks {
         /// How many there would be.
@@ -43,7 +43,11 @@ pub enum SceneryProblem {
     #[error("[rocks]: a shape of this seed is no solid: {0}; choose another seed")]
     RockShape(SolidError),
     /// More track patches than can be kept.
-    #[error("[tracks]: more than {MAX_PATCHES} patches every {spacing} m; raise spacing_m")]
+    #[error(
+        "[tracks]: more than {limit} patches every {spacing} m; raise spacing_m; {advice}",
+        limit = Limit::Patches.value(),
+        advice = Limit::Patches
+    )]
     TooManyPatches {
         /// Asked for (m).
         spacing: f64,

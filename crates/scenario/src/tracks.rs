@@ -1,12 +1,10 @@
 //! Tracks of the vehicle: patches of remote shadow along the way already driven (section 17).
 
 use landscape::Landscape;
+use limits::Limit;
 
 use crate::ride::{Instant, distance, instants};
 use crate::{Path, SceneryProblem, TrackPatch, Vehicle};
-
-/// Most patches of a mission.
-pub const MAX_PATCHES: usize = 1_000_000;
 
 /// What the wheels leave behind.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -65,7 +63,7 @@ impl Tracks {
             let [from, to] = [wheel(&pair[0]), wheel(&pair[1])];
             let step = distance(from, to);
             while step > 0.0 && next <= way + step {
-                if patches.len() == MAX_PATCHES {
+                if !Limit::Patches.allows(patches.len() as u64 + 1) {
                     return Err(SceneryProblem::TooManyPatches { spacing: self.spacing });
                 }
                 let share = (next - way) / step;

@@ -16,6 +16,7 @@ use std::path::Path as FilePath;
 use diagnostics::{Problem, ProblemList, Problems, Reader, TomlFile};
 use landscape::Photometry;
 use landscape::relief::Relief;
+use limits::Limit;
 use quantities::radians;
 
 use crate::{
@@ -26,12 +27,6 @@ use crate::{
 /// Format of scenario files that this program reads.
 pub const FORMAT: u64 = 1;
 
-/// Larger than any scenario that a person writes.
-const MAX_BYTES: u64 = 16 << 20;
-
-/// Most frames of one scenario: 92 hours at 30 Hz.
-const MAX_FRAMES: u64 = 10_000_000;
-
 impl Scenario {
     /// Reads a scenario file, and the path file that it may name.
     ///
@@ -39,7 +34,7 @@ impl Scenario {
     /// Every fault of both files.
     pub fn read(path: impl AsRef<FilePath>) -> Result<Self, ProblemList> {
         let name = path.as_ref().display().to_string();
-        let bytes = files::read_all(path.as_ref(), MAX_BYTES)
+        let bytes = files::read_all(path.as_ref(), Limit::TextBytes)
             .map_err(|error| Problem::of_file(&name, error.to_string()))?;
         let problems = Problems::new();
         let scenario = TomlFile::parse_bytes(&name, &bytes, &problems)
@@ -173,7 +168,12 @@ fn machine(root: &Reader) -> Option<String> {
 }
 
 fn length(root: &Reader) -> Option<Length> {
-    let frames = root.u64("frames").between(1, MAX_FRAMES).optional().map(Length::Frames);
+    let frames = root
+        .u64("frames")
+        .between(1, Limit::Frames.value())
+        .help(Limit::Frames.to_string())
+        .optional()
+        .map(Length::Frames);
     let seconds =
         root.f64("duration_s").above(0.0).at_most(10_000.0).unit("s").optional().map(Length::Seconds);
     match (root.has("frames"), root.has("duration_s")) {

@@ -11,7 +11,7 @@
 //! **Skipped.** `vn`, `vt`, `s`, `usemtl`, `mtllib`, comments. Anything else is a fault: it would be missed in
 //! the picture.
 //!
-//! **Limits.** [`MAX_BYTES`], [`MAX_PARTS`]; [`Solid::MOST`] vertices and faces a part.
+//! **Limits.** [`Limit::ShapeBytes`], [`MAX_PARTS`]; [`Solid::MOST`] vertices and faces a part.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -20,11 +20,10 @@ use std::sync::Arc;
 
 use diagnostics::{Place, Problem, ProblemList, Problems, Source};
 use glam::DVec3;
+use limits::Limit;
 
 use crate::{Solid, SolidError};
 
-/// Largest file.
-pub const MAX_BYTES: u64 = 1 << 24;
 /// Largest number of parts.
 pub const MAX_PARTS: usize = 4096;
 /// Albedo of every face.
@@ -41,8 +40,8 @@ const SKIPPED: [&str; 5] = ["vn", "vt", "s", "usemtl", "mtllib"];
 /// are not convex or not closed.
 pub fn read(path: impl AsRef<Path>) -> Result<Vec<Solid>, ProblemList> {
     let name = path.as_ref().display().to_string();
-    let bytes =
-        files::read_all(path, MAX_BYTES).map_err(|error| Problem::of_file(&name, error.to_string()))?;
+    let bytes = files::read_all(path, Limit::ShapeBytes)
+        .map_err(|error| Problem::of_file(&name, error.to_string()))?;
     let text = String::from_utf8(bytes).map_err(|error| {
         let title = format!("not text: byte {} is not UTF-8", error.utf8_error().valid_up_to());
         Problem::of_file(&name, title).help("save the file as UTF-8")

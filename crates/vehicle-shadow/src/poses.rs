@@ -5,12 +5,10 @@ use std::path::Path;
 
 use files::read_all;
 use landscape::Attitude;
+use limits::Limit;
 use quantities::radians;
 
 use crate::{AugmentError, Camera, Shot};
-
-/// Largest file of poses.
-const MAX_BYTES: u64 = 1 << 28;
 
 /// Columns that must be there.
 const COLUMNS: [&str; 8] = ["frame", "t_s", "x_m", "y_m", "z_m", "heading_deg", "pitch_deg", "roll_deg"];
@@ -56,7 +54,7 @@ impl FramePose {
 /// # Errors
 /// The first fault, with its line.
 pub fn read_poses(path: &Path) -> Result<BTreeMap<u64, FramePose>, AugmentError> {
-    let bytes = read_all(path, MAX_BYTES)?;
+    let bytes = read_all(path, Limit::ListBytes)?;
     let reading = Reading { path, expected: format!("a header, and lines with {}", COLUMNS.join(", ")) };
     let text = String::from_utf8(bytes).map_err(|_| reading.fault(None, "bytes that are no text".into()))?;
     let mut lines =

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use diagnostics::{Problem, ProblemList, Problems};
 use files::{NpyData, read_npy};
+use limits::Limit;
 
-use super::MAX_BYTES;
 use super::row::{FLOOR, OUTER};
 use crate::{Crater, Shape};
 
@@ -20,7 +20,7 @@ const TOLD: usize = 20;
 pub(super) fn read(path: &Path) -> Result<Vec<Crater>, ProblemList> {
     let name = path.display().to_string();
     let refused = |title: String, help: &str| ProblemList::from(Problem::of_file(&name, title).help(help));
-    let array = read_npy(path, MAX_BYTES)
+    let array = read_npy(path, Limit::ListBytes)
         .map_err(|error| refused(error.to_string(), "give an array that NumPy's save has written"))?;
     let (shape, data) = array.into_parts();
     let width = match shape.as_slice() {

@@ -1,8 +1,9 @@
 //! Bowls with raised rims, drawn from a size-frequency law.
 
 use super::grid::Grid;
-use super::{MAX_CRATERS, ReliefError, above, within};
+use super::{ReliefError, above, within};
 use crate::{CornerWords, WORDS};
+use limits::Limit;
 use quantities::unit_interval;
 use std::f64::consts::{E, SQRT_2};
 
@@ -104,7 +105,11 @@ impl Craters {
         above("craters.subdued", self.subdued, 0.0)?;
         within("craters.fresh", self.fresh, self.subdued, 0.25)?;
         let count = self.count(extent);
-        if count <= MAX_CRATERS as f64 { Ok(()) } else { Err(ReliefError::TooManyCraters(count)) }
+        if count <= Limit::GroundCraters.value() as f64 {
+            Ok(())
+        } else {
+            Err(ReliefError::TooManyCraters(count))
+        }
     }
 
     /// The craters of `seed` that reach into `extent` (m) from `origin`, largest first.

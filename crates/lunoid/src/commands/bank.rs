@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, Subcommand};
 use landscape::bank_file::{self, export_corners, import_corners, sidecar_path};
 use landscape::{Bank, Level, Sun};
+use limits::Limit;
 use plots::{BankLook, bank_picture};
 use quantities::{degrees, radians};
 use scenario::Scenario;
@@ -12,9 +13,6 @@ use serde_json::{Value, json};
 
 use crate::output::{expect_writable, print, print_json, table};
 use crate::{Failure, Verdict, values};
-
-/// Largest array of corners that is read.
-const MAX_BYTES: u64 = 1 << 32;
 
 /// Make, read and draw banks of terrain coefficients.
 #[derive(Debug, Args)]
@@ -123,7 +121,7 @@ impl Import {
         expect_bank_writable(&self.out)?;
         let of_file =
             |error: &dyn std::fmt::Display| Failure::input(format!("{}: {error}", self.corners.display()));
-        let array = files::read_npy(&self.corners, MAX_BYTES)?;
+        let array = files::read_npy(&self.corners, Limit::BankBytes)?;
         let level =
             import_corners(array, self.region_size_m, self.origin_m).map_err(|error| of_file(&error))?;
         let stem = self.corners.file_stem().unwrap_or_default().to_string_lossy().into_owned();

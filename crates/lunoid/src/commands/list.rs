@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use hardware_model::{BUILT_IN, FAULTS, HardwareModel, ModelSource};
+use limits::{ROWS, Row};
 use scenario::Scenario;
 use serde_json::{Value, json};
 
@@ -42,6 +43,8 @@ enum Kind {
     Scenarios,
     /// Signals of the machine.
     Signals,
+    /// Limits that `--raise` sets.
+    Limits,
 }
 
 impl List {
@@ -52,6 +55,7 @@ impl List {
             Kind::Models => models(self.json)?,
             Kind::Scenarios => scenarios(self.json)?,
             Kind::Signals => SignalListing::of_table().show(self.json)?,
+            Kind::Limits => limits(self.json)?,
         }
         Ok(Verdict::Yes)
     }
@@ -111,6 +115,18 @@ fn scenarios(json: bool) -> Result<(), Failure> {
     };
     let rows: Vec<[String; 3]> = toml_files("scenarios").iter().map(row).collect();
     show(&[Listing { what: "scenarios", heading: ["file", "title", "shows"], rows: &rows }], json)
+}
+
+/// Lists what is read and made at most, as it is set now.
+fn limits(json: bool) -> Result<(), Failure> {
+    let row = |row: &Row| {
+        let most = format!("{}, can be raised to {}", row.limit.value(), row.most);
+        [row.name.into(), row.what.into(), most]
+    };
+    show(
+        &[Listing { what: "limits", heading: ["name", "of", "at most"], rows: &ROWS.map(|r| row(&r)) }],
+        json,
+    )
 }
 
 /// Rows under a heading.

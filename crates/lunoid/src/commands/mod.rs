@@ -28,6 +28,9 @@ use crate::{Failure, Verdict};
 
 /// Does what the command line says.
 pub fn run(cli: &Cli) -> Result<Verdict, Failure> {
+    for assignment in &cli.raise {
+        limits::raise(assignment).map_err(|said| Failure::Usage(format!("--raise {said}")))?;
+    }
     match &cli.command {
         Command::Replay(replay) => replay.run(),
         Command::Page(page) => page.run(),

@@ -3,14 +3,12 @@
 use std::path::{Path as FilePath, PathBuf};
 
 use diagnostics::{Place, Placed, Problem, Problems, Reader};
+use limits::Limit;
 use quantities::radians;
 
 use super::reference::reference;
 use super::{path_csv, path_tum};
 use crate::{Path, PathError, Waypoint};
-
-/// Largest path file: some million rows.
-const MAX_BYTES: u64 = 1 << 28;
 
 /// Places beyond this are a mistake, and would lose millimetres.
 const MAX_COORDINATE: f64 = 1e7;
@@ -73,7 +71,7 @@ fn read_file(path: &FilePath, problems: &Problems) -> Option<Path> {
 }
 
 fn read_text(path: &FilePath, name: &str, problems: &Problems) -> Option<String> {
-    let bytes = match files::read_all(path, MAX_BYTES) {
+    let bytes = match files::read_all(path, Limit::ListBytes) {
         Ok(bytes) => bytes,
         Err(error) => {
             problems.push(Problem::of_file(name, error.to_string()));

@@ -2,10 +2,11 @@
 
 use diagnostics::{Placed, Problem, Reader};
 use landscape::{Layer, Photometry, Silhouette, Source, Sun};
+use limits::Limit;
 use quantities::radians;
 
 use super::all;
-use crate::{Drift, MAX_SUN_STEPS, ShadowFineness, TextureWish};
+use crate::{Drift, ShadowFineness, TextureWish};
 
 /// The sun at the start, and where it goes from there.
 pub(super) fn sun(table: &Reader) -> Option<(Sun, Option<Drift>)> {
@@ -56,11 +57,11 @@ fn refuse_lone_step(table: &Reader, step: Option<Placed<f64>>) -> Option<()> {
 
 fn check_steps(table: &Reader, drift: &Drift, step: &Placed<f64>) -> Option<()> {
     let steps = drift.steps();
-    if steps <= MAX_SUN_STEPS {
+    if Limit::SunSteps.allows(steps as u64) {
         return Some(());
     }
-    let title = format!("{steps} steps of {} s: the sun can take {MAX_SUN_STEPS}", step.value);
-    table.report(Problem::of(step, title).expected("a longer step"));
+    let title = format!("{steps} steps of {} s: the sun can take {}", step.value, Limit::SunSteps.value());
+    table.report(Problem::of(step, title).expected("a longer step").help(Limit::SunSteps.to_string()));
     None
 }
 

@@ -2,17 +2,16 @@
 
 use std::path::Path;
 
+use limits::Limit;
+
 use super::samples::Conversion;
 use super::{ReadOptions, check_raster, field};
 use crate::elevation::{Elevation, Frame};
 use crate::error::SurveyError;
 
-/// Most bytes read.
-const LIMIT: u64 = 16 << 30;
-
 /// Reads heights; NaN is a void.
 pub fn read(path: &Path, options: &ReadOptions) -> Result<Elevation, SurveyError> {
-    let array = files::read_npy(path, LIMIT)?;
+    let array = files::read_npy(path, Limit::ElevationBytes)?;
     let [lines, columns] = *array.shape() else {
         let advice = "save a 2-D array: heights, line by line";
         return Err(field(path, "shape", format!("{:?}", array.shape()), "[lines, columns]", advice));

@@ -1,0 +1,171 @@
+//! How much is read and made at most, by names with which a user allows more.
+//!
+//! Limits guard against a slip of the keyboard and against hostile files. They decide whether something is refused, never
+//! what it comes to, so they are the process's: a command raises them before it reads anything.
+//!
+//! ```
+//! use limits::Limit;
+//! assert!(Limit::Rocks.allows(100_000) && !Limit::Rocks.allows(100_001));
+//! assert_eq!(limits::raise("rocks=2000000"), Ok(()));
+//! assert!(Limit::Rocks.allows(100_001));
+//! ```
+
+use std::fmt;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// What is limited.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Limit {
+    /// Corners of a level that is generated.
+    Corners,
+    /// Craters that generated ground is made with.
+    GroundCraters,
+    /// Craters of one population.
+    Craters,
+    /// Rocks of a scenario.
+    Rocks,
+    /// Track patches of a scenario.
+    Patches,
+    /// Steps of a sun that moves.
+    SunSteps,
+    /// Frames of a scenario.
+    Frames,
+    /// Bytes of a scenario or a hardware model.
+    TextBytes,
+    /// Bytes of a list of craters or of a path.
+    ListBytes,
+    /// Bytes of a coefficient bank, or of the corners for one.
+    BankBytes,
+    /// Bytes of an elevation file of NumPy.
+    ElevationBytes,
+    /// Bytes of an OBJ file.
+    ShapeBytes,
+    /// Bytes of a picture that is read.
+    PictureBytes,
+    /// Pixels of a picture that is read.
+    Pixels,
+}
+
+/// A row of the table of limits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Row {
+    /// Which limit.
+    pub limit: Limit,
+    /// Its name on the command line.
+    pub name: &'static str,
+    /// What it limits, in words.
+    pub what: &'static str,
+    /// Its value unless it is raised.
+    pub usual: u64,
+    /// Most that it can be raised to: what numbers inside can count, with room to spare.
+    pub most: u64,
+}
+
+/// All limits, in the order of [`Limit`].
+pub const ROWS: [Row; 14] = [
+    row(Limit::Corners, "corners", "corners of a generated level", 4_000_000, 1 << 30),
+    row(Limit::GroundCraters, "ground-craters", "craters in generated ground", 1_000_000, 1 << 28),
+    row(Limit::Craters, "craters", "craters of a population", 4_000_000, 1 << 28),
+    row(Limit::Rocks, "rocks", "rocks of a scenario", 100_000, 1 << 28),
+    row(Limit::Patches, "patches", "track patches of a scenario", 1_000_000, 1 << 28),
+    row(Limit::SunSteps, "sun-steps", "steps of a sun that moves", 100_000, 1 << 28),
+    row(Limit::Frames, "frames", "frames of a scenario", 10_000_000, 1 << 40),
+    row(Limit::TextBytes, "text-bytes", "bytes of a scenario or a hardware model", 16 << 20, 1 << 30),
+    row(Limit::ListBytes, "list-bytes", "bytes of a list of craters or of a path", 1 << 28, 1 << 40),
+    row(Limit::BankBytes, "bank-bytes", "bytes of a bank, or of the corners for one", 1 << 32, 1 << 44),
+    row(Limit::ElevationBytes, "elevation-bytes", "bytes of an elevation file of NumPy", 16 << 30, 1 << 44),
+    row(Limit::ShapeBytes, "shape-bytes", "bytes of an OBJ file", 1 << 24, 1 << 30),
+    row(Limit::PictureBytes, "picture-bytes", "bytes of a picture that is read", 256 << 20, 1 << 40),
+    row(Limit::Pixels, "pixels", "pixels of a picture that is read", 64 << 20, 1 << 34),
+];
+
+const fn row(limit: Limit, name: &'static str, what: &'static str, usual: u64, most: u64) -> Row {
+    Row { limit, name, what, usual, most }
+}
+
+/// What each is raised to; 0 where it is not.
+static RAISED: [AtomicU64; ROWS.len()] = [const { AtomicU64::new(0) }; ROWS.len()];
+
+impl Limit {
+    /// The largest that is allowed now.
+    pub fn value(self) -> u64 {
+        match RAISED[self as usize].load(Ordering::Relaxed) {
+            0 => self.row().usual,
+            raised => raised,
+        }
+    }
+
+    /// Whether so much is allowed now.
+    pub fn allows(self, count: u64) -> bool {
+        count <= self.value()
+    }
+
+    /// Its row of the table.
+    pub fn row(self) -> &'static Row {
+        &ROWS[self as usize]
+    }
+}
+
+/// What to do about it, for the end of a message.
+impl fmt::Display for Limit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "--raise {}=N allows more", self.row().name)
+    }
+}
+
+/// Sets a limit to what `assignment` says, `NAME=VALUE`: a whole number, from the usual value to the row's most.
+///
+/// # Errors
+/// What is wrong with it, and what was expected.
+pub fn raise(assignment: &str) -> Result<(), String> {
+    let (name, value) =
+        assignment.split_once('=').ok_or_else(|| format!("`{assignment}`: expected NAME=VALUE"))?;
+    let row = ROWS.iter().find(|row| row.name == name).ok_or_else(|| {
+        let names: Vec<_> = ROWS.iter().map(|row| row.name).collect();
+        format!("there is no limit `{name}`; there are {}", names.join(", "))
+    })?;
+    let expected =
+        || format!("{name}: expected a whole number from {} to {}, found `{value}`", row.usual, row.most);
+    let value: u64 = value.replace('_', "").parse().map_err(|_| expected())?;
+    if !(row.usual..=row.most).contains(&value) {
+        return Err(expected());
+    }
+    RAISED[row.limit as usize].store(value, Ordering::Relaxed);
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Limit, ROWS, raise};
+
+    #[test]
+    fn rows_stand_where_their_limits_say() {
+        for (place, row) in ROWS.iter().enumerate() {
+            assert_eq!((row.limit as usize, row.limit.row().name), (place, row.name));
+            assert!(row.usual <= row.most, "{}", row.name);
+        }
+    }
+
+    #[test]
+    fn what_is_raised_is_allowed() {
+        assert!(Limit::Patches.allows(1_000_000) && !Limit::Patches.allows(1_000_001));
+        assert_eq!(raise("patches=3_000_000"), Ok(()));
+        assert!(Limit::Patches.allows(3_000_000) && !Limit::Patches.allows(3_000_001));
+    }
+
+    #[test]
+    fn what_is_no_limit_is_refused_in_words() {
+        for (wrong, word) in [
+            ("craters", "expected NAME=VALUE"),
+            ("holes=7", "there is no limit `holes`; there are corners, "),
+            ("frames=few", "frames: expected a whole number from 10000000 to"),
+            ("frames=7", "found `7`"),
+            ("frames=-1", "found `-1`"),
+            ("frames=99999999999999999999", "whole number"),
+        ] {
+            let said = raise(wrong).expect_err(wrong);
+            assert!(said.contains(word), "{said}");
+        }
+        assert_eq!(Limit::Frames.value(), 10_000_000);
+    }
+}
