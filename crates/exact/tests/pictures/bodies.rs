@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
-use crate::scenes::{landscape, laws, level, plane, planes, pose, ray, settings, standing_box, sun, value};
+use crate::scenes::{
+    landscape, laws, level, plane, planes, pose, ray, settings, standing_box, sun, sunk_box, value,
+};
 use generator::{Label, PlaneKind, Shade};
 use hardware_model::Settings;
 use landscape::{Landscape, parabolic_drop};
@@ -102,8 +104,7 @@ fn behind_a_ridge_by_depth_and_as_reported() {
         .map(|law| draw(before(), usual(law), false, light));
     assert_eq!(pictures[0], pictures[1], "in the open both laws agree");
     // Sunk into the ground, its foot point in sight: drawn whole.
-    let mut sunk = standing_box(0, [45.0, 30.0, -1.5], 2.0, 4.0);
-    sunk.body.foot.z = 0.0;
+    let sunk = sunk_box(0, [45.0, 30.0, 0.0], 2.0, [-1.5, 2.5]);
     let [cut, whole] = [BodyVisibility::Depth, BodyVisibility::AsReported]
         .map(|law| culture(&draw(vec![sunk.clone()], usual(law), false, light)).len());
     assert!(cut > 10 && whole > cut, "{cut} {whole}");

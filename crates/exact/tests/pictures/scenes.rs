@@ -147,7 +147,12 @@ pub fn crater_field(seed: u64, count: u64, size: f64) -> Features {
 
 /// A box of albedo 1 with its foot point in the middle of its base, turned by no angle.
 pub fn standing_box(object: u32, foot: [f64; 3], half_width: f64, height: f64) -> Standing {
-    let (low, high) = (DVec3::new(-half_width, -half_width, 0.0), DVec3::new(half_width, half_width, height));
+    sunk_box(object, foot, half_width, [0.0, height])
+}
+
+/// The same from `low` to `high` above its foot point (m).
+pub fn sunk_box(object: u32, foot: [f64; 3], half_width: f64, [low, high]: [f64; 2]) -> Standing {
+    let (low, high) = (DVec3::new(-half_width, -half_width, low), DVec3::new(half_width, half_width, high));
     let solid = Arc::new(Solid::boxed(low, high, 1.0).unwrap());
     let foot = DVec3::from_array(foot);
     let body = Body::place(object, Kind::Culture, &solid, foot, &DMat3::IDENTITY, 1.0);

@@ -53,7 +53,9 @@ fn add_shadows(hasher: &mut Hasher, scenario: &Scenario, Stage { scenery, settin
     add(hasher, "shadow controller", &(line_generators, settings.segment_words, settings.shadows));
     add(hasher, "suns", &scenery.suns());
     add(hasher, "tracks", &scenario.tracks);
-    scenery.standing().iter().for_each(|standing| add(hasher, "body", &standing.body));
+    for body in scenery.standing().iter().map(|standing| &standing.body) {
+        add(hasher, "body", &(body.object, body.kind, body.foot, body.vertices().collect::<Vec<_>>()));
+    }
     scenery.vehicle().iter().for_each(|vehicle| add(hasher, "vehicle", vehicle));
 }
 
