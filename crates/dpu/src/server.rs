@@ -46,9 +46,6 @@ pub(crate) struct Served {
     pub waited: bool,
 }
 
-/// Sets for which a queue has room at first.
-const ROOM: usize = 16;
-
 /// The queue within one sweep. What waits at the last fold is served on into retrace; nothing of it waits for the next sweep
 /// (our choice).
 #[derive(Debug)]
@@ -93,10 +90,6 @@ impl<'a> Server<'a> {
     #[inline]
     pub fn ask(&mut self, job: Job) {
         let line = self.line_of(job.colour);
-        if self.queues[line].is_empty() {
-            // Room for what most sweeps ever have waiting: memory is asked for once.
-            self.queues[line].reserve(ROOM);
-        }
         self.queues[line].push(job);
         let waiting = self.queues[line].len() as u32;
         self.lines[line].longest_queue = self.lines[line].longest_queue.max(waiting);
