@@ -3,7 +3,7 @@
 use scenario::{Curvature, Occlusion, Projection};
 
 const MOON_RADIUS: f64 = 1_737_400.0;
-/// A fall of the tangent from one sample to the next that is the end of the stored ground.
+/// A fall of the tangent from a sample to the next place that is the end of the stored ground.
 const CLIFF: f64 = 0.25;
 /// A rim nearer to a sample than this part of a step is no support for a curve.
 const NEAREST: f64 = 0.125;
@@ -42,9 +42,10 @@ pub fn shown(elevations: &[f64], rims: &[Rim]) -> Vec<Vec<f64>> {
         // Neighbours on the same smooth piece: the next sample, or a rim before it.
         let before = of_step(k).next_back().map(|rim| (1.0 - rim.share, rim.elevation));
         let after = of_step(k + 1).next().map(|rim| (rim.share, rim.elevation));
-        let cliff = elevations[k] - elevations[k + 1] >= CLIFF;
         let left = before.unwrap_or((1.0, elevations[k - 1]));
         let right = after.unwrap_or((1.0, elevations[k + 1]));
+        // The ground ends beyond the next place, which may be a rim before the next sample.
+        let cliff = elevations[k] - right.1 >= CLIFF;
         seen.push(if cliff { elevations[k] } else { summit(left, elevations[k], right) });
         seen
     };

@@ -80,6 +80,14 @@ fn the_channel_is_ordered_once_a_crossing() {
     }
 }
 
+/// The ground ends beyond a sample if it falls far to the next place, which may be a rim before the next sample.
+#[test]
+fn the_end_of_the_ground_at_a_rim() {
+    for seed in [202_999, 204_085, 207_370] {
+        check(&trials(seed..seed + 1, Scalar::F64));
+    }
+}
+
 /// A signal broken on its way into the comparison: only where a crater is, only beyond the twentieth sample.
 fn tampered(scene: &Scene, seed: u64) -> Option<String> {
     let engines = lockstep::Engines::new(scene.stage()).ok()?;

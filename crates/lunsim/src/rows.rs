@@ -78,7 +78,8 @@ pub(crate) fn record(frame: u64, size: usize, film: Option<&Film<'_>>, probe: &m
         }
         for signal in SIGNALS {
             if probe.wants(&signal) {
-                let value = |column: usize| film.map_or(0.0, |film| value(film, signal.name, row, column));
+                let read = reading(signal.name);
+                let value = |column: usize| film.map_or(0.0, |film| read(film, row, column));
                 let values = (0..size).map(value).collect();
                 probe.waveforms.push(Waveform {
                     signal,
@@ -92,22 +93,29 @@ pub(crate) fn record(frame: u64, size: usize, film: Option<&Film<'_>>, probe: &m
     }
 }
 
-fn value(film: &Film<'_>, name: &str, row: usize, column: usize) -> f64 {
-    let Film { grid, light, observer, plot, codes } = film;
-    let index = row * grid.size + column;
-    let (height, lit) = (grid.heights[index], light[index]);
+/// How the signal called `name` is read off a film, at a row and a column.
+fn reading(name: &str) -> fn(&Film<'_>, usize, usize) -> f64 {
     match name {
-        "lunsim.along" => grid.place(row, column)[0],
-        "lunsim.across" => grid.place(row, column)[1],
-        "lunsim.height" => height,
-        "lunsim.slope.along" => grid.slopes(row, column)[0],
-        "lunsim.slope.across" => grid.slopes(row, column)[1],
-        "lunsim.reflectivity" => lit.reflectivity,
-        "lunsim.shadow" => f64::from(u8::from(lit.is_dark())),
-        "lunsim.line" => {
-            let place = observer.project(grid.place(row, column), height - observer.eye[2]);
-            place.map_or(-1.0, |[_, y]| f64::from(line(y, observer.half_field[1], plot.size[1])))
+        "lunsim.along" => |film, row, column| film.grid.place(row, column)[0],
+        "lunsim.across" => |film, row, column| film.grid.place(row, column)[1],
+        "lunsim.height" => |film, row, column| film.grid.heights[row * film.grid.size + column],
+        "lunsim.slope.along" => |film, row, column| film.grid.slopes(row, column)[0],
+        "lunsim.slope.across" => |film, row, column| film.grid.slopes(row, column)[1],
+        "lunsim.reflectivity" => |film, row, column| film.light[row * film.grid.size + column].reflectivity,
+        "lunsim.shadow" => {
+            |film, row, column| f64::from(u8::from(film.light[row * film.grid.size + column].is_dark()))
         }
-        _ => f64::from(codes.code(lit.intensity())),
+        "lunsim.line" => line_of,
+        "lunsim.code" => |film, row, column| {
+            f64::from(film.codes.code(film.light[row * film.grid.size + column].intensity()))
+        },
+        _ => unreachable!("{name} is none of LUNSIM's signals"),
     }
+}
+
+fn line_of(film: &Film<'_>, row: usize, column: usize) -> f64 {
+    let Film { grid, observer, plot, .. } = film;
+    let height = grid.heights[row * grid.size + column] - observer.eye[2];
+    let place = observer.project(grid.place(row, column), height);
+    place.map_or(-1.0, |[_, y]| f64::from(line(y, observer.half_field[1], plot.size[1])))
 }
