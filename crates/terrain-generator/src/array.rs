@@ -40,7 +40,7 @@ fn function_generators(fed: [f64; 4], signs: [f64; 4]) -> [([f64; 3], [f64; 3]);
 #[cfg(test)]
 mod tests {
     use super::array;
-    use crate::{Segment, Span};
+    use crate::{Region, Segment, Span};
     use proptest::prelude::{any, prop_assert, proptest};
 
     proptest! {
@@ -62,7 +62,7 @@ mod tests {
                 half_length: 0.01,
                 across: [-sin * polarity[0], cos * polarity[1]],
             };
-            let segment = Segment::expand(hold.each_ref(), polarity, &span);
+            let segment = Segment::expand(&Region::of(hold.each_ref(), polarity), &span);
             let [height, hu, hv] = array(hold.each_ref(), polarity, ramp);
             prop_assert!((segment.height[0] - height).abs() < 1e-13);
             prop_assert!((segment.along[0] - (hu * cos + hv * sin)).abs() < 1e-12);

@@ -7,6 +7,7 @@ use signal::{LANES, Lanes, Real, Signal, Unit};
 use sweep_program::{Load, Step, StepKind, SweepProgram, Target};
 
 use crate::array::array;
+use crate::region::RecentRegions;
 use crate::{Registers, Segment, Span};
 
 /// Height of a profile beyond its end (m): lower than any real ground, so nothing of it is seen. A power of two, so that
@@ -174,7 +175,7 @@ impl TerrainGenerator<'_> {
         span: Range<usize>,
         profile: &mut Profile<S>,
     ) {
-        let mut segments = Segments::default();
+        let (mut segments, mut regions) = (Segments::default(), RecentRegions::default());
         let mut lanes = programs.each_ref().map(|program| Lane {
             program,
             registers: Registers::at_start(program),
@@ -186,7 +187,7 @@ impl TerrainGenerator<'_> {
         while sample < span.end {
             for (number, lane) in lanes.iter_mut().enumerate() {
                 if lane.until <= sample {
-                    self.next_segment(lane, number, sample, &mut segments);
+                    self.next_segment(lane, number, sample, &mut regions, &mut segments);
                 }
             }
             let until = lanes.iter().map(|lane| lane.until).min().unwrap_or(span.end).min(span.end);
@@ -219,6 +220,7 @@ impl TerrainGenerator<'_> {
         lane: &mut Lane<'_>,
         number: usize,
         sample: usize,
+        regions: &mut RecentRegions,
         out: &mut Segments<S>,
     ) {
         let begin = self.apply_due(lane, sample);
@@ -230,7 +232,7 @@ impl TerrainGenerator<'_> {
         let mut stretch = match &self.ranges[sample..lane.until] {
             [only] => Stretch::of_one(self.at(lane, *only), *only),
             [first, last] => Stretch::of_two([first, last].map(|range| (*range, self.at(lane, *range)))),
-            _ => self.expand(lane, begin, end),
+            _ => self.expand(lane, begin, end, regions),
         };
         stretch.segment.height[0] -= self.datum;
         out.set(number, &stretch);
@@ -260,7 +262,7 @@ impl TerrainGenerator<'_> {
         next.map_or(lane.program.end_range, |step| step.range).min(self.ranges[self.ranges.len() - 1])
     }
 
-    fn expand(&self, lane: &Lane<'_>, begin: f64, end: f64) -> Stretch {
+    fn expand(&self, lane: &Lane<'_>, begin: f64, end: f64, regions: &mut RecentRegions) -> Stretch {
         let (middle, half_length) = (0.5 * (begin + end), 0.5 * (end - begin));
         let (registers, [cos, sin]) = (&lane.registers, lane.program.start.direction);
         let polarity = registers.polarity();
@@ -271,11 +273,8 @@ impl TerrainGenerator<'_> {
             half_length,
             across: [-sin * polarity[0] / self.region_size, cos * polarity[1] / self.region_size],
         };
-        Stretch {
-            segment: Segment::expand(registers.hold(self.buffer), polarity, &span),
-            middle,
-            half_length,
-        }
+        let region = regions.of(registers, self.buffer);
+        Stretch { segment: Segment::expand(&region, &span), middle, half_length }
     }
 
     /// Height and the slopes along and across at one range, straight through the array.

@@ -38,6 +38,7 @@ mod inside;
 mod modified;
 #[cfg(test)]
 mod programs;
+mod region;
 mod registers;
 mod segment;
 mod wired;
@@ -46,6 +47,7 @@ pub use array::array;
 pub use generator::{INNER_SIGNALS, Method, OUT_OF_SIGHT, Polynomials, Profile, SIGNALS, TerrainGenerator};
 pub use inside::Inside;
 pub use modified::{ModifiedTerrainGenerator, Overlap};
+pub use region::Region;
 pub use registers::Registers;
 pub use segment::{Segment, Span};
 pub use wired::{ArrayState, PartsArray, Scale, Wired};

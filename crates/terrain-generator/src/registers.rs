@@ -48,6 +48,12 @@ impl Registers {
         std::array::from_fn(|colour| self.words(HOLD, colour, buffer))
     }
 
+    /// Corners whose words feed the multiplying D/As, by colour; `None` if a register has words of several.
+    pub(crate) fn corners_held(&self) -> Option<[u32; 4]> {
+        let corners = self.corners[HOLD];
+        (!corners.contains(&MIXED)).then_some(corners)
+    }
+
     fn words<'w>(&'w self, register: usize, colour: usize, buffer: &'w [CornerWords]) -> &'w CornerWords {
         match self.corners[register][colour] {
             MIXED => &self.mixed[register][colour],

@@ -1,7 +1,6 @@
-//! Expansion of the 36 terms along a straight stretch of a sweep.
+//! Expansion of a region's polynomial along a straight stretch of a sweep.
 
-use landscape::CornerWords;
-use landscape::basis::NEAR;
+use crate::Region;
 
 /// A stretch between two events, in ramp coordinates.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,45 +27,13 @@ pub struct Segment {
     pub across: [f64; 10],
 }
 
-/// `g_p(X_a)` about the middle of the region, by `[a][p]`, ascending powers of `X - 1/2`.
-const CENTRED: [[[f64; 6]; 3]; 2] = centred();
-
-const fn centred() -> [[[f64; 6]; 3]; 2] {
-    let mut out = [[[0.0; 6]; 3]; 2];
-    let mut p = 0;
-    while p < 3 {
-        // Horner's Taylor shift by 1/2; g_p(1 - X) mirrors it.
-        let mut c = NEAR[p];
-        let mut i = 0;
-        while i < 5 {
-            let mut j = 4;
-            while j + 1 > i {
-                c[j] += 0.5 * c[j + 1];
-                if j == 0 {
-                    break;
-                }
-                j -= 1;
-            }
-            i += 1;
-        }
-        out[0][p] = c;
-        let mut k = 0;
-        while k < 6 {
-            out[1][p][k] = if k % 2 == 0 { c[k] } else { -c[k] };
-            k += 1;
-        }
-        p += 1;
-    }
-    out
-}
-
 impl Segment {
     /// Level ground at height 0.
     pub const ZERO: Self = Self { height: [0.0; 11], along: [0.0; 10], across: [0.0; 10] };
 
-    /// Expands the sum of 6.4 from the words in `hold`, by colour, with the present `polarity`.
-    pub fn expand(hold: [&CornerWords; 4], polarity: [f64; 2], span: &Span) -> Self {
-        let rows = region_polynomial(hold, polarity);
+    /// Expands a region's polynomial along a stretch.
+    pub fn expand(region: &Region, span: &Span) -> Self {
+        let rows = region.rows();
         let (mut values, mut across) = ([[0.0; 6]; 6], [[0.0; 6]; 6]);
         for i in 0..6 {
             (values[i], across[i]) = along_y(&rows[i], span);
@@ -85,41 +52,6 @@ impl Segment {
             height,
         }
     }
-}
-
-/// The region's height as `sum M[i][j] (X - 1/2)^i (Y - 1/2)^j`.
-fn region_polynomial(hold: [&CornerWords; 4], polarity: [f64; 2]) -> [[f64; 6]; 6] {
-    let mut rows = [[0.0; 6]; 6];
-    for a in 0..2 {
-        let ex = if a == 1 { -polarity[0] } else { polarity[0] };
-        for p in 0..3 {
-            let sign = if p == 1 { ex } else { 1.0 };
-            let in_y = words_along_y(hold, polarity[1], a, p);
-            for i in 0..6 {
-                let weight = sign * CENTRED[a][p][i];
-                for j in 0..6 {
-                    rows[i][j] += weight * in_y[j];
-                }
-            }
-        }
-    }
-    rows
-}
-
-/// The six terms in Y that share `g_p(X_a)`, as a polynomial in `Y - 1/2`.
-fn words_along_y(hold: [&CornerWords; 4], polarity: f64, a: usize, p: usize) -> [f64; 6] {
-    let mut sum = [0.0; 6];
-    for b in 0..2 {
-        let words = hold[a + 2 * b];
-        let ey = if b == 1 { -polarity } else { polarity };
-        for q in 0..3 {
-            let word = if q == 1 { ey * words[3 * p + q] } else { words[3 * p + q] };
-            for j in 0..6 {
-                sum[j] += word * CENTRED[b][q][j];
-            }
-        }
-    }
-    sum
 }
 
 /// A row in `Y - 1/2` as a polynomial in s, and its share of the slope across.
@@ -162,22 +94,12 @@ fn along_x(rows: &[[f64; 6]; 6], x: [f64; 2]) -> [f64; 11] {
 
 #[cfg(test)]
 mod tests {
-    use super::{CENTRED, Segment, Span};
+    use super::{Segment, Span};
+    use crate::Region;
     use landscape::basis::{derivatives, values};
 
     fn horner(coefficients: &[f64], s: f64) -> f64 {
         coefficients.iter().rev().fold(0.0, |sum, &c| sum * s + c)
-    }
-
-    #[test]
-    fn centred_basis_is_the_basis() {
-        for step in 0..=20 {
-            let z = f64::from(step) / 20.0;
-            for p in 0..3 {
-                assert!((horner(&CENTRED[0][p], z - 0.5) - values(z)[p]).abs() < 1e-15);
-                assert!((horner(&CENTRED[1][p], z - 0.5) - values(1.0 - z)[p]).abs() < 1e-15);
-            }
-        }
     }
 
     /// One word at one corner, each of the four polarities: height is `e_x^p e_y^q g_p(X_a) g_q(Y_b)` alone
@@ -195,7 +117,7 @@ mod tests {
             let polarity = [if signs & 1 == 0 { 1.0 } else { -1.0 }, if signs & 2 == 0 { 1.0 } else { -1.0 }];
             let mut hold = [[0.0; 9]; 4];
             hold[colour][word] = 1.0;
-            let segment = Segment::expand(hold.each_ref(), polarity, &span);
+            let segment = Segment::expand(&Region::of(hold.each_ref(), polarity), &span);
             for s in [-1.0, -0.4, 0.0, 0.9] {
                 let (a, b, p, q) = (colour & 1, colour >> 1, word / 3, word % 3);
                 let at = |axis: usize, far: usize| {

@@ -6,7 +6,7 @@ use landscape::basis::{FAR, NEAR};
 use machine::ControlPlane;
 use scenario::Pose;
 use sweep_program::{Ramp, Step, StepKind, SweepProgram, Target};
-use terrain_generator::{Registers, Segment, Span};
+use terrain_generator::{Region, Registers, Segment, Span};
 
 use super::double::Double;
 use crate::StudyError;
@@ -119,7 +119,12 @@ impl Sweep<'_> {
             }
         };
         let points = self.ranges[samples].iter().map(point).collect();
-        Some(Stretch { segment: Segment::expand(hold.each_ref(), polarity, &span), hold, polarity, points })
+        Some(Stretch {
+            segment: Segment::expand(&Region::of(hold.each_ref(), polarity), &span),
+            hold,
+            polarity,
+            points,
+        })
     }
 }
 

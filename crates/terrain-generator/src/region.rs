@@ -1,0 +1,176 @@
+//! The 36 terms of a region as one polynomial of both ramps.
+
+use landscape::CornerWords;
+use landscape::basis::NEAR;
+
+use crate::Registers;
+
+/// Height of a region (m): `sum rows[i][j] (X - 1/2)^i (Y - 1/2)^j`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Region([[f64; 6]; 6]);
+
+impl Region {
+    /// The sum of 6.4 from the words in `hold`, by colour, with the present `polarity`.
+    pub fn of(hold: [&CornerWords; 4], polarity: [f64; 2]) -> Self {
+        let mut rows = [[0.0; 6]; 6];
+        for a in 0..2 {
+            let ex = if a == 1 { -polarity[0] } else { polarity[0] };
+            for p in 0..3 {
+                let sign = if p == 1 { ex } else { 1.0 };
+                let in_y = words_along_y(hold, polarity[1], a, p);
+                for i in 0..6 {
+                    let weight = sign * CENTRED[a][p][i];
+                    for j in 0..6 {
+                        rows[i][j] += weight * in_y[j];
+                    }
+                }
+            }
+        }
+        Self(rows)
+    }
+
+    /// Coefficients: row i has those of `(X - 1/2)^i`, ascending powers of `Y - 1/2`.
+    pub fn rows(&self) -> &[[f64; 6]; 6] {
+        &self.0
+    }
+}
+
+/// The six terms in Y that share `g_p(X_a)`, as a polynomial in `Y - 1/2`.
+fn words_along_y(hold: [&CornerWords; 4], polarity: f64, a: usize, p: usize) -> [f64; 6] {
+    let mut sum = [0.0; 6];
+    for b in 0..2 {
+        let words = hold[a + 2 * b];
+        let ey = if b == 1 { -polarity } else { polarity };
+        for q in 0..3 {
+            let word = if q == 1 { ey * words[3 * p + q] } else { words[3 * p + q] };
+            for j in 0..6 {
+                sum[j] += word * CENTRED[b][q][j];
+            }
+        }
+    }
+    sum
+}
+
+/// Regions that are kept at hand.
+const KEPT: usize = 32;
+
+/// Regions that the sweeps of a group have met last: neighbours meet the same ones, and find them made. What is kept is
+/// found by the corners that the hold registers have and by the polarity, which are all that a region is made from.
+pub(crate) struct RecentRegions {
+    made_of: [([u32; 4], [f64; 2]); KEPT],
+    regions: [Region; KEPT],
+}
+
+impl Default for RecentRegions {
+    fn default() -> Self {
+        // Equal to no polarity: nothing is found before it is made.
+        Self { made_of: [([0; 4], [f64::NAN; 2]); KEPT], regions: [Region([[0.0; 6]; 6]); KEPT] }
+    }
+}
+
+impl RecentRegions {
+    /// The region of the words that the registers hold; `buffer` is the storage buffer.
+    pub fn of(&mut self, registers: &Registers, buffer: &[CornerWords]) -> Region {
+        let make = || Region::of(registers.hold(buffer), registers.polarity());
+        // Words of several corners in one register: late ones, which no other sweep need have.
+        let Some(corners) = registers.corners_held() else { return make() };
+        let made_of = (corners, registers.polarity());
+        let sum = corners.iter().fold(0, |sum: u32, &corner| sum.wrapping_mul(31).wrapping_add(corner));
+        let place = (sum.wrapping_mul(0x9E37_79B9) >> 16) as usize % KEPT;
+        if self.made_of[place] != made_of {
+            (self.made_of[place], self.regions[place]) = (made_of, make());
+        }
+        self.regions[place]
+    }
+}
+
+/// `g_p(X_a)` about the middle of the region, by `[a][p]`, ascending powers of `X - 1/2`.
+const CENTRED: [[[f64; 6]; 3]; 2] = centred();
+
+const fn centred() -> [[[f64; 6]; 3]; 2] {
+    let mut out = [[[0.0; 6]; 3]; 2];
+    let mut p = 0;
+    while p < 3 {
+        // Horner's Taylor shift by 1/2; g_p(1 - X) mirrors it.
+        let mut c = NEAR[p];
+        let mut i = 0;
+        while i < 5 {
+            let mut j = 4;
+            while j + 1 > i {
+                c[j] += 0.5 * c[j + 1];
+                if j == 0 {
+                    break;
+                }
+                j -= 1;
+            }
+            i += 1;
+        }
+        out[0][p] = c;
+        let mut k = 0;
+        while k < 6 {
+            out[1][p][k] = if k % 2 == 0 { c[k] } else { -c[k] };
+            k += 1;
+        }
+        p += 1;
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{CENTRED, RecentRegions, Region};
+    use crate::Registers;
+    use crate::programs::program;
+    use landscape::basis::values;
+    use landscape::{CornerWords, Level};
+    use proptest::prelude::{any, prop_assert_eq, proptest};
+    use sweep_program::{Colour, Fold, Load, PreloadRegister, RampAxis, Stop, Target, WordMask};
+
+    fn horner(coefficients: &[f64], s: f64) -> f64 {
+        coefficients.iter().rev().fold(0.0, |sum, &c| sum * s + c)
+    }
+
+    #[test]
+    fn centred_basis_is_the_basis() {
+        for step in 0..=20 {
+            let z = f64::from(step) / 20.0;
+            for p in 0..3 {
+                assert!((horner(&CENTRED[0][p], z - 0.5) - values(z)[p]).abs() < 1e-15);
+                assert!((horner(&CENTRED[1][p], z - 0.5) - values(1.0 - z)[p]).abs() < 1e-15);
+            }
+        }
+    }
+
+    proptest! {
+        /// Loads, whole and word by word, into any register, and folds: what is kept is always what the words make.
+        #[test]
+        fn a_region_at_hand_is_the_region_of_the_words(
+            events in proptest::collection::vec((0..5u8, 0..4usize, 0..70u32, any::<bool>()), 1..200),
+        ) {
+            let word = |k: usize| f64::from((k * 2_654_435 % 1000) as u32) / 500.0 - 1.0;
+            let corner = |corner: usize| std::array::from_fn(|k| word(9 * corner + k));
+            let buffer: Vec<CornerWords> = (0..64).map(corner).collect();
+            let level = Level::new(250.0, [0.0; 2], [2, 2], vec![[0.0; 9]; 4]).unwrap();
+            let mut registers = Registers::at_start(&program(&level, [10.0; 2], [0.8, 0.6], &[1.0, 200.0]));
+            let mut recent = RecentRegions::default();
+            for (what, colour, corner, whole) in events {
+                let target = match what {
+                    0 => Target::Hold,
+                    1 => Target::Preload(PreloadRegister::XFirst),
+                    _ => Target::Preload(PreloadRegister::YFirst),
+                };
+                let stop = if whole { Stop::One } else { Stop::Zero };
+                match what {
+                    3 => registers.fold(Fold { axis: RampAxis::X, stop }),
+                    4 => registers.fold(Fold { axis: RampAxis::Y, stop }),
+                    _ => {
+                        let words = if whole { WordMask::ALL } else { WordMask::only(corner as usize % 9) };
+                        registers.load(&Load { colour: Colour::ALL[colour], target, corner, words }, &buffer);
+                    }
+                }
+                let made = Region::of(registers.hold(&buffer), registers.polarity());
+                prop_assert_eq!(recent.of(&registers, &buffer), made);
+            }
+        }
+    }
+}
