@@ -274,7 +274,7 @@ impl TerrainGenerator<'_> {
             across: [-sin * polarity[0] / self.region_size, cos * polarity[1] / self.region_size],
         };
         let region = regions.of(registers, self.buffer);
-        Stretch { segment: Segment::expand(&region, &span), middle, half_length }
+        Stretch { segment: Segment::expand(region, &span), middle, half_length }
     }
 
     /// Height and the slopes along and across at one range, straight through the array.

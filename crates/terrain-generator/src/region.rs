@@ -59,28 +59,33 @@ const KEPT: usize = 32;
 pub(crate) struct RecentRegions {
     made_of: [([u32; 4], [f64; 2]); KEPT],
     regions: [Region; KEPT],
+    /// A region of words of several corners in one register: late ones, which no other sweep need have.
+    mixed: Region,
 }
 
 impl Default for RecentRegions {
     fn default() -> Self {
         // Equal to no polarity: nothing is found before it is made.
-        Self { made_of: [([0; 4], [f64::NAN; 2]); KEPT], regions: [Region([[0.0; 6]; 6]); KEPT] }
+        let level = Region([[0.0; 6]; 6]);
+        Self { made_of: [([0; 4], [f64::NAN; 2]); KEPT], regions: [level; KEPT], mixed: level }
     }
 }
 
 impl RecentRegions {
     /// The region of the words that the registers hold; `buffer` is the storage buffer.
-    pub fn of(&mut self, registers: &Registers, buffer: &[CornerWords]) -> Region {
+    pub fn of(&mut self, registers: &Registers, buffer: &[CornerWords]) -> &Region {
         let make = || Region::of(registers.hold(buffer), registers.polarity());
-        // Words of several corners in one register: late ones, which no other sweep need have.
-        let Some(corners) = registers.corners_held() else { return make() };
+        let Some(corners) = registers.corners_held() else {
+            self.mixed = make();
+            return &self.mixed;
+        };
         let made_of = (corners, registers.polarity());
         let sum = corners.iter().fold(0, |sum: u32, &corner| sum.wrapping_mul(31).wrapping_add(corner));
         let place = (sum.wrapping_mul(0x9E37_79B9) >> 16) as usize % KEPT;
         if self.made_of[place] != made_of {
             (self.made_of[place], self.regions[place]) = (made_of, make());
         }
-        self.regions[place]
+        &self.regions[place]
     }
 }
 
@@ -169,7 +174,7 @@ mod tests {
                     }
                 }
                 let made = Region::of(registers.hold(&buffer), registers.polarity());
-                prop_assert_eq!(recent.of(&registers, &buffer), made);
+                prop_assert_eq!(recent.of(&registers, &buffer), &made);
             }
         }
     }
