@@ -54,6 +54,7 @@
 
 mod breaks;
 mod inputs;
+mod outputs;
 mod stretch;
 mod switch;
 mod unit;
@@ -62,6 +63,7 @@ mod wired;
 use signal::{Lanes, Signal, Unit};
 
 pub use inputs::{FeatureInput, Inputs, Kink, Toggle, ToggleList};
+pub use outputs::{DriverScratch, OutputDrivers};
 pub use switch::VideoSwitch;
 pub use unit::{Mixed, MixingUnit};
 pub use wired::{PartsMixer, SwitchScratch};

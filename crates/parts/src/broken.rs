@@ -64,7 +64,7 @@ impl<'a> NearJumps<'a> {
 }
 
 /// The sample at which the step ends in which `time` lies, 0 or later.
-fn step_of(time: f64) -> usize {
+pub(crate) fn step_of(time: f64) -> usize {
     let whole = time as usize;
     whole + usize::from(time > whole as f64)
 }

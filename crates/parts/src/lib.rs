@@ -31,6 +31,7 @@ mod comparator;
 mod converter;
 mod delay;
 mod differentiator;
+mod driver;
 mod fade;
 mod function_bank;
 mod function_generator;
@@ -55,6 +56,7 @@ pub use comparator::{Comparator, ComparatorLaw, ComparatorState, GateEdge, Trip}
 pub use converter::{Converter, ConverterLanes, ConverterLaw, ConverterState, carry_weight};
 pub use delay::Delay;
 pub use differentiator::{Differentiator, differentiated_noise};
+pub use driver::Driver;
 pub use fade::Fade;
 pub use function_bank::{BANK, FunctionBank};
 pub use function_generator::{Ends, FunctionGenerator, FunctionLaw, segment_error};

@@ -128,6 +128,16 @@ impl Piece {
         self.u + self.s * t
     }
 
+    /// Integral of the output over the piece. Of `tau y' = u - y` it is that of the input, less what the output has risen.
+    pub fn area(&self) -> f64 {
+        let ends = |value: fn(&Self, f64) -> f64| [value(self, 0.0), value(self, self.length)];
+        let [[y0, y1], [u0, u1]] = [ends(Self::y), ends(Self::u)];
+        match self.free_lag() {
+            Some(tau) => 0.5 * (u0 + u1) * self.length - tau * (y1 - y0),
+            None => 0.5 * (y0 + y1) * self.length,
+        }
+    }
+
     /// The time constant, where the output is that of the lag.
     pub fn free_lag(&self) -> Option<f64> {
         (self.motion == Motion::Free).then_some(self.slew.tau)

@@ -1,15 +1,16 @@
 //! Switches, adder and video amplifier in the order of fig. 28.
 
 use hardware_model::{AnalogParts, Gate, MixingParts};
-use parts::{Comparator, Delay, Fade, Jump, NoiseSource, Spread, Tolerance, relative_sigma, time_constant};
+use parts::{
+    Comparator, Delay, Driver, Fade, Jump, NoiseSource, Spread, Tolerance, relative_sigma, time_constant,
+};
 use scenario::TextureInShadow;
 use signal::{LANES, Lanes, Real};
 
-use crate::wired::amplifier::{Amplifier, Lagged};
 use crate::wired::edges::GateEdges;
 use crate::wired::events::{Event, jumps};
 use crate::wired::switch::{FadingSwitch, Leaks};
-use crate::{FeatureInput, Inputs, Mixed, MixingUnit, ToggleList};
+use crate::{DriverScratch, FeatureInput, Inputs, Mixed, MixingUnit, OutputDrivers, ToggleList};
 
 /// A mixing unit of real parts, drawn once from the seed of the model.
 #[derive(Debug, Clone)]
@@ -20,7 +21,7 @@ pub struct PartsMixer<S> {
     pub(crate) vs2: FadingSwitch<S>,
     /// Comparators of feature presence and of the shadow gate; their offsets are the generators'.
     comparators: [Comparator<S>; 2],
-    video: Option<Amplifier<S>>,
+    outputs: OutputDrivers<S>,
 }
 
 /// Gates, fades and wires of a group; used again from group to group.
@@ -40,7 +41,7 @@ pub struct SwitchScratch<S> {
     /// How far a switch is open at the samples.
     open: Vec<Lanes<S>>,
     before: Vec<f64>,
-    lagged: Lagged<S>,
+    driver: DriverScratch<S>,
 }
 
 impl<S: Real> PartsMixer<S> {
@@ -62,7 +63,10 @@ impl<S: Real> PartsMixer<S> {
             vs1: FadingSwitch::new(h, &figures, "mu.vs1"),
             vs2: FadingSwitch::new(h, &figures, "mu.vs2"),
             comparators: ["fg.comparator", "sc.comparator"].map(comparator),
-            video: bandwidth.map(|bandwidth| Amplifier::new(h, time_constant(bandwidth))),
+            outputs: OutputDrivers {
+                height: None,
+                video: bandwidth.map(|bandwidth| Driver::new(h, time_constant(bandwidth), f64::INFINITY)),
+            },
         }
     }
 
@@ -88,9 +92,7 @@ impl<S: Real> PartsMixer<S> {
         }
         limit(&mut out.reflectivity);
         scratch.list_breaks(self, inputs, out);
-        if let Some(amplifier) = &self.video {
-            amplifier.run(out, &mut scratch.lagged);
-        }
+        self.outputs.run(out, &mut scratch.driver);
     }
 
     /// VS1 and the height summer.

@@ -1,6 +1,5 @@
 //! The mixing unit made of real parts; the data sheet is the crate's.
 
-mod amplifier;
 mod edges;
 mod events;
 mod mixer;

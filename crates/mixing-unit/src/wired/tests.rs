@@ -281,7 +281,7 @@ proptest! {
         unit.run(&inputs, &mut SwitchScratch::default(), &mut out);
         let in_light = |value: &f64| (0.0..=1.0).contains(value);
         prop_assert!(out.reflectivity.iter().all(|value| value.0.iter().all(in_light)));
-        prop_assert!(out.breaks.iter().flatten().all(|place| in_light(&place.before) && in_light(&place.after)));
+prop_assert!(out.breaks.iter().flatten().all(|place| in_light(&place.before) && in_light(&place.after)));
     }
 
     /// Ideal parts switch where the ideal unit does, within a sample.
@@ -467,9 +467,11 @@ fn the_amplifier_is_a_lag_from_the_instant_of_the_edge_on() {
             assert!((value - decay(k as f64)).abs() < 1e-12, "{bandwidth} {edge} {k}: {value}");
         }
         for jump in light.jumps.iter().filter(|jump| jump.at < 57.0) {
-            assert!((jump.before - decay(jump.at)).abs() < 1e-12 && jump.after == jump.before);
+            assert!((jump.before - decay(jump.at)).abs() < 1e-12);
+            // What is left of the jump by the line of the same area: a sixth of the square of steps over time constants.
+            assert!(jump.after <= jump.before && jump.after >= 0.75 * jump.before, "{bandwidth}: {jump:?}");
         }
-        // Chords lie above it by little: the light that is drawn has its area within a sixth of a time constant.
+        // From the next sample on chords lie above it by little: what is drawn has its area within an eighth of a time constant.
         let drawn: f64 = light
             .pieces()
             .iter()
@@ -478,7 +480,7 @@ fn the_amplifier_is_a_lag_from_the_instant_of_the_edge_on() {
             .sum();
         let expected = 0.8 * tau;
         assert!(
-            drawn >= 0.98 * expected && drawn < 1.16 * expected,
+            drawn >= 0.99 * expected && drawn < 1.125 * expected,
             "{bandwidth} {edge}: {drawn} {expected}"
         );
     }

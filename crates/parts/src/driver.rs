@@ -1,0 +1,189 @@
+//! Driver: the output amplifier of a wire, over whole sweeps side by side.
+//!
+//! ```text
+//! u ─▶ lag tau, rate within ±SR ─▶ y
+//! ```
+//!
+//! **Law** (section 6). `y' = clip((u - y) / tau, ±SR)`, see `slew`. The input is a straight line between samples, and between
+//! samples and the places at which it jumps or bends ([`Jump`]); each piece is the exact solution.
+//! **Parameters.** Time constant (s), slew rate (units of the signal a second).
+//! **State and timing.** One value, at rest on the first sample: nothing moves in retrace.
+//! **Between samples** the output is continuous, and its answer to a jump may be much shorter than a step. Whoever draws
+//! straight lines from place to place gets, behind each place, the value from which the line to the next place or sample
+//! covers the area of the answer, as far as the input goes: so a fast driver leaves nearly the whole jump, a slow one
+//! hardly any, and a bend is no jump.
+//! **Elaboration.** A driver whose rate has no bound is its lag, without a test. With a bound one test a sample of eight
+//! sweeps says whether any is slewing; such steps are walked piece by piece, in f64. A lane has the bits that it has alone.
+
+use signal::{LANES, Lanes, Real};
+
+use crate::Jump;
+use crate::broken::step_of;
+use crate::lag::LagStep;
+use crate::slew::Slew;
+
+/// The part, for one step length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Driver<S> {
+    lag: LagStep<S>,
+    /// Largest difference of input and output, and largest change of the input in a step, that it follows freely.
+    bounds: Option<[S; 2]>,
+    /// In steps.
+    slew: Slew,
+}
+
+/// Input and output of a group at one sample.
+#[derive(Debug, Clone, Copy)]
+struct State<S> {
+    u: Lanes<S>,
+    y: Lanes<S>,
+}
+
+impl<S: Real> Driver<S> {
+    /// For steps of `h` seconds: time constant `tau` (s), 0 for none; slew rate `rate` (1/s), infinite for none.
+    pub fn new(h: f64, tau: f64, rate: f64) -> Self {
+        let slew = Slew { tau: tau / h, rate: rate * h };
+        let bounds = [slew.reach(), slew.rate].map(S::from_f64);
+        Self { lag: LagStep::new(h, tau), bounds: (rate < f64::INFINITY).then_some(bounds), slew }
+    }
+
+    /// Time constant (steps).
+    pub fn tau(&self) -> f64 {
+        self.slew.tau
+    }
+
+    /// How long (steps) it slews behind a jump of `size`.
+    pub fn slewing(&self, size: f64) -> f64 {
+        ((size - self.slew.reach()) / self.slew.rate).max(0.0)
+    }
+
+    /// Passes a group through. `jumps` of its lanes, ascending, become those of the output.
+    pub fn pass(&self, signal: &mut [Lanes<S>], jumps: &mut [Vec<Jump>; LANES]) {
+        let Some(&first) = signal.first() else { return };
+        let mut state = State { u: first, y: first };
+        let (mut passed, mut sample) = ([0; LANES], 1);
+        while sample < signal.len() {
+            let due = next_step(jumps, &passed).clamp(sample, signal.len());
+            self.follow(&mut signal[sample..due], &mut state);
+            if let Some(now) = signal.get_mut(due) {
+                let before = state;
+                self.follow(std::slice::from_mut(now), &mut state);
+                for (lane, jumps) in jumps.iter_mut().enumerate() {
+                    let own = &mut jumps[passed[lane]..];
+                    let count = own.iter().take_while(|jump| step_of(jump.at) <= due).count();
+                    if count > 0 {
+                        passed[lane] += count;
+                        let [from, to] = [&before, &state].map(|state| state.u[lane].to_f64());
+                        let begin = (due as f64 - 1.0, from, before.y[lane].to_f64());
+                        now[lane] = S::from_f64(self.through(&mut own[..count], begin, to));
+                    }
+                }
+                state.y = *now;
+            }
+            sample = due + 1;
+        }
+    }
+
+    /// Steps without jumps.
+    #[inline(always)]
+    fn follow(&self, signal: &mut [Lanes<S>], state: &mut State<S>) {
+        match self.bounds {
+            None => {
+                for value in signal {
+                    let next = self.lag.step(state.y, state.u, *value);
+                    *state = State { u: *value, y: next };
+                    *value = next;
+                }
+            }
+            Some(bounds) => {
+                for value in signal {
+                    let next = self.bounded(state, *value, bounds);
+                    *state = State { u: *value, y: next };
+                    *value = next;
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn bounded(&self, &State { u, y }: &State<S>, now: Lanes<S>, [reach, climb]: [S; 2]) -> Lanes<S> {
+        let size = |value: S| (-value).at_least(value);
+        let mut beyond = [S::ZERO; LANES];
+        for lane in 0..LANES {
+            let (behind, change) = (size(u.0[lane] - y.0[lane]), size(now.0[lane] - u.0[lane]));
+            beyond[lane] = (behind - reach).at_least(change - climb);
+        }
+        let next = self.lag.step(y, u, now);
+        let most = beyond.iter().fold(beyond[0], |most, &beyond| beyond.at_least(most));
+        if most > S::ZERO { self.slew_lanes(beyond, [y, u, now], next) } else { next }
+    }
+
+    /// `next` with those lanes replaced that are `beyond` the bounds.
+    #[inline(never)]
+    fn slew_lanes(&self, beyond: [S; LANES], [y, u, now]: [Lanes<S>; 3], next: Lanes<S>) -> Lanes<S> {
+        Lanes::from_fn(|lane| {
+            if beyond[lane] > S::ZERO {
+                let input = [u[lane], now[lane]].map(S::to_f64);
+                S::from_f64(self.slew.advance(1.0, y[lane].to_f64(), input, |_| {}))
+            } else {
+                next[lane]
+            }
+        })
+    }
+
+    /// One step of one lane over its jumps, which become the output's; time, input and output where it begins, the input
+    /// where it ends. The output there.
+    fn through(&self, jumps: &mut [Jump], (mut at, mut u, mut y): (f64, f64, f64), last: f64) -> f64 {
+        let end = at + 1.0;
+        for k in 0..jumps.len() {
+            let jump = jumps[k];
+            let length = (jump.at - at).max(0.0);
+            let next = self.over(y, [u, jump.before], length);
+            if let Some(passed) = k.checked_sub(1) {
+                jumps[passed].after = next.straight_from([y, u], length);
+            }
+            (at, u, y) = (jump.at, jump.after, next.y);
+            jumps[k].before = y;
+        }
+        let length = (end - at).max(0.0);
+        let next = self.over(y, [u, last], length);
+        if let Some(jump) = jumps.last_mut() {
+            jump.after = next.straight_from([y, u], length);
+        }
+        next.y
+    }
+
+    /// From output `y` over `length` steps, the input going straight from `u0` to `u1`.
+    fn over(&self, y: f64, [u0, u1]: [f64; 2], length: f64) -> Answer {
+        let free = (u0 - y).abs() <= self.slew.reach() && (u1 - u0).abs() <= self.slew.rate * length;
+        if free || length == 0.0 {
+            let next = LagStep::part(length, self.slew.tau).step(y, u0, u1);
+            return Answer { y: next, area: 0.5 * (u0 + u1) * length - self.slew.tau * (next - y) };
+        }
+        let mut area = 0.0;
+        let next = self.slew.advance(length, y, [u0, u1], |piece| area += piece.area());
+        Answer { y: next, area }
+    }
+}
+
+/// What came of a piece.
+struct Answer {
+    /// Output at its end.
+    y: f64,
+    /// Integral of the output over it (steps).
+    area: f64,
+}
+
+impl Answer {
+    /// Where the straight line begins that ends as the output does and covers its area: between output and input at the
+    /// begin, `y` and `u`; `y` if it takes no time.
+    fn straight_from(&self, [y, u]: [f64; 2], length: f64) -> f64 {
+        if length > 0.0 { (2.0 * self.area / length - self.y).max(y.min(u)).min(y.max(u)) } else { y }
+    }
+}
+
+/// The first step with a jump that has not been passed.
+fn next_step(jumps: &[Vec<Jump>; LANES], passed: &[usize; LANES]) -> usize {
+    let ahead = jumps.iter().zip(passed).filter_map(|(jumps, &passed)| jumps.get(passed));
+    ahead.map(|jump| step_of(jump.at)).min().unwrap_or(usize::MAX)
+}
