@@ -3,8 +3,11 @@
 
 mod comparator;
 mod ideal;
+mod wires;
 
 use serde::Serialize;
+
+pub use wires::{MAIN_WIRES, WireParts};
 
 /// Everything analog. Times in seconds, rates in hertz, voltages in volts; a *share* is of the full scale.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -46,6 +49,8 @@ pub struct AnalogParts {
     pub memory: MemoryParts,
     /// Bandwidth of the video behind the mixing unit (Hz); none is lost if `None`.
     pub video_bandwidth: Option<f64>,
+    /// Output amplifiers of the main signals.
+    pub wires: WireParts,
 }
 
 /// Sweep generator (hardware section 3.1).
@@ -281,6 +286,7 @@ impl AnalogParts {
             projection: ProjectionParts::IDEAL,
             memory: MemoryParts::IDEAL,
             video_bandwidth: None,
+            wires: WireParts::IDEAL,
         }
     }
 }

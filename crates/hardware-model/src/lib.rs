@@ -26,9 +26,9 @@ mod written;
 
 pub use analog::{
     AmplifierParts, AnalogParts, CROSSTALK_FREQUENCY, ComparatorParts, FEEDTHROUGH_FREQUENCY,
-    FeatureChainParts, FoldDetect, FunctionGeneratorParts, MemoryParts, MultiplierParts, MultiplyingDacParts,
-    ProjectionParts, ReflectivityParts, SMOOTHER_DAMPING, SampleHoldParts, ShadowLineParts, SweepParts,
-    TextureParts, VideoSwitchParts, WriteCompensation,
+    FeatureChainParts, FoldDetect, FunctionGeneratorParts, MAIN_WIRES, MemoryParts, MultiplierParts,
+    MultiplyingDacParts, ProjectionParts, ReflectivityParts, SMOOTHER_DAMPING, SampleHoldParts,
+    ShadowLineParts, SweepParts, TextureParts, VideoSwitchParts, WireParts, WriteCompensation,
 };
 pub use budget::{
     Budget, BudgetLine, CpuBudget, CrossingBudget, DrumBudget, Ground, LoaderBudget, SweepBudget,

@@ -11,8 +11,9 @@ use limits::Limit;
 use crate::faults::FAULTS;
 
 /// Models that the program carries, with their text.
-pub const BUILT_IN: [(&str, &str); 5] = [
+pub const BUILT_IN: [(&str, &str); 6] = [
     ("ideal", include_str!("../../../hardware-models/ideal.toml")),
+    ("pra-wires", include_str!("../../../hardware-models/pra-wires.toml")),
     ("pra-nominal", include_str!("../../../hardware-models/pra-nominal.toml")),
     ("pra-frugal", include_str!("../../../hardware-models/pra-frugal.toml")),
     ("pra-overloaded", include_str!("../../../hardware-models/pra-overloaded.toml")),

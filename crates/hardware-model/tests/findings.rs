@@ -21,12 +21,13 @@ fn only(sets: &[(&str, &str)], grade: Grade) -> Finding {
 
 #[test]
 fn what_cannot_be_built_is_refused() {
-    let cases: [(Sets, &str, &str); 8] = [
+    let cases: [(Sets, &str, &str); 9] = [
         (&[("loader.served_by", "io-processor")], "loader.words_per_access", "9 words an access"),
         (&[("loader.served_by", "cpu-interrupt")], "loader.served_by", "32-bit words: it brings 2"),
         (&[("buffer.words", "4096")], "buffer.words", "4096 words with no drum"),
         (&[("buffer.words", "575"), ("drum.rotation_ms", "17")], "drum.record_words", "one record of 576"),
         (&[("amplifier.slew_v_us", "0")], "amplifier.slew_v_us", "no output ever moves"),
+        (&[("wires.slew_v_us", "0")], "wires.slew_v_us", "ever leaves its first value"),
         (&[("comparator.hysteresis_pct", "100")], "comparator.hysteresis_pct", "100 % of full scale"),
         (
             &[("sample_hold.acquire_ns", "34000")],
@@ -59,6 +60,8 @@ fn thresholds_are_where_the_reference_has_them() {
         ("amplifier.gain_bandwidth_mhz", "2.51", "2.49", "A6"),
         ("video.bandwidth_mhz", "15.01", "14.99", "A6"),
         ("amplifier.slew_v_us", "5.01", "4.99", "A7"),
+        ("wires.bandwidth_mhz", "2.51", "2.49", "A6"),
+        ("wires.slew_v_us", "5.01", "4.99", "A7"),
         ("amplifier.saturation_v", "1", "0.99", "A25"),
         ("multiplying_dac.bits", "8", "7", "A12"),
         ("multiplying_dac.gain_error_pct", "0.49", "0.51", "A10"),

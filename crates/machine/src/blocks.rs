@@ -10,6 +10,7 @@ use scenario::ShadowFineness;
 use shadow_controller::ShadowController;
 
 use crate::real_parts::mixing_has_parts;
+use crate::wires::drives_mixing;
 
 /// Blocks beside the terrain path.
 #[derive(Debug)]
@@ -67,7 +68,8 @@ impl Blocks {
                 || landscape.texture().is_some()
                 || !landscape.features().is_empty()
                 || *landscape.photometry() != Photometry::Lambert
-                || mixing_has_parts(&settings.analog),
+                || mixing_has_parts(&settings.analog)
+                || drives_mixing(&settings.analog.wires),
             all_switches: forces(Forced::Switches),
             breaks: forces(Forced::Breaks),
             bodies: forces(Forced::Bodies) || has_bodies,

@@ -43,6 +43,7 @@ mod signal_plane;
 mod sweep_recorder;
 mod timing;
 mod unprobed;
+mod wires;
 mod workspace;
 
 pub use elaboration::HybridMachine;

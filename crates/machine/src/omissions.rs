@@ -23,6 +23,7 @@ pub(crate) fn omissions(stage: &Stage, blocks: &Blocks) -> Vec<Omission> {
         (!mixing_has_parts(parts), "mixing-unit", "transitions, delays and bandwidth of the switches"),
         (!beam_has_parts(parts), "display-projection-processor", "dynamics of parts and of the write gun"),
         (parts.memory.is_ideal(), "sweep-memory", "spot, exposure, residue"),
+        (parts.wires.is_ideal(), "mixing-unit", "output amplifiers of the main signals"),
     ];
     let absent = |block: &str| match block {
         "feature-generator" => !blocks.features,

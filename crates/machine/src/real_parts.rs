@@ -15,6 +15,7 @@ use terrain_generator::PartsArray;
 use texture_generator::PartsTexture;
 
 use crate::raster::WrittenRaster;
+use crate::wires::Wires;
 
 /// Blocks made of parts.
 #[derive(Debug)]
@@ -35,6 +36,8 @@ pub(crate) struct RealParts<S> {
     pub beam: Option<BeamParts<S>>,
     /// Storage tubes.
     pub tube: Option<Tube>,
+    /// Output amplifiers of the main signals.
+    pub wires: Option<Wires<S>>,
 }
 
 /// Terrain generators made of parts.
@@ -97,6 +100,7 @@ impl<S: Real> RealParts<S> {
             mixer: mixing_has_parts(analog).then(|| PartsMixer::new(mixing, step, analog, seed)),
             beam: beam_has_parts(analog).then(beam),
             tube: (!analog.memory.is_ideal()).then(|| Tube::new(&analog.memory, tube, seed)),
+            wires: Wires::new(stage, step, raster),
         }
     }
 }

@@ -6,14 +6,16 @@ use display_projection_processor::{BrokenProfile, Deflection, Driven, Processor}
 use feature_generator::{FeatureGenerator, PartsGenerator};
 use generator::Stage;
 use hardware_model::{Gate, MixingParts};
-use landscape::{Level, SweepLight};
+use landscape::{GroupLight, Level, SweepLight};
 use mixing_unit::{Composite, FeatureInput, Inputs, MixingUnit, ToggleList, terrain_alone};
 use parts::LagStep;
 use polyhedron_generator::{Hold, Overlay};
 use signal::{LANES, Lanes, Real};
 use sweep_generator::RangeTable;
 use sweep_memory::{Beam, BeamBreaks, Drive, FarStroke, write_group};
-use terrain_generator::{ArrayState, ModifiedTerrainGenerator, PartsArray, TerrainGenerator, Wired};
+use terrain_generator::{
+    ArrayState, ModifiedTerrainGenerator, PartsArray, Polynomials, TerrainGenerator, Wired,
+};
 use texture_generator::TextureGenerator;
 
 use crate::blocks::{Blocks, Coarse};
@@ -26,6 +28,7 @@ use crate::feature_loads::FeatureLoads;
 use crate::lane_gate::LaneGate;
 use crate::raster::WrittenRaster;
 use crate::real_parts::{BeamParts, RealParts, Terrain};
+use crate::wires::Ends;
 use crate::workspace::Workspace;
 
 /// Everything that the groups of a frame share.
@@ -93,20 +96,37 @@ impl<S: Real> Group<'_, S> {
         for (lane, program) in work.programs.iter_mut().enumerate() {
             self.crossings().write_fine([sweeps[lane], first + lane as u32], program, &mut ());
         }
+        let fine = self.terrain(self.stage.landscape.level());
         match (&self.blocks.coarse, &self.parts.terrain) {
-            (None, None) => {
-                self.terrain(self.stage.landscape.level()).run(&work.programs, light, &mut work.profile);
-            }
+            (None, None) => fine.trace_by(&mut Polynomials, &work.programs, &mut work.profile),
             (None, Some(parts)) => {
                 let mut wired = self.wired(&parts.fine, first, &mut work.arrays[0]);
-                let generator = self.terrain(self.stage.landscape.level());
-                generator.run_by(&mut wired, &work.programs, light, &mut work.profile);
+                fine.trace_by(&mut wired, &work.programs, &mut work.profile);
             }
-            (Some(coarse), _) => self.draw_both_levels(coarse, first, sweeps, light, work),
+            (Some(coarse), _) => self.draw_both_levels(coarse, first, sweeps, work),
         }
+        if let Some(wires) = &self.parts.wires {
+            wires.drive_terrain(&self.directions(sweeps), &self.ends(work), &mut work.profile);
+        }
+        fine.reflect(&GroupLight::new(light), &mut work.profile);
         if let Some(Terrain { reflectivity: Some(lag), .. }) = &self.parts.terrain {
             delay(lag, &mut work.profile.reflectivity);
         }
+        if let Some(wires) = &self.parts.wires {
+            wires.drive_terrain_light(&mut work.profile);
+        }
+    }
+
+    fn directions(&self, sweeps: &[u32; LANES]) -> [[f64; 2]; LANES] {
+        sweeps.map(|sweep| self.plan.direction(sweep))
+    }
+
+    /// First samples beyond the profiles of the group.
+    fn ends(&self, work: &Workspace<S>) -> Ends {
+        array::from_fn(|lane| {
+            let end = self.end_range(lane, work);
+            self.table.ranges().partition_point(|&range| range <= end)
+        })
     }
 
     /// The array of parts for the group that begins at sweep `first`.
@@ -130,14 +150,7 @@ impl<S: Real> Group<'_, S> {
         }
     }
 
-    fn draw_both_levels(
-        &self,
-        coarse: &Coarse,
-        first: u32,
-        sweeps: &[u32; LANES],
-        light: &[SweepLight; LANES],
-        work: &mut Workspace<S>,
-    ) {
+    fn draw_both_levels(&self, coarse: &Coarse, first: u32, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
         let landscape = &self.stage.landscape;
         for (lane, program) in work.coarse.iter_mut().enumerate() {
             self.crossings().write_coarse(coarse, [sweeps[lane], first + lane as u32], program, &mut ());
@@ -154,9 +167,12 @@ impl<S: Real> Group<'_, S> {
                 let [near_state, far_state] = &mut work.arrays;
                 let methods =
                     [&mut self.wired(fine, first, near_state), &mut self.wired(far, first, far_state)];
-                generator.run_by(methods, &work.programs, &work.coarse, &ranges, light, profile, overlap)
+                generator.trace_by(methods, &work.programs, &work.coarse, &ranges, profile, overlap)
             }
-            _ => generator.run(&work.programs, &work.coarse, &ranges, light, profile, overlap),
+            _ => {
+                let methods = [&mut Polynomials, &mut Polynomials];
+                generator.trace_by(methods, &work.programs, &work.coarse, &ranges, profile, overlap)
+            }
         };
     }
 
@@ -187,23 +203,26 @@ impl<S: Real> Group<'_, S> {
             loads.write([drawn, first + lane as u32], ends[lane], &mut work.features[lane]);
         }
         let profile = &mut work.feature_profile;
-        let lit = match &self.parts.features {
-            None => {
-                FeatureGenerator { ranges }.run(landscape.features(), &work.features, profile);
-                &profile.present
-            }
+        match &self.parts.features {
+            None => FeatureGenerator { ranges }.run(landscape.features(), &work.features, profile),
             Some(parts) => {
-                let directions = sweeps.map(|sweep| self.plan.direction(sweep));
+                let directions = self.directions(sweeps);
                 let (features, chains) = (landscape.features(), &mut work.chains);
                 parts.run(features, ranges, &work.features, &directions, chains, profile);
                 for (gate, edges) in work.presence.iter_mut().zip(&chains.gates) {
                     gate.follow(false, edges, ranges);
                 }
-                &chains.lit
             }
-        };
+        }
+        if let Some(wires) = &self.parts.wires {
+            wires.drive_features(&self.directions(sweeps), profile, &mut work.wires);
+        }
+        let lit = if self.parts.features.is_some() { &work.chains.lit } else { &profile.present };
         let lamp = Lamp { law: settings.laws.feature_light, light, ranges };
         lamp.run(&work.profile, profile, lit, &mut work.lit);
+        if let Some(wires) = &self.parts.wires {
+            wires.drive_feature_light(&work.profile.reflectivity, lit, &mut work.lit, &mut work.wires);
+        }
     }
 
     /// All craters that sweeps of the group can meet up to range `end` (m): the index is asked once a group.
@@ -287,6 +306,9 @@ impl<S: Real> Group<'_, S> {
                 None => self.mixing_unit().run(&inputs, &mut mixed),
             }
             (work.mixed, work.fades) = (mixed, fades);
+            if let Some(wires) = &self.parts.wires {
+                wires.drive_mixed(&self.ends(work), &mut work.mixed, &mut work.wires);
+            }
         }
     }
 

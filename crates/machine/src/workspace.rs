@@ -14,6 +14,7 @@ use terrain_generator::{ArrayState, Overlap, Profile};
 
 use crate::feature_light::Lit;
 use crate::lane_gate::LaneGate;
+use crate::wires::WireScratch;
 
 /// Programs and signals of a group of sweeps, in the order in which they arise.
 #[derive(Debug, Clone)]
@@ -56,6 +57,8 @@ pub(crate) struct Workspace<S> {
     pub driven: Driven<S>,
     /// Write gun of parts.
     pub gun: GunWork,
+    /// Output amplifiers of the main signals.
+    pub wires: WireScratch<S>,
     /// Composite profiles; not used where terrain is alone.
     pub mixed: Mixed<S>,
     /// Projected profiles.
@@ -90,6 +93,7 @@ impl<S: Real> Default for Workspace<S> {
             chain: Scratch::default(),
             driven: Driven::default(),
             gun: GunWork::default(),
+            wires: WireScratch::default(),
             mixed: Mixed::default(),
             projected: Projected::default(),
             far: Default::default(),

@@ -151,21 +151,20 @@ impl TerrainGenerator<'_> {
         light: &[SweepLight; LANES],
         profile: &mut Profile<S>,
     ) {
-        self.run_by(&mut Polynomials, programs, light, profile);
+        self.trace_by(&mut Polynomials, programs, profile);
+        self.reflect(&GroupLight::new(light), profile);
     }
 
-    /// The same by another method.
-    pub fn run_by<S: Real>(
+    /// Height and slopes alone, by a method.
+    pub fn trace_by<S: Real>(
         &self,
         method: &mut impl Method<S>,
         programs: &[SweepProgram; LANES],
-        light: &[SweepLight; LANES],
         profile: &mut Profile<S>,
     ) {
         let samples = self.ranges.len();
         profile.resize(samples);
         method.trace(self, programs, 0..samples, profile);
-        self.reflect(&GroupLight::new(light), profile);
     }
 
     /// Height and slopes at the samples of `span`; nothing else of `profile` is touched.
@@ -197,7 +196,7 @@ impl TerrainGenerator<'_> {
     }
 
     /// Reflectivity from the slopes along and across (section 7), and from the line of sight if the law asks for it.
-    pub(crate) fn reflect<S: Real>(&self, light: &GroupLight<S>, profile: &mut Profile<S>) {
+    pub fn reflect<S: Real>(&self, light: &GroupLight<S>, profile: &mut Profile<S>) {
         let slopes = profile.along.iter().zip(&profile.across);
         let signals = profile.reflectivity.iter_mut().zip(slopes);
         if !light.needs_sight() {

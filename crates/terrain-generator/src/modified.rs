@@ -59,17 +59,19 @@ impl ModifiedTerrainGenerator<'_> {
         profile: &mut Profile<S>,
         overlap: &mut Overlap<S>,
     ) -> f64 {
-        self.run_by([&mut Polynomials, &mut Polynomials], fine, coarse, switch, light, profile, overlap)
+        let methods = [&mut Polynomials, &mut Polynomials];
+        let step = self.trace_by(methods, fine, coarse, switch, profile, overlap);
+        self.fine.reflect(&GroupLight::new(light), profile);
+        step
     }
 
-    /// The same by other methods, the fine level's first.
-    pub fn run_by<S: Real, M: Method<S>>(
+    /// Height and slopes alone, by methods, the fine level's first.
+    pub fn trace_by<S: Real, M: Method<S>>(
         &self,
         [by_fine, by_coarse]: [&mut M; 2],
         fine: &[SweepProgram; LANES],
         coarse: &[SweepProgram; LANES],
         switch: &[f64; LANES],
-        light: &[SweepLight; LANES],
         profile: &mut Profile<S>,
         overlap: &mut Overlap<S>,
     ) -> f64 {
@@ -88,7 +90,6 @@ impl ModifiedTerrainGenerator<'_> {
         for (coarse, sample) in shared.enumerate() {
             self.join(&switches, sample, overlap.ground(coarse), profile);
         }
-        self.fine.reflect(&GroupLight::new(light), profile);
         step
     }
 

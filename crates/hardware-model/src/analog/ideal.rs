@@ -171,5 +171,6 @@ impl AnalogParts {
             && self.mixing_is_ideal()
             && self.projection_is_ideal()
             && self.memory.is_ideal()
+            && self.wires.is_ideal()
     }
 }

@@ -9,6 +9,7 @@ pub(super) fn check(check: &mut Check) {
     ramps(check);
     bandwidths(check);
     slew(check);
+    wires(check);
     words_and_segments(check);
     comparators(check);
     hold(check);
@@ -78,6 +79,25 @@ fn slew(check: &mut Check) {
     if let Some(clip) = amplifier.saturation {
         check.warn_if(clip < full_scale, "A25", &["amplifier.saturation_v", "analog.full_scale_v"], || {
             format!("outputs clip at {} V, full scale is {} V", short(clip), short(full_scale))
+        });
+    }
+}
+
+/// Main signals are behind one amplifier each: five times the rate of regions, as a sum, and a slew rate as any amplifier's.
+fn wires(check: &mut Check) {
+    let (wires, crossings) = (check.model.analog.wires, &check.budget.crossings);
+    if !wires.driven.contains(&true) {
+        return;
+    }
+    let (rate, ramp) = (5.0 / crossings.axis, 10.0 * crossings.ramp);
+    if let Some(bandwidth) = wires.bandwidth {
+        check.warn_if(bandwidth < rate, "A6", &["wires.bandwidth_mhz"], || {
+            format!("a bandwidth of {} MHz, needed are {}", short(1e-6 * bandwidth), short(1e-6 * rate))
+        });
+    }
+    if let Some(slew) = wires.slew {
+        check.warn_if(slew < ramp, "A7", &["wires.slew_v_us"], || {
+            format!("a slew rate of {} V/µs, needed are {}", short(1e-6 * slew), short(1e-6 * ramp))
         });
     }
 }

@@ -54,6 +54,10 @@ fn standing_still(check: &mut Check) {
     check.refuse_if(slew == Some(0.0), &["amplifier.slew_v_us"], || {
         "amplifiers with a slew rate of 0: no output ever moves".into()
     });
+    let wires = analog.wires;
+    check.refuse_if(wires.slew == Some(0.0) && !wires.is_ideal(), &["wires.slew_v_us"], || {
+        "main wires with a slew rate of 0: none ever leaves its first value".into()
+    });
     check.refuse_if(hysteresis >= 1.0, &["comparator.hysteresis_pct"], || {
         format!("a hysteresis of {} % of full scale: no comparator ever trips", short(100.0 * hysteresis))
     });

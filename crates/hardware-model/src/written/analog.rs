@@ -4,8 +4,9 @@ use diagnostics::{Field, Reader};
 
 use crate::{
     AmplifierParts, AnalogParts, ComparatorParts, FeatureChainParts, FoldDetect, FunctionGeneratorParts,
-    MemoryParts, MultiplierParts, MultiplyingDacParts, ProjectionParts, ReflectivityParts, SampleHoldParts,
-    ShadowLineParts, SweepParts, TextureParts, VideoSwitchParts, WriteCompensation,
+    MAIN_WIRES, MemoryParts, MultiplierParts, MultiplyingDacParts, ProjectionParts, ReflectivityParts,
+    SampleHoldParts, ShadowLineParts, SweepParts, TextureParts, VideoSwitchParts, WireParts,
+    WriteCompensation,
 };
 
 /// Tables that hold analog keys beside others.
@@ -40,6 +41,7 @@ pub(super) fn analog(root: &Reader, shared: &SharedTables) -> Option<AnalogParts
     let feature = shared.features.as_ref().map(feature_chain);
     let shadow_line = shared.shadows.as_ref().map(|t| percent(t, "line_error_pct").required());
     let texture = part("texture_generator").map(|t| texture(&t));
+    let wires = part("wires").map(|t| wires(&t));
     Some(AnalogParts {
         full_scale: full_scale??,
         spread: spread??,
@@ -59,6 +61,7 @@ pub(super) fn analog(root: &Reader, shared: &SharedTables) -> Option<AnalogParts
         projection: projection??,
         memory: memory??,
         video_bandwidth: video??,
+        wires: wires??,
     })
 }
 
@@ -87,6 +90,11 @@ fn percent<'a>(table: &Reader<'a>, key: &str) -> Field<'a, f64> {
 fn megahertz<'a>(table: &Reader<'a>, key: &str) -> Field<'a, Option<f64>> {
     let rate = table.f64(key).above(0.0).at_most(1e6).unit("MHz");
     rate.map(|rate| 1e6 * rate).or_word("unlimited")
+}
+
+fn volts_a_microsecond<'a>(table: &Reader<'a>, key: &str) -> Field<'a, Option<f64>> {
+    let slew = table.f64(key).between(0.0, 1e9).unit("V/µs");
+    slew.map(|slew| 1e6 * slew).or_word("unlimited")
 }
 
 fn bits<'a>(table: &Reader<'a>, key: &str) -> Field<'a, Option<u32>> {
@@ -158,8 +166,7 @@ fn multiplying_dac(table: &Reader) -> Option<MultiplyingDacParts> {
 
 fn amplifier(table: &Reader) -> Option<AmplifierParts> {
     let gain_bandwidth = megahertz(table, "gain_bandwidth_mhz").required();
-    let slew = table.f64("slew_v_us").between(0.0, 1e9).unit("V/µs").map(|slew| 1e6 * slew);
-    let slew = slew.or_word("unlimited").required();
+    let slew = volts_a_microsecond(table, "slew_v_us").required();
     let noise = millivolts(table, "noise_mv").required();
     let saturation = table.f64("saturation_v").above(0.0).at_most(1e6).unit("V");
     let saturation = saturation.or_word("unlimited").required();
@@ -228,6 +235,16 @@ fn texture(table: &Reader) -> Option<TextureParts> {
     let bits = bits(table, "dac_bits").required();
     let bandwidth = megahertz(table, "filter_mhz").required();
     Some(TextureParts { bits: bits?, bandwidth: bandwidth? })
+}
+
+fn wires(table: &Reader) -> Option<WireParts> {
+    let bandwidth = megahertz(table, "bandwidth_mhz").required();
+    let slew = volts_a_microsecond(table, "slew_v_us").required();
+    let rule = format!("names among {}", MAIN_WIRES.join(", "));
+    let known = |names: &Vec<String>| names.iter().all(|name| MAIN_WIRES.contains(&name.as_str()));
+    let names = table.string_list("signals").must(&rule, known).required()?;
+    let driven = MAIN_WIRES.map(|wire| names.iter().any(|name| name == wire));
+    Some(WireParts { bandwidth: bandwidth?, slew: slew?, driven })
 }
 
 fn projection(table: &Reader) -> Option<ProjectionParts> {

@@ -17,7 +17,7 @@ use crate::workspace::Workspace;
 
 use digital::{Changes, changes, feature_centres};
 
-pub(crate) use wires::wires;
+pub(crate) use wires::{Scales, wires};
 
 use wires::MICROSECONDS;
 

@@ -17,7 +17,7 @@ const LOGIC: f64 = 5.0;
 pub(super) const MICROSECONDS: f64 = 1e6;
 
 /// Full scales of a stage.
-struct Scales {
+pub(crate) struct Scales {
     /// Voltage at full scale.
     volts: f64,
     /// Middle of the stored heights, and what is full scale from there (m).
@@ -54,7 +54,7 @@ fn is_there(signal: &Signal, blocks: &Blocks, laws: &Laws) -> bool {
 }
 
 impl Scales {
-    fn of(stage: &Stage, raster: &WrittenRaster) -> Self {
+    pub fn of(stage: &Stage, raster: &WrittenRaster) -> Self {
         let levels = stage.landscape.bank().levels();
         let of_level = |level| (Scale::of(level), level.region_size());
         let (fine, size) = of_level(stage.landscape.level());
@@ -74,7 +74,8 @@ impl Scales {
         scales
     }
 
-    fn wire(&self, signal: &Signal) -> Wire {
+    /// The wire of a signal.
+    pub fn wire(&self, signal: &Signal) -> Wire {
         let [datum, full_scale] = match signal.unit {
             Unit::Metre if signal.name == "sweep.range" => [0.0, self.range],
             // What is added to a height has no datum of its own.

@@ -4,6 +4,7 @@ mod amplifier;
 mod chain;
 mod comparator;
 mod differentiator;
+mod driver;
 mod lag;
 mod runge_kutta;
 mod second_order;

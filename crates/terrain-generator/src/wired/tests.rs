@@ -1,5 +1,5 @@
 use hardware_model::AnalogParts;
-use landscape::{Level, Photometry, Sun, SweepLight};
+use landscape::{GroupLight, Level, Photometry, Sun, SweepLight};
 use quantities::unit_interval;
 use signal::LANES;
 use sweep_program::SweepProgram;
@@ -9,7 +9,7 @@ mod when;
 
 use super::{ArrayState, PartsArray, Wired};
 use crate::programs::program;
-use crate::{OUT_OF_SIGHT, Polynomials, Profile, TerrainGenerator};
+use crate::{OUT_OF_SIGHT, Profile, TerrainGenerator};
 
 const SIZE: f64 = 200.0;
 const STEP: f64 = 50e-9;
@@ -56,7 +56,7 @@ impl Scene {
 
     fn ideal(&self) -> Profile<f64> {
         let mut profile = Profile::default();
-        self.generator().run_by(&mut Polynomials, &self.programs, &self.light, &mut profile);
+        self.generator().run(&self.programs, &self.light, &mut profile);
         profile
     }
 
@@ -64,7 +64,8 @@ impl Scene {
         let array = PartsArray::new(STEP, &self.level, parts, 3, "tg");
         let mut profile = Profile::default();
         let mut wired = Wired { array: &array, state: &mut ArrayState::default(), address: 0 };
-        self.generator().run_by(&mut wired, &self.programs, &self.light, &mut profile);
+        self.generator().trace_by(&mut wired, &self.programs, &mut profile);
+        self.generator().reflect(&GroupLight::new(&self.light), &mut profile);
         profile
     }
 }

@@ -1,0 +1,144 @@
+//! Output amplifiers of the main signals: `[wires]` of a model (hardware-1969, section 3.2).
+//!
+//! ```text
+//! TG ─▶ height, slopes ─▶ ▷ ─┬─▶ light ─▶ ▷ ──┐
+//! FG ─▶ height, slopes ─▶ ▷ ─┴─▶ light ─▶ ▷ ──┼─▶ MU ─▶ height, reflectivity ─▶ ▷ ─▶ DPP, SM
+//!                                              └ heights
+//! ```
+//!
+//! **Law.** [`Driver`]: a lag, its rate bounded; at rest on the first sample. What lags is what the next block has: there is no
+//! second, ideal copy of a wire.
+//! **Slopes** are those to the north and to the east, each on a wire of its own; the machine has them along and across the sweep.
+//! **Elaboration.** A wire without an amplifier is passed by; a machine without any has none of this.
+//! **Our choices.** Kinks of features keep their instants. Beyond its footprint the video of a feature is the ground's, as that of
+//! a chain of parts is; presence is a gate. Where a profile ends its height drops out of sight at once: the control plane blanks.
+
+mod features;
+mod terrain;
+
+use generator::Stage;
+use hardware_model::{MAIN_WIRES, WireParts};
+use mixing_unit::{DriverScratch, Mixed, OutputDrivers};
+use parts::{Driver, Jump, Spread, Tolerance, relative_sigma, time_constant};
+use signal::{LANES, Lanes, Real};
+use terrain_generator::OUT_OF_SIGHT;
+
+use crate::raster::WrittenRaster;
+use crate::record::{Scales, signals};
+
+/// The drivers of a machine.
+#[derive(Debug)]
+pub(crate) struct Wires<S> {
+    terrain: Generator<S>,
+    features: Generator<S>,
+    mixed: OutputDrivers<S>,
+}
+
+/// Drivers of a generator's outputs.
+#[derive(Debug, Clone, Copy)]
+struct Generator<S> {
+    height: Option<Driver<S>>,
+    /// To the north and to the east.
+    slopes: [Option<Driver<S>>; 2],
+    reflectivity: Option<Driver<S>>,
+}
+
+/// Lists that drivers need; used again from group to group.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct WireScratch<S> {
+    jumps: [Vec<Jump>; LANES],
+    mixed: DriverScratch<S>,
+}
+
+/// Where the profiles of a group end: their first samples out of sight.
+pub(crate) type Ends = [usize; LANES];
+
+/// Whether the outputs of the mixing unit have amplifiers.
+pub(crate) fn drives_mixing(parts: &WireParts) -> bool {
+    parts.drives("mu.height") || parts.drives("mu.reflectivity")
+}
+
+impl<S: Real> Wires<S> {
+    /// The amplifiers that the model of `stage` names, for samples that are `step` seconds apart; `None` if there are none.
+    pub fn new(stage: &Stage, step: f64, raster: &WrittenRaster) -> Option<Self> {
+        let (parts, seed) = (&stage.settings.analog, stage.settings.seed);
+        let scales = Scales::of(stage, raster);
+        let spread = Spread::new(seed);
+        let figure = |name: &str, nominal: f64, sigma: f64| {
+            let sigma = if parts.spread { sigma } else { 0.0 };
+            spread.figure(name, 0, &Tolerance { nominal, sigma })
+        };
+        let driver = |name: &str| {
+            let signal = signals().iter().find(|signal| signal.name == name)?;
+            let wire = scales.wire(signal);
+            let tau = parts.wires.bandwidth.map_or(0.0, |bandwidth| {
+                time_constant(figure(&format!("{name}.driver"), bandwidth, relative_sigma::BANDWIDTH))
+            });
+            let rate = parts.wires.slew.map_or(f64::INFINITY, |slew| {
+                let slew = figure(&format!("{name}.driver.slew"), slew, relative_sigma::SLEW);
+                slew / wire.volts * wire.full_scale
+            });
+            parts.wires.drives(name).then(|| Driver::new(step, tau, rate))
+        };
+        let [th, tu, tv, tr, fh, fu, fv, fr, mh, mr] = MAIN_WIRES.map(driver);
+        (!parts.wires.is_ideal()).then_some(Self {
+            terrain: Generator { height: th, slopes: [tu, tv], reflectivity: tr },
+            features: Generator { height: fh, slopes: [fu, fv], reflectivity: fr },
+            mixed: OutputDrivers { height: mh, video: mr },
+        })
+    }
+
+    /// Composite height and reflectivity behind their amplifiers.
+    pub fn drive_mixed(&self, ends: &Ends, mixed: &mut Mixed<S>, scratch: &mut WireScratch<S>) {
+        if self.mixed.height.is_some() {
+            hold_beyond(ends, &mut mixed.height);
+        }
+        self.mixed.run(mixed, &mut scratch.mixed);
+        if self.mixed.height.is_some() {
+            drop_beyond(ends, &mut mixed.height);
+        }
+    }
+}
+
+/// Heights stay where their profiles end, so that a driver has nothing to follow.
+fn hold_beyond<S: Real>(ends: &Ends, height: &mut [Lanes<S>]) {
+    for (lane, &end) in ends.iter().enumerate() {
+        let Some(last) = end.checked_sub(1).and_then(|last| height.get(last)) else { continue };
+        let value = last[lane];
+        height.iter_mut().skip(end).for_each(|height| height[lane] = value);
+    }
+}
+
+/// Heights are out of sight where their profiles have ended.
+fn drop_beyond<S: Real>(ends: &Ends, height: &mut [Lanes<S>]) {
+    for (lane, &end) in ends.iter().enumerate() {
+        height.iter_mut().skip(end).for_each(|height| height[lane] = S::from_f64(OUT_OF_SIGHT));
+    }
+}
+
+/// `[along, across]` of a sweep as slopes to the north and to the east, for each of a group.
+#[derive(Debug, Clone, Copy)]
+struct Axes<S> {
+    cos: Lanes<S>,
+    sin: Lanes<S>,
+}
+
+impl<S: Real> Axes<S> {
+    /// Sweeps in `directions`: unit vectors, north and east.
+    fn new(directions: &[[f64; 2]; LANES]) -> Self {
+        let part = |axis: usize| Lanes::from_fn(|lane| S::from_f64(directions[lane][axis]));
+        Self { cos: part(0), sin: part(1) }
+    }
+
+    /// From along and across to north and east.
+    fn to_map(self, along: &mut [Lanes<S>], across: &mut [Lanes<S>]) {
+        for (a, b) in along.iter_mut().zip(across) {
+            (*a, *b) = (*a * self.cos - *b * self.sin, *a * self.sin + *b * self.cos);
+        }
+    }
+
+    /// Back again.
+    fn to_sweep(self, north: &mut [Lanes<S>], east: &mut [Lanes<S>]) {
+        Self { sin: Lanes::default() - self.sin, ..self }.to_map(north, east);
+    }
+}
