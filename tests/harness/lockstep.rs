@@ -51,5 +51,5 @@ pub fn walk(scene: &Scene) -> Record {
         frame: 0,
     };
     let ranges = range_programme(&stage.settings.range, stage.settings.raster.samples);
-    interpret(&scene, 0, &Given { ranges: &ranges, set_up: 0, shadow: &[] })
+    interpret(&scene, 0, &Given { ranges: &ranges, set_up: 0, shadow: &[], full_scales: &[] })
 }

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use generator::{Generator, PlaneKind, Planes, Session, Stage};
-use hardware_model::{HardwareModel, ModelSource, Settings};
+use hardware_model::{HardwareModel, ModelSource, Settings, WireParts};
 use lunoid_tests::shipped::folder;
 use lunoid_tests::{Scene, random};
 use machine::HybridMachine;
@@ -73,8 +73,10 @@ fn one_outcome_of_every_way() {
         let scenery = Arc::new((*ideal.scenery).clone().with_course(course));
         let ideal = Stage { scenery, ..ideal };
         let settings = Settings { analog: nominal.analog.clone(), ..ideal.settings.clone() };
-        for (what, stage) in [("ideal", ideal.clone()), ("parts of pra-nominal", Stage { settings, ..ideal })]
-        {
+        let mut slow = ideal.clone();
+        slow.settings.analog.wires = WireParts { bandwidth: Some(2e4), slew: Some(2e4), ..WireParts::IDEAL };
+        let nominal = Stage { settings, ..ideal.clone() };
+        for (what, stage) in [("ideal", ideal), ("slow wires", slow), ("parts of pra-nominal", nominal)] {
             let outcomes = all_ways(&scene, &stage);
             let ways: Vec<_> = outcomes.values().collect();
             assert_eq!(ways.len(), 1, "seed {seed}, {scalar:?}, {what}: {ways:#?}");

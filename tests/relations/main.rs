@@ -5,3 +5,4 @@ mod added;
 mod determinism;
 mod moved;
 mod parts;
+mod wires;

@@ -10,7 +10,7 @@ use signal::Probe;
 /// A figure of a part, as a share of a plain fault.
 type Figure = fn(&mut AnalogParts, f64);
 
-const FIGURES: [(&str, Figure); 9] = [
+const FIGURES: [(&str, Figure); 10] = [
     ("multiplier.error", |parts, s| parts.multiplier.error = 0.01 * s),
     ("multiplier.feedthrough", |parts, s| parts.multiplier.feedthrough = 0.5 * s),
     ("multiplying_dac.gain_error", |parts, s| parts.multiplying_dac.gain_error = 0.01 * s),
@@ -19,6 +19,7 @@ const FIGURES: [(&str, Figure); 9] = [
     ("projection.error", |parts, s| parts.projection.error = 0.02 * s),
     ("video_switch.level_mismatch", |parts, s| parts.video_switch.level_mismatch = 0.05 * s),
     ("amplifier.noise", |parts, s| parts.amplifier.noise = 0.0005 * s),
+    ("wires.bandwidth", |parts, s| parts.wires.bandwidth = Some(1e5 / s)),
     ("video_bandwidth", |parts, s| parts.video_bandwidth = Some(1e6 / s)),
 ];
 

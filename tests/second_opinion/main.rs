@@ -6,6 +6,7 @@ mod late_words;
 mod named_sweeps;
 mod random_scenes;
 mod shipped;
+mod wires;
 
 use lunoid_tests::{Lockstep, Scene};
 

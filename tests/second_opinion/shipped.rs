@@ -11,7 +11,8 @@ use lunoid_tests::shipped::{FULL_LANDSCAPE, TERRAIN, folder};
 use scenario::{PoseTable, Scalar, Scenario};
 
 /// All shipped models.
-pub const MODELS: [&str; 5] = ["ideal", "modern-analog", "pra-frugal", "pra-nominal", "pra-overloaded"];
+pub const MODELS: [&str; 6] =
+    ["ideal", "modern-analog", "pra-frugal", "pra-nominal", "pra-overloaded", "pra-wires"];
 const SWEEPS: u32 = 3;
 /// An early frame: what drums hold in a late one takes all frames before it.
 const EARLY: u64 = 2;
@@ -74,7 +75,7 @@ macro_rules! scenarios {
         $(#[test]
         fn $test() {
             let place = NAMED.iter().position(|name| *name == $name).expect("it is named");
-            let found = check($name, &["ideal", MODELS[1 + place % 4]]);
+            let found = check($name, &["ideal", MODELS[1 + place % 5]]);
             assert!(found.is_empty(), "{} differ:\n{}", found.len(), found.join("\n"));
         })*
     };

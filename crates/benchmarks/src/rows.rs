@@ -36,11 +36,13 @@ pub const ROWS: &[Row] = &[
     row("showpiece, ideal, f32", "showpiece", "ideal", Scalar::F32, STANDARD),
     row("showpiece, ideal, f64", "showpiece", "ideal", Scalar::F64, STANDARD),
     row("showpiece, modern-analog, f32", "showpiece", "modern-analog", Scalar::F32, STANDARD),
+    row("showpiece, pra-wires, f32", "showpiece", "pra-wires", Scalar::F32, STANDARD),
     row("craters, ideal, f32", "craters", "ideal", Scalar::F32, STANDARD),
     row("first light, ideal, f32", "first-light", "ideal", Scalar::F32, STANDARD),
     row("first light, ideal, f64", "first-light", "ideal", Scalar::F64, STANDARD),
     row("lunar horizon, ideal, f32", "lunar-horizon", "ideal", Scalar::F32, STANDARD),
     row("nominal drive, ideal, f32", "nominal-drive", "ideal", Scalar::F32, STANDARD),
     row("nominal drive, ideal, f64", "nominal-drive", "ideal", Scalar::F64, STANDARD),
+    row("nominal drive, pra-wires, f32", "nominal-drive", "pra-wires", Scalar::F32, STANDARD),
     row("nominal drive, pra-nominal, f32", "nominal-drive", "pra-nominal", Scalar::F32, STANDARD),
 ];

@@ -71,6 +71,8 @@ carried! {
     "tilted-plane"
     "two-pole-fold"
     "two-pole-step"
+    "wire-slews-into-shadow"
+    "wires-at-a-rim"
 }
 
 /// JSON schema of `cartridge.toml`, as the structs of this crate read it.

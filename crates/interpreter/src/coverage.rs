@@ -9,12 +9,23 @@ pub struct Unknown {
     pub corners: bool,
     /// Craters that came late or found no sub-generator.
     pub craters: bool,
+    /// Craters or edges of shadow on the way.
+    pub breaks: bool,
 }
 
 /// Why the interpreter has no opinion on `signal` under `settings`; `None` if it has.
 pub fn why_not(signal: &str, settings: &Settings, unknown: Unknown) -> Option<&'static str> {
     let parts = &settings.analog;
     let of = |other: &str| why_not(other, settings, unknown);
+    let lags = !parts.wires.is_ideal();
+    let is_main = ["tg.height", "tg.slope.u", "tg.slope.v", "tg.reflectivity"].contains(&signal);
+    let lies_behind = is_main || ["fg.", "mu.", "dpp.", "sm."].iter().any(|block| signal.starts_with(block));
+    if lags && parts.spread && lies_behind {
+        return Some("output amplifiers drawn from a seed");
+    }
+    if lags && !is_main && lies_behind && (unknown.breaks || signal.starts_with("fg.")) {
+        return Some("rims and edges of shadow behind output amplifiers");
+    }
     match signal {
         "sweep.x" | "sweep.y" | "sweep.range" => None,
         "sc.gate" | "mu.vs2" => Some("given: the gate is taken as the machine has it"),

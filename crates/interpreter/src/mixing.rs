@@ -26,6 +26,8 @@ pub struct Inputs {
 pub struct Mixed {
     /// Reflectivity as a probe sees it, 0 to 1.
     pub reflectivity: f64,
+    /// The same with its sign, as it leaves the unit.
+    pub signed: f64,
     /// Gate of VS1.
     pub vs1: bool,
 }
@@ -46,7 +48,7 @@ pub fn mix(scene: &Scene<'_>, inputs: &Inputs) -> Mixed {
         (Some(grain), TextureInShadow::On) => blanked(lit).max(0.0) + grain,
         (Some(grain), TextureInShadow::Off) => blanked(lit + grain),
     };
-    Mixed { reflectivity: mixed.clamp(0.0, 1.0), vs1 }
+    Mixed { reflectivity: mixed.clamp(0.0, 1.0), signed: mixed.min(1.0), vs1 }
 }
 
 /// What texture adds at (x, y) seen from `range` (m); `None` beyond its reach.

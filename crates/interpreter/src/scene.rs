@@ -31,6 +31,8 @@ pub struct Given<'a> {
     pub set_up: u32,
     /// Gate of remote shadow at each sample, 0 or 1; empty where there is no shadow.
     pub shadow: &'a [f64],
+    /// Full scale of each main wire in its unit: what its slew rate is against.
+    pub full_scales: &'a [(&'static str, f64)],
 }
 
 impl Scene<'_> {

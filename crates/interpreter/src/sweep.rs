@@ -13,6 +13,7 @@ use crate::light::Light;
 use crate::mixing::{Inputs, mix, texture};
 use crate::projector::{Circuit, Deflection, Rim, elevation, shown};
 use crate::scene::{Given, Scene};
+use crate::wires::Wires;
 use scenario::FeatureLight;
 
 const FED: [&str; 4] = ["x", "cx", "y", "cy"];
@@ -39,6 +40,8 @@ pub struct Record {
     pub samples: usize,
     /// Whether the sweep left the stored ground before its end.
     pub left_the_area: bool,
+    /// Whether it met a crater or an edge of shadow: what main signals with amplifiers do there it does not know.
+    pub has_breaks: bool,
 }
 
 impl Record {
@@ -54,19 +57,32 @@ impl Record {
 /// Walks sweep `sweep` step by step.
 pub fn interpret(scene: &Scene<'_>, sweep: u32, given: &Given<'_>) -> Record {
     let direction = direction(scene, given.set_up);
-    let terrain = terrain(scene, sweep, direction, given.ranges);
+    let mut terrain = terrain(scene, sweep, direction, given.ranges);
+    let wires = Wires::of(scene, given);
     let mut walker = Walker {
         scene,
         given,
         direction,
+        wires,
         light: Light::of(scene, direction),
         craters: met(scene, direction, given.ranges),
         record: Record::default(),
     };
     walker.array(&terrain);
+    drive(&wires, &mut terrain.ground);
     let composite = walker.landscape(&terrain.ground);
     walker.project(&terrain.ground, &composite);
     walker.finish(terrain)
+}
+
+/// Height and slopes of the terrain behind their amplifiers.
+fn drive(wires: &Wires<'_>, ground: &mut [Ground]) {
+    let heights = wires.pass("tg.height", ground.iter().map(|ground| ground.height));
+    let north = wires.pass("tg.slope.u", ground.iter().map(|ground| ground.slopes[0]));
+    let east = wires.pass("tg.slope.v", ground.iter().map(|ground| ground.slopes[1]));
+    for (k, ground) in ground.iter_mut().enumerate() {
+        *ground = Ground { height: heights[k], slopes: [north[k], east[k]] };
+    }
 }
 
 /// Craters that the sweep meets, in the order of the list.
@@ -85,6 +101,7 @@ struct Walker<'a> {
     scene: &'a Scene<'a>,
     given: &'a Given<'a>,
     direction: [f64; 2],
+    wires: Wires<'a>,
     light: Light,
     craters: Vec<Crater>,
     record: Record,
@@ -112,13 +129,16 @@ impl Walker<'_> {
         let scene = self.scene;
         let eye = scene.eye;
         let mut heights = Vec::new();
+        let [mut terrain_wire, mut height_wire, mut video_wire] =
+            ["tg.reflectivity", "mu.height", "mu.reflectivity"].map(|name| self.wires.amplifier(name));
+        let mut video_before = None;
         for (k, (&Ground { height, slopes }, &range)) in ground.iter().zip(self.given.ranges).enumerate() {
             let from_foot = self.direction.map(|cosine| range * cosine);
             let place = [eye[0] + from_foot[0], eye[1] + from_foot[1]];
             let Relief { height: rise, slopes: added, present, clear } =
                 relief(&self.craters, [eye[0], eye[1]], from_foot);
             let sight = (height - eye[2]) / range;
-            let terrain_light = self.light.reflectivity(slopes, sight);
+            let terrain_light = terrain_wire.next(self.light.reflectivity(slopes, sight));
             let lit_slopes = match scene.settings.laws.feature_light {
                 FeatureLight::Combined => [slopes[0] + added[0], slopes[1] + added[1]],
                 FeatureLight::AsReported => added,
@@ -129,6 +149,13 @@ impl Walker<'_> {
             let inputs =
                 Inputs { terrain: terrain_light, features: feature_light, present, shadow, texture: grain };
             let mixed = mix(scene, &inputs);
+            let composite = height_wire.next(height + rise);
+            let video = if self.wires.lags("mu.reflectivity") {
+                video_wire.next_lit(video_before.unwrap_or(mixed.signed), mixed.signed)
+            } else {
+                mixed.reflectivity
+            };
+            video_before = Some(mixed.signed);
             let gate = |open: bool| if open { 1.0 } else { 0.0 };
             let values = [
                 ("tg.height", height),
@@ -141,8 +168,8 @@ impl Walker<'_> {
                 ("fg.present", gate(present)),
                 ("fg.reflectivity", if present { feature_light.max(0.0) } else { 0.0 }),
                 ("txg.texture", grain.unwrap_or(0.0)),
-                ("mu.height", height + rise),
-                ("mu.reflectivity", mixed.reflectivity),
+                ("mu.height", composite),
+                ("mu.reflectivity", video),
                 ("mu.vs1", gate(mixed.vs1)),
                 ("mu.vs2", gate(shadow)),
             ];
@@ -155,7 +182,7 @@ impl Walker<'_> {
             for name in ["mu.vs1", "mu.reflectivity", "sm.video"] {
                 self.record.put_margin(name, keyed);
             }
-            heights.push(height + rise);
+            heights.push(composite);
         }
         heights
     }
@@ -234,6 +261,7 @@ impl Walker<'_> {
 
     fn finish(mut self, terrain: Terrain) -> Record {
         let Terrain { fine, coarse, ground } = terrain;
+        self.record.has_breaks = !self.craters.is_empty() || self.given.shadow.iter().any(|gate| *gate > 0.5);
         self.record.samples = ground.len();
         self.record.left_the_area = ground.len() < self.given.ranges.len();
         self.record.stops = fine.stops;

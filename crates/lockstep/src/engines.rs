@@ -64,6 +64,7 @@ impl Engines {
             frame,
         };
         let wires = self.session.wires();
+        let full_scales: Vec<_> = wires.iter().map(|wire| (wire.signal.name, wire.full_scale)).collect();
         let one = |sweep: u32| {
             let mut probe = Probe::new(vec!["*".into()], sweep..sweep + 1);
             let counts = self.session.frame(frame, pose, &mut Planes::new(0, 0, &[]), &mut probe)?;
@@ -78,9 +79,18 @@ impl Engines {
                 wave.map_or(&[][..], |wave| wave.values.as_slice())
             };
             let set_up = digital.set_up_of(sweep);
-            let given = Given { ranges: values("sweep.range"), set_up, shadow: values("sc.gate") };
+            let given = Given {
+                ranges: values("sweep.range"),
+                set_up,
+                shadow: values("sc.gate"),
+                full_scales: &full_scales,
+            };
             let record = interpret(&scene, sweep, &given);
-            let unknown = Unknown { corners: missing, craters: events.iter().any(has_lost_a_crater) };
+            let unknown = Unknown {
+                corners: missing,
+                craters: events.iter().any(has_lost_a_crater),
+                breaks: record.has_breaks,
+            };
             let sides = Sides {
                 scene: &scene,
                 wires: &wires,

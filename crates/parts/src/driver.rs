@@ -12,8 +12,9 @@
 //! straight lines from place to place gets, behind each place, the value from which the line to the next place or sample
 //! covers the area of the answer, as far as the input goes: so a fast driver leaves nearly the whole jump, a slow one
 //! hardly any, and a bend is no jump.
-//! **Elaboration.** A driver whose rate has no bound is its lag, without a test. With a bound one test a sample of eight
-//! sweeps says whether any is slewing; such steps are walked piece by piece, in f64. A lane has the bits that it has alone.
+//! **Elaboration.** A driver whose rate has no bound is its lag, without a test. With a bound one test for several samples of
+//! eight sweeps says whether any is slewing; such steps are walked piece by piece, in f64. A lane has the bits that it has
+//! alone.
 
 use signal::{LANES, Lanes, Real};
 
@@ -31,6 +32,9 @@ pub struct Driver<S> {
     /// In steps.
     slew: Slew,
 }
+
+/// Steps that are looked at together for one that slews.
+const BLOCK: usize = 16;
 
 /// Input and output of a group at one sample.
 #[derive(Debug, Clone, Copy)]
@@ -67,7 +71,10 @@ impl<S: Real> Driver<S> {
             self.follow(&mut signal[sample..due], &mut state);
             if let Some(now) = signal.get_mut(due) {
                 let before = state;
-                self.follow(std::slice::from_mut(now), &mut state);
+                match self.bounds {
+                    None => self.lag(now, &mut state),
+                    Some(bounds) => self.slew_step(now, &mut state, bounds),
+                }
                 for (lane, jumps) in jumps.iter_mut().enumerate() {
                     let own = &mut jumps[passed[lane]..];
                     let count = own.iter().take_while(|jump| step_of(jump.at) <= due).count();
@@ -88,47 +95,70 @@ impl<S: Real> Driver<S> {
     #[inline(always)]
     fn follow(&self, signal: &mut [Lanes<S>], state: &mut State<S>) {
         match self.bounds {
-            None => {
-                for value in signal {
-                    let next = self.lag.step(state.y, state.u, *value);
-                    *state = State { u: *value, y: next };
-                    *value = next;
-                }
-            }
-            Some(bounds) => {
-                for value in signal {
-                    let next = self.bounded(state, *value, bounds);
-                    *state = State { u: *value, y: next };
-                    *value = next;
-                }
-            }
+            None => signal.iter_mut().for_each(|value| self.lag(value, state)),
+            Some(bounds) => signal.chunks_mut(BLOCK).for_each(|block| self.bounded(block, state, bounds)),
         }
     }
 
+    /// One step as the lag.
     #[inline(always)]
-    fn bounded(&self, &State { u, y }: &State<S>, now: Lanes<S>, [reach, climb]: [S; 2]) -> Lanes<S> {
+    fn lag(&self, value: &mut Lanes<S>, state: &mut State<S>) {
+        let LagStep { keep, from, to } = self.lag;
+        let mut next = *value;
+        for lane in 0..LANES {
+            // What the input adds does not wait for the output before it.
+            next.0[lane] = state.y.0[lane] * keep + (state.u.0[lane] * from + value.0[lane] * to);
+        }
+        *state = State { u: *value, y: next };
+        *value = next;
+    }
+
+    /// Up to [`BLOCK`] steps as the lag, and again one by one if any lane slews in any of them.
+    #[inline(always)]
+    fn bounded(&self, block: &mut [Lanes<S>], state: &mut State<S>, bounds: [S; 2]) {
+        let begin = *state;
+        let mut input = [Lanes::default(); BLOCK];
+        input[..block.len()].copy_from_slice(block);
+        let mut beyond = [S::ZERO; LANES];
+        for value in &mut *block {
+            let most = self.beyond(state, value, bounds);
+            for lane in 0..LANES {
+                beyond[lane] = most[lane].at_least(beyond[lane]);
+            }
+            self.lag(value, state);
+        }
+        if any_above_zero(&beyond) {
+            block.copy_from_slice(&input[..block.len()]);
+            *state = begin;
+            block.iter_mut().for_each(|value| self.slew_step(value, state, bounds));
+        }
+    }
+
+    /// How far the next step is beyond the bounds: below or at 0 within them.
+    #[inline(always)]
+    fn beyond(&self, State { u, y }: &State<S>, now: &Lanes<S>, [reach, climb]: [S; 2]) -> [S; LANES] {
         let size = |value: S| (-value).at_least(value);
         let mut beyond = [S::ZERO; LANES];
         for lane in 0..LANES {
             let (behind, change) = (size(u.0[lane] - y.0[lane]), size(now.0[lane] - u.0[lane]));
             beyond[lane] = (behind - reach).at_least(change - climb);
         }
-        let next = self.lag.step(y, u, now);
-        let most = beyond.iter().fold(beyond[0], |most, &beyond| beyond.at_least(most));
-        if most > S::ZERO { self.slew_lanes(beyond, [y, u, now], next) } else { next }
+        beyond
     }
 
-    /// `next` with those lanes replaced that are `beyond` the bounds.
+    /// One step; lanes that are beyond the bounds are walked.
     #[inline(never)]
-    fn slew_lanes(&self, beyond: [S; LANES], [y, u, now]: [Lanes<S>; 3], next: Lanes<S>) -> Lanes<S> {
-        Lanes::from_fn(|lane| {
-            if beyond[lane] > S::ZERO {
-                let input = [u[lane], now[lane]].map(S::to_f64);
-                S::from_f64(self.slew.advance(1.0, y[lane].to_f64(), input, |_| {}))
-            } else {
-                next[lane]
-            }
-        })
+    fn slew_step(&self, value: &mut Lanes<S>, state: &mut State<S>, bounds: [S; 2]) {
+        let (before, now, beyond) = (*state, *value, self.beyond(state, value, bounds));
+        self.lag(value, state);
+        if !any_above_zero(&beyond) {
+            return;
+        }
+        for lane in (0..LANES).filter(|&lane| beyond[lane] > S::ZERO) {
+            let (y, input) = (before.y[lane].to_f64(), [before.u[lane], now[lane]].map(S::to_f64));
+            value[lane] = S::from_f64(self.slew.advance(1.0, y, input, |_| {}));
+        }
+        state.y = *value;
     }
 
     /// One step of one lane over its jumps, which become the output's; time, input and output where it begins, the input
@@ -180,6 +210,11 @@ impl Answer {
     fn straight_from(&self, [y, u]: [f64; 2], length: f64) -> f64 {
         if length > 0.0 { (2.0 * self.area / length - self.y).max(y.min(u)).min(y.max(u)) } else { y }
     }
+}
+
+#[inline(always)]
+fn any_above_zero<S: Real>(values: &[S; LANES]) -> bool {
+    values.iter().fold(false, |any, &value| any | (value > S::ZERO))
 }
 
 /// The first step with a jump that has not been passed.
