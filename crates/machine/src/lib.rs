@@ -9,6 +9,8 @@
 //!  bodies ▶ project ▶ spans ───────────────────────────────────────────────┴─ PG ───┘
 //! ```
 //!
+//! Where a model says so, what leaves TG, FG and MU comes through output amplifiers (`wires`).
+//!
 //! Only this crate knows who is wired to whom. [`HybridMachine`] elaborates a stage: the scalar type is chosen,
 //! tables over the sweep are made, and blocks without work are left out (`blocks.rs`, `omissions.rs`). After that a
 //! frame is: what its I/O processors bring (`delivery.rs`), programs for every sweep (`control_plane.rs`), profiles

@@ -45,7 +45,8 @@
 //! **State and timing.** A step is a sample; all settles in retrace. Between samples the video is straight lines, but for
 //! breaks: where a fade begins and ends, where the video of a feature jumps, where local shadow begins, at rims. They leave the unit as
 //! [`signal::Breaks`], at their instants and with what the chain makes of them there; the lag is split at each, exactly,
-//! and its decay behind one is divided by three more.
+//! and its decay behind a jump that can be seen is divided by three more ([`OutputDrivers`], which `[wires]` of a model puts behind
+//! the ideal unit too).
 //! **Our choices.** Presence lines have one comparator, the shadow gate another. Beyond its footprint the video of a
 //! feature is the ground's, since it adds no slope; so a late gate leaves no black seam. A gate that changes without a
 //! rim does so half way between samples. Level and gain are static errors: drawn for each switch, without `spread` too.

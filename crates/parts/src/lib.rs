@@ -5,6 +5,7 @@
 //!            D/A          smoother          broken line            ├▶ multiplier ─▶ lag ─▶ amplifier ─▶ ...
 //!  word ─▶ multiplying converter ──────────────────────────────────┘                       slew, clip
 //!
+//!  ... ─▶ driver: lag and slew over whole sweeps with breaks ─▶ wire
 //!  ... ─▶ differentiator ─▶ comparator ─▶ sample-and-hold, switch
 //! ```
 //!
