@@ -8,7 +8,7 @@ use lunoid_tests::Scene;
 use machine::ControlPlane;
 use quantities::radians;
 use scenario::{Pose, Yoke};
-use timing::{MissionTask, TimingRecord};
+use timing::{Task, TimingRecord};
 
 use crate::rig::{SIZE, flat, frame, loader, on_course, pose};
 
@@ -36,11 +36,11 @@ fn machine(change: impl FnOnce(&mut Stage)) -> (ControlPlane, Pose) {
     (ControlPlane::new(stage), first)
 }
 
-fn tasks((control, first): &(ControlPlane, Pose)) -> Vec<MissionTask> {
+fn tasks((control, first): &(ControlPlane, Pose)) -> Vec<Task> {
     control.before_mission(first).expect("a pose over flat ground")
 }
 
-fn ticks(tasks: &[MissionTask], unit: &str, name: &str) -> u64 {
+fn ticks(tasks: &[Task], unit: &str, name: &str) -> u64 {
     let found = tasks.iter().find(|task| (task.unit.as_str(), task.task.as_str()) == (unit, name));
     found.unwrap_or_else(|| panic!("no {name} of {unit} in {tasks:?}")).ticks
 }

@@ -4,7 +4,7 @@ use dpu::{HOME_SETS, home_load};
 use generator::{FrameError, Stage};
 use hardware_model::{CrossingServer, Settings, Yoke};
 use scenario::Pose;
-use timing::MissionTask;
+use timing::Task;
 
 use crate::digital::first_loads;
 use crate::sight::vertices;
@@ -16,7 +16,7 @@ impl ControlPlane {
     ///
     /// # Errors
     /// If it cannot be drawn.
-    pub fn before_mission(&self, first: &Pose) -> Result<Vec<MissionTask>, FrameError> {
+    pub fn before_mission(&self, first: &Pose) -> Result<Vec<Task>, FrameError> {
         let plan = self.plan(0, first)?;
         let stage = self.stage();
         let Settings { cpu, raster, .. } = &stage.settings;
@@ -36,7 +36,7 @@ impl ControlPlane {
     }
 
     /// Records of the first sector, until the last is in the storage buffer.
-    fn first_sectors(&self) -> impl Iterator<Item = MissionTask> {
+    fn first_sectors(&self) -> impl Iterator<Item = Task> {
         let levels = ["drum.fine", "drum.coarse"].into_iter();
         let loads = levels.zip(first_loads(self.stage(), self.blocks(), self.raster()));
         loads.filter_map(|(unit, load)| {
@@ -46,7 +46,7 @@ impl ControlPlane {
     }
 
     /// Both levels have a loader of their own, side by side.
-    fn home_registers(&self) -> MissionTask {
+    fn home_registers(&self) -> Task {
         let Settings { loader, cpu, .. } = &self.stage().settings;
         let unit = match loader.served_by {
             CrossingServer::WiredPointers => "loader",
@@ -58,13 +58,13 @@ impl ControlPlane {
     }
 }
 
-fn task(unit: &str, task: &str, pieces: u64, ticks: u64) -> MissionTask {
-    MissionTask { unit: unit.into(), task: task.into(), pieces, ticks }
+fn task(unit: &str, task: &str, pieces: u64, ticks: u64) -> Task {
+    Task { unit: unit.into(), task: task.into(), pieces, ticks }
 }
 
 /// The yoke's motor from the upright picture to the first, if it has any way to go: pulses, or the whole way of one that has
 /// no steps.
-fn first_angle(stage: &Stage, angle: f64) -> Option<MissionTask> {
+fn first_angle(stage: &Stage, angle: f64) -> Option<Task> {
     let Yoke { step, rate, .. } = stage.settings.yoke?;
     let pulses = if step > 0.0 { (angle / step).abs().round() as u64 } else { 1 };
     let seconds = angle.abs() / rate;

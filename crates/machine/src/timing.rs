@@ -170,6 +170,7 @@ impl ControlPlane {
             vertices: digital.vertices(),
             deadlines,
             units,
+            tasks: Vec::new(),
             misses,
             events,
             events_blake3,

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use crate::before_mission::MissionTask;
 use crate::deadline::{BINS, Slack};
 use crate::missed::Missed;
 use crate::record::{FORMAT, FrameTiming, TimingRecord, Vertices};
+use crate::task::Task;
 
 /// Words of a register set: bits of [`Missed::words`].
 const WORDS: u16 = 9;
@@ -45,7 +45,7 @@ impl TimingRecord {
             return Err(Fault::new("format", self.format, FORMAT.to_string()));
         }
         check_hex("inputs", &self.inputs, None)?;
-        check_tasks(&self.before_mission)?;
+        check_tasks("before_mission", &self.before_mission)?;
         if self.frames.is_empty() {
             return Err(Fault::new("frames", "none", "at least one"));
         }
@@ -61,10 +61,10 @@ impl TimingRecord {
     }
 }
 
-fn check_tasks(tasks: &[MissionTask]) -> Checked {
+fn check_tasks(list: &str, tasks: &[Task]) -> Checked {
     let mut names = BTreeSet::new();
-    tasks.iter().try_for_each(|MissionTask { unit, task, pieces, ticks }| {
-        let place = |key: &str| format!("before_mission, {unit} {task}{key}");
+    tasks.iter().try_for_each(|Task { unit, task, pieces, ticks }| {
+        let place = |key: &str| format!("{list}, {unit} {task}{key}");
         if !names.insert([unit, task]) {
             return Err(Fault::new(place(""), "it twice", "every task of a unit once"));
         }
@@ -94,6 +94,7 @@ fn check_frame(frame: &FrameTiming) -> Checked {
             return Err(Fault::new("units", format!("{} twice", unit.unit), "every unit once"));
         }
     }
+    check_tasks("tasks", &frame.tasks)?;
     let mut misses = frame.misses.iter().enumerate();
     misses.try_for_each(|(index, missed)| {
         check_missed(missed).map_err(|fault| fault.within(&format!("misses[{index}]")))

@@ -3,7 +3,6 @@
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::before_mission::MissionTask;
 use crate::difference::{Difference, Differences, pairs};
 use crate::frame_differences::frame_differences;
 use crate::record::TimingRecord;
@@ -86,12 +85,14 @@ pub fn compare(baseline: &TimingRecord, found: &TimingRecord, tolerance: &Tolera
         };
         FrameComparison { frame, differences }
     });
+    let mut before_mission = Differences::default();
+    before_mission.tasks("before_mission", &baseline.before_mission, &found.before_mission);
     Comparison {
         scenario: found.scenario.clone(),
         machine: found.machine.clone(),
         tolerance: *tolerance,
         head: head_differences(baseline, found),
-        before_mission: task_differences(&baseline.before_mission, &found.before_mission),
+        before_mission: before_mission.0,
         frames: compared.collect(),
     }
 }
@@ -111,22 +112,6 @@ fn head_differences(baseline: &TimingRecord, found: &TimingRecord) -> Vec<Differ
     differences.exact("machine", machine, &found.machine);
     differences.exact("inputs", inputs, &found.inputs);
     differences.exact("master", master, &found.master);
-    differences.0
-}
-
-fn task_differences(baseline: &[MissionTask], found: &[MissionTask]) -> Vec<Difference> {
-    let mut differences = Differences::default();
-    let described = |task: &MissionTask| format!("{} pieces, {} ticks", task.pieces, task.ticks);
-    for ((unit, task), baseline, found) in pairs(baseline, found, |task| (&task.unit, &task.task)) {
-        let place = format!("before_mission.{unit}.{task}");
-        match (baseline, found) {
-            (Some(baseline), Some(found)) => {
-                differences.exact(format!("{place}.pieces"), baseline.pieces, found.pieces);
-                differences.exact(format!("{place}.ticks"), baseline.ticks, found.ticks);
-            }
-            (baseline, found) => differences.option(place, baseline.map(described), found.map(described)),
-        }
-    }
     differences.0
 }
 

@@ -8,6 +8,7 @@ use crate::deadline::{Deadline, Slack};
 use crate::difference::{Difference, Differences, pairs};
 use crate::missed::Missed;
 use crate::record::{FrameTiming, Sets, UnitUse, Vertices};
+use crate::task::Task;
 use crate::text::place_of_miss;
 
 /// Everything in which `found` is not as `baseline`: digital times and counters exactly, analog instants within
@@ -26,6 +27,7 @@ pub(crate) fn frame_differences(
         vertices,
         deadlines,
         units,
+        tasks,
         misses,
         events,
         events_blake3,
@@ -39,6 +41,7 @@ pub(crate) fn frame_differences(
     differences.vertices(vertices, &found.vertices);
     differences.deadlines(deadlines, &found.deadlines);
     differences.units(units, &found.units);
+    differences.tasks("tasks", tasks, &found.tasks);
     differences.misses(misses, &found.misses, tolerance);
     differences.exact("events", events, &found.events);
     differences.exact("events_blake3", events_blake3, &found.events_blake3);
@@ -99,6 +102,21 @@ impl Differences {
         let UnitUse { unit: _, busy, longest_queue } = *baseline;
         self.exact(format!("{place}.busy"), busy, found.busy);
         self.exact(format!("{place}.longest_queue"), longest_queue, found.longest_queue);
+    }
+
+    /// Tasks of `list`, by unit and name.
+    pub(crate) fn tasks(&mut self, list: &str, baseline: &[Task], found: &[Task]) {
+        let described = |task: &Task| format!("{} pieces, {} ticks", task.pieces, task.ticks);
+        for ((unit, task), baseline, found) in pairs(baseline, found, |task| (&task.unit, &task.task)) {
+            let place = format!("{list}.{unit}.{task}");
+            match (baseline, found) {
+                (Some(baseline), Some(found)) => {
+                    self.exact(format!("{place}.pieces"), baseline.pieces, found.pieces);
+                    self.exact(format!("{place}.ticks"), baseline.ticks, found.ticks);
+                }
+                (baseline, found) => self.option(place, baseline.map(described), found.map(described)),
+            }
+        }
     }
 
     fn misses(&mut self, baseline: &[Missed], found: &[Missed], tolerance: &Tolerance) {

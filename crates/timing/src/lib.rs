@@ -28,7 +28,6 @@
 //! assert_eq!((slack.count, slack.missed, slack.least), (3, 1, Some(-3)));
 //! ```
 
-mod before_mission;
 mod check;
 mod comparison;
 mod deadline;
@@ -42,10 +41,10 @@ mod layout;
 mod missed;
 mod plot;
 mod record;
+mod task;
 mod text;
 mod totals;
 
-pub use before_mission::MissionTask;
 pub use check::Fault;
 pub use comparison::{Comparison, FrameComparison, Tolerance, ToleranceError, compare};
 pub use deadline::{BINS, Deadline, Slack};
@@ -54,4 +53,5 @@ pub use event_hash::EventHash;
 pub use file::{RecordError, read, write};
 pub use missed::{Cause, Missed};
 pub use record::{FORMAT, FrameTiming, Sets, TimingRecord, UnitUse, Vertices};
+pub use task::Task;
 pub use totals::{DeadlineTotals, SweepMisses, Totals, UnitTotals};

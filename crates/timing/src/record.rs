@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use crate::before_mission::MissionTask;
 use crate::deadline::{Deadline, Slack};
 use crate::missed::Missed;
+use crate::task::Task;
 
 /// Number of the file format; a file of another is refused. 2 has vertices, corners that are met, loads of features.
 pub const FORMAT: u32 = 2;
@@ -28,7 +28,7 @@ pub struct TimingRecord {
     /// What has to be done before frame 0, in the order in which it is; nothing in a machine that is ready at once. The key
     /// may be missing.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub before_mission: Vec<MissionTask>,
+    pub before_mission: Vec<Task>,
     /// Frames in rising order, at least one.
     pub frames: Vec<FrameTiming>,
 }
@@ -53,6 +53,10 @@ pub struct FrameTiming {
     pub deadlines: BTreeMap<Deadline, Slack>,
     /// Use of the units that the machine has, each named once.
     pub units: Vec<UnitUse>,
+    /// What the units spend their time on, task by task in order, where their work is counted so; each task of a unit once.
+    /// The key may be missing.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub tasks: Vec<Task>,
     /// Deadlines that were not met, in order of sweep and time.
     pub misses: Vec<Missed>,
     /// Digital events of the frame.

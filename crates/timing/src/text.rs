@@ -2,16 +2,17 @@
 
 use std::fmt::{self, Write};
 
-use crate::before_mission::MissionTask;
 use crate::missed::Missed;
 use crate::record::TimingRecord;
+use crate::task::Task;
 use crate::totals::{DeadlineTotals, SweepMisses, Totals, UnitTotals};
 
 /// Sweeps of which a table tells the misses.
 const SWEEPS_SHOWN: usize = 12;
 
 impl TimingRecord {
-    /// Tables of the whole record: counters, deadlines, use of units, misses by cause and by sweep.
+    /// Tables of the whole record: counters, deadlines, use of units, tasks, misses by cause and by sweep. One without deadlines
+    /// has its units and tasks alone.
     pub fn text(&self) -> String {
         let mut out = String::new();
         // A string takes whatever is written to it.
@@ -24,9 +25,14 @@ fn write_tables(out: &mut String, record: &TimingRecord) -> fmt::Result {
     let totals = Totals::of(record);
     write_head(out, record)?;
     write_tasks(out, record)?;
+    if totals.deadlines.is_empty() {
+        write_units(out, &totals)?;
+        return write_frame_tasks(out, &totals);
+    }
     write_counters(out, &totals)?;
     write_deadlines(out, &totals)?;
     write_units(out, &totals)?;
+    write_frame_tasks(out, &totals)?;
     write_causes(out, &totals)?;
     write_sweeps(out, &totals)
 }
@@ -48,7 +54,7 @@ fn write_tasks(out: &mut String, record: &TimingRecord) -> fmt::Result {
         return Ok(());
     }
     writeln!(out, "\n{:<20} {:<16} {:>10} {:>14}", "before the mission", "task", "pieces", "ticks")?;
-    for MissionTask { unit, task, pieces, ticks } in &record.before_mission {
+    for Task { unit, task, pieces, ticks } in &record.before_mission {
         writeln!(out, "{unit:<20} {task:<16} {pieces:>10} {ticks:>14}")?;
     }
     let ready = record.ready_after();
@@ -135,6 +141,22 @@ fn write_units(out: &mut String, totals: &Totals) -> fmt::Result {
         let UnitTotals { least, mean, most, longest_queue, .. } = *unit;
         let [least, mean, most] = [least, mean, most].map(|part| format!("{:.2} %", 100.0 * part));
         writeln!(out, "{name:<20} {least:>10} {mean:>12} {most:>12}  {longest_queue:>13}")?;
+    }
+    Ok(())
+}
+
+/// The share is of the frames' length.
+fn write_frame_tasks(out: &mut String, totals: &Totals) -> fmt::Result {
+    if totals.tasks.is_empty() {
+        return Ok(());
+    }
+    let head = ["pieces a frame", "ticks a frame", "share"];
+    writeln!(out, "\n{:<10} {:<16} {:>16} {:>18} {:>8}", "unit", "task", head[0], head[1], head[2])?;
+    let frames = totals.frames.max(1) as f64;
+    for Task { unit, task, pieces, ticks } in &totals.tasks {
+        let [pieces, ticks_a_frame] = [*pieces, *ticks].map(|total| total as f64 / frames);
+        let share = 100.0 * *ticks as f64 / totals.ticks as f64;
+        writeln!(out, "{unit:<10} {task:<16} {pieces:>16.1} {ticks_a_frame:>18.1} {share:>6.2} %")?;
     }
     Ok(())
 }

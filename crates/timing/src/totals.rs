@@ -7,6 +7,7 @@ use serde::Serialize;
 use crate::deadline::{Deadline, Slack};
 use crate::missed::{Cause, Missed};
 use crate::record::{FrameTiming, Sets, TimingRecord, UnitUse, Vertices};
+use crate::task::Task;
 
 /// A record as a whole. Sums stay at the largest number rather than run over.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
@@ -31,6 +32,8 @@ pub struct Totals {
     pub deadlines: BTreeMap<Deadline, DeadlineTotals>,
     /// Every unit, by name.
     pub units: BTreeMap<String, UnitTotals>,
+    /// Tasks of the frames, each with the pieces and ticks of all of them, in the order in which they are first met.
+    pub tasks: Vec<Task>,
     /// Misses by cause.
     pub causes: BTreeMap<Cause, u64>,
     /// Misses by sweep: what stands in one column of the picture.
@@ -107,7 +110,19 @@ impl Totals {
             let first = UnitTotals::new();
             self.units.entry(unit.unit.clone()).or_insert(first).add(unit, frame);
         }
+        frame.tasks.iter().for_each(|task| self.add_task(task));
         self.add_misses(&frame.misses);
+    }
+
+    fn add_task(&mut self, more: &Task) {
+        let same = |known: &&mut Task| (&known.unit, &known.task) == (&more.unit, &more.task);
+        match self.tasks.iter_mut().find(same) {
+            Some(known) => {
+                sum(&mut known.pieces, more.pieces);
+                sum(&mut known.ticks, more.ticks);
+            }
+            None => self.tasks.push(more.clone()),
+        }
     }
 
     fn add_misses(&mut self, misses: &[Missed]) {

@@ -59,6 +59,7 @@ fn frame_timing(frame: &FrameWork, method: &Method, period: f64) -> FrameTiming 
             .into_iter()
             .flatten()
             .collect(),
+        tasks: Vec::new(),
         misses: (slack_ticks < 0).then(|| Missed::of(Deadline::FrameTasks, 0, cause)).into_iter().collect(),
         events: frame.blanking.events,
         events_blake3: frame.blanking.events_blake3.clone(),

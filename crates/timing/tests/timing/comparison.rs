@@ -5,7 +5,7 @@ use proptest::sample::Index;
 use serde_json::{Value, json};
 use timing::{Comparison, Missed, TimingRecord, Tolerance, compare};
 
-use crate::samples::{record, small, torn_corner};
+use crate::samples::{program, record, small, torn_corner};
 
 fn exact() -> Tolerance {
     Tolerance::new(0.0, 0.0).expect("a tolerance")
@@ -89,6 +89,7 @@ fn expect_change_is_found(record: &TimingRecord, way: &str) {
     let text = comparison.text(99);
     let named = match key {
         "unit" | "task" if way.starts_with("/before_mission") => "before_mission.",
+        "unit" | "task" if way.contains("/tasks/") => "tasks.",
         "unit" => "units.",
         "deadline" | "sweep" | "crossing" | "colour" | "register" | "part" | "crater" => "miss (",
         key => key,
@@ -101,12 +102,13 @@ fn expect_change_is_found(record: &TimingRecord, way: &str) {
 
 #[test]
 fn every_value_of_a_record_counts() {
-    let mut record = small();
-    // Frame 13 is one more than frame 12.
-    record.frames[1].frame = 20;
-    let all = values_of(&record);
-    assert!(all.len() > 100, "{all:?}");
-    all.iter().for_each(|way| expect_change_is_found(&record, way));
+    for mut record in [small(), program()] {
+        // Frame 13 is one more than frame 12.
+        record.frames[1].frame = 20;
+        let all = values_of(&record);
+        assert!(all.len() > 60, "{all:?}");
+        all.iter().for_each(|way| expect_change_is_found(&record, way));
+    }
 }
 
 proptest! {

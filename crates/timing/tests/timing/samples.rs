@@ -7,7 +7,7 @@ use proptest::option;
 use proptest::prelude::{Just, Strategy, any, prop_oneof};
 use proptest::sample::select;
 use timing::{
-    Cause, Deadline, EventHash, FORMAT, FrameTiming, Missed, MissionTask, Sets, Slack, TimingRecord, UnitUse,
+    Cause, Deadline, EventHash, FORMAT, FrameTiming, Missed, Sets, Slack, Task, TimingRecord, UnitUse,
     Vertices,
 };
 
@@ -57,8 +57,8 @@ pub fn starved_corner() -> Missed {
     }
 }
 
-fn mission_task(unit: &str, task: &str, pieces: u64, ticks: u64) -> MissionTask {
-    MissionTask { unit: unit.into(), task: task.into(), pieces, ticks }
+fn task(unit: &str, task: &str, pieces: u64, ticks: u64) -> Task {
+    Task { unit: unit.into(), task: task.into(), pieces, ticks }
 }
 
 /// Two frames: a clean one, and one with two misses.
@@ -78,6 +78,7 @@ pub fn small() -> TimingRecord {
             (Deadline::FrameTasks, slack_of([200_000])),
         ]),
         units: vec![unit("cpu", 340_000, 2), unit("loader.red", 33_000, 3)],
+        tasks: Vec::new(),
         misses: Vec::new(),
         events,
         events_blake3,
@@ -92,6 +93,7 @@ pub fn small() -> TimingRecord {
             (Deadline::Corner, slack_of([-70_000, 12])),
         ]),
         units: vec![unit("cpu", 350_000, 1), unit("drum.fine.0", 666_667, 11)],
+        tasks: Vec::new(),
         misses: vec![starved_corner(), torn_corner()],
         ..clean.clone()
     };
@@ -102,8 +104,8 @@ pub fn small() -> TimingRecord {
         inputs: "0123abcd".into(),
         master: "20000000 Hz".into(),
         before_mission: vec![
-            mission_task("cpu", "sine-table", 525, 531_300),
-            mission_task("drum.fine", "first-sector", 16, 350_000),
+            task("cpu", "sine-table", 525, 531_300),
+            task("drum.fine", "first-sector", 16, 350_000),
         ],
         frames: vec![clean, faulty],
     }
@@ -164,13 +166,20 @@ fn deadlines() -> impl Strategy<Value = BTreeMap<Deadline, Slack>> {
     btree_map(select(&Deadline::ALL[..]), slack, 0..4)
 }
 
+fn tasks() -> impl Strategy<Value = Vec<Task>> {
+    btree_map((text(), text()), (1..u64::MAX, 1..u64::MAX), 0..4).prop_map(|tasks| {
+        let of = |((unit, name), (pieces, ticks)): ((String, String), _)| task(&unit, &name, pieces, ticks);
+        tasks.into_iter().map(of).collect()
+    })
+}
+
 fn frame() -> impl Strategy<Value = FrameTiming> {
     let vertices = any::<[u64; 2]>().prop_map(|[a, b]| Vertices { asked: a.max(b), ready: a.min(b) });
     let counters = (1u64.., any::<u64>(), sets(), any::<u64>(), vertices);
-    let lists = (deadlines(), units(), vec(missed(), 0..4));
+    let lists = (deadlines(), units(), tasks(), vec(missed(), 0..4));
     (counters, lists, any::<u64>(), "[0-9a-f]{64}").prop_map(|(counters, lists, events, events_blake3)| {
         let (ticks, folds, sets, late_words, vertices) = counters;
-        let (deadlines, units, misses) = lists;
+        let (deadlines, units, tasks, misses) = lists;
         FrameTiming {
             frame: 0,
             ticks,
@@ -180,6 +189,7 @@ fn frame() -> impl Strategy<Value = FrameTiming> {
             vertices,
             deadlines,
             units,
+            tasks,
             misses,
             events,
             events_blake3,
@@ -187,18 +197,26 @@ fn frame() -> impl Strategy<Value = FrameTiming> {
     })
 }
 
+/// Two frames of a program: it has no deadlines, and tells its time task by task.
+pub fn program() -> TimingRecord {
+    let mut record = small();
+    for (frame, pieces) in record.frames.iter_mut().zip([1000, 3000]) {
+        frame.deadlines.clear();
+        frame.misses.clear();
+        frame.ticks = 10 * pieces;
+        frame.tasks =
+            vec![task("cpu", "slopes", pieces, 8 * pieces), task("recorder", "plotting", pieces, 2 * pieces)];
+        frame.units = vec![unit("cpu", 8 * pieces, 0), unit("recorder", 2 * pieces, 0)];
+    }
+    record
+}
+
 /// Any record that holds together.
 pub fn record() -> impl Strategy<Value = TimingRecord> {
     let frames = btree_map(any::<u64>(), frame(), 1..4).prop_map(|frames| {
         frames.into_iter().map(|(number, frame)| FrameTiming { frame: number, ..frame }).collect()
     });
-    let tasks = btree_map((text(), text()), (1..u64::MAX, 1..u64::MAX), 0..4).prop_map(|tasks| {
-        let task = |((unit, task), (pieces, ticks)): ((String, String), _)| {
-            mission_task(&unit, &task, pieces, ticks)
-        };
-        tasks.into_iter().map(task).collect()
-    });
-    (Just(FORMAT), text(), text(), "[0-9a-f]{1,64}", text(), tasks, frames).prop_map(
+    (Just(FORMAT), text(), text(), "[0-9a-f]{1,64}", text(), tasks(), frames).prop_map(
         |(format, scenario, machine, inputs, master, before_mission, frames)| TimingRecord {
             format,
             scenario,

@@ -2,7 +2,7 @@
 
 use timing::{Deadline, Totals};
 
-use crate::samples::{small, torn_corner};
+use crate::samples::{program, small, torn_corner};
 
 #[test]
 fn tables_of_the_small_record() {
@@ -84,4 +84,16 @@ fn sums_of_a_strange_record_do_not_run_over() {
     }
     assert_eq!(Totals::of(&record).folds, u64::MAX);
     assert!(record.text().contains("100.00 %"));
+}
+
+#[test]
+fn a_program_has_its_tasks_and_no_deadlines() {
+    let text = program().text();
+    let (_, tables) = text.split_once("\nunit at work").unwrap();
+    let rows: Vec<Vec<&str>> = tables.lines().map(|line| line.split_whitespace().collect()).collect();
+    assert_eq!(rows[5], ["cpu", "slopes", "2000.0", "16000.0", "80.00", "%"]);
+    assert_eq!(rows[6], ["recorder", "plotting", "2000.0", "4000.0", "20.00", "%"]);
+    assert_eq!(rows.len(), 7, "{text}");
+    assert!(!text.contains("sets late") && !text.contains("misses"), "{text}");
+    assert_eq!(Totals::of(&program()).tasks[0].pieces, 4000);
 }

@@ -1,18 +1,18 @@
-//! What a machine has to do before its mission begins.
+//! Pieces of work that are told one by one: what has to be done before the mission begins, and the steps of a frame.
 
 use serde::{Deserialize, Serialize};
 
 use crate::record::TimingRecord;
 
-/// One task of the time before frame 0.
+/// One task of a unit, before frame 0 or in a frame.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct MissionTask {
+pub struct Task {
     /// Who does it, block first, as in [`UnitUse`](crate::UnitUse): `cpu`, `drum.fine`.
     pub unit: String,
-    /// What, in one word: `sine-table`, `first-sector`.
+    /// What, in one word: `sine-table`, `first-sector`; of a frame `slopes`, `plotting`.
     pub task: String,
-    /// Pieces of it: entries, records, sets, vertices, pulses; at least 1.
+    /// Pieces of it: entries, records, sets, vertices, pulses, points; at least 1.
     pub pieces: u64,
     /// Time it takes (master ticks), at least 1.
     pub ticks: u64,
