@@ -60,9 +60,24 @@ impl Film<'_> {
         }
     }
 
+    /// Points of each column of positions that is not dark, from the top: line and code of each. What is black is not plotted.
+    pub fn columns(&self) -> impl Iterator<Item = (usize, Vec<(usize, u32)>)> {
+        let code = |point: u32| (point != SKY).then(|| self.code(point as usize)).filter(|code| *code > 0);
+        let points = move |seen: &[u32]| -> Vec<(usize, u32)> {
+            seen.iter().enumerate().filter_map(|(line, point)| Some((line, code(*point)?))).collect()
+        };
+        let columns = self.plot.seen.chunks(self.plot.size[1]).map(points).enumerate();
+        columns.filter(|(_, points)| !points.is_empty())
+    }
+
+    /// The code of a point of the grid.
+    pub fn code(&self, point: usize) -> u32 {
+        self.codes.code(self.light[point].intensity())
+    }
+
     /// What a position of the film shows.
     fn grey(&self, point: Option<usize>) -> f64 {
-        point.map_or(0.0, |point| self.codes.grey(self.codes.code(self.light[point].intensity())))
+        point.map_or(0.0, |point| self.codes.grey(self.code(point)))
     }
 
     /// Mean over the positions whose middles lie in a pixel; of the one under its middle if there is none.

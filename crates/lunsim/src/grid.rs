@@ -32,8 +32,9 @@ pub(crate) struct Grid {
     pub heights: Vec<f64>,
     /// What lies there.
     pub covers: Vec<Cover>,
+    /// Whether the drop is taken off.
+    pub is_curved: bool,
     origin: [f64; 2],
-    is_curved: bool,
 }
 
 impl Grid {
@@ -62,6 +63,11 @@ impl Grid {
         [self.origin[0] + row as f64 * self.steps[0], self.origin[1] + column as f64 * self.steps[1]]
     }
 
+    /// Where on the map the ground of point `index` is looked up: at its place, or at the nearest place of the map.
+    pub fn inside(&self, landscape: &Landscape, observer: &Observer, index: usize) -> [f64; 2] {
+        nearest(landscape, observer.on_map(self.place(index / self.size, index % self.size)))
+    }
+
     /// The drop of the lunoid at a place in the observer's axes (m).
     pub fn drop(&self, [along, across]: [f64; 2]) -> f64 {
         if self.is_curved { parabolic_drop((along * along + across * across).sqrt()) } else { 0.0 }
@@ -88,8 +94,7 @@ impl Grid {
 
 /// Height (m) of a place of the map and what lies there; beyond the map, that of its nearest place.
 fn ground(landscape: &Landscape, [x, y]: [f64; 2]) -> (f64, Cover) {
-    let [south, west, north, east] = landscape.level().extent();
-    let [inside_x, inside_y] = [x.clamp(south, north), y.clamp(west, east)];
+    let [inside_x, inside_y] = nearest(landscape, [x, y]);
     let height = landscape.terrain_at(inside_x, inside_y).map_or(0.0, |terrain| terrain.height);
     let rise = landscape.features().at(inside_x, inside_y);
     let is_outside = (x - inside_x).abs() > EDGE || (y - inside_y).abs() > EDGE;
@@ -99,6 +104,12 @@ fn ground(landscape: &Landscape, [x, y]: [f64; 2]) -> (f64, Cover) {
         (false, false) => Cover::Terrain,
     };
     (height + rise.height, cover)
+}
+
+/// The place of the map that is nearest to a place (north, east; m).
+fn nearest(landscape: &Landscape, [x, y]: [f64; 2]) -> [f64; 2] {
+    let [south, west, north, east] = landscape.level().extent();
+    [x.clamp(south, north), y.clamp(west, east)]
 }
 
 #[cfg(test)]

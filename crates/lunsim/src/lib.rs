@@ -67,14 +67,19 @@
 mod area;
 mod film;
 mod grid;
+mod hardware;
 mod light;
 mod observer;
+mod program;
 mod projection;
 mod restrictions;
 mod rows;
 mod session;
 mod shadow;
+mod work;
 
+pub use hardware::Hardware;
+pub use program::Program;
 pub use projection::POSITIONS;
 pub use session::Lunsim;
 

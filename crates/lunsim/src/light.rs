@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use crate::grid::Grid;
 use crate::observer::Observer;
-use crate::shadow::shadows;
+use crate::shadow::{March, shadows};
 
 /// How a point of the grid is lit.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,21 +29,21 @@ impl Lit {
     }
 }
 
-/// Light of every point of `grid`; remote shadow if it `casts`.
+/// Light of every point of `grid`, and the march for remote shadow, if it `casts`.
 pub(crate) fn light(
     grid: &Grid,
     observer: &Observer,
     landscape: &Landscape,
     sun: &Sun,
     casts: bool,
-) -> Vec<Lit> {
+) -> (Vec<Lit>, March) {
     let law = SweepLight::new(sun, landscape.albedo(), *landscape.photometry(), observer.direction());
     let to_sun = Sun { elevation: 0.0, ..*sun }.direction();
     let horizontal = observer.in_axes([to_sun[0], to_sun[1]]);
     let tangent = libm::tan(sun.elevation);
-    let dark = match casts {
+    let (dark, march) = match casts {
         true => shadows(&grid.heights, grid.size, grid.steps, horizontal, tangent),
-        false => vec![false; grid.heights.len()],
+        false => (vec![false; grid.heights.len()], March::default()),
     };
     let point = |index: usize| {
         let (row, column) = (index / grid.size, index % grid.size);
@@ -62,7 +62,8 @@ pub(crate) fn light(
         };
         Lit { reflectivity: signed.clamp(0.0, 1.0), shade }
     };
-    (0..grid.size * grid.size).into_par_iter().with_min_len(grid.size).map(point).collect()
+    let points = (0..grid.size * grid.size).into_par_iter().with_min_len(grid.size).map(point).collect();
+    (points, march)
 }
 
 /// A vector of the observer's axes along `direction` (unit) and to the right of it.

@@ -18,6 +18,10 @@ pub(crate) struct Plot {
     pub size: [usize; 2],
     /// Index of the point, column by column from the left, each from the top; or [`SKY`].
     pub seen: Vec<u32>,
+    /// Points of the grid that were projected.
+    pub projected: u64,
+    /// Positions that were written, each as often as it was.
+    pub written: u64,
 }
 
 /// Where a row of the grid crosses a column of positions.
@@ -39,18 +43,19 @@ impl Plot {
     /// Nothing but sky.
     pub fn blank(observer: &Observer) -> Self {
         let size = Self::size(observer.half_field);
-        Self { size, seen: vec![SKY; size[0] * size[1]] }
+        Self { size, seen: vec![SKY; size[0] * size[1]], projected: 0, written: 0 }
     }
 
     /// Projects `grid`: every row by itself, then every column of positions from the farthest row to the nearest.
     pub fn new(grid: &Grid, observer: &Observer) -> Self {
         let mut plot = Self::blank(observer);
         let [columns, lines] = plot.size;
-        let rows: Vec<Vec<Crossing>> =
-            (0..grid.size).into_par_iter().map(|row| crossings(grid, observer, row, plot.size)).collect();
-        plot.seen.par_chunks_mut(lines).zip(0..columns).for_each(|(seen, column)| {
-            overwrite(seen, rows.iter().rev().map(|row| row[column]));
-        });
+        let (rows, projected): (Vec<Vec<Crossing>>, Vec<u64>) =
+            (0..grid.size).into_par_iter().map(|row| crossings(grid, observer, row, plot.size)).unzip();
+        plot.projected = projected.iter().sum();
+        let column =
+            |(seen, column): (&mut [u32], usize)| overwrite(seen, rows.iter().rev().map(|row| row[column]));
+        plot.written = plot.seen.par_chunks_mut(lines).zip(0..columns).map(column).sum();
         plot
     }
 }
@@ -61,8 +66,14 @@ pub(crate) fn line(y: f64, half_height: f64, lines: usize) -> i32 {
     (0.5 * (y / half_height + 1.0) * lines as f64).floor().clamp(-1.0, lines as f64) as i32
 }
 
-/// Where a row crosses each column of positions: at the point whose projection lies nearest to the column's middle.
-fn crossings(grid: &Grid, observer: &Observer, row: usize, [columns, lines]: [usize; 2]) -> Vec<Crossing> {
+/// Where a row crosses each column of positions: at the point whose projection lies nearest to the column's middle. And
+/// how many of its points were projected.
+fn crossings(
+    grid: &Grid,
+    observer: &Observer,
+    row: usize,
+    [columns, lines]: [usize; 2],
+) -> (Vec<Crossing>, u64) {
     let project = |column: usize| {
         let index = row * grid.size + column;
         let place = grid.place(row, column);
@@ -85,25 +96,30 @@ fn crossings(grid: &Grid, observer: &Observer, row: usize, [columns, lines]: [us
         let reach = 0.5 * spacing.fold(2.0 * half_width / columns as f64, f64::max);
         ((x - middle).abs() <= reach).then(|| Crossing { line: line(y, half_height, lines), point })
     };
-    (0..columns).map(crossing).map(|found| found.unwrap_or(Crossing { line: 0, point: SKY })).collect()
+    let found = (0..columns).map(crossing).map(|found| found.unwrap_or(Crossing { line: 0, point: SKY }));
+    (found.collect(), points.len() as u64)
 }
 
 /// Writes the rows of one column of positions, the farthest first: nearer points overwrite farther ones, which is all
-/// that occlusion takes. Positions between two rows show the farther of them.
-fn overwrite(seen: &mut [u32], rows: impl Iterator<Item = Crossing>) {
+/// that occlusion takes. Positions between two rows show the farther of them. Tells how often a position was written.
+fn overwrite(seen: &mut [u32], rows: impl Iterator<Item = Crossing>) -> u64 {
+    let mut written = 0;
     let lines = seen.len() as i32;
     let mut before: Option<Crossing> = None;
     for row in rows.filter(|row| row.point != SKY) {
         if let Some(before) = before {
             for line in (before.line + 1).max(0)..row.line.min(lines) {
                 seen[line as usize] = before.point;
+                written += 1;
             }
         }
         if (0..lines).contains(&row.line) {
             seen[row.line as usize] = row.point;
+            written += 1;
         }
         before = Some(row);
     }
+    written
 }
 
 #[cfg(test)]
@@ -122,7 +138,9 @@ mod tests {
     fn near_rows_overwrite_far_ones_and_gaps_show_the_row_before() {
         let row = |line: i32, point: u32| Crossing { line, point };
         let mut seen = vec![SKY; 8];
-        overwrite(&mut seen, [row(1, 0), row(2, 1), row(5, 2), row(3, 3), row(6, 4), row(9, 5)].into_iter());
+        let rows = [row(1, 0), row(2, 1), row(5, 2), row(3, 3), row(6, 4), row(9, 5)];
+        // Lines 1, 2, 3 to 5, 3, 4 to 6, 7.
+        assert_eq!(overwrite(&mut seen, rows.into_iter()), 10);
         assert_eq!(seen, [SKY, 0, 1, 3, 3, 3, 4, 4]);
         // What lies above the picture or is missing leaves no mark of its own.
         let mut seen = vec![SKY; 4];

@@ -106,9 +106,7 @@ fn reading(name: &str) -> fn(&Film<'_>, usize, usize) -> f64 {
             |film, row, column| f64::from(u8::from(film.light[row * film.grid.size + column].is_dark()))
         }
         "lunsim.line" => line_of,
-        "lunsim.code" => |film, row, column| {
-            f64::from(film.codes.code(film.light[row * film.grid.size + column].intensity()))
-        },
+        "lunsim.code" => |film, row, column| f64::from(film.code(row * film.grid.size + column)),
         _ => unreachable!("{name} is none of LUNSIM's signals"),
     }
 }

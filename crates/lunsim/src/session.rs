@@ -12,9 +12,10 @@ use signal::{Probe, Signal, Wire};
 use crate::area::{self, ViewedArea};
 use crate::film::{Film, IntensityCodes};
 use crate::grid::Grid;
-use crate::light::light;
+use crate::light::{Lit, light};
 use crate::observer::Observer;
 use crate::projection::Plot;
+use crate::shadow::March;
 use crate::{NAME, restrictions, rows};
 
 /// The program of the report's appendix; see the crate's data sheet.
@@ -35,15 +36,34 @@ impl Generator for Lunsim {
     }
 
     fn prepare(&self, stage: Stage) -> Result<Box<dyn GeneratorSession>, PrepareError> {
-        restrictions::check_stage(&stage)?;
-        let heights = area::heights(&stage.landscape);
-        Ok(Box::new(Session { stage, heights }))
+        Ok(Box::new(Session::new(stage)?))
     }
 }
 
-struct Session {
+/// The program made ready for one stage.
+pub(crate) struct Session {
     stage: Stage,
     heights: [f64; 2],
+}
+
+/// What the program worked out of one frame.
+pub(crate) struct Picture {
+    observer: Observer,
+    area: ViewedArea,
+    grid: Grid,
+    light: Vec<Lit>,
+    plot: Plot,
+    codes: IntensityCodes,
+    /// The march for remote shadow.
+    pub march: March,
+}
+
+impl Picture {
+    /// What is sent to the recorder.
+    pub fn film(&self) -> Film<'_> {
+        let Self { observer, grid, light, plot, codes, .. } = self;
+        Film { plot, grid, light, observer, codes: *codes }
+    }
 }
 
 impl GeneratorSession for Session {
@@ -55,25 +75,17 @@ impl GeneratorSession for Session {
         planes: &mut Planes,
         probe: &mut Probe,
     ) -> Result<FrameCounts, FrameError> {
-        let Stage { landscape, scenery, settings } = &self.stage;
-        self.check(frame, pose)?;
-        let observer = Observer::new(pose, settings.raster.field);
-        let is_curved = settings.laws.curvature == Curvature::Parabolic;
-        let (level, end) = (landscape.level(), settings.range.end);
+        let settings = &self.stage.settings;
         let size = settings.lunsim.grid as usize;
-        let Some(area) = area::viewed(&observer, level, self.heights, is_curved, end) else {
+        let Some(picture) = self.picture(frame, pose)? else {
             planes.fill_sky();
             rows::record(frame, size, None, probe);
             return Ok(FrameCounts::default());
         };
-        let grid = Grid::new(landscape, &observer, &area, size, is_curved);
-        let lit = light(&grid, &observer, landscape, &scenery.sun(pose.time), settings.shadows.is_some());
-        let plot = Plot::new(&grid, &observer);
-        let codes = IntensityCodes { count: settings.lunsim.intensity_codes, white: settings.display.white };
-        let film = Film { plot: &plot, grid: &grid, light: &lit, observer: &observer, codes };
+        let film = picture.film();
         film.develop(settings.laws.pixel_rule, planes);
         rows::record(frame, size, Some(&film), probe);
-        let features = self.craters(&observer, &area) as u64;
+        let features = self.craters(&picture.observer, &picture.area) as u64;
         Ok(FrameCounts { samples: (size * size) as u64, features, ..FrameCounts::default() })
     }
 
@@ -96,6 +108,42 @@ impl GeneratorSession for Session {
 }
 
 impl Session {
+    /// Makes ready for `stage`.
+    ///
+    /// # Errors
+    /// If the program could not draw it.
+    pub fn new(stage: Stage) -> Result<Self, PrepareError> {
+        restrictions::check_stage(&stage)?;
+        let heights = area::heights(&stage.landscape);
+        Ok(Self { stage, heights })
+    }
+
+    /// What it is made ready for.
+    pub fn stage(&self) -> &Stage {
+        &self.stage
+    }
+
+    /// Works out a frame; `None` if no ground is in view.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
+    pub fn picture(&self, frame: u64, pose: &Pose) -> Result<Option<Picture>, FrameError> {
+        let Stage { landscape, scenery, settings } = &self.stage;
+        self.check(frame, pose)?;
+        let observer = Observer::new(pose, settings.raster.field);
+        let is_curved = settings.laws.curvature == Curvature::Parabolic;
+        let (level, end) = (landscape.level(), settings.range.end);
+        let Some(area) = area::viewed(&observer, level, self.heights, is_curved, end) else {
+            return Ok(None);
+        };
+        let grid = Grid::new(landscape, &observer, &area, settings.lunsim.grid as usize, is_curved);
+        let sun = scenery.sun(pose.time);
+        let (light, march) = light(&grid, &observer, landscape, &sun, settings.shadows.is_some());
+        let plot = Plot::new(&grid, &observer);
+        let codes = IntensityCodes { count: settings.lunsim.intensity_codes, white: settings.display.white };
+        Ok(Some(Picture { observer, area, grid, light, plot, codes, march }))
+    }
+
     /// Craters whose bounding squares meet the viewed area (block 7).
     fn craters(&self, observer: &Observer, area: &ViewedArea) -> usize {
         let corners = area.along.iter().flat_map(|&along| area.across.map(|across| [along, across]));

@@ -1,5 +1,14 @@
 //! Remote shadow, marched outwards from the sun along lines of the grid (block 13).
 
+/// How far a march went.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) struct March {
+    /// Points at which the roof was held against the ground.
+    pub points: u64,
+    /// Those of them whose roof came from between two points.
+    pub between: u64,
+}
+
 /// Which points of a grid of `size` x `size` lie in the shadow of others. `steps` are its increments (m), `sun` the
 /// direction to the sun on the map (along, across; unit) and `tangent` that of its elevation.
 ///
@@ -13,7 +22,7 @@ pub(crate) fn shadows(
     steps: [f64; 2],
     sun: [f64; 2],
     tangent: f64,
-) -> Vec<bool> {
+) -> (Vec<bool>, March) {
     let rates = [sun[0] / steps[0], sun[1] / steps[1]];
     let main = if rates[0].abs() >= rates[1].abs() { 0 } else { 1 };
     let (towards, lean) = (rates[main], rates[1 - main] / rates[main].abs());
@@ -22,6 +31,7 @@ pub(crate) fn shadows(
     let mut dark = vec![false; size * size];
     let mut roof = vec![f64::NEG_INFINITY; size];
     let mut next = roof.clone();
+    let mut march = March::default();
     for line in 0..size {
         let line = if towards > 0.0 { size - 1 - line } else { line };
         for at in 0..size {
@@ -29,10 +39,12 @@ pub(crate) fn shadows(
             let above = between(&roof, at as f64 + lean) - fall;
             dark[point] = above > heights[point];
             next[at] = above.max(heights[point]);
+            march.points += 1;
         }
         std::mem::swap(&mut roof, &mut next);
     }
-    dark
+    march.between = if lean == 0.0 { 0 } else { march.points };
+    (dark, march)
 }
 
 /// The roof at a place between its points; nothing falls from beyond its ends.
@@ -51,7 +63,7 @@ fn between(roof: &[f64], place: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::shadows;
+    use super::{March, shadows};
 
     /// A wall of 10 m at row or column 20 of ground of 1 m: under a sun of tangent 0.4 it shadows 25 m, whichever side
     /// the sun stands on.
@@ -65,7 +77,8 @@ mod tests {
             let heights: Vec<f64> =
                 (0..size * size).map(|index| if line(index) == wall { 10.0 } else { 0.0 }).collect();
             // 0.97 m: no point falls on the very end of the shadow.
-            let dark = shadows(&heights, size, [0.97, 0.97], sun, 0.4);
+            let (dark, march) = shadows(&heights, size, [0.97, 0.97], sun, 0.4);
+            assert_eq!(march, March { points: (size * size) as u64, between: 0 });
             for (index, dark) in dark.into_iter().enumerate() {
                 let beyond = sign * (line(index) as i64 - wall as i64);
                 assert_eq!(dark, (1..=25).contains(&beyond), "sun {sun:?}, {beyond} beyond the wall");
@@ -81,7 +94,8 @@ mod tests {
         // A ridge along the columns, so that only the part of the ray across it counts.
         let heights: Vec<f64> =
             (0..size * size).map(|index| if index / size == 150 { 20.0 } else { 0.0 }).collect();
-        let dark = shadows(&heights, size, [1.0, 1.0], [cos, sin], 0.5);
+        let (dark, march) = shadows(&heights, size, [1.0, 1.0], [cos, sin], 0.5);
+        assert_eq!(march.between, (size * size) as u64);
         let shadowed = (0..150).filter(|row| dark[row * size + 20]).count();
         assert_eq!(shadowed, (20.0 / 0.5 * cos).floor() as usize);
         assert!((151..size).all(|row| !dark[row * size + 20]));
@@ -90,9 +104,8 @@ mod tests {
     #[test]
     fn an_overhead_sun_and_level_ground_have_no_shadow() {
         let rough: Vec<f64> = (0..256).map(|index| f64::from(index * 37 % 11)).collect();
-        assert!(
-            !shadows(&rough, 16, [1.0; 2], [1.0, 0.0], libm::tan(quantities::radians(90.0))).contains(&true)
-        );
-        assert!(!shadows(&[7.0; 256], 16, [1.0; 2], [0.6, 0.8], 1e-3).contains(&true));
+        let overhead = libm::tan(quantities::radians(90.0));
+        assert!(!shadows(&rough, 16, [1.0; 2], [1.0, 0.0], overhead).0.contains(&true));
+        assert!(!shadows(&[7.0; 256], 16, [1.0; 2], [0.6, 0.8], 1e-3).0.contains(&true));
     }
 }
