@@ -10,7 +10,7 @@ use diagnostics::{Problem, ProblemList, Problems};
 use exact::Exact;
 use generator::{Generator, Stage};
 use hardware_model::{Economy, HardwareModel, LoadedModel, ModelSource, Settings};
-use lunsim::Lunsim;
+use lunsim::{Hardware, Lunsim};
 use machine::HybridMachine;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use replay::{FileRecord, Inputs, Phase, file_hash};
@@ -55,7 +55,8 @@ pub struct StageOptions {
     /// Merge a TOML file of differences over the hardware model; may be given several times.
     #[arg(long, value_name = "FILE")]
     pub overlay: Vec<PathBuf>,
-    /// Set one key of the hardware model, or of `lunsim`, over what the scenario wishes; may be given several times.
+    /// Set one key of the hardware model, or of `lunsim`, its `computer` or its `recorder`, over what the scenario wishes;
+    /// may be given several times.
     #[arg(long, value_name = "PART.KEY=VALUE", value_parser = values::setting)]
     pub set: Vec<(String, String)>,
     /// Ground from this bank instead of the scenario's.
@@ -120,6 +121,8 @@ pub struct Loaded {
     pub settings: Settings,
     /// Who draws.
     pub generator: &'static dyn Generator,
+    /// What LUNSIM ran on, where it draws.
+    pub program: Option<Hardware>,
     /// For the record.
     pub inputs: Inputs,
     /// How long it took.
@@ -155,8 +158,9 @@ impl StageArgs {
         let inputs = self.inputs(&scenario, &model)?;
         let generator = self.machine.as_deref().map_or_else(|| other(&scenario.machine), other);
         let generator = generator.unwrap_or(&HybridMachine);
+        let program = self.draws_lunsim(&scenario).then(|| self.lunsim_hardware()).transpose()?;
         let phases = vec![Phase::since("read", start)];
-        Ok(Loaded { scenario, model: model.model, settings, generator, inputs, phases })
+        Ok(Loaded { scenario, model: model.model, settings, generator, program, inputs, phases })
     }
 
     /// Banks are made and not kept with the scenarios, so a first replay may find none.
@@ -178,9 +182,23 @@ impl StageArgs {
         let asked = self.machine.as_deref().filter(|name| other(name).is_none());
         let name = asked.unwrap_or(hardware_model(&scenario.machine));
         let folder = self.scenario.parent().unwrap_or(Path::new(""));
-        let of_model: Vec<_> =
-            self.options.set.iter().filter(|(key, _)| lunsim_key(key).is_none()).cloned().collect();
+        let draws_lunsim = self.draws_lunsim(scenario);
+        let is_of_model = |key: &str| lunsim_key(key).is_none() && !(draws_lunsim && is_of_program(key));
+        let of_model: Vec<_> = self.options.set.iter().filter(|(key, _)| is_of_model(key)).cloned().collect();
         Ok(HardwareModel::load(&ModelSource::find(name, folder)?, &self.options.overlay, &of_model)?)
+    }
+
+    fn draws_lunsim(&self, scenario: &Scenario) -> bool {
+        self.machine.as_ref().unwrap_or(&scenario.machine) == lunsim::NAME
+    }
+
+    /// Times of LUNSIM's computer and recorder, with what `--set` says of them.
+    fn lunsim_hardware(&self) -> Result<Hardware, Failure> {
+        let mut hardware = Hardware::shipped()?;
+        for (key, value) in self.options.set.iter().filter(|(key, _)| is_of_program(key)) {
+            hardware = hardware.with("--set", &format!("{key} = {value}"))?;
+        }
+        Ok(hardware)
     }
 
     /// The command line is over the scenario.
@@ -249,6 +267,11 @@ fn lunsim_key(key: &str) -> Option<&str> {
     key.strip_prefix("lunsim.")
 }
 
+/// Whether a key of `--set` is of the computer or the recorder that LUNSIM ran on.
+fn is_of_program(key: &str) -> bool {
+    ["computer.", "recorder."].iter().any(|table| key.starts_with(table))
+}
+
 /// What `--set` says the scenario no longer wishes.
 fn drop_wish(scenario: &mut Scenario, key: &str) {
     let (raster, laws): (&mut RasterWishes, &mut LawWishes) = (&mut scenario.raster, &mut scenario.laws);
@@ -278,6 +301,15 @@ pub fn stage_problems(file: &str, error: &StageError) -> ProblemList {
 }
 
 impl Loaded {
+    /// Refuses a generator that is no machine, whether the command line or the scenario names it; `why` is what it lacks.
+    pub fn expect_machine(&self, why: &str) -> Result<(), Failure> {
+        if self.generator.is_machine() {
+            return Ok(());
+        }
+        let (file, name) = (self.scenario_file(), self.generator.name());
+        Err(Failure::usage(format!("{file}, --machine {name}: {why}; expected a hardware model")))
+    }
+
     /// The stage, its ground made by the threads of `pool`.
     pub fn stage(&mut self, pool: &ThreadPool) -> Result<Stage, Failure> {
         let start = Instant::now();

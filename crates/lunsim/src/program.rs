@@ -27,6 +27,11 @@ impl Program {
         Ok(Self { session: Session::new(stage)?, hardware })
     }
 
+    /// What it runs on.
+    pub fn hardware(&self) -> &Hardware {
+        &self.hardware
+    }
+
     /// What frame `frame` from `pose` takes. Its length is the time of the computer and, after it, that of the recorder;
     /// a batch program has no deadlines. Events are the output blocks, each with the instant at which the recorder has
     /// plotted it (from when it begins) and its plotting instructions: column, line and code.

@@ -6,7 +6,8 @@ use clap::Args;
 use serde_json::json;
 use timing::{Comparison, TimingRecord, Tolerance, Totals, compare};
 
-use super::rehearsal::{Rehearsal, choose, first};
+use super::program::Rehearsed;
+use super::rehearsal::{choose, first};
 use crate::loading::{Loaded, StageArgs, Threads};
 use crate::output::{expect_writable, print, print_json};
 use crate::progress::Display;
@@ -47,7 +48,7 @@ impl Record {
     pub fn run(&self) -> Result<Verdict, Failure> {
         expect_writable(&self.out)?;
         let usual = |loaded: &Loaded| choose(loaded, self.frames, first(USUAL_FRAMES));
-        let (rehearsal, frames) = Rehearsal::open(&self.stage, &self.threads, usual)?;
+        let (rehearsal, frames) = Rehearsed::open(&self.stage, &self.threads, usual)?;
         let record = rehearsal.record(&frames, &Display::new(!self.no_progress))?;
         timing::write(&self.out, &record)?;
         self.tell(&record)?;
@@ -112,7 +113,7 @@ impl Check {
         let tolerance = Tolerance::new(self.tolerance_samples, self.tolerance_m).map_err(Failure::usage)?;
         let mut baseline = timing::read(&self.baseline)?;
         let (rehearsal, frames) =
-            Rehearsal::open(&self.stage, &self.threads, |loaded| self.choose(loaded, &baseline))?;
+            Rehearsed::open(&self.stage, &self.threads, |loaded| self.choose(loaded, &baseline))?;
         if self.frames.is_some() {
             baseline.frames.retain(|frame| frames.contains(&frame.frame));
         }

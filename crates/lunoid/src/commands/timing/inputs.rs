@@ -6,6 +6,7 @@ use blake3::Hasher;
 use generator::Stage;
 use hardware_model::ShadowParts;
 use landscape::bank_file;
+use lunsim::Hardware;
 use scenario::Scenario;
 
 /// Hash of everything that decides the timing of a mission: ground, bodies, path, and the settings of the digital side.
@@ -30,6 +31,21 @@ pub fn inputs_hash(scenario: &Scenario, stage: &Stage) -> String {
     add(&mut hasher, "seed", &settings.seed);
     add_craters(&mut hasher, stage);
     add_shadows(&mut hasher, scenario, stage);
+    hasher.finalize().to_hex().to_string()
+}
+
+/// Hash of everything that decides what LUNSIM takes: what decides its film, and the hardware.
+pub fn program_inputs_hash(scenario: &Scenario, stage: &Stage, hardware: &Hardware) -> String {
+    let Stage { landscape, scenery, settings } = stage;
+    let mut hasher = Hasher::new_derive_key("lunoid timing, inputs of a program, format 1");
+    hasher.update(&bank_file::content_hash(landscape.bank()));
+    landscape.features().craters().iter().for_each(|crater| add(&mut hasher, "crater", crater));
+    add(&mut hasher, "light", &(scenery.suns(), landscape.albedo(), landscape.photometry()));
+    add(&mut hasher, "path", &(scenario.path.waypoints(), &scenario.vehicle));
+    add(&mut hasher, "view", &(settings.raster.field, settings.range.end, settings.timebase.update));
+    add(&mut hasher, "laws", &(settings.laws.curvature, settings.shadows.is_some(), settings.display.white));
+    add(&mut hasher, "run", &(settings.lunsim.grid, settings.lunsim.intensity_codes));
+    add(&mut hasher, "hardware", hardware);
     hasher.finalize().to_hex().to_string()
 }
 

@@ -7,9 +7,11 @@ mod inputs;
 pub mod levels;
 mod misses;
 mod plots;
+mod program;
 pub mod rehearsal;
 pub mod sets;
 mod show;
+mod timed;
 mod timeline;
 
 use clap::{Args, Subcommand};

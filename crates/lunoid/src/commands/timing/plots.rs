@@ -8,12 +8,13 @@ use timing::{Deadline, Slack, TimingRecord, Totals};
 use crate::Failure;
 
 /// Panels, and how the names of their units begin.
-const PANELS: [(&str, &[&str]); 5] = [
+const PANELS: [(&str, &[&str]); 6] = [
     ("processors (%)", &["cpu", "io-processor"]),
     ("loader (%)", &["loader."]),
     ("fine drums (%)", &["drum.fine."]),
     ("coarse drums (%)", &["drum.coarse."]),
     ("channels (%)", &["channel."]),
+    ("recorder (%)", &["recorder"]),
 ];
 
 /// A name, and its steps.

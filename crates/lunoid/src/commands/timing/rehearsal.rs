@@ -1,4 +1,5 @@
-//! A mission's digital side without its pictures: frames through the control plane, into timing records.
+//! A mission's timing without its pictures: frames through the control plane of a machine, or as jobs of a program, into
+//! timing records.
 
 use generator::Stage;
 use hardware_model::{HardwareModel, ModelRaster, Raster, Settings};
@@ -8,7 +9,7 @@ use replay::Progress;
 use scenario::{PoseRow, PoseTable, Scenario};
 use timing::{FORMAT, FrameTiming, TimingRecord};
 
-use super::inputs::inputs_hash;
+use super::timed::Timed;
 use crate::Failure;
 use crate::loading::{Loaded, StageArgs, Threads};
 use crate::progress::Display;
@@ -18,12 +19,12 @@ use crate::values::Span;
 const MOST_MISSES: usize = 4_000_000;
 
 /// Everything that a frame of a mission needs, but the frame.
-pub struct Rehearsal {
+pub struct Rehearsal<T = ControlPlane> {
     pub scenario: Scenario,
     pub model: HardwareModel,
     pub stage: Stage,
-    /// The digital side of the stage.
-    pub control: ControlPlane,
+    /// What is timed: the digital side of a machine on the stage, or a program.
+    pub control: T,
     pub pool: ThreadPool,
 }
 
@@ -34,14 +35,17 @@ impl Rehearsal {
         threads: &Threads,
         frames: impl FnOnce(&Loaded) -> Result<Vec<u64>, Failure>,
     ) -> Result<(Self, Vec<u64>), Failure> {
-        stage.expect_machine("without clocks it takes no time")?;
-        let mut loaded = stage.load()?;
-        let chosen = frames(&loaded)?;
-        let pool = threads.pool()?;
-        let stage = loaded.stage(&pool)?;
-        let Loaded { scenario, model, .. } = loaded;
-        let control = ControlPlane::new(stage.clone());
-        Ok((Self { scenario, model, stage, control, pool }, chosen))
+        Self::of_machine(stage.load()?, threads, frames)
+    }
+
+    /// The same of what was read.
+    pub fn of_machine(
+        loaded: Loaded,
+        threads: &Threads,
+        frames: impl FnOnce(&Loaded) -> Result<Vec<u64>, Failure>,
+    ) -> Result<(Self, Vec<u64>), Failure> {
+        loaded.expect_machine("it has no sweeps and no deadlines")?;
+        Self::of(loaded, threads, frames, |stage| Ok(ControlPlane::new(stage.clone())))
     }
 
     /// The hardware model with raster and range of the run, for formulas.
@@ -50,6 +54,23 @@ impl Rehearsal {
         let Raster { sweeps, samples, refresh, .. } = *raster;
         let raster = ModelRaster { sweeps, samples, refresh, update: timebase.update, ..self.model.raster };
         HardwareModel { raster, range: *range, ..self.model.clone() }
+    }
+}
+
+impl<T: Timed> Rehearsal<T> {
+    /// Makes the ground of `loaded`, and what is timed on it.
+    pub fn of(
+        mut loaded: Loaded,
+        threads: &Threads,
+        frames: impl FnOnce(&Loaded) -> Result<Vec<u64>, Failure>,
+        control: impl FnOnce(&Stage) -> Result<T, Failure>,
+    ) -> Result<(Self, Vec<u64>), Failure> {
+        let chosen = frames(&loaded)?;
+        let pool = threads.pool()?;
+        let stage = loaded.stage(&pool)?;
+        let control = control(&stage)?;
+        let Loaded { scenario, model, .. } = loaded;
+        Ok((Self { scenario, model, stage, control, pool }, chosen))
     }
 
     /// Where the vehicle is in each of `frames`, ascending.
@@ -80,9 +101,9 @@ impl Rehearsal {
         Ok(TimingRecord {
             format: FORMAT,
             scenario: self.scenario.title.clone(),
-            machine: self.model.name.clone(),
-            inputs: inputs_hash(&self.scenario, &self.stage),
-            master: self.stage.settings.timebase.master.to_string(),
+            machine: self.control.machine(&self.model),
+            inputs: self.control.inputs(&self.scenario, &self.stage),
+            master: self.control.master(&self.stage),
             before_mission: before_mission.map_err(Failure::input)?,
             frames: kept,
         })

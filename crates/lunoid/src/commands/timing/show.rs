@@ -11,6 +11,7 @@ use super::critical_path::{Chain, chains};
 use super::levels::drawn_levels;
 use super::misses;
 use super::plots::{write_slack, write_utilisation};
+use super::program::{Rehearsed, times_text};
 use super::rehearsal::{Rehearsal, choose, spread};
 use super::timeline::SweepTimeline;
 use crate::loading::{Loaded, StageArgs, Threads};
@@ -93,7 +94,7 @@ impl Show {
     pub fn run(&self) -> Result<Verdict, Failure> {
         let files = [&self.out, &self.utilisation, &self.slack];
         files.into_iter().flatten().try_for_each(|file| expect_writable(file))?;
-        let (rehearsal, frames) = Rehearsal::open(&self.stage, &self.threads, |loaded| self.choose(loaded))?;
+        let (rehearsal, frames) = Rehearsed::open(&self.stage, &self.threads, |loaded| self.choose(loaded))?;
         let record = rehearsal.record(&frames, &Display::new(!self.no_progress))?;
         if let Some(path) = &self.utilisation {
             write_utilisation(&record, path)?;
@@ -101,16 +102,52 @@ impl Show {
         if let Some(path) = &self.slack {
             write_slack(&record, path)?;
         }
-        self.draw_timeline(&rehearsal)?;
+        let Rehearsed::Machine(rehearsal) = &rehearsal else {
+            self.tell_program(&record)?;
+            return Ok(Verdict::Yes);
+        };
+        self.draw_timeline(rehearsal)?;
         let frame = tightest(&record);
         let poses = rehearsal.poses(&[frame.frame])?;
-        let chains = chains(&rehearsal, &poses[0].pose, frame)?;
-        self.tell(&record, frame.frame, &chains, &rehearsal)?;
+        let chains = chains(rehearsal, &poses[0].pose, frame)?;
+        self.tell(&record, frame.frame, &chains, rehearsal)?;
         Ok(Verdict::Yes)
+    }
+
+    /// What only a machine has.
+    fn expect_no_sweeps(&self) -> Result<(), Failure> {
+        let given = [
+            (self.sweep.is_some(), "--sweep", "sweeps"),
+            (self.misses.is_some(), "--misses", "deadlines"),
+            (self.slack.is_some(), "--slack", "deadlines"),
+        ];
+        match given.iter().find(|(is_given, ..)| *is_given) {
+            Some((_, option, lack)) => Err(Failure::usage(format!(
+                "{option}: {} has no {lack}; leave it out, or give --machine a hardware model",
+                lunsim::NAME
+            ))),
+            None => Ok(()),
+        }
+    }
+
+    /// A program has no deadline that a critical path could lead to.
+    fn tell_program(&self, record: &TimingRecord) -> Result<(), Failure> {
+        match self.json {
+            true => print_json(&json!({
+                "schema": "lunoid.timing.show/1",
+                "record": record,
+                "totals": Totals::of(record),
+                "critical_path": null,
+            })),
+            false => print(&(record.text() + &times_text(record))),
+        }
     }
 
     /// Everything that can be wrong on the command line is found before any ground is made.
     fn choose(&self, loaded: &Loaded) -> Result<Vec<u64>, Failure> {
+        if loaded.program.is_some() {
+            self.expect_no_sweeps()?;
+        }
         let sweeps = loaded.settings.raster.sweeps;
         self.missed_sweeps(sweeps)?;
         if let Some(sweep) = self.sweep.filter(|&sweep| sweep >= sweeps) {
