@@ -19,7 +19,7 @@ const MODELS: [&str; 2] = ["ideal", "pra-nominal"];
 /// would be a list of corners that are not there. Drums have tests of their own.
 const BUFFER: (&str, &str) = ("buffer.words", "unlimited");
 
-fn path(name: &str, model: &str) -> PathBuf {
+pub fn path(name: &str, model: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("timing-baselines").join(format!("{name}.{model}.json"))
 }
 

@@ -8,4 +8,5 @@ mod late_sets;
 mod loads;
 mod order;
 mod processor;
+mod program;
 mod rig;

@@ -44,20 +44,23 @@
 //!
 //! # Timing
 //!
-//! No clocks, no state between frames. Rows, points and columns are worked out by the threads of the current rayon pool,
-//! each by itself: the bits do not depend on their number. `samples` of the frame's counts are points of the grid,
-//! `features` craters whose bounding squares meet the viewed area.
+//! No clocks, no state between frames. [`Program`] counts the pieces of every step of a frame (`work.rs`) and turns them into
+//! time by the figures of a [`Hardware`]: a timing record without deadlines, whose events are the output blocks.
+//! Rows, points and columns are worked out by the threads of the current rayon pool, each by itself: the bits do not
+//! depend on their number. `samples` of the frame's counts are points of the grid, `features` craters whose bounding
+//! squares meet the viewed area.
 //!
 //! # Not modelled
 //!
-//! Tapes, instructions of the recorder and its film; run time and memory of a 360/65. Shadows of what lies outside the
+//! Tapes, words of the recorder's instructions and its film; compiler and memory of a 360/65. Shadows of what lies outside the
 //! viewed area: the program kept no crater there. Laws of projection, occlusion, features and bodies of the settings are
 //! the machine's.
 //!
 //! # Our choices
 //!
 //! Number and curve of the codes; square positions, 1024 on the longer side of the picture; the whole grid is held, where
-//! the program held three rows; roofs between points; what a gap between rows shows.
+//! the program held three rows; roofs between points; what a gap between rows shows. Operations of a plotting
+//! instruction and of an output block, which is a column of positions.
 //!
 //! # See also
 //!

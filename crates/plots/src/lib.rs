@@ -55,8 +55,8 @@ pub use ladder_picture::{PointSeries, SlopeGuide, ladder_picture};
 pub use matrix_picture::{MatrixBlock, MatrixCell, MatrixRow, Tone, matrix_picture};
 pub use residuals::Residuals;
 pub use scope::{
-    Along, Clock, Crossing, Curve, Curves, Logic, LogicLane, PictureColumn, Place, RegisterColour, Scope,
-    ScopeLook, Theme, Upright, Volts, scope_picture, scope_svg,
+    Along, Clock, Crossing, Curve, Curves, Line, Logic, LogicLane, PictureColumn, Place, RegisterColour,
+    Scope, ScopeLook, Theme, Upright, Volts, scope_picture, scope_svg,
 };
 pub use survey_picture::{SurveyLook, survey_picture};
 pub use timeline_picture::{EventLane, Span, Stops, Stretch, Timeline, timeline_picture};

@@ -1,7 +1,7 @@
 //! Pages of the scope: what they show, pixel by pixel and stroke by stroke.
 
 use plots::{
-    Along, Clock, Crossing, Curve, Curves, Drawing, Logic, LogicLane, PictureColumn, Place, PlotError,
+    Along, Clock, Crossing, Curve, Curves, Drawing, Line, Logic, LogicLane, PictureColumn, Place, PlotError,
     RegisterColour, Scope, ScopeLook, Theme, Upright, Volts, scope_picture, scope_svg,
 };
 
@@ -37,7 +37,7 @@ fn scope<'a>(ranges: &'a [f64], values: &'a [f64]) -> Scope<'a> {
     let curves = vec![Curve { name: "tg.height", values }];
     let (label, unit) = ("height (m)".to_owned(), "m".to_owned());
     Scope {
-        clock: Clock { ranges, period: 1.0 },
+        clock: Clock { ranges, period: 1.0, line: Line::Sweep },
         panels: vec![Curves { label, unit, upright: Upright::Values, volts: None, curves }],
         lanes: vec![],
         crossings: vec![],
@@ -45,6 +45,25 @@ fn scope<'a>(ranges: &'a [f64], values: &'a [f64]) -> Scope<'a> {
         blanked: vec![],
         column: None,
     }
+}
+
+/// A row of a grid lies across the line of sight: it has places on both sides, points, and neither time nor voltage.
+#[test]
+fn a_row_has_places_on_both_sides() {
+    let ranges: Vec<f64> = (0..=100).map(|point| -50.0 + f64::from(point)).collect();
+    let values: Vec<f64> = ranges.iter().map(|place| place * place).collect();
+    let row =
+        Scope { clock: Clock { ranges: &ranges, period: 1.0, line: Line::Row }, ..scope(&ranges, &values) };
+    let cursors = vec![Place::Range(-40.0), Place::Range(30.0)];
+    let look = ScopeLook { along: Along::Range, cursors, ..look() };
+    let texts = labels(&scope_picture(&row, &look).unwrap());
+    for word in ["across the line of sight (m)", "point", "-40 m", "1600 m", "900 m", "80"] {
+        assert!(texts.iter().any(|text| text.replace('−', "-") == word), "{word}: {texts:?}");
+    }
+    assert!(texts.iter().all(|text| !text.contains("time") && text != "(V)"), "{texts:?}");
+    let outside = ScopeLook { from: Some(Place::Range(-51.0)), ..look };
+    let message = scope_picture(&row, &outside).unwrap_err().to_string();
+    assert!(message.contains("across the line of sight (m)"), "{message}");
 }
 
 /// Everything that a page can have.
@@ -63,7 +82,7 @@ fn full<'a>(ranges: &'a [f64], waves: &'a [Vec<f64>; 3], grey: &'a [f64]) -> Sco
     let crossing = |at, a, b| Crossing { at, loads: [a, b] };
     use RegisterColour::{Black, Green, Red, Yellow};
     Scope {
-        clock: Clock { ranges, period: 0.05 },
+        clock: Clock { ranges, period: 0.05, line: Line::Sweep },
         panels: vec![
             panel("height (m)", Upright::Values, volts, "tg.height", height),
             panel("reflectivity", Upright::Values, None, "tg.reflectivity", light),
@@ -227,7 +246,7 @@ fn what_cannot_be_drawn_is_refused() {
     }
     let nothing = Scope { panels: vec![], ..good.clone() };
     assert!(matches!(scope_picture(&nothing, &look()), Err(PlotError::Empty { .. })));
-    let stopped = Scope { clock: Clock { ranges: &ranges, period: 0.0 }, ..good };
+    let stopped = Scope { clock: Clock { ranges: &ranges, period: 0.0, line: Line::Sweep }, ..good };
     assert!(refused(&stopped, &look()).contains("sample period = 0"));
 }
 

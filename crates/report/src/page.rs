@@ -71,7 +71,7 @@ fn page(folder: &Path) -> Result<Markup, ReportError> {
     let beside = Beside::read(folder, &run.fingerprint)?;
     let strip = strip(folder, &run)?;
     let film = film(folder, &run)?;
-    let waveforms = scopes(folder, &beside, run.has_sweeps())?;
+    let waveforms = scopes(folder, &beside, run.line())?;
     let data = in_script(&data(&run, &beside, &strip, &film));
     Ok(html! {
         (DOCTYPE)
@@ -85,7 +85,7 @@ fn page(folder: &Path) -> Result<Markup, ReportError> {
                     (viewer(&run, &film))
                     (contact_sheet(&run, &strip, &film))
                     (machine(&run))
-                    (timing(&beside, run.has_sweeps()))
+                    (timing(&beside, run.line().is_some()))
                     (waveforms)
                     (error(&run, &beside))
                     (record(&run))

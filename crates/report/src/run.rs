@@ -226,6 +226,15 @@ impl Run {
     pub fn has_sweeps(&self) -> bool {
         self.generator == "hybrid"
     }
+
+    /// What a waveform is one of, in one word; nothing where there are no signals.
+    pub fn line(&self) -> Option<&'static str> {
+        match self.generator.as_str() {
+            "hybrid" => Some("sweep"),
+            "lunsim" => Some("row"),
+            _ => None,
+        }
+    }
 }
 
 fn tangent_of_half(degrees: f64) -> f64 {

@@ -13,32 +13,46 @@ const MOST_EMBEDDED: u64 = 32 << 20;
 const MAX_BYTES: u64 = 1 << 28;
 
 /// The section.
-pub(crate) fn scopes(folder: &Path, beside: &Beside, has_sweeps: bool) -> Result<Markup, ReportError> {
+pub(crate) fn scopes(folder: &Path, beside: &Beside, line: Option<&str>) -> Result<Markup, ReportError> {
     let sources = sources(folder, &beside.scopes)?;
     Ok(html! {
         section #waveforms aria-labelledby="waveforms-title" {
             h2 #waveforms-title { "Waveforms" }
-            @if !has_sweeps {
-                p { "There are no sweeps, and no signals." }
-            } @else if beside.scopes.is_empty() {
-                p { "No sweep was recorded. Click a column of the picture for the commands that look into its sweep, or record "
-                    "some with the run:" }
-                p.more { code { "lunoid replay " (shell_words(&beside.stage)) " --probe FRAME:SWEEP" } }
+            @match line {
+                None => p { "There are no sweeps, and no signals." },
+                Some(line) => {
+                    @if beside.scopes.is_empty() { (how_to_record(beside, line)) }
+                    @for (plot, source) in beside.scopes.iter().zip(&sources) { (figure(plot, source, line, beside.sight.is_some())) }
+                }
             }
-            @for (plot, source) in beside.scopes.iter().zip(&sources) { (figure(plot, source)) }
         }
     })
 }
 
-fn figure(plot: &ScopePlot, source: &str) -> Markup {
+fn how_to_record(beside: &Beside, line: &str) -> Markup {
+    html! {
+        @if beside.sight.is_some() {
+            p { "No sweep was recorded. Click a column of the picture for the commands that look into its sweep, or record "
+                "some with the run:" }
+        } @else {
+            p { "No " (line) " was recorded. Record some with the run:" }
+        }
+        p.more { code { "lunoid replay " (shell_words(&beside.stage)) " --probe FRAME:" (line.to_uppercase()) } }
+    }
+}
+
+/// A sweep that is seen as a column can be shown in the picture; a row of a grid is seen nowhere as a line.
+fn figure(plot: &ScopePlot, source: &str, line: &str, is_seen: bool) -> Markup {
     let ScopePlot { frame, sweep, .. } = plot;
     html! {
         figure.plate.scope id=(format!("scope-{frame}-{sweep}")) tabindex="-1" {
             a.sheet-of href=(plot.file()) { img src=(source) loading="lazy" decoding="async"
-                alt=(format!("Waveforms of sweep {sweep} of frame {frame}")); }
+                alt=(format!("Waveforms of {line} {sweep} of frame {frame}")); }
             figcaption {
-                b { "Frame " (frame) ", sweep " (sweep) "." } " " (signals(plot)) ". "
-                button.needs-script type="button" data-frame=(frame) data-sweep=(sweep) { "Show in the picture" }
+                b { "Frame " (frame) ", " (line) " " (sweep) "." } " " (signals(plot)) ". "
+                @if is_seen {
+                    button.needs-script type="button" data-frame=(frame) data-sweep=(sweep) { "Show in the picture" }
+                }
             }
         }
     }

@@ -8,13 +8,14 @@ use crate::data::shell_words;
 use crate::{Beside, DeadlineLine, TimingSummary, UnitLine};
 
 /// The section.
-pub(crate) fn timing(beside: &Beside, has_sweeps: bool) -> Markup {
+pub(crate) fn timing(beside: &Beside, takes_time: bool) -> Markup {
     html! {
         section #timing aria-labelledby="timing-title" {
             h2 #timing-title { "Timing" }
             @match &beside.timing {
+                Some(summary) if summary.deadlines.is_empty() => (program(summary, beside)),
                 Some(summary) => (summary_of(summary, beside)),
-                None if has_sweeps => p { "Not summed up for this folder. The same " code { "lunoid replay" } " again does it." },
+                None if takes_time => p { "Not summed up for this folder. The same " code { "lunoid replay" } " again does it." },
                 None => p { "A closed form takes no time: there is nothing that could be late." },
             }
         }
@@ -36,6 +37,25 @@ fn summary_of(summary: &TimingSummary, beside: &Beside) -> Markup {
             div { h3 { "Misses by cause" } (causes(summary)) }
         }
         @if !summary.sweeps.is_empty() { (misses_by_sweep(summary, beside)) }
+        (all_of_it(beside))
+    }
+}
+
+/// A program has no deadlines: it takes the time that it takes.
+fn program(summary: &TimingSummary, beside: &Beside) -> Markup {
+    let mean_s = summary.ticks as f64 * summary.tick_s / summary.frames.len().max(1) as f64;
+    html! {
+        p.lead {
+            (frames(&summary.frames)) ". A frame takes " (format!("{mean_s:.1}")) " s of the gear of 1969, by the operations "
+            "that were counted. There are no deadlines."
+        }
+        h3 { "Units at work" } (units(&summary.units))
+        (all_of_it(beside))
+    }
+}
+
+fn all_of_it(beside: &Beside) -> Markup {
+    html! {
         @if !beside.stage.is_empty() {
             p.more { "All of it: " code { "lunoid timing show " (shell_words(&beside.stage)) } }
         }

@@ -12,6 +12,9 @@ pub struct TimingSummary {
     pub frames: Vec<u64>,
     /// Period of the master clock (s).
     pub tick_s: f64,
+    /// Length of all of them (master ticks); 0 in a folder of before it was told.
+    #[serde(default)]
+    pub ticks: u64,
     /// Folds of both ramps.
     pub folds: u64,
     /// Words after the stop they were meant for.
@@ -70,6 +73,7 @@ impl TimingSummary {
         Self {
             frames: record.frames.iter().map(|frame| frame.frame).collect(),
             tick_s,
+            ticks: totals.ticks,
             folds: totals.folds,
             late_words: totals.late_words,
             sets: totals.sets,

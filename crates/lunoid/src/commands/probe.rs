@@ -106,13 +106,6 @@ impl ProbeCommand {
             Failure::usage(format!("--sweep {span}: a frame has sweeps 0..{all}; expected a range inside"))
         })?;
         self.chosen.expect_in(loaded)?;
-        if target == Target::Picture && !generator.is_machine() {
-            let (out, name) = (self.out.display(), generator.name());
-            return Err(Failure::usage(format!(
-                "--out {out}: {name} has no sweeps that a scope could show; expected a file of waveforms, such as .csv, or a \
-                 hardware model"
-            )));
-        }
         if target == Target::Picture && sweeps.end - sweeps.start != 1 {
             return Err(Failure::usage(format!("--sweep {span}: a picture shows one sweep; expected one")));
         }

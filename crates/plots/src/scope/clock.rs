@@ -4,28 +4,30 @@ use crate::PlotError;
 use crate::axis::{Axis, Ruler, Tick};
 use crate::mark::Area;
 
-use super::{Along, Place};
+use super::{Along, Line, Place};
 
 /// The clock of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Clock<'a> {
-    /// Ground range of each sample (m), ascending.
+    /// Place of each sample (m), ascending: ground range, or across the line of sight.
     pub ranges: &'a [f64],
-    /// From sample to sample (µs).
+    /// From sample to sample (µs); of a row 1.
     pub period: f64,
+    /// What it is the clock of.
+    pub line: Line,
 }
 
 impl Clock<'_> {
     pub(crate) fn check(&self) -> Result<(), PlotError> {
         let value = |what: &str, found, expected| PlotError::Value { what: what.into(), found, expected };
         if self.ranges.is_empty() {
-            return Err(PlotError::Empty { what: "ground range".into() });
+            return Err(PlotError::Empty { what: self.line.place()[0].into() });
         }
         if let Some(&bad) = self.ranges.iter().find(|range| !range.is_finite()) {
-            return Err(value("ground range", bad, "a finite length"));
+            return Err(value(self.line.place()[0], bad, "a finite length"));
         }
         if let Some(pair) = self.ranges.windows(2).find(|pair| pair[1] <= pair[0]) {
-            return Err(value("ground range", pair[1], "more than at the sample before"));
+            return Err(value(self.line.place()[0], pair[1], "more than at the sample before"));
         }
         let is_period = self.period.is_finite() && self.period > 0.0;
         if is_period { Ok(()) } else { Err(value("sample period", self.period, "a time above 0 µs")) }
@@ -49,12 +51,16 @@ impl Clock<'_> {
     /// The instant of a place in the sweep.
     pub(crate) fn instant_of(&self, place: Place) -> Result<f64, PlotError> {
         let (instant, found, what) = match place {
-            Place::Range(range) => (self.instant_of_range(range), range, "ground range (m)"),
-            Place::Time(time) => (Some(time / self.period), time, "sweep time (µs)"),
+            Place::Range(range) => {
+                (self.instant_of_range(range), range, format!("{} (m)", self.line.place()[0]))
+            }
+            Place::Time(time) => {
+                (Some(time / self.period), time, self.line.instant_with_unit(self.line.instant()[0]))
+            }
         };
         let inside = instant.filter(|instant| (0.0..=self.end()).contains(instant));
-        let expected = "a place between the first and the last sample of the sweep";
-        inside.ok_or_else(|| PlotError::Value { what: what.into(), found, expected })
+        let expected = "a place between the first and the last sample";
+        inside.ok_or(PlotError::Value { what, found, expected })
     }
 
     fn instant_of_range(&self, range: f64) -> Option<f64> {
@@ -100,13 +106,14 @@ impl<'a> View<'a> {
         [from, to]: [Option<Place>; 2],
         area: Area,
     ) -> Result<Self, PlotError> {
-        let place = |place: Option<Place>, end| place.map_or(Ok(end), |place| clock.instant_of(place));
-        let window = [place(from, 0.0)?, place(to, clock.end())?];
+        let instant_of = |place: Option<Place>, end| place.map_or(Ok(end), |place| clock.instant_of(place));
+        let window = [instant_of(from, 0.0)?, instant_of(to, clock.end())?];
         let ends = window.map(|instant| value(&clock, along, instant));
+        let ([place, _], [instant, _]) = (clock.line.place(), clock.line.instant());
         let axis = match along {
-            Along::LogRange => Axis::new("ground range (m)").logarithmic(),
-            Along::Range => Axis::new("ground range (m)"),
-            Along::Time => Axis::new("sweep time (µs)"),
+            Along::LogRange => Axis::new(&format!("{place} (m)")).logarithmic(),
+            Along::Range => Axis::new(&format!("{place} (m)")),
+            Along::Time => Axis::new(&clock.line.instant_with_unit(instant)),
         };
         let axis = if from.is_some() || to.is_some() { axis.over(ends) } else { axis };
         // A sweep may begin at the foot of the eye, where there is no logarithm.
@@ -167,13 +174,13 @@ fn value(clock: &Clock<'_>, along: Along, instant: f64) -> f64 {
 mod tests {
     use super::{Clock, View, between};
     use crate::mark::Area;
-    use crate::scope::{Along, Place};
+    use crate::scope::{Along, Line, Place};
 
     const AREA: Area = Area { left: 100.0, top: 0.0, width: 400.0, height: 100.0 };
 
     #[test]
     fn places_and_instants_go_back_and_forth() {
-        let clock = Clock { ranges: &[1.0, 2.0, 4.0, 8.0, 16.0], period: 0.5 };
+        let clock = Clock { ranges: &[1.0, 2.0, 4.0, 8.0, 16.0], period: 0.5, line: Line::Sweep };
         assert_eq!(clock.instant_of(Place::Range(3.0)).unwrap(), 1.5);
         assert_eq!(clock.instant_of(Place::Range(1.0)).unwrap(), 0.0);
         assert_eq!(clock.instant_of(Place::Range(16.0)).unwrap(), 4.0);
@@ -189,7 +196,7 @@ mod tests {
 
     #[test]
     fn a_geometric_sweep_is_even_in_time_and_in_decades() {
-        let clock = Clock { ranges: &[1.0, 2.0, 4.0, 8.0, 16.0], period: 0.5 };
+        let clock = Clock { ranges: &[1.0, 2.0, 4.0, 8.0, 16.0], period: 0.5, line: Line::Sweep };
         let of = |along| View::new(clock, along, [None; 2], AREA).unwrap();
         for sample in 0..5u8 {
             let expected = 100.0 + 100.0 * f32::from(sample);
@@ -204,7 +211,7 @@ mod tests {
     #[test]
     fn ticks_of_the_other_axis_lie_where_the_first_says() {
         let ranges: Vec<f64> = (0..=100).map(f64::from).collect();
-        let clock = Clock { ranges: &ranges, period: 0.1 };
+        let clock = Clock { ranges: &ranges, period: 0.1, line: Line::Sweep };
         let view = View::new(clock, Along::Range, [None; 2], AREA).unwrap();
         for (x, label) in view.other_ticks() {
             // 10 µs over 400 pixels.
@@ -215,7 +222,7 @@ mod tests {
 
     #[test]
     fn a_window_is_what_is_seen() {
-        let clock = Clock { ranges: &[1.0, 2.0, 4.0, 8.0, 16.0], period: 0.5 };
+        let clock = Clock { ranges: &[1.0, 2.0, 4.0, 8.0, 16.0], period: 0.5, line: Line::Sweep };
         let ends = [Some(Place::Range(2.0)), Some(Place::Time(1.5))];
         let view = View::new(clock, Along::Range, ends, AREA).unwrap();
         assert_eq!(view.window, [1.0, 3.0]);

@@ -97,13 +97,19 @@ impl Verticals {
 mod tests {
     use super::{APART, Verticals};
     use crate::mark::Area;
-    use crate::scope::{Along, Clock, Crossing, RegisterColour, clock::View};
+    use crate::scope::{Along, Clock, Crossing, Line, RegisterColour, clock::View};
 
     #[test]
     fn a_thousand_crossings_are_thinned() {
         let ranges: Vec<f64> = (0..=1000).map(f64::from).collect();
         let area = Area { left: 0.0, top: 0.0, width: 500.0, height: 100.0 };
-        let view = View::new(Clock { ranges: &ranges, period: 1.0 }, Along::Range, [None; 2], area).unwrap();
+        let view = View::new(
+            Clock { ranges: &ranges, period: 1.0, line: Line::Sweep },
+            Along::Range,
+            [None; 2],
+            area,
+        )
+        .unwrap();
         let loads = [RegisterColour::Yellow, RegisterColour::Black];
         let crossing = |index: u32| Crossing { at: f64::from(index), loads };
         let crossings: Vec<Crossing> = (0..=1000).rev().map(crossing).collect();

@@ -7,7 +7,7 @@ use crate::frame::SMALL;
 use crate::lettering;
 
 use super::clock::{View, between};
-use super::page::{Along, Curves, Logic, LogicLane, Place, Scope, Volts};
+use super::page::{Along, Curves, Line, Logic, LogicLane, Place, Scope, Volts};
 use super::panel::styled;
 
 /// Height of a row of readouts.
@@ -86,10 +86,11 @@ impl Readouts {
         if cursors.0.is_empty() {
             return Self { heading: Vec::new(), rows: Vec::new() };
         }
-        let table = Table { view, at: &cursors.0 };
+        let has_volts = scope.panels.iter().any(|curves| curves.volts.is_some());
+        let (table, line) = (Table { view, at: &cursors.0, has_volts }, view.clock.line);
         let places = [
-            table.place("ground range", "m", |instant| view.clock.range_at(instant)),
-            table.place("sweep time", "µs", |instant| view.clock.time_at(instant)),
+            table.place(line.place()[0], "m", |instant| view.clock.range_at(instant)),
+            table.place(line.instant()[0], line.unit(), |instant| view.clock.time_at(instant)),
         ];
         let curves = scope.panels.iter().flat_map(|curves| table.curves(curves));
         let lanes = scope.lanes.iter().map(|lane| table.lane(lane));
@@ -133,15 +134,26 @@ impl Readouts {
 struct Table<'p, 'a> {
     view: &'p View<'a>,
     at: &'p [f64],
+    /// Whether there is a column of voltages beside that of values.
+    has_volts: bool,
 }
 
 impl Table<'_, '_> {
     fn heading(&self) -> Vec<String> {
-        let of_each =
-            NAMES.iter().take(self.at.len()).flat_map(|name| [format!("at {name}"), "(V)".to_owned()]);
-        let per = if self.view.along == Along::Time { "slope, a µs" } else { "slope, a m" };
+        let of_each = NAMES.iter().take(self.at.len());
+        let of_each = of_each.flat_map(|name| self.with_volts(format!("at {name}"), "(V)".to_owned()));
+        let per = match (self.view.along, self.view.clock.line) {
+            (Along::Time, Line::Sweep) => "slope, a µs",
+            (Along::Time, Line::Row) => "slope, a point",
+            _ => "slope, a m",
+        };
         let of_both = ["B − A".to_owned(), per.to_owned()];
         of_each.chain(of_both.into_iter().filter(|_| self.at.len() > 1)).collect()
+    }
+
+    /// A cell, and that of its voltage, where there are any.
+    fn with_volts(&self, cell: String, volts: String) -> Vec<String> {
+        if self.has_volts { vec![cell, volts] } else { vec![cell] }
     }
 
     /// What lies between the cursors along the axis of the page.
@@ -170,7 +182,7 @@ impl Table<'_, '_> {
     fn cells(&self, values: &[f64], unit: &str, volts: Option<Volts>) -> Vec<String> {
         let voltage = |value: f64| volts.map_or(String::new(), |volts| cell(volts.of(value), ""));
         let mut cells: Vec<String> =
-            values.iter().flat_map(|&value| [cell(value, unit), voltage(value)]).collect();
+            values.iter().flat_map(|&value| self.with_volts(cell(value, unit), voltage(value))).collect();
         if let [a, b] = values {
             cells.extend([cell(b - a, unit), cell((b - a) / self.run(), "")]);
         }
@@ -178,7 +190,8 @@ impl Table<'_, '_> {
     }
 
     fn lane(&self, lane: &LogicLane<'_>) -> Row {
-        let states = self.at.iter().flat_map(|&instant| [state(&lane.logic, instant), String::new()]);
+        let states =
+            self.at.iter().flat_map(|&instant| self.with_volts(state(&lane.logic, instant), String::new()));
         let mut cells: Vec<String> = states.collect();
         if let (Logic::Pulses(pulses), [a, b]) = (&lane.logic, self.at) {
             let inside = a.min(*b)..=a.max(*b);

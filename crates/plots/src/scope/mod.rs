@@ -37,8 +37,8 @@ use panel::{Panel, room_above};
 
 pub use clock::Clock;
 pub use page::{
-    Along, Crossing, Curve, Curves, Logic, LogicLane, PictureColumn, Place, RegisterColour, Scope, ScopeLook,
-    Theme, Upright, Volts,
+    Along, Crossing, Curve, Curves, Line, Logic, LogicLane, PictureColumn, Place, RegisterColour, Scope,
+    ScopeLook, Theme, Upright, Volts,
 };
 
 /// Least width of a page (pixels).
@@ -223,9 +223,11 @@ impl<'p, 'a> Page<'p, 'a> {
     /// The axis of the page below `bottom`, the other one above `top`.
     fn axes(&self, canvas: &mut Canvas, top: f32, bottom: f32) {
         let palette = canvas.palette();
+        let line = self.view.clock.line;
+        let ([place, near], [instant, short]) = (line.place(), line.instant());
         let (own, other) = match self.look.along {
-            Along::Time => ("sweep time (µs)", "range (m)"),
-            _ => ("ground range (m)", "time (µs)"),
+            Along::Time => (line.instant_with_unit(instant), format!("{near} (m)")),
+            _ => (format!("{place} (m)"), line.instant_with_unit(short)),
         };
         let middle = self.layout.left + self.layout.width / 2.0;
         for (x, label) in apart(self.view.ticks()) {
@@ -238,7 +240,7 @@ impl<'p, 'a> Page<'p, 'a> {
             canvas.fill(tick, palette.soft);
             canvas.text(&label, (x, bottom + 18.0), Anchor::Middle, SMALL, palette.soft);
         }
-        canvas.text(own, (middle, bottom + 40.0), Anchor::Middle, TEXT, palette.ink);
+        canvas.text(&own, (middle, bottom + 40.0), Anchor::Middle, TEXT, palette.ink);
         canvas
             .fill(Area { left: self.layout.left, top, width: self.layout.width, height: 1.0 }, palette.faint);
         for (x, label) in apart(self.view.other_ticks()) {
@@ -246,7 +248,7 @@ impl<'p, 'a> Page<'p, 'a> {
             canvas.text(&label, (x, top - 8.0), Anchor::Middle, SMALL, palette.soft);
         }
         let at = (self.layout.left - 14.0, top - 8.0);
-        canvas.text(other, at, Anchor::Right, SMALL, palette.ink);
+        canvas.text(&other, at, Anchor::Right, SMALL, palette.ink);
     }
 
     /// The picture column: beside the panel of display lines, where there is one, with leaders from its curve.

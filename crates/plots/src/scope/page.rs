@@ -156,6 +156,50 @@ pub struct PictureColumn<'a> {
     pub line: Option<&'a [f64]>,
 }
 
+/// What samples follow one another along.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Line {
+    /// A sweep: ground range, and time.
+    #[default]
+    Sweep,
+    /// A row of a ground grid: places to the right of the line of sight, and points counted from the left. Its period is 1.
+    Row,
+}
+
+impl Line {
+    /// What a place on it is called, in full, and in few letters.
+    pub(crate) fn place(self) -> [&'static str; 2] {
+        match self {
+            Self::Sweep => ["ground range", "range"],
+            Self::Row => ["across the line of sight", "across"],
+        }
+    }
+
+    /// What an instant on it is called, in full, and in few letters.
+    pub(crate) fn instant(self) -> [&'static str; 2] {
+        match self {
+            Self::Sweep => ["sweep time", "time"],
+            Self::Row => ["point of the row", "point"],
+        }
+    }
+
+    /// Unit of instants; points have none.
+    pub(crate) fn unit(self) -> &'static str {
+        match self {
+            Self::Sweep => "µs",
+            Self::Row => "",
+        }
+    }
+
+    /// The word of an instant with its unit.
+    pub(crate) fn instant_with_unit(self, word: &str) -> String {
+        match self.unit() {
+            "" => word.into(),
+            unit => format!("{word} ({unit})"),
+        }
+    }
+}
+
 /// Along what the page runs; the other one stands at the top.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Along {
@@ -171,9 +215,9 @@ pub enum Along {
 /// A place in the sweep.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Place {
-    /// At a ground range (m).
+    /// At a ground range, or across the line of sight (m).
     Range(f64),
-    /// At a time from the start of the sweep (µs).
+    /// At a time from the start of the sweep (µs); on a row, at a point.
     Time(f64),
 }
 

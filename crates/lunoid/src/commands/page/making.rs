@@ -2,12 +2,13 @@
 
 use generator::Stage;
 use hardware_model::HardwareModel;
+use lunsim::{Hardware, Program};
 use machine::ControlPlane;
 use rayon::ThreadPool;
 use replay::{HeldRun, Job, RunFolder};
 use report::{Beside, ReportError, TimingSummary, write_page};
 use scenario::{PoseRow, PoseTable};
-use timing::{FORMAT, TimingRecord};
+use timing::{FORMAT, FrameTiming, TimingRecord};
 
 use super::Request;
 use super::recording::record;
@@ -15,6 +16,7 @@ use super::sight::sight;
 use super::words::words;
 use crate::Failure;
 use crate::commands::timing::rehearsal::spread;
+use crate::commands::timing::timed::Timed;
 use crate::loading::StageArgs;
 
 /// Frames whose timing is summed up: enough to see whether the machine keeps up, few enough to cost nothing.
@@ -28,6 +30,8 @@ pub struct Making<'a> {
     pub stage: &'a StageArgs,
     /// Its hardware model.
     pub model: &'a HardwareModel,
+    /// What LUNSIM ran on, where it draws.
+    pub program: Option<Hardware>,
     /// Sweeps to record.
     pub requests: &'a [Request],
     /// Threads.
@@ -43,15 +47,22 @@ impl Making<'_> {
             other => other?,
         };
         beside.stage = words(self.stage);
-        if self.job.generator.is_machine() {
+        if !self.job.generator.signals().is_empty() {
             let poses = self.poses(&held)?;
-            beside.sight = sight(&self.job.stage, &poses);
+            if self.job.generator.is_machine() {
+                beside.sight = sight(&self.job.stage, &poses);
+            }
             self.sum_up_timing(&poses, &mut beside)?;
             record(self, &poses, folder.path(), &mut beside)?;
         }
         beside.write(folder.path())?;
         write_page(folder.path())?;
         Ok(())
+    }
+
+    /// Name of the model, or of the generator that is none.
+    pub fn drawn_by(&self) -> &str {
+        if self.job.generator.is_machine() { &self.model.name } else { self.job.generator.name() }
     }
 
     /// Poses of the frames that the folder holds.
@@ -71,20 +82,32 @@ impl Making<'_> {
         if beside.timing.as_ref().is_some_and(|known| frames.eq(known.frames.iter().copied())) {
             return Ok(());
         }
-        let control = ControlPlane::new(self.job.stage.clone());
-        let frame = |row: &&PoseRow| self.pool.install(|| control.frame(row.frame, &row.pose));
-        let frames = rows.iter().map(frame).collect::<Result<Vec<_>, _>>().map_err(Failure::input)?;
-        let master = self.job.stage.settings.timebase.master;
+        let stage = &self.job.stage;
+        let (frames, tick_s) = match self.program {
+            Some(hardware) => {
+                let program = Program::new(stage.clone(), hardware).map_err(Failure::input)?;
+                (self.timed(&rows, &program)?, 1.0 / Program::MASTER_HZ as f64)
+            }
+            None => (
+                self.timed(&rows, &ControlPlane::new(stage.clone()))?,
+                1.0 / stage.settings.timebase.master.hertz(),
+            ),
+        };
         let record = TimingRecord {
             format: FORMAT,
             scenario: self.job.scenario.title.clone(),
-            machine: self.model.name.clone(),
+            machine: self.drawn_by().to_owned(),
             inputs: String::new(),
-            master: master.to_string(),
+            master: String::new(),
             before_mission: Vec::new(),
             frames,
         };
-        beside.timing = Some(TimingSummary::of(&record, 1.0 / master.hertz()));
+        beside.timing = Some(TimingSummary::of(&record, tick_s));
         Ok(())
+    }
+
+    fn timed(&self, rows: &[&PoseRow], by: &dyn Timed) -> Result<Vec<FrameTiming>, Failure> {
+        let frame = |row: &&PoseRow| self.pool.install(|| by.frame(row.frame, &row.pose));
+        rows.iter().map(frame).collect::<Result<_, _>>().map_err(Failure::input)
     }
 }

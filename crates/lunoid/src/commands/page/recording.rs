@@ -7,11 +7,11 @@ use generator::{Planes, Session};
 use replay::{SCOPES, file_hash, scope_name};
 use report::{Beside, ScopePlot};
 use scenario::PoseRow;
-use signal::{Axis, Probe, Waveform};
+use signal::{Probe, Signal, Waveform};
 
 use super::{Making, Request};
 use crate::Failure;
-use crate::commands::scope::{NEEDS, Recorded, columns_of, light_or_dark_svg};
+use crate::commands::scope::{NEEDS, Recorded, columns_of, light_or_dark_svg, runs_along};
 
 /// Draws a plot of every sweep asked for that `beside` does not have, and adds it there.
 pub fn record(making: &Making, poses: &[PoseRow], folder: &Path, beside: &mut Beside) -> Result<(), Failure> {
@@ -35,13 +35,13 @@ pub fn record(making: &Making, poses: &[PoseRow], folder: &Path, beside: &mut Be
 
 /// Sweeps of `request` that are not there, or with other signals.
 fn missing<'a>(making: &Making, request: &'a Request, beside: &Beside) -> Vec<(&'a Request, u32)> {
+    let asked = request.patterns(making.job.generator);
     let is_there = |sweep: u32| {
-        let same = |plot: &ScopePlot| {
-            (plot.frame, plot.sweep, &plot.asked) == (request.frame, sweep, &request.patterns)
-        };
+        let same = |plot: &ScopePlot| (plot.frame, plot.sweep, &plot.asked) == (request.frame, sweep, &asked);
         beside.scopes.iter().any(same)
     };
-    let sweeps = request.sweeps(making.job.stage.settings.raster.sweeps).unwrap_or(0..0);
+    let sweeps =
+        request.sweeps(making.job.generator.timebase(&making.job.stage.settings).sweeps).unwrap_or(0..0);
     sweeps.map(|sweep| sweep as u32).filter(|&sweep| !is_there(sweep)).map(|sweep| (request, sweep)).collect()
 }
 
@@ -54,12 +54,13 @@ fn plot(
 ) -> Result<ScopePlot, Failure> {
     let settings = &making.job.stage.settings;
     let mut planes = Planes::new(settings.raster.columns as usize, settings.raster.lines as usize, &[]);
-    let patterns = request.patterns.iter().cloned().chain(NEEDS.map(str::to_owned)).collect();
+    let asked = request.patterns(making.job.generator);
+    let patterns = asked.iter().cloned().chain(NEEDS.map(str::to_owned)).collect();
     let mut probe = Probe::new(patterns, sweep..sweep + 1);
     let drawn = making.pool.install(|| session.frame(row.frame, &row.pose, &mut planes, &mut probe));
     drawn.map_err(Failure::input)?;
-    let wanted = shown(&probe.waveforms, request);
-    let title = format!("{}, {}", making.job.scenario.title, making.model.name);
+    let wanted = shown(&probe.waveforms, &asked);
+    let title = format!("{}, {}", making.job.scenario.title, making.drawn_by());
     let recorded = Recorded {
         title: &title,
         waveforms: &probe.waveforms,
@@ -74,16 +75,15 @@ fn plot(
     Ok(ScopePlot {
         frame: row.frame,
         sweep,
-        asked: request.patterns.clone(),
+        asked,
         signals: wanted.into_iter().map(str::to_owned).collect(),
         blake3: file_hash(&path)?,
     })
 }
 
-/// Names of the signals that a plot shows: those asked for that the machine has and that run along the sweep.
-fn shown(waveforms: &[Waveform], request: &Request) -> Vec<&'static str> {
-    let is_asked =
-        |waveform: &&Waveform| request.patterns.iter().any(|pattern| waveform.signal.matches(pattern));
-    let along = waveforms.iter().filter(|waveform| waveform.signal.axis != Axis::Display).filter(is_asked);
-    along.map(|waveform| waveform.signal.name).filter(|name| *name != "sweep.range").collect()
+/// Names of the signals that a plot shows: those `asked` for that are there and run along the sweep or row.
+fn shown(waveforms: &[Waveform], asked: &[String]) -> Vec<&'static str> {
+    let signals = waveforms.iter().map(|waveform| waveform.signal).filter(runs_along);
+    let is_asked = |signal: &Signal| asked.iter().any(|pattern| signal.matches(pattern));
+    signals.filter(is_asked).map(|signal| signal.name).collect()
 }

@@ -9,7 +9,8 @@ use generator::Generator;
 use crate::Failure;
 use crate::values::Span;
 
-/// Signals that are recorded where none are named: one of each block, those that are there.
+/// Signals that are recorded where none are named: one of each block, those that are there; all of a generator that has
+/// none of them.
 const USUAL: [&str; 8] = [
     "mu.height",
     "tg.height",
@@ -29,8 +30,8 @@ const MOST_PLOTS: u64 = 200;
 pub struct Request {
     /// Frame, counted at the update rate.
     pub frame: u64,
-    /// Patterns of signals.
-    pub patterns: Vec<String>,
+    /// Patterns of signals; empty for the usual ones.
+    patterns: Vec<String>,
     sweeps: Span,
 }
 
@@ -47,7 +48,7 @@ impl FromStr for Request {
         let frame = parts.next().and_then(|frame| frame.trim().parse().ok()).ok_or_else(wrong)?;
         let sweeps: Span = parts.next().ok_or_else(wrong)?.trim().parse().map_err(|_| wrong())?;
         let patterns = match parts.next() {
-            None => USUAL.map(str::to_owned).into(),
+            None => Vec::new(),
             Some(list) => list.split(',').map(|pattern| pattern.trim().to_owned()).collect(),
         };
         Ok(Self { frame, patterns, sweeps })
@@ -61,6 +62,18 @@ impl fmt::Display for Request {
 }
 
 impl Request {
+    /// Patterns of the signals to record of `generator`.
+    pub fn patterns(&self, generator: &dyn Generator) -> Vec<String> {
+        let is_there = |name: &&str| generator.signals().iter().any(|signal| signal.name == *name);
+        let usual: Vec<String> =
+            USUAL.iter().filter(|name| is_there(name)).map(|name| (*name).into()).collect();
+        match (self.patterns.is_empty(), usual.is_empty()) {
+            (false, _) => self.patterns.clone(),
+            (true, false) => usual,
+            (true, true) => vec!["*".into()],
+        }
+    }
+
     /// The sweeps, of a frame of `all`.
     pub fn sweeps(&self, all: u32) -> Option<Range<u64>> {
         self.sweeps.within(&(0..u64::from(all)))
@@ -78,10 +91,10 @@ pub fn check(
     let signals = generator.signals();
     let mut plots = 0;
     for request in requests {
-        if !generator.is_machine() {
+        if signals.is_empty() {
             let name = generator.name();
             return Err(Failure::usage(format!(
-                "{request}: {name} has no sweeps that a page could show; expected a hardware model"
+                "{request}: {name} has no signals that a page could show; expected a hardware model, or lunsim"
             )));
         }
         if !frames.contains(&request.frame) {
@@ -122,11 +135,13 @@ mod tests {
     #[test]
     fn spellings() {
         let one = request("12:500");
-        assert_eq!((one.frame, one.sweeps(525), one.patterns.len()), (12, Some(500..501), 8));
+        assert_eq!((one.frame, one.sweeps(525)), (12, Some(500..501)));
+        assert_eq!(one.patterns(&HybridMachine).len(), 8);
+        assert_eq!(one.patterns(&Lunsim), ["*"]);
         assert_eq!(request("0:3..5").sweeps(40), Some(3..5));
         assert_eq!(request("0:39..").sweeps(40), Some(39..40));
         assert_eq!(request("0:40").sweeps(40), None);
-        assert_eq!(request("1:2:tg.*, dpp.y").patterns, ["tg.*", "dpp.y"]);
+        assert_eq!(request("1:2:tg.*, dpp.y").patterns(&HybridMachine), ["tg.*", "dpp.y"]);
         for wrong in ["", "12", "12:", ":500", "a:1", "1:b", "-1:2", "1:3..3"] {
             assert!(wrong.parse::<Request>().is_err(), "{wrong}");
         }
@@ -140,7 +155,9 @@ mod tests {
             assert!(!checked(wrong), "{wrong}");
         }
         assert!(check(&[request("10:0")], &(10..20), 525, &Exact).is_err());
-        assert!(check(&[request("10:0")], &(10..20), 525, &Lunsim).is_err());
+        let of_lunsim = |text: &str| check(&[request(text)], &(10..20), 64, &Lunsim).is_ok();
+        assert!(of_lunsim("10:0") && of_lunsim("10:63:lunsim.height"));
+        assert!(!of_lunsim("10:64") && !of_lunsim("10:0:tg.height"));
         assert!(check(&[], &(10..20), 525, &Exact).is_ok());
     }
 }

@@ -9,7 +9,6 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use generator::{Generator, Stage};
-use hardware_model::HardwareModel;
 use picture::Depth;
 use quantities::Rate;
 use rayon::ThreadPool;
@@ -118,7 +117,8 @@ impl Replay {
         let stage = self.stage(machine);
         let mut loaded = stage.load()?;
         let frames = loaded.choose(self.frames)?;
-        let (sweeps, generator) = (loaded.settings.raster.sweeps, loaded.generator);
+        let generator = loaded.generator;
+        let sweeps = generator.timebase(&loaded.settings).sweeps;
         self.expect_sweeps(generator)?;
         check(&self.probe, &frames, sweeps, generator)?;
         let pool = self.threads.pool()?;
@@ -161,7 +161,7 @@ impl Replay {
         let display = self.saying.display();
         let progress = |progress| display.hear(progress);
         let control = Control { pool, cancel, progress: &progress, phases: loaded.phases.clone() };
-        let made = self.make(stage, job, &loaded.model, folder, &control);
+        let made = self.make(stage, job, loaded, folder, &control);
         display.end();
         made
     }
@@ -171,14 +171,15 @@ impl Replay {
         &self,
         stage: &StageArgs,
         job: &Job,
-        model: &HardwareModel,
+        loaded: &Loaded,
         folder: &RunFolder,
         control: &Control,
     ) -> Result<(Outcome, Option<TruthOutcome>), Failure> {
         let outcome = run(job, folder, control)?;
         if matches!(outcome, Outcome::Finished { .. }) {
             let requests = &self.probe;
-            Making { job, stage, model, requests, pool: control.pool }.write(folder)?;
+            let (model, program) = (&loaded.model, loaded.program);
+            Making { job, stage, model, program, requests, pool: control.pool }.write(folder)?;
         }
         let truth = match (&outcome, &self.truth) {
             (Outcome::Finished { .. }, Some(items)) => Some(write_truth(job, items, folder, control)?),

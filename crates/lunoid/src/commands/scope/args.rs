@@ -1,21 +1,24 @@
 //! How a page of the scope is asked for.
 
 use clap::{Args, ValueEnum};
-use plots::{Along, Place, ScopeLook, Theme};
+use plots::{Along, Line, Place, ScopeLook, Theme};
+
+use crate::Failure;
 
 /// How a picture of one sweep is drawn.
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Pictures of a sweep")]
 pub struct ScopeArgs {
     /// One or two cursors, each at a ground range (m) or, with `us`, at a sweep time (µs): every value there, the
-    /// difference and its slope are written below.
-    #[arg(long, value_name = "A[,B]", value_delimiter = ',', value_parser = place, num_args = 1..=2)]
+    /// difference and its slope are written below. On a row of LUNSIM's they are at places to the right of the line of
+    /// sight (m), negative to its left.
+    #[arg(long, value_name = "A[,B]", value_delimiter = ',', value_parser = place, allow_hyphen_values = true)]
     pub cursor: Vec<Place>,
     /// Where the picture begins: ground range (m), or sweep time with `us`.
-    #[arg(long, value_name = "PLACE", value_parser = place)]
+    #[arg(long, value_name = "PLACE", value_parser = place, allow_hyphen_values = true)]
     pub from: Option<Place>,
     /// Where it ends.
-    #[arg(long, value_name = "PLACE", value_parser = place)]
+    #[arg(long, value_name = "PLACE", value_parser = place, allow_hyphen_values = true)]
     pub to: Option<Place>,
     /// Along what it runs; the other one stands at the top.
     #[arg(long, value_enum, default_value_t)]
@@ -55,10 +58,16 @@ pub enum ThemeWord {
 }
 
 impl ScopeArgs {
-    /// What is asked for, over what a page is by itself.
-    pub fn look(&self, title: &str, facts: Vec<String>) -> ScopeLook {
+    /// What is asked for, over what a page of a `line` is by itself.
+    ///
+    /// # Errors
+    /// If a row is asked for what only a sweep has.
+    pub fn look(&self, title: &str, facts: Vec<String>, line: Line) -> Result<ScopeLook, Failure> {
+        if line == Line::Row {
+            self.expect_no_time()?;
+        }
         let page = ScopeLook::titled(title);
-        let along = match (self.axis, self.linear) {
+        let along = match (self.axis, self.linear || line == Line::Row) {
             (AxisWord::Time, _) => Along::Time,
             (AxisWord::Range, true) => Along::Range,
             (AxisWord::Range, false) => Along::LogRange,
@@ -67,7 +76,21 @@ impl ScopeArgs {
         let (from, to, cursors) = (self.from, self.to, self.cursor.clone());
         let [width, height] = [(self.width, page.width), (self.height, page.height)]
             .map(|(asked, usual)| asked.unwrap_or(usual));
-        ScopeLook { facts, width, height, theme, along, from, to, cursors, ..page }
+        Ok(ScopeLook { facts, width, height, theme, along, from, to, cursors, ..page })
+    }
+
+    /// A row of a grid lies across the line of sight: nothing runs along it.
+    fn expect_no_time(&self) -> Result<(), Failure> {
+        let mut places = self.cursor.iter().chain(&self.from).chain(&self.to);
+        let given = match places.find(|place| matches!(place, Place::Time(_))) {
+            Some(Place::Time(time)) => format!("{time}us"),
+            _ if self.axis == AxisWord::Time => "--axis time".into(),
+            _ => return Ok(()),
+        };
+        Err(Failure::usage(format!(
+            "{given}: a row of {} has no sweep time; expected places to the right of the line of sight in metres, as -120.5",
+            lunsim::NAME
+        )))
     }
 }
 
@@ -76,8 +99,9 @@ fn place(text: &str) -> Result<Place, String> {
         Some(number) => (number, Place::Time),
         None => (text.strip_suffix('m').unwrap_or(text), Place::Range),
     };
-    let value = number.trim().parse().ok().filter(|value: &f64| value.is_finite() && *value >= 0.0);
-    value.map(of).ok_or_else(|| {
+    let value = number.trim().parse().ok().filter(|value: &f64| value.is_finite()).map(of);
+    // A place of a row may lie to the left; no time is before the sweep.
+    value.filter(|place| !matches!(place, Place::Time(time) if *time < 0.0)).ok_or_else(|| {
         format!(
             "`{text}`: expected a ground range in metres, as 120.5, or a sweep time in microseconds, as 8.2us"
         )
@@ -93,7 +117,8 @@ mod tests {
         assert_eq!(place("120.5"), Ok(Place::Range(120.5)));
         assert_eq!(place("120m"), Ok(Place::Range(120.0)));
         assert_eq!(place("8.25us"), Ok(Place::Time(8.25)));
-        for bad in ["", "us", "-1", "inf", "NaN", "3km", "1,2"] {
+        assert_eq!(place("-12.5"), Ok(Place::Range(-12.5)));
+        for bad in ["", "us", "-1us", "inf", "NaN", "3km", "1,2"] {
             assert!(place(bad).is_err(), "{bad}");
         }
     }

@@ -1,4 +1,4 @@
-//! One sweep as a page of the scope: PNG or SVG, as the file is named.
+//! One sweep, or one row of LUNSIM's grid, as a page of the scope: PNG or SVG, as the file is named.
 
 mod args;
 mod page;
@@ -12,9 +12,11 @@ use signal::{Waveform, Wire};
 use crate::Failure;
 
 pub use args::ScopeArgs;
+pub use page::runs_along;
 
-/// Signals that a page needs beside those that it shows: its axes, what it shades, its crossings and the picture column.
-pub const NEEDS: [&str; 8] = [
+/// Signals that a page needs beside those that it shows: its axes, what it shades, its crossings and the picture column; of
+/// each generator those that it has.
+pub const NEEDS: [&str; 10] = [
     "sweep.range",
     "sweep.fold.x",
     "sweep.fold.y",
@@ -23,6 +25,8 @@ pub const NEEDS: [&str; 8] = [
     "dpp.blank",
     "dpp.y",
     "sm.write",
+    "lunsim.across",
+    "lunsim.along",
 ];
 
 /// What was recorded of one sweep.
@@ -50,14 +54,14 @@ pub fn write_picture(path: &Path, recorded: &Recorded<'_>, args: &ScopeArgs) -> 
 /// The text of an SVG file of one sweep, light or dark as its reader prefers.
 pub fn light_or_dark_svg(recorded: &Recorded<'_>) -> Result<String, Failure> {
     let page = page::Page::new(recorded)?;
-    let look = ScopeArgs::default().look(recorded.title, page.facts());
+    let look = ScopeArgs::default().look(recorded.title, page.facts(), page.line())?;
     scope_svg(&page.scope()?, &look).map_err(Failure::usage)
 }
 
 /// Draws the page of one sweep.
 pub fn draw(recorded: &Recorded<'_>, args: &ScopeArgs) -> Result<Drawing, Failure> {
     let page = page::Page::new(recorded)?;
-    let look = args.look(recorded.title, page.facts());
+    let look = args.look(recorded.title, page.facts(), page.line())?;
     scope_picture(&page.scope()?, &look).map_err(Failure::usage)
 }
 

@@ -2,9 +2,10 @@
 
 use picture::{Depth, Encoder, Transfer};
 use plots::{
-    Clock, Crossing, Curve, Curves, Logic, LogicLane, PictureColumn, RegisterColour, Scope, Upright, Volts,
+    Clock, Crossing, Curve, Curves, Line, Logic, LogicLane, PictureColumn, RegisterColour, Scope, Upright,
+    Volts,
 };
-use signal::{Axis, Kind, Unit, Waveform, Wire};
+use signal::{Axis, Kind, Signal, Unit, Waveform, Wire};
 use sweep_program::Colour;
 
 use crate::Failure;
@@ -14,6 +15,8 @@ use super::Recorded;
 /// A page that borrows what was recorded.
 pub struct Page<'a> {
     recorded: &'a Recorded<'a>,
+    line: Line,
+    /// Where the samples lie along it.
     range: &'a Waveform,
     /// Signals that are shown, in the order of the signal table.
     shown: Vec<&'a Waveform>,
@@ -21,25 +24,47 @@ pub struct Page<'a> {
 }
 
 impl<'a> Page<'a> {
-    /// Finds what can be shown along a sweep.
+    /// Finds what can be shown along a sweep, or along a row.
     pub fn new(recorded: &'a Recorded<'a>) -> Result<Self, Failure> {
         let is_shown = |waveform: &&Waveform| {
-            let signal = waveform.signal;
-            recorded.wanted.contains(&signal.name)
-                && signal.axis != Axis::Display
-                && signal.name != "sweep.range"
+            recorded.wanted.contains(&waveform.signal.name) && runs_along(&waveform.signal)
         };
         let shown: Vec<&Waveform> = recorded.waveforms.iter().filter(is_shown).collect();
-        let (Some(range), false) = (find(recorded, "sweep.range"), shown.is_empty()) else {
+        let row = find(recorded, ACROSS).map(|across| (Line::Row, across));
+        let line = find(recorded, RANGE).map(|range| (Line::Sweep, range)).or(row);
+        let (Some((line, range)), false) = (line, shown.is_empty()) else {
             return Err(Failure::usage(
-                "--signals: none of them runs along the sweep; a picture needs one beside sweep.range, as tg.height",
+                "--signals: none of them runs along the sweep; a picture needs one beside sweep.range, as tg.height, or \
+                 lunsim.height of a row",
             ));
         };
-        Ok(Self { recorded, range, shown, grey: grey(recorded)? })
+        Ok(Self { recorded, line, range, shown, grey: grey(recorded)? })
+    }
+
+    /// What its samples follow one another along.
+    pub fn line(&self) -> Line {
+        self.line
     }
 
     /// What stands below the title.
     pub fn facts(&self) -> Vec<String> {
+        match self.line {
+            Line::Sweep => self.facts_of_sweep(),
+            Line::Row => self.facts_of_row(),
+        }
+    }
+
+    fn facts_of_row(&self) -> Vec<String> {
+        let (frame, row, across) = (self.range.frame, self.range.sweep, &self.range.values);
+        let (points, rows) = (across.len(), self.recorded.settings.lunsim.grid);
+        let step = across.get(1).map_or(0.0, |second| second - across[0]);
+        let ahead = find(self.recorded, ALONG).and_then(|along| along.values.first()).copied().unwrap_or(0.0);
+        vec![format!(
+            "frame {frame}, row {row} of {rows}, {ahead:.1} m along the line of sight; {points} points, one every {step:.2} m"
+        )]
+    }
+
+    fn facts_of_sweep(&self) -> Vec<String> {
         let clocks = &self.recorded.settings.timebase;
         let (frame, sweep, sweeps) = (self.range.frame, self.range.sweep, clocks.sweeps);
         let period = 1e9 / clocks.sample_rate().hertz();
@@ -49,11 +74,14 @@ impl<'a> Page<'a> {
 
     /// The page.
     pub fn scope(&self) -> Result<Scope<'_>, Failure> {
-        let period = 1e6 / self.recorded.settings.timebase.sample_rate().hertz();
+        let period = match self.line {
+            Line::Sweep => 1e6 / self.recorded.settings.timebase.sample_rate().hertz(),
+            Line::Row => 1.0,
+        };
         let line = find(self.recorded, "dpp.y").map(|waveform| &waveform.values[..]);
         let column = PictureColumn { grey: &self.grey, line };
         Ok(Scope {
-            clock: Clock { ranges: &self.range.values, period },
+            clock: Clock { ranges: &self.range.values, period, line: self.line },
             panels: self.panels(),
             lanes: self.lanes(),
             crossings: self.crossings("sweep"),
@@ -71,15 +99,19 @@ impl<'a> Page<'a> {
             let curve = Curve { name: waveform.signal.name, values: &waveform.values };
             match panels.iter_mut().find(|(known, curves)| *known == unit && curves.volts == volts) {
                 Some((_, curves)) => curves.curves.push(curve),
-                None => panels.push((unit, self.panel(unit, volts, curve))),
+                None => panels.push((unit, self.panel(waveform, volts, curve))),
             }
         }
         panels.into_iter().map(|(_, curves)| curves).collect()
     }
 
-    fn panel<'c>(&self, unit: Unit, volts: Option<Volts>, curve: Curve<'c>) -> Curves<'c> {
-        let upright = match unit {
-            Unit::Line => Upright::Lines(self.grey.len().max(1) as u32),
+    fn panel<'c>(&self, waveform: &Waveform, volts: Option<Volts>, curve: Curve<'c>) -> Curves<'c> {
+        let unit = waveform.signal.unit;
+        let upright = match (unit, self.line) {
+            (Unit::Line, Line::Sweep) => Upright::Lines(self.grey.len().max(1) as u32),
+            (Unit::Line, Line::Row) => {
+                Upright::Lines(self.wire(waveform).map_or(1, |wire| wire.full_scale as u32))
+            }
             _ => Upright::Values,
         };
         let symbol = if unit.symbol() == "1" { "" } else { unit.symbol() };
@@ -87,9 +119,12 @@ impl<'a> Page<'a> {
     }
 
     fn volts(&self, waveform: &Waveform) -> Option<Volts> {
-        let wire = self.recorded.wires.iter().find(|wire| wire.signal.name == waveform.signal.name)?;
-        let Wire { full_scale, volts, datum, .. } = *wire;
+        let Wire { full_scale, volts, datum, .. } = *self.wire(waveform)?;
         (full_scale > 0.0 && volts > 0.0).then_some(Volts { full_scale, volts, datum })
+    }
+
+    fn wire(&self, waveform: &Waveform) -> Option<&Wire> {
+        self.recorded.wires.iter().find(|wire| wire.signal.name == waveform.signal.name)
     }
 
     fn lanes(&self) -> Vec<LogicLane<'_>> {
@@ -132,6 +167,16 @@ impl<'a> Page<'a> {
         };
         axes.into_iter().flat_map(of_axis).collect()
     }
+}
+
+/// Where a sample lies: along a sweep, across a row, and how far a row lies ahead.
+const RANGE: &str = "sweep.range";
+const ACROSS: &str = "lunsim.across";
+const ALONG: &str = "lunsim.along";
+
+/// Whether a signal can be drawn along a sweep or a row, and is not its axis or the same all along.
+pub fn runs_along(signal: &Signal) -> bool {
+    signal.axis != Axis::Display && ![RANGE, ACROSS, ALONG].contains(&signal.name)
 }
 
 fn find<'a>(recorded: &Recorded<'a>, name: &str) -> Option<&'a Waveform> {

@@ -11,7 +11,7 @@ mod program;
 pub mod rehearsal;
 pub mod sets;
 mod show;
-mod timed;
+pub mod timed;
 mod timeline;
 
 use clap::{Args, Subcommand};
