@@ -1,4 +1,4 @@
-//! The shipped pictures of single sweeps, drawn again by the commands that docs/scope.md gives for them.
+//! The shipped pictures of single sweeps and of a row, drawn again by the commands that docs/scope.md gives for them.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use assert_cmd::Command;
 
 const PAGE: &str = "docs/scope.md";
-const PICTURES: [&str; 3] = ["height-and-reflectivity", "shadow-gates", "projection"];
+const PICTURES: [&str; 4] = ["height-and-reflectivity", "shadow-gates", "projection", "lunsim-row"];
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")

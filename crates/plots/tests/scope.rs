@@ -57,7 +57,7 @@ fn a_row_has_places_on_both_sides() {
     let cursors = vec![Place::Range(-40.0), Place::Range(30.0)];
     let look = ScopeLook { along: Along::Range, cursors, ..look() };
     let texts = labels(&scope_picture(&row, &look).unwrap());
-    for word in ["across the line of sight (m)", "point", "-40 m", "1600 m", "900 m", "80"] {
+    for word in ["across the line of sight (m)", "point", "-40.000 m", "1600.0 m", "900.00 m", "80.000"] {
         assert!(texts.iter().any(|text| text.replace('−', "-") == word), "{word}: {texts:?}");
     }
     assert!(texts.iter().all(|text| !text.contains("time") && text != "(V)"), "{texts:?}");

@@ -153,7 +153,7 @@ fn its_timing_is_recorded_checked_and_shown() {
     assert!(out.contains("recorder   plotting") && out.contains("frame  cpu (s)"), "{out}");
     let (out, _) = timing(0, "show", &["--json"]);
     let document: serde_json::Value = serde_json::from_str(&out).unwrap();
-    assert_eq!(document["record"]["frames"][0]["tasks"][0]["task"], "slopes");
+    assert_eq!(document["record"]["frames"][0]["tasks"][0]["task"], "drops");
     assert_eq!(document["critical_path"], serde_json::Value::Null);
     for option in [&["--slack", "a.png"][..], &["--misses", "3"]] {
         let (_, err) = timing(2, "show", option);

@@ -58,8 +58,8 @@ struct Outcome {
 impl EconomyStudy {
     /// Studies.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        self.stage.expect_machine("it leaves nothing out")?;
         let mut loaded = self.stage.load()?;
+        loaded.expect_machine("it leaves nothing out")?;
         if self.quick {
             quarter(&mut loaded)?;
         }

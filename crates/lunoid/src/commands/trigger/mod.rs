@@ -94,7 +94,6 @@ fn condition(text: &str) -> Result<Condition, ConditionError> {
 impl TriggerCommand {
     /// Searches.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        self.stage.expect_machine("it has no sweeps")?;
         self.check_signals(machine::signals())?;
         let file =
             self.out.as_deref().map(|out| File::named(out, self.around_sweeps.unwrap_or(0))).transpose()?;
