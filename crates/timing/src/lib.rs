@@ -11,6 +11,7 @@
 //! of the frame. Two records agree if everything digital is the same to the last bit (counters, slack, bins, queues,
 //! hash of the ordered events) and everything analog (instants on the sweep clock, ground ranges) is within a
 //! [`Tolerance`].
+//! A frame may tell its work [`Task`] by task; a record without deadlines is of a program, which takes the time that it takes.
 //! **State and timing.** Data without a clock of their own. A record says nothing of when, where or how fast it was
 //! made: the same inputs give the same bytes.
 //! **Events.** [`EventHash`] depends on the order of events. Sweeps are hashed apart, on any thread, and joined in

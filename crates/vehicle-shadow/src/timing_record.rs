@@ -2,10 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use timing::{Cause, Deadline, FORMAT, FrameTiming, Missed, Sets, Slack, TimingRecord, UnitUse, Vertices};
+use timing::{
+    Cause, Deadline, FORMAT, FrameTiming, Missed, Sets, Slack, Task, TimingRecord, UnitUse, Vertices,
+};
 
 use crate::FrameWork;
 use crate::insertion::Method;
+use crate::work::{INTERSECTION_S, POINT_S};
 
 /// Ticks of the record in a second: a microsecond each (our choice; hardware table 3.7 has no finer times).
 const MASTER_HZ: f64 = 1e6;
@@ -14,7 +17,7 @@ const MASTER_HZ: f64 = 1e6;
 /// them.
 ///
 /// Deadline of a picture is the end of the one before: [`Deadline::FrameTasks`]. Units are the computer, busy with points
-/// and intersections, and the scan converter, if there is one. Events are those of [`Blanking`](crate::Blanking), vertices
+/// and intersections, and the scan converter, if there is one; these are its tasks, too. Events are those of [`Blanking`](crate::Blanking), vertices
 /// the points of the chain; there are no folds, no register sets.
 pub fn timing_record(
     name: &str,
@@ -59,11 +62,29 @@ fn frame_timing(frame: &FrameWork, method: &Method, period: f64) -> FrameTiming 
             .into_iter()
             .flatten()
             .collect(),
-        tasks: Vec::new(),
+        tasks: tasks(frame, method),
         misses: (slack_ticks < 0).then(|| Missed::of(Deadline::FrameTasks, 0, cause)).into_iter().collect(),
         events: frame.blanking.events,
         events_blake3: frame.blanking.events_blake3.clone(),
     }
+}
+
+/// What the units are busy with: points and, under the synchronised method, intersections; the tube's picture.
+fn tasks(frame: &FrameWork, method: &Method) -> Vec<Task> {
+    let work = frame.work;
+    let computed = |task, pieces, each: f64| ("cpu", task, pieces, pieces as f64 * each);
+    let points = computed("points", work.points, POINT_S);
+    let method = match method {
+        Method::Synchronised { .. } => computed("intersections", work.intersections, INTERSECTION_S),
+        Method::ScanConverter(_) => ("scan-converter", "picture", 1, frame.times.write_s),
+    };
+    let task = |(unit, task, pieces, seconds): (&str, &str, u64, f64)| Task {
+        unit: unit.into(),
+        task: task.into(),
+        pieces,
+        ticks: ticks(seconds),
+    };
+    [points, method].into_iter().map(task).filter(|task| task.ticks > 0).collect()
 }
 
 fn ticks(seconds: f64) -> u64 {
@@ -104,6 +125,9 @@ mod tests {
         };
         let [met, missed] = [of(1000), of(2000)];
         assert_eq!((met.ticks, met.units[0].busy, met.vertices.asked), (40_000, 34_000, 100));
+        let tasks: Vec<_> =
+            met.tasks.iter().map(|task| (task.task.as_str(), task.pieces, task.ticks)).collect();
+        assert_eq!(tasks, [("points", 100, 9_000), ("intersections", 1000, 25_000)]);
         assert_eq!(met.deadlines[&Deadline::FrameTasks].least, Some(6_000));
         assert!(met.misses.is_empty() && met.units.len() == 1);
         assert_eq!(missed.deadlines[&Deadline::FrameTasks].least, Some(-19_000));
@@ -120,6 +144,8 @@ mod tests {
         let frame = &record.frames[0];
         let busy: Vec<_> = frame.units.iter().map(|unit| (unit.unit.as_str(), unit.busy)).collect();
         assert_eq!(busy, [("cpu", 9_000), ("scan-converter", 66_000)]);
+        let tasks: Vec<_> = frame.tasks.iter().map(|task| (task.unit.as_str(), task.ticks)).collect();
+        assert_eq!(tasks, busy);
         assert_eq!((frame.misses[0].cause, frame.events), (Cause::Occupied, 0));
     }
 }

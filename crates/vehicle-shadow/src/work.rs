@@ -6,9 +6,9 @@ use crate::insertion::{Method, ScanConverter};
 use crate::view_lines::LineCounts;
 
 /// Time of one point through the chain: transform and projection (s; hardware table 3.7, 60 to 150 us).
-const POINT_S: f64 = 90e-6;
+pub(crate) const POINT_S: f64 = 90e-6;
 /// Time of one intersection of an edge with a line (s; hardware table 3.7, 15 to 60 us).
-const INTERSECTION_S: f64 = 25e-6;
+pub(crate) const INTERSECTION_S: f64 = 25e-6;
 /// Time in which a scan converter is written all over, and in which it is erased (s; hardware table 3.8).
 const WRITE_S: f64 = 33e-3;
 const ERASE_S: f64 = 33e-3;
