@@ -17,6 +17,7 @@ use replay::{FileRecord, Inputs, Phase, file_hash};
 use scenario::{Ground, LawWishes, RasterWishes, Scenario};
 use stage::StageError;
 
+use crate::lunsim_keys::{hardware, is_of_gear, run_key};
 use crate::{Failure, values};
 
 /// Generators that are no machine, each with what it is: their names stand where that of a hardware model would.
@@ -158,7 +159,7 @@ impl StageArgs {
         let inputs = self.inputs(&scenario, &model)?;
         let generator = self.machine.as_deref().map_or_else(|| other(&scenario.machine), other);
         let generator = generator.unwrap_or(&HybridMachine);
-        let program = self.draws_lunsim(&scenario).then(|| self.lunsim_hardware()).transpose()?;
+        let program = self.draws_lunsim(&scenario).then(|| hardware(&self.options.set)).transpose()?;
         let phases = vec![Phase::since("read", start)];
         Ok(Loaded { scenario, model: model.model, settings, generator, program, inputs, phases })
     }
@@ -183,7 +184,7 @@ impl StageArgs {
         let name = asked.unwrap_or(hardware_model(&scenario.machine));
         let folder = self.scenario.parent().unwrap_or(Path::new(""));
         let draws_lunsim = self.draws_lunsim(scenario);
-        let is_of_model = |key: &str| lunsim_key(key).is_none() && !(draws_lunsim && is_of_program(key));
+        let is_of_model = |key: &str| run_key(key).is_none() && !(draws_lunsim && is_of_gear(key));
         let of_model: Vec<_> = self.options.set.iter().filter(|(key, _)| is_of_model(key)).cloned().collect();
         Ok(HardwareModel::load(&ModelSource::find(name, folder)?, &self.options.overlay, &of_model)?)
     }
@@ -192,19 +193,10 @@ impl StageArgs {
         self.machine.as_ref().unwrap_or(&scenario.machine) == lunsim::NAME
     }
 
-    /// Times of LUNSIM's computer and recorder, with what `--set` says of them.
-    fn lunsim_hardware(&self) -> Result<Hardware, Failure> {
-        let mut hardware = Hardware::shipped()?;
-        for (key, value) in self.options.set.iter().filter(|(key, _)| is_of_program(key)) {
-            hardware = hardware.with("--set", &format!("{key} = {value}"))?;
-        }
-        Ok(hardware)
-    }
-
     /// The command line is over the scenario.
     fn wish(&self, scenario: &mut Scenario) -> Result<(), Failure> {
         for (key, value) in &self.options.set {
-            match lunsim_key(key) {
+            match run_key(key) {
                 Some(key) => scenario.lunsim = scenario.lunsim.with("--set", &format!("{key} = {value}"))?,
                 None => drop_wish(scenario, key),
             }
@@ -260,16 +252,6 @@ impl StageArgs {
             model_values: model.values.clone(),
         })
     }
-}
-
-/// The key of a `--set` that is LUNSIM's and not the hardware model's.
-fn lunsim_key(key: &str) -> Option<&str> {
-    key.strip_prefix("lunsim.")
-}
-
-/// Whether a key of `--set` is of the computer or the recorder that LUNSIM ran on.
-fn is_of_program(key: &str) -> bool {
-    ["computer.", "recorder."].iter().any(|table| key.starts_with(table))
 }
 
 /// What `--set` says the scenario no longer wishes.

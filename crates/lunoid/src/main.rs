@@ -9,6 +9,7 @@ mod failure;
 mod frame;
 mod interrupt;
 mod loading;
+mod lunsim_keys;
 mod output;
 mod progress;
 mod values;

@@ -60,7 +60,7 @@ fn read(origin: &str, text: &str, usual: Option<Hardware>) -> Result<Hardware, P
 fn of_tables(root: &Reader, usual: Option<Hardware>) -> Option<Hardware> {
     let [computer, recorder] = ["computer", "recorder"].map(|name| root.table_or_empty(name));
     let time = |key: &str, usual: Option<u64>| {
-        let time = computer.f64(key).between(0.001, 1e6).unit("µs");
+        let time = computer.f64(key).between(0.001, 1e4).unit("µs");
         let usual = usual.map(|nanoseconds| nanoseconds as f64 / MICROSECOND);
         let time = if let Some(usual) = usual { time.default(usual) } else { time.required() };
         Some((time? * MICROSECOND).round() as u64)
