@@ -64,9 +64,9 @@ impl Checkout {
         Ok(Broken { path, before })
     }
 
-    /// Its last commit, in short.
+    /// Its last commit, in twelve digits.
     pub fn commit(&self) -> Result<String, String> {
-        git(&self.root, &["rev-parse", "--short", "HEAD"])
+        git(&self.root, &["rev-parse", "--short=12", "HEAD"])
     }
 }
 

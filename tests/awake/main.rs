@@ -5,7 +5,8 @@
 //! ```
 //!
 //! A break that does not compile, or that ends a test program without naming a test, is a fault of the list: it does
-//! not count as caught.
+//! not count as caught. A record is of one commit: what it says already is not run again, so that a run that was
+//! interrupted goes on where it ended.
 
 mod checkout;
 mod record;
@@ -20,7 +21,7 @@ use clap::Parser;
 use lunoid_tests::breaks::{Break, breaks};
 
 use checkout::Checkout;
-use record::{Outcome, Record};
+use record::Record;
 use run::{check_unbroken, verdict};
 
 /// Share of the list that tests must catch.
@@ -40,9 +41,9 @@ struct Options {
     #[arg(long, value_name = "N")]
     first: Option<usize>,
     /// Break this checkout and restore it, instead of a clone of its last commit in the target folder
-    #[arg(long)]
+    #[arg(long, conflicts_with = "json")]
     in_place: bool,
-    /// Write what was found to this file as well; what it says of other breaks stays
+    /// Keep what is found in this file, break by break; breaks that it has of the same commit are not run again
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
 }
@@ -61,13 +62,18 @@ fn main() -> ExitCode {
 /// Whether enough is caught.
 fn run_list(options: &Options) -> Result<bool, String> {
     ctrlc::set_handler(|| INTERRUPTED.store(true, Ordering::Relaxed)).map_err(|error| error.to_string())?;
-    let chosen = chosen(options)?;
     let checkout = if options.in_place { Checkout::here() } else { Checkout::cloned()? };
-    checkout.check(&chosen)?;
-    check_unbroken(&checkout, &chosen)?;
+    let list = breaks(&checkout.root)?;
+    let chosen = chosen(options, &list)?;
+    let mut record = match &options.json {
+        Some(path) => Record::resumed(path, checkout.commit()?, list.len())?,
+        None => Record::new(checkout.commit()?, list.len())?,
+    };
+    let left: Vec<Break> = chosen.into_iter().filter(|one| !record.has(one)).collect();
+    checkout.check(&left)?;
+    check_unbroken(&checkout, &left)?;
     println!("{:<34} {:>5}  caught by", "break", "s");
-    let mut outcomes = Vec::new();
-    for one in &chosen {
+    for one in &left {
         let begun = Instant::now();
         let verdict = {
             let _restored_at_the_end = checkout.apply(one)?;
@@ -75,23 +81,22 @@ fn run_list(options: &Options) -> Result<bool, String> {
         };
         let seconds = begun.elapsed().as_secs_f64();
         println!("{:<34} {seconds:>5.1}  {verdict}", one.name);
-        outcomes.push(Outcome { of: one.clone(), verdict, seconds });
-    }
-    let record = Record::new(&checkout, outcomes)?;
-    if let Some(path) = &options.json {
-        record.write(path)?;
+        record.add(one, verdict, seconds);
+        if let Some(path) = &options.json {
+            record.write(path)?;
+        }
     }
     println!("{}", record.summary());
     Ok(record.share() >= ENOUGH)
 }
 
-fn chosen(options: &Options) -> Result<Vec<Break>, String> {
-    let mut chosen = breaks()?;
+fn chosen(options: &Options, list: &[Break]) -> Result<Vec<Break>, String> {
     for name in &options.only {
-        if !chosen.iter().any(|one| one.name == *name) {
+        if !list.iter().any(|one| one.name == *name) {
             return Err(format!("--only {name}: expected a name of the list tests/awake/breaks.toml"));
         }
     }
+    let mut chosen = list.to_vec();
     chosen.retain(|one| options.only.is_empty() || options.only.contains(&one.name));
     chosen.truncate(options.first.unwrap_or(usize::MAX));
     if chosen.is_empty() {

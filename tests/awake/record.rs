@@ -1,47 +1,81 @@
 //! What was found, in a file that other pages are built from.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use lunoid_tests::breaks::{Break, breaks};
-use serde_json::{Value, json};
+use lunoid_tests::breaks::Break;
+use serde::{Deserialize, Serialize};
 
-use crate::checkout::Checkout;
 use crate::run::Verdict;
 
 /// What became of one break.
-#[derive(Debug)]
-pub struct Outcome {
-    /// The break.
-    pub of: Break,
+#[derive(Debug, Serialize, Deserialize)]
+struct Outcome {
+    /// Its name.
+    name: String,
+    /// What is wrong with the machine then.
+    what: String,
+    /// The file it is in.
+    file: PathBuf,
     /// What the tests said.
-    pub verdict: Verdict,
+    #[serde(flatten)]
+    verdict: Verdict,
     /// How long it took to compile and run them (s).
-    pub seconds: f64,
+    seconds: f64,
 }
 
-/// All outcomes of a run.
-#[derive(Debug)]
+/// What became of the breaks of one commit.
+#[derive(Debug, Serialize, Deserialize)]
 pub struct Record {
+    /// Day on which it was begun, UTC.
     date: String,
+    /// The commit that was broken.
     commit: String,
+    /// How many breaks the list of the commit has.
+    breaks: usize,
     outcomes: Vec<Outcome>,
 }
 
 impl Record {
-    /// Outcomes of today.
-    pub fn new(checkout: &Checkout, outcomes: Vec<Outcome>) -> Result<Self, String> {
+    /// A record begun today.
+    pub fn new(commit: String, breaks: usize) -> Result<Self, String> {
         let today = Command::new("date").args(["-u", "+%F"]).output();
         let today = today.map_err(|error| format!("date: {error}"))?;
         let date = String::from_utf8_lossy(&today.stdout).trim().to_owned();
-        Ok(Self { date, commit: checkout.commit()?, outcomes })
+        Ok(Self { date, commit, breaks, outcomes: Vec::new() })
+    }
+
+    /// The record at `path` if it is of this commit; else a new one.
+    pub fn resumed(path: &Path, commit: String, breaks: usize) -> Result<Self, String> {
+        let new = Self::new(commit, breaks)?;
+        if !path.exists() {
+            return Ok(new);
+        }
+        let wrong = |error: String| {
+            format!("{}: {error}; expected a record of awake: remove it to begin anew", path.display())
+        };
+        let text = std::fs::read_to_string(path).map_err(|error| wrong(error.to_string()))?;
+        let before: Self = serde_json::from_str(&text).map_err(|error| wrong(error.to_string()))?;
+        Ok(if before.commit == new.commit { before } else { new })
+    }
+
+    /// Whether it says what became of a break.
+    pub fn has(&self, one: &Break) -> bool {
+        self.outcomes.iter().any(|outcome| outcome.name == one.name)
+    }
+
+    /// Adds what became of a break, and how long that took (s).
+    pub fn add(&mut self, one: &Break, verdict: Verdict, seconds: f64) {
+        let Break { name, what, file, .. } = one.clone();
+        let seconds = (10.0 * seconds).round() / 10.0;
+        self.outcomes.push(Outcome { name, what, file, verdict, seconds });
     }
 
     fn caught(&self) -> usize {
         self.outcomes.iter().filter(|outcome| matches!(outcome.verdict, Verdict::Caught { .. })).count()
     }
 
-    /// Share of the breaks that a test caught, 0..=1.
+    /// Share of its breaks that a test caught, 0..=1.
     pub fn share(&self) -> f64 {
         self.caught() as f64 / self.outcomes.len() as f64
     }
@@ -53,50 +87,9 @@ impl Record {
         format!("{caught} of {all} breaks caught, {:.1} %, in {seconds:.0} s", 100.0 * self.share())
     }
 
-    /// Writes the outcomes as JSON. Of breaks that were not run this time, the outcomes that stand in the file stay:
-    /// each has its own date and commit.
+    /// Writes it as JSON.
     pub fn write(&self, path: &Path) -> Result<(), String> {
-        let before = before(path)?;
-        let outcome = |one: &Break| {
-            let found =
-                self.outcomes.iter().find(|outcome| outcome.of == *one).map(|outcome| self.json(outcome));
-            found.or_else(|| before.iter().find(|outcome| outcome["name"] == one.name.as_str()).cloned())
-        };
-        let outcomes: Vec<Value> = breaks()?.iter().filter_map(outcome).collect();
-        let caught = outcomes.iter().filter(|outcome| outcome["caught_by"].is_string()).count();
-        let share = caught as f64 / outcomes.len() as f64;
-        let whole =
-            json!({ "breaks": outcomes.len(), "caught": caught, "share": share, "outcomes": outcomes });
-        let write = |file: &mut dyn std::io::Write| writeln!(file, "{whole:#}");
-        files::write_atomic(path, write).map_err(|error| error.to_string())
+        let text = serde_json::to_string_pretty(self).map_err(|error| error.to_string())?;
+        files::write_atomic(path, |file| writeln!(file, "{text}")).map_err(|error| error.to_string())
     }
-
-    fn json(&self, outcome: &Outcome) -> Value {
-        let Break { name, what, file, .. } = &outcome.of;
-        let seconds = (10.0 * outcome.seconds).round() / 10.0;
-        let mut value = json!({
-            "name": name, "what": what, "file": file, "seconds": seconds, "date": self.date, "commit": self.commit,
-        });
-        match &outcome.verdict {
-            Verdict::Caught { test, arguments } => {
-                value["caught_by"] = json!(test);
-                value["tests"] = json!(arguments);
-            }
-            Verdict::NotCaught => value["caught_by"] = Value::Null,
-            Verdict::Fault(what) => value["fault"] = json!(what),
-        }
-        value
-    }
-}
-
-/// The outcomes that stand in a file; none if there is no such file.
-fn before(path: &Path) -> Result<Vec<Value>, String> {
-    if !path.exists() {
-        return Ok(Vec::new());
-    }
-    let at = path.display();
-    let text = std::fs::read_to_string(path).map_err(|error| format!("{at}: {error}"))?;
-    let whole: Value = serde_json::from_str(&text).map_err(|error| format!("{at}: {error}"))?;
-    let outcomes = whole["outcomes"].as_array().cloned();
-    outcomes.ok_or_else(|| format!("{at}: expected a file that awake wrote; give another name"))
 }

@@ -5,27 +5,29 @@ use std::fmt;
 use std::process::Command;
 
 use lunoid_tests::breaks::Break;
+use serde::{Deserialize, Serialize};
 
 use crate::checkout::Checkout;
 use crate::go_on;
 
 /// What became of a break.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(untagged)]
 pub enum Verdict {
     /// The first test that failed, and the arguments of cargo that ran it.
-    Caught { test: String, arguments: String },
-    /// All tests passed.
-    NotCaught,
+    Caught { caught_by: String, tests: String },
     /// The fault is in the break: the compiler or the end of a test program, no test, has stopped it.
-    Fault(String),
+    Fault { fault: String },
+    /// All tests passed.
+    NotCaught {},
 }
 
 impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Caught { test, arguments } => write!(f, "{test} ({arguments})"),
-            Self::NotCaught => f.write_str("NOT CAUGHT"),
-            Self::Fault(what) => write!(f, "{}", what.to_uppercase()),
+            Self::Caught { caught_by, tests } => write!(f, "{caught_by} ({tests})"),
+            Self::Fault { fault } => write!(f, "{}", fault.to_uppercase()),
+            Self::NotCaught {} => f.write_str("NOT CAUGHT"),
         }
     }
 }
@@ -57,14 +59,14 @@ pub fn check_unbroken(checkout: &Checkout, breaks: &[Break]) -> Result<(), Strin
 pub fn verdict(checkout: &Checkout, one: &Break) -> Result<Verdict, String> {
     for arguments in &one.tests {
         let Run { failed, fault, .. } = run(checkout, arguments)?;
-        if let Some(test) = failed {
-            return Ok(Verdict::Caught { test, arguments: arguments.clone() });
+        if let Some(caught_by) = failed {
+            return Ok(Verdict::Caught { caught_by, tests: arguments.clone() });
         }
         if let Some(fault) = fault {
-            return Ok(Verdict::Fault(fault));
+            return Ok(Verdict::Fault { fault });
         }
     }
-    Ok(Verdict::NotCaught)
+    Ok(Verdict::NotCaught {})
 }
 
 fn run(checkout: &Checkout, arguments: &str) -> Result<Run, String> {

@@ -34,9 +34,9 @@ pub fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-/// All breaks in the order of the list; an error says what is wrong with the list, or with a break in it.
-pub fn breaks() -> Result<Vec<Break>, String> {
-    let path = root().join("tests/awake/breaks.toml");
+/// All breaks in the order of the list of the checkout at `root`; an error says what is wrong with the list.
+pub fn breaks(root: &Path) -> Result<Vec<Break>, String> {
+    let path = root.join("tests/awake/breaks.toml");
     let text = std::fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
     let List { breaks } = toml::from_str(&text).map_err(|error| format!("{}: {error}", path.display()))?;
     Ok(breaks)

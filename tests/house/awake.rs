@@ -6,7 +6,7 @@ use lunoid_tests::breaks::{breaks, root};
 
 #[test]
 fn every_break_applies_to_the_code_as_it_is() {
-    let breaks = breaks().unwrap_or_else(|error| panic!("{error}"));
+    let breaks = breaks(&root()).unwrap_or_else(|error| panic!("{error}"));
     assert!(breaks.len() >= 30, "{} breaks: expected at least thirty", breaks.len());
     let names: BTreeSet<&str> = breaks.iter().map(|one| one.name.as_str()).collect();
     assert_eq!(names.len(), breaks.len(), "two breaks have one name");

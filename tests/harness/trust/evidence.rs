@@ -85,7 +85,7 @@ pub const EVIDENCE: &[Evidence] = &[
     Evidence {
         name: "awake",
         title: "Deliberate breaks, and the test that caught each",
-        command: "cargo run --quiet -p lunoid-tests --bin awake -- --in-place --json docs/trust/awake.json",
+        command: "cargo run --quiet -p lunoid-tests --bin awake -- --json docs/trust/awake.json",
         form: Form::Awake,
     },
     Evidence {

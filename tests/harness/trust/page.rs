@@ -133,14 +133,14 @@ fn lockstep(text: &mut String, found: &Value) {
 fn awake(text: &mut String, evidence: &Evidence, found: &Value) {
     let outcomes = list(found, "outcomes");
     let caught = outcomes.iter().filter(|outcome| outcome["caught_by"].is_string()).count();
-    let dates = || outcomes.iter().map(|outcome| cell(outcome, "date"));
     let _ = writeln!(
         text,
-        "From {} to {}:\n\n```sh\n{}\n```\n\n{caught} of {} breaks were caught, none of them by a golden picture.\n",
-        dates().min().unwrap_or_default(),
-        dates().max().unwrap_or_default(),
+        "{}, commit {}:\n\n```sh\n{}\n```\n\n{caught} of {} breaks were caught, none of them by a golden picture; the list has {}.\n",
+        cell(found, "date"),
+        cell(found, "commit"),
         evidence.command,
-        outcomes.len()
+        outcomes.len(),
+        cell(found, "breaks")
     );
     text.push_str("| break | caught by |\n|---|---|\n");
     for outcome in outcomes {
