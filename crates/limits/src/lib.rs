@@ -1,7 +1,7 @@
-//! How much is read and made at most, by names with which a user allows more.
+//! How much is read and made at most, by names with which a user allows more, or less where memory is short.
 //!
 //! Limits guard against a slip of the keyboard and against hostile files. They decide whether something is refused, never
-//! what it comes to, so they are the process's: a command raises them before it reads anything.
+//! what it comes to, so they are the process's: a command sets them before it reads anything.
 //!
 //! ```
 //! use limits::Limit;
@@ -83,15 +83,15 @@ const fn row(limit: Limit, name: &'static str, what: &'static str, usual: u64, m
     Row { limit, name, what, usual, most }
 }
 
-/// What each is raised to; 0 where it is not.
-static RAISED: [AtomicU64; ROWS.len()] = [const { AtomicU64::new(0) }; ROWS.len()];
+/// What each is set to; 0 where it is not.
+static SET: [AtomicU64; ROWS.len()] = [const { AtomicU64::new(0) }; ROWS.len()];
 
 impl Limit {
     /// The largest that is allowed now.
     pub fn value(self) -> u64 {
-        match RAISED[self as usize].load(Ordering::Relaxed) {
+        match SET[self as usize].load(Ordering::Relaxed) {
             0 => self.row().usual,
-            raised => raised,
+            set => set,
         }
     }
 
@@ -113,7 +113,7 @@ impl fmt::Display for Limit {
     }
 }
 
-/// Sets a limit to what `assignment` says, `NAME=VALUE`: a whole number, from the usual value to the row's most.
+/// Sets a limit to what `assignment` says, `NAME=VALUE`: a whole number, from 1 to the row's most.
 ///
 /// # Errors
 /// What is wrong with it, and what was expected.
@@ -124,13 +124,12 @@ pub fn raise(assignment: &str) -> Result<(), String> {
         let names: Vec<_> = ROWS.iter().map(|row| row.name).collect();
         format!("there is no limit `{name}`; there are {}", names.join(", "))
     })?;
-    let expected =
-        || format!("{name}: expected a whole number from {} to {}, found `{value}`", row.usual, row.most);
+    let expected = || format!("{name}: expected a whole number from 1 to {}, found `{value}`", row.most);
     let value: u64 = value.replace('_', "").parse().map_err(|_| expected())?;
-    if !(row.usual..=row.most).contains(&value) {
+    if !(1..=row.most).contains(&value) {
         return Err(expected());
     }
-    RAISED[row.limit as usize].store(value, Ordering::Relaxed);
+    SET[row.limit as usize].store(value, Ordering::Relaxed);
     Ok(())
 }
 
@@ -151,6 +150,8 @@ mod tests {
         assert!(Limit::Patches.allows(1_000_000) && !Limit::Patches.allows(1_000_001));
         assert_eq!(raise("patches=3_000_000"), Ok(()));
         assert!(Limit::Patches.allows(3_000_000) && !Limit::Patches.allows(3_000_001));
+        assert_eq!(raise("patches=3"), Ok(()));
+        assert!(Limit::Patches.allows(3) && !Limit::Patches.allows(4));
     }
 
     #[test]
@@ -158,8 +159,9 @@ mod tests {
         for (wrong, word) in [
             ("craters", "expected NAME=VALUE"),
             ("holes=7", "there is no limit `holes`; there are corners, "),
-            ("frames=few", "frames: expected a whole number from 10000000 to"),
-            ("frames=7", "found `7`"),
+            ("frames=few", "frames: expected a whole number from 1 to 1099511627776, found `few`"),
+            ("frames=0", "found `0`"),
+            ("frames=1099511627777", "found `1099511627777`"),
             ("frames=-1", "found `-1`"),
             ("frames=99999999999999999999", "whole number"),
         ] {

@@ -29,7 +29,7 @@ pub struct Cli {
     /// Colour in messages.
     #[arg(long, global = true, value_enum, default_value_t = Colour::Auto)]
     pub color: Colour,
-    /// Allow more than a limit does (`lunoid list limits`); may be given several times.
+    /// Allow more than a limit does, or less (`lunoid list limits`); may be given several times.
     #[arg(long, global = true, value_name = "NAME=VALUE")]
     pub raise: Vec<String>,
     /// What to do.

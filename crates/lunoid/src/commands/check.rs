@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use diagnostics::{Problem, ProblemList, ProblemRecord, Problems, TomlFile};
 use hardware_model::{HardwareModel, ModelSource};
+use limits::Limit;
 use scenario::{PoseTable, Scenario};
 use serde_json::{Value, json};
 
@@ -50,7 +51,7 @@ impl Kind {
     pub fn of(path: &Path) -> Self {
         let problems = Problems::new();
         let name = path.display().to_string();
-        let file = files::read_all(path, 16 << 20).ok();
+        let file = files::read_all(path, Limit::TextBytes).ok();
         let file = file.and_then(|bytes| TomlFile::parse_bytes(&name, &bytes, &problems));
         let has = |keys: &[&str]| {
             file.as_ref().is_some_and(|file| keys.iter().any(|key| file.root(&problems).has(key)))
