@@ -70,6 +70,17 @@ mod tests {
         }
     }
 
+    /// At no pitch it is the exact law, and pitch is not in it.
+    #[test]
+    fn the_corrected_law_leaves_pitch_out() {
+        let of = |projection, pitch| Deflection::new(projection, pitch, 0.4).at(-0.15);
+        let level = of(Projection::Corrected, 0.0);
+        assert!(
+            (level - of(Projection::Exact, 0.0)).abs() < 1e-15 && level != of(Projection::AsReported, 0.0)
+        );
+        assert_eq!(of(Projection::Corrected, 0.3), level);
+    }
+
     #[test]
     fn lines_run_from_the_top() {
         let level = Deflection::new(Projection::Exact, 0.0, 0.0).in_lines(500.0, 0.25);

@@ -28,6 +28,9 @@ fn the_three_types() {
     ];
     let expected = expected.map(|(centre, shape, rim)| Crater::new(centre, shape, 20.0, rim).unwrap());
     assert_eq!(read(file(text).path()).unwrap(), expected);
+    let told = expected.map(|crater| (crater.type_number(), crater.shape().clone(), crater.depth()));
+    assert_eq!(told[1], (2, Shape::RimmedBowl { r1: 100.0, r2: 140.0 }, 20.0));
+    assert_eq!(told.map(|(number, _, _)| number), [1, 2, 3, 3]);
 }
 
 #[test]
@@ -158,6 +161,10 @@ fn rows_of_an_array_that_are_no_craters_are_named() {
     assert!(titles[1].contains("type is 1.5") && titles[2].contains("outer_m is 140"), "{titles:?}");
     let many: Vec<f64> = (0..50).flat_map(|_| with(2, 0.0)).collect();
     assert_eq!(read(array(&folder, 8, &many)).unwrap_err().len(), 21);
+    let single = files::Npy::new(vec![1, 6], vec![1.0_f32; 6]).unwrap();
+    files::write_npy(folder.path().join("single.npy"), &single).unwrap();
+    let refused = read(folder.path().join("single.npy")).unwrap_err().render(false);
+    assert!(refused.contains("not float64") && refused.contains("save it as float64"), "{refused}");
     for (width, rows) in [(7, vec![0.0; 14]), (8, vec![])] {
         assert_eq!(read(array(&folder, width, &rows)).unwrap_err().len(), 1);
     }

@@ -363,5 +363,8 @@ mod tests {
         let refused = Level::new(1.0, [0.0; 2], [2, 2], poisoned);
         assert_eq!(refused, Err(BankError::WordRange { north: 1, east: 0, word: 5, value: f64::INFINITY }));
         assert_eq!(Bank::new("", vec![], None), Err(BankError::NoLevels));
+        let of_size = |size: f64| Level::new(size, [0.0; 2], [2, 2], vec![[0.0; 9]; 4]).unwrap();
+        let descending = Bank::new("", vec![of_size(2.0), of_size(5.0), of_size(5.0)], None);
+        assert_eq!(descending, Err(BankError::LevelOrder(2)));
     }
 }

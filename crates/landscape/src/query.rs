@@ -121,7 +121,9 @@ impl Landscape {
 #[cfg(test)]
 mod tests {
     use super::Landscape;
-    use crate::{Bank, Level};
+    use crate::texture::{Layer, Source};
+    use crate::{Bank, Level, Photometry, Silhouette, Texture};
+    use features::{Crater, Features, Shape};
 
     #[test]
     fn a_tilted_plane_is_exact() {
@@ -141,5 +143,44 @@ mod tests {
         assert!((point.slopes[0] - 0.1).abs() < 1e-14);
         assert!((point.slopes[1] + 0.2).abs() < 1e-14);
         assert_eq!(landscape.at(500.1, 0.0), None);
+        assert_eq!(landscape.height(123.0, 456.0), Some(point.height));
+        assert_eq!(landscape.height(0.0, -0.1), None);
+    }
+
+    #[test]
+    fn ground_rests_on_data_where_the_survey_had_some() {
+        let level = Level::new(10.0, [0.0; 2], [3, 3], vec![[0.0; 9]; 9]).unwrap();
+        let bank = Bank::new("", vec![level], None).unwrap().with_voids(vec![[1, 0]]).unwrap();
+        let landscape = Landscape::new(bank, 0.5);
+        assert!(landscape.has_data(5.0, 5.0) && landscape.has_data(15.0, 15.0));
+        assert!(!landscape.has_data(15.0, 5.0) && !landscape.has_data(25.0, 5.0));
+        // It is drawn all the same.
+        assert_eq!(landscape.height(15.0, 5.0), Some(0.0));
+    }
+
+    #[test]
+    fn what_is_laid_over_the_terrain_leaves_the_rest_as_it_was() {
+        let level = Level::new(10.0, [0.0; 2], [2, 2], vec![[0.0; 9]; 4]).unwrap();
+        let terrain = Landscape::new(Bank::new("", vec![level], None).unwrap(), 0.25);
+        let crater = Crater::new([5.0, 5.0], Shape::Bowl { r1: 2.0 }, 1.0, 0.0).unwrap();
+        let layer = Layer { cell: 1.0, amplitude: 0.1, range: 10.0 };
+        let texture = Texture::new(&[layer], Source::Random, 1, 10.0, [0.0; 2]).unwrap();
+        let ridge = Silhouette::new(vec![[0.0, 0.1], [1.0, 0.2]], 0.75).unwrap();
+        let whole = terrain
+            .clone()
+            .with_features(Features::new(vec![crater]))
+            .with_texture(Some(texture.clone()))
+            .with_photometry(Photometry::LunarLambert)
+            .with_silhouettes(vec![ridge.clone()]);
+        assert_eq!(whole.features().craters(), [crater]);
+        assert_eq!((whole.texture(), whole.photometry()), (Some(&texture), &Photometry::LunarLambert));
+        assert_eq!(whole.silhouettes(), [ridge]);
+        assert_eq!(
+            (whole.silhouettes()[0].outline()[1], whole.silhouettes()[0].reflectivity()),
+            ([1.0, 0.2], 0.75)
+        );
+        assert_eq!((whole.bank(), whole.albedo()), (terrain.bank(), 0.25));
+        assert_eq!(whole.level(), &whole.bank().levels()[0]);
+        assert_eq!((terrain.texture(), terrain.silhouettes().len()), (None, 0));
     }
 }

@@ -102,6 +102,14 @@ mod tests {
         set_up(foot, [cos, sin])
     }
 
+    #[test]
+    fn ramps_that_stand_never_fold() {
+        assert_eq!(Folds::new(&set_up([1.25, 2.5], [0.0, 0.0])).next(), None);
+        let along_x: Vec<_> =
+            Folds::new(&set_up([1.25, 2.5], [1.0, 0.0])).take(2).map(|(range, _)| range).collect();
+        assert_eq!(along_x, [0.75, 1.75]);
+    }
+
     fn folds(start: &SweepStart, until: f64) -> Vec<(f64, RampAxis, Stop)> {
         Folds::new(start)
             .take_while(|(range, _)| *range <= until)

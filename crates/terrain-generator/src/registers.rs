@@ -127,7 +127,10 @@ impl Registers {
 #[cfg(test)]
 mod tests {
     use landscape::CornerWords;
-    use sweep_program::{Colour, Fold, Load, PreloadRegister, RampAxis, Stop, Target, WordMask};
+    use quantities::SweepTime;
+    use sweep_program::{
+        Colour, Fold, Load, PreloadRegister, RampAxis, Step, StepKind, Stop, Target, WordMask,
+    };
 
     use super::Registers;
 
@@ -153,6 +156,23 @@ mod tests {
             let turned = usize::from(axis == RampAxis::Y);
             assert_eq!([registers.polarity[turned], registers.polarity[1 - turned]], [-1.0, 1.0]);
         }
+    }
+
+    /// Without transfer pulses a ramp turns, and every colour keeps its words.
+    #[test]
+    fn a_bare_fold_turns_the_ramp_alone() {
+        let (mut registers, buffer) = filled();
+        let step = |kind| Step { time: SweepTime(0.0), range: 1.0, sample: 1, kind };
+        registers.apply(&step(StepKind::BareFold(Fold { axis: RampAxis::Y, stop: Stop::One })), &buffer);
+        assert_eq!(registers.hold(&buffer).map(|words| words[0]), [0.0, 1.0, 2.0, 3.0]);
+        assert_eq!(registers.polarity, [1.0, -1.0]);
+        let target = Target::Preload(PreloadRegister::YFirst);
+        let load = Load { colour: Colour::Yellow, target, corner: 12, words: WordMask::ALL };
+        registers.apply(&step(StepKind::Load(load)), &buffer);
+        assert_eq!(registers.hold(&buffer)[Colour::Yellow as usize][0], 0.0);
+        registers.apply(&step(StepKind::Fold(Fold { axis: RampAxis::Y, stop: Stop::One })), &buffer);
+        assert_eq!(registers.hold(&buffer)[Colour::Yellow as usize], &[12.0; 9]);
+        assert_eq!(registers.polarity, [1.0, 1.0]);
     }
 
     #[test]

@@ -146,6 +146,14 @@ fn sections_that_cannot_be_are_named() {
         Some("section 2 (title), byte 1792"),
         "a place is no UTF-8"
     );
+    // The title's entry renamed and moved: a second place, as long as the first.
+    let mut twice = encode(&two_levels());
+    let place = 192..192 + 24;
+    twice.copy_within(place, 256);
+    twice[256 + 8..256 + 16].copy_from_slice(&number(1856));
+    twice[1856..1888].fill(0);
+    let error = decode(&sealed(twice)).unwrap_err();
+    assert!(matches!(&error, BankFormatError::Repeated { offset: 1856, .. }), "{error}");
 }
 
 #[test]
@@ -231,7 +239,19 @@ fn arrays_of_other_shape_or_type_are_refused() {
     };
     assert_eq!(of(vec![9, 2, 2], vec![0.0f64; 36].into()), CornersError::Shape { found: vec![9, 2, 2] });
     assert_eq!(of(vec![4, 9], vec![0.0f64; 36].into()), CornersError::Shape { found: vec![4, 9] });
-    assert_eq!(of(vec![2, 2, 9], vec![0.0f32; 36].into()), CornersError::Type { found: "f32" });
+    for (data, found) in [
+        (vec![0.0f32; 36].into(), "f32"),
+        (NpyData::U8(vec![0; 36]), "u8"),
+        (NpyData::I8(vec![0; 36]), "i8"),
+        (NpyData::U16(vec![0; 36]), "u16"),
+        (NpyData::I16(vec![0; 36]), "i16"),
+        (NpyData::U32(vec![0; 36]), "u32"),
+        (NpyData::I32(vec![0; 36]), "i32"),
+        (NpyData::U64(vec![0; 36]), "u64"),
+        (NpyData::I64(vec![0; 36]), "i64"),
+    ] {
+        assert_eq!(of(vec![2, 2, 9], data), CornersError::Type { found });
+    }
     assert!(matches!(of(vec![1, 4, 9], vec![0.0f64; 36].into()), CornersError::Level(_)));
 }
 

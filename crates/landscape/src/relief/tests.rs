@@ -211,6 +211,23 @@ fn sizes_beyond_memory_are_refused_before_they_are_made() {
     assert!(matches!(many.check(), Err(ReliefError::TooManyCraters(_))));
 }
 
+/// Straight, it is the same profile all along.
+#[test]
+fn a_straight_rille_runs_along_its_azimuth() {
+    let rille = Rille { through: [400.0, 400.0], azimuth: 0.0, width: 100.0, depth: 12.0, meander: None };
+    let level = Relief { rilles: vec![rille], ..Relief::flat(1, [800.0; 2], 20.0) }.build().unwrap();
+    let at = |x: f64, y: f64| {
+        let (region, place) = level.locate(x, y).unwrap();
+        level.height_and_slopes(region, place)[0]
+    };
+    for x in [10.0, 250.0, 777.0] {
+        assert!((at(x, 400.0) + 12.0).abs() < 1e-9, "{}", at(x, 400.0));
+        assert!((at(x, 380.0) - at(x, 420.0)).abs() < 1e-9);
+        assert!((at(x, 370.0) - at(133.0, 370.0)).abs() < 1e-9);
+        assert!(at(x, 40.0).abs() < 1e-3, "{}", at(x, 40.0));
+    }
+}
+
 /// Far ground around `everything(5.0)`: a long swell, a mountain that reaches into the fine level, craters.
 fn around(region_size: f64) -> Relief {
     let swell = Undulation { rms_height: 3.0, hurst: 0.9, longest: 900.0, shortest: 400.0, waves: 12 };

@@ -1,5 +1,6 @@
-use super::{Layer, Source, Texture, TextureError};
+use super::{Lattice, Layer, Source, Texture, TextureError};
 use proptest::prelude::{Strategy, any, prop_assert, prop_assert_eq, proptest};
+use signal::{LANES, Lanes};
 
 const ORIGIN: [f64; 2] = [-130.0, 70.0];
 const REGION: f64 = 32.0;
@@ -93,6 +94,24 @@ proptest! {
         let value = pattern(source, seed, [x, y]);
         prop_assert!(value.abs() <= 1.0);
         prop_assert_eq!(value, pattern(source, seed, [x, y]));
+    }
+}
+
+#[test]
+fn lanes_are_places_one_by_one() {
+    let [x, y] = [0, 1].map(|axis| Lanes::from_fn(|lane| (lane as f64 - 3.0) * 11.7 + f64::from(axis) * 5.3));
+    for source in [Source::Random, Source::Pattern] {
+        let texture = texture(source, 8);
+        let grain = &texture.grains()[0];
+        let (double, single): (Lanes<f64>, Lanes<f32>) = match grain.lattice() {
+            Lattice::Stored(lattice) => (lattice.lanes(&x, &y), lattice.lanes(&x, &y)),
+            Lattice::Hashed(lattice) => (lattice.lanes(&x, &y), lattice.lanes(&x, &y)),
+        };
+        for lane in 0..LANES {
+            let alone = grain.pattern(x[lane], y[lane]);
+            assert_eq!(double[lane], alone, "{source:?}, lane {lane}");
+            assert!((f64::from(single[lane]) - alone).abs() < 1e-6, "{source:?}, lane {lane}");
+        }
     }
 }
 

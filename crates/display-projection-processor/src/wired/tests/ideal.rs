@@ -7,7 +7,7 @@ use proptest::prelude::{prop_assert, proptest};
 use scenario::{Curvature, Occlusion};
 use signal::{Breaks, LANES, Lanes};
 
-use super::{BOTH, Driven, H, HALF, LINES, PartsProcessor, Scratch, level, parts, run};
+use super::{BOTH, Driven, H, HALF, LINES, PartsProcessor, Scratch, level, parts, run, run_by};
 use crate::{Processor, Projected};
 
 const SAMPLES: usize = 300;
@@ -23,6 +23,21 @@ fn ideal(occlusion: Occlusion, share: impl Fn(f64) -> f64) -> Projected<f64> {
 
 fn is_on(out: &Driven<f64>, sample: usize) -> bool {
     out.on[0].iter().any(|&[begin, end]| begin <= sample as f64 && sample as f64 <= end)
+}
+
+/// What the comparator of falls sees; of peak-hold there is no such wire.
+#[test]
+fn the_derivative_of_a_slope_is_its_rate() {
+    let share = |k: f64| if k < 100.0 { 0.001 * k } else { 0.1 - 0.002 * (k - 100.0) };
+    let (processor, out) = run_by(Occlusion::Derivative, &AnalogParts::ideal(), SAMPLES, share);
+    let rates = processor.derivative(&out, 3).unwrap();
+    assert_eq!(rates.len(), SAMPLES);
+    for (sample, rate) in rates.into_iter().enumerate().filter(|(k, _)| !(98..103).contains(k) && *k > 2) {
+        let expected = HALF / H * if sample < 100 { 0.001 } else { -0.002 };
+        assert!((rate / expected - 1.0).abs() < 1e-9, "{rate} at {sample}, expected {expected}");
+    }
+    let (processor, out) = run_by(Occlusion::PeakHold, &AnalogParts::ideal(), SAMPLES, share);
+    assert_eq!(processor.derivative(&out, 3), None);
 }
 
 proptest! {

@@ -33,6 +33,16 @@ fn parts(change: impl FnOnce(&mut AnalogParts)) -> AnalogParts {
 
 /// Runs the elevation `share` (of full scale, by sample) on all lanes, sweep 0 on.
 fn run(occlusion: Occlusion, parts: &AnalogParts, samples: usize, share: impl Fn(f64) -> f64) -> Driven<f64> {
+    run_by(occlusion, parts, samples, share).1
+}
+
+/// The same with the processor that it went through.
+fn run_by(
+    occlusion: Occlusion,
+    parts: &AnalogParts,
+    samples: usize,
+    share: impl Fn(f64) -> f64,
+) -> (PartsProcessor<f64>, Driven<f64>) {
     let ranges: Vec<f64> = (0..samples).map(|k| 1.0 + 1e-6 * k as f64).collect();
     let height: Vec<_> =
         ranges.iter().enumerate().map(|(k, z)| Lanes::splat(HALF * share(k as f64) * z)).collect();
@@ -48,7 +58,7 @@ fn run(occlusion: Occlusion, parts: &AnalogParts, samples: usize, share: impl Fn
         &mut Scratch::default(),
         &mut out,
     );
-    out
+    (processor, out)
 }
 
 /// The processed elevation (share) of lane 0 at a time, between samples.
