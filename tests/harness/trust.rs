@@ -1,5 +1,6 @@
 //! What the page of trust rests on, and the page.
 
+mod coverage;
 mod evidence;
 mod page;
 
@@ -40,7 +41,11 @@ pub fn measure(house: &Path, evidence: &Evidence) -> Result<(), String> {
     let program = words.next().unwrap_or_default();
     let ended = Command::new(program).args(words).current_dir(house).output();
     let ended = ended.map_err(|error| format!("{program}: {error}"))?;
-    let said = String::from_utf8_lossy(&ended.stdout);
+    let mut said = String::from_utf8_lossy(&ended.stdout).into_owned();
+    if evidence.form == Form::Coverage {
+        let found = coverage::coverage(&said, house)?;
+        said = serde_json::to_string_pretty(&found).map_err(|error| error.to_string())?;
+    }
     let kept = Kept {
         date: line_of(house, "date", &["-u", "+%F"])?,
         commit: line_of(house, "git", &["rev-parse", "--short=12", "HEAD"])?,

@@ -22,6 +22,8 @@ pub enum Form {
     Lockstep,
     /// A table of the file that `awake --json` writes.
     Awake,
+    /// A table of the tracefile that `cargo llvm-cov --lcov` prints.
+    Coverage,
     /// The lines that it printed.
     Lines,
 }
@@ -59,6 +61,12 @@ pub const EVIDENCE: &[Evidence] = &[
         form: Form::Lines,
     },
     Evidence {
+        name: "determinism",
+        title: "Shipped scenarios by every build and every way of the command",
+        command: "cargo run --quiet -p lunoid-tests --example determinism",
+        form: Form::Lines,
+    },
+    Evidence {
         name: "endurance",
         title: "A hundred thousand frames, memory flat to one percent",
         command: "cargo run --quiet -p lunoid-tests --example endurance -- 100000",
@@ -87,6 +95,13 @@ pub const EVIDENCE: &[Evidence] = &[
         title: "Deliberate breaks, and the test that caught each",
         command: "cargo run --quiet -p lunoid-tests --bin awake -- --json docs/trust/awake.json",
         form: Form::Awake,
+    },
+    Evidence {
+        name: "coverage",
+        title: "Lines and branches of laws and parts that their tests reach",
+        command: "env RUSTC_BOOTSTRAP=1 cargo llvm-cov --branch --lcov -p features -p parts -p landscape -p sweep-generator \
+                  -p terrain-generator -p display-projection-processor",
+        form: Form::Coverage,
     },
     Evidence {
         name: "mutants",

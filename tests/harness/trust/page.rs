@@ -1,11 +1,13 @@
 //! `docs/trust.md`: kept results as tables, and what was written by hand.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
 use serde_json::Value;
 
+use super::coverage::{FileCoverage, stretches};
 use super::{EVIDENCE, Evidence, Form, Kept, kept};
 
 /// The page made of the results in `folder`, and of `head.md` and `foot.md` there.
@@ -44,6 +46,9 @@ fn section(text: &mut String, evidence: &Evidence, kept: &Kept) {
     let outcome = if *passed { "held" } else { "**did not hold**" };
     let _ = writeln!(text, "{outcome}, {date}, commit {commit}, {seconds} s:\n\n```sh\n{command}\n```\n");
     let whole = said.join("\n");
+    if let (Form::Coverage, Ok(files)) = (evidence.form, serde_json::from_str::<Vec<FileCoverage>>(&whole)) {
+        return coverage(text, &files);
+    }
     match (evidence.form, serde_json::from_str::<Value>(&whole)) {
         (Form::Cartridges, Ok(found)) => cartridges(text, &found),
         (Form::Lockstep, Ok(found)) => lockstep(text, &found),
@@ -127,6 +132,36 @@ fn lockstep(text: &mut String, found: &Value) {
             cell(signal, "doubtful"),
             left_out.join("; ")
         );
+    }
+}
+
+/// `part` of `whole` with its share.
+fn share(part: usize, whole: usize) -> String {
+    match whole {
+        0 => "none".into(),
+        _ => format!("{part} of {whole}, {:.1} %", 100.0 * part as f64 / whole as f64),
+    }
+}
+
+fn coverage(text: &mut String, files: &[FileCoverage]) {
+    let mut crates: BTreeMap<&str, [usize; 4]> = BTreeMap::new();
+    for file in files {
+        let name = file.file.split('/').nth(1).unwrap_or_default();
+        for of in [name, "all"] {
+            let sums = crates.entry(of).or_default();
+            sums.iter_mut().zip(file.counts()).for_each(|(sum, count)| *sum += count);
+        }
+    }
+    text.push_str("| crate | lines reached | branches taken |\n|---|---|---|\n");
+    for (name, [reached, lines, taken, branches]) in crates {
+        let _ = writeln!(text, "| {name} | {} | {} |", share(reached, lines), share(taken, branches));
+    }
+    text.push_str("\n| file | lines reached | lines not reached | branches taken |\n|---|---|---|---|\n");
+    for file in files {
+        let [reached, lines, taken, branches] = file.counts();
+        let (name, missed) = (&file.file, stretches(&file.missed));
+        let _ =
+            writeln!(text, "| {name} | {} | {missed} | {} |", share(reached, lines), share(taken, branches));
     }
 }
 
