@@ -184,7 +184,7 @@ struct Opening {
 #[cfg(test)]
 mod tests {
     use hardware_model::{Cpu, CrossingServer, HardwareModel, IoProcessor, Loader};
-    use quantities::Tick;
+    use quantities::{Tick, unit_interval};
     use sweep_program::{Colour, PreloadRegister};
 
     use super::{Job, Server, Wanted};
@@ -202,21 +202,21 @@ mod tests {
         }
     }
 
+    fn job(number: u32, colour: Colour, asked: u64, crossing: u32) -> Job {
+        let wanted = Wanted::Register(PreloadRegister::XFirst);
+        Job { number, colour, wanted, corner: 0, asked: Tick(asked), crossing, urgent: false, late: false }
+    }
+
     /// Sets of the folds at `asked`, four each; begin and end of service, last word.
     fn served(loader: &Loader, asked: &[u64]) -> (Vec<[u64; 2]>, u64) {
         let cpu = Cpu::default();
         let mut server = Server::new(loader, &cpu, 0, [0; 2], Tick(0));
         for (crossing, &asked) in asked.iter().enumerate() {
             for set in 0..4 {
+                let number = (4 * crossing + set) as u32;
                 server.ask(Job {
-                    number: (4 * crossing + set) as u32,
-                    colour: Colour::ALL[set / 2],
-                    wanted: Wanted::Register(PreloadRegister::XFirst),
-                    corner: 0,
-                    asked: Tick(asked),
-                    crossing: crossing as u32,
                     urgent: set == 0,
-                    late: false,
+                    ..job(number, Colour::ALL[set / 2], asked, crossing as u32)
                 });
             }
         }
@@ -253,6 +253,59 @@ mod tests {
         assert_eq!((sets.len() as u64, busy), (8, 2 * (7 + 4 * set)));
         // The first set of the second crossing is urgent, and second in line.
         assert_eq!(sets[1][0], 100 + 7 + set + 7 + 3 + 1);
+    }
+
+    /// Recognition waits for the rest of the instruction at hand, which is the interrupted task's time; a fold that is seen
+    /// while the processor serves another interrupts nothing.
+    #[test]
+    fn an_interrupt_waits_for_the_instruction_at_hand() {
+        let (cpu, seed, place) = (Cpu { longest_instruction: 1000, ..Cpu::default() }, 5, [2, 7]);
+        let loader = loader(CrossingServer::CpuInterrupt, 1, PROGRAMME);
+        let mut server = Server::new(&loader, &cpu, seed, place, Tick(0));
+        assert_eq!(server.lines(), 0..1);
+        for (crossing, asked) in [(0, 100), (1, 101)] {
+            server.ask(job(crossing, Colour::Red, asked, crossing));
+        }
+        let rest = (unit_interval(seed, &[2, 7, 0]) * 1000.0) as u64;
+        assert!(rest > 10);
+        let set = 9 * 5;
+        let [first, second] = [server.next(0, None), server.next(0, None)].map(Option::unwrap);
+        assert_eq!((first.begin, first.waited), (Tick(100 + rest + cpu.crossing() + 1), false));
+        assert_eq!((second.begin, second.waited), (Tick(first.begin.0 + set + cpu.crossing() + 1), true));
+        let [used, ..] = server.use_of_lines();
+        assert_eq!(used.busy, 2 * (cpu.crossing() + 1 + set));
+        assert_eq!((used.interrupts, used.longest_queue), (2 * cpu.crossing(), 2));
+    }
+
+    #[test]
+    fn what_waits_behind_a_fold_is_offered_in_order_of_number() {
+        use Colour::{Black, Green, Yellow};
+        let cpu = Cpu::default();
+        for server in [CrossingServer::WiredPointers, CrossingServer::IoProcessor] {
+            for colours in [[Yellow, Green, Black], [Green, Yellow, Black], [Yellow, Black, Green]] {
+                let loader = loader(server, 1, PROGRAMME);
+                let mut server = Server::new(&loader, &cpu, 0, [0; 2], Tick(0));
+                for (number, colour) in (0..).zip(colours) {
+                    server.ask(job(number, colour, 100, 0));
+                }
+                let mut offered = Vec::new();
+                server.retain([Yellow, Green], |job| {
+                    offered.push(job.number);
+                    job.colour == Green
+                });
+                let expected: Vec<u32> =
+                    (0..).zip(colours).filter(|(_, c)| *c != Black).map(|(n, _)| n).collect();
+                assert_eq!(offered, expected, "{colours:?}");
+                let mut left = Vec::new();
+                while let Some(found) = server.lines().find_map(|line| server.next(line, None)) {
+                    left.push(found.job.colour);
+                }
+                left.sort();
+                assert_eq!(left, [Green, Black], "{colours:?}");
+            }
+        }
+        let wired = loader(CrossingServer::WiredPointers, 1, PROGRAMME);
+        assert_eq!(Server::new(&wired, &cpu, 0, [0; 2], Tick(0)).lines(), 0..4);
     }
 
     #[test]
