@@ -1,7 +1,7 @@
 //! The scenarios that ship with the project, drawn by the library.
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 use compare::{
     EDGE_PLANES, EdgeLimits, RidgeError, edge_mask, horizon_of_picture, horizon_of_range, ridge_error,
@@ -75,6 +75,18 @@ pub struct Agreement {
 /// Ridge lines are where range jumps by more than this share between neighbours.
 pub const RIDGE_JUMP: f32 = 0.1;
 
+/// Shadow boundaries that this program has made: for one ground and sun they are the same in all its tests, and take
+/// longer than its pictures. What another run of it has left is removed, so all are made by the code as it is.
+static SHADOWS: LazyLock<PathBuf> = LazyLock::new(|| {
+    let program = std::env::current_exe().expect("the program of the tests");
+    let folder = program.with_extension("shadows");
+    if folder.exists() {
+        std::fs::remove_dir_all(&folder).expect("a folder of its own");
+    }
+    std::fs::create_dir_all(&folder).expect("a folder beside the program");
+    folder
+});
+
 /// The folder of the shipped scenarios.
 pub fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenarios")
@@ -105,6 +117,7 @@ impl Shipped {
         let source = ModelSource::find(named, &folder()).unwrap_or_else(|e| panic!("{e}"));
         let model = HardwareModel::load(&source, &[], &[]).unwrap_or_else(|e| panic!("{e}")).model;
         let settings = stage::settings(&scenario, &model).expect("shipped settings");
+        let settings = Settings { shadow_cache: Some(SHADOWS.clone()), ..settings };
         let stage = stage::build(&scenario, settings).unwrap_or_else(|e| panic!("{name}: {e}"));
         let Stage { landscape, scenery, settings } = stage;
         Self { landscape, course: scenery.course().to_vec(), settings, scenario }

@@ -208,6 +208,23 @@ mod tests {
         assert!(off[200] > 0.0 && off[800] < 0.0);
     }
 
+    /// `1 - e^(-(t - t_d)/tau)` from the delay on, two whole steps and a quarter.
+    #[test]
+    fn a_delay_longer_than_a_step_is_the_word_of_samples_ago() {
+        let (h, tau) = (50e-9, 20e-9);
+        let converter = Converter::<f64>::new(h, &ConverterLaw { delay: 2.25 * h, tau, ..BARE });
+        assert_eq!(converter.whole_steps(), 2);
+        let mut state = converter.at_rest(0.0);
+        for sample in 1..12_usize {
+            // The word changes at sample 0; a step that begins at `sample - 1` is fed with the word of two samples ago.
+            let word = if sample > converter.whole_steps() { 512 } else { 0 };
+            let since = (sample as f64 - 2.25).max(0.0) * h;
+            let expected = -0.5 * libm::expm1(-since / tau);
+            let found = converter.step(&mut state, word);
+            assert!((found - expected).abs() < 1e-14, "{found} at {sample}, expected {expected}");
+        }
+    }
+
     #[test]
     fn a_pulse_has_the_area_of_its_carry() {
         let (h, tau) = (50e-9, 20e-9);

@@ -91,6 +91,12 @@ pub const EVIDENCE: &[Evidence] = &[
         form: Form::Lines,
     },
     Evidence {
+        name: "fuzz",
+        title: "Readers under a fuzzer that is led by coverage",
+        command: "fuzz/run 40",
+        form: Form::Lines,
+    },
+    Evidence {
         name: "awake",
         title: "Deliberate breaks, and the test that caught each",
         command: "cargo run --quiet -p lunoid-tests --bin awake -- --json docs/trust/awake.json",
@@ -109,6 +115,14 @@ pub const EVIDENCE: &[Evidence] = &[
         command: "cargo mutants --workspace --file crates/landscape/src/photometry.rs --file crates/landscape/src/lunoid.rs \
                   --file crates/sweep-generator/src/ramps.rs \
                   --file crates/display-projection-processor/src/deflection.rs --timeout 60 --cap-lints true --output target",
+        form: Form::Lines,
+    },
+    Evidence {
+        name: "mutants-more",
+        title: "More law files changed by it: craters, the array, its registers, the server of words, range",
+        command: "cargo mutants --workspace --file crates/features/src/crater.rs --file crates/terrain-generator/src/array.rs \
+                  --file crates/terrain-generator/src/registers.rs --file crates/dpu/src/server.rs \
+                  --file crates/sweep-generator/src/range_table.rs --timeout 60 --cap-lints true --output target",
         form: Form::Lines,
     },
     Evidence {
