@@ -111,9 +111,9 @@ impl<'a> View<'a> {
         let ends = window.map(|instant| value(&clock, along, instant));
         let ([place, _], [instant, _]) = (clock.line.place(), clock.line.instant());
         let axis = match along {
-            Along::LogRange => Axis::new(&format!("{place} (m)")).logarithmic(),
-            Along::Range => Axis::new(&format!("{place} (m)")),
-            Along::Time => Axis::new(&clock.line.instant_with_unit(instant)),
+            Along::LogRange => Axis::new(format!("{place} (m)")).logarithmic(),
+            Along::Range => Axis::new(format!("{place} (m)")),
+            Along::Time => Axis::new(clock.line.instant_with_unit(instant)),
         };
         let axis = if from.is_some() || to.is_some() { axis.over(ends) } else { axis };
         // A sweep may begin at the foot of the eye, where there is no logarithm.

@@ -151,6 +151,7 @@ fn timing(frame: u64) -> TimingSummary {
     TimingSummary {
         frames: vec![frame],
         tick_s: 5e-8,
+        ticks: 666_667,
         folds: 74_859,
         late_words: 9,
         sets: Sets { wanted: 400, loaded: 300, late: 1, wasted: 100, cancelled: 0 },
