@@ -28,7 +28,7 @@ fn the_three_types() {
     ];
     let expected = expected.map(|(centre, shape, rim)| Crater::new(centre, shape, 20.0, rim).unwrap());
     assert_eq!(read(file(text).path()).unwrap(), expected);
-    let told = expected.map(|crater| (crater.type_number(), crater.shape().clone(), crater.depth()));
+    let told = expected.map(|crater| (crater.type_number(), crater.shape(), crater.depth()));
     assert_eq!(told[1], (2, Shape::RimmedBowl { r1: 100.0, r2: 140.0 }, 20.0));
     assert_eq!(told.map(|(number, _, _)| number), [1, 2, 3, 3]);
 }

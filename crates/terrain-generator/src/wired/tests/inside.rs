@@ -6,7 +6,7 @@ use signal::LANES;
 use super::{DATUM, SIZE, STEP, Scene, level};
 use crate::programs::program;
 use crate::wired::{ArrayState, PartsArray, Wired};
-use crate::{Inside, OUT_OF_SIGHT, Polynomials, Profile, TerrainGenerator};
+use crate::{Inside, OUT_OF_SIGHT, Profile, TerrainGenerator};
 
 /// What the four colours add to the height at a sample.
 fn sum(inside: &Inside, sample: usize) -> f64 {
@@ -65,7 +65,7 @@ fn stretches_of_any_number_of_samples_are_the_ground() {
         let generator =
             TerrainGenerator { buffer: level.words(), region_size: SIZE, ranges: &ranges, datum: DATUM };
         let mut profile = Profile::<f64>::default();
-        generator.run_by(&mut Polynomials, &programs, &Scene::new().light, &mut profile);
+        generator.run(&programs, &Scene::new().light, &mut profile);
         for (sample, range) in ranges.iter().enumerate() {
             let [x, y] = [0, 1].map(|axis| eye[axis] + direction[axis] * range);
             let (region, place) = level.locate(x, y).unwrap();
