@@ -21,15 +21,21 @@ fn documented_keys() -> BTreeSet<&'static str> {
 
 #[test]
 fn all_examples_are_read() {
-    let [model, overlay] = blocks()[..] else { panic!("a model and an overlay") };
+    let [model, overlay, wires] = blocks()[..] else { panic!("a model, an overlay and a model with wires") };
     let folder = tempfile::tempdir().unwrap();
-    let [model_file, overlay_file] = ["model.toml", "overlay.toml"].map(|name| folder.path().join(name));
-    fs::write(&model_file, model).unwrap();
-    fs::write(&overlay_file, overlay).unwrap();
+    let [model_file, overlay_file, wires_file] =
+        ["model.toml", "overlay.toml", "wires.toml"].map(|name| folder.path().join(name));
+    for (file, text) in [(&model_file, model), (&overlay_file, overlay), (&wires_file, wires)] {
+        fs::write(file, text).unwrap();
+    }
     let loaded =
         HardwareModel::read(&model_file, &[overlay_file], &[]).unwrap_or_else(|list| panic!("{list}"));
     assert_eq!((loaded.model.name.as_str(), loaded.model.loader.access), ("late-loads", 300));
     assert_eq!(loaded.model.loader.delays.len(), 1);
+    let loaded = HardwareModel::read(&wires_file, &[], &[]).unwrap_or_else(|list| panic!("{list}"));
+    assert!(
+        loaded.model.analog.wires.drives("mu.reflectivity") && !loaded.model.analog.wires.drives("mu.height")
+    );
     assert_ne!(loaded.model.range, HardwareModel::ideal().range);
 }
 
