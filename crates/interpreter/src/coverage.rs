@@ -1,6 +1,6 @@
 //! What the interpreter does not model, and why: those signals are not compared.
 
-use hardware_model::{CrossingServer, Settings, WriteCompensation};
+use hardware_model::{AnalogParts, CrossingServer, Settings, WriteCompensation};
 
 /// What of one sweep it cannot know.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -15,17 +15,30 @@ pub struct Unknown {
 
 /// Why the interpreter has no opinion on `signal` under `settings`; `None` if it has.
 pub fn why_not(signal: &str, settings: &Settings, unknown: Unknown) -> Option<&'static str> {
+    behind_amplifiers(signal, settings, unknown).or_else(|| inside_blocks(signal, settings, unknown))
+}
+
+/// Main signals and what lies behind them, where they have output amplifiers: the terrain's it knows everywhere, the others between
+/// rims and edges of shadow.
+fn behind_amplifiers(signal: &str, settings: &Settings, unknown: Unknown) -> Option<&'static str> {
+    let Settings { analog: AnalogParts { wires, spread, .. }, .. } = settings;
+    let is_terrain = ["tg.height", "tg.slope.u", "tg.slope.v", "tg.reflectivity"].contains(&signal);
+    let lies_behind =
+        is_terrain || ["fg.", "mu.", "dpp.", "sm."].iter().any(|block| signal.starts_with(block));
+    if wires.is_ideal() || !lies_behind {
+        return None;
+    }
+    let is_cut = !is_terrain && unknown.breaks || signal == "fg.reflectivity";
+    match (*spread, is_cut) {
+        (true, _) => Some("output amplifiers drawn from a seed"),
+        (false, true) => Some("rims and edges of shadow behind output amplifiers"),
+        (false, false) => None,
+    }
+}
+
+fn inside_blocks(signal: &str, settings: &Settings, unknown: Unknown) -> Option<&'static str> {
     let parts = &settings.analog;
-    let of = |other: &str| why_not(other, settings, unknown);
-    let lags = !parts.wires.is_ideal();
-    let is_main = ["tg.height", "tg.slope.u", "tg.slope.v", "tg.reflectivity"].contains(&signal);
-    let lies_behind = is_main || ["fg.", "mu.", "dpp.", "sm."].iter().any(|block| signal.starts_with(block));
-    if lags && parts.spread && lies_behind {
-        return Some("output amplifiers drawn from a seed");
-    }
-    if lags && !is_main && lies_behind && (unknown.breaks || signal.starts_with("fg.")) {
-        return Some("rims and edges of shadow behind output amplifiers");
-    }
+    let of = |other: &str| inside_blocks(other, settings, unknown);
     match signal {
         "sweep.x" | "sweep.y" | "sweep.range" => None,
         "sc.gate" | "mu.vs2" => Some("given: the gate is taken as the machine has it"),

@@ -70,7 +70,7 @@ impl<S: Real> Driver<S> {
             let due = next_step(jumps, &passed).clamp(sample, signal.len());
             self.follow(&mut signal[sample..due], &mut state);
             if let Some(now) = signal.get_mut(due) {
-                let before = state;
+                let (before, inputs) = (state, *now);
                 match self.bounds {
                     None => self.lag(now, &mut state),
                     Some(bounds) => self.slew_step(now, &mut state, bounds),
@@ -78,11 +78,15 @@ impl<S: Real> Driver<S> {
                 for (lane, jumps) in jumps.iter_mut().enumerate() {
                     let own = &mut jumps[passed[lane]..];
                     let count = own.iter().take_while(|jump| step_of(jump.at) <= due).count();
-                    if count > 0 {
+                    if let Some(&Jump { at, after, .. }) = own[..count].last() {
                         passed[lane] += count;
-                        let [from, to] = [&before, &state].map(|state| state.u[lane].to_f64());
-                        let begin = (due as f64 - 1.0, from, before.y[lane].to_f64());
-                        now[lane] = S::from_f64(self.through(&mut own[..count], begin, to));
+                        if at == due as f64 {
+                            // At the sample itself: the input goes on from behind it.
+                            state.u[lane] = S::from_f64(after);
+                        }
+                        let begin = (due as f64 - 1.0, before.u[lane].to_f64(), before.y[lane].to_f64());
+                        now[lane] =
+                            S::from_f64(self.through(&mut own[..count], begin, inputs[lane].to_f64()));
                     }
                 }
                 state.y = *now;
@@ -119,44 +123,30 @@ impl<S: Real> Driver<S> {
         let begin = *state;
         let mut input = [Lanes::default(); BLOCK];
         input[..block.len()].copy_from_slice(block);
-        let mut beyond = [S::ZERO; LANES];
+        let [mut behind, mut change] = [Range::NONE; 2];
         for value in &mut *block {
-            let most = self.beyond(state, value, bounds);
-            for lane in 0..LANES {
-                beyond[lane] = most[lane].at_least(beyond[lane]);
-            }
+            behind.take(&state.u, &state.y);
+            change.take(value, &state.u);
             self.lag(value, state);
         }
-        if any_above_zero(&beyond) {
+        if behind.leaves(bounds[0]) || change.leaves(bounds[1]) {
             block.copy_from_slice(&input[..block.len()]);
             *state = begin;
             block.iter_mut().for_each(|value| self.slew_step(value, state, bounds));
         }
     }
 
-    /// How far the next step is beyond the bounds: below or at 0 within them.
-    #[inline(always)]
-    fn beyond(&self, State { u, y }: &State<S>, now: &Lanes<S>, [reach, climb]: [S; 2]) -> [S; LANES] {
-        let size = |value: S| (-value).at_least(value);
-        let mut beyond = [S::ZERO; LANES];
-        for lane in 0..LANES {
-            let (behind, change) = (size(u.0[lane] - y.0[lane]), size(now.0[lane] - u.0[lane]));
-            beyond[lane] = (behind - reach).at_least(change - climb);
-        }
-        beyond
-    }
-
     /// One step; lanes that are beyond the bounds are walked.
     #[inline(never)]
     fn slew_step(&self, value: &mut Lanes<S>, state: &mut State<S>, bounds: [S; 2]) {
-        let (before, now, beyond) = (*state, *value, self.beyond(state, value, bounds));
+        let (State { u, y }, now) = (*state, *value);
         self.lag(value, state);
-        if !any_above_zero(&beyond) {
-            return;
-        }
-        for lane in (0..LANES).filter(|&lane| beyond[lane] > S::ZERO) {
-            let (y, input) = (before.y[lane].to_f64(), [before.u[lane], now[lane]].map(S::to_f64));
-            value[lane] = S::from_f64(self.slew.advance(1.0, y, input, |_| {}));
+        let size = |value: S| (-value).at_least(value);
+        let is_beyond =
+            |lane: usize| size(u[lane] - y[lane]) > bounds[0] || size(now[lane] - u[lane]) > bounds[1];
+        for lane in (0..LANES).filter(|&lane| is_beyond(lane)) {
+            let input = [u[lane], now[lane]].map(S::to_f64);
+            value[lane] = S::from_f64(self.slew.advance(1.0, y[lane].to_f64(), input, |_| {}));
         }
         state.y = *value;
     }
@@ -212,9 +202,30 @@ impl Answer {
     }
 }
 
-#[inline(always)]
-fn any_above_zero<S: Real>(values: &[S; LANES]) -> bool {
-    values.iter().fold(false, |any, &value| any | (value > S::ZERO))
+/// Least and greatest differences of two signals of a group.
+#[derive(Debug, Clone, Copy)]
+struct Range<S> {
+    least: Lanes<S>,
+    most: Lanes<S>,
+}
+
+impl<S: Real> Range<S> {
+    const NONE: Self = Self { least: Lanes([S::ZERO; LANES]), most: Lanes([S::ZERO; LANES]) };
+
+    #[inline(always)]
+    fn take(&mut self, a: &Lanes<S>, b: &Lanes<S>) {
+        for lane in 0..LANES {
+            let difference = a.0[lane] - b.0[lane];
+            let (least, most) = (&mut self.least.0[lane], &mut self.most.0[lane]);
+            *least = if difference < *least { difference } else { *least };
+            *most = if difference > *most { difference } else { *most };
+        }
+    }
+
+    #[inline(always)]
+    fn leaves(&self, bound: S) -> bool {
+        (0..LANES).fold(false, |any, lane| any | (self.least.0[lane] < -bound) | (self.most.0[lane] > bound))
+    }
 }
 
 /// The first step with a jump that has not been passed.

@@ -166,6 +166,21 @@ proptest! {
     }
 }
 
+/// A jump at a sample counts whichever side of it the sample has.
+#[test]
+fn a_jump_at_a_sample_is_one_jump() {
+    let driver = Driver::<f64>::new(H, 0.7 * H, f64::INFINITY);
+    let sample =
+        |there: f64| (0..SAMPLES).map(move |k| if k == 4 { there } else { f64::from(u8::from(k > 4)) });
+    for there in [0.0, 1.0] {
+        let (samples, _) =
+            pass(&driver, &(sample(there).collect(), vec![Jump { at: 4.0, before: 0.0, after: 1.0 }]));
+        for (k, value) in samples.iter().enumerate() {
+            assert_near(*value, -libm::expm1(-(k as f64 - 4.0).max(0.0) / 0.7), 1e-12);
+        }
+    }
+}
+
 /// What is drawn in straight lines has the area of the answer, however many jumps a step has.
 #[test]
 fn lines_have_the_area_of_the_answer() {
