@@ -1,6 +1,6 @@
 //! Output amplifiers of the unit: the composite landscape behind lags and limits of slew.
 
-use parts::{Driver, Jump};
+use parts::{Driver, Jump, Jumps};
 use signal::{Break, Breaks, LANES, Lanes, Real};
 
 use crate::Mixed;
@@ -26,7 +26,7 @@ pub struct OutputDrivers<S> {
 pub struct DriverScratch<S> {
     breaks: Breaks<S>,
     bends: [Vec<bool>; LANES],
-    jumps: [Vec<Jump>; LANES],
+    jumps: Jumps,
 }
 
 impl<S: Real> OutputDrivers<S> {
@@ -47,7 +47,7 @@ impl<S: Real> DriverScratch<S> {
     fn drive_video(&mut self, driver: &Driver<S>, Mixed { reflectivity, breaks, .. }: &mut Mixed<S>) {
         self.take_jumps(breaks, |place| [place.before, place.after]);
         driver.pass(reflectivity, &mut self.jumps);
-        for (breaks, jumps) in breaks.iter_mut().zip(&self.jumps) {
+        for (breaks, jumps) in breaks.iter_mut().zip(&self.jumps.lists) {
             for (place, jump) in breaks.iter_mut().zip(jumps) {
                 (place.before, place.after) = (S::from_f64(jump.before), S::from_f64(jump.after));
             }
@@ -57,13 +57,13 @@ impl<S: Real> DriverScratch<S> {
     fn drive_height(&mut self, driver: &Driver<S>, Mixed { height, breaks, .. }: &mut Mixed<S>) {
         self.take_jumps(breaks, |place| [place.height; 2]);
         driver.pass(height, &mut self.jumps);
-        for (place, jump) in breaks.iter_mut().flatten().zip(self.jumps.iter().flatten()) {
+        for (place, jump) in breaks.iter_mut().flatten().zip(self.jumps.lists.iter().flatten()) {
             place.height = S::from_f64(jump.before);
         }
     }
 
     fn take_jumps(&mut self, breaks: &Breaks<S>, sides: impl Fn(&Break<S>) -> [S; 2]) {
-        for (jumps, breaks) in self.jumps.iter_mut().zip(breaks) {
+        for (jumps, breaks) in self.jumps.lists.iter_mut().zip(breaks) {
             jumps.clear();
             jumps.extend(breaks.iter().map(|place| {
                 let [before, after] = sides(place).map(S::to_f64);

@@ -20,7 +20,7 @@ use signal::{LANES, Lanes, Real};
 
 use crate::Jump;
 use crate::broken::step_of;
-use crate::lag::LagStep;
+use crate::lag::{LagStep, LagSteps};
 use crate::slew::Slew;
 
 /// The part, for one step length.
@@ -35,6 +35,15 @@ pub struct Driver<S> {
 
 /// Steps that are looked at together for one that slews.
 const BLOCK: usize = 16;
+
+/// Jumps of a group of sweeps, and what drivers need beside them; used again from signal to signal.
+#[derive(Debug, Clone, Default)]
+pub struct Jumps {
+    /// Lane by lane, ascending.
+    pub lists: [Vec<Jump>; LANES],
+    /// The lag of the part of a step before each jump, and of the rest of its step.
+    lags: [Vec<[LagStep<f64>; 2]>; LANES],
+}
 
 /// Input and output of a group at one sample.
 #[derive(Debug, Clone, Copy)]
@@ -61,9 +70,11 @@ impl<S: Real> Driver<S> {
         ((size - self.slew.reach()) / self.slew.rate).max(0.0)
     }
 
-    /// Passes a group through. `jumps` of its lanes, ascending, become those of the output.
-    pub fn pass(&self, signal: &mut [Lanes<S>], jumps: &mut [Vec<Jump>; LANES]) {
+    /// Passes a group through. Its jumps become those of the output.
+    pub fn pass(&self, signal: &mut [Lanes<S>], jumps: &mut Jumps) {
         let Some(&first) = signal.first() else { return };
+        jumps.prepare(self.slew.tau);
+        let Jumps { lists: jumps, lags } = jumps;
         let mut state = State { u: first, y: first };
         let (mut passed, mut sample) = ([0; LANES], 1);
         while sample < signal.len() {
@@ -79,6 +90,7 @@ impl<S: Real> Driver<S> {
                     let own = &mut jumps[passed[lane]..];
                     let count = own.iter().take_while(|jump| step_of(jump.at) <= due).count();
                     if let Some(&Jump { at, after, .. }) = own[..count].last() {
+                        let lags = &lags[lane][passed[lane]..];
                         passed[lane] += count;
                         if at == due as f64 {
                             // At the sample itself: the input goes on from behind it.
@@ -86,7 +98,7 @@ impl<S: Real> Driver<S> {
                         }
                         let begin = (due as f64 - 1.0, before.u[lane].to_f64(), before.y[lane].to_f64());
                         now[lane] =
-                            S::from_f64(self.through(&mut own[..count], begin, inputs[lane].to_f64()));
+                            S::from_f64(self.through(&mut own[..count], lags, begin, inputs[lane].to_f64()));
                     }
                 }
                 state.y = *now;
@@ -153,36 +165,79 @@ impl<S: Real> Driver<S> {
 
     /// One step of one lane over its jumps, which become the output's; time, input and output where it begins, the input
     /// where it ends. The output there.
-    fn through(&self, jumps: &mut [Jump], (mut at, mut u, mut y): (f64, f64, f64), last: f64) -> f64 {
+    fn through(
+        &self,
+        jumps: &mut [Jump],
+        lags: &[[LagStep<f64>; 2]],
+        (mut at, mut u, mut y): (f64, f64, f64),
+        last: f64,
+    ) -> f64 {
         let end = at + 1.0;
         for k in 0..jumps.len() {
             let jump = jumps[k];
             let length = (jump.at - at).max(0.0);
-            let next = self.over(y, [u, jump.before], length);
+            let next = self.over(y, [u, jump.before], length, &lags[k][0]);
             if let Some(passed) = k.checked_sub(1) {
                 jumps[passed].after = next.straight_from([y, u], length);
             }
             (at, u, y) = (jump.at, jump.after, next.y);
             jumps[k].before = y;
         }
+        let Some((jump, lag)) = jumps.iter_mut().zip(lags).last() else { return y };
         let length = (end - at).max(0.0);
-        let next = self.over(y, [u, last], length);
-        if let Some(jump) = jumps.last_mut() {
-            jump.after = next.straight_from([y, u], length);
-        }
+        let next = self.over(y, [u, last], length, &lag[1]);
+        jump.after = next.straight_from([y, u], length);
         next.y
     }
 
-    /// From output `y` over `length` steps, the input going straight from `u0` to `u1`.
-    fn over(&self, y: f64, [u0, u1]: [f64; 2], length: f64) -> Answer {
+    /// From output `y` over `length` steps, the input going straight from `u0` to `u1`; `lag` is that of the length.
+    #[inline(always)]
+    fn over(&self, y: f64, [u0, u1]: [f64; 2], length: f64, lag: &LagStep<f64>) -> Answer {
         let free = (u0 - y).abs() <= self.slew.reach() && (u1 - u0).abs() <= self.slew.rate * length;
         if free || length == 0.0 {
-            let next = LagStep::part(length, self.slew.tau).step(y, u0, u1);
+            let next = lag.step(y, u0, u1);
             return Answer { y: next, area: 0.5 * (u0 + u1) * length - self.slew.tau * (next - y) };
         }
+        self.slewed(y, [u0, u1], length)
+    }
+
+    #[inline(never)]
+    fn slewed(&self, y: f64, input: [f64; 2], length: f64) -> Answer {
         let mut area = 0.0;
-        let next = self.slew.advance(length, y, [u0, u1], |piece| area += piece.area());
+        let next = self.slew.advance(length, y, input, |piece| area += piece.area());
         Answer { y: next, area }
+    }
+}
+
+impl Jumps {
+    /// Those of `lists`.
+    pub fn of(lists: [Vec<Jump>; LANES]) -> Self {
+        Self { lists, ..Self::default() }
+    }
+
+    /// Lags of time constant `tau` (steps) for the parts of steps around each jump, several side by side.
+    fn prepare(&mut self, tau: f64) {
+        for (jumps, lags) in self.lists.iter().zip(&mut self.lags) {
+            lags.clear();
+            for some in (0..jumps.len()).step_by(LANES) {
+                // Places beyond the last jump repeat it.
+                let place = |k: usize| (some + k).min(jumps.len() - 1);
+                let [mut before, mut rest] = [[0.0; LANES]; 2];
+                for k in 0..LANES {
+                    let at = jumps[place(k)].at;
+                    let end = step_of(at).max(1) as f64;
+                    let passed = place(k).checked_sub(1).map_or(0.0, |passed| jumps[passed].at);
+                    (before[k], rest[k]) = ((at - passed.max(end - 1.0)).max(0.0), (end - at).max(0.0));
+                }
+                let [before, rest] = [before, rest].map(|lengths| LagSteps::new(lengths, [tau; LANES]));
+                let lag = |of: &LagSteps<LANES>, k: usize| LagStep {
+                    keep: of.keep[k],
+                    from: of.from[k],
+                    to: of.to[k],
+                };
+                lags.extend((0..LANES.min(jumps.len() - some)).map(|k| [lag(&before, k), lag(&rest, k)]));
+            }
+        }
     }
 }
 

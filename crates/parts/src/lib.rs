@@ -57,7 +57,7 @@ pub use comparator::{Comparator, ComparatorLaw, ComparatorState, GateEdge, Trip}
 pub use converter::{Converter, ConverterLanes, ConverterLaw, ConverterState, carry_weight};
 pub use delay::Delay;
 pub use differentiator::{Differentiator, differentiated_noise};
-pub use driver::Driver;
+pub use driver::{Driver, Jumps};
 pub use fade::Fade;
 pub use function_bank::{BANK, FunctionBank};
 pub use function_generator::{Ends, FunctionGenerator, FunctionLaw, segment_error};

@@ -1,7 +1,7 @@
 //! Wires of the feature generator, which bend and jump at kinks.
 
 use feature_generator::{FeatureProfile, Kink};
-use parts::Jump;
+use parts::{Jump, Jumps};
 use signal::{LANES, Lanes, Real};
 
 use crate::feature_light::Lit;
@@ -62,12 +62,8 @@ impl<S: Real> Wires<S> {
 }
 
 /// What jumps at `kinks`: step, part of the step, and the values on both sides.
-fn take_jumps<S: Real, K>(
-    kinks: &[Vec<K>; LANES],
-    jumps: &mut [Vec<Jump>; LANES],
-    of: impl Fn(&K) -> (usize, S, [S; 2]),
-) {
-    for (jumps, kinks) in jumps.iter_mut().zip(kinks) {
+fn take_jumps<S: Real, K>(kinks: &[Vec<K>; LANES], jumps: &mut Jumps, of: impl Fn(&K) -> (usize, S, [S; 2])) {
+    for (jumps, kinks) in jumps.lists.iter_mut().zip(kinks) {
         jumps.clear();
         jumps.extend(kinks.iter().map(|kink| {
             let (sample, share, sides) = of(kink);
@@ -78,12 +74,8 @@ fn take_jumps<S: Real, K>(
 }
 
 /// What jumps now.
-fn put_back<S: Real, K>(
-    jumps: &[Vec<Jump>; LANES],
-    kinks: &mut [Vec<K>; LANES],
-    put: impl Fn(&mut K, [S; 2]),
-) {
-    for (jumps, kinks) in jumps.iter().zip(kinks) {
+fn put_back<S: Real, K>(jumps: &Jumps, kinks: &mut [Vec<K>; LANES], put: impl Fn(&mut K, [S; 2])) {
+    for (jumps, kinks) in jumps.lists.iter().zip(kinks) {
         for (jump, kink) in jumps.iter().zip(kinks) {
             put(kink, [jump.before, jump.after].map(S::from_f64));
         }

@@ -19,7 +19,7 @@ mod terrain;
 use generator::Stage;
 use hardware_model::{MAIN_WIRES, WireParts};
 use mixing_unit::{DriverScratch, Mixed, OutputDrivers};
-use parts::{Driver, Jump, Spread, Tolerance, relative_sigma, time_constant};
+use parts::{Driver, Jumps, Spread, Tolerance, relative_sigma, time_constant};
 use signal::{LANES, Lanes, Real};
 use terrain_generator::OUT_OF_SIGHT;
 
@@ -46,7 +46,7 @@ struct Generator<S> {
 /// Lists that drivers need; used again from group to group.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct WireScratch<S> {
-    jumps: [Vec<Jump>; LANES],
+    jumps: Jumps,
     mixed: DriverScratch<S>,
 }
 

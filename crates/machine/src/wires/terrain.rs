@@ -1,7 +1,6 @@
 //! Wires of the terrain generators.
 
-use std::array;
-
+use parts::Jumps;
 use signal::{LANES, Real};
 use terrain_generator::Profile;
 
@@ -11,7 +10,7 @@ impl<S: Real> Wires<S> {
     /// Height and slopes behind their amplifiers; sweeps run in `directions`.
     pub fn drive_terrain(&self, directions: &[[f64; 2]; LANES], ends: &Ends, profile: &mut Profile<S>) {
         let Profile { height, along, across, .. } = profile;
-        let mut no_jumps = array::from_fn(|_| Vec::new());
+        let mut no_jumps = Jumps::default();
         if let Some(driver) = &self.terrain.height {
             hold_beyond(ends, height);
             driver.pass(height, &mut no_jumps);
@@ -30,7 +29,7 @@ impl<S: Real> Wires<S> {
     /// Reflectivity behind its amplifier.
     pub fn drive_terrain_light(&self, profile: &mut Profile<S>) {
         if let Some(driver) = &self.terrain.reflectivity {
-            driver.pass(&mut profile.reflectivity, &mut array::from_fn(|_| Vec::new()));
+            driver.pass(&mut profile.reflectivity, &mut Jumps::default());
         }
     }
 }

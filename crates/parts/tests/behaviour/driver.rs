@@ -2,7 +2,7 @@
 
 use std::array;
 
-use parts::{Driver, Jump};
+use parts::{Driver, Jump, Jumps};
 use proptest::prelude::{Just, Strategy, any, prop_assert, prop_assert_eq, prop_oneof, proptest};
 use signal::{LANES, Lanes};
 
@@ -18,8 +18,9 @@ type Sweep = (Vec<f64>, Vec<Jump>);
 /// The output of one sweep alone.
 fn pass(driver: &Driver<f64>, (samples, jumps): &Sweep) -> Sweep {
     let mut signal: Vec<_> = samples.iter().map(|&value| Lanes::splat(value)).collect();
-    let mut lists = array::from_fn(|_| jumps.clone());
-    driver.pass(&mut signal, &mut lists);
+    let mut out = Jumps::of(array::from_fn(|_| jumps.clone()));
+    driver.pass(&mut signal, &mut out);
+    let lists = out.lists;
     assert!(lists.iter().all(|list| *list == lists[0]));
     (signal.iter().map(|value| value[0]).collect(), lists[0].clone())
 }
@@ -153,8 +154,9 @@ proptest! {
     ) {
         let driver = Driver::<f64>::new(H, tau * H, rate / H);
         let mut signal: Vec<_> = (0..SAMPLES).map(|k| Lanes::from_fn(|lane| inputs[lane].0[k])).collect();
-        let mut jumps = array::from_fn(|lane| inputs[lane].1.clone());
-        driver.pass(&mut signal, &mut jumps);
+        let mut out = Jumps::of(array::from_fn(|lane| inputs[lane].1.clone()));
+        driver.pass(&mut signal, &mut out);
+        let jumps = out.lists;
         for lane in 0..if wide { LANES } else { 1 } {
             let (samples, alone) = pass(&driver, &inputs[lane]);
             let found: Vec<f64> = signal.iter().map(|value| value[lane]).collect();
