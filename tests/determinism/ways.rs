@@ -14,7 +14,7 @@ use crate::Case;
 use crate::builds::Build;
 
 /// Frames of every case.
-pub const FRAMES: usize = 6;
+pub const FRAMES: usize = 5;
 
 /// Hash of the pixels of every frame.
 pub type Frames = BTreeMap<u64, String>;
@@ -46,11 +46,12 @@ pub const WAYS: [Way; 8] = [
     Way::Killed,
 ];
 
-/// A case drawn by a build, into runs in `folder`.
+/// A case drawn by a build, into runs in `folder`, with boundaries of shadow kept in `shadows`.
 pub struct Drawing<'a> {
     pub build: &'a Build,
     pub case: &'a Case,
     pub folder: &'a Path,
+    pub shadows: &'a Path,
 }
 
 impl Drawing<'_> {
@@ -119,7 +120,12 @@ impl Drawing<'_> {
         // No multiple of eight, so that the last group of sweeps is not full.
         command.args(["replay", &scenario, "-m", self.case.machine, "--sweeps", "61", "--samples", "200"]);
         command.args(self.case.options).args(options).arg("--out").arg(self.folder.join(out));
-        command.arg("--no-progress").current_dir(root()).env_remove("LUNOID_THREADS");
+        command
+            .arg("--shadow-cache")
+            .arg(self.shadows)
+            .arg("--no-progress")
+            .current_dir(root())
+            .env_remove("LUNOID_THREADS");
         command
     }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
@@ -34,30 +34,23 @@ impl FileCoverage {
 /// If a file is not below `house`, cannot be read, or the tracefile is not whole.
 pub fn coverage(tracefile: &str, house: &Path) -> Result<Vec<FileCoverage>, String> {
     let house = house.canonicalize().map_err(|error| format!("{}: {error}", house.display()))?;
-    let (mut sources, mut test_modules) = (Vec::new(), Vec::new());
+    let mut files = Vec::new();
     for record in tracefile.split_terminator("end_of_record").map(str::trim).filter(|one| !one.is_empty()) {
         let name = record.lines().find_map(|line| line.strip_prefix("SF:"));
         let name = name.ok_or("a record without a line `SF:`; expected what cargo llvm-cov --lcov writes")?;
         let path = Path::new(name);
         let text = fs::read_to_string(path).map_err(|error| format!("{name}: {error}"))?;
-        test_modules.extend(test_modules_of(path, &text));
-        sources.push((path, record, tests_begin(&text)));
-    }
-    let mut files = Vec::new();
-    for (path, record, tests) in sources {
-        if test_modules.iter().any(|module| path == module.with_extension("rs") || path.starts_with(module)) {
-            continue;
-        }
-        let name = path.display();
         let file = path.strip_prefix(&house).map_err(|_| format!("{name}: outside the workspace"))?;
-        let found = of_record(record, file.to_string_lossy().into_owned(), tests);
-        files.push(found.ok_or_else(|| format!("{name}: a count that is no number"))?);
+        if !is_of_tests(path) {
+            let found = of_record(record, file.to_string_lossy().into_owned(), tests_begin(&text));
+            files.push(found.ok_or_else(|| format!("{name}: a count that is no number"))?);
+        }
     }
     files.sort_by(|a, b| a.file.cmp(&b.file));
     Ok(files)
 }
 
-/// Pairs of lines of which the first makes the second one of tests, with the number of the second.
+/// Lines that are there for tests alone, with their numbers: those behind `#[cfg(test)]`.
 fn of_tests(text: &str) -> impl Iterator<Item = (u32, &str)> {
     let numbered = (2..).zip(text.lines().zip(text.lines().skip(1)));
     numbered.filter(|(_, (first, _))| first.trim() == "#[cfg(test)]").map(|(at, (_, second))| (at, second))
@@ -68,13 +61,20 @@ fn tests_begin(text: &str) -> u32 {
     of_tests(text).find(|(_, line)| line.ends_with('{')).map_or(u32::MAX, |(at, _)| at)
 }
 
-/// Modules in files of their own that are compiled for tests alone: their paths without `.rs`.
-fn test_modules_of(path: &Path, text: &str) -> Vec<PathBuf> {
-    let is_root =
-        path.file_stem().is_some_and(|stem| ["lib", "main", "mod"].iter().any(|root| stem == *root));
-    let folder = if is_root { path.with_file_name("") } else { path.with_extension("") };
-    let names = of_tests(text).filter_map(|(_, line)| line.trim().strip_prefix("mod ")?.strip_suffix(';'));
-    names.map(|name| folder.join(name)).collect()
+/// Whether a file, or a module that it is in, is there for tests alone.
+fn is_of_tests(path: &Path) -> bool {
+    path.ancestors().take_while(|module| !module.ends_with("src")).any(is_declared_for_tests)
+}
+
+fn is_declared_for_tests(module: &Path) -> bool {
+    let (Some(name), Some(folder)) = (module.file_stem(), module.parent()) else { return false };
+    let line = format!("mod {};", name.to_string_lossy());
+    let roots = ["lib.rs", "main.rs", "mod.rs"].map(|root| folder.join(root));
+    let declares = |text: String| of_tests(&text).any(|(_, second)| second.trim() == line);
+    roots
+        .into_iter()
+        .chain([folder.with_extension("rs")])
+        .any(|file| fs::read_to_string(file).is_ok_and(declares))
 }
 
 /// A file's record, up to the line on which its tests begin.
@@ -125,21 +125,25 @@ mod tests {
         let house = tempfile::tempdir().unwrap();
         let folder = house.path().canonicalize().unwrap();
         let write = |name: &str, text: &str| std::fs::write(folder.join(name), text).unwrap();
-        std::fs::create_dir(folder.join("law")).unwrap();
-        write("law.rs", "#[cfg(test)]\nmod scenes;\nfn law() {\n    1\n}\n\n#[cfg(test)]\nmod tests {\n}\n");
-        write("law/scenes.rs", "fn scene() {}\n");
-        write("law/other.rs", "fn other() {}\n");
+        std::fs::create_dir_all(folder.join("src/law/deep")).unwrap();
+        // The file that declares a module of tests need have no code of its own.
+        write("src/lib.rs", "mod law;\n#[cfg(test)]\nmod rig;\n");
+        write(
+            "src/law.rs",
+            "#[cfg(test)]\nmod deep;\nfn law() {\n    1\n}\n\n#[cfg(test)]\nmod tests {\n}\n",
+        );
+        let helpers = ["src/rig.rs", "src/law/deep.rs", "src/law/deep/more.rs"];
+        helpers.iter().chain(&["src/law/other.rs"]).for_each(|name| write(name, "fn code() {}\n"));
         let record =
             |name: &str, lines: &str| format!("SF:{}\n{lines}end_of_record\n", folder.join(name).display());
         let law = "BRDA:4,0,0,3\nBRDA:4,0,1,-\nBRDA:9,0,0,4\nDA:3,3\nDA:4,0\nDA:9,4\nLF:3\n";
-        let tracefile = record("law.rs", law)
-            + &record("law/scenes.rs", "DA:1,1\n")
-            + &record("law/other.rs", "DA:1,0\n");
+        let helpers: String = helpers.iter().map(|name| record(name, "DA:1,1\n")).collect();
+        let tracefile = record("src/law.rs", law) + &helpers + &record("src/law/other.rs", "DA:1,0\n");
         let found = coverage(&tracefile, &folder).unwrap();
         let told: Vec<_> = found.iter().map(|file| (&*file.file, file.counts(), &*file.missed)).collect();
-        assert_eq!(told, [("law.rs", [1, 2, 1, 2], &[4][..]), ("law/other.rs", [0, 1, 0, 0], &[1])]);
+        assert_eq!(told, [("src/law.rs", [1, 2, 1, 2], &[4][..]), ("src/law/other.rs", [0, 1, 0, 0], &[1])]);
         assert!(coverage("SF:/elsewhere/law.rs\nend_of_record\n", &folder).is_err());
-        assert!(coverage(&record("law.rs", "DA:1,many\n"), &folder).is_err());
+        assert!(coverage(&record("src/law.rs", "DA:1,many\n"), &folder).is_err());
     }
 
     #[test]

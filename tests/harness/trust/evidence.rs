@@ -118,11 +118,9 @@ pub const EVIDENCE: &[Evidence] = &[
         form: Form::Lines,
     },
     Evidence {
-        name: "mutants-more",
-        title: "More law files changed by it: craters, the array, its registers, the server of words, range",
-        command: "cargo mutants --workspace --file crates/features/src/crater.rs --file crates/terrain-generator/src/array.rs \
-                  --file crates/terrain-generator/src/registers.rs --file crates/dpu/src/server.rs \
-                  --file crates/sweep-generator/src/range_table.rs --timeout 60 --cap-lints true --output target",
+        name: "mutants-server",
+        title: "The server of words changed by it",
+        command: "cargo mutants -p dpu --file crates/dpu/src/server.rs --timeout 60 --cap-lints true --output target",
         form: Form::Lines,
     },
     Evidence {
