@@ -118,12 +118,6 @@ pub const EVIDENCE: &[Evidence] = &[
         form: Form::Lines,
     },
     Evidence {
-        name: "mutants-server",
-        title: "The server of words changed by it",
-        command: "cargo mutants -p dpu --file crates/dpu/src/server.rs --timeout 60 --cap-lints true --output target",
-        form: Form::Lines,
-    },
-    Evidence {
         name: "supply",
         title: "Licences of all that is linked",
         command: "cargo test --quiet -p lunoid-tests --test house licences -- --nocapture",
