@@ -99,8 +99,10 @@ impl<S: Real> DriverScratch<S> {
     }
 }
 
-fn lit<S: Real>(value: Lanes<S>) -> Lanes<S> {
-    value.map(|value| value.at_least(S::ZERO))
+#[inline(always)]
+fn lit<S: Real>(mut value: Lanes<S>) -> Lanes<S> {
+    value.0.iter_mut().for_each(|value| *value = value.at_least(S::ZERO));
+    value
 }
 
 /// Whether any lane comes out of black or goes into it.

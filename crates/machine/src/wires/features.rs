@@ -50,7 +50,10 @@ impl<S: Real> Wires<S> {
     ) {
         let Some(driver) = &self.features.reflectivity else { return };
         for (video, (lit, ground)) in light.reflectivity.iter_mut().zip(lit.iter().zip(ground)) {
-            *video = Lanes::from_fn(|lane| if lit[lane] > S::ZERO { video[lane] } else { ground[lane] });
+            for lane in 0..LANES {
+                let is_lit = lit.0[lane] > S::ZERO;
+                video.0[lane] = if is_lit { video.0[lane] } else { ground.0[lane] };
+            }
         }
         take_jumps(&light.kinks, jumps, |kink| {
             let video = |side: usize| if kink.present[side] { kink.feature[side] } else { kink.terrain };

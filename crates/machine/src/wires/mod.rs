@@ -133,7 +133,11 @@ impl<S: Real> Axes<S> {
     /// From along and across to north and east.
     fn to_map(self, along: &mut [Lanes<S>], across: &mut [Lanes<S>]) {
         for (a, b) in along.iter_mut().zip(across) {
-            (*a, *b) = (*a * self.cos - *b * self.sin, *a * self.sin + *b * self.cos);
+            for lane in 0..LANES {
+                let (cos, sin, from) = (self.cos.0[lane], self.sin.0[lane], [a.0[lane], b.0[lane]]);
+                a.0[lane] = from[0] * cos - from[1] * sin;
+                b.0[lane] = from[0] * sin + from[1] * cos;
+            }
         }
     }
 
