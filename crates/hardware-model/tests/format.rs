@@ -32,11 +32,10 @@ fn all_examples_are_read() {
         HardwareModel::read(&model_file, &[overlay_file], &[]).unwrap_or_else(|list| panic!("{list}"));
     assert_eq!((loaded.model.name.as_str(), loaded.model.loader.access), ("late-loads", 300));
     assert_eq!(loaded.model.loader.delays.len(), 1);
-    let loaded = HardwareModel::read(&wires_file, &[], &[]).unwrap_or_else(|list| panic!("{list}"));
-    assert!(
-        loaded.model.analog.wires.drives("mu.reflectivity") && !loaded.model.analog.wires.drives("mu.height")
-    );
     assert_ne!(loaded.model.range, HardwareModel::ideal().range);
+    let wires =
+        HardwareModel::read(&wires_file, &[], &[]).unwrap_or_else(|list| panic!("{list}")).model.analog.wires;
+    assert!(wires.drives("mu.reflectivity") && !wires.drives("mu.height"));
 }
 
 /// A list of one delay with one of its keys changed.
