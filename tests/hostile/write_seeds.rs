@@ -1,6 +1,6 @@
 //! Whole files of every reader, in a folder for each: what a fuzzer begins with.
 //!
-//! `cargo run -p lunoid-tests --example seeds -- FOLDER`; `fuzz/run` does.
+//! `cargo run -p lunoid-tests --example seeds -- FOLDER`; `tests/fuzz/run` does.
 
 #[allow(dead_code, reason = "other tests need the rest")]
 mod allocation;

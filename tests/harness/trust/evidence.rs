@@ -93,7 +93,7 @@ pub const EVIDENCE: &[Evidence] = &[
     Evidence {
         name: "fuzz",
         title: "Readers under a fuzzer that is led by coverage",
-        command: "fuzz/run 40",
+        command: "tests/fuzz/run 40",
         form: Form::Lines,
     },
     Evidence {
