@@ -133,7 +133,10 @@ fn what_cannot_be_recorded_is_said_before_anything_is_drawn() {
         assert!(said.contains(word), "{said}");
     }
     let said = lunoid(&scene, 2, &["replay", "tiny.toml", "--machine", "exact", "--probe", "0:1"]);
-    assert!(said.contains("exact has no signals that a page could show; expected a hardware model"), "{said}");
+    assert!(
+        said.contains("exact has no signals that a page could show; expected a hardware model"),
+        "{said}"
+    );
     assert!(!scene.path().join("runs").exists());
     lunoid(&scene, 0, &["replay", "tiny.toml", "-q", "--machine", "exact", "--frames", "0..1"]);
     assert!(page(&scene, "runs/tiny").contains("exact, without a machine"));
