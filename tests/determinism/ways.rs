@@ -120,6 +120,8 @@ impl Drawing<'_> {
         // No multiple of eight, so that the last group of sweeps is not full.
         command.args(["replay", &scenario, "-m", self.case.machine, "--sweeps", "61", "--samples", "200"]);
         command.args(self.case.options).args(options).arg("--out").arg(self.folder.join(out));
+        // Sixteen bits: what differs in signals is seen that eight would round away.
+        command.args(["--depth", "16"]);
         command
             .arg("--shadow-cache")
             .arg(self.shadows)

@@ -259,7 +259,8 @@ mod tests {
     /// while the processor serves another interrupts nothing.
     #[test]
     fn an_interrupt_waits_for_the_instruction_at_hand() {
-        let (cpu, seed, place) = (Cpu { longest_instruction: 1000, ..Cpu::default() }, 5, [2, 7]);
+        let (cpu, seed, place) =
+            (Cpu { longest_instruction: 1000, interrupt: 300, ..Cpu::default() }, 5, [2, 7]);
         let loader = loader(CrossingServer::CpuInterrupt, 1, PROGRAMME);
         let mut server = Server::new(&loader, &cpu, seed, place, Tick(0));
         assert_eq!(server.lines(), 0..1);
