@@ -122,7 +122,7 @@ const fn centred() -> [[[f64; 6]; 3]; 2] {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::{CENTRED, RecentRegions, Region};
     use crate::Registers;
     use crate::programs::program;
@@ -131,7 +131,8 @@ mod tests {
     use proptest::prelude::{any, prop_assert_eq, proptest};
     use sweep_program::{Colour, Fold, Load, PreloadRegister, RampAxis, Stop, Target, WordMask};
 
-    fn horner(coefficients: &[f64], s: f64) -> f64 {
+    /// A polynomial of ascending powers.
+    pub(crate) fn horner(coefficients: &[f64], s: f64) -> f64 {
         coefficients.iter().rev().fold(0.0, |sum, &c| sum * s + c)
     }
 

@@ -96,11 +96,8 @@ fn along_x(rows: &[[f64; 6]; 6], x: [f64; 2]) -> [f64; 11] {
 mod tests {
     use super::{Segment, Span};
     use crate::Region;
+    use crate::region::tests::horner;
     use landscape::basis::{derivatives, values};
-
-    fn horner(coefficients: &[f64], s: f64) -> f64 {
-        coefficients.iter().rev().fold(0.0, |sum, &c| sum * s + c)
-    }
 
     /// One word at one corner, each of the four polarities: height is `e_x^p e_y^q g_p(X_a) g_q(Y_b)` alone
     /// (the cartridge "one coefficient, 36 x 4").

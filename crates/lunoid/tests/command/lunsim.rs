@@ -2,6 +2,15 @@
 
 use crate::scene::Scene;
 
+/// A grid of 64 points a side over any ground.
+const LIFTED: [&str; 6] =
+    ["--machine", "lunsim", "--set", "lunsim.restrictions=false", "--set", "lunsim.grid=64"];
+
+/// A command over the tiny scene, its restrictions lifted.
+fn lifted(scene: &Scene, code: i32, command: &[&str], rest: &[&str]) -> (String, String) {
+    scene.expect(code, &[command, rest, &LIFTED[..]].concat())
+}
+
 #[test]
 fn restrictions_are_refused_and_lifted_on_the_command_line() {
     let scene = Scene::new();
@@ -12,9 +21,7 @@ fn restrictions_are_refused_and_lifted_on_the_command_line() {
         "lunsim.restrictions=false",
     ];
     assert!(words.iter().all(|word| err.contains(word)), "{err}");
-    let lifted = ["--machine", "lunsim", "--set", "lunsim.restrictions=false", "--set", "lunsim.grid=64"];
-    scene
-        .expect(0, &[&["replay", "tiny.toml", "-q", "--frames", "0..1", "--out", "s"], &lifted[..]].concat());
+    lifted(&scene, 0, &["replay", "tiny.toml", "-q"], &["--frames", "0..1", "--out", "s"]);
     let record: serde_json::Value =
         serde_json::from_slice(&std::fs::read(scene.join("s/run.json")).unwrap()).unwrap();
     assert_eq!(record["generator"], "lunsim");
@@ -26,6 +33,10 @@ fn restrictions_are_refused_and_lifted_on_the_command_line() {
         let (_, err) = scene.expect(2, &[command, &["tiny.toml", "--machine", "lunsim"]].concat());
         assert!(err.contains("--machine lunsim") && err.contains("expected a hardware model"), "{err}");
     }
+    // Also where the scenario names it, and not the command line.
+    scene.vary("own.toml", "format = 1", "format = 1\nmachine = \"lunsim\"");
+    let (_, err) = scene.expect(2, &["lockstep", "own.toml"]);
+    assert!(err.contains("there is no interpreter of it"), "{err}");
 }
 
 #[test]
@@ -42,10 +53,7 @@ fn machines_are_models_and_generators() {
 #[test]
 fn rows_of_the_grid_are_listed_and_probed() {
     let scene = Scene::new();
-    let lunsim = ["--machine", "lunsim", "--set", "lunsim.restrictions=false", "--set", "lunsim.grid=64"];
-    let probe = |code, rest: &[&str]| {
-        scene.expect(code, &[&["probe", "tiny.toml", "--frame", "0"], rest, &lunsim[..]].concat())
-    };
+    let probe = |code, rest: &[&str]| lifted(&scene, code, &["probe", "tiny.toml", "--frame", "0"], rest);
     probe(0, &["--sweep", "62..64", "--signals", "lunsim.height,*.code", "--out", "rows.csv"]);
     let text = std::fs::read_to_string(scene.join("rows.csv")).unwrap();
     let rows = text.lines().filter(|line| line.starts_with(|c: char| c.is_ascii_digit())).count();
@@ -61,8 +69,7 @@ fn rows_of_the_grid_are_listed_and_probed() {
     assert!(err.contains("a frame has sweeps 0..64"), "{err}");
     let (_, err) = probe(2, &["--sweep", "1", "--signals", "tg.height", "--out", "rows.csv"]);
     assert!(err.contains("tg.height: no signal of this name"), "{err}");
-    let (_, err) =
-        scene.expect(2, &[&["replay", "tiny.toml", "--out", "r", "--check", "1"], &lunsim[..]].concat());
+    let (_, err) = lifted(&scene, 2, &["replay", "tiny.toml"], &["--out", "r", "--check", "1"]);
     assert!(err.contains("lunsim has no sweeps"), "{err}");
     scene.vary("lunsim.toml", "[sun]", "[lunsim]\nrestrictions = false\ngrid = 64\n\n[sun]");
     let (out, _) = scene.expect(0, &["signals", "lunsim.toml", "--machine", "lunsim", "--json"]);
@@ -72,19 +79,12 @@ fn rows_of_the_grid_are_listed_and_probed() {
     assert_eq!(document["signals"][0]["block"], "lunsim");
 }
 
-const LIFTED: [&str; 6] =
-    ["--machine", "lunsim", "--set", "lunsim.restrictions=false", "--set", "lunsim.grid=64"];
-
 /// Across the line of sight, in metres to both sides; nothing runs in time along a row.
 #[test]
 fn a_row_is_a_page_of_the_scope() {
     let scene = Scene::new();
-    let probe = |code, rest: &[&str]| {
-        scene.expect(
-            code,
-            &[&["probe", "tiny.toml", "--frame", "0", "--sweep", "40"], rest, &LIFTED[..]].concat(),
-        )
-    };
+    let row = ["probe", "tiny.toml", "--frame", "0", "--sweep", "40"];
+    let probe = |code, rest: &[&str]| lifted(&scene, code, &row, rest);
     probe(0, &["--out", "row.csv", "--signals", "lunsim.across"]);
     let text = std::fs::read_to_string(scene.join("row.csv")).unwrap();
     let places: Vec<f64> =
@@ -113,12 +113,8 @@ fn a_row_is_a_page_of_the_scope() {
 #[test]
 fn a_run_has_rows_and_run_time_on_its_page() {
     let scene = Scene::new();
-    let replay = |code, rest: &[&str]| {
-        scene.expect(
-            code,
-            &[&["replay", "tiny.toml", "-q", "--frames", "0..2", "--out", "r"], rest, &LIFTED[..]].concat(),
-        )
-    };
+    let run = ["replay", "tiny.toml", "-q", "--frames", "0..2", "--out", "r"];
+    let replay = |code, rest: &[&str]| lifted(&scene, code, &run, rest);
     let page = || std::fs::read_to_string(scene.join("r/index.html")).unwrap();
     replay(0, &[]);
     assert!(page().contains("No row was recorded") && page().contains("--probe FRAME:ROW"));

@@ -8,6 +8,7 @@ mod checks;
 mod columns;
 mod explain;
 mod help;
+mod lockstep;
 mod lunsim;
 mod models;
 mod overlays;

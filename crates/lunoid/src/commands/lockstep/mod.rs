@@ -2,13 +2,16 @@
 
 mod tell;
 
+use std::path::{Path, PathBuf};
+
 use clap::Args;
 use generator::Stage;
 use hardware_model::{HardwareModel, Settings};
 use lockstep::{Engines, Report, Trials, trials};
+use rayon::ThreadPool;
 use scenario::{PoseTable, Scalar};
 
-use crate::loading::{Loaded, ScalarWord, StageArgs, Threads};
+use crate::loading::{Loaded, ScalarWord, StageArgs, StageOptions, Threads};
 use crate::values::Span;
 use crate::{Failure, Verdict};
 
@@ -28,10 +31,15 @@ with signal, sweep, sample, tick and both values; of a random scene the smallest
 /// Run machine and interpreter side by side and compare every signal and every event.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER)]
-#[command(mut_arg("scenario", |arg| arg.required(false).required_unless_present("random")))]
 pub struct LockstepCommand {
+    /// Scenario file.
+    #[arg(required_unless_present = "random")]
+    scenario: Option<PathBuf>,
+    /// Hardware model by name or path; the scenario's own if left out.
+    #[arg(short, long, value_name = "MODEL")]
+    machine: Option<String>,
     #[command(flatten)]
-    stage: Option<StageArgs>,
+    options: StageOptions,
     #[command(flatten)]
     threads: Threads,
     /// One frame, from 0, counted at the update rate.
@@ -47,7 +55,9 @@ pub struct LockstepCommand {
     #[arg(long, conflicts_with = "random")]
     ideal_parts: bool,
     /// So many random scenes instead of a scenario.
-    #[arg(long, value_name = "N", conflicts_with_all = ["scenario", "machine"])]
+    #[arg(long, value_name = "N", conflicts_with_all = [
+        "scenario", "machine", "overlay", "set", "bank", "sweeps", "samples", "lossless", "everything", "shadow_cache"
+    ])]
     random: Option<u64>,
     /// Seed of the first of them; the next have the next.
     #[arg(long, default_value_t = 0, requires = "random")]
@@ -64,37 +74,38 @@ impl LockstepCommand {
     /// Runs both.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let pool = self.threads.pool()?;
-        let told = match (&self.random, &self.stage) {
-            (Some(count), stage) => self.random(*count, stage.as_ref(), &pool)?,
-            (None, Some(stage)) => {
-                stage.expect_machine("there is no interpreter of it")?;
-                let mut loaded = stage.load()?;
-                let ideal = HardwareModel::ideal().analog;
-                if self.ideal_parts {
-                    loaded.settings = Settings { analog: ideal, ..loaded.settings };
-                }
-                let frames = self.frames(&loaded)?;
-                let stage = loaded.stage(&pool)?;
-                let report = pool.install(|| self.compare(&loaded, stage, &frames))?;
-                let what = format!("{}, {}", loaded.scenario.title, loaded.inputs.model);
-                Told { what, frames, report, faults: Vec::new() }
-            }
+        let told = match (self.random, &self.scenario) {
+            (Some(count), _) => self.random(count, &pool)?,
+            (None, Some(scenario)) => self.of(scenario, &pool)?,
             (None, None) => return Err(Failure::usage("expected a scenario file, or --random N")),
         };
         told.print(self.json)?;
         Ok(if told.agrees() { Verdict::Yes } else { Verdict::No })
     }
 
-    fn random(
-        &self,
-        count: u64,
-        stage: Option<&StageArgs>,
-        pool: &rayon::ThreadPool,
-    ) -> Result<Told, Failure> {
+    fn of(&self, scenario: &Path, pool: &ThreadPool) -> Result<Told, Failure> {
+        let stage = StageArgs {
+            scenario: scenario.to_owned(),
+            machine: self.machine.clone(),
+            options: self.options.clone(),
+        };
+        let mut loaded = stage.load()?;
+        loaded.expect_machine("there is no interpreter of it")?;
+        if self.ideal_parts {
+            loaded.settings = Settings { analog: HardwareModel::ideal().analog, ..loaded.settings };
+        }
+        let frames = self.frames(&loaded)?;
+        let stage = loaded.stage(pool)?;
+        let report = pool.install(|| self.compare(&loaded, stage, &frames))?;
+        let what = format!("{}, {}", loaded.scenario.title, loaded.inputs.model);
+        Ok(Told { what, frames, report, faults: Vec::new() })
+    }
+
+    fn random(&self, count: u64, pool: &ThreadPool) -> Result<Told, Failure> {
         let end = self.seed.checked_add(count).filter(|_| count > 0);
         let end =
             end.ok_or_else(|| Failure::usage(format!("--random {count}: expected 1 or more scenes")))?;
-        let scalar = match stage.and_then(|stage| stage.options.scalar) {
+        let scalar = match self.options.scalar {
             Some(ScalarWord::F32) => Scalar::F32,
             Some(ScalarWord::F64) | None => Scalar::F64,
         };
