@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use hardware_model::{Cpu, CrossingServer, IoProcessor, Loader};
 use quantities::{Tick, unit_interval};
+use smallvec::SmallVec;
 use sweep_program::{Colour, PreloadRegister, WordMask};
 
 use crate::accesses::Accesses;
@@ -46,6 +47,9 @@ pub(crate) struct Served {
     pub waited: bool,
 }
 
+/// Jobs before one line; most often a fold leaves four, and the next finds them served.
+type Queue = SmallVec<[Job; 8]>;
+
 /// The queue within one sweep. What waits at the last fold is served on into retrace; nothing of it waits for the next sweep
 /// (our choice).
 #[derive(Debug)]
@@ -58,7 +62,7 @@ pub(crate) struct Server<'a> {
     seed: u64,
     place: [u64; 2],
     /// What waits for each line, in order of number, and so of the time at which it was asked for.
-    queues: [Vec<Job>; 4],
+    queues: [Queue; 4],
     free_at: [Tick; 4],
     /// Folds whose interrupt was handled, or whose chain of commands was started.
     begun: Vec<u32>,
@@ -101,7 +105,7 @@ impl<'a> Server<'a> {
         if first == second {
             return self.queues[first].retain_mut(|job| !colours.contains(&job.colour) || keep(job));
         }
-        let is_before = |a: &Vec<Job>, b: &Vec<Job>| match (a.last(), b.last()) {
+        let is_before = |a: &Queue, b: &Queue| match (a.last(), b.last()) {
             (Some(a), Some(b)) => a.number < b.number,
             _ => true,
         };

@@ -6,6 +6,7 @@ mod settling;
 mod stored;
 
 use quantities::{SweepClock, SweepTime, Tick};
+use smallvec::SmallVec;
 use sweep_program::{
     Fold, Load, Miss, MissCause, NO_CORNER, PreloadRegister, RampAxis, Step, StepKind, Stop, SweepProgram,
     SweepStart, Target, WordMask,
@@ -27,7 +28,7 @@ pub(crate) struct Service<'a, 's, 'w, W> {
     pointers: Pointers,
     server: Server<'s>,
     /// Words on their way, in the order in which they come.
-    pending: Vec<Delivery>,
+    pending: SmallVec<[Delivery; 8]>,
     /// When the last word of each preload register comes; `None` while nobody has fetched it, and at sweep start.
     ready: [[Option<Tick>; 2]; 4],
     /// When the diagonal register of a colour was filled; `None` while it waits.
@@ -59,7 +60,7 @@ impl<'a, 's, 'w, W: Watch> Service<'a, 's, 'w, W> {
             clock,
             pointers,
             server: Server::new(unit.loader, unit.cpu, unit.seed, place, unit.held_until(&clock)),
-            pending: Vec::new(),
+            pending: SmallVec::new(),
             ready: Default::default(),
             diagonals: [Some(Tick(0)); 4],
             next_stop: start.ramps.map(|ramp| (ramp.rate != 0.0).then(|| ramp.first_stop().1)),
