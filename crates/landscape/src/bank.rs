@@ -190,6 +190,15 @@ impl Level {
         sums
     }
 
+    /// Height alone (m), bit for bit that of [`height_and_slopes`](Self::height_and_slopes).
+    pub fn height(&self, region: [usize; 2], [u, v]: [f64; 2]) -> f64 {
+        let corners = self.region(region);
+        let (gu, gv) = (basis::values(u), basis::values(v));
+        let along_v =
+            |i: usize, p: usize| (0..6).map(|jq| gv[jq] * corners[i][jq / 3][3 * p + jq % 3]).sum::<f64>();
+        (0..6).fold(0.0, |sum, ip| sum + gu[ip] * along_v(ip / 3, ip % 3))
+    }
+
     /// The same ground for regions `factor` times larger: every word scaled by `factor^(p+q)` (section 8).
     pub fn scale_words(words: &CornerWords, factor: f64) -> CornerWords {
         let powers = [1.0, factor, factor * factor];
@@ -318,6 +327,7 @@ mod tests {
         ];
         for (at, expected) in rows {
             let found = table_23_2().height_and_slopes([0, 0], at);
+            assert_eq!(table_23_2().height([0, 0], at), found[0]);
             for (found, expected) in found.into_iter().zip(expected) {
                 assert!((found - expected).abs() < 1e-13, "{at:?}: {found} against {expected}");
             }

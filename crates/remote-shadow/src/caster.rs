@@ -1,9 +1,10 @@
 //! The highest caster beyond a place: a search that enters only squares which can hold it.
 
 use features::Crater;
+use smallvec::SmallVec;
 
 use crate::control_net::Bends;
-use crate::ground::{LitGround, Spot};
+use crate::ground::{Lift, LitGround, Spot};
 use crate::sheet::{Node, Sheet, highest};
 
 /// Steps of bisection from a lattice point to the top beside it: 2^-14 of the lattice.
@@ -38,10 +39,30 @@ impl Best {
     }
 }
 
-/// What the search knows of one square.
+/// What the search knows of one square: only those of its craters that the profile meets, which are few.
 struct Square<'a> {
     bends: Bends,
-    craters: &'a [u32],
+    craters: SmallVec<[Met<'a>; 8]>,
+}
+
+/// A crater that the profile meets.
+#[derive(Debug, Clone, Copy)]
+struct Met<'a> {
+    crater: &'a Crater,
+    /// How far beside its centre the profile passes, and where (m).
+    across: f64,
+    q: f64,
+}
+
+impl Met<'_> {
+    /// The highest that the crater is between two places of the profile (m).
+    fn between(&self, [from, to]: [f64; 2]) -> f64 {
+        let Self { crater, across, q } = *self;
+        let distance = |along: f64| (across * across + along * along).sqrt();
+        let (a, b) = (distance(from - q), distance(to - q));
+        let near = if from <= q && q <= to { across.abs() } else { a.min(b) };
+        if near >= crater.outer() { 0.0 } else { highest(crater, [near, a.max(b)]) }
+    }
 }
 
 impl<'a> Upstream<'a> {
@@ -92,12 +113,12 @@ impl<'a> Upstream<'a> {
         self.lit.spot(self.p, q)
     }
 
-    fn try_point(&self, k: i64, best: &mut Best) -> Option<Spot> {
-        let spot = self.spot(self.q(k));
-        if let Some(spot) = spot {
-            best.take(spot.g, k);
+    fn try_point(&self, k: i64, best: &mut Best) -> Option<Lift> {
+        let lift = self.lit.lift(self.p, self.q(k));
+        if let Some(lift) = lift {
+            best.take(lift.g, k);
         }
-        spot
+        lift
     }
 
     /// First and last lattice point at or just outside the square between two corners that count; `None` if the
@@ -122,18 +143,13 @@ impl<'a> Upstream<'a> {
         (span[0] <= span[1] + lattice && first <= last).then_some([first, last])
     }
 
-    fn search(&self, sheet: &Sheet, node: Node, best: &mut Best) {
+    fn search(&self, sheet: &'a Sheet, node: Node, best: &mut Best) {
         let Some(span) = self.clip(sheet.corners(node)) else { return };
         if self.bound(sheet.ceiling(node), span) < best.g {
             return;
         }
         if node.layer == 0 {
-            self.search_square(
-                &Square { bends: sheet.bends(node), craters: sheet.craters(node) },
-                span,
-                best,
-            );
-            return;
+            return self.search_square(sheet, node, span, best);
         }
         // The one that promises most comes first: it spares the others.
         let mut children = [(f64::NEG_INFINITY, node); 4];
@@ -157,7 +173,7 @@ impl<'a> Upstream<'a> {
         ceiling * self.lit.axes.cos + q + ROUNDING * (ceiling.abs() + q.abs())
     }
 
-    fn search_square(&self, square: &Square<'_>, [first, last]: [i64; 2], best: &mut Best) {
+    fn search_square(&self, sheet: &'a Sheet, node: Node, [first, last]: [i64; 2], best: &mut Best) {
         // Points just outside belong to the neighbours, whose bending is theirs.
         self.try_point(first, best);
         if last > first {
@@ -165,19 +181,20 @@ impl<'a> Upstream<'a> {
         }
         if last - first >= 2 {
             let ends = [first + 1, last - 1];
-            let spots = ends.map(|k| self.try_point(k, best));
-            self.halve(square, ends, spots, best);
+            let lifts = ends.map(|k| self.try_point(k, best));
+            let square = Square { bends: sheet.bends(node), craters: self.met(sheet.craters(node)) };
+            self.halve(&square, ends, lifts, best);
         }
     }
 
-    fn halve(&self, square: &Square<'_>, [a, b]: [i64; 2], ends: [Option<Spot>; 2], best: &mut Best) {
+    fn halve(&self, square: &Square<'_>, [a, b]: [i64; 2], ends: [Option<Lift>; 2], best: &mut Best) {
         if b - a < 2 || self.bound_between(square, [a, b], ends) < best.g {
             return;
         }
         let middle = a + (b - a) / 2;
-        let spot = self.try_point(middle, best);
-        let halves = [([a, middle], [ends[0], spot]), ([middle, b], [spot, ends[1]])];
-        let g = |end: Option<Spot>| end.map_or(f64::NEG_INFINITY, |spot| spot.g);
+        let lift = self.try_point(middle, best);
+        let halves = [([a, middle], [ends[0], lift]), ([middle, b], [lift, ends[1]])];
+        let g = |end: Option<Lift>| end.map_or(f64::NEG_INFINITY, |lift| lift.g);
         let first = usize::from(g(ends[1]) > g(ends[0]));
         for half in [first, 1 - first] {
             let (span, ends) = halves[half];
@@ -186,29 +203,30 @@ impl<'a> Upstream<'a> {
     }
 
     /// Bound between two points of a square: a chord plus what the bending allows, and each crater's highest.
-    fn bound_between(&self, square: &Square<'_>, span: [i64; 2], ends: [Option<Spot>; 2]) -> f64 {
+    fn bound_between(&self, square: &Square<'_>, span: [i64; 2], ends: [Option<Lift>; 2]) -> f64 {
         let [Some(a), Some(b)] = ends else { return f64::INFINITY };
         let [n, e] = self.lit.axes.away();
         let [hxx, hxy, hyy] = square.bends;
         let bend = n * n * hxx + 2.0 * (n * e).abs() * hxy + e * e * hyy;
         let [from, to] = span.map(|k| self.q(k));
         let length = to - from;
-        let craters =
-            square.craters.iter().map(|&k| &self.lit.ground.landscape.features().craters()[k as usize]);
-        let rise: f64 = craters.map(|crater| self.crater_between(crater, [from, to])).sum();
+        let rise: f64 = square.craters.iter().map(|met| met.between([from, to])).sum();
         let terrain = a.terrain.max(b.terrain);
         let cos = self.lit.axes.cos;
         let bound = terrain + cos * (bend * length * length / 8.0 + rise);
         bound + ROUNDING * (terrain.abs() + rise.abs() + 1.0)
     }
 
-    fn crater_between(&self, crater: &Crater, [from, to]: [f64; 2]) -> f64 {
-        let [p, q] = self.lit.axes.to_sun_axes(crater.centre());
-        let across = self.p - p;
-        let distance = |along: f64| (across * across + along * along).sqrt();
-        let (a, b) = (distance(from - q), distance(to - q));
-        let near = if from <= q && q <= to { across.abs() } else { a.min(b) };
-        if near >= crater.outer() { 0.0 } else { highest(crater, [near, a.max(b)]) }
+    /// Those of the craters that the profile meets.
+    fn met(&self, craters: &'a [u32]) -> SmallVec<[Met<'a>; 8]> {
+        let all = self.lit.ground.landscape.features().craters();
+        let meets = |&k: &u32| {
+            let crater = &all[k as usize];
+            let [p, q] = self.lit.axes.to_sun_axes(crater.centre());
+            let across = self.p - p;
+            (across.abs() < crater.outer()).then_some(Met { crater, across, q })
+        };
+        craters.iter().filter_map(meets).collect()
     }
 
     /// The top between a lattice point and its neighbour on the rising side (11.1 step 2: at kinks the kink).

@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use features::Crater;
-use landscape::{Landscape, Sun};
+use landscape::{Landscape, Level, Sun};
 
 use crate::axes::SunAxes;
-use crate::sheet::{Sheet, Stand};
+use crate::sheet::{Node, Sheet, Stand};
 
 /// A landscape in squares: [`Landscape::at`], bit for bit, without a search for the craters of each point.
 #[derive(Debug)]
@@ -24,45 +24,60 @@ impl Ground {
 
     /// Height at a place (m); `None` where there is no ground.
     pub(crate) fn height(&self, place: [f64; 2]) -> Option<f64> {
-        self.at(place).map(|[terrain, features]| terrain[0] + features[0])
+        self.heights(place).map(|[terrain, features]| terrain + features)
+    }
+
+    /// Heights of the terrain and of the features on it at a place (m); `None` where there is no ground.
+    fn heights(&self, place: [f64; 2]) -> Option<[f64; 2]> {
+        let (level, sheet, Stand { region, local, square }) = self.stand(place)?;
+        let features = self.met(sheet, square, place).map(|(crater, [rho, ..])| crater.profile(rho)[0]);
+        Some([level.height(region, local), features.fold(0.0, |sum, rise| sum + rise)])
     }
 
     /// Height and slopes of the terrain and those of the features on it at a place (m); `None` where there is no
     /// ground.
-    fn at(&self, [x, y]: [f64; 2]) -> Option<[[f64; 3]; 2]> {
-        let levels = self.landscape.bank().levels().iter().zip(&self.sheets);
-        let (level, sheet, stand) =
-            levels.filter_map(|(level, sheet)| Some((level, sheet, sheet.stand(level, [x, y])?))).next()?;
-        let Stand { region, local, square } = stand;
+    fn at(&self, place: [f64; 2]) -> Option<[[f64; 3]; 2]> {
+        let (level, sheet, Stand { region, local, square }) = self.stand(place)?;
         let [height, hu, hv] = level.height_and_slopes(region, local);
         let d = level.region_size();
-        Some([[height, hu / d, hv / d], self.rise(sheet.craters(square), [x, y])])
-    }
-
-    /// Rises of `craters`, summed in ascending order of index.
-    fn rise(&self, craters: &[u32], place: [f64; 2]) -> [f64; 3] {
-        let all = self.landscape.features().craters();
-        let mut sum = [0.0; 3];
-        craters.iter().for_each(|&index| add(&all[index as usize], place, &mut sum));
-        sum
-    }
-}
-
-fn add(crater: &Crater, [x, y]: [f64; 2], [height, north, east]: &mut [f64; 3]) {
-    let [dx, dy] = [x - crater.centre()[0], y - crater.centre()[1]];
-    let square = dx * dx + dy * dy;
-    // Spares most roots: a comfortable margin over their rounding.
-    if square > 1.000_001 * crater.outer() * crater.outer() {
-        return;
-    }
-    let rho = square.sqrt();
-    if rho < crater.outer() {
-        let [rise, slope] = crater.profile(rho);
-        *height += rise;
-        if rho > 0.0 {
-            *north += slope * dx / rho;
-            *east += slope * dy / rho;
+        let mut features = [0.0; 3];
+        for (crater, [rho, dx, dy]) in self.met(sheet, square, place) {
+            let [rise, slope] = crater.profile(rho);
+            features[0] += rise;
+            if rho > 0.0 {
+                features[1] += slope * dx / rho;
+                features[2] += slope * dy / rho;
+            }
         }
+        Some([[height, hu / d, hv / d], features])
+    }
+
+    /// The finest level that has a place, and where it lies there.
+    fn stand(&self, [x, y]: [f64; 2]) -> Option<(&Level, &Sheet, Stand)> {
+        let levels = self.landscape.bank().levels().iter().zip(&self.sheets);
+        levels.filter_map(|(level, sheet)| Some((level, sheet, sheet.stand(level, [x, y])?))).next()
+    }
+
+    /// Craters of a square that hold a place, in ascending order of index, each with the way to the place from its centre:
+    /// length, north and east (m).
+    fn met<'a>(
+        &'a self,
+        sheet: &'a Sheet,
+        square: Node,
+        [x, y]: [f64; 2],
+    ) -> impl Iterator<Item = (&'a Crater, [f64; 3])> {
+        let all = self.landscape.features().craters();
+        sheet.craters(square).iter().filter_map(move |&index| {
+            let crater = &all[index as usize];
+            let [dx, dy] = [x - crater.centre()[0], y - crater.centre()[1]];
+            let way = dx * dx + dy * dy;
+            // Spares most roots: a comfortable margin over their rounding.
+            if way > 1.000_001 * crater.outer() * crater.outer() {
+                return None;
+            }
+            let rho = way.sqrt();
+            (rho < crater.outer()).then_some((crater, [rho, dx, dy]))
+        })
     }
 }
 
@@ -85,7 +100,13 @@ pub(crate) struct Spot {
     pub(crate) g: f64,
     /// Its derivative; below 0 is local shadow (section 7).
     pub(crate) rise: f64,
-    /// The part of `g` without the features (m).
+}
+
+/// How far a point is above the sun ray through the origin, `G cos e` (m).
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Lift {
+    pub(crate) g: f64,
+    /// The same without the features.
     pub(crate) terrain: f64,
 }
 
@@ -101,8 +122,14 @@ impl<'a> LitGround<'a> {
         let away = self.axes.away();
         let slope = north * away[0] + east * away[1];
         let (sin, cos) = (self.axes.sin, self.axes.cos);
-        let lift = q * sin;
-        Some(Spot { q, g: height * cos + lift, rise: slope * cos + sin, terrain: terrain[0] * cos + lift })
+        Some(Spot { q, g: height * cos + q * sin, rise: slope * cos + sin })
+    }
+
+    /// The same without its derivative.
+    pub(crate) fn lift(&self, p: f64, q: f64) -> Option<Lift> {
+        let [terrain, features] = self.ground.heights(self.axes.to_ground([p, q]))?;
+        let above = |height: f64| height * self.axes.cos + q * self.axes.sin;
+        Some(Lift { g: above(terrain + features), terrain: above(terrain) })
     }
 }
 
@@ -122,6 +149,7 @@ mod tests {
                 ground.at([x, y]).map(|[terrain, features]| [0, 1, 2].map(|k| terrain[k] + features[k]));
             let expected = ground.landscape.at(x, y);
             assert_eq!(found, expected.map(|point| [point.height, point.slopes[0], point.slopes[1]]));
+            assert_eq!(ground.height([x, y]), found.map(|[height, ..]| height));
         }
     }
 

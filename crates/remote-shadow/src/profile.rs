@@ -64,7 +64,7 @@ impl<'a> Walk<'a> {
         } else if b.g >= self.top {
             let end = self.end_between(a.q, b.q);
             self.brighten(end);
-            self.step_in_light(Spot { q: end, g: self.top, rise: 0.0, terrain: self.top }, b);
+            self.step_in_light(Spot { q: end, g: self.top, rise: 0.0 }, b);
         } else if a.rise > 0.0 && b.rise < 0.0 && crossing_of_tangents(a, b) > self.top {
             self.step_over_a_top(a, b);
         }
