@@ -37,6 +37,8 @@ pub struct Kept {
 /// If it cannot be started, or its result not be written.
 pub fn measure(house: &Path, evidence: &Evidence) -> Result<(), String> {
     let begin = Instant::now();
+    // Of before: whoever commits while it runs changes nothing of what is measured.
+    let commit = line_of(house, "git", &["rev-parse", "--short=12", "HEAD"])?;
     let mut words = evidence.command.split_whitespace();
     let program = words.next().unwrap_or_default();
     let ended = Command::new(program).args(words).current_dir(house).output();
@@ -48,7 +50,7 @@ pub fn measure(house: &Path, evidence: &Evidence) -> Result<(), String> {
     }
     let kept = Kept {
         date: line_of(house, "date", &["-u", "+%F"])?,
-        commit: line_of(house, "git", &["rev-parse", "--short=12", "HEAD"])?,
+        commit,
         command: evidence.command.into(),
         seconds: begin.elapsed().as_secs(),
         passed: ended.status.success(),
