@@ -177,6 +177,7 @@ impl Signal {
             "dpp" => "display-projection-processor",
             "pg" => "polyhedron-generator",
             "lunsim" => "lunsim",
+            "vs" => "vehicle-shadow",
             _ => "sweep-memory",
         }
     }

@@ -13,10 +13,12 @@ use serde::{Deserialize, Serialize};
 
 use crate::blanking::Blanking;
 use crate::flat_ground::{OutlineRule, flat_gates, shadow_outlines};
-use crate::gate::Gates;
-use crate::insertion::{Method, Shade};
+use crate::gate::PictureGates;
+use crate::insertion::Method;
 use crate::kept::{Made, kept, stamp};
+use crate::probed::{Lines, Look};
 use crate::sequence::{Sequence, SequenceFrame};
+use crate::shadow::Shadow;
 use crate::suns::suns;
 use crate::true_ground::TrueGround;
 use crate::view_lines::LineCounts;
@@ -79,16 +81,11 @@ pub struct FrameWork {
 }
 
 impl Augmentation {
-    /// How dark each pixel of a picture of `size` (columns, lines) becomes, what that takes, and where the video is blanked.
+    /// The shadow in a picture of `size` (columns, lines).
     ///
     /// # Errors
     /// If the sun does not stand above the horizontal, or the eye not above the ground.
-    pub fn shade(
-        &self,
-        frame: u64,
-        shot: &Shot,
-        size: [usize; 2],
-    ) -> Result<(Shade, Work, Blanking), AugmentError> {
+    pub fn shade(&self, frame: u64, shot: &Shot, size: [usize; 2]) -> Result<Shadow, AugmentError> {
         let sun = self.sun(shot.time);
         let suns = suns(&sun, self.penumbra).map_err(|source| AugmentError::Sun { frame, source })?;
         let raster = self.method.raster(size);
@@ -101,15 +98,17 @@ impl Augmentation {
                 (ground.gates(&self.shape, shot, &suns, laid, raster), LineCounts::default())
             }
         };
-        let shade = self.method.shade(&gates, shot.field.tan_half_width, size);
+        let half_width = shot.field.tan_half_width;
+        let shade = self.method.shade(&gates.suns, half_width, size);
         let work = Work {
             points: (self.shape.function().vertices() * suns.len()) as u64,
             lines,
-            intersections: gates.iter().map(|gates| gates.crossings).sum(),
-            line_generators: gates.iter().map(|gates| gates.line_generators).sum(),
+            intersections: gates.suns.iter().map(|gates| gates.crossings).sum(),
+            line_generators: gates.suns.iter().map(|gates| gates.line_generators).sum(),
             dark: shade.shares().iter().sum::<f64>() / shade.shares().len() as f64,
         };
-        Ok((shade, work, Blanking::of(&self.method, &gates, shot.field.tan_half_width)))
+        let blanking = Blanking::of(&self.method, &gates.suns, half_width);
+        Ok(Shadow { gates, half_width, shade, work, blanking })
     }
 
     fn sun(&self, time: f64) -> Sun {
@@ -121,20 +120,27 @@ impl Augmentation {
         }
     }
 
-    fn flat(&self, shot: &Shot, suns: &[DVec3], rule: OutlineRule, lines: usize) -> (Vec<Gates>, LineCounts) {
+    fn flat(
+        &self,
+        shot: &Shot,
+        suns: &[DVec3],
+        rule: OutlineRule,
+        lines: usize,
+    ) -> (PictureGates, LineCounts) {
         let mut counts = LineCounts::default();
-        let gates = suns.iter().map(|&sun| {
+        let of_sun = |&sun: &DVec3| {
             let (outlines, types) = shadow_outlines(self.shape.function(), shot, sun, rule);
             counts += types;
             flat_gates(&outlines, shot, lines)
-        });
-        (gates.collect(), counts)
+        };
+        let suns = suns.iter().map(of_sun).collect();
+        (PictureGates { suns, tracks: Vec::new() }, counts)
     }
 
     /// Puts the shadow into all pictures of `sequence` and writes them, under the same names, into the folder `out`,
     /// which is made if it is not there, and goes again if nothing comes into it. Each file is written whole or not at all; one
     /// that is there, made from the same by an earlier run, stays. Ends early, with whole pictures only, when `cancel` is set;
-    /// `heard` hears how many are done.
+    /// `heard` hears how many are done. A picture whose lines `look` wants is made again if it is there.
     ///
     /// # Errors
     /// The first fault; pictures before it are written.
@@ -144,6 +150,7 @@ impl Augmentation {
         out: &Path,
         cancel: &AtomicBool,
         heard: &dyn Fn(u64),
+        look: &mut Look,
     ) -> Result<Vec<FrameWork>, AugmentError> {
         let _made = make_folder(sequence.folder(), out)?;
         let mut size = sequence.camera().size.map(|size| (size, "camera.json says".to_owned()));
@@ -160,7 +167,7 @@ impl Augmentation {
                 let (path, expected, of) = (frame.path.clone(), *expected, of.clone());
                 return Err(AugmentError::Size { path, found, expected, of });
             }
-            done.push(self.frame(sequence, frame, &source, out)?);
+            done.push(self.frame(sequence, frame, &source, out, look)?);
             heard(done.len() as u64);
         }
         Ok(done)
@@ -172,16 +179,20 @@ impl Augmentation {
         frame: &SequenceFrame,
         source: &Source,
         out: &Path,
+        look: &mut Look,
     ) -> Result<FrameWork, AugmentError> {
         let shot = frame.pose.shot(sequence.camera(), self.eye_height);
         let picture = &source.picture;
         let file = frame.path.file_name().unwrap_or_default();
         let path = out.join(file);
         let key = self.key(frame.frame, &shot, source);
-        if let Some(kept) = kept(&path, &key) {
+        if !look.wants(frame.frame)
+            && let Some(kept) = kept(&path, &key)
+        {
             return Ok(kept);
         }
-        let (shade, work, blanking) = self.shade(frame.frame, &shot, [picture.columns(), picture.lines()])?;
+        let shadow = self.shade(frame.frame, &shot, [picture.columns(), picture.lines()])?;
+        let Shadow { shade, work, blanking, .. } = &shadow;
         let refused = |source| PictureFileError::Picture { path: path.clone(), source };
         let new = GreyPicture::new(picture.columns(), picture.lines(), picture.depth(), shade.blank(picture))
             .map_err(refused)?;
@@ -191,8 +202,8 @@ impl Augmentation {
             file: file.to_string_lossy().into_owned(),
             pixels_blake3: new.pixel_hash(),
             times: work.times(&self.method, sequence.period()),
-            work,
-            blanking,
+            work: *work,
+            blanking: blanking.clone(),
         };
         let texts = [
             ("Frame", frame.frame.to_string()),
@@ -202,6 +213,9 @@ impl Augmentation {
         let bytes =
             encode_png(&new, &texts.each_ref().map(|(key, text)| (*key, text.as_str()))).map_err(refused)?;
         files::write_atomic(&path, |file| file.write_all(&bytes))?;
+        if look.wants(frame.frame) {
+            Lines { augmentation: self, picture, shadow: &shadow }.record(frame.frame, &mut look.probe);
+        }
         Ok(work)
     }
 

@@ -24,6 +24,11 @@ impl Gate {
         at.len()
     }
 
+    /// Adds what another gate holds.
+    pub fn add_all(&mut self, other: &Self) {
+        self.0.extend_from_slice(&other.0);
+    }
+
     /// Makes one stretch of those that overlap or touch.
     pub fn join(&mut self) {
         self.0.sort_by(|a, b| a[0].total_cmp(&b[0]));
@@ -65,6 +70,15 @@ impl Gates {
         let line_generators = lines.iter().map(|(_, edges)| *edges as u64).max().unwrap_or(0);
         Self { lines: lines.into_iter().map(|(gate, _)| gate).collect(), crossings, line_generators }
     }
+}
+
+/// What darkens a picture, line by line.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct PictureGates {
+    /// One for each point of the sun: the vehicle's shadow, and tracks.
+    pub suns: Vec<Gates>,
+    /// Tracks alone, one a line; empty where there can be none.
+    pub tracks: Vec<Gate>,
 }
 
 #[cfg(test)]

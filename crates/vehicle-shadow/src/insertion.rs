@@ -57,6 +57,14 @@ impl Method {
         }
     }
 
+    /// Which line of [`Self::raster`] stands at the height of `line` of the `lines` of a picture.
+    pub(crate) fn raster_line(&self, line: usize, lines: usize) -> usize {
+        match self {
+            Self::Synchronised { .. } => line,
+            Self::ScanConverter(tube) => (2 * line + 1) * tube.tv_lines as usize / (2 * lines),
+        }
+    }
+
     /// How dark each pixel of a picture of `size` becomes under gates in [`Self::raster`], one for each point of the sun.
     pub fn shade(&self, suns: &[Gates], half_width: f64, size: [usize; 2]) -> Shade {
         match self {
@@ -83,7 +91,7 @@ impl ScanConverter {
 }
 
 /// Stretches as shares of the width.
-fn unit(gate: &Gate, half_width: f64) -> Vec<[f64; 2]> {
+pub(crate) fn unit(gate: &Gate, half_width: f64) -> Vec<[f64; 2]> {
     let share = |x: f64| (0.5 + 0.5 * x / half_width).clamp(0.0, 1.0);
     gate.stretches().iter().map(|stretch| stretch.map(share)).collect()
 }
@@ -177,10 +185,14 @@ impl Shade {
         self
     }
 
-    /// The picture with the dark taken out of its video: codes times what is left.
+    /// Video of a picture with the dark taken out, line by line: codes times what is left, not yet codes again.
+    pub fn video(&self, picture: &GreyPicture) -> impl Iterator<Item = f64> {
+        picture.codes().iter().zip(&self.shares).map(|(code, share)| f64::from(*code) * (1.0 - share))
+    }
+
+    /// The same as codes.
     pub fn blank(&self, picture: &GreyPicture) -> Vec<u16> {
-        let left = |(code, share): (&u16, &f64)| (f64::from(*code) * (1.0 - share) + 0.5).floor() as u16;
-        picture.codes().iter().zip(&self.shares).map(left).collect()
+        self.video(picture).map(|video| (video + 0.5).floor() as u16).collect()
     }
 }
 

@@ -28,6 +28,11 @@
 //! - **Insertion** ([`Method`], 19.6): blanking at intersections, rounded to the places of a D/A converter; or an area
 //!   written into a scan converter, which has a spot, an offset and a gain. A pixel keeps the share that is not dark.
 //!
+//! # Signals
+//!
+//! Television lines as waveforms ([`SIGNALS`]): video that comes, gates before and behind the converters, what is taken out, video
+//! that goes. A line stands where a machine has a sweep, a column where it has a sample ([`Look`]).
+//!
 //! # Timing
 //!
 //! Nothing here is late: set-up and writing times of gear of 1969 are told ([`Work`]), not drawn. Lines of true ground are
@@ -65,7 +70,9 @@ mod node_table;
 mod outline;
 mod poses;
 mod prism;
+mod probed;
 mod sequence;
+mod shadow;
 mod shape;
 mod shot;
 mod stretch;
@@ -84,11 +91,13 @@ pub use error::AugmentError;
 pub use flat_error::{flat_error, small_flat_error};
 pub use flat_ground::{OutlineRule, flat_gates, shadow_outlines};
 pub use function::{CharacteristicFunction, StringPoint};
-pub use gate::{Gate, Gates};
+pub use gate::{Gate, Gates, PictureGates};
 pub use insertion::{DAC_BITS, Method, ScanConverter, Shade};
 pub use outline::outlines;
 pub use poses::{FramePose, read_poses};
+pub use probed::{Look, SIGNALS, line_timebase};
 pub use sequence::{Sequence, SequenceFrame};
+pub use shadow::Shadow;
 pub use shape::Shape;
 pub use shot::Shot;
 pub use suns::{LowSun, SUN_HALF_ANGLE_DEG, SUN_POINTS, suns};

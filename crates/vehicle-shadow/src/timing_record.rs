@@ -11,7 +11,7 @@ use crate::insertion::Method;
 use crate::work::{INTERSECTION_S, POINT_S};
 
 /// Ticks of the record in a second: a microsecond each (our choice; hardware table 3.7 has no finer times).
-const MASTER_HZ: f64 = 1e6;
+pub(crate) const MASTER_HZ: f64 = 1e6;
 
 /// The record of `made`, pictures with the shadow of `name` under `method`, one every `period` (s); `inputs` is a hash of what decides
 /// them.
@@ -87,7 +87,8 @@ fn tasks(frame: &FrameWork, method: &Method) -> Vec<Task> {
     [points, method].into_iter().map(task).filter(|task| task.ticks > 0).collect()
 }
 
-fn ticks(seconds: f64) -> u64 {
+/// Time in ticks of the record, the nearest.
+pub(crate) fn ticks(seconds: f64) -> u64 {
     (seconds * MASTER_HZ).round() as u64
 }
 

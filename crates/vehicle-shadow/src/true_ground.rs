@@ -12,7 +12,7 @@ use scenario::TrackPatch;
 use solids::Body;
 
 use crate::casters::Casters;
-use crate::gate::{Gate, Gates};
+use crate::gate::{Gate, Gates, PictureGates};
 use crate::shot::{edge, middle};
 use crate::stretch::{Spot, Stretch};
 use crate::{Shape, Shot};
@@ -58,12 +58,13 @@ impl TrueGround {
         suns: &[DVec3],
         tracks: &[TrackPatch],
         [columns, lines]: [usize; 2],
-    ) -> Vec<Gates> {
+    ) -> PictureGates {
         let casters = Casters::new(&shape.bodies(shot), shot, suns, tracks);
         let scene = self.scene(shot, casters);
         let half_height = shot.field.tan_half_height;
         let of_line = |line: usize| scene.line(middle(half_height, line, lines), columns, suns.len());
-        let mut by_line: Vec<Vec<Gate>> = (0..lines).into_par_iter().map(of_line).collect();
+        let (mut by_line, tracks): (Vec<Vec<Gate>>, Vec<Gate>) =
+            (0..lines).into_par_iter().map(of_line).unzip();
         let of_sun = |sun: usize| {
             let gate = |line: &mut Vec<Gate>| {
                 let gate = std::mem::take(&mut line[sun]);
@@ -72,7 +73,7 @@ impl TrueGround {
             };
             Gates::of(by_line.iter_mut().map(gate).collect())
         };
-        (0..suns.len()).map(of_sun).collect()
+        PictureGates { suns: (0..suns.len()).map(of_sun).collect(), tracks }
     }
 
     fn scene<'a>(&'a self, shot: &'a Shot, casters: Casters) -> Scene<'a> {
@@ -86,12 +87,12 @@ impl TrueGround {
 }
 
 impl Scene<'_> {
-    /// Gates of the line at `y` for each of `suns` points of the sun.
-    fn line(&self, y: f64, columns: usize, suns: usize) -> Vec<Gate> {
+    /// Gates of the line at `y` for each of `suns` points of the sun, and of its tracks.
+    fn line(&self, y: f64, columns: usize, suns: usize) -> (Vec<Gate>, Gate) {
         let half = self.shot.field.tan_half_width;
         let edges: Vec<f64> = (0..=columns).map(|index| edge(half, index, columns)).collect();
         let spots: Vec<Option<Spot>> = edges.iter().map(|&x| self.look(x, y)).collect();
-        let mut gates = vec![Gate::default(); suns];
+        let (mut gates, mut tracks) = (vec![Gate::default(); suns], Gate::default());
         for (spots, ends) in spots.as_slice().windows(2).zip(edges.windows(2)) {
             let stretch = Stretch { spots: [spots[0], spots[1]], ends: [ends[0], ends[1]] };
             for part in self.casters.parts.iter().filter(|part| stretch.may_meet(&part.reach)) {
@@ -99,12 +100,14 @@ impl Scene<'_> {
                     prism.iter().for_each(|prism| stretch.darken(prism, gate));
                 }
             }
-            for prism in self.casters.patches(&stretch) {
-                gates.iter_mut().for_each(|gate| stretch.darken(prism, gate));
-            }
+            self.casters.patches(&stretch).for_each(|prism| stretch.darken(prism, &mut tracks));
         }
-        gates.iter_mut().for_each(Gate::join);
-        gates
+        tracks.join();
+        for gate in &mut gates {
+            gate.add_all(&tracks);
+            gate.join();
+        }
+        (gates, tracks)
     }
 
     /// What is seen through a place of the view-plane, as far as there may be shadow or tracks.

@@ -156,6 +156,7 @@ fn pictures_of_true_ground_show_that_error() {
         let truth = TrueGround::new(stage(&landscape, Scenery::still(sun(180.0, elevation)), [4, 6000]));
         let gates = truth
             .gates(&Shape::new(vec![plate], EYE), &shot, &[to_sun(180.0, elevation)], &[], size)
+            .suns
             .remove(0);
         let Some(first) = gates.lines.iter().position(|gate| gate.holds(0.0003)) else { continue };
         let seen = 0.6 * (2.0 * first as f64 - 6000.0) / 6000.0;

@@ -1,6 +1,7 @@
-//! Shadows against ray casting, outlines against unions, true ground against `exact` and marching, sequences on disk.
+//! Shadows against ray casting, outlines against unions, true ground against `exact` and marching, sequences on disk, lines as waveforms.
 
 mod flat_error;
+mod lines;
 mod outlines;
 mod penumbra;
 mod ray_casting;

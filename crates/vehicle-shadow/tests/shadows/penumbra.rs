@@ -34,7 +34,7 @@ fn across_the_edge(height: f64, ahead: f64, ground: GroundLaw) -> Vec<f64> {
         ground,
         method: Method::Synchronised { dac_bits: 24 },
     };
-    let shade: Shade = augmentation.shade(0, &from_above(ahead), [5, LINES]).unwrap().0;
+    let shade: Shade = augmentation.shade(0, &from_above(ahead), [5, LINES]).unwrap().shade;
     shade.shares().chunks(5).map(|line| line[2]).collect()
 }
 

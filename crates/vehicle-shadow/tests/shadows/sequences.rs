@@ -7,21 +7,22 @@ use std::sync::atomic::AtomicBool;
 use picture::{Depth, GreyPicture, Limits, read_png, write_png};
 use tempfile::TempDir;
 use vehicle_shadow::{
-    AugmentError, Augmentation, Camera, FrameWork, GroundLaw, Method, OutlineRule, ScanConverter, Sequence,
-    Shape,
+    AugmentError, Augmentation, Camera, FrameWork, GroundLaw, Look, Method, OutlineRule, ScanConverter,
+    Sequence, Shape,
 };
 
 use crate::scenes::sun;
 
-const SIZE: [usize; 2] = [100, 60];
+pub const SIZE: [usize; 2] = [100, 60];
 const CAMERA: &str = r#"{ "columns": 100, "lines": 60, "tan_half_field": [0.466, 0.268], "roll_drawn": false,
     "projection": "exact: the formulas hold for every pixel" }"#;
 
-struct Folder(TempDir);
+/// A sequence of three frames, 4 to 6.
+pub struct Folder(TempDir);
 
 impl Folder {
     /// Three frames of even grey with their poses and camera.
-    fn new() -> Self {
+    pub fn new() -> Self {
         let folder = Self(tempfile::tempdir().unwrap());
         fs::create_dir(folder.join("frames")).unwrap();
         (4..7).for_each(|frame| folder.picture(&format!("frame-{frame:06}.png"), SIZE));
@@ -35,7 +36,7 @@ impl Folder {
         folder
     }
 
-    fn join(&self, name: &str) -> PathBuf {
+    pub fn join(&self, name: &str) -> PathBuf {
         self.0.path().join(name)
     }
 
@@ -45,10 +46,19 @@ impl Folder {
 
     fn picture(&self, name: &str, [columns, lines]: [usize; 2]) {
         let picture = GreyPicture::new(columns, lines, Depth::Eight, vec![180; columns * lines]).unwrap();
-        write_png(self.join("frames").join(name), &picture, &[]).unwrap();
+        self.put(name, &picture);
     }
 
-    fn sequence(&self) -> Result<Sequence, AugmentError> {
+    /// Rows of frame, time, eye, heading, pitch and roll.
+    pub fn poses(&self, rows: &str) {
+        self.write("poses.csv", &format!("frame,t_s,x_m,y_m,z_m,heading_deg,pitch_deg,roll_deg\n{rows}"));
+    }
+
+    pub fn put(&self, name: &str, picture: &GreyPicture) {
+        write_png(self.join("frames").join(name), picture, &[]).unwrap();
+    }
+
+    pub fn sequence(&self) -> Result<Sequence, AugmentError> {
         Sequence::read(
             &self.join("frames"),
             &self.join("poses.csv"),
@@ -66,7 +76,7 @@ impl Folder {
             ground: GroundLaw::Flat(OutlineRule::Parts),
             method,
         };
-        augmentation.run(&self.sequence()?, out, &AtomicBool::new(false), &|_| {})
+        augmentation.run(&self.sequence()?, out, &AtomicBool::new(false), &|_| {}, &mut Look::off())
     }
 
     fn refused(&self) -> String {

@@ -65,15 +65,15 @@ fn the_figures_of_the_scenario() {
     let on_ground = |tracks, frame| of(GroundLaw::True { ground: Box::new(ground.clone()), tracks }, frame);
     let found = on_ground(Vec::new(), 0);
     let percent = |work: &Work| 100.0 * work.dark;
-    assert_figure(percent(&parts.1), 3.33, 0.01);
-    assert_figure(percent(&walk.1), 3.38, 0.01);
-    assert_figure(percent(&found.1), 3.30, 0.01);
-    let differ = found.0.shares().iter().zip(parts.0.shares()).filter(|(a, b)| (*a - *b).abs() > 0.5);
+    assert_figure(percent(&parts.work), 3.33, 0.01);
+    assert_figure(percent(&walk.work), 3.38, 0.01);
+    assert_figure(percent(&found.work), 3.30, 0.01);
+    let differ = found.shade.shares().iter().zip(parts.shade.shares()).filter(|(a, b)| (*a - *b).abs() > 0.5);
     assert_figure(100.0 * differ.count() as f64 / (SIZE[0] * SIZE[1]) as f64, 0.73, 0.01);
-    assert_eq!(parts.1.points, 812);
-    assert_eq!((parts.1.intersections, parts.1.line_generators), (2396, 38));
-    assert_eq!((walk.1.intersections, walk.1.line_generators), (614, 6));
-    let [with, without] = [tracks, Vec::new()].map(|tracks| percent(&on_ground(tracks, 1).1));
+    assert_eq!(parts.work.points, 812);
+    assert_eq!((parts.work.intersections, parts.work.line_generators), (2396, 38));
+    assert_eq!((walk.work.intersections, walk.work.line_generators), (614, 6));
+    let [with, without] = [tracks, Vec::new()].map(|tracks| percent(&on_ground(tracks, 1).work));
     assert_figure(with, 0.27, 0.01);
     assert_eq!(without, 0.0);
 }

@@ -43,7 +43,7 @@ fn tracks_are_those_that_exact_draws() {
         let labels = planes.get(PlaneKind::Label).unwrap();
         let truth = TrueGround::new(stage(&ground, scenery, SIZE.map(|count| count as u32)));
         let nothing = Shape::new(Vec::new(), 1.6334);
-        let gates = truth.gates(&nothing, &shot, &[to_sun(120.0, 60.0)], &patches(), SIZE).remove(0);
+        let gates = truth.gates(&nothing, &shot, &[to_sun(120.0, 60.0)], &patches(), SIZE).suns.remove(0);
         for (index, &label) in labels.iter().enumerate() {
             let x = middle(shot.field.tan_half_width, index % SIZE[0], SIZE[0]);
             let expected = label == f32::from(Label::Track.code());

@@ -27,7 +27,11 @@ pub fn gates(
     sun: DVec3,
 ) -> Vec<Gate> {
     let size = SIZE.map(|count| count as u32);
-    TrueGround::new(stage(landscape, scenery, size)).gates(shape, shot, &[sun], &[], SIZE).remove(0).lines
+    TrueGround::new(stage(landscape, scenery, size))
+        .gates(shape, shot, &[sun], &[], SIZE)
+        .suns
+        .remove(0)
+        .lines
 }
 
 /// The eye over the ground in the middle.
