@@ -21,9 +21,10 @@ use crate::values::Span;
 use crate::{Failure, Verdict};
 
 use choice::{Choice, expect_known};
-pub use target::Target;
-use target::{names, words};
+use target::words;
+pub use target::{Target, names};
 
+pub use trace::write;
 use trace::{Look, Order, WINDOW, Written, size, trace};
 
 const AFTER: &str = "Examples:

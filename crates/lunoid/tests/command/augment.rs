@@ -95,6 +95,109 @@ fn timing_is_held_to_a_baseline() {
     assert!(err.contains("half.json:1:") && err.contains("expected a timing record"), "{err}");
 }
 
+/// A line of the picture stands for a sweep: the same formats and records as those of `lunoid probe`.
+#[test]
+fn lines_of_a_picture_are_probed() {
+    let scene = run();
+    let rover = ["rover", "--sun", "212,6", "--out", "new", "--probe"];
+    let probe = |code, rest: &[&str]| augment(&scene, code, &[&rover[..], rest].concat());
+    let (out, _) = probe(0, &["1:20..22:vs.video.*,vs.dark", "--waveforms", "lines.csv"]);
+    assert!(out.contains("lines.csv: frame 1, lines 20..22: vs.video.in, vs.dark, vs.video.out\n"), "{out}");
+    let text = fs::read_to_string(scene.join("lines.csv")).unwrap();
+    let [old, new] = ["run/frames", "new"].map(|folder| Picture::read(&scene, folder));
+    assert_eq!(text.lines().count(), 1 + 2 * old.columns);
+    let mut lines = text.lines();
+    let heading = "frame,sweep,index,time [s],vs.video.in [1],vs.dark [1],vs.video.out [1]";
+    assert_eq!(lines.next(), Some(heading));
+    let mut dark = 0.0;
+    for (index, row) in lines.enumerate() {
+        let cells: Vec<f64> = row.split(',').map(|cell| cell.parse().unwrap()).collect();
+        let (line, column) = (20 + index / old.columns, index % old.columns);
+        assert_eq!((cells[1], cells[2]), (line as f64, column as f64));
+        let [before, after] =
+            [&old, &new].map(|picture| f64::from(picture.codes[line * old.columns + column]));
+        assert_eq!((cells[4], (cells[6] + 0.5).floor()), (before, after), "{row}");
+        dark += cells[5];
+        // A tenth of a second parts into lines, and these into columns.
+        let expected = 0.1 * (line * old.columns + column) as f64 / old.codes.len() as f64;
+        assert!((cells[3] - expected).abs() < 1e-12, "{row}");
+    }
+    assert!(dark > 1.0, "{dark}");
+    for format in ["fst", "vcd", "npz", "json", "raw", "sr"] {
+        let file = format!("lines.{format}");
+        let (out, _) = probe(0, &["0:..", "--waveforms", &file, "--json"]);
+        let record: Value = serde_json::from_str(&out).unwrap();
+        assert_eq!(record["probe"]["format"], format);
+        assert_eq!(record["probe"]["lines"], serde_json::json!([0, new.codes.len() / new.columns]));
+        assert_eq!(record["probe"]["signals"].as_array().unwrap().len(), 5);
+        assert_eq!(record["probe"]["files"][0], file);
+    }
+    let beside: Value = serde_json::from_slice(&fs::read(scene.join("lines.npz.json")).unwrap()).unwrap();
+    assert_eq!(
+        (&beside["signals"][0]["full_scale"], &beside["signals"][0]["block"]),
+        (&255.0.into(), &"vehicle-shadow".into())
+    );
+    // A scan converter has no D/A converters.
+    let tube = ["--method", "scan-converter", "--waveforms", "tube.json"];
+    probe(0, &[&["0:20"][..], &tube].concat());
+    let tube_has: Value = serde_json::from_slice(&fs::read(scene.join("tube.json")).unwrap()).unwrap();
+    let signals = tube_has["traces"][0]["signals"].as_object().unwrap();
+    assert_eq!(signals.keys().collect::<Vec<_>>(), ["vs.dark", "vs.gate", "vs.video.in", "vs.video.out"]);
+    let (_, err) = probe(2, &[&["0:20:vs.blank"][..], &tube].concat());
+    assert!(err.contains("vs.blank: no signal of this name under this method"), "{err}");
+    let (out, _) = scene.expect(0, &["signals", "vs.*", "--json"]);
+    let listed: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(listed["signals"].as_array().unwrap().len(), 6);
+}
+
+#[test]
+fn lines_that_are_not_there_are_refused() {
+    let scene = run();
+    for (code, probe, file, words) in [
+        (2, "2:20", "a.csv", "--probe 2:20..21: no such frame; expected one of the pictures, 0 to 1"),
+        (2, "1:23", "a.csv", "the picture has lines 0.."),
+        (2, "1:3..3", "a.csv", "expected FRAME:LINE"),
+        (2, "1", "a.csv", "expected FRAME:LINE"),
+        (2, "1:3:tg.height", "a.csv", "tg.height: no signal of this name"),
+        (2, "1:3:vs.tracks", "a.csv", "expected some of vs.video.in, vs.gate, vs.blank"),
+        (2, "1:3:", "a.csv", "no signal of this name"),
+        (2, "1:3", "a.png", "expected a name that ends in .csv, .vcd"),
+        (4, "1:3", "gone/a.csv", "gone/a.csv: cannot write here"),
+    ] {
+        let rest = ["rover", "--sun", "212,6", "--out", "new", "--probe", probe, "--waveforms", file];
+        let (_, err) = augment(&scene, code, &rest);
+        assert!(err.contains(words), "{probe} {file}: {err}");
+        assert!(!scene.join("new").exists() && !scene.join("a.csv").exists(), "{probe} {file}");
+    }
+    for half in [&["--probe", "1:3"][..], &["--waveforms", "a.csv"], &["--large"]] {
+        let (_, err) = augment(&scene, 2, &[&["rover", "--sun", "212,6", "--out", "new"], half].concat());
+        assert!(err.contains("required"), "{half:?}: {err}");
+    }
+    // A day and a second between two pictures: no line of a television picture lasts that long.
+    let poses = fs::read_to_string(scene.join("run/poses.csv")).unwrap();
+    scene.write("run/poses.csv", poses.replace("\n1,0.1,", "\n1,86401,"));
+    let rest = ["rover", "--sun", "212,6", "--out", "new", "--probe", "1:3", "--waveforms", "a.csv"];
+    let (_, err) = augment(&scene, 2, &rest);
+    assert!(err.contains("pictures 86401 s apart; expected at most a day"), "{err}");
+}
+
+/// Codes of frame 1 in a folder, by another reader than the command's.
+struct Picture {
+    columns: usize,
+    codes: Vec<u8>,
+}
+
+impl Picture {
+    fn read(scene: &Scene, folder: &str) -> Self {
+        let file = fs::File::open(scene.join(&format!("{folder}/frame-000001.png"))).unwrap();
+        let mut reader = png::Decoder::new(std::io::BufReader::new(file)).read_info().unwrap();
+        let mut codes = vec![0; reader.output_buffer_size().unwrap()];
+        let frame = reader.next_frame(&mut codes).unwrap();
+        assert_eq!((frame.color_type, frame.bit_depth), (png::ColorType::Grayscale, png::BitDepth::Eight));
+        Self { columns: frame.width as usize, codes }
+    }
+}
+
 #[test]
 fn tracks_want_ground() {
     let scene = run();

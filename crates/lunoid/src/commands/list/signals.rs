@@ -17,7 +17,7 @@ const AFTER: &str = "Examples:
   lunoid signals 'tg.*'
   lunoid signals scenarios/first-light.toml --machine pra-nominal 'tg.*,dpp.*'
 
-Without a scenario, all signals that a machine can have. With one (a file, or a name that ends in .toml), the wires of the
+Without a scenario, all signals that a machine can have, and those of `lunoid augment` (vs.*). With one (a file, or a name that ends in .toml), the wires of the
 machine that it is elaborated to, with the value and the voltage at full scale.";
 
 /// List the signals that can be probed.
@@ -97,9 +97,10 @@ struct Row {
 }
 
 impl SignalListing {
-    /// All signals that a machine can have.
+    /// All signals that a machine can have, and those of the vehicle's shadow in existing pictures.
     pub fn of_table() -> Self {
-        let rows = HybridMachine.signals().iter().map(|signal| Row { signal: *signal, wire: None });
+        let signals = HybridMachine.signals().iter().chain(&vehicle_shadow::SIGNALS);
+        let rows = signals.map(|signal| Row { signal: *signal, wire: None });
         Self { rows: rows.collect(), of: None }
     }
 

@@ -62,6 +62,11 @@ impl fmt::Display for Request {
 }
 
 impl Request {
+    /// Patterns of signals that are named; none are where the usual ones are meant.
+    pub fn named(&self) -> &[String] {
+        &self.patterns
+    }
+
     /// Patterns of the signals to record of `generator`.
     pub fn patterns(&self, generator: &dyn Generator) -> Vec<String> {
         let is_there = |name: &&str| generator.signals().iter().any(|signal| signal.name == *name);

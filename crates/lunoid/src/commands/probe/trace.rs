@@ -8,7 +8,7 @@ use generator::{Planes, Session};
 use rayon::ThreadPool;
 use scenario::Pose;
 use signal::{Axis, LANES, Probe, Waveform, Wire};
-use waveform::{Format, Header, SweepTraces, WaveformError, estimate, open};
+use waveform::{Format, Header, Sink, SweepTraces, WaveformError, estimate, open};
 
 use crate::Failure;
 use crate::output::tell;
@@ -79,7 +79,8 @@ pub fn trace(look: &Look<'_>, mut header: Header, order: &Order<'_>) -> Result<W
     let mut waveforms = look.at(names.clone(), windows.next().unwrap_or_default())?;
     header.lines = lines(&waveforms).unwrap_or(header.lines);
     let estimate = judge(&header, order.format, &waveforms)?;
-    say(order, estimate)?;
+    expect_small(order.out, estimate, order.large || order.dry_run)?;
+    tell(&format!("{}: about {}\n", order.out.display(), size(estimate)));
     if order.dry_run {
         return Ok(Written { estimate, files: Vec::new() });
     }
@@ -87,16 +88,44 @@ pub fn trace(look: &Look<'_>, mut header: Header, order: &Order<'_>) -> Result<W
     let mut progress = Progress::new(header.sweeps.clone());
     let mut sink = open(order.format, order.out, header).map_err(refused)?;
     loop {
-        for waveforms in waveforms.chunks(count) {
-            let sweep = waveforms[0].sweep;
-            sink.sweep(&SweepTraces { frame, sweep, waveforms }).map_err(refused)?;
-            progress.at(sweep);
-        }
+        put(&mut *sink, frame, &waveforms, count, |sweep| progress.at(sweep))?;
         let Some(window) = windows.next() else { break };
         drop(waveforms);
         waveforms = look.at(names.clone(), window)?;
     }
     Ok(Written { estimate, files: sink.finish().map_err(refused)? })
+}
+
+/// Writes waveforms that are all there, by sweep and then by wire of `header`, into a file; more than [`MOST_BYTES`] if
+/// `large`. Tells the files that it wrote.
+pub fn write(
+    header: Header,
+    waveforms: &[Waveform],
+    format: Format,
+    out: &Path,
+    large: bool,
+) -> Result<Vec<PathBuf>, Failure> {
+    expect_small(out, judge(&header, format, waveforms)?, large)?;
+    let (count, frame) = (header.wires.len(), header.frame);
+    let mut sink = open(format, out, header).map_err(refused)?;
+    put(&mut *sink, frame, waveforms, count, |_| {})?;
+    sink.finish().map_err(refused)
+}
+
+/// Writes whole sweeps of `count` waveforms each; `heard` hears which.
+fn put(
+    sink: &mut dyn Sink,
+    frame: u64,
+    waveforms: &[Waveform],
+    count: usize,
+    mut heard: impl FnMut(u32),
+) -> Result<(), Failure> {
+    for waveforms in waveforms.chunks(count) {
+        let sweep = waveforms[0].sweep;
+        sink.sweep(&SweepTraces { frame, sweep, waveforms }).map_err(refused)?;
+        heard(sweep);
+    }
+    Ok(())
 }
 
 /// Sweeps that are worked out together: as many as fit, in whole groups.
@@ -135,16 +164,16 @@ fn judge(header: &Header, format: Format, waveforms: &[Waveform]) -> Result<u64,
     estimate(format, header, &sweeps[begin..end]).map_err(refused)
 }
 
-/// Says the size before anything is written, and refuses what is large.
-fn say(order: &Order<'_>, bytes: u64) -> Result<(), Failure> {
-    let (out, size) = (order.out.display(), size(bytes));
-    if bytes > MOST_BYTES && !order.large && !order.dry_run {
-        return Err(Failure::usage(format!(
-            "{out}: the file would have about {size}; give --large to write it, or choose fewer sweeps or signals"
-        )));
+/// Refuses what is large.
+fn expect_small(out: &Path, bytes: u64, large: bool) -> Result<(), Failure> {
+    match bytes > MOST_BYTES && !large {
+        true => Err(Failure::usage(format!(
+            "{}: the file would have about {}; give --large to write it, or choose fewer sweeps or signals",
+            out.display(),
+            size(bytes)
+        ))),
+        false => Ok(()),
     }
-    tell(&format!("{out}: about {size}\n"));
-    Ok(())
 }
 
 /// Bytes for people.

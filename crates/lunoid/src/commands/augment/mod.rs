@@ -1,5 +1,8 @@
 //! `lunoid augment`: the vehicle's shadow, and its tracks, in an existing picture sequence.
 
+mod probing;
+mod told;
+
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
@@ -8,26 +11,25 @@ use quantities::radians;
 use rayon::ThreadPool;
 use replay::Progress;
 use scenario::Vehicle;
-use serde_json::{Value, json};
-use timing::{Comparison, Tolerance, compare};
+use timing::{Tolerance, compare};
 use vehicle_shadow::{
-    AugmentError, Augmentation, Camera, DAC_BITS, FrameWork, GroundLaw, Method, OutlineRule, SUN_POINTS,
-    ScanConverter, Sequence, Shape, TrueGround, USUAL_TRACKS, timing_record, tracks_along,
+    AugmentError, Augmentation, Camera, DAC_BITS, GroundLaw, Look, Method, OutlineRule, ScanConverter,
+    Sequence, Shape, TrueGround, USUAL_TRACKS, timing_record, tracks_along,
 };
 
 use crate::cli::COMMIT;
 use crate::interrupt;
 use crate::loading::{StageArgs, Threads};
-use crate::output::{expect_writable, print, print_json, tell};
+use crate::output::{expect_writable, tell};
 use crate::progress::Saying;
 use crate::{Failure, Verdict, values};
+
+use probing::{Probing, Recording};
 
 /// What was done, beside the pictures.
 const RECORD: &str = "augment.json";
 /// Stands beside the poses of a run.
 const CAMERA: &str = "camera.json";
-/// Differences from a baseline that are told one by one.
-const TOLD: usize = 60;
 /// The ground that is no scenario.
 const FLAT: &str = "flat";
 
@@ -36,7 +38,9 @@ const AFTER: &str = "Examples:
   lunoid augment FRAMES POSES --vehicle rover --sun 268,19 --out shadowed --method scan-converter --penumbra
   lunoid augment FRAMES POSES --vehicle rover --ground scenarios/tracks.toml --tracks --out shadowed
   lunoid augment FRAMES POSES --vehicle rover --sun 268,19 --out shadowed --baseline augment-timing.json
+  lunoid augment FRAMES POSES --vehicle rover --sun 268,19 --out shadowed --probe 33:400..402 --waveforms lines.csv
 
+`lunoid signals 'vs.*'` lists what can be probed: a line of a picture stands for a sweep, a column for a sample.
 docs/blocks/vehicle-shadow.md has the formats of poses and camera.";
 
 /// Put the vehicle's shadow, and its tracks, into an existing picture sequence.
@@ -100,6 +104,8 @@ pub struct Augment {
     #[arg(long, value_name = "FILE")]
     baseline: Option<PathBuf>,
     #[command(flatten)]
+    probing: Probing,
+    #[command(flatten)]
     threads: Threads,
     #[command(flatten)]
     saying: Saying,
@@ -141,6 +147,7 @@ impl Augment {
     pub fn run(&self) -> Result<Verdict, Failure> {
         self.expect_ground()?;
         self.timing.as_deref().map_or(Ok(()), expect_writable)?;
+        self.probing.expect_writable()?;
         let baseline = self.baseline.as_deref().map(timing::read).transpose()?;
         let pool = self.threads.pool()?;
         let sequence = Sequence::read(&self.frames, &self.poses, self.camera()?)?;
@@ -159,12 +166,15 @@ impl Augment {
             ground,
             method: self.method(),
         };
+        let mut recording = self.probing.recording(&augmentation, &sequence, self.provenance())?;
+        let mut nothing = Look::off();
+        let look = recording.as_mut().map_or(&mut nothing, |recording| &mut recording.look);
         let cancel = interrupt::listen();
         let display = self.saying.display();
         let frames = sequence.frames().len() as u64;
         display.hear(Progress::Begins { what: "frames", frames, kept: 0 });
         let hear = |done| display.hear(Progress::Frame { done });
-        let made = pool.install(|| augmentation.run(&sequence, &self.out, cancel, &hear));
+        let made = pool.install(|| augmentation.run(&sequence, &self.out, cancel, &hear, look));
         display.end();
         let made = made?;
         if (made.len() as u64) < frames {
@@ -187,9 +197,24 @@ impl Augment {
         if let Some(path) = &self.timing {
             timing::write(path, &timing)?;
         }
+        let probed = recording.map(Recording::write).transpose()?;
         let check = baseline.map(|baseline| compare(&baseline, &timing, &Tolerance::default()));
-        self.print(record, check.as_ref())?;
+        self.print(record, probed.as_ref(), check.as_ref())?;
         Ok(if check.is_none_or(|check| check.is_met()) { Verdict::Yes } else { Verdict::No })
+    }
+
+    /// Where waveforms come from.
+    fn provenance(&self) -> Vec<(String, String)> {
+        let keys = [
+            ("program", format!("lunoid {}", env!("CARGO_PKG_VERSION"))),
+            ("commit", COMMIT.to_owned()),
+            ("pictures", self.frames.display().to_string()),
+            ("poses", self.poses.display().to_string()),
+            ("vehicle", self.vehicle.clone()),
+            ("ground", self.ground.clone()),
+            ("method", told::word(&self.method)),
+        ];
+        keys.into_iter().map(|(key, words)| (key.to_owned(), words)).collect()
     }
 
     /// What flat ground cannot give.
@@ -265,95 +290,10 @@ impl Augment {
             }
         }
     }
-
-    fn record(&self, augmentation: &Augmentation, sequence: &Sequence, made: &[FrameWork]) -> Value {
-        let function = augmentation.shape.function();
-        let camera = sequence.camera();
-        let most = |time: fn(&FrameWork) -> f64| made.iter().map(time).fold(0.0, f64::max);
-        let largest = |count: fn(&FrameWork) -> u64| made.iter().map(count).max().unwrap_or(0);
-        json!({
-            "schema": "lunoid.augment/1",
-            "program": { "name": "lunoid", "version": env!("CARGO_PKG_VERSION"), "commit": COMMIT },
-            "frames_of": self.frames.display().to_string(),
-            "poses": self.poses.display().to_string(),
-            "camera": {
-                "field_of_view_deg": camera.angles_of_view(),
-                "roll_drawn": camera.rolls,
-            },
-            "vehicle": {
-                "shape": self.vehicle,
-                "eye_height_m": augmentation.eye_height,
-                "figures": function.figures().len(),
-                "string_points": function.points().len(),
-                "points": function.vertices(),
-            },
-            "sun_deg": self.sun,
-            "sun_points": if self.penumbra { SUN_POINTS } else { 1 },
-            "ground": self.ground,
-            "outline": matches!(augmentation.ground, GroundLaw::Flat(_)).then(|| word(&self.outline)),
-            "track_patches": match &augmentation.ground {
-                GroundLaw::Flat(_) => 0,
-                GroundLaw::True { tracks, .. } => tracks.len(),
-            },
-            "method": method_record(&augmentation.method, word(&self.method)),
-            "timing": {
-                "picture_period_s": sequence.period(),
-                "largest_setup_s": most(|frame| frame.times.setup_s),
-                "largest_write_s": most(|frame| frame.times.write_s),
-                "most_pictures": largest(|frame| frame.times.pictures),
-                "most_line_generators": largest(|frame| frame.work.line_generators),
-            },
-            "frames": made,
-        })
-    }
-
-    fn print(&self, mut record: Value, check: Option<&Comparison>) -> Result<(), Failure> {
-        match (self.saying.json, self.saying.quiet) {
-            (true, _) => {
-                if let Some(check) = check {
-                    record["timing_check"] = check.json();
-                }
-                print_json(&record)
-            }
-            (_, true) => Ok(()),
-            _ => print(&(self.text(&record) + &check.map(|check| check.text(TOLD)).unwrap_or_default())),
-        }
-    }
-
-    fn text(&self, record: &Value) -> String {
-        let timing = &record["timing"];
-        let ms = |key: &str| 1e3 * timing[key].as_f64().unwrap_or(0.0);
-        let frames = record["frames"].as_array().map_or(0, Vec::len);
-        format!(
-            "{}: {frames} frames with the shadow of {}\n  gear of 1969: set-up {:.1} ms and writing {:.1} ms of a picture of \
-             {:.1} ms, so a new shadow every {} pictures; {} line generators\n",
-            self.out.display(),
-            self.vehicle,
-            ms("largest_setup_s"),
-            ms("largest_write_s"),
-            ms("picture_period_s"),
-            timing["most_pictures"],
-            timing["most_line_generators"],
-        )
-    }
 }
 
 fn hash(text: &str) -> String {
     blake3::hash(text.as_bytes()).to_hex().to_string()
-}
-
-/// The word of the command line.
-fn word(value: &impl ValueEnum) -> String {
-    value.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default()
-}
-
-fn method_record(method: &Method, name: String) -> Value {
-    match method {
-        Method::Synchronised { dac_bits } => json!({ "name": name, "dac_bits": dac_bits }),
-        Method::ScanConverter(ScanConverter { tv_lines, registration, gain }) => {
-            json!({ "name": name, "tv_lines": tv_lines, "registration_share": registration, "gain": gain })
-        }
-    }
 }
 
 impl From<AugmentError> for Failure {
