@@ -74,8 +74,7 @@ impl Look {
 /// Clocks of `lines` lines of `columns` columns, which part the `period` of pictures (s) evenly, in whole microseconds (our choice: how
 /// long a camera takes from line to line is not known); `None` if pictures come less than once a day.
 pub fn line_timebase(period: f64, [columns, lines]: [u32; 2]) -> Option<Timebase> {
-    // Also what is no number.
-    if !(period <= LONGEST_S) {
+    if period.is_nan() || period > LONGEST_S {
         return None;
     }
     let master = Rate::new(MASTER_HZ as u64, 1)?;
