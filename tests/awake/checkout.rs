@@ -10,7 +10,8 @@ use lunoid_tests::breaks::{Break, root};
 pub struct Checkout {
     /// Its root.
     pub root: PathBuf,
-    /// Target folder: the same for the clone, so that what the workspace depends on is compiled once.
+    /// Target folder: the clone has its own. In one folder cargo would hold a library of the clone for that of this
+    /// checkout, look for changes in the clone's files only, and never compile this checkout's again.
     pub target: PathBuf,
 }
 
@@ -41,7 +42,8 @@ impl Checkout {
             git(&clone, &["fetch", "--quiet", "origin", "HEAD"])?;
         }
         git(&clone, &["reset", "--quiet", "--hard", "FETCH_HEAD"])?;
-        Ok(Self { root: clone, ..here })
+        let target = clone.join("target");
+        Ok(Self { root: clone, target })
     }
 
     /// That every break applies, and that no file of one has changes that are not committed.
