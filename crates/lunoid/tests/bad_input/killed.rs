@@ -37,6 +37,20 @@ fn signal(child: &Child, name: &str) {
         Command::new("kill").args([name, &child.id().to_string()]).stderr(Stdio::null()).status().unwrap();
 }
 
+/// Stops a process and waits until all its threads rest: one that is about to write still does after the signal.
+fn stop(child: &Child) {
+    signal(child, "-STOP");
+    let tasks = format!("/proc/{}/task", child.id());
+    let rests = |task: &Path| {
+        fs::read_to_string(task.join("status")).is_ok_and(|status| status.contains("State:\tT"))
+    };
+    let began = Instant::now();
+    while fs::read_dir(&tasks).is_ok_and(|mut tasks| tasks.any(|task| !rests(&task.unwrap().path()))) {
+        assert!(began.elapsed() < Duration::from_secs(60), "{tasks}: does not stop");
+        sleep(Duration::from_millis(1));
+    }
+}
+
 /// A finished run, without the times that it took.
 fn run(folder: &Path) -> BTreeMap<PathBuf, Option<Vec<u8>>> {
     let all = content(folder).into_iter();
@@ -155,7 +169,7 @@ fn a_second_run_in_the_folder_is_refused_and_the_first_goes_on() {
     while !room.join("r/frames/frame-000001.png").exists() && began.elapsed() < Duration::from_secs(60) {
         sleep(Duration::from_millis(1));
     }
-    signal(&first, "-STOP");
+    stop(&first);
     let holder = format!("process {}", first.id());
     for options in [&[][..], &["--fresh"], &["--sweeps", "20"]] {
         room.refused(OUTPUT, &replay("r", options), &[&holder, "wait for it or choose another --out"]);
