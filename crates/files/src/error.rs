@@ -113,7 +113,7 @@ impl FileError {
         use io::ErrorKind as Kind;
         let owned = path.to_owned();
         match source.kind() {
-            Kind::NotFound if action == Action::Read => Self::Missing { path: owned },
+            Kind::NotFound | Kind::NotADirectory if action == Action::Read => Self::Missing { path: owned },
             Kind::NotFound | Kind::NotADirectory if action == Action::Create => {
                 Self::MissingFolder { path: owned, folder: folder_of(path).to_owned(), action }
             }

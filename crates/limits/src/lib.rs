@@ -122,7 +122,7 @@ pub fn raise(assignment: &str) -> Result<(), String> {
         assignment.split_once('=').ok_or_else(|| format!("`{assignment}`: expected NAME=VALUE"))?;
     let row = ROWS.iter().find(|row| row.name == name).ok_or_else(|| {
         let names: Vec<_> = ROWS.iter().map(|row| row.name).collect();
-        format!("there is no limit `{name}`; there are {}", names.join(", "))
+        format!("{name}: there is no such limit; there are {}", names.join(", "))
     })?;
     let expected = || format!("{name}: expected a whole number from 1 to {}, found `{value}`", row.most);
     let value: u64 = value.replace('_', "").parse().map_err(|_| expected())?;
@@ -158,7 +158,7 @@ mod tests {
     fn what_is_no_limit_is_refused_in_words() {
         for (wrong, word) in [
             ("craters", "expected NAME=VALUE"),
-            ("holes=7", "there is no limit `holes`; there are corners, "),
+            ("holes=7", "holes: there is no such limit; there are corners, "),
             ("frames=few", "frames: expected a whole number from 1 to 1099511627776, found `few`"),
             ("frames=0", "found `0`"),
             ("frames=1099511627777", "found `1099511627777`"),

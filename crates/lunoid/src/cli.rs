@@ -1,6 +1,6 @@
 //! The command line.
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::commands::{
     augment, bank, cartridge, check, compare, explain, info, list, lockstep, model, page, probe, replay,
@@ -35,6 +35,27 @@ pub struct Cli {
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
+}
+
+impl Cli {
+    /// Reads the command line; what is wrong with it ends the program.
+    pub fn read() -> Self {
+        Self::from_arg_matches(&command().get_matches()).unwrap_or_else(|error| error.exit())
+    }
+}
+
+/// All commands and options.
+pub fn command() -> clap::Command {
+    with_negative_numbers(Cli::command())
+}
+
+/// A number below 0 is a value, so that whoever gives one hears what is expected, and not of an unknown option.
+fn with_negative_numbers(command: clap::Command) -> clap::Command {
+    let taken = |argument: clap::Arg| match argument.get_action().takes_values() {
+        true => argument.allow_negative_numbers(true),
+        false => argument,
+    };
+    command.mut_args(taken).mut_subcommands(with_negative_numbers)
 }
 
 /// What to do.

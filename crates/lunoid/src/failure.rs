@@ -21,9 +21,9 @@ pub enum Failure {
     Problems(ProblemList),
     /// The command line asks for what cannot be.
     Usage(String),
-    /// A file that was read is not what it should be.
+    /// A file cannot be read, or is not what it should be.
     Input(String),
-    /// Reading or writing failed.
+    /// Writing failed.
     Output(String),
     /// Bad input that the command has told of already.
     Told,
@@ -88,8 +88,11 @@ impl From<FileError> for Failure {
     fn from(error: FileError) -> Self {
         let is_input = match &error {
             FileError::Missing { .. } | FileError::TooLarge { .. } => true,
-            FileError::IsFolder { action, .. } => *action == Action::Read,
-            _ => false,
+            FileError::IsFolder { action, .. }
+            | FileError::MissingFolder { action, .. }
+            | FileError::Denied { action, .. }
+            | FileError::NoSpace { action, .. }
+            | FileError::Io { action, .. } => *action == Action::Read,
         };
         if is_input { Self::input(error) } else { Self::output(error) }
     }
@@ -153,7 +156,7 @@ impl From<ReplayError> for Failure {
             | ReplayError::TruthRecord { .. }
             | ReplayError::TruthNotANumber { .. }
             | ReplayError::Picture { .. } => Self::input(error),
-            ReplayError::NoFrames(_) => Self::usage(error),
+            ReplayError::NoFrames(_) | ReplayError::TooManyChecks { .. } => Self::usage(error),
             _ => Self::output(error),
         }
     }

@@ -9,7 +9,7 @@ use clap::{Args, ValueEnum};
 use diagnostics::{Problem, ProblemList, Problems};
 use exact::Exact;
 use generator::{Generator, Stage};
-use hardware_model::{Economy, HardwareModel, LoadedModel, ModelSource, Settings};
+use hardware_model::{Economy, HardwareModel, LoadedModel, Settings};
 use lunsim::{Hardware, Lunsim};
 use machine::HybridMachine;
 use rayon::{ThreadPool, ThreadPoolBuilder};
@@ -17,6 +17,7 @@ use replay::{FileRecord, Inputs, Phase, file_hash};
 use scenario::{Ground, LawWishes, RasterWishes, Scenario};
 use stage::StageError;
 
+use crate::kind::{read_model, read_scenario};
 use crate::lunsim_keys::{hardware, is_of_gear, run_key};
 use crate::{Failure, values};
 
@@ -147,7 +148,7 @@ impl StageArgs {
     /// Reads scenario and model.
     pub fn load(&self) -> Result<Loaded, Failure> {
         let start = Instant::now();
-        let mut scenario = Scenario::read(&self.scenario)?;
+        let mut scenario = read_scenario(&self.scenario)?;
         if let Some(bank) = &self.options.bank {
             scenario.ground = Ground::Bank(bank.clone());
         }
@@ -186,7 +187,7 @@ impl StageArgs {
         let draws_lunsim = self.draws_lunsim(scenario);
         let is_of_model = |key: &str| run_key(key).is_none() && !(draws_lunsim && is_of_gear(key));
         let of_model: Vec<_> = self.options.set.iter().filter(|(key, _)| is_of_model(key)).cloned().collect();
-        Ok(HardwareModel::load(&ModelSource::find(name, folder)?, &self.options.overlay, &of_model)?)
+        read_model(name, folder, &self.options.overlay, &of_model)
     }
 
     fn draws_lunsim(&self, scenario: &Scenario) -> bool {

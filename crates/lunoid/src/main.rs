@@ -8,6 +8,7 @@ mod commands;
 mod failure;
 mod frame;
 mod interrupt;
+mod kind;
 mod loading;
 mod lunsim_keys;
 mod output;
@@ -15,8 +16,6 @@ mod progress;
 mod values;
 
 use std::process::ExitCode;
-
-use clap::Parser;
 
 use cli::Cli;
 use failure::Failure;
@@ -33,7 +32,7 @@ enum Verdict {
 }
 
 fn main() -> ExitCode {
-    let cli = Cli::parse();
+    let cli = Cli::read();
     let code = match interrupt::catch().and_then(|()| commands::run(&cli)) {
         Ok(Verdict::Yes) | Err(Failure::ClosedPipe) => 0,
         Ok(Verdict::No) => 1,

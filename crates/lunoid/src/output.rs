@@ -56,6 +56,11 @@ pub fn print_json(document: &Value) -> Result<(), Failure> {
 /// Sees before long work that a file can be written at `path`.
 pub fn expect_writable(path: &Path) -> Result<(), Failure> {
     let refused = |why: String| Err(Failure::output(format!("{}: {why}", path.display())));
+    if path == Path::new("-") {
+        return Err(Failure::usage(
+            "-: expected a file name; standard output is /dev/stdout, a file of this name ./-",
+        ));
+    }
     if path.is_dir() {
         return refused("this is a folder, expected a file name; name a file inside it".into());
     }
@@ -74,6 +79,12 @@ pub fn expect_writable(path: &Path) -> Result<(), Failure> {
     }
 }
 
+/// A rate with two digits at least, so that a slow one is no zero.
+pub fn rate(value: f64) -> String {
+    let places = [10.0, 1e2, 1e3, 1e4, 1e5].iter().position(|scale| value * scale >= 9.95);
+    format!("{value:.*}", 1 + places.unwrap_or(0))
+}
+
 /// Columns of text, each as wide as its widest cell; the last is not padded.
 pub fn table(rows: &[Vec<String>]) -> String {
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
@@ -86,4 +97,15 @@ pub fn table(rows: &[Vec<String>]) -> String {
         cells.collect::<Vec<_>>().join("  ").trim_end().to_owned() + "\n"
     };
     rows.iter().map(line).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::rate;
+
+    #[test]
+    fn slow_rates_are_no_zeros() {
+        let said = [0.0, 1234.56, 24.31, 0.996, 0.0433, 0.00012, 1e-9].map(rate);
+        assert_eq!(said, ["0.0", "1234.6", "24.3", "1.0", "0.043", "0.00012", "0.0"].map(str::to_owned));
+    }
 }

@@ -65,6 +65,14 @@ pub fn not_negative(text: &str) -> Result<f64, String> {
     if number >= 0.0 { Ok(number) } else { Err("expected a number of 0 or more".into()) }
 }
 
+/// A share of a hundred.
+pub fn percent(text: &str) -> Result<f64, String> {
+    finite(text)
+        .ok()
+        .filter(|share| (0.0..=100.0).contains(share))
+        .ok_or("expected a number from 0 to 100".into())
+}
+
 /// A finite number.
 pub fn finite(text: &str) -> Result<f64, String> {
     let number: f64 = text.trim().parse().map_err(|_| "expected a number")?;
@@ -76,9 +84,18 @@ pub fn pair(text: &str) -> Result<[f64; 2], String> {
     numbers(text).ok_or_else(|| "expected two numbers, A,B".into())
 }
 
-/// Four finite numbers `S,W,N,E`.
+/// Azimuth and elevation of a sun that is up (degrees).
+pub fn sun(text: &str) -> Result<[f64; 2], String> {
+    let up = pair(text)?;
+    if (0.0..=90.0).contains(&up[1]) { Ok(up) } else { Err("expected an elevation from 0 to 90".into()) }
+}
+
+/// Four finite numbers `S,W,N,E`, the first two below the last two.
 pub fn edges(text: &str) -> Result<[f64; 4], String> {
-    numbers(text).ok_or_else(|| "expected four numbers: south,west,north,east".into())
+    let ascends = |&[south, west, north, east]: &[f64; 4]| south < north && west < east;
+    let expected =
+        || "expected four numbers: south,west,north,east, south below north and west below east".into();
+    numbers(text).filter(ascends).ok_or_else(expected)
 }
 
 fn numbers<const N: usize>(text: &str) -> Option<[f64; N]> {
@@ -96,7 +113,7 @@ pub fn pixel(text: &str) -> Result<[usize; 2], String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Span, edges, pair, setting};
+    use super::{Span, edges, pair, percent, setting, sun};
 
     #[test]
     fn spans() {
@@ -116,6 +133,11 @@ mod tests {
     fn lists_of_numbers() {
         assert_eq!(pair("1, -2.5"), Ok([1.0, -2.5]));
         assert_eq!(edges("0,1,2,3"), Ok([0.0, 1.0, 2.0, 3.0]));
+        assert!(edges("2,1,0,3").is_err() && edges("0,3,2,1").is_err());
+        assert_eq!(sun("400,90"), Ok([400.0, 90.0]));
+        assert!(sun("0,90.1").is_err() && sun("0,-1").is_err());
+        assert_eq!(percent("100"), Ok(100.0));
+        assert!(percent("100.5").is_err() && percent("-1").is_err() && percent("nan").is_err());
         for wrong in ["", "1", "1,2,3", "1,nan", "1,inf", "1;2"] {
             assert!(pair(wrong).is_err(), "{wrong}");
         }

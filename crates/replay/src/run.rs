@@ -13,7 +13,7 @@ use serde_json::Value;
 
 use crate::ReplayError;
 use crate::camera::camera;
-use crate::check::Check;
+use crate::check::{Check, expect_available};
 use crate::draw::{Drawing, draw_all};
 use crate::film::{sheet, write_film};
 use crate::fingerprint::fingerprint;
@@ -126,6 +126,7 @@ impl<'a> Run<'a> {
         let listed = listed.chain(journal.iter().flat_map(|journal| &journal.frames));
         let listed: BTreeMap<u64, FrameRecord> = listed.map(|frame| (frame.frame, frame.clone())).collect();
         let frames = join(folder, &listed, &job.frames)?;
+        expect_available(job, frames.end - frames.start)?;
         let poses = job.poses(frames.clone())?;
         let session = job.session(control.pool)?;
         let mut phases = control.phases.clone();

@@ -138,7 +138,7 @@ fn damaged_labels_name_line_and_keyword() {
     assert!(refused("SIMPLE CYLINDRICAL", "SINUSOIDAL").contains("POLAR STEREOGRAPHIC"));
     assert!(refused("\"EAST\"", "\"WEST\"").contains("EAST"));
     assert!(refused("= 4 <pix/deg>", "= 0 <pix/deg>").contains("MAP_RESOLUTION"));
-    assert!(refused("MAP_PROJECTION_TYPE", "OTHER").contains("--spacing"));
+    assert!(refused("MAP_PROJECTION_TYPE", "OTHER").contains("--spacing-m METRES"));
     assert!(refused("^IMAGE", "^TABLE").contains("^IMAGE"));
     assert!(refused("\nEND\n", "\n").contains("truncated"));
     assert!(refused("MISSING_CONSTANT = -32768", "MISSING_CONSTANT = 16#XY#").contains("16#DIGITS#"));

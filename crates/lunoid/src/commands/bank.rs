@@ -8,9 +8,9 @@ use landscape::{Bank, Level, Sun};
 use limits::Limit;
 use plots::{BankLook, bank_picture};
 use quantities::{degrees, radians};
-use scenario::Scenario;
 use serde_json::{Value, json};
 
+use crate::kind::read_scenario;
 use crate::output::{expect_writable, print, print_json, table};
 use crate::{Failure, Verdict, values};
 
@@ -77,16 +77,17 @@ struct Show {
     #[arg(short, long, value_name = "PNG")]
     out: Option<PathBuf>,
     /// Level to draw, 0 is the finest.
-    #[arg(long, default_value_t = 0)]
+    #[arg(long, requires = "out", default_value_t = 0)]
     level: usize,
     /// Azimuth and elevation of the sun in the picture (degrees).
-    #[arg(long, value_name = "AZIMUTH,ELEVATION", value_parser = values::pair, default_value = "315,20")]
+    #[arg(long, value_name = "AZIMUTH,ELEVATION", requires = "out", value_parser = values::sun,
+          allow_hyphen_values = true, default_value = "315,20")]
     sun: [f64; 2],
     /// The longer side of the map (pixels).
-    #[arg(long, default_value_t = 800, value_parser = clap::value_parser!(u32).range(120..=8000))]
+    #[arg(long, requires = "out", default_value_t = 800, value_parser = clap::value_parser!(u32).range(120..=8000))]
     pixels: u32,
     /// Draw the borders of regions.
-    #[arg(long)]
+    #[arg(long, requires = "out")]
     regions: bool,
     /// Print the description as JSON.
     #[arg(long)]
@@ -160,7 +161,7 @@ impl Show {
 impl Generate {
     fn run(&self) -> Result<(), Failure> {
         expect_bank_writable(&self.out)?;
-        let scenario = Scenario::read(&self.scenario)?;
+        let scenario = read_scenario(&self.scenario)?;
         write(&self.out, &stage::bank(&scenario)?)
     }
 }

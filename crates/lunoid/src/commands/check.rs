@@ -1,15 +1,14 @@
 //! `lunoid check`: scenarios and hardware models, every fault of each.
 
-use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use diagnostics::{Problem, ProblemList, ProblemRecord, Problems, TomlFile};
+use diagnostics::{Problem, ProblemList, ProblemRecord};
 use hardware_model::{HardwareModel, ModelSource};
-use limits::Limit;
 use scenario::{PoseTable, Scenario};
 use serde_json::{Value, json};
 
+use crate::kind::Kind;
 use crate::loading::{hardware_model, stage_problems};
 use crate::output::{Colour, print, print_json, tell};
 use crate::{Failure, Verdict};
@@ -31,52 +30,6 @@ pub struct Check {
     /// Print the result as JSON.
     #[arg(long)]
     json: bool,
-}
-
-/// What a TOML file is meant to be.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
-    /// A scenario.
-    Scenario,
-    /// A hardware model.
-    Model,
-    /// Differences to be laid over a hardware model.
-    Overlay,
-    /// The description beside a bank, which only people read.
-    Sidecar,
-}
-
-impl Kind {
-    /// What the keys of a file say; what is no TOML is taken for a scenario, whose reader says why not.
-    pub fn of(path: &Path) -> Self {
-        let problems = Problems::new();
-        let name = path.display().to_string();
-        let file = files::read_all(path, Limit::TextBytes).ok();
-        let file = file.and_then(|bytes| TomlFile::parse_bytes(&name, &bytes, &problems));
-        let has = |keys: &[&str]| {
-            file.as_ref().is_some_and(|file| keys.iter().any(|key| file.root(&problems).has(key)))
-        };
-        if has(&["content_blake3"]) {
-            Self::Sidecar
-        } else if has(&["title", "landscape", "path", "sun"]) {
-            Self::Scenario
-        } else if has(&["name", "base"]) {
-            Self::Model
-        } else if has(&parts_of_a_model().iter().map(String::as_str).collect::<Vec<_>>()) {
-            Self::Overlay
-        } else {
-            Self::Scenario
-        }
-    }
-
-    fn word(self) -> &'static str {
-        match self {
-            Self::Scenario => "scenario",
-            Self::Model => "hardware-model",
-            Self::Overlay => "overlay over ideal",
-            Self::Sidecar => "description of a bank",
-        }
-    }
 }
 
 impl Check {
@@ -122,13 +75,6 @@ fn check_model(path: &Path) -> Result<(), ProblemList> {
 fn check_overlay(path: &Path) -> Result<(), ProblemList> {
     let ideal = ModelSource::BuiltIn("ideal".into());
     HardwareModel::load(&ideal, &[path.to_owned()], &[]).map(|_| ())
-}
-
-/// Tables of a model, by the one that has all of them.
-fn parts_of_a_model() -> BTreeSet<String> {
-    let ideal = HardwareModel::load(&ModelSource::BuiltIn("ideal".into()), &[], &[]);
-    let values = ideal.map_or(Vec::new(), |ideal| ideal.values);
-    values.iter().filter_map(|value| Some(value.key.split_once('.')?.0.to_owned())).collect()
 }
 
 fn check_scenario(path: &Path) -> Result<(), ProblemList> {

@@ -37,7 +37,7 @@ pub struct Compare {
     #[arg(short, long, value_name = "PNG")]
     out: Option<PathBuf>,
     /// How many times the difference is enlarged in the picture.
-    #[arg(long, default_value_t = 8, value_parser = clap::value_parser!(u32).range(1..=255))]
+    #[arg(long, requires = "out", default_value_t = 8, value_parser = clap::value_parser!(u32).range(1..=255))]
     factor: u32,
     /// Largest RMSE that is still a yes.
     #[arg(long, value_name = "RMSE", value_parser = values::not_negative)]
@@ -47,7 +47,7 @@ pub struct Compare {
     tolerance: Option<u32>,
     /// Percent of the pixels that may be off by more.
     #[arg(long, value_name = "PERCENT", requires = "tolerance", default_value_t = 0.0,
-          value_parser = values::not_negative)]
+          value_parser = values::percent)]
     share: f64,
     /// Grey PNG; pixels that are not black in it are left out.
     #[arg(long, value_name = "PNG")]

@@ -26,7 +26,7 @@ pub struct Explain {
     #[command(flatten)]
     chosen: FrameArgs,
     /// Pixel: column and line, from 0 at the top left.
-    #[arg(long, value_name = "X,Y", value_parser = pixel)]
+    #[arg(long, value_name = "X,Y", value_parser = pixel, allow_hyphen_values = true)]
     pixel: [usize; 2],
     /// Leave the closed form out, and with it the error.
     #[arg(long)]

@@ -12,11 +12,11 @@ use quantities::degrees;
 use replay::HeldRun;
 use scenario::{Ground, Length, Scenario};
 use serde_json::{Value, json};
-use survey::{Elevation, Frame, Method, ReadOptions};
+use survey::{Elevation, Frame, Method, ReadOptions, SurveyError};
 
 use crate::commands::bank::shortened;
-use crate::commands::check::Kind;
 use crate::commands::{bank, model};
+use crate::kind::Kind;
 use crate::output::{print, print_json};
 use crate::{Failure, Verdict};
 
@@ -241,11 +241,20 @@ fn elevation(path: &Path) -> Result<(Value, String), Failure> {
 
 /// An elevation file, and whether it says where it lies: that does not matter to someone who only looks.
 fn read_elevation(path: &Path) -> Result<(Elevation, bool), Failure> {
-    if let Ok(placed) = survey::read(path, &ReadOptions::default()) {
-        return Ok((placed, true));
-    }
     let anywhere = ReadOptions { spacing: Some([1.0; 2]), ..ReadOptions::default() };
-    Ok((survey::read(path, &anywhere)?, false))
+    match survey::read(path, &ReadOptions::default()) {
+        Ok(placed) => Ok((placed, true)),
+        Err(SurveyError::UnknownFormat { found, .. }) => Err(Failure::input(format!(
+            "{}: starts with {found}; expected a bank, an elevation file (GeoTIFF, PDS3, .npy), a scenario or a \
+             hardware model (.toml), a grey PNG, or the folder of a run",
+            path.display()
+        ))),
+        Err(refused) => match survey::read(path, &anywhere) {
+            // It says where it lies; something else is wrong.
+            Err(SurveyError::Option { .. }) => Err(refused.into()),
+            read => Ok((read?, false)),
+        },
+    }
 }
 
 fn projection(frame: Frame) -> String {

@@ -3,12 +3,11 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
-use hardware_model::{
-    Budget, BudgetLine, Finding, Grade, Ground, HardwareModel, LoadedModel, ModelSource, PartCounts,
-};
+use hardware_model::{Budget, BudgetLine, Finding, Grade, Ground, HardwareModel, LoadedModel, PartCounts};
 use serde_json::{Map, Value, json};
 
 use crate::commands::list;
+use crate::kind::read_model;
 use crate::output::{print, print_json, table};
 use crate::{Failure, Verdict, values};
 
@@ -61,7 +60,9 @@ struct GroundArgs {
   lunoid model show pra-nominal --diagram
   lunoid model show pra-nominal --budget --region-size-m 200 --range-m 5000
 
-The budget is for straight sweeps over one level at a constant rate of ground range, averaged over azimuth.")]
+The budget is for straight sweeps over one level at a constant rate of ground range, averaged over azimuth.",
+    mut_arg("region_size_m", |ground| ground.requires("budget")),
+    mut_arg("range_m", |ground| ground.requires("budget")))]
 struct Show {
     #[command(flatten)]
     named: Named,
@@ -115,8 +116,7 @@ impl ModelCommand {
 
 impl Named {
     fn load(&self) -> Result<LoadedModel, Failure> {
-        let source = ModelSource::find(&self.model, Path::new(""))?;
-        Ok(HardwareModel::load(&source, &self.overlay, &self.set)?)
+        read_model(&self.model, Path::new(""), &self.overlay, &self.set)
     }
 }
 

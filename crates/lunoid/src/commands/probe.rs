@@ -57,7 +57,7 @@ pub struct ProbeCommand {
     /// Write the file even if it has more than 2 GB.
     #[arg(long)]
     large: bool,
-    /// Say how large the file would be, and write nothing.
+    /// Say how large the file of waveforms would be, and write nothing.
     #[arg(long)]
     dry_run: bool,
     /// Print what was recorded as JSON.
@@ -76,6 +76,7 @@ impl ProbeCommand {
     /// Records.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let target = Target::of(self.format.as_deref(), &self.out)?;
+        self.expect_fitting(target)?;
         expect_writable(&self.out)?;
         let mut loaded = self.chosen.stage.load()?;
         let sweeps = self.sweeps(&loaded, target)?;
@@ -98,6 +99,20 @@ impl ProbeCommand {
         };
         self.tell(target, &choice, sweeps, &written)?;
         Ok(Verdict::Yes)
+    }
+
+    /// Options that the file asked for has no use for are refused, not passed over.
+    fn expect_fitting(&self, target: Target) -> Result<(), Failure> {
+        let out = self.out.display();
+        match (target, self.scope.given()) {
+            (Target::Picture, _) if self.dry_run => Err(Failure::usage(format!(
+                "--dry-run: nobody knows how large the picture {out} will be; expected a file of waveforms"
+            ))),
+            (Target::Waveforms(_), Some(option)) => Err(Failure::usage(format!(
+                "{option}: {out} is no picture; expected a name that ends in .png or .svg"
+            ))),
+            _ => Ok(()),
+        }
     }
 
     fn sweeps(&self, loaded: &Loaded, target: Target) -> Result<Range<u32>, Failure> {

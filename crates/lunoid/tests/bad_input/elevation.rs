@@ -129,7 +129,7 @@ fn surveys_that_cannot_be() {
         (&["--levels", "0"], "expected ascending whole numbers that begin with 1"),
         (&["--levels", "1,x"], "--levels"),
         (&["--band", "2"], "band 2 chosen; expected 1 to 1"),
-        (&["--area", "0,0,0,0"], "inside south 5.0000"),
+        (&["--area", "0,0,0,0"], "south below north and west below east"),
         (&["--area", "9000,0,9900,900"], "inside south 5.0000"),
         (&["--area", "0,0,1"], "expected four numbers"),
         (&["--centre", "0,0"], "--size-m"),

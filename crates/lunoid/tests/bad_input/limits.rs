@@ -215,7 +215,7 @@ fn what_is_no_limit_is_wrong_usage() {
     let refused = |assignment: &str, words: &[&str]| {
         room.refused(USAGE, &["check", "tiny.toml", "--raise", assignment], words);
     };
-    refused("holes=3", &["--raise", "there is no limit `holes`", "corners"]);
+    refused("holes=3", &["--raise", "holes: there is no such limit", "corners"]);
     refused("frames=0", &["--raise frames: expected a whole number from 1 to", "found `0`"]);
     refused("frames", &["expected NAME=VALUE"]);
     let listed = room.done(&["list", "limits", "--raise", "rocks=200000"]);

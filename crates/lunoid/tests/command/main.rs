@@ -12,6 +12,7 @@ mod lockstep;
 mod lunsim;
 mod models;
 mod overlays;
+mod refusals;
 mod replays;
 mod scene;
 mod side_by_side;

@@ -60,14 +60,22 @@ struct ErrorRecord {
     max: f64,
 }
 
+/// Refuses to check more sweeps than a run of so many frames has.
+pub fn expect_available(job: &Job, frames: u64) -> Result<(), ReplayError> {
+    let (asked, available) = (job.check, available(job, frames));
+    if u64::from(asked) > available { Err(ReplayError::TooManyChecks { asked, available }) } else { Ok(()) }
+}
+
+/// Sweeps of so many frames.
+fn available(job: &Job, frames: u64) -> u64 {
+    frames * u64::from(job.stage.settings.raster.sweeps)
+}
+
 impl Check<'_> {
     /// Checks `count` sweeps; `None` if told to end. The threads of the current pool share the sweeps.
     pub fn run(&self, count: u32) -> Result<Option<CheckRecord>, ReplayError> {
         let settings = &self.job.stage.settings;
-        let available = self.frames.len() as u64 * u64::from(settings.raster.sweeps);
-        if u64::from(count) > available {
-            return Err(ReplayError::TooManyChecks { asked: count, available });
-        }
+        let available = available(self.job, self.frames.len() as u64);
         let display = &settings.display;
         let transfer =
             Transfer::new(display.white as f32, display.gamma as f32).map_err(ReplayError::Display)?;

@@ -99,6 +99,7 @@ fn more_sweeps_than_there_are_cannot_be_checked() {
     let at = tempdir().unwrap();
     let refused = Wish { frames: 0..1, ..wish(41) }.run(at.path()).unwrap_err();
     assert!(matches!(refused, ReplayError::TooManyChecks { asked: 41, available: 40 }), "{refused}");
+    assert!(!at.path().join("frames").exists(), "drawn first and refused then");
     let all = Wish { frames: 0..1, ..wish(40) }.run(at.path()).unwrap();
     assert!(matches!(all, Outcome::Finished { .. }));
 }

@@ -48,10 +48,13 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<Elevation, SurveyError
     let mut notes = Vec::new();
     let tags = geo_tags(&mut tiff).map_err(at("geo tags"))?;
     let (affine, frame) = match (tags.place(path, &mut notes)?, options.own_place(lines as usize)) {
-        (Some(place), _) => place,
+        (Some(place), _) => {
+            options.expect_no_place()?;
+            place
+        }
         (None, Some(affine)) => (affine, crate::Frame::Plane(None)),
         (None, None) => {
-            let advice = "give --spacing METRES, or add a place with gdal_translate -a_ullr";
+            let advice = "give --spacing-m METRES, or add a place with gdal_translate -a_ullr";
             return Err(field(path, "geo tags", "none", "ModelPixelScaleTag and ModelTiepointTag", advice));
         }
     };

@@ -49,6 +49,19 @@ impl ReadOptions {
         Ok(())
     }
 
+    /// Refuses options for files without a place, of one that has it.
+    fn expect_no_place(&self) -> Result<(), SurveyError> {
+        let given = [
+            ("spacing", self.spacing.map(|[north, east]| format!("{north},{east}"))),
+            ("first line south", self.first_line_south.then(|| "true".to_owned())),
+        ];
+        let given = given.into_iter().find_map(|(option, found)| Some((option, found?)));
+        given.map_or(Ok(()), |(option, found)| {
+            let expected = "nothing: the file itself says where its samples lie".to_owned();
+            Err(SurveyError::Option { option, found, expected })
+        })
+    }
+
     /// Place of the samples of a file that says nothing about it.
     fn own_place(&self, lines: usize) -> Option<Affine> {
         let [north, east] = self.spacing?;

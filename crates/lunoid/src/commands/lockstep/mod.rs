@@ -20,7 +20,7 @@ use tell::Told;
 const AFTER: &str = "Examples:
   lunoid lockstep scenarios/first-light.toml
   lunoid lockstep scenarios/craters.toml --frame 12 --sweep 500..508 --scalar f64
-  lunoid lockstep scenarios/showpiece.toml --machine pra-nominal --ideal-parts --every 50
+  lunoid lockstep scenarios/nominal-drive.toml --machine pra-nominal --ideal-parts --every 50
   lunoid lockstep --random 1000 --seed 7
 
 The interpreter is a second engine in double precision that shares no code with the machine: docs/lockstep.md says what is
@@ -55,7 +55,7 @@ pub struct LockstepCommand {
     #[arg(long, conflicts_with = "random")]
     ideal_parts: bool,
     /// So many random scenes instead of a scenario.
-    #[arg(long, value_name = "N", conflicts_with_all = [
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..), conflicts_with_all = [
         "scenario", "machine", "overlay", "set", "bank", "sweeps", "samples", "lossless", "everything", "shadow_cache"
     ])]
     random: Option<u64>,
@@ -102,17 +102,20 @@ impl LockstepCommand {
     }
 
     fn random(&self, count: u64, pool: &ThreadPool) -> Result<Told, Failure> {
-        let end = self.seed.checked_add(count).filter(|_| count > 0);
-        let end =
-            end.ok_or_else(|| Failure::usage(format!("--random {count}: expected 1 or more scenes")))?;
+        let seed = self.seed;
+        let end = seed.checked_add(count).ok_or_else(|| {
+            Failure::usage(format!(
+                "--random {count} --seed {seed}: expected a last seed of at most {}",
+                u64::MAX - 1
+            ))
+        })?;
         let scalar = match self.options.scalar {
             Some(ScalarWord::F32) => Scalar::F32,
             Some(ScalarWord::F64) | None => Scalar::F64,
         };
-        let Trials { scenes, refused, report, faults } = pool.install(|| trials(self.seed..end, scalar));
+        let Trials { scenes, refused, report, faults } = pool.install(|| trials(seed..end, scalar));
         let what = format!(
-            "{scenes} random scenes of seeds {}..{end} in {scalar:?}; {refused} could not be drawn",
-            self.seed
+            "{scenes} random scenes of seeds {seed}..{end} in {scalar:?}; {refused} could not be drawn"
         );
         Ok(Told { what, frames: Vec::new(), report, faults })
     }
@@ -142,6 +145,11 @@ impl LockstepCommand {
             return Ok((sweeps.start as u32..sweeps.end as u32).collect());
         }
         let every = self.every.unwrap_or(all.div_ceil(SWEEPS));
+        if every > all {
+            return Err(Failure::usage(format!(
+                "--every {every}: a frame has {all} sweeps; expected no more"
+            )));
+        }
         Ok((0..all).skip(every as usize / 2).step_by(every as usize).collect())
     }
 

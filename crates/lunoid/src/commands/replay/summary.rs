@@ -5,6 +5,8 @@ use std::path::Path;
 use replay::TruthOutcome;
 use serde_json::{Value, json};
 
+use crate::output::rate;
+
 /// What a finished run comes to.
 pub struct Summary<'a> {
     pub folder: &'a Path,
@@ -49,11 +51,11 @@ impl Summary<'_> {
     fn rates(&self) -> String {
         let number = |key: &str| self.performance[key].as_f64().unwrap_or(0.0);
         format!(
-            " in {:.1} s: {:.1} frames/s, {:.1} million samples/s, {:.2} of real time",
+            " in {:.1} s: {} frames/s, {} million samples/s, {} of real time",
             number("drawing_s"),
-            number("frames_per_s"),
-            number("samples_per_s") / 1e6,
-            number("real_time_factor"),
+            rate(number("frames_per_s")),
+            rate(number("samples_per_s") / 1e6),
+            rate(number("real_time_factor")),
         )
     }
 }

@@ -58,6 +58,21 @@ pub enum ThemeWord {
 }
 
 impl ScopeArgs {
+    /// The first option that is not as it is by itself.
+    pub fn given(&self) -> Option<&'static str> {
+        let given = [
+            (!self.cursor.is_empty(), "--cursor"),
+            (self.from.is_some(), "--from"),
+            (self.to.is_some(), "--to"),
+            (self.axis != AxisWord::default(), "--axis"),
+            (self.linear, "--linear"),
+            (self.width.is_some(), "--width"),
+            (self.height.is_some(), "--height"),
+            (self.theme != ThemeWord::default(), "--theme"),
+        ];
+        given.into_iter().find_map(|(is_given, option)| is_given.then_some(option))
+    }
+
     /// What is asked for, over what a page of a `line` is by itself.
     ///
     /// # Errors

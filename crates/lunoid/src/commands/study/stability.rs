@@ -11,7 +11,7 @@ use study::ladder::Extent;
 use study::stability::{BASE, Cell, Choice, FitOutcome, Scene, matrix, rows, survey_fits, table};
 
 use super::matrix_plot::write_matrix;
-use super::outputs::{Outputs, markdown, write};
+use super::outputs::{Outputs, make, markdown, write};
 use crate::cli::COMMIT;
 use crate::loading::{StageArgs, Threads};
 use crate::output::table as columns;
@@ -50,7 +50,7 @@ pub struct StabilityStudy {
     #[arg(long, value_name = "N", default_value_t = 0, conflicts_with = "quick")]
     mixtures: u32,
     /// Seed of the mixtures.
-    #[arg(long, value_name = "SEED", default_value_t = 1)]
+    #[arg(long, value_name = "SEED", default_value_t = 1, requires = "mixtures")]
     seed: u64,
     /// This row alone; may be given several times.
     #[arg(long, value_name = "ROW")]
@@ -74,6 +74,7 @@ impl StabilityStudy {
     /// Studies.
     pub fn run(&self) -> Result<Verdict, Failure> {
         self.check_rows()?;
+        self.outputs.out.as_deref().map_or(Ok(()), make)?;
         let pool = self.threads.pool()?;
         let outcome = pool.install(|| self.study())?;
         if let Some(folder) = &self.outputs.out {

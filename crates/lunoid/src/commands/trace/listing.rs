@@ -37,7 +37,7 @@ impl<'a> Listing<'a> {
         let [start, end] = frame.ticks().map(|tick| tick.0);
         match form {
             Form::Text => print(&format!(
-                "frame {}: ticks {start}..{end} of {}\n{:>12} {:>11} {:>5}  {:<22} {:<15}\n",
+                "frame {}: ticks {start}..{end} of {}\n{:>12} {:>11} {:>5}  {:<22} {}\n",
                 frame.number, frame.timebase.master, "tick", "µs", "sweep", "unit", "event"
             ))?,
             Form::Csv => print(CSV)?,

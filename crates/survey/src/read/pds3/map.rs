@@ -21,9 +21,10 @@ pub fn place(
 ) -> Result<(Affine, Frame), SurveyError> {
     let Some(kind) = label.find(MAP, "MAP_PROJECTION_TYPE") else {
         let place = options.own_place(lines);
-        let expected = "MAP_PROJECTION_TYPE (or give --spacing METRES)";
+        let expected = "MAP_PROJECTION_TYPE (or give --spacing-m METRES)";
         return place.map(|affine| (affine, Frame::Plane(None))).ok_or_else(|| label.missing(expected));
     };
+    options.expect_no_place()?;
     let needed = |keyword: &str| label.number(MAP, keyword)?.ok_or_else(|| label.missing(keyword));
     let offset = [needed("LINE_PROJECTION_OFFSET")?.0, needed("SAMPLE_PROJECTION_OFFSET")?.0];
     let angle = |keyword: &str| Ok::<_, SurveyError>(label.plain_number(MAP, keyword)?.map(radians));

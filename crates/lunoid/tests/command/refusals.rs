@@ -1,0 +1,104 @@
+//! Options without effect and files of the wrong kind: one error that says what was expected.
+
+use crate::scene::Scene;
+
+/// Ends with `code`, and says all `words` in few lines.
+fn refused(scene: &Scene, code: i32, arguments: &[&str], words: &[&str]) {
+    let (out, err) = scene.expect(code, arguments);
+    assert!(out.is_empty() && err.lines().count() < 8, "{arguments:?}: {out}{err}");
+    assert!(words.iter().all(|word| err.contains(word)), "{arguments:?}: {err}");
+}
+
+#[test]
+fn options_without_effect_are_refused() {
+    let scene = Scene::new();
+    scene.expect(0, &["bank", "generate", "tiny.toml", "-o", "tiny.bank"]);
+    let probe = ["probe", "tiny.toml", "--frame", "0", "--sweep", "3", "--out"];
+    for option in [
+        &["--cursor", "30"][..],
+        &["--from", "30"],
+        &["--to", "30"],
+        &["--axis", "time"],
+        &["--linear"],
+        &["--width", "700"],
+        &["--height", "200"],
+        &["--theme", "dark"],
+    ] {
+        let arguments = [&probe[..], &["a.csv"], option].concat();
+        refused(&scene, 2, &arguments, &[option[0], "a.csv is no picture", ".png or .svg"]);
+    }
+    refused(&scene, 2, &[&probe[..], &["a.png", "--dry-run"]].concat(), &["--dry-run", "a.png", "waveforms"]);
+    for arguments in [
+        &["bank", "show", "tiny.bank", "--sun", "100,20"][..],
+        &["bank", "show", "tiny.bank", "--regions"],
+        &["bank", "show", "tiny.bank", "--pixels", "400"],
+        &["bank", "show", "tiny.bank", "--level", "0"],
+        &["compare", "a.png", "b.png", "--factor", "3"],
+    ] {
+        refused(&scene, 2, arguments, &["not provided", "--out"]);
+    }
+    for option in ["--region-size-m", "--range-m"] {
+        refused(&scene, 2, &["model", "show", "ideal", option, "200"], &["not provided", "--budget"]);
+    }
+    for option in ["--lossless", "--everything"] {
+        refused(&scene, 2, &["study", "economy", "tiny.toml", option], &["--lossless, --everything", "both"]);
+    }
+    refused(&scene, 2, &["study", "stability", "--seed", "3"], &["not provided", "--mixtures"]);
+    assert_eq!(scene.list("."), ["tiny.bank", "tiny.bank.toml", "tiny.toml"]);
+}
+
+#[test]
+fn values_that_cannot_be_are_refused() {
+    let scene = Scene::new();
+    for (arguments, words) in [
+        (&["replay", "tiny.toml", "--sweeps", "-3"][..], &["'-3'", "--sweeps", "1..=8192"]),
+        (
+            &["replay", "tiny.toml", "--raise", "crater=3"],
+            &["--raise crater: there is no such limit", "there are corners", "craters"],
+        ),
+        (&["compare", "a.png", "b.png", "--max-rmse", "-1"], &["'-1'", "--max-rmse", "0 or more"]),
+        (
+            &["compare", "a.png", "b.png", "--tolerance", "2", "--share", "101"],
+            &["'101'", "--share", "0 to 100"],
+        ),
+        (
+            &["explain", "tiny.toml", "--frame", "0", "--pixel", "-3,3"],
+            &["'-3,3'", "--pixel", "column and line"],
+        ),
+        (&["bank", "show", "a.bank", "-o", "a.png", "--sun", "100,-20"], &["'100,-20'", "--sun", "0 to 90"]),
+        (
+            &["survey", "a.tif", "-o", "a.bank", "--area", "2,0,1,9"],
+            &["'2,0,1,9'", "--area", "south below north"],
+        ),
+        (&["bank", "generate", "tiny.toml", "-o", "-"], &["-:", "/dev/stdout", "./-"]),
+    ] {
+        refused(&scene, 2, arguments, words);
+    }
+    // Not drawn first and refused then.
+    refused(&scene, 2, &["replay", "tiny.toml", "--check", "161"], &["--check 161", "160 sweeps"]);
+    assert!(scene.list("runs/tiny").is_empty(), "{:?}", scene.list("runs/tiny"));
+}
+
+#[test]
+fn files_of_another_kind_are_named_as_what_they_are() {
+    let scene = Scene::new();
+    scene.write("model.toml", "format = 1\nname = \"mine\"\nbase = \"ideal\"\n");
+    scene.write("edge.toml", "format = 1\n[loader]\naccess_ns = 90\n");
+    scene.write("note.txt", "hello\n");
+    let model = "model.toml: this is a hardware model (--machine), expected a scenario";
+    for command in [&["replay"][..], &["sizing"], &["timing", "show"], &["lockstep"]] {
+        refused(&scene, 3, &[command, &["model.toml"]].concat(), &[model]);
+    }
+    refused(&scene, 3, &["bank", "generate", "model.toml", "-o", "a.bank"], &[model]);
+    let scenario = "tiny.toml: this is a scenario, expected a hardware model";
+    refused(&scene, 3, &["replay", "tiny.toml", "--machine", "./tiny.toml"], &[scenario]);
+    refused(&scene, 3, &["model", "show", "tiny.toml"], &[scenario]);
+    let differences =
+        "edge.toml: this is differences from a hardware model (--overlay), expected a hardware model";
+    refused(&scene, 3, &["model", "check", "edge.toml"], &[differences]);
+    let unknown =
+        ["note.txt: starts with 68 65", "a bank", "elevation file", "scenario", "PNG", "folder of a run"];
+    refused(&scene, 3, &["info", "note.txt"], &unknown);
+    refused(&scene, 4, &["study", "stability", "--only", "corner", "--out", "note.txt"], &["--out note.txt"]);
+    refused(&scene, 3, &["page", "note.txt"], &["note.txt/run.json: no such file"]);
+}
