@@ -14,6 +14,8 @@ mod lunsim_keys;
 mod output;
 mod progress;
 mod values;
+#[cfg(test)]
+mod written;
 
 use std::process::ExitCode;
 
