@@ -49,11 +49,16 @@ pub fn command() -> clap::Command {
     with_negative_numbers(Cli::command())
 }
 
-/// A number below 0 is a value, so that whoever gives one hears what is expected, and not of an unknown option.
+/// A number or a span that begins below 0 is a value, so that whoever gives one hears what is expected, and not of an
+/// unknown option.
 fn with_negative_numbers(command: clap::Command) -> clap::Command {
-    let taken = |argument: clap::Arg| match argument.get_action().takes_values() {
-        true => argument.allow_negative_numbers(true),
-        false => argument,
+    let taken = |argument: clap::Arg| {
+        let mut names = argument.get_value_names().unwrap_or_default().iter();
+        match (argument.get_action().takes_values(), names.any(|name| name.contains(".."))) {
+            (false, _) => argument,
+            (true, false) => argument.allow_negative_numbers(true),
+            (true, true) => argument.allow_hyphen_values(true),
+        }
     };
     command.mut_args(taken).mut_subcommands(with_negative_numbers)
 }

@@ -100,10 +100,9 @@ fn text(told: &Explanation) -> String {
     lines.extend(told.ground.iter().flat_map(ground_rows));
     lines.extend(told.late.iter().map(late_row));
     let Some(exact) = &told.exact else { return lines.join("\n") + "\n" };
-    let range = exact
-        .range_m
-        .map_or_else(String::new, |range| format!(" at {range:.2} m, {:.3} m high", exact.height_m));
-    lines.push(row("exact", &format!("{:.4}: {}{range}, {}", exact.intensity, exact.label, exact.shade)));
+    let on_ground = |range| format!(" at {range:.2} m, {:.3} m high, {}", exact.height_m, exact.shade);
+    let place = exact.range_m.map_or_else(String::new, on_ground);
+    lines.push(row("exact", &format!("{:.4}: {}{place}", exact.intensity, exact.label)));
     lines.join("\n") + "\n"
 }
 

@@ -132,6 +132,8 @@ fn surveys_that_cannot_be() {
         (&["--area", "0,0,0,0"], "south below north and west below east"),
         (&["--area", "9000,0,9900,900"], "inside south 5.0000"),
         (&["--area", "0,0,1"], "expected four numbers"),
+        (&["--spacing-m", "20"], "spacing: found 20,20; expected nothing: the file itself says where"),
+        (&["--first-line-south"], "first line south: found true; expected nothing"),
         (&["--centre", "0,0"], "--size-m"),
         (&["--centre", "0,0", "--size-m", "9,9"], "give the area in metres"),
         (&["--held-out", "0.9"], "expected 0 to 0.5"),

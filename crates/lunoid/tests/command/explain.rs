@@ -19,6 +19,12 @@ fn a_pixel_leads_to_its_sweep_and_agrees_with_the_picture() {
     assert!(difference.abs() < 0.05, "{told}");
     let reason = told["because"][0].as_str().unwrap();
     assert!(text.contains(reason), "{text}");
+    // Ground has a place and a shade, the sky neither.
+    let line_of_exact = |text: &str| text.lines().find(|line| line.starts_with("exact ")).unwrap().to_owned();
+    let ground = line_of_exact(&text);
+    assert!(ground.contains("terrain at ") && ground.contains(" m high, "), "{ground}");
+    let (text, _) = scene.expect(0, &["explain", "scene.toml", "--frame", "1", "--pixel", "20,0"]);
+    assert!(line_of_exact(&text).ends_with(": sky"), "{text}");
 }
 
 #[test]

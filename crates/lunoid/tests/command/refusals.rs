@@ -52,6 +52,7 @@ fn values_that_cannot_be_are_refused() {
     let scene = Scene::new();
     for (arguments, words) in [
         (&["replay", "tiny.toml", "--sweeps", "-3"][..], &["'-3'", "--sweeps", "1..=8192"]),
+        (&["replay", "tiny.toml", "--frames", "-1..2"], &["'-1..2'", "--frames", "expected A..B"]),
         (
             &["replay", "tiny.toml", "--raise", "crater=3"],
             &["--raise crater: there is no such limit", "there are corners", "craters"],
