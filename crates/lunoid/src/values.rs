@@ -59,6 +59,12 @@ pub fn positive(text: &str) -> Result<f64, String> {
     if number > 0.0 { Ok(number) } else { Err("expected a number above 0".into()) }
 }
 
+/// A length on the Moon, whose circumference is 1.1e7 m.
+pub fn metres(text: &str) -> Result<f64, String> {
+    let expected = || "expected metres above 0, up to 1e7".into();
+    finite(text).ok().filter(|&length| length > 0.0 && length <= 1e7).ok_or_else(expected)
+}
+
 /// A finite number of 0 or more.
 pub fn not_negative(text: &str) -> Result<f64, String> {
     let number = finite(text)?;
@@ -113,7 +119,7 @@ pub fn pixel(text: &str) -> Result<[usize; 2], String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Span, edges, pair, percent, setting, sun};
+    use super::{Span, edges, metres, pair, percent, setting, sun};
 
     #[test]
     fn spans() {
@@ -137,6 +143,8 @@ mod tests {
         assert_eq!(sun("400,90"), Ok([400.0, 90.0]));
         assert!(sun("0,90.1").is_err() && sun("0,-1").is_err());
         assert_eq!(percent("100"), Ok(100.0));
+        assert_eq!(metres("0.5"), Ok(0.5));
+        assert!(metres("0").is_err() && metres("1e300").is_err() && metres("-3").is_err());
         assert!(percent("100.5").is_err() && percent("-1").is_err() && percent("nan").is_err());
         for wrong in ["", "1", "1,2,3", "1,nan", "1,inf", "1;2"] {
             assert!(pair(wrong).is_err(), "{wrong}");

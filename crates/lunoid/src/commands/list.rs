@@ -119,14 +119,16 @@ fn scenarios(json: bool) -> Result<(), Failure> {
 
 /// Lists what is read and made at most, as it is set now.
 fn limits(json: bool) -> Result<(), Failure> {
-    let row = |row: &Row| {
+    if json {
+        let row = |Row { name, what, limit, most, .. }: &Row| json!({ "name": name, "of": what, "at_most": limit.value(), "raised_to_at_most": most });
+        let rows: Vec<_> = ROWS.iter().map(row).collect();
+        return print_json(&json!({ "schema": "lunoid.list/1", "limits": rows }));
+    }
+    let row = |row: Row| {
         let most = format!("{}, can be raised to {}", row.limit.value(), row.most);
         [row.name.into(), row.what.into(), most]
     };
-    show(
-        &[Listing { what: "limits", heading: ["name", "of", "at most"], rows: &ROWS.map(|r| row(&r)) }],
-        json,
-    )
+    show(&[Listing { what: "limits", heading: ["name", "of", "at most"], rows: &ROWS.map(row) }], false)
 }
 
 /// Rows under a heading.

@@ -47,10 +47,10 @@ struct Named {
 #[derive(Debug, Args)]
 struct GroundArgs {
     /// Side of a region; 300 m if left out.
-    #[arg(long, value_name = "METRES", value_parser = values::positive)]
+    #[arg(long, value_name = "METRES", value_parser = values::metres)]
     region_size_m: Option<f64>,
     /// Ground range of a sweep; the model's own if left out.
-    #[arg(long, value_name = "METRES", value_parser = values::positive)]
+    #[arg(long, value_name = "METRES", value_parser = values::metres)]
     range_m: Option<f64>,
 }
 

@@ -220,4 +220,8 @@ fn what_is_no_limit_is_wrong_usage() {
     refused("frames", &["expected NAME=VALUE"]);
     let listed = room.done(&["list", "limits", "--raise", "rocks=200000"]);
     assert!(listed.contains("rocks") && listed.contains("200000, can be raised to"), "{listed}");
+    let listed = room.done(&["list", "limits", "--json", "--raise", "rocks=200000"]);
+    let listed: serde_json::Value = serde_json::from_str(&listed).unwrap();
+    let rocks = listed["limits"].as_array().unwrap().iter().find(|row| row["name"] == "rocks").unwrap();
+    assert!(rocks["at_most"] == 200_000 && rocks["raised_to_at_most"].as_u64().unwrap() > 200_000, "{rocks}");
 }

@@ -82,6 +82,7 @@ fn lists_are_tables_or_documents() {
     assert!(out.contains("ideal") && out.contains("built in"), "{out}");
     for (arguments, schema, key) in [
         (&["list", "models", "--json"][..], "lunoid.list/1", "models"),
+        (&["list", "limits", "--json"], "lunoid.list/1", "limits"),
         (&["list", "scenarios", "--json"], "lunoid.list/1", "scenarios"),
         (&["list", "signals", "--json"], "lunoid.signals/1", "signals"),
         (&["signals", "tg.*", "--json"], "lunoid.signals/1", "signals"),

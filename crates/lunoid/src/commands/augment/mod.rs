@@ -77,7 +77,7 @@ pub struct Augment {
     #[arg(long)]
     tracks: bool,
     /// Height of the eye above the vehicle's foot point, and above the ground where the poses have no column height_m.
-    #[arg(long, value_name = "METRES", value_parser = values::positive)]
+    #[arg(long, value_name = "METRES", value_parser = values::metres)]
     eye_height: Option<f64>,
     /// File of the camera; camera.json beside the poses if left out.
     #[arg(long, value_name = "JSON", conflicts_with = "field")]

@@ -95,13 +95,16 @@ impl Augment {
         let frames = record["frames"].as_array().map_or(0, Vec::len);
         format!(
             "{}: {frames} frames with the shadow of {}\n  gear of 1969: set-up {:.1} ms and writing {:.1} ms of a picture of \
-             {:.1} ms, so a new shadow every {} pictures; {} line generators\n",
+             {:.1} ms, so a new shadow every {}; {} line generators\n",
             self.out.display(),
             self.vehicle,
             ms("largest_setup_s"),
             ms("largest_write_s"),
             ms("picture_period_s"),
-            timing["most_pictures"],
+            match timing["most_pictures"].as_u64() {
+                Some(1) => "picture".to_owned(),
+                most => format!("{} pictures", most.unwrap_or(0)),
+            },
             timing["most_line_generators"],
         )
     }
