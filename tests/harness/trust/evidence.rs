@@ -118,6 +118,13 @@ pub const EVIDENCE: &[Evidence] = &[
         form: Form::Lines,
     },
     Evidence {
+        name: "mutants-craters",
+        title: "Craters, registers and the table of ranges changed by a mutation tool",
+        command: "cargo mutants --workspace --file crates/features/src/crater.rs --file crates/terrain-generator/src/registers.rs \
+                  --file crates/sweep-generator/src/range_table.rs --timeout 60 --cap-lints true --output target",
+        form: Form::Lines,
+    },
+    Evidence {
         name: "supply",
         title: "Licences of all that is linked",
         command: "cargo test --quiet -p lunoid-tests --test house licences -- --nocapture",
