@@ -5,7 +5,8 @@
 //! one can look at.
 //!
 //! - [`Scene`]: a shipped scenario made ready, and the pose of its first frame.
-//! - [`ROWS`]: frames whose time `speed` tells.
+//! - [`ROWS`], [`frame_times`]: frames whose time `speed` tells, and how they are timed.
+//! - [`around`]: what stands before and between frames: ground, shadow boundaries, a survey, whole missions.
 //! - [`chain`]: an analog chain by exact steps and by ngspice, held against each other by the binary `goals`.
 //! - [`mesh`]: the ground of a scene drawn by a ray tracer, held against the machine by the same binary.
 //! - [`startup`]: a large problem area prepared in a folder, and what it takes to begin with it.
@@ -13,8 +14,10 @@
 //! - [`KERNELS`]: named pieces of work, each of which can be run by itself.
 //! - [`instructions_of`]: how many instructions a kernel takes, counted by callgrind, within [`counted`] alone.
 
+pub mod around;
 mod callgrind;
 pub mod chain;
+mod frames;
 mod kernels;
 mod ladder;
 pub mod mesh;
@@ -23,6 +26,7 @@ mod scene;
 pub mod startup;
 
 pub use callgrind::{CountError, counted, instructions_of};
+pub use frames::{FrameTimes, frame_times};
 pub use kernels::{KERNELS, Kernel, kernel};
 pub use ladder::{BASE, LADDERS, Ladder, Size};
 pub use rows::{REAL_TIME, ROWS, Row, STANDARD};

@@ -13,6 +13,7 @@ pub struct Scene {
     pub stage: Stage,
     /// Of frame 0.
     pub pose: Pose,
+    scenario: Scenario,
 }
 
 /// What is measured of a scenario instead of what it says itself; `None` leaves it as it is.
@@ -52,10 +53,13 @@ impl Scene {
         let model = HardwareModel::load(&source, &[], &[]).expect("which is read by the tests").model;
         let settings = stage::settings(&scenario, &model).expect("settings are resolved by the tests");
         let stage = stage::build(&scenario, settings).expect("the ground is made by the tests");
-        let (update, yoke) = (stage.settings.timebase.update, stage.settings.yoke);
-        let poses = PoseTable::resolve(&scenario, &stage.landscape, update, yoke, 0..1);
-        let pose = poses.expect("the path is driven by the tests").rows()[0].pose;
-        Self { stage, pose }
+        let pose = poses(&scenario, &stage, 1)[0];
+        Self { stage, pose, scenario }
+    }
+
+    /// Of every frame of the mission.
+    pub fn poses(&self) -> Vec<Pose> {
+        poses(&self.scenario, &self.stage, self.scenario.frames(self.stage.settings.timebase.update))
     }
 
     /// Planes of its raster for a picture.
@@ -69,4 +73,11 @@ impl Scene {
         let raster = self.stage.settings.raster;
         u64::from(raster.sweeps) * u64::from(raster.samples)
     }
+}
+
+/// Of the first `frames` frames.
+fn poses(scenario: &Scenario, stage: &Stage, frames: u64) -> Vec<Pose> {
+    let (update, yoke) = (stage.settings.timebase.update, stage.settings.yoke);
+    let poses = PoseTable::resolve(scenario, &stage.landscape, update, yoke, 0..frames);
+    poses.expect("the path is driven by the tests").rows().iter().map(|row| row.pose).collect()
 }

@@ -1,14 +1,16 @@
-//! What `speed` does not tell: the control plane by itself, memory, start-up, and an analog chain against ngspice.
+//! The whole table of goals: frames, missions, the control plane by itself, memory, start-up, an analog chain against ngspice,
+//! the ground against a ray tracer.
 
 use std::env;
 use std::path::Path;
 use std::process::{Command, ExitCode};
 use std::time::Instant;
 
+use benchmarks::around::{Mission, surveyed};
 use benchmarks::chain::{Outputs, Stepped, difference, simulate};
 use benchmarks::mesh::trace;
 use benchmarks::startup::{begin, prepare};
-use benchmarks::{Choice, STANDARD, Scene};
+use benchmarks::{Choice, FrameTimes, STANDARD, Scene, frame_times};
 use clap::{Parser, Subcommand};
 use exact::Exact;
 use generator::{Generator, PlaneKind};
@@ -17,7 +19,7 @@ use machine::{ControlPlane, HybridMachine};
 use scenario::{Curvature, Laws, PixelRule, Pose, Projection, Scalar};
 use signal::{LANES, Lanes, Probe, Real};
 
-/// Measure what stands beside the frames in the table of goals.
+/// Measure the table of goals: all of it, or one part.
 #[derive(Debug, Parser)]
 struct Arguments {
     #[command(subcommand)]
@@ -26,6 +28,10 @@ struct Arguments {
 
 #[derive(Debug, Clone, Subcommand)]
 enum Part {
+    /// Whole frames, as `speed` tells them.
+    Frames,
+    /// Whole missions: the ground, the first frame with its shadow boundaries, all others; and a survey.
+    Missions,
     /// Programs of all sweeps of a frame, by the control plane alone.
     Control,
     /// Peak memory of a process that draws three frames of a scene.
@@ -46,7 +52,15 @@ enum Part {
 
 fn main() -> ExitCode {
     let parts = match Arguments::parse().part {
-        None => vec![Part::Control, Part::Memory, Part::Startup, Part::Circuit, Part::Mesh],
+        None => vec![
+            Part::Frames,
+            Part::Missions,
+            Part::Control,
+            Part::Memory,
+            Part::Startup,
+            Part::Circuit,
+            Part::Mesh,
+        ],
         Some(part) => vec![part],
     };
     match parts.iter().try_for_each(run) {
@@ -60,6 +74,8 @@ fn main() -> ExitCode {
 
 fn run(part: &Part) -> Result<(), String> {
     match part {
+        Part::Frames => frames(),
+        Part::Missions => missions(),
         Part::Control => control(),
         Part::Memory => memory(),
         Part::Startup => startup(),
@@ -82,6 +98,40 @@ fn times(repetitions: usize, mut work: impl FnMut()) -> [f64; 2] {
         .collect();
     times.sort_unstable_by(f64::total_cmp);
     [times[0], times[repetitions / 2]]
+}
+
+/// Repetitions of every frame.
+const FRAMES: usize = 5;
+
+fn frames() -> Result<(), String> {
+    println!("{}", FrameTimes::table(&frame_times(&[], FRAMES, &[1, 2])?));
+    Ok(())
+}
+
+/// Samples along a side of what is surveyed.
+const SURVEYED: usize = 1024;
+
+fn missions() -> Result<(), String> {
+    println!(
+        "| mission, ideal, f32, two threads | frames | ground, s | first frame, s | all others, s | frames/s | x real time |\n|---|---|---|---|---|---|---|"
+    );
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().map_err(|error| error.to_string())?;
+    let choice = Choice { model: Some("ideal"), scalar: Some(Scalar::F32), raster: Some(STANDARD) };
+    for name in ["first-light", "nominal-drive", "showpiece"] {
+        let mission = Mission::draw(name, &choice, &pool)?;
+        println!(
+            "| {name} | {} | {:.2} | {:.2} | {:.2} | {:.1} | {:.2} |",
+            mission.frames,
+            mission.ground,
+            mission.first,
+            mission.others,
+            mission.rate(),
+            mission.real_time()
+        );
+    }
+    let seconds = surveyed(SURVEYED, &pool)?;
+    println!("\nA survey of {SURVEYED} x {SURVEYED} samples, two threads: {seconds:.2} s\n");
+    Ok(())
 }
 
 /// Frames of the control plane that are timed.

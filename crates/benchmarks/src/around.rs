@@ -1,0 +1,87 @@
+//! What stands before and between frames: the making of ground, shadow boundaries, a survey, whole missions.
+
+use std::time::Instant;
+
+use generator::Generator;
+use machine::HybridMachine;
+use quantities::unit_interval;
+use rayon::ThreadPool;
+use signal::Probe;
+use survey::{Affine, Elevation, Frame, SurveyOptions, survey};
+
+use crate::{Choice, REAL_TIME, Scene};
+
+/// A mission, from its scenario's file to the planes of its last frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Mission {
+    /// Frames.
+    pub frames: usize,
+    /// Reading, and the making of the ground (s).
+    pub ground: f64,
+    /// Elaboration and the first frame, with the shadow boundaries and footings that it needs (s).
+    pub first: f64,
+    /// All other frames, with what of these they come to need (s).
+    pub others: f64,
+    samples: u64,
+}
+
+impl Mission {
+    /// Draws all frames of the scenario called `name`, with `choice` made, on the threads of `pool`.
+    ///
+    /// # Errors
+    /// If a frame cannot be drawn.
+    pub fn draw(name: &str, choice: &Choice, pool: &ThreadPool) -> Result<Self, String> {
+        let begin = Instant::now();
+        let scene = Scene::shipped(name, choice);
+        let ground = begin.elapsed().as_secs_f64();
+        let (mut planes, samples, poses) = (scene.planes(), scene.samples(), scene.poses());
+        let begin = Instant::now();
+        let session = HybridMachine.prepare(scene.stage).map_err(|error| error.to_string())?;
+        let mut first = 0.0;
+        for (frame, pose) in poses.iter().enumerate() {
+            let drawn = pool.install(|| session.frame(frame as u64, pose, &mut planes, &mut Probe::off()));
+            drawn.map_err(|error| error.to_string())?;
+            if frame == 0 {
+                first = begin.elapsed().as_secs_f64();
+            }
+        }
+        let others = begin.elapsed().as_secs_f64() - first;
+        Ok(Self { frames: poses.len(), ground, first, others, samples })
+    }
+
+    /// Frames a second of all but the first.
+    pub fn rate(&self) -> f64 {
+        (self.frames - 1) as f64 / self.others
+    }
+
+    /// Times real time, ground and first frame included.
+    pub fn real_time(&self) -> f64 {
+        let whole = self.ground + self.first + self.others;
+        (self.frames as u64 * self.samples) as f64 / whole / REAL_TIME
+    }
+}
+
+/// Side of a region of the survey in samples, as `lunoid survey` has it by itself.
+const SAMPLES_A_REGION: f64 = 4.0;
+
+/// Time (s) of a survey of `side` x `side` samples of a rough plain, 1 m apart, on the threads of `pool`.
+///
+/// # Errors
+/// If it does not come to an end.
+pub fn surveyed(side: usize, pool: &ThreadPool) -> Result<f64, String> {
+    let height = |index: usize| {
+        let [north, east] = [index / side, index % side];
+        let wave = |metres: usize, length: f64| libm::sin(metres as f64 / length);
+        5.0 * wave(north, 31.0) * wave(east, 47.0) + 0.1 * unit_interval(3, &[index as u64])
+    };
+    let affine = Affine { first: [0.0; 2], step: [1.0; 2] };
+    let heights = (0..side * side).map(height).collect();
+    let elevation = Elevation::new(side, side, heights, affine, Frame::Plane(None));
+    let options = SurveyOptions::new(SAMPLES_A_REGION);
+    let begin = Instant::now();
+    let fitted = pool.install(|| survey(&elevation, &options, &mut |_| {}));
+    let found = fitted.map_err(|error| error.to_string())?;
+    let seconds = begin.elapsed().as_secs_f64();
+    assert!(found.report.levels[0].used > 0);
+    Ok(seconds)
+}
