@@ -6,7 +6,7 @@ use std::path::Path;
 
 use hardware_model::{HardwareModel, ModelSource};
 use scenario::Scenario;
-use survey::ReadOptions;
+use survey::{ReadOptions, SurveyError};
 use vehicle_shadow::Camera;
 
 use crate::allocation::largest_request;
@@ -97,11 +97,14 @@ fn model(path: &Path) -> Result<(), String> {
     said(HardwareModel::load(&ModelSource::File(path.to_owned()), &[], &[]))
 }
 
+/// A file without a place needs a spacing, and one that has a place refuses it.
 fn elevation(path: &Path) -> Result<(), String> {
-    said(survey::read(
-        path,
-        &ReadOptions { band: Some(1), spacing: Some([10.0; 2]), ..ReadOptions::default() },
-    ))
+    let read =
+        |spacing| survey::read(path, &ReadOptions { band: Some(1), spacing, ..ReadOptions::default() });
+    match read(Some([10.0; 2])) {
+        Err(SurveyError::Option { .. }) => said(read(None)),
+        found => said(found),
+    }
 }
 
 /// A whole scenario around a path file.
