@@ -218,6 +218,10 @@ mod tests {
             (119.0, t3, [5.985, 0.03]),
             (100.0, t2, [0.0, 0.6]),
             (100.0, t3, [0.0, 0.6]),
+            // The ground around begins where the crater ends.
+            (100.0, t1, [0.0, 0.0]),
+            (140.0, t2, [0.0, 0.0]),
+            (140.0, t3, [0.0, 0.0]),
         ];
         for (rho, crater, expected) in rows {
             for (found, expected) in crater.profile(rho).into_iter().zip(expected) {

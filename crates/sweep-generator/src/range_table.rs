@@ -132,7 +132,9 @@ mod tests {
             }
             assert_eq!(table.time_of(5000.1), SweepTime(f64::INFINITY));
             assert_eq!(table.range_at(SweepTime(999.0)), 5000.0);
-            assert_eq!(table.range_at(SweepTime(999.1)), f64::INFINITY);
+            for beyond in [999.1, 1000.0, 1e9] {
+                assert_eq!(table.range_at(SweepTime(beyond)), f64::INFINITY);
+            }
         }
     }
 }

@@ -129,7 +129,7 @@ mod tests {
     use landscape::CornerWords;
     use quantities::SweepTime;
     use sweep_program::{
-        Colour, Fold, Load, PreloadRegister, RampAxis, Step, StepKind, Stop, Target, WordMask,
+        Colour, Fold, Load, NO_CORNER, PreloadRegister, RampAxis, Step, StepKind, Stop, Target, WordMask,
     };
 
     use super::Registers;
@@ -184,5 +184,12 @@ mod tests {
         let expected = [7.0, 7.0, 7.0, 7.0, 12.0, 7.0, 7.0, 7.0, 7.0];
         assert_eq!(registers.hold(&buffer)[Colour::Red as usize], &expected);
         assert_eq!(registers.hold(&buffer)[Colour::Green as usize], &[5.0; 9]);
+        assert_eq!(registers.corners_held(), None);
+        // A corner that was not delivered leaves nothing of them.
+        let nothing =
+            Load { colour: Colour::Red, target: Target::Hold, corner: NO_CORNER, words: WordMask::ALL };
+        registers.load(&nothing, &buffer);
+        assert_eq!(registers.hold(&buffer)[Colour::Red as usize], &[0.0; 9]);
+        assert_eq!(registers.corners_held(), Some([0, 5, 2, NO_CORNER]));
     }
 }
