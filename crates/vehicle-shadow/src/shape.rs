@@ -48,6 +48,12 @@ impl Shape {
         &self.function
     }
 
+    /// Height of the highest point above the foot point (m).
+    pub fn top(&self) -> f64 {
+        let heights = self.shape.parts.iter().flat_map(|part| part.vertices()).map(|vertex| vertex.z);
+        heights.fold(f64::NEG_INFINITY, f64::max)
+    }
+
     /// The parts where they stand: north, east, up. The vehicle turns about the eye.
     pub fn bodies(&self, shot: &Shot) -> Vec<Body> {
         self.shape.bodies(shot.eye, shot.vehicle).collect()
@@ -60,7 +66,7 @@ mod tests {
 
     #[test]
     fn names_and_files() {
-        assert!(Shape::find("rover", 1.6).is_ok());
+        assert!(Shape::find("rover", 1.6).unwrap().top() > 1.6);
         let said = |name: &str| Shape::find(name, 1.6).unwrap_err().to_string();
         assert!(said("rowboat").contains("rowboat") && said("rowboat").contains("lander, rover"));
         assert!(said("gone.obj").contains("gone.obj: no such file"), "{}", said("gone.obj"));

@@ -2,21 +2,18 @@
 
 use std::sync::Arc;
 
-use exact::{Ceilings, Outlook, Ray, Sight};
+use exact::Ceilings;
 use glam::DVec3;
-use landscape::Landscape;
 use landscape::relief::{Relief, Undulation};
-use landscape::{Attitude, Bank};
+use landscape::{Attitude, Bank, Landscape, Level};
 use quantities::{radians, unit_interval};
-use scenario::{Curvature, FieldOfView, Scenery};
+use scenario::{FieldOfView, Scenery};
 use solids::Solid;
-use vehicle_shadow::{Shape, Shot, TrueGround, flat_error, small_flat_error};
+use vehicle_shadow::{Mast, MastEdge, Shape, Shot, TrueGround, flat_error, small_flat_error};
 
 use crate::scenes::{stage, sun, to_sun};
 
-/// The report's vehicle: its top at 10 feet, the view port at 5.
-const TOP: f64 = 3.048;
-const EYE: f64 = 1.524;
+const MAST: Mast = Mast::REPORT;
 
 fn relief(seed: u64) -> Arc<Landscape> {
     let undulation = Undulation { rms_height: 3.0, hurst: 0.8, longest: 300.0, shortest: 12.0, waves: 200 };
@@ -31,49 +28,6 @@ fn relief(seed: u64) -> Arc<Landscape> {
         rilles: Vec::new(),
     };
     Arc::new(Landscape::new(Bank::new("relief", vec![relief.build().unwrap()], None).unwrap(), 1.0))
-}
-
-/// One mast on true ground.
-struct Mast<'a> {
-    landscape: &'a Landscape,
-    ceilings: &'a Ceilings,
-    foot: DVec3,
-    /// Over the ground, away from the sun.
-    away: [f64; 2],
-    /// Tangent of the sun's elevation.
-    tangent: f64,
-}
-
-impl Mast<'_> {
-    fn outlook(&self, height: f64) -> Outlook<'_> {
-        let eye = [self.foot.x, self.foot.y, self.foot.z + height];
-        Outlook::new(self.landscape, self.ceilings, eye, Curvature::None, [0.01, 200.0], None)
-    }
-
-    /// Edge of the shadow on true ground, if there is one and the view port sees it.
-    fn edge(&self) -> Option<DVec3> {
-        let outlook = self.outlook(TOP);
-        let Sight::Ground(spot) = outlook.look(&Ray { direction: self.away, rise: -self.tangent }) else {
-            return None;
-        };
-        let edge = DVec3::new(spot.place[0], spot.place[1], outlook.height(&spot));
-        let port = self.outlook(EYE);
-        let rise = (edge.z - self.foot.z - EYE) / spot.range;
-        let Sight::Ground(seen) = port.look(&Ray { direction: self.away, rise }) else { return None };
-        ((seen.range - spot.range).abs() < 1e-6).then_some(edge)
-    }
-
-    fn flat_edge(&self) -> DVec3 {
-        let d = TOP / self.tangent;
-        self.foot + DVec3::new(d * self.away[0], d * self.away[1], 0.0)
-    }
-
-    fn angle(&self) -> Option<(f64, f64)> {
-        let port = self.foot + DVec3::Z * EYE;
-        let edge = self.edge()?;
-        let [a, b] = [edge, self.flat_edge()].map(|edge| (edge - port).normalize());
-        Some((libm::atan2(a.cross(b).length(), a.dot(b)), edge.z - self.foot.z))
-    }
 }
 
 /// The error that is measured is the formula's, to rounding, and the small-angle form is near it.
@@ -94,21 +48,14 @@ fn the_formula_holds_on_a_seeded_relief() {
             for index in 0..300 {
                 let part = |k: u64| unit_interval(*seed, &[index, k]);
                 let [x, y] = [100.0 + 600.0 * part(0), 100.0 + 600.0 * part(1)];
-                let azimuth = std::f64::consts::TAU * part(2);
-                let mast = Mast {
-                    landscape,
-                    ceilings,
-                    foot: DVec3::new(x, y, landscape.height(x, y).unwrap()),
-                    away: [libm::cos(azimuth), libm::sin(azimuth)],
-                    tangent: libm::tan(radians(elevation)),
-                };
-                let Some((measured, rise)) = mast.angle() else { continue };
-                let d = TOP / mast.tangent;
-                let expected = flat_error(TOP, EYE, rise, d);
-                assert!((measured - expected).abs() < 1e-9, "{elevation} deg: {measured}, not {expected}");
-                small += small_flat_error(TOP, EYE, rise, d);
+                let sun = sun(360.0 * part(2), elevation);
+                let edge = MAST.edge(landscape, ceilings, [x, y], sun);
+                let MastEdge::Seen { distance, rise, angle } = edge else { continue };
+                let expected = flat_error(MAST.top, MAST.eye, rise, distance);
+                assert!((angle - expected).abs() < 1e-9, "{elevation} deg: {angle}, not {expected}");
+                small += small_flat_error(MAST.top, MAST.eye, rise, distance);
                 rises += rise.abs();
-                errors.push(measured);
+                errors.push(angle);
             }
         }
         let count = errors.len() as f64;
@@ -116,7 +63,7 @@ fn the_formula_holds_on_a_seeded_relief() {
             (errors.iter().sum::<f64>() / count, errors.iter().copied().fold(0.0, f64::max));
         println!(
             "{elevation} | {:.2} | {:.3} | {:.2} | {:.1} | {:.2} | {}",
-            TOP / libm::tan(radians(elevation)),
+            MAST.top / libm::tan(radians(elevation)),
             rises / count,
             1e3 * mean,
             1e3 * largest,
@@ -138,32 +85,78 @@ fn pictures_of_true_ground_show_that_error() {
     for index in 0..12 {
         let [x, y] = [150.0 + 40.0 * f64::from(index), 420.0];
         let foot = DVec3::new(x, y, landscape.height(x, y).unwrap());
-        let tangent = libm::tan(radians(elevation));
-        let mast = Mast { landscape: &landscape, ceilings: &ceilings, foot, away: [1.0, 0.0], tangent };
-        let Some((expected, _)) = mast.angle() else { continue };
+        let edge = MAST.edge(&landscape, &ceilings, [x, y], sun(180.0, elevation));
+        let MastEdge::Seen { distance, angle: expected, .. } = edge else { continue };
         // A wide plate whose upper edge is square to the sun, the eye over its face.
-        let plate = Solid::boxed(DVec3::new(-0.001, -1.0, 0.0), DVec3::new(0.0, 1.0, TOP), 1.0).unwrap();
+        let plate = Solid::boxed(DVec3::new(-0.001, -1.0, 0.0), DVec3::new(0.0, 1.0, MAST.top), 1.0).unwrap();
         let field = FieldOfView { tan_half_width: 0.001, tan_half_height: 0.6 };
         let attitude = Attitude::default();
         let shot = Shot {
             time: 0.0,
-            eye: [x, y, foot.z + EYE],
-            height: EYE,
+            eye: [x, y, foot.z + MAST.eye],
+            height: MAST.eye,
             vehicle: attitude,
             camera: attitude,
             field,
         };
         let truth = TrueGround::new(stage(&landscape, Scenery::still(sun(180.0, elevation)), [4, 6000]));
         let gates = truth
-            .gates(&Shape::new(vec![plate], EYE), &shot, &[to_sun(180.0, elevation)], &[], size)
+            .gates(&Shape::new(vec![plate], MAST.eye), &shot, &[to_sun(180.0, elevation)], &[], size)
             .suns
             .remove(0);
         let Some(first) = gates.lines.iter().position(|gate| gate.holds(0.0003)) else { continue };
         let seen = 0.6 * (2.0 * first as f64 - 6000.0) / 6000.0;
-        let flat = EYE * tangent / TOP;
+        let flat = MAST.eye / distance;
         let measured = (libm::atan(seen) - libm::atan(flat)).abs();
         assert!((measured - expected).abs() < 3e-4, "{index}: {measured}, not {expected}");
         checked += 1;
     }
     assert!(checked >= 6, "{checked}");
+}
+
+/// Ground 120 m long whose height is `height` (m) at the corners of its regions of 2 m, by their number northwards.
+fn across(height: impl Fn(u64) -> f64) -> Landscape {
+    let words = |index: u64| std::array::from_fn(|word| if word == 0 { height(index / 3) } else { 0.0 });
+    let level = Level::new(2.0, [0.0; 2], [61, 3], (0..61 * 3).map(words).collect()).unwrap();
+    Landscape::new(Bank::new("across", vec![level], None).unwrap(), 1.0)
+}
+
+/// The edge that a mast at `north` casts northwards.
+fn northwards(landscape: &Landscape, north: f64, elevation: f64) -> MastEdge {
+    MAST.edge(landscape, &Ceilings::new(landscape), [north, 2.0], sun(180.0, elevation))
+}
+
+/// Level ground, and a step 2 m before the mast: the rise is the step's, the error the formula's.
+#[test]
+fn steps_of_known_height() {
+    for (height, elevation) in [(0.0, 16.7), (0.4, 16.7), (-0.4, 16.7), (1.0, 10.0), (-0.1, 30.0)] {
+        let landscape = across(|corner| if corner < 21 { 0.0 } else { height });
+        let edge = northwards(&landscape, 38.0, elevation);
+        let MastEdge::Seen { distance, rise, angle } = edge else { panic!("{height}: {edge:?}") };
+        assert!((distance - MAST.top / libm::tan(radians(elevation))).abs() < 1e-12, "{distance}");
+        assert!((rise - height).abs() < 1e-12, "{height}: {rise}");
+        assert!(
+            (angle - flat_error(MAST.top, MAST.eye, height, distance)).abs() < 1e-12,
+            "{height}: {angle}"
+        );
+        assert_eq!(height == 0.0, angle < 1e-12, "{height}: {angle}");
+    }
+}
+
+/// A ridge before the sun, a ridge before the edge, the end of the ground, and a sun that is down.
+#[test]
+fn edges_that_are_not_seen() {
+    let ridge = |height: f64| across(move |corner| if corner == 20 { height } else { 0.0 });
+    let (high, low) = (ridge(4.0), ridge(1.5));
+    // Its crest is 4 m behind the mast and 0.95 m above its top: 13.4 degrees.
+    assert_eq!(northwards(&high, 44.0, 12.0), MastEdge::Dark);
+    assert!(matches!(northwards(&high, 44.0, 15.0), MastEdge::Seen { .. }));
+    // 6 m before the mast the line from the view port to the edge at 20 m is 1.07 m high, the ray through the top 2.13 m.
+    assert_eq!(northwards(&low, 34.0, 8.67), MastEdge::Hidden);
+    assert!(matches!(northwards(&low, 44.0, 8.67), MastEdge::Seen { .. }));
+    for (north, elevation, expected) in
+        [(-1.0, 10.0, MastEdge::OffGround), (110.0, 10.0, MastEdge::OffGround), (50.0, 0.0, MastEdge::Dark)]
+    {
+        assert_eq!(northwards(&low, north, elevation), expected, "{north}");
+    }
 }

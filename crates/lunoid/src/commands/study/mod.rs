@@ -5,6 +5,7 @@ mod error;
 mod matrix_plot;
 mod outputs;
 mod plots;
+mod shadow;
 mod stability;
 
 use clap::{Args, Subcommand};
@@ -14,9 +15,10 @@ use crate::{Failure, Verdict};
 const AFTER: &str = "Examples:
   lunoid study error scenarios/first-light.toml --quick
   lunoid study economy scenarios/showpiece.toml --quick
+  lunoid study shadow scenarios/vehicle-shadow.toml
   lunoid study error --help";
 
-/// Measure error against run time, and what a scene does not need.
+/// Measure error against run time, what a scene does not need, and what flat ground costs a shadow.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER)]
 pub struct StudyCommand {
@@ -32,6 +34,8 @@ enum Study {
     Economy(economy::EconomyStudy),
     /// Stiff parts and extreme scenes, each by every method.
     Stability(stability::StabilityStudy),
+    /// The vehicle's shadow on flat ground against that on true ground.
+    Shadow(shadow::ShadowStudy),
 }
 
 impl StudyCommand {
@@ -41,6 +45,7 @@ impl StudyCommand {
             Study::Error(study) => study.run(),
             Study::Economy(study) => study.run(),
             Study::Stability(study) => study.run(),
+            Study::Shadow(study) => study.run(),
         }
     }
 }
