@@ -10,10 +10,12 @@ use hardware_model::{HardwareModel, Settings};
 use landscape::Georeference;
 use machine::HybridMachine;
 use picture::{Depth, Encoder, GreyPicture, Transfer};
-use quantities::degrees;
+use quantities::{degrees, radians};
 use scenario::{FieldOfView, Pose, PoseTable, RasterWishes, Scenario};
 use signal::Probe;
+use study::shadow::{FlatGroundOutcome, FlatGroundPlan, flat_ground};
 use survey::{ReadOptions, SurveyOptions, SurveyReport, survey};
+use vehicle_shadow::Mast;
 
 use crate::shared;
 
@@ -70,6 +72,17 @@ impl Drive {
             assert!(sound, "{} frame {}: pitch and roll {tilts:?} degrees", self.name, row.frame);
         }
         assert!(self.poses.limits().is_empty(), "{}: {:?}", self.name, self.poses.limits());
+    }
+
+    /// Edges of the report's mast along the path: the scenario's sun and three others, 24 azimuths of each.
+    pub fn shadow_edges(&self) -> Vec<FlatGroundOutcome> {
+        let plan = FlatGroundPlan {
+            mast: Mast::REPORT,
+            elevations: [30.0, 16.7, 8.0].map(radians).to_vec(),
+            places: 100,
+            azimuths: 24,
+        };
+        flat_ground(&self.stage, self.poses.rows(), &plan)
     }
 
     /// Draws a frame with both generators.

@@ -10,12 +10,16 @@ mod drive;
 mod shared;
 
 use quantities::radians;
+use study::shadow::table;
 use survey::{Area, Plane, ReadOptions, SurveyOptions};
 
 use crate::drive::{Agreement, Drive};
 
 /// Part of the pixels outside the ridge mask that may be off by more than two levels.
 const SHARE: f64 = 0.005;
+
+/// Height of a line of 575 over 30 degrees (rad), at the middle of the picture.
+const LINE_OF_575: f64 = 0.932e-3;
 
 /// Part by which a figure may be off the one in the docs.
 const ROUNDING: f64 = 0.01;
@@ -62,6 +66,34 @@ fn a_drive_near_the_south_pole_agrees_with_the_closed_form() {
     expect_figures(&drive, 0.0088, 0.0130);
     drive.expect_upright(12.0);
     expect_agreement(&drive, [0, 159], 1);
+}
+
+/// Section 19.7 on real ground: the figures that stand in docs/blocks/vehicle-shadow.md.
+fn expect_flat_ground_formula(drive: &Drive, least_seen: usize) {
+    let suns = drive.shadow_edges();
+    for row in table(&suns, LINE_OF_575) {
+        println!("{}: {}", drive.name, row.join(" | "));
+    }
+    for sun in suns {
+        let figures = sun.figures.unwrap_or_else(|| panic!("{}: no edge is seen: {sun:?}", drive.name));
+        let off = figures.largest_difference_rad;
+        assert!(off < 1e-9, "{}, sun at {:?}: {off} rad off the formula", drive.name, sun.elevation_deg);
+        let least = if sun.elevation_deg.is_some() { least_seen } else { 1 };
+        assert!(sun.seen >= least, "{}, sun at {:?}: {} edges", drive.name, sun.elevation_deg, sun.seen);
+        assert!(figures.mean_rise_m > 0.01 && figures.mean_rad > 1e-3, "{}: {figures:?}", drive.name);
+    }
+}
+
+#[test]
+fn a_shadow_on_flat_ground_is_off_by_the_formula() {
+    let Some(data) = shared::data() else { return };
+    let file = data.join("lunar/nac_southpole_stereo_dem_1m.tif");
+    let drive = Drive::over("south-pole", &file, &ReadOptions::default(), &with_tenth_held_out(6.0));
+    expect_flat_ground_formula(&drive, 2000);
+    let options = ReadOptions { scale: Some(0.5), ..ReadOptions::default() };
+    let file = data.join("lunar/kepler_lola_48m.tif");
+    let drive = Drive::over("kepler", &file, &options, &with_tenth_held_out(240.0));
+    expect_flat_ground_formula(&drive, 2000);
 }
 
 #[test]

@@ -15,6 +15,7 @@ mod overlays;
 mod refusals;
 mod replays;
 mod scene;
+mod shadow;
 mod side_by_side;
 mod stability;
 mod timing;

@@ -170,11 +170,8 @@ impl Outcome {
     fn plot(&self, folder: &Path) -> Result<(), Failure> {
         let Some(suns) = self.seen() else { return Ok(()) };
         let curves: Vec<Curves> = suns.iter().map(|sun| Curves::of(self.mast, &sun.edges)).collect();
-        let panel = |(sun, curves): (&&FlatGroundOutcome, &_)| {
-            let elevation = sun.elevation_deg.unwrap_or_default();
-            panel(format!("mrad, sun at {elevation:.1} deg"), curves)
-        };
-        let panels: Vec<Panel<'_>> = suns.iter().zip(&curves).map(panel).collect();
+        let panels: Vec<Panel<'_>> =
+            suns.iter().zip(&curves).map(|(sun, curves)| panel(sun, curves)).collect();
         let look = TraceLook {
             facts: vec![self.facts()],
             width: 700,
@@ -216,12 +213,13 @@ impl Curves {
     }
 }
 
-fn panel(label: String, curves: &Curves) -> Panel<'_> {
+fn panel<'a>(sun: &FlatGroundOutcome, curves: &'a Curves) -> Panel<'a> {
     let [x, y] = &curves.marks;
     let traces = vec![
         Trace { name: "measured", x, y },
         Trace { name: "formula", x: &curves.z, y: &curves.formula },
         Trace { name: "for small angles", x: &curves.z, y: &curves.small },
     ];
-    Panel { axis: Axis::new(label), traces }
+    let elevation = sun.elevation_deg.unwrap_or_default();
+    Panel { axis: Axis::new(format!("mrad, sun at {elevation:.1} deg")), traces }
 }
