@@ -295,7 +295,7 @@ mod tests {
     #[test]
     fn tables_have_what_was_found() {
         let outcome = example(0.06);
-        let rows = table(&[outcome.clone()], 1e-3);
+        let rows = table(std::slice::from_ref(&outcome), 1e-3);
         assert_eq!(rows[0].len(), rows[1].len());
         assert_eq!(rows[1][..7], ["own", "6.10", "5", "1", "1", "1", "2"]);
         assert_eq!(rows[1][7..12], ["0.305", "30.00", "60.00", "30.0", "60.0"]);

@@ -21,6 +21,8 @@
 //! - **Line types** ([`LineType`], 19.4): both ends beyond the view-plane, one, none, trace; clipped at U' = D.
 //! - **Outlines** (19.5): the convex hull of each figure, every one by itself or walked around as a whole ([`outlines`]).
 //! - **Gates** ([`Gate`]): stretches of a television line between its intersections with outlines, at its middle.
+//! - **Error of flat ground** ([`flat_error`], 19.7): the angle between the edge that flat ground has and the true one; a
+//!   [`Mast`] measures it.
 //! - **True ground** ([`TrueGround`]): the first thing that each ray meets, `exact`'s way, and the regions behind the
 //!   vehicle's convex parts, bounded by the faces that the sun lights and the outline that it sees.
 //! - **Tracks**: patches of remote shadow on true ground, hidden where nearer ground or a body hides them.

@@ -22,7 +22,7 @@ const ELEVATIONS: [f64; 3] = [30.0, 16.7, 8.0];
 /// Most marks of a panel: more would cover the curve.
 const MARKS: usize = 60;
 /// Half the height of a mark, of that of the panel.
-const MARK: f64 = 0.012;
+const MARK: f64 = 0.03;
 /// Points of a curve.
 const CURVE: usize = 200;
 
