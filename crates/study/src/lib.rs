@@ -14,7 +14,8 @@
 //! repetitions, and within a ladder the rungs take turns, so that a machine that slows down slows all of them.
 //! **LUNSIM** ([`grid_ladder`]): its picture over the size of its grid, where the scenario is its own.
 //! **Economy** ([`economy`]): what a scene does not need, what leaving it out saves, the waste that remains. **Banks**
-//! ([`regions()`]): region size of a survey against the ground. **Shadow** ([`shadow`]): the vehicle's, on flat ground and on true.
+//! ([`regions()`]): region size of a survey against the ground. **Shadow** ([`shadow`]): the vehicle's, on flat
+//! ground and on true, by every law and method.
 //! **Not in the time.** Reading, elaboration, shadow boundaries that are found once, encoding.
 //! **Our choices.** Signals are compared on six groups of eight sweeps spread over the frame. A picture of fewer or more sweeps than the
 //! base is held against the base's columns, each taken from the nearest sweep.

@@ -48,6 +48,11 @@ impl Shape {
         &self.function
     }
 
+    /// Height of the eye above the foot point (m).
+    pub fn eye_height(&self) -> f64 {
+        self.shape.eye_height
+    }
+
     /// Height of the highest point above the foot point (m).
     pub fn top(&self) -> f64 {
         let heights = self.shape.parts.iter().flat_map(|part| part.vertices()).map(|vertex| vertex.z);

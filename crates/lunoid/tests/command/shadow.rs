@@ -50,6 +50,40 @@ fn the_vehicle_and_the_level_of_the_ground_decide() {
 }
 
 #[test]
+fn laws_and_methods_are_held_against_true_ground() {
+    let scene = Scene::new();
+    // The sun behind the drive: the shadow lies before the eye.
+    scene.vary("behind.toml", "azimuth_deg = 100", "azimuth_deg = 212");
+    let behind = fs::read_to_string(scene.join("behind.toml")).unwrap();
+    scene.write("level.toml", behind.replace("rms_height_m = 2", "rms_height_m = 1e-12"));
+    let laws = |scenario: &str| -> Vec<Value> {
+        let study = ["study", "shadow", scenario, "--vehicle", "rover", "--laws", "--frame", "1"];
+        let more = ["--repetitions", "1", "--no-progress", "--json", "--out", "s"];
+        let (out, _) = scene.expect(0, &[&study[..], &more].concat());
+        serde_json::from_str::<Value>(&out).unwrap()["laws"].as_array().unwrap().clone()
+    };
+    let figure = |laws: &[Value], law: &str, method: &str, name: &str| -> f64 {
+        let is_it = |row: &&Value| row["law"] == law && row["method"] == method;
+        laws.iter().find(is_it).unwrap()[name].as_f64().unwrap()
+    };
+    let found = laws("behind.toml");
+    let rms = |law: &str, method: &str| figure(&found, law, method, "rms");
+    assert!(figure(&found, "true ground", "not rounded", "dark") > 1e-3, "{found:?}");
+    assert_eq!(rms("true ground", "not rounded"), 0.0);
+    let bits = [10, 8, 6].map(|bits| rms("true ground", &format!("converters of {bits} bits")));
+    assert!(0.0 < bits[0] && bits[0] < bits[1] && bits[1] < bits[2], "{bits:?}");
+    let tube = |words: &str| rms("true ground", &format!("scan converter, {words}"));
+    assert!(tube("325 lines") > tube("650 lines, in register") && bits[0] < tube("650 lines, in register"));
+    assert!(rms("true ground, penumbra", "not rounded") > 0.0);
+    // On level ground both laws are one, to a thousandth of the light of a pixel; where there is relief they are not.
+    let level = laws("level.toml");
+    let flat = |laws: &[Value]| figure(laws, "flat ground, parts", "not rounded", "rms");
+    assert!(flat(&level) < 1e-4 && flat(&found) > 1e-3, "{} {}", flat(&level), flat(&found));
+    assert!(scene.list("s").contains(&"laws.svg".to_owned()));
+    assert!(fs::read_to_string(scene.join("s/shadow.md")).unwrap().contains("Laws and methods"));
+}
+
+#[test]
 fn what_makes_no_sense_is_refused() {
     let scene = Scene::new();
     for (arguments, words) in [
@@ -62,6 +96,11 @@ fn what_makes_no_sense_is_refused() {
         let (_, said) = scene.expect(2, &[&["study", "shadow", "tiny.toml"][..], &arguments].concat());
         assert!(said.contains(words), "{said}");
     }
+    let (_, said) = scene.expect(2, &["study", "shadow", "tiny.toml", "--laws"]);
+    assert!(said.contains("--vehicle"), "{said}");
+    let beyond = ["study", "shadow", "tiny.toml", "--vehicle", "rover", "--laws", "--frame", "4"];
+    let (_, said) = scene.expect(2, &beyond);
+    assert!(said.contains("frames 0..4"), "{said}");
     scene.write("pit.obj", "v 0 0 -1\nv 1 0 -2\nv 0 1 -2\nv 0 0 -3\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n");
     let (_, said) = scene.expect(3, &["study", "shadow", "tiny.toml", "--vehicle", "pit.obj"]);
     assert!(said.contains("pit.obj") && said.contains("expected a vehicle above 0"), "{said}");

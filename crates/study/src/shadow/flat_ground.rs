@@ -1,4 +1,4 @@
-//! The vehicle's shadow: what it costs to take the ground as flat (section 19.7), over the ground of a scenario.
+//! What it costs to take the ground as flat (section 19.7), over the ground of a scenario.
 //!
 //! **Law.** At places along the path a mast casts its edge over true ground and over flat ground; the angle between the two
 //! at the view port is measured in space and held against the report's formula with the height that was found.

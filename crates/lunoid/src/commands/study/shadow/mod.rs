@@ -1,17 +1,22 @@
 //! `lunoid study shadow`: the edge of the vehicle's shadow on flat ground against that on true ground.
 
-use std::path::{Path, PathBuf};
+mod plots;
+
+use std::path::PathBuf;
 
 use clap::Args;
-use plots::{Axis, Panel, Trace, TraceLook, trace_picture};
+use generator::Stage;
 use quantities::radians;
-use scenario::PoseTable;
+use scenario::{PoseRow, PoseTable};
 use serde_json::{Value, json};
-use study::shadow::{FlatGroundOutcome, FlatGroundPlan, SeenEdge, csv, flat_ground, table};
-use vehicle_shadow::{Mast, Shape, flat_error, small_flat_error};
+use study::Effort;
+use study::shadow::{
+    FlatGroundOutcome, FlatGroundPlan, LawOutcome, csv, flat_ground, laws, laws_table, table,
+};
+use vehicle_shadow::{Mast, Shape};
 
+use super::error::frames;
 use super::outputs::{Outputs, markdown, write};
-use super::plots::save;
 use crate::cli::COMMIT;
 use crate::loading::{Loaded, StageArgs, Threads};
 use crate::output::table as columns;
@@ -19,21 +24,20 @@ use crate::{Failure, Verdict, values};
 
 /// Elevations of the sun where none are given (degrees): those of the page's table.
 const ELEVATIONS: [f64; 3] = [30.0, 16.7, 8.0];
-/// Most marks of a panel: more would cover the curve.
-const MARKS: usize = 60;
-/// Half the height of a mark, of that of the panel.
-const MARK: f64 = 0.03;
-/// Points of a curve.
-const CURVE: usize = 200;
+/// Repetitions that are timed.
+const REPETITIONS: u32 = 3;
 
 const AFTER: &str = "Examples:
   lunoid study shadow scenarios/vehicle-shadow.toml
   lunoid study shadow scenarios/vehicle-shadow.toml --vehicle rover --sun 45 --sun 10
   lunoid study shadow scenarios/showpiece.toml --places 200 --azimuths 24 --out studies/shadow
+  lunoid study shadow scenarios/vehicle-shadow.toml --vehicle rover --laws --frame 33
 
 Row `own` is the scenario's sun at each frame's time; each --sun stands at every azimuth. `off formula` is the largest
 difference between the measured error and the report's formula with the height z that was found.
---out gets shadow.json, shadow.csv with every edge, shadow.md and a plot of error over height. The exit status is 1 if
+--laws draws pictures by every law and method of `lunoid augment`, against true ground without rounding: how much is
+dark, which part of the pixels is off by more than half their light, and the time.
+--out gets shadow.json, shadow.csv with every edge, shadow.md and a plot of error over height, with --laws one of error over time. The exit status is 1 if
 an error differs from the formula by more than 1e-9 rad. docs/blocks/vehicle-shadow.md has the law.";
 
 /// The vehicle's shadow: where flat ground has its edge, and where true ground has it.
@@ -60,6 +64,15 @@ pub struct ShadowStudy {
     /// Azimuths of each sun at each place.
     #[arg(long, value_name = "N", default_value_t = 12, value_parser = clap::value_parser!(u16).range(1..=360))]
     azimuths: u16,
+    /// Draw by every law and method as well.
+    #[arg(long, requires = "vehicle")]
+    laws: bool,
+    /// Frame to draw; up to three times. The middle of the mission if left out.
+    #[arg(long, value_name = "F", requires = "laws")]
+    frame: Vec<u64>,
+    /// Repetitions of each frame that are timed.
+    #[arg(long, value_name = "N", default_value_t = REPETITIONS, requires = "laws", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    repetitions: u32,
     #[command(flatten)]
     outputs: Outputs,
 }
@@ -71,6 +84,14 @@ struct Outcome {
     /// Height of a line of the picture, at its middle (rad).
     line_rad: f64,
     suns: Vec<FlatGroundOutcome>,
+    /// Laws and methods, if they were asked for.
+    laws: Vec<LawOutcome>,
+}
+
+/// What casts the shadow.
+struct Caster {
+    mast: Mast,
+    shape: Option<Shape>,
 }
 
 fn elevation(text: &str) -> Result<f64, String> {
@@ -82,11 +103,14 @@ impl ShadowStudy {
     /// Studies.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let mut loaded = StageArgs::of(&self.scenario).load()?;
-        let mast = self.mast(&loaded)?;
+        let drawn = if self.laws { frames(&self.frame, loaded.frames())? } else { Vec::new() };
+        let Caster { mast, shape } = self.caster(&loaded)?;
         let pool = self.threads.pool()?;
         let stage = loaded.stage(&pool)?;
         let (update, yoke) = (stage.settings.timebase.update, stage.settings.yoke);
-        let path = PoseTable::resolve(&loaded.scenario, &stage.landscape, update, yoke, 0..loaded.frames());
+        let path = PoseTable::resolve(&loaded.scenario, &stage.landscape, update, yoke, 0..loaded.frames())
+            .map_err(Failure::input)?;
+        let path = path.rows();
         let elevations = if self.sun.is_empty() { &ELEVATIONS[..] } else { &self.sun };
         let plan = FlatGroundPlan {
             mast,
@@ -98,26 +122,47 @@ impl ShadowStudy {
         let outcome = Outcome {
             mast,
             line_rad: 2.0 * raster.field.tan_half_height / f64::from(raster.lines),
-            suns: flat_ground(&stage, path.map_err(Failure::input)?.rows(), &plan),
+            suns: flat_ground(&stage, path, &plan),
+            laws: match shape.filter(|_| self.laws) {
+                Some(shape) => pool.install(|| self.draw(&stage, path, &drawn, &shape))?,
+                None => Vec::new(),
+            },
             title: loaded.scenario.title,
         };
         if let Some(folder) = &self.outputs.out {
             write(folder, "shadow", &outcome.json(), &csv(&outcome.suns), &outcome.page())?;
-            outcome.plot(folder)?;
+            plots::write_plots(folder, &outcome)?;
         }
         self.outputs.print(&outcome.json(), &outcome.text())?;
         let holds = outcome.suns.iter().all(FlatGroundOutcome::holds);
         Ok(if holds { Verdict::Yes } else { Verdict::No })
     }
 
-    fn mast(&self, loaded: &Loaded) -> Result<Mast, Failure> {
+    /// Pictures of the frames `drawn` of the whole `path`, by every law and method.
+    fn draw(
+        &self,
+        stage: &Stage,
+        path: &[PoseRow],
+        drawn: &[u64],
+        shape: &Shape,
+    ) -> Result<Vec<LawOutcome>, Failure> {
+        self.outputs.say("laws and methods");
+        let rows: Vec<PoseRow> = drawn.iter().map(|&frame| path[frame as usize]).collect();
+        let raster = &stage.settings.raster;
+        let size = [raster.columns as usize, raster.lines as usize];
+        Ok(laws(stage, &rows, shape, size, Effort { repetitions: self.repetitions })?)
+    }
+
+    fn caster(&self, loaded: &Loaded) -> Result<Caster, Failure> {
         let Some(name) = &self.vehicle else {
-            return Ok(Mast { eye: self.eye_height.unwrap_or(Mast::REPORT.eye), ..Mast::REPORT });
+            let mast = Mast { eye: self.eye_height.unwrap_or(Mast::REPORT.eye), ..Mast::REPORT };
+            return Ok(Caster { mast, shape: None });
         };
         let eye = self.eye_height.unwrap_or(loaded.scenario.vehicle.eye_height);
-        let top = Shape::find(name, eye)?.top();
+        let shape = Shape::find(name, eye)?;
+        let top = shape.top();
         match top > 0.0 {
-            true => Ok(Mast { top, eye }),
+            true => Ok(Caster { mast: Mast { top, eye }, shape: Some(shape) }),
             false => Err(Failure::input(format!(
                 "--vehicle {name}: its highest point lies {top} m above its foot point; expected a vehicle above 0"
             ))),
@@ -136,6 +181,7 @@ impl Outcome {
             "line_rad": self.line_rad,
             "holds": self.suns.iter().all(FlatGroundOutcome::holds),
             "suns": self.suns,
+            "laws": self.laws,
         })
     }
 
@@ -149,14 +195,22 @@ impl Outcome {
     }
 
     fn text(&self) -> String {
-        format!("{}\n\n{}", self.facts(), columns(&self.rows()))
+        let mut text = format!("{}\n\n{}", self.facts(), columns(&self.rows()));
+        if !self.laws.is_empty() {
+            text += &format!("\nlaws and methods\n{}", columns(&laws_table(&self.laws)));
+        }
+        text
     }
 
     /// The same as a page of Markdown.
     fn page(&self) -> String {
         let plot =
             if self.seen().is_some() { "![Error over height of the ground](shadow.svg)\n\n" } else { "" };
-        format!("{}.\n\n{plot}{}", self.facts(), markdown(&self.rows()))
+        let mut text = format!("{}.\n\n{plot}{}", self.facts(), markdown(&self.rows()));
+        if !self.laws.is_empty() {
+            text += &format!("\n### Laws and methods\n\n{}", markdown(&laws_table(&self.laws)));
+        }
+        text
     }
 
     /// Suns of one elevation under which edges are seen; none where there is nothing to draw.
@@ -165,61 +219,4 @@ impl Outcome {
             self.suns.iter().filter(|sun| sun.elevation_deg.is_some() && sun.seen > 0).collect();
         (!seen.is_empty()).then_some(seen)
     }
-
-    /// A panel for each sun: measured error over z, with the formula's curve and its form for small angles.
-    fn plot(&self, folder: &Path) -> Result<(), Failure> {
-        let Some(suns) = self.seen() else { return Ok(()) };
-        let curves: Vec<Curves> = suns.iter().map(|sun| Curves::of(self.mast, &sun.edges)).collect();
-        let panels: Vec<Panel<'_>> =
-            suns.iter().zip(&curves).map(|(sun, curves)| panel(sun, curves)).collect();
-        let look = TraceLook {
-            facts: vec![self.facts()],
-            width: 700,
-            ..TraceLook::titled("Angle between the edge on true ground and on flat ground")
-        };
-        let x = Axis::new("z, height of the edge on true ground over the foot (m)");
-        save(folder, "shadow", &trace_picture(&x, &panels, &[], &look))
-    }
-}
-
-/// What a panel shows, over z (m) in mrad.
-struct Curves {
-    z: Vec<f64>,
-    formula: Vec<f64>,
-    small: Vec<f64>,
-    /// Short upright strokes, with breaks between them.
-    marks: [Vec<f64>; 2],
-}
-
-impl Curves {
-    /// Of the edges, at least one, under suns of one elevation.
-    fn of(mast: Mast, edges: &[SeenEdge]) -> Self {
-        let extreme = |pick: fn(f64, f64) -> f64, of: fn(&SeenEdge) -> f64| {
-            edges.iter().map(of).reduce(pick).unwrap_or_default()
-        };
-        let [low, high] = [f64::min, f64::max].map(|pick| extreme(pick, |edge| edge.rise));
-        let distance = edges[0].distance;
-        let z: Vec<f64> = (0..=CURVE).map(|step| low + (high - low) * step as f64 / CURVE as f64).collect();
-        let along = |law: fn(f64, f64, f64, f64) -> f64| -> Vec<f64> {
-            z.iter().map(|z| 1e3 * law(mast.top, mast.eye, *z, distance)).collect()
-        };
-        let half = MARK * 1e3 * extreme(f64::max, |edge| edge.measured);
-        let every = edges.len().div_ceil(MARKS);
-        let marked = || edges.iter().step_by(every);
-        let strokes = |edge: &SeenEdge| [1e3 * edge.measured - half, 1e3 * edge.measured + half, f64::NAN];
-        let marks =
-            [marked().flat_map(|edge| [edge.rise; 3]).collect(), marked().flat_map(strokes).collect()];
-        Self { formula: along(flat_error), small: along(small_flat_error), marks, z }
-    }
-}
-
-fn panel<'a>(sun: &FlatGroundOutcome, curves: &'a Curves) -> Panel<'a> {
-    let [x, y] = &curves.marks;
-    let traces = vec![
-        Trace { name: "measured", x, y },
-        Trace { name: "formula", x: &curves.z, y: &curves.formula },
-        Trace { name: "for small angles", x: &curves.z, y: &curves.small },
-    ];
-    let elevation = sun.elevation_deg.unwrap_or_default();
-    Panel { axis: Axis::new(format!("mrad, sun at {elevation:.1} deg")), traces }
 }
