@@ -79,6 +79,9 @@ fn laws_and_methods_are_held_against_true_ground() {
     let level = laws("level.toml");
     let flat = |laws: &[Value]| figure(laws, "flat ground, parts", "not rounded", "rms");
     assert!(flat(&level) < 1e-4 && flat(&found) > 1e-3, "{} {}", flat(&level), flat(&found));
+    let aside = ["study", "shadow", "tiny.toml", "--vehicle", "rover", "--laws", "--repetitions", "1"];
+    let (out, _) = scene.expect(0, &aside);
+    assert!(out.contains("in none of these pictures"), "{out}");
     assert!(scene.list("s").contains(&"laws.svg".to_owned()));
     assert!(fs::read_to_string(scene.join("s/shadow.md")).unwrap().contains("Laws and methods"));
 }

@@ -197,7 +197,7 @@ impl Outcome {
     fn text(&self) -> String {
         let mut text = format!("{}\n\n{}", self.facts(), columns(&self.rows()));
         if !self.laws.is_empty() {
-            text += &format!("\nlaws and methods\n{}", columns(&laws_table(&self.laws)));
+            text += &format!("\nlaws and methods\n{}{}", columns(&laws_table(&self.laws)), self.warning());
         }
         text
     }
@@ -208,9 +208,16 @@ impl Outcome {
             if self.seen().is_some() { "![Error over height of the ground](shadow.svg)\n\n" } else { "" };
         let mut text = format!("{}.\n\n{plot}{}", self.facts(), markdown(&self.rows()));
         if !self.laws.is_empty() {
-            text += &format!("\n### Laws and methods\n\n{}", markdown(&laws_table(&self.laws)));
+            let rows = markdown(&laws_table(&self.laws));
+            text += &format!("\n### Laws and methods\n\n{rows}{}", self.warning());
         }
         text
+    }
+
+    /// A line where no law has anything to be off by.
+    fn warning(&self) -> &'static str {
+        let is_empty = self.laws.iter().all(|law| law.dark == 0.0);
+        if is_empty { "\nThe shadow is in none of these pictures; choose others by --frame.\n" } else { "" }
     }
 
     /// Suns of one elevation under which edges are seen; none where there is nothing to draw.
