@@ -34,7 +34,7 @@ pub struct SurveyCommand {
     #[arg(short, long, value_name = "BANK")]
     out: PathBuf,
     /// Side of a region of the finest level; four samples if left out.
-    #[arg(long, value_name = "METRES", value_parser = values::metres)]
+    #[arg(long, value_name = "METRES", value_parser = values::positive)]
     region_size_m: Option<f64>,
     /// Edges of the area in the file's projected metres. All of the file if left out.
     #[arg(long, value_name = "S,W,N,E", value_parser = values::edges, allow_hyphen_values = true)]
