@@ -1,7 +1,8 @@
 //! Laws and methods of `lunoid augment`: error against run time.
 //!
-//! **Law.** One factor at a time about a picture of true ground that a sun without width lights, through converters of 24 bits. Every rung is held against it, pixel by pixel, by the share that is dark. What a penumbra or flat
-//! ground changes is a difference of laws, all else an error of the method. Rungs take turns, as everywhere in these studies.
+//! **Law.** One factor at a time about a picture of true ground that a sun without width lights, through converters of
+//! 24 bits. Every rung is held against it, pixel by pixel, by the share that is dark. What a penumbra or flat ground
+//! changes is a difference of laws, all else an error of the method. Rungs take turns, as everywhere in these studies.
 
 use std::time::Instant;
 
