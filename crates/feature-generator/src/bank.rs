@@ -82,8 +82,9 @@ impl Bank {
             return;
         }
         profile.present[samples.clone()].iter_mut().for_each(|sample| sample[lane] = S::ONE);
+        let mut surface = profile.surface();
         for &(load, zone) in &self.at_work {
-            self.sub_generators[load as usize].add(zone, ranges, samples.clone(), lane, profile);
+            self.sub_generators[load as usize].add(zone, ranges, samples.clone(), lane, &mut surface);
         }
     }
 }

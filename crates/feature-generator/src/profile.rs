@@ -59,7 +59,23 @@ pub struct FeatureProfile<S> {
     pub(crate) bank: Bank,
 }
 
+/// Height and slopes of a group that craters are added to: one [`Lanes`] a sample.
+#[derive(Debug)]
+pub struct Surface<'a, S> {
+    /// Height (m).
+    pub height: &'a mut [Lanes<S>],
+    /// Slope along the sweep.
+    pub along: &'a mut [Lanes<S>],
+    /// Slope across the sweep, positive to the right.
+    pub across: &'a mut [Lanes<S>],
+}
+
 impl<S: Real> FeatureProfile<S> {
+    /// What features add to.
+    pub(crate) fn surface(&mut self) -> Surface<'_, S> {
+        Surface { height: &mut self.height, along: &mut self.along, across: &mut self.across }
+    }
+
     /// All samples 0 and no kinks.
     pub(crate) fn clear(&mut self, samples: usize) {
         for signal in [&mut self.height, &mut self.along, &mut self.across, &mut self.present] {

@@ -101,15 +101,8 @@ impl Schedule<'_> {
         timing: Option<LoadTiming<impl Fn(f64) -> SweepTime, impl Fn(SweepTime) -> f64>>,
         program: &mut FeatureProgram,
     ) {
-        program.clear(to);
-        if self.features.is_empty() {
-            return;
-        }
         let line = Line { eye, direction, from, to };
-        match self.among {
-            None => self.features.along(eye, direction, from, to, &mut program.found),
-            Some(among) => self.features.along_among(among, eye, direction, from, to, &mut program.found),
-        }
+        self.find(&line, program);
         let request = |&index: &u32| self.request(index, &line);
         program.requests.extend(program.found.iter().map(request));
         program.order();
@@ -118,6 +111,30 @@ impl Schedule<'_> {
             Some(timing) => program.serve_in_time(&self.parts, timing),
         }
         program.loads.sort_unstable_by_key(|load| load.crater);
+    }
+
+    /// The craters that [`write`](Self::write) finds, for whoever does not ask which sub-generator makes which and has as
+    /// many as it takes.
+    pub fn list(&self, eye: [f64; 2], direction: [f64; 2], [from, to]: [f64; 2], program: &mut FeatureProgram) {
+        let line = Line { eye, direction, from, to };
+        self.find(&line, program);
+        let load = |&crater: &u32| {
+            let (middle, side) = line.foot(&self.features.craters()[crater as usize]);
+            FeatureLoad { crater, sub_generator: 0, middle, side, from: f64::NEG_INFINITY }
+        };
+        program.loads.extend(program.found.iter().map(load));
+    }
+
+    /// Which craters the sweep meets.
+    fn find(&self, &Line { eye, direction, from, to }: &Line, program: &mut FeatureProgram) {
+        program.clear(to);
+        if self.features.is_empty() {
+            return;
+        }
+        match self.among {
+            None => self.features.along(eye, direction, from, to, &mut program.found),
+            Some(among) => self.features.along_among(among, eye, direction, from, to, &mut program.found),
+        }
     }
 
     fn request(&self, index: u32, line: &Line) -> Request {

@@ -5,7 +5,7 @@ use std::ops::Range;
 use features::Crater;
 use signal::Real;
 
-use crate::{FeatureLoad, FeatureProfile};
+use crate::{FeatureLoad, Surface};
 
 /// Part of a crater's law, from the outside inwards.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -54,15 +54,15 @@ impl SubGenerator {
         ranges: &[f64],
         samples: Range<usize>,
         lane: usize,
-        profile: &mut FeatureProfile<S>,
+        surface: &mut Surface<'_, S>,
     ) {
         match zone {
             Zone::Outside => {}
-            Zone::Ring => self.add_by(&self.ring, Parabola::ring, ranges, samples, lane, profile),
+            Zone::Ring => self.add_by(&self.ring, Parabola::ring, ranges, samples, lane, surface),
             Zone::Hollow if self.hollow.at > 0.0 => {
-                self.add_by(&self.hollow, Parabola::floor_and_wall, ranges, samples, lane, profile);
+                self.add_by(&self.hollow, Parabola::floor_and_wall, ranges, samples, lane, surface);
             }
-            Zone::Hollow => self.add_by(&self.hollow, Parabola::bowl, ranges, samples, lane, profile),
+            Zone::Hollow => self.add_by(&self.hollow, Parabola::bowl, ranges, samples, lane, surface),
         }
     }
 
@@ -74,13 +74,13 @@ impl SubGenerator {
         ranges: &[f64],
         samples: Range<usize>,
         lane: usize,
-        profile: &mut FeatureProfile<S>,
+        surface: &mut Surface<'_, S>,
     ) {
         let (parabola, left) = (parabola.cast(), S::from_f64(-self.side));
-        let outputs = profile.height[samples.clone()]
+        let outputs = surface.height[samples.clone()]
             .iter_mut()
-            .zip(&mut profile.along[samples.clone()])
-            .zip(&mut profile.across[samples.clone()]);
+            .zip(&mut surface.along[samples.clone()])
+            .zip(&mut surface.across[samples.clone()]);
         for (range, ((height, along), across)) in ranges[samples].iter().zip(outputs) {
             // The difference is taken in f64: far away a range has no millimetres left in f32.
             let offset = S::from_f64(range - self.middle);

@@ -155,6 +155,11 @@ impl Crater {
         -self.depth
     }
 
+    /// Way from its floor to the crest of its rim (m).
+    pub fn relief(&self) -> f64 {
+        self.depth + self.rim
+    }
+
     /// Slope that nothing of it exceeds either way: bowl and rim are steepest where they meet the ground around.
     pub fn steepest(&self) -> f64 {
         let (floor, foot, outer) = (self.floor(), self.foot(), self.outer());

@@ -3,6 +3,7 @@
 use crate::Crater;
 use crate::fan::Fan;
 use crate::index::Index;
+use crate::tier::Tier;
 
 /// What features add to the ground at a point.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -78,7 +79,7 @@ impl Features {
     /// of them meets may be among them.
     pub fn between(&self, origin: [f64; 2], edges: [[f64; 2]; 2], to: f64, found: &mut Vec<u32>) {
         found.clear();
-        found.extend(self.index.near_fan(&Fan::new(origin, edges, to)));
+        found.extend(self.index.near_fan(Fan::new(origin, edges, to)));
         found.sort_unstable();
     }
 
@@ -114,6 +115,10 @@ impl Features {
         }
         around.ascending().iter().for_each(|&index| add(self.crater(index), [x, y], &mut rise));
         rise
+    }
+
+    pub(crate) fn tiers(&self) -> &[Tier] {
+        self.index.tiers()
     }
 
     fn crater(&self, index: u32) -> &Crater {

@@ -38,8 +38,13 @@ impl Index {
     }
 
     /// Indices of craters that may meet a ray of the fan, in no useful order.
-    pub fn near_fan<'a>(&'a self, fan: &'a Fan) -> impl Iterator<Item = u32> + 'a {
+    pub fn near_fan(&self, fan: Fan) -> impl Iterator<Item = u32> {
         self.tiers.iter().flat_map(move |tier| tier.near_fan(fan))
+    }
+
+    /// The tiers.
+    pub fn tiers(&self) -> &[Tier] {
+        &self.tiers
     }
 }
 

@@ -4,6 +4,7 @@
 //!
 //! - [`Crater`]: the three types of the report, checked once.
 //! - [`Features`]: all craters of a problem area; queries look only at what is near.
+//! - [`Outlook`]: which of them are large enough to be told from where they are seen.
 //! - [`list`]: craters from a CSV file.
 //! - [`population`]: craters from a seed and a size-frequency law.
 
@@ -12,9 +13,11 @@ mod fan;
 mod field;
 mod index;
 pub mod list;
+mod outlook;
 pub mod population;
 mod spot;
 mod tier;
 
 pub use crater::{Crater, CraterError, Shape};
 pub use field::{Features, Rise};
+pub use outlook::{LeftOut, Outlook};

@@ -1,6 +1,7 @@
 //! One tier of the index: craters of about one size, by the cell in which their centres lie.
 
 use crate::Crater;
+use crate::Outlook;
 use crate::fan::Fan;
 use crate::spot::{Spot, with_slack};
 
@@ -21,6 +22,8 @@ pub(crate) struct Tier {
     cells: [usize; 2],
     /// Farthest that a crater reaches from its centre (m), with slack.
     reach: f64,
+    /// Largest way from the floor of a crater to the crest of its rim (m).
+    relief: f64,
     /// Where the craters of each cell begin in `spots`; one more at the end. East fastest.
     begins: Vec<u32>,
     /// The craters cell by cell, ascending within a cell.
@@ -32,6 +35,7 @@ impl Tier {
     pub fn new(all: &[Crater], members: &[u32]) -> Self {
         let outer = members.iter().map(|&index| all[index as usize].outer()).fold(0.0, f64::max);
         let reach = with_slack(outer);
+        let relief = members.iter().map(|&index| all[index as usize].relief()).fold(0.0, f64::max);
         let spans = [0, 1].map(|axis| middle_span(all, members, axis));
         let mut tier = Self {
             corner: spans.map(|[low, _]| low),
@@ -39,6 +43,7 @@ impl Tier {
             cells_a_metre: 0.0,
             cells: [1; 2],
             reach,
+            relief,
             begins: Vec::new(),
             spots: Vec::new(),
         };
@@ -117,7 +122,14 @@ impl Tier {
     }
 
     /// Craters whose circles may meet a ray of the fan: row by row, only the cells between its edges and beside them.
-    pub fn near_fan<'a>(&'a self, fan: &'a Fan) -> impl Iterator<Item = u32> + 'a {
+    pub fn near_fan(&self, fan: Fan) -> impl Iterator<Item = u32> {
+        let runs = self.runs(fan);
+        let origin = self.offset(fan.origin());
+        runs.flatten().filter(move |spot| spot.meets_fan(&fan, origin)).map(|spot| spot.index)
+    }
+
+    /// Craters in the cells that a fan meets, row by row.
+    fn runs(&self, fan: Fan) -> impl Iterator<Item = &[Spot]> {
         let sides = fan.sides();
         let (south, north) = fan.northings();
         let rows = [self.cell(0, south - self.reach), self.cell(0, north + self.reach)];
@@ -130,9 +142,22 @@ impl Tier {
             let [west, east] = met.fold([f64::INFINITY, f64::NEG_INFINITY], hull);
             [self.cell(1, west - self.reach), self.cell(1, east + self.reach)]
         };
-        let runs = (rows[0]..=rows[1]).flat_map(move |row| self.run(row, columns(row)));
-        let origin = self.offset(fan.origin());
-        runs.filter(move |spot| spot.meets_fan(fan, origin)).map(|spot| spot.index)
+        (rows[0]..=rows[1]).map(move |row| self.run(row, columns(row)))
+    }
+
+    /// Range from which on no crater of the tier can be told (m).
+    pub fn told_to(&self, outlook: &Outlook) -> f64 {
+        outlook.reach(self.relief, self.reach)
+    }
+
+    /// Craters in the cells that a fan meets.
+    pub fn count(&self, fan: Fan) -> u64 {
+        self.runs(fan).map(|run| run.len() as u64).sum()
+    }
+
+    /// Radius that no crater of the tier exceeds (m).
+    pub fn outer(&self) -> f64 {
+        self.reach
     }
 
     /// Whether a stretch comes within reach of a row of cells; the rows at the border hold all that lies beyond.

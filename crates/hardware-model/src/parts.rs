@@ -80,6 +80,9 @@ pub enum Economy {
     /// Whatever cannot be seen, with a stated bound.
     #[default]
     Bounded,
+    /// The same, and whatever takes long to tell and little room to show: signals at the samples alone, straight between
+    /// them, and no crater that looks smaller than a part of a line.
+    Swift,
     /// Only what leaves every bit as it is.
     Lossless,
     /// The same, but one thing that has no work runs: what it costs is what leaving it out saves.
@@ -120,6 +123,11 @@ impl Forced {
 }
 
 impl Economy {
+    /// Whether bodies that look smaller than a resolution cell are left out.
+    pub fn leaves_out_small_bodies(self) -> bool {
+        matches!(self, Self::Bounded | Self::Swift)
+    }
+
     /// Whether `what` runs without work.
     pub fn forces(self, what: Forced) -> bool {
         self == Self::Everything || self == Self::LosslessBut(what)

@@ -1,7 +1,6 @@
 //! What the elaborated machine leaves out, and what that does to the picture.
 
 use generator::{Omission, Stage, Weight};
-use hardware_model::Economy;
 
 use crate::blocks::Blocks;
 use crate::real_parts::{beam_has_parts, mixing_has_parts};
@@ -42,7 +41,7 @@ pub(crate) fn omissions(stage: &Stage, blocks: &Blocks) -> Vec<Omission> {
         let what = format!("texture beyond {} m", texture.reach());
         list.push(Omission::lossless("texture-generator", what, "it has faded to nothing there"));
     }
-    if blocks.bodies && stage.settings.economy == Economy::Bounded {
+    if blocks.bodies && stage.settings.economy.leaves_out_small_bodies() {
         list.push(Omission {
             block: "polyhedron-generator",
             what: "rocks and culture smaller than a resolution cell of the picture".into(),

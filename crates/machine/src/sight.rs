@@ -2,7 +2,6 @@
 
 use generator::Stage;
 use glam::DVec3;
-use hardware_model::Economy;
 use polyhedron_generator::{LeftOut, Sight};
 use scenario::FieldOfView;
 use solids::Body;
@@ -27,12 +26,11 @@ impl<'a> InSight<'a> {
         let present = standing.filter(|(_, body)| body.from <= time && time < body.until);
         let bodies = present.map(|(index, standing)| (index, &standing.body));
         let mut left_out = LeftOut::default();
-        let bodies = match stage.settings.economy {
-            Economy::Bounded => {
-                let (eye, sight) = (DVec3::from_array(plan.eye), sight(stage));
-                bodies.filter(|(_, body)| sight.resolves(eye, body, &mut left_out)).collect()
-            }
-            Economy::Lossless | Economy::LosslessBut(_) | Economy::Everything => bodies.collect(),
+        let bodies = if stage.settings.economy.leaves_out_small_bodies() {
+            let (eye, sight) = (DVec3::from_array(plan.eye), sight(stage));
+            bodies.filter(|(_, body)| sight.resolves(eye, body, &mut left_out)).collect()
+        } else {
+            bodies.collect()
         };
         left_out.cells *= pixels_a_cell(stage) * with_shadow(blocks, plan);
         Self { bodies, left_out }

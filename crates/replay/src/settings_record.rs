@@ -73,6 +73,7 @@ impl SettingsRecord {
             }),
             economy: match settings.economy {
                 Economy::Bounded => "bounded",
+                Economy::Swift => "swift",
                 Economy::Lossless | Economy::LosslessBut(_) => "lossless",
                 Economy::Everything => "everything",
             },

@@ -16,6 +16,8 @@
 
 mod ramps;
 mod range_table;
+mod sample_finder;
 
 pub use ramps::{Folds, PlacedFold, set_up};
 pub use range_table::RangeTable;
+pub use sample_finder::SampleFinder;
