@@ -15,7 +15,7 @@ use machine::ControlPlane;
 use remote_shadow::{Resolution, ShadowBank};
 use signal::{LANES, Real};
 use sweep_generator::RangeTable;
-use sweep_memory::{Beam, View, digital_memory, scan_converter, write_group};
+use sweep_memory::{Beam, Steps, View, digital_memory, scan_converter, write_group};
 use sweep_program::{Fan, SweepProgram};
 use terrain_generator::{Profile, TerrainGenerator};
 use texture_generator::TextureGenerator;
@@ -126,7 +126,7 @@ fn terrain_path<S: Real>(c: &mut Criterion, scalar: &str) {
         far: None,
     };
     group.bench_function("sweep memory, write beam", |b| {
-        b.iter(|| write_group(black_box(&beam), settings.laws.pixel_rule, lines, &mut rows));
+        b.iter(|| write_group(black_box(&beam), Steps::Curved, settings.laws.pixel_rule, lines, &mut rows));
     });
     group.finish();
 }

@@ -12,7 +12,7 @@ use parts::LagStep;
 use polyhedron_generator::{Hold, Overlay};
 use signal::{LANES, Lanes, Real};
 use sweep_generator::RangeTable;
-use sweep_memory::{Beam, BeamBreaks, Drive, FarStroke, write_group};
+use sweep_memory::{Beam, BeamBreaks, Drive, FarStroke, Steps, write_group};
 use terrain_generator::{
     ArrayState, ModifiedTerrainGenerator, PartsArray, Polynomials, TerrainGenerator, Wired,
 };
@@ -413,7 +413,7 @@ impl<S: Real> Group<'_, S> {
             breaks,
             far,
         };
-        write_group(&beam, self.stage.settings.laws.pixel_rule, self.raster.lines, rows);
+        write_group(&beam, Steps::Curved, self.stage.settings.laws.pixel_rule, self.raster.lines, rows);
     }
 
     /// VS3: polyhedra over what the sweeps have written.

@@ -15,7 +15,8 @@
 //! the intensity over the line, or the intensity at its centre ([`PixelRule`]). Lines that no beam covers are sky
 //! (0); a line that is partly covered is partly sky.
 //! **Between samples** the wires are continuous: where position or intensity bends, the step is drawn along the
-//! cubic through the samples around it; the beam is cut off at the instant where local shadow begins.
+//! cubic through the samples around it, or straight from sample to sample ([`Steps`]); the beam is cut off at the
+//! instant where local shadow begins.
 //! **Breaks** ([`BeamBreaks`]) divide a step: a bend (a rim) divides position and intensity, an edge of shadow the
 //! intensity alone, since the line stays the same curve. Each part is the parabola through three places of its own
 //! smooth piece, and no curve reaches across a break: between smooth neighbours the cubic is the mean, by distance,
@@ -70,5 +71,5 @@ pub use broken::BeamBreaks;
 pub use read_out::{View, covering, digital_memory, digital_memory_turned, scan_converter};
 pub use scenario::PixelRule;
 pub use tube::{Tube, TubeRaster};
-pub use write::{Beam, FarStroke, SIGNALS, write_group};
+pub use write::{Beam, FarStroke, SIGNALS, Steps, write_group};
 pub use write_gun::{Drive, GunWork, WriteGun};

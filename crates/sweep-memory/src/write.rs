@@ -47,11 +47,27 @@ pub struct FarStroke {
     pub intensity: f32,
 }
 
+/// How the beam is drawn over a step between two samples that has no break in it or beside it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Steps {
+    /// Along the cubics through the samples around it, where position or intensity bends by more than is seen.
+    #[default]
+    Curved,
+    /// Straight from sample to sample, position and intensity: one stroke a step.
+    Straight,
+}
+
 /// Writes the first `rows.len() / lines` sweeps of a group into `rows`, `lines` values a sweep, cleared before.
-pub fn write_group<S: Real>(beam: &Beam<'_, S>, rule: PixelRule, lines: usize, rows: &mut [f32]) {
+pub fn write_group<S: Real>(
+    beam: &Beam<'_, S>,
+    steps: Steps,
+    rule: PixelRule,
+    lines: usize,
+    rows: &mut [f32],
+) {
     rows.fill(0.0);
     debug_assert!(rows.len() / lines <= LANES);
-    let writer = Writer { beam, rule, sweeps: rows.len() / lines, lines };
+    let writer = Writer { beam, steps, rule, sweeps: rows.len() / lines, lines };
     match beam.breaks {
         None => writer.smooth_steps(1..beam.line.len(), rows),
         Some(broken) => writer.steps_among(broken, rows),
@@ -64,6 +80,7 @@ pub fn write_group<S: Real>(beam: &Beam<'_, S>, rule: PixelRule, lines: usize, r
 /// The beam of a group, and how its strokes are left in the lines.
 struct Writer<'a, 'b, S> {
     beam: &'a Beam<'b, S>,
+    steps: Steps,
     rule: PixelRule,
     sweeps: usize,
     lines: usize,
@@ -82,7 +99,7 @@ impl<S: Real> Writer<'_, '_, S> {
     }
 
     /// The step that ends at `sample` in the lanes for which `smooth` is true: nothing where the profile is hidden;
-    /// straight where that is near enough; else chords of the cubics through the four samples around.
+    /// straight where that is near enough or wanted; else chords of the cubics through the four samples around.
     #[inline(always)]
     fn smooth_step(&self, sample: usize, smooth: [bool; LANES], rows: &mut [f32]) {
         let Beam { line, entry, intensity, .. } = self.beam;
@@ -90,7 +107,11 @@ impl<S: Real> Writer<'_, '_, S> {
         let [before, end] = [sample - 1, sample].map(|sample| all(intensity, sample));
         let entry = all(entry, sample);
         let strokes = Strokes { from, to, start: before + entry * (end - before), end }.only(smooth);
-        let Some(Curves { position, intensity, bent }) = self.beam.curves(sample) else {
+        let curves = match self.steps {
+            Steps::Curved => self.beam.curves(sample),
+            Steps::Straight => None,
+        };
+        let Some(Curves { position, intensity, bent }) = curves else {
             return self.leave(&strokes, rows);
         };
         self.leave(&strokes.only(bent.map(|bent| !bent)), rows);
@@ -208,12 +229,16 @@ fn all<S: Real>(values: &[Lanes<S>], sample: usize) -> Lanes<f32> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Beam, write_group};
+    use super::{Beam, Steps, write_group};
     use proptest::prelude::{prop_assert, proptest};
     use scenario::PixelRule;
     use signal::Lanes;
 
     fn write(line: &[f64], intensity: &[f64], rule: PixelRule, lines: usize) -> Vec<f32> {
+        write_by(Steps::Curved, line, intensity, rule, lines)
+    }
+
+    fn write_by(steps: Steps, line: &[f64], intensity: &[f64], rule: PixelRule, lines: usize) -> Vec<f32> {
         let lanes = |values: &[f64]| values.iter().map(|&value| Lanes::splat(value)).collect::<Vec<_>>();
         let mut rows = vec![9.0; lines];
         let (line, intensity) = (lanes(line), lanes(intensity));
@@ -226,7 +251,7 @@ mod tests {
             breaks: None,
             far: None,
         };
-        write_group(&beam, rule, lines, &mut rows);
+        write_group(&beam, steps, rule, lines, &mut rows);
         rows
     }
 
@@ -280,7 +305,7 @@ mod tests {
             breaks: None,
             far: None,
         };
-        write_group(&beam, PixelRule::LineMean, 1, &mut rows);
+        write_group(&beam, Steps::Curved, PixelRule::LineMean, 1, &mut rows);
         assert!((rows[0] - 0.625).abs() < 1e-7);
     }
 
@@ -293,6 +318,21 @@ mod tests {
         for (index, row) in rows.iter().enumerate().skip(30).take(65) {
             assert!((f64::from(*row) - (index as f64 + 0.5) / 100.0).abs() < 1e-4, "{index}: {row}");
         }
+    }
+
+    #[test]
+    fn straight_steps_leave_chords() {
+        // Two steps of a parabola: every line shows the intensity of the chord at its centre, which the curve does not.
+        let (line, intensity) = ([30.0, 20.0, 10.0, 0.0], [0.9, 0.4, 0.1, 0.0]);
+        let rows = write_by(Steps::Straight, &line, &intensity, PixelRule::LineMean, 30);
+        for (index, row) in rows.iter().enumerate() {
+            let place = 29.5 - index as f32;
+            let step = (place / 10.0) as usize;
+            let [from, to] = [step, step + 1].map(|sample| intensity[sample] as f32);
+            let chord = from + (place / 10.0 - step as f32) * (to - from);
+            assert!((row - chord).abs() < 1e-5, "{index}: {row} against {chord}");
+        }
+        assert_ne!(rows, write(&line, &intensity, PixelRule::LineMean, 30));
     }
 
     #[test]

@@ -4,7 +4,7 @@ use proptest::prelude::{any, prop_assert, proptest};
 use scenario::PixelRule;
 use signal::{Break, Breaks, LANES, Lanes};
 
-use crate::{Beam, BeamBreaks, FarStroke, write_group};
+use crate::{Beam, BeamBreaks, FarStroke, Steps, write_group};
 
 const LINES: usize = 130;
 const SAMPLES: usize = 16;
@@ -67,7 +67,7 @@ impl Scene {
             far: None,
         };
         let mut rows = vec![0.0; LANES * LINES];
-        write_group(&beam, PixelRule::LineMean, LINES, &mut rows);
+        write_group(&beam, Steps::Curved, PixelRule::LineMean, LINES, &mut rows);
         assert!(rows.chunks_exact(LINES).all(|row| row == &rows[..LINES]));
         rows.truncate(LINES);
         rows
@@ -226,7 +226,7 @@ fn silhouettes_rise_behind_the_ground() {
         far: Some(&far),
     };
     let mut rows = vec![0.0; 10];
-    write_group(&beam, PixelRule::LineMean, 10, &mut rows);
+    write_group(&beam, Steps::Curved, PixelRule::LineMean, 10, &mut rows);
     assert_eq!(rows, [0.0, 0.0, 0.5, 0.5, 0.25, 0.25, 0.625, 1.0, 1.0, 0.0]);
 }
 
@@ -276,7 +276,7 @@ proptest! {
             far: None,
         };
         let mut rows = vec![0.0; 60];
-        write_group(&beam, PixelRule::LineMean, 60, &mut rows);
+        write_group(&beam, Steps::Curved, PixelRule::LineMean, 60, &mut rows);
         let covered: f64 = rows.iter().map(|&row| f64::from(row)).sum();
         let expected = line[0].max(0.0) - line[line.len() - 1].max(0.0);
         prop_assert!((covered - expected).abs() < 1e-3, "{} against {}", covered, expected);

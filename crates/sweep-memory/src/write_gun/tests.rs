@@ -8,7 +8,7 @@ use signal::{Break, Breaks, LANES, Lanes, Stretches};
 
 use super::{Drive, GunWork, WriteGun};
 use crate::exposure::SATURATED;
-use crate::{Beam, FarStroke, write_group};
+use crate::{Beam, FarStroke, Steps, write_group};
 
 const H: f64 = 50e-9;
 const LINES: usize = 100;
@@ -220,7 +220,7 @@ proptest! {
         let beam =
             Beam { position: &line, line: &line, entry: &entry, intensity: &intensity, breaks: None, far: None };
         let mut expected = vec![0.0; LINES];
-        write_group(&beam, PixelRule::LineMean, LINES, &mut expected);
+        write_group(&beam, Steps::Curved, PixelRule::LineMean, LINES, &mut expected);
         for (found, expected) in found.iter().zip(&expected) {
             prop_assert!((found - expected).abs() < 1e-5, "{found}, {expected}");
         }
