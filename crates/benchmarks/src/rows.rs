@@ -1,5 +1,6 @@
 //! Frames whose time is told by the binary `speed`.
 
+use hardware_model::Economy;
 use scenario::Scalar;
 
 use crate::Choice;
@@ -28,11 +29,24 @@ const fn row(
     scalar: Scalar,
     raster: [u32; 2],
 ) -> Row {
-    Row { name, scenario, choice: Choice { model: Some(model), scalar: Some(scalar), raster: Some(raster) } }
+    let (model, scalar, raster) = (Some(model), Some(scalar), Some(raster));
+    Row { name, scenario, choice: Choice { model, scalar, raster, economy: Economy::Bounded } }
+}
+
+/// The same drawn swiftly.
+const fn swift(name: &'static str, scenario: &'static str, model: &'static str, scalar: Scalar) -> Row {
+    let Row { choice, .. } = row(name, scenario, model, scalar, STANDARD);
+    Row { name, scenario, choice: Choice { economy: Economy::Swift, ..choice } }
 }
 
 /// All of them.
 pub const ROWS: &[Row] = &[
+    swift("swift showpiece, ideal, f32", "showpiece", "ideal", Scalar::F32),
+    swift("swift showpiece, ideal, f64", "showpiece", "ideal", Scalar::F64),
+    swift("swift craters, ideal, f32", "craters", "ideal", Scalar::F32),
+    swift("swift first light, ideal, f32", "first-light", "ideal", Scalar::F32),
+    swift("swift nominal drive, ideal, f32", "nominal-drive", "ideal", Scalar::F32),
+    swift("swift nominal drive, ideal, f64", "nominal-drive", "ideal", Scalar::F64),
     row("showpiece, ideal, f32", "showpiece", "ideal", Scalar::F32, STANDARD),
     row("showpiece, ideal, f64", "showpiece", "ideal", Scalar::F64, STANDARD),
     row("showpiece, modern-analog, f32", "showpiece", "modern-analog", Scalar::F32, STANDARD),

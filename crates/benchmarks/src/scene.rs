@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use generator::{PlaneKind, Planes, Stage};
-use hardware_model::{HardwareModel, ModelSource};
+use hardware_model::{Economy, HardwareModel, ModelSource, Settings};
 use scenario::{Pose, PoseTable, Scalar, Scenario};
 
 /// A shipped scenario under its own machine, made ready for its first frame.
@@ -25,6 +25,8 @@ pub struct Choice {
     pub scalar: Option<Scalar>,
     /// Sweeps a frame and samples a sweep.
     pub raster: Option<[u32; 2]>,
+    /// What may be left out.
+    pub economy: Economy,
 }
 
 impl Scene {
@@ -52,6 +54,7 @@ impl Scene {
         let source = ModelSource::find(model, folder).expect("it names a shipped model");
         let model = HardwareModel::load(&source, &[], &[]).expect("which is read by the tests").model;
         let settings = stage::settings(&scenario, &model).expect("settings are resolved by the tests");
+        let settings = Settings { economy: choice.economy, ..settings };
         let stage = stage::build(&scenario, settings).expect("the ground is made by the tests");
         let pose = poses(&scenario, &stage, 1)[0];
         Self { stage, pose, scenario }

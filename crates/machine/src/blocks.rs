@@ -10,6 +10,7 @@ use scenario::ShadowFineness;
 use shadow_controller::ShadowController;
 
 use crate::real_parts::mixing_has_parts;
+use crate::swift::draws_swiftly;
 use crate::wires::drives_mixing;
 
 /// Blocks beside the terrain path.
@@ -31,6 +32,8 @@ pub(crate) struct Blocks {
     pub all_switches: bool,
     /// Whether breaks are walked in groups that have none as well.
     pub breaks: bool,
+    /// Whether groups are drawn swiftly, unless someone looks at them.
+    pub swift: bool,
 }
 
 /// Remote shadow: computed before the mission, and the block that blanks by it.
@@ -72,6 +75,7 @@ impl Blocks {
                 || drives_mixing(&settings.analog.wires),
             all_switches: forces(Forced::Switches),
             breaks: forces(Forced::Breaks),
+            swift: draws_swiftly(stage),
             bodies: forces(Forced::Bodies) || has_bodies,
             coarse: settings
                 .levels

@@ -69,6 +69,23 @@ impl FramePlan {
         self.fan.direction(sweep, self.turn)
     }
 
+    /// First and last sweep that may meet a circle of radius `outer` about `centre` (north, east; m); `None` if none does.
+    pub fn sweeps_of(&self, centre: [f64; 2], outer: f64) -> Option<[u32; 2]> {
+        let ([cos, sin], last) = (self.turn, f64::from(self.fan.sweeps - 1));
+        let [north, east] = [0, 1].map(|axis| centre[axis] - self.eye[axis]);
+        let (ahead, right) = (north * cos + east * sin, east * cos - north * sin);
+        if ahead <= outer {
+            return (ahead > -outer).then_some([0, self.fan.sweeps - 1]);
+        }
+        // Tangents of the square around the circle.
+        let [left, right] = [right - outer, right + outer];
+        let first = self.fan.position(left / if left < 0.0 { ahead - outer } else { ahead + outer });
+        let beyond = self.fan.position(right / if right > 0.0 { ahead - outer } else { ahead + outer });
+        // Sweeps stand between the edges that rounding leaves.
+        let (first, beyond) = ((first - SLACK).ceil().max(0.0), (beyond + SLACK).floor().min(last));
+        (first <= beyond).then_some([first as u32, beyond as u32])
+    }
+
     /// Ground range at which sweep `sweep` leaves the area that `level` stores (m).
     pub fn way_to_edge(&self, sweep: u32, level: &Level) -> f64 {
         let [x, y, _] = self.eye;
@@ -107,6 +124,9 @@ impl FramePlan {
         service.write_program((self.frame, sweep), start, folds, end, range_at, program, watch);
     }
 }
+
+/// What rounding may do to the place of a sweep in its fan (sweeps).
+const SLACK: f64 = 1e-6;
 
 /// Ground range at which a straight sweep leaves the stored area (m).
 fn way_to_edge(level: &Level, foot: [f64; 2], direction: [f64; 2]) -> f64 {

@@ -22,26 +22,35 @@ pub(crate) struct FeatureLoads<'a> {
 impl FeatureLoads<'_> {
     /// Writes the program for sweep `sweep`, which is drawn with the set-up of sweep `drawn` up to ground range `end` (m).
     pub fn write(&self, [drawn, sweep]: [u32; 2], end: f64, program: &mut FeatureProgram) {
+        let eye = [self.plan.eye[0], self.plan.eye[1]];
+        let span = [self.table.ranges()[0], end];
+        self.schedule().write_by(eye, self.plan.direction(drawn), span, self.timing(sweep), program);
+    }
+
+    /// The same without which sub-generator makes which crater, where all are drawn in time.
+    pub fn list(&self, [drawn, sweep]: [u32; 2], end: f64, program: &mut FeatureProgram) {
+        if is_limited(&self.stage.settings) {
+            return self.write([drawn, sweep], end, program);
+        }
+        let eye = [self.plan.eye[0], self.plan.eye[1]];
+        self.schedule().list(eye, self.plan.direction(drawn), [self.table.ranges()[0], end], program);
+    }
+
+    fn schedule(&self) -> Schedule<'_> {
         let landscape = &self.stage.landscape;
         let level = landscape.level();
-        let schedule = Schedule {
+        Schedule {
             features: landscape.features(),
             parts: self.stage.settings.feature_generator,
             region_origin: level.origin(),
             region_size: level.region_size(),
             among: self.among,
-        };
-        let eye = [self.plan.eye[0], self.plan.eye[1]];
-        let span = [self.table.ranges()[0], end];
-        schedule.write_by(eye, self.plan.direction(drawn), span, self.timing(sweep), program);
+        }
     }
 
     /// Whether any crater can come late, or find no sub-generator.
     pub fn can_miss(stage: &Stage) -> bool {
-        let settings = &stage.settings;
-        let is_limited =
-            settings.feature_words.is_some() || settings.feature_generator.sub_generators.is_some();
-        is_limited && !stage.landscape.features().is_empty()
+        is_limited(&stage.settings) && !stage.landscape.features().is_empty()
     }
 
     /// Where the model has a rate, the words of a sweep come one after another.
@@ -49,6 +58,11 @@ impl FeatureLoads<'_> {
         let rate = self.stage.settings.feature_words?;
         Some(load_timing(self.stage, self.table, (self.plan.frame, sweep), CRATER_WORDS, rate))
     }
+}
+
+/// Whether loads take time, or sub-generators run out.
+fn is_limited(settings: &Settings) -> bool {
+    settings.feature_words.is_some() || settings.feature_generator.sub_generators.is_some()
 }
 
 /// Loads of `words` words at `rate` words a second in sweep `sweep` of a frame.

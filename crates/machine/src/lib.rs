@@ -9,6 +9,8 @@
 //!  bodies ▶ project ▶ spans ───────────────────────────────────────────────┴─ PG ───┘
 //! ```
 //!
+//! Under the economy `Swift` a machine of ideal parts takes a shorter way (`swift.rs`).
+//!
 //! Where a model says so, what leaves TG, FG and MU comes through output amplifiers (`wires`).
 //!
 //! Only this crate knows who is wired to whom. [`HybridMachine`] elaborates a stage: the scalar type is chosen,
@@ -22,6 +24,7 @@
 mod before_mission;
 mod blocks;
 mod control_plane;
+mod craters_in_sight;
 mod crossings;
 mod delivery;
 mod digital;
@@ -43,6 +46,7 @@ mod session;
 mod sight;
 mod signal_plane;
 mod sweep_recorder;
+mod swift;
 mod timing;
 mod unprobed;
 mod wires;

@@ -55,10 +55,19 @@ impl Look for () {
 }
 
 /// What a frame is worked out for.
+#[derive(Debug)]
 pub(crate) struct Wanted<'a, L> {
     pub look: &'a L,
     pub picture: bool,
 }
+
+impl<L> Clone for Wanted<'_, L> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<L> Copy for Wanted<'_, L> {}
 
 impl<L: Look> Wanted<'_, L> {
     /// Whether anyone wants a sweep of the group that begins at sweep `first`.

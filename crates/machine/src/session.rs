@@ -9,12 +9,13 @@ use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 use scenario::Pose;
 use signal::{LANES, Probe, Real, Waveform, Wire};
-use sweep_generator::RangeTable;
+use sweep_generator::{RangeTable, SampleFinder};
 use sweep_memory::{View, digital_memory, digital_memory_turned, scan_converter};
 use sweep_program::{StepKind, SweepProgram};
 
 use crate::blocks::Blocks;
 use crate::control_plane::FramePlan;
+use crate::craters_in_sight::CratersInSight;
 use crate::crossings::Crossings;
 use crate::delivery::{Delivery, Supply};
 use crate::digital::{Digital, DigitalFrame};
@@ -34,6 +35,7 @@ pub(crate) struct Elaborated<S> {
     stage: Stage,
     blocks: Blocks,
     table: RangeTable,
+    finder: SampleFinder,
     near: Vec<f32>,
     processor: Processor<S>,
     raster: WrittenRaster,
@@ -43,6 +45,7 @@ pub(crate) struct Elaborated<S> {
     recent: Recent,
     workspaces: Pool<Workspace<S>>,
     deliveries: Pool<Delivery>,
+    craters: Pool<CratersInSight>,
     stores: Pool<Vec<f32>>,
 }
 
@@ -79,9 +82,11 @@ impl<S: Real> Elaborated<S> {
             digital: Digital::new(&stage),
             parts: RealParts::new(&stage, table.ranges(), &WrittenRaster::new(settings)),
             recent: Recent::default(),
+            finder: SampleFinder::new(table.ranges()),
             table,
             workspaces: Pool::default(),
             deliveries: Pool::default(),
+            craters: Pool::default(),
             stores: Pool::default(),
             stage,
         }
@@ -125,6 +130,7 @@ impl<S: Real> Elaborated<S> {
         wanted: Wanted<'_, impl Look>,
         store: &mut [f32],
     ) -> Vec<GroupResult> {
+        let craters = self.craters_in_sight(plan);
         let group = Group {
             stage: &self.stage,
             blocks: &self.blocks,
@@ -136,8 +142,10 @@ impl<S: Real> Elaborated<S> {
             delivery,
             digital,
             parts: &self.parts,
+            finder: &self.finder,
+            craters: craters.as_ref(),
         };
-        store
+        let results = store
             .par_chunks_mut(LANES * self.raster.lines)
             .enumerate()
             .map(|(index, rows)| {
@@ -146,12 +154,46 @@ impl<S: Real> Elaborated<S> {
                     return GroupResult::default();
                 }
                 let mut work = self.workspaces.take();
-                group.run(first, &mut work, rows);
-                let result = self.look_at(&group, wanted.look, first, &work, rows);
+                let result = self.draw_group(&group, wanted, first, &mut work, rows);
                 self.workspaces.give_back(work);
                 result
             })
-            .collect()
+            .collect();
+        craters.into_iter().for_each(|craters| self.craters.give_back(craters));
+        results
+    }
+
+    /// Craters that can be told, where the machine draws swiftly.
+    fn craters_in_sight(&self, plan: &FramePlan) -> Option<CratersInSight> {
+        (self.blocks.swift && self.blocks.features).then(|| {
+            let mut craters = self.craters.take();
+            craters.find(&self.stage, plan);
+            craters
+        })
+    }
+
+    /// Draws a group as the economy has it. Who looks at signals sees those of the whole machine, whatever has drawn the
+    /// picture.
+    fn draw_group(
+        &self,
+        group: &Group<'_, S>,
+        wanted: Wanted<'_, impl Look>,
+        first: u32,
+        work: &mut Workspace<S>,
+        rows: &mut [f32],
+    ) -> GroupResult {
+        if !self.blocks.swift {
+            group.run(first, work, rows);
+            return self.look_at(group, wanted.look, first, work, rows);
+        }
+        group.run_swiftly(first, work, rows);
+        let mut result = self.look_at(group, &(), first, work, rows);
+        if wanted.look.wants_any_of(first..first + LANES as u32) {
+            let mut rows = rows.to_vec();
+            group.run(first, work, &mut rows);
+            result.waveforms = self.look_at(group, wanted.look, first, work, &rows).waveforms;
+        }
+        result
     }
 
     fn look_at(

@@ -11,7 +11,7 @@ use mixing_unit::{Composite, FeatureInput, Inputs, MixingUnit, ToggleList, terra
 use parts::LagStep;
 use polyhedron_generator::{Hold, Overlay};
 use signal::{LANES, Lanes, Real};
-use sweep_generator::RangeTable;
+use sweep_generator::{RangeTable, SampleFinder};
 use sweep_memory::{Beam, BeamBreaks, Drive, FarStroke, Steps, write_group};
 use terrain_generator::{
     ArrayState, ModifiedTerrainGenerator, PartsArray, Polynomials, TerrainGenerator, Wired,
@@ -20,6 +20,7 @@ use texture_generator::TextureGenerator;
 
 use crate::blocks::{Blocks, Coarse};
 use crate::control_plane::FramePlan;
+use crate::craters_in_sight::CratersInSight;
 use crate::crossings::Crossings;
 use crate::delivery::Delivery;
 use crate::digital::DigitalFrame;
@@ -45,14 +46,16 @@ pub(crate) struct Group<'a, S> {
     pub delivery: &'a Delivery,
     pub digital: &'a DigitalFrame,
     pub parts: &'a RealParts<S>,
+    /// Samples by range.
+    pub finder: &'a SampleFinder,
+    /// Craters that can be told, where the machine draws swiftly.
+    pub craters: Option<&'a CratersInSight>,
 }
 
 impl<S: Real> Group<'_, S> {
     /// Runs the group that begins at sweep `first` and leaves its lines in `rows`, one stretch a sweep.
     pub fn run(&self, first: u32, work: &mut Workspace<S>, rows: &mut [f32]) {
-        // Lanes beyond the last sweep repeat it; nothing of them is kept.
-        let last = self.plan.fan.sweeps - 1;
-        let sweeps: [u32; LANES] = array::from_fn(|lane| self.digital.drawn((first + lane as u32).min(last)));
+        let sweeps = self.sweeps(first);
         let light = self.light(&sweeps);
         self.draw_terrain(first, &sweeps, &light, work);
         if self.blocks.features {
@@ -68,7 +71,14 @@ impl<S: Real> Group<'_, S> {
         self.overlay(first, work, rows);
     }
 
-    fn light(&self, sweeps: &[u32; LANES]) -> [SweepLight; LANES] {
+    /// Set-ups of the sweeps of a group. Lanes beyond the last sweep repeat it; nothing of them is kept.
+    pub fn sweeps(&self, first: u32) -> [u32; LANES] {
+        let last = self.plan.fan.sweeps - 1;
+        array::from_fn(|lane| self.digital.drawn((first + lane as u32).min(last)))
+    }
+
+    /// Light on each.
+    pub fn light(&self, sweeps: &[u32; LANES]) -> [SweepLight; LANES] {
         let (landscape, sun) = (&self.stage.landscape, &self.plan.sun);
         sweeps.map(|sweep| {
             let direction = self.plan.direction(sweep);
@@ -93,6 +103,22 @@ impl<S: Real> Group<'_, S> {
         light: &[SweepLight; LANES],
         work: &mut Workspace<S>,
     ) {
+        self.trace_terrain(first, sweeps, work);
+        let fine = self.terrain(self.stage.landscape.level());
+        if let Some(wires) = &self.parts.wires {
+            wires.drive_terrain(&self.directions(sweeps), &self.ends(work), &mut work.profile);
+        }
+        fine.reflect(&GroupLight::new(light), &mut work.profile);
+        if let Some(Terrain { reflectivity: Some(lag), .. }) = &self.parts.terrain {
+            delay(lag, &mut work.profile.reflectivity);
+        }
+        if let Some(wires) = &self.parts.wires {
+            wires.drive_terrain_light(&mut work.profile);
+        }
+    }
+
+    /// Height and slopes of the terrain.
+    pub fn trace_terrain(&self, first: u32, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
         for (lane, program) in work.programs.iter_mut().enumerate() {
             self.crossings().write_fine([sweeps[lane], first + lane as u32], program, &mut ());
         }
@@ -104,16 +130,6 @@ impl<S: Real> Group<'_, S> {
                 fine.trace_by(&mut wired, &work.programs, &mut work.profile);
             }
             (Some(coarse), _) => self.draw_both_levels(coarse, first, sweeps, work),
-        }
-        if let Some(wires) = &self.parts.wires {
-            wires.drive_terrain(&self.directions(sweeps), &self.ends(work), &mut work.profile);
-        }
-        fine.reflect(&GroupLight::new(light), &mut work.profile);
-        if let Some(Terrain { reflectivity: Some(lag), .. }) = &self.parts.terrain {
-            delay(lag, &mut work.profile.reflectivity);
-        }
-        if let Some(wires) = &self.parts.wires {
-            wires.drive_terrain_light(&mut work.profile);
         }
     }
 
@@ -233,7 +249,8 @@ impl<S: Real> Group<'_, S> {
         self.stage.landscape.features().between(eye, edges, end, found);
     }
 
-    fn draw_texture(&self, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
+    /// Texture of the foreground.
+    pub fn draw_texture(&self, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
         let Some(texture) = self.stage.landscape.texture() else { return };
         let directions = sweeps.map(|sweep| self.plan.direction(sweep));
         let eye = [self.plan.eye[0], self.plan.eye[1]];
@@ -321,7 +338,8 @@ impl<S: Real> Group<'_, S> {
         }
     }
 
-    fn deflection(&self, sweep: u32) -> Deflection {
+    /// From tangents to lines.
+    pub fn deflection(&self, sweep: u32) -> Deflection {
         let tangent = self.plan.fan.tangent(sweep);
         Deflection::new(self.stage.settings.laws.projection, self.plan.pitch, tangent)
             .in_lines(self.raster.lines as f64, self.raster.field.tan_half_height)
@@ -376,7 +394,7 @@ impl<S: Real> Group<'_, S> {
     }
 
     /// Mountains of which only the outline is stored, where the sweep meets them (section 8).
-    fn find_silhouettes(&self, sweep: u32, deflection: &Deflection, far: &mut Vec<FarStroke>) {
+    pub fn find_silhouettes(&self, sweep: u32, deflection: &Deflection, far: &mut Vec<FarStroke>) {
         far.clear();
         let silhouettes = self.stage.landscape.silhouettes();
         if silhouettes.is_empty() {
@@ -391,33 +409,49 @@ impl<S: Real> Group<'_, S> {
     }
 
     fn write(&self, work: &mut Workspace<S>, rows: &mut [f32]) {
-        let far = (!self.stage.landscape.silhouettes().is_empty()).then_some(&work.far);
         if let Some(beam) = &self.parts.beam {
+            let far = self.has_silhouettes().then_some(&work.far);
             let Driven { position, intensity, breaks, on, .. } = &work.driven;
             let breaks = breaks.iter().any(|breaks| !breaks.is_empty()).then_some(breaks);
             let drive = Drive { position, intensity, breaks, on, far };
             return beam.gun.write_stretches(&drive, &mut work.gun, rows);
         }
-        let projected = &work.projected;
         let breaks = self.walks_breaks(work).then_some(BeamBreaks {
             breaks: &work.mixed.breaks,
             bends: &work.mixed.bends,
-            position: &projected.breaks.position,
-            line: &projected.breaks.line,
+            position: &work.projected.breaks.position,
+            line: &work.projected.breaks.line,
         });
+        self.write_beam(self.composite(work).reflectivity, breaks, Steps::Curved, work, rows);
+    }
+
+    /// The ideal write beam over what the processor has projected.
+    pub fn write_beam(
+        &self,
+        intensity: &[Lanes<S>],
+        breaks: Option<BeamBreaks<'_, S>>,
+        steps: Steps,
+        work: &Workspace<S>,
+        rows: &mut [f32],
+    ) {
+        let projected = &work.projected;
         let beam = Beam {
             position: &projected.position,
             line: &projected.line,
             entry: &projected.entry,
-            intensity: self.composite(work).reflectivity,
+            intensity,
             breaks,
-            far,
+            far: self.has_silhouettes().then_some(&work.far),
         };
-        write_group(&beam, Steps::Curved, self.stage.settings.laws.pixel_rule, self.raster.lines, rows);
+        write_group(&beam, steps, self.stage.settings.laws.pixel_rule, self.raster.lines, rows);
+    }
+
+    fn has_silhouettes(&self) -> bool {
+        !self.stage.landscape.silhouettes().is_empty()
     }
 
     /// VS3: polyhedra over what the sweeps have written.
-    fn overlay(&self, first: u32, work: &mut Workspace<S>, rows: &mut [f32]) {
+    pub fn overlay(&self, first: u32, work: &mut Workspace<S>, rows: &mut [f32]) {
         let mut overlay = std::mem::take(&mut work.overlay);
         for (lane, row) in rows.chunks_exact_mut(self.raster.lines).enumerate() {
             let drawn = self.digital.drawn(first + lane as u32);

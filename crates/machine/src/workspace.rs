@@ -7,7 +7,7 @@ use feature_generator::{ChainScratch, FeatureProfile, FeatureProgram};
 use mixing_unit::{Mixed, SwitchScratch};
 use parts::GateEdge;
 use polyhedron_generator::{BodyFade, Overlay};
-use signal::{LANES, Lanes, Real};
+use signal::{LANES, Lanes, Real, Stretches};
 use sweep_memory::{FarStroke, GunWork};
 use sweep_program::{Ramp, RegisterSet, SweepProgram, SweepStart};
 use terrain_generator::{ArrayState, Overlap, Profile};
@@ -45,6 +45,8 @@ pub(crate) struct Workspace<S> {
     pub edges: Vec<GateEdge>,
     /// Gates of remote shadow.
     pub shadow: [LaneGate<S>; LANES],
+    /// Stretches in remote shadow, where the machine draws swiftly.
+    pub dark: Stretches,
     /// Presence of features, by comparators of parts.
     pub presence: [LaneGate<S>; LANES],
     /// Texture of the foreground.
@@ -87,6 +89,7 @@ impl<S: Real> Default for Workspace<S> {
             lit: Lit::default(),
             edges: Vec::new(),
             shadow: Default::default(),
+            dark: Default::default(),
             presence: Default::default(),
             texture: Vec::new(),
             fades: SwitchScratch::default(),

@@ -30,6 +30,7 @@
 //! **Our choices.** Presence lines as gates; `self-keyed` shows what the figure taken literally does: the dark wall
 //! of a crater drops the gate, and lit terrain shines through it. Texture as reported is added to what is drawn, so
 //! local shadow is grained like remote shadow; where texture ends the sign comes back.
+//! **Swiftly.** [`MixingUnit::run_swiftly`] does the same at the samples alone.
 //! **Not modelled.** A self-keyed gate that opens between two samples without a kink there switches at the later one.
 //!
 //! # Of real parts
@@ -57,6 +58,7 @@ mod breaks;
 mod inputs;
 mod outputs;
 mod stretch;
+mod swift;
 mod switch;
 mod unit;
 mod wired;

@@ -1,0 +1,77 @@
+//! Craters of a frame that can be told, group by group (economy `Swift`).
+
+use features::{LeftOut, Outlook};
+use generator::Stage;
+use signal::LANES;
+
+use crate::control_plane::FramePlan;
+
+/// Part of a line of the screen that a crater must be high to be drawn. Chosen: see docs/economy.md for what it does to a picture.
+const LEAST: f64 = 0.25;
+
+/// Craters by the groups of sweeps that may meet them.
+#[derive(Debug, Default)]
+pub(crate) struct CratersInSight {
+    /// Where the craters of each group begin in `craters`; one more at the end.
+    begins: Vec<u32>,
+    /// Ascending within a group.
+    craters: Vec<u32>,
+    /// What cannot be told.
+    pub left_out: LeftOut,
+    found: Vec<u32>,
+}
+
+impl CratersInSight {
+    /// Finds those of the frame of `plan`, up to the end of its sweeps.
+    pub fn find(&mut self, stage: &Stage, plan: &FramePlan) {
+        let features = stage.landscape.features();
+        let origin = [plan.eye[0], plan.eye[1]];
+        let outlook = outlook(stage, plan);
+        let end = stage.settings.range.end;
+        self.left_out = features.in_sight(origin, plan.edges(0.0), end, &outlook, &mut self.found);
+        let groups = plan.fan.sweeps.div_ceil(LANES as u32) as usize;
+        let reach = |index: &u32| {
+            let crater = &features.craters()[*index as usize];
+            plan.sweeps_of(crater.centre(), crater.outer()).map(|sweeps| sweeps.map(|sweep| sweep as usize / LANES))
+        };
+        self.begins.clear();
+        self.begins.resize(groups + 1, 0);
+        for [first, last] in self.found.iter().filter_map(reach) {
+            (first..=last).for_each(|group| self.begins[group + 1] += 1);
+        }
+        (0..groups).for_each(|group| self.begins[group + 1] += self.begins[group]);
+        self.craters.clear();
+        self.craters.resize(self.begins[groups] as usize, 0);
+        let mut ends = self.begins.clone();
+        for index in &self.found {
+            let Some([first, last]) = reach(index) else { continue };
+            for end in &mut ends[first..=last] {
+                self.craters[*end as usize] = *index;
+                *end += 1;
+            }
+        }
+    }
+
+    /// Craters that some of `sweeps` may meet, ascending, into `found`.
+    pub fn of(&self, sweeps: &[u32; LANES], found: &mut Vec<u32>) {
+        found.clear();
+        let mut groups = sweeps.map(|sweep| sweep as usize / LANES);
+        groups.sort_unstable();
+        for group in groups.chunk_by(|a, b| a == b).map(|same| same[0]) {
+            found.extend_from_slice(&self.craters[self.begins[group] as usize..self.begins[group + 1] as usize]);
+        }
+        if groups[0] != groups[LANES - 1] {
+            found.sort_unstable();
+            found.dedup();
+        }
+    }
+}
+
+fn outlook(stage: &Stage, plan: &FramePlan) -> Outlook {
+    let raster = stage.settings.raster;
+    let cell = 2.0 * raster.field.tan_half_height / f64::from(raster.lines);
+    let ground = stage.landscape.height(plan.eye[0], plan.eye[1]);
+    // A frame is not planned with an eye that has no ground below it.
+    let eye = ground.map_or(0.0, |ground| (plan.eye[2] - ground).max(0.0));
+    Outlook { eye, least: LEAST * cell, cell }
+}

@@ -1,0 +1,135 @@
+//! A group of sweeps drawn swiftly: signals at the samples alone, straight between them (economy `Swift`).
+//!
+//! ```text
+//! TG ─▶ height, slopes ─▶ + FG ─▶ light ─▶ × lit part of the step, + texture, clip ─▶ DPP ─▶ SM, straight strokes ─▶ VS3
+//! ```
+//!
+//! Words, registers, ramps and segments are those of the whole machine, so that a late word shows as it does there, and at every
+//! sample height and slopes are the same to rounding, but for craters that cannot be told. What is not here: kinks of craters and
+//! edges of shadow between two samples, curves between samples, a light of features apart from that of the terrain. One
+//! surface is lit once.
+
+use feature_generator::{FeatureGenerator, Surface};
+use generator::Stage;
+use hardware_model::{Economy, Gate};
+use landscape::{GroupLight, SweepLight};
+use scenario::FeatureLight;
+use signal::{LANES, Real, Stretches};
+use sweep_memory::Steps;
+
+use crate::feature_loads::FeatureLoads;
+use crate::real_parts::{beam_has_parts, mixing_has_parts};
+use crate::signal_plane::Group;
+use crate::workspace::Workspace;
+
+/// Whether the machine of `stage` draws swiftly: its economy says so, its parts are ideal, and its laws are such that what
+/// features and terrain add up to can be lit as one surface. Tubes may have what they have: they come after.
+pub(crate) fn draws_swiftly(stage: &Stage) -> bool {
+    let (settings, parts) = (&stage.settings, &stage.settings.analog);
+    settings.economy == Economy::Swift
+        && settings.laws.feature_light == FeatureLight::Combined
+        && settings.mixing_unit.gate == Gate::Presence
+        && parts.terrain_is_ideal()
+        && parts.features_are_ideal()
+        && parts.shadow_lines_are_ideal()
+        && parts.texture_is_ideal()
+        && parts.body_switch_is_ideal()
+        && parts.wires.is_ideal()
+        && !mixing_has_parts(parts)
+        && !beam_has_parts(parts)
+}
+
+impl<S: Real> Group<'_, S> {
+    /// As [`run`](Self::run).
+    pub fn run_swiftly(&self, first: u32, work: &mut Workspace<S>, rows: &mut [f32]) {
+        let sweeps = self.sweeps(first);
+        self.trace_terrain(first, &sweeps, work);
+        if self.blocks.features {
+            self.lay_craters(first, &sweeps, work);
+        }
+        self.light_surface(&self.light(&sweeps), work);
+        self.mix_swiftly(&sweeps, work);
+        let deflection = sweeps.map(|sweep| self.deflection(sweep));
+        for ((far, &sweep), deflection) in work.far.iter_mut().zip(&sweeps).zip(&deflection) {
+            self.find_silhouettes(sweep, deflection, far);
+        }
+        self.processor.run(&work.profile.height, &deflection, &mut work.projected);
+        self.write_beam(&work.profile.reflectivity, None, Steps::Straight, work, rows);
+        self.overlay(first, work, rows);
+    }
+
+    fn lay_craters(&self, first: u32, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
+        let Some(in_sight) = self.craters else { return };
+        in_sight.of(sweeps, &mut work.craters);
+        let loads = FeatureLoads {
+            stage: self.stage,
+            table: self.table,
+            plan: self.plan,
+            among: Some(&work.craters),
+        };
+        for (lane, &drawn) in sweeps.iter().enumerate() {
+            let end = self.end_range(lane, work);
+            loads.list([drawn, first + lane as u32], end, &mut work.features[lane]);
+        }
+        let generator = FeatureGenerator { ranges: self.table.ranges() };
+        let profile = &mut work.profile;
+        let mut surface =
+            Surface { height: &mut profile.height, along: &mut profile.along, across: &mut profile.across };
+        let not_nearer = |range| self.finder.not_nearer(range);
+        generator.lay(self.stage.landscape.features(), &work.features, not_nearer, &mut surface);
+    }
+
+    fn light_surface(&self, light: &[SweepLight; LANES], work: &mut Workspace<S>) {
+        let terrain = self.terrain(self.stage.landscape.level());
+        terrain.reflect(&GroupLight::new(light), &mut work.profile);
+    }
+
+    fn mix_swiftly(&self, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
+        if !self.blocks.mixing {
+            return;
+        }
+        if self.blocks.texture {
+            self.draw_texture(sweeps, work);
+        }
+        let texture = if self.blocks.texture { work.texture.as_slice() } else { &[] };
+        let dark = self.blocks.shadows.is_some().then(|| {
+            self.find_dark(sweeps, &mut work.dark);
+            &work.dark
+        });
+        self.mixing_unit().run_swiftly(dark, texture, &mut work.profile.reflectivity);
+    }
+
+    /// Stretches of remote shadow on the sweep clock.
+    fn find_dark(&self, sweeps: &[u32; LANES], dark: &mut Stretches) {
+        let ranges = self.table.ranges();
+        let place = |range: f64| match self.finder.not_nearer(range) {
+            // Before the first sample and beyond the last: beyond the steps about them.
+            0 => BEFORE,
+            sample if sample == ranges.len() => sample as f64,
+            sample => {
+                let (near, far) = (ranges[sample - 1], ranges[sample]);
+                sample as f64 - (far - range) / (far - near)
+            }
+        };
+        for (stretches, &sweep) in dark.iter_mut().zip(sweeps) {
+            stretches.clear();
+            let Some(gate) = self.delivery.gates.get(sweep as usize) else { continue };
+            let mut begin = gate.dark_at_start.then_some(BEFORE);
+            for &toggle in &gate.toggles {
+                let at = place(toggle);
+                match begin.take() {
+                    None => begin = Some(at),
+                    Some(begin) if at > BEFORE => stretches.push([begin, at]),
+                    Some(_) => {}
+                }
+                if at >= ranges.len() as f64 {
+                    break;
+                }
+            }
+            stretches.extend(begin.map(|begin| [begin, ranges.len() as f64]).filter(|[begin, end]| begin < end));
+        }
+    }
+}
+
+/// The begin of the step about the first sample.
+const BEFORE: f64 = -0.5;

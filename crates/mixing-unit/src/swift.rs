@@ -1,0 +1,117 @@
+//! The unit at the samples alone: features are in the terrain already, and no edge lies between two samples.
+
+use scenario::TextureInShadow;
+use signal::{LANES, Lanes, Real, Stretches};
+
+use crate::MixingUnit;
+
+impl MixingUnit {
+    /// VS2, the adder and the clip upon the `reflectivity` of a group, lit with its features. A sample keeps as much of its
+    /// light as `dark`, the stretches in remote shadow, leave of the step about it: so the light of a sweep is what it is with
+    /// edges at their places, as far as samples can tell. `texture` ends where the slice does.
+    pub fn run_swiftly<S: Real>(
+        &self,
+        dark: Option<&Stretches>,
+        texture: &[Lanes<S>],
+        reflectivity: &mut [Lanes<S>],
+    ) {
+        let add = |reflectivity: &mut [Lanes<S>], least: S| {
+            for (value, &texture) in reflectivity.iter_mut().zip(texture) {
+                *value = value.map(|value| value.at_least(least)) + texture;
+            }
+        };
+        match self.texture_in_shadow {
+            TextureInShadow::Off => {
+                add(reflectivity, S::from_f64(f64::NEG_INFINITY));
+                blank(dark, reflectivity);
+            }
+            TextureInShadow::On => {
+                blank(dark, reflectivity);
+                add(reflectivity, S::ZERO);
+            }
+        }
+        for value in reflectivity {
+            *value = value.map(|value| if value > S::ONE { S::ONE } else { value });
+        }
+    }
+}
+
+/// VS2: nothing is left within the stretches, and at their ends what is lit of half a step before a sample and half a step
+/// behind it.
+fn blank<S: Real>(dark: Option<&Stretches>, reflectivity: &mut [Lanes<S>]) {
+    let Some(dark) = dark else { return };
+    let last = reflectivity.len() - 1;
+    for lane in 0..LANES {
+        for &[begin, end] in &dark[lane] {
+            let (first, beyond) = ((begin + 0.5) as usize, ((end + 0.5) as usize).min(last));
+            if first >= beyond {
+                keep(reflectivity, beyond.min(first), lane, 1.0 - (end - begin));
+                continue;
+            }
+            keep(reflectivity, first, lane, begin + 0.5 - first as f64);
+            reflectivity[first + 1..beyond].iter_mut().for_each(|value| value[lane] = S::ZERO);
+            keep(reflectivity, beyond, lane, beyond as f64 + 0.5 - end);
+        }
+    }
+}
+
+fn keep<S: Real>(reflectivity: &mut [Lanes<S>], sample: usize, lane: usize, share: f64) {
+    let value = &mut reflectivity[sample][lane];
+    *value = *value * S::from_f64(share.clamp(0.0, 1.0));
+}
+
+#[cfg(test)]
+mod tests {
+    use hardware_model::MixingParts;
+    use proptest::prelude::{prop_assert, proptest};
+    use scenario::TextureInShadow;
+    use signal::{Lanes, Stretches};
+
+    use crate::MixingUnit;
+
+    fn unit(texture: TextureInShadow) -> MixingUnit {
+        MixingUnit::new(&MixingParts::default(), texture)
+    }
+
+    fn mixed(texture_in_shadow: TextureInShadow, dark: &[[f64; 2]], texture: &[f64], light: &[f64]) -> Vec<f64> {
+        let mut reflectivity: Vec<Lanes<f64>> = light.iter().map(|&light| Lanes::splat(light)).collect();
+        let texture: Vec<_> = texture.iter().map(|&texture| Lanes::splat(texture)).collect();
+        let stretches: Stretches = std::array::from_fn(|lane| if lane == 3 { dark.to_vec() } else { Vec::new() });
+        unit(texture_in_shadow).run_swiftly(Some(&stretches), &texture, &mut reflectivity);
+        reflectivity.iter().map(|value| value[3]).collect()
+    }
+
+    #[test]
+    fn texture_grains_shadow_where_the_adder_stands_behind_the_switch() {
+        let (light, dark, grain) = ([0.5, -0.2, 0.5, 0.95, 0.5], [[1.5, 2.5]], [0.1; 4]);
+        let behind = mixed(TextureInShadow::On, &dark, &grain, &light);
+        assert_eq!(behind, [0.6, 0.1, 0.1, 1.0, 0.5]);
+        let before = mixed(TextureInShadow::Off, &dark, &grain, &light);
+        assert_eq!(before, [0.6, -0.1, 0.0, 1.0, 0.5]);
+    }
+
+    #[test]
+    fn a_shadow_within_a_step_takes_its_part() {
+        assert_eq!(mixed(TextureInShadow::Off, &[[2.0, 2.25]], &[], &[1.0; 5]), [1.0, 1.0, 0.75, 1.0, 1.0]);
+        assert_eq!(mixed(TextureInShadow::Off, &[[3.9, 9.0]], &[], &[1.0; 5]), [1.0, 1.0, 1.0, 1.0, 0.0]);
+        assert_eq!(mixed(TextureInShadow::Off, &[[0.0, 2.25]], &[], &[1.0; 5]), [0.5, 0.0, 0.25, 1.0, 1.0]);
+    }
+
+    proptest! {
+        /// Over a level stretch the light that is left is what is outside the shadows.
+        #[test]
+        fn as_much_is_dark_as_lies_in_shadow(cuts in proptest::collection::vec(0.01..2.0f64, 0..40)) {
+            let mut at = 0.5;
+            let places: Vec<f64> = cuts.iter().map(|cut| { at += cut; at }).take_while(|&at| at < 47.5).collect();
+            let dark: Vec<[f64; 2]> = places.chunks_exact(2).map(|ends| [ends[0], ends[1]]).collect();
+            let left: f64 = mixed(TextureInShadow::Off, &dark, &[], &[1.0; 49]).iter().sum();
+            let shadow: f64 = dark.iter().map(|[begin, end]| end - begin).sum();
+            // Two shadows in the step about one sample take parts of one another: at most a quarter of a step each.
+            let shared = 0.25 * dark.len() as f64;
+            prop_assert!((49.0 - shadow - left).abs() <= shared, "{} {}", 49.0 - shadow, left);
+            if dark.windows(2).all(|pair| pair[1][0] - pair[0][1] > 1.0) && dark.iter().all(|[b, e]| e - b > 1.0) {
+                prop_assert!((49.0 - shadow - left).abs() < 1e-9);
+            }
+        }
+    }
+}
