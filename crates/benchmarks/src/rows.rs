@@ -47,6 +47,8 @@ pub const ROWS: &[Row] = &[
     swift("swift first light, ideal, f32", "first-light", "ideal", Scalar::F32),
     swift("swift nominal drive, ideal, f32", "nominal-drive", "ideal", Scalar::F32),
     swift("swift nominal drive, ideal, f64", "nominal-drive", "ideal", Scalar::F64),
+    swift("swift showpiece, pra-wires, f32", "showpiece", "pra-wires", Scalar::F32),
+    swift("swift nominal drive, pra-wires, f32", "nominal-drive", "pra-wires", Scalar::F32),
     row("showpiece, ideal, f32", "showpiece", "ideal", Scalar::F32, STANDARD),
     row("showpiece, ideal, f64", "showpiece", "ideal", Scalar::F64, STANDARD),
     row("showpiece, modern-analog, f32", "showpiece", "modern-analog", Scalar::F32, STANDARD),

@@ -91,6 +91,24 @@ impl SubGenerator {
         }
     }
 
+    /// Adds a share of the crater's slopes, by the law of `zone`, to one sample of a lane, and its height if the sample is in
+    /// the zone.
+    pub fn add_share<S: Real>(
+        &self,
+        zone: Zone,
+        (range, sample): (f64, usize),
+        (share, is_inside): (f64, bool),
+        lane: usize,
+        surface: &mut Surface<'_, S>,
+    ) {
+        let [height, along, across] = self.at(zone, range);
+        if is_inside {
+            surface.height[sample][lane] += S::from_f64(height);
+        }
+        surface.along[sample][lane] += S::from_f64(share * along);
+        surface.across[sample][lane] += S::from_f64(share * across);
+    }
+
     /// Height, slope along and slope across at one range, by the law of `zone`.
     pub fn at(&self, zone: Zone, range: f64) -> [f64; 3] {
         let offset = range - self.middle;

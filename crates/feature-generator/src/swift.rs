@@ -4,51 +4,99 @@ use features::{Crater, Features};
 use signal::{LANES, Real};
 
 use crate::sub_generator::{SubGenerator, Zone};
-use crate::{FeatureGenerator, FeatureLoad, FeatureProgram, Surface};
+use crate::{FeatureGenerator, FeatureLoad, FeatureProfile, FeatureProgram, Surface};
 
-/// Where a sweep is in a crater, in the order in which it is met: zone by zone, first samples of each and the one beyond
-/// the last.
-struct Stretches([usize; 4]);
+/// Zones of a crater in the order in which a sweep meets them.
+const ZONES: [Zone; 3] = [Zone::Ring, Zone::Hollow, Zone::Ring];
 
-impl Stretches {
-    const ZONES: [Zone; 3] = [Zone::Ring, Zone::Hollow, Zone::Ring];
-
-    /// Of a crater on a sweep of which samples before `last` are drawn; `not_nearer` is the first sample at or beyond a range.
-    fn of(crater: &Crater, load: &FeatureLoad, last: usize, not_nearer: &impl Fn(f64) -> usize) -> Self {
-        let half = |radius: f64| (radius * radius - load.side * load.side).max(0.0).sqrt();
-        let (outer, foot) = (half(crater.outer()), half(crater.foot()));
-        let places = [-outer, -foot, foot, outer].map(|way| (load.middle + way).max(load.from));
-        Self(places.map(|place| not_nearer(place).min(last)))
-    }
+/// Places on the sweep clock at which a sweep goes over from zone to zone of a crater, up to `last`.
+fn places(crater: &Crater, load: &FeatureLoad, last: f64, place: &impl Fn(f64) -> f64) -> [f64; 4] {
+    let half = |radius: f64| (radius * radius - load.side * load.side).max(0.0).sqrt();
+    let (outer, foot) = (half(crater.outer()), half(crater.foot()));
+    [-outer, -foot, foot, outer].map(|way| place((load.middle + way).max(load.from)).min(last))
 }
 
 impl FeatureGenerator<'_> {
     /// Adds the craters of a group to `surface`, in the order of the programs; `features` are those from which the programs
-    /// were written, `not_nearer` the first sample at or beyond a range (m). At the samples it is what
-    /// [`run`](Self::run) adds.
+    /// were written, `place` of a range (m) is where it is on the sweep clock, sample k at k, from half a step before the first
+    /// sample to half a step beyond the last.
+    ///
+    /// Heights are those of [`run`](Self::run), and slopes too but for samples less than half a step from a kink: they get of the
+    /// slopes on both sides as much as either side has of the step about them. So a rim lies where it lies as far as samples
+    /// can tell.
     pub fn lay<S: Real>(
         &self,
         features: &Features,
         programs: &[FeatureProgram; LANES],
-        not_nearer: impl Fn(f64) -> usize,
+        place: impl Fn(f64) -> f64,
         surface: &mut Surface<'_, S>,
     ) {
         for (lane, program) in programs.iter().enumerate() {
-            let last = self.ranges.partition_point(|&range| range <= program.end_range);
+            let last = self.end_of(program);
             for load in &program.loads {
                 let crater = &features.craters()[load.crater as usize];
-                let Stretches(begins) = Stretches::of(crater, load, last, &not_nearer);
-                if begins[0] == begins[3] {
-                    continue;
-                }
-                let generator = SubGenerator::new(crater, load);
-                for (zone, ends) in Stretches::ZONES.into_iter().zip(begins.windows(2)) {
-                    if ends[0] < ends[1] {
-                        generator.add(zone, self.ranges, ends[0]..ends[1], lane, surface);
+                let places = places(crater, load, last, &place);
+                if places[0] < places[3] {
+                    let generator = SubGenerator::new(crater, load);
+                    for (zone, ends) in ZONES.into_iter().zip(places.windows(2)) {
+                        self.lay_zone(&generator, zone, [ends[0], ends[1]], lane, surface);
                     }
                 }
             }
         }
+    }
+
+    /// The same apart from the terrain: `profile` without kinks, present wherever it adds anything.
+    pub fn lay_apart<S: Real>(
+        &self,
+        features: &Features,
+        programs: &[FeatureProgram; LANES],
+        place: impl Fn(f64) -> f64,
+        profile: &mut FeatureProfile<S>,
+    ) {
+        profile.clear(self.ranges.len());
+        self.lay(features, programs, &place, &mut profile.surface());
+        for (lane, program) in programs.iter().enumerate() {
+            let last = self.end_of(program);
+            for load in &program.loads {
+                let [begin, .., end] = places(&features.craters()[load.crater as usize], load, last, &place);
+                if begin < end {
+                    let touched = (begin + 0.5) as usize..((end + 0.5) as usize + 1).min(self.ranges.len());
+                    profile.present[touched].iter_mut().for_each(|present| present[lane] = S::ONE);
+                }
+            }
+        }
+    }
+
+    /// Place at which the profile of a sweep ends: half a step beyond its last sample.
+    fn end_of(&self, program: &FeatureProgram) -> f64 {
+        self.ranges.partition_point(|&range| range <= program.end_range) as f64 - 0.5
+    }
+
+    fn lay_zone<S: Real>(
+        &self,
+        generator: &SubGenerator,
+        zone: Zone,
+        [begin, end]: [f64; 2],
+        lane: usize,
+        surface: &mut Surface<'_, S>,
+    ) {
+        if begin >= end {
+            return;
+        }
+        let [first, last] = [begin, end].map(|place| (place + 0.5) as usize);
+        let mut add_share = |sample: usize, share: f64| {
+            // The step behind the last sample is no sample's.
+            let Some(&range) = self.ranges.get(sample) else { return };
+            let is_inside = (begin..end).contains(&(sample as f64));
+            generator.add_share(zone, (range, sample), (share, is_inside), lane, surface);
+        };
+        if first == last {
+            return add_share(first, end - begin);
+        }
+        add_share(first, first as f64 + 0.5 - begin);
+        add_share(last, end + 0.5 - last as f64);
+        generator.add(zone, self.ranges, first + 1..last, lane, surface);
     }
 }
 
@@ -59,7 +107,7 @@ mod tests {
     use proptest::prelude::{Strategy, prop_assert, prop_assert_eq, prop_oneof, proptest};
     use signal::{LANES, Lanes};
 
-    use crate::{FeatureGenerator, FeatureProfile, FeatureProgram, Schedule, Surface};
+    use crate::{FeatureGenerator, FeatureLoad, FeatureProfile, FeatureProgram, Kink, Schedule, Surface};
 
     fn crater() -> impl Strategy<Value = Crater> {
         let shape = prop_oneof![
@@ -71,9 +119,30 @@ mod tests {
         (place, shape).prop_map(|((x, y), (shape, rim))| Crater::new([x, y], shape, 1.0, rim).unwrap())
     }
 
+    #[test]
+    fn a_kink_beside_a_sample_leaves_it_its_share() {
+        let crater = Crater::new([10.3, 0.0], Shape::Bowl { r1: 5.0 }, 1.0, 0.0).unwrap();
+        let (features, ranges) = (Features::new(vec![crater]), (1..30).map(f64::from).collect::<Vec<_>>());
+        let load = FeatureLoad { crater: 0, sub_generator: 0, middle: 10.3, side: 0.0, from: f64::NEG_INFINITY };
+        let mut program = FeatureProgram::default();
+        (program.loads, program.end_range) = (vec![load], 29.0);
+        let mut sums: [Vec<Lanes<f64>>; 3] = std::array::from_fn(|_| vec![Lanes::splat(0.0); 29]);
+        let [height, along, across] = &mut sums;
+        let programs = std::array::from_fn(|_| program.clone());
+        let generator = FeatureGenerator { ranges: &ranges };
+        generator.lay(&features, &programs, |range| range - 1.0, &mut Surface { height, along, across });
+        // It begins at 5.3 m and ends at 15.3 m: a fifth of the step about 5 m, eight tenths of that about 15 m.
+        let slope = |range: f64| 0.08 * (range - 10.3);
+        let expected = [(4, 0.0), (5, 0.2 * slope(5.0)), (6, slope(6.0)), (15, 0.8 * slope(15.0)), (16, 0.0)];
+        for (range, expected) in expected {
+            assert!((sums[1][range - 1][0] - expected).abs() < 1e-12, "{range}: {}", sums[1][range - 1][0]);
+        }
+        assert_eq!((sums[0][4][0], sums[0][15][0]), (0.0, 0.0));
+    }
+
     proptest! {
         #[test]
-        fn the_samples_are_those_of_the_way_with_kinks(
+        fn samples_beside_no_kink_are_those_of_the_way_with_kinks(
             craters in proptest::collection::vec(crater(), 1..12),
             end in 20.0..110.0f64,
             late in proptest::collection::vec(prop_oneof![3 => proptest::strategy::Just(f64::NEG_INFINITY), 1 => 0.0..80.0f64], 12),
@@ -107,9 +176,22 @@ mod tests {
             let zero = vec![Lanes::splat(0.0); ranges.len()];
             let (mut height, mut along, mut across) = (zero.clone(), zero.clone(), zero);
             let mut surface = Surface { height: &mut height, along: &mut along, across: &mut across };
-            let not_nearer = |range: f64| ranges.partition_point(|&at| at < range);
-            generator.lay(&features, &listed, not_nearer, &mut surface);
-            prop_assert!(height == profile.height && along == profile.along && across == profile.across);
+            let place = |range: f64| if range <= 1.0 { -0.5 } else { ((range - 1.0) / 0.37).min(299.5) };
+            generator.lay(&features, &listed, place, &mut surface);
+            for sample in 0..ranges.len() {
+                for lane in 0..LANES {
+                    prop_assert!((height[sample][lane] - profile.height[sample][lane]).abs() < 1e-12);
+                    let is_near = |kink: &Kink<f64>| (place(kink.range) - sample as f64).abs() <= 0.5 + 1e-9;
+                    let is_late = |load: &FeatureLoad| (place(load.from) - sample as f64).abs() <= 0.5 + 1e-9;
+                    // Beyond the last sample of the profile nobody looks for kinks.
+                    let is_last = ranges.get(sample + 1).is_none_or(|&next| next > end);
+                    if is_last || profile.kinks[lane].iter().any(is_near) || listed[lane].loads.iter().any(is_late) {
+                        continue;
+                    }
+                    prop_assert!((along[sample][lane] - profile.along[sample][lane]).abs() < 1e-12);
+                    prop_assert!((across[sample][lane] - profile.across[sample][lane]).abs() < 1e-12);
+                }
+            }
         }
     }
 }

@@ -7,7 +7,7 @@ use signal::LANES;
 use crate::control_plane::FramePlan;
 
 /// Part of a line of the screen that a crater must be high to be drawn. Chosen: see docs/economy.md for what it does to a picture.
-const LEAST: f64 = 0.25;
+const LEAST: f64 = 0.5;
 
 /// Craters by the groups of sweeps that may meet them.
 #[derive(Debug, Default)]

@@ -133,12 +133,13 @@ impl<S: Real> Group<'_, S> {
         }
     }
 
-    fn directions(&self, sweeps: &[u32; LANES]) -> [[f64; 2]; LANES] {
+    /// Directions of the sweeps over the ground: north, east.
+    pub fn directions(&self, sweeps: &[u32; LANES]) -> [[f64; 2]; LANES] {
         sweeps.map(|sweep| self.plan.direction(sweep))
     }
 
     /// First samples beyond the profiles of the group.
-    fn ends(&self, work: &Workspace<S>) -> Ends {
+    pub fn ends(&self, work: &Workspace<S>) -> Ends {
         array::from_fn(|lane| {
             let end = self.end_range(lane, work);
             self.table.ranges().partition_point(|&range| range <= end)

@@ -1,13 +1,14 @@
 //! The unit at the samples alone: features are in the terrain already, and no edge lies between two samples.
 
 use scenario::TextureInShadow;
-use signal::{LANES, Lanes, Real, Stretches};
+use signal::{Lanes, Real, Stretches};
 
 use crate::MixingUnit;
 
 impl MixingUnit {
     /// VS2, the adder and the clip upon the `reflectivity` of a group, lit with its features. A sample keeps as much of its
-    /// light as `dark`, the stretches in remote shadow, leave of the step about it: so the light of a sweep is what it is with
+    /// light as `dark`, the stretches in remote shadow, leave of the step about it (stretches begin half a step before the first sample and end half a step
+    /// beyond the last one, at most): so the light of a sweep is what it is with
     /// edges at their places, as far as samples can tell. `texture` ends where the slice does.
     pub fn run_swiftly<S: Real>(
         &self,
@@ -40,24 +41,25 @@ impl MixingUnit {
 /// behind it.
 fn blank<S: Real>(dark: Option<&Stretches>, reflectivity: &mut [Lanes<S>]) {
     let Some(dark) = dark else { return };
-    let last = reflectivity.len() - 1;
-    for lane in 0..LANES {
-        for &[begin, end] in &dark[lane] {
-            let (first, beyond) = ((begin + 0.5) as usize, ((end + 0.5) as usize).min(last));
-            if first >= beyond {
-                keep(reflectivity, beyond.min(first), lane, 1.0 - (end - begin));
+    for (lane, stretches) in dark.iter().enumerate() {
+        for &[begin, end] in stretches {
+            let [first, last] = [begin, end].map(|place| (place + 0.5) as usize);
+            if first == last {
+                keep(reflectivity, first, lane, 1.0 - (end - begin));
                 continue;
             }
             keep(reflectivity, first, lane, begin + 0.5 - first as f64);
-            reflectivity[first + 1..beyond].iter_mut().for_each(|value| value[lane] = S::ZERO);
-            keep(reflectivity, beyond, lane, beyond as f64 + 0.5 - end);
+            reflectivity[first + 1..last].iter_mut().for_each(|value| value[lane] = S::ZERO);
+            keep(reflectivity, last, lane, last as f64 + 0.5 - end);
         }
     }
 }
 
+/// Leaves a share of a sample; the step behind the last sample is no sample's.
 fn keep<S: Real>(reflectivity: &mut [Lanes<S>], sample: usize, lane: usize, share: f64) {
-    let value = &mut reflectivity[sample][lane];
-    *value = *value * S::from_f64(share.clamp(0.0, 1.0));
+    if let Some(value) = reflectivity.get_mut(sample) {
+        value[lane] = value[lane] * S::from_f64(share);
+    }
 }
 
 #[cfg(test)]
@@ -93,7 +95,7 @@ mod tests {
     #[test]
     fn a_shadow_within_a_step_takes_its_part() {
         assert_eq!(mixed(TextureInShadow::Off, &[[2.0, 2.25]], &[], &[1.0; 5]), [1.0, 1.0, 0.75, 1.0, 1.0]);
-        assert_eq!(mixed(TextureInShadow::Off, &[[3.9, 9.0]], &[], &[1.0; 5]), [1.0, 1.0, 1.0, 1.0, 0.0]);
+        assert_eq!(mixed(TextureInShadow::Off, &[[3.9, 4.5]], &[], &[1.0; 5]), [1.0, 1.0, 1.0, 1.0, 0.0]);
         assert_eq!(mixed(TextureInShadow::Off, &[[0.0, 2.25]], &[], &[1.0; 5]), [0.5, 0.0, 0.25, 1.0, 1.0]);
     }
 

@@ -40,7 +40,7 @@ impl VideoSwitch {
     }
 
     /// Whole signals, `out` holding C before and the output after.
-    pub(crate) fn run<S: Real>(&self, open: &[Lanes<S>], present: &[Lanes<S>], out: &mut [Lanes<S>]) {
+    pub fn run<S: Real>(&self, open: &[Lanes<S>], present: &[Lanes<S>], out: &mut [Lanes<S>]) {
         // The kind of gate is asked once, not once a sample.
         match self.gate {
             Gate::Presence => self.select(open, present, out),

@@ -33,6 +33,18 @@ impl SampleFinder {
         let ahead = &self.ranges[begin as usize..];
         begin as usize + ahead.iter().take_while(|&&at| at < range).count()
     }
+
+    /// Place of a range on the sweep clock: sample k is at k, and between two samples range grows in a straight line. Before the
+    /// first sample it is half a step before it, beyond the last half a step beyond it.
+    #[inline]
+    pub fn place(&self, range: f64) -> f64 {
+        let sample = self.not_nearer(range);
+        match (sample.checked_sub(1).map(|before| self.ranges[before]), self.ranges.get(sample)) {
+            (Some(near), Some(far)) => sample as f64 - (far - range) / (far - near),
+            (Some(_), None) => sample as f64 - 0.5,
+            (None, _) => -0.5,
+        }
+    }
 }
 
 /// Number of the box of a range that is not negative: bits of such numbers ascend as they do.
@@ -65,6 +77,9 @@ mod tests {
             for range in on_samples.chain(between).chain(extremes) {
                 let searched = ranges.partition_point(|&at| at < range);
                 assert_eq!(finder.not_nearer(range), searched, "{range} among {samples} of {law:?}");
+                let time = table.time_of(range).0.clamp(-0.5, samples as f64 - 0.5);
+                let expected = if searched == 0 { -0.5 } else { time };
+                assert!((finder.place(range) - expected).abs() < 1e-9, "{range} among {samples} of {law:?}");
             }
         }
     }

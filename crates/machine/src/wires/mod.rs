@@ -21,7 +21,7 @@ use hardware_model::{MAIN_WIRES, WireParts};
 use mixing_unit::{DriverScratch, Mixed, OutputDrivers};
 use parts::{Driver, Jumps, Spread, Tolerance, relative_sigma, time_constant};
 use signal::{LANES, Lanes, Real};
-use terrain_generator::OUT_OF_SIGHT;
+use terrain_generator::{OUT_OF_SIGHT, Profile};
 
 use crate::raster::WrittenRaster;
 use crate::record::{Scales, signals};
@@ -96,6 +96,25 @@ impl<S: Real> Wires<S> {
         self.mixed.run(mixed, &mut scratch.mixed);
         if self.mixed.height.is_some() {
             drop_beyond(ends, &mut mixed.height);
+        }
+    }
+}
+
+impl<S: Real> Wires<S> {
+    /// The same where nothing lies between samples; the composite landscape stands in `profile`.
+    pub fn drive_swiftly(&self, ends: &Ends, profile: &mut Profile<S>) {
+        let mut no_jumps = Jumps::default();
+        if let Some(driver) = &self.mixed.video {
+            // Black is the lower end of what it is given.
+            for value in &mut profile.reflectivity {
+                *value = value.map(|value| value.at_least(S::ZERO));
+            }
+            driver.pass(&mut profile.reflectivity, &mut no_jumps);
+        }
+        if let Some(driver) = &self.mixed.height {
+            hold_beyond(ends, &mut profile.height);
+            driver.pass(&mut profile.height, &mut no_jumps);
+            drop_beyond(ends, &mut profile.height);
         }
     }
 }

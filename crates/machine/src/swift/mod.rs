@@ -7,7 +7,9 @@
 //! Words, registers, ramps and segments are those of the whole machine, so that a late word shows as it does there, and at every
 //! sample height and slopes are the same to rounding, but for craters that cannot be told. What is not here: kinks of craters and
 //! edges of shadow between two samples, curves between samples, a light of features apart from that of the terrain. One
-//! surface is lit once.
+//! surface is lit once. Where main signals have output amplifiers, terrain and features stay apart up to VS1 (`wires.rs`).
+
+mod wires;
 
 use feature_generator::{FeatureGenerator, Surface};
 use generator::Stage;
@@ -34,7 +36,6 @@ pub(crate) fn draws_swiftly(stage: &Stage) -> bool {
         && parts.shadow_lines_are_ideal()
         && parts.texture_is_ideal()
         && parts.body_switch_is_ideal()
-        && parts.wires.is_ideal()
         && !mixing_has_parts(parts)
         && !beam_has_parts(parts)
 }
@@ -44,11 +45,10 @@ impl<S: Real> Group<'_, S> {
     pub fn run_swiftly(&self, first: u32, work: &mut Workspace<S>, rows: &mut [f32]) {
         let sweeps = self.sweeps(first);
         self.trace_terrain(first, &sweeps, work);
-        if self.blocks.features {
-            self.lay_craters(first, &sweeps, work);
+        match &self.parts.wires {
+            None => self.join(first, &sweeps, work),
+            Some(wires) => self.join_by_wires(wires, first, &sweeps, work),
         }
-        self.light_surface(&self.light(&sweeps), work);
-        self.mix_swiftly(&sweeps, work);
         let deflection = sweeps.map(|sweep| self.deflection(sweep));
         for ((far, &sweep), deflection) in work.far.iter_mut().zip(&sweeps).zip(&deflection) {
             self.find_silhouettes(sweep, deflection, far);
@@ -58,7 +58,23 @@ impl<S: Real> Group<'_, S> {
         self.overlay(first, work, rows);
     }
 
-    fn lay_craters(&self, first: u32, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
+    /// From the profile of the terrain to the composite landscape, in the same place.
+    fn join(&self, first: u32, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
+        if self.blocks.features {
+            self.write_loads(first, sweeps, work);
+            let Workspace { profile, features, .. } = work;
+            let generator = FeatureGenerator { ranges: self.table.ranges() };
+            let mut surface =
+                Surface { height: &mut profile.height, along: &mut profile.along, across: &mut profile.across };
+            let place = |range| self.finder.place(range);
+            generator.lay(self.stage.landscape.features(), features, place, &mut surface);
+        }
+        self.light_surface(&self.light(sweeps), work);
+        self.mix_swiftly(sweeps, work);
+    }
+
+    /// Which craters each sweep draws.
+    fn write_loads(&self, first: u32, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
         let Some(in_sight) = self.craters else { return };
         in_sight.of(sweeps, &mut work.craters);
         let loads = FeatureLoads {
@@ -71,12 +87,6 @@ impl<S: Real> Group<'_, S> {
             let end = self.end_range(lane, work);
             loads.list([drawn, first + lane as u32], end, &mut work.features[lane]);
         }
-        let generator = FeatureGenerator { ranges: self.table.ranges() };
-        let profile = &mut work.profile;
-        let mut surface =
-            Surface { height: &mut profile.height, along: &mut profile.along, across: &mut profile.across };
-        let not_nearer = |range| self.finder.not_nearer(range);
-        generator.lay(self.stage.landscape.features(), &work.features, not_nearer, &mut surface);
     }
 
     fn light_surface(&self, light: &[SweepLight; LANES], work: &mut Workspace<S>) {
@@ -101,35 +111,22 @@ impl<S: Real> Group<'_, S> {
 
     /// Stretches of remote shadow on the sweep clock.
     fn find_dark(&self, sweeps: &[u32; LANES], dark: &mut Stretches) {
-        let ranges = self.table.ranges();
-        let place = |range: f64| match self.finder.not_nearer(range) {
-            // Before the first sample and beyond the last: beyond the steps about them.
-            0 => BEFORE,
-            sample if sample == ranges.len() => sample as f64,
-            sample => {
-                let (near, far) = (ranges[sample - 1], ranges[sample]);
-                sample as f64 - (far - range) / (far - near)
-            }
-        };
+        let (before, beyond) = (-0.5, self.table.ranges().len() as f64 - 0.5);
         for (stretches, &sweep) in dark.iter_mut().zip(sweeps) {
             stretches.clear();
             let Some(gate) = self.delivery.gates.get(sweep as usize) else { continue };
-            let mut begin = gate.dark_at_start.then_some(BEFORE);
-            for &toggle in &gate.toggles {
-                let at = place(toggle);
+            let mut begin = gate.dark_at_start.then_some(before);
+            for at in gate.toggles.iter().map(|&range| self.finder.place(range)) {
                 match begin.take() {
                     None => begin = Some(at),
-                    Some(begin) if at > BEFORE => stretches.push([begin, at]),
-                    Some(_) => {}
+                    Some(begin) => stretches.push([begin, at]),
                 }
-                if at >= ranges.len() as f64 {
+                if at == beyond {
                     break;
                 }
             }
-            stretches.extend(begin.map(|begin| [begin, ranges.len() as f64]).filter(|[begin, end]| begin < end));
+            stretches.extend(begin.map(|begin| [begin, beyond]));
+            stretches.retain(|[begin, end]| begin < end);
         }
     }
 }
-
-/// The begin of the step about the first sample.
-const BEFORE: f64 = -0.5;
