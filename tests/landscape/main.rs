@@ -4,6 +4,7 @@
 //! - `economy`: what is left out, and that it may be.
 //! - `profiles`, `shadows`, `pictures`: block by block, by probes and by pictures.
 //! - `own_shadow`: the vehicle's.
+//! - `swift`: the swift way of drawing against the whole one.
 //! - `switches`: the video switches with either gate.
 //! - `limits`: too few sub-generators and line generators; more craters and segments than anybody draws.
 //! - `time`: any frame alone, in any order, by any number of threads.
@@ -17,5 +18,6 @@ mod pictures;
 mod profiles;
 mod set;
 mod shadows;
+mod swift;
 mod switches;
 mod time;

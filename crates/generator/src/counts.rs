@@ -54,6 +54,8 @@ counters! {
     spans,
     /// Bodies that were too small to be drawn.
     bodies_left_out,
+    /// Craters that looked too small to be drawn, at most: squares of the map beyond their sight are counted whole.
+    craters_left_out,
     /// Pixels that these would cover at most, rounded up frame by frame: what they change in the picture is no more
     /// than so many pixels of full scale.
     pixels_left_out,

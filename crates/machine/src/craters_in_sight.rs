@@ -5,6 +5,7 @@ use generator::Stage;
 use signal::LANES;
 
 use crate::control_plane::FramePlan;
+use crate::sight::pixels_a_cell;
 
 /// Part of a line of the screen that a crater must be high to be drawn. Chosen: see docs/economy.md for what it does to a picture.
 const LEAST: f64 = 0.5;
@@ -16,7 +17,7 @@ pub(crate) struct CratersInSight {
     begins: Vec<u32>,
     /// Ascending within a group.
     craters: Vec<u32>,
-    /// What cannot be told.
+    /// What cannot be told; its cells are pixels of the screen.
     pub left_out: LeftOut,
     found: Vec<u32>,
 }
@@ -29,6 +30,7 @@ impl CratersInSight {
         let outlook = outlook(stage, plan);
         let end = stage.settings.range.end;
         self.left_out = features.in_sight(origin, plan.edges(0.0), end, &outlook, &mut self.found);
+        self.left_out.cells *= pixels_a_cell(stage);
         let groups = plan.fan.sweeps.div_ceil(LANES as u32) as usize;
         let reach = |index: &u32| {
             let crater = &features.craters()[*index as usize];

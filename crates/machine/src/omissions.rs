@@ -1,6 +1,7 @@
 //! What the elaborated machine leaves out, and what that does to the picture.
 
 use generator::{Omission, Stage, Weight};
+use hardware_model::Economy;
 
 use crate::blocks::Blocks;
 use crate::real_parts::{beam_has_parts, mixing_has_parts};
@@ -50,6 +51,9 @@ pub(crate) fn omissions(stage: &Stage, blocks: &Blocks) -> Vec<Omission> {
             weight: Weight::Bounded(255.0),
         });
     }
+    if stage.settings.economy == Economy::Swift {
+        list.extend(swift(blocks));
+    }
     let levels = stage.landscape.bank().levels().len();
     let drawn = if blocks.coarse.is_some() { 2 } else { 1 };
     if levels > drawn {
@@ -59,6 +63,33 @@ pub(crate) fn omissions(stage: &Stage, blocks: &Blocks) -> Vec<Omission> {
             why: "the machine has a terrain generator for each level that the scenario switches to".into(),
             weight: Weight::NotModelled,
         });
+    }
+    list
+}
+
+/// What a machine leaves out that is told to draw swiftly.
+fn swift(blocks: &Blocks) -> Vec<Omission> {
+    if !blocks.swift {
+        let why = "the model names parts, or laws ask for features apart from the terrain: the whole machine draws";
+        return vec![Omission::lossless("machine", "nothing, although it is to draw swiftly", why)];
+    }
+    let left_out = |block, what: &str, why: &str| Omission {
+        block,
+        what: what.into(),
+        why: why.into(),
+        weight: Weight::Bounded(255.0),
+    };
+    let mut list = vec![left_out(
+        "machine",
+        "kinks, edges and curves between samples",
+        "--swift: signals are known at the samples and straight between them; docs/economy.md says what that does to pictures",
+    )];
+    if blocks.features {
+        list.push(left_out(
+            "feature-generator",
+            "craters that look less than half a line high",
+            "--swift; `craters_left_out` and `pixels_left_out` of the record say how much",
+        ));
     }
     list
 }

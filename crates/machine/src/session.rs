@@ -131,6 +131,7 @@ impl<S: Real> Elaborated<S> {
         store: &mut [f32],
     ) -> Vec<GroupResult> {
         let craters = self.craters_in_sight(plan);
+        let left_out = craters.as_ref().map(|craters| craters.left_out);
         let group = Group {
             stage: &self.stage,
             blocks: &self.blocks,
@@ -145,7 +146,7 @@ impl<S: Real> Elaborated<S> {
             finder: &self.finder,
             craters: craters.as_ref(),
         };
-        let results = store
+        let mut results: Vec<GroupResult> = store
             .par_chunks_mut(LANES * self.raster.lines)
             .enumerate()
             .map(|(index, rows)| {
@@ -160,6 +161,10 @@ impl<S: Real> Elaborated<S> {
             })
             .collect();
         craters.into_iter().for_each(|craters| self.craters.give_back(craters));
+        if let (Some(left_out), Some(first)) = (left_out, results.first_mut()) {
+            first.counts.craters_left_out = left_out.craters;
+            first.counts.pixels_left_out = left_out.cells.ceil() as u64;
+        }
         results
     }
 

@@ -80,7 +80,7 @@ fn sight(stage: &Stage) -> Sight {
 
 /// Most pixels of the screen in a square resolution cell, which is as wide as a line is high: not less than 1, and
 /// more in the corners, where a pixel subtends less.
-fn pixels_a_cell(stage: &Stage) -> f64 {
+pub(crate) fn pixels_a_cell(stage: &Stage) -> f64 {
     let raster = stage.settings.raster;
     let FieldOfView { tan_half_width, tan_half_height } = raster.field;
     let columns = f64::from(raster.columns) / tan_half_width;

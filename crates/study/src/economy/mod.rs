@@ -101,7 +101,8 @@ struct Mode {
 fn modes(stage: &Stage) -> Result<Vec<Mode>, StudyError> {
     let forced = Forced::ALL.map(|forced| (forced.name(), Economy::LosslessBut(forced)));
     let whole = [("bounded", Economy::Bounded), ("lossless", Economy::Lossless)];
-    let all = whole.into_iter().chain(forced).chain([("everything", Economy::Everything)]);
+    let last = [("everything", Economy::Everything), ("swift", Economy::Swift)];
+    let all = whole.into_iter().chain(forced).chain(last);
     let mode = |(name, economy): (&str, Economy)| {
         let mut stage = stage.clone();
         stage.settings.economy = economy;
@@ -110,7 +111,7 @@ fn modes(stage: &Stage) -> Result<Vec<Mode>, StudyError> {
                 Economy::LosslessBut(_) => format!("lossless, but {name} runs"),
                 _ => name.to_owned(),
             },
-            claims_equal: economy != Economy::Bounded,
+            claims_equal: !matches!(economy, Economy::Bounded | Economy::Swift),
             session: HybridMachine.prepare(stage)?,
             pictures: Vec::new(),
             counts: FrameCounts::default(),

@@ -56,7 +56,8 @@ pub struct LockstepCommand {
     ideal_parts: bool,
     /// So many random scenes instead of a scenario.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..), conflicts_with_all = [
-        "scenario", "machine", "overlay", "set", "bank", "sweeps", "samples", "lossless", "everything", "shadow_cache"
+        "scenario", "machine", "overlay", "set", "bank", "sweeps", "samples", "swift", "lossless", "everything",
+        "shadow_cache"
     ])]
     random: Option<u64>,
     /// Seed of the first of them; the next have the next.

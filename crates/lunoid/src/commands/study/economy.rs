@@ -58,9 +58,10 @@ struct Outcome {
 impl EconomyStudy {
     /// Studies.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        if self.stage.options.lossless || self.stage.options.everything {
+        let options = &self.stage.options;
+        if options.swift || options.lossless || options.everything {
             let advice = "the study draws with both and without; leave them out";
-            return Err(Failure::usage(format!("--lossless, --everything: {advice}")));
+            return Err(Failure::usage(format!("--swift, --lossless, --everything: {advice}")));
         }
         let mut loaded = self.stage.load()?;
         loaded.expect_machine("it leaves nothing out")?;
