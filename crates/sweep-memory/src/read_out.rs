@@ -6,6 +6,8 @@ use rayon::slice::ParallelSliceMut;
 use scenario::{FieldOfView, Projection};
 use sweep_program::Fan;
 
+use crate::upright::{BAND, TILE, Upright};
+
 /// What decides where a pixel lies between the sweeps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct View {
@@ -45,7 +47,7 @@ fn farthest(along: f64, across: f64, most: f64) -> f64 {
 impl View {
     /// `tan beta` over X as a function of Y on the view-plane (section 15.3, inverted): oblique sweeps cross a line
     /// at equal distances, which depend on the line.
-    fn tangent_over_x(&self) -> impl Fn(f64) -> f64 + use<> {
+    pub(crate) fn tangent_over_x(&self) -> impl Fn(f64) -> f64 + use<> {
         let (sin, cos) = match self.projection {
             Projection::Exact => sin_cos(self.pitch),
             Projection::AsReported | Projection::Corrected => (0.0, 1.0),
@@ -94,7 +96,7 @@ impl View {
 }
 
 /// Centre of cell `index` of `count`, -1..=1.
-fn centre(index: usize, count: usize) -> f64 {
+pub(crate) fn centre(index: usize, count: usize) -> f64 {
     (2 * index + 1) as f64 / count as f64 - 1.0
 }
 
@@ -218,36 +220,28 @@ impl Taps {
 
 /// Reads `store`, which holds `lines` values a sweep, into `picture` (row by row, `columns` wide).
 pub fn scan_converter(store: &[f32], lines: usize, columns: usize, view: &View, picture: &mut [f32]) {
-    let tangent_over_x = view.tangent_over_x();
     if !view.is_level(lines, picture.len() / columns) {
         let (store, edge) = (Store { values: store, lines }, view.raster.tan_half_height);
         let cells_a_line =
             lines as f64 / edge * view.field.tan_half_height / (picture.len() / columns) as f64;
+        let tangent_over_x = view.tangent_over_x();
         return view.read_turned(columns, picture, |x, y| {
             store.spot(view.fan.position(x * tangent_over_x(y)), cell_of(y, edge, lines), cells_a_line)
         });
     }
-    let last = view.fan.sweeps as usize - 1;
-    picture.par_chunks_exact_mut(columns).enumerate().for_each(|(line, row)| {
-        let y = view.field.tan_half_height * centre(line, lines);
-        let scale = view.field.tan_half_width * tangent_over_x(y) / columns as f64;
-        for (column, pixel) in row.iter_mut().enumerate() {
-            let offset = (2 * column + 1) as f64 - columns as f64;
-            let position = view.fan.position(offset * scale).clamp(0.0, last as f64);
-            let left = (position as usize).min(last);
-            let right = (left + 1).min(last);
-            let share = (position - left as f64) as f32;
-            let (left, right) = (store[left * lines + line], store[right * lines + line]);
-            *pixel = left + share * (right - left);
-        }
-    });
+    let level = Upright { store, lines, view, columns };
+    picture.par_chunks_mut(BAND * columns).enumerate().for_each(|(band, rows)| level.read(band * BAND, rows));
 }
 
 /// Reads the raster as it was written: column n is sweep n.
 pub fn digital_memory(store: &[f32], lines: usize, columns: usize, picture: &mut [f32]) {
-    picture.par_chunks_exact_mut(columns).enumerate().for_each(|(line, row)| {
-        for (sweep, pixel) in row.iter_mut().enumerate() {
-            *pixel = store[sweep * lines + line];
+    picture.par_chunks_mut(BAND * columns).enumerate().for_each(|(band, rows)| {
+        for first in (0..columns).step_by(TILE) {
+            for (line, row) in rows.chunks_exact_mut(columns).enumerate() {
+                let pixels = row[first..].iter_mut().take(TILE);
+                let cells = store[first * lines + band * BAND + line..].iter().step_by(lines);
+                pixels.zip(cells).for_each(|(pixel, cell)| *pixel = *cell);
+            }
         }
     });
 }

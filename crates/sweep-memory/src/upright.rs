@@ -1,0 +1,131 @@
+//! The scan converter of a picture whose lines are those that were written.
+
+use std::array;
+
+use fearless_simd::{Level, dispatch};
+use signal::Real;
+
+use crate::View;
+use crate::read_out::centre;
+
+/// Lines that are read together: they stand side by side in what is fetched of a sweep.
+pub(crate) const BAND: usize = 16;
+
+/// Columns that are read together: their sweeps stay in the first-level cache while the lines of a band are read.
+pub(crate) const TILE: usize = 64;
+
+/// From here on the floats are the whole numbers: a smaller one added to it is rounded to a whole number, which then
+/// stands in its lowest bits.
+const WHOLE: f64 = 4_503_599_627_370_496.0;
+
+/// What is read, and into how many columns.
+pub(crate) struct Upright<'a> {
+    /// `lines` values a sweep.
+    pub store: &'a [f32],
+    pub lines: usize,
+    pub view: &'a View,
+    pub columns: usize,
+}
+
+/// Where the pixels of a tile lie in a line: between a sweep and the one to its right, and the share of that.
+struct Places {
+    left: [u32; TILE],
+    share: [f32; TILE],
+}
+
+impl Upright<'_> {
+    /// Reads lines from `first` on into rows of the picture.
+    pub fn read(&self, first: usize, rows: &mut [f32]) {
+        let vectors = Level::new();
+        let (tangent_over_x, field) = (self.view.tangent_over_x(), self.view.field);
+        let mut places = Places { left: [0; TILE], share: [0.0; TILE] };
+        for column in (0..self.columns).step_by(TILE) {
+            // Twice the columns from the middle of the picture.
+            let offsets = array::from_fn(|n| (2 * (column + n) + 1) as f64 - self.columns as f64);
+            let mut aimed = None;
+            for (line, row) in (first..).zip(rows.chunks_exact_mut(self.columns)) {
+                let y = field.tan_half_height * centre(line, self.lines);
+                let scale = field.tan_half_width * tangent_over_x(y) / self.columns as f64;
+                // Lines of a level picture have the same places.
+                if aimed != Some(scale) {
+                    dispatch!(vectors, _ => self.aim(&offsets, scale, &mut places));
+                    aimed = Some(scale);
+                }
+                let end = self.columns.min(column + TILE);
+                self.read_tile(line, &places, &mut row[column..end]);
+            }
+        }
+    }
+
+    /// The places of columns at `offsets`; `scale` is the tangent of half a column.
+    #[inline(always)]
+    fn aim(&self, offsets: &[f64; TILE], scale: f64, places: &mut Places) {
+        let last = f64::from(self.view.fan.sweeps - 1);
+        for (n, offset) in offsets.iter().enumerate() {
+            let position = self.view.fan.position(offset * scale).at_least(0.0);
+            let position = if position < last { position } else { last };
+            let nearest = (position + WHOLE) - WHOLE;
+            let left = if nearest > position { nearest - 1.0 } else { nearest };
+            places.left[n] = (left + WHOLE).to_bits() as u32;
+            places.share[n] = (position - left) as f32;
+        }
+    }
+
+    #[inline(always)]
+    fn read_tile(&self, line: usize, places: &Places, pixels: &mut [f32]) {
+        let last = self.view.fan.sweeps - 1;
+        for ((pixel, &left), &share) in pixels.iter_mut().zip(&places.left).zip(&places.share) {
+            let cell = |sweep: u32| self.store[sweep as usize * self.lines + line];
+            let (left, right) = (cell(left), cell(last.min(left + 1)));
+            *pixel = left + share * (right - left);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::centre;
+    use crate::{View, digital_memory, scan_converter};
+    use proptest::prelude::{prop_assert_eq, proptest};
+    use scenario::{FieldOfView, Projection};
+    use sweep_program::Fan;
+
+    /// A pixel of the scan converter by itself.
+    fn pixel(store: &[f32], lines: usize, columns: usize, view: &View, [column, line]: [usize; 2]) -> f32 {
+        let last = view.fan.sweeps as usize - 1;
+        let y = view.field.tan_half_height * centre(line, lines);
+        let scale = view.field.tan_half_width * view.tangent_over_x()(y) / columns as f64;
+        let offset = (2 * column + 1) as f64 - columns as f64;
+        let position = view.fan.position(offset * scale).clamp(0.0, last as f64);
+        let left = position as usize;
+        let share = (position - left as f64) as f32;
+        let cell = |sweep: usize| store[sweep * lines + line];
+        cell(left) + share * (cell(last.min(left + 1)) - cell(left))
+    }
+
+    proptest! {
+        /// Pictures that are wider and narrower than their sweeps, level and pitched, whole bands and parts of them.
+        #[test]
+        fn tiles_read_what_each_pixel_reads(
+            sweeps in 1..150usize, lines in 1..40usize, columns in 1..150usize, pitch in -0.5..0.5f64, level: bool,
+        ) {
+            let field = FieldOfView { tan_half_width: 0.47, tan_half_height: 0.27 };
+            let pitch = if level { 0.0 } else { pitch };
+            let fan = Fan::covering(Projection::Exact, pitch, &field, sweeps as u32).unwrap();
+            let view = View { fan, projection: Projection::Exact, pitch, raster: field, field, yoke: 0.0 };
+            let store: Vec<f32> = (0..sweeps * lines).map(|cell| libm::sinf(cell as f32)).collect();
+            let places = || (0..lines).flat_map(|line| (0..columns).map(move |column| [column, line]));
+            let mut picture = vec![0.0; columns * lines];
+            scan_converter(&store, lines, columns, &view, &mut picture);
+            for (found, place) in picture.iter().zip(places()) {
+                let alone = pixel(&store, lines, columns, &view, place);
+                prop_assert_eq!(found.to_bits(), alone.to_bits(), "{:?}", place);
+            }
+            let mut picture = vec![0.0; sweeps * lines];
+            digital_memory(&store, lines, sweeps, &mut picture);
+            for (cell, value) in store.iter().enumerate() {
+                prop_assert_eq!(picture[cell % lines * sweeps + cell / lines], *value);
+            }
+        }
+    }
+}
