@@ -17,11 +17,13 @@ pub struct BrokenProfile<'a, S> {
 }
 
 /// One step of an occlusion circuit: elevation before and now, held value before; held value now.
+#[inline(always)]
 pub(crate) fn peak_hold<S: Real>(_before: S, hold: S, now: S) -> S {
     now.at_least(hold)
 }
 
 /// As reported: while unblanked the hold follows the elevation; a fall of it blanks and holds.
+#[inline(always)]
 pub(crate) fn derivative<S: Real>(before: S, hold: S, now: S) -> S {
     let blanked = before < hold;
     let stays_blanked = if blanked { now < hold } else { now < before };
@@ -30,7 +32,7 @@ pub(crate) fn derivative<S: Real>(before: S, hold: S, now: S) -> S {
 
 /// What the circuit of a lane, or of a group, remembers.
 #[derive(Debug, Clone, Copy)]
-struct Memory<T> {
+pub(crate) struct Memory<T> {
     /// Elevation of the place before.
     below: T,
     /// What the circuit saw there: the same, or the top near it.
@@ -42,15 +44,12 @@ struct Memory<T> {
 /// Runs a circuit along a group: side by side where no profile bends, lane by lane around a bend.
 pub(crate) fn occlude<S: Real>(
     out: &mut Projected<S>,
-    broken: Option<BrokenProfile<'_, S>>,
+    broken: BrokenProfile<'_, S>,
     circuit: impl Fn(S, S, S) -> S,
 ) {
     let Some(&first) = out.elevation.first() else { return };
-    let mut memory = Memory { below: first, before: first, hold: first };
+    let mut memory = Memory::new(first);
     let samples = out.elevation.len();
-    let Some(broken) = broken else {
-        return smooth(out, 0..samples, &mut memory, &circuit);
-    };
     let mut passed = [0; LANES];
     let mut sample = 0;
     while sample < samples {
@@ -73,27 +72,54 @@ fn smooth<S: Real>(
     memory: &mut Memory<Lanes<S>>,
     circuit: &impl Fn(S, S, S) -> S,
 ) {
-    let Memory { mut below, mut before, mut hold } = *memory;
-    // Beyond the last sample the profile is taken to rise: no top there.
-    let beyond = Lanes::splat(S::from_f64(f64::INFINITY));
+    let beyond = beyond();
     let after = out.elevation[samples.start..].iter().skip(1).chain(std::iter::once(&beyond));
     let outputs = out.hold[samples.clone()].iter_mut().zip(&mut out.entry[samples.clone()]);
     for ((&now, &after), (held, entry)) in out.elevation[samples].iter().zip(after).zip(outputs) {
-        let mut top = now;
-        if is_hidden([below, now, after], hold) {
-            *entry = Lanes::default();
-        } else if is_climbing([below, now, after], hold) {
-            *entry = Lanes::default();
-            hold = Lanes::from_fn(|lane| circuit(before[lane], hold[lane], now[lane]));
-        } else {
-            top = Lanes::from_fn(|lane| top_of(below[lane], now[lane], after[lane]));
-            *entry = Lanes::from_fn(|lane| entry_of(below[lane], hold[lane], now[lane], top[lane]));
-            hold = Lanes::from_fn(|lane| circuit(before[lane], hold[lane], top[lane]));
-        }
-        *held = hold;
-        (below, before) = (now, top);
+        *entry = memory.step(now, after, circuit);
+        *held = memory.hold;
     }
-    *memory = Memory { below, before, hold };
+}
+
+/// Beyond the last sample the profile is taken to rise: no top there.
+pub(crate) fn beyond<S: Real>() -> Lanes<S> {
+    Lanes::splat(S::from_f64(f64::INFINITY))
+}
+
+impl<S: Real> Memory<Lanes<S>> {
+    /// Of a group that has come to its first sample.
+    pub(crate) fn new(first: Lanes<S>) -> Self {
+        Self { below: first, before: first, hold: first }
+    }
+
+    /// The held elevation.
+    #[inline(always)]
+    pub(crate) fn hold(&self) -> Lanes<S> {
+        self.hold
+    }
+
+    /// The next sample, and the one after it; returns the part of the step at which the profile comes into sight.
+    #[inline(always)]
+    pub(crate) fn step(
+        &mut self,
+        now: Lanes<S>,
+        after: Lanes<S>,
+        circuit: &impl Fn(S, S, S) -> S,
+    ) -> Lanes<S> {
+        let Self { below, before, hold } = *self;
+        (self.below, self.before) = (now, now);
+        if is_hidden([below, now, after], hold) {
+            return Lanes::default();
+        }
+        if is_climbing([below, now, after], hold) {
+            self.hold = Lanes::from_fn(|lane| circuit(before[lane], hold[lane], now[lane]));
+            return Lanes::default();
+        }
+        let top = Lanes::from_fn(|lane| top_of(below[lane], now[lane], after[lane]));
+        self.before = top;
+        self.hold = Lanes::from_fn(|lane| circuit(before[lane], hold[lane], top[lane]));
+        Lanes::from_fn(|lane| entry_of(below[lane], hold[lane], now[lane], top[lane]))
+    }
 }
 
 /// Whether all lanes stay below the held elevation, tops between samples included: nothing changes, and a circuit that was or
@@ -102,17 +128,27 @@ fn smooth<S: Real>(
 fn is_hidden<S: Real>([below, now, after]: [Lanes<S>; 3], hold: Lanes<S>) -> bool {
     // A top is at most an eighth of rise and fall above its sample; twice that leaves rounding no say.
     let quarter = S::from_f64(0.25);
-    (0..LANES).fold(true, |hidden, lane| {
+    all(|lane| {
         let rise = (now[lane] - below[lane]).at_least(S::ZERO);
         let fall = (now[lane] - after[lane]).at_least(S::ZERO);
-        hidden & (now[lane] + quarter * (rise + fall) < hold[lane])
+        now[lane] + quarter * (rise + fall) < hold[lane]
     })
 }
 
 /// Whether all lanes are in sight before the sample and rise beyond it: no top, and nothing comes into sight.
 #[inline(always)]
 fn is_climbing<S: Real>([below, now, after]: [Lanes<S>; 3], hold: Lanes<S>) -> bool {
-    (0..LANES).fold(true, |climbing, lane| climbing & (below[lane] >= hold[lane]) & (after[lane] > now[lane]))
+    all(|lane| (below[lane] >= hold[lane]) & (after[lane] > now[lane]))
+}
+
+/// Whether something is so in all lanes. A plain loop: an iterator's would be called, and lose the vectors of its caller.
+#[inline(always)]
+pub(crate) fn all(is_so: impl Fn(usize) -> bool) -> bool {
+    let mut all = true;
+    for lane in 0..LANES {
+        all &= is_so(lane);
+    }
+    all
 }
 
 impl<S: Real> BrokenProfile<'_, S> {
@@ -254,52 +290,85 @@ fn entry_of<S: Real>(before: S, hold: S, now: S, top: S) -> S {
 
 #[cfg(test)]
 mod tests {
-    use super::{derivative, entry_of, occlude, peak_hold, top_of};
-    use crate::Projected;
+    use fearless_simd::Level;
     use proptest::prelude::{any, prop_assert_eq, proptest};
-    use signal::{LANES, Lanes};
+    use scenario::{Curvature, Occlusion, Projection};
+    use signal::{LANES, Lanes, Real};
 
-    type Circuit = fn(f32, f32, f32) -> f32;
+    use super::{derivative, entry_of, peak_hold, top_of};
+    use crate::{Deflection, Processor, Projected};
 
-    /// Hold and entry of one lane, sample by sample with nothing cut short.
-    fn plainly(elevation: &[f32], circuit: Circuit) -> Vec<[f32; 2]> {
+    /// Elevation, hold, entry, position and line of one lane, sample by sample with nothing cut short.
+    fn plainly<S: Real>(elevation: &[S], occlusion: Occlusion, deflection: &Deflection) -> Vec<[S; 5]> {
         let [mut below, mut before, mut hold] = [elevation[0]; 3];
+        let [a, b, c, e] = [deflection.a, deflection.b, deflection.c, deflection.e].map(S::from_f64);
+        let line = |tangent: S| (a - b * tangent) / (c + e * tangent);
         let step = |k: usize| {
-            let (now, after) = (elevation[k], elevation.get(k + 1).copied().unwrap_or(f32::INFINITY));
+            let infinity = S::from_f64(f64::INFINITY);
+            let (now, after) = (elevation[k], elevation.get(k + 1).copied().unwrap_or(infinity));
             let top = top_of(below, now, after);
             let entry = entry_of(below, hold, now, top);
-            hold = circuit(before, hold, top);
+            hold = match occlusion {
+                Occlusion::PeakHold => peak_hold(before, hold, top),
+                Occlusion::Derivative => derivative(before, hold, top),
+            };
             (below, before) = (now, top);
-            [hold, entry]
+            [now, hold, entry, line(now), line(hold)]
         };
         (0..elevation.len()).map(step).collect()
+    }
+
+    /// The processor by the vectors of this computer and by those that all have, against every lane by itself.
+    fn check<S: Real>(
+        tangents: &[Lanes<f64>],
+        occlusion: Occlusion,
+    ) -> Result<(), proptest::test_runner::TestCaseError> {
+        // A metre before the eye a height is its tangent.
+        let mut processor = Processor::<S>::new(occlusion, Curvature::None, &vec![1.0; tangents.len()]);
+        let height: Vec<Lanes<S>> =
+            tangents.iter().map(|sample| Lanes::from_fn(|lane| S::from_f64(sample[lane]))).collect();
+        let deflection = std::array::from_fn(|lane| {
+            Deflection::new(Projection::Exact, 0.1, 0.05 * lane as f64).in_lines(575.0, 0.268)
+        });
+        for vectors in [Level::new(), Level::baseline()] {
+            processor.vectors = vectors;
+            let mut out = Projected::default();
+            processor.run(&height, &deflection, &mut out);
+            for lane in 0..LANES {
+                let alone: Vec<S> = height.iter().map(|sample| sample[lane]).collect();
+                for (sample, plain) in plainly(&alone, occlusion, &deflection[lane]).into_iter().enumerate() {
+                    let signals = [&out.elevation, &out.hold, &out.entry, &out.position, &out.line];
+                    let together = signals.map(|signal| signal[sample][lane].to_f64().to_bits());
+                    prop_assert_eq!(
+                        together,
+                        plain.map(|value| value.to_f64().to_bits()),
+                        "{} {}",
+                        sample,
+                        lane
+                    );
+                }
+            }
+        }
+        Ok(())
     }
 
     proptest! {
         /// Neighbouring profiles that climb, fall, stand still and hide one another, in coarse steps so that they also touch.
         #[test]
         fn what_is_plain_at_a_glance_changes_no_bit(
-            steps in proptest::collection::vec((-6..7i8, any::<[i8; LANES]>()), 2..60),
+            steps in proptest::collection::vec((-6..7i8, any::<[i8; LANES]>()), 1..60),
             coarse in any::<bool>(),
         ) {
             let grain = if coarse { 0.5 } else { 0.003 };
             let mut sum = 0.0;
             let sample = |(step, own): &(i8, [i8; LANES])| {
-                sum += f32::from(*step) * 0.02;
-                Lanes::from_fn(|lane| sum + grain * f32::from(own[lane] / 32) * 0.01)
+                sum += f64::from(*step) * 0.02;
+                Lanes::from_fn(|lane| sum + grain * f64::from(own[lane] / 32) * 0.01)
             };
-            let elevation: Vec<Lanes<f32>> = steps.iter().map(sample).collect();
-            for circuit in [peak_hold as Circuit, derivative] {
-                let nothing = vec![Lanes::default(); elevation.len()];
-                let (hold, entry) = (nothing.clone(), nothing);
-                let mut out = Projected { elevation: elevation.clone(), hold, entry, ..Projected::default() };
-                occlude(&mut out, None, circuit);
-                for lane in 0..LANES {
-                    let alone: Vec<f32> = elevation.iter().map(|sample| sample[lane]).collect();
-                    let together: Vec<[f32; 2]> =
-                        out.hold.iter().zip(&out.entry).map(|(hold, entry)| [hold[lane], entry[lane]]).collect();
-                    prop_assert_eq!(together, plainly(&alone, circuit));
-                }
+            let tangents: Vec<Lanes<f64>> = steps.iter().map(sample).collect();
+            for occlusion in [Occlusion::PeakHold, Occlusion::Derivative] {
+                check::<f32>(&tangents, occlusion)?;
+                check::<f64>(&tangents, occlusion)?;
             }
         }
     }

@@ -1,10 +1,11 @@
 //! Elevation, occlusion and deflection of a group of sweeps.
 
+use fearless_simd::{Level, dispatch};
 use landscape::parabolic_drop;
 use scenario::{Curvature, Occlusion};
 use signal::{Break, Breaks, LANES, Lanes, Real, Signal, Unit};
 
-use crate::occlusion::{derivative, occlude, peak_hold};
+use crate::occlusion::{Memory, all, beyond, derivative, occlude, peak_hold};
 use crate::{BrokenProfile, Deflection};
 
 /// Signals of the block.
@@ -27,13 +28,15 @@ pub const SIGNALS: &[Signal] = &[
 ];
 
 /// What the block is set to for a run: tables over the sweep.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Processor<S> {
     occlusion: Occlusion,
     curvature: Curvature,
     ranges: Vec<f64>,
     inverse_range: Vec<S>,
     drop: Vec<S>,
+    /// Vectors of the computer.
+    pub(crate) vectors: Level,
 }
 
 /// Outputs of a group: one [`Lanes`] a sample.
@@ -76,18 +79,60 @@ impl<S: Real> Processor<S> {
             ranges: ranges.to_vec(),
             inverse_range: ranges.iter().map(|&range| S::from_f64(1.0 / range)).collect(),
             drop: ranges.iter().map(|&range| S::from_f64(drop_at(curvature, range))).collect(),
+            vectors: Level::new(),
         }
     }
 
     /// Projects the profiles of a group; `height` is above the eye (m), `deflection` in lines.
     pub fn run(&self, height: &[Lanes<S>], deflection: &[Deflection; LANES], out: &mut Projected<S>) {
         out.breaks.clear();
-        self.elevate(height, out);
         match self.occlusion {
-            Occlusion::PeakHold => occlude(out, None, peak_hold),
-            Occlusion::Derivative => occlude(out, None, derivative),
+            Occlusion::PeakHold => {
+                dispatch!(self.vectors, _ => self.run_smooth(height, deflection, peak_hold, out));
+            }
+            Occlusion::Derivative => {
+                dispatch!(self.vectors, _ => self.run_smooth(height, deflection, derivative, out));
+            }
         }
-        deflect(deflection, out);
+    }
+
+    /// In one pass: a loop without a memory from sample to sample would be turned into vectors along the samples, and they
+    /// lie apart.
+    #[inline(always)]
+    fn run_smooth(
+        &self,
+        height: &[Lanes<S>],
+        deflection: &[Deflection; LANES],
+        circuit: impl Fn(S, S, S) -> S,
+        out: &mut Projected<S>,
+    ) {
+        let samples = height.len();
+        out.resize(samples);
+        if samples == 0 {
+            return;
+        }
+        let by = DeflectionLanes::new(deflection);
+        let (drop, inverse) = (&self.drop[..samples], &self.inverse_range[..samples]);
+        let tangent =
+            |sample: usize| (height[sample] - Lanes::splat(drop[sample])) * Lanes::splat(inverse[sample]);
+        let Projected { elevation, hold, entry, position, line, .. } = out;
+        let mut now = tangent(0);
+        let mut memory = Memory::new(now);
+        let (mut held, mut held_at) = (now, by.at(now));
+        for sample in 0..samples {
+            let after = if sample + 1 < samples { tangent(sample + 1) } else { beyond() };
+            elevation[sample] = now;
+            entry[sample] = memory.step(now, after, &circuit);
+            let now_held = memory.hold();
+            hold[sample] = now_held;
+            position[sample] = by.at(now);
+            // Half of all samples are hidden in all lanes: what is held stands.
+            if !all(|lane| now_held[lane] == held[lane]) {
+                (held, held_at) = (now_held, by.at(now_held));
+            }
+            line[sample] = held_at;
+            now = after;
+        }
     }
 
     /// The same for profiles that bend between samples. Breaks that do not bend the profile are projected, and the
@@ -102,19 +147,16 @@ impl<S: Real> Processor<S> {
         self.elevate(height, out);
         self.elevate_breaks(broken.breaks, &mut out.breaks);
         match self.occlusion {
-            Occlusion::PeakHold => occlude(out, Some(broken), peak_hold),
-            Occlusion::Derivative => occlude(out, Some(broken), derivative),
+            Occlusion::PeakHold => occlude(out, broken, peak_hold),
+            Occlusion::Derivative => occlude(out, broken, derivative),
         }
         deflect(deflection, out);
         deflect_breaks(deflection, &mut out.breaks);
     }
 
     fn elevate(&self, height: &[Lanes<S>], out: &mut Projected<S>) {
-        let Projected { elevation, hold, entry, position, line, .. } = out;
-        for signal in [&mut *elevation, hold, entry, position, line] {
-            signal.resize(height.len(), Lanes::default());
-        }
-        self.tangents(height, elevation);
+        out.resize(height.len());
+        self.tangents(height, &mut out.elevation);
     }
 
     /// Tangent of the elevation of each sample.
@@ -156,9 +198,39 @@ impl<S: Real> ProjectedBreaks<S> {
     }
 }
 
+impl<S: Real> Projected<S> {
+    fn resize(&mut self, samples: usize) {
+        let Self { elevation, hold, entry, position, line, .. } = self;
+        for signal in [elevation, hold, entry, position, line] {
+            signal.resize(samples, Lanes::default());
+        }
+    }
+}
+
 fn deflect<S: Real>(deflection: &[Deflection; LANES], out: &mut Projected<S>) {
     deflect_samples(deflection, &out.elevation, &mut out.position);
     deflect_samples(deflection, &out.hold, &mut out.line);
+}
+
+/// The deflections of a group side by side.
+struct DeflectionLanes<S> {
+    a: Lanes<S>,
+    b: Lanes<S>,
+    c: Lanes<S>,
+    e: Lanes<S>,
+}
+
+impl<S: Real> DeflectionLanes<S> {
+    #[inline(always)]
+    fn new(deflection: &[Deflection; LANES]) -> Self {
+        let lanes =
+            |part: fn(&Deflection) -> f64| Lanes::from_fn(|lane| S::from_f64(part(&deflection[lane])));
+        Self { a: lanes(|d| d.a), b: lanes(|d| d.b), c: lanes(|d| d.c), e: lanes(|d| d.e) }
+    }
+    #[inline(always)]
+    fn at(&self, tangent: Lanes<S>) -> Lanes<S> {
+        (self.a - self.b * tangent) / (self.c + self.e * tangent)
+    }
 }
 
 /// Line positions of tangents.
@@ -167,10 +239,9 @@ pub(crate) fn deflect_samples<S: Real>(
     tangents: &[Lanes<S>],
     lines: &mut [Lanes<S>],
 ) {
-    let lanes = |part: fn(&Deflection) -> f64| Lanes::from_fn(|lane| S::from_f64(part(&deflection[lane])));
-    let (a, b, c, e) = (lanes(|d| d.a), lanes(|d| d.b), lanes(|d| d.c), lanes(|d| d.e));
+    let by = DeflectionLanes::new(deflection);
     for (line, &tangent) in lines.iter_mut().zip(tangents) {
-        *line = (a - b * tangent) / (c + e * tangent);
+        *line = by.at(tangent);
     }
 }
 
