@@ -116,7 +116,7 @@ fn terrain_path<S: Real>(c: &mut Criterion, scalar: &str) {
     });
     let settings = &scene.scene.stage.settings;
     let lines = settings.raster.lines as usize;
-    let mut rows = vec![0.0; LANES * lines];
+    let (mut side, mut rows) = (Vec::new(), vec![0.0; LANES * lines]);
     let beam = Beam {
         position: &projected.position,
         line: &projected.line,
@@ -126,7 +126,16 @@ fn terrain_path<S: Real>(c: &mut Criterion, scalar: &str) {
         far: None,
     };
     group.bench_function("sweep memory, write beam", |b| {
-        b.iter(|| write_group(black_box(&beam), Steps::Curved, settings.laws.pixel_rule, lines, &mut rows));
+        b.iter(|| {
+            write_group(
+                black_box(&beam),
+                Steps::Curved,
+                settings.laws.pixel_rule,
+                lines,
+                &mut side,
+                &mut rows,
+            )
+        });
     });
     group.finish();
 }

@@ -417,13 +417,15 @@ impl<S: Real> Group<'_, S> {
             let drive = Drive { position, intensity, breaks, on, far };
             return beam.gun.write_stretches(&drive, &mut work.gun, rows);
         }
+        let mut lines = std::mem::take(&mut work.lines);
         let breaks = self.walks_breaks(work).then_some(BeamBreaks {
             breaks: &work.mixed.breaks,
             bends: &work.mixed.bends,
             position: &work.projected.breaks.position,
             line: &work.projected.breaks.line,
         });
-        self.write_beam(self.composite(work).reflectivity, breaks, Steps::Curved, work, rows);
+        self.write_beam(self.composite(work).reflectivity, breaks, Steps::Curved, work, &mut lines, rows);
+        work.lines = lines;
     }
 
     /// The ideal write beam over what the processor has projected.
@@ -433,6 +435,7 @@ impl<S: Real> Group<'_, S> {
         breaks: Option<BeamBreaks<'_, S>>,
         steps: Steps,
         work: &Workspace<S>,
+        lines: &mut Vec<Lanes<f32>>,
         rows: &mut [f32],
     ) {
         let projected = &work.projected;
@@ -444,7 +447,8 @@ impl<S: Real> Group<'_, S> {
             breaks,
             far: self.has_silhouettes().then_some(&work.far),
         };
-        write_group(&beam, steps, self.stage.settings.laws.pixel_rule, self.raster.lines, rows);
+        let rule = self.stage.settings.laws.pixel_rule;
+        write_group(&beam, steps, rule, self.raster.lines, lines, rows);
     }
 
     fn has_silhouettes(&self) -> bool {

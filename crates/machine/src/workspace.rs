@@ -67,6 +67,8 @@ pub(crate) struct Workspace<S> {
     pub projected: Projected<S>,
     /// Mountains behind the last sample.
     pub far: [Vec<FarStroke>; LANES],
+    /// Lines of the ideal write beam while they are written.
+    pub lines: Vec<Lanes<f32>>,
     /// Third video switch.
     pub overlay: Overlay,
     /// The same of parts.
@@ -100,6 +102,7 @@ impl<S: Real> Default for Workspace<S> {
             mixed: Mixed::default(),
             projected: Projected::default(),
             far: Default::default(),
+            lines: Vec::new(),
             overlay: Overlay::default(),
             body_fade: BodyFade::default(),
         }

@@ -93,7 +93,7 @@ pub(crate) fn chords(
 mod tests {
     use super::{Curve, Stretch};
     use crate::side_by_side::Cubic;
-    use signal::Lanes;
+    use fearless_simd::{Level, SimdBase, dispatch, f32x8};
 
     fn parabola(u: f32) -> f32 {
         3.0 - 2.0 * u + 0.7 * u * u
@@ -121,10 +121,13 @@ mod tests {
     #[test]
     fn a_whole_step_between_smooth_neighbours_is_the_cubic() {
         let values @ [a, b, c, d] = [0.3, 1.0, 1.4, -0.2];
-        let cubic = Cubic::through(values.map(Lanes::splat));
         let stretch = Stretch::new((0.0, b), (1.0, c), Some(a), Some(d));
         for u in [0.0, 0.1, 0.5, 0.8, 1.0] {
-            assert!((cubic.at(Lanes::splat(u))[3] - stretch.at(u)).abs() < 1e-6);
+            let at = dispatch!(Level::new(), simd => {
+                let cubic = Cubic::through(values.map(|value| f32x8::splat(simd, value)));
+                cubic.at(simd, f32x8::splat(simd, u)).to_array()
+            });
+            assert!((at[3] - stretch.at(u)).abs() < 1e-6);
         }
     }
 

@@ -73,7 +73,7 @@ impl Target for Levels<'_> {
         let stroke = upwards(stroke);
         self.cover(stroke, row);
         if let Some(lit) = stroke.lit() {
-            line_mean(lit, row);
+            line_mean(lit, row.len(), |line, value| row[line] += value);
         }
     }
 
@@ -126,7 +126,7 @@ impl Target for Charge {
 
     fn leave_exactly(&mut self, stroke: Stroke, row: &mut [f32]) {
         if let Some(lit) = stroke.lit() {
-            line_mean(lit, row);
+            line_mean(lit, row.len(), |line, value| row[line] += value);
         }
     }
 

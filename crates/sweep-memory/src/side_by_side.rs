@@ -1,132 +1,175 @@
 //! Strokes of a group of sweeps, side by side: what [`Stroke::lit`] and [`line_mean`] do, eight at a time.
 
+use fearless_simd::{Select, Simd, SimdBase, SimdFloat, SimdMask, f32x8, mask32x8};
 use signal::{LANES, Lanes};
 
 use crate::curve::CHORDS;
 use crate::stroke::{Stroke, line_mean};
 
-/// From here on the floats are the whole numbers: a smaller one added to it is rounded to a whole number, which then
-/// stands in its lowest bits.
-const WHOLE: f32 = 8_388_608.0;
-
 /// A [`Stroke`] a lane; a lane whose `to` is not above its `from` draws nothing.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Strokes {
-    pub from: Lanes<f32>,
-    pub to: Lanes<f32>,
-    pub start: Lanes<f32>,
-    pub end: Lanes<f32>,
+#[derive(Clone, Copy)]
+pub(crate) struct Strokes<V: Simd> {
+    pub from: f32x8<V>,
+    pub to: f32x8<V>,
+    pub start: f32x8<V>,
+    pub end: f32x8<V>,
 }
 
-impl Strokes {
-    /// The stroke of a lane, if it draws anything.
-    pub fn lane(&self, lane: usize) -> Option<Stroke> {
-        let Self { from, to, start, end } = self;
-        let stroke = Stroke { from: from[lane], to: to[lane], start: start[lane], end: end[lane] };
-        (stroke.to < stroke.from).then_some(stroke)
+impl<V: Simd> Strokes<V> {
+    /// Lanes that draw.
+    #[inline(always)]
+    pub fn draw(&self) -> mask32x8<V> {
+        self.to.simd_lt(self.from)
     }
 
     /// The strokes of those lanes alone for which `keeps` is true.
     #[inline(always)]
-    pub fn only(self, keeps: [bool; LANES]) -> Self {
-        let to = Lanes::from_fn(|lane| if keeps[lane] { self.to[lane] } else { self.from[lane] });
-        Self { to, ..self }
+    pub fn only(self, keeps: mask32x8<V>) -> Self {
+        Self { to: keeps.select(self.to, self.from), ..self }
     }
 
-    /// Adds each stroke's integral over each line that it touches to the row of its lane: `sweeps` rows of `lines` lines.
+    /// Adds each stroke's integral over each line that it touches to the lane of that line.
     #[inline(always)]
-    pub fn leave_line_means(&self, [sweeps, lines]: [usize; 2], rows: &mut [f32]) {
-        let Deposits { line, here, below, others } = self.deposits(lines as f32);
-        for lane in 0..sweeps {
-            let (row, line) = (lane * lines, line[lane] as usize);
-            rows[row + line] += here[lane];
-            rows[row + (line + 1).min(lines - 1)] += below[lane];
-        }
-        if others.contains(&true) {
-            self.leave_others(others, lines, rows);
+    pub fn leave_line_means(&self, simd: V, lines: &mut [Lanes<f32>]) {
+        let others = self.deposits(simd, lines.len() as f32).leave(simd, lines);
+        if others != 0 {
+            self.each().leave(others, lines);
         }
     }
 
     /// What strokes leave that lie in the picture, are lit, and touch at most two lines: nearly all.
     #[inline(always)]
-    fn deposits(&self, height: f32) -> Deposits {
-        let mut out =
-            Deposits { line: [0; LANES], here: [0.0; LANES], below: [0.0; LANES], others: [false; LANES] };
-        for lane in 0..LANES {
-            let [from, to] = [self.from[lane], self.to[lane]];
-            let [start, end] = [self.start[lane], self.end[lane]];
-            let nearest = to + WHOLE;
-            let over = nearest - WHOLE > to;
-            let line = nearest.to_bits().wrapping_sub(WHOLE.to_bits()).wrapping_sub(u32::from(over));
-            let next = (nearest - WHOLE) + if over { 0.0 } else { 1.0 };
-            let draws = to < from;
-            let inside = (to >= 0.0) & (from <= height) & (from <= next + 1.0);
-            let known = draws & inside & (start >= 0.0) & (end >= 0.0);
-            let crosses = from > next;
-            let between = start + (from - next) / (from - to) * (end - start);
-            let whole = 0.5 * (start + end) * (from - to);
-            let upper = 0.5 * (between + (start + (end - start))) * (next - to);
-            let lower = 0.5 * (start + between) * (from - next);
-            let here = if crosses { upper } else { whole };
-            let below = if crosses { lower } else { 0.0 };
-            out.line[lane] = if known { line } else { 0 };
-            out.here[lane] = if known { here } else { 0.0 };
-            out.below[lane] = if known { below } else { 0.0 };
-            out.others[lane] = draws & !known;
+    fn deposits(&self, simd: V, height: f32) -> Deposits<V> {
+        let Self { from, to, start, end } = *self;
+        let [zero, half, one, height] = [0.0, 0.5, 1.0, height].map(|value| f32x8::splat(simd, value));
+        let line = to.floor();
+        let next = line + one;
+        let inside = to.simd_ge(zero) & from.simd_le(height) & from.simd_le(next + one);
+        let lit = start.simd_ge(zero) & end.simd_ge(zero);
+        let draws = self.draw();
+        let known = draws & inside & lit;
+        let crosses = from.simd_gt(next);
+        let between = start + (from - next) / (from - to) * (end - start);
+        let whole = half * (start + end) * (from - to);
+        let upper = half * (between + (start + (end - start))) * (next - to);
+        let lower = half * (start + between) * (from - next);
+        Deposits {
+            line,
+            here: known.select(crosses.select(upper, whole), zero),
+            below: (known & crosses).select(lower, zero),
+            known,
+            others: draws & !known & to.simd_lt(height) & from.simd_gt(zero),
         }
-        out
     }
 
+    /// As they are lane by lane.
+    #[inline(always)]
+    pub fn each(&self) -> Each {
+        let Self { from, to, start, end } = *self;
+        Each([from, to, start, end].map(|part| part.to_array()))
+    }
+}
+
+/// Strokes lane by lane: `from`, `to`, `start` and `end` of each.
+pub(crate) struct Each([[f32; LANES]; 4]);
+
+impl Each {
+    /// The stroke of a lane, if it draws anything.
+    pub fn lane(&self, lane: usize) -> Option<Stroke> {
+        let [from, to, start, end] = self.0.map(|part| part[lane]);
+        (to < from).then_some(Stroke { from, to, start, end })
+    }
+
+    /// Those whose bit in `which` is 1.
     #[inline(never)]
-    fn leave_others(&self, others: [bool; LANES], lines: usize, rows: &mut [f32]) {
-        for (lane, row) in rows.chunks_exact_mut(lines).enumerate() {
-            let stroke = self.lane(lane).filter(|_| others[lane]);
-            if let Some(stroke) = stroke.and_then(Stroke::lit) {
-                line_mean(stroke, row);
+    fn leave(&self, which: u64, lines: &mut [Lanes<f32>]) {
+        for lane in (0..LANES).filter(|lane| which >> lane & 1 == 1) {
+            if let Some(stroke) = self.lane(lane).and_then(Stroke::lit) {
+                line_mean(stroke, lines.len(), |line, value| lines[line][lane] += value);
             }
         }
     }
 }
 
 /// What strokes leave in the line of their upper end and in the one below it.
-struct Deposits {
-    line: [u32; LANES],
-    here: [f32; LANES],
-    below: [f32; LANES],
-    /// Strokes that are not among them.
-    others: [bool; LANES],
+struct Deposits<V: Simd> {
+    line: f32x8<V>,
+    here: f32x8<V>,
+    below: f32x8<V>,
+    /// Strokes that leave something and are among them.
+    known: mask32x8<V>,
+    /// Strokes that leave something and are not.
+    others: mask32x8<V>,
+}
+
+/// Lines up to which neighbouring strokes are left line by line; if they lie farther apart, lane by lane.
+const NEAR: f32 = 6.0;
+
+impl<V: Simd> Deposits<V> {
+    /// Leaves them, all lanes of a line together: neighbouring sweeps are mostly in the same line or nearly so. Returns the
+    /// bits of the others.
+    #[inline(always)]
+    fn leave(self, simd: V, lines: &mut [Lanes<f32>]) -> u64 {
+        let Self { line, here, below, known, others } = self;
+        let bound = |value| f32x8::splat(simd, value);
+        let first = known.select(line, bound(f32::INFINITY)).reduce_min();
+        let last = known.select(line, bound(-1.0)).reduce_max();
+        if last - first >= NEAR {
+            leave_apart([line, here, below].map(|part| part.to_array()), lines);
+        } else if first <= last {
+            let mut number = bound(first);
+            for all in lines[first as usize..].iter_mut().take((last - first) as usize + 2) {
+                let own = line.simd_eq(number).select(here, bound(0.0));
+                let add = (line + bound(1.0)).simd_eq(number).select(below, own);
+                (f32x8::load_array(simd, all.0) + add).store_array(&mut all.0);
+                number = number + bound(1.0);
+            }
+        }
+        others.to_bitmask()
+    }
+}
+
+#[inline(never)]
+fn leave_apart([numbers, here, below]: [[f32; LANES]; 3], lines: &mut [Lanes<f32>]) {
+    for lane in 0..LANES {
+        let line = numbers[lane] as usize;
+        for (line, value) in [(line, here[lane]), (line + 1, below[lane])] {
+            if let Some(all) = lines.get_mut(line) {
+                all[lane] += value;
+            }
+        }
+    }
 }
 
 /// The cubic, in each lane, between the middle two of four equally spaced values whose slopes are those of their
 /// neighbours.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Cubic {
-    values: [Lanes<f32>; 4],
+#[derive(Clone, Copy)]
+pub(crate) struct Cubic<V: Simd> {
+    values: [f32x8<V>; 4],
 }
 
-impl Cubic {
-    pub fn through(values: [Lanes<f32>; 4]) -> Self {
+impl<V: Simd> Cubic<V> {
+    #[inline(always)]
+    pub fn through(values: [f32x8<V>; 4]) -> Self {
         Self { values }
     }
 
     /// Largest second difference; not a number or infinite where a value is not finite.
     #[inline(always)]
-    pub fn bend(&self) -> Lanes<f32> {
+    pub fn bend(&self, simd: V) -> f32x8<V> {
         let [a, b, c, d] = self.values;
-        Lanes::from_fn(|lane| {
-            let [a, b, c, d] = [a, b, c, d].map(|value| value[lane]);
-            let (first, last) = ((a - 2.0 * b + c).abs(), (b - 2.0 * c + d).abs());
-            // A sum that is not finite is none, and greater than nothing.
-            let largest = if first > last { first } else { last };
-            if (first + last) < f32::INFINITY { largest } else { f32::INFINITY }
-        })
+        let [two, infinity] = [2.0, f32::INFINITY].map(|value| f32x8::splat(simd, value));
+        let (first, last) = ((a - two * b + c).abs(), (b - two * c + d).abs());
+        // A sum that is not finite is none, and greater than nothing.
+        let largest = first.simd_gt(last).select(first, last);
+        (first + last).simd_lt(infinity).select(largest, infinity)
     }
 
     /// Values at parts of the step, 0..=1.
     #[inline(always)]
-    pub fn at(&self, u: Lanes<f32>) -> Lanes<f32> {
+    pub fn at(&self, simd: V, u: f32x8<V>) -> f32x8<V> {
         let [a, b, c, d] = self.values;
-        let [half, two, three] = [0.5, 2.0, 3.0].map(Lanes::splat);
+        let [half, two, three] = [0.5, 2.0, 3.0].map(|value| f32x8::splat(simd, value));
         let (first, last) = (half * (c - a), half * (d - b));
         let chord = c - b;
         b + u * (first + u * (three * chord - two * first - last + u * (first + last - two * chord)))
@@ -135,39 +178,44 @@ impl Cubic {
 
 /// Curved strokes as chords from the part `entry` of the step on; the beam never turns back.
 #[inline(always)]
-pub(crate) fn chords(
-    position: &Cubic,
-    intensity: &Cubic,
-    whole: Strokes,
-    entry: Lanes<f32>,
-    mut draw: impl FnMut(&Strokes),
-) {
+pub(crate) fn chords<V: Simd>(
+    simd: V,
+    position: &Cubic<V>,
+    intensity: &Cubic<V>,
+    whole: Strokes<V>,
+    entry: f32x8<V>,
+) -> [Strokes<V>; CHORDS as usize] {
     // A cubic overshoots at a step; no intensity is beyond full scale.
-    let intensity = |u| intensity.at(u).map(|value| value.clamp(-1.0, 1.0));
-    let way = Lanes::splat(1.0) - entry;
+    let [least, most] = [-1.0, 1.0].map(|value| f32x8::splat(simd, value));
+    let intensity = |u| within(intensity.at(simd, u), least, most);
+    let way = most - entry;
     let (mut from, mut start) = (whole.from, intensity(entry));
-    for chord in 1..=CHORDS {
-        let u = entry + way * Lanes::splat(chord as f32) / Lanes::splat(CHORDS as f32);
-        let (to, end) = if chord == CHORDS {
-            (whole.to, whole.end)
-        } else {
-            let place = position.at(u);
-            let held = |lane: usize| {
-                let below = if place[lane] < whole.to[lane] { whole.to[lane] } else { place[lane] };
-                if below > from[lane] { from[lane] } else { below }
-            };
-            (Lanes::from_fn(held), intensity(u))
-        };
-        draw(&Strokes { from, to, start, end });
-        (from, start) = (to, end);
+    let mut chords = [whole; CHORDS as usize];
+    for (number, chord) in (1..).zip(&mut chords) {
+        if number < CHORDS {
+            let u = entry + way * f32x8::splat(simd, number as f32) / f32x8::splat(simd, CHORDS as f32);
+            chord.to = within(position.at(simd, u), whole.to, from);
+            chord.end = intensity(u);
+        }
+        (chord.from, chord.start) = (from, start);
+        (from, start) = (chord.to, chord.end);
     }
+    chords
+}
+
+/// What is not a number stays so.
+#[inline(always)]
+fn within<V: Simd>(value: f32x8<V>, least: f32x8<V>, most: f32x8<V>) -> f32x8<V> {
+    let above = value.simd_lt(least).select(least, value);
+    above.simd_gt(most).select(most, above)
 }
 
 #[cfg(test)]
 mod tests {
     use super::Strokes;
     use crate::stroke::{Stroke, line_mean};
-    use proptest::prelude::{Just, Strategy, prop_assert_eq, prop_oneof, proptest};
+    use fearless_simd::{Level, SimdBase, dispatch, f32x8};
+    use proptest::prelude::{Just, Strategy, any, prop_assert_eq, prop_oneof, proptest};
     use signal::{LANES, Lanes};
 
     const LINES: usize = 9;
@@ -193,23 +241,36 @@ mod tests {
         #[test]
         fn strokes_leave_what_each_leaves_alone(
             turns in proptest::collection::vec(proptest::collection::vec(stroke(), LANES), 1..6),
-            sweeps in 1..=LANES,
+            near in any::<bool>(),
         ) {
-            let (mut together, mut alone) = (vec![0.0; sweeps * LINES], vec![0.0; sweeps * LINES]);
+            let mut together = [const { [Lanes([0.0; LANES]); LINES] }; 2];
+            let mut alone = vec![vec![0.0; LINES]; LANES];
             for turn in &turns {
-                let part = |of: fn(&Stroke) -> f32| Lanes::from_fn(|lane| of(&turn[lane]));
-                let strokes = Strokes {
-                    from: part(|s| s.from), to: part(|s| s.to), start: part(|s| s.start), end: part(|s| s.end),
+                // Neighbours are near one another, or anywhere.
+                let stroke = |lane: usize| {
+                    let Stroke { from, to, start, end } = turn[lane];
+                    let shift = if near { turn[0].to.floor() - to.floor() } else { 0.0 };
+                    Stroke { from: from + shift, to: to + shift, start, end }
                 };
-                strokes.leave_line_means([sweeps, LINES], &mut together);
-                for (stroke, row) in turn.iter().zip(alone.chunks_exact_mut(LINES)) {
-                    if let Some(lit) = Some(*stroke).filter(|s| s.to < s.from).and_then(Stroke::lit) {
-                        line_mean(lit, row);
+                let part = |of: fn(&Stroke) -> f32| std::array::from_fn(|lane| of(&stroke(lane)));
+                let parts: [[f32; LANES]; 4] = [part(|s| s.from), part(|s| s.to), part(|s| s.start), part(|s| s.end)];
+                for (vectors, lines) in [Level::new(), Level::baseline()].into_iter().zip(&mut together) {
+                    dispatch!(vectors, simd => {
+                        let [from, to, start, end] = parts.map(|part| f32x8::load_array(simd, part));
+                        Strokes { from, to, start, end }.leave_line_means(simd, lines);
+                    });
+                }
+                for (lane, row) in alone.iter_mut().enumerate() {
+                    if let Some(lit) = Some(stroke(lane)).filter(|s| s.to < s.from).and_then(Stroke::lit) {
+                        line_mean(lit, LINES, |line, value| row[line] += value);
                     }
                 }
             }
-            let bits = |rows: &[f32]| rows.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
-            prop_assert_eq!(bits(&together), bits(&alone));
+            for (lane, row) in alone.iter().enumerate() {
+                for (line, value) in row.iter().enumerate() {
+                    prop_assert_eq!(together.map(|lines| lines[line][lane].to_bits()), [value.to_bits(); 2]);
+                }
+            }
         }
     }
 }

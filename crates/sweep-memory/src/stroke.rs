@@ -36,37 +36,38 @@ impl Stroke {
     }
 }
 
-/// Adds the stroke's integral over each line that it touches.
-pub(crate) fn line_mean(stroke: Stroke, row: &mut [f32]) {
-    let height = row.len() as f32;
-    let (bottom, top) = (stroke.from.min(height), stroke.to.max(0.0));
+/// The stroke's integral over each of `lines` lines that it touches, from the lowest up.
+#[inline]
+pub(crate) fn line_mean(stroke: Stroke, lines: usize, mut add: impl FnMut(usize, f32)) {
+    let (bottom, top) = (stroke.from.min(lines as f32), stroke.to.max(0.0));
     if bottom <= top {
         return;
     }
     let last = top as usize;
     if bottom <= (last + 1) as f32 && bottom == stroke.from && top == stroke.to {
         // Nearly all strokes of far ground stay within one line.
-        row[last] += 0.5 * (stroke.start + stroke.end) * (bottom - top);
-        return;
+        return add(last, 0.5 * (stroke.start + stroke.end) * (bottom - top));
     }
-    let mut lower = bottom;
-    let mut index = (bottom.ceil() as usize).min(row.len());
+    let (mut lower, mut below) = (bottom, stroke.at(bottom));
+    let mut index = (bottom.ceil() as usize).min(lines);
     while index > last {
         index -= 1;
         let upper = top.max(index as f32);
-        row[index] += 0.5 * (stroke.at(lower) + stroke.at(upper)) * (lower - upper);
-        lower = upper;
+        let above = stroke.at(upper);
+        add(index, 0.5 * (below + above) * (lower - upper));
+        (lower, below) = (upper, above);
     }
 }
 
-/// Sets each line whose centre the stroke passes.
-pub(crate) fn centre(stroke: Stroke, row: &mut [f32]) {
+/// The intensity in each of `lines` lines whose centre the stroke passes, from the highest down.
+#[inline]
+pub(crate) fn centre(stroke: Stroke, lines: usize, mut set: impl FnMut(usize, f32)) {
     let first = (stroke.to - 0.5).ceil().max(0.0) as usize;
-    for (index, value) in row.iter_mut().enumerate().skip(first) {
+    for index in first..lines {
         let centre = index as f32 + 0.5;
         if centre >= stroke.from {
             break;
         }
-        *value = stroke.at(centre);
+        set(index, stroke.at(centre));
     }
 }

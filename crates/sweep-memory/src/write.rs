@@ -2,12 +2,13 @@
 
 use std::ops::Range;
 
+use fearless_simd::{Level, Simd, SimdBase, SimdMask, dispatch, f32x8, mask32x8};
 use scenario::PixelRule;
 use signal::{LANES, Lanes, Real, Signal, Unit};
 
 use crate::broken::{BeamBreaks, Cursors};
 use crate::curve::{MOST_BEND, STRAIGHT};
-use crate::side_by_side::{Cubic, Strokes, chords};
+use crate::side_by_side::{Cubic, Each, Strokes, chords};
 use crate::stroke::{Stroke, centre, line_mean};
 
 /// Signals of the block.
@@ -57,23 +58,27 @@ pub enum Steps {
     Straight,
 }
 
-/// Writes the first `rows.len() / lines` sweeps of a group into `rows`, `lines` values a sweep, cleared before.
+/// Writes the first `rows.len() / lines` sweeps of a group into `rows`, `lines` values a sweep, cleared before. In `side`,
+/// the buffer of a worker, lines have their lanes side by side while they are written.
 pub fn write_group<S: Real>(
     beam: &Beam<'_, S>,
     steps: Steps,
     rule: PixelRule,
     lines: usize,
+    side: &mut Vec<Lanes<f32>>,
     rows: &mut [f32],
 ) {
-    rows.fill(0.0);
     debug_assert!(rows.len() / lines <= LANES);
-    let writer = Writer { beam, steps, rule, sweeps: rows.len() / lines, lines };
+    side.clear();
+    side.resize(lines, Lanes::default());
+    let writer = Writer { beam, steps, rule, vectors: Level::new() };
     match beam.breaks {
-        None => writer.smooth_steps(1..beam.line.len(), rows),
-        Some(broken) => writer.steps_among(broken, rows),
+        None => writer.smooth_steps(1..beam.line.len(), side),
+        Some(broken) => writer.steps_among(broken, side),
     }
     for (lane, row) in rows.chunks_exact_mut(lines).enumerate() {
-        beam.far_strokes(lane, |stroke| writer.draw(stroke, row));
+        beam.far_strokes(lane, |stroke| writer.draw(stroke, lane, side));
+        row.iter_mut().zip(&*side).for_each(|(value, line)| *value = line[lane]);
     }
 }
 
@@ -82,18 +87,21 @@ struct Writer<'a, 'b, S> {
     beam: &'a Beam<'b, S>,
     steps: Steps,
     rule: PixelRule,
-    sweeps: usize,
-    lines: usize,
+    vectors: Level,
 }
 
 impl<S: Real> Writer<'_, '_, S> {
-    /// Steps with no break in them or beside them: nearly all. In one place, so that all of it is inlined there.
-    #[inline(never)]
-    fn smooth_steps(&self, samples: Range<usize>, rows: &mut [f32]) {
+    /// Steps with no break in them or beside them: nearly all.
+    fn smooth_steps(&self, samples: Range<usize>, lines: &mut [Lanes<f32>]) {
+        dispatch!(self.vectors, simd => self.smooth_steps_by(simd, samples, lines));
+    }
+
+    #[inline(always)]
+    fn smooth_steps_by<V: Simd>(&self, simd: V, samples: Range<usize>, lines: &mut [Lanes<f32>]) {
         for sample in samples {
             // Neighbouring sweeps are mostly hidden together: one look at all of them.
             if !self.beam.is_hidden(sample) {
-                self.smooth_step(sample, [true; LANES], rows);
+                self.smooth_step(simd, sample, mask32x8::splat(simd, true), lines);
             }
         }
     }
@@ -101,84 +109,94 @@ impl<S: Real> Writer<'_, '_, S> {
     /// The step that ends at `sample` in the lanes for which `smooth` is true: nothing where the profile is hidden;
     /// straight where that is near enough or wanted; else chords of the cubics through the four samples around.
     #[inline(always)]
-    fn smooth_step(&self, sample: usize, smooth: [bool; LANES], rows: &mut [f32]) {
+    fn smooth_step<V: Simd>(&self, simd: V, sample: usize, smooth: mask32x8<V>, lines: &mut [Lanes<f32>]) {
         let Beam { line, entry, intensity, .. } = self.beam;
-        let [from, to] = [sample - 1, sample].map(|sample| all(line, sample));
-        let [before, end] = [sample - 1, sample].map(|sample| all(intensity, sample));
-        let entry = all(entry, sample);
+        let [from, to] = [sample - 1, sample].map(|sample| all(simd, line, sample));
+        let [before, end] = [sample - 1, sample].map(|sample| all(simd, intensity, sample));
+        let entry = all(simd, entry, sample);
         let strokes = Strokes { from, to, start: before + entry * (end - before), end }.only(smooth);
         let curves = match self.steps {
-            Steps::Curved => self.beam.curves(sample),
+            Steps::Curved => self.beam.curves(simd, sample),
             Steps::Straight => None,
         };
         let Some(Curves { position, intensity, bent }) = curves else {
-            return self.leave(&strokes, rows);
+            return self.leave(simd, &strokes, lines);
         };
-        self.leave(&strokes.only(bent.map(|bent| !bent)), rows);
-        if (0..LANES).any(|lane| bent[lane] && strokes.lane(lane).is_some()) {
-            chords(&position, &intensity, strokes.only(bent), entry, |chord| self.leave(chord, rows));
+        self.leave(simd, &strokes.only(!bent), lines);
+        if (bent & strokes.draw()).any_true() {
+            for chord in chords(simd, &position, &intensity, strokes.only(bent), entry) {
+                self.leave(simd, &chord, lines);
+            }
         }
     }
 
     /// Smooth steps side by side, and apart from them those with a break in them or beside them.
-    fn steps_among(&self, broken: BeamBreaks<'_, S>, rows: &mut [f32]) {
+    fn steps_among(&self, broken: BeamBreaks<'_, S>, lines: &mut [Lanes<f32>]) {
         let (samples, mut sample) = (self.beam.line.len(), 1);
         let mut cursors = Cursors::new(broken);
         while sample < samples {
             let disturbed = cursors.next_disturbed(sample).min(samples);
-            self.smooth_steps(sample..disturbed, rows);
+            self.smooth_steps(sample..disturbed, lines);
             if disturbed < samples {
-                self.disturbed_step(disturbed, &mut cursors, rows);
+                self.disturbed_step(disturbed, &mut cursors, lines);
             }
             sample = disturbed + 1;
         }
     }
 
-    fn disturbed_step(&self, sample: usize, cursors: &mut Cursors<'_, S>, rows: &mut [f32]) {
-        let mut smooth = [false; LANES];
-        for (lane, row) in rows.chunks_exact_mut(self.lines).enumerate() {
+    fn disturbed_step(&self, sample: usize, cursors: &mut Cursors<'_, S>, lines: &mut [Lanes<f32>]) {
+        // A bit a lane.
+        let mut smooth = 0;
+        for lane in 0..LANES {
             cursors.pass(sample, lane);
             // The held line never grows: where it stands, nothing between the samples rises above it either.
             if at(self.beam.line, sample, lane) >= at(self.beam.line, sample - 1, lane) {
                 continue;
             }
             match cursors.around(sample, lane) {
-                None => smooth[lane] = true,
-                Some(step) => step.strokes(self.beam, &mut |stroke| self.draw(stroke, row)),
+                None => smooth |= 1 << lane,
+                Some(step) => step.strokes(self.beam, &mut |stroke| self.draw(stroke, lane, lines)),
             }
         }
-        if smooth.contains(&true) {
-            self.smooth_step(sample, smooth, rows);
+        if smooth != 0 {
+            dispatch!(self.vectors, simd => {
+                self.smooth_step(simd, sample, mask32x8::from_bitmask(simd, smooth), lines);
+            });
         }
     }
 
     #[inline(always)]
-    fn leave(&self, strokes: &Strokes, rows: &mut [f32]) {
+    fn leave<V: Simd>(&self, simd: V, strokes: &Strokes<V>, lines: &mut [Lanes<f32>]) {
         match self.rule {
-            PixelRule::LineMean => strokes.leave_line_means([self.sweeps, self.lines], rows),
-            PixelRule::Centre => {
-                for (lane, row) in rows.chunks_exact_mut(self.lines).enumerate() {
-                    strokes.lane(lane).into_iter().for_each(|stroke| self.draw(stroke, row));
-                }
-            }
+            PixelRule::LineMean => strokes.leave_line_means(simd, lines),
+            PixelRule::Centre => self.draw_each(&strokes.each(), lines),
         }
     }
 
-    fn draw(&self, stroke: Stroke, row: &mut [f32]) {
+    #[inline(never)]
+    fn draw_each(&self, strokes: &Each, lines: &mut [Lanes<f32>]) {
+        for lane in 0..LANES {
+            strokes.lane(lane).into_iter().for_each(|stroke| self.draw(stroke, lane, lines));
+        }
+    }
+
+    fn draw(&self, stroke: Stroke, lane: usize, lines: &mut [Lanes<f32>]) {
         if let Some(stroke) = stroke.lit() {
             match self.rule {
-                PixelRule::LineMean => line_mean(stroke, row),
-                PixelRule::Centre => centre(stroke, row),
+                PixelRule::LineMean => {
+                    line_mean(stroke, lines.len(), |line, value| lines[line][lane] += value);
+                }
+                PixelRule::Centre => centre(stroke, lines.len(), |line, value| lines[line][lane] = value),
             }
         }
     }
 }
 
 /// Position and intensity over a step, and in which lanes either bends.
-struct Curves {
-    position: Cubic,
-    intensity: Cubic,
-    bent: [bool; LANES],
+struct Curves<V: Simd> {
+    position: Cubic<V>,
+    intensity: Cubic<V>,
+    bent: mask32x8<V>,
 }
 
 impl<S: Real> Beam<'_, S> {
@@ -186,23 +204,30 @@ impl<S: Real> Beam<'_, S> {
     #[inline(always)]
     fn is_hidden(&self, sample: usize) -> bool {
         let (before, now) = (&self.line[sample - 1], &self.line[sample]);
-        (0..LANES).fold(true, |hidden, lane| hidden & (now[lane] >= before[lane]))
+        let mut hidden = true;
+        for lane in 0..LANES {
+            hidden &= now[lane] >= before[lane];
+        }
+        hidden
     }
 
     /// Curves over the step that ends at `sample`, if any lane bends there.
     #[inline(always)]
-    fn curves(&self, sample: usize) -> Option<Curves> {
+    fn curves<V: Simd>(&self, simd: V, sample: usize) -> Option<Curves<V>> {
         if sample < 2 || sample + 1 >= self.line.len() {
             return None;
         }
-        let cubic = |values| Cubic::through(std::array::from_fn(|k| all(values, sample + k - 2)));
+        let cubic = |values: &[Lanes<S>]| {
+            Cubic::through(
+                [sample - 2, sample - 1, sample, sample + 1].map(|sample| all(simd, values, sample)),
+            )
+        };
         let (position, intensity) = (cubic(self.position), cubic(self.intensity));
-        let (bend, fade) = (position.bend(), intensity.bend());
-        let bent = std::array::from_fn(|lane| {
-            // A neighbour beyond the end of the profile is far out of sight and says nothing of its shape.
-            ((bend[lane] > STRAIGHT.0) | (fade[lane] > STRAIGHT.1)) & (bend[lane] < MOST_BEND)
-        });
-        bent.contains(&true).then_some(Curves { position, intensity, bent })
+        let (bend, fade) = (position.bend(simd), intensity.bend(simd));
+        let [line, light, most] = [STRAIGHT.0, STRAIGHT.1, MOST_BEND].map(|value| f32x8::splat(simd, value));
+        // A neighbour beyond the end of the profile is far out of sight and says nothing of its shape.
+        let bent = (bend.simd_gt(line) | fade.simd_gt(light)) & bend.simd_lt(most);
+        bent.any_true().then_some(Curves { position, intensity, bent })
     }
 
     /// Silhouettes rise from the held elevation, each hidden by what is before it.
@@ -223,8 +248,13 @@ pub(crate) fn at<S: Real>(values: &[Lanes<S>], sample: usize, lane: usize) -> f3
 }
 
 #[inline(always)]
-fn all<S: Real>(values: &[Lanes<S>], sample: usize) -> Lanes<f32> {
-    Lanes::from_fn(|lane| values[sample][lane].to_f64() as f32)
+fn all<V: Simd, S: Real>(simd: V, values: &[Lanes<S>], sample: usize) -> f32x8<V> {
+    let values = &values[sample];
+    let mut all = [0.0; LANES];
+    for lane in 0..LANES {
+        all[lane] = values[lane].to_f64() as f32;
+    }
+    f32x8::load_array(simd, all)
 }
 
 #[cfg(test)]
@@ -251,7 +281,7 @@ mod tests {
             breaks: None,
             far: None,
         };
-        write_group(&beam, steps, rule, lines, &mut rows);
+        write_group(&beam, steps, rule, lines, &mut Vec::new(), &mut rows);
         rows
     }
 
@@ -305,7 +335,7 @@ mod tests {
             breaks: None,
             far: None,
         };
-        write_group(&beam, Steps::Curved, PixelRule::LineMean, 1, &mut rows);
+        write_group(&beam, Steps::Curved, PixelRule::LineMean, 1, &mut Vec::new(), &mut rows);
         assert!((rows[0] - 0.625).abs() < 1e-7);
     }
 

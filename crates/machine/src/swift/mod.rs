@@ -54,7 +54,9 @@ impl<S: Real> Group<'_, S> {
             self.find_silhouettes(sweep, deflection, far);
         }
         self.processor.run(&work.profile.height, &deflection, &mut work.projected);
-        self.write_beam(&work.profile.reflectivity, None, Steps::Straight, work, rows);
+        let mut lines = std::mem::take(&mut work.lines);
+        self.write_beam(&work.profile.reflectivity, None, Steps::Straight, work, &mut lines, rows);
+        work.lines = lines;
         self.overlay(first, work, rows);
     }
 

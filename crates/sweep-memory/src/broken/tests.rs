@@ -67,7 +67,7 @@ impl Scene {
             far: None,
         };
         let mut rows = vec![0.0; LANES * LINES];
-        write_group(&beam, Steps::Curved, PixelRule::LineMean, LINES, &mut rows);
+        write_group(&beam, Steps::Curved, PixelRule::LineMean, LINES, &mut Vec::new(), &mut rows);
         assert!(rows.chunks_exact(LINES).all(|row| row == &rows[..LINES]));
         rows.truncate(LINES);
         rows
@@ -226,7 +226,7 @@ fn silhouettes_rise_behind_the_ground() {
         far: Some(&far),
     };
     let mut rows = vec![0.0; 10];
-    write_group(&beam, Steps::Curved, PixelRule::LineMean, 10, &mut rows);
+    write_group(&beam, Steps::Curved, PixelRule::LineMean, 10, &mut Vec::new(), &mut rows);
     assert_eq!(rows, [0.0, 0.0, 0.5, 0.5, 0.25, 0.25, 0.625, 1.0, 1.0, 0.0]);
 }
 
@@ -276,7 +276,7 @@ proptest! {
             far: None,
         };
         let mut rows = vec![0.0; 60];
-        write_group(&beam, Steps::Curved, PixelRule::LineMean, 60, &mut rows);
+        write_group(&beam, Steps::Curved, PixelRule::LineMean, 60, &mut Vec::new(), &mut rows);
         let covered: f64 = rows.iter().map(|&row| f64::from(row)).sum();
         let expected = line[0].max(0.0) - line[line.len() - 1].max(0.0);
         prop_assert!((covered - expected).abs() < 1e-3, "{} against {}", covered, expected);

@@ -220,7 +220,7 @@ proptest! {
         let beam =
             Beam { position: &line, line: &line, entry: &entry, intensity: &intensity, breaks: None, far: None };
         let mut expected = vec![0.0; LINES];
-        write_group(&beam, Steps::Curved, PixelRule::LineMean, LINES, &mut expected);
+        write_group(&beam, Steps::Curved, PixelRule::LineMean, LINES, &mut Vec::new(), &mut expected);
         for (found, expected) in found.iter().zip(&expected) {
             prop_assert!((found - expected).abs() < 1e-5, "{found}, {expected}");
         }
