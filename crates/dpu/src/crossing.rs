@@ -6,6 +6,7 @@ use quantities::{SweepClock, SweepTime, Tick, Timebase};
 use sweep_program::{Fold, SweepProgram, SweepStart};
 
 use crate::Pointers;
+use crate::at_once::serve_at_once;
 use crate::service::Service;
 use crate::watch::{CornerArrival, Watch};
 
@@ -53,7 +54,7 @@ impl CrossingService<'_> {
     /// Writes the program of the sweep at `place` (frame, sweep) into `program`, whose buffers are reused. `folds`
     /// ends where the profile ends, at `end_range` (m); `range_at` gives the range of an instant. `watch` is told
     /// what happens, `&mut ()` if nobody wants to know.
-    pub fn write_program(
+    pub fn write_program<W: Watch>(
         &self,
         place: (u64, u32),
         start: SweepStart,
@@ -61,7 +62,7 @@ impl CrossingService<'_> {
         end_range: f64,
         range_at: impl Fn(SweepTime) -> f64,
         program: &mut SweepProgram,
-        watch: &mut impl Watch,
+        watch: &mut W,
     ) {
         program.start = start;
         let pointers = Pointers::at_start(&start);
@@ -69,6 +70,9 @@ impl CrossingService<'_> {
         program.end_range = end_range;
         program.steps.clear();
         program.misses.clear();
+        if self.has_all_at_once() && !W::LISTENS {
+            return serve_at_once(self.level, pointers, folds, &mut program.steps);
+        }
         let mut service = Service::new(self, place, &start, pointers, watch);
         service.look_up_home(program);
         for fold in folds {
@@ -82,7 +86,7 @@ impl CrossingService<'_> {
     }
 
     /// Whether every fold finds its words: wired through, nothing held back, nothing missing, no end of the service.
-    pub(crate) fn has_all_at_once(&self) -> bool {
+    fn has_all_at_once(&self) -> bool {
         let Loader { delays, stop_after_crossings, .. } = self.loader;
         self.loader.is_wired_through()
             && delays.is_empty()

@@ -27,6 +27,7 @@
 //! **Watching.** [`Watch`] is told of every event; with `()` nothing of that is compiled.
 
 mod accesses;
+mod at_once;
 mod cpu;
 mod crossing;
 mod home;

@@ -8,8 +8,7 @@ mod stored;
 use quantities::{SweepClock, SweepTime, Tick};
 use smallvec::SmallVec;
 use sweep_program::{
-    Fold, Load, Miss, MissCause, NO_CORNER, PreloadRegister, RampAxis, Step, StepKind, Stop, SweepProgram,
-    SweepStart, Target, WordMask,
+    Fold, Miss, MissCause, NO_CORNER, RampAxis, Step, StepKind, Stop, SweepProgram, SweepStart, WordMask,
 };
 
 use self::deliveries::Delivery;
@@ -37,8 +36,6 @@ pub(crate) struct Service<'a, 's, 'w, W> {
     next_stop: [Option<Stop>; 2],
     crossing: u32,
     requests: u32,
-    /// Whether words come with the fold that asks for them, none can be missing, and nobody is told.
-    at_once: bool,
 }
 
 impl<'a, 's, 'w, W: Watch> Service<'a, 's, 'w, W> {
@@ -66,7 +63,6 @@ impl<'a, 's, 'w, W: Watch> Service<'a, 's, 'w, W> {
             next_stop: start.ramps.map(|ramp| (ramp.rate != 0.0).then(|| ramp.first_stop().1)),
             crossing: 0,
             requests: 0,
-            at_once: !W::LISTENS && unit.has_all_at_once(),
         }
     }
 
@@ -92,9 +88,6 @@ impl<'a, 's, 'w, W: Watch> Service<'a, 's, 'w, W> {
 
     /// One fold: transfer, pointers, requests.
     pub fn serve(&mut self, fold: TimedFold, program: &mut SweepProgram) {
-        if self.at_once {
-            return self.serve_at_once(fold, program);
-        }
         let enabled = self.unit.loader.stop_after_crossings.is_none_or(|last| self.crossing < last);
         let kind = if enabled { StepKind::Fold(fold.fold) } else { StepKind::BareFold(fold.fold) };
         program.steps.push(Step::new(fold.time, fold.range, kind));
@@ -111,21 +104,6 @@ impl<'a, 's, 'w, W: Watch> Service<'a, 's, 'w, W> {
             self.stand_still(fold, program);
         }
         self.crossing += 1;
-    }
-
-    /// The same where nothing can be late: what a fold does is a matter of its pointers alone.
-    fn serve_at_once(&mut self, TimedFold { time, range, fold }: TimedFold, program: &mut SweepProgram) {
-        let step = Step::new(time, range, StepKind::Fold(fold));
-        program.steps.push(step);
-        self.pointers.follow(fold);
-        for colour in fold.colours() {
-            for register in [PreloadRegister::XFirst, PreloadRegister::YFirst] {
-                let [m, n] = self.pointers.ahead(colour, register);
-                let corner = self.unit.level.clamped_index(m, n) as u32;
-                let load = Load { colour, target: Target::Preload(register), corner, words: WordMask::ALL };
-                program.steps.push(Step { kind: StepKind::Load(load), ..step });
-            }
-        }
     }
 
     /// Nothing is transferred any more: what the fold should have brought never comes.

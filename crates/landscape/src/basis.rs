@@ -3,6 +3,8 @@
 //! `g_ip` has r-th derivative 1 at `z = i` for `r = p` and 0 for the other r in 0..=2 and at the other end.
 //! Six values are always ordered `[g00, g01, g02, g10, g11, g12]`, index `3 i + p`.
 
+use signal::Number;
+
 /// Coefficients of `g_0p(z)`, `p` = 0, 1, 2, ascending powers of z: the three kinds of function generator.
 pub const NEAR: [[f64; 6]; 3] =
     [[1.0, 0.0, 0.0, -10.0, 15.0, -6.0], [0.0, 1.0, 0.0, -6.0, 8.0, -3.0], [0.0, 0.0, 0.5, -1.5, 1.5, -0.5]];
@@ -12,31 +14,35 @@ pub const FAR: [[f64; 6]; 3] =
     [[0.0, 0.0, 0.0, 10.0, -15.0, 6.0], [0.0, 0.0, 0.0, -4.0, 7.0, -3.0], [0.0, 0.0, 0.0, 0.5, -1.0, 0.5]];
 
 /// `g_ip(z)`, in factored form, which keeps full relative precision near both ends.
-pub fn values(z: f64) -> [f64; 6] {
-    let w = 1.0 - z;
+#[inline(always)]
+pub fn values<T: Number>(z: T) -> [T; 6] {
+    let k = |value| z.like(value);
+    let w = k(1.0) - z;
     let (z2, w2) = (z * z, w * w);
     let (z3, w3) = (z2 * z, w2 * w);
     [
-        w3 * (1.0 + z * (3.0 + 6.0 * z)),
-        z * w3 * (1.0 + 3.0 * z),
-        0.5 * z2 * w3,
-        z3 * (10.0 + z * (-15.0 + 6.0 * z)),
-        z3 * w * (3.0 * z - 4.0),
-        0.5 * z3 * w2,
+        w3 * (k(1.0) + z * (k(3.0) + k(6.0) * z)),
+        z * w3 * (k(1.0) + k(3.0) * z),
+        k(0.5) * z2 * w3,
+        z3 * (k(10.0) + z * (k(-15.0) + k(6.0) * z)),
+        z3 * w * (k(3.0) * z - k(4.0)),
+        k(0.5) * z3 * w2,
     ]
 }
 
 /// `d g_ip / dz`. Four of the six printed in III.C.3 are wrong; these follow from [`values`].
-pub fn derivatives(z: f64) -> [f64; 6] {
-    let w = 1.0 - z;
+#[inline(always)]
+pub fn derivatives<T: Number>(z: T) -> [T; 6] {
+    let k = |value| z.like(value);
+    let w = k(1.0) - z;
     let (z2, w2) = (z * z, w * w);
     [
-        -30.0 * z2 * w2,
-        w2 * (1.0 - 3.0 * z) * (1.0 + 5.0 * z),
-        0.5 * z * w2 * (2.0 - 5.0 * z),
-        30.0 * z2 * w2,
-        -z2 * (2.0 - 3.0 * z) * (6.0 - 5.0 * z),
-        0.5 * z2 * w * (3.0 - 5.0 * z),
+        k(-30.0) * z2 * w2,
+        w2 * (k(1.0) - k(3.0) * z) * (k(1.0) + k(5.0) * z),
+        k(0.5) * z * w2 * (k(2.0) - k(5.0) * z),
+        k(30.0) * z2 * w2,
+        -z2 * (k(2.0) - k(3.0) * z) * (k(6.0) - k(5.0) * z),
+        k(0.5) * z2 * w * (k(3.0) - k(5.0) * z),
     ]
 }
 

@@ -43,7 +43,7 @@ pub(crate) struct Elaborated<S> {
     digital: Digital,
     parts: RealParts<S>,
     recent: Recent,
-    workspaces: Pool<Workspace<S>>,
+    workspaces: Pool<Box<Workspace<S>>>,
     deliveries: Pool<Delivery>,
     craters: Pool<CratersInSight>,
     stores: Pool<Vec<f32>>,

@@ -14,7 +14,7 @@ use signal::{LANES, Lanes, Real};
 use sweep_generator::{RangeTable, SampleFinder};
 use sweep_memory::{Beam, BeamBreaks, Drive, FarStroke, Steps, write_group};
 use terrain_generator::{
-    ArrayState, ModifiedTerrainGenerator, PartsArray, Polynomials, TerrainGenerator, Wired,
+    ArrayState, ModifiedTerrainGenerator, PartsArray, TerrainGenerator, Wired,
 };
 use texture_generator::TextureGenerator;
 
@@ -124,7 +124,7 @@ impl<S: Real> Group<'_, S> {
         }
         let fine = self.terrain(self.stage.landscape.level());
         match (&self.blocks.coarse, &self.parts.terrain) {
-            (None, None) => fine.trace_by(&mut Polynomials, &work.programs, &mut work.profile),
+            (None, None) => fine.trace_by(&mut work.polynomials[0], &work.programs, &mut work.profile),
             (None, Some(parts)) => {
                 let mut wired = self.wired(&parts.fine, first, &mut work.arrays[0]);
                 fine.trace_by(&mut wired, &work.programs, &mut work.profile);
@@ -187,7 +187,7 @@ impl<S: Real> Group<'_, S> {
                 generator.trace_by(methods, &work.programs, &work.coarse, &ranges, profile, overlap)
             }
             _ => {
-                let methods = [&mut Polynomials, &mut Polynomials];
+                let methods = work.polynomials.each_mut();
                 generator.trace_by(methods, &work.programs, &work.coarse, &ranges, profile, overlap)
             }
         };

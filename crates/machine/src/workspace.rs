@@ -10,7 +10,7 @@ use polyhedron_generator::{BodyFade, Overlay};
 use signal::{LANES, Lanes, Real, Stretches};
 use sweep_memory::{FarStroke, GunWork};
 use sweep_program::{Ramp, RegisterSet, SweepProgram, SweepStart};
-use terrain_generator::{ArrayState, Overlap, Profile};
+use terrain_generator::{ArrayState, Overlap, Polynomials, Profile};
 
 use crate::feature_light::Lit;
 use crate::lane_gate::LaneGate;
@@ -29,6 +29,8 @@ pub(crate) struct Workspace<S> {
     pub features: [FeatureProgram; LANES],
     /// Wires of the terrain generators made of parts, the fine level's first.
     pub arrays: [ArrayState<S>; 2],
+    /// Buffers of the terrain generators made of ideal parts, the fine level's first.
+    pub polynomials: [Polynomials<S>; 2],
     /// Terrain profiles.
     pub profile: Profile<S>,
     /// Both levels where they blend.
@@ -83,6 +85,7 @@ impl<S: Real> Default for Workspace<S> {
             craters: Vec::new(),
             features: Default::default(),
             arrays: Default::default(),
+            polynomials: Default::default(),
             profile: Profile::default(),
             overlap: Overlap::default(),
             step: 0.0,

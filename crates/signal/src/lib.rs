@@ -6,12 +6,14 @@
 
 mod breaks;
 mod lanes;
+mod number;
 mod probe;
 mod real;
 mod table;
 
 pub use breaks::{Break, Breaks, Stretches};
 pub use lanes::{LANES, Lanes};
+pub use number::{Number, eight, pair};
 pub use probe::{Probe, Waveform};
 pub use real::Real;
 pub use table::{Axis, Kind, Signal, Unit, Wire, name_matches};

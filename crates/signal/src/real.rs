@@ -3,6 +3,9 @@
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
+use fearless_simd::prelude::{SimdFloat, SimdFloatElement};
+use fearless_simd::{Simd, f32x8, f64x8};
+
 /// f32 or f64. Only operations that IEEE fixes to the bit; no fused multiply-add (result family "unfused").
 pub trait Real:
     Copy
@@ -17,8 +20,11 @@ pub trait Real:
     + Mul<Output = Self>
     + Div<Output = Self>
     + Neg<Output = Self>
+    + SimdFloatElement
     + 'static
 {
+    /// [`LANES`](crate::LANES) of them, in vectors of a width that the computer has.
+    type Vector<L: Simd>: SimdFloat<L, Element = Self>;
     /// 0.
     const ZERO: Self;
     /// 1.
@@ -38,8 +44,9 @@ pub trait Real:
 }
 
 macro_rules! real {
-    ($scalar:ty) => {
+    ($scalar:ty, $vector:ident) => {
         impl Real for $scalar {
+            type Vector<L: Simd> = $vector<L>;
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             fn from_f64(value: f64) -> Self {
@@ -55,5 +62,5 @@ macro_rules! real {
     };
 }
 
-real!(f32);
-real!(f64);
+real!(f32, f32x8);
+real!(f64, f64x8);

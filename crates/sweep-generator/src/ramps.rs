@@ -44,6 +44,8 @@ struct AxisFolds {
     count: u32,
     /// Stop that is met next.
     next: Stop,
+    /// Range of the next fold, in regions; infinite for a ramp that stands.
+    range: f64,
 }
 
 impl Folds {
@@ -59,7 +61,7 @@ impl Iterator for Folds {
     /// Never ends unless the sweep crosses no stop at all.
     #[inline]
     fn next(&mut self) -> Option<PlacedFold> {
-        let [x, y] = self.axes.map(|axis| axis.next_range());
+        let [x, y] = self.axes.map(|axis| axis.range);
         let (axis, range) = if x <= y { (0, x) } else { (1, y) };
         if !range.is_finite() {
             return None;
@@ -72,16 +74,17 @@ impl Iterator for Folds {
 impl AxisFolds {
     fn new(ramp: Ramp) -> Self {
         let (first, next) = ramp.first_stop();
-        Self { first, rate: ramp.rate.abs(), count: 0, next }
+        let standing = Self { first, rate: ramp.rate.abs(), count: 0, next, range: f64::INFINITY };
+        Self { range: standing.next_range(), ..standing }
     }
 
-    /// Range of the next fold, in regions; infinite for a ramp that stands.
     fn next_range(&self) -> f64 {
         if self.rate == 0.0 { f64::INFINITY } else { (self.first + f64::from(self.count)) / self.rate }
     }
 
     fn pass(&mut self) -> Stop {
         self.count += 1;
+        self.range = self.next_range();
         let met = self.next;
         self.next = match met {
             Stop::Zero => Stop::One,

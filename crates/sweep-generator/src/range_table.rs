@@ -25,18 +25,18 @@ impl RangeTable {
         self.time_before(self.ranges.partition_point(|&z| z < range), range)
     }
 
-    /// When the sweep passes a range, for ranges that ascend from call to call: from where the last one was in steps that
-    /// double, then by halves.
+    /// When the sweep passes a range, for ranges that ascend from call to call: from where the last one was, eight samples at a
+    /// time.
     pub fn times(&self) -> impl FnMut(f64) -> SweepTime {
         let mut after = 0;
         move |range| {
-            let rest = &self.ranges[after..];
-            let mut bound = 1;
-            while rest.get(bound).is_some_and(|&z| z < range) {
-                bound *= 2;
-            }
-            let near = bound / 2..rest.len().min(bound + 1);
-            after += near.start + rest[near].partition_point(|&z| z < range);
+            let mut rest = self.ranges[after..].chunks(8);
+            while rest.next().is_some_and(|eight| {
+                // Ranges ascend: how many are nearer tells where the first is that is not.
+                let nearer = eight.iter().filter(|&&z| z < range).count();
+                after += nearer;
+                nearer == eight.len()
+            }) {}
             self.time_before(after, range)
         }
     }

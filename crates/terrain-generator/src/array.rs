@@ -1,40 +1,43 @@
 //! The array as drawn: twelve function generators, 36 products, 36 multiplying D/As, one sum (fig. 19).
 
-use landscape::CornerWords;
 use landscape::basis::{derivatives, values};
+use signal::Number;
 
-/// Height, `h_u` and `h_v` (all metres) at the ramps `[x, y]`, from the words in `hold`, by colour.
-pub fn array(hold: [&CornerWords; 4], polarity: [f64; 2], [x, y]: [f64; 2]) -> [f64; 3] {
+/// Height, `h_u` and `h_v` (all metres) at the ramps `[x, y]`, from the nine words of each colour in `hold`; of one place, or of
+/// eight side by side.
+#[inline(always)]
+pub fn array<T: Number>(hold: [&[T; 9]; 4], polarity: [T; 2], [x, y]: [T; 2]) -> [T; 3] {
+    let zero = x.like(0.0);
     // Fed with the ramps and their complements, with the signs of section 6.4: odd terms of value, even terms of slope
     // carry `s` at the near corner and `-s` at the far one.
-    let [near_x, far_x, near_y, far_y] =
-        function_generators([x, 1.0 - x, y, 1.0 - y], [polarity[0], -polarity[0], polarity[1], -polarity[1]]);
-    let mut sums = [0.0; 3];
-    for (a, (gx, dx)) in [near_x, far_x].into_iter().enumerate() {
+    let in_x = [function_generators(x, polarity[0]), function_generators(x.like(1.0) - x, -polarity[0])];
+    let in_y = [function_generators(y, polarity[1]), function_generators(y.like(1.0) - y, -polarity[1])];
+    let mut sums = [zero; 3];
+    for a in 0..2 {
+        let (gx, dx) = &in_x[a];
         for p in 0..3 {
-            let (mut value, mut slope) = (0.0, 0.0);
-            for (b, (gy, dy)) in [near_y, far_y].into_iter().enumerate() {
+            let (mut value, mut slope) = (zero, zero);
+            for b in 0..2 {
+                let (gy, dy) = &in_y[b];
                 for q in 0..3 {
                     let word = hold[a + 2 * b][3 * p + q];
-                    value += word * gy[q];
-                    slope += word * dy[q];
+                    value = value + word * gy[q];
+                    slope = slope + word * dy[q];
                 }
             }
-            sums[0] += gx[p] * value;
-            sums[1] += dx[p] * value;
-            sums[2] += gx[p] * slope;
+            sums[0] = sums[0] + gx[p] * value;
+            sums[1] = sums[1] + dx[p] * value;
+            sums[2] = sums[2] + gx[p] * slope;
         }
     }
     sums
 }
 
-/// `g_0p` and its derivative of four inputs, odd terms of the one and even terms of the other times `signs`.
+/// `g_0p` and its derivative of one input, odd terms of the one and even terms of the other times `sign`.
 #[inline(always)]
-fn function_generators(fed: [f64; 4], signs: [f64; 4]) -> [([f64; 3], [f64; 3]); 4] {
-    std::array::from_fn(|k| {
-        let (g, d) = (values(fed[k]), derivatives(fed[k]));
-        ([g[0], signs[k] * g[1], g[2]], [signs[k] * d[0], d[1], signs[k] * d[2]])
-    })
+fn function_generators<T: Number>(fed: T, sign: T) -> ([T; 3], [T; 3]) {
+    let (g, d) = (values(fed), derivatives(fed));
+    ([g[0], sign * g[1], g[2]], [sign * d[0], d[1], sign * d[2]])
 }
 
 #[cfg(test)]

@@ -36,17 +36,22 @@ mod array;
 mod generator;
 mod inside;
 mod modified;
+mod points;
+mod polynomials;
 #[cfg(test)]
 mod programs;
 mod region;
 mod registers;
 mod segment;
+mod stretches;
+mod sweeps;
 mod wired;
 
 pub use array::array;
-pub use generator::{INNER_SIGNALS, Method, OUT_OF_SIGHT, Polynomials, Profile, SIGNALS, TerrainGenerator};
+pub use generator::{INNER_SIGNALS, Method, OUT_OF_SIGHT, Profile, SIGNALS, TerrainGenerator};
 pub use inside::Inside;
 pub use modified::{ModifiedTerrainGenerator, Overlap};
+pub use polynomials::Polynomials;
 pub use region::Region;
 pub use registers::Registers;
 pub use segment::{Segment, Span};

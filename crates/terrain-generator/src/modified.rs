@@ -59,7 +59,7 @@ impl ModifiedTerrainGenerator<'_> {
         profile: &mut Profile<S>,
         overlap: &mut Overlap<S>,
     ) -> f64 {
-        let methods = [&mut Polynomials, &mut Polynomials];
+        let methods = [&mut Polynomials::default(), &mut Polynomials::default()];
         let step = self.trace_by(methods, fine, coarse, switch, profile, overlap);
         self.fine.reflect(&GroupLight::new(light), profile);
         step

@@ -5,9 +5,9 @@ use landscape::basis::NEAR;
 
 use crate::Registers;
 
-/// Height of a region (m): `sum rows[i][j] (X - 1/2)^i (Y - 1/2)^j`.
+/// Height of a region (m): `sum rows[i][j] (X - 1/2)^i (Y - 1/2)^j`; of one, or of several side by side.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Region([[f64; 6]; 6]);
+pub struct Region<T = f64>([[T; 6]; 6]);
 
 impl Region {
     /// The sum of 6.4 from the words in `hold`, by colour, with the present `polarity`.
@@ -28,9 +28,18 @@ impl Region {
         }
         Self(rows)
     }
+}
+
+impl<T> Region<T> {
+    /// Regions from their coefficients.
+    #[inline(always)]
+    pub(crate) fn from_rows(rows: [[T; 6]; 6]) -> Self {
+        Self(rows)
+    }
 
     /// Coefficients: row i has those of `(X - 1/2)^i`, ascending powers of `Y - 1/2`.
-    pub fn rows(&self) -> &[[f64; 6]; 6] {
+    #[inline(always)]
+    pub fn rows(&self) -> &[[T; 6]; 6] {
         &self.0
     }
 }

@@ -74,13 +74,11 @@ impl Registers {
     /// A stop was met: two colours take their preload register, the polarity of the axis flips.
     pub fn fold(&mut self, fold: Fold) {
         let preload = if fold.axis == RampAxis::X { X_FIRST } else { Y_FIRST };
-        for colour in sweep_program::Colour::ALL {
-            if fold.axis.takes(fold.stop, colour) {
-                let colour = colour as usize;
-                self.corners[HOLD][colour] = self.corners[preload][colour];
-                if self.corners[HOLD][colour] == MIXED {
-                    self.mixed[HOLD][colour] = self.mixed[preload][colour];
-                }
+        for colour in fold.colours() {
+            let colour = colour as usize;
+            self.corners[HOLD][colour] = self.corners[preload][colour];
+            if self.corners[HOLD][colour] == MIXED {
+                self.mixed[HOLD][colour] = self.mixed[preload][colour];
             }
         }
         self.turn(fold);

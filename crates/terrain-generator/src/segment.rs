@@ -1,92 +1,98 @@
 //! Expansion of a region's polynomial along a straight stretch of a sweep.
 
+use signal::Number;
+
 use crate::Region;
 
-/// A stretch between two events, in ramp coordinates.
+/// A stretch between two events, in ramp coordinates; one, or several side by side.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Span {
+pub struct Span<T = f64> {
     /// Ramps X and Y at its middle, 0..=1.
-    pub middle: [f64; 2],
+    pub middle: [T; 2],
     /// Change of X and Y from the middle to its far end.
-    pub half: [f64; 2],
+    pub half: [T; 2],
     /// Half its length on the ground (m), above 0.
-    pub half_length: f64,
+    pub half_length: T,
     /// Weights of `dh/dX` and `dh/dY` in the slope across the sweep, positive to the right (1/m):
     /// `-sin theta s_x / d` and `cos theta s_y / d`.
-    pub across: [f64; 2],
+    pub across: [T; 2],
 }
 
-/// Height and slopes along one stretch as polynomials in s, -1..=1 over it.
+/// Height and slopes along one stretch, or along several side by side, as polynomials in s, -1..=1 over it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Segment {
+pub struct Segment<T = f64> {
     /// Height (m), ascending powers of s.
-    pub height: [f64; 11],
+    pub height: [T; 11],
     /// Slope along the sweep (m/m).
-    pub along: [f64; 10],
+    pub along: [T; 10],
     /// Slope across the sweep, positive to the right (m/m).
-    pub across: [f64; 10],
+    pub across: [T; 10],
 }
 
-impl Segment {
-    /// Level ground at height 0.
-    pub const ZERO: Self = Self { height: [0.0; 11], along: [0.0; 10], across: [0.0; 10] };
-
+impl<T: Number> Segment<T> {
     /// Expands a region's polynomial along a stretch.
-    pub fn expand(region: &Region, span: &Span) -> Self {
-        let rows = region.rows();
-        let (mut values, mut across) = ([[0.0; 6]; 6], [[0.0; 6]; 6]);
+    #[inline(always)]
+    pub fn expand(region: &Region<T>, span: &Span<T>) -> Self {
+        let number = |value: usize| span.half_length.like(value as f64);
+        // Loops: what `map` and `from_fn` are handed is not always compiled for the width of the vectors.
+        let zero = number(0);
+        let (mut values, mut across) = ([[zero; 6]; 6], [[zero; 6]; 6]);
         for i in 0..6 {
-            (values[i], across[i]) = along_y(&rows[i], span);
+            (values[i], across[i]) = along_y(&region.rows()[i], span);
         }
         for i in 0..5 {
             for k in 0..6 {
-                across[i][k] += span.across[0] * (i + 1) as f64 * values[i + 1][k];
+                across[i][k] = across[i][k] + span.across[0] * number(i + 1) * values[i + 1][k];
             }
         }
-        let x = [span.middle[0] - 0.5, span.half[0]];
+        let x = [span.middle[0] - span.half_length.like(0.5), span.half[0]];
         let height = along_x(&values, x);
         let slope_across = along_x(&across, x);
-        Self {
-            along: std::array::from_fn(|k| (k + 1) as f64 * height[k + 1] / span.half_length),
-            across: std::array::from_fn(|k| slope_across[k]),
-            height,
+        let (mut along, mut across) = ([zero; 10], [zero; 10]);
+        for k in 0..10 {
+            along[k] = number(k + 1) * height[k + 1] / span.half_length;
+            across[k] = slope_across[k];
         }
+        Self { height, along, across }
     }
 }
 
 /// A row in `Y - 1/2` as a polynomial in s, and its share of the slope across.
-fn along_y(row: &[f64; 6], span: &Span) -> ([f64; 6], [f64; 6]) {
-    let (y, half) = (span.middle[1] - 0.5, span.half[1]);
+#[inline(always)]
+fn along_y<T: Number>(row: &[T; 6], span: &Span<T>) -> ([T; 6], [T; 6]) {
+    let number = |value: f64| span.half_length.like(value);
+    let (y, half) = (span.middle[1] - number(0.5), span.half[1]);
     let mut shifted = *row;
     for i in 0..5 {
         for j in (i..5).rev() {
-            shifted[j] += y * shifted[j + 1];
+            shifted[j] = shifted[j] + y * shifted[j + 1];
         }
     }
-    let (mut values, mut across) = ([0.0; 6], [0.0; 6]);
-    let mut power = 1.0;
+    let (mut values, mut across) = ([number(0.0); 6], [number(0.0); 6]);
+    let mut power = number(1.0);
     for k in 0..6 {
         values[k] = shifted[k] * power;
         if k < 5 {
-            across[k] = span.across[1] * (k + 1) as f64 * shifted[k + 1] * power;
+            across[k] = span.across[1] * number((k + 1) as f64) * shifted[k + 1] * power;
         }
-        power *= half;
+        power = power * half;
     }
     (values, across)
 }
 
 /// `sum rows[i](s) * (x[0] + x[1] s)^i` by Horner on polynomials.
-fn along_x(rows: &[[f64; 6]; 6], x: [f64; 2]) -> [f64; 11] {
-    let mut sum = [0.0; 11];
+#[inline(always)]
+fn along_x<T: Number>(rows: &[[T; 6]; 6], x: [T; 2]) -> [T; 11] {
+    let mut sum = [x[0].like(0.0); 11];
     sum[..6].copy_from_slice(&rows[5]);
     for i in (0..5).rev() {
         let degree = 5 + (5 - i);
         for k in (1..=degree).rev() {
             sum[k] = sum[k] * x[0] + sum[k - 1] * x[1];
         }
-        sum[0] *= x[0];
+        sum[0] = sum[0] * x[0];
         for k in 0..6 {
-            sum[k] += rows[i][k];
+            sum[k] = sum[k] + rows[i][k];
         }
     }
     sum

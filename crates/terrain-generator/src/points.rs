@@ -1,0 +1,169 @@
+//! Stretches of one or two samples, straight through the array: eight samples side by side.
+
+use fearless_simd::prelude::{SimdBase, SimdFrom};
+use fearless_simd::{Level, Simd, dispatch, f64x8};
+use landscape::CornerWords;
+use signal::{LANES, Real, eight, pair};
+
+use crate::TerrainGenerator;
+use crate::array::array;
+use crate::stretches::{Stretch, Walk};
+use crate::sweeps::Sweeps;
+
+/// Samples that wait for the array, and what it made of those before.
+#[derive(Debug, Clone)]
+pub(crate) struct Points {
+    waiting: Waiting,
+    /// Height, slopes along and across (m, m/m) of all samples that came before those that wait.
+    values: Vec<[f64; 3]>,
+    stretches: Vec<Short>,
+}
+
+/// A stretch of one or two samples.
+#[derive(Debug, Clone, Copy)]
+struct Short {
+    lane: usize,
+    first: usize,
+    samples: usize,
+}
+
+/// What the array is fed with at eight samples.
+#[derive(Debug, Clone)]
+struct Waiting {
+    count: usize,
+    hold: [[[f64; LANES]; 9]; 4],
+    polarity: [[f64; LANES]; 2],
+    ramps: [[f64; LANES]; 2],
+    direction: [[f64; LANES]; 2],
+}
+
+impl Default for Points {
+    fn default() -> Self {
+        let (pair, hold) = ([[0.0; LANES]; 2], [[[0.0; LANES]; 9]; 4]);
+        let waiting = Waiting { count: 0, hold, polarity: pair, ramps: pair, direction: pair };
+        Self { waiting, values: Vec::new(), stretches: Vec::new() }
+    }
+}
+
+impl Points {
+    /// A stretch of sweep `lane`, with the words that `walk` holds in it.
+    pub(crate) fn add(
+        &mut self,
+        vectors: Level,
+        generator: &TerrainGenerator<'_>,
+        (lane, walk): (usize, &Walk<'_>),
+        stretch: &Stretch,
+    ) {
+        let samples = stretch.samples.clone();
+        self.stretches.push(Short { lane, first: samples.start, samples: samples.len() });
+        for sample in samples {
+            let ramps = walk.ramps(generator.ranges[sample] / generator.region_size).map(|(value, _)| value);
+            let hold = walk.registers.hold(generator.buffer);
+            self.waiting.add(hold, walk.registers.polarity(), ramps, walk.direction());
+            if self.waiting.count == LANES {
+                self.work_out(vectors, generator);
+            }
+        }
+    }
+
+    fn work_out(&mut self, vectors: Level, generator: &TerrainGenerator<'_>) {
+        let size = generator.region_size;
+        let values = dispatch!(vectors, simd => self.waiting.through_the_array(simd, size));
+        let count = std::mem::take(&mut self.waiting.count);
+        self.values.extend((0..count).map(|k| values.map(|signal| signal[k])));
+    }
+
+    /// Puts all stretches into `sweeps`, and forgets them; `ranges` are those of the samples.
+    pub(crate) fn finish<S: Real>(
+        &mut self,
+        vectors: Level,
+        generator: &TerrainGenerator<'_>,
+        ranges: &[S],
+        sweeps: &mut Sweeps<S>,
+    ) {
+        self.work_out(vectors, generator);
+        let mut values = self.values.as_slice();
+        for Short { lane, first, samples } in self.stretches.drain(..) {
+            let (of_stretch, rest) = values.split_at(samples);
+            values = rest;
+            let mut put = |sample: usize, values: [S; 3]| {
+                sweeps
+                    .of_sweep(lane)
+                    .into_iter()
+                    .zip(values)
+                    .for_each(|(signal, value)| signal[sample] = value);
+            };
+            match of_stretch {
+                [near, far] => {
+                    let line =
+                        Line::through([near, far], &generator.ranges[first..first + 2], generator.datum);
+                    (first..first + 2).for_each(|sample| put(sample, line.at(ranges[sample])));
+                }
+                // A polynomial has no -0.
+                of_one => of_one.iter().for_each(|&[height, along, across]| {
+                    let values = [height - generator.datum, along, across];
+                    put(first, values.map(|value| S::ZERO + S::from_f64(value)));
+                }),
+            }
+        }
+        self.values.clear();
+    }
+}
+
+impl Waiting {
+    fn add(&mut self, hold: [&CornerWords; 4], polarity: [f64; 2], ramps: [f64; 2], direction: [f64; 2]) {
+        let place = self.count;
+        for (places, words) in self.hold.iter_mut().zip(hold) {
+            places.iter_mut().zip(words).for_each(|(places, &word)| places[place] = word);
+        }
+        for axis in 0..2 {
+            self.polarity[axis][place] = polarity[axis];
+            self.ramps[axis][place] = ramps[axis];
+            self.direction[axis][place] = direction[axis];
+        }
+        self.count += 1;
+    }
+
+    /// Height, slopes along and across of all eight; `size` is that of a region (m).
+    #[inline(always)]
+    fn through_the_array<L: Simd>(&self, simd: L, size: f64) -> [[f64; LANES]; 3] {
+        let mut hold = [[f64x8::simd_from(simd, 0.0); 9]; 4];
+        for colour in 0..4 {
+            for word in 0..9 {
+                hold[colour][word] = eight(simd, &self.hold[colour][word]);
+            }
+        }
+        let (polarity, ramps) = (pair(simd, &self.polarity), pair(simd, &self.ramps));
+        let [height, hu, hv] = array([&hold[0], &hold[1], &hold[2], &hold[3]], polarity, ramps);
+        let [cos, sin] = pair(simd, &self.direction);
+        let (along, across) = ((hu * cos + hv * sin) / size, (hv * cos - hu * sin) / size);
+        [height.to_array(), along.to_array(), across.to_array()]
+    }
+}
+
+/// Height and slopes as straight lines in s, -1 and 1 at two samples.
+struct Line<S> {
+    lines: [[S; 2]; 3],
+    middle: S,
+    inverse_half: S,
+}
+
+impl<S: Real> Line<S> {
+    fn through([first, last]: [&[f64; 3]; 2], ranges: &[f64], datum: f64) -> Self {
+        let (near, far) = (ranges[0], ranges[1]);
+        let mut lines: [[f64; 2]; 3] = std::array::from_fn(|signal| {
+            [0.5 * (first[signal] + last[signal]), 0.5 * (last[signal] - first[signal])]
+        });
+        lines[0][0] -= datum;
+        Self {
+            lines: lines.map(|line| line.map(S::from_f64)),
+            middle: S::from_f64(0.5 * (near + far)),
+            inverse_half: S::from_f64(1.0 / (0.5 * (far - near))),
+        }
+    }
+
+    fn at(&self, range: S) -> [S; 3] {
+        let s = (range - self.middle) * self.inverse_half;
+        self.lines.map(|[middle, slope]| (S::ZERO * s + slope) * s + middle)
+    }
+}

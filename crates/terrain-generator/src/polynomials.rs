@@ -1,0 +1,243 @@
+//! Ideal parts: the array's polynomials along the sweeps of a group.
+
+use std::ops::Range;
+
+use fearless_simd::prelude::{ExtractToken, SimdBase, SimdFrom};
+use fearless_simd::{Level, Simd, dispatch, f64x8};
+use signal::{LANES, Real, eight, pair};
+use sweep_program::SweepProgram;
+
+use crate::points::Points;
+use crate::region::RecentRegions;
+use crate::stretches::{Stretch, Walk};
+use crate::sweeps::Sweeps;
+use crate::{Method, OUT_OF_SIGHT, Profile, Region, Segment, Span, TerrainGenerator};
+
+#[cfg(test)]
+mod tests;
+
+/// Ideal parts: the array's polynomial along each stretch, expanded from the words in the hold registers. Far ground has a
+/// region a sample: stretches of one or two samples go straight through the array (fixed rule: the same for any run).
+///
+/// Stretches are expanded for the eight sweeps of a group side by side; each is then evaluated eight samples at a time.
+/// What is kept here are buffers: what they held last never matters.
+#[derive(Debug, Clone)]
+pub struct Polynomials<S> {
+    /// Width of vectors that the computer has.
+    pub(crate) vectors: Level,
+    /// Ground range of each sample (m), with room for a vector behind the last.
+    ranges: Vec<S>,
+    sweeps: Sweeps<S>,
+    points: Points,
+}
+
+/// What stretches are expanded from, sweep by sweep.
+struct Stretches {
+    rows: [[[f64; LANES]; 6]; 6],
+    middle: [[f64; LANES]; 2],
+    half: [[f64; LANES]; 2],
+    half_length: [f64; LANES],
+    across: [[f64; LANES]; 2],
+    /// Ground range of the middle (m).
+    range: [f64; LANES],
+    samples: [Range<usize>; LANES],
+}
+
+/// Polynomials of stretches in `s = (range - middle) / half_length`, sweep by sweep.
+struct Expanded<S> {
+    height: [[S; LANES]; 11],
+    along: [[S; LANES]; 10],
+    across: [[S; LANES]; 10],
+    middle: [S; LANES],
+    inverse_half: [S; LANES],
+}
+
+impl<S: Real> Default for Polynomials<S> {
+    fn default() -> Self {
+        let (ranges, sweeps, points) = (Vec::new(), Sweeps::default(), Points::default());
+        Self { vectors: Level::new(), ranges, sweeps, points }
+    }
+}
+
+impl<S: Real> Method<S> for Polynomials<S> {
+    fn trace(
+        &mut self,
+        generator: &TerrainGenerator<'_>,
+        programs: &[SweepProgram; LANES],
+        span: Range<usize>,
+        profile: &mut Profile<S>,
+    ) {
+        self.ranges.clear();
+        self.ranges.extend(generator.ranges.iter().map(|&range| S::from_f64(range)));
+        self.ranges.resize(generator.ranges.len() + LANES, S::ZERO);
+        self.sweeps.resize(generator.ranges.len());
+        let mut walks = programs.each_ref().map(|program| Walk::new(generator, program, span.start));
+        let (mut stretches, mut regions) = (Stretches::default(), RecentRegions::default());
+        while self.collect(generator, &mut walks, span.end, &mut regions, &mut stretches) {
+            let (ranges, sweeps) = (&self.ranges, &mut self.sweeps);
+            dispatch!(self.vectors, simd => stretches.trace(simd, generator.datum, ranges, sweeps));
+        }
+        self.points.finish(self.vectors, generator, &self.ranges, &mut self.sweeps);
+        self.drop_out_of_sight(&walks, &span);
+        self.sweeps.put_side_by_side(self.vectors, span, profile);
+    }
+}
+
+impl<S: Real> Polynomials<S> {
+    /// Sets `out` to the next stretch of each sweep that has more than two samples; false if there is none before sample
+    /// `end`.
+    fn collect(
+        &mut self,
+        generator: &TerrainGenerator<'_>,
+        walks: &mut [Walk<'_>; LANES],
+        end: usize,
+        regions: &mut RecentRegions,
+        out: &mut Stretches,
+    ) -> bool {
+        let mut any = false;
+        for (lane, walk) in walks.iter_mut().enumerate() {
+            out.samples[lane] = 0..0;
+            while let Some(stretch) = walk.next(generator, end) {
+                if stretch.samples.len() > 2 {
+                    out.set(generator, (lane, walk), stretch, end, regions);
+                    any = true;
+                    break;
+                }
+                self.points.add(self.vectors, generator, (lane, walk), &stretch);
+            }
+        }
+        any
+    }
+
+    fn drop_out_of_sight(&mut self, walks: &[Walk<'_>; LANES], span: &Range<usize>) {
+        for (lane, walk) in walks.iter().enumerate() {
+            let beyond = walk.last.clamp(span.start, span.end)..span.end;
+            let values = [OUT_OF_SIGHT, 0.0, 0.0].map(S::from_f64);
+            for (signal, value) in self.sweeps.of_sweep(lane).into_iter().zip(values) {
+                signal[beyond.clone()].fill(value);
+            }
+        }
+    }
+}
+
+impl Stretches {
+    /// Sets one stretch; samples from `until` on are not wanted.
+    fn set(
+        &mut self,
+        generator: &TerrainGenerator<'_>,
+        (lane, walk): (usize, &Walk<'_>),
+        Stretch { samples, ends: [begin, end] }: Stretch,
+        until: usize,
+        regions: &mut RecentRegions,
+    ) {
+        let size = generator.region_size;
+        let (middle, half_length) = (0.5 * (begin + end), 0.5 * (end - begin));
+        let (polarity, [cos, sin]) = (walk.registers.polarity(), walk.direction());
+        let ramps = walk.ramps(middle / size);
+        let across = [-sin * polarity[0] / size, cos * polarity[1] / size];
+        for axis in 0..2 {
+            self.middle[axis][lane] = ramps[axis].0;
+            self.half[axis][lane] = ramps[axis].1 * half_length / size;
+            self.across[axis][lane] = across[axis];
+        }
+        (self.half_length[lane], self.range[lane]) = (half_length, middle);
+        let region = regions.of(&walk.registers, generator.buffer);
+        for (places, row) in self.rows.iter_mut().zip(region.rows()) {
+            places.iter_mut().zip(row).for_each(|(places, &coefficient)| places[lane] = coefficient);
+        }
+        self.samples[lane] = samples.start..samples.end.min(until);
+    }
+
+    #[inline(always)]
+    fn trace<L: Simd, S: Real>(&self, simd: L, datum: f64, ranges: &[S], sweeps: &mut Sweeps<S>) {
+        let expanded = self.expand(simd, datum);
+        for (lane, samples) in self.samples.iter().enumerate() {
+            expanded.evaluate(simd, lane, samples.clone(), ranges, sweeps.of_sweep(lane));
+        }
+    }
+
+    /// Polynomials of all stretches; `datum` is subtracted from the height (m).
+    #[inline(always)]
+    fn expand<L: Simd, S: Real>(&self, simd: L, datum: f64) -> Expanded<S> {
+        // Loops: what `map` and `from_fn` are handed is not always compiled for the width of the vectors.
+        let mut rows = [[f64x8::simd_from(simd, 0.0); 6]; 6];
+        for i in 0..6 {
+            for j in 0..6 {
+                rows[i][j] = eight(simd, &self.rows[i][j]);
+            }
+        }
+        let half_length = eight(simd, &self.half_length);
+        let span = Span {
+            middle: pair(simd, &self.middle),
+            half: pair(simd, &self.half),
+            half_length,
+            across: pair(simd, &self.across),
+        };
+        let mut segment = Segment::expand(&Region::from_rows(rows), &span);
+        segment.height[0] -= datum;
+        Expanded {
+            height: segment.height.map(narrow),
+            along: segment.along.map(narrow),
+            across: segment.across.map(narrow),
+            middle: self.range.map(S::from_f64),
+            inverse_half: narrow(1.0 / half_length),
+        }
+    }
+}
+
+impl Default for Stretches {
+    fn default() -> Self {
+        let (eight, none) = ([0.0; LANES], 0..0);
+        Self {
+            rows: [[eight; 6]; 6],
+            middle: [eight; 2],
+            half: [eight; 2],
+            half_length: eight,
+            across: [eight; 2],
+            range: eight,
+            samples: std::array::from_fn(|_| none.clone()),
+        }
+    }
+}
+
+impl<S: Real> Expanded<S> {
+    /// Height and slopes at the samples of one stretch, and at up to seven behind it that are written over later.
+    #[inline(always)]
+    fn evaluate<L: Simd>(
+        &self,
+        simd: L,
+        lane: usize,
+        samples: Range<usize>,
+        ranges: &[S],
+        [height, along, across]: [&mut [S]; 3],
+    ) {
+        let [middle, inverse_half] =
+            [self.middle[lane], self.inverse_half[lane]].map(|value| S::Vector::<L>::simd_from(simd, value));
+        for first in samples.step_by(LANES) {
+            let eight = first..first + LANES;
+            let s = (S::Vector::from_slice(simd, &ranges[eight.clone()]) - middle) * inverse_half;
+            horner(&self.height, lane, s).store_slice(&mut height[eight.clone()]);
+            horner(&self.along, lane, s).store_slice(&mut along[eight.clone()]);
+            horner(&self.across, lane, s).store_slice(&mut across[eight]);
+        }
+    }
+}
+
+#[inline(always)]
+fn horner<L: Simd, S: Real, const N: usize>(
+    coefficients: &[[S; LANES]; N],
+    lane: usize,
+    s: S::Vector<L>,
+) -> S::Vector<L> {
+    let mut sum = S::Vector::<L>::simd_from(s.token(), coefficients[N - 1][lane]);
+    for k in (0..N - 1).rev() {
+        sum = sum * s + coefficients[k][lane];
+    }
+    sum
+}
+
+/// As a run has its numbers.
+#[inline(always)]
+fn narrow<L: Simd, S: Real>(value: f64x8<L>) -> [S; LANES] {
+    std::array::from_fn(|lane| S::from_f64(value[lane]))
+}

@@ -1,0 +1,64 @@
+//! Height and slopes sweep by sweep, before they stand side by side.
+
+use std::ops::Range;
+
+use fearless_simd::prelude::SimdBase;
+use fearless_simd::{Level, Simd, dispatch};
+use signal::{LANES, Lanes, Real};
+
+use crate::Profile;
+
+/// Height above the eye (m), slopes along and across of each sweep of a group, sample after sample.
+///
+/// Behind the last sample of a sweep there is room for those that vectors work out beyond it.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Sweeps<S> {
+    signals: [Vec<S>; 3],
+    /// Room of one sweep.
+    room: usize,
+}
+
+impl<S: Real> Sweeps<S> {
+    /// Room for sweeps of `samples` samples.
+    pub(crate) fn resize(&mut self, samples: usize) {
+        self.room = samples + LANES;
+        self.signals.iter_mut().for_each(|signal| signal.resize(LANES * self.room, S::ZERO));
+    }
+
+    /// The signals of one sweep.
+    #[inline(always)]
+    pub(crate) fn of_sweep(&mut self, lane: usize) -> [&mut [S]; 3] {
+        let room = lane * self.room..(lane + 1) * self.room;
+        self.signals.each_mut().map(|signal| &mut signal[room.clone()])
+    }
+
+    /// Puts the samples of `span` side by side; nothing else of `profile` is touched.
+    pub(crate) fn put_side_by_side(&self, vectors: Level, span: Range<usize>, profile: &mut Profile<S>) {
+        let Profile { height, along, across, .. } = profile;
+        for (sweeps, signal) in self.signals.iter().zip([height, along, across]) {
+            dispatch!(vectors, simd => turn(simd, sweeps, self.room, span.start, &mut signal[span.clone()]));
+        }
+    }
+}
+
+/// Rows of samples, `room` apart, into groups of lanes from sample `first` on: squares of eight by eight, each turned by three
+/// rounds of the perfect shuffle.
+#[inline(always)]
+fn turn<S: Real, L: Simd>(simd: L, sweeps: &[S], room: usize, first: usize, out: &mut [Lanes<S>]) {
+    for (square, out) in out.chunks_mut(LANES).enumerate() {
+        let sample = first + LANES * square;
+        let mut rows: [S::Vector<L>; LANES] = std::array::from_fn(|lane| {
+            let at = lane * room + sample;
+            S::Vector::from_slice(simd, &sweeps[at..at + LANES])
+        });
+        for _ in 0..3 {
+            rows = std::array::from_fn(|k| {
+                let (near, far) = (rows[k / 2], rows[k / 2 + LANES / 2]);
+                if k % 2 == 0 { near.zip_low(far) } else { near.zip_high(far) }
+            });
+        }
+        for (out, row) in out.iter_mut().zip(rows) {
+            row.store_slice(&mut out.0);
+        }
+    }
+}
