@@ -83,7 +83,7 @@ impl<S: Real> Amplifier<S> {
     pub fn step(&self, state: &mut AmplifierState<S>, u0: S, u1: S) -> S {
         if self.is_linear(state.y, u0, u1) {
             state.y = self.lag.step(state.y, u0, u1);
-            state.excess = state.excess * self.remains;
+            state.excess *= self.remains;
         } else {
             *state = self.walk(state, u0, u1);
         }
