@@ -151,7 +151,7 @@ mod tests {
             let ranges: Vec<f64> = (0..300).map(|k| 1.0 + 0.37 * f64::from(k)).collect();
             let schedule = Schedule {
                 features: &features,
-                parts: FeatureParts { sub_generators: None, organisation: Organisation::Scheduled, ..FeatureParts::default() },
+                parts: FeatureParts { sub_generators: None, organisation: Organisation::Scheduled },
                 region_origin: [0.0; 2],
                 region_size: 100.0,
                 among: None,

@@ -58,7 +58,7 @@ fn blank<S: Real>(dark: Option<&Stretches>, reflectivity: &mut [Lanes<S>]) {
 /// Leaves a share of a sample; the step behind the last sample is no sample's.
 fn keep<S: Real>(reflectivity: &mut [Lanes<S>], sample: usize, lane: usize, share: f64) {
     if let Some(value) = reflectivity.get_mut(sample) {
-        value[lane] = value[lane] * S::from_f64(share);
+        value[lane] *= S::from_f64(share);
     }
 }
 

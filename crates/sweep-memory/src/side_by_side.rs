@@ -122,7 +122,7 @@ impl<V: Simd> Deposits<V> {
                 let own = line.simd_eq(number).select(here, bound(0.0));
                 let add = (line + bound(1.0)).simd_eq(number).select(below, own);
                 (f32x8::load_array(simd, all.0) + add).store_array(&mut all.0);
-                number = number + bound(1.0);
+                number += bound(1.0);
             }
         }
         others.to_bitmask()
