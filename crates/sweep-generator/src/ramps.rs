@@ -61,13 +61,14 @@ impl Iterator for Folds {
     /// Never ends unless the sweep crosses no stop at all.
     #[inline]
     fn next(&mut self) -> Option<PlacedFold> {
-        let [x, y] = self.axes.map(|axis| axis.range);
-        let (axis, range) = if x <= y { (0, x) } else { (1, y) };
+        // By number, without a branch: nobody can guess which axis comes next.
+        let axis = usize::from(self.axes[1].range < self.axes[0].range);
+        let range = self.axes[axis].range;
         if !range.is_finite() {
             return None;
         }
         let stop = self.axes[axis].pass();
-        Some((range, Fold { axis: if axis == 0 { RampAxis::X } else { RampAxis::Y }, stop }))
+        Some((range, Fold { axis: [RampAxis::X, RampAxis::Y][axis], stop }))
     }
 }
 

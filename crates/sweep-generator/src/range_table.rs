@@ -25,18 +25,24 @@ impl RangeTable {
         self.time_before(self.ranges.partition_point(|&z| z < range), range)
     }
 
-    /// When the sweep passes a range, for ranges that ascend from call to call: from where the last one was, eight samples at a
-    /// time.
+    /// When the sweep passes a range, for ranges that ascend from call to call: from where the last one was. Of the next
+    /// eight samples, where most folds are, those that are nearer are counted, which takes no branch; beyond them in steps that
+    /// double, then by halves.
     pub fn times(&self) -> impl FnMut(f64) -> SweepTime {
         let mut after = 0;
         move |range| {
-            let mut rest = self.ranges[after..].chunks(8);
-            while rest.next().is_some_and(|eight| {
-                // Ranges ascend: how many are nearer tells where the first is that is not.
-                let nearer = eight.iter().filter(|&&z| z < range).count();
-                after += nearer;
-                nearer == eight.len()
-            }) {}
+            let rest = &self.ranges[after..];
+            after += match rest.first_chunk::<8>().map(|next| next.iter().filter(|&&z| z < range).count()) {
+                Some(nearer) if nearer < 8 => nearer,
+                _ => {
+                    let mut bound = 8;
+                    while rest.get(bound).is_some_and(|&z| z < range) {
+                        bound *= 2;
+                    }
+                    let near = if bound == 8 { 0 } else { bound / 2 }..rest.len().min(bound + 1);
+                    near.start + rest[near].partition_point(|&z| z < range)
+                }
+            };
             self.time_before(after, range)
         }
     }

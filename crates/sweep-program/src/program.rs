@@ -56,11 +56,13 @@ pub struct Ramp {
 
 impl Ramp {
     /// Way from the start to the stop that is met first, 0..=1, and that stop; a ramp that stands meets none.
+    #[inline]
     pub fn first_stop(&self) -> (f64, Stop) {
         if self.rate > 0.0 { (1.0 - self.start, Stop::One) } else { (self.start, Stop::Zero) }
     }
 
     /// Value (0..=1) and signed rate at range `lambda` (in regions), after `folds` folds.
+    #[inline]
     pub fn at(&self, folds: u32, lambda: f64) -> (f64, f64) {
         if folds == 0 {
             return ((self.start + self.rate * lambda).clamp(0.0, 1.0), self.rate);

@@ -73,12 +73,11 @@ impl Points {
         self.values.extend((0..count).map(|k| values.map(|signal| signal[k])));
     }
 
-    /// Puts all stretches into `sweeps`, and forgets them; `ranges` are those of the samples.
+    /// Puts all stretches into `sweeps`, and forgets them.
     pub(crate) fn finish<S: Real>(
         &mut self,
         vectors: Level,
         generator: &TerrainGenerator<'_>,
-        ranges: &[S],
         sweeps: &mut Sweeps<S>,
     ) {
         self.work_out(vectors, generator);
@@ -97,7 +96,8 @@ impl Points {
                 [near, far] => {
                     let line =
                         Line::through([near, far], &generator.ranges[first..first + 2], generator.datum);
-                    (first..first + 2).for_each(|sample| put(sample, line.at(ranges[sample])));
+                    (first..first + 2)
+                        .for_each(|sample| put(sample, line.at(S::from_f64(generator.ranges[sample]))));
                 }
                 // A polynomial has no -0.
                 of_one => of_one.iter().for_each(|&[height, along, across]| {

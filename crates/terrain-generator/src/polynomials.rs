@@ -25,13 +25,14 @@ mod tests;
 pub struct Polynomials<S> {
     /// Width of vectors that the computer has.
     pub(crate) vectors: Level,
-    /// Ground range of each sample (m), with room for a vector behind the last.
-    ranges: Vec<S>,
-    sweeps: Sweeps<S>,
+    regions: RecentRegions,
+    stretches: Stretches,
     points: Points,
+    sweeps: Sweeps<S>,
 }
 
 /// What stretches are expanded from, sweep by sweep.
+#[derive(Debug, Clone)]
 struct Stretches {
     rows: [[[f64; LANES]; 6]; 6],
     middle: [[f64; LANES]; 2],
@@ -54,8 +55,13 @@ struct Expanded<S> {
 
 impl<S: Real> Default for Polynomials<S> {
     fn default() -> Self {
-        let (ranges, sweeps, points) = (Vec::new(), Sweeps::default(), Points::default());
-        Self { vectors: Level::new(), ranges, sweeps, points }
+        Self {
+            vectors: Level::new(),
+            regions: RecentRegions::default(),
+            stretches: Stretches::default(),
+            points: Points::default(),
+            sweeps: Sweeps::default(),
+        }
     }
 }
 
@@ -67,39 +73,33 @@ impl<S: Real> Method<S> for Polynomials<S> {
         span: Range<usize>,
         profile: &mut Profile<S>,
     ) {
-        self.ranges.clear();
-        self.ranges.extend(generator.ranges.iter().map(|&range| S::from_f64(range)));
-        self.ranges.resize(generator.ranges.len() + LANES, S::ZERO);
         self.sweeps.resize(generator.ranges.len());
+        self.regions.forget();
         let mut walks = programs.each_ref().map(|program| Walk::new(generator, program, span.start));
-        let (mut stretches, mut regions) = (Stretches::default(), RecentRegions::default());
-        while self.collect(generator, &mut walks, span.end, &mut regions, &mut stretches) {
-            let (ranges, sweeps) = (&self.ranges, &mut self.sweeps);
-            dispatch!(self.vectors, simd => stretches.trace(simd, generator.datum, ranges, sweeps));
+        while self.collect(generator, &mut walks, span.end) {
+            let Self { stretches, sweeps, .. } = self;
+            dispatch!(self.vectors, simd => stretches.trace(simd, generator, sweeps));
         }
-        self.points.finish(self.vectors, generator, &self.ranges, &mut self.sweeps);
+        self.points.finish(self.vectors, generator, &mut self.sweeps);
         self.drop_out_of_sight(&walks, &span);
         self.sweeps.put_side_by_side(self.vectors, span, profile);
     }
 }
 
 impl<S: Real> Polynomials<S> {
-    /// Sets `out` to the next stretch of each sweep that has more than two samples; false if there is none before sample
-    /// `end`.
+    /// The next stretch of each sweep that has more than two samples; false if there is none before sample `end`.
     fn collect(
         &mut self,
         generator: &TerrainGenerator<'_>,
         walks: &mut [Walk<'_>; LANES],
         end: usize,
-        regions: &mut RecentRegions,
-        out: &mut Stretches,
     ) -> bool {
         let mut any = false;
         for (lane, walk) in walks.iter_mut().enumerate() {
-            out.samples[lane] = 0..0;
+            self.stretches.samples[lane] = 0..0;
             while let Some(stretch) = walk.next(generator, end) {
                 if stretch.samples.len() > 2 {
-                    out.set(generator, (lane, walk), stretch, end, regions);
+                    self.stretches.set(generator, (lane, walk), stretch, end, &mut self.regions);
                     any = true;
                     break;
                 }
@@ -149,10 +149,10 @@ impl Stretches {
     }
 
     #[inline(always)]
-    fn trace<L: Simd, S: Real>(&self, simd: L, datum: f64, ranges: &[S], sweeps: &mut Sweeps<S>) {
-        let expanded = self.expand(simd, datum);
+    fn trace<L: Simd, S: Real>(&self, simd: L, generator: &TerrainGenerator<'_>, sweeps: &mut Sweeps<S>) {
+        let expanded = self.expand(simd, generator.datum);
         for (lane, samples) in self.samples.iter().enumerate() {
-            expanded.evaluate(simd, lane, samples.clone(), ranges, sweeps.of_sweep(lane));
+            expanded.evaluate(simd, lane, samples.clone(), generator.ranges, sweeps.of_sweep(lane));
         }
     }
 
@@ -208,14 +208,14 @@ impl<S: Real> Expanded<S> {
         simd: L,
         lane: usize,
         samples: Range<usize>,
-        ranges: &[S],
+        ranges: &[f64],
         [height, along, across]: [&mut [S]; 3],
     ) {
         let [middle, inverse_half] =
             [self.middle[lane], self.inverse_half[lane]].map(|value| S::Vector::<L>::simd_from(simd, value));
         for first in samples.step_by(LANES) {
             let eight = first..first + LANES;
-            let s = (S::Vector::from_slice(simd, &ranges[eight.clone()]) - middle) * inverse_half;
+            let s = (ranges_at::<L, S>(simd, ranges, first) - middle) * inverse_half;
             horner(&self.height, lane, s).store_slice(&mut height[eight.clone()]);
             horner(&self.along, lane, s).store_slice(&mut along[eight.clone()]);
             horner(&self.across, lane, s).store_slice(&mut across[eight]);
@@ -234,6 +234,17 @@ fn horner<L: Simd, S: Real, const N: usize>(
         sum = sum * s + coefficients[k][lane];
     }
     sum
+}
+
+/// Eight ranges from sample `first` on; 0 beyond the last.
+#[inline(always)]
+fn ranges_at<L: Simd, S: Real>(simd: L, ranges: &[f64], first: usize) -> S::Vector<L> {
+    let mut eight = [0.0; LANES];
+    match ranges[first..].first_chunk() {
+        Some(next) => eight = *next,
+        None => eight[..ranges.len() - first].copy_from_slice(&ranges[first..]),
+    }
+    S::Vector::from_slice(simd, &eight.map(S::from_f64))
 }
 
 /// As a run has its numbers.

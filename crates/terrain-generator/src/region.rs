@@ -65,6 +65,7 @@ const KEPT: usize = 32;
 
 /// Regions that the sweeps of a group have met last: neighbours meet the same ones, and find them made. What is kept is
 /// found by the corners that the hold registers have and by the polarity, which are all that a region is made from.
+#[derive(Debug, Clone)]
 pub(crate) struct RecentRegions {
     made_of: [([u32; 4], [f64; 2]); KEPT],
     regions: [Region; KEPT],
@@ -72,15 +73,22 @@ pub(crate) struct RecentRegions {
     mixed: Region,
 }
 
+/// Equal to no polarity: nothing is found before it is made.
+const NOTHING: ([u32; 4], [f64; 2]) = ([0; 4], [f64::NAN; 2]);
+
 impl Default for RecentRegions {
     fn default() -> Self {
-        // Equal to no polarity: nothing is found before it is made.
         let level = Region([[0.0; 6]; 6]);
-        Self { made_of: [([0; 4], [f64::NAN; 2]); KEPT], regions: [level; KEPT], mixed: level }
+        Self { made_of: [NOTHING; KEPT], regions: [level; KEPT], mixed: level }
     }
 }
 
 impl RecentRegions {
+    /// The corners may have other words from now on.
+    pub fn forget(&mut self) {
+        self.made_of = [NOTHING; KEPT];
+    }
+
     /// The region of the words that the registers hold; `buffer` is the storage buffer.
     pub fn of(&mut self, registers: &Registers, buffer: &[CornerWords]) -> &Region {
         let make = || Region::of(registers.hold(buffer), registers.polarity());

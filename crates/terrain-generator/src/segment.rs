@@ -30,25 +30,26 @@ pub struct Segment<T = f64> {
 }
 
 impl<T: Number> Segment<T> {
-    /// Expands a region's polynomial along a stretch.
+    /// Expands a region's polynomial along a stretch: `sum rows[i](s) (X - 1/2)^i` by Horner on polynomials.
     #[inline(always)]
     pub fn expand(region: &Region<T>, span: &Span<T>) -> Self {
         let number = |value: usize| span.half_length.like(value as f64);
-        // Loops: what `map` and `from_fn` are handed is not always compiled for the width of the vectors.
-        let zero = number(0);
-        let (mut values, mut across) = ([[zero; 6]; 6], [[zero; 6]; 6]);
-        for i in 0..6 {
-            (values[i], across[i]) = along_y(&region.rows()[i], span);
-        }
-        for i in 0..5 {
-            for k in 0..6 {
-                across[i][k] = across[i][k] + span.across[0] * number(i + 1) * values[i + 1][k];
-            }
-        }
         let x = [span.middle[0] - span.half_length.like(0.5), span.half[0]];
-        let height = along_x(&values, x);
-        let slope_across = along_x(&across, x);
-        let (mut along, mut across) = ([zero; 10], [zero; 10]);
+        let (mut height, mut slope_across) = ([number(0); 11], [number(0); 11]);
+        let (mut above, across) = along_y(&region.rows()[5], span);
+        height[..6].copy_from_slice(&above);
+        slope_across[..6].copy_from_slice(&across);
+        for i in (0..5).rev() {
+            let (values, mut across) = along_y(&region.rows()[i], span);
+            for k in 0..6 {
+                across[k] = across[k] + span.across[0] * number(i + 1) * above[k];
+            }
+            times_x_and(&mut height, 10 - i, x, &values);
+            times_x_and(&mut slope_across, 10 - i, x, &across);
+            above = values;
+        }
+        // A loop: what `from_fn` is handed is not always compiled for the width of the vectors.
+        let (mut along, mut across) = ([number(0); 10], [number(0); 10]);
         for k in 0..10 {
             along[k] = number(k + 1) * height[k + 1] / span.half_length;
             across[k] = slope_across[k];
@@ -80,22 +81,16 @@ fn along_y<T: Number>(row: &[T; 6], span: &Span<T>) -> ([T; 6], [T; 6]) {
     (values, across)
 }
 
-/// `sum rows[i](s) * (x[0] + x[1] s)^i` by Horner on polynomials.
+/// `sum` becomes a polynomial of degree `degree`: what it was times `x[0] + x[1] s`, and `row`.
 #[inline(always)]
-fn along_x<T: Number>(rows: &[[T; 6]; 6], x: [T; 2]) -> [T; 11] {
-    let mut sum = [x[0].like(0.0); 11];
-    sum[..6].copy_from_slice(&rows[5]);
-    for i in (0..5).rev() {
-        let degree = 5 + (5 - i);
-        for k in (1..=degree).rev() {
-            sum[k] = sum[k] * x[0] + sum[k - 1] * x[1];
-        }
-        sum[0] = sum[0] * x[0];
-        for k in 0..6 {
-            sum[k] = sum[k] + rows[i][k];
-        }
+fn times_x_and<T: Number>(sum: &mut [T; 11], degree: usize, x: [T; 2], row: &[T; 6]) {
+    for k in (1..=degree).rev() {
+        sum[k] = sum[k] * x[0] + sum[k - 1] * x[1];
     }
-    sum
+    sum[0] = sum[0] * x[0];
+    for k in 0..6 {
+        sum[k] = sum[k] + row[k];
+    }
 }
 
 #[cfg(test)]

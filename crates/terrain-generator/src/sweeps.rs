@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use fearless_simd::prelude::SimdBase;
+use fearless_simd::prelude::{SimdBase, SimdFrom};
 use fearless_simd::{Level, Simd, dispatch};
 use signal::{LANES, Lanes, Real};
 
@@ -45,20 +45,30 @@ impl<S: Real> Sweeps<S> {
 /// rounds of the perfect shuffle.
 #[inline(always)]
 fn turn<S: Real, L: Simd>(simd: L, sweeps: &[S], room: usize, first: usize, out: &mut [Lanes<S>]) {
-    for (square, out) in out.chunks_mut(LANES).enumerate() {
-        let sample = first + LANES * square;
-        let mut rows: [S::Vector<L>; LANES] = std::array::from_fn(|lane| {
-            let at = lane * room + sample;
-            S::Vector::from_slice(simd, &sweeps[at..at + LANES])
-        });
-        for _ in 0..3 {
-            rows = std::array::from_fn(|k| {
-                let (near, far) = (rows[k / 2], rows[k / 2 + LANES / 2]);
-                if k % 2 == 0 { near.zip_low(far) } else { near.zip_high(far) }
-            });
+    let whole = out.len() - out.len() % LANES;
+    let (squares, rest) = out.split_at_mut(whole);
+    for (square, out) in squares.chunks_exact_mut(LANES).enumerate() {
+        turn_square(simd, sweeps, room, first + LANES * square, out);
+    }
+    turn_square(simd, sweeps, room, first + whole, rest);
+}
+
+/// The first of eight samples, as many as `out` has.
+#[inline(always)]
+fn turn_square<S: Real, L: Simd>(simd: L, sweeps: &[S], room: usize, sample: usize, out: &mut [Lanes<S>]) {
+    let mut rows = [S::Vector::<L>::simd_from(simd, S::ZERO); LANES];
+    for (lane, row) in rows.iter_mut().enumerate() {
+        let at = lane * room + sample;
+        *row = S::Vector::from_slice(simd, &sweeps[at..at + LANES]);
+    }
+    for _ in 0..3 {
+        let before = rows;
+        for k in 0..LANES / 2 {
+            rows[2 * k] = before[k].zip_low(before[k + LANES / 2]);
+            rows[2 * k + 1] = before[k].zip_high(before[k + LANES / 2]);
         }
-        for (out, row) in out.iter_mut().zip(rows) {
-            row.store_slice(&mut out.0);
-        }
+    }
+    for (out, row) in out.iter_mut().zip(rows) {
+        row.store_slice(&mut out.0);
     }
 }
