@@ -25,6 +25,8 @@ mod tests;
 pub struct Polynomials<S> {
     /// Width of vectors that the computer has.
     pub(crate) vectors: Level,
+    /// Ground range of each sample (m), with room for a vector behind the last.
+    ranges: Vec<S>,
     regions: RecentRegions,
     stretches: Stretches,
     points: Points,
@@ -57,6 +59,7 @@ impl<S: Real> Default for Polynomials<S> {
     fn default() -> Self {
         Self {
             vectors: Level::new(),
+            ranges: Vec::new(),
             regions: RecentRegions::default(),
             stretches: Stretches::default(),
             points: Points::default(),
@@ -73,12 +76,14 @@ impl<S: Real> Method<S> for Polynomials<S> {
         span: Range<usize>,
         profile: &mut Profile<S>,
     ) {
+        self.ranges.resize(generator.ranges.len() + LANES, S::ZERO);
+        dispatch!(self.vectors, _ => narrow_all(generator.ranges, &mut self.ranges));
         self.sweeps.resize(generator.ranges.len());
         self.regions.forget();
         let mut walks = programs.each_ref().map(|program| Walk::new(generator, program, span.start));
         while self.collect(generator, &mut walks, span.end) {
-            let Self { stretches, sweeps, .. } = self;
-            dispatch!(self.vectors, simd => stretches.trace(simd, generator, sweeps));
+            let Self { stretches, ranges, sweeps, .. } = self;
+            dispatch!(self.vectors, simd => stretches.trace(simd, generator.datum, ranges, sweeps));
         }
         self.points.finish(self.vectors, generator, &mut self.sweeps);
         self.drop_out_of_sight(&walks, &span);
@@ -149,10 +154,10 @@ impl Stretches {
     }
 
     #[inline(always)]
-    fn trace<L: Simd, S: Real>(&self, simd: L, generator: &TerrainGenerator<'_>, sweeps: &mut Sweeps<S>) {
-        let expanded = self.expand(simd, generator.datum);
+    fn trace<L: Simd, S: Real>(&self, simd: L, datum: f64, ranges: &[S], sweeps: &mut Sweeps<S>) {
+        let expanded = self.expand(simd, datum);
         for (lane, samples) in self.samples.iter().enumerate() {
-            expanded.evaluate(simd, lane, samples.clone(), generator.ranges, sweeps.of_sweep(lane));
+            expanded.evaluate(simd, lane, samples.clone(), ranges, sweeps.of_sweep(lane));
         }
     }
 
@@ -208,14 +213,14 @@ impl<S: Real> Expanded<S> {
         simd: L,
         lane: usize,
         samples: Range<usize>,
-        ranges: &[f64],
+        ranges: &[S],
         [height, along, across]: [&mut [S]; 3],
     ) {
         let [middle, inverse_half] =
             [self.middle[lane], self.inverse_half[lane]].map(|value| S::Vector::<L>::simd_from(simd, value));
         for first in samples.step_by(LANES) {
             let eight = first..first + LANES;
-            let s = (ranges_at::<L, S>(simd, ranges, first) - middle) * inverse_half;
+            let s = (S::Vector::from_slice(simd, &ranges[eight.clone()]) - middle) * inverse_half;
             horner(&self.height, lane, s).store_slice(&mut height[eight.clone()]);
             horner(&self.along, lane, s).store_slice(&mut along[eight.clone()]);
             horner(&self.across, lane, s).store_slice(&mut across[eight]);
@@ -236,18 +241,15 @@ fn horner<L: Simd, S: Real, const N: usize>(
     sum
 }
 
-/// Eight ranges from sample `first` on; 0 beyond the last.
+/// Values as a run has its numbers.
 #[inline(always)]
-fn ranges_at<L: Simd, S: Real>(simd: L, ranges: &[f64], first: usize) -> S::Vector<L> {
-    let mut eight = [0.0; LANES];
-    match ranges[first..].first_chunk() {
-        Some(next) => eight = *next,
-        None => eight[..ranges.len() - first].copy_from_slice(&ranges[first..]),
+fn narrow_all<S: Real>(values: &[f64], out: &mut [S]) {
+    for (out, &value) in out.iter_mut().zip(values) {
+        *out = S::from_f64(value);
     }
-    S::Vector::from_slice(simd, &eight.map(S::from_f64))
 }
 
-/// As a run has its numbers.
+/// The same of eight.
 #[inline(always)]
 fn narrow<L: Simd, S: Real>(value: f64x8<L>) -> [S; LANES] {
     std::array::from_fn(|lane| S::from_f64(value[lane]))
