@@ -10,15 +10,13 @@ use rayon::slice::ParallelSliceMut;
 use remote_shadow::Segment;
 use sweep_program::{LoadTiming, NoTiming};
 
-use crate::crossings::{Crossing, Crossings, Line, Met};
+use crate::crossings::{BAND, Crossing, Crossings, Met};
+use crate::fan::Line;
 use crate::line_generators::{Boundary, SegmentLoad, SegmentMiss, Service, serve, serve_in_time};
 
 /// Two boundaries nearer to each other than this along a sweep are none (m): far less than a display line, far more
 /// than rounding.
 pub const RESOLUTION: f64 = 1e-6;
-
-/// Sweeps that are worked on together: all lines are looked over once a band.
-const BAND: usize = 64;
 
 /// The blanking gate of one sweep.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -111,10 +109,9 @@ impl ShadowController {
         out.par_chunks_mut(BAND).enumerate().for_each_init(
             || (Crossings::default(), Vec::new(), BinaryHeap::new()),
             |(crossings, boundaries, free_at), (band, gates)| {
-                let first = band * BAND;
-                crossings.find(&met, first..first + gates.len());
+                crossings.find(&met, band, gates.len());
                 for (number, gate) in gates.iter_mut().enumerate() {
-                    let sweep = first + number;
+                    let sweep = band * BAND + number;
                     let boundary = |crossing: &Crossing| {
                         Boundary::new(met.line(*crossing), directions[sweep], crossing.range())
                     };

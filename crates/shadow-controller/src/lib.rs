@@ -34,6 +34,7 @@
 
 mod controller;
 mod crossings;
+mod fan;
 mod line_generators;
 mod wired;
 

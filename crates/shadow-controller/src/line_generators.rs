@@ -6,7 +6,7 @@ use std::collections::BinaryHeap;
 use quantities::SweepTime;
 use sweep_program::{LoadTiming, MissCause, TimedLoad};
 
-use crate::crossings::Line;
+use crate::fan::Line;
 
 /// Words of a boundary: place, length, direction (hardware section 3.7).
 pub const SEGMENT_WORDS: u32 = 4;

@@ -1,0 +1,199 @@
+//! Sweeps as a fan ahead of the eye, and which of them a line crosses.
+
+use fearless_simd::{Simd, SimdBase, SimdFloat, SimdMask, f64x8};
+use remote_shadow::Segment;
+
+/// Nearest place ahead of the eye that counts (m).
+const NEAREST: f64 = 1e-6;
+
+/// Lines that are looked at together.
+pub(crate) const TOGETHER: usize = 8;
+
+/// A segment from the eye: north, east (m).
+pub(crate) type Line = Segment;
+
+/// Sweeps as they lie ahead: `tan` of the angle from the middle of the view.
+pub(crate) struct Fan<'a> {
+    directions: &'a [[f64; 2]],
+    middle: [f64; 2],
+    tangents: Vec<f64>,
+    /// Sweeps for a unit of `tan`, on average: a first guess.
+    density: f64,
+    /// By how many sweeps the guess can be wrong, rounding included.
+    doubt: f64,
+}
+
+/// What is known of eight lines by a guess.
+pub(crate) struct Sifted {
+    /// Those that may cross a sweep: a bit each.
+    pub(crate) may_cross: u64,
+    /// Those of which `left` is known: a bit each.
+    pub(crate) known: u64,
+    /// Sweeps to the left of where they begin and of where they end.
+    pub(crate) left: [[f64; TOGETHER]; 2],
+}
+
+/// Of eight places.
+struct Guess<V: Simd> {
+    /// How far ahead they are (m).
+    ahead: f64x8<V>,
+    /// Least and most sweeps to their left, where they are ahead.
+    low: f64x8<V>,
+    high: f64x8<V>,
+}
+
+/// The ends of two lines: where the first begins and ends, where the second does.
+#[inline(always)]
+fn pair<V: Simd>(simd: V, line: &impl Fn(usize) -> Line, n: usize) -> f64x8<V> {
+    let (a, b) = (line(n), line(n + 1));
+    let [first, second] = [a.from, a.to];
+    let [third, fourth] = [b.from, b.to];
+    f64x8::load_array(
+        simd,
+        [first[0], first[1], second[0], second[1], third[0], third[1], fourth[0], fourth[1]],
+    )
+}
+
+impl<'a> Fan<'a> {
+    /// `None` without sweeps, or if they open to half a turn or more.
+    pub(crate) fn new(directions: &'a [[f64; 2]]) -> Option<Self> {
+        let (first, last) = (directions.first()?, directions.last()?);
+        let sum = [first[0] + last[0], first[1] + last[1]];
+        let length = (sum[0] * sum[0] + sum[1] * sum[1]).sqrt();
+        let middle = (length > NEAREST).then(|| sum.map(|part| part / length))?;
+        let tangents: Vec<f64> = directions.iter().map(|&d| cross(middle, d) / dot(middle, d)).collect();
+        let width = tangents[tangents.len() - 1] - tangents[0];
+        let density = if width > 0.0 { (tangents.len() - 1) as f64 / width } else { 0.0 };
+        let wrong = |(n, tangent): (usize, f64)| ((tangent - tangents[0]) * density - n as f64).abs();
+        let doubt = tangents.iter().copied().enumerate().map(wrong).fold(0.0, f64::max) + 1e-6;
+        Some(Self { directions, middle, tangents, density, doubt })
+    }
+
+    /// Of eight lines those that may cross a sweep, by the guess alone; `line` tells each of them.
+    #[inline(always)]
+    pub(crate) fn sift<V: Simd>(&self, simd: V, line: impl Fn(usize) -> Line) -> Sifted {
+        let (near, far) =
+            ([pair(simd, &line, 0), pair(simd, &line, 2)], [pair(simd, &line, 4), pair(simd, &line, 6)]);
+        let (near, far) = (self.guess(simd, near), self.guess(simd, far));
+        let (from_ahead, to_ahead) = (near.ahead.unzip_low(far.ahead), near.ahead.unzip_high(far.ahead));
+        let (from_low, to_low) = (near.low.unzip_low(far.low), near.low.unzip_high(far.low));
+        let (from_high, to_high) = (near.high.unzip_low(far.high), near.high.unzip_high(far.high));
+        let nearest = f64x8::splat(simd, NEAREST);
+        let ahead = from_ahead.simd_ge(nearest) & to_ahead.simd_ge(nearest);
+        let behind = from_ahead.simd_lt(nearest) & to_ahead.simd_lt(nearest);
+        let known = ahead & from_low.simd_eq(from_high) & to_low.simd_eq(to_high);
+        let may_differ = from_low.simd_lt(to_high) | to_low.simd_lt(from_high);
+        Sifted {
+            may_cross: (!behind & (!ahead | may_differ)).to_bitmask(),
+            known: known.to_bitmask(),
+            left: [from_low.to_array(), to_low.to_array()],
+        }
+    }
+
+    /// For the ends of four lines, in turn.
+    #[inline(always)]
+    fn guess<V: Simd>(&self, simd: V, [a, b]: [f64x8<V>; 2]) -> Guess<V> {
+        let (x, y) = (a.unzip_low(b), a.unzip_high(b));
+        let (north, east) = (f64x8::splat(simd, self.middle[0]), f64x8::splat(simd, self.middle[1]));
+        let (ahead, across) = (north * x + east * y, north * y - east * x);
+        let (leftmost, density) = (f64x8::splat(simd, self.tangents[0]), f64x8::splat(simd, self.density));
+        let guess = (across / ahead - leftmost) * density;
+        let (none, all) = (f64x8::splat(simd, 0.0), f64x8::splat(simd, self.tangents.len() as f64));
+        let doubt = f64x8::splat(simd, self.doubt);
+        let (low, high) = ((guess - doubt).ceil(), (guess + doubt).ceil());
+        Guess { ahead, low: low.max(none).min(all), high: high.max(none).min(all) }
+    }
+
+    /// Number of sweeps to the left of a place ahead.
+    fn sweeps_left_of(&self, [ahead, across]: [f64; 2]) -> usize {
+        let tangent = across / ahead;
+        let guess = (tangent - self.tangents[0]) * self.density;
+        let mut n = (guess.max(0.0) as usize).min(self.tangents.len());
+        while n > 0 && self.tangents[n - 1] >= tangent {
+            n -= 1;
+        }
+        while n < self.tangents.len() && self.tangents[n] < tangent {
+            n += 1;
+        }
+        n
+    }
+
+    /// Sweeps to the left of the two ends, as far as the line lies ahead; `None` if it lies behind.
+    pub(crate) fn span(&self, line: &Line) -> Option<[usize; 2]> {
+        let [a, b] = [line.from, line.to].map(|end| [dot(self.middle, end), cross(self.middle, end)]);
+        if a[0] < NEAREST && b[0] < NEAREST {
+            return None;
+        }
+        Some([self.sweeps_left_of(clipped(a, b)), self.sweeps_left_of(clipped(b, a))])
+    }
+
+    pub(crate) fn crossing(&self, sweep: usize, line: &Line) -> f64 {
+        let direction = self.directions[sweep];
+        let way = [line.to[0] - line.from[0], line.to[1] - line.from[1]];
+        let range = cross(line.from, way) / cross(direction, way);
+        let [a, b] = [line.from, line.to].map(|end| dot(direction, end));
+        // A line almost along the sweep: rounding must not throw the crossing off it.
+        let within = if range.is_nan() { a.min(b) } else { range.max(a.min(b)).min(a.max(b)) };
+        within.max(0.0)
+    }
+}
+
+/// `a` (ahead, across), or if it lies behind the place ahead where the line to `b` begins to count.
+fn clipped(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    if a[0] >= NEAREST {
+        return a;
+    }
+    let share = (NEAREST - a[0]) / (b[0] - a[0]);
+    [NEAREST, a[1] + share * (b[1] - a[1])]
+}
+
+fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+/// Above 0 if `b` lies to the right of `a`.
+fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::{prop_assert, prop_assert_eq, proptest};
+
+    use fearless_simd::{Level, dispatch};
+
+    use super::{Fan, Line, Sifted, TOGETHER};
+
+    proptest! {
+        /// The guess drops no line that a sweep crosses, in fans that are even in their tangents, in their angles or in neither.
+        #[test]
+        fn a_line_that_is_passed_by_crosses_no_sweep(
+            sweeps in 1..60usize,
+            half in 0.01..1.4f64,
+            bend in -0.9..0.9f64,
+            places in proptest::collection::vec([-9.0..9.0f64, -9.0..9.0f64, -1.5..1.5f64, -1.5..1.5f64], 50),
+        ) {
+            let direction = |n: usize| {
+                let place = (2 * n) as f64 / (sweeps - 1).max(1) as f64 - 1.0;
+                let (sin, cos) = quantities::sin_cos(half * (place + bend * (1.0 - place * place) * 0.5));
+                [cos, sin]
+            };
+            let directions: Vec<[f64; 2]> = (0..sweeps).map(direction).collect();
+            let fan = Fan::new(&directions).expect("less than half a turn");
+            for [north, east, way_north, way_east] in places {
+                let line = Line { from: [north, east], to: [north + way_north, east + way_east] };
+                let by_force = |end: [f64; 2]| {
+                    let [ahead, across] = [super::dot(fan.middle, end), super::cross(fan.middle, end)];
+                    (ahead > 0.0).then(|| fan.tangents.iter().filter(|&&t| t < across / ahead).count())
+                };
+                let (Some(a), Some(b)) = (by_force(line.from), by_force(line.to)) else { continue };
+                prop_assert_eq!(fan.span(&line), Some([a, b]));
+                for vectors in [Level::new(), Level::baseline()] {
+                    let Sifted { may_cross, known, left } = dispatch!(vectors, simd => fan.sift(simd, |_| line));
+                    prop_assert!(may_cross == 0xff || (may_cross == 0 && a == b), "{line:?} crosses {a}..{b}: {may_cross}");
+                    prop_assert!(known == 0 || left == [[a as f64; TOGETHER], [b as f64; TOGETHER]]);
+                }
+            }
+        }
+    }
+}
