@@ -2,6 +2,7 @@
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
+use std::mem;
 
 use quantities::SweepTime;
 use sweep_program::{LoadTiming, MissCause, TimedLoad};
@@ -104,6 +105,43 @@ pub(crate) fn serve(
     limit: Option<u32>,
     free_at: &mut BinaryHeap<u64>,
 ) -> Service {
+    let most_in_use = if limit.is_none() { most_at_one_time(boundaries, free_at) } else { None };
+    match most_in_use {
+        Some(most_in_use) => Service { most_in_use, ..Service::default() },
+        None => serve_in_turn(boundaries, limit, free_at),
+    }
+}
+
+/// Most line generators in use at one time if there is one for each boundary; `None` if some boundary needs one for no
+/// time at all. The memory of `free_at` is used.
+fn most_at_one_time(boundaries: &[Boundary], free_at: &mut BinaryHeap<u64>) -> Option<u32> {
+    let mut events = mem::take(free_at).into_vec();
+    events.clear();
+    // Ranges are not negative, so their bits are in their order; what is given back at a range comes before what is taken.
+    let event = |range: f64, taken: u64| (range + 0.0).to_bits() << 1 | taken;
+    let all_last = boundaries.iter().all(|boundary| boundary.held[0] < boundary.held[1]);
+    if all_last {
+        events.extend(
+            boundaries.iter().flat_map(|&Boundary { held: [from, to], .. }| [event(from, 1), event(to, 0)]),
+        );
+    }
+    events.sort_unstable();
+    let (mut in_use, mut most) = (0u32, 0);
+    for event in &events {
+        in_use = if event & 1 == 1 { in_use + 1 } else { in_use - 1 };
+        most = most.max(in_use);
+    }
+    events.clear();
+    *free_at = events.into();
+    all_last.then_some(most)
+}
+
+/// As [`serve`], boundary by boundary.
+fn serve_in_turn(
+    boundaries: &mut Vec<Boundary>,
+    limit: Option<u32>,
+    free_at: &mut BinaryHeap<u64>,
+) -> Service {
     let limit = limit.map_or(usize::MAX, |limit| limit as usize);
     order(boundaries);
     // Ranges are not negative, so their bits are in their order; the heap gives the largest, hence the complement.
@@ -178,7 +216,8 @@ fn longest_free(busy: &mut Vec<f64>, boundary: &Boundary, limit: Option<u32>) ->
 mod tests {
     use std::collections::BinaryHeap;
 
-    use super::{Boundary, serve};
+    use super::{Boundary, serve, serve_in_turn};
+    use proptest::prelude::{any, prop_assert_eq, proptest};
     use remote_shadow::Segment;
 
     fn boundary(range: f64, from: f64, to: f64) -> Boundary {
@@ -222,5 +261,24 @@ mod tests {
         let steep = Segment { from: [10.0, -5.0], to: [11.0, 5.0] };
         assert_eq!(Boundary::new(&steep, [1.0, 0.0], 10.5).held, [0.0, f64::INFINITY], "y never changes");
         assert_eq!(Boundary::new(&steep, [0.8, 0.6], 10.5).held, [0.0, 5.0 / 0.6]);
+    }
+
+    proptest! {
+        /// Extents that touch, nest and coincide, some of them of no length.
+        #[test]
+        fn one_for_each_is_counted_as_if_they_were_served_in_turn(
+            extents in proptest::collection::vec((0..12u8, 0..6u8, any::<bool>()), 0..40),
+        ) {
+            let mut all: Vec<Boundary> = Vec::new();
+            for (n, &(from, length, point)) in extents.iter().enumerate() {
+                let from = f64::from(from);
+                let length = if point { f64::from(length) } else { f64::from(length) + 0.5 };
+                all.push(boundary(n as f64, from, from + length));
+            }
+            let mut in_turn = all.clone();
+            let expected = serve_in_turn(&mut in_turn, None, &mut BinaryHeap::new());
+            prop_assert_eq!(serve(&mut all, None, &mut BinaryHeap::from(vec![3])), expected);
+            prop_assert_eq!(all, in_turn);
+        }
     }
 }
