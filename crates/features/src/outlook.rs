@@ -1,6 +1,9 @@
 //! Which craters can be told from where the eye is (economy; performance-insights, section 6).
 
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+
 use crate::fan::Fan;
+use crate::tier::Tier;
 use crate::{Crater, Features};
 
 /// An eye over level ground, and how little it tells.
@@ -50,33 +53,49 @@ impl Features {
         outlook: &Outlook,
         found: &mut Vec<u32>,
     ) -> LeftOut {
+        let seen = |tier: &Tier| self.seen_of(tier, origin, edges, to, outlook);
+        let tiers: Vec<(Vec<u32>, LeftOut)> = self.tiers().par_iter().map(seen).collect();
         found.clear();
         let mut left_out = LeftOut::default();
+        for (some, without) in tiers {
+            found.extend(some);
+            left_out.craters += without.craters;
+            left_out.cells += without.cells;
+        }
+        found.sort_unstable();
+        left_out
+    }
+
+    fn seen_of(
+        &self,
+        tier: &Tier,
+        origin: [f64; 2],
+        edges: [[f64; 2]; 2],
+        to: f64,
+        outlook: &Outlook,
+    ) -> (Vec<u32>, LeftOut) {
+        let (mut found, mut near, mut left_out) = (Vec::new(), 0, LeftOut::default());
         let mut leave_out = |craters: u64, outer: f64, range: f64| {
             left_out.craters += craters;
             left_out.cells += craters as f64 * outlook.cells(outer, range);
         };
-        for tier in self.tiers() {
-            let told = tier.told_to(outlook).min(to);
-            let mut near = 0;
-            for index in tier.near_fan(Fan::new(origin, edges, told)) {
-                near += 1;
-                let crater = &self.craters()[index as usize];
-                let [north, east] = [0, 1].map(|axis| crater.centre()[axis] - origin[axis]);
-                let range = (north * north + east * east).sqrt();
-                if outlook.tells(crater, range) {
-                    found.push(index);
-                } else {
-                    leave_out(1, crater.outer(), range);
-                }
-            }
-            if told < to {
-                let beyond = tier.count(Fan::new(origin, edges, to)).saturating_sub(near);
-                leave_out(beyond, tier.outer(), told);
+        let told = tier.told_to(outlook).min(to);
+        for index in tier.near_fan(Fan::new(origin, edges, told)) {
+            near += 1;
+            let crater = &self.craters()[index as usize];
+            let [north, east] = [0, 1].map(|axis| crater.centre()[axis] - origin[axis]);
+            let range = (north * north + east * east).sqrt();
+            if outlook.tells(crater, range) {
+                found.push(index);
+            } else {
+                leave_out(1, crater.outer(), range);
             }
         }
-        found.sort_unstable();
-        left_out
+        if told < to {
+            let beyond = tier.count(Fan::new(origin, edges, to)).saturating_sub(near);
+            leave_out(beyond, tier.outer(), told);
+        }
+        (found, left_out)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use features::{LeftOut, Outlook};
 use generator::Stage;
+use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 use signal::LANES;
 
 use crate::control_plane::FramePlan;
@@ -20,6 +21,8 @@ pub(crate) struct CratersInSight {
     /// What cannot be told; its cells are pixels of the screen.
     pub left_out: LeftOut,
     found: Vec<u32>,
+    /// First and last group that may meet each of `found`.
+    reach: Vec<Option<[usize; 2]>>,
 }
 
 impl CratersInSight {
@@ -34,20 +37,22 @@ impl CratersInSight {
         let groups = plan.fan.sweeps.div_ceil(LANES as u32) as usize;
         let reach = |index: &u32| {
             let crater = &features.craters()[*index as usize];
-            plan.sweeps_of(crater.centre(), crater.outer()).map(|sweeps| sweeps.map(|sweep| sweep as usize / LANES))
+            let sweeps = plan.sweeps_of(crater.centre(), crater.outer())?;
+            Some(sweeps.map(|sweep| sweep as usize / LANES))
         };
+        self.found.par_iter().map(reach).collect_into_vec(&mut self.reach);
         self.begins.clear();
         self.begins.resize(groups + 1, 0);
-        for [first, last] in self.found.iter().filter_map(reach) {
-            (first..=last).for_each(|group| self.begins[group + 1] += 1);
+        for [first, last] in self.reach.iter().flatten() {
+            self.begins[first + 1..=last + 1].iter_mut().for_each(|count| *count += 1);
         }
         (0..groups).for_each(|group| self.begins[group + 1] += self.begins[group]);
         self.craters.clear();
         self.craters.resize(self.begins[groups] as usize, 0);
         let mut ends = self.begins.clone();
-        for index in &self.found {
-            let Some([first, last]) = reach(index) else { continue };
-            for end in &mut ends[first..=last] {
+        for (index, reach) in self.found.iter().zip(&self.reach) {
+            let Some([first, last]) = reach else { continue };
+            for end in &mut ends[*first..=*last] {
                 self.craters[*end as usize] = *index;
                 *end += 1;
             }

@@ -116,7 +116,7 @@ fn missions() -> Result<(), String> {
         "| mission, ideal, f32, two threads | frames | ground, s | first frame, s | all others, s | frames/s | x real time |\n|---|---|---|---|---|---|---|"
     );
     let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().map_err(|error| error.to_string())?;
-    let choice = Choice { model: Some("ideal"), scalar: Some(Scalar::F32), raster: Some(STANDARD) };
+    let choice = Choice { model: Some("ideal"), scalar: Some(Scalar::F32), raster: Some(STANDARD), ..Choice::default() };
     for name in ["first-light", "nominal-drive", "showpiece"] {
         let mission = Mission::draw(name, &choice, &pool)?;
         println!(
