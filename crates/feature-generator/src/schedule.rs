@@ -115,7 +115,13 @@ impl Schedule<'_> {
 
     /// The craters that [`write`](Self::write) finds, for whoever does not ask which sub-generator makes which and has as
     /// many as it takes.
-    pub fn list(&self, eye: [f64; 2], direction: [f64; 2], [from, to]: [f64; 2], program: &mut FeatureProgram) {
+    pub fn list(
+        &self,
+        eye: [f64; 2],
+        direction: [f64; 2],
+        [from, to]: [f64; 2],
+        program: &mut FeatureProgram,
+    ) {
         let line = Line { eye, direction, from, to };
         self.find(&line, program);
         let load = |&crater: &u32| {

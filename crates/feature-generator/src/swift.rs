@@ -123,7 +123,8 @@ mod tests {
     fn a_kink_beside_a_sample_leaves_it_its_share() {
         let crater = Crater::new([10.3, 0.0], Shape::Bowl { r1: 5.0 }, 1.0, 0.0).unwrap();
         let (features, ranges) = (Features::new(vec![crater]), (1..30).map(f64::from).collect::<Vec<_>>());
-        let load = FeatureLoad { crater: 0, sub_generator: 0, middle: 10.3, side: 0.0, from: f64::NEG_INFINITY };
+        let load =
+            FeatureLoad { crater: 0, sub_generator: 0, middle: 10.3, side: 0.0, from: f64::NEG_INFINITY };
         let mut program = FeatureProgram::default();
         (program.loads, program.end_range) = (vec![load], 29.0);
         let mut sums: [Vec<Lanes<f64>>; 3] = std::array::from_fn(|_| vec![Lanes::splat(0.0); 29]);

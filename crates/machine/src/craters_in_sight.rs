@@ -65,7 +65,9 @@ impl CratersInSight {
         let mut groups = sweeps.map(|sweep| sweep as usize / LANES);
         groups.sort_unstable();
         for group in groups.chunk_by(|a, b| a == b).map(|same| same[0]) {
-            found.extend_from_slice(&self.craters[self.begins[group] as usize..self.begins[group + 1] as usize]);
+            found.extend_from_slice(
+                &self.craters[self.begins[group] as usize..self.begins[group + 1] as usize],
+            );
         }
         if groups[0] != groups[LANES - 1] {
             found.sort_unstable();

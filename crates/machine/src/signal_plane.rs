@@ -13,9 +13,7 @@ use polyhedron_generator::{Hold, Overlay};
 use signal::{LANES, Lanes, Real};
 use sweep_generator::{RangeTable, SampleFinder};
 use sweep_memory::{Beam, BeamBreaks, Drive, FarStroke, Steps, write_group};
-use terrain_generator::{
-    ArrayState, ModifiedTerrainGenerator, PartsArray, TerrainGenerator, Wired,
-};
+use terrain_generator::{ArrayState, ModifiedTerrainGenerator, PartsArray, TerrainGenerator, Wired};
 use texture_generator::TextureGenerator;
 
 use crate::blocks::{Blocks, Coarse};

@@ -75,10 +75,16 @@ mod tests {
         MixingUnit::new(&MixingParts::default(), texture)
     }
 
-    fn mixed(texture_in_shadow: TextureInShadow, dark: &[[f64; 2]], texture: &[f64], light: &[f64]) -> Vec<f64> {
+    fn mixed(
+        texture_in_shadow: TextureInShadow,
+        dark: &[[f64; 2]],
+        texture: &[f64],
+        light: &[f64],
+    ) -> Vec<f64> {
         let mut reflectivity: Vec<Lanes<f64>> = light.iter().map(|&light| Lanes::splat(light)).collect();
         let texture: Vec<_> = texture.iter().map(|&texture| Lanes::splat(texture)).collect();
-        let stretches: Stretches = std::array::from_fn(|lane| if lane == 3 { dark.to_vec() } else { Vec::new() });
+        let stretches: Stretches =
+            std::array::from_fn(|lane| if lane == 3 { dark.to_vec() } else { Vec::new() });
         unit(texture_in_shadow).run_swiftly(Some(&stretches), &texture, &mut reflectivity);
         reflectivity.iter().map(|value| value[3]).collect()
     }

@@ -67,7 +67,9 @@ mod tests {
             RangeLaw::ConstantElevation,
             RangeLaw::Geometric,
         ];
-        for (law, samples) in laws.into_iter().flat_map(|law| [2, 3, 17, 1000, 2999].map(|samples| (law, samples))) {
+        for (law, samples) in
+            laws.into_iter().flat_map(|law| [2, 3, 17, 1000, 2999].map(|samples| (law, samples)))
+        {
             let table = RangeTable::new(&RangeProgramme { law, start: 1.5, end: 5000.0 }, samples);
             let ranges = table.ranges();
             let finder = SampleFinder::new(ranges);

@@ -116,7 +116,12 @@ fn missions() -> Result<(), String> {
         "| mission, ideal, f32, two threads | frames | ground, s | first frame, s | all others, s | frames/s | x real time |\n|---|---|---|---|---|---|---|"
     );
     let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().map_err(|error| error.to_string())?;
-    let choice = Choice { model: Some("ideal"), scalar: Some(Scalar::F32), raster: Some(STANDARD), ..Choice::default() };
+    let choice = Choice {
+        model: Some("ideal"),
+        scalar: Some(Scalar::F32),
+        raster: Some(STANDARD),
+        ..Choice::default()
+    };
     for name in ["first-light", "nominal-drive", "showpiece"] {
         let mission = Mission::draw(name, &choice, &pool)?;
         println!(
@@ -223,7 +228,12 @@ fn apart(arguments: &[&str]) -> Result<String, String> {
 const SIDES: [usize; 5] = [64, 128, 256, 512, 1024];
 
 fn mesh() -> Result<(), String> {
-    let choice = Choice { model: Some("ideal"), scalar: Some(Scalar::F32), raster: Some(STANDARD) };
+    let choice = Choice {
+        model: Some("ideal"),
+        scalar: Some(Scalar::F32),
+        raster: Some(STANDARD),
+        ..Choice::default()
+    };
     let mut scene = Scene::shipped("first-light", &choice);
     let raster = scene.stage.settings.raster;
     println!(
