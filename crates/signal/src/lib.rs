@@ -1,4 +1,4 @@
-//! Sweep buffers in groups of lanes, the scalar of a run, the signal table, probes.
+//! Sweep buffers in groups of lanes, the scalar of a run, numbers side by side, the signal table, probes.
 //!
 //! Sweeps do not depend on one another, so the signal plane runs [`LANES`] of them side by side: a buffer holds
 //! one [`Lanes`] a sample. A group of sweeps is the unit of work whatever the number of threads, so threads

@@ -136,6 +136,14 @@ mod tests {
             for range in [0.5, 1.5, 1.5, 77.0, 4999.0, 5000.0, 6000.0] {
                 assert_eq!(walk(range), table.time_of(range), "{law:?}");
             }
+            // Steps within the next eight samples, just beyond them and far beyond.
+            for step in [0.2, 0.9, 1.0, 3.7, 7.0, 7.5, 8.0, 8.5, 9.0, 15.9, 16.0, 17.0, 40.3, 333.0] {
+                let mut walk = table.times();
+                for k in 0..(1000.0 / step) as usize {
+                    let range = table.range_at(SweepTime(step * k as f64 - 0.5));
+                    assert_eq!(walk(range), table.time_of(range), "{law:?}, steps of {step}");
+                }
+            }
             assert_eq!(table.time_of(5000.1), SweepTime(f64::INFINITY));
             assert_eq!(table.range_at(SweepTime(999.0)), 5000.0);
             for beyond in [999.1, 1000.0, 1e9] {

@@ -19,7 +19,8 @@
 //! is one polynomial of degree 10 in ground range. [`Segment`] expands it from the words *now in the hold
 //! registers* with the present polarity: a late or stale word shows. The slope along the sweep is its derivative,
 //! the slope across has its own polynomial of degree 9; the sun is turned into (along, across, up) once a sweep.
-//! A stretch of one or two samples is cheaper straight through the array.
+//! A stretch of one or two samples is cheaper straight through the array. Stretches of eight sweeps are expanded side by side,
+//! each is evaluated eight samples at a time: compiled for each width of vectors, chosen as the program runs, to the same bits.
 //! **Parameters.** Corner words, region size, ranges of the samples, datum; with two levels the switch of every sweep
 //! (m) and the length of the blend (m).
 //! **Timing.** Fold, polarity and transfer happen in the instant of the fold; the first sample at or after an

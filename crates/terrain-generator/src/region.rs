@@ -90,6 +90,7 @@ impl RecentRegions {
     }
 
     /// The region of the words that the registers hold; `buffer` is the storage buffer.
+    #[inline]
     pub fn of(&mut self, registers: &Registers, buffer: &[CornerWords]) -> &Region {
         let make = || Region::of(registers.hold(buffer), registers.polarity());
         let Some(corners) = registers.corners_held() else {

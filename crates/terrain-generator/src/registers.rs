@@ -72,6 +72,7 @@ impl Registers {
     }
 
     /// A stop was met: two colours take their preload register, the polarity of the axis flips.
+    #[inline]
     pub fn fold(&mut self, fold: Fold) {
         let preload = if fold.axis == RampAxis::X { X_FIRST } else { Y_FIRST };
         for colour in fold.colours() {
@@ -85,6 +86,7 @@ impl Registers {
     }
 
     /// A stop was met and nothing is transferred.
+    #[inline]
     pub fn turn(&mut self, fold: Fold) {
         let axis = usize::from(fold.axis == RampAxis::Y);
         self.polarity[axis] = -self.polarity[axis];
@@ -102,6 +104,7 @@ impl Registers {
     }
 
     /// Words arrive.
+    #[inline]
     pub fn load(&mut self, load: &Load, buffer: &[CornerWords]) {
         let register = match load.target {
             Target::Hold => HOLD,

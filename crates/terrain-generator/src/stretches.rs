@@ -51,13 +51,15 @@ impl<'p> Walk<'p> {
     fn apply_due(&mut self, generator: &TerrainGenerator<'_>, sample: usize) -> f64 {
         let mut begin = generator.ranges[sample.saturating_sub(1)];
         let ahead = self.program.steps[self.next_step..].iter();
+        let mut due = 0;
         for step in ahead.take_while(|step| step.sample <= sample) {
             self.registers.apply(step, generator.buffer);
-            if changes_hold(step) {
-                begin = begin.max(step.range);
+            if changes_hold(step) && step.range > begin {
+                begin = step.range;
             }
-            self.next_step += 1;
+            due += 1;
         }
+        self.next_step += due;
         begin
     }
 
