@@ -101,7 +101,7 @@ mod tests {
     #[test]
     fn a_shadow_within_a_step_takes_its_part() {
         assert_eq!(mixed(TextureInShadow::Off, &[[2.0, 2.25]], &[], &[1.0; 5]), [1.0, 1.0, 0.75, 1.0, 1.0]);
-        assert_eq!(mixed(TextureInShadow::Off, &[[3.9, 4.5]], &[], &[1.0; 5]), [1.0, 1.0, 1.0, 1.0, 0.0]);
+        assert_eq!(mixed(TextureInShadow::Off, &[[3.75, 4.5]], &[], &[1.0; 5]), [1.0, 1.0, 1.0, 1.0, 0.25]);
         assert_eq!(mixed(TextureInShadow::Off, &[[0.0, 2.25]], &[], &[1.0; 5]), [0.5, 0.0, 0.25, 1.0, 1.0]);
     }
 
