@@ -16,6 +16,8 @@
 //! eight sweeps says whether any is slewing; such steps are walked piece by piece, in f64. A lane has the bits that it has
 //! alone.
 
+use fearless_simd::prelude::{SimdBase, SimdFloat, SimdFrom};
+use fearless_simd::{Level, Simd, dispatch};
 use signal::{LANES, Lanes, Real};
 
 use crate::Jump;
@@ -72,6 +74,11 @@ impl<S: Real> Driver<S> {
 
     /// Passes a group through. Its jumps become those of the output.
     pub fn pass(&self, signal: &mut [Lanes<S>], jumps: &mut Jumps) {
+        dispatch!(Level::new(), simd => self.pass_wide(simd, signal, jumps));
+    }
+
+    #[inline(always)]
+    fn pass_wide<L: Simd>(&self, simd: L, signal: &mut [Lanes<S>], jumps: &mut Jumps) {
         let Some(&first) = signal.first() else { return };
         jumps.prepare(self.slew.tau);
         let Jumps { lists: jumps, lags } = jumps;
@@ -79,7 +86,7 @@ impl<S: Real> Driver<S> {
         let (mut passed, mut sample) = ([0; LANES], 1);
         while sample < signal.len() {
             let due = next_step(jumps, &passed).clamp(sample, signal.len());
-            self.follow(&mut signal[sample..due], &mut state);
+            self.follow(simd, &mut signal[sample..due], &mut state);
             if let Some(now) = signal.get_mut(due) {
                 let (before, inputs) = (state, *now);
                 match self.bounds {
@@ -109,11 +116,43 @@ impl<S: Real> Driver<S> {
 
     /// Steps without jumps.
     #[inline(always)]
-    fn follow(&self, signal: &mut [Lanes<S>], state: &mut State<S>) {
+    fn follow<L: Simd>(&self, simd: L, signal: &mut [Lanes<S>], state: &mut State<S>) {
         match self.bounds {
-            None => signal.iter_mut().for_each(|value| self.lag(value, state)),
-            Some(bounds) => signal.chunks_mut(BLOCK).for_each(|block| self.bounded(block, state, bounds)),
+            None => {
+                self.lag_all(simd, signal, state);
+            }
+            Some(bounds) => {
+                signal.chunks_mut(BLOCK).for_each(|block| self.bounded(simd, block, state, bounds));
+            }
         }
+    }
+
+    /// Steps as the lag, in the computer's vectors; how far the output was behind the input, and how much the input changed.
+    #[inline(always)]
+    fn lag_all<L: Simd>(&self, simd: L, signal: &mut [Lanes<S>], state: &mut State<S>) -> [Range<S>; 2] {
+        let [keep, from, to] =
+            [self.lag.keep, self.lag.from, self.lag.to].map(|weight| S::Vector::<L>::simd_from(simd, weight));
+        let [mut u, mut y] = [&state.u, &state.y].map(|lanes| S::Vector::<L>::from_slice(simd, &lanes.0));
+        let zero = S::Vector::<L>::simd_from(simd, S::ZERO);
+        let (mut behind, mut change) = ([zero; 2], [zero; 2]);
+        for value in signal {
+            let now = S::Vector::<L>::from_slice(simd, &value.0);
+            let (late, step) = (u - y, now - u);
+            behind = [behind[0].min(late), behind[1].max(late)];
+            change = [change[0].min(step), change[1].max(step)];
+            // What the input adds does not wait for the output before it.
+            y = y * keep + (u * from + now * to);
+            y.store_slice(&mut value.0);
+            u = now;
+        }
+        u.store_slice(&mut state.u.0);
+        y.store_slice(&mut state.y.0);
+        [behind, change].map(|[least, most]| {
+            let mut range = Range::NONE;
+            least.store_slice(&mut range.least.0);
+            most.store_slice(&mut range.most.0);
+            range
+        })
     }
 
     /// One step as the lag.
@@ -131,16 +170,11 @@ impl<S: Real> Driver<S> {
 
     /// Up to [`BLOCK`] steps as the lag, and again one by one if any lane slews in any of them.
     #[inline(always)]
-    fn bounded(&self, block: &mut [Lanes<S>], state: &mut State<S>, bounds: [S; 2]) {
+    fn bounded<L: Simd>(&self, simd: L, block: &mut [Lanes<S>], state: &mut State<S>, bounds: [S; 2]) {
         let begin = *state;
         let mut input = [Lanes::default(); BLOCK];
         input[..block.len()].copy_from_slice(block);
-        let [mut behind, mut change] = [Range::NONE; 2];
-        for value in &mut *block {
-            behind.take(&state.u, &state.y);
-            change.take(value, &state.u);
-            self.lag(value, state);
-        }
+        let [behind, change] = self.lag_all(simd, block, state);
         if behind.leaves(bounds[0]) || change.leaves(bounds[1]) {
             block.copy_from_slice(&input[..block.len()]);
             *state = begin;
@@ -266,16 +300,6 @@ struct Range<S> {
 
 impl<S: Real> Range<S> {
     const NONE: Self = Self { least: Lanes([S::ZERO; LANES]), most: Lanes([S::ZERO; LANES]) };
-
-    #[inline(always)]
-    fn take(&mut self, a: &Lanes<S>, b: &Lanes<S>) {
-        for lane in 0..LANES {
-            let difference = a.0[lane] - b.0[lane];
-            let (least, most) = (&mut self.least.0[lane], &mut self.most.0[lane]);
-            *least = if difference < *least { difference } else { *least };
-            *most = if difference > *most { difference } else { *most };
-        }
-    }
 
     #[inline(always)]
     fn leaves(&self, bound: S) -> bool {

@@ -16,6 +16,8 @@
 mod features;
 mod terrain;
 
+use fearless_simd::prelude::SimdBase;
+use fearless_simd::{Level, Simd, dispatch};
 use generator::Stage;
 use hardware_model::{MAIN_WIRES, WireParts};
 use mixing_unit::{DriverScratch, Mixed, OutputDrivers};
@@ -151,12 +153,16 @@ impl<S: Real> Axes<S> {
 
     /// From along and across to north and east.
     fn to_map(self, along: &mut [Lanes<S>], across: &mut [Lanes<S>]) {
+        dispatch!(Level::new(), simd => self.turn(simd, along, across));
+    }
+
+    #[inline(always)]
+    fn turn<L: Simd>(self, simd: L, along: &mut [Lanes<S>], across: &mut [Lanes<S>]) {
+        let [cos, sin] = [&self.cos, &self.sin].map(|lanes| S::Vector::<L>::from_slice(simd, &lanes.0));
         for (a, b) in along.iter_mut().zip(across) {
-            for lane in 0..LANES {
-                let (cos, sin, from) = (self.cos.0[lane], self.sin.0[lane], [a.0[lane], b.0[lane]]);
-                a.0[lane] = from[0] * cos - from[1] * sin;
-                b.0[lane] = from[0] * sin + from[1] * cos;
-            }
+            let from = [&a.0, &b.0].map(|lanes| S::Vector::<L>::from_slice(simd, lanes));
+            (from[0] * cos - from[1] * sin).store_slice(&mut a.0);
+            (from[0] * sin + from[1] * cos).store_slice(&mut b.0);
         }
     }
 
