@@ -64,6 +64,7 @@ mod read_out;
 mod side_by_side;
 mod stroke;
 mod tube;
+mod turned;
 mod upright;
 mod write;
 mod write_gun;

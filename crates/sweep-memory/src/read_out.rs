@@ -6,6 +6,7 @@ use rayon::slice::ParallelSliceMut;
 use scenario::{FieldOfView, Projection};
 use sweep_program::Fan;
 
+use crate::turned::Turned;
 use crate::upright::{BAND, TILE, Upright};
 
 /// What decides where a pixel lies between the sweeps.
@@ -55,6 +56,12 @@ impl View {
         move |y| 1.0 / (cos + sin * y)
     }
 
+    /// Psi of section 12: a place (X, Y) of the rolled view-plane on the upright one.
+    pub(crate) fn upright(&self) -> impl Fn(f64, f64) -> [f64; 2] + use<> {
+        let (sin, cos) = sin_cos(self.yoke);
+        move |x, y| [cos * x - sin * y, sin * x + cos * y]
+    }
+
     /// Where the centre of a pixel of a picture of `columns` x `lines` lies in what was written, `cells` a sweep: sweep
     /// and cell, whole numbers at their centres. A scan converter is read between them, a digital memory at the nearest.
     pub fn source(
@@ -64,10 +71,9 @@ impl View {
         [column, line]: [usize; 2],
         tube: bool,
     ) -> [f64; 2] {
-        let (sin, cos) = sin_cos(self.yoke);
         let y = self.field.tan_half_height * centre(line, lines);
         let x = self.field.tan_half_width * centre(column, columns);
-        let (x, y) = (cos * x - sin * y, sin * x + cos * y);
+        let [x, y] = self.upright()(x, y);
         let sweep = match tube {
             true => self.fan.position(x * self.tangent_over_x()(y)),
             false => cell_of(x, self.raster.tan_half_width, self.fan.sweeps as usize),
@@ -79,20 +85,6 @@ impl View {
     fn is_level(&self, written: usize, lines: usize) -> bool {
         self.yoke == 0.0 && self.raster == self.field && written == lines
     }
-
-    /// Fills a picture with what the beam sees at a place (X, Y) of the upright view-plane.
-    fn read_turned(&self, columns: usize, picture: &mut [f32], seen_at: impl Fn(f64, f64) -> f32 + Sync) {
-        let (sin, cos) = sin_cos(self.yoke);
-        let lines = picture.len() / columns;
-        picture.par_chunks_exact_mut(columns).enumerate().for_each(|(line, row)| {
-            let y = self.field.tan_half_height * centre(line, lines);
-            for (column, pixel) in row.iter_mut().enumerate() {
-                let x = self.field.tan_half_width * centre(column, columns);
-                // Psi of section 12: from the rolled view-plane to the upright one.
-                *pixel = seen_at(cos * x - sin * y, sin * x + cos * y);
-            }
-        });
-    }
 }
 
 /// Centre of cell `index` of `count`, -1..=1.
@@ -101,136 +93,21 @@ pub(crate) fn centre(index: usize, count: usize) -> f64 {
 }
 
 /// Where a place on the view-plane lies among `count` cells over -`edge`..=`edge`: the centre of cell n is at n.
-fn cell_of(place: f64, edge: f64, count: usize) -> f64 {
+pub(crate) fn cell_of(place: f64, edge: f64, count: usize) -> f64 {
     0.5 * ((place / edge + 1.0) * count as f64 - 1.0)
-}
-
-/// What was written: `lines` values a sweep.
-#[derive(Debug, Clone, Copy)]
-struct Store<'a> {
-    values: &'a [f32],
-    lines: usize,
-}
-
-impl Store<'_> {
-    fn sweeps(&self) -> usize {
-        self.values.len() / self.lines
-    }
-
-    /// What a read beam as high as `height` cells sees at a place: their mean along each of the four sweeps around it,
-    /// and across them the cubic of Catmull and Rom, kept between the two nearest so that no edge rings (a linear spot
-    /// would blur all that lies between sweeps, which turned is everything). A place beyond the outermost by more than
-    /// half a sweep or half a cell is dark.
-    fn spot(&self, sweep: f64, line: f64, height: f64) -> f32 {
-        let (Some(across), Some(down)) = (Taps::around(sweep, self.sweeps()), self.window(line, height))
-        else {
-            return 0.0;
-        };
-        let means = across.cells.map(|sweep| down.mean(&self.values[sweep * self.lines..][..self.lines]));
-        let [_, a, b, _] = means;
-        across.join(means).clamp(a.min(b), a.max(b))
-    }
-
-    /// The cells under a beam of `height` cells around a place; it is cut off at the ends of a sweep.
-    fn window(&self, line: f64, height: f64) -> Option<Window> {
-        let end = self.lines as f64;
-        let middle = line + 0.5;
-        if !(-ROUNDING..=end + ROUNDING).contains(&middle) {
-            return None;
-        }
-        let [top, bottom] = [middle - 0.5 * height, middle + 0.5 * height].map(|edge| edge.clamp(0.0, end));
-        let [first, last] = [top, bottom].map(|edge| (edge as usize).min(self.lines - 1));
-        Some(Window {
-            first,
-            last,
-            before: (top - first as f64) as f32,
-            within: (bottom - last as f64) as f32,
-        })
-    }
-
-    /// The value of the cell in which a place lies; dark beyond.
-    fn nearest(&self, sweep: f64, line: f64) -> f32 {
-        let cell = |place: f64, count: usize| {
-            let cell = (place + 0.5).floor();
-            (cell >= 0.0 && cell < count as f64).then_some(cell as usize)
-        };
-        match (cell(sweep, self.sweeps()), cell(line, self.lines)) {
-            (Some(sweep), Some(line)) => self.values[sweep * self.lines + line],
-            _ => 0.0,
-        }
-    }
-}
-
-/// Cells under the read beam: from part `before` of the first on, up to part `within` of the last.
-#[derive(Debug, Clone, Copy)]
-struct Window {
-    first: usize,
-    last: usize,
-    before: f32,
-    within: f32,
-}
-
-impl Window {
-    /// Mean of the values of a sweep under the beam.
-    fn mean(self, values: &[f32]) -> f32 {
-        let Self { first, last, before, within } = self;
-        let whole: f32 = values[first..last].iter().sum();
-        let sum = whole - before * values[first] + within * values[last];
-        sum / ((last - first) as f32 - before + within)
-    }
-}
-
-/// How far beyond half a cell a place may lie by rounding and still be on the raster.
-const ROUNDING: f64 = 1e-6;
-
-/// The four cells around a place and their shares in it; at an end the outermost stands in for what is not there.
-#[derive(Debug, Clone, Copy)]
-struct Taps {
-    cells: [usize; 4],
-    shares: [f32; 4],
-}
-
-impl Taps {
-    /// `None` beyond half a cell from the outermost of `count`.
-    fn around(place: f64, count: usize) -> Option<Self> {
-        let last = (count - 1) as f64;
-        if !(-0.5 - ROUNDING..=last + 0.5 + ROUNDING).contains(&place) {
-            return None;
-        }
-        let place = place.clamp(0.0, last);
-        let first = (place as usize).min(count - 1);
-        let u = (place - first as f64) as f32;
-        let (u2, u3) = (u * u, u * u * u);
-        Some(Self {
-            cells: [first.saturating_sub(1), first, (first + 1).min(count - 1), (first + 2).min(count - 1)],
-            shares: [
-                0.5 * (2.0 * u2 - u - u3),
-                0.5 * (2.0 - 5.0 * u2 + 3.0 * u3),
-                0.5 * (u + 4.0 * u2 - 3.0 * u3),
-                0.5 * (u3 - u2),
-            ],
-        })
-    }
-
-    fn join(&self, values: [f32; 4]) -> f32 {
-        let [a, b, c, d] = self.shares;
-        a * values[0] + b * values[1] + (c * values[2] + d * values[3])
-    }
 }
 
 /// Reads `store`, which holds `lines` values a sweep, into `picture` (row by row, `columns` wide).
 pub fn scan_converter(store: &[f32], lines: usize, columns: usize, view: &View, picture: &mut [f32]) {
-    if !view.is_level(lines, picture.len() / columns) {
-        let (store, edge) = (Store { values: store, lines }, view.raster.tan_half_height);
-        let cells_a_line =
-            lines as f64 / edge * view.field.tan_half_height / (picture.len() / columns) as f64;
-        let tangent_over_x = view.tangent_over_x();
-        return view.read_turned(columns, picture, |x, y| {
-            store.spot(view.fan.position(x * tangent_over_x(y)), cell_of(y, edge, lines), cells_a_line)
-        });
+    let (band, height) = (BAND * columns, picture.len() / columns);
+    let bands = picture.par_chunks_mut(band).enumerate();
+    if view.is_level(lines, height) {
+        let level = Upright { store, lines, view, columns };
+        bands.for_each(|(band, rows)| level.read(band * BAND, rows));
+    } else {
+        let turned = Turned { store, lines, view, columns, height };
+        bands.for_each(|(band, rows)| turned.read(band * BAND, rows));
     }
-    let level = Upright { store, lines, view, columns };
-    picture.par_chunks_mut(BAND * columns).enumerate().for_each(|(band, rows)| level.read(band * BAND, rows));
 }
 
 /// Reads the raster as it was written: column n is sweep n.
@@ -249,11 +126,22 @@ pub fn digital_memory(store: &[f32], lines: usize, columns: usize, picture: &mut
 /// The same on a screen whose yoke turns, or which shows a part of the raster: sweep n is column n of the raster,
 /// and a pixel shows the cell of the raster in which its centre lies.
 pub fn digital_memory_turned(store: &[f32], lines: usize, columns: usize, view: &View, picture: &mut [f32]) {
-    let FieldOfView { tan_half_width, tan_half_height } = view.raster;
-    let store = Store { values: store, lines };
-    view.read_turned(columns, picture, |x, y| {
-        store.nearest(cell_of(x, tan_half_width, store.sweeps()), cell_of(y, tan_half_height, lines))
+    let (sweeps, height, upright) = (store.len() / lines, picture.len() / columns, view.upright());
+    picture.par_chunks_exact_mut(columns).enumerate().for_each(|(line, row)| {
+        let y = view.field.tan_half_height * centre(line, height);
+        for (column, pixel) in row.iter_mut().enumerate() {
+            let [x, y] = upright(view.field.tan_half_width * centre(column, columns), y);
+            let sweep = nearest(cell_of(x, view.raster.tan_half_width, sweeps), sweeps);
+            let cell = nearest(cell_of(y, view.raster.tan_half_height, lines), lines);
+            *pixel = sweep.zip(cell).map_or(0.0, |(sweep, cell)| store[sweep * lines + cell]);
+        }
     });
+}
+
+/// The cell of `count` in which a place lies.
+fn nearest(place: f64, count: usize) -> Option<usize> {
+    let cell = (place + 0.5).floor();
+    (cell >= 0.0 && cell < count as f64).then_some(cell as usize)
 }
 
 #[cfg(test)]

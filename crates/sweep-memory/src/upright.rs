@@ -18,6 +18,14 @@ pub(crate) const TILE: usize = 64;
 /// stands in its lowest bits.
 const WHOLE: f64 = 4_503_599_627_370_496.0;
 
+/// The whole number below a place from 0 on, and the same as a number of a cell.
+#[inline(always)]
+pub(crate) fn floor(place: f64) -> (f64, u32) {
+    let nearest = (place + WHOLE) - WHOLE;
+    let below = if nearest > place { nearest - 1.0 } else { nearest };
+    (below, (below + WHOLE).to_bits() as u32)
+}
+
 /// What is read, and into how many columns.
 pub(crate) struct Upright<'a> {
     /// `lines` values a sweep.
@@ -64,10 +72,8 @@ impl Upright<'_> {
         for (n, offset) in offsets.iter().enumerate() {
             let position = self.view.fan.position(offset * scale).at_least(0.0);
             let position = if position < last { position } else { last };
-            let nearest = (position + WHOLE) - WHOLE;
-            let left = if nearest > position { nearest - 1.0 } else { nearest };
-            places.left[n] = (left + WHOLE).to_bits() as u32;
-            places.share[n] = (position - left) as f32;
+            let (left, number) = floor(position);
+            (places.left[n], places.share[n]) = (number, (position - left) as f32);
         }
     }
 
