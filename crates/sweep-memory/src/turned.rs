@@ -3,6 +3,7 @@
 use std::array;
 
 use fearless_simd::{Level, Simd, SimdBase, dispatch, f32x4};
+use scenario::FieldOfView;
 
 use crate::View;
 use crate::read_out::{cell_of, centre};
@@ -44,6 +45,7 @@ impl Turned<'_> {
     /// by more than half a sweep or half a cell is dark.
     pub fn read(&self, first: usize, rows: &mut [f32]) {
         let vectors = Level::new();
+        let place = self.place();
         let (none, start) = ([0; TILE], [0.0; TILE]);
         let mut places = Places {
             lit: [false; TILE],
@@ -61,7 +63,7 @@ impl Turned<'_> {
             for (line, row) in (first..).zip(rows.chunks_exact_mut(self.columns)) {
                 let y = self.view.field.tan_half_height * centre(line, self.height);
                 dispatch!(vectors, simd => {
-                    self.aim(&across, y, &mut places);
+                    self.aim(&across, y, &place, &mut places);
                     self.read_tile(simd, &places, &mut row[column..end]);
                 });
             }
@@ -72,18 +74,26 @@ impl Turned<'_> {
         self.store.len() / self.lines - 1
     }
 
-    /// The places of pixels at tangents `across` in a line at `y`.
+    /// Sweep and cell of a place (X, Y) of the screen: whole numbers at their centres and at their edges.
+    fn place(&self) -> impl Fn(f64, f64) -> [f64; 2] {
+        let (upright, tangent_over_x) = (self.view.upright(), self.view.tangent_over_x());
+        move |x, y| {
+            let [x, y] = upright(x, y);
+            let sweep = self.view.fan.position(x * tangent_over_x(y));
+            [sweep, cell_of(y, self.view.raster.tan_half_height, self.lines) + 0.5]
+        }
+    }
+
+    /// Aims at pixels at tangents `across` in a line at `y`.
     #[inline(always)]
-    fn aim(&self, across: &[f64; TILE], y: f64, places: &mut Places) {
-        let Self { view, lines, .. } = *self;
-        let (upright, tangent_over_x) = (view.upright(), view.tangent_over_x());
-        let (edge, last_sweep) = (view.raster.tan_half_height, self.last_sweep() as f64);
-        let (bottom, last_cell) = (lines as f64, (lines - 1) as f64);
-        let half_beam = 0.5 * (bottom / edge * view.field.tan_half_height / self.height as f64);
+    fn aim(&self, across: &[f64; TILE], y: f64, place: impl Fn(f64, f64) -> [f64; 2], places: &mut Places) {
+        let (bottom, last_cell) = (self.lines as f64, (self.lines - 1) as f64);
+        let last_sweep = self.last_sweep() as f64;
+        let FieldOfView { tan_half_height, .. } = self.view.raster;
+        let half_beam =
+            0.5 * (bottom / tan_half_height * self.view.field.tan_half_height / self.height as f64);
         for (n, x) in across.iter().enumerate() {
-            let [x, y] = upright(*x, y);
-            let sweep = view.fan.position(x * tangent_over_x(y));
-            let middle = cell_of(y, edge, lines) + 0.5;
+            let [sweep, middle] = place(*x, y);
             places.lit[n] = (sweep >= -0.5 - ROUNDING)
                 & (sweep <= last_sweep + 0.5 + ROUNDING)
                 & (middle >= -ROUNDING)
@@ -108,9 +118,10 @@ impl Turned<'_> {
         for (n, sums) in sums.iter_mut().enumerate().take(pixels.len()) {
             let left = places.left[n] as usize;
             let (first, count) = (places.first[n] as usize, (places.last[n] - places.first[n]) as usize + 1);
+            let cells = |sweep: usize| &self.store[sweep * self.lines + first..][..count];
             // At an end the outermost stands in for what is not there.
-            let sweeps = [left.saturating_sub(1), left, last.min(left + 1), last.min(left + 2)];
-            let cells = sweeps.map(|sweep| &self.store[sweep * self.lines + first..][..count]);
+            let [before, right, behind] = [left.saturating_sub(1), last.min(left + 1), last.min(left + 2)];
+            let cells = [cells(before), cells(left), cells(right), cells(behind)];
             *sums = under_beam(simd, cells, places.before[n], places.within[n]);
         }
         let mut seen = [0.0; TILE];
