@@ -46,15 +46,15 @@ impl Turned<'_> {
     pub fn read(&self, first: usize, rows: &mut [f32]) {
         let vectors = Level::new();
         let place = self.place();
-        let (none, start) = ([0; TILE], [0.0; TILE]);
+        let (number, part) = ([0; TILE], [0.0; TILE]);
         let mut places = Places {
             lit: [false; TILE],
-            left: none,
-            share: start,
-            first: none,
-            last: none,
-            before: start,
-            within: start,
+            left: number,
+            share: part,
+            first: number,
+            last: number,
+            before: part,
+            within: part,
         };
         for column in (0..self.columns).step_by(TILE) {
             let across =
@@ -74,7 +74,7 @@ impl Turned<'_> {
         self.store.len() / self.lines - 1
     }
 
-    /// Sweep and cell of a place (X, Y) of the screen: whole numbers at their centres and at their edges.
+    /// Where a place (X, Y) of the screen lies in the store: sweep n is at n, cell n reaches from n to n + 1.
     fn place(&self) -> impl Fn(f64, f64) -> [f64; 2] {
         let (upright, tangent_over_x) = (self.view.upright(), self.view.tangent_over_x());
         move |x, y| {
@@ -120,8 +120,8 @@ impl Turned<'_> {
             let (first, count) = (places.first[n] as usize, (places.last[n] - places.first[n]) as usize + 1);
             let cells = |sweep: usize| &self.store[sweep * self.lines + first..][..count];
             // At an end the outermost stands in for what is not there.
-            let [before, right, behind] = [left.saturating_sub(1), last.min(left + 1), last.min(left + 2)];
-            let cells = [cells(before), cells(left), cells(right), cells(behind)];
+            let [before, after] = [left.saturating_sub(1), last.min(left + 2)];
+            let cells = [cells(before), cells(left), cells(last.min(left + 1)), cells(after)];
             *sums = under_beam(simd, cells, places.before[n], places.within[n]);
         }
         let mut seen = [0.0; TILE];
