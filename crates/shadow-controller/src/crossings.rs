@@ -161,10 +161,13 @@ impl Crossings {
     }
 }
 
+/// Lines that a part of the lists has room for before it asks for more memory.
+const ROOM: usize = 1024;
+
 /// The lines of some lists that sweeps cross.
 #[inline(always)]
 fn met_of<V: Simd, T>(simd: V, fan: &Fan<'_>, lists: &[&[T]], line: impl Fn(&T) -> Line) -> Vec<MetLine> {
-    let mut all = Vec::new();
+    let mut all = Vec::with_capacity(ROOM);
     for list in lists {
         let (chunks, rest) = list.as_chunks::<TOGETHER>();
         for chunk in chunks {
