@@ -16,7 +16,7 @@
 //! eight sweeps says whether any is slewing; such steps are walked piece by piece, in f64. A lane has the bits that it has
 //! alone.
 
-use fearless_simd::prelude::{SimdBase, SimdFloat, SimdFrom};
+use fearless_simd::prelude::{SimdBase, SimdFrom};
 use fearless_simd::{Level, Simd, dispatch};
 use signal::{LANES, Lanes, Real};
 
