@@ -6,14 +6,18 @@ use signal::{LANES, Real};
 use crate::sub_generator::{SubGenerator, Zone};
 use crate::{FeatureGenerator, FeatureLoad, FeatureProfile, FeatureProgram, Surface};
 
-/// Zones of a crater in the order in which a sweep meets them.
-const ZONES: [Zone; 3] = [Zone::Ring, Zone::Hollow, Zone::Ring];
-
-/// Places on the sweep clock at which a sweep goes over from zone to zone of a crater, up to `last`.
-fn places(crater: &Crater, load: &FeatureLoad, last: f64, place: &impl Fn(f64) -> f64) -> [f64; 4] {
+/// Ranges (m) at which a sweep goes over from zone to zone of a crater, no earlier than the word is there.
+fn crossings(crater: &Crater, load: &FeatureLoad) -> [f64; 4] {
     let half = |radius: f64| (radius * radius - load.side * load.side).max(0.0).sqrt();
     let (outer, foot) = (half(crater.outer()), half(crater.foot()));
-    [-outer, -foot, foot, outer].map(|way| place((load.middle + way).max(load.from)).min(last))
+    [-outer, -foot, foot, outer].map(|way| (load.middle + way).max(load.from))
+}
+
+/// What a sweep meets of a zone: ranges (m), and where they are on the sweep clock.
+#[derive(Debug, Clone, Copy)]
+struct Stretch {
+    ranges: [f64; 2],
+    places: [f64; 2],
 }
 
 impl FeatureGenerator<'_> {
@@ -31,19 +35,7 @@ impl FeatureGenerator<'_> {
         place: impl Fn(f64) -> f64,
         surface: &mut Surface<'_, S>,
     ) {
-        for (lane, program) in programs.iter().enumerate() {
-            let last = self.end_of(program);
-            for load in &program.loads {
-                let crater = &features.craters()[load.crater as usize];
-                let places = places(crater, load, last, &place);
-                if places[0] < places[3] {
-                    let generator = SubGenerator::new(crater, load);
-                    for (zone, ends) in ZONES.into_iter().zip(places.windows(2)) {
-                        self.lay_zone(&generator, zone, [ends[0], ends[1]], lane, surface);
-                    }
-                }
-            }
-        }
+        self.lay_each(features, programs, place, surface, |_, _| {});
     }
 
     /// The same apart from the terrain: `profile` without kinks, present wherever it adds anything.
@@ -54,15 +46,48 @@ impl FeatureGenerator<'_> {
         place: impl Fn(f64) -> f64,
         profile: &mut FeatureProfile<S>,
     ) {
-        profile.clear(self.ranges.len());
-        self.lay(features, programs, &place, &mut profile.surface());
+        let samples = self.ranges.len();
+        profile.clear(samples);
+        let FeatureProfile { height, along, across, present, .. } = profile;
+        let mut surface = Surface { height, along, across };
+        self.lay_each(features, programs, place, &mut surface, |lane, [begin, end]| {
+            let touched = (begin + 0.5) as usize..((end + 0.5) as usize + 1).min(samples);
+            present[touched].iter_mut().for_each(|present| present[lane] = S::ONE);
+        });
+    }
+
+    /// Adds the craters, and tells for each in which lane and from where to where on the sweep clock it lies.
+    fn lay_each<S: Real>(
+        &self,
+        features: &Features,
+        programs: &[FeatureProgram; LANES],
+        place: impl Fn(f64) -> f64,
+        surface: &mut Surface<'_, S>,
+        mut laid: impl FnMut(usize, [f64; 2]),
+    ) {
         for (lane, program) in programs.iter().enumerate() {
             let last = self.end_of(program);
             for load in &program.loads {
-                let [begin, .., end] = places(&features.craters()[load.crater as usize], load, last, &place);
-                if begin < end {
-                    let touched = (begin + 0.5) as usize..((end + 0.5) as usize + 1).min(self.ranges.len());
-                    profile.present[touched].iter_mut().for_each(|present| present[lane] = S::ONE);
+                let crater = &features.craters()[load.crater as usize];
+                let ranges = crossings(crater, load);
+                let places = ranges.map(|range| place(range).min(last));
+                if places[0] < places[3] {
+                    let generator = SubGenerator::new(crater, load);
+                    let mut lay = |zone, from: usize, to: usize| {
+                        let stretch = Stretch {
+                            ranges: [ranges[from], ranges[to]],
+                            places: [places[from], places[to]],
+                        };
+                        self.lay_zone(&generator, zone, &stretch, lane, surface);
+                    };
+                    if ranges[1] < ranges[2] {
+                        lay(Zone::Ring, 0, 1);
+                        lay(Zone::Hollow, 1, 2);
+                        lay(Zone::Ring, 2, 3);
+                    } else {
+                        lay(Zone::Ring, 0, 3);
+                    }
+                    laid(lane, [places[0], places[3]]);
                 }
             }
         }
@@ -77,7 +102,7 @@ impl FeatureGenerator<'_> {
         &self,
         generator: &SubGenerator,
         zone: Zone,
-        [begin, end]: [f64; 2],
+        &Stretch { ranges: [near, far], places: [begin, end] }: &Stretch,
         lane: usize,
         surface: &mut Surface<'_, S>,
     ) {
@@ -89,6 +114,8 @@ impl FeatureGenerator<'_> {
             // The step behind the last sample is no sample's.
             let Some(&range) = self.ranges.get(sample) else { return };
             let is_inside = (begin..end).contains(&(sample as f64));
+            // Beyond its zone a law says nothing: it may be steep there, or have no value.
+            let range = range.max(near).min(far);
             generator.add_share(zone, (range, sample), (share, is_inside), lane, surface);
         };
         if first == last {
@@ -134,11 +161,35 @@ mod tests {
         generator.lay(&features, &programs, |range| range - 1.0, &mut Surface { height, along, across });
         // It begins at 5.3 m and ends at 15.3 m: a fifth of the step about 5 m, eight tenths of that about 15 m.
         let slope = |range: f64| 0.08 * (range - 10.3);
-        let expected = [(4, 0.0), (5, 0.2 * slope(5.0)), (6, slope(6.0)), (15, 0.8 * slope(15.0)), (16, 0.0)];
+        let expected = [(4, 0.0), (5, 0.2 * slope(5.3)), (6, slope(6.0)), (15, 0.8 * slope(15.0)), (16, 0.0)];
         for (range, expected) in expected {
             assert!((sums[1][range - 1][0] - expected).abs() < 1e-12, "{range}: {}", sums[1][range - 1][0]);
         }
         assert_eq!((sums[0][4][0], sums[0][15][0]), (0.0, 0.0));
+    }
+
+    #[test]
+    fn a_crater_within_a_step_has_a_slope_in_its_centre() {
+        let shape = Shape::RimmedBowl { r1: 0.2, r2: 0.28 };
+        let crater = Crater::new([10.0, 0.0], shape, 1.0, 0.1).unwrap();
+        let (features, ranges) = (Features::new(vec![crater]), (1..30).map(f64::from).collect::<Vec<_>>());
+        let load =
+            FeatureLoad { crater: 0, sub_generator: 0, middle: 10.0, side: 0.0, from: f64::NEG_INFINITY };
+        let mut program = FeatureProgram::default();
+        (program.loads, program.end_range) = (vec![load], 29.0);
+        let programs = std::array::from_fn(|_| program.clone());
+        let mut profile = FeatureProfile::<f64>::default();
+        FeatureGenerator { ranges: &ranges }.lay_apart(
+            &features,
+            &programs,
+            |range| range - 1.0,
+            &mut profile,
+        );
+        // Both halves are as steep the one way as the other.
+        assert_eq!((profile.height[9][0], profile.across[9][0]), (-1.0, 0.0));
+        assert!(profile.along[9][0].abs() < 1e-12, "{}", profile.along[9][0]);
+        assert_eq!((profile.height[8][0], profile.along[10][0]), (0.0, 0.0));
+        assert_eq!([8, 9, 10].map(|sample| profile.present[sample][0]), [0.0, 1.0, 0.0]);
     }
 
     proptest! {

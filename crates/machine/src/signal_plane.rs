@@ -208,12 +208,7 @@ impl<S: Real> Group<'_, S> {
         let ranges = self.table.ranges();
         let ends: [f64; LANES] = array::from_fn(|lane| self.end_range(lane, work));
         self.find_craters(sweeps, ends.into_iter().fold(0.0, f64::max), &mut work.craters);
-        let loads = FeatureLoads {
-            stage: self.stage,
-            table: self.table,
-            plan: self.plan,
-            among: Some(&work.craters),
-        };
+        let loads = self.loads_among(&work.craters);
         for (lane, &drawn) in sweeps.iter().enumerate() {
             loads.write([drawn, first + lane as u32], ends[lane], &mut work.features[lane]);
         }
@@ -238,6 +233,11 @@ impl<S: Real> Group<'_, S> {
         if let Some(wires) = &self.parts.wires {
             wires.drive_feature_light(&work.profile.reflectivity, lit, &mut work.lit, &mut work.wires);
         }
+    }
+
+    /// Words of features, of which only `craters` are in question.
+    pub fn loads_among<'c>(&'c self, craters: &'c [u32]) -> FeatureLoads<'c> {
+        FeatureLoads { stage: self.stage, table: self.table, plan: self.plan, among: Some(craters) }
     }
 
     /// All craters that sweeps of the group can meet up to range `end` (m): the index is asked once a group.

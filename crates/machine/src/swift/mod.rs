@@ -19,7 +19,6 @@ use scenario::FeatureLight;
 use signal::{LANES, Real, Stretches};
 use sweep_memory::Steps;
 
-use crate::feature_loads::FeatureLoads;
 use crate::real_parts::{beam_has_parts, mixing_has_parts};
 use crate::signal_plane::Group;
 use crate::workspace::Workspace;
@@ -82,12 +81,7 @@ impl<S: Real> Group<'_, S> {
     fn write_loads(&self, first: u32, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
         let Some(in_sight) = self.craters else { return };
         in_sight.of(sweeps, &mut work.craters);
-        let loads = FeatureLoads {
-            stage: self.stage,
-            table: self.table,
-            plan: self.plan,
-            among: Some(&work.craters),
-        };
+        let loads = self.loads_among(&work.craters);
         for (lane, &drawn) in sweeps.iter().enumerate() {
             let end = self.end_range(lane, work);
             loads.list([drawn, first + lane as u32], end, &mut work.features[lane]);
