@@ -1,10 +1,10 @@
-//! Strokes of a group of sweeps, side by side: what [`Stroke::lit`] and [`line_mean`] do, eight at a time.
+//! Strokes of a group of sweeps, side by side: what [`Stroke::lit`], [`line_mean`] and [`centre`] do, eight at a time.
 
 use fearless_simd::{Select, Simd, SimdBase, SimdFloat, SimdMask, f32x8, mask32x8};
 use signal::{LANES, Lanes};
 
 use crate::curve::CHORDS;
-use crate::stroke::{Stroke, line_mean};
+use crate::stroke::{Stroke, centre, line_mean};
 
 /// A [`Stroke`] a lane; a lane whose `to` is not above its `from` draws nothing.
 #[derive(Clone, Copy)]
@@ -33,7 +33,40 @@ impl<V: Simd> Strokes<V> {
     pub fn leave_line_means(&self, simd: V, lines: &mut [Lanes<f32>]) {
         let others = self.deposits(simd, lines.len() as f32).leave(simd, lines);
         if others != 0 {
-            self.each().leave(others, lines);
+            self.each().leave_line_means(others, lines);
+        }
+    }
+
+    /// Puts into each line whose centre a stroke passes, in the lane of the stroke, the intensity there.
+    #[inline(always)]
+    pub fn leave_centres(&self, simd: V, lines: &mut [Lanes<f32>]) {
+        let Self { from, to, start, end } = *self;
+        let [zero, half, height] = [0.0, 0.5, lines.len() as f32].map(|value| f32x8::splat(simd, value));
+        let top = (to - half).ceil();
+        let top = top.simd_gt(zero).select(top, zero);
+        let passes = self.draw() & (top + half).simd_lt(from) & top.simd_lt(height);
+        if !passes.any_true() {
+            return;
+        }
+        let first = passes.select(top, height).reduce_min();
+        let last = passes.select(from, zero).reduce_max();
+        let together = passes & start.simd_ge(zero) & end.simd_ge(zero);
+        let alone = if last - first < NEAR {
+            let (whole, rise) = (from - to, end - start);
+            let mut number = f32x8::splat(simd, first);
+            for all in lines[first as usize..].iter_mut().take((last - first) as usize + 1) {
+                let centre = number + half;
+                let here = together & number.simd_ge(top) & centre.simd_lt(from);
+                let value = start + (from - centre) / whole * rise;
+                here.select(value, f32x8::load_array(simd, all.0)).store_array(&mut all.0);
+                number += f32x8::splat(simd, 1.0);
+            }
+            passes & !together
+        } else {
+            passes
+        };
+        if alone.any_true() {
+            self.each().leave_centres(alone.to_bitmask(), lines);
         }
     }
 
@@ -64,29 +97,39 @@ impl<V: Simd> Strokes<V> {
 
     /// As they are lane by lane.
     #[inline(always)]
-    pub fn each(&self) -> Each {
+    fn each(&self) -> Each {
         let Self { from, to, start, end } = *self;
         Each([from, to, start, end].map(|part| part.to_array()))
     }
 }
 
 /// Strokes lane by lane: `from`, `to`, `start` and `end` of each.
-pub(crate) struct Each([[f32; LANES]; 4]);
+struct Each([[f32; LANES]; 4]);
 
 impl Each {
     /// The stroke of a lane, if it draws anything.
-    pub fn lane(&self, lane: usize) -> Option<Stroke> {
+    fn lane(&self, lane: usize) -> Option<Stroke> {
         let [from, to, start, end] = self.0.map(|part| part[lane]);
         (to < from).then_some(Stroke { from, to, start, end })
     }
 
-    /// Those whose bit in `which` is 1.
+    /// The lit parts of those whose bit in `which` is 1, with their lanes.
+    fn lit(&self, which: u64) -> impl Iterator<Item = (usize, Stroke)> {
+        let wanted = (0..LANES).filter(move |lane| which >> lane & 1 == 1);
+        wanted.filter_map(|lane| Some((lane, self.lane(lane)?.lit()?)))
+    }
+
     #[inline(never)]
-    fn leave(&self, which: u64, lines: &mut [Lanes<f32>]) {
-        for lane in (0..LANES).filter(|lane| which >> lane & 1 == 1) {
-            if let Some(stroke) = self.lane(lane).and_then(Stroke::lit) {
-                line_mean(stroke, lines.len(), |line, value| lines[line][lane] += value);
-            }
+    fn leave_line_means(&self, which: u64, lines: &mut [Lanes<f32>]) {
+        for (lane, stroke) in self.lit(which) {
+            line_mean(stroke, lines.len(), |line, value| lines[line][lane] += value);
+        }
+    }
+
+    #[inline(never)]
+    fn leave_centres(&self, which: u64, lines: &mut [Lanes<f32>]) {
+        for (lane, stroke) in self.lit(which) {
+            centre(stroke, lines.len(), |line, value| lines[line][lane] = value);
         }
     }
 }
@@ -213,7 +256,7 @@ fn within<V: Simd>(value: f32x8<V>, least: f32x8<V>, most: f32x8<V>) -> f32x8<V>
 #[cfg(test)]
 mod tests {
     use super::Strokes;
-    use crate::stroke::{Stroke, line_mean};
+    use crate::stroke::{Stroke, centre, line_mean};
     use fearless_simd::{Level, SimdBase, dispatch, f32x8};
     use proptest::prelude::{Just, Strategy, any, prop_assert_eq, prop_oneof, proptest};
     use signal::{LANES, Lanes};
@@ -243,8 +286,9 @@ mod tests {
             turns in proptest::collection::vec(proptest::collection::vec(stroke(), LANES), 1..6),
             near in any::<bool>(),
         ) {
-            let mut together = [const { [Lanes([0.0; LANES]); LINES] }; 2];
-            let mut alone = vec![vec![0.0; LINES]; LANES];
+            // Means, then centres.
+            let mut together = [const { [[Lanes([0.0; LANES]); LINES]; 2] }; 2];
+            let mut alone = vec![[[0.0; LINES]; 2]; LANES];
             for turn in &turns {
                 // Neighbours are near one another, or anywhere.
                 let stroke = |lane: usize| {
@@ -257,18 +301,24 @@ mod tests {
                 for (vectors, lines) in [Level::new(), Level::baseline()].into_iter().zip(&mut together) {
                     dispatch!(vectors, simd => {
                         let [from, to, start, end] = parts.map(|part| f32x8::load_array(simd, part));
-                        Strokes { from, to, start, end }.leave_line_means(simd, lines);
+                        let strokes = Strokes { from, to, start, end };
+                        strokes.leave_line_means(simd, &mut lines[0]);
+                        strokes.leave_centres(simd, &mut lines[1]);
                     });
                 }
-                for (lane, row) in alone.iter_mut().enumerate() {
+                for (lane, [means, centres]) in alone.iter_mut().enumerate() {
                     if let Some(lit) = Some(stroke(lane)).filter(|s| s.to < s.from).and_then(Stroke::lit) {
-                        line_mean(lit, LINES, |line, value| row[line] += value);
+                        line_mean(lit, LINES, |line, value| means[line] += value);
+                        centre(lit, LINES, |line, value| centres[line] = value);
                     }
                 }
             }
-            for (lane, row) in alone.iter().enumerate() {
-                for (line, value) in row.iter().enumerate() {
-                    prop_assert_eq!(together.map(|lines| lines[line][lane].to_bits()), [value.to_bits(); 2]);
+            for (lane, rows) in alone.iter().enumerate() {
+                for (rule, row) in rows.iter().enumerate() {
+                    for (line, value) in row.iter().enumerate() {
+                        let found = together.map(|rules| rules[rule][line][lane].to_bits());
+                        prop_assert_eq!(found, [value.to_bits(); 2]);
+                    }
                 }
             }
         }

@@ -8,7 +8,7 @@ use signal::{LANES, Lanes, Real, Signal, Unit};
 
 use crate::broken::{BeamBreaks, Cursors};
 use crate::curve::{MOST_BEND, STRAIGHT};
-use crate::side_by_side::{Cubic, Each, Strokes, chords};
+use crate::side_by_side::{Cubic, Strokes, chords};
 use crate::stroke::{Stroke, centre, line_mean};
 
 /// Signals of the block.
@@ -169,14 +169,7 @@ impl<S: Real> Writer<'_, '_, S> {
     fn leave<V: Simd>(&self, simd: V, strokes: &Strokes<V>, lines: &mut [Lanes<f32>]) {
         match self.rule {
             PixelRule::LineMean => strokes.leave_line_means(simd, lines),
-            PixelRule::Centre => self.draw_each(&strokes.each(), lines),
-        }
-    }
-
-    #[inline(never)]
-    fn draw_each(&self, strokes: &Each, lines: &mut [Lanes<f32>]) {
-        for lane in 0..LANES {
-            strokes.lane(lane).into_iter().for_each(|stroke| self.draw(stroke, lane, lines));
+            PixelRule::Centre => strokes.leave_centres(simd, lines),
         }
     }
 
