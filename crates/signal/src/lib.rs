@@ -9,6 +9,7 @@ mod lanes;
 mod number;
 mod probe;
 mod real;
+mod square;
 mod table;
 
 pub use breaks::{Break, Breaks, Stretches};
@@ -16,4 +17,5 @@ pub use lanes::{LANES, Lanes};
 pub use number::{Number, eight, pair};
 pub use probe::{Probe, Waveform};
 pub use real::Real;
+pub use square::turn_square;
 pub use table::{Axis, Kind, Signal, Unit, Wire, name_matches};

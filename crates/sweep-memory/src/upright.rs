@@ -1,9 +1,11 @@
 //! The scan converter of a picture whose lines are those that were written.
 
 use std::array;
+use std::ops::Range;
 
-use fearless_simd::{Level, dispatch};
-use signal::Real;
+use fearless_simd::prelude::{SimdBase, SimdFrom};
+use fearless_simd::{Level, Simd, dispatch, f32x8};
+use signal::{LANES, Real, turn_square};
 
 use crate::View;
 use crate::read_out::centre;
@@ -46,21 +48,28 @@ impl Upright<'_> {
     pub fn read(&self, first: usize, rows: &mut [f32]) {
         let vectors = Level::new();
         let (tangent_over_x, field) = (self.view.tangent_over_x(), self.view.field);
+        let lines = first..first + rows.len() / self.columns;
+        let mut scales = [0.0; BAND];
+        for (scale, line) in scales.iter_mut().zip(lines) {
+            let y = field.tan_half_height * centre(line, self.lines);
+            *scale = field.tan_half_width * tangent_over_x(y) / self.columns as f64;
+        }
+        let scales = &scales[..rows.len() / self.columns];
         let mut places = Places { left: [0; TILE], share: [0.0; TILE] };
         for column in (0..self.columns).step_by(TILE) {
             // Twice the columns from the middle of the picture.
             let offsets = array::from_fn(|n| (2 * (column + n) + 1) as f64 - self.columns as f64);
-            let mut aimed = None;
-            for (line, row) in (first..).zip(rows.chunks_exact_mut(self.columns)) {
-                let y = field.tan_half_height * centre(line, self.lines);
-                let scale = field.tan_half_width * tangent_over_x(y) / self.columns as f64;
-                // Lines of a level picture have the same places.
-                if aimed != Some(scale) {
-                    dispatch!(vectors, _ => self.aim(&offsets, scale, &mut places));
-                    aimed = Some(scale);
-                }
-                let end = self.columns.min(column + TILE);
-                self.read_tile(line, &places, &mut row[column..end]);
+            let columns = column..self.columns.min(column + TILE);
+            if scales.iter().all(|scale| *scale == scales[0]) {
+                dispatch!(vectors, simd => {
+                    self.aim(&offsets, scales[0], &mut places);
+                    self.read_level_tile(simd, first, &places, columns, rows);
+                });
+                continue;
+            }
+            for ((line, scale), row) in (first..).zip(scales).zip(rows.chunks_exact_mut(self.columns)) {
+                dispatch!(vectors, _ => self.aim(&offsets, *scale, &mut places));
+                self.read_pixels(line, &places, 0, &mut row[columns.clone()]);
             }
         }
     }
@@ -77,10 +86,54 @@ impl Upright<'_> {
         }
     }
 
+    /// Reads lines from `first` on, all of which have the same places: squares of eight columns by eight lines, and what is left
+    /// over pixel by pixel.
     #[inline(always)]
-    fn read_tile(&self, line: usize, places: &Places, pixels: &mut [f32]) {
+    fn read_level_tile<V: Simd>(
+        &self,
+        simd: V,
+        first: usize,
+        places: &Places,
+        columns: Range<usize>,
+        rows: &mut [f32],
+    ) {
+        let whole = columns.len() - columns.len() % LANES;
+        for (eight, rows) in rows.chunks_mut(LANES * self.columns).enumerate() {
+            let line = first + LANES * eight;
+            let squares = if rows.len() == LANES * self.columns { whole } else { 0 };
+            for n in (0..squares).step_by(LANES) {
+                let square = self.read_square(simd, line, places, n);
+                for (row, eight) in rows.chunks_exact_mut(self.columns).zip(square) {
+                    eight.store_slice(&mut row[columns.start + n..][..LANES]);
+                }
+            }
+            for (line, row) in (line..).zip(rows.chunks_exact_mut(self.columns)) {
+                self.read_pixels(line, places, squares, &mut row[columns.start + squares..columns.end]);
+            }
+        }
+    }
+
+    /// Eight lines from `line` on of the eight columns from `n` of the tile on.
+    #[inline(always)]
+    fn read_square<V: Simd>(&self, simd: V, line: usize, places: &Places, n: usize) -> [f32x8<V>; LANES] {
         let last = self.view.fan.sweeps - 1;
-        for ((pixel, &left), &share) in pixels.iter_mut().zip(&places.left).zip(&places.share) {
+        let eight =
+            |sweep: u32| f32x8::from_slice(simd, &self.store[sweep as usize * self.lines + line..][..LANES]);
+        let mut square = [f32x8::simd_from(simd, 0.0); LANES];
+        for (k, column) in square.iter_mut().enumerate() {
+            let [left, right] = [places.left[n + k], last.min(places.left[n + k] + 1)].map(eight);
+            *column = left + f32x8::simd_from(simd, places.share[n + k]) * (right - left);
+        }
+        turn_square(&mut square);
+        square
+    }
+
+    /// Pixels of a line from column `from` of the tile on.
+    #[inline(always)]
+    fn read_pixels(&self, line: usize, places: &Places, from: usize, pixels: &mut [f32]) {
+        let last = self.view.fan.sweeps - 1;
+        let places = places.left[from..].iter().zip(&places.share[from..]);
+        for (pixel, (&left, &share)) in pixels.iter_mut().zip(places) {
             let cell = |sweep: u32| self.store[sweep as usize * self.lines + line];
             let (left, right) = (cell(left), cell(last.min(left + 1)));
             *pixel = left + share * (right - left);

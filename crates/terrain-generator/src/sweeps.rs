@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use fearless_simd::prelude::{SimdBase, SimdFrom};
 use fearless_simd::{Level, Simd, dispatch};
-use signal::{LANES, Lanes, Real};
+use signal::{LANES, Lanes, Real, turn_square};
 
 use crate::Profile;
 
@@ -36,38 +36,31 @@ impl<S: Real> Sweeps<S> {
     pub(crate) fn put_side_by_side(&self, vectors: Level, span: Range<usize>, profile: &mut Profile<S>) {
         let Profile { height, along, across, .. } = profile;
         for (sweeps, signal) in self.signals.iter().zip([height, along, across]) {
-            dispatch!(vectors, simd => turn(simd, sweeps, self.room, span.start, &mut signal[span.clone()]));
+            dispatch!(vectors, simd => put_squares(simd, sweeps, self.room, span.start, &mut signal[span.clone()]));
         }
     }
 }
 
-/// Rows of samples, `room` apart, into groups of lanes from sample `first` on: squares of eight by eight, each turned by three
-/// rounds of the perfect shuffle.
+/// Rows of samples, `room` apart, into groups of lanes from sample `first` on: squares of eight by eight.
 #[inline(always)]
-fn turn<S: Real, L: Simd>(simd: L, sweeps: &[S], room: usize, first: usize, out: &mut [Lanes<S>]) {
+fn put_squares<S: Real, L: Simd>(simd: L, sweeps: &[S], room: usize, first: usize, out: &mut [Lanes<S>]) {
     let whole = out.len() - out.len() % LANES;
     let (squares, rest) = out.split_at_mut(whole);
     for (square, out) in squares.chunks_exact_mut(LANES).enumerate() {
-        turn_square(simd, sweeps, room, first + LANES * square, out);
+        put_square(simd, sweeps, room, first + LANES * square, out);
     }
-    turn_square(simd, sweeps, room, first + whole, rest);
+    put_square(simd, sweeps, room, first + whole, rest);
 }
 
 /// The first of eight samples, as many as `out` has.
 #[inline(always)]
-fn turn_square<S: Real, L: Simd>(simd: L, sweeps: &[S], room: usize, sample: usize, out: &mut [Lanes<S>]) {
+fn put_square<S: Real, L: Simd>(simd: L, sweeps: &[S], room: usize, sample: usize, out: &mut [Lanes<S>]) {
     let mut rows = [S::Vector::<L>::simd_from(simd, S::ZERO); LANES];
     for (lane, row) in rows.iter_mut().enumerate() {
         let at = lane * room + sample;
         *row = S::Vector::from_slice(simd, &sweeps[at..at + LANES]);
     }
-    for _ in 0..3 {
-        let before = rows;
-        for k in 0..LANES / 2 {
-            rows[2 * k] = before[k].zip_low(before[k + LANES / 2]);
-            rows[2 * k + 1] = before[k].zip_high(before[k + LANES / 2]);
-        }
-    }
+    turn_square(&mut rows);
     for (out, row) in out.iter_mut().zip(rows) {
         row.store_slice(&mut out.0);
     }
