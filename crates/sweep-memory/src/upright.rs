@@ -46,30 +46,28 @@ struct Places {
 impl Upright<'_> {
     /// Reads lines from `first` on into rows of the picture.
     pub fn read(&self, first: usize, rows: &mut [f32]) {
-        let vectors = Level::new();
+        dispatch!(Level::new(), simd => self.read_by(simd, first, rows));
+    }
+
+    #[inline(always)]
+    fn read_by<V: Simd>(&self, simd: V, first: usize, rows: &mut [f32]) {
         let (tangent_over_x, field) = (self.view.tangent_over_x(), self.view.field);
-        let lines = first..first + rows.len() / self.columns;
-        let mut scales = [0.0; BAND];
-        for (scale, line) in scales.iter_mut().zip(lines) {
-            let y = field.tan_half_height * centre(line, self.lines);
-            *scale = field.tan_half_width * tangent_over_x(y) / self.columns as f64;
-        }
-        let scales = &scales[..rows.len() / self.columns];
-        let mut places = Places { left: [0; TILE], share: [0.0; TILE] };
+        let mut places = [const { Places { left: [0; TILE], share: [0.0; TILE] } }; LANES];
         for column in (0..self.columns).step_by(TILE) {
             // Twice the columns from the middle of the picture.
             let offsets = array::from_fn(|n| (2 * (column + n) + 1) as f64 - self.columns as f64);
             let columns = column..self.columns.min(column + TILE);
-            if scales.iter().all(|scale| *scale == scales[0]) {
-                dispatch!(vectors, simd => {
-                    self.aim(&offsets, scales[0], &mut places);
-                    self.read_level_tile(simd, first, &places, columns, rows);
-                });
-                continue;
-            }
-            for ((line, scale), row) in (first..).zip(scales).zip(rows.chunks_exact_mut(self.columns)) {
-                dispatch!(vectors, _ => self.aim(&offsets, *scale, &mut places));
-                self.read_pixels(line, &places, 0, &mut row[columns.clone()]);
+            for (eight, rows) in rows.chunks_mut(LANES * self.columns).enumerate() {
+                let first = first + LANES * eight;
+                for (line, places) in (first..first + rows.len() / self.columns).zip(&mut places) {
+                    let y = field.tan_half_height * centre(line, self.lines);
+                    self.aim(
+                        &offsets,
+                        field.tan_half_width * tangent_over_x(y) / self.columns as f64,
+                        places,
+                    );
+                }
+                self.read_tile(simd, first, &places, columns.clone(), rows);
             }
         }
     }
@@ -86,46 +84,58 @@ impl Upright<'_> {
         }
     }
 
-    /// Reads lines from `first` on, all of which have the same places: squares of eight columns by eight lines, and what is left
-    /// over pixel by pixel.
+    /// Reads up to eight lines: squares of eight columns by eight lines between the same sweeps, which are nearly all, and the
+    /// others pixel by pixel.
     #[inline(always)]
-    fn read_level_tile<V: Simd>(
+    fn read_tile<V: Simd>(
         &self,
         simd: V,
         first: usize,
-        places: &Places,
+        places: &[Places; LANES],
         columns: Range<usize>,
         rows: &mut [f32],
     ) {
-        let whole = columns.len() - columns.len() % LANES;
-        for (eight, rows) in rows.chunks_mut(LANES * self.columns).enumerate() {
-            let line = first + LANES * eight;
-            let squares = if rows.len() == LANES * self.columns { whole } else { 0 };
-            for n in (0..squares).step_by(LANES) {
-                let square = self.read_square(simd, line, places, n);
-                for (row, eight) in rows.chunks_exact_mut(self.columns).zip(square) {
-                    eight.store_slice(&mut row[columns.start + n..][..LANES]);
+        for n in (0..columns.len()).step_by(LANES) {
+            let eight = columns.start + n..columns.end.min(columns.start + n + LANES);
+            let is_square =
+                rows.len() == LANES * self.columns && eight.len() == LANES && are_between_the_same(places, n);
+            if is_square {
+                self.read_square(simd, first, places, n, |line, values| {
+                    values.store_slice(&mut rows[line * self.columns..][eight.clone()]);
+                });
+            } else {
+                for ((line, places), row) in (first..).zip(places).zip(rows.chunks_exact_mut(self.columns)) {
+                    self.read_pixels(line, places, n, &mut row[eight.clone()]);
                 }
-            }
-            for (line, row) in (line..).zip(rows.chunks_exact_mut(self.columns)) {
-                self.read_pixels(line, places, squares, &mut row[columns.start + squares..columns.end]);
             }
         }
     }
 
-    /// Eight lines from `line` on of the eight columns from `n` of the tile on.
+    /// Eight lines from `first` on of the eight columns from `n` of the tile on, line by line.
     #[inline(always)]
-    fn read_square<V: Simd>(&self, simd: V, line: usize, places: &Places, n: usize) -> [f32x8<V>; LANES] {
+    fn read_square<V: Simd>(
+        &self,
+        simd: V,
+        first: usize,
+        places: &[Places; LANES],
+        n: usize,
+        mut put: impl FnMut(usize, f32x8<V>),
+    ) {
         let last = self.view.fan.sweeps - 1;
-        let eight =
-            |sweep: u32| f32x8::from_slice(simd, &self.store[sweep as usize * self.lines + line..][..LANES]);
-        let mut square = [f32x8::simd_from(simd, 0.0); LANES];
-        for (k, column) in square.iter_mut().enumerate() {
-            let [left, right] = [places.left[n + k], last.min(places.left[n + k] + 1)].map(eight);
-            *column = left + f32x8::simd_from(simd, places.share[n + k]) * (right - left);
+        let mut sides = [[f32x8::simd_from(simd, 0.0); LANES]; 2];
+        for k in 0..LANES {
+            let left = places[0].left[n + k];
+            for (side, sweep) in sides.iter_mut().zip([left, last.min(left + 1)]) {
+                side[k] =
+                    f32x8::from_slice(simd, &self.store[sweep as usize * self.lines + first..][..LANES]);
+            }
         }
-        turn_square(&mut square);
-        square
+        sides.iter_mut().for_each(turn_square);
+        for (line, places) in places.iter().enumerate() {
+            let [left, right] = [sides[0][line], sides[1][line]];
+            let share = f32x8::from_slice(simd, &places.share[n..n + LANES]);
+            put(line, left + share * (right - left));
+        }
     }
 
     /// Pixels of a line from column `from` of the tile on.
@@ -139,6 +149,18 @@ impl Upright<'_> {
             *pixel = left + share * (right - left);
         }
     }
+}
+
+/// Whether the eight columns from `n` of a tile on have the same sweep to their left in every line.
+#[inline(always)]
+fn are_between_the_same(places: &[Places; LANES], n: usize) -> bool {
+    let mut differing = 0;
+    for line in &places[1..] {
+        for k in n..n + LANES {
+            differing |= line.left[k] ^ places[0].left[k];
+        }
+    }
+    differing == 0
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use fearless_simd::{Level, dispatch};
 use landscape::{CornerWords, GroupLight, SweepLight};
 use signal::{LANES, Lanes, Real, Signal, Unit};
 use sweep_program::SweepProgram;
@@ -131,6 +132,11 @@ impl TerrainGenerator<'_> {
 
     /// Reflectivity from the slopes along and across (section 7), and from the line of sight if the law asks for it.
     pub fn reflect<S: Real>(&self, light: &GroupLight<S>, profile: &mut Profile<S>) {
+        dispatch!(Level::new(), _ => self.reflect_by(light, profile));
+    }
+
+    #[inline(always)]
+    fn reflect_by<S: Real>(&self, light: &GroupLight<S>, profile: &mut Profile<S>) {
         let slopes = profile.along.iter().zip(&profile.across);
         let signals = profile.reflectivity.iter_mut().zip(slopes);
         if !light.needs_sight() {
