@@ -10,8 +10,7 @@ use machine::ControlPlane;
 use quantities::radians;
 use sweep_generator::{Folds, RangeTable, set_up};
 use sweep_program::{
-    Colour, Load, PreloadRegister, RampAxis, RegisterSet, StepKind, SweepProgram, SweepStart, Target,
-    WordMask,
+    Colour, Event, Load, PreloadRegister, RampAxis, RegisterSet, SweepProgram, SweepStart, Target, WordMask,
 };
 use timing::{Deadline, FrameTiming};
 
@@ -134,12 +133,12 @@ fn one_of_the_four_sets_is_urgent_and_goes_first() {
         let direction = [libm::cos(azimuth), libm::sin(azimuth)];
         let foot = [20.0 + dice.between(0.0, 1.0), 20.0 + dice.between(0.0, 1.0)];
         let program = program(&scene.level, foot, direction);
-        let folds: Vec<(usize, RampAxis, Vec<Colour>)> = program
-            .steps
+        let events: Vec<Event> = program.events().map(|step| step.kind).collect();
+        let folds: Vec<(usize, RampAxis, Vec<Colour>)> = events
             .iter()
             .enumerate()
-            .filter_map(|(index, step)| match step.kind {
-                StepKind::Fold(fold) => {
+            .filter_map(|(index, event)| match event {
+                Event::Fold(fold) => {
                     let taken = Colour::ALL.into_iter().filter(|&colour| fold.axis.takes(fold.stop, colour));
                     Some((index, fold.axis, taken.collect()))
                 }
@@ -150,10 +149,10 @@ fn one_of_the_four_sets_is_urgent_and_goes_first() {
             let Some((_, other, next)) = folds[number + 1..].iter().find(|(_, of, _)| of != axis) else {
                 break;
             };
-            let loads: Vec<Load> = program.steps[index + 1..]
+            let loads: Vec<Load> = events[index + 1..]
                 .iter()
-                .map_while(|step| match step.kind {
-                    StepKind::Load(load) => Some(load),
+                .map_while(|event| match event {
+                    Event::Load(load) => Some(*load),
                     _ => None,
                 })
                 .collect();

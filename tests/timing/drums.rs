@@ -6,7 +6,7 @@ use lunoid_tests::Scene;
 use machine::ControlPlane;
 use quantities::radians;
 use scenario::Pose;
-use sweep_program::{NO_CORNER, StepKind};
+use sweep_program::{Event, NO_CORNER};
 use timing::{Deadline, FrameTiming};
 
 use crate::rig::{RANGE, busy, flat, frame, on_course};
@@ -120,8 +120,8 @@ fn every_corner_that_is_asked_for_is_a_deadline() {
         let programs = control.programs(80, pose, sweep).expect("a pose over flat ground");
         let [program] = &programs[..] else { panic!("one level") };
         let home = program.registers.iter().flat_map(|set| [set.hold, set.x_first, set.y_first]);
-        let loads = program.steps.iter().filter_map(|step| match step.kind {
-            StepKind::Load(load) => Some(load.corner),
+        let loads = program.events().filter_map(|step| match step.kind {
+            Event::Load(load) => Some(load.corner),
             _ => None,
         });
         let blank = home.chain(loads).filter(|&corner| corner == NO_CORNER).count();

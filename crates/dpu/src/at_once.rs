@@ -1,7 +1,7 @@
 //! Folds that find all their words: nothing can be late, and nobody is told.
 
 use landscape::Level;
-use sweep_program::{Load, PreloadRegister, Step, StepKind, Target, WordMask};
+use sweep_program::{PreloadRegister, Served, Step};
 
 use crate::Pointers;
 use crate::crossing::TimedFold;
@@ -15,15 +15,13 @@ pub(crate) fn serve_at_once(
     steps: &mut Vec<Step>,
 ) {
     for TimedFold { time, range, fold } in folds {
-        let step = Step::new(time, range, StepKind::Fold(fold));
         pointers.follow(fold);
-        let load = |colour, register| {
+        let corner = |colour, register| {
             let [m, n] = pointers.ahead(colour, register);
-            let corner = level.clamped_index(m, n) as u32;
-            let load = Load { colour, target: Target::Preload(register), corner, words: WordMask::ALL };
-            Step { kind: StepKind::Load(load), ..step }
+            level.clamped_index(m, n) as u32
         };
         let ([first, second], x, y) = (fold.colours(), PreloadRegister::XFirst, PreloadRegister::YFirst);
-        steps.extend([step, load(first, x), load(first, y), load(second, x), load(second, y)]);
+        let corners = [corner(first, x), corner(first, y), corner(second, x), corner(second, y)];
+        steps.push(Step::new(time, range, Served { fold, corners }));
     }
 }

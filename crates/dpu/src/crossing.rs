@@ -128,8 +128,8 @@ mod tests {
     use proptest::prelude::{any, prop_assert_eq, proptest};
     use quantities::{Rate, SweepTime, Tick, Timebase};
     use sweep_program::{
-        Colour, Fold, Load, NO_CORNER, PreloadRegister, Ramp, RampAxis, RegisterSet, StepKind, Stop,
-        SweepProgram, SweepStart, Target, WordMask,
+        Colour, Event, Fold, Load, NO_CORNER, PreloadRegister, Ramp, RampAxis, RegisterSet, Step, StepKind,
+        Stop, SweepProgram, SweepStart, Target, WordMask,
     };
 
     /// Listens, so that nothing is left out.
@@ -174,8 +174,8 @@ mod tests {
         let folds = [TimedFold { time: SweepTime(1.0), range: 1.0, fold }];
         let loader = Loader { delays, ..HardwareModel::ideal().loader };
         let program = program(&level(), &start, &folds, (&loader, missing), &mut ());
-        let load = |kind: &StepKind| if let StepKind::Load(load) = kind { Some(*load) } else { None };
-        program.steps.iter().filter_map(|step| load(&step.kind)).collect()
+        let load = |kind: &Event| if let Event::Load(load) = kind { Some(*load) } else { None };
+        program.events().filter_map(|step| load(&step.kind)).collect()
     }
 
     fn load(colour: Colour, register: PreloadRegister, corner: u32) -> Load {
@@ -277,7 +277,8 @@ mod tests {
             let folds = [fold(RampAxis::X, -0.3), fold(RampAxis::Y, ticks)];
             let steps = program(&level(), &start, &folds, (&loader, &[]), &mut ()).steps;
             // Yellow goes from corner (2, 0) to (2, 2): two further north lies (4, 2).
-            let wanted = StepKind::Load(load(Colour::Yellow, PreloadRegister::XFirst, 4 * 9 + 2));
+            let wanted =
+                StepKind::Event(Event::Load(load(Colour::Yellow, PreloadRegister::XFirst, 4 * 9 + 2)));
             let came = steps.iter().find(|step| step.kind == wanted).expect("it is fetched or moved over");
             came.time == folds[1].time
         };
@@ -311,7 +312,8 @@ mod tests {
                 TimedFold { time: SweepTime(at), range: at, fold }
             }).collect();
             let (level, loader) = (level(), HardwareModel::ideal().loader);
-            let short = program(&level, &start, &folds, (&loader, &[]), &mut ());
+            let mut short = program(&level, &start, &folds, (&loader, &[]), &mut ());
+            short.steps = short.events().map(Step::from).collect();
             prop_assert_eq!(short, program(&level, &start, &folds, (&loader, &[]), &mut Listener));
         }
     }

@@ -8,7 +8,7 @@ mod stored;
 use quantities::{SweepClock, SweepTime, Tick};
 use smallvec::SmallVec;
 use sweep_program::{
-    Fold, Miss, MissCause, NO_CORNER, RampAxis, Step, StepKind, Stop, SweepProgram, SweepStart, WordMask,
+    Event, Fold, Miss, MissCause, NO_CORNER, RampAxis, Step, Stop, SweepProgram, SweepStart, WordMask,
 };
 
 use self::deliveries::Delivery;
@@ -89,7 +89,7 @@ impl<'a, 's, 'w, W: Watch> Service<'a, 's, 'w, W> {
     /// One fold: transfer, pointers, requests.
     pub fn serve(&mut self, fold: TimedFold, program: &mut SweepProgram) {
         let enabled = self.unit.loader.stop_after_crossings.is_none_or(|last| self.crossing < last);
-        let kind = if enabled { StepKind::Fold(fold.fold) } else { StepKind::BareFold(fold.fold) };
+        let kind = if enabled { Event::Fold(fold.fold) } else { Event::BareFold(fold.fold) };
         program.steps.push(Step::new(fold.time, fold.range, kind));
         let seen = self.seen(fold.time);
         self.watch.fold(seen, fold.fold);

@@ -1,7 +1,7 @@
 //! Words that were late, and whether they still are.
 
 use serde::Serialize;
-use sweep_program::{Load, Miss, MissCause, PreloadRegister, StepKind, SweepProgram, Target, WordMask};
+use sweep_program::{Event, Load, Miss, MissCause, PreloadRegister, SweepProgram, Target, WordMask};
 
 /// Words that missed the stop they were meant for.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -53,11 +53,11 @@ fn told(miss: &Miss, in_force: bool) -> Late {
 /// Whether nothing has put the hold register right since: neither the words themselves nor another transfer.
 fn in_force(program: &SweepProgram, miss: &Miss, sample: usize) -> bool {
     let mut waiting = miss.words;
-    let since = program.steps.iter().skip_while(|step| step.time.0 <= miss.time.0);
+    let since = program.events().skip_while(|step| step.time.0 <= miss.time.0);
     for step in since.take_while(|step| step.sample <= sample) {
         match step.kind {
-            StepKind::Fold(fold) if fold.axis.takes(fold.stop, miss.colour) => return false,
-            StepKind::Load(Load { colour, target: Target::Hold, words, .. }) if colour == miss.colour => {
+            Event::Fold(fold) if fold.axis.takes(fold.stop, miss.colour) => return false,
+            Event::Load(Load { colour, target: Target::Hold, words, .. }) if colour == miss.colour => {
                 waiting = waiting.without(words);
             }
             _ => {}

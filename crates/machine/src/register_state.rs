@@ -4,7 +4,7 @@ use dpu::Pointers;
 use landscape::Level;
 use quantities::SweepTime;
 use sweep_program::{
-    Colour, Fold, Load, NO_CORNER, PreloadRegister, RampAxis, StepKind, SweepProgram, Target, WordMask,
+    Colour, Event, Fold, Load, NO_CORNER, PreloadRegister, RampAxis, SweepProgram, Target, WordMask,
 };
 
 use crate::FrameSweeps;
@@ -67,18 +67,18 @@ impl RegisterState {
             range,
         };
         let mut pointers = Pointers::at_start(&program.start);
-        for step in program.steps.iter().take_while(|step| step.time <= time) {
+        for step in program.events().take_while(|step| step.time <= time) {
             match step.kind {
-                StepKind::Fold(fold) => {
+                Event::Fold(fold) => {
                     state.transfer(fold);
                     state.turn(fold);
                     pointers.follow(fold);
                 }
-                StepKind::BareFold(fold) => {
+                Event::BareFold(fold) => {
                     state.turn(fold);
                     pointers.follow(fold);
                 }
-                StepKind::Load(load) => state.load(&load),
+                Event::Load(load) => state.load(&load),
             }
         }
         state.want(&pointers, level);

@@ -11,7 +11,7 @@ use scenario::Pose;
 use signal::{LANES, Probe, Real, Waveform, Wire};
 use sweep_generator::{RangeTable, SampleFinder};
 use sweep_memory::{View, digital_memory, digital_memory_turned, scan_converter};
-use sweep_program::{StepKind, SweepProgram};
+use sweep_program::{Event, Served, StepKind, SweepProgram};
 
 use crate::blocks::Blocks;
 use crate::control_plane::FramePlan;
@@ -334,18 +334,17 @@ struct GroupResult {
 }
 
 fn terrain_counts(program: &SweepProgram) -> FrameCounts {
-    let folds = program
-        .steps
-        .iter()
-        .filter(|step| matches!(step.kind, StepKind::Fold(_) | StepKind::BareFold(_)))
-        .count();
-    let late = program.misses.iter().map(|miss| u64::from(miss.words.0.count_ones())).sum();
-    FrameCounts {
-        folds: folds as u64,
-        loads: (program.steps.len() - folds) as u64,
-        late_words: late,
-        ..FrameCounts::default()
+    let [mut folds, mut loads] = [0; 2];
+    for step in &program.steps {
+        folds += u64::from(step.kind.fold().is_some());
+        loads += match step.kind {
+            StepKind::Event(Event::Fold(_) | Event::BareFold(_)) => 0,
+            StepKind::Event(Event::Load(_)) => 1,
+            StepKind::Served(Served { corners, .. }) => corners.len() as u64,
+        };
     }
+    let late = program.misses.iter().map(|miss| u64::from(miss.words.0.count_ones())).sum();
+    FrameCounts { folds, loads, late_words: late, ..FrameCounts::default() }
 }
 
 /// Work that the whole frame was, beside its sweeps.

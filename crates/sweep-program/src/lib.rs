@@ -12,6 +12,6 @@ pub use colour::{Colour, PreloadRegister};
 pub use fan::Fan;
 pub use load_line::{LoadLine, LoadTiming, Loaded, NoTiming, TimedLoad, slack};
 pub use program::{
-    Fold, Load, Miss, MissCause, NO_CORNER, Ramp, RampAxis, RegisterSet, Step, StepKind, Stop, SweepProgram,
-    SweepStart, Target, WordMask,
+    Event, Fold, Load, Miss, MissCause, NO_CORNER, Ramp, RampAxis, RegisterSet, Served, Step, StepKind, Stop,
+    SweepProgram, SweepStart, Target, WordMask,
 };

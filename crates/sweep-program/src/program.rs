@@ -1,5 +1,7 @@
 //! The program of one sweep.
 
+use std::iter;
+
 use quantities::SweepTime;
 
 use crate::{Colour, PreloadRegister};
@@ -180,7 +182,7 @@ pub struct Load {
 
 /// What happens at one instant of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum StepKind {
+pub enum Event {
     /// A ramp folds, and two colours take their preload register.
     Fold(Fold),
     /// A ramp folds and nothing is transferred: the loader is off.
@@ -189,9 +191,82 @@ pub enum StepKind {
     Load(Load),
 }
 
+impl Event {
+    /// The fold, if a ramp folds.
+    #[inline]
+    pub fn fold(&self) -> Option<&Fold> {
+        match self {
+            Self::Fold(fold) | Self::BareFold(fold) => Some(fold),
+            Self::Load(_) => None,
+        }
+    }
+}
+
+/// One event, or several of one instant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum StepKind {
+    /// One.
+    Event(Event),
+    /// A ramp folds, and all that the fold asks for arrives in the same instant.
+    Served(Served),
+}
+
+impl From<Event> for StepKind {
+    fn from(event: Event) -> Self {
+        Self::Event(event)
+    }
+}
+
+impl From<Served> for StepKind {
+    fn from(served: Served) -> Self {
+        Self::Served(served)
+    }
+}
+
+impl StepKind {
+    /// The fold, if a ramp folds.
+    #[inline]
+    pub fn fold(&self) -> Option<&Fold> {
+        match self {
+            Self::Event(event) => event.fold(),
+            Self::Served(Served { fold, .. }) => Some(fold),
+        }
+    }
+
+    /// Whether the words that feed the D/As are others after this step.
+    #[inline]
+    pub fn changes_hold(&self) -> bool {
+        !matches!(self, Self::Event(Event::Load(Load { target: Target::Preload(_), .. })))
+    }
+}
+
+/// A fold whose words nothing holds up: it and four loads in one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Served {
+    /// The fold, which transfers what waits before the words arrive.
+    pub fold: Fold,
+    /// Corners of the words for XFIRST and YFIRST of the first of its colours, then of the second: whole sets.
+    pub corners: [u32; 4],
+}
+
+impl Served {
+    /// The loads, in order.
+    pub fn loads(&self) -> [Load; 4] {
+        let [first, second] = self.fold.colours();
+        let (x, y) = (Target::Preload(PreloadRegister::XFirst), Target::Preload(PreloadRegister::YFirst));
+        let [a, b, c, d] = self.corners;
+        [(first, x, a), (first, y, b), (second, x, c), (second, y, d)].map(|(colour, target, corner)| Load {
+            colour,
+            target,
+            corner,
+            words: WordMask::ALL,
+        })
+    }
+}
+
 /// One instant of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Step {
+pub struct Step<K = StepKind> {
     /// When, on the sweep clock.
     pub time: SweepTime,
     /// Ground range then (m).
@@ -199,14 +274,31 @@ pub struct Step {
     /// First sample that sees it.
     pub sample: usize,
     /// What happens.
-    pub kind: StepKind,
+    pub kind: K,
 }
 
 impl Step {
     /// A step at an instant.
     #[inline]
-    pub fn new(time: SweepTime, range: f64, kind: StepKind) -> Self {
-        Self { time, range, sample: time.sample_at_or_after(), kind }
+    pub fn new(time: SweepTime, range: f64, kind: impl Into<StepKind>) -> Self {
+        Self { time, range, sample: time.sample_at_or_after(), kind: kind.into() }
+    }
+
+    /// What happens, one by one.
+    fn events(&self) -> impl Iterator<Item = Step<Event>> + use<> {
+        let Self { time, range, sample, kind } = *self;
+        let (first, loads) = match kind {
+            StepKind::Event(event) => (event, None),
+            StepKind::Served(served) => (Event::Fold(served.fold), Some(served.loads())),
+        };
+        let loads = loads.into_iter().flatten().map(Event::Load);
+        iter::once(first).chain(loads).map(move |kind| Step { time, range, sample, kind })
+    }
+}
+
+impl From<Step<Event>> for Step {
+    fn from(Step { time, range, sample, kind }: Step<Event>) -> Self {
+        Self { time, range, sample, kind: StepKind::Event(kind) }
     }
 }
 
@@ -260,12 +352,19 @@ pub struct SweepProgram {
     pub start: SweepStart,
     /// What the registers hold then, by [`Colour`].
     pub registers: [RegisterSet; 4],
-    /// Folds and arrivals.
+    /// Folds and arrivals. [`events`](Self::events) has them one by one.
     pub steps: Vec<Step>,
     /// Ground range at which the profile ends (m): end of the programme or edge of the problem area.
     pub end_range: f64,
     /// Loads that came too late.
     pub misses: Vec<Miss>,
+}
+
+impl SweepProgram {
+    /// Folds and arrivals one by one.
+    pub fn events(&self) -> impl Iterator<Item = Step<Event>> {
+        self.steps.iter().flat_map(Step::events)
+    }
 }
 
 #[cfg(test)]

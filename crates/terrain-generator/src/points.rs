@@ -1,9 +1,9 @@
 //! Stretches of one or two samples, straight through the array: eight samples side by side.
 
 use fearless_simd::prelude::{SimdBase, SimdFrom};
-use fearless_simd::{Level, Simd, dispatch, f64x8};
+use fearless_simd::{Simd, f64x8};
 use landscape::CornerWords;
-use signal::{LANES, Real, eight, pair};
+use signal::{LANES, Real, eight, pair, turn_square};
 
 use crate::TerrainGenerator;
 use crate::array::array;
@@ -31,7 +31,8 @@ struct Short {
 #[derive(Debug, Clone)]
 struct Waiting {
     count: usize,
-    hold: [[[f64; LANES]; 9]; 4],
+    /// Words by place and colour.
+    hold: [[CornerWords; 4]; LANES],
     polarity: [[f64; LANES]; 2],
     ramps: [[f64; LANES]; 2],
     direction: [[f64; LANES]; 2],
@@ -39,7 +40,7 @@ struct Waiting {
 
 impl Default for Points {
     fn default() -> Self {
-        let (pair, hold) = ([[0.0; LANES]; 2], [[[0.0; LANES]; 9]; 4]);
+        let (pair, hold) = ([[0.0; LANES]; 2], [[[0.0; 9]; 4]; LANES]);
         let waiting = Waiting { count: 0, hold, polarity: pair, ramps: pair, direction: pair };
         Self { waiting, values: Vec::new(), stretches: Vec::new() }
     }
@@ -47,9 +48,10 @@ impl Default for Points {
 
 impl Points {
     /// A stretch of sweep `lane`, with the words that `walk` holds in it.
-    pub(crate) fn add(
+    #[inline(always)]
+    pub(crate) fn add<L: Simd>(
         &mut self,
-        vectors: Level,
+        simd: L,
         generator: &TerrainGenerator<'_>,
         (lane, walk): (usize, &Walk<'_>),
         stretch: &Stretch,
@@ -61,26 +63,27 @@ impl Points {
             let hold = walk.registers.hold(generator.buffer);
             self.waiting.add(hold, walk.registers.polarity(), ramps, walk.direction());
             if self.waiting.count == LANES {
-                self.work_out(vectors, generator);
+                self.work_out(simd, generator);
             }
         }
     }
 
-    fn work_out(&mut self, vectors: Level, generator: &TerrainGenerator<'_>) {
-        let size = generator.region_size;
-        let values = dispatch!(vectors, simd => self.waiting.through_the_array(simd, size));
+    #[inline(always)]
+    fn work_out<L: Simd>(&mut self, simd: L, generator: &TerrainGenerator<'_>) {
+        let values = self.waiting.through_the_array(simd, generator.region_size);
         let count = std::mem::take(&mut self.waiting.count);
         self.values.extend((0..count).map(|k| values.map(|signal| signal[k])));
     }
 
     /// Puts all stretches into `sweeps`, and forgets them.
-    pub(crate) fn finish<S: Real>(
+    #[inline(always)]
+    pub(crate) fn finish<L: Simd, S: Real>(
         &mut self,
-        vectors: Level,
+        simd: L,
         generator: &TerrainGenerator<'_>,
         sweeps: &mut Sweeps<S>,
     ) {
-        self.work_out(vectors, generator);
+        self.work_out(simd, generator);
         let mut values = self.values.as_slice();
         for Short { lane, first, samples } in self.stretches.drain(..) {
             let (of_stretch, rest) = values.split_at(samples);
@@ -111,11 +114,10 @@ impl Points {
 }
 
 impl Waiting {
+    #[inline(always)]
     fn add(&mut self, hold: [&CornerWords; 4], polarity: [f64; 2], ramps: [f64; 2], direction: [f64; 2]) {
         let place = self.count;
-        for (places, words) in self.hold.iter_mut().zip(hold) {
-            places.iter_mut().zip(words).for_each(|(places, &word)| places[place] = word);
-        }
+        self.hold[place] = hold.map(|words| *words);
         for axis in 0..2 {
             self.polarity[axis][place] = polarity[axis];
             self.ramps[axis][place] = ramps[axis];
@@ -128,10 +130,15 @@ impl Waiting {
     #[inline(always)]
     fn through_the_array<L: Simd>(&self, simd: L, size: f64) -> [[f64; LANES]; 3] {
         let mut hold = [[f64x8::simd_from(simd, 0.0); 9]; 4];
-        for colour in 0..4 {
-            for word in 0..9 {
-                hold[colour][word] = eight(simd, &self.hold[colour][word]);
+        for (colour, words) in hold.iter_mut().enumerate() {
+            let (square, last) = words.split_at_mut(LANES);
+            let mut lasts = [0.0; LANES];
+            for place in 0..LANES {
+                let (first, rest) = self.hold[place][colour].split_at(LANES);
+                (square[place], lasts[place]) = (f64x8::from_slice(simd, first), rest[0]);
             }
+            turn_square(square.try_into().expect("eight of nine"));
+            last[0] = eight(simd, &lasts);
         }
         let (polarity, ramps) = (pair(simd, &self.polarity), pair(simd, &self.ramps));
         let [height, hu, hv] = array([&hold[0], &hold[1], &hold[2], &hold[3]], polarity, ramps);

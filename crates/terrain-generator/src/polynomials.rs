@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use fearless_simd::prelude::{ExtractToken, SimdBase, SimdFrom};
+use fearless_simd::prelude::{SimdBase, SimdFrom};
 use fearless_simd::{Level, Simd, dispatch, f64x8};
 use signal::{LANES, Real, eight, pair};
 use sweep_program::SweepProgram;
@@ -36,7 +36,7 @@ pub struct Polynomials<S> {
 /// What stretches are expanded from, sweep by sweep.
 #[derive(Debug, Clone)]
 struct Stretches {
-    rows: [[[f64; LANES]; 6]; 6],
+    regions: [Region; LANES],
     middle: [[f64; LANES]; 2],
     half: [[f64; LANES]; 2],
     half_length: [f64; LANES],
@@ -77,24 +77,36 @@ impl<S: Real> Method<S> for Polynomials<S> {
         profile: &mut Profile<S>,
     ) {
         self.ranges.resize(generator.ranges.len() + LANES, S::ZERO);
-        dispatch!(self.vectors, _ => narrow_all(generator.ranges, &mut self.ranges));
         self.sweeps.resize(generator.ranges.len());
         self.regions.forget();
-        let mut walks = programs.each_ref().map(|program| Walk::new(generator, program, span.start));
-        while self.collect(generator, &mut walks, span.end) {
-            let Self { stretches, ranges, sweeps, .. } = self;
-            dispatch!(self.vectors, simd => stretches.trace(simd, generator.datum, ranges, sweeps));
-        }
-        self.points.finish(self.vectors, generator, &mut self.sweeps);
-        self.drop_out_of_sight(&walks, &span);
+        dispatch!(self.vectors, simd => self.trace_by(simd, generator, programs, &span));
         self.sweeps.put_side_by_side(self.vectors, span, profile);
     }
 }
 
 impl<S: Real> Polynomials<S> {
-    /// The next stretch of each sweep that has more than two samples; false if there is none before sample `end`.
-    fn collect(
+    #[inline(always)]
+    fn trace_by<L: Simd>(
         &mut self,
+        simd: L,
+        generator: &TerrainGenerator<'_>,
+        programs: &[SweepProgram; LANES],
+        span: &Range<usize>,
+    ) {
+        narrow_all(generator.ranges, &mut self.ranges);
+        let mut walks = programs.each_ref().map(|program| Walk::new(generator, program, span.start));
+        while self.collect(simd, generator, &mut walks, span.end) {
+            self.stretches.trace(simd, generator.datum, &self.ranges, &mut self.sweeps);
+        }
+        self.points.finish(simd, generator, &mut self.sweeps);
+        self.drop_out_of_sight(&walks, span);
+    }
+
+    /// The next stretch of each sweep that has more than two samples; false if there is none before sample `end`.
+    #[inline(always)]
+    fn collect<L: Simd>(
+        &mut self,
+        simd: L,
         generator: &TerrainGenerator<'_>,
         walks: &mut [Walk<'_>; LANES],
         end: usize,
@@ -104,11 +116,12 @@ impl<S: Real> Polynomials<S> {
             self.stretches.samples[lane] = 0..0;
             while let Some(stretch) = walk.next(generator, end) {
                 if stretch.samples.len() > 2 {
-                    self.stretches.set(generator, (lane, walk), stretch, end, &mut self.regions);
+                    let region = self.regions.of(&walk.registers, generator.buffer);
+                    self.stretches.set(generator.region_size, (lane, walk), stretch, end, region);
                     any = true;
                     break;
                 }
-                self.points.add(self.vectors, generator, (lane, walk), &stretch);
+                self.points.add(simd, generator, (lane, walk), &stretch);
             }
         }
         any
@@ -126,16 +139,16 @@ impl<S: Real> Polynomials<S> {
 }
 
 impl Stretches {
-    /// Sets one stretch; samples from `until` on are not wanted.
+    /// Sets one stretch over `region`, which is `size` wide (m); samples from `until` on are not wanted.
+    #[inline(always)]
     fn set(
         &mut self,
-        generator: &TerrainGenerator<'_>,
+        size: f64,
         (lane, walk): (usize, &Walk<'_>),
         Stretch { samples, ends: [begin, end] }: Stretch,
         until: usize,
-        regions: &mut RecentRegions,
+        region: &Region,
     ) {
-        let size = generator.region_size;
         let (middle, half_length) = (0.5 * (begin + end), 0.5 * (end - begin));
         let (polarity, [cos, sin]) = (walk.registers.polarity(), walk.direction());
         let ramps = walk.ramps(middle / size);
@@ -146,10 +159,7 @@ impl Stretches {
             self.across[axis][lane] = across[axis];
         }
         (self.half_length[lane], self.range[lane]) = (half_length, middle);
-        let region = regions.of(&walk.registers, generator.buffer);
-        for (places, row) in self.rows.iter_mut().zip(region.rows()) {
-            places.iter_mut().zip(row).for_each(|(places, &coefficient)| places[lane] = coefficient);
-        }
+        self.regions[lane] = *region;
         self.samples[lane] = samples.start..samples.end.min(until);
     }
 
@@ -164,13 +174,6 @@ impl Stretches {
     /// Polynomials of all stretches; `datum` is subtracted from the height (m).
     #[inline(always)]
     fn expand<L: Simd, S: Real>(&self, simd: L, datum: f64) -> Expanded<S> {
-        // Loops: what `map` and `from_fn` are handed is not always compiled for the width of the vectors.
-        let mut rows = [[f64x8::simd_from(simd, 0.0); 6]; 6];
-        for i in 0..6 {
-            for j in 0..6 {
-                rows[i][j] = eight(simd, &self.rows[i][j]);
-            }
-        }
         let half_length = eight(simd, &self.half_length);
         let span = Span {
             middle: pair(simd, &self.middle),
@@ -178,7 +181,7 @@ impl Stretches {
             half_length,
             across: pair(simd, &self.across),
         };
-        let mut segment = Segment::expand(&Region::from_rows(rows), &span);
+        let mut segment = Segment::expand(&Region::side_by_side(simd, &self.regions), &span);
         segment.height[0] -= datum;
         Expanded {
             height: segment.height.map(narrow),
@@ -194,7 +197,7 @@ impl Default for Stretches {
     fn default() -> Self {
         let (eight, none) = ([0.0; LANES], 0..0);
         Self {
-            rows: [[eight; 6]; 6],
+            regions: [Region::default(); LANES],
             middle: [eight; 2],
             half: [eight; 2],
             half_length: eight,
@@ -214,31 +217,57 @@ impl<S: Real> Expanded<S> {
         lane: usize,
         samples: Range<usize>,
         ranges: &[S],
-        [height, along, across]: [&mut [S]; 3],
+        mut out: [&mut [S]; 3],
     ) {
-        let [middle, inverse_half] =
-            [self.middle[lane], self.inverse_half[lane]].map(|value| S::Vector::<L>::simd_from(simd, value));
-        for first in samples.step_by(LANES) {
-            let eight = first..first + LANES;
-            let s = (S::Vector::from_slice(simd, &ranges[eight.clone()]) - middle) * inverse_half;
-            horner(&self.height, lane, s).store_slice(&mut height[eight.clone()]);
-            horner(&self.along, lane, s).store_slice(&mut along[eight.clone()]);
-            horner(&self.across, lane, s).store_slice(&mut across[eight]);
+        let mut first = samples.start;
+        while first + 3 * LANES < samples.end {
+            self.evaluate_eights::<L, 4>(simd, lane, first, ranges, &mut out);
+            first += 4 * LANES;
+        }
+        while first + LANES < samples.end {
+            self.evaluate_eights::<L, 2>(simd, lane, first, ranges, &mut out);
+            first += 2 * LANES;
+        }
+        if first < samples.end {
+            self.evaluate_eights::<L, 1>(simd, lane, first, ranges, &mut out);
         }
     }
-}
 
-#[inline(always)]
-fn horner<L: Simd, S: Real, const N: usize>(
-    coefficients: &[[S; LANES]; N],
-    lane: usize,
-    s: S::Vector<L>,
-) -> S::Vector<L> {
-    let mut sum = S::Vector::<L>::simd_from(s.token(), coefficients[N - 1][lane]);
-    for k in (0..N - 1).rev() {
-        sum = sum * s + coefficients[k][lane];
+    /// The same at `N` times eight samples from `first` on. A step of Horner's scheme waits for the one before: the schemes take
+    /// their steps in turns, so that there is something to do meanwhile.
+    #[inline(always)]
+    fn evaluate_eights<L: Simd, const N: usize>(
+        &self,
+        simd: L,
+        lane: usize,
+        first: usize,
+        ranges: &[S],
+        [height, along, across]: &mut [&mut [S]; 3],
+    ) {
+        let all = |value: S| S::Vector::<L>::simd_from(simd, value);
+        let (middle, inverse_half) = (all(self.middle[lane]), all(self.inverse_half[lane]));
+        let mut s = [middle; N];
+        let mut sums = [[all(self.height[10][lane]), all(self.along[9][lane]), all(self.across[9][lane])]; N];
+        for n in 0..N {
+            let at = first + LANES * n;
+            s[n] = (S::Vector::from_slice(simd, &ranges[at..at + LANES]) - middle) * inverse_half;
+            sums[n][0] = sums[n][0] * s[n] + self.height[9][lane];
+        }
+        for k in (0..9).rev() {
+            let terms = [self.height[k][lane], self.along[k][lane], self.across[k][lane]];
+            for n in 0..N {
+                for (sum, term) in sums[n].iter_mut().zip(terms) {
+                    *sum = *sum * s[n] + term;
+                }
+            }
+        }
+        for (n, sums) in sums.into_iter().enumerate() {
+            let at = first + LANES * n;
+            for (sum, out) in sums.into_iter().zip([&mut *height, &mut *along, &mut *across]) {
+                sum.store_slice(&mut out[at..at + LANES]);
+            }
+        }
     }
-    sum
 }
 
 /// Values as a run has its numbers.

@@ -3,8 +3,8 @@
 use landscape::Level;
 use quantities::SweepTime;
 use sweep_program::{
-    Colour, Fold, Load, Ramp, RampAxis, RegisterSet, Step, StepKind, Stop, SweepProgram, SweepStart, Target,
-    WordMask,
+    Colour, Event, Fold, Load, Ramp, RampAxis, RegisterSet, Step, StepKind, Stop, SweepProgram, SweepStart,
+    Target, WordMask,
 };
 
 /// The program of a sweep from `eye` (m) along `direction`, to the last of `ranges` or the edge of the level.
@@ -57,10 +57,12 @@ fn steps(level: &Level, start: &SweepStart, foot: [f64; 2], end: f64, ranges: &[
         rates[axis] = -rates[axis];
         region[axis] += if start.direction[axis] > 0.0 { 1 } else { -1 };
         let sample = ranges.partition_point(|&z| z < range);
-        let mut push = |kind| steps.push(Step { time: SweepTime(sample as f64), range, sample, kind });
-        push(StepKind::Fold(Fold { axis: ramp, stop }));
+        let mut push = |kind| {
+            steps.push(Step { time: SweepTime(sample as f64), range, sample, kind: StepKind::Event(kind) })
+        };
+        push(Event::Fold(Fold { axis: ramp, stop }));
         for (colour, corner) in corners(level, region).into_iter().filter(|(c, _)| ramp.takes(stop, *c)) {
-            push(StepKind::Load(Load { colour, target: Target::Hold, corner, words: WordMask::ALL }));
+            push(Event::Load(Load { colour, target: Target::Hold, corner, words: WordMask::ALL }));
         }
     }
 }

@@ -1,16 +1,20 @@
 //! The 36 terms of a region as one polynomial of both ramps.
 
+use fearless_simd::prelude::{SimdBase, SimdFrom};
+use fearless_simd::{Simd, f64x8};
 use landscape::CornerWords;
 use landscape::basis::NEAR;
+use signal::{LANES, turn_square};
 
 use crate::Registers;
 
 /// Height of a region (m): `sum rows[i][j] (X - 1/2)^i (Y - 1/2)^j`; of one, or of several side by side.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Region<T = f64>([[T; 6]; 6]);
 
 impl Region {
     /// The sum of 6.4 from the words in `hold`, by colour, with the present `polarity`.
+    #[inline(always)]
     pub fn of(hold: [&CornerWords; 4], polarity: [f64; 2]) -> Self {
         let mut rows = [[0.0; 6]; 6];
         for a in 0..2 {
@@ -30,13 +34,31 @@ impl Region {
     }
 }
 
-impl<T> Region<T> {
-    /// Regions from their coefficients.
+impl<L: Simd> Region<f64x8<L>> {
+    /// Eight regions as one: squares of eight coefficients of eight regions, and the last four coefficients.
     #[inline(always)]
-    pub(crate) fn from_rows(rows: [[T; 6]; 6]) -> Self {
+    pub(crate) fn side_by_side(simd: L, regions: &[Region; LANES]) -> Self {
+        let mut coefficients = [f64x8::simd_from(simd, 0.0); 36];
+        let (squares, last) = coefficients.as_chunks_mut();
+        for (number, square) in squares.iter_mut().enumerate() {
+            for (row, region) in square.iter_mut().zip(regions) {
+                *row = f64x8::from_slice(simd, &region.0.as_flattened()[LANES * number..][..LANES]);
+            }
+            turn_square(square);
+        }
+        let first = 36 - last.len();
+        for (number, coefficients) in (first..).zip(last) {
+            let mut eight = [0.0; LANES];
+            eight.iter_mut().zip(regions).for_each(|(out, region)| *out = region.0.as_flattened()[number]);
+            *coefficients = f64x8::from_slice(simd, &eight);
+        }
+        let mut rows = [[f64x8::simd_from(simd, 0.0); 6]; 6];
+        rows.as_flattened_mut().copy_from_slice(&coefficients);
         Self(rows)
     }
+}
 
+impl<T> Region<T> {
     /// Coefficients: row i has those of `(X - 1/2)^i`, ascending powers of `Y - 1/2`.
     #[inline(always)]
     pub fn rows(&self) -> &[[T; 6]; 6] {
@@ -45,6 +67,7 @@ impl<T> Region<T> {
 }
 
 /// The six terms in Y that share `g_p(X_a)`, as a polynomial in `Y - 1/2`.
+#[inline(always)]
 fn words_along_y(hold: [&CornerWords; 4], polarity: f64, a: usize, p: usize) -> [f64; 6] {
     let mut sum = [0.0; 6];
     for b in 0..2 {
@@ -78,7 +101,7 @@ const NOTHING: ([u32; 4], [f64; 2]) = ([0; 4], [f64::NAN; 2]);
 
 impl Default for RecentRegions {
     fn default() -> Self {
-        let level = Region([[0.0; 6]; 6]);
+        let level = Region::default();
         Self { made_of: [NOTHING; KEPT], regions: [level; KEPT], mixed: level }
     }
 }
@@ -90,7 +113,7 @@ impl RecentRegions {
     }
 
     /// The region of the words that the registers hold; `buffer` is the storage buffer.
-    #[inline]
+    #[inline(always)]
     pub fn of(&mut self, registers: &Registers, buffer: &[CornerWords]) -> &Region {
         let make = || Region::of(registers.hold(buffer), registers.polarity());
         let Some(corners) = registers.corners_held() else {

@@ -2,8 +2,8 @@
 
 use landscape::CornerWords;
 use sweep_program::{
-    Fold, Load, NO_CORNER, PreloadRegister, RampAxis, RegisterSet, Step, StepKind, SweepProgram, Target,
-    WordMask,
+    Event, Fold, Load, NO_CORNER, PreloadRegister, RampAxis, RegisterSet, Served, Step, StepKind,
+    SweepProgram, Target, WordMask,
 };
 
 /// The digital state of the terrain generator within one sweep.
@@ -97,10 +97,21 @@ impl Registers {
     #[inline]
     pub fn apply(&mut self, step: &Step, buffer: &[CornerWords]) {
         match &step.kind {
-            StepKind::Fold(fold) => self.fold(*fold),
-            StepKind::BareFold(fold) => self.turn(*fold),
-            StepKind::Load(load) => self.load(load, buffer),
+            StepKind::Event(Event::Fold(fold)) => self.fold(*fold),
+            StepKind::Event(Event::BareFold(fold)) => self.turn(*fold),
+            StepKind::Event(Event::Load(load)) => self.load(load, buffer),
+            StepKind::Served(served) => self.serve(served),
         }
+    }
+
+    /// A stop was met, and all that it asks for is there.
+    #[inline]
+    fn serve(&mut self, served: &Served) {
+        self.fold(served.fold);
+        let [first, second] = served.fold.colours().map(|colour| colour as usize);
+        [self.corners[X_FIRST][first], self.corners[Y_FIRST][first]] = [served.corners[0], served.corners[1]];
+        [self.corners[X_FIRST][second], self.corners[Y_FIRST][second]] =
+            [served.corners[2], served.corners[3]];
     }
 
     /// Words arrive.
@@ -130,7 +141,8 @@ mod tests {
     use landscape::CornerWords;
     use quantities::SweepTime;
     use sweep_program::{
-        Colour, Fold, Load, NO_CORNER, PreloadRegister, RampAxis, Step, StepKind, Stop, Target, WordMask,
+        Colour, Event, Fold, Load, NO_CORNER, PreloadRegister, RampAxis, Step, StepKind, Stop, Target,
+        WordMask,
     };
 
     use super::Registers;
@@ -164,14 +176,18 @@ mod tests {
     fn a_bare_fold_turns_the_ramp_alone() {
         let (mut registers, buffer) = filled();
         let step = |kind| Step { time: SweepTime(0.0), range: 1.0, sample: 1, kind };
-        registers.apply(&step(StepKind::BareFold(Fold { axis: RampAxis::Y, stop: Stop::One })), &buffer);
+        registers.apply(
+            &step(StepKind::Event(Event::BareFold(Fold { axis: RampAxis::Y, stop: Stop::One }))),
+            &buffer,
+        );
         assert_eq!(registers.hold(&buffer).map(|words| words[0]), [0.0, 1.0, 2.0, 3.0]);
         assert_eq!(registers.polarity, [1.0, -1.0]);
         let target = Target::Preload(PreloadRegister::YFirst);
         let load = Load { colour: Colour::Yellow, target, corner: 12, words: WordMask::ALL };
-        registers.apply(&step(StepKind::Load(load)), &buffer);
+        registers.apply(&step(StepKind::Event(Event::Load(load))), &buffer);
         assert_eq!(registers.hold(&buffer)[Colour::Yellow as usize][0], 0.0);
-        registers.apply(&step(StepKind::Fold(Fold { axis: RampAxis::Y, stop: Stop::One })), &buffer);
+        registers
+            .apply(&step(StepKind::Event(Event::Fold(Fold { axis: RampAxis::Y, stop: Stop::One }))), &buffer);
         assert_eq!(registers.hold(&buffer)[Colour::Yellow as usize], &[12.0; 9]);
         assert_eq!(registers.polarity, [1.0, 1.0]);
     }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use sweep_program::{Load, Step, StepKind, SweepProgram, Target};
+use sweep_program::SweepProgram;
 
 use crate::{Registers, TerrainGenerator};
 
@@ -54,7 +54,7 @@ impl<'p> Walk<'p> {
         let mut due = 0;
         for step in ahead.take_while(|step| step.sample <= sample) {
             self.registers.apply(step, generator.buffer);
-            if changes_hold(step) && step.range > begin {
+            if step.kind.changes_hold() && step.range > begin {
                 begin = step.range;
             }
             due += 1;
@@ -66,7 +66,7 @@ impl<'p> Walk<'p> {
     /// Sets the first sample that the stretch does not cover; the range at which it ends.
     fn end_of_stretch(&mut self, ranges: &[f64], sample: usize) -> f64 {
         let ahead = &self.program.steps[self.next_step..];
-        let next = ahead.iter().find(|step| changes_hold(step));
+        let next = ahead.iter().find(|step| step.kind.changes_hold());
         self.until = next.map_or(self.last, |step| step.sample.min(self.last)).max(sample + 1);
         next.map_or(self.program.end_range, |step| step.range).min(ranges[ranges.len() - 1])
     }
@@ -81,14 +81,5 @@ impl<'p> Walk<'p> {
     /// Cosine and sine of the sweep's azimuth.
     pub(crate) fn direction(&self) -> [f64; 2] {
         self.program.start.direction
-    }
-}
-
-/// Whether the words that feed the D/As are others after this step.
-#[inline]
-fn changes_hold(step: &Step) -> bool {
-    match step.kind {
-        StepKind::Fold(_) | StepKind::BareFold(_) => true,
-        StepKind::Load(Load { target, .. }) => target == Target::Hold,
     }
 }

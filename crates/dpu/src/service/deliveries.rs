@@ -2,7 +2,7 @@
 
 use quantities::{SweepTime, Tick};
 use sweep_program::{
-    Colour, Load, Miss, MissCause, PreloadRegister, Step, StepKind, SweepProgram, Target, slack,
+    Colour, Event, Load, Miss, MissCause, PreloadRegister, Step, SweepProgram, Target, slack,
 };
 
 use super::Service;
@@ -114,7 +114,7 @@ impl<W: Watch> Service<'_, '_, '_, W> {
             return;
         }
         for Delivery { tick, arrival, load, .. } in self.pending.drain(..arrived) {
-            program.steps.push(Step::new(arrival, range_at(arrival), StepKind::Load(load)));
+            program.steps.push(Step::new(arrival, range_at(arrival), Event::Load(load)));
             self.watch.arrival(tick, &load);
         }
     }

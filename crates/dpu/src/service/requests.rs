@@ -2,7 +2,7 @@
 
 use quantities::Tick;
 use sweep_program::{
-    Colour, Load, MissCause, PreloadRegister, RampAxis, Step, StepKind, SweepProgram, Target, WordMask, slack,
+    Colour, Event, Load, MissCause, PreloadRegister, RampAxis, Step, SweepProgram, Target, WordMask, slack,
 };
 
 use super::Service;
@@ -51,7 +51,7 @@ impl<W: Watch> Service<'_, '_, '_, W> {
         let asking = Asking { crossing: Some(self.crossing), colour, register: Some(register) };
         let corner = self.stored(self.unit.level.clamped_index(m, n) as u32, seen, asking);
         let load = Load { colour, target: Target::Preload(register), corner, words: WordMask::ALL };
-        program.steps.push(Step::new(fold.time, fold.range, StepKind::Load(load)));
+        program.steps.push(Step::new(fold.time, fold.range, Event::Load(load)));
         self.ready[colour as usize][register as usize] = Some(self.there_with(fold, seen));
         self.watch.arrival(seen, &load);
     }
@@ -97,7 +97,7 @@ impl<W: Watch> Service<'_, '_, '_, W> {
         let words = self.hold_back(colour, register, corner, self.crossing, seen);
         if !words.is_empty() {
             let load = Load { colour, target: Target::Preload(register), corner, words };
-            program.steps.push(Step::new(fold.time, fold.range, StepKind::Load(load)));
+            program.steps.push(Step::new(fold.time, fold.range, Event::Load(load)));
             self.watch.arrival(seen, &load);
         }
     }

@@ -4,7 +4,7 @@ use feature_generator::FeatureProgram;
 use signal::{Kind, Signal, Unit};
 use sweep_generator::RangeTable;
 use sweep_program::{
-    Colour, Load, NO_CORNER, PreloadRegister, RampAxis, RegisterSet, StepKind, Stop, SweepProgram, Target,
+    Colour, Event, Load, NO_CORNER, PreloadRegister, RampAxis, RegisterSet, Stop, SweepProgram, Target,
 };
 
 /// Wires of the sweep generator and of the DPU.
@@ -131,9 +131,7 @@ fn axis_of(word: &str) -> RampAxis {
 fn folds(program: &SweepProgram, axis: &str) -> Changes {
     let mut changes = Changes::default();
     for step in &program.steps {
-        if let StepKind::Fold(fold) | StepKind::BareFold(fold) = step.kind
-            && fold.axis == axis_of(axis)
-        {
+        if let Some(fold) = step.kind.fold().filter(|fold| fold.axis == axis_of(axis)) {
             changes.push(step.time.0, f64::from(u8::from(fold.stop == Stop::One)));
         }
     }
@@ -179,12 +177,12 @@ fn register_of(program: &SweepProgram, colour: &str, place: &str) -> Changes {
         changes.becomes(time, if corner == NO_CORNER { -1.0 } else { f64::from(corner) });
     };
     tell(beginning(program), &set);
-    for step in &program.steps {
+    for step in program.events() {
         match step.kind {
-            StepKind::Fold(fold) if fold.axis.takes(fold.stop, colour) => {
+            Event::Fold(fold) if fold.axis.takes(fold.stop, colour) => {
                 set.hold = if fold.axis == RampAxis::X { set.x_first } else { set.y_first };
             }
-            StepKind::Load(load) if load.colour == colour && load.words.has(0) => take(&mut set, &load),
+            Event::Load(load) if load.colour == colour && load.words.has(0) => take(&mut set, &load),
             _ => continue,
         }
         tell(step.time.0, &set);

@@ -9,7 +9,7 @@ use mixing_unit::Inputs;
 use polyhedron_generator::Overlay;
 use scenario::Occlusion;
 use signal::{Axis, Lanes, Probe, Real, Signal, Unit, Waveform};
-use sweep_program::{Colour, RampAxis, StepKind, SweepProgram};
+use sweep_program::{Colour, RampAxis, SweepProgram};
 use terrain_generator::{ArrayState, Inside};
 
 use crate::signal_plane::Group;
@@ -268,7 +268,7 @@ impl<S: Real> Recorded<'_, S> {
         let mut folds = program
             .steps
             .iter()
-            .filter(|step| matches!(step.kind, StepKind::Fold(fold) | StepKind::BareFold(fold) if fold.axis == axis))
+            .filter(|step| step.kind.fold().is_some_and(|fold| fold.axis == axis))
             .peekable();
         let mut count = 0;
         let value = |&range: &f64| {

@@ -5,7 +5,7 @@ use landscape::Landscape;
 use machine::{ControlPlane, FrameSweeps};
 use serde::Serialize;
 use signal::{LANES, Probe, Waveform};
-use sweep_program::{Colour, PreloadRegister, StepKind, SweepProgram, Target, WordMask};
+use sweep_program::{Colour, Event, PreloadRegister, SweepProgram, Target, WordMask};
 
 use super::sample::{Fate, SweepSignals};
 use crate::{StudyError, Subject};
@@ -160,20 +160,23 @@ impl WasteCounts {
     /// Follows the preload registers of a sweep. Words that wait since before its start are no loads of it.
     fn add_loads(&mut self, program: &SweepProgram) {
         let mut registers = Registers::default();
-        for step in &program.steps {
+        let mut loads = 0;
+        for step in program.events() {
             match step.kind {
-                StepKind::Load(load) => registers.load(load.colour, load.target, load.words, step.sample),
-                StepKind::Fold(fold) => {
+                Event::Load(load) => {
+                    registers.load(load.colour, load.target, load.words, step.sample);
+                    loads += 1;
+                }
+                Event::Fold(fold) => {
                     let register = fold.axis.register();
                     let takes = |colour: &Colour| fold.axis.takes(fold.stop, *colour);
                     Colour::ALL.into_iter().filter(takes).for_each(|colour| {
                         registers.take(colour, register, step.sample);
                     });
                 }
-                StepKind::BareFold(_) => {}
+                Event::BareFold(_) => {}
             }
         }
-        let loads = program.steps.iter().filter(|step| matches!(step.kind, StepKind::Load(_))).count();
         let (untaken, unseen) = registers.end();
         self.untaken.add_many(untaken, loads);
         self.unseen.add_many(unseen, loads);

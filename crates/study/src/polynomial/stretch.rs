@@ -5,7 +5,7 @@ use landscape::CornerWords;
 use landscape::basis::{FAR, NEAR};
 use machine::ControlPlane;
 use scenario::Pose;
-use sweep_program::{Ramp, Step, StepKind, SweepProgram, Target};
+use sweep_program::{Ramp, SweepProgram};
 use terrain_generator::{Region, Registers, Segment, Span};
 
 use super::double::Double;
@@ -78,7 +78,7 @@ impl Sweep<'_> {
         let last = self.ranges.partition_point(|&range| range <= self.program.end_range);
         let (mut sample, mut begin) = (0, self.ranges[0]);
         for step in self.program.steps.iter().filter(|step| step.sample < last) {
-            if changes_hold(step) && step.sample > sample {
+            if step.kind.changes_hold() && step.sample > sample {
                 found.extend(self.stretch(&registers, [begin, step.range], sample..step.sample));
                 (sample, begin) = (step.sample, step.range);
             }
@@ -125,14 +125,6 @@ impl Sweep<'_> {
             polarity,
             points,
         })
-    }
-}
-
-/// Whether the words that feed the products are others after this step.
-fn changes_hold(step: &Step) -> bool {
-    match step.kind {
-        StepKind::Fold(_) | StepKind::BareFold(_) => true,
-        StepKind::Load(load) => load.target == Target::Hold,
     }
 }
 

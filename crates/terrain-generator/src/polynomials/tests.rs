@@ -6,7 +6,7 @@ use fearless_simd::Level as Width;
 use landscape::{CornerWords, Level};
 use proptest::prelude::{any, prop_assert_eq, proptest};
 use signal::{LANES, Real};
-use sweep_program::{NO_CORNER, StepKind, SweepProgram, Target, WordMask};
+use sweep_program::{Event, NO_CORNER, StepKind, SweepProgram, WordMask};
 
 use super::Polynomials;
 use crate::array::array;
@@ -30,7 +30,7 @@ fn one_by_one<S: Real>(
             sample += 1;
             continue;
         }
-        let is_kept = |kind: &StepKind| matches!(kind, StepKind::Load(load) if load.target != Target::Hold);
+        let is_kept = |kind: &StepKind| !kind.changes_hold();
         let mut begin = ranges[sample.saturating_sub(1)];
         while let Some(step) = steps.next_if(|step| step.sample <= sample) {
             registers.apply(step, buffer);
@@ -93,16 +93,17 @@ fn disturb(program: &mut SweepProgram, ranges: &[f64], changes: &[(usize, usize,
     let count = program.steps.len();
     for &(index, later, what) in changes.iter().filter(|_| count > 0) {
         let step = &mut program.steps[index % count];
-        step.kind = match step.kind {
-            StepKind::Fold(fold) if what == 0 => StepKind::BareFold(fold),
-            StepKind::Load(load) => {
+        let StepKind::Event(event) = &mut step.kind else { continue };
+        *event = match *event {
+            Event::Fold(fold) if what == 0 => Event::BareFold(fold),
+            Event::Load(load) => {
                 step.sample = (step.sample + later).min(ranges.len() - 1);
                 step.range = step.range.max(ranges[step.sample]);
                 let words = if what == 1 { WordMask::only(index % 9) } else { load.words };
                 let corner = if what == 2 { NO_CORNER } else { load.corner };
-                StepKind::Load(sweep_program::Load { words, corner, ..load })
+                Event::Load(sweep_program::Load { words, corner, ..load })
             }
-            kind => kind,
+            event => event,
         };
     }
     program.steps.sort_by(|a, b| (a.sample, a.range).partial_cmp(&(b.sample, b.range)).expect("numbers"));

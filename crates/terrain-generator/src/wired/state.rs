@@ -2,7 +2,7 @@
 
 use landscape::CornerWords;
 use signal::{LANES, Lanes, Real};
-use sweep_program::{Fold, Load, RampAxis, Step, StepKind, SweepProgram, Target};
+use sweep_program::{Fold, RampAxis, SweepProgram};
 
 use super::basis::{AxisState, UNITS};
 use super::grid::Wires;
@@ -206,7 +206,7 @@ impl Lane {
     pub(super) fn fold_until(&mut self, program: &SweepProgram, range: f64) -> [u32; 2] {
         for step in program.steps[self.folded..].iter().take_while(|step| step.range <= range) {
             self.folded += 1;
-            if let Some(fold) = fold_of(step) {
+            if let Some(fold) = step.kind.fold() {
                 self.folds[axis_of(fold)] += 1;
             }
         }
@@ -222,7 +222,7 @@ impl Lane {
         when: (&Timing, &TerrainGenerator<'_>),
     ) {
         while self.due.turn <= sample as f64 {
-            if let Some(fold) = program.steps.get(self.turned).and_then(fold_of) {
+            if let Some(fold) = program.steps.get(self.turned).and_then(|step| step.kind.fold()) {
                 let axis = axis_of(fold);
                 self.polarity[axis] = -self.polarity[axis];
             }
@@ -247,15 +247,7 @@ impl Lane {
         (self.strobed, self.strobed_at) = (self.strobed + 1, at);
         self.registers.apply(step, when.1.buffer);
         self.due.strobe = self.next_strobe(program, when) + when.0.earliest;
-        let waits = matches!(step.kind, StepKind::Load(Load { target: Target::Preload(_), .. }));
-        Some((at, !waits))
-    }
-}
-
-fn fold_of(step: &Step) -> Option<&Fold> {
-    match &step.kind {
-        StepKind::Fold(fold) | StepKind::BareFold(fold) => Some(fold),
-        StepKind::Load(_) => None,
+        Some((at, step.kind.changes_hold()))
     }
 }
 

@@ -9,7 +9,7 @@
 
 use hardware_model::{AnalogParts, FoldDetect};
 use parts::{Comparator, NoiseSource, Spread, Tolerance, relative_sigma, time_constant};
-use sweep_program::{Fold, RampAxis, Step, StepKind, Stop, SweepProgram};
+use sweep_program::{Fold, RampAxis, Step, Stop, SweepProgram};
 
 use super::ramp::RampParts;
 use super::terms::ALL;
@@ -111,8 +111,8 @@ impl Timing {
 
     /// When something acts on the wires, nominally `delay` seconds down the chain from its step.
     fn acts(&self, step: &Step, delay: f64, generator: &TerrainGenerator<'_>, program: &SweepProgram) -> f64 {
-        let beside = match (&self.stops, &step.kind) {
-            (Some(stops), StepKind::Fold(fold) | StepKind::BareFold(fold)) => {
+        let beside = match (&self.stops, step.kind.fold()) {
+            (Some(stops), Some(fold)) => {
                 let axis = usize::from(fold.axis == RampAxis::Y);
                 let slope = program.start.ramps[axis].rate.abs() * pace(generator.ranges, step.time.0)
                     / (generator.region_size * self.step);

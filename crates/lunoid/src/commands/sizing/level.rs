@@ -4,7 +4,7 @@ use generator::Stage;
 use hardware_model::{Budget, Ground};
 use machine::FrameSweeps;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
-use sweep_program::{Miss, StepKind, SweepProgram};
+use sweep_program::{Event, Miss, SweepProgram};
 
 use super::tear::TearLaw;
 use crate::commands::timing::levels::{DrawnLevel, drawn_levels};
@@ -175,7 +175,7 @@ impl SweepFigures {
 }
 
 fn transfers(program: &SweepProgram) -> u64 {
-    program.steps.iter().filter(|step| matches!(step.kind, StepKind::Fold(_))).count() as u64
+    program.events().filter(|step| matches!(step.kind, Event::Fold(_))).count() as u64
 }
 
 fn latencies(sets: &[AskedSet]) -> (u64, f64, f64) {

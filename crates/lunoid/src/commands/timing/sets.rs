@@ -2,8 +2,7 @@
 
 use quantities::SweepTime;
 use sweep_program::{
-    Colour, Fold, Load, Miss, NO_CORNER, PreloadRegister, RampAxis, Step, StepKind, Stop, SweepProgram,
-    Target,
+    Colour, Event, Fold, Load, Miss, NO_CORNER, PreloadRegister, RampAxis, Step, Stop, SweepProgram, Target,
 };
 
 /// A fold of the sweep.
@@ -50,10 +49,7 @@ impl AskedSet {
 
 /// Ground range (m) and fold of every stop that `program` meets, also of those that transfer nothing.
 pub fn crossings(program: &SweepProgram) -> impl Iterator<Item = (f64, Fold)> {
-    program.steps.iter().filter_map(|step| match step.kind {
-        StepKind::Fold(fold) | StepKind::BareFold(fold) => Some((step.range, fold)),
-        StepKind::Load(_) => None,
-    })
+    program.steps.iter().filter_map(|step| Some((step.range, *step.kind.fold()?)))
 }
 
 /// Sets of `program` in the order in which their fate is sealed, written into `sets`. Where words are `wired` through,
@@ -61,7 +57,7 @@ pub fn crossings(program: &SweepProgram) -> impl Iterator<Item = (f64, Fold)> {
 pub fn sets_of(program: &SweepProgram, wired: bool, sets: &mut Vec<AskedSet>) {
     sets.clear();
     let mut walk = Walk { sets, wired, open: Default::default(), next: first_stops(program), number: 0 };
-    program.steps.iter().for_each(|step| walk.pass(step));
+    program.events().for_each(|step| walk.pass(&step));
     walk.end();
     for miss in &program.misses {
         note_late(miss, sets);
@@ -95,14 +91,14 @@ struct Walk<'s> {
 }
 
 impl Walk<'_> {
-    fn pass(&mut self, step: &Step) {
+    fn pass(&mut self, step: &Step<Event>) {
         match step.kind {
-            StepKind::Fold(fold) => {
+            Event::Fold(fold) => {
                 let Step { time, range, .. } = *step;
                 self.fold(Crossing { number: self.number, time, range, fold });
             }
-            StepKind::BareFold(_) => self.number += 1,
-            StepKind::Load(load) => self.arrive(step.time, load),
+            Event::BareFold(_) => self.number += 1,
+            Event::Load(load) => self.arrive(step.time, load),
         }
     }
 

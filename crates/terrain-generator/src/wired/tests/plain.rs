@@ -4,7 +4,7 @@ use fearless_simd::Level;
 use hardware_model::AnalogParts;
 use parts::LagStep;
 use signal::{LANES, Lanes, Real};
-use sweep_program::{RampAxis, Step, StepKind, SweepProgram};
+use sweep_program::{RampAxis, Step, SweepProgram};
 
 use super::{STEP, Scene, parts};
 use crate::wired::summer::SummerState;
@@ -71,10 +71,7 @@ fn words(array: &PartsArray<f64>, scene: &Scene, program: &SweepProgram) -> Vec<
 /// Folds of an axis among the steps that are past.
 fn folds(program: &SweepProgram, axis: RampAxis, mut is_past: impl FnMut(&Step) -> bool) -> u32 {
     let past = program.steps.iter().take_while(|step| is_past(step));
-    let of_axis = |step: &&Step| match &step.kind {
-        StepKind::Fold(fold) | StepKind::BareFold(fold) => fold.axis == axis,
-        StepKind::Load(_) => false,
-    };
+    let of_axis = |step: &&Step| step.kind.fold().is_some_and(|fold| fold.axis == axis);
     past.filter(of_axis).count() as u32
 }
 

@@ -3,7 +3,7 @@
 use hardware_model::{AnalogParts, FoldDetect};
 use parts::{Spread, Tolerance, relative_sigma};
 use signal::LANES;
-use sweep_program::{RampAxis, Step, StepKind, Stop};
+use sweep_program::{RampAxis, Step, Stop};
 
 use super::{STEP, Scene, parts};
 use crate::wired::terms::{ALL, TERMS, word_of};
@@ -24,7 +24,7 @@ fn found_on_the_ramp(change: impl FnOnce(&mut AnalogParts)) -> AnalogParts {
 
 /// Slope of the ramp that folds (full scales a second), and the number of its stop.
 fn slope(scene: &Scene, lane: usize, step: &Step) -> (f64, u64) {
-    let (StepKind::Fold(fold) | StepKind::BareFold(fold)) = step.kind else { panic!("{step:?}") };
+    let fold = step.kind.fold().expect("folds alone");
     let axis = usize::from(fold.axis == RampAxis::Y);
     // 1.5 m a sample, regions of 200 m.
     let slope = scene.programs[lane].start.direction[axis].abs() * 1.5 / 200.0 / STEP;
@@ -40,7 +40,7 @@ fn a_stop_is_found_by_its_offset_over_the_slope_later() {
     let slow = array(&scene, &found_on_the_ramp(|parts| parts.comparator.overdrive = 150e-12));
     let mut largest = 0.0_f64;
     for lane in 0..LANES {
-        let is_fold = |step: &&Step| !matches!(step.kind, StepKind::Load(_));
+        let is_fold = |step: &&Step| step.kind.fold().is_some();
         for step in scene.programs[lane].steps.iter().filter(is_fold) {
             let (slope, stop) = slope(&scene, lane, step);
             let at = |array: &PartsArray<f64>| {
