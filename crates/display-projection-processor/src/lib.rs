@@ -55,9 +55,11 @@
 mod deflection;
 mod occlusion;
 mod processor;
+mod sight;
 mod wired;
 
 pub use deflection::Deflection;
 pub use occlusion::BrokenProfile;
 pub use processor::{Processor, Projected, ProjectedBreaks, SIGNALS};
+pub use sight::Sight;
 pub use wired::{DERIVATIVE, Driven, PartsProcessor, Scratch};

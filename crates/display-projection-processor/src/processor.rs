@@ -30,7 +30,7 @@ pub const SIGNALS: &[Signal] = &[
 /// What the block is set to for a run: tables over the sweep.
 #[derive(Debug, Clone)]
 pub struct Processor<S> {
-    occlusion: Occlusion,
+    pub(crate) occlusion: Occlusion,
     curvature: Curvature,
     ranges: Vec<f64>,
     inverse_range: Vec<S>,
@@ -70,6 +70,15 @@ pub struct ProjectedBreaks<S> {
     pub line: [Vec<S>; LANES],
 }
 
+/// One sample on its way through the processor, lane by lane: see [`Projected`].
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Place<S> {
+    pub elevation: Lanes<S>,
+    pub hold: Lanes<S>,
+    pub entry: Lanes<S>,
+    pub line: Lanes<S>,
+}
+
 impl<S: Real> Processor<S> {
     /// A processor for samples at `ranges` (m, ascending, above 0).
     pub fn new(occlusion: Occlusion, curvature: Curvature, ranges: &[f64]) -> Self {
@@ -96,8 +105,6 @@ impl<S: Real> Processor<S> {
         }
     }
 
-    /// In one pass: a loop without a memory from sample to sample would be turned into vectors along the samples, and they
-    /// lie apart.
     #[inline(always)]
     fn run_smooth(
         &self,
@@ -106,8 +113,27 @@ impl<S: Real> Processor<S> {
         circuit: impl Fn(S, S, S) -> S,
         out: &mut Projected<S>,
     ) {
+        out.resize(height.len());
+        let by = DeflectionLanes::new(deflection);
+        let Projected { elevation, hold, entry, position, line, .. } = out;
+        self.walk(height, deflection, circuit, |sample, place| {
+            (elevation[sample], hold[sample]) = (place.elevation, place.hold);
+            (entry[sample], line[sample]) = (place.entry, place.line);
+            position[sample] = by.at(place.elevation);
+        });
+    }
+
+    /// Hands each sample of profiles without bends to `put`. In one pass: a loop without a memory from sample to sample would
+    /// be turned into vectors along the samples, and they lie apart.
+    #[inline(always)]
+    pub(crate) fn walk(
+        &self,
+        height: &[Lanes<S>],
+        deflection: &[Deflection; LANES],
+        circuit: impl Fn(S, S, S) -> S,
+        mut put: impl FnMut(usize, Place<S>),
+    ) {
         let samples = height.len();
-        out.resize(samples);
         if samples == 0 {
             return;
         }
@@ -115,22 +141,18 @@ impl<S: Real> Processor<S> {
         let (drop, inverse) = (&self.drop[..samples], &self.inverse_range[..samples]);
         let tangent =
             |sample: usize| (height[sample] - Lanes::splat(drop[sample])) * Lanes::splat(inverse[sample]);
-        let Projected { elevation, hold, entry, position, line, .. } = out;
         let mut now = tangent(0);
         let mut memory = Memory::new(now);
         let (mut held, mut held_at) = (now, by.at(now));
         for sample in 0..samples {
             let after = if sample + 1 < samples { tangent(sample + 1) } else { beyond() };
-            elevation[sample] = now;
-            entry[sample] = memory.step(now, after, &circuit);
-            let now_held = memory.hold();
-            hold[sample] = now_held;
-            position[sample] = by.at(now);
+            let entry = memory.step(now, after, &circuit);
+            let hold = memory.hold();
             // Half of all samples are hidden in all lanes: what is held stands.
-            if !all(|lane| now_held[lane] == held[lane]) {
-                (held, held_at) = (now_held, by.at(now_held));
+            if !all(|lane| hold[lane] == held[lane]) {
+                (held, held_at) = (hold, by.at(hold));
             }
-            line[sample] = held_at;
+            put(sample, Place { elevation: now, hold, entry, line: held_at });
             now = after;
         }
     }

@@ -9,7 +9,7 @@ use hardware_model::{Gate, MixingParts};
 use landscape::{GroupLight, Level, SweepLight};
 use mixing_unit::{Composite, FeatureInput, Inputs, MixingUnit, ToggleList, terrain_alone};
 use parts::LagStep;
-use polyhedron_generator::{Hold, Overlay};
+use polyhedron_generator::{BodyFade, Hold, Overlay};
 use signal::{LANES, Lanes, Real};
 use sweep_generator::{RangeTable, SampleFinder};
 use sweep_memory::{Beam, BeamBreaks, Drive, FarStroke, Steps, write_group};
@@ -66,7 +66,8 @@ impl<S: Real> Group<'_, S> {
         self.mix(work);
         self.project(first, &sweeps, work);
         self.write(work, rows);
-        self.overlay(first, work, rows);
+        let Workspace { projected, overlay, body_fade, .. } = work;
+        self.overlay(first, &projected.line, (overlay, body_fade), rows);
     }
 
     /// Set-ups of the sweeps of a group. Lanes beyond the last sweep repeat it; nothing of them is kept.
@@ -106,7 +107,7 @@ impl<S: Real> Group<'_, S> {
         if let Some(wires) = &self.parts.wires {
             wires.drive_terrain(&self.directions(sweeps), &self.ends(work), &mut work.profile);
         }
-        fine.reflect(&GroupLight::new(light), &mut work.profile);
+        fine.reflect(&GroupLight::new(light), 0..self.table.ranges().len(), &mut work.profile);
         if let Some(Terrain { reflectivity: Some(lag), .. }) = &self.parts.terrain {
             delay(lag, &mut work.profile.reflectivity);
         }
@@ -409,7 +410,7 @@ impl<S: Real> Group<'_, S> {
 
     fn write(&self, work: &mut Workspace<S>, rows: &mut [f32]) {
         if let Some(beam) = &self.parts.beam {
-            let far = self.has_silhouettes().then_some(&work.far);
+            let far = self.behind(&work.far);
             let Driven { position, intensity, breaks, on, .. } = &work.driven;
             let breaks = breaks.iter().any(|breaks| !breaks.is_empty()).then_some(breaks);
             let drive = Drive { position, intensity, breaks, on, far };
@@ -422,62 +423,58 @@ impl<S: Real> Group<'_, S> {
             position: &work.projected.breaks.position,
             line: &work.projected.breaks.line,
         });
-        self.write_beam(self.composite(work).reflectivity, breaks, Steps::Curved, work, &mut lines, rows);
+        let beam = Beam {
+            position: &work.projected.position,
+            line: &work.projected.line,
+            entry: &work.projected.entry,
+            intensity: self.composite(work).reflectivity,
+            breaks,
+            far: self.behind(&work.far),
+        };
+        self.write_beam(&beam, Steps::Curved, &mut lines, rows);
         work.lines = lines;
     }
 
-    /// The ideal write beam over what the processor has projected.
+    /// The ideal write beam.
     pub fn write_beam(
         &self,
-        intensity: &[Lanes<S>],
-        breaks: Option<BeamBreaks<'_, S>>,
+        beam: &Beam<'_, S>,
         steps: Steps,
-        work: &Workspace<S>,
         lines: &mut Vec<Lanes<f32>>,
         rows: &mut [f32],
     ) {
-        let projected = &work.projected;
-        let beam = Beam {
-            position: &projected.position,
-            line: &projected.line,
-            entry: &projected.entry,
-            intensity,
-            breaks,
-            far: self.has_silhouettes().then_some(&work.far),
-        };
         let rule = self.stage.settings.laws.pixel_rule;
-        write_group(&beam, steps, rule, self.raster.lines, lines, rows);
+        write_group(beam, steps, rule, self.raster.lines, lines, rows);
     }
 
-    fn has_silhouettes(&self) -> bool {
-        !self.stage.landscape.silhouettes().is_empty()
+    /// Mountains behind the last sample, if the landscape has any.
+    pub fn behind<'w>(&self, far: &'w [Vec<FarStroke>; LANES]) -> Option<&'w [Vec<FarStroke>; LANES]> {
+        (!self.stage.landscape.silhouettes().is_empty()).then_some(far)
     }
 
-    /// VS3: polyhedra over what the sweeps have written.
-    pub fn overlay(&self, first: u32, work: &mut Workspace<S>, rows: &mut [f32]) {
-        let mut overlay = std::mem::take(&mut work.overlay);
+    /// VS3: polyhedra over what the sweeps have written; `held` are lines of the held elevation.
+    pub fn overlay(
+        &self,
+        first: u32,
+        held: &[Lanes<S>],
+        (overlay, fade): (&mut Overlay, &mut BodyFade),
+        rows: &mut [f32],
+    ) {
         for (lane, row) in rows.chunks_exact_mut(self.raster.lines).enumerate() {
             let drawn = self.digital.drawn(first + lane as u32);
-            if self.compose_bodies(drawn, lane, work, &mut overlay) {
+            if self.compose_bodies(drawn, lane, held, overlay) {
                 match &self.parts.bodies {
                     None => overlay.write(self.stage.settings.laws.pixel_rule, row),
-                    Some(switch) => switch.write(overlay.runs(), &mut work.body_fade, row),
+                    Some(switch) => switch.write(overlay.runs(), fade, row),
                 }
             }
         }
-        work.overlay = overlay;
     }
 
     /// Finds what is seen of the bodies on a sweep; false if it meets none.
-    pub fn compose_bodies(
-        &self,
-        sweep: u32,
-        lane: usize,
-        work: &Workspace<S>,
-        overlay: &mut Overlay,
-    ) -> bool {
+    pub fn compose_bodies(&self, sweep: u32, lane: usize, held: &[Lanes<S>], overlay: &mut Overlay) -> bool {
         let spans = self.delivery.polyhedra.table().sweep(sweep as usize);
-        let held = |sample: usize| work.projected.line[sample][lane].to_f64() as f32;
+        let held = |sample: usize| held[sample][lane].to_f64() as f32;
         let hold = Hold { near: self.near, lines: held };
         if !spans.is_empty() {
             overlay.compose(spans, self.stage.settings.laws.body_visibility, Some(&hold));

@@ -2,7 +2,7 @@
 
 use std::array;
 
-use display_projection_processor::{Driven, Projected, Scratch};
+use display_projection_processor::{Driven, Projected, Scratch, Sight};
 use feature_generator::{ChainScratch, FeatureProfile, FeatureProgram};
 use mixing_unit::{Mixed, SwitchScratch};
 use parts::GateEdge;
@@ -67,6 +67,8 @@ pub(crate) struct Workspace<S> {
     pub mixed: Mixed<S>,
     /// Projected profiles.
     pub projected: Projected<S>,
+    /// What is seen of them, where the machine draws swiftly.
+    pub sight: Sight<S>,
     /// Mountains behind the last sample.
     pub far: [Vec<FarStroke>; LANES],
     /// Lines of the ideal write beam while they are written.
@@ -104,6 +106,7 @@ impl<S: Real> Default for Workspace<S> {
             wires: WireScratch::default(),
             mixed: Mixed::default(),
             projected: Projected::default(),
+            sight: Sight::default(),
             far: Default::default(),
             lines: Vec::new(),
             overlay: Overlay::default(),

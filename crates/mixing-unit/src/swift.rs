@@ -1,5 +1,7 @@
 //! The unit at the samples alone: features are in the terrain already, and no edge lies between two samples.
 
+use std::ops::Range;
+
 use scenario::TextureInShadow;
 use signal::{Lanes, Real, Stretches};
 
@@ -9,16 +11,21 @@ impl MixingUnit {
     /// VS2, the adder and the clip upon the `reflectivity` of a group, lit with its features. A sample keeps as much of its
     /// light as `dark`, the stretches in remote shadow, leave of the step about it (stretches begin half a step before the first sample and end half a step
     /// beyond the last one, at most): so the light of a sweep is what it is with
-    /// edges at their places, as far as samples can tell. `texture` ends where the slice does.
+    /// edges at their places, as far as samples can tell. `texture` ends where the slice does. Only the samples in `runs` are
+    /// right afterwards.
     pub fn run_swiftly<S: Real>(
         &self,
         dark: Option<&Stretches>,
         texture: &[Lanes<S>],
+        runs: &[Range<usize>],
         reflectivity: &mut [Lanes<S>],
     ) {
         let add = |reflectivity: &mut [Lanes<S>], least: S| {
-            for (value, &texture) in reflectivity.iter_mut().zip(texture) {
-                *value = value.map(|value| value.at_least(least)) + texture;
+            for run in runs {
+                let texture = texture.get(run.start..).unwrap_or_default();
+                for (value, &texture) in reflectivity[run.clone()].iter_mut().zip(texture) {
+                    *value = value.map(|value| value.at_least(least)) + texture;
+                }
             }
         };
         match self.texture_in_shadow {
@@ -31,8 +38,10 @@ impl MixingUnit {
                 add(reflectivity, S::ZERO);
             }
         }
-        for value in reflectivity {
-            *value = value.map(|value| if value > S::ONE { S::ONE } else { value });
+        for run in runs {
+            for value in &mut reflectivity[run.clone()] {
+                *value = value.map(|value| if value > S::ONE { S::ONE } else { value });
+            }
         }
     }
 }
@@ -85,7 +94,12 @@ mod tests {
         let texture: Vec<_> = texture.iter().map(|&texture| Lanes::splat(texture)).collect();
         let stretches: Stretches =
             std::array::from_fn(|lane| if lane == 3 { dark.to_vec() } else { Vec::new() });
-        unit(texture_in_shadow).run_swiftly(Some(&stretches), &texture, &mut reflectivity);
+        unit(texture_in_shadow).run_swiftly(
+            Some(&stretches),
+            &texture,
+            &[0..2, 2..light.len()],
+            &mut reflectivity,
+        );
         reflectivity.iter().map(|value| value[3]).collect()
     }
 

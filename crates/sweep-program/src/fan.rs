@@ -41,7 +41,7 @@ impl Fan {
     /// Where `tan beta` falls between the sweeps: sweep n is at n.
     pub fn position(&self, tangent: f64) -> f64 {
         let count = f64::from(self.sweeps);
-        0.5 * (tangent / self.edge * count + count - 1.0)
+        tangent * (0.5 * count / self.edge) + 0.5 * (count - 1.0)
     }
 
     /// Cosine and sine of the azimuth of a sweep against north, from those of the heading.

@@ -115,7 +115,7 @@ impl TerrainGenerator<'_> {
         profile: &mut Profile<S>,
     ) {
         self.trace_by(&mut Polynomials::default(), programs, profile);
-        self.reflect(&GroupLight::new(light), profile);
+        self.reflect(&GroupLight::new(light), 0..self.ranges.len(), profile);
     }
 
     /// Height and slopes alone, by a method.
@@ -130,15 +130,16 @@ impl TerrainGenerator<'_> {
         method.trace(self, programs, 0..samples, profile);
     }
 
-    /// Reflectivity from the slopes along and across (section 7), and from the line of sight if the law asks for it.
-    pub fn reflect<S: Real>(&self, light: &GroupLight<S>, profile: &mut Profile<S>) {
-        dispatch!(Level::new(), _ => self.reflect_by(light, profile));
+    /// Reflectivity of `samples` from the slopes along and across (section 7), and from the line of sight if the law asks for
+    /// it.
+    pub fn reflect<S: Real>(&self, light: &GroupLight<S>, samples: Range<usize>, profile: &mut Profile<S>) {
+        dispatch!(Level::new(), _ => self.reflect_by(light, samples, profile));
     }
 
     #[inline(always)]
-    fn reflect_by<S: Real>(&self, light: &GroupLight<S>, profile: &mut Profile<S>) {
-        let slopes = profile.along.iter().zip(&profile.across);
-        let signals = profile.reflectivity.iter_mut().zip(slopes);
+    fn reflect_by<S: Real>(&self, light: &GroupLight<S>, samples: Range<usize>, profile: &mut Profile<S>) {
+        let slopes = profile.along[samples.clone()].iter().zip(&profile.across[samples.clone()]);
+        let signals = profile.reflectivity[samples.clone()].iter_mut().zip(slopes);
         if !light.needs_sight() {
             for (reflectivity, (&along, &across)) in signals {
                 *reflectivity = light.lambert(along, across);
@@ -146,7 +147,7 @@ impl TerrainGenerator<'_> {
             return;
         }
         for ((reflectivity, (&along, &across)), (&height, &range)) in
-            signals.zip(profile.height.iter().zip(self.ranges))
+            signals.zip(profile.height[samples.clone()].iter().zip(&self.ranges[samples]))
         {
             let sight = height * Lanes::splat(S::from_f64(1.0 / range));
             *reflectivity = light.reflectivity(along, across, sight);

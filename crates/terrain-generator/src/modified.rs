@@ -61,7 +61,7 @@ impl ModifiedTerrainGenerator<'_> {
     ) -> f64 {
         let methods = [&mut Polynomials::default(), &mut Polynomials::default()];
         let step = self.trace_by(methods, fine, coarse, switch, profile, overlap);
-        self.fine.reflect(&GroupLight::new(light), profile);
+        self.fine.reflect(&GroupLight::new(light), 0..self.fine.ranges.len(), profile);
         step
     }
 

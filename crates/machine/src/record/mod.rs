@@ -252,7 +252,7 @@ impl<S: Real> Recorded<'_, S> {
         let lines = self.group.raster.lines;
         let rule = self.group.stage.settings.laws.pixel_rule;
         let (mut overlay, mut row) = (Overlay::default(), vec![0.0; lines]);
-        let mut seen = || self.group.compose_bodies(sweep, lane, self.work, &mut overlay);
+        let mut seen = || self.group.compose_bodies(sweep, lane, &self.work.projected.line, &mut overlay);
         match name {
             "sm.write" => row.copy_from_slice(&self.rows[lane * lines..][..lines]),
             "pg.present" if seen() => overlay.present(rule, &mut row),

@@ -11,13 +11,15 @@
 
 mod wires;
 
+use std::ops::Range;
+
 use feature_generator::{FeatureGenerator, Surface};
 use generator::Stage;
 use hardware_model::{Economy, Gate};
 use landscape::{GroupLight, SweepLight};
 use scenario::FeatureLight;
 use signal::{LANES, Real, Stretches};
-use sweep_memory::Steps;
+use sweep_memory::{Beam, Steps};
 
 use crate::real_parts::{beam_has_parts, mixing_has_parts};
 use crate::signal_plane::Group;
@@ -43,24 +45,45 @@ impl<S: Real> Group<'_, S> {
     /// As [`run`](Self::run).
     pub fn run_swiftly(&self, first: u32, work: &mut Workspace<S>, rows: &mut [f32]) {
         let sweeps = self.sweeps(first);
-        self.trace_terrain(first, &sweeps, work);
-        match &self.parts.wires {
-            None => self.join(first, &sweeps, work),
-            Some(wires) => self.join_by_wires(wires, first, &sweeps, work),
-        }
         let deflection = sweeps.map(|sweep| self.deflection(sweep));
         for ((far, &sweep), deflection) in work.far.iter_mut().zip(&sweeps).zip(&deflection) {
             self.find_silhouettes(sweep, deflection, far);
         }
-        self.processor.run(&work.profile.height, &deflection, &mut work.projected);
-        let mut lines = std::mem::take(&mut work.lines);
-        self.write_beam(&work.profile.reflectivity, None, Steps::Straight, work, &mut lines, rows);
-        work.lines = lines;
-        self.overlay(first, work, rows);
+        self.trace_terrain(first, &sweeps, work);
+        match &self.parts.wires {
+            None => {
+                self.lay_features(first, &sweeps, work);
+                self.processor.look(&work.profile.height, &deflection, &mut work.sight);
+                self.light_what_is_seen(&sweeps, work);
+            }
+            Some(wires) => {
+                self.join_by_wires(wires, first, &sweeps, work);
+                self.processor.look(&work.profile.height, &deflection, &mut work.sight);
+            }
+        }
+        self.write_swiftly(work, rows);
+        let Workspace { sight, overlay, body_fade, .. } = work;
+        self.overlay(first, &sight.line, (overlay, body_fade), rows);
     }
 
-    /// From the profile of the terrain to the composite landscape, in the same place.
-    fn join(&self, first: u32, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
+    fn write_swiftly(&self, work: &mut Workspace<S>, rows: &mut [f32]) {
+        let mut lines = std::mem::take(&mut work.lines);
+        let Workspace { sight, profile, .. } = &*work;
+        let beam = Beam {
+            // In sight the profile is where it is held, and straight strokes ask for no more.
+            position: &sight.line,
+            line: &sight.line,
+            entry: &sight.entry,
+            intensity: &profile.reflectivity,
+            breaks: None,
+            far: self.behind(&work.far),
+        };
+        self.write_beam(&beam, Steps::Straight, &mut lines, rows);
+        work.lines = lines;
+    }
+
+    /// From the profile of the terrain to that of the composite landscape, in the same place.
+    fn lay_features(&self, first: u32, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
         if self.blocks.features {
             self.write_loads(first, sweeps, work);
             let Workspace { profile, features, .. } = work;
@@ -73,8 +96,14 @@ impl<S: Real> Group<'_, S> {
             let place = |range| self.finder.place(range);
             generator.lay(self.stage.landscape.features(), features, place, &mut surface);
         }
-        self.light_surface(&self.light(sweeps), work);
-        self.mix_swiftly(sweeps, work);
+    }
+
+    /// Light, texture and shadow of the samples that anybody sees.
+    fn light_what_is_seen(&self, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
+        let runs = std::mem::take(&mut work.sight.runs);
+        self.light_surface(&self.light(sweeps), &runs, work);
+        self.mix_swiftly(sweeps, &runs, work);
+        work.sight.runs = runs;
     }
 
     /// Which craters each sweep draws.
@@ -88,12 +117,15 @@ impl<S: Real> Group<'_, S> {
         }
     }
 
-    fn light_surface(&self, light: &[SweepLight; LANES], work: &mut Workspace<S>) {
-        let terrain = self.terrain(self.stage.landscape.level());
-        terrain.reflect(&GroupLight::new(light), &mut work.profile);
+    fn light_surface(&self, light: &[SweepLight; LANES], runs: &[Range<usize>], work: &mut Workspace<S>) {
+        let (terrain, light) = (self.terrain(self.stage.landscape.level()), GroupLight::new(light));
+        for run in runs {
+            terrain.reflect(&light, run.clone(), &mut work.profile);
+        }
     }
 
-    fn mix_swiftly(&self, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
+    /// Of the samples in `runs`; nothing is known of what the others then hold.
+    fn mix_swiftly(&self, sweeps: &[u32; LANES], runs: &[Range<usize>], work: &mut Workspace<S>) {
         if !self.blocks.mixing {
             return;
         }
@@ -105,7 +137,7 @@ impl<S: Real> Group<'_, S> {
             self.find_dark(sweeps, &mut work.dark);
             &work.dark
         });
-        self.mixing_unit().run_swiftly(dark, texture, &mut work.profile.reflectivity);
+        self.mixing_unit().run_swiftly(dark, texture, runs, &mut work.profile.reflectivity);
     }
 
     /// Stretches of remote shadow on the sweep clock.

@@ -20,7 +20,10 @@ impl<S: Real> Group<'_, S> {
     ) {
         let (light, directions, ends) = (self.light(sweeps), self.directions(sweeps), self.ends(work));
         wires.drive_terrain(&directions, &ends, &mut work.profile);
-        self.light_surface(&light, work);
+        // An amplifier remembers what nobody sees.
+        let all = 0..self.table.ranges().len();
+        let all = std::slice::from_ref(&all);
+        self.light_surface(&light, all, work);
         wires.drive_terrain_light(&mut work.profile);
         if self.blocks.features {
             self.write_loads(first, sweeps, work);
@@ -31,7 +34,7 @@ impl<S: Real> Group<'_, S> {
             self.light_features(wires, &light, work);
             self.lay_on_terrain(work);
         }
-        self.mix_swiftly(sweeps, work);
+        self.mix_swiftly(sweeps, all, work);
         wires.drive_swiftly(&ends, &mut work.profile);
     }
 

@@ -66,7 +66,7 @@ impl Scene {
         let mut profile = Profile::default();
         let mut wired = Wired { array: &array, state: &mut ArrayState::default(), address: 0 };
         self.generator().trace_by(&mut wired, &self.programs, &mut profile);
-        self.generator().reflect(&GroupLight::new(&self.light), &mut profile);
+        self.generator().reflect(&GroupLight::new(&self.light), 0..self.ranges.len(), &mut profile);
         profile
     }
 }
