@@ -231,8 +231,8 @@ fn apart(arguments: &[&str]) -> Result<String, String> {
     if ended.status.success() { Ok(said(&ended.stdout)) } else { Err(said(&ended.stderr)) }
 }
 
-/// Meridians and rings of the meshes, coarse to fine; POV-Ray takes a gigabyte for the finest.
-const SIDES: [usize; 5] = [64, 128, 256, 512, 1024];
+/// Meridians and rings of the meshes, coarse to fine; POV-Ray takes four gigabytes for the finest.
+const SIDES: [usize; 6] = [64, 128, 256, 512, 1024, 2048];
 
 fn mesh() -> Result<(), String> {
     let choice = Choice {
