@@ -16,6 +16,8 @@
 //! eight sweeps says whether any is slewing; such steps are walked piece by piece, in f64. A lane has the bits that it has
 //! alone.
 
+use std::array;
+
 use fearless_simd::prelude::{SimdBase, SimdFrom};
 use fearless_simd::{Level, Simd, dispatch};
 use signal::{LANES, Lanes, Real};
@@ -72,6 +74,34 @@ impl<S: Real> Driver<S> {
         ((size - self.slew.reach()) / self.slew.rate).max(0.0)
     }
 
+    /// Passes several groups that do not jump through their drivers; one without a driver stays as it is. A step of a lag waits
+    /// for the one before, but not for those of other lags: three together take little longer than one.
+    pub fn pass_together<const N: usize>(drivers: [Option<&Self>; N], signals: [&mut [Lanes<S>]; N]) {
+        if let Some(Some(first)) = drivers.first()
+            && drivers.iter().all(Option::is_some)
+        {
+            let drivers = drivers.map(|driver| driver.unwrap_or(first));
+            return dispatch!(Level::new(), simd => Self::pass_together_wide(simd, drivers, signals));
+        }
+        for (driver, signal) in drivers.into_iter().zip(signals) {
+            driver.into_iter().for_each(|driver| driver.pass(signal, &mut Jumps::default()));
+        }
+    }
+
+    #[inline(always)]
+    fn pass_together_wide<L: Simd, const N: usize>(
+        simd: L,
+        drivers: [&Self; N],
+        mut signals: [&mut [Lanes<S>]; N],
+    ) {
+        let samples = signals.iter().map(|signal| signal.len()).min().unwrap_or(0);
+        if samples > 0 {
+            let mut states = signals.each_ref().map(|signal| State { u: signal[0], y: signal[0] });
+            let rest = signals.each_mut().map(|signal| &mut signal[1..samples]);
+            Self::follow(simd, drivers, rest, &mut states);
+        }
+    }
+
     /// Passes a group through. Its jumps become those of the output.
     pub fn pass(&self, signal: &mut [Lanes<S>], jumps: &mut Jumps) {
         dispatch!(Level::new(), simd => self.pass_wide(simd, signal, jumps));
@@ -86,7 +116,7 @@ impl<S: Real> Driver<S> {
         let (mut passed, mut sample) = ([0; LANES], 1);
         while sample < signal.len() {
             let due = next_step(jumps, &passed).clamp(sample, signal.len());
-            self.follow(simd, &mut signal[sample..due], &mut state);
+            Self::follow(simd, [self], [&mut signal[sample..due]], array::from_mut(&mut state));
             if let Some(now) = signal.get_mut(due) {
                 let (before, inputs) = (state, *now);
                 match self.bounds {
@@ -114,45 +144,87 @@ impl<S: Real> Driver<S> {
         }
     }
 
-    /// Steps without jumps.
+    /// Steps without jumps, of signals of one length.
     #[inline(always)]
-    fn follow<L: Simd>(&self, simd: L, signal: &mut [Lanes<S>], state: &mut State<S>) {
-        match self.bounds {
-            None => {
-                self.lag_all(simd, signal, state);
+    fn follow<L: Simd, const N: usize>(
+        simd: L,
+        drivers: [&Self; N],
+        mut signals: [&mut [Lanes<S>]; N],
+        states: &mut [State<S>; N],
+    ) {
+        let samples = signals[0].len();
+        for first in (0..samples).step_by(BLOCK) {
+            let block = first..samples.min(first + BLOCK);
+            let blocks = signals.each_mut().map(|signal| &mut signal[block.clone()]);
+            Self::follow_block(simd, drivers, blocks, states);
+        }
+    }
+
+    /// Up to [`BLOCK`] steps as the lag, and again one by one if any lane slews in any of them.
+    #[inline(always)]
+    fn follow_block<L: Simd, const N: usize>(
+        simd: L,
+        drivers: [&Self; N],
+        mut blocks: [&mut [Lanes<S>]; N],
+        states: &mut [State<S>; N],
+    ) {
+        let (begin, count) = (*states, blocks[0].len());
+        let mut inputs = [[Lanes::default(); BLOCK]; N];
+        for n in 0..N {
+            if drivers[n].bounds.is_some() {
+                inputs[n][..count].copy_from_slice(blocks[n]);
             }
-            Some(bounds) => {
-                signal.chunks_mut(BLOCK).for_each(|block| self.bounded(simd, block, state, bounds));
+        }
+        let ranges = Self::lag_block(simd, drivers, &mut blocks, states);
+        for n in 0..N {
+            let Some(bounds) = drivers[n].bounds else { continue };
+            let [behind, change] = &ranges[n];
+            if behind.leaves(bounds[0]) || change.leaves(bounds[1]) {
+                blocks[n].copy_from_slice(&inputs[n][..count]);
+                states[n] = begin[n];
+                blocks[n].iter_mut().for_each(|value| drivers[n].slew_step(value, &mut states[n], bounds));
             }
         }
     }
 
-    /// Steps as the lag, in the computer's vectors; how far the output was behind the input, and how much the input changed.
+    /// Steps as the lag, in the computer's vectors; how far each output was behind its input, and how much the input changed.
     #[inline(always)]
-    fn lag_all<L: Simd>(&self, simd: L, signal: &mut [Lanes<S>], state: &mut State<S>) -> [Range<S>; 2] {
-        let [keep, from, to] =
-            [self.lag.keep, self.lag.from, self.lag.to].map(|weight| S::Vector::<L>::simd_from(simd, weight));
-        let [mut u, mut y] = [&state.u, &state.y].map(|lanes| S::Vector::<L>::from_slice(simd, &lanes.0));
+    fn lag_block<L: Simd, const N: usize>(
+        simd: L,
+        drivers: [&Self; N],
+        blocks: &mut [&mut [Lanes<S>]; N],
+        states: &mut [State<S>; N],
+    ) -> [[Range<S>; 2]; N] {
         let zero = S::Vector::<L>::simd_from(simd, S::ZERO);
-        let (mut behind, mut change) = ([zero; 2], [zero; 2]);
-        for value in signal {
-            let now = S::Vector::<L>::from_slice(simd, &value.0);
-            let (late, step) = (u - y, now - u);
-            behind = [behind[0].min(late), behind[1].max(late)];
-            change = [change[0].min(step), change[1].max(step)];
-            // What the input adds does not wait for the output before it.
-            y = y * keep + (u * from + now * to);
-            y.store_slice(&mut value.0);
-            u = now;
+        let (mut weights, mut lasts, mut ranges) = ([[zero; 3]; N], [[zero; 2]; N], [[zero; 4]; N]);
+        for n in 0..N {
+            let LagStep { keep, from, to } = drivers[n].lag;
+            weights[n] = [keep, from, to].map(|weight| S::Vector::<L>::simd_from(simd, weight));
+            let State { u, y } = &states[n];
+            lasts[n] = [u, y].map(|lanes| S::Vector::<L>::from_slice(simd, &lanes.0));
         }
-        u.store_slice(&mut state.u.0);
-        y.store_slice(&mut state.y.0);
-        [behind, change].map(|[least, most]| {
-            let mut range = Range::NONE;
-            least.store_slice(&mut range.least.0);
-            most.store_slice(&mut range.most.0);
-            range
-        })
+        for sample in 0..blocks[0].len() {
+            for n in 0..N {
+                let ([keep, from, to], [u, y]) = (weights[n], lasts[n]);
+                let value = &mut blocks[n][sample];
+                let now = S::Vector::<L>::from_slice(simd, &value.0);
+                let (late, step, [a, b, c, d]) = (u - y, now - u, ranges[n]);
+                ranges[n] = [a.min(late), b.max(late), c.min(step), d.max(step)];
+                // What the input adds does not wait for the output before it.
+                lasts[n] = [now, y * keep + (u * from + now * to)];
+                lasts[n][1].store_slice(&mut value.0);
+            }
+        }
+        let mut found = [[Range::NONE; 2]; N];
+        for n in 0..N {
+            lasts[n][0].store_slice(&mut states[n].u.0);
+            lasts[n][1].store_slice(&mut states[n].y.0);
+            for (k, range) in found[n].iter_mut().enumerate() {
+                ranges[n][2 * k].store_slice(&mut range.least.0);
+                ranges[n][2 * k + 1].store_slice(&mut range.most.0);
+            }
+        }
+        found
     }
 
     /// One step as the lag.
@@ -166,20 +238,6 @@ impl<S: Real> Driver<S> {
         }
         *state = State { u: *value, y: next };
         *value = next;
-    }
-
-    /// Up to [`BLOCK`] steps as the lag, and again one by one if any lane slews in any of them.
-    #[inline(always)]
-    fn bounded<L: Simd>(&self, simd: L, block: &mut [Lanes<S>], state: &mut State<S>, bounds: [S; 2]) {
-        let begin = *state;
-        let mut input = [Lanes::default(); BLOCK];
-        input[..block.len()].copy_from_slice(block);
-        let [behind, change] = self.lag_all(simd, block, state);
-        if behind.leaves(bounds[0]) || change.leaves(bounds[1]) {
-            block.copy_from_slice(&input[..block.len()]);
-            *state = begin;
-            block.iter_mut().for_each(|value| self.slew_step(value, state, bounds));
-        }
     }
 
     /// One step; lanes that are beyond the bounds are walked.

@@ -30,7 +30,7 @@ impl<S: Real> Group<'_, S> {
             let generator = FeatureGenerator { ranges: self.table.ranges() };
             let (features, place) = (self.stage.landscape.features(), |range| self.finder.place(range));
             generator.lay_apart(features, &work.features, place, &mut work.feature_profile);
-            wires.drive_features(&directions, &mut work.feature_profile, &mut work.wires);
+            wires.drive_features_swiftly(&directions, &mut work.feature_profile);
             self.light_features(wires, &light, work);
             self.lay_on_terrain(work);
         }

@@ -18,6 +18,7 @@ mod terrain;
 
 use fearless_simd::prelude::SimdBase;
 use fearless_simd::{Level, Simd, dispatch};
+use feature_generator::FeatureProfile;
 use generator::Stage;
 use hardware_model::{MAIN_WIRES, WireParts};
 use mixing_unit::{DriverScratch, Mixed, OutputDrivers};
@@ -43,6 +44,23 @@ struct Generator<S> {
     /// To the north and to the east.
     slopes: [Option<Driver<S>>; 2],
     reflectivity: Option<Driver<S>>,
+}
+
+impl<S: Real> Generator<S> {
+    /// Height and slopes without kinks behind their amplifiers; sweeps run in `directions`.
+    fn drive(&self, directions: &[[f64; 2]; LANES], [height, along, across]: [&mut [Lanes<S>]; 3]) {
+        let [north, east] = &self.slopes;
+        let turns = north.is_some() || east.is_some();
+        let axes = Axes::new(directions);
+        if turns {
+            axes.to_map(along, across);
+        }
+        let drivers = [self.height.as_ref(), north.as_ref(), east.as_ref()];
+        Driver::pass_together(drivers, [height, &mut *along, &mut *across]);
+        if turns {
+            axes.to_sweep(along, across);
+        }
+    }
 }
 
 /// Lists that drivers need; used again from group to group.
@@ -105,19 +123,27 @@ impl<S: Real> Wires<S> {
 impl<S: Real> Wires<S> {
     /// The same where nothing lies between samples; the composite landscape stands in `profile`.
     pub fn drive_swiftly(&self, ends: &Ends, profile: &mut Profile<S>) {
-        let mut no_jumps = Jumps::default();
-        if let Some(driver) = &self.mixed.video {
+        let OutputDrivers { height, video } = &self.mixed;
+        if video.is_some() {
             // Black is the lower end of what it is given.
             for value in &mut profile.reflectivity {
                 *value = value.map(|value| value.at_least(S::ZERO));
             }
-            driver.pass(&mut profile.reflectivity, &mut no_jumps);
         }
-        if let Some(driver) = &self.mixed.height {
+        if height.is_some() {
             hold_beyond(ends, &mut profile.height);
-            driver.pass(&mut profile.height, &mut no_jumps);
+        }
+        let drivers = [height.as_ref(), video.as_ref()];
+        Driver::pass_together(drivers, [&mut profile.height, &mut profile.reflectivity]);
+        if height.is_some() {
             drop_beyond(ends, &mut profile.height);
         }
+    }
+
+    /// Height and slopes of features without kinks behind their amplifiers; sweeps run in `directions`.
+    pub fn drive_features_swiftly(&self, directions: &[[f64; 2]; LANES], profile: &mut FeatureProfile<S>) {
+        let FeatureProfile { height, along, across, .. } = profile;
+        self.features.drive(directions, [height, along, across]);
     }
 }
 

@@ -166,6 +166,30 @@ proptest! {
             prop_assert!(alone.iter().all(|jump| jump.before.abs().max(jump.after.abs()) <= 1.0 + 1e-12));
         }
     }
+
+    /// Signals that pass together are what each is by itself, and one without a driver is what it was.
+    #[test]
+    fn together_is_each_alone(
+        inputs in proptest::collection::vec(proptest::collection::vec(-1.0..1.0f64, 40), 3),
+        parts in proptest::collection::vec((0.0..4.0f64, prop_oneof![Just(f64::INFINITY), 0.02..2.0f64], 0..5u8), 3),
+    ) {
+        let drivers: Vec<_> = parts.iter().map(|&(tau, rate, some)| {
+            (some > 0).then(|| Driver::<f64>::new(H, tau * H, rate / H))
+        }).collect();
+        // Lanes differ, so that some slew and others do not.
+        let group = |input: &Vec<f64>| -> Vec<Lanes<f64>> {
+            input.iter().map(|&value| Lanes::from_fn(|lane| value * (0.1 + 0.2 * lane as f64))).collect()
+        };
+        let mut together: Vec<_> = inputs.iter().map(group).collect();
+        let [first, second, third] = &mut together[..] else { unreachable!() };
+        let wired = [0, 1, 2].map(|n: usize| drivers[n].as_ref());
+        Driver::pass_together(wired, [first, second, third]);
+        for ((input, driver), found) in inputs.iter().zip(&drivers).zip(&together) {
+            let mut alone = group(input);
+            driver.iter().for_each(|driver| driver.pass(&mut alone, &mut Jumps::default()));
+            prop_assert_eq!(found, &alone);
+        }
+    }
 }
 
 /// A jump at a sample counts whichever side of it the sample has.
