@@ -152,11 +152,11 @@ impl<S: Real> Driver<S> {
         mut signals: [&mut [Lanes<S>]; N],
         states: &mut [State<S>; N],
     ) {
-        let samples = signals[0].len();
+        let (samples, mut inputs) = (signals[0].len(), [[Lanes::default(); BLOCK]; N]);
         for first in (0..samples).step_by(BLOCK) {
             let block = first..samples.min(first + BLOCK);
             let blocks = signals.each_mut().map(|signal| &mut signal[block.clone()]);
-            Self::follow_block(simd, drivers, blocks, states);
+            Self::follow_block(simd, drivers, blocks, &mut inputs, states);
         }
     }
 
@@ -166,16 +166,11 @@ impl<S: Real> Driver<S> {
         simd: L,
         drivers: [&Self; N],
         mut blocks: [&mut [Lanes<S>]; N],
+        inputs: &mut [[Lanes<S>; BLOCK]; N],
         states: &mut [State<S>; N],
     ) {
         let (begin, count) = (*states, blocks[0].len());
-        let mut inputs = [[Lanes::default(); BLOCK]; N];
-        for n in 0..N {
-            if drivers[n].bounds.is_some() {
-                inputs[n][..count].copy_from_slice(blocks[n]);
-            }
-        }
-        let ranges = Self::lag_block(simd, drivers, &mut blocks, states);
+        let ranges = Self::lag_block(simd, drivers, &mut blocks, inputs, states);
         for n in 0..N {
             let Some(bounds) = drivers[n].bounds else { continue };
             let [behind, change] = &ranges[n];
@@ -187,12 +182,14 @@ impl<S: Real> Driver<S> {
         }
     }
 
-    /// Steps as the lag, in the computer's vectors; how far each output was behind its input, and how much the input changed.
+    /// Steps as the lag, in the computer's vectors; what came in is kept in `inputs`. How far each output was behind its input,
+    /// and how much the input changed.
     #[inline(always)]
     fn lag_block<L: Simd, const N: usize>(
         simd: L,
         drivers: [&Self; N],
         blocks: &mut [&mut [Lanes<S>]; N],
+        inputs: &mut [[Lanes<S>; BLOCK]; N],
         states: &mut [State<S>; N],
     ) -> [[Range<S>; 2]; N] {
         let zero = S::Vector::<L>::simd_from(simd, S::ZERO);
@@ -208,6 +205,7 @@ impl<S: Real> Driver<S> {
                 let ([keep, from, to], [u, y]) = (weights[n], lasts[n]);
                 let value = &mut blocks[n][sample];
                 let now = S::Vector::<L>::from_slice(simd, &value.0);
+                now.store_slice(&mut inputs[n][sample].0);
                 let (late, step, [a, b, c, d]) = (u - y, now - u, ranges[n]);
                 ranges[n] = [a.min(late), b.max(late), c.min(step), d.max(step)];
                 // What the input adds does not wait for the output before it.
