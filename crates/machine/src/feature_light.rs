@@ -2,6 +2,7 @@
 
 use std::array;
 
+use fearless_simd::{Level, dispatch};
 use feature_generator::FeatureProfile;
 use landscape::{GroupLight, SweepLight};
 use mixing_unit::Kink;
@@ -40,7 +41,7 @@ impl Lamp<'_> {
         lit: &[Lanes<S>],
         out: &mut Lit<S>,
     ) {
-        self.light_samples(terrain, features, lit, &mut out.reflectivity);
+        dispatch!(Level::new(), _ => self.light_samples(terrain, features, lit, &mut out.reflectivity));
         for (lane, kinks) in out.kinks.iter_mut().enumerate() {
             kinks.clear();
             let light = GroupLight::new(&[self.light[lane]; LANES]);
@@ -50,6 +51,7 @@ impl Lamp<'_> {
         }
     }
 
+    #[inline(always)]
     fn light_samples<S: Real>(
         &self,
         terrain: &Profile<S>,

@@ -1,5 +1,7 @@
 //! The video switch: standard television hardware (section 14).
 
+use fearless_simd::prelude::{Select, SimdBase, SimdFrom};
+use fearless_simd::{Level, Simd, dispatch};
 use hardware_model::{Gate, MixingParts};
 use signal::{Lanes, Real};
 
@@ -49,10 +51,24 @@ impl VideoSwitch {
     }
 
     fn select<S: Real>(&self, open: &[Lanes<S>], gate: &[Lanes<S>], out: &mut [Lanes<S>]) {
-        let level = S::from_f64(self.threshold);
+        dispatch!(Level::new(), simd => self.select_by(simd, open, gate, out));
+    }
+
+    #[inline(always)]
+    fn select_by<L: Simd, S: Real>(
+        &self,
+        simd: L,
+        open: &[Lanes<S>],
+        gate: &[Lanes<S>],
+        out: &mut [Lanes<S>],
+    ) {
+        let [level, zero] =
+            [S::from_f64(self.threshold), S::ZERO].map(|value| S::Vector::<L>::simd_from(simd, value));
         for ((out, open), gate) in out.iter_mut().zip(open).zip(gate) {
-            let is_open = |lane: usize| gate[lane].at_least(S::ZERO) > level;
-            *out = Lanes::from_fn(|lane| if is_open(lane) { open[lane] } else { out[lane] });
+            let [closed, open, gate] =
+                [&*out, open, gate].map(|lanes| S::Vector::<L>::from_slice(simd, &lanes.0));
+            let gate = gate.simd_gt(zero).select(gate, zero);
+            gate.simd_gt(level).select(open, closed).store_slice(&mut out.0);
         }
     }
 }

@@ -33,7 +33,7 @@ pub struct ModifiedTerrainGenerator<'a> {
 pub type Overlap<S> = Profile<S>;
 
 /// Where one lane goes over.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 struct Switch {
     /// Ground range (m); the sample there is still fine.
     range: f64,
@@ -109,11 +109,15 @@ impl ModifiedTerrainGenerator<'_> {
         coarse: [Lanes<S>; 3],
         profile: &mut Profile<S>,
     ) {
+        let mut weights = [0.0; 2];
         for (lane, switch) in switches.iter().enumerate() {
+            // Most lanes go over where their neighbour does.
+            if lane == 0 || *switch != switches[lane - 1] {
+                weights = self.weights(switch, sample);
+            }
             if sample < switch.blended {
                 continue;
             }
-            let weights = self.weights(switch, sample);
             let fine = profile.ground(sample).map(|signal| signal[lane]);
             let [height, along, across] = blend(fine, coarse.map(|signal| signal[lane]), weights);
             profile.height[sample][lane] = height;

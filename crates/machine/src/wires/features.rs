@@ -1,5 +1,7 @@
 //! Wires of the feature generator, which bend and jump at kinks.
 
+use fearless_simd::prelude::{Select, SimdBase, SimdFrom};
+use fearless_simd::{Level, Simd, dispatch};
 use feature_generator::{FeatureProfile, Kink};
 use parts::{Jump, Jumps};
 use signal::{LANES, Lanes, Real};
@@ -49,18 +51,24 @@ impl<S: Real> Wires<S> {
         WireScratch { jumps, .. }: &mut WireScratch<S>,
     ) {
         let Some(driver) = &self.features.reflectivity else { return };
-        for (video, (lit, ground)) in light.reflectivity.iter_mut().zip(lit.iter().zip(ground)) {
-            for lane in 0..LANES {
-                let is_lit = lit.0[lane] > S::ZERO;
-                video.0[lane] = if is_lit { video.0[lane] } else { ground.0[lane] };
-            }
-        }
+        dispatch!(Level::new(), simd => fill_unlit(simd, ground, lit, &mut light.reflectivity));
         take_jumps(&light.kinks, jumps, |kink| {
             let video = |side: usize| if kink.present[side] { kink.feature[side] } else { kink.terrain };
             (kink.sample, kink.share, [video(0), video(1)])
         });
         driver.pass(&mut light.reflectivity, jumps);
         put_back(jumps, &mut light.kinks, |kink, sides| kink.feature = sides);
+    }
+}
+
+/// The video of features is the ground's where they are not lit.
+#[inline(always)]
+fn fill_unlit<L: Simd, S: Real>(simd: L, ground: &[Lanes<S>], lit: &[Lanes<S>], video: &mut [Lanes<S>]) {
+    let zero = S::Vector::<L>::simd_from(simd, S::ZERO);
+    for (video, (lit, ground)) in video.iter_mut().zip(lit.iter().zip(ground)) {
+        let [own, lit, ground] =
+            [&*video, lit, ground].map(|lanes| S::Vector::<L>::from_slice(simd, &lanes.0));
+        lit.simd_gt(zero).select(own, ground).store_slice(&mut video.0);
     }
 }
 
