@@ -13,6 +13,9 @@ use crate::nearly::sort_nearly;
 /// Lists that are looked over together.
 const PART: usize = 256;
 
+/// Lines that there is room for before more memory is asked for.
+const ROOM: usize = 1024;
+
 /// One sweep crosses one line: bits of the range, then whether a shadow ends there, then which crossing it is: its part
 /// and its place there. In this form they are sorted as they are met, beginnings before endings at the same range.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
@@ -83,7 +86,7 @@ impl Met {
             dispatch!(vectors, simd => find_met(simd, &fan, lists, &line, lines));
             Part::new(&fan, number as u32, lines, directions.len())
         };
-        Self(lists.par_chunks(PART).enumerate().map_init(Vec::new, part).collect())
+        Self(lists.par_chunks(PART).enumerate().map_init(|| Vec::with_capacity(ROOM), part).collect())
     }
 
     /// What a crossing is if it parts light from shadow.
