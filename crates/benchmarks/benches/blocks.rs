@@ -10,9 +10,14 @@ use criterion::measurement::WallTime;
 use criterion::{BatchSize, BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
 use display_projection_processor::{Deflection, Processor, Projected};
 use feature_generator::{FeatureGenerator, FeatureProfile, FeatureProgram, Schedule};
+use glam::DVec3;
 use landscape::SweepLight;
 use machine::ControlPlane;
-use remote_shadow::{Resolution, ShadowBank};
+use polyhedron_generator::{Drawn, FaceLight, LeftOut, PolyhedronGenerator, Sight, ViewPlane};
+use quantities::sin_cos;
+use rayon::ThreadPoolBuilder;
+use remote_shadow::{Resolution, Segment, ShadowBank};
+use shadow_controller::ShadowController;
 use signal::{LANES, Real};
 use sweep_generator::RangeTable;
 use sweep_memory::{Beam, Steps, View, digital_memory, scan_converter, write_group};
@@ -211,6 +216,58 @@ fn read_out(c: &mut Criterion) {
     group.finish();
 }
 
+/// What is brought for a frame before its sweeps run, on one thread: gates of remote shadow, polyhedra.
+fn before_the_sweeps(c: &mut Criterion) {
+    let scene = Group::of("showpiece");
+    let (stage, pose, eye) = (&scene.scene.stage, &scene.scene.pose, scene.eye());
+    let (settings, sun) = (&stage.settings, stage.scenery.sun(0.0));
+    let (sin, cos) = sin_cos(pose.attitude.heading);
+    let directions: Vec<[f64; 2]> =
+        (0..scene.fan.sweeps).map(|sweep| scene.fan.direction(sweep, [cos, sin])).collect();
+    let tangents: Vec<f64> = (0..scene.fan.sweeps).map(|sweep| scene.fan.tangent(sweep)).collect();
+    let mut group = c.benchmark_group("a frame of showpiece, one thread");
+    let pool = ThreadPoolBuilder::new().num_threads(1).build().expect("there is room for a thread");
+
+    let fineness = settings.shadows.expect("the scenario has shadows");
+    let resolution = Resolution { finest: fineness.finest, angle: fineness.angle };
+    let (bank, reach) = (ShadowBank::new(Arc::clone(&stage.landscape), resolution), settings.range.end);
+    let tiles = bank.around(&sun, eye, reach, Some([directions[0], directions[directions.len() - 1]]));
+    let segments: Vec<&[Segment]> = tiles.iter().map(|tile| tile.segments.as_slice()).collect();
+    let parts = settings.shadow_controller;
+    let controller = ShadowController { parts, map_centre: [0.0; 2], map_side: 1.0 };
+    let mut gates = Vec::new();
+    group.bench_function("shadow controller", |b| {
+        pool.install(|| {
+            b.iter(|| controller.gates(eye, &directions, reach, black_box(&segments), &mut gates))
+        });
+    });
+
+    let (lines, field) = (f64::from(settings.raster.lines), settings.raster.field);
+    let view = ViewPlane {
+        eye: pose.eye,
+        heading: pose.attitude.heading,
+        pitch: pose.attitude.pitch,
+        projection: settings.laws.projection,
+        curvature: settings.laws.curvature,
+        tan_half_height: field.tan_half_height,
+        lines,
+    };
+    let sight = Sight::new(lines, 2.0 * libm::atan(field.tan_half_height));
+    let light = FaceLight { sun: DVec3::from_array(sun.direction()) };
+    let mut out = LeftOut::default();
+    let seen: Vec<Drawn<'_>> = stage
+        .scenery
+        .bodies(0.0)
+        .filter(|body| sight.resolves(DVec3::from_array(pose.eye), body, &mut out))
+        .map(|body| Drawn { body, dark: false })
+        .collect();
+    let mut generator = PolyhedronGenerator::default();
+    group.bench_function("polyhedron generator", |b| {
+        b.iter(|| generator.run(black_box(&view), &tangents, &light, seen.iter().copied()));
+    });
+    group.finish();
+}
+
 /// What is computed before a mission, on all threads.
 fn before_the_mission(c: &mut Criterion) {
     let scene = Group::of("long-shadows");
@@ -230,5 +287,5 @@ fn before_the_mission(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, ideal_blocks, ground_detail, read_out, before_the_mission);
+criterion_group!(benches, ideal_blocks, ground_detail, read_out, before_the_sweeps, before_the_mission);
 criterion_main!(benches);

@@ -2,6 +2,7 @@
 
 use generator::{FrameError, Stage};
 use glam::DVec3;
+use hardware_model::ShadowParts;
 use landscape::{Attitude, parabolic_drop};
 use polyhedron_generator::{Drawn, FaceLight, LeftOut, PolyhedronGenerator, ViewPlane};
 use rayon::prelude::*;
@@ -15,7 +16,7 @@ use sweep_generator::RangeTable;
 use crate::blocks::{Blocks, Shadows};
 use crate::control_plane::FramePlan;
 use crate::feature_loads::load_timing;
-use crate::footing::{Footings, UnderSun};
+use crate::footing::{Footing, Footings, UnderSun};
 use crate::raster::WrittenRaster;
 use crate::sight::InSight;
 
@@ -117,7 +118,10 @@ impl Supply<'_> {
         let tiles: Vec<Arc<Tile>> = shadows.bank.around(&self.plan.sun, foot, reach, Some(edges));
         let patches: Vec<Segment> = self.patches(time);
         let mut segments: Vec<&[Segment]> = tiles.iter().map(|tile| tile.segments.as_slice()).collect();
-        segments.extend(seen.iter().map(|&(index, body)| under_sun.of(index, body).shadow.as_slice()));
+        let footings = seen.iter().map(|&(index, body)| under_sun.of(index, body));
+        segments.extend(
+            footings.filter(|footing| self.may_meet(footing)).map(|footing| footing.shadow.as_slice()),
+        );
         segments.push(&patches);
         let own = self.own_shadow(shadows);
         segments.push(&own);
@@ -131,6 +135,12 @@ impl Supply<'_> {
         if reach < end {
             gates.iter_mut().for_each(|gate| gate.end_at(reach));
         }
+    }
+
+    /// Whether a sweep may meet the shadow of a body. A scan converter may show it anywhere.
+    fn may_meet(&self, &Footing { around: (centre, radius), .. }: &Footing) -> bool {
+        let is_in_place = matches!(self.stage.settings.shadow_controller, ShadowParts::Digital { .. });
+        !is_in_place || self.plan.sweeps_of(centre, radius).is_some()
     }
 
     /// Outlines of the shadow that the vehicle casts on the ground: as of any body, but found anew for every pose.

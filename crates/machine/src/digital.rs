@@ -45,7 +45,7 @@ pub(crate) struct DigitalFrame {
     pub cpu: Option<CpuFrame>,
     /// Ticks of each sweep in which crossings wait for a set-up that they cannot interrupt; empty if they never do.
     pub held: Vec<u64>,
-    /// Vertices of polyhedra that the frame asks for.
+    /// Vertices of polyhedra that the frame asks for, as far as anybody wants to know.
     pub vertices: u64,
 }
 
@@ -90,6 +90,11 @@ impl Digital {
         let second = settings.levels.and_then(|_| history(1));
         let serves = settings.loader.served_by == CrossingServer::CpuInterrupt;
         Self { banks: [history(0), second], is_timed: settings.cpu.is_timed() || serves }
+    }
+
+    /// Whether the processor takes any time.
+    pub fn is_timed(&self) -> bool {
+        self.is_timed
     }
 
     /// The digital side of the frame of `plan`.

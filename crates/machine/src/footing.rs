@@ -13,6 +13,8 @@ pub(crate) struct Footing {
     pub dark: bool,
     /// Outline of the shadow that it casts.
     pub shadow: Vec<Segment>,
+    /// Centre (north, east; m) and radius (m) of a circle around that shadow.
+    pub around: ([f64; 2], f64),
 }
 
 /// Footings under one sun, by the body's place in the list of the mission.
@@ -50,9 +52,43 @@ impl Footings {
 impl UnderSun<'_> {
     /// How body number `index` stands.
     pub fn of(&self, index: usize, body: &Body) -> &Footing {
-        self.footings[index].get_or_init(|| Footing {
-            dark: self.bank.is_dark(&self.sun, [body.foot.x, body.foot.y]),
-            shadow: self.bank.cast_by_body(body, &self.sun),
+        self.footings[index].get_or_init(|| {
+            let shadow = self.bank.cast_by_body(body, &self.sun);
+            let dark = self.bank.is_dark(&self.sun, [body.foot.x, body.foot.y]);
+            Footing { dark, around: circle_around(&shadow), shadow }
         })
+    }
+}
+
+/// Centre and radius of a circle around closed outlines; they may well be smaller.
+fn circle_around(outlines: &[Segment]) -> ([f64; 2], f64) {
+    let [mut low, mut high] = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+    for segment in outlines {
+        for axis in 0..2 {
+            low[axis] = low[axis].min(segment.from[axis]);
+            high[axis] = high[axis].max(segment.from[axis]);
+        }
+    }
+    let [north, east] = [0, 1].map(|axis| 0.5 * (high[axis] - low[axis]));
+    ([0, 1].map(|axis| 0.5 * (low[axis] + high[axis])), (north * north + east * east).sqrt())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::circle_around;
+    use proptest::prelude::{prop_assert, proptest};
+    use remote_shadow::Segment;
+
+    proptest! {
+        #[test]
+        fn the_circle_holds_the_outline(
+            corners in proptest::collection::vec(proptest::array::uniform2(-1e4..1e4f64), 3..20),
+        ) {
+            let ([north, east], radius) = circle_around(&Segment::outline(&corners));
+            for corner in corners {
+                let way = [corner[0] - north, corner[1] - east];
+                prop_assert!((way[0] * way[0] + way[1] * way[1]).sqrt() <= radius + 1e-9, "{corner:?}");
+            }
+        }
     }
 }

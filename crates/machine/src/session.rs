@@ -117,7 +117,9 @@ impl<S: Real> Elaborated<S> {
             missing: Default::default(),
             held: &[],
         };
-        let vertices = vertices(&self.stage, &self.blocks, plan, time);
+        // A processor that takes no time has them all ready, however many.
+        let is_asked = self.digital.is_timed();
+        let vertices = if is_asked { vertices(&self.stage, &self.blocks, plan, time) } else { 0 };
         self.digital.frame(&self.stage, &self.blocks, &self.raster, &crossings, vertices)
     }
 

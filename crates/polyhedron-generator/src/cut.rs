@@ -8,18 +8,20 @@ use crate::{Hold, Span};
 /// Where the span passes the range of a sample, the hold bends; between two such places its clearance over the
 /// ground is nearly linear, and one step of false position finds its zero.
 pub(crate) fn above_ground<L: Fn(usize) -> f32>(span: &Span, hold: &Hold<L>, pieces: &mut Vec<Piece>) {
-    let mut cutter = Cutter { span, hold, seen_from: None, last: (0.0, f32::INFINITY) };
+    let [top, bottom] = span.near;
+    let begin = hold.sample(top.max(bottom));
+    let between = begin..hold.sample_from(begin, top.min(bottom));
+    let mut cutter = Cutter { span, hold, seen_from: None, last: (0.0, f32::INFINITY), beyond: begin };
     cutter.last = (0.0, cutter.clearance(0.0));
     cutter.seen_from = (cutter.last.1 >= 0.0).then_some(0.0);
-    let [top, bottom] = span.near;
-    let between = hold.sample(top.max(bottom))..hold.sample(top.min(bottom));
     let count = between.len();
     for step in 0..count {
         let sample = if top > bottom { between.start + step } else { between.end - 1 - step };
         let share = share_at(span, hold.near[sample]);
         cutter.advance(share, (hold.lines)(sample) - span.line_at(share), pieces);
     }
-    cutter.advance(1.0, cutter.clearance(1.0), pieces);
+    let clearance = cutter.clearance(1.0);
+    cutter.advance(1.0, clearance, pieces);
     if let Some(from) = cutter.seen_from {
         pieces.push(part(span, from, 1.0));
     }
@@ -32,18 +34,23 @@ struct Cutter<'a, L> {
     seen_from: Option<f32>,
     /// Share and clearance of the place before.
     last: (f32, f32),
+    /// First sample not nearer than the place last asked for.
+    beyond: usize,
 }
 
 impl<L: Fn(usize) -> f32> Cutter<'_, L> {
     /// Lines by which a place of the span lies above what the ground has reached.
-    fn clearance(&self, share: f32) -> f32 {
-        self.hold.at(self.span.near_at(share)) - self.span.line_at(share)
+    fn clearance(&mut self, share: f32) -> f32 {
+        let near = self.span.near_at(share);
+        self.beyond = self.hold.sample_from(self.beyond, near);
+        self.hold.before(self.beyond, near) - self.span.line_at(share)
     }
 
     fn advance(&mut self, share: f32, clearance: f32, pieces: &mut Vec<Piece>) {
         match (self.seen_from, clearance >= 0.0) {
             (Some(from), false) => {
-                pieces.push(part(self.span, from, self.zero(share, clearance)));
+                let to = self.zero(share, clearance);
+                pieces.push(part(self.span, from, to));
                 self.seen_from = None;
             }
             (None, true) => self.seen_from = Some(self.zero(share, clearance)),
@@ -53,7 +60,7 @@ impl<L: Fn(usize) -> f32> Cutter<'_, L> {
     }
 
     /// Where the clearance is 0 between the last place and this.
-    fn zero(&self, share: f32, clearance: f32) -> f32 {
+    fn zero(&mut self, share: f32, clearance: f32) -> f32 {
         let (from, to) = (self.last, (share, clearance));
         // No ground is drawn before the first sample: the change lies at the sample itself.
         if from.1.is_infinite() || to.1.is_infinite() {

@@ -1,7 +1,5 @@
 //! From boundary segments to the gate of every sweep.
 
-use std::collections::BinaryHeap;
-
 use hardware_model::ShadowParts;
 use parts::GateEdge;
 use quantities::SweepTime;
@@ -10,13 +8,18 @@ use rayon::slice::ParallelSliceMut;
 use remote_shadow::Segment;
 use sweep_program::{LoadTiming, NoTiming};
 
-use crate::crossings::{BAND, Crossing, Crossings, Met};
+use crate::crossings::{Crossing, Crossings, Met};
 use crate::fan::Line;
-use crate::line_generators::{Boundary, SegmentLoad, SegmentMiss, Service, serve, serve_in_time};
+use crate::line_generators::{
+    Boundary, SegmentLoad, SegmentMiss, Service, ServiceWork, serve, serve_in_time,
+};
 
 /// Two boundaries nearer to each other than this along a sweep are none (m): far less than a display line, far more
 /// than rounding.
 pub const RESOLUTION: f64 = 1e-6;
+
+/// Sweeps that are worked on together.
+const BAND: usize = 64;
 
 /// The blanking gate of one sweep.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -102,44 +105,42 @@ impl ShadowController {
         timing: impl Fn(u32) -> Option<LoadTiming<T, R>> + Sync,
         out: &mut Vec<Gate>,
     ) {
-        let seen = |place| self.seen(place, eye);
-        let line = |segment: &Segment| Line { from: seen(segment.from), to: seen(segment.to) };
-        let met = Met::new(directions, segments, line);
+        let met = match self.parts {
+            ShadowParts::Digital { .. } => Met::new(directions, segments, |segment| from_eye(segment, eye)),
+            ShadowParts::ScanConverter { offset, gain } => {
+                let seen = |place| self.seen(place, offset, gain);
+                let line = |segment: &Segment| Line { from: seen(segment.from), to: seen(segment.to) };
+                Met::new(directions, segments, |segment| from_eye(&line(segment), eye))
+            }
+        };
         out.resize_with(directions.len(), Gate::default);
         out.par_chunks_mut(BAND).enumerate().for_each_init(
-            || (Crossings::default(), Vec::new(), BinaryHeap::new()),
-            |(crossings, boundaries, free_at), (band, gates)| {
-                crossings.find(&met, band, gates.len());
-                for (number, gate) in gates.iter_mut().enumerate() {
-                    let sweep = band * BAND + number;
-                    let boundary = |crossing: &Crossing| {
-                        Boundary::new(met.line(*crossing), directions[sweep], crossing.range())
-                    };
-                    let crossed = crossings.of(number);
-                    gate.dark_at_start = unite(crossed, reach, boundary, boundaries);
+            || (Crossings::default(), Vec::new(), ServiceWork::default()),
+            |(crossings, boundaries, work), (band, gates)| {
+                for (sweep, gate) in (band * BAND..).zip(gates) {
+                    let crossed = crossings.of(&met, sweep);
+                    gate.dark_at_start =
+                        unite(crossed, reach, |crossing| met.boundary(*crossing), boundaries);
                     let within = crossed.partition_point(|crossing| crossing.range() <= reach);
                     gate.united = (within - boundaries.len()) as u32;
-                    self.load(boundaries, free_at, reach, timing(sweep as u32), gate);
+                    self.load(boundaries, work, reach, timing(sweep as u32), gate);
                 }
             },
         );
     }
 
-    /// A place of the map as the sweep meets it, from the eye (m).
-    fn seen(&self, place: [f64; 2], eye: [f64; 2]) -> [f64; 2] {
-        let ShadowParts::ScanConverter { offset, gain } = self.parts else {
-            return [place[0] - eye[0], place[1] - eye[1]];
-        };
+    /// A place of the map as the sweep meets it in a scan converter.
+    fn seen(&self, place: [f64; 2], offset: [f64; 2], gain: f64) -> [f64; 2] {
         [0, 1].map(|axis: usize| {
             let centre = self.map_centre[axis];
-            centre + (place[axis] - centre) * (1.0 + gain) + offset[axis] * self.map_side - eye[axis]
+            centre + (place[axis] - centre) * (1.0 + gain) + offset[axis] * self.map_side
         })
     }
 
     fn load(
         &self,
         boundaries: &mut Vec<Boundary>,
-        free_at: &mut BinaryHeap<u64>,
+        work: &mut ServiceWork,
         reach: f64,
         timing: Option<LoadTiming<impl Fn(f64) -> SweepTime, impl Fn(SweepTime) -> f64>>,
         gate: &mut Gate,
@@ -147,7 +148,7 @@ impl ShadowController {
         let (mut service, mut load_ticks) = (Service::default(), 0);
         if let ShadowParts::Digital { line_generators } = self.parts {
             service = match timing {
-                None => serve(boundaries, line_generators, free_at),
+                None => serve(boundaries, line_generators, work),
                 Some(mut timing) => {
                     let service = serve_in_time(boundaries, line_generators, reach, &mut timing);
                     load_ticks = timing.line.busy();
@@ -164,6 +165,12 @@ impl ShadowController {
         let has_lines = matches!(self.parts, ShadowParts::Digital { .. });
         gate.swings.extend(boundaries.iter().map(|boundary| if has_lines { boundary.swing } else { 0.0 }));
     }
+}
+
+/// A segment from the eye (m).
+fn from_eye(segment: &Segment, eye: [f64; 2]) -> Line {
+    let seen = |place: [f64; 2]| [place[0] - eye[0], place[1] - eye[1]];
+    Line { from: seen(segment.from), to: seen(segment.to) }
 }
 
 /// The I/O processor's editing: of all `crossings` of a sweep those between light and shadow, up to `reach`. Returns

@@ -3,26 +3,29 @@
 use std::ops::Range;
 
 use fearless_simd::{Level, Simd, dispatch};
-use rayon::iter::ParallelIterator;
+use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSlice;
 
 use crate::fan::{Fan, Line, Sifted, TOGETHER};
-
-/// Sweeps that are worked on together.
-pub(crate) const BAND: usize = 64;
+use crate::line_generators::Boundary;
+use crate::nearly::sort_nearly;
 
 /// Lists that are looked over together.
 const PART: usize = 256;
 
-/// One sweep crosses one line: bits of the range, then whether a shadow ends there, then the line. In this form they
-/// are sorted as they are met, beginnings before endings at the same range.
+/// Lines that there is room for before more memory is asked for.
+const ROOM: usize = 1024;
+
+/// One sweep crosses one line: bits of the range, then whether a shadow ends there, then which crossing it is: its part
+/// and its place there. In this form they are sorted as they are met, beginnings before endings at the same range.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
 pub(crate) struct Crossing(u128);
 
 impl Crossing {
-    /// `range` (m) must not be negative: only then its bits are in its order.
-    fn new(range: f64, ends: bool, line: u32) -> Self {
-        Self(u128::from(range.to_bits()) << 64 | u128::from(ends) << 32 | u128::from(line))
+    /// `range` (m) must not be negative: only then its bits are in its order. There are less than 2^31 parts.
+    fn new(range: f64, ends: bool, [part, place]: [u32; 2]) -> Self {
+        let place = u64::from(ends) << 63 | u64::from(part) << 32 | u64::from(place);
+        Self(u128::from(range.to_bits()) << 64 | u128::from(place))
     }
 
     /// Ground range (m).
@@ -32,23 +35,26 @@ impl Crossing {
 
     /// Shadows begun (1) or ended (-1) there.
     pub(crate) fn step(self) -> i32 {
-        1 - 2 * ((self.0 >> 32) as u32 as i32)
+        1 - 2 * ((self.0 >> 63) as i32 & 1)
     }
 
-    /// Index of the line.
-    fn line(self) -> usize {
-        self.0 as u32 as usize
+    /// Part and place there.
+    fn place(self) -> [usize; 2] {
+        [(self.0 >> 32) as usize & 0x7fff_ffff, self.0 as u32 as usize]
     }
 }
 
-/// Lines that some sweep of a frame crosses, in the order in which they were given.
-pub(crate) struct Met<'a> {
-    fan: Option<Fan<'a>>,
-    lines: Vec<MetLine>,
-    /// Indices of the lines that each band of sweeps crosses, band by band.
-    by_band: Vec<u32>,
-    /// Where those of each band begin; one more at the end.
-    starts: Vec<usize>,
+/// Where the sweeps of a frame cross lines, in the order in which these were given.
+pub(crate) struct Met(Vec<Part>);
+
+/// Of some lists: all crossings, sweep by sweep.
+#[derive(Default)]
+struct Part {
+    crossings: Vec<Crossing>,
+    /// What each of them is if it parts light from shadow.
+    boundaries: Vec<Boundary>,
+    /// Where those of each sweep end.
+    ends: Vec<u32>,
 }
 
 /// A line, and the number of sweeps to the left of its two ends, which differ.
@@ -64,121 +70,114 @@ impl MetLine {
         let [a, b] = self.left;
         a.min(b) as usize..a.max(b) as usize
     }
-
-    /// Bands of sweeps that do.
-    fn bands(&self) -> Range<usize> {
-        let Range { start, end } = self.sweeps();
-        start / BAND..end.div_ceil(BAND)
-    }
 }
 
-impl<'a> Met<'a> {
+impl Met {
     /// For the sweeps of `directions`, from lists of any number of lines: most of them lie between two sweeps.
     pub(crate) fn new<T: Sync>(
-        directions: &'a [[f64; 2]],
+        directions: &[[f64; 2]],
         lists: &[&[T]],
         line: impl Fn(&T) -> Line + Sync,
     ) -> Self {
-        let (fan, vectors) = (Fan::new(directions), Level::new());
-        let met = |fan: &Fan<'_>| {
-            let part = |lists: &[&[T]]| dispatch!(vectors, simd => met_of(simd, fan, lists, &line));
-            lists.par_chunks(PART).map(part).collect::<Vec<_>>().concat()
+        let Some(fan) = Fan::new(directions) else { return Self(Vec::new()) };
+        let vectors = Level::new();
+        let part = |lines: &mut Vec<MetLine>, (number, lists): (usize, &[&[T]])| {
+            lines.clear();
+            dispatch!(vectors, simd => find_met(simd, &fan, lists, &line, lines));
+            Part::new(&fan, number as u32, lines, directions.len())
         };
-        let lines = fan.as_ref().map(met).unwrap_or_default();
-        let mut starts = vec![0; directions.len().div_ceil(BAND) + 1];
-        for met in &lines {
-            met.bands().for_each(|band| starts[band + 1] += 1);
-        }
-        for band in 1..starts.len() {
-            starts[band] += starts[band - 1];
-        }
-        let (mut next, mut by_band) = (starts.clone(), vec![0; starts[starts.len() - 1]]);
-        for (index, met) in (0..).zip(&lines) {
-            for band in met.bands() {
-                by_band[next[band]] = index;
-                next[band] += 1;
-            }
-        }
-        Self { fan, lines, by_band, starts }
+        Self(lists.par_chunks(PART).enumerate().map_init(|| Vec::with_capacity(ROOM), part).collect())
     }
 
-    /// Indices of the lines that sweeps of a band cross, and those sweeps, counted from the first of the band.
-    fn within(&self, band: usize) -> impl Iterator<Item = (u32, Range<usize>)> {
-        let first = band * BAND;
-        self.by_band[self.starts[band]..self.starts[band + 1]].iter().map(move |&index| {
-            let Range { start, end } = self.lines[index as usize].sweeps();
-            (index, start.max(first) - first..end.min(first + BAND) - first)
-        })
-    }
-
-    /// The line of a crossing, from the eye.
-    pub(crate) fn line(&self, crossing: Crossing) -> &Line {
-        &self.lines[crossing.line()].line
+    /// What a crossing is if it parts light from shadow.
+    pub(crate) fn boundary(&self, crossing: Crossing) -> Boundary {
+        let [part, place] = crossing.place();
+        self.0[part].boundaries[place]
     }
 }
 
-/// All crossings of a band of sweeps, sweep by sweep; used again from band to band.
+impl Part {
+    /// Part `number`: finds where the sweeps of the fan, `sweeps` of them, cross `lines`.
+    fn new(fan: &Fan<'_>, number: u32, lines: &[MetLine], sweeps: usize) -> Self {
+        let mut ends = begins(lines, sweeps);
+        let count = lines.iter().map(|met| met.sweeps().len()).sum();
+        let (mut crossings, mut boundaries) =
+            (vec![Crossing::default(); count], vec![Boundary::default(); count]);
+        for met in lines {
+            let MetLine { line, left: [a, b] } = met;
+            for sweep in met.sweeps() {
+                let (place, range) = (ends[sweep], fan.crossing(sweep, line));
+                // Leftwards its shadow lies beyond it.
+                crossings[place as usize] = Crossing::new(range, a < b, [number, place]);
+                boundaries[place as usize] = Boundary::new(line, fan.direction(sweep), range);
+                ends[sweep] += 1;
+            }
+        }
+        Self { crossings, boundaries, ends }
+    }
+
+    /// Crossings of one sweep.
+    fn of(&self, sweep: usize) -> &[Crossing] {
+        let begin = if sweep == 0 { 0 } else { self.ends[sweep - 1] };
+        &self.crossings[begin as usize..self.ends[sweep] as usize]
+    }
+}
+
+/// Where the crossings of each sweep begin.
+fn begins(lines: &[MetLine], sweeps: usize) -> Vec<u32> {
+    // First how many more lines cross a sweep than the one before, modulo 2^32.
+    let mut begins = vec![0u32; sweeps + 1];
+    for Range { start, end } in lines.iter().map(MetLine::sweeps) {
+        begins[start] = begins[start].wrapping_add(1);
+        begins[end] = begins[end].wrapping_sub(1);
+    }
+    begins.truncate(sweeps);
+    let (mut crossing, mut all) = (0u32, 0);
+    for begin in &mut begins {
+        crossing = crossing.wrapping_add(*begin);
+        *begin = all;
+        all += crossing;
+    }
+    begins
+}
+
+/// All crossings of a sweep; used again from sweep to sweep.
 #[derive(Debug, Default)]
 pub(crate) struct Crossings {
-    /// Where the crossings of each sweep begin; one more at the end.
-    starts: Vec<usize>,
-    /// Where the next crossing of each sweep goes.
-    next: Vec<usize>,
     crossings: Vec<Crossing>,
+    apart: Vec<Crossing>,
 }
 
 impl Crossings {
-    /// Finds where the sweeps of a band, `count` of them, cross the lines.
-    pub(crate) fn find(&mut self, met: &Met<'_>, band: usize, count: usize) {
-        self.starts.clear();
-        self.starts.resize(count + 1, 0);
-        let Some(fan) = &met.fan else { return };
-        for (_, sweeps) in met.within(band) {
-            sweeps.for_each(|sweep| self.starts[sweep + 1] += 1);
-        }
-        for sweep in 1..self.starts.len() {
-            self.starts[sweep] += self.starts[sweep - 1];
-        }
+    /// Crossings of one sweep by range; at one range beginnings come first.
+    pub(crate) fn of(&mut self, met: &Met, sweep: usize) -> &[Crossing] {
         self.crossings.clear();
-        self.crossings.resize(self.starts[count], Crossing::default());
-        self.next.clone_from(&self.starts);
-        for (index, sweeps) in met.within(band) {
-            let MetLine { line, left: [a, b] } = &met.lines[index as usize];
-            for sweep in sweeps {
-                let next = &mut self.next[sweep];
-                // Leftwards its shadow lies beyond it.
-                self.crossings[*next] = Crossing::new(fan.crossing(band * BAND + sweep, line), a < b, index);
-                *next += 1;
-            }
-        }
-    }
-
-    /// Crossings of one sweep, counted from the first of the band, by range; at one range beginnings come first.
-    pub(crate) fn of(&mut self, number: usize) -> &[Crossing] {
-        let own = &mut self.crossings[self.starts[number]..self.starts[number + 1]];
-        own.sort_unstable();
-        own
+        met.0.iter().for_each(|part| self.crossings.extend_from_slice(part.of(sweep)));
+        // Tiles come by their distance from the eye.
+        sort_nearly(&mut self.crossings, &mut self.apart);
+        &self.crossings
     }
 }
 
-/// Lines that a part of the lists has room for before it asks for more memory.
-const ROOM: usize = 1024;
-
-/// The lines of some lists that sweeps cross.
+/// Adds the lines of some lists that sweeps cross to `all`.
 #[inline(always)]
-fn met_of<V: Simd, T>(simd: V, fan: &Fan<'_>, lists: &[&[T]], line: impl Fn(&T) -> Line) -> Vec<MetLine> {
-    let mut all = Vec::with_capacity(ROOM);
+fn find_met<V: Simd, T>(
+    simd: V,
+    fan: &Fan<'_>,
+    lists: &[&[T]],
+    line: impl Fn(&T) -> Line,
+    all: &mut Vec<MetLine>,
+) {
     for list in lists {
         let (chunks, rest) = list.as_chunks::<TOGETHER>();
         for chunk in chunks {
-            keep_met(fan, chunk, fan.sift(simd, |n| line(&chunk[n])), &line, &mut all);
+            keep_met(fan, chunk, fan.sift(simd, |n| line(&chunk[n])), &line, all);
         }
         if let Some(last) = rest.len().checked_sub(1) {
             // The last one stands in for those that are not there.
-            keep_met(fan, rest, fan.sift(simd, |n| line(&rest[n.min(last)])), &line, &mut all);
+            keep_met(fan, rest, fan.sift(simd, |n| line(&rest[n.min(last)])), &line, all);
         }
     }
-    all
 }
 
 /// Keeps those lines of a chunk that sweeps cross.

@@ -36,6 +36,7 @@ mod controller;
 mod crossings;
 mod fan;
 mod line_generators;
+mod nearly;
 mod wired;
 
 pub use controller::{Gate, RESOLUTION, ShadowController};

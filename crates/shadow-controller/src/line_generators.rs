@@ -2,12 +2,12 @@
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
-use std::mem;
 
 use quantities::SweepTime;
 use sweep_program::{LoadTiming, MissCause, TimedLoad};
 
 use crate::fan::Line;
+use crate::nearly::sort_nearly;
 
 /// Words of a boundary: place, length, direction (hardware section 3.7).
 pub const SEGMENT_WORDS: u32 = 4;
@@ -49,7 +49,7 @@ impl SegmentMiss {
 pub(crate) const FLATTEST: f64 = 0.1;
 
 /// One true boundary of a sweep, and how long it needs a line generator.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Boundary {
     /// Ground range of the crossing (m).
     pub(crate) range: f64,
@@ -98,42 +98,50 @@ fn by_range(a: &Boundary, b: &Boundary) -> Ordering {
     a.range.total_cmp(&b.range)
 }
 
+/// What [`serve`] uses again from sweep to sweep.
+#[derive(Debug, Default)]
+pub(crate) struct ServiceWork {
+    /// Where line generators come free again.
+    free_at: BinaryHeap<u64>,
+    /// Where each boundary takes one and gives it back, each in order.
+    taken: Vec<u64>,
+    given_back: Vec<u64>,
+    apart: Vec<u64>,
+}
+
 /// Gives line generators to `boundaries` in the order in which the sweep comes to need them, and removes those that
-/// find none of `limit` free. `free_at` is used again from sweep to sweep.
-pub(crate) fn serve(
-    boundaries: &mut Vec<Boundary>,
-    limit: Option<u32>,
-    free_at: &mut BinaryHeap<u64>,
-) -> Service {
-    let most_in_use = if limit.is_none() { most_at_one_time(boundaries, free_at) } else { None };
+/// find none of `limit` free.
+pub(crate) fn serve(boundaries: &mut Vec<Boundary>, limit: Option<u32>, work: &mut ServiceWork) -> Service {
+    let most_in_use = if limit.is_none() { most_at_one_time(boundaries, work) } else { None };
     match most_in_use {
         Some(most_in_use) => Service { most_in_use, ..Service::default() },
-        None => serve_in_turn(boundaries, limit, free_at),
+        None => serve_in_turn(boundaries, limit, &mut work.free_at),
     }
 }
 
 /// Most line generators in use at one time if there is one for each boundary; `None` if some boundary needs one for no
-/// time at all. The memory of `free_at` is used.
-fn most_at_one_time(boundaries: &[Boundary], free_at: &mut BinaryHeap<u64>) -> Option<u32> {
-    let mut events = mem::take(free_at).into_vec();
-    events.clear();
-    // Ranges are not negative, so their bits are in their order; what is given back at a range comes before what is taken.
-    let event = |range: f64, taken: u64| (range + 0.0).to_bits() << 1 | taken;
-    let all_last = boundaries.iter().all(|boundary| boundary.held[0] < boundary.held[1]);
-    if all_last {
-        events.extend(
-            boundaries.iter().flat_map(|&Boundary { held: [from, to], .. }| [event(from, 1), event(to, 0)]),
-        );
+/// time at all.
+fn most_at_one_time(boundaries: &[Boundary], work: &mut ServiceWork) -> Option<u32> {
+    if !boundaries.iter().all(|boundary| boundary.held[0] < boundary.held[1]) {
+        return None;
     }
-    events.sort_unstable();
-    let (mut in_use, mut most) = (0u32, 0);
-    for event in &events {
-        in_use = if event & 1 == 1 { in_use + 1 } else { in_use - 1 };
-        most = most.max(in_use);
+    let ServiceWork { taken, given_back, apart, .. } = work;
+    // Boundaries come by range, so these are nearly in order.
+    for (ranges, end) in [(&mut *taken, 0), (&mut *given_back, 1)] {
+        ranges.clear();
+        // They are not negative, so their bits are in their order.
+        ranges.extend(boundaries.iter().map(|boundary| (boundary.held[end] + 0.0).to_bits()));
+        sort_nearly(ranges, apart);
     }
-    events.clear();
-    *free_at = events.into();
-    all_last.then_some(most)
+    let (mut free_again, mut most) = (0, 0);
+    for (before, at) in taken.iter().enumerate() {
+        // What is given back at a range comes before what is taken.
+        while given_back[free_again] <= *at {
+            free_again += 1;
+        }
+        most = most.max(before + 1 - free_again);
+    }
+    Some(most as u32)
 }
 
 /// As [`serve`], boundary by boundary.
@@ -216,7 +224,7 @@ fn longest_free(busy: &mut Vec<f64>, boundary: &Boundary, limit: Option<u32>) ->
 mod tests {
     use std::collections::BinaryHeap;
 
-    use super::{Boundary, serve, serve_in_turn};
+    use super::{Boundary, ServiceWork, serve, serve_in_turn};
     use proptest::prelude::{any, prop_assert_eq, proptest};
     use remote_shadow::Segment;
 
@@ -226,7 +234,7 @@ mod tests {
 
     /// Boundaries dropped, and most in use.
     fn served(all: &mut Vec<Boundary>, limit: Option<u32>) -> (u32, u32) {
-        let service = serve(all, limit, &mut BinaryHeap::new());
+        let service = serve(all, limit, &mut ServiceWork::default());
         assert_eq!(service.misses.len() as u32, service.dropped);
         (service.dropped, service.most_in_use)
     }
@@ -277,7 +285,8 @@ mod tests {
             }
             let mut in_turn = all.clone();
             let expected = serve_in_turn(&mut in_turn, None, &mut BinaryHeap::new());
-            prop_assert_eq!(serve(&mut all, None, &mut BinaryHeap::from(vec![3])), expected);
+            let mut work = ServiceWork { taken: vec![3], given_back: vec![4], ..ServiceWork::default() };
+            prop_assert_eq!(serve(&mut all, None, &mut work), expected);
             prop_assert_eq!(all, in_turn);
         }
     }

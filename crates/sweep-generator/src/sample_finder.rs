@@ -7,6 +7,7 @@ const COARSE: u32 = 44;
 /// puts few samples into a box, so this is several times quicker than halves.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SampleFinder {
+    /// Of all samples, and infinity behind the last.
     ranges: Vec<f64>,
     first_box: u64,
     /// First sample of each box that is not nearer than where the box begins.
@@ -22,16 +23,26 @@ impl SampleFinder {
             let begin = f64::from_bits(number << COARSE);
             ranges.partition_point(|&range| range < begin) as u32
         };
-        Self { ranges: ranges.to_vec(), first_box, begins: (first_box..=last_box).map(not_nearer).collect() }
+        let begins = (first_box..=last_box).map(not_nearer).collect();
+        Self { ranges: [ranges, &[f64::INFINITY]].concat(), first_box, begins }
     }
 
     /// The first sample that is not nearer than `range` (m); the number of samples if all are.
     #[inline]
     pub fn not_nearer(&self, range: f64) -> usize {
         let Some(number) = number_of(range.max(0.0)).checked_sub(self.first_box) else { return 0 };
-        let Some(&begin) = self.begins.get(number as usize) else { return self.ranges.len() };
-        let ahead = &self.ranges[begin as usize..];
-        begin as usize + ahead.iter().take_while(|&&at| at < range).count()
+        let Some(&begin) = self.begins.get(number as usize) else { return self.count() };
+        let mut sample = begin as usize;
+        // Added, not asked: which way it goes cannot be guessed. Few boxes have more than one sample.
+        sample += usize::from(self.ranges[sample] < range);
+        while self.ranges[sample] < range {
+            sample += 1;
+        }
+        sample
+    }
+
+    fn count(&self) -> usize {
+        self.ranges.len() - 1
     }
 
     /// Place of a range on the sweep clock: sample k is at k, and between two samples range grows in a straight line. Before the
@@ -39,11 +50,14 @@ impl SampleFinder {
     #[inline]
     pub fn place(&self, range: f64) -> f64 {
         let sample = self.not_nearer(range);
-        match (sample.checked_sub(1).map(|before| self.ranges[before]), self.ranges.get(sample)) {
-            (Some(near), Some(far)) => sample as f64 - (far - range) / (far - near),
-            (Some(_), None) => sample as f64 - 0.5,
-            (None, _) => -0.5,
+        if sample == 0 {
+            return -0.5;
         }
+        if sample == self.count() {
+            return sample as f64 - 0.5;
+        }
+        let (near, far) = (self.ranges[sample - 1], self.ranges[sample]);
+        sample as f64 - (far - range) / (far - near)
     }
 }
 

@@ -24,8 +24,10 @@ mod wired;
 
 pub use wired::PartsTexture;
 
+use fearless_simd::prelude::{ExtractToken, SimdBase, SimdFrom};
+use fearless_simd::{Level, Simd, dispatch, f64x8};
 use landscape::{Grain, Lattice, Texture};
-use signal::{LANES, Lanes, Real, Signal, Unit};
+use signal::{LANES, Lanes, Real, Signal, Unit, eight};
 
 /// Signals of the block.
 pub const SIGNALS: &[Signal] = &[Signal::ground(
@@ -56,15 +58,31 @@ impl TextureGenerator<'_> {
         let samples = self.within(self.texture.reach());
         out.clear();
         out.resize(samples, Lanes::default());
-        let sweeps = Sweeps::new(eye, directions);
+        dispatch!(Level::new(), simd => self.add_all(simd, eye, directions, out));
+        samples
+    }
+
+    /// Adds all layers, one after another.
+    #[inline(always)]
+    fn add_all<L: Simd, S: Real>(
+        &self,
+        simd: L,
+        eye: [f64; 2],
+        directions: &[[f64; 2]; LANES],
+        out: &mut [Lanes<S>],
+    ) {
+        let sweeps = Sweeps::new(simd, eye, directions);
         for grain in self.texture.grains() {
             let ranges = &self.ranges[..self.within(grain.layer().range)];
             match grain.lattice() {
-                Lattice::Stored(lattice) => sweeps.add(grain, ranges, out, |x, y| lattice.lanes(x, y)),
-                Lattice::Hashed(lattice) => sweeps.add(grain, ranges, out, |x, y| lattice.lanes(x, y)),
+                Lattice::Stored(lattice) => {
+                    sweeps.add(grain, ranges, out, |places| lattice.eight::<L, S>(places));
+                }
+                Lattice::Hashed(lattice) => {
+                    sweeps.add(grain, ranges, out, |places| lattice.eight::<L, S>(places));
+                }
             }
         }
-        samples
     }
 
     fn within(&self, reach: f64) -> usize {
@@ -72,32 +90,35 @@ impl TextureGenerator<'_> {
     }
 }
 
-/// Straight ways over the ground.
-struct Sweeps {
+/// Straight ways over the ground, side by side.
+struct Sweeps<L: Simd> {
     eye: [f64; 2],
-    north: Lanes<f64>,
-    east: Lanes<f64>,
+    north: f64x8<L>,
+    east: f64x8<L>,
 }
 
-impl Sweeps {
-    fn new(eye: [f64; 2], directions: &[[f64; 2]; LANES]) -> Self {
-        let part = |axis: usize| Lanes::from_fn(|lane| directions[lane][axis]);
+impl<L: Simd> Sweeps<L> {
+    #[inline(always)]
+    fn new(simd: L, eye: [f64; 2], directions: &[[f64; 2]; LANES]) -> Self {
+        let part = |axis: usize| eight(simd, &directions.map(|direction| direction[axis]));
         Self { eye, north: part(0), east: part(1) }
     }
 
     /// Adds one layer.
+    #[inline(always)]
     fn add<S: Real>(
         &self,
         grain: &Grain,
         ranges: &[f64],
         out: &mut [Lanes<S>],
-        pattern: impl Fn(&Lanes<f64>, &Lanes<f64>) -> Lanes<S>,
+        pattern: impl Fn([f64x8<L>; 2]) -> S::Vector<L>,
     ) {
+        let simd = self.north.token();
         for (&range, out) in ranges.iter().zip(out) {
-            let x = self.north.map(|cosine| self.eye[0] + cosine * range);
-            let y = self.east.map(|sine| self.eye[1] + sine * range);
-            let amplitude = Lanes::splat(S::from_f64(grain.layer().amplitude_at(range)));
-            *out = *out + amplitude * pattern(&x, &y);
+            let places = [self.eye[0] + self.north * range, self.eye[1] + self.east * range];
+            let amplitude = S::Vector::<L>::simd_from(simd, S::from_f64(grain.layer().amplitude_at(range)));
+            let sum = S::Vector::<L>::from_slice(simd, &out.0) + amplitude * pattern(places);
+            sum.store_slice(&mut out.0);
         }
     }
 }

@@ -2,8 +2,12 @@
 
 use std::ops::{Add, Mul, Sub};
 
+use fearless_simd::prelude::{
+    Bytes, ExtractToken, SimdBase, SimdFloat, SimdFrom, SimdInt, SimdNarrow, SimdSplit,
+};
+use fearless_simd::{Simd, f32x8, f64x8, i32x8, u32x8};
 use quantities::hash_words;
-use signal::{LANES, Lanes, Real};
+use signal::{LANES, Real};
 
 /// 1.5 * 2^52: added to a number of less than 2^51 it leaves the nearest whole number in the low bits.
 const ROUND: f64 = 6_755_399_441_055_744.0;
@@ -34,7 +38,8 @@ fn join<T>([south, north]: [[T; 2]; 2], ways: [T; 2], three: T) -> T
 where
     T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>,
 {
-    let [u, v] = ways.map(|u| u * u * (three - (u + u)));
+    let [u, v] = ways;
+    let [u, v] = [u * u * (three - (u + u)), v * v * (three - (v + v))];
     let south = south[0] + v * (south[1] - south[0]);
     let north = north[0] + v * (north[1] - north[0]);
     south + u * (north - south)
@@ -72,19 +77,18 @@ impl Hashed {
         join(CORNERS.map(|pair| pair.map(corner)), places.map(way), 3.0)
     }
 
-    /// [`at`](Self::at) in every lane; the same bits in f64.
+    /// [`at`](Self::at) at eight places side by side; the same bits in f64.
     #[inline(always)]
-    pub fn lanes<S: Real>(&self, x: &Lanes<f64>, y: &Lanes<f64>) -> Lanes<S> {
-        // One step for all lanes at a time: that is what becomes vector instructions.
-        let places = [x.map(|x| self.place(x, 0)), y.map(|y| self.place(y, 1))];
-        let lines = places.map(|places| places.0.map(|place| line(rounded(place))));
-        let keys: [u32; LANES] = std::array::from_fn(|lane| self.key([lines[0][lane], lines[1][lane]]));
-        let corner = |offset: u32| {
-            let values = keys.map(|key| value(scramble(key.wrapping_add(offset))));
-            Lanes::from_fn(|lane| S::from_f64(f64::from(values[lane])))
-        };
-        let ways = places.map(|places| Lanes::from_fn(|lane| S::from_f64(way(places[lane]))));
-        join(CORNERS.map(|pair| pair.map(corner)), ways, Lanes::splat(S::from_f64(3.0)))
+    pub fn eight<L: Simd, S: Real>(&self, [x, y]: [f64x8<L>; 2]) -> S::Vector<L> {
+        let [x, y] = [(x - self.origin[0]) * self.inverse_cell, (y - self.origin[1]) * self.inverse_cell];
+        let [row, column] = [(x - 0.5) + ROUND, (y - 0.5) + ROUND];
+        // No `map` and no closure: what they are handed is not always compiled for the width of the vectors.
+        let key = line_numbers(row) * STRIDE[0] + line_numbers(column) * STRIDE[1] + self.seed;
+        let south = [eight_values::<L, S>(key), eight_values::<L, S>(key + CORNERS[0][1])];
+        let north = [eight_values::<L, S>(key + CORNERS[1][0]), eight_values::<L, S>(key + CORNERS[1][1])];
+        let ways = [narrow::<L, S>(x - (row - ROUND)), narrow::<L, S>(y - (column - ROUND))];
+        let three = S::Vector::<L>::simd_from(x.token(), S::from_f64(3.0));
+        join([south, north], ways, three)
     }
 
     /// In cells from the origin.
@@ -111,6 +115,37 @@ fn scramble(key: u32) -> u32 {
     let key = (key ^ (key >> 16)).wrapping_mul(0x21f0_aaad);
     let key = (key ^ (key >> 15)).wrapping_mul(0xd35a_2d97);
     key ^ (key >> 15)
+}
+
+/// [`value`] of what [`scramble`] makes of eight keys.
+#[inline(always)]
+fn eight_values<L: Simd, S: Real>(keys: u32x8<L>) -> S::Vector<L> {
+    let keys = (keys ^ (keys >> 16)) * 0x21f0_aaad;
+    let keys = (keys ^ (keys >> 15)) * 0xd35a_2d97;
+    let bits: i32x8<L> = ((keys ^ (keys >> 15)) >> 8).bitcast();
+    let values = (bits - (1 << 23)).to_float::<f32x8<L>>() * (1.0 / 8_388_608.0);
+    let mut out = [S::ZERO; LANES];
+    for lane in 0..LANES {
+        out[lane] = S::from_f64(f64::from(values[lane]));
+    }
+    S::Vector::<L>::from_slice(keys.token(), &out)
+}
+
+/// Numbers of eight lattice lines.
+#[inline(always)]
+fn line_numbers<L: Simd>(rounded: f64x8<L>) -> u32x8<L> {
+    let (low, high) = rounded.to_bits().split();
+    low.narrow(high)
+}
+
+/// Eight values as a run has its numbers.
+#[inline(always)]
+fn narrow<L: Simd, S: Real>(values: f64x8<L>) -> S::Vector<L> {
+    let mut out = [S::ZERO; LANES];
+    for lane in 0..LANES {
+        out[lane] = S::from_f64(values[lane]);
+    }
+    S::Vector::<L>::from_slice(values.token(), &out)
 }
 
 /// Variant 1: lattice values of one region, read through the folded coordinates of section 6.2, so that every region
@@ -169,15 +204,28 @@ impl Stored {
         join(self.corners(row, column).map(|pair| pair.map(f64::from)), [u, v], 3.0)
     }
 
-    /// [`at`](Self::at) in every lane; the same bits in f64.
+    /// [`at`](Self::at) at eight places side by side; the same bits in f64.
     #[inline(always)]
-    pub fn lanes<S: Real>(&self, x: &Lanes<f64>, y: &Lanes<f64>) -> Lanes<S> {
-        let (rows, columns) = (x.0.map(|x| self.cell_of(x, 0)), y.0.map(|y| self.cell_of(y, 1)));
-        let corners: [_; LANES] = std::array::from_fn(|lane| self.corners(rows[lane].0, columns[lane].0));
-        let corner = |i: usize, j: usize| Lanes::from_fn(|lane| S::from_f64(f64::from(corners[lane][i][j])));
-        let ways = [rows, columns].map(|cells| Lanes::from_fn(|lane| S::from_f64(cells[lane].1)));
-        let corners = [[corner(0, 0), corner(0, 1)], [corner(1, 0), corner(1, 1)]];
-        join(corners, ways, Lanes::splat(S::from_f64(3.0)))
+    pub fn eight<L: Simd, S: Real>(&self, [x, y]: [f64x8<L>; 2]) -> S::Vector<L> {
+        let simd = x.token();
+        let (mut values, mut ways) = ([[[S::ZERO; LANES]; 2]; 2], [[S::ZERO; LANES]; 2]);
+        for lane in 0..LANES {
+            let ((row, u), (column, v)) = (self.cell_of(x[lane], 0), self.cell_of(y[lane], 1));
+            let corners = self.corners(row, column);
+            for i in 0..2 {
+                for j in 0..2 {
+                    values[i][j][lane] = S::from_f64(f64::from(corners[i][j]));
+                }
+                ways[i][lane] = S::from_f64([u, v][i]);
+            }
+        }
+        let [south, north] = &values;
+        let south =
+            [S::Vector::<L>::from_slice(simd, &south[0]), S::Vector::<L>::from_slice(simd, &south[1])];
+        let north =
+            [S::Vector::<L>::from_slice(simd, &north[0]), S::Vector::<L>::from_slice(simd, &north[1])];
+        let ways = [S::Vector::<L>::from_slice(simd, &ways[0]), S::Vector::<L>::from_slice(simd, &ways[1])];
+        join([south, north], ways, S::Vector::<L>::simd_from(simd, S::from_f64(3.0)))
     }
 
     /// Lattice line before the folded coordinate, and the way from it in cells.

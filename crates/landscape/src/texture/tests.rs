@@ -1,6 +1,8 @@
 use super::{Lattice, Layer, Source, Texture, TextureError};
+use fearless_simd::prelude::SimdBase;
+use fearless_simd::{Level, Simd, dispatch};
 use proptest::prelude::{Strategy, any, prop_assert, prop_assert_eq, proptest};
-use signal::{LANES, Lanes};
+use signal::{LANES, Real, eight};
 
 const ORIGIN: [f64; 2] = [-130.0, 70.0];
 const REGION: f64 = 32.0;
@@ -97,20 +99,40 @@ proptest! {
     }
 }
 
-#[test]
-fn lanes_are_places_one_by_one() {
-    let [x, y] = [0, 1].map(|axis| Lanes::from_fn(|lane| (lane as f64 - 3.0) * 11.7 + f64::from(axis) * 5.3));
-    for source in [Source::Random, Source::Pattern] {
-        let texture = texture(source, 8);
-        let grain = &texture.grains()[0];
-        let (double, single): (Lanes<f64>, Lanes<f32>) = match grain.lattice() {
-            Lattice::Stored(lattice) => (lattice.lanes(&x, &y), lattice.lanes(&x, &y)),
-            Lattice::Hashed(lattice) => (lattice.lanes(&x, &y), lattice.lanes(&x, &y)),
-        };
-        for lane in 0..LANES {
-            let alone = grain.pattern(x[lane], y[lane]);
-            assert_eq!(double[lane], alone, "{source:?}, lane {lane}");
-            assert!((f64::from(single[lane]) - alone).abs() < 1e-6, "{source:?}, lane {lane}");
+/// The pattern of one layer at eight places in vectors of a width.
+fn side_by_side<S: Real>(vectors: Level, lattice: &Lattice, [x, y]: &[[f64; LANES]; 2]) -> [S; LANES] {
+    #[inline(always)]
+    fn of<L: Simd, S: Real>(simd: L, lattice: &Lattice, x: &[f64; LANES], y: &[f64; LANES]) -> [S; LANES] {
+        let (places, mut out) = ([eight(simd, x), eight(simd, y)], [S::ZERO; LANES]);
+        match lattice {
+            Lattice::Stored(lattice) => lattice.eight::<L, S>(places).store_slice(&mut out),
+            Lattice::Hashed(lattice) => lattice.eight::<L, S>(places).store_slice(&mut out),
+        }
+        out
+    }
+    dispatch!(vectors, simd => of(simd, lattice, x, y))
+}
+
+proptest! {
+    #[test]
+    fn eight_are_places_one_by_one(
+        seed in any::<u64>(), place in proptest::array::uniform2(-1e5..1e5f64), way in proptest::array::uniform2(-15.0..15.0f64),
+    ) {
+        let places: [[f64; LANES]; 2] =
+            [0, 1].map(|axis| std::array::from_fn(|lane| place[axis] + lane as f64 * way[axis]));
+        for (source, vectors) in [Source::Random, Source::Pattern]
+            .into_iter()
+            .flat_map(|source| [(source, Level::new()), (source, Level::baseline())])
+        {
+            let texture = texture(source, seed);
+            let grain = &texture.grains()[0];
+            let double: [f64; LANES] = side_by_side(vectors, grain.lattice(), &places);
+            let single: [f32; LANES] = side_by_side(vectors, grain.lattice(), &places);
+            for lane in 0..LANES {
+                let alone = grain.pattern(places[0][lane], places[1][lane]);
+                prop_assert_eq!(double[lane], alone, "{:?}, lane {}", source, lane);
+                prop_assert!((f64::from(single[lane]) - alone).abs() < 1e-6, "{source:?}, lane {lane}");
+            }
         }
     }
 }
