@@ -8,8 +8,8 @@ use crate::control_net::{Bends, bends};
 
 /// Smallest side of a square (m): below this a ceiling costs more than it saves.
 const SMALLEST_SIDE: f64 = 8.0;
-/// Most squares of a level.
-const MOST_SQUARES: usize = 1 << 20;
+/// Most squares of a level, unless it has more regions.
+const MOST_SQUARES: usize = 1 << 18;
 /// Share of a height by which rounding could lift the ground over a ceiling.
 const ROUNDING: f64 = 1e-12;
 
@@ -23,11 +23,11 @@ pub(crate) struct Sheet {
     side: f64,
     counts: [usize; 2],
     parts: usize,
-    /// Bending of each region, east fastest; infinite where a finer level lies over a part of it.
-    bends: Vec<Bends>,
+    /// Bending of each region, east fastest, rounded upwards; infinite where a finer level lies over a part of it.
+    bends: Vec<[f32; 3]>,
     /// Maxima (m): squares first, then four by four up to one.
     layers: Vec<Layer>,
-    /// Craters of each square: `craters[starts[n]..starts[n + 1]]`, ascending.
+    /// Craters of each square: `craters[starts[n]..starts[n + 1]]`, ascending; empty where the level has no craters.
     starts: Vec<u32>,
     craters: Vec<u32>,
 }
@@ -35,7 +35,8 @@ pub(crate) struct Sheet {
 #[derive(Debug)]
 struct Layer {
     counts: [usize; 2],
-    ceilings: Vec<f64>,
+    /// Rounded upwards.
+    ceilings: Vec<f32>,
 }
 
 /// A square of a sheet's pyramid: layer 0 holds the squares themselves.
@@ -75,12 +76,13 @@ impl Sheet {
         };
         sheet.bends = (0..regions[0] * regions[1])
             .into_par_iter()
-            .map(|n| sheet.region_bends(level, [n / regions[1], n % regions[1]], finer))
+            .map(|n| sheet.region_bends(level, [n / regions[1], n % regions[1]], finer).map(upwards))
             .collect();
-        sheet.sort_in(landscape.features());
+        sheet.sort_in(landscape.features(), finer);
         let ceilings = (0..counts[0] * counts[1])
             .into_par_iter()
             .map(|n| sheet.ceiling_of(level, finer, landscape.features(), [n / counts[1], n % counts[1]]))
+            .map(upwards)
             .collect();
         sheet.layers = pyramid(Layer { counts, ceilings });
         sheet
@@ -102,7 +104,7 @@ impl Sheet {
     /// Upper bound of the height in a node (m).
     pub(crate) fn ceiling(&self, node: Node) -> f64 {
         let layer = &self.layers[node.layer];
-        layer.ceilings[node.at[0] * layer.counts[1] + node.at[1]]
+        layer.ceilings[node.at[0] * layer.counts[1] + node.at[1]].into()
     }
 
     /// South-west and north-east corner of a node (m).
@@ -127,13 +129,16 @@ impl Sheet {
     /// Bending of the ground in a node of layer 0.
     pub(crate) fn bends(&self, node: Node) -> Bends {
         let regions = self.counts[1] / self.parts;
-        self.bends[node.at[0] / self.parts * regions + node.at[1] / self.parts]
+        self.bends[node.at[0] / self.parts * regions + node.at[1] / self.parts].map(f64::from)
     }
 
     /// Indices of the craters that reach into a node of layer 0, ascending.
     pub(crate) fn craters(&self, node: Node) -> &[u32] {
         let square = node.at[0] * self.counts[1] + node.at[1];
-        &self.craters[self.starts[square] as usize..self.starts[square + 1] as usize]
+        match self.starts.get(square..square + 2) {
+            Some(&[start, end]) => &self.craters[start as usize..end as usize],
+            _ => &[],
+        }
     }
 
     fn region_bends(&self, level: &Level, region: [usize; 2], finer: &[Level]) -> Bends {
@@ -147,31 +152,46 @@ impl Sheet {
         if finer.iter().any(overlaid) { [f64::INFINITY; 3] } else { bends(level, region) }
     }
 
-    fn sort_in(&mut self, features: &Features) {
+    fn sort_in(&mut self, features: &Features, finer: &[Level]) {
+        let all = features.craters();
+        let own = || (0u32..).zip(all).filter(|(_, crater)| !self.is_of(crater, finer));
+        if own().next().is_none() {
+            return;
+        }
         let squares = self.counts[0] * self.counts[1];
         let mut starts = vec![0u32; squares + 1];
-        let craters = features.craters();
-        for crater in craters {
+        for (_, crater) in own() {
             self.for_squares(crater, |square| starts[square + 1] += 1);
         }
         for square in 0..squares {
             starts[square + 1] += starts[square];
         }
-        self.craters = vec![0; starts[squares] as usize];
-        let mut sorted = std::mem::take(&mut self.craters);
+        let mut sorted = vec![0; starts[squares] as usize];
         let mut next = starts.clone();
-        for (index, crater) in craters.iter().enumerate() {
+        for (index, crater) in own() {
             self.for_squares(crater, |square| {
-                sorted[next[square] as usize] = index as u32;
+                sorted[next[square] as usize] = index;
                 next[square] += 1;
             });
         }
         (self.starts, self.craters) = (starts, sorted);
     }
 
+    /// Whether a crater lies wholly on a finer level, so that nobody meets it here.
+    fn is_of(&self, crater: &Crater, finer: &[Level]) -> bool {
+        let (centre, outer) = (crater.centre(), crater.outer());
+        let reach = outer + self.margin(outer);
+        finer.iter().any(|fine| covers(fine, [centre.map(|c| c - reach), centre.map(|c| c + reach)]))
+    }
+
+    /// What rounding could take from the reach of a crater (m).
+    fn margin(&self, outer: f64) -> f64 {
+        REACH_ROUNDING * (outer + self.side)
+    }
+
     fn for_squares(&self, crater: &Crater, mut visit: impl FnMut(usize)) {
         let (centre, outer) = (crater.centre(), crater.outer());
-        let margin = outer * REACH_ROUNDING + REACH_ROUNDING * self.side;
+        let margin = self.margin(outer);
         let range = |axis: usize| {
             let at = |place: f64| ((place - self.origin[axis]) / self.side).floor();
             let first = at(centre[axis] - outer - margin).max(0.0) as usize;
@@ -207,10 +227,16 @@ impl Sheet {
         let share = |axis: usize, end: usize| (at[axis] % self.parts + end) as f64 / self.parts as f64;
         let corner = |k: usize| level.height_and_slopes(region, [share(0, k / 2), share(1, k % 2)])[0];
         let highest = (0..4).map(corner).fold(f64::NEG_INFINITY, f64::max);
-        let kept = self.bends[region[0] * (self.counts[1] / self.parts) + region[1]];
+        let kept = self.bends(Node { layer: 0, at });
         let [hxx, _, hyy] = if kept[0].is_finite() { kept } else { bends(level, region) };
         highest + (hxx + hyy) * self.side * self.side / 8.0
     }
+}
+
+/// The nearest number of half the digits that is not below `bound`.
+fn upwards(bound: f64) -> f32 {
+    let nearest = bound as f32;
+    if f64::from(nearest) < bound { nearest.next_up() } else { nearest }
 }
 
 /// Nearest and farthest distance (m) from a place to the square between two corners.
@@ -266,7 +292,7 @@ fn pyramid(base: Layer) -> Vec<Layer> {
 
 fn halved(below: &Layer) -> Layer {
     let counts = below.counts.map(|count| count.div_ceil(2));
-    let mut ceilings = vec![f64::NEG_INFINITY; counts[0] * counts[1]];
+    let mut ceilings = vec![f32::NEG_INFINITY; counts[0] * counts[1]];
     for north in 0..below.counts[0] {
         for east in 0..below.counts[1] {
             let above = &mut ceilings[north / 2 * counts[1] + east / 2];
@@ -278,8 +304,43 @@ fn halved(below: &Layer) -> Layer {
 
 #[cfg(test)]
 mod tests {
-    use super::{Node, Sheet};
-    use crate::tests::cratered;
+    use super::{Node, Sheet, upwards};
+    use crate::tests::{cratered, two_levels};
+    use proptest::prelude::{prop_assert, proptest};
+
+    proptest! {
+        /// A ceiling of half the digits is still one, and no higher than it must be.
+        #[test]
+        fn a_rounded_bound_is_the_least_that_is_one(bound in -1e6..1e6f64, part in 0.0..1e-3f64) {
+            for bound in [bound, bound * part, f64::from(bound as f32)] {
+                let rounded = upwards(bound);
+                prop_assert!(f64::from(rounded) >= bound);
+                prop_assert!(f64::from(rounded.next_down()) < bound);
+            }
+        }
+    }
+
+    #[test]
+    fn bounds_without_end_stay_so() {
+        for bound in [f64::NEG_INFINITY, f64::INFINITY] {
+            assert_eq!(f64::from(upwards(bound)), bound);
+        }
+    }
+
+    #[test]
+    fn craters_stand_where_they_are_met() {
+        let landscape = two_levels();
+        let [fine, coarse] = [0, 1].map(|index| Sheet::new(&landscape, index));
+        let craters = landscape.features().craters();
+        let over_the_edge = |&index: &u32| {
+            let (centre, outer) = (craters[index as usize].centre(), craters[index as usize].outer());
+            centre.iter().any(|c| c - outer < 1e-6 || c + outer > 2000.0 - 1e-6)
+        };
+        let all = craters.len() as u32;
+        assert!((0..all).filter(over_the_edge).all(|index| coarse.craters.contains(&index)));
+        assert!(coarse.craters.iter().all(over_the_edge) && !coarse.craters.is_empty());
+        assert!((0..all).filter(|index| !over_the_edge(index)).all(|index| fine.craters.contains(&index)));
+    }
 
     #[test]
     fn no_ground_stands_above_its_ceiling() {
