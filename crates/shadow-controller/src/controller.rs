@@ -8,7 +8,7 @@ use rayon::slice::ParallelSliceMut;
 use remote_shadow::Segment;
 use sweep_program::{LoadTiming, NoTiming};
 
-use crate::crossings::{Crossing, Crossings, Met};
+use crate::crossings::{Crossing, Crossings, Met, ROOM};
 use crate::fan::Line;
 use crate::line_generators::{
     Boundary, SegmentLoad, SegmentMiss, Service, ServiceWork, serve, serve_in_time,
@@ -115,7 +115,7 @@ impl ShadowController {
         };
         out.resize_with(directions.len(), Gate::default);
         out.par_chunks_mut(BAND).enumerate().for_each_init(
-            || (Crossings::default(), Vec::new(), ServiceWork::default()),
+            || (Crossings::new(), Vec::with_capacity(ROOM), ServiceWork::new()),
             |(crossings, boundaries, work), (band, gates)| {
                 for (sweep, gate) in (band * BAND..).zip(gates) {
                     let crossed = crossings.of(&met, sweep);

@@ -13,8 +13,8 @@ use crate::nearly::sort_nearly;
 /// Lists that are looked over together.
 const PART: usize = 256;
 
-/// Lines that there is room for before more memory is asked for.
-const ROOM: usize = 1024;
+/// Lines, or crossings of a sweep, that there is room for before more memory is asked for.
+pub(crate) const ROOM: usize = 1024;
 
 /// One sweep crosses one line: bits of the range, then whether a shadow ends there, then which crossing it is: its part
 /// and its place there. In this form they are sorted as they are met, beginnings before endings at the same range.
@@ -142,13 +142,18 @@ fn begins(lines: &[MetLine], sweeps: usize) -> Vec<u32> {
 }
 
 /// All crossings of a sweep; used again from sweep to sweep.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(crate) struct Crossings {
     crossings: Vec<Crossing>,
     apart: Vec<Crossing>,
 }
 
 impl Crossings {
+    /// Room for those of a sweep.
+    pub(crate) fn new() -> Self {
+        Self { crossings: Vec::with_capacity(ROOM), apart: Vec::with_capacity(ROOM) }
+    }
+
     /// Crossings of one sweep by range; at one range beginnings come first.
     pub(crate) fn of(&mut self, met: &Met, sweep: usize) -> &[Crossing] {
         self.crossings.clear();

@@ -6,6 +6,7 @@ use std::collections::BinaryHeap;
 use quantities::SweepTime;
 use sweep_program::{LoadTiming, MissCause, TimedLoad};
 
+use crate::crossings::ROOM;
 use crate::fan::Line;
 use crate::nearly::sort_nearly;
 
@@ -99,7 +100,7 @@ fn by_range(a: &Boundary, b: &Boundary) -> Ordering {
 }
 
 /// What [`serve`] uses again from sweep to sweep.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(crate) struct ServiceWork {
     /// Where line generators come free again.
     free_at: BinaryHeap<u64>,
@@ -107,6 +108,14 @@ pub(crate) struct ServiceWork {
     taken: Vec<u64>,
     given_back: Vec<u64>,
     apart: Vec<u64>,
+}
+
+impl ServiceWork {
+    /// Room for the boundaries of a sweep.
+    pub(crate) fn new() -> Self {
+        let room = || Vec::with_capacity(ROOM);
+        Self { free_at: BinaryHeap::new(), taken: room(), given_back: room(), apart: room() }
+    }
 }
 
 /// Gives line generators to `boundaries` in the order in which the sweep comes to need them, and removes those that
@@ -234,7 +243,7 @@ mod tests {
 
     /// Boundaries dropped, and most in use.
     fn served(all: &mut Vec<Boundary>, limit: Option<u32>) -> (u32, u32) {
-        let service = serve(all, limit, &mut ServiceWork::default());
+        let service = serve(all, limit, &mut ServiceWork::new());
         assert_eq!(service.misses.len() as u32, service.dropped);
         (service.dropped, service.most_in_use)
     }
@@ -285,7 +294,7 @@ mod tests {
             }
             let mut in_turn = all.clone();
             let expected = serve_in_turn(&mut in_turn, None, &mut BinaryHeap::new());
-            let mut work = ServiceWork { taken: vec![3], given_back: vec![4], ..ServiceWork::default() };
+            let mut work = ServiceWork { taken: vec![3], given_back: vec![4], ..ServiceWork::new() };
             prop_assert_eq!(serve(&mut all, None, &mut work), expected);
             prop_assert_eq!(all, in_turn);
         }
