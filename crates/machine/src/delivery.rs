@@ -16,8 +16,9 @@ use sweep_generator::RangeTable;
 use crate::blocks::{Blocks, Shadows};
 use crate::control_plane::FramePlan;
 use crate::feature_loads::load_timing;
-use crate::footing::{Footing, Footings, UnderSun};
+use crate::footing::{CastShadow, Footings, UnderSun};
 use crate::raster::WrittenRaster;
+use crate::shade::Shade;
 use crate::sight::InSight;
 
 /// Data of a frame, by sweep; the buffers are kept from frame to frame.
@@ -51,7 +52,7 @@ impl Supply<'_> {
     pub fn deliver(&self, time: f64, out: &mut Delivery) {
         let (seen, left_out) = self.in_sight(time);
         out.left_out = left_out;
-        let under_sun = self.footed(&seen);
+        let under_sun = self.blocks.shadows.as_ref().map(|shadows| self.under_sun(shadows));
         match (&self.blocks.shadows, &under_sun) {
             (Some(shadows), Some(under_sun)) => self.gates(shadows, under_sun, &seen, time, &mut out.gates),
             _ => out.gates.clear(),
@@ -73,8 +74,8 @@ impl Supply<'_> {
     pub fn shadow_gates(&self, time: f64) -> Vec<Gate> {
         let (seen, _) = self.in_sight(time);
         let mut gates = Vec::new();
-        if let (Some(shadows), Some(under_sun)) = (&self.blocks.shadows, self.footed(&seen)) {
-            self.gates(shadows, &under_sun, &seen, time, &mut gates);
+        if let Some(shadows) = &self.blocks.shadows {
+            self.gates(shadows, &self.under_sun(shadows), &seen, time, &mut gates);
         }
         gates
     }
@@ -86,15 +87,6 @@ impl Supply<'_> {
             in_sight.keep_ready(self.plan, vertices);
         }
         (in_sight.bodies, in_sight.left_out)
-    }
-
-    /// How they stand, where there are shadows. Each footing is found by whoever asks first: all at once is quicker.
-    fn footed(&self, seen: &[(usize, &Body)]) -> Option<UnderSun<'_>> {
-        let under_sun = self.under_sun(self.blocks.shadows.as_ref()?);
-        seen.par_iter().for_each(|&(index, body)| {
-            under_sun.of(index, body);
-        });
-        Some(under_sun)
     }
 
     fn under_sun<'a>(&'a self, shadows: &'a Shadows) -> UnderSun<'a> {
@@ -118,10 +110,18 @@ impl Supply<'_> {
         let tiles: Vec<Arc<Tile>> = shadows.bank.around(&self.plan.sun, foot, reach, Some(edges));
         let patches: Vec<Segment> = self.patches(time);
         let mut segments: Vec<&[Segment]> = tiles.iter().map(|tile| tile.segments.as_slice()).collect();
-        let footings = seen.iter().map(|&(index, body)| under_sun.of(index, body));
-        segments.extend(
-            footings.filter(|footing| self.may_meet(footing)).map(|footing| footing.shadow.as_slice()),
-        );
+        // A map that is read beside its place shows shadows that no sweep meets.
+        let all = matches!(self.stage.settings.shadow_controller, ShadowParts::ScanConverter { .. });
+        let shade = Shade::new(foot, edges, &self.plan.sun);
+        let cast = seen.par_iter().filter_map(|&(index, body)| {
+            let may_fall = all || shade.may_meet([body.centre.x, body.centre.y], body.radius);
+            may_fall.then(|| under_sun.shadow(index, body))
+        });
+        let meets = |shadow: &&CastShadow| {
+            let (centre, radius) = shadow.around;
+            all || self.plan.sweeps_of(centre, radius).is_some()
+        };
+        segments.par_extend(cast.filter(meets).map(|shadow| &*shadow.outline));
         segments.push(&patches);
         let own = self.own_shadow(shadows);
         segments.push(&own);
@@ -135,12 +135,6 @@ impl Supply<'_> {
         if reach < end {
             gates.iter_mut().for_each(|gate| gate.end_at(reach));
         }
-    }
-
-    /// Whether a sweep may meet the shadow of a body. A scan converter may show it anywhere.
-    fn may_meet(&self, &Footing { around: (centre, radius), .. }: &Footing) -> bool {
-        let is_in_place = matches!(self.stage.settings.shadow_controller, ShadowParts::Digital { .. });
-        !is_in_place || self.plan.sweeps_of(centre, radius).is_some()
     }
 
     /// Outlines of the shadow that the vehicle casts on the ground: as of any body, but found anew for every pose.
@@ -158,9 +152,10 @@ impl Supply<'_> {
 
     fn project(&self, seen: &[(usize, &Body)], under_sun: Option<&UnderSun<'_>>, out: &mut Delivery) {
         let laws = self.stage.settings.laws;
-        let dark = |index: usize, body: &Body| under_sun.is_some_and(|sun| sun.of(index, body).dark);
-        let drawn = seen.iter().filter_map(|&(index, body)| {
-            let dark = dark(index, body);
+        let dark = |&(index, body): &(usize, &Body)| under_sun.is_some_and(|sun| sun.is_dark(index, body));
+        // Each is found by whoever asks first: all at once is quicker.
+        let dark: Vec<bool> = seen.par_iter().map(dark).collect();
+        let drawn = seen.iter().zip(dark).filter_map(|(&(_, body), dark)| {
             let vanishes = dark && laws.shadowed_bodies == ShadowedBodies::Vanish;
             let hidden = laws.body_visibility == BodyVisibility::AsReported && self.is_hidden(body.foot);
             (!vanishes && !hidden).then_some(Drawn { body, dark })

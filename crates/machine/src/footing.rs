@@ -6,19 +6,24 @@ use landscape::Sun;
 use remote_shadow::{Segment, ShadowBank};
 use solids::Body;
 
-/// A body under a sun.
+/// A body under a sun; what nobody asks for is not there.
 #[derive(Debug, Default)]
-pub(crate) struct Footing {
+struct Footing {
     /// Whether its foot point is in the remote shadow of the ground.
-    pub dark: bool,
-    /// Outline of the shadow that it casts.
-    pub shadow: Vec<Segment>,
-    /// Centre (north, east; m) and radius (m) of a circle around that shadow.
+    dark: OnceLock<bool>,
+    shadow: OnceLock<CastShadow>,
+}
+
+/// The shadow that a body casts.
+#[derive(Debug)]
+pub(crate) struct CastShadow {
+    pub outline: Box<[Segment]>,
+    /// Centre (north, east; m) and radius (m) of a circle around it.
     pub around: ([f64; 2], f64),
 }
 
 /// Footings under one sun, by the body's place in the list of the mission.
-type Shelf = Arc<[OnceLock<Footing>]>;
+type Shelf = Arc<[Footing]>;
 
 /// Footings of all bodies of a mission under the last few suns.
 #[derive(Debug, Default)]
@@ -40,7 +45,7 @@ impl Footings {
         let mut suns = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let known = suns.iter().find(|(known, _)| *known == sun).map(|(_, footings)| Arc::clone(footings));
         let footings = known.unwrap_or_else(|| {
-            let footings: Shelf = (0..bodies).map(|_| OnceLock::new()).collect();
+            let footings: Shelf = (0..bodies).map(|_| Footing::default()).collect();
             suns.truncate(SUNS - 1);
             suns.insert(0, (sun, Arc::clone(&footings)));
             footings
@@ -50,12 +55,17 @@ impl Footings {
 }
 
 impl UnderSun<'_> {
-    /// How body number `index` stands.
-    pub fn of(&self, index: usize, body: &Body) -> &Footing {
-        self.footings[index].get_or_init(|| {
-            let shadow = self.bank.cast_by_body(body, &self.sun);
-            let dark = self.bank.is_dark(&self.sun, [body.foot.x, body.foot.y]);
-            Footing { dark, around: circle_around(&shadow), shadow }
+    /// Whether the foot point of body number `index` is in the remote shadow of the ground.
+    pub fn is_dark(&self, index: usize, body: &Body) -> bool {
+        let dark = || self.bank.is_dark(&self.sun, [body.foot.x, body.foot.y]);
+        *self.footings[index].dark.get_or_init(dark)
+    }
+
+    /// The shadow that body number `index` casts.
+    pub fn shadow(&self, index: usize, body: &Body) -> &CastShadow {
+        self.footings[index].shadow.get_or_init(|| {
+            let outline = self.bank.cast_by_body(body, &self.sun).into_boxed_slice();
+            CastShadow { around: circle_around(&outline), outline }
         })
     }
 }

@@ -43,6 +43,7 @@ mod record;
 mod register_state;
 mod residue;
 mod session;
+mod shade;
 mod sight;
 mod signal_plane;
 mod sweep_recorder;
