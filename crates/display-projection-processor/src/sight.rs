@@ -61,3 +61,45 @@ impl<S: Real> Processor<S> {
         runs.extend(begin.map(|begin| begin..height.len()));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::{prop_assert_eq, proptest};
+    use scenario::{Curvature, Occlusion, Projection};
+    use signal::{LANES, Lanes};
+
+    use super::Sight;
+    use crate::{Deflection, Processor, Projected};
+
+    proptest! {
+        /// What is kept is what the whole processor has; a sample is in a run if a step beside it is in sight in any lane.
+        #[test]
+        fn what_is_seen_is_what_is_seen_of_all(
+            profiles in proptest::collection::vec(proptest::collection::vec(-30.0..30.0f64, LANES), 1..60),
+            hidden_from in 0..60usize,
+        ) {
+            let ranges: Vec<f64> = (1..=profiles.len()).map(|k| 5.0 * k as f64).collect();
+            // Far ground lies low, so that there are long runs of both kinds.
+            let height: Vec<_> = (0..).zip(&profiles).map(|(k, heights)| {
+                Lanes::from_fn(|lane| if k < hidden_from { heights[lane] } else { -500.0 })
+            }).collect();
+            let level = Deflection::new(Projection::Exact, 0.0, 0.0).in_lines(575.0, 0.268);
+            for occlusion in [Occlusion::PeakHold, Occlusion::Derivative] {
+                let processor = Processor::<f64>::new(occlusion, Curvature::Parabolic, &ranges);
+                let (mut whole, mut sight) = (Projected::default(), Sight::default());
+                processor.run(&height, &[level; LANES], &mut whole);
+                processor.look(&height, &[level; LANES], &mut sight);
+                prop_assert_eq!(&sight.entry, &whole.entry);
+                prop_assert_eq!(&sight.line, &whole.line);
+                let is_drawn = |step: usize| {
+                    step > 0 && step < height.len()
+                        && (0..LANES).any(|lane| whole.line[step][lane] < whole.line[step - 1][lane])
+                };
+                let found: Vec<usize> = sight.runs.iter().cloned().flatten().collect();
+                let expected: Vec<usize> =
+                    (0..height.len()).filter(|&sample| is_drawn(sample) || is_drawn(sample + 1)).collect();
+                prop_assert_eq!(found, expected);
+            }
+        }
+    }
+}
