@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use fearless_simd::prelude::{SimdBase, SimdFrom};
+use fearless_simd::prelude::{ExtractToken, SimdBase, SimdFrom};
 use fearless_simd::{Level, Simd, dispatch, f64x8};
 use signal::{LANES, Real, eight, pair};
 use sweep_program::SweepProgram;
@@ -217,57 +217,31 @@ impl<S: Real> Expanded<S> {
         lane: usize,
         samples: Range<usize>,
         ranges: &[S],
-        mut out: [&mut [S]; 3],
+        [height, along, across]: [&mut [S]; 3],
     ) {
-        let mut first = samples.start;
-        while first + 3 * LANES < samples.end {
-            self.evaluate_eights::<L, 4>(simd, lane, first, ranges, &mut out);
-            first += 4 * LANES;
-        }
-        while first + LANES < samples.end {
-            self.evaluate_eights::<L, 2>(simd, lane, first, ranges, &mut out);
-            first += 2 * LANES;
-        }
-        if first < samples.end {
-            self.evaluate_eights::<L, 1>(simd, lane, first, ranges, &mut out);
+        let [middle, inverse_half] =
+            [self.middle[lane], self.inverse_half[lane]].map(|value| S::Vector::<L>::simd_from(simd, value));
+        for first in samples.step_by(LANES) {
+            let eight = first..first + LANES;
+            let s = (S::Vector::from_slice(simd, &ranges[eight.clone()]) - middle) * inverse_half;
+            horner(&self.height, lane, s).store_slice(&mut height[eight.clone()]);
+            horner(&self.along, lane, s).store_slice(&mut along[eight.clone()]);
+            horner(&self.across, lane, s).store_slice(&mut across[eight]);
         }
     }
+}
 
-    /// The same at `N` times eight samples from `first` on. A step of Horner's scheme waits for the one before: the schemes take
-    /// their steps in turns, so that there is something to do meanwhile.
-    #[inline(always)]
-    fn evaluate_eights<L: Simd, const N: usize>(
-        &self,
-        simd: L,
-        lane: usize,
-        first: usize,
-        ranges: &[S],
-        [height, along, across]: &mut [&mut [S]; 3],
-    ) {
-        let all = |value: S| S::Vector::<L>::simd_from(simd, value);
-        let (middle, inverse_half) = (all(self.middle[lane]), all(self.inverse_half[lane]));
-        let mut s = [middle; N];
-        let mut sums = [[all(self.height[10][lane]), all(self.along[9][lane]), all(self.across[9][lane])]; N];
-        for n in 0..N {
-            let at = first + LANES * n;
-            s[n] = (S::Vector::from_slice(simd, &ranges[at..at + LANES]) - middle) * inverse_half;
-            sums[n][0] = sums[n][0] * s[n] + self.height[9][lane];
-        }
-        for k in (0..9).rev() {
-            let terms = [self.height[k][lane], self.along[k][lane], self.across[k][lane]];
-            for n in 0..N {
-                for (sum, term) in sums[n].iter_mut().zip(terms) {
-                    *sum = *sum * s[n] + term;
-                }
-            }
-        }
-        for (n, sums) in sums.into_iter().enumerate() {
-            let at = first + LANES * n;
-            for (sum, out) in sums.into_iter().zip([&mut *height, &mut *along, &mut *across]) {
-                sum.store_slice(&mut out[at..at + LANES]);
-            }
-        }
+#[inline(always)]
+fn horner<L: Simd, S: Real, const N: usize>(
+    coefficients: &[[S; LANES]; N],
+    lane: usize,
+    s: S::Vector<L>,
+) -> S::Vector<L> {
+    let mut sum = S::Vector::<L>::simd_from(s.token(), coefficients[N - 1][lane]);
+    for k in (0..N - 1).rev() {
+        sum = sum * s + coefficients[k][lane];
     }
+    sum
 }
 
 /// Values as a run has its numbers.
