@@ -30,7 +30,7 @@ pub const SIGNALS: &[Signal] = &[
 /// What the block is set to for a run: tables over the sweep.
 #[derive(Debug, Clone)]
 pub struct Processor<S> {
-    pub(crate) occlusion: Occlusion,
+    occlusion: Occlusion,
     curvature: Curvature,
     ranges: Vec<f64>,
     inverse_range: Vec<S>,
@@ -95,42 +95,43 @@ impl<S: Real> Processor<S> {
     /// Projects the profiles of a group; `height` is above the eye (m), `deflection` in lines.
     pub fn run(&self, height: &[Lanes<S>], deflection: &[Deflection; LANES], out: &mut Projected<S>) {
         out.breaks.clear();
-        match self.occlusion {
-            Occlusion::PeakHold => {
-                dispatch!(self.vectors, _ => self.run_smooth(height, deflection, peak_hold, out));
-            }
-            Occlusion::Derivative => {
-                dispatch!(self.vectors, _ => self.run_smooth(height, deflection, derivative, out));
-            }
-        }
+        dispatch!(self.vectors, _ => self.run_smooth(height, deflection, out));
     }
 
     #[inline(always)]
-    fn run_smooth(
-        &self,
-        height: &[Lanes<S>],
-        deflection: &[Deflection; LANES],
-        circuit: impl Fn(S, S, S) -> S,
-        out: &mut Projected<S>,
-    ) {
+    fn run_smooth(&self, height: &[Lanes<S>], deflection: &[Deflection; LANES], out: &mut Projected<S>) {
         out.resize(height.len());
         let by = DeflectionLanes::new(deflection);
         let Projected { elevation, hold, entry, position, line, .. } = out;
-        self.walk(height, deflection, circuit, |sample, place| {
+        self.walk(height, deflection, |sample, place| {
             (elevation[sample], hold[sample]) = (place.elevation, place.hold);
             (entry[sample], line[sample]) = (place.entry, place.line);
             position[sample] = by.at(place.elevation);
         });
     }
 
-    /// Hands each sample of profiles without bends to `put`. In one pass: a loop without a memory from sample to sample would
-    /// be turned into vectors along the samples, and they lie apart.
+    /// Hands each sample of profiles without bends to `put`.
     #[inline(always)]
     pub(crate) fn walk(
         &self,
         height: &[Lanes<S>],
         deflection: &[Deflection; LANES],
+        put: impl FnMut(usize, Place<S>),
+    ) {
+        match self.occlusion {
+            Occlusion::PeakHold => self.walk_by(peak_hold, height, deflection, put),
+            Occlusion::Derivative => self.walk_by(derivative, height, deflection, put),
+        }
+    }
+
+    /// By one circuit. In one pass: a loop without a memory from sample to sample would
+    /// be turned into vectors along the samples, and they lie apart.
+    #[inline(always)]
+    fn walk_by(
+        &self,
         circuit: impl Fn(S, S, S) -> S,
+        height: &[Lanes<S>],
+        deflection: &[Deflection; LANES],
         mut put: impl FnMut(usize, Place<S>),
     ) {
         let samples = height.len();

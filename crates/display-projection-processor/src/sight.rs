@@ -3,10 +3,9 @@
 use std::ops::Range;
 
 use fearless_simd::dispatch;
-use scenario::Occlusion;
 use signal::{LANES, Lanes, Real};
 
-use crate::occlusion::{all, derivative, peak_hold};
+use crate::occlusion::all;
 use crate::processor::Place;
 use crate::{Deflection, Processor};
 
@@ -26,28 +25,15 @@ impl<S: Real> Processor<S> {
     pub fn look(&self, height: &[Lanes<S>], deflection: &[Deflection; LANES], out: &mut Sight<S>) {
         out.entry.resize(height.len(), Lanes::default());
         out.line.resize(height.len(), Lanes::default());
-        match self.occlusion {
-            Occlusion::PeakHold => {
-                dispatch!(self.vectors, _ => self.look_by(height, deflection, peak_hold, out));
-            }
-            Occlusion::Derivative => {
-                dispatch!(self.vectors, _ => self.look_by(height, deflection, derivative, out));
-            }
-        }
+        dispatch!(self.vectors, _ => self.look_by(height, deflection, out));
     }
 
     #[inline(always)]
-    fn look_by(
-        &self,
-        height: &[Lanes<S>],
-        deflection: &[Deflection; LANES],
-        circuit: impl Fn(S, S, S) -> S,
-        out: &mut Sight<S>,
-    ) {
+    fn look_by(&self, height: &[Lanes<S>], deflection: &[Deflection; LANES], out: &mut Sight<S>) {
         let Sight { entry, line, runs } = out;
         runs.clear();
         let (mut before, mut begin) = (Lanes::default(), None);
-        self.walk(height, deflection, circuit, |sample, place: Place<S>| {
+        self.walk(height, deflection, |sample, place: Place<S>| {
             (entry[sample], line[sample]) = (place.entry, place.line);
             let is_hidden = sample == 0 || all(|lane| place.line[lane] >= before[lane]);
             before = place.line;

@@ -231,7 +231,7 @@ fn apart(arguments: &[&str]) -> Result<String, String> {
     if ended.status.success() { Ok(said(&ended.stdout)) } else { Err(said(&ended.stderr)) }
 }
 
-/// Meridians and rings of the meshes, coarse to fine; POV-Ray takes four gigabytes for the finest.
+/// Meridians and rings of the meshes, coarse to fine; POV-Ray reads the finest for most of a minute.
 const SIDES: [usize; 6] = [64, 128, 256, 512, 1024, 2048];
 
 fn mesh() -> Result<(), String> {
