@@ -150,3 +150,47 @@ fn tracks_lie_from_when_they_are_laid() {
         assert!(machine.abs_diff(exact) < 40, "{time} s: {machine} {exact} dark pixels");
     }
 }
+
+/// Whether a box of the given half width and height, on level ground, stands between a place and the sun. The place is that
+/// north and east of the foot of the box (m).
+fn is_behind_box(place: [f64; 2], half: f64, height: f64, sun: &Sun) -> bool {
+    let [north, east, up] = sun.direction();
+    // On the way to the sun: where the line comes over the box and where it leaves it.
+    let [mut over, mut beyond] = [0.0f64, f64::INFINITY];
+    for (at, step) in place.into_iter().zip([north, east]) {
+        let ends = [(-half - at) / step, (half - at) / step];
+        (over, beyond) = (over.max(ends[0].min(ends[1])), beyond.min(ends[0].max(ends[1])));
+    }
+    over < beyond && over * up < height
+}
+
+/// Boxes beside the view, of whose long shadows the far part alone lies in it: the middle of the shadow does not.
+#[test]
+fn what_stands_beside_the_view_casts_its_shadow_into_it() {
+    const BOX: [f64; 2] = [1.0, 12.0];
+    for side in [-1.0, 1.0] {
+        let set = Set::over(flat()).under(sun(side * 93.0, 15.0)).with_shadows();
+        let edge = set.direction(if side < 0.0 { 0 } else { set.stage.settings.raster.sweeps - 1 });
+        let (light, ahead) = (set.stage.scenery.sun(0.0), 60.0);
+        // The shadow is 45 m long; of it, 30 m lie outside.
+        let foot = set.ahead(ahead, ahead * edge[1] / edge[0] + side * 30.0);
+        let set = set.with_bodies(vec![standing_box(0, foot, BOX[0], BOX[1])]);
+        let drawn = set.machine(&["sc.gate", "sweep.range"]);
+        let mut found = [0; 2];
+        for sweep in 0..set.stage.settings.raster.sweeps {
+            for (gate, &range) in
+                wave(&drawn, sweep, "sc.gate").iter().zip(wave(&drawn, sweep, "sweep.range"))
+            {
+                let [x, y] = set.place(sweep, range);
+                let dark = [[0.0; 2], [EDGE, 0.0], [-EDGE, 0.0], [0.0, EDGE], [0.0, -EDGE]]
+                    .map(|[a, b]| is_behind_box([x + a - foot[0], y + b - foot[1]], BOX[0], BOX[1], &light));
+                if dark.iter().all(|other| *other == dark[0]) {
+                    found[usize::from(dark[0])] += 1;
+                    assert_eq!(*gate == 1.0, dark[0], "sweep {sweep}, {range} m, side {side}");
+                }
+            }
+        }
+        println!("side {side}: {found:?} lit and dark");
+        assert!(found[1] > 60, "side {side}: {found:?} lit and dark");
+    }
+}
