@@ -70,6 +70,12 @@ pub struct ProjectedBreaks<S> {
     pub line: [Vec<S>; LANES],
 }
 
+/// Takes what a walk finds. No closure: those that the compiler does not inline lose the vectors of their caller.
+pub(crate) trait Take<S> {
+    /// The next sample.
+    fn take(&mut self, sample: usize, place: Place<S>);
+}
+
 /// One sample on its way through the processor, lane by lane: see [`Projected`].
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Place<S> {
@@ -101,26 +107,20 @@ impl<S: Real> Processor<S> {
     #[inline(always)]
     fn run_smooth(&self, height: &[Lanes<S>], deflection: &[Deflection; LANES], out: &mut Projected<S>) {
         out.resize(height.len());
-        let by = DeflectionLanes::new(deflection);
-        let Projected { elevation, hold, entry, position, line, .. } = out;
-        self.walk(height, deflection, |sample, place| {
-            (elevation[sample], hold[sample]) = (place.elevation, place.hold);
-            (entry[sample], line[sample]) = (place.entry, place.line);
-            position[sample] = by.at(place.elevation);
-        });
+        self.walk(height, deflection, &mut All { by: DeflectionLanes::new(deflection), out });
     }
 
-    /// Hands each sample of profiles without bends to `put`.
+    /// Hands each sample of profiles without bends to `taker`.
     #[inline(always)]
     pub(crate) fn walk(
         &self,
         height: &[Lanes<S>],
         deflection: &[Deflection; LANES],
-        put: impl FnMut(usize, Place<S>),
+        taker: &mut impl Take<S>,
     ) {
         match self.occlusion {
-            Occlusion::PeakHold => self.walk_by(peak_hold, height, deflection, put),
-            Occlusion::Derivative => self.walk_by(derivative, height, deflection, put),
+            Occlusion::PeakHold => self.walk_by(peak_hold, height, deflection, taker),
+            Occlusion::Derivative => self.walk_by(derivative, height, deflection, taker),
         }
     }
 
@@ -132,7 +132,7 @@ impl<S: Real> Processor<S> {
         circuit: impl Fn(S, S, S) -> S,
         height: &[Lanes<S>],
         deflection: &[Deflection; LANES],
-        mut put: impl FnMut(usize, Place<S>),
+        taker: &mut impl Take<S>,
     ) {
         let samples = height.len();
         if samples == 0 {
@@ -153,7 +153,7 @@ impl<S: Real> Processor<S> {
             if !all(|lane| hold[lane] == held[lane]) {
                 (held, held_at) = (hold, by.at(hold));
             }
-            put(sample, Place { elevation: now, hold, entry, line: held_at });
+            taker.take(sample, Place { elevation: now, hold, entry, line: held_at });
             now = after;
         }
     }
@@ -218,6 +218,22 @@ impl<S: Real> ProjectedBreaks<S> {
         for signal in [&mut self.elevation, &mut self.hold, &mut self.position, &mut self.line] {
             signal.iter_mut().for_each(Vec::clear);
         }
+    }
+}
+
+/// All that the processor says of a group.
+struct All<'a, S> {
+    by: DeflectionLanes<S>,
+    out: &'a mut Projected<S>,
+}
+
+impl<S: Real> Take<S> for All<'_, S> {
+    #[inline(always)]
+    fn take(&mut self, sample: usize, place: Place<S>) {
+        let Projected { elevation, hold, entry, position, line, .. } = self.out;
+        (elevation[sample], hold[sample]) = (place.elevation, place.hold);
+        (entry[sample], line[sample]) = (place.entry, place.line);
+        position[sample] = self.by.at(place.elevation);
     }
 }
 

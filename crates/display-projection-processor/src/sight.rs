@@ -6,7 +6,7 @@ use fearless_simd::dispatch;
 use signal::{LANES, Lanes, Real};
 
 use crate::occlusion::all;
-use crate::processor::Place;
+use crate::processor::{Place, Take};
 use crate::{Deflection, Processor};
 
 /// Outputs of a group that straight strokes need: one [`Lanes`] a sample, as in [`Projected`](crate::Projected).
@@ -30,21 +30,35 @@ impl<S: Real> Processor<S> {
 
     #[inline(always)]
     fn look_by(&self, height: &[Lanes<S>], deflection: &[Deflection; LANES], out: &mut Sight<S>) {
-        let Sight { entry, line, runs } = out;
-        runs.clear();
-        let (mut before, mut begin) = (Lanes::default(), None);
-        self.walk(height, deflection, |sample, place: Place<S>| {
-            (entry[sample], line[sample]) = (place.entry, place.line);
-            let is_hidden = sample == 0 || all(|lane| place.line[lane] >= before[lane]);
-            before = place.line;
-            if !is_hidden && begin.is_none() {
-                begin = Some(sample - 1);
-            }
-            if is_hidden && let Some(begin) = begin.take() {
-                runs.push(begin..sample);
-            }
-        });
-        runs.extend(begin.map(|begin| begin..height.len()));
+        out.runs.clear();
+        let mut seen = Seen { out, before: Lanes::default(), begin: None };
+        self.walk(height, deflection, &mut seen);
+        let begin = seen.begin;
+        out.runs.extend(begin.map(|begin| begin..height.len()));
+    }
+}
+
+/// What is seen, on the way from sample to sample.
+struct Seen<'a, S> {
+    out: &'a mut Sight<S>,
+    /// Line position of the sample before.
+    before: Lanes<S>,
+    /// Where the present run begins, if there is one.
+    begin: Option<usize>,
+}
+
+impl<S: Real> Take<S> for Seen<'_, S> {
+    #[inline(always)]
+    fn take(&mut self, sample: usize, place: Place<S>) {
+        (self.out.entry[sample], self.out.line[sample]) = (place.entry, place.line);
+        let is_hidden = sample == 0 || all(|lane| place.line[lane] >= self.before[lane]);
+        self.before = place.line;
+        if !is_hidden && self.begin.is_none() {
+            self.begin = Some(sample - 1);
+        }
+        if is_hidden && let Some(begin) = self.begin.take() {
+            self.out.runs.push(begin..sample);
+        }
     }
 }
 
