@@ -35,8 +35,10 @@
 mod bank;
 mod generator;
 mod loads;
+mod passing;
 mod profile;
 mod schedule;
+mod side_by_side;
 mod steps;
 mod sub_generator;
 mod swift;

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use features::Crater;
-use signal::Real;
+use signal::{Number, Real};
 
 use crate::{FeatureLoad, Surface};
 
@@ -29,22 +29,16 @@ pub(crate) struct SubGenerator {
 
 /// Height against distance from the centre: `vertex + rise ((rho - at) scale)^2`.
 #[derive(Debug, Clone, Copy)]
-struct Parabola<S> {
-    vertex: S,
-    rise: S,
-    at: S,
-    scale: S,
+pub(crate) struct Parabola<T> {
+    pub vertex: T,
+    pub rise: T,
+    pub at: T,
+    pub scale: T,
 }
 
 impl SubGenerator {
     pub fn new(crater: &Crater, load: &FeatureLoad) -> Self {
-        let (floor, foot, outer) = (crater.floor(), crater.foot(), crater.outer());
-        let (depth, rim) = (crater.depth(), crater.rim());
-        // Without a rim nobody asks for the ring, and its scale is infinite.
-        let ring =
-            Parabola { vertex: rim, rise: -rim, at: 0.5 * (foot + outer), scale: 2.0 / (outer - foot) };
-        let hollow = Parabola { vertex: -depth, rise: depth, at: floor, scale: 1.0 / (foot - floor) };
-        Self { middle: load.middle, side: load.side, ring, hollow }
+        Self { middle: load.middle, side: load.side, ring: ring(crater), hollow: hollow(crater) }
     }
 
     /// Adds the crater to the samples of a lane, all of which are in `zone`.
@@ -91,24 +85,6 @@ impl SubGenerator {
         }
     }
 
-    /// Adds a share of the crater's slopes, by the law of `zone`, to one sample of a lane, and its height if the sample is in
-    /// the zone.
-    pub fn add_share<S: Real>(
-        &self,
-        zone: Zone,
-        (range, sample): (f64, usize),
-        (share, is_inside): (f64, bool),
-        lane: usize,
-        surface: &mut Surface<'_, S>,
-    ) {
-        let [height, along, across] = self.at(zone, range);
-        if is_inside {
-            surface.height[sample][lane] += S::from_f64(height);
-        }
-        surface.along[sample][lane] += S::from_f64(share * along);
-        surface.across[sample][lane] += S::from_f64(share * across);
-    }
-
     /// Height, slope along and slope across at one range, by the law of `zone`.
     pub fn at(&self, zone: Zone, range: f64) -> [f64; 3] {
         let offset = range - self.middle;
@@ -123,24 +99,41 @@ impl SubGenerator {
     }
 }
 
+/// The rim. Without one nobody asks for it, and its scale is infinite.
+pub(crate) fn ring(crater: &Crater) -> Parabola<f64> {
+    let (foot, outer, rim) = (crater.foot(), crater.outer(), crater.rim());
+    Parabola { vertex: rim, rise: -rim, at: 0.5 * (foot + outer), scale: 2.0 / (outer - foot) }
+}
+
+/// Bowl, or floor and wall.
+pub(crate) fn hollow(crater: &Crater) -> Parabola<f64> {
+    let (floor, foot, depth) = (crater.floor(), crater.foot(), crater.depth());
+    Parabola { vertex: -depth, rise: depth, at: floor, scale: 1.0 / (foot - floor) }
+}
+
 /// The laws take `rho^2` and give height and `h' / rho`, so that slopes are products with the offsets from the centre.
-impl<S: Real> Parabola<S> {
+impl<T: Number> Parabola<T> {
     /// Types 1 and 2: a parabola about the centre needs no root.
     #[inline(always)]
-    fn bowl(&self, square: S) -> [S; 2] {
+    pub fn bowl(&self, square: T) -> [T; 2] {
         let bend = self.rise * self.scale * self.scale;
         [self.vertex + bend * square, bend + bend]
     }
 
+    /// Type 3: on the floor its edge is as far away as it can be.
     #[inline(always)]
-    fn floor_and_wall(&self, square: S) -> [S; 2] {
-        if square <= self.at * self.at { [self.vertex, S::ZERO] } else { self.ring(square) }
+    pub fn floor_and_wall(&self, square: T) -> [T; 2] {
+        self.about(square.root().at_least(self.at))
     }
 
     /// A parabola about a circle.
     #[inline(always)]
-    fn ring(&self, square: S) -> [S; 2] {
-        let rho = square.sqrt();
+    pub fn ring(&self, square: T) -> [T; 2] {
+        self.about(square.root())
+    }
+
+    #[inline(always)]
+    fn about(&self, rho: T) -> [T; 2] {
         let place = (rho - self.at) * self.scale;
         let rise = self.rise * place;
         [self.vertex + rise * place, (rise + rise) * self.scale / rho]
@@ -148,7 +141,7 @@ impl<S: Real> Parabola<S> {
 }
 
 impl Parabola<f64> {
-    fn cast<S: Real>(&self) -> Parabola<S> {
+    pub fn cast<S: Real>(&self) -> Parabola<S> {
         let [vertex, rise, at, scale] = [self.vertex, self.rise, self.at, self.scale].map(S::from_f64);
         Parabola { vertex, rise, at, scale }
     }

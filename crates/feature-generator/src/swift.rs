@@ -1,24 +1,12 @@
 //! Craters at the samples alone: no list of zones, no kinks.
 
-use features::{Crater, Features};
-use signal::{LANES, Real};
+use fearless_simd::{Level, Simd, dispatch};
+use features::Features;
+use signal::{LANES, Lanes, Real};
 
-use crate::sub_generator::{SubGenerator, Zone};
-use crate::{FeatureGenerator, FeatureLoad, FeatureProfile, FeatureProgram, Surface};
-
-/// Ranges (m) at which a sweep goes over from zone to zone of a crater, no earlier than the word is there.
-fn crossings(crater: &Crater, load: &FeatureLoad) -> [f64; 4] {
-    let half = |radius: f64| (radius * radius - load.side * load.side).max(0.0).sqrt();
-    let (outer, foot) = (half(crater.outer()), half(crater.foot()));
-    [-outer, -foot, foot, outer].map(|way| (load.middle + way).max(load.from))
-}
-
-/// What a sweep meets of a zone: ranges (m), and where they are on the sweep clock.
-#[derive(Debug, Clone, Copy)]
-struct Stretch {
-    ranges: [f64; 2],
-    places: [f64; 2],
-}
+use crate::passing::Passings;
+use crate::side_by_side::Ground;
+use crate::{FeatureGenerator, FeatureProfile, FeatureProgram, Surface};
 
 impl FeatureGenerator<'_> {
     /// Adds the craters of a group to `surface`, in the order of the programs; `features` are those from which the programs
@@ -33,9 +21,9 @@ impl FeatureGenerator<'_> {
         features: &Features,
         programs: &[FeatureProgram; LANES],
         place: impl Fn(f64) -> f64,
-        surface: &mut Surface<'_, S>,
+        surface: Surface<'_, S>,
     ) {
-        self.lay_each(features, programs, place, surface, |_, _| {});
+        self.lay_all(Level::new(), features, programs, place, surface, None);
     }
 
     /// The same apart from the terrain: `profile` without kinks, present wherever it adds anything.
@@ -46,89 +34,44 @@ impl FeatureGenerator<'_> {
         place: impl Fn(f64) -> f64,
         profile: &mut FeatureProfile<S>,
     ) {
-        let samples = self.ranges.len();
-        profile.clear(samples);
+        profile.clear(self.ranges.len());
         let FeatureProfile { height, along, across, present, .. } = profile;
-        let mut surface = Surface { height, along, across };
-        self.lay_each(features, programs, place, &mut surface, |lane, [begin, end]| {
-            let touched = (begin + 0.5) as usize..((end + 0.5) as usize + 1).min(samples);
-            present[touched].iter_mut().for_each(|present| present[lane] = S::ONE);
-        });
+        let surface = Surface { height, along, across };
+        self.lay_all(Level::new(), features, programs, place, surface, Some(present));
     }
 
-    /// Adds the craters, and tells for each in which lane and from where to where on the sweep clock it lies.
-    fn lay_each<S: Real>(
+    fn lay_all<'s, S: Real>(
         &self,
+        vectors: Level,
         features: &Features,
         programs: &[FeatureProgram; LANES],
         place: impl Fn(f64) -> f64,
-        surface: &mut Surface<'_, S>,
-        mut laid: impl FnMut(usize, [f64; 2]),
+        surface: Surface<'s, S>,
+        present: Option<&'s mut [Lanes<S>]>,
     ) {
-        for (lane, program) in programs.iter().enumerate() {
-            let last = self.end_of(program);
-            for load in &program.loads {
-                let crater = &features.craters()[load.crater as usize];
-                let ranges = crossings(crater, load);
-                let places = ranges.map(|range| place(range).min(last));
-                if places[0] < places[3] {
-                    let generator = SubGenerator::new(crater, load);
-                    let mut lay = |zone, from: usize, to: usize| {
-                        let stretch = Stretch {
-                            ranges: [ranges[from], ranges[to]],
-                            places: [places[from], places[to]],
-                        };
-                        self.lay_zone(&generator, zone, &stretch, lane, surface);
-                    };
-                    if ranges[1] < ranges[2] {
-                        lay(Zone::Ring, 0, 1);
-                        lay(Zone::Hollow, 1, 2);
-                        lay(Zone::Ring, 2, 3);
-                    } else {
-                        lay(Zone::Ring, 0, 3);
-                    }
-                    laid(lane, [places[0], places[3]]);
-                }
-            }
-        }
+        let samples = programs
+            .each_ref()
+            .map(|program| self.ranges.partition_point(|&range| range <= program.end_range));
+        let mut ground = Ground { ranges: self.ranges, place, samples, surface, present };
+        dispatch!(vectors, simd => lay_passings(simd, features, Passings::of(programs), &mut ground));
     }
+}
 
-    /// Place at which the profile of a sweep ends: half a step beyond its last sample.
-    fn end_of(&self, program: &FeatureProgram) -> f64 {
-        self.ranges.partition_point(|&range| range <= program.end_range) as f64 - 0.5
-    }
-
-    fn lay_zone<S: Real>(
-        &self,
-        generator: &SubGenerator,
-        zone: Zone,
-        &Stretch { ranges: [near, far], places: [begin, end] }: &Stretch,
-        lane: usize,
-        surface: &mut Surface<'_, S>,
-    ) {
-        if begin >= end {
-            return;
-        }
-        let [first, last] = [begin, end].map(|place| (place + 0.5) as usize);
-        let mut add_share = |sample: usize, share: f64| {
-            // The step behind the last sample is no sample's.
-            let Some(&range) = self.ranges.get(sample) else { return };
-            let is_inside = (begin..end).contains(&(sample as f64));
-            // Beyond its zone a law says nothing: it may be steep there, or have no value.
-            let range = range.max(near).min(far);
-            generator.add_share(zone, (range, sample), (share, is_inside), lane, surface);
-        };
-        if first == last {
-            return add_share(first, end - begin);
-        }
-        add_share(first, first as f64 + 0.5 - begin);
-        add_share(last, end + 0.5 - last as f64);
-        generator.add(zone, self.ranges, first + 1..last, lane, surface);
+#[inline(always)]
+fn lay_passings<L: Simd, S: Real>(
+    simd: L,
+    features: &Features,
+    passings: Passings<'_>,
+    ground: &mut Ground<'_, '_, S, impl Fn(f64) -> f64>,
+) {
+    for passing in passings {
+        ground.lay(simd, &features.craters()[passing.crater as usize], &passing);
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use fearless_simd::Level;
     use features::{Crater, Features, Shape};
     use hardware_model::{FeatureParts, Organisation};
     use proptest::prelude::{Strategy, prop_assert, prop_assert_eq, prop_oneof, proptest};
@@ -146,6 +89,16 @@ mod tests {
         (place, shape).prop_map(|((x, y), (shape, rim))| Crater::new([x, y], shape, 1.0, rim).unwrap())
     }
 
+    fn schedule(features: &Features) -> Schedule<'_> {
+        Schedule {
+            features,
+            parts: FeatureParts { sub_generators: None, organisation: Organisation::Scheduled },
+            region_origin: [0.0; 2],
+            region_size: 100.0,
+            among: None,
+        }
+    }
+
     #[test]
     fn a_kink_beside_a_sample_leaves_it_its_share() {
         let crater = Crater::new([10.3, 0.0], Shape::Bowl { r1: 5.0 }, 1.0, 0.0).unwrap();
@@ -158,7 +111,7 @@ mod tests {
         let [height, along, across] = &mut sums;
         let programs = std::array::from_fn(|_| program.clone());
         let generator = FeatureGenerator { ranges: &ranges };
-        generator.lay(&features, &programs, |range| range - 1.0, &mut Surface { height, along, across });
+        generator.lay(&features, &programs, |range| range - 1.0, Surface { height, along, across });
         // It begins at 5.3 m and ends at 15.3 m: a fifth of the step about 5 m, eight tenths of that about 15 m.
         let slope = |range: f64| 0.08 * (range - 10.3);
         let expected = [(4, 0.0), (5, 0.2 * slope(5.3)), (6, slope(6.0)), (15, 0.8 * slope(15.0)), (16, 0.0)];
@@ -201,13 +154,7 @@ mod tests {
         ) {
             let features = Features::new(craters);
             let ranges: Vec<f64> = (0..300).map(|k| 1.0 + 0.37 * f64::from(k)).collect();
-            let schedule = Schedule {
-                features: &features,
-                parts: FeatureParts { sub_generators: None, organisation: Organisation::Scheduled },
-                region_origin: [0.0; 2],
-                region_size: 100.0,
-                among: None,
-            };
+            let schedule = schedule(&features);
             let (mut programs, mut listed): ([FeatureProgram; LANES], [FeatureProgram; LANES]) = Default::default();
             for lane in 0..LANES {
                 let (sin, cos) = quantities::sin_cos(0.02 * lane as f64 - 0.08);
@@ -227,9 +174,9 @@ mod tests {
             generator.run(&features, &programs, &mut profile);
             let zero = vec![Lanes::splat(0.0); ranges.len()];
             let (mut height, mut along, mut across) = (zero.clone(), zero.clone(), zero);
-            let mut surface = Surface { height: &mut height, along: &mut along, across: &mut across };
+            let surface = Surface { height: &mut height, along: &mut along, across: &mut across };
             let place = |range: f64| if range <= 1.0 { -0.5 } else { ((range - 1.0) / 0.37).min(299.5) };
-            generator.lay(&features, &listed, place, &mut surface);
+            generator.lay(&features, &listed, place, surface);
             for sample in 0..ranges.len() {
                 for lane in 0..LANES {
                     prop_assert!((height[sample][lane] - profile.height[sample][lane]).abs() < 1e-12);
@@ -244,6 +191,36 @@ mod tests {
                     prop_assert!((across[sample][lane] - profile.across[sample][lane]).abs() < 1e-12);
                 }
             }
+        }
+
+        /// A sweep beside others is the sweep alone, whatever the width of the vectors: to the bit.
+        #[test]
+        fn neighbours_and_vectors_change_no_bit(
+            craters in proptest::collection::vec(crater(), 1..12),
+            turn in 0.001..0.2f64,
+            end in 20.0..110.0f64,
+            lane in 0..LANES,
+        ) {
+            let features = Features::new(craters);
+            let ranges: Vec<f64> = (0..300).map(|k| 1.0 + 0.37 * f64::from(k)).collect();
+            let mut programs: [FeatureProgram; LANES] = Default::default();
+            for (number, program) in programs.iter_mut().enumerate() {
+                let (sin, cos) = quantities::sin_cos(turn * (number as f64 - 3.5));
+                schedule(&features).list([0.0; 2], [cos, sin], [ranges[0], end], program);
+            }
+            let mut alone: [FeatureProgram; LANES] = Default::default();
+            alone[lane] = programs[lane].clone();
+            let lay = |vectors, programs: &[FeatureProgram; LANES]| {
+                let mut sums: [Vec<Lanes<f32>>; 4] = std::array::from_fn(|_| vec![Lanes::splat(0.0); ranges.len()]);
+                let [height, along, across, present] = &mut sums;
+                let place = |range: f64| if range <= 1.0 { -0.5 } else { ((range - 1.0) / 0.37).min(299.5) };
+                let surface = Surface { height, along, across };
+                FeatureGenerator { ranges: &ranges }.lay_all(vectors, &features, programs, place, surface, Some(present));
+                sums.map(|signal| signal.iter().map(|sample| sample[lane].to_bits()).collect::<Vec<_>>())
+            };
+            let together = lay(Level::new(), &programs);
+            prop_assert_eq!(&together, &lay(Level::new(), &alone));
+            prop_assert_eq!(&together, &lay(Level::baseline(), &programs));
         }
     }
 }

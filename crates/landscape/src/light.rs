@@ -72,10 +72,10 @@ impl SweepLight {
     pub fn at<S: Real>(&self, along: S, across: S, sight: S) -> S {
         let [sun_along, sun_across, sun_up] = [self.along, self.across, self.up].map(S::from_f64);
         let towards = sun_up - along * sun_along - across * sun_across;
-        let normal = (S::ONE + along * along + across * across).sqrt();
+        let normal = (S::ONE + along * along + across * across).root();
         let lambert = towards / normal;
         let unit = S::from_f64(one_over(self.albedo));
-        let (slant, seen) = ((S::ONE + sight * sight).sqrt(), along - sight);
+        let (slant, seen) = ((S::ONE + sight * sight).root(), along - sight);
         let cos_g = -(sun_along + sun_up * sight) * unit / slant;
         lambert * self.photometry.factor(lambert * unit, seen / (normal * slant), cos_g)
     }

@@ -70,7 +70,7 @@ pub(crate) fn lunar_lambert<S: Real>(mu0: S, mu: S, cos_g: S) -> S {
 /// Share of Lommel and Seeliger's law in the Moon's light, L, 0..=1.
 #[inline(always)]
 fn lunar_share<S: Real>(cos_g: S) -> S {
-    let half_angle = within_one(S::from_f64(0.5) * (S::ONE - cos_g)).sqrt();
+    let half_angle = within_one(S::from_f64(0.5) * (S::ONE - cos_g)).root();
     let mut share = S::from_f64(LUNAR[5]);
     for k in (0..5).rev() {
         share = share * half_angle + S::from_f64(LUNAR[k]);

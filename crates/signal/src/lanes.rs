@@ -35,7 +35,7 @@ impl<S: Real> Lanes<S> {
     /// Square root lane by lane.
     #[inline(always)]
     pub fn sqrt(self) -> Self {
-        self.map(S::sqrt)
+        self.map(S::root)
     }
 }
 

@@ -1,30 +1,19 @@
 //! The scalar type of the analog signals: a setting of the run.
 
 use std::fmt::Debug;
-use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
+use std::ops::AddAssign;
 
-use fearless_simd::prelude::{SimdFloat, SimdFloatElement};
+use fearless_simd::prelude::{ExtractToken, SimdBase, SimdFloat, SimdFloatElement};
 use fearless_simd::{Simd, f32x8, f64x8};
+
+use crate::{LANES, Number};
 
 /// f32 or f64. Only operations that IEEE fixes to the bit; no fused multiply-add (result family "unfused").
 pub trait Real:
-    Copy
-    + Debug
-    + Default
-    + PartialOrd
-    + Send
-    + Sync
-    + Add<Output = Self>
-    + AddAssign
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-    + Neg<Output = Self>
-    + SimdFloatElement
-    + 'static
+    Copy + Debug + Default + PartialOrd + Send + Sync + Number + AddAssign + SimdFloatElement + 'static
 {
     /// [`LANES`](crate::LANES) of them, in vectors of a width that the computer has.
-    type Vector<L: Simd>: SimdFloat<L, Element = Self>;
+    type Vector<L: Simd>: SimdFloat<L, Element = Self> + Number;
     /// 0.
     const ZERO: Self;
     /// 1.
@@ -33,13 +22,15 @@ pub trait Real:
     fn from_f64(value: f64) -> Self;
     /// The same value.
     fn to_f64(self) -> f64;
-    /// Square root.
-    fn sqrt(self) -> Self;
 
-    /// The larger; `other` if `self` is NaN (one instruction, unlike the library's `max`).
+    /// Nearest values of this type. A loop: what the library has for it is called, not inlined.
     #[inline(always)]
-    fn at_least(self, other: Self) -> Self {
-        if self > other { self } else { other }
+    fn narrow<L: Simd>(values: f64x8<L>) -> Self::Vector<L> {
+        let mut narrowed = [Self::ZERO; LANES];
+        for lane in 0..LANES {
+            narrowed[lane] = Self::from_f64(values[lane]);
+        }
+        Self::Vector::from_slice(values.token(), &narrowed)
     }
 }
 
@@ -54,9 +45,6 @@ macro_rules! real {
             }
             fn to_f64(self) -> f64 {
                 f64::from(self)
-            }
-            fn sqrt(self) -> Self {
-                self.sqrt()
             }
         }
     };

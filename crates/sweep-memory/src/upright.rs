@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use fearless_simd::prelude::{SimdBase, SimdFrom};
 use fearless_simd::{Level, Simd, dispatch, f32x8};
-use signal::{LANES, Real, turn_square};
+use signal::{LANES, Number, turn_square};
 
 use crate::View;
 use crate::read_out::centre;

@@ -252,8 +252,10 @@ fn narrow_all<S: Real>(values: &[f64], out: &mut [S]) {
     }
 }
 
-/// The same of eight.
+/// Eight values as a run has its numbers.
 #[inline(always)]
-fn narrow<L: Simd, S: Real>(value: f64x8<L>) -> [S; LANES] {
-    std::array::from_fn(|lane| S::from_f64(value[lane]))
+fn narrow<L: Simd, S: Real>(values: f64x8<L>) -> [S; LANES] {
+    let mut narrowed = [S::ZERO; LANES];
+    S::narrow(values).store_slice(&mut narrowed);
+    narrowed
 }

@@ -86,7 +86,7 @@ impl Hashed {
         let key = line_numbers(row) * STRIDE[0] + line_numbers(column) * STRIDE[1] + self.seed;
         let south = [eight_values::<L, S>(key), eight_values::<L, S>(key + CORNERS[0][1])];
         let north = [eight_values::<L, S>(key + CORNERS[1][0]), eight_values::<L, S>(key + CORNERS[1][1])];
-        let ways = [narrow::<L, S>(x - (row - ROUND)), narrow::<L, S>(y - (column - ROUND))];
+        let ways = [S::narrow(x - (row - ROUND)), S::narrow(y - (column - ROUND))];
         let three = S::Vector::<L>::simd_from(x.token(), S::from_f64(3.0));
         join([south, north], ways, three)
     }
@@ -136,16 +136,6 @@ fn eight_values<L: Simd, S: Real>(keys: u32x8<L>) -> S::Vector<L> {
 fn line_numbers<L: Simd>(rounded: f64x8<L>) -> u32x8<L> {
     let (low, high) = rounded.to_bits().split();
     low.narrow(high)
-}
-
-/// Eight values as a run has its numbers.
-#[inline(always)]
-fn narrow<L: Simd, S: Real>(values: f64x8<L>) -> S::Vector<L> {
-    let mut out = [S::ZERO; LANES];
-    for lane in 0..LANES {
-        out[lane] = S::from_f64(values[lane]);
-    }
-    S::Vector::<L>::from_slice(values.token(), &out)
 }
 
 /// Variant 1: lattice values of one region, read through the folded coordinates of section 6.2, so that every region

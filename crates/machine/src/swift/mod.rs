@@ -88,13 +88,13 @@ impl<S: Real> Group<'_, S> {
             self.write_loads(first, sweeps, work);
             let Workspace { profile, features, .. } = work;
             let generator = FeatureGenerator { ranges: self.table.ranges() };
-            let mut surface = Surface {
+            let surface = Surface {
                 height: &mut profile.height,
                 along: &mut profile.along,
                 across: &mut profile.across,
             };
             let place = |range| self.finder.place(range);
-            generator.lay(self.stage.landscape.features(), features, place, &mut surface);
+            generator.lay(self.stage.landscape.features(), features, place, surface);
         }
     }
 
