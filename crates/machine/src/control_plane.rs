@@ -113,11 +113,10 @@ impl FramePlan {
         let [x, y, _] = self.eye;
         let level = service.level;
         let start = set_up(level.in_regions(x, y), self.direction(drawn));
-        let mut time_of = table.times();
         let folds = Folds::new(&start)
             .map(|(regions, fold)| {
                 let range = regions * level.region_size();
-                TimedFold { time: time_of(range), range, fold }
+                TimedFold { time: table.time_of(range), range, fold }
             })
             .take_while(|fold| fold.range <= end);
         let range_at = |time| table.range_at(time);

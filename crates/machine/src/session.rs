@@ -9,7 +9,7 @@ use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 use scenario::Pose;
 use signal::{LANES, Probe, Real, Waveform, Wire};
-use sweep_generator::{RangeTable, SampleFinder};
+use sweep_generator::RangeTable;
 use sweep_memory::{View, digital_memory, digital_memory_turned, scan_converter};
 use sweep_program::{Event, Served, StepKind, SweepProgram};
 
@@ -35,7 +35,6 @@ pub(crate) struct Elaborated<S> {
     stage: Stage,
     blocks: Blocks,
     table: RangeTable,
-    finder: SampleFinder,
     near: Vec<f32>,
     processor: Processor<S>,
     raster: WrittenRaster,
@@ -82,7 +81,6 @@ impl<S: Real> Elaborated<S> {
             digital: Digital::new(&stage),
             parts: RealParts::new(&stage, table.ranges(), &WrittenRaster::new(settings)),
             recent: Recent::default(),
-            finder: SampleFinder::new(table.ranges()),
             table,
             workspaces: Pool::default(),
             deliveries: Pool::default(),
@@ -145,7 +143,6 @@ impl<S: Real> Elaborated<S> {
             delivery,
             digital,
             parts: &self.parts,
-            finder: &self.finder,
             craters: craters.as_ref(),
         };
         let mut results: Vec<GroupResult> = store

@@ -11,7 +11,7 @@ use mixing_unit::{Composite, FeatureInput, Inputs, MixingUnit, ToggleList, terra
 use parts::LagStep;
 use polyhedron_generator::{BodyFade, Hold, Overlay};
 use signal::{LANES, Lanes, Real};
-use sweep_generator::{RangeTable, SampleFinder};
+use sweep_generator::RangeTable;
 use sweep_memory::{Beam, BeamBreaks, Drive, FarStroke, Steps, write_group};
 use terrain_generator::{ArrayState, ModifiedTerrainGenerator, PartsArray, TerrainGenerator, Wired};
 use texture_generator::TextureGenerator;
@@ -44,8 +44,6 @@ pub(crate) struct Group<'a, S> {
     pub delivery: &'a Delivery,
     pub digital: &'a DigitalFrame,
     pub parts: &'a RealParts<S>,
-    /// Samples by range.
-    pub finder: &'a SampleFinder,
     /// Craters that can be told, where the machine draws swiftly.
     pub craters: Option<&'a CratersInSight>,
 }

@@ -20,4 +20,3 @@ mod sample_finder;
 
 pub use ramps::{Folds, PlacedFold, set_up};
 pub use range_table::RangeTable;
-pub use sample_finder::SampleFinder;

@@ -6,7 +6,7 @@ const COARSE: u32 = 44;
 /// Finds samples by their range: a table over the leading bits of the range, and a step or two from there. A programme
 /// puts few samples into a box, so this is several times quicker than halves.
 #[derive(Debug, Clone, PartialEq)]
-pub struct SampleFinder {
+pub(crate) struct SampleFinder {
     /// Of all samples, and infinity behind the last.
     ranges: Vec<f64>,
     first_box: u64,
@@ -41,23 +41,13 @@ impl SampleFinder {
         sample
     }
 
-    fn count(&self) -> usize {
-        self.ranges.len() - 1
+    /// Those that it was made for.
+    pub fn ranges(&self) -> &[f64] {
+        &self.ranges[..self.count()]
     }
 
-    /// Place of a range on the sweep clock: sample k is at k, and between two samples range grows in a straight line. Before the
-    /// first sample it is half a step before it, beyond the last half a step beyond it.
-    #[inline]
-    pub fn place(&self, range: f64) -> f64 {
-        let sample = self.not_nearer(range);
-        if sample == 0 {
-            return -0.5;
-        }
-        if sample == self.count() {
-            return sample as f64 - 0.5;
-        }
-        let (near, far) = (self.ranges[sample - 1], self.ranges[sample]);
-        sample as f64 - (far - range) / (far - near)
+    fn count(&self) -> usize {
+        self.ranges.len() - 1
     }
 }
 
@@ -95,7 +85,7 @@ mod tests {
                 assert_eq!(finder.not_nearer(range), searched, "{range} among {samples} of {law:?}");
                 let time = table.time_of(range).0.clamp(-0.5, samples as f64 - 0.5);
                 let expected = if searched == 0 { -0.5 } else { time };
-                assert!((finder.place(range) - expected).abs() < 1e-9, "{range} among {samples} of {law:?}");
+                assert!((table.place(range) - expected).abs() < 1e-9, "{range} among {samples} of {law:?}");
             }
         }
     }

@@ -114,9 +114,9 @@ pub fn feature_centres(program: &FeatureProgram, table: &RangeTable) -> Changes 
         .filter(|(range, _)| *range > 0.0)
         .collect();
     passed.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let (mut time_of, mut changes) = (table.times(), Changes::default());
+    let mut changes = Changes::default();
     for (range, crater) in passed {
-        let time = time_of(range).0;
+        let time = table.time_of(range).0;
         if time.is_finite() {
             changes.push(time, f64::from(crater));
         }

@@ -93,7 +93,7 @@ impl<S: Real> Group<'_, S> {
                 along: &mut profile.along,
                 across: &mut profile.across,
             };
-            let place = |range| self.finder.place(range);
+            let place = |range| self.table.place(range);
             generator.lay(self.stage.landscape.features(), features, place, surface);
         }
     }
@@ -147,7 +147,7 @@ impl<S: Real> Group<'_, S> {
             stretches.clear();
             let Some(gate) = self.delivery.gates.get(sweep as usize) else { continue };
             let mut begin = gate.dark_at_start.then_some(before);
-            for at in gate.toggles.iter().map(|&range| self.finder.place(range)) {
+            for at in gate.toggles.iter().map(|&range| self.table.place(range)) {
                 match begin.take() {
                     None => begin = Some(at),
                     Some(begin) => stretches.push([begin, at]),

@@ -28,7 +28,7 @@ impl<S: Real> Group<'_, S> {
         if self.blocks.features {
             self.write_loads(first, sweeps, work);
             let generator = FeatureGenerator { ranges: self.table.ranges() };
-            let (features, place) = (self.stage.landscape.features(), |range| self.finder.place(range));
+            let (features, place) = (self.stage.landscape.features(), |range| self.table.place(range));
             generator.lay_apart(features, &work.features, place, &mut work.feature_profile);
             wires.drive_features_swiftly(&directions, &mut work.feature_profile);
             self.light_features(wires, &light, work);
