@@ -32,9 +32,42 @@ impl<V: Simd> Strokes<V> {
     #[inline(always)]
     pub fn leave_line_means(&self, simd: V, lines: &mut [Lanes<f32>]) {
         let others = self.deposits(simd, lines.len() as f32).leave(simd, lines);
-        if others != 0 {
-            self.each().leave_line_means(others, lines);
+        if others.any_true() {
+            let alone = self.leave_tall(simd, others, lines);
+            if alone.any_true() {
+                self.each().leave_line_means(alone.to_bitmask(), lines);
+            }
         }
+    }
+
+    /// The same line by line, for those of `wanted` that are lit as a whole; returns those that are not, or all if they lie too
+    /// far apart.
+    #[inline(always)]
+    fn leave_tall(&self, simd: V, wanted: mask32x8<V>, lines: &mut [Lanes<f32>]) -> mask32x8<V> {
+        let Self { from, to, start, end } = *self;
+        let [zero, half, one, height] =
+            [0.0, 0.5, 1.0, lines.len() as f32].map(|value| f32x8::splat(simd, value));
+        let lit = wanted & start.simd_ge(zero) & end.simd_ge(zero);
+        let bottom = height.simd_lt(from).select(height, from);
+        let top = to.simd_gt(zero).select(to, zero);
+        let first = lit.select(top, height).reduce_min().floor();
+        let last = lit.select(bottom, zero).reduce_max();
+        if last - first > TALL {
+            return wanted;
+        }
+        let (whole, rise) = (from - to, end - start);
+        let mut upper_end = f32x8::splat(simd, first);
+        for all in lines[first as usize..].iter_mut().take((last - first).ceil() as usize) {
+            let lower_end = upper_end + one;
+            let lower = lower_end.simd_lt(bottom).select(lower_end, bottom);
+            let upper = upper_end.simd_gt(top).select(upper_end, top);
+            let below = start + (from - lower) / whole * rise;
+            let above = start + (from - upper) / whole * rise;
+            let value = (lit & lower.simd_gt(upper)).select(half * (below + above) * (lower - upper), zero);
+            (f32x8::load_array(simd, all.0) + value).store_array(&mut all.0);
+            upper_end = lower_end;
+        }
+        wanted & !lit
     }
 
     /// Puts into each line whose centre a stroke passes, in the lane of the stroke, the intensity there.
@@ -148,11 +181,14 @@ struct Deposits<V: Simd> {
 /// Lines up to which neighbouring strokes are left line by line; if they lie farther apart, lane by lane.
 const NEAR: f32 = 6.0;
 
+/// The same of strokes that touch more than two lines: lane by lane they take longer.
+const TALL: f32 = 40.0;
+
 impl<V: Simd> Deposits<V> {
     /// Leaves them, all lanes of a line together: neighbouring sweeps are mostly in the same line or nearly so. Returns the
-    /// bits of the others.
+    /// others.
     #[inline(always)]
-    fn leave(self, simd: V, lines: &mut [Lanes<f32>]) -> u64 {
+    fn leave(self, simd: V, lines: &mut [Lanes<f32>]) -> mask32x8<V> {
         let Self { line, here, below, known, others } = self;
         let bound = |value| f32x8::splat(simd, value);
         let first = known.select(line, bound(f32::INFINITY)).reduce_min();
@@ -168,7 +204,7 @@ impl<V: Simd> Deposits<V> {
                 number += bound(1.0);
             }
         }
-        others.to_bitmask()
+        others
     }
 }
 
