@@ -76,6 +76,7 @@ impl<S: Real> Profile<S> {
     }
 
     /// Height and the slopes along and across at one sample.
+    #[cfg(test)]
     pub(crate) fn ground(&self, sample: usize) -> [Lanes<S>; 3] {
         [self.height[sample], self.along[sample], self.across[sample]]
     }

@@ -2,9 +2,11 @@
 
 use std::ops::Range;
 
+use fearless_simd::prelude::{Select, SimdBase, SimdFrom};
+use fearless_simd::{Level, Simd, dispatch, f64x8};
 use landscape::basis::{derivatives, values};
 use landscape::{GroupLight, SweepLight};
-use signal::{LANES, Lanes, Real};
+use signal::{LANES, Lanes, Number, Real, eight};
 use sweep_program::SweepProgram;
 
 use crate::{Method, Polynomials, Profile, TerrainGenerator};
@@ -87,9 +89,7 @@ impl ModifiedTerrainGenerator<'_> {
         set_aside(profile, shared.clone(), overlap);
         by_fine.trace(&self.fine, fine, 0..last_fine, profile);
         let step = step_at_switch(profile, overlap, &switches, shared.start);
-        for (coarse, sample) in shared.enumerate() {
-            self.join(&switches, sample, overlap.ground(coarse), profile);
-        }
+        dispatch!(Level::new(), simd => self.join(simd, &switches, shared, overlap, profile));
         step
     }
 
@@ -101,38 +101,47 @@ impl ModifiedTerrainGenerator<'_> {
         Switch { range, blended, beyond }
     }
 
-    /// Joins the levels at one sample that both were computed for.
-    fn join<S: Real>(
+    /// Joins the levels at the samples that both were computed for: those of `span`, with which `overlap` begins.
+    #[inline(always)]
+    fn join<L: Simd, S: Real>(
         &self,
+        simd: L,
         switches: &[Switch; LANES],
-        sample: usize,
-        coarse: [Lanes<S>; 3],
+        span: Range<usize>,
+        overlap: &Overlap<S>,
         profile: &mut Profile<S>,
     ) {
-        let mut weights = [0.0; 2];
-        for (lane, switch) in switches.iter().enumerate() {
-            // Most lanes go over where their neighbour does.
-            if lane == 0 || *switch != switches[lane - 1] {
-                weights = self.weights(switch, sample);
+        let begin = eight(simd, &switches.each_ref().map(|switch| switch.range)) - self.blend;
+        let beyond = eight(simd, &switches.each_ref().map(|switch| switch.beyond as f64));
+        let blended = switches.each_ref().map(|switch| S::from_f64(switch.blended as f64));
+        let blended = S::Vector::<L>::from_slice(simd, &blended);
+        let Profile { height, along, across, .. } = profile;
+        let fine: [&mut [Lanes<S>]; 3] = [height, along, across];
+        let coarse = [&overlap.height, &overlap.along, &overlap.across];
+        for (place, sample) in span.enumerate() {
+            let number = sample as f64;
+            let way = (f64x8::simd_from(simd, self.fine.ranges[sample]) - begin) / self.blend;
+            // Weight of the fine level and its rate along the sweep (1/m); beyond the switch it has none.
+            let (is_fine, none) =
+                (f64x8::simd_from(simd, number).simd_lt(beyond), f64x8::simd_from(simd, 0.0));
+            let weight = S::narrow(is_fine.select(values(way)[0], none));
+            let rate = S::narrow(is_fine.select(derivatives(way)[0] / self.blend, none));
+            let is_blended = weight.like(number).simd_ge(blended);
+            let [mut near, mut far] = [[weight; 3]; 2];
+            for signal in 0..3 {
+                near[signal] = S::Vector::from_slice(simd, &fine[signal][sample].0);
+                far[signal] = S::Vector::from_slice(simd, &coarse[signal][place].0);
             }
-            if sample < switch.blended {
-                continue;
+            let mut joined = near;
+            for signal in 0..3 {
+                joined[signal] = weight * near[signal] + (weight.like(1.0) - weight) * far[signal];
             }
-            let fine = profile.ground(sample).map(|signal| signal[lane]);
-            let [height, along, across] = blend(fine, coarse.map(|signal| signal[lane]), weights);
-            profile.height[sample][lane] = height;
-            profile.along[sample][lane] = along;
-            profile.across[sample][lane] = across;
+            joined[1] = joined[1] + rate * (near[0] - far[0]);
+            for signal in 0..3 {
+                let blended = is_blended.select(joined[signal], near[signal]);
+                blended.store_slice(&mut fine[signal][sample].0);
+            }
         }
-    }
-
-    /// Weight of the fine level and its rate along the sweep (1/m).
-    fn weights(&self, switch: &Switch, sample: usize) -> [f64; 2] {
-        if sample >= switch.beyond {
-            return [0.0; 2];
-        }
-        let way = (self.fine.ranges[sample] - (switch.range - self.blend)) / self.blend;
-        [values(way)[0], derivatives(way)[0] / self.blend]
     }
 }
 
@@ -175,12 +184,4 @@ fn step_at_switch<S: Real>(
     };
     let met = |switch: &(usize, &Switch)| switch.1.is_met(profile.height.len());
     switches.iter().enumerate().filter(met).map(step).fold(0.0, f64::max)
-}
-
-/// Height and slopes along and across of both levels in one; the rate of the weight adds to the slope along.
-fn blend<S: Real>(fine: [S; 3], coarse: [S; 3], [weight, rate]: [f64; 2]) -> [S; 3] {
-    let (weight, rate) = (S::from_f64(weight), S::from_f64(rate));
-    let mut joined = std::array::from_fn(|k| weight * fine[k] + (S::ONE - weight) * coarse[k]);
-    joined[1] += rate * (fine[0] - coarse[0]);
-    joined
 }
