@@ -5,10 +5,11 @@ use fearless_simd::{Simd, f64x8};
 use landscape::CornerWords;
 use signal::{LANES, Real, eight, pair, turn_square};
 
-use crate::TerrainGenerator;
 use crate::array::array;
+use crate::registers::words_of;
 use crate::stretches::{Stretch, Walk};
 use crate::sweeps::Sweeps;
+use crate::{Registers, TerrainGenerator};
 
 /// Samples that wait for the array, and what it made of those before.
 #[derive(Debug, Clone)]
@@ -31,8 +32,10 @@ struct Short {
 #[derive(Debug, Clone)]
 struct Waiting {
     count: usize,
-    /// Words by place and colour.
-    hold: [[CornerWords; 4]; LANES],
+    /// Corners whose words are held, by place and colour; `None` where a register has words of several.
+    corners: [Option<[u32; 4]>; LANES],
+    /// Words of the places that have no corners.
+    mixed: [[CornerWords; 4]; LANES],
     polarity: [[f64; LANES]; 2],
     ramps: [[f64; LANES]; 2],
     direction: [[f64; LANES]; 2],
@@ -40,8 +43,9 @@ struct Waiting {
 
 impl Default for Points {
     fn default() -> Self {
-        let (pair, hold) = ([[0.0; LANES]; 2], [[[0.0; 9]; 4]; LANES]);
-        let waiting = Waiting { count: 0, hold, polarity: pair, ramps: pair, direction: pair };
+        let (pair, mixed) = ([[0.0; LANES]; 2], [[[0.0; 9]; 4]; LANES]);
+        let corners = [None; LANES];
+        let waiting = Waiting { count: 0, corners, mixed, polarity: pair, ramps: pair, direction: pair };
         Self { waiting, values: Vec::new(), stretches: Vec::new() }
     }
 }
@@ -60,8 +64,7 @@ impl Points {
         self.stretches.push(Short { lane, first: samples.start, samples: samples.len() });
         for sample in samples {
             let ramps = walk.ramps(generator.ranges[sample] / generator.region_size).map(|(value, _)| value);
-            let hold = walk.registers.hold(generator.buffer);
-            self.waiting.add(hold, walk.registers.polarity(), ramps, walk.direction());
+            self.waiting.add(&walk.registers, generator.buffer, ramps, walk.direction());
             if self.waiting.count == LANES {
                 self.work_out(simd, generator);
             }
@@ -70,7 +73,7 @@ impl Points {
 
     #[inline(always)]
     fn work_out<L: Simd>(&mut self, simd: L, generator: &TerrainGenerator<'_>) {
-        let values = self.waiting.through_the_array(simd, generator.region_size);
+        let values = self.waiting.through_the_array(simd, generator);
         let count = std::mem::take(&mut self.waiting.count);
         self.values.extend((0..count).map(|k| values.map(|signal| signal[k])));
     }
@@ -115,9 +118,12 @@ impl Points {
 
 impl Waiting {
     #[inline(always)]
-    fn add(&mut self, hold: [&CornerWords; 4], polarity: [f64; 2], ramps: [f64; 2], direction: [f64; 2]) {
-        let place = self.count;
-        self.hold[place] = hold.map(|words| *words);
+    fn add(&mut self, registers: &Registers, buffer: &[CornerWords], ramps: [f64; 2], direction: [f64; 2]) {
+        let (place, polarity) = (self.count, registers.polarity());
+        self.corners[place] = registers.corners_held();
+        if self.corners[place].is_none() {
+            self.mixed[place] = registers.hold(buffer).map(|words| *words);
+        }
         for axis in 0..2 {
             self.polarity[axis][place] = polarity[axis];
             self.ramps[axis][place] = ramps[axis];
@@ -126,15 +132,25 @@ impl Waiting {
         self.count += 1;
     }
 
-    /// Height, slopes along and across of all eight; `size` is that of a region (m).
+    /// Words of a place and colour.
     #[inline(always)]
-    fn through_the_array<L: Simd>(&self, simd: L, size: f64) -> [[f64; LANES]; 3] {
+    fn words<'w>(&'w self, buffer: &'w [CornerWords], place: usize, colour: usize) -> &'w CornerWords {
+        match self.corners[place] {
+            Some(corners) => words_of(corners[colour], buffer),
+            None => &self.mixed[place][colour],
+        }
+    }
+
+    /// Height, slopes along and across of all eight.
+    #[inline(always)]
+    fn through_the_array<L: Simd>(&self, simd: L, generator: &TerrainGenerator<'_>) -> [[f64; LANES]; 3] {
+        let size = generator.region_size;
         let mut hold = [[f64x8::simd_from(simd, 0.0); 9]; 4];
         for (colour, words) in hold.iter_mut().enumerate() {
             let (square, last) = words.split_at_mut(LANES);
             let mut lasts = [0.0; LANES];
             for place in 0..LANES {
-                let (first, rest) = self.hold[place][colour].split_at(LANES);
+                let (first, rest) = self.words(generator.buffer, place, colour).split_at(LANES);
                 (square[place], lasts[place]) = (f64x8::from_slice(simd, first), rest[0]);
             }
             turn_square(square.try_into().expect("eight of nine"));

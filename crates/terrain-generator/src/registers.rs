@@ -30,6 +30,12 @@ const MIXED: u32 = NO_CORNER - 1;
 /// Words of a corner that was not delivered.
 const NO_WORDS: &CornerWords = &[0.0; 9];
 
+/// Words of a corner in the storage buffer.
+#[inline(always)]
+pub(crate) fn words_of(corner: u32, buffer: &[CornerWords]) -> &CornerWords {
+    buffer.get(corner as usize).unwrap_or(NO_WORDS)
+}
+
 impl Registers {
     /// Registers at the start of a sweep.
     pub fn at_start(program: &SweepProgram) -> Self {
@@ -57,7 +63,7 @@ impl Registers {
     fn words<'w>(&'w self, register: usize, colour: usize, buffer: &'w [CornerWords]) -> &'w CornerWords {
         match self.corners[register][colour] {
             MIXED => &self.mixed[register][colour],
-            corner => buffer.get(corner as usize).unwrap_or(NO_WORDS),
+            corner => words_of(corner, buffer),
         }
     }
 
@@ -128,7 +134,7 @@ impl Registers {
             return;
         }
         let mut words = *self.words(register, colour, buffer);
-        let arrived = buffer.get(load.corner as usize).unwrap_or(NO_WORDS);
+        let arrived = words_of(load.corner, buffer);
         for word in (0..words.len()).filter(|&word| load.words.has(word)) {
             words[word] = arrived[word];
         }
