@@ -136,7 +136,7 @@ impl ModifiedTerrainGenerator<'_> {
             for signal in 0..3 {
                 joined[signal] = weight * near[signal] + (weight.like(1.0) - weight) * far[signal];
             }
-            joined[1] = joined[1] + rate * (near[0] - far[0]);
+            joined[1] += rate * (near[0] - far[0]);
             for signal in 0..3 {
                 let blended = is_blended.select(joined[signal], near[signal]);
                 blended.store_slice(&mut fine[signal][sample].0);
