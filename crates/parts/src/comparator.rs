@@ -144,6 +144,32 @@ impl<S: Real> Comparator<S> {
         }
     }
 
+    /// How far noise can move the thresholds in the steps to samples 0, 1, 2 ... of `sweep`, at most (shares of full scale).
+    pub fn reaches(&self, sweep: u64, reaches: &mut [f64]) {
+        reaches.fill(0.0);
+        if self.noise > 0.0 {
+            self.source.fill_most(sweep, reaches);
+            reaches.iter_mut().for_each(|most| *most *= self.noise);
+        }
+    }
+
+    /// Whether [`Comparator::step`] does nothing in a step in which noise moves thresholds by `reach` at most.
+    #[inline(always)]
+    pub fn is_quiet(&self, state: &ComparatorState, u0: S, u1: S, reach: f64) -> bool {
+        state.passing.is_none() && self.is_beyond(state.high, [u0.to_f64(), u1.to_f64()], reach)
+    }
+
+    /// Whether an input keeps a high output high or a low one low, with the thresholds nearer by `reach`.
+    #[inline(always)]
+    fn is_beyond(&self, high: bool, [u0, u1]: [f64; 2], reach: f64) -> bool {
+        let [lower, upper] = self.thresholds;
+        if high {
+            (u0 > lower + reach) & (u1 > lower + reach)
+        } else {
+            (u0 < upper - reach) & (u1 < upper - reach)
+        }
+    }
+
     /// Steps from the instant at which a ramp passes a threshold to the trip, `t_c + sqrt(2 k_od / s)`; `slope` s in full
     /// scales a step, above 0, and infinite for a jump.
     pub fn on_ramp(&self, slope: f64) -> f64 {
@@ -194,12 +220,8 @@ impl<S: Real> Comparator<S> {
     }
 
     /// Whether the noise of this step cannot bring a threshold to the input.
-    fn is_out_of_reach(&self, high: bool, (sweep, sample): (u64, usize), [u0, u1]: [f64; 2]) -> bool {
-        if self.noise == 0.0 {
-            return false;
-        }
-        let reach = self.noise * self.source.most(sweep, sample as u64);
-        if high { u0.min(u1) > self.thresholds[0] + reach } else { u0.max(u1) < self.thresholds[1] - reach }
+    fn is_out_of_reach(&self, high: bool, (sweep, sample): (u64, usize), input: [f64; 2]) -> bool {
+        self.noise > 0.0 && self.is_beyond(high, input, self.noise * self.source.most(sweep, sample as u64))
     }
 
     /// What comes of `passing` from share `now` of the step on.

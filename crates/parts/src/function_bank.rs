@@ -3,13 +3,15 @@
 //! **Law.** That of [`FunctionGenerator`]. Generators of as many segments find the same cell: what they have there stands in
 //! one row, and a group of sweeps goes through it side by side.
 
-use signal::{LANES, Lanes, Real};
+use fearless_simd::Simd;
+use fearless_simd::prelude::{SimdBase, SimdFrom};
+use signal::{LANES, Lanes, Real, turn_square};
 
 use crate::FunctionGenerator;
 use crate::whole::{index, whole};
 
 /// Places in a row of a [`FunctionBank`].
-pub const BANK: usize = 8;
+pub const BANK: usize = LANES;
 
 /// Function generators under one input: what they have at a cell stands side by side.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,9 +42,8 @@ impl<S: Real> FunctionBank<S> {
 
     /// What the generators put out for input `z`, of each lane; to the bit as [`FunctionGenerator::value`] has it.
     #[inline(always)]
-    pub fn values(&self, z: Lanes<S>) -> [Lanes<S>; BANK] {
+    pub fn values<L: Simd>(&self, simd: L, z: Lanes<S>) -> [Lanes<S>; BANK] {
         let (cells, top) = (S::from_f64(self.cells), self.cells - 1.0);
-        let mut by_lane = [[S::ZERO; BANK]; LANES];
         let mut cell = [0.0_f64; LANES];
         let mut beyond = z;
         for lane in 0..LANES {
@@ -52,18 +53,25 @@ impl<S: Real> FunctionBank<S> {
             cell[lane] = if below < top { below } else { top };
             beyond.0[lane] = place - S::from_f64(cell[lane]);
         }
+        let mut square = [S::Vector::<L>::simd_from(simd, S::ZERO); LANES];
         for lane in 0..LANES {
             let Row { start, rise } = &self.rows[index(cell[lane])];
-            for place in 0..BANK {
-                by_lane[lane][place] = start[place] + rise[place] * beyond.0[lane];
-            }
+            let rise = S::Vector::<L>::from_slice(simd, rise) * beyond.0[lane];
+            square[lane] = S::Vector::<L>::from_slice(simd, start) + rise;
         }
-        std::array::from_fn(|place| Lanes::from_fn(|lane| by_lane[lane][place]))
+        // Lanes by generators become generators by lanes.
+        turn_square(&mut square);
+        let mut out = [z; BANK];
+        for place in 0..BANK {
+            square[place].store_slice(&mut out[place].0);
+        }
+        out
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use fearless_simd::{Level, dispatch};
     use signal::{LANES, Lanes};
 
     use super::FunctionBank;
@@ -79,7 +87,7 @@ mod tests {
             let bank = FunctionBank::new(&generators);
             for step in 0..2000_usize {
                 let z = Lanes::from_fn(|lane| ((step * LANES + lane) as f32) / 12_000.0 - 0.15);
-                let found = bank.values(z);
+                let found = dispatch!(Level::new(), simd => bank.values(simd, z));
                 for (place, values) in found.iter().enumerate() {
                     let alone = z.map(|z| generators.get(place).map_or(0.0, |one| one.value(z)));
                     assert_eq!(*values, alone, "{place} of {step}");

@@ -1,5 +1,7 @@
 //! Function generators: the three basis functions and their slopes, fed with a ramp and with its complement.
 
+use fearless_simd::Simd;
+use fearless_simd::prelude::SimdBase;
 use hardware_model::AnalogParts;
 use landscape::basis::{NEAR, derivatives, values};
 use parts::{
@@ -80,32 +82,38 @@ impl<S: Real> AxisGenerators<S> {
     }
 
     /// The generators at rest under a ramp that stands.
-    pub fn at_rest(&self, ramp: Lanes<S>) -> AxisState<S> {
-        let out = self.inputs(ramp);
-        AxisState { left: std::array::from_fn(|unit| self.lags[unit].leave(out[unit], out[unit])), out }
+    #[inline(always)]
+    pub fn at_rest<L: Simd>(&self, simd: L, ramp: Lanes<S>) -> AxisState<S> {
+        let out = self.inputs(simd, ramp);
+        let mut left = out;
+        for unit in 0..UNITS {
+            left[unit] = self.lags[unit].leave(out[unit], out[unit]);
+        }
+        AxisState { left, out }
     }
 
     /// A step later, the ramp at `ramp` at its end.
     #[inline(always)]
-    pub fn step(&self, state: &mut AxisState<S>, ramp: Lanes<S>) {
-        let now = self.inputs(ramp);
+    pub fn step<L: Simd>(&self, simd: L, state: &mut AxisState<S>, ramp: Lanes<S>) {
+        let now = self.inputs(simd, ramp);
         for unit in 0..UNITS {
-            let out = self.lags[unit].end(state.left[unit], now[unit]);
-            state.left[unit] = self.lags[unit].leave(out, now[unit]);
-            state.out[unit] = out;
+            let fed = S::Vector::<L>::from_slice(simd, &now[unit].0);
+            let out = self.lags[unit].end(S::Vector::<L>::from_slice(simd, &state.left[unit].0), fed);
+            self.lags[unit].leave(out, fed).store_slice(&mut state.left[unit].0);
+            out.store_slice(&mut state.out[unit].0);
         }
     }
 
     #[inline(always)]
-    fn inputs(&self, ramp: Lanes<S>) -> [Lanes<S>; UNITS] {
+    fn inputs<L: Simd>(&self, simd: L, ramp: Lanes<S>) -> [Lanes<S>; UNITS] {
         let one = Lanes::splat(S::ONE);
         let mut out = [Lanes::default(); UNITS];
         for (end, fed) in [ramp, one - ramp].into_iter().enumerate() {
-            let values = self.curves.at(fed);
+            let values = self.curves.at(simd, fed);
             let bow = fed * (one - fed);
             for (curve, &value) in values.iter().enumerate().take(CURVES) {
                 let unit = 6 * (curve / 3) + 3 * end + curve % 3;
-                out[unit] = value + bow * Lanes::splat(self.bows[unit]);
+                out[unit] = value + bow * self.bows[unit];
             }
         }
         out
@@ -131,15 +139,15 @@ impl<S: Real> Curves<S> {
     }
 
     #[inline(always)]
-    fn at(&self, fed: Lanes<S>) -> [Lanes<S>; BANK] {
+    fn at<L: Simd>(&self, simd: L, fed: Lanes<S>) -> [Lanes<S>; BANK] {
         match self {
-            Self::Broken(bank) => bank.values(fed),
+            Self::Broken(bank) => bank.values(simd, fed),
             Self::Exact(curves) => {
                 let mut out = [Lanes::default(); BANK];
                 for (out, [rest @ .., top]) in out.iter_mut().zip(curves) {
                     let mut sum = Lanes::splat(*top);
                     for &power in rest.iter().rev() {
-                        sum = sum * fed + Lanes::splat(power);
+                        sum = sum * fed + power;
                     }
                     *out = sum;
                 }
