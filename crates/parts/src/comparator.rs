@@ -184,9 +184,6 @@ impl<S: Real> Comparator<S> {
         input: [f64; 2],
         trips: &mut Vec<Trip>,
     ) {
-        if state.passing.is_none() && self.is_out_of_reach(state.high, (sweep, sample), input) {
-            return;
-        }
         let base = sample as f64 - 1.0;
         let shift =
             if self.noise > 0.0 { self.noise * self.source.normal(sweep, sample as u64) } else { 0.0 };
@@ -217,11 +214,6 @@ impl<S: Real> Comparator<S> {
                 }
             }
         }
-    }
-
-    /// Whether the noise of this step cannot bring a threshold to the input.
-    fn is_out_of_reach(&self, high: bool, (sweep, sample): (u64, usize), input: [f64; 2]) -> bool {
-        self.noise > 0.0 && self.is_beyond(high, input, self.noise * self.source.most(sweep, sample as u64))
     }
 
     /// What comes of `passing` from share `now` of the step on.
@@ -277,7 +269,7 @@ impl Line {
 
 #[cfg(test)]
 mod tests {
-    use super::{Comparator, ComparatorLaw};
+    use super::{Comparator, ComparatorLaw, ComparatorState};
     use crate::NoiseSource;
 
     #[test]
@@ -292,16 +284,21 @@ mod tests {
         };
         let source = NoiseSource::new(5, "comparator", 0);
         let part = Comparator::<f64>::new(50e-9, &law, source);
-        let mut passed_over = 0;
+        let (mut passed_over, mut reaches) = (0, [0.0; 4000]);
+        part.reaches(3, &mut reaches);
         for sample in 0..4000_usize {
             let shift = law.noise * source.normal(3, sample as u64);
             // A deviation to six from the thresholds of a low and of a high output.
             let off = 1e-3 * (1.0 + sample as f64 / 800.0);
-            if part.is_out_of_reach(false, (3, sample), [-1.0, 1e-3 - off]) {
+            let is_quiet = |high, input: [f64; 2]| {
+                let state = ComparatorState { high, passing: None };
+                part.is_quiet(&state, input[0], input[1], reaches[sample])
+            };
+            if is_quiet(false, [-1.0, 1e-3 - off]) {
                 assert!(1e-3 - off < 1e-3 + shift, "{sample}");
                 passed_over += 1;
             }
-            if part.is_out_of_reach(true, (3, sample), [off - 1e-3, 1.0]) {
+            if is_quiet(true, [off - 1e-3, 1.0]) {
                 assert!(off - 1e-3 > -1e-3 + shift, "{sample}");
                 passed_over += 1;
             }

@@ -4,11 +4,11 @@
 //! one row, and a group of sweeps goes through it side by side.
 
 use fearless_simd::Simd;
-use fearless_simd::prelude::{SimdBase, SimdFrom};
-use signal::{LANES, Lanes, Real, turn_square};
+use fearless_simd::prelude::SimdBase;
+use signal::{LANES, Real, turn_square};
 
 use crate::FunctionGenerator;
-use crate::whole::{index, whole};
+use crate::whole::{WHOLE, whole_side_by_side};
 
 /// Places in a row of a [`FunctionBank`].
 pub const BANK: usize = LANES;
@@ -42,40 +42,40 @@ impl<S: Real> FunctionBank<S> {
 
     /// What the generators put out for input `z`, of each lane; to the bit as [`FunctionGenerator::value`] has it.
     #[inline(always)]
-    pub fn values<L: Simd>(&self, simd: L, z: Lanes<S>) -> [Lanes<S>; BANK] {
-        let (cells, top) = (S::from_f64(self.cells), self.cells - 1.0);
-        let mut cell = [0.0_f64; LANES];
-        let mut beyond = z;
+    pub fn values<L: Simd>(&self, simd: L, z: S::Vector<L>) -> [S::Vector<L>; BANK] {
+        let place = z * S::from_f64(self.cells);
+        let below = whole_side_by_side(S::widen(place)).max(0.0).min(self.cells - 1.0);
+        // A whole number stands in the lowest bits of what is beside WHOLE.
+        let (mut cell, mut beyond) = ([0.0_f64; LANES], [S::ZERO; LANES]);
+        (below + WHOLE).store_slice(&mut cell);
+        (place - S::narrow(below)).store_slice(&mut beyond);
+        let mut square = [z; LANES];
         for lane in 0..LANES {
-            let place = z.0[lane] * cells;
-            let below = whole(place.to_f64());
-            let below = if below > 0.0 { below } else { 0.0 };
-            cell[lane] = if below < top { below } else { top };
-            beyond.0[lane] = place - S::from_f64(cell[lane]);
-        }
-        let mut square = [S::Vector::<L>::simd_from(simd, S::ZERO); LANES];
-        for lane in 0..LANES {
-            let Row { start, rise } = &self.rows[index(cell[lane])];
-            let rise = S::Vector::<L>::from_slice(simd, rise) * beyond.0[lane];
+            let Row { start, rise } = &self.rows[cell[lane].to_bits() as u32 as usize];
+            let rise = S::Vector::<L>::from_slice(simd, rise) * beyond[lane];
             square[lane] = S::Vector::<L>::from_slice(simd, start) + rise;
         }
         // Lanes by generators become generators by lanes.
         turn_square(&mut square);
-        let mut out = [z; BANK];
-        for place in 0..BANK {
-            square[place].store_slice(&mut out[place].0);
-        }
-        out
+        square
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use fearless_simd::{Level, dispatch};
+    use fearless_simd::prelude::SimdBase;
+    use fearless_simd::{Level, dispatch, f32x8};
     use signal::{LANES, Lanes};
 
-    use super::FunctionBank;
+    use super::{BANK, FunctionBank};
     use crate::{Ends, FunctionGenerator, FunctionLaw};
+
+    fn found(bank: &FunctionBank<f32>, z: Lanes<f32>) -> [Lanes<f32>; BANK] {
+        dispatch!(Level::new(), simd => {
+            let found = bank.values(simd, f32x8::from_slice(simd, &z.0));
+            found.map(|values| Lanes(values.into()))
+        })
+    }
 
     const CURVES: [fn(f64) -> f64; 3] = [|z| z * z, |z| z * (1.0 - z) * (1.0 - z), |z| 1.0 / (1.0 + z)];
 
@@ -87,7 +87,7 @@ mod tests {
             let bank = FunctionBank::new(&generators);
             for step in 0..2000_usize {
                 let z = Lanes::from_fn(|lane| ((step * LANES + lane) as f32) / 12_000.0 - 0.15);
-                let found = dispatch!(Level::new(), simd => bank.values(simd, z));
+                let found = found(&bank, z);
                 for (place, values) in found.iter().enumerate() {
                     let alone = z.map(|z| generators.get(place).map_or(0.0, |one| one.value(z)));
                     assert_eq!(*values, alone, "{place} of {step}");

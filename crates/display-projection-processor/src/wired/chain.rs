@@ -161,7 +161,7 @@ impl<S: Real> PartsProcessor<S> {
                     circuit.run(&wire, scratch, beam, keep);
                 }
                 Circuit::PeakHold(circuit) => {
-                    circuit.run(&wire, (&mut scratch.outputs[0], &mut scratch.trace), beam, keep);
+                    circuit.run(&wire, scratch, beam, keep);
                 }
             }
             kept.for_each(|hold| hold[lane] = last);

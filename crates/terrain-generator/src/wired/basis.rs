@@ -1,7 +1,7 @@
 //! Function generators: the three basis functions and their slopes, fed with a ramp and with its complement.
 
 use fearless_simd::Simd;
-use fearless_simd::prelude::SimdBase;
+use fearless_simd::prelude::{SimdBase, SimdFrom};
 use hardware_model::AnalogParts;
 use landscape::basis::{NEAR, derivatives, values};
 use parts::{
@@ -84,36 +84,37 @@ impl<S: Real> AxisGenerators<S> {
     /// The generators at rest under a ramp that stands.
     #[inline(always)]
     pub fn at_rest<L: Simd>(&self, simd: L, ramp: Lanes<S>) -> AxisState<S> {
-        let out = self.inputs(simd, ramp);
-        let mut left = out;
+        let (mut state, now) = (AxisState::default(), self.inputs::<L>(simd, &ramp));
         for unit in 0..UNITS {
-            left[unit] = self.lags[unit].leave(out[unit], out[unit]);
+            now[unit].store_slice(&mut state.out[unit].0);
+            self.lags[unit].leave(now[unit], now[unit]).store_slice(&mut state.left[unit].0);
         }
-        AxisState { left, out }
+        state
     }
 
     /// A step later, the ramp at `ramp` at its end.
     #[inline(always)]
-    pub fn step<L: Simd>(&self, simd: L, state: &mut AxisState<S>, ramp: Lanes<S>) {
-        let now = self.inputs(simd, ramp);
+    pub fn step<L: Simd>(&self, simd: L, state: &mut AxisState<S>, ramp: &Lanes<S>) {
+        let now = self.inputs::<L>(simd, ramp);
         for unit in 0..UNITS {
-            let fed = S::Vector::<L>::from_slice(simd, &now[unit].0);
-            let out = self.lags[unit].end(S::Vector::<L>::from_slice(simd, &state.left[unit].0), fed);
-            self.lags[unit].leave(out, fed).store_slice(&mut state.left[unit].0);
+            let left = S::Vector::<L>::from_slice(simd, &state.left[unit].0);
+            let out = self.lags[unit].end(left, now[unit]);
             out.store_slice(&mut state.out[unit].0);
+            self.lags[unit].leave(out, now[unit]).store_slice(&mut state.left[unit].0);
         }
     }
 
     #[inline(always)]
-    fn inputs<L: Simd>(&self, simd: L, ramp: Lanes<S>) -> [Lanes<S>; UNITS] {
-        let one = Lanes::splat(S::ONE);
-        let mut out = [Lanes::default(); UNITS];
+    fn inputs<L: Simd>(&self, simd: L, ramp: &Lanes<S>) -> [S::Vector<L>; UNITS] {
+        let one = S::Vector::<L>::simd_from(simd, S::ONE);
+        let ramp = S::Vector::<L>::from_slice(simd, &ramp.0);
+        let mut out = [one; UNITS];
         for (end, fed) in [ramp, one - ramp].into_iter().enumerate() {
-            let values = self.curves.at(simd, fed);
+            let values = self.curves.at::<L>(simd, fed);
             let bow = fed * (one - fed);
-            for (curve, &value) in values.iter().enumerate().take(CURVES) {
+            for curve in 0..CURVES {
                 let unit = 6 * (curve / 3) + 3 * end + curve % 3;
-                out[unit] = value + bow * self.bows[unit];
+                out[unit] = values[curve] + bow * self.bows[unit];
             }
         }
         out
@@ -139,13 +140,13 @@ impl<S: Real> Curves<S> {
     }
 
     #[inline(always)]
-    fn at<L: Simd>(&self, simd: L, fed: Lanes<S>) -> [Lanes<S>; BANK] {
+    fn at<L: Simd>(&self, simd: L, fed: S::Vector<L>) -> [S::Vector<L>; BANK] {
         match self {
-            Self::Broken(bank) => bank.values(simd, fed),
+            Self::Broken(bank) => bank.values::<L>(simd, fed),
             Self::Exact(curves) => {
-                let mut out = [Lanes::default(); BANK];
+                let mut out = [fed; BANK];
                 for (out, [rest @ .., top]) in out.iter_mut().zip(curves) {
-                    let mut sum = Lanes::splat(*top);
+                    let mut sum = S::Vector::<L>::simd_from(simd, *top);
                     for &power in rest.iter().rev() {
                         sum = sum * fed + power;
                     }

@@ -33,16 +33,6 @@ pub(super) struct Factor<S> {
     pub(super) change: Row<S>,
 }
 
-impl<S: Real> Factor<S> {
-    /// Takes the value at sample `n`, `before` that of the sample before.
-    #[inline(always)]
-    pub(super) fn set(&mut self, n: usize, value: Lanes<S>, before: Lanes<S>) {
-        self.value[n] = value;
-        self.square[n] = value * value;
-        self.change[n] = value - before;
-    }
-}
-
 impl<S: Real> Default for Block<S> {
     fn default() -> Self {
         let row = [Lanes::default(); BLOCK];

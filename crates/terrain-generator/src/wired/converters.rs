@@ -4,6 +4,8 @@
 //! the signal times `v - w` makes of a D/A at rest over the part of the step that is left, and a pulse adds what is left
 //! of it. So changes add to the step that all lanes have taken, and several in one step add up.
 
+use std::mem;
+
 use fearless_simd::Simd;
 use fearless_simd::prelude::{Select, SimdBase, SimdMask};
 use landscape::CornerWords;
@@ -12,7 +14,7 @@ use signal::{LANES, Real, eight};
 
 use super::grid::Wires;
 use super::run::Run;
-use super::state::{ArrayState, Due, Lane};
+use super::state::{ArrayState, Coded, Due, Lane};
 use super::terms::{TERMS, term_of, word_of};
 use super::words::{Acting, Change, Words};
 
@@ -21,11 +23,11 @@ impl<S: Real> Run<'_, S> {
     #[inline(never)]
     pub(super) fn strobe(&self, sample: i64, state: &mut ArrayState<S>) {
         let when = (&self.array.timing, self.generator);
-        let ArrayState { lanes, words, due, .. } = state;
+        let ArrayState { lanes, words, coded, due, .. } = state;
         for (number, (lane, program)) in lanes.iter_mut().zip(self.programs).enumerate() {
             while let Some((at, has_new)) = lane.strobe(sample, program, when) {
                 if has_new {
-                    self.send(at, (number, lane), words);
+                    self.send(at, (number, lane), coded, words);
                 }
             }
         }
@@ -33,16 +35,23 @@ impl<S: Real> Run<'_, S> {
     }
 
     /// Puts the words of the hold registers of a lane on their way that are others than before; a nominal D/A has them `at`.
-    fn send(&self, at: f64, (number, lane): (usize, &mut Lane), words: &mut Words) {
+    fn send(&self, at: f64, (number, lane): (usize, &mut Lane), coded: &mut [Coded; 4], words: &mut Words) {
         let array = self.array;
-        for colour in 0..4 {
-            let new = lane.registers.hold(self.generator.buffer)[colour];
+        let hold = lane.registers.hold(self.generator.buffer);
+        for (colour, new) in hold.into_iter().enumerate() {
+            if *new == lane.held[colour] {
+                continue;
+            }
+            let coded = &mut coded[colour];
+            if coded.words != *new {
+                *coded = array.coded(new);
+            }
             for word in 0..9 {
                 if new[word] == lane.held[colour][word] {
                     continue;
                 }
-                let (now, share) = array.number(new, word);
-                let from = std::mem::replace(&mut lane.numbers[colour][word], now);
+                let (now, share) = (coded.numbers[word], coded.shares[word]);
+                let from = mem::replace(&mut lane.numbers[colour][word], now);
                 let carry = array.words.as_ref().map_or(0.0, |part| part.carry(from, now));
                 for index in (term_of(colour, word)..).step_by(TERMS).take(3) {
                     words.send(Change {
@@ -63,8 +72,7 @@ impl<S: Real> Run<'_, S> {
         let array = self.array;
         for (number, lane) in state.lanes.iter_mut().enumerate() {
             lane.held = lane.registers.hold(self.generator.buffer).map(|words| *words);
-            lane.numbers =
-                lane.held.each_ref().map(|words| std::array::from_fn(|word| array.number(words, word).0));
+            lane.numbers = lane.held.each_ref().map(|words| array.coded(words).numbers);
             for (index, wires) in state.wires.iter_mut().enumerate() {
                 let [colour, _] = word_of(index % TERMS);
                 wires.weight[number] = S::from_f64(array.weight(&lane.held[colour], index));
@@ -116,6 +124,15 @@ impl Acting {
 }
 
 impl<S: Real> super::PartsArray<S> {
+    /// The words of a corner as D/As have them.
+    fn coded(&self, words: &CornerWords) -> Coded {
+        let mut coded = Coded { words: *words, ..Coded::NONE };
+        for word in 0..9 {
+            (coded.numbers[word], coded.shares[word]) = self.number(words, word);
+        }
+        coded
+    }
+
     /// The number of a word in its D/A, 0 where they take any, and its share of full scale there.
     fn number(&self, words: &CornerWords, word: usize) -> (i32, f64) {
         let share = self.scale.share(words, word);

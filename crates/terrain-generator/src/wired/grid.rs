@@ -11,9 +11,10 @@ use fearless_simd::prelude::SimdBase;
 use parts::{Feedthrough, LagStep, Multiplier, Wire};
 use signal::{Lanes, Real};
 
+use super::basis::UNITS;
 use super::block::{BLOCK, Block, Factor, Row};
 use super::terms::TERMS;
-use super::words::{Acting, Words};
+use super::words::Words;
 
 /// A multiplier and its D/A.
 #[derive(Debug, Clone, Copy)]
@@ -107,46 +108,54 @@ impl<S: Real> Cell<S> {
         wires.term_left = self.converter.leave(wires.term, wires.product * wires.weight);
         wires.term + self.past.of_change(wires.product - before)
     }
+}
 
+/// Cells side by side on their way through a block: a step of a lag waits for the one before, but not for those of another
+/// cell.
+struct Beside<'a, S: Real, L: Simd, const N: usize> {
+    cells: [Cell<S>; N],
+    wires: [Wires<S::Vector<L>>; N],
+    x: [&'a Factor<S>; N],
+    y: [&'a Row<S>; N],
+}
+
+impl<S: Real, L: Simd, const N: usize> Beside<'_, S, L, N> {
     /// Steps without a new word; adds what comes out to `sums`.
     #[inline(always)]
-    fn steps<L: Simd>(
-        &self,
-        simd: L,
-        wires: &mut Wires<S::Vector<L>>,
-        (x, y): (&Factor<S>, &Row<S>),
-        samples: Range<usize>,
-        sums: &mut Row<S>,
-    ) {
-        let x =
-            x.value[samples.clone()].iter().zip(&x.square[samples.clone()]).zip(&x.change[samples.clone()]);
-        let fed = x.zip(&y[samples.clone()]);
-        for ((((value, square), change), y), sum) in fed.zip(&mut sums[samples]) {
-            let before = wires.product;
-            let x = [load::<L, S>(simd, value), load::<L, S>(simd, square)];
-            self.step(wires, x, load::<L, S>(simd, change), load::<L, S>(simd, y));
-            (load::<L, S>(simd, sum) + self.put(wires, before)).store_slice(&mut sum.0);
+    fn steps(&mut self, simd: L, samples: Range<usize>, sums: &mut Row<S>) {
+        for n in samples.start..samples.end.min(BLOCK) {
+            let mut sum = load::<L, S>(simd, &sums[n]);
+            for k in 0..N {
+                let before = self.step(simd, k, n);
+                sum = sum + self.cells[k].put(&mut self.wires[k], before);
+            }
+            sum.store_slice(&mut sums[n].0);
         }
     }
 
-    /// The step to sample `n`, in which `words` act.
+    /// The step to sample `n`, in which `words` act on D/As from number `first` on.
     #[inline(always)]
-    fn step_with<'w, L: Simd>(
-        &self,
-        simd: L,
-        words: impl Iterator<Item = &'w Acting>,
-        wires: &mut Wires<S::Vector<L>>,
-        (x, y): (&Factor<S>, &Row<S>),
-        n: usize,
-        sum: &mut Lanes<S>,
-    ) {
-        let before = wires.product;
-        let square = [load::<L, S>(simd, &x.value[n]), load::<L, S>(simd, &x.square[n])];
-        self.step(wires, square, load::<L, S>(simd, &x.change[n]), load::<L, S>(simd, &y[n]));
-        for words in words {
-            words.act::<L, S>(simd, before, wires);
+    fn step_with(&mut self, simd: L, n: usize, (words, first): (&Words, usize), sum: &mut Lanes<S>) {
+        let mut out = load::<L, S>(simd, sum);
+        for k in 0..N {
+            let before = self.step(simd, k, n);
+            for words in words.acting(first + k, n) {
+                words.act::<L, S>(simd, before, &mut self.wires[k]);
+            }
+            out = out + self.cells[k].put(&mut self.wires[k], before);
         }
-        (load::<L, S>(simd, sum) + self.put(wires, before)).store_slice(&mut sum.0);
+        out.store_slice(&mut sum.0);
+    }
+
+    /// Product and term of cell `k` at sample `n`; the product a sample before.
+    #[inline(always)]
+    fn step(&mut self, simd: L, k: usize, n: usize) -> S::Vector<L> {
+        let before = self.wires[k].product;
+        let Factor { value, square, change } = self.x[k];
+        let x = [load::<L, S>(simd, &value[n]), load::<L, S>(simd, &square[n])];
+        let [change, y] = [load::<L, S>(simd, &change[n]), load::<L, S>(simd, &self.y[k][n])];
+        self.cells[k].step(&mut self.wires[k], x, change, y);
+        before
     }
 }
 
@@ -184,21 +193,50 @@ impl<S: Real> Grid<S> {
         let Block { x, y, partial, .. } = block;
         for (group, sums) in partial.iter_mut().enumerate() {
             *sums = [Lanes::default(); BLOCK];
-            for index in self.members(group) {
-                let cell = &self.cells[index];
-                let [a, b] = cell.factors;
-                let fed = (&x[a], &y[b]);
-                let changes = words.of(index);
-                let (mut now, mut done) = (wires[index].load(simd), 0);
-                for n in changes.samples() {
-                    cell.steps(simd, &mut now, fed, done..n, sums);
-                    cell.step_with(simd, words.acting(changes, n), &mut now, fed, n, &mut sums[n]);
-                    done = n + 1;
-                }
-                cell.steps(simd, &mut now, fed, done..count, sums);
-                wires[index].store(&now);
+            let Range { start: mut first, end } = self.members(group);
+            while first < end {
+                let block = (&*x, &*y, count, words);
+                first += if first + 1 < end {
+                    self.run_some::<L, 2>(simd, first, block, wires, sums)
+                } else {
+                    self.run_some::<L, 1>(simd, first, block, wires, sums)
+                };
             }
         }
+    }
+
+    /// `N` cells of a group from number `first` on through a block.
+    #[inline(always)]
+    fn run_some<L: Simd, const N: usize>(
+        &self,
+        simd: L,
+        first: usize,
+        (x, y, count, words): (&[Factor<S>; UNITS], &[Row<S>; UNITS], usize, &Words),
+        wires: &mut [Wires<Lanes<S>>],
+        sums: &mut Row<S>,
+    ) -> usize {
+        let mut beside = Beside::<S, L, N> {
+            cells: [self.cells[first]; N],
+            wires: [wires[first].load(simd); N],
+            x: [&x[0]; N],
+            y: [&y[0]; N],
+        };
+        for k in 0..N {
+            let cell = self.cells[first + k];
+            (beside.x[k], beside.y[k]) = (&x[cell.factors[0]], &y[cell.factors[1]]);
+            (beside.cells[k], beside.wires[k]) = (cell, wires[first + k].load(simd));
+        }
+        let mut done = 0;
+        for n in words.samples(first..first + N) {
+            beside.steps(simd, done..n, sums);
+            beside.step_with(simd, n, (words, first), &mut sums[n]);
+            done = n + 1;
+        }
+        beside.steps(simd, done..count, sums);
+        for k in 0..N {
+            wires[first + k].store::<L>(&beside.wires[k]);
+        }
+        N
     }
 
     /// The cells of a group.

@@ -7,12 +7,13 @@ use signal::{LANES, Lanes, Real};
 use sweep_program::SweepProgram;
 
 use super::Tap;
+use super::basis::UNITS;
 use super::block::{BLOCK, Block, Row};
 use super::out::Out;
 use super::parts_array::PartsArray;
 use super::scale::Scale;
-use super::state::{ArrayState, Due, Lane};
-use super::terms::ALL;
+use super::state::{ArrayState, Coded, Due, Lane};
+use super::terms::{ALL, sign};
 use super::timing::range_at;
 use crate::TerrainGenerator;
 use crate::array::array;
@@ -38,6 +39,7 @@ impl<S: Real> Run<'_, S> {
         }
         state.due = Due::of(&state.lanes);
         state.words.clear();
+        state.coded = [Coded::NONE; 4];
         state.wires.resize(ALL, Default::default());
         state.block.partial.resize(3 * self.array.grid.groups(), [Lanes::default(); BLOCK]);
         self.fill_registers(state);
@@ -80,7 +82,7 @@ impl<S: Real> Run<'_, S> {
         self.turn(first, state);
         self.strobe(first, state);
         self.take_words(first, state);
-        state.put_factors(0);
+        state.put_factors(simd, 0);
         array.grid.settle(&mut state.block, &mut state.wires);
         let Block { partial, sums, .. } = &mut *state.block;
         for (sum, summer) in array.summers.iter().enumerate() {
@@ -133,14 +135,14 @@ impl<S: Real> Run<'_, S> {
     #[inline(always)]
     fn advance<L: Simd>(&self, simd: L, samples: &Range<i64>, state: &mut ArrayState<S>) {
         let (array, count) = (self.array, (samples.end - samples.start) as usize);
+        state.words.begin(samples);
         if state.due.strobe <= (samples.end - 1) as f64 {
             self.strobe(samples.end - 1, state);
         }
-        state.words.place(samples);
         state.words.divide(array.timing.step, &array.grid.cells);
         for (n, sample) in samples.clone().enumerate() {
             self.feed(simd, sample, state);
-            state.put_factors(n);
+            state.put_factors(simd, n);
         }
         array.grid.run(simd, &mut state.block, count, &state.words, &mut state.wires);
         let Block { partial, sums, .. } = &mut *state.block;
@@ -155,8 +157,8 @@ impl<S: Real> Run<'_, S> {
         let array = self.array;
         let ramps = self.accumulators(sample - i64::from(array.ramps[0].has_steps()), state);
         for axis in 0..2 {
-            let ramp = array.ramps[axis].step(&mut state.ramps[axis], ramps[axis]);
-            array.generators[axis].step(simd, &mut state.axes[axis], ramp);
+            let ramp = array.ramps[axis].step(simd, &mut state.ramps[axis], ramps[axis]);
+            array.generators[axis].step(simd, &mut state.axes[axis], &ramp);
         }
         if state.due.turn <= sample as f64 {
             self.turn(sample, state);
@@ -195,8 +197,13 @@ impl<S: Real> Run<'_, S> {
     }
 
     fn put_signs(&self, state: &mut ArrayState<S>) {
-        let polarity = |axis: usize| Lanes::from_fn(|lane| S::from_f64(state.lanes[lane].polarity[axis]));
-        state.signs = [polarity(0), polarity(1)];
+        for (lane, from) in state.lanes.iter().enumerate() {
+            for axis in 0..2 {
+                for unit in 0..UNITS {
+                    state.signs[axis][unit][lane] = S::from_f64(sign(unit, from.polarity[axis]));
+                }
+            }
+        }
     }
 
     pub(super) fn end_profiles(&self, span: Range<usize>, profile: &mut Profile<S>) {

@@ -1,15 +1,16 @@
 //! Wires and registers of a group of sweeps.
 
+use fearless_simd::Simd;
+use fearless_simd::prelude::SimdBase;
 use landscape::CornerWords;
 use signal::{LANES, Lanes, Real};
 use sweep_program::{Fold, RampAxis, SweepProgram};
 
 use super::basis::{AxisState, UNITS};
-use super::block::Block;
+use super::block::{Block, Factor};
 use super::grid::Wires;
 use super::ramp::RampState;
 use super::summer::SummerState;
-use super::terms::signed;
 use super::timing::Timing;
 use super::words::Words;
 use crate::{Registers, TerrainGenerator};
@@ -20,8 +21,8 @@ pub struct ArrayState<S> {
     pub(super) accumulators: Accumulators,
     pub(super) ramps: [RampState<S>; 2],
     pub(super) axes: [AxisState<S>; 2],
-    /// Signs that the polarity gives the odd terms.
-    pub(super) signs: [Lanes<S>; 2],
+    /// Signs that the polarity gives the function generators.
+    pub(super) signs: [[Lanes<S>; UNITS]; 2],
     /// Factors of X with their signs, at the sample that went through last.
     pub(super) before: [Lanes<S>; UNITS],
     pub(super) wires: Vec<Wires<Lanes<S>>>,
@@ -29,6 +30,8 @@ pub struct ArrayState<S> {
     /// The samples that went through last.
     pub(super) block: Box<Block<S>>,
     pub(super) words: Words,
+    /// What was coded last, colour by colour: sweeps of a group meet the same corners.
+    pub(super) coded: [Coded; 4],
     /// Deviates of the sums, at this sample and at the other of its pair.
     pub(super) noise: [[[f64; LANES]; 2]; 3],
     /// What the datum of each sweep is trimmed by (m).
@@ -45,6 +48,19 @@ pub(super) struct Accumulators {
     offset: [[f64; LANES]; 2],
     base: [[f64; LANES]; 2],
     sign: [[f64; LANES]; 2],
+}
+
+/// Words of a corner, their numbers in D/As, and their shares of full scale there.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Coded {
+    pub(super) words: CornerWords,
+    pub(super) numbers: [i32; 9],
+    pub(super) shares: [f64; 9],
+}
+
+impl Coded {
+    /// Of no corner.
+    pub(super) const NONE: Self = Self { words: [f64::NAN; 9], numbers: [0; 9], shares: [0.0; 9] };
 }
 
 /// When something digital is next due in any lane: between these instants nobody asks.
@@ -81,12 +97,13 @@ impl<S: Real> Default for ArrayState<S> {
             accumulators: Accumulators::default(),
             ramps: Default::default(),
             axes: Default::default(),
-            signs: [Lanes::default(); 2],
+            signs: [[Lanes::default(); UNITS]; 2],
             before: [Lanes::default(); UNITS],
             wires: Vec::new(),
             summers: Default::default(),
             block: Box::default(),
             words: Words::default(),
+            coded: [Coded::NONE; 4],
             noise: [[[0.0; LANES]; 2]; 3],
             trim: [0.0; LANES],
             lanes: Default::default(),
@@ -98,13 +115,20 @@ impl<S: Real> Default for ArrayState<S> {
 impl<S: Real> ArrayState<S> {
     /// Gives what the function generators put out its signs: the factors at sample `n` of the block.
     #[inline(always)]
-    pub(super) fn put_factors(&mut self, n: usize) {
+    pub(super) fn put_factors<L: Simd>(&mut self, simd: L, n: usize) {
         let Self { axes: [x, y], signs, block, before, .. } = self;
         for unit in 0..UNITS {
-            let value = signed(unit, x.out[unit], signs[0]);
-            block.x[unit].set(n, value, before[unit]);
-            before[unit] = value;
-            block.y[unit][n] = signed(unit, y.out[unit], signs[1]);
+            let sign = S::Vector::<L>::from_slice(simd, &signs[0][unit].0);
+            let value = S::Vector::<L>::from_slice(simd, &x.out[unit].0) * sign;
+            let change = value - S::Vector::<L>::from_slice(simd, &before[unit].0);
+            let Factor { value: values, square, change: changes } = &mut block.x[unit];
+            value.store_slice(&mut values[n].0);
+            (value * value).store_slice(&mut square[n].0);
+            change.store_slice(&mut changes[n].0);
+            value.store_slice(&mut before[unit].0);
+            let sign = S::Vector::<L>::from_slice(simd, &signs[1][unit].0);
+            let value = S::Vector::<L>::from_slice(simd, &y.out[unit].0) * sign;
+            value.store_slice(&mut block.y[unit][n].0);
         }
     }
 }

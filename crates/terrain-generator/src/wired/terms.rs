@@ -1,7 +1,5 @@
 //! The terms of the three sums: which wires meet in each.
 
-use signal::{Lanes, Real};
-
 /// Terms of one sum.
 pub(super) const TERMS: usize = 36;
 /// Terms of all three: height, slope to the north, slope to the east.
@@ -24,16 +22,15 @@ pub(super) fn term_of(colour: usize, word: usize) -> usize {
     6 * (3 * (colour % 2) + word / 3) + 3 * (colour / 2) + word % 3
 }
 
-/// What function generator `unit` has put `out`, with its sign (section 6.4): odd orders of value and even ones of slope
-/// carry the polarity at the near end, and its opposite at the far one.
-#[inline(always)]
-pub(super) fn signed<S: Real>(unit: usize, out: Lanes<S>, sign: Lanes<S>) -> Lanes<S> {
+/// The sign of function generator `unit` (section 6.4): odd orders of value and even ones of slope carry the `polarity` (1 or -1)
+/// at the near end, and its opposite at the far one.
+pub(super) fn sign(unit: usize, polarity: f64) -> f64 {
     let (is_slope, is_far, order) = (unit / 6 == 1, unit / 3 % 2 == 1, unit % 3);
-    if (order == 1) == is_slope {
-        return out;
+    match ((order == 1) == is_slope, is_far) {
+        (true, _) => 1.0,
+        (false, false) => polarity,
+        (false, true) => -polarity,
     }
-    let signed = out * sign;
-    if is_far { Lanes::default() - signed } else { signed }
 }
 
 #[cfg(test)]

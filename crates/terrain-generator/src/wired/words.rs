@@ -1,5 +1,6 @@
 //! Words on their way to the D/As of a group, and those that act within a block of samples.
 
+use std::mem;
 use std::ops::Range;
 
 use signal::LANES;
@@ -44,10 +45,14 @@ pub(super) struct Acting {
 /// Words of all D/As.
 #[derive(Debug, Clone)]
 pub(super) struct Words {
-    /// Strobed and not yet acting; for a D/A of a lane ascending in time.
+    /// First and last sample of the block; no word acts in none.
+    first: i64,
+    last: f64,
+    /// Strobed and not acting by the end of the block; for a D/A of a lane ascending in time.
     waiting: Vec<Change>,
-    /// Those that act in the block.
+    /// Those that act in the block are the first `count`; room behind them is used again.
     acting: Vec<Acting>,
+    count: usize,
     cells: Vec<CellWords>,
 }
 
@@ -57,25 +62,31 @@ pub(super) struct CellWords {
     /// Bit n: a word acts within the step to sample n of the block.
     samples: u32,
     /// The first of these words, by sample.
-    first: [usize; BLOCK],
+    first: [u32; BLOCK],
 }
 
 impl Default for Words {
     fn default() -> Self {
-        Self { waiting: Vec::new(), acting: Vec::new(), cells: vec![CellWords::default(); ALL] }
+        let cells = vec![CellWords::default(); ALL];
+        Self { first: 0, last: f64::NEG_INFINITY, waiting: Vec::new(), acting: Vec::new(), count: 0, cells }
     }
 }
 
 impl Words {
-    /// Forgets all of them: a group begins.
+    /// Forgets all of them: a group begins, and no block yet.
     pub(super) fn clear(&mut self) {
+        self.last = f64::NEG_INFINITY;
         self.waiting.clear();
     }
 
-    /// Puts a word on its way.
+    /// Puts a word on its way: into the block if it acts there.
     #[inline]
     pub(super) fn send(&mut self, change: Change) {
-        self.waiting.push(change);
+        if change.at <= self.last {
+            self.place(&change);
+        } else {
+            self.waiting.push(change);
+        }
     }
 
     /// Hands over the words that act by `sample`.
@@ -89,89 +100,106 @@ impl Words {
         });
     }
 
-    /// Places the words that act within the steps to these `samples`, at most [`BLOCK`]; those that should have acted before
-    /// act as the first step begins.
-    pub(super) fn place(&mut self, samples: &Range<i64>) {
-        let Self { waiting, acting, cells } = self;
-        acting.clear();
-        cells.iter_mut().for_each(|cell| cell.samples = 0);
-        let (first, last) = (samples.start, (samples.end - 1) as f64);
+    /// Begins the block of `samples`, at most [`BLOCK`].
+    pub(super) fn begin(&mut self, samples: &Range<i64>) {
+        (self.first, self.last) = (samples.start, (samples.end - 1) as f64);
+        self.count = 0;
+        self.cells.iter_mut().for_each(|cell| cell.samples = 0);
+        let mut waiting = mem::take(&mut self.waiting);
+        let last = self.last;
         waiting.retain(|change| {
             let acts = change.at <= last;
             if acts {
-                let sample = (change.at.ceil() as i64).max(first);
-                let share = (change.at - (sample - 1) as f64).clamp(0.0, 1.0);
-                cells[change.index].place((sample - first) as usize, share, change, acting);
+                self.place(change);
             }
             !acts
         });
+        self.waiting = waiting;
+    }
+
+    /// Places a word that acts by the end of the block; one that should have acted before acts as its first step begins.
+    #[inline]
+    fn place(&mut self, change: &Change) {
+        let whole = change.at as i64;
+        let sample = (whole + i64::from(change.at > whole as f64)).max(self.first);
+        let share = (change.at - (sample - 1) as f64).clamp(0.0, 1.0);
+        let n = (sample - self.first) as usize;
+        if self.cells[change.index].samples >> n & 1 == 0 {
+            let next = self.room(change.index);
+            let cell = &mut self.cells[change.index];
+            cell.samples |= 1 << n;
+            cell.first[n] = next as u32;
+        }
+        let mut place = self.cells[change.index].first[n] as usize;
+        // A lane that has two words in a step takes one after the other.
+        while self.acting[place].lanes >> change.lane & 1 == 1 {
+            place = match self.acting[place].then {
+                Some(then) => then,
+                None => {
+                    let next = self.room(change.index);
+                    *self.acting[place].then.insert(next)
+                }
+            };
+        }
+        self.acting[place].set(share, change);
+    }
+
+    /// Room for words of D/A `index`.
+    #[inline]
+    fn room(&mut self, index: usize) -> usize {
+        let next = self.count;
+        if next == self.acting.len() {
+            self.acting.push(Acting::NONE);
+        }
+        let acting = &mut self.acting[next];
+        (acting.index, acting.lanes, acting.then) = (index, 0, None);
+        self.count += 1;
+        next
     }
 
     /// Works out what the words of the block leave of their steps of `h` seconds; `cells` have the D/As.
     #[inline(always)]
     pub(super) fn divide<S>(&mut self, h: f64, cells: &[Cell<S>]) {
-        for acting in &mut self.acting {
+        for acting in &mut self.acting[..self.count] {
             acting.divide(h, cells[acting.index].tau);
         }
     }
 
-    /// The words of D/A `index` in the block.
+    /// Samples of the block within whose step a word acts on any of these D/As, ascending.
     #[inline(always)]
-    pub(super) fn of(&self, index: usize) -> &CellWords {
-        &self.cells[index]
-    }
-
-    /// The words of a D/A that act in the step to sample `n` of the block, one after the other.
-    #[inline(always)]
-    pub(super) fn acting(&self, cell: &CellWords, n: usize) -> impl Iterator<Item = &Acting> {
-        std::iter::successors(Some(&self.acting[cell.first[n]]), |acting| Some(&self.acting[acting.then?]))
-    }
-}
-
-impl CellWords {
-    /// Samples of the block by the end of whose step a word acts, ascending.
-    #[inline(always)]
-    pub(super) fn samples(&self) -> impl Iterator<Item = usize> + use<> {
+    pub(super) fn samples(&self, indices: Range<usize>) -> impl Iterator<Item = usize> + use<> {
+        let mut all = 0;
+        for cell in &self.cells[indices] {
+            all |= cell.samples;
+        }
         let left = |samples: u32| (samples != 0).then_some(samples);
-        std::iter::successors(left(self.samples), move |samples| left(samples & (samples - 1)))
+        std::iter::successors(left(all), move |samples| left(samples & (samples - 1)))
             .map(|samples| samples.trailing_zeros() as usize)
     }
 
-    fn place(&mut self, n: usize, share: f64, change: &Change, acting: &mut Vec<Acting>) {
-        let next = acting.len();
-        if self.samples >> n & 1 == 0 {
-            self.samples |= 1 << n;
-            self.first[n] = next;
-            acting.push(Acting::of(change.index));
-        }
-        let mut place = self.first[n];
-        // A lane that has two words in a step takes one after the other.
-        while acting[place].lanes >> change.lane & 1 == 1 {
-            place = *acting[place].then.get_or_insert(next);
-            if place == next {
-                acting.push(Acting::of(change.index));
-            }
-        }
-        acting[place].set(share, change);
+    /// The words of D/A `index` that act in the step to sample `n` of the block, one after the other.
+    #[inline(always)]
+    pub(super) fn acting(&self, index: usize, n: usize) -> impl Iterator<Item = &Acting> {
+        let cell = &self.cells[index];
+        let first = (cell.samples >> n & 1 == 1).then(|| &self.acting[cell.first[n] as usize]);
+        std::iter::successors(first, |acting| Some(&self.acting[acting.then?]))
     }
 }
 
 impl Acting {
-    fn of(index: usize) -> Self {
-        let none = [0.0; LANES];
-        Self {
-            index,
-            lanes: 0,
-            share: none,
-            weight: none,
-            pulse: none,
-            from: none,
-            to: none,
-            kick: none,
-            then: None,
-        }
-    }
+    const NONE: Self = Self {
+        index: 0,
+        lanes: 0,
+        share: [0.0; LANES],
+        weight: [0.0; LANES],
+        pulse: [0.0; LANES],
+        from: [0.0; LANES],
+        to: [0.0; LANES],
+        kick: [0.0; LANES],
+        then: None,
+    };
 
+    #[inline]
     fn set(&mut self, share: f64, change: &Change) {
         self.lanes |= 1 << change.lane;
         self.share[change.lane] = share;

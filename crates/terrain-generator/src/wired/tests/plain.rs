@@ -9,7 +9,7 @@ use sweep_program::{RampAxis, Step, SweepProgram};
 use super::{STEP, Scene, parts};
 use crate::wired::block::{BLOCK, Row};
 use crate::wired::summer::SummerState;
-use crate::wired::terms::{ALL, TERMS, signed, word_of};
+use crate::wired::terms::{ALL, TERMS, sign, word_of};
 use crate::wired::timing::range_at;
 use crate::wired::{ArrayState, PartsArray, Scale, Tap};
 use crate::{Profile, Registers};
@@ -93,7 +93,7 @@ fn heights(array: &PartsArray<f64>, scene: &Scene, lane: usize) -> Vec<f64> {
         [RampAxis::X, RampAxis::Y].map(|axis| {
             let past = |step: &Step| array.timing.of_polarity(step, &generator, program) <= sample as f64;
             let sign = if folds(program, axis, past) % 2 == 0 { 1.0 } else { -1.0 };
-            Lanes::splat(sign * program.start.ramps[axis as usize].polarity)
+            sign * program.start.ramps[axis as usize].polarity
         })
     };
     let start = ramps(foot);
@@ -103,7 +103,9 @@ fn heights(array: &PartsArray<f64>, scene: &Scene, lane: usize) -> Vec<f64> {
     );
     let factors = |axes: &[_; 2], sample: i64| {
         let axes: &[crate::wired::basis::AxisState<f64>; 2] = axes;
-        [0, 1].map(|axis| std::array::from_fn(|unit| signed(unit, axes[axis].out[unit], signs(sample)[axis])))
+        [0, 1].map(|axis| {
+            std::array::from_fn(|unit| axes[axis].out[unit] * Lanes::splat(sign(unit, signs(sample)[axis])))
+        })
     };
     let mut before = factors(&axes, foot);
     let cells = &array.grid.cells;
@@ -132,8 +134,9 @@ fn heights(array: &PartsArray<f64>, scene: &Scene, lane: usize) -> Vec<f64> {
         if sample > foot {
             let now = ramps(sample - has_steps);
             for axis in 0..2 {
-                let value = array.ramps[axis].step(&mut ramp[axis], now[axis]);
-                dispatch!(Level::new(), simd => array.generators[axis].step(simd, &mut axes[axis], value));
+                let value =
+                    dispatch!(Level::new(), simd => array.ramps[axis].step(simd, &mut ramp[axis], now[axis]));
+                dispatch!(Level::new(), simd => array.generators[axis].step(simd, &mut axes[axis], &value));
             }
             let now = factors(&axes, sample);
             for index in 0..ALL {
