@@ -4,8 +4,8 @@
 //! one row, and a group of sweeps goes through it side by side.
 
 use fearless_simd::Simd;
-use fearless_simd::prelude::SimdBase;
-use signal::{LANES, Real, turn_square};
+use fearless_simd::prelude::{SimdBase, SimdFrom};
+use signal::{LANES, Lanes, Real, turn_square};
 
 use crate::FunctionGenerator;
 use crate::whole::{WHOLE, whole_side_by_side};
@@ -18,6 +18,21 @@ pub const BANK: usize = LANES;
 pub struct FunctionBank<S> {
     cells: f64,
     rows: Vec<Row<S>>,
+}
+
+/// Where the inputs of a group fall: the computer asks for what stands there as soon as it knows.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BankPlace<S> {
+    /// Number of the cell beside [`WHOLE`].
+    cell: [f64; LANES],
+    /// How far into the cell (cells).
+    beyond: Lanes<S>,
+}
+
+impl<S: Real> Default for BankPlace<S> {
+    fn default() -> Self {
+        Self { cell: [WHOLE; LANES], beyond: Lanes::default() }
+    }
 }
 
 /// Starts and rises of a cell.
@@ -43,16 +58,28 @@ impl<S: Real> FunctionBank<S> {
     /// What the generators put out for input `z`, of each lane; to the bit as [`FunctionGenerator::value`] has it.
     #[inline(always)]
     pub fn values<L: Simd>(&self, simd: L, z: S::Vector<L>) -> [S::Vector<L>; BANK] {
+        self.at::<L>(simd, &self.place(z))
+    }
+
+    /// Where input `z` of each lane falls.
+    #[inline(always)]
+    pub fn place<L: Simd>(&self, z: S::Vector<L>) -> BankPlace<S> {
         let place = z * S::from_f64(self.cells);
         let below = whole_side_by_side(S::widen(place)).max(0.0).min(self.cells - 1.0);
+        let mut out = BankPlace::default();
         // A whole number stands in the lowest bits of what is beside WHOLE.
-        let (mut cell, mut beyond) = ([0.0_f64; LANES], [S::ZERO; LANES]);
-        (below + WHOLE).store_slice(&mut cell);
-        (place - S::narrow(below)).store_slice(&mut beyond);
-        let mut square = [z; LANES];
+        (below + WHOLE).store_slice(&mut out.cell);
+        (place - S::narrow(below)).store_slice(&mut out.beyond.0);
+        out
+    }
+
+    /// What the generators put out there.
+    #[inline(always)]
+    pub fn at<L: Simd>(&self, simd: L, place: &BankPlace<S>) -> [S::Vector<L>; BANK] {
+        let mut square = [S::Vector::<L>::simd_from(simd, S::ZERO); LANES];
         for lane in 0..LANES {
-            let Row { start, rise } = &self.rows[cell[lane].to_bits() as u32 as usize];
-            let rise = S::Vector::<L>::from_slice(simd, rise) * beyond[lane];
+            let Row { start, rise } = &self.rows[place.cell[lane].to_bits() as u32 as usize];
+            let rise = S::Vector::<L>::from_slice(simd, rise) * place.beyond.0[lane];
             square[lane] = S::Vector::<L>::from_slice(simd, start) + rise;
         }
         // Lanes by generators become generators by lanes.

@@ -195,6 +195,7 @@ impl<S: Real> Latch<'_, S> {
 
     /// Feeds the comparator with elevation less hold over the step, whenever in it the hold began: while elevation falls
     /// what it says does not count.
+    #[inline(always)]
     fn compare(&mut self, sample: usize, held: Held<S>, mut comparator: ComparatorState) {
         let [start, end] = held.gap(&self.circuit.hold, self.wire, sample);
         let [start, end] = comparable(start, end);
@@ -207,16 +208,22 @@ impl<S: Real> Latch<'_, S> {
     }
 
     /// When elevation is found to fall, if before `end`.
+    #[inline(always)]
     fn next_fall(&mut self, end: f64) -> Option<f64> {
-        let at = self.falling.next_at();
-        if at > end {
-            return None;
+        loop {
+            let at = self.falling.next_at();
+            if at > end {
+                return None;
+            }
+            self.falling.advance();
+            if self.falling.is_high() {
+                return Some(at);
+            }
         }
-        self.falling.advance();
-        if self.falling.is_high() { Some(at) } else { self.next_fall(end) }
     }
 
     /// When elevation has returned to the hold and does not fall, if before `end`.
+    #[inline(always)]
     fn next_release(&mut self, end: f64) -> Option<f64> {
         loop {
             let next = if self.falling.next_at() <= self.returning.next_at() {

@@ -3,7 +3,7 @@
 
 use signal::{Lanes, Real};
 
-use super::basis::UNITS;
+use super::basis::{Fed, UNITS};
 
 /// Samples of a block: few enough that a block stays in the first cache, and that a bit of a u32 tells one.
 pub(super) const BLOCK: usize = 16;
@@ -14,6 +14,8 @@ pub(super) type Row<S> = [Lanes<S>; BLOCK];
 /// Wires of the array at the samples of a block.
 #[derive(Debug, Clone)]
 pub(super) struct Block<S> {
+    /// What ramps feed function generators with: X, Y.
+    pub(super) fed: [[Fed<S>; BLOCK]; 2],
     /// Function generators with their signs: X.
     pub(super) x: [Factor<S>; UNITS],
     /// And Y.
@@ -37,6 +39,7 @@ impl<S: Real> Default for Block<S> {
     fn default() -> Self {
         let row = [Lanes::default(); BLOCK];
         Self {
+            fed: [[Fed::default(); BLOCK]; 2],
             x: [Factor { value: row, square: row, change: row }; UNITS],
             y: [row; UNITS],
             partial: Vec::new(),

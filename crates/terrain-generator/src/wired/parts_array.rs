@@ -100,7 +100,7 @@ impl<S: Real> PartsArray<S> {
         let to_sums = to_converters + lag_of(parts.multiplying_dac.bandwidth) + summers[0].delay();
         let delays = Delays { to_ramps: nominal.delay(), to_generators, to_converters, to_sums };
         let timing = Timing::new(h, &delays, &ramps, parts, (&spread, name));
-        let generators = [0, 1].map(|axis| AxisGenerators::new(h, parts, &spread, name, axis));
+        let generators = AxisGenerators::of_both(h, parts, &spread, name);
         let scale = Scale::of(level);
         let factor = |index: usize| {
             let gain = 1.0 + error("mdac.gain", index, parts.multiplying_dac.gain_error);

@@ -141,7 +141,15 @@ impl<S: Real> Run<'_, S> {
         }
         state.words.divide(array.timing.step, &array.grid.cells);
         for (n, sample) in samples.clone().enumerate() {
-            self.feed(simd, sample, state);
+            self.ramp(simd, (sample, n), state);
+        }
+        for (n, sample) in samples.clone().enumerate() {
+            for axis in 0..2 {
+                array.generators[axis].step(simd, &mut state.axes[axis], &state.block.fed[axis][n]);
+            }
+            if state.due.turn <= sample as f64 {
+                self.turn(sample, state);
+            }
             state.put_factors(simd, n);
         }
         array.grid.run(simd, &mut state.block, count, &state.words, &mut state.wires);
@@ -151,17 +159,14 @@ impl<S: Real> Run<'_, S> {
         }
     }
 
-    /// Ramps, function generators and polarity from the sample before to `sample`.
+    /// Ramps from the sample before to `sample`, number `n` of the block, and what they feed.
     #[inline(always)]
-    fn feed<L: Simd>(&self, simd: L, sample: i64, state: &mut ArrayState<S>) {
-        let array = self.array;
-        let ramps = self.accumulators(sample - i64::from(array.ramps[0].has_steps()), state);
+    fn ramp<L: Simd>(&self, simd: L, (sample, n): (i64, usize), state: &mut ArrayState<S>) {
+        let ramps = &self.array.ramps;
+        let values = self.accumulators(sample - i64::from(ramps[0].has_steps()), state);
         for axis in 0..2 {
-            let ramp = array.ramps[axis].step(simd, &mut state.ramps[axis], ramps[axis]);
-            array.generators[axis].step(simd, &mut state.axes[axis], &ramp);
-        }
-        if state.due.turn <= sample as f64 {
-            self.turn(sample, state);
+            let ramp = ramps[axis].step(simd, &mut state.ramps[axis], values[axis]);
+            state.block.fed[axis][n] = self.array.generators[axis].feed(simd, ramp);
         }
     }
 

@@ -80,7 +80,7 @@ impl Words {
     }
 
     /// Puts a word on its way: into the block if it acts there.
-    #[inline]
+    #[inline(always)]
     pub(super) fn send(&mut self, change: Change) {
         if change.at <= self.last {
             self.place(&change);
@@ -118,43 +118,58 @@ impl Words {
     }
 
     /// Places a word that acts by the end of the block; one that should have acted before acts as its first step begins.
-    #[inline]
+    #[inline(always)]
     fn place(&mut self, change: &Change) {
         let whole = change.at as i64;
         let sample = (whole + i64::from(change.at > whole as f64)).max(self.first);
         let share = (change.at - (sample - 1) as f64).clamp(0.0, 1.0);
-        let n = (sample - self.first) as usize;
-        if self.cells[change.index].samples >> n & 1 == 0 {
-            let next = self.room(change.index);
-            let cell = &mut self.cells[change.index];
-            cell.samples |= 1 << n;
-            cell.first[n] = next as u32;
-        }
-        let mut place = self.cells[change.index].first[n] as usize;
+        let mut place = self.first_at(change.index, (sample - self.first) as usize);
         // A lane that has two words in a step takes one after the other.
         while self.acting[place].lanes >> change.lane & 1 == 1 {
-            place = match self.acting[place].then {
-                Some(then) => then,
-                None => {
-                    let next = self.room(change.index);
-                    *self.acting[place].then.insert(next)
-                }
-            };
+            place = self.behind(place);
         }
         self.acting[place].set(share, change);
     }
 
+    /// Where the first words are that D/A `index` takes in the step to sample `n` of the block.
+    #[inline(always)]
+    fn first_at(&mut self, index: usize, n: usize) -> usize {
+        if self.cells[index].samples >> n & 1 == 0 {
+            let next = self.room(index);
+            let cell = &mut self.cells[index];
+            cell.samples |= 1 << n;
+            cell.first[n] = next as u32;
+        }
+        self.cells[index].first[n] as usize
+    }
+
+    /// Where those behind them are.
+    #[cold]
+    fn behind(&mut self, place: usize) -> usize {
+        let Acting { then, index, .. } = self.acting[place];
+        then.unwrap_or_else(|| {
+            let next = self.room(index);
+            self.acting[place].then = Some(next);
+            next
+        })
+    }
+
     /// Room for words of D/A `index`.
-    #[inline]
+    #[inline(always)]
     fn room(&mut self, index: usize) -> usize {
         let next = self.count;
         if next == self.acting.len() {
-            self.acting.push(Acting::NONE);
+            self.grow();
         }
         let acting = &mut self.acting[next];
         (acting.index, acting.lanes, acting.then) = (index, 0, None);
         self.count += 1;
         next
+    }
+
+    #[cold]
+    fn grow(&mut self) {
+        self.acting.push(Acting::NONE);
     }
 
     /// Works out what the words of the block leave of their steps of `h` seconds; `cells` have the D/As.
@@ -199,7 +214,7 @@ impl Acting {
         then: None,
     };
 
-    #[inline]
+    #[inline(always)]
     fn set(&mut self, share: f64, change: &Change) {
         self.lanes |= 1 << change.lane;
         self.share[change.lane] = share;

@@ -136,7 +136,10 @@ fn heights(array: &PartsArray<f64>, scene: &Scene, lane: usize) -> Vec<f64> {
             for axis in 0..2 {
                 let value =
                     dispatch!(Level::new(), simd => array.ramps[axis].step(simd, &mut ramp[axis], now[axis]));
-                dispatch!(Level::new(), simd => array.generators[axis].step(simd, &mut axes[axis], &value));
+                dispatch!(Level::new(), simd => {
+                    let fed = array.generators[axis].feed(simd, value);
+                    array.generators[axis].step(simd, &mut axes[axis], &fed);
+                });
             }
             let now = factors(&axes, sample);
             for index in 0..ALL {
