@@ -123,17 +123,18 @@ impl<S: Real> Amplifier<S> {
     ) -> bool {
         let [saturation, least] =
             [self.saturation, -self.saturation].map(|level| Signal::<S, L>::simd_from(simd, level));
+        let zero = Signal::<S, L>::simd_from(simd, S::ZERO);
         let mut y = Signal::<S, L>::from_slice(simd, &state.y.0);
         let mut excess = Signal::<S, L>::from_slice(simd, &state.excess.0);
         let mut from = Signal::<S, L>::from_slice(simd, &input[0].0);
-        let (mut level, mut gap, mut climb) = (from.abs(), y - y, y - y);
+        let (mut level, mut gap, mut climb) = (from.abs(), zero, zero);
         for (to, out) in input[1..].iter().zip(out) {
             let to = Signal::<S, L>::from_slice(simd, &to.0);
             level = level.max(y.abs()).max(to.abs());
             gap = gap.max((from - y).abs());
             climb = climb.max((to - from).abs());
             y = self.lag.step(y, from, to);
-            excess = excess * self.remains;
+            excess *= self.remains;
             let sum = y + excess;
             let sum = sum.simd_gt(saturation).select(saturation, sum);
             sum.simd_lt(least).select(least, sum).store_slice(&mut out.0);

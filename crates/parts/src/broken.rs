@@ -185,7 +185,7 @@ mod tests {
             for (lane, jumps) in jumps.iter_mut().enumerate() {
                 let place = |k: u64| {
                     let at = 40.0 * drawn(&[round, 2, lane as u64, k]);
-                    if k % 3 == 0 { at.round() } else { at }
+                    if k.is_multiple_of(3) { at.round() } else { at }
                 };
                 let mut places: Vec<f64> = (0..2 * lane as u64).map(place).collect();
                 places.sort_by(f64::total_cmp);

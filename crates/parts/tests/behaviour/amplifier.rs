@@ -133,14 +133,14 @@ proptest! {
     #[test]
     fn a_lane_is_a_scalar(
         slew in prop_oneof![Just(0.0), Just(1.0), Just(f64::INFINITY)], tau in prop_oneof![Just(0.0), Just(0.3)],
-        size in prop_oneof![Just(0.1_f32), Just(0.5), Just(2.0)],
+        size in prop_oneof![Just(0.1_f32), Just(0.5), Just(2.0)], lift in -1.0_f32..1.0,
         inputs in proptest::collection::vec(-1.0_f32..1.0, 6 * LANES), first in 0..5_usize,
     ) {
         let law = AmplifierLaw { tau, slew, saturation: 1.1, recovery: 0.5 };
         let amplifier = Amplifier::<f32>::new(0.4, &law);
         let mut group = AmplifierState::<Lanes<f32>>::default();
         let mut alone = [AmplifierState::<f32>::default(); LANES];
-        let at = |n: usize| Lanes::from_fn(|lane| size * inputs[n * LANES + lane]);
+        let at = |n: usize| Lanes::from_fn(|lane| lift + size * inputs[n * LANES + lane]);
         let mut right = Vec::new();
         for n in 1..6 {
             let (u0, u1) = (at(n - 1), at(n));

@@ -127,7 +127,7 @@ impl<S: Real, L: Simd, const N: usize> Beside<'_, S, L, N> {
             let mut sum = load::<L, S>(simd, &sums[n]);
             for k in 0..N {
                 let before = self.step(simd, k, n);
-                sum = sum + self.cells[k].put(&mut self.wires[k], before);
+                sum += self.cells[k].put(&mut self.wires[k], before);
             }
             sum.store_slice(&mut sums[n].0);
         }
@@ -142,7 +142,7 @@ impl<S: Real, L: Simd, const N: usize> Beside<'_, S, L, N> {
             for words in words.acting(first + k, n) {
                 words.act::<L, S>(simd, before, &mut self.wires[k]);
             }
-            out = out + self.cells[k].put(&mut self.wires[k], before);
+            out += self.cells[k].put(&mut self.wires[k], before);
         }
         out.store_slice(&mut sum.0);
     }
