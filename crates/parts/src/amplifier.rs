@@ -95,8 +95,8 @@ impl<S: Real> Amplifier<S> {
         self.clip(state.y + state.excess)
     }
 
-    /// Passes samples of a group through, from the state at the first of `input` on: `out` takes one less. Each lane has the
-    /// bits that [`Amplifier::step`] gives it alone.
+    /// Passes samples of a group through, from the state at the first of `input` on: `out` takes one less. Each lane
+    /// has the bits that [`Amplifier::step`] gives it alone.
     #[inline(always)]
     pub fn pass<L: Simd>(
         &self,

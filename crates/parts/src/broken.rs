@@ -73,8 +73,8 @@ pub(crate) fn step_of(time: f64) -> usize {
 }
 
 impl Delay {
-    /// The signals of a group behind this delay, with their jumps; `before` gets what they were before it. Before the sweep they
-    /// stood as it begins.
+    /// The signals of a group behind this delay, with their jumps; `before` gets what they were before it. Before the
+    /// sweep they stood as it begins.
     pub fn pass_broken<S: Real>(
         &self,
         signal: &mut [Lanes<S>],
@@ -90,7 +90,8 @@ impl Delay {
             let value = |sample: usize| before[sample][lane].to_f64();
             let (mut near, mut next) = (NearJumps::new(jumps), 0);
             for jump in &*jumps {
-                // The samples that are taken from within a step that ends at the jump, or begins there, and those beside them.
+                // The samples that are taken from within a step that ends at the jump, or begins there, and those
+                // beside them.
                 let about = (jump.at + late).max(1.0) as usize - 1;
                 for index in about.max(next)..(about + 5).min(signal.len()) {
                     let time = index as f64 - late;

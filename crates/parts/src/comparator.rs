@@ -144,7 +144,8 @@ impl<S: Real> Comparator<S> {
         }
     }
 
-    /// How far noise can move the thresholds in the steps to samples 0, 1, 2 ... of `sweep`, at most (shares of full scale).
+    /// How far noise can move the thresholds in the steps to samples 0, 1, 2 ... of `sweep`, at most (shares of full
+    /// scale).
     pub fn reaches(&self, sweep: u64, reaches: &mut [f64]) {
         reaches.fill(0.0);
         if self.noise > 0.0 {

@@ -4,8 +4,8 @@ use std::ops::{Add, Mul, Sub};
 
 use signal::Real;
 
-/// A scalar of the run, [`signal::Lanes`] of it, or a vector of them. Lane by lane the operations are the scalar's, so the
-/// bits are too.
+/// A scalar of the run, [`signal::Lanes`] of it, or a vector of them. Lane by lane the operations are the scalar's, so
+/// the bits are too.
 pub trait Wire<S: Real>:
     Copy
     + Add<Output = Self>

@@ -34,7 +34,8 @@ impl<S: Real> Run<'_, S> {
         *due = Due::of(lanes);
     }
 
-    /// Puts the words of the hold registers of a lane on their way that are others than before; a nominal D/A has them `at`.
+    /// Puts the words of the hold registers of a lane on their way that are others than before; a nominal D/A has them
+    /// `at`.
     fn send(&self, at: f64, (number, lane): (usize, &mut Lane), coded: &mut [Coded; 4], words: &mut Words) {
         let array = self.array;
         let hold = lane.registers.hold(self.generator.buffer);
@@ -102,8 +103,8 @@ impl Acting {
         }
     }
 
-    /// Gives the lanes of a D/A these words, within a step that it has taken with those before; its signal was `before` as the
-    /// step began.
+    /// Gives the lanes of a D/A these words, within a step that it has taken with those before; its signal was
+    /// `before` as the step began.
     #[inline(always)]
     pub(super) fn act<L: Simd, S: Real>(
         &self,

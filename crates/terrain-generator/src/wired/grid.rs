@@ -1,8 +1,9 @@
 //! The 3 x 36 multipliers, each with the multiplying D/A behind it, and the first sums of their terms.
 //!
-//! Nearly all parts of a machine stand here, so the loop over them is the machine's cost: a block of samples goes through one
-//! cell after the other, eight lanes in a vector, and is divided only where a D/A takes a new word. Each lag keeps what it
-//! leaves for the next sample instead of its input and output. A part that is ideal has the coefficients of one.
+//! Nearly all parts of a machine stand here, so the loop over them is the machine's cost: a block of samples goes
+//! through the cells two by two, eight lanes in a vector, and is divided only where a D/A takes a new word. Each
+//! lag keeps what it leaves for the next sample instead of its input and output. A part that is ideal has the
+//! coefficients of one.
 
 use std::ops::Range;
 
@@ -110,8 +111,8 @@ impl<S: Real> Cell<S> {
     }
 }
 
-/// Cells side by side on their way through a block: a step of a lag waits for the one before, but not for those of another
-/// cell.
+/// Cells side by side on their way through a block: a step of a lag waits for the one before, but not for those of
+/// another cell.
 struct Beside<'a, S: Real, L: Simd, const N: usize> {
     cells: [Cell<S>; N],
     wires: [Wires<S::Vector<L>>; N],

@@ -69,8 +69,8 @@ impl<S: Real> Run<'_, S> {
         self.sweep(simd, first, span, address, state, profile, tap);
     }
 
-    /// Everything at rest under ramps that stand as they do at sample `first`, with the words that act there: the block is
-    /// this sample.
+    /// Everything at rest under ramps that stand as they do at sample `first`, with the words that act there: the
+    /// block is this sample.
     #[inline(always)]
     fn settle<L: Simd>(&self, simd: L, first: i64, state: &mut ArrayState<S>) {
         let array = self.array;

@@ -100,7 +100,8 @@ impl<S: Real> Summer<S> {
         &self.slowest
     }
 
-    /// The tree at rest; `rows` are what meets at the amplifiers of its first stage, at the first sample, and are used up.
+    /// The tree at rest; `rows` are what meets at the amplifiers of its first stage, at the first sample, and are used
+    /// up.
     pub fn at_rest(&self, rows: &mut [Row<S>], state: &mut SummerState<S>) -> Lanes<S> {
         state.stages.resize_with(self.stages.len(), Vec::new);
         let mut met = rows.len();

@@ -22,8 +22,8 @@ pub(super) fn term_of(colour: usize, word: usize) -> usize {
     6 * (3 * (colour % 2) + word / 3) + 3 * (colour / 2) + word % 3
 }
 
-/// The sign of function generator `unit` (section 6.4): odd orders of value and even ones of slope carry the `polarity` (1 or -1)
-/// at the near end, and its opposite at the far one.
+/// The sign of function generator `unit` (section 6.4): odd orders of value and even ones of slope carry the
+/// `polarity` (1 or -1) at the near end, and its opposite at the far one.
 pub(super) fn sign(unit: usize, polarity: f64) -> f64 {
     let (is_slope, is_far, order) = (unit / 6 == 1, unit / 3 % 2 == 1, unit % 3);
     match ((order == 1) == is_slope, is_far) {

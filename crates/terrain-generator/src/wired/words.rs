@@ -33,8 +33,8 @@ pub(super) struct Acting {
     pub(super) share: [f64; LANES],
     pub(super) weight: [f64; LANES],
     pub(super) pulse: [f64; LANES],
-    /// What the signal at the word and at the end of the step leave at its end, for a weight of 1, and the pulse of an area
-    /// of 1 (1/s).
+    /// What the signal at the word and at the end of the step leave at its end, for a weight of 1, and the pulse of an
+    /// area of 1 (1/s).
     pub(super) from: [f64; LANES],
     pub(super) to: [f64; LANES],
     pub(super) kick: [f64; LANES],
@@ -117,7 +117,8 @@ impl Words {
         self.waiting = waiting;
     }
 
-    /// Places a word that acts by the end of the block; one that should have acted before acts as its first step begins.
+    /// Places a word that acts by the end of the block; one that should have acted before acts as its first step
+    /// begins.
     #[inline(always)]
     fn place(&mut self, change: &Change) {
         let whole = change.at as i64;
