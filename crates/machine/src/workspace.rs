@@ -56,7 +56,7 @@ pub(crate) struct Workspace<S> {
     /// Fades of the switches of parts.
     pub fades: SwitchScratch<S>,
     /// Projection processor of parts.
-    pub chain: Scratch,
+    pub chain: Scratch<S>,
     /// What it drives.
     pub driven: Driven<S>,
     /// Write gun of parts.

@@ -15,6 +15,8 @@
 
 use std::f64::consts::PI;
 
+use fearless_simd::Simd;
+use fearless_simd::prelude::{Select, SimdBase, SimdFrom, SimdMask};
 use signal::{LANES, Lanes, Real};
 
 use crate::lag::LagStep;
@@ -50,6 +52,9 @@ pub struct Amplifier<S> {
     slew: Slew,
     overload: Overload,
 }
+
+/// A group in a vector.
+type Signal<S, L> = <S as Real>::Vector<L>;
 
 /// State of an amplifier; all 0 is a quiet one.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -90,41 +95,69 @@ impl<S: Real> Amplifier<S> {
         self.clip(state.y + state.excess)
     }
 
-    /// [`Amplifier::step`] for a group of sweeps; each lane has the bits it has alone.
+    /// Passes samples of a group through, from the state at the first of `input` on: `out` takes one less. Each lane
+    /// has the bits that [`Amplifier::step`] gives it alone.
     #[inline(always)]
-    pub fn step_lanes(&self, state: &mut AmplifierState<Lanes<S>>, u0: Lanes<S>, u1: Lanes<S>) -> Lanes<S> {
+    pub fn pass<L: Simd>(
+        &self,
+        simd: L,
+        state: &mut AmplifierState<Lanes<S>>,
+        input: &[Lanes<S>],
+        out: &mut [Lanes<S>],
+    ) {
         let before = *state;
-        let (mut out, mut beyond) = (u1, [S::ZERO; LANES]);
-        for lane in 0..LANES {
-            let (y, u0, u1) = (before.y.0[lane], u0.0[lane], u1.0[lane]);
-            beyond[lane] = self.beyond(y, u0, u1);
-            state.y.0[lane] = self.lag.step(y, u0, u1);
-            state.excess.0[lane] = before.excess.0[lane] * self.remains;
-            out.0[lane] = self.clip(state.y.0[lane] + state.excess.0[lane]);
+        if !self.pass_linear(simd, state, input, out) {
+            *state = before;
+            self.pass_one_by_one(state, input, out);
         }
-        // One branch for the group.
-        let most = beyond.iter().fold(beyond[0], |most, &beyond| beyond.at_least(most));
-        if most > S::ZERO {
-            self.walk_lanes(&before, state, u0, u1);
-            out = (state.y + state.excess).map(|y| self.clip(y));
+    }
+
+    /// The same as a lag, with all of it looked at once: false if a step may slew or clip.
+    #[inline(always)]
+    fn pass_linear<L: Simd>(
+        &self,
+        simd: L,
+        state: &mut AmplifierState<Lanes<S>>,
+        input: &[Lanes<S>],
+        out: &mut [Lanes<S>],
+    ) -> bool {
+        let [saturation, least] =
+            [self.saturation, -self.saturation].map(|level| Signal::<S, L>::simd_from(simd, level));
+        let zero = Signal::<S, L>::simd_from(simd, S::ZERO);
+        let mut y = Signal::<S, L>::from_slice(simd, &state.y.0);
+        let mut excess = Signal::<S, L>::from_slice(simd, &state.excess.0);
+        let mut from = Signal::<S, L>::from_slice(simd, &input[0].0);
+        let (mut level, mut gap, mut climb) = (from.abs(), zero, zero);
+        for (to, out) in input[1..].iter().zip(out) {
+            let to = Signal::<S, L>::from_slice(simd, &to.0);
+            level = level.max(y.abs()).max(to.abs());
+            gap = gap.max((from - y).abs());
+            climb = climb.max((to - from).abs());
+            y = self.lag.step(y, from, to);
+            excess *= self.remains;
+            let sum = y + excess;
+            let sum = sum.simd_gt(saturation).select(saturation, sum);
+            sum.simd_lt(least).select(least, sum).store_slice(&mut out.0);
+            from = to;
         }
-        out
+        y.store_slice(&mut state.y.0);
+        excess.store_slice(&mut state.excess.0);
+        let beyond = level.simd_gt(saturation) | gap.simd_gt(self.reach) | climb.simd_gt(self.climb);
+        !beyond.any_true()
     }
 
     #[cold]
-    fn walk_lanes(
+    fn pass_one_by_one(
         &self,
-        before: &AmplifierState<Lanes<S>>,
         state: &mut AmplifierState<Lanes<S>>,
-        u0: Lanes<S>,
-        u1: Lanes<S>,
+        input: &[Lanes<S>],
+        out: &mut [Lanes<S>],
     ) {
-        for (lane, &y) in before.y.0.iter().enumerate() {
-            if !self.is_linear(y, u0[lane], u1[lane]) {
-                let lane_before = AmplifierState { y, excess: before.excess[lane] };
-                let after = self.walk(&lane_before, u0[lane], u1[lane]);
-                state.y[lane] = after.y;
-                state.excess[lane] = after.excess;
+        for (ends, out) in input.windows(2).zip(out) {
+            for lane in 0..LANES {
+                let mut alone = AmplifierState { y: state.y[lane], excess: state.excess[lane] };
+                out[lane] = self.step(&mut alone, ends[0][lane], ends[1][lane]);
+                (state.y[lane], state.excess[lane]) = (alone.y, alone.excess);
             }
         }
     }

@@ -1,5 +1,8 @@
 //! A signal of one sweep between its samples: straight lines, but for places of their own where it jumps or bends.
 
+use fearless_simd::{Level, dispatch};
+use signal::{LANES, Lanes, Real};
+
 use crate::Delay;
 
 /// Where a signal jumps or bends between two samples.
@@ -70,30 +73,61 @@ pub(crate) fn step_of(time: f64) -> usize {
 }
 
 impl Delay {
-    /// The signal of one sweep behind this delay: `sample` before it, `jumps` before it and then behind it, `put` takes each
-    /// sample behind it. Before the sweep the signal stood as it begins.
-    pub fn pass_broken(
+    /// The signals of a group behind this delay, with their jumps; `before` gets what they were before it. Before the
+    /// sweep they stood as it begins.
+    pub fn pass_broken<S: Real>(
         &self,
-        sample: impl Fn(usize) -> f64,
-        samples: usize,
-        jumps: &mut Vec<Jump>,
-        mut put: impl FnMut(usize, f64),
+        signal: &mut [Lanes<S>],
+        jumps: &mut [Vec<Jump>; LANES],
+        before: &mut Vec<Lanes<S>>,
     ) {
-        let Some(last) = samples.checked_sub(1) else { return };
+        let Some(last) = signal.len().checked_sub(1) else { return };
+        before.clear();
+        before.extend_from_slice(signal);
         let late = self.whole as f64 + self.share;
-        let mut near = NearJumps::new(jumps);
-        for index in 0..samples {
-            let time = index as f64 - late;
-            let [_, after] = broken_at(&sample, last, near.at(time), time);
-            put(index, after);
+        dispatch!(Level::new(), _ => straight(late, before, signal));
+        for (lane, jumps) in jumps.iter_mut().enumerate() {
+            let value = |sample: usize| before[sample][lane].to_f64();
+            let (mut near, mut next) = (NearJumps::new(jumps), 0);
+            for jump in &*jumps {
+                // The samples that are taken from within a step that ends at the jump, or begins there, and those
+                // beside them.
+                let about = (jump.at + late).max(1.0) as usize - 1;
+                for index in about.max(next)..(about + 5).min(signal.len()) {
+                    let time = index as f64 - late;
+                    let [_, after] = broken_at(value, last, near.at(time), time);
+                    signal[index][lane] = S::from_f64(after);
+                    next = index + 1;
+                }
+            }
+            jumps.iter_mut().for_each(|jump| jump.at += late);
+            jumps.retain(|jump| jump.at < last as f64);
         }
-        jumps.iter_mut().for_each(|jump| jump.at += late);
-        jumps.retain(|jump| jump.at < last as f64);
+    }
+}
+
+/// Signals of a group `late` steps later, as if they did not jump: what [`broken_at`] has then.
+#[inline(always)]
+fn straight<S: Real>(late: f64, before: &[Lanes<S>], signal: &mut [Lanes<S>]) {
+    for (index, signal) in signal.iter_mut().enumerate() {
+        let time = index as f64 - late;
+        let end = step_of(time.max(0.0));
+        if end == 0 {
+            *signal = before[0];
+            continue;
+        }
+        let (from, to, share) = (&before[end - 1], &before[end], time - (end - 1) as f64);
+        for lane in 0..LANES {
+            let [from, to] = [from.0[lane].to_f64(), to.0[lane].to_f64()];
+            signal.0[lane] = S::from_f64(from + (to - from) * share);
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use signal::{LANES, Lanes};
+
     use super::{Jump, NearJumps, broken_at};
     use crate::Delay;
 
@@ -125,11 +159,12 @@ mod tests {
     #[test]
     fn a_delay_moves_samples_and_jumps_alike() {
         for late in [0.0, 0.25, 0.5, 1.0, 1.375] {
-            let (mut jumps, mut out) = (JUMPS.to_vec(), [0.0; 5]);
-            Delay::new(1.0, late).pass_broken(|k| SAMPLES[k], 5, &mut jumps, |k, value| out[k] = value);
+            let (mut jumps, mut out) = ([(); LANES].map(|_| JUMPS.to_vec()), SAMPLES.map(Lanes::splat));
+            Delay::new(1.0, late).pass_broken(&mut out, &mut jumps, &mut Vec::new());
+            let (jumps, out) = (&jumps[3], out.map(|out| out[3]));
             for k in 0..40 {
                 let time = late + f64::from(k) * 0.1 + 0.03;
-                let [value, _] = broken_at(|k| out[k], 4, &jumps, time);
+                let [value, _] = broken_at(|k| out[k], 4, jumps, time);
                 // Bends of a delayed signal lie between samples too: only jumps are kept as such.
                 let near = [1.0, 2.0, 3.0].iter().any(|bend| (time - late - bend).abs() < 1.0);
                 assert!(time > 4.0 || near || (value - at(time - late)[0]).abs() < 1e-12, "{late} {time}");
@@ -137,6 +172,43 @@ mod tests {
             let moved = |k: usize| jumps[k].at == JUMPS[k].at + late;
             assert!(jumps.len() == 2 && moved(0) && moved(1));
             assert_eq!(out[4], at(4.0 - late)[1]);
+        }
+    }
+
+    /// A group whose lanes jump here and there has at each sample what a search among all of a lane's jumps finds.
+    #[test]
+    fn a_delayed_group_is_its_lanes() {
+        let drawn = |words: &[u64]| quantities::unit_interval(6, words);
+        for round in 0..60 {
+            let samples = 1 + (drawn(&[round]) * 40.0) as usize;
+            let delay = Delay::new(1.0, 4.0 * drawn(&[round, 1]).max(0.1) - 0.4);
+            let mut jumps = [(); LANES].map(|_| Vec::new());
+            for (lane, jumps) in jumps.iter_mut().enumerate() {
+                let place = |k: u64| {
+                    let at = 40.0 * drawn(&[round, 2, lane as u64, k]);
+                    if k.is_multiple_of(3) { at.round() } else { at }
+                };
+                let mut places: Vec<f64> = (0..2 * lane as u64).map(place).collect();
+                places.sort_by(f64::total_cmp);
+                let values = |k: usize| [3, 4].map(|side| drawn(&[round, side, lane as u64, k as u64]));
+                jumps.extend(places.iter().enumerate().map(|(k, &at)| {
+                    let [before, after] = values(k);
+                    Jump { at, before, after }
+                }));
+            }
+            let before: Vec<Lanes<f64>> = (0..samples as u64)
+                .map(|sample| Lanes::from_fn(|lane| drawn(&[round, 5, lane as u64, sample])))
+                .collect();
+            let (mut out, mut moved) = (before.clone(), jumps.clone());
+            delay.pass_broken(&mut out, &mut moved, &mut Vec::new());
+            let late = delay.whole as f64 + delay.share;
+            for (sample, out) in out.iter().enumerate() {
+                for lane in 0..LANES {
+                    let value = |k: usize| before[k][lane];
+                    let [_, right] = broken_at(value, samples - 1, &jumps[lane], sample as f64 - late);
+                    assert_eq!(out[lane], right, "round {round}, lane {lane}, sample {sample}");
+                }
+            }
         }
     }
 }

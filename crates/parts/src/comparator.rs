@@ -144,6 +144,33 @@ impl<S: Real> Comparator<S> {
         }
     }
 
+    /// How far noise can move the thresholds in the steps to samples 0, 1, 2 ... of `sweep`, at most (shares of full
+    /// scale).
+    pub fn reaches(&self, sweep: u64, reaches: &mut [f64]) {
+        reaches.fill(0.0);
+        if self.noise > 0.0 {
+            self.source.fill_most(sweep, reaches);
+            reaches.iter_mut().for_each(|most| *most *= self.noise);
+        }
+    }
+
+    /// Whether [`Comparator::step`] does nothing in a step in which noise moves thresholds by `reach` at most.
+    #[inline(always)]
+    pub fn is_quiet(&self, state: &ComparatorState, u0: S, u1: S, reach: f64) -> bool {
+        state.passing.is_none() && self.is_beyond(state.high, [u0.to_f64(), u1.to_f64()], reach)
+    }
+
+    /// Whether an input keeps a high output high or a low one low, with the thresholds nearer by `reach`.
+    #[inline(always)]
+    fn is_beyond(&self, high: bool, [u0, u1]: [f64; 2], reach: f64) -> bool {
+        let [lower, upper] = self.thresholds;
+        if high {
+            (u0 > lower + reach) & (u1 > lower + reach)
+        } else {
+            (u0 < upper - reach) & (u1 < upper - reach)
+        }
+    }
+
     /// Steps from the instant at which a ramp passes a threshold to the trip, `t_c + sqrt(2 k_od / s)`; `slope` s in full
     /// scales a step, above 0, and infinite for a jump.
     pub fn on_ramp(&self, slope: f64) -> f64 {
@@ -158,9 +185,6 @@ impl<S: Real> Comparator<S> {
         input: [f64; 2],
         trips: &mut Vec<Trip>,
     ) {
-        if state.passing.is_none() && self.is_out_of_reach(state.high, (sweep, sample), input) {
-            return;
-        }
         let base = sample as f64 - 1.0;
         let shift =
             if self.noise > 0.0 { self.noise * self.source.normal(sweep, sample as u64) } else { 0.0 };
@@ -191,15 +215,6 @@ impl<S: Real> Comparator<S> {
                 }
             }
         }
-    }
-
-    /// Whether the noise of this step cannot bring a threshold to the input.
-    fn is_out_of_reach(&self, high: bool, (sweep, sample): (u64, usize), [u0, u1]: [f64; 2]) -> bool {
-        if self.noise == 0.0 {
-            return false;
-        }
-        let reach = self.noise * self.source.most(sweep, sample as u64);
-        if high { u0.min(u1) > self.thresholds[0] + reach } else { u0.max(u1) < self.thresholds[1] - reach }
     }
 
     /// What comes of `passing` from share `now` of the step on.
@@ -255,7 +270,7 @@ impl Line {
 
 #[cfg(test)]
 mod tests {
-    use super::{Comparator, ComparatorLaw};
+    use super::{Comparator, ComparatorLaw, ComparatorState};
     use crate::NoiseSource;
 
     #[test]
@@ -270,16 +285,21 @@ mod tests {
         };
         let source = NoiseSource::new(5, "comparator", 0);
         let part = Comparator::<f64>::new(50e-9, &law, source);
-        let mut passed_over = 0;
+        let (mut passed_over, mut reaches) = (0, [0.0; 4000]);
+        part.reaches(3, &mut reaches);
         for sample in 0..4000_usize {
             let shift = law.noise * source.normal(3, sample as u64);
             // A deviation to six from the thresholds of a low and of a high output.
             let off = 1e-3 * (1.0 + sample as f64 / 800.0);
-            if part.is_out_of_reach(false, (3, sample), [-1.0, 1e-3 - off]) {
+            let is_quiet = |high, input: [f64; 2]| {
+                let state = ComparatorState { high, passing: None };
+                part.is_quiet(&state, input[0], input[1], reaches[sample])
+            };
+            if is_quiet(false, [-1.0, 1e-3 - off]) {
                 assert!(1e-3 - off < 1e-3 + shift, "{sample}");
                 passed_over += 1;
             }
-            if part.is_out_of_reach(true, (3, sample), [off - 1e-3, 1.0]) {
+            if is_quiet(true, [off - 1e-3, 1.0]) {
                 assert!(off - 1e-3 > -1e-3 + shift, "{sample}");
                 passed_over += 1;
             }

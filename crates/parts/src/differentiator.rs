@@ -31,7 +31,7 @@ impl<S: Real> Differentiator<S> {
     #[inline(always)]
     pub fn step<V: Wire<S>>(&self, state: &mut SecondOrderState<V>, u0: V, u1: V) -> V {
         *state = self.poles.step(*state, u0, u1);
-        state.rate * V::splat(self.gain)
+        state.rate * self.gain
     }
 }
 

@@ -70,27 +70,52 @@ impl Fade {
 
     /// g at `time` (steps) just before and just after it.
     pub fn at(&self, time: f64) -> [f64; 2] {
-        let side =
-            |next: usize| match (next.checked_sub(1).map(|last| self.knots[last]), self.knots.get(next)) {
-                (None, _) => self.start,
-                (Some([_, g]), None) => g,
-                (Some([from, g]), Some(&[to, target])) => g + (target - g) * ((time - from) / (to - from)),
-            };
-        let [first, behind] = [
-            self.knots.partition_point(|knot| knot[0] < time),
-            self.knots.partition_point(|knot| knot[0] <= time),
-        ];
-        if first == behind {
-            return [side(first); 2];
+        self.before(self.knots.partition_point(|knot| knot[0] < time), time)
+    }
+
+    /// The same, `first` being the first knot that is not before `time`.
+    fn before(&self, first: usize, time: f64) -> [f64; 2] {
+        let on = self.knots[first..].iter().take_while(|knot| knot[0] <= time).count();
+        if on > 0 {
+            // On a knot: its own value, or of two at one instant one each.
+            return [self.knots[first][1], self.knots[first + on - 1][1]];
         }
-        // On a knot: its own value, or of two at one instant one each.
-        [self.knots[first][1], self.knots[behind - 1][1]]
+        let g = match (first.checked_sub(1).map(|last| self.knots[last]), self.knots.get(first)) {
+            (None, _) => self.start,
+            (Some([_, g]), None) => g,
+            (Some([from, g]), Some(&[to, target])) => g + (target - g) * ((time - from) / (to - from)),
+        };
+        [g; 2]
+    }
+}
+
+/// A fade as time goes on: what [`Fade::at`] finds, without a search.
+#[derive(Debug, Clone)]
+pub struct NearFade<'a> {
+    fade: &'a Fade,
+    /// Knots that have been passed.
+    passed: usize,
+}
+
+impl<'a> NearFade<'a> {
+    /// From the start of the sweep.
+    pub fn new(fade: &'a Fade) -> Self {
+        Self { fade, passed: 0 }
+    }
+
+    /// g at `time` (steps) just before and just after it; not earlier than it was asked for before.
+    #[inline]
+    pub fn at(&mut self, time: f64) -> [f64; 2] {
+        while self.fade.knots.get(self.passed).is_some_and(|knot| knot[0] < time) {
+            self.passed += 1;
+        }
+        self.fade.before(self.passed, time)
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Fade;
+    use super::{Fade, NearFade};
 
     fn fade(open: bool, toggles: &[f64], transition: f64) -> Fade {
         let mut fade = Fade::default();
@@ -114,6 +139,11 @@ mod tests {
         for (open, transition) in [(false, 6.0), (true, 0.0), (false, 2.5)] {
             let fade = fade(open, &[2.0, 7.25, 8.5, 12.0], transition);
             fade.sample(20, |sample, g| assert_eq!(g, fade.at(sample as f64)[1], "{sample} of {transition}"));
+            let mut near = NearFade::new(&fade);
+            for quarter in -4..80 {
+                let time = f64::from(quarter) * 0.25;
+                assert_eq!([near.at(time), near.at(time)], [fade.at(time); 2], "{time} of {transition}");
+            }
         }
     }
 

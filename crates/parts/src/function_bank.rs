@@ -3,19 +3,36 @@
 //! **Law.** That of [`FunctionGenerator`]. Generators of as many segments find the same cell: what they have there stands in
 //! one row, and a group of sweeps goes through it side by side.
 
-use signal::{LANES, Lanes, Real};
+use fearless_simd::Simd;
+use fearless_simd::prelude::{SimdBase, SimdFrom};
+use signal::{LANES, Lanes, Real, turn_square};
 
 use crate::FunctionGenerator;
-use crate::whole::{index, whole};
+use crate::whole::{WHOLE, whole_side_by_side};
 
 /// Places in a row of a [`FunctionBank`].
-pub const BANK: usize = 8;
+pub const BANK: usize = LANES;
 
 /// Function generators under one input: what they have at a cell stands side by side.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FunctionBank<S> {
     cells: f64,
     rows: Vec<Row<S>>,
+}
+
+/// Where the inputs of a group fall: the computer asks for what stands there as soon as it knows.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BankPlace<S> {
+    /// Number of the cell beside [`WHOLE`].
+    cell: [f64; LANES],
+    /// How far into the cell (cells).
+    beyond: Lanes<S>,
+}
+
+impl<S: Real> Default for BankPlace<S> {
+    fn default() -> Self {
+        Self { cell: [WHOLE; LANES], beyond: Lanes::default() }
+    }
 }
 
 /// Starts and rises of a cell.
@@ -40,34 +57,52 @@ impl<S: Real> FunctionBank<S> {
 
     /// What the generators put out for input `z`, of each lane; to the bit as [`FunctionGenerator::value`] has it.
     #[inline(always)]
-    pub fn values(&self, z: Lanes<S>) -> [Lanes<S>; BANK] {
-        let (cells, top) = (S::from_f64(self.cells), self.cells - 1.0);
-        let mut by_lane = [[S::ZERO; BANK]; LANES];
-        let mut cell = [0.0_f64; LANES];
-        let mut beyond = z;
+    pub fn values<L: Simd>(&self, simd: L, z: S::Vector<L>) -> [S::Vector<L>; BANK] {
+        self.at::<L>(simd, &self.place(z))
+    }
+
+    /// Where input `z` of each lane falls.
+    #[inline(always)]
+    pub fn place<L: Simd>(&self, z: S::Vector<L>) -> BankPlace<S> {
+        let place = z * S::from_f64(self.cells);
+        let below = whole_side_by_side(S::widen(place)).max(0.0).min(self.cells - 1.0);
+        let mut out = BankPlace::default();
+        // A whole number stands in the lowest bits of what is beside WHOLE.
+        (below + WHOLE).store_slice(&mut out.cell);
+        (place - S::narrow(below)).store_slice(&mut out.beyond.0);
+        out
+    }
+
+    /// What the generators put out there.
+    #[inline(always)]
+    pub fn at<L: Simd>(&self, simd: L, place: &BankPlace<S>) -> [S::Vector<L>; BANK] {
+        let mut square = [S::Vector::<L>::simd_from(simd, S::ZERO); LANES];
         for lane in 0..LANES {
-            let place = z.0[lane] * cells;
-            let below = whole(place.to_f64());
-            let below = if below > 0.0 { below } else { 0.0 };
-            cell[lane] = if below < top { below } else { top };
-            beyond.0[lane] = place - S::from_f64(cell[lane]);
+            let Row { start, rise } = &self.rows[place.cell[lane].to_bits() as u32 as usize];
+            let rise = S::Vector::<L>::from_slice(simd, rise) * place.beyond.0[lane];
+            square[lane] = S::Vector::<L>::from_slice(simd, start) + rise;
         }
-        for lane in 0..LANES {
-            let Row { start, rise } = &self.rows[index(cell[lane])];
-            for place in 0..BANK {
-                by_lane[lane][place] = start[place] + rise[place] * beyond.0[lane];
-            }
-        }
-        std::array::from_fn(|place| Lanes::from_fn(|lane| by_lane[lane][place]))
+        // Lanes by generators become generators by lanes.
+        turn_square(&mut square);
+        square
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use fearless_simd::prelude::SimdBase;
+    use fearless_simd::{Level, dispatch, f32x8};
     use signal::{LANES, Lanes};
 
-    use super::FunctionBank;
+    use super::{BANK, FunctionBank};
     use crate::{Ends, FunctionGenerator, FunctionLaw};
+
+    fn found(bank: &FunctionBank<f32>, z: Lanes<f32>) -> [Lanes<f32>; BANK] {
+        dispatch!(Level::new(), simd => {
+            let found = bank.values(simd, f32x8::from_slice(simd, &z.0));
+            found.map(|values| Lanes(values.into()))
+        })
+    }
 
     const CURVES: [fn(f64) -> f64; 3] = [|z| z * z, |z| z * (1.0 - z) * (1.0 - z), |z| 1.0 / (1.0 + z)];
 
@@ -79,7 +114,7 @@ mod tests {
             let bank = FunctionBank::new(&generators);
             for step in 0..2000_usize {
                 let z = Lanes::from_fn(|lane| ((step * LANES + lane) as f32) / 12_000.0 - 0.15);
-                let found = bank.values(z);
+                let found = found(&bank, z);
                 for (place, values) in found.iter().enumerate() {
                     let alone = z.map(|z| generators.get(place).map_or(0.0, |one| one.value(z)));
                     assert_eq!(*values, alone, "{place} of {step}");

@@ -40,7 +40,7 @@ impl<S: Real> HighPass<S> {
     /// Output at the end of a step that begins with `y` and has the input from `u0` to `u1`.
     #[inline(always)]
     pub fn step<V: Wire<S>>(&self, y: V, u0: V, u1: V) -> V {
-        y * V::splat(self.keep) + (u1 - u0) * V::splat(self.pass)
+        y * self.keep + (u1 - u0) * self.pass
     }
 }
 

@@ -72,13 +72,13 @@ impl<S: Real> LagStep<S> {
     /// a sample before.
     #[inline(always)]
     pub fn leave<V: Wire<S>>(&self, y: V, u0: V) -> V {
-        y * V::splat(self.keep) + u0 * V::splat(self.from)
+        y * self.keep + u0 * self.from
     }
 
     /// Output at the end of a step, from what was left for it and the input `u1` there.
     #[inline(always)]
     pub fn end<V: Wire<S>>(&self, left: V, u1: V) -> V {
-        left + u1 * V::splat(self.to)
+        left + u1 * self.to
     }
 }
 

@@ -58,8 +58,8 @@ pub use converter::{Converter, ConverterLanes, ConverterLaw, ConverterState, car
 pub use delay::Delay;
 pub use differentiator::{Differentiator, differentiated_noise};
 pub use driver::{Driver, Jumps};
-pub use fade::Fade;
-pub use function_bank::{BANK, FunctionBank};
+pub use fade::{Fade, NearFade};
+pub use function_bank::{BANK, BankPlace, FunctionBank};
 pub use function_generator::{Ends, FunctionGenerator, FunctionLaw, segment_error};
 pub use high_pass::HighPass;
 pub use lag::{LagStep, LagSteps, SplitLag, impulse, settling_time_constant, time_constant};

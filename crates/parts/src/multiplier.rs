@@ -52,8 +52,14 @@ impl<S: Real> Multiplier<S> {
     /// The product of `a` and `b` with its static errors.
     #[inline(always)]
     pub fn product<V: Wire<S>>(&self, a: V, b: V) -> V {
-        let of_a = b * V::splat(self.gain) + V::splat(self.linear) - a * a * V::splat(self.cubic);
-        a * of_a + b * V::splat(self.feed_b) + V::splat(self.offset)
+        self.product_of([a, a * a], b)
+    }
+
+    /// The same, of `a` and its square.
+    #[inline(always)]
+    pub fn product_of<V: Wire<S>>(&self, [a, square]: [V; 2], b: V) -> V {
+        let of_a = b * self.gain + self.linear - square * self.cubic;
+        a * of_a + b * self.feed_b + self.offset
     }
 }
 
@@ -78,7 +84,7 @@ impl<S: Real> Feedthrough<S> {
     /// The leak over a step in which the input changes by `change`.
     #[inline(always)]
     pub fn of_change<V: Wire<S>>(&self, change: V) -> V {
-        change * V::splat(self.gain)
+        change * self.gain
     }
 }
 

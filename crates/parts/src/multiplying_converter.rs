@@ -42,12 +42,14 @@ impl MultiplyingConverter {
     }
 
     /// The word for `coefficient`.
+    #[inline]
     pub fn word(&self, coefficient: f64) -> i32 {
         let steps = if self.lsb == 0.0 { 0.0 } else { coefficient / self.lsb };
         whole(steps + 0.5).clamp(-self.half, self.half - 1.0) as i32
     }
 
     /// What `word` multiplies by, gain error included.
+    #[inline]
     pub fn coefficient(&self, word: i32) -> f64 {
         self.gain * (f64::from(word) * self.lsb)
     }
@@ -63,6 +65,7 @@ impl MultiplyingConverter {
     }
 
     /// Share of the major carry's pulse at a change of word: `2^(k - b)`, 0 without a change.
+    #[inline]
     pub fn carry(&self, from: i32, to: i32) -> f64 {
         let offset = |word: i32| (word + self.half as i32) as u32;
         carry_weight(offset(from), offset(to), self.bits)

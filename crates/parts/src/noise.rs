@@ -11,6 +11,7 @@
 
 use std::f64::consts::{FRAC_1_SQRT_2, LN_2, PI};
 
+use fearless_simd::{Level, dispatch};
 use quantities::{hash_on, hash_words};
 use signal::{LANES, Real};
 
@@ -40,9 +41,13 @@ impl NoiseSource {
 
     /// No deviate of this address is larger, without working it out: the radius by its power of two.
     pub fn most(&self, sweep: u64, sample: u64) -> f64 {
-        let zeros = hash_words(self.seed, &[self.part, sweep, sample / 2]).leading_zeros().min(32);
-        // Rounding of logarithm and root is far below the last factor.
-        (2.0 * LN_2 * f64::from(zeros + 1)).sqrt() * (1.0 + 1e-9)
+        bound(hash_words(self.seed, &[self.part, sweep, sample / 2]))
+    }
+
+    /// [`NoiseSource::most`] of samples 0, 1, 2 ... of `sweep`.
+    pub fn fill_most(&self, sweep: u64, samples: &mut [f64]) {
+        let prefix = hash_words(self.seed, &[self.part, sweep]);
+        dispatch!(Level::new(), _ => fill_bounds(prefix, samples));
     }
 
     /// The deviates of samples 0, 1, 2 ... of `sweep`: to the bit those of [`NoiseSource::normal`].
@@ -94,6 +99,27 @@ fn side_by_side(hash: impl Fn(usize) -> u64) -> [[f64; LANES]; 2] {
         [out[0][lane], out[1][lane]] = deviates(words[lane]);
     }
     out
+}
+
+/// The bounds of samples whose hash begins with `prefix`.
+#[inline(always)]
+fn fill_bounds(prefix: u64, samples: &mut [f64]) {
+    for (first, out) in (0..).step_by(LANES).zip(samples.chunks_mut(2 * LANES)) {
+        let mut bounds = [0.0; 2 * LANES];
+        for pair in 0..LANES {
+            let bound = bound(hash_on(prefix, first + pair as u64));
+            (bounds[2 * pair], bounds[2 * pair + 1]) = (bound, bound);
+        }
+        out.copy_from_slice(&bounds[..out.len()]);
+    }
+}
+
+/// The largest size of the deviates of a hash by the power of two of `2 n + 1`, n its 32 bits of radius.
+#[inline(always)]
+fn bound(word: u64) -> f64 {
+    let power = (2.0 * number(word >> 32) + 1.0).to_bits() >> 52;
+    // Of a radius of 2^-33 times that. Rounding of logarithm and root is far below the last factor.
+    (2.0 * LN_2 * number(1023 + 33 - power)).sqrt() * (1.0 + 1e-9)
 }
 
 /// Two deviates from 32 bits of radius and 32 of angle, without a branch or a table: lanes go side by side.
@@ -191,13 +217,13 @@ impl<S: Real> BandNoise<S> {
     /// Its value at the first sample of a sweep, from a deviate.
     #[inline(always)]
     pub fn begin<V: Wire<S>>(&self, deviate: V) -> V {
-        deviate * V::splat(self.sigma)
+        deviate * self.sigma
     }
 
     /// Its value a step after `x`, from a new deviate.
     #[inline(always)]
     pub fn step<V: Wire<S>>(&self, x: V, deviate: V) -> V {
-        x * V::splat(self.keep) + deviate * V::splat(self.kick)
+        x * self.keep + deviate * self.kick
     }
 }
 
@@ -277,6 +303,9 @@ mod tests {
             let most = source.most(11, i as u64);
             assert!(source.normal(11, i as u64).abs() <= most && most < NoiseSource::LARGEST, "{i}");
         }
+        let mut most = [0.0; 77];
+        source.fill_most(11, &mut most);
+        assert_eq!(most, std::array::from_fn(|sample| source.most(11, sample as u64)));
         // Noise is named by its address: the value never changes.
         assert_eq!(source.normal(11, 0).to_bits(), 4590721521259976376);
         assert_ne!(source.normal(12, 0), source.normal(11, 0));

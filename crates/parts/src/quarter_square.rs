@@ -8,8 +8,6 @@
 
 use signal::Real;
 
-use crate::Wire;
-
 /// The ripple, to be added to a product.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct QuarterSquare {
@@ -24,8 +22,8 @@ impl QuarterSquare {
 
     /// What is added to the product of `a` and `b` (shares of full scale).
     #[inline]
-    pub fn ripple<S: Real, V: Wire<S>>(&self, a: V, b: V) -> V {
-        (a + b).each(|sum| self.parabola(sum)) - (a - b).each(|difference| self.parabola(difference))
+    pub fn ripple<S: Real>(&self, a: S, b: S) -> S {
+        self.parabola(a + b) - self.parabola(a - b)
     }
 
     /// Chord less parabola at `twice / 2`.
@@ -39,8 +37,6 @@ impl QuarterSquare {
 
 #[cfg(test)]
 mod tests {
-    use signal::Lanes;
-
     use super::QuarterSquare;
 
     #[test]
@@ -57,25 +53,16 @@ mod tests {
             for j in -50..=50 {
                 let (a, b) = (f64::from(i) / 50.3, f64::from(j) / 50.3);
                 let product = broken((a + b) / 2.0) - broken((a - b) / 2.0);
-                let with_ripple = a * b + ripple.ripple::<f64, f64>(a, b);
+                let with_ripple = a * b + ripple.ripple(a, b);
                 assert!((product - with_ripple).abs() < 1e-13, "{a}, {b}");
             }
         }
     }
 
     #[test]
-    fn a_lane_is_a_scalar() {
-        let ripple = QuarterSquare::new(7);
-        let (a, b) =
-            (Lanes::from_fn(|lane| lane as f32 / 9.0 - 0.5), Lanes::from_fn(|lane| 0.9 - lane as f32 / 5.0));
-        let alone = Lanes::from_fn(|lane| ripple.ripple::<f32, f32>(a[lane], b[lane]));
-        assert_eq!(ripple.ripple::<f32, Lanes<f32>>(a, b), alone);
-    }
-
-    #[test]
     fn no_more_than_twice_one_parabola() {
         let ripple = QuarterSquare::new(10);
-        let at = |i: i32| ripple.ripple::<f64, f64>(f64::from(i) / 1000.0, 0.37).abs();
+        let at = |i: i32| ripple.ripple(f64::from(i) / 1000.0, 0.37).abs();
         let most = (-1000..=1000).map(at).fold(0.0, f64::max);
         assert!(most > 0.00125 && most <= 0.0025, "{most}");
     }

@@ -66,7 +66,7 @@ impl<S: Real> SampleHold<S> {
     /// The tracked signal at `share` (0..=1) of a step that begins with `y` and has the input from `u0` to `u1`.
     pub fn tracked(&self, y: S, u0: S, u1: S, share: f64) -> S {
         let there = u0 + (u1 - u0) * S::from_f64(share);
-        LagStep::new(self.h * share, self.tau).step(y, u0, there)
+        LagStep::<S>::new(self.h * share, self.tau).step(y, u0, there)
     }
 
     /// The instant whose value a hold command at `command` takes; `deviate` is its jitter's.
@@ -77,7 +77,7 @@ impl<S: Real> SampleHold<S> {
     /// The output `steps` after the command, holding the `tracked` value.
     #[inline(always)]
     pub fn held<V: Wire<S>>(&self, tracked: V, steps: V) -> V {
-        tracked + V::splat(self.pedestal) - steps * V::splat(self.droop)
+        tracked + self.pedestal - steps * self.droop
     }
 }
 

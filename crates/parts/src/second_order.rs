@@ -90,10 +90,8 @@ impl<S: Real> SecondOrderStep<S> {
         let SecondOrderState { y, rate } = state;
         let (start, end) = (u0 - y, u1 - y);
         SecondOrderState {
-            y: y + start * V::splat(self.from) + end * V::splat(self.to) + rate * V::splat(self.coast),
-            rate: rate * V::splat(self.keep)
-                + start * V::splat(self.push_from)
-                + end * V::splat(self.push_to),
+            y: y + start * self.from + end * self.to + rate * self.coast,
+            rate: rate * self.keep + start * self.push_from + end * self.push_to,
         }
     }
 }

@@ -40,7 +40,7 @@ impl<S: Real> Switch<S> {
     /// The output at `g` with the inputs `c` and `s`.
     #[inline(always)]
     pub fn output<V: Wire<S>>(&self, g: V, c: V, s: V) -> V {
-        let on = s * V::splat(self.gain) + V::splat(self.level);
+        let on = s * self.gain + self.level;
         c + (on - c) * g
     }
 

@@ -2,34 +2,21 @@
 
 use std::ops::{Add, Mul, Sub};
 
-use signal::{Lanes, Real};
+use signal::Real;
 
-/// A scalar of the run, or [`Lanes`] of it. Lane by lane the operations are the scalar's, so the bits are too.
-pub trait Wire<S: Real>: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
-    /// The same value everywhere.
-    fn splat(value: S) -> Self;
-    /// Each value through `f`.
-    fn each(self, f: impl FnMut(S) -> S) -> Self;
+/// A scalar of the run, [`signal::Lanes`] of it, or a vector of them. Lane by lane the operations are the scalar's, so
+/// the bits are too.
+pub trait Wire<S: Real>:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Add<S, Output = Self>
+    + Mul<S, Output = Self>
+{
 }
 
-impl<S: Real> Wire<S> for S {
-    #[inline(always)]
-    fn splat(value: S) -> Self {
-        value
-    }
-    #[inline(always)]
-    fn each(self, mut f: impl FnMut(S) -> S) -> Self {
-        f(self)
-    }
-}
-
-impl<S: Real> Wire<S> for Lanes<S> {
-    #[inline(always)]
-    fn splat(value: S) -> Self {
-        Lanes::splat(value)
-    }
-    #[inline(always)]
-    fn each(self, f: impl FnMut(S) -> S) -> Self {
-        self.map(f)
-    }
+impl<S: Real, V> Wire<S> for V where
+    V: Copy + Add<Output = V> + Sub<Output = V> + Mul<Output = V> + Add<S, Output = V> + Mul<S, Output = V>
+{
 }

@@ -64,12 +64,31 @@ macro_rules! lane_by_lane {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
-                Self::from_fn(|lane| self.0[lane] $op other.0[lane])
+                // A loop, and no closure: that would be compiled without the width of vectors of whoever asks.
+                let mut out = self;
+                for lane in 0..LANES {
+                    out.0[lane] = self.0[lane] $op other.0[lane];
+                }
+                out
             }
         }
     };
 }
 
+macro_rules! by_the_same {
+    ($trait:ident, $method:ident, $op:tt) => {
+        impl<S: Real> $trait<S> for Lanes<S> {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: S) -> Self {
+                self $op Self::splat(other)
+            }
+        }
+    };
+}
+
+by_the_same!(Add, add, +);
+by_the_same!(Mul, mul, *);
 lane_by_lane!(Add, add, +);
 lane_by_lane!(Sub, sub, -);
 lane_by_lane!(Mul, mul, *);

@@ -23,7 +23,17 @@ pub trait Real:
     /// The same value.
     fn to_f64(self) -> f64;
 
-    /// Nearest values of this type. A loop: what the library has for it is called, not inlined.
+    /// The same values. A loop, as below: what the library has for it is called, not inlined.
+    #[inline(always)]
+    fn widen<L: Simd>(values: Self::Vector<L>) -> f64x8<L> {
+        let mut widened = [0.0; LANES];
+        for lane in 0..LANES {
+            widened[lane] = values[lane].to_f64();
+        }
+        f64x8::from_slice(values.token(), &widened)
+    }
+
+    /// Nearest values of this type.
     #[inline(always)]
     fn narrow<L: Simd>(values: f64x8<L>) -> Self::Vector<L> {
         let mut narrowed = [Self::ZERO; LANES];

@@ -53,11 +53,17 @@ pub struct Driven<S> {
     pub on: Stretches,
 }
 
-/// Trips of the comparators of one sweep; used again from sweep to sweep.
+/// What the circuits of a sweep need room for; used again from sweep to sweep.
 #[derive(Debug, Clone, Default)]
-pub struct Scratch {
-    outputs: [Output; 2],
-    trace: Trace,
+pub struct Scratch<S> {
+    /// Trips of both comparators.
+    pub(crate) outputs: [Output; 2],
+    /// What the sample-and-hold has tracked.
+    pub(crate) trace: Trace,
+    /// How far noise can move the thresholds of a comparator, sample by sample.
+    pub(crate) reaches: Vec<f64>,
+    /// What the differentiator has of the group, sample by sample.
+    pub(crate) rates: Vec<Lanes<S>>,
     jumps: Vec<Jump>,
 }
 
@@ -102,7 +108,7 @@ impl<S: Real> PartsProcessor<S> {
         (reflectivity, breaks): (&[Lanes<S>], &Breaks<S>),
         deflection: &[Deflection; LANES],
         sweeps: &[u64; LANES],
-        scratch: &mut Scratch,
+        scratch: &mut Scratch<S>,
         out: &mut Driven<S>,
     ) {
         for signal in [&mut out.elevation, &mut out.hold, &mut out.position, &mut out.line] {
@@ -134,10 +140,13 @@ impl<S: Real> PartsProcessor<S> {
         &self,
         ends: [usize; LANES],
         sweeps: &[u64; LANES],
-        scratch: &mut Scratch,
+        scratch: &mut Scratch<S>,
         out: &mut Driven<S>,
     ) {
         let Driven { elevation, hold, on, .. } = out;
+        if let Circuit::Derivative(circuit) = &self.circuit {
+            circuit.differentiate(elevation, &mut scratch.rates);
+        }
         for (lane, on) in on.iter_mut().enumerate() {
             let wire = Wire { elevation, lane, end: ends[lane], sweep: sweeps[lane] };
             let mut kept = hold.iter_mut();
@@ -149,10 +158,10 @@ impl<S: Real> PartsProcessor<S> {
             let beam = Beam::begin(on);
             match &self.circuit {
                 Circuit::Derivative(circuit) => {
-                    circuit.run(&wire, (&mut scratch.outputs, &mut scratch.trace), beam, keep);
+                    circuit.run(&wire, scratch, beam, keep);
                 }
                 Circuit::PeakHold(circuit) => {
-                    circuit.run(&wire, (&mut scratch.outputs[0], &mut scratch.trace), beam, keep);
+                    circuit.run(&wire, scratch, beam, keep);
                 }
             }
             kept.for_each(|hold| hold[lane] = last);

@@ -4,9 +4,12 @@
 //! of elevation against hold. Set wins: a blank that comes a little early at a crest stays, and does not free the
 //! ground behind it. The comparator against the hold begins low with every hold.
 
+use fearless_simd::prelude::{SimdBase, SimdFrom};
+use fearless_simd::{Level, Simd, dispatch};
 use parts::{Comparator, ComparatorState, Differentiator, NoiseSource, SampleHold, SecondOrderState};
-use signal::Real;
+use signal::{Lanes, Real};
 
+use crate::wired::chain::Scratch;
 use crate::wired::figures::{DERIVATIVE, Figures};
 use crate::wired::lane::{Beam, Held, Output, Trace, Wire, comparable};
 
@@ -37,21 +40,23 @@ impl<S: Real> Derivative<S> {
         }
     }
 
-    /// Runs a sweep; `outputs` are scratch for both comparators, `trace` for the sample-and-hold, `hold` takes what the sample-and-hold has at each
-    /// sample.
+    /// Runs a sweep of a group that has been differentiated; `hold` takes what the sample-and-hold has at each sample.
     pub fn run(
         &self,
         wire: &Wire<'_, S>,
-        (outputs, trace): (&mut [Output; 2], &mut Trace),
+        scratch: &mut Scratch<S>,
         mut beam: Beam<'_>,
         mut hold: impl FnMut(S),
     ) {
         let Some(last) = wire.end.checked_sub(1) else { return };
-        let [falling, returning] = outputs;
-        self.list_falls(wire, falling);
+        let Scratch { outputs: [falling, returning], trace, reaches, rates, .. } = scratch;
+        reaches.resize(wire.end, 0.0);
+        self.falling.reaches(wire.sweep, reaches);
+        self.list_falls(wire, (rates, reaches), falling);
+        self.returning.reaches(wire.sweep, reaches);
         trace.begin(0.0, wire.at(0));
         let memory = Memory::Open(wire.at(0));
-        let mut latch = Latch { circuit: self, wire, falling, returning, trace, memory };
+        let mut latch = Latch { circuit: self, wire, falling, returning, reaches, trace, memory };
         hold(wire.at(0));
         for sample in 1..=last {
             latch.step(sample, &mut beam);
@@ -63,12 +68,9 @@ impl<S: Real> Derivative<S> {
     /// What comes out of the differentiator (units of the wire a second), earlier by what everything else is delayed.
     pub fn rates(&self, wire: &Wire<'_, S>) -> Vec<f64> {
         let Some(last) = wire.end.checked_sub(1) else { return Vec::new() };
-        let mut poles = SecondOrderState { y: wire.at(0), rate: S::ZERO };
-        let mut out = vec![0.0];
-        out.extend((1..=last).map(|sample| {
-            let rate = self.differentiator.step(&mut poles, wire.at(sample - 1), wire.at(sample));
-            rate.to_f64() / DERIVATIVE
-        }));
+        let mut rates = Vec::new();
+        self.differentiate(wire.elevation, &mut rates);
+        let out: Vec<f64> = rates.iter().map(|rate| rate[wire.lane].to_f64() / DERIVATIVE).collect();
         let late = |sample: usize| {
             let at = (sample as f64 + self.late).min(last as f64);
             let (before, share) = (at as usize, at.fract());
@@ -77,15 +79,35 @@ impl<S: Real> Derivative<S> {
         (0..=last).map(late).collect()
     }
 
+    /// What the differentiator has at the samples of a group.
+    pub fn differentiate(&self, elevation: &[Lanes<S>], rates: &mut Vec<Lanes<S>>) {
+        rates.resize(elevation.len(), Lanes::default());
+        dispatch!(Level::new(), simd => self.differentiate_wide(simd, elevation, rates));
+    }
+
+    #[inline(always)]
+    fn differentiate_wide<L: Simd>(&self, simd: L, elevation: &[Lanes<S>], rates: &mut [Lanes<S>]) {
+        let Some(first) = elevation.first() else { return };
+        let mut before = S::Vector::<L>::from_slice(simd, &first.0);
+        let mut poles = SecondOrderState { y: before, rate: S::Vector::<L>::simd_from(simd, S::ZERO) };
+        rates[0] = Lanes::default();
+        for (now, rate) in elevation.iter().zip(rates).skip(1) {
+            let now = S::Vector::<L>::from_slice(simd, &now.0);
+            self.differentiator.step(&mut poles, before, now).store_slice(&mut rate.0);
+            before = now;
+        }
+    }
+
     /// Trips of the comparator behind the differentiator do not depend on the hold: all of a sweep come first.
-    fn list_falls(&self, wire: &Wire<'_, S>, falling: &mut Output) {
+    fn list_falls(&self, wire: &Wire<'_, S>, (rates, reaches): (&[Lanes<S>], &[f64]), falling: &mut Output) {
         falling.reset(false);
-        let mut poles = SecondOrderState { y: wire.at(0), rate: S::ZERO };
         let (mut comparator, mut before) = (ComparatorState::default(), S::ZERO);
         for sample in 1..wire.end {
-            let rate = self.differentiator.step(&mut poles, wire.at(sample - 1), wire.at(sample));
+            let rate = rates[sample][wire.lane];
             let [start, end] = comparable(-before, -rate);
-            self.falling.step(&mut comparator, (wire.sweep, sample), start, end, &mut falling.trips);
+            if !self.falling.is_quiet(&comparator, start, end, reaches[sample]) {
+                self.falling.step(&mut comparator, (wire.sweep, sample), start, end, &mut falling.trips);
+            }
             before = rate;
         }
         falling.trips.iter_mut().for_each(|trip| trip.at.0 -= self.late);
@@ -118,6 +140,8 @@ struct Latch<'a, S> {
     wire: &'a Wire<'a, S>,
     falling: &'a mut Output,
     returning: &'a mut Output,
+    /// How far noise can move the thresholds of the comparator against the hold, sample by sample.
+    reaches: &'a [f64],
     trace: &'a mut Trace,
     memory: Memory<S>,
 }
@@ -171,25 +195,35 @@ impl<S: Real> Latch<'_, S> {
 
     /// Feeds the comparator with elevation less hold over the step, whenever in it the hold began: while elevation falls
     /// what it says does not count.
+    #[inline(always)]
     fn compare(&mut self, sample: usize, held: Held<S>, mut comparator: ComparatorState) {
         let [start, end] = held.gap(&self.circuit.hold, self.wire, sample);
         let [start, end] = comparable(start, end);
-        let address = (self.wire.sweep, sample);
-        self.circuit.returning.step(&mut comparator, address, start, end, &mut self.returning.trips);
+        let part = &self.circuit.returning;
+        if !part.is_quiet(&comparator, start, end, self.reaches[sample]) {
+            let address = (self.wire.sweep, sample);
+            part.step(&mut comparator, address, start, end, &mut self.returning.trips);
+        }
         self.memory = Memory::Blanked(held, comparator);
     }
 
     /// When elevation is found to fall, if before `end`.
+    #[inline(always)]
     fn next_fall(&mut self, end: f64) -> Option<f64> {
-        let at = self.falling.next_at();
-        if at > end {
-            return None;
+        loop {
+            let at = self.falling.next_at();
+            if at > end {
+                return None;
+            }
+            self.falling.advance();
+            if self.falling.is_high() {
+                return Some(at);
+            }
         }
-        self.falling.advance();
-        if self.falling.is_high() { Some(at) } else { self.next_fall(end) }
     }
 
     /// When elevation has returned to the hold and does not fall, if before `end`.
+    #[inline(always)]
     fn next_release(&mut self, end: f64) -> Option<f64> {
         loop {
             let next = if self.falling.next_at() <= self.returning.next_at() {

@@ -16,6 +16,7 @@ pub(crate) struct Wire<'a, S> {
 }
 
 impl<S: Real> Wire<'_, S> {
+    #[inline(always)]
     pub fn at(&self, sample: usize) -> S {
         self.elevation[sample][self.lane]
     }
@@ -28,6 +29,7 @@ impl<S: Real> Wire<'_, S> {
     }
 
     /// What a sample-and-hold has tracked at `to`, from `tracked` at `from`, both within the step to `sample`.
+    #[inline(always)]
     pub fn track(&self, part: &SampleHold<S>, sample: usize, tracked: S, [from, to]: [f64; 2]) -> S {
         if to - from == 1.0 {
             return part.track(tracked, self.at(sample - 1), self.at(sample));
@@ -39,6 +41,7 @@ impl<S: Real> Wire<'_, S> {
 
 /// The ends of a step for a comparator about 0. A start that is 0 but for rounding is 0: the comparator counts instants
 /// in steps of the sweep, and one so early in a step is the step's start.
+#[inline(always)]
 pub(crate) fn comparable<S: Real>(start: S, end: S) -> [S; 2] {
     let size = |value: S| if value < S::ZERO { -value } else { value };
     let is_rounding = size(start) < size(end) * S::from_f64(ROUNDING);
@@ -58,11 +61,13 @@ pub(crate) struct Held<S> {
 }
 
 impl<S: Real> Held<S> {
+    #[inline(always)]
     pub fn at(&self, part: &SampleHold<S>, time: f64) -> S {
         part.held(self.taken, S::from_f64(time - self.since))
     }
 
     /// Elevation less hold at both ends of the step to `sample`.
+    #[inline(always)]
     pub fn gap(&self, part: &SampleHold<S>, wire: &Wire<'_, S>, sample: usize) -> [S; 2] {
         let less_hold = |sample: usize| wire.at(sample) - self.at(part, sample as f64);
         [less_hold(sample - 1), less_hold(sample)]
@@ -81,6 +86,7 @@ impl Trace {
         self.go_on(at, value);
     }
 
+    #[inline(always)]
     pub fn go_on<S: Real>(&mut self, at: f64, value: S) {
         self.knots.push([at, value.to_f64()]);
     }
@@ -115,6 +121,7 @@ impl Output {
     }
 
     /// When the next trip comes.
+    #[inline(always)]
     pub fn next_at(&self) -> f64 {
         self.trips.get(self.next).map_or(f64::INFINITY, |trip| trip.at.0)
     }
@@ -124,6 +131,7 @@ impl Output {
         self.next += 1;
     }
 
+    #[inline(always)]
     pub fn is_high(&self) -> bool {
         self.high
     }

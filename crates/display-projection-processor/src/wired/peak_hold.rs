@@ -7,6 +7,7 @@
 use parts::{Comparator, ComparatorState, NoiseSource, SampleHold};
 use signal::Real;
 
+use crate::wired::chain::Scratch;
 use crate::wired::figures::Figures;
 use crate::wired::lane::{Beam, Held, Output, Trace, Wire, comparable};
 
@@ -32,20 +33,23 @@ impl<S: Real> PeakHold<S> {
         }
     }
 
-    /// Runs a sweep; `output` and `trace` are scratch, `hold` takes what the sample-and-hold has at each sample.
+    /// Runs a sweep; `hold` takes what the sample-and-hold has at each sample.
     pub fn run(
         &self,
         wire: &Wire<'_, S>,
-        (output, trace): (&mut Output, &mut Trace),
+        scratch: &mut Scratch<S>,
         mut beam: Beam<'_>,
         mut hold: impl FnMut(S),
     ) {
         let Some(last) = wire.end.checked_sub(1) else { return };
+        let Scratch { outputs: [output, _], trace, reaches, .. } = scratch;
+        reaches.resize(wire.end, 0.0);
+        self.holding.reaches(wire.sweep, reaches);
         output.reset(true);
         let comparator = ComparatorState { high: true, passing: None };
         trace.begin(0.0, wire.at(0));
         let memory = Memory::Open(wire.at(0));
-        let mut detector = Detector { circuit: self, wire, output, trace, comparator, memory };
+        let mut detector = Detector { circuit: self, wire, output, reaches, trace, comparator, memory };
         hold(wire.at(0));
         for sample in 1..=last {
             detector.step(sample, &mut beam);
@@ -67,6 +71,8 @@ struct Detector<'a, S> {
     circuit: &'a PeakHold<S>,
     wire: &'a Wire<'a, S>,
     output: &'a mut Output,
+    /// How far noise can move the thresholds against the held value, sample by sample.
+    reaches: &'a [f64],
     trace: &'a mut Trace,
     comparator: ComparatorState,
     memory: Memory<S>,
@@ -106,7 +112,9 @@ impl<S: Real> Detector<'_, S> {
             Memory::Blanked(held) => (&circuit.holding, held.gap(&circuit.hold, wire, sample)),
         };
         let [start, end] = comparable(gap[0], gap[1]);
-        part.step(&mut self.comparator, (wire.sweep, sample), start, end, &mut self.output.trips);
+        if !part.is_quiet(&self.comparator, start, end, self.reaches[sample]) {
+            part.step(&mut self.comparator, (wire.sweep, sample), start, end, &mut self.output.trips);
+        }
     }
 
     fn turn(&mut self, sample: usize, at: f64, beam: &mut Beam<'_>) {

@@ -1,6 +1,6 @@
 //! What happens between two samples: rims, the fades of the switches, and the begin and end of local shadow.
 
-use parts::{Fade, Jump, NearJumps, broken_at};
+use parts::{Fade, Jump, NearFade, NearJumps, broken_at};
 use scenario::TextureInShadow;
 use signal::{Break, LANES, Real};
 
@@ -23,6 +23,19 @@ impl<S> Event<S> {
     }
 }
 
+/// Jumps of the features and fades of the switches of a lane, as time goes on.
+struct Near<'a> {
+    jumps: NearJumps<'a>,
+    fades: [NearFade<'a>; 2],
+}
+
+impl<'a> Near<'a> {
+    fn new<S>(scratch: &'a SwitchScratch<S>, lane: usize) -> Self {
+        let fades = [0, 1].map(|switch| NearFade::new(&scratch.fades[switch][lane]));
+        Self { jumps: NearJumps::new(&scratch.jumps[lane]), fades }
+    }
+}
+
 /// The unit between the samples of one lane.
 pub(crate) struct Between<'a, S> {
     pub mixer: &'a PartsMixer<S>,
@@ -42,8 +55,9 @@ impl<S: Real> SwitchScratch<S> {
             between.find_terminators(&mut events, &mut terminators);
             events.append(&mut terminators);
             sort(&mut events);
+            let mut near = Near::new(self, lane);
             for event in &events {
-                out.breaks[lane].push(between.break_at(event, out));
+                out.breaks[lane].push(between.break_at(event, &mut near, out));
                 out.bends[lane].push(event.bend.is_some());
             }
         }
@@ -89,12 +103,12 @@ impl<S: Real> Between<'_, S> {
         found.clear();
         let signed = |sample: usize| self.scratch.signed[sample][self.lane].to_f64();
         let mut events = events.iter_mut().peekable();
-        let mut near = NearJumps::new(&self.scratch.jumps[self.lane]);
+        let mut near = Near::new(self.scratch, self.lane);
         for sample in 1..self.scratch.signed.len() {
             let end = sample as f64;
             let (mut at, mut value) = (end - 1.0, signed(sample - 1));
             while let Some(event) = events.next_if(|event| event.at < end) {
-                let signed = self.signed(event.at, sample, near.at(event.at));
+                let signed = self.signed(event.at, sample, &mut near);
                 // At a sample, the break is of the step before.
                 event.signed = (event.at > end - 1.0).then_some(signed);
                 let [before, after] = signed;
@@ -105,10 +119,10 @@ impl<S: Real> Between<'_, S> {
         }
     }
 
-    fn break_at(&self, event: &Event<S>, out: &Mixed<S>) -> Break<S> {
+    fn break_at(&self, event: &Event<S>, near: &mut Near<'_>, out: &Mixed<S>) -> Break<S> {
         let sample = event.at.ceil() as usize;
         let share = S::from_f64(event.at - (sample - 1) as f64);
-        let [before, after] = self.video(event, sample).map(S::from_f64);
+        let [before, after] = self.video(event, sample, near).map(S::from_f64);
         let straight = || {
             let from = out.height[sample - 1][self.lane];
             from + (out.height[sample][self.lane] - from) * share
@@ -117,13 +131,12 @@ impl<S: Real> Between<'_, S> {
     }
 
     /// What comes to the amplifier just before and just after an event within the step to `sample`.
-    fn video(&self, event: &Event<S>, sample: usize) -> [f64; 2] {
+    fn video(&self, event: &Event<S>, sample: usize, near: &mut Near<'_>) -> [f64; 2] {
         let Self { mixer, inputs, scratch, lane } = *self;
         let time = event.at;
-        let mut value =
-            event.signed.unwrap_or_else(|| self.signed(time, sample, &scratch.jumps[lane])).map(limited);
+        let mut value = event.signed.unwrap_or_else(|| self.signed(time, sample, near)).map(limited);
         if inputs.shadow.is_some() {
-            let g = scratch.fades[1][lane].at(time);
+            let g = near.fades[1].at(time);
             value = [0, 1]
                 .map(|side| mixer.vs2.output([g[side], value[side], 0.0], &scratch.leaks[1], sample, lane));
         }
@@ -134,14 +147,14 @@ impl<S: Real> Between<'_, S> {
         value.map(|value| limited(value + behind))
     }
 
-    /// What comes to the limiter before VS2; `jumps` of the features, at least those near.
-    fn signed(&self, time: f64, sample: usize, jumps: &[Jump]) -> [f64; 2] {
+    /// What comes to the limiter before VS2.
+    fn signed(&self, time: f64, sample: usize, near: &mut Near<'_>) -> [f64; 2] {
         let Self { mixer, inputs, scratch, lane } = *self;
         let ground = |sample: usize| inputs.reflectivity[sample][lane].to_f64();
         let mut value = broken_at(ground, inputs.reflectivity.len() - 1, &[], time);
         if inputs.features.is_some() {
-            let [before, after] = self.features(time, jumps);
-            let g = scratch.fades[0][lane].at(time);
+            let [before, after] = self.features(time, near.jumps.at(time));
+            let g = near.fades[0].at(time);
             let out = |side: usize, s: f64| {
                 mixer.vs1.output([g[side], value[side], s], &scratch.leaks[0], sample, lane)
             };

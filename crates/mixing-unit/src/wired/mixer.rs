@@ -40,7 +40,7 @@ pub struct SwitchScratch<S> {
     pub(crate) signed: Vec<Lanes<S>>,
     /// How far a switch is open at the samples.
     open: Vec<Lanes<S>>,
-    before: Vec<f64>,
+    before: Vec<Lanes<S>>,
     driver: DriverScratch<S>,
 }
 
@@ -155,12 +155,9 @@ impl<S: Real> SwitchScratch<S> {
         }));
         for lane in 0..LANES {
             jumps(inputs, lane, &mut self.jumps[lane]);
-            let Some(delay) = delay else { continue };
-            self.before.clear();
-            self.before.extend(self.video.iter().map(|value| value[lane].to_f64()));
-            let (before, video) = (&self.before, &mut self.video);
-            let put = |sample: usize, value: f64| video[sample][lane] = S::from_f64(value);
-            delay.pass_broken(|sample| before[sample], before.len(), &mut self.jumps[lane], put);
+        }
+        if let Some(delay) = delay {
+            delay.pass_broken(&mut self.video, &mut self.jumps, &mut self.before);
         }
     }
 }

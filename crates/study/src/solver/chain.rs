@@ -106,7 +106,7 @@ impl Chain {
     pub fn by_parts(&self, step: f64, steps: usize) -> Record {
         let h = step * self.sample;
         let (smoother, multiplier) =
-            (self.smoother.step::<f64>(h), Multiplier::new(&MultiplierLaw::default()));
+            (self.smoother.step::<f64>(h), Multiplier::<f64>::new(&MultiplierLaw::default()));
         let [product, sum] = [self.product, self.sum].map(|tau| LagStep::<f64>::new(h, tau));
         let hold = SampleHold::<f64>::new(h, &self.hold);
         let [x, _, y, _, at_rest, ..] = self.at_rest();

@@ -1,10 +1,14 @@
 //! Function generators: the three basis functions and their slopes, fed with a ramp and with its complement.
 
+use std::sync::Arc;
+
+use fearless_simd::Simd;
+use fearless_simd::prelude::{SimdBase, SimdFrom};
 use hardware_model::AnalogParts;
 use landscape::basis::{NEAR, derivatives, values};
 use parts::{
-    BANK, Ends, FunctionBank, FunctionGenerator, FunctionLaw, LagStep, Spread, Tolerance, relative_sigma,
-    time_constant,
+    BANK, BankPlace, Ends, FunctionBank, FunctionGenerator, FunctionLaw, LagStep, Spread, Tolerance,
+    relative_sigma, time_constant,
 };
 use signal::{Lanes, Real};
 
@@ -19,7 +23,8 @@ const CURVES: usize = 6;
 /// The function generators of one axis; unit `6 slope + 3 end + order`.
 #[derive(Debug, Clone)]
 pub struct AxisGenerators<S> {
-    curves: Curves<S>,
+    /// The same of both axes.
+    curves: Arc<Curves<S>>,
     /// Deviation of each unit at the middle times four: bows are `4 z (1 - z)` (share).
     bows: [S; UNITS],
     lags: [LagStep<S>; UNITS],
@@ -42,6 +47,21 @@ pub struct AxisState<S> {
     pub out: [Lanes<S>; UNITS],
 }
 
+/// What the generators of an axis are fed with.
+#[derive(Debug, Clone, Copy)]
+pub struct Fed<S> {
+    /// Ramp and complement.
+    ends: [Lanes<S>; 2],
+    /// Where they fall in broken lines.
+    places: [BankPlace<S>; 2],
+}
+
+impl<S: Real> Default for Fed<S> {
+    fn default() -> Self {
+        Self { ends: [Lanes::default(); 2], places: [BankPlace::default(); 2] }
+    }
+}
+
 impl<S: Real> Default for AxisState<S> {
     fn default() -> Self {
         Self { left: [Lanes::default(); UNITS], out: [Lanes::default(); UNITS] }
@@ -49,10 +69,21 @@ impl<S: Real> Default for AxisState<S> {
 }
 
 impl<S: Real> AxisGenerators<S> {
-    /// Those of axis `axis` (0: X) of the array called `name`, for steps of `h` seconds.
-    pub fn new(h: f64, parts: &AnalogParts, spread: &Spread, name: &str, axis: usize) -> Self {
+    /// Those of X and of Y of the array called `name`, for steps of `h` seconds.
+    pub fn of_both(h: f64, parts: &AnalogParts, spread: &Spread, name: &str) -> [Self; 2] {
+        let knee = parts.function_generator.rounding / parts.full_scale;
+        let curves = Arc::new(Curves::new(parts.function_generator.segments, knee));
+        [0, 1].map(|axis| Self::new(h, parts, spread, name, (axis, curves.clone())))
+    }
+
+    fn new(
+        h: f64,
+        parts: &AnalogParts,
+        spread: &Spread,
+        name: &str,
+        (axis, curves): (usize, Arc<Curves<S>>),
+    ) -> Self {
         let figures = &parts.function_generator;
-        let knee = figures.rounding / parts.full_scale;
         let number = |unit: usize| (UNITS * axis + unit) as u64;
         let bow = |unit: usize| {
             let middle = S::from_f64(spread.error(&format!("{name}.fn"), number(unit), figures.error));
@@ -67,7 +98,7 @@ impl<S: Real> AxisGenerators<S> {
         };
         let taus: [f64; UNITS] = std::array::from_fn(tau);
         Self {
-            curves: Curves::new(figures.segments, knee),
+            curves,
             bows: std::array::from_fn(bow),
             lags: taus.map(|tau| LagStep::new(h, tau)),
             slowest: taus.into_iter().fold(0.0, f64::max),
@@ -80,32 +111,52 @@ impl<S: Real> AxisGenerators<S> {
     }
 
     /// The generators at rest under a ramp that stands.
-    pub fn at_rest(&self, ramp: Lanes<S>) -> AxisState<S> {
-        let out = self.inputs(ramp);
-        AxisState { left: std::array::from_fn(|unit| self.lags[unit].leave(out[unit], out[unit])), out }
+    #[inline(always)]
+    pub fn at_rest<L: Simd>(&self, simd: L, ramp: Lanes<S>) -> AxisState<S> {
+        let (mut state, now) = (AxisState::default(), self.inputs::<L>(simd, &self.feed(simd, ramp)));
+        for unit in 0..UNITS {
+            now[unit].store_slice(&mut state.out[unit].0);
+            self.lags[unit].leave(now[unit], now[unit]).store_slice(&mut state.left[unit].0);
+        }
+        state
     }
 
-    /// A step later, the ramp at `ramp` at its end.
+    /// What the generators are fed with by a ramp.
     #[inline(always)]
-    pub fn step(&self, state: &mut AxisState<S>, ramp: Lanes<S>) {
-        let now = self.inputs(ramp);
+    pub fn feed<L: Simd>(&self, simd: L, ramp: Lanes<S>) -> Fed<S> {
+        let near = S::Vector::<L>::from_slice(simd, &ramp.0);
+        let far = S::Vector::<L>::simd_from(simd, S::ONE) - near;
+        let mut fed = Fed { ends: [ramp; 2], places: [BankPlace::default(); 2] };
+        far.store_slice(&mut fed.ends[1].0);
+        if let Curves::Broken(bank) = &*self.curves {
+            fed.places = [bank.place::<L>(near), bank.place::<L>(far)];
+        }
+        fed
+    }
+
+    /// A step later, fed with `fed` at its end.
+    #[inline(always)]
+    pub fn step<L: Simd>(&self, simd: L, state: &mut AxisState<S>, fed: &Fed<S>) {
+        let now = self.inputs::<L>(simd, fed);
         for unit in 0..UNITS {
-            let out = self.lags[unit].end(state.left[unit], now[unit]);
-            state.left[unit] = self.lags[unit].leave(out, now[unit]);
-            state.out[unit] = out;
+            let left = S::Vector::<L>::from_slice(simd, &state.left[unit].0);
+            let out = self.lags[unit].end(left, now[unit]);
+            out.store_slice(&mut state.out[unit].0);
+            self.lags[unit].leave(out, now[unit]).store_slice(&mut state.left[unit].0);
         }
     }
 
     #[inline(always)]
-    fn inputs(&self, ramp: Lanes<S>) -> [Lanes<S>; UNITS] {
-        let one = Lanes::splat(S::ONE);
-        let mut out = [Lanes::default(); UNITS];
-        for (end, fed) in [ramp, one - ramp].into_iter().enumerate() {
-            let values = self.curves.at(fed);
+    fn inputs<L: Simd>(&self, simd: L, fed: &Fed<S>) -> [S::Vector<L>; UNITS] {
+        let one = S::Vector::<L>::simd_from(simd, S::ONE);
+        let mut out = [one; UNITS];
+        for (end, (fed, place)) in fed.ends.iter().zip(&fed.places).enumerate() {
+            let fed = S::Vector::<L>::from_slice(simd, &fed.0);
+            let values = self.curves.at::<L>(simd, fed, place);
             let bow = fed * (one - fed);
-            for (curve, &value) in values.iter().enumerate().take(CURVES) {
+            for curve in 0..CURVES {
                 let unit = 6 * (curve / 3) + 3 * end + curve % 3;
-                out[unit] = value + bow * Lanes::splat(self.bows[unit]);
+                out[unit] = values[curve] + bow * self.bows[unit];
             }
         }
         out
@@ -131,15 +182,15 @@ impl<S: Real> Curves<S> {
     }
 
     #[inline(always)]
-    fn at(&self, fed: Lanes<S>) -> [Lanes<S>; BANK] {
+    fn at<L: Simd>(&self, simd: L, fed: S::Vector<L>, place: &BankPlace<S>) -> [S::Vector<L>; BANK] {
         match self {
-            Self::Broken(bank) => bank.values(fed),
+            Self::Broken(bank) => bank.at::<L>(simd, place),
             Self::Exact(curves) => {
-                let mut out = [Lanes::default(); BANK];
+                let mut out = [fed; BANK];
                 for (out, [rest @ .., top]) in out.iter_mut().zip(curves) {
-                    let mut sum = Lanes::splat(*top);
+                    let mut sum = S::Vector::<L>::simd_from(simd, *top);
                     for &power in rest.iter().rev() {
-                        sum = sum * fed + Lanes::splat(power);
+                        sum = sum * fed + power;
                     }
                     *out = sum;
                 }

@@ -17,11 +17,13 @@
 //! datum is trimmed (our choice): an offset of a thousandth of a mountain would bury the eye. An array whose first samples
 //! nobody takes starts later, at rest, by as much before the first that is taken as its parts need to forget that
 //! (`warm_up`).
-//! **How it is computed.** Eight lanes go through a part side by side, compiled once for each width of vectors that a
-//! processor may have and chosen as the program runs; the bits are the same. What is digital is looked at when it is due,
-//! not at every sample. The plain form, part by part and lane by lane, is the test's (`tests/plain.rs`).
+//! **How it is computed.** Eight lanes go through a part side by side, and a block of samples through one part after
+//! the other, compiled once for each width of vectors that a processor may have and chosen as the program runs; the
+//! bits are the same. What is digital is looked at when it is due, not at every sample. The plain form, part by part
+//! and lane by lane, is the test's (`tests/plain.rs`).
 
 mod basis;
+mod block;
 mod converters;
 mod grid;
 mod out;
@@ -35,6 +37,7 @@ mod terms;
 #[cfg(test)]
 mod tests;
 mod timing;
+mod words;
 
 pub use parts_array::PartsArray;
 pub(crate) use parts_array::Tap;

@@ -11,7 +11,7 @@ use crate::generator::Profile;
 /// The last wires of a group, and what they are scaled by.
 pub(super) struct Out {
     /// Of the three sums.
-    pub(super) noise: [GroupNoise; 3],
+    noise: [GroupNoise; 3],
     sigma: f64,
     /// Height and slope at full scale (m, m a region).
     height: f64,
@@ -41,14 +41,25 @@ impl Out {
         }
     }
 
-    /// Height and slopes at one sample.
+    /// Height and slopes at `sample`, which is number `n` of the block; whether it is the first that is taken.
     #[inline(always)]
-    pub(super) fn put<S: Real>(&self, sample: usize, state: &ArrayState<S>, profile: &mut Profile<S>) {
+    pub(super) fn put<S: Real>(
+        &self,
+        (sample, n): (usize, usize),
+        is_first: bool,
+        state: &mut ArrayState<S>,
+        profile: &mut Profile<S>,
+    ) {
+        if self.sigma > 0.0 && (sample % 2 == 0 || is_first) {
+            for sum in 0..3 {
+                state.noise[sum] = self.noise[sum].pair(sample as u64 / 2);
+            }
+        }
         let mut values = [[0.0; LANES]; 3];
         for sum in 0..3 {
             let noise = &state.noise[sum][sample % 2];
             for lane in 0..LANES {
-                values[sum][lane] = state.sums[sum].0[lane].to_f64() + self.sigma * noise[lane];
+                values[sum][lane] = state.block.sums[sum][n].0[lane].to_f64() + self.sigma * noise[lane];
             }
         }
         let [mut height, mut along, mut across] = [Lanes::default(); 3];

@@ -13,6 +13,7 @@ use signal::{LANES, Real};
 use sweep_program::SweepProgram;
 
 use super::basis::AxisGenerators;
+use super::block::BLOCK;
 use super::grid::{Cell, Grid};
 use super::ramp::RampParts;
 use super::run::Run;
@@ -34,10 +35,6 @@ pub struct PartsArray<S> {
     pub(super) words: Option<MultiplyingConverter>,
     /// What each multiplying D/A makes of a share of full scale: its gain, and the scale of its sum.
     pub(super) factors: Vec<f64>,
-    /// Time constants of the multiplying D/As (s), for steps that a new word divides.
-    pub(super) converter_taus: Vec<f64>,
-    /// The multiplying D/As in the order in which words that are strobed together act.
-    pub(super) by_lateness: Vec<usize>,
     /// Area of the pulse at the major carry of a word (full scale times seconds).
     pub(super) glitch: f64,
     pub(super) summers: [Summer<S>; 3],
@@ -88,6 +85,7 @@ impl<S: Real> PartsArray<S> {
             leak: leak("mul.feedthrough", index, parts.multiplier.feedthrough),
             lag: LagStep::new(h, multiplier_taus[index]),
             converter: LagStep::new(h, converter_taus[index]),
+            tau: converter_taus[index],
             past: leak("mdac.feedthrough", index, parts.multiplying_dac.feedthrough),
         };
         let nominal = RampParts::<S>::new(h, parts.full_scale, &parts.sweep);
@@ -102,7 +100,7 @@ impl<S: Real> PartsArray<S> {
         let to_sums = to_converters + lag_of(parts.multiplying_dac.bandwidth) + summers[0].delay();
         let delays = Delays { to_ramps: nominal.delay(), to_generators, to_converters, to_sums };
         let timing = Timing::new(h, &delays, &ramps, parts, (&spread, name));
-        let generators = [0, 1].map(|axis| AxisGenerators::new(h, parts, &spread, name, axis));
+        let generators = AxisGenerators::of_both(h, parts, &spread, name);
         let scale = Scale::of(level);
         let factor = |index: usize| {
             let gain = 1.0 + error("mdac.gain", index, parts.multiplying_dac.gain_error);
@@ -114,8 +112,6 @@ impl<S: Real> PartsArray<S> {
                 _ => slope_of(word % 3),
             }
         };
-        let mut by_lateness: Vec<usize> = (0..ALL).collect();
-        by_lateness.sort_by(|&a, &b| timing.later(a).total_cmp(&timing.later(b)));
         let largest = |taus: &[f64]| taus.iter().copied().fold(0.0, f64::max);
         let mut chain = vec![largest(&multiplier_taus), largest(&converter_taus)];
         for axis in 0..2 {
@@ -129,8 +125,6 @@ impl<S: Real> PartsArray<S> {
             grid: Grid { cells: (0..ALL).map(cell).collect(), inputs: summers[0].inputs() },
             words: parts.multiplying_dac.bits.map(|bits| MultiplyingConverter::new(h, bits, 1.0, 0.0, 0.0)),
             factors: (0..ALL).map(factor).collect(),
-            converter_taus,
-            by_lateness,
             glitch: parts.multiplying_dac.glitch / parts.full_scale,
             summers,
             noise: [0, 1, 2].map(|sum| NoiseSource::new(seed, &format!("{name}.noise"), sum)),
@@ -155,16 +149,8 @@ impl<S: Real> PartsArray<S> {
         tap: &mut impl Tap<S>,
     ) {
         let run = Run { array: self, generator, programs };
-        // The accumulators leave the eye's foot a sample before the first, and the beam is behind them.
-        let foot = -(1.0 + self.timing.lead / self.timing.step).ceil() as i64;
         run.begin(state);
-        run.settle(foot, state);
-        run.trim(state);
-        let first = foot.max((span.start as i64).saturating_sub(self.warm_up));
-        if first > foot {
-            run.settle(first, state);
-        }
-        dispatch!(self.vectors, _ => run.sweep(first, span.clone(), address, state, profile, tap));
+        dispatch!(self.vectors, simd => run.trace(simd, span.clone(), address, state, profile, tap));
         run.end_profiles(span, profile);
     }
 
@@ -195,10 +181,13 @@ fn warm_up(h: f64, chain: &[f64], parts: &AnalogParts) -> i64 {
 
 /// Whoever looks inside the array, sample by sample; `()` is nobody.
 pub(crate) trait Tap<S> {
+    /// Samples that go through the array together, at most [`BLOCK`]; the wires are shown at the last of them.
+    const PACE: usize = 1;
     /// The wires at the next sample.
     fn see(&mut self, array: &PartsArray<S>, state: &ArrayState<S>);
 }
 
 impl<S> Tap<S> for () {
+    const PACE: usize = BLOCK;
     fn see(&mut self, _: &PartsArray<S>, _: &ArrayState<S>) {}
 }

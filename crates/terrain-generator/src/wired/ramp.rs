@@ -1,5 +1,7 @@
 //! One folded ramp as a voltage: accumulator, D/A converter, smoother (hardware section 3.1).
 
+use fearless_simd::Simd;
+use fearless_simd::prelude::SimdBase;
 use hardware_model::{SMOOTHER_DAMPING, SweepParts};
 use parts::{
     Converter, ConverterLanes, ConverterLaw, SecondOrder, SecondOrderState, SecondOrderStep,
@@ -104,24 +106,29 @@ impl<S: Real> RampParts<S> {
     /// A step later; the accumulator changes to `value` as the step begins (to the converter's word), or moves to it in
     /// a straight line where there is no converter.
     #[inline(always)]
-    pub fn step(&self, state: &mut RampState<S>, value: Lanes<S>) -> Lanes<S> {
+    pub fn step<L: Simd>(&self, simd: L, state: &mut RampState<S>, value: Lanes<S>) -> Lanes<S> {
         let before = state.input;
         state.input = match &self.converter {
             Some(part) => part.step_lanes(&mut state.converter, value),
             None => value,
         };
-        match &self.smoother {
-            Some(part) => {
-                state.smooth = part.step(state.smooth, before, state.input);
-                state.smooth.y
-            }
-            None => state.input,
-        }
+        let Some(part) = &self.smoother else { return state.input };
+        let smooth = SecondOrderState {
+            y: S::Vector::<L>::from_slice(simd, &state.smooth.y.0),
+            rate: S::Vector::<L>::from_slice(simd, &state.smooth.rate.0),
+        };
+        let before = S::Vector::<L>::from_slice(simd, &before.0);
+        let after = part.step(smooth, before, S::Vector::<L>::from_slice(simd, &state.input.0));
+        after.y.store_slice(&mut state.smooth.y.0);
+        after.rate.store_slice(&mut state.smooth.rate.0);
+        state.smooth.y
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use fearless_simd::{Level, dispatch};
+
     use super::RampParts;
     use hardware_model::{AnalogParts, SweepParts};
     use signal::Lanes;
@@ -138,7 +145,9 @@ mod tests {
         let steps = f64::from(u8::from(ramp.has_steps()));
         let mut state = ramp.at_rest(Lanes::splat(triangle(-0.9e-6)));
         let value = |k: i32| triangle(-0.9e-6 + (f64::from(k) - steps) * H);
-        (1..1700).map(|k| ramp.step(&mut state, Lanes::splat(value(k)))[3]).collect()
+        let step =
+            |k| dispatch!(Level::new(), simd => ramp.step(simd, &mut state, Lanes::splat(value(k)))[3]);
+        (1..1700).map(step).collect()
     }
 
     /// Artefact 8: behind a lag the peak is short by 0.693 of what the ramp makes in its time constant.

@@ -1,17 +1,19 @@
 //! A group of sweeps on its way through the array.
 
-use std::mem;
 use std::ops::Range;
 
+use fearless_simd::Simd;
 use signal::{LANES, Lanes, Real};
 use sweep_program::SweepProgram;
 
 use super::Tap;
+use super::basis::UNITS;
+use super::block::{BLOCK, Block, Row};
 use super::out::Out;
 use super::parts_array::PartsArray;
 use super::scale::Scale;
-use super::state::{ArrayState, Due, Lane};
-use super::terms::{ALL, signed};
+use super::state::{ArrayState, Coded, Due, Lane};
+use super::terms::{ALL, sign};
 use super::timing::range_at;
 use crate::TerrainGenerator;
 use crate::array::array;
@@ -30,100 +32,141 @@ impl<S: Real> Run<'_, S> {
     pub(super) fn begin(&self, state: &mut ArrayState<S>) {
         let when = (&self.array.timing, self.generator);
         for (number, program) in self.programs.iter().enumerate() {
-            let mut lane = Lane::at_start(program, mem::take(&mut state.lanes[number].pending));
+            let mut lane = Lane::at_start(program);
             lane.look_ahead(program, when);
             (0..2).for_each(|axis| state.accumulators.set(number, axis, program, 0));
             state.lanes[number] = lane;
         }
         state.due = Due::of(&state.lanes);
+        state.words.clear();
+        state.coded = [Coded::NONE; 4];
         state.wires.resize(ALL, Default::default());
-        state.partial.resize(3 * self.array.grid.groups(), Lanes::default());
+        state.block.partial.resize(3 * self.array.grid.groups(), [Lanes::default(); BLOCK]);
         self.fill_registers(state);
         self.put_signs(state);
     }
 
-    /// Everything at rest under ramps that stand as they do at sample `first`, with the words that act there.
-    pub(super) fn settle(&self, first: i64, state: &mut ArrayState<S>) {
+    /// Through the samples of `span`, from as long before it as the parts remember.
+    #[inline(always)]
+    pub(super) fn trace<L: Simd, T: Tap<S>>(
+        &self,
+        simd: L,
+        span: Range<usize>,
+        address: u64,
+        state: &mut ArrayState<S>,
+        profile: &mut Profile<S>,
+        tap: &mut T,
+    ) {
+        let timing = &self.array.timing;
+        // The accumulators leave the eye's foot a sample before the first, and the beam is behind them.
+        let foot = -(1.0 + timing.lead / timing.step).ceil() as i64;
+        self.settle(simd, foot, state);
+        self.trim(state);
+        let first = foot.max((span.start as i64).saturating_sub(self.array.warm_up));
+        if first > foot {
+            self.settle(simd, first, state);
+        }
+        self.sweep(simd, first, span, address, state, profile, tap);
+    }
+
+    /// Everything at rest under ramps that stand as they do at sample `first`, with the words that act there: the
+    /// block is this sample.
+    #[inline(always)]
+    fn settle<L: Simd>(&self, simd: L, first: i64, state: &mut ArrayState<S>) {
         let array = self.array;
         let ramps = self.accumulators(first, state);
         for axis in 0..2 {
             state.ramps[axis] = array.ramps[axis].at_rest(ramps[axis]);
-            state.axes[axis] = array.generators[axis].at_rest(state.ramps[axis].output());
+            state.axes[axis] = array.generators[axis].at_rest(simd, state.ramps[axis].output());
         }
         self.turn(first, state);
         self.strobe(first, state);
         self.take_words(first, state);
-        state.factors = [0, 1].map(|axis| signed(&state.axes[axis].out, state.signs[axis]));
-        array.grid.settle(&state.factors, &mut state.wires, &mut state.partial);
+        state.put_factors(simd, 0);
+        array.grid.settle(&mut state.block, &mut state.wires);
+        let Block { partial, sums, .. } = &mut *state.block;
         for (sum, summer) in array.summers.iter().enumerate() {
-            state.sums[sum] = summer.at_rest(groups_of(sum, &state.partial), &mut state.summers[sum]);
+            sums[sum][0] = summer.at_rest(rows_of(sum, partial), &mut state.summers[sum]);
         }
     }
 
     /// The datum is set in retrace so that the height at the eye's foot is right: offsets are common to all of a sweep.
-    pub(super) fn trim(&self, state: &mut ArrayState<S>) {
+    fn trim(&self, state: &mut ArrayState<S>) {
         let Scale { datum, height, .. } = self.array.scale;
         for (lane, program) in self.programs.iter().enumerate() {
             let digital = &state.lanes[lane].registers;
             let foot = program.start.ramps.map(|ramp| ramp.start);
             let [right, ..] = array(digital.hold(self.generator.buffer), digital.polarity(), foot);
-            state.trim[lane] = right - (state.sums[0][lane].to_f64() * height + datum);
+            state.trim[lane] = right - (state.block.sums[0][0][lane].to_f64() * height + datum);
         }
     }
 
     /// From rest at sample `first` to the end of `span`, whose samples go into `profile`.
     #[inline(always)]
-    pub(super) fn sweep(
+    fn sweep<L: Simd, T: Tap<S>>(
         &self,
+        simd: L,
         first: i64,
         span: Range<usize>,
         address: u64,
         state: &mut ArrayState<S>,
         profile: &mut Profile<S>,
-        tap: &mut impl Tap<S>,
+        tap: &mut T,
     ) {
-        let out = Out::new(self, address, &state.trim);
-        for sample in first..span.end as i64 {
-            if sample > first {
-                self.advance(sample, state);
+        let (out, end) = (Out::new(self, address, &state.trim), span.end as i64);
+        let mut samples = first..(first + 1).min(end);
+        while !samples.is_empty() {
+            if samples.start > first {
+                self.advance(simd, &samples, state);
             }
-            if sample >= span.start as i64 {
-                if self.array.sigma > 0.0 && (sample % 2 == 0 || sample == span.start as i64) {
-                    for sum in 0..3 {
-                        state.noise[sum] = out.noise[sum].pair(sample as u64 / 2);
-                    }
-                }
-                out.put(sample as usize, state, profile);
+            for (n, sample) in
+                samples.clone().enumerate().skip_while(|(_, sample)| *sample < span.start as i64)
+            {
+                out.put((sample as usize, n), sample == span.start as i64, state, profile);
+            }
+            if samples.end > span.start as i64 {
                 tap.see(self.array, state);
             }
+            samples = samples.end..(samples.end + T::PACE as i64).min(end);
         }
     }
 
-    /// From the sample before to `sample`.
+    /// From the sample before to the last of `samples`.
     #[inline(always)]
-    fn advance(&self, sample: i64, state: &mut ArrayState<S>) {
-        let array = self.array;
-        let ramps = self.accumulators(sample - i64::from(array.ramps[0].has_steps()), state);
-        for axis in 0..2 {
-            let ramp = array.ramps[axis].step(&mut state.ramps[axis], ramps[axis]);
-            array.generators[axis].step(&mut state.axes[axis], ramp);
+    fn advance<L: Simd>(&self, simd: L, samples: &Range<i64>, state: &mut ArrayState<S>) {
+        let (array, count) = (self.array, (samples.end - samples.start) as usize);
+        state.words.begin(samples);
+        if state.due.strobe <= (samples.end - 1) as f64 {
+            self.strobe(samples.end - 1, state);
         }
-        if state.due.turn <= sample as f64 {
-            self.turn(sample, state);
+        state.words.divide(array.timing.step, &array.grid.cells);
+        for (n, sample) in samples.clone().enumerate() {
+            self.ramp(simd, (sample, n), state);
         }
-        if state.due.strobe <= sample as f64 {
-            self.strobe(sample, state);
+        for (n, sample) in samples.clone().enumerate() {
+            for axis in 0..2 {
+                array.generators[axis].step(simd, &mut state.axes[axis], &state.block.fed[axis][n]);
+            }
+            if state.due.turn <= sample as f64 {
+                self.turn(sample, state);
+            }
+            state.put_factors(simd, n);
         }
-        let before = state.factors[0];
-        for axis in 0..2 {
-            state.factors[axis] = signed(&state.axes[axis].out, state.signs[axis]);
-        }
-        array.grid.step(&state.factors, &before, &mut state.wires, &mut state.partial);
-        if state.due.change <= sample as f64 {
-            self.change_words(sample, state);
-        }
+        array.grid.run(simd, &mut state.block, count, &state.words, &mut state.wires);
+        let Block { partial, sums, .. } = &mut *state.block;
         for (sum, summer) in array.summers.iter().enumerate() {
-            state.sums[sum] = summer.step(groups_of(sum, &state.partial), &mut state.summers[sum]);
+            sums[sum] = summer.run(simd, rows_of(sum, partial), count, &mut state.summers[sum]);
+        }
+    }
+
+    /// Ramps from the sample before to `sample`, number `n` of the block, and what they feed.
+    #[inline(always)]
+    fn ramp<L: Simd>(&self, simd: L, (sample, n): (i64, usize), state: &mut ArrayState<S>) {
+        let ramps = &self.array.ramps;
+        let values = self.accumulators(sample - i64::from(ramps[0].has_steps()), state);
+        for axis in 0..2 {
+            let ramp = ramps[axis].step(simd, &mut state.ramps[axis], values[axis]);
+            state.block.fed[axis][n] = self.array.generators[axis].feed(simd, ramp);
         }
     }
 
@@ -159,8 +202,13 @@ impl<S: Real> Run<'_, S> {
     }
 
     fn put_signs(&self, state: &mut ArrayState<S>) {
-        let polarity = |axis: usize| Lanes::from_fn(|lane| S::from_f64(state.lanes[lane].polarity[axis]));
-        state.signs = [polarity(0), polarity(1)];
+        for (lane, from) in state.lanes.iter().enumerate() {
+            for axis in 0..2 {
+                for unit in 0..UNITS {
+                    state.signs[axis][unit][lane] = S::from_f64(sign(unit, from.polarity[axis]));
+                }
+            }
+        }
     }
 
     pub(super) fn end_profiles(&self, span: Range<usize>, profile: &mut Profile<S>) {
@@ -177,7 +225,7 @@ impl<S: Real> Run<'_, S> {
 
 /// What meets at the first stage of a sum.
 #[inline(always)]
-fn groups_of<S>(sum: usize, partial: &[Lanes<S>]) -> &[Lanes<S>] {
+fn rows_of<S>(sum: usize, partial: &mut [Row<S>]) -> &mut [Row<S>] {
     let groups = partial.len() / 3;
-    &partial[groups * sum..groups * (sum + 1)]
+    &mut partial[groups * sum..groups * (sum + 1)]
 }

@@ -1,14 +1,18 @@
 //! Wires and registers of a group of sweeps.
 
+use fearless_simd::Simd;
+use fearless_simd::prelude::SimdBase;
 use landscape::CornerWords;
 use signal::{LANES, Lanes, Real};
 use sweep_program::{Fold, RampAxis, SweepProgram};
 
 use super::basis::{AxisState, UNITS};
+use super::block::{Block, Factor};
 use super::grid::Wires;
 use super::ramp::RampState;
 use super::summer::SummerState;
 use super::timing::Timing;
+use super::words::Words;
 use crate::{Registers, TerrainGenerator};
 
 /// Wires of a group of sweeps; used again from group to group.
@@ -17,15 +21,17 @@ pub struct ArrayState<S> {
     pub(super) accumulators: Accumulators,
     pub(super) ramps: [RampState<S>; 2],
     pub(super) axes: [AxisState<S>; 2],
-    /// Signs that the polarity gives the odd terms.
-    pub(super) signs: [Lanes<S>; 2],
-    /// Factors with their signs: X, Y.
-    pub(super) factors: [[Lanes<S>; UNITS]; 2],
-    pub(super) wires: Vec<Wires<S>>,
-    /// What meets at the amplifiers of the first stages.
-    pub(super) partial: Vec<Lanes<S>>,
+    /// Signs that the polarity gives the function generators.
+    pub(super) signs: [[Lanes<S>; UNITS]; 2],
+    /// Factors of X with their signs, at the sample that went through last.
+    pub(super) before: [Lanes<S>; UNITS],
+    pub(super) wires: Vec<Wires<Lanes<S>>>,
     pub(super) summers: [SummerState<S>; 3],
-    pub(super) sums: [Lanes<S>; 3],
+    /// The samples that went through last.
+    pub(super) block: Box<Block<S>>,
+    pub(super) words: Words,
+    /// What was coded last, colour by colour: sweeps of a group meet the same corners.
+    pub(super) coded: [Coded; 4],
     /// Deviates of the sums, at this sample and at the other of its pair.
     pub(super) noise: [[[f64; LANES]; 2]; 3],
     /// What the datum of each sweep is trimmed by (m).
@@ -44,15 +50,27 @@ pub(super) struct Accumulators {
     sign: [[f64; LANES]; 2],
 }
 
+/// Words of a corner, their numbers in D/As, and their shares of full scale there.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Coded {
+    pub(super) words: CornerWords,
+    pub(super) numbers: [i32; 9],
+    pub(super) shares: [f64; 9],
+}
+
+impl Coded {
+    /// Of no corner.
+    pub(super) const NONE: Self = Self { words: [f64::NAN; 9], numbers: [0; 9], shares: [0.0; 9] };
+}
+
 /// When something digital is next due in any lane: between these instants nobody asks.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Due {
     /// A step for the accumulators (m of ground range).
     pub(super) fold: f64,
-    /// A step for the polarity, a strobe, a word that acts (samples).
+    /// A step for the polarity, a strobe (samples).
     pub(super) turn: f64,
     pub(super) strobe: f64,
-    pub(super) change: f64,
 }
 
 /// The digital side of one sweep of the group.
@@ -68,24 +86,9 @@ pub(super) struct Lane {
     /// Words in the hold registers after the last strobe, and their numbers in a D/A, by colour.
     pub(super) held: [CornerWords; 4],
     pub(super) numbers: [[i32; 9]; 4],
-    /// Words that have been strobed, ascending in time; those before `acted` act.
-    pub(super) pending: Vec<Change>,
-    pub(super) acted: usize,
     folds: [u32; 2],
     pub(super) polarity: [f64; 2],
     pub(super) due: Due,
-}
-
-/// A multiplying D/A takes a new word.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Change {
-    /// When (samples).
-    pub(super) at: f64,
-    pub(super) index: usize,
-    /// What it multiplies by from then on.
-    pub(super) weight: f64,
-    /// Area of the pulse for a product of full scale (full scale times seconds).
-    pub(super) pulse: f64,
 }
 
 impl<S: Real> Default for ArrayState<S> {
@@ -94,16 +97,38 @@ impl<S: Real> Default for ArrayState<S> {
             accumulators: Accumulators::default(),
             ramps: Default::default(),
             axes: Default::default(),
-            signs: [Lanes::default(); 2],
-            factors: [[Lanes::default(); UNITS]; 2],
+            signs: [[Lanes::default(); UNITS]; 2],
+            before: [Lanes::default(); UNITS],
             wires: Vec::new(),
-            partial: Vec::new(),
             summers: Default::default(),
-            sums: [Lanes::default(); 3],
+            block: Box::default(),
+            words: Words::default(),
+            coded: [Coded::NONE; 4],
             noise: [[[0.0; LANES]; 2]; 3],
             trim: [0.0; LANES],
             lanes: Default::default(),
             due: Due::default(),
+        }
+    }
+}
+
+impl<S: Real> ArrayState<S> {
+    /// Gives what the function generators put out its signs: the factors at sample `n` of the block.
+    #[inline(always)]
+    pub(super) fn put_factors<L: Simd>(&mut self, simd: L, n: usize) {
+        let Self { axes: [x, y], signs, block, before, .. } = self;
+        for unit in 0..UNITS {
+            let sign = S::Vector::<L>::from_slice(simd, &signs[0][unit].0);
+            let value = S::Vector::<L>::from_slice(simd, &x.out[unit].0) * sign;
+            let change = value - S::Vector::<L>::from_slice(simd, &before[unit].0);
+            let Factor { value: values, square, change: changes } = &mut block.x[unit];
+            value.store_slice(&mut values[n].0);
+            (value * value).store_slice(&mut square[n].0);
+            change.store_slice(&mut changes[n].0);
+            value.store_slice(&mut before[unit].0);
+            let sign = S::Vector::<L>::from_slice(simd, &signs[1][unit].0);
+            let value = S::Vector::<L>::from_slice(simd, &y.out[unit].0) * sign;
+            value.store_slice(&mut block.y[unit][n].0);
         }
     }
 }
@@ -153,18 +178,16 @@ impl Due {
             fold: earliest(|due| due.fold),
             turn: earliest(|due| due.turn),
             strobe: earliest(|due| due.strobe),
-            change: earliest(|due| due.change),
         }
     }
 }
 
 impl Lane {
-    /// At the start of a sweep; `pending` is a buffer that is used again.
-    pub(super) fn at_start(program: &SweepProgram, mut pending: Vec<Change>) -> Self {
+    /// At the start of a sweep.
+    pub(super) fn at_start(program: &SweepProgram) -> Self {
         let registers = Registers::at_start(program);
         let polarity = registers.polarity();
-        pending.clear();
-        Self { registers, strobed_at: f64::NEG_INFINITY, pending, polarity, ..Self::default() }
+        Self { registers, strobed_at: f64::NEG_INFINITY, polarity, ..Self::default() }
     }
 
     /// Looks up when something is next due.
@@ -172,7 +195,6 @@ impl Lane {
         self.due =
             Due { fold: self.next_fold(program), turn: self.next_turn(program, when), ..Due::default() };
         self.due.strobe = self.next_strobe(program, when) + when.0.earliest;
-        self.due.change = self.next_change();
     }
 
     fn next_fold(&self, program: &SweepProgram) -> f64 {
@@ -196,10 +218,6 @@ impl Lane {
     ) -> f64 {
         let next = program.steps.get(self.strobed);
         next.map_or(f64::INFINITY, |step| timing.of_words(step, generator, program).max(self.strobed_at))
-    }
-
-    pub(super) fn next_change(&self) -> f64 {
-        self.pending.get(self.acted).map_or(f64::INFINITY, |change| change.at)
     }
 
     /// Folds of the accumulators up to `range` (m); the folds of each axis so far.

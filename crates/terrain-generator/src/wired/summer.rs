@@ -1,11 +1,13 @@
 //! A summing tree: 36 products into one voltage (hardware section 3.2, noise gain).
 
+use fearless_simd::Simd;
 use hardware_model::AnalogParts;
 use parts::{
     Amplifier, AmplifierLaw, AmplifierState, Spread, Tolerance, relative_sigma, summing_time_constant,
 };
 use signal::{Lanes, Real};
 
+use super::block::{BLOCK, Row};
 use super::terms::TERMS;
 
 /// Amplifiers of a tree, stage by stage.
@@ -24,11 +26,12 @@ pub struct SummerState<S> {
     stages: Vec<Vec<Stage<S>>>,
 }
 
+/// An amplifier of a group.
 #[derive(Debug, Clone, Copy)]
 struct Stage<S> {
     amplifier: AmplifierState<Lanes<S>>,
-    before: Lanes<S>,
-    out: Lanes<S>,
+    /// Its input at the sample that went through last.
+    fed: Lanes<S>,
 }
 
 impl<S: Real> Default for SummerState<S> {
@@ -97,67 +100,78 @@ impl<S: Real> Summer<S> {
         &self.slowest
     }
 
-    /// The tree at rest; `sums` are what meets at the amplifiers of its first stage.
-    pub fn at_rest(&self, sums: &[Lanes<S>], state: &mut SummerState<S>) -> Lanes<S> {
+    /// The tree at rest; `rows` are what meets at the amplifiers of its first stage, at the first sample, and are used
+    /// up.
+    pub fn at_rest(&self, rows: &mut [Row<S>], state: &mut SummerState<S>) -> Lanes<S> {
         state.stages.resize_with(self.stages.len(), Vec::new);
-        for index in 0..state.stages.len() {
-            let (done, left) = state.stages.split_at_mut(index);
-            left[0].clear();
-            match done.last() {
-                None => left[0].extend(sums.iter().map(|&sum| Stage::at_rest(sum))),
-                Some(below) => {
-                    left[0].extend(below.chunks(self.inputs).map(|group| Stage::at_rest(outputs(group))));
-                }
+        let mut met = rows.len();
+        for (number, (stage, states)) in self.stages.iter().zip(&mut state.stages).enumerate() {
+            if number > 0 {
+                met = self.meet(&mut rows[..met], 1);
             }
+            states.clear();
+            states.extend(rows[..stage.len()].iter().map(|row| Stage::at_rest(row[0])));
         }
-        state.stages.last().map_or_else(|| total(sums), |last| outputs(last))
+        total(&rows[..met], 1)[0]
     }
 
-    /// A step later, with `sums` at the first stage at its end.
+    /// The sum at the first `count` samples of a block; `rows` are what meets at the first stage, and are used up.
     #[inline(always)]
-    pub fn step(&self, sums: &[Lanes<S>], state: &mut SummerState<S>) -> Lanes<S> {
-        let Some((first, rest)) = self.stages.split_first() else { return total(sums) };
-        let (first_state, rest_state) = state.stages.split_at_mut(1);
-        for ((part, state), &sum) in first.iter().zip(&mut first_state[0]).zip(sums) {
-            state.step(part, sum);
-        }
-        let mut below = &first_state[0];
-        for (stage, states) in rest.iter().zip(rest_state) {
-            for ((part, state), group) in stage.iter().zip(states.iter_mut()).zip(below.chunks(self.inputs)) {
-                state.step(part, outputs(group));
+    pub fn run<L: Simd>(
+        &self,
+        simd: L,
+        rows: &mut [Row<S>],
+        count: usize,
+        state: &mut SummerState<S>,
+    ) -> Row<S> {
+        let mut met = rows.len();
+        for (number, (stage, states)) in self.stages.iter().zip(&mut state.stages).enumerate() {
+            if number > 0 {
+                met = self.meet(&mut rows[..met], count);
             }
-            below = states;
+            for ((part, state), row) in stage.iter().zip(states).zip(&mut *rows) {
+                state.pass(simd, part, &mut row[..count]);
+            }
         }
-        outputs(below)
+        total(&rows[..met], count)
+    }
+
+    /// Adds up what meets at each amplifier of the next stage, into the first of `rows`; how many these are.
+    #[inline(always)]
+    fn meet(&self, rows: &mut [Row<S>], count: usize) -> usize {
+        let amplifiers = rows.len().div_ceil(self.inputs);
+        for amplifier in 0..amplifiers {
+            let first = amplifier * self.inputs;
+            let last = (first + self.inputs).min(rows.len());
+            rows[amplifier] = total(&rows[first..last], count);
+        }
+        amplifiers
     }
 }
 
 impl<S: Real> Stage<S> {
     fn at_rest(input: Lanes<S>) -> Self {
-        Self { amplifier: AmplifierState { y: input, excess: Lanes::default() }, before: input, out: input }
+        Self { amplifier: AmplifierState { y: input, excess: Lanes::default() }, fed: input }
     }
 
+    /// The samples of `row` through the amplifier.
     #[inline(always)]
-    fn step(&mut self, part: &Amplifier<S>, input: Lanes<S>) {
-        self.out = part.step_lanes(&mut self.amplifier, self.before, input);
-        self.before = input;
+    fn pass<L: Simd>(&mut self, simd: L, part: &Amplifier<S>, row: &mut [Lanes<S>]) {
+        let mut fed = [self.fed; BLOCK + 1];
+        fed[1..=row.len()].copy_from_slice(row);
+        part.pass(simd, &mut self.amplifier, &fed[..=row.len()], row);
+        self.fed = fed[row.len()];
     }
 }
 
+/// The sum of `rows` at the first `count` samples.
 #[inline(always)]
-fn total<S: Real>(terms: &[Lanes<S>]) -> Lanes<S> {
-    let mut sum = Lanes::default();
-    for &term in terms {
-        sum = sum + term;
-    }
-    sum
-}
-
-#[inline(always)]
-fn outputs<S: Real>(stages: &[Stage<S>]) -> Lanes<S> {
-    let mut sum = Lanes::default();
-    for stage in stages {
-        sum = sum + stage.out;
+fn total<S: Real>(rows: &[Row<S>], count: usize) -> Row<S> {
+    let mut sum = [Lanes::default(); BLOCK];
+    for row in rows {
+        for (sum, &term) in sum[..count].iter_mut().zip(row) {
+            *sum = *sum + term;
+        }
     }
     sum
 }

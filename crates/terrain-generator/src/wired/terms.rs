@@ -1,9 +1,5 @@
 //! The terms of the three sums: which wires meet in each.
 
-use signal::{Lanes, Real};
-
-use super::basis::UNITS;
-
 /// Terms of one sum.
 pub(super) const TERMS: usize = 36;
 /// Terms of all three: height, slope to the north, slope to the east.
@@ -21,16 +17,31 @@ pub(super) fn word_of(term: usize) -> [usize; 2] {
     [ap / 3 + 2 * (bq / 3), 3 * (ap % 3) + bq % 3]
 }
 
-/// Function generators with their signs (section 6.4): odd orders of value and even ones of slope carry the polarity
-/// at the near end, and its opposite at the far one.
-#[inline(always)]
-pub(super) fn signed<S: Real>(out: &[Lanes<S>; UNITS], sign: Lanes<S>) -> [Lanes<S>; UNITS] {
-    std::array::from_fn(|unit| {
-        let (is_slope, is_far, order) = (unit / 6 == 1, unit / 3 % 2 == 1, unit % 3);
-        if (order == 1) == is_slope {
-            return out[unit];
+/// The term of a word of a colour.
+pub(super) fn term_of(colour: usize, word: usize) -> usize {
+    6 * (3 * (colour % 2) + word / 3) + 3 * (colour / 2) + word % 3
+}
+
+/// The sign of function generator `unit` (section 6.4): odd orders of value and even ones of slope carry the
+/// `polarity` (1 or -1) at the near end, and its opposite at the far one.
+pub(super) fn sign(unit: usize, polarity: f64) -> f64 {
+    let (is_slope, is_far, order) = (unit / 6 == 1, unit / 3 % 2 == 1, unit % 3);
+    match ((order == 1) == is_slope, is_far) {
+        (true, _) => 1.0,
+        (false, false) => polarity,
+        (false, true) => -polarity,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{TERMS, term_of, word_of};
+
+    #[test]
+    fn a_word_has_one_term() {
+        for term in 0..TERMS {
+            let [colour, word] = word_of(term);
+            assert_eq!(term_of(colour, word), term);
         }
-        let signed = out[unit] * sign;
-        if is_far { Lanes::default() - signed } else { signed }
-    })
+    }
 }

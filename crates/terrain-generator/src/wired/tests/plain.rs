@@ -1,16 +1,17 @@
 //! The array part by part as its pages have it, one sweep and one wire at a time: what the fast form is held to.
 
-use fearless_simd::Level;
+use fearless_simd::{Level, dispatch};
 use hardware_model::AnalogParts;
 use parts::LagStep;
 use signal::{LANES, Lanes, Real};
 use sweep_program::{RampAxis, Step, SweepProgram};
 
 use super::{STEP, Scene, parts};
+use crate::wired::block::{BLOCK, Row};
 use crate::wired::summer::SummerState;
-use crate::wired::terms::{ALL, TERMS, signed, word_of};
+use crate::wired::terms::{ALL, TERMS, sign, word_of};
 use crate::wired::timing::range_at;
-use crate::wired::{ArrayState, PartsArray, Scale};
+use crate::wired::{ArrayState, PartsArray, Scale, Tap};
 use crate::{Profile, Registers};
 
 /// A machine with every part of 1970 but noise.
@@ -92,15 +93,19 @@ fn heights(array: &PartsArray<f64>, scene: &Scene, lane: usize) -> Vec<f64> {
         [RampAxis::X, RampAxis::Y].map(|axis| {
             let past = |step: &Step| array.timing.of_polarity(step, &generator, program) <= sample as f64;
             let sign = if folds(program, axis, past) % 2 == 0 { 1.0 } else { -1.0 };
-            Lanes::splat(sign * program.start.ramps[axis as usize].polarity)
+            sign * program.start.ramps[axis as usize].polarity
         })
     };
     let start = ramps(foot);
     let mut ramp = [0, 1].map(|axis| array.ramps[axis].at_rest(start[axis]));
-    let mut axes = [0, 1].map(|axis| array.generators[axis].at_rest(ramp[axis].output()));
+    let mut axes = [0, 1].map(
+        |axis| dispatch!(Level::new(), simd => array.generators[axis].at_rest(simd, ramp[axis].output())),
+    );
     let factors = |axes: &[_; 2], sample: i64| {
         let axes: &[crate::wired::basis::AxisState<f64>; 2] = axes;
-        [0, 1].map(|axis| signed(&axes[axis].out, signs(sample)[axis]))
+        [0, 1].map(|axis| {
+            std::array::from_fn(|unit| axes[axis].out[unit] * Lanes::splat(sign(unit, signs(sample)[axis])))
+        })
     };
     let mut before = factors(&axes, foot);
     let cells = &array.grid.cells;
@@ -113,12 +118,12 @@ fn heights(array: &PartsArray<f64>, scene: &Scene, lane: usize) -> Vec<f64> {
     let mut terms: Vec<f64> = (0..ALL).map(|index| products[index] * words[index][0].1).collect();
     let mut leaky = terms.clone();
     let mut summer = SummerState::default();
-    let partial = |leaky: &[f64]| -> Vec<Lanes<f64>> {
-        let group = |group: &[f64]| Lanes::splat(group.iter().fold(0.0, |sum, term| sum + term));
+    let partial = |leaky: &[f64]| -> Vec<Row<f64>> {
+        let group = |group: &[f64]| [Lanes::splat(group.iter().fold(0.0, |sum, term| sum + term)); BLOCK];
         leaky[..TERMS].chunks(array.grid.inputs).map(group).collect()
     };
     let Scale { datum, height, .. } = array.scale;
-    let mut sum = array.summers[0].at_rest(&partial(&leaky), &mut summer)[0];
+    let mut sum = array.summers[0].at_rest(&mut partial(&leaky), &mut summer)[0];
     let trim = {
         let foot = program.start.ramps.map(|ramp| ramp.start);
         let registers = Registers::at_start(program);
@@ -129,8 +134,12 @@ fn heights(array: &PartsArray<f64>, scene: &Scene, lane: usize) -> Vec<f64> {
         if sample > foot {
             let now = ramps(sample - has_steps);
             for axis in 0..2 {
-                let value = array.ramps[axis].step(&mut ramp[axis], now[axis]);
-                array.generators[axis].step(&mut axes[axis], value);
+                let value =
+                    dispatch!(Level::new(), simd => array.ramps[axis].step(simd, &mut ramp[axis], now[axis]));
+                dispatch!(Level::new(), simd => {
+                    let fed = array.generators[axis].feed(simd, value);
+                    array.generators[axis].step(simd, &mut axes[axis], &fed);
+                });
             }
             let now = factors(&axes, sample);
             for index in 0..ALL {
@@ -140,12 +149,13 @@ fn heights(array: &PartsArray<f64>, scene: &Scene, lane: usize) -> Vec<f64> {
                 products[index] = cells[index].lag.step(from, raw[index], fed);
                 raw[index] = fed;
                 let signal = [from, products[index]];
-                terms[index] =
-                    converted(terms[index], &words[index], sample, signal, array.converter_taus[index]);
+                terms[index] = converted(terms[index], &words[index], sample, signal, cells[index].tau);
                 leaky[index] = terms[index] + cells[index].past.leak(from, products[index]);
             }
             before = now;
-            sum = array.summers[0].step(&partial(&leaky), &mut summer)[0];
+            sum = dispatch!(Level::new(), simd => {
+                array.summers[0].run(simd, &mut partial(&leaky), 1, &mut summer)[0][0]
+            });
         }
         if sample >= 0 {
             out.push(sum * height + datum + trim - generator.datum);
@@ -218,6 +228,37 @@ fn vectors_of_any_width_have_the_same_bits() {
     let scene = Scene::new();
     compare::<f32>(&scene);
     compare::<f64>(&scene);
+}
+
+/// Who looks at every sample: they go through the array one by one.
+struct Watcher;
+
+impl Tap<f32> for Watcher {
+    fn see(&mut self, _: &PartsArray<f32>, _: &ArrayState<f32>) {}
+}
+
+#[test]
+fn samples_one_by_one_have_the_bits_of_blocks() {
+    let scene = Scene::new();
+    // Amplifiers that slew and clip, words that take long and apart from one another.
+    let made = of_1970(|parts| {
+        (parts.amplifier.slew, parts.amplifier.saturation) = (Some(20e6), Some(6.0));
+        (parts.amplifier.noise, parts.multiplying_dac.switching) = (5e-4, 200e-9);
+    });
+    let array = PartsArray::<f32>::new(STEP, &scene.level, &made, 3, "tg");
+    let (generator, samples) = (scene.generator(), scene.ranges.len());
+    for from in [0, 501] {
+        let [mut blocks, mut alone] = [Profile::default(), Profile::default()];
+        for profile in [&mut blocks, &mut alone] {
+            profile.resize(samples);
+        }
+        let state = &mut ArrayState::default();
+        array.trace(&generator, &scene.programs, from..samples, 40, state, &mut blocks, &mut ());
+        array.trace(&generator, &scene.programs, from..samples, 40, state, &mut alone, &mut Watcher);
+        assert_eq!(blocks.height, alone.height);
+        assert_eq!(blocks.along, alone.along);
+        assert_eq!(blocks.across, alone.across);
+    }
 }
 
 /// An array that starts late has forgotten that it was at rest: its samples are those of a whole sweep.
