@@ -6,7 +6,7 @@ use hardware_model::ShadowParts;
 use landscape::{Attitude, parabolic_drop};
 use polyhedron_generator::{Drawn, FaceLight, LeftOut, PolyhedronGenerator, ViewPlane};
 use rayon::prelude::*;
-use remote_shadow::{Segment, Tile};
+use remote_shadow::{Outlines, Tile};
 use scenario::{BodyVisibility, Curvature, ShadowedBodies};
 use shadow_controller::{Gate, SEGMENT_WORDS};
 use solids::Body;
@@ -108,12 +108,11 @@ impl Supply<'_> {
         let foot = [self.plan.eye[0], self.plan.eye[1]];
         let (reach, end) = (shadows.reach, self.stage.settings.range.end);
         let tiles: Vec<Arc<Tile>> = shadows.bank.around(&self.plan.sun, foot, reach, Some(edges));
-        let patches: Vec<Segment> = self.patches(time);
-        let mut segments: Vec<&[Segment]> = tiles.iter().map(|tile| tile.segments.as_slice()).collect();
+        let mut cast: Vec<&Outlines> = tiles.iter().map(|tile| &tile.outlines).collect();
         // A map that is read beside its place shows shadows that no sweep meets.
         let all = matches!(self.stage.settings.shadow_controller, ShadowParts::ScanConverter { .. });
         let shade = Shade::new(foot, edges, &self.plan.sun);
-        let cast = seen.par_iter().filter_map(|&(index, body)| {
+        let of_bodies = seen.par_iter().filter_map(|&(index, body)| {
             let may_fall = all || shade.may_meet([body.centre.x, body.centre.y], body.radius);
             may_fall.then(|| under_sun.shadow(index, body))
         });
@@ -121,16 +120,16 @@ impl Supply<'_> {
             let (centre, radius) = shadow.around;
             all || self.plan.sweeps_of(centre, radius).is_some()
         };
-        segments.par_extend(cast.filter(meets).map(|shadow| &*shadow.outline));
-        segments.push(&patches);
-        let own = self.own_shadow(shadows);
-        segments.push(&own);
+        cast.par_extend(of_bodies.filter(meets).map(|shadow| &shadow.outline));
+        let (patches, own) = (self.patches(time), self.own_shadow(shadows));
+        cast.push(&patches);
+        cast.extend(&own);
         let timing = |sweep: u32| {
             let place = (self.plan.frame, sweep);
             let rate = self.stage.settings.segment_words?;
             Some(load_timing(self.stage, self.table, place, SEGMENT_WORDS, rate))
         };
-        shadows.controller.gates_by(foot, &directions, reach, &segments, timing, gates);
+        shadows.controller.gates_by(foot, &directions, reach, &cast, timing, gates);
         // Beyond the reach no shadow is drawn.
         if reach < end {
             gates.iter_mut().for_each(|gate| gate.end_at(reach));
@@ -138,16 +137,16 @@ impl Supply<'_> {
     }
 
     /// Outlines of the shadow that the vehicle casts on the ground: as of any body, but found anew for every pose.
-    fn own_shadow(&self, shadows: &Shadows) -> Vec<Segment> {
+    fn own_shadow(&self, shadows: &Shadows) -> Vec<Outlines> {
         let FramePlan { eye, roll, pitch, heading, .. } = *self.plan;
         let parts = self.stage.scenery.own_bodies(eye, Attitude { roll, pitch, heading });
-        parts.par_iter().flat_map_iter(|part| shadows.bank.cast_by_body(part, &self.plan.sun)).collect()
+        parts.par_iter().map(|part| shadows.bank.cast_by_body(part, &self.plan.sun)).collect()
     }
 
     /// Outlines of the track patches that lie at `time`.
-    fn patches(&self, time: f64) -> Vec<Segment> {
+    fn patches(&self, time: f64) -> Outlines {
         let patches = self.stage.scenery.patches(time);
-        patches.iter().flat_map(|patch| Segment::outline(&patch.corners)).collect()
+        Outlines::of(&patches.iter().map(|patch| patch.corners).collect::<Vec<_>>())
     }
 
     fn project(&self, seen: &[(usize, &Body)], under_sun: Option<&UnderSun<'_>>, out: &mut Delivery) {

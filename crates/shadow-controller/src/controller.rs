@@ -5,10 +5,10 @@ use parts::GateEdge;
 use quantities::SweepTime;
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
-use remote_shadow::Segment;
+use remote_shadow::{Outlines, Segment};
 use sweep_program::{LoadTiming, NoTiming};
 
-use crate::crossings::{Crossing, Crossings, Met, ROOM};
+use crate::crossings::{Crossing, Crossings, Lines, Met, ROOM};
 use crate::fan::Line;
 use crate::line_generators::{
     Boundary, SegmentLoad, SegmentMiss, Service, ServiceWork, serve, serve_in_time,
@@ -82,17 +82,17 @@ impl ShadowController {
     /// The gate of every sweep, up to a ground range of `reach` (m).
     ///
     /// `directions`: unit vectors (north, east) of the sweeps from left to right, less than half a turn apart in all.
-    /// `segments`: any number of lists, each of closed outlines; shadow to the right. What lies behind the eye
+    /// `shadows`: any number of lists of outlines; shadow to the right. What lies behind the eye
     /// (north, east; m) does not count. `out` gets one gate a sweep; its buffers are used again.
     pub fn gates(
         &self,
         eye: [f64; 2],
         directions: &[[f64; 2]],
         reach: f64,
-        segments: &[&[Segment]],
+        shadows: &[&Outlines],
         out: &mut Vec<Gate>,
     ) {
-        self.gates_by(eye, directions, reach, segments, |_| None::<NoTiming>, out);
+        self.gates_by(eye, directions, reach, shadows, |_| None::<NoTiming>, out);
     }
 
     /// The same with loads that take the time of `timing` of each sweep, if there is any.
@@ -101,26 +101,41 @@ impl ShadowController {
         eye: [f64; 2],
         directions: &[[f64; 2]],
         reach: f64,
-        segments: &[&[Segment]],
+        shadows: &[&Outlines],
         timing: impl Fn(u32) -> Option<LoadTiming<T, R>> + Sync,
         out: &mut Vec<Gate>,
     ) {
-        let met = match self.parts {
-            ShadowParts::Digital { .. } => Met::new(directions, segments, |segment| from_eye(segment, eye)),
-            ShadowParts::ScanConverter { offset, gain } => {
-                let seen = |place| self.seen(place, offset, gain);
-                let line = |segment: &Segment| Line { from: seen(segment.from), to: seen(segment.to) };
-                Met::new(directions, segments, |segment| from_eye(&line(segment), eye))
+        match self.parts {
+            ShadowParts::Digital { .. } => {
+                let lines = Lines { lists: shadows, seen: |segment| from_eye(segment, eye) };
+                self.gates_of(&Met::new(directions, lines), reach, timing, out);
             }
-        };
-        out.resize_with(directions.len(), Gate::default);
+            ShadowParts::ScanConverter { offset, gain } => {
+                let seen = |Segment { from, to }| {
+                    let [from, to] = [from, to].map(|place| self.seen(place, offset, gain));
+                    from_eye(Segment { from, to }, eye)
+                };
+                self.gates_of(&Met::new(directions, Lines { lists: shadows, seen }), reach, timing, out);
+            }
+        }
+    }
+
+    /// The same of what the sweeps meet.
+    fn gates_of<T: Fn(f64) -> SweepTime, R: Fn(SweepTime) -> f64>(
+        &self,
+        met: &Met<'_, impl Fn(Segment) -> Line + Sync>,
+        reach: f64,
+        timing: impl Fn(u32) -> Option<LoadTiming<T, R>> + Sync,
+        out: &mut Vec<Gate>,
+    ) {
+        out.resize_with(met.sweeps(), Gate::default);
         out.par_chunks_mut(BAND).enumerate().for_each_init(
             || (Crossings::new(), Vec::with_capacity(ROOM), ServiceWork::new()),
             |(crossings, boundaries, work), (band, gates)| {
                 for (sweep, gate) in (band * BAND..).zip(gates) {
-                    let crossed = crossings.of(&met, sweep);
+                    let crossed = crossings.of(met, sweep);
                     gate.dark_at_start =
-                        unite(crossed, reach, |crossing| met.boundary(*crossing), boundaries);
+                        unite(crossed, reach, |crossing| met.boundary(sweep, *crossing), boundaries);
                     let within = crossed.partition_point(|crossing| crossing.range() <= reach);
                     gate.united = (within - boundaries.len()) as u32;
                     self.load(boundaries, work, reach, timing(sweep as u32), gate);
@@ -168,7 +183,7 @@ impl ShadowController {
 }
 
 /// A segment from the eye (m).
-fn from_eye(segment: &Segment, eye: [f64; 2]) -> Line {
+fn from_eye(segment: Segment, eye: [f64; 2]) -> Line {
     let seen = |place: [f64; 2]| [place[0] - eye[0], place[1] - eye[1]];
     Line { from: seen(segment.from), to: seen(segment.to) }
 }

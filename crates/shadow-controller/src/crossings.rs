@@ -5,6 +5,7 @@ use std::ops::Range;
 use fearless_simd::{Level, Simd, dispatch};
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSlice;
+use remote_shadow::{Outlines, Segment};
 
 use crate::fan::{Fan, Line, Sifted, TOGETHER};
 use crate::line_generators::Boundary;
@@ -16,15 +17,18 @@ const PART: usize = 256;
 /// Lines, or crossings of a sweep, that there is room for before more memory is asked for.
 pub(crate) const ROOM: usize = 1024;
 
-/// One sweep crosses one line: bits of the range, then whether a shadow ends there, then which crossing it is: its part
-/// and its place there. In this form they are sorted as they are met, beginnings before endings at the same range.
+/// A segment: its list and its number there, less than 2^31 lists.
+type Place = [u32; 2];
+
+/// One sweep crosses one line: bits of the range, then whether a shadow ends there, then which line it is. In this form they
+/// are sorted as they are met, beginnings before endings at the same range.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
 pub(crate) struct Crossing(u128);
 
 impl Crossing {
-    /// `range` (m) must not be negative: only then its bits are in its order. There are less than 2^31 parts.
-    fn new(range: f64, ends: bool, [part, place]: [u32; 2]) -> Self {
-        let place = u64::from(ends) << 63 | u64::from(part) << 32 | u64::from(place);
+    /// `range` (m) must not be negative: only then its bits are in its order.
+    fn new(range: f64, ends: bool, [list, number]: Place) -> Self {
+        let place = u64::from(ends) << 63 | u64::from(list) << 32 | u64::from(number);
         Self(u128::from(range.to_bits()) << 64 | u128::from(place))
     }
 
@@ -38,21 +42,37 @@ impl Crossing {
         1 - 2 * ((self.0 >> 63) as i32 & 1)
     }
 
-    /// Part and place there.
-    fn place(self) -> [usize; 2] {
-        [(self.0 >> 32) as usize & 0x7fff_ffff, self.0 as u32 as usize]
+    /// The line that is crossed.
+    fn place(self) -> Place {
+        [(self.0 >> 32) as u32 & 0x7fff_ffff, self.0 as u32]
+    }
+}
+
+/// The segments of some lists, and how each is seen from the eye.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Lines<'a, F> {
+    pub lists: &'a [&'a Outlines],
+    pub seen: F,
+}
+
+impl<F: Fn(Segment) -> Line> Lines<'_, F> {
+    #[inline(always)]
+    fn at(&self, [list, number]: Place) -> Line {
+        (self.seen)(self.lists[list as usize].segment(number as usize))
     }
 }
 
 /// Where the sweeps of a frame cross lines, in the order in which these were given.
-pub(crate) struct Met(Vec<Part>);
+pub(crate) struct Met<'a, F> {
+    lines: Lines<'a, F>,
+    directions: &'a [[f64; 2]],
+    parts: Vec<Part>,
+}
 
 /// Of some lists: all crossings, sweep by sweep.
 #[derive(Default)]
 struct Part {
     crossings: Vec<Crossing>,
-    /// What each of them is if it parts light from shadow.
-    boundaries: Vec<Boundary>,
     /// Where those of each sweep end.
     ends: Vec<u32>,
 }
@@ -60,7 +80,7 @@ struct Part {
 /// A line, and the number of sweeps to the left of its two ends, which differ.
 #[derive(Debug, Clone, Copy)]
 struct MetLine {
-    line: Line,
+    place: Place,
     left: [u32; 2],
 }
 
@@ -72,48 +92,48 @@ impl MetLine {
     }
 }
 
-impl Met {
-    /// For the sweeps of `directions`, from lists of any number of lines: most of them lie between two sweeps.
-    pub(crate) fn new<T: Sync>(
-        directions: &[[f64; 2]],
-        lists: &[&[T]],
-        line: impl Fn(&T) -> Line + Sync,
-    ) -> Self {
-        let Some(fan) = Fan::new(directions) else { return Self(Vec::new()) };
+impl<'a, F: Fn(Segment) -> Line + Sync> Met<'a, F> {
+    /// For the sweeps of `directions`, from lists of any number of segments: most of them lie between two sweeps.
+    pub(crate) fn new(directions: &'a [[f64; 2]], lines: Lines<'a, F>) -> Self {
+        let Some(fan) = Fan::new(directions) else { return Self { lines, directions, parts: Vec::new() } };
         let vectors = Level::new();
-        let part = |lines: &mut Vec<MetLine>, (number, lists): (usize, &[&[T]])| {
-            lines.clear();
-            dispatch!(vectors, simd => find_met(simd, &fan, lists, &line, lines));
-            Part::new(&fan, number as u32, lines, directions.len())
+        let part = |met: &mut Vec<MetLine>, (number, lists): (usize, &[&Outlines])| {
+            met.clear();
+            for (list, outlines) in (number * PART..).zip(lists) {
+                dispatch!(vectors, simd => find_met(simd, &fan, list as u32, outlines, &lines.seen, met));
+            }
+            Part::new(&fan, &lines, met)
         };
-        Self(lists.par_chunks(PART).enumerate().map_init(|| Vec::with_capacity(ROOM), part).collect())
+        let lists = lines.lists.par_chunks(PART).enumerate();
+        let parts = lists.map_init(|| Vec::with_capacity(ROOM), part).collect();
+        Self { lines, directions, parts }
     }
 
-    /// What a crossing is if it parts light from shadow.
-    pub(crate) fn boundary(&self, crossing: Crossing) -> Boundary {
-        let [part, place] = crossing.place();
-        self.0[part].boundaries[place]
+    /// Number of sweeps.
+    pub(crate) fn sweeps(&self) -> usize {
+        self.directions.len()
+    }
+
+    /// What a crossing of a sweep is if it parts light from shadow.
+    pub(crate) fn boundary(&self, sweep: usize, crossing: Crossing) -> Boundary {
+        Boundary::new(&self.lines.at(crossing.place()), self.directions[sweep], crossing.range())
     }
 }
 
 impl Part {
-    /// Part `number`: finds where the sweeps of the fan, `sweeps` of them, cross `lines`.
-    fn new(fan: &Fan<'_>, number: u32, lines: &[MetLine], sweeps: usize) -> Self {
-        let mut ends = begins(lines, sweeps);
-        let count = lines.iter().map(|met| met.sweeps().len()).sum();
-        let (mut crossings, mut boundaries) =
-            (vec![Crossing::default(); count], vec![Boundary::default(); count]);
-        for met in lines {
-            let MetLine { line, left: [a, b] } = met;
+    /// Finds where the sweeps of the fan cross those of the lines that they meet.
+    fn new(fan: &Fan<'_>, lines: &Lines<'_, impl Fn(Segment) -> Line>, met: &[MetLine]) -> Self {
+        let mut ends = begins(met, fan.sweeps());
+        let mut crossings = vec![Crossing::default(); met.iter().map(|met| met.sweeps().len()).sum()];
+        for met in met {
+            let ([a, b], line) = (met.left, lines.at(met.place));
             for sweep in met.sweeps() {
-                let (place, range) = (ends[sweep], fan.crossing(sweep, line));
                 // Leftwards its shadow lies beyond it.
-                crossings[place as usize] = Crossing::new(range, a < b, [number, place]);
-                boundaries[place as usize] = Boundary::new(line, fan.direction(sweep), range);
+                crossings[ends[sweep] as usize] = Crossing::new(fan.crossing(sweep, &line), a < b, met.place);
                 ends[sweep] += 1;
             }
         }
-        Self { crossings, boundaries, ends }
+        Self { crossings, ends }
     }
 
     /// Crossings of one sweep.
@@ -155,53 +175,61 @@ impl Crossings {
     }
 
     /// Crossings of one sweep by range; at one range beginnings come first.
-    pub(crate) fn of(&mut self, met: &Met, sweep: usize) -> &[Crossing] {
+    pub(crate) fn of<F>(&mut self, met: &Met<'_, F>, sweep: usize) -> &[Crossing] {
         self.crossings.clear();
-        met.0.iter().for_each(|part| self.crossings.extend_from_slice(part.of(sweep)));
+        met.parts.iter().for_each(|part| self.crossings.extend_from_slice(part.of(sweep)));
         // Tiles come by their distance from the eye.
         sort_nearly(&mut self.crossings, &mut self.apart);
         &self.crossings
     }
 }
 
-/// Adds the lines of some lists that sweeps cross to `all`.
+/// Adds the segments of a list that sweeps cross to `met`.
 #[inline(always)]
-fn find_met<V: Simd, T>(
+fn find_met<V: Simd>(
     simd: V,
     fan: &Fan<'_>,
-    lists: &[&[T]],
-    line: impl Fn(&T) -> Line,
-    all: &mut Vec<MetLine>,
+    list: u32,
+    outlines: &Outlines,
+    seen: &impl Fn(Segment) -> Line,
+    met: &mut Vec<MetLine>,
 ) {
-    for list in lists {
-        let (chunks, rest) = list.as_chunks::<TOGETHER>();
-        for chunk in chunks {
-            keep_met(fan, chunk, fan.sift(simd, |n| line(&chunk[n])), &line, all);
+    let (corners, mut ends) = (outlines.corners(), outlines.ends());
+    let count = corners.len().saturating_sub(1);
+    for first in (0..count).step_by(TOGETHER) {
+        // The last one stands in for those that are not there.
+        let line = |n: usize| seen(outlines.segment((first + n).min(count - 1)));
+        let mut sifted = match corners[first..].first_chunk::<{ TOGETHER + 1 }>() {
+            Some(chain) => fan.sift(simd, |n| seen(Segment { from: chain[n], to: chain[n + 1] })),
+            None => fan.sift(simd, line),
+        };
+        sifted.may_cross &= !0 >> (u64::BITS as usize - TOGETHER.min(count - first));
+        while let Some((&end, others)) = ends.split_first()
+            && (end as usize) < first + TOGETHER
+        {
+            sifted.may_cross &= !(1 << (end as usize - first));
+            ends = others;
         }
-        if let Some(last) = rest.len().checked_sub(1) {
-            // The last one stands in for those that are not there.
-            keep_met(fan, rest, fan.sift(simd, |n| line(&rest[n.min(last)])), &line, all);
-        }
+        keep_met(fan, [list, first as u32], sifted, line, met);
     }
 }
 
-/// Keeps those lines of a chunk that sweeps cross.
+/// Keeps those of eight lines, of which the first is at `place`, that sweeps cross.
 #[inline(always)]
-fn keep_met<T>(
+fn keep_met(
     fan: &Fan<'_>,
-    chunk: &[T],
+    [list, first]: Place,
     sifted: Sifted,
-    line: impl Fn(&T) -> Line,
-    all: &mut Vec<MetLine>,
+    line: impl Fn(usize) -> Line,
+    met: &mut Vec<MetLine>,
 ) {
     let Sifted { mut may_cross, known, left } = sifted;
     while may_cross != 0 {
         let n = may_cross.trailing_zeros() as usize;
         may_cross &= may_cross - 1;
-        let Some(part) = chunk.get(n) else { return };
-        let line = line(part);
         let known = (known >> n & 1 == 1).then(|| left.map(|left| left[n] as usize));
-        let left = known.or_else(|| fan.span(&line)).map(|left| left.map(|sweeps| sweeps as u32));
-        all.extend(left.filter(|[a, b]| a != b).map(|left| MetLine { line, left }));
+        let left = known.or_else(|| fan.span(&line(n))).map(|left| left.map(|sweeps| sweeps as u32));
+        let place = [list, first + n as u32];
+        met.extend(left.filter(|[a, b]| a != b).map(|left| MetLine { place, left }));
     }
 }

@@ -127,9 +127,9 @@ impl<'a> Fan<'a> {
         Some([self.sweeps_left_of(clipped(a, b)), self.sweeps_left_of(clipped(b, a))])
     }
 
-    /// Unit vector of a sweep.
-    pub(crate) fn direction(&self, sweep: usize) -> [f64; 2] {
-        self.directions[sweep]
+    /// Number of sweeps.
+    pub(crate) fn sweeps(&self) -> usize {
+        self.directions.len()
     }
 
     /// Ground range at which a sweep crosses a line (m), at least 0.
