@@ -13,7 +13,7 @@ use feature_generator::{FeatureGenerator, FeatureProfile, FeatureProgram, Schedu
 use glam::DVec3;
 use landscape::SweepLight;
 use machine::ControlPlane;
-use polyhedron_generator::{Drawn, FaceLight, LeftOut, PolyhedronGenerator, Sight, ViewPlane};
+use polyhedron_generator::{Drawn, FaceLight, Field, LeftOut, PolyhedronGenerator, Sight, ViewPlane};
 use quantities::sin_cos;
 use rayon::ThreadPoolBuilder;
 use remote_shadow::{Outlines, Resolution, ShadowBank};
@@ -263,7 +263,7 @@ fn before_the_sweeps(c: &mut Criterion) {
         .collect();
     let mut generator = PolyhedronGenerator::default();
     group.bench_function("polyhedron generator", |b| {
-        b.iter(|| generator.run(black_box(&view), &tangents, &light, seen.iter().copied()));
+        pool.install(|| b.iter(|| generator.run(&Field::new(black_box(&view), &tangents), &light, &seen)));
     });
     group.finish();
 }

@@ -68,7 +68,7 @@ impl FeatureGenerator<'_> {
         for (lane, program) in programs.iter().enumerate() {
             let last = self.end_of(program);
             for load in &program.loads {
-                let crater = &features.craters()[load.crater as usize];
+                let crater = &features.crater(load.crater);
                 let ranges = crossings(crater, load);
                 let places = ranges.map(|range| place(range).min(last));
                 if places[0] < places[3] {

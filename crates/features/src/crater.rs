@@ -51,8 +51,7 @@ pub enum CraterError {
 #[derive(Clone, Copy, PartialEq)]
 pub struct Crater {
     centre: [f64; 2],
-    /// Radii of its shape, ascending; 0 for those that it does not have. There may be a million craters: no room for
-    /// [`Shape`] and its name.
+    /// Radii of its shape, ascending; 0 for those that it does not have.
     radii: [f64; 3],
     depth: f64,
     rim: f64,
@@ -98,6 +97,12 @@ impl Crater {
             return Err(CraterError::Centre(centre[0], centre[1]));
         }
         Ok(Self { centre, radii, depth, rim })
+    }
+
+    /// One that was in order once; radii that its shape does not have are 0.
+    #[inline]
+    pub(crate) fn of_radii(centre: [f64; 2], radii: [f64; 3], depth: f64, rim: f64) -> Self {
+        Self { centre, radii, depth, rim }
     }
 
     /// Centre: north, east (m).

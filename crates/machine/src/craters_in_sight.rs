@@ -36,7 +36,7 @@ impl CratersInSight {
         self.left_out.cells *= pixels_a_cell(stage);
         let groups = plan.fan.sweeps.div_ceil(LANES as u32) as usize;
         let reach = |index: &u32| {
-            let crater = &features.craters()[*index as usize];
+            let crater = features.crater(*index);
             let sweeps = plan.sweeps_of(crater.centre(), crater.outer())?;
             Some(sweeps.map(|sweep| sweep as usize / LANES))
         };

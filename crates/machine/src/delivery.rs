@@ -4,7 +4,7 @@ use generator::{FrameError, Stage};
 use glam::DVec3;
 use hardware_model::ShadowParts;
 use landscape::{Attitude, parabolic_drop};
-use polyhedron_generator::{Drawn, FaceLight, LeftOut, PolyhedronGenerator, ViewPlane};
+use polyhedron_generator::{Drawn, FaceLight, Field, LeftOut, PolyhedronGenerator, ViewPlane};
 use rayon::prelude::*;
 use remote_shadow::{Outlines, Tile};
 use scenario::{BodyVisibility, Curvature, ShadowedBodies};
@@ -149,16 +149,8 @@ impl Supply<'_> {
         Outlines::of(&patches.iter().map(|patch| patch.corners).collect::<Vec<_>>())
     }
 
-    fn project(&self, seen: &[(usize, &Body)], under_sun: Option<&UnderSun<'_>>, out: &mut Delivery) {
+    fn project<'b>(&self, seen: &[(usize, &'b Body)], under_sun: Option<&UnderSun<'_>>, out: &mut Delivery) {
         let laws = self.stage.settings.laws;
-        let dark = |&(index, body): &(usize, &Body)| under_sun.is_some_and(|sun| sun.is_dark(index, body));
-        // Each is found by whoever asks first: all at once is quicker.
-        let dark: Vec<bool> = seen.par_iter().map(dark).collect();
-        let drawn = seen.iter().zip(dark).filter_map(|(&(_, body), dark)| {
-            let vanishes = dark && laws.shadowed_bodies == ShadowedBodies::Vanish;
-            let hidden = laws.body_visibility == BodyVisibility::AsReported && self.is_hidden(body.foot);
-            (!vanishes && !hidden).then_some(Drawn { body, dark })
-        });
         let view = ViewPlane {
             eye: self.plan.eye,
             heading: self.plan.heading,
@@ -170,8 +162,17 @@ impl Supply<'_> {
         };
         let tangents: Vec<f64> =
             (0..self.plan.fan.sweeps).map(|sweep| self.plan.fan.tangent(sweep)).collect();
+        let field = Field::new(&view, &tangents);
+        let drawn = |&(index, body): &(usize, &'b Body)| {
+            let dark = under_sun.is_some_and(|sun| sun.is_dark(index, body));
+            let vanishes = dark && laws.shadowed_bodies == ShadowedBodies::Vanish;
+            let hidden = laws.body_visibility == BodyVisibility::AsReported && self.is_hidden(body.foot);
+            (!vanishes && !hidden).then_some(Drawn { body, dark })
+        };
+        let met = seen.par_iter().filter(|(_, body)| field.meets(body));
+        let drawn: Vec<Drawn<'_>> = met.filter_map(drawn).collect();
         let light = FaceLight { sun: DVec3::from_array(self.plan.sun.direction()) };
-        out.bodies = out.polyhedra.run(&view, &tangents, &light, drawn).drawn;
+        out.bodies = out.polyhedra.run(&field, &light, &drawn).drawn;
     }
 
     /// Whether nearer ground hides a foot point: the rule of the report, at the samples of the sweep through it.

@@ -35,8 +35,8 @@ impl Cache {
         ground.update(&STRIPS.to_le_bytes());
         ground.update(&finest.to_le_bytes());
         ground.update(&bank_file::content_hash(landscape.bank()));
-        for crater in landscape.features().craters() {
-            for number in numbers(crater) {
+        for crater in landscape.features().craters().iter() {
+            for number in numbers(&crater) {
                 ground.update(&number.to_le_bytes());
             }
         }

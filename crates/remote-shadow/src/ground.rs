@@ -65,10 +65,10 @@ impl Ground {
         sheet: &'a Sheet,
         square: Node,
         [x, y]: [f64; 2],
-    ) -> impl Iterator<Item = (&'a Crater, [f64; 3])> {
-        let all = self.landscape.features().craters();
+    ) -> impl Iterator<Item = (Crater, [f64; 3])> {
+        let features = self.landscape.features();
         sheet.craters(square).iter().filter_map(move |&index| {
-            let crater = &all[index as usize];
+            let crater = features.crater(index);
             let [dx, dy] = [x - crater.centre()[0], y - crater.centre()[1]];
             let way = dx * dx + dy * dy;
             // Spares most roots: a comfortable margin over their rounding.

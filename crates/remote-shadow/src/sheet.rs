@@ -154,14 +154,14 @@ impl Sheet {
 
     fn sort_in(&mut self, features: &Features, finer: &[Level]) {
         let all = features.craters();
-        let own = || (0u32..).zip(all).filter(|(_, crater)| !self.is_of(crater, finer));
+        let own = || (0u32..).zip(all.iter()).filter(|(_, crater)| !self.is_of(crater, finer));
         if own().next().is_none() {
             return;
         }
         let squares = self.counts[0] * self.counts[1];
         let mut starts = vec![0u32; squares + 1];
         for (_, crater) in own() {
-            self.for_squares(crater, |square| starts[square + 1] += 1);
+            self.for_squares(&crater, |square| starts[square + 1] += 1);
         }
         for square in 0..squares {
             starts[square + 1] += starts[square];
@@ -169,7 +169,7 @@ impl Sheet {
         let mut sorted = vec![0; starts[squares] as usize];
         let mut next = starts.clone();
         for (index, crater) in own() {
-            self.for_squares(crater, |square| {
+            self.for_squares(&crater, |square| {
                 sorted[next[square] as usize] = index;
                 next[square] += 1;
             });
@@ -214,8 +214,8 @@ impl Sheet {
         if finer.iter().any(|fine| covers(fine, corners)) {
             return f64::NEG_INFINITY;
         }
-        let rises = self.craters(node).iter().map(|&index| &features.craters()[index as usize]);
-        let rise: f64 = rises.map(|crater| highest(crater, distances(corners, crater.centre()))).sum();
+        let rises = self.craters(node).iter().map(|&index| features.crater(index));
+        let rise: f64 = rises.map(|crater| highest(&crater, distances(corners, crater.centre()))).sum();
         let terrain = self.terrain_ceiling(level, at);
         let top = terrain + rise;
         top + ROUNDING * (terrain.abs() + rise.abs() + 1.0)
@@ -331,12 +331,12 @@ mod tests {
     fn craters_stand_where_they_are_met() {
         let landscape = two_levels();
         let [fine, coarse] = [0, 1].map(|index| Sheet::new(&landscape, index));
-        let craters = landscape.features().craters();
+        let features = landscape.features();
         let over_the_edge = |&index: &u32| {
-            let (centre, outer) = (craters[index as usize].centre(), craters[index as usize].outer());
+            let (centre, outer) = (features.crater(index).centre(), features.crater(index).outer());
             centre.iter().any(|c| c - outer < 1e-6 || c + outer > 2000.0 - 1e-6)
         };
-        let all = craters.len() as u32;
+        let all = features.craters().len() as u32;
         assert!((0..all).filter(over_the_edge).all(|index| coarse.craters.contains(&index)));
         assert!(coarse.craters.iter().all(over_the_edge) && !coarse.craters.is_empty());
         assert!((0..all).filter(|index| !over_the_edge(index)).all(|index| fine.craters.contains(&index)));
