@@ -6,6 +6,9 @@ use crate::{Crater, Shape};
 pub(crate) const SHARP: f64 = 1.4;
 pub(crate) const BROAD: f64 = 1.8;
 
+/// Outer foot over inner foot by the signs of a [`Short`]; 0 of a bowl.
+const OUTER: [f64; 3] = [SHARP, BROAD, 0.0];
+
 /// Craters in their order.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Craters {
@@ -34,13 +37,9 @@ impl Craters {
     #[inline]
     pub fn get(&self, index: u32) -> Crater {
         let [north, east, foot, depth, rim] = self.short[index as usize];
-        let radii = match [foot, depth].map(f64::is_sign_negative) {
-            [false, false] => [foot, SHARP * foot, 0.0],
-            [true, false] => [-foot, BROAD * -foot, 0.0],
-            [false, true] => [foot, 0.0, 0.0],
-            [true, true] => return self.others[-foot as usize],
-        };
-        Crater::of_radii([north, east], radii, depth.abs(), rim)
+        let code = usize::from(foot.is_sign_negative()) | usize::from(depth.is_sign_negative()) << 1;
+        let Some(broad) = OUTER.get(code) else { return self.others[-foot as usize] };
+        Crater::of_radii([north, east], [foot.abs(), broad * foot.abs(), 0.0], depth.abs(), rim)
     }
 
     /// All craters.

@@ -50,6 +50,8 @@ pub(crate) struct Supply<'a> {
 impl Supply<'_> {
     /// Brings what the frame at `time` (s) needs.
     pub fn deliver(&self, time: f64, out: &mut Delivery) {
+        // Nothing takes as much room as the search for gates.
+        out.polyhedra.forget();
         let (seen, left_out) = self.in_sight(time);
         out.left_out = left_out;
         let under_sun = self.blocks.shadows.as_ref().map(|shadows| self.under_sun(shadows));

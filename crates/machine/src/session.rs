@@ -5,7 +5,7 @@ use std::sync::Arc;
 use display_projection_processor::Processor;
 use generator::{FrameCounts, FrameError, Omission, PlaneKind, Planes, Session, Stage};
 use hardware_model::SweepMemoryKind;
-use rayon::iter::{IndexedParallelIterator, ParallelBridge, ParallelIterator};
+use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 use scenario::Pose;
 use signal::{LANES, Probe, Real, Waveform, Wire};
@@ -257,12 +257,9 @@ impl<S: Real> Elaborated<S> {
                 rows.resize((sweeps - index * LANES).min(LANES) * self.raster.lines, 0.0);
                 let result = self.run_group(group, wanted, index, rows);
                 picture.take(index, cells, &self.cells);
-                (index, result)
+                result
             };
-            // Whoever is free takes the next: neighbours are written at the same time, and few tiles wait.
-            let mut results: Vec<_> = (0..sweeps.div_ceil(LANES)).par_bridge().map(run).collect();
-            results.sort_unstable_by_key(|(index, _)| *index);
-            results.into_iter().map(|(_, result)| result).collect()
+            (0..sweeps.div_ceil(LANES)).into_par_iter().with_max_len(1).map(run).collect()
         })
     }
 

@@ -8,7 +8,7 @@ use rayon::slice::ParallelSliceMut;
 use remote_shadow::{Outlines, Segment};
 use sweep_program::{LoadTiming, NoTiming};
 
-use crate::crossings::{Crossing, Crossings, Lines, Met, ROOM};
+use crate::crossings::{BAND, Crossing, Crossings, Lines, Met, ROOM};
 use crate::fan::Line;
 use crate::line_generators::{
     Boundary, SegmentLoad, SegmentMiss, Service, ServiceWork, serve, serve_in_time,
@@ -17,9 +17,6 @@ use crate::line_generators::{
 /// Two boundaries nearer to each other than this along a sweep are none (m): far less than a display line, far more
 /// than rounding.
 pub const RESOLUTION: f64 = 1e-6;
-
-/// Sweeps that are worked on together.
-const BAND: usize = 64;
 
 /// The blanking gate of one sweep.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -132,8 +129,9 @@ impl ShadowController {
         out.par_chunks_mut(BAND).enumerate().for_each_init(
             || (Crossings::new(), Vec::with_capacity(ROOM), ServiceWork::new()),
             |(crossings, boundaries, work), (band, gates)| {
+                crossings.find(met, band);
                 for (sweep, gate) in (band * BAND..).zip(gates) {
-                    let crossed = crossings.of(met, sweep);
+                    let crossed = crossings.of(sweep);
                     gate.dark_at_start =
                         unite(crossed, reach, |crossing| met.boundary(sweep, *crossing), boundaries);
                     let within = crossed.partition_point(|crossing| crossing.range() <= reach);

@@ -1,6 +1,6 @@
 //! Where the sweeps of a frame cross boundary segments.
 
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 
 use fearless_simd::{Level, Simd, dispatch};
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
@@ -13,6 +13,9 @@ use crate::nearly::sort_nearly;
 
 /// Lists that are looked over together.
 const PART: usize = 256;
+
+/// Sweeps that are worked on together.
+pub(crate) const BAND: usize = 64;
 
 /// Lines, or crossings of a sweep, that there is room for before more memory is asked for.
 pub(crate) const ROOM: usize = 1024;
@@ -62,51 +65,65 @@ impl<F: Fn(Segment) -> Line> Lines<'_, F> {
     }
 }
 
-/// Where the sweeps of a frame cross lines, in the order in which these were given.
+/// The lines that sweeps of a frame meet, in the order in which these were given.
 pub(crate) struct Met<'a, F> {
     lines: Lines<'a, F>,
     directions: &'a [[f64; 2]],
+    fan: Option<Fan<'a>>,
     parts: Vec<Part>,
 }
 
-/// Of some lists: all crossings, sweep by sweep.
+/// Of some lists: the lines that sweeps meet, band by band; one that several bands meet is there several times.
 #[derive(Default)]
 struct Part {
-    crossings: Vec<Crossing>,
-    /// Where those of each sweep end.
+    met: Vec<MetLine>,
+    /// Where those of each band end.
     ends: Vec<u32>,
 }
 
 /// A line, and the number of sweeps to the left of its two ends, which differ.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 struct MetLine {
     place: Place,
     left: [u32; 2],
 }
 
 impl MetLine {
-    /// Sweeps that cross it.
+    /// Sweeps that cross it, which are some.
     fn sweeps(&self) -> Range<usize> {
         let [a, b] = self.left;
         a.min(b) as usize..a.max(b) as usize
+    }
+
+    /// The bands that they are of.
+    fn bands(&self) -> RangeInclusive<usize> {
+        let Range { start, end } = self.sweeps();
+        start / BAND..=(end - 1) / BAND
+    }
+
+    /// Those of them that are of a band.
+    fn sweeps_of(&self, band: usize) -> Range<usize> {
+        let Range { start, end } = self.sweeps();
+        start.max(band * BAND)..end.min((band + 1) * BAND)
     }
 }
 
 impl<'a, F: Fn(Segment) -> Line + Sync> Met<'a, F> {
     /// For the sweeps of `directions`, from lists of any number of segments: most of them lie between two sweeps.
     pub(crate) fn new(directions: &'a [[f64; 2]], lines: Lines<'a, F>) -> Self {
-        let Some(fan) = Fan::new(directions) else { return Self { lines, directions, parts: Vec::new() } };
-        let vectors = Level::new();
+        let (fan, vectors) = (Fan::new(directions), Level::new());
         let part = |met: &mut Vec<MetLine>, (number, lists): (usize, &[&Outlines])| {
             met.clear();
-            for (list, outlines) in (number * PART..).zip(lists) {
-                dispatch!(vectors, simd => find_met(simd, &fan, list as u32, outlines, &lines.seen, met));
+            for fan in &fan {
+                for (list, outlines) in (number * PART..).zip(lists) {
+                    dispatch!(vectors, simd => find_met(simd, fan, list as u32, outlines, &lines.seen, met));
+                }
             }
-            Part::new(&fan, &lines, met)
+            Part::new(met, directions.len().div_ceil(BAND))
         };
         let lists = lines.lists.par_chunks(PART).enumerate();
         let parts = lists.map_init(|| Vec::with_capacity(ROOM), part).collect();
-        Self { lines, directions, parts }
+        Self { lines, directions, fan, parts }
     }
 
     /// Number of sweeps.
@@ -121,67 +138,92 @@ impl<'a, F: Fn(Segment) -> Line + Sync> Met<'a, F> {
 }
 
 impl Part {
-    /// Finds where the sweeps of the fan cross those of the lines that they meet.
-    fn new(fan: &Fan<'_>, lines: &Lines<'_, impl Fn(Segment) -> Line>, met: &[MetLine]) -> Self {
-        let mut ends = begins(met, fan.sweeps());
-        let mut crossings = vec![Crossing::default(); met.iter().map(|met| met.sweeps().len()).sum()];
-        for met in met {
-            let ([a, b], line) = (met.left, lines.at(met.place));
-            for sweep in met.sweeps() {
-                // Leftwards its shadow lies beyond it.
-                crossings[ends[sweep] as usize] = Crossing::new(fan.crossing(sweep, &line), a < b, met.place);
-                ends[sweep] += 1;
+    /// Sorts lines into bands: a counting sort.
+    fn new(met: &[MetLine], bands: usize) -> Self {
+        let mut ends = vec![0u32; bands];
+        met.iter().flat_map(MetLine::bands).for_each(|band| ends[band] += 1);
+        let mut all = 0;
+        for end in &mut ends {
+            // First where they begin.
+            (*end, all) = (all, all + *end);
+        }
+        let mut sorted = vec![MetLine::default(); all as usize];
+        for line in met {
+            for band in line.bands() {
+                sorted[ends[band] as usize] = *line;
+                ends[band] += 1;
             }
         }
-        Self { crossings, ends }
+        Self { met: sorted, ends }
     }
 
-    /// Crossings of one sweep.
-    fn of(&self, sweep: usize) -> &[Crossing] {
-        let begin = if sweep == 0 { 0 } else { self.ends[sweep - 1] };
-        &self.crossings[begin as usize..self.ends[sweep] as usize]
+    /// Those of a band.
+    fn of(&self, band: usize) -> &[MetLine] {
+        let begin = if band == 0 { 0 } else { self.ends[band - 1] };
+        &self.met[begin as usize..self.ends[band] as usize]
     }
 }
 
-/// Where the crossings of each sweep begin.
-fn begins(lines: &[MetLine], sweeps: usize) -> Vec<u32> {
-    // First how many more lines cross a sweep than the one before, modulo 2^32.
-    let mut begins = vec![0u32; sweeps + 1];
-    for Range { start, end } in lines.iter().map(MetLine::sweeps) {
-        begins[start] = begins[start].wrapping_add(1);
-        begins[end] = begins[end].wrapping_sub(1);
-    }
-    begins.truncate(sweeps);
-    let (mut crossing, mut all) = (0u32, 0);
-    for begin in &mut begins {
-        crossing = crossing.wrapping_add(*begin);
-        *begin = all;
-        all += crossing;
-    }
-    begins
-}
-
-/// All crossings of a sweep; used again from sweep to sweep.
+/// All crossings of a band of sweeps; used again from band to band.
 #[derive(Debug)]
 pub(crate) struct Crossings {
     crossings: Vec<Crossing>,
+    /// Where those of each sweep of the band end.
+    ends: [u32; BAND],
     apart: Vec<Crossing>,
 }
 
 impl Crossings {
     /// Room for those of a sweep.
     pub(crate) fn new() -> Self {
-        Self { crossings: Vec::with_capacity(ROOM), apart: Vec::with_capacity(ROOM) }
+        let room = || Vec::with_capacity(ROOM);
+        Self { crossings: room(), ends: [0; BAND], apart: room() }
     }
 
-    /// Crossings of one sweep by range; at one range beginnings come first.
-    pub(crate) fn of<F>(&mut self, met: &Met<'_, F>, sweep: usize) -> &[Crossing] {
-        self.crossings.clear();
-        met.parts.iter().for_each(|part| self.crossings.extend_from_slice(part.of(sweep)));
-        // Tiles come by their distance from the eye.
-        sort_nearly(&mut self.crossings, &mut self.apart);
-        &self.crossings
+    /// Finds those of a band.
+    pub(crate) fn find<F: Fn(Segment) -> Line>(&mut self, met: &Met<'_, F>, band: usize) {
+        let Self { crossings, ends, .. } = self;
+        let of_band = || met.parts.iter().flat_map(|part| part.of(band));
+        *ends = begins(of_band().map(|line| line.sweeps_of(band)), band * BAND);
+        crossings.clear();
+        crossings.resize(of_band().map(|line| line.sweeps_of(band).len()).sum(), Crossing::default());
+        for (fan, line) in met.fan.iter().flat_map(|fan| of_band().map(move |line| (fan, line))) {
+            let ([a, b], seen) = (line.left, met.lines.at(line.place));
+            for sweep in line.sweeps_of(band) {
+                let end = &mut ends[sweep % BAND];
+                // Leftwards its shadow lies beyond it.
+                crossings[*end as usize] = Crossing::new(fan.crossing(sweep, &seen), a < b, line.place);
+                *end += 1;
+            }
+        }
     }
+
+    /// Crossings of one sweep of the band by range; at one range beginnings come first.
+    pub(crate) fn of(&mut self, sweep: usize) -> &[Crossing] {
+        let place = sweep % BAND;
+        let begin = if place == 0 { 0 } else { self.ends[place - 1] };
+        let crossings = &mut self.crossings[begin as usize..self.ends[place] as usize];
+        // Tiles come by their distance from the eye.
+        sort_nearly(crossings, &mut self.apart);
+        crossings
+    }
+}
+
+/// Where the crossings of each sweep of a band begin, of which `first` is the first, if lines cross `all`.
+fn begins(all: impl Iterator<Item = Range<usize>>, first: usize) -> [u32; BAND] {
+    // First how many more lines cross a sweep than the one before, modulo 2^32.
+    let mut more = [0u32; BAND + 1];
+    for Range { start, end } in all {
+        more[start - first] = more[start - first].wrapping_add(1);
+        more[end - first] = more[end - first].wrapping_sub(1);
+    }
+    let (mut crossing, mut before) = (0u32, 0);
+    std::array::from_fn(|sweep| {
+        crossing = crossing.wrapping_add(more[sweep]);
+        let begin = before;
+        before += crossing;
+        begin
+    })
 }
 
 /// Adds the segments of a list that sweeps cross to `met`.

@@ -10,7 +10,7 @@ use crate::turned::Turned;
 use crate::upright::Upright;
 
 /// Columns that are read together: their sweeps stay in the cache.
-pub(crate) const TILE: usize = 64;
+pub(crate) const TILE: usize = 32;
 
 /// Room for rounding where the sweeps of a tile are told by its corners (sweeps).
 const ROUNDING: f64 = 1e-6;
