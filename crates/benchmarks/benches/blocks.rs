@@ -234,7 +234,7 @@ fn before_the_sweeps(c: &mut Criterion) {
     let tiles = bank.around(&sun, eye, reach, Some([directions[0], directions[directions.len() - 1]]));
     let shadows: Vec<&Outlines> = tiles.iter().map(|tile| &tile.outlines).collect();
     let parts = settings.shadow_controller;
-    let controller = ShadowController { parts, map_centre: [0.0; 2], map_side: 1.0 };
+    let controller = ShadowController { parts, map_centre: [0.0; 2], map_side: 1.0, tells_lines: false };
     let mut gates = Vec::new();
     group.bench_function("shadow controller", |b| {
         pool.install(|| {

@@ -8,7 +8,7 @@ use polyhedron_generator::{Drawn, FaceLight, Field, LeftOut, PolyhedronGenerator
 use rayon::prelude::*;
 use remote_shadow::{Outlines, Tile};
 use scenario::{BodyVisibility, Curvature, ShadowedBodies};
-use shadow_controller::{Gate, SEGMENT_WORDS};
+use shadow_controller::{Gate, SEGMENT_WORDS, ShadowController};
 use solids::Body;
 use std::sync::Arc;
 use sweep_generator::RangeTable;
@@ -56,7 +56,9 @@ impl Supply<'_> {
         out.left_out = left_out;
         let under_sun = self.blocks.shadows.as_ref().map(|shadows| self.under_sun(shadows));
         match (&self.blocks.shadows, &under_sun) {
-            (Some(shadows), Some(under_sun)) => self.gates(shadows, under_sun, &seen, time, &mut out.gates),
+            (Some(shadows), Some(under_sun)) => {
+                self.gates(shadows, &shadows.controller, under_sun, &seen, time, &mut out.gates);
+            }
             _ => out.gates.clear(),
         }
         if self.blocks.bodies {
@@ -72,12 +74,13 @@ impl Supply<'_> {
         })
     }
 
-    /// Shadow gates alone, as [`deliver`](Self::deliver) brings them.
+    /// Shadow gates alone, as [`deliver`](Self::deliver) brings them, with all that is to be told of their line generators.
     pub fn shadow_gates(&self, time: f64) -> Vec<Gate> {
         let (seen, _) = self.in_sight(time);
         let mut gates = Vec::new();
         if let Some(shadows) = &self.blocks.shadows {
-            self.gates(shadows, &self.under_sun(shadows), &seen, time, &mut gates);
+            let controller = ShadowController { tells_lines: true, ..shadows.controller.clone() };
+            self.gates(shadows, &controller, &self.under_sun(shadows), &seen, time, &mut gates);
         }
         gates
     }
@@ -99,6 +102,7 @@ impl Supply<'_> {
     fn gates(
         &self,
         shadows: &Shadows,
+        controller: &ShadowController,
         under_sun: &UnderSun<'_>,
         seen: &[(usize, &Body)],
         time: f64,
@@ -131,7 +135,7 @@ impl Supply<'_> {
             let rate = self.stage.settings.segment_words?;
             Some(load_timing(self.stage, self.table, place, SEGMENT_WORDS, rate))
         };
-        shadows.controller.gates_by(foot, &directions, reach, &cast, timing, gates);
+        controller.gates_by(foot, &directions, reach, &cast, timing, gates);
         // Beyond the reach no shadow is drawn.
         if reach < end {
             gates.iter_mut().for_each(|gate| gate.end_at(reach));

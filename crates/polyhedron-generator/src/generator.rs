@@ -135,6 +135,7 @@ impl Pencil {
             self.draw(field, light, &aspect, stamp, &mut spans);
         }
         census.spans = spans.len() as u64;
+        spans.shrink_to_fit();
         (census, spans)
     }
 

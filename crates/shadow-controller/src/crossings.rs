@@ -1,6 +1,6 @@
 //! Where the sweeps of a frame cross boundary segments.
 
-use std::ops::{Range, RangeInclusive};
+use std::ops::Range;
 
 use fearless_simd::{Level, Simd, dispatch};
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
@@ -14,116 +14,136 @@ use crate::nearly::sort_nearly;
 /// Lists that are looked over together.
 const PART: usize = 256;
 
-/// Sweeps that are worked on together.
-pub(crate) const BAND: usize = 64;
-
 /// Lines, or crossings of a sweep, that there is room for before more memory is asked for.
 pub(crate) const ROOM: usize = 1024;
 
 /// A segment: its list and its number there, less than 2^31 lists.
 type Place = [u32; 2];
 
-/// One sweep crosses one line: bits of the range, then whether a shadow ends there, then which line it is. In this form they
-/// are sorted as they are met, beginnings before endings at the same range.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
-pub(crate) struct Crossing(u128);
-
-impl Crossing {
+/// One sweep crosses one line. In this form crossings are sorted as they are met: by range, beginnings of shadow before
+/// endings at the same range.
+pub(crate) trait Crossing: Copy + Ord + Default + Send + Sync {
     /// `range` (m) must not be negative: only then its bits are in its order.
-    fn new(range: f64, ends: bool, [list, number]: Place) -> Self {
-        let place = u64::from(ends) << 63 | u64::from(list) << 32 | u64::from(number);
-        Self(u128::from(range.to_bits()) << 64 | u128::from(place))
-    }
+    fn new(range: f64, ends: bool, place: Place) -> Self;
 
     /// Ground range (m).
-    pub(crate) fn range(self) -> f64 {
-        f64::from_bits((self.0 >> 64) as u64)
-    }
+    fn range(self) -> f64;
+
+    /// Whether a shadow ends there.
+    fn ends(self) -> bool;
+
+    /// The line that is crossed, if it is known.
+    fn place(self) -> Option<Place>;
 
     /// Shadows begun (1) or ended (-1) there.
-    pub(crate) fn step(self) -> i32 {
-        1 - 2 * ((self.0 >> 63) as i32 & 1)
-    }
-
-    /// The line that is crossed.
-    fn place(self) -> Place {
-        [(self.0 >> 32) as u32 & 0x7fff_ffff, self.0 as u32]
+    fn step(self) -> i32 {
+        1 - 2 * i32::from(self.ends())
     }
 }
 
-/// The segments of some lists, and how each is seen from the eye.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Lines<'a, F> {
-    pub lists: &'a [&'a Outlines],
-    pub seen: F,
+/// A crossing of which only that is known: bits of the range without its sign, then whether a shadow ends there.
+pub(crate) type Bare = u64;
+
+impl Crossing for Bare {
+    fn new(range: f64, ends: bool, _: Place) -> Self {
+        range.to_bits() << 1 | u64::from(ends)
+    }
+
+    fn range(self) -> f64 {
+        f64::from_bits(self >> 1)
+    }
+
+    fn ends(self) -> bool {
+        self & 1 == 1
+    }
+
+    fn place(self) -> Option<Place> {
+        None
+    }
 }
 
-impl<F: Fn(Segment) -> Line> Lines<'_, F> {
+/// A crossing of a line that is known: the same, then list and number of the line.
+pub(crate) type Known = u128;
+
+impl Crossing for Known {
+    fn new(range: f64, ends: bool, place: Place) -> Self {
+        let [list, number] = place.map(u128::from);
+        u128::from(Bare::new(range, ends, place)) << 64 | list << 32 | number
+    }
+
+    fn range(self) -> f64 {
+        ((self >> 64) as Bare).range()
+    }
+
+    fn ends(self) -> bool {
+        ((self >> 64) as Bare).ends()
+    }
+
+    fn place(self) -> Option<Place> {
+        Some([(self >> 32) as u32, self as u32])
+    }
+}
+
+/// Where places of the ground are for the sweeps.
+pub(crate) trait Sighting: Sync {
+    /// A place (north, east; m) from the eye.
+    fn seen(&self, place: [f64; 2]) -> [f64; 2];
+
+    /// A segment from the eye.
     #[inline(always)]
-    fn at(&self, [list, number]: Place) -> Line {
-        (self.seen)(self.lists[list as usize].segment(number as usize))
+    fn line(&self, Segment { from, to }: Segment) -> Line {
+        Line { from: self.seen(from), to: self.seen(to) }
     }
 }
 
-/// The lines that sweeps of a frame meet, in the order in which these were given.
-pub(crate) struct Met<'a, F> {
-    lines: Lines<'a, F>,
+/// Where the sweeps of a frame cross segments of some lists, in the order in which these were given.
+pub(crate) struct Met<'a, F, C> {
+    lists: &'a [&'a Outlines],
+    sighting: F,
     directions: &'a [[f64; 2]],
-    fan: Option<Fan<'a>>,
-    parts: Vec<Part>,
+    parts: Vec<Part<C>>,
 }
 
-/// Of some lists: the lines that sweeps meet, band by band; one that several bands meet is there several times.
+/// Of some lists: all crossings, sweep by sweep.
 #[derive(Default)]
-struct Part {
-    met: Vec<MetLine>,
-    /// Where those of each band end.
+struct Part<C> {
+    crossings: Vec<C>,
+    /// Where those of each sweep end.
     ends: Vec<u32>,
 }
 
 /// A line, and the number of sweeps to the left of its two ends, which differ.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy)]
 struct MetLine {
     place: Place,
     left: [u32; 2],
 }
 
 impl MetLine {
-    /// Sweeps that cross it, which are some.
+    /// Sweeps that cross it.
     fn sweeps(&self) -> Range<usize> {
         let [a, b] = self.left;
         a.min(b) as usize..a.max(b) as usize
     }
-
-    /// The bands that they are of.
-    fn bands(&self) -> RangeInclusive<usize> {
-        let Range { start, end } = self.sweeps();
-        start / BAND..=(end - 1) / BAND
-    }
-
-    /// Those of them that are of a band.
-    fn sweeps_of(&self, band: usize) -> Range<usize> {
-        let Range { start, end } = self.sweeps();
-        start.max(band * BAND)..end.min((band + 1) * BAND)
-    }
 }
 
-impl<'a, F: Fn(Segment) -> Line + Sync> Met<'a, F> {
+impl<'a, F: Sighting, C: Crossing> Met<'a, F, C> {
     /// For the sweeps of `directions`, from lists of any number of segments: most of them lie between two sweeps.
-    pub(crate) fn new(directions: &'a [[f64; 2]], lines: Lines<'a, F>) -> Self {
-        let (fan, vectors) = (Fan::new(directions), Level::new());
-        let part = |met: &mut Vec<MetLine>, (number, lists): (usize, &[&Outlines])| {
-            met.clear();
-            for fan in &fan {
-                for (list, outlines) in (number * PART..).zip(lists) {
-                    dispatch!(vectors, simd => find_met(simd, fan, list as u32, outlines, &lines.seen, met));
-                }
+    pub(crate) fn new(directions: &'a [[f64; 2]], lists: &'a [&'a Outlines], sighting: F) -> Self {
+        let mut met = Self { lists, sighting, directions, parts: Vec::new() };
+        let Some(fan) = Fan::new(directions) else { return met };
+        let vectors = Level::new();
+        let part = |lines: &mut Vec<MetLine>, (number, lists): (usize, &[&Outlines])| {
+            lines.clear();
+            for (list, outlines) in (number * PART..).zip(lists) {
+                dispatch!(vectors, simd => find_met(simd, &fan, list as u32, outlines, &met.sighting, lines));
             }
-            Part::new(met, directions.len().div_ceil(BAND))
+            met.part(&fan, lines)
         };
-        let lists = lines.lists.par_chunks(PART).enumerate();
-        let parts = lists.map_init(|| Vec::with_capacity(ROOM), part).collect();
-        Self { lines, directions, fan, parts }
+        let some = lists.par_chunks(PART).enumerate();
+        let parts = some.map_init(|| Vec::with_capacity(ROOM), part).collect();
+        met.parts = parts;
+        met
     }
 
     /// Number of sweeps.
@@ -131,99 +151,80 @@ impl<'a, F: Fn(Segment) -> Line + Sync> Met<'a, F> {
         self.directions.len()
     }
 
-    /// What a crossing of a sweep is if it parts light from shadow.
-    pub(crate) fn boundary(&self, sweep: usize, crossing: Crossing) -> Boundary {
-        Boundary::new(&self.lines.at(crossing.place()), self.directions[sweep], crossing.range())
+    /// What a crossing of a sweep is if it parts light from shadow; `None` if its line is not known.
+    pub(crate) fn boundary(&self, sweep: usize, crossing: C) -> Option<Boundary> {
+        let line = self.line(crossing.place()?);
+        Some(Boundary::new(&line, self.directions[sweep], crossing.range()))
     }
-}
 
-impl Part {
-    /// Sorts lines into bands: a counting sort.
-    fn new(met: &[MetLine], bands: usize) -> Self {
-        let mut ends = vec![0u32; bands];
-        met.iter().flat_map(MetLine::bands).for_each(|band| ends[band] += 1);
-        let mut all = 0;
-        for end in &mut ends {
-            // First where they begin.
-            (*end, all) = (all, all + *end);
-        }
-        let mut sorted = vec![MetLine::default(); all as usize];
-        for line in met {
-            for band in line.bands() {
-                sorted[ends[band] as usize] = *line;
-                ends[band] += 1;
+    #[inline(always)]
+    fn line(&self, [list, number]: Place) -> Line {
+        self.sighting.line(self.lists[list as usize].segment(number as usize))
+    }
+
+    /// Finds where the sweeps of the fan cross some lines.
+    fn part(&self, fan: &Fan<'_>, lines: &[MetLine]) -> Part<C> {
+        let mut ends = begins(lines, self.sweeps());
+        let mut crossings = vec![C::default(); lines.iter().map(|line| line.sweeps().len()).sum()];
+        for met in lines {
+            let ([a, b], line) = (met.left, self.line(met.place));
+            for sweep in met.sweeps() {
+                // Leftwards its shadow lies beyond it.
+                crossings[ends[sweep] as usize] = C::new(fan.crossing(sweep, &line), a < b, met.place);
+                ends[sweep] += 1;
             }
         }
-        Self { met: sorted, ends }
-    }
-
-    /// Those of a band.
-    fn of(&self, band: usize) -> &[MetLine] {
-        let begin = if band == 0 { 0 } else { self.ends[band - 1] };
-        &self.met[begin as usize..self.ends[band] as usize]
+        Part { crossings, ends }
     }
 }
 
-/// All crossings of a band of sweeps; used again from band to band.
+impl<C> Part<C> {
+    /// Crossings of one sweep.
+    fn of(&self, sweep: usize) -> &[C] {
+        let begin = if sweep == 0 { 0 } else { self.ends[sweep - 1] };
+        &self.crossings[begin as usize..self.ends[sweep] as usize]
+    }
+}
+
+/// Where the crossings of each sweep begin.
+fn begins(lines: &[MetLine], sweeps: usize) -> Vec<u32> {
+    // First how many more lines cross a sweep than the one before, modulo 2^32.
+    let mut begins = vec![0u32; sweeps + 1];
+    for Range { start, end } in lines.iter().map(MetLine::sweeps) {
+        begins[start] = begins[start].wrapping_add(1);
+        begins[end] = begins[end].wrapping_sub(1);
+    }
+    begins.truncate(sweeps);
+    let (mut crossing, mut all) = (0u32, 0);
+    for begin in &mut begins {
+        crossing = crossing.wrapping_add(*begin);
+        *begin = all;
+        all += crossing;
+    }
+    begins
+}
+
+/// All crossings of a sweep; used again from sweep to sweep.
 #[derive(Debug)]
-pub(crate) struct Crossings {
-    crossings: Vec<Crossing>,
-    /// Where those of each sweep of the band end.
-    ends: [u32; BAND],
-    apart: Vec<Crossing>,
+pub(crate) struct Crossings<C> {
+    crossings: Vec<C>,
+    apart: Vec<C>,
 }
 
-impl Crossings {
+impl<C: Crossing> Crossings<C> {
     /// Room for those of a sweep.
     pub(crate) fn new() -> Self {
-        let room = || Vec::with_capacity(ROOM);
-        Self { crossings: room(), ends: [0; BAND], apart: room() }
+        Self { crossings: Vec::with_capacity(ROOM), apart: Vec::with_capacity(ROOM) }
     }
 
-    /// Finds those of a band.
-    pub(crate) fn find<F: Fn(Segment) -> Line>(&mut self, met: &Met<'_, F>, band: usize) {
-        let Self { crossings, ends, .. } = self;
-        let of_band = || met.parts.iter().flat_map(|part| part.of(band));
-        *ends = begins(of_band().map(|line| line.sweeps_of(band)), band * BAND);
-        crossings.clear();
-        crossings.resize(of_band().map(|line| line.sweeps_of(band).len()).sum(), Crossing::default());
-        for (fan, line) in met.fan.iter().flat_map(|fan| of_band().map(move |line| (fan, line))) {
-            let ([a, b], seen) = (line.left, met.lines.at(line.place));
-            for sweep in line.sweeps_of(band) {
-                let end = &mut ends[sweep % BAND];
-                // Leftwards its shadow lies beyond it.
-                crossings[*end as usize] = Crossing::new(fan.crossing(sweep, &seen), a < b, line.place);
-                *end += 1;
-            }
-        }
-    }
-
-    /// Crossings of one sweep of the band by range; at one range beginnings come first.
-    pub(crate) fn of(&mut self, sweep: usize) -> &[Crossing] {
-        let place = sweep % BAND;
-        let begin = if place == 0 { 0 } else { self.ends[place - 1] };
-        let crossings = &mut self.crossings[begin as usize..self.ends[place] as usize];
+    /// Crossings of one sweep in their order.
+    pub(crate) fn of<F>(&mut self, met: &Met<'_, F, C>, sweep: usize) -> &[C] {
+        self.crossings.clear();
+        met.parts.iter().for_each(|part| self.crossings.extend_from_slice(part.of(sweep)));
         // Tiles come by their distance from the eye.
-        sort_nearly(crossings, &mut self.apart);
-        crossings
+        sort_nearly(&mut self.crossings, &mut self.apart);
+        &self.crossings
     }
-}
-
-/// Where the crossings of each sweep of a band begin, of which `first` is the first, if lines cross `all`.
-fn begins(all: impl Iterator<Item = Range<usize>>, first: usize) -> [u32; BAND] {
-    // First how many more lines cross a sweep than the one before, modulo 2^32.
-    let mut more = [0u32; BAND + 1];
-    for Range { start, end } in all {
-        more[start - first] = more[start - first].wrapping_add(1);
-        more[end - first] = more[end - first].wrapping_sub(1);
-    }
-    let (mut crossing, mut before) = (0u32, 0);
-    std::array::from_fn(|sweep| {
-        crossing = crossing.wrapping_add(more[sweep]);
-        let begin = before;
-        before += crossing;
-        begin
-    })
 }
 
 /// Adds the segments of a list that sweeps cross to `met`.
@@ -233,16 +234,16 @@ fn find_met<V: Simd>(
     fan: &Fan<'_>,
     list: u32,
     outlines: &Outlines,
-    seen: &impl Fn(Segment) -> Line,
+    sighting: &impl Sighting,
     met: &mut Vec<MetLine>,
 ) {
     let (corners, mut ends) = (outlines.corners(), outlines.ends());
     let count = corners.len().saturating_sub(1);
     for first in (0..count).step_by(TOGETHER) {
         // The last one stands in for those that are not there.
-        let line = |n: usize| seen(outlines.segment((first + n).min(count - 1)));
+        let line = |n: usize| sighting.line(outlines.segment((first + n).min(count - 1)));
         let mut sifted = match corners[first..].first_chunk::<{ TOGETHER + 1 }>() {
-            Some(chain) => fan.sift(simd, |n| seen(Segment { from: chain[n], to: chain[n + 1] })),
+            Some(chain) => fan.sift(simd, |n| sighting.line(Segment { from: chain[n], to: chain[n + 1] })),
             None => fan.sift(simd, line),
         };
         sifted.may_cross &= !0 >> (u64::BITS as usize - TOGETHER.min(count - first));

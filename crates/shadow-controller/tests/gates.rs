@@ -10,7 +10,7 @@ use sweep_program::{LoadLine, LoadTiming, MissCause};
 const IDEAL: ShadowParts = ShadowParts::Digital { line_generators: None };
 
 fn controller(parts: ShadowParts) -> ShadowController {
-    ShadowController { parts, map_centre: [100.0, 50.0], map_side: 400.0 }
+    ShadowController { parts, map_centre: [100.0, 50.0], map_side: 400.0, tells_lines: true }
 }
 
 fn direction(azimuth: f64) -> [f64; 2] {

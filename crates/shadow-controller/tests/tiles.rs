@@ -38,7 +38,7 @@ fn the_gate_is_dark_where_the_ground_is() {
     let lists: Vec<&Outlines> = tiles.iter().map(|tile| &tile.outlines).collect();
     let parts = ShadowParts::Digital { line_generators: None };
     let mut gates = Vec::new();
-    ShadowController { parts, map_centre: [0.0; 2], map_side: 1.0 }.gates(
+    ShadowController { parts, map_centre: [0.0; 2], map_side: 1.0, tells_lines: true }.gates(
         eye,
         &directions,
         reach,

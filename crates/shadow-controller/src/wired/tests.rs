@@ -25,7 +25,12 @@ fn gate(middle: [f64; 2], turn: f64, azimuth: f64) -> Gate {
     let corners = [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]].map(corner);
     // Shadow to the right of each segment.
     let square = Outlines::closed(&corners);
-    let controller = ShadowController { parts: ShadowParts::default(), map_centre: [0.0; 2], map_side: 1e4 };
+    let controller = ShadowController {
+        parts: ShadowParts::default(),
+        map_centre: [0.0; 2],
+        map_side: 1e4,
+        tells_lines: true,
+    };
     let mut out = Vec::new();
     let direction = [libm::cos(azimuth), libm::sin(azimuth)];
     controller.gates([0.0; 2], &[direction], 4000.0, &[&square], &mut out);
