@@ -6,8 +6,11 @@ use crate::{Crater, Shape};
 pub(crate) const SHARP: f64 = 1.4;
 pub(crate) const BROAD: f64 = 1.8;
 
-/// Outer foot over inner foot by the signs of a [`Short`]; 0 of a bowl.
+/// Outer foot over inner foot by the signs of a [`Short`]; a bowl has none.
 const OUTER: [f64; 3] = [SHARP, BROAD, 0.0];
+
+/// The same of the circle around it all.
+const REACH: [f64; 3] = [SHARP, BROAD, 1.0];
 
 /// Craters in their order.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -37,9 +40,19 @@ impl Craters {
     #[inline]
     pub fn get(&self, index: u32) -> Crater {
         let [north, east, foot, depth, rim] = self.short[index as usize];
-        let code = usize::from(foot.is_sign_negative()) | usize::from(depth.is_sign_negative()) << 1;
-        let Some(broad) = OUTER.get(code) else { return self.others[-foot as usize] };
+        let Some(broad) = OUTER.get(code(foot, depth)) else { return self.others[-foot as usize] };
         Crater::of_radii([north, east], [foot.abs(), broad * foot.abs(), 0.0], depth.abs(), rim)
+    }
+
+    /// Centre (north, east; m) and outer radius (m) of crater number `index`: all that most searches ask for.
+    #[inline]
+    pub fn circle(&self, index: u32) -> ([f64; 2], f64) {
+        let [north, east, foot, depth, _] = self.short[index as usize];
+        let outer = match REACH.get(code(foot, depth)) {
+            Some(broad) => broad * foot.abs(),
+            None => self.others[-foot as usize].outer(),
+        };
+        ([north, east], outer)
     }
 
     /// All craters.
@@ -62,6 +75,12 @@ impl Craters {
             self.others.push(crater);
         }
     }
+}
+
+/// Place of a form in [`OUTER`] and [`REACH`], beyond them that of a crater among the others.
+#[inline]
+fn code(foot: f64, depth: f64) -> usize {
+    usize::from(foot.is_sign_negative()) | usize::from(depth.is_sign_negative()) << 1
 }
 
 impl Extend<Crater> for Craters {
@@ -109,7 +128,10 @@ mod tests {
         #[test]
         fn craters_come_out_as_they_went_in(all in proptest::collection::vec(crater(), 0..60)) {
             let craters: Craters = all.iter().copied().collect();
-            prop_assert_eq!(craters.iter().collect::<Vec<_>>(), all);
+            prop_assert_eq!(craters.iter().collect::<Vec<_>>(), &*all);
+            for (index, crater) in (0..).zip(&all) {
+                prop_assert_eq!(craters.circle(index), (crater.centre(), crater.outer()));
+            }
         }
     }
 }

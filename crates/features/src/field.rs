@@ -97,14 +97,15 @@ impl Features {
         [from, to]: [f64; 2],
         found: &mut Vec<u32>,
     ) {
-        let meets = |crater: &Crater| {
-            let [dx, dy] = [0, 1].map(|axis| crater.centre()[axis] - origin[axis]);
+        let meets = |&index: &u32| {
+            let (centre, outer) = self.craters.circle(index);
+            let [dx, dy] = [0, 1].map(|axis| centre[axis] - origin[axis]);
             let nearest = (dx * direction[0] + dy * direction[1]).max(from).min(to);
             let [dx, dy] = [dx - nearest * direction[0], dy - nearest * direction[1]];
-            dx * dx + dy * dy < crater.outer() * crater.outer()
+            dx * dx + dy * dy < outer * outer
         };
         found.clear();
-        found.extend(near.filter(|&index| meets(&self.crater(index))));
+        found.extend(near.filter(meets));
     }
 
     /// What the features add at (x, y) (m): heights and slopes summed in ascending order of index.

@@ -221,10 +221,10 @@ impl<'a> Upstream<'a> {
     fn met(&self, craters: &[u32]) -> SmallVec<[Met; 8]> {
         let features = self.lit.ground.landscape.features();
         let meets = |&k: &u32| {
-            let crater = features.crater(k);
-            let [p, q] = self.lit.axes.to_sun_axes(crater.centre());
+            let (centre, outer) = features.craters().circle(k);
+            let [p, q] = self.lit.axes.to_sun_axes(centre);
             let across = self.p - p;
-            (across.abs() < crater.outer()).then_some(Met { crater, across, q })
+            (across.abs() < outer).then(|| Met { crater: features.crater(k), across, q })
         };
         craters.iter().filter_map(meets).collect()
     }

@@ -68,15 +68,15 @@ impl Ground {
     ) -> impl Iterator<Item = (Crater, [f64; 3])> {
         let features = self.landscape.features();
         sheet.craters(square).iter().filter_map(move |&index| {
-            let crater = features.crater(index);
-            let [dx, dy] = [x - crater.centre()[0], y - crater.centre()[1]];
+            let (centre, outer) = features.craters().circle(index);
+            let [dx, dy] = [x - centre[0], y - centre[1]];
             let way = dx * dx + dy * dy;
             // Spares most roots: a comfortable margin over their rounding.
-            if way > 1.000_001 * crater.outer() * crater.outer() {
+            if way > 1.000_001 * outer * outer {
                 return None;
             }
             let rho = way.sqrt();
-            (rho < crater.outer()).then_some((crater, [rho, dx, dy]))
+            (rho < outer).then(|| (features.crater(index), [rho, dx, dy]))
         })
     }
 }

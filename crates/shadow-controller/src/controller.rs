@@ -183,7 +183,9 @@ impl ShadowController {
         timing: Option<LoadTiming<impl Fn(f64) -> SweepTime, impl Fn(SweepTime) -> f64>>,
         gate: &mut Gate,
     ) {
-        let ShadowParts::Digital { line_generators } = self.parts else { return };
+        let ShadowParts::Digital { line_generators } = self.parts else {
+            return gate.change_at(iter::empty());
+        };
         let mut load_ticks = 0;
         let service = match timing {
             None => serve(boundaries, line_generators, work),
