@@ -58,8 +58,8 @@ impl<'a> Picture<'a> {
     }
 
     fn read(&self, first: usize, groups: &[Option<Cells>], tile: &mut Tile<'_>) {
-        let sweeps = groups.iter().flatten().flat_map(|cells| cells.chunks_exact(self.reading.cells));
-        let sweeps: Vec<&[f32]> = sweeps.collect();
+        let mut sweeps: Vec<&[f32]> = Vec::with_capacity(groups.len() * LANES);
+        sweeps.extend(groups.iter().flatten().flat_map(|cells| cells.chunks_exact(self.reading.cells)));
         self.reading.read(Sweeps { first: first * LANES, cells: &sweeps }, tile);
     }
 }
