@@ -122,7 +122,7 @@ fn the_reported_light_of_features_knows_no_terrain() {
     let corners = [crate::set::REGIONS + 1; 2];
     let tilted = lunoid_tests::level_of(crate::set::REGION, [0.0; 2], corners, tilt);
     let mut on_slope = Set::over(tilted).under(sun(180.0, ELEVATION));
-    let craters = set.stage.landscape.features().craters().to_vec();
+    let craters: Vec<_> = set.stage.landscape.features().craters().iter().collect();
     on_slope = on_slope.with_craters(craters);
     on_slope.stage.settings.laws.feature_light = FeatureLight::AsReported;
     on_slope.pose.eye[2] += 3.0;

@@ -13,14 +13,14 @@ use feature_generator::{FeatureGenerator, FeatureProfile, FeatureProgram, Schedu
 use glam::DVec3;
 use landscape::SweepLight;
 use machine::ControlPlane;
-use polyhedron_generator::{Drawn, FaceLight, LeftOut, PolyhedronGenerator, Sight, ViewPlane};
+use polyhedron_generator::{Drawn, FaceLight, Field, LeftOut, PolyhedronGenerator, Sight, ViewPlane};
 use quantities::sin_cos;
 use rayon::ThreadPoolBuilder;
-use remote_shadow::{Resolution, Segment, ShadowBank};
+use remote_shadow::{Outlines, Resolution, ShadowBank};
 use shadow_controller::ShadowController;
 use signal::{LANES, Real};
 use sweep_generator::RangeTable;
-use sweep_memory::{Beam, Steps, View, digital_memory, scan_converter, write_group};
+use sweep_memory::{Beam, Memory, Steps, View, write_group};
 use sweep_program::{Fan, SweepProgram};
 use terrain_generator::{Profile, TerrainGenerator};
 use texture_generator::TextureGenerator;
@@ -204,14 +204,14 @@ fn read_out(c: &mut Criterion) {
     let mut group = c.benchmark_group("sweep memory, read beam");
     group.throughput(Throughput::Elements(picture.len() as u64));
     group.bench_function("digital memory", |b| {
-        b.iter(|| digital_memory(black_box(&store), lines, STANDARD[0] as usize, &mut picture));
+        b.iter(|| Memory::Digital.read(black_box(&store), lines, STANDARD[0] as usize, &view, &mut picture));
     });
     group.bench_function("scan converter", |b| {
-        b.iter(|| scan_converter(black_box(&store), lines, columns, &view, &mut picture));
+        b.iter(|| Memory::ScanConverter.read(black_box(&store), lines, columns, &view, &mut picture));
     });
     view.yoke = 0.1;
     group.bench_function("scan converter, yoke turned", |b| {
-        b.iter(|| scan_converter(black_box(&store), lines, columns, &view, &mut picture));
+        b.iter(|| Memory::ScanConverter.read(black_box(&store), lines, columns, &view, &mut picture));
     });
     group.finish();
 }
@@ -232,13 +232,13 @@ fn before_the_sweeps(c: &mut Criterion) {
     let resolution = Resolution { finest: fineness.finest, angle: fineness.angle };
     let (bank, reach) = (ShadowBank::new(Arc::clone(&stage.landscape), resolution), settings.range.end);
     let tiles = bank.around(&sun, eye, reach, Some([directions[0], directions[directions.len() - 1]]));
-    let segments: Vec<&[Segment]> = tiles.iter().map(|tile| tile.segments.as_slice()).collect();
+    let shadows: Vec<&Outlines> = tiles.iter().map(|tile| &tile.outlines).collect();
     let parts = settings.shadow_controller;
-    let controller = ShadowController { parts, map_centre: [0.0; 2], map_side: 1.0 };
+    let controller = ShadowController { parts, map_centre: [0.0; 2], map_side: 1.0, tells_lines: false };
     let mut gates = Vec::new();
     group.bench_function("shadow controller", |b| {
         pool.install(|| {
-            b.iter(|| controller.gates(eye, &directions, reach, black_box(&segments), &mut gates))
+            b.iter(|| controller.gates(eye, &directions, reach, black_box(&shadows), &mut gates))
         });
     });
 
@@ -263,7 +263,7 @@ fn before_the_sweeps(c: &mut Criterion) {
         .collect();
     let mut generator = PolyhedronGenerator::default();
     group.bench_function("polyhedron generator", |b| {
-        b.iter(|| generator.run(black_box(&view), &tangents, &light, seen.iter().copied()));
+        pool.install(|| b.iter(|| generator.run(&Field::new(black_box(&view), &tangents), &light, &seen)));
     });
     group.finish();
 }

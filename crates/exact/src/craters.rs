@@ -26,11 +26,12 @@ pub struct Part {
 impl Craters {
     /// Lists and bounds for `features`.
     pub fn new(features: &Features) -> Self {
-        let buckets = Buckets::new(&features.craters().iter().map(footprint).collect::<Vec<_>>());
+        let buckets =
+            Buckets::new(&features.craters().iter().map(|crater| footprint(&crater)).collect::<Vec<_>>());
         let [rows, columns] = buckets.counts();
         let highest = |index: usize| {
             let cell = buckets.cell_box([index / columns, index % columns]);
-            let crater = |&crater: &u32| highest(&features.craters()[crater as usize], &cell);
+            let crater = |&crater: &u32| highest(&features.crater(crater), &cell);
             buckets.in_cell(index).iter().map(crater).sum()
         };
         let rises = (0..rows * columns).map(highest).collect();
@@ -57,7 +58,7 @@ impl Craters {
     pub fn at(&self, features: &Features, place: [f64; 2]) -> Rise {
         let mut rise = Rise::default();
         for &index in self.buckets.at(place) {
-            add(&mut rise, &features.craters()[index as usize], place);
+            add(&mut rise, &features.crater(index), place);
         }
         rise
     }

@@ -185,9 +185,9 @@ impl<'a> Ground<'a> {
         cell: usize,
         scratch: &mut Scratch,
     ) -> Option<f64> {
-        let craters = self.landscape.features().craters();
+        let features = self.landscape.features();
         let listed = self.ceilings.craters().in_cell(cell);
-        let passages = || listed.iter().filter_map(|&index| Passage::new(&craters[index as usize], line));
+        let passages = || listed.iter().filter_map(|&index| Passage::new(features.crater(index), line));
         let Scratch { cuts, added } = scratch;
         cuts.clear();
         passages().for_each(|passage| passage.crossings([from, to], cuts));

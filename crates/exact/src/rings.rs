@@ -8,8 +8,8 @@ use crate::profile::Distance;
 
 /// A crater as a line passes it.
 #[derive(Debug, Clone, Copy)]
-pub struct Passage<'a> {
-    crater: &'a Crater,
+pub struct Passage {
+    crater: Crater,
     nearest: f64,
     miss: f64,
 }
@@ -49,9 +49,9 @@ impl Added {
     }
 }
 
-impl<'a> Passage<'a> {
+impl Passage {
     /// `None` if the line passes outside.
-    pub fn new(crater: &'a Crater, line: &Line) -> Option<Self> {
+    pub fn new(crater: Crater, line: &Line) -> Option<Self> {
         let to_centre: [f64; 2] = std::array::from_fn(|axis| crater.centre()[axis] - line.origin[axis]);
         let [north, east] = line.direction;
         let nearest = to_centre[0] * north + to_centre[1] * east;
@@ -149,7 +149,7 @@ mod tests {
             };
             let ends = [2.0, 80.0];
             let mut cuts = vec![ends[0], ends[1]];
-            let passage = Passage::new(&crater, &line);
+            let passage = Passage::new(crater, &line);
             passage.iter().for_each(|passage| passage.crossings(ends, &mut cuts));
             cuts.sort_by(f64::total_cmp);
             for piece in cuts.windows(2) {

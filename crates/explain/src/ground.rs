@@ -150,9 +150,8 @@ fn place_of(level: &Level, corner: u32) -> [i64; 2] {
 fn craters_at(landscape: &Landscape, [x, y]: [f64; 2]) -> Vec<u32> {
     let mut found = Vec::new();
     landscape.features().in_box([x, y], [x, y], &mut found);
-    let craters = landscape.features().craters();
     found.retain(|&index| {
-        let crater = &craters[index as usize];
+        let crater = landscape.features().crater(index);
         let [dx, dy] = [x - crater.centre()[0], y - crater.centre()[1]];
         dx * dx + dy * dy < crater.outer() * crater.outer()
     });

@@ -26,7 +26,7 @@ impl Bank {
         self.at_work.clear();
         self.steps.clear();
         for (number, load) in (0..).zip(&program.loads) {
-            let crater = &features.craters()[load.crater as usize];
+            let crater = &features.crater(load.crater);
             self.sub_generators.push(SubGenerator::new(crater, load));
             collect(crater, load, number, &mut self.steps);
         }

@@ -125,7 +125,7 @@ impl Schedule<'_> {
         let line = Line { eye, direction, from, to };
         self.find(&line, program);
         let load = |&crater: &u32| {
-            let (middle, side) = line.foot(&self.features.craters()[crater as usize]);
+            let (middle, side) = line.foot(&self.features.crater(crater));
             FeatureLoad { crater, sub_generator: 0, middle, side, from: f64::NEG_INFINITY }
         };
         program.loads.extend(program.found.iter().map(load));
@@ -144,7 +144,7 @@ impl Schedule<'_> {
     }
 
     fn request(&self, index: u32, line: &Line) -> Request {
-        let crater = &self.features.craters()[index as usize];
+        let crater = &self.features.crater(index);
         let (middle, side) = line.foot(crater);
         let half = half_chord(crater, side);
         let (entry, exit) = ((middle - half).max(line.from), (middle + half).min(line.to));

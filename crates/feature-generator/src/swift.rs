@@ -65,7 +65,7 @@ fn lay_passings<L: Simd, S: Real>(
     ground: &mut Ground<'_, '_, S, impl Fn(f64) -> f64>,
 ) {
     for passing in passings {
-        ground.lay(simd, &features.craters()[passing.crater as usize], &passing);
+        ground.lay(simd, &features.crater(passing.crater), &passing);
     }
 }
 

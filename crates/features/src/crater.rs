@@ -1,5 +1,7 @@
 //! The three crater types in closed form (section 9).
 
+use std::fmt;
+
 /// Radii of a crater, from the centre outwards (m).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Shape {
@@ -46,12 +48,25 @@ pub enum CraterError {
 }
 
 /// A crater that is in order: radii ascending, depth and rim at least 0, all finite.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Crater {
     centre: [f64; 2],
-    shape: Shape,
+    /// Radii of its shape, ascending; 0 for those that it does not have.
+    radii: [f64; 3],
     depth: f64,
     rim: f64,
+}
+
+impl fmt::Debug for Crater {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { centre, depth, rim, .. } = self;
+        let mut told = f.debug_struct("Crater");
+        told.field("centre", centre)
+            .field("shape", &self.shape())
+            .field("depth", depth)
+            .field("rim", rim)
+            .finish()
+    }
 }
 
 impl Crater {
@@ -61,11 +76,12 @@ impl Crater {
     /// # Errors
     /// If radii do not ascend, or a height or the centre is out of range.
     pub fn new(centre: [f64; 2], shape: Shape, depth: f64, rim: f64) -> Result<Self, CraterError> {
-        let [r1, r2, r3] = match shape {
-            Shape::Bowl { r1 } => [r1, 2.0 * r1, 3.0 * r1],
-            Shape::RimmedBowl { r1, r2 } => [r1, r2, 2.0 * r2],
-            Shape::FlatFloor { r1, r2, r3 } => [r1, r2, r3],
+        let (radii, reach) = match shape {
+            Shape::Bowl { r1 } => ([r1, 0.0, 0.0], [r1, 2.0 * r1, 3.0 * r1]),
+            Shape::RimmedBowl { r1, r2 } => ([r1, r2, 0.0], [r1, r2, 2.0 * r2]),
+            Shape::FlatFloor { r1, r2, r3 } => ([r1, r2, r3], [r1, r2, r3]),
         };
+        let [r1, r2, r3] = reach;
         let ascend = r1 > 0.0 && r2 > r1 && r3 > r2 && r3 < 1e9;
         if !ascend {
             return Err(CraterError::Radii(r1, r2, r3));
@@ -80,7 +96,13 @@ impl Crater {
         if !centre.iter().all(|place| place.abs() <= 1e9) {
             return Err(CraterError::Centre(centre[0], centre[1]));
         }
-        Ok(Self { centre, shape, depth, rim })
+        Ok(Self { centre, radii, depth, rim })
+    }
+
+    /// One that was in order once; radii that its shape does not have are 0.
+    #[inline]
+    pub(crate) fn of_radii(centre: [f64; 2], radii: [f64; 3], depth: f64, rim: f64) -> Self {
+        Self { centre, radii, depth, rim }
     }
 
     /// Centre: north, east (m).
@@ -90,12 +112,19 @@ impl Crater {
 
     /// Radii.
     pub fn shape(&self) -> Shape {
-        self.shape
+        let [r1, r2, r3] = self.radii;
+        if r3 > 0.0 {
+            Shape::FlatFloor { r1, r2, r3 }
+        } else if r2 > 0.0 {
+            Shape::RimmedBowl { r1, r2 }
+        } else {
+            Shape::Bowl { r1 }
+        }
     }
 
     /// Its type in the report: 1, 2 or 3.
     pub fn type_number(&self) -> u32 {
-        match self.shape {
+        match self.shape() {
             Shape::Bowl { .. } => 1,
             Shape::RimmedBowl { .. } => 2,
             Shape::FlatFloor { .. } => 3,
@@ -114,16 +143,13 @@ impl Crater {
 
     /// Radius outside which there is nothing of it (m).
     pub fn outer(&self) -> f64 {
-        match self.shape {
-            Shape::Bowl { r1 } => r1,
-            Shape::RimmedBowl { r2, .. } => r2,
-            Shape::FlatFloor { r3, .. } => r3,
-        }
+        let [r1, r2, r3] = self.radii;
+        r1.max(r2).max(r3)
     }
 
     /// Radius of the flat floor (m): 0 for types 1 and 2.
     pub fn floor(&self) -> f64 {
-        match self.shape {
+        match self.shape() {
             Shape::FlatFloor { r1, .. } => r1,
             Shape::Bowl { .. } | Shape::RimmedBowl { .. } => 0.0,
         }
@@ -132,7 +158,7 @@ impl Crater {
     /// Radius at which bowl or wall comes up to the ground around, the inner foot of the rim (m): r1 of types 1 and
     /// 2, r2 of type 3.
     pub fn foot(&self) -> f64 {
-        match self.shape {
+        match self.shape() {
             Shape::Bowl { r1 } | Shape::RimmedBowl { r1, .. } => r1,
             Shape::FlatFloor { r2, .. } => r2,
         }
@@ -170,7 +196,7 @@ impl Crater {
     /// Height (m) and its derivative outwards at a distance `rho` (m) from the centre. The lower bound of each
     /// interval belongs to it.
     pub fn profile(&self, rho: f64) -> [f64; 2] {
-        match self.shape {
+        match self.shape() {
             Shape::Bowl { r1 } => self.bowl(rho, r1),
             Shape::RimmedBowl { r1, r2 } if rho >= r1 => self.ring(rho, r1, r2),
             Shape::RimmedBowl { r1, .. } => self.bowl(rho, r1),

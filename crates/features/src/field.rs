@@ -1,6 +1,7 @@
 //! All craters of a problem area.
 
 use crate::Crater;
+use crate::Craters;
 use crate::fan::Fan;
 use crate::index::Index;
 use crate::tier::Tier;
@@ -19,18 +20,23 @@ pub struct Rise {
 /// All craters of a problem area, and where they are.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Features {
-    craters: Vec<Crater>,
+    craters: Craters,
     index: Index,
 }
 
 impl Features {
     /// An index over `craters`; their order is kept and names them.
     pub fn new(craters: Vec<Crater>) -> Self {
+        Self::of(craters.into_iter().collect())
+    }
+
+    /// The same.
+    pub fn of(craters: Craters) -> Self {
         Self { index: Index::new(&craters), craters }
     }
 
     /// All craters.
-    pub fn craters(&self) -> &[Crater] {
+    pub fn craters(&self) -> &Craters {
         &self.craters
     }
 
@@ -47,7 +53,7 @@ impl Features {
             let (centre, outer) = (crater.centre(), crater.outer());
             (0..2).all(|axis| centre[axis] + outer >= low[axis] && centre[axis] - outer <= high[axis])
         };
-        found.extend(self.index.near_box(low, high).filter(|&index| meets(self.crater(index))));
+        found.extend(self.index.near_box(low, high).filter(|&index| meets(&self.crater(index))));
         found.sort_unstable();
     }
 
@@ -91,14 +97,15 @@ impl Features {
         [from, to]: [f64; 2],
         found: &mut Vec<u32>,
     ) {
-        let meets = |crater: &Crater| {
-            let [dx, dy] = [0, 1].map(|axis| crater.centre()[axis] - origin[axis]);
+        let meets = |&index: &u32| {
+            let (centre, outer) = self.craters.circle(index);
+            let [dx, dy] = [0, 1].map(|axis| centre[axis] - origin[axis]);
             let nearest = (dx * direction[0] + dy * direction[1]).max(from).min(to);
             let [dx, dy] = [dx - nearest * direction[0], dy - nearest * direction[1]];
-            dx * dx + dy * dy < crater.outer() * crater.outer()
+            dx * dx + dy * dy < outer * outer
         };
         found.clear();
-        found.extend(near.filter(|&index| meets(self.crater(index))));
+        found.extend(near.filter(meets));
     }
 
     /// What the features add at (x, y) (m): heights and slopes summed in ascending order of index.
@@ -113,7 +120,7 @@ impl Features {
                 around.push(index);
             }
         }
-        around.ascending().iter().for_each(|&index| add(self.crater(index), [x, y], &mut rise));
+        around.ascending().iter().for_each(|&index| add(&self.crater(index), [x, y], &mut rise));
         rise
     }
 
@@ -121,8 +128,10 @@ impl Features {
         self.index.tiers()
     }
 
-    fn crater(&self, index: u32) -> &Crater {
-        &self.craters[index as usize]
+    /// Crater number `index`.
+    #[inline]
+    pub fn crater(&self, index: u32) -> Crater {
+        self.craters.get(index)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Where the craters are: tiers of grids by powers of two of their size.
 
-use crate::Crater;
+use crate::Craters;
 use crate::fan::Fan;
 use crate::tier::Tier;
 
@@ -12,7 +12,7 @@ pub(crate) struct Index {
 
 impl Index {
     /// The index of `craters`, in O(n log n).
-    pub fn new(craters: &[Crater]) -> Self {
+    pub fn new(craters: &Craters) -> Self {
         let mut by_size: Vec<(i32, u32)> =
             craters.iter().zip(0..).map(|(crater, index)| (size_class(crater.outer()), index)).collect();
         by_size.sort_unstable();

@@ -3,12 +3,14 @@
 //! Heights are added to the terrain; slopes are added as vectors. Axes: x north, y east, h up, metres.
 //!
 //! - [`Crater`]: the three types of the report, checked once.
+//! - [`Craters`]: any number of them, in as few numbers as they take.
 //! - [`Features`]: all craters of a problem area; queries look only at what is near.
 //! - [`Outlook`]: which of them are large enough to be told from where they are seen.
 //! - [`list`]: craters from a CSV file.
 //! - [`population`]: craters from a seed and a size-frequency law.
 
 mod crater;
+mod craters;
 mod fan;
 mod field;
 mod index;
@@ -19,5 +21,6 @@ mod spot;
 mod tier;
 
 pub use crater::{Crater, CraterError, Shape};
+pub use craters::Craters;
 pub use field::{Features, Rise};
 pub use outlook::{LeftOut, Outlook};

@@ -1,6 +1,7 @@
 //! Which craters can be told from where the eye is (economy; performance-insights, section 6).
 
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+use rayon::slice::ParallelSliceMut;
 
 use crate::fan::Fan;
 use crate::tier::Tier;
@@ -62,7 +63,7 @@ impl Features {
             left_out.craters += without.craters;
             left_out.cells += without.cells;
         }
-        found.sort_unstable();
+        found.par_sort_unstable();
         left_out
     }
 
@@ -82,10 +83,10 @@ impl Features {
         let told = tier.told_to(outlook).min(to);
         for index in tier.near_fan(Fan::new(origin, edges, told)) {
             near += 1;
-            let crater = &self.craters()[index as usize];
+            let crater = self.crater(index);
             let [north, east] = [0, 1].map(|axis| crater.centre()[axis] - origin[axis]);
             let range = (north * north + east * east).sqrt();
-            if outlook.tells(crater, range) {
+            if outlook.tells(&crater, range) {
                 found.push(index);
             } else {
                 leave_out(1, crater.outer(), range);
@@ -143,17 +144,17 @@ mod tests {
             features.between(origin, edges, to, &mut all);
             let left_out = features.in_sight(origin, edges, to, &EYE, &mut found);
             let range = |index: &u32| {
-                let [x, y] = features.craters()[*index as usize].centre();
+                let [x, y] = features.crater(*index).centre();
                 ((x - origin[0]) * (x - origin[0]) + (y - origin[1]) * (y - origin[1])).sqrt()
             };
             let (told, untold): (Vec<u32>, Vec<u32>) =
-                all.into_iter().partition(|index| EYE.tells(&features.craters()[*index as usize], range(index)));
+                all.into_iter().partition(|index| EYE.tells(&features.crater(*index), range(index)));
             // `between` may name a few more beyond the ends of the rays, as may the other.
             prop_assert!(told.iter().filter(|&index| range(index) <= to).all(|index| found.contains(index)));
             prop_assert_eq!(found.iter().filter(|index| !told.contains(index)).count(), 0);
             prop_assert!(left_out.craters >= untold.len() as u64, "{} of {}", left_out.craters, untold.len());
             let cells: f64 = untold.iter().map(|index| {
-                let crater = &features.craters()[*index as usize];
+                let crater = features.crater(*index);
                 let (range, outer) = (range(index), crater.outer());
                 let height = crater.relief() / range + 2.0 * outer * EYE.eye / (range * range);
                 height * 2.0 * outer / (range * EYE.cell * EYE.cell)

@@ -1,6 +1,6 @@
 //! One tier of the index: craters of about one size, by the cell in which their centres lie.
 
-use crate::Crater;
+use crate::Craters;
 use crate::Outlook;
 use crate::fan::Fan;
 use crate::spot::{Spot, with_slack};
@@ -32,10 +32,10 @@ pub(crate) struct Tier {
 
 impl Tier {
     /// A tier of `members`, indices into `all`, ascending and at least one.
-    pub fn new(all: &[Crater], members: &[u32]) -> Self {
-        let outer = members.iter().map(|&index| all[index as usize].outer()).fold(0.0, f64::max);
+    pub fn new(all: &Craters, members: &[u32]) -> Self {
+        let outer = members.iter().map(|&index| all.get(index).outer()).fold(0.0, f64::max);
         let reach = with_slack(outer);
-        let relief = members.iter().map(|&index| all[index as usize].relief()).fold(0.0, f64::max);
+        let relief = members.iter().map(|&index| all.get(index).relief()).fold(0.0, f64::max);
         let spans = [0, 1].map(|axis| middle_span(all, members, axis));
         let mut tier = Self {
             corner: spans.map(|[low, _]| low),
@@ -66,9 +66,9 @@ impl Tier {
     }
 
     /// Counting sort by cell.
-    fn fill(&mut self, all: &[Crater], members: &[u32]) {
+    fn fill(&mut self, all: &Craters, members: &[u32]) {
         let cell = |index: u32| {
-            let [x, y] = all[index as usize].centre();
+            let [x, y] = all.get(index).centre();
             self.cell(0, x) * self.cells[1] + self.cell(1, y)
         };
         let mut ends = vec![0; self.cells[0] * self.cells[1] + 1];
@@ -78,7 +78,7 @@ impl Tier {
         let mut spots = vec![Spot::default(); members.len()];
         for &index in members {
             let end = &mut ends[cell(index)];
-            spots[*end as usize] = Spot::new(&all[index as usize], index, self.corner);
+            spots[*end as usize] = Spot::new(&all.get(index), index, self.corner);
             *end += 1;
         }
         (self.begins, self.spots) = (begins, spots);
@@ -196,8 +196,8 @@ impl Tier {
 
 /// Coordinates between which nearly all centres lie: from the 2nd to the 98th hundredth, stretched by as much again.
 /// A few craters far away then make the cells no larger.
-fn middle_span(all: &[Crater], members: &[u32], axis: usize) -> [f64; 2] {
-    let mut places: Vec<f64> = members.iter().map(|&index| all[index as usize].centre()[axis]).collect();
+fn middle_span(all: &Craters, members: &[u32], axis: usize) -> [f64; 2] {
+    let mut places: Vec<f64> = members.iter().map(|&index| all.get(index).centre()[axis]).collect();
     let (first, last) = (places.len() / 50, places.len() - 1 - places.len() / 50);
     let low = *places.select_nth_unstable_by(first, f64::total_cmp).1;
     let high = *places.select_nth_unstable_by(last, f64::total_cmp).1;

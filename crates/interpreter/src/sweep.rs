@@ -88,13 +88,13 @@ fn drive(wires: &Wires<'_>, ground: &mut [Ground]) {
 /// Craters that the sweep meets, in the order of the list.
 fn met(scene: &Scene<'_>, [cos, sin]: [f64; 2], ranges: &[f64]) -> Vec<Crater> {
     let end = ranges.last().copied().unwrap_or(0.0);
-    let meets = |crater: &&Crater| {
+    let meets = |crater: &Crater| {
         let (north, east) = (crater.centre()[0] - scene.eye[0], crater.centre()[1] - scene.eye[1]);
         let (along, beside) = (north * cos + east * sin, east * cos - north * sin);
         let reach = crater.outer() * 1.001;
         beside.abs() <= reach && along >= -reach && along <= end + reach
     };
-    scene.landscape.features().craters().iter().filter(meets).copied().collect()
+    scene.landscape.features().craters().iter().filter(meets).collect()
 }
 
 struct Walker<'a> {

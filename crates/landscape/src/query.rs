@@ -172,7 +172,7 @@ mod tests {
             .with_texture(Some(texture.clone()))
             .with_photometry(Photometry::LunarLambert)
             .with_silhouettes(vec![ridge.clone()]);
-        assert_eq!(whole.features().craters(), [crater]);
+        assert_eq!(whole.features().craters().iter().collect::<Vec<_>>(), [crater]);
         assert_eq!((whole.texture(), whole.photometry()), (Some(&texture), &Photometry::LunarLambert));
         assert_eq!(whole.silhouettes(), [ridge]);
         assert_eq!(

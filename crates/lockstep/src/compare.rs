@@ -159,7 +159,7 @@ impl Sides<'_> {
     }
 
     fn of_craters(&self) -> f64 {
-        let rings = self.scene.landscape.features().craters().iter().map(narrowest);
+        let rings = self.scene.landscape.features().craters().iter().map(|crater| narrowest(&crater));
         let ring = rings.fold(f64::INFINITY, f64::min);
         bounds::of_craters(self.scene.settings.scalar, ring, self.scene.settings.range.end)
     }

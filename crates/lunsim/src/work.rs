@@ -157,7 +157,7 @@ fn craters(grid: &Grid, observer: &Observer, landscape: &Landscape) -> [u64; 4] 
         let place = grid.inside(landscape, observer, index);
         features.in_box(place, place, found);
         let mut counts = [found.len() as u64, 0, 0, 0];
-        for crater in found.iter().map(|&index| &features.craters()[index as usize]) {
+        for crater in found.iter().map(|&index| features.crater(index)) {
             let [dx, dy] = [0, 1].map(|axis| place[axis] - crater.centre()[axis]);
             let is_inside = (dx * dx + dy * dy).sqrt() < crater.outer();
             counts[crater.type_number() as usize] += u64::from(is_inside);

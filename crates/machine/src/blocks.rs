@@ -108,6 +108,7 @@ impl Shadows {
                 parts: settings.shadow_controller,
                 map_centre: [0.5 * (south + north), 0.5 * (west + east)],
                 map_side: (north - south).max(east - west),
+                tells_lines: !settings.analog.shadow_lines_are_ideal() || mixing_has_parts(&settings.analog),
             },
         }
     }

@@ -36,8 +36,8 @@ impl CratersInSight {
         self.left_out.cells *= pixels_a_cell(stage);
         let groups = plan.fan.sweeps.div_ceil(LANES as u32) as usize;
         let reach = |index: &u32| {
-            let crater = &features.craters()[*index as usize];
-            let sweeps = plan.sweeps_of(crater.centre(), crater.outer())?;
+            let (centre, outer) = features.craters().circle(*index);
+            let sweeps = plan.sweeps_of(centre, outer)?;
             Some(sweeps.map(|sweep| sweep as usize / LANES))
         };
         self.found.par_iter().map(reach).collect_into_vec(&mut self.reach);

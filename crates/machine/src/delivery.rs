@@ -4,11 +4,11 @@ use generator::{FrameError, Stage};
 use glam::DVec3;
 use hardware_model::ShadowParts;
 use landscape::{Attitude, parabolic_drop};
-use polyhedron_generator::{Drawn, FaceLight, LeftOut, PolyhedronGenerator, ViewPlane};
+use polyhedron_generator::{Drawn, FaceLight, Field, LeftOut, PolyhedronGenerator, ViewPlane};
 use rayon::prelude::*;
-use remote_shadow::{Segment, Tile};
+use remote_shadow::{Outlines, Tile};
 use scenario::{BodyVisibility, Curvature, ShadowedBodies};
-use shadow_controller::{Gate, SEGMENT_WORDS};
+use shadow_controller::{Gate, SEGMENT_WORDS, ShadowController};
 use solids::Body;
 use std::sync::Arc;
 use sweep_generator::RangeTable;
@@ -50,11 +50,15 @@ pub(crate) struct Supply<'a> {
 impl Supply<'_> {
     /// Brings what the frame at `time` (s) needs.
     pub fn deliver(&self, time: f64, out: &mut Delivery) {
+        // Nothing takes as much room as the search for gates.
+        out.polyhedra.forget();
         let (seen, left_out) = self.in_sight(time);
         out.left_out = left_out;
         let under_sun = self.blocks.shadows.as_ref().map(|shadows| self.under_sun(shadows));
         match (&self.blocks.shadows, &under_sun) {
-            (Some(shadows), Some(under_sun)) => self.gates(shadows, under_sun, &seen, time, &mut out.gates),
+            (Some(shadows), Some(under_sun)) => {
+                self.gates(shadows, &shadows.controller, under_sun, &seen, time, &mut out.gates);
+            }
             _ => out.gates.clear(),
         }
         if self.blocks.bodies {
@@ -70,12 +74,13 @@ impl Supply<'_> {
         })
     }
 
-    /// Shadow gates alone, as [`deliver`](Self::deliver) brings them.
+    /// Shadow gates alone, as [`deliver`](Self::deliver) brings them, with all that is to be told of their line generators.
     pub fn shadow_gates(&self, time: f64) -> Vec<Gate> {
         let (seen, _) = self.in_sight(time);
         let mut gates = Vec::new();
         if let Some(shadows) = &self.blocks.shadows {
-            self.gates(shadows, &self.under_sun(shadows), &seen, time, &mut gates);
+            let controller = ShadowController { tells_lines: true, ..shadows.controller.clone() };
+            self.gates(shadows, &controller, &self.under_sun(shadows), &seen, time, &mut gates);
         }
         gates
     }
@@ -97,6 +102,7 @@ impl Supply<'_> {
     fn gates(
         &self,
         shadows: &Shadows,
+        controller: &ShadowController,
         under_sun: &UnderSun<'_>,
         seen: &[(usize, &Body)],
         time: f64,
@@ -108,12 +114,11 @@ impl Supply<'_> {
         let foot = [self.plan.eye[0], self.plan.eye[1]];
         let (reach, end) = (shadows.reach, self.stage.settings.range.end);
         let tiles: Vec<Arc<Tile>> = shadows.bank.around(&self.plan.sun, foot, reach, Some(edges));
-        let patches: Vec<Segment> = self.patches(time);
-        let mut segments: Vec<&[Segment]> = tiles.iter().map(|tile| tile.segments.as_slice()).collect();
+        let mut cast: Vec<&Outlines> = tiles.iter().map(|tile| &tile.outlines).collect();
         // A map that is read beside its place shows shadows that no sweep meets.
         let all = matches!(self.stage.settings.shadow_controller, ShadowParts::ScanConverter { .. });
         let shade = Shade::new(foot, edges, &self.plan.sun);
-        let cast = seen.par_iter().filter_map(|&(index, body)| {
+        let of_bodies = seen.par_iter().filter_map(|&(index, body)| {
             let may_fall = all || shade.may_meet([body.centre.x, body.centre.y], body.radius);
             may_fall.then(|| under_sun.shadow(index, body))
         });
@@ -121,16 +126,16 @@ impl Supply<'_> {
             let (centre, radius) = shadow.around;
             all || self.plan.sweeps_of(centre, radius).is_some()
         };
-        segments.par_extend(cast.filter(meets).map(|shadow| &*shadow.outline));
-        segments.push(&patches);
-        let own = self.own_shadow(shadows);
-        segments.push(&own);
+        cast.par_extend(of_bodies.filter(meets).map(|shadow| &shadow.outline));
+        let (patches, own) = (self.patches(time), self.own_shadow(shadows));
+        cast.push(&patches);
+        cast.extend(&own);
         let timing = |sweep: u32| {
             let place = (self.plan.frame, sweep);
             let rate = self.stage.settings.segment_words?;
             Some(load_timing(self.stage, self.table, place, SEGMENT_WORDS, rate))
         };
-        shadows.controller.gates_by(foot, &directions, reach, &segments, timing, gates);
+        controller.gates_by(foot, &directions, reach, &cast, timing, gates);
         // Beyond the reach no shadow is drawn.
         if reach < end {
             gates.iter_mut().for_each(|gate| gate.end_at(reach));
@@ -138,28 +143,20 @@ impl Supply<'_> {
     }
 
     /// Outlines of the shadow that the vehicle casts on the ground: as of any body, but found anew for every pose.
-    fn own_shadow(&self, shadows: &Shadows) -> Vec<Segment> {
+    fn own_shadow(&self, shadows: &Shadows) -> Vec<Outlines> {
         let FramePlan { eye, roll, pitch, heading, .. } = *self.plan;
         let parts = self.stage.scenery.own_bodies(eye, Attitude { roll, pitch, heading });
-        parts.par_iter().flat_map_iter(|part| shadows.bank.cast_by_body(part, &self.plan.sun)).collect()
+        parts.par_iter().map(|part| shadows.bank.cast_by_body(part, &self.plan.sun)).collect()
     }
 
     /// Outlines of the track patches that lie at `time`.
-    fn patches(&self, time: f64) -> Vec<Segment> {
+    fn patches(&self, time: f64) -> Outlines {
         let patches = self.stage.scenery.patches(time);
-        patches.iter().flat_map(|patch| Segment::outline(&patch.corners)).collect()
+        Outlines::of(&patches.iter().map(|patch| patch.corners).collect::<Vec<_>>())
     }
 
-    fn project(&self, seen: &[(usize, &Body)], under_sun: Option<&UnderSun<'_>>, out: &mut Delivery) {
+    fn project<'b>(&self, seen: &[(usize, &'b Body)], under_sun: Option<&UnderSun<'_>>, out: &mut Delivery) {
         let laws = self.stage.settings.laws;
-        let dark = |&(index, body): &(usize, &Body)| under_sun.is_some_and(|sun| sun.is_dark(index, body));
-        // Each is found by whoever asks first: all at once is quicker.
-        let dark: Vec<bool> = seen.par_iter().map(dark).collect();
-        let drawn = seen.iter().zip(dark).filter_map(|(&(_, body), dark)| {
-            let vanishes = dark && laws.shadowed_bodies == ShadowedBodies::Vanish;
-            let hidden = laws.body_visibility == BodyVisibility::AsReported && self.is_hidden(body.foot);
-            (!vanishes && !hidden).then_some(Drawn { body, dark })
-        });
         let view = ViewPlane {
             eye: self.plan.eye,
             heading: self.plan.heading,
@@ -171,8 +168,17 @@ impl Supply<'_> {
         };
         let tangents: Vec<f64> =
             (0..self.plan.fan.sweeps).map(|sweep| self.plan.fan.tangent(sweep)).collect();
+        let field = Field::new(&view, &tangents);
+        let drawn = |&(index, body): &(usize, &'b Body)| {
+            let dark = under_sun.is_some_and(|sun| sun.is_dark(index, body));
+            let vanishes = dark && laws.shadowed_bodies == ShadowedBodies::Vanish;
+            let hidden = laws.body_visibility == BodyVisibility::AsReported && self.is_hidden(body.foot);
+            (!vanishes && !hidden).then_some(Drawn { body, dark })
+        };
+        let met = seen.par_iter().filter(|(_, body)| field.meets(body));
+        let drawn: Vec<Drawn<'_>> = met.filter_map(drawn).collect();
         let light = FaceLight { sun: DVec3::from_array(self.plan.sun.direction()) };
-        out.bodies = out.polyhedra.run(&view, &tangents, &light, drawn).drawn;
+        out.bodies = out.polyhedra.run(&field, &light, &drawn).drawn;
     }
 
     /// Whether nearer ground hides a foot point: the rule of the report, at the samples of the sweep through it.

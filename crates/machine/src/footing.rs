@@ -3,7 +3,7 @@
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use landscape::Sun;
-use remote_shadow::{Segment, ShadowBank};
+use remote_shadow::{Outlines, ShadowBank};
 use solids::Body;
 
 /// A body under a sun; what nobody asks for is not there.
@@ -11,13 +11,13 @@ use solids::Body;
 struct Footing {
     /// Whether its foot point is in the remote shadow of the ground.
     dark: OnceLock<bool>,
-    shadow: OnceLock<CastShadow>,
+    shadow: OnceLock<Box<CastShadow>>,
 }
 
 /// The shadow that a body casts.
 #[derive(Debug)]
 pub(crate) struct CastShadow {
-    pub outline: Box<[Segment]>,
+    pub outline: Outlines,
     /// Centre (north, east; m) and radius (m) of a circle around it.
     pub around: ([f64; 2], f64),
 }
@@ -64,19 +64,19 @@ impl UnderSun<'_> {
     /// The shadow that body number `index` casts.
     pub fn shadow(&self, index: usize, body: &Body) -> &CastShadow {
         self.footings[index].shadow.get_or_init(|| {
-            let outline = self.bank.cast_by_body(body, &self.sun).into_boxed_slice();
-            CastShadow { around: circle_around(&outline), outline }
+            let outline = self.bank.cast_by_body(body, &self.sun);
+            Box::new(CastShadow { around: circle_around(outline.corners()), outline })
         })
     }
 }
 
-/// Centre and radius of a circle around closed outlines; they may well be smaller.
-fn circle_around(outlines: &[Segment]) -> ([f64; 2], f64) {
+/// Centre and radius of a circle around an outline; it may well be smaller.
+fn circle_around(corners: &[[f64; 2]]) -> ([f64; 2], f64) {
     let [mut low, mut high] = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
-    for segment in outlines {
+    for corner in corners {
         for axis in 0..2 {
-            low[axis] = low[axis].min(segment.from[axis]);
-            high[axis] = high[axis].max(segment.from[axis]);
+            low[axis] = low[axis].min(corner[axis]);
+            high[axis] = high[axis].max(corner[axis]);
         }
     }
     let [north, east] = [0, 1].map(|axis| 0.5 * (high[axis] - low[axis]));
@@ -87,14 +87,13 @@ fn circle_around(outlines: &[Segment]) -> ([f64; 2], f64) {
 mod tests {
     use super::circle_around;
     use proptest::prelude::{prop_assert, proptest};
-    use remote_shadow::Segment;
 
     proptest! {
         #[test]
         fn the_circle_holds_the_outline(
             corners in proptest::collection::vec(proptest::array::uniform2(-1e4..1e4f64), 3..20),
         ) {
-            let ([north, east], radius) = circle_around(&Segment::outline(&corners));
+            let ([north, east], radius) = circle_around(&corners);
             for corner in corners {
                 let way = [corner[0] - north, corner[1] - east];
                 prop_assert!((way[0] * way[0] + way[1] * way[1]).sqrt() <= radius + 1e-9, "{corner:?}");

@@ -37,6 +37,8 @@ mod frame_sweeps;
 mod lane_gate;
 mod look;
 mod omissions;
+mod picture;
+mod pool;
 mod raster;
 mod real_parts;
 mod record;

@@ -1,16 +1,16 @@
 //! A machine made ready for one stage.
 
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 use display_projection_processor::Processor;
 use generator::{FrameCounts, FrameError, Omission, PlaneKind, Planes, Session, Stage};
 use hardware_model::SweepMemoryKind;
-use rayon::iter::{IndexedParallelIterator, ParallelIterator};
+use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 use scenario::Pose;
 use signal::{LANES, Probe, Real, Waveform, Wire};
 use sweep_generator::RangeTable;
-use sweep_memory::{View, digital_memory, digital_memory_turned, scan_converter};
+use sweep_memory::{Memory, Reading, Tube, View};
 use sweep_program::{Event, Served, StepKind, SweepProgram};
 
 use crate::blocks::Blocks;
@@ -22,6 +22,8 @@ use crate::digital::{Digital, DigitalFrame};
 use crate::footing::Footings;
 use crate::look::{Look, Wanted};
 use crate::omissions::omissions;
+use crate::picture::{Cells, Picture};
+use crate::pool::Pool;
 use crate::raster::WrittenRaster;
 use crate::real_parts::RealParts;
 use crate::record::{Recorded, wires};
@@ -46,25 +48,7 @@ pub(crate) struct Elaborated<S> {
     deliveries: Pool<Delivery>,
     craters: Pool<CratersInSight>,
     stores: Pool<Vec<f32>>,
-}
-
-/// Buffers that are used again; what they held last never matters.
-struct Pool<T>(Mutex<Vec<T>>);
-
-impl<T: Default> Pool<T> {
-    fn take(&self) -> T {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).pop().unwrap_or_default()
-    }
-
-    fn give_back(&self, buffer: T) {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).push(buffer);
-    }
-}
-
-impl<T> Default for Pool<T> {
-    fn default() -> Self {
-        Self(Mutex::default())
-    }
+    cells: Pool<Cells>,
 }
 
 impl<S: Real> Elaborated<S> {
@@ -86,6 +70,7 @@ impl<S: Real> Elaborated<S> {
             deliveries: Pool::default(),
             craters: Pool::default(),
             stores: Pool::default(),
+            cells: Pool::default(),
             stage,
         }
     }
@@ -121,18 +106,17 @@ impl<S: Real> Elaborated<S> {
         self.digital.frame(&self.stage, &self.blocks, &self.raster, &crossings, vertices)
     }
 
-    /// Runs all groups; each writes its own sweeps of `store`.
-    fn sweep_all(
+    /// Has `run` run all groups of a frame.
+    fn with_groups(
         &self,
         plan: &FramePlan,
         delivery: &Delivery,
         digital: &DigitalFrame,
-        wanted: Wanted<'_, impl Look>,
-        store: &mut [f32],
+        run: impl FnOnce(&Group<'_, S>) -> Vec<GroupResult>,
     ) -> Vec<GroupResult> {
         let craters = self.craters_in_sight(plan);
         let left_out = craters.as_ref().map(|craters| craters.left_out);
-        let group = Group {
+        let mut results = run(&Group {
             stage: &self.stage,
             blocks: &self.blocks,
             table: &self.table,
@@ -144,27 +128,31 @@ impl<S: Real> Elaborated<S> {
             digital,
             parts: &self.parts,
             craters: craters.as_ref(),
-        };
-        let mut results: Vec<GroupResult> = store
-            .par_chunks_mut(LANES * self.raster.lines)
-            .enumerate()
-            .map(|(index, rows)| {
-                let first = (index * LANES) as u32;
-                if !wanted.group(first) {
-                    return GroupResult::default();
-                }
-                let mut work = self.workspaces.take();
-                let result = self.draw_group(&group, wanted, first, &mut work, rows);
-                self.workspaces.give_back(work);
-                result
-            })
-            .collect();
+        });
         craters.into_iter().for_each(|craters| self.craters.give_back(craters));
         if let (Some(left_out), Some(first)) = (left_out, results.first_mut()) {
             first.counts.craters_left_out = left_out.craters;
             first.counts.pixels_left_out = left_out.cells.ceil() as u64;
         }
         results
+    }
+
+    /// Runs the group `index` if anyone wants it, and leaves its lines in `rows`.
+    fn run_group(
+        &self,
+        group: &Group<'_, S>,
+        wanted: Wanted<'_, impl Look>,
+        index: usize,
+        rows: &mut [f32],
+    ) -> GroupResult {
+        let first = (index * LANES) as u32;
+        if !wanted.group(first) {
+            return GroupResult::default();
+        }
+        let mut work = self.workspaces.take();
+        let result = self.draw_group(group, wanted, first, &mut work, rows);
+        self.workspaces.give_back(work);
+        result
     }
 
     /// Craters that can be told, where the machine draws swiftly.
@@ -243,24 +231,46 @@ impl<S: Real> Elaborated<S> {
         store: &mut Vec<f32>,
     ) -> Vec<GroupResult> {
         store.resize(self.stage.settings.raster.sweeps as usize * self.raster.lines, 0.0);
-        self.sweep_all(plan, delivery, digital, wanted, store)
+        self.with_groups(plan, delivery, digital, |group| {
+            let rows = store.par_chunks_mut(LANES * self.raster.lines).enumerate().with_max_len(1);
+            rows.map(|(index, rows)| self.run_group(group, wanted, index, rows)).collect()
+        })
     }
 
-    /// What the read beam makes of a store, and of what its tube has left of earlier ones. A picture lies in its tube
+    /// All sweeps of a frame, into a picture that no tube keeps: tiles are read while others are written.
+    fn write_and_read(
+        &self,
+        plan: &FramePlan,
+        delivery: &Delivery,
+        digital: &DigitalFrame,
+        wanted: Wanted<'_, impl Look>,
+        picture: &Picture<'_>,
+    ) -> Vec<GroupResult> {
+        let sweeps = self.stage.settings.raster.sweeps as usize;
+        self.with_groups(plan, delivery, digital, |group| {
+            let run = |index: usize| {
+                let mut cells = self.cells.take();
+                let rows = Arc::get_mut(&mut cells).expect("nobody else has it");
+                rows.resize((sweeps - index * LANES).min(LANES) * self.raster.lines, 0.0);
+                let result = self.run_group(group, wanted, index, rows);
+                picture.take(index, cells, &self.cells);
+                result
+            };
+            (0..sweeps.div_ceil(LANES)).into_par_iter().with_max_len(1).map(run).collect()
+        })
+    }
+
+    /// What the read beam makes of a store, and of what `tube` has left of earlier ones. A picture lies in its tube
     /// where it was written: each is read by its own fan and pitch.
     fn show(
         &self,
+        tube: &Tube,
         plan: &FramePlan,
         yoke: f64,
         store: &mut [f32],
-        planes: &mut Planes,
+        columns: usize,
+        picture: &mut [f32],
     ) -> Result<(), FrameError> {
-        let columns = planes.columns();
-        let Some(picture) = planes.get_mut(PlaneKind::Intensity) else { return Ok(()) };
-        let Some(tube) = &self.parts.tube else {
-            self.read_out(plan, yoke, store, columns, picture);
-            return Ok(());
-        };
         let mut scratch = self.stores.take();
         if tube.memory_frames() > 0 {
             let most = 2 * tube.memory_frames() + 2;
@@ -273,12 +283,12 @@ impl<S: Real> Elaborated<S> {
             .map(|written| {
                 let (mut store, mut left) = (written.1.clone(), vec![0.0; picture.len()]);
                 tube.read(plan.frame, &mut store, &mut scratch);
-                self.read_out(&written.0, yoke, &store, columns, &mut left);
+                self.reading(&written.0, yoke, columns).read_all(&store, &mut left);
                 left
             })
             .collect();
         tube.read(plan.frame, store, &mut scratch);
-        self.read_out(plan, yoke, store, columns, picture);
+        self.reading(plan, yoke, columns).read_all(store, picture);
         tube.combine(picture, &pictures.iter().map(Vec::as_slice).collect::<Vec<_>>());
         tube.add_noise(plan.frame, columns, picture, &mut scratch);
         self.stores.give_back(scratch);
@@ -304,9 +314,14 @@ impl<S: Real> Elaborated<S> {
         Some(draw())
     }
 
-    fn read_out(&self, plan: &FramePlan, yoke: f64, store: &[f32], columns: usize, picture: &mut [f32]) {
+    /// How a picture of so many columns is read.
+    fn reading(&self, plan: &FramePlan, yoke: f64, columns: usize) -> Reading {
         let settings = &self.stage.settings;
-        let lines = self.raster.lines;
+        let memory = match (settings.sweep_memory, settings.yoke) {
+            (SweepMemoryKind::ScanConverter, _) => Memory::ScanConverter,
+            (SweepMemoryKind::DigitalMemory, None) => Memory::Digital,
+            (SweepMemoryKind::DigitalMemory, Some(_)) => Memory::DigitalTurned,
+        };
         let view = View {
             fan: plan.fan,
             projection: settings.laws.projection,
@@ -315,13 +330,8 @@ impl<S: Real> Elaborated<S> {
             field: settings.raster.field,
             yoke,
         };
-        match (settings.sweep_memory, settings.yoke) {
-            (SweepMemoryKind::ScanConverter, _) => scan_converter(store, lines, columns, &view, picture),
-            (SweepMemoryKind::DigitalMemory, None) => digital_memory(store, lines, columns, picture),
-            (SweepMemoryKind::DigitalMemory, Some(_)) => {
-                digital_memory_turned(store, lines, columns, &view, picture);
-            }
-        }
+        let (cells, lines) = (self.raster.lines, settings.raster.lines as usize);
+        Reading { memory, view, cells, columns, lines }
     }
 }
 
@@ -373,11 +383,22 @@ impl<S: Real> Elaborated<S> {
         let plan = FramePlan::new(frame, pose, &self.stage, &self.raster.field)?;
         let digital = self.digital_frame(&plan, pose.time);
         let delivery = self.deliver(&plan, &digital, pose.time)?;
-        let mut store = self.stores.take();
-        let wanted = Wanted { look, picture: planes.any() };
-        let groups = self.write(&plan, &delivery, &digital, wanted, &mut store);
-        self.show(&plan, pose.yoke, &mut store, planes)?;
-        self.stores.give_back(store);
+        let (columns, wanted) = (planes.columns(), Wanted { look, picture: planes.any() });
+        let mut nothing = [];
+        let pixels = planes.get_mut(PlaneKind::Intensity).unwrap_or(&mut nothing);
+        let groups = match &self.parts.tube {
+            Some(tube) if !pixels.is_empty() => {
+                let mut store = self.stores.take();
+                let groups = self.write(&plan, &delivery, &digital, wanted, &mut store);
+                self.show(tube, &plan, pose.yoke, &mut store, columns, pixels)?;
+                self.stores.give_back(store);
+                groups
+            }
+            _ => {
+                let picture = Picture::new(self.reading(&plan, pose.yoke, columns), pixels);
+                self.write_and_read(&plan, &delivery, &digital, wanted, &picture)
+            }
+        };
         let regions = plan.visible_regions(self.stage.landscape.level(), settings.range.end);
         let mut total = FrameCounts { regions: regions as u64, ..delivery_counts(&delivery) };
         self.deliveries.give_back(delivery);

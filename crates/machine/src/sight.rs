@@ -3,11 +3,16 @@
 use generator::Stage;
 use glam::DVec3;
 use polyhedron_generator::{LeftOut, Sight};
-use scenario::FieldOfView;
+use rayon::iter::{IndexedParallelIterator, ParallelIterator};
+use rayon::slice::ParallelSlice;
+use scenario::{FieldOfView, Standing};
 use solids::Body;
 
 use crate::blocks::Blocks;
 use crate::control_plane::FramePlan;
+
+/// Bodies that are looked at together.
+const TOGETHER: usize = 1024;
 
 /// The bodies of a frame, with their number in the list of the mission, and what is too far to be seen.
 #[derive(Debug, Default)]
@@ -22,16 +27,26 @@ impl<'a> InSight<'a> {
         if !blocks.bodies {
             return Self::default();
         }
-        let standing = stage.scenery.standing().iter().enumerate();
-        let present = standing.filter(|(_, body)| body.from <= time && time < body.until);
-        let bodies = present.map(|(index, standing)| (index, &standing.body));
-        let mut left_out = LeftOut::default();
-        let bodies = if stage.settings.economy.leaves_out_small_bodies() {
-            let (eye, sight) = (DVec3::from_array(plan.eye), sight(stage));
-            bodies.filter(|(_, body)| sight.resolves(eye, body, &mut left_out)).collect()
-        } else {
-            bodies.collect()
+        let sight = stage.settings.economy.leaves_out_small_bodies().then(|| sight(stage));
+        let eye = DVec3::from_array(plan.eye);
+        let some = |(number, standing): (usize, &'a [Standing])| {
+            let mut left_out = LeftOut::default();
+            let mut is_seen = |Standing { from, until, body }: &Standing| {
+                let stands = *from <= time && time < *until;
+                stands && sight.is_none_or(|sight| sight.resolves(eye, body, &mut left_out))
+            };
+            let numbered = (number * TOGETHER..).zip(standing).filter(|(_, standing)| is_seen(standing));
+            let bodies: Vec<_> = numbered.map(|(index, standing)| (index, &standing.body)).collect();
+            (bodies, left_out)
         };
+        let (mut bodies, mut left_out) = (Vec::new(), LeftOut::default());
+        let all: Vec<_> = stage.scenery.standing().par_chunks(TOGETHER).enumerate().map(some).collect();
+        bodies.reserve_exact(all.iter().map(|(some, _)| some.len()).sum());
+        for (some, left) in all {
+            bodies.extend(some);
+            left_out.bodies += left.bodies;
+            left_out.cells += left.cells;
+        }
         left_out.cells *= pixels_a_cell(stage) * with_shadow(blocks, plan);
         Self { bodies, left_out }
     }

@@ -3,11 +3,16 @@
 use std::ops::Range;
 
 use glam::DVec3;
+use rayon::iter::{IndexedParallelIterator, ParallelIterator};
+use rayon::slice::ParallelSlice;
 use solids::Body;
 
 use crate::face::{Corner, Outline};
 use crate::view::{Place, Sighting, project};
 use crate::{FaceLight, NEAREST, Span, SpanTable, ViewPlane};
+
+/// Bodies that are drawn together.
+const TOGETHER: usize = 16;
 
 /// A body that is to be drawn.
 #[derive(Debug, Clone, Copy)]
@@ -33,12 +38,10 @@ pub struct Census {
     pub spans: u64,
 }
 
-/// The generator: its tables and buffers, kept from frame to frame.
+/// The generator: its table, kept from frame to frame.
 #[derive(Debug, Clone, Default)]
 pub struct PolyhedronGenerator {
     table: SpanTable,
-    corners: Vec<Corner>,
-    outline: Outline,
 }
 
 /// A body as it is seen.
@@ -50,13 +53,23 @@ struct Aspect<'a> {
     sweeps: Range<usize>,
 }
 
-/// What all bodies of a frame share.
-struct Frame<'a> {
+/// The sweeps of a frame, as bodies are seen by them.
+#[derive(Debug)]
+pub struct Field<'a> {
     view: &'a ViewPlane,
     sighting: Sighting,
     tangents: &'a [f64],
-    light: &'a FaceLight,
     sides: [f64; 2],
+}
+
+/// What some bodies leave: spans with their sweeps, in the order of bodies and faces.
+type Found = (Census, Vec<(u32, Span)>);
+
+/// Buffers that are kept from body to body.
+#[derive(Debug, Default)]
+struct Pencil {
+    corners: Vec<Corner>,
+    outline: Outline,
 }
 
 impl PolyhedronGenerator {
@@ -65,76 +78,113 @@ impl PolyhedronGenerator {
         &self.table
     }
 
-    /// Draws `bodies` for sweeps at ascending `tangents` (of the azimuth against the heading). The field must
-    /// be such that a fan of sweeps covers it: pitch plus half its height less than 80 degrees.
-    pub fn run<'a>(
-        &mut self,
-        view: &ViewPlane,
-        tangents: &[f64],
-        light: &FaceLight,
-        bodies: impl Iterator<Item = Drawn<'a>>,
-    ) -> Census {
-        let frame = Frame::new(view, tangents, light);
+    /// Forgets the spans of the last frame, and their room.
+    pub fn forget(&mut self) {
+        self.table = SpanTable::default();
+    }
+
+    /// Draws `bodies`.
+    pub fn run(&mut self, field: &Field<'_>, light: &FaceLight, bodies: &[Drawn<'_>]) -> Census {
+        let some = bodies.par_chunks(TOGETHER).enumerate();
+        let draw = |pencil: &mut Pencil, (number, bodies): (usize, &[Drawn<'_>])| {
+            pencil.draw_all(field, light, number * TOGETHER, bodies)
+        };
+        let found: Vec<Found> = some.map_init(Pencil::default, draw).collect();
         let mut census = Census::default();
-        self.table.clear();
-        for (index, Drawn { body, dark }) in bodies.enumerate() {
-            let (eye, foot_range) = frame.sighting.eye_for(body.foot);
-            let Some(sweeps) = frame.sweeps(eye, body) else {
+        found.iter().for_each(|(some, _)| census.add(some));
+        self.table.fill(field.tangents.len(), found.iter().flat_map(|(_, spans)| spans));
+        census
+    }
+}
+
+impl Census {
+    fn add(&mut self, other: &Self) {
+        self.drawn += other.drawn;
+        self.outside += other.outside;
+        self.too_near += other.too_near;
+        self.vertices += other.vertices;
+        self.spans += other.spans;
+    }
+}
+
+impl Pencil {
+    /// Draws bodies of which the first has number `first`.
+    fn draw_all(
+        &mut self,
+        field: &Field<'_>,
+        light: &FaceLight,
+        first: usize,
+        bodies: &[Drawn<'_>],
+    ) -> Found {
+        let (mut census, mut spans) = Found::default();
+        for (index, &Drawn { body, dark }) in (first..).zip(bodies) {
+            let (eye, foot_range) = field.sighting.eye_for(body.foot);
+            let Some(sweeps) = field.sweeps(eye, body) else {
                 census.outside += 1;
                 continue;
             };
             let aspect = Aspect { body, dark, eye, sweeps };
-            if !self.project(&frame, &aspect) {
+            if !self.project(field, &aspect) {
                 census.too_near += 1;
                 continue;
             }
             census.drawn += 1;
             census.vertices += self.corners.len() as u64;
             let (object, foot_range) = (body.object, foot_range as f32);
-            self.draw(&frame, &aspect, Span { body: index as u32, object, foot_range, ..Span::default() });
+            let stamp = Span { body: index as u32, object, foot_range, ..Span::default() };
+            self.draw(field, light, &aspect, stamp, &mut spans);
         }
-        self.table.sort(tangents.len());
-        census.spans = self.table.len() as u64;
-        census
+        census.spans = spans.len() as u64;
+        spans.shrink_to_fit();
+        (census, spans)
     }
 
     /// Projects the vertices; false if one is too near.
-    fn project(&mut self, frame: &Frame, aspect: &Aspect) -> bool {
-        let tangents = &frame.tangents[aspect.sweeps.clone()];
+    fn project(&mut self, field: &Field<'_>, aspect: &Aspect<'_>) -> bool {
+        let tangents = &field.tangents[aspect.sweeps.clone()];
         self.corners.clear();
         for vertex in aspect.body.vertices() {
-            let ahead = frame.sighting.turn(vertex - aspect.eye);
+            let ahead = field.sighting.turn(vertex - aspect.eye);
             if ahead.x <= NEAREST {
                 return false;
             }
-            self.corners.push(Corner::new(project(ahead), &frame.sighting, tangents));
+            self.corners.push(Corner::new(project(ahead), &field.sighting, tangents));
         }
         true
     }
 
-    fn draw(&mut self, frame: &Frame, aspect: &Aspect, stamp: Span) {
+    fn draw(
+        &mut self,
+        field: &Field<'_>,
+        light: &FaceLight,
+        aspect: &Aspect<'_>,
+        stamp: Span,
+        spans: &mut Vec<(u32, Span)>,
+    ) {
         let Aspect { body, dark, eye, sweeps } = aspect;
-        let tangents = &frame.tangents[sweeps.clone()];
+        let tangents = &field.tangents[sweeps.clone()];
         for (index, face) in body.solid.faces().iter().enumerate() {
             if body.normal(index).dot(*eye - body.on_face(index)) <= 0.0 {
                 continue;
             }
             let corners = face.corners.iter().map(|&corner| self.corners[corner as usize]);
-            let first = self.outline.cross(corners, frame.view.tan_half_height, &frame.sighting, tangents);
-            let reflectivity = frame.light.reflectivity(body, index, *dark) as f32;
+            let first = self.outline.cross(corners, field.view.tan_half_height, &field.sighting, tangents);
+            let reflectivity = light.reflectivity(body, index, *dark) as f32;
             let stamp = Span { reflectivity, ..stamp };
             for (step, ends) in self.outline.crossings.iter().enumerate() {
-                let span = frame.span(ends, stamp);
+                let span = field.span(ends, stamp);
                 if span.top < span.bottom {
-                    self.table.push(sweeps.start + first + step, span);
+                    spans.push(((sweeps.start + first + step) as u32, span));
                 }
             }
         }
     }
 }
 
-impl<'a> Frame<'a> {
-    fn new(view: &'a ViewPlane, tangents: &'a [f64], light: &'a FaceLight) -> Self {
+impl<'a> Field<'a> {
+    /// Sweeps at ascending `tangents` (of the azimuth against the heading). The field of view must be such that a fan of
+    /// sweeps covers it: pitch plus half its height less than 80 degrees.
+    pub fn new(view: &'a ViewPlane, tangents: &'a [f64]) -> Self {
         let sighting = Sighting::new(view);
         let spreads = [-view.tan_half_height, view.tan_half_height].map(|y| sighting.spread(y));
         let edge = |tangent: Option<&f64>| tangent.copied().unwrap_or_default();
@@ -143,7 +193,12 @@ impl<'a> Frame<'a> {
             spreads.map(|spread| left * spread).into_iter().fold(f64::INFINITY, f64::min),
             spreads.map(|spread| right * spread).into_iter().fold(f64::NEG_INFINITY, f64::max),
         ];
-        Self { view, sighting, tangents, light, sides }
+        Self { view, sighting, tangents, sides }
+    }
+
+    /// Whether a body may be in the picture, and on a sweep.
+    pub fn meets(&self, body: &Body) -> bool {
+        self.sweeps(self.sighting.eye_for(body.foot).0, body).is_some()
     }
 
     /// The sweeps that may meet a body, by its bounding sphere; nothing if it is outside the picture.

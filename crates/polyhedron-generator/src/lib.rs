@@ -40,7 +40,7 @@ mod span;
 mod view;
 mod wired;
 
-pub use generator::{Census, Drawn, PolyhedronGenerator};
+pub use generator::{Census, Drawn, Field, PolyhedronGenerator};
 pub use hold::{Hold, NoHold};
 pub use light::FaceLight;
 pub use overlay::{Overlay, Run, SIGNALS};

@@ -43,7 +43,6 @@ impl Span {
 /// Spans of a frame, sorted by sweep; within a sweep in the order in which bodies and faces were given.
 #[derive(Debug, Clone, Default)]
 pub struct SpanTable {
-    found: Vec<(u32, Span)>,
     spans: Vec<Span>,
     starts: Vec<usize>,
 }
@@ -67,26 +66,18 @@ impl SpanTable {
         self.spans.is_empty()
     }
 
-    pub(crate) fn clear(&mut self) {
-        self.found.clear();
-    }
-
-    pub(crate) fn push(&mut self, sweep: usize, span: Span) {
-        self.found.push((sweep as u32, span));
-    }
-
-    /// Sorts what was pushed by sweep, keeping its order: a counting sort.
-    pub(crate) fn sort(&mut self, sweeps: usize) {
+    /// Sorts spans by their sweeps, keeping their order: a counting sort.
+    pub(crate) fn fill<'a>(&mut self, sweeps: usize, found: impl Iterator<Item = &'a (u32, Span)> + Clone) {
         self.starts.clear();
         self.starts.resize(sweeps + 1, 0);
-        for (sweep, _) in &self.found {
+        for (sweep, _) in found.clone() {
             self.starts[*sweep as usize + 1] += 1;
         }
         for sweep in 0..sweeps {
             self.starts[sweep + 1] += self.starts[sweep];
         }
-        self.spans.resize(self.found.len(), Span::default());
-        for &(sweep, span) in &self.found {
+        self.spans.resize(self.starts[sweeps], Span::default());
+        for &(sweep, span) in found {
             let place = &mut self.starts[sweep as usize];
             self.spans[*place] = span;
             *place += 1;

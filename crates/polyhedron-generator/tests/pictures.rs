@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
 use polyhedron_generator::{
-    Census, Drawn, FaceLight, LeftOut, NoHold, Overlay, PolyhedronGenerator, Sight, Span, ViewPlane,
+    Census, Drawn, FaceLight, Field, LeftOut, NoHold, Overlay, PolyhedronGenerator, Sight, Span, ViewPlane,
 };
 use proptest::collection::vec;
 use proptest::prelude::{ProptestConfig, Strategy, prop_assert, proptest};
@@ -42,8 +42,8 @@ fn run<'a>(
     bodies: impl IntoIterator<Item = &'a Body>,
 ) -> (PolyhedronGenerator, Census) {
     let mut generator = PolyhedronGenerator::default();
-    let drawn = bodies.into_iter().map(|body| Drawn { body, dark: false });
-    let census = generator.run(view, tangents, &light(), drawn);
+    let drawn: Vec<_> = bodies.into_iter().map(|body| Drawn { body, dark: false }).collect();
+    let census = generator.run(&Field::new(view, tangents), &light(), &drawn);
     (generator, census)
 }
 
@@ -139,13 +139,13 @@ fn a_body_in_shadow_is_black_and_the_table_forgets_the_last_frame() {
     let cube = boxed([9.0, -1.0, 0.0], [11.0, 1.0, 2.0], 0);
     let (mut generator, tangents) = (PolyhedronGenerator::default(), tangents(0.4, 41));
     let view = view(Projection::Exact, [0.0, 0.0, 1.5], 0.0, 0.0);
-    generator.run(&view, &tangents, &light(), [Drawn { body: &cube, dark: true }].into_iter());
+    generator.run(&Field::new(&view, &tangents), &light(), &[Drawn { body: &cube, dark: true }]);
     assert_eq!(generator.table().sweep(20)[0].reflectivity, 0.0);
     let mut overlay = Overlay::default();
     let mut row = [0.7; LINES];
     overlay.overlay(generator.table().sweep(20), BodyVisibility::Depth, OPEN, PixelRule::Centre, &mut row);
     assert!(row.contains(&0.0), "a black body is there all the same");
-    generator.run(&view, &tangents, &light(), std::iter::empty());
+    generator.run(&Field::new(&view, &tangents), &light(), &[]);
     assert!(generator.table().is_empty());
 }
 

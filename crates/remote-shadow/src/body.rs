@@ -4,7 +4,7 @@ use glam::DVec3;
 use landscape::Sun;
 use solids::Body;
 
-use crate::Segment;
+use crate::Outlines;
 use crate::axes::SunAxes;
 use crate::bank::ShadowBank;
 use crate::ground::Ground;
@@ -30,9 +30,9 @@ impl ShadowBank {
     /// The outline is that of what stands above the ground, seen from the sun; each of its points is followed along the
     /// ray to the ground, for 5 km at most or to the end of the ground. So the side of the outline that faces the sun
     /// lies where the body enters the ground. Nothing for a sun that is not above the horizon.
-    pub fn cast_by_body(&self, body: &Body, sun: &Sun) -> Vec<Segment> {
+    pub fn cast_by_body(&self, body: &Body, sun: &Sun) -> Outlines {
         if sun.direction()[2] <= 0.0 {
-            return Vec::new();
+            return Outlines::default();
         }
         let axes = SunAxes::new(sun);
         let hull = outline(&axes, &above_ground(body, self.ground()));
@@ -43,7 +43,7 @@ impl ShadowBank {
             (0..pieces).map(move |k| a.lerp(b, k as f64 / pieces as f64))
         });
         let corners: Vec<[f64; 2]> = points.map(|point| fall(self.ground(), &axes, point)).collect();
-        Segment::outline(&corners)
+        Outlines::closed(&corners)
     }
 }
 

@@ -12,10 +12,10 @@ use files::FileError;
 use landscape::{Landscape, Sun, bank_file};
 
 use crate::tile::{Place, STRIPS};
-use crate::{Segment, Tile};
+use crate::{Outlines, Tile};
 
 /// Names the format; another number if the meaning of a tile changes.
-const MAGIC: [u8; 8] = *b"lnshad01";
+const MAGIC: [u8; 8] = *b"lnshad02";
 /// Largest file that is read (bytes).
 const MAX_BYTES: u64 = 1 << 30;
 const HASH: usize = blake3::OUT_LEN;
@@ -35,8 +35,8 @@ impl Cache {
         ground.update(&STRIPS.to_le_bytes());
         ground.update(&finest.to_le_bytes());
         ground.update(&bank_file::content_hash(landscape.bank()));
-        for crater in landscape.features().craters() {
-            for number in numbers(crater) {
+        for crater in landscape.features().craters().iter() {
+            for number in numbers(&crater) {
                 ground.update(&number.to_le_bytes());
             }
         }
@@ -96,10 +96,10 @@ fn encode(key: &[u8; HASH], tiles: &[(Place, &Arc<Tile>)]) -> Vec<u8> {
         bytes.extend(u64::from(place.level).to_le_bytes());
         bytes.extend(place.at.iter().flat_map(|index| index.to_le_bytes()));
         bytes.extend(tile.spacing.to_le_bytes());
-        bytes.extend((tile.segments.len() as u64).to_le_bytes());
-        for segment in &tile.segments {
-            bytes.extend(segment.from.iter().chain(&segment.to).flat_map(|place| place.to_le_bytes()));
-        }
+        let (corners, ends) = (tile.outlines.corners(), tile.outlines.ends());
+        bytes.extend([corners.len(), ends.len()].iter().flat_map(|&count| (count as u64).to_le_bytes()));
+        bytes.extend(corners.iter().flatten().flat_map(|place| place.to_le_bytes()));
+        bytes.extend(ends.iter().flat_map(|end| end.to_le_bytes()));
     }
     let hash = blake3::hash(&bytes);
     bytes.extend(hash.as_bytes());
@@ -121,9 +121,10 @@ fn tile(rest: &mut &[u8]) -> Option<(Place, Tile)> {
     let level = u64::from_le_bytes(word(rest)?).try_into().ok()?;
     let at = [i64::from_le_bytes(word(rest)?), i64::from_le_bytes(word(rest)?)];
     let spacing = f64::from_le_bytes(word(rest)?);
-    let count = u64::from_le_bytes(word(rest)?);
-    let segments = (0..count).map(|_| Some(Segment { from: point(rest)?, to: point(rest)? }));
-    let tile = Tile { spacing, segments: segments.collect::<Option<_>>()? };
+    let [corners, ends] = [u64::from_le_bytes(word(rest)?), u64::from_le_bytes(word(rest)?)];
+    let corners = (0..corners).map(|_| point(rest)).collect::<Option<_>>()?;
+    let ends = (0..ends).map(|_| Some(u32::from_le_bytes(word(rest)?))).collect::<Option<_>>()?;
+    let tile = Tile { spacing, outlines: Outlines::from_parts(corners, ends)? };
     Some((Place { level, at }, tile))
 }
 
@@ -131,8 +132,8 @@ fn point(rest: &mut &[u8]) -> Option<[f64; 2]> {
     Some([f64::from_le_bytes(word(rest)?), f64::from_le_bytes(word(rest)?)])
 }
 
-fn word(rest: &mut &[u8]) -> Option<[u8; 8]> {
-    let (word, tail) = rest.split_first_chunk::<8>()?;
+fn word<const BYTES: usize>(rest: &mut &[u8]) -> Option<[u8; BYTES]> {
+    let (word, tail) = rest.split_first_chunk()?;
     *rest = tail;
     Some(*word)
 }

@@ -40,24 +40,24 @@ impl Best {
 }
 
 /// What the search knows of one square: only those of its craters that the profile meets, which are few.
-struct Square<'a> {
+struct Square {
     bends: Bends,
-    craters: SmallVec<[Met<'a>; 8]>,
+    craters: SmallVec<[Met; 8]>,
 }
 
 /// A crater that the profile meets.
 #[derive(Debug, Clone, Copy)]
-struct Met<'a> {
-    crater: &'a Crater,
+struct Met {
+    crater: Crater,
     /// How far beside its centre the profile passes, and where (m).
     across: f64,
     q: f64,
 }
 
-impl Met<'_> {
+impl Met {
     /// The highest that the crater is between two places of the profile (m).
     fn between(&self, [from, to]: [f64; 2]) -> f64 {
-        let Self { crater, across, q } = *self;
+        let Self { ref crater, across, q } = *self;
         let distance = |along: f64| (across * across + along * along).sqrt();
         let (a, b) = (distance(from - q), distance(to - q));
         let near = if from <= q && q <= to { across.abs() } else { a.min(b) };
@@ -187,7 +187,7 @@ impl<'a> Upstream<'a> {
         }
     }
 
-    fn halve(&self, square: &Square<'_>, [a, b]: [i64; 2], ends: [Option<Lift>; 2], best: &mut Best) {
+    fn halve(&self, square: &Square, [a, b]: [i64; 2], ends: [Option<Lift>; 2], best: &mut Best) {
         if b - a < 2 || self.bound_between(square, [a, b], ends) < best.g {
             return;
         }
@@ -203,7 +203,7 @@ impl<'a> Upstream<'a> {
     }
 
     /// Bound between two points of a square: a chord plus what the bending allows, and each crater's highest.
-    fn bound_between(&self, square: &Square<'_>, span: [i64; 2], ends: [Option<Lift>; 2]) -> f64 {
+    fn bound_between(&self, square: &Square, span: [i64; 2], ends: [Option<Lift>; 2]) -> f64 {
         let [Some(a), Some(b)] = ends else { return f64::INFINITY };
         let [n, e] = self.lit.axes.away();
         let [hxx, hxy, hyy] = square.bends;
@@ -218,13 +218,13 @@ impl<'a> Upstream<'a> {
     }
 
     /// Those of the craters that the profile meets.
-    fn met(&self, craters: &'a [u32]) -> SmallVec<[Met<'a>; 8]> {
-        let all = self.lit.ground.landscape.features().craters();
+    fn met(&self, craters: &[u32]) -> SmallVec<[Met; 8]> {
+        let features = self.lit.ground.landscape.features();
         let meets = |&k: &u32| {
-            let crater = &all[k as usize];
-            let [p, q] = self.lit.axes.to_sun_axes(crater.centre());
+            let (centre, outer) = features.craters().circle(k);
+            let [p, q] = self.lit.axes.to_sun_axes(centre);
             let across = self.p - p;
-            (across.abs() < crater.outer()).then_some(Met { crater, across, q })
+            (across.abs() < outer).then(|| Met { crater: features.crater(k), across, q })
         };
         craters.iter().filter_map(meets).collect()
     }

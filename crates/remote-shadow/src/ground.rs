@@ -65,18 +65,18 @@ impl Ground {
         sheet: &'a Sheet,
         square: Node,
         [x, y]: [f64; 2],
-    ) -> impl Iterator<Item = (&'a Crater, [f64; 3])> {
-        let all = self.landscape.features().craters();
+    ) -> impl Iterator<Item = (Crater, [f64; 3])> {
+        let features = self.landscape.features();
         sheet.craters(square).iter().filter_map(move |&index| {
-            let crater = &all[index as usize];
-            let [dx, dy] = [x - crater.centre()[0], y - crater.centre()[1]];
+            let (centre, outer) = features.craters().circle(index);
+            let [dx, dy] = [x - centre[0], y - centre[1]];
             let way = dx * dx + dy * dy;
             // Spares most roots: a comfortable margin over their rounding.
-            if way > 1.000_001 * crater.outer() * crater.outer() {
+            if way > 1.000_001 * outer * outer {
                 return None;
             }
             let rho = way.sqrt();
-            (rho < crater.outer()).then_some((crater, [rho, dx, dy]))
+            (rho < outer).then(|| (features.crater(index), [rho, dx, dy]))
         })
     }
 }

@@ -55,7 +55,7 @@
 //!     .with_features(Features::new(vec![bowl]));
 //! let shadows = ShadowBank::new(Arc::new(landscape), Resolution { finest: 0.5, angle: 2e-3 });
 //! let tiles = shadows.around(&Sun { azimuth: 0.0, elevation: 0.1 }, [20.0, 125.0], 200.0, None);
-//! assert!(tiles.iter().any(|tile| !tile.segments.is_empty()));
+//! assert!(tiles.iter().any(|tile| !tile.outlines.is_empty()));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -67,6 +67,7 @@ mod caster;
 mod control_net;
 mod cover;
 mod ground;
+mod outlines;
 mod point;
 mod profile;
 mod segment;
@@ -77,5 +78,6 @@ mod tests;
 mod tile;
 
 pub use bank::{Resolution, ShadowBank};
+pub use outlines::Outlines;
 pub use segment::Segment;
 pub use tile::Tile;

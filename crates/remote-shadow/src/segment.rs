@@ -1,4 +1,4 @@
-//! Boundary segments: what is stored of a shadow.
+//! Boundary segments: what shadow is made of.
 
 /// A directed piece of the boundary of remote shadow on the ground: a point and the next one (11.2).
 ///
@@ -10,15 +10,4 @@ pub struct Segment {
     pub from: [f64; 2],
     /// Second end: north, east (m).
     pub to: [f64; 2],
-}
-
-impl Segment {
-    /// The closed outline through `corners` (north, east; m) in their order; nothing for fewer than three.
-    pub fn outline(corners: &[[f64; 2]]) -> Vec<Self> {
-        if corners.len() < 3 {
-            return Vec::new();
-        }
-        let next = corners.iter().cycle().skip(1);
-        corners.iter().zip(next).map(|(&from, &to)| Self { from, to }).collect()
-    }
 }

@@ -25,8 +25,9 @@ pub(crate) struct Sheet {
     parts: usize,
     /// Bending of each region, east fastest, rounded upwards; infinite where a finer level lies over a part of it.
     bends: Vec<[f32; 3]>,
-    /// Maxima (m): squares first, then four by four up to one.
+    /// Maxima: squares first, then four by four up to one.
     layers: Vec<Layer>,
+    steps: Steps,
     /// Craters of each square: `craters[starts[n]..starts[n + 1]]`, ascending; empty where the level has no craters.
     starts: Vec<u32>,
     craters: Vec<u32>,
@@ -35,8 +36,41 @@ pub(crate) struct Sheet {
 #[derive(Debug)]
 struct Layer {
     counts: [usize; 2],
-    /// Rounded upwards.
-    ceilings: Vec<f32>,
+    /// Numbers of steps.
+    ceilings: Vec<u16>,
+}
+
+/// Heights as numbers of steps, which are in their order; 0 is minus infinity.
+#[derive(Debug, Clone, Copy, Default)]
+struct Steps {
+    /// Height of number 1, and of a step (m).
+    lowest: f64,
+    step: f64,
+}
+
+impl Steps {
+    /// Steps over all of some heights (m), finite or minus infinity.
+    fn over(heights: &[f64]) -> Self {
+        let finite = heights.iter().filter(|height| height.is_finite());
+        let [low, high] =
+            finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &at| [low.min(at), high.max(at)]);
+        // A few numbers are left for what rounding takes.
+        let step = (high - low).max(1e-9 * (1.0 + high.abs())) / f64::from(u16::MAX - 8);
+        Self { lowest: low, step }
+    }
+
+    fn height(&self, number: u16) -> f64 {
+        if number == 0 { f64::NEG_INFINITY } else { self.lowest + f64::from(number - 1) * self.step }
+    }
+
+    /// The least number whose height is not below `bound` (m).
+    fn upwards(&self, bound: f64) -> u16 {
+        if bound == f64::NEG_INFINITY {
+            return 0;
+        }
+        let near = 1 + ((bound - self.lowest) / self.step) as u16;
+        (near.saturating_sub(1)..=u16::MAX).find(|&number| self.height(number) >= bound).unwrap_or(u16::MAX)
+    }
 }
 
 /// A square of a sheet's pyramid: layer 0 holds the squares themselves.
@@ -71,6 +105,7 @@ impl Sheet {
             parts,
             bends: Vec::new(),
             layers: Vec::new(),
+            steps: Steps::default(),
             starts: Vec::new(),
             craters: Vec::new(),
         };
@@ -79,11 +114,12 @@ impl Sheet {
             .map(|n| sheet.region_bends(level, [n / regions[1], n % regions[1]], finer).map(upwards))
             .collect();
         sheet.sort_in(landscape.features(), finer);
-        let ceilings = (0..counts[0] * counts[1])
+        let heights: Vec<f64> = (0..counts[0] * counts[1])
             .into_par_iter()
             .map(|n| sheet.ceiling_of(level, finer, landscape.features(), [n / counts[1], n % counts[1]]))
-            .map(upwards)
             .collect();
+        sheet.steps = Steps::over(&heights);
+        let ceilings = heights.into_iter().map(|height| sheet.steps.upwards(height)).collect();
         sheet.layers = pyramid(Layer { counts, ceilings });
         sheet
     }
@@ -104,7 +140,7 @@ impl Sheet {
     /// Upper bound of the height in a node (m).
     pub(crate) fn ceiling(&self, node: Node) -> f64 {
         let layer = &self.layers[node.layer];
-        layer.ceilings[node.at[0] * layer.counts[1] + node.at[1]].into()
+        self.steps.height(layer.ceilings[node.at[0] * layer.counts[1] + node.at[1]])
     }
 
     /// South-west and north-east corner of a node (m).
@@ -154,14 +190,14 @@ impl Sheet {
 
     fn sort_in(&mut self, features: &Features, finer: &[Level]) {
         let all = features.craters();
-        let own = || (0u32..).zip(all).filter(|(_, crater)| !self.is_of(crater, finer));
+        let own = || (0u32..).zip(all.iter()).filter(|(_, crater)| !self.is_of(crater, finer));
         if own().next().is_none() {
             return;
         }
         let squares = self.counts[0] * self.counts[1];
         let mut starts = vec![0u32; squares + 1];
         for (_, crater) in own() {
-            self.for_squares(crater, |square| starts[square + 1] += 1);
+            self.for_squares(&crater, |square| starts[square + 1] += 1);
         }
         for square in 0..squares {
             starts[square + 1] += starts[square];
@@ -169,7 +205,7 @@ impl Sheet {
         let mut sorted = vec![0; starts[squares] as usize];
         let mut next = starts.clone();
         for (index, crater) in own() {
-            self.for_squares(crater, |square| {
+            self.for_squares(&crater, |square| {
                 sorted[next[square] as usize] = index;
                 next[square] += 1;
             });
@@ -214,8 +250,8 @@ impl Sheet {
         if finer.iter().any(|fine| covers(fine, corners)) {
             return f64::NEG_INFINITY;
         }
-        let rises = self.craters(node).iter().map(|&index| &features.craters()[index as usize]);
-        let rise: f64 = rises.map(|crater| highest(crater, distances(corners, crater.centre()))).sum();
+        let rises = self.craters(node).iter().map(|&index| features.crater(index));
+        let rise: f64 = rises.map(|crater| highest(&crater, distances(corners, crater.centre()))).sum();
         let terrain = self.terrain_ceiling(level, at);
         let top = terrain + rise;
         top + ROUNDING * (terrain.abs() + rise.abs() + 1.0)
@@ -292,11 +328,11 @@ fn pyramid(base: Layer) -> Vec<Layer> {
 
 fn halved(below: &Layer) -> Layer {
     let counts = below.counts.map(|count| count.div_ceil(2));
-    let mut ceilings = vec![f32::NEG_INFINITY; counts[0] * counts[1]];
+    let mut ceilings = vec![0; counts[0] * counts[1]];
     for north in 0..below.counts[0] {
         for east in 0..below.counts[1] {
             let above = &mut ceilings[north / 2 * counts[1] + east / 2];
-            *above = above.max(below.ceilings[north * below.counts[1] + east]);
+            *above = (*above).max(below.ceilings[north * below.counts[1] + east]);
         }
     }
     Layer { counts, ceilings }
@@ -304,7 +340,7 @@ fn halved(below: &Layer) -> Layer {
 
 #[cfg(test)]
 mod tests {
-    use super::{Node, Sheet, upwards};
+    use super::{Node, Sheet, Steps, upwards};
     use crate::tests::{cratered, two_levels};
     use proptest::prelude::{prop_assert, proptest};
 
@@ -327,16 +363,35 @@ mod tests {
         }
     }
 
+    proptest! {
+        /// In steps a ceiling is still one, and no higher than it must be; steps keep the order.
+        #[test]
+        fn a_ceiling_in_steps_is_the_least_that_is_one(
+            mut heights in proptest::collection::vec(-9e3..9e3f64, 1..50), scale in 0.0..1.0f64, level: bool,
+        ) {
+            heights.iter_mut().for_each(|height| *height *= if level { 0.0 } else { scale * scale * scale });
+            heights.push(f64::NEG_INFINITY);
+            let steps = Steps::over(&heights);
+            for &height in &heights {
+                let number = steps.upwards(height);
+                prop_assert!(steps.height(number) >= height);
+                prop_assert!(number <= 1 || steps.height(number - 1) < height, "{}", height);
+            }
+            heights.sort_by(f64::total_cmp);
+            prop_assert!(heights.windows(2).all(|pair| steps.upwards(pair[0]) <= steps.upwards(pair[1])));
+        }
+    }
+
     #[test]
     fn craters_stand_where_they_are_met() {
         let landscape = two_levels();
         let [fine, coarse] = [0, 1].map(|index| Sheet::new(&landscape, index));
-        let craters = landscape.features().craters();
+        let features = landscape.features();
         let over_the_edge = |&index: &u32| {
-            let (centre, outer) = (craters[index as usize].centre(), craters[index as usize].outer());
+            let (centre, outer) = (features.crater(index).centre(), features.crater(index).outer());
             centre.iter().any(|c| c - outer < 1e-6 || c + outer > 2000.0 - 1e-6)
         };
-        let all = craters.len() as u32;
+        let all = features.craters().len() as u32;
         assert!((0..all).filter(over_the_edge).all(|index| coarse.craters.contains(&index)));
         assert!(coarse.craters.iter().all(over_the_edge) && !coarse.craters.is_empty());
         assert!((0..all).filter(|index| !over_the_edge(index)).all(|index| fine.craters.contains(&index)));

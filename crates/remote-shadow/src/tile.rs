@@ -1,10 +1,10 @@
 //! One tile of the shadow map.
 
-use crate::Segment;
 use crate::caster::Upstream;
 use crate::ground::LitGround;
 use crate::profile::{Interval, Walk};
 use crate::strip::{Piece, Side, edge, join};
+use crate::{Outlines, Segment};
 
 /// Strips of a tile: it has one profile more, and as many spacings along each.
 pub(crate) const STRIPS: i64 = 64;
@@ -38,8 +38,8 @@ impl Place {
 pub struct Tile {
     /// Distance between the profiles (m): across the sun's azimuth boundaries are good to about this.
     pub spacing: f64,
-    /// Boundary segments, shadow to the right of each.
-    pub segments: Vec<Segment>,
+    /// Boundaries, shadow to the right of each segment.
+    pub outlines: Outlines,
 }
 
 impl Tile {
@@ -62,8 +62,8 @@ impl Tile {
             .collect();
         let pieces = outline(&across, &dark, [start, start + STRIPS as f64 * spacing]);
         let ground = |point| lit.axes.to_ground(point);
-        let segments = pieces.iter().map(|&[a, b]| Segment { from: ground(a), to: ground(b) }).collect();
-        Self { spacing, segments }
+        let segment = |&[a, b]: &Piece| Segment { from: ground(a), to: ground(b) };
+        Self { spacing, outlines: Outlines::joined(&pieces.iter().map(segment).collect::<Vec<_>>()) }
     }
 }
 

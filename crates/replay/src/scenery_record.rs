@@ -61,7 +61,7 @@ fn hash_of_numbers(numbers: impl Iterator<Item = f64>) -> blake3::Hash {
 const BLOCK: usize = 1 << 14;
 
 fn hash_of_craters(features: &Features) -> blake3::Hash {
-    let numbers = |crater: &Crater| {
+    let numbers = |crater: Crater| {
         let [x, y] = crater.centre();
         let kind = f64::from(crater.type_number());
         [kind, x, y, crater.floor(), crater.foot(), crater.outer(), crater.depth(), crater.rim()]

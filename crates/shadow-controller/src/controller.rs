@@ -1,15 +1,16 @@
 //! From boundary segments to the gate of every sweep.
 
+use std::iter;
+
 use hardware_model::ShadowParts;
 use parts::GateEdge;
 use quantities::SweepTime;
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
-use remote_shadow::Segment;
+use remote_shadow::Outlines;
 use sweep_program::{LoadTiming, NoTiming};
 
-use crate::crossings::{Crossing, Crossings, Met, ROOM};
-use crate::fan::Line;
+use crate::crossings::{Bare, Crossing, Crossings, Known, Met, ROOM, Sighting};
 use crate::line_generators::{
     Boundary, SegmentLoad, SegmentMiss, Service, ServiceWork, serve, serve_in_time,
 };
@@ -29,7 +30,7 @@ pub struct Gate {
     /// Ground ranges at which the gate changes (m, ascending, up to the reach).
     pub toggles: Vec<f64>,
     /// By how much each of them moves along the sweep for an error of its line of the line's full scale, its length (m); 0
-    /// where no line generator makes it.
+    /// where no line generator makes it; none at all where nobody asks.
     pub swings: Vec<f64>,
     /// Crossings up to the reach that are no boundary between light and shadow: shadows that overlap, edges of tiles.
     pub united: u32,
@@ -56,14 +57,24 @@ impl Gate {
     pub fn end_at(&mut self, reach: f64) {
         if self.is_dark(reach) {
             self.toggles.push(reach);
-            self.swings.push(0.0);
+            if !self.swings.is_empty() {
+                self.swings.push(0.0);
+            }
         }
+    }
+
+    /// Has it change at ranges (m, ascending), each without a swing.
+    fn change_at(&mut self, ranges: impl Iterator<Item = f64>) {
+        self.swings.clear();
+        self.toggles.clear();
+        self.toggles.extend(ranges);
     }
 
     /// Where it changes, as the comparators see it.
     pub fn edges(&self) -> impl Iterator<Item = GateEdge> {
-        let pairs = self.toggles.iter().zip(&self.swings);
-        pairs.map(|(&range, &swing)| GateEdge { range, slope: 1.0 / swing.abs() })
+        let swings = self.swings.iter().copied().chain(iter::repeat(0.0));
+        let pairs = self.toggles.iter().zip(swings);
+        pairs.map(|(&range, swing)| GateEdge { range, slope: 1.0 / swing.abs() })
     }
 }
 
@@ -76,23 +87,25 @@ pub struct ShadowController {
     pub map_centre: [f64; 2],
     /// Side of that map (m).
     pub map_side: f64,
+    /// Whether gates tell their swings and how many line generators they need: a picture of ideal parts asks for neither.
+    pub tells_lines: bool,
 }
 
 impl ShadowController {
     /// The gate of every sweep, up to a ground range of `reach` (m).
     ///
     /// `directions`: unit vectors (north, east) of the sweeps from left to right, less than half a turn apart in all.
-    /// `segments`: any number of lists, each of closed outlines; shadow to the right. What lies behind the eye
+    /// `shadows`: any number of lists of outlines; shadow to the right. What lies behind the eye
     /// (north, east; m) does not count. `out` gets one gate a sweep; its buffers are used again.
     pub fn gates(
         &self,
         eye: [f64; 2],
         directions: &[[f64; 2]],
         reach: f64,
-        segments: &[&[Segment]],
+        shadows: &[&Outlines],
         out: &mut Vec<Gate>,
     ) {
-        self.gates_by(eye, directions, reach, segments, |_| None::<NoTiming>, out);
+        self.gates_by(eye, directions, reach, shadows, |_| None::<NoTiming>, out);
     }
 
     /// The same with loads that take the time of `timing` of each sweep, if there is any.
@@ -101,40 +114,65 @@ impl ShadowController {
         eye: [f64; 2],
         directions: &[[f64; 2]],
         reach: f64,
-        segments: &[&[Segment]],
+        shadows: &[&Outlines],
         timing: impl Fn(u32) -> Option<LoadTiming<T, R>> + Sync,
         out: &mut Vec<Gate>,
     ) {
-        let met = match self.parts {
-            ShadowParts::Digital { .. } => Met::new(directions, segments, |segment| from_eye(segment, eye)),
-            ShadowParts::ScanConverter { offset, gain } => {
-                let seen = |place| self.seen(place, offset, gain);
-                let line = |segment: &Segment| Line { from: seen(segment.from), to: seen(segment.to) };
-                Met::new(directions, segments, |segment| from_eye(&line(segment), eye))
+        match self.parts {
+            ShadowParts::Digital { line_generators } => {
+                let asks = self.tells_lines || line_generators.is_some() || timing(0).is_some();
+                if asks {
+                    self.gates_of(
+                        &Met::<_, Known>::new(directions, shadows, Places { eye }),
+                        reach,
+                        timing,
+                        out,
+                    );
+                } else {
+                    self.gates_of(
+                        &Met::<_, Bare>::new(directions, shadows, Places { eye }),
+                        reach,
+                        timing,
+                        out,
+                    );
+                }
             }
-        };
-        out.resize_with(directions.len(), Gate::default);
+            ShadowParts::ScanConverter { offset, gain } => {
+                let map = Map { controller: self, offset, gain, eye };
+                self.gates_of(&Met::<_, Bare>::new(directions, shadows, map), reach, timing, out);
+            }
+        }
+    }
+
+    /// The same of what the sweeps meet.
+    fn gates_of<C: Crossing, T: Fn(f64) -> SweepTime, R: Fn(SweepTime) -> f64>(
+        &self,
+        met: &Met<'_, impl Sighting, C>,
+        reach: f64,
+        timing: impl Fn(u32) -> Option<LoadTiming<T, R>> + Sync,
+        out: &mut Vec<Gate>,
+    ) {
+        out.resize_with(met.sweeps(), Gate::default);
+        let room =
+            || (Crossings::new(), Vec::with_capacity(ROOM), Vec::with_capacity(ROOM), ServiceWork::new());
         out.par_chunks_mut(BAND).enumerate().for_each_init(
-            || (Crossings::new(), Vec::with_capacity(ROOM), ServiceWork::new()),
-            |(crossings, boundaries, work), (band, gates)| {
+            room,
+            |(crossings, changes, boundaries, work), (band, gates)| {
                 for (sweep, gate) in (band * BAND..).zip(gates) {
-                    let crossed = crossings.of(&met, sweep);
-                    gate.dark_at_start =
-                        unite(crossed, reach, |crossing| met.boundary(*crossing), boundaries);
+                    let crossed = crossings.of(met, sweep);
+                    gate.dark_at_start = unite(crossed, reach, changes);
                     let within = crossed.partition_point(|crossing| crossing.range() <= reach);
-                    gate.united = (within - boundaries.len()) as u32;
-                    self.load(boundaries, work, reach, timing(sweep as u32), gate);
+                    gate.united = (within - changes.len()) as u32;
+                    boundaries.clear();
+                    boundaries.extend(changes.iter().map_while(|crossing| met.boundary(sweep, *crossing)));
+                    if boundaries.len() == changes.len() {
+                        self.load(boundaries, work, reach, timing(sweep as u32), gate);
+                    } else {
+                        gate.change_at(changes.iter().map(|crossing| crossing.range()));
+                    }
                 }
             },
         );
-    }
-
-    /// A place of the map as the sweep meets it in a scan converter.
-    fn seen(&self, place: [f64; 2], offset: [f64; 2], gain: f64) -> [f64; 2] {
-        [0, 1].map(|axis: usize| {
-            let centre = self.map_centre[axis];
-            centre + (place[axis] - centre) * (1.0 + gain) + offset[axis] * self.map_side
-        })
     }
 
     fn load(
@@ -145,42 +183,59 @@ impl ShadowController {
         timing: Option<LoadTiming<impl Fn(f64) -> SweepTime, impl Fn(SweepTime) -> f64>>,
         gate: &mut Gate,
     ) {
-        let (mut service, mut load_ticks) = (Service::default(), 0);
-        if let ShadowParts::Digital { line_generators } = self.parts {
-            service = match timing {
-                None => serve(boundaries, line_generators, work),
-                Some(mut timing) => {
-                    let service = serve_in_time(boundaries, line_generators, reach, &mut timing);
-                    load_ticks = timing.line.busy();
-                    service
-                }
-            };
-        }
+        let ShadowParts::Digital { line_generators } = self.parts else {
+            return gate.change_at(iter::empty());
+        };
+        let mut load_ticks = 0;
+        let service = match timing {
+            None => serve(boundaries, line_generators, work),
+            Some(mut timing) => {
+                let service = serve_in_time(boundaries, line_generators, reach, &mut timing);
+                load_ticks = timing.line.busy();
+                service
+            }
+        };
         let Service { dropped, most_in_use, misses, loads } = service;
         (gate.dropped, gate.most_in_use, gate.load_ticks) = (dropped, most_in_use, load_ticks);
         (gate.misses, gate.loads) = (misses, loads);
-        gate.toggles.clear();
-        gate.toggles.extend(boundaries.iter().map(|boundary| boundary.range));
-        gate.swings.clear();
-        let has_lines = matches!(self.parts, ShadowParts::Digital { .. });
-        gate.swings.extend(boundaries.iter().map(|boundary| if has_lines { boundary.swing } else { 0.0 }));
+        gate.change_at(boundaries.iter().map(|boundary| boundary.range));
+        gate.swings.extend(boundaries.iter().map(|boundary| boundary.swing));
     }
 }
 
-/// A segment from the eye (m).
-fn from_eye(segment: &Segment, eye: [f64; 2]) -> Line {
-    let seen = |place: [f64; 2]| [place[0] - eye[0], place[1] - eye[1]];
-    Line { from: seen(segment.from), to: seen(segment.to) }
+/// Places where they are.
+struct Places {
+    eye: [f64; 2],
+}
+
+impl Sighting for Places {
+    #[inline(always)]
+    fn seen(&self, [north, east]: [f64; 2]) -> [f64; 2] {
+        [north - self.eye[0], east - self.eye[1]]
+    }
+}
+
+/// Places of the map as the sweep meets them in a scan converter.
+struct Map<'a> {
+    controller: &'a ShadowController,
+    offset: [f64; 2],
+    gain: f64,
+    eye: [f64; 2],
+}
+
+impl Sighting for Map<'_> {
+    fn seen(&self, place: [f64; 2]) -> [f64; 2] {
+        let Self { controller: ShadowController { map_centre, map_side, .. }, offset, gain, eye } = self;
+        [0, 1].map(|axis: usize| {
+            let centre = map_centre[axis];
+            centre + (place[axis] - centre) * (1.0 + gain) + offset[axis] * map_side - eye[axis]
+        })
+    }
 }
 
 /// The I/O processor's editing: of all `crossings` of a sweep those between light and shadow, up to `reach`. Returns
 /// whether the sweep starts in shadow.
-fn unite(
-    crossings: &[Crossing],
-    reach: f64,
-    boundary: impl Fn(&Crossing) -> Boundary,
-    out: &mut Vec<Boundary>,
-) -> bool {
+fn unite<C: Crossing>(crossings: &[C], reach: f64, out: &mut Vec<C>) -> bool {
     out.clear();
     // Outlines are closed, so beyond the last crossing there is no shadow.
     let start = -crossings.iter().map(|crossing| crossing.step()).sum::<i32>();
@@ -191,10 +246,10 @@ fn unite(
         if (before > 0) == (depth > 0) {
             continue;
         }
-        if out.last().is_some_and(|last| crossing.range() - last.range < RESOLUTION) {
+        if out.last().is_some_and(|last| crossing.range() - last.range() < RESOLUTION) {
             out.pop();
         } else {
-            out.push(boundary(crossing));
+            out.push(*crossing);
         }
     }
     start > 0

@@ -5,6 +5,7 @@ use std::ops::Range;
 use fearless_simd::{Level, Simd, dispatch};
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSlice;
+use remote_shadow::{Outlines, Segment};
 
 use crate::fan::{Fan, Line, Sifted, TOGETHER};
 use crate::line_generators::Boundary;
@@ -16,43 +17,97 @@ const PART: usize = 256;
 /// Lines, or crossings of a sweep, that there is room for before more memory is asked for.
 pub(crate) const ROOM: usize = 1024;
 
-/// One sweep crosses one line: bits of the range, then whether a shadow ends there, then which crossing it is: its part
-/// and its place there. In this form they are sorted as they are met, beginnings before endings at the same range.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
-pub(crate) struct Crossing(u128);
+/// A segment: its list and its number there, less than 2^31 lists.
+type Place = [u32; 2];
 
-impl Crossing {
-    /// `range` (m) must not be negative: only then its bits are in its order. There are less than 2^31 parts.
-    fn new(range: f64, ends: bool, [part, place]: [u32; 2]) -> Self {
-        let place = u64::from(ends) << 63 | u64::from(part) << 32 | u64::from(place);
-        Self(u128::from(range.to_bits()) << 64 | u128::from(place))
-    }
+/// One sweep crosses one line. In this form crossings are sorted as they are met: by range, beginnings of shadow before
+/// endings at the same range.
+pub(crate) trait Crossing: Copy + Ord + Default + Send + Sync {
+    /// `range` (m) must not be negative: only then its bits are in its order.
+    fn new(range: f64, ends: bool, place: Place) -> Self;
 
     /// Ground range (m).
-    pub(crate) fn range(self) -> f64 {
-        f64::from_bits((self.0 >> 64) as u64)
-    }
+    fn range(self) -> f64;
+
+    /// Whether a shadow ends there.
+    fn ends(self) -> bool;
+
+    /// The line that is crossed, if it is known.
+    fn place(self) -> Option<Place>;
 
     /// Shadows begun (1) or ended (-1) there.
-    pub(crate) fn step(self) -> i32 {
-        1 - 2 * ((self.0 >> 63) as i32 & 1)
-    }
-
-    /// Part and place there.
-    fn place(self) -> [usize; 2] {
-        [(self.0 >> 32) as usize & 0x7fff_ffff, self.0 as u32 as usize]
+    fn step(self) -> i32 {
+        1 - 2 * i32::from(self.ends())
     }
 }
 
-/// Where the sweeps of a frame cross lines, in the order in which these were given.
-pub(crate) struct Met(Vec<Part>);
+/// A crossing of which only that is known: bits of the range without its sign, then whether a shadow ends there.
+pub(crate) type Bare = u64;
+
+impl Crossing for Bare {
+    fn new(range: f64, ends: bool, _: Place) -> Self {
+        range.to_bits() << 1 | u64::from(ends)
+    }
+
+    fn range(self) -> f64 {
+        f64::from_bits(self >> 1)
+    }
+
+    fn ends(self) -> bool {
+        self & 1 == 1
+    }
+
+    fn place(self) -> Option<Place> {
+        None
+    }
+}
+
+/// A crossing of a line that is known: the same, then list and number of the line.
+pub(crate) type Known = u128;
+
+impl Crossing for Known {
+    fn new(range: f64, ends: bool, place: Place) -> Self {
+        let [list, number] = place.map(u128::from);
+        u128::from(Bare::new(range, ends, place)) << 64 | list << 32 | number
+    }
+
+    fn range(self) -> f64 {
+        ((self >> 64) as Bare).range()
+    }
+
+    fn ends(self) -> bool {
+        ((self >> 64) as Bare).ends()
+    }
+
+    fn place(self) -> Option<Place> {
+        Some([(self >> 32) as u32, self as u32])
+    }
+}
+
+/// Where places of the ground are for the sweeps.
+pub(crate) trait Sighting: Sync {
+    /// A place (north, east; m) from the eye.
+    fn seen(&self, place: [f64; 2]) -> [f64; 2];
+
+    /// A segment from the eye.
+    #[inline(always)]
+    fn line(&self, Segment { from, to }: Segment) -> Line {
+        Line { from: self.seen(from), to: self.seen(to) }
+    }
+}
+
+/// Where the sweeps of a frame cross segments of some lists, in the order in which these were given.
+pub(crate) struct Met<'a, F, C> {
+    lists: &'a [&'a Outlines],
+    sighting: F,
+    directions: &'a [[f64; 2]],
+    parts: Vec<Part<C>>,
+}
 
 /// Of some lists: all crossings, sweep by sweep.
 #[derive(Default)]
-struct Part {
-    crossings: Vec<Crossing>,
-    /// What each of them is if it parts light from shadow.
-    boundaries: Vec<Boundary>,
+struct Part<C> {
+    crossings: Vec<C>,
     /// Where those of each sweep end.
     ends: Vec<u32>,
 }
@@ -60,7 +115,7 @@ struct Part {
 /// A line, and the number of sweeps to the left of its two ends, which differ.
 #[derive(Debug, Clone, Copy)]
 struct MetLine {
-    line: Line,
+    place: Place,
     left: [u32; 2],
 }
 
@@ -72,52 +127,60 @@ impl MetLine {
     }
 }
 
-impl Met {
-    /// For the sweeps of `directions`, from lists of any number of lines: most of them lie between two sweeps.
-    pub(crate) fn new<T: Sync>(
-        directions: &[[f64; 2]],
-        lists: &[&[T]],
-        line: impl Fn(&T) -> Line + Sync,
-    ) -> Self {
-        let Some(fan) = Fan::new(directions) else { return Self(Vec::new()) };
+impl<'a, F: Sighting, C: Crossing> Met<'a, F, C> {
+    /// For the sweeps of `directions`, from lists of any number of segments: most of them lie between two sweeps.
+    pub(crate) fn new(directions: &'a [[f64; 2]], lists: &'a [&'a Outlines], sighting: F) -> Self {
+        let mut met = Self { lists, sighting, directions, parts: Vec::new() };
+        let Some(fan) = Fan::new(directions) else { return met };
         let vectors = Level::new();
-        let part = |lines: &mut Vec<MetLine>, (number, lists): (usize, &[&[T]])| {
+        let part = |lines: &mut Vec<MetLine>, (number, lists): (usize, &[&Outlines])| {
             lines.clear();
-            dispatch!(vectors, simd => find_met(simd, &fan, lists, &line, lines));
-            Part::new(&fan, number as u32, lines, directions.len())
+            for (list, outlines) in (number * PART..).zip(lists) {
+                dispatch!(vectors, simd => find_met(simd, &fan, list as u32, outlines, &met.sighting, lines));
+            }
+            met.part(&fan, lines)
         };
-        Self(lists.par_chunks(PART).enumerate().map_init(|| Vec::with_capacity(ROOM), part).collect())
+        let some = lists.par_chunks(PART).enumerate();
+        let parts = some.map_init(|| Vec::with_capacity(ROOM), part).collect();
+        met.parts = parts;
+        met
     }
 
-    /// What a crossing is if it parts light from shadow.
-    pub(crate) fn boundary(&self, crossing: Crossing) -> Boundary {
-        let [part, place] = crossing.place();
-        self.0[part].boundaries[place]
+    /// Number of sweeps.
+    pub(crate) fn sweeps(&self) -> usize {
+        self.directions.len()
     }
-}
 
-impl Part {
-    /// Part `number`: finds where the sweeps of the fan, `sweeps` of them, cross `lines`.
-    fn new(fan: &Fan<'_>, number: u32, lines: &[MetLine], sweeps: usize) -> Self {
-        let mut ends = begins(lines, sweeps);
-        let count = lines.iter().map(|met| met.sweeps().len()).sum();
-        let (mut crossings, mut boundaries) =
-            (vec![Crossing::default(); count], vec![Boundary::default(); count]);
+    /// What a crossing of a sweep is if it parts light from shadow; `None` if its line is not known.
+    pub(crate) fn boundary(&self, sweep: usize, crossing: C) -> Option<Boundary> {
+        let line = self.line(crossing.place()?);
+        Some(Boundary::new(&line, self.directions[sweep], crossing.range()))
+    }
+
+    #[inline(always)]
+    fn line(&self, [list, number]: Place) -> Line {
+        self.sighting.line(self.lists[list as usize].segment(number as usize))
+    }
+
+    /// Finds where the sweeps of the fan cross some lines.
+    fn part(&self, fan: &Fan<'_>, lines: &[MetLine]) -> Part<C> {
+        let mut ends = begins(lines, self.sweeps());
+        let mut crossings = vec![C::default(); lines.iter().map(|line| line.sweeps().len()).sum()];
         for met in lines {
-            let MetLine { line, left: [a, b] } = met;
+            let ([a, b], line) = (met.left, self.line(met.place));
             for sweep in met.sweeps() {
-                let (place, range) = (ends[sweep], fan.crossing(sweep, line));
                 // Leftwards its shadow lies beyond it.
-                crossings[place as usize] = Crossing::new(range, a < b, [number, place]);
-                boundaries[place as usize] = Boundary::new(line, fan.direction(sweep), range);
+                crossings[ends[sweep] as usize] = C::new(fan.crossing(sweep, &line), a < b, met.place);
                 ends[sweep] += 1;
             }
         }
-        Self { crossings, boundaries, ends }
+        Part { crossings, ends }
     }
+}
 
+impl<C> Part<C> {
     /// Crossings of one sweep.
-    fn of(&self, sweep: usize) -> &[Crossing] {
+    fn of(&self, sweep: usize) -> &[C] {
         let begin = if sweep == 0 { 0 } else { self.ends[sweep - 1] };
         &self.crossings[begin as usize..self.ends[sweep] as usize]
     }
@@ -143,65 +206,73 @@ fn begins(lines: &[MetLine], sweeps: usize) -> Vec<u32> {
 
 /// All crossings of a sweep; used again from sweep to sweep.
 #[derive(Debug)]
-pub(crate) struct Crossings {
-    crossings: Vec<Crossing>,
-    apart: Vec<Crossing>,
+pub(crate) struct Crossings<C> {
+    crossings: Vec<C>,
+    apart: Vec<C>,
 }
 
-impl Crossings {
+impl<C: Crossing> Crossings<C> {
     /// Room for those of a sweep.
     pub(crate) fn new() -> Self {
         Self { crossings: Vec::with_capacity(ROOM), apart: Vec::with_capacity(ROOM) }
     }
 
-    /// Crossings of one sweep by range; at one range beginnings come first.
-    pub(crate) fn of(&mut self, met: &Met, sweep: usize) -> &[Crossing] {
+    /// Crossings of one sweep in their order.
+    pub(crate) fn of<F>(&mut self, met: &Met<'_, F, C>, sweep: usize) -> &[C] {
         self.crossings.clear();
-        met.0.iter().for_each(|part| self.crossings.extend_from_slice(part.of(sweep)));
+        met.parts.iter().for_each(|part| self.crossings.extend_from_slice(part.of(sweep)));
         // Tiles come by their distance from the eye.
         sort_nearly(&mut self.crossings, &mut self.apart);
         &self.crossings
     }
 }
 
-/// Adds the lines of some lists that sweeps cross to `all`.
+/// Adds the segments of a list that sweeps cross to `met`.
 #[inline(always)]
-fn find_met<V: Simd, T>(
+fn find_met<V: Simd>(
     simd: V,
     fan: &Fan<'_>,
-    lists: &[&[T]],
-    line: impl Fn(&T) -> Line,
-    all: &mut Vec<MetLine>,
+    list: u32,
+    outlines: &Outlines,
+    sighting: &impl Sighting,
+    met: &mut Vec<MetLine>,
 ) {
-    for list in lists {
-        let (chunks, rest) = list.as_chunks::<TOGETHER>();
-        for chunk in chunks {
-            keep_met(fan, chunk, fan.sift(simd, |n| line(&chunk[n])), &line, all);
+    let (corners, mut ends) = (outlines.corners(), outlines.ends());
+    let count = corners.len().saturating_sub(1);
+    for first in (0..count).step_by(TOGETHER) {
+        // The last one stands in for those that are not there.
+        let line = |n: usize| sighting.line(outlines.segment((first + n).min(count - 1)));
+        let mut sifted = match corners[first..].first_chunk::<{ TOGETHER + 1 }>() {
+            Some(chain) => fan.sift(simd, |n| sighting.line(Segment { from: chain[n], to: chain[n + 1] })),
+            None => fan.sift(simd, line),
+        };
+        sifted.may_cross &= !0 >> (u64::BITS as usize - TOGETHER.min(count - first));
+        while let Some((&end, others)) = ends.split_first()
+            && (end as usize) < first + TOGETHER
+        {
+            sifted.may_cross &= !(1 << (end as usize - first));
+            ends = others;
         }
-        if let Some(last) = rest.len().checked_sub(1) {
-            // The last one stands in for those that are not there.
-            keep_met(fan, rest, fan.sift(simd, |n| line(&rest[n.min(last)])), &line, all);
-        }
+        keep_met(fan, [list, first as u32], sifted, line, met);
     }
 }
 
-/// Keeps those lines of a chunk that sweeps cross.
+/// Keeps those of eight lines, of which the first is at `place`, that sweeps cross.
 #[inline(always)]
-fn keep_met<T>(
+fn keep_met(
     fan: &Fan<'_>,
-    chunk: &[T],
+    [list, first]: Place,
     sifted: Sifted,
-    line: impl Fn(&T) -> Line,
-    all: &mut Vec<MetLine>,
+    line: impl Fn(usize) -> Line,
+    met: &mut Vec<MetLine>,
 ) {
     let Sifted { mut may_cross, known, left } = sifted;
     while may_cross != 0 {
         let n = may_cross.trailing_zeros() as usize;
         may_cross &= may_cross - 1;
-        let Some(part) = chunk.get(n) else { return };
-        let line = line(part);
         let known = (known >> n & 1 == 1).then(|| left.map(|left| left[n] as usize));
-        let left = known.or_else(|| fan.span(&line)).map(|left| left.map(|sweeps| sweeps as u32));
-        all.extend(left.filter(|[a, b]| a != b).map(|left| MetLine { line, left }));
+        let left = known.or_else(|| fan.span(&line(n))).map(|left| left.map(|sweeps| sweeps as u32));
+        let place = [list, first + n as u32];
+        met.extend(left.filter(|[a, b]| a != b).map(|left| MetLine { place, left }));
     }
 }

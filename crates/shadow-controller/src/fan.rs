@@ -127,11 +127,6 @@ impl<'a> Fan<'a> {
         Some([self.sweeps_left_of(clipped(a, b)), self.sweeps_left_of(clipped(b, a))])
     }
 
-    /// Unit vector of a sweep.
-    pub(crate) fn direction(&self, sweep: usize) -> [f64; 2] {
-        self.directions[sweep]
-    }
-
     /// Ground range at which a sweep crosses a line (m), at least 0.
     pub(crate) fn crossing(&self, sweep: usize, line: &Line) -> f64 {
         let direction = self.directions[sweep];

@@ -3,14 +3,14 @@
 use hardware_model::ShadowParts;
 use proptest::prelude::*;
 use quantities::{Rate, SweepTime, Timebase, radians, sin_cos, unit_interval};
-use remote_shadow::Segment;
+use remote_shadow::{Outlines, Segment};
 use shadow_controller::{Gate, SEGMENT_WORDS, ShadowController};
 use sweep_program::{LoadLine, LoadTiming, MissCause};
 
 const IDEAL: ShadowParts = ShadowParts::Digital { line_generators: None };
 
 fn controller(parts: ShadowParts) -> ShadowController {
-    ShadowController { parts, map_centre: [100.0, 50.0], map_side: 400.0 }
+    ShadowController { parts, map_centre: [100.0, 50.0], map_side: 400.0, tells_lines: true }
 }
 
 fn direction(azimuth: f64) -> [f64; 2] {
@@ -28,7 +28,7 @@ fn fan(heading: f64, count: usize) -> Vec<[f64; 2]> {
 
 fn gates(parts: ShadowParts, eye: [f64; 2], directions: &[[f64; 2]], segments: &[Segment]) -> Vec<Gate> {
     let mut out = vec![Gate { toggles: vec![1.0; 3], ..Gate::default() }];
-    controller(parts).gates(eye, directions, 1000.0, &[segments], &mut out);
+    controller(parts).gates(eye, directions, 1000.0, &[&Outlines::joined(segments)], &mut out);
     out
 }
 
@@ -47,7 +47,14 @@ fn in_time(slabs: &[Segment], line_generators: Option<u32>, metres: f64, strobes
     };
     let mut out = Vec::new();
     let parts = ShadowParts::Digital { line_generators };
-    controller(parts).gates_by([0.0; 2], &[[1.0, 0.0]], 1000.0, &[slabs], timing, &mut out);
+    controller(parts).gates_by(
+        [0.0; 2],
+        &[[1.0, 0.0]],
+        1000.0,
+        &[&Outlines::joined(slabs)],
+        timing,
+        &mut out,
+    );
     out.remove(0)
 }
 
@@ -91,7 +98,7 @@ fn a_late_boundary_changes_the_gate_when_its_words_come() {
 #[test]
 fn loads_in_time_change_nothing() {
     let corners = star(5, [60.0, 0.0], 50.0);
-    let outline = Segment::outline(&corners);
+    let outline = outline(&corners);
     let quick = in_time(&outline, None, 0.001, false);
     let untimed = gates(IDEAL, [0.0; 2], &[[1.0, 0.0]], &outline).remove(0);
     assert!(!untimed.toggles.is_empty());
@@ -126,9 +133,14 @@ fn inside(corners: &[[f64; 2]], place: [f64; 2]) -> bool {
     crossed.count() % 2 == 1
 }
 
+/// The closed outline through `corners`.
+fn outline(corners: &[[f64; 2]]) -> Vec<Segment> {
+    Outlines::closed(corners).segments().collect()
+}
+
 /// A rectangle from `low` to `high` (north, east), clockwise.
 fn rectangle(low: [f64; 2], high: [f64; 2]) -> Vec<Segment> {
-    Segment::outline(&[low, [high[0], low[1]], high, [low[0], high[1]]])
+    outline(&[low, [high[0], low[1]], high, [low[0], high[1]]])
 }
 
 proptest! {
@@ -139,11 +151,18 @@ proptest! {
         ranges in prop::collection::vec(0.01f64..120.0, 20),
     ) {
         let stars: Vec<_> = stars.iter().map(|&(seed, x, y, radius)| star(seed, [x, y], radius)).collect();
-        let outlines: Vec<_> = stars.iter().map(|corners| Segment::outline(corners)).collect();
-        let lists: Vec<&[Segment]> = outlines.iter().map(Vec::as_slice).collect();
+        let outlines: Vec<_> = stars.iter().map(|corners| Outlines::closed(corners)).collect();
+        let lists: Vec<&Outlines> = outlines.iter().collect();
         let directions = fan(heading, 41);
         let mut out = Vec::new();
         controller(IDEAL).gates([1.5, -2.5], &directions, 1000.0, &lists, &mut out);
+        // Who does not ask for line generators has the same changes.
+        let (quiet, mut bare) = (ShadowController { tells_lines: false, ..controller(IDEAL) }, Vec::new());
+        quiet.gates([1.5, -2.5], &directions, 1000.0, &lists, &mut bare);
+        for (gate, bare) in out.iter().zip(&bare) {
+            prop_assert_eq!((&gate.toggles, gate.dark_at_start), (&bare.toggles, bare.dark_at_start));
+            prop_assert_eq!((gate.united, bare.swings.len(), bare.most_in_use), (bare.united, 0, 0));
+        }
         for (gate, d) in out.iter().zip(&directions) {
             prop_assert!(gate.toggles.is_sorted());
             prop_assert!(!is_dark(gate, 1000.0));
@@ -160,12 +179,7 @@ proptest! {
 fn a_corner_on_the_sweep_counts_once() {
     // A diamond with two corners on the sweep, and one that touches it from either side.
     let diamond = |north: f64, east: f64| {
-        Segment::outline(&[
-            [north - 1.0, east],
-            [north, east - 1.0],
-            [north + 1.0, east],
-            [north, east + 1.0],
-        ])
+        outline(&[[north - 1.0, east], [north, east - 1.0], [north + 1.0, east], [north, east + 1.0]])
     };
     assert_eq!(one([1.0, 0.0], &diamond(5.0, 0.0)).toggles, [4.0, 6.0]);
     for side in [-1.0, 1.0] {
@@ -208,7 +222,7 @@ fn an_eye_in_shadow_starts_dark() {
 fn nothing_beyond_the_reach() {
     let mut out = Vec::new();
     let far = [rectangle([2.0, -1.0], [60.0, 1.0]), rectangle([70.0, -1.0], [80.0, 1.0])].concat();
-    controller(IDEAL).gates([0.0; 2], &[[1.0, 0.0]], 50.0, &[&far], &mut out);
+    controller(IDEAL).gates([0.0; 2], &[[1.0, 0.0]], 50.0, &[&Outlines::joined(&far)], &mut out);
     assert_eq!(out[0].toggles, [2.0]);
     assert!(!out[0].dark_at_start);
 }
@@ -231,9 +245,8 @@ fn a_boundary_without_a_line_generator_inverts_the_gate() {
 #[test]
 fn line_generators_that_become_free_serve_again() {
     // Boundaries nearer to x than to y hold one only over their extent along x; two at a time here.
-    let slanted = |north: f64| {
-        Segment::outline(&[[north - 2.0, -1.0], [north, -1.0], [north + 4.0, 1.0], [north + 2.0, 1.0]])
-    };
+    let slanted =
+        |north: f64| outline(&[[north - 2.0, -1.0], [north, -1.0], [north + 4.0, 1.0], [north + 2.0, 1.0]]);
     let all: Vec<Segment> = (0..3).flat_map(|n| slanted(10.0 + 20.0 * f64::from(n))).collect();
     let gate =
         gates(ShadowParts::Digital { line_generators: Some(2) }, [0.0; 2], &[[1.0, 0.0]], &all).remove(0);

@@ -5,7 +5,7 @@ use hardware_model::ShadowParts;
 use landscape::relief::{Relief, Undulation};
 use landscape::{Bank, Landscape, Sun};
 use quantities::{radians, sin_cos, unit_interval};
-use remote_shadow::{Resolution, Segment, ShadowBank};
+use remote_shadow::{Outlines, Resolution, ShadowBank};
 use shadow_controller::ShadowController;
 use std::sync::Arc;
 
@@ -35,10 +35,10 @@ fn the_gate_is_dark_where_the_ground_is() {
     let directions: Vec<_> =
         (0..101).map(|n| direction(heading + radians(0.5 * f64::from(n) - 25.0))).collect();
     let tiles = bank.around(&sun, eye, reach, Some([directions[0], directions[100]]));
-    let lists: Vec<&[Segment]> = tiles.iter().map(|tile| tile.segments.as_slice()).collect();
+    let lists: Vec<&Outlines> = tiles.iter().map(|tile| &tile.outlines).collect();
     let parts = ShadowParts::Digital { line_generators: None };
     let mut gates = Vec::new();
-    ShadowController { parts, map_centre: [0.0; 2], map_side: 1.0 }.gates(
+    ShadowController { parts, map_centre: [0.0; 2], map_side: 1.0, tells_lines: true }.gates(
         eye,
         &directions,
         reach,

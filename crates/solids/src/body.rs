@@ -28,13 +28,39 @@ pub struct Body {
     /// Its shape: corners and albedo of the faces; its own vertices and normals are in body axes.
     pub solid: Arc<Solid>,
     /// From body axes (forward, starboard, up) to north, east, up.
-    to_ground: DMat3,
+    turn: Turn,
     /// How many times as large it is as its solid.
     scale: f64,
     /// Centre of the bounding sphere, in terrain axes.
     pub centre: DVec3,
     /// Radius of the bounding sphere (m).
     pub radius: f64,
+}
+
+/// A rotation from body axes to north, east, up: most bodies stand upright, and two numbers tell it.
+#[derive(Debug, Clone, PartialEq)]
+enum Turn {
+    /// North and east of the unit vector forward.
+    Upright([f64; 2]),
+    Any(Box<DMat3>),
+}
+
+impl Turn {
+    fn new(matrix: &DMat3) -> Self {
+        let upright = Self::Upright([matrix.x_axis.x, matrix.x_axis.y]);
+        if upright.matrix() == *matrix { upright } else { Self::Any(Box::new(*matrix)) }
+    }
+
+    fn matrix(&self) -> DMat3 {
+        match self {
+            Self::Upright([north, east]) => {
+                let [forward, starboard] =
+                    [[*north, *east, 0.0], [-*east, *north, 0.0]].map(DVec3::from_array);
+                DMat3::from_cols(forward, starboard, DVec3::Z)
+            }
+            Self::Any(matrix) => **matrix,
+        }
+    }
 }
 
 /// Where a ray enters a body.
@@ -57,34 +83,38 @@ impl Body {
         to_ground: &DMat3,
         scale: f64,
     ) -> Self {
-        let (to_ground, centre, solid) = (*to_ground, foot, solid.clone());
-        let body = Self { object, kind, foot, solid, to_ground, scale, centre, radius: 0.0 };
+        let (turn, centre, solid) = (Turn::new(to_ground), foot, solid.clone());
+        let body = Self { object, kind, foot, solid, turn, scale, centre, radius: 0.0 };
         let (centre, radius) = bounding_sphere(body.vertices());
         Self { centre, radius, ..body }
     }
 
     /// Vertices of the solid in terrain axes.
     pub fn vertices(&self) -> impl ExactSizeIterator<Item = DVec3> + Clone {
-        self.solid.vertices().iter().map(|&vertex| self.placed(vertex))
+        let place = self.place_of();
+        self.solid.vertices().iter().map(move |&vertex| place(vertex))
     }
 
     /// Normal of each face of the solid in terrain axes.
     pub fn normals(&self) -> impl ExactSizeIterator<Item = DVec3> + Clone {
-        self.solid.faces().iter().map(|face| self.to_ground * face.normal)
+        let turn = self.turn.matrix();
+        self.solid.faces().iter().map(move |face| turn * face.normal)
     }
 
     /// Normal of one face in terrain axes.
     pub fn normal(&self, face: usize) -> DVec3 {
-        self.to_ground * self.solid.faces()[face].normal
+        self.turn.matrix() * self.solid.faces()[face].normal
     }
 
-    fn placed(&self, vertex: DVec3) -> DVec3 {
-        self.foot + self.to_ground * (vertex * self.scale)
+    /// From body axes to terrain axes.
+    fn place_of(&self) -> impl Fn(DVec3) -> DVec3 + Clone + use<> {
+        let (foot, turn, scale) = (self.foot, self.turn.matrix(), self.scale);
+        move |vertex| foot + turn * (vertex * scale)
     }
 
     /// A corner of a face, in terrain axes: a point of its plane.
     pub fn on_face(&self, face: usize) -> DVec3 {
-        self.placed(self.solid.vertices()[self.solid.faces()[face].corners[0] as usize])
+        self.place_of()(self.solid.vertices()[self.solid.faces()[face].corners[0] as usize])
     }
 
     /// Diffuse reflectivity of each face, `max(n.s, 0)` times its albedo, under the unit vector to the sun.

@@ -1,6 +1,6 @@
 //! The landscape of a scenario over a bank.
 
-use features::{Crater, Features};
+use features::{Crater, Craters, Features};
 use landscape::{Bank, Landscape};
 use scenario::{CraterList, CraterPopulation, Scenario};
 
@@ -16,7 +16,7 @@ pub fn landscape(bank: Bank, scenario: &Scenario) -> Result<Landscape, StageErro
         return Err(StageError::OneLevel);
     }
     let level = bank.finest();
-    let features = Features::new(craters(scenario, level.extent())?);
+    let features = Features::of(craters(scenario, level.extent())?);
     let texture = scenario.texture.as_ref().map(|wish| wish.over(level.region_size(), level.origin()));
     let texture = texture.transpose()?;
     let landscape = Landscape::new(bank, scenario.albedo).with_features(features).with_texture(texture);
@@ -24,17 +24,14 @@ pub fn landscape(bank: Bank, scenario: &Scenario) -> Result<Landscape, StageErro
 }
 
 /// Those of the list, then those of each population.
-fn craters(scenario: &Scenario, extent: [f64; 4]) -> Result<Vec<Crater>, StageError> {
-    let mut craters = Vec::new();
+fn craters(scenario: &Scenario, extent: [f64; 4]) -> Result<Craters, StageError> {
+    let mut craters = Craters::default();
     if let Some(list) = &scenario.features.list {
         expect_inside(list, extent)?;
-        craters.extend_from_slice(&list.craters);
+        craters.extend(list.craters.iter().copied());
     }
     for (number, wish) in scenario.features.populations.iter().enumerate() {
-        let found = strewn(number, wish, extent)?;
-        // There may be a million: no room for twice as many.
-        craters.reserve_exact(found.len());
-        craters.extend(found);
+        craters.extend(strewn(number, wish, extent)?);
     }
     Ok(craters)
 }

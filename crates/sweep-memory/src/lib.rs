@@ -24,15 +24,16 @@
 //! of the profile a line of broken ground is within 0.006 of its mean (tested).
 //! **Far strokes** ([`FarStroke`]). Behind the last sample silhouettes of mountains rise from the held line, nearest
 //! first, each with one intensity (section 8).
-//! **Read-out.** [`scan_converter`]: any raster; a pixel lies between two sweeps and takes their mean by distance,
-//! which is the spot of the reading beam. [`digital_memory`]: column n is sweep n, whatever its azimuth.
+//! **Read-out.** [`Memory::ScanConverter`]: any raster; a pixel lies between two sweeps and takes their mean by distance,
+//! which is the spot of the reading beam. [`Memory::Digital`]: column n is sweep n, whatever its azimuth. A picture is read
+//! in tiles ([`Reading`]): each asks for a few sweeps alone.
 //! **Yoke** (section 18). A turned yoke shows the raster counter-clockwise by the roll: the picture of a camera that
 //! is truly rolled, since roll turns the view-plane in itself. [`View`] holds the angle, the raster that is written and
 //! the field of the screen; [`covering`] is the raster whose corners fill the screen at any angle of a travel. A
 //! sweep then keeps several cells a line, and the scan converter reads their mean under its beam, and across sweeps a
-//! cubic, kept between the two nearest; [`digital_memory_turned`] shows cells as cells.
+//! cubic, kept between the two nearest; [`Memory::DigitalTurned`] shows cells as cells.
 //! Upright, with one raster for both, nothing of this is computed.
-//! **Timing.** A frame is read when its last sweep is written. Nothing is allocated while writing or reading.
+//! **Timing.** A frame is read when its last sweep is written; the emulator reads a tile as soon as its sweeps are there.
 //! **Write gun** ([`WriteGun`]; hardware-1969, sections 3.8 and 6). The beam is on in stretches of time. Between two
 //! samples its position and its current run straight; where the current jumps or bends between them, the stroke is divided. Deflection is of second order, with the bandwidth of the part
 //! and Butterworth damping; the intensity is delayed as much as the nominal part delays a ramp, so that what is left is
@@ -63,6 +64,7 @@ mod gather;
 mod read_out;
 mod side_by_side;
 mod stroke;
+mod tiles;
 mod tube;
 mod turned;
 mod upright;
@@ -70,8 +72,9 @@ mod write;
 mod write_gun;
 
 pub use broken::BeamBreaks;
-pub use read_out::{View, covering, digital_memory, digital_memory_turned, scan_converter};
+pub use read_out::{View, covering};
 pub use scenario::PixelRule;
+pub use tiles::{Memory, Reading, Sweeps, Tile};
 pub use tube::{Tube, TubeRaster};
 pub use write::{Beam, FarStroke, SIGNALS, Steps, write_group};
 pub use write_gun::{Drive, GunWork, WriteGun};

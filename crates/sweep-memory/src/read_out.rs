@@ -1,13 +1,8 @@
 //! The read beam: from sweep space to the picture.
 
 use quantities::sin_cos;
-use rayon::iter::{IndexedParallelIterator, ParallelIterator};
-use rayon::slice::ParallelSliceMut;
 use scenario::{FieldOfView, Projection};
 use sweep_program::Fan;
-
-use crate::turned::Turned;
-use crate::upright::{BAND, TILE, Upright};
 
 /// What decides where a pixel lies between the sweeps.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -82,7 +77,7 @@ impl View {
     }
 
     /// Whether display lines are the lines that were written.
-    fn is_level(&self, written: usize, lines: usize) -> bool {
+    pub(crate) fn is_level(&self, written: usize, lines: usize) -> bool {
         self.yoke == 0.0 && self.raster == self.field && written == lines
     }
 }
@@ -97,56 +92,16 @@ pub(crate) fn cell_of(place: f64, edge: f64, count: usize) -> f64 {
     0.5 * ((place / edge + 1.0) * count as f64 - 1.0)
 }
 
-/// Reads `store`, which holds `lines` values a sweep, into `picture` (row by row, `columns` wide).
-pub fn scan_converter(store: &[f32], lines: usize, columns: usize, view: &View, picture: &mut [f32]) {
-    let (band, height) = (BAND * columns, picture.len() / columns);
-    let bands = picture.par_chunks_mut(band).enumerate();
-    if view.is_level(lines, height) {
-        let level = Upright { store, lines, view, columns };
-        bands.for_each(|(band, rows)| level.read(band * BAND, rows));
-    } else {
-        let turned = Turned { store, lines, view, columns, height };
-        bands.for_each(|(band, rows)| turned.read(band * BAND, rows));
-    }
-}
-
-/// Reads the raster as it was written: column n is sweep n.
-pub fn digital_memory(store: &[f32], lines: usize, columns: usize, picture: &mut [f32]) {
-    picture.par_chunks_mut(BAND * columns).enumerate().for_each(|(band, rows)| {
-        for first in (0..columns).step_by(TILE) {
-            for (line, row) in rows.chunks_exact_mut(columns).enumerate() {
-                let pixels = row[first..].iter_mut().take(TILE);
-                let cells = store[first * lines + band * BAND + line..].iter().step_by(lines);
-                pixels.zip(cells).for_each(|(pixel, cell)| *pixel = *cell);
-            }
-        }
-    });
-}
-
-/// The same on a screen whose yoke turns, or which shows a part of the raster: sweep n is column n of the raster,
-/// and a pixel shows the cell of the raster in which its centre lies.
-pub fn digital_memory_turned(store: &[f32], lines: usize, columns: usize, view: &View, picture: &mut [f32]) {
-    let (sweeps, height, upright) = (store.len() / lines, picture.len() / columns, view.upright());
-    picture.par_chunks_exact_mut(columns).enumerate().for_each(|(line, row)| {
-        let y = view.field.tan_half_height * centre(line, height);
-        for (column, pixel) in row.iter_mut().enumerate() {
-            let [x, y] = upright(view.field.tan_half_width * centre(column, columns), y);
-            let sweep = nearest(cell_of(x, view.raster.tan_half_width, sweeps), sweeps);
-            let cell = nearest(cell_of(y, view.raster.tan_half_height, lines), lines);
-            *pixel = sweep.zip(cell).map_or(0.0, |(sweep, cell)| store[sweep * lines + cell]);
-        }
-    });
-}
-
 /// The cell of `count` in which a place lies.
-fn nearest(place: f64, count: usize) -> Option<usize> {
+pub(crate) fn nearest(place: f64, count: usize) -> Option<usize> {
     let cell = (place + 0.5).floor();
     (cell >= 0.0 && cell < count as f64).then_some(cell as usize)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{View, centre, covering, digital_memory, digital_memory_turned, scan_converter};
+    use super::{View, centre, covering};
+    use crate::Memory;
     use quantities::{radians, sin_cos};
     use scenario::{FieldOfView, Projection};
     use sweep_program::Fan;
@@ -163,8 +118,8 @@ mod tests {
     fn level_sweeps_read_as_written_by_both_memories() {
         let store: Vec<f32> = (0..12).map(|k| k as f32).collect();
         let (mut tube, mut digital) = (vec![0.0; 12], vec![0.0; 12]);
-        scan_converter(&store, 3, 4, &view(0.0, 4), &mut tube);
-        digital_memory(&store, 3, 4, &mut digital);
+        Memory::ScanConverter.read(&store, 3, 4, &view(0.0, 4), &mut tube);
+        Memory::Digital.read(&store, 3, 4, &view(0.0, 4), &mut digital);
         assert_eq!(digital[..4], [0.0, 3.0, 6.0, 9.0]);
         for (tube, digital) in tube.iter().zip(&digital) {
             assert!((tube - digital).abs() < 1e-5);
@@ -181,7 +136,7 @@ mod tests {
             store.extend(std::iter::repeat_n(view.fan.tangent(sweep) as f32, lines));
         }
         let mut picture = vec![0.0; lines * columns];
-        scan_converter(&store, lines, columns, &view, &mut picture);
+        Memory::ScanConverter.read(&store, lines, columns, &view, &mut picture);
         for (index, &found) in picture.iter().enumerate() {
             let (line, column) = ((index / columns) as f64, (index % columns) as f64);
             let x = FIELD.tan_half_width * ((2.0 * column + 1.0) / columns as f64 - 1.0);
@@ -212,7 +167,7 @@ mod tests {
                 let mut store = vec![0.0; sweeps * lines];
                 store[sweep * lines + line] = 1.0;
                 let mut picture = vec![0.0; columns * height];
-                scan_converter(&store, lines, columns, &view, &mut picture);
+                Memory::ScanConverter.read(&store, lines, columns, &view, &mut picture);
                 let [x, y] = centroid(&picture, columns);
                 let column = 0.5 * ((ahead[1] / FIELD.tan_half_width + 1.0) * 305.0 - 1.0);
                 let row = 0.5 * ((ahead[2] / FIELD.tan_half_height + 1.0) * 175.0 - 1.0);
@@ -234,8 +189,8 @@ mod tests {
             let mut store = vec![0.0; sweeps * lines];
             store[sweep as usize * lines + cell as usize] = 1.0;
             let mut picture = vec![0.0; columns * height];
-            let read = if tube { scan_converter } else { digital_memory_turned };
-            read(&store, lines, columns, &view, &mut picture);
+            let read = if tube { Memory::ScanConverter } else { Memory::DigitalTurned };
+            read.read(&store, lines, columns, &view, &mut picture);
             assert!(picture[pixel[1] * columns + pixel[0]] > 0.0, "{pixel:?} by a tube: {tube}");
         }
     }
@@ -265,8 +220,8 @@ mod tests {
             yoke: radians(10.0),
         };
         let (mut tube, mut digital) = (vec![0.0; 50 * 30], vec![0.0; 50 * 30]);
-        scan_converter(&store, 40, 50, &view, &mut tube);
-        digital_memory_turned(&store, 40, 50, &view, &mut digital);
+        Memory::ScanConverter.read(&store, 40, 50, &view, &mut tube);
+        Memory::DigitalTurned.read(&store, 40, 50, &view, &mut digital);
         for picture in [tube, digital] {
             let ground = |column: usize| (0..30).map(|line| picture[line * 50 + column]).sum::<f32>();
             assert!(ground(49) > ground(25) + 3.0 && ground(25) > ground(0) + 3.0);
@@ -297,15 +252,15 @@ mod tests {
             View { fan, projection: Projection::Exact, pitch: 0.0, raster, field: FIELD, yoke: 0.0 };
         for step in -20..=20 {
             view.yoke = 0.5 * travel * f64::from(step) / 20.0;
-            for read in [scan_converter, digital_memory_turned] {
+            for read in [Memory::ScanConverter, Memory::DigitalTurned] {
                 let mut picture = vec![0.0; 50 * 30];
-                read(&[1.0; 40 * 30], 30, 50, &view, &mut picture);
+                read.read(&[1.0; 40 * 30], 30, 50, &view, &mut picture);
                 assert!(picture.iter().all(|pixel| *pixel == 1.0), "{}", view.yoke);
             }
         }
         view.yoke = radians(45.0);
         let mut picture = vec![0.0; 50 * 30];
-        scan_converter(&[1.0; 40 * 30], 30, 50, &view, &mut picture);
+        Memory::ScanConverter.read(&[1.0; 40 * 30], 30, 50, &view, &mut picture);
         assert_eq!(picture[0], 0.0);
     }
 
@@ -314,7 +269,7 @@ mod tests {
         // Four cells a line, level: every pixel is the mean of its own four, whatever they hold.
         let values: Vec<f32> = (0..40 * 36).map(|cell| (cell * cell % 97) as f32).collect();
         let mut picture = vec![0.0; 40 * 9];
-        scan_converter(&values, 36, 40, &view(0.0, 40), &mut picture);
+        Memory::ScanConverter.read(&values, 36, 40, &view(0.0, 40), &mut picture);
         for (index, found) in picture.iter().enumerate() {
             let (line, column) = (index / 40, index % 40);
             let mean = values[column * 36 + 4 * line..][..4].iter().sum::<f32>() / 4.0;
@@ -333,7 +288,7 @@ mod tests {
             .map(|index| (fan.tangent((index / 60) as u32) + 10.0 * 0.6 * centre(index % 60, 60)) as f32)
             .collect();
         let mut picture = vec![0.0; 41 * 15];
-        scan_converter(&store, 60, 41, &view, &mut picture);
+        Memory::ScanConverter.read(&store, 60, 41, &view, &mut picture);
         for (index, found) in picture.iter().enumerate() {
             let expected = 0.4 * centre(index % 41, 41) + 10.0 * 0.3 * centre(index / 41, 15);
             assert!((f64::from(*found) - expected).abs() < 1e-5, "{index}");

@@ -7,15 +7,15 @@ use scenario::FieldOfView;
 
 use crate::View;
 use crate::read_out::{cell_of, centre};
-use crate::upright::{TILE, floor};
+use crate::tiles::{Sweeps, TILE, Tile};
+use crate::upright::floor;
 
 /// How far beyond half a cell a place may lie by rounding and still be on the raster.
 const ROUNDING: f64 = 1e-6;
 
 /// What is read, and into a picture of how many pixels.
 pub(crate) struct Turned<'a> {
-    /// `lines` values a sweep.
-    pub store: &'a [f32],
+    pub sweeps: Sweeps<'a>,
     pub lines: usize,
     pub view: &'a View,
     pub columns: usize,
@@ -37,13 +37,13 @@ struct Places {
 }
 
 impl Turned<'_> {
-    /// Reads lines from `first` on into rows of the picture.
+    /// Reads a tile of the picture.
     ///
     /// What a beam as high as a line sees at a place: the mean of the cells under it along each of the four sweeps
     /// around it, and across them the cubic of Catmull and Rom, kept between the two nearest so that no edge rings (a
     /// linear spot would blur all that lies between sweeps, which turned is everything). A place beyond the outermost
     /// by more than half a sweep or half a cell is dark.
-    pub fn read(&self, first: usize, rows: &mut [f32]) {
+    pub fn read(&self, tile: &mut Tile<'_>) {
         let vectors = Level::new();
         let place = self.place();
         let (number, part) = ([0; TILE], [0.0; TILE]);
@@ -56,22 +56,19 @@ impl Turned<'_> {
             before: part,
             within: part,
         };
-        for column in (0..self.columns).step_by(TILE) {
-            let across =
-                array::from_fn(|n| self.view.field.tan_half_width * centre(column + n, self.columns));
-            let end = self.columns.min(column + TILE);
-            for (line, row) in (first..).zip(rows.chunks_exact_mut(self.columns)) {
-                let y = self.view.field.tan_half_height * centre(line, self.height);
-                dispatch!(vectors, simd => {
-                    self.aim(&across, y, &place, &mut places);
-                    self.read_tile(simd, &places, &mut row[column..end]);
-                });
-            }
+        let column = tile.columns.start;
+        let across = array::from_fn(|n| self.view.field.tan_half_width * centre(column + n, self.columns));
+        for (line, row) in tile.rows.iter_mut().enumerate() {
+            let y = self.view.field.tan_half_height * centre(line, self.height);
+            dispatch!(vectors, simd => {
+                self.aim(&across, y, &place, &mut places);
+                self.read_line(simd, &places, row);
+            });
         }
     }
 
     fn last_sweep(&self) -> usize {
-        self.store.len() / self.lines - 1
+        self.view.fan.sweeps as usize - 1
     }
 
     /// Where a place (X, Y) of the screen lies in the store: sweep n is at n, cell n reaches from n to n + 1.
@@ -112,13 +109,13 @@ impl Turned<'_> {
     }
 
     #[inline(always)]
-    fn read_tile<V: Simd>(&self, simd: V, places: &Places, pixels: &mut [f32]) {
+    fn read_line<V: Simd>(&self, simd: V, places: &Places, pixels: &mut [f32]) {
         let last = self.last_sweep();
         let mut sums = [[0.0; 4]; TILE];
         for (n, sums) in sums.iter_mut().enumerate().take(pixels.len()) {
             let left = places.left[n] as usize;
             let (first, count) = (places.first[n] as usize, (places.last[n] - places.first[n]) as usize + 1);
-            let cells = |sweep: usize| &self.store[sweep * self.lines + first..][..count];
+            let cells = |sweep: usize| &self.sweeps.cells(sweep)[first..][..count];
             // At an end the outermost stands in for what is not there.
             let [before, after] = [left.saturating_sub(1), last.min(left + 2)];
             let cells = [cells(before), cells(left), cells(last.min(left + 1)), cells(after)];
@@ -183,7 +180,7 @@ fn join([a, b, c, d]: [f32; 4], u: f32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::{ROUNDING, cell_of, centre};
-    use crate::{View, scan_converter};
+    use crate::{Memory, View};
     use proptest::prelude::{prop_assert_eq, proptest};
     use scenario::{FieldOfView, Projection};
     use sweep_program::Fan;
@@ -241,7 +238,7 @@ mod tests {
             let view = View { fan, projection: Projection::Exact, pitch, raster, field, yoke };
             let store: Vec<f32> = (0..sweeps * lines).map(|cell| libm::sinf(cell as f32)).collect();
             let mut picture = vec![0.0; columns * height];
-            scan_converter(&store, lines, columns, &view, &mut picture);
+            Memory::ScanConverter.read(&store, lines, columns, &view, &mut picture);
             let (sin, cos) = quantities::sin_cos(yoke);
             let beam = lines as f64 / raster.tan_half_height * field.tan_half_height / height as f64;
             for (index, found) in picture.iter().enumerate() {

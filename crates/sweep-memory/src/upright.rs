@@ -1,7 +1,6 @@
 //! The scan converter of a picture whose lines are those that were written.
 
 use std::array;
-use std::ops::Range;
 
 use fearless_simd::prelude::{SimdBase, SimdFrom};
 use fearless_simd::{Level, Simd, dispatch, f32x8};
@@ -9,12 +8,7 @@ use signal::{LANES, Number, turn_square};
 
 use crate::View;
 use crate::read_out::centre;
-
-/// Lines that are read together: they stand side by side in what is fetched of a sweep.
-pub(crate) const BAND: usize = 16;
-
-/// Columns that are read together: their sweeps stay in the first-level cache while the lines of a band are read.
-pub(crate) const TILE: usize = 64;
+use crate::tiles::{Sweeps, TILE, Tile};
 
 /// From here on the floats are the whole numbers: a smaller one added to it is rounded to a whole number, which then
 /// stands in its lowest bits.
@@ -30,8 +24,7 @@ pub(crate) fn floor(place: f64) -> (f64, u32) {
 
 /// What is read, and into how many columns.
 pub(crate) struct Upright<'a> {
-    /// `lines` values a sweep.
-    pub store: &'a [f32],
+    pub sweeps: Sweeps<'a>,
     pub lines: usize,
     pub view: &'a View,
     pub columns: usize,
@@ -44,31 +37,26 @@ struct Places {
 }
 
 impl Upright<'_> {
-    /// Reads lines from `first` on into rows of the picture.
-    pub fn read(&self, first: usize, rows: &mut [f32]) {
-        dispatch!(Level::new(), simd => self.read_by(simd, first, rows));
+    /// Reads a tile of the picture.
+    pub fn read(&self, tile: &mut Tile<'_>) {
+        dispatch!(Level::new(), simd => self.read_by(simd, tile));
     }
 
     #[inline(always)]
-    fn read_by<V: Simd>(&self, simd: V, first: usize, rows: &mut [f32]) {
+    fn read_by<V: Simd>(&self, simd: V, tile: &mut Tile<'_>) {
         let (tangent_over_x, field) = (self.view.tangent_over_x(), self.view.field);
         let mut places = [const { Places { left: [0; TILE], share: [0.0; TILE] } }; LANES];
-        for column in (0..self.columns).step_by(TILE) {
-            // Twice the columns from the middle of the picture.
-            let offsets = array::from_fn(|n| (2 * (column + n) + 1) as f64 - self.columns as f64);
-            let columns = column..self.columns.min(column + TILE);
-            for (eight, rows) in rows.chunks_mut(LANES * self.columns).enumerate() {
-                let first = first + LANES * eight;
-                for (line, places) in (first..first + rows.len() / self.columns).zip(&mut places) {
-                    let y = field.tan_half_height * centre(line, self.lines);
-                    self.aim(
-                        &offsets,
-                        field.tan_half_width * tangent_over_x(y) / self.columns as f64,
-                        places,
-                    );
-                }
-                self.read_tile(simd, first, &places, columns.clone(), rows);
+        // Twice the columns from the middle of the picture.
+        let first = tile.columns.start;
+        let offsets = array::from_fn(|n| (2 * (first + n) + 1) as f64 - self.columns as f64);
+        for (eight, rows) in tile.rows.chunks_mut(LANES).enumerate() {
+            let first = LANES * eight;
+            for (line, places) in (first..first + rows.len()).zip(&mut places) {
+                let y = field.tan_half_height * centre(line, self.lines);
+                let scale = field.tan_half_width * tangent_over_x(y) / self.columns as f64;
+                self.aim(&offsets, scale, places);
             }
+            self.read_lines(simd, first, &places, rows);
         }
     }
 
@@ -87,24 +75,17 @@ impl Upright<'_> {
     /// Reads up to eight lines: squares of eight columns by eight lines between the same sweeps, which are nearly all, and the
     /// others pixel by pixel.
     #[inline(always)]
-    fn read_tile<V: Simd>(
-        &self,
-        simd: V,
-        first: usize,
-        places: &[Places; LANES],
-        columns: Range<usize>,
-        rows: &mut [f32],
-    ) {
-        for n in (0..columns.len()).step_by(LANES) {
-            let eight = columns.start + n..columns.end.min(columns.start + n + LANES);
-            let is_square =
-                rows.len() == LANES * self.columns && eight.len() == LANES && are_between_the_same(places, n);
+    fn read_lines<V: Simd>(&self, simd: V, first: usize, places: &[Places; LANES], rows: &mut [&mut [f32]]) {
+        let width = rows[0].len();
+        for n in (0..width).step_by(LANES) {
+            let eight = n..width.min(n + LANES);
+            let is_square = rows.len() == LANES && eight.len() == LANES && are_between_the_same(places, n);
             if is_square {
                 self.read_square(simd, first, places, n, |line, values| {
-                    values.store_slice(&mut rows[line * self.columns..][eight.clone()]);
+                    values.store_slice(&mut rows[line][eight.clone()]);
                 });
             } else {
-                for ((line, places), row) in (first..).zip(places).zip(rows.chunks_exact_mut(self.columns)) {
+                for ((line, places), row) in (first..).zip(places).zip(&mut *rows) {
                     self.read_pixels(line, places, n, &mut row[eight.clone()]);
                 }
             }
@@ -126,8 +107,7 @@ impl Upright<'_> {
         for k in 0..LANES {
             let left = places[0].left[n + k];
             for (side, sweep) in sides.iter_mut().zip([left, last.min(left + 1)]) {
-                side[k] =
-                    f32x8::from_slice(simd, &self.store[sweep as usize * self.lines + first..][..LANES]);
+                side[k] = f32x8::from_slice(simd, &self.sweeps.cells(sweep as usize)[first..][..LANES]);
             }
         }
         sides.iter_mut().for_each(turn_square);
@@ -144,7 +124,7 @@ impl Upright<'_> {
         let last = self.view.fan.sweeps - 1;
         let places = places.left[from..].iter().zip(&places.share[from..]);
         for (pixel, (&left, &share)) in pixels.iter_mut().zip(places) {
-            let cell = |sweep: u32| self.store[sweep as usize * self.lines + line];
+            let cell = |sweep: u32| self.sweeps.cells(sweep as usize)[line];
             let (left, right) = (cell(left), cell(last.min(left + 1)));
             *pixel = left + share * (right - left);
         }
@@ -166,7 +146,7 @@ fn are_between_the_same(places: &[Places; LANES], n: usize) -> bool {
 #[cfg(test)]
 mod tests {
     use super::centre;
-    use crate::{View, digital_memory, scan_converter};
+    use crate::{Memory, View};
     use proptest::prelude::{prop_assert_eq, proptest};
     use scenario::{FieldOfView, Projection};
     use sweep_program::Fan;
@@ -197,13 +177,13 @@ mod tests {
             let store: Vec<f32> = (0..sweeps * lines).map(|cell| libm::sinf(cell as f32)).collect();
             let places = || (0..lines).flat_map(|line| (0..columns).map(move |column| [column, line]));
             let mut picture = vec![0.0; columns * lines];
-            scan_converter(&store, lines, columns, &view, &mut picture);
+            Memory::ScanConverter.read(&store, lines, columns, &view, &mut picture);
             for (found, place) in picture.iter().zip(places()) {
                 let alone = pixel(&store, lines, columns, &view, place);
                 prop_assert_eq!(found.to_bits(), alone.to_bits(), "{:?}", place);
             }
             let mut picture = vec![0.0; sweeps * lines];
-            digital_memory(&store, lines, sweeps, &mut picture);
+            Memory::Digital.read(&store, lines, sweeps, &view, &mut picture);
             for (cell, value) in store.iter().enumerate() {
                 prop_assert_eq!(picture[cell % lines * sweeps + cell / lines], *value);
             }

@@ -106,7 +106,7 @@ impl PartsGenerator {
         scratch.steps.clear();
         scratch.rims.clear();
         for (number, load) in (0..).zip(&program.loads) {
-            let crater = &features.craters()[load.crater as usize];
+            let crater = &features.crater(load.crater);
             let chain = self.chain(crater.type_number(), load);
             let (crater, load) = chain.distorted(crater, load, direction);
             collect(&crater, &load, number, &mut scratch.steps);

@@ -63,7 +63,7 @@ pub fn nearest_kink(features: &Features, (eye, angle): Sweep, range: f64) -> f64
         let rho = (dx * dx + dy * dy).sqrt();
         crater.kinks().map(|kink| (kink - rho).abs()).fold(f64::INFINITY, f64::min)
     };
-    features.craters().iter().map(apart).fold(f64::INFINITY, f64::min)
+    features.craters().iter().map(|crater| apart(&crater)).fold(f64::INFINITY, f64::min)
 }
 
 /// Ranges of samples, in geometric steps from 1 m to about 500 m.

@@ -104,7 +104,7 @@ fn crossings(features: &Features, (eye, angle): Sweep, [from, to]: [f64; 2]) -> 
         // A circle beside the sweep has its ends at NaN.
         ends.filter(|range| *range > from && *range < to).count()
     };
-    features.craters().iter().map(of).sum()
+    features.craters().iter().map(|crater| of(&crater)).sum()
 }
 
 proptest! {

@@ -180,7 +180,7 @@ proptest! {
                 let range = sample as f64;
                 let at = [eye[0] + range * cos, eye[1] + range * sin];
                 let one = |load: &feature_generator::FeatureLoad| {
-                    let crater = &features.craters()[load.crater as usize];
+                    let crater = &features.crater(load.crater);
                     let alone = Features::new(vec![*crater]);
                     if range > load.from { alone.at(at[0], at[1]).height } else { 0.0 }
                 };

@@ -9,7 +9,8 @@ use signal::Real;
 
 /// Full scale of height (m) and of slope at a place: what all craters together could add, at least 1.
 fn full_scale(features: &Features) -> [f64; 3] {
-    let sum = |of: fn(&Crater) -> f64| features.craters().iter().map(of).sum::<f64>().max(1.0);
+    let sum =
+        |of: fn(&Crater) -> f64| features.craters().iter().map(|crater| of(&crater)).sum::<f64>().max(1.0);
     let slope = sum(Crater::steepest);
     [sum(|crater| crater.depth() + crater.rim()), slope, slope]
 }

@@ -85,7 +85,7 @@ fn what_is_dropped_is_not_drawn() {
     };
     let alone = |number: usize| {
         let mut profile = FeatureProfile::<f64>::default();
-        let features = Features::new(vec![features.craters()[number]]);
+        let features = Features::new(vec![features.crater(number as u32)]);
         run(&features, &[([0.0, 50.0], 0.0); 8], &ranges, &mut profile);
         profile
     };
@@ -104,9 +104,9 @@ proptest! {
             let few = program(&features, parts(Scheduled, Some(limit)), sweep, range);
             let all = program(&features, parts(Scheduled, None), sweep, range);
             prop_assert_eq!(few.loads.len() as u32 + few.dropped, all.loads.len() as u32);
-            let kind = |load: &FeatureLoad| features.craters()[load.crater as usize].type_number();
+            let kind = |load: &FeatureLoad| features.crater(load.crater).type_number();
             let ends = |load: &FeatureLoad| {
-                let outer = features.craters()[load.crater as usize].outer();
+                let outer = features.crater(load.crater).outer();
                 let half = (outer * outer - load.side * load.side).sqrt();
                 [(load.middle - half).max(range[0]), (load.middle + half).min(range[1])]
             };

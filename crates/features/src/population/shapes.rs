@@ -3,10 +3,7 @@
 use super::Kind;
 use super::draw::{Draw, Purpose};
 use crate::Shape;
-
-/// Outer foot over inner foot of a rim: sharp ones, and those worn down.
-const SHARP: f64 = 1.4;
-const BROAD: f64 = 1.8;
+use crate::craters::{BROAD, SHARP};
 
 /// Shape, depth and rim height (m) of a crater of a rim-crest radius (m).
 pub(super) fn draw(kind: &Kind, radius: f64, draw: &Draw) -> (Shape, f64, f64) {

@@ -56,13 +56,13 @@ impl Loads<'_> {
             part: Some(LoadedPart::SubGenerator(arrival.kind, arrival.sub_generator)),
             ..self.timed(&CRATER, arrival.range, &arrival.load)
         });
-        let craters = stage.landscape.features().craters();
+        let features = stage.landscape.features();
         let at_hand = program.loads.iter().filter(|_| !is_timed).map(|load| {
-            let crater = &craters[load.crater as usize];
+            let crater = features.crater(load.crater);
             DigitalEvent {
                 crater: Some(load.crater),
                 part: Some(LoadedPart::SubGenerator(crater.type_number(), load.sub_generator)),
-                ..self.at_once(&CRATER, 0, load.edge(crater))
+                ..self.at_once(&CRATER, 0, load.edge(&crater))
             }
         });
         let occupied = program

@@ -53,7 +53,7 @@ fn a_sun_in_the_zenith_casts_nothing() {
     let bank = ShadowBank::new(Arc::new(crate::common::cratered(3)), Resolution { finest: 1.0, angle: 0.0 });
     assert!(bank.around(&Sun { azimuth: 1.0, elevation: radians(90.0) }, [320.0; 2], 100.0, None).is_empty());
     let steep = Sun { azimuth: 1.0, elevation: radians(80.0) };
-    assert!(bank.around(&steep, [320.0; 2], 100.0, None).iter().all(|tile| tile.segments.is_empty()));
+    assert!(bank.around(&steep, [320.0; 2], 100.0, None).iter().all(|tile| tile.outlines.is_empty()));
 }
 
 #[test]

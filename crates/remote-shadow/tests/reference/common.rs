@@ -50,7 +50,7 @@ pub fn mountain(at: [f64; 2], height: f64) -> Landscape {
 
 /// How often boundaries enclose a place clockwise.
 pub fn winding(tiles: &[Arc<Tile>], place: [f64; 2]) -> i32 {
-    tiles.iter().flat_map(|tile| &tile.segments).map(|segment| crossing(segment, place)).sum()
+    tiles.iter().flat_map(|tile| tile.outlines.segments()).map(|segment| crossing(&segment, place)).sum()
 }
 
 /// Crossing of a ray to the north: eastward boundaries enclose, westward ones release.

@@ -26,7 +26,7 @@ fn neither_order_nor_threads_change_a_bit() {
     let landscape = Arc::new(cratered(4));
     let fresh = ShadowBank::new(landscape.clone(), resolution());
     let expected = ask(&fresh, 50.0);
-    assert!(expected.iter().map(|tile| tile.segments.len()).sum::<usize>() > 100);
+    assert!(expected.iter().map(|tile| tile.outlines.segments().count()).sum::<usize>() > 100);
     let used = ShadowBank::new(landscape, resolution());
     for azimuth in [10.0, 50.0, 90.0, 130.0, 170.0] {
         used.around(&sun(azimuth), [200.0, 200.0], 150.0, None);

@@ -3,7 +3,7 @@
 use hardware_model::{AnalogParts, ShadowParts};
 use parts::{GateEdge, Spread};
 use proptest::prelude::{prop_assert, proptest};
-use remote_shadow::Segment;
+use remote_shadow::Outlines;
 
 use super::PartsLines;
 use crate::{Gate, ShadowController};
@@ -24,12 +24,16 @@ fn gate(middle: [f64; 2], turn: f64, azimuth: f64) -> Gate {
     let corner = |[a, b]: [f64; 2]| [middle[0] + 60.0 * (a * c - b * s), middle[1] + 60.0 * (a * s + b * c)];
     let corners = [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]].map(corner);
     // Shadow to the right of each segment.
-    let segments: Vec<Segment> =
-        (0..4).map(|k| Segment { from: corners[k], to: corners[(k + 1) % 4] }).collect();
-    let controller = ShadowController { parts: ShadowParts::default(), map_centre: [0.0; 2], map_side: 1e4 };
+    let square = Outlines::closed(&corners);
+    let controller = ShadowController {
+        parts: ShadowParts::default(),
+        map_centre: [0.0; 2],
+        map_side: 1e4,
+        tells_lines: true,
+    };
     let mut out = Vec::new();
     let direction = [libm::cos(azimuth), libm::sin(azimuth)];
-    controller.gates([0.0; 2], &[direction], 4000.0, &[&segments], &mut out);
+    controller.gates([0.0; 2], &[direction], 4000.0, &[&square], &mut out);
     out.remove(0)
 }
 

@@ -59,7 +59,7 @@ impl Scene {
             origin: level.origin(),
             corners: level.corners(),
             words: level.words().to_vec(),
-            craters: stage.landscape.features().craters().to_vec(),
+            craters: stage.landscape.features().craters().iter().collect(),
             sun: stage.scenery.sun(pose.time),
             foot: [x, y],
             above: height - stage.landscape.height(x, y).unwrap_or(height),

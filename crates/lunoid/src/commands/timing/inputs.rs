@@ -39,7 +39,7 @@ pub fn program_inputs_hash(scenario: &Scenario, stage: &Stage, hardware: &Hardwa
     let Stage { landscape, scenery, settings } = stage;
     let mut hasher = Hasher::new_derive_key("lunoid timing, inputs of a program, format 1");
     hasher.update(&bank_file::content_hash(landscape.bank()));
-    landscape.features().craters().iter().for_each(|crater| add(&mut hasher, "crater", crater));
+    landscape.features().craters().iter().for_each(|crater| add(&mut hasher, "crater", &crater));
     add(&mut hasher, "light", &(scenery.suns(), landscape.albedo(), landscape.photometry()));
     add(&mut hasher, "path", &(scenario.path.waypoints(), &scenario.vehicle));
     add(&mut hasher, "view", &(settings.raster.field, settings.range.end, settings.timebase.update));
@@ -57,7 +57,7 @@ fn add_craters(hasher: &mut Hasher, Stage { landscape, settings, .. }: &Stage) {
         return;
     }
     add(hasher, "feature generator", &(parts, settings.feature_words));
-    landscape.features().craters().iter().for_each(|crater| add(hasher, "crater", crater));
+    landscape.features().craters().iter().for_each(|crater| add(hasher, "crater", &crater));
 }
 
 /// What casts shadows and when, where the words of their boundaries take time or parts to take them are few.

@@ -98,7 +98,7 @@ mod tests {
     use landscape::Attitude;
     use quantities::radians;
     use scenario::{Display, FieldOfView, LawWishes, Pose, RasterWishes, Scalar};
-    use sweep_memory::{View, covering, digital_memory_turned, scan_converter};
+    use sweep_memory::{Memory, View, covering};
 
     use super::Screen;
 
@@ -123,12 +123,11 @@ mod tests {
         let (projection, pitch) = (settings.laws.projection, pose.attitude.pitch);
         let view = View { fan: screen.fan, projection, pitch, raster, field: FIELD, yoke: pose.yoke };
         let mut picture = vec![0.0; 20 * 9];
-        match settings.sweep_memory {
-            SweepMemoryKind::ScanConverter => scan_converter(&store, screen.cells, 20, &view, &mut picture),
-            SweepMemoryKind::DigitalMemory => {
-                digital_memory_turned(&store, screen.cells, 20, &view, &mut picture);
-            }
-        }
+        let memory = match settings.sweep_memory {
+            SweepMemoryKind::ScanConverter => Memory::ScanConverter,
+            SweepMemoryKind::DigitalMemory => Memory::DigitalTurned,
+        };
+        memory.read(&store, screen.cells, 20, &view, &mut picture);
         picture
     }
 
