@@ -42,9 +42,10 @@ pub struct Tile<'a> {
 }
 
 impl<'a> Tile<'a> {
-    /// The tiles of a picture (row by row, `columns` wide), from left to right.
+    /// The tiles of a picture (row by row, `columns` wide), from left to right; none of one that nobody wants, which has no
+    /// columns.
     pub fn all(picture: &'a mut [f32], columns: usize) -> Vec<Self> {
-        let height = picture.len() / columns;
+        let height = picture.len().checked_div(columns).unwrap_or(0);
         let columns = if height == 0 { 0 } else { columns };
         let tile =
             |first| Self { columns: first..columns.min(first + TILE), rows: Vec::with_capacity(height) };
@@ -165,6 +166,12 @@ mod tests {
     use proptest::sample::select;
     use scenario::{FieldOfView, Projection};
     use sweep_program::Fan;
+
+    #[test]
+    fn a_picture_that_nobody_wants_has_no_tiles() {
+        assert!(Tile::all(&mut [], 0).is_empty());
+        assert!(Tile::all(&mut [], 40).is_empty());
+    }
 
     proptest! {
         /// Tiles that have but their own sweeps: level, pitched, turned pictures, in and beyond the raster.
