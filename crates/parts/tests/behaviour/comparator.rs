@@ -1,7 +1,7 @@
 //! The comparator: delays in closed form, and against a march in small steps.
 
 use parts::{Comparator, ComparatorLaw, ComparatorState, NoiseSource, Trip};
-use proptest::prelude::{prop_assert, proptest};
+use proptest::prelude::{prop_assert, prop_assume, proptest};
 
 use crate::assert_near;
 
@@ -165,18 +165,23 @@ fn marched(law: &ComparatorLaw, input: &[f64], fine: usize) -> Vec<Trip> {
     found
 }
 
+/// Whether the same trips are in both, none more than a twentieth of a step from where it is in the other.
+fn agree(found: &[Trip], other: &[Trip]) -> bool {
+    let is_near = |(a, b): (&Trip, &Trip)| a.high == b.high && (a.at.0 - b.at.0).abs() < 0.05;
+    found.len() == other.len() && found.iter().zip(other).all(is_near)
+}
+
 proptest! {
+    /// A visit that is withdrawn at the very decision may fall either way: nothing is asked where a comparator that decides a
+    /// little earlier finds other trips than one that decides a little later.
     #[test]
     fn random_input_as_by_marching(input in proptest::collection::vec(-5e-3..5e-3, 40)) {
+        let [early, late] = [0.999, 1.001].map(|part| {
+            let longest = NOMINAL.delay + part * (NOMINAL.longest - NOMINAL.delay);
+            marched(&ComparatorLaw { overdrive: part * NOMINAL.overdrive, longest, ..NOMINAL }, &input, 4000)
+        });
+        prop_assume!(agree(&early, &late));
         let found = trips(&NOMINAL, &input);
-        let expected = marched(&NOMINAL, &input, 4000);
-        // A visit that is withdrawn at the very decision may fall either way.
-        if found.len() == expected.len() {
-            for (a, b) in found.iter().zip(&expected) {
-                prop_assert!(a.high == b.high && (a.at.0 - b.at.0).abs() < 0.05, "{a:?} {b:?}");
-            }
-        } else {
-            prop_assert!(found.len().abs_diff(expected.len()) == 2);
-        }
+        prop_assert!(agree(&found, &early), "{found:?} {early:?}");
     }
 }
