@@ -118,16 +118,15 @@ impl Supply<'_> {
         // A map that is read beside its place shows shadows that no sweep meets.
         let all = matches!(self.stage.settings.shadow_controller, ShadowParts::ScanConverter { .. });
         let shade = Shade::new(foot, edges, &self.plan.sun);
-        let of_bodies = seen.par_iter().filter_map(|&(index, body)| {
-            let may_fall = all || shade.may_meet([body.centre.x, body.centre.y], body.radius);
-            may_fall.then(|| under_sun.shadow(index, body))
-        });
+        let may_fall = |body: &Body| all || shade.may_meet([body.centre.x, body.centre.y], body.radius);
+        let of_bodies = seen.par_iter().filter(|(_, body)| may_fall(body));
+        let of_bodies = of_bodies.map(|&(index, body)| under_sun.shadow(index, body));
         let meets = |shadow: &&CastShadow| {
             let (centre, radius) = shadow.around;
             all || self.plan.sweeps_of(centre, radius).is_some()
         };
         cast.par_extend(of_bodies.filter(meets).map(|shadow| &shadow.outline));
-        let (patches, own) = (self.patches(time), self.own_shadow(shadows));
+        let (patches, own) = (self.patches(time), self.own_shadow(shadows, may_fall));
         cast.push(&patches);
         cast.extend(&own);
         let timing = |sweep: u32| {
@@ -143,10 +142,11 @@ impl Supply<'_> {
     }
 
     /// Outlines of the shadow that the vehicle casts on the ground: as of any body, but found anew for every pose.
-    fn own_shadow(&self, shadows: &Shadows) -> Vec<Outlines> {
+    fn own_shadow(&self, shadows: &Shadows, may_fall: impl Fn(&Body) -> bool + Sync) -> Vec<Outlines> {
         let FramePlan { eye, roll, pitch, heading, .. } = *self.plan;
         let parts = self.stage.scenery.own_bodies(eye, Attitude { roll, pitch, heading });
-        parts.par_iter().map(|part| shadows.bank.cast_by_body(part, &self.plan.sun)).collect()
+        let falling = parts.par_iter().filter(|part| may_fall(part));
+        falling.map(|part| shadows.bank.cast_by_body(part, &self.plan.sun)).collect()
     }
 
     /// Outlines of the track patches that lie at `time`.

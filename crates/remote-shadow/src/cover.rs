@@ -16,7 +16,8 @@ pub(crate) struct Cover {
     eye: [f64; 2],
     reach: f64,
     sector: Option<[[f64; 2]; 2]>,
-    extents: Vec<[f64; 4]>,
+    /// Levels of ground: over the ground (north, east), and around them in the sun's axes.
+    levels: Vec<[Square; 2]>,
 }
 
 /// A tile's square: least and largest p and q (m).
@@ -57,8 +58,13 @@ impl Cover {
     ) -> Self {
         let axes = SunAxes::new(sun);
         let turned = |place| axes.to_sun_axes(place);
-        let extents = landscape.bank().levels().iter().map(|level| level.extent()).collect();
-        Self { axes, resolution, eye: turned(eye), reach, sector: towards.map(|s| s.map(turned)), extents }
+        let extents = landscape.bank().levels().iter().map(|level| level.extent());
+        let levels = extents.map(|[south, west, north, east]| {
+            let over = Square([[south, west], [north, east]]);
+            [over, Square::bounding(over.corners().map(turned))]
+        });
+        let (eye, sector, levels) = (turned(eye), towards.map(|edges| edges.map(turned)), levels.collect());
+        Self { axes, resolution, eye, reach, sector, levels }
     }
 
     /// The tiles, by distance from the eye; no two overlap.
@@ -110,11 +116,7 @@ impl Cover {
 
     fn has_ground(&self, square: Square) -> bool {
         let on_ground = Square::bounding(square.corners().map(|corner| self.axes.to_ground(corner)));
-        self.extents.iter().any(|&[south, west, north, east]| {
-            let level = Square([[south, west], [north, east]]);
-            let turned = level.corners().map(|corner| self.axes.to_sun_axes(corner));
-            level.meets(on_ground) && square.meets(Square::bounding(turned))
-        })
+        self.levels.iter().any(|&[over, around]| over.meets(on_ground) && square.meets(around))
     }
 }
 
