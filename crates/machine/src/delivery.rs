@@ -117,7 +117,7 @@ impl Supply<'_> {
         let mut cast: Vec<&Outlines> = tiles.iter().map(|tile| &tile.outlines).collect();
         // A map that is read beside its place shows shadows that no sweep meets.
         let all = matches!(self.stage.settings.shadow_controller, ShadowParts::ScanConverter { .. });
-        let shade = Shade::new(foot, edges, &self.plan.sun);
+        let shade = Shade::new(foot, edges, self.table.ranges()[0], &self.plan.sun);
         let may_fall = |body: &Body| all || shade.may_meet([body.centre.x, body.centre.y], body.radius);
         let of_bodies = seen.par_iter().filter(|(_, body)| may_fall(body));
         let of_bodies = of_bodies.map(|&(index, body)| under_sun.shadow(index, body));
