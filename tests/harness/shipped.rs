@@ -20,7 +20,7 @@ pub const TERRAIN: [&str; 6] =
     ["first-light", "ridge-crossing", "lunar-horizon", "low-sun", "descent", "range-programmes"];
 
 /// Scenarios of the full landscape.
-pub const FULL_LANDSCAPE: [&str; 10] = [
+pub const FULL_LANDSCAPE: [&str; 11] = [
     "rough-ride",
     "craters",
     "long-shadows",
@@ -31,6 +31,7 @@ pub const FULL_LANDSCAPE: [&str; 10] = [
     "moving-sun",
     "lunar-light",
     "showpiece",
+    "full-drive",
 ];
 
 /// A shipped scenario, ready to be drawn under the ideal model.

@@ -104,4 +104,5 @@ scenarios! {
     moving_sun = "moving-sun",
     lunar_light = "lunar-light",
     showpiece = "showpiece",
+    full_drive = "full-drive",
 }
