@@ -34,6 +34,7 @@ mod face;
 mod generator;
 mod hold;
 mod light;
+mod likeness;
 mod near_table;
 mod overlay;
 mod sight;
@@ -41,7 +42,7 @@ mod span;
 mod view;
 mod wired;
 
-pub use generator::{Census, Drawn, Field, PolyhedronGenerator};
+pub use generator::{Aspect, Census, Drawn, Field, PolyhedronGenerator};
 pub use hold::{Hold, NoHold};
 pub use light::FaceLight;
 pub use near_table::NearTable;
