@@ -255,15 +255,21 @@ fn before_the_sweeps(c: &mut Criterion) {
     let sight = Sight::new(lines, 2.0 * libm::atan(field.tan_half_height));
     let light = FaceLight { sun: DVec3::from_array(sun.direction()) };
     let mut out = LeftOut::default();
-    let seen: Vec<Drawn<'_>> = stage
+    let seen: Vec<_> = stage
         .scenery
         .bodies(0.0)
         .filter(|body| sight.resolves(DVec3::from_array(pose.eye), body, &mut out))
-        .map(|body| Drawn { body, dark: false })
         .collect();
     let mut generator = PolyhedronGenerator::default();
     group.bench_function("polyhedron generator", |b| {
-        pool.install(|| b.iter(|| generator.run(&Field::new(black_box(&view), &tangents), &light, &seen)));
+        pool.install(|| {
+            b.iter(|| {
+                let field = Field::new(black_box(&view), &tangents);
+                let aspects = seen.iter().filter_map(|body| field.aspect(body));
+                let drawn: Vec<_> = aspects.map(|aspect| Drawn { aspect, dark: false }).collect();
+                generator.run(&field, &light, &drawn)
+            });
+        });
     });
     group.finish();
 }

@@ -170,13 +170,13 @@ impl Supply<'_> {
             (0..self.plan.fan.sweeps).map(|sweep| self.plan.fan.tangent(sweep)).collect();
         let field = Field::new(&view, &tangents);
         let drawn = |&(index, body): &(usize, &'b Body)| {
+            let aspect = field.aspect(body)?;
             let dark = under_sun.is_some_and(|sun| sun.is_dark(index, body));
             let vanishes = dark && laws.shadowed_bodies == ShadowedBodies::Vanish;
             let hidden = laws.body_visibility == BodyVisibility::AsReported && self.is_hidden(body.foot);
-            (!vanishes && !hidden).then_some(Drawn { body, dark })
+            (!vanishes && !hidden).then_some(Drawn { aspect, dark })
         };
-        let met = seen.par_iter().filter(|(_, body)| field.meets(body));
-        let drawn: Vec<Drawn<'_>> = met.filter_map(drawn).collect();
+        let drawn: Vec<Drawn<'_>> = seen.par_iter().filter_map(drawn).collect();
         let light = FaceLight { sun: DVec3::from_array(self.plan.sun.direction()) };
         out.bodies = out.polyhedra.run(&field, &light, &drawn).drawn;
     }

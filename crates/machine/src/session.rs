@@ -5,6 +5,7 @@ use std::sync::Arc;
 use display_projection_processor::Processor;
 use generator::{FrameCounts, FrameError, Omission, PlaneKind, Planes, Session, Stage};
 use hardware_model::SweepMemoryKind;
+use polyhedron_generator::NearTable;
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 use scenario::Pose;
@@ -37,7 +38,7 @@ pub(crate) struct Elaborated<S> {
     stage: Stage,
     blocks: Blocks,
     table: RangeTable,
-    near: Vec<f32>,
+    near: NearTable,
     processor: Processor<S>,
     raster: WrittenRaster,
     footings: Footings,
@@ -58,7 +59,7 @@ impl<S: Real> Elaborated<S> {
         let laws = &settings.laws;
         Self {
             blocks: Blocks::new(&stage),
-            near: table.ranges().iter().map(|range| (1.0 / range) as f32).collect(),
+            near: NearTable::new(table.ranges().iter().map(|range| (1.0 / range) as f32)),
             processor: Processor::new(laws.occlusion, laws.curvature, table.ranges()),
             raster: WrittenRaster::new(settings),
             footings: Footings::default(),

@@ -9,7 +9,7 @@ use hardware_model::{Gate, MixingParts};
 use landscape::{GroupLight, Level, SweepLight};
 use mixing_unit::{Composite, FeatureInput, Inputs, MixingUnit, ToggleList, terrain_alone};
 use parts::LagStep;
-use polyhedron_generator::{BodyFade, Hold, Overlay};
+use polyhedron_generator::{BodyFade, Hold, NearTable, Overlay};
 use signal::{LANES, Lanes, Real};
 use sweep_generator::RangeTable;
 use sweep_memory::{Beam, BeamBreaks, Drive, FarStroke, Steps, write_group};
@@ -37,7 +37,7 @@ pub(crate) struct Group<'a, S> {
     pub blocks: &'a Blocks,
     pub table: &'a RangeTable,
     /// Inverse range of each sample (1/m).
-    pub near: &'a [f32],
+    pub near: &'a NearTable,
     pub processor: &'a Processor<S>,
     pub raster: WrittenRaster,
     pub plan: &'a FramePlan,

@@ -13,9 +13,10 @@ pub(crate) struct Corner {
 }
 
 impl Corner {
-    pub fn new(place: Place, sighting: &Sighting, tangents: &[f64]) -> Self {
-        let across = place.x / sighting.spread(place.y);
-        Self { place, sweep: tangents.partition_point(|&tangent| tangent < across) }
+    /// Of a place (x, y, depth) with the tangent `across` of a sweep through it.
+    pub fn new([x, y, depth]: [f64; 3], across: f64, tangents: &[f64]) -> Self {
+        let sweep = tangents.partition_point(|&tangent| tangent < across);
+        Self { place: Place { x, y, depth }, sweep }
     }
 }
 
@@ -34,24 +35,20 @@ impl Outline {
     /// cut off first: within it all sweeps run the same way.
     pub fn cross(
         &mut self,
-        corners: impl Iterator<Item = Corner> + Clone,
+        corners: impl Iterator<Item = Corner>,
         half_height: f64,
         sighting: &Sighting,
         tangents: &[f64],
     ) -> usize {
         self.crossings.clear();
-        let farthest = corners.clone().fold(0.0f64, |off, corner| off.max(corner.place.y.abs()));
-        let reach = sweeps_of(corners.clone());
-        if farthest <= half_height && reach.is_empty() {
-            return reach.start;
-        }
         self.corners.clear();
         self.corners.extend(corners);
+        let farthest = self.corners.iter().fold(0.0f64, |off, corner| off.max(corner.place.y.abs()));
         if farthest > half_height {
             self.clip(-1.0, half_height, sighting, tangents);
             self.clip(1.0, half_height, sighting, tangents);
         }
-        let reach = sweeps_of(self.corners.iter().copied());
+        let reach = sweeps_of(&self.corners);
         self.crossings.resize(reach.len(), Default::default());
         if !reach.is_empty() {
             self.meet(reach.start, sighting, tangents);
@@ -60,8 +57,8 @@ impl Outline {
     }
 
     fn meet(&mut self, first: usize, sighting: &Sighting, tangents: &[f64]) {
-        for (index, from) in self.corners.iter().enumerate() {
-            let to = &self.corners[(index + 1) % self.corners.len()];
+        let next = self.corners[1..].iter().chain(&self.corners[..1]);
+        for (from, to) in self.corners.iter().zip(next) {
             // Counter-clockwise: an edge to the right is a lower one.
             let (end, sweeps) =
                 if from.sweep <= to.sweep { (1, from.sweep..to.sweep) } else { (0, to.sweep..from.sweep) };
@@ -85,8 +82,9 @@ impl Outline {
             let from = &self.corners[(index + self.corners.len() - 1) % self.corners.len()].place;
             if inside(from) != inside(&to.place) {
                 let share = (side * half_height - from.y) / (to.place.y - from.y);
-                let edge = Place { y: side * half_height, ..from.towards(&to.place, share) };
-                self.clipped.push(Corner::new(edge, sighting, tangents));
+                let Place { x, depth, .. } = from.towards(&to.place, share);
+                let y = side * half_height;
+                self.clipped.push(Corner::new([x, y, depth], x / sighting.spread(y), tangents));
             }
             if inside(&to.place) {
                 self.clipped.push(*to);
@@ -97,9 +95,9 @@ impl Outline {
 }
 
 /// The sweeps that pass between the leftmost and the rightmost of some corners.
-fn sweeps_of(corners: impl Iterator<Item = Corner>) -> Range<usize> {
-    let widen = |[low, high]: [usize; 2], corner: Corner| [low.min(corner.sweep), high.max(corner.sweep)];
-    let [first, end] = corners.fold([usize::MAX, 0], widen);
+fn sweeps_of(corners: &[Corner]) -> Range<usize> {
+    let widen = |[low, high]: [usize; 2], corner: &Corner| [low.min(corner.sweep), high.max(corner.sweep)];
+    let [first, end] = corners.iter().fold([usize::MAX, 0], widen);
     first..end
 }
 

@@ -2,23 +2,36 @@
 
 use std::ops::Range;
 
+use fearless_simd::Level;
 use glam::DVec3;
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSlice;
 use solids::Body;
 
-use crate::face::{Corner, Outline};
-use crate::view::{Place, Sighting, project};
+use crate::face::Outline;
+use crate::likeness::{Eye, Likeness};
+use crate::view::{Place, Sighting};
 use crate::{FaceLight, NEAREST, Span, SpanTable, ViewPlane};
 
 /// Bodies that are drawn together.
-const TOGETHER: usize = 16;
+const TOGETHER: usize = 64;
+
+/// A body that may be in the picture and on a sweep, as it lies before the eye.
+#[derive(Debug, Clone)]
+pub struct Aspect<'a> {
+    body: &'a Body,
+    eye: DVec3,
+    /// Horizontal range of the foot point of its object (m).
+    foot_range: f64,
+    /// Sweeps that may meet it.
+    sweeps: Range<usize>,
+}
 
 /// A body that is to be drawn.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct Drawn<'a> {
-    /// The body.
-    pub body: &'a Body,
+    /// The body before the eye.
+    pub aspect: Aspect<'a>,
     /// Whether it is in remote shadow, and black.
     pub dark: bool,
 }
@@ -28,8 +41,6 @@ pub struct Drawn<'a> {
 pub struct Census {
     /// Bodies transformed and projected.
     pub drawn: u64,
-    /// Bodies outside the picture, or between two sweeps.
-    pub outside: u64,
     /// Bodies skipped because a vertex is nearer than [`NEAREST`], or behind the eye.
     pub too_near: u64,
     /// Vertices projected.
@@ -44,22 +55,25 @@ pub struct PolyhedronGenerator {
     table: SpanTable,
 }
 
-/// A body as it is seen.
-struct Aspect<'a> {
-    body: &'a Body,
-    dark: bool,
-    eye: DVec3,
-    /// Sweeps that may meet it.
-    sweeps: Range<usize>,
-}
-
 /// The sweeps of a frame, as bodies are seen by them.
 #[derive(Debug)]
 pub struct Field<'a> {
     view: &'a ViewPlane,
+    vectors: Level,
     sighting: Sighting,
     tangents: &'a [f64],
-    sides: [f64; 2],
+    /// Left and right side of the picture, and half its height, each on the view-plane.
+    sides: [Side; 2],
+    half_height: Side,
+}
+
+/// A side of the picture.
+#[derive(Debug, Clone, Copy)]
+struct Side {
+    /// Off the middle of the view-plane.
+    edge: f64,
+    /// By how much a sphere of radius 1 may lie beyond it and still reach into the picture.
+    room: f64,
 }
 
 /// What some bodies leave: spans with their sweeps, in the order of bodies and faces.
@@ -68,7 +82,7 @@ type Found = (Census, Vec<(u32, Span)>);
 /// Buffers that are kept from body to body.
 #[derive(Debug, Default)]
 struct Pencil {
-    corners: Vec<Corner>,
+    likeness: Likeness,
     outline: Outline,
 }
 
@@ -100,7 +114,6 @@ impl PolyhedronGenerator {
 impl Census {
     fn add(&mut self, other: &Self) {
         self.drawn += other.drawn;
-        self.outside += other.outside;
         self.too_near += other.too_near;
         self.vertices += other.vertices;
         self.spans += other.spans;
@@ -117,59 +130,35 @@ impl Pencil {
         bodies: &[Drawn<'_>],
     ) -> Found {
         let (mut census, mut spans) = Found::default();
-        for (index, &Drawn { body, dark }) in (first..).zip(bodies) {
-            let (eye, foot_range) = field.sighting.eye_for(body.foot);
-            let Some(sweeps) = field.sweeps(eye, body) else {
-                census.outside += 1;
-                continue;
-            };
-            let aspect = Aspect { body, dark, eye, sweeps };
-            if !self.project(field, &aspect) {
+        for (index, drawn) in (first..).zip(bodies) {
+            let Aspect { body, eye, foot_range, sweeps } = &drawn.aspect;
+            let (sighting, vectors) = (&field.sighting, field.vectors);
+            let tangents = &field.tangents[sweeps.clone()];
+            let eye = Eye { sighting, vectors, light, place: *eye, tangents };
+            if !self.likeness.take(&eye, body, drawn.dark) {
                 census.too_near += 1;
                 continue;
             }
             census.drawn += 1;
-            census.vertices += self.corners.len() as u64;
-            let (object, foot_range) = (body.object, foot_range as f32);
+            census.vertices += self.likeness.corners.len() as u64;
+            let (object, foot_range) = (body.object, *foot_range as f32);
             let stamp = Span { body: index as u32, object, foot_range, ..Span::default() };
-            self.draw(field, light, &aspect, stamp, &mut spans);
+            self.draw(field, &drawn.aspect, stamp, &mut spans);
         }
         census.spans = spans.len() as u64;
         spans.shrink_to_fit();
         (census, spans)
     }
 
-    /// Projects the vertices; false if one is too near.
-    fn project(&mut self, field: &Field<'_>, aspect: &Aspect<'_>) -> bool {
-        let tangents = &field.tangents[aspect.sweeps.clone()];
-        self.corners.clear();
-        for vertex in aspect.body.vertices() {
-            let ahead = field.sighting.turn(vertex - aspect.eye);
-            if ahead.x <= NEAREST {
-                return false;
-            }
-            self.corners.push(Corner::new(project(ahead), &field.sighting, tangents));
-        }
-        true
-    }
-
-    fn draw(
-        &mut self,
-        field: &Field<'_>,
-        light: &FaceLight,
-        aspect: &Aspect<'_>,
-        stamp: Span,
-        spans: &mut Vec<(u32, Span)>,
-    ) {
-        let Aspect { body, dark, eye, sweeps } = aspect;
+    /// Draws the faces of a body whose likeness has been taken.
+    fn draw(&mut self, field: &Field<'_>, aspect: &Aspect<'_>, stamp: Span, spans: &mut Vec<(u32, Span)>) {
+        let Aspect { body, sweeps, .. } = aspect;
+        let Likeness { corners, seen, .. } = &self.likeness;
         let tangents = &field.tangents[sweeps.clone()];
-        for (index, face) in body.solid.faces().iter().enumerate() {
-            if body.normal(index).dot(*eye - body.on_face(index)) <= 0.0 {
-                continue;
-            }
-            let corners = face.corners.iter().map(|&corner| self.corners[corner as usize]);
+        for &(face, reflectivity) in seen {
+            let face = &body.solid.faces()[face as usize];
+            let corners = face.corners.iter().map(|&corner| corners[corner as usize]);
             let first = self.outline.cross(corners, field.view.tan_half_height, &field.sighting, tangents);
-            let reflectivity = light.reflectivity(body, index, *dark) as f32;
             let stamp = Span { reflectivity, ..stamp };
             for (step, ends) in self.outline.crossings.iter().enumerate() {
                 let span = field.span(ends, stamp);
@@ -178,6 +167,12 @@ impl Pencil {
                 }
             }
         }
+    }
+}
+
+impl Side {
+    fn new(edge: f64) -> Self {
+        Self { edge, room: (1.0 + edge * edge).sqrt() }
     }
 }
 
@@ -190,41 +185,41 @@ impl<'a> Field<'a> {
         let edge = |tangent: Option<&f64>| tangent.copied().unwrap_or_default();
         let [left, right] = [edge(tangents.first()), edge(tangents.last())];
         let sides = [
-            spreads.map(|spread| left * spread).into_iter().fold(f64::INFINITY, f64::min),
+            -spreads.map(|spread| left * spread).into_iter().fold(f64::INFINITY, f64::min),
             spreads.map(|spread| right * spread).into_iter().fold(f64::NEG_INFINITY, f64::max),
         ];
-        Self { view, sighting, tangents, sides }
+        let half_height = Side::new(view.tan_half_height);
+        let vectors = Level::new();
+        Self { view, vectors, sighting, tangents, sides: sides.map(Side::new), half_height }
     }
 
-    /// Whether a body may be in the picture, and on a sweep.
-    pub fn meets(&self, body: &Body) -> bool {
-        self.sweeps(self.sighting.eye_for(body.foot).0, body).is_some()
+    /// How a body lies before the eye; nothing if it is outside the picture or between two sweeps.
+    pub fn aspect<'b>(&self, body: &'b Body) -> Option<Aspect<'b>> {
+        let (eye, foot_range) = self.sighting.eye_for(body.foot);
+        let ahead = self.sighting.turn((body.centre - eye).to_array());
+        let sweeps = self.is_in(ahead, body.radius).then(|| self.sweeps_around(ahead, body.radius))?;
+        (!sweeps.is_empty()).then_some(Aspect { body, eye, foot_range, sweeps })
     }
 
-    /// The sweeps that may meet a body, by its bounding sphere; nothing if it is outside the picture.
-    fn sweeps(&self, eye: DVec3, body: &Body) -> Option<Range<usize>> {
-        let ahead = self.sighting.turn(body.centre - eye);
-        let reaches =
-            |across: f64, edge: f64| across - edge * ahead.x <= body.radius * (1.0 + edge * edge).sqrt();
+    /// Whether a sphere reaches into the picture: nothing else is asked about most bodies.
+    fn is_in(&self, [forward, starboard, down]: [f64; 3], radius: f64) -> bool {
+        let reaches = |across: f64, side: Side| across - side.edge * forward <= radius * side.room;
         let [left, right] = self.sides;
-        let half_height = self.view.tan_half_height;
-        let is_in = ahead.x + body.radius > NEAREST
-            && reaches(ahead.y, right)
-            && reaches(-ahead.y, -left)
-            && reaches(ahead.z, half_height)
-            && reaches(-ahead.z, half_height);
-        let sweeps = self.sweeps_around(ahead, body.radius);
-        (is_in && !sweeps.is_empty()).then_some(sweeps)
+        forward + radius > NEAREST
+            && reaches(starboard, right)
+            && reaches(-starboard, left)
+            && reaches(down, self.half_height)
+            && reaches(-down, self.half_height)
     }
 
     /// None for what passes between two sweeps: most small rocks far away.
-    fn sweeps_around(&self, ahead: DVec3, radius: f64) -> Range<usize> {
+    fn sweeps_around(&self, ahead: [f64; 3], radius: f64) -> Range<usize> {
         let forward = self.sighting.forward_of(ahead);
         let [nearest, farthest] = [forward - radius, forward + radius];
         if nearest <= 0.0 {
             return 0..self.tangents.len();
         }
-        let [left, right] = [ahead.y - radius, ahead.y + radius];
+        let [left, right] = [ahead[1] - radius, ahead[1] + radius];
         let sweep = |across: f64| self.tangents.partition_point(|&tangent| tangent < across);
         sweep((left / nearest).min(left / farthest))..sweep((right / nearest).max(right / farthest))
     }

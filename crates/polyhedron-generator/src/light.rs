@@ -1,7 +1,7 @@
 //! Light of the faces.
 
 use glam::DVec3;
-use solids::Body;
+use signal::Number;
 
 /// Light of a frame on the faces of bodies: diffuse, as the report computes it before the mission.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -11,11 +11,10 @@ pub struct FaceLight {
 }
 
 impl FaceLight {
-    /// Reflectivity of a face, 0..=1: `max(n.s, 0)` times its albedo; 0 on a body in remote shadow.
-    pub fn reflectivity(&self, body: &Body, face: usize, dark: bool) -> f64 {
-        if dark {
-            return 0.0;
-        }
-        body.normal(face).dot(self.sun).max(0.0) * body.solid.faces()[face].albedo
+    /// Reflectivity of a face, 0..=1, by its unit normal (north, east, up): `max(n.s, 0)` times its albedo.
+    #[inline(always)]
+    pub fn reflectivity<N: Number>(&self, [north, east, up]: [N; 3], albedo: N) -> N {
+        let (x, y, z) = (albedo.like(self.sun.x), albedo.like(self.sun.y), albedo.like(self.sun.z));
+        (north * x + east * y + up * z).at_least(albedo.like(0.0)) * albedo
     }
 }

@@ -23,7 +23,7 @@ pub struct Run {
 }
 
 /// A part of a span that the ground does not hide, as the choice between faces needs it.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Piece {
     top: f32,
     bottom: f32,
@@ -51,7 +51,8 @@ impl Piece {
 #[derive(Debug, Clone, Default)]
 pub struct Overlay {
     pieces: Vec<Piece>,
-    ends: Vec<f32>,
+    /// Pieces from the top: see [`from_top`].
+    order: Vec<u64>,
     active: Vec<usize>,
     runs: Vec<Run>,
 }
@@ -88,11 +89,9 @@ impl Overlay {
             }
             _ => self.pieces.extend(spans.iter().map(Piece::new)),
         }
-        self.pieces.sort_unstable_by(|a, b| a.top.total_cmp(&b.top));
-        self.ends.clear();
-        self.ends.extend(self.pieces.iter().flat_map(|piece| [piece.top, piece.bottom]));
-        self.ends.sort_unstable_by(f32::total_cmp);
-        self.ends.dedup();
+        self.order.clear();
+        self.order.extend(self.pieces.iter().enumerate().map(|(number, piece)| from_top(piece, number)));
+        self.order.sort_unstable();
         self.sweep_down(visibility);
         &self.runs
     }
@@ -119,19 +118,26 @@ impl Overlay {
 
     /// Between two ends the same pieces are there: finds which shows.
     fn sweep_down(&mut self, visibility: BodyVisibility) {
-        self.active.clear();
-        let mut waiting = 0;
-        for end in 1..self.ends.len() {
-            let (top, bottom) = (self.ends[end - 1], self.ends[end]);
-            while self.pieces.get(waiting).is_some_and(|piece| piece.top <= top) {
-                self.active.push(waiting);
-                waiting += 1;
-            }
-            let pieces = &self.pieces;
-            self.active.retain(|&piece| pieces[piece].bottom > top);
-            if !self.active.is_empty() {
-                let stretch = Stretch { pieces, active: &self.active, visibility };
-                stretch.resolve(top, bottom, Stretch::DEEPEST, &mut self.runs);
+        let Self { pieces, order, active, runs } = self;
+        active.clear();
+        let mut waiting = order.iter().map(|&key| key as u32 as usize).peekable();
+        while let Some(first) = waiting.next() {
+            let mut top = pieces[first].top;
+            active.push(first);
+            // From here down to where nothing is.
+            loop {
+                while let Some(begun) = waiting.next_if(|&piece| pieces[piece].top <= top) {
+                    active.push(begun);
+                }
+                active.retain(|&piece| pieces[piece].bottom > top);
+                if active.is_empty() {
+                    break;
+                }
+                let begins = waiting.peek().map_or(f32::INFINITY, |&piece| pieces[piece].top);
+                let bottom = active.iter().fold(begins, |end, &piece| end.min(pieces[piece].bottom));
+                let stretch = Stretch { pieces, active, visibility };
+                stretch.resolve(top, bottom, Stretch::DEEPEST, runs);
+                top = bottom;
             }
         }
     }
@@ -140,8 +146,7 @@ impl Overlay {
         match rule {
             PixelRule::Centre => {
                 for run in &self.runs {
-                    let [first, end] = [run.top, run.bottom]
-                        .map(|end| ((end - 0.5).ceil().max(0.0) as usize).min(row.len()));
+                    let [first, end] = [run.top, run.bottom].map(|end| line_from(end - 0.5, row.len()));
                     row[first..end.max(first)].fill(value(run));
                 }
             }
@@ -150,12 +155,32 @@ impl Overlay {
     }
 }
 
+/// A number that ascends with the top of a piece and names it: numbers are sorted without asking, pieces are not.
+fn from_top(piece: &Piece, number: usize) -> u64 {
+    let bits = piece.top.to_bits();
+    // Bits ascend as numbers do above 0, and the other way round below.
+    let ascending = if piece.top.is_sign_negative() { !bits } else { bits | 1 << 31 };
+    u64::from(ascending) << 32 | number as u64
+}
+
+/// First of some lines that begins at or below a line position; their number if none does.
+fn line_from(position: f32, lines: usize) -> usize {
+    // The library's `ceil` is called where it is no instruction.
+    let above = (position.max(0.0) as usize).min(lines);
+    (above + usize::from((above as f32) < position)).min(lines)
+}
+
 /// Mixes runs into lines by the share that they cover.
 fn lay_means(runs: &[Run], row: &mut [f32], value: impl Fn(&Run) -> f32) {
     let mut line = Line::default();
     for run in runs {
-        let end = (run.bottom.ceil().max(0.0) as usize).min(row.len());
-        for index in run.top.max(0.0) as usize..end {
+        let (first, end) = (run.top.max(0.0) as usize, line_from(run.bottom, row.len()));
+        let to_last = end.saturating_sub(first + 1).max(1);
+        // Between its first and its last line it covers lines as a whole.
+        if to_last > 1 {
+            row[first + 1..end - 1].fill(value(run));
+        }
+        for index in (first..end).step_by(to_last) {
             if index != line.index {
                 line.mix(row);
                 line = Line { index, ..Line::default() };

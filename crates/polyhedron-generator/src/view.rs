@@ -4,6 +4,7 @@ use glam::DVec3;
 use landscape::parabolic_drop;
 use quantities::sin_cos;
 use scenario::{Curvature, Projection};
+use signal::Number;
 
 /// A body with a vertex less than this ahead of the eye is skipped (m): D_near of section 12.
 pub const NEAREST: f64 = 0.05;
@@ -29,13 +30,13 @@ pub struct ViewPlane {
 
 /// A point on the view-plane.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Place {
+pub(crate) struct Place<N = f64> {
     /// To the right, over the distance of the view-plane.
-    pub x: f64,
+    pub x: N,
     /// Down, likewise.
-    pub y: f64,
+    pub y: N,
     /// Inverse distance along the view axis (1/m): linear over the picture of a plane.
-    pub depth: f64,
+    pub depth: N,
 }
 
 /// A view-plane made ready for many points.
@@ -71,26 +72,30 @@ impl Sighting {
     }
 
     /// `Theta^T Phi^T` times `from_eye` (north, east, up): forward, starboard, down.
-    pub fn turn(&self, from_eye: DVec3) -> DVec3 {
-        let ((sin_heading, cos_heading), (sin, cos)) = (self.heading, self.pitch);
-        let level = cos_heading * from_eye.x + sin_heading * from_eye.y;
-        let starboard = cos_heading * from_eye.y - sin_heading * from_eye.x;
-        DVec3::new(cos * level + sin * from_eye.z, starboard, sin * level - cos * from_eye.z)
+    #[inline(always)]
+    pub fn turn<N: Number>(&self, [north, east, up]: [N; 3]) -> [N; 3] {
+        let (sin_heading, cos_heading) = (north.like(self.heading.0), north.like(self.heading.1));
+        let (sin, cos) = (north.like(self.pitch.0), north.like(self.pitch.1));
+        let level = cos_heading * north + sin_heading * east;
+        let starboard = cos_heading * east - sin_heading * north;
+        [cos * level + sin * up, starboard, sin * level - cos * up]
     }
 
     /// Horizontal way forward for one of `depth^-1` along the view axis, at `y` on the view-plane.
-    fn forward(&self, y: f64) -> f64 {
-        self.pitch.1 + y * self.pitch.0
+    #[inline(always)]
+    fn forward<N: Number>(&self, y: N) -> N {
+        y.like(self.pitch.1) + y * y.like(self.pitch.0)
     }
 
     /// What a sweep's tangent multiplies in its line on the view-plane.
-    pub fn spread(&self, y: f64) -> f64 {
-        if self.straight { self.forward(y) } else { 1.0 }
+    #[inline(always)]
+    pub fn spread<N: Number>(&self, y: N) -> N {
+        if self.straight { self.forward(y) } else { y.like(1.0) }
     }
 
     /// The distance (m) of a point ahead that a sweep's tangent is a share of.
-    pub fn forward_of(&self, ahead: DVec3) -> f64 {
-        if self.straight { self.pitch.1 * ahead.x + self.pitch.0 * ahead.z } else { ahead.x }
+    pub fn forward_of(&self, [forward, _, down]: [f64; 3]) -> f64 {
+        if self.straight { self.pitch.1 * forward + self.pitch.0 * down } else { forward }
     }
 
     /// Inverse horizontal range (1/m) of a place.
@@ -100,10 +105,11 @@ impl Sighting {
     }
 }
 
-/// The picture of a point that is ahead.
-pub(crate) fn project(ahead: DVec3) -> Place {
-    let depth = 1.0 / ahead.x;
-    Place { x: ahead.y * depth, y: ahead.z * depth, depth }
+/// The picture of a point that is ahead: forward, starboard, down (m).
+#[inline(always)]
+pub(crate) fn project<N: Number>([forward, starboard, down]: [N; 3]) -> Place<N> {
+    let depth = forward.like(1.0) / forward;
+    Place { x: starboard * depth, y: down * depth, depth }
 }
 
 #[cfg(test)]
@@ -125,9 +131,9 @@ mod tests {
             lines: 500.0,
         };
         let sighting = Sighting::new(&view);
-        let ahead = sighting.turn(DVec3::new(60.0, 45.0, 1.0) - DVec3::from_array(view.eye));
+        let ahead = sighting.turn((DVec3::new(60.0, 45.0, 1.0) - DVec3::from_array(view.eye)).to_array());
         let expected = DVec3::new(55.67608525203552, -3.349364905389034, -3.867206451512648);
-        assert!((ahead - expected).length() < 1e-13, "{ahead}");
+        assert!((DVec3::from_array(ahead) - expected).length() < 1e-13, "{ahead:?}");
         let place = project(ahead);
         assert!((place.x + 0.0601580533226621).abs() < 1e-15, "{}", place.x);
         assert!((place.y + 0.06945902237929458).abs() < 1e-15, "{}", place.y);

@@ -1,8 +1,8 @@
 //! The third video switch: order, cutting by the ground, mixing into lines.
 
-use polyhedron_generator::{Hold, NoHold, Overlay, Run, SIGNALS, Span};
+use polyhedron_generator::{Hold, NearTable, NoHold, Overlay, Run, SIGNALS, Span};
 use proptest::collection::vec;
-use proptest::prelude::{prop_assert, proptest};
+use proptest::prelude::{any, prop_assert, prop_assert_eq, proptest};
 use scenario::{BodyVisibility, PixelRule};
 
 /// A face across lines `top` to `bottom` at one range, of an object with its own foot point.
@@ -97,7 +97,7 @@ fn what_reaches_beyond_the_picture_is_cut_off() {
 }
 
 /// Level ground, eye 1.5 m above it, line `100 + 100 (1.5 / range) / 0.3`, with samples every 0.25 m from 2 m.
-fn level(rise: impl Fn(f32) -> f32) -> (Vec<f32>, Vec<f32>) {
+fn level(rise: impl Fn(f32) -> f32) -> (NearTable, Vec<f32>) {
     let ranges = (0..400).map(|sample| 2.0 + 0.25 * sample as f32);
     let line = |range: f32| 100.0 + 100.0 * (1.5 - rise(range)) / range / 0.3;
     let mut held = f32::INFINITY;
@@ -105,7 +105,7 @@ fn level(rise: impl Fn(f32) -> f32) -> (Vec<f32>, Vec<f32>) {
         held = held.min(line(range));
         held
     };
-    (ranges.clone().map(|range| 1.0 / range).collect(), ranges.map(hold).collect())
+    (NearTable::new(ranges.clone().map(|range| 1.0 / range)), ranges.map(hold).collect())
 }
 
 #[test]
@@ -167,7 +167,8 @@ proptest! {
             near.push(1.0 / range);
             held.push(line);
         }
-        let hold = Hold { near: &near, lines: |sample: usize| held[sample] };
+        let table = NearTable::new(near);
+        let hold = Hold { near: &table, lines: |sample: usize| held[sample] };
         let span = slope(lines, ends, 0.5);
         let shown = runs(&[span], BodyVisibility::Depth, Some(&hold));
         for number in 0..=500 {
@@ -201,6 +202,64 @@ proptest! {
                 }
                 (nearest, run) => prop_assert!(nearest.is_none() && run.is_none(), "at {place}: {nearest:?} {run:?}"),
             }
+        }
+    }
+
+    /// Ends that coincide, faces that touch, nest and leave gaps, and faces of no height.
+    #[test]
+    fn runs_part_at_every_end_and_cover_what_a_face_covers(
+        faces in vec((0..30u8, 0..9u8, 2.0..20.0f32), 0..30),
+    ) {
+        let lines = |top: u8, height: u8| [f32::from(top) - 3.0, f32::from(top + height) - 3.0];
+        let spans: Vec<Span> = faces.iter().map(|&(top, height, range)| wall(lines(top, height), range, 0.5, 0, range)).collect();
+        let shown = runs(&spans, BodyVisibility::Depth, OPEN);
+        let mut rest = &shown[..];
+        for step in -4..50 {
+            let (top, bottom) = (step as f32, (step + 1) as f32);
+            let is_end = |line: f32| spans.iter().any(|span| span.top == line || span.bottom == line);
+            let is_covered = spans.iter().any(|span| span.top <= top && bottom <= span.bottom);
+            let run = rest.first().filter(|run| run.top <= top && bottom <= run.bottom);
+            prop_assert_eq!(run.is_some(), is_covered, "lines {} to {} of {:?}", top, bottom, &shown);
+            let Some(run) = run else { continue };
+            prop_assert!(run.top == top || !is_end(top), "{top} in {run:?}");
+            if run.bottom == bottom {
+                prop_assert!(is_end(bottom), "{run:?}");
+                rest = &rest[1..];
+            }
+        }
+        prop_assert_eq!(rest, &[]);
+    }
+
+    /// Lines that a run covers as a whole are filled at once; nothing shows it.
+    #[test]
+    fn lines_are_covered_as_if_each_were_mixed_alone(
+        faces in vec((-5.0..60.0f32, 0.0..30.0f32, 0..2u8), 0..12), before in 0.0..1.0f32, whole in any::<bool>(),
+    ) {
+        let (mut spans, mut top) = (Vec::new(), -4.0f32);
+        for &(value, height, gap) in &faces {
+            let height = if whole { height.round() } else { height };
+            top += f32::from(gap) * 1.5;
+            spans.push(wall([top, top + height], 4.0, value.abs(), 0, 4.0));
+            top += height;
+        }
+        let mut overlay = Overlay::default();
+        let shown = overlay.compose(&spans, BodyVisibility::Depth, OPEN).to_vec();
+        let mut mean = [before; 64];
+        overlay.write(PixelRule::LineMean, &mut mean);
+        let mut centre = [before; 64];
+        overlay.write(PixelRule::Centre, &mut centre);
+        for line in 0..64 {
+            let (from, to) = (line as f32, line as f32 + 1.0);
+            let (mut cover, mut sum) = (0.0f32, 0.0f32);
+            for run in shown.iter().filter(|run| run.top < to && run.bottom > from) {
+                let share = run.bottom.min(to) - run.top.max(from);
+                cover += share;
+                sum += share * run.reflectivity;
+            }
+            let expected = if cover > 0.0 { before * (1.0 - cover).max(0.0) + sum } else { before };
+            prop_assert_eq!(mean[line], expected, "line {} of {:?}", line, &shown);
+            let middle = shown.iter().rfind(|run| run.top <= from + 0.5 && from + 0.5 < run.bottom);
+            prop_assert_eq!(centre[line], middle.map_or(before, |run| run.reflectivity), "line {}", line);
         }
     }
 }

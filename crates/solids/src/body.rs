@@ -106,6 +106,12 @@ impl Body {
         self.turn.matrix() * self.solid.faces()[face].normal
     }
 
+    /// What turns body axes (forward, starboard, up) into north, east, up, and how many times as large as its solid it is: a vertex
+    /// of the solid is at `foot + turn * (vertex * scale)`.
+    pub fn to_ground(&self) -> (DMat3, f64) {
+        (self.turn.matrix(), self.scale)
+    }
+
     /// From body axes to terrain axes.
     fn place_of(&self) -> impl Fn(DVec3) -> DVec3 + Clone + use<> {
         let (foot, turn, scale) = (self.foot, self.turn.matrix(), self.scale);

@@ -1,0 +1,210 @@
+//! A body as the eye sees it: vertices on the picture and faces that look at the eye, eight side by side.
+
+use fearless_simd::prelude::SimdMask;
+use fearless_simd::{Level, Simd, SimdBase, dispatch, f64x8};
+use glam::{DMat3, DVec3};
+use signal::{LANES, Number, eight};
+use solids::{Body, Face};
+
+use crate::face::Corner;
+use crate::view::{Sighting, project};
+use crate::{FaceLight, NEAREST};
+
+/// Buffers that are kept from body to body.
+#[derive(Debug, Default)]
+pub(crate) struct Likeness {
+    /// Vertices in terrain axes.
+    vertices: Vec<[f64; 3]>,
+    /// And on the picture.
+    pub corners: Vec<Corner>,
+    /// Faces that look at the eye, with their reflectivities.
+    pub seen: Vec<(u32, f32)>,
+}
+
+/// What a body is seen by.
+#[derive(Debug)]
+pub(crate) struct Eye<'a> {
+    pub sighting: &'a Sighting,
+    pub vectors: Level,
+    pub light: &'a FaceLight,
+    /// Where it stands, for this body: north, east, up (m).
+    pub place: DVec3,
+    /// Tangents of the sweeps that may meet the body.
+    pub tangents: &'a [f64],
+}
+
+impl Likeness {
+    /// Takes that of a body, black if it is `dark`; false if a vertex is too near.
+    pub fn take(&mut self, eye: &Eye<'_>, body: &Body, dark: bool) -> bool {
+        dispatch!(eye.vectors, simd => self.take_by(simd, eye, body, dark))
+    }
+
+    #[inline(always)]
+    fn take_by<V: Simd>(&mut self, simd: V, eye: &Eye<'_>, body: &Body, dark: bool) -> bool {
+        self.corners.clear();
+        self.vertices.clear();
+        self.seen.clear();
+        let (turn, scale) = body.to_ground();
+        for vertices in body.solid.vertices().chunks(LANES) {
+            if !self.project(simd, eye, [body.foot, DVec3::splat(scale)], &turn, vertices) {
+                return false;
+            }
+        }
+        for (first, faces) in (0..).step_by(LANES).zip(body.solid.faces().chunks(LANES)) {
+            self.find_seen(simd, eye, &turn, first, faces, dark);
+        }
+        true
+    }
+
+    /// Projects up to eight vertices in body axes.
+    #[inline(always)]
+    fn project<V: Simd>(
+        &mut self,
+        simd: V,
+        eye: &Eye<'_>,
+        [foot, scale]: [DVec3; 2],
+        turn: &DMat3,
+        vertices: &[DVec3],
+    ) -> bool {
+        // The last stands in for those that are not there.
+        let mut axes = [[0.0; LANES]; 3];
+        for lane in 0..LANES {
+            let vertex = vertices[lane.min(vertices.len() - 1)];
+            (axes[0][lane], axes[1][lane], axes[2][lane]) = (vertex.x, vertex.y, vertex.z);
+        }
+        let scale = eight(simd, &[scale.x; LANES]);
+        let [x, y, z] = [eight(simd, &axes[0]), eight(simd, &axes[1]), eight(simd, &axes[2])];
+        let [north, east, up] = turned(turn, [x * scale, y * scale, z * scale]);
+        let [north, east, up] = [x.like(foot.x) + north, x.like(foot.y) + east, x.like(foot.z) + up];
+        let [from_north, from_east, from_up] =
+            [north - x.like(eye.place.x), east - x.like(eye.place.y), up - x.like(eye.place.z)];
+        let ahead = eye.sighting.turn([from_north, from_east, from_up]);
+        if ahead[0].simd_le(x.like(NEAREST)).any_true() {
+            return false;
+        }
+        let place = project(ahead);
+        let across = (place.x / eye.sighting.spread(place.y)).to_array();
+        let (xs, ys, depths) = (place.x.to_array(), place.y.to_array(), place.depth.to_array());
+        let (north, east, up) = (north.to_array(), east.to_array(), up.to_array());
+        for lane in 0..vertices.len() {
+            self.vertices.push([north[lane], east[lane], up[lane]]);
+            self.corners.push(Corner::new([xs[lane], ys[lane], depths[lane]], across[lane], eye.tangents));
+        }
+        true
+    }
+
+    /// Which of up to eight faces look at the eye; the first of them is face number `first`.
+    #[inline(always)]
+    fn find_seen<V: Simd>(
+        &mut self,
+        simd: V,
+        eye: &Eye<'_>,
+        turn: &DMat3,
+        first: u32,
+        faces: &[Face],
+        dark: bool,
+    ) {
+        let (mut normals, mut to_eye, mut albedo) = ([[0.0; LANES]; 3], [[0.0; LANES]; 3], [0.0; LANES]);
+        for (lane, face) in faces.iter().enumerate() {
+            let [north, east, up] = self.vertices[face.corners[0] as usize];
+            (normals[0][lane], normals[1][lane], normals[2][lane]) =
+                (face.normal.x, face.normal.y, face.normal.z);
+            (to_eye[0][lane], to_eye[1][lane], to_eye[2][lane]) =
+                (eye.place.x - north, eye.place.y - east, eye.place.z - up);
+            albedo[lane] = face.albedo;
+        }
+        let normals =
+            turned(turn, [eight(simd, &normals[0]), eight(simd, &normals[1]), eight(simd, &normals[2])]);
+        let to_eye = [eight(simd, &to_eye[0]), eight(simd, &to_eye[1]), eight(simd, &to_eye[2])];
+        let facing = normals[0] * to_eye[0] + normals[1] * to_eye[1] + normals[2] * to_eye[2];
+        // Faces that are not there have no normal, and look nowhere.
+        let mut seen = facing.simd_gt(facing.like(0.0)).to_bitmask();
+        let lit = eye.light.reflectivity(normals, eight(simd, &albedo)).to_array();
+        while seen != 0 {
+            let lane = seen.trailing_zeros();
+            seen &= seen - 1;
+            self.seen.push((first + lane, if dark { 0.0 } else { lit[lane as usize] as f32 }));
+        }
+    }
+}
+
+/// `turn` times a vector, in the order of the plain product.
+#[inline(always)]
+fn turned<V: Simd>(turn: &DMat3, [x, y, z]: [f64x8<V>; 3]) -> [f64x8<V>; 3] {
+    let (along, across, up) = (turn.x_axis, turn.y_axis, turn.z_axis);
+    [
+        x.like(along.x) * x + x.like(across.x) * y + x.like(up.x) * z,
+        x.like(along.y) * x + x.like(across.y) * y + x.like(up.y) * z,
+        x.like(along.z) * x + x.like(across.z) * y + x.like(up.z) * z,
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use fearless_simd::Level;
+    use glam::{DMat3, DVec3, EulerRot};
+    use proptest::prelude::{prop_assert_eq, proptest};
+    use scenario::{Curvature, Projection};
+    use solids::{Body, Kind, rocks};
+
+    use super::{Eye, Likeness};
+    use crate::face::Corner;
+    use crate::view::{Sighting, project};
+    use crate::{FaceLight, NEAREST, ViewPlane};
+
+    proptest! {
+        /// To the bit: rocks ahead, beside, behind and about the eye, upright and tumbled.
+        #[test]
+        fn eight_side_by_side_are_what_each_is_alone(
+            shape in 0..rocks::SHAPES,
+            foot in [-3.0..30.0f64, -9.0..9.0, -2.0..2.0],
+            turns in [-3.0..3.0f64, -3.0..3.0, -3.0..3.0],
+            (is_upright, is_dark, is_straight) in proptest::prelude::any::<(bool, bool, bool)>(),
+            scale in 0.1..4.0f64,
+            [heading, pitch] in [-0.5..0.5f64, -0.5..0.5],
+        ) {
+            let solid = Arc::new(rocks::shapes(7).unwrap().swap_remove(shape));
+            let turn = match is_upright {
+                true => DMat3::from_rotation_z(turns[0]),
+                false => DMat3::from_euler(EulerRot::ZYX, turns[0], turns[1], turns[2]),
+            };
+            let body = Body::place(1, Kind::Rock, &solid, DVec3::from_array(foot), &turn, scale);
+            let sighting = Sighting::new(&ViewPlane {
+                eye: [0.0; 3],
+                heading,
+                pitch,
+                projection: if is_straight { Projection::Exact } else { Projection::Corrected },
+                curvature: Curvature::None,
+                tan_half_height: 0.3,
+                lines: 500.0,
+            });
+            let (light, place) = (FaceLight { sun: DVec3::new(-0.6, 0.48, 0.64) }, DVec3::new(0.1, 0.2, 1.5));
+            let tangents: Vec<f64> = (0..60).map(|sweep| 0.02 * f64::from(sweep) - 0.6).collect();
+
+            let vertices: Vec<DVec3> = body.vertices().collect();
+            let ahead = |vertex: &DVec3| sighting.turn((*vertex - place).to_array());
+            let corner = |vertex: &DVec3| {
+                let at = project(ahead(vertex));
+                Corner::new([at.x, at.y, at.depth], at.x / sighting.spread(at.y), &tangents)
+            };
+            let is_near = vertices.iter().any(|vertex| ahead(vertex)[0] <= NEAREST);
+            let seen = body.solid.faces().iter().zip(body.normals()).enumerate().filter_map(|(number, (face, normal))| {
+                let lit = if is_dark { 0.0 } else { normal.dot(light.sun).max(0.0) * face.albedo };
+                let faces_eye = normal.dot(place - vertices[face.corners[0] as usize]) > 0.0;
+                faces_eye.then_some((number as u32, lit as f32))
+            });
+            let seen: Vec<(u32, f32)> = seen.collect();
+            for vectors in [Level::new(), Level::baseline()] {
+                let eye = Eye { sighting: &sighting, vectors, light: &light, place, tangents: &tangents };
+                let mut likeness = Likeness::default();
+                prop_assert_eq!(likeness.take(&eye, &body, is_dark), !is_near);
+                if !is_near {
+                    prop_assert_eq!(&likeness.corners, &vertices.iter().map(corner).collect::<Vec<_>>());
+                    prop_assert_eq!(&likeness.seen, &seen);
+                }
+            }
+        }
+    }
+}
