@@ -67,6 +67,7 @@ mod caster;
 mod control_net;
 mod cover;
 mod ground;
+mod numbers;
 mod outlines;
 mod point;
 mod profile;
