@@ -16,7 +16,7 @@ use sweep_generator::RangeTable;
 use crate::blocks::{Blocks, Shadows};
 use crate::control_plane::FramePlan;
 use crate::feature_loads::load_timing;
-use crate::footing::{CastShadow, Footings, UnderSun};
+use crate::footing::{Footings, UnderSun};
 use crate::raster::WrittenRaster;
 use crate::shade::Shade;
 use crate::sight::InSight;
@@ -86,12 +86,17 @@ impl Supply<'_> {
     }
 
     /// Bodies that are ready and near enough, and what is too far.
-    fn in_sight(&self, time: f64) -> (Vec<(usize, &Body)>, LeftOut) {
+    fn in_sight(&self, time: f64) -> (Vec<u32>, LeftOut) {
         let mut in_sight = InSight::of(self.stage, self.blocks, self.plan, time);
         if let Some(vertices) = self.ready {
-            in_sight.keep_ready(self.plan, vertices);
+            in_sight.keep_ready(self.stage, self.plan, vertices);
         }
         (in_sight.bodies, in_sight.left_out)
+    }
+
+    /// Body `number` of the mission.
+    fn body(&self, number: u32) -> &Body {
+        &self.stage.scenery.standing()[number as usize].body
     }
 
     fn under_sun<'a>(&'a self, shadows: &'a Shadows) -> UnderSun<'a> {
@@ -104,7 +109,7 @@ impl Supply<'_> {
         shadows: &Shadows,
         controller: &ShadowController,
         under_sun: &UnderSun<'_>,
-        seen: &[(usize, &Body)],
+        seen: &[u32],
         time: f64,
         gates: &mut Vec<Gate>,
     ) {
@@ -118,15 +123,13 @@ impl Supply<'_> {
         // A map that is read beside its place shows shadows that no sweep meets.
         let all = matches!(self.stage.settings.shadow_controller, ShadowParts::ScanConverter { .. });
         let shade = Shade::new(foot, edges, &self.plan.sun);
-        let of_bodies = seen.par_iter().filter_map(|&(index, body)| {
+        let meets = |(centre, radius)| all || self.plan.sweeps_of(centre, radius).is_some();
+        let of_bodies = seen.par_iter().filter_map(|&number| {
+            let body = self.body(number);
             let may_fall = all || shade.may_meet([body.centre.x, body.centre.y], body.radius);
-            may_fall.then(|| under_sun.shadow(index, body))
+            may_fall.then(|| under_sun.shadow(number, body, meets)).flatten()
         });
-        let meets = |shadow: &&CastShadow| {
-            let (centre, radius) = shadow.around;
-            all || self.plan.sweeps_of(centre, radius).is_some()
-        };
-        cast.par_extend(of_bodies.filter(meets).map(|shadow| &shadow.outline));
+        cast.par_extend(of_bodies);
         let (patches, own) = (self.patches(time), self.own_shadow(shadows));
         cast.push(&patches);
         cast.extend(&own);
@@ -155,7 +158,7 @@ impl Supply<'_> {
         Outlines::of(&patches.iter().map(|patch| patch.corners).collect::<Vec<_>>())
     }
 
-    fn project<'b>(&self, seen: &[(usize, &'b Body)], under_sun: Option<&UnderSun<'_>>, out: &mut Delivery) {
+    fn project(&self, seen: &[u32], under_sun: Option<&UnderSun<'_>>, out: &mut Delivery) {
         let laws = self.stage.settings.laws;
         let view = ViewPlane {
             eye: self.plan.eye,
@@ -169,13 +172,14 @@ impl Supply<'_> {
         let tangents: Vec<f64> =
             (0..self.plan.fan.sweeps).map(|sweep| self.plan.fan.tangent(sweep)).collect();
         let field = Field::new(&view, &tangents);
-        let drawn = |&(index, body): &(usize, &'b Body)| {
-            let dark = under_sun.is_some_and(|sun| sun.is_dark(index, body));
+        let drawn = |&number: &u32| {
+            let body = self.body(number);
+            let dark = under_sun.is_some_and(|sun| sun.is_dark(number, body));
             let vanishes = dark && laws.shadowed_bodies == ShadowedBodies::Vanish;
             let hidden = laws.body_visibility == BodyVisibility::AsReported && self.is_hidden(body.foot);
             (!vanishes && !hidden).then_some(Drawn { body, dark })
         };
-        let met = seen.par_iter().filter(|(_, body)| field.meets(body));
+        let met = seen.par_iter().filter(|&&number| field.meets(self.body(number)));
         let drawn: Vec<Drawn<'_>> = met.filter_map(drawn).collect();
         let light = FaceLight { sun: DVec3::from_array(self.plan.sun.direction()) };
         out.bodies = out.polyhedra.run(&field, &light, &drawn).drawn;
