@@ -19,6 +19,11 @@ impl Fan {
         Self { origin, edges, to: to / half.sqrt() }
     }
 
+    /// The same rays from `origin` in another unit, of which there are `units` in a metre.
+    pub fn in_units(&self, origin: [f64; 2], units: f64) -> Self {
+        Self { origin, to: self.to * units, ..*self }
+    }
+
     /// Where the rays begin (m).
     pub fn origin(&self) -> [f64; 2] {
         self.origin
@@ -38,10 +43,12 @@ impl Fan {
         (ends.into_iter().fold(right, f64::min), ends.into_iter().fold(right, f64::max))
     }
 
-    /// Whether a circle of radius `outer` (m) about `offset` from the origin may meet a ray: it reaches over both edges, and
-    /// not only behind the origin or beyond the end.
-    pub fn may_reach(&self, offset: [f64; 2], outer: f64) -> bool {
+    /// Whether a circle of radius `outer` (m) about `centre` may meet a ray: it reaches over both edges, and not only behind
+    /// the origin or beyond the end.
+    #[inline]
+    pub fn may_reach(&self, centre: [f64; 2], outer: f64) -> bool {
         let [left, right] = self.edges;
+        let offset = [0, 1].map(|axis| centre[axis] - self.origin[axis]);
         let cross = |a: [f64; 2], b: [f64; 2]| a[0] * b[1] - a[1] * b[0];
         let farthest = self.to + outer;
         let ahead = offset[0] * (left[0] + right[0]) + offset[1] * (left[1] + right[1]);

@@ -26,6 +26,9 @@ pub struct Features {
 
 impl Features {
     /// An index over `craters`; their order is kept and names them.
+    ///
+    /// # Panics
+    /// If there are more than 2^28.
     pub fn new(craters: Vec<Crater>) -> Self {
         Self::of(craters.into_iter().collect())
     }

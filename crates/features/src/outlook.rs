@@ -1,11 +1,16 @@
 //! Which craters can be told from where the eye is (economy; performance-insights, section 6).
 
+use std::array;
+
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 
 use crate::fan::Fan;
 use crate::tier::Tier;
 use crate::{Crater, Features};
+
+/// Craters that are looked at together.
+const TOGETHER: usize = 16;
 
 /// An eye over level ground, and how little it tells.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -75,25 +80,31 @@ impl Features {
         to: f64,
         outlook: &Outlook,
     ) -> (Vec<u32>, LeftOut) {
-        let (mut found, mut near, mut left_out) = (Vec::new(), 0, LeftOut::default());
+        let told = tier.told_to(outlook).min(to);
+        let mut found: Vec<u32> = tier.near_fan(Fan::new(origin, edges, told)).collect();
+        let (near, mut kept, mut left_out) = (found.len(), 0, LeftOut::default());
         let mut leave_out = |craters: u64, outer: f64, range: f64| {
             left_out.craters += craters;
             left_out.cells += craters as f64 * outlook.cells(outer, range);
         };
-        let told = tier.told_to(outlook).min(to);
-        for index in tier.near_fan(Fan::new(origin, edges, told)) {
-            near += 1;
-            let crater = self.crater(index);
-            let [north, east] = [0, 1].map(|axis| crater.centre()[axis] - origin[axis]);
-            let range = (north * north + east * east).sqrt();
-            if outlook.tells(&crater, range) {
-                found.push(index);
-            } else {
-                leave_out(1, crater.outer(), range);
+        for first in (0..near).step_by(TOGETHER) {
+            let some: [u32; TOGETHER] = array::from_fn(|n| found[(first + n).min(near - 1)]);
+            // Which of them are told nobody can guess: first all, far apart in memory, none of which waits for another.
+            let craters = some.map(|index| self.crater(index));
+            for (index, crater) in some.iter().zip(&craters).take(near - first) {
+                let [north, east] = [0, 1].map(|axis| crater.centre()[axis] - origin[axis]);
+                let range = (north * north + east * east).sqrt();
+                if outlook.tells(crater, range) {
+                    found[kept] = *index;
+                    kept += 1;
+                } else {
+                    leave_out(1, crater.outer(), range);
+                }
             }
         }
+        found.truncate(kept);
         if told < to {
-            let beyond = tier.count(Fan::new(origin, edges, to)).saturating_sub(near);
+            let beyond = tier.count(Fan::new(origin, edges, to)).saturating_sub(near as u64);
             leave_out(beyond, tier.outer(), told);
         }
         (found, left_out)

@@ -3,10 +3,10 @@
 use crate::Craters;
 use crate::Outlook;
 use crate::fan::Fan;
-use crate::spot::{Spot, with_slack};
+use crate::spot::{Scale, Spot, with_slack};
 
 /// Cells a crater at most: bounds the memory of a tier whose craters are few and far between.
-const CELLS_PER_CRATER: usize = 2;
+const CELLS_PER_CRATER: usize = 1;
 
 /// Craters of about one size in a grid of square cells, not smaller than the largest of them. Each stands once, in the
 /// cell of its centre, or in the border cell nearest to it.
@@ -28,6 +28,8 @@ pub(crate) struct Tier {
     begins: Vec<u32>,
     /// The craters cell by cell, ascending within a cell.
     spots: Vec<Spot>,
+    /// What their numbers mean.
+    scale: Scale,
 }
 
 impl Tier {
@@ -46,6 +48,7 @@ impl Tier {
             relief,
             begins: Vec::new(),
             spots: Vec::new(),
+            scale: Scale::new(spans.iter().fold(0.0, |most, [low, high]| (high - low).max(most)), reach),
         };
         tier.lay_out(spans, CELLS_PER_CRATER * members.len() + 16);
         tier.fill(all, members);
@@ -78,7 +81,8 @@ impl Tier {
         let mut spots = vec![Spot::default(); members.len()];
         for &index in members {
             let end = &mut ends[cell(index)];
-            spots[*end as usize] = Spot::new(&all.get(index), index, self.corner);
+            let (centre, outer) = all.circle(index);
+            spots[*end as usize] = self.scale.spot(self.offset(centre), outer, index);
             *end += 1;
         }
         (self.begins, self.spots) = (begins, spots);
@@ -94,9 +98,9 @@ impl Tier {
     pub fn near_box(&self, low: [f64; 2], high: [f64; 2]) -> impl Iterator<Item = u32> {
         let [rows, columns] = [0, 1]
             .map(|axis| [self.cell(axis, low[axis] - self.reach), self.cell(axis, high[axis] + self.reach)]);
-        let (low, high) = (self.offset(low), self.offset(high));
+        let (low, high) = (self.steps(low), self.steps(high));
         let runs = (rows[0]..=rows[1]).flat_map(move |row| self.run(row, columns));
-        runs.filter(move |spot| spot.meets_box(low, high)).map(|spot| spot.index)
+        runs.filter(move |spot| self.scale.meets_box(**spot, low, high)).map(|spot| spot.index())
     }
 
     /// Craters whose circles may meet the stretch of a length (m) from a point on along a unit vector: row by row,
@@ -116,16 +120,17 @@ impl Tier {
             [self.cell(1, west - self.reach), self.cell(1, east + self.reach)]
         };
         let runs = (rows[0]..=rows[1]).map(move |row| self.run(row, columns(row)));
-        let start = self.offset(from);
-        let met = runs.flatten().filter(move |spot| spot.meets_stretch(start, direction, length));
-        met.map(|spot| spot.index)
+        let (start, length) = (self.steps(from), self.scale.steps(length));
+        let met =
+            runs.flatten().filter(move |spot| self.scale.meets_stretch(**spot, start, direction, length));
+        met.map(|spot| spot.index())
     }
 
     /// Craters whose circles may meet a ray of the fan: row by row, only the cells between its edges and beside them.
     pub fn near_fan(&self, fan: Fan) -> impl Iterator<Item = u32> {
         let runs = self.runs(fan);
-        let origin = self.offset(fan.origin());
-        runs.flatten().filter(move |spot| spot.meets_fan(&fan, origin)).map(|spot| spot.index)
+        let fan = fan.in_units(self.steps(fan.origin()), self.scale.steps(1.0));
+        runs.flatten().filter(move |spot| self.scale.meets_fan(**spot, &fan)).map(|spot| spot.index())
     }
 
     /// Craters in the cells that a fan meets, row by row.
@@ -171,6 +176,11 @@ impl Tier {
 
     fn offset(&self, place: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|axis| place[axis] - self.corner[axis])
+    }
+
+    /// The same in steps of the spots.
+    fn steps(&self, place: [f64; 2]) -> [f64; 2] {
+        self.offset(place).map(|way| self.scale.steps(way))
     }
 
     /// Where the stretch runs, from west to east, while it is within reach of a row of cells (m); `drift` is its way to

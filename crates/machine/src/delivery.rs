@@ -16,7 +16,7 @@ use sweep_generator::RangeTable;
 use crate::blocks::{Blocks, Shadows};
 use crate::control_plane::FramePlan;
 use crate::feature_loads::load_timing;
-use crate::footing::{CastShadow, Footings, UnderSun};
+use crate::footing::{Footings, UnderSun};
 use crate::raster::WrittenRaster;
 use crate::shade::Shade;
 use crate::sight::InSight;
@@ -86,12 +86,17 @@ impl Supply<'_> {
     }
 
     /// Bodies that are ready and near enough, and what is too far.
-    fn in_sight(&self, time: f64) -> (Vec<(usize, &Body)>, LeftOut) {
+    fn in_sight(&self, time: f64) -> (Vec<u32>, LeftOut) {
         let mut in_sight = InSight::of(self.stage, self.blocks, self.plan, time);
         if let Some(vertices) = self.ready {
-            in_sight.keep_ready(self.plan, vertices);
+            in_sight.keep_ready(self.stage, self.plan, vertices);
         }
         (in_sight.bodies, in_sight.left_out)
+    }
+
+    /// Body `number` of the mission.
+    fn body(&self, number: u32) -> &Body {
+        &self.stage.scenery.standing()[number as usize].body
     }
 
     fn under_sun<'a>(&'a self, shadows: &'a Shadows) -> UnderSun<'a> {
@@ -104,7 +109,7 @@ impl Supply<'_> {
         shadows: &Shadows,
         controller: &ShadowController,
         under_sun: &UnderSun<'_>,
-        seen: &[(usize, &Body)],
+        seen: &[u32],
         time: f64,
         gates: &mut Vec<Gate>,
     ) {
@@ -119,13 +124,12 @@ impl Supply<'_> {
         let all = matches!(self.stage.settings.shadow_controller, ShadowParts::ScanConverter { .. });
         let shade = Shade::new(foot, edges, self.table.ranges()[0], &self.plan.sun);
         let may_fall = |body: &Body| all || shade.may_meet([body.centre.x, body.centre.y], body.radius);
-        let of_bodies = seen.par_iter().filter(|(_, body)| may_fall(body));
-        let of_bodies = of_bodies.map(|&(index, body)| under_sun.shadow(index, body));
-        let meets = |shadow: &&CastShadow| {
-            let (centre, radius) = shadow.around;
-            all || self.plan.sweeps_of(centre, radius).is_some()
-        };
-        cast.par_extend(of_bodies.filter(meets).map(|shadow| &shadow.outline));
+        let meets = |(centre, radius)| all || self.plan.sweeps_of(centre, radius).is_some();
+        let of_bodies = seen.par_iter().filter_map(|&number| {
+            let body = self.body(number);
+            may_fall(body).then(|| under_sun.shadow(number, body, meets)).flatten()
+        });
+        cast.par_extend(of_bodies);
         let (patches, own) = (self.patches(time), self.own_shadow(shadows, may_fall));
         cast.push(&patches);
         cast.extend(&own);
@@ -155,7 +159,7 @@ impl Supply<'_> {
         Outlines::of(&patches.iter().map(|patch| patch.corners).collect::<Vec<_>>())
     }
 
-    fn project<'b>(&self, seen: &[(usize, &'b Body)], under_sun: Option<&UnderSun<'_>>, out: &mut Delivery) {
+    fn project(&self, seen: &[u32], under_sun: Option<&UnderSun<'_>>, out: &mut Delivery) {
         let laws = self.stage.settings.laws;
         let view = ViewPlane {
             eye: self.plan.eye,
@@ -169,9 +173,10 @@ impl Supply<'_> {
         let tangents: Vec<f64> =
             (0..self.plan.fan.sweeps).map(|sweep| self.plan.fan.tangent(sweep)).collect();
         let field = Field::new(&view, &tangents);
-        let drawn = |&(index, body): &(usize, &'b Body)| {
+        let drawn = |&number: &u32| {
+            let body = self.body(number);
             let aspect = field.aspect(body)?;
-            let dark = under_sun.is_some_and(|sun| sun.is_dark(index, body));
+            let dark = under_sun.is_some_and(|sun| sun.is_dark(number, body));
             let vanishes = dark && laws.shadowed_bodies == ShadowedBodies::Vanish;
             let hidden = laws.body_visibility == BodyVisibility::AsReported && self.is_hidden(body.foot);
             (!vanishes && !hidden).then_some(Drawn { aspect, dark })

@@ -248,7 +248,10 @@ impl<S: Real> Elaborated<S> {
         picture: &Picture<'_>,
     ) -> Vec<GroupResult> {
         let sweeps = self.stage.settings.raster.sweeps as usize;
+        let groups = sweeps.div_ceil(LANES);
         self.with_groups(plan, delivery, digital, |group| {
+            // From both ends inwards: where threads meet, cells have not waited since the frame began.
+            let inwards = |n: usize| if n < groups / 2 { n } else { groups - 1 - (n - groups / 2) };
             let run = |index: usize| {
                 let mut cells = self.cells.take();
                 let rows = Arc::get_mut(&mut cells).expect("nobody else has it");
@@ -257,7 +260,10 @@ impl<S: Real> Elaborated<S> {
                 picture.take(index, cells, &self.cells);
                 result
             };
-            (0..sweeps.div_ceil(LANES)).into_par_iter().with_max_len(1).map(run).collect()
+            let turns = (0..groups).into_par_iter().with_max_len(1);
+            let mut results: Vec<_> = turns.map(inwards).map(run).collect();
+            results[groups / 2..].reverse();
+            results
         })
     }
 

@@ -14,29 +14,30 @@ use crate::control_plane::FramePlan;
 /// Bodies that are looked at together.
 const TOGETHER: usize = 1024;
 
-/// The bodies of a frame, with their number in the list of the mission, and what is too far to be seen.
+/// The bodies of a frame, by their numbers in the list of the mission, and what is too far to be seen.
 #[derive(Debug, Default)]
-pub(crate) struct InSight<'a> {
-    pub bodies: Vec<(usize, &'a Body)>,
+pub(crate) struct InSight {
+    pub bodies: Vec<u32>,
     pub left_out: LeftOut,
 }
 
-impl<'a> InSight<'a> {
+impl InSight {
     /// Bodies that stand at `time` (s).
-    pub fn of(stage: &'a Stage, blocks: &Blocks, plan: &FramePlan, time: f64) -> Self {
+    pub fn of(stage: &Stage, blocks: &Blocks, plan: &FramePlan, time: f64) -> Self {
         if !blocks.bodies {
             return Self::default();
         }
         let sight = stage.settings.economy.leaves_out_small_bodies().then(|| sight(stage));
         let eye = DVec3::from_array(plan.eye);
-        let some = |(number, standing): (usize, &'a [Standing])| {
+        let some = |(number, standing): (usize, &[Standing])| {
             let mut left_out = LeftOut::default();
             let mut is_seen = |Standing { from, until, body }: &Standing| {
                 let stands = *from <= time && time < *until;
                 stands && sight.is_none_or(|sight| sight.resolves(eye, body, &mut left_out))
             };
-            let numbered = (number * TOGETHER..).zip(standing).filter(|(_, standing)| is_seen(standing));
-            let bodies: Vec<_> = numbered.map(|(index, standing)| (index, &standing.body)).collect();
+            let numbered = ((number * TOGETHER) as u32..).zip(standing);
+            let bodies: Vec<u32> =
+                numbered.filter(|(_, standing)| is_seen(standing)).map(|(number, _)| number).collect();
             (bodies, left_out)
         };
         let (mut bodies, mut left_out) = (Vec::new(), LeftOut::default());
@@ -50,22 +51,22 @@ impl<'a> InSight<'a> {
         left_out.cells *= pixels_a_cell(stage) * with_shadow(blocks, plan);
         Self { bodies, left_out }
     }
-}
 
-impl InSight<'_> {
     /// Only the bodies of the sector that a processor has ready which came as far as `vertices`, the nearest first.
-    pub fn keep_ready(&mut self, plan: &FramePlan, vertices: u64) {
+    pub fn keep_ready(&mut self, stage: &Stage, plan: &FramePlan, vertices: u64) {
+        let body = |number: u32| &stage.scenery.standing()[number as usize].body;
         let eye = DVec3::from_array(plan.eye);
-        self.bodies.retain(|(_, body)| is_ahead(plan, body));
-        self.bodies.sort_by(|(_, a), (_, b)| a.centre.distance(eye).total_cmp(&b.centre.distance(eye)));
+        let distance = |number: u32| body(number).centre.distance(eye);
+        self.bodies.retain(|&number| is_ahead(plan, body(number)));
+        self.bodies.sort_by(|&a, &b| distance(a).total_cmp(&distance(b)));
         let mut left = vertices;
-        self.bodies.retain(|(_, body)| {
-            let count = body.vertices().len() as u64;
+        self.bodies.retain(|&number| {
+            let count = body(number).vertices().len() as u64;
             let is_ready = count <= left;
             left = if is_ready { left - count } else { 0 };
             is_ready
         });
-        self.bodies.sort_by_key(|&(index, _)| index);
+        self.bodies.sort_unstable();
     }
 }
 

@@ -11,11 +11,15 @@ use std::sync::Arc;
 use files::FileError;
 use landscape::{Landscape, Sun, bank_file};
 
+use crate::axes::SunAxes;
+use crate::chains::Chains;
+use crate::lattice::{Corner, GroundLattice, Lattice};
+use crate::outlines::Corners;
 use crate::tile::{Place, STRIPS};
 use crate::{Outlines, Tile};
 
 /// Names the format; another number if the meaning of a tile changes.
-const MAGIC: [u8; 8] = *b"lnshad02";
+const MAGIC: [u8; 8] = *b"lnshad03";
 /// Largest file that is read (bytes).
 const MAX_BYTES: u64 = 1 << 30;
 const HASH: usize = blake3::OUT_LEN;
@@ -26,6 +30,8 @@ const EXTENSION: &str = "shadow";
 pub(crate) struct Cache {
     folder: PathBuf,
     ground: blake3::Hasher,
+    /// Distance between the profiles of the finest tiles (m).
+    finest: f64,
 }
 
 impl Cache {
@@ -40,7 +46,7 @@ impl Cache {
                 ground.update(&number.to_le_bytes());
             }
         }
-        Self { folder: folder.to_owned(), ground }
+        Self { folder: folder.to_owned(), ground, finest }
     }
 
     /// All tiles of `sun` that are kept, whole and right.
@@ -53,7 +59,9 @@ impl Cache {
         };
         let entries = fs::read_dir(&self.folder).into_iter().flatten().flatten();
         let paths = entries.map(|entry| entry.path()).filter(is_ours);
-        let tiles = paths.filter_map(|path| decode(&files::read_all(&path, MAX_BYTES).ok()?, &key));
+        let axes = SunAxes::new(sun);
+        let lattice = |place| Lattice::new(self.finest, place).on_ground(axes);
+        let tiles = paths.filter_map(|path| decode(&files::read_all(&path, MAX_BYTES).ok()?, &key, lattice));
         tiles.flatten().collect()
     }
 
@@ -96,9 +104,12 @@ fn encode(key: &[u8; HASH], tiles: &[(Place, &Arc<Tile>)]) -> Vec<u8> {
         bytes.extend(u64::from(place.level).to_le_bytes());
         bytes.extend(place.at.iter().flat_map(|index| index.to_le_bytes()));
         bytes.extend(tile.spacing.to_le_bytes());
-        let (corners, ends) = (tile.outlines.corners(), tile.outlines.ends());
+        let (corners, ends) = (lattice_corners(&tile.outlines), tile.outlines.ends());
         bytes.extend([corners.len(), ends.len()].iter().flat_map(|&count| (count as u64).to_le_bytes()));
-        bytes.extend(corners.iter().flatten().flat_map(|place| place.to_le_bytes()));
+        for Corner { along, across } in corners {
+            bytes.extend(along.to_le_bytes());
+            bytes.extend(across.to_le_bytes());
+        }
         bytes.extend(ends.iter().flat_map(|end| end.to_le_bytes()));
     }
     let hash = blake3::hash(&bytes);
@@ -106,30 +117,44 @@ fn encode(key: &[u8; HASH], tiles: &[(Place, &Arc<Tile>)]) -> Vec<u8> {
     bytes
 }
 
-/// The tiles of a file; `None` if it is damaged or of another key.
-fn decode(bytes: &[u8], key: &[u8; HASH]) -> Option<Vec<(Place, Tile)>> {
+/// Corners of a tile as its lattice has them.
+fn lattice_corners(outlines: &Outlines) -> Vec<Corner> {
+    match outlines.corners() {
+        Corners::Anywhere(_) => Vec::new(),
+        Corners::OfTile(corners) => corners.iter().collect(),
+    }
+}
+
+/// The tiles of a file on their lattices; `None` if it is damaged or of another key.
+fn decode(
+    bytes: &[u8],
+    key: &[u8; HASH],
+    lattice: impl Fn(Place) -> GroundLattice,
+) -> Option<Vec<(Place, Tile)>> {
     let (content, hash) = bytes.split_last_chunk::<HASH>()?;
     if blake3::hash(content) != *hash {
         return None;
     }
     let mut rest = content.strip_prefix(&MAGIC)?.strip_prefix(key)?;
     let count = u64::from_le_bytes(word(&mut rest)?);
-    (0..count).map(|_| tile(&mut rest)).collect()
+    (0..count).map(|_| tile(&mut rest, &lattice)).collect()
 }
 
-fn tile(rest: &mut &[u8]) -> Option<(Place, Tile)> {
+fn tile(rest: &mut &[u8], lattice: impl Fn(Place) -> GroundLattice) -> Option<(Place, Tile)> {
     let level = u64::from_le_bytes(word(rest)?).try_into().ok()?;
     let at = [i64::from_le_bytes(word(rest)?), i64::from_le_bytes(word(rest)?)];
+    let place = Place { level, at };
     let spacing = f64::from_le_bytes(word(rest)?);
     let [corners, ends] = [u64::from_le_bytes(word(rest)?), u64::from_le_bytes(word(rest)?)];
-    let corners = (0..corners).map(|_| point(rest)).collect::<Option<_>>()?;
+    let corners = (0..corners).map(|_| corner(rest)).collect::<Option<_>>()?;
     let ends = (0..ends).map(|_| Some(u32::from_le_bytes(word(rest)?))).collect::<Option<_>>()?;
-    let tile = Tile { spacing, outlines: Outlines::from_parts(corners, ends)? };
-    Some((Place { level, at }, tile))
+    let chains = Some(Chains { corners, ends }).filter(Chains::is_whole)?;
+    Some((place, Tile { spacing, outlines: Outlines::of_tile(lattice(place), &chains) }))
 }
 
-fn point(rest: &mut &[u8]) -> Option<[f64; 2]> {
-    Some([f64::from_le_bytes(word(rest)?), f64::from_le_bytes(word(rest)?)])
+fn corner(rest: &mut &[u8]) -> Option<Corner> {
+    let (along, across) = (i32::from_le_bytes(word(rest)?), i16::from_le_bytes(word(rest)?));
+    Some(Corner { along, across })
 }
 
 fn word<const BYTES: usize>(rest: &mut &[u8]) -> Option<[u8; BYTES]> {

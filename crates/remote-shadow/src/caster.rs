@@ -218,15 +218,15 @@ impl<'a> Upstream<'a> {
     }
 
     /// Those of the craters that the profile meets.
-    fn met(&self, craters: &[u32]) -> SmallVec<[Met; 8]> {
+    fn met(&self, craters: impl Iterator<Item = u32>) -> SmallVec<[Met; 8]> {
         let features = self.lit.ground.landscape.features();
-        let meets = |&k: &u32| {
+        let meets = |k: u32| {
             let (centre, outer) = features.craters().circle(k);
             let [p, q] = self.lit.axes.to_sun_axes(centre);
             let across = self.p - p;
             (across.abs() < outer).then(|| Met { crater: features.crater(k), across, q })
         };
-        craters.iter().filter_map(meets).collect()
+        craters.filter_map(meets).collect()
     }
 
     /// The top between a lattice point and its neighbour on the rising side (11.1 step 2: at kinks the kink).

@@ -67,7 +67,7 @@ impl Ground {
         [x, y]: [f64; 2],
     ) -> impl Iterator<Item = (Crater, [f64; 3])> {
         let features = self.landscape.features();
-        sheet.craters(square).iter().filter_map(move |&index| {
+        sheet.craters(square).filter_map(move |index| {
             let (centre, outer) = features.craters().circle(index);
             let [dx, dy] = [x - centre[0], y - centre[1]];
             let way = dx * dx + dy * dy;

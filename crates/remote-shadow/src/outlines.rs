@@ -1,14 +1,61 @@
 //! Closed outlines, corner by corner: each is stored once, however many segments meet there.
 
 use crate::Segment;
+use crate::chains::Chains;
+use crate::lattice::{Corner, GroundLattice, TileCorners};
 
 /// Closed outlines of shadow on the ground (11.2), as chains of corners whose last is the first again.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Outlines {
-    /// North, east (m); chain after chain.
-    corners: Box<[[f64; 2]]>,
+    /// Chain after chain.
+    corners: Corners,
     /// Last corner of each chain but the last one, ascending: from there to the next corner there is no segment.
     ends: Box<[u32]>,
+}
+
+/// Corners of outlines, the first of each twice.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Corners {
+    /// Anywhere on the ground: north, east (m).
+    Anywhere(Box<[[f64; 2]]>),
+    /// On the lattice of a tile.
+    OfTile(Box<TileCorners>),
+}
+
+impl Default for Corners {
+    fn default() -> Self {
+        Self::Anywhere(Box::default())
+    }
+}
+
+impl Corners {
+    /// Their number.
+    #[inline]
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Anywhere(corners) => corners.len(),
+            Self::OfTile(corners) => corners.len(),
+        }
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Corner `number` (north, east; m).
+    #[inline]
+    pub fn get(&self, number: usize) -> [f64; 2] {
+        match self {
+            Self::Anywhere(corners) => corners[number],
+            Self::OfTile(corners) => corners.get(number),
+        }
+    }
+
+    /// All of them.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = [f64; 2]> {
+        (0..self.len()).map(|number| self.get(number))
+    }
 }
 
 impl Outlines {
@@ -25,47 +72,37 @@ impl Outlines {
             chains.corners.extend_from_slice(&corners[1..]);
             chains.corners.push(corners[0]);
         }
-        chains.finish()
+        Self::anywhere(chains)
     }
 
     /// The outlines that `segments` make in whatever order they come; each end of one is to be the beginning of another.
     pub fn joined(segments: &[Segment]) -> Self {
-        let mut by_start: Vec<u32> = (0..segments.len() as u32).collect();
-        let start = |&index: &u32| place(segments[index as usize].from);
-        by_start.sort_by_key(start);
-        let mut is_taken = vec![false; segments.len()];
-        let mut take = |from: [f64; 2]| {
-            let first = by_start.partition_point(|index| start(index) < place(from));
-            let mut here = by_start[first..].iter().take_while(|index| start(index) == place(from));
-            let next = *here.find(|&&index| !is_taken[index as usize])? as usize;
-            is_taken[next] = true;
-            Some(segments[next].to)
-        };
-        let mut chains = Chains::default();
-        for Segment { from, .. } in segments {
-            let mut next = take(*from);
-            if next.is_some() {
-                chains.begin(*from);
-            }
-            while let Some(corner) = next {
-                chains.corners.push(corner);
-                next = if place(corner) == place(*from) { None } else { take(corner) };
-            }
+        let segments: Vec<_> = segments.iter().map(|&Segment { from, to }| [from, to]).collect();
+        // The same place for the same bits alone.
+        Self::anywhere(Chains::joined(&segments, |corner| corner.map(f64::to_bits)))
+    }
+
+    fn anywhere(Chains { corners, ends }: Chains<[f64; 2]>) -> Self {
+        Self { corners: Corners::Anywhere(corners.into()), ends: ends.into() }
+    }
+
+    /// Those of a tile with a lattice.
+    pub(crate) fn of_tile(lattice: GroundLattice, Chains { corners, ends }: &Chains<Corner>) -> Self {
+        if corners.is_empty() {
+            return Self::default();
         }
-        chains.finish()
+        let corners = Corners::OfTile(Box::new(TileCorners::new(lattice, corners)));
+        Self { corners, ends: ends.as_slice().into() }
     }
 
-    /// Those of which these are [`corners`](Self::corners) and [`ends`](Self::ends); `None` if the latter are not ascending
-    /// numbers of corners.
-    pub(crate) fn from_parts(corners: Vec<[f64; 2]>, ends: Vec<u32>) -> Option<Self> {
-        let ascend = ends.is_sorted_by(|a, b| a < b);
-        let are_corners = ends.last().is_none_or(|&last| (last as usize) < corners.len());
-        (ascend && are_corners).then(|| Self { corners: corners.into(), ends: ends.into() })
-    }
-
-    /// All corners (north, east; m), the first of each outline twice.
-    pub fn corners(&self) -> &[[f64; 2]] {
+    /// All corners.
+    pub fn corners(&self) -> &Corners {
         &self.corners
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.corners.is_empty()
     }
 
     /// Corners from which no segment runs to the next one, ascending.
@@ -74,8 +111,9 @@ impl Outlines {
     }
 
     /// The segment from corner `number`, which is none of [`ends`](Self::ends), to the next one.
+    #[inline]
     pub fn segment(&self, number: usize) -> Segment {
-        Segment { from: self.corners[number], to: self.corners[number + 1] }
+        Segment { from: self.corners.get(number), to: self.corners.get(number + 1) }
     }
 
     /// All segments.
@@ -86,42 +124,18 @@ impl Outlines {
             .filter(move |&number| ends.next_if(|&&end| end as usize == number).is_none())
             .map(|n| self.segment(n))
     }
-
-    /// Whether there is none.
-    pub fn is_empty(&self) -> bool {
-        self.corners.is_empty()
-    }
-}
-
-/// Outlines as they are found.
-#[derive(Default)]
-struct Chains {
-    corners: Vec<[f64; 2]>,
-    ends: Vec<u32>,
-}
-
-impl Chains {
-    /// Ends a chain, if there is one, and begins the next.
-    fn begin(&mut self, corner: [f64; 2]) {
-        self.ends.extend(self.corners.len().checked_sub(1).map(|last| last as u32));
-        self.corners.push(corner);
-    }
-
-    fn finish(self) -> Outlines {
-        Outlines { corners: self.corners.into(), ends: self.ends.into() }
-    }
-}
-
-/// A place as a key: the same for the same bits alone.
-fn place(corner: [f64; 2]) -> [u64; 2] {
-    corner.map(f64::to_bits)
 }
 
 #[cfg(test)]
 mod tests {
     use super::Outlines;
     use crate::Segment;
-    use proptest::prelude::{prop_assert, prop_assert_eq, proptest};
+    use crate::axes::SunAxes;
+    use crate::chains::Chains;
+    use crate::lattice::{Corner, Lattice, TileCorners};
+    use crate::tile::Place;
+    use landscape::Sun;
+    use proptest::prelude::{any, prop_assert, prop_assert_eq, proptest};
 
     fn sorted(segments: impl Iterator<Item = Segment>) -> Vec<[u64; 4]> {
         let bits = |Segment { from, to }: Segment| [from[0], from[1], to[0], to[1]].map(f64::to_bits);
@@ -148,12 +162,40 @@ mod tests {
             let joined = Outlines::joined(&segments);
             prop_assert_eq!(sorted(joined.segments()), sorted(segments.into_iter()));
             let mut first = 0;
-            for end in joined.ends.iter().map(|&end| end as usize).chain(joined.corners.len().checked_sub(1)) {
-                prop_assert_eq!(joined.corners[first], joined.corners[end], "closed");
+            for end in joined.ends().iter().map(|&end| end as usize).chain(joined.corners().len().checked_sub(1)) {
+                prop_assert_eq!(joined.corners().get(first), joined.corners().get(end), "closed");
                 first = end + 1;
             }
-            prop_assert!(first == joined.corners.len());
-            prop_assert_eq!(Outlines::from_parts(joined.corners.to_vec(), joined.ends.to_vec()), Some(joined));
+            prop_assert!(first == joined.corners().len());
+        }
+
+        /// What a tile's outlines tell, in whatever way they are asked, is what those anywhere tell of the same places.
+        #[test]
+        fn outlines_of_a_tile_are_those_of_its_places(
+            corners in proptest::collection::vec((any::<i32>(), -160..=160i16), 0..30),
+            ends in proptest::collection::btree_set(0..30u32, 0..5),
+            azimuth in -4.0..4.0f64,
+        ) {
+            let lattice = Lattice::new(0.05, Place { level: 3, at: [-7, 40] });
+            let lattice = lattice.on_ground(SunAxes::new(&Sun { azimuth, elevation: 0.1 }));
+            let corners: Vec<Corner> =
+                corners.into_iter().map(|(along, across)| Corner { along, across }).collect();
+            let ends: Vec<u32> = ends.into_iter().filter(|&end| (end as usize) < corners.len()).collect();
+            let of_tile = TileCorners::new(lattice, &corners);
+            let chains = Chains { corners, ends };
+            let outlines = Outlines::of_tile(lattice, &chains);
+            let places = (0..chains.corners.len()).map(|number| of_tile.get(number)).collect();
+            let anywhere = Outlines::anywhere(Chains { corners: places, ends: chains.ends.clone() });
+            prop_assert!(outlines.corners().iter().eq(anywhere.corners().iter()));
+            prop_assert_eq!(sorted(outlines.segments()), sorted(anywhere.segments()));
+            prop_assert!(of_tile.iter().eq(chains.corners.iter().copied()));
+            for first in 0..of_tile.len() {
+                let some = of_tile.some::<4>(first);
+                for n in 0..4 {
+                    let corner = of_tile.get((first + n).min(of_tile.len() - 1));
+                    prop_assert_eq!([some[0][n], some[1][n]], corner);
+                }
+            }
         }
     }
 

@@ -5,6 +5,7 @@ use landscape::{Landscape, Level};
 use rayon::prelude::*;
 
 use crate::control_net::{Bends, bends};
+use crate::numbers::Numbers;
 
 /// Smallest side of a square (m): below this a ceiling costs more than it saves.
 const SMALLEST_SIDE: f64 = 8.0;
@@ -23,14 +24,14 @@ pub(crate) struct Sheet {
     side: f64,
     counts: [usize; 2],
     parts: usize,
-    /// Bending of each region, east fastest, rounded upwards; infinite where a finer level lies over a part of it.
-    bends: Vec<[f32; 3]>,
+    /// Bending of each region, east fastest; infinite where a finer level lies over a part of it.
+    bends: Vec<[Bound; 3]>,
     /// Maxima: squares first, then four by four up to one.
     layers: Vec<Layer>,
     steps: Steps,
-    /// Craters of each square: `craters[starts[n]..starts[n + 1]]`, ascending; empty where the level has no craters.
-    starts: Vec<u32>,
-    craters: Vec<u32>,
+    /// Craters of each square: those from `starts[n]` to `starts[n + 1]`, ascending; empty where the level has no craters.
+    starts: Numbers,
+    craters: Numbers,
 }
 
 #[derive(Debug)]
@@ -106,12 +107,12 @@ impl Sheet {
             bends: Vec::new(),
             layers: Vec::new(),
             steps: Steps::default(),
-            starts: Vec::new(),
-            craters: Vec::new(),
+            starts: Numbers::default(),
+            craters: Numbers::default(),
         };
         sheet.bends = (0..regions[0] * regions[1])
             .into_par_iter()
-            .map(|n| sheet.region_bends(level, [n / regions[1], n % regions[1]], finer).map(upwards))
+            .map(|n| sheet.region_bends(level, [n / regions[1], n % regions[1]], finer).map(Bound::over))
             .collect();
         sheet.sort_in(landscape.features(), finer);
         let heights: Vec<f64> = (0..counts[0] * counts[1])
@@ -165,16 +166,16 @@ impl Sheet {
     /// Bending of the ground in a node of layer 0.
     pub(crate) fn bends(&self, node: Node) -> Bends {
         let regions = self.counts[1] / self.parts;
-        self.bends[node.at[0] / self.parts * regions + node.at[1] / self.parts].map(f64::from)
+        self.bends[node.at[0] / self.parts * regions + node.at[1] / self.parts].map(Bound::value)
     }
 
     /// Indices of the craters that reach into a node of layer 0, ascending.
-    pub(crate) fn craters(&self, node: Node) -> &[u32] {
+    pub(crate) fn craters(&self, node: Node) -> impl Iterator<Item = u32> {
         let square = node.at[0] * self.counts[1] + node.at[1];
-        match self.starts.get(square..square + 2) {
-            Some(&[start, end]) => &self.craters[start as usize..end as usize],
-            _ => &[],
-        }
+        let has_craters = square + 1 < self.starts.len();
+        let [start, end] =
+            if has_craters { [0, 1].map(|n| self.starts.get(square + n) as usize) } else { [0; 2] };
+        self.craters.of(start..end)
     }
 
     fn region_bends(&self, level: &Level, region: [usize; 2], finer: &[Level]) -> Bends {
@@ -202,15 +203,15 @@ impl Sheet {
         for square in 0..squares {
             starts[square + 1] += starts[square];
         }
-        let mut sorted = vec![0; starts[squares] as usize];
+        let mut sorted = Numbers::new(starts[squares] as usize, all.len() as u32);
         let mut next = starts.clone();
         for (index, crater) in own() {
             self.for_squares(&crater, |square| {
-                sorted[next[square] as usize] = index;
+                sorted.set(next[square] as usize, index);
                 next[square] += 1;
             });
         }
-        (self.starts, self.craters) = (starts, sorted);
+        (self.starts, self.craters) = (Numbers::like(&starts), sorted);
     }
 
     /// Whether a crater lies wholly on a finer level, so that nobody meets it here.
@@ -250,7 +251,7 @@ impl Sheet {
         if finer.iter().any(|fine| covers(fine, corners)) {
             return f64::NEG_INFINITY;
         }
-        let rises = self.craters(node).iter().map(|&index| features.crater(index));
+        let rises = self.craters(node).map(|index| features.crater(index));
         let rise: f64 = rises.map(|crater| highest(&crater, distances(corners, crater.centre()))).sum();
         let terrain = self.terrain_ceiling(level, at);
         let top = terrain + rise;
@@ -269,10 +270,21 @@ impl Sheet {
     }
 }
 
-/// The nearest number of half the digits that is not below `bound`.
-fn upwards(bound: f64) -> f32 {
-    let nearest = bound as f32;
-    if f64::from(nearest) < bound { nearest.next_up() } else { nearest }
+/// An upper bound of what is not negative: the upper half of a number's bits, rounded upwards.
+#[derive(Debug, Clone, Copy)]
+struct Bound(u16);
+
+impl Bound {
+    /// The least that is not below `bound`.
+    fn over(bound: f64) -> Self {
+        let nearest = bound as f32;
+        let above = if f64::from(nearest) < bound { nearest.next_up() } else { nearest };
+        Self(above.to_bits().div_ceil(1 << u16::BITS) as u16)
+    }
+
+    fn value(self) -> f64 {
+        f64::from(f32::from_bits(u32::from(self.0) << u16::BITS))
+    }
 }
 
 /// Nearest and farthest distance (m) from a place to the square between two corners.
@@ -340,26 +352,26 @@ fn halved(below: &Layer) -> Layer {
 
 #[cfg(test)]
 mod tests {
-    use super::{Node, Sheet, Steps, upwards};
+    use super::{Bound, Node, Sheet, Steps};
     use crate::tests::{cratered, two_levels};
     use proptest::prelude::{prop_assert, proptest};
 
     proptest! {
-        /// A ceiling of half the digits is still one, and no higher than it must be.
+        /// A bound of a quarter of the digits is still one, and no higher than it must be.
         #[test]
-        fn a_rounded_bound_is_the_least_that_is_one(bound in -1e6..1e6f64, part in 0.0..1e-3f64) {
-            for bound in [bound, bound * part, f64::from(bound as f32)] {
-                let rounded = upwards(bound);
-                prop_assert!(f64::from(rounded) >= bound);
-                prop_assert!(f64::from(rounded.next_down()) < bound);
+        fn a_rounded_bound_is_the_least_that_is_one(bound in 0.0..1e6f64, part in 0.0..1e-3f64) {
+            for bound in [bound, bound * part, f64::from(bound as f32), Bound::over(bound).value()] {
+                let rounded = Bound::over(bound);
+                prop_assert!(rounded.value() >= bound);
+                prop_assert!(bound == 0.0 || Bound(rounded.0 - 1).value() < bound);
             }
         }
     }
 
     #[test]
     fn bounds_without_end_stay_so() {
-        for bound in [f64::NEG_INFINITY, f64::INFINITY] {
-            assert_eq!(f64::from(upwards(bound)), bound);
+        for bound in [0.0, f64::INFINITY] {
+            assert_eq!(Bound::over(bound).value(), bound);
         }
     }
 
@@ -392,9 +404,11 @@ mod tests {
             centre.iter().any(|c| c - outer < 1e-6 || c + outer > 2000.0 - 1e-6)
         };
         let all = features.craters().len() as u32;
-        assert!((0..all).filter(over_the_edge).all(|index| coarse.craters.contains(&index)));
-        assert!(coarse.craters.iter().all(over_the_edge) && !coarse.craters.is_empty());
-        assert!((0..all).filter(|index| !over_the_edge(index)).all(|index| fine.craters.contains(&index)));
+        let held = |sheet: &Sheet| -> Vec<u32> { sheet.craters.of(0..sheet.craters.len()).collect() };
+        let [in_fine, in_coarse] = [held(&fine), held(&coarse)];
+        assert!((0..all).filter(over_the_edge).all(|index| in_coarse.contains(&index)));
+        assert!(in_coarse.iter().all(over_the_edge) && !in_coarse.is_empty());
+        assert!((0..all).filter(|index| !over_the_edge(index)).all(|index| in_fine.contains(&index)));
     }
 
     #[test]

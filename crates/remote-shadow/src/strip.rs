@@ -15,7 +15,10 @@ pub(crate) struct Side<'a> {
 /// How far across the strip a tip reaches. A shadow with a round end is `c sqrt(d)` wide at a distance d from it; with
 /// the end anywhere in the strip, this share makes the triangle on the last profile as large as the cap on average:
 /// `share w s / 2` with `w = 2/3 c sqrt(s)` is `2/3 2/5 c s^(3/2)`.
-const TIP: f64 = 0.8;
+pub(crate) const TIP: f64 = 0.8;
+
+/// Places of a lattice across a strip on which profiles and tips lie.
+pub(crate) const TIP_PLACES: u8 = 5;
 
 /// Joins the shadow of two neighbouring profiles.
 ///

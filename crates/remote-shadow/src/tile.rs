@@ -1,10 +1,12 @@
 //! One tile of the shadow map.
 
+use crate::Outlines;
 use crate::caster::Upstream;
+use crate::chains::Chains;
 use crate::ground::LitGround;
+use crate::lattice::{Corner, Lattice};
 use crate::profile::{Interval, Walk};
 use crate::strip::{Piece, Side, edge, join};
-use crate::{Outlines, Segment};
 
 /// Strips of a tile: it has one profile more, and as many spacings along each.
 pub(crate) const STRIPS: i64 = 64;
@@ -61,9 +63,11 @@ impl Tile {
             })
             .collect();
         let pieces = outline(&across, &dark, [start, start + STRIPS as f64 * spacing]);
-        let ground = |point| lit.axes.to_ground(point);
-        let segment = |&[a, b]: &Piece| Segment { from: ground(a), to: ground(b) };
-        Self { spacing, outlines: Outlines::joined(&pieces.iter().map(segment).collect::<Vec<_>>()) }
+        let lattice = Lattice::new(lit.lattice, place);
+        let pieces: Vec<[Corner; 2]> =
+            pieces.iter().map(|piece| piece.map(|end| lattice.nearest(end))).collect();
+        let chains = Chains::joined(&pieces, |corner| corner);
+        Self { spacing, outlines: Outlines::of_tile(lattice.on_ground(lit.axes), &chains) }
     }
 }
 

@@ -27,7 +27,10 @@ impl Scenery {
         if !problems.is_empty() {
             return Err(SceneryProblems(problems));
         }
-        let standing = culture.into_iter().chain(rocks).collect();
+        // Tens of thousands of rocks stay where they are in memory.
+        let mut standing = rocks;
+        standing.splice(0..0, culture);
+        standing.shrink_to_fit();
         Ok(Self::under(suns(scenario))
             .with_bodies(standing)
             .with_patches(patches)

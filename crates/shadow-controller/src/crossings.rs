@@ -1,18 +1,19 @@
 //! Where the sweeps of a frame cross boundary segments.
 
+use std::array;
 use std::ops::Range;
 
 use fearless_simd::{Level, Simd, dispatch};
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSlice;
-use remote_shadow::{Outlines, Segment};
+use remote_shadow::{Corners, Outlines, Segment};
 
-use crate::fan::{Fan, Line, Sifted, TOGETHER};
+use crate::fan::{Fan, Guesses, Line, Sifted, TOGETHER};
 use crate::line_generators::Boundary;
 use crate::nearly::sort_nearly;
 
 /// Lists that are looked over together.
-const PART: usize = 256;
+const PART: usize = 128;
 
 /// Lines, or crossings of a sweep, that there is room for before more memory is asked for.
 pub(crate) const ROOM: usize = 1024;
@@ -89,6 +90,15 @@ pub(crate) trait Sighting: Sync {
     /// A place (north, east; m) from the eye.
     fn seen(&self, place: [f64; 2]) -> [f64; 2];
 
+    /// The same of some: north of each, then east (m).
+    #[inline(always)]
+    fn all_seen(&self, mut places: [[f64; TOGETHER]; 2]) -> [[f64; TOGETHER]; 2] {
+        for n in 0..TOGETHER {
+            [places[0][n], places[1][n]] = self.seen([places[0][n], places[1][n]]);
+        }
+        places
+    }
+
     /// A segment from the eye.
     #[inline(always)]
     fn line(&self, Segment { from, to }: Segment) -> Line {
@@ -133,15 +143,16 @@ impl<'a, F: Sighting, C: Crossing> Met<'a, F, C> {
         let mut met = Self { lists, sighting, directions, parts: Vec::new() };
         let Some(fan) = Fan::new(directions) else { return met };
         let vectors = Level::new();
-        let part = |lines: &mut Vec<MetLine>, (number, lists): (usize, &[&Outlines])| {
+        let part = |(guesses, lines): &mut (Guesses, Vec<MetLine>),
+                    (number, lists): (usize, &[&Outlines])| {
             lines.clear();
             for (list, outlines) in (number * PART..).zip(lists) {
-                dispatch!(vectors, simd => find_met(simd, &fan, list as u32, outlines, &met.sighting, lines));
+                dispatch!(vectors, simd => find_met(simd, &fan, list as u32, outlines, &met.sighting, guesses, lines));
             }
             met.part(&fan, lines)
         };
         let some = lists.par_chunks(PART).enumerate();
-        let parts = some.map_init(|| Vec::with_capacity(ROOM), part).collect();
+        let parts = some.map_init(|| (Guesses::default(), Vec::with_capacity(ROOM)), part).collect();
         met.parts = parts;
         met
     }
@@ -166,12 +177,16 @@ impl<'a, F: Sighting, C: Crossing> Met<'a, F, C> {
     fn part(&self, fan: &Fan<'_>, lines: &[MetLine]) -> Part<C> {
         let mut ends = begins(lines, self.sweeps());
         let mut crossings = vec![C::default(); lines.iter().map(|line| line.sweeps().len()).sum()];
-        for met in lines {
-            let ([a, b], line) = (met.left, self.line(met.place));
-            for sweep in met.sweeps() {
-                // Leftwards its shadow lies beyond it.
-                crossings[ends[sweep] as usize] = C::new(fan.crossing(sweep, &line), a < b, met.place);
-                ends[sweep] += 1;
+        for some in lines.chunks(TOGETHER) {
+            // How many sweeps cross a line nobody can guess: first all lines, none of which waits for another.
+            let seen: [Line; TOGETHER] = array::from_fn(|n| self.line(some[n.min(some.len() - 1)].place));
+            for (met, line) in some.iter().zip(&seen) {
+                let [a, b] = met.left;
+                for sweep in met.sweeps() {
+                    // Leftwards its shadow lies beyond it.
+                    crossings[ends[sweep] as usize] = C::new(fan.crossing(sweep, line), a < b, met.place);
+                    ends[sweep] += 1;
+                }
             }
         }
         Part { crossings, ends }
@@ -235,17 +250,27 @@ fn find_met<V: Simd>(
     list: u32,
     outlines: &Outlines,
     sighting: &impl Sighting,
+    guesses: &mut Guesses,
     met: &mut Vec<MetLine>,
 ) {
-    let (corners, mut ends) = (outlines.corners(), outlines.ends());
+    let (corners, mut ends, guesser) = (outlines.corners(), outlines.ends(), fan.guesser(simd));
+    guesses.make_room(corners.len());
+    // Loops, not closures: these have the vectors of their caller.
+    match corners {
+        Corners::Anywhere(corners) => {
+            for first in (0..corners.len()).step_by(TOGETHER) {
+                guesser.guess(first, sighting.all_seen(some_of(corners, first)), guesses);
+            }
+        }
+        Corners::OfTile(corners) => {
+            for first in (0..corners.len()).step_by(TOGETHER) {
+                guesser.guess(first, sighting.all_seen(corners.some(first)), guesses);
+            }
+        }
+    }
     let count = corners.len().saturating_sub(1);
     for first in (0..count).step_by(TOGETHER) {
-        // The last one stands in for those that are not there.
-        let line = |n: usize| sighting.line(outlines.segment((first + n).min(count - 1)));
-        let mut sifted = match corners[first..].first_chunk::<{ TOGETHER + 1 }>() {
-            Some(chain) => fan.sift(simd, |n| sighting.line(Segment { from: chain[n], to: chain[n + 1] })),
-            None => fan.sift(simd, line),
-        };
+        let mut sifted = guesses.sift(simd, first);
         sifted.may_cross &= !0 >> (u64::BITS as usize - TOGETHER.min(count - first));
         while let Some((&end, others)) = ends.split_first()
             && (end as usize) < first + TOGETHER
@@ -253,8 +278,28 @@ fn find_met<V: Simd>(
             sifted.may_cross &= !(1 << (end as usize - first));
             ends = others;
         }
+        let line = |n: usize| sighting.line(outlines.segment(first + n));
         keep_met(fan, [list, first as u32], sifted, line, met);
     }
+}
+
+/// North of the corners from number `first` on, and east (m); the last one stands in for those that are not there.
+#[inline(always)]
+fn some_of(corners: &[[f64; 2]], first: usize) -> [[f64; TOGETHER]; 2] {
+    let mut some = [[0.0; TOGETHER]; 2];
+    match corners[first..].first_chunk::<TOGETHER>() {
+        Some(corners) => {
+            for n in 0..TOGETHER {
+                [some[0][n], some[1][n]] = corners[n];
+            }
+        }
+        None => {
+            for n in 0..TOGETHER {
+                [some[0][n], some[1][n]] = corners[(first + n).min(corners.len() - 1)];
+            }
+        }
+    }
+    some
 }
 
 /// Keeps those of eight lines, of which the first is at `place`, that sweeps cross.

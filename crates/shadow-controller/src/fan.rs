@@ -23,6 +23,27 @@ pub(crate) struct Fan<'a> {
     doubt: f64,
 }
 
+/// Of corners, one after the other, what is known by a guess; used again from list to list.
+#[derive(Debug, Default)]
+pub(crate) struct Guesses {
+    /// How far ahead they are (m).
+    ahead: Vec<f64>,
+    /// Least and most sweeps to their left, where they are ahead.
+    low: Vec<f64>,
+    high: Vec<f64>,
+}
+
+/// What a guess is made of: see [`Fan`].
+pub(crate) struct Guesser<V: Simd> {
+    simd: V,
+    middle: [f64x8<V>; 2],
+    leftmost: f64x8<V>,
+    density: f64x8<V>,
+    doubt: f64x8<V>,
+    /// None and all of them.
+    sweeps: [f64x8<V>; 2],
+}
+
 /// What is known of eight lines by a guess.
 pub(crate) struct Sifted {
     /// Those that may cross a sweep: a bit each.
@@ -31,27 +52,6 @@ pub(crate) struct Sifted {
     pub(crate) known: u64,
     /// Sweeps to the left of where they begin and of where they end.
     pub(crate) left: [[f64; TOGETHER]; 2],
-}
-
-/// Of eight places.
-struct Guess<V: Simd> {
-    /// How far ahead they are (m).
-    ahead: f64x8<V>,
-    /// Least and most sweeps to their left, where they are ahead.
-    low: f64x8<V>,
-    high: f64x8<V>,
-}
-
-/// The ends of two lines: where the first begins and ends, where the second does.
-#[inline(always)]
-fn pair<V: Simd>(simd: V, line: &impl Fn(usize) -> Line, n: usize) -> f64x8<V> {
-    let (a, b) = (line(n), line(n + 1));
-    let [first, second] = [a.from, a.to];
-    let [third, fourth] = [b.from, b.to];
-    f64x8::load_array(
-        simd,
-        [first[0], first[1], second[0], second[1], third[0], third[1], fourth[0], fourth[1]],
-    )
 }
 
 impl<'a> Fan<'a> {
@@ -69,39 +69,18 @@ impl<'a> Fan<'a> {
         Some(Self { directions, middle, tangents, density, doubt })
     }
 
-    /// Of eight lines those that may cross a sweep, by the guess alone; `line` tells each of them.
+    /// Who guesses where corners lie.
     #[inline(always)]
-    pub(crate) fn sift<V: Simd>(&self, simd: V, line: impl Fn(usize) -> Line) -> Sifted {
-        let (near, far) =
-            ([pair(simd, &line, 0), pair(simd, &line, 2)], [pair(simd, &line, 4), pair(simd, &line, 6)]);
-        let (near, far) = (self.guess(simd, near), self.guess(simd, far));
-        let (from_ahead, to_ahead) = (near.ahead.unzip_low(far.ahead), near.ahead.unzip_high(far.ahead));
-        let (from_low, to_low) = (near.low.unzip_low(far.low), near.low.unzip_high(far.low));
-        let (from_high, to_high) = (near.high.unzip_low(far.high), near.high.unzip_high(far.high));
-        let nearest = f64x8::splat(simd, NEAREST);
-        let ahead = from_ahead.simd_ge(nearest) & to_ahead.simd_ge(nearest);
-        let behind = from_ahead.simd_lt(nearest) & to_ahead.simd_lt(nearest);
-        let known = ahead & from_low.simd_eq(from_high) & to_low.simd_eq(to_high);
-        let may_differ = from_low.simd_lt(to_high) | to_low.simd_lt(from_high);
-        Sifted {
-            may_cross: (!behind & (!ahead | may_differ)).to_bitmask(),
-            known: known.to_bitmask(),
-            left: [from_low.to_array(), to_low.to_array()],
+    pub(crate) fn guesser<V: Simd>(&self, simd: V) -> Guesser<V> {
+        let splat = |value| f64x8::splat(simd, value);
+        Guesser {
+            simd,
+            middle: self.middle.map(splat),
+            leftmost: splat(self.tangents[0]),
+            density: splat(self.density),
+            doubt: splat(self.doubt),
+            sweeps: [splat(0.0), splat(self.tangents.len() as f64)],
         }
-    }
-
-    /// For the ends of four lines, in turn.
-    #[inline(always)]
-    fn guess<V: Simd>(&self, simd: V, [a, b]: [f64x8<V>; 2]) -> Guess<V> {
-        let (x, y) = (a.unzip_low(b), a.unzip_high(b));
-        let (north, east) = (f64x8::splat(simd, self.middle[0]), f64x8::splat(simd, self.middle[1]));
-        let (ahead, across) = (north * x + east * y, north * y - east * x);
-        let (leftmost, density) = (f64x8::splat(simd, self.tangents[0]), f64x8::splat(simd, self.density));
-        let guess = (across / ahead - leftmost) * density;
-        let (none, all) = (f64x8::splat(simd, 0.0), f64x8::splat(simd, self.tangents.len() as f64));
-        let doubt = f64x8::splat(simd, self.doubt);
-        let (low, high) = ((guess - doubt).ceil(), (guess + doubt).ceil());
-        Guess { ahead, low: low.max(none).min(all), high: high.max(none).min(all) }
     }
 
     /// Number of sweeps to the left of a place ahead.
@@ -128,6 +107,7 @@ impl<'a> Fan<'a> {
     }
 
     /// Ground range at which a sweep crosses a line (m), at least 0.
+    #[inline]
     pub(crate) fn crossing(&self, sweep: usize, line: &Line) -> f64 {
         let direction = self.directions[sweep];
         let way = [line.to[0] - line.from[0], line.to[1] - line.from[1]];
@@ -136,6 +116,51 @@ impl<'a> Fan<'a> {
         // A line almost along the sweep: rounding must not throw the crossing off it.
         let within = if range.is_nan() { a.min(b) } else { range.max(a.min(b)).min(a.max(b)) };
         within.max(0.0)
+    }
+}
+
+impl<V: Simd> Guesser<V> {
+    /// Guesses at eight corners (north and east of the eye; m), of which the first is number `first`, into `out`.
+    #[inline(always)]
+    pub(crate) fn guess(&self, first: usize, seen: [[f64; TOGETHER]; 2], out: &mut Guesses) {
+        let ([x, y], [north, east]) = (seen.map(|axis| f64x8::load_array(self.simd, axis)), self.middle);
+        let (ahead, across) = (north * x + east * y, north * y - east * x);
+        let guess = (across / ahead - self.leftmost) * self.density;
+        let (low, high) = ((guess - self.doubt).ceil(), (guess + self.doubt).ceil());
+        let [none, all] = self.sweeps;
+        ahead.store_slice(&mut out.ahead[first..first + TOGETHER]);
+        low.max(none).min(all).store_slice(&mut out.low[first..first + TOGETHER]);
+        high.max(none).min(all).store_slice(&mut out.high[first..first + TOGETHER]);
+    }
+}
+
+impl Guesses {
+    /// Makes room for `count` corners.
+    pub(crate) fn make_room(&mut self, count: usize) {
+        // Whoever looks at the last line looks at eight.
+        let room = count.next_multiple_of(TOGETHER) + TOGETHER;
+        [&mut self.ahead, &mut self.low, &mut self.high]
+            .into_iter()
+            .for_each(|guesses| guesses.resize(room.max(guesses.len()), 0.0));
+    }
+
+    /// Of the eight lines from corner `first` on, each from one corner to the next, those that may cross a sweep.
+    #[inline(always)]
+    pub(crate) fn sift<V: Simd>(&self, simd: V, first: usize) -> Sifted {
+        let ends =
+            |guesses: &[f64]| [first, first + 1].map(|n| f64x8::from_slice(simd, &guesses[n..n + TOGETHER]));
+        let ([from_ahead, to_ahead], [from_low, to_low]) = (ends(&self.ahead), ends(&self.low));
+        let [from_high, to_high] = ends(&self.high);
+        let nearest = f64x8::splat(simd, NEAREST);
+        let ahead = from_ahead.simd_ge(nearest) & to_ahead.simd_ge(nearest);
+        let behind = from_ahead.simd_lt(nearest) & to_ahead.simd_lt(nearest);
+        let known = ahead & from_low.simd_eq(from_high) & to_low.simd_eq(to_high);
+        let may_differ = from_low.simd_lt(to_high) | to_low.simd_lt(from_high);
+        Sifted {
+            may_cross: (!behind & (!ahead | may_differ)).to_bitmask(),
+            known: known.to_bitmask(),
+            left: [from_low.to_array(), to_low.to_array()],
+        }
     }
 }
 
@@ -163,7 +188,7 @@ mod tests {
 
     use fearless_simd::{Level, dispatch};
 
-    use super::{Fan, Line, Sifted, TOGETHER};
+    use super::{Fan, Guesses, Line, Sifted, TOGETHER};
 
     proptest! {
         /// The guess drops no line that a sweep crosses, in fans that are even in their tangents, in their angles or in neither.
@@ -181,18 +206,31 @@ mod tests {
             };
             let directions: Vec<[f64; 2]> = (0..sweeps).map(direction).collect();
             let fan = Fan::new(&directions).expect("less than half a turn");
-            for [north, east, way_north, way_east] in places {
-                let line = Line { from: [north, east], to: [north + way_north, east + way_east] };
-                let by_force = |end: [f64; 2]| {
-                    let [ahead, across] = [super::dot(fan.middle, end), super::cross(fan.middle, end)];
-                    (ahead > 0.0).then(|| fan.tangents.iter().filter(|&&t| t < across / ahead).count())
-                };
-                let (Some(a), Some(b)) = (by_force(line.from), by_force(line.to)) else { continue };
-                prop_assert_eq!(fan.span(&line), Some([a, b]));
-                for vectors in [Level::new(), Level::baseline()] {
-                    let Sifted { may_cross, known, left } = dispatch!(vectors, simd => fan.sift(simd, |_| line));
-                    prop_assert!(may_cross == 0xff || (may_cross == 0 && a == b), "{line:?} crosses {a}..{b}: {may_cross}");
-                    prop_assert!(known == 0 || left == [[a as f64; TOGETHER], [b as f64; TOGETHER]]);
+            let corners: Vec<[f64; 2]> =
+                places.iter().flat_map(|[x, y, way_x, way_y]| [[*x, *y], [x + way_x, y + way_y]]).collect();
+            let seen = |first: usize| {
+                let corner = |n: usize| corners[(first + n).min(corners.len() - 1)];
+                [0, 1].map(|axis| std::array::from_fn(|n| corner(n)[axis]))
+            };
+            let by_force = |end: [f64; 2]| {
+                let [ahead, across] = [super::dot(fan.middle, end), super::cross(fan.middle, end)];
+                (ahead > 0.0).then(|| fan.tangents.iter().filter(|&&t| t < across / ahead).count())
+            };
+            for vectors in [Level::new(), Level::baseline()] {
+                let mut guesses = Guesses::default();
+                guesses.make_room(corners.len());
+                for first in (0..corners.len()).step_by(TOGETHER) {
+                    dispatch!(vectors, simd => fan.guesser(simd).guess(first, seen(first), &mut guesses));
+                }
+                for (number, line) in corners.windows(2).enumerate() {
+                    let line = Line { from: line[0], to: line[1] };
+                    let (Some(a), Some(b)) = (by_force(line.from), by_force(line.to)) else { continue };
+                    prop_assert_eq!(fan.span(&line), Some([a, b]));
+                    let (first, bit) = (number / TOGETHER * TOGETHER, number % TOGETHER);
+                    let Sifted { may_cross, known, left } =
+                        dispatch!(vectors, simd => guesses.sift(simd, first));
+                    prop_assert!(may_cross >> bit & 1 == 1 || a == b, "{line:?} crosses {a}..{b}");
+                    prop_assert!(known >> bit & 1 == 0 || left.map(|left| left[bit]) == [a as f64, b as f64]);
                 }
             }
         }

@@ -43,7 +43,9 @@ fn a_box_on_flat_ground() {
             area(&outline)
         );
         // Closed, clockwise, and the shadow of a corner of the lid is on it.
-        assert!(outline.ends().is_empty() && outline.corners().first() == outline.corners().last());
+        assert!(
+            outline.ends().is_empty() && outline.corners().iter().next() == outline.corners().iter().last()
+        );
     }
 }
 
