@@ -13,7 +13,7 @@ use crate::line_generators::Boundary;
 use crate::nearly::sort_nearly;
 
 /// Lists that are looked over together.
-const PART: usize = 128;
+const PART: usize = 256;
 
 /// Lines, or crossings of a sweep, that there is room for before more memory is asked for.
 pub(crate) const ROOM: usize = 1024;
