@@ -181,7 +181,8 @@ fn ground_detail(c: &mut Criterion) {
     let texture = landscape.texture().expect("the scenario has one");
     let mut out = Vec::<signal::Lanes<f32>>::new();
     group.bench_function("texture generator", |b| {
-        b.iter(|| TextureGenerator { texture, ranges }.run(scene.eye(), &scene.directions, &mut out));
+        let all = [0..ranges.len()];
+        b.iter(|| TextureGenerator { texture, ranges }.run(scene.eye(), &scene.directions, &all, &mut out));
     });
     group.finish();
 }

@@ -16,25 +16,54 @@ pub struct Sight<S> {
     pub entry: Vec<Lanes<S>>,
     /// Line position of the held elevation.
     pub line: Vec<Lanes<S>>,
-    /// Runs of samples whose light is seen, ascending and apart: the ends of all steps in which any sweep is in sight.
+    /// Runs of samples whose light is seen, ascending and apart: the ends of all steps in which any sweep is in sight, but for
+    /// those below the picture and above it in all sweeps.
     pub runs: Vec<Range<usize>>,
 }
 
 impl<S: Real> Processor<S> {
-    /// As [`run`](Self::run), for strokes that are straight between samples.
-    pub fn look(&self, height: &[Lanes<S>], deflection: &[Deflection; LANES], out: &mut Sight<S>) {
+    /// As [`run`](Self::run), for strokes that are straight between samples, in a picture of so many `lines`.
+    pub fn look(
+        &self,
+        height: &[Lanes<S>],
+        deflection: &[Deflection; LANES],
+        lines: usize,
+        out: &mut Sight<S>,
+    ) {
         out.entry.resize(height.len(), Lanes::default());
         out.line.resize(height.len(), Lanes::default());
-        dispatch!(self.vectors, _ => self.look_by(height, deflection, out));
+        dispatch!(self.vectors, _ => self.look_by(height, deflection, lines, out));
     }
 
     #[inline(always)]
-    fn look_by(&self, height: &[Lanes<S>], deflection: &[Deflection; LANES], out: &mut Sight<S>) {
+    fn look_by(
+        &self,
+        height: &[Lanes<S>],
+        deflection: &[Deflection; LANES],
+        lines: usize,
+        out: &mut Sight<S>,
+    ) {
         out.runs.clear();
         let mut seen = Seen { out, before: Lanes::default(), begin: None };
         self.walk(height, deflection, &mut seen);
         let begin = seen.begin;
         out.runs.extend(begin.map(|begin| begin..height.len()));
+        out.leave_out_of_picture(S::from_f64(lines as f64));
+    }
+}
+
+impl<S: Real> Sight<S> {
+    /// Cuts what lies before the first step that reaches into a picture of so many lines, and behind the last one: sweeps go
+    /// upwards.
+    #[inline(always)]
+    fn leave_out_of_picture(&mut self, lines: S) {
+        let below = self.line.iter().take_while(|line| all(|lane| line[lane] >= lines)).count();
+        let above = self.line.iter().rev().take_while(|line| all(|lane| line[lane] <= S::ZERO)).count();
+        let (first, end) = (below.saturating_sub(1), self.line.len() + 1 - above);
+        self.runs.retain_mut(|run| {
+            *run = run.start.max(first)..run.end.min(end);
+            run.len() > 1
+        });
     }
 }
 
@@ -76,7 +105,7 @@ mod tests {
         #[test]
         fn what_is_seen_is_what_is_seen_of_all(
             profiles in proptest::collection::vec(proptest::collection::vec(-30.0..30.0f64, LANES), 1..60),
-            hidden_from in 0..60usize,
+            hidden_from in 0..60usize, lines in 1..700usize,
         ) {
             let ranges: Vec<f64> = (1..=profiles.len()).map(|k| 5.0 * k as f64).collect();
             // Far ground lies low, so that there are long runs of both kinds.
@@ -88,12 +117,17 @@ mod tests {
                 let processor = Processor::<f64>::new(occlusion, Curvature::Parabolic, &ranges);
                 let (mut whole, mut sight) = (Projected::default(), Sight::default());
                 processor.run(&height, &[level; LANES], &mut whole);
-                processor.look(&height, &[level; LANES], &mut sight);
+                processor.look(&height, &[level; LANES], lines, &mut sight);
                 prop_assert_eq!(&sight.entry, &whole.entry);
                 prop_assert_eq!(&sight.line, &whole.line);
+                let any = |is_so: &dyn Fn(usize) -> bool| (0..LANES).any(is_so);
                 let is_drawn = |step: usize| {
-                    step > 0 && step < height.len()
-                        && (0..LANES).any(|lane| whole.line[step][lane] < whole.line[step - 1][lane])
+                    step > 0 && step < height.len() && {
+                        let [from, to] = [step - 1, step].map(|sample| whole.line[sample]);
+                        any(&|lane| to[lane] < from[lane])
+                            && any(&|lane| to[lane] < lines as f64)
+                            && any(&|lane| from[lane] > 0.0)
+                    }
                 };
                 let found: Vec<usize> = sight.runs.iter().cloned().flatten().collect();
                 let expected: Vec<usize> =

@@ -1,4 +1,4 @@
-//! What the I/O processors bring for a frame before its sweeps run: shadow gates and polyhedra (section 17).
+//! What the I/O processors bring for a frame before its sweeps run: shadow gates, polyhedra and craters (section 17).
 
 use generator::{FrameError, Stage};
 use glam::DVec3;
@@ -15,6 +15,7 @@ use sweep_generator::RangeTable;
 
 use crate::blocks::{Blocks, Shadows};
 use crate::control_plane::FramePlan;
+use crate::craters_in_sight::CratersInSight;
 use crate::feature_loads::load_timing;
 use crate::footing::{Footings, UnderSun};
 use crate::raster::WrittenRaster;
@@ -32,6 +33,8 @@ pub(crate) struct Delivery {
     pub bodies: u64,
     /// Bodies too far to be seen.
     pub left_out: LeftOut,
+    /// Craters that can be told; none unless the machine draws swiftly.
+    pub craters: CratersInSight,
 }
 
 /// What deliveries are made from.
@@ -50,20 +53,28 @@ pub(crate) struct Supply<'a> {
 impl Supply<'_> {
     /// Brings what the frame at `time` (s) needs.
     pub fn deliver(&self, time: f64, out: &mut Delivery) {
-        // Nothing takes as much room as the search for gates.
-        out.polyhedra.forget();
         let (seen, left_out) = self.in_sight(time);
-        out.left_out = left_out;
         let under_sun = self.blocks.shadows.as_ref().map(|shadows| self.under_sun(shadows));
-        match (&self.blocks.shadows, &under_sun) {
+        let Delivery { gates, polyhedra, bodies, craters, .. } = out;
+        let bring_gates = || match (&self.blocks.shadows, &under_sun) {
             (Some(shadows), Some(under_sun)) => {
-                self.gates(shadows, &shadows.controller, under_sun, &seen, time, &mut out.gates);
+                self.gates(shadows, &shadows.controller, under_sun, &seen, time, gates);
             }
-            _ => out.gates.clear(),
-        }
-        if self.blocks.bodies {
-            self.project(&seen, under_sun.as_ref(), out);
-        }
+            _ => gates.clear(),
+        };
+        let bring_bodies = || {
+            if self.blocks.bodies {
+                *bodies = self.project(&seen, under_sun.as_ref(), polyhedra);
+            }
+        };
+        let bring_craters = || {
+            if self.blocks.swift && self.blocks.features {
+                craters.find(self.stage, self.plan);
+            }
+        };
+        // Each has a part that is one thread's.
+        rayon::join(bring_gates, || rayon::join(bring_bodies, bring_craters));
+        out.left_out = left_out;
     }
 
     /// Whether the shadow cache could be kept.
@@ -159,7 +170,13 @@ impl Supply<'_> {
         Outlines::of(&patches.iter().map(|patch| patch.corners).collect::<Vec<_>>())
     }
 
-    fn project(&self, seen: &[u32], under_sun: Option<&UnderSun<'_>>, out: &mut Delivery) {
+    /// Leaves the spans of bodies in `polyhedra`; returns how many bodies were projected.
+    fn project(
+        &self,
+        seen: &[u32],
+        under_sun: Option<&UnderSun<'_>>,
+        polyhedra: &mut PolyhedronGenerator,
+    ) -> u64 {
         let laws = self.stage.settings.laws;
         let view = ViewPlane {
             eye: self.plan.eye,
@@ -183,7 +200,7 @@ impl Supply<'_> {
         };
         let drawn: Vec<Drawn<'_>> = seen.par_iter().filter_map(drawn).collect();
         let light = FaceLight { sun: DVec3::from_array(self.plan.sun.direction()) };
-        out.bodies = out.polyhedra.run(&field, &light, &drawn).drawn;
+        polyhedra.run(&field, &light, &drawn).drawn
     }
 
     /// Whether nearer ground hides a foot point: the rule of the report, at the samples of the sweep through it.

@@ -16,7 +16,6 @@ use sweep_program::{Event, Served, StepKind, SweepProgram};
 
 use crate::blocks::Blocks;
 use crate::control_plane::FramePlan;
-use crate::craters_in_sight::CratersInSight;
 use crate::crossings::Crossings;
 use crate::delivery::{Delivery, Supply};
 use crate::digital::{Digital, DigitalFrame};
@@ -47,7 +46,6 @@ pub(crate) struct Elaborated<S> {
     recent: Recent,
     workspaces: Pool<Box<Workspace<S>>>,
     deliveries: Pool<Delivery>,
-    craters: Pool<CratersInSight>,
     stores: Pool<Vec<f32>>,
     cells: Pool<Cells>,
 }
@@ -69,7 +67,6 @@ impl<S: Real> Elaborated<S> {
             table,
             workspaces: Pool::default(),
             deliveries: Pool::default(),
-            craters: Pool::default(),
             stores: Pool::default(),
             cells: Pool::default(),
             stage,
@@ -107,17 +104,14 @@ impl<S: Real> Elaborated<S> {
         self.digital.frame(&self.stage, &self.blocks, &self.raster, &crossings, vertices)
     }
 
-    /// Has `run` run all groups of a frame.
-    fn with_groups(
-        &self,
-        plan: &FramePlan,
-        delivery: &Delivery,
-        digital: &DigitalFrame,
-        run: impl FnOnce(&Group<'_, S>) -> Vec<GroupResult>,
-    ) -> Vec<GroupResult> {
-        let craters = self.craters_in_sight(plan);
-        let left_out = craters.as_ref().map(|craters| craters.left_out);
-        let mut results = run(&Group {
+    /// What all groups of a frame share.
+    fn group<'g>(
+        &'g self,
+        plan: &'g FramePlan,
+        delivery: &'g Delivery,
+        digital: &'g DigitalFrame,
+    ) -> Group<'g, S> {
+        Group {
             stage: &self.stage,
             blocks: &self.blocks,
             table: &self.table,
@@ -128,14 +122,7 @@ impl<S: Real> Elaborated<S> {
             delivery,
             digital,
             parts: &self.parts,
-            craters: craters.as_ref(),
-        });
-        craters.into_iter().for_each(|craters| self.craters.give_back(craters));
-        if let (Some(left_out), Some(first)) = (left_out, results.first_mut()) {
-            first.counts.craters_left_out = left_out.craters;
-            first.counts.pixels_left_out = left_out.cells.ceil() as u64;
         }
-        results
     }
 
     /// Runs the group `index` if anyone wants it, and leaves its lines in `rows`.
@@ -154,15 +141,6 @@ impl<S: Real> Elaborated<S> {
         let result = self.draw_group(group, wanted, first, &mut work, rows);
         self.workspaces.give_back(work);
         result
-    }
-
-    /// Craters that can be told, where the machine draws swiftly.
-    fn craters_in_sight(&self, plan: &FramePlan) -> Option<CratersInSight> {
-        (self.blocks.swift && self.blocks.features).then(|| {
-            let mut craters = self.craters.take();
-            craters.find(&self.stage, plan);
-            craters
-        })
     }
 
     /// Draws a group as the economy has it. Who looks at signals sees those of the whole machine, whatever has drawn the
@@ -232,10 +210,9 @@ impl<S: Real> Elaborated<S> {
         store: &mut Vec<f32>,
     ) -> Vec<GroupResult> {
         store.resize(self.stage.settings.raster.sweeps as usize * self.raster.lines, 0.0);
-        self.with_groups(plan, delivery, digital, |group| {
-            let rows = store.par_chunks_mut(LANES * self.raster.lines).enumerate().with_max_len(1);
-            rows.map(|(index, rows)| self.run_group(group, wanted, index, rows)).collect()
-        })
+        let group = self.group(plan, delivery, digital);
+        let rows = store.par_chunks_mut(LANES * self.raster.lines).enumerate().with_max_len(1);
+        rows.map(|(index, rows)| self.run_group(&group, wanted, index, rows)).collect()
     }
 
     /// All sweeps of a frame, into a picture that no tube keeps: tiles are read while others are written.
@@ -249,22 +226,21 @@ impl<S: Real> Elaborated<S> {
     ) -> Vec<GroupResult> {
         let sweeps = self.stage.settings.raster.sweeps as usize;
         let groups = sweeps.div_ceil(LANES);
-        self.with_groups(plan, delivery, digital, |group| {
-            // From both ends inwards: where threads meet, cells have not waited since the frame began.
-            let inwards = |n: usize| if n < groups / 2 { n } else { groups - 1 - (n - groups / 2) };
-            let run = |index: usize| {
-                let mut cells = self.cells.take();
-                let rows = Arc::get_mut(&mut cells).expect("nobody else has it");
-                rows.resize((sweeps - index * LANES).min(LANES) * self.raster.lines, 0.0);
-                let result = self.run_group(group, wanted, index, rows);
-                picture.take(index, cells, &self.cells);
-                result
-            };
-            let turns = (0..groups).into_par_iter().with_max_len(1);
-            let mut results: Vec<_> = turns.map(inwards).map(run).collect();
-            results[groups / 2..].reverse();
-            results
-        })
+        let group = self.group(plan, delivery, digital);
+        // From both ends inwards: where threads meet, cells have not waited since the frame began.
+        let inwards = |n: usize| if n < groups / 2 { n } else { groups - 1 - (n - groups / 2) };
+        let run = |index: usize| {
+            let mut cells = self.cells.take();
+            let rows = Arc::get_mut(&mut cells).expect("nobody else has it");
+            rows.resize((sweeps - index * LANES).min(LANES) * self.raster.lines, 0.0);
+            let result = self.run_group(&group, wanted, index, rows);
+            picture.take(index, cells, &self.cells);
+            result
+        };
+        let turns = (0..groups).into_par_iter().with_max_len(1);
+        let mut results: Vec<_> = turns.map(inwards).map(run).collect();
+        results[groups / 2..].reverse();
+        results
     }
 
     /// What the read beam makes of a store, and of what `tube` has left of earlier ones. A picture lies in its tube
@@ -372,7 +348,11 @@ fn delivery_counts(delivery: &Delivery) -> FrameCounts {
         bodies: delivery.bodies,
         spans: delivery.polyhedra.table().len() as u64,
         bodies_left_out: delivery.left_out.bodies,
-        pixels_left_out: delivery.left_out.cells.ceil() as u64,
+        craters_left_out: delivery.craters.left_out.craters,
+        pixels_left_out: [delivery.left_out.cells, delivery.craters.left_out.cells]
+            .map(|cells| cells.ceil() as u64)
+            .into_iter()
+            .sum(),
         ..FrameCounts::default()
     }
 }

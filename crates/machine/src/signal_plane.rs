@@ -1,6 +1,8 @@
 //! The analog side of a group of sweeps: the generators, MU, DPP, SM in the order of section 24.
 
 use std::array;
+use std::ops::Range;
+use std::slice;
 
 use display_projection_processor::{BrokenProfile, Deflection, Driven, Processor};
 use feature_generator::{FeatureGenerator, PartsGenerator};
@@ -18,7 +20,6 @@ use texture_generator::TextureGenerator;
 
 use crate::blocks::{Blocks, Coarse};
 use crate::control_plane::FramePlan;
-use crate::craters_in_sight::CratersInSight;
 use crate::crossings::Crossings;
 use crate::delivery::Delivery;
 use crate::digital::DigitalFrame;
@@ -44,8 +45,6 @@ pub(crate) struct Group<'a, S> {
     pub delivery: &'a Delivery,
     pub digital: &'a DigitalFrame,
     pub parts: &'a RealParts<S>,
-    /// Craters that can be told, where the machine draws swiftly.
-    pub craters: Option<&'a CratersInSight>,
 }
 
 impl<S: Real> Group<'_, S> {
@@ -58,7 +57,8 @@ impl<S: Real> Group<'_, S> {
             self.draw_features(first, &sweeps, &light, work);
         }
         if self.blocks.texture {
-            self.draw_texture(&sweeps, work);
+            let all = 0..self.table.ranges().len();
+            self.draw_texture(&sweeps, slice::from_ref(&all), work);
         }
         self.set_gates(&sweeps, work);
         self.mix(work);
@@ -247,12 +247,13 @@ impl<S: Real> Group<'_, S> {
         self.stage.landscape.features().between(eye, edges, end, found);
     }
 
-    /// Texture of the foreground.
-    pub fn draw_texture(&self, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
+    /// Texture of the foreground, of the samples in `runs`.
+    pub fn draw_texture(&self, sweeps: &[u32; LANES], runs: &[Range<usize>], work: &mut Workspace<S>) {
         let Some(texture) = self.stage.landscape.texture() else { return };
         let directions = sweeps.map(|sweep| self.plan.direction(sweep));
         let eye = [self.plan.eye[0], self.plan.eye[1]];
-        TextureGenerator { texture, ranges: self.table.ranges() }.run(eye, &directions, &mut work.texture);
+        let generator = TextureGenerator { texture, ranges: self.table.ranges() };
+        generator.run(eye, &directions, runs, &mut work.texture);
         if let Some(parts) = &self.parts.texture {
             parts.run(&mut work.texture);
         }

@@ -92,11 +92,6 @@ impl PolyhedronGenerator {
         &self.table
     }
 
-    /// Forgets the spans of the last frame, and their room.
-    pub fn forget(&mut self) {
-        self.table = SpanTable::default();
-    }
-
     /// Draws `bodies`.
     pub fn run(&mut self, field: &Field<'_>, light: &FaceLight, bodies: &[Drawn<'_>]) -> Census {
         let some = bodies.par_chunks(TOGETHER).enumerate();

@@ -4,16 +4,15 @@ use std::array;
 use std::ops::Range;
 
 use fearless_simd::{Level, Simd, dispatch};
-use rayon::iter::{IndexedParallelIterator, ParallelIterator};
-use rayon::slice::ParallelSlice;
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use remote_shadow::{Corners, Outlines, Segment};
 
 use crate::fan::{Fan, Guesses, Line, Sifted, TOGETHER};
 use crate::line_generators::Boundary;
 use crate::nearly::sort_nearly;
 
-/// Lists that are looked over together.
-const PART: usize = 256;
+/// Corners that lists have together, at least, if they are looked over together.
+const PART: usize = 4096;
 
 /// Lines, or crossings of a sweep, that there is room for before more memory is asked for.
 pub(crate) const ROOM: usize = 1024;
@@ -143,16 +142,15 @@ impl<'a, F: Sighting, C: Crossing> Met<'a, F, C> {
         let mut met = Self { lists, sighting, directions, parts: Vec::new() };
         let Some(fan) = Fan::new(directions) else { return met };
         let vectors = Level::new();
-        let part = |(guesses, lines): &mut (Guesses, Vec<MetLine>),
-                    (number, lists): (usize, &[&Outlines])| {
+        let part = |(guesses, lines): &mut (Guesses, Vec<MetLine>), (first, lists): (usize, &[&Outlines])| {
             lines.clear();
-            for (list, outlines) in (number * PART..).zip(lists) {
+            for (list, outlines) in (first..).zip(lists) {
                 dispatch!(vectors, simd => find_met(simd, &fan, list as u32, outlines, &met.sighting, guesses, lines));
             }
             met.part(&fan, lines)
         };
-        let some = lists.par_chunks(PART).enumerate();
-        let parts = some.map_init(|| (Guesses::default(), Vec::with_capacity(ROOM)), part).collect();
+        let room = || (Guesses::default(), Vec::with_capacity(ROOM));
+        let parts = like_parts(lists).into_par_iter().map_init(room, part).collect();
         met.parts = parts;
         met
     }
@@ -199,6 +197,25 @@ impl<C> Part<C> {
         let begin = if sweep == 0 { 0 } else { self.ends[sweep - 1] };
         &self.crossings[begin as usize..self.ends[sweep] as usize]
     }
+}
+
+/// Lists in parts that are about as much work, each with the number of its first list.
+fn like_parts<'a>(lists: &'a [&'a Outlines]) -> Vec<(usize, &'a [&'a Outlines])> {
+    let (mut corners, mut first) = (0, 0);
+    let parts = lists.chunk_by(|list, _| {
+        corners += list.corners().len();
+        let has_room = corners < PART;
+        if !has_room {
+            corners = 0;
+        }
+        has_room
+    });
+    let numbered = parts.map(|part| {
+        let number = first;
+        first += part.len();
+        (number, part)
+    });
+    numbered.collect()
 }
 
 /// Where the crossings of each sweep begin.

@@ -14,8 +14,8 @@
 //! **Precision.** Place and lattice number are f64, so that a cell of centimetres keeps its edge 10 km from the origin;
 //! the signal is of the run's scalar. In f64 it equals [`landscape::Texture::at`] to the bit, in f32 to 3e-7 of the
 //! amplitude a layer.
-//! **Elaboration.** Nothing is computed beyond the reach of the farthest layer; a layer ends at its own reach. Without
-//! texture the block is not there.
+//! **Elaboration.** Nothing is computed beyond the reach of the farthest layer; a layer ends at its own reach. Swiftly, only
+//! samples that are seen. Without texture the block is not there.
 //! **Parts.** [`PartsTexture`]: bits of the D/A converter, filter.
 //! **Our choices.** Layers of several grains; smooth-step between lattice values; zero mean over a region; a mirrored
 //! pattern as the reading of "symmetric along its edges"; the whole clipped by the mixing unit (section 22, rows 29, 30).
@@ -23,6 +23,8 @@
 mod wired;
 
 pub use wired::PartsTexture;
+
+use std::ops::Range;
 
 use fearless_simd::prelude::{ExtractToken, SimdBase, SimdFrom};
 use fearless_simd::{Level, Simd, dispatch, f64x8};
@@ -48,17 +50,19 @@ pub struct TextureGenerator<'a> {
 
 impl TextureGenerator<'_> {
     /// Texture along the sweeps of a group that leave `eye` (north, east, m) in `directions` (cosine, sine of azimuth
-    /// against north). Returns the number of samples that have any; `out` then holds exactly these.
+    /// against north). Returns the number of samples that have any; `out` then holds exactly these, of which those outside
+    /// `runs` are 0.
     pub fn run<S: Real>(
         &self,
         eye: [f64; 2],
         directions: &[[f64; 2]; LANES],
+        runs: &[Range<usize>],
         out: &mut Vec<Lanes<S>>,
     ) -> usize {
         let samples = self.within(self.texture.reach());
         out.clear();
         out.resize(samples, Lanes::default());
-        dispatch!(Level::new(), simd => self.add_all(simd, eye, directions, out));
+        dispatch!(Level::new(), simd => self.add_all(simd, eye, directions, runs, out));
         samples
     }
 
@@ -69,17 +73,22 @@ impl TextureGenerator<'_> {
         simd: L,
         eye: [f64; 2],
         directions: &[[f64; 2]; LANES],
+        runs: &[Range<usize>],
         out: &mut [Lanes<S>],
     ) {
         let sweeps = Sweeps::new(simd, eye, directions);
         for grain in self.texture.grains() {
-            let ranges = &self.ranges[..self.within(grain.layer().range)];
-            match grain.lattice() {
-                Lattice::Stored(lattice) => {
-                    sweeps.add(grain, ranges, out, |places| lattice.eight::<L, S>(places));
-                }
-                Lattice::Hashed(lattice) => {
-                    sweeps.add(grain, ranges, out, |places| lattice.eight::<L, S>(places));
+            let within = self.within(grain.layer().range);
+            for run in runs.iter().filter(|run| run.start < within) {
+                let run = run.start..run.end.min(within);
+                let (ranges, out) = (&self.ranges[run.clone()], &mut out[run]);
+                match grain.lattice() {
+                    Lattice::Stored(lattice) => {
+                        sweeps.add(grain, ranges, out, |places| lattice.eight::<L, S>(places));
+                    }
+                    Lattice::Hashed(lattice) => {
+                        sweeps.add(grain, ranges, out, |places| lattice.eight::<L, S>(places));
+                    }
                 }
             }
         }
@@ -152,9 +161,10 @@ mod tests {
                 [libm::cos(azimuth), libm::sin(azimuth)]
             });
             let (mut wide, mut narrow): (Vec<Lanes<f64>>, Vec<Lanes<f32>>) = (vec![Lanes::splat(9.0); 99], Vec::new());
-            let samples = generator.run(eye, &directions, &mut wide);
+            let all = [0..ranges.len()];
+            let samples = generator.run(eye, &directions, &all, &mut wide);
             prop_assert_eq!(samples, ranges.iter().filter(|&&range| range < 150.0).count());
-            prop_assert_eq!(generator.run(eye, &directions, &mut narrow), samples);
+            prop_assert_eq!(generator.run(eye, &directions, &all, &mut narrow), samples);
             prop_assert_eq!([wide.len(), narrow.len()], [samples; 2]);
             for sample in 0..samples {
                 for lane in 0..LANES {
@@ -172,7 +182,33 @@ mod tests {
         let texture = texture(Source::Random, 1);
         let generator = TextureGenerator { texture: &texture, ranges: &[150.0, 200.0] };
         let mut out = vec![Lanes::splat(1.0f32)];
-        assert_eq!(generator.run([0.0; 2], &[[1.0, 0.0]; LANES], &mut out), 0);
+        assert_eq!(generator.run([0.0; 2], &[[1.0, 0.0]; LANES], &[0..2], &mut out), 0);
         assert!(out.is_empty());
+    }
+
+    #[test]
+    fn what_is_not_asked_for_is_not_computed() {
+        for source in [Source::Pattern, Source::Random] {
+            let texture = texture(source, 7);
+            // The near layer ends within the second run, the far one within the fourth.
+            let ranges: Vec<f64> = (1..=60).map(|k| 3.0 * f64::from(k)).collect();
+            let runs = [0..2, 5..20, 20..21, 40..55, 57..60];
+            let generator = TextureGenerator { texture: &texture, ranges: &ranges };
+            let directions = std::array::from_fn(|lane| [1.0, 0.1 * lane as f64]);
+            let (mut all, mut some): (Vec<Lanes<f64>>, Vec<Lanes<f64>>) =
+                (Vec::new(), vec![Lanes::splat(9.0); 5]);
+            let samples = generator.run([4.0, -2.0], &directions, &[0..60], &mut all);
+            assert_eq!(generator.run([4.0, -2.0], &directions, &runs, &mut some), samples);
+            assert_eq!((samples, some.len()), (49, 49));
+            for sample in 0..samples {
+                let is_asked_for = runs.iter().any(|run| run.contains(&sample));
+                assert_eq!(
+                    some[sample],
+                    if is_asked_for { all[sample] } else { Lanes::default() },
+                    "{sample}"
+                );
+                assert_ne!(all[sample], Lanes::default());
+            }
+        }
     }
 }

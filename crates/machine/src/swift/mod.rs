@@ -53,12 +53,12 @@ impl<S: Real> Group<'_, S> {
         match &self.parts.wires {
             None => {
                 self.lay_features(first, &sweeps, work);
-                self.processor.look(&work.profile.height, &deflection, &mut work.sight);
+                self.processor.look(&work.profile.height, &deflection, self.raster.lines, &mut work.sight);
                 self.light_what_is_seen(&sweeps, work);
             }
             Some(wires) => {
                 self.join_by_wires(wires, first, &sweeps, work);
-                self.processor.look(&work.profile.height, &deflection, &mut work.sight);
+                self.processor.look(&work.profile.height, &deflection, self.raster.lines, &mut work.sight);
             }
         }
         self.write_swiftly(work, rows);
@@ -108,8 +108,7 @@ impl<S: Real> Group<'_, S> {
 
     /// Which craters each sweep draws.
     fn write_loads(&self, first: u32, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
-        let Some(in_sight) = self.craters else { return };
-        in_sight.of(sweeps, &mut work.craters);
+        self.delivery.craters.of(sweeps, &mut work.craters);
         let loads = self.loads_among(&work.craters);
         for (lane, &drawn) in sweeps.iter().enumerate() {
             let end = self.end_range(lane, work);
@@ -130,7 +129,7 @@ impl<S: Real> Group<'_, S> {
             return;
         }
         if self.blocks.texture {
-            self.draw_texture(sweeps, work);
+            self.draw_texture(sweeps, runs, work);
         }
         let texture = if self.blocks.texture { work.texture.as_slice() } else { &[] };
         let dark = self.blocks.shadows.is_some().then(|| {
