@@ -11,8 +11,8 @@ use crate::fan::{Fan, Guesses, Line, Sifted, TOGETHER};
 use crate::line_generators::Boundary;
 use crate::nearly::sort_nearly;
 
-/// Corners that lists have together, at least, if they are looked over together.
-const PART: usize = 4096;
+/// Parts of all lists that are looked over one by one: a few for each thread, so that none waits long for another.
+const PARTS: usize = 16;
 
 /// Lines, or crossings of a sweep, that there is room for before more memory is asked for.
 pub(crate) const ROOM: usize = 1024;
@@ -199,16 +199,14 @@ impl<C> Part<C> {
     }
 }
 
-/// Lists in parts that are about as much work, each with the number of its first list.
+/// Lists in parts that have about as many corners, each with the number of its first list.
 fn like_parts<'a>(lists: &'a [&'a Outlines]) -> Vec<(usize, &'a [&'a Outlines])> {
+    let all = lists.iter().map(|list| list.corners().len()).sum::<usize>().max(1);
     let (mut corners, mut first) = (0, 0);
     let parts = lists.chunk_by(|list, _| {
+        let before = corners;
         corners += list.corners().len();
-        let has_room = corners < PART;
-        if !has_room {
-            corners = 0;
-        }
-        has_room
+        before * PARTS / all == corners * PARTS / all
     });
     let numbered = parts.map(|part| {
         let number = first;
