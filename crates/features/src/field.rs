@@ -28,12 +28,15 @@ impl Features {
     /// An index over `craters`; their order is kept and names them.
     ///
     /// # Panics
-    /// If there are more than 2^28.
+    /// If there are more than [`MOST_CRATERS`](crate::MOST_CRATERS).
     pub fn new(craters: Vec<Crater>) -> Self {
         Self::of(craters.into_iter().collect())
     }
 
     /// The same.
+    ///
+    /// # Panics
+    /// As there.
     pub fn of(craters: Craters) -> Self {
         Self { index: Index::new(&craters), craters }
     }

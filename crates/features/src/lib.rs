@@ -24,3 +24,4 @@ pub use crater::{Crater, CraterError, Shape};
 pub use craters::Craters;
 pub use field::{Features, Rise};
 pub use outlook::{LeftOut, Outlook};
+pub use spot::MOST_CRATERS;

@@ -13,6 +13,9 @@ pub(crate) fn with_slack(length: f64) -> f64 {
 /// Bits of an index; the others of its word number the radius.
 const INDEX_BITS: u32 = 28;
 
+/// Most craters that an index tells apart.
+pub const MOST_CRATERS: usize = 1 << INDEX_BITS;
+
 /// Radii that a spot can tell.
 const RADII: usize = 1 << (u32::BITS - INDEX_BITS);
 
@@ -50,9 +53,9 @@ impl Scale {
     /// Crater `index`, whose centre is at `offset` (m) from the corner of the grid and whose radius is `outer` (m).
     ///
     /// # Panics
-    /// If the index has more than 28 bits.
+    /// If the index is not below [`MOST_CRATERS`].
     pub fn spot(&self, offset: [f64; 2], outer: f64, index: u32) -> Spot {
-        assert!(index >> INDEX_BITS == 0, "an index of fewer than 2^28 craters");
+        assert!((index as usize) < MOST_CRATERS, "an index of fewer than 2^28 craters");
         let centre = offset.map(|way| self.steps(way).round());
         let is_told = centre.iter().all(|place| (0.0..=f64::from(u16::MAX)).contains(place));
         let needed = if is_told { self.steps(with_slack(outer)) + 1.0 } else { f64::INFINITY };

@@ -109,9 +109,9 @@ impl TileCorners {
         [0, 1].map(|axis| self.lattice.place(axis, corner))
     }
 
-    /// North of those from number `first` on, and east (m); the last one stands in for those that are not there.
+    /// See [`Corners::some`](crate::Corners::some).
     #[inline(always)]
-    pub fn some<const COUNT: usize>(&self, first: usize) -> [[f64; COUNT]; 2] {
+    pub(crate) fn some<const COUNT: usize>(&self, first: usize) -> [[f64; COUNT]; 2] {
         let (along, across): ([i32; COUNT], [i16; COUNT]) =
             (some_of(&self.along, first), some_of(&self.across, first));
         let mut places = [[0.0; COUNT]; 2];

@@ -2,7 +2,7 @@
 
 use crate::Segment;
 use crate::chains::Chains;
-use crate::lattice::{Corner, GroundLattice, TileCorners};
+use crate::lattice::{Corner, GroundLattice, TileCorners, some_of};
 
 /// Closed outlines of shadow on the ground (11.2), as chains of corners whose last is the first again.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -49,6 +49,23 @@ impl Corners {
         match self {
             Self::Anywhere(corners) => corners[number],
             Self::OfTile(corners) => corners.get(number),
+        }
+    }
+
+    /// North of those from number `first` on, and east (m); the last one stands in for those that are not there.
+    #[inline(always)]
+    pub fn some<const COUNT: usize>(&self, first: usize) -> [[f64; COUNT]; 2] {
+        match self {
+            Self::Anywhere(corners) => {
+                let some: [[f64; 2]; COUNT] = some_of(corners, first);
+                let mut places = [[0.0; COUNT]; 2];
+                // A loop has the vectors of its caller.
+                for n in 0..COUNT {
+                    [places[0][n], places[1][n]] = some[n];
+                }
+                places
+            }
+            Self::OfTile(corners) => corners.some(first),
         }
     }
 

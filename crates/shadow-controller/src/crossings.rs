@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use fearless_simd::{Level, Simd, dispatch};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
-use remote_shadow::{Corners, Outlines, Segment};
+use remote_shadow::{Outlines, Segment};
 
 use crate::fan::{Fan, Guesses, Line, Sifted, TOGETHER};
 use crate::line_generators::Boundary;
@@ -270,18 +270,9 @@ fn find_met<V: Simd>(
 ) {
     let (corners, mut ends, guesser) = (outlines.corners(), outlines.ends(), fan.guesser(simd));
     guesses.make_room(corners.len());
-    // Loops, not closures: these have the vectors of their caller.
-    match corners {
-        Corners::Anywhere(corners) => {
-            for first in (0..corners.len()).step_by(TOGETHER) {
-                guesser.guess(first, sighting.all_seen(some_of(corners, first)), guesses);
-            }
-        }
-        Corners::OfTile(corners) => {
-            for first in (0..corners.len()).step_by(TOGETHER) {
-                guesser.guess(first, sighting.all_seen(corners.some(first)), guesses);
-            }
-        }
+    // A loop, no closure: it has the vectors of its caller.
+    for first in (0..corners.len()).step_by(TOGETHER) {
+        guesser.guess(first, sighting.all_seen(corners.some(first)), guesses);
     }
     let count = corners.len().saturating_sub(1);
     for first in (0..count).step_by(TOGETHER) {
@@ -296,25 +287,6 @@ fn find_met<V: Simd>(
         let line = |n: usize| sighting.line(outlines.segment(first + n));
         keep_met(fan, [list, first as u32], sifted, line, met);
     }
-}
-
-/// North of the corners from number `first` on, and east (m); the last one stands in for those that are not there.
-#[inline(always)]
-fn some_of(corners: &[[f64; 2]], first: usize) -> [[f64; TOGETHER]; 2] {
-    let mut some = [[0.0; TOGETHER]; 2];
-    match corners[first..].first_chunk::<TOGETHER>() {
-        Some(corners) => {
-            for n in 0..TOGETHER {
-                [some[0][n], some[1][n]] = corners[n];
-            }
-        }
-        None => {
-            for n in 0..TOGETHER {
-                [some[0][n], some[1][n]] = corners[(first + n).min(corners.len() - 1)];
-            }
-        }
-    }
-    some
 }
 
 /// Keeps those of eight lines, of which the first is at `place`, that sweeps cross.

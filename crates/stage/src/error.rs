@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use features::Crater;
 use features::population::PopulationError;
+use features::{Crater, MOST_CRATERS};
 use landscape::bank_file::BankFileError;
 use landscape::relief::ReliefError;
 use landscape::{BankError, TextureError};
@@ -57,6 +57,15 @@ pub enum StageError {
         number: usize,
         /// South, west, north, east edge of the area (m).
         extent: [f64; 4],
+    },
+    /// More craters than an index can tell apart.
+    #[error(
+        "[features]: {count} craters in the list and all populations, expected at most {MOST_CRATERS}; make a population thinner \
+         or its area smaller"
+    )]
+    Craters {
+        /// How many.
+        count: usize,
     },
     /// No level to go over to.
     #[error("[levels]: the bank has one level only; expected two, the fine one first, or no [levels]")]

@@ -1,6 +1,6 @@
 //! The landscape of a scenario over a bank.
 
-use features::{Crater, Craters, Features};
+use features::{Crater, Craters, Features, MOST_CRATERS};
 use landscape::{Bank, Landscape};
 use scenario::{CraterList, CraterPopulation, Scenario};
 
@@ -9,7 +9,7 @@ use crate::StageError;
 /// The ground of `bank` with craters, texture and mountains of `scenario`.
 ///
 /// # Errors
-/// If a crater is not wholly inside the problem area, a population cannot be strewn over it, or the scenario goes over
+/// If a crater is not wholly inside the problem area, a population cannot be strewn over it, there are too many craters, or the scenario goes over
 /// to a coarse level that the bank does not have.
 pub fn landscape(bank: Bank, scenario: &Scenario) -> Result<Landscape, StageError> {
     if scenario.levels.is_some() && bank.levels().len() < 2 {
@@ -29,11 +29,17 @@ fn craters(scenario: &Scenario, extent: [f64; 4]) -> Result<Craters, StageError>
     if let Some(list) = &scenario.features.list {
         expect_inside(list, extent)?;
         craters.extend(list.craters.iter().copied());
+        expect_countable(craters.len())?;
     }
     for (number, wish) in scenario.features.populations.iter().enumerate() {
         craters.extend(strewn(number, wish, extent)?);
+        expect_countable(craters.len())?;
     }
     Ok(craters)
+}
+
+fn expect_countable(count: usize) -> Result<(), StageError> {
+    if count > MOST_CRATERS { Err(StageError::Craters { count }) } else { Ok(()) }
 }
 
 fn strewn(number: usize, wish: &CraterPopulation, extent: [f64; 4]) -> Result<Vec<Crater>, StageError> {
@@ -60,4 +66,16 @@ fn is_inside(crater: &Crater, [south, west, north, east]: [f64; 4]) -> bool {
     let (low, high) = ([south, west], [north, east]);
     let (centre, outer) = (crater.centre(), crater.outer());
     (0..2).all(|axis| centre[axis] - outer >= low[axis] && centre[axis] + outer <= high[axis])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{MOST_CRATERS, expect_countable};
+
+    #[test]
+    fn more_craters_than_can_be_told_apart_are_refused() {
+        assert!(expect_countable(MOST_CRATERS).is_ok());
+        let refused = expect_countable(MOST_CRATERS + 1).unwrap_err().to_string();
+        assert!(refused.contains("268435457 craters") && refused.contains("at most 268435456"), "{refused}");
+    }
 }
