@@ -105,13 +105,19 @@ mod tests {
         #[test]
         fn what_is_seen_is_what_is_seen_of_all(
             profiles in proptest::collection::vec(proptest::collection::vec(-30.0..30.0f64, LANES), 1..60),
-            hidden_from in 0..60usize, lines in 1..700usize,
+            below_until in 0..40usize, hidden_from in 0..60usize, lines in 1..700usize,
         ) {
             let ranges: Vec<f64> = (1..=profiles.len()).map(|k| 5.0 * k as f64).collect();
-            // Far ground lies low, so that there are long runs of both kinds.
-            let height: Vec<_> = (0..).zip(&profiles).map(|(k, heights)| {
-                Lanes::from_fn(|lane| if k < hidden_from { heights[lane] } else { -500.0 })
-            }).collect();
+            // Near ground lies below the picture, far ground low, so that there are long runs of both kinds.
+            let height_at = |k: usize, height: f64| match k {
+                k if k < below_until => ranges[k] * (0.02 * height - 3.0),
+                k if k < hidden_from => height,
+                _ => -500.0,
+            };
+            let height: Vec<_> = (0..)
+                .zip(&profiles)
+                .map(|(k, heights)| Lanes::from_fn(|lane| height_at(k, heights[lane])))
+                .collect();
             let level = Deflection::new(Projection::Exact, 0.0, 0.0).in_lines(575.0, 0.268);
             for occlusion in [Occlusion::PeakHold, Occlusion::Derivative] {
                 let processor = Processor::<f64>::new(occlusion, Curvature::Parabolic, &ranges);
