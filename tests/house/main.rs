@@ -5,4 +5,5 @@ mod floors;
 mod licences;
 mod metadata;
 mod sources;
+mod targets;
 mod trust;

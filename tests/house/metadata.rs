@@ -17,6 +17,16 @@ pub struct Package {
     pub name: String,
     pub license: Option<String>,
     pub dependencies: Vec<Dependency>,
+    pub targets: Vec<Target>,
+}
+
+#[derive(Debug, Deserialize)]
+pub struct Target {
+    pub name: String,
+    pub kind: Vec<String>,
+    pub src_path: PathBuf,
+    /// Whether `cargo test` makes a program of its tests.
+    pub test: bool,
 }
 
 #[derive(Debug, Deserialize)]

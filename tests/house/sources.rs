@@ -28,7 +28,7 @@ const NEVER: &[(&str, &str)] = &[
 ];
 
 /// Rust files under `folder`.
-fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
+pub fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).expect("a folder of the workspace") {
         let path = entry.expect("an entry of the workspace").path();
         if path.is_dir() && path.file_name().is_some_and(|name| name != "target") {
