@@ -111,36 +111,69 @@ fn part(span: &Span, from: f32, to: f32) -> Piece {
 
 #[cfg(test)]
 mod tests {
+    use std::ops::Range;
+
     use super::{above_ground, cut};
-    use crate::{Hold, NearTable, Span};
-    use proptest::prelude::{prop_assert_eq, proptest};
+    use crate::{Hold, NearTable, Overlay, Span};
+    use proptest::collection::vec;
+    use proptest::prelude::{Strategy, prop_assert, prop_assert_eq, proptest};
+    use scenario::BodyVisibility;
+
+    /// Samples, and the line position that is held at each: so many lines less from one to the next.
+    fn ground(samples: Range<usize>, fall: Range<f32>) -> impl Strategy<Value = (NearTable, Vec<f32>)> {
+        vec((0.05..1.5f32, fall), samples).prop_map(|steps| {
+            let (mut range, mut line) = (2.0, 180.0);
+            let sample = |(step, fall)| {
+                range += step;
+                line -= fall;
+                (1.0 / range, line)
+            };
+            let (near, held): (Vec<f32>, Vec<f32>) = steps.into_iter().map(sample).unzip();
+            (NearTable::new(near), held)
+        })
+    }
+
+    fn span([top, bottom]: [f32; 2], ranges: [f32; 2], tilts: [f32; 2]) -> Span {
+        let near = ranges.map(|range| 1.0 / range);
+        Span { top, bottom, near, depth: [near[0] * tilts[0], near[1] * tilts[1]], ..Span::default() }
+    }
 
     proptest! {
         /// Ground that rises and falls, before, within and behind the samples.
         #[test]
         fn what_is_seen_or_hidden_as_a_whole_is_cut_as_if_it_were_looked_at_closely(
-            steps in proptest::collection::vec((0.01..1.5f32, -4.0..8.0f32), 0..40),
+            (table, held) in ground(0..40, -4.0..8.0),
             ranges in [1.0..40.0f32, 1.0..40.0],
             tilts in [0.9..1.1f32, 0.9..1.1],
-            lines in [0.0..190.0f32, 0.1..60.0],
+            top in 0.0..190.0f32,
+            height in 0.1..60.0f32,
         ) {
-            let (mut range, mut line) = (2.0, 160.0);
-            let (mut near, mut held) = (Vec::new(), Vec::new());
-            for (step, fall) in steps {
-                range += step;
-                line -= fall;
-                near.push(1.0 / range);
-                held.push(line);
-            }
-            let table = NearTable::new(near);
             let hold = Hold { near: &table, lines: |sample: usize| held[sample] };
-            let near = ranges.map(|range| 1.0 / range);
-            let depth = [near[0] * tilts[0], near[1] * tilts[1]];
-            let span = Span { top: lines[0], bottom: lines[0] + lines[1], near, depth, ..Span::default() };
+            let span = span([top, top + height], ranges, tilts);
             let (mut quickly, mut closely) = (Vec::new(), Vec::new());
             above_ground(&span, &hold, &mut quickly);
             cut(&span, &hold, &mut closely);
             prop_assert_eq!(quickly, closely);
+        }
+
+        #[test]
+        fn a_span_shows_exactly_where_no_nearer_ground_reaches_above_it(
+            (table, held) in ground(1..40, 0.0..8.0),
+            ranges in [3.0..30.0f32, 3.0..30.0],
+            lines in [20.0..60.0f32, 60.0..190.0],
+        ) {
+            let hold = Hold { near: &table, lines: |sample: usize| held[sample] };
+            let span = span(lines, ranges, [1.0; 2]);
+            let mut overlay = Overlay::default();
+            let shown = overlay.compose(&[span], BodyVisibility::Depth, Some(&hold));
+            for number in 0..=500 {
+                let share = number as f32 / 500.0;
+                let place = span.line_at(share);
+                let clearance = hold.at(span.near_at(share)) - place;
+                let seen = shown.iter().any(|run| run.top <= place && place <= run.bottom);
+                // Between two samples the zero is found by false position; a tenth of a line is its allowance.
+                prop_assert!(clearance.abs() < 0.1 || seen == (clearance > 0.0), "share {share}: {clearance}, {seen}");
+            }
         }
     }
 }

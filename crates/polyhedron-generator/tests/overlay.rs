@@ -154,33 +154,6 @@ fn signals_are_on_the_display_axis() {
 
 proptest! {
     #[test]
-    fn a_span_shows_exactly_where_no_nearer_ground_reaches_above_it(
-        steps in vec((0.05..1.5f32, 0.0..8.0f32), 1..40),
-        ends in [3.0..30.0f32, 3.0..30.0],
-        lines in [20.0..60.0f32, 60.0..190.0],
-    ) {
-        let (mut range, mut line) = (2.0, 200.0);
-        let (mut near, mut held) = (Vec::new(), Vec::new());
-        for (step, fall) in steps {
-            range += step;
-            line -= fall;
-            near.push(1.0 / range);
-            held.push(line);
-        }
-        let table = NearTable::new(near);
-        let hold = Hold { near: &table, lines: |sample: usize| held[sample] };
-        let span = slope(lines, ends, 0.5);
-        let shown = runs(&[span], BodyVisibility::Depth, Some(&hold));
-        for number in 0..=500 {
-            let share = number as f32 / 500.0;
-            let (place, clearance) = (span.line_at(share), hold.at(span.near_at(share)) - span.line_at(share));
-            let seen = shown.iter().any(|run| run.top <= place && place <= run.bottom);
-            // Between two samples the zero is found by false position; a tenth of a line is its allowance.
-            prop_assert!(clearance.abs() < 0.1 || seen == (clearance > 0.0), "share {share}: {clearance}, {seen}");
-        }
-    }
-
-    #[test]
     fn every_line_position_shows_the_nearest(
         faces in vec(([0.0..100.0f32, 1.0..60.0], [2.0..20.0f32, 2.0..20.0]), 1..12),
     ) {
