@@ -3,6 +3,7 @@
 #![allow(missing_docs)]
 
 use std::hint::black_box;
+use std::slice::from_ref;
 use std::sync::Arc;
 
 use benchmarks::{Choice, STANDARD, Scene};
@@ -181,8 +182,10 @@ fn ground_detail(c: &mut Criterion) {
     let texture = landscape.texture().expect("the scenario has one");
     let mut out = Vec::<signal::Lanes<f32>>::new();
     group.bench_function("texture generator", |b| {
-        let all = [0..ranges.len()];
-        b.iter(|| TextureGenerator { texture, ranges }.run(scene.eye(), &scene.directions, &all, &mut out));
+        let all = 0..ranges.len();
+        b.iter(|| {
+            TextureGenerator { texture, ranges }.run(scene.eye(), &scene.directions, from_ref(&all), &mut out)
+        });
     });
     group.finish();
 }

@@ -134,6 +134,8 @@ impl<L: Simd> Sweeps<L> {
 
 #[cfg(test)]
 mod tests {
+    use std::slice::from_ref;
+
     use super::TextureGenerator;
     use landscape::{Layer, Source, Texture};
     use proptest::prelude::{any, prop_assert, prop_assert_eq, proptest};
@@ -161,10 +163,10 @@ mod tests {
                 [libm::cos(azimuth), libm::sin(azimuth)]
             });
             let (mut wide, mut narrow): (Vec<Lanes<f64>>, Vec<Lanes<f32>>) = (vec![Lanes::splat(9.0); 99], Vec::new());
-            let all = [0..ranges.len()];
-            let samples = generator.run(eye, &directions, &all, &mut wide);
+            let all = 0..ranges.len();
+            let samples = generator.run(eye, &directions, from_ref(&all), &mut wide);
             prop_assert_eq!(samples, ranges.iter().filter(|&&range| range < 150.0).count());
-            prop_assert_eq!(generator.run(eye, &directions, &all, &mut narrow), samples);
+            prop_assert_eq!(generator.run(eye, &directions, from_ref(&all), &mut narrow), samples);
             prop_assert_eq!([wide.len(), narrow.len()], [samples; 2]);
             for sample in 0..samples {
                 for lane in 0..LANES {
@@ -182,7 +184,7 @@ mod tests {
         let texture = texture(Source::Random, 1);
         let generator = TextureGenerator { texture: &texture, ranges: &[150.0, 200.0] };
         let mut out = vec![Lanes::splat(1.0f32)];
-        assert_eq!(generator.run([0.0; 2], &[[1.0, 0.0]; LANES], &[0..2], &mut out), 0);
+        assert_eq!(generator.run([0.0; 2], &[[1.0, 0.0]; LANES], from_ref(&(0..2)), &mut out), 0);
         assert!(out.is_empty());
     }
 
@@ -197,7 +199,7 @@ mod tests {
             let directions = std::array::from_fn(|lane| [1.0, 0.1 * lane as f64]);
             let (mut all, mut some): (Vec<Lanes<f64>>, Vec<Lanes<f64>>) =
                 (Vec::new(), vec![Lanes::splat(9.0); 5]);
-            let samples = generator.run([4.0, -2.0], &directions, &[0..60], &mut all);
+            let samples = generator.run([4.0, -2.0], &directions, from_ref(&(0..60)), &mut all);
             assert_eq!(generator.run([4.0, -2.0], &directions, &runs, &mut some), samples);
             assert_eq!((samples, some.len()), (49, 49));
             for sample in 0..samples {
