@@ -72,7 +72,7 @@ impl Supply<'_> {
                 craters.find(self.stage, self.plan);
             }
         };
-        // Each has a part that is one thread's.
+        // Each has a part that is one thread's. None waits for other threads while it holds what another may ask for.
         rayon::join(bring_gates, || rayon::join(bring_bodies, bring_craters));
         out.left_out = left_out;
     }
