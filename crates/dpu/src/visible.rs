@@ -2,13 +2,13 @@
 
 use landscape::Level;
 
-/// The ground that a frame's fan of sweeps covers: a sector less than half a turn wide.
+/// The ground that a frame's fan of sweeps covers: a sector less than half a turn wide, or all around.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sector {
     /// Foot of the eye, in regions from the corner lattice's origin.
     pub foot: [f64; 2],
-    /// Cosine and sine of the azimuth of the leftmost and of the rightmost sweep.
-    pub edges: [[f64; 2]; 2],
+    /// Cosine and sine of the azimuth of the leftmost and of the rightmost sweep; none of a sector that goes all around.
+    pub edges: Option<[[f64; 2]; 2]>,
     /// Ground range of the last sample, in regions.
     pub range: f64,
 }
@@ -33,9 +33,9 @@ impl Sector {
     fn columns(&self, m: usize) -> [f64; 2] {
         let north = m as f64 - self.foot[0];
         let [mut west, mut east] = [-self.range, self.range];
-        let [left, right] = self.edges;
         // A corner (a, b) from the foot is on the inner side of an edge where p b + q a is not below 0.
-        for [p, q] in [[left[0], -left[1]], [-right[0], right[1]]] {
+        let sides = |[left, right]: [[f64; 2]; 2]| [[left[0], -left[1]], [-right[0], right[1]]];
+        for [p, q] in self.edges.into_iter().flat_map(sides) {
             let across = -(q * north).max(q * (north + 1.0)) / p;
             if p > 0.0 {
                 west = west.max(across);
@@ -46,17 +46,19 @@ impl Sector {
         [self.foot[1] + west - 2.0, self.foot[1] + east + 1.0]
     }
 
-    /// Whether a region has a corner on the inner side of both edges and is not beyond the range.
+    /// Whether a region has a corner on the inner side of both edges, if there are any, and is not beyond the range.
     fn touches(&self, [m, n]: [usize; 2]) -> bool {
         let corner = |i: usize, j: usize| [(m + i) as f64 - self.foot[0], (n + j) as f64 - self.foot[1]];
         let corners = [corner(0, 0), corner(0, 1), corner(1, 0), corner(1, 1)];
         let cross = |a: [f64; 2], b: [f64; 2]| a[0] * b[1] - a[1] * b[0];
-        let [left, right] = self.edges;
         // A sweep along a boundary belongs to both regions: rounding must not lose one.
         let inner = |side: f64| side >= -1e-9;
         let nearest = corner(0, 0).map(|side| if side > 0.0 { side } else { (side + 1.0).min(0.0) });
-        corners.iter().any(|&corner| inner(cross(left, corner)))
-            && corners.iter().any(|&corner| inner(cross(corner, right)))
+        let is_between = |[left, right]: [[f64; 2]; 2]| {
+            corners.iter().any(|&corner| inner(cross(left, corner)))
+                && corners.iter().any(|&corner| inner(cross(corner, right)))
+        };
+        self.edges.is_none_or(is_between)
             && nearest[0] * nearest[0] + nearest[1] * nearest[1] <= self.range * self.range + 1e-9
     }
 }
@@ -96,7 +98,7 @@ mod tests {
         for (foot, heading) in
             [([20.3, 15.7], 10.0), ([5.0, 5.0], 45.0), ([38.2, 0.4], 200.0), ([0.0, 30.0], -90.0)]
         {
-            let edges = [direction(heading - 25.0), direction(heading + 25.0)];
+            let edges = Some([direction(heading - 25.0), direction(heading + 25.0)]);
             let listed: Vec<_> = Sector { foot, edges, range: 12.0 }.regions(&level()).collect();
             let walked = walked(foot, heading, 12.0);
             assert!(walked.iter().all(|region| listed.contains(region)), "{foot:?} {heading}");
@@ -111,9 +113,21 @@ mod tests {
 
     #[test]
     fn nothing_behind_and_nothing_beyond() {
-        let edges = [direction(-25.0), direction(25.0)];
+        let edges = Some([direction(-25.0), direction(25.0)]);
         let listed: Vec<_> = Sector { foot: [20.5, 15.5], edges, range: 6.0 }.regions(&level()).collect();
         assert!(listed.contains(&[20, 15]) && listed.contains(&[26, 15]));
         assert!(!listed.contains(&[27, 15]) && !listed.contains(&[18, 15]) && !listed.contains(&[20, 20]));
+    }
+
+    #[test]
+    fn all_around_is_every_sector() {
+        let around =
+            |edges| Sector { foot: [20.3, 15.7], edges, range: 9.0 }.regions(&level()).collect::<Vec<_>>();
+        let all = around(None);
+        for heading in (0..360).step_by(20).map(f64::from) {
+            let some = around(Some([direction(heading - 25.0), direction(heading + 25.0)]));
+            assert!(!some.is_empty() && some.iter().all(|region| all.contains(region)), "{heading}");
+        }
+        assert!(!all.contains(&[20, 25]) && !all.contains(&[10, 15]));
     }
 }

@@ -42,6 +42,14 @@ impl ModelSource {
     /// # Errors
     /// An unknown name; the message lists the known ones and the nearest.
     pub fn find(name_or_path: &str, folder: &Path) -> Result<Self, ProblemList> {
+        Self::find_beside(&[], name_or_path, folder)
+    }
+
+    /// The same where `others` could have been meant, too: names that are no model's, which the message offers.
+    ///
+    /// # Errors
+    /// As [`find`](Self::find).
+    pub fn find_beside(others: &[&str], name_or_path: &str, folder: &Path) -> Result<Self, ProblemList> {
         if name_or_path.ends_with(".toml") || name_or_path.contains(['/', '\\']) {
             return Ok(Self::File(name_or_path.into()));
         }
@@ -53,7 +61,8 @@ impl ModelSource {
         if let Some(built_in) = Self::built_in(name_or_path) {
             return Ok(built_in);
         }
-        let known = known_names(&folders);
+        let mut known = known_names(&folders);
+        known.extend(others.iter().map(|&name| name.to_owned()));
         let title = format!("unknown machine `{name_or_path}`; a file of your own is named by its path");
         let problem = Problem::of_file("machine", title).found(name_or_path);
         Err(advise(problem, name_or_path, &known).into())

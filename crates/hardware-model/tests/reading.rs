@@ -310,6 +310,8 @@ fn a_machine_is_found_by_name_or_path() {
     );
     let far = find("zzz", &scenarios).unwrap_err().to_string();
     assert!(far.contains("frugal, ideal"), "{far}");
+    let beside = ModelSource::find_beside(&["exact"], "exat", &scenarios).unwrap_err().to_string();
+    assert!(beside.contains("did you mean `exact`? known: exact, frugal"), "{beside}");
 }
 
 #[test]

@@ -80,14 +80,15 @@ pub fn read_scenario(path: &Path) -> Result<Scenario, Failure> {
     Scenario::read(path).or_else(|faults| Kind::Scenario.expect(path).and(Err(faults.into())))
 }
 
-/// Reads a hardware model, by name or path, with differences over it.
+/// Reads a hardware model, by name or path, with differences over it; a name that there is not might be one of `others`.
 pub fn read_model(
+    others: &[&str],
     name: &str,
     folder: &Path,
     overlays: &[PathBuf],
     set: &[(String, String)],
 ) -> Result<LoadedModel, Failure> {
-    let source = ModelSource::find(name, folder)?;
+    let source = ModelSource::find_beside(others, name, folder)?;
     HardwareModel::load(&source, overlays, set).or_else(|faults| {
         if let ModelSource::File(path) = &source {
             Kind::Model.expect(path)?;

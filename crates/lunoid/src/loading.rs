@@ -32,6 +32,11 @@ pub fn other(name: &str) -> Option<&'static dyn Generator> {
     OTHERS.iter().map(|(generator, _)| *generator).find(|generator| generator.name() == name)
 }
 
+/// Names of those.
+pub fn other_names() -> [&'static str; OTHERS.len()] {
+    OTHERS.map(|(generator, _)| generator.name())
+}
+
 /// The hardware model that a scenario names; raster, range and laws of a scenario for a generator that has none are
 /// those of the ideal machine.
 pub fn hardware_model(named: &str) -> &str {
@@ -191,7 +196,7 @@ impl StageArgs {
         let draws_lunsim = self.draws_lunsim(scenario);
         let is_of_model = |key: &str| run_key(key).is_none() && !(draws_lunsim && is_of_gear(key));
         let of_model: Vec<_> = self.options.set.iter().filter(|(key, _)| is_of_model(key)).cloned().collect();
-        read_model(name, folder, &self.options.overlay, &of_model)
+        read_model(&other_names(), name, folder, &self.options.overlay, &of_model)
     }
 
     fn draws_lunsim(&self, scenario: &Scenario) -> bool {

@@ -1,5 +1,7 @@
 //! The digital side of a frame: fan, start of every sweep, folds, sweep programs.
 
+use std::f64::consts::PI;
+
 use dpu::{CrossingService, Sector, TimedFold, Watch};
 use generator::{FrameError, Stage};
 use landscape::{Level, Sun};
@@ -59,7 +61,7 @@ impl FramePlan {
     /// Regions that the frame can show, out to `range` (m).
     pub fn visible_regions(&self, level: &Level, range: f64) -> usize {
         let [x, y, _] = self.eye;
-        let edges = self.edges(0.0);
+        let edges = Some(self.edges());
         let range = range / level.region_size();
         Sector { foot: level.in_regions(x, y), edges, range }.regions(level).count()
     }
@@ -92,11 +94,18 @@ impl FramePlan {
         way_to_edge(level, level.in_regions(x, y), self.direction(sweep))
     }
 
-    /// Directions of both edges of the fan, `margin` (rad) farther out.
-    pub fn edges(&self, margin: f64) -> [[f64; 2]; 2] {
+    /// Directions of both edges of the fan.
+    pub fn edges(&self) -> [[f64; 2]; 2] {
+        [0, self.fan.sweeps - 1].map(|sweep| self.direction(sweep))
+    }
+
+    /// The same, `margin` (rad) farther out; none where they are half a turn or more apart then.
+    pub fn edges_beside(&self, margin: f64) -> Option<[[f64; 2]; 2]> {
         let (sin, cos) = sin_cos(margin);
         let turned = |[north, east]: [f64; 2], sin: f64| [cos * north - sin * east, sin * north + cos * east];
-        [turned(self.direction(0), -sin), turned(self.direction(self.fan.sweeps - 1), sin)]
+        let [left, right] = self.edges();
+        let width = libm::atan(self.fan.tangent(self.fan.sweeps - 1)) - libm::atan(self.fan.tangent(0));
+        (width + 2.0 * margin < PI).then_some([turned(left, -sin), turned(right, sin)])
     }
 
     /// Writes the program by which one terrain generator draws sweep `sweep` with the set-up of sweep `drawn`, up to

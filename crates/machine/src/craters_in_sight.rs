@@ -32,7 +32,7 @@ impl CratersInSight {
         let origin = [plan.eye[0], plan.eye[1]];
         let outlook = outlook(stage, plan);
         let end = stage.settings.range.end;
-        self.left_out = features.in_sight(origin, plan.edges(0.0), end, &outlook, &mut self.found);
+        self.left_out = features.in_sight(origin, plan.edges(), end, &outlook, &mut self.found);
         self.left_out.cells *= pixels_a_cell(stage);
         let groups = plan.fan.sweeps.div_ceil(LANES as u32) as usize;
         let reach = |index: &u32| {

@@ -129,7 +129,8 @@ impl Supply<'_> {
         let edges = [directions[0], directions[sweeps as usize - 1]];
         let foot = [self.plan.eye[0], self.plan.eye[1]];
         let (reach, end) = (shadows.reach, self.stage.settings.range.end);
-        let tiles: Vec<Arc<Tile>> = shadows.bank.around(&self.plan.sun, foot, reach, Some(edges));
+        let (place, scale) = controller.reading(foot);
+        let tiles: Vec<Arc<Tile>> = shadows.bank.around(&self.plan.sun, place, reach / scale, Some(edges));
         let mut cast: Vec<&Outlines> = tiles.iter().map(|tile| &tile.outlines).collect();
         // A map that is read beside its place shows shadows that no sweep meets.
         let all = matches!(self.stage.settings.shadow_controller, ShadowParts::ScanConverter { .. });

@@ -204,7 +204,7 @@ impl Sight<'_> {
         let Self { stage, raster, level, reach } = *self;
         let foot = level.in_regions(pose.eye[0], pose.eye[1]);
         let Ok(plan) = FramePlan::new(frame, pose, stage, &raster.field) else { return Vec::new() };
-        let edges = plan.edges(margin);
+        let edges = plan.edges_beside(margin);
         let sector = Sector { foot, edges, range: reach / level.region_size() };
         let mut corners = corners_of(sector.regions(level), level.corners());
         nearest_first(&mut corners, level.corners()[1], foot);

@@ -52,27 +52,32 @@ impl InSight {
         Self { bodies, left_out }
     }
 
-    /// Only the bodies of the sector that a processor has ready which came as far as `vertices`, the nearest first.
+    /// Of the bodies of the sector only those that a processor has ready which came as far as `vertices`, the nearest first. It
+    /// has nothing to do for the others, whose shadows may fall into the sector.
     pub fn keep_ready(&mut self, stage: &Stage, plan: &FramePlan, vertices: u64) {
         let body = |number: u32| &stage.scenery.standing()[number as usize].body;
         let eye = DVec3::from_array(plan.eye);
         let distance = |number: u32| body(number).centre.distance(eye);
-        self.bodies.retain(|&number| is_ahead(plan, body(number)));
-        self.bodies.sort_by(|&a, &b| distance(a).total_cmp(&distance(b)));
+        let bodies = std::mem::take(&mut self.bodies);
+        let (mut ahead, beside): (Vec<u32>, _) =
+            bodies.into_iter().partition(|&number| is_ahead(plan, body(number)));
+        ahead.sort_by(|&a, &b| distance(a).total_cmp(&distance(b)));
         let mut left = vertices;
-        self.bodies.retain(|&number| {
+        ahead.retain(|&number| {
             let count = body(number).vertices().len() as u64;
             let is_ready = count <= left;
             left = if is_ready { left - count } else { 0 };
             is_ready
         });
+        self.bodies = beside;
+        self.bodies.extend(ahead);
         self.bodies.sort_unstable();
     }
 }
 
 /// Whether a body reaches into the sector of the sweeps.
 fn is_ahead(plan: &FramePlan, body: &Body) -> bool {
-    let [[ln, le], [rn, re]] = plan.edges(0.0);
+    let [[ln, le], [rn, re]] = plan.edges();
     let [north, east] = [body.centre.x - plan.eye[0], body.centre.y - plan.eye[1]];
     let (right_of_left, left_of_right) = (ln * east - le * north, north * re - east * rn);
     right_of_left > -body.radius && left_of_right > -body.radius

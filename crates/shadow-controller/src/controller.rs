@@ -72,9 +72,13 @@ impl Gate {
 
     /// Where it changes, as the comparators see it.
     pub fn edges(&self) -> impl Iterator<Item = GateEdge> {
-        let swings = self.swings.iter().copied().chain(iter::repeat(0.0));
-        let pairs = self.toggles.iter().zip(swings);
+        let pairs = self.toggles.iter().zip(self.swings());
         pairs.map(|(&range, swing)| GateEdge { range, slope: 1.0 / swing.abs() })
+    }
+
+    /// The swing of each change, 0 where nobody asked.
+    pub(crate) fn swings(&self) -> impl Iterator<Item = f64> {
+        self.swings.iter().copied().chain(iter::repeat(0.0))
     }
 }
 
@@ -137,9 +141,30 @@ impl ShadowController {
                     );
                 }
             }
+            ShadowParts::ScanConverter { .. } => {
+                let (eye, scale) = self.reading(eye);
+                self.gates_of(
+                    &Met::<_, Bare>::new(directions, shadows, Map { eye, scale }),
+                    reach,
+                    timing,
+                    out,
+                );
+            }
+        }
+    }
+
+    /// The place (north, east; m) whose shadows the sweeps meet at an eye, and how many times as far from it: a map in a scan
+    /// converter is read beside its place, as `centre + (place - centre) (1 + gain) + offset side` says, lines at theirs.
+    pub fn reading(&self, eye: [f64; 2]) -> ([f64; 2], f64) {
+        match self.parts {
+            ShadowParts::Digital { .. } => (eye, 1.0),
             ShadowParts::ScanConverter { offset, gain } => {
-                let map = Map { controller: self, offset, gain, eye };
-                self.gates_of(&Met::<_, Bare>::new(directions, shadows, map), reach, timing, out);
+                let scale = 1.0 + gain;
+                let place = |axis: usize| {
+                    let centre = self.map_centre[axis];
+                    centre + (eye[axis] - offset[axis] * self.map_side - centre) / scale
+                };
+                ([0, 1].map(place), scale)
             }
         }
     }
@@ -215,21 +240,15 @@ impl Sighting for Places {
     }
 }
 
-/// Places of the map as the sweep meets them in a scan converter.
-struct Map<'a> {
-    controller: &'a ShadowController,
-    offset: [f64; 2],
-    gain: f64,
+/// Places of the map as the sweep meets them in a scan converter ([`ShadowController::reading`]).
+struct Map {
     eye: [f64; 2],
+    scale: f64,
 }
 
-impl Sighting for Map<'_> {
-    fn seen(&self, place: [f64; 2]) -> [f64; 2] {
-        let Self { controller: ShadowController { map_centre, map_side, .. }, offset, gain, eye } = self;
-        [0, 1].map(|axis: usize| {
-            let centre = map_centre[axis];
-            centre + (place[axis] - centre) * (1.0 + gain) + offset[axis] * map_side - eye[axis]
-        })
+impl Sighting for Map {
+    fn seen(&self, [north, east]: [f64; 2]) -> [f64; 2] {
+        [(north - self.eye[0]) * self.scale, (east - self.eye[1]) * self.scale]
     }
 }
 

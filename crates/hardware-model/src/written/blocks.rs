@@ -9,6 +9,9 @@ use crate::{FeatureParts, Gate, MixingParts, Organisation, ShadowParts};
 /// Most parts of a kind that a machine can be given.
 const MOST_PARTS: u32 = 1_000_000;
 
+/// Least rate of loads (words/µs): one takes hours then, of a sweep of less than a second.
+const SLOWEST_LOADS: f64 = 1e-9;
+
 /// A number of parts, or as many as there is work for.
 fn parts<'a>(table: &Reader<'a>, key: &str) -> Field<'a, Option<u32>> {
     table.u32(key).between(1, MOST_PARTS).or_word("unlimited")
@@ -23,7 +26,7 @@ pub(super) fn feature_generator(table: &Reader) -> Option<FeatureParts> {
 
 /// Words a second; any number if the inner value is `None`.
 pub(super) fn load_words(table: &Reader) -> Option<Option<f64>> {
-    let rate = table.f64("load_words_us").above(0.0).at_most(1e6).unit("words/µs");
+    let rate = table.f64("load_words_us").between(SLOWEST_LOADS, 1e6).unit("words/µs");
     rate.map(|rate| 1e6 * rate).or_word("unlimited").required()
 }
 

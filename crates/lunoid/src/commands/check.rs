@@ -9,7 +9,7 @@ use scenario::{PoseTable, Scenario};
 use serde_json::{Value, json};
 
 use crate::kind::Kind;
-use crate::loading::{hardware_model, stage_problems};
+use crate::loading::{hardware_model, other_names, stage_problems};
 use crate::output::{Colour, print, print_json, tell};
 use crate::{Failure, Verdict};
 
@@ -81,8 +81,8 @@ fn check_scenario(path: &Path) -> Result<(), ProblemList> {
     let name = path.display().to_string();
     let of_file = |title: String| ProblemList::from(Problem::of_file(&name, title));
     let scenario = Scenario::read(path)?;
-    let source =
-        ModelSource::find(hardware_model(&scenario.machine), path.parent().unwrap_or(Path::new("")))?;
+    let (machine, folder) = (hardware_model(&scenario.machine), path.parent().unwrap_or(Path::new("")));
+    let source = ModelSource::find_beside(&other_names(), machine, folder)?;
     let model = HardwareModel::load(&source, &[], &[])?;
     let settings = stage::settings(&scenario, &model.model).map_err(|error| {
         of_file(format!("scenario and machine `{}` do not fit together: {error}", scenario.machine))

@@ -116,7 +116,7 @@ impl ModelCommand {
 
 impl Named {
     fn load(&self) -> Result<LoadedModel, Failure> {
-        read_model(&self.model, Path::new(""), &self.overlay, &self.set)
+        read_model(&[], &self.model, Path::new(""), &self.overlay, &self.set)
     }
 }
 

@@ -77,6 +77,7 @@ fn machines_that_cannot_be() {
     let scene = Scene::new();
     for (arguments, words) in [
         (&["--machine", "pra-nominla"][..], "unknown machine `pra-nominla`"),
+        (&["--machine", "lunsin"], "did you mean `lunsim`"),
         (&["--machine", "./gone.toml"], "gone.toml"),
         (&["--overlay", "gone.toml"], "gone.toml"),
         (&["--set", "raster.sweps=1"], "sweps"),

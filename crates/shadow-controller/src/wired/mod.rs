@@ -53,11 +53,12 @@ impl PartsLines {
     /// Where the gate changes, ascending, into `edges`.
     pub fn displace(&self, gate: &Gate, edges: &mut Vec<GateEdge>) {
         edges.clear();
-        let crossings = gate.edges().zip(&gate.swings).zip(self.errors.iter().cycle());
-        edges.extend(crossings.map(|((edge, &swing), &error)| {
-            let range = edge.range + error * swing + self.behind * swing.abs();
-            GateEdge { range, ..edge }
-        }));
+        edges.extend(gate.edges().zip(gate.swings()).zip(self.errors.iter().cycle()).map(
+            |((edge, swing), error)| {
+                let range = edge.range + error * swing + self.behind * swing.abs();
+                GateEdge { range, ..edge }
+            },
+        ));
         edges.sort_by(|a, b| a.range.total_cmp(&b.range));
     }
 }

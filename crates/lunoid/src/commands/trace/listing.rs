@@ -27,6 +27,8 @@ pub struct Listing<'a> {
     form: Form,
     limit: u64,
     listed: u64,
+    /// The tick of the last event that is listed.
+    last: Option<u64>,
     /// The tick of the first event that the limit has kept out.
     next: Option<u64>,
 }
@@ -46,7 +48,7 @@ impl<'a> Listing<'a> {
                 frame.number
             ))?,
         }
-        Ok(Self { frame, form, limit: limit.unwrap_or(u64::MAX), listed: 0, next: None })
+        Ok(Self { frame, form, limit: limit.unwrap_or(u64::MAX), listed: 0, last: None, next: None })
     }
 
     /// Whether no more is listed.
@@ -58,11 +60,13 @@ impl<'a> Listing<'a> {
     pub fn add(&mut self, events: impl Iterator<Item = DigitalEvent>) -> Result<(), Failure> {
         let mut text = String::new();
         for event in events {
-            if self.listed == self.limit {
+            // A tick is listed whole: who goes on at the next meets each event once.
+            if self.listed >= self.limit && self.last != Some(event.tick.0) {
                 self.next = self.next.or(Some(event.tick.0));
                 break;
             }
             self.write(&event, &mut text);
+            self.last = Some(event.tick.0);
             self.listed += 1;
         }
         print(&text)
@@ -77,9 +81,10 @@ impl<'a> Listing<'a> {
             Form::Text => print(&format!("events: {}\n", self.listed)),
             Form::Csv => Ok(()),
             Form::Json => print(&format!(
-                "\n  ],\n  \"listed\": {},\n  \"is_all\": {}\n}}\n",
+                "\n  ],\n  \"listed\": {},\n  \"is_all\": {},\n  \"next\": {}\n}}\n",
                 self.listed,
-                self.next.is_none()
+                self.next.is_none(),
+                json!(self.next)
             )),
         }
     }

@@ -44,7 +44,7 @@ pub struct Trace {
     sweep: Option<Span>,
     #[command(flatten)]
     filter: Filter,
-    /// List no more than so many events.
+    /// List no more than so many events, and those of the same tick as the last.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     limit: Option<u64>,
     /// Show the registers of all colours at a tick, or at a sample of a sweep, and list nothing.
