@@ -1,11 +1,12 @@
 //! Remote shadow: the gate against marching to the sun, and what the laws let shadow do.
 
 use generator::PlaneKind;
+use hardware_model::ShadowParts;
 use landscape::{Landscape, Source, Sun};
 use quantities::radians;
 use scenario::{ShadowedBodies, TextureInShadow, TrackPatch};
 
-use crate::set::{Set, craters, flat, patch, rolling, standing_box, sun, wave};
+use crate::set::{REGION, REGIONS, Set, craters, flat, patch, rolling, standing_box, sun, wave};
 
 /// Distance from a shadow's edge within which the gate may differ (m): two profiles.
 const EDGE: f64 = 0.1;
@@ -62,6 +63,68 @@ fn the_gate_is_what_marching_to_the_sun_finds() {
         println!("seed {seed}: {found:?} of 800");
         assert!(found.iter().all(|count| *count > 40), "seed {seed}: {found:?} lit and dark");
     }
+}
+
+/// A map in a scan converter that is read beside its place shows the shadow of where it is read, all over the picture: tiles
+/// that the eye does not see are among those that the sweeps meet.
+#[test]
+fn a_displaced_map_shows_the_shadow_of_where_it_is_read() {
+    for (seed, offset, gain) in [(1, [0.0, 0.12], 0.0), (2, [-0.08, -0.05], 0.3), (3, [0.06, 0.0], -0.3)] {
+        let mut set =
+            Set::over(rolling(seed, 6.0)).with_fine_shadows([0.5 * EDGE, 5e-4]).under(sun(80.0, 4.0));
+        let raster = &mut set.stage.settings.raster;
+        (raster.sweeps, raster.columns, raster.samples) = (5, 5, 160);
+        set.stage.settings.range.end = 120.0;
+        set.stage.settings.shadow_controller = ShadowParts::ScanConverter { offset, gain };
+        let set = set.with_craters(craters(seed, 60, set.foot(), 150.0, 24.0));
+        let (light, [north, east]) = (set.stage.scenery.sun(0.0), set.foot());
+        // All of the ground is the map.
+        let side = REGION * REGIONS as f64;
+        let drawn = set.machine(&["sc.gate", "sweep.range"]);
+        let mut found = [0; 2];
+        for sweep in 0..5 {
+            let gate = wave(&drawn, sweep, "sc.gate");
+            for (sample, &range) in wave(&drawn, sweep, "sweep.range").iter().enumerate() {
+                let [x, y] = set.place(sweep, range);
+                let read = |place: f64, offset: f64| {
+                    0.5 * side + (place - 0.5 * side - offset * side) / (1.0 + gain)
+                };
+                let place = [read(x, offset[0]), read(y, offset[1])];
+                let around = [[0.0; 2], [EDGE, 0.0], [-EDGE, 0.0], [0.0, EDGE], [0.0, -EDGE]];
+                let dark = around
+                    .map(|[a, b]| is_dark(&set.stage.landscape, [place[0] + a, place[1] + b], &light, 12.0));
+                if dark.iter().all(|other| *other == dark[0]) {
+                    found[usize::from(dark[0])] += 1;
+                    assert_eq!(
+                        gate[sample] == 1.0,
+                        dark[0],
+                        "seed {seed}, sweep {sweep}, {range} m from {north}, {east}"
+                    );
+                }
+            }
+        }
+        println!("seed {seed}: {found:?} of 800");
+        assert!(found.iter().all(|count| *count > 40), "seed {seed}: {found:?} lit and dark");
+    }
+}
+
+/// A processor that has no body ready has nothing to do for those behind the eye: their shadows fall into the picture.
+#[test]
+fn shadows_of_bodies_behind_need_no_processor() {
+    let set = Set::over(flat()).under(sun(184.0, 15.0)).with_shadows();
+    let [behind, ahead] = [set.ahead(-10.0, 3.0), set.ahead(60.0, 0.0)];
+    let one = set.clone().with_bodies(vec![standing_box(0, behind, 2.0, 12.0)]);
+    let mut both =
+        set.with_bodies(vec![standing_box(0, behind, 2.0, 12.0), standing_box(1, ahead, 2.0, 12.0)]);
+    both.stage.settings.cpu.vertex = 1_000_000_000_000;
+    let [one, both] = [one, both].map(|set| set.machine(&["sc.gate"]));
+    let mut dark = 0;
+    for sweep in 0..64 {
+        let [expected, found] = [&one, &both].map(|drawn| wave(drawn, sweep, "sc.gate"));
+        assert_eq!(expected, found, "sweep {sweep}");
+        dark += expected.iter().filter(|&&gate| gate == 1.0).count();
+    }
+    assert!(dark > 500, "{dark}");
 }
 
 /// Level ground under a high sun, with texture, and shadow from 20 m to 30 m ahead.

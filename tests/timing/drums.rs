@@ -102,6 +102,14 @@ fn corners_are_missing_when_its_utilisation_reaches_one() {
     }
 }
 
+/// A view that turns about from frame to frame asks for all that is around: what it sees is in the buffer or missing, as often
+/// as of a view that turns so far that it hardly can be.
+#[test]
+fn a_view_that_turns_about_misses_what_it_sees() {
+    let [little, about] = [100.0, 30.0 * 160.0].map(|degrees| missing(&turned(degrees)));
+    assert!(about > 0.5 * little, "{about} a frame, {little} at 100 degrees/s");
+}
+
 /// Each time that a register asks for a corner is a deadline, met or missed: a set a load, and twelve home registers a sweep.
 /// The programs of the very sweeps have words of no corner where the record has a miss.
 #[test]

@@ -120,3 +120,14 @@ fn a_scan_converter_has_no_line_generators() {
     let tube = ShadowParts::ScanConverter { offset: [0.0; 2], gain: 0.0 };
     assert_eq!(PartsLines::new(&tube, &AnalogParts::ideal(), 0), None);
 }
+
+/// A sweep that meets no line, in shadow all the way to the reach: the edge there is no line generator's, and it is an edge.
+#[test]
+fn a_dark_sweep_ends_at_the_reach() {
+    let mut gate = Gate { dark_at_start: true, ..Gate::default() };
+    gate.end_at(300.0);
+    let mut edges = Vec::new();
+    lines(0.01, 0.01).displace(&gate, &mut edges);
+    assert_eq!(edges, gate.edges().collect::<Vec<_>>());
+    assert_eq!(edges.iter().map(|edge| edge.range).collect::<Vec<_>>(), [300.0]);
+}
