@@ -113,7 +113,7 @@ fn shadows_of_bodies_behind_need_no_processor() {
     let one = set.clone().with_bodies(vec![standing_box(0, behind, 2.0, 12.0)]);
     let mut both =
         set.with_bodies(vec![standing_box(0, behind, 2.0, 12.0), standing_box(1, ahead, 2.0, 12.0)]);
-    both.stage.settings.cpu.vertex = 1_000_000_000_000;
+    both.stage.settings.cpu.vertex = 100_000_000_000_000_000;
     let [one, both] = [one, both].map(|set| set.machine(&["sc.gate"]));
     let mut dark = 0;
     for sweep in 0..64 {
