@@ -104,18 +104,19 @@ pub fn held_by_set_ups(cpu: &Cpu, starts: &[u64]) -> Vec<u64> {
     Processor::run(cpu, CpuLoad { starts, crossings: &[], unbroken: true, vertices: 0 }).held
 }
 
-/// For each sweep the last set-up that is made when it begins, be it an earlier sweep's.
+/// For each sweep the last set-up that is made when it begins, be it an earlier sweep's; not the next one's, which is begun at
+/// that instant and may take no time.
 fn drawn_with(set_ups: &[(u32, i64)], starts: &[u64]) -> Vec<u32> {
     let mut made =
         set_ups.iter().map(|&(sweep, slack)| (sweep, starts[sweep as usize] as i64 - slack)).peekable();
     let mut last = 0;
-    let last_made = |&start: &u64| {
-        while let Some((sweep, _)) = made.next_if(|&(_, done)| done <= start as i64) {
-            last = sweep;
+    let last_made = |(sweep, &start): (u32, &u64)| {
+        while let Some((made, _)) = made.next_if(|&(made, done)| made <= sweep && done <= start as i64) {
+            last = made;
         }
         last
     };
-    starts[..starts.len() - 1].iter().map(last_made).collect()
+    (0..).zip(&starts[..starts.len() - 1]).map(last_made).collect()
 }
 
 impl CpuLoad<'_> {
@@ -282,6 +283,13 @@ mod tests {
             found.begun,
             (0..10).map(|sweep| (sweep, 100 * i64::from(sweep) - 100)).collect::<Vec<_>>()
         );
+    }
+
+    /// The next sweep's is made as a sweep begins, and is not its own.
+    #[test]
+    fn set_ups_that_take_no_time_are_each_sweeps_own() {
+        let found = made(&Cpu { vertex: 40, ..cpu(0, 140) }, &starts(100, 10), &[], false, 50);
+        assert_eq!(found.drawn, (0..10).collect::<Vec<u32>>());
     }
 
     #[test]
