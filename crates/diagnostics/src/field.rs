@@ -252,8 +252,9 @@ impl<'a> Reader<'a> {
 
     /// A text in quotes that is not empty.
     pub fn string(&self, key: &str) -> Field<'a, String> {
-        self.field(key, "a text in quotes", |node| match &node.value {
-            Value::String(text) if !text.is_empty() => Ok(text.clone()),
+        self.field(key, "one line of text in quotes", |node| match &node.value {
+            // Lists and terminals show it as it is.
+            Value::String(text) if !text.is_empty() && !text.contains(char::is_control) => Ok(text.clone()),
             _ => Err(Fault::of(node)),
         })
     }

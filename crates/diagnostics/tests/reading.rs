@@ -91,9 +91,20 @@ fn wrong_types_are_named() {
             "`e` must be an array of tables, not 1",
             "`f` must be a whole number, not -1",
             "`g` must be true or false, not a date or time",
-            "`h` must be a text in quotes, not ''",
+            "`h` must be one line of text in quotes, not ''",
         ]
     );
+}
+
+#[test]
+fn a_text_is_one_line_that_can_be_shown() {
+    let found = records("a = \"two\\nlines\"\nb = \"\\u001b[31mred\"\nc = 'Mare, äöü'\n", |root| {
+        for key in ["a", "b", "c"] {
+            root.string(key).required();
+        }
+    });
+    let keys: Vec<_> = found.iter().filter_map(|problem| problem.key.as_deref()).collect();
+    assert_eq!(keys, ["a", "b"]);
 }
 
 #[test]

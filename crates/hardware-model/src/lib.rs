@@ -45,5 +45,5 @@ pub use parts::{Economy, FeatureParts, Forced, Gate, MixingParts, Organisation, 
 pub use scenario::{LevelSwitch, ShadowFineness, Yoke};
 pub use settings::{Raster, Settings, SettingsError};
 pub use sides::Side;
-pub use source::{BUILT_IN, ModelSource};
+pub use source::{Asked, BUILT_IN, ModelSource};
 pub use written::FORMAT;

@@ -34,6 +34,15 @@ pub enum ModelSource {
     Fault(String),
 }
 
+/// Where the name of a model stands, for messages.
+#[derive(Debug, Clone, Copy)]
+pub struct Asked<'a> {
+    /// A file or an option.
+    pub place: &'a str,
+    /// Names that could have been meant and are no model's.
+    pub others: &'a [&'a str],
+}
+
 impl ModelSource {
     /// The model that a user means. What ends in `.toml` or has a separator is a path. A name is looked for in
     /// `hardware-models/` of `folder` (that of the scenario), of the folder above, and of the current folder, and
@@ -42,14 +51,14 @@ impl ModelSource {
     /// # Errors
     /// An unknown name; the message lists the known ones and the nearest.
     pub fn find(name_or_path: &str, folder: &Path) -> Result<Self, ProblemList> {
-        Self::find_beside(&[], name_or_path, folder)
+        Self::find_as(Asked { place: "machine", others: &[] }, name_or_path, folder)
     }
 
-    /// The same where `others` could have been meant, too: names that are no model's, which the message offers.
+    /// The same with what is known of who asks.
     ///
     /// # Errors
     /// As [`find`](Self::find).
-    pub fn find_beside(others: &[&str], name_or_path: &str, folder: &Path) -> Result<Self, ProblemList> {
+    pub fn find_as(asked: Asked<'_>, name_or_path: &str, folder: &Path) -> Result<Self, ProblemList> {
         if name_or_path.ends_with(".toml") || name_or_path.contains(['/', '\\']) {
             return Ok(Self::File(name_or_path.into()));
         }
@@ -62,9 +71,9 @@ impl ModelSource {
             return Ok(built_in);
         }
         let mut known = known_names(&folders);
-        known.extend(others.iter().map(|&name| name.to_owned()));
+        known.extend(asked.others.iter().map(|&name| name.to_owned()));
         let title = format!("unknown machine `{name_or_path}`; a file of your own is named by its path");
-        let problem = Problem::of_file("machine", title).found(name_or_path);
+        let problem = Problem::of_file(asked.place, title).found(name_or_path);
         Err(advise(problem, name_or_path, &known).into())
     }
 

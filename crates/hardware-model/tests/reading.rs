@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 
 use diagnostics::ProblemList;
 use hardware_model::{
-    BUILT_IN, FeatureParts, HardwareModel, LatePolicy, LoadedModel, MixingParts, ModelSource, ShadowParts,
-    SweepMemoryKind, Yoke,
+    Asked, BUILT_IN, FeatureParts, HardwareModel, LatePolicy, LoadedModel, MixingParts, ModelSource,
+    ShadowParts, SweepMemoryKind, Yoke,
 };
 use proptest::prelude::*;
 use quantities::{Rate, radians};
@@ -310,8 +310,10 @@ fn a_machine_is_found_by_name_or_path() {
     );
     let far = find("zzz", &scenarios).unwrap_err().to_string();
     assert!(far.contains("frugal, ideal"), "{far}");
-    let beside = ModelSource::find_beside(&["exact"], "exat", &scenarios).unwrap_err().to_string();
+    let asked = Asked { place: "some.toml", others: &["exact"] };
+    let beside = ModelSource::find_as(asked, "exat", &scenarios).unwrap_err().to_string();
     assert!(beside.contains("did you mean `exact`? known: exact, frugal"), "{beside}");
+    assert!(beside.contains("--> some.toml"), "{beside}");
 }
 
 #[test]

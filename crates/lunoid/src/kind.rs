@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use diagnostics::{Problems, TomlFile};
-use hardware_model::{HardwareModel, LoadedModel, ModelSource};
+use hardware_model::{Asked, HardwareModel, LoadedModel, ModelSource};
 use limits::Limit;
 use scenario::Scenario;
 
@@ -80,15 +80,15 @@ pub fn read_scenario(path: &Path) -> Result<Scenario, Failure> {
     Scenario::read(path).or_else(|faults| Kind::Scenario.expect(path).and(Err(faults.into())))
 }
 
-/// Reads a hardware model, by name or path, with differences over it; a name that there is not might be one of `others`.
+/// Reads a hardware model, by name or path, with differences over it.
 pub fn read_model(
-    others: &[&str],
+    asked: Asked<'_>,
     name: &str,
     folder: &Path,
     overlays: &[PathBuf],
     set: &[(String, String)],
 ) -> Result<LoadedModel, Failure> {
-    let source = ModelSource::find_beside(others, name, folder)?;
+    let source = ModelSource::find_as(asked, name, folder)?;
     HardwareModel::load(&source, overlays, set).or_else(|faults| {
         if let ModelSource::File(path) = &source {
             Kind::Model.expect(path)?;

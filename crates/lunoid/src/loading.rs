@@ -9,7 +9,7 @@ use clap::{Args, ValueEnum};
 use diagnostics::{Problem, ProblemList, Problems};
 use exact::Exact;
 use generator::{Generator, Stage};
-use hardware_model::{Economy, HardwareModel, LoadedModel, Settings};
+use hardware_model::{Asked, Economy, HardwareModel, LoadedModel, Settings};
 use lunsim::{Hardware, Lunsim};
 use machine::HybridMachine;
 use rayon::{ThreadPool, ThreadPoolBuilder};
@@ -193,10 +193,12 @@ impl StageArgs {
         let asked = self.machine.as_deref().filter(|name| other(name).is_none());
         let name = asked.unwrap_or(hardware_model(&scenario.machine));
         let folder = self.scenario.parent().unwrap_or(Path::new(""));
+        let file = self.scenario.display().to_string();
+        let place = if asked.is_some() { "--machine" } else { &file };
         let draws_lunsim = self.draws_lunsim(scenario);
         let is_of_model = |key: &str| run_key(key).is_none() && !(draws_lunsim && is_of_gear(key));
         let of_model: Vec<_> = self.options.set.iter().filter(|(key, _)| is_of_model(key)).cloned().collect();
-        read_model(&other_names(), name, folder, &self.options.overlay, &of_model)
+        read_model(Asked { place, others: &other_names() }, name, folder, &self.options.overlay, &of_model)
     }
 
     fn draws_lunsim(&self, scenario: &Scenario) -> bool {

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use diagnostics::{Problem, ProblemList, ProblemRecord};
-use hardware_model::{HardwareModel, ModelSource};
+use hardware_model::{Asked, HardwareModel, ModelSource};
 use scenario::{PoseTable, Scenario};
 use serde_json::{Value, json};
 
@@ -82,7 +82,7 @@ fn check_scenario(path: &Path) -> Result<(), ProblemList> {
     let of_file = |title: String| ProblemList::from(Problem::of_file(&name, title));
     let scenario = Scenario::read(path)?;
     let (machine, folder) = (hardware_model(&scenario.machine), path.parent().unwrap_or(Path::new("")));
-    let source = ModelSource::find_beside(&other_names(), machine, folder)?;
+    let source = ModelSource::find_as(Asked { place: &name, others: &other_names() }, machine, folder)?;
     let model = HardwareModel::load(&source, &[], &[])?;
     let settings = stage::settings(&scenario, &model.model).map_err(|error| {
         of_file(format!("scenario and machine `{}` do not fit together: {error}", scenario.machine))

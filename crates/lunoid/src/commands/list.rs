@@ -84,7 +84,8 @@ const MODEL_HEADING: [&str; 3] = ["name", "raster", "from"];
 
 fn model_rows() -> Vec<[String; 3]> {
     let mut files = toml_files("hardware-models");
-    files.retain(|file| !file.parent().is_some_and(|folder| folder.ends_with("faults")));
+    // Below it are differences and programs.
+    files.retain(|file| file.parent().is_some_and(|folder| folder.ends_with("hardware-models")));
     let carried = BUILT_IN.iter().filter(|(name, _)| !files.iter().any(|file| stem(file) == *name));
     let files = files.iter().map(|file| (file.display().to_string(), ModelSource::File(file.clone())));
     let sources =

@@ -3,7 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
-use hardware_model::{Budget, BudgetLine, Finding, Grade, Ground, HardwareModel, LoadedModel, PartCounts};
+use hardware_model::{
+    Asked, Budget, BudgetLine, Finding, Grade, Ground, HardwareModel, LoadedModel, PartCounts,
+};
 use serde_json::{Map, Value, json};
 
 use crate::commands::list;
@@ -116,7 +118,13 @@ impl ModelCommand {
 
 impl Named {
     fn load(&self) -> Result<LoadedModel, Failure> {
-        read_model(&[], &self.model, Path::new(""), &self.overlay, &self.set)
+        read_model(
+            Asked { place: "MODEL", others: &[] },
+            &self.model,
+            Path::new(""),
+            &self.overlay,
+            &self.set,
+        )
     }
 }
 

@@ -32,7 +32,7 @@ fn scenarios_that_cannot_be() {
         ("typo.toml", &["typo.toml:19", "elevaton_deg", "did you mean `elevation_deg`"][..]),
         ("nan.toml", &["nan.toml:18", "azimuth_deg", "nan"]),
         ("zero.toml", &["zero.toml", "sweeps", "from 1 to 8192"]),
-        ("machine.toml", &["unknown machine `idael`", "did you mean `ideal`"]),
+        ("machine.toml", &["--> machine.toml", "unknown machine `idael`", "did you mean `ideal`"]),
         ("away.toml", &["outside the problem area"]),
         ("under.toml", &["eye under ground"]),
         ("gone.toml", &["gone.toml"]),
@@ -78,6 +78,7 @@ fn machines_that_cannot_be() {
     for (arguments, words) in [
         (&["--machine", "pra-nominla"][..], "unknown machine `pra-nominla`"),
         (&["--machine", "lunsin"], "did you mean `lunsim`"),
+        (&["--machine", "zzz"], "--> --machine"),
         (&["--machine", "./gone.toml"], "gone.toml"),
         (&["--overlay", "gone.toml"], "gone.toml"),
         (&["--set", "raster.sweps=1"], "sweps"),

@@ -92,7 +92,8 @@ fn cells(line: &str, start: usize, comma: bool) -> Vec<Cell<'_>> {
         let inner = piece.trim();
         let begin = offset + (piece.len() - piece.trim_start().len());
         if comma || !inner.is_empty() {
-            let text = inner.trim_matches('"');
+            let unquoted = inner.strip_prefix('"').and_then(|text| text.strip_suffix('"'));
+            let text = unquoted.unwrap_or(inner);
             cells.push(Cell { text, span: begin..begin + inner.len() });
         }
         offset += piece.len() + piece_end(line, offset - start + piece.len());
@@ -116,10 +117,12 @@ mod tests {
 
     #[test]
     fn cells_know_their_place() {
-        let cells = texts("\u{feff}\"a\", b ,,\u{e4}\r\n\n# c\n1,2", true);
+        let cells = texts("\u{feff}\"a\", b ,,\u{e4}\r\n\n# c\n1,2\n\"3,4\"", true);
         let pair = |a: &str, b: &str| (a.to_owned(), b.to_owned());
         assert_eq!(cells[0], [pair("a", "\"a\""), pair("b", "b"), pair("", ""), pair("\u{e4}", "\u{e4}")]);
         assert_eq!(cells[1], [pair("1", "1"), pair("2", "2")]);
+        // A quote around a separator is none: no number begins with one.
+        assert_eq!(cells[2], [pair("\"3", "\"3"), pair("4\"", "4\"")]);
     }
 
     #[test]
