@@ -111,23 +111,22 @@ fn with_slashes(path: &Path) -> String {
     path.iter().map(|part| part.to_string_lossy()).collect::<Vec<_>>().join("/")
 }
 
-/// Sees before any work that `outputs` can be written, and that none replaces one of `inputs` or another output.
+/// Sees before any work that `outputs` replace none of `inputs` and not one another, and that they can be written.
 pub fn expect_outputs(outputs: &[Place], inputs: &[Place]) -> Result<(), Failure> {
     for (index, output) in outputs.iter().enumerate() {
-        if output.holds.is_none() {
-            expect_writable(&output.path)?;
-        }
-        if let Some(other) = inputs.iter().chain(&outputs[..index]).find(|other| output.meets(other)) {
-            let [what, of] = [output.what, other.what];
-            let [path, replaced] = [&output.path, &other.path].map(|path| path.display());
-            let part = if other.holds.is_some() { "a file of " } else { "" };
-            let kind = if output.holds.is_some() { "folder" } else { "file" };
-            return Err(Failure::usage(format!(
-                "{what} {path}: would replace {part}{of} {replaced}; name another {kind}"
-            )));
-        }
+        let replaced = inputs.iter().chain(&outputs[..index]).find(|other| output.meets(other));
+        replaced.map_or(Ok(()), |other| Err(replacement(output, other)))?;
     }
-    Ok(())
+    let files = outputs.iter().filter(|output| output.holds.is_none());
+    files.map(|output| expect_writable(&output.path)).collect()
+}
+
+fn replacement(output: &Place, other: &Place) -> Failure {
+    let [path, replaced] = [output, other].map(|place| place.path.display());
+    let part = if other.holds.is_some() { "a file of " } else { "" };
+    let kind = if output.holds.is_some() { "folder" } else { "file" };
+    let (what, of) = (output.what, other.what);
+    Failure::usage(format!("{what} {path}: would replace {part}{of} {replaced}; name another {kind}"))
 }
 
 fn expect_writable(path: &Path) -> Result<(), Failure> {
