@@ -117,8 +117,8 @@ pub fn expect_outputs(outputs: &[Place], inputs: &[Place]) -> Result<(), Failure
         let replaced = inputs.iter().chain(&outputs[..index]).find(|other| output.meets(other));
         replaced.map_or(Ok(()), |other| Err(replacement(output, other)))?;
     }
-    let files = outputs.iter().filter(|output| output.holds.is_none());
-    files.map(|output| expect_writable(&output.path)).collect()
+    let mut files = outputs.iter().filter(|output| output.holds.is_none());
+    files.try_for_each(|output| expect_writable(&output.path))
 }
 
 fn replacement(output: &Place, other: &Place) -> Failure {

@@ -104,6 +104,17 @@ fn a_run_that_is_not_finished_is_said_to_be_so() {
     }
     room.done(&REPLAY);
     assert_eq!(room.read("r/run.json"), record);
+
+    let lines = journal(&record).split_off(1);
+    room.write("r/frames.journal", lines);
+    for name in ["run.json", "performance.json", "camera.json"] {
+        fs::remove_file(room.join("r").join(name)).unwrap();
+    }
+    for arguments in [&REPLAY[..], &["info", "r"]] {
+        room.refused(INPUT, arguments, &["r/frames.journal", "not the record of a run", "--fresh"]);
+    }
+    room.done(&with(&["--fresh"]));
+    assert_eq!(room.read("r/run.json"), record);
 }
 
 #[test]
