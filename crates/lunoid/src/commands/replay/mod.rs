@@ -16,6 +16,7 @@ use replay::{
     Control, HeldRun, Job, Outcome, Pictures, Program, RunFolder, TruthItems, TruthOutcome, is_run_file, run,
     write_truth, write_y4m,
 };
+use serde_json::Value;
 
 use crate::cli::{COMMIT, RESULT_FAMILY};
 use crate::commands::page::{Making, Request, check};
@@ -251,6 +252,7 @@ impl Replay {
                     frames: [frames.start, frames.end],
                     drawn,
                     truth,
+                    check: self.held_check(folder)?,
                     limits: limits.iter().map(ToString::to_string).collect(),
                     performance: &performance,
                 };
@@ -258,6 +260,14 @@ impl Replay {
                 Ok(Verdict::Yes)
             }
         }
+    }
+
+    /// The check that was asked for, made now or before.
+    fn held_check(&self, folder: &RunFolder) -> Result<Option<Value>, Failure> {
+        if self.check == 0 {
+            return Ok(None);
+        }
+        Ok(HeldRun::read(folder.path())?.document.get("check").cloned())
     }
 
     fn write_film(&self, loaded: &Loaded, folder: &RunFolder) -> Result<(), Failure> {

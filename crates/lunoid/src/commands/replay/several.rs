@@ -56,6 +56,7 @@ impl Replay {
                         frames: [frames.start, frames.end],
                         drawn,
                         truth: None,
+                        check: None,
                         limits: limits.iter().map(ToString::to_string).collect(),
                         performance: &performance,
                     };
