@@ -10,6 +10,7 @@ fn room() -> Room {
     let room = Room::new();
     room.write("c.npy", npy("<f8", "(3, 3, 9)", &doubles(&[0.0; 81])));
     room.write("dem.tif", Tiff::plane().bytes());
+    ["g.lbl", "g.img"].iter().for_each(|name| room.write(name, "whatever"));
     room.done(&["bank", "generate", "tiny.toml", "-o", "x.bank"]);
     room.done(&["replay", "tiny.toml", "-q", "--out", "r", "--frames", "0..2"]);
     for name in ["A.png", "B.png"] {
@@ -36,6 +37,7 @@ fn no_output_replaces_an_input() {
             "--out dem.tif: would replace the elevation file dem.tif",
         ),
         (&["survey", "dem.tif", "-o", "y.bank", "--picture", "dem.tif"], "--picture dem.tif: would replace"),
+        (&["survey", "g.lbl", "-o", "g.img"], "the label or image g.img"),
         (
             &["bank", "generate", "tiny.toml", "-o", "tiny.toml"],
             "--out tiny.toml: would replace the scenario",
