@@ -153,6 +153,8 @@ impl From<ReplayError> for Failure {
             | ReplayError::Frame(_)
             | ReplayError::Display(_)
             | ReplayError::Record { .. }
+            | ReplayError::NoRecord { .. }
+            | ReplayError::Unfinished { .. }
             | ReplayError::TruthRecord { .. }
             | ReplayError::TruthNotANumber { .. }
             | ReplayError::Picture { .. } => Self::input(error),

@@ -19,6 +19,7 @@ use stage::StageError;
 
 use crate::kind::{read_model, read_scenario};
 use crate::lunsim_keys::{hardware, is_of_gear, run_key};
+use crate::output::Place;
 use crate::{Failure, values};
 
 /// Generators that are no machine, each with what it is: their names stand where that of a hardware model would.
@@ -152,6 +153,22 @@ impl StageArgs {
     /// A scenario as it stands.
     pub fn of(scenario: &Path) -> Self {
         Self { scenario: scenario.to_owned(), ..Self::default() }
+    }
+
+    /// Files that the stage is made of, none of which an output may replace. Of what cannot be read there are none:
+    /// `load` says why.
+    pub fn sources(&self) -> Vec<Place> {
+        let StageOptions { bank, overlay, .. } = &self.options;
+        let mut sources = vec![Place::file("the scenario", &self.scenario)];
+        sources.extend(bank.iter().map(|bank| Place::file("--bank", bank)));
+        sources.extend(overlay.iter().map(|overlay| Place::file("--overlay", overlay)));
+        if let Ok(scenario) = read_scenario(&self.scenario) {
+            let model = self.model(&scenario).map_or(Vec::new(), |model| model.files);
+            let files = scenario.files().into_iter();
+            sources.extend(files.map(|file| Place::file("a file of the scenario,", file)));
+            sources.extend(model.into_iter().map(|file| Place::file("a file of the machine,", file)));
+        }
+        sources
     }
 
     /// Reads scenario and model.

@@ -3,7 +3,7 @@
 use std::env;
 use std::fs::{self, OpenOptions};
 use std::io::{self, IsTerminal, Write};
-use std::path::Path;
+use std::path::{self, Path, PathBuf};
 
 use clap::ValueEnum;
 use serde_json::Value;
@@ -53,8 +53,83 @@ pub fn print_json(document: &Value) -> Result<(), Failure> {
     print(&format!("{document:#}\n"))
 }
 
-/// Sees before long work that a file can be written at `path`.
-pub fn expect_writable(path: &Path) -> Result<(), Failure> {
+/// A file that a command reads or writes, or what it has in a folder, and the words for it.
+#[derive(Debug, Clone)]
+pub struct Place {
+    /// The option that names it, or what it is.
+    what: &'static str,
+    path: PathBuf,
+    /// Which names are meant, where it is a folder.
+    holds: Option<fn(&str) -> bool>,
+}
+
+impl Place {
+    /// A file.
+    pub fn file(what: &'static str, path: impl Into<PathBuf>) -> Self {
+        Self { what, path: path.into(), holds: None }
+    }
+
+    /// Files in a folder: those whose names, from the folder on and with `/`, are such that `holds`.
+    pub fn folder(what: &'static str, path: impl Into<PathBuf>, holds: fn(&str) -> bool) -> Self {
+        Self { what, path: path.into(), holds: Some(holds) }
+    }
+
+    /// The files of those options that are given.
+    pub fn given<const N: usize>(options: [(&'static str, &Option<PathBuf>); N]) -> Vec<Self> {
+        let file = |(what, path): (&'static str, &Option<PathBuf>)| Some(Self::file(what, path.as_ref()?));
+        options.into_iter().filter_map(file).collect()
+    }
+
+    /// Whether one file is in both. A device holds nothing that could be lost.
+    fn meets(&self, other: &Self) -> bool {
+        match (self.holds, other.holds) {
+            (Some(_), Some(_)) => false,
+            (None, Some(_)) => other.meets(self),
+            _ if other.path.exists() && !other.path.is_file() => false,
+            (None, None) => resolved(&self.path) == resolved(&other.path),
+            (Some(holds), None) => {
+                let (folder, file) = (resolved(&self.path), resolved(&other.path));
+                // A file cannot stand where the folder is to be.
+                folder.starts_with(&file)
+                    || file.strip_prefix(&folder).is_ok_and(|name| holds(&with_slashes(name)))
+            }
+        }
+    }
+}
+
+/// Where a path leads, whether or not there is something already.
+fn resolved(path: &Path) -> PathBuf {
+    let path = path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    match (fs::canonicalize(&path), path.parent(), path.file_name()) {
+        (Ok(found), ..) => found,
+        (Err(_), Some(folder), Some(name)) => resolved(folder).join(name),
+        _ => path,
+    }
+}
+
+fn with_slashes(path: &Path) -> String {
+    path.iter().map(|part| part.to_string_lossy()).collect::<Vec<_>>().join("/")
+}
+
+/// Sees before any work that `outputs` replace none of `inputs` and not one another, and that they can be written.
+pub fn expect_outputs(outputs: &[Place], inputs: &[Place]) -> Result<(), Failure> {
+    for (index, output) in outputs.iter().enumerate() {
+        let replaced = inputs.iter().chain(&outputs[..index]).find(|other| output.meets(other));
+        replaced.map_or(Ok(()), |other| Err(replacement(output, other)))?;
+    }
+    let mut files = outputs.iter().filter(|output| output.holds.is_none());
+    files.try_for_each(|output| expect_writable(&output.path))
+}
+
+fn replacement(output: &Place, other: &Place) -> Failure {
+    let [path, replaced] = [output, other].map(|place| place.path.display());
+    let part = if other.holds.is_some() { "a file of " } else { "" };
+    let kind = if output.holds.is_some() { "folder" } else { "file" };
+    let (what, of) = (output.what, other.what);
+    Failure::usage(format!("{what} {path}: would replace {part}{of} {replaced}; name another {kind}"))
+}
+
+fn expect_writable(path: &Path) -> Result<(), Failure> {
     let refused = |why: String| Err(Failure::output(format!("{}: {why}", path.display())));
     if path == Path::new("-") {
         return Err(Failure::usage(

@@ -75,12 +75,29 @@ pub enum ReplayError {
         expected: String,
     },
     /// A record that cannot be read.
-    #[error("{path}: not the record of a run ({reason}); choose another --out, or start anew with --fresh")]
+    #[error(
+        "{path}: not the record of a run ({reason}); if it is damaged, the same replay with --fresh draws the run anew"
+    )]
     Record {
         /// The file.
         path: PathBuf,
         /// What is wrong.
         reason: String,
+    },
+    /// Files of a run whose record is gone.
+    #[error(
+        "{path}: there is no such file, but other files of a run are there; the same replay with --fresh draws the run \
+         anew"
+    )]
+    NoRecord {
+        /// The record.
+        path: PathBuf,
+    },
+    /// A run that has a journal and no record yet.
+    #[error("{path}: this run is not finished; the same replay again draws the rest")]
+    Unfinished {
+        /// The run folder.
+        path: PathBuf,
     },
     /// The folder holds truth of other kinds.
     #[error(

@@ -3,8 +3,10 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use serde_json::Value;
+
 use crate::ReplayError;
-use crate::held::RUN_RECORD;
+use crate::held::{FrameRecord, HeldRun, RUN_RECORD};
 use crate::journal::JOURNAL;
 use crate::lock::{LOCK, Lock};
 use crate::truth::TRUTH_FILES;
@@ -32,9 +34,12 @@ pub const SCOPES: &str = "scopes";
 /// Media type of a plot.
 pub const SCOPE_KIND: &str = "image/svg+xml";
 
-/// Every file that a run writes beside its frames; a film for other programs is put there by name.
+/// A film for other programs, put there by name.
+const FILM: &str = "video.y4m";
+
+/// Every file that a run writes beside its frames, and the film.
 const OWN: [&str; 10] =
-    [RUN_RECORD, JOURNAL, PERFORMANCE, POSES, CAMERA, CONTACT_SHEET, ANIMATION, PAGE, PAGE_DATA, "video.y4m"];
+    [RUN_RECORD, JOURNAL, PERFORMANCE, POSES, CAMERA, CONTACT_SHEET, ANIMATION, PAGE, PAGE_DATA, FILM];
 
 /// Folders that a run makes in its own.
 const FOLDERS: [&str; 3] = [FRAMES, TRUTH, SCOPES];
@@ -67,9 +72,11 @@ impl RunFolder {
         fs::create_dir_all(path).map_err(failed)?;
         let mut folder = Self { path: path.to_owned(), made, lock: None };
         folder.lock = Some(Lock::take(path)?);
-        match folder.holds_run() {
-            true => folder.clear_leftovers()?,
-            false => folder.check_foreign(fresh)?,
+        match (folder.holds_run(), is_of_run(path)) {
+            (false, false) => folder.check_foreign(fresh)?,
+            // It has the words for what is wrong.
+            (false, true) if !fresh => HeldRun::read(path).map(drop)?,
+            _ => folder.clear_leftovers()?,
         }
         if fresh {
             folder.remove_run()?;
@@ -188,6 +195,39 @@ impl Drop for RunFolder {
     }
 }
 
+/// Whether a run has written into `folder`, even where its record is gone: wall times as a run writes them, a camera
+/// beside frames, or a journal with a frame.
+pub(crate) fn is_of_run(folder: &Path) -> bool {
+    let is_of = |name: &str, schema: &str| {
+        let document: Option<Value> =
+            fs::read(folder.join(name)).ok().and_then(|bytes| serde_json::from_slice(&bytes).ok());
+        document
+            .is_some_and(|document| document["schema"].as_str().is_some_and(|word| word.starts_with(schema)))
+    };
+    let has_frames = || {
+        let names = list(&folder.join(FRAMES)).unwrap_or_default();
+        names.iter().any(|name| frame_index(name).is_some())
+    };
+    let has_journal = || {
+        let lines = fs::read(folder.join(JOURNAL)).unwrap_or_default();
+        lines.split(|byte| *byte == b'\n').any(|line| serde_json::from_slice::<FrameRecord>(line).is_ok())
+    };
+    is_of(PERFORMANCE, "lunoid.performance/")
+        || is_of(CAMERA, "lunoid.camera/") && has_frames()
+        || has_journal()
+}
+
+/// Whether a run writes a file of this name, counted from its folder, with `/`.
+pub fn is_run_file(name: &str) -> bool {
+    match name.split_once('/') {
+        None => OWN.contains(&name) && name != FILM,
+        Some((FRAMES, name)) => frame_index(name).is_some(),
+        Some((SCOPES, name)) => scope_frame(name).is_some(),
+        Some((TRUTH, name)) => truth_index(name).is_some() || TRUTH_FILES.contains(&name),
+        Some(_) => false,
+    }
+}
+
 /// Name of a picture from the run folder: the index goes on from 0 for the whole mission.
 pub fn picture_name(index: u64) -> String {
     format!("{FRAMES}/frame-{index:06}.png")
@@ -237,7 +277,20 @@ fn is_empty(path: &Path) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{frame_index, picture_name, scope_frame, scope_name, truth_index, truth_name};
+    use super::{frame_index, is_run_file, picture_name, scope_frame, scope_name, truth_index, truth_name};
+
+    #[test]
+    fn files_of_a_run_by_name() {
+        for own in
+            ["run.json", "frames/frame-000012.png", "truth/truth.json", "scopes/frame-000012-sweep-0500.svg"]
+        {
+            assert!(is_run_file(own), "{own}");
+        }
+        for foreign in ["video.y4m", "x.json", "frames/run.json", "frames/x.png", "truth/x.npz", "a/run.json"]
+        {
+            assert!(!is_run_file(foreign), "{foreign}");
+        }
+    }
 
     #[test]
     fn only_names_that_a_run_writes_are_frames() {

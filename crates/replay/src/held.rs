@@ -10,6 +10,8 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use serde::{Deserialize, Serialize};
 
 use crate::ReplayError;
+use crate::folder::is_of_run;
+use crate::journal::{self, JOURNAL};
 
 /// Schema of `run.json`.
 pub(crate) const RUN_SCHEMA: &str = "lunoid.run/1";
@@ -69,9 +71,17 @@ impl HeldRun {
     /// The finished run in `folder`.
     ///
     /// # Errors
-    /// If there is no record or it cannot be read.
+    /// If the run is not finished, or its record is gone or cannot be read.
     pub fn read(folder: &Path) -> Result<Self, ReplayError> {
         let path = folder.join(RUN_RECORD);
+        if !path.exists() {
+            if journal::read::<FrameRecord>(&folder.join(JOURNAL))?.is_some() {
+                return Err(ReplayError::Unfinished { path: folder.to_owned() });
+            }
+            if is_of_run(folder) {
+                return Err(ReplayError::NoRecord { path });
+            }
+        }
         let bytes = files::read_all(&path, MAX_BYTES)?;
         let refused = |reason: String| ReplayError::Record { path: path.clone(), reason };
         let document: serde_json::Value =

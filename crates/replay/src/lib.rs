@@ -39,7 +39,7 @@ mod truth;
 
 pub use error::ReplayError;
 pub use film::write_y4m;
-pub use folder::{PAGE, PAGE_DATA, RunFolder, SCOPE_KIND, SCOPES, picture_name, scope_name};
+pub use folder::{PAGE, PAGE_DATA, RunFolder, SCOPE_KIND, SCOPES, is_run_file, picture_name, scope_name};
 pub use held::{FileRecord, FrameRecord, HeldRun, RUN_RECORD, file_hash};
 pub use job::{Control, Inputs, Job, Pictures, Program, Progress};
 pub use performance::{Phase, peak_memory};

@@ -11,7 +11,8 @@ use quantities::{degrees, radians};
 use serde_json::{Value, json};
 
 use crate::kind::read_scenario;
-use crate::output::{expect_writable, print, print_json, table};
+use crate::loading::StageArgs;
+use crate::output::{Place, expect_outputs, print, print_json, table};
 use crate::{Failure, Verdict, values};
 
 /// Make, read and draw banks of terrain coefficients.
@@ -119,7 +120,7 @@ impl BankCommand {
 
 impl Import {
     fn run(&self) -> Result<(), Failure> {
-        expect_bank_writable(&self.out)?;
+        expect_outputs(&bank_at(&self.out), &[Place::file("the array", &self.corners)])?;
         let of_file =
             |error: &dyn std::fmt::Display| Failure::input(format!("{}: {error}", self.corners.display()));
         let array = files::read_npy(&self.corners, Limit::BankBytes)?;
@@ -134,7 +135,7 @@ impl Import {
 
 impl Export {
     fn run(&self) -> Result<(), Failure> {
-        expect_writable(&self.out)?;
+        expect_outputs(&[Place::file("--out", &self.out)], &[Place::file("the bank", &self.bank)])?;
         let bank = bank_file::read(&self.bank)?;
         let level = level_of(&self.bank, &bank, self.level)?;
         files::write_npy(&self.out, &export_corners(level))?;
@@ -145,7 +146,7 @@ impl Export {
 
 impl Show {
     fn run(&self) -> Result<(), Failure> {
-        self.out.as_deref().map_or(Ok(()), expect_writable)?;
+        expect_outputs(&Place::given([("--out", &self.out)]), &[Place::file("the bank", &self.bank)])?;
         let bank = bank_file::read(&self.bank)?;
         let level = level_of(&self.bank, &bank, self.level)?;
         if let Some(out) = &self.out {
@@ -160,16 +161,15 @@ impl Show {
 
 impl Generate {
     fn run(&self) -> Result<(), Failure> {
-        expect_bank_writable(&self.out)?;
+        expect_outputs(&bank_at(&self.out), &StageArgs::of(&self.scenario).sources())?;
         let scenario = read_scenario(&self.scenario)?;
         write(&self.out, &stage::bank(&scenario)?)
     }
 }
 
-/// Sees that a bank and the description beside it can be written.
-pub fn expect_bank_writable(out: &Path) -> Result<(), Failure> {
-    expect_writable(out)?;
-    expect_writable(&sidecar_path(out))
+/// A bank that is to be written, and the description beside it.
+pub fn bank_at(out: &Path) -> [Place; 2] {
+    [Place::file("--out", out), Place::file("the description beside --out,", sidecar_path(out))]
 }
 
 fn write(out: &Path, bank: &Bank) -> Result<(), Failure> {

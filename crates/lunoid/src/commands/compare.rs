@@ -8,12 +8,12 @@ use compare::{
     horizon_of_picture, linear_intensity, ridge_error, triptych,
 };
 use picture::{GreyPicture, Limits, Transfer, read_png, write_png};
-use replay::HeldRun;
+use replay::{HeldRun, is_run_file};
 use serde_json::{Value, json};
 
 use crate::commands::edges::{Edges, Kind};
-use crate::loading::Threads;
-use crate::output::{expect_writable, print, print_json, table, tell};
+use crate::loading::{StageArgs, Threads};
+use crate::output::{Place, expect_outputs, print, print_json, table, tell};
 use crate::{Failure, Verdict, values};
 
 const AFTER: &str = "Examples:
@@ -98,9 +98,7 @@ type Paths = (Option<u64>, PathBuf, PathBuf);
 impl Compare {
     /// Compares.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        if let Some(out) = &self.out {
-            expect_writable(out)?;
-        }
+        expect_outputs(&Place::given([("--out", &self.out)]), &self.sources())?;
         let pairs = self.compare_all()?;
         if let Some(out) = &self.out {
             self.draw(worst(&pairs), out)?;
@@ -112,6 +110,18 @@ impl Compare {
             print(&self.text(&pairs, pass))?
         }
         Ok(if pass == Some(false) { Verdict::No } else { Verdict::Yes })
+    }
+
+    /// What is read.
+    fn sources(&self) -> Vec<Place> {
+        let side = |path: &PathBuf| match path.is_dir() {
+            true => Place::folder("the run", path, is_run_file),
+            false => Place::file("the picture", path),
+        };
+        let pictures = [&self.test, &self.reference].map(side);
+        let mask = Place::given([("--mask", &self.mask)]);
+        let scene = self.edges_of().map_or(Vec::new(), |(scenario, _)| StageArgs::of(scenario).sources());
+        pictures.into_iter().chain(mask).chain(scene).collect()
     }
 
     fn compare_all(&self) -> Result<Vec<Pair>, Failure> {
@@ -148,6 +158,10 @@ impl Compare {
     /// The pictures to compare: one pair, or a pair a frame.
     fn pairs(&self) -> Result<Vec<Paths>, Failure> {
         let has_edges = self.edges_of().is_some();
+        if let Some(missing) = [&self.test, &self.reference].into_iter().find(|path| !path.exists()) {
+            let path = missing.display();
+            return Err(Failure::input(format!("{path}: no such file or folder; check the spelling")));
+        }
         match (self.test.is_dir(), self.reference.is_dir()) {
             (false, false) if has_edges => Err(Failure::usage(
                 "--ridges and --edges need run folders, which know the frame of each picture",

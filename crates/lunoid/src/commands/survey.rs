@@ -1,6 +1,6 @@
 //! `lunoid survey`: a bank fitted to an elevation file.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
@@ -12,9 +12,9 @@ use survey::{
     Area, Elevation, Frame, LevelReport, Plane, ReadOptions, Survey, SurveyOptions, SurveyReport, survey,
 };
 
-use crate::commands::bank::{expect_bank_writable, shortened};
+use crate::commands::bank::{bank_at, shortened};
 use crate::loading::Threads;
-use crate::output::{expect_writable, print, print_json, table, tell};
+use crate::output::{Place, expect_outputs, print, print_json, table, tell};
 use crate::{Failure, Verdict, values};
 
 const AFTER: &str = "Examples:
@@ -108,11 +108,19 @@ fn spacing(text: &str) -> Result<[f64; 2], String> {
 /// leaves slivers of regions with few samples, and a condition 10^6 times as large.
 const SAMPLES_A_REGION: f64 = 4.0;
 
+/// What is read of an elevation file: a label and its image are two files, whichever of them is named.
+fn sources(elevation: &Path) -> Vec<Place> {
+    let beside = ["lbl", "LBL", "img", "IMG"].map(|ending| elevation.with_extension(ending));
+    let both =
+        beside.into_iter().filter(|path| path.is_file()).map(|path| Place::file("the label or image", path));
+    [Place::file("the elevation file", elevation)].into_iter().chain(both).collect()
+}
+
 impl SurveyCommand {
     /// Surveys.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        expect_bank_writable(&self.out)?;
-        self.picture.as_deref().map_or(Ok(()), expect_writable)?;
+        let outputs = [bank_at(&self.out).to_vec(), Place::given([("--picture", &self.picture)])].concat();
+        expect_outputs(&outputs, &sources(&self.elevation))?;
         let pool = self.threads.pool()?;
         let start = Instant::now();
         let elevation = survey::read(&self.elevation, &self.read_options())?;

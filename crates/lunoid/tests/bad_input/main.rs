@@ -2,7 +2,7 @@
 //!
 //! Every case runs the real command in a folder of its own. [`room::Room::refused`] holds what all refusals have in
 //! common; the files here hold the classes: what people write, what stands on the ground, elevation, banks, run folders, pictures, outputs,
-//! what is too much, and runs that are killed.
+//! what they would replace, what is too much, and runs that are killed.
 
 mod arguments;
 mod banks;
@@ -18,6 +18,7 @@ mod landscape;
 mod limits;
 mod outputs;
 mod pictures;
+mod replaced;
 mod room;
 mod runs;
 mod scenery;

@@ -60,15 +60,73 @@ fn records_that_are_damaged_or_newer_are_said_to_be_so() {
             room.refused(INPUT, arguments, &["r/run.json", "not the record of a run", word]);
         }
     }
-    // What cannot be told from somebody else's files is not touched.
-    for text in ["", "\0\u{1}"] {
-        room.write("r/run.json", text);
-        room.refused(OUTPUT, &REPLAY, &["r: holds `", "choose another --out"]);
-        room.refused(INPUT, &["info", "r"], &["r/run.json", "not the record of a run"]);
-    }
-    room.write("r/run.json", &whole[..whole.len() / 2]);
     room.done(&with(&["--fresh"]));
     assert_eq!(room.read("r/run.json"), whole.as_bytes());
+}
+
+/// A run is known by its other files, and what is not of it stays.
+#[test]
+fn a_run_whose_record_is_lost_is_drawn_anew_and_nothing_else_is_removed() {
+    let room = Room::new();
+    room.done(&REPLAY);
+    let whole = room.read("r/run.json");
+    room.write("r/notes.txt", "mine");
+    room.write("r/frames/notes.txt", "mine");
+    for text in [Some("{\n"), Some(""), Some("\0\u{1}"), None] {
+        let word = match text {
+            Some(text) => {
+                room.write("r/run.json", text);
+                "not the record of a run"
+            }
+            None => {
+                fs::remove_file(room.join("r/run.json")).unwrap();
+                "other files of a run are there"
+            }
+        };
+        for arguments in [&REPLAY[..], &["compare", "r", "r"], &["info", "r"], &["page", "r"]] {
+            room.refused(INPUT, arguments, &["r/run.json", word, "the same replay with --fresh"]);
+        }
+        room.done(&with(&["--fresh"]));
+        assert_eq!(room.read("r/run.json"), whole);
+    }
+    assert_eq!((room.read("r/notes.txt"), room.read("r/frames/notes.txt")), (b"mine".into(), b"mine".into()));
+}
+
+#[test]
+fn a_run_that_is_not_finished_is_said_to_be_so() {
+    let room = Room::new();
+    room.done(&REPLAY);
+    let record = room.read("r/run.json");
+    room.write("r/frames.journal", journal(&record));
+    fs::remove_file(room.join("r/run.json")).unwrap();
+    for arguments in [&["compare", "r", "r"][..], &["info", "r"], &["page", "r"]] {
+        room.refused(INPUT, arguments, &["r: this run is not finished", "the same replay again"]);
+    }
+    room.done(&REPLAY);
+    assert_eq!(room.read("r/run.json"), record);
+
+    let lines = journal(&record).split_off(1);
+    room.write("r/frames.journal", lines);
+    for name in ["run.json", "performance.json", "camera.json"] {
+        fs::remove_file(room.join("r").join(name)).unwrap();
+    }
+    for arguments in [&REPLAY[..], &["info", "r"]] {
+        room.refused(INPUT, arguments, &["r/frames.journal", "not the record of a run", "--fresh"]);
+    }
+    room.done(&with(&["--fresh"]));
+    assert_eq!(room.read("r/run.json"), record);
+}
+
+#[test]
+fn what_is_not_there_to_be_compared_is_named() {
+    let room = Room::new();
+    room.done(&REPLAY);
+    let picture = "r/frames/frame-000000.png";
+    for arguments in [["r", "gone"], ["gone", "r"], [picture, "gone"], ["gone", "there"]] {
+        let arguments = [&["compare"], &arguments[..]].concat();
+        room.refused(INPUT, &arguments, &["gone: no such file or folder"]);
+    }
+    room.refused(INPUT, &["compare", "r", picture], &["one is a folder and one a file"]);
 }
 
 #[test]
@@ -90,16 +148,21 @@ fn damaged_frames_are_drawn_again_and_nothing_else() {
     assert_eq!(ours(content(&room.join("r"))), ours(whole));
 }
 
+/// The journal of a run that stops before its record is written.
+fn journal(record: &[u8]) -> Vec<u8> {
+    let frames: serde_json::Value = serde_json::from_slice(record).unwrap();
+    let heading = format!("{{\"schema\":\"lunoid.journal/1\",\"fingerprint\":{}}}\n", frames["fingerprint"]);
+    let lines = frames["frames"].as_array().unwrap().iter().map(|frame| format!("{frame}\n"));
+    lines.fold(heading, |text, line| text + &line).into_bytes()
+}
+
 /// Whatever is in a record or a journal: the run goes on, or one error says why not.
 #[test]
 fn no_damage_of_a_record_or_journal_panics() {
     let room = Room::new();
     room.done(&REPLAY);
     let record = room.read("r/run.json");
-    let frames: serde_json::Value = serde_json::from_slice(&record).unwrap();
-    let heading = format!("{{\"schema\":\"lunoid.journal/1\",\"fingerprint\":{}}}\n", frames["fingerprint"]);
-    let lines = frames["frames"].as_array().unwrap().iter().map(|frame| format!("{frame}\n"));
-    let journal = lines.fold(heading, |text, line| text + &line).into_bytes();
+    let journal = journal(&record);
     for (name, whole) in [("r/run.json", &record), ("r/frames.journal", &journal)] {
         for at in (0..whole.len()).step_by(whole.len() / 25) {
             let mut flipped = whole.clone();

@@ -39,6 +39,22 @@ fn a_fault_shows_beyond_its_interval() {
     assert!(page.contains("12 sweeps, drawn at random") && page.contains("95 % confidence"));
 }
 
+/// Made now or there already, in words and in the document.
+#[test]
+fn the_command_tells_of_the_check() {
+    let scene = Scene::new();
+    let replay = |more: &[&str]| {
+        scene.expect(0, &[&["replay", "tiny.toml", "--no-progress", "--out", "r"], more].concat()).0
+    };
+    assert!(!replay(&[]).contains("against exact"));
+    let made = replay(&["--check", "12"]);
+    assert!(made.contains("12 sweeps against exact, rms: picture "), "{made}");
+    assert!(made.contains("height ") && made.contains(" m (at most "), "{made}");
+    assert_eq!(replay(&["--check", "12"]), made);
+    let document: Value = serde_json::from_str(&replay(&["--check", "12", "--json"])).unwrap();
+    assert_eq!(document["check"], check(&scene, "r"));
+}
+
 #[test]
 fn what_cannot_be_checked_is_told_before_anything_is_drawn() {
     let scene = Scene::new();

@@ -20,7 +20,7 @@ use vehicle_shadow::{
 use crate::cli::COMMIT;
 use crate::interrupt;
 use crate::loading::{StageArgs, Threads};
-use crate::output::{expect_writable, tell};
+use crate::output::{Place, expect_outputs, tell};
 use crate::progress::Saying;
 use crate::{Failure, Verdict, values};
 
@@ -146,8 +146,7 @@ impl Augment {
     /// Augments.
     pub fn run(&self) -> Result<Verdict, Failure> {
         self.expect_ground()?;
-        self.timing.as_deref().map_or(Ok(()), expect_writable)?;
-        self.probing.expect_writable()?;
+        expect_outputs(&self.outputs(), &self.sources())?;
         let baseline = self.baseline.as_deref().map(timing::read).transpose()?;
         let pool = self.threads.pool()?;
         let sequence = Sequence::read(&self.frames, &self.poses, self.camera()?)?;
@@ -203,6 +202,26 @@ impl Augment {
         Ok(if check.is_none_or(|check| check.is_met()) { Verdict::Yes } else { Verdict::No })
     }
 
+    /// What is written.
+    fn outputs(&self) -> Vec<Place> {
+        let made = Place::folder("--out", &self.out, |name| name == RECORD || is_picture(name));
+        let timing = Place::given([("--timing", &self.timing)]);
+        [made].into_iter().chain(timing).chain(self.probing.output()).collect()
+    }
+
+    /// What is read.
+    fn sources(&self) -> Vec<Place> {
+        let pictures = Place::folder("the pictures in", &self.frames, is_picture);
+        let mut sources = vec![pictures, Place::file("the poses", &self.poses)];
+        sources.push(Place::file("--vehicle", &self.vehicle));
+        sources.extend(self.field.is_none().then(|| Place::file("the camera", self.camera_file())));
+        sources.extend(Place::given([("--baseline", &self.baseline)]));
+        if self.ground != FLAT {
+            sources.extend(StageArgs::of(Path::new(&self.ground)).sources());
+        }
+        sources
+    }
+
     /// Where waveforms come from.
     fn provenance(&self) -> Vec<(String, String)> {
         let keys = [
@@ -233,10 +252,14 @@ impl Augment {
         }
     }
 
-    fn camera(&self) -> Result<Camera, Failure> {
+    fn camera_file(&self) -> PathBuf {
         let beside = || self.poses.parent().unwrap_or(Path::new("")).join(CAMERA);
+        self.camera.clone().unwrap_or_else(beside)
+    }
+
+    fn camera(&self) -> Result<Camera, Failure> {
         match self.field {
-            None => Ok(Camera::read(&self.camera.clone().unwrap_or_else(beside))?),
+            None => Ok(Camera::read(&self.camera_file())?),
             Some([width, height]) => Camera::of_field([width, height]).ok_or_else(|| {
                 Failure::usage(format!(
                     "--field {width},{height}: expected two angles above 0 and below 170 degrees"
@@ -290,6 +313,11 @@ impl Augment {
             }
         }
     }
+}
+
+/// Whether a name in a folder of pictures is that of one.
+fn is_picture(name: &str) -> bool {
+    !name.contains('/') && name.ends_with(".png")
 }
 
 fn hash(text: &str) -> String {

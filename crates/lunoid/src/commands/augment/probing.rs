@@ -13,7 +13,7 @@ use waveform::{Format, Header};
 use crate::Failure;
 use crate::commands::page::Request;
 use crate::commands::probe::{names, write};
-use crate::output::expect_writable;
+use crate::output::Place;
 
 /// What is looked at, and where it goes.
 #[derive(Debug, Args)]
@@ -66,9 +66,9 @@ pub struct Recorded {
 }
 
 impl Probing {
-    /// Sees that the file can be written.
-    pub fn expect_writable(&self) -> Result<(), Failure> {
-        self.waveforms.as_ref().map_or(Ok(()), |(path, _)| expect_writable(path))
+    /// The file that is to be written, if any.
+    pub fn output(&self) -> Option<Place> {
+        self.waveforms.as_ref().map(|(path, _)| Place::file("--waveforms", path))
     }
 
     /// What to record of the pictures of `sequence`, if anything.

@@ -10,7 +10,7 @@ use serde_json::json;
 use super::Choice;
 use crate::cli::COMMIT;
 use crate::loading::Threads;
-use crate::output::{expect_writable, print, print_json, table};
+use crate::output::{Place, expect_outputs, print, print_json, table};
 use crate::{Failure, Verdict};
 
 const AFTER: &str = "Example:
@@ -38,9 +38,8 @@ pub struct Run {
 impl Run {
     /// Runs.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        if let Some(junit) = &self.junit {
-            expect_writable(junit)?;
-        }
+        let folder = self.choice.folder.iter().map(|folder| Place::folder("--folder", folder, is_cartridge));
+        expect_outputs(&Place::given([("--junit", &self.junit)]), &folder.collect::<Vec<_>>())?;
         let cartridges = self.choice.read()?;
         let run = || cartridges.par_iter().map(Cartridge::run).collect::<Result<Vec<Outcome>, _>>();
         let outcomes = self.threads.pool()?.install(run);
@@ -59,6 +58,11 @@ impl Run {
         }
         Ok(if summary.passed == summary.cartridges { Verdict::Yes } else { Verdict::No })
     }
+}
+
+/// Whether a name from the folder of cartridges on is that of a cartridge.
+fn is_cartridge(name: &str) -> bool {
+    name.ends_with("/cartridge.toml")
 }
 
 const HEADING: [&str; 8] = [

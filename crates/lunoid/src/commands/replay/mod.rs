@@ -13,15 +13,16 @@ use picture::Depth;
 use quantities::Rate;
 use rayon::ThreadPool;
 use replay::{
-    Control, HeldRun, Job, Outcome, Pictures, Program, RunFolder, TruthItems, TruthOutcome, run, write_truth,
-    write_y4m,
+    Control, HeldRun, Job, Outcome, Pictures, Program, RunFolder, TruthItems, TruthOutcome, is_run_file, run,
+    write_truth, write_y4m,
 };
+use serde_json::Value;
 
 use crate::cli::{COMMIT, RESULT_FAMILY};
 use crate::commands::page::{Making, Request, check};
 use crate::interrupt;
 use crate::loading::{Loaded, StageArgs, StageOptions, Threads};
-use crate::output::{expect_writable, print, print_json, tell};
+use crate::output::{Place, expect_outputs, print, print_json, tell};
 use crate::progress::Saying;
 use crate::values::Span;
 use crate::{Failure, Verdict};
@@ -113,8 +114,10 @@ impl Replay {
     }
 
     fn alone(&self, machine: Option<String>) -> Result<Verdict, Failure> {
-        self.check_film()?;
+        self.expect_one_on_stdout()?;
         let stage = self.stage(machine);
+        let out = self.out("");
+        self.expect_apart(&stage, &out)?;
         let mut loaded = stage.load()?;
         let frames = loaded.choose(self.frames)?;
         let generator = loaded.generator;
@@ -122,7 +125,7 @@ impl Replay {
         self.expect_sweeps(generator)?;
         check(&self.probe, &frames, sweeps, generator)?;
         let pool = self.threads.pool()?;
-        let folder = RunFolder::claim(&self.out(""), self.fresh)?;
+        let folder = RunFolder::claim(&out, self.fresh)?;
         interrupt::listen();
         let built = loaded.stage(&pool)?;
         let job = self.job(&loaded, built, frames);
@@ -199,14 +202,21 @@ impl Replay {
         Ok(())
     }
 
-    fn check_film(&self) -> Result<(), Failure> {
-        match self.y4m.as_deref() {
-            Some(path) if is_stdout(path) && self.saying.json => {
-                Err(Failure::usage("--json and --y4m - both want standard output; give the film a file name"))
-            }
-            Some(path) if !is_stdout(path) => expect_writable(path),
-            _ => Ok(()),
+    fn expect_one_on_stdout(&self) -> Result<(), Failure> {
+        if self.saying.json && self.y4m.as_deref().is_some_and(is_stdout) {
+            return Err(Failure::usage(
+                "--json and --y4m - both want standard output; give the film a file name",
+            ));
         }
+        Ok(())
+    }
+
+    /// Run and film replace nothing that `stage` is made of, and the film nothing of the run in `folder`.
+    fn expect_apart(&self, stage: &StageArgs, folder: &Path) -> Result<(), Failure> {
+        let run = Place::folder("--out", folder, is_run_file);
+        let film = self.y4m.iter().filter(|path| !is_stdout(path)).map(|path| Place::file("--y4m", path));
+        let outputs: Vec<Place> = [run].into_iter().chain(film).collect();
+        expect_outputs(&outputs, &stage.sources())
     }
 
     /// The folder asked for, or the usual one; `of` is what stands behind its name.
@@ -242,6 +252,7 @@ impl Replay {
                     frames: [frames.start, frames.end],
                     drawn,
                     truth,
+                    check: self.held_check(folder)?,
                     limits: limits.iter().map(ToString::to_string).collect(),
                     performance: &performance,
                 };
@@ -249,6 +260,14 @@ impl Replay {
                 Ok(Verdict::Yes)
             }
         }
+    }
+
+    /// The check that was asked for, made now or before.
+    fn held_check(&self, folder: &RunFolder) -> Result<Option<Value>, Failure> {
+        if self.check == 0 {
+            return Ok(None);
+        }
+        Ok(HeldRun::read(folder.path())?.document.get("check").cloned())
     }
 
     fn write_film(&self, loaded: &Loaded, folder: &RunFolder) -> Result<(), Failure> {

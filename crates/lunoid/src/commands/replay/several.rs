@@ -30,8 +30,9 @@ impl Replay {
     pub(super) fn several(&self, machines: &[String]) -> Result<Verdict, Failure> {
         self.expect_no_option_of_one()?;
         let mut entries = self.entries(machines)?;
-        expect_one_raster(&entries)?;
         let out = self.out("-side-by-side");
+        entries.iter().try_for_each(|entry| self.expect_apart(&entry.stage, &out.join(&entry.name)))?;
+        expect_one_raster(&entries)?;
         expect_no_run(&out)?;
         let pool = self.threads.pool()?;
         interrupt::listen();
@@ -55,6 +56,7 @@ impl Replay {
                         frames: [frames.start, frames.end],
                         drawn,
                         truth: None,
+                        check: None,
                         limits: limits.iter().map(ToString::to_string).collect(),
                         performance: &performance,
                     };

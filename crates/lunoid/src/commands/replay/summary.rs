@@ -13,6 +13,8 @@ pub struct Summary<'a> {
     pub frames: [u64; 2],
     pub drawn: u64,
     pub truth: Option<TruthOutcome>,
+    /// As it stands in the record of the run, where one was asked for.
+    pub check: Option<Value>,
     pub limits: Vec<String>,
     pub performance: &'a Value,
 }
@@ -27,6 +29,7 @@ impl Summary<'_> {
             "drawn": self.drawn,
             "kept": self.frames[1] - self.frames[0] - self.drawn,
             "truth": self.truth.map(|truth| json!({ "frames": truth.frames, "made": truth.made })),
+            "check": self.check,
             "limits": self.limits,
             "performance": self.performance,
         })
@@ -45,7 +48,8 @@ impl Summary<'_> {
             format!("  ground truth of {frames} frames, {made} made now\n")
         });
         let limits = self.limits.iter().map(|limit| format!("  beyond the vehicle: {limit}\n"));
-        text.trim_end().to_owned() + "\n" + &truth.into_iter().chain(limits).collect::<String>()
+        let check = self.check.as_ref().map(checked);
+        text.trim_end().to_owned() + "\n" + &truth.into_iter().chain(check).chain(limits).collect::<String>()
     }
 
     fn rates(&self) -> String {
@@ -58,4 +62,20 @@ impl Summary<'_> {
             rate(number("real_time_factor")),
         )
     }
+}
+
+/// The errors of a check, in a line.
+fn checked(check: &Value) -> String {
+    let word = |value: &Value| value.as_str().unwrap_or_default().to_owned();
+    let error = |error: &Value| {
+        let unit = Some(word(&error["unit"])).filter(|unit| unit != "1").map(|unit| format!(" {unit}"));
+        let [rms, max] = ["rms", "max"].map(|key| error[key].as_f64().unwrap_or(f64::NAN));
+        format!(
+            "{} {rms:.2e}{unit} (at most {max:.2e})",
+            word(&error["error"]),
+            unit = unit.unwrap_or_default()
+        )
+    };
+    let errors: Vec<String> = check["errors"].as_array().into_iter().flatten().map(error).collect();
+    format!("  {} sweeps against {}, rms: {}\n", check["sweeps"], word(&check["against"]), errors.join(", "))
 }

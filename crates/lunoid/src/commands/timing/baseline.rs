@@ -9,7 +9,7 @@ use timing::{Comparison, TimingRecord, Tolerance, Totals, compare};
 use super::program::Rehearsed;
 use super::rehearsal::{choose, first};
 use crate::loading::{Loaded, StageArgs, Threads};
-use crate::output::{expect_writable, print, print_json};
+use crate::output::{Place, expect_outputs, print, print_json};
 use crate::progress::Display;
 use crate::values::{Span, not_negative};
 use crate::{Failure, Verdict};
@@ -46,7 +46,7 @@ pub struct Record {
 impl Record {
     /// Records.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        expect_writable(&self.out)?;
+        expect_outputs(&[Place::file("--out", &self.out)], &self.stage.sources())?;
         let usual = |loaded: &Loaded| choose(loaded, self.frames, first(USUAL_FRAMES));
         let (rehearsal, frames) = Rehearsed::open(&self.stage, &self.threads, usual)?;
         let record = rehearsal.record(&frames, &Display::new(!self.no_progress))?;
@@ -107,9 +107,8 @@ pub struct Check {
 impl Check {
     /// Compares.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        if let Some(junit) = &self.junit {
-            expect_writable(junit)?;
-        }
+        let sources = [vec![Place::file("--baseline", &self.baseline)], self.stage.sources()].concat();
+        expect_outputs(&Place::given([("--junit", &self.junit)]), &sources)?;
         let tolerance = Tolerance::new(self.tolerance_samples, self.tolerance_m).map_err(Failure::usage)?;
         let mut baseline = timing::read(&self.baseline)?;
         let (rehearsal, frames) =

@@ -24,7 +24,7 @@ use self::trace::{Trace, remembered};
 use super::rehearsal::Rehearsal;
 use crate::frame::FrameArgs;
 use crate::loading::Loaded;
-use crate::output::{expect_writable, print, print_json};
+use crate::output::{Place, expect_outputs, print, print_json};
 use crate::progress::Display;
 use crate::{Failure, Verdict};
 
@@ -60,7 +60,7 @@ pub struct Columns {
 impl Columns {
     /// Traces.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        self.out.as_deref().map_or(Ok(()), expect_writable)?;
+        expect_outputs(&Place::given([("--out", &self.out)]), &self.chosen.stage.sources())?;
         let (rehearsal, frames) =
             Rehearsal::open(&self.chosen.stage, &self.chosen.threads, |loaded| self.choose(loaded))?;
         let record = rehearsal.record(&frames, &Display::new(!self.no_progress))?;

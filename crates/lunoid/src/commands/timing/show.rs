@@ -15,7 +15,7 @@ use super::program::{Rehearsed, times_text};
 use super::rehearsal::{Rehearsal, choose, spread};
 use super::timeline::SweepTimeline;
 use crate::loading::{Loaded, StageArgs, Threads};
-use crate::output::{expect_writable, print, print_json};
+use crate::output::{Place, expect_outputs, print, print_json};
 use crate::progress::Display;
 use crate::values::{Span, pair};
 use crate::{Failure, Verdict};
@@ -92,8 +92,8 @@ fn pair_of_ranges(text: &str) -> Result<[f64; 2], String> {
 impl Show {
     /// Shows.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        let files = [&self.out, &self.utilisation, &self.slack];
-        files.into_iter().flatten().try_for_each(|file| expect_writable(file))?;
+        let plots = [("--out", &self.out), ("--utilisation", &self.utilisation), ("--slack", &self.slack)];
+        expect_outputs(&Place::given(plots), &self.stage.sources())?;
         let (rehearsal, frames) = Rehearsed::open(&self.stage, &self.threads, |loaded| self.choose(loaded))?;
         let record = rehearsal.record(&frames, &Display::new(!self.no_progress))?;
         if let Some(path) = &self.utilisation {

@@ -15,7 +15,7 @@ use trigger::{Condition, ConditionError, Which};
 use crate::commands::timing::rehearsal::Rehearsal;
 use crate::interrupt;
 use crate::loading::{StageArgs, Threads};
-use crate::output::{expect_writable, tell};
+use crate::output::{Place, expect_outputs, tell};
 use crate::progress::Display;
 use crate::values::Span;
 use crate::{Failure, Verdict};
@@ -97,7 +97,7 @@ impl TriggerCommand {
         self.check_signals(machine::signals())?;
         let file =
             self.out.as_deref().map(|out| File::named(out, self.around_sweeps.unwrap_or(0))).transpose()?;
-        self.out.as_deref().map_or(Ok(()), expect_writable)?;
+        expect_outputs(&Place::given([("--out", &self.out)]), &self.stage.sources())?;
         let mut places = None;
         let (rehearsal, frames) = Rehearsal::open(&self.stage, &self.threads, |loaded| {
             let raster = &loaded.settings.raster;
