@@ -1,5 +1,7 @@
 //! Ranges of values, round ticks and their labels.
 
+use quantities::fixed;
+
 use crate::PlotError;
 
 /// How values are spread over an axis.
@@ -205,10 +207,9 @@ pub(crate) fn number(value: f64, decimals: usize) -> String {
     if value != 0.0 && (value.abs() >= 1e7 || (decimals > 5 && value.abs() < 0.1)) {
         return scientific(value);
     }
-    let text = format!("{:.*}", decimals, value.abs());
-    let (whole, fraction) = text.split_once('.').map_or((text.as_str(), None), |(w, f)| (w, Some(f)));
-    let zero = text.bytes().all(|byte| matches!(byte, b'0' | b'.'));
-    let sign = if value < 0.0 && !zero { "−" } else { "" };
+    let text = fixed(value, decimals);
+    let (sign, size) = text.strip_prefix('-').map_or(("", text.as_str()), |size| ("−", size));
+    let (whole, fraction) = size.split_once('.').map_or((size, None), |(w, f)| (w, Some(f)));
     let fraction = fraction.map_or(String::new(), |fraction| format!(".{fraction}"));
     format!("{sign}{}{fraction}", grouped(whole))
 }

@@ -12,7 +12,7 @@ use super::error::{failure, frames, quarter};
 use super::outputs::{Outputs, markdown, write};
 use crate::cli::COMMIT;
 use crate::loading::{StageArgs, Threads};
-use crate::output::{rate as two_digits, table as columns};
+use crate::output::{named, rate as two_digits, table as columns};
 use crate::{Failure, Verdict};
 
 /// Repetitions that are timed.
@@ -106,8 +106,7 @@ impl Outcome {
     }
 
     fn facts(&self) -> String {
-        let frames: Vec<String> = self.frames.iter().map(u64::to_string).collect();
-        format!("{}, frame {}, {} threads, commit {COMMIT}", self.title, frames.join(", "), self.threads)
+        format!("{}, {}, {} threads, commit {COMMIT}", self.title, named(&self.frames), self.threads)
     }
 
     /// Titles and tables, each with the names of its columns first.
