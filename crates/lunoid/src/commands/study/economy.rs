@@ -199,7 +199,7 @@ impl Outcome {
             .filter(|waste| waste.block == "machine" && waste.what.starts_with("samples"));
         let panels: Vec<Bars> = fates
             .map(|waste| Bars {
-                name: format!("{}: {} of {}", waste.what, waste.wasted, waste.of),
+                name: waste.what.to_owned(),
                 counts: vec![waste.wasted as f64, (waste.of - waste.wasted) as f64],
                 edges: vec!["these | others".to_owned()],
                 wrong: 1,
