@@ -1,5 +1,7 @@
 //! The answer in words.
 
+use quantities::fixed;
+
 use crate::ground::GroundPoint;
 use crate::seek::{Explanation, Writer};
 
@@ -70,15 +72,17 @@ fn light(ground: &GroundPoint) -> String {
         GroundPoint { features_shown: true, .. } => {
             format!("mu.vs1 shows a crater in the light ({value:.3})")
         }
-        GroundPoint { terrain_slopes: [north, east], .. } if value <= DARK => {
-            format!(
-                "tg.reflectivity: the slope ({north:.3} north, {east:.3} east) is turned from the sun ({value:.3})"
-            )
+        &GroundPoint { terrain_slopes: [north, east], .. } if value <= DARK => {
+            format!("tg.reflectivity: the slope ({}) is turned from the sun ({value:.3})", sides(north, east))
         }
-        GroundPoint { terrain_slopes: [north, east], .. } => {
-            format!("tg.reflectivity: the slope ({north:.3} north, {east:.3} east) is lit ({value:.3})")
+        &GroundPoint { terrain_slopes: [north, east], .. } => {
+            format!("tg.reflectivity: the slope ({}) is lit ({value:.3})", sides(north, east))
         }
     }
+}
+
+fn sides(north: f64, east: f64) -> String {
+    format!("{} north, {} east", fixed(north, 3), fixed(east, 3))
 }
 
 /// What lies between the mixing unit and the tube.
@@ -132,8 +136,11 @@ fn reading(told: &Explanation) -> Option<String> {
     let difference = told.intensity - told.left;
     (difference.abs() > TELLING).then(|| {
         format!(
-            "sm.write left {:.3}; the read-out shows {:.3}: its beam lies at sweep {:.2}, cell {:.2}, and a tube adds residue and noise",
-            told.left, told.intensity, told.place.between_sweeps, told.place.between_cells
+            "sm.write left {:.3}; the read-out shows {}: its beam lies at sweep {}, cell {}, and a tube adds residue and noise",
+            told.left,
+            fixed(told.intensity, 3),
+            fixed(told.place.between_sweeps, 2),
+            fixed(told.place.between_cells, 2)
         )
     })
 }

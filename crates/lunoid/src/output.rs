@@ -160,6 +160,12 @@ pub fn rate(value: f64) -> String {
     format!("{value:.*}", 1 + places.unwrap_or(0))
 }
 
+/// `frame 3`, `frames 0, 3`.
+pub fn named(frames: &[u64]) -> String {
+    let numbers: Vec<String> = frames.iter().map(u64::to_string).collect();
+    format!("{} {}", if frames.len() == 1 { "frame" } else { "frames" }, numbers.join(", "))
+}
+
 /// Columns of text, each as wide as its widest cell; the last is not padded.
 pub fn table(rows: &[Vec<String>]) -> String {
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
@@ -176,7 +182,12 @@ pub fn table(rows: &[Vec<String>]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::rate;
+    use super::{named, rate};
+
+    #[test]
+    fn one_frame_is_a_frame() {
+        assert_eq!([named(&[3]), named(&[0, 3])], ["frame 3", "frames 0, 3"]);
+    }
 
     #[test]
     fn slow_rates_are_no_zeros() {

@@ -1,6 +1,6 @@
 //! Values of the command line.
 
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 use std::str::FromStr;
 
 /// `A..B`, `A..`, `..B` or `N`: a half-open range of whole numbers.
@@ -59,10 +59,27 @@ pub fn positive(text: &str) -> Result<f64, String> {
     if number > 0.0 { Ok(number) } else { Err("expected a number above 0".into()) }
 }
 
-/// A length on the Moon, whose circumference is 1.1e7 m.
+/// Lengths on the Moon, whose circumference is 1.1e7 m; a millimetre is the least side of a region.
+const LENGTHS: RangeInclusive<f64> = 1e-3..=1e7;
+/// Farthest place from the origin of a plane, as banks have it.
+const FARTHEST: f64 = 1e9;
+
+/// A length on the Moon.
 pub fn metres(text: &str) -> Result<f64, String> {
-    let expected = || "expected metres above 0, up to 1e7".into();
-    finite(text).ok().filter(|&length| length > 0.0 && length <= 1e7).ok_or_else(expected)
+    let expected = || "expected metres from 0.001 to 1e7".into();
+    finite(text).ok().filter(|length| LENGTHS.contains(length)).ok_or_else(expected)
+}
+
+/// Two lengths on the Moon.
+pub fn two_metres(text: &str) -> Result<[f64; 2], String> {
+    let expected = || "expected two lengths in metres, A,B, each from 0.001 to 1e7".into();
+    numbers(text).filter(|both: &[f64; 2]| both.iter().all(|one| LENGTHS.contains(one))).ok_or_else(expected)
+}
+
+/// A place on a plane: metres along both axes.
+pub fn place(text: &str) -> Result<[f64; 2], String> {
+    let expected = || "expected two numbers of metres, A,B, each from -1e9 to 1e9".into();
+    numbers(text).filter(|both: &[f64; 2]| both.iter().all(|one| one.abs() <= FARTHEST)).ok_or_else(expected)
 }
 
 /// A finite number of 0 or more.
@@ -119,7 +136,7 @@ pub fn pixel(text: &str) -> Result<[usize; 2], String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Span, edges, metres, pair, percent, setting, sun};
+    use super::{Span, edges, metres, pair, percent, place, setting, sun, two_metres};
 
     #[test]
     fn spans() {
@@ -144,7 +161,13 @@ mod tests {
         assert!(sun("0,90.1").is_err() && sun("0,-1").is_err());
         assert_eq!(percent("100"), Ok(100.0));
         assert_eq!(metres("0.5"), Ok(0.5));
-        assert!(metres("0").is_err() && metres("1e300").is_err() && metres("-3").is_err());
+        assert_eq!((metres("0.001"), two_metres("1, 1e7")), (Ok(0.001), Ok([1.0, 1e7])));
+        for wrong in ["0", "1e300", "1e-300", "-3", "inf"] {
+            assert!(metres(wrong).is_err(), "{wrong}");
+            assert!(two_metres(&format!("5,{wrong}")).is_err(), "{wrong}");
+        }
+        assert_eq!(place("-1e9,0"), Ok([-1e9, 0.0]));
+        assert!(place("1e300,0").is_err() && place("0,-2e9").is_err() && place("0").is_err());
         assert!(percent("100.5").is_err() && percent("-1").is_err() && percent("nan").is_err());
         for wrong in ["", "1", "1,2,3", "1,nan", "1,inf", "1;2"] {
             assert!(pair(wrong).is_err(), "{wrong}");

@@ -1,5 +1,7 @@
 //! Ranges of values, round ticks and their labels.
 
+use quantities::fixed;
+
 use crate::PlotError;
 
 /// How values are spread over an axis.
@@ -21,17 +23,24 @@ pub struct Axis {
     pub range: Option<[f64; 2]>,
     /// How values are spread.
     pub scale: Scale,
+    /// Whether values count something: no ticks between whole numbers.
+    pub whole: bool,
 }
 
 impl Axis {
     /// A linear axis over all that is drawn.
     pub fn new(label: impl Into<String>) -> Self {
-        Self { label: label.into(), range: None, scale: Scale::Linear }
+        Self { label: label.into(), range: None, scale: Scale::Linear, whole: false }
     }
 
     /// The same with decades evenly spread.
     pub fn logarithmic(self) -> Self {
         Self { scale: Scale::Logarithmic, ..self }
+    }
+
+    /// The same with ticks at whole numbers alone.
+    pub fn whole(self) -> Self {
+        Self { whole: true, ..self }
     }
 
     /// The same over a fixed range.
@@ -48,7 +57,7 @@ impl Axis {
             None => widened(extremes(drawn).ok_or_else(|| self.empty())?, margin, self.scale),
         };
         self.check(range)?;
-        Ok(Ruler { range, scale: self.scale })
+        Ok(Ruler { range, scale: self.scale, whole: self.whole })
     }
 
     fn check(&self, [low, high]: [f64; 2]) -> Result<(), PlotError> {
@@ -90,6 +99,8 @@ pub(crate) fn extremes(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
 pub(crate) struct Ruler {
     pub range: [f64; 2],
     pub scale: Scale,
+    /// Whether ticks of a linear range are whole numbers alone.
+    pub whole: bool,
 }
 
 /// A tick: its value and its label, which is empty for minor ones.
@@ -102,7 +113,7 @@ pub(crate) struct Tick {
 impl Ruler {
     /// A linear range; an empty one is widened.
     pub fn linear(range: [f64; 2]) -> Self {
-        Self { range: widened(range, 0.0, Scale::Linear), scale: Scale::Linear }
+        Self { range: widened(range, 0.0, Scale::Linear), scale: Scale::Linear, whole: false }
     }
 
     /// Where `value` lies, 0 at the lower end to 1 at the upper; NaN for what a logarithm does not have.
@@ -138,7 +149,8 @@ impl Ruler {
 
     fn linear_ticks(&self, target: usize) -> Vec<Tick> {
         let [low, high] = self.range;
-        let (mantissa, exponent) = round_step((high - low) / target.max(1) as f64);
+        let least = if self.whole { 1.0 } else { 0.0 };
+        let (mantissa, exponent) = round_step(((high - low) / target.max(1) as f64).max(least));
         let step = mantissa * power_of_ten(exponent);
         let first = (low / step - 1e-9).ceil();
         let count = ((high / step + 1e-9).floor() - first).clamp(-1.0, 200.0) as i64;
@@ -195,10 +207,9 @@ pub(crate) fn number(value: f64, decimals: usize) -> String {
     if value != 0.0 && (value.abs() >= 1e7 || (decimals > 5 && value.abs() < 0.1)) {
         return scientific(value);
     }
-    let text = format!("{:.*}", decimals, value.abs());
-    let (whole, fraction) = text.split_once('.').map_or((text.as_str(), None), |(w, f)| (w, Some(f)));
-    let zero = text.bytes().all(|byte| matches!(byte, b'0' | b'.'));
-    let sign = if value < 0.0 && !zero { "−" } else { "" };
+    let text = fixed(value, decimals);
+    let (sign, size) = text.strip_prefix('-').map_or(("", text.as_str()), |size| ("−", size));
+    let (whole, fraction) = size.split_once('.').map_or((size, None), |(w, f)| (w, Some(f)));
     let fraction = fraction.map_or(String::new(), |fraction| format!(".{fraction}"));
     format!("{sign}{}{fraction}", grouped(whole))
 }
@@ -243,7 +254,7 @@ mod tests {
     use super::{Axis, Ruler, Scale, number, reading, round_up};
 
     fn labels(range: [f64; 2], scale: Scale, target: usize) -> Vec<String> {
-        Ruler { range, scale }.ticks(target).into_iter().map(|tick| tick.label).collect()
+        Ruler { range, scale, whole: false }.ticks(target).into_iter().map(|tick| tick.label).collect()
     }
 
     #[test]
@@ -251,6 +262,11 @@ mod tests {
         assert_eq!(labels([0.0, 10.0], Scale::Linear, 5), ["0", "2", "4", "6", "8", "10"]);
         assert_eq!(labels([-0.31, 0.3], Scale::Linear, 4), ["−0.2", "0.0", "0.2"]);
         assert_eq!(labels([9_990.0, 10_010.0], Scale::Linear, 2), ["9990", "10\u{a0}000", "10\u{a0}010"]);
+        let frames = Ruler { whole: true, ..Ruler::linear([0.0, 3.0]) };
+        assert_eq!(
+            frames.ticks(9).into_iter().map(|tick| tick.label).collect::<Vec<_>>(),
+            ["0", "1", "2", "3"]
+        );
         let decades = labels([8.0, 120.0], Scale::Logarithmic, 5);
         assert_eq!(decades, ["", "", "10", "20", "", "", "50", "", "", "", "", "100"]);
     }

@@ -29,6 +29,8 @@ pub struct Bars {
     pub edges: Vec<String>,
     /// How many bins, from the left, hold what went wrong.
     pub wrong: usize,
+    /// Names of what is in those bins and of what is in all others, in the legend.
+    pub kinds: [&'static str; 2],
 }
 
 /// Panels of bars below one another. `x` says what the bins are, `y` what is counted.
@@ -83,7 +85,8 @@ fn draw_bars(canvas: &mut Canvas, bars: &Bars, area: Area, y: &str) -> Result<()
         canvas.text(label, (middle, area.bottom() + 17.0), Anchor::Middle, SMALL, SOFT);
     }
     canvas.text(&bars.name, (area.left, area.top - 9.0), Anchor::Left, TEXT, INK);
-    legend(canvas, &[("missed", LATE), ("met", TRACES[0])], area);
+    let [wrong, right] = bars.kinds;
+    legend(canvas, &[(wrong, LATE), (right, TRACES[0])], area);
     Ok(())
 }
 

@@ -96,7 +96,8 @@ impl Canvas {
         self.stroke(points, width, Some(dash), colour);
     }
 
-    fn stroke(&mut self, points: &[(f32, f32)], width: f32, dash: Option<[f32; 2]>, colour: Colour) {
+    /// Joined lines, of dashes if there are any.
+    pub fn stroke(&mut self, points: &[(f32, f32)], width: f32, dash: Option<[f32; 2]>, colour: Colour) {
         let points = near(points);
         if points.len() > 1 {
             self.marks.push(Mark::Line { points, width, dash, colour });

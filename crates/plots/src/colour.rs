@@ -20,6 +20,14 @@ pub(crate) const HATCH: Colour = [168, 168, 168];
 pub(crate) const TRACES: [Colour; 6] =
     [[31, 78, 121], [192, 86, 33], [63, 125, 88], [125, 80, 150], [150, 120, 30], [90, 90, 90]];
 
+/// Dashes of as many traces as there are colours, of as many more, and of those after them.
+const DASHES: [Option<[f32; 2]>; 3] = [None, Some([6.0, 3.0]), Some([2.0, 2.0])];
+
+/// The dash, if any, that tells a trace from the one before it of the same colour.
+pub(crate) fn dash(index: usize) -> Option<[f32; 2]> {
+    DASHES[(index / TRACES.len()).min(DASHES.len() - 1)]
+}
+
 /// What came too late.
 pub(crate) const LATE: Colour = [196, 40, 40];
 

@@ -30,6 +30,7 @@ mod colour;
 mod columns_picture;
 mod drawing;
 mod error;
+mod flow;
 mod frame;
 mod ground;
 mod labels;

@@ -70,10 +70,10 @@ pub fn survey_picture(
 
 fn facts(sun: Sun, figures: &Figures, look: &SurveyLook) -> Vec<String> {
     let own = format!(
-        "residuals: RMS {}, largest {}, {} samples, {} void; {}",
+        "residuals of {} samples: RMS {}, largest {}; {} places without a sample; {}",
+        number(figures.count as f64, 0),
         metres(figures.rms),
         metres(figures.worst),
-        number(figures.count as f64, 0),
         number(figures.voids as f64, 0),
         sun_text(sun),
     );

@@ -5,7 +5,7 @@ use crate::bank_picture::check_panel;
 use crate::canvas::{Anchor, Area, Canvas};
 use crate::colour::{Colour, FAINT, INK, LATE, PAPER, SOFT, TRACES, mix};
 use crate::frame::{BELOW, Frame, Header, LEFT, SMALL};
-use crate::trace_picture::{ABOVE, Panel, RIGHT, TraceLook, draw_panel};
+use crate::trace_picture::{ABOVE, Panel, RIGHT, TraceLook, draw_panel, panel_areas};
 use crate::{Drawing, PlotError};
 
 /// From one lane to the next (pixels).
@@ -78,14 +78,13 @@ pub fn timeline_picture(timeline: &Timeline<'_>, look: &TraceLook) -> Result<Dra
     let x = timeline.x.settle(timeline.places(), 0.0)?;
     let (left, width) = (LEFT + NAMES, look.width as f32);
     let header = Header::new(&look.title, &look.facts, width);
-    let pitch = look.height as f32 + ABOVE;
-    let lanes_top = header.height() + pitch * timeline.panels.len() as f32 + ABOVE;
+    let areas = panel_areas(&timeline.panels, (left, header.height()), look);
+    let lanes_top = areas.last().map_or(header.height(), Area::bottom) + ABOVE;
     let lanes = Area { left, top: lanes_top, width, height: LANE * timeline.lanes.len().max(1) as f32 };
     let mut canvas = Canvas::new((left + width + RIGHT) as u32, (lanes.bottom() + BELOW) as u32);
     header.draw(&mut canvas, left);
-    for (index, panel) in timeline.panels.iter().enumerate() {
-        let top = header.height() + pitch * index as f32 + ABOVE;
-        draw_panel(&mut canvas, panel, Area { top, height: look.height as f32, ..lanes }, x, None)?;
+    for (panel, &area) in timeline.panels.iter().zip(&areas) {
+        draw_panel(&mut canvas, panel, area, x, None)?;
     }
     draw_lanes(&mut canvas, timeline, &Frame { area: lanes, x, y: Ruler::linear([0.0, 1.0]) });
     Ok(canvas.finish())

@@ -3,15 +3,23 @@
 use crate::axis::{Axis, Ruler};
 use crate::bank_picture::check_panel;
 use crate::canvas::{Anchor, Area, Canvas};
-use crate::colour::{Colour, FAINT, INK, PAPER, SOFT, TRACES, mix};
+use crate::colour::{Colour, FAINT, INK, PAPER, SOFT, TRACES, dash, mix};
+use crate::flow::{flow, rows};
 use crate::frame::{BELOW, Frame, Header, LEFT, SMALL};
 use crate::lettering;
 use crate::{Drawing, PlotError};
 
 /// Room on the right of the panels (pixels).
 pub(crate) const RIGHT: f32 = 28.0;
-/// Room above a panel for its legend.
+/// Room above a panel for a legend of one row.
 pub(crate) const ABOVE: f32 = 24.0;
+/// From one row of a legend to the next.
+const ROW: f32 = 18.0;
+/// Length of the line beside a name of the legend, and room between them.
+const SWATCH: f32 = 20.0;
+const BESIDE: f32 = 8.0;
+/// Room between a name of the legend and the next line.
+const APART: f32 = 18.0;
 /// From one digital line to the next.
 const LANE: f32 = 26.0;
 /// Height of a digital line when high.
@@ -86,15 +94,13 @@ pub fn trace_picture(
     let ruler = x.settle(places.copied(), 0.0)?;
     let width = look.width as f32;
     let header = Header::new(&look.title, &look.facts, width);
-    let height = look.height as f32 + ABOVE;
-    let lanes_top = header.height() + height * panels.len() as f32;
+    let areas = panel_areas(panels, (LEFT, header.height()), look);
+    let lanes_top = areas.last().map_or(header.height(), Area::bottom);
     let lanes_height = if lanes.is_empty() { 0.0 } else { LANE * lanes.len() as f32 + ABOVE };
     let bottom = lanes_top + lanes_height;
     let mut canvas = Canvas::new((LEFT + width + RIGHT) as u32, (bottom + BELOW) as u32);
     header.draw(&mut canvas, LEFT);
-    for (index, panel) in panels.iter().enumerate() {
-        let top = header.height() + height * index as f32 + ABOVE;
-        let area = Area { left: LEFT, top, width, height: look.height as f32 };
+    for (index, (panel, &area)) in panels.iter().zip(&areas).enumerate() {
         let last = index + 1 == panels.len() && lanes.is_empty();
         draw_panel(&mut canvas, panel, area, ruler, last.then_some(x.label.as_str()))?;
     }
@@ -116,6 +122,19 @@ fn check_counts(panels: &[Panel<'_>], lanes: &[Lane<'_>]) -> Result<(), PlotErro
     Ok(())
 }
 
+/// Where panels lie below one another from `top` on, each with room for its legend.
+pub(crate) fn panel_areas(panels: &[Panel<'_>], (left, top): (f32, f32), look: &TraceLook) -> Vec<Area> {
+    let (width, height) = (look.width as f32, look.height as f32);
+    let mut top = top;
+    let area_of = |panel| {
+        let more = rows(&legend_places(&legend_widths(panel), width)) - 1;
+        let area = Area { left, top: top + ABOVE + ROW * more as f32, width, height };
+        top = area.bottom();
+        area
+    };
+    panels.iter().map(area_of).collect()
+}
+
 pub(crate) fn draw_panel(
     canvas: &mut Canvas,
     panel: &Panel<'_>,
@@ -128,7 +147,7 @@ pub(crate) fn draw_panel(
     frame.grid(canvas);
     canvas.clip(area);
     for (index, trace) in panel.traces.iter().enumerate() {
-        draw_trace(canvas, &frame, trace, TRACES[index % TRACES.len()]);
+        draw_trace(canvas, &frame, trace, index);
     }
     canvas.unclip();
     frame.axes(canvas, x_label, &panel.axis.label);
@@ -136,23 +155,39 @@ pub(crate) fn draw_panel(
     Ok(())
 }
 
-fn draw_trace(canvas: &mut Canvas, frame: &Frame, trace: &Trace<'_>, colour: Colour) {
+fn draw_trace(canvas: &mut Canvas, frame: &Frame, trace: &Trace<'_>, index: usize) {
     let points: Vec<(f32, f32)> = trace.x.iter().zip(trace.y).map(|(&x, &y)| frame.at(x, y)).collect();
     for run in points.split(|(x, y)| !(x.is_finite() && y.is_finite())) {
-        canvas.line(run, 1.6, colour);
+        styled(canvas, run, 1.6, index);
     }
 }
 
+/// A line in the colour, and with the dash, of the trace number `index`.
+fn styled(canvas: &mut Canvas, points: &[(f32, f32)], width: f32, index: usize) {
+    canvas.stroke(points, width, dash(index), TRACES[index % TRACES.len()]);
+}
+
+/// How wide the names of a legend are, each with its line.
+fn legend_widths(panel: &Panel<'_>) -> Vec<f32> {
+    panel.traces.iter().map(|trace| SWATCH + BESIDE + lettering::width(trace.name, SMALL)).collect()
+}
+
+fn legend_places(widths: &[f32], room: f32) -> Vec<(usize, f32)> {
+    flow(widths.iter().copied(), APART, room)
+}
+
+/// Names with their lines above the panel, every row at the right.
 fn draw_legend(canvas: &mut Canvas, panel: &Panel<'_>, area: Area) {
-    let mut right = area.right();
-    let base = area.top - 8.0;
-    for (index, trace) in panel.traces.iter().enumerate().rev() {
-        let width = lettering::width(trace.name, SMALL);
-        canvas.text(trace.name, (right, base), Anchor::Right, SMALL, INK);
-        right -= width + 8.0;
-        let colour = TRACES[index % TRACES.len()];
-        canvas.line(&[(right - 20.0, base - 4.0), (right, base - 4.0)], 2.4, colour);
-        right -= 20.0 + 18.0;
+    let widths = legend_widths(panel);
+    let places = legend_places(&widths, area.width);
+    let last = rows(&places) - 1;
+    for (index, &(row, left)) in places.iter().enumerate() {
+        let in_row = places.iter().zip(&widths).filter(|((other, _), _)| *other == row);
+        let end = in_row.map(|((_, left), width)| left + width).fold(0.0, f32::max);
+        let (left, base) = (area.right() - end + left, area.top - 8.0 - ROW * (last - row) as f32);
+        styled(canvas, &[(left, base - 4.0), (left + SWATCH, base - 4.0)], 2.4, index);
+        let name = panel.traces[index].name;
+        canvas.text(name, (left + SWATCH + BESIDE, base), Anchor::Left, SMALL, INK);
     }
 }
 

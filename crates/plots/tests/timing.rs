@@ -2,7 +2,7 @@
 
 use plots::{
     Axis, Bars, Drawing, EventLane, Panel, PlotError, Span, Stops, Stretch, Timeline, Trace, TraceLook,
-    bar_picture, timeline_picture,
+    bar_picture, timeline_picture, trace_picture,
 };
 
 const LATE: [u8; 3] = [196, 40, 40];
@@ -62,7 +62,7 @@ fn what_is_short_is_seen_and_what_is_outside_is_not() {
 
 fn bars(counts: &[f64], edges: &[&str]) -> Bars {
     let edges = edges.iter().map(|&edge| edge.to_owned()).collect();
-    Bars { name: "transfer".into(), counts: counts.into(), edges, wrong: 1 }
+    Bars { name: "transfer".into(), counts: counts.into(), edges, wrong: 1, kinds: ["missed", "met"] }
 }
 
 #[test]
@@ -75,6 +75,45 @@ fn bars_are_as_high_as_their_counts_and_red_where_something_was_missed() {
     // From half a deadline on, decades evenly: 1.3 of them against 3.3, of 3.6 that there are.
     assert!(missed < met && met < 120.0, "{missed} {met}");
     assert!((missed / met - 1.301 / 3.301).abs() < 0.03, "{missed} {met}");
+}
+
+#[test]
+fn bars_say_in_the_legend_what_they_are() {
+    let kinds = ["touch no pixel", "all others"];
+    let samples = Bars { kinds, ..bars(&[10.0, 1000.0], &["these | others"]) };
+    let svg = bar_picture("fate", "samples", &[samples], &look()).unwrap().svg();
+    assert!(kinds.iter().all(|kind| svg.contains(kind)) && !svg.contains("missed"), "{svg}");
+}
+
+/// Left ends of the texts of a picture.
+fn left_ends(svg: &str) -> Vec<(f32, &str)> {
+    let place = |rest: &str| rest.split_once("translate(")?.1.split(' ').next()?.parse().ok();
+    let texts = svg.split("aria-label=\"").skip(1).filter_map(|piece| piece.split_once('"'));
+    texts.filter_map(|(text, rest)| Some((place(rest)?, text))).collect()
+}
+
+#[test]
+fn a_long_legend_stays_in_the_picture_and_no_two_lines_are_alike() {
+    let names: Vec<String> = (0..14).map(|number| format!("channel.coarse.{number}")).collect();
+    let y: Vec<[f64; 2]> = (0..14).map(|number| [f64::from(number); 2]).collect();
+    let traces = names.iter().zip(&y).map(|(name, y)| Trace { name, x: &[0.0, 3.0], y }).collect();
+    let panel = Panel { axis: Axis::new("channels (%)").over([0.0, 20.0]), traces };
+    let svg = trace_picture(&Axis::new("frame").whole(), &[panel], &[], &look()).unwrap().svg();
+    let found = left_ends(&svg);
+    for name in &names {
+        let left = found.iter().find(|(_, text)| text == name).map(|(left, _)| *left);
+        assert!(left.is_some_and(|left| left > 86.0), "{name}: {left:?}");
+    }
+    // Only whole frames have a tick.
+    assert!(!found.iter().any(|(_, text)| *text == "0.5"), "{svg}");
+    let style = |line: &str| {
+        let word =
+            |key: &str| line.split(key).nth(1).and_then(|rest| rest.split('"').next().map(str::to_owned));
+        Some((word(" stroke=\"")?, word("dasharray=\"")))
+    };
+    let styles: std::collections::BTreeSet<_> =
+        svg.lines().filter(|line| line.contains("stroke-width=\"2.4\"")).filter_map(style).collect();
+    assert_eq!(styles.len(), names.len(), "{styles:?}");
 }
 
 #[test]

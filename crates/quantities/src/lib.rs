@@ -1,4 +1,4 @@
-//! Time and clocks as exact rationals, ticks, samples, angles at the edge, seeds.
+//! Time and clocks as exact rationals, ticks, samples, angles at the edge, seeds, numbers in words.
 //!
 //! Time is counted in integers and rounded once. A [`Timebase`] holds the clocks of one machine; a
 //! [`SweepTime`] is a real instant inside one sweep, in units of accumulator steps (samples), and only
@@ -6,8 +6,10 @@
 
 mod angle;
 mod hash;
+mod reading;
 mod time;
 
 pub use angle::{degrees, radians, sin_cos, wrap_heading};
 pub use hash::{hash_on, hash_words, unit_interval};
+pub use reading::fixed;
 pub use time::{Rate, SweepClock, SweepTime, Tick, Timebase, TimebaseError};

@@ -1,5 +1,7 @@
 //! Numbers as they stand in tables.
 
+use quantities::fixed;
+
 /// A whole number in groups of three digits, by a narrow space that does not break.
 pub(crate) fn grouped(number: u64) -> String {
     let digits = number.to_string();
@@ -34,16 +36,13 @@ pub(crate) fn duration(seconds: f64) -> String {
 
 /// As many places, always: readings that change stay where they are.
 pub(crate) fn placed(value: f64, places: usize) -> String {
-    let text = format!("{value:.places$}");
-    let is_zero = text.bytes().all(|c| matches!(c, b'-' | b'0' | b'.'));
-    if is_zero { text.replace('-', "") } else { text.replace('-', "\u{2212}") }
+    fixed(value, places).replace('-', "\u{2212}")
 }
 
 /// At most so many places, no zeros at the end.
 pub(crate) fn shortened(value: f64, places: usize) -> String {
-    let text = format!("{value:.places$}");
-    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
-    if text == "-0" { "0".into() } else { text.replace('-', "\u{2212}") }
+    let text = placed(value, places);
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
 #[cfg(test)]

@@ -69,12 +69,13 @@ pub fn parse(name: &str, text: String) -> Result<Vec<Solid>, ProblemList> {
 }
 
 fn listed(name: &str, faults: Vec<Problem>) -> Result<(), ProblemList> {
-    let more = faults.len().saturating_sub(LISTED);
     let problems = Problems::new();
-    faults.into_iter().take(LISTED).for_each(|fault| problems.push(fault));
-    if more > 0 {
-        problems.push(Problem::of_file(name, format!("{more} more faults of this file are not listed")));
+    // Where the first of them is, so that it comes behind those that are listed.
+    if let Some(first) = faults.get(LISTED) {
+        let title = format!("{} more faults of this file are not listed", faults.len() - LISTED);
+        problems.push(Problem { place: first.place.clone(), ..Problem::of_file(name, title) });
     }
+    faults.into_iter().take(LISTED).for_each(|fault| problems.push(fault));
     problems.into_result()
 }
 

@@ -43,10 +43,10 @@ struct Import {
     /// Array of corners (.npy).
     corners: PathBuf,
     /// Side of a region.
-    #[arg(long, value_name = "METRES", value_parser = values::positive)]
+    #[arg(long, value_name = "METRES", value_parser = values::metres)]
     region_size_m: f64,
     /// North and east of the first corner.
-    #[arg(long, value_name = "X,Y", value_parser = values::pair, default_value = "0,0", allow_hyphen_values = true)]
+    #[arg(long, value_name = "X,Y", value_parser = values::place, default_value = "0,0", allow_hyphen_values = true)]
     origin_m: [f64; 2],
     /// What the ground is.
     #[arg(long)]

@@ -369,7 +369,7 @@ fn frames_of_both(test: &Path, reference: &Path) -> Result<Vec<Paths>, Failure> 
         return Err(Failure::input(format!("{a} and {b}: no frame is in both runs; expected at least one")));
     }
     if counts != [pairs.len(); 2] {
-        tell(&format!("{} frames are in both runs, of {} and {}\n", pairs.len(), counts[0], counts[1]));
+        tell(&format!("frames in both runs: {}, of {} and {}\n", pairs.len(), counts[0], counts[1]));
     }
     Ok(pairs)
 }

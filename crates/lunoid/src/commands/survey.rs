@@ -34,7 +34,7 @@ pub struct SurveyCommand {
     #[arg(short, long, value_name = "BANK")]
     out: PathBuf,
     /// Side of a region of the finest level; four samples if left out.
-    #[arg(long, value_name = "METRES", value_parser = values::positive)]
+    #[arg(long, value_name = "METRES", value_parser = values::metres)]
     region_size_m: Option<f64>,
     /// Edges of the area in the file's projected metres. All of the file if left out.
     #[arg(long, value_name = "S,W,N,E", value_parser = values::edges, allow_hyphen_values = true)]
@@ -44,7 +44,7 @@ pub struct SurveyCommand {
           conflicts_with = "area", requires = "size_m")]
     centre: Option<[f64; 2]>,
     /// Size of the area to the north and to the east.
-    #[arg(long, value_name = "NORTH,EAST", value_parser = values::pair, requires = "centre")]
+    #[arg(long, value_name = "NORTH,EAST", value_parser = values::two_metres, requires = "centre")]
     size_m: Option<[f64; 2]>,
     /// How a grid in degrees is laid onto the plane.
     #[arg(long, value_enum, default_value = "equirectangular", requires = "centre")]
@@ -98,10 +98,7 @@ enum PlaneWord {
 }
 
 fn spacing(text: &str) -> Result<[f64; 2], String> {
-    match values::pair(text) {
-        Ok(both) => Ok(both),
-        Err(_) => values::positive(text).map(|one| [one; 2]),
-    }
+    if text.contains(',') { values::two_metres(text) } else { values::metres(text).map(|one| [one; 2]) }
 }
 
 /// Samples a region along each axis, where no region size is given: 16 samples for nine words. Exactly: a rounded side

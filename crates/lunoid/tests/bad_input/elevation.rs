@@ -120,8 +120,8 @@ fn surveys_that_cannot_be() {
     let room = Room::new();
     room.write("plane.tif", Tiff::plane().bytes());
     for (options, word) in [
-        (&["--region-size-m", "0"][..], "expected a number above 0"),
-        (&["--region-size-m=-5"], "expected a number above 0"),
+        (&["--region-size-m", "0"][..], "expected metres from 0.001 to 1e7"),
+        (&["--region-size-m=-5"], "expected metres from 0.001 to 1e7"),
         (&["--region-size-m", "nan"], "expected a finite number"),
         (&["--region-size-m", "0.001"], "give larger regions"),
         (&["--region-size-m", "1e-300"], "give larger regions"),

@@ -72,6 +72,22 @@ fn values_that_cannot_be_are_refused() {
             &["'2,0,1,9'", "--area", "south below north"],
         ),
         (&["bank", "generate", "tiny.toml", "-o", "-"], &["-:", "/dev/stdout", "./-"]),
+        (
+            &["model", "show", "ideal", "--budget", "--region-size-m", "1e-300"],
+            &["'1e-300'", "--region-size-m", "0.001 to 1e7"],
+        ),
+        (
+            &["bank", "import", "a.npy", "-o", "a.bank", "--region-size-m", "1e300"],
+            &["'1e300'", "--region-size-m", "0.001 to 1e7"],
+        ),
+        (
+            &["bank", "import", "a.npy", "-o", "a.bank", "--region-size-m", "9", "--origin-m", "1e300,0"],
+            &["'1e300,0'", "--origin-m", "-1e9 to 1e9"],
+        ),
+        (
+            &["survey", "a.npy", "-o", "a.bank", "--spacing-m", "1e300"],
+            &["'1e300'", "--spacing-m", "0.001 to 1e7"],
+        ),
     ] {
         refused(&scene, 2, arguments, words);
     }

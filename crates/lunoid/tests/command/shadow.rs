@@ -94,7 +94,7 @@ fn what_makes_no_sense_is_refused() {
         (["--sun", "nan"], "expected degrees from 0.1 to 89"),
         (["--places", "0"], "1..=1000"),
         (["--azimuths", "361"], "1..=360"),
-        (["--eye-height", "-1"], "expected metres above 0"),
+        (["--eye-height", "-1"], "expected metres from 0.001"),
     ] {
         let (_, said) = scene.expect(2, &[&["study", "shadow", "tiny.toml"][..], &arguments].concat());
         assert!(said.contains(words), "{said}");

@@ -187,6 +187,19 @@ fn a_record_is_shown_as_text_document_and_plots() {
     }
 }
 
+/// A fold is seen at a tick, and words that come with it are there at once: nothing waits for less than no time.
+#[test]
+fn words_that_come_with_their_fold_wait_for_nothing() {
+    let scene = Scene::new();
+    for frame in ["0", "1", "2", "3"] {
+        let show = ["timing", "show", "tiny.toml", "--json", "--frame", frame];
+        let document = json(&scene.expect(0, &show).0);
+        let chain = &document["critical_path"]["chains"][0];
+        assert!(chain["links"].as_array().unwrap().is_empty(), "{chain}");
+        assert_eq!(chain["slack"], document["record"]["frames"][0]["deadlines"]["transfer"]["least"]);
+    }
+}
+
 /// From a column of the picture to every line of the record that concerns it.
 #[test]
 fn misses_of_a_sweep_are_listed_line_by_line() {

@@ -5,8 +5,8 @@ use crate::frame::SMALL;
 use crate::lettering;
 
 use super::crossing::Verticals;
-use super::flow::{flow, rows};
 use super::page::RegisterColour;
+use crate::flow::{flow, rows};
 
 /// Height of a row.
 const ROW: f32 = 20.0;

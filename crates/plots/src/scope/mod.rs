@@ -16,7 +16,6 @@ mod clock;
 mod column;
 mod crossing;
 mod cursor;
-mod flow;
 mod key;
 mod lane;
 mod page;

@@ -3,12 +3,12 @@
 use crate::PlotError;
 use crate::axis::{Axis, Ruler};
 use crate::canvas::{Anchor, Area, Canvas};
-use crate::colour::Colour;
+use crate::colour::dash;
+use crate::flow::{flow, rows};
 use crate::frame::{SMALL, TEXT};
 use crate::lettering;
 
 use super::clock::View;
-use super::flow::{flow, rows};
 use super::page::{Curve, Curves, Upright};
 
 /// Height of a row of the legend.
@@ -17,23 +17,13 @@ const ROW: f32 = 18.0;
 const ABOVE: f32 = 8.0;
 /// Length of the line beside a name of the legend.
 const SWATCH: f32 = 22.0;
-/// Dashes of the first six curves, of the next, and of those after them.
-const DASHES: [Option<[f32; 2]>; 3] = [None, Some([6.0, 3.0]), Some([2.0, 2.0])];
 /// Length of a tick.
 const TICK: f32 = 5.0;
 
-/// How a curve is drawn.
-pub(crate) fn style(canvas: &Canvas, index: usize) -> (Colour, Option<[f32; 2]>) {
-    let traces = &canvas.palette().traces;
-    (traces[index % traces.len()], DASHES[(index / traces.len()).min(DASHES.len() - 1)])
-}
-
 /// A line in the style of a curve.
 pub(crate) fn styled(canvas: &mut Canvas, points: &[(f32, f32)], width: f32, index: usize) {
-    match style(canvas, index) {
-        (colour, Some(dash)) => canvas.dashed(points, width, dash, colour),
-        (colour, None) => canvas.line(points, width, colour),
-    }
+    let traces = &canvas.palette().traces;
+    canvas.stroke(points, width, dash(index), traces[index % traces.len()]);
 }
 
 /// Places of the names of the legend within `width`.

@@ -31,7 +31,8 @@ pub struct ModeOutcome {
     pub name: String,
     /// Median, smallest and largest time (s a frame).
     pub time_s: [f64; 3],
-    /// Least processor time of all threads (s a frame), where the system tells it: other programs disturb it less.
+    /// Least processor time of all threads (s a frame): other programs disturb it less. None where the system does not tell
+    /// it, or counts it too coarsely to see frames as short as these.
     pub cpu_s: Option<f64>,
     /// BLAKE3 of the intensities of all frames, bit by bit.
     pub blake3: String,
@@ -152,12 +153,17 @@ impl Mode {
         ModeOutcome {
             name: self.name.clone(),
             time_s: spread(&self.times),
-            cpu_s: self.processor.iter().copied().reduce(f64::min),
+            cpu_s: least_seen(&self.processor),
             blake3: hash(&self.pictures),
             claims_equal: self.claims_equal,
             off: [off.rms(), off.max()],
         }
     }
+}
+
+/// The least of processor times; none if the counter did not move, which says no more than that it is coarse.
+fn least_seen(times: &[f64]) -> Option<f64> {
+    times.iter().copied().reduce(f64::min).filter(|&least| least > 0.0)
 }
 
 /// Processor time of all threads of this process so far (s), where the system tells it.
@@ -176,4 +182,15 @@ fn hash(pictures: &[Vec<f32>]) -> String {
         hasher.update(&value.to_bits().to_le_bytes());
     }
     hasher.finalize().to_hex().to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::least_seen;
+
+    #[test]
+    fn a_counter_that_stands_still_measures_nothing() {
+        assert_eq!(least_seen(&[3e-4, 2e-4]), Some(2e-4));
+        assert_eq!([least_seen(&[0.0, 2e-4]), least_seen(&[])], [None, None]);
+    }
 }

@@ -2,6 +2,12 @@
 
 use serde::Serialize;
 
+/// A number in the name of a case: far powers of ten as such, all else as it is written.
+pub(crate) fn plain(value: f64) -> String {
+    let is_ordinary = value == 0.0 || (1e-3..1e5).contains(&value.abs());
+    if is_ordinary { format!("{value}") } else { format!("{value:e}") }
+}
+
 /// What theory allows of a case by a method of the machine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Theory {
@@ -162,7 +168,13 @@ fn fault(theory: Theory, found: &Found) -> Option<&'static str> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Action, Cell, Found, Theory};
+    use super::{Action, Cell, Found, Theory, plain};
+
+    #[test]
+    fn ordinary_numbers_stand_as_they_are() {
+        let said = [90.0, 0.0, -1.0, 0.001, 1e-6, 1e6, -1e6].map(plain);
+        assert_eq!(said, ["90", "0", "-1", "0.001", "1e-6", "1e6", "-1e6"]);
+    }
 
     fn fault(theory: Theory, found: Found) -> Option<&'static str> {
         Cell::own("row", "case", "method", theory, found).fault

@@ -6,6 +6,7 @@ use features::{Crater, Shape};
 use quantities::radians;
 use scenario::{FieldOfView, RangeLaw, RangeProgramme};
 
+use super::cell::plain;
 use super::scene::Scene;
 
 /// One extreme.
@@ -76,7 +77,7 @@ pub fn extremes() -> Vec<Extreme> {
 
 fn light() -> Vec<Extreme> {
     let sun = |degrees: f64| {
-        extreme("light", format!("sun at {degrees:e} deg"), degrees, |scene, degrees| {
+        extreme("light", format!("sun at {} deg", plain(degrees)), degrees, |scene, degrees| {
             scene.sun.elevation = radians(degrees);
         })
     };
@@ -113,7 +114,7 @@ fn attitude() -> Vec<Extreme> {
 /// With an odd number of sweeps the one in the middle runs along the heading.
 fn azimuths() -> Vec<Extreme> {
     let off_axis = |quarter: f64, off: f64| {
-        let name = format!("heading {:.0} deg and {off:e} rad", quarter * 90.0);
+        let name = format!("heading {:.0} deg and {} rad", quarter * 90.0, plain(off));
         extreme("azimuth", name, quarter * std::f64::consts::FRAC_PI_2 + off, |scene, heading| {
             (scene.attitude.heading, scene.sweeps) = (heading, 47);
         })
@@ -125,7 +126,7 @@ fn azimuths() -> Vec<Extreme> {
 /// A sweep that passes the next corner at a distance, in units of its region.
 fn corners() -> Vec<Extreme> {
     let passing = |distance: f64| {
-        extreme("corner", format!("corner at {distance:e} regions"), distance, |scene, distance| {
+        extreme("corner", format!("corner at {} regions", plain(distance)), distance, |scene, distance| {
             let (corner, size) = (scene.corner(), scene.region_size);
             let (back, aside) = (0.3 * size, distance * size * FRAC_1_SQRT_2);
             scene.foot = [corner[0] + size - back - aside, corner[1] + size - back + aside];
@@ -147,7 +148,7 @@ fn corners() -> Vec<Extreme> {
 /// The whole scene larger or smaller: ground, eye and ranges alike.
 fn regions() -> Vec<Extreme> {
     let of = |size: f64| {
-        extreme("region", format!("regions of {size:e} m"), size, |scene, size| {
+        extreme("region", format!("regions of {} m", plain(size)), size, |scene, size| {
             let factor = size / scene.region_size;
             let from_origin = [0, 1].map(|axis| scene.foot[axis] - scene.origin[axis]);
             scene.foot = [0, 1].map(|axis| scene.origin[axis] + factor * from_origin[axis]);
@@ -163,7 +164,7 @@ fn regions() -> Vec<Extreme> {
 
 fn heights() -> Vec<Extreme> {
     let of = |highest: f64| {
-        extreme("height", format!("heights up to {highest:e} m"), highest, |scene, highest| {
+        extreme("height", format!("heights up to {} m", plain(highest)), highest, |scene, highest| {
             let factor = highest / scene.highest().max(f64::MIN_POSITIVE);
             scene.scale_words(factor);
             scene.craters.clear();
@@ -172,7 +173,7 @@ fn heights() -> Vec<Extreme> {
     // A rounding of a slope is one of the light wherever such ground is flat: so many times more as the wall is steep.
     let wall = |slope: f64| Extreme {
         roundings: USUAL.max(slope),
-        ..extreme("height", format!("a wall of slope {slope:e}"), slope, |scene, slope| {
+        ..extreme("height", format!("a wall of slope {}", plain(slope)), slope, |scene, slope| {
             let (size, rise) = (scene.region_size, slope * scene.region_size / 1.875);
             let foot = ((scene.foot[0] - scene.origin[0]) / size).floor() as usize;
             // From corner to corner without slope at both: steepest in the middle, 15/8 of the mean.
@@ -200,7 +201,7 @@ fn heights() -> Vec<Extreme> {
 
 fn eyes() -> Vec<Extreme> {
     let above = |metres: f64| {
-        extreme("eye", format!("eye {metres:e} m above the ground"), metres, |scene, metres| {
+        extreme("eye", format!("eye {} m above the ground", plain(metres)), metres, |scene, metres| {
             scene.above = metres;
         })
     };

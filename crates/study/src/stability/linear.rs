@@ -5,7 +5,7 @@ use std::time::Instant;
 use parts::{LagStep, SecondOrder, SecondOrderState};
 use signal::Real;
 
-use super::cell::{Action, Cell, Found, Theory};
+use super::cell::{Action, Cell, Found, Theory, plain};
 use crate::ladder::Extent;
 use crate::solver::{Flow, implicit, runge_kutta};
 
@@ -97,7 +97,7 @@ pub fn time_constants(_: Extent) -> Vec<Cell> {
 }
 
 fn lag_cells(tau: f64) -> Vec<Cell> {
-    let (case, truth) = (format!("lag of {tau:e} samples"), lag_in_closed_form(tau));
+    let (case, truth) = (format!("lag of {} samples", plain(tau)), lag_in_closed_form(tau));
     let row = "time constant";
     // The closed form of a slow lag is itself a difference of terms as large as its ramp.
     let rounding = |last_place: f64| Theory::Answers(last_place * ROUNDINGS * tau.clamp(1.0, SAMPLES as f64));
@@ -198,7 +198,13 @@ fn settled<S: Real>(samples: u64, method: &'static str, last_place: f64) -> Cell
     let found = run.found(&[level.to_f64()], level.to_f64() * (1.0 + TAU * last_place), Action::Exact);
     // A lag stands still where a step is less than a rounding: epsilon tau / h from its goal.
     let theory = Theory::Answers(last_place * TAU);
-    Cell::own("drift", &format!("{samples:e} samples, lag of 1000 behind a constant"), method, theory, found)
+    Cell::own(
+        "drift",
+        &format!("{} samples, lag of 1000 behind a constant", plain(samples as f64)),
+        method,
+        theory,
+        found,
+    )
 }
 
 /// An undamped second order that was let go: its swing may neither grow nor die.
@@ -213,5 +219,11 @@ fn swing(samples: u64) -> Cell {
     // One rounding of the matrix, raised to the number of samples.
     let theory = Theory::Answers(4.0 * f64::EPSILON * samples as f64);
     let found = run.found(&[1.0], 1.0 + 4.0 * f64::EPSILON * samples as f64, Action::Exact);
-    Cell::own("drift", &format!("{samples:e} samples, undamped swing"), "parts, f64", theory, found)
+    Cell::own(
+        "drift",
+        &format!("{} samples, undamped swing", plain(samples as f64)),
+        "parts, f64",
+        theory,
+        found,
+    )
 }

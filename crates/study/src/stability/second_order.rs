@@ -3,7 +3,7 @@
 use parts::{SecondOrder, SecondOrderState};
 use signal::Real;
 
-use super::cell::{Action, Cell, Theory};
+use super::cell::{Action, Cell, Theory, plain};
 use super::exponential::exponential_less_one;
 use super::linear::{FOLD, ROUNDINGS, Run, SAMPLES, ramp, run};
 use crate::ladder::Extent;
@@ -65,7 +65,7 @@ fn by_exponential(&Poles { w, z }: &Poles) -> Run {
 
 fn second_order_cells(poles: &Poles) -> Vec<Cell> {
     let Poles { w, z } = *poles;
-    let (row, case) = ("second order", format!("w h = {w:e}, damping {z}"));
+    let (row, case) = ("second order", format!("w h = {}, damping {z}", plain(w)));
     let truth = by_exponential(poles);
     // A ramp's slope jumps by 2 / FOLD at each fold and the beat adds up without damping: a swing of slope over w each.
     let folds = (SAMPLES / FOLD) as f64;
@@ -100,7 +100,7 @@ fn second_order_cells(poles: &Poles) -> Vec<Cell> {
 
 #[cfg(test)]
 mod tests {
-    use super::{NATURAL, Poles, by_exponential, ramp, run, second_orders};
+    use super::{NATURAL, Poles, by_exponential, plain, ramp, run, second_orders};
     use crate::ladder::Extent;
     use crate::solver::runge_kutta;
     use crate::stability::linear::SAMPLES;
@@ -128,7 +128,7 @@ mod tests {
         let cells = second_orders(Extent::Quick);
         for w in NATURAL.into_iter().filter(|w| *w >= 3.0) {
             for z in [0.0, 0.1, 1.0, 10.0] {
-                let case = format!("w h = {w:e}, damping {z}");
+                let case = format!("w h = {}, damping {z}", plain(w));
                 let of = |method: &str| {
                     cells.iter().find(|cell| cell.case == case && cell.method == method).unwrap()
                 };

@@ -9,7 +9,7 @@ use parts::{
 use quantities::SweepTime;
 use signal::Real;
 
-use super::cell::{Action, Cell, Found, Theory};
+use super::cell::{Action, Cell, Found, Theory, plain};
 use crate::ladder::Extent;
 
 const SAMPLES: usize = 256;
@@ -164,7 +164,7 @@ fn grazing(hysteresis: f64, over: f64) -> Cell {
         action: Action::Split,
         time_s,
     };
-    let case = format!("peak {over:e} above the threshold, hysteresis {hysteresis}");
+    let case = format!("peak {} above the threshold, hysteresis {hysteresis}", plain(over));
     Cell::own("comparator", &case, "parts, f64", Theory::Answers(1e-12), found)
 }
 

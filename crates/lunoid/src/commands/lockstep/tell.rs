@@ -4,7 +4,7 @@ use lockstep::{Fault, Report, Tally};
 use serde_json::{Value, json};
 
 use crate::Failure;
-use crate::output::{print, print_json, table};
+use crate::output::{named, print, print_json, table};
 
 /// A comparison, with a title.
 pub struct Told {
@@ -27,10 +27,9 @@ impl Told {
 
     fn text(&self) -> String {
         let Self { what, frames, report, faults } = self;
-        let frames: Vec<_> = frames.iter().map(u64::to_string).collect();
-        let of_frames =
-            if frames.is_empty() { String::new() } else { format!(", frames {}", frames.join(", ")) };
-        let mut text = format!("{what}{of_frames}: {} sweeps on both engines\n\n", report.sweeps);
+        let of_frames = if frames.is_empty() { String::new() } else { format!(", {}", named(frames)) };
+        let sweeps = if report.sweeps == 1 { "sweep" } else { "sweeps" };
+        let mut text = format!("{what}{of_frames}: {} {sweeps} on both engines\n\n", report.sweeps);
         let head = ["signal", "compared", "doubtful", "worst (FS)", "not compared"];
         let rows = report.signals.iter().map(|(name, tally)| row(name, tally));
         text += &table(&[head.map(str::to_owned).to_vec()].into_iter().chain(rows).collect::<Vec<_>>());

@@ -8,7 +8,7 @@ use timing::{FrameTiming, TimingRecord, Totals};
 use super::level::LevelFigures;
 use super::search::Search;
 use crate::commands::timing::rehearsal::Rehearsal;
-use crate::output::table;
+use crate::output::{named, table};
 
 /// One figure.
 #[derive(Debug, Clone, Serialize)]
@@ -59,8 +59,7 @@ impl Report {
         shows: f64,
     ) -> Self {
         let frames: Vec<u64> = poses.iter().map(|row| row.frame).collect();
-        let names: Vec<String> = frames.iter().map(u64::to_string).collect();
-        let head = format!("{} on {}, frames {}", record.scenario, record.machine, names.join(", "));
+        let head = format!("{} on {}, {}", record.scenario, record.machine, named(&frames));
         let mut tables: Vec<_> = levels.iter().map(|level| (title(level), level_rows(level))).collect();
         tables.push(("use of units".into(), unit_rows(rehearsal, record, levels)));
         Self { head, tables, searches, shows, frames }

@@ -12,7 +12,7 @@ use super::error::{failure, frames, quarter};
 use super::outputs::{Outputs, markdown, write};
 use crate::cli::COMMIT;
 use crate::loading::{StageArgs, Threads};
-use crate::output::table as columns;
+use crate::output::{named, rate as two_digits, table as columns};
 use crate::{Failure, Verdict};
 
 /// Repetitions that are timed.
@@ -106,8 +106,7 @@ impl Outcome {
     }
 
     fn facts(&self) -> String {
-        let frames: Vec<String> = self.frames.iter().map(u64::to_string).collect();
-        format!("{}, frame {}, {} threads, commit {COMMIT}", self.title, frames.join(", "), self.threads)
+        format!("{}, {}, {} threads, commit {COMMIT}", self.title, named(&self.frames), self.threads)
     }
 
     /// Titles and tables, each with the names of its columns first.
@@ -125,8 +124,8 @@ impl Outcome {
         let head =
             ["machine", "ms a frame", "least", "most", "processor, ms", "against lossless", "bits", "pixels"];
         let row = |mode: &study::economy::ModeOutcome| {
-            let [median, least, most] = mode.time_s.map(|time| format!("{:.1}", 1e3 * time));
-            let cpu = mode.cpu_s.map_or_else(|| "-".to_owned(), |cpu| format!("{:.1}", 1e3 * cpu));
+            let [median, least, most] = mode.time_s.map(|time| two_digits(1e3 * time));
+            let cpu = mode.cpu_s.map_or_else(|| "-".to_owned(), |cpu| two_digits(1e3 * cpu));
             let share = mode.cpu_s.zip(base).map(|(cpu, base)| 100.0 * (cpu / base - 1.0));
             let against = share.map_or_else(|| "-".to_owned(), |share| format!("{share:+.1} %"));
             let [rms, max] = mode.off;
@@ -202,8 +201,9 @@ impl Outcome {
             .map(|waste| Bars {
                 name: waste.what.to_owned(),
                 counts: vec![waste.wasted as f64, (waste.of - waste.wasted) as f64],
-                edges: vec!["no | yes".to_owned()],
+                edges: vec!["these | others".to_owned()],
                 wrong: 1,
+                kinds: ["touch no pixel", "all others"],
             })
             .collect();
         let look = TraceLook {
@@ -212,7 +212,8 @@ impl Outcome {
             width: 600,
             height: 120,
         };
-        let drawing = bar_picture("touches a pixel", "samples", &panels, &look).map_err(Failure::output)?;
+        let drawing =
+            bar_picture("what becomes of them", "samples", &panels, &look).map_err(Failure::output)?;
         for end in ["svg", "png"] {
             drawing.write(folder.join(format!("waste.{end}"))).map_err(Failure::output)?;
         }

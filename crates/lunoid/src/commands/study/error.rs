@@ -20,7 +20,7 @@ use super::outputs::{Outputs, markdown, write};
 use super::plots::write_plots;
 use crate::cli::COMMIT;
 use crate::loading::{Loaded, StageArgs, Threads};
-use crate::output::table as columns;
+use crate::output::{named, table as columns};
 use crate::{Failure, Verdict};
 
 /// The model whose parts make the chain that is solved.
@@ -234,8 +234,7 @@ impl Outcome {
     }
 
     fn facts(&self) -> String {
-        let frames: Vec<String> = self.frames.iter().map(u64::to_string).collect();
-        format!("{}, frame {}, {} threads, commit {COMMIT}", self.title, frames.join(", "), self.threads)
+        format!("{}, {}, {} threads, commit {COMMIT}", self.title, named(&self.frames), self.threads)
     }
 
     fn text(&self) -> String {

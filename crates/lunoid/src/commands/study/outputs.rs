@@ -66,14 +66,26 @@ pub fn write(folder: &Path, name: &str, document: &Value, csv: &str, page: &str)
     Ok(())
 }
 
-/// Rows as a table of Markdown, the first with the names of the columns.
+/// Rows as a table of Markdown, the first with the names of the columns. A bar within a cell is written so that it ends none.
 pub fn markdown(rows: &[Vec<String>]) -> String {
     let mut text = String::new();
     for (number, row) in rows.iter().enumerate() {
-        text += &format!("| {} |\n", row.join(" | "));
+        let cells: Vec<String> = row.iter().map(|cell| cell.replace('|', "\\|")).collect();
+        text += &format!("| {} |\n", cells.join(" | "));
         if number == 0 {
             text += &format!("|{}\n", "---|".repeat(row.len()));
         }
     }
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::markdown;
+
+    #[test]
+    fn a_bar_in_a_cell_ends_no_cell() {
+        let rows = [["sun", "mean |z| (m)"], ["own", "1.5"]].map(|row| row.map(str::to_owned).to_vec());
+        assert_eq!(markdown(&rows), "| sun | mean \\|z\\| (m) |\n|---|---|\n| own | 1.5 |\n");
+    }
 }

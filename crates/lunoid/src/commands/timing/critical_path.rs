@@ -144,9 +144,12 @@ struct Explained<'a> {
 impl Explained<'_> {
     fn chain(&self, sets: &[AskedSet], index: usize) -> Chain {
         let set = &sets[index];
-        let asked = self.seen(set.asked.time);
-        let due = set.used.map_or(asked, |used| self.due(used.time));
-        let came = set.came.map(|came| self.arrival(came));
+        let (asked, came) = match set.came {
+            // Words that come with the fold itself are there at the last tick before it, as in the record.
+            Some(came) if came == set.asked.time => (self.last_before(came), Some(self.last_before(came))),
+            came => (self.seen(set.asked.time), came.map(|came| self.arrival(came))),
+        };
+        let due = set.used.map_or(asked, |used| self.last_before(used.time));
         let links = match came {
             Some(came) => self.links(sets, index, asked, came),
             None => vec![self.wait(sets, index, asked, due)],
@@ -213,8 +216,8 @@ impl Explained<'_> {
         self.clock.tick_at_or_after(time).0 as i64
     }
 
-    /// The last tick that is in time.
-    fn due(&self, time: SweepTime) -> i64 {
+    /// The last tick not after `time`: what is there then is in time.
+    fn last_before(&self, time: SweepTime) -> i64 {
         let seen = self.clock.tick_at_or_after(time);
         seen.0 as i64 - i64::from(self.clock.instant_of(seen) > time)
     }

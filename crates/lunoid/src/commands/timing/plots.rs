@@ -36,7 +36,7 @@ pub fn write_utilisation(record: &TimingRecord, path: &Path) -> Result<(), Failu
         .map(|(label, lines)| panel(label, lines))
         .collect();
     let look = TraceLook { height: 160, facts: vec![facts(record)], ..TraceLook::titled("Use of units") };
-    let picture = trace_picture(&Axis::new("frame"), &panels, &[], &look).map_err(Failure::input)?;
+    let picture = trace_picture(&Axis::new("frame").whole(), &panels, &[], &look).map_err(Failure::input)?;
     picture.write(path).map_err(Failure::output)
 }
 
@@ -66,7 +66,13 @@ pub fn write_slack(record: &TimingRecord, path: &Path) -> Result<(), Failure> {
         let slack = totals.deadlines.get(deadline)?.slack;
         let name = format!("{deadline}: {} of {} missed", slack.missed, slack.count);
         let counts = slack.bins.map(|count| count as f64).into();
-        Some(Bars { name, counts, edges: edges.clone(), wrong: slack.bins.len() / 2 })
+        Some(Bars {
+            name,
+            counts,
+            edges: edges.clone(),
+            wrong: slack.bins.len() / 2,
+            kinds: ["missed", "met"],
+        })
     };
     let panels: Vec<Bars> = Deadline::ALL.iter().filter_map(bars).collect();
     let look = TraceLook { height: 150, facts: vec![facts(record)], ..TraceLook::titled("Slack") };
