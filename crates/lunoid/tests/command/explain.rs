@@ -25,6 +25,7 @@ fn a_pixel_leads_to_its_sweep_and_agrees_with_the_picture() {
     assert!(ground.contains("terrain at ") && ground.contains(" m high, "), "{ground}");
     let (text, _) = scene.expect(0, &["explain", "scene.toml", "--frame", "1", "--pixel", "20,0"]);
     assert!(line_of_exact(&text).ends_with(": sky"), "{text}");
+    assert!(text.contains("cell 0.000 of ") && !text.contains("-0.000"), "{text}");
 }
 
 #[test]
