@@ -250,7 +250,7 @@ impl<'a> Reader<'a> {
         })
     }
 
-    /// A text in quotes that is not empty.
+    /// A text in quotes: one line that is not empty, without control characters.
     pub fn string(&self, key: &str) -> Field<'a, String> {
         self.field(key, "one line of text in quotes", |node| match &node.value {
             // Lists and terminals show it as it is.

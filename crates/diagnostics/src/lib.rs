@@ -69,11 +69,14 @@
 //! A file with a `base` is read through [`Layers`], where a later file wins key by key and every value
 //! remembers the file and the line it came from.
 //!
+//! Of a long list of data [`LongList`] tells the first faults and counts the others.
+//!
 //! [`JunitSuite`] writes what was checked for continuous integration.
 
 mod field;
 mod junit;
 mod layers;
+mod long_list;
 mod place;
 mod problem;
 mod reader;
@@ -84,6 +87,7 @@ mod tree;
 pub use field::{Bounded, Field};
 pub use junit::{JunitCase, JunitSuite};
 pub use layers::{Layers, Origin};
+pub use long_list::LongList;
 pub use place::{Place, Placed, Source};
 pub use problem::{Problem, ProblemList, ProblemRecord, Problems};
 pub use reader::{PartTable, Reader};

@@ -132,7 +132,7 @@ impl Problems {
     }
 
     /// The list as an error when it is not empty: file by file in the order they were met, each from top
-    /// to bottom.
+    /// to bottom, and what has no place behind it.
     pub fn into_result(self) -> Result<(), ProblemList> {
         let mut list = self.list.into_inner();
         if list.is_empty() {
@@ -141,7 +141,8 @@ impl Problems {
         let files: Vec<String> = list.iter().map(|problem| problem.file.clone()).collect();
         list.sort_by_cached_key(|problem| {
             let file = files.iter().position(|file| *file == problem.file);
-            (file, problem.place.as_ref().map(|place| place.span.start))
+            let start = problem.place.as_ref().map(|place| place.span.start);
+            (file, start.is_none(), start)
         });
         Err(ProblemList { list })
     }

@@ -18,7 +18,7 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
-use diagnostics::{Place, Problem, ProblemList, Problems, Source};
+use diagnostics::{LongList, Place, Problem, ProblemList, Problems, Source};
 use glam::DVec3;
 use limits::Limit;
 
@@ -28,8 +28,6 @@ use crate::{Solid, SolidError};
 pub const MAX_PARTS: usize = 4096;
 /// Albedo of every face.
 pub const ALBEDO: f64 = 0.8;
-/// Faults listed; the rest are counted.
-const LISTED: usize = 20;
 
 /// Statements that say nothing about shape.
 const SKIPPED: [&str; 5] = ["vn", "vt", "s", "usemtl", "mtllib"];
@@ -64,19 +62,9 @@ pub fn parse(name: &str, text: String) -> Result<Vec<Solid>, ProblemList> {
         let problem = Problem::of_file(name, "no faces, so no solid");
         reading.faults.push(problem.expected("`v` and `f` statements of at least one closed convex part"));
     }
-    listed(name, reading.faults)?;
-    Ok(solids)
-}
-
-fn listed(name: &str, faults: Vec<Problem>) -> Result<(), ProblemList> {
     let problems = Problems::new();
-    // Where the first of them is, so that it comes behind those that are listed.
-    if let Some(first) = faults.get(LISTED) {
-        let title = format!("{} more faults of this file are not listed", faults.len() - LISTED);
-        problems.push(Problem { place: first.place.clone(), ..Problem::of_file(name, title) });
-    }
-    faults.into_iter().take(LISTED).for_each(|fault| problems.push(fault));
-    problems.into_result()
+    let solids = reading.faults.finish(solids, &problems);
+    problems.resolve(solids)
 }
 
 /// A word and the bytes it takes.
@@ -106,7 +94,7 @@ struct WrittenFace {
 
 struct Reading {
     source: Arc<Source>,
-    faults: Vec<Problem>,
+    faults: LongList,
     vertices: Vec<(DVec3, Range<usize>)>,
     parts: Vec<Part>,
 }
@@ -114,7 +102,7 @@ struct Reading {
 impl Reading {
     fn new(name: &str, text: String) -> Self {
         let source = Arc::new(Source { name: name.into(), text });
-        Self { source, faults: Vec::new(), vertices: Vec::new(), parts: Vec::new() }
+        Self { source, faults: LongList::new(name), vertices: Vec::new(), parts: Vec::new() }
     }
 
     fn fault(&mut self, span: &Range<usize>, title: String, expected: &str) {

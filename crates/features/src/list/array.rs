@@ -2,15 +2,12 @@
 
 use std::path::Path;
 
-use diagnostics::{Problem, ProblemList, Problems};
+use diagnostics::{LongList, Problem, ProblemList, Problems};
 use files::{NpyData, read_npy};
 use limits::Limit;
 
 use super::row::{FLOOR, OUTER};
 use crate::{Crater, Shape};
-
-/// Faults told in full.
-const TOLD: usize = 20;
 
 /// The craters of an array `[craters, 6]` or `[craters, 8]` of float64: the columns of the text form in their order, `type`
 /// as 1, 2 or 3, NaN in `outer_m` and `floor_m` where nothing is given.
@@ -40,23 +37,16 @@ pub(super) fn read(path: &Path) -> Result<Vec<Crater>, ProblemList> {
     if values.is_empty() {
         return Err(refused("a list of craters without rows".into(), "give at least one row"));
     }
-    let (mut craters, problems, mut faulty) = (Vec::with_capacity(values.len() / width), Problems::new(), 0);
+    let (mut craters, mut faults) = (Vec::with_capacity(values.len() / width), LongList::new(&name));
     for (number, row) in values.chunks_exact(width).enumerate() {
         match crater(row) {
             Ok(crater) => craters.push(crater),
-            Err(fault) => {
-                faulty += 1;
-                if faulty <= TOLD {
-                    problems.push(Problem::of_file(&name, format!("row {number} (from 0): {fault}")));
-                }
-            }
+            Err(fault) => faults.push(Problem::of_file(&name, format!("row {number} (from 0): {fault}"))),
         }
     }
-    if faulty > TOLD {
-        problems.push(Problem::of_file(&name, format!("{} rows more are no craters", faulty - TOLD)));
-    }
-    problems.into_result()?;
-    Ok(craters)
+    let problems = Problems::new();
+    let craters = faults.finish(craters, &problems);
+    problems.resolve(craters)
 }
 
 fn crater(row: &[f64]) -> Result<Crater, String> {

@@ -2,7 +2,7 @@
 
 use std::path::{Path as FilePath, PathBuf};
 
-use diagnostics::{Place, Placed, Problem, Problems, Reader};
+use diagnostics::{LongList, Place, Placed, Problem, Problems, Reader};
 use limits::Limit;
 use quantities::radians;
 
@@ -88,20 +88,13 @@ fn read_text(path: &FilePath, name: &str, problems: &Problems) -> Option<String>
 /// The path of all waypoints; every time that does not rise is a problem at its place.
 fn join(waypoints: Vec<PlacedWaypoint>, start: &Place, problems: &Problems) -> Option<Path> {
     let falling = waypoints.windows(2).filter(|pair| pair[1].value.time <= pair[0].value.time);
-    let count = falling.clone().count();
-    for pair in falling.take(number_of_reports(count)) {
+    let mut faults = LongList::new(&start.source.name);
+    for pair in falling {
         let (before, time) = (pair[0].value.time, pair[1].value.time);
         let title = format!("t = {time} s after t = {before} s: times must ascend");
-        problems.push(Problem::of(&pair[1], title).expected(format!("more than {before}")));
+        faults.push(Problem::of(&pair[1], title).expected(format!("more than {before}")));
     }
-    if count > 0 {
-        return None;
-    }
+    faults.finish((), problems)?;
     let refuse = |error: PathError| problems.push(Problem::at(start, error.to_string()));
     Path::new(waypoints.into_iter().map(|waypoint| waypoint.value).collect()).map_err(refuse).ok()
-}
-
-/// A long table with one fault in every row is reported by its first rows.
-pub(super) fn number_of_reports(faults: usize) -> usize {
-    faults.min(20)
 }

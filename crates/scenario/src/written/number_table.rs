@@ -3,14 +3,12 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use diagnostics::{Place, Problem, Problems, Source};
-
-use super::course::number_of_reports;
+use diagnostics::{LongList, Place, Problem, Problems, Source};
 
 /// A table being read: where it comes from and what was wrong so far.
 pub(super) struct NumberTable<'p> {
     source: Arc<Source>,
-    faults: Vec<Problem>,
+    faults: LongList,
     problems: &'p Problems,
 }
 
@@ -24,7 +22,7 @@ pub(super) struct Cell<'t> {
 impl<'p> NumberTable<'p> {
     pub fn new(name: &str, text: &str, problems: &'p Problems) -> Self {
         let source = Arc::new(Source { name: name.into(), text: text.into() });
-        Self { source, faults: Vec::new(), problems }
+        Self { source, faults: LongList::new(name), problems }
     }
 
     pub fn place(&self, span: &Range<usize>) -> Place {
@@ -54,18 +52,7 @@ impl<'p> NumberTable<'p> {
 
     /// What was read, if nothing was wrong; else the first faults are handed on, and the number of the rest.
     pub fn finish<T>(self, read: T) -> Option<T> {
-        let (all, shown) = (self.faults.len(), number_of_reports(self.faults.len()));
-        if all == 0 {
-            return Some(read);
-        }
-        for problem in self.faults.into_iter().take(shown) {
-            self.problems.push(problem);
-        }
-        if all > shown {
-            let title = format!("{} more faults of this file are not listed", all - shown);
-            self.problems.push(Problem::of_file(&self.source.name, title));
-        }
-        None
+        self.faults.finish(read, self.problems)
     }
 }
 
