@@ -36,9 +36,11 @@ fn sweeps_ask_for_no_memory() {
         expect_at_most(scenario, 0.1);
     }
     // More sweeps meet more boundaries of shadow: the one list of them doubles a few times more.
-    expect_at_most("long-shadows", 0.2);
+    expect_at_most("craters", 0.2);
     // Words that take time on two levels, and bodies, of which lists grow as more sweeps meet them.
-    expect_at_most("nominal-drive", 2.0);
+    for scenario in ["nominal-drive", "full-drive"] {
+        expect_at_most(scenario, 2.0);
+    }
 }
 
 /// Four times the sweeps with four times the samples: at most so many requests more for each sweep more.

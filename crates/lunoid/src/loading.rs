@@ -14,7 +14,7 @@ use lunsim::{Hardware, Lunsim};
 use machine::HybridMachine;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use replay::{FileRecord, Inputs, Phase, file_hash};
-use scenario::{Ground, LawWishes, RasterWishes, Scenario};
+use scenario::{Ground, LawWishes, PathProblems, RasterWishes, Scenario};
 use stage::StageError;
 
 use crate::kind::{read_model, read_scenario};
@@ -307,9 +307,19 @@ fn drop_wish(scenario: &mut Scenario, key: &str) {
 
 /// Everything that `error` says of the scenario in `file`.
 pub fn stage_problems(file: &str, error: &StageError) -> ProblemList {
+    if let StageError::Path(error) = error {
+        return path_problems(error);
+    }
     let problems = Problems::new();
     error.to_string().lines().for_each(|line| problems.push(Problem::of_file(file, line)));
     problems.into_result().err().unwrap_or_else(|| Problem::of_file(file, "no stage").into())
+}
+
+/// Why a path cannot be driven, one problem a stretch of frames.
+pub fn path_problems(error: &PathProblems) -> ProblemList {
+    let problems = Problems::new();
+    error.iter().for_each(|problem| problems.push(Problem::of_file(error.path(), problem.to_string())));
+    problems.into_result().expect_err("there is a stretch")
 }
 
 impl Loaded {

@@ -50,6 +50,7 @@ pub struct Station {
 /// counting with its direction of travel.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Path {
+    name: String,
     waypoints: Vec<Waypoint>,
     position: [Curve; 2],
     heading: Curve,
@@ -89,7 +90,7 @@ pub enum PathError {
 }
 
 impl Path {
-    /// The path of `waypoints`, in order of time.
+    /// The path of `waypoints`, in order of time. It is called `the path`.
     ///
     /// # Errors
     /// As [`PathError`] says.
@@ -101,6 +102,7 @@ impl Path {
         let position = [0, 1].map(|axis| curve(waypoints.iter().map(|w| w.at[axis]).collect()));
         let headings = headings(&waypoints, &position);
         Ok(Self {
+            name: "the path".into(),
             eye_height: whole(all(&waypoints, "z_m", |w| w.eye_height)?),
             pitch: whole(all(&waypoints, "pitch_deg", |w| w.pitch)?.map(unwrapped)),
             roll: whole(all(&waypoints, "roll_deg", |w| w.roll)?.map(unwrapped)),
@@ -108,6 +110,16 @@ impl Path {
             position,
             waypoints,
         })
+    }
+
+    /// The same under the name of the file that says it.
+    pub fn named(self, name: impl Into<String>) -> Self {
+        Self { name: name.into(), ..self }
+    }
+
+    /// What it is called where it cannot be driven.
+    pub fn name(&self) -> &str {
+        &self.name
     }
 
     /// The waypoints, in order of time.

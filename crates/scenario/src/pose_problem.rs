@@ -5,6 +5,8 @@ use std::ops::Range;
 
 use quantities::degrees;
 
+use crate::Path;
+
 /// What is wrong with a pose.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PoseFault {
@@ -54,12 +56,13 @@ pub struct PathProblem {
 /// All stretches; never empty.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PathProblems {
+    path: String,
     list: Vec<PathProblem>,
 }
 
 impl PathProblems {
-    /// Joins faults of single frames, ascending, into stretches.
-    pub(crate) fn of(faults: impl Iterator<Item = (u64, PathProblem)>) -> Result<(), Self> {
+    /// Joins faults of single frames of `path`, ascending, into stretches.
+    pub(crate) fn of(path: &Path, faults: impl Iterator<Item = (u64, PathProblem)>) -> Result<(), Self> {
         let mut list: Vec<PathProblem> = Vec::new();
         for (frame, problem) in faults {
             match list.last_mut() {
@@ -67,7 +70,12 @@ impl PathProblems {
                 _ => list.push(problem),
             }
         }
-        if list.is_empty() { Ok(()) } else { Err(Self { list }) }
+        if list.is_empty() { Ok(()) } else { Err(Self { path: path.name().into(), list }) }
+    }
+
+    /// What the path is called: the file that says it.
+    pub fn path(&self) -> &str {
+        &self.path
     }
 
     /// One after the other, in order of time.
@@ -115,7 +123,8 @@ impl fmt::Display for PathProblem {
 
 impl fmt::Display for PathProblems {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let lines: Vec<String> = self.list.iter().map(PathProblem::to_string).collect();
+        let lines: Vec<String> =
+            self.list.iter().map(|problem| format!("{}: {problem}", self.path)).collect();
         f.write_str(&lines.join("\n"))
     }
 }

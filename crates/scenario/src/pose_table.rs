@@ -62,7 +62,7 @@ impl PoseTable {
         (0..frames.start).for_each(|frame| picture.pass(frame));
         let found: Vec<_> = frames.map(|frame| (frame, picture.turn(frame, driver.row(frame)))).collect();
         let faults = found.iter().filter_map(|(frame, row)| Some((*frame, row.as_ref().err()?.clone())));
-        PathProblems::of(faults)?;
+        PathProblems::of(&scenario.path, faults)?;
         let rows: Vec<PoseRow> = found.into_iter().filter_map(|(_, row)| row.ok()).collect();
         let limits = limit_reports(&rows, &scenario.vehicle);
         Ok(Self { rows, limits })

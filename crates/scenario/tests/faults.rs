@@ -106,7 +106,7 @@ fn each_cross_check() {
         ("update_hz = 30", "update_hz = \"30/0\"", "a fraction in quotes"),
         ("update_hz = 30", "update_hz = 0", "a fraction in quotes"),
         ("t_s = 3", "t_s = 0", "times must ascend"),
-        ("t_s = 0", "t_s = -1", "of at least 0"),
+        ("t_s = 0", "t_s = -1", "from 0 to"),
         ("x_m = 51", "x_m = nan", "not nan"),
         ("y_m = 80 }]", "y_m = 80, z_m = 3 }]", "unknown key `path.keyframes[1].z_m`"),
         ("[sun]", "[range]\nprogramme = 'geometric'\nstart_m = 5\nend_m = 5\n[sun]", "must be more than"),
@@ -213,11 +213,22 @@ fn good_path_files() {
 fn faults_of_path_files_have_line_and_column() {
     let header = "t_s,x_m,y_m,heading_deg\n";
     let csv = |rows: &str| path_faults("p.csv", &format!("{header}{rows}"));
-    assert_eq!(csv("0,1,2,3\n1,nan,2,3\n"), ["3:3 `x_m` must be a finite number, not nan"]);
-    assert_eq!(csv("0,1,2,inf\n"), ["2:7 `heading_deg` must be a finite number, not inf"]);
+    assert_eq!(
+        csv("0,1,2,3\n1,nan,2,3\n"),
+        ["3:3 `x_m` must be a number from -10000000 to 10000000, not nan"]
+    );
+    assert_eq!(csv("0,1,2,inf\n"), ["2:7 `heading_deg` must be a number from -36000 to 36000, not inf"]);
     assert_eq!(
         csv("0,1,,3\n1,x,2,3\n"),
-        ["2:5 `y_m` must be a finite number, not nothing", "3:3 `x_m` must be a finite number, not x",]
+        [
+            "2:5 `y_m` must be a number from -10000000 to 10000000, not nothing",
+            "3:3 `x_m` must be a number from -10000000 to 10000000, not x",
+        ]
+    );
+    assert_eq!(csv("0,1e8,2,3\n").len(), 1);
+    assert_eq!(
+        csv("1e300,1,2,3\n"),
+        ["2:1 `t_s` must be a number from -1000000000000 to 1000000000000, not 1e300"]
     );
     assert_eq!(csv("0,1,2,3\n0,1,2,3\n"), ["3:1 t = 0 s after t = 0 s: times must ascend"]);
     assert_eq!(csv("0,1,2\n"), ["2:1 a row of 3 cells under a header of 4"]);
@@ -236,7 +247,7 @@ fn faults_of_path_files_have_line_and_column() {
     assert_eq!(path_faults("p.tum", "0 1 2 3\n"), ["1:1 a row of 4 numbers"]);
     assert_eq!(
         path_faults("p.tum", "0 1 2 3 0 0 0 1\n1 1 2 NaN 0 0 0 1\n"),
-        ["2:7 `tz` must be a finite number, not NaN",]
+        ["2:7 `tz` must be a number from -10000000 to 10000000, not NaN",]
     );
     assert!(path_faults("p.txt", "")[0].contains("of a kind that is not known"));
 }
@@ -335,6 +346,31 @@ fn events_that_cannot_happen() {
     let text = GOOD.replace("[sun]", &format!("{FLAG}{}[sun]", event(1.0, &add.replace("flag", "flg"))));
     let list = Scenario::parse("t.toml", &text).unwrap_err().to_string();
     assert!(list.contains("did you mean \"flag\"?"), "{list}");
+}
+
+/// Rules of generated ground are the landscape's, its names are not the keys.
+#[test]
+fn ground_that_does_not_fit_is_shown_at_its_key() {
+    let undulation =
+        "\n[landscape.generated.undulation]\nrms_height_m = 1\nhurst = 0.7\nshortest_m = 5\nlongest_m = 200";
+    let massif = |radius: &str| {
+        let at = "at_m = [300, 300]\nheight_m = 50\ndetail_m = 200";
+        format!("\n[[landscape.generated.massif]]\n{at}\nruggedness = 0.2\nradius_m = {radius}")
+    };
+    let crater = "\n[landscape.generated.craters]\nsmallest_radius_m = 200\nlargest_radius_m = 400";
+    let coarse = "\n[landscape.coarse]\nseed = 2\nregion_size_m = 200\nextent_m = [1401, 1400]";
+    for (parts, line) in [
+        (undulation.into(), 12),
+        (massif("500") + &massif("90"), 20),
+        (format!("{crater}\nsubdued_depth_ratio = 0.2\nfresh_depth_ratio = 0.1"), 13),
+        (coarse.into(), 12),
+        (format!("{}\n[levels]\nswitch_m = 50", coarse.replace("1401", "1600")), 12),
+    ] {
+        let (found, title) = fault("region_size_m = 40", &format!("region_size_m = 40{parts}"));
+        assert!(title.contains("does not fit"), "{title}");
+        assert_eq!(found, Some(line), "{title}");
+    }
+    assert_eq!(fault("[600, 600]", "[601, 600]").0, Some(7), "its extent");
 }
 
 #[test]

@@ -38,6 +38,7 @@ fn parse(text: &str) -> Scenario {
     let mut scenario =
         Scenario::parse(name.to_str().unwrap(), text).unwrap_or_else(|list| panic!("{list}\n{text}"));
     // Folders differ from one parse to the next.
+    scenario.path = scenario.path.named("drive");
     scenario.path_file = scenario.path_file.map(|path| path.file_name().unwrap().into());
     if let Ground::Bank(path) = &mut scenario.ground {
         *path = path.file_name().unwrap().into();

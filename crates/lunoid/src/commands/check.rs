@@ -9,7 +9,7 @@ use scenario::{PoseTable, Scenario};
 use serde_json::{Value, json};
 
 use crate::kind::Kind;
-use crate::loading::{hardware_model, other_names, stage_problems};
+use crate::loading::{hardware_model, other_names, path_problems, stage_problems};
 use crate::output::{Colour, print, print_json, tell};
 use crate::{Failure, Verdict};
 
@@ -90,7 +90,7 @@ fn check_scenario(path: &Path) -> Result<(), ProblemList> {
     let stage = stage::build(&scenario, settings).map_err(|error| stage_problems(&name, &error))?;
     let (update, yoke) = (stage.settings.timebase.update, stage.settings.yoke);
     let poses = PoseTable::resolve(&scenario, &stage.landscape, update, yoke, 0..scenario.frames(update));
-    poses.map(|_| ()).map_err(|error| of_file(format!("the path cannot be driven: {error}")))
+    poses.map(|_| ()).map_err(|error| path_problems(&error))
 }
 
 fn document(file: &Path, kind: Kind, result: &Result<(), ProblemList>) -> Value {

@@ -83,7 +83,11 @@ fn all_faults_are_told_at_once() {
 fn paths_that_cannot_be_driven() {
     let room = Room::new();
     for (old, new, words) in [
-        ("x_m = 108", "x_m = 9000", &["frame 2", "outside the problem area", "x 0..400 m, y 0..400 m"][..]),
+        (
+            "x_m = 108",
+            "x_m = 9000",
+            &["s.toml: frame 2", "outside the problem area", "x 0..400 m, y 0..400 m"][..],
+        ),
         ("x_m = 100", "x_m = 0", &["frame 0", "a wheel is outside the problem area"]),
         (KEYFRAMES, "file = \"gone.csv\"", &["gone.csv", "no such file"]),
         (KEYFRAMES, "file = \"folder\"", &["folder", "expected a name that ends in .csv or .tum"]),
@@ -102,12 +106,18 @@ fn path_tables_that_cannot_be() {
     for (text, words) in [
         (String::new(), &["p.csv", "an empty path file"][..]),
         (heading.into(), &["p.csv", "without rows"]),
-        (format!("{heading}{first}9,nan,205,9,0,0,0\n"), &["p.csv:3:3", "`x_m`", "finite number, not nan"]),
+        (
+            format!("{heading}{first}9,nan,205,9,0,0,0\n"),
+            &["p.csv:3:3", "`x_m`", "a number from -10000000 to 10000000, not nan"],
+        ),
         (format!("{heading}{first}9,108,-inf,9,0,0,0\n"), &["p.csv:3:7", "`y_m`", "-inf"]),
         (format!("{heading}{first}9,abc,205,9,0,0,0\n"), &["p.csv:3:3", "not abc"]),
         (format!("{heading}{first}9,108,205\n"), &["p.csv:3:1", "3 cells under a header of 7"]),
         (format!("{heading}{first}0,108,205,9,0,0,0\n"), &["p.csv:3:1", "times must ascend"]),
-        (format!("{heading}0,100,200,-500,0,0,0\n"), &["eye under ground", "z = -500.000 m", "raise z_m"]),
+        (
+            format!("{heading}0,100,200,-500,0,0,0\n"),
+            &["p.csv: frame 0", "eye under ground", "z = -500.000 m", "raise z_m"],
+        ),
         (format!("{heading}0,100,200,9,0,95,0\n"), &["pitch of 95.0 deg"]),
         (format!("{heading}0,1e6,200,9,0,0,0\n"), &["outside the problem area"]),
     ] {

@@ -7,11 +7,12 @@ use limits::Limit;
 use quantities::radians;
 
 use super::reference::reference;
+use super::scenery::MAX_COORDINATE;
 use super::{path_csv, path_tum};
 use crate::{Path, PathError, Waypoint};
 
-/// Places beyond this are a mistake, and would lose millimetres.
-const MAX_COORDINATE: f64 = 1e7;
+/// Times beyond this (s) are a mistake; recorders write seconds since 1970.
+pub(super) const MAX_TIME: f64 = 1e12;
 
 /// A waypoint and the place of its time, for what is wrong with its order.
 pub(super) type PlacedWaypoint = Placed<Waypoint>;
@@ -46,7 +47,7 @@ fn from_keyframes(table: &Reader, keyframes: &[Reader], problems: &Problems) -> 
 
 fn keyframe(table: &Reader) -> Option<PlacedWaypoint> {
     let metres = |key: &str| table.f64(key).between(-MAX_COORDINATE, MAX_COORDINATE).unit("m").required();
-    let time = table.f64("t_s").at_least(0.0).unit("s").placed().required();
+    let time = table.f64("t_s").between(0.0, MAX_TIME).unit("s").placed().required();
     let (x, y) = (metres("x_m"), metres("y_m"));
     let heading = table.f64("heading_deg").between(-360.0, 360.0).unit("degrees").map(radians).optional();
     let Placed { value: time, place, key } = time?;
@@ -96,5 +97,6 @@ fn join(waypoints: Vec<PlacedWaypoint>, start: &Place, problems: &Problems) -> O
     }
     faults.finish((), problems)?;
     let refuse = |error: PathError| problems.push(Problem::at(start, error.to_string()));
-    Path::new(waypoints.into_iter().map(|waypoint| waypoint.value).collect()).map_err(refuse).ok()
+    let path = Path::new(waypoints.into_iter().map(|waypoint| waypoint.value).collect());
+    path.map(|path| path.named(&start.source.name)).map_err(refuse).ok()
 }

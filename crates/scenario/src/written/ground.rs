@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use diagnostics::Reader;
-use landscape::relief::{Craters, MAX_WAVES, Massif, Meander, Relief, Rille, Undulation};
+use landscape::relief::{Craters, MAX_WAVES, Massif, Meander, Relief, ReliefError, Rille, Undulation};
 use quantities::radians;
 
 use super::reference::reference;
@@ -12,15 +12,12 @@ use crate::Ground;
 /// The ground of a `[landscape]` table, and the ground around it.
 pub(super) fn ground(table: &Reader, folder: &Path) -> Option<(Ground, Option<Relief>)> {
     let ground = fine(table, folder);
-    let coarse = table.optional_table("coarse").map(|coarse| (relief(&coarse), coarse));
-    let Some((coarse, place)) = coarse else { return ground.map(|ground| (ground, None)) };
+    let coarse = table.optional_table("coarse").map(|coarse| relief(&coarse));
+    let Some(coarse) = coarse else { return ground.map(|ground| (ground, None)) };
     match (ground?, coarse?) {
         (Ground::Generated(fine), coarse) => {
-            let report = |error: landscape::relief::ReliefError| {
-                let title = format!("the coarse level does not fit around the fine one: {error}");
-                place.report(place.problem("region_size_m", title));
-            };
-            fine.check_two(&coarse).map_err(report).ok()?;
+            let title = "the coarse level does not fit around the fine one";
+            fine.check_two(&coarse).map_err(|error| report(table, title, &error)).ok()?;
             Some((Ground::Generated(fine), Some(coarse)))
         }
         (Ground::Bank(_), _) => {
@@ -77,11 +74,34 @@ fn all_read<T>(part: Option<Option<T>>) -> Option<Option<T>> {
 
 /// Rules that span several keys are the landscape's own.
 fn check(table: &Reader, relief: &Relief) -> Option<()> {
-    let report = |error: landscape::relief::ReliefError| {
-        let title = format!("the generated landscape does not fit together: {error}");
-        table.report(table.problem("region_size_m", title));
+    let title = "the generated landscape does not fit together";
+    relief.check().map_err(|error| report(table, title, &error)).ok()
+}
+
+/// Reports what a relief in `table` cannot be, at the key at fault.
+fn report(table: &Reader, title: &str, error: &ReliefError) {
+    let name = match error {
+        ReliefError::Parameter { name, .. } => name,
+        ReliefError::TooManyCraters(_) => "craters.smallest_radius",
+        ReliefError::TooManyCorners { .. } | ReliefError::Level(_) => "region_size",
     };
-    relief.check().map_err(report).ok()
+    report_at(table, name, format!("{title}: {error}"));
+}
+
+/// Reports at a parameter by the landscape's name: `massifs[2].height` is `height_m` of the third `[[massif]]`.
+fn report_at(table: &Reader, name: &str, title: String) {
+    if let Some((part, rest)) = name.split_once('.') {
+        let numbered = part.trim_end_matches(']').split_once("s[");
+        let inner = match numbered.and_then(|(part, index)| Some((part, index.parse::<usize>().ok()?))) {
+            Some((part, index)) => table.tables(part).into_iter().nth(index),
+            None => table.optional_table(part),
+        };
+        return report_at(&inner.unwrap_or_else(|| table.table_or_empty(part)), rest, title);
+    }
+    // Keys end in their unit, and an axis is none.
+    let word = name.split(' ').next().unwrap_or(name);
+    let key = table.keys().into_iter().find(|key| key.starts_with(word));
+    table.report(table.problem(key.unwrap_or(word), title));
 }
 
 fn undulation(table: &Reader) -> Option<Undulation> {

@@ -36,16 +36,13 @@ impl<'p> NumberTable<'p> {
         self.faults.push(problem);
     }
 
-    /// A finite number; `what` names it in the message.
-    pub fn number(&mut self, cell: &Cell, what: &str) -> Option<f64> {
-        let number = cell.text.parse().ok().filter(|number: &f64| number.is_finite());
+    /// A number of at most `most` either way; `name` names it in the message.
+    pub fn number(&mut self, cell: &Cell, name: &str, most: f64) -> Option<f64> {
+        let number = cell.text.parse().ok().filter(|number: &f64| number.abs() <= most);
         if number.is_none() {
             let found = if cell.text.is_empty() { "nothing" } else { cell.text };
-            self.fault(
-                &cell.span,
-                format!("`{what}` must be a finite number, not {found}"),
-                "a finite number",
-            );
+            let expected = format!("a number from -{most} to {most}");
+            self.fault(&cell.span, format!("`{name}` must be {expected}, not {found}"), &expected);
         }
         number
     }

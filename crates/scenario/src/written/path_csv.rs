@@ -3,13 +3,17 @@
 use diagnostics::{Placed, Problems};
 use quantities::radians;
 
-use super::course::PlacedWaypoint;
+use super::course::{MAX_TIME, PlacedWaypoint};
 use super::number_table::{Cell, NumberTable, lines};
+use super::scenery::MAX_COORDINATE;
 use crate::Waypoint;
 
 /// Columns with a meaning; the first three must be there.
 const COLUMNS: [&str; 7] = ["t_s", "x_m", "y_m", "z_m", "heading_deg", "pitch_deg", "roll_deg"];
 const NEEDED: usize = 3;
+/// Largest numbers in them, either way: of headings a hundred turns.
+const MOST: [f64; COLUMNS.len()] =
+    [MAX_TIME, MAX_COORDINATE, MAX_COORDINATE, MAX_COORDINATE, 36_000.0, 360.0, 360.0];
 /// Columns that `poses.csv` of a run has besides; they follow from the others.
 const PASSED_OVER: [&str; 4] = ["frame", "speed_m_s", "turn_deg_s", "slope_deg"];
 
@@ -72,10 +76,10 @@ fn waypoint(
         return None;
     }
     let cell = |column: usize| columns[column].map(|index| &row[index]);
-    let mut needed = |column: usize| table.number(cell(column)?, COLUMNS[column]);
+    let mut needed = |column: usize| table.number(cell(column)?, COLUMNS[column], MOST[column]);
     let (time, x, y) = (needed(0), needed(1), needed(2));
     let mut optional = |column: usize| match cell(column) {
-        Some(cell) if !cell.text.is_empty() => table.number(cell, COLUMNS[column]),
+        Some(cell) if !cell.text.is_empty() => table.number(cell, COLUMNS[column], MOST[column]),
         _ => None,
     };
     let (eye_height, [heading, pitch, roll]) = (optional(3), [4, 5, 6].map(|i| optional(i).map(radians)));

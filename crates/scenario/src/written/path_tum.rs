@@ -6,11 +6,15 @@
 
 use diagnostics::{Placed, Problems};
 
-use super::course::PlacedWaypoint;
+use super::course::{MAX_TIME, PlacedWaypoint};
 use super::number_table::{Cell, NumberTable, lines};
+use super::scenery::MAX_COORDINATE;
 use crate::Waypoint;
 
 const COLUMNS: [&str; 8] = ["t", "tx", "ty", "tz", "qx", "qy", "qz", "qw"];
+/// Largest numbers in them, either way.
+const MOST: [f64; COLUMNS.len()] =
+    [MAX_TIME, MAX_COORDINATE, MAX_COORDINATE, MAX_COORDINATE, 2.0, 2.0, 2.0, 2.0];
 /// How far the length of a quaternion may be from 1: recorders write a few digits.
 const LENGTH_TOLERANCE: f64 = 1e-2;
 
@@ -36,8 +40,8 @@ fn waypoint(table: &mut NumberTable, row: &[Cell]) -> Option<PlacedWaypoint> {
         table.fault(&line, title, "the 8 numbers t tx ty tz qx qy qz qw");
         return None;
     }
-    let numbers: Vec<Option<f64>> =
-        row.iter().zip(COLUMNS).map(|(cell, name)| table.number(cell, name)).collect();
+    let columns = row.iter().zip(COLUMNS.iter().zip(MOST));
+    let numbers: Vec<_> = columns.map(|(cell, (name, most))| table.number(cell, name, most)).collect();
     let numbers: Vec<f64> = numbers.into_iter().collect::<Option<_>>()?;
     let [time, north, east, down, quaternion @ ..]: [f64; 8] = numbers.try_into().ok()?;
     let length = quaternion.iter().map(|part| part * part).sum::<f64>().sqrt();
