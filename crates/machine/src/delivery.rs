@@ -6,7 +6,7 @@ use hardware_model::ShadowParts;
 use landscape::{Attitude, parabolic_drop};
 use polyhedron_generator::{Drawn, FaceLight, Field, LeftOut, PolyhedronGenerator, ViewPlane};
 use rayon::prelude::*;
-use remote_shadow::{Outlines, Tile};
+use remote_shadow::{Footings, Outlines, Shade, Tile, UnderSun};
 use scenario::{BodyVisibility, Curvature, ShadowedBodies};
 use shadow_controller::{Gate, SEGMENT_WORDS, ShadowController};
 use solids::Body;
@@ -17,9 +17,7 @@ use crate::blocks::{Blocks, Shadows};
 use crate::control_plane::FramePlan;
 use crate::craters_in_sight::CratersInSight;
 use crate::feature_loads::load_timing;
-use crate::footing::{Footings, UnderSun};
 use crate::raster::WrittenRaster;
-use crate::shade::Shade;
 use crate::sight::InSight;
 
 /// Data of a frame, by sweep; the buffers are kept from frame to frame.

@@ -67,6 +67,7 @@ mod caster;
 mod chains;
 mod control_net;
 mod cover;
+mod footing;
 mod ground;
 mod lattice;
 mod numbers;
@@ -74,6 +75,7 @@ mod outlines;
 mod point;
 mod profile;
 mod segment;
+mod shade;
 mod sheet;
 mod strip;
 #[cfg(test)]
@@ -81,7 +83,9 @@ mod tests;
 mod tile;
 
 pub use bank::{Resolution, ShadowBank};
+pub use footing::{Circle, Footings, UnderSun};
 pub use lattice::TileCorners;
 pub use outlines::{Corners, Outlines};
 pub use segment::Segment;
+pub use shade::Shade;
 pub use tile::Tile;

@@ -5,7 +5,7 @@ use quantities::sin_cos;
 
 /// The sector of the sweeps and the way that shadows fall in it.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Shade {
+pub struct Shade {
     eye: [f64; 2],
     /// Unit vectors (north, east) of the left and the right edge, less than half a turn apart.
     edges: [[f64; 2]; 2],

@@ -3,8 +3,9 @@
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use landscape::Sun;
-use remote_shadow::{Outlines, ShadowBank};
 use solids::Body;
+
+use crate::{Outlines, ShadowBank};
 
 /// A body under a sun; what nobody asks for is not there.
 #[derive(Debug, Default)]
@@ -24,20 +25,21 @@ struct CastShadow {
 }
 
 /// Centre (north, east; m) and radius (m).
-type Circle = ([f64; 2], f64);
+pub type Circle = ([f64; 2], f64);
 
 /// Footings under one sun, by the body's place in the list of the mission.
 type Shelf = Arc<[Footing]>;
 
 /// Footings of all bodies of a mission under the last few suns.
 #[derive(Debug, Default)]
-pub(crate) struct Footings(Mutex<Vec<(Sun, Shelf)>>);
+pub struct Footings(Mutex<Vec<(Sun, Shelf)>>);
 
 /// Suns that are remembered.
 const SUNS: usize = 3;
 
 /// How the bodies of a mission stand under one sun.
-pub(crate) struct UnderSun<'a> {
+#[derive(Debug)]
+pub struct UnderSun<'a> {
     sun: Sun,
     bank: &'a ShadowBank,
     footings: Shelf,
@@ -94,10 +96,10 @@ fn circle_around(corners: impl Iterator<Item = [f64; 2]>) -> Circle {
 #[cfg(test)]
 mod tests {
     use super::{Footings, circle_around};
+    use crate::{Resolution, ShadowBank};
     use glam::{DMat3, DVec3};
     use landscape::{Bank, Landscape, Level, Sun};
     use proptest::prelude::{prop_assert, proptest};
-    use remote_shadow::{Resolution, ShadowBank};
     use solids::{Body, Kind, Solid};
     use std::sync::Arc;
 
