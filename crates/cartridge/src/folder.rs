@@ -106,14 +106,18 @@ pub fn of_folder(folder: &Path) -> Result<Vec<Cartridge>, CartridgeError> {
         return Err(refuse(format!("no cartridge: expected folders with a {FILE} in each")));
     }
     files.sort();
-    files.iter().map(|path| read(path)).collect()
+    files.iter().map(|path| of_file(&path.join(FILE))).collect()
 }
 
-fn read(folder: &Path) -> Result<Cartridge, CartridgeError> {
-    let path = folder.join(FILE);
+/// The cartridge of a file, called as the folder that it is in.
+///
+/// # Errors
+/// A file that cannot be read, and every fault of it.
+pub fn of_file(path: &Path) -> Result<Cartridge, CartridgeError> {
     let place = path.display().to_string();
     let refuse = |message: String| CartridgeError { place: place.clone(), message };
-    let bytes = files::read_all(&path, MAX_BYTES).map_err(|error: FileError| CartridgeError {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let bytes = files::read_all(path, MAX_BYTES).map_err(|error: FileError| CartridgeError {
         place: folder.display().to_string(),
         message: error.to_string(),
     })?;

@@ -31,6 +31,6 @@ mod scene;
 mod tests;
 
 pub use file::{Cartridge, CartridgeError, Engine};
-pub use folder::{CARRIED, SCHEMA, carried, of_folder};
+pub use folder::{CARRIED, SCHEMA, carried, of_file, of_folder};
 pub use junit::junit;
 pub use outcome::{Answer, Outcome, OverlayOutcome, Summary};

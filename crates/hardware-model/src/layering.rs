@@ -92,7 +92,7 @@ fn read_model(source: &ModelSource, problems: &Problems) -> Option<(TomlFile, He
 }
 
 fn read_overlay(overlay: &ModelSource, problems: &Problems) -> Option<TomlFile> {
-    let file = overlay.parse(problems)?;
+    let file = overlay.found(problems)?.parse(problems)?;
     let root = file.root(problems);
     let is_known = root.format_version(FORMAT) || !root.has("format");
     for key in ["name", "base"].into_iter().filter(|key| root.has(key)) {

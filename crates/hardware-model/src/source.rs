@@ -84,6 +84,21 @@ impl ModelSource {
         if is_fault && !path.is_file() { Self::Fault(name.into_owned()) } else { Self::File(path.to_owned()) }
     }
 
+    /// This overlay, if it is there; of one that is not, names that are like its own are told.
+    pub(crate) fn found(&self, problems: &Problems) -> Option<&Self> {
+        match self {
+            Self::File(path) if !path.exists() => {
+                let missing = FileError::Missing { path: path.clone() };
+                let problem = Problem::of_file(self.name(), missing.to_string());
+                let name = path.file_stem().unwrap_or_default().to_string_lossy();
+                let known = FAULTS.iter().map(|(known, _)| (*known).to_owned()).collect();
+                problems.push(advise(problem, &name, &known));
+                None
+            }
+            _ => Some(self),
+        }
+    }
+
     /// The built-in model of a name.
     pub(crate) fn built_in(name: &str) -> Option<Self> {
         BUILT_IN.iter().any(|(known, _)| *known == name).then(|| Self::BuiltIn(name.into()))

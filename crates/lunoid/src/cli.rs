@@ -74,7 +74,7 @@ pub enum Command {
     Augment(augment::Augment),
     /// Say how far one picture, or one run, is from another.
     Compare(compare::Compare),
-    /// Read scenarios and hardware models and list every fault.
+    /// Read scenarios, hardware models and whatever else is written in TOML, and list every fault.
     Check(check::Check),
     /// List what there is.
     List(list::List),

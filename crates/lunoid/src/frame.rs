@@ -2,9 +2,9 @@
 
 use clap::Args;
 
-use crate::Failure;
 use crate::commands::timing::rehearsal::Rehearsal;
 use crate::loading::{Loaded, StageArgs, Threads};
+use crate::{Failure, values};
 
 /// Which frame of which scenario, drawn by what.
 #[derive(Debug, Args)]
@@ -14,7 +14,7 @@ pub struct FrameArgs {
     #[command(flatten)]
     pub threads: Threads,
     /// Frame, from 0, counted at the update rate.
-    #[arg(long)]
+    #[arg(long, value_parser = values::at_least(0_u64))]
     pub frame: u64,
 }
 

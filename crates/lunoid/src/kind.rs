@@ -9,6 +9,7 @@ use limits::Limit;
 use scenario::Scenario;
 
 use crate::Failure;
+use crate::lunsim_keys::GEAR;
 
 /// What a TOML file is meant to be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,29 +22,45 @@ pub enum Kind {
     Overlay,
     /// The description beside a bank, which only people read.
     Sidecar,
+    /// What LUNSIM ran on.
+    Gear,
+    /// A test cartridge.
+    Cartridge,
+    /// None of these.
+    Unknown,
 }
 
+/// The kinds that are known, each with the keys that it is known by.
+pub const KNOWN: &str = "a scenario (title, landscape, path or sun), a hardware model (name or base), differences from \
+                         one (a table of its parts), what LUNSIM ran on (computer or recorder), a cartridge (scene) or \
+                         the description of a bank (content_blake3)";
+
 impl Kind {
-    /// What the keys of a file say, if they say anything.
+    /// What the keys of a file say, if it can be read.
     pub fn told(path: &Path) -> Option<Self> {
         let problems = Problems::new();
         let name = path.display().to_string();
         let file = TomlFile::parse_bytes(&name, &files::read_all(path, Limit::TextBytes).ok()?, &problems)?;
         let has = |keys: &[&str]| keys.iter().any(|key| file.root(&problems).has(key));
-        if has(&["content_blake3"]) {
-            Some(Self::Sidecar)
+        let kind = if has(&["content_blake3"]) {
+            Self::Sidecar
+        } else if has(&["scene"]) {
+            Self::Cartridge
         } else if has(&["title", "landscape", "path", "sun"]) {
-            Some(Self::Scenario)
+            Self::Scenario
         } else if has(&["name", "base"]) {
-            Some(Self::Model)
+            Self::Model
+        } else if has(&GEAR) {
+            Self::Gear
         } else if has(&parts_of_a_model().iter().map(String::as_str).collect::<Vec<_>>()) {
-            Some(Self::Overlay)
+            Self::Overlay
         } else {
-            None
-        }
+            Self::Unknown
+        };
+        Some(kind)
     }
 
-    /// The same; what says nothing is taken for a scenario, whose reader says why not.
+    /// The same; what cannot be read is taken for a scenario, whose reader says why.
     pub fn of(path: &Path) -> Self {
         Self::told(path).unwrap_or(Self::Scenario)
     }
@@ -55,13 +72,16 @@ impl Kind {
             Self::Model => "hardware-model",
             Self::Overlay => "overlay over ideal",
             Self::Sidecar => "description of a bank",
+            Self::Gear => "hardware of lunsim",
+            Self::Cartridge => "cartridge",
+            Self::Unknown => "unknown",
         }
     }
 
     /// One error in place of the faults that a file of another kind has as one of this kind.
     pub fn expect(self, path: &Path) -> Result<(), Failure> {
         let found = match Self::told(path) {
-            Some(found) if found != self => found,
+            Some(found) if found != self && found != Self::Unknown => found,
             _ => return Ok(()),
         };
         let [found, expected] = [found, self].map(|kind| match kind {
@@ -69,6 +89,9 @@ impl Kind {
             Self::Model => "a hardware model (--machine)",
             Self::Overlay => "differences from a hardware model (--overlay)",
             Self::Sidecar => "the description of a bank",
+            Self::Gear => "what LUNSIM ran on",
+            Self::Cartridge => "a cartridge (lunoid cartridge run --folder)",
+            Self::Unknown => "a file of no known kind",
         });
         let path = path.display();
         Err(Failure::input(format!("{path}: this is {found}, expected {expected}; name a file of that kind")))

@@ -1,11 +1,12 @@
 //! From a command line to a stage: scenario, machine, ground.
 
+use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::Instant;
 
-use clap::{Args, ValueEnum};
+use clap::{Arg, Args, ValueEnum};
 use diagnostics::{Problem, ProblemList, Problems};
 use exact::Exact;
 use generator::{Generator, Stage};
@@ -14,7 +15,7 @@ use lunsim::{Hardware, Lunsim};
 use machine::HybridMachine;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use replay::{FileRecord, Inputs, Phase, file_hash};
-use scenario::{Ground, LawWishes, PathProblems, RasterWishes, Scenario};
+use scenario::{Ground, PathProblems, RasterWishes, Scenario};
 use stage::StageError;
 
 use crate::kind::{read_model, read_scenario};
@@ -44,6 +45,27 @@ pub fn hardware_model(named: &str) -> &str {
     if other(named).is_some() { "ideal" } else { named }
 }
 
+/// The help of commands that take a hardware model alone.
+pub fn of_models(argument: Arg) -> Arg {
+    match argument.get_id().as_str() {
+        "machine" => argument.help("Hardware model by name or path. The scenario's own if left out"),
+        "set" => argument.help(
+            "Set one key of the hardware model over what the scenario wishes; may be given several times",
+        ),
+        _ => argument,
+    }
+}
+
+/// The help of commands that take a hardware model or LUNSIM.
+pub fn of_models_and_lunsim(argument: Arg) -> Arg {
+    match argument.get_id().as_str() {
+        "machine" => argument.help(
+            "Hardware model by name or path, or `lunsim` for the report's program. The scenario's own if left out",
+        ),
+        _ => argument,
+    }
+}
+
 /// Which scenario, drawn by what.
 #[derive(Debug, Default, Args)]
 pub struct StageArgs {
@@ -71,10 +93,10 @@ pub struct StageOptions {
     #[arg(long, value_name = "FILE")]
     pub bank: Option<PathBuf>,
     /// Sweeps a frame.
-    #[arg(long, value_parser = clap::value_parser!(u32).range(1..=8192))]
+    #[arg(long, value_parser = values::whole(1..=8192_u32))]
     pub sweeps: Option<u32>,
     /// Samples a sweep.
-    #[arg(long, value_parser = clap::value_parser!(u32).range(2..=65_536))]
+    #[arg(long, value_parser = values::whole(2..=65_536_u32))]
     pub samples: Option<u32>,
     /// Scalar type of the analog signals.
     #[arg(long, value_enum)]
@@ -106,20 +128,36 @@ pub enum ScalarWord {
 /// Threads that draw.
 #[derive(Debug, Args)]
 pub struct Threads {
-    /// Threads; as many as processors if left out. The results do not depend on it.
-    #[arg(short, long, env = "LUNOID_THREADS", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    /// Threads; as many as the variable LUNOID_THREADS says if left out, or as processors. The results do not depend on it.
+    #[arg(short, long, value_parser = threads)]
     pub jobs: Option<u16>,
+}
+
+/// Stands for `--jobs` where that is left out.
+const THREADS: &str = "LUNOID_THREADS";
+
+fn threads(text: &str) -> Result<u16, String> {
+    values::whole(1..=1024)(text)
 }
 
 impl Threads {
     /// The one pool of a command.
     pub fn pool(&self) -> Result<ThreadPool, Failure> {
         let available = || thread::available_parallelism().map_or(1, usize::from);
-        let threads = self.jobs.map_or_else(available, usize::from);
+        let threads = self.asked()?.map_or_else(available, usize::from);
         let pool = ThreadPoolBuilder::new().num_threads(threads).build();
         pool.map_err(|error| {
             Failure::output(format!("cannot start {threads} threads: {error}; give fewer --jobs"))
         })
+    }
+
+    /// By the option, else by the variable, if that is not empty.
+    fn asked(&self) -> Result<Option<u16>, Failure> {
+        let variable = || env::var_os(THREADS).filter(|text| !text.is_empty());
+        let Some(text) = self.jobs.is_none().then(variable).flatten() else { return Ok(self.jobs) };
+        let text = text.to_string_lossy();
+        let found = threads(&text).map(Some);
+        found.map_err(|expected| Failure::usage(format!("{THREADS}={text}: {expected}; mend or unset it")))
     }
 }
 
@@ -186,6 +224,7 @@ impl StageArgs {
         let inputs = self.inputs(&scenario, &model)?;
         let generator = self.machine.as_deref().map_or_else(|| other(&scenario.machine), other);
         let generator = generator.unwrap_or(&HybridMachine);
+        self.expect_parts(generator)?;
         let program = self.draws_lunsim(&scenario).then(|| hardware(&self.options.set)).transpose()?;
         let phases = vec![Phase::since("read", start)];
         Ok(Loaded { scenario, model: model.model, settings, generator, program, inputs, phases })
@@ -216,6 +255,20 @@ impl StageArgs {
         let is_of_model = |key: &str| run_key(key).is_none() && !(draws_lunsim && is_of_gear(key));
         let of_model: Vec<_> = self.options.set.iter().filter(|(key, _)| is_of_model(key)).cloned().collect();
         read_model(Asked { place, others: &other_names() }, name, folder, &self.options.overlay, &of_model)
+    }
+
+    /// Refuses to set parts that no machine has: raster, range and laws are those of any generator.
+    fn expect_parts(&self, generator: &dyn Generator) -> Result<(), Failure> {
+        if generator.is_machine() {
+            return Ok(());
+        }
+        match self.options.set.iter().find(|(key, _)| is_of_parts(key)) {
+            None => Ok(()),
+            Some((key, _)) => Err(Failure::usage(format!(
+                "--set {key}: {} has no such part; leave it out, or give --machine a hardware model",
+                generator.name()
+            ))),
+        }
     }
 
     fn draws_lunsim(&self, scenario: &Scenario) -> bool {
@@ -284,25 +337,38 @@ impl StageArgs {
     }
 }
 
+/// Whether a key of `--set` is of a part that only machines have. Poses go by the yoke, whatever draws.
+pub fn is_of_parts(key: &str) -> bool {
+    let is_of_program = run_key(key).is_some() || is_of_gear(key);
+    !is_of_program && !key.starts_with("yoke.") && wish(key).is_none()
+}
+
 /// What `--set` says the scenario no longer wishes.
 fn drop_wish(scenario: &mut Scenario, key: &str) {
-    let (raster, laws): (&mut RasterWishes, &mut LawWishes) = (&mut scenario.raster, &mut scenario.laws);
-    match key {
-        "raster.sweeps" => raster.sweeps = None,
-        "raster.samples_per_sweep" => raster.samples = None,
-        "raster.update_hz" => raster.update = None,
-        "raster.refresh_hz" => raster.refresh = None,
-        "dpp.projection" => laws.projection = None,
-        "dpp.curvature" => laws.curvature = None,
-        "dpp.occlusion" => laws.occlusion = None,
-        "sweep_memory.pixel_rule" => laws.pixel_rule = None,
-        "feature_generator.light" => laws.feature_light = None,
-        "polyhedron_generator.visibility" => laws.body_visibility = None,
-        "polyhedron_generator.shadowed_bodies" => laws.shadowed_bodies = None,
-        "mixing_unit.texture_in_shadow" => laws.texture_in_shadow = None,
-        _ if key.starts_with("range.") => scenario.range = None,
-        _ => {}
+    if let Some(drop) = wish(key) {
+        drop(scenario);
     }
+}
+
+/// How a scenario comes to wish no longer what a key of a model sets, if it is one that a scenario can wish.
+fn wish(key: &str) -> Option<fn(&mut Scenario)> {
+    let drop: fn(&mut Scenario) = match key {
+        "raster.sweeps" => |scenario| scenario.raster.sweeps = None,
+        "raster.samples_per_sweep" => |scenario| scenario.raster.samples = None,
+        "raster.update_hz" => |scenario| scenario.raster.update = None,
+        "raster.refresh_hz" => |scenario| scenario.raster.refresh = None,
+        "dpp.projection" => |scenario| scenario.laws.projection = None,
+        "dpp.curvature" => |scenario| scenario.laws.curvature = None,
+        "dpp.occlusion" => |scenario| scenario.laws.occlusion = None,
+        "sweep_memory.pixel_rule" => |scenario| scenario.laws.pixel_rule = None,
+        "feature_generator.light" => |scenario| scenario.laws.feature_light = None,
+        "polyhedron_generator.visibility" => |scenario| scenario.laws.body_visibility = None,
+        "polyhedron_generator.shadowed_bodies" => |scenario| scenario.laws.shadowed_bodies = None,
+        "mixing_unit.texture_in_shadow" => |scenario| scenario.laws.texture_in_shadow = None,
+        _ if key.starts_with("range.") => |scenario| scenario.range = None,
+        _ => return None,
+    };
+    Some(drop)
 }
 
 /// Everything that `error` says of the scenario in `file`.

@@ -5,7 +5,7 @@ use lunsim::Hardware;
 use crate::Failure;
 
 /// Tables of what LUNSIM ran on.
-const GEAR: [&str; 2] = ["computer", "recorder"];
+pub const GEAR: [&str; 2] = ["computer", "recorder"];
 
 /// The key of a run parameter, without its table.
 pub fn run_key(key: &str) -> Option<&str> {

@@ -61,23 +61,49 @@ pub struct Place {
     path: PathBuf,
     /// Which names are meant, where it is a folder.
     holds: Option<fn(&str) -> bool>,
+    /// What its name may end in, if not in anything.
+    endings: &'static [&'static str],
 }
+
+/// The kinds of pictures that are drawn.
+const DRAWN: [&str; 2] = ["png", "svg"];
 
 impl Place {
     /// A file.
     pub fn file(what: &'static str, path: impl Into<PathBuf>) -> Self {
-        Self { what, path: path.into(), holds: None }
+        Self { what, path: path.into(), holds: None, endings: &[] }
     }
 
     /// Files in a folder: those whose names, from the folder on and with `/`, are such that `holds`.
     pub fn folder(what: &'static str, path: impl Into<PathBuf>, holds: fn(&str) -> bool) -> Self {
-        Self { what, path: path.into(), holds: Some(holds) }
+        Self { holds: Some(holds), ..Self::file(what, path) }
     }
 
     /// The files of those options that are given.
     pub fn given<const N: usize>(options: [(&'static str, &Option<PathBuf>); N]) -> Vec<Self> {
         let file = |(what, path): (&'static str, &Option<PathBuf>)| Some(Self::file(what, path.as_ref()?));
         options.into_iter().filter_map(file).collect()
+    }
+
+    /// The pictures of those options that are given: PNG or SVG, as their names end.
+    pub fn pictures<const N: usize>(options: [(&'static str, &Option<PathBuf>); N]) -> Vec<Self> {
+        Self::given(options).into_iter().map(|place| place.ending_in(&DRAWN)).collect()
+    }
+
+    /// A file whose name must end in one of `endings`: nobody would know it by another.
+    pub fn ending_in(self, endings: &'static [&'static str]) -> Self {
+        Self { endings, ..self }
+    }
+
+    /// Whether the name says the kind; a device has none.
+    fn expect_ending(&self) -> Result<(), Failure> {
+        let (what, path, ending) = (self.what, self.path.display(), ending(&self.path));
+        let is_device = self.path.exists() && !self.path.is_file() && !self.path.is_dir();
+        if self.endings.is_empty() || is_device || self.endings.contains(&ending.as_str()) {
+            return Ok(());
+        }
+        let known: Vec<String> = self.endings.iter().map(|known| format!(".{known}")).collect();
+        Err(Failure::usage(format!("{what} {path}: expected a name that ends in {}", known.join(" or "))))
     }
 
     /// Whether one file is in both. A device holds nothing that could be lost.
@@ -97,6 +123,11 @@ impl Place {
     }
 }
 
+/// What a name ends in, in small letters.
+pub fn ending(path: &Path) -> String {
+    path.extension().map_or_else(String::new, |ending| ending.to_string_lossy().to_lowercase())
+}
+
 /// Where a path leads, whether or not there is something already.
 fn resolved(path: &Path) -> PathBuf {
     let path = path::absolute(path).unwrap_or_else(|_| path.to_owned());
@@ -111,14 +142,15 @@ fn with_slashes(path: &Path) -> String {
     path.iter().map(|part| part.to_string_lossy()).collect::<Vec<_>>().join("/")
 }
 
-/// Sees before any work that `outputs` replace none of `inputs` and not one another, and that they can be written.
+/// Sees before any work that `outputs` replace none of `inputs` and not one another, that their names say what they are,
+/// and that they can be written.
 pub fn expect_outputs(outputs: &[Place], inputs: &[Place]) -> Result<(), Failure> {
     for (index, output) in outputs.iter().enumerate() {
         let replaced = inputs.iter().chain(&outputs[..index]).find(|other| output.meets(other));
         replaced.map_or(Ok(()), |other| Err(replacement(output, other)))?;
     }
     let mut files = outputs.iter().filter(|output| output.holds.is_none());
-    files.try_for_each(|output| expect_writable(&output.path))
+    files.try_for_each(|output| expect_writable(&output.path).and_then(|()| output.expect_ending()))
 }
 
 fn replacement(output: &Place, other: &Place) -> Failure {

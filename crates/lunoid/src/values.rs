@@ -1,5 +1,6 @@
 //! Values of the command line.
 
+use std::fmt::Display;
 use std::ops::{Range, RangeInclusive};
 use std::str::FromStr;
 
@@ -40,10 +41,32 @@ impl FromStr for Span {
     }
 }
 
-impl std::fmt::Display for Span {
+impl Display for Span {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let text = |bound: Option<u64>| bound.map(|bound| bound.to_string()).unwrap_or_default();
         write!(f, "{}..{}", text(self.start), text(self.end))
+    }
+}
+
+/// A parser of whole numbers from the first to the last of `allowed`.
+pub fn whole<T>(allowed: RangeInclusive<T>) -> impl Fn(&str) -> Result<T, String> + Clone
+where
+    T: FromStr + PartialOrd + Display + Clone,
+{
+    move |text| {
+        let found = text.parse().ok().filter(|number| allowed.contains(number));
+        found.ok_or_else(|| format!("expected a whole number from {} to {}", allowed.start(), allowed.end()))
+    }
+}
+
+/// A parser of whole numbers from `least` on.
+pub fn at_least<T>(least: T) -> impl Fn(&str) -> Result<T, String> + Clone
+where
+    T: FromStr + PartialOrd + Display + Clone,
+{
+    move |text| {
+        let found = text.parse().ok().filter(|number| *number >= least);
+        found.ok_or_else(|| format!("expected a whole number of {least} or more"))
     }
 }
 
@@ -113,12 +136,21 @@ pub fn sun(text: &str) -> Result<[f64; 2], String> {
     if (0.0..=90.0).contains(&up[1]) { Ok(up) } else { Err("expected an elevation from 0 to 90".into()) }
 }
 
-/// Four finite numbers `S,W,N,E`, the first two below the last two.
+/// Four places along the axes of a plane, `S,W,N,E`, the first two below the last two.
 pub fn edges(text: &str) -> Result<[f64; 4], String> {
     let ascends = |&[south, west, north, east]: &[f64; 4]| south < north && west < east;
-    let expected =
-        || "expected four numbers: south,west,north,east, south below north and west below east".into();
-    numbers(text).filter(ascends).ok_or_else(expected)
+    let is_near = |edges: &[f64; 4]| edges.iter().all(|edge| edge.abs() <= FARTHEST);
+    let expected = || {
+        "expected four numbers from -1e9 to 1e9: south,west,north,east, south below north and west below east"
+            .into()
+    };
+    numbers(text).filter(|edges| ascends(edges) && is_near(edges)).ok_or_else(expected)
+}
+
+/// Metres a stored unit, or metres added to heights: no file of the Moon has more.
+pub fn of_heights(text: &str) -> Result<f64, String> {
+    let expected = || "expected a number from -1e9 to 1e9".into();
+    finite(text).ok().filter(|number| number.abs() <= FARTHEST).ok_or_else(expected)
 }
 
 fn numbers<const N: usize>(text: &str) -> Option<[f64; N]> {
@@ -136,7 +168,9 @@ pub fn pixel(text: &str) -> Result<[usize; 2], String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Span, edges, metres, pair, percent, place, setting, sun, two_metres};
+    use super::{
+        Span, at_least, edges, metres, of_heights, pair, percent, place, setting, sun, two_metres, whole,
+    };
 
     #[test]
     fn spans() {
@@ -153,10 +187,22 @@ mod tests {
     }
 
     #[test]
+    fn whole_numbers() {
+        assert_eq!((whole(1..=8_u32)("8"), at_least(1_u64)("9")), (Ok(8), Ok(9)));
+        for wrong in ["0", "9", "-3", "1e9", "1.5", ""] {
+            assert_eq!(whole(1..=8_u32)(wrong), Err("expected a whole number from 1 to 8".into()), "{wrong}");
+        }
+        assert_eq!(at_least(0_u64)("-3"), Err("expected a whole number of 0 or more".into()));
+    }
+
+    #[test]
     fn lists_of_numbers() {
         assert_eq!(pair("1, -2.5"), Ok([1.0, -2.5]));
         assert_eq!(edges("0,1,2,3"), Ok([0.0, 1.0, 2.0, 3.0]));
         assert!(edges("2,1,0,3").is_err() && edges("0,3,2,1").is_err());
+        assert!(edges("0,1,1e300,3").is_err() && edges("-2e9,1,0,3").is_err());
+        assert_eq!(of_heights("-1737400"), Ok(-1_737_400.0));
+        assert!(of_heights("1e300").is_err() && of_heights("nan").is_err());
         assert_eq!(sun("400,90"), Ok([400.0, 90.0]));
         assert!(sun("0,90.1").is_err() && sun("0,-1").is_err());
         assert_eq!(percent("100"), Ok(100.0));

@@ -33,7 +33,15 @@ impl Hardware {
     /// # Errors
     /// Every fault of it: a program that carries a faulty one.
     pub fn shipped() -> Result<Self, ProblemList> {
-        read("built-in programs/lunsim.toml", SHIPPED, None)
+        Self::parse("built-in programs/lunsim.toml", SHIPPED)
+    }
+
+    /// The times of a file, which has all of them; `name` is how messages call it.
+    ///
+    /// # Errors
+    /// Every fault of the text.
+    pub fn parse(name: &str, text: &str) -> Result<Self, ProblemList> {
+        read(name, text, None)
     }
 
     /// These times with what `lines` of TOML say instead; `origin` names where they come from.

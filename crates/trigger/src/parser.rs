@@ -196,7 +196,20 @@ impl<'t> Parser<'t> {
         }
         let mut any = names.iter().map(|name| self.known(name)).collect::<Result<Vec<_>, _>>()?;
         any.iter_mut().for_each(|named| named.place = place.clone());
-        Ok(Clause::Event { any, test: self.comparison()? })
+        Ok(Clause::Event { any, test: self.stop()? })
+    }
+
+    /// A comparison with a stop, if one is next: there are two.
+    fn stop(&mut self) -> Result<Option<Test>, ConditionError> {
+        let test = self.comparison()?;
+        match test {
+            Some(Test::Is(stop) | Test::IsNot(stop)) if stop != 0.0 && stop != 1.0 => {
+                let place = self.tokens[self.next - 1].1.clone();
+                let found = format!("`{}`", &self.text[place.clone()]);
+                Err(self.fault(place, Fault::Unexpected { found, expected: "a stop, 0 or 1" }))
+            }
+            test => Ok(test),
+        }
     }
 
     fn gate_moves(&mut self, name: &str, test: Test) -> Result<Clause, ConditionError> {

@@ -54,6 +54,8 @@ fn each_is_told_at_its_place() {
         ("saturation dpp.blank", "dpp.blank", "is a gate, expected a voltage"),
         ("saturation tg.hoight", "tg.hoight", "did you mean `tg.height`?"),
         ("fold z", "z", "found `z`, expected x, y"),
+        ("fold x = 7", "7", "found `7`, expected a stop, 0 or 1"),
+        ("fold != 0.5", "0.5", "found `0.5`, expected a stop, 0 or 1"),
         (
             "tg.height > 5 and sm.write > 0.5",
             "sm.write",

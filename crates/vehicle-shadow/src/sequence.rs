@@ -30,35 +30,19 @@ pub struct Sequence {
 }
 
 impl Sequence {
-    /// The PNG files of a folder, whose names end in the number of their frame, with the poses of a file.
+    /// The PNG files of a folder, whose names end in the number of their frame, with the poses of a file; `camera`, which
+    /// may stand beside the poses, is asked for once those are there.
     ///
     /// # Errors
     /// If a picture has no pose or a pose no picture, or something cannot be read. The pictures themselves are not
     /// looked at.
-    pub fn read(folder: &Path, poses: &Path, camera: Camera) -> Result<Self, AugmentError> {
-        let mut pictures = pictures(folder)?;
-        let rows = read_poses(poses)?;
-        let (owned_folder, owned_poses) = (folder.to_owned(), poses.to_owned());
-        let without_picture: Vec<u64> =
-            rows.keys().filter(|frame| !pictures.contains_key(frame)).copied().collect();
-        let without_pose: Vec<u64> =
-            pictures.keys().filter(|frame| !rows.contains_key(frame)).copied().collect();
-        if !without_picture.is_empty() {
-            return Err(AugmentError::MissingFrames {
-                folder: owned_folder,
-                poses: owned_poses,
-                frames: without_picture,
-            });
-        }
-        if !without_pose.is_empty() {
-            return Err(AugmentError::MissingPoses {
-                folder: owned_folder,
-                poses: owned_poses,
-                frames: without_pose,
-            });
-        }
-        let frame = |(frame, pose)| Some(SequenceFrame { frame, path: pictures.remove(&frame)?, pose });
-        Ok(Self { folder: owned_folder, frames: rows.into_iter().filter_map(frame).collect(), camera })
+    pub fn read<E: From<AugmentError>>(
+        folder: &Path,
+        poses: &Path,
+        camera: impl FnOnce() -> Result<Camera, E>,
+    ) -> Result<Self, E> {
+        let frames = matched(folder, poses)?;
+        Ok(Self { folder: folder.to_owned(), frames, camera: camera()? })
     }
 
     /// Its folder.
@@ -81,6 +65,32 @@ impl Sequence {
         let steps = self.frames.windows(2).map(|pair| pair[1].pose.time - pair[0].pose.time);
         steps.reduce(f64::min).unwrap_or(USUAL_PERIOD_S)
     }
+}
+
+/// Every picture with its pose, ascending.
+fn matched(folder: &Path, poses: &Path) -> Result<Vec<SequenceFrame>, AugmentError> {
+    let mut pictures = pictures(folder)?;
+    let rows = read_poses(poses)?;
+    let (owned_folder, owned_poses) = (folder.to_owned(), poses.to_owned());
+    let without_picture: Vec<u64> =
+        rows.keys().filter(|frame| !pictures.contains_key(frame)).copied().collect();
+    let without_pose: Vec<u64> = pictures.keys().filter(|frame| !rows.contains_key(frame)).copied().collect();
+    if !without_picture.is_empty() {
+        return Err(AugmentError::MissingFrames {
+            folder: owned_folder,
+            poses: owned_poses,
+            frames: without_picture,
+        });
+    }
+    if !without_pose.is_empty() {
+        return Err(AugmentError::MissingPoses {
+            folder: owned_folder,
+            poses: owned_poses,
+            frames: without_pose,
+        });
+    }
+    let frame = |(frame, pose)| Some(SequenceFrame { frame, path: pictures.remove(&frame)?, pose });
+    Ok(rows.into_iter().filter_map(frame).collect())
 }
 
 fn pictures(folder: &Path) -> Result<BTreeMap<u64, PathBuf>, AugmentError> {

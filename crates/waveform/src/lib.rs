@@ -46,4 +46,4 @@ pub use error::WaveformError;
 pub use format::Format;
 pub use header::{Header, SweepTraces};
 pub use record::wire_record;
-pub use sink::{Sink, estimate, open};
+pub use sink::{Sink, companions, estimate, open};

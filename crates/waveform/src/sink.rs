@@ -143,14 +143,22 @@ impl Sink for FileSink {
 
 /// What stands beside a file: names and contents.
 fn beside(format: Format, path: &Path, header: &Header) -> Vec<(PathBuf, String)> {
-    let mut beside = Vec::new();
-    if format.needs_record() {
-        beside.push((path.with_added_extension("json"), record::text(format, path, header)));
-    }
-    if format.is_of_gtkwave() {
-        beside.push((path.with_extension("gtkw"), gtkwave::text(path, header)));
-    }
-    beside
+    let record = record_beside(format, path).map(|name| (name, record::text(format, path, header)));
+    let saved = view_beside(format, path).map(|name| (name, gtkwave::text(path, header)));
+    record.into_iter().chain(saved).collect()
+}
+
+/// The files that are written beside one of `format` at `path`.
+pub fn companions(format: Format, path: &Path) -> Vec<PathBuf> {
+    record_beside(format, path).into_iter().chain(view_beside(format, path)).collect()
+}
+
+fn record_beside(format: Format, path: &Path) -> Option<PathBuf> {
+    format.needs_record().then(|| path.with_added_extension("json"))
+}
+
+fn view_beside(format: Format, path: &Path) -> Option<PathBuf> {
+    format.is_of_gtkwave().then(|| path.with_extension("gtkw"))
 }
 
 fn remove(files: &[(PathBuf, String)]) {

@@ -54,6 +54,9 @@ struct Import {
     /// Bank to write; a text description is written beside it.
     #[arg(short, long, value_name = "BANK")]
     out: PathBuf,
+    /// Print what was written as JSON.
+    #[arg(long)]
+    json: bool,
 }
 
 #[derive(Debug, Args)]
@@ -62,11 +65,14 @@ struct Export {
     /// Bank.
     bank: PathBuf,
     /// Level, 0 is the finest.
-    #[arg(long, default_value_t = 0)]
+    #[arg(long, default_value_t = 0, value_parser = values::at_least(0_usize))]
     level: usize,
     /// Array to write (.npy).
     #[arg(short, long, value_name = "NPY")]
     out: PathBuf,
+    /// Print what was written as JSON.
+    #[arg(long)]
+    json: bool,
 }
 
 #[derive(Debug, Args)]
@@ -75,17 +81,17 @@ struct Show {
     /// Bank.
     bank: PathBuf,
     /// Picture to write.
-    #[arg(short, long, value_name = "PNG")]
+    #[arg(short, long, value_name = "PNG|SVG")]
     out: Option<PathBuf>,
     /// Level to draw, 0 is the finest.
-    #[arg(long, requires = "out", default_value_t = 0)]
+    #[arg(long, requires = "out", default_value_t = 0, value_parser = values::at_least(0_usize))]
     level: usize,
     /// Azimuth and elevation of the sun in the picture (degrees).
     #[arg(long, value_name = "AZIMUTH,ELEVATION", requires = "out", value_parser = values::sun,
           allow_hyphen_values = true, default_value = "315,20")]
     sun: [f64; 2],
     /// The longer side of the map (pixels).
-    #[arg(long, requires = "out", default_value_t = 800, value_parser = clap::value_parser!(u32).range(120..=8000))]
+    #[arg(long, requires = "out", default_value_t = 800, value_parser = values::whole(120..=8000_u32))]
     pixels: u32,
     /// Draw the borders of regions.
     #[arg(long, requires = "out")]
@@ -103,6 +109,9 @@ struct Generate {
     /// Bank to write.
     #[arg(short, long, value_name = "BANK")]
     out: PathBuf,
+    /// Print what was written as JSON.
+    #[arg(long)]
+    json: bool,
 }
 
 impl BankCommand {
@@ -129,7 +138,7 @@ impl Import {
         let stem = self.corners.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let title = self.title.clone().unwrap_or(stem);
         let bank = Bank::new(title, vec![level], None).map_err(|error| of_file(&error))?;
-        write(&self.out, &bank)
+        write(&self.out, &bank, self.json)
     }
 }
 
@@ -140,13 +149,21 @@ impl Export {
         let level = level_of(&self.bank, &bank, self.level)?;
         files::write_npy(&self.out, &export_corners(level))?;
         let [north, east] = level.corners();
+        if self.json {
+            return print_json(&json!({
+                "schema": "lunoid.bank-exported/1",
+                "file": self.out.display().to_string(),
+                "level": self.level,
+                "shape": [north, east, 9],
+            }));
+        }
         print(&format!("{}: f64 [{north}, {east}, 9]\n", self.out.display()))
     }
 }
 
 impl Show {
     fn run(&self) -> Result<(), Failure> {
-        expect_outputs(&Place::given([("--out", &self.out)]), &[Place::file("the bank", &self.bank)])?;
+        expect_outputs(&Place::pictures([("--out", &self.out)]), &[Place::file("the bank", &self.bank)])?;
         let bank = bank_file::read(&self.bank)?;
         let level = level_of(&self.bank, &bank, self.level)?;
         if let Some(out) = &self.out {
@@ -163,7 +180,7 @@ impl Generate {
     fn run(&self) -> Result<(), Failure> {
         expect_outputs(&bank_at(&self.out), &StageArgs::of(&self.scenario).sources())?;
         let scenario = read_scenario(&self.scenario)?;
-        write(&self.out, &stage::bank(&scenario)?)
+        write(&self.out, &stage::bank(&scenario)?, self.json)
     }
 }
 
@@ -172,8 +189,11 @@ pub fn bank_at(out: &Path) -> [Place; 2] {
     [Place::file("--out", out), Place::file("the description beside --out,", sidecar_path(out))]
 }
 
-fn write(out: &Path, bank: &Bank) -> Result<(), Failure> {
+fn write(out: &Path, bank: &Bank, json: bool) -> Result<(), Failure> {
     bank_file::write(out, bank)?;
+    if json {
+        return print_json(&document(out, bank));
+    }
     print(&format!("{}: {}", out.display(), describe(bank)))
 }
 

@@ -1,14 +1,18 @@
-//! `lunoid check`: scenarios and hardware models, every fault of each.
+//! `lunoid check`: scenarios, hardware models and whatever else is written in TOML, every fault of each.
 
 use std::path::{Path, PathBuf};
 
+use cartridge::{CartridgeError, of_file};
 use clap::Args;
 use diagnostics::{Problem, ProblemList, ProblemRecord};
+use files::FileError;
 use hardware_model::{Asked, HardwareModel, ModelSource};
+use limits::Limit;
+use lunsim::Hardware;
 use scenario::{PoseTable, Scenario};
 use serde_json::{Value, json};
 
-use crate::kind::Kind;
+use crate::kind::{KNOWN, Kind};
 use crate::loading::{hardware_model, other_names, path_problems, stage_problems};
 use crate::output::{Colour, print, print_json, tell};
 use crate::{Failure, Verdict};
@@ -17,10 +21,10 @@ const AFTER: &str = "Example:
   lunoid check scenarios/*.toml hardware-models/*.toml
 
 A scenario is read with its machine, its ground is made and its path driven over it; nothing is drawn. A file of
-differences, with neither `name` nor `base`, is read as an overlay over the ideal machine. Exit code 3 if there is any
-fault.";
+differences, with neither `name` nor `base`, is read as an overlay over the ideal machine. What LUNSIM ran on and
+cartridges are read too. Exit code 3 if there is any fault.";
 
-/// Read scenarios and hardware models and list every fault.
+/// Read scenarios, hardware models and whatever else is written in TOML, and list every fault.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER)]
 pub struct Check {
@@ -42,6 +46,9 @@ impl Check {
                 Kind::Model => check_model(file),
                 Kind::Overlay => check_overlay(file),
                 Kind::Sidecar => Ok(()),
+                Kind::Gear => check_gear(file),
+                Kind::Cartridge => check_cartridge(file),
+                Kind::Unknown => Err(of_no_kind(file)),
             };
             (file, kind, result)
         });
@@ -75,6 +82,23 @@ fn check_model(path: &Path) -> Result<(), ProblemList> {
 fn check_overlay(path: &Path) -> Result<(), ProblemList> {
     let ideal = ModelSource::BuiltIn("ideal".into());
     HardwareModel::load(&ideal, &[path.to_owned()], &[]).map(|_| ())
+}
+
+fn check_gear(path: &Path) -> Result<(), ProblemList> {
+    let name = path.display().to_string();
+    let of_file = |error: FileError| Problem::of_file(&name, error.to_string());
+    let bytes = files::read_all(path, Limit::TextBytes).map_err(of_file)?;
+    Hardware::parse(&name, &String::from_utf8_lossy(&bytes)).map(|_| ())
+}
+
+fn check_cartridge(path: &Path) -> Result<(), ProblemList> {
+    let problem = |error: CartridgeError| Problem::of_file(error.place, error.message);
+    of_file(path).map(|_| ()).map_err(|error| problem(error).into())
+}
+
+fn of_no_kind(path: &Path) -> ProblemList {
+    let title = "no key of any kind of file that is known";
+    Problem::of_file(path.display().to_string(), title).expected(KNOWN).into()
 }
 
 fn check_scenario(path: &Path) -> Result<(), ProblemList> {

@@ -37,13 +37,13 @@ pub struct Compare {
     #[arg(short, long, value_name = "PNG")]
     out: Option<PathBuf>,
     /// How many times the difference is enlarged in the picture.
-    #[arg(long, requires = "out", default_value_t = 8, value_parser = clap::value_parser!(u32).range(1..=255))]
+    #[arg(long, requires = "out", default_value_t = 8, value_parser = values::whole(1..=255_u32))]
     factor: u32,
     /// Largest RMSE that is still a yes.
     #[arg(long, value_name = "RMSE", value_parser = values::not_negative)]
     max_rmse: Option<f64>,
     /// Levels of 255 by which a pixel may be off.
-    #[arg(long, value_name = "LEVELS", value_parser = clap::value_parser!(u32).range(0..=255))]
+    #[arg(long, value_name = "LEVELS", value_parser = values::whole(0..=255_u32))]
     tolerance: Option<u32>,
     /// Percent of the pixels that may be off by more.
     #[arg(long, value_name = "PERCENT", requires = "tolerance", default_value_t = 0.0,
@@ -66,7 +66,7 @@ pub struct Compare {
     #[arg(long, value_name = "TURN", requires = "edges", default_value_t = 0.02, value_parser = values::positive)]
     kink: f64,
     /// Lines by which the horizon may be off in any column.
-    #[arg(long, value_name = "LINES", requires = "scene")]
+    #[arg(long, value_name = "LINES", requires = "scene", value_parser = values::at_least(0_usize))]
     max_ridge: Option<usize>,
     #[command(flatten)]
     threads: Threads,
@@ -98,7 +98,8 @@ type Paths = (Option<u64>, PathBuf, PathBuf);
 impl Compare {
     /// Compares.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        expect_outputs(&Place::given([("--out", &self.out)]), &self.sources())?;
+        let picture = self.out.iter().map(|out| Place::file("--out", out).ending_in(&["png"]));
+        expect_outputs(&picture.collect::<Vec<_>>(), &self.sources())?;
         let pairs = self.compare_all()?;
         if let Some(out) = &self.out {
             self.draw(worst(&pairs), out)?;

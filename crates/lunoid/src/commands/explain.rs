@@ -9,6 +9,7 @@ use quantities::fixed;
 
 use crate::commands::again::command;
 use crate::frame::FrameArgs;
+use crate::loading::of_models;
 use crate::output::{print, print_json};
 use crate::values::pixel;
 use crate::{Failure, Verdict};
@@ -22,7 +23,7 @@ on a page of the scope, the registers at the sample, the digital events of the s
 
 /// Say which sweep and sample made a pixel, and what every block did there.
 #[derive(Debug, Args)]
-#[command(after_help = AFTER)]
+#[command(after_help = AFTER, mut_args(of_models))]
 pub struct Explain {
     #[command(flatten)]
     chosen: FrameArgs,

@@ -16,7 +16,7 @@ use survey::{Elevation, Frame, Method, ReadOptions, SurveyError};
 
 use crate::commands::bank::shortened;
 use crate::commands::{bank, model};
-use crate::kind::Kind;
+use crate::kind::{KNOWN, Kind};
 use crate::output::{print, print_json};
 use crate::{Failure, Verdict};
 
@@ -66,6 +66,17 @@ fn look(path: &Path) -> Result<(Value, String), Failure> {
                 "{0}: differences from a hardware model; expected a model. `lunoid model show ideal --overlay {0}` has them",
                 path.display()
             ))),
+            Kind::Gear => Err(Failure::input(format!(
+                "{}: what LUNSIM ran on; `lunoid check` reads it, docs/blocks/lunsim.md describes it",
+                path.display()
+            ))),
+            Kind::Cartridge => Err(Failure::input(format!(
+                "{}: a cartridge; `lunoid cartridge run --folder` runs it with those beside its folder",
+                path.display()
+            ))),
+            Kind::Unknown => {
+                Err(Failure::input(format!("{}: a file of no known kind; expected {KNOWN}", path.display())))
+            }
             Kind::Model => {
                 let loaded = HardwareModel::read(path, &[], &[])?;
                 Ok((model::document(&loaded), loaded.effective()))

@@ -16,7 +16,7 @@ use waveform::{Format, Header};
 use crate::commands::scope::{NEEDS, Recorded, ScopeArgs, columns_of, write_picture};
 use crate::frame::FrameArgs;
 use crate::loading::Loaded;
-use crate::output::{Place, expect_outputs, print, print_json, tell};
+use crate::output::{expect_outputs, print, print_json, tell};
 use crate::values::Span;
 use crate::{Failure, Verdict};
 
@@ -77,7 +77,7 @@ impl ProbeCommand {
     pub fn run(&self) -> Result<Verdict, Failure> {
         let target = Target::of(self.format.as_deref(), &self.out)?;
         self.expect_fitting(target)?;
-        expect_outputs(&[Place::file("--out", &self.out)], &self.chosen.stage.sources())?;
+        expect_outputs(&target.places("--out", &self.out), &self.chosen.stage.sources())?;
         let mut loaded = self.chosen.stage.load()?;
         let sweeps = self.sweeps(&loaded, target)?;
         let table = loaded.generator.signals();

@@ -50,7 +50,8 @@ pub struct SurveyCommand {
     #[arg(long, value_enum, default_value = "equirectangular", requires = "centre")]
     plane: PlaneWord,
     /// Region sizes of all levels in units of the finest, as 1,4.
-    #[arg(long, value_delimiter = ',', default_value = "1", value_name = "FACTORS")]
+    #[arg(long, value_delimiter = ',', default_value = "1", value_name = "FACTORS",
+          value_parser = values::at_least(0_usize))]
     levels: Vec<usize>,
     /// Smoothing length in region sizes; shorter waves than about six times this are smoothed.
     #[arg(long, value_name = "REGIONS", value_parser = values::positive)]
@@ -59,16 +60,16 @@ pub struct SurveyCommand {
     #[arg(long, value_name = "SHARE", value_parser = values::not_negative)]
     held_out: Option<f64>,
     /// Metres a stored unit, in place of the file's own.
-    #[arg(long, value_parser = values::finite, allow_hyphen_values = true)]
+    #[arg(long, value_parser = values::of_heights, allow_hyphen_values = true)]
     scale: Option<f64>,
     /// Metres added after scaling, in place of the file's own.
-    #[arg(long, value_name = "METRES", value_parser = values::finite, allow_hyphen_values = true)]
+    #[arg(long, value_name = "METRES", value_parser = values::of_heights, allow_hyphen_values = true)]
     offset: Option<f64>,
     /// Stored value that marks a void, in place of the file's own.
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     no_data: Option<f64>,
     /// Band with the heights, from 1.
-    #[arg(long)]
+    #[arg(long, value_parser = values::at_least(0_usize))]
     band: Option<usize>,
     /// Metres between samples of a file that does not say: one number, or NORTH,EAST.
     #[arg(long, value_name = "METRES", value_parser = spacing)]
@@ -80,7 +81,7 @@ pub struct SurveyCommand {
     #[arg(long)]
     title: Option<String>,
     /// Picture of the fitted ground with its residuals beside it.
-    #[arg(long, value_name = "PNG")]
+    #[arg(long, value_name = "PNG|SVG")]
     picture: Option<PathBuf>,
     #[command(flatten)]
     threads: Threads,
@@ -116,7 +117,7 @@ fn sources(elevation: &Path) -> Vec<Place> {
 impl SurveyCommand {
     /// Surveys.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        let outputs = [bank_at(&self.out).to_vec(), Place::given([("--picture", &self.picture)])].concat();
+        let outputs = [bank_at(&self.out).to_vec(), Place::pictures([("--picture", &self.picture)])].concat();
         expect_outputs(&outputs, &sources(&self.elevation))?;
         let pool = self.threads.pool()?;
         let start = Instant::now();

@@ -12,11 +12,13 @@ fn replays_that_cannot_be() {
         (&["--frames", "0..5"], "the scenario has frames 0..4"),
         (&["--frames", "9"], "the scenario has frames 0..4"),
         (&["--frames=-1"], "--frames"),
-        (&["--jobs", "0"], "0 is not in 1..=1024"),
-        (&["--jobs", "99999"], "1..=1024"),
-        (&["--sweeps", "0"], "0 is not in 1..=8192"),
-        (&["--sweeps", "99999"], "99999 is not in 1..=8192"),
-        (&["--samples", "1"], "1 is not in 2..=65536"),
+        (&["--check", "-1"], "a whole number of 0 or more"),
+        (&["--jobs", "0"], "a whole number from 1 to 1024"),
+        (&["--jobs", "99999"], "from 1 to 1024"),
+        (&["--sweeps", "0"], "a whole number from 1 to 8192"),
+        (&["--sweeps", "99999"], "from 1 to 8192"),
+        (&["--sweeps", "1e9"], "from 1 to 8192"),
+        (&["--samples", "1"], "a whole number from 2 to 65536"),
         (&["--depth", "9"], "possible values: 8, 16"),
         (&["--scalar", "f16"], "possible values: f32, f64"),
         (&["--set", "sweeps"], "expected part.key=value"),
@@ -25,6 +27,11 @@ fn replays_that_cannot_be() {
     ] {
         room.refused(USAGE, &[&["replay", "tiny.toml"], arguments].concat(), &[word]);
     }
+    room.refused(
+        USAGE,
+        &["lockstep", "--random", "2", "--seed", "-3"],
+        &["--seed", "a whole number of 0 or more"],
+    );
     room.refused(USAGE, &["replay"], &["<SCENARIO>"]);
     room.refused(USAGE, &["rplay"], &["'replay'"]);
 }
@@ -40,7 +47,7 @@ fn probes_and_comparisons_that_cannot_be() {
     let named = [&probe("0", "0", "x.csv")[..], &["--signals", "zz"]].concat();
     room.refused(USAGE, &named, &["no signal of this name", "lunoid signals"]);
     let compare = |options: &[&'static str]| [&["compare", "a.png", "b.png"], options].concat();
-    room.refused(USAGE, &compare(&["--tolerance", "300"]), &["0..=255"]);
+    room.refused(USAGE, &compare(&["--tolerance", "300"]), &["from 0 to 255"]);
     room.refused(USAGE, &compare(&["--max-rmse", "nan"]), &["expected a finite number"]);
     room.refused(USAGE, &compare(&["--share", "1"]), &["--tolerance"]);
 }

@@ -139,8 +139,11 @@ fn surveys_that_cannot_be() {
         (&["--held-out", "0.9"], "expected 0 to 0.5"),
         (&["--regularisation", "1e300"], "at most 10 region sizes"),
         (&["--spacing-m", "0"], "--spacing-m"),
-        (&["--scale", "inf"], "expected a finite number"),
-        (&["--jobs", "0"], "1..=1024"),
+        (&["--scale", "inf"], "expected a number from -1e9 to 1e9"),
+        (&["--scale", "1e300"], "expected a number from -1e9 to 1e9"),
+        (&["--offset", "1e300"], "expected a number from -1e9 to 1e9"),
+        (&["--area", "0,0,1e300,9"], "expected four numbers from -1e9 to 1e9"),
+        (&["--jobs", "0"], "from 1 to 1024"),
     ] {
         room.refused(USAGE, &survey("plane.tif", options), &[word]);
     }

@@ -143,9 +143,11 @@ fn an_old_output_survives_a_full_disk() {
     let room = room();
     room.write("old", "old");
     room.write("old.bank", "old");
+    room.write("old.png", "old");
     let before = content(room.path());
-    for (writer, out) in WRITERS[1..].iter().map(|writer| (writer, "old.bank")).chain([(&WRITERS[3], "old")])
-    {
+    let banks = [1, 2, 3, 5].map(|writer| (WRITERS[writer], "old.bank"));
+    let pictures = [4, 6].map(|writer| (WRITERS[writer], "old.png"));
+    for (writer, out) in banks.into_iter().chain(pictures).chain([(WRITERS[3], "old")]) {
         let arguments = [writer, &[out][..]].concat();
         said(limited(&room, 1, &arguments)).is_one_error(OUTPUT, &["cannot write"], &arguments.join(" "));
         assert_eq!(content(room.path()), before, "{arguments:?}");

@@ -64,6 +64,35 @@ fn no_output_replaces_an_input() {
             &["replay", "tiny.toml", "--y4m", "tiny.toml", "--out", "r"],
             "--y4m tiny.toml: would replace the scenario",
         ),
+        (
+            &[
+                "probe",
+                "tiny.toml",
+                "--frame",
+                "0",
+                "--sweep",
+                "5",
+                "--out",
+                "w.raw",
+                "--overlay",
+                "w.raw.json",
+            ],
+            "a file written beside the waveforms, w.raw.json: would replace --overlay w.raw.json",
+        ),
+        (
+            &["trigger", "tiny.toml", "--on", "blank", "--out", "w.fst", "--overlay", "w.gtkw"],
+            "a file written beside the waveforms, w.gtkw: would replace --overlay w.gtkw",
+        ),
+        (&["study", "error", "tiny.toml", "--out", ".", "--overlay", "error.csv"], "--overlay error.csv"),
+        (&["study", "economy", "tiny.toml", "--out", ".", "--bank", "waste.png"], "--bank waste.png"),
+        (
+            &["study", "shadow", "tiny.toml", "--out", ".", "--vehicle", "shadow.md"],
+            "--out .: would replace --vehicle shadow.md",
+        ),
+        (
+            &["study", "stability", "stability.json", "--out", "."],
+            "--out .: would replace the scenario stability.json",
+        ),
         (&["replay", "tiny.toml", "--out", "tiny.toml"], "--out tiny.toml: would replace the scenario"),
         (&["compare", "A.png", "B.png", "--out", "A.png"], "the picture A.png"),
         (&["compare", "A.png", "A.png", "--mask", "B.png", "--out", "B.png"], "--mask B.png"),
@@ -108,6 +137,10 @@ fn no_output_replaces_another() {
         (
             &[&augment[..], &["--timing", "t.json", "--probe", "0:1", "--waveforms", "t.json"]].concat(),
             "--waveforms t.json: would replace --timing t.json",
+        ),
+        (
+            &[&augment[..], &["--timing", "t.raw.json", "--probe", "0:1", "--waveforms", "t.raw"]].concat(),
+            "a file written beside the waveforms, t.raw.json: would replace --timing t.raw.json",
         ),
     ] {
         room.refused(USAGE, arguments, &[words, "name another"]);

@@ -22,6 +22,16 @@ fn corners_go_in_and_come_out() {
     assert!(scene.join("a.bank.toml").exists());
     scene.expect(0, &["bank", "export", "a.bank", "-o", "back.npy"]);
     assert_eq!(read_npy(scene.join("back.npy"), 1 << 20).unwrap(), array);
+    let documents: Vec<serde_json::Value> = [
+        &[&import[..], &["-o", "b.bank", "--json"]].concat()[..],
+        &["bank", "generate", "tiny.toml", "-o", "g.bank", "--json"],
+        &["bank", "export", "a.bank", "-o", "c.npy", "--json"],
+    ]
+    .map(|arguments| serde_json::from_str(&scene.expect(0, arguments).0).unwrap())
+    .into();
+    assert_eq!(documents[0]["levels"][0]["corners"], serde_json::json!([3, 4]));
+    assert_eq!((&documents[0]["file"], &documents[1]["schema"]), (&"b.bank".into(), &"lunoid.bank/1".into()));
+    assert_eq!(documents[2]["shape"], serde_json::json!([3, 4, 9]));
     let (out, _) = scene.expect(0, &["bank", "show", "a.bank", "-o", "a.png", "--json", "--regions"]);
     let document: serde_json::Value = serde_json::from_str(&out).unwrap();
     assert_eq!(document["levels"][0]["origin_m"], serde_json::json!([-500.0, 1000.0]));

@@ -107,3 +107,29 @@ fn a_closed_pipe_is_quiet() {
     assert_eq!(output.status.code(), Some(0));
     assert_eq!(String::from_utf8_lossy(&output.stderr), "");
 }
+
+/// The help of a command offers the machines that it takes, and no others.
+#[test]
+fn a_help_offers_what_the_command_takes() {
+    let of = |command: &str| help(&command.split(' ').map(str::to_owned).collect::<Vec<_>>());
+    for command in [
+        "explain",
+        "trigger",
+        "trace",
+        "sizing",
+        "lockstep",
+        "timing columns",
+        "study error",
+        "study economy",
+    ] {
+        let text = of(command);
+        assert!(text.contains("Hardware model by name or path"), "{command}: {text}");
+        assert!(!text.contains("`exact`") && !text.contains("`lunsim`"), "{command}: {text}");
+    }
+    for command in ["timing show", "timing record", "timing check"] {
+        let text = of(command);
+        assert!(text.contains("or `lunsim` for the report's program"), "{command}: {text}");
+        assert!(!text.contains("`exact`"), "{command}: {text}");
+    }
+    assert!(of("probe").contains("`lunsim`") && of("replay").contains("`exact`"));
+}

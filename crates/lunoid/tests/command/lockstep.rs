@@ -41,8 +41,12 @@ fn what_cannot_be_run() {
         (&["lockstep"][..], "<SCENARIO>"),
         (&["lockstep", "tiny.toml", "--random", "2"], "cannot be used with"),
         (&["lockstep", "--random", "2", "--set", "loader.access_ns=3000"], "cannot be used with"),
-        (&["lockstep", "--random", "0"], "0 is not in 1.."),
+        (&["lockstep", "--random", "0"], "a whole number of 1 or more"),
         (&["lockstep", "--random", "2", "--seed", "18446744073709551614"], "expected a last seed"),
+        (
+            &["lockstep", "tiny.toml", "--seed", "3"],
+            "--seed 3: a scenario is not drawn at random; leave it out",
+        ),
         (&["lockstep", "tiny.toml", "--every", "41"], "a frame has 40 sweeps"),
         (&["lockstep", "tiny.toml", "--frame", "4"], "the scenario has frames 0..4"),
         (&["lockstep", "tiny.toml", "--sweep", "38..41"], "a frame has sweeps 0..40"),

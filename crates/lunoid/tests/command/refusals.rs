@@ -1,6 +1,6 @@
 //! Options without effect and files of the wrong kind: one error that says what was expected.
 
-use crate::scene::Scene;
+use crate::scene::{Scene, lunoid};
 
 /// Ends with `code`, and says all `words` in few lines.
 fn refused(scene: &Scene, code: i32, arguments: &[&str], words: &[&str]) {
@@ -44,6 +44,12 @@ fn options_without_effect_are_refused() {
         refused(&scene, 2, &["study", "economy", "tiny.toml", option], &["--lossless, --everything", "both"]);
     }
     refused(&scene, 2, &["study", "stability", "--seed", "3"], &["not provided", "--mixtures"]);
+    for machine in ["exact", "lunsim"] {
+        let replay = ["replay", "tiny.toml", "-m", machine, "--set", "loader.access_ns=90", "--out", "r"];
+        let words = [&format!("{machine} has no such part"), "--set loader.access_ns", "leave it out"];
+        refused(&scene, 2, &replay, &words);
+    }
+    refused(&scene, 2, &["trigger", "tiny.toml", "--on", "fold x = 7"], &["`7`", "a stop, 0 or 1"]);
     assert_eq!(scene.list("."), ["tiny.bank", "tiny.bank.toml", "tiny.toml"]);
 }
 
@@ -51,7 +57,7 @@ fn options_without_effect_are_refused() {
 fn values_that_cannot_be_are_refused() {
     let scene = Scene::new();
     for (arguments, words) in [
-        (&["replay", "tiny.toml", "--sweeps", "-3"][..], &["'-3'", "--sweeps", "1..=8192"]),
+        (&["replay", "tiny.toml", "--sweeps", "-3"][..], &["'-3'", "--sweeps", "from 1 to 8192"]),
         (&["replay", "tiny.toml", "--frames", "-1..2"], &["'-1..2'", "--frames", "expected A..B"]),
         (
             &["replay", "tiny.toml", "--raise", "crater=3"],
@@ -96,6 +102,54 @@ fn values_that_cannot_be_are_refused() {
     assert!(scene.list("runs/tiny").is_empty(), "{:?}", scene.list("runs/tiny"));
 }
 
+/// A name that does not say what is in the file, a place that is not there.
+#[test]
+fn pictures_of_what_is_not_there_are_refused() {
+    let scene = Scene::new();
+    scene.expect(0, &["bank", "generate", "tiny.toml", "-o", "tiny.bank"]);
+    let timeline = ["timing", "show", "tiny.toml", "--frame", "0", "--sweep", "3", "--out"];
+    for arguments in [
+        &[&timeline[..], &["x.txt"]].concat()[..],
+        &["timing", "show", "tiny.toml", "--slack", "x.txt"],
+        &["timing", "show", "tiny.toml", "--utilisation", "x"],
+        &["timing", "columns", "tiny.toml", "--frame", "0", "--out", "x.jpg"],
+        &["bank", "show", "tiny.bank", "--out", "x.txt"],
+        &["survey", "a.tif", "-o", "a.bank", "--picture", "x.txt"],
+    ] {
+        refused(&scene, 2, arguments, &["expected a name that ends in .png or .svg"]);
+    }
+    refused(&scene, 2, &["compare", "a.png", "b.png", "--out", "x.svg"], &["--out x.svg", "ends in .png"]);
+    let beyond = [&timeline[..], &["x.png", "--range-m", "1e6,2e6"]].concat();
+    refused(&scene, 2, &beyond, &["--range-m 1000000,2000000", "sweep 3 goes to 300.0 m", "nearer"]);
+    let probe = ["probe", "tiny.toml", "--frame", "0", "--sweep", "3", "--out", "x.png"];
+    for (option, place, low_high) in [
+        ("--cursor", "5000", "2.000 to 300.000 m"),
+        ("--from", "1m", "2.000 to"),
+        ("--to", "1e9us", "0.000 to"),
+    ] {
+        refused(&scene, 2, &[&probe[..], &[option, place]].concat(), &[option, low_high, "a place there"]);
+    }
+    assert_eq!(scene.list("."), ["tiny.bank", "tiny.bank.toml", "tiny.toml"]);
+    scene.expect(0, &[&timeline[..], &["X.PNG"]].concat());
+}
+
+/// The variable is named, and not the option that it stands for.
+#[test]
+fn a_variable_that_is_no_number_is_named() {
+    let scene = Scene::new();
+    let run = |value: &str, arguments: &[&str]| {
+        let mut command = lunoid();
+        let output = command.current_dir(scene.path()).env("LUNOID_THREADS", value).args(arguments).output();
+        let output = output.unwrap();
+        (output.status.code(), String::from_utf8(output.stderr).unwrap())
+    };
+    let (code, err) = run("abc", &["replay", "tiny.toml"]);
+    assert_eq!(code, Some(2));
+    assert_eq!(err, "error: LUNOID_THREADS=abc: expected a whole number from 1 to 1024; mend or unset it\n");
+    assert_eq!(run("abc", &["replay", "tiny.toml", "-q", "--jobs", "1"]).0, Some(0));
+    assert_eq!(run("", &["replay", "tiny.toml", "-q"]).0, Some(0));
+}
+
 #[test]
 fn files_of_another_kind_are_named_as_what_they_are() {
     let scene = Scene::new();
@@ -113,6 +167,8 @@ fn files_of_another_kind_are_named_as_what_they_are() {
     let differences =
         "edge.toml: this is differences from a hardware model (--overlay), expected a hardware model";
     refused(&scene, 3, &["model", "check", "edge.toml"], &[differences]);
+    let gear = concat!(env!("CARGO_MANIFEST_DIR"), "/../../hardware-models/programs/lunsim.toml");
+    refused(&scene, 3, &["replay", gear], &["this is what LUNSIM ran on, expected a scenario"]);
     let unknown =
         ["note.txt: starts with 68 65", "a bank", "elevation file", "scenario", "PNG", "folder of a run"];
     refused(&scene, 3, &["info", "note.txt"], &unknown);

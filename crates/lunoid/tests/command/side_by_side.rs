@@ -120,3 +120,13 @@ fn a_machine_that_cannot_draw_the_scenario_stops_all_of_them() {
     assert!(err.starts_with("error: down.toml: --machine ideal: frame 3: pitch 85.0 deg"), "{err}");
     assert!(!scene.join("all").exists(), "nothing was begun");
 }
+
+/// What is set of parts is set of the machines that have them: the closed form beside them has none.
+#[test]
+fn parts_are_set_of_those_that_have_them() {
+    let scene = Scene::new();
+    scene.expect(0, &[&SEVERAL[..], &["--set", "loader.access_ns=90"]].concat());
+    let words = |folder: &str| fs::read_to_string(scene.join(folder).join("page.json")).unwrap();
+    assert!(words("all/pra-nominal").contains("loader.access_ns=90"));
+    assert!(!words("all/exact").contains("loader.access_ns=90"));
+}

@@ -189,3 +189,27 @@ fn filters_take_from_the_whole_what_they_say() {
     assert!((3..all.len()).contains(&listed), "{said}");
     assert!(err.contains(&format!("{listed} events, and more: --from ")), "{err}");
 }
+
+/// What can never be listed is refused; what happens not to be there is said to be none.
+#[test]
+fn a_listing_of_nothing_says_why() {
+    let scene = Scene::new();
+    let trace =
+        |code, more: &[&str]| scene.expect(code, &[&["trace", "tiny.toml", "--frame", "1"], more].concat());
+    for (more, words) in [
+        (&["--from", "999999999"][..], "--from 999999999: the events are at ticks"),
+        (&["--to", "0"], "--to 0: the events are at ticks"),
+        (&["--level", "coarse"], "--level coarse: the scenario has one level of terrain; expected fine"),
+        (&["--unit", "drum"], "--unit drum: the machine has no drums"),
+        (&["--unit", "drum.fine.77", "-m", "pra-nominal"], "--unit drum.fine.77: each level has drums 0..4"),
+        (&["--unit", "drum.coarse", "-m", "pra-nominal"], "--unit drum.coarse: the scenario has one level"),
+    ] {
+        let (out, err) = trace(2, more);
+        assert!(out.is_empty() && err.contains(words) && err.lines().count() == 1, "{more:?}: {out}{err}");
+    }
+    for form in ["--csv", "--json"] {
+        let (out, err) = trace(0, &["--event", "late", form]);
+        assert!(!out.is_empty() && err.contains("nothing found: none of "), "{out}{err}");
+        assert!(err.contains("they are of dpu, loader.black"), "{err}");
+    }
+}

@@ -59,11 +59,8 @@ impl Folder {
     }
 
     pub fn sequence(&self) -> Result<Sequence, AugmentError> {
-        Sequence::read(
-            &self.join("frames"),
-            &self.join("poses.csv"),
-            Camera::read(&self.join("camera.json"))?,
-        )
+        let camera = || Camera::read(&self.join("camera.json"));
+        Sequence::read(&self.join("frames"), &self.join("poses.csv"), camera)
     }
 
     fn run(&self, method: Method, out: &Path) -> Result<Vec<FrameWork>, AugmentError> {

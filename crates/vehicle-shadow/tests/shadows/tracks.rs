@@ -7,7 +7,7 @@ use glam::{DMat3, DVec3};
 use quantities::unit_interval;
 use scenario::{Scenery, Standing, TrackPatch, Vehicle};
 use solids::{Body, Kind, Solid};
-use vehicle_shadow::{Camera, Sequence, Shape, TrueGround, USUAL_TRACKS, tracks_along};
+use vehicle_shadow::{AugmentError, Camera, Sequence, Shape, TrueGround, USUAL_TRACKS, tracks_along};
 
 use crate::scenes::{bumps, flat, shot, stage, sun, to_sun};
 use crate::true_ground::{drawn, middle};
@@ -81,7 +81,7 @@ fn tracks_follow_the_poses() {
             poses += &format!("{frame},{frame},{},20,{height},0,0,0\n", 100 + 2 * frame);
         }
         std::fs::write(folder.path().join("poses.csv"), poses).unwrap();
-        let camera = Camera::of_field([50.0, 30.0]).unwrap();
+        let camera = || Ok::<_, AugmentError>(Camera::of_field([50.0, 30.0]).unwrap());
         let sequence = Sequence::read(folder.path(), &folder.path().join("poses.csv"), camera).unwrap();
         tracks_along(&sequence, &USUAL_TRACKS, &Vehicle::default(), &flat()).unwrap()
     };

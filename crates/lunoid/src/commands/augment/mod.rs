@@ -86,10 +86,10 @@ pub struct Augment {
     #[arg(long, value_name = "WIDTH,HEIGHT", value_parser = values::pair)]
     field: Option<[f64; 2]>,
     /// Bits of the D/A converters of the synchronised method, over the width of the picture.
-    #[arg(long, default_value_t = DAC_BITS, value_parser = clap::value_parser!(u32).range(4..=24))]
+    #[arg(long, default_value_t = DAC_BITS, value_parser = values::whole(4..=24_u32))]
     dac_bits: u32,
     /// Limiting resolution of the scan converter, television lines a picture height.
-    #[arg(long, default_value_t = ScanConverter::default().tv_lines, value_parser = clap::value_parser!(u32).range(50..=4000))]
+    #[arg(long, default_value_t = ScanConverter::default().tv_lines, value_parser = values::whole(50..=4000_u32))]
     tv_lines: u32,
     /// How far the scan converter's shadow lies off to the right and down, in percent of the picture's height.
     #[arg(long, value_name = "RIGHT,DOWN", value_parser = values::pair, allow_hyphen_values = true)]
@@ -149,7 +149,7 @@ impl Augment {
         expect_outputs(&self.outputs(), &self.sources())?;
         let baseline = self.baseline.as_deref().map(timing::read).transpose()?;
         let pool = self.threads.pool()?;
-        let sequence = Sequence::read(&self.frames, &self.poses, self.camera()?)?;
+        let sequence = Sequence::read(&self.frames, &self.poses, || self.camera())?;
         let Grounded { law: ground, vehicle, inputs } = self.ground(&sequence, &pool)?;
         let eye_height = self.eye_height.unwrap_or(vehicle.eye_height);
         let shape = Shape::find(&self.vehicle, eye_height)?;
@@ -206,7 +206,7 @@ impl Augment {
     fn outputs(&self) -> Vec<Place> {
         let made = Place::folder("--out", &self.out, |name| name == RECORD || is_picture(name));
         let timing = Place::given([("--timing", &self.timing)]);
-        [made].into_iter().chain(timing).chain(self.probing.output()).collect()
+        [made].into_iter().chain(timing).chain(self.probing.outputs()).collect()
     }
 
     /// What is read.

@@ -12,7 +12,7 @@ use waveform::{Format, Header};
 
 use crate::Failure;
 use crate::commands::page::Request;
-use crate::commands::probe::{names, write};
+use crate::commands::probe::{Target, names, write};
 use crate::output::Place;
 
 /// What is looked at, and where it goes.
@@ -66,9 +66,10 @@ pub struct Recorded {
 }
 
 impl Probing {
-    /// The file that is to be written, if any.
-    pub fn output(&self) -> Option<Place> {
-        self.waveforms.as_ref().map(|(path, _)| Place::file("--waveforms", path))
+    /// The files that are to be written, if any.
+    pub fn outputs(&self) -> Vec<Place> {
+        let of = |(path, format): &(PathBuf, Format)| Target::Waveforms(*format).places("--waveforms", path);
+        self.waveforms.as_ref().map_or(Vec::new(), of)
     }
 
     /// What to record of the pictures of `sequence`, if anything.

@@ -11,9 +11,9 @@ use lockstep::{Engines, Report, Trials, trials};
 use rayon::ThreadPool;
 use scenario::{PoseTable, Scalar};
 
-use crate::loading::{Loaded, ScalarWord, StageArgs, StageOptions, Threads};
+use crate::loading::{Loaded, ScalarWord, StageArgs, StageOptions, Threads, of_models};
 use crate::values::Span;
-use crate::{Failure, Verdict};
+use crate::{Failure, Verdict, values};
 
 use tell::Told;
 
@@ -30,7 +30,7 @@ with signal, sweep, sample, tick and both values; of a random scene the smallest
 
 /// Run machine and interpreter side by side and compare every signal and every event.
 #[derive(Debug, Args)]
-#[command(after_help = AFTER)]
+#[command(after_help = AFTER, mut_args(of_models))]
 pub struct LockstepCommand {
     /// Scenario file.
     #[arg(required_unless_present = "random")]
@@ -43,26 +43,26 @@ pub struct LockstepCommand {
     #[command(flatten)]
     threads: Threads,
     /// One frame, from 0, counted at the update rate.
-    #[arg(long, conflicts_with = "random")]
+    #[arg(long, conflicts_with = "random", value_parser = values::at_least(0_u64))]
     frame: Option<u64>,
     /// Sweeps, from 0 at the left: S or S..T without T.
     #[arg(long, value_name = "S[..T]", conflicts_with = "random")]
     sweep: Option<Span>,
     /// Every K-th sweep.
-    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..), conflicts_with_all = ["sweep", "random"])]
+    #[arg(long, value_name = "K", value_parser = values::at_least(1_u32), conflicts_with_all = ["sweep", "random"])]
     every: Option<u32>,
     /// Ideal parts in place of the model's; its raster, range programme, loader and processor stay.
     #[arg(long, conflicts_with = "random")]
     ideal_parts: bool,
     /// So many random scenes instead of a scenario.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..), conflicts_with_all = [
+    #[arg(long, value_name = "N", value_parser = values::at_least(1_u64), conflicts_with_all = [
         "scenario", "machine", "overlay", "set", "bank", "sweeps", "samples", "swift", "lossless", "everything",
         "shadow_cache"
     ])]
     random: Option<u64>,
-    /// Seed of the first of them; the next have the next.
-    #[arg(long, default_value_t = 0, requires = "random")]
-    seed: u64,
+    /// Seed of the first of them, 0 if left out; the next have the next.
+    #[arg(long, value_parser = values::at_least(0_u64))]
+    seed: Option<u64>,
     /// Print the tables as JSON.
     #[arg(long)]
     json: bool,
@@ -75,10 +75,16 @@ impl LockstepCommand {
     /// Runs both.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let pool = self.threads.pool()?;
-        let told = match (self.random, &self.scenario) {
-            (Some(count), _) => self.random(count, &pool)?,
-            (None, Some(scenario)) => self.of(scenario, &pool)?,
-            (None, None) => return Err(Failure::usage("expected a scenario file, or --random N")),
+        let told = match (self.random, self.seed, &self.scenario) {
+            (Some(count), seed, _) => self.random(count, seed.unwrap_or(0), &pool)?,
+            (None, Some(seed), _) => {
+                return Err(Failure::usage(format!(
+                    "--seed {seed}: a scenario is not drawn at random; leave it out, or give --random N in place of the \
+                     scenario"
+                )));
+            }
+            (None, None, Some(scenario)) => self.of(scenario, &pool)?,
+            (None, None, None) => return Err(Failure::usage("expected a scenario file, or --random N")),
         };
         told.print(self.json)?;
         Ok(if told.agrees() { Verdict::Yes } else { Verdict::No })
@@ -102,8 +108,7 @@ impl LockstepCommand {
         Ok(Told { what, frames, report, faults: Vec::new() })
     }
 
-    fn random(&self, count: u64, pool: &ThreadPool) -> Result<Told, Failure> {
-        let seed = self.seed;
+    fn random(&self, count: u64, seed: u64, pool: &ThreadPool) -> Result<Told, Failure> {
         let end = seed.checked_add(count).ok_or_else(|| {
             Failure::usage(format!(
                 "--random {count} --seed {seed}: expected a last seed of at most {}",

@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use clap::builder::PossibleValue;
-use waveform::Format;
+use waveform::{Format, companions};
 
 use crate::Failure;
+use crate::output::{Place, ending};
 
 /// Pictures of a sweep, by the ending of their names.
 const PICTURES: [(&str, &str); 2] = [("png", "A page of the scope"), ("svg", "The same, as vectors")];
@@ -29,9 +30,10 @@ pub fn words() -> Vec<PossibleValue> {
 impl Target {
     /// By a word of `--format`, else by the name of the file.
     pub fn of(word: Option<&str>, out: &Path) -> Result<Self, Failure> {
-        let name = word.unwrap_or(ending(out));
+        let by_name = ending(out);
+        let name = word.unwrap_or(&by_name);
         match Self::called(name).ok_or_else(|| unknown(out, ", or --format"))? {
-            Self::Picture if ending(out) != name => Err(Failure::usage(format!(
+            Self::Picture if by_name != name => Err(Failure::usage(format!(
                 "--out {}: expected a name that ends in .{name} for --format {name}",
                 out.display()
             ))),
@@ -41,13 +43,23 @@ impl Target {
 
     /// By the name of the file alone.
     pub fn of_name(out: &Path) -> Result<Self, Failure> {
-        Self::called(ending(out)).ok_or_else(|| unknown(out, ""))
+        Self::called(&ending(out)).ok_or_else(|| unknown(out, ""))
     }
 
     fn called(name: &str) -> Option<Self> {
         let format = Format::ALL.into_iter().find(|format| format.name() == name);
         let is_picture = PICTURES.iter().any(|(picture, _)| *picture == name);
         format.map(Self::Waveforms).or(is_picture.then_some(Self::Picture))
+    }
+
+    /// All files that are written where the `option` names `out`.
+    pub fn places(self, option: &'static str, out: &Path) -> Vec<Place> {
+        let beside = match self {
+            Self::Waveforms(format) => companions(format, out),
+            Self::Picture => Vec::new(),
+        };
+        let beside = beside.into_iter().map(|file| Place::file("a file written beside the waveforms,", file));
+        [Place::file(option, out)].into_iter().chain(beside).collect()
     }
 
     /// Word of the format, as in the record.
@@ -57,10 +69,6 @@ impl Target {
             Self::Picture => out.extension().unwrap_or_default().to_string_lossy().into_owned(),
         }
     }
-}
-
-fn ending(out: &Path) -> &str {
-    out.extension().and_then(|ending| ending.to_str()).unwrap_or_default()
 }
 
 fn unknown(out: &Path, more: &str) -> Failure {

@@ -25,7 +25,7 @@ use crate::loading::{Loaded, StageArgs, StageOptions, Threads};
 use crate::output::{Place, expect_outputs, print, print_json, tell};
 use crate::progress::Saying;
 use crate::values::Span;
-use crate::{Failure, Verdict};
+use crate::{Failure, Verdict, values};
 use summary::Summary;
 
 const AFTER: &str = "Examples:
@@ -83,7 +83,8 @@ pub struct Replay {
     probe: Vec<Request>,
     /// Check N sweeps, drawn at random and spread over the frames, against `exact`: error and its confidence stand in
     /// run.json and on the page, the time that it took in performance.json. docs/run-page.md says how.
-    #[arg(long, value_name = "N", default_value = "0", hide_default_value = true)]
+    #[arg(long, value_name = "N", default_value = "0", hide_default_value = true,
+          value_parser = values::at_least(0_u32))]
     check: u32,
     /// Remove the run that the folder holds, and nothing else, and start anew.
     #[arg(long)]

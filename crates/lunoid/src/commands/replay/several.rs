@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 use super::summary::Summary;
 use super::{Replay, interrupted};
 use crate::interrupt;
-use crate::loading::{Loaded, StageArgs, other};
+use crate::loading::{Loaded, StageArgs, is_of_parts, other};
 use crate::output::{print, print_json, tell};
 use crate::{Failure, Verdict};
 
@@ -116,6 +116,8 @@ impl Replay {
     fn entries(&self, machines: &[String]) -> Result<Vec<Entry>, Failure> {
         let judge = Exact.name().to_owned();
         let judge = (!machines.contains(&judge)).then_some(judge);
+        // Parts that are set are those of the machines among them.
+        let is_for_machines = machines.iter().any(|name| other(name).is_none());
         let mut entries: Vec<Entry> = Vec::new();
         for machine in machines.iter().cloned().chain(judge) {
             let name = folder_name(&machine)?;
@@ -124,7 +126,10 @@ impl Replay {
                     "--machine {machine}: two machines would draw into the folder `{name}`; expected each name once"
                 )));
             }
-            let stage = self.stage(Some(machine));
+            let mut stage = self.stage(Some(machine));
+            if is_for_machines && stage.machine.as_deref().is_some_and(|name| other(name).is_some()) {
+                stage.options.set.retain(|(key, _)| !is_of_parts(key));
+            }
             let loaded = stage.load()?;
             loaded.choose(self.frames)?;
             entries.push(Entry { name, stage, loaded });

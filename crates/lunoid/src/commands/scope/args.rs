@@ -1,9 +1,9 @@
 //! How a page of the scope is asked for.
 
 use clap::{Args, ValueEnum};
-use plots::{Along, Line, Place, ScopeLook, Theme};
+use plots::{Along, Clock, Line, Place, ScopeLook, Theme};
 
-use crate::Failure;
+use crate::{Failure, values};
 
 /// How a picture of one sweep is drawn.
 #[derive(Debug, Clone, Default, Args)]
@@ -27,10 +27,10 @@ pub struct ScopeArgs {
     #[arg(long)]
     pub linear: bool,
     /// Width of the page (pixels) [default: 1200].
-    #[arg(long, value_parser = clap::value_parser!(u32).range(600..=8000))]
+    #[arg(long, value_parser = values::whole(600..=8000_u32))]
     pub width: Option<u32>,
     /// Height of each panel of curves (pixels) [default: 180].
-    #[arg(long, value_parser = clap::value_parser!(u32).range(120..=8000))]
+    #[arg(long, value_parser = values::whole(120..=8000_u32))]
     pub height: Option<u32>,
     /// Ink on paper, or phosphor on glass.
     #[arg(long, value_enum, default_value_t)]
@@ -92,6 +92,27 @@ impl ScopeArgs {
         let [width, height] = [(self.width, page.width), (self.height, page.height)]
             .map(|(asked, usual)| asked.unwrap_or(usual));
         Ok(ScopeLook { facts, width, height, theme, along, from, to, cursors, ..page })
+    }
+
+    /// Refuses places that are not on the page.
+    pub fn expect_places(&self, clock: &Clock<'_>) -> Result<(), Failure> {
+        let (Some(&near), Some(&far)) = (clock.ranges.first(), clock.ranges.last()) else { return Ok(()) };
+        let end = (clock.ranges.len() - 1) as f64 * clock.period;
+        let cursors = self.cursor.iter().map(|place| ("--cursor", place));
+        let ends = [("--from", &self.from), ("--to", &self.to)];
+        let ends = ends.into_iter().filter_map(|(option, place)| Some((option, place.as_ref()?)));
+        cursors.chain(ends).try_for_each(|(option, place)| {
+            let (found, unit, [low, high]) = match *place {
+                Place::Range(range) => (range, " m", [near, far]),
+                Place::Time(time) => (time, " us", [0.0, end]),
+            };
+            match (low..=high).contains(&found) {
+                true => Ok(()),
+                false => Err(Failure::usage(format!(
+                    "{option} {found}{unit}: the samples lie from {low:.3} to {high:.3}{unit}; expected a place there"
+                ))),
+            }
+        })
     }
 
     /// A row of a grid lies across the line of sight: nothing runs along it.

@@ -62,7 +62,9 @@ pub fn light_or_dark_svg(recorded: &Recorded<'_>) -> Result<String, Failure> {
 pub fn draw(recorded: &Recorded<'_>, args: &ScopeArgs) -> Result<Drawing, Failure> {
     let page = page::Page::new(recorded)?;
     let look = args.look(recorded.title, page.facts(), page.line())?;
-    scope_picture(&page.scope()?, &look).map_err(Failure::usage)
+    let scope = page.scope()?;
+    args.expect_places(&scope.clock)?;
+    scope_picture(&scope, &look).map_err(Failure::usage)
 }
 
 /// Corners to the east of each level of a bank.

@@ -15,7 +15,7 @@ use self::report::Report;
 use self::search::Search;
 use self::tear::TearLaw;
 use crate::commands::timing::rehearsal::{Rehearsal, choose, spread};
-use crate::loading::{Loaded, StageArgs, Threads};
+use crate::loading::{Loaded, StageArgs, Threads, of_models};
 use crate::output::{print, print_json, tell};
 use crate::progress::Display;
 use crate::values::{Span, positive};
@@ -31,7 +31,7 @@ docs/timing.md says what each line is, and what a tear is that shows.";
 
 /// Hold the machine in time against its formulas, and search for the slowest parts that would do.
 #[derive(Debug, Args)]
-#[command(after_help = AFTER)]
+#[command(after_help = AFTER, mut_args(of_models))]
 pub struct Sizing {
     #[command(flatten)]
     stage: StageArgs,

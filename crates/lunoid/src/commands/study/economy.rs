@@ -9,11 +9,11 @@ use study::Subject;
 use study::economy::{EconomyOutcome, economy};
 
 use super::error::{failure, frames, quarter};
-use super::outputs::{Outputs, markdown, write};
+use super::outputs::{Outputs, is_of, markdown, write};
 use crate::cli::COMMIT;
-use crate::loading::{StageArgs, Threads};
+use crate::loading::{StageArgs, Threads, of_models};
 use crate::output::{named, rate as two_digits, table as columns};
-use crate::{Failure, Verdict};
+use crate::{Failure, Verdict, values};
 
 /// Repetitions that are timed.
 const REPETITIONS: u32 = 5;
@@ -28,17 +28,17 @@ study. The exit status is 1 if a machine that claims to draw the same bits does 
 
 /// What the scenario does not need: left out, saved, and still wasted.
 #[derive(Debug, Args)]
-#[command(after_help = AFTER)]
+#[command(after_help = AFTER, mut_args(of_models))]
 pub struct EconomyStudy {
     #[command(flatten)]
     stage: StageArgs,
     #[command(flatten)]
     threads: Threads,
     /// Frame to look at; up to three times. The middle of the mission if left out.
-    #[arg(long, value_name = "F")]
+    #[arg(long, value_name = "F", value_parser = values::at_least(0_u64))]
     frame: Vec<u64>,
     /// Repetitions of each frame that are timed.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, value_name = "N", value_parser = values::whole(1..=1000_u32))]
     repetitions: Option<u32>,
     /// A quarter of the sweeps, columns and lines.
     #[arg(long)]
@@ -63,6 +63,7 @@ impl EconomyStudy {
             let advice = "the study draws with both and without; leave them out";
             return Err(Failure::usage(format!("--swift, --lossless, --everything: {advice}")));
         }
+        self.outputs.expect_apart(|file| is_of("economy", file), &self.stage.sources())?;
         let mut loaded = self.stage.load()?;
         loaded.expect_machine("it leaves nothing out")?;
         if self.quick {

@@ -16,12 +16,12 @@ use study::{
     climb, csv, grid_ladder, regions, table,
 };
 
-use super::outputs::{Outputs, markdown, write};
+use super::outputs::{Outputs, is_of, markdown, write};
 use super::plots::write_plots;
 use crate::cli::COMMIT;
-use crate::loading::{Loaded, StageArgs, Threads};
+use crate::loading::{Loaded, StageArgs, Threads, of_models};
 use crate::output::{named, table as columns};
-use crate::{Failure, Verdict};
+use crate::{Failure, Verdict, values};
 
 /// The model whose parts make the chain that is solved.
 const CHAIN_OF: &str = "pra-nominal";
@@ -48,17 +48,17 @@ docs/error-and-time.md says how to read them.";
 
 /// Error against run time: ladders of one factor about the settings of the scenario, and of some pairs.
 #[derive(Debug, Args)]
-#[command(after_help = AFTER)]
+#[command(after_help = AFTER, mut_args(of_models))]
 pub struct ErrorStudy {
     #[command(flatten)]
     stage: StageArgs,
     #[command(flatten)]
     threads: Threads,
     /// Frame to look at; up to three times. The middle of the mission if left out.
-    #[arg(long, value_name = "F")]
+    #[arg(long, value_name = "F", value_parser = values::at_least(0_u64))]
     frame: Vec<u64>,
     /// Repetitions of each frame that are timed.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, value_name = "N", value_parser = values::whole(1..=1000_u32))]
     repetitions: Option<u32>,
     /// This ladder alone; may be given several times.
     #[arg(long, value_name = "LADDER")]
@@ -84,6 +84,7 @@ impl ErrorStudy {
     /// Studies.
     pub fn run(&self) -> Result<Verdict, Failure> {
         self.stage.expect_machine("a study holds a machine against the closed form")?;
+        self.outputs.expect_apart(|file| is_of("error", file), &self.stage.sources())?;
         let mut loaded = self.stage.load()?;
         if self.quick {
             quarter(&mut loaded)?;

@@ -9,7 +9,7 @@ use serde_json::Value;
 
 use crate::Failure;
 use crate::loading::Loaded;
-use crate::output::{print, print_json, tell};
+use crate::output::{Place, expect_outputs, print, print_json, tell};
 
 /// Where results go.
 #[derive(Debug, Args)]
@@ -31,6 +31,12 @@ impl Outputs {
         if !self.no_progress {
             tell(&format!("{text}\n"));
         }
+    }
+
+    /// Sees that nothing in the folder of which `writes` says that the study writes it is one of `inputs`.
+    pub fn expect_apart(&self, writes: fn(&str) -> bool, inputs: &[Place]) -> Result<(), Failure> {
+        let folder = self.out.iter().map(|out| Place::folder("--out", out, writes));
+        expect_outputs(&folder.collect::<Vec<_>>(), inputs)
     }
 
     /// Every machine of a study wants the same shadow boundaries: they are found once if there is a place for them.
@@ -64,6 +70,15 @@ pub fn write(folder: &Path, name: &str, document: &Value, csv: &str, page: &str)
         files::write_atomic(path, |out: &mut dyn Write| out.write_all(text.as_bytes()))?;
     }
     Ok(())
+}
+
+/// Whether the study of that name writes a file called `file`: a table of its own name, or a plot.
+pub fn is_of(study: &str, file: &str) -> bool {
+    match file.rsplit_once('.') {
+        Some((stem, "json" | "csv" | "md")) => stem == study,
+        Some((stem, "svg" | "png")) => !stem.contains('/'),
+        _ => false,
+    }
 }
 
 /// Rows as a table of Markdown, the first with the names of the columns. A bar within a cell is written so that it ends none.

@@ -11,11 +11,11 @@ use study::ladder::Extent;
 use study::stability::{BASE, Cell, Choice, FitOutcome, Scene, matrix, rows, survey_fits, table};
 
 use super::matrix_plot::write_matrix;
-use super::outputs::{Outputs, make, markdown, write};
+use super::outputs::{Outputs, is_of, make, markdown, write};
 use crate::cli::COMMIT;
 use crate::loading::{StageArgs, Threads};
 use crate::output::table as columns;
-use crate::{Failure, Verdict};
+use crate::{Failure, Verdict, values};
 
 const AFTER: &str = "Examples:
   lunoid study stability --quick
@@ -47,10 +47,10 @@ pub struct StabilityStudy {
     #[arg(long, conflicts_with = "quick")]
     pairs: bool,
     /// So many random mixtures of extremes as well.
-    #[arg(long, value_name = "N", default_value_t = 0, conflicts_with = "quick")]
+    #[arg(long, value_name = "N", default_value_t = 0, conflicts_with = "quick", value_parser = values::at_least(0_u32))]
     mixtures: u32,
     /// Seed of the mixtures.
-    #[arg(long, value_name = "SEED", default_value_t = 1, requires = "mixtures")]
+    #[arg(long, value_name = "SEED", default_value_t = 1, requires = "mixtures", value_parser = values::at_least(0_u64))]
     seed: u64,
     /// This row alone; may be given several times.
     #[arg(long, value_name = "ROW")]
@@ -74,6 +74,8 @@ impl StabilityStudy {
     /// Studies.
     pub fn run(&self) -> Result<Verdict, Failure> {
         self.check_rows()?;
+        let sources = self.scenario.as_deref().map_or(Vec::new(), |file| StageArgs::of(file).sources());
+        self.outputs.expect_apart(|file| is_of("stability", file), &sources)?;
         self.outputs.out.as_deref().map_or(Ok(()), make)?;
         let pool = self.threads.pool()?;
         let outcome = pool.install(|| self.study())?;

@@ -8,7 +8,7 @@ use timing::{Comparison, TimingRecord, Tolerance, Totals, compare};
 
 use super::program::Rehearsed;
 use super::rehearsal::{choose, first};
-use crate::loading::{Loaded, StageArgs, Threads};
+use crate::loading::{Loaded, StageArgs, Threads, of_models_and_lunsim};
 use crate::output::{Place, expect_outputs, print, print_json};
 use crate::progress::Display;
 use crate::values::{Span, not_negative};
@@ -22,6 +22,7 @@ const TOLD: usize = 60;
 /// Write the timing of some frames as a baseline.
 #[derive(Debug, Args)]
 #[command(
+    mut_args(of_models_and_lunsim),
     after_help = "Example:\n  lunoid timing record scenarios/first-light.toml --machine pra-nominal --sweeps 21 --frames 0..2 --out baseline.json"
 )]
 pub struct Record {
@@ -73,6 +74,7 @@ impl Record {
 /// Hold the timing to a baseline.
 #[derive(Debug, Args)]
 #[command(
+    mut_args(of_models_and_lunsim),
     after_help = "Example:\n  lunoid timing check scenarios/first-light.toml --machine pra-nominal --sweeps 21 --baseline baseline.json --junit timing.xml"
 )]
 pub struct Check {

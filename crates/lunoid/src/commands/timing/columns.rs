@@ -23,10 +23,10 @@ use self::tell::Told;
 use self::trace::{Trace, remembered};
 use super::rehearsal::Rehearsal;
 use crate::frame::FrameArgs;
-use crate::loading::Loaded;
+use crate::loading::{Loaded, of_models};
 use crate::output::{Place, expect_outputs, print, print_json};
 use crate::progress::Display;
-use crate::{Failure, Verdict};
+use crate::{Failure, Verdict, values};
 
 const AFTER: &str = "Example:
   lunoid timing columns scenarios/far-mountains.toml --machine pra-frugal --frame 3 --out columns.png
@@ -36,18 +36,18 @@ every column that differs is traced to lines of the timing record or is the work
 
 /// Trace every column that differs from the ideal machine to lines of the timing record.
 #[derive(Debug, Args)]
-#[command(after_help = AFTER)]
+#[command(after_help = AFTER, mut_args(of_models))]
 pub struct Columns {
     #[command(flatten)]
     chosen: FrameArgs,
     /// A column differs if any pixel of it is off by more levels of 255 than this.
-    #[arg(long, default_value_t = 8, value_parser = clap::value_parser!(u32).range(0..=254))]
+    #[arg(long, default_value_t = 8, value_parser = values::whole(0..=254_u32))]
     levels: u32,
     /// Lines of the record that are listed of each column, the last before its pixel; `timing show --misses` has all.
-    #[arg(long, value_name = "N", default_value_t = 4)]
+    #[arg(long, value_name = "N", default_value_t = 4, value_parser = values::at_least(0_usize))]
     lines: usize,
     /// Draw both pictures, their difference, and a strip with the class of every column.
-    #[arg(short, long, value_name = "PNG")]
+    #[arg(short, long, value_name = "PNG|SVG")]
     out: Option<PathBuf>,
     /// No progress.
     #[arg(long)]
@@ -60,7 +60,7 @@ pub struct Columns {
 impl Columns {
     /// Traces.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        expect_outputs(&Place::given([("--out", &self.out)]), &self.chosen.stage.sources())?;
+        expect_outputs(&Place::pictures([("--out", &self.out)]), &self.chosen.stage.sources())?;
         let (rehearsal, frames) =
             Rehearsal::open(&self.chosen.stage, &self.chosen.threads, |loaded| self.choose(loaded))?;
         let record = rehearsal.record(&frames, &Display::new(!self.no_progress))?;

@@ -1,7 +1,10 @@
 //! The levels of terrain that a stage draws.
 
 use generator::Stage;
+use hardware_model::Settings;
 use landscape::Level;
+
+use crate::Failure;
 
 /// One level of terrain that sweeps run over.
 #[derive(Clone, Copy)]
@@ -17,4 +20,12 @@ pub fn drawn_levels(stage: &Stage) -> Vec<DrawnLevel<'_>> {
     let names = if stage.settings.levels.is_some() { &["fine", "coarse"][..] } else { &["fine"] };
     let levels = stage.landscape.bank().levels().iter().zip(names).enumerate();
     levels.map(|(number, (level, name))| DrawnLevel { number, name, level }).collect()
+}
+
+/// Refuses the coarse level, as `asked` for, where there is none.
+pub fn expect_coarse(asked: &str, settings: &Settings) -> Result<(), Failure> {
+    match settings.levels {
+        Some(_) => Ok(()),
+        None => Err(Failure::usage(format!("{asked}: the scenario has one level of terrain; expected fine"))),
+    }
 }

@@ -8,17 +8,17 @@ use serde_json::json;
 use timing::{FrameTiming, TimingRecord, Totals};
 
 use super::critical_path::{Chain, chains};
-use super::levels::drawn_levels;
+use super::levels::{drawn_levels, expect_coarse};
 use super::misses;
 use super::plots::{write_slack, write_utilisation};
 use super::program::{Rehearsed, times_text};
 use super::rehearsal::{Rehearsal, choose, spread};
 use super::timeline::SweepTimeline;
-use crate::loading::{Loaded, StageArgs, Threads};
+use crate::loading::{Loaded, StageArgs, Threads, of_models_and_lunsim};
 use crate::output::{Place, expect_outputs, print, print_json};
 use crate::progress::Display;
 use crate::values::{Span, pair};
-use crate::{Failure, Verdict};
+use crate::{Failure, Verdict, values};
 
 /// Frames that are shown where none are named, spread over the mission.
 const USUAL_FRAMES: u64 = 8;
@@ -30,7 +30,7 @@ const AFTER: &str = "Examples:
 
 /// Show deadlines, use of units, misses and the critical path.
 #[derive(Debug, Args)]
-#[command(after_help = AFTER)]
+#[command(after_help = AFTER, mut_args(of_models_and_lunsim))]
 pub struct Show {
     #[command(flatten)]
     stage: StageArgs,
@@ -40,13 +40,13 @@ pub struct Show {
     #[arg(long, value_name = "A..B", conflicts_with = "frame")]
     frames: Option<Span>,
     /// Show one frame, and its critical path. Without it the path is that of the frame with the least slack.
-    #[arg(long)]
+    #[arg(long, value_parser = values::at_least(0_u64))]
     frame: Option<u64>,
     /// Sweep of the timeline, from 0 at the left.
-    #[arg(long, requires = "frame", requires = "out")]
+    #[arg(long, requires = "frame", requires = "out", value_parser = values::at_least(0_u32))]
     sweep: Option<u32>,
     /// Draw the timeline of the sweep: ramps, stops, sets asked for, on their way, ready, late.
-    #[arg(short, long, value_name = "PNG", requires = "sweep")]
+    #[arg(short, long, value_name = "PNG|SVG", requires = "sweep")]
     out: Option<PathBuf>,
     /// Level of terrain of the timeline.
     #[arg(long, value_enum, default_value = "fine", requires = "sweep")]
@@ -55,10 +55,10 @@ pub struct Show {
     #[arg(long, value_name = "NEAR,FAR", value_parser = pair_of_ranges, requires = "sweep")]
     range_m: Option<[f64; 2]>,
     /// Draw the use of every unit over the frames.
-    #[arg(long, value_name = "PNG")]
+    #[arg(long, value_name = "PNG|SVG")]
     utilisation: Option<PathBuf>,
     /// Draw histograms of slack.
-    #[arg(long, value_name = "PNG")]
+    #[arg(long, value_name = "PNG|SVG")]
     slack: Option<PathBuf>,
     /// List every miss of these sweeps as well: columns of the picture, from 0 at the left.
     #[arg(long, value_name = "S[..T]")]
@@ -93,8 +93,11 @@ impl Show {
     /// Shows.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let plots = [("--out", &self.out), ("--utilisation", &self.utilisation), ("--slack", &self.slack)];
-        expect_outputs(&Place::given(plots), &self.stage.sources())?;
+        expect_outputs(&Place::pictures(plots), &self.stage.sources())?;
         let (rehearsal, frames) = Rehearsed::open(&self.stage, &self.threads, |loaded| self.choose(loaded))?;
+        if let Rehearsed::Machine(rehearsal) = &rehearsal {
+            self.draw_timeline(rehearsal)?;
+        }
         let record = rehearsal.record(&frames, &Display::new(!self.no_progress))?;
         if let Some(path) = &self.utilisation {
             write_utilisation(&record, path)?;
@@ -106,7 +109,6 @@ impl Show {
             self.tell_program(&record)?;
             return Ok(Verdict::Yes);
         };
-        self.draw_timeline(rehearsal)?;
         let frame = tightest(&record);
         let poses = rehearsal.poses(&[frame.frame])?;
         let chains = chains(rehearsal, &poses[0].pose, frame)?;
@@ -155,10 +157,8 @@ impl Show {
                 "--sweep {sweep}: a frame has sweeps 0..{sweeps}; expected one of them"
             )));
         }
-        if self.level == LevelWord::Coarse && loaded.settings.levels.is_none() {
-            return Err(Failure::usage(
-                "--level coarse: the scenario has one level of terrain; expected fine",
-            ));
+        if self.level == LevelWord::Coarse {
+            expect_coarse("--level coarse", &loaded.settings)?;
         }
         match self.frame {
             None => choose(loaded, self.frames, spread(USUAL_FRAMES)),

@@ -36,8 +36,7 @@ impl<'a> SweepTimeline<'a> {
 
     /// Draws it over `range` (m), or over all of the sweep.
     pub fn draw(&self, title: &str, range: Option<[f64; 2]>, path: &Path) -> Result<(), Failure> {
-        let end = self.program.end_range;
-        let window = range.unwrap_or([0.0, end]);
+        let window = self.window(range)?;
         let (x, ramps) = self.ramps(window);
         let traces = ["sweep.x", "sweep.y"].into_iter().zip(&ramps).map(|(name, y)| Trace { name, x: &x, y });
         let panel = Panel { axis: Axis::new("ramp (regions)").over([-0.05, 1.05]), traces: traces.collect() };
@@ -50,6 +49,17 @@ impl<'a> SweepTimeline<'a> {
         let look = TraceLook { facts: self.facts(), width: 1200, height: 180, ..TraceLook::titled(title) };
         let picture = timeline_picture(&timeline, &look).map_err(Failure::usage)?;
         picture.write(path).map_err(Failure::output)
+    }
+
+    /// What is asked for of the sweep, or all of it.
+    fn window(&self, range: Option<[f64; 2]>) -> Result<[f64; 2], Failure> {
+        let (end, (_, sweep, _)) = (self.program.end_range, self.place);
+        match range {
+            Some([near, far]) if near >= end => Err(Failure::usage(format!(
+                "--range-m {near},{far}: sweep {sweep} goes to {end:.1} m; expected a nearer range"
+            ))),
+            asked => Ok(asked.unwrap_or([0.0, end])),
+        }
     }
 
     fn facts(&self) -> Vec<String> {

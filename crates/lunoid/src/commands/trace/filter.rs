@@ -2,8 +2,14 @@
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
+use hardware_model::Settings;
 use machine::{DigitalEvent, EventWord};
 use sweep_program::Colour;
+
+use super::seen::Seen;
+use crate::commands::timing::levels::expect_coarse;
+use crate::output::tell;
+use crate::{Failure, values};
 
 /// Units as the timing record calls them, and the first words of their names.
 const UNITS: [&str; 14] = [
@@ -44,10 +50,10 @@ pub struct Filter {
     #[arg(long, value_name = "LEVEL", value_parser = PossibleValuesParser::new(LEVELS))]
     pub level: Option<String>,
     /// First tick.
-    #[arg(long, value_name = "TICK")]
+    #[arg(long, value_name = "TICK", value_parser = values::at_least(0_u64))]
     pub from: Option<u64>,
     /// The tick that ends the listing; it is not listed.
-    #[arg(long, value_name = "TICK")]
+    #[arg(long, value_name = "TICK", value_parser = values::at_least(0_u64))]
     pub to: Option<u64>,
 }
 
@@ -64,6 +70,62 @@ fn unit(text: &str) -> Result<String, String> {
 }
 
 impl Filter {
+    /// Refuses levels and drums that the run does not have.
+    pub fn expect_there(&self, settings: &Settings) -> Result<(), Failure> {
+        if self.level.as_deref() == Some("coarse") {
+            expect_coarse("--level coarse", settings)?;
+        }
+        let count = settings.data_banks.drum.map_or(0, |drum| drum.count);
+        self.unit.iter().try_for_each(|unit| {
+            let asked = format!("--unit {unit}");
+            let mut parts = unit.split('.');
+            if parts.next() != Some("drum") {
+                return Ok(());
+            }
+            let (level, number) = (parts.next(), parts.next().and_then(|number| number.parse().ok()));
+            if count == 0 {
+                return Err(Failure::usage(format!(
+                    "{asked}: the machine has no drums, all words are at hand; leave it out, or give --machine a model with \
+                     drums"
+                )));
+            }
+            if level == Some("coarse") {
+                expect_coarse(&asked, settings)?;
+            }
+            match number.is_some_and(|number: u32| number >= count) {
+                false => Ok(()),
+                true => Err(Failure::usage(format!(
+                    "{asked}: each level has drums 0..{count}; expected one of them"
+                ))),
+            }
+        })
+    }
+
+    /// Says why none of the events that were seen is listed.
+    ///
+    /// # Errors
+    /// If the ticks asked for are none of theirs.
+    pub fn explain_none(&self, seen: &Seen) -> Result<(), Failure> {
+        let Some([first, last]) = seen.ticks else {
+            tell("nothing found: there is no event in these sweeps\n");
+            return Ok(());
+        };
+        let beyond = [
+            self.from.filter(|&from| from > last).map(|from| format!("--from {from}")),
+            self.to.filter(|&to| to <= first).map(|to| format!("--to {to}")),
+        ];
+        match beyond.into_iter().flatten().next() {
+            Some(asked) => Err(Failure::usage(format!(
+                "{asked}: the events are at ticks {first} to {last}; expected a tick there"
+            ))),
+            None => {
+                let (count, units) = (seen.count, seen.units());
+                tell(&format!("nothing found: none of {count} events is such; they are of {units}\n"));
+                Ok(())
+            }
+        }
+    }
+
     /// Whether an event of one of `words` may be listed.
     pub fn may_pass(&self, words: &[EventWord], unit: &str) -> bool {
         words.iter().any(|word| is_among(&self.event, Some(word.name()))) && self.has_unit(unit)

@@ -34,21 +34,31 @@ pub struct Listing<'a> {
 }
 
 impl<'a> Listing<'a> {
+    /// Writes nothing yet: whoever finds no event may have another thing to say.
+    pub fn new(frame: &'a Frame<'a>, form: Form, limit: Option<u64>) -> Self {
+        Self { frame, form, limit: limit.unwrap_or(u64::MAX), listed: 0, last: None, next: None }
+    }
+
     /// Writes what comes before the first event.
-    pub fn begin(frame: &'a Frame<'a>, form: Form, limit: Option<u64>) -> Result<Self, Failure> {
+    fn begin(&self) -> Result<(), Failure> {
+        let frame = self.frame;
         let [start, end] = frame.ticks().map(|tick| tick.0);
-        match form {
+        match self.form {
             Form::Text => print(&format!(
                 "frame {}: ticks {start}..{end} of {}\n{:>12} {:>11} {:>5}  {:<22} {}\n",
                 frame.number, frame.timebase.master, "tick", "µs", "sweep", "unit", "event"
-            ))?,
-            Form::Csv => print(CSV)?,
+            )),
+            Form::Csv => print(CSV),
             Form::Json => print(&format!(
                 "{{\n  \"schema\": \"lunoid.trace/1\",\n  \"frame\": {},\n  \"ticks\": [{start}, {end}],\n  \"events\": [",
                 frame.number
-            ))?,
+            )),
         }
-        Ok(Self { frame, form, limit: limit.unwrap_or(u64::MAX), listed: 0, last: None, next: None })
+    }
+
+    /// Whether no event is listed.
+    pub fn is_empty(&self) -> bool {
+        self.listed == 0
     }
 
     /// Whether no more is listed.
@@ -58,7 +68,7 @@ impl<'a> Listing<'a> {
 
     /// Writes events that follow.
     pub fn add(&mut self, events: impl Iterator<Item = DigitalEvent>) -> Result<(), Failure> {
-        let mut text = String::new();
+        let (mut text, was_empty) = (String::new(), self.is_empty());
         for event in events {
             // A tick is listed whole: who goes on at the next meets each event once.
             if self.listed >= self.limit && self.last != Some(event.tick.0) {
@@ -69,11 +79,17 @@ impl<'a> Listing<'a> {
             self.last = Some(event.tick.0);
             self.listed += 1;
         }
+        if was_empty && !self.is_empty() {
+            self.begin()?;
+        }
         print(&text)
     }
 
     /// Writes what comes after the last.
     pub fn end(self) -> Result<(), Failure> {
+        if self.is_empty() {
+            self.begin()?;
+        }
         if let Some(next) = self.next {
             tell(&format!("{} events, and more: --from {next} goes on\n", self.listed));
         }

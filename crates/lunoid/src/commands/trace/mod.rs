@@ -2,6 +2,7 @@
 
 mod filter;
 mod listing;
+mod seen;
 mod state;
 
 use std::ops::Range;
@@ -13,11 +14,13 @@ use quantities::{SweepTime, Tick, Timebase};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use crate::frame::FrameArgs;
+use crate::loading::of_models;
 use crate::values::Span;
-use crate::{Failure, Verdict};
+use crate::{Failure, Verdict, values};
 
 use filter::Filter;
 use listing::{Form, Listing};
+use seen::Seen;
 
 const AFTER: &str = "Examples:
   lunoid trace scenarios/first-light.toml --frame 60 --sweep 500
@@ -35,7 +38,7 @@ const AT_ONCE: u32 = 32;
 
 /// List the digital events of a frame in the order of their ticks, or show all registers at one of them.
 #[derive(Debug, Args)]
-#[command(after_help = AFTER)]
+#[command(after_help = AFTER, mut_args(of_models))]
 pub struct Trace {
     #[command(flatten)]
     chosen: FrameArgs,
@@ -45,7 +48,7 @@ pub struct Trace {
     #[command(flatten)]
     filter: Filter,
     /// List no more than so many events, and those of the same tick as the last.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "N", value_parser = values::at_least(1_u64))]
     limit: Option<u64>,
     /// Show the registers of all colours at a tick, or at a sample of a sweep, and list nothing.
     #[arg(long, value_name = "TICK|S:SAMPLE",
@@ -89,7 +92,7 @@ impl Trace {
         let number = self.chosen.frame;
         let rehearsal = self.chosen.rehearse(|loaded| {
             sweeps = self.sweeps(loaded.settings.raster.sweeps)?;
-            Ok(())
+            self.filter.expect_there(&loaded.settings)
         })?;
         let pose = rehearsal.poses(&[number])?[0].pose;
         // Shadow boundaries take longer to find than all else takes.
@@ -126,21 +129,29 @@ impl Trace {
             Some(sweep) => sweeps.contains(&sweep),
             None => self.sweep.is_none(),
         };
-        let mut listing = Listing::begin(frame, self.form(), self.limit)?;
+        let mut listing = Listing::new(frame, self.form(), self.limit);
+        let mut seen = Seen::default();
+        let mut passes = |event: &DigitalEvent| {
+            seen.look(event);
+            self.filter.passes(event)
+        };
         let mut waiting: Vec<DigitalEvent> = frame.sweeps.frame_events();
-        waiting.retain(|event| is_meant(event) && self.filter.passes(event));
+        waiting.retain(|event| is_meant(event) && passes(event));
         let mut next = sweeps.start;
         while next < sweeps.end && !listing.is_full() {
             let until = sweeps.end.min(next + AT_ONCE);
             let of = |sweep: u32| frame.sweeps.events(sweep);
             let found: Vec<Vec<DigitalEvent>> = (next..until).into_par_iter().map(of).collect();
-            waiting.extend(found.into_iter().flatten().filter(|event| self.filter.passes(event)));
+            waiting.extend(found.into_iter().flatten().filter(&mut passes));
             waiting.sort_by_key(|event| event.tick);
             // Words of craters set out with the retrace before their sweep: nothing of a sweep comes before.
             let safe = frame.tick(until, -f64::from(frame.timebase.retrace_samples).max(1.0));
             let whole = waiting.partition_point(|event| until == sweeps.end || event.tick < safe);
             listing.add(waiting.drain(..whole))?;
             next = until;
+        }
+        if listing.is_empty() {
+            self.filter.explain_none(&seen)?;
         }
         listing.end()
     }

@@ -14,11 +14,11 @@ use trigger::{Condition, ConditionError, Which};
 
 use crate::commands::timing::rehearsal::Rehearsal;
 use crate::interrupt;
-use crate::loading::{StageArgs, Threads};
-use crate::output::{Place, expect_outputs, tell};
+use crate::loading::{StageArgs, Threads, of_models};
+use crate::output::{expect_outputs, tell};
 use crate::progress::Display;
 use crate::values::Span;
-use crate::{Failure, Verdict};
+use crate::{Failure, Verdict, values};
 
 use around::Around;
 use find::{Area, Finder};
@@ -43,7 +43,7 @@ Exit code 0: found; 1: not found.";
 
 /// Find where in a mission a condition on signals is met: first, n-th, or all.
 #[derive(Debug, Args)]
-#[command(after_help = AFTER)]
+#[command(after_help = AFTER, mut_args(of_models))]
 pub struct TriggerCommand {
     #[command(flatten)]
     stage: StageArgs,
@@ -62,16 +62,16 @@ pub struct TriggerCommand {
     #[arg(long, value_name = "A..B")]
     sample: Option<Span>,
     /// The n-th place, from 1.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..), conflicts_with = "all")]
+    #[arg(long, value_name = "N", value_parser = values::at_least(1_u64), conflicts_with = "all")]
     nth: Option<u64>,
     /// Every place.
     #[arg(long)]
     all: bool,
     /// Show so many samples before and after it.
-    #[arg(long, value_name = "K", conflicts_with = "all", value_parser = clap::value_parser!(u32).range(..=100_000))]
+    #[arg(long, value_name = "K", conflicts_with = "all", value_parser = values::whole(0..=100_000_u32))]
     around: Option<u32>,
     /// Show, and write, so many sweeps to the left and to the right of it.
-    #[arg(long, value_name = "N", conflicts_with = "all", value_parser = clap::value_parser!(u32).range(..=8192))]
+    #[arg(long, value_name = "N", conflicts_with = "all", value_parser = values::whole(0..=8192_u32))]
     around_sweeps: Option<u32>,
     /// Write the sweep of the place: what the name ends in says how, as in `lunoid probe`.
     #[arg(short, long, value_name = "FILE", conflicts_with = "all")]
@@ -97,7 +97,8 @@ impl TriggerCommand {
         self.check_signals(machine::signals())?;
         let file =
             self.out.as_deref().map(|out| File::named(out, self.around_sweeps.unwrap_or(0))).transpose()?;
-        expect_outputs(&Place::given([("--out", &self.out)]), &self.stage.sources())?;
+        let outputs = file.as_ref().map_or(Vec::new(), File::places);
+        expect_outputs(&outputs, &self.stage.sources())?;
         let mut places = None;
         let (rehearsal, frames) = Rehearsal::open(&self.stage, &self.threads, |loaded| {
             let raster = &loaded.settings.raster;

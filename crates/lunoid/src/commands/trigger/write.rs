@@ -8,9 +8,9 @@ use waveform::{Format, Header, SweepTraces, WaveformError, open};
 
 use super::around::{Around, BEAM};
 use super::find::{Finder, Found};
-use crate::Failure;
 use crate::commands::probe::Target;
 use crate::commands::scope::{Recorded, ScopeArgs, columns_of, write_picture};
+use crate::{Failure, output};
 
 /// A file that is to be written.
 pub struct File {
@@ -28,6 +28,11 @@ impl File {
             ));
         }
         Ok(Self { path: path.to_owned(), target })
+    }
+
+    /// All files that come of it.
+    pub fn places(&self) -> Vec<output::Place> {
+        self.target.places("--out", &self.path)
     }
 
     /// Whether it is a page of the scope.

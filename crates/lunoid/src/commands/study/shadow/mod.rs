@@ -16,10 +16,10 @@ use study::shadow::{
 use vehicle_shadow::{Mast, Shape};
 
 use super::error::frames;
-use super::outputs::{Outputs, markdown, write};
+use super::outputs::{Outputs, is_of, markdown, write};
 use crate::cli::COMMIT;
 use crate::loading::{Loaded, StageArgs, Threads};
-use crate::output::table as columns;
+use crate::output::{Place, table as columns};
 use crate::{Failure, Verdict, values};
 
 /// Elevations of the sun where none are given (degrees): those of the page's table.
@@ -59,19 +59,19 @@ pub struct ShadowStudy {
     #[arg(long, value_name = "DEG", value_parser = elevation)]
     sun: Vec<f64>,
     /// Places along the path, at most one a frame.
-    #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u16).range(1..=1000))]
+    #[arg(long, value_name = "N", default_value_t = 100, value_parser = values::whole(1..=1000_u16))]
     places: u16,
     /// Azimuths of each sun at each place.
-    #[arg(long, value_name = "N", default_value_t = 12, value_parser = clap::value_parser!(u16).range(1..=360))]
+    #[arg(long, value_name = "N", default_value_t = 12, value_parser = values::whole(1..=360_u16))]
     azimuths: u16,
     /// Draw by every law and method as well.
     #[arg(long, requires = "vehicle")]
     laws: bool,
     /// Frame to draw; up to three times. The middle of the mission if left out.
-    #[arg(long, value_name = "F", requires = "laws")]
+    #[arg(long, value_name = "F", requires = "laws", value_parser = values::at_least(0_u64))]
     frame: Vec<u64>,
     /// Repetitions of each frame that are timed.
-    #[arg(long, value_name = "N", default_value_t = REPETITIONS, requires = "laws", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, value_name = "N", default_value_t = REPETITIONS, requires = "laws", value_parser = values::whole(1..=1000_u32))]
     repetitions: u32,
     #[command(flatten)]
     outputs: Outputs,
@@ -102,7 +102,11 @@ fn elevation(text: &str) -> Result<f64, String> {
 impl ShadowStudy {
     /// Studies.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        let mut loaded = StageArgs::of(&self.scenario).load()?;
+        let stage = StageArgs::of(&self.scenario);
+        let vehicle = self.vehicle.iter().map(|shape| Place::file("--vehicle", shape));
+        let sources: Vec<Place> = stage.sources().into_iter().chain(vehicle).collect();
+        self.outputs.expect_apart(|file| is_of("shadow", file), &sources)?;
+        let mut loaded = stage.load()?;
         let drawn = if self.laws { frames(&self.frame, loaded.frames())? } else { Vec::new() };
         let Caster { mast, shape } = self.caster(&loaded)?;
         let pool = self.threads.pool()?;
