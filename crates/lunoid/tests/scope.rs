@@ -72,7 +72,7 @@ fn places_that_cannot_be_are_refused() {
         &["--signals", "tg.height", "--cursor", "5000"],
         "--cursor 5000 m: the samples lie from 2.500 to 900.000 m",
     );
-    refused(&["--signals", "tg.height", "--cursor", "1,2,3"], "cursors");
+    refused(&["--signals", "tg.height", "--cursor", "10,20,30"], "cursors");
     refused(&["--signals", "tg.height", "--cursor", "near"], "ground range in metres");
     refused(&["--signals", "tg.height", "--from", "50", "--to", "20"], "upper end above the lower");
     refused(&["--signals", "sm.write"], "none of them runs along the sweep");
