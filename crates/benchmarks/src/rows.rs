@@ -52,6 +52,8 @@ pub const ROWS: &[Row] = &[
     swift("swift showpiece, pra-wires, f32", "showpiece", "pra-wires", Scalar::F32),
     swift("swift nominal drive, pra-wires, f32", "nominal-drive", "pra-wires", Scalar::F32),
     swift("swift full drive, pra-wires, f32", "full-drive", "pra-wires", Scalar::F32),
+    swift("swift nominal drive, pra-parts, f32", "nominal-drive", "pra-parts", Scalar::F32),
+    swift("swift full drive, pra-parts, f32", "full-drive", "pra-parts", Scalar::F32),
     row("showpiece, ideal, f32", "showpiece", "ideal", Scalar::F32, STANDARD),
     row("showpiece, ideal, f64", "showpiece", "ideal", Scalar::F64, STANDARD),
     row("showpiece, modern-analog, f32", "showpiece", "modern-analog", Scalar::F32, STANDARD),
@@ -66,5 +68,7 @@ pub const ROWS: &[Row] = &[
     row("full drive, ideal, f32", "full-drive", "ideal", Scalar::F32, STANDARD),
     row("full drive, ideal, f64", "full-drive", "ideal", Scalar::F64, STANDARD),
     row("full drive, pra-wires, f32", "full-drive", "pra-wires", Scalar::F32, STANDARD),
+    row("nominal drive, pra-parts, f32", "nominal-drive", "pra-parts", Scalar::F32, STANDARD),
+    row("full drive, pra-parts, f32", "full-drive", "pra-parts", Scalar::F32, STANDARD),
     row("nominal drive, pra-nominal, f32", "nominal-drive", "pra-nominal", Scalar::F32, STANDARD),
 ];

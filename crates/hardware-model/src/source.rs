@@ -11,9 +11,10 @@ use limits::Limit;
 use crate::faults::FAULTS;
 
 /// Models that the program carries, with their text.
-pub const BUILT_IN: [(&str, &str); 6] = [
+pub const BUILT_IN: [(&str, &str); 7] = [
     ("ideal", include_str!("../../../hardware-models/ideal.toml")),
     ("pra-wires", include_str!("../../../hardware-models/pra-wires.toml")),
+    ("pra-parts", include_str!("../../../hardware-models/pra-parts.toml")),
     ("pra-nominal", include_str!("../../../hardware-models/pra-nominal.toml")),
     ("pra-frugal", include_str!("../../../hardware-models/pra-frugal.toml")),
     ("pra-overloaded", include_str!("../../../hardware-models/pra-overloaded.toml")),

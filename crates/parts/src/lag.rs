@@ -61,6 +61,20 @@ impl<S: Real> LagStep<S> {
         let to = input * S::from_f64(to_share);
         Self { keep, from: input - to, to }
     }
+}
+
+impl<S: Copy> LagStep<S> {
+    /// Each figure of this step with that of another, through `f`.
+    #[inline(always)]
+    pub fn beside<T>(&self, other: &Self, f: impl Fn(S, S) -> T) -> LagStep<T> {
+        LagStep { keep: f(self.keep, other.keep), from: f(self.from, other.from), to: f(self.to, other.to) }
+    }
+
+    /// Each figure of this step through `f`.
+    #[inline(always)]
+    pub fn each<T>(&self, f: impl Fn(S) -> T) -> LagStep<T> {
+        self.beside(self, |figure, _| f(figure))
+    }
 
     /// Output at the end of the step: `y` at its start, input `u0`, `u1` at its start and end.
     #[inline(always)]

@@ -48,6 +48,26 @@ impl<S: Real> Multiplier<S> {
             cubic: S::from_f64(law.nonlinearity),
         }
     }
+}
+
+impl<S: Copy> Multiplier<S> {
+    /// Each figure of this part with that of another, through `f`.
+    #[inline(always)]
+    pub fn beside<T>(&self, other: &Self, f: impl Fn(S, S) -> T) -> Multiplier<T> {
+        Multiplier {
+            gain: f(self.gain, other.gain),
+            linear: f(self.linear, other.linear),
+            feed_b: f(self.feed_b, other.feed_b),
+            offset: f(self.offset, other.offset),
+            cubic: f(self.cubic, other.cubic),
+        }
+    }
+
+    /// Each figure of this part through `f`.
+    #[inline(always)]
+    pub fn each<T>(&self, f: impl Fn(S) -> T) -> Multiplier<T> {
+        self.beside(self, |figure, _| f(figure))
+    }
 
     /// The product of `a` and `b` with its static errors.
     #[inline(always)]
@@ -73,6 +93,20 @@ impl<S: Real> Feedthrough<S> {
     /// Leak of `share` of a sine wave of `frequency` (Hz), for steps of `h` seconds: `k = share / (2 pi f)`.
     pub fn new(h: f64, share: f64, frequency: f64) -> Self {
         Self { gain: S::from_f64(share / (2.0 * PI * frequency) / h) }
+    }
+}
+
+impl<S: Copy> Feedthrough<S> {
+    /// The figure of this part with that of another, through `f`.
+    #[inline(always)]
+    pub fn beside<T>(&self, other: &Self, f: impl Fn(S, S) -> T) -> Feedthrough<T> {
+        Feedthrough { gain: f(self.gain, other.gain) }
+    }
+
+    /// The figure of this part through `f`.
+    #[inline(always)]
+    pub fn each<T>(&self, f: impl Fn(S) -> T) -> Feedthrough<T> {
+        self.beside(self, |figure, _| f(figure))
     }
 
     /// The leak over a step with the input `u0`, `u1` at its start and end.

@@ -2,11 +2,9 @@
 
 use std::ops::{Add, Mul, Sub};
 
-use signal::Real;
-
 /// A scalar of the run, [`signal::Lanes`] of it, or a vector of them. Lane by lane the operations are the scalar's, so
-/// the bits are too.
-pub trait Wire<S: Real>:
+/// the bits are too. `S` is what a part's figures are: scalars, or vectors of those of several parts.
+pub trait Wire<S>:
     Copy
     + Add<Output = Self>
     + Sub<Output = Self>
@@ -16,7 +14,7 @@ pub trait Wire<S: Real>:
 {
 }
 
-impl<S: Real, V> Wire<S> for V where
+impl<S, V> Wire<S> for V where
     V: Copy + Add<Output = V> + Sub<Output = V> + Mul<Output = V> + Add<S, Output = V> + Mul<S, Output = V>
 {
 }

@@ -5,6 +5,7 @@
 //! cannot change a bit.
 
 mod breaks;
+mod double;
 mod lanes;
 mod number;
 mod probe;
@@ -13,6 +14,7 @@ mod square;
 mod table;
 
 pub use breaks::{Break, Breaks, Stretches};
+pub use double::{Both, Double};
 pub use lanes::{LANES, Lanes};
 pub use number::{Number, eight, pair};
 pub use probe::{Probe, Waveform};

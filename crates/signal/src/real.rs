@@ -4,9 +4,10 @@ use std::fmt::Debug;
 use std::ops::AddAssign;
 
 use fearless_simd::prelude::{ExtractToken, SimdBase, SimdFloat, SimdFloatElement};
-use fearless_simd::{Simd, f32x8, f64x8};
+use fearless_simd::{Simd, f32x8, f32x16, f64x8};
 
-use crate::{LANES, Number};
+use crate::double::Twice;
+use crate::{Double, LANES, Number};
 
 /// f32 or f64. Only operations that IEEE fixes to the bit; no fused multiply-add (result family "unfused").
 pub trait Real:
@@ -14,6 +15,8 @@ pub trait Real:
 {
     /// [`LANES`](crate::LANES) of them, in vectors of a width that the computer has.
     type Vector<L: Simd>: SimdFloat<L, Element = Self> + Number;
+    /// Twice [`LANES`](crate::LANES) of them.
+    type Double<L: Simd>: Double<L, Self>;
     /// 0.
     const ZERO: Self;
     /// 1.
@@ -45,9 +48,10 @@ pub trait Real:
 }
 
 macro_rules! real {
-    ($scalar:ty, $vector:ident) => {
+    ($scalar:ty, $vector:ident, $double:ty) => {
         impl Real for $scalar {
             type Vector<L: Simd> = $vector<L>;
+            type Double<L: Simd> = $double;
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             fn from_f64(value: f64) -> Self {
@@ -60,5 +64,5 @@ macro_rules! real {
     };
 }
 
-real!(f32, f32x8);
-real!(f64, f64x8);
+real!(f32, f32x8, f32x16<L>);
+real!(f64, f64x8, Twice<f64x8<L>>);

@@ -32,7 +32,7 @@ pub(crate) fn draws_swiftly(stage: &Stage) -> bool {
     settings.economy == Economy::Swift
         && settings.laws.feature_light == FeatureLight::Combined
         && settings.mixing_unit.gate == Gate::Presence
-        && parts.terrain_is_ideal()
+        && parts.reflectivity.delay_mismatch == 0.0
         && parts.features_are_ideal()
         && parts.shadow_lines_are_ideal()
         && parts.texture_is_ideal()

@@ -12,10 +12,9 @@ use landscape::CornerWords;
 use parts::LagSteps;
 use signal::{LANES, Real, eight};
 
-use super::grid::Wires;
 use super::run::Run;
 use super::state::{ArrayState, Coded, Due, Lane};
-use super::terms::{TERMS, term_of, word_of};
+use super::terms::{ALL, TERMS, term_of, word_of};
 use super::words::{Acting, Change, Words};
 
 impl<S: Real> Run<'_, S> {
@@ -74,9 +73,9 @@ impl<S: Real> Run<'_, S> {
         for (number, lane) in state.lanes.iter_mut().enumerate() {
             lane.held = lane.registers.hold(self.generator.buffer).map(|words| *words);
             lane.numbers = lane.held.each_ref().map(|words| array.coded(words).numbers);
-            for (index, wires) in state.wires.iter_mut().enumerate() {
+            for index in 0..ALL {
                 let [colour, _] = word_of(index % TERMS);
-                wires.weight[number] = S::from_f64(array.weight(&lane.held[colour], index));
+                *state.wires.weight(index, number) = S::from_f64(array.weight(&lane.held[colour], index));
             }
         }
     }
@@ -84,7 +83,7 @@ impl<S: Real> Run<'_, S> {
     /// Gives D/As at rest the words that act by `sample`.
     pub(super) fn take_words(&self, sample: i64, state: &mut ArrayState<S>) {
         let ArrayState { words, wires, .. } = state;
-        words.take(sample, |change| wires[change.index].weight[change.lane] = S::from_f64(change.weight));
+        words.take(sample, |change| *wires.weight(change.index, change.lane) = S::from_f64(change.weight));
     }
 }
 
@@ -103,24 +102,25 @@ impl Acting {
         }
     }
 
-    /// Gives the lanes of a D/A these words, within a step that it has taken with those before; its signal was
-    /// `before` as the step began.
+    /// Gives the lanes of a D/A these words, within a step that it has taken with those before to `term`; its signal is
+    /// `ends` as the step begins and as it ends.
     #[inline(always)]
     pub(super) fn act<L: Simd, S: Real>(
         &self,
         simd: L,
-        before: S::Vector<L>,
-        wires: &mut Wires<S::Vector<L>>,
+        ends: [S::Vector<L>; 2],
+        held: &mut S::Vector<L>,
+        term: &mut S::Vector<L>,
     ) {
-        let [from, end] = [S::widen(before), S::widen(wires.product)];
+        let [from, end] = [S::widen(ends[0]), S::widen(ends[1])];
         let start = from + eight(simd, &self.share) * (end - from);
         let weight = eight(simd, &self.weight);
-        let step = weight - S::widen(wires.weight);
+        let step = weight - S::widen(*held);
         let kick = eight(simd, &self.pulse) * start * eight(simd, &self.kick);
         let more = (start * eight(simd, &self.from) + end * eight(simd, &self.to)) * step + kick;
         let is_new = <S::Vector<L> as SimdBase<L>>::Mask::from_bitmask(simd, self.lanes);
-        wires.term = is_new.select(S::narrow(S::widen(wires.term) + more), wires.term);
-        wires.weight = is_new.select(S::narrow(weight), wires.weight);
+        *term = is_new.select(S::narrow(S::widen(*term) + more), *term);
+        *held = is_new.select(S::narrow(weight), *held);
     }
 }
 

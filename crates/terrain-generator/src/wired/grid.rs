@@ -1,18 +1,17 @@
 //! The 3 x 36 multipliers, each with the multiplying D/A behind it, and the first sums of their terms.
 //!
 //! Nearly all parts of a machine stand here, so the loop over them is the machine's cost: a block of samples goes
-//! through the cells two by two, eight lanes in a vector, and is divided only where a D/A takes a new word. Each
-//! lag keeps what it leaves for the next sample instead of its input and output. A part that is ideal has the
-//! coefficients of one.
+//! through the cells two by two, both with their eight lanes in a vector of sixteen, and is divided only where a D/A takes
+//! a new word. Each lag keeps what it leaves for the next sample instead of its input and output. A part that is ideal has
+//! the coefficients of one.
 
 use std::ops::Range;
 
 use fearless_simd::Simd;
 use fearless_simd::prelude::SimdBase;
 use parts::{Feedthrough, LagStep, Multiplier, Wire};
-use signal::{Lanes, Real};
+use signal::{Both, Double, LANES, Lanes, Real};
 
-use super::basis::UNITS;
 use super::block::{BLOCK, Block, Factor, Row};
 use super::terms::TERMS;
 use super::words::Words;
@@ -22,25 +21,33 @@ use super::words::Words;
 pub(super) struct Cell<S> {
     /// The function generators that feed it: X, Y.
     pub(super) factors: [usize; 2],
-    pub(super) multiplier: Multiplier<S>,
-    /// What leaks of the first input past the multiplier.
-    pub(super) leak: Feedthrough<S>,
-    pub(super) lag: LagStep<S>,
-    pub(super) converter: LagStep<S>,
+    pub(super) parts: CellParts<S>,
     /// Time constant of the D/A (s), for steps that a new word divides.
     pub(super) tau: f64,
+}
+
+/// Figures of its parts, or of those of two cells side by side.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct CellParts<T> {
+    pub(super) multiplier: Multiplier<T>,
+    /// What leaks of the first input past the multiplier.
+    pub(super) leak: Feedthrough<T>,
+    pub(super) lag: LagStep<T>,
+    pub(super) converter: LagStep<T>,
     /// What leaks of the signal past the D/A, whatever its word.
-    pub(super) past: Feedthrough<S>,
+    pub(super) past: Feedthrough<T>,
 }
 
 /// All of them, and how many meet at one amplifier.
 #[derive(Debug, Clone)]
 pub(super) struct Grid<S> {
     pub(super) cells: Vec<Cell<S>>,
-    pub(super) inputs: usize,
+    /// The same two by two.
+    pairs: Vec<CellParts<Both<S>>>,
+    inputs: usize,
 }
 
-/// Wires of a cell at a sample: of a group, or of a group in a vector.
+/// Wires of a cell at a sample, of a group; or of two cells side by side.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Wires<V> {
     /// What the multiplier's lag leaves for the next sample.
@@ -53,44 +60,72 @@ pub(super) struct Wires<V> {
     pub(super) term: V,
 }
 
-impl<S: Real> Wires<Lanes<S>> {
+/// Wires of all cells of a group, two by two.
+#[derive(Debug, Clone, Default)]
+pub(super) struct GridWires<S>(Vec<Wires<Both<S>>>);
+
+impl<S: Real> GridWires<S> {
+    pub(super) fn resize(&mut self, cells: usize) {
+        self.0.resize(cells.div_ceil(2), Wires::default());
+    }
+
+    /// What D/A `index` multiplies by in a lane.
     #[inline(always)]
-    fn load<L: Simd>(&self, simd: L) -> Wires<S::Vector<L>> {
+    pub(super) fn weight(&mut self, index: usize, lane: usize) -> &mut S {
+        &mut self.0[index / 2].weight.0[LANES * (index % 2) + lane]
+    }
+
+    /// The same, of all lanes.
+    pub(super) fn weights(&self, index: usize) -> Lanes<S> {
+        self.0[index / 2].weight.wire(index % 2)
+    }
+
+    /// What D/A `index` puts out.
+    pub(super) fn term(&self, index: usize) -> Lanes<S> {
+        self.0[index / 2].term.wire(index % 2)
+    }
+}
+
+impl<S: Real> Wires<Both<S>> {
+    #[inline(always)]
+    fn load<L: Simd>(&self, simd: L) -> Wires<S::Double<L>> {
+        let load = |wire| S::Double::<L>::load(simd, wire);
         Wires {
-            product_left: load::<L, S>(simd, &self.product_left),
-            product: load::<L, S>(simd, &self.product),
-            weight: load::<L, S>(simd, &self.weight),
-            term_left: load::<L, S>(simd, &self.term_left),
-            term: load::<L, S>(simd, &self.term),
+            product_left: load(&self.product_left),
+            product: load(&self.product),
+            weight: load(&self.weight),
+            term_left: load(&self.term_left),
+            term: load(&self.term),
         }
     }
 
     #[inline(always)]
-    fn store<L: Simd>(&mut self, wires: &Wires<S::Vector<L>>) {
-        wires.product_left.store_slice(&mut self.product_left.0);
-        wires.product.store_slice(&mut self.product.0);
-        wires.weight.store_slice(&mut self.weight.0);
-        wires.term_left.store_slice(&mut self.term_left.0);
-        wires.term.store_slice(&mut self.term.0);
+    fn store<L: Simd>(&mut self, wires: &Wires<S::Double<L>>) {
+        wires.product_left.store(&mut self.product_left);
+        wires.product.store(&mut self.product);
+        wires.weight.store(&mut self.weight);
+        wires.term_left.store(&mut self.term_left);
+        wires.term.store(&mut self.term);
+    }
+
+    fn set(&mut self, wire: usize, wires: &Wires<Lanes<S>>) {
+        self.product_left.set(wire, wires.product_left);
+        self.product.set(wire, wires.product);
+        self.weight.set(wire, wires.weight);
+        self.term_left.set(wire, wires.term_left);
+        self.term.set(wire, wires.term);
     }
 }
 
-#[inline(always)]
-fn load<L: Simd, S: Real>(simd: L, lanes: &Lanes<S>) -> S::Vector<L> {
-    S::Vector::<L>::from_slice(simd, &lanes.0)
-}
-
-impl<S: Real> Cell<S> {
-    /// The wires at rest under factors that stand.
-    fn at_rest(&self, [x, y]: [Lanes<S>; 2], weight: Lanes<S>) -> Wires<Lanes<S>> {
-        let product = self.multiplier.product(x, y);
-        let term = product * weight;
-        Wires {
-            product_left: self.lag.leave(product, product),
-            product,
-            weight,
-            term_left: self.converter.leave(term, term),
-            term,
+impl<S: Copy> CellParts<S> {
+    /// Each figure of these parts with that of others, through `f`.
+    fn beside<T>(&self, other: &Self, f: impl Fn(S, S) -> T) -> CellParts<T> {
+        CellParts {
+            multiplier: self.multiplier.beside(&other.multiplier, &f),
+            leak: self.leak.beside(&other.leak, &f),
+            lag: self.lag.beside(&other.lag, &f),
+            converter: self.converter.beside(&other.converter, &f),
+            past: self.past.beside(&other.past, &f),
         }
     }
 
@@ -111,73 +146,113 @@ impl<S: Real> Cell<S> {
     }
 }
 
-/// Cells side by side on their way through a block: a step of a lag waits for the one before, but not for those of
-/// another cell.
-struct Beside<'a, S: Real, L: Simd, const N: usize> {
-    cells: [Cell<S>; N],
-    wires: [Wires<S::Vector<L>>; N],
-    x: [&'a Factor<S>; N],
-    y: [&'a Row<S>; N],
+impl<S: Real> CellParts<S> {
+    /// The wires at rest under factors that stand.
+    fn at_rest(&self, [x, y]: [Lanes<S>; 2], weight: Lanes<S>) -> Wires<Lanes<S>> {
+        let product = self.multiplier.product(x, y);
+        let term = product * weight;
+        Wires {
+            product_left: self.lag.leave(product, product),
+            product,
+            weight,
+            term_left: self.converter.leave(term, term),
+            term,
+        }
+    }
 }
 
-impl<S: Real, L: Simd, const N: usize> Beside<'_, S, L, N> {
-    /// Steps without a new word; adds what comes out to `sums`.
+impl<S: Real> CellParts<Both<S>> {
     #[inline(always)]
-    fn steps(&mut self, simd: L, samples: Range<usize>, sums: &mut Row<S>) {
+    fn load<L: Simd>(&self, simd: L) -> CellParts<S::Double<L>> {
+        let load = |figure: Both<S>| S::Double::<L>::load(simd, &figure);
+        CellParts {
+            multiplier: self.multiplier.each(load),
+            leak: self.leak.each(load),
+            lag: self.lag.each(load),
+            converter: self.converter.each(load),
+            past: self.past.each(load),
+        }
+    }
+}
+
+/// Two cells on their way through a block.
+struct Pair<'a, S: Real, L: Simd> {
+    parts: CellParts<S::Double<L>>,
+    wires: Wires<S::Double<L>>,
+    x: [&'a Factor<S>; 2],
+    y: [&'a Row<S>; 2],
+}
+
+impl<S: Real, L: Simd> Pair<'_, S, L> {
+    /// Steps without a new word; what comes out goes into `out`.
+    #[inline(always)]
+    fn steps(&mut self, simd: L, samples: Range<usize>, out: &mut [Both<S>; BLOCK]) {
         for n in samples.start..samples.end.min(BLOCK) {
-            let mut sum = load::<L, S>(simd, &sums[n]);
-            for k in 0..N {
-                let before = self.step(simd, k, n);
-                sum += self.cells[k].put(&mut self.wires[k], before);
-            }
-            sum.store_slice(&mut sums[n].0);
+            let before = self.step(simd, n);
+            self.parts.put(&mut self.wires, before).store(&mut out[n]);
         }
     }
 
     /// The step to sample `n`, in which `words` act on D/As from number `first` on.
     #[inline(always)]
-    fn step_with(&mut self, simd: L, n: usize, (words, first): (&Words, usize), sum: &mut Lanes<S>) {
-        let mut out = load::<L, S>(simd, sum);
-        for k in 0..N {
-            let before = self.step(simd, k, n);
+    fn step_with(&mut self, simd: L, n: usize, (words, first): (&Words, usize), out: &mut Both<S>) {
+        let before = self.step(simd, n);
+        let (products, befores) = (self.wires.product.halves(), before.halves());
+        let (mut weights, mut terms) = (self.wires.weight.halves(), self.wires.term.halves());
+        for k in 0..2 {
             for words in words.acting(first + k, n) {
-                words.act::<L, S>(simd, before, &mut self.wires[k]);
+                words.act::<L, S>(simd, [befores[k], products[k]], &mut weights[k], &mut terms[k]);
             }
-            out += self.cells[k].put(&mut self.wires[k], before);
         }
-        out.store_slice(&mut sum.0);
+        self.wires.weight = S::Double::<L>::of(weights[0], weights[1]);
+        self.wires.term = S::Double::<L>::of(terms[0], terms[1]);
+        self.parts.put(&mut self.wires, before).store(out);
     }
 
-    /// Product and term of cell `k` at sample `n`; the product a sample before.
+    /// Products and terms at sample `n`; the products a sample before.
     #[inline(always)]
-    fn step(&mut self, simd: L, k: usize, n: usize) -> S::Vector<L> {
-        let before = self.wires[k].product;
-        let Factor { value, square, change } = self.x[k];
-        let x = [load::<L, S>(simd, &value[n]), load::<L, S>(simd, &square[n])];
-        let [change, y] = [load::<L, S>(simd, &change[n]), load::<L, S>(simd, &self.y[k][n])];
-        self.cells[k].step(&mut self.wires[k], x, change, y);
+    fn step(&mut self, simd: L, n: usize) -> S::Double<L> {
+        let before = self.wires.product;
+        let [a, b] = self.x;
+        let of = |low: &Row<S>, high: &Row<S>| {
+            let load = |row: &Row<S>| S::Vector::<L>::from_slice(simd, &row[n].0);
+            S::Double::<L>::of(load(low), load(high))
+        };
+        let x = [of(&a.value, &b.value), of(&a.square, &b.square)];
+        self.parts.step(&mut self.wires, x, of(&a.change, &b.change), of(self.y[0], self.y[1]));
         before
     }
 }
 
 impl<S: Real> Grid<S> {
+    /// Of these cells, of which `inputs` meet at one amplifier.
+    pub(super) fn new(cells: Vec<Cell<S>>, inputs: usize) -> Self {
+        let beside = |pair: &[Cell<S>]| pair[0].parts.beside(&pair[1].parts, |a, b| Both::splat([a, b]));
+        Self { pairs: cells.chunks_exact(2).map(beside).collect(), cells, inputs }
+    }
+
     /// Amplifiers of the first stage of one sum.
     pub(super) fn groups(&self) -> usize {
         TERMS.div_ceil(self.inputs)
     }
 
+    /// The amplifier of the first stages that cell `index` feeds.
+    #[inline(always)]
+    fn group(&self, index: usize) -> usize {
+        index / TERMS * self.groups() + index % TERMS / self.inputs
+    }
+
     /// Everything at rest under the factors at the first sample of the block; the weights stay.
-    pub(super) fn settle(&self, block: &mut Block<S>, wires: &mut [Wires<Lanes<S>>]) {
+    pub(super) fn settle(&self, block: &mut Block<S>, wires: &mut GridWires<S>) {
         let Block { x, y, partial, .. } = block;
-        for (group, out) in partial.iter_mut().enumerate() {
-            let mut sum = Lanes::default();
-            let range = self.members(group);
-            for (cell, wires) in self.cells[range.clone()].iter().zip(&mut wires[range]) {
-                let [a, b] = cell.factors;
-                *wires = cell.at_rest([x[a].value[0], y[b][0]], wires.weight);
-                sum = sum + wires.term;
-            }
-            out[0] = sum;
+        partial.iter_mut().for_each(|sums| sums[0] = Lanes::default());
+        for (index, cell) in self.cells.iter().enumerate() {
+            let [a, b] = cell.factors;
+            let wires = &mut wires.0[index / 2];
+            let at_rest = cell.parts.at_rest([x[a].value[0], y[b][0]], wires.weight.wire(index % 2));
+            wires.set(index % 2, &at_rest);
+            let sum = &mut partial[self.group(index)][0];
+            *sum = *sum + at_rest.term;
         }
     }
 
@@ -189,61 +264,42 @@ impl<S: Real> Grid<S> {
         block: &mut Block<S>,
         count: usize,
         words: &Words,
-        wires: &mut [Wires<Lanes<S>>],
+        wires: &mut GridWires<S>,
     ) {
         let Block { x, y, partial, .. } = block;
-        for (group, sums) in partial.iter_mut().enumerate() {
-            *sums = [Lanes::default(); BLOCK];
-            let Range { start: mut first, end } = self.members(group);
-            while first < end {
-                let block = (&*x, &*y, count, words);
-                first += if first + 1 < end {
-                    self.run_some::<L, 2>(simd, first, block, wires, sums)
-                } else {
-                    self.run_some::<L, 1>(simd, first, block, wires, sums)
-                };
+        partial.iter_mut().for_each(|sums| *sums = [Lanes::default(); BLOCK]);
+        let mut out = [Both::default(); BLOCK];
+        for (number, (parts, wires)) in self.pairs.iter().zip(&mut wires.0).enumerate() {
+            let cells = [2 * number, 2 * number + 1];
+            let factors = cells.map(|index| self.cells[index].factors);
+            let mut pair = Pair::<S, L> {
+                parts: parts.load(simd),
+                wires: wires.load(simd),
+                x: factors.map(|[a, _]| &x[a]),
+                y: factors.map(|[_, b]| &y[b]),
+            };
+            let mut done = 0;
+            for n in words.samples(cells[0]..cells[1] + 1) {
+                pair.steps(simd, done..n, &mut out);
+                pair.step_with(simd, n, (words, cells[0]), &mut out[n]);
+                done = n + 1;
             }
+            pair.steps(simd, done..count, &mut out);
+            wires.store::<L>(&pair.wires);
+            add(simd, &out[..count], cells.map(|index| self.group(index)), partial);
         }
     }
+}
 
-    /// `N` cells of a group from number `first` on through a block.
-    #[inline(always)]
-    fn run_some<L: Simd, const N: usize>(
-        &self,
-        simd: L,
-        first: usize,
-        (x, y, count, words): (&[Factor<S>; UNITS], &[Row<S>; UNITS], usize, &Words),
-        wires: &mut [Wires<Lanes<S>>],
-        sums: &mut Row<S>,
-    ) -> usize {
-        let mut beside = Beside::<S, L, N> {
-            cells: [self.cells[first]; N],
-            wires: [wires[first].load(simd); N],
-            x: [&x[0]; N],
-            y: [&y[0]; N],
-        };
-        for k in 0..N {
-            let cell = self.cells[first + k];
-            (beside.x[k], beside.y[k]) = (&x[cell.factors[0]], &y[cell.factors[1]]);
-            (beside.cells[k], beside.wires[k]) = (cell, wires[first + k].load(simd));
+/// Adds what comes out of two cells to the sums of their amplifiers, one after the other.
+#[inline(always)]
+fn add<L: Simd, S: Real>(simd: L, out: &[Both<S>], groups: [usize; 2], partial: &mut [Row<S>]) {
+    for (n, out) in out.iter().enumerate() {
+        for (group, term) in groups.into_iter().zip(S::Double::<L>::load(simd, out).halves()) {
+            let sum = &mut partial[group][n];
+            let mut total = S::Vector::<L>::from_slice(simd, &sum.0);
+            total += term;
+            total.store_slice(&mut sum.0);
         }
-        let mut done = 0;
-        for n in words.samples(first..first + N) {
-            beside.steps(simd, done..n, sums);
-            beside.step_with(simd, n, (words, first), &mut sums[n]);
-            done = n + 1;
-        }
-        beside.steps(simd, done..count, sums);
-        for k in 0..N {
-            wires[first + k].store::<L>(&beside.wires[k]);
-        }
-        N
-    }
-
-    /// The cells of a group.
-    fn members(&self, group: usize) -> Range<usize> {
-        let (sum, part) = (group / self.groups(), group % self.groups());
-        let first = TERMS * sum + self.inputs * part;
-        first..(first + self.inputs).min(TERMS * (sum + 1))
     }
 }

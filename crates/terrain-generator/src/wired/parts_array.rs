@@ -14,7 +14,7 @@ use sweep_program::SweepProgram;
 
 use super::basis::AxisGenerators;
 use super::block::BLOCK;
-use super::grid::{Cell, Grid};
+use super::grid::{Cell, CellParts, Grid};
 use super::ramp::RampParts;
 use super::run::Run;
 use super::scale::{PEAKS, SLOPE_PEAKS, Scale};
@@ -81,12 +81,14 @@ impl<S: Real> PartsArray<S> {
         let converter_taus = taus("mdac.bandwidth", parts.multiplying_dac.bandwidth);
         let cell = |index: usize| Cell {
             factors: factors(index / TERMS, index % TERMS),
-            multiplier: multiplier(index),
-            leak: leak("mul.feedthrough", index, parts.multiplier.feedthrough),
-            lag: LagStep::new(h, multiplier_taus[index]),
-            converter: LagStep::new(h, converter_taus[index]),
+            parts: CellParts {
+                multiplier: multiplier(index),
+                leak: leak("mul.feedthrough", index, parts.multiplier.feedthrough),
+                lag: LagStep::new(h, multiplier_taus[index]),
+                converter: LagStep::new(h, converter_taus[index]),
+                past: leak("mdac.feedthrough", index, parts.multiplying_dac.feedthrough),
+            },
             tau: converter_taus[index],
-            past: leak("mdac.feedthrough", index, parts.multiplying_dac.feedthrough),
         };
         let nominal = RampParts::<S>::new(h, parts.full_scale, &parts.sweep);
         let ramps = [0, 1].map(|axis| {
@@ -122,7 +124,7 @@ impl<S: Real> PartsArray<S> {
         Self {
             scale,
             generators,
-            grid: Grid { cells: (0..ALL).map(cell).collect(), inputs: summers[0].inputs() },
+            grid: Grid::new((0..ALL).map(cell).collect(), summers[0].inputs()),
             words: parts.multiplying_dac.bits.map(|bits| MultiplyingConverter::new(h, bits, 1.0, 0.0, 0.0)),
             factors: (0..ALL).map(factor).collect(),
             glitch: parts.multiplying_dac.glitch / parts.full_scale,
@@ -162,7 +164,7 @@ impl<S: Real> PartsArray<S> {
     /// What the multiplying D/As of a colour send to the sum of the height (m).
     pub(crate) fn share(&self, state: &ArrayState<S>, lane: usize, colour: usize) -> f64 {
         let terms = (0..TERMS).filter(|&term| word_of(term)[0] == colour);
-        terms.map(|term| state.wires[term].term[lane].to_f64()).sum::<f64>() * self.scale.height
+        terms.map(|term| state.wires.term(term)[lane].to_f64()).sum::<f64>() * self.scale.height
     }
 }
 

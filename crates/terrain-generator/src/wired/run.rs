@@ -40,7 +40,7 @@ impl<S: Real> Run<'_, S> {
         state.due = Due::of(&state.lanes);
         state.words.clear();
         state.coded = [Coded::NONE; 4];
-        state.wires.resize(ALL, Default::default());
+        state.wires.resize(ALL);
         state.block.partial.resize(3 * self.array.grid.groups(), [Lanes::default(); BLOCK]);
         self.fill_registers(state);
         self.put_signs(state);

@@ -8,7 +8,7 @@ use sweep_program::{Fold, RampAxis, SweepProgram};
 
 use super::basis::{AxisState, UNITS};
 use super::block::{Block, Factor};
-use super::grid::Wires;
+use super::grid::GridWires;
 use super::ramp::RampState;
 use super::summer::SummerState;
 use super::timing::Timing;
@@ -25,7 +25,7 @@ pub struct ArrayState<S> {
     pub(super) signs: [[Lanes<S>; UNITS]; 2],
     /// Factors of X with their signs, at the sample that went through last.
     pub(super) before: [Lanes<S>; UNITS],
-    pub(super) wires: Vec<Wires<Lanes<S>>>,
+    pub(super) wires: GridWires<S>,
     pub(super) summers: [SummerState<S>; 3],
     /// The samples that went through last.
     pub(super) block: Box<Block<S>>,
@@ -99,7 +99,7 @@ impl<S: Real> Default for ArrayState<S> {
             axes: Default::default(),
             signs: [[Lanes::default(); UNITS]; 2],
             before: [Lanes::default(); UNITS],
-            wires: Vec::new(),
+            wires: GridWires::default(),
             summers: Default::default(),
             block: Box::default(),
             words: Words::default(),

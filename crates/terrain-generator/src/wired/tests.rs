@@ -4,6 +4,7 @@ use quantities::unit_interval;
 use signal::LANES;
 use sweep_program::SweepProgram;
 
+mod bench;
 mod inside;
 mod plain;
 mod when;

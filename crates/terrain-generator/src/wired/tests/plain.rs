@@ -15,7 +15,7 @@ use crate::wired::{ArrayState, PartsArray, Scale, Tap};
 use crate::{Profile, Registers};
 
 /// A machine with every part of 1970 but noise.
-fn of_1970(change: impl FnOnce(&mut AnalogParts)) -> AnalogParts {
+pub(super) fn of_1970(change: impl FnOnce(&mut AnalogParts)) -> AnalogParts {
     parts(|parts| {
         (parts.full_scale, parts.spread) = (10.0, true);
         let sweep = &mut parts.sweep;
@@ -111,7 +111,7 @@ fn heights(array: &PartsArray<f64>, scene: &Scene, lane: usize) -> Vec<f64> {
     let cells = &array.grid.cells;
     let product = |index: usize, [x, y]: &[[Lanes<f64>; 12]; 2]| {
         let [a, b] = cells[index].factors;
-        cells[index].multiplier.product(x[a][0], y[b][0])
+        cells[index].parts.multiplier.product(x[a][0], y[b][0])
     };
     let mut raw: Vec<f64> = (0..ALL).map(|index| product(index, &before)).collect();
     let mut products = raw.clone();
@@ -120,7 +120,7 @@ fn heights(array: &PartsArray<f64>, scene: &Scene, lane: usize) -> Vec<f64> {
     let mut summer = SummerState::default();
     let partial = |leaky: &[f64]| -> Vec<Row<f64>> {
         let group = |group: &[f64]| [Lanes::splat(group.iter().fold(0.0, |sum, term| sum + term)); BLOCK];
-        leaky[..TERMS].chunks(array.grid.inputs).map(group).collect()
+        leaky[..TERMS].chunks(TERMS.div_ceil(array.grid.groups())).map(group).collect()
     };
     let Scale { datum, height, .. } = array.scale;
     let mut sum = array.summers[0].at_rest(&mut partial(&leaky), &mut summer)[0];
@@ -144,13 +144,13 @@ fn heights(array: &PartsArray<f64>, scene: &Scene, lane: usize) -> Vec<f64> {
             let now = factors(&axes, sample);
             for index in 0..ALL {
                 let [a, _] = cells[index].factors;
-                let fed = product(index, &now) + cells[index].leak.leak(before[0][a][0], now[0][a][0]);
+                let fed = product(index, &now) + cells[index].parts.leak.leak(before[0][a][0], now[0][a][0]);
                 let from = products[index];
-                products[index] = cells[index].lag.step(from, raw[index], fed);
+                products[index] = cells[index].parts.lag.step(from, raw[index], fed);
                 raw[index] = fed;
                 let signal = [from, products[index]];
                 terms[index] = converted(terms[index], &words[index], sample, signal, cells[index].tau);
-                leaky[index] = terms[index] + cells[index].past.leak(from, products[index]);
+                leaky[index] = terms[index] + cells[index].parts.past.leak(from, products[index]);
             }
             before = now;
             sum = dispatch!(Level::new(), simd => {

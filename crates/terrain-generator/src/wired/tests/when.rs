@@ -70,7 +70,7 @@ struct Weights(Vec<Vec<f64>>);
 
 impl Tap<f64> for Weights {
     fn see(&mut self, _: &PartsArray<f64>, state: &ArrayState<f64>) {
-        self.0.push(state.wires.iter().map(|wires| wires.weight[2]).collect());
+        self.0.push((0..ALL).map(|index| state.wires.weights(index)[2]).collect());
     }
 }
 
