@@ -6,11 +6,8 @@
 
 use std::mem;
 
-use fearless_simd::Simd;
-use fearless_simd::prelude::{Select, SimdBase, SimdMask};
 use landscape::CornerWords;
-use parts::LagSteps;
-use signal::{LANES, Real, eight};
+use signal::Real;
 
 use super::run::Run;
 use super::state::{ArrayState, Coded, Due, Lane};
@@ -38,6 +35,7 @@ impl<S: Real> Run<'_, S> {
     fn send(&self, at: f64, (number, lane): (usize, &mut Lane), coded: &mut [Coded; 4], words: &mut Words) {
         let array = self.array;
         let hold = lane.registers.hold(self.generator.buffer);
+        let glitching = array.words.as_ref().filter(|_| array.glitch != 0.0);
         for (colour, new) in hold.into_iter().enumerate() {
             if *new == lane.held[colour] {
                 continue;
@@ -52,15 +50,16 @@ impl<S: Real> Run<'_, S> {
                 }
                 let (now, share) = (coded.numbers[word], coded.shares[word]);
                 let from = mem::replace(&mut lane.numbers[colour][word], now);
-                let carry = array.words.as_ref().map_or(0.0, |part| part.carry(from, now));
+                let carry = glitching.map_or(0.0, |part| part.carry(from, now));
                 for index in (term_of(colour, word)..).step_by(TERMS).take(3) {
-                    words.send(Change {
+                    let change = Change {
                         at: at + array.timing.later(index),
                         index,
                         lane: number,
                         weight: share * array.factors[index],
                         pulse: array.glitch * carry,
-                    });
+                    };
+                    words.send(change, array.grid.cells[index].tau);
                 }
             }
             lane.held[colour] = *new;
@@ -88,39 +87,17 @@ impl<S: Real> Run<'_, S> {
 }
 
 impl Acting {
-    /// Works out what is left of the step of `h` seconds behind these words, in D/As of time constant `tau` (s).
+    /// Gives a D/A this word, within a step that it has taken with those before to `term`; its signal is `ends` as the step
+    /// begins and as it ends. All of its lane.
     #[inline(always)]
-    pub(super) fn divide(&mut self, h: f64, tau: f64) {
-        let mut left = [0.0; LANES];
-        for lane in 0..LANES {
-            left[lane] = h * (1.0 - self.share[lane]);
-        }
-        let LagSteps { keep, from, to } = LagSteps::new(left, [tau; LANES]);
-        (self.from, self.to) = (from, to);
-        for lane in 0..LANES {
-            self.kick[lane] = if tau > 0.0 { keep[lane] / tau } else { 0.0 };
-        }
-    }
-
-    /// Gives the lanes of a D/A these words, within a step that it has taken with those before to `term`; its signal is
-    /// `ends` as the step begins and as it ends.
-    #[inline(always)]
-    pub(super) fn act<L: Simd, S: Real>(
-        &self,
-        simd: L,
-        ends: [S::Vector<L>; 2],
-        held: &mut S::Vector<L>,
-        term: &mut S::Vector<L>,
-    ) {
-        let [from, end] = [S::widen(ends[0]), S::widen(ends[1])];
-        let start = from + eight(simd, &self.share) * (end - from);
-        let weight = eight(simd, &self.weight);
-        let step = weight - S::widen(*held);
-        let kick = eight(simd, &self.pulse) * start * eight(simd, &self.kick);
-        let more = (start * eight(simd, &self.from) + end * eight(simd, &self.to)) * step + kick;
-        let is_new = <S::Vector<L> as SimdBase<L>>::Mask::from_bitmask(simd, self.lanes);
-        *term = is_new.select(S::narrow(S::widen(*term) + more), *term);
-        *held = is_new.select(S::narrow(weight), *held);
+    pub(super) fn act<S: Real>(&self, [from, end]: [S; 2], held: &mut S, term: &mut S) {
+        let [from, end] = [from.to_f64(), end.to_f64()];
+        let start = from + self.share * (end - from);
+        let step = self.weight - held.to_f64();
+        let kick = self.pulse * start * self.kick;
+        let more = (start * self.from + end * self.to) * step + kick;
+        *term = S::from_f64(term.to_f64() + more);
+        *held = S::from_f64(self.weight);
     }
 }
 

@@ -197,15 +197,19 @@ impl<S: Real, L: Simd> Pair<'_, S, L> {
     #[inline(always)]
     fn step_with(&mut self, simd: L, n: usize, (words, first): (&Words, usize), out: &mut Both<S>) {
         let before = self.step(simd, n);
-        let (products, befores) = (self.wires.product.halves(), before.halves());
-        let (mut weights, mut terms) = (self.wires.weight.halves(), self.wires.term.halves());
+        let [mut begin, mut end, mut weight, mut term] = [Both::default(); 4];
+        before.store(&mut begin);
+        self.wires.product.store(&mut end);
+        self.wires.weight.store(&mut weight);
+        self.wires.term.store(&mut term);
         for k in 0..2 {
-            for words in words.acting(first + k, n) {
-                words.act::<L, S>(simd, [befores[k], products[k]], &mut weights[k], &mut terms[k]);
+            for word in words.acting(first + k, n) {
+                let lane = LANES * k + word.lane;
+                word.act([begin.0[lane], end.0[lane]], &mut weight.0[lane], &mut term.0[lane]);
             }
         }
-        self.wires.weight = S::Double::<L>::of(weights[0], weights[1]);
-        self.wires.term = S::Double::<L>::of(terms[0], terms[1]);
+        self.wires.weight = S::Double::<L>::load(simd, &weight);
+        self.wires.term = S::Double::<L>::load(simd, &term);
         self.parts.put(&mut self.wires, before).store(out);
     }
 

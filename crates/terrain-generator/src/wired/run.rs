@@ -135,11 +135,11 @@ impl<S: Real> Run<'_, S> {
     #[inline(always)]
     fn advance<L: Simd>(&self, simd: L, samples: &Range<i64>, state: &mut ArrayState<S>) {
         let (array, count) = (self.array, (samples.end - samples.start) as usize);
-        state.words.begin(samples);
+        state.words.begin(samples, &array.grid.cells);
         if state.due.strobe <= (samples.end - 1) as f64 {
             self.strobe(samples.end - 1, state);
         }
-        state.words.divide(array.timing.step, &array.grid.cells);
+        state.words.divide(array.timing.step);
         for (n, sample) in samples.clone().enumerate() {
             self.ramp(simd, (sample, n), state);
         }

@@ -3,6 +3,7 @@
 use std::mem;
 use std::ops::Range;
 
+use parts::LagSteps;
 use signal::LANES;
 
 use super::block::BLOCK;
@@ -23,23 +24,23 @@ pub(super) struct Change {
     pub(super) pulse: f64,
 }
 
-/// What one D/A takes in one step, lane by lane.
+/// A word that a D/A of a lane takes within the block.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Acting {
-    index: usize,
-    /// Lanes that have a new word, bit by bit; the rest counts there alone.
-    pub(super) lanes: u64,
-    /// When within the step, 0..=1.
-    pub(super) share: [f64; LANES],
-    pub(super) weight: [f64; LANES],
-    pub(super) pulse: [f64; LANES],
+    pub(super) lane: usize,
+    /// When within its step, 0..=1.
+    pub(super) share: f64,
+    pub(super) weight: f64,
+    pub(super) pulse: f64,
+    /// Time constant of the D/A (s).
+    tau: f64,
     /// What the signal at the word and at the end of the step leave at its end, for a weight of 1, and the pulse of an
     /// area of 1 (1/s).
-    pub(super) from: [f64; LANES],
-    pub(super) to: [f64; LANES],
-    pub(super) kick: [f64; LANES],
-    /// What comes after it in the same step.
-    then: Option<usize>,
+    pub(super) from: f64,
+    pub(super) to: f64,
+    pub(super) kick: f64,
+    /// What the D/A takes after it in the same step, in any lane.
+    then: u32,
 }
 
 /// Words of all D/As.
@@ -50,9 +51,8 @@ pub(super) struct Words {
     last: f64,
     /// Strobed and not acting by the end of the block; for a D/A of a lane ascending in time.
     waiting: Vec<Change>,
-    /// Those that act in the block are the first `count`; room behind them is used again.
+    /// Those that act in the block.
     acting: Vec<Acting>,
-    count: usize,
     cells: Vec<CellWords>,
 }
 
@@ -61,14 +61,17 @@ pub(super) struct Words {
 pub(super) struct CellWords {
     /// Bit n: a word acts within the step to sample n of the block.
     samples: u32,
-    /// The first of these words, by sample.
-    first: [u32; BLOCK],
+    /// The first and the last of these words, by sample.
+    ends: [[u32; 2]; BLOCK],
 }
+
+/// Behind the last word of a step.
+const NONE: u32 = u32::MAX;
 
 impl Default for Words {
     fn default() -> Self {
         let cells = vec![CellWords::default(); ALL];
-        Self { first: 0, last: f64::NEG_INFINITY, waiting: Vec::new(), acting: Vec::new(), count: 0, cells }
+        Self { first: 0, last: f64::NEG_INFINITY, waiting: Vec::new(), acting: Vec::new(), cells }
     }
 }
 
@@ -81,9 +84,9 @@ impl Words {
 
     /// Puts a word on its way: into the block if it acts there.
     #[inline(always)]
-    pub(super) fn send(&mut self, change: Change) {
+    pub(super) fn send(&mut self, change: Change, tau: f64) {
         if change.at <= self.last {
-            self.place(&change);
+            self.place(&change, tau);
         } else {
             self.waiting.push(change);
         }
@@ -100,84 +103,67 @@ impl Words {
         });
     }
 
-    /// Begins the block of `samples`, at most [`BLOCK`].
-    pub(super) fn begin(&mut self, samples: &Range<i64>) {
+    /// Begins the block of `samples`, at most [`BLOCK`]; `cells` have the D/As.
+    pub(super) fn begin<S>(&mut self, samples: &Range<i64>, cells: &[Cell<S>]) {
         (self.first, self.last) = (samples.start, (samples.end - 1) as f64);
-        self.count = 0;
+        self.acting.clear();
         self.cells.iter_mut().for_each(|cell| cell.samples = 0);
         let mut waiting = mem::take(&mut self.waiting);
         let last = self.last;
         waiting.retain(|change| {
             let acts = change.at <= last;
             if acts {
-                self.place(change);
+                self.place(change, cells[change.index].tau);
             }
             !acts
         });
         self.waiting = waiting;
     }
 
-    /// Places a word that acts by the end of the block; one that should have acted before acts as its first step
-    /// begins.
+    /// Places a word that acts by the end of the block, of a D/A of time constant `tau` (s); one that should have acted
+    /// before acts as its first step begins.
     #[inline(always)]
-    fn place(&mut self, change: &Change) {
+    fn place(&mut self, change: &Change, tau: f64) {
         let whole = change.at as i64;
         let sample = (whole + i64::from(change.at > whole as f64)).max(self.first);
         let share = (change.at - (sample - 1) as f64).clamp(0.0, 1.0);
-        let mut place = self.first_at(change.index, (sample - self.first) as usize);
-        // A lane that has two words in a step takes one after the other.
-        while self.acting[place].lanes >> change.lane & 1 == 1 {
-            place = self.behind(place);
-        }
-        self.acting[place].set(share, change);
-    }
-
-    /// Where the first words are that D/A `index` takes in the step to sample `n` of the block.
-    #[inline(always)]
-    fn first_at(&mut self, index: usize, n: usize) -> usize {
-        if self.cells[index].samples >> n & 1 == 0 {
-            let next = self.room(index);
-            let cell = &mut self.cells[index];
+        let (next, n) = (self.acting.len() as u32, (sample - self.first) as usize);
+        let cell = &mut self.cells[change.index];
+        let [first, last] = &mut cell.ends[n];
+        if cell.samples >> n & 1 == 0 {
             cell.samples |= 1 << n;
-            cell.first[n] = next as u32;
+            *first = next;
+        } else {
+            self.acting[*last as usize].then = next;
         }
-        self.cells[index].first[n] as usize
+        *last = next;
+        let Change { lane, weight, pulse, .. } = *change;
+        self.acting.push(Acting {
+            lane,
+            share,
+            weight,
+            pulse,
+            tau,
+            from: 0.0,
+            to: 0.0,
+            kick: 0.0,
+            then: NONE,
+        });
     }
 
-    /// Where those behind them are.
-    #[cold]
-    fn behind(&mut self, place: usize) -> usize {
-        let Acting { then, index, .. } = self.acting[place];
-        then.unwrap_or_else(|| {
-            let next = self.room(index);
-            self.acting[place].then = Some(next);
-            next
-        })
-    }
-
-    /// Room for words of D/A `index`.
+    /// Works out what the words of the block leave of their steps of `h` seconds, eight at a time whosever they are.
     #[inline(always)]
-    fn room(&mut self, index: usize) -> usize {
-        let next = self.count;
-        if next == self.acting.len() {
-            self.grow();
-        }
-        let acting = &mut self.acting[next];
-        (acting.index, acting.lanes, acting.then) = (index, 0, None);
-        self.count += 1;
-        next
-    }
-
-    #[cold]
-    fn grow(&mut self) {
-        self.acting.push(Acting::NONE);
-    }
-
-    /// Works out what the words of the block leave of their steps of `h` seconds; `cells` have the D/As.
-    #[inline(always)]
-    pub(super) fn divide<S>(&mut self, h: f64, cells: &[Cell<S>]) {
-        for acting in &mut self.acting[..self.count] {
-            acting.divide(h, cells[acting.index].tau);
+    pub(super) fn divide(&mut self, h: f64) {
+        for words in self.acting.chunks_mut(LANES) {
+            let (mut left, mut tau) = ([0.0; LANES], [0.0; LANES]);
+            for (n, word) in words.iter().enumerate() {
+                (left[n], tau[n]) = (h * (1.0 - word.share), word.tau);
+            }
+            let LagSteps { keep, from, to } = LagSteps::new(left, tau);
+            for (n, word) in words.iter_mut().enumerate() {
+                (word.from, word.to) = (from[n], to[n]);
+                word.kick = if tau[n] > 0.0 { keep[n] / tau[n] } else { 0.0 };
+            }
         }
     }
 
@@ -197,29 +183,7 @@ impl Words {
     #[inline(always)]
     pub(super) fn acting(&self, index: usize, n: usize) -> impl Iterator<Item = &Acting> {
         let cell = &self.cells[index];
-        let first = (cell.samples >> n & 1 == 1).then(|| &self.acting[cell.first[n] as usize]);
-        std::iter::successors(first, |acting| Some(&self.acting[acting.then?]))
-    }
-}
-
-impl Acting {
-    const NONE: Self = Self {
-        index: 0,
-        lanes: 0,
-        share: [0.0; LANES],
-        weight: [0.0; LANES],
-        pulse: [0.0; LANES],
-        from: [0.0; LANES],
-        to: [0.0; LANES],
-        kick: [0.0; LANES],
-        then: None,
-    };
-
-    #[inline(always)]
-    fn set(&mut self, share: f64, change: &Change) {
-        self.lanes |= 1 << change.lane;
-        self.share[change.lane] = share;
-        self.weight[change.lane] = change.weight;
-        self.pulse[change.lane] = change.pulse;
+        let first = if cell.samples >> n & 1 == 1 { cell.ends[n][0] } else { NONE };
+        std::iter::successors(self.acting.get(first as usize), |word| self.acting.get(word.then as usize))
     }
 }
