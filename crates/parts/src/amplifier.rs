@@ -42,12 +42,14 @@ const SHORTEST: f64 = 1e-200;
 /// The part, for one step length.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Amplifier<S> {
-    lag: LagStep<S>,
+    pub(crate) lag: LagStep<S>,
     /// Share of the overload that is left after a step.
     remains: S,
-    reach: S,
-    climb: S,
-    saturation: S,
+    /// The bounds within which a step neither slews nor clips: of what input and output differ by, of what the input
+    /// climbs, of both.
+    pub(crate) reach: S,
+    pub(crate) climb: S,
+    pub(crate) saturation: S,
     h: f64,
     slew: Slew,
     overload: Overload,

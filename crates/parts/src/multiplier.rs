@@ -50,6 +50,13 @@ impl<S: Real> Multiplier<S> {
     }
 }
 
+impl<S: Real> Multiplier<S> {
+    /// Whether it is the product and nothing else.
+    pub fn is_ideal(&self) -> bool {
+        *self == Self::new(&MultiplierLaw::default())
+    }
+}
+
 impl<S: Copy> Multiplier<S> {
     /// Each figure of this part with that of another, through `f`.
     #[inline(always)]
@@ -93,6 +100,13 @@ impl<S: Real> Feedthrough<S> {
     /// Leak of `share` of a sine wave of `frequency` (Hz), for steps of `h` seconds: `k = share / (2 pi f)`.
     pub fn new(h: f64, share: f64, frequency: f64) -> Self {
         Self { gain: S::from_f64(share / (2.0 * PI * frequency) / h) }
+    }
+}
+
+impl<S: Real> Feedthrough<S> {
+    /// Whether nothing leaks.
+    pub fn is_none(&self) -> bool {
+        self.gain == S::ZERO
     }
 }
 

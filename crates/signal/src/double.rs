@@ -5,10 +5,10 @@
 
 use std::ops::{Add, Mul, Sub};
 
-use fearless_simd::prelude::{SimdBase, SimdCombine, SimdSplit};
+use fearless_simd::prelude::{Select, SimdBase, SimdCombine, SimdMask, SimdSplit};
 use fearless_simd::{Simd, f32x8, f32x16, f64x8};
 
-use crate::{LANES, Lanes, Real};
+use crate::{LANES, Lanes, Number, Real};
 
 /// Two wires of a group at one sample: eight lanes of the first, then eight of the second.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -56,6 +56,12 @@ pub trait Double<L: Simd, S: Real>:
     fn of(low: S::Vector<L>, high: S::Vector<L>) -> Self;
     /// Its halves.
     fn halves(self) -> [S::Vector<L>; 2];
+    /// Sizes.
+    fn size(self) -> Self;
+    /// The larger of each two.
+    fn at_least(self, other: Self) -> Self;
+    /// Whether any is larger than its bound.
+    fn is_beyond(self, bound: Self) -> bool;
 }
 
 impl<L: Simd> Double<L, f32> for f32x16<L> {
@@ -78,6 +84,21 @@ impl<L: Simd> Double<L, f32> for f32x16<L> {
     fn halves(self) -> [f32x8<L>; 2] {
         let (low, high) = self.split();
         [low, high]
+    }
+
+    #[inline(always)]
+    fn size(self) -> Self {
+        self.abs()
+    }
+
+    #[inline(always)]
+    fn at_least(self, other: Self) -> Self {
+        self.simd_gt(other).select(self, other)
+    }
+
+    #[inline(always)]
+    fn is_beyond(self, bound: Self) -> bool {
+        self.simd_gt(bound).any_true()
     }
 }
 
@@ -124,6 +145,21 @@ impl<L: Simd> Double<L, f64> for Twice<f64x8<L>> {
     fn halves(self) -> [f64x8<L>; 2] {
         self.0
     }
+
+    #[inline(always)]
+    fn size(self) -> Self {
+        Self([self.0[0].abs(), self.0[1].abs()])
+    }
+
+    #[inline(always)]
+    fn at_least(self, other: Self) -> Self {
+        Self([self.0[0].at_least(other.0[0]), self.0[1].at_least(other.0[1])])
+    }
+
+    #[inline(always)]
+    fn is_beyond(self, bound: Self) -> bool {
+        (self.0[0].simd_gt(bound.0[0]) | self.0[1].simd_gt(bound.0[1])).any_true()
+    }
 }
 
 #[cfg(test)]
@@ -146,6 +182,15 @@ mod tests {
         (whole, halves)
     }
 
+    /// The larger sizes of each two; whether those of `a` are anywhere beyond themselves, and beyond those of `b`.
+    #[inline(always)]
+    fn compared<L: Simd, S: Real>(simd: L, [a, b]: [&Both<S>; 2]) -> (Both<S>, [bool; 2]) {
+        let [a, b] = [S::Double::<L>::load(simd, a).size(), S::Double::<L>::load(simd, b).size()];
+        let mut larger = Both::default();
+        a.at_least(b).store(&mut larger);
+        (larger, [a.is_beyond(a), a.is_beyond(b)])
+    }
+
     fn are_two_wires<S: Real>() {
         let wire = |from: f64| Lanes::from_fn(|lane| S::from_f64(1.0 / (from + lane as f64)));
         let wires = [[wire(3.0), wire(11.0)], [wire(-40.5), wire(1e9)]];
@@ -161,6 +206,16 @@ mod tests {
                 assert_eq!(whole.wire(wire), a * b - a + b);
             }
             assert_eq!(halves, [wires[0][1], wires[1][0]]);
+        }
+        let larger = |a: Lanes<S>, b: Lanes<S>| Lanes::from_fn(|lane| a[lane].at_least(b[lane]));
+        for level in [Level::new(), Level::baseline()] {
+            let (larger_ones, beyond) = dispatch!(level, simd => compared(simd, [&a, &b]));
+            for wire in 0..2 {
+                let [a, b] =
+                    [wires[0][wire], wires[1][wire]].map(|wire| wire.map(|value| (-value).at_least(value)));
+                assert_eq!(larger_ones.wire(wire), larger(a, b));
+            }
+            assert_eq!(beyond, [false, true]);
         }
         let splat = Both::splat([S::ONE, S::ZERO]);
         assert_eq!(splat.0[..LANES], [S::ONE; LANES]);

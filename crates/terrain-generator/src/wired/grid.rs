@@ -5,16 +5,15 @@
 //! a new word. Each lag keeps what it leaves for the next sample instead of its input and output. A part that is ideal has
 //! the coefficients of one.
 
-use std::ops::Range;
-
 use fearless_simd::Simd;
 use fearless_simd::prelude::SimdBase;
 use parts::{Feedthrough, LagStep, Multiplier, Wire};
 use signal::{Both, Double, LANES, Lanes, Real};
 
 use super::block::{BLOCK, Block, Factor, Row};
+use super::rows::{Alike, CELLS as ROW, RowWires};
 use super::terms::TERMS;
-use super::words::Words;
+use super::words::{Taking, Words};
 
 /// A multiplier and its D/A.
 #[derive(Debug, Clone, Copy)]
@@ -43,8 +42,10 @@ pub(super) struct CellParts<T> {
 pub(super) struct Grid<S> {
     pub(super) cells: Vec<Cell<S>>,
     /// The same two by two.
-    pairs: Vec<CellParts<Both<S>>>,
+    pub(super) pairs: Vec<CellParts<Both<S>>>,
     inputs: usize,
+    /// What all D/As are, if they are alike.
+    pub(super) alike: Option<Alike<S>>,
 }
 
 /// Wires of a cell at a sample, of a group; or of two cells side by side.
@@ -60,35 +61,39 @@ pub(super) struct Wires<V> {
     pub(super) term: V,
 }
 
-/// Wires of all cells of a group, two by two.
+/// Wires of all cells of a group, two by two, and of rows of cells whose D/As are alike.
 #[derive(Debug, Clone, Default)]
-pub(super) struct GridWires<S>(Vec<Wires<Both<S>>>);
+pub(super) struct GridWires<S> {
+    pub(super) pairs: Vec<Wires<Both<S>>>,
+    pub(super) rows: Vec<RowWires<S>>,
+}
 
 impl<S: Real> GridWires<S> {
     pub(super) fn resize(&mut self, cells: usize) {
-        self.0.resize(cells.div_ceil(2), Wires::default());
+        self.pairs.resize(cells / 2, Wires::default());
+        self.rows.resize(cells / ROW, RowWires::default());
     }
 
     /// What D/A `index` multiplies by in a lane.
     #[inline(always)]
     pub(super) fn weight(&mut self, index: usize, lane: usize) -> &mut S {
-        &mut self.0[index / 2].weight.0[LANES * (index % 2) + lane]
+        &mut self.pairs[index / 2].weight.0[LANES * (index % 2) + lane]
     }
 
     /// The same, of all lanes.
     pub(super) fn weights(&self, index: usize) -> Lanes<S> {
-        self.0[index / 2].weight.wire(index % 2)
+        self.pairs[index / 2].weight.wire(index % 2)
     }
 
     /// What D/A `index` puts out.
     pub(super) fn term(&self, index: usize) -> Lanes<S> {
-        self.0[index / 2].term.wire(index % 2)
+        self.pairs[index / 2].term.wire(index % 2)
     }
 }
 
 impl<S: Real> Wires<Both<S>> {
     #[inline(always)]
-    fn load<L: Simd>(&self, simd: L) -> Wires<S::Double<L>> {
+    pub(super) fn load<L: Simd>(&self, simd: L) -> Wires<S::Double<L>> {
         let load = |wire| S::Double::<L>::load(simd, wire);
         Wires {
             product_left: load(&self.product_left),
@@ -100,7 +105,7 @@ impl<S: Real> Wires<Both<S>> {
     }
 
     #[inline(always)]
-    fn store<L: Simd>(&mut self, wires: &Wires<S::Double<L>>) {
+    pub(super) fn store<L: Simd>(&mut self, wires: &Wires<S::Double<L>>) {
         wires.product_left.store(&mut self.product_left);
         wires.product.store(&mut self.product);
         wires.weight.store(&mut self.weight);
@@ -114,6 +119,27 @@ impl<S: Real> Wires<Both<S>> {
         self.weight.set(wire, wires.weight);
         self.term_left.set(wire, wires.term_left);
         self.term.set(wire, wires.term);
+    }
+}
+
+impl<V: Copy> Wires<V> {
+    /// The product a step later; `x` with its square, and its change over the step.
+    #[inline(always)]
+    pub(super) fn multiply<S: Copy>(&mut self, parts: &CellParts<S>, x: [V; 2], change: V, y: V)
+    where
+        V: Wire<S>,
+    {
+        self.take(&parts.lag, parts.multiplier.product_of(x, y) + parts.leak.of_change(change));
+    }
+
+    /// The product a step later, at the end of which `raw` comes to its lag.
+    #[inline(always)]
+    pub(super) fn take<S: Copy>(&mut self, lag: &LagStep<S>, raw: V)
+    where
+        V: Wire<S>,
+    {
+        self.product = lag.end(self.product_left, raw);
+        self.product_left = lag.leave(self.product, raw);
     }
 }
 
@@ -132,9 +158,7 @@ impl<S: Copy> CellParts<S> {
     /// Product and term a step later; `x` with its square, and its change over the step.
     #[inline(always)]
     fn step<V: Wire<S>>(&self, wires: &mut Wires<V>, x: [V; 2], change: V, y: V) {
-        let raw = self.multiplier.product_of(x, y) + self.leak.of_change(change);
-        wires.product = self.lag.end(wires.product_left, raw);
-        wires.product_left = self.lag.leave(wires.product, raw);
+        wires.multiply(self, x, change, y);
         wires.term = self.converter.end(wires.term_left, wires.product * wires.weight);
     }
 
@@ -163,7 +187,7 @@ impl<S: Real> CellParts<S> {
 
 impl<S: Real> CellParts<Both<S>> {
     #[inline(always)]
-    fn load<L: Simd>(&self, simd: L) -> CellParts<S::Double<L>> {
+    pub(super) fn load<L: Simd>(&self, simd: L) -> CellParts<S::Double<L>> {
         let load = |figure: Both<S>| S::Double::<L>::load(simd, &figure);
         CellParts {
             multiplier: self.multiplier.each(load),
@@ -177,6 +201,7 @@ impl<S: Real> CellParts<Both<S>> {
 
 /// Two cells on their way through a block.
 struct Pair<'a, S: Real, L: Simd> {
+    simd: L,
     parts: CellParts<S::Double<L>>,
     wires: Wires<S::Double<L>>,
     x: [&'a Factor<S>; 2],
@@ -184,42 +209,35 @@ struct Pair<'a, S: Real, L: Simd> {
 }
 
 impl<S: Real, L: Simd> Pair<'_, S, L> {
-    /// Steps without a new word; what comes out goes into `out`.
+    /// The step to sample `n`, and what comes out at its end.
     #[inline(always)]
-    fn steps(&mut self, simd: L, samples: Range<usize>, out: &mut [Both<S>; BLOCK]) {
-        for n in samples.start..samples.end.min(BLOCK) {
-            let before = self.step(simd, n);
-            self.parts.put(&mut self.wires, before).store(&mut out[n]);
-        }
+    fn step(&mut self, n: usize) -> S::Double<L> {
+        let before = self.multiply(n);
+        self.parts.put(&mut self.wires, before)
     }
 
-    /// The step to sample `n`, in which `words` act on D/As from number `first` on.
+    /// The same, in which `words` act on D/As from number `first` on.
     #[inline(always)]
-    fn step_with(&mut self, simd: L, n: usize, (words, first): (&Words, usize), out: &mut Both<S>) {
-        let before = self.step(simd, n);
-        let [mut begin, mut end, mut weight, mut term] = [Both::default(); 4];
-        before.store(&mut begin);
-        self.wires.product.store(&mut end);
-        self.wires.weight.store(&mut weight);
+    fn step_with(&mut self, n: usize, (words, first): (&Words, usize)) -> S::Double<L> {
+        let before = self.multiply(n);
+        let (mut taking, mut term) = (Taking::<S, 1>::default(), Both::default());
+        before.store(&mut taking.begin[0]);
+        self.wires.product.store(&mut taking.end[0]);
+        self.wires.weight.store(&mut taking.weight[0]);
         self.wires.term.store(&mut term);
-        for k in 0..2 {
-            for word in words.acting(first + k, n) {
-                let lane = LANES * k + word.lane;
-                word.act([begin.0[lane], end.0[lane]], &mut weight.0[lane], &mut term.0[lane]);
-            }
-        }
-        self.wires.weight = S::Double::<L>::load(simd, &weight);
-        self.wires.term = S::Double::<L>::load(simd, &term);
-        self.parts.put(&mut self.wires, before).store(out);
+        taking.act(words, first, n, &mut term.0);
+        self.wires.weight = S::Double::<L>::load(self.simd, &taking.weight[0]);
+        self.wires.term = S::Double::<L>::load(self.simd, &term);
+        self.parts.put(&mut self.wires, before)
     }
 
     /// Products and terms at sample `n`; the products a sample before.
     #[inline(always)]
-    fn step(&mut self, simd: L, n: usize) -> S::Double<L> {
+    fn multiply(&mut self, n: usize) -> S::Double<L> {
         let before = self.wires.product;
         let [a, b] = self.x;
         let of = |low: &Row<S>, high: &Row<S>| {
-            let load = |row: &Row<S>| S::Vector::<L>::from_slice(simd, &row[n].0);
+            let load = |row: &Row<S>| S::Vector::<L>::from_slice(self.simd, &row[n].0);
             S::Double::<L>::of(load(low), load(high))
         };
         let x = [of(&a.value, &b.value), of(&a.square, &b.square)];
@@ -232,7 +250,8 @@ impl<S: Real> Grid<S> {
     /// Of these cells, of which `inputs` meet at one amplifier.
     pub(super) fn new(cells: Vec<Cell<S>>, inputs: usize) -> Self {
         let beside = |pair: &[Cell<S>]| pair[0].parts.beside(&pair[1].parts, |a, b| Both::splat([a, b]));
-        Self { pairs: cells.chunks_exact(2).map(beside).collect(), cells, inputs }
+        let alike = Alike::of(&cells, inputs);
+        Self { pairs: cells.chunks_exact(2).map(beside).collect(), cells, inputs, alike }
     }
 
     /// Amplifiers of the first stage of one sum.
@@ -242,7 +261,7 @@ impl<S: Real> Grid<S> {
 
     /// The amplifier of the first stages that cell `index` feeds.
     #[inline(always)]
-    fn group(&self, index: usize) -> usize {
+    pub(super) fn group(&self, index: usize) -> usize {
         index / TERMS * self.groups() + index % TERMS / self.inputs
     }
 
@@ -252,17 +271,38 @@ impl<S: Real> Grid<S> {
         partial.iter_mut().for_each(|sums| sums[0] = Lanes::default());
         for (index, cell) in self.cells.iter().enumerate() {
             let [a, b] = cell.factors;
-            let wires = &mut wires.0[index / 2];
+            let wires = &mut wires.pairs[index / 2];
             let at_rest = cell.parts.at_rest([x[a].value[0], y[b][0]], wires.weight.wire(index % 2));
             wires.set(index % 2, &at_rest);
             let sum = &mut partial[self.group(index)][0];
             *sum = *sum + at_rest.term;
         }
+        self.settle_rows(wires);
     }
 
-    /// The first `count` samples of a block, after those before it.
+    /// The first `count` samples of a block, after those before it. D/As that are alike are one lag a row, but for who
+    /// `looks` at them.
     #[inline(always)]
     pub(super) fn run<L: Simd>(
+        &self,
+        simd: L,
+        block: &mut Block<S>,
+        count: usize,
+        words: &Words,
+        (wires, looks): (&mut GridWires<S>, bool),
+    ) {
+        block.partial.iter_mut().for_each(|sums| *sums = [Lanes::default(); BLOCK]);
+        match &self.alike {
+            Some(alike) if !looks && alike.are_products => {
+                self.run_rows::<L, true>(simd, alike, block, count, words, wires);
+            }
+            Some(alike) if !looks => self.run_rows::<L, false>(simd, alike, block, count, words, wires),
+            _ => self.run_pairs(simd, block, count, words, wires),
+        }
+    }
+
+    #[inline(always)]
+    fn run_pairs<L: Simd>(
         &self,
         simd: L,
         block: &mut Block<S>,
@@ -271,24 +311,23 @@ impl<S: Real> Grid<S> {
         wires: &mut GridWires<S>,
     ) {
         let Block { x, y, partial, .. } = block;
-        partial.iter_mut().for_each(|sums| *sums = [Lanes::default(); BLOCK]);
         let mut out = [Both::default(); BLOCK];
-        for (number, (parts, wires)) in self.pairs.iter().zip(&mut wires.0).enumerate() {
+        for (number, (parts, wires)) in self.pairs.iter().zip(&mut wires.pairs).enumerate() {
             let cells = [2 * number, 2 * number + 1];
             let factors = cells.map(|index| self.cells[index].factors);
             let mut pair = Pair::<S, L> {
+                simd,
                 parts: parts.load(simd),
                 wires: wires.load(simd),
                 x: factors.map(|[a, _]| &x[a]),
                 y: factors.map(|[_, b]| &y[b]),
             };
-            let mut done = 0;
-            for n in words.samples(cells[0]..cells[1] + 1) {
-                pair.steps(simd, done..n, &mut out);
-                pair.step_with(simd, n, (words, cells[0]), &mut out[n]);
-                done = n + 1;
+            let taken = words.samples(cells[0]..cells[1] + 1);
+            for (n, out) in out[..count].iter_mut().enumerate() {
+                let takes = taken >> n & 1 == 1;
+                let term = if takes { pair.step_with(n, (words, cells[0])) } else { pair.step(n) };
+                term.store(out);
             }
-            pair.steps(simd, done..count, &mut out);
             wires.store::<L>(&pair.wires);
             add(simd, &out[..count], cells.map(|index| self.group(index)), partial);
         }

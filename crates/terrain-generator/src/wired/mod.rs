@@ -29,6 +29,7 @@ mod grid;
 mod out;
 mod parts_array;
 mod ramp;
+mod rows;
 mod run;
 mod scale;
 mod state;

@@ -185,11 +185,14 @@ fn warm_up(h: f64, chain: &[f64], parts: &AnalogParts) -> i64 {
 pub(crate) trait Tap<S> {
     /// Samples that go through the array together, at most [`BLOCK`]; the wires are shown at the last of them.
     const PACE: usize = 1;
+    /// Whether it asks for the wires of single D/As.
+    const WIRES: bool = true;
     /// The wires at the next sample.
     fn see(&mut self, array: &PartsArray<S>, state: &ArrayState<S>);
 }
 
 impl<S> Tap<S> for () {
     const PACE: usize = BLOCK;
+    const WIRES: bool = false;
     fn see(&mut self, _: &PartsArray<S>, _: &ArrayState<S>) {}
 }

@@ -117,7 +117,7 @@ impl<S: Real> Run<'_, S> {
         let mut samples = first..(first + 1).min(end);
         while !samples.is_empty() {
             if samples.start > first {
-                self.advance(simd, &samples, state);
+                self.advance::<L, T>(simd, &samples, state);
             }
             for (n, sample) in
                 samples.clone().enumerate().skip_while(|(_, sample)| *sample < span.start as i64)
@@ -133,7 +133,7 @@ impl<S: Real> Run<'_, S> {
 
     /// From the sample before to the last of `samples`.
     #[inline(always)]
-    fn advance<L: Simd>(&self, simd: L, samples: &Range<i64>, state: &mut ArrayState<S>) {
+    fn advance<L: Simd, T: Tap<S>>(&self, simd: L, samples: &Range<i64>, state: &mut ArrayState<S>) {
         let (array, count) = (self.array, (samples.end - samples.start) as usize);
         state.words.begin(samples, &array.grid.cells);
         if state.due.strobe <= (samples.end - 1) as f64 {
@@ -152,7 +152,7 @@ impl<S: Real> Run<'_, S> {
             }
             state.put_factors(simd, n);
         }
-        array.grid.run(simd, &mut state.block, count, &state.words, &mut state.wires);
+        array.grid.run(simd, &mut state.block, count, &state.words, (&mut state.wires, T::WIRES));
         let Block { partial, sums, .. } = &mut *state.block;
         for (sum, summer) in array.summers.iter().enumerate() {
             sums[sum] = summer.run(simd, rows_of(sum, partial), count, &mut state.summers[sum]);

@@ -3,9 +3,10 @@
 use fearless_simd::Simd;
 use hardware_model::AnalogParts;
 use parts::{
-    Amplifier, AmplifierLaw, AmplifierState, Spread, Tolerance, relative_sigma, summing_time_constant,
+    Amplifier, AmplifierLaw, AmplifierState, QuietAmplifiers, Spread, Tolerance, relative_sigma,
+    summing_time_constant,
 };
-use signal::{Lanes, Real};
+use signal::{Both, Lanes, Real};
 
 use super::block::{BLOCK, Row};
 use super::terms::TERMS;
@@ -16,6 +17,8 @@ pub struct Summer<S> {
     /// Inputs of one amplifier.
     inputs: usize,
     stages: Vec<Vec<Amplifier<S>>>,
+    /// The same two by two, while they neither slew nor clip; one that is left over is both.
+    quiet: Vec<Vec<QuietAmplifiers<S>>>,
     slowest: Vec<f64>,
     delay: f64,
 }
@@ -82,7 +85,9 @@ impl<S: Real> Summer<S> {
             slowest.push(taus.into_iter().fold(0.0, f64::max));
             stages.push(stage);
         }
-        Self { inputs, delay: tau * stages.len() as f64, stages, slowest }
+        let two = |pair: &[Amplifier<S>]| QuietAmplifiers::new([&pair[0], &pair[pair.len() - 1]]);
+        let quiet = stages.iter().map(|stage| stage.chunks(2).map(two).collect()).collect();
+        Self { inputs, delay: tau * stages.len() as f64, stages, quiet, slowest }
     }
 
     /// Nominal delay (s).
@@ -129,8 +134,13 @@ impl<S: Real> Summer<S> {
             if number > 0 {
                 met = self.meet(&mut rows[..met], count);
             }
-            for ((part, state), row) in stage.iter().zip(states).zip(&mut *rows) {
-                state.pass(simd, part, &mut row[..count]);
+            let pairs = self.quiet[number].iter().zip(stage.chunks(2));
+            for ((quiet, parts), (states, rows)) in pairs.zip(states.chunks_mut(2).zip(rows.chunks_mut(2))) {
+                if !pass_quietly(simd, quiet, states, rows, count) {
+                    for ((part, state), row) in parts.iter().zip(states).zip(rows) {
+                        state.pass(simd, part, &mut row[..count]);
+                    }
+                }
             }
         }
         total(&rows[..met], count)
@@ -162,6 +172,33 @@ impl<S: Real> Stage<S> {
         part.pass(simd, &mut self.amplifier, &fed[..=row.len()], row);
         self.fed = fed[row.len()];
     }
+}
+
+/// The first `count` samples of one or two rows through their amplifiers; false, and nothing is changed, if one might slew or
+/// clip.
+#[inline(always)]
+fn pass_quietly<L: Simd, S: Real>(
+    simd: L,
+    parts: &QuietAmplifiers<S>,
+    stages: &mut [Stage<S>],
+    rows: &mut [Row<S>],
+    count: usize,
+) -> bool {
+    let last = stages.len() - 1;
+    let mut states = [stages[0].amplifier, stages[last].amplifier];
+    let mut out = [Both::default(); BLOCK];
+    let from = [&stages[0].fed, &stages[last].fed];
+    let inputs = [&rows[0][..count], &rows[last][..count]];
+    let is_quiet = parts.pass(simd, states.each_mut(), from, inputs, &mut out);
+    if is_quiet {
+        for (k, (stage, row)) in stages.iter_mut().zip(rows).enumerate() {
+            (stage.amplifier, stage.fed) = (states[k], row[count - 1]);
+            for (put, out) in row.iter_mut().zip(&out[..count]) {
+                *put = out.wire(k);
+            }
+        }
+    }
+    is_quiet
 }
 
 /// The sum of `rows` at the first `count` samples.

@@ -32,10 +32,14 @@ struct Scene {
 
 impl Scene {
     fn new() -> Self {
+        Self::of_fan(0.17)
+    }
+
+    fn of_fan(apart: f64) -> Self {
         let level = level();
         let ranges: Vec<f64> = (1..=1000).map(|k| f64::from(k) * 1.5).collect();
         let direction = |lane: usize| {
-            let (sin, cos) = quantities::sin_cos(0.2 + 0.17 * lane as f64);
+            let (sin, cos) = quantities::sin_cos(0.2 + apart * lane as f64);
             [cos, sin]
         };
         let mut programs =

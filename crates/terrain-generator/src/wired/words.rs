@@ -4,7 +4,7 @@ use std::mem;
 use std::ops::Range;
 
 use parts::LagSteps;
-use signal::LANES;
+use signal::{Both, LANES, Real};
 
 use super::block::BLOCK;
 use super::grid::Cell;
@@ -167,23 +167,57 @@ impl Words {
         }
     }
 
-    /// Samples of the block within whose step a word acts on any of these D/As, ascending.
+    /// Samples of the block within whose step a word acts on any of these D/As, bit by bit.
     #[inline(always)]
-    pub(super) fn samples(&self, indices: Range<usize>) -> impl Iterator<Item = usize> + use<> {
+    pub(super) fn samples(&self, indices: Range<usize>) -> u32 {
         let mut all = 0;
         for cell in &self.cells[indices] {
             all |= cell.samples;
         }
-        let left = |samples: u32| (samples != 0).then_some(samples);
-        std::iter::successors(left(all), move |samples| left(samples & (samples - 1)))
-            .map(|samples| samples.trailing_zeros() as usize)
+        all
     }
 
     /// The words of D/A `index` that act in the step to sample `n` of the block, one after the other.
     #[inline(always)]
-    pub(super) fn acting(&self, index: usize, n: usize) -> impl Iterator<Item = &Acting> {
+    fn acting(&self, index: usize, n: usize) -> impl Iterator<Item = &Acting> {
         let cell = &self.cells[index];
         let first = if cell.samples >> n & 1 == 1 { cell.ends[n][0] } else { NONE };
         std::iter::successors(self.acting.get(first as usize), |word| self.acting.get(word.then as usize))
+    }
+}
+
+/// D/As two by two that take words within a step, each with its lanes.
+#[derive(Debug)]
+pub(super) struct Taking<S, const PAIRS: usize> {
+    /// Their signals as the step begins and as it ends.
+    pub(super) begin: [Both<S>; PAIRS],
+    pub(super) end: [Both<S>; PAIRS],
+    /// What they multiply by.
+    pub(super) weight: [Both<S>; PAIRS],
+}
+
+impl<S: Real, const PAIRS: usize> Default for Taking<S, PAIRS> {
+    #[inline(always)]
+    fn default() -> Self {
+        let none = [Both::default(); PAIRS];
+        Self { begin: none, end: none, weight: none }
+    }
+}
+
+impl<S: Real, const PAIRS: usize> Taking<S, PAIRS> {
+    /// Gives D/As from number `first` on the words of the step to sample `n` of the block; `terms` are what comes out at its
+    /// end, lane by lane, of each D/A of a pair or of all together.
+    #[inline(always)]
+    pub(super) fn act(&mut self, words: &Words, first: usize, n: usize, terms: &mut [S]) {
+        for pair in 0..PAIRS {
+            for k in 0..2 {
+                for word in words.acting(first + 2 * pair + k, n) {
+                    let lane = LANES * k + word.lane;
+                    let ends = [self.begin[pair].0[lane], self.end[pair].0[lane]];
+                    let term = &mut terms[lane % terms.len()];
+                    word.act(ends, &mut self.weight[pair].0[lane], term);
+                }
+            }
+        }
     }
 }

@@ -234,6 +234,7 @@ fn vectors_of_any_width_have_the_same_bits() {
 struct Watcher;
 
 impl Tap<f32> for Watcher {
+    const WIRES: bool = false;
     fn see(&mut self, _: &PartsArray<f32>, _: &ArrayState<f32>) {}
 }
 

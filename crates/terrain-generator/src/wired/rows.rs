@@ -1,0 +1,193 @@
+//! D/As that are alike: one lag behind the sum of what they multiply, in place of one each.
+//!
+//! **Law.** A lag is linear, so equal lags commute with a sum: of six D/As with one pole and nothing that leaks past them
+//! `sum lag(w u) = lag(sum w u)`, also where a word changes, which adds to the one lag what it adds to its own
+//! (`converters`). Of 36 multipliers, 36 D/As and seven amplifiers a sum then has 36 + 6 + 7 states, to rounding those of
+//! all parts. Rows are six cells behind one function generator of X: an amplifier takes one or several.
+//! **Elaboration.** Multipliers without an error and without a leak are products. Who looks at single D/As has them, in the
+//! form of `grid`.
+
+use fearless_simd::Simd;
+use fearless_simd::prelude::SimdBase;
+use parts::LagStep;
+use signal::{Double, Lanes, Real};
+
+use super::block::{BLOCK, Block, Factor, Row};
+use super::grid::{Cell, CellParts, Grid, GridWires, Wires};
+use super::words::{Taking, Words};
+
+/// Cells of a row.
+pub(super) const CELLS: usize = 6;
+/// The same two by two.
+const PAIRS: usize = CELLS / 2;
+
+/// What all D/As of a grid are.
+#[derive(Debug, Clone)]
+pub(super) struct Alike<S> {
+    converter: LagStep<S>,
+    /// Whether multipliers are products and lags.
+    pub(super) are_products: bool,
+}
+
+impl<S: Real> Alike<S> {
+    /// Of cells of which `inputs` meet at one amplifier, if their D/As are alike and whole rows meet there.
+    pub(super) fn of(cells: &[Cell<S>], inputs: usize) -> Option<Self> {
+        let converter = cells.first()?.parts.converter;
+        let is_alike = |cell: &Cell<S>| cell.parts.converter == converter && cell.parts.past.is_none();
+        let is_product = |cell: &Cell<S>| cell.parts.multiplier.is_ideal() && cell.parts.leak.is_none();
+        let are_products = cells.iter().all(is_product);
+        (inputs % CELLS == 0 && cells.iter().all(is_alike)).then_some(Self { converter, are_products })
+    }
+}
+
+/// The lag of a row.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct RowWires<S> {
+    /// What it leaves for the next sample.
+    left: Lanes<S>,
+    term: Lanes<S>,
+}
+
+impl<S: Real> Default for RowWires<S> {
+    fn default() -> Self {
+        Self { left: Lanes::default(), term: Lanes::default() }
+    }
+}
+
+/// A row on its way through a block.
+struct Course<'a, S: Real, L: Simd, const PRODUCTS: bool> {
+    simd: L,
+    parts: [CellParts<S::Double<L>>; PAIRS],
+    converter: LagStep<S>,
+    wires: [Wires<S::Double<L>>; PAIRS],
+    left: S::Vector<L>,
+    term: S::Vector<L>,
+    x: &'a Factor<S>,
+    y: [&'a Row<S>; CELLS],
+}
+
+impl<S: Real, L: Simd, const PRODUCTS: bool> Course<'_, S, L, PRODUCTS> {
+    /// The step to sample `n`.
+    #[inline(always)]
+    fn step(&mut self, n: usize) {
+        self.multiply(n);
+        let met = self.meet();
+        self.term = self.converter.end(self.left, met);
+        self.left = self.converter.leave(self.term, met);
+    }
+
+    /// The same, in which `words` act on D/As from number `first` on.
+    #[inline(always)]
+    fn step_with(&mut self, n: usize, (words, first): (&Words, usize)) {
+        let mut taking = Taking::<S, PAIRS>::default();
+        for pair in 0..PAIRS {
+            self.wires[pair].product.store(&mut taking.begin[pair]);
+        }
+        self.multiply(n);
+        self.term = self.converter.end(self.left, self.meet());
+        for pair in 0..PAIRS {
+            self.wires[pair].product.store(&mut taking.end[pair]);
+            self.wires[pair].weight.store(&mut taking.weight[pair]);
+        }
+        let mut term = Lanes::default();
+        self.term.store_slice(&mut term.0);
+        taking.act(words, first, n, &mut term.0);
+        self.term = S::Vector::<L>::from_slice(self.simd, &term.0);
+        for pair in 0..PAIRS {
+            self.wires[pair].weight = S::Double::<L>::load(self.simd, &taking.weight[pair]);
+        }
+        self.left = self.converter.leave(self.term, self.meet());
+    }
+
+    /// What comes out of the multipliers at sample `n`.
+    #[inline(always)]
+    fn multiply(&mut self, n: usize) {
+        let load = |row: &Row<S>| S::Vector::<L>::from_slice(self.simd, &row[n].0);
+        let both = |row| S::Double::<L>::of(load(row), load(row));
+        let x = both(&self.x.value);
+        for pair in 0..PAIRS {
+            let y = S::Double::<L>::of(load(self.y[2 * pair]), load(self.y[2 * pair + 1]));
+            let (parts, wires) = (&self.parts[pair], &mut self.wires[pair]);
+            if PRODUCTS {
+                wires.take(&parts.lag, x * y);
+            } else {
+                wires.multiply(parts, [x, both(&self.x.square)], both(&self.x.change), y);
+            }
+        }
+    }
+
+    /// What all of them make of their words.
+    #[inline(always)]
+    fn meet(&self) -> S::Vector<L> {
+        let mut sum = self.wires[0].product * self.wires[0].weight;
+        for pair in 1..PAIRS {
+            sum = sum + self.wires[pair].product * self.wires[pair].weight;
+        }
+        let [low, high] = sum.halves();
+        low + high
+    }
+}
+
+impl<S: Real> Grid<S> {
+    /// Rows at rest under multipliers that are.
+    pub(super) fn settle_rows(&self, wires: &mut GridWires<S>) {
+        let Some(alike) = &self.alike else { return };
+        for row in 0..self.cells.len() / CELLS {
+            let mut term = Lanes::default();
+            for index in CELLS * row..CELLS * (row + 1) {
+                term = term + wires.term(index);
+            }
+            wires.rows[row] = RowWires { left: alike.converter.leave(term, term), term };
+        }
+    }
+
+    /// As [`run`](Self::run), by rows of D/As that are `alike`.
+    #[inline(always)]
+    pub(super) fn run_rows<L: Simd, const PRODUCTS: bool>(
+        &self,
+        simd: L,
+        alike: &Alike<S>,
+        block: &mut Block<S>,
+        count: usize,
+        words: &Words,
+        wires: &mut GridWires<S>,
+    ) {
+        let Block { x, y, partial, .. } = block;
+        let GridWires { pairs, rows } = wires;
+        let of_pairs = self.pairs.chunks_exact(PAIRS).zip(pairs.chunks_exact_mut(PAIRS));
+        for (row, ((parts, wires), lag)) in of_pairs.zip(rows).enumerate() {
+            let first = CELLS * row;
+            let cells = &self.cells[first..first + CELLS];
+            let mut course = Course::<S, L, PRODUCTS> {
+                simd,
+                parts: [parts[0].load(simd), parts[1].load(simd), parts[2].load(simd)],
+                converter: alike.converter,
+                wires: [wires[0].load(simd), wires[1].load(simd), wires[2].load(simd)],
+                left: S::Vector::<L>::from_slice(simd, &lag.left.0),
+                term: S::Vector::<L>::from_slice(simd, &lag.term.0),
+                x: &x[cells[0].factors[0]],
+                y: [&y[0]; CELLS],
+            };
+            for cell in 0..CELLS {
+                course.y[cell] = &y[cells[cell].factors[1]];
+            }
+            let sums = &mut partial[self.group(first)];
+            let taken = words.samples(first..first + CELLS);
+            for n in 0..count.min(BLOCK) {
+                if taken >> n & 1 == 0 {
+                    course.step(n);
+                } else {
+                    course.step_with(n, (words, first));
+                }
+                let mut sum = S::Vector::<L>::from_slice(simd, &sums[n].0);
+                sum += course.term;
+                sum.store_slice(&mut sums[n].0);
+            }
+            for pair in 0..PAIRS {
+                wires[pair].store::<L>(&course.wires[pair]);
+            }
+            course.left.store_slice(&mut lag.left.0);
+            course.term.store_slice(&mut lag.term.0);
+        }
+    }
+}
