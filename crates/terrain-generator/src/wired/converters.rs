@@ -12,7 +12,7 @@ use signal::Real;
 use super::run::Run;
 use super::state::{ArrayState, Coded, Due, Lane};
 use super::terms::{ALL, TERMS, term_of, word_of};
-use super::words::{Acting, Change, Words};
+use super::words::{Change, Words};
 
 impl<S: Real> Run<'_, S> {
     /// Puts the words on their way whose strobes are due by `sample`.
@@ -83,21 +83,6 @@ impl<S: Real> Run<'_, S> {
     pub(super) fn take_words(&self, sample: i64, state: &mut ArrayState<S>) {
         let ArrayState { words, wires, .. } = state;
         words.take(sample, |change| *wires.weight(change.index, change.lane) = S::from_f64(change.weight));
-    }
-}
-
-impl Acting {
-    /// Gives a D/A this word, within a step that it has taken with those before to `term`; its signal is `ends` as the step
-    /// begins and as it ends. All of its lane.
-    #[inline(always)]
-    pub(super) fn act<S: Real>(&self, [from, end]: [S; 2], held: &mut S, term: &mut S) {
-        let [from, end] = [from.to_f64(), end.to_f64()];
-        let start = from + self.share * (end - from);
-        let step = self.weight - held.to_f64();
-        let kick = self.pulse * start * self.kick;
-        let more = (start * self.from + end * self.to) * step + kick;
-        *term = S::from_f64(term.to_f64() + more);
-        *held = S::from_f64(self.weight);
     }
 }
 

@@ -26,19 +26,12 @@ pub(super) struct Change {
 
 /// A word that a D/A of a lane takes within the block.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Acting {
-    pub(super) lane: usize,
-    /// When within its step, 0..=1.
-    pub(super) share: f64,
-    pub(super) weight: f64,
-    pub(super) pulse: f64,
-    /// Time constant of the D/A (s).
-    tau: f64,
-    /// What the signal at the word and at the end of the step leave at its end, for a weight of 1, and the pulse of an
-    /// area of 1 (1/s).
-    pub(super) from: f64,
-    pub(super) to: f64,
-    pub(super) kick: f64,
+struct Acting {
+    weight: f64,
+    pulse: f64,
+    /// Which of the divided steps its own is.
+    divided: u32,
+    lane: u32,
     /// What the D/A takes after it in the same step, in any lane.
     then: u32,
 }
@@ -53,7 +46,22 @@ pub(super) struct Words {
     waiting: Vec<Change>,
     /// Those that act in the block.
     acting: Vec<Acting>,
+    divided: Divided,
     cells: Vec<CellWords>,
+}
+
+/// Steps that words divide, each once for all words that act together on D/As that are alike.
+#[derive(Debug, Clone, Default)]
+struct Divided {
+    /// When within the step, 0..=1.
+    share: Vec<f64>,
+    /// Time constants of the D/As (s).
+    tau: Vec<f64>,
+    /// What the signal at the word and at the end of the step leave at its end, for a weight of 1, and the pulse of an
+    /// area of 1 (1/s).
+    from: Vec<f64>,
+    to: Vec<f64>,
+    kick: Vec<f64>,
 }
 
 /// Words of one D/A in a block.
@@ -71,7 +79,14 @@ const NONE: u32 = u32::MAX;
 impl Default for Words {
     fn default() -> Self {
         let cells = vec![CellWords::default(); ALL];
-        Self { first: 0, last: f64::NEG_INFINITY, waiting: Vec::new(), acting: Vec::new(), cells }
+        Self {
+            first: 0,
+            last: f64::NEG_INFINITY,
+            waiting: Vec::new(),
+            acting: Vec::new(),
+            divided: Divided::default(),
+            cells,
+        }
     }
 }
 
@@ -107,6 +122,7 @@ impl Words {
     pub(super) fn begin<S>(&mut self, samples: &Range<i64>, cells: &[Cell<S>]) {
         (self.first, self.last) = (samples.start, (samples.end - 1) as f64);
         self.acting.clear();
+        self.divided.clear();
         self.cells.iter_mut().for_each(|cell| cell.samples = 0);
         let mut waiting = mem::take(&mut self.waiting);
         let last = self.last;
@@ -138,33 +154,14 @@ impl Words {
         }
         *last = next;
         let Change { lane, weight, pulse, .. } = *change;
-        self.acting.push(Acting {
-            lane,
-            share,
-            weight,
-            pulse,
-            tau,
-            from: 0.0,
-            to: 0.0,
-            kick: 0.0,
-            then: NONE,
-        });
+        let divided = self.divided.find(share, tau);
+        self.acting.push(Acting { weight, pulse, divided, lane: lane as u32, then: NONE });
     }
 
-    /// Works out what the words of the block leave of their steps of `h` seconds, eight at a time whosever they are.
+    /// Works out what the words of the block leave of their steps of `h` seconds.
     #[inline(always)]
     pub(super) fn divide(&mut self, h: f64) {
-        for words in self.acting.chunks_mut(LANES) {
-            let (mut left, mut tau) = ([0.0; LANES], [0.0; LANES]);
-            for (n, word) in words.iter().enumerate() {
-                (left[n], tau[n]) = (h * (1.0 - word.share), word.tau);
-            }
-            let LagSteps { keep, from, to } = LagSteps::new(left, tau);
-            for (n, word) in words.iter_mut().enumerate() {
-                (word.from, word.to) = (from[n], to[n]);
-                word.kick = if tau[n] > 0.0 { keep[n] / tau[n] } else { 0.0 };
-            }
-        }
+        self.divided.work_out(h);
     }
 
     /// Samples of the block within whose step a word acts on any of these D/As, bit by bit.
@@ -177,12 +174,61 @@ impl Words {
         all
     }
 
+    /// What a word adds to the term at the end of its step, which the D/A has taken with the weight `held`; its signal is
+    /// `from` as the step begins and `end` as it ends.
+    #[inline(always)]
+    fn more(&self, word: &Acting, [from, end]: [f64; 2], held: f64) -> f64 {
+        let (divided, n) = (&self.divided, word.divided as usize);
+        let start = from + divided.share[n] * (end - from);
+        let kick = word.pulse * start * divided.kick[n];
+        (start * divided.from[n] + end * divided.to[n]) * (word.weight - held) + kick
+    }
+
     /// The words of D/A `index` that act in the step to sample `n` of the block, one after the other.
     #[inline(always)]
     fn acting(&self, index: usize, n: usize) -> impl Iterator<Item = &Acting> {
         let cell = &self.cells[index];
         let first = if cell.samples >> n & 1 == 1 { cell.ends[n][0] } else { NONE };
         std::iter::successors(self.acting.get(first as usize), |word| self.acting.get(word.then as usize))
+    }
+}
+
+impl Divided {
+    fn clear(&mut self) {
+        self.share.clear();
+        self.tau.clear();
+    }
+
+    /// The number of a step that is divided at `share` behind a D/A of time constant `tau` (s): of the last, if it is that.
+    #[inline(always)]
+    fn find(&mut self, share: f64, tau: f64) -> u32 {
+        if self.share.last() != Some(&share) || self.tau.last() != Some(&tau) {
+            self.share.push(share);
+            self.tau.push(tau);
+        }
+        (self.share.len() - 1) as u32
+    }
+
+    /// Eight at a time; the last are filled up.
+    #[inline(always)]
+    fn work_out(&mut self, h: f64) {
+        let count = self.share.len().next_multiple_of(LANES);
+        for values in [&mut self.share, &mut self.tau, &mut self.from, &mut self.to, &mut self.kick] {
+            values.resize(count, 0.0);
+        }
+        for first in (0..count).step_by(LANES) {
+            let (mut left, mut tau) = ([0.0; LANES], [0.0; LANES]);
+            tau.copy_from_slice(&self.tau[first..first + LANES]);
+            for (left, share) in left.iter_mut().zip(&self.share[first..]) {
+                *left = h * (1.0 - share);
+            }
+            let LagSteps { keep, from, to } = LagSteps::new(left, tau);
+            self.from[first..first + LANES].copy_from_slice(&from);
+            self.to[first..first + LANES].copy_from_slice(&to);
+            for (kick, (keep, tau)) in self.kick[first..].iter_mut().zip(keep.iter().zip(&tau)) {
+                *kick = if *tau > 0.0 { keep / tau } else { 0.0 };
+            }
+        }
     }
 }
 
@@ -212,10 +258,13 @@ impl<S: Real, const PAIRS: usize> Taking<S, PAIRS> {
         for pair in 0..PAIRS {
             for k in 0..2 {
                 for word in words.acting(first + 2 * pair + k, n) {
-                    let lane = LANES * k + word.lane;
-                    let ends = [self.begin[pair].0[lane], self.end[pair].0[lane]];
+                    let lane = LANES * k + word.lane as usize;
+                    let ends = [self.begin[pair].0[lane], self.end[pair].0[lane]].map(S::to_f64);
+                    let held = &mut self.weight[pair].0[lane];
+                    let more = words.more(word, ends, held.to_f64());
+                    *held = S::from_f64(word.weight);
                     let term = &mut terms[lane % terms.len()];
-                    word.act(ends, &mut self.weight[pair].0[lane], term);
+                    *term = S::from_f64(term.to_f64() + more);
                 }
             }
         }
