@@ -5,7 +5,7 @@
 
 use std::ops::{Add, Mul, Sub};
 
-use fearless_simd::prelude::{Select, SimdBase, SimdCombine, SimdMask, SimdSplit};
+use fearless_simd::prelude::{Select, SimdBase, SimdCombine, SimdFrom, SimdMask, SimdSplit};
 use fearless_simd::{Simd, f32x8, f32x16, f64x8};
 
 use crate::{LANES, Lanes, Number, Real};
@@ -52,6 +52,8 @@ pub trait Double<L: Simd, S: Real>:
     fn load(simd: L, both: &Both<S>) -> Self;
     /// Back into memory.
     fn store(self, both: &mut Both<S>);
+    /// The same value in all lanes of both.
+    fn splat(simd: L, value: S) -> Self;
     /// Of two halves.
     fn of(low: S::Vector<L>, high: S::Vector<L>) -> Self;
     /// Its halves.
@@ -73,6 +75,11 @@ impl<L: Simd> Double<L, f32> for f32x16<L> {
     #[inline(always)]
     fn store(self, both: &mut Both<f32>) {
         self.store_slice(&mut both.0);
+    }
+
+    #[inline(always)]
+    fn splat(simd: L, value: f32) -> Self {
+        Self::simd_from(simd, value)
     }
 
     #[inline(always)]
@@ -134,6 +141,11 @@ impl<L: Simd> Double<L, f64> for Twice<f64x8<L>> {
         let (low, high) = both.0.split_at_mut(LANES);
         self.0[0].store_slice(low);
         self.0[1].store_slice(high);
+    }
+
+    #[inline(always)]
+    fn splat(simd: L, value: f64) -> Self {
+        Self([f64x8::simd_from(simd, value); 2])
     }
 
     #[inline(always)]

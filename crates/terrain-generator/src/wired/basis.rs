@@ -7,27 +7,29 @@ use fearless_simd::prelude::{SimdBase, SimdFrom};
 use hardware_model::AnalogParts;
 use landscape::basis::{NEAR, derivatives, values};
 use parts::{
-    BANK, BankPlace, Ends, FunctionBank, FunctionGenerator, FunctionLaw, LagStep, Spread, Tolerance,
+    BankPlace, Ends, FunctionBank, FunctionGenerator, FunctionLaw, LagStep, Spread, Tolerance,
     relative_sigma, time_constant,
 };
-use signal::{Lanes, Real};
+use signal::{Both, Double, Lanes, Real};
 
 use super::scale::{PEAKS, SLOPE_PEAKS};
+use super::terms::{ENDS, one_of, side_by_side};
 
 /// Function generators of one axis: values and slopes, at the near and at the far end, of the three orders.
 pub const UNITS: usize = 12;
 
 /// Curves: values and slopes of the three orders (`3 slope + order`), the same at both ends.
-const CURVES: usize = 6;
+pub(super) const CURVES: usize = 6;
 
-/// The function generators of one axis; unit `6 slope + 3 end + order`.
+/// The function generators of one axis; unit `6 slope + 3 end + order`. Those of a curve at the near and at the far end go
+/// side by side.
 #[derive(Debug, Clone)]
 pub struct AxisGenerators<S> {
     /// The same of both axes.
     curves: Arc<Curves<S>>,
     /// Deviation of each unit at the middle times four: bows are `4 z (1 - z)` (share).
-    bows: [S; UNITS],
-    lags: [LagStep<S>; UNITS],
+    bows: [Both<S>; CURVES],
+    lags: [LagStep<Both<S>>; CURVES],
     slowest: f64,
 }
 
@@ -42,29 +44,37 @@ enum Curves<S> {
 #[derive(Debug, Clone)]
 pub struct AxisState<S> {
     /// What the lags have left for the next sample.
-    left: [Lanes<S>; UNITS],
+    left: [Both<S>; CURVES],
     /// Outputs, shares of full scale.
-    pub out: [Lanes<S>; UNITS],
+    pub(super) out: [Both<S>; CURVES],
 }
 
 /// What the generators of an axis are fed with.
 #[derive(Debug, Clone, Copy)]
 pub struct Fed<S> {
     /// Ramp and complement.
-    ends: [Lanes<S>; 2],
+    ends: Both<S>,
     /// Where they fall in broken lines.
     places: [BankPlace<S>; 2],
 }
 
 impl<S: Real> Default for Fed<S> {
     fn default() -> Self {
-        Self { ends: [Lanes::default(); 2], places: [BankPlace::default(); 2] }
+        Self { ends: Both::default(), places: [BankPlace::default(); 2] }
     }
 }
 
 impl<S: Real> Default for AxisState<S> {
     fn default() -> Self {
-        Self { left: [Lanes::default(); UNITS], out: [Lanes::default(); UNITS] }
+        Self { left: [Both::default(); CURVES], out: [Both::default(); CURVES] }
+    }
+}
+
+impl<S: Real> AxisState<S> {
+    /// Output of a unit.
+    pub fn output(&self, unit: usize) -> Lanes<S> {
+        let [curve, end] = side_by_side(unit);
+        self.out[curve].wire(end)
     }
 }
 
@@ -97,10 +107,14 @@ impl<S: Real> AxisGenerators<S> {
             })
         };
         let taus: [f64; UNITS] = std::array::from_fn(tau);
+        let lag = |unit: usize| LagStep::new(h, taus[unit]);
         Self {
             curves,
-            bows: std::array::from_fn(bow),
-            lags: taus.map(|tau| LagStep::new(h, tau)),
+            bows: std::array::from_fn(|curve| Both::splat(ENDS.map(|end| bow(one_of(curve, end))))),
+            lags: std::array::from_fn(|curve| {
+                let [near, far] = ENDS.map(|end| lag(one_of(curve, end)));
+                near.beside(&far, |near, far| Both::splat([near, far]))
+            }),
             slowest: taus.into_iter().fold(0.0, f64::max),
         }
     }
@@ -114,9 +128,9 @@ impl<S: Real> AxisGenerators<S> {
     #[inline(always)]
     pub fn at_rest<L: Simd>(&self, simd: L, ramp: Lanes<S>) -> AxisState<S> {
         let (mut state, now) = (AxisState::default(), self.inputs::<L>(simd, &self.feed(simd, ramp)));
-        for unit in 0..UNITS {
-            now[unit].store_slice(&mut state.out[unit].0);
-            self.lags[unit].leave(now[unit], now[unit]).store_slice(&mut state.left[unit].0);
+        for curve in 0..CURVES {
+            now[curve].store(&mut state.out[curve]);
+            self.lag(simd, curve).leave(now[curve], now[curve]).store(&mut state.left[curve]);
         }
         state
     }
@@ -126,8 +140,8 @@ impl<S: Real> AxisGenerators<S> {
     pub fn feed<L: Simd>(&self, simd: L, ramp: Lanes<S>) -> Fed<S> {
         let near = S::Vector::<L>::from_slice(simd, &ramp.0);
         let far = S::Vector::<L>::simd_from(simd, S::ONE) - near;
-        let mut fed = Fed { ends: [ramp; 2], places: [BankPlace::default(); 2] };
-        far.store_slice(&mut fed.ends[1].0);
+        let mut fed = Fed::default();
+        S::Double::<L>::of(near, far).store(&mut fed.ends);
         if let Curves::Broken(bank) = &*self.curves {
             fed.places = [bank.place::<L>(near), bank.place::<L>(far)];
         }
@@ -138,26 +152,27 @@ impl<S: Real> AxisGenerators<S> {
     #[inline(always)]
     pub fn step<L: Simd>(&self, simd: L, state: &mut AxisState<S>, fed: &Fed<S>) {
         let now = self.inputs::<L>(simd, fed);
-        for unit in 0..UNITS {
-            let left = S::Vector::<L>::from_slice(simd, &state.left[unit].0);
-            let out = self.lags[unit].end(left, now[unit]);
-            out.store_slice(&mut state.out[unit].0);
-            self.lags[unit].leave(out, now[unit]).store_slice(&mut state.left[unit].0);
+        for curve in 0..CURVES {
+            let lag = self.lag(simd, curve);
+            let out = lag.end(S::Double::<L>::load(simd, &state.left[curve]), now[curve]);
+            out.store(&mut state.out[curve]);
+            lag.leave(out, now[curve]).store(&mut state.left[curve]);
         }
     }
 
     #[inline(always)]
-    fn inputs<L: Simd>(&self, simd: L, fed: &Fed<S>) -> [S::Vector<L>; UNITS] {
-        let one = S::Vector::<L>::simd_from(simd, S::ONE);
-        let mut out = [one; UNITS];
-        for (end, (fed, place)) in fed.ends.iter().zip(&fed.places).enumerate() {
-            let fed = S::Vector::<L>::from_slice(simd, &fed.0);
-            let values = self.curves.at::<L>(simd, fed, place);
-            let bow = fed * (one - fed);
-            for curve in 0..CURVES {
-                let unit = 6 * (curve / 3) + 3 * end + curve % 3;
-                out[unit] = values[curve] + bow * self.bows[unit];
-            }
+    fn lag<L: Simd>(&self, simd: L, curve: usize) -> LagStep<S::Double<L>> {
+        self.lags[curve].each(|figure| S::Double::<L>::load(simd, &figure))
+    }
+
+    #[inline(always)]
+    fn inputs<L: Simd>(&self, simd: L, fed: &Fed<S>) -> [S::Double<L>; CURVES] {
+        let ends = S::Double::<L>::load(simd, &fed.ends);
+        let one = S::Double::<L>::splat(simd, S::ONE);
+        let bow = ends * (one - ends);
+        let mut out = self.curves.at::<L>(simd, ends, &fed.places);
+        for curve in 0..CURVES {
+            out[curve] = out[curve] + bow * S::Double::<L>::load(simd, &self.bows[curve]);
         }
         out
     }
@@ -182,21 +197,26 @@ impl<S: Real> Curves<S> {
     }
 
     #[inline(always)]
-    fn at<L: Simd>(&self, simd: L, fed: S::Vector<L>, place: &BankPlace<S>) -> [S::Vector<L>; BANK] {
+    fn at<L: Simd>(&self, simd: L, fed: S::Double<L>, places: &[BankPlace<S>; 2]) -> [S::Double<L>; CURVES] {
+        let mut out = [fed; CURVES];
         match self {
-            Self::Broken(bank) => bank.at::<L>(simd, place),
+            Self::Broken(bank) => {
+                let [near, far] = [bank.at::<L>(simd, &places[0]), bank.at::<L>(simd, &places[1])];
+                for curve in 0..CURVES {
+                    out[curve] = S::Double::<L>::of(near[curve], far[curve]);
+                }
+            }
             Self::Exact(curves) => {
-                let mut out = [fed; BANK];
                 for (out, [rest @ .., top]) in out.iter_mut().zip(curves) {
-                    let mut sum = S::Vector::<L>::simd_from(simd, *top);
+                    let mut sum = S::Double::<L>::splat(simd, *top);
                     for &power in rest.iter().rev() {
-                        sum = sum * fed + power;
+                        sum = sum * fed + S::Double::<L>::splat(simd, power);
                     }
                     *out = sum;
                 }
-                out
             }
         }
+        out
     }
 }
 

@@ -10,10 +10,15 @@ use fearless_simd::prelude::SimdBase;
 use parts::{Feedthrough, LagStep, Multiplier, Wire};
 use signal::{Both, Double, LANES, Lanes, Real};
 
-use super::block::{BLOCK, Block, Factor, Row};
-use super::rows::{Alike, CELLS as ROW, RowWires};
-use super::terms::TERMS;
+use super::block::{BLOCK, Block, BothRow, Factor, Row};
+use super::rows::{Alike, RowWires};
+use super::terms::{TERMS, one_of, side_by_side};
 use super::words::{Taking, Words};
+
+/// Cells of a row.
+pub(super) const ROW: usize = 6;
+/// The same two by two.
+pub(super) const PAIRS: usize = ROW / 2;
 
 /// A multiplier and its D/A.
 #[derive(Debug, Clone, Copy)]
@@ -41,7 +46,7 @@ pub(super) struct CellParts<T> {
 #[derive(Debug, Clone)]
 pub(super) struct Grid<S> {
     pub(super) cells: Vec<Cell<S>>,
-    /// The same two by two.
+    /// The same two by two, as they are side by side ([`side_by_side`]).
     pub(super) pairs: Vec<CellParts<Both<S>>>,
     inputs: usize,
     /// What all D/As are, if they are alike.
@@ -77,17 +82,20 @@ impl<S: Real> GridWires<S> {
     /// What D/A `index` multiplies by in a lane.
     #[inline(always)]
     pub(super) fn weight(&mut self, index: usize, lane: usize) -> &mut S {
-        &mut self.pairs[index / 2].weight.0[LANES * (index % 2) + lane]
+        let [pair, end] = side_by_side(index);
+        &mut self.pairs[pair].weight.0[LANES * end + lane]
     }
 
     /// The same, of all lanes.
     pub(super) fn weights(&self, index: usize) -> Lanes<S> {
-        self.pairs[index / 2].weight.wire(index % 2)
+        let [pair, end] = side_by_side(index);
+        self.pairs[pair].weight.wire(end)
     }
 
     /// What D/A `index` puts out.
     pub(super) fn term(&self, index: usize) -> Lanes<S> {
-        self.pairs[index / 2].term.wire(index % 2)
+        let [pair, end] = side_by_side(index);
+        self.pairs[pair].term.wire(end)
     }
 }
 
@@ -199,59 +207,94 @@ impl<S: Real> CellParts<Both<S>> {
     }
 }
 
-/// Two cells on their way through a block.
-struct Pair<'a, S: Real, L: Simd> {
-    simd: L,
-    parts: CellParts<S::Double<L>>,
-    wires: Wires<S::Double<L>>,
-    x: [&'a Factor<S>; 2],
-    y: [&'a Row<S>; 2],
+/// What a row of six cells is fed with: one function generator of X, and the three curves of Y at both ends.
+#[derive(Clone, Copy)]
+pub(super) struct RowInputs<'a, S> {
+    x: &'a Factor<S>,
+    /// Which end of X.
+    end: usize,
+    y: &'a [BothRow<S>],
 }
 
-impl<S: Real, L: Simd> Pair<'_, S, L> {
-    /// The step to sample `n`, and what comes out at its end.
+impl<'a, S: Real> RowInputs<'a, S> {
+    /// Of the row whose first cell is fed by these units.
     #[inline(always)]
-    fn step(&mut self, n: usize) -> S::Double<L> {
-        let before = self.multiply(n);
+    pub(super) fn of([a, b]: [usize; 2], block: (&'a [Factor<S>], &'a [BothRow<S>])) -> Self {
+        let ([a, end], [b, _]) = (side_by_side(a), side_by_side(b));
+        Self { x: &block.0[a], end, y: &block.1[b..b + PAIRS] }
+    }
+
+    /// The factor of X at sample `n`, the same beside itself.
+    #[inline(always)]
+    pub(super) fn x<L: Simd>(&self, simd: L, n: usize) -> S::Double<L> {
+        self.half(simd, &self.x.value[n])
+    }
+
+    /// The same with its square, and its change.
+    #[inline(always)]
+    pub(super) fn all_of_x<L: Simd>(&self, simd: L, n: usize) -> ([S::Double<L>; 2], S::Double<L>) {
+        ([self.x(simd, n), self.half(simd, &self.x.square[n])], self.half(simd, &self.x.change[n]))
+    }
+
+    #[inline(always)]
+    fn half<L: Simd>(&self, simd: L, both: &Both<S>) -> S::Double<L> {
+        let lanes = &both.0[LANES * self.end..LANES * (self.end + 1)];
+        let half = S::Vector::<L>::from_slice(simd, lanes);
+        S::Double::<L>::of(half, half)
+    }
+
+    /// The factors of Y of a pair at sample `n`.
+    #[inline(always)]
+    pub(super) fn y<L: Simd>(&self, simd: L, pair: usize, n: usize) -> S::Double<L> {
+        S::Double::<L>::load(simd, &self.y[pair][n])
+    }
+}
+
+/// Two cells on their way through a block.
+struct Pair<S: Real, L: Simd> {
+    parts: CellParts<S::Double<L>>,
+    wires: Wires<S::Double<L>>,
+}
+
+impl<S: Real, L: Simd> Pair<S, L> {
+    /// A step, and what comes out at its end.
+    #[inline(always)]
+    fn step(&mut self, x: ([S::Double<L>; 2], S::Double<L>), y: S::Double<L>) -> S::Double<L> {
+        let before = self.wires.product;
+        self.parts.step(&mut self.wires, x.0, x.1, y);
         self.parts.put(&mut self.wires, before)
     }
 
-    /// The same, in which `words` act on D/As from number `first` on.
+    /// The step to sample `n`, in which `words` act on pair number `pair`.
     #[inline(always)]
-    fn step_with(&mut self, n: usize, (words, first): (&Words, usize)) -> S::Double<L> {
-        let before = self.multiply(n);
+    fn step_with(
+        &mut self,
+        simd: L,
+        x: ([S::Double<L>; 2], S::Double<L>),
+        y: S::Double<L>,
+        (words, pair, n): (&Words, usize, usize),
+    ) -> S::Double<L> {
+        let before = self.wires.product;
+        self.parts.step(&mut self.wires, x.0, x.1, y);
         let (mut taking, mut term) = (Taking::<S, 1>::default(), Both::default());
         before.store(&mut taking.begin[0]);
         self.wires.product.store(&mut taking.end[0]);
         self.wires.weight.store(&mut taking.weight[0]);
         self.wires.term.store(&mut term);
-        taking.act(words, first, n, &mut term.0);
-        self.wires.weight = S::Double::<L>::load(self.simd, &taking.weight[0]);
-        self.wires.term = S::Double::<L>::load(self.simd, &term);
+        taking.act(words, pair, n, &mut term.0);
+        self.wires.weight = S::Double::<L>::load(simd, &taking.weight[0]);
+        self.wires.term = S::Double::<L>::load(simd, &term);
         self.parts.put(&mut self.wires, before)
-    }
-
-    /// Products and terms at sample `n`; the products a sample before.
-    #[inline(always)]
-    fn multiply(&mut self, n: usize) -> S::Double<L> {
-        let before = self.wires.product;
-        let [a, b] = self.x;
-        let of = |low: &Row<S>, high: &Row<S>| {
-            let load = |row: &Row<S>| S::Vector::<L>::from_slice(self.simd, &row[n].0);
-            S::Double::<L>::of(load(low), load(high))
-        };
-        let x = [of(&a.value, &b.value), of(&a.square, &b.square)];
-        self.parts.step(&mut self.wires, x, of(&a.change, &b.change), of(self.y[0], self.y[1]));
-        before
     }
 }
 
 impl<S: Real> Grid<S> {
     /// Of these cells, of which `inputs` meet at one amplifier.
     pub(super) fn new(cells: Vec<Cell<S>>, inputs: usize) -> Self {
-        let beside = |pair: &[Cell<S>]| pair[0].parts.beside(&pair[1].parts, |a, b| Both::splat([a, b]));
-        let alike = Alike::of(&cells, inputs);
-        Self { pairs: cells.chunks_exact(2).map(beside).collect(), cells, inputs, alike }
+        let parts = |pair: usize, end: usize| &cells[one_of(pair, end)].parts;
+        let beside = |pair| parts(pair, 0).beside(parts(pair, 1), |near, far| Both::splat([near, far]));
+        let pairs = (0..cells.len() / 2).map(beside).collect();
+        Self { pairs, alike: Alike::of(&cells, inputs), cells, inputs }
     }
 
     /// Amplifiers of the first stage of one sum.
@@ -270,10 +313,11 @@ impl<S: Real> Grid<S> {
         let Block { x, y, partial, .. } = block;
         partial.iter_mut().for_each(|sums| sums[0] = Lanes::default());
         for (index, cell) in self.cells.iter().enumerate() {
-            let [a, b] = cell.factors;
-            let wires = &mut wires.pairs[index / 2];
-            let at_rest = cell.parts.at_rest([x[a].value[0], y[b][0]], wires.weight.wire(index % 2));
-            wires.set(index % 2, &at_rest);
+            let [[a, at_a], [b, at_b]] = cell.factors.map(side_by_side);
+            let [pair, end] = side_by_side(index);
+            let (factors, wires) = ([x[a].value[0].wire(at_a), y[b][0].wire(at_b)], &mut wires.pairs[pair]);
+            let at_rest = cell.parts.at_rest(factors, wires.weight.wire(end));
+            wires.set(end, &at_rest);
             let sum = &mut partial[self.group(index)][0];
             *sum = *sum + at_rest.term;
         }
@@ -311,38 +355,37 @@ impl<S: Real> Grid<S> {
         wires: &mut GridWires<S>,
     ) {
         let Block { x, y, partial, .. } = block;
-        let mut out = [Both::default(); BLOCK];
-        for (number, (parts, wires)) in self.pairs.iter().zip(&mut wires.pairs).enumerate() {
-            let cells = [2 * number, 2 * number + 1];
-            let factors = cells.map(|index| self.cells[index].factors);
-            let mut pair = Pair::<S, L> {
-                simd,
-                parts: parts.load(simd),
-                wires: wires.load(simd),
-                x: factors.map(|[a, _]| &x[a]),
-                y: factors.map(|[_, b]| &y[b]),
-            };
-            let taken = words.samples(cells[0]..cells[1] + 1);
-            for (n, out) in out[..count].iter_mut().enumerate() {
-                let takes = taken >> n & 1 == 1;
-                let term = if takes { pair.step_with(n, (words, cells[0])) } else { pair.step(n) };
-                term.store(out);
+        let mut out = [[Both::default(); BLOCK]; PAIRS];
+        for row in 0..self.pairs.len() / PAIRS {
+            let inputs = RowInputs::of(self.cells[ROW * row].factors, (x, y));
+            for place in 0..PAIRS {
+                let number = PAIRS * row + place;
+                let wires = &mut wires.pairs[number];
+                let mut pair = Pair::<S, L> { parts: self.pairs[number].load(simd), wires: wires.load(simd) };
+                let taken = words.samples(number..number + 1);
+                for (n, out) in out[place][..count].iter_mut().enumerate() {
+                    let (x, y) = (inputs.all_of_x(simd, n), inputs.y(simd, place, n));
+                    let takes = taken >> n & 1 == 1;
+                    let term =
+                        if takes { pair.step_with(simd, x, y, (words, number, n)) } else { pair.step(x, y) };
+                    term.store(out);
+                }
+                wires.store::<L>(&pair.wires);
             }
-            wires.store::<L>(&pair.wires);
-            add(simd, &out[..count], cells.map(|index| self.group(index)), partial);
+            for cell in 0..ROW {
+                let [place, end] = side_by_side(cell);
+                add(simd, &out[place][..count], end, &mut partial[self.group(ROW * row + cell)]);
+            }
         }
     }
 }
 
-/// Adds what comes out of two cells to the sums of their amplifiers, one after the other.
+/// Adds what comes out of a cell to the sum of its amplifier.
 #[inline(always)]
-fn add<L: Simd, S: Real>(simd: L, out: &[Both<S>], groups: [usize; 2], partial: &mut [Row<S>]) {
-    for (n, out) in out.iter().enumerate() {
-        for (group, term) in groups.into_iter().zip(S::Double::<L>::load(simd, out).halves()) {
-            let sum = &mut partial[group][n];
-            let mut total = S::Vector::<L>::from_slice(simd, &sum.0);
-            total += term;
-            total.store_slice(&mut sum.0);
-        }
+fn add<L: Simd, S: Real>(simd: L, out: &[Both<S>], end: usize, sums: &mut Row<S>) {
+    for (out, sum) in out.iter().zip(sums) {
+        let mut total = S::Vector::<L>::from_slice(simd, &sum.0);
+        total += S::Vector::<L>::from_slice(simd, &out.0[LANES * end..LANES * (end + 1)]);
+        total.store_slice(&mut sum.0);
     }
 }

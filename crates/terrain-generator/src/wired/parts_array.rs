@@ -158,7 +158,7 @@ impl<S: Real> PartsArray<S> {
 
     /// Output of a function generator of values: ramp or complement of an axis (`2 axis + end`), order `p`.
     pub(crate) fn function(&self, state: &ArrayState<S>, lane: usize, fed: usize, p: usize) -> f64 {
-        state.axes[fed / 2].out[3 * (fed % 2) + p][lane].to_f64() * PEAKS[p]
+        state.axes[fed / 2].output(3 * (fed % 2) + p)[lane].to_f64() * PEAKS[p]
     }
 
     /// What the multiplying D/As of a colour send to the sum of the height (m).

@@ -12,14 +12,9 @@ use fearless_simd::prelude::SimdBase;
 use parts::LagStep;
 use signal::{Double, Lanes, Real};
 
-use super::block::{BLOCK, Block, Factor, Row};
-use super::grid::{Cell, CellParts, Grid, GridWires, Wires};
+use super::block::{BLOCK, Block};
+use super::grid::{Cell, CellParts, Grid, GridWires, PAIRS, ROW, RowInputs, Wires};
 use super::words::{Taking, Words};
-
-/// Cells of a row.
-pub(super) const CELLS: usize = 6;
-/// The same two by two.
-const PAIRS: usize = CELLS / 2;
 
 /// What all D/As of a grid are.
 #[derive(Debug, Clone)]
@@ -36,7 +31,7 @@ impl<S: Real> Alike<S> {
         let is_alike = |cell: &Cell<S>| cell.parts.converter == converter && cell.parts.past.is_none();
         let is_product = |cell: &Cell<S>| cell.parts.multiplier.is_ideal() && cell.parts.leak.is_none();
         let are_products = cells.iter().all(is_product);
-        (inputs % CELLS == 0 && cells.iter().all(is_alike)).then_some(Self { converter, are_products })
+        (inputs % ROW == 0 && cells.iter().all(is_alike)).then_some(Self { converter, are_products })
     }
 }
 
@@ -62,8 +57,7 @@ struct Course<'a, S: Real, L: Simd, const PRODUCTS: bool> {
     wires: [Wires<S::Double<L>>; PAIRS],
     left: S::Vector<L>,
     term: S::Vector<L>,
-    x: &'a Factor<S>,
-    y: [&'a Row<S>; CELLS],
+    inputs: RowInputs<'a, S>,
 }
 
 impl<S: Real, L: Simd, const PRODUCTS: bool> Course<'_, S, L, PRODUCTS> {
@@ -76,7 +70,7 @@ impl<S: Real, L: Simd, const PRODUCTS: bool> Course<'_, S, L, PRODUCTS> {
         self.left = self.converter.leave(self.term, met);
     }
 
-    /// The same, in which `words` act on D/As from number `first` on.
+    /// The same, in which `words` act on pairs from number `first` on.
     #[inline(always)]
     fn step_with(&mut self, n: usize, (words, first): (&Words, usize)) {
         let mut taking = Taking::<S, PAIRS>::default();
@@ -102,16 +96,15 @@ impl<S: Real, L: Simd, const PRODUCTS: bool> Course<'_, S, L, PRODUCTS> {
     /// What comes out of the multipliers at sample `n`.
     #[inline(always)]
     fn multiply(&mut self, n: usize) {
-        let load = |row: &Row<S>| S::Vector::<L>::from_slice(self.simd, &row[n].0);
-        let both = |row| S::Double::<L>::of(load(row), load(row));
-        let x = both(&self.x.value);
+        let x = self.inputs.x(self.simd, n);
         for pair in 0..PAIRS {
-            let y = S::Double::<L>::of(load(self.y[2 * pair]), load(self.y[2 * pair + 1]));
+            let y = self.inputs.y(self.simd, pair, n);
             let (parts, wires) = (&self.parts[pair], &mut self.wires[pair]);
             if PRODUCTS {
                 wires.take(&parts.lag, x * y);
             } else {
-                wires.multiply(parts, [x, both(&self.x.square)], both(&self.x.change), y);
+                let (x, change) = self.inputs.all_of_x(self.simd, n);
+                wires.multiply(parts, x, change, y);
             }
         }
     }
@@ -132,9 +125,9 @@ impl<S: Real> Grid<S> {
     /// Rows at rest under multipliers that are.
     pub(super) fn settle_rows(&self, wires: &mut GridWires<S>) {
         let Some(alike) = &self.alike else { return };
-        for row in 0..self.cells.len() / CELLS {
+        for row in 0..self.cells.len() / ROW {
             let mut term = Lanes::default();
-            for index in CELLS * row..CELLS * (row + 1) {
+            for index in ROW * row..ROW * (row + 1) {
                 term = term + wires.term(index);
             }
             wires.rows[row] = RowWires { left: alike.converter.leave(term, term), term };
@@ -156,8 +149,7 @@ impl<S: Real> Grid<S> {
         let GridWires { pairs, rows } = wires;
         let of_pairs = self.pairs.chunks_exact(PAIRS).zip(pairs.chunks_exact_mut(PAIRS));
         for (row, ((parts, wires), lag)) in of_pairs.zip(rows).enumerate() {
-            let first = CELLS * row;
-            let cells = &self.cells[first..first + CELLS];
+            let first = PAIRS * row;
             let mut course = Course::<S, L, PRODUCTS> {
                 simd,
                 parts: [parts[0].load(simd), parts[1].load(simd), parts[2].load(simd)],
@@ -165,14 +157,10 @@ impl<S: Real> Grid<S> {
                 wires: [wires[0].load(simd), wires[1].load(simd), wires[2].load(simd)],
                 left: S::Vector::<L>::from_slice(simd, &lag.left.0),
                 term: S::Vector::<L>::from_slice(simd, &lag.term.0),
-                x: &x[cells[0].factors[0]],
-                y: [&y[0]; CELLS],
+                inputs: RowInputs::of(self.cells[ROW * row].factors, (x, y)),
             };
-            for cell in 0..CELLS {
-                course.y[cell] = &y[cells[cell].factors[1]];
-            }
-            let sums = &mut partial[self.group(first)];
-            let taken = words.samples(first..first + CELLS);
+            let sums = &mut partial[self.group(ROW * row)];
+            let taken = words.samples(first..first + PAIRS);
             for n in 0..count.min(BLOCK) {
                 if taken >> n & 1 == 0 {
                     course.step(n);

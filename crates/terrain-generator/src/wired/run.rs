@@ -13,7 +13,7 @@ use super::out::Out;
 use super::parts_array::PartsArray;
 use super::scale::Scale;
 use super::state::{ArrayState, Coded, Due, Lane};
-use super::terms::{ALL, sign};
+use super::terms::{ALL, side_by_side, sign};
 use super::timing::range_at;
 use crate::TerrainGenerator;
 use crate::array::array;
@@ -205,7 +205,9 @@ impl<S: Real> Run<'_, S> {
         for (lane, from) in state.lanes.iter().enumerate() {
             for axis in 0..2 {
                 for unit in 0..UNITS {
-                    state.signs[axis][unit][lane] = S::from_f64(sign(unit, from.polarity[axis]));
+                    let [curve, end] = side_by_side(unit);
+                    let sign = S::from_f64(sign(unit, from.polarity[axis]));
+                    state.signs[axis][curve].0[LANES * end + lane] = sign;
                 }
             }
         }

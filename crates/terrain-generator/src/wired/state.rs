@@ -1,12 +1,11 @@
 //! Wires and registers of a group of sweeps.
 
 use fearless_simd::Simd;
-use fearless_simd::prelude::SimdBase;
 use landscape::CornerWords;
-use signal::{LANES, Lanes, Real};
+use signal::{Both, Double, LANES, Lanes, Real};
 use sweep_program::{Fold, RampAxis, SweepProgram};
 
-use super::basis::{AxisState, UNITS};
+use super::basis::{AxisState, CURVES};
 use super::block::{Block, Factor};
 use super::grid::GridWires;
 use super::ramp::RampState;
@@ -22,9 +21,9 @@ pub struct ArrayState<S> {
     pub(super) ramps: [RampState<S>; 2],
     pub(super) axes: [AxisState<S>; 2],
     /// Signs that the polarity gives the function generators.
-    pub(super) signs: [[Lanes<S>; UNITS]; 2],
+    pub(super) signs: [[Both<S>; CURVES]; 2],
     /// Factors of X with their signs, at the sample that went through last.
-    pub(super) before: [Lanes<S>; UNITS],
+    pub(super) before: [Both<S>; CURVES],
     pub(super) wires: GridWires<S>,
     pub(super) summers: [SummerState<S>; 3],
     /// The samples that went through last.
@@ -97,8 +96,8 @@ impl<S: Real> Default for ArrayState<S> {
             accumulators: Accumulators::default(),
             ramps: Default::default(),
             axes: Default::default(),
-            signs: [[Lanes::default(); UNITS]; 2],
-            before: [Lanes::default(); UNITS],
+            signs: [[Both::default(); CURVES]; 2],
+            before: [Both::default(); CURVES],
             wires: GridWires::default(),
             summers: Default::default(),
             block: Box::default(),
@@ -117,18 +116,16 @@ impl<S: Real> ArrayState<S> {
     #[inline(always)]
     pub(super) fn put_factors<L: Simd>(&mut self, simd: L, n: usize) {
         let Self { axes: [x, y], signs, block, before, .. } = self;
-        for unit in 0..UNITS {
-            let sign = S::Vector::<L>::from_slice(simd, &signs[0][unit].0);
-            let value = S::Vector::<L>::from_slice(simd, &x.out[unit].0) * sign;
-            let change = value - S::Vector::<L>::from_slice(simd, &before[unit].0);
-            let Factor { value: values, square, change: changes } = &mut block.x[unit];
-            value.store_slice(&mut values[n].0);
-            (value * value).store_slice(&mut square[n].0);
-            change.store_slice(&mut changes[n].0);
-            value.store_slice(&mut before[unit].0);
-            let sign = S::Vector::<L>::from_slice(simd, &signs[1][unit].0);
-            let value = S::Vector::<L>::from_slice(simd, &y.out[unit].0) * sign;
-            value.store_slice(&mut block.y[unit][n].0);
+        let load = |both: &Both<S>| S::Double::<L>::load(simd, both);
+        for curve in 0..CURVES {
+            let value = load(&x.out[curve]) * load(&signs[0][curve]);
+            let change = value - load(&before[curve]);
+            let Factor { value: values, square, change: changes } = &mut block.x[curve];
+            value.store(&mut values[n]);
+            (value * value).store(&mut square[n]);
+            change.store(&mut changes[n]);
+            value.store(&mut before[curve]);
+            (load(&y.out[curve]) * load(&signs[1][curve])).store(&mut block.y[curve][n]);
         }
     }
 }

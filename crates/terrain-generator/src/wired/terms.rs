@@ -11,6 +11,22 @@ pub(super) fn factors(sum: usize, term: usize) -> [usize; 2] {
     [ap + if sum == 1 { 6 } else { 0 }, bq + if sum == 2 { 6 } else { 0 }]
 }
 
+/// Ends of a ramp: near, far.
+pub(super) const ENDS: [usize; 2] = [0, 1];
+
+/// Units of an axis, and terms, are side by side with those of the same order at the other end of their ramp (of Y, for
+/// terms): number of the pair, and end.
+#[inline(always)]
+pub(super) fn side_by_side(one: usize) -> [usize; 2] {
+    [3 * (one / 6) + one % 3, one / 3 % 2]
+}
+
+/// The unit or term at one end of a pair.
+#[inline(always)]
+pub(super) fn one_of(pair: usize, end: usize) -> usize {
+    6 * (pair / 3) + 3 * end + pair % 3
+}
+
 /// Colour and word of a term.
 pub(super) fn word_of(term: usize) -> [usize; 2] {
     let (ap, bq) = (term / 6, term % 6);
@@ -35,7 +51,17 @@ pub(super) fn sign(unit: usize, polarity: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{TERMS, term_of, word_of};
+    use super::{ALL, TERMS, one_of, side_by_side, term_of, word_of};
+
+    #[test]
+    fn each_has_one_place_beside_another() {
+        for one in 0..ALL {
+            let [pair, end] = side_by_side(one);
+            assert_eq!(one_of(pair, end), one);
+            let [order, other] = [word_of(one % TERMS)[1], word_of(one_of(pair, 1 - end) % TERMS)[1]];
+            assert_eq!(order, other, "both are of the same order");
+        }
+    }
 
     #[test]
     fn a_word_has_one_term() {

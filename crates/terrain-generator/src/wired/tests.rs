@@ -35,9 +35,18 @@ impl Scene {
         Self::of_fan(0.17)
     }
 
+    fn long() -> Self {
+        let word = |index: usize, k: usize| 20.0 * (2.0 * unit_interval(4, &[index as u64, k as u64]) - 1.0);
+        let words = (0..900).map(|index| std::array::from_fn(|k| word(index, k))).collect();
+        Self::of(Level::new(SIZE, [0.0; 2], [30, 30], words).unwrap(), 0.0017, 4.0)
+    }
+
     fn of_fan(apart: f64) -> Self {
-        let level = level();
-        let ranges: Vec<f64> = (1..=1000).map(|k| f64::from(k) * 1.5).collect();
+        Self::of(level(), apart, 1.5)
+    }
+
+    fn of(level: Level, apart: f64, pace: f64) -> Self {
+        let ranges: Vec<f64> = (1..=1000).map(|k| f64::from(k) * pace).collect();
         let direction = |lane: usize| {
             let (sin, cos) = quantities::sin_cos(0.2 + apart * lane as f64);
             [cos, sin]
@@ -47,7 +56,7 @@ impl Scene {
         for program in &mut programs {
             // Instants as the sweep generator gives them: between samples.
             for step in &mut program.steps {
-                step.time.0 = step.range / 1.5 - 1.0;
+                step.time.0 = step.range / pace - 1.0;
             }
         }
         let sun = Sun { azimuth: 1.0, elevation: 0.3 };

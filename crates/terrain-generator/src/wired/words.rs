@@ -8,7 +8,7 @@ use signal::{Both, LANES, Real};
 
 use super::block::BLOCK;
 use super::grid::Cell;
-use super::terms::ALL;
+use super::terms::{ALL, ENDS, one_of};
 
 /// A multiplying D/A takes a new word.
 #[derive(Debug, Clone, Copy)]
@@ -164,12 +164,12 @@ impl Words {
         self.divided.work_out(h);
     }
 
-    /// Samples of the block within whose step a word acts on any of these D/As, bit by bit.
+    /// Samples of the block within whose step a word acts on a D/A of these pairs, bit by bit.
     #[inline(always)]
-    pub(super) fn samples(&self, indices: Range<usize>) -> u32 {
+    pub(super) fn samples(&self, pairs: Range<usize>) -> u32 {
         let mut all = 0;
-        for cell in &self.cells[indices] {
-            all |= cell.samples;
+        for pair in pairs {
+            ENDS.into_iter().for_each(|end| all |= self.cells[one_of(pair, end)].samples);
         }
         all
     }
@@ -251,14 +251,14 @@ impl<S: Real, const PAIRS: usize> Default for Taking<S, PAIRS> {
 }
 
 impl<S: Real, const PAIRS: usize> Taking<S, PAIRS> {
-    /// Gives D/As from number `first` on the words of the step to sample `n` of the block; `terms` are what comes out at its
-    /// end, lane by lane, of each D/A of a pair or of all together.
+    /// Gives the D/As of the pairs from number `first` on the words of the step to sample `n` of the block; `terms` are what
+    /// comes out at its end, lane by lane, of each D/A of a pair or of all together.
     #[inline(always)]
     pub(super) fn act(&mut self, words: &Words, first: usize, n: usize, terms: &mut [S]) {
         for pair in 0..PAIRS {
-            for k in 0..2 {
-                for word in words.acting(first + 2 * pair + k, n) {
-                    let lane = LANES * k + word.lane as usize;
+            for end in ENDS {
+                for word in words.acting(one_of(first + pair, end), n) {
+                    let lane = LANES * end + word.lane as usize;
                     let ends = [self.begin[pair].0[lane], self.end[pair].0[lane]].map(S::to_f64);
                     let held = &mut self.weight[pair].0[lane];
                     let more = words.more(word, ends, held.to_f64());

@@ -2,7 +2,7 @@ use super::*;
 use std::time::Instant;
 #[test]
 fn bench() {
-    let scene = Scene::of_fan(0.0017);
+    let scene = Scene::long();
     let mut lean = AnalogParts::ideal();
     lean.full_scale = 10.0;
     lean.function_generator.bandwidth = Some(5e6);

@@ -104,7 +104,9 @@ fn heights(array: &PartsArray<f64>, scene: &Scene, lane: usize) -> Vec<f64> {
     let factors = |axes: &[_; 2], sample: i64| {
         let axes: &[crate::wired::basis::AxisState<f64>; 2] = axes;
         [0, 1].map(|axis| {
-            std::array::from_fn(|unit| axes[axis].out[unit] * Lanes::splat(sign(unit, signs(sample)[axis])))
+            std::array::from_fn(|unit| {
+                axes[axis].output(unit) * Lanes::splat(sign(unit, signs(sample)[axis]))
+            })
         })
     };
     let mut before = factors(&axes, foot);
