@@ -58,6 +58,8 @@ pub trait Double<L: Simd, S: Real>:
     fn of(low: S::Vector<L>, high: S::Vector<L>) -> Self;
     /// Its halves.
     fn halves(self) -> [S::Vector<L>; 2];
+    /// Of the lanes whose bit is set in `lanes` those of `these`, of the others those of `others`.
+    fn chosen(simd: L, lanes: u64, these: Self, others: Self) -> Self;
     /// Sizes.
     fn size(self) -> Self;
     /// The larger of each two.
@@ -91,6 +93,11 @@ impl<L: Simd> Double<L, f32> for f32x16<L> {
     fn halves(self) -> [f32x8<L>; 2] {
         let (low, high) = self.split();
         [low, high]
+    }
+
+    #[inline(always)]
+    fn chosen(simd: L, lanes: u64, these: Self, others: Self) -> Self {
+        <Self as SimdBase<L>>::Mask::from_bitmask(simd, lanes).select(these, others)
     }
 
     #[inline(always)]
@@ -156,6 +163,15 @@ impl<L: Simd> Double<L, f64> for Twice<f64x8<L>> {
     #[inline(always)]
     fn halves(self) -> [f64x8<L>; 2] {
         self.0
+    }
+
+    #[inline(always)]
+    fn chosen(simd: L, lanes: u64, these: Self, others: Self) -> Self {
+        let mask = |lanes| <f64x8<L> as SimdBase<L>>::Mask::from_bitmask(simd, lanes);
+        Self([
+            mask(lanes & 0xff).select(these.0[0], others.0[0]),
+            mask(lanes >> LANES).select(these.0[1], others.0[1]),
+        ])
     }
 
     #[inline(always)]

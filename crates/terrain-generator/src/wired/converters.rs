@@ -7,74 +7,113 @@
 use std::mem;
 
 use landscape::CornerWords;
-use signal::Real;
+use signal::{LANES, Real};
 
 use super::run::Run;
 use super::state::{ArrayState, Coded, Due, Lane};
-use super::terms::{ALL, TERMS, term_of, word_of};
+use super::terms::{TERMS, term_of};
 use super::words::{Change, Words};
 
 impl<S: Real> Run<'_, S> {
     /// Puts the words on their way whose strobes are due by `sample`.
     #[inline(never)]
     pub(super) fn strobe(&self, sample: i64, state: &mut ArrayState<S>) {
-        let when = (&self.array.timing, self.generator);
         let ArrayState { lanes, words, coded, due, .. } = state;
-        for (number, (lane, program)) in lanes.iter_mut().zip(self.programs).enumerate() {
-            while let Some((at, has_new)) = lane.strobe(sample, program, when) {
-                if has_new {
-                    self.send(at, (number, lane), coded, words);
-                }
-            }
-        }
+        self.strobe_to(sample, lanes, coded, |at, lane, colour, coded| {
+            self.send(at, lane, (colour, coded), words)
+        });
         *due = Due::of(lanes);
     }
 
-    /// Puts the words of the hold registers of a lane on their way that are others than before; a nominal D/A has them
-    /// `at`.
-    fn send(&self, at: f64, (number, lane): (usize, &mut Lane), coded: &mut [Coded; 4], words: &mut Words) {
-        let array = self.array;
-        let hold = lane.registers.hold(self.generator.buffer);
-        let glitching = array.words.as_ref().filter(|_| array.glitch != 0.0);
-        for (colour, new) in hold.into_iter().enumerate() {
-            if *new == lane.held[colour] {
-                continue;
-            }
-            let coded = &mut coded[colour];
-            if coded.words != *new {
-                *coded = array.coded(new);
-            }
-            for word in 0..9 {
-                if new[word] == lane.held[colour][word] {
+    /// The same by rows, where D/As are alike and of time constant `tau` (s).
+    #[inline(never)]
+    pub(super) fn strobe_rows(&self, sample: i64, tau: f64, state: &mut ArrayState<S>) {
+        let (ArrayState { lanes, row_words, coded, due, .. }, array) = (state, self.array);
+        let lag = [array.timing.step, tau];
+        self.strobe_to(sample, lanes, coded, |at, (number, _), colour, coded| {
+            row_words.send((at, number), (colour, coded), &array.factors, lag);
+        });
+        row_words.flush(lag);
+        *due = Due::of(lanes);
+    }
+
+    /// Hands over the colours that get other words by strobes that are due by `sample`, lane by lane: when a nominal D/A has
+    /// them.
+    #[inline(always)]
+    fn strobe_to(
+        &self,
+        sample: i64,
+        lanes: &mut [Lane; LANES],
+        coded: &mut [Coded; 4],
+        mut send: impl FnMut(f64, (usize, &mut Lane), usize, &Coded),
+    ) {
+        let when = (&self.array.timing, self.generator);
+        for (number, (lane, program)) in lanes.iter_mut().zip(self.programs).enumerate() {
+            while let Some((at, has_new)) = lane.strobe(sample, program, when) {
+                if !has_new {
                     continue;
                 }
-                let (now, share) = (coded.numbers[word], coded.shares[word]);
-                let from = mem::replace(&mut lane.numbers[colour][word], now);
-                let carry = glitching.map_or(0.0, |part| part.carry(from, now));
-                for index in (term_of(colour, word)..).step_by(TERMS).take(3) {
-                    let change = Change {
-                        at: at + array.timing.later(index),
-                        index,
-                        lane: number,
-                        weight: share * array.factors[index],
-                        pulse: array.glitch * carry,
-                    };
-                    words.send(change, array.grid.cells[index].tau);
+                for (colour, coded) in coded.iter_mut().enumerate() {
+                    let new = *lane.registers.hold(self.generator.buffer)[colour];
+                    if new != lane.held[colour] {
+                        if coded.words != new {
+                            *coded = self.array.coded(&new);
+                        }
+                        send(at, (number, lane), colour, coded);
+                        lane.held[colour] = new;
+                    }
                 }
             }
-            lane.held[colour] = *new;
+        }
+    }
+
+    /// Puts the words of a colour on their way that are others than before.
+    #[inline(always)]
+    fn send(
+        &self,
+        at: f64,
+        (number, lane): (usize, &mut Lane),
+        (colour, coded): (usize, &Coded),
+        words: &mut Words,
+    ) {
+        let array = self.array;
+        let glitching = array.words.as_ref().filter(|_| array.glitch != 0.0);
+        for word in 0..9 {
+            if coded.words[word] == lane.held[colour][word] {
+                continue;
+            }
+            let (now, share) = (coded.numbers[word], coded.shares[word]);
+            let from = mem::replace(&mut lane.numbers[colour][word], now);
+            let carry = glitching.map_or(0.0, |part| part.carry(from, now));
+            for index in (term_of(colour, word)..).step_by(TERMS).take(3) {
+                let change = Change {
+                    at: at + array.timing.later(index),
+                    index,
+                    lane: number,
+                    weight: share * array.factors[index],
+                    pulse: array.glitch * carry,
+                };
+                words.send(change, array.grid.cells[index].tau);
+            }
         }
     }
 
     /// Registers as they are as a sweep begins.
     pub(super) fn fill_registers(&self, state: &mut ArrayState<S>) {
         let array = self.array;
-        for (number, lane) in state.lanes.iter_mut().enumerate() {
+        let ArrayState { lanes, coded, wires, .. } = state;
+        for (number, lane) in lanes.iter_mut().enumerate() {
             lane.held = lane.registers.hold(self.generator.buffer).map(|words| *words);
-            lane.numbers = lane.held.each_ref().map(|words| array.coded(words).numbers);
-            for index in 0..ALL {
-                let [colour, _] = word_of(index % TERMS);
-                *state.wires.weight(index, number) = S::from_f64(array.weight(&lane.held[colour], index));
+            for (colour, coded) in coded.iter_mut().enumerate() {
+                if coded.words != lane.held[colour] {
+                    *coded = array.coded(&lane.held[colour]);
+                }
+                lane.numbers[colour] = coded.numbers;
+                for (word, share) in coded.shares.iter().enumerate() {
+                    for index in (term_of(colour, word)..).step_by(TERMS).take(3) {
+                        *wires.weight(index, number) = S::from_f64(share * array.factors[index]);
+                    }
+                }
             }
         }
     }
@@ -97,16 +136,11 @@ impl<S: Real> super::PartsArray<S> {
     }
 
     /// The number of a word in its D/A, 0 where they take any, and its share of full scale there.
-    fn number(&self, words: &CornerWords, word: usize) -> (i32, f64) {
+    pub(super) fn number(&self, words: &CornerWords, word: usize) -> (i32, f64) {
         let share = self.scale.share(words, word);
         self.words.as_ref().map_or((0, share), |converter| {
             let number = converter.word(share);
             (number, converter.coefficient(number))
         })
-    }
-
-    /// What D/A `index` multiplies by for these words.
-    pub(super) fn weight(&self, words: &CornerWords, index: usize) -> f64 {
-        self.number(words, word_of(index % TERMS)[1]).1 * self.factors[index]
     }
 }

@@ -289,12 +289,13 @@ impl<S: Real, L: Simd> Pair<S, L> {
 }
 
 impl<S: Real> Grid<S> {
-    /// Of these cells, of which `inputs` meet at one amplifier.
-    pub(super) fn new(cells: Vec<Cell<S>>, inputs: usize) -> Self {
+    /// Of these cells, of which `inputs` meet at one amplifier; whether their D/As switch in the same instant, without a
+    /// pulse.
+    pub(super) fn new(cells: Vec<Cell<S>>, inputs: usize, act_together: bool) -> Self {
         let parts = |pair: usize, end: usize| &cells[one_of(pair, end)].parts;
         let beside = |pair| parts(pair, 0).beside(parts(pair, 1), |near, far| Both::splat([near, far]));
         let pairs = (0..cells.len() / 2).map(beside).collect();
-        Self { pairs, alike: Alike::of(&cells, inputs), cells, inputs }
+        Self { pairs, alike: Alike::of(&cells, inputs).filter(|_| act_together), cells, inputs }
     }
 
     /// Amplifiers of the first stage of one sum.
@@ -324,29 +325,9 @@ impl<S: Real> Grid<S> {
         self.settle_rows(wires);
     }
 
-    /// The first `count` samples of a block, after those before it. D/As that are alike are one lag a row, but for who
-    /// `looks` at them.
+    /// The first `count` samples of a block, after those before it.
     #[inline(always)]
     pub(super) fn run<L: Simd>(
-        &self,
-        simd: L,
-        block: &mut Block<S>,
-        count: usize,
-        words: &Words,
-        (wires, looks): (&mut GridWires<S>, bool),
-    ) {
-        block.partial.iter_mut().for_each(|sums| *sums = [Lanes::default(); BLOCK]);
-        match &self.alike {
-            Some(alike) if !looks && alike.are_products => {
-                self.run_rows::<L, true>(simd, alike, block, count, words, wires);
-            }
-            Some(alike) if !looks => self.run_rows::<L, false>(simd, alike, block, count, words, wires),
-            _ => self.run_pairs(simd, block, count, words, wires),
-        }
-    }
-
-    #[inline(always)]
-    fn run_pairs<L: Simd>(
         &self,
         simd: L,
         block: &mut Block<S>,
@@ -355,6 +336,7 @@ impl<S: Real> Grid<S> {
         wires: &mut GridWires<S>,
     ) {
         let Block { x, y, partial, .. } = block;
+        partial.iter_mut().for_each(|sums| *sums = [Lanes::default(); BLOCK]);
         let mut out = [[Both::default(); BLOCK]; PAIRS];
         for row in 0..self.pairs.len() / PAIRS {
             let inputs = RowInputs::of(self.cells[ROW * row].factors, (x, y));

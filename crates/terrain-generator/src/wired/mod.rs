@@ -29,6 +29,7 @@ mod grid;
 mod out;
 mod parts_array;
 mod ramp;
+mod row_words;
 mod rows;
 mod run;
 mod scale;

@@ -114,6 +114,7 @@ impl<S: Real> PartsArray<S> {
                 _ => slope_of(word % 3),
             }
         };
+        let act_together = timing.are_together() && parts.multiplying_dac.glitch == 0.0;
         let largest = |taus: &[f64]| taus.iter().copied().fold(0.0, f64::max);
         let mut chain = vec![largest(&multiplier_taus), largest(&converter_taus)];
         for axis in 0..2 {
@@ -124,7 +125,7 @@ impl<S: Real> PartsArray<S> {
         Self {
             scale,
             generators,
-            grid: Grid::new((0..ALL).map(cell).collect(), summers[0].inputs()),
+            grid: Grid::new((0..ALL).map(cell).collect(), summers[0].inputs(), act_together),
             words: parts.multiplying_dac.bits.map(|bits| MultiplyingConverter::new(h, bits, 1.0, 0.0, 0.0)),
             factors: (0..ALL).map(factor).collect(),
             glitch: parts.multiplying_dac.glitch / parts.full_scale,

@@ -14,24 +14,26 @@ use signal::{Double, Lanes, Real};
 
 use super::block::{BLOCK, Block};
 use super::grid::{Cell, CellParts, Grid, GridWires, PAIRS, ROW, RowInputs, Wires};
-use super::words::{Taking, Words};
+use super::row_words::RowWords;
 
 /// What all D/As of a grid are.
 #[derive(Debug, Clone)]
 pub(super) struct Alike<S> {
     converter: LagStep<S>,
+    /// Their time constant (s).
+    pub(super) tau: f64,
     /// Whether multipliers are products and lags.
-    pub(super) are_products: bool,
+    are_products: bool,
 }
 
 impl<S: Real> Alike<S> {
     /// Of cells of which `inputs` meet at one amplifier, if their D/As are alike and whole rows meet there.
     pub(super) fn of(cells: &[Cell<S>], inputs: usize) -> Option<Self> {
-        let converter = cells.first()?.parts.converter;
+        let (converter, tau) = (cells.first()?.parts.converter, cells[0].tau);
         let is_alike = |cell: &Cell<S>| cell.parts.converter == converter && cell.parts.past.is_none();
         let is_product = |cell: &Cell<S>| cell.parts.multiplier.is_ideal() && cell.parts.leak.is_none();
         let are_products = cells.iter().all(is_product);
-        (inputs % ROW == 0 && cells.iter().all(is_alike)).then_some(Self { converter, are_products })
+        (inputs % ROW == 0 && cells.iter().all(is_alike)).then_some(Self { converter, tau, are_products })
     }
 }
 
@@ -70,27 +72,28 @@ impl<S: Real, L: Simd, const PRODUCTS: bool> Course<'_, S, L, PRODUCTS> {
         self.left = self.converter.leave(self.term, met);
     }
 
-    /// The same, in which `words` act on pairs from number `first` on.
+    /// The same, in which `words` act on row `row`.
     #[inline(always)]
-    fn step_with(&mut self, n: usize, (words, first): (&Words, usize)) {
-        let mut taking = Taking::<S, PAIRS>::default();
-        for pair in 0..PAIRS {
-            self.wires[pair].product.store(&mut taking.begin[pair]);
-        }
+    fn step_with(&mut self, n: usize, (words, row): (&RowWords<S>, usize)) {
+        let begin = self.products();
         self.multiply(n);
         self.term = self.converter.end(self.left, self.meet());
-        for pair in 0..PAIRS {
-            self.wires[pair].product.store(&mut taking.end[pair]);
-            self.wires[pair].weight.store(&mut taking.weight[pair]);
+        let mut weight = [self.wires[0].weight; PAIRS];
+        for pair in 1..PAIRS {
+            weight[pair] = self.wires[pair].weight;
         }
-        let mut term = Lanes::default();
-        self.term.store_slice(&mut term.0);
-        taking.act(words, first, n, &mut term.0);
-        self.term = S::Vector::<L>::from_slice(self.simd, &term.0);
+        let more = words.act(self.simd, (row, n), [begin, self.products()], &mut weight);
+        let [near, far] = more.halves();
+        self.term += near + far;
         for pair in 0..PAIRS {
-            self.wires[pair].weight = S::Double::<L>::load(self.simd, &taking.weight[pair]);
+            self.wires[pair].weight = weight[pair];
         }
         self.left = self.converter.leave(self.term, self.meet());
+    }
+
+    #[inline(always)]
+    fn products(&self) -> [S::Double<L>; PAIRS] {
+        [self.wires[0].product, self.wires[1].product, self.wires[2].product]
     }
 
     /// What comes out of the multipliers at sample `n`.
@@ -136,20 +139,37 @@ impl<S: Real> Grid<S> {
 
     /// As [`run`](Self::run), by rows of D/As that are `alike`.
     #[inline(always)]
-    pub(super) fn run_rows<L: Simd, const PRODUCTS: bool>(
+    pub(super) fn run_rows<L: Simd>(
         &self,
         simd: L,
         alike: &Alike<S>,
         block: &mut Block<S>,
         count: usize,
-        words: &Words,
+        words: &RowWords<S>,
+        wires: &mut GridWires<S>,
+    ) {
+        block.partial.iter_mut().for_each(|sums| *sums = [Lanes::default(); BLOCK]);
+        if alike.are_products {
+            self.run_rows_of::<L, true>(simd, alike, block, count, words, wires);
+        } else {
+            self.run_rows_of::<L, false>(simd, alike, block, count, words, wires);
+        }
+    }
+
+    #[inline(always)]
+    fn run_rows_of<L: Simd, const PRODUCTS: bool>(
+        &self,
+        simd: L,
+        alike: &Alike<S>,
+        block: &mut Block<S>,
+        count: usize,
+        words: &RowWords<S>,
         wires: &mut GridWires<S>,
     ) {
         let Block { x, y, partial, .. } = block;
         let GridWires { pairs, rows } = wires;
         let of_pairs = self.pairs.chunks_exact(PAIRS).zip(pairs.chunks_exact_mut(PAIRS));
         for (row, ((parts, wires), lag)) in of_pairs.zip(rows).enumerate() {
-            let first = PAIRS * row;
             let mut course = Course::<S, L, PRODUCTS> {
                 simd,
                 parts: [parts[0].load(simd), parts[1].load(simd), parts[2].load(simd)],
@@ -160,12 +180,12 @@ impl<S: Real> Grid<S> {
                 inputs: RowInputs::of(self.cells[ROW * row].factors, (x, y)),
             };
             let sums = &mut partial[self.group(ROW * row)];
-            let taken = words.samples(first..first + PAIRS);
+            let taken = words.samples(row);
             for n in 0..count.min(BLOCK) {
                 if taken >> n & 1 == 0 {
                     course.step(n);
                 } else {
-                    course.step_with(n, (words, first));
+                    course.step_with(n, (words, row));
                 }
                 let mut sum = S::Vector::<L>::from_slice(simd, &sums[n].0);
                 sum += course.term;

@@ -84,6 +84,7 @@ impl<S: Real> Run<'_, S> {
         self.take_words(first, state);
         state.put_factors(simd, 0);
         array.grid.settle(&mut state.block, &mut state.wires);
+        state.row_words.start(&state.wires);
         let Block { partial, sums, .. } = &mut *state.block;
         for (sum, summer) in array.summers.iter().enumerate() {
             sums[sum][0] = summer.at_rest(rows_of(sum, partial), &mut state.summers[sum]);
@@ -135,11 +136,23 @@ impl<S: Real> Run<'_, S> {
     #[inline(always)]
     fn advance<L: Simd, T: Tap<S>>(&self, simd: L, samples: &Range<i64>, state: &mut ArrayState<S>) {
         let (array, count) = (self.array, (samples.end - samples.start) as usize);
-        state.words.begin(samples, &array.grid.cells);
-        if state.due.strobe <= (samples.end - 1) as f64 {
-            self.strobe(samples.end - 1, state);
+        let alike = array.grid.alike.as_ref().filter(|_| !T::WIRES);
+        let has_strobes = state.due.strobe <= (samples.end - 1) as f64;
+        match alike {
+            Some(alike) => {
+                state.row_words.begin(samples);
+                if has_strobes {
+                    self.strobe_rows(samples.end - 1, alike.tau, state);
+                }
+            }
+            None => {
+                state.words.begin(samples, &array.grid.cells);
+                if has_strobes {
+                    self.strobe(samples.end - 1, state);
+                }
+                state.words.divide(array.timing.step);
+            }
         }
-        state.words.divide(array.timing.step);
         for (n, sample) in samples.clone().enumerate() {
             self.ramp(simd, (sample, n), state);
         }
@@ -152,7 +165,11 @@ impl<S: Real> Run<'_, S> {
             }
             state.put_factors(simd, n);
         }
-        array.grid.run(simd, &mut state.block, count, &state.words, (&mut state.wires, T::WIRES));
+        let ArrayState { block, words, row_words, wires, .. } = state;
+        match alike {
+            Some(alike) => array.grid.run_rows(simd, alike, block, count, row_words, wires),
+            None => array.grid.run(simd, block, count, words, wires),
+        }
         let Block { partial, sums, .. } = &mut *state.block;
         for (sum, summer) in array.summers.iter().enumerate() {
             sums[sum] = summer.run(simd, rows_of(sum, partial), count, &mut state.summers[sum]);

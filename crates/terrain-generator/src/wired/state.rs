@@ -9,6 +9,7 @@ use super::basis::{AxisState, CURVES};
 use super::block::{Block, Factor};
 use super::grid::GridWires;
 use super::ramp::RampState;
+use super::row_words::RowWords;
 use super::summer::SummerState;
 use super::timing::Timing;
 use super::words::Words;
@@ -29,6 +30,8 @@ pub struct ArrayState<S> {
     /// The samples that went through last.
     pub(super) block: Box<Block<S>>,
     pub(super) words: Words,
+    /// Those of D/As that are alike.
+    pub(super) row_words: RowWords<S>,
     /// What was coded last, colour by colour: sweeps of a group meet the same corners.
     pub(super) coded: [Coded; 4],
     /// Deviates of the sums, at this sample and at the other of its pair.
@@ -102,6 +105,7 @@ impl<S: Real> Default for ArrayState<S> {
             summers: Default::default(),
             block: Box::default(),
             words: Words::default(),
+            row_words: RowWords::default(),
             coded: [Coded::NONE; 4],
             noise: [[[0.0; LANES]; 2]; 3],
             trim: [0.0; LANES],

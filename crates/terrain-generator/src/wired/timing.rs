@@ -104,6 +104,11 @@ impl Timing {
         self.acts(step, self.to_polarity, generator, program)
     }
 
+    /// Whether all D/As switch in the same instant.
+    pub fn are_together(&self) -> bool {
+        self.later.is_empty()
+    }
+
     /// By how many samples D/A `index` is later than a nominal one.
     pub fn later(&self, index: usize) -> f64 {
         self.later.get(index).copied().unwrap_or(0.0)

@@ -48,8 +48,8 @@ fn words(array: &PartsArray<f64>, scene: &Scene, program: &SweepProgram) -> Vec<
     let held = |registers: &Registers, index: usize| {
         let [colour, word] = word_of(index % TERMS);
         let words = registers.hold(generator.buffer)[colour];
-        let number = array.words.as_ref().map_or(0, |part| part.word(array.scale.share(words, word)));
-        (array.weight(words, index), number)
+        let (number, share) = array.number(words, word);
+        (share * array.factors[index], number)
     };
     let mut all: Vec<Vec<Word>> =
         (0..ALL).map(|index| vec![(f64::NEG_INFINITY, held(&registers, index).0, 0.0)]).collect();
