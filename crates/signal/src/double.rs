@@ -224,7 +224,8 @@ mod tests {
         let wires = [[wire(3.0), wire(11.0)], [wire(-40.5), wire(1e9)]];
         let [a, b] = wires.map(|[low, high]| {
             let mut both = Both::default();
-            (both.set(0, low), both.set(1, high));
+            both.set(0, low);
+            both.set(1, high);
             both
         });
         for level in [Level::new(), Level::baseline()] {

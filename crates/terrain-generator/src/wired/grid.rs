@@ -2,45 +2,17 @@
 //!
 //! Nearly all parts of a machine stand here, so the loop over them is the machine's cost: a block of samples goes
 //! through the cells two by two, both with their eight lanes in a vector of sixteen, and is divided only where a D/A takes
-//! a new word. Each lag keeps what it leaves for the next sample instead of its input and output. A part that is ideal has
-//! the coefficients of one.
+//! a new word. D/As that are alike need less (`rows`).
 
 use fearless_simd::Simd;
 use fearless_simd::prelude::SimdBase;
-use parts::{Feedthrough, LagStep, Multiplier, Wire};
 use signal::{Both, Double, LANES, Lanes, Real};
 
 use super::block::{BLOCK, Block, BothRow, Factor, Row};
+use super::cell::{Cell, CellParts, Wires};
 use super::rows::{Alike, RowWires};
-use super::terms::{TERMS, one_of, side_by_side};
+use super::terms::{PAIRS, ROW, TERMS, one_of, side_by_side};
 use super::words::{Taking, Words};
-
-/// Cells of a row.
-pub(super) const ROW: usize = 6;
-/// The same two by two.
-pub(super) const PAIRS: usize = ROW / 2;
-
-/// A multiplier and its D/A.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Cell<S> {
-    /// The function generators that feed it: X, Y.
-    pub(super) factors: [usize; 2],
-    pub(super) parts: CellParts<S>,
-    /// Time constant of the D/A (s), for steps that a new word divides.
-    pub(super) tau: f64,
-}
-
-/// Figures of its parts, or of those of two cells side by side.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct CellParts<T> {
-    pub(super) multiplier: Multiplier<T>,
-    /// What leaks of the first input past the multiplier.
-    pub(super) leak: Feedthrough<T>,
-    pub(super) lag: LagStep<T>,
-    pub(super) converter: LagStep<T>,
-    /// What leaks of the signal past the D/A, whatever its word.
-    pub(super) past: Feedthrough<T>,
-}
 
 /// All of them, and how many meet at one amplifier.
 #[derive(Debug, Clone)]
@@ -51,19 +23,6 @@ pub(super) struct Grid<S> {
     inputs: usize,
     /// What all D/As are, if they are alike.
     pub(super) alike: Option<Alike<S>>,
-}
-
-/// Wires of a cell at a sample, of a group; or of two cells side by side.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Wires<V> {
-    /// What the multiplier's lag leaves for the next sample.
-    product_left: V,
-    pub(super) product: V,
-    /// What the D/A multiplies by.
-    pub(super) weight: V,
-    /// What the D/A's lag leaves for the next sample.
-    term_left: V,
-    pub(super) term: V,
 }
 
 /// Wires of all cells of a group, two by two, and of rows of cells whose D/As are alike.
@@ -86,124 +45,10 @@ impl<S: Real> GridWires<S> {
         &mut self.pairs[pair].weight.0[LANES * end + lane]
     }
 
-    /// The same, of all lanes.
-    pub(super) fn weights(&self, index: usize) -> Lanes<S> {
-        let [pair, end] = side_by_side(index);
-        self.pairs[pair].weight.wire(end)
-    }
-
     /// What D/A `index` puts out.
     pub(super) fn term(&self, index: usize) -> Lanes<S> {
         let [pair, end] = side_by_side(index);
         self.pairs[pair].term.wire(end)
-    }
-}
-
-impl<S: Real> Wires<Both<S>> {
-    #[inline(always)]
-    pub(super) fn load<L: Simd>(&self, simd: L) -> Wires<S::Double<L>> {
-        let load = |wire| S::Double::<L>::load(simd, wire);
-        Wires {
-            product_left: load(&self.product_left),
-            product: load(&self.product),
-            weight: load(&self.weight),
-            term_left: load(&self.term_left),
-            term: load(&self.term),
-        }
-    }
-
-    #[inline(always)]
-    pub(super) fn store<L: Simd>(&mut self, wires: &Wires<S::Double<L>>) {
-        wires.product_left.store(&mut self.product_left);
-        wires.product.store(&mut self.product);
-        wires.weight.store(&mut self.weight);
-        wires.term_left.store(&mut self.term_left);
-        wires.term.store(&mut self.term);
-    }
-
-    fn set(&mut self, wire: usize, wires: &Wires<Lanes<S>>) {
-        self.product_left.set(wire, wires.product_left);
-        self.product.set(wire, wires.product);
-        self.weight.set(wire, wires.weight);
-        self.term_left.set(wire, wires.term_left);
-        self.term.set(wire, wires.term);
-    }
-}
-
-impl<V: Copy> Wires<V> {
-    /// The product a step later; `x` with its square, and its change over the step.
-    #[inline(always)]
-    pub(super) fn multiply<S: Copy>(&mut self, parts: &CellParts<S>, x: [V; 2], change: V, y: V)
-    where
-        V: Wire<S>,
-    {
-        self.take(&parts.lag, parts.multiplier.product_of(x, y) + parts.leak.of_change(change));
-    }
-
-    /// The product a step later, at the end of which `raw` comes to its lag.
-    #[inline(always)]
-    pub(super) fn take<S: Copy>(&mut self, lag: &LagStep<S>, raw: V)
-    where
-        V: Wire<S>,
-    {
-        self.product = lag.end(self.product_left, raw);
-        self.product_left = lag.leave(self.product, raw);
-    }
-}
-
-impl<S: Copy> CellParts<S> {
-    /// Each figure of these parts with that of others, through `f`.
-    fn beside<T>(&self, other: &Self, f: impl Fn(S, S) -> T) -> CellParts<T> {
-        CellParts {
-            multiplier: self.multiplier.beside(&other.multiplier, &f),
-            leak: self.leak.beside(&other.leak, &f),
-            lag: self.lag.beside(&other.lag, &f),
-            converter: self.converter.beside(&other.converter, &f),
-            past: self.past.beside(&other.past, &f),
-        }
-    }
-
-    /// Product and term a step later; `x` with its square, and its change over the step.
-    #[inline(always)]
-    fn step<V: Wire<S>>(&self, wires: &mut Wires<V>, x: [V; 2], change: V, y: V) {
-        wires.multiply(self, x, change, y);
-        wires.term = self.converter.end(wires.term_left, wires.product * wires.weight);
-    }
-
-    /// What comes out at the end of a step that the product has begun with `before`.
-    #[inline(always)]
-    fn put<V: Wire<S>>(&self, wires: &mut Wires<V>, before: V) -> V {
-        wires.term_left = self.converter.leave(wires.term, wires.product * wires.weight);
-        wires.term + self.past.of_change(wires.product - before)
-    }
-}
-
-impl<S: Real> CellParts<S> {
-    /// The wires at rest under factors that stand.
-    fn at_rest(&self, [x, y]: [Lanes<S>; 2], weight: Lanes<S>) -> Wires<Lanes<S>> {
-        let product = self.multiplier.product(x, y);
-        let term = product * weight;
-        Wires {
-            product_left: self.lag.leave(product, product),
-            product,
-            weight,
-            term_left: self.converter.leave(term, term),
-            term,
-        }
-    }
-}
-
-impl<S: Real> CellParts<Both<S>> {
-    #[inline(always)]
-    pub(super) fn load<L: Simd>(&self, simd: L) -> CellParts<S::Double<L>> {
-        let load = |figure: Both<S>| S::Double::<L>::load(simd, &figure);
-        CellParts {
-            multiplier: self.multiplier.each(load),
-            leak: self.leak.each(load),
-            lag: self.lag.each(load),
-            converter: self.converter.each(load),
-            past: self.past.each(load),
-        }
     }
 }
 
@@ -276,14 +121,14 @@ impl<S: Real, L: Simd> Pair<S, L> {
     ) -> S::Double<L> {
         let before = self.wires.product;
         self.parts.step(&mut self.wires, x.0, x.1, y);
-        let (mut taking, mut term) = (Taking::<S, 1>::default(), Both::default());
-        before.store(&mut taking.begin[0]);
-        self.wires.product.store(&mut taking.end[0]);
-        self.wires.weight.store(&mut taking.weight[0]);
-        self.wires.term.store(&mut term);
-        taking.act(words, pair, n, &mut term.0);
-        self.wires.weight = S::Double::<L>::load(simd, &taking.weight[0]);
-        self.wires.term = S::Double::<L>::load(simd, &term);
+        let mut taking = Taking::default();
+        before.store(&mut taking.begin);
+        self.wires.product.store(&mut taking.end);
+        self.wires.weight.store(&mut taking.weight);
+        self.wires.term.store(&mut taking.term);
+        taking.act(words, pair, n);
+        self.wires.weight = S::Double::<L>::load(simd, &taking.weight);
+        self.wires.term = S::Double::<L>::load(simd, &taking.term);
         self.parts.put(&mut self.wires, before)
     }
 }
@@ -344,7 +189,7 @@ impl<S: Real> Grid<S> {
                 let number = PAIRS * row + place;
                 let wires = &mut wires.pairs[number];
                 let mut pair = Pair::<S, L> { parts: self.pairs[number].load(simd), wires: wires.load(simd) };
-                let taken = words.samples(number..number + 1);
+                let taken = words.samples(number);
                 for (n, out) in out[place][..count].iter_mut().enumerate() {
                     let (x, y) = (inputs.all_of_x(simd, n), inputs.y(simd, place, n));
                     let takes = taken >> n & 1 == 1;

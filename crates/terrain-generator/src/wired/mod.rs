@@ -24,6 +24,7 @@
 
 mod basis;
 mod block;
+mod cell;
 mod converters;
 mod grid;
 mod out;

@@ -14,7 +14,8 @@ use sweep_program::SweepProgram;
 
 use super::basis::AxisGenerators;
 use super::block::BLOCK;
-use super::grid::{Cell, CellParts, Grid};
+use super::cell::{Cell, CellParts};
+use super::grid::Grid;
 use super::ramp::RampParts;
 use super::run::Run;
 use super::scale::{PEAKS, SLOPE_PEAKS, Scale};

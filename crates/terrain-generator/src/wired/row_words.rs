@@ -12,9 +12,9 @@ use parts::LagStep;
 use signal::{Both, Double, LANES, Lanes, Real};
 
 use super::block::BLOCK;
-use super::grid::{GridWires, PAIRS, ROW};
+use super::grid::GridWires;
 use super::state::Coded;
-use super::terms::{ALL, TERMS, side_by_side, term_of};
+use super::terms::{ALL, PAIRS, ROW, TERMS, side_by_side, term_of};
 
 /// Rows of an array.
 const ROWS: usize = ALL / ROW;

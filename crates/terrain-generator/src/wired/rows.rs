@@ -13,8 +13,10 @@ use parts::LagStep;
 use signal::{Double, Lanes, Real};
 
 use super::block::{BLOCK, Block};
-use super::grid::{Cell, CellParts, Grid, GridWires, PAIRS, ROW, RowInputs, Wires};
+use super::cell::{Cell, CellParts, Wires};
+use super::grid::{Grid, GridWires, RowInputs};
 use super::row_words::RowWords;
+use super::terms::{PAIRS, ROW};
 
 /// What all D/As of a grid are.
 #[derive(Debug, Clone)]
@@ -33,7 +35,8 @@ impl<S: Real> Alike<S> {
         let is_alike = |cell: &Cell<S>| cell.parts.converter == converter && cell.parts.past.is_none();
         let is_product = |cell: &Cell<S>| cell.parts.multiplier.is_ideal() && cell.parts.leak.is_none();
         let are_products = cells.iter().all(is_product);
-        (inputs % ROW == 0 && cells.iter().all(is_alike)).then_some(Self { converter, tau, are_products })
+        let meet_whole = inputs.is_multiple_of(ROW);
+        (meet_whole && cells.iter().all(is_alike)).then_some(Self { converter, tau, are_products })
     }
 }
 

@@ -2,6 +2,10 @@
 
 /// Terms of one sum.
 pub(super) const TERMS: usize = 36;
+/// Terms of a row: those behind one function generator of X.
+pub(super) const ROW: usize = 6;
+/// The same two by two ([`side_by_side`]).
+pub(super) const PAIRS: usize = ROW / 2;
 /// Terms of all three: height, slope to the north, slope to the east.
 pub(super) const ALL: usize = 3 * TERMS;
 

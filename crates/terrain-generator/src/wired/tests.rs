@@ -1,14 +1,14 @@
 use hardware_model::AnalogParts;
-use landscape::{GroupLight, Level, Photometry, Sun, SweepLight};
+use landscape::{CornerWords, GroupLight, Level, Photometry, Sun, SweepLight};
 use quantities::unit_interval;
 use signal::LANES;
 use sweep_program::SweepProgram;
 
-mod bench;
 mod inside;
 mod plain;
 mod when;
 
+use super::terms::{TERMS, word_of};
 use super::{ArrayState, PartsArray, Wired};
 use crate::programs::program;
 use crate::{OUT_OF_SIGHT, Profile, TerrainGenerator};
@@ -32,23 +32,10 @@ struct Scene {
 
 impl Scene {
     fn new() -> Self {
-        Self::of_fan(0.17)
-    }
-
-    fn long() -> Self {
-        let word = |index: usize, k: usize| 20.0 * (2.0 * unit_interval(4, &[index as u64, k as u64]) - 1.0);
-        let words = (0..900).map(|index| std::array::from_fn(|k| word(index, k))).collect();
-        Self::of(Level::new(SIZE, [0.0; 2], [30, 30], words).unwrap(), 0.0017, 4.0)
-    }
-
-    fn of_fan(apart: f64) -> Self {
-        Self::of(level(), apart, 1.5)
-    }
-
-    fn of(level: Level, apart: f64, pace: f64) -> Self {
-        let ranges: Vec<f64> = (1..=1000).map(|k| f64::from(k) * pace).collect();
+        let level = level();
+        let ranges: Vec<f64> = (1..=1000).map(|k| f64::from(k) * 1.5).collect();
         let direction = |lane: usize| {
-            let (sin, cos) = quantities::sin_cos(0.2 + apart * lane as f64);
+            let (sin, cos) = quantities::sin_cos(0.2 + 0.17 * lane as f64);
             [cos, sin]
         };
         let mut programs =
@@ -56,7 +43,7 @@ impl Scene {
         for program in &mut programs {
             // Instants as the sweep generator gives them: between samples.
             for step in &mut program.steps {
-                step.time.0 = step.range / pace - 1.0;
+                step.time.0 = step.range / 1.5 - 1.0;
             }
         }
         let sun = Sun { azimuth: 1.0, elevation: 0.3 };
@@ -83,6 +70,11 @@ impl Scene {
         self.generator().reflect(&GroupLight::new(&self.light), 0..self.ranges.len(), &mut profile);
         profile
     }
+}
+
+/// What D/A `index` multiplies by for these words.
+fn weight(array: &PartsArray<f64>, words: &CornerWords, index: usize) -> f64 {
+    array.number(words, word_of(index % TERMS)[1]).1 * array.factors[index]
 }
 
 /// Largest differences of height and slopes where both are in sight.

@@ -7,7 +7,7 @@ use parts::LagSteps;
 use signal::{Both, LANES, Real};
 
 use super::block::BLOCK;
-use super::grid::Cell;
+use super::cell::Cell;
 use super::terms::{ALL, ENDS, one_of};
 
 /// A multiplying D/A takes a new word.
@@ -164,14 +164,11 @@ impl Words {
         self.divided.work_out(h);
     }
 
-    /// Samples of the block within whose step a word acts on a D/A of these pairs, bit by bit.
+    /// Samples of the block within whose step a word acts on a D/A of this pair, bit by bit.
     #[inline(always)]
-    pub(super) fn samples(&self, pairs: Range<usize>) -> u32 {
-        let mut all = 0;
-        for pair in pairs {
-            ENDS.into_iter().for_each(|end| all |= self.cells[one_of(pair, end)].samples);
-        }
-        all
+    pub(super) fn samples(&self, pair: usize) -> u32 {
+        let [near, far] = ENDS.map(|end| self.cells[one_of(pair, end)].samples);
+        near | far
     }
 
     /// What a word adds to the term at the end of its step, which the D/A has taken with the weight `held`; its signal is
@@ -232,40 +229,37 @@ impl Divided {
     }
 }
 
-/// D/As two by two that take words within a step, each with its lanes.
+/// Two D/As that take words within a step, each with its lanes.
 #[derive(Debug)]
-pub(super) struct Taking<S, const PAIRS: usize> {
+pub(super) struct Taking<S> {
     /// Their signals as the step begins and as it ends.
-    pub(super) begin: [Both<S>; PAIRS],
-    pub(super) end: [Both<S>; PAIRS],
+    pub(super) begin: Both<S>,
+    pub(super) end: Both<S>,
     /// What they multiply by.
-    pub(super) weight: [Both<S>; PAIRS],
+    pub(super) weight: Both<S>,
+    /// What comes out at the end.
+    pub(super) term: Both<S>,
 }
 
-impl<S: Real, const PAIRS: usize> Default for Taking<S, PAIRS> {
+impl<S: Real> Default for Taking<S> {
     #[inline(always)]
     fn default() -> Self {
-        let none = [Both::default(); PAIRS];
-        Self { begin: none, end: none, weight: none }
+        let none = Both::default();
+        Self { begin: none, end: none, weight: none, term: none }
     }
 }
 
-impl<S: Real, const PAIRS: usize> Taking<S, PAIRS> {
-    /// Gives the D/As of the pairs from number `first` on the words of the step to sample `n` of the block; `terms` are what
-    /// comes out at its end, lane by lane, of each D/A of a pair or of all together.
+impl<S: Real> Taking<S> {
+    /// Gives the D/As of a pair the words of the step to sample `n` of the block.
     #[inline(always)]
-    pub(super) fn act(&mut self, words: &Words, first: usize, n: usize, terms: &mut [S]) {
-        for pair in 0..PAIRS {
-            for end in ENDS {
-                for word in words.acting(one_of(first + pair, end), n) {
-                    let lane = LANES * end + word.lane as usize;
-                    let ends = [self.begin[pair].0[lane], self.end[pair].0[lane]].map(S::to_f64);
-                    let held = &mut self.weight[pair].0[lane];
-                    let more = words.more(word, ends, held.to_f64());
-                    *held = S::from_f64(word.weight);
-                    let term = &mut terms[lane % terms.len()];
-                    *term = S::from_f64(term.to_f64() + more);
-                }
+    pub(super) fn act(&mut self, words: &Words, pair: usize, n: usize) {
+        for end in ENDS {
+            for word in words.acting(one_of(pair, end), n) {
+                let lane = LANES * end + word.lane as usize;
+                let ends = [self.begin.0[lane], self.end.0[lane]].map(S::to_f64);
+                let (held, term) = (&mut self.weight.0[lane], &mut self.term.0[lane]);
+                *term = S::from_f64(term.to_f64() + words.more(word, ends, held.to_f64()));
+                *held = S::from_f64(word.weight);
             }
         }
     }

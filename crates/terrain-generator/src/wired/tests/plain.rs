@@ -1,12 +1,12 @@
 //! The array part by part as its pages have it, one sweep and one wire at a time: what the fast form is held to.
 
 use fearless_simd::{Level, dispatch};
-use hardware_model::AnalogParts;
+use hardware_model::{AnalogParts, MultiplierParts};
 use parts::LagStep;
 use signal::{LANES, Lanes, Real};
 use sweep_program::{RampAxis, Step, SweepProgram};
 
-use super::{STEP, Scene, parts};
+use super::{STEP, Scene, parts, weight};
 use crate::wired::block::{BLOCK, Row};
 use crate::wired::summer::SummerState;
 use crate::wired::terms::{ALL, TERMS, sign, word_of};
@@ -15,7 +15,7 @@ use crate::wired::{ArrayState, PartsArray, Scale, Tap};
 use crate::{Profile, Registers};
 
 /// A machine with every part of 1970 but noise.
-pub(super) fn of_1970(change: impl FnOnce(&mut AnalogParts)) -> AnalogParts {
+fn of_1970(change: impl FnOnce(&mut AnalogParts)) -> AnalogParts {
     parts(|parts| {
         (parts.full_scale, parts.spread) = (10.0, true);
         let sweep = &mut parts.sweep;
@@ -48,8 +48,7 @@ fn words(array: &PartsArray<f64>, scene: &Scene, program: &SweepProgram) -> Vec<
     let held = |registers: &Registers, index: usize| {
         let [colour, word] = word_of(index % TERMS);
         let words = registers.hold(generator.buffer)[colour];
-        let (number, share) = array.number(words, word);
-        (share * array.factors[index], number)
+        (weight(array, words, index), array.number(words, word).0)
     };
     let mut all: Vec<Vec<Word>> =
         (0..ALL).map(|index| vec![(f64::NEG_INFINITY, held(&registers, index).0, 0.0)]).collect();
@@ -183,12 +182,29 @@ fn converted(mut output: f64, words: &[Word], sample: i64, [from, to]: [f64; 2],
     lag.step(output, signal(at) * words[held].1, to * words[held].1)
 }
 
+/// The same, but that D/As of one array have the same speed, switch together and leak nothing.
+fn with_alike(change: impl FnOnce(&mut AnalogParts)) -> AnalogParts {
+    of_1970(|parts| {
+        parts.spread = false;
+        (parts.multiplying_dac.glitch, parts.multiplying_dac.feedthrough) = (0.0, 0.0);
+        change(parts);
+    })
+}
+
+/// Multipliers that are slow, and have no other fault.
+fn as_products(parts: &mut AnalogParts) {
+    parts.multiplier = MultiplierParts { bandwidth: parts.multiplier.bandwidth, ..MultiplierParts::IDEAL };
+}
+
 #[test]
 fn the_array_is_its_parts_one_by_one() {
     let scene = Scene::new();
-    for inputs in [Some(6), Some(5), None] {
-        let array =
-            PartsArray::new(STEP, &scene.level, &of_1970(|parts| parts.summer_inputs = inputs), 3, "tg");
+    let apart = [Some(6), Some(5), None].map(|inputs| of_1970(|parts| parts.summer_inputs = inputs));
+    let alike = [Some(6), Some(12), None].map(|inputs| with_alike(|parts| parts.summer_inputs = inputs));
+    let made = [&apart[..], &alike, &[with_alike(as_products)]].concat();
+    for (number, made) in made.iter().enumerate() {
+        let array = PartsArray::new(STEP, &scene.level, made, 3, "tg");
+        assert_eq!(array.grid.alike.is_some(), number >= apart.len());
         let mut profile = Profile::default();
         profile.resize(scene.ranges.len());
         let state = &mut ArrayState::default();
@@ -201,7 +217,7 @@ fn the_array_is_its_parts_one_by_one() {
                 let found = profile.height[sample][lane];
                 assert!(
                     (found - plain[sample]).abs() < 1e-10 * array.scale.height,
-                    "{inputs:?}, lane {lane}, sample {sample}: {found}, {}",
+                    "{number}, lane {lane}, sample {sample}: {found}, {}",
                     plain[sample]
                 );
             }
@@ -211,9 +227,8 @@ fn the_array_is_its_parts_one_by_one() {
 
 #[test]
 fn vectors_of_any_width_have_the_same_bits() {
-    fn traced<S: Real>(scene: &Scene, vectors: Option<Level>) -> Profile<S> {
-        let made = of_1970(|parts| parts.amplifier.noise = 5e-4);
-        let mut array = PartsArray::<S>::new(STEP, &scene.level, &made, 3, "tg");
+    fn traced<S: Real>(scene: &Scene, made: &AnalogParts, vectors: Option<Level>) -> Profile<S> {
+        let mut array = PartsArray::<S>::new(STEP, &scene.level, made, 3, "tg");
         array.vectors = vectors.unwrap_or(array.vectors);
         let (mut profile, state) = (Profile::default(), &mut ArrayState::default());
         profile.resize(scene.ranges.len());
@@ -221,15 +236,18 @@ fn vectors_of_any_width_have_the_same_bits() {
         array.trace(&scene.generator(), &scene.programs, span, 40, state, &mut profile, &mut ());
         profile
     }
-    fn compare<S: Real>(scene: &Scene) {
-        let [narrow, wide] = [Some(Level::baseline()), None].map(|vectors| traced::<S>(scene, vectors));
+    fn compare<S: Real>(scene: &Scene, made: &AnalogParts) {
+        let [narrow, wide] = [Some(Level::baseline()), None].map(|vectors| traced::<S>(scene, made, vectors));
         assert_eq!(narrow.height, wide.height);
         assert_eq!(narrow.along, wide.along);
         assert_eq!(narrow.across, wide.across);
     }
     let scene = Scene::new();
-    compare::<f32>(&scene);
-    compare::<f64>(&scene);
+    let noisy = |parts: &mut AnalogParts| parts.amplifier.noise = 5e-4;
+    for made in [of_1970(noisy), with_alike(noisy), with_alike(as_products)] {
+        compare::<f32>(&scene, &made);
+        compare::<f64>(&scene, &made);
+    }
 }
 
 /// Who looks at every sample: they go through the array one by one.
@@ -244,13 +262,14 @@ impl Tap<f32> for Watcher {
 fn samples_one_by_one_have_the_bits_of_blocks() {
     let scene = Scene::new();
     // Amplifiers that slew and clip, words that take long and apart from one another.
-    let made = of_1970(|parts| {
+    let hurried = |parts: &mut AnalogParts| {
         (parts.amplifier.slew, parts.amplifier.saturation) = (Some(20e6), Some(6.0));
         (parts.amplifier.noise, parts.multiplying_dac.switching) = (5e-4, 200e-9);
-    });
-    let array = PartsArray::<f32>::new(STEP, &scene.level, &made, 3, "tg");
+    };
     let (generator, samples) = (scene.generator(), scene.ranges.len());
-    for from in [0, 501] {
+    let made = [of_1970(hurried), with_alike(hurried)];
+    for (made, from) in made.iter().flat_map(|made| [(made, 0), (made, 501)]) {
+        let array = PartsArray::<f32>::new(STEP, &scene.level, made, 3, "tg");
         let [mut blocks, mut alone] = [Profile::default(), Profile::default()];
         for profile in [&mut blocks, &mut alone] {
             profile.resize(samples);

@@ -5,8 +5,8 @@ use parts::{Spread, Tolerance, relative_sigma};
 use signal::LANES;
 use sweep_program::{RampAxis, Step, Stop};
 
-use super::{STEP, Scene, parts};
-use crate::wired::terms::{ALL, TERMS, word_of};
+use super::{STEP, Scene, parts, weight};
+use crate::wired::terms::{ALL, TERMS, side_by_side, word_of};
 use crate::wired::{ArrayState, PartsArray, Tap};
 use crate::{Profile, Registers};
 
@@ -70,7 +70,11 @@ struct Weights(Vec<Vec<f64>>);
 
 impl Tap<f64> for Weights {
     fn see(&mut self, _: &PartsArray<f64>, state: &ArrayState<f64>) {
-        self.0.push((0..ALL).map(|index| state.wires.weights(index)[2]).collect());
+        let weight = |index| {
+            let [pair, end] = side_by_side(index);
+            state.wires.pairs[pair].weight.wire(end)[2]
+        };
+        self.0.push((0..ALL).map(weight).collect());
     }
 }
 
@@ -106,7 +110,7 @@ fn each_word_acts_after_its_own_switching_time() {
                 let [colour, _] = word_of(index % TERMS);
                 assert_eq!(
                     weights[index],
-                    array.weight(registers.hold(generator.buffer)[colour], index),
+                    weight(&array, registers.hold(generator.buffer)[colour], index),
                     "{index} {sample}"
                 );
             }
