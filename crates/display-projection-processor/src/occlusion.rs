@@ -39,7 +39,7 @@ pub(crate) struct PeakHold;
 impl Circuit for PeakHold {
     #[inline(always)]
     fn of_lane<S: Real>(_before: S, hold: S, now: S) -> S {
-        now.at_least(hold)
+        peak_hold(hold, now)
     }
     #[inline(always)]
     fn of_group<L: Simd, S: Real>(
@@ -47,8 +47,14 @@ impl Circuit for PeakHold {
         hold: S::Vector<L>,
         now: S::Vector<L>,
     ) -> S::Vector<L> {
-        now.at_least(hold)
+        peak_hold(hold, now)
     }
+}
+
+/// Of one lane, or of all.
+#[inline(always)]
+fn peak_hold<T: Number>(hold: T, now: T) -> T {
+    now.at_least(hold)
 }
 
 /// As reported: while unblanked the hold follows the elevation; a fall of it blanks and holds.

@@ -122,15 +122,15 @@ impl Waiting<2> {
         let [near, far] = pair(simd, &self.ranges);
         let [first, last] = self.through_the_array(simd, generator);
         let zero = S::Vector::<L>::simd_from(simd, S::ZERO);
-        let middle = S::narrow((near + far) * 0.5);
-        let inverse_half = S::narrow(1.0 / ((far - near) * 0.5));
+        let middle = S::narrow(0.5 * (near + far));
+        let inverse_half = S::narrow(1.0 / (0.5 * (far - near)));
         let places = [(S::narrow(near) - middle) * inverse_half, (S::narrow(far) - middle) * inverse_half];
         // Straight lines in s, -1 and 1 at the samples, as a polynomial has them.
         let mut ground = [[zero; 3]; 2];
         for signal in 0..3 {
             let datum = if signal == 0 { generator.datum } else { 0.0 };
-            let level = S::narrow((first[signal] + last[signal]) * 0.5 - datum);
-            let slope = S::narrow((last[signal] - first[signal]) * 0.5);
+            let level = S::narrow(0.5 * (first[signal] + last[signal]) - datum);
+            let slope = S::narrow(0.5 * (last[signal] - first[signal]));
             for n in 0..2 {
                 ground[n][signal] = (zero * places[n] + slope) * places[n] + level;
             }
