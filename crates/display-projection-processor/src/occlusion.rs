@@ -1,10 +1,15 @@
 //! The two occlusion circuits (section 15.2), stepped from sample to sample and, where a profile bends between two
 //! samples, over its bends.
 
+mod side_by_side;
+
 use std::ops::Range;
 
-use signal::{Breaks, LANES, Lanes, Real};
+use fearless_simd::Simd;
+use fearless_simd::prelude::{Select, SimdBase};
+use signal::{Breaks, LANES, Lanes, Number, Real};
 
+pub(crate) use self::side_by_side::Running;
 use crate::Projected;
 
 /// What lies between the samples of a group.
@@ -16,18 +21,61 @@ pub struct BrokenProfile<'a, S> {
     pub bends: &'a [Vec<bool>; LANES],
 }
 
-/// One step of an occlusion circuit: elevation before and now, held value before; held value now.
+/// An occlusion circuit.
+pub(crate) trait Circuit {
+    /// One step: elevation before and now, held value before; held value now.
+    fn of_lane<S: Real>(before: S, hold: S, now: S) -> S;
+    /// The same in each lane.
+    fn of_group<L: Simd, S: Real>(
+        before: S::Vector<L>,
+        hold: S::Vector<L>,
+        now: S::Vector<L>,
+    ) -> S::Vector<L>;
+}
+
+/// The hold follows the highest elevation so far.
+pub(crate) struct PeakHold;
+
+impl Circuit for PeakHold {
+    #[inline(always)]
+    fn of_lane<S: Real>(_before: S, hold: S, now: S) -> S {
+        peak_hold(hold, now)
+    }
+    #[inline(always)]
+    fn of_group<L: Simd, S: Real>(
+        _before: S::Vector<L>,
+        hold: S::Vector<L>,
+        now: S::Vector<L>,
+    ) -> S::Vector<L> {
+        peak_hold(hold, now)
+    }
+}
+
+/// Of one lane, or of all.
 #[inline(always)]
-pub(crate) fn peak_hold<S: Real>(_before: S, hold: S, now: S) -> S {
+fn peak_hold<T: Number>(hold: T, now: T) -> T {
     now.at_least(hold)
 }
 
 /// As reported: while unblanked the hold follows the elevation; a fall of it blanks and holds.
-#[inline(always)]
-pub(crate) fn derivative<S: Real>(before: S, hold: S, now: S) -> S {
-    let blanked = before < hold;
-    let stays_blanked = if blanked { now < hold } else { now < before };
-    if stays_blanked { hold } else { now }
+pub(crate) struct Derivative;
+
+impl Circuit for Derivative {
+    #[inline(always)]
+    fn of_lane<S: Real>(before: S, hold: S, now: S) -> S {
+        let blanked = before < hold;
+        let stays_blanked = if blanked { now < hold } else { now < before };
+        if stays_blanked { hold } else { now }
+    }
+    #[inline(always)]
+    fn of_group<L: Simd, S: Real>(
+        before: S::Vector<L>,
+        hold: S::Vector<L>,
+        now: S::Vector<L>,
+    ) -> S::Vector<L> {
+        // Below the hold if it is blanked, else below where it was.
+        now.simd_lt(before.simd_lt(hold).select(hold, before)).select(hold, now)
+    }
 }
 
 /// What the circuit of a lane, or of a group, remembers.
@@ -41,11 +89,19 @@ pub(crate) struct Memory<T> {
     hold: T,
 }
 
+impl<T: Copy> Memory<T> {
+    /// Of one that has come to its first sample.
+    fn new(first: T) -> Self {
+        Self { below: first, before: first, hold: first }
+    }
+}
+
 /// Runs a circuit along a group: side by side where no profile bends, lane by lane around a bend.
-pub(crate) fn occlude<S: Real>(
+#[inline(always)]
+pub(crate) fn occlude<L: Simd, S: Real, C: Circuit>(
+    simd: L,
     out: &mut Projected<S>,
     broken: BrokenProfile<'_, S>,
-    circuit: impl Fn(S, S, S) -> S,
 ) {
     let Some(&first) = out.elevation.first() else { return };
     let mut memory = Memory::new(first);
@@ -55,10 +111,10 @@ pub(crate) fn occlude<S: Real>(
     while sample < samples {
         // The sample before a bend is next to it: its top is not that of a parabola across the bend.
         let bent = broken.next_bend(&mut passed).map_or(samples, |bend| sample.max(bend - 1));
-        smooth(out, sample..bent, &mut memory, &circuit);
+        smooth::<L, S, C>(simd, out, sample..bent, &mut memory);
         if bent < samples {
             for (lane, passed) in passed.iter_mut().enumerate() {
-                Lane { broken, lane, passed }.step(out, bent, &mut memory, &circuit);
+                Lane { broken, lane, passed }.step::<C>(out, bent, &mut memory);
             }
         }
         sample = bent + 1;
@@ -66,80 +122,27 @@ pub(crate) fn occlude<S: Real>(
     broken.hold_at_smooth_breaks(out);
 }
 
-fn smooth<S: Real>(
+#[inline(always)]
+fn smooth<L: Simd, S: Real, C: Circuit>(
+    simd: L,
     out: &mut Projected<S>,
     samples: Range<usize>,
     memory: &mut Memory<Lanes<S>>,
-    circuit: &impl Fn(S, S, S) -> S,
 ) {
-    let beyond = beyond();
-    let after = out.elevation[samples.start..].iter().skip(1).chain(std::iter::once(&beyond));
-    let outputs = out.hold[samples.clone()].iter_mut().zip(&mut out.entry[samples.clone()]);
-    for ((&now, &after), (held, entry)) in out.elevation[samples].iter().zip(after).zip(outputs) {
-        *entry = memory.step(now, after, circuit);
-        *held = memory.hold;
+    let Projected { elevation, hold, entry, .. } = out;
+    let mut running = Running::<L, S>::resume(simd, memory);
+    for sample in samples {
+        let now = S::Vector::<L>::from_slice(simd, &elevation[sample].0);
+        let after = elevation.get(sample + 1);
+        let after = after.map_or(now.like(BEYOND), |after| S::Vector::<L>::from_slice(simd, &after.0));
+        running.step::<C>(now, after).store_slice(&mut entry[sample].0);
+        running.hold().store_slice(&mut hold[sample].0);
     }
+    *memory = running.rest();
 }
 
 /// Beyond the last sample the profile is taken to rise: no top there.
-pub(crate) fn beyond<S: Real>() -> Lanes<S> {
-    Lanes::splat(S::from_f64(f64::INFINITY))
-}
-
-impl<S: Real> Memory<Lanes<S>> {
-    /// Of a group that has come to its first sample.
-    pub(crate) fn new(first: Lanes<S>) -> Self {
-        Self { below: first, before: first, hold: first }
-    }
-
-    /// The held elevation.
-    #[inline(always)]
-    pub(crate) fn hold(&self) -> Lanes<S> {
-        self.hold
-    }
-
-    /// The next sample, and the one after it; returns the part of the step at which the profile comes into sight.
-    #[inline(always)]
-    pub(crate) fn step(
-        &mut self,
-        now: Lanes<S>,
-        after: Lanes<S>,
-        circuit: &impl Fn(S, S, S) -> S,
-    ) -> Lanes<S> {
-        let Self { below, before, hold } = *self;
-        (self.below, self.before) = (now, now);
-        if is_hidden([below, now, after], hold) {
-            return Lanes::default();
-        }
-        if is_climbing([below, now, after], hold) {
-            self.hold = Lanes::from_fn(|lane| circuit(before[lane], hold[lane], now[lane]));
-            return Lanes::default();
-        }
-        let top = Lanes::from_fn(|lane| top_of(below[lane], now[lane], after[lane]));
-        self.before = top;
-        self.hold = Lanes::from_fn(|lane| circuit(before[lane], hold[lane], top[lane]));
-        Lanes::from_fn(|lane| entry_of(below[lane], hold[lane], now[lane], top[lane]))
-    }
-}
-
-/// Whether all lanes stay below the held elevation, tops between samples included: nothing changes, and a circuit that was or
-/// is now below it is blanked. Most samples of a group are so, or climb, and need none of the quotients.
-#[inline(always)]
-fn is_hidden<S: Real>([below, now, after]: [Lanes<S>; 3], hold: Lanes<S>) -> bool {
-    // A top is at most an eighth of rise and fall above its sample; twice that leaves rounding no say.
-    let quarter = S::from_f64(0.25);
-    all(|lane| {
-        let rise = (now[lane] - below[lane]).at_least(S::ZERO);
-        let fall = (now[lane] - after[lane]).at_least(S::ZERO);
-        now[lane] + quarter * (rise + fall) < hold[lane]
-    })
-}
-
-/// Whether all lanes are in sight before the sample and rise beyond it: no top, and nothing comes into sight.
-#[inline(always)]
-fn is_climbing<S: Real>([below, now, after]: [Lanes<S>; 3], hold: Lanes<S>) -> bool {
-    all(|lane| (below[lane] >= hold[lane]) & (after[lane] > now[lane]))
-}
+pub(crate) const BEYOND: f64 = f64::INFINITY;
 
 /// Whether something is so in all lanes. A plain loop: an iterator's would be called, and lose the vectors of its caller.
 #[inline(always)]
@@ -187,13 +190,7 @@ struct Lane<'a, S> {
 
 impl<S: Real> Lane<'_, S> {
     /// The step to `sample`: over its bends, then to the sample.
-    fn step(
-        &mut self,
-        out: &mut Projected<S>,
-        sample: usize,
-        memory: &mut Memory<Lanes<S>>,
-        circuit: &impl Fn(S, S, S) -> S,
-    ) {
+    fn step<C: Circuit>(&mut self, out: &mut Projected<S>, sample: usize, memory: &mut Memory<Lanes<S>>) {
         let lane = self.lane;
         let mut own =
             Memory { below: memory.below[lane], before: memory.before[lane], hold: memory.hold[lane] };
@@ -201,7 +198,7 @@ impl<S: Real> Lane<'_, S> {
         while let Some((index, share)) = self.bend_in(sample) {
             let bend = out.breaks.elevation[lane][index];
             entry = later(entry, from, share, entry_of(own.below, own.hold, bend, bend));
-            let hold = circuit(own.before, own.hold, bend);
+            let hold = C::of_lane(own.before, own.hold, bend);
             out.breaks.hold[lane][index] = hold;
             own = Memory { below: bend, before: bend, hold };
             from = share;
@@ -210,7 +207,7 @@ impl<S: Real> Lane<'_, S> {
         let now = out.elevation[sample][lane];
         let top = self.top(out, sample, own.below, from);
         out.entry[sample][lane] = later(entry, from, S::ONE, entry_of(own.below, own.hold, now, top));
-        let hold = circuit(own.before, own.hold, top);
+        let hold = C::of_lane(own.before, own.hold, top);
         out.hold[sample][lane] = hold;
         (memory.below[lane], memory.before[lane], memory.hold[lane]) = (now, top, hold);
     }
@@ -253,7 +250,6 @@ const CLIFF: f64 = 0.25;
 
 /// What the circuit sees around a sample: its elevation, or the top of the parabola through it and its neighbours
 /// where it is the highest of the three. The derivative changes sign there, between two samples.
-#[inline(always)]
 fn top_of<S: Real>(below: S, now: S, after: S) -> S {
     let (rise, fall) = (now - below, now - after);
     let skew = rise - fall;
@@ -278,7 +274,6 @@ fn top_between<S: Real>([below, now, after]: [S; 3], back: S, ahead: S) -> S {
 }
 
 /// Where in a stretch the elevation rises through the held one; 1 if only the top beyond it does.
-#[inline(always)]
 fn entry_of<S: Real>(before: S, hold: S, now: S, top: S) -> S {
     let share = (hold - before) / (now - before);
     match (before < hold, now > hold) {
@@ -295,7 +290,7 @@ mod tests {
     use scenario::{Curvature, Occlusion, Projection};
     use signal::{LANES, Lanes, Real};
 
-    use super::{derivative, entry_of, peak_hold, top_of};
+    use super::{Circuit, Derivative, PeakHold, entry_of, top_of};
     use crate::{Deflection, Processor, Projected};
 
     /// Elevation, hold, entry, position and line of one lane, sample by sample with nothing cut short.
@@ -309,8 +304,8 @@ mod tests {
             let top = top_of(below, now, after);
             let entry = entry_of(below, hold, now, top);
             hold = match occlusion {
-                Occlusion::PeakHold => peak_hold(before, hold, top),
-                Occlusion::Derivative => derivative(before, hold, top),
+                Occlusion::PeakHold => PeakHold::of_lane(before, hold, top),
+                Occlusion::Derivative => Derivative::of_lane(before, hold, top),
             };
             (below, before) = (now, top);
             [now, hold, entry, line(now), line(hold)]

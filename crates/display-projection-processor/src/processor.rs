@@ -1,11 +1,14 @@
 //! Elevation, occlusion and deflection of a group of sweeps.
 
-use fearless_simd::{Level, dispatch};
+use std::ops::{Add, Div, Mul, Sub};
+
+use fearless_simd::prelude::{SimdBase, SimdMask};
+use fearless_simd::{Level, Simd, dispatch};
 use landscape::parabolic_drop;
 use scenario::{Curvature, Occlusion};
-use signal::{Break, Breaks, LANES, Lanes, Real, Signal, Unit};
+use signal::{Break, Breaks, LANES, Lanes, Number, Real, Signal, Unit};
 
-use crate::occlusion::{Memory, all, beyond, derivative, occlude, peak_hold};
+use crate::occlusion::{BEYOND, Circuit, Derivative, PeakHold, Running, occlude};
 use crate::{BrokenProfile, Deflection};
 
 /// Signals of the block.
@@ -71,18 +74,18 @@ pub struct ProjectedBreaks<S> {
 }
 
 /// Takes what a walk finds. No closure: those that the compiler does not inline lose the vectors of their caller.
-pub(crate) trait Take<S> {
+pub(crate) trait Take<L: Simd, S: Real> {
     /// The next sample.
-    fn take(&mut self, sample: usize, place: Place<S>);
+    fn take(&mut self, sample: usize, place: Place<L, S>);
 }
 
-/// One sample on its way through the processor, lane by lane: see [`Projected`].
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Place<S> {
-    pub elevation: Lanes<S>,
-    pub hold: Lanes<S>,
-    pub entry: Lanes<S>,
-    pub line: Lanes<S>,
+/// One sample on its way through the processor, in all lanes: see [`Projected`].
+#[derive(Clone, Copy)]
+pub(crate) struct Place<L: Simd, S: Real> {
+    pub elevation: S::Vector<L>,
+    pub hold: S::Vector<L>,
+    pub entry: S::Vector<L>,
+    pub line: S::Vector<L>,
 }
 
 impl<S: Real> Processor<S> {
@@ -101,61 +104,73 @@ impl<S: Real> Processor<S> {
     /// Projects the profiles of a group; `height` is above the eye (m), `deflection` in lines.
     pub fn run(&self, height: &[Lanes<S>], deflection: &[Deflection; LANES], out: &mut Projected<S>) {
         out.breaks.clear();
-        dispatch!(self.vectors, _ => self.run_smooth(height, deflection, out));
+        dispatch!(self.vectors, simd => self.run_smooth(simd, height, deflection, out));
     }
 
     #[inline(always)]
-    fn run_smooth(&self, height: &[Lanes<S>], deflection: &[Deflection; LANES], out: &mut Projected<S>) {
+    fn run_smooth<L: Simd>(
+        &self,
+        simd: L,
+        height: &[Lanes<S>],
+        deflection: &[Deflection; LANES],
+        out: &mut Projected<S>,
+    ) {
         out.resize(height.len());
-        self.walk(height, deflection, &mut All { by: DeflectionLanes::new(deflection), out });
+        let by = DeflectionLanes::<Lanes<S>>::new(deflection).in_vectors(simd);
+        self.walk(simd, height, deflection, &mut All::<L, S> { by, out });
     }
 
     /// Hands each sample of profiles without bends to `taker`.
     #[inline(always)]
-    pub(crate) fn walk(
+    pub(crate) fn walk<L: Simd>(
         &self,
+        simd: L,
         height: &[Lanes<S>],
         deflection: &[Deflection; LANES],
-        taker: &mut impl Take<S>,
+        taker: &mut impl Take<L, S>,
     ) {
         match self.occlusion {
-            Occlusion::PeakHold => self.walk_by(peak_hold, height, deflection, taker),
-            Occlusion::Derivative => self.walk_by(derivative, height, deflection, taker),
+            Occlusion::PeakHold => self.walk_by::<L, PeakHold>(simd, height, deflection, taker),
+            Occlusion::Derivative => self.walk_by::<L, Derivative>(simd, height, deflection, taker),
         }
     }
 
-    /// By one circuit. In one pass: a loop without a memory from sample to sample would
-    /// be turned into vectors along the samples, and they lie apart.
+    /// By one circuit, in one pass.
     #[inline(always)]
-    fn walk_by(
+    fn walk_by<L: Simd, C: Circuit>(
         &self,
-        circuit: impl Fn(S, S, S) -> S,
+        simd: L,
         height: &[Lanes<S>],
         deflection: &[Deflection; LANES],
-        taker: &mut impl Take<S>,
+        taker: &mut impl Take<L, S>,
     ) {
         let samples = height.len();
         if samples == 0 {
             return;
         }
-        let by = DeflectionLanes::new(deflection);
-        let (drop, inverse) = (&self.drop[..samples], &self.inverse_range[..samples]);
-        let tangent =
-            |sample: usize| (height[sample] - Lanes::splat(drop[sample])) * Lanes::splat(inverse[sample]);
-        let mut now = tangent(0);
-        let mut memory = Memory::new(now);
+        let by = DeflectionLanes::<Lanes<S>>::new(deflection).in_vectors(simd);
+        let mut now = self.tangent(simd, height, 0);
+        let mut running = Running::<L, S>::new(now);
         let (mut held, mut held_at) = (now, by.at(now));
         for sample in 0..samples {
-            let after = if sample + 1 < samples { tangent(sample + 1) } else { beyond() };
-            let entry = memory.step(now, after, &circuit);
-            let hold = memory.hold();
+            let after =
+                if sample + 1 < samples { self.tangent(simd, height, sample + 1) } else { now.like(BEYOND) };
+            let entry = running.step::<C>(now, after);
+            let hold = running.hold();
             // Half of all samples are hidden in all lanes: what is held stands.
-            if !all(|lane| hold[lane] == held[lane]) {
+            if !hold.simd_eq(held).all_true() {
                 (held, held_at) = (hold, by.at(hold));
             }
             taker.take(sample, Place { elevation: now, hold, entry, line: held_at });
             now = after;
         }
+    }
+
+    /// Tangent of the elevation of a sample.
+    #[inline(always)]
+    fn tangent<L: Simd>(&self, simd: L, height: &[Lanes<S>], sample: usize) -> S::Vector<L> {
+        let height = S::Vector::<L>::from_slice(simd, &height[sample].0);
+        (height - self.drop[sample]) * self.inverse_range[sample]
     }
 
     /// The same for profiles that bend between samples. Breaks that do not bend the profile are projected, and the
@@ -169,10 +184,10 @@ impl<S: Real> Processor<S> {
     ) {
         self.elevate(height, out);
         self.elevate_breaks(broken.breaks, &mut out.breaks);
-        match self.occlusion {
-            Occlusion::PeakHold => occlude(out, broken, peak_hold),
-            Occlusion::Derivative => occlude(out, broken, derivative),
-        }
+        dispatch!(self.vectors, simd => match self.occlusion {
+            Occlusion::PeakHold => occlude::<_, S, PeakHold>(simd, out, broken),
+            Occlusion::Derivative => occlude::<_, S, Derivative>(simd, out, broken),
+        });
         deflect(deflection, out);
         deflect_breaks(deflection, &mut out.breaks);
     }
@@ -222,18 +237,20 @@ impl<S: Real> ProjectedBreaks<S> {
 }
 
 /// All that the processor says of a group.
-struct All<'a, S> {
-    by: DeflectionLanes<S>,
+struct All<'a, L: Simd, S: Real> {
+    by: DeflectionLanes<S::Vector<L>>,
     out: &'a mut Projected<S>,
 }
 
-impl<S: Real> Take<S> for All<'_, S> {
+impl<L: Simd, S: Real> Take<L, S> for All<'_, L, S> {
     #[inline(always)]
-    fn take(&mut self, sample: usize, place: Place<S>) {
+    fn take(&mut self, sample: usize, place: Place<L, S>) {
         let Projected { elevation, hold, entry, position, line, .. } = self.out;
-        (elevation[sample], hold[sample]) = (place.elevation, place.hold);
-        (entry[sample], line[sample]) = (place.entry, place.line);
-        position[sample] = self.by.at(place.elevation);
+        place.elevation.store_slice(&mut elevation[sample].0);
+        place.hold.store_slice(&mut hold[sample].0);
+        place.entry.store_slice(&mut entry[sample].0);
+        place.line.store_slice(&mut line[sample].0);
+        self.by.at(place.elevation).store_slice(&mut position[sample].0);
     }
 }
 
@@ -252,22 +269,35 @@ fn deflect<S: Real>(deflection: &[Deflection; LANES], out: &mut Projected<S>) {
 }
 
 /// The deflections of a group side by side.
-struct DeflectionLanes<S> {
-    a: Lanes<S>,
-    b: Lanes<S>,
-    c: Lanes<S>,
-    e: Lanes<S>,
+struct DeflectionLanes<T> {
+    a: T,
+    b: T,
+    c: T,
+    e: T,
 }
 
-impl<S: Real> DeflectionLanes<S> {
+impl<S: Real> DeflectionLanes<Lanes<S>> {
     #[inline(always)]
     fn new(deflection: &[Deflection; LANES]) -> Self {
         let lanes =
             |part: fn(&Deflection) -> f64| Lanes::from_fn(|lane| S::from_f64(part(&deflection[lane])));
         Self { a: lanes(|d| d.a), b: lanes(|d| d.b), c: lanes(|d| d.c), e: lanes(|d| d.e) }
     }
+
     #[inline(always)]
-    fn at(&self, tangent: Lanes<S>) -> Lanes<S> {
+    fn in_vectors<L: Simd>(&self, simd: L) -> DeflectionLanes<S::Vector<L>> {
+        let [a, b, c, e] =
+            [&self.a, &self.b, &self.c, &self.e].map(|lanes| S::Vector::<L>::from_slice(simd, &lanes.0));
+        DeflectionLanes { a, b, c, e }
+    }
+}
+
+impl<T> DeflectionLanes<T>
+where
+    T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T> + Div<Output = T>,
+{
+    #[inline(always)]
+    fn at(&self, tangent: T) -> T {
         (self.a - self.b * tangent) / (self.c + self.e * tangent)
     }
 }

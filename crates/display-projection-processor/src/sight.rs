@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-use fearless_simd::dispatch;
+use fearless_simd::prelude::{SimdBase, SimdFrom, SimdMask};
+use fearless_simd::{Simd, dispatch};
 use signal::{LANES, Lanes, Real};
 
 use crate::occlusion::all;
@@ -32,20 +33,22 @@ impl<S: Real> Processor<S> {
     ) {
         out.entry.resize(height.len(), Lanes::default());
         out.line.resize(height.len(), Lanes::default());
-        dispatch!(self.vectors, _ => self.look_by(height, deflection, lines, out));
+        dispatch!(self.vectors, simd => self.look_by(simd, height, deflection, lines, out));
     }
 
     #[inline(always)]
-    fn look_by(
+    fn look_by<L: Simd>(
         &self,
+        simd: L,
         height: &[Lanes<S>],
         deflection: &[Deflection; LANES],
         lines: usize,
         out: &mut Sight<S>,
     ) {
         out.runs.clear();
-        let mut seen = Seen { out, before: Lanes::default(), begin: None };
-        self.walk(height, deflection, &mut seen);
+        let before = S::Vector::<L>::simd_from(simd, S::ZERO);
+        let mut seen = Seen::<L, S> { out, before, begin: None };
+        self.walk(simd, height, deflection, &mut seen);
         let begin = seen.begin;
         out.runs.extend(begin.map(|begin| begin..height.len()));
         out.leave_out_of_picture(S::from_f64(lines as f64));
@@ -68,19 +71,20 @@ impl<S: Real> Sight<S> {
 }
 
 /// What is seen, on the way from sample to sample.
-struct Seen<'a, S> {
+struct Seen<'a, L: Simd, S: Real> {
     out: &'a mut Sight<S>,
     /// Line position of the sample before.
-    before: Lanes<S>,
+    before: S::Vector<L>,
     /// Where the present run begins, if there is one.
     begin: Option<usize>,
 }
 
-impl<S: Real> Take<S> for Seen<'_, S> {
+impl<L: Simd, S: Real> Take<L, S> for Seen<'_, L, S> {
     #[inline(always)]
-    fn take(&mut self, sample: usize, place: Place<S>) {
-        (self.out.entry[sample], self.out.line[sample]) = (place.entry, place.line);
-        let is_hidden = sample == 0 || all(|lane| place.line[lane] >= self.before[lane]);
+    fn take(&mut self, sample: usize, place: Place<L, S>) {
+        place.entry.store_slice(&mut self.out.entry[sample].0);
+        place.line.store_slice(&mut self.out.line[sample].0);
+        let is_hidden = sample == 0 || place.line.simd_ge(self.before).all_true();
         self.before = place.line;
         if !is_hidden && self.begin.is_none() {
             self.begin = Some(sample - 1);

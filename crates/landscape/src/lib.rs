@@ -18,6 +18,7 @@ pub mod basis;
 mod light;
 mod lunoid;
 mod photometry;
+mod places;
 mod query;
 pub mod relief;
 mod silhouette;

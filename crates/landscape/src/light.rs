@@ -4,10 +4,10 @@
 //! neither (15.4).
 
 use quantities::sin_cos;
-use signal::{LANES, Lanes, Real};
+use signal::{LANES, Lanes, Number, Real};
 
 use crate::Photometry;
-use crate::photometry::{lommel_seeliger, lunar_lambert, mirrored, power};
+use crate::places::Places;
 
 /// The sun as a direction; a point source, the same over the problem area.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,15 +70,34 @@ impl SweepLight {
     /// `along` and `across` the sweep. `sight` is the tangent of the elevation under which the eye sees it: height
     /// above the eye over ground range, finite, without the drop of the lunoid. Lambert's law ignores it.
     pub fn at<S: Real>(&self, along: S, across: S, sight: S) -> S {
-        let [sun_along, sun_across, sun_up] = [self.along, self.across, self.up].map(S::from_f64);
-        let towards = sun_up - along * sun_along - across * sun_across;
-        let normal = (S::ONE + along * along + across * across).root();
-        let lambert = towards / normal;
-        let unit = S::from_f64(one_over(self.albedo));
-        let (slant, seen) = ((S::ONE + sight * sight).root(), along - sight);
-        let cos_g = -(sun_along + sun_up * sight) * unit / slant;
-        lambert * self.photometry.factor(lambert * unit, seen / (normal * slant), cos_g)
+        let sun = [self.along, self.across, self.up, one_over(self.albedo)].map(S::from_f64);
+        reflected(self.photometry, sun, [along, across], sight)
     }
+}
+
+/// What ground of slopes `along` and `across` sends to an eye that sees it under `sight`; the sun along, across and up times
+/// albedo, and 1 / albedo. Of one place, or of several side by side.
+#[inline(always)]
+fn reflected<T: Number>(law: Photometry, sun: [T; 4], [along, across]: [T; 2], sight: T) -> T {
+    let [sun_along, _, sun_up, unit] = sun;
+    let one = along.like(1.0);
+    let lambert = lambert(sun, [along, across]);
+    let slant = (one + sight * sight).root();
+    let mu = (along - sight) / (normal([along, across]) * slant);
+    let cos_g = -(sun_along + sun_up * sight) * unit / slant;
+    lambert * law.factor(lambert * unit, mu, cos_g)
+}
+
+/// `n.s` times albedo: Lambert's law.
+#[inline(always)]
+fn lambert<T: Number>([sun_along, sun_across, sun_up, _]: [T; 4], [along, across]: [T; 2]) -> T {
+    (sun_up - along * sun_along - across * sun_across) / normal([along, across])
+}
+
+/// Length of the normal `(-along, -across, 1)`.
+#[inline(always)]
+fn normal<T: Number>([along, across]: [T; 2]) -> T {
+    (along.like(1.0) + along * along + across * across).root()
 }
 
 /// Nothing is lit at albedo 0: there the scale is of no account, but must be finite.
@@ -89,11 +108,8 @@ fn one_over(albedo: f64) -> f64 {
 /// Light of a group of sweeps, lane n being sweep n: [`SweepLight::at`] for all lanes, to the bit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GroupLight<S> {
-    along: Lanes<S>,
-    across: Lanes<S>,
-    up: Lanes<S>,
-    /// 1 / albedo.
-    unit: Lanes<S>,
+    /// The sun along, across and up times albedo, and 1 / albedo.
+    sun: [Lanes<S>; 4],
     photometry: Photometry,
 }
 
@@ -102,61 +118,76 @@ impl<S: Real> GroupLight<S> {
     pub fn new(light: &[SweepLight; LANES]) -> Self {
         let lanes = |part: fn(&SweepLight) -> f64| Lanes::from_fn(|lane| S::from_f64(part(&light[lane])));
         Self {
-            along: lanes(|l| l.along),
-            across: lanes(|l| l.across),
-            up: lanes(|l| l.up),
-            unit: lanes(|l| one_over(l.albedo)),
+            sun: [lanes(|l| l.along), lanes(|l| l.across), lanes(|l| l.up), lanes(|l| one_over(l.albedo))],
             photometry: light[0].photometry,
         }
     }
 
-    /// Whether the law asks where the eye is: if not, [`lambert`](Self::lambert) is all of it.
-    pub fn needs_sight(&self) -> bool {
-        self.photometry != Photometry::Lambert
-    }
-
-    /// `n.s` times albedo: Lambert's law.
-    #[inline(always)]
-    pub fn lambert(&self, along: Lanes<S>, across: Lanes<S>) -> Lanes<S> {
-        let towards = self.up - along * self.along - across * self.across;
-        towards / normal(along, across)
-    }
-
-    /// [`SweepLight::at`] in every lane. A kernel asks [`needs_sight`](Self::needs_sight) once a group and takes
-    /// [`lambert`](Self::lambert) where that will do.
+    /// [`SweepLight::at`] in every lane.
     #[inline(always)]
     pub fn reflectivity(&self, along: Lanes<S>, across: Lanes<S>, sight: Lanes<S>) -> Lanes<S> {
-        let lambert = self.lambert(along, across);
-        if self.photometry == Photometry::Lambert {
-            return lambert;
-        }
-        let one = Lanes::splat(S::ONE);
-        let slant = (one + sight * sight).sqrt();
-        let (mu0, mu) = (lambert * self.unit, (along - sight) / (normal(along, across) * slant));
-        let minus_cos_g = (self.along + self.up * sight) * self.unit / slant;
-        lambert * self.factor(mu0, mu, minus_cos_g.map(|cosine| -cosine))
+        let one = |lanes: &Lanes<S>| Places(lanes.0);
+        let (sun, slopes) = (self.sun.each_ref().map(one), [one(&along), one(&across)]);
+        Lanes(match self.photometry {
+            Photometry::Lambert => lambert(sun, slopes).0,
+            law => reflected(law, sun, slopes, one(&sight)).0,
+        })
     }
 
-    /// [`Photometry::factor`] in every lane.
+    /// The same along a sweep whose samples lie at `ranges` (m), from height (m) and the slopes along and across, two samples at
+    /// a time.
     #[inline(always)]
-    fn factor(&self, mu0: Lanes<S>, mu: Lanes<S>, cos_g: Lanes<S>) -> Lanes<S> {
-        let one = Lanes::splat(S::ONE);
+    pub fn reflect(&self, ground: [&[Lanes<S>]; 3], ranges: &[f64], out: &mut [Lanes<S>]) {
+        let sun = self.sun.each_ref().map(|lanes| side_by_side([lanes, lanes]));
+        let [height, along, across] = ground;
+        let signals = along.chunks(2).zip(across.chunks(2)).zip(out.chunks_mut(2));
+        // The law is asked once, not once a sample; Lambert's needs no sight.
         match self.photometry {
-            Photometry::Lambert => one,
-            Photometry::LommelSeeliger => Lanes::from_fn(|l| lommel_seeliger(mu0[l], mu[l])),
-            Photometry::LunarLambert => Lanes::from_fn(|l| lunar_lambert(mu0[l], mu[l], cos_g[l])),
-            Photometry::Specular { strength, exponent } => {
-                let mirrored = Lanes::from_fn(|l| mirrored(mu0[l], mu[l], cos_g[l]));
-                one + Lanes::splat(S::from_f64(strength)) * power(mirrored, one, exponent)
+            Photometry::Lambert => {
+                for ((along, across), out) in signals {
+                    put(lambert(sun, [two(along), two(across)]), out);
+                }
+            }
+            law => {
+                for (((along, across), out), (height, ranges)) in
+                    signals.zip(height.chunks(2).zip(ranges.chunks(2)))
+                {
+                    let near = ends(ranges).map(|range| Lanes::splat(S::from_f64(1.0 / range)));
+                    let sight = two(height) * side_by_side(near.each_ref());
+                    put(reflected(law, sun, [two(along), two(across)], sight), out);
+                }
             }
         }
     }
 }
 
-/// Length of the normal `(-along, -across, 1)`.
+/// First and last of one or two: the last sample of an odd number stands beside itself.
 #[inline(always)]
-fn normal<S: Real>(along: Lanes<S>, across: Lanes<S>) -> Lanes<S> {
-    (Lanes::splat(S::ONE) + along * along + across * across).sqrt()
+fn ends<T: Copy>(some: &[T]) -> [T; 2] {
+    [some[0], some[some.len() - 1]]
+}
+
+/// One or two samples.
+#[inline(always)]
+fn two<S: Real>(samples: &[Lanes<S>]) -> Places<S, { 2 * LANES }> {
+    side_by_side([&samples[0], &samples[samples.len() - 1]])
+}
+
+#[inline(always)]
+fn side_by_side<S: Real>([first, second]: [&Lanes<S>; 2]) -> Places<S, { 2 * LANES }> {
+    let mut places = [S::ZERO; 2 * LANES];
+    for lane in 0..LANES {
+        (places[lane], places[LANES + lane]) = (first.0[lane], second.0[lane]);
+    }
+    Places(places)
+}
+
+/// Back into one or two samples.
+#[inline(always)]
+fn put<S: Real>(places: Places<S, { 2 * LANES }>, samples: &mut [Lanes<S>]) {
+    for (sample, places) in samples.iter_mut().zip(places.0.as_chunks().0) {
+        sample.0 = *places;
+    }
 }
 
 #[cfg(test)]
@@ -244,6 +275,29 @@ mod tests {
                 });
                 prop_assert_eq!(of_group::<f64>(&light, slopes), of_sweeps::<f64>(&light, slopes));
                 prop_assert_eq!(of_group::<f32>(&light, slopes), of_sweeps::<f32>(&light, slopes));
+            }
+        }
+    }
+
+    proptest! {
+        /// Two samples at a time, an odd one last: what each is alone.
+        #[test]
+        fn a_run_is_its_samples((angles, slopes, albedo) in anywhere(), samples in 0..6usize) {
+            let sun = Sun { azimuth: angles[0], elevation: angles[1] };
+            let ranges: Vec<f64> = (1..=samples).map(|k| 7.3 * k as f64).collect();
+            let signal = |slope: f64| -> Vec<Lanes<f32>> {
+                let value = |k: usize, lane: usize| (slope * (1.0 + 0.1 * k as f64) - 0.03 * lane as f64) as f32;
+                (0..samples).map(|k| Lanes::from_fn(|lane| value(k, lane))).collect()
+            };
+            let [height, along, across] = slopes.map(signal);
+            for law in LAWS {
+                let light = GroupLight::new(&[SweepLight::new(&sun, albedo, law, [0.8, 0.6]); 8]);
+                let mut run = vec![Lanes::default(); samples];
+                light.reflect([&height, &along, &across], &ranges, &mut run);
+                for k in 0..samples {
+                    let sight = height[k] * ((1.0 / ranges[k]) as f32);
+                    prop_assert_eq!(run[k], light.reflectivity(along[k], across[k], sight), "{:?}", law);
+                }
             }
         }
     }

@@ -1,8 +1,6 @@
 //! Laws of reflection (section 7, specular factor; the report invites other functions).
 
-use std::ops::Mul;
-
-use signal::Real;
+use signal::Number;
 
 /// How much light the ground sends to the eye: `albedo * mu0 * factor`.
 ///
@@ -42,13 +40,14 @@ impl Photometry {
     /// 0. A negative mu0 (local shadow) counts by its amount, so that `mu0 * factor` runs smoothly through 0 and stays
     /// within 2 either way under the diffuse laws.
     #[inline(always)]
-    pub fn factor<S: Real>(&self, mu0: S, mu: S, cos_g: S) -> S {
+    pub fn factor<T: Number>(&self, mu0: T, mu: T, cos_g: T) -> T {
+        let one = mu0.like(1.0);
         match *self {
-            Self::Lambert => S::ONE,
+            Self::Lambert => one,
             Self::LommelSeeliger => lommel_seeliger(mu0, mu),
             Self::LunarLambert => lunar_lambert(mu0, mu, cos_g),
             Self::Specular { strength, exponent } => {
-                S::ONE + S::from_f64(strength) * power(mirrored(mu0, mu, cos_g), S::ONE, exponent)
+                one + one.like(strength) * power(mirrored(mu0, mu, cos_g), one, exponent)
             }
         }
     }
@@ -56,45 +55,46 @@ impl Photometry {
 
 /// `2 / (mu0 + mu)`.
 #[inline(always)]
-pub(crate) fn lommel_seeliger<S: Real>(mu0: S, mu: S) -> S {
-    let sum = mu0.at_least(-mu0) + mu.at_least(S::ZERO);
-    (S::ONE + S::ONE) / sum.at_least(S::from_f64(GRAZING))
+fn lommel_seeliger<T: Number>(mu0: T, mu: T) -> T {
+    let sum = mu0.at_least(-mu0) + mu.at_least(mu.like(0.0));
+    mu.like(2.0) / sum.at_least(mu.like(GRAZING))
 }
 
 #[inline(always)]
-pub(crate) fn lunar_lambert<S: Real>(mu0: S, mu: S, cos_g: S) -> S {
+fn lunar_lambert<T: Number>(mu0: T, mu: T, cos_g: T) -> T {
     let share = lunar_share(cos_g);
-    share * lommel_seeliger(mu0, mu) + (S::ONE - share)
+    share * lommel_seeliger(mu0, mu) + (share.like(1.0) - share)
 }
 
 /// Share of Lommel and Seeliger's law in the Moon's light, L, 0..=1.
 #[inline(always)]
-fn lunar_share<S: Real>(cos_g: S) -> S {
-    let half_angle = within_one(S::from_f64(0.5) * (S::ONE - cos_g)).root();
-    let mut share = S::from_f64(LUNAR[5]);
+fn lunar_share<T: Number>(cos_g: T) -> T {
+    let number = |value: f64| cos_g.like(value);
+    let half_angle = within_one(number(0.5) * (number(1.0) - cos_g)).root();
+    let mut share = number(LUNAR[5]);
     for k in (0..5).rev() {
-        share = share * half_angle + S::from_f64(LUNAR[k]);
+        share = share * half_angle + number(LUNAR[k]);
     }
-    share.at_least(S::ZERO)
+    share.at_least(number(0.0))
 }
 
 /// Cosine between the mirrored sun and the eye, 0..=1.
 #[inline(always)]
-pub(crate) fn mirrored<S: Real>(mu0: S, mu: S, cos_g: S) -> S {
-    let (mu0, mu) = (mu0.at_least(S::ZERO), mu.at_least(S::ZERO));
-    within_one((S::ONE + S::ONE) * mu0 * mu - cos_g)
+fn mirrored<T: Number>(mu0: T, mu: T, cos_g: T) -> T {
+    let (mu0, mu) = (mu0.at_least(mu0.like(0.0)), mu.at_least(mu.like(0.0)));
+    within_one(mu.like(2.0) * mu0 * mu - cos_g)
 }
 
 /// `value` held to 0..=1.
 #[inline(always)]
-fn within_one<S: Real>(value: S) -> S {
-    let value = value.at_least(S::ZERO);
-    if value < S::ONE { value } else { S::ONE }
+fn within_one<T: Number>(value: T) -> T {
+    let (zero, one) = (value.like(0.0), value.like(1.0));
+    -(-value.at_least(zero)).at_least(-one)
 }
 
 /// `base^exponent` by squaring.
 #[inline(always)]
-pub(crate) fn power<T: Copy + Mul<Output = T>>(base: T, one: T, exponent: u32) -> T {
+fn power<T: Number>(base: T, one: T, exponent: u32) -> T {
     let (mut result, mut square, mut left) = (one, base, exponent);
     while left > 0 {
         if left & 1 == 1 {

@@ -2,8 +2,10 @@
 
 use std::ops::Range;
 
+use fearless_simd::prelude::{Select, SimdBase, SimdFrom};
+use fearless_simd::{Level, Simd, dispatch};
 use scenario::TextureInShadow;
-use signal::{Lanes, Real, Stretches};
+use signal::{Lanes, Number, Real, Stretches};
 
 use crate::MixingUnit;
 
@@ -20,27 +22,51 @@ impl MixingUnit {
         runs: &[Range<usize>],
         reflectivity: &mut [Lanes<S>],
     ) {
-        let add = |reflectivity: &mut [Lanes<S>], least: S| {
-            for run in runs {
-                let texture = texture.get(run.start..).unwrap_or_default();
-                for (value, &texture) in reflectivity[run.clone()].iter_mut().zip(texture) {
-                    *value = value.map(|value| value.at_least(least)) + texture;
-                }
-            }
-        };
-        match self.texture_in_shadow {
+        let video = Video { runs, texture };
+        dispatch!(Level::new(), simd => match self.texture_in_shadow {
             TextureInShadow::Off => {
-                add(reflectivity, S::from_f64(f64::NEG_INFINITY));
+                video.add(simd, S::from_f64(f64::NEG_INFINITY), reflectivity);
                 blank(dark, reflectivity);
+                video.clip(simd, reflectivity);
             }
             TextureInShadow::On => {
                 blank(dark, reflectivity);
-                add(reflectivity, S::ZERO);
+                video.add(simd, S::ZERO, reflectivity);
+                video.clip(simd, reflectivity);
+            }
+        });
+    }
+}
+
+/// What stands about VS2.
+struct Video<'a, S> {
+    runs: &'a [Range<usize>],
+    texture: &'a [Lanes<S>],
+}
+
+impl<S: Real> Video<'_, S> {
+    /// The adder: texture upon what is not below `least`.
+    #[inline(always)]
+    fn add<L: Simd>(&self, simd: L, least: S, reflectivity: &mut [Lanes<S>]) {
+        let least = S::Vector::<L>::simd_from(simd, least);
+        for run in self.runs {
+            let texture = self.texture.get(run.start..).unwrap_or_default();
+            for (value, texture) in reflectivity[run.clone()].iter_mut().zip(texture) {
+                let [light, grain] =
+                    [&value.0, &texture.0].map(|lanes| S::Vector::<L>::from_slice(simd, lanes));
+                (light.at_least(least) + grain).store_slice(&mut value.0);
             }
         }
-        for run in runs {
+    }
+
+    /// The clip: nothing is brighter than white.
+    #[inline(always)]
+    fn clip<L: Simd>(&self, simd: L, reflectivity: &mut [Lanes<S>]) {
+        let white = S::Vector::<L>::simd_from(simd, S::ONE);
+        for run in self.runs {
             for value in &mut reflectivity[run.clone()] {
-                *value = value.map(|value| if value > S::ONE { S::ONE } else { value });
+                let light = S::Vector::<L>::from_slice(simd, &value.0);
+                light.simd_gt(white).select(white, light).store_slice(&mut value.0);
             }
         }
     }
@@ -48,6 +74,7 @@ impl MixingUnit {
 
 /// VS2: nothing is left within the stretches, and at their ends what is lit of half a step before a sample and half a step
 /// behind it.
+#[inline(always)]
 fn blank<S: Real>(dark: Option<&Stretches>, reflectivity: &mut [Lanes<S>]) {
     let Some(dark) = dark else { return };
     for (lane, stretches) in dark.iter().enumerate() {

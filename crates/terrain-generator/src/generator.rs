@@ -134,24 +134,9 @@ impl TerrainGenerator<'_> {
     /// Reflectivity of `samples` from the slopes along and across (section 7), and from the line of sight if the law asks for
     /// it.
     pub fn reflect<S: Real>(&self, light: &GroupLight<S>, samples: Range<usize>, profile: &mut Profile<S>) {
-        dispatch!(Level::new(), _ => self.reflect_by(light, samples, profile));
-    }
-
-    #[inline(always)]
-    fn reflect_by<S: Real>(&self, light: &GroupLight<S>, samples: Range<usize>, profile: &mut Profile<S>) {
-        let slopes = profile.along[samples.clone()].iter().zip(&profile.across[samples.clone()]);
-        let signals = profile.reflectivity[samples.clone()].iter_mut().zip(slopes);
-        if !light.needs_sight() {
-            for (reflectivity, (&along, &across)) in signals {
-                *reflectivity = light.lambert(along, across);
-            }
-            return;
-        }
-        for ((reflectivity, (&along, &across)), (&height, &range)) in
-            signals.zip(profile.height[samples.clone()].iter().zip(&self.ranges[samples]))
-        {
-            let sight = height * Lanes::splat(S::from_f64(1.0 / range));
-            *reflectivity = light.reflectivity(along, across, sight);
-        }
+        let Profile { height, along, across, reflectivity } = profile;
+        let ground = [&height[samples.clone()], &along[samples.clone()], &across[samples.clone()]];
+        let (ranges, out) = (&self.ranges[samples.clone()], &mut reflectivity[samples]);
+        dispatch!(Level::new(), _ => light.reflect(ground, ranges, out));
     }
 }

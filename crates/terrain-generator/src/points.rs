@@ -1,4 +1,4 @@
-//! Stretches of one or two samples, straight through the array: eight samples side by side.
+//! Stretches of one or two samples, straight through the array: eight stretches side by side.
 
 use fearless_simd::prelude::{SimdBase, SimdFrom};
 use fearless_simd::{Simd, f64x8};
@@ -11,123 +11,155 @@ use crate::stretches::{Stretch, Walk};
 use crate::sweeps::Sweeps;
 use crate::{Registers, TerrainGenerator};
 
-/// Samples that wait for the array, and what it made of those before.
-#[derive(Debug, Clone)]
+/// Stretches that wait for the array, by their samples: the words of two samples are brought once.
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Points {
-    waiting: Waiting,
-    /// Height, slopes along and across (m, m/m) of all samples that came before those that wait.
-    values: Vec<[f64; 3]>,
-    stretches: Vec<Short>,
+    ones: Waiting<1>,
+    twos: Waiting<2>,
 }
 
-/// A stretch of one or two samples.
-#[derive(Debug, Clone, Copy)]
-struct Short {
-    lane: usize,
-    first: usize,
-    samples: usize,
-}
-
-/// What the array is fed with at eight samples.
+/// Up to eight stretches of `N` samples, and what the array is fed with there.
 #[derive(Debug, Clone)]
-struct Waiting {
+struct Waiting<const N: usize> {
     count: usize,
+    lanes: [usize; LANES],
+    /// First samples.
+    firsts: [usize; LANES],
     /// Corners whose words are held, by place and colour; `None` where a register has words of several.
     corners: [Option<[u32; 4]>; LANES],
     /// Words of the places that have no corners.
     mixed: [[CornerWords; 4]; LANES],
     polarity: [[f64; LANES]; 2],
-    ramps: [[f64; LANES]; 2],
     direction: [[f64; LANES]; 2],
+    ramps: [[[f64; LANES]; 2]; N],
+    /// Ground ranges of the samples (m).
+    ranges: [[f64; LANES]; N],
 }
 
-impl Default for Points {
+/// Height, slopes along and across (m, m/m) of eight samples.
+type Ground<T> = [T; 3];
+
+impl<const N: usize> Default for Waiting<N> {
     fn default() -> Self {
-        let (pair, mixed) = ([[0.0; LANES]; 2], [[[0.0; 9]; 4]; LANES]);
-        let corners = [None; LANES];
-        let waiting = Waiting { count: 0, corners, mixed, polarity: pair, ramps: pair, direction: pair };
-        Self { waiting, values: Vec::new(), stretches: Vec::new() }
+        let eight = [0.0; LANES];
+        Self {
+            count: 0,
+            lanes: [0; LANES],
+            firsts: [0; LANES],
+            corners: [None; LANES],
+            mixed: [[[0.0; 9]; 4]; LANES],
+            polarity: [eight; 2],
+            direction: [eight; 2],
+            ramps: [[eight; 2]; N],
+            ranges: [eight; N],
+        }
     }
 }
 
 impl Points {
     /// A stretch of sweep `lane`, with the words that `walk` holds in it.
     #[inline(always)]
-    pub(crate) fn add<L: Simd>(
+    pub(crate) fn add<L: Simd, S: Real>(
         &mut self,
         simd: L,
         generator: &TerrainGenerator<'_>,
         (lane, walk): (usize, &Walk<'_>),
         stretch: &Stretch,
+        sweeps: &mut Sweeps<S>,
     ) {
-        let samples = stretch.samples.clone();
-        self.stretches.push(Short { lane, first: samples.start, samples: samples.len() });
-        for sample in samples {
-            let ramps = walk.ramps(generator.ranges[sample] / generator.region_size).map(|(value, _)| value);
-            self.waiting.add(&walk.registers, generator.buffer, ramps, walk.direction());
-            if self.waiting.count == LANES {
-                self.work_out(simd, generator);
+        let first = stretch.samples.start;
+        if stretch.samples.len() == 1 {
+            self.ones.add(generator, (lane, walk), first);
+            if self.ones.count == LANES {
+                self.ones.work_out(simd, generator, sweeps);
+            }
+        } else {
+            self.twos.add(generator, (lane, walk), first);
+            if self.twos.count == LANES {
+                self.twos.work_out(simd, generator, sweeps);
             }
         }
     }
 
+    /// Puts all that wait into `sweeps`.
     #[inline(always)]
-    fn work_out<L: Simd>(&mut self, simd: L, generator: &TerrainGenerator<'_>) {
-        let values = self.waiting.through_the_array(simd, generator);
-        let count = std::mem::take(&mut self.waiting.count);
-        self.values.extend((0..count).map(|k| values.map(|signal| signal[k])));
-    }
-
-    /// Puts all stretches into `sweeps`, and forgets them.
-    #[inline(always)]
-    pub(crate) fn finish<L: Simd, S: Real>(
+    pub(crate) fn work_out<L: Simd, S: Real>(
         &mut self,
         simd: L,
         generator: &TerrainGenerator<'_>,
         sweeps: &mut Sweeps<S>,
     ) {
-        self.work_out(simd, generator);
-        let mut values = self.values.as_slice();
-        for Short { lane, first, samples } in self.stretches.drain(..) {
-            let (of_stretch, rest) = values.split_at(samples);
-            values = rest;
-            let mut put = |sample: usize, values: [S; 3]| {
-                sweeps
-                    .of_sweep(lane)
-                    .into_iter()
-                    .zip(values)
-                    .for_each(|(signal, value)| signal[sample] = value);
-            };
-            match of_stretch {
-                [near, far] => {
-                    let line =
-                        Line::through([near, far], &generator.ranges[first..first + 2], generator.datum);
-                    (first..first + 2)
-                        .for_each(|sample| put(sample, line.at(S::from_f64(generator.ranges[sample]))));
-                }
-                // A polynomial has no -0.
-                of_one => of_one.iter().for_each(|&[height, along, across]| {
-                    let values = [height - generator.datum, along, across];
-                    put(first, values.map(|value| S::ZERO + S::from_f64(value)));
-                }),
-            }
-        }
-        self.values.clear();
+        self.ones.work_out(simd, generator, sweeps);
+        self.twos.work_out(simd, generator, sweeps);
     }
 }
 
-impl Waiting {
+impl Waiting<1> {
     #[inline(always)]
-    fn add(&mut self, registers: &Registers, buffer: &[CornerWords], ramps: [f64; 2], direction: [f64; 2]) {
-        let (place, polarity) = (self.count, registers.polarity());
+    fn work_out<L: Simd, S: Real>(
+        &mut self,
+        simd: L,
+        generator: &TerrainGenerator<'_>,
+        sweeps: &mut Sweeps<S>,
+    ) {
+        let [[height, along, across]] = self.through_the_array(simd, generator);
+        // A polynomial has no -0.
+        let zero = S::Vector::<L>::simd_from(simd, S::ZERO);
+        let ground =
+            [zero + S::narrow(height - generator.datum), zero + S::narrow(along), zero + S::narrow(across)];
+        self.put([ground], sweeps);
+    }
+}
+
+impl Waiting<2> {
+    #[inline(always)]
+    fn work_out<L: Simd, S: Real>(
+        &mut self,
+        simd: L,
+        generator: &TerrainGenerator<'_>,
+        sweeps: &mut Sweeps<S>,
+    ) {
+        let [near, far] = pair(simd, &self.ranges);
+        let [first, last] = self.through_the_array(simd, generator);
+        let zero = S::Vector::<L>::simd_from(simd, S::ZERO);
+        let middle = S::narrow(0.5 * (near + far));
+        let inverse_half = S::narrow(1.0 / (0.5 * (far - near)));
+        let places = [(S::narrow(near) - middle) * inverse_half, (S::narrow(far) - middle) * inverse_half];
+        // Straight lines in s, -1 and 1 at the samples, as a polynomial has them.
+        let mut ground = [[zero; 3]; 2];
+        for signal in 0..3 {
+            let datum = if signal == 0 { generator.datum } else { 0.0 };
+            let level = S::narrow(0.5 * (first[signal] + last[signal]) - datum);
+            let slope = S::narrow(0.5 * (last[signal] - first[signal]));
+            for n in 0..2 {
+                ground[n][signal] = (zero * places[n] + slope) * places[n] + level;
+            }
+        }
+        self.put(ground, sweeps);
+    }
+}
+
+impl<const N: usize> Waiting<N> {
+    #[inline(always)]
+    fn add(&mut self, generator: &TerrainGenerator<'_>, (lane, walk): (usize, &Walk<'_>), first: usize) {
+        let (place, registers): (usize, &Registers) = (self.count, &walk.registers);
+        (self.lanes[place], self.firsts[place]) = (lane, first);
         self.corners[place] = registers.corners_held();
         if self.corners[place].is_none() {
-            self.mixed[place] = registers.hold(buffer).map(|words| *words);
+            self.mixed[place] = registers.hold(generator.buffer).map(|words| *words);
         }
+        let (polarity, direction) = (registers.polarity(), walk.direction());
         for axis in 0..2 {
             self.polarity[axis][place] = polarity[axis];
-            self.ramps[axis][place] = ramps[axis];
             self.direction[axis][place] = direction[axis];
+        }
+        for n in 0..N {
+            let range = generator.ranges[first + n];
+            let ramps = walk.ramps(range / generator.region_size);
+            self.ranges[n][place] = range;
+            for axis in 0..2 {
+                self.ramps[n][axis][place] = ramps[axis].0;
+            }
         }
         self.count += 1;
     }
@@ -141,11 +173,11 @@ impl Waiting {
         }
     }
 
-    /// Height, slopes along and across of all eight.
+    /// Height and slopes of all eight, sample by sample.
     #[inline(always)]
-    fn through_the_array<L: Simd>(&self, simd: L, generator: &TerrainGenerator<'_>) -> [[f64; LANES]; 3] {
-        let size = generator.region_size;
-        let mut hold = [[f64x8::simd_from(simd, 0.0); 9]; 4];
+    fn through_the_array<L: Simd>(&self, simd: L, generator: &TerrainGenerator<'_>) -> [Ground<f64x8<L>>; N] {
+        let (size, zero) = (generator.region_size, f64x8::simd_from(simd, 0.0));
+        let mut hold = [[zero; 9]; 4];
         for (colour, words) in hold.iter_mut().enumerate() {
             let (square, last) = words.split_at_mut(LANES);
             let mut lasts = [0.0; LANES];
@@ -156,37 +188,34 @@ impl Waiting {
             turn_square(square.try_into().expect("eight of nine"));
             last[0] = eight(simd, &lasts);
         }
-        let (polarity, ramps) = (pair(simd, &self.polarity), pair(simd, &self.ramps));
-        let [height, hu, hv] = array([&hold[0], &hold[1], &hold[2], &hold[3]], polarity, ramps);
-        let [cos, sin] = pair(simd, &self.direction);
-        let (along, across) = ((hu * cos + hv * sin) / size, (hv * cos - hu * sin) / size);
-        [height.to_array(), along.to_array(), across.to_array()]
-    }
-}
-
-/// Height and slopes as straight lines in s, -1 and 1 at two samples.
-struct Line<S> {
-    lines: [[S; 2]; 3],
-    middle: S,
-    inverse_half: S,
-}
-
-impl<S: Real> Line<S> {
-    fn through([first, last]: [&[f64; 3]; 2], ranges: &[f64], datum: f64) -> Self {
-        let (near, far) = (ranges[0], ranges[1]);
-        let mut lines: [[f64; 2]; 3] = std::array::from_fn(|signal| {
-            [0.5 * (first[signal] + last[signal]), 0.5 * (last[signal] - first[signal])]
-        });
-        lines[0][0] -= datum;
-        Self {
-            lines: lines.map(|line| line.map(S::from_f64)),
-            middle: S::from_f64(0.5 * (near + far)),
-            inverse_half: S::from_f64(1.0 / (0.5 * (far - near))),
+        let (polarity, [cos, sin]) = (pair(simd, &self.polarity), pair(simd, &self.direction));
+        let mut ground = [[zero; 3]; N];
+        for n in 0..N {
+            let ramps = pair(simd, &self.ramps[n]);
+            let [height, hu, hv] = array([&hold[0], &hold[1], &hold[2], &hold[3]], polarity, ramps);
+            ground[n] = [height, (hu * cos + hv * sin) / size, (hv * cos - hu * sin) / size];
         }
+        ground
     }
 
-    fn at(&self, range: S) -> [S; 3] {
-        let s = (range - self.middle) * self.inverse_half;
-        self.lines.map(|[middle, slope]| (S::ZERO * s + slope) * s + middle)
+    /// Puts the samples into `sweeps`, and forgets them. What a long stretch leaves beyond its end it has left before.
+    #[inline(always)]
+    fn put<L: Simd, S: Real>(&mut self, ground: [Ground<S::Vector<L>>; N], sweeps: &mut Sweeps<S>) {
+        let mut values = [[[S::ZERO; LANES]; 3]; N];
+        for n in 0..N {
+            for signal in 0..3 {
+                ground[n][signal].store_slice(&mut values[n][signal]);
+            }
+        }
+        for place in 0..std::mem::take(&mut self.count) {
+            for (n, values) in values.iter().enumerate() {
+                let [height, along, across] = values;
+                sweeps.put(
+                    self.lanes[place],
+                    self.firsts[place] + n,
+                    [height[place], along[place], across[place]],
+                );
+            }
+        }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use fearless_simd::prelude::{ExtractToken, SimdBase, SimdFrom};
+use fearless_simd::prelude::SimdBase;
 use fearless_simd::{Level, Simd, dispatch, f64x8};
 use signal::{LANES, Real, eight, pair};
 use sweep_program::SweepProgram;
@@ -10,7 +10,7 @@ use sweep_program::SweepProgram;
 use crate::points::Points;
 use crate::region::RecentRegions;
 use crate::stretches::{Stretch, Walk};
-use crate::sweeps::Sweeps;
+use crate::sweeps::{Sweeps, WIDE};
 use crate::{Method, OUT_OF_SIGHT, Profile, Region, Segment, Span, TerrainGenerator};
 
 #[cfg(test)]
@@ -25,7 +25,7 @@ mod tests;
 pub struct Polynomials<S> {
     /// Width of vectors that the computer has.
     pub(crate) vectors: Level,
-    /// Ground range of each sample (m), with room for a vector behind the last.
+    /// Ground range of each sample (m), with room for what is evaluated beyond the last.
     ranges: Vec<S>,
     regions: RecentRegions,
     stretches: Stretches,
@@ -76,7 +76,7 @@ impl<S: Real> Method<S> for Polynomials<S> {
         span: Range<usize>,
         profile: &mut Profile<S>,
     ) {
-        self.ranges.resize(generator.ranges.len() + LANES, S::ZERO);
+        self.ranges.resize(generator.ranges.len() + WIDE, S::ZERO);
         self.sweeps.resize(generator.ranges.len());
         self.regions.forget();
         dispatch!(self.vectors, simd => self.trace_by(simd, generator, programs, &span));
@@ -98,7 +98,7 @@ impl<S: Real> Polynomials<S> {
         while self.collect(simd, generator, &mut walks, span.end) {
             self.stretches.trace(simd, generator.datum, &self.ranges, &mut self.sweeps);
         }
-        self.points.finish(simd, generator, &mut self.sweeps);
+        self.points.work_out(simd, generator, &mut self.sweeps);
         self.drop_out_of_sight(&walks, span);
     }
 
@@ -121,7 +121,7 @@ impl<S: Real> Polynomials<S> {
                     any = true;
                     break;
                 }
-                self.points.add(simd, generator, (lane, walk), &stretch);
+                self.points.add(simd, generator, (lane, walk), &stretch, &mut self.sweeps);
             }
         }
         any
@@ -167,7 +167,7 @@ impl Stretches {
     fn trace<L: Simd, S: Real>(&self, simd: L, datum: f64, ranges: &[S], sweeps: &mut Sweeps<S>) {
         let expanded = self.expand(simd, datum);
         for (lane, samples) in self.samples.iter().enumerate() {
-            expanded.evaluate(simd, lane, samples.clone(), ranges, sweeps.of_sweep(lane));
+            expanded.evaluate(lane, samples.clone(), ranges, sweeps.of_sweep(lane));
         }
     }
 
@@ -209,37 +209,53 @@ impl Default for Stretches {
 }
 
 impl<S: Real> Expanded<S> {
-    /// Height and slopes at the samples of one stretch, and at up to seven behind it that are written over later.
+    /// Height and slopes at the samples of one stretch, and at some behind it that are written over later: sixteen at a time while
+    /// there are more than eight.
     #[inline(always)]
-    fn evaluate<L: Simd>(
-        &self,
-        simd: L,
-        lane: usize,
-        samples: Range<usize>,
-        ranges: &[S],
-        [height, along, across]: [&mut [S]; 3],
-    ) {
-        let [middle, inverse_half] =
-            [self.middle[lane], self.inverse_half[lane]].map(|value| S::Vector::<L>::simd_from(simd, value));
-        for first in samples.step_by(LANES) {
-            let eight = first..first + LANES;
-            let s = (S::Vector::from_slice(simd, &ranges[eight.clone()]) - middle) * inverse_half;
-            horner(&self.height, lane, s).store_slice(&mut height[eight.clone()]);
-            horner(&self.along, lane, s).store_slice(&mut along[eight.clone()]);
-            horner(&self.across, lane, s).store_slice(&mut across[eight]);
+    fn evaluate(&self, lane: usize, samples: Range<usize>, ranges: &[S], mut signals: [&mut [S]; 3]) {
+        let mut first = samples.start;
+        while first + LANES < samples.end {
+            self.evaluate_some::<WIDE>(lane, first, ranges, &mut signals);
+            first += WIDE;
         }
+        if first < samples.end {
+            self.evaluate_some::<LANES>(lane, first, ranges, &mut signals);
+        }
+    }
+
+    /// The same at `N` samples from `first` on.
+    #[inline(always)]
+    fn evaluate_some<const N: usize>(
+        &self,
+        lane: usize,
+        first: usize,
+        ranges: &[S],
+        [height, along, across]: &mut [&mut [S]; 3],
+    ) {
+        let (middle, inverse_half) = (self.middle[lane], self.inverse_half[lane]);
+        let (some, mut s) = (first..first + N, [S::ZERO; N]);
+        for (s, &range) in s.iter_mut().zip(&ranges[some.clone()]) {
+            *s = (range - middle) * inverse_half;
+        }
+        height[some.clone()].copy_from_slice(&horner(&self.height, lane, &s));
+        along[some.clone()].copy_from_slice(&horner(&self.along, lane, &s));
+        across[some].copy_from_slice(&horner(&self.across, lane, &s));
     }
 }
 
+/// A polynomial of sweep `lane` at several places; arrays, as no vector of `S` is known to be as wide as the computer's.
 #[inline(always)]
-fn horner<L: Simd, S: Real, const N: usize>(
-    coefficients: &[[S; LANES]; N],
+fn horner<S: Real, const N: usize, const C: usize>(
+    coefficients: &[[S; LANES]; C],
     lane: usize,
-    s: S::Vector<L>,
-) -> S::Vector<L> {
-    let mut sum = S::Vector::<L>::simd_from(s.token(), coefficients[N - 1][lane]);
-    for k in (0..N - 1).rev() {
-        sum = sum * s + coefficients[k][lane];
+    s: &[S; N],
+) -> [S; N] {
+    let mut sum = [coefficients[C - 1][lane]; N];
+    for k in (0..C - 1).rev() {
+        let coefficient = coefficients[k][lane];
+        for n in 0..N {
+            sum[n] = sum[n] * s[n] + coefficient;
+        }
     }
     sum
 }

@@ -8,6 +8,9 @@ use signal::{LANES, Lanes, Real, turn_square};
 
 use crate::Profile;
 
+/// Samples that are evaluated at once at most.
+pub(crate) const WIDE: usize = 2 * LANES;
+
 /// Height above the eye (m), slopes along and across of each sweep of a group, sample after sample.
 ///
 /// Behind the last sample of a sweep there is room for those that vectors work out beyond it.
@@ -21,7 +24,7 @@ pub(crate) struct Sweeps<S> {
 impl<S: Real> Sweeps<S> {
     /// Room for sweeps of `samples` samples.
     pub(crate) fn resize(&mut self, samples: usize) {
-        self.room = samples + LANES;
+        self.room = samples + WIDE;
         self.signals.iter_mut().for_each(|signal| signal.resize(LANES * self.room, S::ZERO));
     }
 
@@ -30,6 +33,15 @@ impl<S: Real> Sweeps<S> {
     pub(crate) fn of_sweep(&mut self, lane: usize) -> [&mut [S]; 3] {
         let room = lane * self.room..(lane + 1) * self.room;
         self.signals.each_mut().map(|signal| &mut signal[room.clone()])
+    }
+
+    /// Puts one sample of a sweep.
+    #[inline(always)]
+    pub(crate) fn put(&mut self, lane: usize, sample: usize, values: [S; 3]) {
+        let place = lane * self.room + sample;
+        for (signal, value) in self.signals.iter_mut().zip(values) {
+            signal[place] = value;
+        }
     }
 
     /// Puts the samples of `span` side by side; nothing else of `profile` is touched.

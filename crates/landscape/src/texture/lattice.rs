@@ -3,9 +3,9 @@
 use std::ops::{Add, Mul, Sub};
 
 use fearless_simd::prelude::{
-    Bytes, ExtractToken, SimdBase, SimdFloat, SimdFrom, SimdInt, SimdNarrow, SimdSplit,
+    Bytes, ExtractToken, SimdBase, SimdCombine, SimdFloat, SimdFrom, SimdInt, SimdNarrow, SimdSplit,
 };
-use fearless_simd::{Simd, f32x8, f64x8, i32x8, u32x8};
+use fearless_simd::{Simd, f32x16, f64x8, i32x16, u32x8, u32x16};
 use quantities::hash_words;
 use signal::{LANES, Real};
 
@@ -84,8 +84,8 @@ impl Hashed {
         let [row, column] = [(x - 0.5) + ROUND, (y - 0.5) + ROUND];
         // No `map` and no closure: what they are handed is not always compiled for the width of the vectors.
         let key = line_numbers(row) * STRIDE[0] + line_numbers(column) * STRIDE[1] + self.seed;
-        let south = [eight_values::<L, S>(key), eight_values::<L, S>(key + CORNERS[0][1])];
-        let north = [eight_values::<L, S>(key + CORNERS[1][0]), eight_values::<L, S>(key + CORNERS[1][1])];
+        let south = key.combine(key + CORNERS[0][1]);
+        let (south, north) = (values::<L, S>(south), values::<L, S>(south + CORNERS[1][0]));
         let ways = [S::narrow(x - (row - ROUND)), S::narrow(y - (column - ROUND))];
         let three = S::Vector::<L>::simd_from(x.token(), S::from_f64(3.0));
         join([south, north], ways, three)
@@ -117,18 +117,19 @@ fn scramble(key: u32) -> u32 {
     key ^ (key >> 15)
 }
 
-/// [`value`] of what [`scramble`] makes of eight keys.
+/// [`value`] of what [`scramble`] makes of twice eight keys.
 #[inline(always)]
-fn eight_values<L: Simd, S: Real>(keys: u32x8<L>) -> S::Vector<L> {
+fn values<L: Simd, S: Real>(keys: u32x16<L>) -> [S::Vector<L>; 2] {
     let keys = (keys ^ (keys >> 16)) * 0x21f0_aaad;
     let keys = (keys ^ (keys >> 15)) * 0xd35a_2d97;
-    let bits: i32x8<L> = ((keys ^ (keys >> 15)) >> 8).bitcast();
-    let values = (bits - (1 << 23)).to_float::<f32x8<L>>() * (1.0 / 8_388_608.0);
-    let mut out = [S::ZERO; LANES];
+    let bits: i32x16<L> = ((keys ^ (keys >> 15)) >> 8).bitcast();
+    let values = (bits - (1 << 23)).to_float::<f32x16<L>>() * (1.0 / 8_388_608.0);
+    let mut out = [[S::ZERO; LANES]; 2];
     for lane in 0..LANES {
-        out[lane] = S::from_f64(f64::from(values[lane]));
+        out[0][lane] = S::from_f64(f64::from(values[lane]));
+        out[1][lane] = S::from_f64(f64::from(values[LANES + lane]));
     }
-    S::Vector::<L>::from_slice(keys.token(), &out)
+    [S::Vector::<L>::from_slice(keys.token(), &out[0]), S::Vector::<L>::from_slice(keys.token(), &out[1])]
 }
 
 /// Numbers of eight lattice lines.
