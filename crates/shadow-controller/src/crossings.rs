@@ -1,6 +1,5 @@
 //! Where the sweeps of a frame cross boundary segments.
 
-use std::array;
 use std::ops::Range;
 
 use fearless_simd::{Level, Simd, dispatch};
@@ -121,9 +120,10 @@ struct Part<C> {
     ends: Vec<u32>,
 }
 
-/// A line, and the number of sweeps to the left of its two ends, which differ.
+/// A line, where it is from, and the number of sweeps to the left of its two ends, which differ.
 #[derive(Debug, Clone, Copy)]
 struct MetLine {
+    line: Line,
     place: Place,
     left: [u32; 2],
 }
@@ -175,16 +175,12 @@ impl<'a, F: Sighting, C: Crossing> Met<'a, F, C> {
     fn part(&self, fan: &Fan<'_>, lines: &[MetLine]) -> Part<C> {
         let mut ends = begins(lines, self.sweeps());
         let mut crossings = vec![C::default(); lines.iter().map(|line| line.sweeps().len()).sum()];
-        for some in lines.chunks(TOGETHER) {
-            // How many sweeps cross a line nobody can guess: first all lines, none of which waits for another.
-            let seen: [Line; TOGETHER] = array::from_fn(|n| self.line(some[n.min(some.len() - 1)].place));
-            for (met, line) in some.iter().zip(&seen) {
-                let [a, b] = met.left;
-                for sweep in met.sweeps() {
-                    // Leftwards its shadow lies beyond it.
-                    crossings[ends[sweep] as usize] = C::new(fan.crossing(sweep, line), a < b, met.place);
-                    ends[sweep] += 1;
-                }
+        for met in lines {
+            let [a, b] = met.left;
+            for sweep in met.sweeps() {
+                // Leftwards its shadow lies beyond it.
+                crossings[ends[sweep] as usize] = C::new(fan.crossing(sweep, &met.line), a < b, met.place);
+                ends[sweep] += 1;
             }
         }
         Part { crossings, ends }
@@ -282,8 +278,7 @@ fn find_met<V: Simd>(
             sifted.may_cross &= !(1 << (end as usize - first));
             ends = others;
         }
-        let line = |number: usize| sighting.line(outlines.segment(number));
-        keep_met(fan, [list, first as u32], sifted, guesses, line, met);
+        keep_met(fan, [list, first as u32], sifted, guesses, met);
     }
 }
 
@@ -294,21 +289,21 @@ fn keep_met(
     [list, first]: Place,
     Sifted { mut may_cross, known }: Sifted,
     guesses: &Guesses,
-    line: impl Fn(usize) -> Line,
     met: &mut Vec<MetLine>,
 ) {
     while may_cross != 0 {
         let n = may_cross.trailing_zeros();
         may_cross &= may_cross - 1;
         let number = first + n;
+        let line = guesses.line(number as usize);
         let left = if known >> n & 1 == 1 {
             guesses.left(number as usize)
         } else {
-            match fan.span(&line(number as usize)) {
+            match fan.span(&line) {
                 Some([a, b]) if a != b => [a as u32, b as u32],
                 _ => continue,
             }
         };
-        met.push(MetLine { place: [list, number], left });
+        met.push(MetLine { line, place: [list, number], left });
     }
 }

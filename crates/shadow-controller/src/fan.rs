@@ -29,6 +29,8 @@ pub(crate) struct Fan<'a> {
 /// Of corners, one after the other, what is known by a guess; used again from list to list.
 #[derive(Debug, Default)]
 pub(crate) struct Guesses {
+    /// Where they are from the eye: north, east (m). Of a tile they are worked out but once.
+    seen: [Vec<f64>; 2],
     /// How far ahead they are (m).
     ahead: Vec<f64>,
     /// Least and most sweeps to their left, where they are ahead.
@@ -130,6 +132,9 @@ impl<V: Simd> Guesser<V> {
         let guess = (across / ahead - self.leftmost) * self.density;
         let (low, high) = ((guess - self.doubt).ceil(), (guess + self.doubt).ceil());
         let [none, all] = self.sweeps;
+        for (axis, places) in out.seen.iter_mut().zip(seen) {
+            axis[first..first + TOGETHER].copy_from_slice(&places);
+        }
         ahead.store_slice(&mut out.ahead[first..first + TOGETHER]);
         low.max(none).min(all).store_slice(&mut out.low[first..first + TOGETHER]);
         high.max(none).min(all).store_slice(&mut out.high[first..first + TOGETHER]);
@@ -141,12 +146,19 @@ impl Guesses {
     pub(crate) fn make_room(&mut self, count: usize) {
         // Whoever looks at the last line looks at eight.
         let room = count.next_multiple_of(TOGETHER) + TOGETHER;
-        [&mut self.ahead, &mut self.low, &mut self.high]
+        let [north, east] = &mut self.seen;
+        [north, east, &mut self.ahead, &mut self.low, &mut self.high]
             .into_iter()
             .for_each(|guesses| guesses.resize(room.max(guesses.len()), 0.0));
     }
 
-    /// Sweeps to the left of where the line from corner `number` on begins and of where it ends, if that is known.
+    /// The line from corner `number` on.
+    pub(crate) fn line(&self, number: usize) -> Line {
+        let [from, to] = [number, number + 1].map(|n| [self.seen[0][n], self.seen[1][n]]);
+        Line { from, to }
+    }
+
+    /// Sweeps to the left of where it begins and of where it ends, if that is known.
     pub(crate) fn left(&self, number: usize) -> [u32; 2] {
         [self.low[number] as u32, self.low[number + 1] as u32]
     }
