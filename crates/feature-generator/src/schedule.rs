@@ -113,24 +113,6 @@ impl Schedule<'_> {
         program.loads.sort_unstable_by_key(|load| load.crater);
     }
 
-    /// The craters that [`write`](Self::write) finds, for whoever does not ask which sub-generator makes which and has as
-    /// many as it takes.
-    pub fn list(
-        &self,
-        eye: [f64; 2],
-        direction: [f64; 2],
-        [from, to]: [f64; 2],
-        program: &mut FeatureProgram,
-    ) {
-        let line = Line { eye, direction, from, to };
-        self.find(&line, program);
-        let load = |&crater: &u32| {
-            let (middle, side) = line.foot(&self.features.crater(crater));
-            FeatureLoad { crater, sub_generator: 0, middle, side, from: f64::NEG_INFINITY }
-        };
-        program.loads.extend(program.found.iter().map(load));
-    }
-
     /// Which craters the sweep meets.
     fn find(&self, &Line { eye, direction, from, to }: &Line, program: &mut FeatureProgram) {
         program.clear(to);

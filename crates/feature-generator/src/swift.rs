@@ -2,15 +2,14 @@
 
 use fearless_simd::{Level, Simd, dispatch};
 use features::Features;
-use signal::{LANES, Lanes, Real};
+use signal::{Lanes, Real};
 
-use crate::passing::Passings;
 use crate::side_by_side::Ground;
-use crate::{FeatureGenerator, FeatureProfile, FeatureProgram, Surface};
+use crate::{FeatureGenerator, FeatureProfile, Passings, Surface};
 
 impl FeatureGenerator<'_> {
-    /// Adds the craters of a group to `surface`, in the order of the programs; `features` are those from which the programs
-    /// were written, `place` of a range (m) is where it is on the sweep clock, sample k at k, from half a step before the first
+    /// Adds the craters of a group to `surface`, in their order; `features` are those among which they were found, `place` of a
+    /// range (m) is where it is on the sweep clock, sample k at k, from half a step before the first
     /// sample to half a step beyond the last.
     ///
     /// Heights are those of [`run`](Self::run), and slopes too but for samples less than half a step from a kink: they get of the
@@ -19,41 +18,39 @@ impl FeatureGenerator<'_> {
     pub fn lay<S: Real>(
         &self,
         features: &Features,
-        programs: &[FeatureProgram; LANES],
+        passings: &Passings,
         place: impl Fn(f64) -> f64,
         surface: Surface<'_, S>,
     ) {
-        self.lay_all(Level::new(), features, programs, place, surface, None);
+        self.lay_all(Level::new(), features, passings, place, surface, None);
     }
 
     /// The same apart from the terrain: `profile` without kinks, present wherever it adds anything.
     pub fn lay_apart<S: Real>(
         &self,
         features: &Features,
-        programs: &[FeatureProgram; LANES],
+        passings: &Passings,
         place: impl Fn(f64) -> f64,
         profile: &mut FeatureProfile<S>,
     ) {
         profile.clear(self.ranges.len());
         let FeatureProfile { height, along, across, present, .. } = profile;
         let surface = Surface { height, along, across };
-        self.lay_all(Level::new(), features, programs, place, surface, Some(present));
+        self.lay_all(Level::new(), features, passings, place, surface, Some(present));
     }
 
     fn lay_all<'s, S: Real>(
         &self,
         vectors: Level,
         features: &Features,
-        programs: &[FeatureProgram; LANES],
+        passings: &Passings,
         place: impl Fn(f64) -> f64,
         surface: Surface<'s, S>,
         present: Option<&'s mut [Lanes<S>]>,
     ) {
-        let samples = programs
-            .each_ref()
-            .map(|program| self.ranges.partition_point(|&range| range <= program.end_range));
+        let samples = passings.ends.map(|end| self.ranges.partition_point(|&range| range <= end));
         let mut ground = Ground { ranges: self.ranges, place, samples, surface, present };
-        dispatch!(vectors, simd => lay_passings(simd, features, Passings::of(programs), &mut ground));
+        dispatch!(vectors, simd => lay_passings(simd, features, passings, &mut ground));
     }
 }
 
@@ -61,11 +58,11 @@ impl FeatureGenerator<'_> {
 fn lay_passings<L: Simd, S: Real>(
     simd: L,
     features: &Features,
-    passings: Passings<'_>,
+    passings: &Passings,
     ground: &mut Ground<'_, '_, S, impl Fn(f64) -> f64>,
 ) {
-    for passing in passings {
-        ground.lay(simd, &features.crater(passing.crater), &passing);
+    for passing in &passings.craters {
+        ground.lay(simd, &features.crater(passing.crater), passing);
     }
 }
 
@@ -77,7 +74,8 @@ mod tests {
     use proptest::prelude::{Strategy, prop_assert, prop_assert_eq, prop_oneof, proptest};
     use signal::{LANES, Lanes};
 
-    use crate::{FeatureGenerator, FeatureLoad, FeatureProfile, FeatureProgram, Kink, Schedule, Surface};
+    use crate::passing::Passing;
+    use crate::{FeatureGenerator, FeatureProfile, FeatureProgram, Kink, Passings, Schedule, Surface};
 
     fn crater() -> impl Strategy<Value = Crater> {
         let shape = prop_oneof![
@@ -99,19 +97,30 @@ mod tests {
         }
     }
 
+    /// All sweeps pass the centre of crater 0 at a range.
+    fn over_the_middle(range: f64) -> Passings {
+        let from = [f64::NEG_INFINITY; LANES];
+        let passing = Passing { crater: 0, middle: [range; LANES], side: [0.0; LANES], from };
+        Passings { craters: vec![passing], ends: [29.0; LANES] }
+    }
+
+    /// Unit vectors that far apart (rad).
+    fn directions(turn: f64) -> [[f64; 2]; LANES] {
+        std::array::from_fn(|lane| {
+            let (sin, cos) = quantities::sin_cos(turn * (lane as f64 - 3.5));
+            [cos, sin]
+        })
+    }
+
     #[test]
     fn a_kink_beside_a_sample_leaves_it_its_share() {
         let crater = Crater::new([10.3, 0.0], Shape::Bowl { r1: 5.0 }, 1.0, 0.0).unwrap();
         let (features, ranges) = (Features::new(vec![crater]), (1..30).map(f64::from).collect::<Vec<_>>());
-        let load =
-            FeatureLoad { crater: 0, sub_generator: 0, middle: 10.3, side: 0.0, from: f64::NEG_INFINITY };
-        let mut program = FeatureProgram::default();
-        (program.loads, program.end_range) = (vec![load], 29.0);
+        let passings = over_the_middle(10.3);
         let mut sums: [Vec<Lanes<f64>>; 3] = std::array::from_fn(|_| vec![Lanes::splat(0.0); 29]);
         let [height, along, across] = &mut sums;
-        let programs = std::array::from_fn(|_| program.clone());
         let generator = FeatureGenerator { ranges: &ranges };
-        generator.lay(&features, &programs, |range| range - 1.0, Surface { height, along, across });
+        generator.lay(&features, &passings, |range| range - 1.0, Surface { height, along, across });
         // It begins at 5.3 m and ends at 15.3 m: a fifth of the step about 5 m, eight tenths of that about 15 m.
         let slope = |range: f64| 0.08 * (range - 10.3);
         let expected = [(4, 0.0), (5, 0.2 * slope(5.3)), (6, slope(6.0)), (15, 0.8 * slope(15.0)), (16, 0.0)];
@@ -126,15 +135,11 @@ mod tests {
         let shape = Shape::RimmedBowl { r1: 0.2, r2: 0.28 };
         let crater = Crater::new([10.0, 0.0], shape, 1.0, 0.1).unwrap();
         let (features, ranges) = (Features::new(vec![crater]), (1..30).map(f64::from).collect::<Vec<_>>());
-        let load =
-            FeatureLoad { crater: 0, sub_generator: 0, middle: 10.0, side: 0.0, from: f64::NEG_INFINITY };
-        let mut program = FeatureProgram::default();
-        (program.loads, program.end_range) = (vec![load], 29.0);
-        let programs = std::array::from_fn(|_| program.clone());
+        let passings = over_the_middle(10.0);
         let mut profile = FeatureProfile::<f64>::default();
         FeatureGenerator { ranges: &ranges }.lay_apart(
             &features,
-            &programs,
+            &passings,
             |range| range - 1.0,
             &mut profile,
         );
@@ -155,20 +160,15 @@ mod tests {
             let features = Features::new(craters);
             let ranges: Vec<f64> = (0..300).map(|k| 1.0 + 0.37 * f64::from(k)).collect();
             let schedule = schedule(&features);
-            let (mut programs, mut listed): ([FeatureProgram; LANES], [FeatureProgram; LANES]) = Default::default();
-            for lane in 0..LANES {
-                let (sin, cos) = quantities::sin_cos(0.02 * lane as f64 - 0.08);
-                schedule.write([0.0; 2], [cos, sin], [ranges[0], end], &mut programs[lane]);
-                schedule.list([0.0; 2], [cos, sin], [ranges[0], end], &mut listed[lane]);
-                for (load, &from) in programs[lane].loads.iter_mut().zip(&late) {
+            let mut programs: [FeatureProgram; LANES] = Default::default();
+            for (program, direction) in programs.iter_mut().zip(directions(0.02)) {
+                schedule.write([0.0; 2], direction, [ranges[0], end], program);
+                for (load, &from) in program.loads.iter_mut().zip(&late) {
                     load.from = from;
                 }
-                for (load, found) in programs[lane].loads.iter().zip(&mut listed[lane].loads) {
-                    found.from = load.from;
-                    prop_assert_eq!((load.crater, load.middle, load.side), (found.crater, found.middle, found.side));
-                }
-                prop_assert_eq!(programs[lane].loads.len(), listed[lane].loads.len());
             }
+            let mut passings = Passings::default();
+            passings.follow(&programs);
             let mut profile = FeatureProfile::<f64>::default();
             let generator = FeatureGenerator { ranges: &ranges };
             generator.run(&features, &programs, &mut profile);
@@ -176,20 +176,52 @@ mod tests {
             let (mut height, mut along, mut across) = (zero.clone(), zero.clone(), zero);
             let surface = Surface { height: &mut height, along: &mut along, across: &mut across };
             let place = |range: f64| if range <= 1.0 { -0.5 } else { ((range - 1.0) / 0.37).min(299.5) };
-            generator.lay(&features, &listed, place, surface);
+            generator.lay(&features, &passings, place, surface);
             for sample in 0..ranges.len() {
                 for lane in 0..LANES {
                     prop_assert!((height[sample][lane] - profile.height[sample][lane]).abs() < 1e-12);
                     let is_near = |kink: &Kink<f64>| (place(kink.range) - sample as f64).abs() <= 0.5 + 1e-9;
-                    let is_late = |load: &FeatureLoad| (place(load.from) - sample as f64).abs() <= 0.5 + 1e-9;
+                    let is_late = |passing: &Passing| (place(passing.from[lane]) - sample as f64).abs() <= 0.5 + 1e-9;
                     // Beyond the last sample of the profile nobody looks for kinks.
                     let is_last = ranges.get(sample + 1).is_none_or(|&next| next > end);
-                    if is_last || profile.kinks[lane].iter().any(is_near) || listed[lane].loads.iter().any(is_late) {
+                    if is_last || profile.kinks[lane].iter().any(is_near) || passings.craters.iter().any(is_late) {
                         continue;
                     }
                     prop_assert!((along[sample][lane] - profile.along[sample][lane]).abs() < 1e-12);
                     prop_assert!((across[sample][lane] - profile.across[sample][lane]).abs() < 1e-12);
                 }
+            }
+        }
+
+        /// Eight sweeps at once meet what each meets alone: to the bit.
+        #[test]
+        fn passings_that_are_found_are_those_of_the_programs(
+            craters in proptest::collection::vec(crater(), 1..40),
+            turn in 0.001..0.3f64,
+            start in 0.5..30.0f64,
+            ends in proptest::array::uniform8(20.0..110.0f64),
+        ) {
+            let features = Features::new(craters);
+            let mut programs: [FeatureProgram; LANES] = Default::default();
+            for lane in 0..LANES {
+                let span = [start, ends[lane]];
+                schedule(&features).write([3.0, -1.0], directions(turn)[lane], span, &mut programs[lane]);
+            }
+            let (mut followed, mut found) = (Passings::default(), Passings::default());
+            followed.follow(&programs);
+            let among: Vec<u32> = (0..features.craters().len() as u32).collect();
+            found.find(&features, &among, [3.0, -1.0], &directions(turn), (start, ends));
+            prop_assert_eq!(found.ends, followed.ends);
+            prop_assert_eq!(found.craters.len(), followed.craters.len());
+            for (found, followed) in found.craters.iter_mut().zip(&followed.craters) {
+                // Where a sweep does not meet a crater nobody asks where it passes.
+                for lane in (0..LANES).filter(|&lane| followed.side[lane].is_infinite()) {
+                    found.middle[lane] = followed.middle[lane];
+                }
+                prop_assert_eq!(found, followed);
+            }
+            for (lane, program) in programs.iter().enumerate() {
+                prop_assert_eq!(found.count(lane), program.loads.len());
             }
         }
 
@@ -203,24 +235,23 @@ mod tests {
         ) {
             let features = Features::new(craters);
             let ranges: Vec<f64> = (0..300).map(|k| 1.0 + 0.37 * f64::from(k)).collect();
-            let mut programs: [FeatureProgram; LANES] = Default::default();
-            for (number, program) in programs.iter_mut().enumerate() {
-                let (sin, cos) = quantities::sin_cos(turn * (number as f64 - 3.5));
-                schedule(&features).list([0.0; 2], [cos, sin], [ranges[0], end], program);
+            let (mut passings, among) = (Passings::default(), (0..features.craters().len() as u32).collect::<Vec<_>>());
+            passings.find(&features, &among, [0.0; 2], &directions(turn), (ranges[0], [end; LANES]));
+            let mut alone = passings.clone();
+            for passing in &mut alone.craters {
+                passing.side = std::array::from_fn(|n| if n == lane { passing.side[n] } else { f64::INFINITY });
             }
-            let mut alone: [FeatureProgram; LANES] = Default::default();
-            alone[lane] = programs[lane].clone();
-            let lay = |vectors, programs: &[FeatureProgram; LANES]| {
+            let lay = |vectors, passings: &Passings| {
                 let mut sums: [Vec<Lanes<f32>>; 4] = std::array::from_fn(|_| vec![Lanes::splat(0.0); ranges.len()]);
                 let [height, along, across, present] = &mut sums;
                 let place = |range: f64| if range <= 1.0 { -0.5 } else { ((range - 1.0) / 0.37).min(299.5) };
                 let surface = Surface { height, along, across };
-                FeatureGenerator { ranges: &ranges }.lay_all(vectors, &features, programs, place, surface, Some(present));
+                FeatureGenerator { ranges: &ranges }.lay_all(vectors, &features, passings, place, surface, Some(present));
                 sums.map(|signal| signal.iter().map(|sample| sample[lane].to_bits()).collect::<Vec<_>>())
             };
-            let together = lay(Level::new(), &programs);
+            let together = lay(Level::new(), &passings);
             prop_assert_eq!(&together, &lay(Level::new(), &alone));
-            prop_assert_eq!(&together, &lay(Level::baseline(), &programs));
+            prop_assert_eq!(&together, &lay(Level::baseline(), &passings));
         }
     }
 }

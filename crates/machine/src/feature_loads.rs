@@ -27,15 +27,6 @@ impl FeatureLoads<'_> {
         self.schedule().write_by(eye, self.plan.direction(drawn), span, self.timing(sweep), program);
     }
 
-    /// The same without which sub-generator makes which crater, where all are drawn in time.
-    pub fn list(&self, [drawn, sweep]: [u32; 2], end: f64, program: &mut FeatureProgram) {
-        if is_limited(&self.stage.settings) {
-            return self.write([drawn, sweep], end, program);
-        }
-        let eye = [self.plan.eye[0], self.plan.eye[1]];
-        self.schedule().list(eye, self.plan.direction(drawn), [self.table.ranges()[0], end], program);
-    }
-
     fn schedule(&self) -> Schedule<'_> {
         let landscape = &self.stage.landscape;
         let level = landscape.level();
@@ -48,9 +39,14 @@ impl FeatureLoads<'_> {
         }
     }
 
+    /// Whether loads take time, or sub-generators run out.
+    pub fn is_limited(stage: &Stage) -> bool {
+        stage.settings.feature_words.is_some() || stage.settings.feature_generator.sub_generators.is_some()
+    }
+
     /// Whether any crater can come late, or find no sub-generator.
     pub fn can_miss(stage: &Stage) -> bool {
-        is_limited(&stage.settings) && !stage.landscape.features().is_empty()
+        Self::is_limited(stage) && !stage.landscape.features().is_empty()
     }
 
     /// Where the model has a rate, the words of a sweep come one after another.
@@ -58,11 +54,6 @@ impl FeatureLoads<'_> {
         let rate = self.stage.settings.feature_words?;
         Some(load_timing(self.stage, self.table, (self.plan.frame, sweep), CRATER_WORDS, rate))
     }
-}
-
-/// Whether loads take time, or sub-generators run out.
-fn is_limited(settings: &Settings) -> bool {
-    settings.feature_words.is_some() || settings.feature_generator.sub_generators.is_some()
 }
 
 /// Loads of `words` words at `rate` words a second in sweep `sweep` of a frame.

@@ -194,7 +194,8 @@ impl<S: Real> Elaborated<S> {
         }
         if self.blocks.features {
             let program = &work.features[lane];
-            counts.features = program.loads.len() as u64;
+            let drawn = if self.blocks.swift { work.passings.count(lane) } else { program.loads.len() };
+            counts.features = drawn as u64;
             counts.dropped_features = u64::from(program.dropped);
         }
         FrameCounts { sweeps: 1, samples: self.table.ranges().len() as u64, ..counts }

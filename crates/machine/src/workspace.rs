@@ -3,7 +3,7 @@
 use std::array;
 
 use display_projection_processor::{Driven, Projected, Scratch, Sight};
-use feature_generator::{ChainScratch, FeatureProfile, FeatureProgram};
+use feature_generator::{ChainScratch, FeatureProfile, FeatureProgram, Passings};
 use mixing_unit::{Mixed, SwitchScratch};
 use parts::GateEdge;
 use polyhedron_generator::{BodyFade, Overlay};
@@ -27,6 +27,8 @@ pub(crate) struct Workspace<S> {
     pub craters: Vec<u32>,
     /// Programs of the feature generator.
     pub features: [FeatureProgram; LANES],
+    /// Craters that the group draws, where the machine draws swiftly.
+    pub passings: Passings,
     /// Wires of the terrain generators made of parts, the fine level's first.
     pub arrays: [ArrayState<S>; 2],
     /// Buffers of the terrain generators made of ideal parts, the fine level's first.
@@ -86,6 +88,7 @@ impl<S: Real> Default for Workspace<S> {
             coarse: array::from_fn(|_| idle_program()),
             craters: Vec::new(),
             features: Default::default(),
+            passings: Passings::default(),
             arrays: Default::default(),
             polynomials: Default::default(),
             profile: Profile::default(),

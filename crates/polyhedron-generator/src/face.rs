@@ -30,17 +30,22 @@ pub(crate) struct Outline {
 }
 
 impl Outline {
-    /// Finds the crossings of a face with sweeps at ascending `tangents`; returns the first sweep that meets
-    /// it. `corners` run counter-clockwise on the picture; what lies more than `half_height` off its middle is
-    /// cut off first: within it all sweeps run the same way.
+    /// Finds the crossings of a face with sweeps at ascending `tangents`; returns the first sweep that meets it. Its corners
+    /// are some of `all` and run counter-clockwise on the picture; what lies more than `half_height` off its middle is cut off
+    /// first, unless all is `inside`: within it all sweeps run the same way.
     pub fn cross(
         &mut self,
-        corners: impl Iterator<Item = Corner>,
-        half_height: f64,
+        face: &[u32],
+        all: &[Corner],
+        (half_height, inside): (f64, bool),
         sighting: &Sighting,
         tangents: &[f64],
     ) -> usize {
+        let corners = face.iter().map(|&corner| &all[corner as usize]);
         self.crossings.clear();
+        if inside {
+            return meet(corners, sighting, tangents, &mut self.crossings);
+        }
         self.corners.clear();
         self.corners.extend(corners);
         let farthest = self.corners.iter().fold(0.0f64, |off, corner| off.max(corner.place.y.abs()));
@@ -48,31 +53,7 @@ impl Outline {
             self.clip(-1.0, half_height, sighting, tangents);
             self.clip(1.0, half_height, sighting, tangents);
         }
-        let reach = sweeps_of(&self.corners);
-        self.crossings.resize(reach.len(), Default::default());
-        if !reach.is_empty() {
-            self.meet(reach.start, sighting, tangents);
-        }
-        reach.start
-    }
-
-    fn meet(&mut self, first: usize, sighting: &Sighting, tangents: &[f64]) {
-        let next = self.corners[1..].iter().chain(&self.corners[..1]);
-        for (from, to) in self.corners.iter().zip(next) {
-            // Counter-clockwise: an edge to the right is a lower one.
-            let (end, sweeps) =
-                if from.sweep <= to.sweep { (1, from.sweep..to.sweep) } else { (0, to.sweep..from.sweep) };
-            if sweeps.is_empty() {
-                continue;
-            }
-            let (from, to) = (&from.place, &to.place);
-            let spread = [sighting.spread(from.y), sighting.spread(to.y)];
-            for sweep in sweeps {
-                let [off, beyond] =
-                    [from.x - tangents[sweep] * spread[0], to.x - tangents[sweep] * spread[1]];
-                self.crossings[sweep - first][end] = from.towards(to, off / (off - beyond));
-            }
-        }
+        meet(self.corners.iter(), sighting, tangents, &mut self.crossings)
     }
 
     fn clip(&mut self, side: f64, half_height: f64, sighting: &Sighting, tangents: &[f64]) {
@@ -94,10 +75,43 @@ impl Outline {
     }
 }
 
+/// Adds the crossings of a face with sweeps at ascending `tangents`; returns the first sweep that meets it.
+#[inline(always)]
+fn meet<'c>(
+    corners: impl Iterator<Item = &'c Corner> + Clone,
+    sighting: &Sighting,
+    tangents: &[f64],
+    crossings: &mut Vec<[Place; 2]>,
+) -> usize {
+    let reach = sweeps_of(corners.clone());
+    // Most faces of small bodies lie between two sweeps.
+    if reach.is_empty() {
+        return reach.start;
+    }
+    crossings.resize(reach.len(), Default::default());
+    let next = corners.clone().skip(1).chain(corners.clone().take(1));
+    for (from, to) in corners.zip(next) {
+        // Counter-clockwise: an edge to the right is a lower one.
+        let (end, sweeps) =
+            if from.sweep <= to.sweep { (1, from.sweep..to.sweep) } else { (0, to.sweep..from.sweep) };
+        if sweeps.is_empty() {
+            continue;
+        }
+        let (from, to) = (&from.place, &to.place);
+        let spread = [sighting.spread(from.y), sighting.spread(to.y)];
+        for sweep in sweeps {
+            let [off, beyond] = [from.x - tangents[sweep] * spread[0], to.x - tangents[sweep] * spread[1]];
+            crossings[sweep - reach.start][end] = from.towards(to, off / (off - beyond));
+        }
+    }
+    reach.start
+}
+
 /// The sweeps that pass between the leftmost and the rightmost of some corners.
-fn sweeps_of(corners: &[Corner]) -> Range<usize> {
+#[inline(always)]
+fn sweeps_of<'c>(corners: impl Iterator<Item = &'c Corner>) -> Range<usize> {
     let widen = |[low, high]: [usize; 2], corner: &Corner| [low.min(corner.sweep), high.max(corner.sweep)];
-    let [first, end] = corners.iter().fold([usize::MAX, 0], widen);
+    let [first, end] = corners.fold([usize::MAX, 0], widen);
     first..end
 }
 

@@ -129,7 +129,8 @@ impl Pencil {
             let Aspect { body, eye, foot_range, sweeps } = &drawn.aspect;
             let (sighting, vectors) = (&field.sighting, field.vectors);
             let tangents = &field.tangents[sweeps.clone()];
-            let eye = Eye { sighting, vectors, light, place: *eye, tangents };
+            let half_height = field.view.tan_half_height;
+            let eye = Eye { sighting, vectors, light, place: *eye, tangents, half_height };
             if !self.likeness.take(&eye, body, drawn.dark) {
                 census.too_near += 1;
                 continue;
@@ -148,12 +149,12 @@ impl Pencil {
     /// Draws the faces of a body whose likeness has been taken.
     fn draw(&mut self, field: &Field<'_>, aspect: &Aspect<'_>, stamp: Span, spans: &mut Vec<(u32, Span)>) {
         let Aspect { body, sweeps, .. } = aspect;
-        let Likeness { corners, seen, .. } = &self.likeness;
+        let Likeness { corners, seen, is_inside } = &self.likeness;
         let tangents = &field.tangents[sweeps.clone()];
+        let height = (field.view.tan_half_height, *is_inside);
         for &(face, reflectivity) in seen {
             let face = &body.solid.faces()[face as usize];
-            let corners = face.corners.iter().map(|&corner| corners[corner as usize]);
-            let first = self.outline.cross(corners, field.view.tan_half_height, &field.sighting, tangents);
+            let first = self.outline.cross(&face.corners, corners, height, &field.sighting, tangents);
             let stamp = Span { reflectivity, ..stamp };
             for (step, ends) in self.outline.crossings.iter().enumerate() {
                 let span = field.span(ends, stamp);

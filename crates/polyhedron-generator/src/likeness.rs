@@ -1,22 +1,22 @@
 //! A body as the eye sees it: vertices on the picture and faces that look at the eye, eight side by side.
 
-use fearless_simd::prelude::SimdMask;
+use fearless_simd::prelude::{Select, SimdMask};
 use fearless_simd::{Level, Simd, SimdBase, dispatch, f64x8};
 use glam::{DMat3, DVec3};
 use signal::{LANES, Number, eight};
-use solids::{Body, Face};
+use solids::{Body, EightFaces, Eights};
 
 use crate::face::Corner;
-use crate::view::{Sighting, project};
+use crate::view::{Place, Sighting, project};
 use crate::{FaceLight, NEAREST};
 
 /// Buffers that are kept from body to body.
 #[derive(Debug, Default)]
 pub(crate) struct Likeness {
-    /// Vertices in terrain axes.
-    vertices: Vec<[f64; 3]>,
-    /// And on the picture.
+    /// Vertices on the picture.
     pub corners: Vec<Corner>,
+    /// Whether all of them are in it, as far as up and down go.
+    pub is_inside: bool,
     /// Faces that look at the eye, with their reflectivities.
     pub seen: Vec<(u32, f32)>,
 }
@@ -31,6 +31,8 @@ pub(crate) struct Eye<'a> {
     pub place: DVec3,
     /// Tangents of the sweeps that may meet the body.
     pub tangents: &'a [f64],
+    /// Half the height of the picture on the view-plane.
+    pub half_height: f64,
 }
 
 impl Likeness {
@@ -42,16 +44,20 @@ impl Likeness {
     #[inline(always)]
     fn take_by<V: Simd>(&mut self, simd: V, eye: &Eye<'_>, body: &Body, dark: bool) -> bool {
         self.corners.clear();
-        self.vertices.clear();
         self.seen.clear();
+        self.is_inside = true;
         let (turn, scale) = body.to_ground();
-        for vertices in body.solid.vertices().chunks(LANES) {
-            if !self.project(simd, eye, [body.foot, DVec3::splat(scale)], &turn, vertices) {
+        let (Eights { vertices, faces }, count) = (body.solid.eights(), body.solid.vertices().len());
+        for (first, vertices) in (0..).step_by(LANES).zip(vertices) {
+            let places = [body.foot, DVec3::splat(scale)];
+            if !self.project(simd, eye, places, &turn, (vertices, (count - first).min(LANES))) {
                 return false;
             }
         }
-        for (first, faces) in (0..).step_by(LANES).zip(body.solid.faces().chunks(LANES)) {
-            self.find_seen(simd, eye, &turn, first, faces, dark);
+        // Where the eye is for the solid.
+        let at = turn.transpose() * (eye.place - body.foot) / scale;
+        for (first, faces) in (0..).step_by(LANES).zip(faces) {
+            self.find_seen(simd, eye, (at, &turn), (first, faces), dark);
         }
         true
     }
@@ -64,16 +70,10 @@ impl Likeness {
         eye: &Eye<'_>,
         [foot, scale]: [DVec3; 2],
         turn: &DMat3,
-        vertices: &[DVec3],
+        (vertices, count): (&[[f64; LANES]; 3], usize),
     ) -> bool {
-        // The last stands in for those that are not there.
-        let mut axes = [[0.0; LANES]; 3];
-        for lane in 0..LANES {
-            let vertex = vertices[lane.min(vertices.len() - 1)];
-            (axes[0][lane], axes[1][lane], axes[2][lane]) = (vertex.x, vertex.y, vertex.z);
-        }
         let scale = eight(simd, &[scale.x; LANES]);
-        let [x, y, z] = [eight(simd, &axes[0]), eight(simd, &axes[1]), eight(simd, &axes[2])];
+        let [x, y, z] = [eight(simd, &vertices[0]), eight(simd, &vertices[1]), eight(simd, &vertices[2])];
         let [north, east, up] = turned(turn, [x * scale, y * scale, z * scale]);
         let [north, east, up] = [x.like(foot.x) + north, x.like(foot.y) + east, x.like(foot.z) + up];
         let [from_north, from_east, from_up] =
@@ -83,49 +83,57 @@ impl Likeness {
             return false;
         }
         let place = project(ahead);
-        let across = (place.x / eye.sighting.spread(place.y)).to_array();
+        let half_height = x.like(eye.half_height);
+        self.is_inside &= !(half_height.simd_lt(place.y) | place.y.simd_lt(-half_height)).any_true();
+        let sweeps = sweeps_left_of(place.x / eye.sighting.spread(place.y), eye.tangents);
         let (xs, ys, depths) = (place.x.to_array(), place.y.to_array(), place.depth.to_array());
-        let (north, east, up) = (north.to_array(), east.to_array(), up.to_array());
-        for lane in 0..vertices.len() {
-            self.vertices.push([north[lane], east[lane], up[lane]]);
-            self.corners.push(Corner::new([xs[lane], ys[lane], depths[lane]], across[lane], eye.tangents));
+        for lane in 0..count {
+            let place = Place { x: xs[lane], y: ys[lane], depth: depths[lane] };
+            self.corners.push(Corner { place, sweep: sweeps[lane] });
         }
         true
     }
 
-    /// Which of up to eight faces look at the eye; the first of them is face number `first`.
+    /// Which of up to eight faces look at the eye, which is at `at` for the solid; the first of them is face number `first`.
     #[inline(always)]
     fn find_seen<V: Simd>(
         &mut self,
         simd: V,
         eye: &Eye<'_>,
-        turn: &DMat3,
-        first: u32,
-        faces: &[Face],
+        (at, turn): (DVec3, &DMat3),
+        (first, faces): (u32, &EightFaces),
         dark: bool,
     ) {
-        let (mut normals, mut to_eye, mut albedo) = ([[0.0; LANES]; 3], [[0.0; LANES]; 3], [0.0; LANES]);
-        for (lane, face) in faces.iter().enumerate() {
-            let [north, east, up] = self.vertices[face.corners[0] as usize];
-            (normals[0][lane], normals[1][lane], normals[2][lane]) =
-                (face.normal.x, face.normal.y, face.normal.z);
-            (to_eye[0][lane], to_eye[1][lane], to_eye[2][lane]) =
-                (eye.place.x - north, eye.place.y - east, eye.place.z - up);
-            albedo[lane] = face.albedo;
-        }
-        let normals =
-            turned(turn, [eight(simd, &normals[0]), eight(simd, &normals[1]), eight(simd, &normals[2])]);
-        let to_eye = [eight(simd, &to_eye[0]), eight(simd, &to_eye[1]), eight(simd, &to_eye[2])];
-        let facing = normals[0] * to_eye[0] + normals[1] * to_eye[1] + normals[2] * to_eye[2];
-        // Faces that are not there have no normal, and look nowhere.
-        let mut seen = facing.simd_gt(facing.like(0.0)).to_bitmask();
-        let lit = eye.light.reflectivity(normals, eight(simd, &albedo)).to_array();
+        let [x, y, z] = &faces.normals;
+        let normals = [eight(simd, x), eight(simd, y), eight(simd, z)];
+        let distance = eight(simd, &faces.distances);
+        let from_foot = normals[0] * distance.like(at.x)
+            + normals[1] * distance.like(at.y)
+            + normals[2] * distance.like(at.z);
+        let mut seen = from_foot.simd_gt(distance).to_bitmask();
+        let lit = eye.light.reflectivity(turned(turn, normals), eight(simd, &faces.albedos)).to_array();
         while seen != 0 {
             let lane = seen.trailing_zeros();
             seen &= seen - 1;
             self.seen.push((first + lane, if dark { 0.0 } else { lit[lane as usize] as f32 }));
         }
     }
+}
+
+/// Tangents up to which they are counted, not searched: most bodies are met by fewer sweeps.
+const FEW: usize = 16;
+
+/// How many of ascending `tangents` are less than each of eight.
+#[inline(always)]
+fn sweeps_left_of<V: Simd>(across: f64x8<V>, tangents: &[f64]) -> [usize; LANES] {
+    if tangents.len() > FEW {
+        return across.to_array().map(|across| tangents.partition_point(|&tangent| tangent < across));
+    }
+    let (mut count, one) = (across.like(0.0), across.like(1.0));
+    for &tangent in tangents {
+        count = across.like(tangent).simd_lt(across).select(count + one, count);
+    }
+    count.to_array().map(|count| count as usize)
 }
 
 /// `turn` times a vector, in the order of the plain product.
@@ -163,6 +171,7 @@ mod tests {
             turns in [-3.0..3.0f64, -3.0..3.0, -3.0..3.0],
             (is_upright, is_dark, is_straight) in proptest::prelude::any::<(bool, bool, bool)>(),
             scale in 0.1..4.0f64,
+            sweeps in 0..60i32,
             [heading, pitch] in [-0.5..0.5f64, -0.5..0.5],
         ) {
             let solid = Arc::new(rocks::shapes(7).unwrap().swap_remove(shape));
@@ -181,7 +190,7 @@ mod tests {
                 lines: 500.0,
             });
             let (light, place) = (FaceLight { sun: DVec3::new(-0.6, 0.48, 0.64) }, DVec3::new(0.1, 0.2, 1.5));
-            let tangents: Vec<f64> = (0..60).map(|sweep| 0.02 * f64::from(sweep) - 0.6).collect();
+            let tangents: Vec<f64> = (0..sweeps).map(|sweep| 0.02 * f64::from(sweep) - 0.6).collect();
 
             let vertices: Vec<DVec3> = body.vertices().collect();
             let ahead = |vertex: &DVec3| sighting.turn((*vertex - place).to_array());
@@ -189,6 +198,8 @@ mod tests {
                 let at = project(ahead(vertex));
                 Corner::new([at.x, at.y, at.depth], at.x / sighting.spread(at.y), &tangents)
             };
+            let corners: Vec<Corner> = vertices.iter().map(corner).collect();
+            let is_inside = corners.iter().all(|corner| corner.place.y.abs() <= 0.3);
             let is_near = vertices.iter().any(|vertex| ahead(vertex)[0] <= NEAREST);
             let seen = body.solid.faces().iter().zip(body.normals()).enumerate().filter_map(|(number, (face, normal))| {
                 let lit = if is_dark { 0.0 } else { normal.dot(light.sun).max(0.0) * face.albedo };
@@ -197,11 +208,13 @@ mod tests {
             });
             let seen: Vec<(u32, f32)> = seen.collect();
             for vectors in [Level::new(), Level::baseline()] {
-                let eye = Eye { sighting: &sighting, vectors, light: &light, place, tangents: &tangents };
+                let (tangents, half_height) = (&tangents[..], 0.3);
+                let eye = Eye { sighting: &sighting, vectors, light: &light, place, tangents, half_height };
                 let mut likeness = Likeness::default();
                 prop_assert_eq!(likeness.take(&eye, &body, is_dark), !is_near);
                 if !is_near {
-                    prop_assert_eq!(&likeness.corners, &vertices.iter().map(corner).collect::<Vec<_>>());
+                    prop_assert_eq!(&likeness.corners, &corners);
+                    prop_assert_eq!(likeness.is_inside, is_inside);
                     prop_assert_eq!(&likeness.seen, &seen);
                 }
             }

@@ -1,18 +1,17 @@
 //! Where the sweeps of a frame cross boundary segments.
 
-use std::array;
 use std::ops::Range;
 
 use fearless_simd::{Level, Simd, dispatch};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use remote_shadow::{Outlines, Segment};
 
-use crate::fan::{Fan, Guesses, Line, Sifted, TOGETHER};
+use crate::fan::{Fan, Guesses, Line, Sifted, TOGETHER, WORD};
 use crate::line_generators::Boundary;
 use crate::nearly::sort_nearly;
 
 /// Parts of all lists that are looked over one by one: a few for each thread, so that none waits long for another.
-const PARTS: usize = 16;
+const PARTS: usize = 8;
 
 /// Lines, or crossings of a sweep, that there is room for before more memory is asked for.
 pub(crate) const ROOM: usize = 1024;
@@ -121,9 +120,10 @@ struct Part<C> {
     ends: Vec<u32>,
 }
 
-/// A line, and the number of sweeps to the left of its two ends, which differ.
+/// A line, where it is from, and the number of sweeps to the left of its two ends, which differ.
 #[derive(Debug, Clone, Copy)]
 struct MetLine {
+    line: Line,
     place: Place,
     left: [u32; 2],
 }
@@ -175,16 +175,12 @@ impl<'a, F: Sighting, C: Crossing> Met<'a, F, C> {
     fn part(&self, fan: &Fan<'_>, lines: &[MetLine]) -> Part<C> {
         let mut ends = begins(lines, self.sweeps());
         let mut crossings = vec![C::default(); lines.iter().map(|line| line.sweeps().len()).sum()];
-        for some in lines.chunks(TOGETHER) {
-            // How many sweeps cross a line nobody can guess: first all lines, none of which waits for another.
-            let seen: [Line; TOGETHER] = array::from_fn(|n| self.line(some[n.min(some.len() - 1)].place));
-            for (met, line) in some.iter().zip(&seen) {
-                let [a, b] = met.left;
-                for sweep in met.sweeps() {
-                    // Leftwards its shadow lies beyond it.
-                    crossings[ends[sweep] as usize] = C::new(fan.crossing(sweep, line), a < b, met.place);
-                    ends[sweep] += 1;
-                }
+        for met in lines {
+            let [a, b] = met.left;
+            for sweep in met.sweeps() {
+                // Leftwards its shadow lies beyond it.
+                crossings[ends[sweep] as usize] = C::new(fan.crossing(sweep, &met.line), a < b, met.place);
+                ends[sweep] += 1;
             }
         }
         Part { crossings, ends }
@@ -249,10 +245,9 @@ impl<C: Crossing> Crossings<C> {
 
     /// Crossings of one sweep in their order.
     pub(crate) fn of<F>(&mut self, met: &Met<'_, F, C>, sweep: usize) -> &[C] {
-        self.crossings.clear();
-        met.parts.iter().for_each(|part| self.crossings.extend_from_slice(part.of(sweep)));
         // Tiles come by their distance from the eye.
-        sort_nearly(&mut self.crossings, &mut self.apart);
+        let met = met.parts.iter().flat_map(|part| part.of(sweep)).copied();
+        sort_nearly(met, &mut self.crossings, &mut self.apart);
         &self.crossings
     }
 }
@@ -275,36 +270,40 @@ fn find_met<V: Simd>(
         guesser.guess(first, sighting.all_seen(corners.some(first)), guesses);
     }
     let count = corners.len().saturating_sub(1);
-    for first in (0..count).step_by(TOGETHER) {
-        let mut sifted = guesses.sift(simd, first);
-        sifted.may_cross &= !0 >> (u64::BITS as usize - TOGETHER.min(count - first));
+    for first in (0..count).step_by(WORD) {
+        let mut sifted = guesses.sift(simd, first, WORD.min(count - first));
         while let Some((&end, others)) = ends.split_first()
-            && (end as usize) < first + TOGETHER
+            && (end as usize) < first + WORD
         {
             sifted.may_cross &= !(1 << (end as usize - first));
             ends = others;
         }
-        let line = |n: usize| sighting.line(outlines.segment(first + n));
-        keep_met(fan, [list, first as u32], sifted, line, met);
+        keep_met(fan, [list, first as u32], sifted, guesses, met);
     }
 }
 
-/// Keeps those of eight lines, of which the first is at `place`, that sweeps cross.
+/// Keeps those of a word of lines, of which the first is at `place`, that sweeps cross.
 #[inline(always)]
 fn keep_met(
     fan: &Fan<'_>,
     [list, first]: Place,
-    sifted: Sifted,
-    line: impl Fn(usize) -> Line,
+    Sifted { mut may_cross, known }: Sifted,
+    guesses: &Guesses,
     met: &mut Vec<MetLine>,
 ) {
-    let Sifted { mut may_cross, known, left } = sifted;
     while may_cross != 0 {
-        let n = may_cross.trailing_zeros() as usize;
+        let n = may_cross.trailing_zeros();
         may_cross &= may_cross - 1;
-        let known = (known >> n & 1 == 1).then(|| left.map(|left| left[n] as usize));
-        let left = known.or_else(|| fan.span(&line(n))).map(|left| left.map(|sweeps| sweeps as u32));
-        let place = [list, first + n as u32];
-        met.extend(left.filter(|[a, b]| a != b).map(|left| MetLine { place, left }));
+        let number = first + n;
+        let line = guesses.line(number as usize);
+        let left = if known >> n & 1 == 1 {
+            guesses.left(number as usize)
+        } else {
+            match fan.span(&line) {
+                Some([a, b]) if a != b => [a as u32, b as u32],
+                _ => continue,
+            }
+        };
+        met.push(MetLine { line, place: [list, number], left });
     }
 }

@@ -9,6 +9,9 @@ const NEAREST: f64 = 1e-6;
 /// Lines that are looked at together.
 pub(crate) const TOGETHER: usize = 8;
 
+/// Lines that are told by the bits of a word: how many of eight may cross a sweep nobody can guess, of so many it matters less.
+pub(crate) const WORD: usize = u64::BITS as usize;
+
 /// A segment from the eye: north, east (m).
 pub(crate) type Line = Segment;
 
@@ -26,6 +29,8 @@ pub(crate) struct Fan<'a> {
 /// Of corners, one after the other, what is known by a guess; used again from list to list.
 #[derive(Debug, Default)]
 pub(crate) struct Guesses {
+    /// Where they are from the eye: north, east (m). Of a tile they are worked out but once.
+    seen: [Vec<f64>; 2],
     /// How far ahead they are (m).
     ahead: Vec<f64>,
     /// Least and most sweeps to their left, where they are ahead.
@@ -44,14 +49,13 @@ pub(crate) struct Guesser<V: Simd> {
     sweeps: [f64x8<V>; 2],
 }
 
-/// What is known of eight lines by a guess.
+/// What is known of a word of lines by a guess.
+#[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Sifted {
     /// Those that may cross a sweep: a bit each.
     pub(crate) may_cross: u64,
-    /// Those of which `left` is known: a bit each.
+    /// Those of which [`Guesses::left`] is known, and then whether they cross one: a bit each.
     pub(crate) known: u64,
-    /// Sweeps to the left of where they begin and of where they end.
-    pub(crate) left: [[f64; TOGETHER]; 2],
 }
 
 impl<'a> Fan<'a> {
@@ -128,6 +132,9 @@ impl<V: Simd> Guesser<V> {
         let guess = (across / ahead - self.leftmost) * self.density;
         let (low, high) = ((guess - self.doubt).ceil(), (guess + self.doubt).ceil());
         let [none, all] = self.sweeps;
+        for (axis, places) in out.seen.iter_mut().zip(seen) {
+            axis[first..first + TOGETHER].copy_from_slice(&places);
+        }
         ahead.store_slice(&mut out.ahead[first..first + TOGETHER]);
         low.max(none).min(all).store_slice(&mut out.low[first..first + TOGETHER]);
         high.max(none).min(all).store_slice(&mut out.high[first..first + TOGETHER]);
@@ -139,14 +146,39 @@ impl Guesses {
     pub(crate) fn make_room(&mut self, count: usize) {
         // Whoever looks at the last line looks at eight.
         let room = count.next_multiple_of(TOGETHER) + TOGETHER;
-        [&mut self.ahead, &mut self.low, &mut self.high]
+        let [north, east] = &mut self.seen;
+        [north, east, &mut self.ahead, &mut self.low, &mut self.high]
             .into_iter()
             .for_each(|guesses| guesses.resize(room.max(guesses.len()), 0.0));
     }
 
-    /// Of the eight lines from corner `first` on, each from one corner to the next, those that may cross a sweep.
+    /// The line from corner `number` on.
+    pub(crate) fn line(&self, number: usize) -> Line {
+        let [from, to] = [number, number + 1].map(|n| [self.seen[0][n], self.seen[1][n]]);
+        Line { from, to }
+    }
+
+    /// Sweeps to the left of where it begins and of where it ends, if that is known.
+    pub(crate) fn left(&self, number: usize) -> [u32; 2] {
+        [self.low[number] as u32, self.low[number + 1] as u32]
+    }
+
+    /// Of the `count` lines from corner `first` on, a word of them at most, each from one corner to the next, those that may cross
+    /// a sweep.
     #[inline(always)]
-    pub(crate) fn sift<V: Simd>(&self, simd: V, first: usize) -> Sifted {
+    pub(crate) fn sift<V: Simd>(&self, simd: V, first: usize, count: usize) -> Sifted {
+        let mut sifted = Sifted::default();
+        for n in (0..count).step_by(TOGETHER) {
+            let Sifted { may_cross, known } = self.sift_eight(simd, first + n);
+            sifted.may_cross |= may_cross << n;
+            sifted.known |= known << n;
+        }
+        sifted.may_cross &= !0 >> (WORD - count);
+        sifted
+    }
+
+    #[inline(always)]
+    fn sift_eight<V: Simd>(&self, simd: V, first: usize) -> Sifted {
         let ends =
             |guesses: &[f64]| [first, first + 1].map(|n| f64x8::from_slice(simd, &guesses[n..n + TOGETHER]));
         let ([from_ahead, to_ahead], [from_low, to_low]) = (ends(&self.ahead), ends(&self.low));
@@ -156,11 +188,7 @@ impl Guesses {
         let behind = from_ahead.simd_lt(nearest) & to_ahead.simd_lt(nearest);
         let known = ahead & from_low.simd_eq(from_high) & to_low.simd_eq(to_high);
         let may_differ = from_low.simd_lt(to_high) | to_low.simd_lt(from_high);
-        Sifted {
-            may_cross: (!behind & (!ahead | may_differ)).to_bitmask(),
-            known: known.to_bitmask(),
-            left: [from_low.to_array(), to_low.to_array()],
-        }
+        Sifted { may_cross: (!behind & (!ahead | may_differ)).to_bitmask(), known: known.to_bitmask() }
     }
 }
 
@@ -188,7 +216,7 @@ mod tests {
 
     use fearless_simd::{Level, dispatch};
 
-    use super::{Fan, Guesses, Line, Sifted, TOGETHER};
+    use super::{Fan, Guesses, Line, Sifted, TOGETHER, WORD};
 
     proptest! {
         /// The guess drops no line that a sweep crosses, in fans that are even in their tangents, in their angles or in neither.
@@ -226,11 +254,14 @@ mod tests {
                     let line = Line { from: line[0], to: line[1] };
                     let (Some(a), Some(b)) = (by_force(line.from), by_force(line.to)) else { continue };
                     prop_assert_eq!(fan.span(&line), Some([a, b]));
-                    let (first, bit) = (number / TOGETHER * TOGETHER, number % TOGETHER);
-                    let Sifted { may_cross, known, left } =
-                        dispatch!(vectors, simd => guesses.sift(simd, first));
+                    let (first, bit) = (number / WORD * WORD, number % WORD);
+                    let count = WORD.min(corners.len() - 1 - first);
+                    let Sifted { may_cross, known } =
+                        dispatch!(vectors, simd => guesses.sift(simd, first, count));
                     prop_assert!(may_cross >> bit & 1 == 1 || a == b, "{line:?} crosses {a}..{b}");
-                    prop_assert!(known >> bit & 1 == 0 || left.map(|left| left[bit]) == [a as f64, b as f64]);
+                    let is_known = known >> bit & 1 == 1;
+                    prop_assert!(!is_known || guesses.left(number) == [a as u32, b as u32]);
+                    prop_assert!(!is_known || may_cross >> bit & 1 == u64::from(a != b));
                 }
             }
         }

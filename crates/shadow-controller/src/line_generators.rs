@@ -137,10 +137,9 @@ fn most_at_one_time(boundaries: &[Boundary], work: &mut ServiceWork) -> Option<u
     let ServiceWork { taken, given_back, apart, .. } = work;
     // Boundaries come by range, so these are nearly in order.
     for (ranges, end) in [(&mut *taken, 0), (&mut *given_back, 1)] {
-        ranges.clear();
         // They are not negative, so their bits are in their order.
-        ranges.extend(boundaries.iter().map(|boundary| (boundary.held[end] + 0.0).to_bits()));
-        sort_nearly(ranges, apart);
+        let held = boundaries.iter().map(|boundary| (boundary.held[end] + 0.0).to_bits());
+        sort_nearly(held, ranges, apart);
     }
     let (mut free_again, mut most) = (0, 0);
     for (before, at) in taken.iter().enumerate() {

@@ -3,41 +3,46 @@
 /// Places up to which a value is moved to where it belongs.
 const NEAR: usize = 16;
 
-/// Sorts `values`. Those a few places off are moved there; those farther off are put `apart`, sorted among themselves and
-/// merged with the others. What `apart` held before does not matter.
-pub(crate) fn sort_nearly<T: Copy + Ord>(values: &mut [T], apart: &mut Vec<T>) {
+/// Sorts `values` into `sorted`. Those a few places off are moved there; those farther off are put `apart`, sorted among themselves
+/// and merged with the others. What both held before does not matter.
+pub(crate) fn sort_nearly<T: Copy + Ord>(
+    values: impl Iterator<Item = T>,
+    sorted: &mut Vec<T>,
+    apart: &mut Vec<T>,
+) {
+    sorted.clear();
     apart.clear();
-    let mut kept = 0usize;
-    for index in 0..values.len() {
-        let value = values[index];
-        let first = kept.saturating_sub(NEAR);
-        if first > 0 && value < values[first] {
-            apart.push(value);
-            continue;
+    // Handed over one by one: values of many short lists are a loop for each of them.
+    values.for_each(|value| {
+        let first = sorted.len().saturating_sub(NEAR);
+        if first > 0 && value < sorted[first] {
+            return apart.push(value);
         }
-        let mut place = kept;
-        while place > first && value < values[place - 1] {
-            values[place] = values[place - 1];
+        let mut place = sorted.len();
+        sorted.push(value);
+        while place > first && value < sorted[place - 1] {
+            sorted[place] = sorted[place - 1];
             place -= 1;
         }
-        values[place] = value;
-        kept += 1;
-    }
+        sorted[place] = value;
+    });
     apart.sort_unstable();
-    merge(values, kept, apart);
+    merge(sorted, apart);
 }
 
-/// Merges the first `kept` of `values` with `apart`, both in order; together they fill `values`.
-fn merge<T: Copy + Ord>(values: &mut [T], mut kept: usize, apart: &[T]) {
-    let mut place = values.len();
+/// Merges `apart` into `sorted`, both in order.
+fn merge<T: Copy + Ord>(sorted: &mut Vec<T>, apart: &[T]) {
+    let mut kept = sorted.len();
+    sorted.extend_from_slice(apart);
+    let mut place = sorted.len();
     for &value in apart.iter().rev() {
-        while kept > 0 && value < values[kept - 1] {
+        while kept > 0 && value < sorted[kept - 1] {
             place -= 1;
             kept -= 1;
-            values[place] = values[kept];
+            sorted[place] = sorted[kept];
         }
         place -= 1;
-        values[place] = value;
+        sorted[place] = value;
     }
 }
 
@@ -63,8 +68,8 @@ mod tests {
                 }
             };
             let values: Vec<i64> = steps.into_iter().map(value).collect();
-            let (mut nearly, mut wholly, mut apart) = (values.clone(), values, before);
-            sort_nearly(&mut nearly, &mut apart);
+            let (mut nearly, mut wholly, mut apart) = (before.clone(), values.clone(), before);
+            sort_nearly(values.iter().copied(), &mut nearly, &mut apart);
             wholly.sort_unstable();
             prop_assert_eq!(nearly, wholly);
         }

@@ -16,6 +16,7 @@
 mod body;
 mod check;
 pub mod culture;
+mod eights;
 mod error;
 mod hull;
 pub mod obj;
@@ -25,6 +26,7 @@ mod shapes;
 mod solid;
 
 pub use body::{Body, Hit, Kind};
+pub use eights::{EightFaces, Eights};
 pub use error::SolidError;
 pub use rock_field::{Rock, RockField, RockFieldError, SizeLaw};
 pub use solid::{Face, Solid};

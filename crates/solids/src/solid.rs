@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
-use crate::SolidError;
 use crate::check::{check_closed, check_convex, check_counts, check_vertices, plane_of};
+use crate::{Eights, SolidError};
 
 /// One flat side: a convex polygon.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,6 +21,7 @@ pub struct Face {
 pub struct Solid {
     vertices: Vec<DVec3>,
     faces: Vec<Face>,
+    eights: Eights,
     radius: f64,
     size: f64,
 }
@@ -47,7 +48,8 @@ impl Solid {
         check_convex(&vertices, &faces, Self::TOLERANCE * size)?;
         check_closed(&faces, vertices.len())?;
         let radius = vertices.iter().map(|vertex| vertex.length()).fold(0.0, f64::max);
-        Ok(Self { vertices, faces, radius, size })
+        let eights = Eights::new(&vertices, &faces);
+        Ok(Self { vertices, faces, eights, radius, size })
     }
 
     /// Vertices.
@@ -58,6 +60,11 @@ impl Solid {
     /// Faces.
     pub fn faces(&self) -> &[Face] {
         &self.faces
+    }
+
+    /// Both, eight side by side.
+    pub fn eights(&self) -> &Eights {
+        &self.eights
     }
 
     /// Largest distance of a vertex from the foot point (m).
@@ -78,6 +85,7 @@ impl Solid {
         for (index, face) in self.faces.iter_mut().enumerate() {
             face.albedo = checked_albedo(index, paint(face.normal))?;
         }
+        self.eights = Eights::new(&self.vertices, &self.faces);
         Ok(self)
     }
 }

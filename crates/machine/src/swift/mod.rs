@@ -11,6 +11,7 @@
 
 mod wires;
 
+use std::array;
 use std::ops::Range;
 
 use feature_generator::{FeatureGenerator, Surface};
@@ -21,6 +22,7 @@ use scenario::FeatureLight;
 use signal::{LANES, Real, Stretches};
 use sweep_memory::{Beam, Steps};
 
+use crate::feature_loads::FeatureLoads;
 use crate::real_parts::{beam_has_parts, mixing_has_parts};
 use crate::signal_plane::Group;
 use crate::workspace::Workspace;
@@ -85,8 +87,8 @@ impl<S: Real> Group<'_, S> {
     /// From the profile of the terrain to that of the composite landscape, in the same place.
     fn lay_features(&self, first: u32, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
         if self.blocks.features {
-            self.write_loads(first, sweeps, work);
-            let Workspace { profile, features, .. } = work;
+            self.find_passings(first, sweeps, work);
+            let Workspace { profile, passings, .. } = work;
             let generator = FeatureGenerator { ranges: self.table.ranges() };
             let surface = Surface {
                 height: &mut profile.height,
@@ -94,7 +96,7 @@ impl<S: Real> Group<'_, S> {
                 across: &mut profile.across,
             };
             let place = |range| self.table.place(range);
-            generator.lay(self.stage.landscape.features(), features, place, surface);
+            generator.lay(self.stage.landscape.features(), passings, place, surface);
         }
     }
 
@@ -107,13 +109,19 @@ impl<S: Real> Group<'_, S> {
     }
 
     /// Which craters each sweep draws.
-    fn write_loads(&self, first: u32, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
+    fn find_passings(&self, first: u32, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
         self.delivery.craters.of(sweeps, &mut work.craters);
-        let loads = self.loads_among(&work.craters);
-        for (lane, &drawn) in sweeps.iter().enumerate() {
-            let end = self.end_range(lane, work);
-            loads.list([drawn, first + lane as u32], end, &mut work.features[lane]);
+        let ends = array::from_fn(|lane| self.end_range(lane, work));
+        if FeatureLoads::is_limited(self.stage) {
+            let loads = self.loads_among(&work.craters);
+            for (lane, &drawn) in sweeps.iter().enumerate() {
+                loads.write([drawn, first + lane as u32], ends[lane], &mut work.features[lane]);
+            }
+            return work.passings.follow(&work.features);
         }
+        let (features, span) = (self.stage.landscape.features(), (self.table.ranges()[0], ends));
+        let eye = [self.plan.eye[0], self.plan.eye[1]];
+        work.passings.find(features, &work.craters, eye, &self.directions(sweeps), span);
     }
 
     fn light_surface(&self, light: &[SweepLight; LANES], runs: &[Range<usize>], work: &mut Workspace<S>) {

@@ -26,10 +26,10 @@ impl<S: Real> Group<'_, S> {
         self.light_surface(&light, all, work);
         wires.drive_terrain_light(&mut work.profile);
         if self.blocks.features {
-            self.write_loads(first, sweeps, work);
+            self.find_passings(first, sweeps, work);
             let generator = FeatureGenerator { ranges: self.table.ranges() };
             let (features, place) = (self.stage.landscape.features(), |range| self.table.place(range));
-            generator.lay_apart(features, &work.features, place, &mut work.feature_profile);
+            generator.lay_apart(features, &work.passings, place, &mut work.feature_profile);
             wires.drive_features_swiftly(&directions, &mut work.feature_profile);
             self.light_features(wires, &light, work);
             self.lay_on_terrain(work);
