@@ -65,6 +65,25 @@ fn bare_ground_is_as_good_as_the_same() {
     assert!(difference(&swift, &whole) < 1e-3, "{}", difference(&swift, &whole));
 }
 
+/// Terrain generators whose every part is slow: signals at the samples are theirs, and what is seen of that is the same.
+#[test]
+fn slow_parts_of_the_terrain_generator_show_as_they_do_in_the_whole_machine() {
+    let mut set = Set::over(rolling(5, 4.0)).under(sun(100.0, 15.0));
+    set.stage.settings.scalar = Scalar::F64;
+    let [ideal, _] = [Economy::Swift, Economy::Bounded].map(|economy| drawn(&set, economy, 700, &[]));
+    let parts = &mut set.stage.settings.analog;
+    parts.full_scale = 10.0;
+    parts.function_generator.bandwidth = Some(5e6);
+    parts.multiplier.bandwidth = Some(8e6);
+    (parts.multiplying_dac.bandwidth, parts.multiplying_dac.bits) = (Some(4e6), Some(12));
+    (parts.amplifier.gain_bandwidth, parts.amplifier.slew) = (Some(80e6), Some(200e6));
+    parts.summer_inputs = Some(6);
+    let [swift, whole] = [Economy::Swift, Economy::Bounded].map(|economy| drawn(&set, economy, 700, &[]));
+    let (fault, error) = (difference(&ideal, &swift), difference(&swift, &whole));
+    assert!(bits(&swift.picture) != bits(&whole.picture), "drawn swiftly");
+    assert!(error < 1e-3 && fault > 3.0 * error, "{fault} {error}");
+}
+
 #[test]
 fn words_that_never_come_show_as_they_do_in_the_whole_machine() {
     let mut set = full(1);
@@ -95,9 +114,18 @@ fn what_cannot_be_lit_as_one_surface_is_drawn_whole() {
     apart.stage.settings.laws.feature_light = FeatureLight::AsReported;
     let mut keyed = full(1);
     keyed.stage.settings.mixing_unit = MixingParts { gate: Gate::SelfKeyed, threshold: 0.05 };
-    let mut parts = full(1);
+    let [mut parts, mut noise, mut late] = [full(1), full(1), full(1)];
     parts.stage.settings.analog.comparator.delay = 1e-7;
-    for (what, set) in [("as reported", apart), ("self-keyed", keyed), ("parts", parts)] {
+    noise.stage.settings.analog.amplifier.noise = 5e-3;
+    late.stage.settings.analog.reflectivity.delay_mismatch = 5e-8;
+    let sets = [
+        ("as reported", apart),
+        ("self-keyed", keyed),
+        ("parts", parts),
+        ("noise", noise),
+        ("late light", late),
+    ];
+    for (what, set) in sets {
         let [swift, whole] = [Economy::Swift, Economy::Bounded].map(|economy| drawn(&set, economy, 700, &[]));
         assert!(bits(&swift.picture) == bits(&whole.picture), "{what}");
     }

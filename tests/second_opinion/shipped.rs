@@ -11,8 +11,8 @@ use lunoid_tests::shipped::{FULL_LANDSCAPE, TERRAIN, folder};
 use scenario::{PoseTable, Scalar, Scenario};
 
 /// All shipped models.
-pub const MODELS: [&str; 6] =
-    ["ideal", "modern-analog", "pra-frugal", "pra-nominal", "pra-overloaded", "pra-wires"];
+pub const MODELS: [&str; 7] =
+    ["ideal", "modern-analog", "pra-frugal", "pra-nominal", "pra-overloaded", "pra-parts", "pra-wires"];
 const SWEEPS: u32 = 3;
 /// An early frame: what drums hold in a late one takes all frames before it.
 const EARLY: u64 = 2;
@@ -75,7 +75,7 @@ macro_rules! scenarios {
         $(#[test]
         fn $test() {
             let place = NAMED.iter().position(|name| *name == $name).expect("it is named");
-            let found = check($name, &["ideal", MODELS[1 + place % 5]]);
+            let found = check($name, &["ideal", MODELS[1 + place % 6]]);
             assert!(found.is_empty(), "{} differ:\n{}", found.len(), found.join("\n"));
         })*
     };

@@ -163,7 +163,7 @@ fn times_of_the_digital_side_are_ticks() {
 
 #[test]
 fn sane_machines_pass_and_others_are_warned() {
-    for sane in ["ideal", "pra-wires", "pra-nominal", "modern-analog"] {
+    for sane in ["ideal", "pra-wires", "pra-parts", "pra-nominal", "modern-analog"] {
         assert_eq!(model(sane).check(), [], "{sane}");
     }
     assert_eq!(artefacts(&model("pra-frugal")), ["A1", "A24"].into());

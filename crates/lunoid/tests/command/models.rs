@@ -78,9 +78,17 @@ fn models_and_overlays_are_listed_once() {
     scene.write("hardware-models/mine.toml", "format = 1\nname = \"mine\"\nbase = \"pra-nominal\"\n");
     scene.write("hardware-models/faults/mine.toml", "format = 1\n[loader]\naccess_ns = 90\n");
     let (out, _) = scene.expect(0, &["model", "list"]);
-    for name in
-        ["ideal", "pra-nominal", "pra-frugal", "pra-overloaded", "pra-wires", "modern-analog", "mine", "tear"]
-    {
+    for name in [
+        "ideal",
+        "pra-nominal",
+        "pra-frugal",
+        "pra-overloaded",
+        "pra-parts",
+        "pra-wires",
+        "modern-analog",
+        "mine",
+        "tear",
+    ] {
         assert_eq!(
             out.lines().filter(|line| line.split(' ').next() == Some(name)).count(),
             1,
@@ -89,6 +97,6 @@ fn models_and_overlays_are_listed_once() {
     }
     assert!(out.contains("A23, roll steps") && !out.contains("fault:"), "{out}");
     let document = json(&scene, 0, &["model", "list"]);
-    assert_eq!(document["models"].as_array().unwrap().len(), 7);
+    assert_eq!(document["models"].as_array().unwrap().len(), 8);
     assert_eq!(document["overlays"].as_array().unwrap().len(), 24);
 }

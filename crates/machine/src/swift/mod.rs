@@ -27,8 +27,9 @@ use crate::real_parts::{beam_has_parts, mixing_has_parts};
 use crate::signal_plane::Group;
 use crate::workspace::Workspace;
 
-/// Whether the machine of `stage` draws swiftly: its economy says so, its parts are ideal, and its laws are such that what
-/// features and terrain add up to can be lit as one surface. Tubes may have what they have: they come after.
+/// Whether the machine of `stage` draws swiftly: its economy says so, its parts are ideal beside those of the terrain
+/// generators, and its laws are such that what features and terrain add up to can be lit as one surface. Tubes may have what
+/// they have: they come after.
 pub(crate) fn draws_swiftly(stage: &Stage) -> bool {
     let (settings, parts) = (&stage.settings, &stage.settings.analog);
     settings.economy == Economy::Swift
