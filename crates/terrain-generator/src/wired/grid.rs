@@ -12,7 +12,7 @@ use super::block::{BLOCK, Block, BothRow, Factor, Row};
 use super::cell::{Cell, CellParts, Wires};
 use super::rows::{Alike, RowWires};
 use super::terms::{PAIRS, ROW, TERMS, one_of, side_by_side};
-use super::words::{Taking, Words};
+use super::words::Words;
 
 /// All of them, and how many meet at one amplifier.
 #[derive(Debug, Clone)]
@@ -117,18 +117,12 @@ impl<S: Real, L: Simd> Pair<S, L> {
         simd: L,
         x: ([S::Double<L>; 2], S::Double<L>),
         y: S::Double<L>,
-        (words, pair, n): (&Words, usize, usize),
+        (words, pair, n): (&Words<S>, usize, usize),
     ) -> S::Double<L> {
         let before = self.wires.product;
         self.parts.step(&mut self.wires, x.0, x.1, y);
-        let mut taking = Taking::default();
-        before.store(&mut taking.begin);
-        self.wires.product.store(&mut taking.end);
-        self.wires.weight.store(&mut taking.weight);
-        self.wires.term.store(&mut taking.term);
-        taking.act(words, pair, n);
-        self.wires.weight = S::Double::<L>::load(simd, &taking.weight);
-        self.wires.term = S::Double::<L>::load(simd, &taking.term);
+        let Wires { product, weight, term, .. } = &mut self.wires;
+        words.act(simd, (pair, n), [before, *product], (weight, term));
         self.parts.put(&mut self.wires, before)
     }
 }
@@ -177,7 +171,7 @@ impl<S: Real> Grid<S> {
         simd: L,
         block: &mut Block<S>,
         count: usize,
-        words: &Words,
+        words: &Words<S>,
         wires: &mut GridWires<S>,
     ) {
         let Block { x, y, partial, .. } = block;

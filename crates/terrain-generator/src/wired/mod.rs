@@ -36,6 +36,7 @@ mod run;
 mod scale;
 mod state;
 mod summer;
+mod taken;
 mod terms;
 #[cfg(test)]
 mod tests;

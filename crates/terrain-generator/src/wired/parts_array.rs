@@ -15,6 +15,7 @@ use sweep_program::SweepProgram;
 use super::basis::AxisGenerators;
 use super::block::BLOCK;
 use super::cell::{Cell, CellParts};
+use super::converters::Converter;
 use super::grid::Grid;
 use super::ramp::RampParts;
 use super::run::Run;
@@ -36,6 +37,8 @@ pub struct PartsArray<S> {
     pub(super) words: Option<MultiplyingConverter>,
     /// What each multiplying D/A makes of a share of full scale: its gain, and the scale of its sum.
     pub(super) factors: Vec<f64>,
+    /// The same with what else it makes of a word.
+    pub(super) converters: Vec<Converter>,
     /// Area of the pulse at the major carry of a word (full scale times seconds).
     pub(super) glitch: f64,
     pub(super) summers: [Summer<S>; 3],
@@ -116,6 +119,7 @@ impl<S: Real> PartsArray<S> {
             }
         };
         let act_together = timing.are_together() && parts.multiplying_dac.glitch == 0.0;
+        let factors: Vec<f64> = (0..ALL).map(factor).collect();
         let largest = |taus: &[f64]| taus.iter().copied().fold(0.0, f64::max);
         let mut chain = vec![largest(&multiplier_taus), largest(&converter_taus)];
         for axis in 0..2 {
@@ -128,7 +132,10 @@ impl<S: Real> PartsArray<S> {
             generators,
             grid: Grid::new((0..ALL).map(cell).collect(), summers[0].inputs(), act_together),
             words: parts.multiplying_dac.bits.map(|bits| MultiplyingConverter::new(h, bits, 1.0, 0.0, 0.0)),
-            factors: (0..ALL).map(factor).collect(),
+            converters: Converter::of_words(|index| {
+                [factors[index], timing.later(index), converter_taus[index]]
+            }),
+            factors,
             glitch: parts.multiplying_dac.glitch / parts.full_scale,
             summers,
             noise: [0, 1, 2].map(|sum| NoiseSource::new(seed, &format!("{name}.noise"), sum)),

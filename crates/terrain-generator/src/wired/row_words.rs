@@ -2,7 +2,7 @@
 //!
 //! **Law.** That of `converters`, summed over a row: words that change from w to v at a share p of the step add to the row
 //! at its end `sum (v - w) (from u(p) + to u(1))`, `from` and `to` what a lag at rest makes of a straight line over what is
-//! left of the step. Lanes that take nothing in this step have shares of 0 and keep their words.
+//! left of the step.
 
 use std::ops::Range;
 
@@ -11,39 +11,32 @@ use fearless_simd::prelude::SimdBase;
 use parts::LagStep;
 use signal::{Both, Double, LANES, Lanes, Real};
 
-use super::block::BLOCK;
 use super::grid::GridWires;
 use super::state::Coded;
+use super::taken::{Link, Links, Lists};
 use super::terms::{ALL, PAIRS, ROW, TERMS, side_by_side, term_of};
 
 /// Rows of an array.
 const ROWS: usize = ALL / ROW;
-/// Behind the last words of a step.
-const NONE: u32 = u32::MAX;
 
-/// Words that lanes of a row take in one step.
+/// Words that the D/As of a row take in one step, pair by pair.
 #[derive(Debug, Clone, Copy)]
 struct Taken<S> {
-    /// Lanes, bit by bit.
-    lanes: u64,
-    /// What their D/As multiply by from then on, pair by pair.
+    /// What they multiply by from then on.
     weight: [Both<S>; PAIRS],
-    /// When within the step, 0..=1; 0 for others.
+    /// When within the step, 0..=1.
     share: Lanes<S>,
-    /// What the signal at the word and at the end of the step leave at its end, for a weight of 1; 0 for others.
+    /// What the signal at the word and at the end of the step leave at its end, for a weight of 1.
     from: Lanes<S>,
     to: Lanes<S>,
-    /// What comes after it in the same step.
-    then: u32,
 }
 
-/// Words of one row in a block.
-#[derive(Debug, Clone, Copy, Default)]
-struct RowTimes {
-    /// Bit n: words act within the step to sample n of the block.
-    samples: u32,
-    /// The first and the last of them, by sample.
-    ends: [[u32; 2]; BLOCK],
+impl<S: Real> Default for Taken<S> {
+    #[inline(always)]
+    fn default() -> Self {
+        let none = Lanes::default();
+        Self { weight: [Both::default(); PAIRS], share: none, from: none, to: none }
+    }
 }
 
 /// What a lane has strobed in one instant (samples).
@@ -63,14 +56,15 @@ pub(super) struct RowWords<S> {
     /// What each D/A was given last, pair by pair.
     given: Vec<Both<S>>,
     strobed: Option<Strobed>,
-    taken: Vec<Taken<S>>,
-    rows: [RowTimes; ROWS],
+    /// Words that act in the block, and whose they are, row by row.
+    taken: Links<Taken<S>>,
+    rows: [Lists; ROWS],
 }
 
 impl<S: Real> Default for RowWords<S> {
     fn default() -> Self {
-        let rows = [RowTimes::default(); ROWS];
-        Self { first: 0, given: Vec::new(), strobed: None, taken: Vec::new(), rows }
+        let rows = [Lists::default(); ROWS];
+        Self { first: 0, given: Vec::new(), strobed: None, taken: Links::default(), rows }
     }
 }
 
@@ -81,11 +75,11 @@ impl<S: Real> RowWords<S> {
         self.given.extend(wires.pairs.iter().map(|pair| pair.weight));
     }
 
-    /// Begins the block of `samples`, at most [`BLOCK`].
+    /// Begins the block of `samples`, at most [`BLOCK`](super::block::BLOCK).
     pub(super) fn begin(&mut self, samples: &Range<i64>) {
         self.first = samples.start;
         self.taken.clear();
-        self.rows.iter_mut().for_each(|row| row.samples = 0);
+        self.rows.iter_mut().for_each(Lists::clear);
     }
 
     /// The D/As of a colour have `coded` words in a lane from `at` on (samples); `factors` are those of all D/As, and their
@@ -122,9 +116,7 @@ impl<S: Real> RowWords<S> {
         let LagStep { from, to, .. } = LagStep::part(h * (1.0 - share), tau);
         let [share, from, to] = [share, from, to].map(S::from_f64);
         for row in (0..ROWS).filter(|row| rows >> row & 1 == 1) {
-            let place = self.place(row, (sample - self.first) as usize, lane);
-            let taken = &mut self.taken[place];
-            taken.lanes |= 1 << lane;
+            let (_, taken) = self.taken.room(&mut self.rows[row], (sample - self.first) as usize, lane);
             (taken.share[lane], taken.from[lane], taken.to[lane]) = (share, from, to);
             for (weight, given) in taken.weight.iter_mut().zip(&self.given[PAIRS * row..]) {
                 weight.0[lane] = given.0[lane];
@@ -133,29 +125,10 @@ impl<S: Real> RowWords<S> {
         }
     }
 
-    /// Where a lane's words of the step to sample `n` of the block go: behind those that it takes in the same step.
-    fn place(&mut self, row: usize, n: usize, lane: usize) -> usize {
-        let next = self.taken.len() as u32;
-        let RowTimes { samples, ends } = &mut self.rows[row];
-        let [first, last] = &mut ends[n];
-        if *samples >> n & 1 == 0 {
-            *samples |= 1 << n;
-            *first = next;
-        } else if self.taken[*last as usize].lanes >> lane & 1 == 1 {
-            self.taken[*last as usize].then = next;
-        } else {
-            return *last as usize;
-        }
-        *last = next;
-        let (none, weight) = (Lanes::default(), [Both::default(); PAIRS]);
-        self.taken.push(Taken { lanes: 0, weight, share: none, from: none, to: none, then: NONE });
-        next as usize
-    }
-
     /// Samples of the block within whose step a row takes words, bit by bit.
     #[inline(always)]
     pub(super) fn samples(&self, row: usize) -> u32 {
-        self.rows[row].samples
+        self.rows[row].samples()
     }
 
     /// Gives the D/As of a row the words of the step to sample `n`; their signals are `begin` as it begins and `end` as it
@@ -173,18 +146,17 @@ impl<S: Real> RowWords<S> {
             S::Double::<L>::of(half, half)
         };
         let mut more = S::Double::<L>::splat(simd, S::ZERO);
-        let mut place = self.rows[row].ends[n][0];
-        while let Some(taken) = self.taken.get(place as usize) {
-            let [share, from, to] = [both(&taken.share), both(&taken.from), both(&taken.to)];
-            let lanes = taken.lanes | taken.lanes << LANES;
+        for Link { lanes, words, .. } in self.taken.of(&self.rows[row], n) {
+            let [share, from, to] = [both(&words.share), both(&words.from), both(&words.to)];
+            let lanes = lanes | lanes << LANES;
             for pair in 0..PAIRS {
                 let start = begin[pair] + share * (end[pair] - begin[pair]);
-                let new = S::Double::<L>::load(simd, &taken.weight[pair]);
+                let new = S::Double::<L>::load(simd, &words.weight[pair]);
                 let new = S::Double::<L>::chosen(simd, lanes, new, weight[pair]);
-                more = more + (start * from + end[pair] * to) * (new - weight[pair]);
+                let held = (start * from + end[pair] * to) * (new - weight[pair]);
+                more = S::Double::<L>::chosen(simd, lanes, more + held, more);
                 weight[pair] = new;
             }
-            place = taken.then;
         }
         more
     }

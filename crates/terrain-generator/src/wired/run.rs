@@ -146,7 +146,7 @@ impl<S: Real> Run<'_, S> {
                 }
             }
             None => {
-                state.words.begin(samples, &array.grid.cells);
+                state.words.begin(samples);
                 if has_strobes {
                     self.strobe(samples.end - 1, state);
                 }

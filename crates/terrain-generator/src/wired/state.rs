@@ -29,7 +29,7 @@ pub struct ArrayState<S> {
     pub(super) summers: [SummerState<S>; 3],
     /// The samples that went through last.
     pub(super) block: Box<Block<S>>,
-    pub(super) words: Words,
+    pub(super) words: Words<S>,
     /// Those of D/As that are alike.
     pub(super) row_words: RowWords<S>,
     /// What was coded last, colour by colour: sweeps of a group meet the same corners.

@@ -3,94 +3,87 @@
 use std::mem;
 use std::ops::Range;
 
+use fearless_simd::Simd;
 use parts::LagSteps;
-use signal::{Both, LANES, Real};
+use signal::{Both, Double, LANES, Real};
 
-use super::block::BLOCK;
-use super::cell::Cell;
-use super::terms::{ALL, ENDS, one_of};
+use super::taken::{Link, Links, Lists};
+use super::terms::ALL;
 
 /// A multiplying D/A takes a new word.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Change {
     /// When (samples).
     pub(super) at: f64,
-    /// Which D/A, of which lane.
-    pub(super) index: usize,
-    pub(super) lane: usize,
+    /// Which D/A, by its pair, and lane of both.
+    pub(super) pair: u32,
+    pub(super) lane: u32,
     /// What it multiplies by from then on.
     pub(super) weight: f64,
     /// Area of the pulse for a product of full scale (full scale times seconds).
     pub(super) pulse: f64,
+    /// Time constant of the D/A (s).
+    pub(super) tau: f64,
 }
 
-/// A word that a D/A of a lane takes within the block.
+/// Words that two D/As, side by side with their lanes, take in one step.
 #[derive(Debug, Clone, Copy)]
-struct Acting {
-    weight: f64,
-    pulse: f64,
-    /// Which of the divided steps its own is.
-    divided: u32,
-    lane: u32,
-    /// What the D/A takes after it in the same step, in any lane.
-    then: u32,
+struct Taken<S> {
+    /// What they multiply by from then on.
+    weight: Both<S>,
+    /// When within the step, 0..=1.
+    share: Both<S>,
+    /// What the signal at the word and at the end of the step leave at its end, for a weight of 1.
+    from: Both<S>,
+    to: Both<S>,
+    /// What the pulse leaves, for a signal of 1 at the word.
+    kick: Both<S>,
+}
+
+impl<S: Real> Default for Taken<S> {
+    #[inline(always)]
+    fn default() -> Self {
+        let none = Both::default();
+        Self { weight: none, share: none, from: none, to: none, kick: none }
+    }
 }
 
 /// Words of all D/As.
 #[derive(Debug, Clone)]
-pub(super) struct Words {
+pub(super) struct Words<S> {
     /// First and last sample of the block; no word acts in none.
     first: i64,
     last: f64,
     /// Strobed and not acting by the end of the block; for a D/A of a lane ascending in time.
     waiting: Vec<Change>,
-    /// Those that act in the block.
-    acting: Vec<Acting>,
-    divided: Divided,
-    cells: Vec<CellWords>,
+    /// Those that act in the block, and whose they are, pair by pair.
+    taken: Links<Taken<S>>,
+    pairs: Vec<Lists>,
+    divided: Vec<Divided>,
 }
 
-/// Steps that words divide, each once for all words that act together on D/As that are alike.
-#[derive(Debug, Clone, Default)]
+/// A step that a word divides.
+#[derive(Debug, Clone, Copy)]
 struct Divided {
     /// When within the step, 0..=1.
-    share: Vec<f64>,
-    /// Time constants of the D/As (s).
-    tau: Vec<f64>,
-    /// What the signal at the word and at the end of the step leave at its end, for a weight of 1, and the pulse of an
-    /// area of 1 (1/s).
-    from: Vec<f64>,
-    to: Vec<f64>,
-    kick: Vec<f64>,
+    share: f64,
+    /// Time constant of the D/A (s).
+    tau: f64,
+    pulse: f64,
+    /// Whose it is: place among those taken, lane.
+    place: u32,
+    lane: u32,
 }
 
-/// Words of one D/A in a block.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct CellWords {
-    /// Bit n: a word acts within the step to sample n of the block.
-    samples: u32,
-    /// The first and the last of these words, by sample.
-    ends: [[u32; 2]; BLOCK],
-}
-
-/// Behind the last word of a step.
-const NONE: u32 = u32::MAX;
-
-impl Default for Words {
+impl<S: Real> Default for Words<S> {
     fn default() -> Self {
-        let cells = vec![CellWords::default(); ALL];
-        Self {
-            first: 0,
-            last: f64::NEG_INFINITY,
-            waiting: Vec::new(),
-            acting: Vec::new(),
-            divided: Divided::default(),
-            cells,
-        }
+        let pairs = vec![Lists::default(); ALL / 2];
+        let (waiting, divided) = (Vec::new(), Vec::new());
+        Self { first: 0, last: f64::NEG_INFINITY, waiting, taken: Links::default(), pairs, divided }
     }
 }
 
-impl Words {
+impl<S: Real> Words<S> {
     /// Forgets all of them: a group begins, and no block yet.
     pub(super) fn clear(&mut self) {
         self.last = f64::NEG_INFINITY;
@@ -99,9 +92,9 @@ impl Words {
 
     /// Puts a word on its way: into the block if it acts there.
     #[inline(always)]
-    pub(super) fn send(&mut self, change: Change, tau: f64) {
+    pub(super) fn send(&mut self, change: Change) {
         if change.at <= self.last {
-            self.place(&change, tau);
+            self.place(&change);
         } else {
             self.waiting.push(change);
         }
@@ -118,149 +111,80 @@ impl Words {
         });
     }
 
-    /// Begins the block of `samples`, at most [`BLOCK`]; `cells` have the D/As.
-    pub(super) fn begin<S>(&mut self, samples: &Range<i64>, cells: &[Cell<S>]) {
+    /// Begins the block of `samples`, at most [`BLOCK`](super::block::BLOCK).
+    pub(super) fn begin(&mut self, samples: &Range<i64>) {
         (self.first, self.last) = (samples.start, (samples.end - 1) as f64);
-        self.acting.clear();
+        self.taken.clear();
         self.divided.clear();
-        self.cells.iter_mut().for_each(|cell| cell.samples = 0);
+        self.pairs.iter_mut().for_each(Lists::clear);
         let mut waiting = mem::take(&mut self.waiting);
         let last = self.last;
         waiting.retain(|change| {
             let acts = change.at <= last;
             if acts {
-                self.place(change, cells[change.index].tau);
+                self.place(change);
             }
             !acts
         });
         self.waiting = waiting;
     }
 
-    /// Places a word that acts by the end of the block, of a D/A of time constant `tau` (s); one that should have acted
-    /// before acts as its first step begins.
+    /// Places a word that acts by the end of the block; one that should have acted before acts as its first step begins.
     #[inline(always)]
-    fn place(&mut self, change: &Change, tau: f64) {
+    fn place(&mut self, change: &Change) {
         let whole = change.at as i64;
         let sample = (whole + i64::from(change.at > whole as f64)).max(self.first);
         let share = (change.at - (sample - 1) as f64).clamp(0.0, 1.0);
-        let (next, n) = (self.acting.len() as u32, (sample - self.first) as usize);
-        let cell = &mut self.cells[change.index];
-        let [first, last] = &mut cell.ends[n];
-        if cell.samples >> n & 1 == 0 {
-            cell.samples |= 1 << n;
-            *first = next;
-        } else {
-            self.acting[*last as usize].then = next;
-        }
-        *last = next;
-        let Change { lane, weight, pulse, .. } = *change;
-        let divided = self.divided.find(share, tau);
-        self.acting.push(Acting { weight, pulse, divided, lane: lane as u32, then: NONE });
+        let Change { pair, lane, tau, pulse, .. } = *change;
+        let n = (sample - self.first) as usize;
+        let (place, taken) = self.taken.room(&mut self.pairs[pair as usize], n, lane as usize);
+        let (place, at) = (place as u32, lane as usize);
+        (taken.weight.0[at], taken.share.0[at]) = (S::from_f64(change.weight), S::from_f64(share));
+        self.divided.push(Divided { share, tau, pulse, place, lane });
     }
 
-    /// Works out what the words of the block leave of their steps of `h` seconds.
+    /// Works out what the words of the block leave of their steps of `h` seconds, eight at a time whosever they are.
     #[inline(always)]
     pub(super) fn divide(&mut self, h: f64) {
-        self.divided.work_out(h);
+        for words in self.divided.chunks(LANES) {
+            let [mut left, mut tau] = [[0.0; LANES]; 2];
+            for (n, word) in words.iter().enumerate() {
+                (left[n], tau[n]) = (h * (1.0 - word.share), word.tau);
+            }
+            let LagSteps { keep, from, to } = LagSteps::new(left, tau);
+            for (n, word) in words.iter().enumerate() {
+                let (taken, lane) = (self.taken.at(word.place as usize), word.lane as usize);
+                (taken.from.0[lane], taken.to.0[lane]) = (S::from_f64(from[n]), S::from_f64(to[n]));
+                let kick = if word.tau > 0.0 { word.pulse * (keep[n] / word.tau) } else { 0.0 };
+                taken.kick.0[lane] = S::from_f64(kick);
+            }
+        }
     }
 
     /// Samples of the block within whose step a word acts on a D/A of this pair, bit by bit.
     #[inline(always)]
     pub(super) fn samples(&self, pair: usize) -> u32 {
-        let [near, far] = ENDS.map(|end| self.cells[one_of(pair, end)].samples);
-        near | far
+        self.pairs[pair].samples()
     }
 
-    /// What a word adds to the term at the end of its step, which the D/A has taken with the weight `held`; its signal is
-    /// `from` as the step begins and `end` as it ends.
+    /// Gives the D/As of a pair the words of the step to sample `n` of the block, which they have taken with those before to
+    /// `term`; their signals are `begin` as it begins and `end` as it ends.
     #[inline(always)]
-    fn more(&self, word: &Acting, [from, end]: [f64; 2], held: f64) -> f64 {
-        let (divided, n) = (&self.divided, word.divided as usize);
-        let start = from + divided.share[n] * (end - from);
-        let kick = word.pulse * start * divided.kick[n];
-        (start * divided.from[n] + end * divided.to[n]) * (word.weight - held) + kick
-    }
-
-    /// The words of D/A `index` that act in the step to sample `n` of the block, one after the other.
-    #[inline(always)]
-    fn acting(&self, index: usize, n: usize) -> impl Iterator<Item = &Acting> {
-        let cell = &self.cells[index];
-        let first = if cell.samples >> n & 1 == 1 { cell.ends[n][0] } else { NONE };
-        std::iter::successors(self.acting.get(first as usize), |word| self.acting.get(word.then as usize))
-    }
-}
-
-impl Divided {
-    fn clear(&mut self) {
-        self.share.clear();
-        self.tau.clear();
-    }
-
-    /// The number of a step that is divided at `share` behind a D/A of time constant `tau` (s): of the last, if it is that.
-    #[inline(always)]
-    fn find(&mut self, share: f64, tau: f64) -> u32 {
-        if self.share.last() != Some(&share) || self.tau.last() != Some(&tau) {
-            self.share.push(share);
-            self.tau.push(tau);
-        }
-        (self.share.len() - 1) as u32
-    }
-
-    /// Eight at a time; the last are filled up.
-    #[inline(always)]
-    fn work_out(&mut self, h: f64) {
-        let count = self.share.len().next_multiple_of(LANES);
-        for values in [&mut self.share, &mut self.tau, &mut self.from, &mut self.to, &mut self.kick] {
-            values.resize(count, 0.0);
-        }
-        for first in (0..count).step_by(LANES) {
-            let (mut left, mut tau) = ([0.0; LANES], [0.0; LANES]);
-            tau.copy_from_slice(&self.tau[first..first + LANES]);
-            for (left, share) in left.iter_mut().zip(&self.share[first..]) {
-                *left = h * (1.0 - share);
-            }
-            let LagSteps { keep, from, to } = LagSteps::new(left, tau);
-            self.from[first..first + LANES].copy_from_slice(&from);
-            self.to[first..first + LANES].copy_from_slice(&to);
-            for (kick, (keep, tau)) in self.kick[first..].iter_mut().zip(keep.iter().zip(&tau)) {
-                *kick = if *tau > 0.0 { keep / tau } else { 0.0 };
-            }
-        }
-    }
-}
-
-/// Two D/As that take words within a step, each with its lanes.
-#[derive(Debug)]
-pub(super) struct Taking<S> {
-    /// Their signals as the step begins and as it ends.
-    pub(super) begin: Both<S>,
-    pub(super) end: Both<S>,
-    /// What they multiply by.
-    pub(super) weight: Both<S>,
-    /// What comes out at the end.
-    pub(super) term: Both<S>,
-}
-
-impl<S: Real> Default for Taking<S> {
-    #[inline(always)]
-    fn default() -> Self {
-        let none = Both::default();
-        Self { begin: none, end: none, weight: none, term: none }
-    }
-}
-
-impl<S: Real> Taking<S> {
-    /// Gives the D/As of a pair the words of the step to sample `n` of the block.
-    #[inline(always)]
-    pub(super) fn act(&mut self, words: &Words, pair: usize, n: usize) {
-        for end in ENDS {
-            for word in words.acting(one_of(pair, end), n) {
-                let lane = LANES * end + word.lane as usize;
-                let ends = [self.begin.0[lane], self.end.0[lane]].map(S::to_f64);
-                let (held, term) = (&mut self.weight.0[lane], &mut self.term.0[lane]);
-                *term = S::from_f64(term.to_f64() + words.more(word, ends, held.to_f64()));
-                *held = S::from_f64(word.weight);
-            }
+    pub(super) fn act<L: Simd>(
+        &self,
+        simd: L,
+        (pair, n): (usize, usize),
+        [begin, end]: [S::Double<L>; 2],
+        (weight, term): (&mut S::Double<L>, &mut S::Double<L>),
+    ) {
+        let load = |both: &Both<S>| S::Double::<L>::load(simd, both);
+        for Link { lanes, words, .. } in self.taken.of(&self.pairs[pair], n) {
+            let start = begin + load(&words.share) * (end - begin);
+            let new = S::Double::<L>::chosen(simd, *lanes, load(&words.weight), *weight);
+            let held = start * load(&words.from) + end * load(&words.to);
+            let more = *term + (held * (new - *weight) + start * load(&words.kick));
+            *term = S::Double::<L>::chosen(simd, *lanes, more, *term);
+            *weight = new;
         }
     }
 }
