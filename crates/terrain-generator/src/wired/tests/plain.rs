@@ -287,7 +287,12 @@ fn samples_one_by_one_have_the_bits_of_blocks() {
 #[test]
 fn a_late_start_leaves_no_trace() {
     let scene = Scene::new();
-    let array = PartsArray::<f64>::new(STEP, &scene.level, &of_1970(|_| ()), 3, "tg");
+    for made in [of_1970(|_| ()), with_alike(as_products)] {
+        leaves_no_trace(&scene, &PartsArray::new(STEP, &scene.level, &made, 3, "tg"));
+    }
+}
+
+fn leaves_no_trace(scene: &Scene, array: &PartsArray<f64>) {
     assert!((50..300).contains(&array.warm_up), "{}", array.warm_up);
     let generator = scene.generator();
     let traced = |from: usize| {
