@@ -144,6 +144,16 @@ impl<S: Real> Comparator<S> {
         }
     }
 
+    /// Thresholds of a high and of a low output.
+    pub(crate) fn thresholds(&self) -> [f64; 2] {
+        self.thresholds
+    }
+
+    /// Deviation of the thresholds, and where their deviates come from.
+    pub(crate) fn noise(&self) -> (f64, &NoiseSource) {
+        (self.noise, &self.source)
+    }
+
     /// How far noise can move the thresholds in the steps to samples 0, 1, 2 ... of `sweep`, at most (shares of full
     /// scale).
     pub fn reaches(&self, sweep: u64, reaches: &mut [f64]) {

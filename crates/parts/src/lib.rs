@@ -49,6 +49,7 @@ mod second_order;
 mod slew;
 mod spread;
 mod switch;
+mod watch;
 mod whole;
 mod wire;
 
@@ -73,4 +74,5 @@ pub use sample_hold::{SampleHold, SampleHoldLaw};
 pub use second_order::{SecondOrder, SecondOrderState, SecondOrderStep};
 pub use spread::{Spread, Tolerance, relative_sigma};
 pub use switch::{Switch, SwitchLaw};
+pub use watch::Watch;
 pub use wire::Wire;

@@ -67,8 +67,12 @@ impl NoiseSource {
 
     /// The source for the group of sweeps that begins at `first`.
     pub fn of_group(&self, first: u64) -> GroupNoise {
-        let prefix = |lane: usize| hash_words(self.seed, &[self.part, first + lane as u64]);
-        GroupNoise { sweeps: std::array::from_fn(prefix) }
+        self.of_sweeps(&std::array::from_fn(|lane| first + lane as u64))
+    }
+
+    /// The source for the sweeps of a group.
+    pub fn of_sweeps(&self, sweeps: &[u64; LANES]) -> GroupNoise {
+        GroupNoise { sweeps: sweeps.map(|sweep| hash_words(self.seed, &[self.part, sweep])) }
     }
 }
 
@@ -84,6 +88,19 @@ impl GroupNoise {
     #[inline(always)]
     pub fn pair(&self, pair: u64) -> [[f64; LANES]; 2] {
         side_by_side(|lane| hash_on(self.sweeps[lane], pair))
+    }
+
+    /// Bounds of the deviates of `sample`, without working them out: each deviate lies between 0 and its bound.
+    #[inline(always)]
+    pub fn bounds(&self, sample: u64) -> [f64; LANES] {
+        let (pair, turn) = (sample / 2, (sample % 2) << 30);
+        let mut bounds = [0.0; LANES];
+        for lane in 0..LANES {
+            let word = hash_on(self.sweeps[lane], pair);
+            // A sine is the cosine of a quarter less.
+            bounds[lane] = bound(word) * cos_bound(word.wrapping_sub(turn));
+        }
+        bounds
     }
 }
 
@@ -120,6 +137,14 @@ fn bound(word: u64) -> f64 {
     let power = (2.0 * number(word >> 32) + 1.0).to_bits() >> 52;
     // Of a radius of 2^-33 times that. Rounding of logarithm and root is far below the last factor.
     (2.0 * LN_2 * number(1023 + 33 - power)).sqrt() * (1.0 + 1e-9)
+}
+
+/// The end of a cosine's range away from 0, by the eighth of the circle in which the angle of a hash lies.
+#[inline(always)]
+fn cos_bound(word: u64) -> f64 {
+    let eighth = word >> 29;
+    let size = if (eighth + 1) & 2 == 2 { FRAC_1_SQRT_2 } else { 1.0 };
+    if (eighth + 2) & 4 == 4 { -size } else { size }
 }
 
 /// Two deviates from 32 bits of radius and 32 of angle, without a branch or a table: lanes go side by side.
@@ -284,6 +309,21 @@ mod tests {
                 assert_eq!(deviates, right);
             }
         }
+    }
+
+    #[test]
+    fn bounds_of_a_group_have_the_sign_of_its_deviates() {
+        let source = NoiseSource::new(1970, "comparator", 2);
+        let group = source.of_group(40);
+        let mut slack = 0.0;
+        for sample in 0..4000 {
+            for (lane, bound) in group.bounds(sample).into_iter().enumerate() {
+                let deviate = source.normal(40 + lane as u64, sample);
+                assert!(deviate * bound >= 0.0 && deviate.abs() <= bound.abs(), "{deviate}, {bound}");
+                slack += bound.abs() - deviate.abs();
+            }
+        }
+        assert!(slack / 32_000.0 < 0.6, "{slack}");
     }
 
     #[test]

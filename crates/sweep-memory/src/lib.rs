@@ -56,6 +56,7 @@
 //! of real parts knows no cubic between samples, no bends of position and no [`PixelRule::Centre`]. Polyhedra (VS3) are laid on
 //! the store by the polyhedron generator.
 
+mod aim;
 mod broken;
 mod curve;
 mod deflection;

@@ -5,6 +5,7 @@ use parts::Spread;
 use signal::{Breaks, LANES, Lanes, Real, Stretches};
 
 use crate::FarStroke;
+use crate::aim::{Aim, Dots};
 use crate::deflection::Deflection;
 use crate::exposure::{Charge, Levels, Target};
 use crate::stroke::Stroke;
@@ -35,7 +36,7 @@ pub struct WriteGun<S> {
 /// Buffers of a worker.
 #[derive(Debug, Clone, Default)]
 pub struct GunWork {
-    steps: Vec<Beam>,
+    aim: Aim,
     cuts: Vec<Cut>,
     covered: Vec<f32>,
 }
@@ -49,13 +50,6 @@ struct Cut {
     share: f32,
     /// Drive just before and just after it.
     drive: [f32; 2],
-}
-
-/// The beams of a group at a sample.
-#[derive(Debug, Clone, Copy)]
-struct Beam {
-    place: [f32; LANES],
-    drive: [f32; LANES],
 }
 
 impl<S: Real> WriteGun<S> {
@@ -74,10 +68,10 @@ impl<S: Real> WriteGun<S> {
 
     /// Writes the first `rows.len() / lines` sweeps of a group into `rows`, `lines` values a sweep, cleared before.
     pub fn write_stretches(&self, drive: &Drive<'_, S>, work: &mut GunWork, rows: &mut [f32]) {
-        let GunWork { steps, cuts, covered } = work;
+        let GunWork { aim, cuts, covered } = work;
         match self.charge {
-            None => self.write(drive, Levels { covered }, (steps, cuts), rows),
-            Some(charge) => self.write(drive, charge, (steps, cuts), rows),
+            None => self.write(drive, Levels { covered }, (aim, cuts), rows),
+            Some(charge) => self.write(drive, charge, (aim, cuts), rows),
         }
     }
 
@@ -85,41 +79,24 @@ impl<S: Real> WriteGun<S> {
         &self,
         drive: &Drive<'_, S>,
         mut target: impl Target,
-        (steps, cuts): (&mut Vec<Beam>, &mut Vec<Cut>),
+        (aim, cuts): (&mut Aim, &mut Vec<Cut>),
         rows: &mut [f32],
     ) {
         debug_assert!(rows.len() / self.lines <= LANES);
-        self.aim(drive, &target, steps);
+        let deflection = self.deflection.as_ref();
+        aim.take((drive.position, drive.intensity), deflection, (&target, self.lines));
         for (lane, row) in rows.chunks_exact_mut(self.lines).enumerate() {
             target.begin(row);
             let mut top = self.lines as f32;
             drive.list_cuts(lane, &target, cuts);
             for &stretch in &drive.on[lane] {
-                strokes((steps, cuts), lane, stretch, |stroke, share, speed| {
-                    top = top.min(stroke.to).min(stroke.from);
-                    target.leave(stroke, share, speed, row);
-                });
+                top = top.min(Beam { aim, cuts, lane }.write(stretch, &mut target, row));
             }
             for stroke in drive.far_strokes(lane, top) {
                 let drive = target.drive(stroke.start);
                 target.leave_exactly(Stroke { start: drive, end: drive, ..stroke }, row);
             }
             target.finish(row);
-        }
-    }
-
-    /// Place and drive of the beams at each sample.
-    fn aim(&self, drive: &Drive<'_, S>, target: &impl Target, steps: &mut Vec<Beam>) {
-        steps.clear();
-        let mut intensity = drive.intensity.iter();
-        let mut keep = |place: Lanes<S>| {
-            let drive =
-                intensity.next().map_or([0.0; LANES], |value| single(value).map(|value| target.drive(value)));
-            steps.push(Beam { place: single(&place), drive });
-        };
-        match &self.deflection {
-            None => drive.position.iter().for_each(|&place| keep(place)),
-            Some(deflection) => deflection.run(drive.position, keep),
         }
     }
 }
@@ -148,37 +125,59 @@ impl<S> Drive<'_, S> {
     }
 }
 
-fn single<S: Real>(values: &Lanes<S>) -> [f32; LANES] {
-    values.0.map(|value| value.to_f64() as f32)
+/// The beam of one lane.
+struct Beam<'a> {
+    aim: &'a Aim,
+    cuts: &'a [Cut],
+    lane: usize,
 }
 
-/// The strokes of a lane in a stretch of time (samples), each with its share of a step and the speed of the beam in
-/// it. A beam that is nowhere leaves none.
-fn strokes(
-    (steps, cuts): (&[Beam], &[Cut]),
-    lane: usize,
-    stretch: [f64; 2],
-    mut draw: impl FnMut(Stroke, f32, f32),
-) {
-    let last = steps.len().saturating_sub(1) as f64;
-    let [begin, end] = [stretch[0].max(0.0), stretch[1].min(last)];
-    if stretch[0].is_nan() || begin >= end {
-        return;
+impl Beam<'_> {
+    /// Leaves what it writes in a stretch of time (samples); the highest place that it comes to. A beam that is nowhere
+    /// writes nothing.
+    fn write(&self, stretch: [f64; 2], target: &mut impl Target, row: &mut [f32]) -> f32 {
+        let Self { aim: Aim { places, dots, .. }, cuts, lane } = *self;
+        let mut top = f32::INFINITY;
+        let last = places.len().saturating_sub(1) as f64;
+        let [begin, end] = [stretch[0].max(0.0), stretch[1].min(last)];
+        if stretch[0].is_nan() || begin >= end {
+            return top;
+        }
+        let mut ahead = &cuts[cuts.partition_point(|cut| cut.sample <= begin as usize)..];
+        for sample in begin as usize + 1..=end.ceil() as usize {
+            let origin = (sample - 1) as f64;
+            let own = ahead.iter().take_while(|cut| cut.sample == sample).count();
+            let is_whole = own == 0 && origin >= begin && sample as f64 <= end;
+            let Dots { lines, charges } = &dots[sample];
+            let touched = row.get_mut(lines[lane] as usize..).and_then(|rest| rest.first_chunk_mut());
+            if let Some([upper, lower]) = touched.filter(|_| is_whole) {
+                *upper += charges[0][lane];
+                *lower += charges[1][lane];
+                top = top.min(places[sample - 1][lane]).min(places[sample][lane]);
+                continue;
+            }
+            let within = [(begin - origin).max(0.0) as f32, (end - origin).min(1.0) as f32];
+            self.strokes(sample, &ahead[..own], within, |stroke, share, speed| {
+                top = top.min(stroke.to).min(stroke.from);
+                target.leave(stroke, share, speed, row);
+            });
+            ahead = &ahead[own..];
+        }
+        top
     }
-    let mut ahead = &cuts[cuts.partition_point(|cut| cut.sample <= begin as usize)..];
-    for sample in begin as usize + 1..=end.ceil() as usize {
-        let origin = (sample - 1) as f64;
-        let within = [(begin - origin).max(0.0) as f32, (end - origin).min(1.0) as f32];
-        let (before, after) = (&steps[sample - 1], &steps[sample]);
-        let place = |share: f32| before.place[lane] + (after.place[lane] - before.place[lane]) * share;
-        let speed = (after.place[lane] - before.place[lane]).abs();
-        let own = ahead.iter().take_while(|cut| cut.sample == sample).count();
-        pieces([before.drive[lane], after.drive[lane]], &ahead[..own], within, |[from, to], [start, end]| {
+
+    /// The strokes of a step, as far as it lies `within` two shares, each with its share of the step and the speed of the beam in
+    /// it.
+    fn strokes(&self, sample: usize, cuts: &[Cut], within: [f32; 2], mut draw: impl FnMut(Stroke, f32, f32)) {
+        let ends = |all: &[Lanes<f32>]| [all[sample - 1][self.lane], all[sample][self.lane]];
+        let ([before, after], drives) = (ends(&self.aim.places), ends(&self.aim.drives));
+        let place = |share: f32| before + (after - before) * share;
+        let speed = (after - before).abs();
+        pieces(drives, cuts, within, |[from, to], [start, end]| {
             if speed.is_finite() && (start + end).is_finite() {
                 draw(Stroke { from: place(from), to: place(to), start, end }, to - from, speed);
             }
         });
-        ahead = &ahead[own..];
     }
 }
 

@@ -1,5 +1,7 @@
 //! The processor of parts, from height to the wires of the write beam.
 
+use fearless_simd::prelude::{Select, SimdBase};
+use fearless_simd::{Level, Simd, dispatch};
 use hardware_model::AnalogParts;
 use parts::{Delay, Jump, LagStep, NearJumps, broken_at, time_constant};
 use scenario::{Curvature, Occlusion};
@@ -10,7 +12,7 @@ use crate::wired::derivative::Derivative;
 use crate::wired::field::Field;
 use crate::wired::figures::Figures;
 use crate::wired::function::Function;
-use crate::wired::lane::{Beam, Output, Trace, Wire};
+use crate::wired::lane::{Beam, Group, Output};
 use crate::wired::peak_hold::PeakHold;
 use crate::{Deflection, Processor};
 
@@ -57,9 +59,7 @@ pub struct Driven<S> {
 #[derive(Debug, Clone, Default)]
 pub struct Scratch<S> {
     /// Trips of both comparators.
-    pub(crate) outputs: [Output; 2],
-    /// What the sample-and-hold has tracked.
-    pub(crate) trace: Trace,
+    pub(crate) outputs: [[Output; LANES]; 2],
     /// How far noise can move the thresholds of a comparator, sample by sample.
     pub(crate) reaches: Vec<f64>,
     /// What the differentiator has of the group, sample by sample.
@@ -132,8 +132,7 @@ impl<S: Real> PartsProcessor<S> {
     /// which its trips count. `None` where occlusion is by peak-hold, and there is no differentiator.
     pub fn derivative(&self, driven: &Driven<S>, lane: usize) -> Option<Vec<f64>> {
         let Circuit::Derivative(circuit) = &self.circuit else { return None };
-        let elevation = &driven.elevation;
-        Some(circuit.rates(&Wire { elevation, lane, end: elevation.len(), sweep: 0 }))
+        Some(circuit.falls.rates(&driven.elevation, lane))
     }
 
     fn occlude(
@@ -144,28 +143,29 @@ impl<S: Real> PartsProcessor<S> {
         out: &mut Driven<S>,
     ) {
         let Driven { elevation, hold, on, .. } = out;
-        if let Circuit::Derivative(circuit) = &self.circuit {
-            circuit.differentiate(elevation, &mut scratch.rates);
+        let mut beams = on.each_mut().map(Beam::begin);
+        if elevation.is_empty() {
+            return;
         }
-        for (lane, on) in on.iter_mut().enumerate() {
-            let wire = Wire { elevation, lane, end: ends[lane], sweep: sweeps[lane] };
-            let mut kept = hold.iter_mut();
-            let mut last = wire.elevation.first().map_or(S::ZERO, |first| first[lane]);
-            let keep = |value: S| {
-                last = value;
-                kept.next().into_iter().for_each(|hold| hold[lane] = value);
-            };
-            let beam = Beam::begin(on);
-            match &self.circuit {
-                Circuit::Derivative(circuit) => {
-                    circuit.run(&wire, scratch, beam, keep);
-                }
-                Circuit::PeakHold(circuit) => {
-                    circuit.run(&wire, scratch, beam, keep);
+        let group = Group { elevation, ends, sweeps: *sweeps };
+        hold[0] = elevation[0];
+        match &self.circuit {
+            Circuit::Derivative(circuit) => circuit.run(&group, scratch, &mut beams, hold),
+            Circuit::PeakHold(circuit) => {
+                for (lane, beam) in beams.iter_mut().enumerate() {
+                    circuit.run(&group.wire(lane), scratch, beam, hold);
                 }
             }
-            kept.for_each(|hold| hold[lane] = last);
-            self.delay_blanking(on, elevation.len());
+        }
+        for (lane, end) in ends.into_iter().enumerate() {
+            // Beyond its end a profile stays where it was.
+            let (profile, beyond) = hold.split_at_mut(end.max(1));
+            let last = profile[profile.len() - 1][lane];
+            beyond.iter_mut().for_each(|hold| hold[lane] = last);
+            if end > 0 {
+                beams[lane].turn_off((end - 1) as f64);
+            }
+            self.delay_blanking(beams[lane].on, elevation.len());
         }
     }
 
@@ -177,13 +177,7 @@ impl<S: Real> PartsProcessor<S> {
             deflect_samples(deflection, tangents, lines);
             self.deflection.pass(lines, middle, middle);
         }
-        for sample in 1..line.len() {
-            let highest = line[sample - 1];
-            let lower = |lane: usize| {
-                if line[sample][lane] < highest[lane] { line[sample][lane] } else { highest[lane] }
-            };
-            line[sample] = Lanes::from_fn(lower);
-        }
+        dispatch!(Level::new(), simd => hold_highest(simd, line));
     }
 
     /// The blanking meets the position, which is behind the elevation by the deflection's function generator.
@@ -195,15 +189,13 @@ impl<S: Real> PartsProcessor<S> {
     }
 
     fn delay_video(&self, reflectivity: &[Lanes<S>], intensity: &mut Vec<Lanes<S>>) {
-        let (share, whole) = (Lanes::splat(S::from_f64(self.video.share)), self.video.whole);
+        let (share, whole) = (S::from_f64(self.video.share), self.video.whole);
         let Some(&first) = reflectivity.first() else { return intensity.clear() };
-        intensity.clear();
-        intensity.resize(reflectivity.len().min(whole), first);
-        let mut before = first;
-        for &now in &reflectivity[..reflectivity.len() - intensity.len()] {
-            intensity.push(now + (before - now) * share);
-            before = now;
-        }
+        let whole = whole.min(reflectivity.len());
+        intensity.resize(reflectivity.len(), first);
+        let (before, behind) = intensity.split_at_mut(whole);
+        before.fill(first);
+        dispatch!(Level::new(), simd => delay(simd, share, reflectivity, behind));
     }
 
     /// Breaks are as late as the samples, and no straight line is drawn across one.
@@ -239,6 +231,30 @@ impl<S: Real> PartsProcessor<S> {
                 out.breaks[lane].push(Break { sample, share, ..*place });
             }
         }
+    }
+}
+
+/// Each line the highest so far.
+#[inline(always)]
+fn hold_highest<L: Simd, S: Real>(simd: L, lines: &mut [Lanes<S>]) {
+    let Some(first) = lines.first() else { return };
+    let mut highest = S::Vector::<L>::from_slice(simd, &first.0);
+    for line in lines {
+        let now = S::Vector::<L>::from_slice(simd, &line.0);
+        highest = now.simd_lt(highest).select(now, highest);
+        highest.store_slice(&mut line.0);
+    }
+}
+
+/// A signal later by a `share` of a step, as far as `late` goes.
+#[inline(always)]
+fn delay<L: Simd, S: Real>(simd: L, share: S, signal: &[Lanes<S>], late: &mut [Lanes<S>]) {
+    let Some(first) = signal.first() else { return };
+    let mut before = S::Vector::<L>::from_slice(simd, &first.0);
+    for (now, late) in signal.iter().zip(late) {
+        let now = S::Vector::<L>::from_slice(simd, &now.0);
+        (now + (before - now) * share).store_slice(&mut late.0);
+        before = now;
     }
 }
 

@@ -4,22 +4,20 @@
 //! of elevation against hold. Set wins: a blank that comes a little early at a crest stays, and does not free the
 //! ground behind it. The comparator against the hold begins low with every hold.
 
-use fearless_simd::prelude::{SimdBase, SimdFrom};
+use fearless_simd::prelude::{Select, SimdBase, SimdMask};
 use fearless_simd::{Level, Simd, dispatch};
-use parts::{Comparator, ComparatorState, Differentiator, NoiseSource, SampleHold, SecondOrderState};
-use signal::{Lanes, Real};
+use parts::{Comparator, ComparatorState, NoiseSource, SampleHold, Watch};
+use signal::{LANES, Lanes, Real, eight};
 
 use crate::wired::chain::Scratch;
-use crate::wired::figures::{DERIVATIVE, Figures};
-use crate::wired::lane::{Beam, Held, Output, Trace, Wire, comparable};
+use crate::wired::falls::Falls;
+use crate::wired::figures::Figures;
+use crate::wired::lane::{Beam, Group, Held, Output, Trace, Wire, bits, comparable};
 
 /// The circuit, for one step length.
 #[derive(Debug, Clone)]
 pub(crate) struct Derivative<S> {
-    differentiator: Differentiator<S>,
-    /// Steps by which the nominal differentiator is late; everything else is delayed by as much.
-    late: f64,
-    falling: Comparator<S>,
+    pub falls: Falls<S>,
     returning: Comparator<S>,
     hold: SampleHold<S>,
     aperture: NoiseSource,
@@ -27,103 +25,46 @@ pub(crate) struct Derivative<S> {
 
 impl<S: Real> Derivative<S> {
     pub fn new(h: f64, figures: &Figures<'_>) -> Self {
-        let [lag, nominal] = figures.derivative_lags("dpp.derivative.bandwidth");
-        let (falling, returning) = ("dpp.derivative.comparator", "dpp.hold.comparator");
+        let returning = "dpp.hold.comparator";
         let against_hold = figures.comparator(returning, figures.noise());
         Self {
-            differentiator: Differentiator::new(h, DERIVATIVE, lag),
-            late: lateness(h, nominal),
-            falling: Comparator::new(h, &figures.falling(falling), figures.source(falling)),
+            falls: Falls::new(h, figures),
             returning: Comparator::new(h, &against_hold, figures.source(returning)),
             hold: SampleHold::new(h, &figures.sample_hold("dpp.hold")),
             aperture: figures.source("dpp.hold.aperture"),
         }
     }
 
-    /// Runs a sweep of a group that has been differentiated; `hold` takes what the sample-and-hold has at each sample.
+    /// Runs a group; `hold` takes what the sample-and-holds have at each sample.
     pub fn run(
         &self,
-        wire: &Wire<'_, S>,
+        group: &Group<'_, S>,
         scratch: &mut Scratch<S>,
-        mut beam: Beam<'_>,
-        mut hold: impl FnMut(S),
+        beams: &mut [Beam<'_>; LANES],
+        hold: &mut [Lanes<S>],
     ) {
-        let Some(last) = wire.end.checked_sub(1) else { return };
-        let Scratch { outputs: [falling, returning], trace, reaches, rates, .. } = scratch;
-        reaches.resize(wire.end, 0.0);
-        self.falling.reaches(wire.sweep, reaches);
-        self.list_falls(wire, (rates, reaches), falling);
-        self.returning.reaches(wire.sweep, reaches);
-        trace.begin(0.0, wire.at(0));
-        let memory = Memory::Open(wire.at(0));
-        let mut latch = Latch { circuit: self, wire, falling, returning, reaches, trace, memory };
-        hold(wire.at(0));
-        for sample in 1..=last {
-            latch.step(sample, &mut beam);
-            hold(latch.value(sample as f64));
-        }
-        beam.turn_off(last as f64);
+        let mut latches = self.latches(group, scratch);
+        dispatch!(Level::new(), simd => latches.run_wide(simd, beams, hold));
     }
 
-    /// What comes out of the differentiator (units of the wire a second), earlier by what everything else is delayed.
-    pub fn rates(&self, wire: &Wire<'_, S>) -> Vec<f64> {
-        let Some(last) = wire.end.checked_sub(1) else { return Vec::new() };
-        let mut rates = Vec::new();
-        self.differentiate(wire.elevation, &mut rates);
-        let out: Vec<f64> = rates.iter().map(|rate| rate[wire.lane].to_f64() / DERIVATIVE).collect();
-        let late = |sample: usize| {
-            let at = (sample as f64 + self.late).min(last as f64);
-            let (before, share) = (at as usize, at.fract());
-            out[before] + share * (out[last.min(before + 1)] - out[before])
-        };
-        (0..=last).map(late).collect()
-    }
-
-    /// What the differentiator has at the samples of a group.
-    pub fn differentiate(&self, elevation: &[Lanes<S>], rates: &mut Vec<Lanes<S>>) {
-        rates.resize(elevation.len(), Lanes::default());
-        dispatch!(Level::new(), simd => self.differentiate_wide(simd, elevation, rates));
-    }
-
-    #[inline(always)]
-    fn differentiate_wide<L: Simd>(&self, simd: L, elevation: &[Lanes<S>], rates: &mut [Lanes<S>]) {
-        let Some(first) = elevation.first() else { return };
-        let mut before = S::Vector::<L>::from_slice(simd, &first.0);
-        let mut poles = SecondOrderState { y: before, rate: S::Vector::<L>::simd_from(simd, S::ZERO) };
-        rates[0] = Lanes::default();
-        for (now, rate) in elevation.iter().zip(rates).skip(1) {
-            let now = S::Vector::<L>::from_slice(simd, &now.0);
-            self.differentiator.step(&mut poles, before, now).store_slice(&mut rate.0);
-            before = now;
+    /// The sweeps of a group as they begin, with all falls of theirs.
+    fn latches<'a>(&'a self, group: &'a Group<'a, S>, scratch: &'a mut Scratch<S>) -> Latches<'a, S> {
+        let Scratch { outputs: [falling, returning], rates, .. } = scratch;
+        self.falls.list(group, rates, falling);
+        Latches {
+            circuit: self,
+            group,
+            falling,
+            returning,
+            watch: self.returning.watch(&group.sweeps),
+            memories: group.elevation[0].0.map(Memory::Open),
+            traces: group.elevation[0].0.map(|value| Trace::new(0.0, value)),
+            due: [f64::INFINITY; LANES],
+            blanked: 0,
+            taken: Lanes::default(),
+            since: [0.0; LANES],
         }
     }
-
-    /// Trips of the comparator behind the differentiator do not depend on the hold: all of a sweep come first.
-    fn list_falls(&self, wire: &Wire<'_, S>, (rates, reaches): (&[Lanes<S>], &[f64]), falling: &mut Output) {
-        falling.reset(false);
-        let (mut comparator, mut before) = (ComparatorState::default(), S::ZERO);
-        for sample in 1..wire.end {
-            let rate = rates[sample][wire.lane];
-            let [start, end] = comparable(-before, -rate);
-            if !self.falling.is_quiet(&comparator, start, end, reaches[sample]) {
-                self.falling.step(&mut comparator, (wire.sweep, sample), start, end, &mut falling.trips);
-            }
-            before = rate;
-        }
-        falling.trips.iter_mut().for_each(|trip| trip.at.0 -= self.late);
-    }
-}
-
-/// Steps by which the differentiator's output at the samples is behind the slope of a parabola, of which it sees the
-/// chords: `1/2 + q / (1 - q) + r q / (1 - q)^2`, `r = h / tau_f`, `q = e^-r`, which is `2 tau_f / h` for long lags.
-pub(crate) fn lateness(h: f64, lag: f64) -> f64 {
-    if lag == 0.0 {
-        return 0.5;
-    }
-    let ratio = h / lag;
-    let left = -libm::expm1(-ratio);
-    let kept = libm::exp(-ratio) / left;
-    0.5 + kept + ratio * kept / left
 }
 
 /// The sample-and-hold of one sweep.
@@ -135,14 +76,126 @@ enum Memory<S> {
     Blanked(Held<S>, ComparatorState),
 }
 
+/// Sweeps side by side. Nearly always those that track go on tracking and those that are blanked go on holding; a sweep whose
+/// comparator may stir, or trips, takes the step alone.
+struct Latches<'a, S> {
+    circuit: &'a Derivative<S>,
+    group: &'a Group<'a, S>,
+    falling: &'a mut [Output; LANES],
+    returning: &'a mut [Output; LANES],
+    /// Over the comparators against the hold, of sweeps that are blanked.
+    watch: Watch<S>,
+    /// As they were after the last step that was taken alone.
+    memories: [Memory<S>; LANES],
+    traces: [Trace<S>; LANES],
+    /// When the next trip comes that a sweep minds.
+    due: [f64; LANES],
+    /// Sweeps that are blanked, what they hold and since when.
+    blanked: u64,
+    taken: Lanes<S>,
+    since: [f64; LANES],
+}
+
+impl<S: Real> Latches<'_, S> {
+    #[inline(always)]
+    fn run_wide<L: Simd>(&mut self, simd: L, beams: &mut [Beam<'_>; LANES], hold: &mut [Lanes<S>]) {
+        let Group { elevation, ends, .. } = *self.group;
+        (0..LANES).for_each(|lane| self.settle(lane));
+        let mut before = S::Vector::<L>::from_slice(simd, &elevation[0].0);
+        for sample in 1..ends.into_iter().max().unwrap_or(0) {
+            let now = S::Vector::<L>::from_slice(simd, &elevation[sample].0);
+            let last = S::Vector::<L>::from_slice(simd, &hold[sample - 1].0);
+            let mut next = self.circuit.hold.track(last, before, now);
+            let mut alone = self.due_by(sample as f64);
+            if self.blanked != 0 {
+                let held = self.held(simd, sample as f64);
+                alone |= self.blanked & self.watch.stirs(simd, sample, before - last, now - held);
+                next =
+                    <S::Vector<L> as SimdBase<L>>::Mask::from_bitmask(simd, self.blanked).select(held, next);
+            }
+            next.store_slice(&mut hold[sample].0);
+            for lane in bits(alone) {
+                self.step(lane, sample, &mut beams[lane], hold);
+            }
+            before = now;
+        }
+    }
+
+    /// What blanked sweeps hold at `time`.
+    #[inline(always)]
+    fn held<L: Simd>(&self, simd: L, time: f64) -> S::Vector<L> {
+        let mut steps = [0.0; LANES];
+        for lane in 0..LANES {
+            steps[lane] = time - self.since[lane];
+        }
+        self.circuit.hold.held(S::Vector::from_slice(simd, &self.taken.0), S::narrow(eight(simd, &steps)))
+    }
+
+    /// Sweeps with a trip up to `time`.
+    #[inline(always)]
+    fn due_by(&self, time: f64) -> u64 {
+        let mut lanes = 0;
+        for lane in 0..LANES {
+            lanes |= u64::from(self.due[lane] <= time) << lane;
+        }
+        lanes
+    }
+
+    /// The step of one sweep to `sample`, or its end.
+    #[inline(never)]
+    fn step(&mut self, lane: usize, sample: usize, beam: &mut Beam<'_>, hold: &mut [Lanes<S>]) {
+        if sample >= self.group.ends[lane] {
+            self.blanked &= !(1 << lane);
+            self.due[lane] = f64::INFINITY;
+            return;
+        }
+        let memory = match self.memories[lane] {
+            Memory::Open(_) => Memory::Open(hold[sample - 1][lane]),
+            blanked @ Memory::Blanked(..) => blanked,
+        };
+        let mut latch = Latch {
+            circuit: self.circuit,
+            wire: &self.group.wire(lane),
+            falling: &mut self.falling[lane],
+            returning: &mut self.returning[lane],
+            trace: &mut self.traces[lane],
+            hold,
+            memory,
+        };
+        latch.step(sample, beam);
+        let (value, memory) = (latch.value(sample as f64), latch.memory);
+        hold[sample][lane] = value;
+        self.memories[lane] = memory;
+        self.settle(lane);
+    }
+
+    /// What the group is to know of a sweep that has taken a step alone.
+    fn settle(&mut self, lane: usize) {
+        let fall = self.falling[lane].next_at();
+        match &self.memories[lane] {
+            Memory::Open(_) => {
+                self.blanked &= !(1 << lane);
+                self.due[lane] = fall;
+            }
+            Memory::Blanked(held, comparator) => {
+                self.blanked |= 1 << lane;
+                (self.taken[lane], self.since[lane]) = (held.taken, held.since);
+                self.due[lane] = fall.min(self.returning[lane].next_at());
+                self.watch.look(lane, &self.circuit.returning, comparator);
+            }
+        }
+    }
+}
+
+/// One sweep in one step.
 struct Latch<'a, S> {
     circuit: &'a Derivative<S>,
     wire: &'a Wire<'a, S>,
     falling: &'a mut Output,
     returning: &'a mut Output,
-    /// How far noise can move the thresholds of the comparator against the hold, sample by sample.
-    reaches: &'a [f64],
-    trace: &'a mut Trace,
+    trace: &'a mut Trace<S>,
+    /// What the sample-and-holds had at the samples before.
+    hold: &'a [Lanes<S>],
     memory: Memory<S>,
 }
 
@@ -168,11 +221,11 @@ impl<S: Real> Latch<'_, S> {
                     let span = [now, at.unwrap_or(end)];
                     let tracked = self.wire.track(&self.circuit.hold, sample, tracked, span);
                     self.memory = Memory::Open(tracked);
-                    self.trace.go_on(span[1], tracked);
                     let Some(at) = at else { break };
                     beam.turn_off(at);
                     let deviate = self.circuit.aperture.normal(self.wire.sweep, sample as u64);
-                    let taken = self.trace.taken(&self.circuit.hold, at, deviate, tracked);
+                    let at_samples = |sample: usize| self.hold[sample][self.wire.lane];
+                    let taken = self.trace.taken(&self.circuit.hold, at_samples, (at, deviate), tracked);
                     self.blank(sample, taken, at);
                     now = at;
                 }
@@ -180,7 +233,7 @@ impl<S: Real> Latch<'_, S> {
                     let Some(at) = self.next_release(end).map(|at| at.max(now)) else { break };
                     beam.turn_on(at);
                     let value = held.at(&self.circuit.hold, at);
-                    self.trace.begin(at, value);
+                    *self.trace = Trace::new(at, value);
                     self.memory = Memory::Open(value);
                     now = at;
                 }
@@ -200,10 +253,7 @@ impl<S: Real> Latch<'_, S> {
         let [start, end] = held.gap(&self.circuit.hold, self.wire, sample);
         let [start, end] = comparable(start, end);
         let part = &self.circuit.returning;
-        if !part.is_quiet(&comparator, start, end, self.reaches[sample]) {
-            let address = (self.wire.sweep, sample);
-            part.step(&mut comparator, address, start, end, &mut self.returning.trips);
-        }
+        part.step(&mut comparator, (self.wire.sweep, sample), start, end, &mut self.returning.trips);
         self.memory = Memory::Blanked(held, comparator);
     }
 
@@ -242,3 +292,6 @@ impl<S: Real> Latch<'_, S> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,8 +1,34 @@
-//! One sweep as the occlusion circuits see it, and what they make of it.
+//! Sweeps as the occlusion circuits see them, and what they make of them.
 
 use parts::{SampleHold, Trip};
 use quantities::SweepTime;
-use signal::{Lanes, Real};
+use signal::{LANES, Lanes, Real};
+
+/// The elevation of a group.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Group<'a, S> {
+    /// Of one sample at least.
+    pub elevation: &'a [Lanes<S>],
+    /// Samples of the profiles.
+    pub ends: [usize; LANES],
+    /// Counted over all frames: the addresses of noise.
+    pub sweeps: [u64; LANES],
+}
+
+impl<'a, S: Real> Group<'a, S> {
+    pub fn wire(&self, lane: usize) -> Wire<'a, S> {
+        Wire { elevation: self.elevation, lane, end: self.ends[lane], sweep: self.sweeps[lane] }
+    }
+}
+
+/// The numbers of the bits that are set.
+pub(crate) fn bits(mut word: u64) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let lane = (word != 0).then(|| word.trailing_zeros() as usize)?;
+        word &= word - 1;
+        Some(lane)
+    })
+}
 
 /// The elevation of one sweep, in straight lines between its samples.
 #[derive(Debug, Clone, Copy)]
@@ -74,35 +100,47 @@ impl<S: Real> Held<S> {
     }
 }
 
-/// What the sample-and-hold has tracked since the beam came on, in straight lines.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Trace {
-    knots: Vec<[f64; 2]>,
+/// Since when, and from where, the sample-and-hold has tracked. What it tracked since are straight lines between the samples.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Trace<S> {
+    at: f64,
+    value: S,
 }
 
-impl Trace {
-    pub fn begin<S: Real>(&mut self, at: f64, value: S) {
-        self.knots.clear();
-        self.go_on(at, value);
+impl<S: Real> Trace<S> {
+    /// The beam comes on.
+    pub fn new(at: f64, value: S) -> Self {
+        Self { at, value }
     }
 
-    #[inline(always)]
-    pub fn go_on<S: Real>(&mut self, at: f64, value: S) {
-        self.knots.push([at, value.to_f64()]);
-    }
-
-    /// What a command at `command` takes, `tracked` then: the value of an aperture delay before. What was there before
-    /// the beam came on is forgotten.
-    pub fn taken<S: Real>(&self, part: &SampleHold<S>, command: f64, deviate: f64, tracked: S) -> S {
+    /// What a `command` with its deviate takes, `tracked` then and `sample` at the samples before: the value of an aperture
+    /// delay before. What was there before the beam came on is forgotten.
+    pub fn taken(
+        &self,
+        part: &SampleHold<S>,
+        sample: impl Fn(usize) -> S,
+        (command, deviate): (f64, f64),
+        tracked: S,
+    ) -> S {
         let at = part.taken_at(SweepTime(command), deviate).0;
-        let next = self.knots.partition_point(|knot| knot[0] <= at);
-        match (next.checked_sub(1).map(|last| self.knots[last]), self.knots.get(next)) {
-            (_, None) => tracked,
-            (None, Some(&[_, first])) => S::from_f64(first),
-            (Some([from, value]), Some(&[to, end])) => {
-                S::from_f64(value + (end - value) * ((at - from) / (to - from)))
-            }
+        if at >= command {
+            return tracked;
         }
+        if at < self.at {
+            return self.value;
+        }
+        let (before, behind) = (at.floor(), at.floor() + 1.0);
+        let [from, value] = if before > self.at {
+            [before, sample(before as usize).to_f64()]
+        } else {
+            [self.at, self.value.to_f64()]
+        };
+        let [to, end] = if behind < command {
+            [behind, sample(behind as usize).to_f64()]
+        } else {
+            [command, tracked.to_f64()]
+        };
+        S::from_f64(value + (end - value) * ((at - from) / (to - from)))
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod chain;
 mod derivative;
+mod falls;
 mod field;
 mod figures;
 mod function;

@@ -5,7 +5,7 @@
 //! count; against the held value it does.
 
 use parts::{Comparator, ComparatorState, NoiseSource, SampleHold};
-use signal::Real;
+use signal::{Lanes, Real};
 
 use crate::wired::chain::Scratch;
 use crate::wired::figures::Figures;
@@ -33,29 +33,27 @@ impl<S: Real> PeakHold<S> {
         }
     }
 
-    /// Runs a sweep; `hold` takes what the sample-and-hold has at each sample.
+    /// Runs a sweep; its lane of `hold` takes what the sample-and-hold has at each sample.
     pub fn run(
         &self,
         wire: &Wire<'_, S>,
         scratch: &mut Scratch<S>,
-        mut beam: Beam<'_>,
-        mut hold: impl FnMut(S),
+        beam: &mut Beam<'_>,
+        hold: &mut [Lanes<S>],
     ) {
         let Some(last) = wire.end.checked_sub(1) else { return };
-        let Scratch { outputs: [output, _], trace, reaches, .. } = scratch;
+        let Scratch { outputs: [[output, ..], _], reaches, .. } = scratch;
         reaches.resize(wire.end, 0.0);
         self.holding.reaches(wire.sweep, reaches);
         output.reset(true);
         let comparator = ComparatorState { high: true, passing: None };
-        trace.begin(0.0, wire.at(0));
-        let memory = Memory::Open(wire.at(0));
+        let (trace, memory) = (Trace::new(0.0, wire.at(0)), Memory::Open(wire.at(0)));
         let mut detector = Detector { circuit: self, wire, output, reaches, trace, comparator, memory };
-        hold(wire.at(0));
+        hold[0][wire.lane] = wire.at(0);
         for sample in 1..=last {
-            detector.step(sample, &mut beam);
-            hold(detector.value(sample as f64));
+            detector.step(sample, beam, hold);
+            hold[sample][wire.lane] = detector.value(sample as f64);
         }
-        beam.turn_off(last as f64);
     }
 }
 
@@ -73,7 +71,7 @@ struct Detector<'a, S> {
     output: &'a mut Output,
     /// How far noise can move the thresholds against the held value, sample by sample.
     reaches: &'a [f64],
-    trace: &'a mut Trace,
+    trace: Trace<S>,
     comparator: ComparatorState,
     memory: Memory<S>,
 }
@@ -88,7 +86,7 @@ impl<S: Real> Detector<'_, S> {
 
     /// The step to `sample`: the comparator first, then its trips. A trip within the step changes what it compares from
     /// the next step on.
-    fn step(&mut self, sample: usize, beam: &mut Beam<'_>) {
+    fn step(&mut self, sample: usize, beam: &mut Beam<'_>, hold: &[Lanes<S>]) {
         self.compare(sample);
         let end = sample as f64;
         let mut now = end - 1.0;
@@ -96,7 +94,7 @@ impl<S: Real> Detector<'_, S> {
             let at = self.output.next_at().max(now);
             self.output.advance();
             self.rise(sample, [now, at]);
-            self.turn(sample, at, beam);
+            self.turn((sample, at), beam, hold);
             now = at;
         }
         self.rise(sample, [now, end]);
@@ -117,18 +115,19 @@ impl<S: Real> Detector<'_, S> {
         }
     }
 
-    fn turn(&mut self, sample: usize, at: f64, beam: &mut Beam<'_>) {
+    fn turn(&mut self, (sample, at): (usize, f64), beam: &mut Beam<'_>, hold: &[Lanes<S>]) {
         match self.memory {
             Memory::Open(peak) if !self.output.is_high() => {
                 beam.turn_off(at);
                 let deviate = self.circuit.aperture.normal(self.wire.sweep, sample as u64);
-                let taken = self.trace.taken(&self.circuit.hold, at, deviate, peak);
+                let at_samples = |sample: usize| hold[sample][self.wire.lane];
+                let taken = self.trace.taken(&self.circuit.hold, at_samples, (at, deviate), peak);
                 self.memory = Memory::Blanked(Held { taken, since: at });
             }
             Memory::Blanked(held) if self.output.is_high() => {
                 beam.turn_on(at);
                 let value = held.at(&self.circuit.hold, at);
-                self.trace.begin(at, value);
+                self.trace = Trace::new(at, value);
                 self.memory = Memory::Open(value);
             }
             _ => {}
@@ -138,7 +137,6 @@ impl<S: Real> Detector<'_, S> {
     fn rise(&mut self, sample: usize, span: [f64; 2]) {
         if let Memory::Open(peak) = self.memory {
             let risen = self.risen(peak, sample, span);
-            self.trace.go_on(span[1], risen);
             self.memory = Memory::Open(risen);
         }
     }

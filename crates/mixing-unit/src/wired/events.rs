@@ -1,8 +1,10 @@
 //! What happens between two samples: rims, the fades of the switches, and the begin and end of local shadow.
 
+use fearless_simd::prelude::{SimdBase, SimdFrom, SimdMask};
+use fearless_simd::{Level, Simd, dispatch};
 use parts::{Fade, Jump, NearFade, NearJumps, broken_at};
 use scenario::TextureInShadow;
-use signal::{Break, LANES, Real};
+use signal::{Break, LANES, Lanes, Real};
 
 use crate::breaks::texture_at;
 use crate::wired::mixer::{PartsMixer, SwitchScratch, limited};
@@ -47,6 +49,7 @@ pub(crate) struct Between<'a, S> {
 impl<S: Real> SwitchScratch<S> {
     /// Lists the breaks of all lanes as they come to the amplifier.
     pub(crate) fn list_breaks(&mut self, mixer: &PartsMixer<S>, inputs: &Inputs<'_, S>, out: &mut Mixed<S>) {
+        self.list_turns();
         let (mut events, mut terminators) =
             (std::mem::take(&mut self.events), std::mem::take(&mut self.terminators));
         for lane in 0..LANES {
@@ -62,6 +65,13 @@ impl<S: Real> SwitchScratch<S> {
             }
         }
         (self.events, self.terminators) = (events, terminators);
+    }
+
+    /// Lists the steps over which what comes to the limiter before VS2 changes its sign, all lanes at once.
+    fn list_turns(&mut self) {
+        let Self { signed, turns, .. } = self;
+        turns.iter_mut().for_each(Vec::clear);
+        dispatch!(Level::new(), simd => turn_wide(simd, signed, turns));
     }
 
     /// All instants of a lane but those of local shadow, ascending; one of each.
@@ -86,6 +96,21 @@ impl<S: Real> SwitchScratch<S> {
     }
 }
 
+#[inline(always)]
+fn turn_wide<L: Simd, S: Real>(simd: L, signed: &[Lanes<S>], turns: &mut [Vec<usize>; LANES]) {
+    let zero = S::Vector::<L>::simd_from(simd, S::ZERO);
+    let mut before = zero;
+    for (sample, now) in signed.iter().enumerate() {
+        let now = S::Vector::<L>::from_slice(simd, &now.0);
+        let turned = (before.simd_lt(zero) & now.simd_gt(zero)) | (before.simd_gt(zero) & now.simd_lt(zero));
+        if turned.any_true() {
+            let lanes = turned.to_bitmask();
+            (0..LANES).filter(|lane| lanes >> lane & 1 == 1).for_each(|lane| turns[lane].push(sample));
+        }
+        before = now;
+    }
+}
+
 fn knots<S>(fade: &Fade) -> impl Iterator<Item = Event<S>> + use<'_, S> {
     fade.knots().iter().map(|&[at, _]| Event::new(at, None))
 }
@@ -103,8 +128,11 @@ impl<S: Real> Between<'_, S> {
         found.clear();
         let signed = |sample: usize| self.scratch.signed[sample][self.lane].to_f64();
         let mut events = events.iter_mut().peekable();
+        let mut turns = self.scratch.turns[self.lane].iter().copied().peekable();
         let mut near = Near::new(self.scratch, self.lane);
-        for sample in 1..self.scratch.signed.len() {
+        // Other steps do not pass 0.
+        while let Some(sample) = next_step(events.peek().map(|event| event.at), turns.peek()) {
+            turns.next_if_eq(&sample);
             let end = sample as f64;
             let (mut at, mut value) = (end - 1.0, signed(sample - 1));
             while let Some(event) = events.next_if(|event| event.at < end) {
@@ -179,6 +207,11 @@ impl<S: Real> Between<'_, S> {
     }
 }
 
+/// The step in which the next event lies, one at a sample in the step that begins there, or the next turn if that is sooner.
+fn next_step(event: Option<f64>, turn: Option<&usize>) -> Option<usize> {
+    event.map(|at| at as usize + 1).into_iter().chain(turn.copied()).min()
+}
+
 /// Where a straight piece passes 0, if within it.
 fn terminator<S>([from, to]: [f64; 2], [value, target]: [f64; 2]) -> Option<Event<S>> {
     if value * target >= 0.0 {
@@ -206,4 +239,33 @@ pub(crate) fn jumps<S: Real>(inputs: &Inputs<'_, S>, lane: usize, jumps: &mut Ve
         };
         Jump { at, before: side(0), after: side(1) }
     }));
+}
+
+#[cfg(test)]
+mod tests {
+    use signal::{LANES, Lanes};
+
+    use super::terminator;
+    use crate::wired::mixer::SwitchScratch;
+
+    /// Signals about 0, at it, and what is no number: steps that are listed are those that pass 0.
+    #[test]
+    fn turns_are_the_steps_that_pass_0() {
+        let drawn = |sample: u64, lane: u64| match quantities::unit_interval(3, &[sample, lane]) {
+            share if share < 0.2 => 0.0,
+            share if share < 0.22 => f64::NAN,
+            share => share - 0.6,
+        };
+        let mut scratch = SwitchScratch::<f64>::default();
+        scratch.signed = (0..500).map(|k| Lanes::from_fn(|lane| drawn(k, lane as u64))).collect();
+        scratch.list_turns();
+        for lane in 0..LANES {
+            let passes = |&sample: &usize| {
+                let ends = [sample - 1, sample].map(|sample| scratch.signed[sample][lane]);
+                terminator::<f64>([sample as f64 - 1.0, sample as f64], ends).is_some()
+            };
+            assert_eq!(scratch.turns[lane], (1..500).filter(passes).collect::<Vec<_>>());
+            assert!(scratch.turns[lane].len() > 100);
+        }
+    }
 }

@@ -9,7 +9,7 @@ use signal::{LANES, Lanes, Real};
 
 use crate::wired::edges::GateEdges;
 use crate::wired::events::{Event, jumps};
-use crate::wired::switch::{FadingSwitch, Leaks};
+use crate::wired::switch::{FadingSwitch, Leaks, limit};
 use crate::{DriverScratch, FeatureInput, Inputs, Mixed, MixingUnit, OutputDrivers, ToggleList};
 
 /// A mixing unit of real parts, drawn once from the seed of the model.
@@ -38,6 +38,8 @@ pub struct SwitchScratch<S> {
     pub(crate) terminators: Vec<Event<S>>,
     /// What comes to the limiter before VS2 at the samples: below 0 is local shadow.
     pub(crate) signed: Vec<Lanes<S>>,
+    /// Steps of each lane over which that changes its sign.
+    pub(crate) turns: [Vec<usize>; LANES],
     /// How far a switch is open at the samples.
     open: Vec<Lanes<S>>,
     before: Vec<Lanes<S>>,
@@ -195,8 +197,4 @@ fn add<S: Real>(texture: &[Lanes<S>], reflectivity: &mut [Lanes<S>]) {
 pub(crate) fn limited<S: Real>(value: S) -> S {
     let value = value.at_least(S::ZERO);
     if value > S::ONE { S::ONE } else { value }
-}
-
-fn limit<S: Real>(reflectivity: &mut [Lanes<S>]) {
-    reflectivity.iter_mut().for_each(|value| *value = value.map(limited));
 }

@@ -1,10 +1,12 @@
 //! A video switch of real parts, at the samples.
 
+use fearless_simd::prelude::{Select, SimdBase, SimdFrom};
+use fearless_simd::{Level, Simd, dispatch};
 use hardware_model::CROSSTALK_FREQUENCY;
 use parts::{Delay, HighPass, Spread, Switch, SwitchLaw, relative_sigma};
-use signal::{Lanes, Real};
+use signal::{Lanes, Number, Real};
 
-use crate::wired::mixer::{Figures, limited};
+use crate::wired::mixer::Figures;
 
 /// A switch with what its fade and its ways do; what is `None` is not there.
 #[derive(Debug, Clone, Copy)]
@@ -49,27 +51,45 @@ impl<S: Real> FadingSwitch<S> {
 
     /// Crosstalk of both inputs; `s` is `None` where S is black.
     pub fn leak(&self, c: &[Lanes<S>], s: Option<&[Lanes<S>]>, leaks: &mut Leaks<S>) {
-        leaks.of_c.clear();
-        leaks.of_s.clear();
+        let Leaks { of_c, of_s } = leaks;
+        of_c.clear();
+        of_s.clear();
         if let Some(part) = &self.crosstalk {
-            through(part, c, &mut leaks.of_c);
-            match s {
-                Some(s) => through(part, s, &mut leaks.of_s),
-                None => leaks.of_s.resize(c.len(), Lanes::default()),
+            of_c.resize(c.len(), Lanes::default());
+            of_s.resize(c.len(), Lanes::default());
+            dispatch!(Level::new(), simd => through(simd, part, c, of_c));
+            if let Some(s) = s {
+                dispatch!(Level::new(), simd => through(simd, part, s, of_s));
             }
         }
     }
 
     /// The output at every sample, into `c`; `s` is `None` where S is black.
     pub fn run(&self, fades: &[Lanes<S>], s: Option<&[Lanes<S>]>, leaks: &Leaks<S>, c: &mut [Lanes<S>]) {
+        dispatch!(Level::new(), simd => self.run_wide(simd, fades, s, leaks, c));
+    }
+
+    #[inline(always)]
+    fn run_wide<L: Simd>(
+        &self,
+        simd: L,
+        fades: &[Lanes<S>],
+        s: Option<&[Lanes<S>]>,
+        leaks: &Leaks<S>,
+        c: &mut [Lanes<S>],
+    ) {
         let black = Lanes::default();
-        for (sample, (value, &g)) in c.iter_mut().zip(fades).enumerate() {
-            *value = self.part.output(g, *value, s.map_or(black, |s| s[sample]));
+        for (sample, (value, g)) in c.iter_mut().zip(fades).enumerate() {
+            let s = s.map_or(&black, |s| &s[sample]);
+            let [g, c, s] = [vector::<L, S>(simd, g), vector::<L, S>(simd, value), vector::<L, S>(simd, s)];
+            self.part.output(g, c, s).store_slice(&mut value.0);
         }
-        for (value, (&g, (&of_c, &of_s))) in
+        for (value, (g, (of_c, of_s))) in
             c.iter_mut().zip(fades.iter().zip(leaks.of_c.iter().zip(&leaks.of_s)))
         {
-            *value = *value + Switch::<S>::leak(g, of_c, of_s);
+            let [g, of_c, of_s] =
+                [vector::<L, S>(simd, g), vector::<L, S>(simd, of_c), vector::<L, S>(simd, of_s)];
+            (vector::<L, S>(simd, value) + Switch::<S>::leak(g, of_c, of_s)).store_slice(&mut value.0);
         }
     }
 
@@ -81,12 +101,36 @@ impl<S: Real> FadingSwitch<S> {
     }
 }
 
-fn through<S: Real>(part: &HighPass<S>, signal: &[Lanes<S>], leak: &mut Vec<Lanes<S>>) {
-    let video = |value: &Lanes<S>| value.map(limited);
-    let (mut before, mut y) = (signal.first().map(video).unwrap_or_default(), Lanes::default());
-    leak.extend(signal.iter().map(video).map(|now| {
+/// What a high pass lets through of the video of a signal.
+#[inline(always)]
+fn through<L: Simd, S: Real>(simd: L, part: &HighPass<S>, signal: &[Lanes<S>], leak: &mut [Lanes<S>]) {
+    let Some(first) = signal.first() else { return };
+    let (mut before, mut y) = (limited::<L, S>(simd, first), S::Vector::<L>::simd_from(simd, S::ZERO));
+    for (now, leak) in signal.iter().zip(leak) {
+        let now = limited::<L, S>(simd, now);
         y = part.step(y, before, now);
         before = now;
-        y
-    }));
+        y.store_slice(&mut leak.0);
+    }
+}
+
+/// Holds a signal to black and white, the ends of the video; what is not a number is black.
+pub(crate) fn limit<S: Real>(signal: &mut [Lanes<S>]) {
+    dispatch!(Level::new(), simd => {
+        for value in &mut *signal {
+            limited::<_, S>(simd, value).store_slice(&mut value.0);
+        }
+    });
+}
+
+#[inline(always)]
+fn limited<L: Simd, S: Real>(simd: L, value: &Lanes<S>) -> S::Vector<L> {
+    let (black, white) = (S::Vector::<L>::simd_from(simd, S::ZERO), S::Vector::<L>::simd_from(simd, S::ONE));
+    let value = vector::<L, S>(simd, value).at_least(black);
+    value.simd_gt(white).select(white, value)
+}
+
+#[inline(always)]
+fn vector<L: Simd, S: Real>(simd: L, lanes: &Lanes<S>) -> S::Vector<L> {
+    S::Vector::from_slice(simd, &lanes.0)
 }

@@ -7,7 +7,7 @@ use scenario::{Curvature, Occlusion};
 use signal::{Break, Breaks, LANES, Lanes};
 
 use super::{BOTH, Driven, H, HALF, LINES, PartsProcessor, Scratch, hollow, level, parts, run, share_at};
-use crate::wired::derivative::lateness;
+use crate::wired::falls::lateness;
 use crate::wired::figures::DERIVATIVE;
 
 const BEND: f64 = 0.002;
