@@ -269,9 +269,9 @@ fn before_the_sweeps(c: &mut Criterion) {
         pool.install(|| {
             b.iter(|| {
                 let field = Field::new(black_box(&view), &tangents);
-                let aspects = seen.iter().filter_map(|body| field.aspect(body));
-                let drawn: Vec<_> = aspects.map(|aspect| Drawn { aspect, dark: false }).collect();
-                generator.run(&field, &light, &drawn)
+                generator.run(&field, &light, &seen, |&body| {
+                    Some(Drawn { aspect: field.aspect(body)?, dark: false })
+                })
             });
         });
     });

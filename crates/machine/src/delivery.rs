@@ -197,9 +197,8 @@ impl Supply<'_> {
             let hidden = laws.body_visibility == BodyVisibility::AsReported && self.is_hidden(body.foot);
             (!vanishes && !hidden).then_some(Drawn { aspect, dark })
         };
-        let drawn: Vec<Drawn<'_>> = seen.par_iter().filter_map(drawn).collect();
         let light = FaceLight { sun: DVec3::from_array(self.plan.sun.direction()) };
-        polyhedra.run(&field, &light, &drawn).drawn
+        polyhedra.run(&field, &light, seen, drawn).drawn
     }
 
     /// Whether nearer ground hides a foot point: the rule of the report, at the samples of the sweep through it.

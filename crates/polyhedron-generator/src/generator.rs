@@ -13,8 +13,8 @@ use crate::likeness::{Eye, Likeness};
 use crate::view::{Place, Sighting};
 use crate::{FaceLight, NEAREST, Span, SpanTable, ViewPlane};
 
-/// Bodies that are drawn together.
-const TOGETHER: usize = 64;
+/// Bodies that are looked at, and drawn, together.
+const TOGETHER: usize = 128;
 
 /// A body that may be in the picture and on a sweep, as it lies before the eye.
 #[derive(Debug, Clone)]
@@ -92,11 +92,19 @@ impl PolyhedronGenerator {
         &self.table
     }
 
-    /// Draws `bodies`.
-    pub fn run(&mut self, field: &Field<'_>, light: &FaceLight, bodies: &[Drawn<'_>]) -> Census {
+    /// Draws those of `bodies` that `drawn` has. A body is drawn as soon as it is found to be in the picture, while it is in the
+    /// cache.
+    pub fn run<'b, B: Sync>(
+        &mut self,
+        field: &Field<'_>,
+        light: &FaceLight,
+        bodies: &[B],
+        drawn: impl Fn(&B) -> Option<Drawn<'b>> + Sync,
+    ) -> Census {
         let some = bodies.par_chunks(TOGETHER).enumerate();
-        let draw = |pencil: &mut Pencil, (number, bodies): (usize, &[Drawn<'_>])| {
-            pencil.draw_all(field, light, number * TOGETHER, bodies)
+        let draw = |pencil: &mut Pencil, (number, bodies): (usize, &[B])| {
+            let numbered = ((number * TOGETHER) as u32..).zip(bodies);
+            pencil.draw_all(field, light, numbered.filter_map(|(number, body)| Some((number, drawn(body)?))))
         };
         let found: Vec<Found> = some.map_init(Pencil::default, draw).collect();
         let mut census = Census::default();
@@ -116,16 +124,15 @@ impl Census {
 }
 
 impl Pencil {
-    /// Draws bodies of which the first has number `first`.
-    fn draw_all(
+    /// Draws bodies, each with its number.
+    fn draw_all<'b>(
         &mut self,
         field: &Field<'_>,
         light: &FaceLight,
-        first: usize,
-        bodies: &[Drawn<'_>],
+        bodies: impl Iterator<Item = (u32, Drawn<'b>)>,
     ) -> Found {
         let (mut census, mut spans) = Found::default();
-        for (index, drawn) in (first..).zip(bodies) {
+        for (number, drawn) in bodies {
             let Aspect { body, eye, foot_range, sweeps } = &drawn.aspect;
             let (sighting, vectors) = (&field.sighting, field.vectors);
             let tangents = &field.tangents[sweeps.clone()];
@@ -138,7 +145,7 @@ impl Pencil {
             census.drawn += 1;
             census.vertices += self.likeness.corners.len() as u64;
             let (object, foot_range) = (body.object, *foot_range as f32);
-            let stamp = Span { body: index as u32, object, foot_range, ..Span::default() };
+            let stamp = Span { body: number, object, foot_range, ..Span::default() };
             self.draw(field, &drawn.aspect, stamp, &mut spans);
         }
         census.spans = spans.len() as u64;

@@ -43,9 +43,9 @@ fn run<'a>(
 ) -> (PolyhedronGenerator, Census) {
     let mut generator = PolyhedronGenerator::default();
     let field = Field::new(view, tangents);
-    let aspects = bodies.into_iter().filter_map(|body| field.aspect(body));
-    let drawn: Vec<_> = aspects.map(|aspect| Drawn { aspect, dark: false }).collect();
-    let census = generator.run(&field, &light(), &drawn);
+    let bodies: Vec<_> = bodies.into_iter().collect();
+    let drawn = |body: &&'a Body| Some(Drawn { aspect: field.aspect(body)?, dark: false });
+    let census = generator.run(&field, &light(), &bodies, drawn);
     (generator, census)
 }
 
@@ -142,14 +142,14 @@ fn a_body_in_shadow_is_black_and_the_table_forgets_the_last_frame() {
     let (mut generator, tangents) = (PolyhedronGenerator::default(), tangents(0.4, 41));
     let view = view(Projection::Exact, [0.0, 0.0, 1.5], 0.0, 0.0);
     let field = Field::new(&view, &tangents);
-    let aspect = field.aspect(&cube).expect("it stands straight ahead");
-    generator.run(&field, &light(), &[Drawn { aspect, dark: true }]);
+    let dark = |(): &()| Some(Drawn { aspect: field.aspect(&cube)?, dark: true });
+    generator.run(&field, &light(), &[()], dark);
     assert_eq!(generator.table().sweep(20)[0].reflectivity, 0.0);
     let mut overlay = Overlay::default();
     let mut row = [0.7; LINES];
     overlay.overlay(generator.table().sweep(20), BodyVisibility::Depth, OPEN, PixelRule::Centre, &mut row);
     assert!(row.contains(&0.0), "a black body is there all the same");
-    generator.run(&Field::new(&view, &tangents), &light(), &[]);
+    generator.run(&Field::new(&view, &tangents), &light(), &[], dark);
     assert!(generator.table().is_empty());
 }
 
