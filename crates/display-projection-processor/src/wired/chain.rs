@@ -1,7 +1,5 @@
 //! The processor of parts, from height to the wires of the write beam.
 
-use fearless_simd::prelude::{Select, SimdBase};
-use fearless_simd::{Level, Simd, dispatch};
 use hardware_model::AnalogParts;
 use parts::{Delay, Jump, LagStep, NearJumps, broken_at, time_constant};
 use scenario::{Curvature, Occlusion};
@@ -177,7 +175,13 @@ impl<S: Real> PartsProcessor<S> {
             deflect_samples(deflection, tangents, lines);
             self.deflection.pass(lines, middle, middle);
         }
-        dispatch!(Level::new(), simd => hold_highest(simd, line));
+        for sample in 1..line.len() {
+            let highest = line[sample - 1];
+            let lower = |lane: usize| {
+                if line[sample][lane] < highest[lane] { line[sample][lane] } else { highest[lane] }
+            };
+            line[sample] = Lanes::from_fn(lower);
+        }
     }
 
     /// The blanking meets the position, which is behind the elevation by the deflection's function generator.
@@ -189,13 +193,15 @@ impl<S: Real> PartsProcessor<S> {
     }
 
     fn delay_video(&self, reflectivity: &[Lanes<S>], intensity: &mut Vec<Lanes<S>>) {
-        let (share, whole) = (S::from_f64(self.video.share), self.video.whole);
+        let (share, whole) = (Lanes::splat(S::from_f64(self.video.share)), self.video.whole);
         let Some(&first) = reflectivity.first() else { return intensity.clear() };
-        let whole = whole.min(reflectivity.len());
-        intensity.resize(reflectivity.len(), first);
-        let (before, behind) = intensity.split_at_mut(whole);
-        before.fill(first);
-        dispatch!(Level::new(), simd => delay(simd, share, reflectivity, behind));
+        intensity.clear();
+        intensity.resize(reflectivity.len().min(whole), first);
+        let mut before = first;
+        for &now in &reflectivity[..reflectivity.len() - intensity.len()] {
+            intensity.push(now + (before - now) * share);
+            before = now;
+        }
     }
 
     /// Breaks are as late as the samples, and no straight line is drawn across one.
@@ -231,30 +237,6 @@ impl<S: Real> PartsProcessor<S> {
                 out.breaks[lane].push(Break { sample, share, ..*place });
             }
         }
-    }
-}
-
-/// Each line the highest so far.
-#[inline(always)]
-fn hold_highest<L: Simd, S: Real>(simd: L, lines: &mut [Lanes<S>]) {
-    let Some(first) = lines.first() else { return };
-    let mut highest = S::Vector::<L>::from_slice(simd, &first.0);
-    for line in lines {
-        let now = S::Vector::<L>::from_slice(simd, &line.0);
-        highest = now.simd_lt(highest).select(now, highest);
-        highest.store_slice(&mut line.0);
-    }
-}
-
-/// A signal later by a `share` of a step, as far as `late` goes.
-#[inline(always)]
-fn delay<L: Simd, S: Real>(simd: L, share: S, signal: &[Lanes<S>], late: &mut [Lanes<S>]) {
-    let Some(first) = signal.first() else { return };
-    let mut before = S::Vector::<L>::from_slice(simd, &first.0);
-    for (now, late) in signal.iter().zip(late) {
-        let now = S::Vector::<L>::from_slice(simd, &now.0);
-        (now + (before - now) * share).store_slice(&mut late.0);
-        before = now;
     }
 }
 

@@ -1,8 +1,6 @@
 //! Elevation as a share of the field.
 
-use fearless_simd::prelude::{Select, SimdBase, SimdFrom};
-use fearless_simd::{Level, Simd, dispatch};
-use signal::{LANES, Lanes, Number, Real};
+use signal::{LANES, Lanes, Real};
 
 use crate::Deflection;
 
@@ -34,7 +32,9 @@ impl<S: Real> Field<S> {
             let gone = S::from_f64(GONE);
             elevation.iter().rposition(|value| value[lane] > gone).map_or(0, |last| last + 1)
         });
-        dispatch!(Level::new(), simd => self.enter_wide(simd, elevation));
+        for value in &mut *elevation {
+            *value = ((*value - self.middle) / self.half).map(limited);
+        }
         for (lane, &end) in ends.iter().enumerate() {
             let (profile, beyond) = elevation.split_at_mut(end);
             let last = profile.last().map_or(S::from_f64(-LIMIT), |last| last[lane]);
@@ -45,25 +45,8 @@ impl<S: Real> Field<S> {
 
     /// Turns shares into tangents.
     pub fn leave(&self, elevation: &mut [Lanes<S>]) {
-        dispatch!(Level::new(), simd => self.leave_wide(simd, elevation));
-    }
-
-    #[inline(always)]
-    fn enter_wide<L: Simd>(&self, simd: L, elevation: &mut [Lanes<S>]) {
-        let middle = S::Vector::<L>::from_slice(simd, &self.middle.0);
-        let half = S::Vector::<L>::from_slice(simd, &self.half.0);
         for value in elevation {
-            let share = (S::Vector::<L>::from_slice(simd, &value.0) - middle) / half;
-            limited::<L, S>(simd, share).store_slice(&mut value.0);
-        }
-    }
-
-    #[inline(always)]
-    fn leave_wide<L: Simd>(&self, simd: L, elevation: &mut [Lanes<S>]) {
-        let middle = S::Vector::<L>::from_slice(simd, &self.middle.0);
-        let half = S::Vector::<L>::from_slice(simd, &self.half.0);
-        for value in elevation {
-            (middle + half * S::Vector::<L>::from_slice(simd, &value.0)).store_slice(&mut value.0);
+            *value = self.middle + self.half * *value;
         }
     }
 }
@@ -79,9 +62,8 @@ fn span(deflection: &Deflection, lines: f64) -> [f64; 2] {
 }
 
 /// Within the limiter; what is not a number is at its lower end.
-#[inline(always)]
-fn limited<L: Simd, S: Real>(simd: L, share: S::Vector<L>) -> S::Vector<L> {
-    let limit = S::Vector::<L>::simd_from(simd, S::from_f64(LIMIT));
+fn limited<S: Real>(share: S) -> S {
+    let limit = S::from_f64(LIMIT);
     let share = share.at_least(-limit);
-    share.simd_gt(limit).select(limit, share)
+    if share > limit { limit } else { share }
 }
