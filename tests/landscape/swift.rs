@@ -65,23 +65,24 @@ fn bare_ground_is_as_good_as_the_same() {
     assert!(difference(&swift, &whole) < 1e-3, "{}", difference(&swift, &whole));
 }
 
-/// Terrain generators whose every part is slow: signals at the samples are theirs, and what is seen of that is the same.
+/// Terrain generators whose every part is slow: what they do shows as it does in the whole machine, and by far outweighs what
+/// samples miss.
 #[test]
 fn slow_parts_of_the_terrain_generator_show_as_they_do_in_the_whole_machine() {
-    let mut set = Set::over(rolling(5, 4.0)).under(sun(100.0, 15.0));
-    set.stage.settings.scalar = Scalar::F64;
-    let [ideal, _] = [Economy::Swift, Economy::Bounded].map(|economy| drawn(&set, economy, 700, &[]));
+    let mut set = full(1);
+    let ideal = drawn(&set, Economy::Swift, 2800, &[]);
     let parts = &mut set.stage.settings.analog;
     parts.full_scale = 10.0;
-    parts.function_generator.bandwidth = Some(5e6);
-    parts.multiplier.bandwidth = Some(8e6);
-    (parts.multiplying_dac.bandwidth, parts.multiplying_dac.bits) = (Some(4e6), Some(12));
-    (parts.amplifier.gain_bandwidth, parts.amplifier.slew) = (Some(80e6), Some(200e6));
+    parts.function_generator.bandwidth = Some(4e4);
+    parts.multiplier.bandwidth = Some(6e4);
+    (parts.multiplying_dac.bandwidth, parts.multiplying_dac.bits) = (Some(4e4), Some(8));
+    (parts.amplifier.gain_bandwidth, parts.amplifier.slew) = (Some(8e5), Some(2e7));
     parts.summer_inputs = Some(6);
-    let [swift, whole] = [Economy::Swift, Economy::Bounded].map(|economy| drawn(&set, economy, 700, &[]));
+    let [swift, whole] = [Economy::Swift, Economy::Bounded].map(|economy| drawn(&set, economy, 2800, &[]));
     let (fault, error) = (difference(&ideal, &swift), difference(&swift, &whole));
-    assert!(bits(&swift.picture) != bits(&whole.picture), "drawn swiftly");
-    assert!(error < 1e-3 && fault > 3.0 * error, "{fault} {error}");
+    println!("{fault} {error}");
+    assert!(bits(&swift.picture) != bits(&whole.picture), "it is drawn whole");
+    assert!(error < 0.005 && fault > 10.0 * error, "{fault} {error}");
 }
 
 #[test]

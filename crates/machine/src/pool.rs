@@ -30,21 +30,3 @@ impl<T> Default for Pool<T> {
         Self(Mutex::default())
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::Pool;
-
-    #[test]
-    fn a_thread_gets_back_what_it_left_as_long_as_there_is_any() {
-        let (pool, threads) =
-            (Pool::default(), rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap());
-        pool.give_back("outside");
-        threads.install(|| pool.give_back("within"));
-        pool.give_back("outside again");
-        assert_eq!(threads.install(|| pool.take()), "within");
-        assert_eq!(pool.take(), "outside again");
-        assert_eq!(threads.install(|| pool.take()), "outside");
-        assert_eq!(pool.take(), "");
-    }
-}
