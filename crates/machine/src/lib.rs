@@ -9,7 +9,7 @@
 //!  bodies ▶ project ▶ spans ───────────────────────────────────────────────┴─ PG ───┘
 //! ```
 //!
-//! Under the economy `Swift` a machine of ideal parts takes a shorter way (`swift`).
+//! Under the economy `Swift` a machine whose terrain generators alone may have parts takes a shorter way (`swift`).
 //!
 //! Where a model says so, what leaves TG, FG and MU comes through output amplifiers (`wires`).
 //!

@@ -70,8 +70,8 @@ pub(crate) fn omissions(stage: &Stage, blocks: &Blocks) -> Vec<Omission> {
 /// What a machine leaves out that is told to draw swiftly.
 fn swift(blocks: &Blocks) -> Vec<Omission> {
     if !blocks.swift {
-        let why =
-            "the model names parts, or laws ask for features apart from the terrain: the whole machine draws";
+        let why = "the model names parts beside those of terrain generators, or laws ask for features apart from the terrain: the \
+             whole machine draws";
         return vec![Omission::lossless("machine", "nothing, although it is to draw swiftly", why)];
     }
     let left_out = |block, what: &str, why: &str| Omission {

@@ -26,9 +26,6 @@ pub struct QuietAmplifiers<S> {
 }
 
 impl<S: Real> QuietAmplifiers<S> {
-    /// Samples that are passed at once, at most.
-    pub const MOST: usize = 16;
-
     /// These two.
     pub fn new([a, b]: [&Amplifier<S>; 2]) -> Self {
         let both = |a, b| Both::splat([a, b]);
@@ -41,8 +38,8 @@ impl<S: Real> QuietAmplifiers<S> {
         }
     }
 
-    /// Passes at most [`Self::MOST`] samples through, from `states` at the inputs `from` on; of each amplifier `inputs` has
-    /// as many. False, and only `out` is changed, if an amplifier might slew or clip, or is still coming out of an overload.
+    /// Passes samples through, from `states` at the inputs `from` on; `out` has at least as many as the `inputs` of each. False,
+    /// and only `out` is changed, if an amplifier might slew or clip, or is still coming out of an overload.
     #[inline(always)]
     pub fn pass<L: Simd>(
         &self,
