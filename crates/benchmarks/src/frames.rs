@@ -41,6 +41,7 @@ impl Drawn {
         Self { row, session, planes, pose, samples }
     }
 
+    /// Draws a frame; how long that took (s).
     fn draw(&mut self, pool: &ThreadPool) -> f64 {
         let begin = Instant::now();
         let counts = pool.install(|| self.session.frame(0, &self.pose, &mut self.planes, &mut Probe::off()));
@@ -51,7 +52,8 @@ impl Drawn {
 }
 
 /// Draws the rows whose names begin with one of `names`, all if there is none, `repetitions` times on each number of
-/// threads, after once to warm up; rows take turns.
+/// threads; rows take turns, and each turn begins with a frame that is not timed. In a mission a frame follows another of
+/// the same scene, whose caches it finds as that has left them; after another row they would be that row's.
 ///
 /// # Errors
 /// If no row begins so, or threads cannot be started.
@@ -72,13 +74,11 @@ pub fn frame_times(
     });
     let pools = pools.collect::<Result<Vec<ThreadPool>, String>>()?;
     let mut times = vec![Vec::new(); rows.len() * pools.len()];
-    for repetition in 0..=repetitions.max(1) {
+    for _ in 0..repetitions.max(1) {
         for (index, times) in times.iter_mut().enumerate() {
-            let time = rows[index / pools.len()].draw(&pools[index % pools.len()]);
-            // The first time fills buffers and caches.
-            if repetition > 0 {
-                times.push(time);
-            }
+            let (drawn, pool) = (&mut rows[index / pools.len()], &pools[index % pools.len()]);
+            drawn.draw(pool);
+            times.push(drawn.draw(pool));
         }
     }
     let told = times.into_iter().enumerate().map(|(index, mut times)| {

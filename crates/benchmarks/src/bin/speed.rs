@@ -12,7 +12,7 @@ use serde_json::json;
 struct Arguments {
     /// Rows whose names begin so; all if left out.
     names: Vec<String>,
-    /// Times that each row is drawn, after once to warm up; rows take turns.
+    /// Times that each row is drawn, in turns; each turn begins with a frame that is not timed.
     #[arg(long, default_value_t = 9)]
     repetitions: usize,
     /// Numbers of threads.
