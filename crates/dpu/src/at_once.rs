@@ -8,6 +8,9 @@ use crate::crossing::TimedFold;
 
 /// Adds folds to `steps` with the words that they ask for, which come in the same instant: what a fold does is a matter of
 /// its pointers alone.
+///
+/// Never inlined: within its caller, as the compiler now and then has it, the loop is short of registers (7 % of first light).
+#[inline(never)]
 pub(crate) fn serve_at_once(
     level: &Level,
     mut pointers: Pointers,

@@ -29,7 +29,7 @@ use std::ops::Range;
 use fearless_simd::prelude::{ExtractToken, SimdBase, SimdFrom};
 use fearless_simd::{Level, Simd, dispatch, f64x8};
 use landscape::{Grain, Lattice, Texture};
-use signal::{LANES, Lanes, Real, Signal, Unit, eight};
+use signal::{Double, LANES, Lanes, Real, Signal, Unit, eight};
 
 /// Signals of the block.
 pub const SIGNALS: &[Signal] = &[Signal::ground(
@@ -84,10 +84,12 @@ impl TextureGenerator<'_> {
                 let (ranges, out) = (&self.ranges[run.clone()], &mut out[run]);
                 match grain.lattice() {
                     Lattice::Stored(lattice) => {
-                        sweeps.add(grain, ranges, out, |places| lattice.eight::<L, S>(places));
+                        sweeps.add(grain, ranges, out, |[first, second]| {
+                            S::Double::of(lattice.eight::<L, S>(first), lattice.eight::<L, S>(second))
+                        });
                     }
                     Lattice::Hashed(lattice) => {
-                        sweeps.add(grain, ranges, out, |places| lattice.eight::<L, S>(places));
+                        sweeps.add(grain, ranges, out, |places| lattice.sixteen::<L, S>(places));
                     }
                 }
             }
@@ -113,21 +115,31 @@ impl<L: Simd> Sweeps<L> {
         Self { eye, north: part(0), east: part(1) }
     }
 
-    /// Adds one layer.
+    /// Places of the sweeps at a range (m).
+    #[inline(always)]
+    fn at(&self, range: f64) -> [f64x8<L>; 2] {
+        [self.eye[0] + self.north * range, self.eye[1] + self.east * range]
+    }
+
+    /// Adds one layer, two samples at a time: the last of an odd number stands beside itself.
     #[inline(always)]
     fn add<S: Real>(
         &self,
         grain: &Grain,
         ranges: &[f64],
         out: &mut [Lanes<S>],
-        pattern: impl Fn([f64x8<L>; 2]) -> S::Vector<L>,
+        pattern: impl Fn([[f64x8<L>; 2]; 2]) -> S::Double<L>,
     ) {
         let simd = self.north.token();
-        for (&range, out) in ranges.iter().zip(out) {
-            let places = [self.eye[0] + self.north * range, self.eye[1] + self.east * range];
-            let amplitude = S::Vector::<L>::simd_from(simd, S::from_f64(grain.layer().amplitude_at(range)));
-            let sum = S::Vector::<L>::from_slice(simd, &out.0) + amplitude * pattern(places);
-            sum.store_slice(&mut out.0);
+        let amplitude =
+            |range| S::Vector::<L>::simd_from(simd, S::from_f64(grain.layer().amplitude_at(range)));
+        for (ranges, out) in ranges.chunks(2).zip(out.chunks_mut(2)) {
+            let [near, far] = [ranges[0], ranges[ranges.len() - 1]];
+            let grains =
+                S::Double::of(amplitude(near), amplitude(far)) * pattern([self.at(near), self.at(far)]);
+            for (out, grains) in out.iter_mut().zip(grains.halves()) {
+                (S::Vector::<L>::from_slice(simd, &out.0) + grains).store_slice(&mut out.0);
+            }
         }
     }
 }

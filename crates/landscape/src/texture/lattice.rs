@@ -7,7 +7,7 @@ use fearless_simd::prelude::{
 };
 use fearless_simd::{Simd, f32x16, f64x8, i32x16, u32x8, u32x16};
 use quantities::hash_words;
-use signal::{LANES, Real};
+use signal::{Both, Double, LANES, Real};
 
 /// 1.5 * 2^52: added to a number of less than 2^51 it leaves the nearest whole number in the low bits.
 const ROUND: f64 = 6_755_399_441_055_744.0;
@@ -77,18 +77,34 @@ impl Hashed {
         join(CORNERS.map(|pair| pair.map(corner)), places.map(way), 3.0)
     }
 
-    /// [`at`](Self::at) at eight places side by side; the same bits in f64.
+    /// [`at`](Self::at) at twice eight places side by side; the same bits in f64.
     #[inline(always)]
-    pub fn eight<L: Simd, S: Real>(&self, [x, y]: [f64x8<L>; 2]) -> S::Vector<L> {
-        let [x, y] = [(x - self.origin[0]) * self.inverse_cell, (y - self.origin[1]) * self.inverse_cell];
-        let [row, column] = [(x - 0.5) + ROUND, (y - 0.5) + ROUND];
+    pub fn sixteen<L: Simd, S: Real>(&self, places: [[f64x8<L>; 2]; 2]) -> S::Double<L> {
+        let simd = places[0][0].token();
+        let [first, second] = [self.cells(places[0]), self.cells(places[1])];
         // No `map` and no closure: what they are handed is not always compiled for the width of the vectors.
-        let key = line_numbers(row) * STRIDE[0] + line_numbers(column) * STRIDE[1] + self.seed;
-        let south = key.combine(key + CORNERS[0][1]);
-        let (south, north) = (values::<L, S>(south), values::<L, S>(south + CORNERS[1][0]));
-        let ways = [S::narrow(x - (row - ROUND)), S::narrow(y - (column - ROUND))];
-        let three = S::Vector::<L>::simd_from(x.token(), S::from_f64(3.0));
-        join([south, north], ways, three)
+        let key = self.keys(first.lines).combine(self.keys(second.lines));
+        let south = [values::<L, S>(simd, key), values::<L, S>(simd, key + CORNERS[0][1])];
+        let north = [values::<L, S>(simd, key + CORNERS[1][0]), values::<L, S>(simd, key + CORNERS[1][1])];
+        let ways = [
+            S::Double::of(S::narrow(first.ways[0]), S::narrow(second.ways[0])),
+            S::Double::of(S::narrow(first.ways[1]), S::narrow(second.ways[1])),
+        ];
+        join([south, north], ways, S::Double::splat(simd, S::from_f64(3.0)))
+    }
+
+    /// The cells of eight places.
+    #[inline(always)]
+    fn cells<L: Simd>(&self, [x, y]: [f64x8<L>; 2]) -> Cells<L> {
+        let [x, y] = [(x - self.origin[0]) * self.inverse_cell, (y - self.origin[1]) * self.inverse_cell];
+        let lines = [(x - 0.5) + ROUND, (y - 0.5) + ROUND];
+        Cells { lines, ways: [x - (lines[0] - ROUND), y - (lines[1] - ROUND)] }
+    }
+
+    /// [`key`](Self::key) of eight cells.
+    #[inline(always)]
+    fn keys<L: Simd>(&self, [row, column]: [f64x8<L>; 2]) -> u32x8<L> {
+        line_numbers(row) * STRIDE[0] + line_numbers(column) * STRIDE[1] + self.seed
     }
 
     /// In cells from the origin.
@@ -105,6 +121,14 @@ impl Hashed {
     }
 }
 
+/// Cells of eight places.
+struct Cells<L: Simd> {
+    /// Lattice lines before the places, plus [`ROUND`].
+    lines: [f64x8<L>; 2],
+    /// Ways from them.
+    ways: [f64x8<L>; 2],
+}
+
 /// From the key of a cell's south-west corner to those of all four.
 const CORNERS: [[u32; 2]; 2] = [[0, STRIDE[1]], [STRIDE[0], STRIDE[0].wrapping_add(STRIDE[1])]];
 
@@ -119,17 +143,16 @@ fn scramble(key: u32) -> u32 {
 
 /// [`value`] of what [`scramble`] makes of twice eight keys.
 #[inline(always)]
-fn values<L: Simd, S: Real>(keys: u32x16<L>) -> [S::Vector<L>; 2] {
+fn values<L: Simd, S: Real>(simd: L, keys: u32x16<L>) -> S::Double<L> {
     let keys = (keys ^ (keys >> 16)) * 0x21f0_aaad;
     let keys = (keys ^ (keys >> 15)) * 0xd35a_2d97;
     let bits: i32x16<L> = ((keys ^ (keys >> 15)) >> 8).bitcast();
     let values = (bits - (1 << 23)).to_float::<f32x16<L>>() * (1.0 / 8_388_608.0);
-    let mut out = [[S::ZERO; LANES]; 2];
-    for lane in 0..LANES {
-        out[0][lane] = S::from_f64(f64::from(values[lane]));
-        out[1][lane] = S::from_f64(f64::from(values[LANES + lane]));
+    let mut out = Both::default();
+    for lane in 0..2 * LANES {
+        out.0[lane] = S::from_f64(f64::from(values[lane]));
     }
-    [S::Vector::<L>::from_slice(keys.token(), &out[0]), S::Vector::<L>::from_slice(keys.token(), &out[1])]
+    S::Double::load(simd, &out)
 }
 
 /// Numbers of eight lattice lines.

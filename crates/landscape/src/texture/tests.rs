@@ -2,7 +2,7 @@ use super::{Lattice, Layer, Source, Texture, TextureError};
 use fearless_simd::prelude::SimdBase;
 use fearless_simd::{Level, Simd, dispatch};
 use proptest::prelude::{Strategy, any, prop_assert, prop_assert_eq, proptest};
-use signal::{LANES, Real, eight};
+use signal::{Double, LANES, Real, eight};
 
 const ORIGIN: [f64; 2] = [-130.0, 70.0];
 const REGION: f64 = 32.0;
@@ -106,7 +106,14 @@ fn side_by_side<S: Real>(vectors: Level, lattice: &Lattice, [x, y]: &[[f64; LANE
         let (places, mut out) = ([eight(simd, x), eight(simd, y)], [S::ZERO; LANES]);
         match lattice {
             Lattice::Stored(lattice) => lattice.eight::<L, S>(places).store_slice(&mut out),
-            Lattice::Hashed(lattice) => lattice.eight::<L, S>(places).store_slice(&mut out),
+            Lattice::Hashed(lattice) => {
+                // The same in both halves, one of them from the far end.
+                let turned =
+                    places.map(|places| eight(simd, &std::array::from_fn(|lane| places[LANES - 1 - lane])));
+                let [first, second] = lattice.sixteen::<L, S>([places, turned]).halves();
+                first.store_slice(&mut out);
+                assert!((0..LANES).all(|lane| out[lane] == second[LANES - 1 - lane]));
+            }
         }
         out
     }
