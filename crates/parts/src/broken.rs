@@ -66,6 +66,9 @@ impl<'a> NearJumps<'a> {
     }
 }
 
+/// More than an instant of a sweep is rounded by (steps).
+const ROUNDING: f64 = 1e-9;
+
 /// The sample at which the step ends in which `time` lies, 0 or later.
 pub(crate) fn step_of(time: f64) -> usize {
     let whole = time as usize;
@@ -90,10 +93,11 @@ impl Delay {
             let value = |sample: usize| before[sample][lane].to_f64();
             let (mut near, mut next) = (NearJumps::new(jumps), 0);
             for jump in &*jumps {
-                // The samples that are taken from within a step that ends at the jump, or begins there, and those
-                // beside them.
-                let about = (jump.at + late).max(1.0) as usize - 1;
-                for index in about.max(next)..(about + 5).min(signal.len()) {
+                // The samples that are taken from within a step that holds the jump, ends at it or begins there.
+                let [begin, end] = [jump.at.ceil() - 1.0, jump.at.floor() + 1.0].map(|step| step + late);
+                let first = (begin - ROUNDING).max(0.0).ceil() as usize;
+                let beyond = (end + ROUNDING) as usize + 1;
+                for index in first.max(next)..beyond.min(signal.len()) {
                     let time = index as f64 - late;
                     let [_, after] = broken_at(value, last, near.at(time), time);
                     signal[index][lane] = S::from_f64(after);
