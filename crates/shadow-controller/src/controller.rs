@@ -185,8 +185,10 @@ impl ShadowController {
             |(crossings, changes, boundaries, work), (band, gates)| {
                 for (sweep, gate) in (band * BAND..).zip(gates) {
                     let crossed = crossings.of(met, sweep);
-                    gate.dark_at_start = unite(crossed, reach, changes);
-                    let within = crossed.partition_point(|crossing| crossing.range() <= reach);
+                    // Few lie beyond.
+                    let beyond = crossed.iter().rev().take_while(|crossing| crossing.range() > reach).count();
+                    let within = crossed.len() - beyond;
+                    gate.dark_at_start = unite(crossed, within, changes);
                     gate.united = (within - changes.len()) as u32;
                     boundaries.clear();
                     boundaries.extend(changes.iter().map_while(|crossing| met.boundary(sweep, *crossing)));
@@ -252,24 +254,28 @@ impl Sighting for Map {
     }
 }
 
-/// The I/O processor's editing: of all `crossings` of a sweep those between light and shadow, up to `reach`. Returns
+/// The I/O processor's editing: of all `crossings` of a sweep those between light and shadow, of the first `within`. Returns
 /// whether the sweep starts in shadow.
-fn unite<C: Crossing>(crossings: &[C], reach: f64, out: &mut Vec<C>) -> bool {
-    out.clear();
+fn unite<C: Crossing>(crossings: &[C], within: usize, out: &mut Vec<C>) -> bool {
     // Outlines are closed, so beyond the last crossing there is no shadow.
     let start = -crossings.iter().map(|crossing| crossing.step()).sum::<i32>();
-    let mut depth = start;
-    for crossing in crossings.iter().take_while(|crossing| crossing.range() <= reach) {
+    out.clear();
+    out.resize(within, C::default());
+    let (mut depth, mut kept, mut last) = (start, 0, f64::NEG_INFINITY);
+    for crossing in &crossings[..within] {
         let before = depth;
         depth += crossing.step();
-        if (before > 0) == (depth > 0) {
+        let (is_change, range) = ((before > 0) != (depth > 0), crossing.range());
+        if is_change && range - last < RESOLUTION {
+            kept -= 1;
+            last = out[..kept].last().map_or(f64::NEG_INFINITY, |last| last.range());
             continue;
         }
-        if out.last().is_some_and(|last| crossing.range() - last.range() < RESOLUTION) {
-            out.pop();
-        } else {
-            out.push(*crossing);
-        }
+        // Written in any case: which are changes cannot be guessed.
+        out[kept] = *crossing;
+        kept += usize::from(is_change);
+        last = if is_change { range } else { last };
     }
+    out.truncate(kept);
     start > 0
 }

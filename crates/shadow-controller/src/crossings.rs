@@ -9,6 +9,7 @@ use remote_shadow::{Outlines, Segment};
 use crate::fan::{Fan, Guesses, Line, Sifted, TOGETHER, WORD};
 use crate::line_generators::Boundary;
 use crate::nearly::sort_nearly;
+use crate::network::sort_words;
 
 /// Parts of all lists that are looked over one by one: a few for each thread, so that none waits long for another.
 const PARTS: usize = 8;
@@ -33,6 +34,11 @@ pub(crate) trait Crossing: Copy + Ord + Default + Send + Sync {
 
     /// The line that is crossed, if it is known.
     fn place(self) -> Option<Place>;
+
+    /// Sorts crossings of some lists, each nearly in order, into `sorted`; `apart` is room for that.
+    fn sort<'a>(lists: impl Iterator<Item = &'a [Self]>, sorted: &mut Vec<Self>, apart: &mut Vec<Self>)
+    where
+        Self: 'a;
 
     /// Shadows begun (1) or ended (-1) there.
     fn step(self) -> i32 {
@@ -59,6 +65,12 @@ impl Crossing for Bare {
     fn place(self) -> Option<Place> {
         None
     }
+
+    fn sort<'a>(lists: impl Iterator<Item = &'a [Self]>, sorted: &mut Vec<Self>, _: &mut Vec<Self>) {
+        sorted.clear();
+        lists.for_each(|list| sorted.extend_from_slice(list));
+        sort_words(sorted);
+    }
 }
 
 /// A crossing of a line that is known: the same, then list and number of the line.
@@ -80,6 +92,10 @@ impl Crossing for Known {
 
     fn place(self) -> Option<Place> {
         Some([(self >> 32) as u32, self as u32])
+    }
+
+    fn sort<'a>(lists: impl Iterator<Item = &'a [Self]>, sorted: &mut Vec<Self>, apart: &mut Vec<Self>) {
+        sort_nearly(lists.flatten().copied(), sorted, apart);
     }
 }
 
@@ -142,13 +158,7 @@ impl<'a, F: Sighting, C: Crossing> Met<'a, F, C> {
         let mut met = Self { lists, sighting, directions, parts: Vec::new() };
         let Some(fan) = Fan::new(directions) else { return met };
         let vectors = Level::new();
-        let part = |(guesses, lines): &mut (Guesses, Vec<MetLine>), (first, lists): (usize, &[&Outlines])| {
-            lines.clear();
-            for (list, outlines) in (first..).zip(lists) {
-                dispatch!(vectors, simd => find_met(simd, &fan, list as u32, outlines, &met.sighting, guesses, lines));
-            }
-            met.part(&fan, lines)
-        };
+        let part = |(guesses, lines): &mut (Guesses, Vec<MetLine>), part: (usize, &[&Outlines])| dispatch!(vectors, simd => met.part(simd, &fan, part, guesses, lines));
         let room = || (Guesses::default(), Vec::with_capacity(ROOM));
         let parts = like_parts(lists).into_par_iter().map_init(room, part).collect();
         met.parts = parts;
@@ -171,11 +181,23 @@ impl<'a, F: Sighting, C: Crossing> Met<'a, F, C> {
         self.sighting.line(self.lists[list as usize].segment(number as usize))
     }
 
-    /// Finds where the sweeps of the fan cross some lines.
-    fn part(&self, fan: &Fan<'_>, lines: &[MetLine]) -> Part<C> {
+    /// Finds where the sweeps of the fan cross lines of some lists, the first of which is number `first`.
+    #[inline(always)]
+    fn part<V: Simd>(
+        &self,
+        simd: V,
+        fan: &Fan<'_>,
+        (first, lists): (usize, &[&Outlines]),
+        guesses: &mut Guesses,
+        lines: &mut Vec<MetLine>,
+    ) -> Part<C> {
+        lines.clear();
+        for (list, outlines) in (first..).zip(lists) {
+            find_met(simd, fan, list as u32, outlines, &self.sighting, guesses, lines);
+        }
         let mut ends = begins(lines, self.sweeps());
         let mut crossings = vec![C::default(); lines.iter().map(|line| line.sweeps().len()).sum()];
-        for met in lines {
+        for met in &*lines {
             let [a, b] = met.left;
             for sweep in met.sweeps() {
                 // Leftwards its shadow lies beyond it.
@@ -246,8 +268,7 @@ impl<C: Crossing> Crossings<C> {
     /// Crossings of one sweep in their order.
     pub(crate) fn of<F>(&mut self, met: &Met<'_, F, C>, sweep: usize) -> &[C] {
         // Tiles come by their distance from the eye.
-        let met = met.parts.iter().flat_map(|part| part.of(sweep)).copied();
-        sort_nearly(met, &mut self.crossings, &mut self.apart);
+        C::sort(met.parts.iter().map(|part| part.of(sweep)), &mut self.crossings, &mut self.apart);
         &self.crossings
     }
 }

@@ -111,15 +111,15 @@ impl<'a> Fan<'a> {
     }
 
     /// Ground range at which a sweep crosses a line (m), at least 0.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn crossing(&self, sweep: usize, line: &Line) -> f64 {
         let direction = self.directions[sweep];
         let way = [line.to[0] - line.from[0], line.to[1] - line.from[1]];
         let range = cross(line.from, way) / cross(direction, way);
         let [a, b] = [line.from, line.to].map(|end| dot(direction, end));
-        // A line almost along the sweep: rounding must not throw the crossing off it.
-        let within = if range.is_nan() { a.min(b) } else { range.max(a.min(b)).min(a.max(b)) };
-        within.max(0.0)
+        let [near, far] = if a < b { [a, b] } else { [b, a] };
+        // A line almost along the sweep: rounding must not throw the crossing off it, nor that there is none.
+        greater(lesser(greater(range, near), far), 0.0)
     }
 }
 
@@ -190,6 +190,18 @@ impl Guesses {
         let may_differ = from_low.simd_lt(to_high) | to_low.simd_lt(from_high);
         Sifted { may_cross: (!behind & (!ahead | may_differ)).to_bitmask(), known: known.to_bitmask() }
     }
+}
+
+/// The lesser of two; the second if one is no number.
+#[inline(always)]
+fn lesser(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}
+
+/// The greater of two; the second if one is no number.
+#[inline(always)]
+fn greater(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }
 
 /// `a` (ahead, across), or if it lies behind the place ahead where the line to `b` begins to count.

@@ -37,6 +37,7 @@ mod crossings;
 mod fan;
 mod line_generators;
 mod nearly;
+mod network;
 mod wired;
 
 pub use controller::{Gate, RESOLUTION, ShadowController};
