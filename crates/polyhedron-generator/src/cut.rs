@@ -8,6 +8,7 @@ const ROOM: f32 = 0.25;
 
 /// Appends the parts of `span` that no nearer ground reaches above. Most spans are seen or hidden as a whole, and the few samples
 /// around them tell that.
+#[inline(always)]
 pub(crate) fn above_ground<L: Fn(usize) -> f32>(span: &Span, hold: &Hold<L>, pieces: &mut Vec<Piece>) {
     let [low, high] = hold.extremes(span.near);
     if low > span.bottom + ROOM {

@@ -33,6 +33,7 @@ impl Outline {
     /// Finds the crossings of a face with sweeps at ascending `tangents`; returns the first sweep that meets it. Its corners
     /// are some of `all` and run counter-clockwise on the picture; what lies more than `half_height` off its middle is cut off
     /// first, unless all is `inside`: within it all sweeps run the same way.
+    #[inline(always)]
     pub fn cross(
         &mut self,
         face: &[u32],
@@ -91,17 +92,18 @@ fn meet<'c>(
     crossings.resize(reach.len(), Default::default());
     let next = corners.clone().skip(1).chain(corners.clone().take(1));
     for (from, to) in corners.zip(next) {
-        // Counter-clockwise: an edge to the right is a lower one.
-        let (end, sweeps) =
-            if from.sweep <= to.sweep { (1, from.sweep..to.sweep) } else { (0, to.sweep..from.sweep) };
+        // Counter-clockwise: an edge to the right is a lower one. Either way it is met from its left corner on, so that two faces
+        // that share it part at one place, to the bit.
+        let (end, [left, right]) = if from.sweep <= to.sweep { (1, [from, to]) } else { (0, [to, from]) };
+        let sweeps = left.sweep..right.sweep;
         if sweeps.is_empty() {
             continue;
         }
-        let (from, to) = (&from.place, &to.place);
-        let spread = [sighting.spread(from.y), sighting.spread(to.y)];
+        let [left, right] = [&left.place, &right.place];
+        let spread = [left, right].map(|place| sighting.spread(place.y));
         for sweep in sweeps {
-            let [off, beyond] = [from.x - tangents[sweep] * spread[0], to.x - tangents[sweep] * spread[1]];
-            crossings[sweep - reach.start][end] = from.towards(to, off / (off - beyond));
+            let [off, beyond] = [left.x - tangents[sweep] * spread[0], right.x - tangents[sweep] * spread[1]];
+            crossings[sweep - reach.start][end] = left.towards(right, off / (off - beyond));
         }
     }
     reach.start
@@ -116,6 +118,7 @@ fn sweeps_of<'c>(corners: impl Iterator<Item = &'c Corner>) -> Range<usize> {
 }
 
 impl Place {
+    #[inline(always)]
     fn towards(&self, to: &Place, share: f64) -> Place {
         let mix = |a: f64, b: f64| a + share * (b - a);
         Place { x: mix(self.x, to.x), y: mix(self.y, to.y), depth: mix(self.depth, to.depth) }

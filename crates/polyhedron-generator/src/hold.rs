@@ -38,6 +38,7 @@ impl<L: Fn(usize) -> f32> Hold<'_, L> {
 
     /// Least and greatest line position between two inverse ranges, but for rounding: what is held between two samples lies
     /// between what is held at them.
+    #[inline(always)]
     pub(crate) fn extremes(&self, [a, b]: [f32; 2]) -> [f32; 2] {
         let begin = self.near.not_nearer(a.max(b) * (1.0 + HAIR));
         let end = (self.near.not_nearer(a.min(b) * (1.0 - HAIR)) + 1).min(self.near.samples().len());

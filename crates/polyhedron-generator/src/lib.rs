@@ -29,6 +29,7 @@
 //! good to the second order of the span's height. The hold is taken to be linear in inverse range between two
 //! samples, which is exact on level ground at zero pitch.
 
+mod cover;
 mod cut;
 mod face;
 mod generator;

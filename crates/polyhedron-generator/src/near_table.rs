@@ -33,7 +33,7 @@ impl NearTable {
     }
 
     /// First sample at or beyond an inverse range (1/m), which is a number; how many there are if all are nearer.
-    #[inline]
+    #[inline(always)]
     pub fn not_nearer(&self, near: f32) -> usize {
         let Some(number) = self.first_box.checked_sub(number_of(near.max(0.0))) else { return 0 };
         let Some(&begin) = self.begins.get(number as usize) else { return self.samples().len() };

@@ -1,8 +1,10 @@
 //! The third video switch: spans of one sweep over its lines (section 14).
 
+use fearless_simd::{Level, dispatch};
 use scenario::{BodyVisibility, PixelRule};
 use signal::{Signal, Unit};
 
+use crate::cover::Cover;
 use crate::{Hold, Span, cut};
 
 /// Signals of the block.
@@ -36,12 +38,14 @@ pub(crate) struct Piece {
 }
 
 impl Piece {
+    #[inline(always)]
     pub fn new(span: &Span) -> Self {
         let Span { top, bottom, depth: [depth, below], reflectivity, .. } = *span;
         let foot = (span.foot_range, span.object);
         Self { top, bottom, depth, slope: (below - depth) / (bottom - top), reflectivity, foot }
     }
 
+    #[inline(always)]
     fn depth(&self, line: f32) -> f32 {
         self.depth + self.slope * (line - self.top)
     }
@@ -55,6 +59,7 @@ pub struct Overlay {
     order: Vec<u64>,
     active: Vec<usize>,
     runs: Vec<Run>,
+    cover: Cover,
 }
 
 impl Overlay {
@@ -81,6 +86,18 @@ impl Overlay {
         visibility: BodyVisibility,
         hold: Option<&Hold<L>>,
     ) -> &[Run] {
+        // Compiled at the width of the vectors, comparisons and sums of single numbers have better instructions too.
+        dispatch!(Level::new(), _simd => self.compose_here(spans, visibility, hold));
+        &self.runs
+    }
+
+    #[inline(always)]
+    fn compose_here<L: Fn(usize) -> f32>(
+        &mut self,
+        spans: &[Span],
+        visibility: BodyVisibility,
+        hold: Option<&Hold<L>>,
+    ) {
         self.pieces.clear();
         self.runs.clear();
         match (visibility, hold) {
@@ -93,7 +110,6 @@ impl Overlay {
         self.order.extend(self.pieces.iter().enumerate().map(|(number, piece)| from_top(piece, number)));
         self.order.sort_unstable();
         self.sweep_down(visibility);
-        &self.runs
     }
 
     /// Drops the runs whose own video does not exceed `threshold`: they do not open a self-keyed switch (section 14).
@@ -107,18 +123,19 @@ impl Overlay {
     }
 
     /// Lays the runs of the last composition over a row.
-    pub fn write(&self, rule: PixelRule, row: &mut [f32]) {
+    pub fn write(&mut self, rule: PixelRule, row: &mut [f32]) {
         self.lay(rule, row, |run| run.reflectivity);
     }
 
     /// The gate: the share of each line over which a polyhedron is seen, added to a row of zeros.
-    pub fn present(&self, rule: PixelRule, row: &mut [f32]) {
+    pub fn present(&mut self, rule: PixelRule, row: &mut [f32]) {
         self.lay(rule, row, |_| 1.0);
     }
 
     /// Between two ends the same pieces are there: finds which shows.
+    #[inline(always)]
     fn sweep_down(&mut self, visibility: BodyVisibility) {
-        let Self { pieces, order, active, runs } = self;
+        let Self { pieces, order, active, runs, .. } = self;
         active.clear();
         let mut waiting = order.iter().map(|&key| key as u32 as usize).peekable();
         while let Some(first) = waiting.next() {
@@ -142,7 +159,8 @@ impl Overlay {
         }
     }
 
-    fn lay(&self, rule: PixelRule, row: &mut [f32], value: impl Fn(&Run) -> f32) {
+    #[inline(always)]
+    fn lay(&mut self, rule: PixelRule, row: &mut [f32], value: impl Fn(&Run) -> f32) {
         match rule {
             PixelRule::Centre => {
                 for run in &self.runs {
@@ -150,12 +168,13 @@ impl Overlay {
                     row[first..end.max(first)].fill(value(run));
                 }
             }
-            PixelRule::LineMean => lay_means(&self.runs, row, value),
+            PixelRule::LineMean => self.cover.mix(&self.runs, row, value),
         }
     }
 }
 
 /// A number that ascends with the top of a piece and names it: numbers are sorted without asking, pieces are not.
+#[inline(always)]
 fn from_top(piece: &Piece, number: usize) -> u64 {
     let bits = piece.top.to_bits();
     // Bits ascend as numbers do above 0, and the other way round below.
@@ -164,49 +183,11 @@ fn from_top(piece: &Piece, number: usize) -> u64 {
 }
 
 /// First of some lines that begins at or below a line position; their number if none does.
+#[inline(always)]
 fn line_from(position: f32, lines: usize) -> usize {
     // The library's `ceil` is called where it is no instruction.
     let above = (position.max(0.0) as usize).min(lines);
     (above + usize::from((above as f32) < position)).min(lines)
-}
-
-/// Mixes runs into lines by the share that they cover.
-fn lay_means(runs: &[Run], row: &mut [f32], value: impl Fn(&Run) -> f32) {
-    let mut line = Line::default();
-    for run in runs {
-        let (first, end) = (run.top.max(0.0) as usize, line_from(run.bottom, row.len()));
-        let to_last = end.saturating_sub(first + 1).max(1);
-        // Between its first and its last line it covers lines as a whole.
-        if to_last > 1 {
-            row[first + 1..end - 1].fill(value(run));
-        }
-        for index in (first..end).step_by(to_last) {
-            if index != line.index {
-                line.mix(row);
-                line = Line { index, ..Line::default() };
-            }
-            let cover = run.bottom.min(index as f32 + 1.0) - run.top.max(index as f32);
-            line.cover += cover;
-            line.sum += cover * value(run);
-        }
-    }
-    line.mix(row);
-}
-
-/// A line being covered.
-#[derive(Debug, Clone, Copy, Default)]
-struct Line {
-    index: usize,
-    cover: f32,
-    sum: f32,
-}
-
-impl Line {
-    fn mix(&self, row: &mut [f32]) {
-        if self.cover > 0.0 {
-            row[self.index] = row[self.index] * (1.0 - self.cover).max(0.0) + self.sum;
-        }
-    }
 }
 
 /// Pieces that lie over one another from one line position to another.
@@ -238,6 +219,7 @@ impl Stretch<'_> {
     }
 
     /// The piece that shows at a line position.
+    #[inline(always)]
     fn shown(&self, line: f32) -> usize {
         let on_top = |&a: &usize, &b: &usize| if self.covers(b, a, line) { b } else { a };
         let first = self.active[0];
@@ -245,6 +227,7 @@ impl Stretch<'_> {
     }
 
     /// Whether piece `a` lies over piece `b`.
+    #[inline(always)]
     fn covers(&self, a: usize, b: usize, line: f32) -> bool {
         let (first, second) = (&self.pieces[a], &self.pieces[b]);
         if self.visibility == BodyVisibility::AsReported && first.foot != second.foot {
