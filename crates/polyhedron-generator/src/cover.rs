@@ -1,7 +1,7 @@
 //! Lines that runs cover in part, mixed by the share that they cover.
 
-use fearless_simd::prelude::{Select, SimdMask};
-use fearless_simd::{Level, Simd, SimdBase, SimdFloat, dispatch, f32x16};
+use fearless_simd::prelude::Select;
+use fearless_simd::{Level, Simd, SimdBase, dispatch, f32x16};
 
 use crate::Run;
 

@@ -2,14 +2,16 @@
 
 use std::ops::Range;
 
-use fearless_simd::Level;
+use fearless_simd::{Level, dispatch};
 use glam::DVec3;
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSlice;
-use solids::Body;
+use signal::Number;
+use solids::{Body, Solid};
 
 use crate::face::Outline;
-use crate::likeness::{Eye, Likeness};
+use crate::likeness::{Eye, Likeness, UNSEEN};
+use crate::meetings::Meetings;
 use crate::view::{Place, Sighting};
 use crate::{FaceLight, NEAREST, Span, SpanTable, ViewPlane};
 
@@ -83,6 +85,7 @@ type Found = (Census, Vec<(u32, Span)>);
 #[derive(Debug, Default)]
 struct Pencil {
     likeness: Likeness,
+    meetings: Meetings,
     outline: Outline,
 }
 
@@ -143,7 +146,7 @@ impl Pencil {
                 continue;
             }
             census.drawn += 1;
-            census.vertices += self.likeness.corners.len() as u64;
+            census.vertices += self.likeness.sweeps.len() as u64;
             let (object, foot_range) = (body.object, *foot_range as f32);
             let stamp = Span { body: number, object, foot_range, ..Span::default() };
             self.draw(field, &drawn.aspect, stamp, &mut spans);
@@ -153,20 +156,38 @@ impl Pencil {
         (census, spans)
     }
 
-    /// Draws the faces of a body whose likeness has been taken.
+    /// Draws a body whose likeness has been taken.
     fn draw(&mut self, field: &Field<'_>, aspect: &Aspect<'_>, stamp: Span, spans: &mut Vec<(u32, Span)>) {
         let Aspect { body, sweeps, .. } = aspect;
-        let Likeness { corners, seen, is_inside } = &self.likeness;
-        let tangents = &field.tangents[sweeps.clone()];
-        let height = (field.view.tan_half_height, *is_inside);
-        for &(face, reflectivity) in seen {
-            let face = &body.solid.faces()[face as usize];
-            let first = self.outline.cross(&face.corners, corners, height, &field.sighting, tangents);
+        let sweeps = (sweeps.start, &field.tangents[sweeps.clone()]);
+        if self.likeness.is_inside {
+            let (meetings, seen) = (&mut self.meetings, (body.solid.edges(), &self.likeness));
+            dispatch!(field.vectors, simd => meetings.find(simd, field, seen, sweeps, stamp, spans));
+        } else {
+            self.draw_faces(field, &body.solid, sweeps, stamp, spans);
+        }
+    }
+
+    /// Draws it face by face: what lies above or below the picture is cut off.
+    fn draw_faces(
+        &mut self,
+        field: &Field<'_>,
+        solid: &Solid,
+        (first, tangents): (usize, &[f64]),
+        stamp: Span,
+        spans: &mut Vec<(u32, Span)>,
+    ) {
+        let (likeness, half_height) = (&self.likeness, field.view.tan_half_height);
+        let seen =
+            solid.faces().iter().zip(&likeness.faces).filter(|(_, reflectivity)| **reflectivity != UNSEEN);
+        for (face, &reflectivity) in seen {
+            let corners = face.corners.iter().map(|&corner| likeness.corner(corner));
+            let begin = self.outline.cross(corners, half_height, &field.sighting, tangents);
             let stamp = Span { reflectivity, ..stamp };
-            for (step, ends) in self.outline.crossings.iter().enumerate() {
+            for (sweep, ends) in (first as u32 + begin..).zip(&self.outline.crossings) {
                 let span = field.span(ends, stamp);
                 if span.top < span.bottom {
-                    spans.push(((sweeps.start + first + step) as u32, span));
+                    spans.push((sweep, span));
                 }
             }
         }
@@ -227,15 +248,26 @@ impl<'a> Field<'a> {
         sweep((left / nearest).min(left / farthest))..sweep((right / nearest).max(right / farthest))
     }
 
-    fn span(&self, [upper, lower]: &[Place; 2], stamp: Span) -> Span {
-        let line =
-            |place: &Place| (0.5 * self.view.lines * (place.y / self.view.tan_half_height + 1.0)) as f32;
-        Span {
-            top: line(upper),
-            bottom: line(lower),
-            near: [upper, lower].map(|place| self.sighting.near(place) as f32),
-            depth: [upper, lower].map(|place| place.depth as f32),
-            ..stamp
-        }
+    /// Line position of a place at `y` on the view-plane.
+    #[inline(always)]
+    pub(crate) fn line<N: Number>(&self, y: N) -> N {
+        let ViewPlane { lines, tan_half_height, .. } = *self.view;
+        y.like(0.5 * lines) * (y / y.like(tan_half_height) + y.like(1.0))
+    }
+
+    /// Inverse horizontal range of a place (1/m).
+    #[inline(always)]
+    pub(crate) fn near<N: Number>(&self, place: &Place<N>) -> N {
+        self.sighting.near(place)
+    }
+
+    fn span(&self, ends: &[Place; 2], stamp: Span) -> Span {
+        let [top, bottom] = [0, 1].map(|end: usize| self.line(ends[end].y) as f32);
+        let near = [0, 1].map(|end: usize| self.near(&ends[end]) as f32);
+        let depth = [0, 1].map(|end: usize| ends[end].depth as f32);
+        Span { top, bottom, near, depth, ..stamp }
     }
 }
+
+#[cfg(test)]
+mod tests;

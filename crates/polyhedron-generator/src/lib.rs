@@ -36,6 +36,7 @@ mod generator;
 mod hold;
 mod light;
 mod likeness;
+mod meetings;
 mod near_table;
 mod overlay;
 mod sight;

@@ -13,13 +13,18 @@ use crate::{FaceLight, NEAREST};
 /// Buffers that are kept from body to body.
 #[derive(Debug, Default)]
 pub(crate) struct Likeness {
-    /// Vertices on the picture.
-    pub corners: Vec<Corner>,
+    /// Vertices on the picture, eight side by side: x, y, inverse depth and spread of each, as a [`Corner`] has them.
+    pub corners: Vec<[[f64; LANES]; 4]>,
+    /// First sweep that passes through each or to the right of it; as many as there are vertices.
+    pub sweeps: Vec<u32>,
     /// Whether all of them are in it, as far as up and down go.
     pub is_inside: bool,
-    /// Faces that look at the eye, with their reflectivities.
-    pub seen: Vec<(u32, f32)>,
+    /// Reflectivity of each face, [`UNSEEN`] of those that do not look at the eye.
+    pub faces: Vec<f32>,
 }
+
+/// Reflectivity of a face that nobody sees: no other is negative.
+pub(crate) const UNSEEN: f32 = -1.0;
 
 /// What a body is seen by.
 #[derive(Debug)]
@@ -36,6 +41,13 @@ pub(crate) struct Eye<'a> {
 }
 
 impl Likeness {
+    /// A vertex on the picture.
+    pub fn corner(&self, number: u32) -> Corner {
+        let (block, lane) = (&self.corners[number as usize / LANES], number as usize % LANES);
+        let [x, y, depth, spread] = [0, 1, 2, 3].map(|axis: usize| block[axis][lane]);
+        Corner { place: Place { x, y, depth }, spread, sweep: self.sweeps[number as usize] }
+    }
+
     /// Takes that of a body, black if it is `dark`; false if a vertex is too near.
     pub fn take(&mut self, eye: &Eye<'_>, body: &Body, dark: bool) -> bool {
         dispatch!(eye.vectors, simd => self.take_by(simd, eye, body, dark))
@@ -44,7 +56,8 @@ impl Likeness {
     #[inline(always)]
     fn take_by<V: Simd>(&mut self, simd: V, eye: &Eye<'_>, body: &Body, dark: bool) -> bool {
         self.corners.clear();
-        self.seen.clear();
+        self.sweeps.clear();
+        self.faces.clear();
         self.is_inside = true;
         let (turn, scale) = body.to_ground();
         let (Eights { vertices, faces }, count) = (body.solid.eights(), body.solid.vertices().len());
@@ -56,8 +69,8 @@ impl Likeness {
         }
         // Where the eye is for the solid.
         let at = turn.transpose() * (eye.place - body.foot) / scale;
-        for (first, faces) in (0..).step_by(LANES).zip(faces) {
-            self.find_seen(simd, eye, (at, &turn), (first, faces), dark);
+        for faces in faces {
+            self.find_seen(simd, eye, (at, &turn), faces, dark);
         }
         true
     }
@@ -85,23 +98,21 @@ impl Likeness {
         let place = project(ahead);
         let half_height = x.like(eye.half_height);
         self.is_inside &= !(half_height.simd_lt(place.y) | place.y.simd_lt(-half_height)).any_true();
-        let sweeps = sweeps_left_of(place.x / eye.sighting.spread(place.y), eye.tangents);
-        let (xs, ys, depths) = (place.x.to_array(), place.y.to_array(), place.depth.to_array());
-        for lane in 0..count {
-            let place = Place { x: xs[lane], y: ys[lane], depth: depths[lane] };
-            self.corners.push(Corner { place, sweep: sweeps[lane] });
-        }
+        let spread = eye.sighting.spread(place.y);
+        let sweeps = sweeps_left_of(place.x / spread, eye.tangents);
+        self.corners.push([place.x, place.y, place.depth, spread].map(|all| all.to_array()));
+        self.sweeps.extend_from_slice(&sweeps[..count]);
         true
     }
 
-    /// Which of up to eight faces look at the eye, which is at `at` for the solid; the first of them is face number `first`.
+    /// Which of eight faces look at the eye, which is at `at` for the solid.
     #[inline(always)]
     fn find_seen<V: Simd>(
         &mut self,
         simd: V,
         eye: &Eye<'_>,
         (at, turn): (DVec3, &DMat3),
-        (first, faces): (u32, &EightFaces),
+        faces: &EightFaces,
         dark: bool,
     ) {
         let [x, y, z] = &faces.normals;
@@ -110,13 +121,15 @@ impl Likeness {
         let from_foot = normals[0] * distance.like(at.x)
             + normals[1] * distance.like(at.y)
             + normals[2] * distance.like(at.z);
-        let mut seen = from_foot.simd_gt(distance).to_bitmask();
-        let lit = eye.light.reflectivity(turned(turn, normals), eight(simd, &faces.albedos)).to_array();
-        while seen != 0 {
-            let lane = seen.trailing_zeros();
-            seen &= seen - 1;
-            self.seen.push((first + lane, if dark { 0.0 } else { lit[lane as usize] as f32 }));
+        let is_seen = from_foot.simd_gt(distance);
+        let lit = eye.light.reflectivity(turned(turn, normals), eight(simd, &faces.albedos));
+        let lit = if dark { lit.like(0.0) } else { lit };
+        let lit = is_seen.select(lit, lit.like(f64::from(UNSEEN))).to_array();
+        let mut faces = [0.0; LANES];
+        for n in 0..LANES {
+            faces[n] = lit[n] as f32;
         }
+        self.faces.extend_from_slice(&faces);
     }
 }
 
@@ -125,15 +138,16 @@ const FEW: usize = 16;
 
 /// How many of ascending `tangents` are less than each of eight.
 #[inline(always)]
-fn sweeps_left_of<V: Simd>(across: f64x8<V>, tangents: &[f64]) -> [usize; LANES] {
+fn sweeps_left_of<V: Simd>(across: f64x8<V>, tangents: &[f64]) -> [u32; LANES] {
     if tangents.len() > FEW {
-        return across.to_array().map(|across| tangents.partition_point(|&tangent| tangent < across));
+        let count = |across| tangents.partition_point(|&tangent| tangent < across) as u32;
+        return across.to_array().map(count);
     }
     let (mut count, one) = (across.like(0.0), across.like(1.0));
     for &tangent in tangents {
         count = across.like(tangent).simd_lt(across).select(count + one, count);
     }
-    count.to_array().map(|count| count as usize)
+    count.to_array().map(|count| count as u32)
 }
 
 /// `turn` times a vector, in the order of the plain product.
@@ -157,7 +171,7 @@ mod tests {
     use scenario::{Curvature, Projection};
     use solids::{Body, Kind, rocks};
 
-    use super::{Eye, Likeness};
+    use super::{Eye, Likeness, UNSEEN};
     use crate::face::Corner;
     use crate::view::{Sighting, project};
     use crate::{FaceLight, NEAREST, ViewPlane};
@@ -195,27 +209,28 @@ mod tests {
             let vertices: Vec<DVec3> = body.vertices().collect();
             let ahead = |vertex: &DVec3| sighting.turn((*vertex - place).to_array());
             let corner = |vertex: &DVec3| {
-                let at = project(ahead(vertex));
-                Corner::new([at.x, at.y, at.depth], at.x / sighting.spread(at.y), &tangents)
+                Corner::new(project(ahead(vertex)), &sighting, &tangents)
             };
             let corners: Vec<Corner> = vertices.iter().map(corner).collect();
             let is_inside = corners.iter().all(|corner| corner.place.y.abs() <= 0.3);
             let is_near = vertices.iter().any(|vertex| ahead(vertex)[0] <= NEAREST);
-            let seen = body.solid.faces().iter().zip(body.normals()).enumerate().filter_map(|(number, (face, normal))| {
+            let faces = body.solid.faces().iter().zip(body.normals()).map(|(face, normal)| {
                 let lit = if is_dark { 0.0 } else { normal.dot(light.sun).max(0.0) * face.albedo };
                 let faces_eye = normal.dot(place - vertices[face.corners[0] as usize]) > 0.0;
-                faces_eye.then_some((number as u32, lit as f32))
+                if faces_eye { lit as f32 } else { UNSEEN }
             });
-            let seen: Vec<(u32, f32)> = seen.collect();
+            let faces: Vec<f32> = faces.collect();
             for vectors in [Level::new(), Level::baseline()] {
                 let (tangents, half_height) = (&tangents[..], 0.3);
                 let eye = Eye { sighting: &sighting, vectors, light: &light, place, tangents, half_height };
                 let mut likeness = Likeness::default();
                 prop_assert_eq!(likeness.take(&eye, &body, is_dark), !is_near);
                 if !is_near {
-                    prop_assert_eq!(&likeness.corners, &corners);
+                    let found: Vec<Corner> = (0..corners.len() as u32).map(|number| likeness.corner(number)).collect();
+                    prop_assert_eq!(&found, &corners);
+                    prop_assert_eq!(likeness.sweeps.len(), corners.len());
                     prop_assert_eq!(likeness.is_inside, is_inside);
-                    prop_assert_eq!(&likeness.seen, &seen);
+                    prop_assert_eq!(&likeness.faces[..faces.len()], &faces);
                 }
             }
         }

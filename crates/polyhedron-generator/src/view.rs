@@ -39,6 +39,15 @@ pub(crate) struct Place<N = f64> {
     pub depth: N,
 }
 
+impl<N: Number> Place<N> {
+    /// A share of the way from here to another place.
+    #[inline(always)]
+    pub fn towards(&self, to: &Self, share: N) -> Self {
+        let mix = |a: N, b: N| a + share * (b - a);
+        Self { x: mix(self.x, to.x), y: mix(self.y, to.y), depth: mix(self.depth, to.depth) }
+    }
+}
+
 /// A view-plane made ready for many points.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Sighting {
@@ -99,9 +108,10 @@ impl Sighting {
     }
 
     /// Inverse horizontal range (1/m) of a place.
-    pub fn near(&self, place: &Place) -> f64 {
+    #[inline(always)]
+    pub fn near<N: Number>(&self, place: &Place<N>) -> N {
         let forward = self.forward(place.y);
-        place.depth / (forward * forward + place.x * place.x).sqrt()
+        place.depth / (forward * forward + place.x * place.x).root()
     }
 }
 

@@ -16,6 +16,7 @@
 mod body;
 mod check;
 pub mod culture;
+mod edges;
 mod eights;
 mod error;
 mod hull;
@@ -26,6 +27,7 @@ mod shapes;
 mod solid;
 
 pub use body::{Body, Hit, Kind};
+pub use edges::Edge;
 pub use eights::{EightFaces, Eights};
 pub use error::SolidError;
 pub use rock_field::{Rock, RockField, RockFieldError, SizeLaw};

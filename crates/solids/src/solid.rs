@@ -3,7 +3,8 @@
 use glam::DVec3;
 
 use crate::check::{check_closed, check_convex, check_counts, check_vertices, plane_of};
-use crate::{Eights, SolidError};
+use crate::edges::edges_of;
+use crate::{Edge, Eights, SolidError};
 
 /// One flat side: a convex polygon.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,6 +22,7 @@ pub struct Face {
 pub struct Solid {
     vertices: Vec<DVec3>,
     faces: Vec<Face>,
+    edges: Box<[Edge]>,
     eights: Eights,
     radius: f64,
     size: f64,
@@ -48,8 +50,8 @@ impl Solid {
         check_convex(&vertices, &faces, Self::TOLERANCE * size)?;
         check_closed(&faces, vertices.len())?;
         let radius = vertices.iter().map(|vertex| vertex.length()).fold(0.0, f64::max);
-        let eights = Eights::new(&vertices, &faces);
-        Ok(Self { vertices, faces, eights, radius, size })
+        let (edges, eights) = (edges_of(&faces), Eights::new(&vertices, &faces));
+        Ok(Self { vertices, faces, edges, eights, radius, size })
     }
 
     /// Vertices.
@@ -62,7 +64,12 @@ impl Solid {
         &self.faces
     }
 
-    /// Both, eight side by side.
+    /// Edges.
+    pub fn edges(&self) -> &[Edge] {
+        &self.edges
+    }
+
+    /// Vertices and faces, eight side by side.
     pub fn eights(&self) -> &Eights {
         &self.eights
     }

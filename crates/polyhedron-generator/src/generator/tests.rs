@@ -1,0 +1,63 @@
+use std::sync::Arc;
+
+use glam::{DMat3, DVec3, EulerRot};
+use proptest::prelude::{prop_assert_eq, prop_assume, proptest};
+use scenario::{Curvature, Projection};
+use solids::{Body, Kind, rocks};
+
+use super::{Aspect, Field, Pencil};
+use crate::likeness::Eye;
+use crate::{FaceLight, Span, ViewPlane};
+
+/// By sweep, then from the top: no two faces of a body lie over one another.
+fn sorted(mut spans: Vec<(u32, Span)>) -> Vec<(u32, Span)> {
+    let order = |(sweep, span): &(u32, Span)| (*sweep, span.top.to_bits(), span.bottom.to_bits());
+    spans.sort_by_key(order);
+    spans
+}
+
+proptest! {
+    /// To the bit: rocks anywhere in the picture, between two sweeps and on many.
+    #[test]
+    fn edge_by_edge_is_face_by_face(
+        shape in 0..rocks::SHAPES,
+        foot in [3.0..30.0f64, -9.0..9.0, -2.0..2.0],
+        turns in [-3.0..3.0f64, -3.0..3.0, -3.0..3.0],
+        is_straight in proptest::prelude::any::<bool>(),
+        scale in 0.1..4.0f64,
+        sweeps in 2..200i32,
+        pitch in -0.4..0.4f64,
+    ) {
+        let solid = Arc::new(rocks::shapes(7).unwrap().swap_remove(shape));
+        let turn = DMat3::from_euler(EulerRot::ZYX, turns[0], turns[1], turns[2]);
+        let body = Body::place(1, Kind::Rock, &solid, DVec3::from_array(foot), &turn, scale);
+        let view = ViewPlane {
+            eye: [0.0; 3],
+            heading: 0.0,
+            pitch,
+            projection: if is_straight { Projection::Exact } else { Projection::Corrected },
+            curvature: Curvature::None,
+            tan_half_height: 0.5,
+            lines: 500.0,
+        };
+        let tangents: Vec<f64> =
+            (0..sweeps).map(|sweep| 1.2 * f64::from(sweep) / f64::from(sweeps - 1) - 0.6).collect();
+        let field = Field::new(&view, &tangents);
+        let Some(aspect) = field.aspect(&body) else { return Ok(()) };
+        let Aspect { sweeps, eye, .. } = &aspect;
+        let (first, tangents) = (sweeps.start, &tangents[sweeps.clone()]);
+        let light = FaceLight { sun: DVec3::new(-0.6, 0.48, 0.64) };
+        let (sighting, vectors, half_height) = (&field.sighting, field.vectors, view.tan_half_height);
+        let eye = Eye { sighting, vectors, light: &light, place: *eye, tangents, half_height };
+        let mut pencil = Pencil::default();
+        prop_assume!(pencil.likeness.take(&eye, &body, false) && pencil.likeness.is_inside);
+        let (mut by_edges, mut by_faces) = (Vec::new(), Vec::new());
+        // What one body leaves behind must not show in the next.
+        for _ in 0..2 {
+            by_edges.clear();
+            pencil.draw(&field, &aspect, Span::default(), &mut by_edges);
+        }
+        pencil.draw_faces(&field, &solid, (first, tangents), Span::default(), &mut by_faces);
+        prop_assert_eq!(sorted(by_edges), sorted(by_faces));
+    }
+}
