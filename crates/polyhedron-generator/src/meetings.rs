@@ -1,8 +1,10 @@
 //! What the sweeps cut out of a body that is in the picture as a whole. Edge by edge, so that what two faces share is found once;
 //! all edges are asked at once whether they meet a sweep, and where they do is worked out eight side by side.
 
+use std::ops::Range;
+
 use fearless_simd::prelude::SimdMask;
-use fearless_simd::{Simd, SimdBase, f64x8, u32x16};
+use fearless_simd::{Simd, SimdBase, u32x16};
 use signal::{LANES, eight};
 use solids::Edge;
 
@@ -15,19 +17,32 @@ use crate::view::Place;
 /// Edges that are asked at once.
 const ASKED: usize = 16;
 
-/// Edges of a body, and those of them that one sweep meets; buffers are kept from body to body.
+/// Edges that are told by the bits of a word: how many of sixteen are met nobody can guess, of so many it matters less.
+const WORD: usize = u64::BITS as usize;
+
+/// Edges of a body, and where sweeps meet them; buffers are kept from body to body.
 #[derive(Debug, Default)]
 pub(crate) struct Meetings {
     /// Sweeps to the left of the left and of the right end of each edge; of one that nobody sees both are the same.
     left: [Vec<u32>; 2],
-    /// Faces above and below each edge that is met.
+    /// Faces above and below the edge of each meeting, sweep by sweep.
     faces: Vec<[u32; 2]>,
-    /// Its ends on the picture, the left one first: x, y, inverse depth, spread of each.
-    ends: Vec<[[[f64; LANES]; 4]; 2]>,
-    /// Where it is met: line position, inverse range, inverse depth.
+    /// Where the meetings of each sweep end.
+    sweep_ends: Vec<u32>,
+    /// What each is worked out from, eight side by side.
+    blocks: Vec<Block>,
+    /// Where each is: line position, inverse range, inverse depth.
     places: [Vec<f32>; 3],
-    /// Which of those that are met is the lower end of a face.
+    /// Which meeting of a sweep is the lower end of a face.
     lower: Vec<u32>,
+}
+
+/// Eight edges with the sweeps that meet them.
+#[derive(Debug, Clone, Copy, Default)]
+struct Block {
+    tangents: [f64; LANES],
+    /// Ends on the picture, the left one first: x, y, inverse depth and spread of each.
+    ends: [[[f64; LANES]; 4]; 2],
 }
 
 impl Meetings {
@@ -49,19 +64,26 @@ impl Meetings {
             return;
         }
         self.take(edges, likeness);
-        for sweep in sweeps {
-            self.meet(simd, (edges, likeness), sweep);
-            self.place(simd, field, tangents[sweep as usize]);
-            self.cut(likeness, (first as u32 + sweep, stamp), spans);
+        for sweep in sweeps.clone() {
+            self.meet(simd, (edges, likeness), (sweep, tangents[sweep as usize]));
+        }
+        self.place(simd, field);
+        let mut begin = 0;
+        for number in 0..sweeps.len() {
+            let met = begin..self.sweep_ends[number] as usize;
+            begin = met.end;
+            self.cut(met, likeness, (first as u32 + sweeps.start + number as u32, stamp), spans);
         }
     }
 
-    /// Takes the edges of a body.
+    /// Takes the edges of a body, and forgets what was met of the one before.
     #[inline(always)]
     fn take(&mut self, edges: &[Edge], Likeness { sweeps, faces, .. }: &Likeness) {
+        self.faces.clear();
+        self.sweep_ends.clear();
         self.make_room(edges.len(), faces.len());
         // Behind the last there are none to be met.
-        let asked = edges.len().next_multiple_of(ASKED);
+        let asked = edges.len().next_multiple_of(WORD);
         self.left.iter_mut().for_each(|left| left[edges.len()..asked].fill(0));
         let [begins, ends] = &mut self.left;
         for (edge, (begin, end)) in edges.iter().zip(begins.iter_mut().zip(ends)) {
@@ -75,57 +97,78 @@ impl Meetings {
 
     /// Makes room for a body, if there is not enough.
     fn make_room(&mut self, edges: usize, faces: usize) {
-        let room = edges.next_multiple_of(ASKED);
-        if self.lower.len() < faces || self.left[0].len() < room {
-            self.left.iter_mut().for_each(|left| left.resize(room.max(left.len()), 0));
-            self.ends.resize(self.left[0].len() / LANES, Default::default());
-            self.places.iter_mut().for_each(|places| places.resize(self.left[0].len(), 0.0));
-            self.lower.resize(faces.max(self.lower.len()), 0);
-        }
+        let room = edges.next_multiple_of(WORD).max(self.left[0].len());
+        self.left.iter_mut().for_each(|left| left.resize(room, 0));
+        self.lower.resize(faces.max(self.lower.len()), 0);
     }
 
-    /// Finds the edges that a sweep meets.
+    /// Finds the edges that a sweep at a tangent meets.
     #[inline(always)]
-    fn meet<V: Simd>(&mut self, simd: V, (edges, likeness): (&[Edge], &Likeness), sweep: u32) {
-        self.faces.clear();
-        let [begins, ends] = &self.left;
-        let at = u32x16::splat(simd, sweep);
-        for first in (0..edges.len()).step_by(ASKED) {
-            let [begin, end] =
-                [begins, ends].map(|left| u32x16::from_slice(simd, &left[first..first + ASKED]));
-            let mut met = (begin.simd_le(at) & at.simd_lt(end)).to_bitmask();
+    fn meet<V: Simd>(
+        &mut self,
+        simd: V,
+        (edges, likeness): (&[Edge], &Likeness),
+        (sweep, tangent): (u32, f64),
+    ) {
+        for first in (0..edges.len()).step_by(WORD) {
+            let mut met = self.ask(simd, first, sweep);
             while met != 0 {
-                let Edge { corners, faces } = &edges[first + met.trailing_zeros() as usize];
+                let edge = &edges[first + met.trailing_zeros() as usize];
                 met &= met - 1;
-                // Outlines run counter-clockwise: an edge to the right is a lower one. Which way one runs cannot be guessed.
-                let [a, b] = corners.map(|corner| likeness.sweeps[corner as usize]);
-                let turned = usize::from(a > b);
-                let [ends, faces] = [corners, faces].map(|pair| [pair[turned], pair[1 - turned]]);
-                let number = self.faces.len();
-                let (block, lane) = (&mut self.ends[number / LANES], number % LANES);
-                for (to, corner) in block.iter_mut().zip(ends) {
-                    let from = &likeness.corners[corner as usize / LANES];
-                    for axis in 0..4 {
-                        to[axis][lane] = from[axis][corner as usize % LANES];
-                    }
-                }
-                self.faces.push(faces);
-                self.lower[faces[0] as usize] = number as u32;
+                self.keep(edge, tangent, likeness);
             }
         }
+        self.sweep_ends.push(self.faces.len() as u32);
     }
 
-    /// Works out where these are met by the sweep at a tangent.
+    /// Which edges of a word a sweep meets: a bit each.
     #[inline(always)]
-    fn place<V: Simd>(&mut self, simd: V, field: &Field<'_>, tangent: f64) {
-        let tangent = f64x8::splat(simd, tangent);
-        for (number, ends) in self.ends[..self.faces.len().div_ceil(LANES)].iter().enumerate() {
-            let [left, right] = ends;
+    fn ask<V: Simd>(&self, simd: V, first: usize, sweep: u32) -> u64 {
+        let (at, mut met) = (u32x16::splat(simd, sweep), 0);
+        for group in (0..WORD).step_by(ASKED) {
+            let asked = first + group..first + group + ASKED;
+            let [begin, end] =
+                [0, 1].map(|side: usize| u32x16::from_slice(simd, &self.left[side][asked.clone()]));
+            met |= (begin.simd_le(at) & at.simd_lt(end)).to_bitmask() << group;
+        }
+        met
+    }
+
+    /// Keeps an edge that the sweep at a tangent meets.
+    #[inline(always)]
+    fn keep(&mut self, Edge { corners, faces }: &Edge, tangent: f64, likeness: &Likeness) {
+        // Outlines run counter-clockwise: an edge to the right is a lower one. Which way one runs cannot be guessed.
+        let [a, b] = corners.map(|corner| likeness.sweeps[corner as usize]);
+        let turned = usize::from(a > b);
+        let [ends, faces] = [corners, faces].map(|pair| [pair[turned], pair[1 - turned]]);
+        let (block, lane) = (self.faces.len() / LANES, self.faces.len() % LANES);
+        if block == self.blocks.len() {
+            self.blocks.push(Block::default());
+        }
+        let block = &mut self.blocks[block];
+        block.tangents[lane] = tangent;
+        for (to, corner) in block.ends.iter_mut().zip(ends) {
+            let from = &likeness.corners[corner as usize / LANES];
+            for axis in 0..4 {
+                to[axis][lane] = from[axis][corner as usize % LANES];
+            }
+        }
+        self.faces.push(faces);
+    }
+
+    /// Works out where all meetings are.
+    #[inline(always)]
+    fn place<V: Simd>(&mut self, simd: V, field: &Field<'_>) {
+        let blocks = self.faces.len().div_ceil(LANES);
+        let room = (LANES * blocks).max(self.places[0].len());
+        self.places.iter_mut().for_each(|places| places.resize(room, 0.0));
+        for (number, Block { tangents, ends: [left, right] }) in self.blocks[..blocks].iter().enumerate() {
             let [from, to] = [left, right].map(|[x, y, depth, _]| Place {
                 x: eight(simd, x),
                 y: eight(simd, y),
                 depth: eight(simd, depth),
             });
+            let tangent = eight(simd, tangents);
             let off = from.x - tangent * eight(simd, &left[3]);
             let beyond = to.x - tangent * eight(simd, &right[3]);
             let place = from.towards(&to, off / (off - beyond));
@@ -140,16 +183,25 @@ impl Meetings {
         }
     }
 
-    /// Adds the span of each face that is seen: from the edge above it to the one below it.
+    /// Adds the spans on one sweep, which has the meetings `met`: each from the edge above a face that is seen to the one below.
     #[inline(always)]
-    fn cut(&self, likeness: &Likeness, (sweep, stamp): (u32, Span), spans: &mut Vec<(u32, Span)>) {
+    fn cut(
+        &mut self,
+        met: Range<usize>,
+        likeness: &Likeness,
+        (sweep, stamp): (u32, Span),
+        spans: &mut Vec<(u32, Span)>,
+    ) {
+        for (number, [above, _]) in (met.start..).zip(&self.faces[met.clone()]) {
+            self.lower[*above as usize] = number as u32;
+        }
         let [lines, nears, depths] = &self.places;
-        for (upper, [_, face]) in self.faces.iter().enumerate() {
-            let reflectivity = likeness.faces[*face as usize];
+        for (upper, [_, below]) in (met.start..).zip(&self.faces[met.clone()]) {
+            let reflectivity = likeness.faces[*below as usize];
             if reflectivity == UNSEEN {
                 continue;
             }
-            let lower = self.lower[*face as usize] as usize;
+            let lower = self.lower[*below as usize] as usize;
             let [top, bottom] = [lines[upper], lines[lower]];
             if top < bottom {
                 let near = [nears[upper], nears[lower]];
