@@ -9,8 +9,12 @@ const ROOM: f32 = 0.25;
 /// Appends the parts of `span` that no nearer ground reaches above. Most spans are seen or hidden as a whole, and the few samples
 /// around them tell that.
 #[inline(always)]
-pub(crate) fn above_ground<L: Fn(usize) -> f32>(span: &Span, hold: &Hold<L>, pieces: &mut Vec<Piece>) {
-    let [low, high] = hold.extremes(span.near);
+pub(crate) fn above_ground<L: Fn(usize) -> f32>(
+    span: &Span,
+    hold: &Hold<L>,
+    [low, high]: [f32; 2],
+    pieces: &mut Vec<Piece>,
+) {
     if low > span.bottom + ROOM {
         pieces.push(part(span, 0.0, 1.0));
     } else if high >= span.top - ROOM {
@@ -152,7 +156,7 @@ mod tests {
             let hold = Hold { near: &table, lines: |sample: usize| held[sample] };
             let span = span([top, top + height], ranges, tilts);
             let (mut quickly, mut closely) = (Vec::new(), Vec::new());
-            above_ground(&span, &hold, &mut quickly);
+            above_ground(&span, &hold, hold.extremes(span.near), &mut quickly);
             cut(&span, &hold, &mut closely);
             prop_assert_eq!(quickly, closely);
         }

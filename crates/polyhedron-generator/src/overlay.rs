@@ -54,6 +54,8 @@ impl Piece {
 /// The switch of one sweep and its buffers; one a worker.
 #[derive(Debug, Clone, Default)]
 pub struct Overlay {
+    /// Least and greatest line position that is held where each span is.
+    held: Vec<[f32; 2]>,
     pieces: Vec<Piece>,
     /// Pieces from the top: see [`from_top`].
     order: Vec<u64>,
@@ -102,7 +104,14 @@ impl Overlay {
         self.runs.clear();
         match (visibility, hold) {
             (BodyVisibility::Depth, Some(hold)) => {
-                spans.iter().for_each(|span| cut::above_ground(span, hold, &mut self.pieces));
+                // Looked up for all before anything is decided: what is decided cannot be guessed.
+                self.held.clear();
+                for span in spans {
+                    self.held.push(hold.extremes(span.near));
+                }
+                for (span, held) in spans.iter().zip(&self.held) {
+                    cut::above_ground(span, hold, *held, &mut self.pieces);
+                }
             }
             _ => self.pieces.extend(spans.iter().map(Piece::new)),
         }
