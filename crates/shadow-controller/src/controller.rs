@@ -10,7 +10,8 @@ use rayon::slice::ParallelSliceMut;
 use remote_shadow::Outlines;
 use sweep_program::{LoadTiming, NoTiming};
 
-use crate::crossings::{Bare, Crossing, Crossings, Known, Met, ROOM, Sighting};
+use crate::crossing::{Bare, Crossing, Known};
+use crate::crossings::{Crossings, Met, ROOM, Sighting};
 use crate::line_generators::{
     Boundary, SegmentLoad, SegmentMiss, Service, ServiceWork, serve, serve_in_time,
 };

@@ -6,98 +6,15 @@ use fearless_simd::{Level, Simd, dispatch};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use remote_shadow::{Outlines, Segment};
 
+use crate::crossing::{Crossing, Place};
 use crate::fan::{Fan, Guesses, Line, Sifted, TOGETHER, WORD};
 use crate::line_generators::Boundary;
-use crate::nearly::sort_nearly;
-use crate::network::sort_words;
 
 /// Parts of all lists that are looked over one by one: a few for each thread, so that none waits long for another.
 const PARTS: usize = 8;
 
 /// Lines, or crossings of a sweep, that there is room for before more memory is asked for.
 pub(crate) const ROOM: usize = 1024;
-
-/// A segment: its list and its number there, less than 2^31 lists.
-type Place = [u32; 2];
-
-/// One sweep crosses one line. In this form crossings are sorted as they are met: by range, beginnings of shadow before
-/// endings at the same range.
-pub(crate) trait Crossing: Copy + Ord + Default + Send + Sync {
-    /// `range` (m) must not be negative: only then its bits are in its order.
-    fn new(range: f64, ends: bool, place: Place) -> Self;
-
-    /// Ground range (m).
-    fn range(self) -> f64;
-
-    /// Whether a shadow ends there.
-    fn ends(self) -> bool;
-
-    /// The line that is crossed, if it is known.
-    fn place(self) -> Option<Place>;
-
-    /// Sorts crossings of some lists, each nearly in order, into `sorted`; `apart` is room for that.
-    fn sort<'a>(lists: impl Iterator<Item = &'a [Self]>, sorted: &mut Vec<Self>, apart: &mut Vec<Self>)
-    where
-        Self: 'a;
-
-    /// Shadows begun (1) or ended (-1) there.
-    fn step(self) -> i32 {
-        1 - 2 * i32::from(self.ends())
-    }
-}
-
-/// A crossing of which only that is known: bits of the range without its sign, then whether a shadow ends there.
-pub(crate) type Bare = u64;
-
-impl Crossing for Bare {
-    fn new(range: f64, ends: bool, _: Place) -> Self {
-        range.to_bits() << 1 | u64::from(ends)
-    }
-
-    fn range(self) -> f64 {
-        f64::from_bits(self >> 1)
-    }
-
-    fn ends(self) -> bool {
-        self & 1 == 1
-    }
-
-    fn place(self) -> Option<Place> {
-        None
-    }
-
-    fn sort<'a>(lists: impl Iterator<Item = &'a [Self]>, sorted: &mut Vec<Self>, _: &mut Vec<Self>) {
-        sorted.clear();
-        lists.for_each(|list| sorted.extend_from_slice(list));
-        sort_words(sorted);
-    }
-}
-
-/// A crossing of a line that is known: the same, then list and number of the line.
-pub(crate) type Known = u128;
-
-impl Crossing for Known {
-    fn new(range: f64, ends: bool, place: Place) -> Self {
-        let [list, number] = place.map(u128::from);
-        u128::from(Bare::new(range, ends, place)) << 64 | list << 32 | number
-    }
-
-    fn range(self) -> f64 {
-        ((self >> 64) as Bare).range()
-    }
-
-    fn ends(self) -> bool {
-        ((self >> 64) as Bare).ends()
-    }
-
-    fn place(self) -> Option<Place> {
-        Some([(self >> 32) as u32, self as u32])
-    }
-
-    fn sort<'a>(lists: impl Iterator<Item = &'a [Self]>, sorted: &mut Vec<Self>, apart: &mut Vec<Self>) {
-        sort_nearly(lists.flatten().copied(), sorted, apart);
-    }
-}
 
 /// Where places of the ground are for the sweeps.
 pub(crate) trait Sighting: Sync {

@@ -33,6 +33,7 @@
 //! neighbouring tiles leave no slit of light. Any number of segments in one sweep is served.
 
 mod controller;
+mod crossing;
 mod crossings;
 mod fan;
 mod line_generators;
