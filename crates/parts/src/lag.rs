@@ -54,6 +54,12 @@ impl<S: Real> LagStep<S> {
         Self::jump(h, tau, 1.0)
     }
 
+    /// What an input of 1 at the end of a step leaves for the end of the next: `end` and `leave` in one, so that the next step
+    /// waits for a product and a sum alone.
+    pub fn rest(&self) -> S {
+        self.to * self.keep + self.from
+    }
+
     /// `to_share`: the part of the input's weight that u1 has.
     fn balanced(keep: f64, to_share: f64) -> Self {
         let keep = S::from_f64(keep);
@@ -112,9 +118,19 @@ impl<const N: usize> LagSteps<N> {
     /// Steps of `h` seconds with time constants `tau` (s), from 0 to infinity both.
     #[inline(always)]
     pub fn new(h: [f64; N], tau: [f64; N]) -> Self {
+        let mut ratios = [0.0; N];
+        for n in 0..N {
+            ratios[n] = if h[n] > 0.0 { h[n] / tau[n] } else { 0.0 };
+        }
+        Self::of(ratios)
+    }
+
+    /// Steps that take so many time constants.
+    #[inline(always)]
+    pub fn of(ratios: [f64; N]) -> Self {
         let [mut keep, mut from, mut to] = [[0.0; N]; 3];
         for n in 0..N {
-            let ratio = if h[n] > 0.0 { h[n] / tau[n] } else { 0.0 };
+            let ratio = ratios[n];
             keep[n] = decayed(ratio);
             let mean = (1.0 - keep[n]) / ratio;
             // Short steps: the series of `1 - f`, without the cancellation of the closed form.
@@ -235,6 +251,19 @@ const INVERSES: [f64; 15] = {
 #[cfg(test)]
 mod tests {
     use super::{LagStep, LagSteps};
+
+    #[test]
+    fn what_an_input_leaves_is_what_its_end_and_its_start_leave() {
+        for tau in [0.0, 1e-9, 50e-9, 1e-6] {
+            let lag = LagStep::<f64>::new(50e-9, tau);
+            let (mut y, mut u, mut left) = (0.3, 0.3, lag.leave(0.3, 0.3));
+            for next in [0.5, -0.7, 0.1, 0.1, 0.9] {
+                (y, u) = (lag.step(y, u, next), next);
+                assert!((left + next * lag.to - y).abs() < 1e-15, "{tau}: {y}");
+                left = left * lag.keep + next * lag.rest();
+            }
+        }
+    }
 
     #[test]
     fn lags_side_by_side_are_lags() {

@@ -57,6 +57,13 @@ impl<S: Real> Multiplier<S> {
     }
 }
 
+impl<S: Real> Multiplier<S> {
+    /// The part with something behind it that multiplies by `factor`.
+    pub fn times(&self, factor: S) -> Self {
+        self.each(|figure| figure * factor)
+    }
+}
+
 impl<S: Copy> Multiplier<S> {
     /// Each figure of this part with that of another, through `f`.
     #[inline(always)]
@@ -76,17 +83,23 @@ impl<S: Copy> Multiplier<S> {
         self.beside(self, |figure, _| f(figure))
     }
 
+    /// The product of `a` and `b`, where there is no error ([`is_ideal`](Self::is_ideal), with something behind it that
+    /// multiplies).
+    #[inline(always)]
+    pub fn ideal_product<V: Wire<S>>(&self, a: V, b: V) -> V {
+        a * self.gain * b
+    }
+
     /// The product of `a` and `b` with its static errors.
     #[inline(always)]
     pub fn product<V: Wire<S>>(&self, a: V, b: V) -> V {
-        self.product_of([a, a * a], b)
+        self.product_of([a, a * (a * a)], b)
     }
 
-    /// The same, of `a` and its square.
+    /// The same, of `a` and its cube.
     #[inline(always)]
-    pub fn product_of<V: Wire<S>>(&self, [a, square]: [V; 2], b: V) -> V {
-        let of_a = b * self.gain + self.linear - square * self.cubic;
-        a * of_a + b * self.feed_b + self.offset
+    pub fn product_of<V: Wire<S>>(&self, [a, cube]: [V; 2], b: V) -> V {
+        (a * self.gain + self.feed_b) * b + (a * self.linear - cube * self.cubic + self.offset)
     }
 }
 
@@ -108,9 +121,19 @@ impl<S: Real> Feedthrough<S> {
     pub fn is_none(&self) -> bool {
         self.gain == S::ZERO
     }
+
+    /// The leak behind something that multiplies by `factor`.
+    pub fn times(&self, factor: S) -> Self {
+        Self { gain: self.gain * factor }
+    }
 }
 
 impl<S: Copy> Feedthrough<S> {
+    /// What it makes of a change by 1 over a step.
+    pub fn gain(&self) -> S {
+        self.gain
+    }
+
     /// The figure of this part with that of another, through `f`.
     #[inline(always)]
     pub fn beside<T>(&self, other: &Self, f: impl Fn(S, S) -> T) -> Feedthrough<T> {
@@ -161,7 +184,16 @@ mod tests {
 
     #[test]
     fn an_ideal_product_is_the_product() {
-        assert_eq!(Multiplier::<f64>::new(&MultiplierLaw::default()).product(0.3, -0.7), 0.3 * -0.7);
+        let ideal = Multiplier::<f64>::new(&MultiplierLaw::default());
+        assert_eq!(ideal.product(0.3, -0.7), 0.3 * -0.7);
+        assert_eq!(ideal.times(0.25).ideal_product(0.3, -0.7), ideal.times(0.25).product(0.3, -0.7));
+    }
+
+    #[test]
+    fn what_stands_behind_it_multiplies_errors_too() {
+        let multiplier = Multiplier::<f64>::new(&LAW);
+        let [behind, alone] = [multiplier.times(0.3).product(0.58, -0.3), multiplier.product(0.58, -0.3)];
+        assert!((behind - 0.3 * alone).abs() < 1e-16, "{behind} {alone}");
     }
 
     #[test]

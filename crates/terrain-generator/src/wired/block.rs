@@ -33,7 +33,7 @@ pub(super) struct Block<S> {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Factor<S> {
     pub(super) value: BothRow<S>,
-    pub(super) square: BothRow<S>,
+    pub(super) cube: BothRow<S>,
     /// Since the sample before.
     pub(super) change: BothRow<S>,
 }
@@ -43,7 +43,7 @@ impl<S: Real> Default for Block<S> {
         let (row, both) = ([Lanes::default(); BLOCK], [Both::default(); BLOCK]);
         Self {
             fed: [[Fed::default(); BLOCK]; 2],
-            x: [Factor { value: both, square: both, change: both }; CURVES],
+            x: [Factor { value: both, cube: both, change: both }; CURVES],
             y: [both; CURVES],
             partial: Vec::new(),
             sums: [row; 3],

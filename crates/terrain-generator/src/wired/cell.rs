@@ -1,7 +1,7 @@
 //! A multiplier and the multiplying D/A behind it.
 //!
-//! Each lag keeps what it leaves for the next sample instead of its input and output. A part that is ideal has the
-//! coefficients of one.
+//! **How it is computed.** Each lag keeps what it leaves for the next sample instead of its input and output, and what comes
+//! before and behind it is put together with it ([`CellStep`]). A part that is ideal has the coefficients of one.
 
 use fearless_simd::Simd;
 use parts::{Feedthrough, LagStep, Multiplier, Wire};
@@ -17,16 +17,32 @@ pub(super) struct Cell<S> {
     pub(super) tau: f64,
 }
 
-/// Figures of its parts, or of those of two cells side by side.
+/// Figures of its parts.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct CellParts<T> {
-    pub(super) multiplier: Multiplier<T>,
+pub(super) struct CellParts<S> {
+    pub(super) multiplier: Multiplier<S>,
     /// What leaks of the first input past the multiplier.
-    pub(super) leak: Feedthrough<T>,
-    pub(super) lag: LagStep<T>,
-    pub(super) converter: LagStep<T>,
+    pub(super) leak: Feedthrough<S>,
+    pub(super) lag: LagStep<S>,
+    pub(super) converter: LagStep<S>,
     /// What leaks of the signal past the D/A, whatever its word.
-    pub(super) past: Feedthrough<T>,
+    pub(super) past: Feedthrough<S>,
+}
+
+/// What a step of a cell takes, or of two cells side by side.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct CellStep<T> {
+    /// The multiplier and its leak, times what its lag makes of an input at the end of the step.
+    multiplier: Multiplier<T>,
+    leak: Feedthrough<T>,
+    /// Share that the multiplier's lag keeps of what it was left.
+    keep: T,
+    /// What it leaves of what it makes of its input.
+    rest: T,
+    pub(super) converter: LagStep<T>,
+    /// What the D/A's lag leaves of its input.
+    converter_rest: T,
+    past: T,
 }
 
 /// Wires of a cell at a sample, of a group; or of two cells side by side.
@@ -38,7 +54,7 @@ pub(super) struct Wires<V> {
     /// What the D/A multiplies by.
     pub(super) weight: V,
     /// What the D/A's lag leaves for the next sample.
-    term_left: V,
+    pub(super) term_left: V,
     pub(super) term: V,
 }
 
@@ -74,54 +90,79 @@ impl<S: Real> Wires<Both<S>> {
 }
 
 impl<V: Copy> Wires<V> {
-    /// The product a step later; `x` with its square, and its change over the step.
+    /// The product a step later, at the end of which the multiplier's lag makes `raw` of its input.
     #[inline(always)]
-    pub(super) fn multiply<S: Copy>(&mut self, parts: &CellParts<S>, x: [V; 2], change: V, y: V)
+    fn take<S: Copy>(&mut self, step: &CellStep<S>, raw: V)
     where
         V: Wire<S>,
     {
-        self.take(&parts.lag, parts.multiplier.product_of(x, y) + parts.leak.of_change(change));
-    }
-
-    /// The product a step later, at the end of which `raw` comes to its lag.
-    #[inline(always)]
-    pub(super) fn take<S: Copy>(&mut self, lag: &LagStep<S>, raw: V)
-    where
-        V: Wire<S>,
-    {
-        self.product = lag.end(self.product_left, raw);
-        self.product_left = lag.leave(self.product, raw);
+        self.product = self.product_left + raw;
+        self.product_left = self.product_left * step.keep + raw * step.rest;
     }
 }
 
-impl<S: Copy> CellParts<S> {
-    /// Each figure of these parts with that of others, through `f`.
-    pub(super) fn beside<T>(&self, other: &Self, f: impl Fn(S, S) -> T) -> CellParts<T> {
-        CellParts {
+impl<S: Copy> CellStep<S> {
+    /// Each figure of this step with that of another, through `f`.
+    pub(super) fn beside<T>(&self, other: &Self, f: impl Fn(S, S) -> T) -> CellStep<T> {
+        CellStep {
             multiplier: self.multiplier.beside(&other.multiplier, &f),
             leak: self.leak.beside(&other.leak, &f),
-            lag: self.lag.beside(&other.lag, &f),
+            keep: f(self.keep, other.keep),
+            rest: f(self.rest, other.rest),
             converter: self.converter.beside(&other.converter, &f),
-            past: self.past.beside(&other.past, &f),
+            converter_rest: f(self.converter_rest, other.converter_rest),
+            past: f(self.past, other.past),
         }
     }
 
-    /// Product and term a step later; `x` with its square, and its change over the step.
+    /// The product a step later; `x` with its cube, and its change over the step.
     #[inline(always)]
-    pub(super) fn step<V: Wire<S>>(&self, wires: &mut Wires<V>, x: [V; 2], change: V, y: V) {
-        wires.multiply(self, x, change, y);
-        wires.term = self.converter.end(wires.term_left, wires.product * wires.weight);
+    pub(super) fn multiply<V: Wire<S>>(&self, wires: &mut Wires<V>, x: [V; 2], change: V, y: V) {
+        wires.take(self, self.multiplier.product_of(x, y) + self.leak.of_change(change));
     }
 
-    /// What comes out at the end of a step that the product has begun with `before`.
+    /// The same of a multiplier without an error and without a leak.
     #[inline(always)]
-    pub(super) fn put<V: Wire<S>>(&self, wires: &mut Wires<V>, before: V) -> V {
-        wires.term_left = self.converter.leave(wires.term, wires.product * wires.weight);
-        wires.term + self.past.of_change(wires.product - before)
+    pub(super) fn multiply_ideally<V: Wire<S>>(&self, wires: &mut Wires<V>, x: V, y: V) {
+        wires.take(self, self.multiplier.ideal_product(x, y));
+    }
+
+    /// What the D/A makes of a product at the end of a step, there and for the next, while its word stays.
+    #[inline(always)]
+    pub(super) fn weights<V: Wire<S>>(&self, weight: V) -> [V; 2] {
+        [weight * self.converter.to + self.past, weight * self.converter_rest]
+    }
+
+    /// What comes out of the D/A at the end of a step that the product has begun with `before`.
+    #[inline(always)]
+    pub(super) fn convert<V: Wire<S>>(&self, wires: &mut Wires<V>, before: V, [now, rest]: [V; 2]) -> V {
+        let out = wires.term_left + wires.product * now - before * self.past;
+        wires.term_left = wires.term_left * self.converter.keep + wires.product * rest;
+        out
+    }
+
+    /// What of `out` has not leaked past the D/A.
+    #[inline(always)]
+    pub(super) fn term<V: Wire<S>>(&self, wires: &Wires<V>, before: V, out: V) -> V {
+        out - (wires.product - before) * self.past
     }
 }
 
 impl<S: Real> CellParts<S> {
+    /// What their steps take.
+    pub(super) fn step(&self) -> CellStep<S> {
+        let LagStep { keep, to, .. } = self.lag;
+        CellStep {
+            multiplier: self.multiplier.times(to),
+            leak: self.leak.times(to),
+            keep,
+            rest: if to > S::ZERO { self.lag.rest() / to } else { S::ZERO },
+            converter: self.converter,
+            converter_rest: self.converter.rest(),
+            past: self.past.gain(),
+        }
+    }
+
     /// The wires at rest under factors that stand.
     pub(super) fn at_rest(&self, [x, y]: [Lanes<S>; 2], weight: Lanes<S>) -> Wires<Lanes<S>> {
         let product = self.multiplier.product(x, y);
@@ -136,16 +177,9 @@ impl<S: Real> CellParts<S> {
     }
 }
 
-impl<S: Real> CellParts<Both<S>> {
+impl<S: Real> CellStep<Both<S>> {
     #[inline(always)]
-    pub(super) fn load<L: Simd>(&self, simd: L) -> CellParts<S::Double<L>> {
-        let load = |figure: Both<S>| S::Double::<L>::load(simd, &figure);
-        CellParts {
-            multiplier: self.multiplier.each(load),
-            leak: self.leak.each(load),
-            lag: self.lag.each(load),
-            converter: self.converter.each(load),
-            past: self.past.each(load),
-        }
+    pub(super) fn load<L: Simd>(&self, simd: L) -> CellStep<S::Double<L>> {
+        self.beside(self, |figure, _| S::Double::<L>::load(simd, &figure))
     }
 }

@@ -11,35 +11,8 @@ use signal::{LANES, Real};
 
 use super::run::Run;
 use super::state::{ArrayState, Coded, Due, Lane};
-use super::terms::{ALL, TERMS, side_by_side, term_of};
-use super::words::{Change, Words};
-
-/// What a multiplying D/A makes of a word.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Converter {
-    /// Its pair, and end.
-    place: [usize; 2],
-    /// Its gain, and the scale of its sum.
-    factor: f64,
-    /// By how many samples it switches later than a nominal one.
-    later: f64,
-    /// Time constant (s).
-    tau: f64,
-}
-
-impl Converter {
-    /// All of them by colour, word and sum, as words come; by their numbers each has a factor, is later (samples) and has a time
-    /// constant (s).
-    pub(super) fn of_words(figures: impl Fn(usize) -> [f64; 3]) -> Vec<Self> {
-        let one = |place: usize| {
-            let (colour, word, sum) = (place / 27, place / 3 % 9, place % 3);
-            let index = TERMS * sum + term_of(colour, word);
-            let [factor, later, tau] = figures(index);
-            Self { place: side_by_side(index), factor, later, tau }
-        };
-        (0..ALL).map(one).collect()
-    }
-}
+use super::terms::{TERMS, term_of};
+use super::words::{Strobed, Words};
 
 impl<S: Real> Run<'_, S> {
     /// Puts the words on their way whose strobes are due by `sample`.
@@ -94,7 +67,7 @@ impl<S: Real> Run<'_, S> {
         }
     }
 
-    /// Puts the words of a colour on their way that are others than before.
+    /// Puts the words of a colour on their way.
     #[inline(always)]
     fn send(
         &self,
@@ -104,26 +77,14 @@ impl<S: Real> Run<'_, S> {
         words: &mut Words<S>,
     ) {
         let array = self.array;
-        let glitching = array.words.as_ref().filter(|_| array.glitch != 0.0);
-        for word in 0..9 {
-            if coded.words[word] == lane.held[colour][word] {
-                continue;
-            }
-            let (now, share) = (coded.numbers[word], coded.shares[word]);
-            let from = mem::replace(&mut lane.numbers[colour][word], now);
-            let carry = glitching.map_or(0.0, |part| part.carry(from, now));
-            for converter in &array.converters[3 * (9 * colour + word)..][..3] {
-                let Converter { place: [pair, end], factor, later, tau } = *converter;
-                words.send(Change {
-                    at: at + later,
-                    pair: pair as u32,
-                    lane: (LANES * end + number) as u32,
-                    weight: share * factor,
-                    pulse: array.glitch * carry,
-                    tau,
-                });
+        let from = mem::replace(&mut lane.numbers[colour], coded.numbers);
+        let mut pulses = [0.0; 9];
+        if let Some(part) = array.words.as_ref().filter(|_| array.glitch != 0.0) {
+            for word in 0..9 {
+                pulses[word] = array.glitch * part.carry(from[word], coded.numbers[word]);
             }
         }
+        words.send(Strobed { at, colour, lane: number, shares: coded.shares, pulses });
     }
 
     /// Registers as they are as a sweep begins.
@@ -149,9 +110,8 @@ impl<S: Real> Run<'_, S> {
     /// Gives D/As at rest the words that act by `sample`.
     pub(super) fn take_words(&self, sample: i64, state: &mut ArrayState<S>) {
         let ArrayState { words, wires, .. } = state;
-        words.take(sample, |change| {
-            let Change { pair, lane, weight, .. } = *change;
-            wires.pairs[pair as usize].weight.0[lane as usize] = S::from_f64(weight);
+        words.take(sample, &self.array.converters, |index, lane, weight| {
+            *wires.weight(index, lane) = S::from_f64(weight);
         });
     }
 }

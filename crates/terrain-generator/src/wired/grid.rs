@@ -9,17 +9,17 @@ use fearless_simd::prelude::SimdBase;
 use signal::{Both, Double, LANES, Lanes, Real};
 
 use super::block::{BLOCK, Block, BothRow, Factor, Row};
-use super::cell::{Cell, CellParts, Wires};
+use super::cell::{Cell, CellStep, Wires};
 use super::rows::{Alike, RowWires};
 use super::terms::{PAIRS, ROW, TERMS, one_of, side_by_side};
-use super::words::Words;
+use super::words::{Changes, Words};
 
 /// All of them, and how many meet at one amplifier.
 #[derive(Debug, Clone)]
 pub(super) struct Grid<S> {
     pub(super) cells: Vec<Cell<S>>,
-    /// The same two by two, as they are side by side ([`side_by_side`]).
-    pub(super) pairs: Vec<CellParts<Both<S>>>,
+    /// Their steps two by two, as they are side by side ([`side_by_side`]).
+    pub(super) steps: Vec<CellStep<Both<S>>>,
     inputs: usize,
     /// What all D/As are, if they are alike.
     pub(super) alike: Option<Alike<S>>,
@@ -75,10 +75,10 @@ impl<'a, S: Real> RowInputs<'a, S> {
         self.half(simd, &self.x.value[n])
     }
 
-    /// The same with its square, and its change.
+    /// The same with its cube, and its change.
     #[inline(always)]
     pub(super) fn all_of_x<L: Simd>(&self, simd: L, n: usize) -> ([S::Double<L>; 2], S::Double<L>) {
-        ([self.x(simd, n), self.half(simd, &self.x.square[n])], self.half(simd, &self.x.change[n]))
+        ([self.x(simd, n), self.half(simd, &self.x.cube[n])], self.half(simd, &self.x.change[n]))
     }
 
     #[inline(always)]
@@ -95,46 +95,14 @@ impl<'a, S: Real> RowInputs<'a, S> {
     }
 }
 
-/// Two cells on their way through a block.
-struct Pair<S: Real, L: Simd> {
-    parts: CellParts<S::Double<L>>,
-    wires: Wires<S::Double<L>>,
-}
-
-impl<S: Real, L: Simd> Pair<S, L> {
-    /// A step, and what comes out at its end.
-    #[inline(always)]
-    fn step(&mut self, x: ([S::Double<L>; 2], S::Double<L>), y: S::Double<L>) -> S::Double<L> {
-        let before = self.wires.product;
-        self.parts.step(&mut self.wires, x.0, x.1, y);
-        self.parts.put(&mut self.wires, before)
-    }
-
-    /// The step to sample `n`, in which `words` act on pair number `pair`.
-    #[inline(always)]
-    fn step_with(
-        &mut self,
-        simd: L,
-        x: ([S::Double<L>; 2], S::Double<L>),
-        y: S::Double<L>,
-        (words, pair, n): (&Words<S>, usize, usize),
-    ) -> S::Double<L> {
-        let before = self.wires.product;
-        self.parts.step(&mut self.wires, x.0, x.1, y);
-        let Wires { product, weight, term, .. } = &mut self.wires;
-        words.act(simd, (pair, n), [before, *product], (weight, term));
-        self.parts.put(&mut self.wires, before)
-    }
-}
-
 impl<S: Real> Grid<S> {
     /// Of these cells, of which `inputs` meet at one amplifier; whether their D/As switch in the same instant, without a
     /// pulse.
     pub(super) fn new(cells: Vec<Cell<S>>, inputs: usize, act_together: bool) -> Self {
-        let parts = |pair: usize, end: usize| &cells[one_of(pair, end)].parts;
-        let beside = |pair| parts(pair, 0).beside(parts(pair, 1), |near, far| Both::splat([near, far]));
-        let pairs = (0..cells.len() / 2).map(beside).collect();
-        Self { pairs, alike: Alike::of(&cells, inputs).filter(|_| act_together), cells, inputs }
+        let step = |pair: usize, end: usize| cells[one_of(pair, end)].parts.step();
+        let beside = |pair| step(pair, 0).beside(&step(pair, 1), |near, far| Both::splat([near, far]));
+        let steps = (0..cells.len() / 2).map(beside).collect();
+        Self { steps, alike: Alike::of(&cells, inputs).filter(|_| act_together), cells, inputs }
     }
 
     /// Amplifiers of the first stage of one sum.
@@ -171,33 +139,96 @@ impl<S: Real> Grid<S> {
         simd: L,
         block: &mut Block<S>,
         count: usize,
-        words: &Words<S>,
+        words: &mut Words<S>,
         wires: &mut GridWires<S>,
     ) {
         let Block { x, y, partial, .. } = block;
         partial.iter_mut().for_each(|sums| *sums = [Lanes::default(); BLOCK]);
-        let mut out = [[Both::default(); BLOCK]; PAIRS];
-        for row in 0..self.pairs.len() / PAIRS {
+        // Cells of a row that meet at one amplifier are added up before its two ends are taken apart.
+        let meet_whole = self.inputs.is_multiple_of(ROW);
+        let mut out = [Both::default(); BLOCK];
+        for (number, (step, wires)) in self.steps.iter().zip(&mut wires.pairs).enumerate() {
+            let (row, place) = (number / PAIRS, number % PAIRS);
             let inputs = RowInputs::of(self.cells[ROW * row].factors, (x, y));
-            for place in 0..PAIRS {
-                let number = PAIRS * row + place;
-                let wires = &mut wires.pairs[number];
-                let mut pair = Pair::<S, L> { parts: self.pairs[number].load(simd), wires: wires.load(simd) };
-                let taken = words.samples(number);
-                for (n, out) in out[place][..count].iter_mut().enumerate() {
-                    let (x, y) = (inputs.all_of_x(simd, n), inputs.y(simd, place, n));
-                    let takes = taken >> n & 1 == 1;
-                    let term =
-                        if takes { pair.step_with(simd, x, y, (words, number, n)) } else { pair.step(x, y) };
-                    term.store(out);
-                }
-                wires.store::<L>(&pair.wires);
+            let mut pair = Pair::<S, L> { simd, step: step.load(simd), wires: wires.load(simd) };
+            if words.reach(number) {
+                let products = pair.multiply(&inputs, place, count);
+                let changes = words.of_pair(number, count, step, &products, wires.weight);
+                pair.convert(&products, changes, count, &mut out);
+            } else {
+                pair.run(&inputs, place, count, &mut out);
             }
-            for cell in 0..ROW {
-                let [place, end] = side_by_side(cell);
-                add(simd, &out[place][..count], end, &mut partial[self.group(ROW * row + cell)]);
+            wires.store::<L>(&pair.wires);
+            if !meet_whole || place == PAIRS - 1 {
+                for end in 0..2 {
+                    add(simd, &out[..count], end, &mut partial[self.group(one_of(number, end))]);
+                }
+                out = [Both::default(); BLOCK];
             }
         }
+    }
+}
+
+/// Two cells on their way through a block.
+struct Pair<S: Real, L: Simd> {
+    simd: L,
+    step: CellStep<S::Double<L>>,
+    wires: Wires<S::Double<L>>,
+}
+
+impl<S: Real, L: Simd> Pair<S, L> {
+    /// Adds to `out` what comes out at the first `count` samples, in which no word changes.
+    #[inline(always)]
+    fn run(&mut self, inputs: &RowInputs<'_, S>, place: usize, count: usize, out: &mut BothRow<S>) {
+        let weights = self.step.weights(self.wires.weight);
+        let (mut before, mut last) = (self.wires.product, self.wires.term);
+        for (n, out) in out[..count].iter_mut().enumerate() {
+            let (x, change) = inputs.all_of_x(self.simd, n);
+            before = self.wires.product;
+            self.step.multiply(&mut self.wires, x, change, inputs.y(self.simd, place, n));
+            last = self.step.convert(&mut self.wires, before, weights);
+            (S::Double::<L>::load(self.simd, out) + last).store(out);
+        }
+        self.wires.term = self.step.term(&self.wires, before, last);
+    }
+
+    /// What comes out of the multipliers at the first `count` samples, behind that at the sample before.
+    #[inline(always)]
+    fn multiply(&mut self, inputs: &RowInputs<'_, S>, place: usize, count: usize) -> [Both<S>; BLOCK + 1] {
+        let mut products = [Both::default(); BLOCK + 1];
+        self.wires.product.store(&mut products[0]);
+        for (n, product) in products[1..][..count].iter_mut().enumerate() {
+            let (x, change) = inputs.all_of_x(self.simd, n);
+            self.step.multiply(&mut self.wires, x, change, inputs.y(self.simd, place, n));
+            self.wires.product.store(product);
+        }
+        products
+    }
+
+    /// Adds to `out` what D/As whose words change make of `products`.
+    #[inline(always)]
+    fn convert(
+        &mut self,
+        products: &[Both<S>; BLOCK + 1],
+        changes: &Changes<S>,
+        count: usize,
+        out: &mut BothRow<S>,
+    ) {
+        let load = |both: &Both<S>| S::Double::<L>::load(self.simd, both);
+        let (step, wires) = (&self.step, &mut self.wires);
+        let mut before = load(&products[0]);
+        let mut last = wires.term;
+        for (n, out) in out[..count].iter_mut().enumerate() {
+            before = load(&products[n]);
+            wires.product = load(&products[n + 1]);
+            last = step.convert(wires, before, step.weights(wires.weight));
+            let choose = |these, others| S::Double::<L>::chosen(self.simd, changes.lanes[n], these, others);
+            last = choose(last + load(&changes.now[n]), last);
+            wires.term_left = choose(wires.term_left + load(&changes.rest[n]), wires.term_left);
+            wires.weight = choose(load(&changes.weight[n]), wires.weight);
+            (load(out) + last).store(out);
+        }
+        wires.term = step.term(wires, before, last);
     }
 }
 

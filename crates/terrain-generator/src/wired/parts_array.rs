@@ -15,7 +15,6 @@ use sweep_program::SweepProgram;
 use super::basis::AxisGenerators;
 use super::block::BLOCK;
 use super::cell::{Cell, CellParts};
-use super::converters::Converter;
 use super::grid::Grid;
 use super::ramp::RampParts;
 use super::run::Run;
@@ -24,6 +23,7 @@ use super::state::ArrayState;
 use super::summer::Summer;
 use super::terms::{ALL, TERMS, factors, word_of};
 use super::timing::{Delays, Timing, lag_of};
+use super::words::Converters;
 use crate::TerrainGenerator;
 use crate::generator::Profile;
 
@@ -37,8 +37,8 @@ pub struct PartsArray<S> {
     pub(super) words: Option<MultiplyingConverter>,
     /// What each multiplying D/A makes of a share of full scale: its gain, and the scale of its sum.
     pub(super) factors: Vec<f64>,
-    /// The same with what else it makes of a word.
-    pub(super) converters: Vec<Converter>,
+    /// The same with what else it makes of a word, colour by colour.
+    pub(super) converters: [Converters; 4],
     /// Area of the pulse at the major carry of a word (full scale times seconds).
     pub(super) glitch: f64,
     pub(super) summers: [Summer<S>; 3],
@@ -132,8 +132,10 @@ impl<S: Real> PartsArray<S> {
             generators,
             grid: Grid::new((0..ALL).map(cell).collect(), summers[0].inputs(), act_together),
             words: parts.multiplying_dac.bits.map(|bits| MultiplyingConverter::new(h, bits, 1.0, 0.0, 0.0)),
-            converters: Converter::of_words(|index| {
-                [factors[index], timing.later(index), converter_taus[index]]
+            converters: std::array::from_fn(|colour| {
+                Converters::of_colour(colour, |index| {
+                    [factors[index], timing.later(index), converter_taus[index]]
+                })
             }),
             factors,
             glitch: parts.multiplying_dac.glitch / parts.full_scale,

@@ -116,7 +116,7 @@ impl<S: Real> RowWords<S> {
         let LagStep { from, to, .. } = LagStep::part(h * (1.0 - share), tau);
         let [share, from, to] = [share, from, to].map(S::from_f64);
         for row in (0..ROWS).filter(|row| rows >> row & 1 == 1) {
-            let (_, taken) = self.taken.room(&mut self.rows[row], (sample - self.first) as usize, lane);
+            let taken = self.taken.room(&mut self.rows[row], (sample - self.first) as usize, lane);
             (taken.share[lane], taken.from[lane], taken.to[lane]) = (share, from, to);
             for (weight, given) in taken.weight.iter_mut().zip(&self.given[PAIRS * row..]) {
                 weight.0[lane] = given.0[lane];

@@ -13,7 +13,7 @@ use parts::LagStep;
 use signal::{Double, Lanes, Real};
 
 use super::block::{BLOCK, Block};
-use super::cell::{Cell, CellParts, Wires};
+use super::cell::{Cell, CellStep, Wires};
 use super::grid::{Grid, GridWires, RowInputs};
 use super::row_words::RowWords;
 use super::terms::{PAIRS, ROW};
@@ -57,7 +57,7 @@ impl<S: Real> Default for RowWires<S> {
 /// A row on its way through a block.
 struct Course<'a, S: Real, L: Simd, const PRODUCTS: bool> {
     simd: L,
-    parts: [CellParts<S::Double<L>>; PAIRS],
+    steps: [CellStep<S::Double<L>>; PAIRS],
     converter: LagStep<S>,
     wires: [Wires<S::Double<L>>; PAIRS],
     left: S::Vector<L>,
@@ -105,12 +105,12 @@ impl<S: Real, L: Simd, const PRODUCTS: bool> Course<'_, S, L, PRODUCTS> {
         let x = self.inputs.x(self.simd, n);
         for pair in 0..PAIRS {
             let y = self.inputs.y(self.simd, pair, n);
-            let (parts, wires) = (&self.parts[pair], &mut self.wires[pair]);
+            let (step, wires) = (&self.steps[pair], &mut self.wires[pair]);
             if PRODUCTS {
-                wires.take(&parts.lag, x * y);
+                step.multiply_ideally(wires, x, y);
             } else {
                 let (x, change) = self.inputs.all_of_x(self.simd, n);
-                wires.multiply(parts, x, change, y);
+                step.multiply(wires, x, change, y);
             }
         }
     }
@@ -171,11 +171,11 @@ impl<S: Real> Grid<S> {
     ) {
         let Block { x, y, partial, .. } = block;
         let GridWires { pairs, rows } = wires;
-        let of_pairs = self.pairs.chunks_exact(PAIRS).zip(pairs.chunks_exact_mut(PAIRS));
-        for (row, ((parts, wires), lag)) in of_pairs.zip(rows).enumerate() {
+        let of_pairs = self.steps.chunks_exact(PAIRS).zip(pairs.chunks_exact_mut(PAIRS));
+        for (row, ((steps, wires), lag)) in of_pairs.zip(rows).enumerate() {
             let mut course = Course::<S, L, PRODUCTS> {
                 simd,
-                parts: [parts[0].load(simd), parts[1].load(simd), parts[2].load(simd)],
+                steps: [steps[0].load(simd), steps[1].load(simd), steps[2].load(simd)],
                 converter: alike.converter,
                 wires: [wires[0].load(simd), wires[1].load(simd), wires[2].load(simd)],
                 left: S::Vector::<L>::from_slice(simd, &lag.left.0),

@@ -150,7 +150,7 @@ impl<S: Real> Run<'_, S> {
                 if has_strobes {
                     self.strobe(samples.end - 1, state);
                 }
-                state.words.divide(array.timing.step);
+                state.words.divide(array.timing.step, &array.converters);
             }
         }
         for (n, sample) in samples.clone().enumerate() {

@@ -124,9 +124,9 @@ impl<S: Real> ArrayState<S> {
         for curve in 0..CURVES {
             let value = load(&x.out[curve]) * load(&signs[0][curve]);
             let change = value - load(&before[curve]);
-            let Factor { value: values, square, change: changes } = &mut block.x[curve];
+            let Factor { value: values, cube, change: changes } = &mut block.x[curve];
             value.store(&mut values[n]);
-            (value * value).store(&mut square[n]);
+            (value * (value * value)).store(&mut cube[n]);
             change.store(&mut changes[n]);
             value.store(&mut before[curve]);
             (load(&y.out[curve]) * load(&signs[1][curve])).store(&mut block.y[curve][n]);

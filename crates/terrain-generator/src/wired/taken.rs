@@ -54,14 +54,13 @@ impl<T: Default> Links<T> {
         self.count = 0;
     }
 
-    /// Room for the words of a lane in the step to sample `n`, and where it is: behind those that the lane takes in the same
-    /// step.
+    /// Room for the words of a lane in the step to sample `n`: behind those that the lane takes in the same step.
     #[inline(always)]
-    pub(super) fn room(&mut self, lists: &mut Lists, n: usize, lane: usize) -> (usize, &mut T) {
+    pub(super) fn room(&mut self, lists: &mut Lists, n: usize, lane: usize) -> &mut T {
         let place = self.place(lists, n, lane);
         let link = &mut self.links[place];
         link.lanes |= 1 << lane;
-        (place, &mut link.words)
+        &mut link.words
     }
 
     #[inline(always)]
@@ -91,12 +90,6 @@ impl<T: Default> Links<T> {
     #[cold]
     fn grow(&mut self) {
         self.links.push(Link { lanes: 0, words: T::default(), then: NONE });
-    }
-
-    /// The words at a place.
-    #[inline(always)]
-    pub(super) fn at(&mut self, place: usize) -> &mut T {
-        &mut self.links[place].words
     }
 
     /// The list of the step to sample `n`, of whom words are taken there.
