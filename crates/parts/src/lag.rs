@@ -85,11 +85,12 @@ impl<S: Copy> LagStep<S> {
     /// Output at the end of the step: `y` at its start, input `u0`, `u1` at its start and end.
     #[inline(always)]
     pub fn step<V: Wire<S>>(&self, y: V, u0: V, u1: V) -> V {
-        self.end(self.leave(y, u0), u1)
+        // The next step waits for a product and a sum.
+        y * self.keep + (u0 * self.from + u1 * self.to)
     }
 
-    /// What output `y` and input `u0` at the start of a step leave for its end: the half of [`LagStep::step`] that is known
-    /// a sample before.
+    /// What output `y` and input `u0` at the start of a step leave for its end: what of [`LagStep::step`] is known a sample
+    /// before.
     #[inline(always)]
     pub fn leave<V: Wire<S>>(&self, y: V, u0: V) -> V {
         y * self.keep + u0 * self.from

@@ -153,9 +153,7 @@ impl<S: Real> Run<'_, S> {
                 state.words.divide(array.timing.step, &array.converters);
             }
         }
-        for (n, sample) in samples.clone().enumerate() {
-            self.ramp(simd, (sample, n), state);
-        }
+        self.ramps(simd, samples, state);
         for (n, sample) in samples.clone().enumerate() {
             for axis in 0..2 {
                 array.generators[axis].step(simd, &mut state.axes[axis], &state.block.fed[axis][n]);
@@ -176,14 +174,22 @@ impl<S: Real> Run<'_, S> {
         }
     }
 
-    /// Ramps from the sample before to `sample`, number `n` of the block, and what they feed.
+    /// Ramps from the sample before to the last of `samples`, and what they feed: one ramp after the other, since each step waits
+    /// for the one before.
     #[inline(always)]
-    fn ramp<L: Simd>(&self, simd: L, (sample, n): (i64, usize), state: &mut ArrayState<S>) {
-        let ramps = &self.array.ramps;
-        let values = self.accumulators(sample - i64::from(ramps[0].has_steps()), state);
+    fn ramps<L: Simd>(&self, simd: L, samples: &Range<i64>, state: &mut ArrayState<S>) {
+        let array = self.array;
+        let late = i64::from(array.ramps[0].has_steps());
+        let mut values = [[Lanes::default(); BLOCK]; 2];
+        for (n, sample) in samples.clone().enumerate() {
+            [values[0][n], values[1][n]] = self.accumulators(sample - late, state);
+        }
         for axis in 0..2 {
-            let ramp = ramps[axis].step(simd, &mut state.ramps[axis], values[axis]);
-            state.block.fed[axis][n] = self.array.generators[axis].feed(simd, ramp);
+            let fed = state.block.fed[axis].iter_mut().zip(&values[axis]);
+            for (fed, &value) in fed.take(samples.clone().count()) {
+                let ramp = array.ramps[axis].step(simd, &mut state.ramps[axis], value);
+                *fed = array.generators[axis].feed(simd, ramp);
+            }
         }
     }
 
