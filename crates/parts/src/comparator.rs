@@ -140,7 +140,8 @@ impl<S: Real> Comparator<S> {
             (u0 < self.quiet_low) & (u1 < self.quiet_low)
         };
         if !quiet || state.passing.is_some() {
-            self.walk(state, (sweep, sample), [u0.to_f64(), u1.to_f64()], trips);
+            let deviate = if self.noise > 0.0 { self.source.normal(sweep, sample as u64) } else { 0.0 };
+            self.walk(state, sample, deviate, [u0, u1], trips);
         }
     }
 
@@ -187,17 +188,18 @@ impl<S: Real> Comparator<S> {
         self.delay + Line { start: 0.0, change: slope }.fills(0.0, self.charge).min(self.patience)
     }
 
+    /// [`Comparator::step`] with the `deviate` of its noise at that sample.
     #[cold]
-    fn walk(
+    pub fn walk(
         &self,
         state: &mut ComparatorState,
-        (sweep, sample): (u64, usize),
-        input: [f64; 2],
+        sample: usize,
+        deviate: f64,
+        input: [S; 2],
         trips: &mut Vec<Trip>,
     ) {
-        let base = sample as f64 - 1.0;
-        let shift =
-            if self.noise > 0.0 { self.noise * self.source.normal(sweep, sample as u64) } else { 0.0 };
+        let (base, input) = (sample as f64 - 1.0, input.map(S::to_f64));
+        let shift = self.noise * deviate;
         // A trip that rounds to the start of the step must not be found again.
         let (mut now, mut fresh) = (0.0, true);
         loop {

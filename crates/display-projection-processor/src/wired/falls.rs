@@ -91,7 +91,8 @@ impl<S: Real> Falls<S> {
             for lane in bits(watch.stirs(simd, sample, start, end)) {
                 if sample < group.ends[lane] {
                     let ends = comparable(-rates[sample - 1][lane], -rate[lane]);
-                    self.step(&mut states[lane], (group.sweeps[lane], sample), ends, &mut falling[lane]);
+                    let deviate = watch.deviate(lane, sample);
+                    self.comparator.walk(&mut states[lane], sample, deviate, ends, &mut falling[lane].trips);
                     watch.look(lane, &self.comparator, &states[lane]);
                 } else {
                     watch.look_away(lane);
@@ -99,11 +100,6 @@ impl<S: Real> Falls<S> {
             }
             start = end;
         }
-    }
-
-    #[inline(never)]
-    fn step(&self, state: &mut ComparatorState, address: (u64, usize), ends: [S; 2], falling: &mut Output) {
-        self.comparator.step(state, address, ends[0], ends[1], &mut falling.trips);
     }
 }
 
