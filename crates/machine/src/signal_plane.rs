@@ -438,7 +438,7 @@ impl<S: Real> Group<'_, S> {
     pub fn write_beam(
         &self,
         beam: &Beam<'_, S>,
-        steps: Steps,
+        steps: Steps<'_>,
         lines: &mut Vec<Lanes<f32>>,
         rows: &mut [f32],
     ) {

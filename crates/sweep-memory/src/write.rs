@@ -50,19 +50,20 @@ pub struct FarStroke {
 
 /// How the beam is drawn over a step between two samples that has no break in it or beside it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Steps {
+pub enum Steps<'a> {
     /// Along the cubics through the samples around it, where position or intensity bends by more than is seen.
     #[default]
     Curved,
-    /// Straight from sample to sample, position and intensity: one stroke a step.
-    Straight,
+    /// Straight from sample to sample, position and intensity: one stroke a step, in these runs of samples, ascending and apart.
+    /// All other steps are hidden in all lanes, or outside the picture.
+    Straight(&'a [Range<usize>]),
 }
 
 /// Writes the first `rows.len() / lines` sweeps of a group into `rows`, `lines` values a sweep, cleared before. In `side`,
 /// the buffer of a worker, lines have their lanes side by side while they are written.
 pub fn write_group<S: Real>(
     beam: &Beam<'_, S>,
-    steps: Steps,
+    steps: Steps<'_>,
     rule: PixelRule,
     lines: usize,
     side: &mut Vec<Lanes<f32>>,
@@ -72,9 +73,12 @@ pub fn write_group<S: Real>(
     side.clear();
     side.resize(lines, Lanes::default());
     let writer = Writer { beam, steps, rule, vectors: Level::new() };
-    match beam.breaks {
-        None => writer.smooth_steps(1..beam.line.len(), side),
-        Some(broken) => writer.steps_among(broken, side),
+    match (beam.breaks, steps) {
+        (Some(broken), _) => writer.steps_among(broken, side),
+        (None, Steps::Straight(runs)) => {
+            runs.iter().for_each(|run| writer.smooth_steps(run.start + 1..run.end, side));
+        }
+        (None, Steps::Curved) => writer.smooth_steps(1..beam.line.len(), side),
     }
     for (lane, row) in rows.chunks_exact_mut(lines).enumerate() {
         beam.far_strokes(lane, |stroke| writer.draw(stroke, lane, side));
@@ -85,7 +89,7 @@ pub fn write_group<S: Real>(
 /// The beam of a group, and how its strokes are left in the lines.
 struct Writer<'a, 'b, S> {
     beam: &'a Beam<'b, S>,
-    steps: Steps,
+    steps: Steps<'a>,
     rule: PixelRule,
     vectors: Level,
 }
@@ -117,7 +121,7 @@ impl<S: Real> Writer<'_, '_, S> {
         let strokes = Strokes { from, to, start: before + entry * (end - before), end }.only(smooth);
         let curves = match self.steps {
             Steps::Curved => self.beam.curves(simd, sample),
-            Steps::Straight => None,
+            Steps::Straight(_) => None,
         };
         let Some(Curves { position, intensity, bent }) = curves else {
             return self.leave(simd, &strokes, lines);
@@ -252,6 +256,8 @@ fn all<V: Simd, S: Real>(simd: V, values: &[Lanes<S>], sample: usize) -> f32x8<V
 
 #[cfg(test)]
 mod tests {
+    use std::slice::from_ref;
+
     use super::{Beam, Steps, write_group};
     use proptest::prelude::{prop_assert, proptest};
     use scenario::PixelRule;
@@ -261,7 +267,13 @@ mod tests {
         write_by(Steps::Curved, line, intensity, rule, lines)
     }
 
-    fn write_by(steps: Steps, line: &[f64], intensity: &[f64], rule: PixelRule, lines: usize) -> Vec<f32> {
+    fn write_by(
+        steps: Steps<'_>,
+        line: &[f64],
+        intensity: &[f64],
+        rule: PixelRule,
+        lines: usize,
+    ) -> Vec<f32> {
         let lanes = |values: &[f64]| values.iter().map(|&value| Lanes::splat(value)).collect::<Vec<_>>();
         let mut rows = vec![9.0; lines];
         let (line, intensity) = (lanes(line), lanes(intensity));
@@ -347,7 +359,7 @@ mod tests {
     fn straight_steps_leave_chords() {
         // Two steps of a parabola: every line shows the intensity of the chord at its centre, which the curve does not.
         let (line, intensity) = ([30.0, 20.0, 10.0, 0.0], [0.9, 0.4, 0.1, 0.0]);
-        let rows = write_by(Steps::Straight, &line, &intensity, PixelRule::LineMean, 30);
+        let rows = write_by(Steps::Straight(from_ref(&(0..4))), &line, &intensity, PixelRule::LineMean, 30);
         for (index, row) in rows.iter().enumerate() {
             let place = 29.5 - index as f32;
             let step = (place / 10.0) as usize;
@@ -356,6 +368,11 @@ mod tests {
             assert!((row - chord).abs() < 1e-5, "{index}: {row} against {chord}");
         }
         assert_ne!(rows, write(&line, &intensity, PixelRule::LineMean, 30));
+        // Run by run the same; what is in none is not drawn.
+        let by = |runs: &[_]| write_by(Steps::Straight(runs), &line, &intensity, PixelRule::LineMean, 30);
+        assert_eq!(by(&[0..2, 1..4]), rows);
+        let last = by(&[2..4]);
+        assert!(last[..10] == rows[..10] && last[10..].iter().all(|&row| row == 0.0), "{last:?}");
     }
 
     #[test]

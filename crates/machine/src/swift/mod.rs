@@ -81,7 +81,7 @@ impl<S: Real> Group<'_, S> {
             breaks: None,
             far: self.behind(&work.far),
         };
-        self.write_beam(&beam, Steps::Straight, &mut lines, rows);
+        self.write_beam(&beam, Steps::Straight(&sight.runs), &mut lines, rows);
         work.lines = lines;
     }
 
