@@ -11,7 +11,7 @@ use crate::fan::{Fan, Guesses, Line, Sifted, TOGETHER, WORD};
 use crate::line_generators::Boundary;
 
 /// Parts of all lists that are looked over one by one: a few for each thread, so that none waits long for another.
-const PARTS: usize = 8;
+const PARTS: usize = 16;
 
 /// Lines, or crossings of a sweep, that there is room for before more memory is asked for.
 pub(crate) const ROOM: usize = 1024;
