@@ -371,7 +371,7 @@ mod tests {
         // Run by run the same; what is in none is not drawn.
         let by = |runs: &[_]| write_by(Steps::Straight(runs), &line, &intensity, PixelRule::LineMean, 30);
         assert_eq!(by(&[0..2, 1..4]), rows);
-        let last = by(&[2..4]);
+        let last = by(from_ref(&(2..4)));
         assert!(last[..10] == rows[..10] && last[10..].iter().all(|&row| row == 0.0), "{last:?}");
     }
 
