@@ -34,6 +34,7 @@
 //! either gets [`Inside`].
 
 mod array;
+mod eight_stretches;
 mod generator;
 mod inside;
 mod modified;
@@ -45,7 +46,6 @@ mod region;
 mod registers;
 mod segment;
 mod stretches;
-mod sweeps;
 mod wired;
 
 pub use array::array;

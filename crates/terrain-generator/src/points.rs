@@ -8,14 +8,15 @@ use signal::{LANES, Real, eight, pair, turn_square};
 use crate::array::array;
 use crate::registers::words_of;
 use crate::stretches::{Stretch, Walk};
-use crate::sweeps::Sweeps;
-use crate::{Registers, TerrainGenerator};
+use crate::{Profile, Registers, TerrainGenerator};
 
 /// Stretches that wait for the array, by their samples: the words of two samples are brought once.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Points {
     ones: Waiting<1>,
     twos: Waiting<2>,
+    /// First sample that is not wanted.
+    end: usize,
 }
 
 /// Up to eight stretches of `N` samples, and what the array is fed with there.
@@ -57,6 +58,11 @@ impl<const N: usize> Default for Waiting<N> {
 }
 
 impl Points {
+    /// Begins a group of which samples from `end` on are not wanted.
+    pub(crate) fn begin(&mut self, end: usize) {
+        self.end = end;
+    }
+
     /// A stretch of sweep `lane`, with the words that `walk` holds in it.
     #[inline(always)]
     pub(crate) fn add<L: Simd, S: Real>(
@@ -65,32 +71,36 @@ impl Points {
         generator: &TerrainGenerator<'_>,
         (lane, walk): (usize, &Walk<'_>),
         stretch: &Stretch,
-        sweeps: &mut Sweeps<S>,
+        profile: &mut Profile<S>,
     ) {
         let first = stretch.samples.start;
         if stretch.samples.len() == 1 {
             self.ones.add(generator, (lane, walk), first);
             if self.ones.count == LANES {
-                self.ones.work_out(simd, generator, sweeps);
+                self.ones.work_out(simd, generator, self.end, profile);
             }
         } else {
             self.twos.add(generator, (lane, walk), first);
             if self.twos.count == LANES {
-                self.twos.work_out(simd, generator, sweeps);
+                self.twos.work_out(simd, generator, self.end, profile);
             }
         }
     }
 
-    /// Puts all that wait into `sweeps`.
+    /// Puts all that wait into `profile`.
     #[inline(always)]
     pub(crate) fn work_out<L: Simd, S: Real>(
         &mut self,
         simd: L,
         generator: &TerrainGenerator<'_>,
-        sweeps: &mut Sweeps<S>,
+        profile: &mut Profile<S>,
     ) {
-        self.ones.work_out(simd, generator, sweeps);
-        self.twos.work_out(simd, generator, sweeps);
+        if self.ones.count > 0 {
+            self.ones.work_out(simd, generator, self.end, profile);
+        }
+        if self.twos.count > 0 {
+            self.twos.work_out(simd, generator, self.end, profile);
+        }
     }
 }
 
@@ -100,14 +110,15 @@ impl Waiting<1> {
         &mut self,
         simd: L,
         generator: &TerrainGenerator<'_>,
-        sweeps: &mut Sweeps<S>,
+        end: usize,
+        profile: &mut Profile<S>,
     ) {
         let [[height, along, across]] = self.through_the_array(simd, generator);
         // A polynomial has no -0.
         let zero = S::Vector::<L>::simd_from(simd, S::ZERO);
         let ground =
             [zero + S::narrow(height - generator.datum), zero + S::narrow(along), zero + S::narrow(across)];
-        self.put([ground], sweeps);
+        self.put([ground], end, profile);
     }
 }
 
@@ -117,7 +128,8 @@ impl Waiting<2> {
         &mut self,
         simd: L,
         generator: &TerrainGenerator<'_>,
-        sweeps: &mut Sweeps<S>,
+        end: usize,
+        profile: &mut Profile<S>,
     ) {
         let [near, far] = pair(simd, &self.ranges);
         let [first, last] = self.through_the_array(simd, generator);
@@ -135,7 +147,7 @@ impl Waiting<2> {
                 ground[n][signal] = (zero * places[n] + slope) * places[n] + level;
             }
         }
-        self.put(ground, sweeps);
+        self.put(ground, end, profile);
     }
 }
 
@@ -198,9 +210,14 @@ impl<const N: usize> Waiting<N> {
         ground
     }
 
-    /// Puts the samples into `sweeps`, and forgets them. What a long stretch leaves beyond its end it has left before.
+    /// Puts the samples before `end` into `profile`, and forgets all.
     #[inline(always)]
-    fn put<L: Simd, S: Real>(&mut self, ground: [Ground<S::Vector<L>>; N], sweeps: &mut Sweeps<S>) {
+    fn put<L: Simd, S: Real>(
+        &mut self,
+        ground: [Ground<S::Vector<L>>; N],
+        end: usize,
+        profile: &mut Profile<S>,
+    ) {
         let mut values = [[[S::ZERO; LANES]; 3]; N];
         for n in 0..N {
             for signal in 0..3 {
@@ -208,13 +225,12 @@ impl<const N: usize> Waiting<N> {
             }
         }
         for place in 0..std::mem::take(&mut self.count) {
-            for (n, values) in values.iter().enumerate() {
-                let [height, along, across] = values;
-                sweeps.put(
-                    self.lanes[place],
-                    self.firsts[place] + n,
-                    [height[place], along[place], across[place]],
-                );
+            let (lane, first) = (self.lanes[place], self.firsts[place]);
+            let wanted = values.iter().enumerate().take(end - first);
+            for (n, [height, along, across]) in wanted {
+                profile.height[first + n].0[lane] = height[place];
+                profile.along[first + n].0[lane] = along[place];
+                profile.across[first + n].0[lane] = across[place];
             }
         }
     }

@@ -34,30 +34,6 @@ impl Region {
     }
 }
 
-impl<L: Simd> Region<f64x8<L>> {
-    /// Eight regions as one: squares of eight coefficients of eight regions, and the last four coefficients.
-    #[inline(always)]
-    pub(crate) fn side_by_side(simd: L, regions: &[Region; LANES]) -> Self {
-        let mut coefficients = [f64x8::simd_from(simd, 0.0); 36];
-        let (squares, last) = coefficients.as_chunks_mut();
-        for (number, square) in squares.iter_mut().enumerate() {
-            for (row, region) in square.iter_mut().zip(regions) {
-                *row = f64x8::from_slice(simd, &region.0.as_flattened()[LANES * number..][..LANES]);
-            }
-            turn_square(square);
-        }
-        let first = 36 - last.len();
-        for (number, coefficients) in (first..).zip(last) {
-            let mut eight = [0.0; LANES];
-            eight.iter_mut().zip(regions).for_each(|(out, region)| *out = region.0.as_flattened()[number]);
-            *coefficients = f64x8::from_slice(simd, &eight);
-        }
-        let mut rows = [[f64x8::simd_from(simd, 0.0); 6]; 6];
-        rows.as_flattened_mut().copy_from_slice(&coefficients);
-        Self(rows)
-    }
-}
-
 impl<T> Region<T> {
     /// Coefficients: row i has those of `(X - 1/2)^i`, ascending powers of `Y - 1/2`.
     #[inline(always)]
@@ -83,51 +59,104 @@ fn words_along_y(hold: [&CornerWords; 4], polarity: f64, a: usize, p: usize) -> 
     sum
 }
 
-/// Regions that are kept at hand.
+/// Regions that are found again.
 const KEPT: usize = 32;
 
-/// Regions that the sweeps of a group have met last: neighbours meet the same ones, and find them made. What is kept is
-/// found by the corners that the hold registers have and by the polarity, which are all that a region is made from.
+/// Regions that the sweeps of a group meet: neighbours meet the same ones, and find them made. One is found by the corners that
+/// the hold registers have and by the polarity, which are all that it is made from. Each has a number, and stays until the next
+/// group.
 #[derive(Debug, Clone)]
-pub(crate) struct RecentRegions {
-    made_of: [([u32; 4], [f64; 2]); KEPT],
-    regions: [Region; KEPT],
-    /// A region of words of several corners in one register: late ones, which no other sweep need have.
-    mixed: Region,
+pub(crate) struct GroupRegions {
+    /// What the regions that are found again are made of, and their numbers.
+    made_of: [([u32; 4], [f64; 2], u32); KEPT],
+    regions: Vec<Region>,
 }
 
 /// Equal to no polarity: nothing is found before it is made.
-const NOTHING: ([u32; 4], [f64; 2]) = ([0; 4], [f64::NAN; 2]);
+const NOTHING: ([u32; 4], [f64; 2], u32) = ([0; 4], [f64::NAN; 2], 0);
 
-impl Default for RecentRegions {
+impl Default for GroupRegions {
     fn default() -> Self {
-        let level = Region::default();
-        Self { made_of: [NOTHING; KEPT], regions: [level; KEPT], mixed: level }
+        Self { made_of: [NOTHING; KEPT], regions: Vec::new() }
     }
 }
 
-impl RecentRegions {
+impl GroupRegions {
     /// The corners may have other words from now on.
     pub fn forget(&mut self) {
         self.made_of = [NOTHING; KEPT];
+        self.regions.clear();
     }
 
-    /// The region of the words that the registers hold; `buffer` is the storage buffer.
+    /// The number of the region of the words that the registers hold; `buffer` is the storage buffer.
     #[inline(always)]
-    pub fn of(&mut self, registers: &Registers, buffer: &[CornerWords]) -> &Region {
-        let make = || Region::of(registers.hold(buffer), registers.polarity());
-        let Some(corners) = registers.corners_held() else {
-            self.mixed = make();
-            return &self.mixed;
-        };
-        let made_of = (corners, registers.polarity());
-        let sum = corners.iter().fold(0, |sum: u32, &corner| sum.wrapping_mul(31).wrapping_add(corner));
-        let place = (sum.wrapping_mul(0x9E37_79B9) >> 16) as usize % KEPT;
-        if self.made_of[place] != made_of {
-            (self.made_of[place], self.regions[place]) = (made_of, make());
+    pub fn of(&mut self, registers: &Registers, buffer: &[CornerWords]) -> u32 {
+        // Late words, of several corners in one register, no other sweep need have.
+        let made_of = registers.corners_held().map(|corners| (corners, registers.polarity()));
+        let place = made_of.map_or(0, |(corners, _)| place_of(&corners));
+        let (corners, polarity, number) = self.made_of[place];
+        if made_of == Some((corners, polarity)) {
+            return number;
         }
-        &self.regions[place]
+        let number = self.regions.len() as u32;
+        self.regions.push(Region::of(registers.hold(buffer), registers.polarity()));
+        if let Some((corners, polarity)) = made_of {
+            self.made_of[place] = (corners, polarity, number);
+        }
+        number
     }
+
+    /// Eight regions by their numbers, as one.
+    #[inline(always)]
+    pub fn side_by_side<L: Simd>(&self, simd: L, numbers: &[u32; LANES]) -> Region<f64x8<L>> {
+        let first = numbers[0];
+        let is_one = numbers.iter().fold(0, |other, &number| other | (number ^ first)) == 0;
+        let mut rows = [[f64x8::simd_from(simd, 0.0); 6]; 6];
+        if is_one {
+            // Neighbours are over the same region most of the time.
+            let region = self.regions[first as usize].0.as_flattened();
+            for (all, &one) in rows.as_flattened_mut().iter_mut().zip(region) {
+                *all = f64x8::simd_from(simd, one);
+            }
+        } else {
+            self.turn(simd, numbers, rows.as_flattened_mut());
+        }
+        Region(rows)
+    }
+
+    /// Squares of eight coefficients of eight regions, and the last four coefficients.
+    #[inline(always)]
+    fn turn<L: Simd>(&self, simd: L, numbers: &[u32; LANES], coefficients: &mut [f64x8<L>]) {
+        let of = |lane: usize| self.regions[numbers[lane] as usize].0.as_flattened();
+        let first = coefficients.len() - coefficients.len() % LANES;
+        let (squares, last) = coefficients.as_chunks_mut();
+        for (number, square) in squares.iter_mut().enumerate() {
+            for lane in 0..LANES {
+                square[lane] = f64x8::from_slice(simd, &of(lane)[LANES * number..][..LANES]);
+            }
+            turn_square(square);
+        }
+        for (number, coefficients) in (first..).zip(last) {
+            let mut eight = [0.0; LANES];
+            for lane in 0..LANES {
+                eight[lane] = of(lane)[number];
+            }
+            *coefficients = f64x8::from_slice(simd, &eight);
+        }
+    }
+
+    /// Region `number`.
+    #[cfg(test)]
+    fn get(&self, number: u32) -> &Region {
+        &self.regions[number as usize]
+    }
+}
+
+/// Where regions of these corners are found again.
+#[inline(always)]
+fn place_of(corners: &[u32; 4]) -> usize {
+    let sum = corners.iter().fold(0, |sum: u32, &corner| sum.wrapping_mul(31).wrapping_add(corner));
+    (sum.wrapping_mul(0x9E37_79B9) >> 16) as usize % KEPT
 }
 
 /// `g_p(X_a)` about the middle of the region, by `[a][p]`, ascending powers of `X - 1/2`.
@@ -164,7 +193,7 @@ const fn centred() -> [[[f64; 6]; 3]; 2] {
 
 #[cfg(test)]
 pub(crate) mod tests {
-    use super::{CENTRED, RecentRegions, Region};
+    use super::{CENTRED, GroupRegions, Region};
     use crate::Registers;
     use crate::programs::program;
     use landscape::basis::values;
@@ -199,7 +228,8 @@ pub(crate) mod tests {
             let buffer: Vec<CornerWords> = (0..64).map(corner).collect();
             let level = Level::new(250.0, [0.0; 2], [2, 2], vec![[0.0; 9]; 4]).unwrap();
             let mut registers = Registers::at_start(&program(&level, [10.0; 2], [0.8, 0.6], &[1.0, 200.0]));
-            let mut recent = RecentRegions::default();
+            let mut made = GroupRegions::default();
+            let mut numbers = Vec::new();
             for (what, colour, corner, whole) in events {
                 let target = match what {
                     0 => Target::Hold,
@@ -215,8 +245,13 @@ pub(crate) mod tests {
                         registers.load(&Load { colour: Colour::ALL[colour], target, corner, words }, &buffer);
                     }
                 }
-                let made = Region::of(registers.hold(&buffer), registers.polarity());
-                prop_assert_eq!(recent.of(&registers, &buffer), &made);
+                let number = made.of(&registers, &buffer);
+                let expected = Region::of(registers.hold(&buffer), registers.polarity());
+                prop_assert_eq!(made.get(number), &expected);
+                numbers.push((number, expected));
+            }
+            for (number, expected) in numbers {
+                prop_assert_eq!(made.get(number), &expected);
             }
         }
     }

@@ -34,20 +34,17 @@ impl<T: Number> Segment<T> {
     #[inline(always)]
     pub fn expand(region: &Region<T>, span: &Span<T>) -> Self {
         let number = |value: usize| span.half_length.like(value as f64);
-        let x = [span.middle[0] - span.half_length.like(0.5), span.half[0]];
-        let (mut height, mut slope_across) = ([number(0); 11], [number(0); 11]);
-        let (mut above, across) = along_y(&region.rows()[5], span);
-        height[..6].copy_from_slice(&above);
-        slope_across[..6].copy_from_slice(&across);
-        for i in (0..5).rev() {
-            let (values, mut across) = along_y(&region.rows()[i], span);
-            for k in 0..6 {
-                across[k] = across[k] + span.across[0] * number(i + 1) * above[k];
-            }
-            times_x_and(&mut height, 10 - i, x, &values);
-            times_x_and(&mut slope_across, 10 - i, x, &across);
-            above = values;
-        }
+        let (above, across) = along_y(&region.rows()[5], span);
+        let mut sums = Sums { height: [number(0); 11], across: [number(0); 11], above };
+        sums.height[..6].copy_from_slice(&above);
+        sums.across[..6].copy_from_slice(&across);
+        // Each written out, of its own degree: loops of degrees that change are not unrolled.
+        sums.add_row::<4, 6>(region, span);
+        sums.add_row::<3, 7>(region, span);
+        sums.add_row::<2, 8>(region, span);
+        sums.add_row::<1, 9>(region, span);
+        sums.add_row::<0, 10>(region, span);
+        let (height, slope_across) = (sums.height, sums.across);
         // A loop: what `from_fn` is handed is not always compiled for the width of the vectors.
         let (mut along, mut across) = ([number(0); 10], [number(0); 10]);
         for k in 0..10 {
@@ -81,10 +78,34 @@ fn along_y<T: Number>(row: &[T; 6], span: &Span<T>) -> ([T; 6], [T; 6]) {
     (values, across)
 }
 
-/// `sum` becomes a polynomial of degree `degree`: what it was times `x[0] + x[1] s`, and `row`.
+/// Horner's sums on the way from row to row.
+struct Sums<T> {
+    height: [T; 11],
+    across: [T; 11],
+    /// Values of the row before.
+    above: [T; 6],
+}
+
+impl<T: Number> Sums<T> {
+    /// Goes on to row `I`, which makes both sums polynomials of degree `DEGREE`.
+    #[inline(always)]
+    fn add_row<const I: usize, const DEGREE: usize>(&mut self, region: &Region<T>, span: &Span<T>) {
+        let (values, mut across) = along_y(&region.rows()[I], span);
+        let rate = span.across[0] * span.half_length.like((I + 1) as f64);
+        for k in 0..6 {
+            across[k] = across[k] + rate * self.above[k];
+        }
+        let x = [span.middle[0] - span.half_length.like(0.5), span.half[0]];
+        times_x_and::<T, DEGREE>(&mut self.height, x, &values);
+        times_x_and::<T, DEGREE>(&mut self.across, x, &across);
+        self.above = values;
+    }
+}
+
+/// `sum` becomes a polynomial of degree `DEGREE`: what it was times `x[0] + x[1] s`, and `row`.
 #[inline(always)]
-fn times_x_and<T: Number>(sum: &mut [T; 11], degree: usize, x: [T; 2], row: &[T; 6]) {
-    for k in (1..=degree).rev() {
+fn times_x_and<T: Number, const DEGREE: usize>(sum: &mut [T; 11], x: [T; 2], row: &[T; 6]) {
+    for k in (1..=DEGREE).rev() {
         sum[k] = sum[k] * x[0] + sum[k - 1] * x[1];
     }
     sum[0] = sum[0] * x[0];

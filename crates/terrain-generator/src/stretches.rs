@@ -32,7 +32,7 @@ impl<'p> Walk<'p> {
             registers: Registers::at_start(program),
             next_step: 0,
             until: first,
-            last: generator.ranges.partition_point(|&range| range <= program.end_range),
+            last: first_beyond(generator.ranges, program.end_range),
         }
     }
 
@@ -81,5 +81,13 @@ impl<'p> Walk<'p> {
     /// Cosine and sine of the sweep's azimuth.
     pub(crate) fn direction(&self) -> [f64; 2] {
         self.program.start.direction
+    }
+}
+
+/// First of some ranges that lies beyond `end`; how many there are if none does, as of most sweeps.
+fn first_beyond(ranges: &[f64], end: f64) -> usize {
+    match ranges.last() {
+        Some(&last) if last <= end => ranges.len(),
+        _ => ranges.partition_point(|&range| range <= end),
     }
 }
