@@ -3,7 +3,7 @@
 use hardware_model::{Cpu, LoadDelay, Loader};
 use landscape::Level;
 use quantities::{SweepClock, SweepTime, Tick, Timebase};
-use sweep_program::{Fold, SweepProgram, SweepStart};
+use sweep_program::{Fold, Step, SweepProgram, SweepStart};
 
 use crate::Pointers;
 use crate::at_once::serve_at_once;
@@ -11,15 +11,7 @@ use crate::service::Service;
 use crate::watch::{CornerArrival, Watch};
 
 /// A fold and its instant.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TimedFold {
-    /// When, on the sweep clock.
-    pub time: SweepTime,
-    /// Ground range then (m).
-    pub range: f64,
-    /// Which stop.
-    pub fold: Fold,
-}
+pub type TimedFold = Step<Fold>;
 
 /// A corner that a sweep may ask for and that the data bank has not delivered when the frame begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -145,6 +137,11 @@ mod tests {
         Timebase::new(rate(20_000_000), rate(30), 525, 100, 10).expect("it fits")
     }
 
+    /// A fold in a sweep that passes a metre a sample.
+    fn timed(time: SweepTime, fold: Fold) -> TimedFold {
+        Step { time, range: time.0, sample: time.sample_at_or_after(), kind: fold }
+    }
+
     fn program(
         level: &Level,
         start: &SweepStart,
@@ -171,7 +168,7 @@ mod tests {
         let ramps = [Ramp { start: 0.25, rate: 0.7, polarity: 1.0 }; 2];
         let start = SweepStart { direction: [0.7; 2], region: [0, 0], ramps };
         let fold = Fold { axis: RampAxis::X, stop: Stop::One };
-        let folds = [TimedFold { time: SweepTime(1.0), range: 1.0, fold }];
+        let folds = [timed(SweepTime(1.0), fold)];
         let loader = Loader { delays, ..HardwareModel::ideal().loader };
         let program = program(&level(), &start, &folds, (&loader, missing), &mut ());
         let load = |kind: &Event| if let Event::Load(load) = kind { Some(*load) } else { None };
@@ -240,8 +237,7 @@ mod tests {
         let start = SweepStart { direction: [0.7; 2], region: [0, 0], ramps };
         let folds = [Stop::One, Stop::Zero, Stop::One].map(|stop| Fold { axis: RampAxis::X, stop });
         let times = [1.001, 1.002, 1.003];
-        let folds =
-            [0, 1, 2].map(|k| TimedFold { time: SweepTime(times[k]), range: times[k], fold: folds[k] });
+        let folds = [0, 1, 2].map(|k| timed(SweepTime(times[k]), folds[k]));
         let loader = Loader { access: 5, diagonal_register: true, ..HardwareModel::ideal().loader };
         let mut tally = Tally::default();
         program(&level(), &start, &folds, (&loader, &[]), &mut tally);
@@ -269,11 +265,7 @@ mod tests {
         let is_at_hand = |ticks: f64| {
             let origin = clock.instant_of(first).0;
             let time = |ticks: f64| SweepTime(origin + ticks / timebase().ticks_per_sample());
-            let fold = |axis, ticks| TimedFold {
-                time: time(ticks),
-                range: time(ticks).0,
-                fold: Fold { axis, stop: Stop::One },
-            };
+            let fold = |axis, ticks| timed(time(ticks), Fold { axis, stop: Stop::One });
             let folds = [fold(RampAxis::X, -0.3), fold(RampAxis::Y, ticks)];
             let steps = program(&level(), &start, &folds, (&loader, &[]), &mut ()).steps;
             // Yellow goes from corner (2, 0) to (2, 2): two further north lies (4, 2).
@@ -309,7 +301,7 @@ mod tests {
                 next[axis] = if stop == Stop::One { Stop::Zero } else { Stop::One };
                 let at = 1.3 * k as f64;
                 let fold = Fold { axis: if is_y { RampAxis::Y } else { RampAxis::X }, stop };
-                TimedFold { time: SweepTime(at), range: at, fold }
+                timed(SweepTime(at), fold)
             }).collect();
             let (level, loader) = (level(), HardwareModel::ideal().loader);
             let mut short = program(&level, &start, &folds, (&loader, &[]), &mut ());

@@ -3,32 +3,29 @@
 use hardware_model::{Cpu, Loader};
 use landscape::Level;
 use quantities::Tick;
-use sweep_program::{Colour, Fold, PreloadRegister, RampAxis, RegisterSet, SweepStart};
+use sweep_program::{Colour, Fold, PreloadRegister, RegisterSet, SweepStart};
 
 use crate::server::{Job, Server, Wanted};
 
 /// The corner that each colour stands for, as lattice indices, and the way the sweep goes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Pointers {
-    corners: [[i64; 2]; 4],
+    /// Lattice lines on which the colours stand: of each axis the even and the odd one.
+    lines: [[i64; 2]; 2],
     heading: [i64; 2],
 }
 
 impl Pointers {
     /// Pointers at the corners of the start region (6.5, rule 4).
     pub fn at_start(start: &SweepStart) -> Self {
-        let mut corners = [[0; 2]; 4];
-        for (i, j) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
-            let corner = [start.region[0] + i, start.region[1] + j];
-            corners[Colour::of_corner(corner[0], corner[1]) as usize] = corner;
-        }
+        let lines = start.region.map(|line| if line & 1 == 0 { [line, line + 1] } else { [line + 1, line] });
         let sign = |cosine: f64| if cosine < 0.0 { -1 } else { 1 };
-        Self { corners, heading: start.direction.map(sign) }
+        Self { lines, heading: start.direction.map(sign) }
     }
 
     /// The corner of a colour.
     pub fn corner(&self, colour: Colour) -> [i64; 2] {
-        self.corners[colour as usize]
+        [self.lines[0][usize::from(colour.at_far_x())], self.lines[1][usize::from(colour.at_far_y())]]
     }
 
     /// The corner that a preload register of a colour must hold: one array step, that is two corners, ahead.
@@ -46,12 +43,22 @@ impl Pointers {
         [m + 2 * self.heading[0], n + 2 * self.heading[1]]
     }
 
-    /// Moves the two colours that `fold` gives new words.
+    /// Moves the two colours that `fold` gives new words: the line that they stand on.
+    #[inline]
     pub fn follow(&mut self, fold: Fold) {
-        let axis = usize::from(fold.axis == RampAxis::Y);
-        for colour in fold.colours() {
-            self.corners[colour as usize][axis] += 2 * self.heading[axis];
-        }
+        let [axis, line] = moved(fold);
+        self.lines[axis][line] += 2 * self.heading[axis];
+    }
+
+    /// The even or the odd `line` of `axis` on which two colours stand.
+    pub(crate) fn line(&self, axis: usize, line: usize) -> i64 {
+        self.lines[axis][line]
+    }
+
+    /// The line to which two colours move with their next fold of `axis`; they stand on the even or the odd `line`.
+    #[inline]
+    pub(crate) fn line_ahead(&self, axis: usize, line: usize) -> i64 {
+        self.lines[axis][line] + 2 * self.heading[axis]
     }
 
     /// Full registers for these pointers, as indices into the storage buffer of `level`.
@@ -63,6 +70,13 @@ impl Pointers {
             y_first: index(self.ahead(colour, PreloadRegister::YFirst)),
         })
     }
+}
+
+/// Axis, and even or odd line, on which the colours stand that `fold` gives new words.
+#[inline]
+pub(crate) fn moved(fold: Fold) -> [usize; 2] {
+    // By number, as in their declarations: what is compared becomes a branch, and nobody can guess which fold comes next.
+    [fold.axis as usize, 1 - fold.stop as usize]
 }
 
 /// Sets of the home registers: hold and both preload registers of four colours.

@@ -89,15 +89,15 @@ impl<'a, 's, 'w, W: Watch> Service<'a, 's, 'w, W> {
     /// One fold: transfer, pointers, requests.
     pub fn serve(&mut self, fold: TimedFold, program: &mut SweepProgram) {
         let enabled = self.unit.loader.stop_after_crossings.is_none_or(|last| self.crossing < last);
-        let kind = if enabled { Event::Fold(fold.fold) } else { Event::BareFold(fold.fold) };
+        let kind = if enabled { Event::Fold(fold.kind) } else { Event::BareFold(fold.kind) };
         program.steps.push(Step::new(fold.time, fold.range, kind));
         let seen = self.seen(fold.time);
-        self.watch.fold(seen, fold.fold);
-        self.pass_stop(fold.fold);
+        self.watch.fold(seen, fold.kind);
+        self.pass_stop(fold.kind);
         if enabled {
             self.settle(fold, program);
-            self.pointers.follow(fold.fold);
-            for colour in fold.fold.colours() {
+            self.pointers.follow(fold.kind);
+            for colour in fold.kind.colours() {
                 self.renew(colour, fold, seen, program);
             }
         } else {
@@ -113,12 +113,12 @@ impl<'a, 's, 'w, W: Watch> Service<'a, 's, 'w, W> {
             time: fold.time,
             arrival: None,
             colour,
-            register: fold.fold.axis.register(),
+            register: fold.kind.axis.register(),
             corner: NO_CORNER,
             words: WordMask::ALL,
             cause: MissCause::HeldBack,
         };
-        program.misses.extend(fold.fold.colours().into_iter().map(missed));
+        program.misses.extend(fold.kind.colours().into_iter().map(missed));
     }
 
     fn pass_stop(&mut self, fold: Fold) {

@@ -1,5 +1,6 @@
 //! Coefficient banks: nine words a corner, one or more levels (report III.A.1, section 5).
 
+use std::hint::select_unpredictable;
 use std::ops::RangeInclusive;
 
 use crate::basis;
@@ -131,8 +132,14 @@ impl Level {
     /// Index into [`words`](Self::words) of the corner nearest to (m, n) that is stored (6.5: pointers clamp).
     #[inline]
     pub fn clamped_index(&self, m: i64, n: i64) -> usize {
-        let clamp = |index: i64, count: usize| index.clamp(0, count as i64 - 1) as usize;
-        clamp(m, self.corners[0]) * self.corners[1] + clamp(n, self.corners[1])
+        self.line_index(0, m) + self.line_index(1, n)
+    }
+
+    /// What a lattice line across `axis` adds to the index of a corner on it: a corner's index is the sum of both.
+    #[inline]
+    pub fn line_index(&self, axis: usize, line: i64) -> usize {
+        let nearest = line.min(self.corners[axis] as i64 - 1).max(0) as usize;
+        nearest * select_unpredictable(axis == 0, self.corners[1], 1)
     }
 
     /// Extent: south, west, north, east edge (m).

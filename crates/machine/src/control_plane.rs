@@ -2,12 +2,12 @@
 
 use std::f64::consts::PI;
 
-use dpu::{CrossingService, Sector, TimedFold, Watch};
+use dpu::{CrossingService, Sector, Watch};
 use generator::{FrameError, Stage};
 use landscape::{Level, Sun};
 use quantities::{degrees, sin_cos};
 use scenario::{FieldOfView, Pose};
-use sweep_generator::{Folds, RangeTable, set_up};
+use sweep_generator::{RangeTable, TimedFolds, set_up};
 use sweep_program::{Fan, SweepProgram};
 
 /// What the control plane works out once a frame.
@@ -122,12 +122,7 @@ impl FramePlan {
         let [x, y, _] = self.eye;
         let level = service.level;
         let start = set_up(level.in_regions(x, y), self.direction(drawn));
-        let folds = Folds::new(&start)
-            .map(|(regions, fold)| {
-                let range = regions * level.region_size();
-                TimedFold { time: table.time_of(range), range, fold }
-            })
-            .take_while(|fold| fold.range <= end);
+        let folds = TimedFolds::new(&start, level.region_size(), table, end);
         let range_at = |time| table.range_at(time);
         service.write_program((self.frame, sweep), start, folds, end, range_at, program, watch);
     }

@@ -17,6 +17,8 @@
 mod ramps;
 mod range_table;
 mod sample_finder;
+mod timed_folds;
 
-pub use ramps::{Folds, PlacedFold, set_up};
+pub use ramps::set_up;
 pub use range_table::RangeTable;
+pub use timed_folds::TimedFolds;

@@ -1,5 +1,7 @@
 //! Folded ramps: where they start, when they fold, where they are (sections 6.2 and 6.5).
 
+use std::hint::select_unpredictable;
+
 use sweep_program::{Fold, Ramp, RampAxis, Stop, SweepStart};
 
 /// Start of a sweep whose foot is at `foot` (in regions from the corner lattice's origin) along `direction`
@@ -27,95 +29,133 @@ fn set_up_axis(foot: f64, cosine: f64) -> (i64, Ramp) {
 
 /// Folds of one sweep in order of range, X before Y at one instant.
 #[derive(Debug, Clone)]
-pub struct Folds {
-    axes: [AxisFolds; 2],
+pub(crate) struct Folds {
+    x: AxisFolds,
+    y: AxisFolds,
 }
 
-/// A fold and its place: range in regions.
-pub type PlacedFold = (f64, Fold);
+/// Folds of an axis that are placed together, so that none waits for a division: an even number.
+const TOGETHER: usize = 8;
 
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 struct AxisFolds {
     /// Way of the ramp to its first stop, 0..=1.
     first: f64,
     /// Magnitude of the rate.
     rate: f64,
-    /// Folds served.
-    count: u32,
-    /// Stop that is met next.
-    next: Stop,
-    /// Range of the next fold, in regions; infinite for a ramp that stands.
-    range: f64,
+    /// Whether a fold with an even number meets the stop at one.
+    starts_at_one: bool,
+    /// Folds before those of `ranges`.
+    before: u32,
+    /// Ranges of the next folds, in regions; infinite for a ramp that stands.
+    ranges: [f64; TOGETHER],
+    /// Folds of `ranges` that are past.
+    past: usize,
 }
 
 impl Folds {
     /// Folds of a sweep that starts so.
     pub fn new(start: &SweepStart) -> Self {
-        Self { axes: start.ramps.map(AxisFolds::new) }
+        let [x, y] = &start.ramps;
+        Self { x: AxisFolds::new(x), y: AxisFolds::new(y) }
     }
-}
 
-impl Iterator for Folds {
-    type Item = PlacedFold;
-
-    /// Never ends unless the sweep crosses no stop at all.
-    #[inline]
-    fn next(&mut self) -> Option<PlacedFold> {
-        // By number, without a branch: nobody can guess which axis comes next.
-        let axis = usize::from(self.axes[1].range < self.axes[0].range);
-        let range = self.axes[axis].range;
-        if !range.is_finite() {
-            return None;
-        }
-        let stop = self.axes[axis].pass();
-        Some((range, Fold { axis: [RampAxis::X, RampAxis::Y][axis], stop }))
+    /// The next fold and its range in regions: infinite if no ramp meets a stop any more.
+    #[inline(always)]
+    pub fn next_fold(&mut self) -> (f64, Fold) {
+        let Self { x, y } = self;
+        let (of_x, of_y) = (x.next_range(), y.next_range());
+        // Chosen and added, not asked: nobody can guess which axis comes next.
+        let is_y = of_y < of_x;
+        let range = select_unpredictable(is_y, of_y, of_x);
+        let is_at_one = select_unpredictable(is_y, y.is_at_one(), x.is_at_one());
+        x.past += usize::from(!is_y);
+        y.past += usize::from(is_y);
+        let axis = [RampAxis::X, RampAxis::Y][usize::from(is_y)];
+        (range, Fold { axis, stop: [Stop::Zero, Stop::One][usize::from(is_at_one)] })
     }
 }
 
 impl AxisFolds {
-    fn new(ramp: Ramp) -> Self {
-        let (first, next) = ramp.first_stop();
-        let standing = Self { first, rate: ramp.rate.abs(), count: 0, next, range: f64::INFINITY };
-        Self { range: standing.next_range(), ..standing }
+    fn new(ramp: &Ramp) -> Self {
+        let (first, stop) = ramp.first_stop();
+        let (rate, starts_at_one) = (ramp.rate.abs(), stop == Stop::One);
+        let mut folds =
+            Self { first, rate, starts_at_one, before: 0, ranges: [f64::INFINITY; TOGETHER], past: 0 };
+        folds.place();
+        folds
     }
 
-    fn next_range(&self) -> f64 {
-        if self.rate == 0.0 { f64::INFINITY } else { (self.first + f64::from(self.count)) / self.rate }
+    #[inline(always)]
+    fn next_range(&mut self) -> f64 {
+        if self.past >= TOGETHER {
+            self.place_more();
+        }
+        self.ranges[self.past]
     }
 
-    fn pass(&mut self) -> Stop {
-        self.count += 1;
-        self.range = self.next_range();
-        let met = self.next;
-        self.next = match met {
-            Stop::Zero => Stop::One,
-            Stop::One => Stop::Zero,
-        };
-        met
+    #[inline(always)]
+    fn is_at_one(&self) -> bool {
+        (self.past & 1 == 0) == self.starts_at_one
+    }
+
+    #[inline(never)]
+    fn place_more(&mut self) {
+        self.before += TOGETHER as u32;
+        self.past = 0;
+        self.place();
+    }
+
+    fn place(&mut self) {
+        if self.rate != 0.0 {
+            let before = f64::from(self.before);
+            for (number, range) in self.ranges.iter_mut().enumerate() {
+                *range = (self.first + (before + number as f64)) / self.rate;
+            }
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use std::iter;
+
     use super::{Folds, set_up};
     use quantities::{radians, sin_cos};
-    use sweep_program::{RampAxis, Stop, SweepStart};
+    use sweep_program::{Fold, RampAxis, Stop, SweepStart};
 
     fn start(foot: [f64; 2], degrees: f64) -> SweepStart {
         let (sin, cos) = sin_cos(radians(degrees));
         set_up(foot, [cos, sin])
     }
 
+    /// All folds and their ranges (in regions).
+    fn placed(start: &SweepStart) -> impl Iterator<Item = (f64, Fold)> + use<> {
+        let mut folds = Folds::new(start);
+        iter::repeat_with(move || folds.next_fold()).take_while(|(range, _)| range.is_finite())
+    }
+
     #[test]
     fn ramps_that_stand_never_fold() {
-        assert_eq!(Folds::new(&set_up([1.25, 2.5], [0.0, 0.0])).next(), None);
+        assert_eq!(placed(&set_up([1.25, 2.5], [0.0, 0.0])).next(), None);
         let along_x: Vec<_> =
-            Folds::new(&set_up([1.25, 2.5], [1.0, 0.0])).take(2).map(|(range, _)| range).collect();
+            placed(&set_up([1.25, 2.5], [1.0, 0.0])).take(2).map(|(range, _)| range).collect();
         assert_eq!(along_x, [0.75, 1.75]);
     }
 
+    #[test]
+    fn each_ramp_meets_its_stops_in_turns() {
+        for degrees in [30.0, -160.0] {
+            let mut last = [None; 2];
+            for (_, Fold { axis, stop }) in placed(&start([2.3, 5.6], degrees)).take(100) {
+                let before = last[axis as usize].replace(stop);
+                assert_ne!(before, Some(stop), "{axis:?} at {degrees} degrees");
+            }
+        }
+    }
+
     fn folds(start: &SweepStart, until: f64) -> Vec<(f64, RampAxis, Stop)> {
-        Folds::new(start)
+        placed(start)
             .take_while(|(range, _)| *range <= until)
             .map(|(range, fold)| (range, fold.axis, fold.stop))
             .collect()
@@ -197,12 +237,12 @@ mod tests {
         for (foot, degrees) in [([2.3, 5.6], 30.0), ([13.75, 14.2], -160.0), ([-3.2, 0.9], 251.0)] {
             let start = start(foot, degrees);
             for step in 0..400 {
-                let lambda = f64::from(step) * 0.013;
+                let lambda = f64::from(step) * 0.113;
                 for axis in 0..2 {
                     let place = foot[axis] + lambda * start.direction[axis];
                     let triangle = (place - 2.0 * (place / 2.0).round()).abs();
                     let wanted = if axis == 0 { X } else { Y };
-                    let passed = Folds::new(&start).take_while(|(range, _)| *range < lambda);
+                    let passed = placed(&start).take_while(|(range, _)| *range < lambda);
                     let count = passed.filter(|(_, fold)| fold.axis == wanted).count() as u32;
                     let (value, _) = start.ramps[axis].at(count, lambda);
                     assert!((value - triangle).abs() < 1e-12, "{foot:?} {degrees} {lambda}");

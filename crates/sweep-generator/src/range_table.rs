@@ -24,18 +24,25 @@ impl RangeTable {
     }
 
     /// When the sweep passes `range`: 0 at the first sample; negative before it, infinite beyond the last.
+    pub fn time_of(&self, range: f64) -> SweepTime {
+        self.passing(range).0
+    }
+
+    /// When the sweep passes `range`, and the first sample that sees it: that at or after the time, which rounding may put on
+    /// the sample before.
     // Asked at every fold: where it is called and not inlined, first light takes a twentieth longer.
     #[inline(always)]
-    pub fn time_of(&self, range: f64) -> SweepTime {
+    pub fn passing(&self, range: f64) -> (SweepTime, usize) {
         let ranges = self.ranges();
-        SweepTime(match self.finder.not_nearer(range) {
-            0 => range / ranges[0] - 1.0,
-            k if k == ranges.len() => f64::INFINITY,
+        match self.finder.not_nearer(range) {
+            0 => (SweepTime(range / ranges[0] - 1.0), 0),
+            k if k == ranges.len() => (SweepTime(f64::INFINITY), k),
             k => {
                 let (near, far) = (ranges[k - 1], ranges[k]);
-                (k - 1) as f64 + (range - near) / (far - near)
+                let time = (k - 1) as f64 + (range - near) / (far - near);
+                (SweepTime(time), k - usize::from(time <= (k - 1) as f64))
             }
-        })
+        }
     }
 
     /// Place of a range on the sweep clock: sample k is at k, and between two samples range grows in a straight line. Before the
@@ -115,6 +122,18 @@ mod tests {
         let step = tangent(0) - tangent(1);
         for k in 1..999 {
             assert!((tangent(k) - tangent(k + 1) - step).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn the_sample_that_sees_a_range_is_that_at_or_after_its_time() {
+        for table in LAWS.map(table) {
+            let on_samples = table.ranges().iter().flat_map(|&at| [at.next_down(), at, at.next_up()]);
+            let between = table.ranges().windows(2).map(|pair| pair[0] + 0.3 * (pair[1] - pair[0]));
+            for range in on_samples.chain(between).chain([0.0, 0.4]).filter(|&range| range <= 5000.0) {
+                let (time, sample) = table.passing(range);
+                assert_eq!((sample, time), (time.sample_at_or_after(), table.time_of(range)), "{range}");
+            }
         }
     }
 

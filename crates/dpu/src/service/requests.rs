@@ -14,7 +14,7 @@ use crate::watch::Watch;
 impl<W: Watch> Service<'_, '_, '_, W> {
     /// Both preload registers of a colour that has moved, and its diagonal one.
     pub(super) fn renew(&mut self, colour: Colour, fold: TimedFold, seen: Tick, program: &mut SweepProgram) {
-        let other = match fold.fold.axis {
+        let other = match fold.kind.axis {
             RampAxis::X => PreloadRegister::YFirst,
             RampAxis::Y => PreloadRegister::XFirst,
         };

@@ -13,8 +13,8 @@ use crate::watch::Watch;
 impl<W: Watch> Service<'_, '_, '_, W> {
     /// What is still on its way for a colour that has just been transferred has come too late or moved on.
     pub(super) fn settle(&mut self, fold: TimedFold, program: &mut SweepProgram) {
-        for colour in fold.fold.colours().into_iter().filter(|_| W::LISTENS) {
-            self.settle_ready(colour, fold.fold.axis.register(), fold.time);
+        for colour in fold.kind.colours().into_iter().filter(|_| W::LISTENS) {
+            self.settle_ready(colour, fold.kind.axis.register(), fold.time);
         }
         self.settle_queue(fold, program);
         self.settle_pending(fold, program);
@@ -34,10 +34,10 @@ impl<W: Watch> Service<'_, '_, '_, W> {
     }
 
     fn settle_queue(&mut self, fold: TimedFold, program: &mut SweepProgram) {
-        let (axis, crossing) = (fold.fold.axis, self.crossing);
+        let (axis, crossing) = (fold.kind.axis, self.crossing);
         let strobe = self.unit.loader.late_policy == LatePolicy::StrobeThrough;
         let watch = &mut *self.watch;
-        self.server.retain(fold.fold.colours(), |job| {
+        self.server.retain(fold.kind.colours(), |job| {
             let needed = job.wanted == Wanted::Register(axis.register()) && !job.late;
             if needed {
                 let register = axis.register();
@@ -67,10 +67,10 @@ impl<W: Watch> Service<'_, '_, '_, W> {
         let strobe = self.unit.loader.late_policy == LatePolicy::StrobeThrough;
         self.pending.retain_mut(|delivery| {
             let load = &mut delivery.load;
-            if !fold.fold.axis.takes(fold.fold.stop, load.colour) {
+            if !fold.kind.axis.takes(fold.kind.stop, load.colour) {
                 return true;
             }
-            let missed = delivery.register == fold.fold.axis.register() && load.target != Target::Hold;
+            let missed = delivery.register == fold.kind.axis.register() && load.target != Target::Hold;
             if missed {
                 let Delivery { arrival, register, cause, .. } = *delivery;
                 let Load { colour, corner, words, .. } = *load;
