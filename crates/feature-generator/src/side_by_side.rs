@@ -29,6 +29,13 @@ struct Zone<L: Simd> {
     end: f64x8<L>,
 }
 
+impl<L: Simd> Zone<L> {
+    #[inline(always)]
+    fn ends(self) -> [[f64; LANES]; 2] {
+        [self.begin.to_array(), self.end.to_array()]
+    }
+}
+
 /// Where the sweeps pass a crater: range of the centre (m), and the centre to the left (m).
 #[derive(Clone, Copy)]
 struct Centre<L: Simd, S: Real> {
@@ -36,21 +43,44 @@ struct Centre<L: Simd, S: Real> {
     left: S::Vector<L>,
 }
 
+/// A crater as it lies across the samples.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Lie {
+    /// Of rim, hollow and rim, from where to where in each sweep: offsets from where it passes the centre (m).
+    zones: [[[f64; LANES]; 2]; 3],
+    /// First sample about which a step lies partly in the zone in any sweep, and the first that is beyond.
+    samples: [[usize; 2]; 3],
+}
+
 impl<S: Real, P: Fn(f64) -> f64> Ground<'_, '_, S, P> {
-    /// Adds a crater.
+    /// Finds where a crater lies.
     #[inline(always)]
-    pub fn lay<L: Simd>(&mut self, simd: L, crater: &Crater, passing: &Passing) {
+    pub fn find<L: Simd>(&self, simd: L, crater: &Crater, passing: &Passing) -> Lie {
+        let (middle, side) = (eight(simd, &passing.middle), eight(simd, &passing.side));
+        let [near_ring, inside, far_ring] = zones(crater, side, eight(simd, &passing.from) - middle);
+        Lie {
+            zones: [near_ring.ends(), inside.ends(), far_ring.ends()],
+            samples: [
+                self.samples_in(simd, near_ring, middle),
+                self.samples_in(simd, inside, middle),
+                self.samples_in(simd, far_ring, middle),
+            ],
+        }
+    }
+
+    /// Adds a crater where it lies.
+    #[inline(always)]
+    pub fn lay<L: Simd>(&mut self, simd: L, crater: &Crater, passing: &Passing, lie: &Lie) {
         let (middle, side) = (eight(simd, &passing.middle), eight(simd, &passing.side));
         let centre = Centre { middle, left: S::narrow(-side) };
-        let [near_ring, inside, far_ring] = zones(crater, side, eight(simd, &passing.from) - middle);
         let (rim, bowl) = (ring(crater).cast(), hollow(crater).cast());
-        self.lay_zone(simd, &rim, Parabola::ring, near_ring, centre);
+        self.lay_zone(simd, &rim, Parabola::ring, lie, 0, centre);
         if crater.floor() > 0.0 {
-            self.lay_zone(simd, &bowl, Parabola::floor_and_wall, inside, centre);
+            self.lay_zone(simd, &bowl, Parabola::floor_and_wall, lie, 1, centre);
         } else {
-            self.lay_zone(simd, &bowl, Parabola::bowl, inside, centre);
+            self.lay_zone(simd, &bowl, Parabola::bowl, lie, 1, centre);
         }
-        self.lay_zone(simd, &rim, Parabola::ring, far_ring, centre);
+        self.lay_zone(simd, &rim, Parabola::ring, lie, 2, centre);
     }
 
     /// Adds what lies in a zone: heights to the samples in it, slopes to each sample by as much of the step about it as lies in
@@ -61,18 +91,23 @@ impl<S: Real, P: Fn(f64) -> f64> Ground<'_, '_, S, P> {
         simd: L,
         parabola: &Parabola<S>,
         law: impl Fn(&Parabola<S::Vector<L>>, S::Vector<L>) -> [S::Vector<L>; 2],
-        zone: Zone<L>,
+        lie: &Lie,
+        zone: usize,
         Centre { middle, left }: Centre<L, S>,
     ) {
-        let Some([first, last]) = self.samples_in(simd, zone, middle) else { return };
+        let [first, beyond] = lie.samples[zone];
+        if first >= beyond {
+            return;
+        }
         let all = |value: S| S::Vector::<L>::simd_from(simd, value);
         let Parabola { vertex, rise, at, scale } = *parabola;
         let parabola = Parabola { vertex: all(vertex), rise: all(rise), at: all(at), scale: all(scale) };
-        let [begin, end] = [S::narrow(zone.begin), S::narrow(zone.end)];
+        let [begin, end] = &lie.zones[zone];
+        let [begin, end] = [S::narrow(eight(simd, begin)), S::narrow(eight(simd, end))];
         let counts = self.samples.map(|samples| S::from_f64(samples as f64));
         let (counts, zero) = (S::Vector::<L>::from_slice(simd, &counts), all(S::ZERO));
         let mut before = self.steps_a_metre(first);
-        for sample in first..=last {
+        for sample in first..beyond {
             let behind = self.steps_a_metre(sample + 1);
             // The difference is taken in f64: far away a range has no millimetres left in f32.
             let offset = S::narrow::<L>(eight(simd, &[self.ranges[sample]; LANES]) - middle);
@@ -99,25 +134,21 @@ impl<S: Real, P: Fn(f64) -> f64> Ground<'_, '_, S, P> {
         }
     }
 
-    /// First and last sample about which a step lies partly in the zone, in any sweep.
+    /// First sample about which a step lies partly in the zone in any sweep, and the first that is beyond; none between them if
+    /// no sweep meets it.
     #[inline(always)]
-    fn samples_in<L: Simd>(
-        &self,
-        simd: L,
-        Zone { begin, end }: Zone<L>,
-        middle: f64x8<L>,
-    ) -> Option<[usize; 2]> {
+    fn samples_in<L: Simd>(&self, simd: L, Zone { begin, end }: Zone<L>, middle: f64x8<L>) -> [usize; 2] {
         let is_met = begin.simd_lt(end);
         let bound = |value| f64x8::simd_from(simd, value);
         let near = is_met.select(begin + middle, bound(f64::INFINITY)).reduce_min();
         let far = is_met.select(end + middle, bound(f64::NEG_INFINITY)).reduce_max();
-        let count = self.samples.into_iter().max().unwrap_or_default();
-        if near >= far || count == 0 {
-            return None;
+        if near >= far {
+            return [0; 2];
         }
+        let count = self.samples.into_iter().max().unwrap_or_default();
         let [first, last] = [(near, 0.5 - SLACK), (far, 0.5 + SLACK)]
             .map(|(range, half)| ((self.place)(range) + half).max(0.0) as usize);
-        Some([first, last.min(count - 1)])
+        [first, count.min(last + 1)]
     }
 
     /// Steps a metre in the step that ends at `sample`. Before the first sample and beyond the last nothing is about a

@@ -4,7 +4,7 @@ use fearless_simd::{Level, Simd, dispatch};
 use features::Features;
 use signal::{Lanes, Real};
 
-use crate::side_by_side::Ground;
+use crate::side_by_side::{Ground, Lie};
 use crate::{FeatureGenerator, FeatureProfile, Passings, Surface};
 
 impl FeatureGenerator<'_> {
@@ -61,10 +61,20 @@ fn lay_passings<L: Simd, S: Real>(
     passings: &Passings,
     ground: &mut Ground<'_, '_, S, impl Fn(f64) -> f64>,
 ) {
-    for passing in &passings.craters {
-        ground.lay(simd, &features.crater(passing.crater), passing);
+    let mut lies = [Lie::default(); FOUND];
+    for some in passings.craters.chunks(FOUND) {
+        for (lie, passing) in lies.iter_mut().zip(some) {
+            *lie = ground.find(simd, &features.crater(passing.crater), passing);
+        }
+        for (lie, passing) in lies.iter().zip(some) {
+            ground.lay(simd, &features.crater(passing.crater), passing, lie);
+        }
     }
 }
+
+/// Craters that are found before any of them is laid: nobody can guess how many samples a zone has, so that is to be known by
+/// then.
+const FOUND: usize = 8;
 
 #[cfg(test)]
 mod tests {
