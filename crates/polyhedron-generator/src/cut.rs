@@ -1,53 +1,89 @@
 //! Cutting a span where the ground hides it.
 
-use crate::overlay::Piece;
+use crate::layers::Part;
 use crate::{Hold, Span};
 
 /// Lines by which a span must clear all that is held in its reach before nobody looks closer: far more than rounding.
 const ROOM: f32 = 0.25;
 
-/// Appends the parts of `span` that no nearer ground reaches above. Most spans are seen or hidden as a whole, and the few samples
-/// around them tell that.
-#[inline(always)]
-pub(crate) fn above_ground<L: Fn(usize) -> f32>(
-    span: &Span,
-    hold: &Hold<L>,
-    [low, high]: [f32; 2],
-    pieces: &mut Vec<Piece>,
-) {
-    if low > span.bottom + ROOM {
-        pieces.push(part(span, 0.0, 1.0));
-    } else if high >= span.top - ROOM {
-        cut(span, hold, pieces);
+/// How much of what stands on a sweep the ground leaves in sight, as far as what is held about it tells.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Sight {
+    Whole,
+    Hidden,
+    /// Nobody knows without looking closer.
+    Part,
+}
+
+impl Sight {
+    /// Of what reaches from one line position to another, where the least and the greatest that is held are these.
+    #[inline(always)]
+    pub fn of([top, bottom]: [f32; 2], [low, high]: [f32; 2]) -> Self {
+        if low > bottom + ROOM {
+            Self::Whole
+        } else if high >= top - ROOM {
+            Self::Part
+        } else {
+            Self::Hidden
+        }
     }
 }
 
-/// The same, looked at closely.
+/// All of some spans, the first of which has this number; but for those without any height.
+#[inline(always)]
+pub(crate) fn whole((first, spans): (usize, &[Span])) -> impl Iterator<Item = Part> {
+    let numbered = (first as u32..).zip(spans).filter(|(_, span)| span.top < span.bottom);
+    numbered.map(|(span, &Span { top, bottom, .. })| Part { top, bottom, span })
+}
+
+/// Appends the parts of some spans, one below another, that no nearer ground reaches above; `held` are the least and the greatest
+/// line position that is held where they are.
+// The few stacks that need it call it: inlined, it grows the work on a group, and what else is inlined there (2 % of a nominal drive).
+#[inline(never)]
+pub(crate) fn above_ground<L: Fn(usize) -> f32>(
+    (first, spans): (usize, &[Span]),
+    hold: &Hold<L>,
+    held: [f32; 2],
+    parts: &mut Vec<Part>,
+) {
+    for (number, span) in (first as u32..).zip(spans) {
+        let part = Part { top: span.top, bottom: span.bottom, span: number };
+        match Sight::of([span.top, span.bottom], held) {
+            Sight::Whole => parts.push(part),
+            Sight::Part => cut((number, span), hold, parts),
+            Sight::Hidden => {}
+        }
+    }
+}
+
+/// Looks closely at a span.
 ///
 /// Where the span passes the range of a sample, the hold bends; between two such places its clearance over the
 /// ground is nearly linear, and one step of false position finds its zero.
-// The few that need it call it: inlined, it grows the work on a group, and what else is inlined there (2 % of a nominal drive).
-#[inline(never)]
-fn cut<L: Fn(usize) -> f32>(span: &Span, hold: &Hold<L>, pieces: &mut Vec<Piece>) {
-    let [top, bottom] = span.near;
-    let between = hold.near.not_nearer(top.max(bottom))..hold.near.not_nearer(top.min(bottom));
-    let mut cutter = Cutter { span, hold, seen_from: None, last: (0.0, f32::INFINITY) };
-    cutter.last = (0.0, cutter.clearance(0.0));
-    cutter.seen_from = (cutter.last.1 >= 0.0).then_some(0.0);
+#[inline(always)]
+fn cut<L: Fn(usize) -> f32>((number, span): (u32, &Span), hold: &Hold<L>, parts: &mut Vec<Part>) {
+    let beyond = [hold.near.not_nearer(span.near[0]), hold.near.not_nearer(span.near[1])];
+    let clear = [
+        hold.between(beyond[0], span.near[0]) - span.top,
+        hold.between(beyond[1], span.near[1]) - span.bottom,
+    ];
+    let between = beyond[0].min(beyond[1])..beyond[0].max(beyond[1]);
+    let seen_from = (clear[0] >= 0.0).then_some(0.0);
+    let mut cutter = Cutter { number, span, hold, seen_from, last: (0.0, clear[0]) };
     let count = between.len();
     for step in 0..count {
-        let sample = if top > bottom { between.start + step } else { between.end - 1 - step };
+        let sample = if beyond[0] < beyond[1] { between.start + step } else { between.end - 1 - step };
         let share = share_at(span, hold.near.samples()[sample]);
-        cutter.advance(share, (hold.lines)(sample) - span.line_at(share), pieces);
+        cutter.advance(share, (hold.lines)(sample) - span.line_at(share), parts);
     }
-    let clearance = cutter.clearance(1.0);
-    cutter.advance(1.0, clearance, pieces);
+    cutter.advance(1.0, clear[1], parts);
     if let Some(from) = cutter.seen_from {
-        pieces.push(part(span, from, 1.0));
+        parts.extend(cutter.part(from, 1.0));
     }
 }
 
 struct Cutter<'a, L> {
+    number: u32,
     span: &'a Span,
     hold: &'a Hold<'a, L>,
     /// Where the part in sight began.
@@ -62,17 +98,24 @@ impl<L: Fn(usize) -> f32> Cutter<'_, L> {
         self.hold.at(self.span.near_at(share)) - self.span.line_at(share)
     }
 
-    fn advance(&mut self, share: f32, clearance: f32, pieces: &mut Vec<Piece>) {
+    #[inline(always)]
+    fn advance(&mut self, share: f32, clearance: f32, parts: &mut Vec<Part>) {
         match (self.seen_from, clearance >= 0.0) {
             (Some(from), false) => {
                 let to = self.zero(share, clearance);
-                pieces.push(part(self.span, from, to));
+                parts.extend(self.part(from, to));
                 self.seen_from = None;
             }
             (None, true) => self.seen_from = Some(self.zero(share, clearance)),
             _ => {}
         }
         self.last = (share, clearance);
+    }
+
+    /// The part of the span between two shares of the way, if it has any height.
+    fn part(&self, from: f32, to: f32) -> Option<Part> {
+        let [top, bottom] = [from, to].map(|share| self.span.line_at(share));
+        (top < bottom).then_some(Part { top, bottom, span: self.number })
     }
 
     /// Where the clearance is 0 between the last place and this.
@@ -104,21 +147,12 @@ fn share_at(span: &Span, near: f32) -> f32 {
     (top / (top - bottom)).clamp(0.0, 1.0)
 }
 
-fn part(span: &Span, from: f32, to: f32) -> Piece {
-    Piece::new(&Span {
-        top: span.line_at(from),
-        bottom: span.line_at(to),
-        near: [span.near_at(from), span.near_at(to)],
-        depth: [span.depth_at(from), span.depth_at(to)],
-        ..*span
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use std::ops::Range;
 
-    use super::{above_ground, cut};
+    use super::{Sight, above_ground, cut, whole};
+    use crate::stack::Stack;
     use crate::{Hold, NearTable, Overlay, Span};
     use proptest::collection::vec;
     use proptest::prelude::{Strategy, prop_assert, prop_assert_eq, proptest};
@@ -148,16 +182,24 @@ mod tests {
         #[test]
         fn what_is_seen_or_hidden_as_a_whole_is_cut_as_if_it_were_looked_at_closely(
             (table, held) in ground(0..40, -4.0..8.0),
-            ranges in [1.0..40.0f32, 1.0..40.0],
+            ranges in [1.0..40.0f32, 1.0..40.0, 1.0..40.0],
             tilts in [0.9..1.1f32, 0.9..1.1],
             top in 0.0..190.0f32,
             height in 0.1..60.0f32,
         ) {
             let hold = Hold { near: &table, lines: |sample: usize| held[sample] };
-            let span = span([top, top + height], ranges, tilts);
+            // Two spans that follow one another are asked at once.
+            let [middle, bottom] = [top + height, top + 1.5 * height];
+            let stack = [span([top, middle], [ranges[0], ranges[1]], tilts), span([middle, bottom], [ranges[1], ranges[2]], tilts)];
+            let [found] = Stack::all(&stack).collect::<Vec<_>>().try_into().unwrap();
+            let held = hold.extremes(found.near);
             let (mut quickly, mut closely) = (Vec::new(), Vec::new());
-            above_ground(&span, &hold, hold.extremes(span.near), &mut quickly);
-            cut(&span, &hold, &mut closely);
+            match Sight::of(found.ends, held) {
+                Sight::Whole => quickly.extend(whole((0, &stack))),
+                Sight::Part => above_ground((0, &stack), &hold, held, &mut quickly),
+                Sight::Hidden => {}
+            }
+            stack.iter().zip(0..).for_each(|(span, number)| cut((number, span), &hold, &mut closely));
             prop_assert_eq!(quickly, closely);
         }
 

@@ -1,6 +1,7 @@
 //! How high the ground has reached, for cutting spans by depth.
 
 use crate::NearTable;
+use crate::order::{greater, lesser};
 
 /// Line position held by the projection processor against range: it never grows (section 15.2).
 #[derive(Debug, Clone, Copy)]
@@ -20,8 +21,14 @@ const HAIR: f32 = 1e-5;
 impl<L: Fn(usize) -> f32> Hold<'_, L> {
     /// Held line position at an inverse range; infinite before the first sample, where no ground is drawn.
     pub fn at(&self, near: f32) -> f32 {
+        self.between(self.near.not_nearer(near), near)
+    }
+
+    /// The same by the first sample at or beyond it.
+    #[inline(always)]
+    pub(crate) fn between(&self, beyond: usize, near: f32) -> f32 {
         let samples = self.near.samples();
-        let (beyond, last) = (self.near.not_nearer(near), samples.len().saturating_sub(1));
+        let last = samples.len().saturating_sub(1);
         if beyond == 0 {
             return match samples.first() {
                 Some(&first) if first == near => (self.lines)(0),
@@ -40,10 +47,10 @@ impl<L: Fn(usize) -> f32> Hold<'_, L> {
     /// between what is held at them.
     #[inline(always)]
     pub(crate) fn extremes(&self, [a, b]: [f32; 2]) -> [f32; 2] {
-        let begin = self.near.not_nearer(a.max(b) * (1.0 + HAIR));
-        let end = (self.near.not_nearer(a.min(b) * (1.0 - HAIR)) + 1).min(self.near.samples().len());
+        let begin = self.near.not_nearer(greater(a, b) * (1.0 + HAIR));
+        let end = (self.near.not_nearer(lesser(a, b) * (1.0 - HAIR)) + 1).min(self.near.samples().len());
         let before = if begin == 0 { f32::INFINITY } else { (self.lines)(begin - 1) };
-        let widen = |[low, high]: [f32; 2], line: f32| [low.min(line), high.max(line)];
+        let widen = |[low, high]: [f32; 2], line: f32| [lesser(low, line), greater(high, line)];
         (begin..end).map(&self.lines).fold([before; 2], widen)
     }
 }

@@ -34,13 +34,16 @@ mod cut;
 mod face;
 mod generator;
 mod hold;
+mod layers;
 mod light;
 mod likeness;
 mod meetings;
 mod near_table;
+mod order;
 mod overlay;
 mod sight;
 mod span;
+mod stack;
 mod view;
 mod wired;
 

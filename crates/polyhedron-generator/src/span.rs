@@ -28,15 +28,27 @@ impl Span {
         self.depth[0] + share * (self.depth[1] - self.depth[0])
     }
 
+    /// Inverse distance along the view axis (1/m) at a line position.
+    #[inline(always)]
+    pub(crate) fn depth_on(&self, line: f32) -> f32 {
+        self.depth[0] + (self.depth[1] - self.depth[0]) / (self.bottom - self.top) * (line - self.top)
+    }
+
     /// Inverse ground range (1/m) at a share of the way from top to bottom: range over depth is linear.
     pub fn near_at(&self, share: f32) -> f32 {
         let stretch = [self.depth[0] / self.near[0], self.depth[1] / self.near[1]];
         self.depth_at(share) / (stretch[0] + share * (stretch[1] - stretch[0]))
     }
 
+    /// Whether another goes on where it ends, as a part of the same object.
+    #[inline(always)]
+    pub(crate) fn goes_on(&self, below: &Self) -> bool {
+        self.bottom == below.top && self.object == below.object
+    }
+
     /// Line position at a share of the way from top to bottom.
     pub fn line_at(&self, share: f32) -> f32 {
-        self.top + share * (self.bottom - self.top)
+        if share < 1.0 { self.top + share * (self.bottom - self.top) } else { self.bottom }
     }
 }
 
