@@ -64,6 +64,8 @@ pub struct Field<'a> {
     vectors: Level,
     sighting: Sighting,
     tangents: &'a [f64],
+    /// About how many of them there are in an interval of length 1.
+    density: f64,
     /// Left and right side of the picture, and half its height, each on the view-plane.
     sides: [Side; 2],
     half_height: Side,
@@ -146,7 +148,7 @@ impl Pencil {
                 continue;
             }
             census.drawn += 1;
-            census.vertices += self.likeness.sweeps.len() as u64;
+            census.vertices += body.solid.vertices().len() as u64;
             let (object, foot_range) = (body.object, *foot_range as f32);
             let stamp = Span { body: number, object, foot_range, ..Span::default() };
             self.draw(field, &drawn.aspect, stamp, &mut spans);
@@ -160,15 +162,15 @@ impl Pencil {
     fn draw(&mut self, field: &Field<'_>, aspect: &Aspect<'_>, stamp: Span, spans: &mut Vec<(u32, Span)>) {
         let Aspect { body, sweeps, .. } = aspect;
         let sweeps = (sweeps.start, &field.tangents[sweeps.clone()]);
-        if self.likeness.is_inside {
-            let (meetings, seen) = (&mut self.meetings, (body.solid.edges(), &self.likeness));
+        if self.likeness.is_inside && !body.solid.edge_bits().is_empty() {
+            let (meetings, seen) = (&mut self.meetings, (&*body.solid, &self.likeness));
             dispatch!(field.vectors, simd => meetings.find(simd, field, seen, sweeps, stamp, spans));
         } else {
             self.draw_faces(field, &body.solid, sweeps, stamp, spans);
         }
     }
 
-    /// Draws it face by face: what lies above or below the picture is cut off.
+    /// Draws it face by face, however many there are: what lies above or below the picture is cut off.
     fn draw_faces(
         &mut self,
         field: &Field<'_>,
@@ -213,8 +215,9 @@ impl<'a> Field<'a> {
             spreads.map(|spread| right * spread).into_iter().fold(f64::NEG_INFINITY, f64::max),
         ];
         let half_height = Side::new(view.tan_half_height);
+        let density = tangents.len().saturating_sub(1) as f64 / (right - left);
         let vectors = Level::new();
-        Self { view, vectors, sighting, tangents, sides: sides.map(Side::new), half_height }
+        Self { view, vectors, sighting, tangents, density, sides: sides.map(Side::new), half_height }
     }
 
     /// How a body lies before the eye; nothing if it is outside the picture or between two sweeps.
@@ -244,8 +247,21 @@ impl<'a> Field<'a> {
             return 0..self.tangents.len();
         }
         let [left, right] = [ahead[1] - radius, ahead[1] + radius];
-        let sweep = |across: f64| self.tangents.partition_point(|&tangent| tangent < across);
+        let sweep = |across: f64| self.first_sweep(across);
         sweep((left / nearest).min(left / farthest))..sweep((right / nearest).max(right / farthest))
+    }
+
+    /// First sweep at a tangent or to the right of it: guessed as if they stood evenly, which they do, and looked up from there.
+    fn first_sweep(&self, across: f64) -> usize {
+        let (tangents, first) = (self.tangents, self.tangents.first().copied().unwrap_or_default());
+        let mut sweep = (((across - first) * self.density) as usize).min(tangents.len());
+        while sweep > 0 && tangents[sweep - 1] >= across {
+            sweep -= 1;
+        }
+        while sweep < tangents.len() && tangents[sweep] < across {
+            sweep += 1;
+        }
+        sweep
     }
 
     /// Line position of a place at `y` on the view-plane.

@@ -1,7 +1,7 @@
 //! A body as the eye sees it: vertices on the picture and faces that look at the eye, eight side by side.
 
 use fearless_simd::prelude::{Select, SimdMask};
-use fearless_simd::{Level, Simd, SimdBase, dispatch, f64x8};
+use fearless_simd::{Level, Simd, SimdBase, dispatch, f64x8, u32x8};
 use glam::{DMat3, DVec3};
 use signal::{LANES, Number, eight};
 use solids::{Body, EightFaces, Eights};
@@ -15,12 +15,14 @@ use crate::{FaceLight, NEAREST};
 pub(crate) struct Likeness {
     /// Vertices on the picture, eight side by side: x, y, inverse depth and spread of each, as a [`Corner`] has them.
     pub corners: Vec<[[f64; LANES]; 4]>,
-    /// First sweep that passes through each or to the right of it; as many as there are vertices.
-    pub sweeps: Vec<u32>,
+    /// First sweep that passes through each or to the right of it; the last one stands in for those that are not there.
+    pub sweeps: Vec<[u32; LANES]>,
     /// Whether all of them are in it, as far as up and down go.
     pub is_inside: bool,
     /// Reflectivity of each face, [`UNSEEN`] of those that do not look at the eye.
     pub faces: Vec<f32>,
+    /// The first faces that look at the eye, a bit each.
+    pub seen: u64,
 }
 
 /// Reflectivity of a face that nobody sees: no other is negative.
@@ -45,7 +47,15 @@ impl Likeness {
     pub fn corner(&self, number: u32) -> Corner {
         let (block, lane) = (&self.corners[number as usize / LANES], number as usize % LANES);
         let [x, y, depth, spread] = [0, 1, 2, 3].map(|axis: usize| block[axis][lane]);
-        Corner { place: Place { x, y, depth }, spread, sweep: self.sweeps[number as usize] }
+        Corner { place: Place { x, y, depth }, spread, sweep: self.sweeps[number as usize / LANES][lane] }
+    }
+
+    /// The first corners that lie to the left of a sweep, or on it: a bit each.
+    #[inline(always)]
+    pub fn left_of<V: Simd>(&self, simd: V, sweep: u32) -> u32 {
+        let is_left =
+            |sweeps: &[u32; LANES]| u32x8::load_array(simd, *sweeps).simd_le(sweep).to_bitmask() as u32;
+        self.sweeps.iter().rev().fold(0, |left, sweeps| left << LANES | is_left(sweeps))
     }
 
     /// Takes that of a body, black if it is `dark`; false if a vertex is too near.
@@ -58,12 +68,12 @@ impl Likeness {
         self.corners.clear();
         self.sweeps.clear();
         self.faces.clear();
-        self.is_inside = true;
+        (self.is_inside, self.seen) = (true, 0);
         let (turn, scale) = body.to_ground();
-        let (Eights { vertices, faces }, count) = (body.solid.eights(), body.solid.vertices().len());
-        for (first, vertices) in (0..).step_by(LANES).zip(vertices) {
+        let Eights { vertices, faces } = body.solid.eights();
+        for vertices in vertices {
             let places = [body.foot, DVec3::splat(scale)];
-            if !self.project(simd, eye, places, &turn, (vertices, (count - first).min(LANES))) {
+            if !self.project(simd, eye, places, &turn, vertices) {
                 return false;
             }
         }
@@ -75,7 +85,7 @@ impl Likeness {
         true
     }
 
-    /// Projects up to eight vertices in body axes.
+    /// Projects eight vertices in body axes.
     #[inline(always)]
     fn project<V: Simd>(
         &mut self,
@@ -83,7 +93,7 @@ impl Likeness {
         eye: &Eye<'_>,
         [foot, scale]: [DVec3; 2],
         turn: &DMat3,
-        (vertices, count): (&[[f64; LANES]; 3], usize),
+        vertices: &[[f64; LANES]; 3],
     ) -> bool {
         let scale = eight(simd, &[scale.x; LANES]);
         let [x, y, z] = [eight(simd, &vertices[0]), eight(simd, &vertices[1]), eight(simd, &vertices[2])];
@@ -101,7 +111,7 @@ impl Likeness {
         let spread = eye.sighting.spread(place.y);
         let sweeps = sweeps_left_of(place.x / spread, eye.tangents);
         self.corners.push([place.x, place.y, place.depth, spread].map(|all| all.to_array()));
-        self.sweeps.extend_from_slice(&sweeps[..count]);
+        self.sweeps.push(sweeps);
         true
     }
 
@@ -122,6 +132,8 @@ impl Likeness {
             + normals[1] * distance.like(at.y)
             + normals[2] * distance.like(at.z);
         let is_seen = from_foot.simd_gt(distance);
+        let first = self.faces.len() as u32;
+        self.seen |= is_seen.to_bitmask().checked_shl(first).unwrap_or(0);
         let lit = eye.light.reflectivity(turned(turn, normals), eight(simd, &faces.albedos));
         let lit = if dark { lit.like(0.0) } else { lit };
         let lit = is_seen.select(lit, lit.like(f64::from(UNSEEN))).to_array();
@@ -228,9 +240,10 @@ mod tests {
                 if !is_near {
                     let found: Vec<Corner> = (0..corners.len() as u32).map(|number| likeness.corner(number)).collect();
                     prop_assert_eq!(&found, &corners);
-                    prop_assert_eq!(likeness.sweeps.len(), corners.len());
                     prop_assert_eq!(likeness.is_inside, is_inside);
                     prop_assert_eq!(&likeness.faces[..faces.len()], &faces);
+                    let seen = faces.iter().rev().fold(0, |seen, face| seen << 1 | u64::from(*face != UNSEEN));
+                    prop_assert_eq!(likeness.seen, seen);
                 }
             }
         }

@@ -6,7 +6,7 @@ use std::ops::Range;
 use fearless_simd::prelude::SimdMask;
 use fearless_simd::{Simd, SimdBase, u32x16};
 use signal::{LANES, eight};
-use solids::Edge;
+use solids::{Edge, EdgeBits, Solid};
 
 use crate::Span;
 use crate::face::sweeps_of;
@@ -14,17 +14,12 @@ use crate::generator::Field;
 use crate::likeness::{Likeness, UNSEEN};
 use crate::view::Place;
 
-/// Edges that are asked at once.
-const ASKED: usize = 16;
-
-/// Edges that are told by the bits of a word: how many of sixteen are met nobody can guess, of so many it matters less.
-const WORD: usize = u64::BITS as usize;
+/// Groups of edges that are told by the bits of a word: how many of sixteen are met nobody can guess, of so many it matters less.
+const GROUPS: usize = u64::BITS as usize / EdgeBits::TOGETHER;
 
 /// Edges of a body, and where sweeps meet them; buffers are kept from body to body.
 #[derive(Debug, Default)]
 pub(crate) struct Meetings {
-    /// Sweeps to the left of the left and of the right end of each edge; of one that nobody sees both are the same.
-    left: [Vec<u32>; 2],
     /// Faces above and below the edge of each meeting, sweep by sweep.
     faces: Vec<[u32; 2]>,
     /// Where the meetings of each sweep end.
@@ -53,19 +48,21 @@ impl Meetings {
         &mut self,
         simd: V,
         field: &Field<'_>,
-        (edges, likeness): (&[Edge], &Likeness),
+        (solid, likeness): (&Solid, &Likeness),
         (first, tangents): (usize, &[f64]),
         stamp: Span,
         spans: &mut Vec<(u32, Span)>,
     ) {
-        let sweeps = sweeps_of(likeness.sweeps.iter().copied());
+        let sweeps = sweeps_of(likeness.sweeps.iter().flatten().copied());
         // Many a small body lies between two sweeps.
         if sweeps.is_empty() {
             return;
         }
-        self.take(edges, likeness);
+        self.faces.clear();
+        self.sweep_ends.clear();
+        self.lower.resize(solid.faces().len().max(self.lower.len()), 0);
         for sweep in sweeps.clone() {
-            self.meet(simd, (edges, likeness), (sweep, tangents[sweep as usize]));
+            self.meet(simd, (solid, likeness), (sweep, tangents[sweep as usize]));
         }
         self.place(simd, field);
         let mut begin = 0;
@@ -76,70 +73,35 @@ impl Meetings {
         }
     }
 
-    /// Takes the edges of a body, and forgets what was met of the one before.
-    #[inline(always)]
-    fn take(&mut self, edges: &[Edge], Likeness { sweeps, faces, .. }: &Likeness) {
-        self.faces.clear();
-        self.sweep_ends.clear();
-        self.make_room(edges.len(), faces.len());
-        // Behind the last there are none to be met.
-        let asked = edges.len().next_multiple_of(WORD);
-        self.left.iter_mut().for_each(|left| left[edges.len()..asked].fill(0));
-        let [begins, ends] = &mut self.left;
-        for (edge, (begin, end)) in edges.iter().zip(begins.iter_mut().zip(ends)) {
-            let [a, b] = edge.corners.map(|corner| sweeps[corner as usize]);
-            // Without a branch: which are seen cannot be guessed.
-            let [along, back] = edge.faces.map(|face| faces[face as usize] != UNSEEN);
-            *begin = a.min(b);
-            *end = if along | back { a.max(b) } else { *begin };
-        }
-    }
-
-    /// Makes room for a body, if there is not enough.
-    fn make_room(&mut self, edges: usize, faces: usize) {
-        let room = edges.next_multiple_of(WORD).max(self.left[0].len());
-        self.left.iter_mut().for_each(|left| left.resize(room, 0));
-        self.lower.resize(faces.max(self.lower.len()), 0);
-    }
-
     /// Finds the edges that a sweep at a tangent meets.
     #[inline(always)]
     fn meet<V: Simd>(
         &mut self,
         simd: V,
-        (edges, likeness): (&[Edge], &Likeness),
+        (solid, likeness): (&Solid, &Likeness),
         (sweep, tangent): (u32, f64),
     ) {
-        for first in (0..edges.len()).step_by(WORD) {
-            let mut met = self.ask(simd, first, sweep);
+        let left = likeness.left_of(simd, sweep);
+        let words = solid.edges().chunks(u64::BITS as usize).zip(solid.edge_bits().chunks(GROUPS));
+        for (edges, bits) in words {
+            let mut met = bits
+                .iter()
+                .rev()
+                .fold(0, |met, bits| met << EdgeBits::TOGETHER | is_met(simd, bits, left, likeness.seen));
             while met != 0 {
-                let edge = &edges[first + met.trailing_zeros() as usize];
+                let edge = &edges[met.trailing_zeros() as usize];
                 met &= met - 1;
-                self.keep(edge, tangent, likeness);
+                self.keep(edge, tangent, left, likeness);
             }
         }
         self.sweep_ends.push(self.faces.len() as u32);
     }
 
-    /// Which edges of a word a sweep meets: a bit each.
+    /// Keeps an edge that the sweep at a tangent meets, which has the corners `left` to its left.
     #[inline(always)]
-    fn ask<V: Simd>(&self, simd: V, first: usize, sweep: u32) -> u64 {
-        let (at, mut met) = (u32x16::splat(simd, sweep), 0);
-        for group in (0..WORD).step_by(ASKED) {
-            let asked = first + group..first + group + ASKED;
-            let [begin, end] =
-                [0, 1].map(|side: usize| u32x16::from_slice(simd, &self.left[side][asked.clone()]));
-            met |= (begin.simd_le(at) & at.simd_lt(end)).to_bitmask() << group;
-        }
-        met
-    }
-
-    /// Keeps an edge that the sweep at a tangent meets.
-    #[inline(always)]
-    fn keep(&mut self, Edge { corners, faces }: &Edge, tangent: f64, likeness: &Likeness) {
+    fn keep(&mut self, Edge { corners, faces }: &Edge, tangent: f64, left: u32, likeness: &Likeness) {
         // Outlines run counter-clockwise: an edge to the right is a lower one. Which way one runs cannot be guessed.
-        let [a, b] = corners.map(|corner| likeness.sweeps[corner as usize]);
-        let turned = usize::from(a > b);
+        let turned = usize::from(left >> corners[0] & 1 == 0);
         let [ends, faces] = [corners, faces].map(|pair| [pair[turned], pair[1 - turned]]);
         let (block, lane) = (self.faces.len() / LANES, self.faces.len() % LANES);
         if block == self.blocks.len() {
@@ -183,7 +145,8 @@ impl Meetings {
         }
     }
 
-    /// Adds the spans on one sweep, which has the meetings `met`: each from the edge above a face that is seen to the one below.
+    /// Adds the spans on one sweep, which has the meetings `met`: from the top, each from the edge above a face that is seen to the
+    /// one below.
     #[inline(always)]
     fn cut(
         &mut self,
@@ -192,22 +155,46 @@ impl Meetings {
         (sweep, stamp): (u32, Span),
         spans: &mut Vec<(u32, Span)>,
     ) {
+        let seen = |face: u32| likeness.faces[face as usize];
         for (number, [above, _]) in (met.start..).zip(&self.faces[met.clone()]) {
             self.lower[*above as usize] = number as u32;
         }
         let [lines, nears, depths] = &self.places;
-        for (upper, [_, below]) in (met.start..).zip(&self.faces[met.clone()]) {
-            let reflectivity = likeness.faces[*below as usize];
-            if reflectivity == UNSEEN {
+        for (first, [above, _]) in (met.start..).zip(&self.faces[met.clone()]) {
+            if seen(*above) != UNSEEN {
                 continue;
             }
-            let lower = self.lower[*below as usize] as usize;
-            let [top, bottom] = [lines[upper], lines[lower]];
-            if top < bottom {
-                let near = [nears[upper], nears[lower]];
-                let depth = [depths[upper], depths[lower]];
-                spans.push((sweep, Span { top, bottom, reflectivity, near, depth, ..stamp }));
+            let mut upper = first;
+            // As many as there are at most, whatever rounding has made of the outlines.
+            for _ in met.clone() {
+                let below = self.faces[upper][1];
+                let reflectivity = seen(below);
+                if reflectivity == UNSEEN {
+                    break;
+                }
+                let lower = self.lower[below as usize] as usize;
+                let [top, bottom] = [lines[upper], lines[lower]];
+                if top < bottom {
+                    let near = [nears[upper], nears[lower]];
+                    let depth = [depths[upper], depths[lower]];
+                    spans.push((sweep, Span { top, bottom, reflectivity, near, depth, ..stamp }));
+                }
+                upper = lower;
             }
         }
     }
+}
+
+/// Which of sixteen edges are seen, and met by the sweep that has the corners `left` to its left: a bit each.
+#[inline(always)]
+fn is_met<V: Simd>(simd: V, edges: &EdgeBits, left: u32, seen: u64) -> u64 {
+    let of = |bits: &[u32; EdgeBits::TOGETHER], these: u32| {
+        let bits = u32x16::load_array(simd, *bits);
+        (bits, bits & these)
+    };
+    let (corners, to_the_left) = of(&edges.corners, left);
+    let [first, others] = [(0, seen as u32), (1, (seen >> u32::BITS) as u32)]
+        .map(|(half, seen): (usize, u32)| of(&edges.faces[half], seen).1);
+    let is_between = !(to_the_left.simd_eq(0) | to_the_left.simd_eq(corners));
+    (is_between & !(first | others).simd_eq(0)).to_bitmask()
 }

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::check::{check_closed, check_convex, check_counts, check_vertices, plane_of};
 use crate::edges::edges_of;
-use crate::{Edge, Eights, SolidError};
+use crate::{Edge, EdgeBits, Eights, SolidError};
 
 /// One flat side: a convex polygon.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,6 +23,7 @@ pub struct Solid {
     vertices: Vec<DVec3>,
     faces: Vec<Face>,
     edges: Box<[Edge]>,
+    edge_bits: Box<[EdgeBits]>,
     eights: Eights,
     radius: f64,
     size: f64,
@@ -51,7 +52,8 @@ impl Solid {
         check_closed(&faces, vertices.len())?;
         let radius = vertices.iter().map(|vertex| vertex.length()).fold(0.0, f64::max);
         let (edges, eights) = (edges_of(&faces), Eights::new(&vertices, &faces));
-        Ok(Self { vertices, faces, edges, eights, radius, size })
+        let edge_bits = EdgeBits::all(&edges, [vertices.len(), faces.len()]);
+        Ok(Self { vertices, faces, edges, edge_bits, eights, radius, size })
     }
 
     /// Vertices.
@@ -67,6 +69,11 @@ impl Solid {
     /// Edges.
     pub fn edges(&self) -> &[Edge] {
         &self.edges
+    }
+
+    /// Edges by the bits of their corners and faces; none for a solid of more corners or faces than there are bits.
+    pub fn edge_bits(&self) -> &[EdgeBits] {
+        &self.edge_bits
     }
 
     /// Vertices and faces, eight side by side.

@@ -1,7 +1,7 @@
 use std::sync::Arc;
 
 use glam::{DMat3, DVec3, EulerRot};
-use proptest::prelude::{prop_assert_eq, prop_assume, proptest};
+use proptest::prelude::{prop_assert, prop_assert_eq, prop_assume, proptest};
 use scenario::{Curvature, Projection};
 use solids::{Body, Kind, rocks};
 
@@ -58,6 +58,38 @@ proptest! {
             pencil.draw(&field, &aspect, Span::default(), &mut by_edges);
         }
         pencil.draw_faces(&field, &solid, (first, tangents), Span::default(), &mut by_faces);
+        // From the top, so that whoever lays them over the lines asks for all at once.
+        let touch = |pair: &[(u32, Span)]| (pair[0].1.bottom - pair[1].1.top).abs() < 1e-3;
+        let touches = by_edges.windows(2).filter(|pair| pair[0].0 == pair[1].0).all(touch);
+        prop_assert!(touches, "{:?}", by_edges);
         prop_assert_eq!(sorted(by_edges), sorted(by_faces));
+    }
+
+    /// Sweeps that stand evenly, as they do, and others.
+    #[test]
+    fn the_first_sweep_is_found_that_a_search_finds(
+        steps in proptest::collection::vec(0.0..0.1f64, 0..40),
+        even in proptest::prelude::any::<bool>(),
+        elsewhere in proptest::collection::vec(-2.0..4.0f64, 20),
+    ) {
+        let mut at = -0.6;
+        let mut next = |step: &f64| {
+            at += if even { 0.03 } else { *step };
+            at
+        };
+        let tangents: Vec<f64> = steps.iter().map(&mut next).collect();
+        let view = ViewPlane {
+            eye: [0.0; 3],
+            heading: 0.0,
+            pitch: 0.0,
+            projection: Projection::Exact,
+            curvature: Curvature::None,
+            tan_half_height: 0.5,
+            lines: 500.0,
+        };
+        let field = Field::new(&view, &tangents);
+        for across in tangents.iter().copied().chain(elsewhere).chain([f64::NEG_INFINITY, f64::INFINITY]) {
+            prop_assert_eq!(field.first_sweep(across), tangents.partition_point(|&tangent| tangent < across));
+        }
     }
 }
