@@ -7,11 +7,15 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use remote_shadow::{Outlines, Segment};
 
 use crate::crossing::{Crossing, Place};
-use crate::fan::{Fan, Guesses, Line, Sifted, TOGETHER, WORD};
+use crate::fan::{Fan, Line, TOGETHER};
 use crate::line_generators::Boundary;
+use crate::lines::{Finder, MetLine};
 
-/// Parts of all lists that are looked over one by one: a few for each thread, so that none waits long for another.
+/// Most parts of all lists that are looked over one by one: a few for each thread, so that none waits long for another.
 const PARTS: usize = 16;
+
+/// Least corners of such a part: each part asks for some work a sweep, whatever it holds.
+const LEAST_PART: usize = 8192;
 
 /// Lines, or crossings of a sweep, that there is room for before more memory is asked for.
 pub(crate) const ROOM: usize = 1024;
@@ -53,31 +57,14 @@ struct Part<C> {
     ends: Vec<u32>,
 }
 
-/// A line, where it is from, and the number of sweeps to the left of its two ends, which differ.
-#[derive(Debug, Clone, Copy)]
-struct MetLine {
-    line: Line,
-    place: Place,
-    left: [u32; 2],
-}
-
-impl MetLine {
-    /// Sweeps that cross it.
-    fn sweeps(&self) -> Range<usize> {
-        let [a, b] = self.left;
-        a.min(b) as usize..a.max(b) as usize
-    }
-}
-
 impl<'a, F: Sighting, C: Crossing> Met<'a, F, C> {
     /// For the sweeps of `directions`, from lists of any number of segments: most of them lie between two sweeps.
     pub(crate) fn new(directions: &'a [[f64; 2]], lists: &'a [&'a Outlines], sighting: F) -> Self {
         let mut met = Self { lists, sighting, directions, parts: Vec::new() };
         let Some(fan) = Fan::new(directions) else { return met };
         let vectors = Level::new();
-        let part = |(guesses, lines): &mut (Guesses, Vec<MetLine>), part: (usize, &[&Outlines])| dispatch!(vectors, simd => met.part(simd, &fan, part, guesses, lines));
-        let room = || (Guesses::default(), Vec::with_capacity(ROOM));
-        let parts = like_parts(lists).into_par_iter().map_init(room, part).collect();
+        let part = |finder: &mut Finder, part| dispatch!(vectors, simd => met.part(simd, &fan, part, finder));
+        let parts = like_parts(lists).into_par_iter().map_init(Finder::new, part).collect();
         met.parts = parts;
         met
     }
@@ -104,17 +91,13 @@ impl<'a, F: Sighting, C: Crossing> Met<'a, F, C> {
         &self,
         simd: V,
         fan: &Fan<'_>,
-        (first, lists): (usize, &[&Outlines]),
-        guesses: &mut Guesses,
-        lines: &mut Vec<MetLine>,
+        lists: (usize, &[&Outlines]),
+        finder: &mut Finder,
     ) -> Part<C> {
-        lines.clear();
-        for (list, outlines) in (first..).zip(lists) {
-            find_met(simd, fan, list as u32, outlines, &self.sighting, guesses, lines);
-        }
+        let lines = finder.of(simd, fan, lists, &self.sighting);
         let mut ends = begins(lines, self.sweeps());
         let mut crossings = vec![C::default(); lines.iter().map(|line| line.sweeps().len()).sum()];
-        for met in &*lines {
+        for met in lines {
             let [a, b] = met.left;
             for sweep in met.sweeps() {
                 // Leftwards its shadow lies beyond it.
@@ -136,12 +119,13 @@ impl<C> Part<C> {
 
 /// Lists in parts that have about as many corners, each with the number of its first list.
 fn like_parts<'a>(lists: &'a [&'a Outlines]) -> Vec<(usize, &'a [&'a Outlines])> {
-    let all = lists.iter().map(|list| list.corners().len()).sum::<usize>().max(1);
+    let all = lists.iter().map(|list| list.corners().len()).sum::<usize>();
+    let share = all.div_ceil(PARTS).max(LEAST_PART);
     let (mut corners, mut first) = (0, 0);
     let parts = lists.chunk_by(|list, _| {
         let before = corners;
         corners += list.corners().len();
-        before * PARTS / all == corners * PARTS / all
+        before / share == corners / share
     });
     let numbered = parts.map(|part| {
         let number = first;
@@ -187,61 +171,5 @@ impl<C: Crossing> Crossings<C> {
         // Tiles come by their distance from the eye.
         C::sort(met.parts.iter().map(|part| part.of(sweep)), &mut self.crossings, &mut self.apart);
         &self.crossings
-    }
-}
-
-/// Adds the segments of a list that sweeps cross to `met`.
-#[inline(always)]
-fn find_met<V: Simd>(
-    simd: V,
-    fan: &Fan<'_>,
-    list: u32,
-    outlines: &Outlines,
-    sighting: &impl Sighting,
-    guesses: &mut Guesses,
-    met: &mut Vec<MetLine>,
-) {
-    let (corners, mut ends, guesser) = (outlines.corners(), outlines.ends(), fan.guesser(simd));
-    guesses.make_room(corners.len());
-    // A loop, no closure: it has the vectors of its caller.
-    for first in (0..corners.len()).step_by(TOGETHER) {
-        guesser.guess(first, sighting.all_seen(corners.some(first)), guesses);
-    }
-    let count = corners.len().saturating_sub(1);
-    for first in (0..count).step_by(WORD) {
-        let mut sifted = guesses.sift(simd, first, WORD.min(count - first));
-        while let Some((&end, others)) = ends.split_first()
-            && (end as usize) < first + WORD
-        {
-            sifted.may_cross &= !(1 << (end as usize - first));
-            ends = others;
-        }
-        keep_met(fan, [list, first as u32], sifted, guesses, met);
-    }
-}
-
-/// Keeps those of a word of lines, of which the first is at `place`, that sweeps cross.
-#[inline(always)]
-fn keep_met(
-    fan: &Fan<'_>,
-    [list, first]: Place,
-    Sifted { mut may_cross, known }: Sifted,
-    guesses: &Guesses,
-    met: &mut Vec<MetLine>,
-) {
-    while may_cross != 0 {
-        let n = may_cross.trailing_zeros();
-        may_cross &= may_cross - 1;
-        let number = first + n;
-        let line = guesses.line(number as usize);
-        let left = if known >> n & 1 == 1 {
-            guesses.left(number as usize)
-        } else {
-            match fan.span(&line) {
-                Some([a, b]) if a != b => [a as u32, b as u32],
-                _ => continue,
-            }
-        };
-        met.push(MetLine { line, place: [list, number], left });
     }
 }

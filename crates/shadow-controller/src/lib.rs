@@ -37,6 +37,7 @@ mod crossing;
 mod crossings;
 mod fan;
 mod line_generators;
+mod lines;
 mod nearly;
 mod network;
 mod wired;
