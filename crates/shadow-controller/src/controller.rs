@@ -8,13 +8,15 @@ use quantities::SweepTime;
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 use remote_shadow::Outlines;
+use signal::LANES;
 use sweep_program::{LoadTiming, NoTiming};
 
-use crate::crossing::{Bare, Crossing, Known};
+use crate::crossing::{Bare, Crossing, Known, step};
 use crate::crossings::{Crossings, Met, ROOM, Sighting};
 use crate::line_generators::{
     Boundary, SegmentLoad, SegmentMiss, Service, ServiceWork, serve, serve_in_time,
 };
+use crate::side_by_side::SideBySide;
 
 /// Two boundaries nearer to each other than this along a sweep are none (m): far less than a display line, far more
 /// than rounding.
@@ -64,11 +66,12 @@ impl Gate {
         }
     }
 
-    /// Has it change at ranges (m, ascending), each without a swing.
-    fn change_at(&mut self, ranges: impl Iterator<Item = f64>) {
-        self.swings.clear();
+    /// Has it change at boundaries, which ascend.
+    fn change_at(&mut self, boundaries: &[Boundary]) {
         self.toggles.clear();
-        self.toggles.extend(ranges);
+        self.toggles.extend(boundaries.iter().map(|boundary| boundary.range));
+        self.swings.clear();
+        self.swings.extend(boundaries.iter().map(|boundary| boundary.swing));
     }
 
     /// Where it changes, as the comparators see it.
@@ -127,29 +130,15 @@ impl ShadowController {
             ShadowParts::Digital { line_generators } => {
                 let asks = self.tells_lines || line_generators.is_some() || timing(0).is_some();
                 if asks {
-                    self.gates_of(
-                        &Met::<_, Known>::new(directions, shadows, Places { eye }),
-                        reach,
-                        timing,
-                        out,
-                    );
+                    let met = Met::new(directions, shadows, Places { eye });
+                    find_known(&met, line_generators, reach, timing, out);
                 } else {
-                    self.gates_of(
-                        &Met::<_, Bare>::new(directions, shadows, Places { eye }),
-                        reach,
-                        timing,
-                        out,
-                    );
+                    find_bare(&Met::new(directions, shadows, Places { eye }), reach, out);
                 }
             }
             ShadowParts::ScanConverter { .. } => {
                 let (eye, scale) = self.reading(eye);
-                self.gates_of(
-                    &Met::<_, Bare>::new(directions, shadows, Map { eye, scale }),
-                    reach,
-                    timing,
-                    out,
-                );
+                find_bare(&Met::new(directions, shadows, Map { eye, scale }), reach, out);
             }
         }
     }
@@ -169,66 +158,68 @@ impl ShadowController {
             }
         }
     }
+}
 
-    /// The same of what the sweeps meet.
-    fn gates_of<C: Crossing, T: Fn(f64) -> SweepTime, R: Fn(SweepTime) -> f64>(
-        &self,
-        met: &Met<'_, impl Sighting, C>,
-        reach: f64,
-        timing: impl Fn(u32) -> Option<LoadTiming<T, R>> + Sync,
-        out: &mut Vec<Gate>,
-    ) {
-        out.resize_with(met.sweeps(), Gate::default);
-        let room =
-            || (Crossings::new(), Vec::with_capacity(ROOM), Vec::with_capacity(ROOM), ServiceWork::new());
-        out.par_chunks_mut(BAND).enumerate().for_each_init(
-            room,
-            |(crossings, changes, boundaries, work), (band, gates)| {
-                for (sweep, gate) in (band * BAND..).zip(gates) {
-                    let crossed = crossings.of(met, sweep);
-                    // Few lie beyond.
-                    let beyond = crossed.iter().rev().take_while(|crossing| crossing.range() > reach).count();
-                    let within = crossed.len() - beyond;
-                    gate.dark_at_start = unite(crossed, within, changes);
-                    gate.united = (within - changes.len()) as u32;
-                    boundaries.clear();
-                    boundaries.extend(changes.iter().map_while(|crossing| met.boundary(sweep, *crossing)));
-                    if boundaries.len() == changes.len() {
-                        self.load(boundaries, work, reach, timing(sweep as u32), gate);
-                    } else {
-                        gate.change_at(changes.iter().map(|crossing| crossing.range()));
-                    }
-                }
-            },
-        );
-    }
+/// Gates of sweeps of which only ranges of crossings are known.
+fn find_bare(met: &Met<'_, impl Sighting, Bare>, reach: f64, out: &mut Vec<Gate>) {
+    out.resize_with(met.sweeps(), Gate::default);
+    out.par_chunks_mut(BAND).enumerate().for_each_init(SideBySide::default, |lanes, (band, gates)| {
+        for (sweep, group) in (band * BAND..).step_by(LANES).zip(gates.chunks_mut(LANES)) {
+            lanes.find(met, sweep, reach, group);
+        }
+    });
+}
 
-    fn load(
-        &self,
-        boundaries: &mut Vec<Boundary>,
-        work: &mut ServiceWork,
-        reach: f64,
-        timing: Option<LoadTiming<impl Fn(f64) -> SweepTime, impl Fn(SweepTime) -> f64>>,
-        gate: &mut Gate,
-    ) {
-        let ShadowParts::Digital { line_generators } = self.parts else {
-            return gate.change_at(iter::empty());
-        };
-        let mut load_ticks = 0;
-        let service = match timing {
-            None => serve(boundaries, line_generators, work),
-            Some(mut timing) => {
-                let service = serve_in_time(boundaries, line_generators, reach, &mut timing);
-                load_ticks = timing.line.busy();
-                service
+/// Gates of sweeps whose boundaries occupy line generators.
+fn find_known<T: Fn(f64) -> SweepTime, R: Fn(SweepTime) -> f64>(
+    met: &Met<'_, impl Sighting, Known>,
+    line_generators: Option<u32>,
+    reach: f64,
+    timing: impl Fn(u32) -> Option<LoadTiming<T, R>> + Sync,
+    out: &mut Vec<Gate>,
+) {
+    out.resize_with(met.sweeps(), Gate::default);
+    let room = || (Crossings::new(), Vec::with_capacity(ROOM), Vec::with_capacity(ROOM), ServiceWork::new());
+    out.par_chunks_mut(BAND).enumerate().for_each_init(
+        room,
+        |(crossings, changes, boundaries, work), (band, gates)| {
+            for (sweep, gate) in (band * BAND..).zip(gates) {
+                let crossed = crossings.of(met, sweep);
+                // Few lie beyond.
+                let beyond = crossed.iter().rev().take_while(|crossing| crossing.range() > reach).count();
+                let within = crossed.len() - beyond;
+                gate.dark_at_start = unite(crossed, within, changes);
+                gate.united = (within - changes.len()) as u32;
+                boundaries.clear();
+                boundaries.extend(changes.iter().map(|&crossing| met.boundary(sweep, crossing)));
+                load(boundaries, line_generators, work, reach, timing(sweep as u32), gate);
             }
-        };
-        let Service { dropped, most_in_use, misses, loads } = service;
-        (gate.dropped, gate.most_in_use, gate.load_ticks) = (dropped, most_in_use, load_ticks);
-        (gate.misses, gate.loads) = (misses, loads);
-        gate.change_at(boundaries.iter().map(|boundary| boundary.range));
-        gate.swings.extend(boundaries.iter().map(|boundary| boundary.swing));
-    }
+        },
+    );
+}
+
+/// Changes the gate of a sweep as its line generators are served.
+fn load(
+    boundaries: &mut Vec<Boundary>,
+    line_generators: Option<u32>,
+    work: &mut ServiceWork,
+    reach: f64,
+    timing: Option<LoadTiming<impl Fn(f64) -> SweepTime, impl Fn(SweepTime) -> f64>>,
+    gate: &mut Gate,
+) {
+    let mut load_ticks = 0;
+    let service = match timing {
+        None => serve(boundaries, line_generators, work),
+        Some(mut timing) => {
+            let service = serve_in_time(boundaries, line_generators, reach, &mut timing);
+            load_ticks = timing.line.busy();
+            service
+        }
+    };
+    let Service { dropped, most_in_use, misses, loads } = service;
+    (gate.dropped, gate.most_in_use, gate.load_ticks) = (dropped, most_in_use, load_ticks);
+    (gate.misses, gate.loads) = (misses, loads);
+    gate.change_at(boundaries);
 }
 
 /// Places where they are.
@@ -257,26 +248,20 @@ impl Sighting for Map {
 
 /// The I/O processor's editing: of all `crossings` of a sweep those between light and shadow, of the first `within`. Returns
 /// whether the sweep starts in shadow.
-fn unite<C: Crossing>(crossings: &[C], within: usize, out: &mut Vec<C>) -> bool {
+fn unite(crossings: &[Known], within: usize, out: &mut Vec<Known>) -> bool {
     // Outlines are closed, so beyond the last crossing there is no shadow.
-    let start = -crossings.iter().map(|crossing| crossing.step()).sum::<i32>();
+    let start = -crossings.iter().map(|&crossing| step(crossing)).sum::<i32>();
     out.clear();
-    out.resize(within, C::default());
-    let (mut depth, mut kept, mut last) = (start, 0, f64::NEG_INFINITY);
-    for crossing in &crossings[..within] {
+    let mut depth = start;
+    for &crossing in &crossings[..within] {
         let before = depth;
-        depth += crossing.step();
-        let (is_change, range) = ((before > 0) != (depth > 0), crossing.range());
-        if is_change && range - last < RESOLUTION {
-            kept -= 1;
-            last = out[..kept].last().map_or(f64::NEG_INFINITY, |last| last.range());
-            continue;
+        depth += step(crossing);
+        let is_change = (before > 0) != (depth > 0);
+        if is_change && out.last().is_some_and(|last| crossing.range() - last.range() < RESOLUTION) {
+            out.pop();
+        } else if is_change {
+            out.push(crossing);
         }
-        // Written in any case: which are changes cannot be guessed.
-        out[kept] = *crossing;
-        kept += usize::from(is_change);
-        last = if is_change { range } else { last };
     }
-    out.truncate(kept);
     start > 0
 }

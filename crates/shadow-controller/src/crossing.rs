@@ -1,8 +1,5 @@
 //! One crossing of a sweep and a line, in forms that are sorted as they are met.
 
-use crate::nearly::sort_nearly;
-use crate::network::sort_words;
-
 /// A segment: its list and its number there, less than 2^31 lists.
 pub(crate) type Place = [u32; 2];
 
@@ -14,22 +11,6 @@ pub(crate) trait Crossing: Copy + Ord + Default + Send + Sync {
 
     /// Ground range (m).
     fn range(self) -> f64;
-
-    /// Whether a shadow ends there.
-    fn ends(self) -> bool;
-
-    /// The line that is crossed, if it is known.
-    fn place(self) -> Option<Place>;
-
-    /// Sorts crossings of some lists, each nearly in order, into `sorted`; `apart` is room for that.
-    fn sort<'a>(lists: impl Iterator<Item = &'a [Self]>, sorted: &mut Vec<Self>, apart: &mut Vec<Self>)
-    where
-        Self: 'a;
-
-    /// Shadows begun (1) or ended (-1) there.
-    fn step(self) -> i32 {
-        1 - 2 * i32::from(self.ends())
-    }
 }
 
 /// A crossing of which only that is known: bits of the range without its sign, then whether a shadow ends there.
@@ -42,20 +23,6 @@ impl Crossing for Bare {
 
     fn range(self) -> f64 {
         f64::from_bits(self >> 1)
-    }
-
-    fn ends(self) -> bool {
-        self & 1 == 1
-    }
-
-    fn place(self) -> Option<Place> {
-        None
-    }
-
-    fn sort<'a>(lists: impl Iterator<Item = &'a [Self]>, sorted: &mut Vec<Self>, _: &mut Vec<Self>) {
-        sorted.clear();
-        lists.for_each(|list| sorted.extend_from_slice(list));
-        sort_words(sorted);
     }
 }
 
@@ -71,16 +38,14 @@ impl Crossing for Known {
     fn range(self) -> f64 {
         ((self >> 64) as Bare).range()
     }
+}
 
-    fn ends(self) -> bool {
-        ((self >> 64) as Bare).ends()
-    }
+/// Shadows begun (1) or ended (-1) at a crossing.
+pub(crate) fn step(crossing: Known) -> i32 {
+    1 - 2 * (crossing >> 64 & 1) as i32
+}
 
-    fn place(self) -> Option<Place> {
-        Some([(self >> 32) as u32, self as u32])
-    }
-
-    fn sort<'a>(lists: impl Iterator<Item = &'a [Self]>, sorted: &mut Vec<Self>, apart: &mut Vec<Self>) {
-        sort_nearly(lists.flatten().copied(), sorted, apart);
-    }
+/// The line that is crossed.
+pub(crate) fn place(crossing: Known) -> Place {
+    [(crossing >> 32) as u32, crossing as u32]
 }

@@ -6,10 +6,11 @@ use fearless_simd::{Level, Simd, dispatch};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use remote_shadow::{Outlines, Segment};
 
-use crate::crossing::{Crossing, Place};
+use crate::crossing::{Crossing, Known, place};
 use crate::fan::{Fan, Line, TOGETHER};
 use crate::line_generators::Boundary;
 use crate::lines::{Finder, MetLine};
+use crate::nearly::sort_nearly;
 
 /// Most parts of all lists that are looked over one by one: a few for each thread, so that none waits long for another.
 const PARTS: usize = 16;
@@ -69,22 +70,6 @@ impl<'a, F: Sighting, C: Crossing> Met<'a, F, C> {
         met
     }
 
-    /// Number of sweeps.
-    pub(crate) fn sweeps(&self) -> usize {
-        self.directions.len()
-    }
-
-    /// What a crossing of a sweep is if it parts light from shadow; `None` if its line is not known.
-    pub(crate) fn boundary(&self, sweep: usize, crossing: C) -> Option<Boundary> {
-        let line = self.line(crossing.place()?);
-        Some(Boundary::new(&line, self.directions[sweep], crossing.range()))
-    }
-
-    #[inline(always)]
-    fn line(&self, [list, number]: Place) -> Line {
-        self.sighting.line(self.lists[list as usize].segment(number as usize))
-    }
-
     /// Finds where the sweeps of the fan cross lines of some lists, the first of which is number `first`.
     #[inline(always)]
     fn part<V: Simd>(
@@ -106,6 +91,27 @@ impl<'a, F: Sighting, C: Crossing> Met<'a, F, C> {
             }
         }
         Part { crossings, ends }
+    }
+}
+
+impl<F, C> Met<'_, F, C> {
+    /// Number of sweeps.
+    pub(crate) fn sweeps(&self) -> usize {
+        self.directions.len()
+    }
+
+    /// Crossings of one sweep, part by part.
+    pub(crate) fn of(&self, sweep: usize) -> impl Iterator<Item = &[C]> {
+        self.parts.iter().map(move |part| part.of(sweep))
+    }
+}
+
+impl<F: Sighting> Met<'_, F, Known> {
+    /// What a crossing of a sweep is if it parts light from shadow.
+    pub(crate) fn boundary(&self, sweep: usize, crossing: Known) -> Boundary {
+        let [list, number] = place(crossing);
+        let line = self.sighting.line(self.lists[list as usize].segment(number as usize));
+        Boundary::new(&line, self.directions[sweep], crossing.range())
     }
 }
 
@@ -153,23 +159,23 @@ fn begins(lines: &[MetLine], sweeps: usize) -> Vec<u32> {
     begins
 }
 
-/// All crossings of a sweep; used again from sweep to sweep.
+/// All crossings of a sweep whose lines are known; used again from sweep to sweep.
 #[derive(Debug)]
-pub(crate) struct Crossings<C> {
-    crossings: Vec<C>,
-    apart: Vec<C>,
+pub(crate) struct Crossings {
+    crossings: Vec<Known>,
+    apart: Vec<Known>,
 }
 
-impl<C: Crossing> Crossings<C> {
+impl Crossings {
     /// Room for those of a sweep.
     pub(crate) fn new() -> Self {
         Self { crossings: Vec::with_capacity(ROOM), apart: Vec::with_capacity(ROOM) }
     }
 
     /// Crossings of one sweep in their order.
-    pub(crate) fn of<F>(&mut self, met: &Met<'_, F, C>, sweep: usize) -> &[C] {
+    pub(crate) fn of<F>(&mut self, met: &Met<'_, F, Known>, sweep: usize) -> &[Known] {
         // Tiles come by their distance from the eye.
-        C::sort(met.parts.iter().map(|part| part.of(sweep)), &mut self.crossings, &mut self.apart);
+        sort_nearly(met.of(sweep).flatten().copied(), &mut self.crossings, &mut self.apart);
         &self.crossings
     }
 }

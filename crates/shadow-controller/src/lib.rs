@@ -40,6 +40,7 @@ mod line_generators;
 mod lines;
 mod nearly;
 mod network;
+mod side_by_side;
 mod wired;
 
 pub use controller::{Gate, RESOLUTION, ShadowController};

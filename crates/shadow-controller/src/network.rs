@@ -1,11 +1,16 @@
-//! Sorting words in vectors: a network of comparators asks nothing that could be guessed wrong.
+//! Sorting words in columns, side by side: a network of comparators asks nothing that could be guessed wrong.
 
 use fearless_simd::prelude::SimdBase;
-use fearless_simd::{Level, Simd, dispatch, u64x8};
-use signal::{LANES, turn_square};
+use fearless_simd::{Simd, u64x8};
+use signal::LANES;
 
-/// Words that are sorted in as many vectors as each has lanes.
-const BLOCK: usize = LANES * LANES;
+/// A word of each column.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(align(64))]
+pub(crate) struct Row(pub(crate) [u64; LANES]);
+
+/// Rows that are sorted where they are loaded to.
+pub(crate) const BLOCK: usize = 8;
 
 /// Batcher's network for eight.
 const EIGHT: [[usize; 2]; 19] = [
@@ -30,150 +35,86 @@ const EIGHT: [[usize; 2]; 19] = [
     [5, 6],
 ];
 
-/// Sorts `words`.
-pub(crate) fn sort_words(words: &mut Vec<u64>) {
-    let count = words.len();
-    // What is added goes to the end.
-    words.resize(count.next_power_of_two().max(BLOCK), u64::MAX);
-    dispatch!(Level::new(), simd => sort_blocks(simd, words));
-    words.truncate(count);
-}
-
+/// Sorts each column of `rows`, whole blocks of them.
 #[inline(always)]
-fn sort_blocks<V: Simd>(simd: V, words: &mut [u64]) {
-    for block in words.chunks_exact_mut(BLOCK) {
-        let mut rows = [u64x8::splat(simd, 0); LANES];
-        load(simd, block, &mut rows);
-        sort_rows(&mut rows);
-        store(&rows, block);
+pub(crate) fn sort_columns<V: Simd>(simd: V, rows: &mut [Row]) {
+    for block in rows.chunks_exact_mut(BLOCK) {
+        sort_block(simd, block);
     }
     let mut sorted = BLOCK;
-    while sorted < words.len() {
+    while sorted < rows.len() {
+        merge(simd, rows, sorted);
         sorted *= 2;
-        words.chunks_exact_mut(sorted).for_each(|both| merge(simd, both));
     }
 }
 
-/// Sorts a block: columns first, which turned are rows, then rows two by two.
 #[inline(always)]
-fn sort_rows<V: Simd>(rows: &mut [u64x8<V>; LANES]) {
-    for [a, b] in EIGHT {
-        compare(rows, a, b);
+fn sort_block<V: Simd>(simd: V, block: &mut [Row]) {
+    let mut rows = [u64x8::splat(simd, 0); BLOCK];
+    for n in 0..BLOCK {
+        rows[n] = u64x8::load_array_ref(simd, &block[n].0);
     }
-    turn_square(rows);
-    merge_rows::<V, 1>(rows);
-    merge_rows::<V, 2>(rows);
-    merge_rows::<V, 4>(rows);
+    for &[a, b] in &EIGHT {
+        (rows[a], rows[b]) = (rows[a].min(rows[b]), rows[a].max(rows[b]));
+    }
+    for n in 0..BLOCK {
+        rows[n].store_array(&mut block[n].0);
+    }
 }
 
-/// Merges rows, of which so many times `SORTED` are sorted (bitonic).
+/// Merges rows of which so many are `sorted`, two times as many each time (Batcher's odd-even merge).
 #[inline(always)]
-fn merge_rows<V: Simd, const SORTED: usize>(rows: &mut [u64x8<V>; LANES]) {
-    for n in 0..LANES {
-        if n & SORTED == 0 {
-            compare_turned(rows, n, n ^ (2 * SORTED - 1));
-        }
-    }
-    clean::<V, SORTED>(rows);
-    clean_lanes(rows);
-}
-
-/// Merges the sorted halves of `words`, each of some blocks (bitonic).
-#[inline(always)]
-fn merge<V: Simd>(simd: V, words: &mut [u64]) {
-    let rows = words.len() / LANES;
-    for n in 0..rows / 2 {
-        with_two(simd, words, [n, rows - 1 - n], |pair| compare_turned(pair, 0, 1));
-    }
-    let mut apart = rows / 4;
-    while apart >= LANES {
-        for n in (0..rows).filter(|n| n & apart == 0) {
-            with_two(simd, words, [n, n + apart], |pair| compare(pair, 0, 1));
+fn merge<V: Simd>(simd: V, rows: &mut [Row], sorted: usize) {
+    let mut apart = sorted;
+    while apart > 0 {
+        let first = apart % sorted;
+        for begin in (first..rows.len().saturating_sub(apart)).step_by(2 * apart) {
+            // Those behind the last of a merge are the next one's.
+            if !(begin + apart).is_multiple_of(2 * sorted) {
+                compare_apart(simd, &mut rows[begin..], apart);
+            }
         }
         apart /= 2;
     }
-    for block in words.chunks_exact_mut(BLOCK) {
-        let mut rows = [u64x8::splat(simd, 0); LANES];
-        load(simd, block, &mut rows);
-        clean::<V, LANES>(&mut rows);
-        clean_lanes(&mut rows);
-        store(&rows, block);
-    }
 }
 
-/// The lesser of two rows, lane by lane, goes to the first place.
+/// The lesser of two words go to the first `apart` rows, the greater to those behind them, as far as there are any.
 #[inline(always)]
-fn compare<V: Simd>(rows: &mut [u64x8<V>], a: usize, b: usize) {
-    (rows[a], rows[b]) = (rows[a].min(rows[b]), rows[a].max(rows[b]));
-}
-
-/// The same with the second row the other way round.
-#[inline(always)]
-fn compare_turned<V: Simd>(rows: &mut [u64x8<V>], a: usize, b: usize) {
-    rows[b] = rows[b].reverse();
-    compare(rows, a, b);
-    rows[b] = rows[b].reverse();
-}
-
-/// Brings bitonic rows, so many times `COUNT` of them, into order but for their lanes.
-#[inline(always)]
-fn clean<V: Simd, const COUNT: usize>(rows: &mut [u64x8<V>; LANES]) {
-    for apart in [4, 2, 1] {
-        for n in 0..LANES {
-            if apart < COUNT && n & apart == 0 {
-                compare(rows, n, n + apart);
-            }
-        }
-    }
-}
-
-/// Brings the lanes of bitonic rows into order.
-#[inline(always)]
-fn clean_lanes<V: Simd>(rows: &mut [u64x8<V>; LANES]) {
-    turn_square(rows);
-    clean::<V, LANES>(rows);
-    turn_square(rows);
-}
-
-#[inline(always)]
-fn with_two<V: Simd>(simd: V, words: &mut [u64], at: [usize; 2], act: impl FnOnce(&mut [u64x8<V>])) {
-    let place = |row: usize| LANES * row..LANES * (row + 1);
-    let mut pair = at.map(|row| u64x8::from_slice(simd, &words[place(row)]));
-    act(&mut pair);
-    for (row, value) in at.into_iter().zip(pair) {
-        value.store_slice(&mut words[place(row)]);
-    }
-}
-
-#[inline(always)]
-fn load<V: Simd>(simd: V, block: &[u64], rows: &mut [u64x8<V>; LANES]) {
-    for (row, words) in rows.iter_mut().zip(block.chunks_exact(LANES)) {
-        *row = u64x8::from_slice(simd, words);
-    }
-}
-
-#[inline(always)]
-fn store<V: Simd>(rows: &[u64x8<V>; LANES], block: &mut [u64]) {
-    for (row, words) in rows.iter().zip(block.chunks_exact_mut(LANES)) {
-        row.store_slice(words);
+fn compare_apart<V: Simd>(simd: V, rows: &mut [Row], apart: usize) {
+    let (low, high) = rows.split_at_mut(apart);
+    for (low, high) in low.iter_mut().zip(high) {
+        let [a, b] = [&*low, high].map(|row| u64x8::load_array_ref(simd, &row.0));
+        a.min(b).store_array(&mut low.0);
+        a.max(b).store_array(&mut high.0);
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::sort_words;
+    use fearless_simd::{Level, dispatch};
     use proptest::prelude::{any, prop_assert_eq, proptest};
+    use signal::LANES;
+
+    use super::{BLOCK, Row, sort_columns};
 
     proptest! {
-        /// Any words, equal ones among them, in any number from none to some blocks.
+        /// Any words, equal ones among them, in any number of blocks.
         #[test]
-        fn words_are_sorted(words in proptest::collection::vec((any::<bool>(), any::<u64>()), 0..700)) {
-            let words: Vec<u64> = words.into_iter().map(|(few, word)| if few { word % 9 } else { word }).collect();
-            let mut expected = words.clone();
-            expected.sort_unstable();
-            let mut sorted = words;
-            sort_words(&mut sorted);
-            prop_assert_eq!(sorted, expected);
+        fn columns_are_sorted(
+            blocks in 0..20usize,
+            words in proptest::collection::vec((any::<bool>(), any::<u64>()), 20 * BLOCK * LANES),
+        ) {
+            let word = |n: usize| { let (few, word) = words[n]; if few { word % 9 } else { word } };
+            let mut rows: Vec<Row> = (0..blocks * BLOCK)
+                .map(|row| Row(std::array::from_fn(|lane| word(row * LANES + lane))))
+                .collect();
+            let column = |rows: &[Row], lane: usize| rows.iter().map(|row| row.0[lane]).collect::<Vec<_>>();
+            let mut expected: Vec<_> = (0..LANES).map(|lane| column(&rows, lane)).collect();
+            expected.iter_mut().for_each(|column| column.sort_unstable());
+            dispatch!(Level::new(), simd => sort_columns(simd, &mut rows));
+            for (lane, expected) in expected.iter().enumerate() {
+                prop_assert_eq!(&column(&rows, lane), expected);
+            }
         }
     }
 }
