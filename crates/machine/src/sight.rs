@@ -59,8 +59,9 @@ impl InSight {
         let eye = DVec3::from_array(plan.eye);
         let distance = |number: u32| body(number).centre.distance(eye);
         let bodies = std::mem::take(&mut self.bodies);
+        let edges = plan.edges();
         let (mut ahead, beside): (Vec<u32>, _) =
-            bodies.into_iter().partition(|&number| is_ahead(plan, body(number)));
+            bodies.into_iter().partition(|&number| is_ahead(eye, edges, body(number)));
         ahead.sort_by(|&a, &b| distance(a).total_cmp(&distance(b)));
         let mut left = vertices;
         ahead.retain(|&number| {
@@ -75,10 +76,9 @@ impl InSight {
     }
 }
 
-/// Whether a body reaches into the sector of the sweeps.
-fn is_ahead(plan: &FramePlan, body: &Body) -> bool {
-    let [[ln, le], [rn, re]] = plan.edges();
-    let [north, east] = [body.centre.x - plan.eye[0], body.centre.y - plan.eye[1]];
+/// Whether a body reaches into the sector between two directions, as seen from `eye` (m).
+fn is_ahead(eye: DVec3, [[ln, le], [rn, re]]: [[f64; 2]; 2], body: &Body) -> bool {
+    let [north, east] = [body.centre.x - eye.x, body.centre.y - eye.y];
     let (right_of_left, left_of_right) = (ln * east - le * north, north * re - east * rn);
     right_of_left > -body.radius && left_of_right > -body.radius
 }
@@ -90,7 +90,9 @@ pub(crate) fn vertices(stage: &Stage, blocks: &Blocks, plan: &FramePlan, time: f
         return 0;
     }
     let (eye, sight, mut beyond) = (DVec3::from_array(plan.eye), sight(stage), LeftOut::default());
-    let mut is_wanted = |body: &Body| is_ahead(plan, body) && sight.resolves(eye, body, &mut beyond);
+    // Once a frame: the compiler does not always see that all bodies have the same.
+    let edges = plan.edges();
+    let mut is_wanted = |body: &Body| is_ahead(eye, edges, body) && sight.resolves(eye, body, &mut beyond);
     stage.scenery.bodies(time).filter(|body| is_wanted(body)).map(|body| body.vertices().len() as u64).sum()
 }
 
