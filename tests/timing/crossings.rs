@@ -2,13 +2,13 @@
 
 use std::f64::consts::{PI, SQRT_2};
 
-use dpu::{CrossingService, TimedFold};
+use dpu::CrossingService;
 use hardware_model::CrossingServer;
 use landscape::Level;
 use lunoid_tests::{Dice, Scene};
 use machine::ControlPlane;
 use quantities::radians;
-use sweep_generator::{Folds, RangeTable, set_up};
+use sweep_generator::{RangeTable, TimedFolds, set_up};
 use sweep_program::{
     Colour, Event, Load, PreloadRegister, RampAxis, RegisterSet, SweepProgram, SweepStart, Target, WordMask,
 };
@@ -107,11 +107,7 @@ fn program(level: &Level, foot: [f64; 2], direction: [f64; 2]) -> SweepProgram {
     };
     let start = set_up(foot, direction);
     let table = RangeTable::new(&settings.range, 1000);
-    let folds = Folds::new(&start).map(|(regions, fold)| {
-        let range = regions * SIZE;
-        TimedFold { time: table.time_of(range), range, fold }
-    });
-    let folds = folds.take_while(|fold| fold.range <= RANGE);
+    let folds = TimedFolds::new(&start, SIZE, &table, RANGE);
     let mut program = blank(start);
     service.write_program((0, 0), start, folds, RANGE, |time| table.range_at(time), &mut program, &mut ());
     program
