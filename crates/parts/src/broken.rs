@@ -16,53 +16,55 @@ pub struct Jump {
     pub after: f64,
 }
 
-/// Value of a signal just before and just after `time` (steps): `sample` gives it at the samples 0 to `last`, `jumps` are
-/// ascending. Before the first sample and behind the last it stands.
-pub fn broken_at(sample: impl Fn(usize) -> f64, last: usize, jumps: &[Jump], time: f64) -> [f64; 2] {
-    if time <= 0.0 {
-        return [sample(0); 2];
+/// Value at `time` (steps) of a signal without jumps: `sample` gives it at the samples 0 to `last`. Before the first sample and
+/// behind the last it stands.
+#[inline]
+pub fn straight_at(sample: impl Fn(usize) -> f64, last: usize, time: f64) -> f64 {
+    let end = step_of(time.max(0.0));
+    if end == 0 {
+        return sample(0);
     }
-    let end = step_of(time).min(last);
-    if time > last as f64 || end == 0 {
-        return [sample(last); 2];
+    if end > last {
+        return sample(last);
     }
-    let begin = (end - 1) as f64;
-    let first = jumps.partition_point(|jump| jump.at < time);
-    let behind = first + jumps[first..].partition_point(|jump| jump.at <= time);
-    let line = |from: Option<&Jump>, to: Option<&Jump>| {
-        let (start, value) = from.map_or((begin, sample(end - 1)), |jump| (jump.at, jump.after));
-        let (stop, target) = to.map_or((end as f64, sample(end)), |jump| (jump.at, jump.before));
-        if stop > start { value + (target - value) * ((time - start) / (stop - start)) } else { target }
-    };
-    let passed = jumps[..first].last().filter(|jump| jump.at >= begin);
-    if first == behind {
-        return [line(passed, jumps.get(behind).filter(|jump| jump.at <= end as f64)); 2];
-    }
-    [jumps[first].before, jumps[behind - 1].after]
+    let from = sample(end - 1);
+    from + (sample(end) - from) * (time - (end - 1) as f64)
 }
 
-/// Jumps of a signal as time goes on: those that [`broken_at`] needs, without a search.
+/// A signal with jumps as time goes on.
 #[derive(Debug, Clone)]
 pub struct NearJumps<'a> {
-    /// From the first that has not been passed.
-    ahead: &'a [Jump],
+    jumps: &'a [Jump],
+    /// Jumps that have been passed.
+    passed: usize,
 }
 
 impl<'a> NearJumps<'a> {
-    /// Of ascending jumps.
+    /// Of ascending jumps, from the start of the sweep.
     pub fn new(jumps: &'a [Jump]) -> Self {
-        Self { ahead: jumps }
+        Self { jumps, passed: 0 }
     }
 
-    /// Those of the step in which `time` (steps) lies; not earlier than the step before it was asked for.
+    /// Value of the signal just before and just after `time` (steps), not earlier than it was asked for before; `sample` and
+    /// `last` as those of [`straight_at`].
     #[inline]
-    pub fn at(&mut self, time: f64) -> &'a [Jump] {
-        let end = step_of(time.max(0.0)) as f64;
-        while self.ahead.first().is_some_and(|jump| jump.at < end - 1.0) {
-            self.ahead = &self.ahead[1..];
+    pub fn at(&mut self, sample: impl Fn(usize) -> f64, last: usize, time: f64) -> [f64; 2] {
+        while self.jumps.get(self.passed).is_some_and(|jump| jump.at < time) {
+            self.passed += 1;
         }
-        let count = self.ahead.iter().take_while(|jump| jump.at <= end).count();
-        &self.ahead[..count]
+        let (end, (passed, ahead)) = (step_of(time.max(0.0)), self.jumps.split_at(self.passed));
+        if end == 0 || end > last {
+            return [straight_at(sample, last, time); 2];
+        }
+        let here = ahead.iter().take_while(|jump| jump.at <= time).count();
+        if here > 0 {
+            return [ahead[0].before, ahead[here - 1].after];
+        }
+        let from = passed.last().filter(|jump| jump.at >= (end - 1) as f64);
+        let to = ahead.first().filter(|jump| jump.at <= end as f64);
+        let (start, value) = from.map_or(((end - 1) as f64, sample(end - 1)), |jump| (jump.at, jump.after));
+        let (stop, target) = to.map_or((end as f64, sample(end)), |jump| (jump.at, jump.before));
+        [if stop > start { value + (target - value) * ((time - start) / (stop - start)) } else { target }; 2]
     }
 }
 
@@ -99,7 +101,7 @@ impl Delay {
                 let beyond = (end + ROUNDING) as usize + 1;
                 for index in first.max(next)..beyond.min(signal.len()) {
                     let time = index as f64 - late;
-                    let [_, after] = broken_at(value, last, near.at(time), time);
+                    let [_, after] = near.at(value, last, time);
                     signal[index][lane] = S::from_f64(after);
                     next = index + 1;
                 }
@@ -110,7 +112,7 @@ impl Delay {
     }
 }
 
-/// Signals of a group `late` steps later, as if they did not jump: what [`broken_at`] has then.
+/// Signals of a group `late` steps later, as if they did not jump: what [`straight_at`] has.
 #[inline(always)]
 fn straight<S: Real>(late: f64, before: &[Lanes<S>], signal: &mut [Lanes<S>]) {
     for (index, signal) in signal.iter_mut().enumerate() {
@@ -132,7 +134,7 @@ fn straight<S: Real>(late: f64, before: &[Lanes<S>], signal: &mut [Lanes<S>]) {
 mod tests {
     use signal::{LANES, Lanes};
 
-    use super::{Jump, NearJumps, broken_at};
+    use super::{Jump, NearJumps};
     use crate::Delay;
 
     const SAMPLES: [f64; 5] = [0.0, 1.0, 2.0, 7.0, 8.0];
@@ -140,7 +142,7 @@ mod tests {
         [Jump { at: 2.25, before: 2.5, after: 6.0 }, Jump { at: 2.5, before: 6.5, after: 6.5 }];
 
     fn at(time: f64) -> [f64; 2] {
-        broken_at(|k| SAMPLES[k], 4, &JUMPS, time)
+        NearJumps::new(&JUMPS).at(|k| SAMPLES[k], 4, time)
     }
 
     #[test]
@@ -156,7 +158,7 @@ mod tests {
         let mut near = NearJumps::new(&JUMPS);
         for k in -10..60 {
             let time = f64::from(k) * 0.125;
-            assert_eq!(broken_at(|k| SAMPLES[k], 4, near.at(time), time), at(time), "{time}");
+            assert_eq!(near.at(|k| SAMPLES[k], 4, time), at(time), "{time}");
         }
     }
 
@@ -168,7 +170,7 @@ mod tests {
             let (jumps, out) = (&jumps[3], out.map(|out| out[3]));
             for k in 0..40 {
                 let time = late + f64::from(k) * 0.1 + 0.03;
-                let [value, _] = broken_at(|k| out[k], 4, jumps, time);
+                let [value, _] = NearJumps::new(jumps).at(|k| out[k], 4, time);
                 // Bends of a delayed signal lie between samples too: only jumps are kept as such.
                 let near = [1.0, 2.0, 3.0].iter().any(|bend| (time - late - bend).abs() < 1.0);
                 assert!(time > 4.0 || near || (value - at(time - late)[0]).abs() < 1e-12, "{late} {time}");
@@ -209,7 +211,8 @@ mod tests {
             for (sample, out) in out.iter().enumerate() {
                 for lane in 0..LANES {
                     let value = |k: usize| before[k][lane];
-                    let [_, right] = broken_at(value, samples - 1, &jumps[lane], sample as f64 - late);
+                    let [_, right] =
+                        NearJumps::new(&jumps[lane]).at(value, samples - 1, sample as f64 - late);
                     assert_eq!(out[lane], right, "round {round}, lane {lane}, sample {sample}");
                 }
             }

@@ -114,8 +114,11 @@ impl<S: Real> Driver<S> {
         let Jumps { lists: jumps, lags } = jumps;
         let mut state = State { u: first, y: first };
         let (mut passed, mut sample) = ([0; LANES], 1);
+        let ahead = |jumps: &[Jump], passed: usize| jumps.get(passed).map_or(f64::INFINITY, |jump| jump.at);
+        let mut next: [f64; LANES] = array::from_fn(|lane| ahead(&jumps[lane], 0));
         while sample < signal.len() {
-            let due = next_step(jumps, &passed).clamp(sample, signal.len());
+            let soonest = next.iter().fold(signal.len() as f64, |soonest, &at| soonest.min(at));
+            let due = step_of(soonest.max(sample as f64));
             Self::follow(simd, [self], [&mut signal[sample..due]], array::from_mut(&mut state));
             if let Some(now) = signal.get_mut(due) {
                 let (before, inputs) = (state, *now);
@@ -123,20 +126,23 @@ impl<S: Real> Driver<S> {
                     None => self.lag(now, &mut state),
                     Some(bounds) => self.slew_step(now, &mut state, bounds),
                 }
-                for (lane, jumps) in jumps.iter_mut().enumerate() {
-                    let own = &mut jumps[passed[lane]..];
-                    let count = own.iter().take_while(|jump| step_of(jump.at) <= due).count();
-                    if let Some(&Jump { at, after, .. }) = own[..count].last() {
-                        let lags = &lags[lane][passed[lane]..];
-                        passed[lane] += count;
-                        if at == due as f64 {
-                            // At the sample itself: the input goes on from behind it.
-                            state.u[lane] = S::from_f64(after);
-                        }
-                        let begin = (due as f64 - 1.0, before.u[lane].to_f64(), before.y[lane].to_f64());
-                        now[lane] =
-                            S::from_f64(self.through(&mut own[..count], lags, begin, inputs[lane].to_f64()));
+                let end = due as f64;
+                for lane in 0..LANES {
+                    if next[lane] > end {
+                        continue;
                     }
+                    let own = &mut jumps[lane][passed[lane]..];
+                    let count = own.iter().take_while(|jump| jump.at <= end).count();
+                    let (own, lags) = (&mut own[..count], &lags[lane][passed[lane]..]);
+                    let last = own[count - 1];
+                    if last.at == end {
+                        // At the sample itself: the input goes on from behind it.
+                        state.u[lane] = S::from_f64(last.after);
+                    }
+                    let begin = (end - 1.0, before.u[lane].to_f64(), before.y[lane].to_f64());
+                    now[lane] = S::from_f64(self.through(own, lags, begin, inputs[lane].to_f64()));
+                    passed[lane] += count;
+                    next[lane] = ahead(&jumps[lane], passed[lane]);
                 }
                 state.y = *now;
             }
@@ -306,6 +312,7 @@ impl Jumps {
     }
 
     /// Lags of time constant `tau` (steps) for the parts of steps around each jump, several side by side.
+    #[inline(always)]
     fn prepare(&mut self, tau: f64) {
         for (jumps, lags) in self.lists.iter().zip(&mut self.lags) {
             lags.clear();
@@ -319,7 +326,9 @@ impl Jumps {
                     let passed = place(k).checked_sub(1).map_or(0.0, |passed| jumps[passed].at);
                     (before[k], rest[k]) = ((at - passed.max(end - 1.0)).max(0.0), (end - at).max(0.0));
                 }
-                let [before, rest] = [before, rest].map(|lengths| LagSteps::new(lengths, [tau; LANES]));
+                // No `map` of both: its closure would be called, without the vectors of its caller.
+                let before = LagSteps::new(before, [tau; LANES]);
+                let rest = LagSteps::new(rest, [tau; LANES]);
                 let lag = |of: &LagSteps<LANES>, k: usize| LagStep {
                     keep: of.keep[k],
                     from: of.from[k],
@@ -361,10 +370,4 @@ impl<S: Real> Range<S> {
     fn leaves(&self, bound: S) -> bool {
         (0..LANES).fold(false, |any, lane| any | (self.least.0[lane] < -bound) | (self.most.0[lane] > bound))
     }
-}
-
-/// The first step with a jump that has not been passed.
-fn next_step(jumps: &[Vec<Jump>; LANES], passed: &[usize; LANES]) -> usize {
-    let ahead = jumps.iter().zip(passed).filter_map(|(jumps, &passed)| jumps.get(passed));
-    ahead.map(|jump| step_of(jump.at)).min().unwrap_or(usize::MAX)
 }

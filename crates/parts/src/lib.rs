@@ -54,7 +54,7 @@ mod whole;
 mod wire;
 
 pub use amplifier::{Amplifier, AmplifierLaw, AmplifierState, summing_time_constant};
-pub use broken::{Jump, NearJumps, broken_at};
+pub use broken::{Jump, NearJumps, straight_at};
 pub use comparator::{Comparator, ComparatorLaw, ComparatorState, GateEdge, Trip};
 pub use converter::{Converter, ConverterLanes, ConverterLaw, ConverterState, carry_weight};
 pub use delay::Delay;

@@ -1,7 +1,7 @@
 //! The processor of parts, from height to the wires of the write beam.
 
 use hardware_model::AnalogParts;
-use parts::{Delay, Jump, LagStep, NearJumps, broken_at, time_constant};
+use parts::{Delay, Jump, LagStep, NearJumps, time_constant};
 use scenario::{Curvature, Occlusion};
 use signal::{Break, Breaks, LANES, Lanes, Real, Stretches};
 
@@ -226,8 +226,7 @@ impl<S: Real> PartsProcessor<S> {
             let behind = place.sample.saturating_add(self.video.whole);
             if behind <= last {
                 let video = |sample: usize| reflectivity[sample][lane].to_f64();
-                let time = behind as f64 - late;
-                let [_, value] = broken_at(video, last, near.at(time), time);
+                let [_, value] = near.at(video, last, behind as f64 - late);
                 out.intensity[behind][lane] = S::from_f64(value);
             }
             let at = jump.at + late;

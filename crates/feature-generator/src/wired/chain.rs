@@ -129,13 +129,26 @@ struct AtWork {
     chain: Chain,
     /// Outputs below which it is at rest.
     rest: [f64; 3],
+    /// The first sample behind its first circle, with the number of the kink there; none if that is beyond the sweep.
+    begin: Option<(usize, usize)>,
+    /// What it is in at the first sample.
+    zone: Zone,
+    /// Range of its last circle (m).
+    last: f64,
 }
 
 impl AtWork {
     fn new(crater: &Crater, load: &FeatureLoad, chain: &Chain) -> Self {
         let height = AT_REST * (crater.depth() + crater.rim());
         let slope = height / crater.foot();
-        Self { law: SubGenerator::new(crater, load), chain: *chain, rest: [height, slope, slope] }
+        Self {
+            law: SubGenerator::new(crater, load),
+            chain: *chain,
+            rest: [height, slope, slope],
+            begin: None,
+            zone: Zone::Outside,
+            last: f64::INFINITY,
+        }
     }
 }
 
@@ -158,7 +171,8 @@ struct Walk {
 }
 
 impl Sweep<'_> {
-    /// Presence at the samples, and kinks where a sub-generator changes its zone between two; their values come later.
+    /// Presence at the samples, and kinks where a sub-generator changes its zone between two, whose values come later; where
+    /// each is at work.
     fn find_kinks<S: Real>(&self, scratch: &mut ChainScratch<S>, profile: &mut FeatureProfile<S>) {
         scratch.marks.clear();
         let (mut inside, mut sample) = (0_i32, 0);
@@ -166,9 +180,12 @@ impl Sweep<'_> {
             let next = sample + step.sample(&self.ranges[sample..]);
             self.be_present(inside, sample..next, profile);
             sample = next;
+            let own = &mut scratch.at_work[step.load() as usize];
+            own.last = step.range();
             if sample >= self.ranges.len() {
-                return;
+                continue;
             }
+            own.begin.get_or_insert((sample, profile.kinks[self.lane].len()));
             let before = inside > 0;
             let [from, to] = step.zones();
             inside += i32::from(from == Zone::Outside) - i32::from(to == Zone::Outside);
@@ -184,6 +201,8 @@ impl Sweep<'_> {
                     after: [S::ZERO; 2],
                     present: [before, inside > 0],
                 });
+            } else {
+                own.zone = to;
             }
         }
         self.be_present(inside, sample..self.ranges.len(), profile);
@@ -211,17 +230,11 @@ impl Sweep<'_> {
 
     /// Adds what one sub-generator puts out to samples and kinks.
     fn draw<S: Real>(&self, load: u32, scratch: &mut ChainScratch<S>, profile: &mut FeatureProfile<S>) {
-        let ChainScratch { at_work, steps, marks, lit, .. } = scratch;
-        let AtWork { law, chain, rest } = &at_work[load as usize];
-        let mut own = steps.iter().filter(|step| step.load() == load).peekable();
-        let Some(first) = own.peek().map(|step| step.sample(self.ranges)) else { return };
-        let mut walk = Walk { chain: *chain, zone: Zone::Outside, share: 0.0, u: [0.0; 3], y: [0.0; 3] };
-        while let Some(step) = own.next_if(|step| step.sample(self.ranges) == 0) {
-            walk.zone = step.zones()[1];
-        }
-        let last_step = steps.iter().rfind(|step| step.load() == load).map_or(0.0, |step| step.range());
+        let ChainScratch { at_work, marks, lit, .. } = scratch;
+        let AtWork { law, chain, rest, begin, zone, last } = &at_work[load as usize];
+        let &Some((first, mut next)) = begin else { return };
+        let mut walk = Walk { chain: *chain, zone: *zone, share: 0.0, u: [0.0; 3], y: [0.0; 3] };
         let kinks = &mut profile.kinks[self.lane];
-        let mut next = kinks.partition_point(|kink| kink.sample < first.max(1));
         for sample in first..self.ranges.len() {
             let range = self.ranges[sample];
             if sample == 0 {
@@ -239,7 +252,7 @@ impl Sweep<'_> {
                 signal[sample][self.lane] += S::from_f64(walk.chain.gain * value);
             }
             lit[sample][self.lane] = S::ONE;
-            if range > last_step && walk.is_at_rest(rest) {
+            if range > *last && walk.is_at_rest(rest) {
                 break;
             }
         }

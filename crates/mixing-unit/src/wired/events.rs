@@ -2,7 +2,7 @@
 
 use fearless_simd::prelude::{SimdBase, SimdFrom, SimdMask};
 use fearless_simd::{Level, Simd, dispatch};
-use parts::{Fade, Jump, NearFade, NearJumps, broken_at};
+use parts::{Fade, Jump, NearFade, NearJumps, straight_at};
 use scenario::TextureInShadow;
 use signal::{Break, LANES, Lanes, Real};
 
@@ -179,9 +179,11 @@ impl<S: Real> Between<'_, S> {
     fn signed(&self, time: f64, sample: usize, near: &mut Near<'_>) -> [f64; 2] {
         let Self { mixer, inputs, scratch, lane } = *self;
         let ground = |sample: usize| inputs.reflectivity[sample][lane].to_f64();
-        let mut value = broken_at(ground, inputs.reflectivity.len() - 1, &[], time);
+        let mut value = [straight_at(ground, inputs.reflectivity.len() - 1, time); 2];
         if inputs.features.is_some() {
-            let [before, after] = self.features(time, near.jumps.at(time));
+            // Input S of VS1.
+            let video = |sample: usize| scratch.video[sample][lane].to_f64();
+            let [before, after] = near.jumps.at(video, scratch.video.len() - 1, time);
             let g = near.fades[0].at(time);
             let out = |side: usize, s: f64| {
                 mixer.vs1.output([g[side], value[side], s], &scratch.leaks[0], sample, lane)
@@ -197,13 +199,6 @@ impl<S: Real> Between<'_, S> {
     fn texture(&self, time: f64, sample: usize) -> f64 {
         let share = S::from_f64(time - (sample - 1) as f64);
         texture_at(self.inputs.texture.unwrap_or_default(), self.lane, sample, share).to_f64()
-    }
-
-    /// Input S of VS1.
-    fn features(&self, time: f64, jumps: &[Jump]) -> [f64; 2] {
-        let Self { scratch, lane, .. } = *self;
-        let video = |sample: usize| scratch.video[sample][lane].to_f64();
-        broken_at(video, scratch.video.len() - 1, jumps, time)
     }
 }
 
@@ -234,7 +229,7 @@ pub(crate) fn jumps<S: Real>(inputs: &Inputs<'_, S>, lane: usize, jumps: &mut Ve
             if kink.present[side] || beside > S::ZERO {
                 kink.feature[side].to_f64()
             } else {
-                broken_at(ground, last, &[], at)[side]
+                straight_at(ground, last, at)
             }
         };
         Jump { at, before: side(0), after: side(1) }

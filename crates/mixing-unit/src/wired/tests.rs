@@ -3,7 +3,7 @@
 use std::array;
 
 use hardware_model::{AnalogParts, Gate, MixingParts};
-use parts::{Jump, Spread, Tolerance, broken_at, relative_sigma, time_constant};
+use parts::{Jump, NearJumps, Spread, Tolerance, relative_sigma, time_constant};
 use proptest::prelude::{any, prop_assert, prop_assert_eq, prop_assume, proptest};
 use scenario::TextureInShadow;
 use signal::{Break, LANES, Lanes, Real};
@@ -55,7 +55,7 @@ impl Seen {
 
     /// Just before and just after `time` (samples).
     fn at(&self, time: f64) -> [f64; 2] {
-        broken_at(|sample| self.samples[sample], SAMPLES - 1, &self.jumps, time)
+        NearJumps::new(&self.jumps).at(|sample| self.samples[sample], SAMPLES - 1, time)
     }
 
     /// Ends of the straight pieces: instant, value behind it, value before the next.
