@@ -107,12 +107,12 @@ impl EightStretches {
     /// Samples that any sweep has, and those that all have, an even number.
     #[inline(always)]
     fn spans(&self) -> [Range<usize>; 2] {
-        let (mut any, mut all) = (u32::MAX..0, 0..u32::MAX);
+        let (mut any, mut all) = ([u32::MAX, 0], [0, u32::MAX]);
         for (&begin, &end) in self.begins.iter().zip(&self.ends) {
-            any = any.start.min(begin)..any.end.max(end);
-            all = all.start.max(begin)..all.end.min(end);
+            any = [any[0].min(begin), any[1].max(end)];
+            all = [all[0].max(begin), all[1].min(end)];
         }
-        let [any, all] = [any, all].map(|span| span.start as usize..span.end as usize);
+        let [any, all] = [any, all].map(|[begin, end]| begin as usize..end as usize);
         let all = if all.is_empty() { any.end..any.end } else { all.start..all.end - all.len() % 2 };
         [any, all]
     }
