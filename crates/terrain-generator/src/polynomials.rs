@@ -87,6 +87,7 @@ impl<S: Real> Polynomials<S> {
         end: usize,
         profile: &mut Profile<S>,
     ) -> bool {
+        self.regions.make_room();
         let mut any = false;
         for (lane, walk) in walks.iter_mut().enumerate() {
             self.stretches.leave_out(lane);

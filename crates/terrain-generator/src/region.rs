@@ -62,9 +62,12 @@ fn words_along_y(hold: [&CornerWords; 4], polarity: f64, a: usize, p: usize) -> 
 /// Regions that are found again.
 const KEPT: usize = 32;
 
+/// Regions that stay: more than neighbouring sweeps meet in turns, and few enough for the cache.
+const MOST: usize = 64;
+
 /// Regions that the sweeps of a group meet: neighbours meet the same ones, and find them made. One is found by the corners that
-/// the hold registers have and by the polarity, which are all that it is made from. Each has a number, and stays until the next
-/// group.
+/// the hold registers have and by the polarity, which are all that it is made from. Each has a number, and stays until there are
+/// too many, or the next group.
 #[derive(Debug, Clone)]
 pub(crate) struct GroupRegions {
     /// What the regions that are found again are made of, and their numbers.
@@ -86,6 +89,13 @@ impl GroupRegions {
     pub fn forget(&mut self) {
         self.made_of = [NOTHING; KEPT];
         self.regions.clear();
+    }
+
+    /// Makes room for those of the next stretches: numbers that were told before may mean others from now on.
+    pub fn make_room(&mut self) {
+        if self.regions.len() > MOST {
+            self.forget();
+        }
     }
 
     /// The number of the region of the words that the registers hold; `buffer` is the storage buffer.
