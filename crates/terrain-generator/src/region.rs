@@ -231,7 +231,7 @@ pub(crate) mod tests {
         /// Loads, whole and word by word, into any register, and folds: what is kept is always what the words make.
         #[test]
         fn a_region_at_hand_is_the_region_of_the_words(
-            events in proptest::collection::vec((0..5u8, 0..4usize, 0..70u32, any::<bool>()), 1..200),
+            events in proptest::collection::vec((0..5u8, 0..4usize, 0..70u32, any::<bool>()), 1..400),
         ) {
             let word = |k: usize| f64::from((k * 2_654_435 % 1000) as u32) / 500.0 - 1.0;
             let corner = |corner: usize| std::array::from_fn(|k| word(9 * corner + k));
@@ -240,7 +240,12 @@ pub(crate) mod tests {
             let mut registers = Registers::at_start(&program(&level, [10.0; 2], [0.8, 0.6], &[1.0, 200.0]));
             let mut made = GroupRegions::default();
             let mut numbers = Vec::new();
-            for (what, colour, corner, whole) in events {
+            for (n, (what, colour, corner, whole)) in events.into_iter().enumerate() {
+                // As before each stretch of eight sweeps: numbers hold until then.
+                if n.is_multiple_of(8) {
+                    made.make_room();
+                    numbers.clear();
+                }
                 let target = match what {
                     0 => Target::Hold,
                     1 => Target::Preload(PreloadRegister::XFirst),
