@@ -6,6 +6,7 @@ use std::time::Instant;
 
 use files::{Npy, write_npy};
 use generator::Generator;
+use hardware_model::Economy;
 use landscape::{Bank, Level, bank_file};
 use machine::HybridMachine;
 use quantities::unit_interval;
@@ -73,14 +74,14 @@ pub struct Beginning {
     pub next: f64,
 }
 
-/// Begins with a scenario, as a run does.
+/// Begins with a scenario, as a run of this economy does.
 ///
 /// # Errors
 /// If a frame cannot be drawn.
-pub fn begin(scenario: &Path) -> Result<Beginning, String> {
+pub fn begin(scenario: &Path, economy: Economy) -> Result<Beginning, String> {
     let mut clock = Instant::now();
     let mut lap = || std::mem::replace(&mut clock, Instant::now()).elapsed().as_secs_f64();
-    let scene = Scene::read(scenario, &Choice::default());
+    let scene = Scene::read(scenario, &Choice { economy, ..Choice::default() });
     let (mut planes, pose) = (scene.planes(), scene.pose);
     let landscape = lap();
     let session = HybridMachine.prepare(scene.stage).map_err(|error| error.to_string())?;

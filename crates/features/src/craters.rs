@@ -26,6 +26,11 @@ pub struct Craters {
 type Short = [f64; 5];
 
 impl Craters {
+    /// None yet, and room for so many.
+    pub(crate) fn with_room(count: usize) -> Self {
+        Self { short: Vec::with_capacity(count), others: Vec::new() }
+    }
+
     /// Number of craters.
     pub fn len(&self) -> usize {
         self.short.len()
@@ -60,7 +65,7 @@ impl Craters {
         (0..self.short.len() as u32).map(|index| self.get(index))
     }
 
-    fn push(&mut self, crater: Crater) {
+    pub(crate) fn push(&mut self, crater: Crater) {
         let (foot, depth) = (crater.foot(), crater.depth());
         let signs = match crater.shape() {
             Shape::Bowl { .. } => [1.0, -1.0],

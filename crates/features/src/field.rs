@@ -1,5 +1,7 @@
 //! All craters of a problem area.
 
+use std::sync::Arc;
+
 use crate::Crater;
 use crate::Craters;
 use crate::fan::Fan;
@@ -20,7 +22,7 @@ pub struct Rise {
 /// All craters of a problem area, and where they are.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Features {
-    craters: Craters,
+    craters: Arc<Craters>,
     index: Index,
 }
 
@@ -30,14 +32,14 @@ impl Features {
     /// # Panics
     /// If there are more than [`MOST_CRATERS`](crate::MOST_CRATERS).
     pub fn new(craters: Vec<Crater>) -> Self {
-        Self::of(craters.into_iter().collect())
+        Self::of(Arc::new(craters.into_iter().collect()))
     }
 
     /// The same.
     ///
     /// # Panics
     /// As there.
-    pub fn of(craters: Craters) -> Self {
+    pub fn of(craters: Arc<Craters>) -> Self {
         Self { index: Index::new(&craters), craters }
     }
 

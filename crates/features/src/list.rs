@@ -19,7 +19,7 @@ use std::sync::Arc;
 use diagnostics::{Problem, ProblemList, Source};
 use limits::Limit;
 
-use crate::Crater;
+use crate::Craters;
 use columns::Columns;
 use faults::Faults;
 use row::{cells, crater};
@@ -30,7 +30,7 @@ use row::{cells, crater};
 /// Every fault of the file by line and column, the first twenty of them in full: a file that cannot be read, missing,
 /// doubled or unknown columns, cells that are no finite number or out of range, radii that do not ascend, a type that
 /// is not 1, 2 or 3, values that the type has no use for. Of an array: by row.
-pub fn read(path: impl AsRef<Path>) -> Result<Vec<Crater>, ProblemList> {
+pub fn read(path: impl AsRef<Path>) -> Result<Craters, ProblemList> {
     if path.as_ref().extension().is_some_and(|end| end == "npy") {
         return array::read(path.as_ref());
     }
@@ -44,11 +44,11 @@ pub fn read(path: impl AsRef<Path>) -> Result<Vec<Crater>, ProblemList> {
     parse(Source { name, text })
 }
 
-fn parse(source: Source) -> Result<Vec<Crater>, ProblemList> {
+fn parse(source: Source) -> Result<Craters, ProblemList> {
     let source = Arc::new(source);
     let mut faults = Faults::new(source.clone());
     let mut rows = lines(&source.text);
-    let (mut row, mut craters) = (Vec::new(), Vec::new());
+    let (mut row, mut craters) = (Vec::new(), Craters::default());
     let Some((start, line)) = rows.next() else {
         faults.push(0..0, "an empty list of craters".into(), "a header and at least one row");
         return faults.finish(craters);
@@ -57,7 +57,9 @@ fn parse(source: Source) -> Result<Vec<Crater>, ProblemList> {
     let columns = Columns::read(&row, &mut faults);
     for (start, line) in rows {
         cells(line, start, &mut row);
-        craters.extend(crater(&row, &columns, &mut faults));
+        if let Some(crater) = crater(&row, &columns, &mut faults) {
+            craters.push(crater);
+        }
     }
     if craters.is_empty() && faults.is_empty() {
         let title = "a list of craters without rows".into();

@@ -2,7 +2,7 @@
 //!
 //! - [`write_atomic`] writes beside the target and renames: a reader sees the old file or the new one.
 //! - [`Temporary`] is what a file is called until it is whole; [`abandon_temporaries`] leaves none behind a process that ends.
-//! - [`read_all`] reads a file up to a limit that the caller states.
+//! - [`read_all`] reads a file up to a limit that the caller states, [`FilePieces`] piece by piece to where each stays.
 //! - [`Npy`] and [`write_npz`] are numpy's formats; the bytes depend on the values alone.
 //!
 //! ```
@@ -19,6 +19,7 @@ mod error;
 mod npy;
 mod npy_header;
 mod npz;
+mod pieces;
 mod read;
 mod temporary;
 
@@ -26,5 +27,6 @@ pub use atomic::{remove_leftovers, write_atomic};
 pub use error::{Action, FileError};
 pub use npy::{Npy, NpyData, NpyError, NpyFileError, read_npy, write_npy};
 pub use npz::write_npz;
+pub use pieces::{FilePieces, Pieces, PiecesError};
 pub use read::{Most, read_all};
 pub use temporary::{Temporary, abandon_temporaries};

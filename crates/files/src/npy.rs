@@ -5,8 +5,9 @@ use std::path::{Path, PathBuf};
 
 use crate::atomic::write_atomic;
 use crate::error::FileError;
-use crate::npy_header as header;
-use crate::read::{Most, read_all};
+use crate::npy_header::{self as header, Header};
+use crate::pieces::{FilePieces, Pieces, PiecesError};
+use crate::read::Most;
 
 /// An array in C order (last index fastest); the number of values is the product of the shape.
 #[derive(Clone, Debug, PartialEq)]
@@ -130,17 +131,24 @@ macro_rules! data_types {
                 match self { $( Self::$variant(values) => Self::$variant(order.map(|from| values[from]).collect()), )* }
             }
 
-            /// Values of the type `descr`; `bytes` is a whole number of them.
-            fn read(descr: &str, bytes: &[u8]) -> Option<Self> {
+            /// So many values of the type `descr`; `fill` reads their bytes to where they stay.
+            fn read<E>(
+                descr: &str,
+                count: usize,
+                fill: impl FnOnce(&mut [u8]) -> Result<(), E>,
+            ) -> Option<Result<Self, E>> {
                 let (order, kind) = descr.split_at_checked(1)?;
                 $(
                     if kind == &$descr[1..] {
-                        const SIZE: usize = size_of::<$number>();
-                        let values = bytes.as_chunks::<SIZE>().0.iter();
-                        return Some(Self::$variant(match order {
-                            ">" => values.map(|value| <$number>::from_be_bytes(*value)).collect(),
-                            _ => values.map(|value| <$number>::from_le_bytes(*value)).collect(),
-                        }));
+                        let mut values = vec![0 as $number; count];
+                        let filled = fill(bytemuck::cast_slice_mut(&mut values));
+                        for value in &mut values {
+                            *value = match order {
+                                ">" => <$number>::from_be_bytes(value.to_ne_bytes()),
+                                _ => <$number>::from_le_bytes(value.to_ne_bytes()),
+                            };
+                        }
+                        return Some(filled.map(|()| Self::$variant(values)));
                     }
                 )*
                 None
@@ -238,18 +246,24 @@ impl Npy {
     ///
     /// # Errors
     /// [`NpyError`] with what was found and what was expected.
-    pub fn parse(bytes: &[u8]) -> Result<Self, NpyError> {
-        let header = header::parse(bytes)?;
-        let values = &bytes[header.data_offset..];
+    pub fn parse(mut bytes: &[u8]) -> Result<Self, NpyError> {
+        Self::of(&mut bytes).map_err(PiecesError::of_format)
+    }
+
+    /// The same of bytes that are read piece by piece.
+    fn of<B: Pieces>(bytes: &mut B) -> Result<Self, Fault<B::Error>> {
+        let header = header_of(bytes)?;
         let wrong_type = || NpyError::Type { found: header.descr.clone() };
         let size = size_of_value(&header.descr).ok_or_else(wrong_type)?;
-        let needed = count(&header.shape).and_then(|count| count.checked_mul(size));
-        let expected = needed.ok_or_else(|| NpyError::Overflow { shape: header.shape.clone() })? as u64;
-        let found = values.len() as u64;
+        let overflow = || NpyError::Overflow { shape: header.shape.clone() };
+        let count = count(&header.shape).ok_or_else(overflow)?;
+        let expected = count.checked_mul(size).ok_or_else(overflow)? as u64;
+        let (offset, found) = (header.data_offset, bytes.length() - header.data_offset as u64);
         if expected != found {
-            return Err(NpyError::Size { shape: header.shape, offset: header.data_offset, expected, found });
+            return Err(NpyError::Size { shape: header.shape, offset, expected, found }.into());
         }
-        let data = NpyData::read(&header.descr, values).ok_or_else(wrong_type)?;
+        let data = NpyData::read(&header.descr, count, |values| bytes.fill(offset as u64, values));
+        let data = data.ok_or_else(wrong_type)?.map_err(PiecesError::Read)?;
         let data = if header.fortran_order { data.reordered(fortran_indices(&header.shape)) } else { data };
         Ok(Self { shape: header.shape, data })
     }
@@ -261,6 +275,31 @@ impl Npy {
     pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         out.write_all(&header::write(self.data.descr(), &self.shape))?;
         self.data.write(out)
+    }
+}
+
+/// Why there is no array.
+type Fault<E> = PiecesError<E, NpyError>;
+
+impl<E> From<NpyError> for Fault<E> {
+    fn from(error: NpyError) -> Self {
+        Self::Format(error)
+    }
+}
+
+/// Bytes in which most headers end.
+const FRONT: u64 = 4096;
+
+fn header_of<B: Pieces>(bytes: &mut B) -> Result<Header, Fault<B::Error>> {
+    let length = bytes.length();
+    let front = bytes.take(0, length.min(FRONT) as usize).map_err(PiecesError::Read)?;
+    match header::parse(&front) {
+        // It ends farther on, if the bytes do.
+        Err(NpyError::Truncated { expected, .. }) if length > FRONT => {
+            let front = bytes.take(0, length.min(expected) as usize).map_err(PiecesError::Read)?;
+            Ok(header::parse(&front)?)
+        }
+        header => Ok(header?),
     }
 }
 
@@ -288,8 +327,10 @@ fn fortran_indices(shape: &[usize]) -> impl Iterator<Item = usize> + '_ {
 /// [`NpyFileError`], which names the file.
 pub fn read_npy(path: impl AsRef<Path>, most: impl Into<Most>) -> Result<Npy, NpyFileError> {
     let path = path.as_ref();
-    let bytes = read_all(path, most)?;
-    Npy::parse(&bytes).map_err(|source| NpyFileError::Format { path: path.to_owned(), source })
+    Npy::of(&mut FilePieces::open(path, most)?).map_err(|fault| match fault {
+        PiecesError::Read(error) => NpyFileError::File(error),
+        PiecesError::Format(source) => NpyFileError::Format { path: path.to_owned(), source },
+    })
 }
 
 /// Writes an NPY file, whole or not at all.

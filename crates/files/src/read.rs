@@ -1,6 +1,6 @@
 //! Reading a whole file, up to a limit.
 
-use std::fs::File;
+use std::fs::{File, Metadata};
 use std::io::Read;
 use std::path::Path;
 
@@ -35,21 +35,45 @@ impl From<Limit> for Most {
 /// [`FileError::Missing`], [`FileError::IsFolder`], [`FileError::TooLarge`] (before anything is allocated,
 /// where the file tells its size), and failures of the system.
 pub fn read_all(path: impl AsRef<Path>, most: impl Into<Most>) -> Result<Vec<u8>, FileError> {
-    let path = path.as_ref();
-    let Most { bytes: limit, raised_by } = most.into();
+    let (path, most) = (path.as_ref(), most.into());
+    let (file, metadata) = open(path, most)?;
+    bytes_of(file, &metadata, path, most)
+}
+
+/// All bytes of an open file.
+pub(crate) fn bytes_of(
+    file: File,
+    metadata: &Metadata,
+    path: &Path,
+    most: Most,
+) -> Result<Vec<u8>, FileError> {
     let failed = |source| FileError::new(path, Action::Read, source);
-    let too_large = |bytes| FileError::TooLarge { path: path.to_owned(), bytes, limit, raised_by };
+    let mut bytes = Vec::new();
+    bytes.try_reserve_exact(metadata.len() as usize).map_err(|error| failed(error.into()))?;
+    // One byte beyond the limit tells a device, or a file that grows, from a file that just fits.
+    file.take(most.bytes.saturating_add(1)).read_to_end(&mut bytes).map_err(failed)?;
+    most.allows(path, bytes.len() as u64)?;
+    Ok(bytes)
+}
+
+/// A file that may be read, and what the system knows of it.
+pub(crate) fn open(path: &Path, most: Most) -> Result<(File, Metadata), FileError> {
+    let failed = |source| FileError::new(path, Action::Read, source);
     let file = File::open(path).map_err(failed)?;
     let metadata = file.metadata().map_err(failed)?;
     if metadata.is_dir() {
         return Err(FileError::IsFolder { path: path.to_owned(), action: Action::Read });
     }
-    if metadata.len() > limit {
-        return Err(too_large(metadata.len()));
+    most.allows(path, metadata.len())?;
+    Ok((file, metadata))
+}
+
+impl Most {
+    fn allows(self, path: &Path, bytes: u64) -> Result<(), FileError> {
+        let Self { bytes: limit, raised_by } = self;
+        if bytes <= limit {
+            return Ok(());
+        }
+        Err(FileError::TooLarge { path: path.to_owned(), bytes, limit, raised_by })
     }
-    let mut bytes = Vec::new();
-    bytes.try_reserve_exact(metadata.len() as usize).map_err(|error| failed(error.into()))?;
-    // One byte beyond the limit tells a device, or a file that grows, from a file that just fits.
-    file.take(limit.saturating_add(1)).read_to_end(&mut bytes).map_err(failed)?;
-    if bytes.len() as u64 > limit { Err(too_large(bytes.len() as u64)) } else { Ok(bytes) }
 }

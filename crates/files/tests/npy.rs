@@ -123,6 +123,28 @@ fn files_name_themselves_in_errors() {
     assert!(matches!(read_npy(folder.path(), 1000), Err(NpyFileError::File(_))));
 }
 
+/// The front of a file is read first, and more of it where the header is longer.
+#[test]
+fn long_headers_are_read_to_their_end() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("a.npy");
+    let dictionary = dictionary("<f8", "False", "(2,)") + &" ".repeat(5000);
+    let bytes = file(1, &dictionary, &[1.5_f64.to_le_bytes(), (-2.0_f64).to_le_bytes()].concat());
+    let array = Npy::new(vec![2], vec![1.5, -2.0]).expect("the shape fits");
+    for (bytes, expected) in [
+        (bytes.as_slice(), Ok(array)),
+        (&bytes[..5000], Err(NpyError::Truncated { expected: bytes.len() as u64 - 16, found: 5000 })),
+    ] {
+        std::fs::write(&path, bytes).expect("written");
+        let read = read_npy(&path, 1 << 20).map_err(|error| match error {
+            NpyFileError::Format { source, .. } => source,
+            NpyFileError::File(error) => panic!("{error}"),
+        });
+        assert_eq!(Npy::parse(bytes), expected);
+        assert_eq!(read, expected);
+    }
+}
+
 #[test]
 fn npz_is_a_zip_of_npy_and_always_the_same() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -53,6 +53,8 @@ pub fn mix(scene: &Scene<'_>, inputs: &Inputs) -> Mixed {
 
 /// What texture adds at (x, y) seen from `range` (m); `None` beyond its reach.
 pub fn texture(texture: &Texture, [x, y]: [f64; 2], range: f64) -> Option<f64> {
+    let origin = texture.origin();
+    let [x, y] = [x - origin[0], y - origin[1]];
     let mut sum = None;
     for grain in texture.grains() {
         let layer = grain.layer();

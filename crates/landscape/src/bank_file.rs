@@ -32,9 +32,11 @@ pub use sidecar::{describe, sidecar_path};
 use std::io::Write;
 use std::path::Path;
 
+use files::{FilePieces, PiecesError};
 use limits::Limit;
 
 use crate::Bank;
+use decode::decode_pieces;
 
 /// Writes `bank` to `path` and its description to [`sidecar_path`], each whole or not at all.
 ///
@@ -55,8 +57,10 @@ pub fn write(path: impl AsRef<Path>, bank: &Bank) -> Result<(), BankFileError> {
 /// If the file cannot be read, or is damaged: which section, at which byte, what was found and expected.
 pub fn read(path: impl AsRef<Path>) -> Result<Bank, BankFileError> {
     let path = path.as_ref();
-    let bytes = files::read_all(path, Limit::BankBytes)?;
-    decode(&bytes).map_err(|source| BankFileError::Format { path: path.to_owned(), source })
+    decode_pieces(&mut FilePieces::open(path, Limit::BankBytes)?).map_err(|fault| match fault {
+        PiecesError::Read(error) => BankFileError::File(error),
+        PiecesError::Format(source) => BankFileError::Format { path: path.to_owned(), source },
+    })
 }
 
 #[cfg(test)]

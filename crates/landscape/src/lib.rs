@@ -31,4 +31,4 @@ pub use lunoid::{LUNOID_RADIUS, parabolic_drop};
 pub use photometry::Photometry;
 pub use query::{Landscape, SurfacePoint};
 pub use silhouette::{Silhouette, SilhouetteError};
-pub use texture::{Grain, Hashed, Lattice, Layer, Source, Stored, Texture, TextureError};
+pub use texture::{Grain, Hashed, Lattice, Layer, MOST_LAYERS, Source, Stored, Texture, TextureError};

@@ -55,7 +55,7 @@ pub enum TextureError {
 }
 
 /// Most layers of a texture.
-const MOST_LAYERS: usize = 8;
+pub const MOST_LAYERS: usize = 8;
 
 /// One grain size.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -125,7 +125,7 @@ impl Grain {
         &self.lattice
     }
 
-    /// The pattern at (x, y) (m), -1..=1.
+    /// The pattern at (x, y) (m) from the origin of the texture, -1..=1.
     pub fn pattern(&self, x: f64, y: f64) -> f64 {
         match &self.lattice {
             Lattice::Stored(lattice) => lattice.at(x, y),
@@ -137,6 +137,7 @@ impl Grain {
 /// Texture of the ground: layers of different grain, added to reflectivity.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Texture {
+    origin: [f64; 2],
     grains: Vec<Grain>,
 }
 
@@ -166,10 +167,10 @@ impl Texture {
             let seed = hash_words(seed, &[number as u64]);
             Ok(match source {
                 Source::Random => {
-                    Grain { layer: *layer, lattice: Lattice::Hashed(Hashed::new(seed, layer.cell, origin)) }
+                    Grain { layer: *layer, lattice: Lattice::Hashed(Hashed::new(seed, layer.cell)) }
                 }
                 Source::Pattern => {
-                    let stored = Stored::new(seed, layer.cell, region_size, origin);
+                    let stored = Stored::new(seed, layer.cell, region_size);
                     Grain {
                         layer: Layer { cell: region_size / stored.cells() as f64, ..*layer },
                         lattice: Lattice::Stored(stored),
@@ -177,7 +178,12 @@ impl Texture {
                 }
             })
         };
-        Ok(Self { grains: layers.iter().enumerate().map(grain).collect::<Result<_, _>>()? })
+        Ok(Self { origin, grains: layers.iter().enumerate().map(grain).collect::<Result<_, _>>()? })
+    }
+
+    /// Where lattice point (0, 0) of all layers lies (m).
+    pub fn origin(&self) -> [f64; 2] {
+        self.origin
     }
 
     /// Layers with their patterns, in the order given.
@@ -187,6 +193,7 @@ impl Texture {
 
     /// What is added to reflectivity at (x, y) (m), seen from ground range `range` (m).
     pub fn at(&self, x: f64, y: f64, range: f64) -> f64 {
+        let [x, y] = [x - self.origin[0], y - self.origin[1]];
         let near = self.grains.iter().filter(|grain| range < grain.layer.range);
         near.fold(0.0, |sum, grain| sum + grain.layer.amplitude_at(range) * grain.pattern(x, y))
     }

@@ -472,17 +472,17 @@ impl<S: Real> Group<'_, S> {
 
     /// Finds what is seen of the bodies on a sweep; false if it meets none.
     pub fn compose_bodies(&self, sweep: u32, lane: usize, held: &[Lanes<S>], overlay: &mut Overlay) -> bool {
-        let spans = self.delivery.polyhedra.table().sweep(sweep as usize);
+        let standing = self.delivery.polyhedra.table().sweep(sweep as usize);
         let held = |sample: usize| held[sample][lane].to_f64() as f32;
         let hold = Hold { near: self.near, lines: held };
-        if !spans.is_empty() {
-            overlay.compose(spans, self.stage.settings.laws.body_visibility, Some(&hold));
+        if !standing.is_empty() {
+            overlay.compose(standing, self.stage.settings.laws.body_visibility, Some(&hold));
             let MixingParts { gate, threshold } = self.stage.settings.mixing_unit;
             if gate == Gate::SelfKeyed {
                 overlay.key(threshold as f32);
             }
         }
-        !spans.is_empty()
+        !standing.is_empty()
     }
 }
 

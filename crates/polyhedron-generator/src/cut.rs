@@ -153,7 +153,7 @@ mod tests {
 
     use super::{Sight, above_ground, cut, whole};
     use crate::stack::Stack;
-    use crate::{Hold, NearTable, Overlay, Span};
+    use crate::{Hold, NearTable, Overlay, Span, SpanTable};
     use proptest::collection::vec;
     use proptest::prelude::{Strategy, prop_assert, prop_assert_eq, proptest};
     use scenario::BodyVisibility;
@@ -191,7 +191,8 @@ mod tests {
             // Two spans that follow one another are asked at once.
             let [middle, bottom] = [top + height, top + 1.5 * height];
             let stack = [span([top, middle], [ranges[0], ranges[1]], tilts), span([middle, bottom], [ranges[1], ranges[2]], tilts)];
-            let [found] = Stack::all(&stack).collect::<Vec<_>>().try_into().unwrap();
+            let mut found = Stack::at(0);
+            stack.iter().for_each(|span| found.add(span));
             let held = hold.extremes(found.near);
             let (mut quickly, mut closely) = (Vec::new(), Vec::new());
             match Sight::of(found.ends, held) {
@@ -211,8 +212,8 @@ mod tests {
         ) {
             let hold = Hold { near: &table, lines: |sample: usize| held[sample] };
             let span = span(lines, ranges, [1.0; 2]);
-            let mut overlay = Overlay::default();
-            let shown = overlay.compose(&[span], BodyVisibility::Depth, Some(&hold));
+            let (mut overlay, standing) = (Overlay::default(), SpanTable::of_sweep(&[span]));
+            let shown = overlay.compose(standing.sweep(0), BodyVisibility::Depth, Some(&hold));
             for number in 0..=500 {
                 let share = number as f32 / 500.0;
                 let place = span.line_at(share);

@@ -93,7 +93,6 @@ impl Outline {
 }
 
 /// The sweeps that pass between the leftmost and the rightmost of some corners, by the sweeps of these.
-#[inline(always)]
 pub(crate) fn sweeps_of(corners: impl Iterator<Item = u32>) -> Range<u32> {
     let [first, end] = corners.fold([u32::MAX, 0], |[low, high], sweep| [low.min(sweep), high.max(sweep)]);
     first.min(end)..end

@@ -12,6 +12,7 @@ use solids::{Body, Solid};
 use crate::face::Outline;
 use crate::likeness::{Eye, Likeness, UNSEEN};
 use crate::meetings::Meetings;
+use crate::table::Drawing;
 use crate::view::{Place, Sighting};
 use crate::{FaceLight, NEAREST, Span, SpanTable, ViewPlane};
 
@@ -80,9 +81,6 @@ struct Side {
     room: f64,
 }
 
-/// What some bodies leave: spans with their sweeps, in the order of bodies and faces.
-type Found = (Census, Vec<(u32, Span)>);
-
 /// Buffers that are kept from body to body.
 #[derive(Debug, Default)]
 struct Pencil {
@@ -111,10 +109,10 @@ impl PolyhedronGenerator {
             let numbered = ((number * TOGETHER) as u32..).zip(bodies);
             pencil.draw_all(field, light, numbered.filter_map(|(number, body)| Some((number, drawn(body)?))))
         };
-        let found: Vec<Found> = some.map_init(Pencil::default, draw).collect();
+        let found: Vec<(Census, Drawing)> = some.map_init(Pencil::default, draw).collect();
         let mut census = Census::default();
         found.iter().for_each(|(some, _)| census.add(some));
-        self.table.fill(field.tangents.len(), found.iter().flat_map(|(_, spans)| spans));
+        self.table.fill(field.tangents.len(), found.iter().map(|(_, drawing)| drawing));
         census
     }
 }
@@ -135,14 +133,13 @@ impl Pencil {
         field: &Field<'_>,
         light: &FaceLight,
         bodies: impl Iterator<Item = (u32, Drawn<'b>)>,
-    ) -> Found {
-        let (mut census, mut spans) = Found::default();
+    ) -> (Census, Drawing) {
+        let (mut census, mut drawing) = (Census::default(), Drawing::default());
         for (number, drawn) in bodies {
-            let Aspect { body, eye, foot_range, sweeps } = &drawn.aspect;
+            let Aspect { body, eye, foot_range, .. } = &drawn.aspect;
             let (sighting, vectors) = (&field.sighting, field.vectors);
-            let tangents = &field.tangents[sweeps.clone()];
             let half_height = field.view.tan_half_height;
-            let eye = Eye { sighting, vectors, light, place: *eye, tangents, half_height };
+            let eye = Eye { sighting, vectors, light, place: *eye, half_height };
             if !self.likeness.take(&eye, body, drawn.dark) {
                 census.too_near += 1;
                 continue;
@@ -151,22 +148,22 @@ impl Pencil {
             census.vertices += body.solid.vertices().len() as u64;
             let (object, foot_range) = (body.object, *foot_range as f32);
             let stamp = Span { body: number, object, foot_range, ..Span::default() };
-            self.draw(field, &drawn.aspect, stamp, &mut spans);
+            self.draw(field, &drawn.aspect, stamp, &mut drawing);
         }
-        census.spans = spans.len() as u64;
-        spans.shrink_to_fit();
-        (census, spans)
+        census.spans = drawing.spans.len() as u64;
+        drawing.shrink_to_fit();
+        (census, drawing)
     }
 
     /// Draws a body whose likeness has been taken.
-    fn draw(&mut self, field: &Field<'_>, aspect: &Aspect<'_>, stamp: Span, spans: &mut Vec<(u32, Span)>) {
+    fn draw(&mut self, field: &Field<'_>, aspect: &Aspect<'_>, stamp: Span, drawing: &mut Drawing) {
         let Aspect { body, sweeps, .. } = aspect;
         let sweeps = (sweeps.start, &field.tangents[sweeps.clone()]);
-        if self.likeness.is_inside && !body.solid.edge_bits().is_empty() {
+        if self.likeness.is_inside && !body.solid.edge_words().is_empty() {
             let (meetings, seen) = (&mut self.meetings, (&*body.solid, &self.likeness));
-            dispatch!(field.vectors, simd => meetings.find(simd, field, seen, sweeps, stamp, spans));
+            dispatch!(field.vectors, simd => meetings.find(simd, field, seen, sweeps, stamp, drawing));
         } else {
-            self.draw_faces(field, &body.solid, sweeps, stamp, spans);
+            self.draw_faces(field, &body.solid, sweeps, stamp, drawing);
         }
     }
 
@@ -177,19 +174,21 @@ impl Pencil {
         solid: &Solid,
         (first, tangents): (usize, &[f64]),
         stamp: Span,
-        spans: &mut Vec<(u32, Span)>,
+        drawing: &mut Drawing,
     ) {
         let (likeness, half_height) = (&self.likeness, field.view.tan_half_height);
         let seen =
             solid.faces().iter().zip(&likeness.faces).filter(|(_, reflectivity)| **reflectivity != UNSEEN);
         for (face, &reflectivity) in seen {
-            let corners = face.corners.iter().map(|&corner| likeness.corner(corner));
+            let corners = face.corners.iter().map(|&corner| likeness.corner(corner, tangents));
             let begin = self.outline.cross(corners, half_height, &field.sighting, tangents);
             let stamp = Span { reflectivity, ..stamp };
             for (sweep, ends) in (first as u32 + begin..).zip(&self.outline.crossings) {
                 let span = field.span(ends, stamp);
                 if span.top < span.bottom {
-                    spans.push((sweep, span));
+                    let mut stack = drawing.begin();
+                    drawing.add(&mut stack, span);
+                    drawing.end(sweep, stack);
                 }
             }
         }

@@ -10,7 +10,7 @@ use crate::order::{greater, lesser};
 pub(crate) struct Part {
     pub top: f32,
     pub bottom: f32,
-    /// Which span of the sweep.
+    /// Which of the spans of all sweeps.
     pub span: u32,
 }
 

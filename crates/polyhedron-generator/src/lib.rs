@@ -44,6 +44,7 @@ mod overlay;
 mod sight;
 mod span;
 mod stack;
+mod table;
 mod view;
 mod wired;
 
@@ -53,6 +54,7 @@ pub use light::FaceLight;
 pub use near_table::NearTable;
 pub use overlay::{Overlay, Run, SIGNALS};
 pub use sight::{LeftOut, Sight};
-pub use span::{Span, SpanTable};
+pub use span::Span;
+pub use table::{SpanTable, Sweep};
 pub use view::{NEAREST, ViewPlane};
 pub use wired::{BodyFade, BodySwitch};

@@ -1,7 +1,9 @@
 //! A body as the eye sees it: vertices on the picture and faces that look at the eye, eight side by side.
 
+use std::ops::Range;
+
 use fearless_simd::prelude::{Select, SimdMask};
-use fearless_simd::{Level, Simd, SimdBase, dispatch, f64x8, u32x8};
+use fearless_simd::{Level, Simd, SimdBase, dispatch, f64x8};
 use glam::{DMat3, DVec3};
 use signal::{LANES, Number, eight};
 use solids::{Body, EightFaces, Eights};
@@ -13,10 +15,10 @@ use crate::{FaceLight, NEAREST};
 /// Buffers that are kept from body to body.
 #[derive(Debug, Default)]
 pub(crate) struct Likeness {
-    /// Vertices on the picture, eight side by side: x, y, inverse depth and spread of each, as a [`Corner`] has them.
-    pub corners: Vec<[[f64; LANES]; 4]>,
-    /// First sweep that passes through each or to the right of it; the last one stands in for those that are not there.
-    pub sweeps: Vec<[u32; LANES]>,
+    /// Vertices on the picture in groups of eight: x, y, inverse depth and spread of each, as a [`Corner`] has them.
+    pub corners: Vec<[[f64; 4]; LANES]>,
+    /// Tangent of a sweep through each, eight side by side; the last one stands in for those that are not there.
+    across: Vec<[f64; LANES]>,
     /// Whether all of them are in it, as far as up and down go.
     pub is_inside: bool,
     /// Reflectivity of each face, [`UNSEEN`] of those that do not look at the eye.
@@ -36,26 +38,39 @@ pub(crate) struct Eye<'a> {
     pub light: &'a FaceLight,
     /// Where it stands, for this body: north, east, up (m).
     pub place: DVec3,
-    /// Tangents of the sweeps that may meet the body.
-    pub tangents: &'a [f64],
     /// Half the height of the picture on the view-plane.
     pub half_height: f64,
 }
 
 impl Likeness {
-    /// A vertex on the picture.
-    pub fn corner(&self, number: u32) -> Corner {
-        let (block, lane) = (&self.corners[number as usize / LANES], number as usize % LANES);
-        let [x, y, depth, spread] = [0, 1, 2, 3].map(|axis: usize| block[axis][lane]);
-        Corner { place: Place { x, y, depth }, spread, sweep: self.sweeps[number as usize / LANES][lane] }
+    /// A vertex on the picture, before sweeps at ascending `tangents`.
+    pub fn corner(&self, number: u32, tangents: &[f64]) -> Corner {
+        let [x, y, depth, spread] = self.corners.as_flattened()[number as usize];
+        let across = self.across.as_flattened()[number as usize];
+        let sweep = tangents.partition_point(|&tangent| tangent < across) as u32;
+        Corner { place: Place { x, y, depth }, spread, sweep }
     }
 
-    /// The first corners that lie to the left of a sweep, or on it: a bit each.
+    /// Which of the sweeps at ascending `tangents` pass between the leftmost and the rightmost corner.
     #[inline(always)]
-    pub fn left_of<V: Simd>(&self, simd: V, sweep: u32) -> u32 {
-        let is_left =
-            |sweeps: &[u32; LANES]| u32x8::load_array(simd, *sweeps).simd_le(sweep).to_bitmask() as u32;
-        self.sweeps.iter().rev().fold(0, |left, sweeps| left << LANES | is_left(sweeps))
+    pub fn sweeps<V: Simd>(&self, simd: V, tangents: &[f64]) -> Range<usize> {
+        let [mut low, mut high] = [f64x8::splat(simd, f64::INFINITY), f64x8::splat(simd, f64::NEG_INFINITY)];
+        for across in &self.across {
+            let across = eight(simd, across);
+            (low, high) = (low.min(across), high.max(across));
+        }
+        let first = |across| tangents.partition_point(|&tangent| tangent < across);
+        first(low.reduce_min())..first(high.reduce_max())
+    }
+
+    /// The first corners that lie to the left of a sweep at a tangent, or on it: a bit each.
+    #[inline(always)]
+    pub fn left_of<V: Simd>(&self, simd: V, tangent: f64) -> u32 {
+        let mut left = 0;
+        for across in self.across.iter().rev() {
+            left = left << LANES | eight(simd, across).simd_le(tangent).to_bitmask() as u32;
+        }
+        left
     }
 
     /// Takes that of a body, black if it is `dark`; false if a vertex is too near.
@@ -66,7 +81,7 @@ impl Likeness {
     #[inline(always)]
     fn take_by<V: Simd>(&mut self, simd: V, eye: &Eye<'_>, body: &Body, dark: bool) -> bool {
         self.corners.clear();
-        self.sweeps.clear();
+        self.across.clear();
         self.faces.clear();
         (self.is_inside, self.seen) = (true, 0);
         let (turn, scale) = body.to_ground();
@@ -109,9 +124,8 @@ impl Likeness {
         let half_height = x.like(eye.half_height);
         self.is_inside &= !(half_height.simd_lt(place.y) | place.y.simd_lt(-half_height)).any_true();
         let spread = eye.sighting.spread(place.y);
-        let sweeps = sweeps_left_of(place.x / spread, eye.tangents);
-        self.corners.push([place.x, place.y, place.depth, spread].map(|all| all.to_array()));
-        self.sweeps.push(sweeps);
+        self.across.push((place.x / spread).to_array());
+        self.corners.push(rows([place.x, place.y, place.depth, spread]));
         true
     }
 
@@ -145,21 +159,18 @@ impl Likeness {
     }
 }
 
-/// Tangents up to which they are counted, not searched: most bodies are met by fewer sweeps.
-const FEW: usize = 16;
-
-/// How many of ascending `tangents` are less than each of eight.
+/// Four numbers of eight corners, corner by corner.
 #[inline(always)]
-fn sweeps_left_of<V: Simd>(across: f64x8<V>, tangents: &[f64]) -> [u32; LANES] {
-    if tangents.len() > FEW {
-        let count = |across| tangents.partition_point(|&tangent| tangent < across) as u32;
-        return across.to_array().map(count);
+fn rows<V: Simd>([x, y, depth, spread]: [f64x8<V>; 4]) -> [[f64; 4]; LANES] {
+    let (first, others) = (x.interleave(depth), y.interleave(spread));
+    let (low, high) = (first.0.interleave(others.0), first.1.interleave(others.1));
+    let mut rows = [[0.0; 4]; LANES];
+    for (two, row) in
+        [low.0, low.1, high.0, high.1].iter().zip(rows.as_flattened_mut().chunks_exact_mut(LANES))
+    {
+        two.store_slice(row);
     }
-    let (mut count, one) = (across.like(0.0), across.like(1.0));
-    for &tangent in tangents {
-        count = across.like(tangent).simd_lt(across).select(count + one, count);
-    }
-    count.to_array().map(|count| count as u32)
+    rows
 }
 
 /// `turn` times a vector, in the order of the plain product.
@@ -177,14 +188,14 @@ fn turned<V: Simd>(turn: &DMat3, [x, y, z]: [f64x8<V>; 3]) -> [f64x8<V>; 3] {
 mod tests {
     use std::sync::Arc;
 
-    use fearless_simd::Level;
+    use fearless_simd::{Level, dispatch};
     use glam::{DMat3, DVec3, EulerRot};
     use proptest::prelude::{prop_assert_eq, proptest};
     use scenario::{Curvature, Projection};
     use solids::{Body, Kind, rocks};
 
     use super::{Eye, Likeness, UNSEEN};
-    use crate::face::Corner;
+    use crate::face::{Corner, sweeps_of};
     use crate::view::{Sighting, project};
     use crate::{FaceLight, NEAREST, ViewPlane};
 
@@ -233,13 +244,20 @@ mod tests {
             });
             let faces: Vec<f32> = faces.collect();
             for vectors in [Level::new(), Level::baseline()] {
-                let (tangents, half_height) = (&tangents[..], 0.3);
-                let eye = Eye { sighting: &sighting, vectors, light: &light, place, tangents, half_height };
+                let eye = Eye { sighting: &sighting, vectors, light: &light, place, half_height: 0.3 };
                 let mut likeness = Likeness::default();
                 prop_assert_eq!(likeness.take(&eye, &body, is_dark), !is_near);
                 if !is_near {
-                    let found: Vec<Corner> = (0..corners.len() as u32).map(|number| likeness.corner(number)).collect();
-                    prop_assert_eq!(&found, &corners);
+                    let found = (0..corners.len() as u32).map(|number| likeness.corner(number, &tangents));
+                    prop_assert_eq!(&found.collect::<Vec<_>>(), &corners);
+                    let reach = sweeps_of(corners.iter().map(|corner| corner.sweep));
+                    let found = dispatch!(vectors, simd => likeness.sweeps(simd, &tangents));
+                    prop_assert_eq!(found, reach.start as usize..reach.end as usize);
+                    for (sweep, &tangent) in tangents.iter().enumerate() {
+                        let left = corners.iter().rev().fold(0, |left, corner| left << 1 | u32::from(corner.sweep <= sweep as u32));
+                        let found = dispatch!(vectors, simd => likeness.left_of(simd, tangent));
+                        prop_assert_eq!(found & ((1 << corners.len()) - 1), left);
+                    }
                     prop_assert_eq!(likeness.is_inside, is_inside);
                     prop_assert_eq!(&likeness.faces[..faces.len()], &faces);
                     let seen = faces.iter().rev().fold(0, |seen, face| seen << 1 | u64::from(*face != UNSEEN));

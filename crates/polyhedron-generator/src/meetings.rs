@@ -1,43 +1,36 @@
 //! What the sweeps cut out of a body that is in the picture as a whole. Edge by edge, so that what two faces share is found once;
-//! all edges are asked at once whether they meet a sweep, and where they do is worked out eight side by side.
+//! sixteen edges are asked at once whether they meet a sweep, and where they do is worked out eight side by side.
 
 use std::ops::Range;
 
-use fearless_simd::prelude::SimdMask;
-use fearless_simd::{Simd, SimdBase, u32x16};
-use signal::{LANES, eight};
-use solids::{Edge, EdgeBits, Solid};
+use fearless_simd::prelude::{Select, SimdMask};
+use fearless_simd::{Simd, SimdBase, f64x4, f64x8, mask32x16, u32x16};
+use signal::{LANES, turn_square};
+use solids::{EdgeWords, Solid};
 
 use crate::Span;
-use crate::face::sweeps_of;
 use crate::generator::Field;
 use crate::likeness::{Likeness, UNSEEN};
+use crate::table::Drawing;
 use crate::view::Place;
-
-/// Groups of edges that are told by the bits of a word: how many of sixteen are met nobody can guess, of so many it matters less.
-const GROUPS: usize = u64::BITS as usize / EdgeBits::TOGETHER;
 
 /// Edges of a body, and where sweeps meet them; buffers are kept from body to body.
 #[derive(Debug, Default)]
 pub(crate) struct Meetings {
-    /// Faces above and below the edge of each meeting, sweep by sweep.
-    faces: Vec<[u32; 2]>,
+    /// Words of the edges along which a face is seen; behind the last, edges that nothing meets.
+    seen: Vec<u32>,
+    /// The edge of each meeting, sweep by sweep: its left corner first, and the face above it.
+    edges: Vec<u32>,
+    /// Tangent of the sweep of each meeting.
+    tangents: Vec<f64>,
     /// Where the meetings of each sweep end.
-    sweep_ends: Vec<u32>,
-    /// What each is worked out from, eight side by side.
-    blocks: Vec<Block>,
+    sweep_ends: Vec<usize>,
     /// Where each is: line position, inverse range, inverse depth.
     places: [Vec<f32>; 3],
-    /// Which meeting of a sweep is the lower end of a face.
-    lower: Vec<u32>,
-}
-
-/// Eight edges with the sweeps that meet them.
-#[derive(Debug, Clone, Copy, Default)]
-struct Block {
-    tangents: [f64; LANES],
-    /// Ends on the picture, the left one first: x, y, inverse depth and spread of each.
-    ends: [[[f64; LANES]; 4]; 2],
+    /// Of a sweep: the meetings that have no seen face above them.
+    tops: Vec<usize>,
+    /// Which meeting of a sweep is the lower end of each face.
+    lower: Vec<usize>,
 }
 
 impl Meetings {
@@ -51,95 +44,101 @@ impl Meetings {
         (solid, likeness): (&Solid, &Likeness),
         (first, tangents): (usize, &[f64]),
         stamp: Span,
-        spans: &mut Vec<(u32, Span)>,
+        drawing: &mut Drawing,
     ) {
-        let sweeps = sweeps_of(likeness.sweeps.iter().flatten().copied());
+        let sweeps = likeness.sweeps(simd, tangents);
         // Many a small body lies between two sweeps.
         if sweeps.is_empty() {
             return;
         }
-        self.faces.clear();
+        let words = self.take_seen(simd, solid.edge_words(), likeness.seen);
+        let room = words * sweeps.len() + EdgeWords::TOGETHER;
+        grow(&mut self.edges, room);
+        grow(&mut self.tangents, room);
+        grow(&mut self.lower, solid.faces().len());
         self.sweep_ends.clear();
-        self.lower.resize(solid.faces().len().max(self.lower.len()), 0);
-        for sweep in sweeps.clone() {
-            self.meet(simd, (solid, likeness), (sweep, tangents[sweep as usize]));
+        let mut count = 0;
+        for &tangent in &tangents[sweeps.clone()] {
+            count = self.meet(simd, words, (likeness.left_of(simd, tangent), tangent), count);
+            self.sweep_ends.push(count);
         }
-        self.place(simd, field);
+        self.place(simd, field, likeness, count);
         let mut begin = 0;
         for number in 0..sweeps.len() {
-            let met = begin..self.sweep_ends[number] as usize;
+            let met = begin..self.sweep_ends[number];
             begin = met.end;
-            self.cut(met, likeness, (first as u32 + sweeps.start + number as u32, stamp), spans);
+            self.cut(met, likeness, ((first + sweeps.start + number) as u32, stamp), drawing);
         }
     }
 
-    /// Finds the edges that a sweep at a tangent meets.
+    /// Takes the edges along which a face is seen; returns how many words to look at.
+    #[inline(always)]
+    fn take_seen<V: Simd>(&mut self, simd: V, edges: &[EdgeWords], seen: u64) -> usize {
+        grow(&mut self.seen, EdgeWords::TOGETHER * (edges.len() + 1));
+        let seen = [u32x16::splat(simd, seen as u32), u32x16::splat(simd, (seen >> u32::BITS) as u32)];
+        let mut count = 0;
+        for words in edges {
+            let words = u32x16::load_array(simd, words.0);
+            let is_seen = bits(seen, words >> 16 & 0xff) | bits(seen, words >> 24);
+            let is_wanted = is_seen.simd_ne(0) & words.simd_ne(0);
+            count = append(words, is_wanted, &mut self.seen, count);
+        }
+        u32x16::splat(simd, 0).store_slice(&mut self.seen[count..count + EdgeWords::TOGETHER]);
+        count.next_multiple_of(EdgeWords::TOGETHER)
+    }
+
+    /// Finds the edges that a sweep at a tangent meets, which has the corners `left` to its left; returns the `count` of meetings
+    /// with those that are added.
     #[inline(always)]
     fn meet<V: Simd>(
         &mut self,
         simd: V,
-        (solid, likeness): (&Solid, &Likeness),
-        (sweep, tangent): (u32, f64),
-    ) {
-        let left = likeness.left_of(simd, sweep);
-        let words = solid.edges().chunks(u64::BITS as usize).zip(solid.edge_bits().chunks(GROUPS));
-        for (edges, bits) in words {
-            let mut met = bits
-                .iter()
-                .rev()
-                .fold(0, |met, bits| met << EdgeBits::TOGETHER | is_met(simd, bits, left, likeness.seen));
-            while met != 0 {
-                let edge = &edges[met.trailing_zeros() as usize];
-                met &= met - 1;
-                self.keep(edge, tangent, left, likeness);
-            }
+        words: usize,
+        (left, tangent): (u32, f64),
+        mut count: usize,
+    ) -> usize {
+        let (left, tangent) = (u32x16::splat(simd, left), f64x8::splat(simd, tangent));
+        for words in self.seen[..words].chunks_exact(EdgeWords::TOGETHER) {
+            let words = u32x16::from_slice(simd, words);
+            let [from, to] = [left >> (words & 0xff) & 1, left >> (words >> 8 & 0xff) & 1];
+            // Outlines run counter-clockwise: an edge to the right is a lower one.
+            let turned = (words >> 8 & 0x00ff_00ff) | (words << 8 & 0xff00_ff00);
+            let words = from.simd_eq(1).select(words, turned);
+            tangent.store_slice(&mut self.tangents[count..count + LANES]);
+            tangent.store_slice(&mut self.tangents[count + LANES..count + 2 * LANES]);
+            count = append(words, from.simd_ne(to), &mut self.edges, count);
         }
-        self.sweep_ends.push(self.faces.len() as u32);
-    }
-
-    /// Keeps an edge that the sweep at a tangent meets, which has the corners `left` to its left.
-    #[inline(always)]
-    fn keep(&mut self, Edge { corners, faces }: &Edge, tangent: f64, left: u32, likeness: &Likeness) {
-        // Outlines run counter-clockwise: an edge to the right is a lower one. Which way one runs cannot be guessed.
-        let turned = usize::from(left >> corners[0] & 1 == 0);
-        let [ends, faces] = [corners, faces].map(|pair| [pair[turned], pair[1 - turned]]);
-        let (block, lane) = (self.faces.len() / LANES, self.faces.len() % LANES);
-        if block == self.blocks.len() {
-            self.blocks.push(Block::default());
-        }
-        let block = &mut self.blocks[block];
-        block.tangents[lane] = tangent;
-        for (to, corner) in block.ends.iter_mut().zip(ends) {
-            let from = &likeness.corners[corner as usize / LANES];
-            for axis in 0..4 {
-                to[axis][lane] = from[axis][corner as usize % LANES];
-            }
-        }
-        self.faces.push(faces);
+        count
     }
 
     /// Works out where all meetings are.
     #[inline(always)]
-    fn place<V: Simd>(&mut self, simd: V, field: &Field<'_>) {
-        let blocks = self.faces.len().div_ceil(LANES);
-        let room = (LANES * blocks).max(self.places[0].len());
-        self.places.iter_mut().for_each(|places| places.resize(room, 0.0));
-        for (number, Block { tangents, ends: [left, right] }) in self.blocks[..blocks].iter().enumerate() {
-            let [from, to] = [left, right].map(|[x, y, depth, _]| Place {
-                x: eight(simd, x),
-                y: eight(simd, y),
-                depth: eight(simd, depth),
-            });
-            let tangent = eight(simd, tangents);
-            let off = from.x - tangent * eight(simd, &left[3]);
-            let beyond = to.x - tangent * eight(simd, &right[3]);
-            let place = from.towards(&to, off / (off - beyond));
-            let all = [field.line(place.y), field.near(&place), place.depth].map(|all| all.to_array());
-            let first = LANES * number;
-            for (places, all) in self.places.iter_mut().zip(all) {
-                let places = &mut places[first..first + LANES];
+    fn place<V: Simd>(&mut self, simd: V, field: &Field<'_>, likeness: &Likeness, count: usize) {
+        let corners = likeness.corners.as_flattened();
+        let room = count.next_multiple_of(LANES);
+        self.edges[count..room].fill(0);
+        self.places.iter_mut().for_each(|places| grow(places, room));
+        for first in (0..room).step_by(LANES) {
+            let all = first..first + LANES;
+            let mut ends = [f64x8::splat(simd, 0.0); LANES];
+            for (ends, edge) in ends.iter_mut().zip(&self.edges[all.clone()]) {
+                let [left, right, ..] = edge.to_le_bytes();
+                *ends = simd.combine_f64x4(
+                    f64x4::load_array(simd, corners[usize::from(left)]),
+                    f64x4::load_array(simd, corners[usize::from(right)]),
+                );
+            }
+            turn_square(&mut ends);
+            let [x, y, depth, spread, to_x, to_y, to_depth, to_spread] = ends;
+            let tangent = f64x8::from_slice(simd, &self.tangents[all.clone()]);
+            let [off, beyond] = [x - tangent * spread, to_x - tangent * to_spread];
+            let to = Place { x: to_x, y: to_y, depth: to_depth };
+            let place = Place { x, y, depth }.towards(&to, off / (off - beyond));
+            let found = [field.line(place.y), field.near(&place), place.depth].map(|found| found.to_array());
+            for (places, found) in self.places.iter_mut().zip(found) {
+                let places = &mut places[all.clone()];
                 for n in 0..LANES {
-                    places[n] = all[n] as f32;
+                    places[n] = found[n] as f32;
                 }
             }
         }
@@ -153,48 +152,66 @@ impl Meetings {
         met: Range<usize>,
         likeness: &Likeness,
         (sweep, stamp): (u32, Span),
-        spans: &mut Vec<(u32, Span)>,
+        drawing: &mut Drawing,
     ) {
-        let seen = |face: u32| likeness.faces[face as usize];
-        for (number, [above, _]) in (met.start..).zip(&self.faces[met.clone()]) {
-            self.lower[*above as usize] = number as u32;
+        let faces = |meeting: usize| {
+            let [_, _, above, below] = self.edges[meeting].to_le_bytes();
+            [above, below].map(usize::from)
+        };
+        grow(&mut self.tops, met.len());
+        let mut tops = 0;
+        for meeting in met.clone() {
+            let [above, _] = faces(meeting);
+            self.lower[above] = meeting;
+            // Kept or not without a branch: which of them it is cannot be guessed.
+            self.tops[tops] = meeting;
+            tops += usize::from(likeness.seen >> above & 1 == 0);
         }
         let [lines, nears, depths] = &self.places;
-        for (first, [above, _]) in (met.start..).zip(&self.faces[met.clone()]) {
-            if seen(*above) != UNSEEN {
-                continue;
-            }
-            let mut upper = first;
+        for &top in &self.tops[..tops] {
+            let (mut upper, mut stack) = (top, drawing.begin());
             // As many as there are at most, whatever rounding has made of the outlines.
             for _ in met.clone() {
-                let below = self.faces[upper][1];
-                let reflectivity = seen(below);
+                let [_, below] = faces(upper);
+                let reflectivity = likeness.faces[below];
                 if reflectivity == UNSEEN {
                     break;
                 }
-                let lower = self.lower[below as usize] as usize;
+                let lower = self.lower[below];
                 let [top, bottom] = [lines[upper], lines[lower]];
                 if top < bottom {
                     let near = [nears[upper], nears[lower]];
                     let depth = [depths[upper], depths[lower]];
-                    spans.push((sweep, Span { top, bottom, reflectivity, near, depth, ..stamp }));
+                    drawing.add(&mut stack, Span { top, bottom, reflectivity, near, depth, ..stamp });
+                } else {
+                    let next = drawing.begin();
+                    drawing.end(sweep, std::mem::replace(&mut stack, next));
                 }
                 upper = lower;
             }
+            drawing.end(sweep, stack);
         }
     }
 }
 
-/// Which of sixteen edges are seen, and met by the sweep that has the corners `left` to its left: a bit each.
+/// Sees to it that a buffer has room for so many.
 #[inline(always)]
-fn is_met<V: Simd>(simd: V, edges: &EdgeBits, left: u32, seen: u64) -> u64 {
-    let of = |bits: &[u32; EdgeBits::TOGETHER], these: u32| {
-        let bits = u32x16::load_array(simd, *bits);
-        (bits, bits & these)
-    };
-    let (corners, to_the_left) = of(&edges.corners, left);
-    let [first, others] = [(0, seen as u32), (1, (seen >> u32::BITS) as u32)]
-        .map(|(half, seen): (usize, u32)| of(&edges.faces[half], seen).1);
-    let is_between = !(to_the_left.simd_eq(0) | to_the_left.simd_eq(corners));
-    (is_between & !(first | others).simd_eq(0)).to_bitmask()
+fn grow<T: Copy + Default>(buffer: &mut Vec<T>, room: usize) {
+    if buffer.len() < room {
+        buffer.resize(room, T::default());
+    }
+}
+
+/// A bit each of 64, by their numbers.
+#[inline(always)]
+fn bits<V: Simd>([first, others]: [u32x16<V>; 2], numbers: u32x16<V>) -> u32x16<V> {
+    let half = (numbers & 32).simd_eq(0).select(first, others);
+    half >> (numbers & 31) & 1
+}
+
+/// Writes those of sixteen words that are wanted behind the first `count`, and zeros up to sixteen; returns how many there are then.
+#[inline(always)]
+fn append<V: Simd>(words: u32x16<V>, is_wanted: mask32x16<V>, to: &mut [u32], count: usize) -> usize {
+    words.compress(is_wanted).store_slice(&mut to[count..count + EdgeWords::TOGETHER]);
+    count + is_wanted.to_bitmask().count_ones() as usize
 }

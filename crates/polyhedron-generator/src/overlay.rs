@@ -10,7 +10,7 @@ use crate::cover::Cover;
 use crate::cut::{self, Sight};
 use crate::layers::{Choice, Layers, Part};
 use crate::stack::Stack;
-use crate::{Hold, Span};
+use crate::{Hold, Sweep};
 
 /// Signals of the block.
 pub const SIGNALS: &[Signal] = &[
@@ -32,7 +32,6 @@ pub struct Run {
 /// The switch of one sweep and its buffers; one a worker.
 #[derive(Debug, Clone, Default)]
 pub struct Overlay {
-    stacks: Vec<Stack>,
     /// Least and greatest line position that is held where each stack is.
     held: Vec<[f32; 2]>,
     /// What is seen of the spans, stack by stack.
@@ -45,48 +44,48 @@ pub struct Overlay {
 }
 
 impl Overlay {
-    /// Lays the `spans` of a sweep over its `row` of lines, `row[k]` being the line from position k to k + 1.
+    /// Lays what stands on a `sweep` over its `row` of lines, `row[k]` being the line from position k to k + 1.
     ///
     /// `AsReported`: bodies are seen as a whole, the nearer foot point on top. `Depth`: what lies below the
     /// `hold` of the ground in front of it is cut away, and the nearest shows; without a hold nothing is cut.
     pub fn overlay<L: Fn(usize) -> f32>(
         &mut self,
-        spans: &[Span],
+        sweep: Sweep<'_>,
         visibility: BodyVisibility,
         hold: Option<&Hold<L>>,
         rule: PixelRule,
         row: &mut [f32],
     ) {
-        self.compose(spans, visibility, hold);
+        self.compose(sweep, visibility, hold);
         self.write(rule, row);
     }
 
-    /// What is seen of the spans of a sweep: disjoint runs, from the top.
+    /// What is seen of what stands on a sweep: disjoint runs, from the top.
     pub fn compose<L: Fn(usize) -> f32>(
         &mut self,
-        spans: &[Span],
+        sweep: Sweep<'_>,
         visibility: BodyVisibility,
         hold: Option<&Hold<L>>,
     ) -> &[Run] {
         // Compiled at the width of the vectors, comparisons and sums of single numbers have better instructions too.
-        dispatch!(Level::new(), _simd => self.compose_here(spans, visibility, hold));
+        dispatch!(Level::new(), _simd => self.compose_here(sweep, visibility, hold));
         &self.runs
     }
 
     #[inline(always)]
     fn compose_here<L: Fn(usize) -> f32>(
         &mut self,
-        spans: &[Span],
+        sweep: Sweep<'_>,
         visibility: BodyVisibility,
         hold: Option<&Hold<L>>,
     ) {
-        self.find(spans, if visibility == BodyVisibility::Depth { hold } else { None });
+        self.find(sweep, if visibility == BodyVisibility::Depth { hold } else { None });
         self.layers.clear();
-        let choice = Choice { spans, visibility };
+        let choice = Choice { spans: sweep.all, visibility };
         for seen in &self.seen {
             self.layers.lay(&self.parts[seen.clone()], &choice);
         }
-        let reflectivity = |part: &Part| spans[part.span as usize].reflectivity;
+        let reflectivity = |part: &Part| sweep.all[part.span as usize].reflectivity;
         let run = |part: &Part| Run { top: part.top, bottom: part.bottom, reflectivity: reflectivity(part) };
         self.runs.clear();
         self.runs.extend(self.layers.shown().iter().map(run));
@@ -94,22 +93,20 @@ impl Overlay {
 
     /// Finds what is seen of the stacks of a sweep.
     #[inline(always)]
-    fn find<L: Fn(usize) -> f32>(&mut self, spans: &[Span], hold: Option<&Hold<L>>) {
-        let Self { stacks, held, parts, seen, .. } = self;
-        stacks.clear();
+    fn find<L: Fn(usize) -> f32>(&mut self, Sweep { all, stacks }: Sweep<'_>, hold: Option<&Hold<L>>) {
+        let Self { held, parts, seen, .. } = self;
         held.clear();
         // Looked up for all before anything is decided: what is decided cannot be guessed.
-        for stack in Stack::all(spans) {
+        for stack in stacks {
             held.push(match hold {
                 Some(hold) => hold.extremes(stack.near),
                 None => [f32::INFINITY; 2],
             });
-            stacks.push(stack);
         }
         parts.clear();
         seen.clear();
-        for (Stack { spans: range, ends, .. }, held) in stacks.iter().zip(held) {
-            let (begin, spans) = (parts.len(), (range.start, &spans[range.clone()]));
+        for (Stack { spans, ends, .. }, held) in stacks.iter().zip(held) {
+            let (begin, spans) = (parts.len(), (spans.start, &all[spans.clone()]));
             match (Sight::of(*ends, *held), hold) {
                 (Sight::Part, Some(hold)) => cut::above_ground(spans, hold, *held, parts),
                 (Sight::Hidden, _) => continue,

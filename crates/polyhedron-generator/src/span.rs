@@ -1,4 +1,4 @@
-//! What sweeps cut out of faces, sweep by sweep.
+//! What a sweep cuts out of a face.
 
 /// The part of a face that lies on one sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -49,53 +49,5 @@ impl Span {
     /// Line position at a share of the way from top to bottom.
     pub fn line_at(&self, share: f32) -> f32 {
         if share < 1.0 { self.top + share * (self.bottom - self.top) } else { self.bottom }
-    }
-}
-
-/// Spans of a frame, sorted by sweep; within a sweep in the order in which bodies and faces were given.
-#[derive(Debug, Clone, Default)]
-pub struct SpanTable {
-    spans: Vec<Span>,
-    starts: Vec<usize>,
-}
-
-impl SpanTable {
-    /// Spans of a sweep; none beyond the last.
-    pub fn sweep(&self, sweep: usize) -> &[Span] {
-        match self.starts.get(sweep..sweep + 2) {
-            Some(&[start, end]) => &self.spans[start..end],
-            _ => &[],
-        }
-    }
-
-    /// Number of spans in all sweeps.
-    pub fn len(&self) -> usize {
-        self.spans.len()
-    }
-
-    /// Whether no sweep meets a body.
-    pub fn is_empty(&self) -> bool {
-        self.spans.is_empty()
-    }
-
-    /// Sorts spans by their sweeps, keeping their order: a counting sort.
-    pub(crate) fn fill<'a>(&mut self, sweeps: usize, found: impl Iterator<Item = &'a (u32, Span)> + Clone) {
-        self.starts.clear();
-        self.starts.resize(sweeps + 1, 0);
-        for (sweep, _) in found.clone() {
-            self.starts[*sweep as usize + 1] += 1;
-        }
-        for sweep in 0..sweeps {
-            self.starts[sweep + 1] += self.starts[sweep];
-        }
-        self.spans.resize(self.starts[sweeps], Span::default());
-        for &(sweep, span) in found {
-            let place = &mut self.starts[sweep as usize];
-            self.spans[*place] = span;
-            *place += 1;
-        }
-        // Each start has moved to the next sweep's: move them back.
-        self.starts.copy_within(..sweeps, 1);
-        self.starts[0] = 0;
     }
 }

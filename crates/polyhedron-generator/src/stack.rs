@@ -6,9 +6,9 @@ use crate::Span;
 use crate::order::{greater, lesser};
 
 /// Spans of one object on one sweep without gaps, from the top: its body, as long as no ground is in front.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Stack {
-    /// Which spans of the sweep.
+    /// Which of all spans.
     pub spans: Range<usize>,
     /// Upper and lower end.
     pub ends: [f32; 2],
@@ -17,16 +17,18 @@ pub(crate) struct Stack {
 }
 
 impl Stack {
-    /// Those of the spans of a sweep, in their order.
+    /// One that is to begin with span `number`.
+    pub fn at(number: usize) -> Self {
+        let nothing = [f32::INFINITY, 0.0];
+        Self { spans: number..number, ends: nothing, near: nothing }
+    }
+
+    /// Adds the next span.
     #[inline(always)]
-    pub fn all(spans: &[Span]) -> impl Iterator<Item = Self> {
-        let mut begin = 0;
-        spans.chunk_by(Span::goes_on).map(move |stack| {
-            let spans = begin..begin + stack.len();
-            begin = spans.end;
-            let widen = |[low, high]: [f32; 2], near: f32| [lesser(low, near), greater(high, near)];
-            let near = stack.iter().flat_map(|span| span.near).fold([f32::INFINITY, 0.0], widen);
-            Self { spans, ends: [stack[0].top, stack[stack.len() - 1].bottom], near }
-        })
+    pub fn add(&mut self, &Span { top, bottom, near: [above, below], .. }: &Span) {
+        self.spans.end += 1;
+        self.ends = [lesser(self.ends[0], top), bottom];
+        let [low, high] = self.near;
+        self.near = [lesser(low, lesser(above, below)), greater(high, greater(above, below))];
     }
 }

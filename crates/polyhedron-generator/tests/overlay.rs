@@ -1,6 +1,6 @@
 //! The third video switch: order, cutting by the ground, mixing into lines.
 
-use polyhedron_generator::{Hold, NearTable, NoHold, Overlay, Run, SIGNALS, Span};
+use polyhedron_generator::{Hold, NearTable, NoHold, Overlay, Run, SIGNALS, Span, SpanTable};
 use proptest::collection::vec;
 use proptest::prelude::{any, prop_assert, prop_assert_eq, proptest};
 use scenario::{BodyVisibility, PixelRule};
@@ -30,7 +30,7 @@ fn slope(lines: [f32; 2], ranges: [f32; 2], reflectivity: f32) -> Span {
 const OPEN: Option<&NoHold> = None;
 
 fn runs<L: Fn(usize) -> f32>(spans: &[Span], by: BodyVisibility, hold: Option<&Hold<L>>) -> Vec<Run> {
-    Overlay::default().compose(spans, by, hold).to_vec()
+    Overlay::default().compose(SpanTable::of_sweep(spans).sweep(0), by, hold).to_vec()
 }
 
 fn ends(runs: &[Run]) -> Vec<[f32; 3]> {
@@ -66,14 +66,26 @@ fn lines_are_mixed_by_cover_or_set_at_their_centre() {
     let spans = [wall([1.25, 3.6], 4.0, 0.8, 0, 4.0), wall([3.6, 3.8], 4.0, 0.4, 0, 4.0)];
     let mut overlay = Overlay::default();
     let mut row = [0.2f32; 5];
-    overlay.overlay(&spans, BodyVisibility::Depth, OPEN, PixelRule::LineMean, &mut row);
+    overlay.overlay(
+        SpanTable::of_sweep(&spans).sweep(0),
+        BodyVisibility::Depth,
+        OPEN,
+        PixelRule::LineMean,
+        &mut row,
+    );
     let expected = [0.2, 0.25 * 0.2 + 0.75 * 0.8, 0.8, 0.6 * 0.8 + 0.2 * 0.4 + 0.2 * 0.2, 0.2];
     assert!(row.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-6), "{row:?}");
     let mut gate = [0f32; 5];
     overlay.present(PixelRule::LineMean, &mut gate);
     assert!(gate.iter().zip([0.0, 0.75, 1.0, 0.8, 0.0]).all(|(a, b)| (a - b).abs() < 1e-6));
     let mut row = [0.2f32; 5];
-    overlay.overlay(&spans, BodyVisibility::Depth, OPEN, PixelRule::Centre, &mut row);
+    overlay.overlay(
+        SpanTable::of_sweep(&spans).sweep(0),
+        BodyVisibility::Depth,
+        OPEN,
+        PixelRule::Centre,
+        &mut row,
+    );
     assert_eq!(row, [0.2, 0.8, 0.8, 0.8, 0.2]);
 }
 
@@ -82,11 +94,23 @@ fn what_reaches_beyond_the_picture_is_cut_off() {
     let spans = [wall([-7.5, 2.5], 4.0, 0.8, 0, 4.0), wall([8.5, 1e6], 5.0, 0.4, 1, 5.0)];
     for rule in [PixelRule::LineMean, PixelRule::Centre] {
         let mut row = [0f32; 10];
-        Overlay::default().overlay(&spans, BodyVisibility::Depth, OPEN, rule, &mut row);
+        Overlay::default().overlay(
+            SpanTable::of_sweep(&spans).sweep(0),
+            BodyVisibility::Depth,
+            OPEN,
+            rule,
+            &mut row,
+        );
         assert_eq!((row[0], row[5], row[9]), (0.8, 0.0, 0.4));
     }
     let mut row = [0.5f32; 3];
-    Overlay::default().overlay(&[], BodyVisibility::Depth, OPEN, PixelRule::LineMean, &mut row);
+    Overlay::default().overlay(
+        SpanTable::default().sweep(0),
+        BodyVisibility::Depth,
+        OPEN,
+        PixelRule::LineMean,
+        &mut row,
+    );
     assert_eq!(row, [0.5; 3]);
 }
 
@@ -244,7 +268,7 @@ proptest! {
             top += height;
         }
         let mut overlay = Overlay::default();
-        let shown = overlay.compose(&spans, BodyVisibility::Depth, OPEN).to_vec();
+        let shown = overlay.compose(SpanTable::of_sweep(&spans).sweep(0), BodyVisibility::Depth, OPEN).to_vec();
         let mut mean = [before; 64];
         overlay.write(PixelRule::LineMean, &mut mean);
         let mut centre = [before; 64];

@@ -60,7 +60,7 @@ fn a_cube_straight_ahead_has_its_closed_form_at_every_sweep() {
         let (generator, census) = run(&view(projection, [0.0, 0.0, 1.5], 0.0, 0.0), &tangents, [&cube]);
         assert_eq!((census.drawn, census.vertices), (1, 8));
         for (sweep, &tangent) in tangents.iter().enumerate() {
-            let spans = generator.table().sweep(sweep);
+            let spans = generator.table().sweep(sweep).spans();
             if tangent.abs() > 1.0 / 9.0 {
                 assert_eq!(spans, [], "{projection:?}, sweep {sweep}");
                 continue;
@@ -97,7 +97,7 @@ fn with_pitch_level_edges_stay_level_and_sweeps_lie_where_the_law_says() {
                 continue;
             }
             let line = |y: f64| ((y / 0.3 + 1.0) * 0.5 * LINES as f64) as f32;
-            let spans = generator.table().sweep(sweep);
+            let spans = generator.table().sweep(sweep).spans();
             let front = spans.iter().find(|span| (span.reflectivity - 0.48).abs() < 1e-5).unwrap();
             assert!((front.top - line(y(9.0, -0.3))).abs() < 1e-4, "{projection:?} {sweep}: {front:?}");
             let top = spans.iter().find(|span| (span.reflectivity - 0.512).abs() < 1e-5).unwrap();
@@ -131,9 +131,9 @@ fn behind_beside_and_too_near_is_skipped_and_counted() {
     let view = view(Projection::Exact, [0.0, 0.0, 1.5], 0.0, 0.0);
     let (generator, census) = run(&view, &tangents(0.4, 50), &bodies);
     assert_eq!((census.too_near, census.drawn), (2, 1));
-    assert!((0..50).all(|sweep| generator.table().sweep(sweep).iter().all(|span| span.object == 4)));
+    assert!((0..50).all(|sweep| generator.table().sweep(sweep).spans().iter().all(|span| span.object == 4)));
     assert!(!generator.table().is_empty());
-    assert_eq!(generator.table().sweep(50), []);
+    assert_eq!(generator.table().sweep(50).spans(), []);
 }
 
 #[test]
@@ -144,7 +144,7 @@ fn a_body_in_shadow_is_black_and_the_table_forgets_the_last_frame() {
     let field = Field::new(&view, &tangents);
     let dark = |(): &()| Some(Drawn { aspect: field.aspect(&cube)?, dark: true });
     generator.run(&field, &light(), &[()], dark);
-    assert_eq!(generator.table().sweep(20)[0].reflectivity, 0.0);
+    assert_eq!(generator.table().sweep(20).spans()[0].reflectivity, 0.0);
     let mut overlay = Overlay::default();
     let mut row = [0.7; LINES];
     overlay.overlay(generator.table().sweep(20), BodyVisibility::Depth, OPEN, PixelRule::Centre, &mut row);
@@ -158,7 +158,7 @@ fn far_bodies_sink_with_the_lunoid() {
     let tower = boxed([2000.0, -50.0, 0.0], [2010.0, 50.0, 100.0], 0);
     let flat = view(Projection::Exact, [0.0, 0.0, 1.5], 0.0, 0.0);
     let curved = ViewPlane { curvature: Curvature::Parabolic, ..flat };
-    let top = |view: &ViewPlane| run(view, &[0.0], [&tower]).0.table().sweep(0)[0].top;
+    let top = |view: &ViewPlane| run(view, &[0.0], [&tower]).0.table().sweep(0).spans()[0].top;
     let drop = 2005.0 * 2005.0 / (2.0 * 1_737_400.0) / 2000.0 / 0.3 * 100.0;
     assert!((top(&curved) - top(&flat) - drop as f32).abs() < 1e-3);
 }

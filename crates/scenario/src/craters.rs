@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use features::Crater;
+use features::Craters;
 use features::population::{Kind, Population, SizeLaw};
 
 /// All craters that a scenario asks for.
@@ -21,7 +21,7 @@ pub struct CraterList {
     /// The file.
     pub file: PathBuf,
     /// Its craters.
-    pub craters: Arc<[Crater]>,
+    pub craters: Arc<Craters>,
 }
 
 /// Craters of one kind, strewn by a law.

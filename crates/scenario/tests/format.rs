@@ -76,7 +76,7 @@ fn the_full_landscape_reads_as_it_is_meant() {
     assert_eq!(scenario.coarse.as_ref().unwrap().massifs.len(), 1);
     assert_eq!(scenario.levels, Some(LevelSwitch { range: 1500.0, blend: 200.0 }));
     let craters = &scenario.features.list.as_ref().unwrap().craters;
-    assert_eq!((craters.len(), craters[1].outer(), craters[2].depth()), (3, 35.0, 9.0));
+    assert_eq!((craters.len(), craters.get(1).outer(), craters.get(2).depth()), (3, 35.0, 9.0));
     assert_eq!(scenario.features.populations[0].area, None);
     assert_eq!(scenario.features.populations[1].area, Some([400.0, 600.0, 1600.0, 1800.0]));
     assert_eq!(scenario.photometry, Photometry::Specular { strength: 0.5, exponent: 8 });

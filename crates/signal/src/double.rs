@@ -8,7 +8,7 @@ use std::ops::{Add, Mul, Sub};
 use fearless_simd::prelude::{Select, SimdBase, SimdCombine, SimdFrom, SimdMask, SimdSplit};
 use fearless_simd::{Simd, f32x8, f32x16, f64x8};
 
-use crate::{LANES, Lanes, Number, Real};
+use crate::{LANES, Lanes, Real};
 
 /// Two wires of a group at one sample: eight lanes of the first, then eight of the second.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,8 +62,10 @@ pub trait Double<L: Simd, S: Real>:
     fn chosen(simd: L, lanes: u64, these: Self, others: Self) -> Self;
     /// Sizes.
     fn size(self) -> Self;
-    /// The larger of each two.
+    /// The larger of each two sizes.
     fn at_least(self, other: Self) -> Self;
+    /// Lanes in which both are equal, a bit each.
+    fn matches(self, other: Self) -> u64;
     /// Whether any is larger than its bound.
     fn is_beyond(self, bound: Self) -> bool;
 }
@@ -107,7 +109,12 @@ impl<L: Simd> Double<L, f32> for f32x16<L> {
 
     #[inline(always)]
     fn at_least(self, other: Self) -> Self {
-        self.simd_gt(other).select(self, other)
+        self.max(other)
+    }
+
+    #[inline(always)]
+    fn matches(self, other: Self) -> u64 {
+        self.simd_eq(other).to_bitmask()
     }
 
     #[inline(always)]
@@ -181,7 +188,13 @@ impl<L: Simd> Double<L, f64> for Twice<f64x8<L>> {
 
     #[inline(always)]
     fn at_least(self, other: Self) -> Self {
-        Self([self.0[0].at_least(other.0[0]), self.0[1].at_least(other.0[1])])
+        Self([self.0[0].max(other.0[0]), self.0[1].max(other.0[1])])
+    }
+
+    #[inline(always)]
+    fn matches(self, other: Self) -> u64 {
+        let lanes = |half: usize| self.0[half].simd_eq(other.0[half]).to_bitmask();
+        lanes(0) | lanes(1) << LANES
     }
 
     #[inline(always)]

@@ -6,15 +6,15 @@ use crate::Face;
 
 /// An edge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Edge {
+pub(crate) struct Edge {
     /// Its two corners.
-    pub corners: [u32; 2],
+    corners: [u32; 2],
     /// The face along whose outline it runs from the first corner to the second, and the one along whose outline it runs back.
-    pub faces: [u32; 2],
+    faces: [u32; 2],
 }
 
 /// Edges of `faces`, which close: every edge runs along one outline and back along another.
-pub(crate) fn edges_of(faces: &[Face]) -> Box<[Edge]> {
+pub(crate) fn edges_of(faces: &[Face]) -> Vec<Edge> {
     let mut met = BTreeMap::new();
     let mut edges = Vec::new();
     for (number, face) in (0..).zip(faces) {
@@ -28,22 +28,19 @@ pub(crate) fn edges_of(faces: &[Face]) -> Box<[Edge]> {
             }
         }
     }
-    edges.into()
+    edges
 }
 
-/// Sixteen edges side by side, corners and faces told by bits: two bits each; those that are not there have none.
+/// Sixteen edges side by side, each told by the bytes of a word, from the lowest: two corners, the face along whose outline it runs
+/// from the first to the second, and the one along whose outline it runs back. Those that are not there have one corner twice.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct EdgeBits {
-    /// Its corners.
-    pub corners: [u32; EdgeBits::TOGETHER],
-    /// Its faces: the first 32, and the others.
-    pub faces: [[u32; EdgeBits::TOGETHER]; 2],
-}
+pub struct EdgeWords(pub [u32; EdgeWords::TOGETHER]);
 
-impl EdgeBits {
+impl EdgeWords {
     /// How many edges stand side by side.
     pub const TOGETHER: usize = 16;
-    /// Most corners and faces of a solid that can be told by bits: all rocks, and whatever else is shipped.
+    /// Most corners and faces of a solid that is told by words, so that a bit each tells any of them: all rocks, and whatever else
+    /// is shipped.
     const MOST: [usize; 2] = [u32::BITS as usize, u64::BITS as usize];
 
     /// Those of a solid with so many corners and faces; none if there are too many.
@@ -54,50 +51,47 @@ impl EdgeBits {
     }
 
     fn new(edges: &[Edge]) -> Self {
-        let mut bits = Self::default();
-        for (place, edge) in edges.iter().enumerate() {
-            edge.corners.iter().for_each(|corner| bits.corners[place] |= 1 << corner);
-            let faces = edge.faces.iter().fold(0u64, |faces, face| faces | 1 << face);
-            (bits.faces[0][place], bits.faces[1][place]) = (faces as u32, (faces >> u32::BITS) as u32);
+        let mut words = Self::default();
+        for (word, Edge { corners, faces }) in words.0.iter_mut().zip(edges) {
+            let [from, to, along, back] =
+                [corners[0], corners[1], faces[0], faces[1]].map(|number| number as u8);
+            *word = u32::from_le_bytes([from, to, along, back]);
         }
-        bits
+        words
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::EdgeBits;
+    use super::{EdgeWords, edges_of};
     use crate::{Solid, rocks};
     use glam::DVec3;
 
     #[test]
-    fn bits_tell_what_the_lists_tell() {
+    fn words_tell_what_the_lists_tell() {
         for solid in rocks::shapes(5).unwrap() {
-            let told = solid.edge_bits().iter().flat_map(|sixteen| {
-                (0..EdgeBits::TOGETHER).map(|n| (sixteen.corners[n], sixteen.faces.map(|faces| faces[n])))
-            });
-            let mut told: Vec<_> = told.collect();
-            let edges = solid.edges();
-            assert!(told.drain(edges.len()..).all(|none| none == (0, [0; 2])));
-            for (edge, (corners, [first, others])) in edges.iter().zip(told) {
-                assert_eq!(edge.corners.map(|corner| 1 << corner).into_iter().sum::<u32>(), corners);
-                let faces = u64::from(others) << 32 | u64::from(first);
-                assert_eq!(edge.faces.map(|face| 1 << face).into_iter().sum::<u64>(), faces);
+            let mut told: Vec<u32> = solid.edge_words().iter().flat_map(|sixteen| sixteen.0).collect();
+            let edges = edges_of(solid.faces());
+            assert_eq!(told.len(), edges.len().next_multiple_of(EdgeWords::TOGETHER));
+            assert!(told.drain(edges.len()..).all(|none| none == 0));
+            for (edge, word) in edges.iter().zip(told) {
+                let [from, to, along, back] = word.to_le_bytes().map(u32::from);
+                assert_eq!(([from, to], [along, back]), (edge.corners, edge.faces));
             }
         }
     }
 
     #[test]
-    fn a_solid_of_too_many_corners_is_not_told_by_bits() {
+    fn a_solid_of_too_many_corners_is_not_told_by_words() {
         let drum = |sides| Solid::prism([DVec3::ZERO, DVec3::Z], [1.0; 2], DVec3::X, sides, 0.5).unwrap();
-        assert_eq!(drum(16).edge_bits().len(), 3);
-        assert!(drum(17).edge_bits().is_empty());
+        assert_eq!(drum(16).edge_words().len(), 3);
+        assert!(drum(17).edge_words().is_empty());
     }
 
     #[test]
     fn every_edge_runs_along_its_two_faces_and_each_face_has_all_of_its_own() {
         for solid in rocks::shapes(3).unwrap() {
-            let (faces, edges) = (solid.faces(), solid.edges());
+            let (faces, edges) = (solid.faces(), edges_of(solid.faces()));
             assert_eq!(solid.vertices().len() + faces.len(), edges.len() + 2, "Euler");
             let runs = |face: usize, from: u32, to: u32| {
                 let corners = &faces[face].corners;

@@ -27,7 +27,7 @@ mod shapes;
 mod solid;
 
 pub use body::{Body, Hit, Kind};
-pub use edges::{Edge, EdgeBits};
+pub use edges::EdgeWords;
 pub use eights::{EightFaces, Eights};
 pub use error::SolidError;
 pub use rock_field::{Rock, RockField, RockFieldError, SizeLaw};

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::check::{check_closed, check_convex, check_counts, check_vertices, plane_of};
 use crate::edges::edges_of;
-use crate::{Edge, EdgeBits, Eights, SolidError};
+use crate::{EdgeWords, Eights, SolidError};
 
 /// One flat side: a convex polygon.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,8 +22,7 @@ pub struct Face {
 pub struct Solid {
     vertices: Vec<DVec3>,
     faces: Vec<Face>,
-    edges: Box<[Edge]>,
-    edge_bits: Box<[EdgeBits]>,
+    edge_words: Box<[EdgeWords]>,
     eights: Eights,
     radius: f64,
     size: f64,
@@ -51,9 +50,9 @@ impl Solid {
         check_convex(&vertices, &faces, Self::TOLERANCE * size)?;
         check_closed(&faces, vertices.len())?;
         let radius = vertices.iter().map(|vertex| vertex.length()).fold(0.0, f64::max);
-        let (edges, eights) = (edges_of(&faces), Eights::new(&vertices, &faces));
-        let edge_bits = EdgeBits::all(&edges, [vertices.len(), faces.len()]);
-        Ok(Self { vertices, faces, edges, edge_bits, eights, radius, size })
+        let edge_words = EdgeWords::all(&edges_of(&faces), [vertices.len(), faces.len()]);
+        let eights = Eights::new(&vertices, &faces);
+        Ok(Self { vertices, faces, edge_words, eights, radius, size })
     }
 
     /// Vertices.
@@ -66,14 +65,9 @@ impl Solid {
         &self.faces
     }
 
-    /// Edges.
-    pub fn edges(&self) -> &[Edge] {
-        &self.edges
-    }
-
-    /// Edges by the bits of their corners and faces; none for a solid of more corners or faces than there are bits.
-    pub fn edge_bits(&self) -> &[EdgeBits] {
-        &self.edge_bits
+    /// Edges by words; none for a solid of more corners or faces than can be told.
+    pub fn edge_words(&self) -> &[EdgeWords] {
+        &self.edge_words
     }
 
     /// Vertices and faces, eight side by side.

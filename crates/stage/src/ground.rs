@@ -1,5 +1,7 @@
 //! The landscape of a scenario over a bank.
 
+use std::sync::Arc;
+
 use features::{Crater, Craters, Features, MOST_CRATERS};
 use landscape::{Bank, Landscape};
 use scenario::{CraterList, CraterPopulation, Scenario};
@@ -24,18 +26,22 @@ pub fn landscape(bank: Bank, scenario: &Scenario) -> Result<Landscape, StageErro
 }
 
 /// Those of the list, then those of each population.
-fn craters(scenario: &Scenario, extent: [f64; 4]) -> Result<Craters, StageError> {
-    let mut craters = Craters::default();
+fn craters(scenario: &Scenario, extent: [f64; 4]) -> Result<Arc<Craters>, StageError> {
+    let mut listed = Arc::default();
     if let Some(list) = &scenario.features.list {
         expect_inside(list, extent)?;
-        craters.extend(list.craters.iter().copied());
-        expect_countable(craters.len())?;
+        listed = Arc::clone(&list.craters);
+        expect_countable(listed.len())?;
     }
+    if scenario.features.populations.is_empty() {
+        return Ok(listed);
+    }
+    let mut craters: Craters = listed.iter().collect();
     for (number, wish) in scenario.features.populations.iter().enumerate() {
         craters.extend(strewn(number, wish, extent)?);
         expect_countable(craters.len())?;
     }
-    Ok(craters)
+    Ok(Arc::new(craters))
 }
 
 fn expect_countable(count: usize) -> Result<(), StageError> {
@@ -52,12 +58,12 @@ fn strewn(number: usize, wish: &CraterPopulation, extent: [f64; 4]) -> Result<Ve
 }
 
 fn expect_inside(list: &CraterList, extent: [f64; 4]) -> Result<(), StageError> {
-    let outside = |crater: &&Crater| !is_inside(crater, extent);
+    let outside = |crater: &Crater| !is_inside(crater, extent);
     let count = list.craters.iter().filter(outside).count();
-    let Some(index) = list.craters.iter().position(|crater| !is_inside(crater, extent)) else {
+    let Some(index) = list.craters.iter().position(|crater| !is_inside(&crater, extent)) else {
         return Ok(());
     };
-    let crater = list.craters[index];
+    let crater = list.craters.get(index as u32);
     let file = list.file.clone();
     Err(StageError::CraterOutside { file, row: index + 1, crater: Box::new(crater), extent, more: count - 1 })
 }

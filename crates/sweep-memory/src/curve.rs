@@ -20,7 +20,7 @@ pub(crate) trait Curve {
 
 /// A smooth part of a step, from a sample or a break to a break or a sample: the chord, bent as the parabola through
 /// its ends and a sample beyond; with a sample beyond either end as the mean of two parabolas by distance, which is
-/// the [`Cubic`](crate::side_by_side::Cubic).
+/// the [`Cubic`](crate::cubic::Cubic).
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Stretch {
     start: (f32, f32),
@@ -92,7 +92,7 @@ pub(crate) fn chords(
 #[cfg(test)]
 mod tests {
     use super::{Curve, Stretch};
-    use crate::side_by_side::Cubic;
+    use crate::cubic::Cubic;
     use fearless_simd::{Level, SimdBase, dispatch, f32x8};
 
     fn parabola(u: f32) -> f32 {

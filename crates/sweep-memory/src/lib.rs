@@ -58,6 +58,7 @@
 
 mod aim;
 mod broken;
+mod cubic;
 mod curve;
 mod deflection;
 mod exposure;

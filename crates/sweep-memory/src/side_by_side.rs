@@ -1,27 +1,102 @@
-//! Strokes of a group of sweeps, side by side: what [`Stroke::lit`], [`line_mean`] and [`centre`] do, eight at a time.
+//! Strokes of a group of sweeps, side by side: what [`Stroke::lit`], [`line_mean`] and [`centre`] do, eight at a time or, of two steps,
+//! sixteen.
 
-use fearless_simd::{Select, Simd, SimdBase, SimdFloat, SimdMask, f32x8, mask32x8};
+#[cfg(test)]
+mod tests;
+
+use fearless_simd::prelude::SimdSplit;
+use fearless_simd::{Select, Simd, SimdBase, SimdFloat, SimdMask, f32x8, f32x16, mask32x8};
 use signal::{LANES, Lanes};
 
-use crate::curve::CHORDS;
 use crate::stroke::{Stroke, centre, line_mean};
 
-/// A [`Stroke`] a lane; a lane whose `to` is not above its `from` draws nothing.
+/// A [`Stroke`] a lane; a lane whose `to` is not above its `from` draws nothing. Eight lanes, or those of two steps.
 #[derive(Clone, Copy)]
-pub(crate) struct Strokes<V: Simd> {
-    pub from: f32x8<V>,
-    pub to: f32x8<V>,
-    pub start: f32x8<V>,
-    pub end: f32x8<V>,
+pub(crate) struct Strokes<F> {
+    pub from: F,
+    pub to: F,
+    pub start: F,
+    pub end: F,
 }
 
-impl<V: Simd> Strokes<V> {
+impl<F: Copy> Strokes<F> {
     /// Lanes that draw.
     #[inline(always)]
-    pub fn draw(&self) -> mask32x8<V> {
+    pub fn draw<V: Simd>(&self) -> F::Mask
+    where
+        F: SimdFloat<V, Element = f32>,
+    {
         self.to.simd_lt(self.from)
     }
 
+    /// Those that lie in the picture, are lit, and touch at most two lines: nearly all.
+    #[inline(always)]
+    fn tell<V: Simd>(&self, simd: V, height: f32) -> Told<F, F::Mask>
+    where
+        F: SimdFloat<V, Element = f32>,
+    {
+        let Self { from, to, start, end } = *self;
+        let splat = |value| F::splat(simd, value);
+        let (zero, one, height) = (splat(0.0), splat(1.0), splat(height));
+        let line = to.floor();
+        let next = line + one;
+        let inside = to.simd_ge(zero) & from.simd_le(height) & from.simd_le(next + one);
+        let lit = start.simd_ge(zero) & end.simd_ge(zero);
+        let draws = self.draw();
+        let known = draws & inside & lit;
+        Told { line, known, others: draws & !known & to.simd_lt(height) & from.simd_gt(zero) }
+    }
+
+    /// What strokes leave that are known.
+    #[inline(always)]
+    fn deposits<V: Simd>(&self, simd: V, Told { line, known, .. }: Told<F, F::Mask>) -> Deposits<F>
+    where
+        F: SimdFloat<V, Element = f32>,
+    {
+        let Self { from, to, start, end } = *self;
+        let (zero, half, next) = (F::splat(simd, 0.0), F::splat(simd, 0.5), line + F::splat(simd, 1.0));
+        let crosses = from.simd_gt(next);
+        let between = start + (from - next) / (from - to) * (end - start);
+        let whole = half * (start + end) * (from - to);
+        let upper = half * (between + (start + (end - start))) * (next - to);
+        let lower = half * (start + between) * (from - next);
+        Deposits {
+            line,
+            next,
+            here: known.select(crosses.select(upper, whole), zero),
+            below: (known & crosses).select(lower, zero),
+        }
+    }
+}
+
+impl<V: Simd> Strokes<f32x16<V>> {
+    /// Adds the integrals of two steps side by side, the first of which is drawn first, as [`Strokes::leave_line_means`] does one
+    /// after the other; `false`, and nothing is added, unless all lie in a few lines. So many lines are added to whatever lies
+    /// in them: how many there are cannot be guessed.
+    #[inline(always)]
+    pub fn leave_both(&self, simd: V, lines: &mut [Lanes<f32>]) -> bool {
+        let told = self.tell(simd, lines.len() as f32);
+        if told.others.any_true() {
+            return false;
+        }
+        let [first, last] = told.span(simd);
+        if first > last {
+            return true;
+        }
+        let few = if last - first > (FEW - 2) as f32 { None } else { lines.get_mut(first as usize..) };
+        let Some(few) = few.and_then(|lines| lines.first_chunk_mut::<FEW>()) else { return false };
+        let deposits = self.deposits(simd, told);
+        let mut number = f32x16::splat(simd, first);
+        for all in few {
+            let (before, after) = deposits.on(simd, number).split();
+            (f32x8::load_array(simd, all.0) + before + after).store_array(&mut all.0);
+            number += 1.0;
+        }
+        true
+    }
+}
+
+impl<V: Simd> Strokes<f32x8<V>> {
     /// The strokes of those lanes alone for which `keeps` is true.
     #[inline(always)]
     pub fn only(self, keeps: mask32x8<V>) -> Self {
@@ -31,9 +106,13 @@ impl<V: Simd> Strokes<V> {
     /// Adds each stroke's integral over each line that it touches to the lane of that line.
     #[inline(always)]
     pub fn leave_line_means(&self, simd: V, lines: &mut [Lanes<f32>]) {
-        let others = self.deposits(simd, lines.len() as f32).leave(simd, lines);
-        if others.any_true() {
-            let alone = self.leave_tall(simd, others, lines);
+        let told = self.tell(simd, lines.len() as f32);
+        // Near ground is tall in all sweeps.
+        if told.known.any_true() {
+            self.deposits(simd, told).leave(simd, told.span(simd), lines);
+        }
+        if told.others.any_true() {
+            let alone = self.leave_tall(simd, told.others, lines);
             if alone.any_true() {
                 self.each().leave_line_means(alone.to_bitmask(), lines);
             }
@@ -55,17 +134,21 @@ impl<V: Simd> Strokes<V> {
         if last - first > TALL {
             return wanted;
         }
+        // Where one line ends the next begins: one place and one intensity for both.
         let (whole, rise) = (from - to, end - start);
-        let mut upper_end = f32x8::splat(simd, first);
+        let edge = |line: f32x8<V>| {
+            let edge = line.simd_gt(top).select(line, top);
+            let edge = edge.simd_lt(bottom).select(edge, bottom);
+            (edge, start + (from - edge) / whole * rise)
+        };
+        let mut line = f32x8::splat(simd, first);
+        let (mut upper, mut above) = edge(line);
         for all in lines[first as usize..].iter_mut().take((last - first).ceil() as usize) {
-            let lower_end = upper_end + one;
-            let lower = lower_end.simd_lt(bottom).select(lower_end, bottom);
-            let upper = upper_end.simd_gt(top).select(upper_end, top);
-            let below = start + (from - lower) / whole * rise;
-            let above = start + (from - upper) / whole * rise;
+            line += one;
+            let (lower, below) = edge(line);
             let value = (lit & lower.simd_gt(upper)).select(half * (below + above) * (lower - upper), zero);
             (f32x8::load_array(simd, all.0) + value).store_array(&mut all.0);
-            upper_end = lower_end;
+            (upper, above) = (lower, below);
         }
         wanted & !lit
     }
@@ -100,31 +183,6 @@ impl<V: Simd> Strokes<V> {
         };
         if alone.any_true() {
             self.each().leave_centres(alone.to_bitmask(), lines);
-        }
-    }
-
-    /// What strokes leave that lie in the picture, are lit, and touch at most two lines: nearly all.
-    #[inline(always)]
-    fn deposits(&self, simd: V, height: f32) -> Deposits<V> {
-        let Self { from, to, start, end } = *self;
-        let [zero, half, one, height] = [0.0, 0.5, 1.0, height].map(|value| f32x8::splat(simd, value));
-        let line = to.floor();
-        let next = line + one;
-        let inside = to.simd_ge(zero) & from.simd_le(height) & from.simd_le(next + one);
-        let lit = start.simd_ge(zero) & end.simd_ge(zero);
-        let draws = self.draw();
-        let known = draws & inside & lit;
-        let crosses = from.simd_gt(next);
-        let between = start + (from - next) / (from - to) * (end - start);
-        let whole = half * (start + end) * (from - to);
-        let upper = half * (between + (start + (end - start))) * (next - to);
-        let lower = half * (start + between) * (from - next);
-        Deposits {
-            line,
-            here: known.select(crosses.select(upper, whole), zero),
-            below: (known & crosses).select(lower, zero),
-            known,
-            others: draws & !known & to.simd_lt(height) & from.simd_gt(zero),
         }
     }
 
@@ -167,15 +225,49 @@ impl Each {
     }
 }
 
+/// What is known of strokes before it is worked out what they leave.
+#[derive(Clone, Copy)]
+struct Told<F, M> {
+    /// The line of the upper end.
+    line: F,
+    /// Strokes that leave something in that line and the one below it alone.
+    known: M,
+    /// Strokes that leave something and are not among them.
+    others: M,
+}
+
+impl<F: Copy, M: Copy> Told<F, M> {
+    /// The highest and the lowest line in which the upper end of a known stroke lies; infinite and below 0 without any.
+    #[inline(always)]
+    fn span<V: Simd>(&self, simd: V) -> [f32; 2]
+    where
+        F: SimdFloat<V, Element = f32, Mask = M>,
+        M: Select<F>,
+    {
+        let bound = |value| F::splat(simd, value);
+        let first = self.known.select(self.line, bound(f32::INFINITY)).reduce_min();
+        [first, self.known.select(self.line, bound(-1.0)).reduce_max()]
+    }
+}
+
 /// What strokes leave in the line of their upper end and in the one below it.
-struct Deposits<V: Simd> {
-    line: f32x8<V>,
-    here: f32x8<V>,
-    below: f32x8<V>,
-    /// Strokes that leave something and are among them.
-    known: mask32x8<V>,
-    /// Strokes that leave something and are not.
-    others: mask32x8<V>,
+struct Deposits<F> {
+    line: F,
+    next: F,
+    here: F,
+    below: F,
+}
+
+impl<F: Copy> Deposits<F> {
+    /// What they leave in the line of this number.
+    #[inline(always)]
+    fn on<V: Simd>(&self, simd: V, number: F) -> F
+    where
+        F: SimdFloat<V, Element = f32>,
+    {
+        let own = self.line.simd_eq(number).select(self.here, F::splat(simd, 0.0));
+        self.next.simd_eq(number).select(self.below, own)
+    }
 }
 
 /// Lines up to which neighbouring strokes are left line by line; if they lie farther apart, lane by lane.
@@ -184,27 +276,22 @@ const NEAR: f32 = 6.0;
 /// The same of strokes that touch more than two lines: lane by lane they take longer.
 const TALL: f32 = 40.0;
 
-impl<V: Simd> Deposits<V> {
-    /// Leaves them, all lanes of a line together: neighbouring sweeps are mostly in the same line or nearly so. Returns the
-    /// others.
+/// Lines that two steps of far ground mostly touch together.
+const FEW: usize = 4;
+
+impl<V: Simd> Deposits<f32x8<V>> {
+    /// Leaves them, all lanes of a line together: neighbouring sweeps are mostly in the same line or nearly so.
     #[inline(always)]
-    fn leave(self, simd: V, lines: &mut [Lanes<f32>]) -> mask32x8<V> {
-        let Self { line, here, below, known, others } = self;
-        let bound = |value| f32x8::splat(simd, value);
-        let first = known.select(line, bound(f32::INFINITY)).reduce_min();
-        let last = known.select(line, bound(-1.0)).reduce_max();
+    fn leave(self, simd: V, [first, last]: [f32; 2], lines: &mut [Lanes<f32>]) {
         if last - first >= NEAR {
-            leave_apart([line, here, below].map(|part| part.to_array()), lines);
-        } else if first <= last {
-            let mut number = bound(first);
+            leave_apart([self.line, self.here, self.below].map(|part| part.to_array()), lines);
+        } else {
+            let mut number = f32x8::splat(simd, first);
             for all in lines[first as usize..].iter_mut().take((last - first) as usize + 2) {
-                let own = line.simd_eq(number).select(here, bound(0.0));
-                let add = (line + bound(1.0)).simd_eq(number).select(below, own);
-                (f32x8::load_array(simd, all.0) + add).store_array(&mut all.0);
-                number += bound(1.0);
+                (f32x8::load_array(simd, all.0) + self.on(simd, number)).store_array(&mut all.0);
+                number += 1.0;
             }
         }
-        others
     }
 }
 
@@ -215,147 +302,6 @@ fn leave_apart([numbers, here, below]: [[f32; LANES]; 3], lines: &mut [Lanes<f32
         for (line, value) in [(line, here[lane]), (line + 1, below[lane])] {
             if let Some(all) = lines.get_mut(line) {
                 all[lane] += value;
-            }
-        }
-    }
-}
-
-/// The cubic, in each lane, between the middle two of four equally spaced values whose slopes are those of their
-/// neighbours.
-#[derive(Clone, Copy)]
-pub(crate) struct Cubic<V: Simd> {
-    values: [f32x8<V>; 4],
-}
-
-impl<V: Simd> Cubic<V> {
-    #[inline(always)]
-    pub fn through(values: [f32x8<V>; 4]) -> Self {
-        Self { values }
-    }
-
-    /// Largest second difference; not a number or infinite where a value is not finite.
-    #[inline(always)]
-    pub fn bend(&self, simd: V) -> f32x8<V> {
-        let [a, b, c, d] = self.values;
-        let [two, infinity] = [2.0, f32::INFINITY].map(|value| f32x8::splat(simd, value));
-        let (first, last) = ((a - two * b + c).abs(), (b - two * c + d).abs());
-        // A sum that is not finite is none, and greater than nothing.
-        let largest = first.simd_gt(last).select(first, last);
-        (first + last).simd_lt(infinity).select(largest, infinity)
-    }
-
-    /// Values at parts of the step, 0..=1.
-    #[inline(always)]
-    pub fn at(&self, simd: V, u: f32x8<V>) -> f32x8<V> {
-        let [a, b, c, d] = self.values;
-        let [half, two, three] = [0.5, 2.0, 3.0].map(|value| f32x8::splat(simd, value));
-        let (first, last) = (half * (c - a), half * (d - b));
-        let chord = c - b;
-        b + u * (first + u * (three * chord - two * first - last + u * (first + last - two * chord)))
-    }
-}
-
-/// Curved strokes as chords from the part `entry` of the step on; the beam never turns back.
-#[inline(always)]
-pub(crate) fn chords<V: Simd>(
-    simd: V,
-    position: &Cubic<V>,
-    intensity: &Cubic<V>,
-    whole: Strokes<V>,
-    entry: f32x8<V>,
-) -> [Strokes<V>; CHORDS as usize] {
-    // A cubic overshoots at a step; no intensity is beyond full scale.
-    let [least, most] = [-1.0, 1.0].map(|value| f32x8::splat(simd, value));
-    let intensity = |u| within(intensity.at(simd, u), least, most);
-    let way = most - entry;
-    let (mut from, mut start) = (whole.from, intensity(entry));
-    let mut chords = [whole; CHORDS as usize];
-    for (number, chord) in (1..).zip(&mut chords) {
-        if number < CHORDS {
-            let u = entry + way * f32x8::splat(simd, number as f32) / f32x8::splat(simd, CHORDS as f32);
-            chord.to = within(position.at(simd, u), whole.to, from);
-            chord.end = intensity(u);
-        }
-        (chord.from, chord.start) = (from, start);
-        (from, start) = (chord.to, chord.end);
-    }
-    chords
-}
-
-/// What is not a number stays so.
-#[inline(always)]
-fn within<V: Simd>(value: f32x8<V>, least: f32x8<V>, most: f32x8<V>) -> f32x8<V> {
-    let above = value.simd_lt(least).select(least, value);
-    above.simd_gt(most).select(most, above)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::Strokes;
-    use crate::stroke::{Stroke, centre, line_mean};
-    use fearless_simd::{Level, SimdBase, dispatch, f32x8};
-    use proptest::prelude::{Just, Strategy, any, prop_assert_eq, prop_oneof, proptest};
-    use signal::{LANES, Lanes};
-
-    const LINES: usize = 9;
-
-    /// Lines in the picture and around it, some of them on a boundary of lines.
-    fn line() -> impl Strategy<Value = f32> {
-        prop_oneof![-3.0..12.0f32, (-2..12i32).prop_map(|line| line as f32), Just(-0.0)]
-    }
-
-    /// A stroke that is long, short or none.
-    fn stroke() -> impl Strategy<Value = Stroke> {
-        let way = prop_oneof![Just(0.0), 0.0..1.0f32, 0.0..4.0f32, Just(1.0), Just(2.0)];
-        let light = || prop_oneof![0.0..1.0f32, -1.0..1.0f32, Just(0.0)];
-        (line(), way, light(), light()).prop_map(|(to, way, start, end)| Stroke {
-            from: to + way,
-            to,
-            start,
-            end,
-        })
-    }
-
-    proptest! {
-        #[test]
-        fn strokes_leave_what_each_leaves_alone(
-            turns in proptest::collection::vec(proptest::collection::vec(stroke(), LANES), 1..6),
-            near in any::<bool>(),
-        ) {
-            // Means, then centres.
-            let mut together = [const { [[Lanes([0.0; LANES]); LINES]; 2] }; 2];
-            let mut alone = vec![[[0.0; LINES]; 2]; LANES];
-            for turn in &turns {
-                // Neighbours are near one another, or anywhere.
-                let stroke = |lane: usize| {
-                    let Stroke { from, to, start, end } = turn[lane];
-                    let shift = if near { turn[0].to.floor() - to.floor() } else { 0.0 };
-                    Stroke { from: from + shift, to: to + shift, start, end }
-                };
-                let part = |of: fn(&Stroke) -> f32| std::array::from_fn(|lane| of(&stroke(lane)));
-                let parts: [[f32; LANES]; 4] = [part(|s| s.from), part(|s| s.to), part(|s| s.start), part(|s| s.end)];
-                for (vectors, lines) in [Level::new(), Level::baseline()].into_iter().zip(&mut together) {
-                    dispatch!(vectors, simd => {
-                        let [from, to, start, end] = parts.map(|part| f32x8::load_array(simd, part));
-                        let strokes = Strokes { from, to, start, end };
-                        strokes.leave_line_means(simd, &mut lines[0]);
-                        strokes.leave_centres(simd, &mut lines[1]);
-                    });
-                }
-                for (lane, [means, centres]) in alone.iter_mut().enumerate() {
-                    if let Some(lit) = Some(stroke(lane)).filter(|s| s.to < s.from).and_then(Stroke::lit) {
-                        line_mean(lit, LINES, |line, value| means[line] += value);
-                        centre(lit, LINES, |line, value| centres[line] = value);
-                    }
-                }
-            }
-            for (lane, rows) in alone.iter().enumerate() {
-                for (rule, row) in rows.iter().enumerate() {
-                    for (line, value) in row.iter().enumerate() {
-                        let found = together.map(|rules| rules[rule][line][lane].to_bits());
-                        prop_assert_eq!(found, [value.to_bits(); 2]);
-                    }
-                }
             }
         }
     }

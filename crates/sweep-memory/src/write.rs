@@ -2,13 +2,15 @@
 
 use std::ops::Range;
 
-use fearless_simd::{Level, Simd, SimdBase, SimdMask, dispatch, f32x8, mask32x8};
+use fearless_simd::prelude::SimdCombine;
+use fearless_simd::{Level, Simd, SimdBase, SimdMask, dispatch, f32x8, f32x16, mask32x8};
 use scenario::PixelRule;
 use signal::{LANES, Lanes, Real, Signal, Unit};
 
 use crate::broken::{BeamBreaks, Cursors};
+use crate::cubic::{Cubic, chords};
 use crate::curve::{MOST_BEND, STRAIGHT};
-use crate::side_by_side::{Cubic, Strokes, chords};
+use crate::side_by_side::Strokes;
 use crate::stroke::{Stroke, centre, line_mean};
 
 /// Signals of the block.
@@ -101,13 +103,33 @@ impl<S: Real> Writer<'_, '_, S> {
     }
 
     #[inline(always)]
-    fn smooth_steps_by<V: Simd>(&self, simd: V, samples: Range<usize>, lines: &mut [Lanes<f32>]) {
-        for sample in samples {
-            // Neighbouring sweeps are mostly hidden together: one look at all of them.
-            if !self.beam.is_hidden(sample) {
-                self.smooth_step(simd, sample, mask32x8::splat(simd, true), lines);
+    fn smooth_steps_by<V: Simd>(&self, simd: V, mut samples: Range<usize>, lines: &mut [Lanes<f32>]) {
+        while !samples.is_empty() {
+            let steps = samples.len().min(2);
+            if steps == 1 || !self.leave_two_steps(simd, samples.start, lines) {
+                for sample in samples.clone().take(steps) {
+                    // Neighbouring sweeps are mostly hidden together: one look at all of them.
+                    if !self.beam.is_hidden(sample) {
+                        self.smooth_step(simd, sample, mask32x8::splat(simd, true), lines);
+                    }
+                }
             }
+            samples.start += steps;
         }
+    }
+
+    /// The step that ends at `sample` and the next one, if they are straight and quickly drawn together.
+    #[inline(always)]
+    fn leave_two_steps<V: Simd>(&self, simd: V, sample: usize, lines: &mut [Lanes<f32>]) -> bool {
+        if self.steps == Steps::Curved || self.rule == PixelRule::Centre {
+            return false;
+        }
+        let Beam { line, entry, intensity, .. } = self.beam;
+        // One by one: arrays of wide vectors stay in memory.
+        let (from, to) = (two(simd, line, sample - 1), two(simd, line, sample));
+        let (before, end) = (two(simd, intensity, sample - 1), two(simd, intensity, sample));
+        let entry = two(simd, entry, sample);
+        Strokes { from, to, start: before + entry * (end - before), end }.leave_both(simd, lines)
     }
 
     /// The step that ends at `sample` in the lanes for which `smooth` is true: nothing where the profile is hidden;
@@ -170,7 +192,7 @@ impl<S: Real> Writer<'_, '_, S> {
     }
 
     #[inline(always)]
-    fn leave<V: Simd>(&self, simd: V, strokes: &Strokes<V>, lines: &mut [Lanes<f32>]) {
+    fn leave<V: Simd>(&self, simd: V, strokes: &Strokes<f32x8<V>>, lines: &mut [Lanes<f32>]) {
         match self.rule {
             PixelRule::LineMean => strokes.leave_line_means(simd, lines),
             PixelRule::Centre => strokes.leave_centres(simd, lines),
@@ -252,6 +274,12 @@ fn all<V: Simd, S: Real>(simd: V, values: &[Lanes<S>], sample: usize) -> f32x8<V
         all[lane] = values[lane].to_f64() as f32;
     }
     f32x8::load_array(simd, all)
+}
+
+/// Of a sample and the one behind it.
+#[inline(always)]
+fn two<V: Simd, S: Real>(simd: V, values: &[Lanes<S>], sample: usize) -> f32x16<V> {
+    all(simd, values, sample).combine(all(simd, values, sample + 1))
 }
 
 #[cfg(test)]

@@ -28,7 +28,7 @@ use std::ops::Range;
 
 use fearless_simd::prelude::{ExtractToken, SimdBase, SimdFrom};
 use fearless_simd::{Level, Simd, dispatch, f64x8};
-use landscape::{Grain, Lattice, Texture};
+use landscape::{Lattice, MOST_LAYERS, Texture};
 use signal::{Double, LANES, Lanes, Real, Signal, Unit, eight};
 
 /// Signals of the block.
@@ -59,16 +59,17 @@ impl TextureGenerator<'_> {
         runs: &[Range<usize>],
         out: &mut Vec<Lanes<S>>,
     ) -> usize {
-        let samples = self.within(self.texture.reach());
+        let reach = self.texture.reach();
+        let samples = self.ranges.partition_point(|&range| range < reach);
         out.clear();
         out.resize(samples, Lanes::default());
-        dispatch!(Level::new(), simd => self.add_all(simd, eye, directions, runs, out));
+        dispatch!(Level::new(), simd => self.fill(simd, eye, directions, runs, out));
         samples
     }
 
-    /// Adds all layers, one after another.
+    /// Two samples at a time: the last of an odd number stands beside itself.
     #[inline(always)]
-    fn add_all<L: Simd, S: Real>(
+    fn fill<L: Simd, S: Real>(
         &self,
         simd: L,
         eye: [f64; 2],
@@ -76,71 +77,106 @@ impl TextureGenerator<'_> {
         runs: &[Range<usize>],
         out: &mut [Lanes<S>],
     ) {
-        let sweeps = Sweeps::new(simd, eye, directions);
-        for grain in self.texture.grains() {
-            let within = self.within(grain.layer().range);
-            for run in runs.iter().filter(|run| run.start < within) {
-                let run = run.start..run.end.min(within);
-                let (ranges, out) = (&self.ranges[run.clone()], &mut out[run]);
-                match grain.lattice() {
-                    Lattice::Stored(lattice) => {
-                        sweeps.add(grain, ranges, out, |[first, second]| {
-                            S::Double::of(lattice.eight::<L, S>(first), lattice.eight::<L, S>(second))
-                        });
-                    }
-                    Lattice::Hashed(lattice) => {
-                        sweeps.add(grain, ranges, out, |places| lattice.sixteen::<L, S>(places));
-                    }
+        let sweeps = Sweeps::new(simd, [eye, self.texture.origin()], directions);
+        let fading = Fading::new(simd, self.texture);
+        let samples = out.len();
+        for run in runs.iter().filter(|run| run.start < samples) {
+            let run = run.start..run.end.min(samples);
+            let (ranges, out) = (&self.ranges[run.clone()], &mut out[run]);
+            for (ranges, out) in ranges.chunks(2).zip(out.chunks_mut(2)) {
+                let sum = self.sum::<L, S>(&sweeps, &fading, [ranges[0], ranges[ranges.len() - 1]]);
+                for (out, sum) in out.iter_mut().zip(sum.halves()) {
+                    sum.store_slice(&mut out.0);
                 }
             }
         }
     }
 
-    fn within(&self, reach: f64) -> usize {
-        self.ranges.partition_point(|&range| range < reach)
+    /// All layers at two samples; one that ends between them has an amplitude of 0 at the farther.
+    #[inline(always)]
+    fn sum<L: Simd, S: Real>(
+        &self,
+        sweeps: &Sweeps<L>,
+        fading: &Fading<L>,
+        [near, far]: [f64; 2],
+    ) -> S::Double<L> {
+        let simd = sweeps.north.token();
+        let (places, amplitudes) = ([sweeps.at(near), sweeps.at(far)], [fading.at(near), fading.at(far)]);
+        let mut sum = S::Double::splat(simd, S::ZERO);
+        for (grain, (&near_amplitude, &far_amplitude)) in
+            self.texture.grains().iter().zip(amplitudes[0].iter().zip(&amplitudes[1]))
+        {
+            if near < grain.layer().range {
+                let amplitude = |value| S::Vector::<L>::simd_from(simd, S::from_f64(value));
+                let amplitude = S::Double::of(amplitude(near_amplitude), amplitude(far_amplitude));
+                sum = sum + amplitude * pattern::<L, S>(grain.lattice(), places);
+            }
+        }
+        sum
+    }
+}
+
+/// The pattern of a layer at the places of two samples.
+#[inline(always)]
+fn pattern<L: Simd, S: Real>(lattice: &Lattice, places: [[f64x8<L>; 2]; 2]) -> S::Double<L> {
+    match lattice {
+        Lattice::Stored(lattice) => {
+            S::Double::of(lattice.eight::<L, S>(places[0]), lattice.eight::<L, S>(places[1]))
+        }
+        Lattice::Hashed(lattice) => lattice.sixteen::<L, S>(places),
+    }
+}
+
+/// Layers of a texture as lanes: how they fade with range.
+struct Fading<L: Simd> {
+    /// Amplitudes at range 0; 0 where there is no layer.
+    amplitude: f64x8<L>,
+    /// Their ranges (m).
+    range: f64x8<L>,
+}
+
+const _: () = assert!(MOST_LAYERS <= LANES);
+
+impl<L: Simd> Fading<L> {
+    #[inline(always)]
+    fn new(simd: L, texture: &Texture) -> Self {
+        let (mut amplitude, mut range) = ([0.0; LANES], [1.0; LANES]);
+        for (layer, grain) in texture.grains().iter().enumerate() {
+            (amplitude[layer], range[layer]) = (grain.layer().amplitude, grain.layer().range);
+        }
+        Self { amplitude: eight(simd, &amplitude), range: eight(simd, &range) }
+    }
+
+    /// [`Layer::amplitude_at`](landscape::Layer::amplitude_at) of all layers.
+    #[inline(always)]
+    fn at(&self, range: f64) -> [f64; LANES] {
+        let simd = self.range.token();
+        let (zero, one) = (f64x8::splat(simd, 0.0), f64x8::splat(simd, 1.0));
+        let left = one - f64x8::splat(simd, range) / self.range;
+        (self.amplitude * left.max(zero)).to_array()
     }
 }
 
 /// Straight ways over the ground, side by side.
 struct Sweeps<L: Simd> {
     eye: [f64; 2],
+    origin: [f64; 2],
     north: f64x8<L>,
     east: f64x8<L>,
 }
 
 impl<L: Simd> Sweeps<L> {
     #[inline(always)]
-    fn new(simd: L, eye: [f64; 2], directions: &[[f64; 2]; LANES]) -> Self {
+    fn new(simd: L, [eye, origin]: [[f64; 2]; 2], directions: &[[f64; 2]; LANES]) -> Self {
         let part = |axis: usize| eight(simd, &directions.map(|direction| direction[axis]));
-        Self { eye, north: part(0), east: part(1) }
+        Self { eye, origin, north: part(0), east: part(1) }
     }
 
-    /// Places of the sweeps at a range (m).
+    /// Places of the sweeps at a range (m), from the origin of the texture.
     #[inline(always)]
     fn at(&self, range: f64) -> [f64x8<L>; 2] {
-        [self.eye[0] + self.north * range, self.eye[1] + self.east * range]
-    }
-
-    /// Adds one layer, two samples at a time: the last of an odd number stands beside itself.
-    #[inline(always)]
-    fn add<S: Real>(
-        &self,
-        grain: &Grain,
-        ranges: &[f64],
-        out: &mut [Lanes<S>],
-        pattern: impl Fn([[f64x8<L>; 2]; 2]) -> S::Double<L>,
-    ) {
-        let simd = self.north.token();
-        let amplitude =
-            |range| S::Vector::<L>::simd_from(simd, S::from_f64(grain.layer().amplitude_at(range)));
-        for (ranges, out) in ranges.chunks(2).zip(out.chunks_mut(2)) {
-            let [near, far] = [ranges[0], ranges[ranges.len() - 1]];
-            let grains =
-                S::Double::of(amplitude(near), amplitude(far)) * pattern([self.at(near), self.at(far)]);
-            for (out, grains) in out.iter_mut().zip(grains.halves()) {
-                (S::Vector::<L>::from_slice(simd, &out.0) + grains).store_slice(&mut out.0);
-            }
-        }
+        let [north, east] = [self.eye[0] + self.north * range, self.eye[1] + self.east * range];
+        [north - self.origin[0], east - self.origin[1]]
     }
 }
 

@@ -46,10 +46,19 @@ enum Part {
     Mesh,
     /// Peak memory (KiB) of this process after three frames of a shipped scenario under ideal parts.
     #[command(hide = true)]
-    Peak { scenario: String },
+    Peak {
+        scenario: String,
+        /// On the standard raster, not on the scenario's own.
+        #[arg(long)]
+        standard: bool,
+    },
     /// Times and peak memory of this process beginning with a scenario.
     #[command(hide = true)]
-    Begin { scenario: String },
+    Begin {
+        scenario: String,
+        #[arg(long)]
+        swift: bool,
+    },
 }
 
 fn main() -> ExitCode {
@@ -83,8 +92,11 @@ fn run(part: &Part) -> Result<(), String> {
         Part::Startup => startup(),
         Part::Circuit => circuit(),
         Part::Mesh => mesh(),
-        Part::Peak { scenario } => peak(scenario),
-        Part::Begin { scenario } => tell_beginning(Path::new(scenario)),
+        Part::Peak { scenario, standard } => peak(scenario, *standard),
+        Part::Begin { scenario, swift } => {
+            let economy = if *swift { Economy::Swift } else { Economy::Bounded };
+            tell_beginning(Path::new(scenario), economy)
+        }
     }
 }
 
@@ -175,17 +187,22 @@ fn control() -> Result<(), String> {
 }
 
 fn memory() -> Result<(), String> {
-    println!("| peak memory of a process | MB |\n|---|---|");
+    println!("| peak memory of a process, MB | standard raster | its own |\n|---|---|---|");
     for scenario in ["first-light", "nominal-drive", "showpiece"] {
-        let kib: f64 = apart(&["peak", scenario])?.trim().parse().map_err(|_| "no peak".to_owned())?;
-        println!("| {scenario}, ideal | {:.1} |", kib * 1024.0 / 1e6);
+        let peak = |arguments: &[&str]| {
+            let kib: f64 = apart(arguments)?.trim().parse().map_err(|_| "no peak".to_owned())?;
+            Ok::<_, String>(kib * 1024.0 / 1e6)
+        };
+        let [standard, own] = [peak(&["peak", scenario, "--standard"])?, peak(&["peak", scenario])?];
+        println!("| {scenario}, ideal | {standard:.1} | {own:.1} |");
     }
     println!();
     Ok(())
 }
 
-fn peak(scenario: &str) -> Result<(), String> {
-    let scene = Scene::shipped(scenario, &Choice { model: Some("ideal"), ..Choice::default() });
+fn peak(scenario: &str, standard: bool) -> Result<(), String> {
+    let raster = standard.then_some(STANDARD);
+    let scene = Scene::shipped(scenario, &Choice { model: Some("ideal"), raster, ..Choice::default() });
     let (mut planes, pose) = (scene.planes(), scene.pose);
     let session = HybridMachine.prepare(scene.stage).map_err(|error| error.to_string())?;
     for _ in 0..3 {
@@ -205,13 +222,14 @@ fn startup() -> Result<(), String> {
         // Files are in memory after the first time: what is left is our own work.
         apart(&["begin", &scenario])?;
         println!("| {craters} | {}", apart(&["begin", &scenario])?.trim());
+        println!("| {craters}, swift | {}", apart(&["begin", &scenario, "--swift"])?.trim());
     }
     println!();
     Ok(())
 }
 
-fn tell_beginning(scenario: &Path) -> Result<(), String> {
-    let took = begin(scenario)?;
+fn tell_beginning(scenario: &Path, economy: Economy) -> Result<(), String> {
+    let took = begin(scenario, economy)?;
     let peak = replay::peak_memory().map_or(f64::NAN, |kib| kib as f64 * 1024.0 / 1e6);
     println!(
         "{:.2} | {:.2} | {:.1} | {:.1} | {peak:.0} |",

@@ -7,14 +7,14 @@ use files::{NpyData, read_npy};
 use limits::Limit;
 
 use super::row::{FLOOR, OUTER};
-use crate::{Crater, Shape};
+use crate::{Crater, Craters, Shape};
 
 /// The craters of an array `[craters, 6]` or `[craters, 8]` of float64: the columns of the text form in their order, `type`
 /// as 1, 2 or 3, NaN in `outer_m` and `floor_m` where nothing is given.
 ///
 /// # Errors
 /// A file that cannot be read, another shape or type, and the first twenty rows that are no crater.
-pub(super) fn read(path: &Path) -> Result<Vec<Crater>, ProblemList> {
+pub(super) fn read(path: &Path) -> Result<Craters, ProblemList> {
     let name = path.display().to_string();
     let refused = |title: String, help: &str| ProblemList::from(Problem::of_file(&name, title).help(help));
     let array = read_npy(path, Limit::ListBytes)
@@ -37,7 +37,7 @@ pub(super) fn read(path: &Path) -> Result<Vec<Crater>, ProblemList> {
     if values.is_empty() {
         return Err(refused("a list of craters without rows".into(), "give at least one row"));
     }
-    let (mut craters, mut faults) = (Vec::with_capacity(values.len() / width), LongList::new(&name));
+    let (mut craters, mut faults) = (Craters::with_room(values.len() / width), LongList::new(&name));
     for (number, row) in values.chunks_exact(width).enumerate() {
         match crater(row) {
             Ok(crater) => craters.push(crater),

@@ -1,35 +1,71 @@
-//! From bytes to a bank. Every size is checked against the bytes at hand before anything is allocated.
+//! From bytes to a bank. Every size is checked against the bytes at hand before anything is allocated; the words of a level are
+//! read straight to where they stay, and nothing of them is parsed.
+
+use files::{Pieces, PiecesError};
 
 use super::error::{BankFormatError, SectionName};
 use super::layout::{
     BLOCK, FILE_LENGTH_AT, FORMAT, HASH, LEVEL, MAGIC, PLACE, SECTION_HASH_AT, TABLE_HASH_AT, TITLE, VOIDS,
 };
-use crate::{Bank, CornerWords, Georeference, Level, WORDS};
+use crate::{Bank, BankError, CornerWords, Georeference, Level, WORDS};
 use std::f64::consts::PI;
+use std::mem;
 
-/// A section whose bytes are there and undamaged.
-struct Section<'a> {
+/// Bytes of a corner.
+const CORNER: usize = WORDS * 8;
+
+/// A section that lies within the file.
+struct Section<P> {
     name: SectionName,
     kind: [u8; 8],
     offset: u64,
-    payload: &'a [u8],
+    length: u64,
+    payload: P,
+}
+
+/// Bytes of a section.
+enum Payload {
+    Bytes(Vec<u8>),
+    /// Of a level: its header, and its words where they stay.
+    Level([u8; BLOCK], Vec<CornerWords>),
+}
+
+/// Why there is no bank.
+type Fault<E> = PiecesError<E, BankFormatError>;
+
+impl<E> From<BankFormatError> for Fault<E> {
+    fn from(error: BankFormatError) -> Self {
+        Self::Format(error)
+    }
+}
+
+impl<E> From<BankError> for Fault<E> {
+    fn from(error: BankError) -> Self {
+        Self::Format(error.into())
+    }
 }
 
 /// The bank in the bytes of a bank file; sections of unknown kind are skipped.
 ///
 /// # Errors
 /// The first fault, with section, byte, what was found and what was expected.
-pub fn decode(bytes: &[u8]) -> Result<Bank, BankFormatError> {
+pub fn decode(mut bytes: &[u8]) -> Result<Bank, BankFormatError> {
+    decode_pieces(&mut bytes).map_err(PiecesError::of_format)
+}
+
+/// The same of a bank file that is read piece by piece.
+pub(super) fn decode_pieces<B: Pieces>(
+    bytes: &mut B,
+) -> Result<Bank, PiecesError<B::Error, BankFormatError>> {
     let table = table(bytes)?;
-    let sections =
-        table.chunks_exact(BLOCK).enumerate().map(|(index, entry)| section(bytes, table, index, entry));
+    let entries = table.chunks_exact(BLOCK).enumerate();
+    let sections = entries.map(|(index, entry)| section(bytes.length(), &table, index, entry));
     let sections = sections.collect::<Result<Vec<_>, _>>()?;
     check_overlap(&sections)?;
-    for section in &sections {
-        check_hash(section, table)?;
-    }
+    let sections = sections.into_iter().map(|section| section.read(bytes, &table));
+    let sections = sections.collect::<Result<Vec<_>, _>>()?;
     let (mut levels, mut title, mut place, mut voids) = (vec![], None, None, None);
-    for section in &sections {
+    for mut section in sections {
         match section.kind {
             LEVEL => levels.push(section.level()?),
             TITLE => section.only(&mut title, section.title()?)?,
@@ -42,51 +78,51 @@ pub fn decode(bytes: &[u8]) -> Result<Bank, BankFormatError> {
 }
 
 /// The section table, after the header is checked.
-fn table(bytes: &[u8]) -> Result<&[u8], BankFormatError> {
-    let magic = &bytes[..bytes.len().min(MAGIC.len())];
+fn table<B: Pieces>(bytes: &mut B) -> Result<Vec<u8>, Fault<B::Error>> {
+    let length = bytes.length();
+    let header = bytes.take(0, length.min(BLOCK as u64) as usize).map_err(Fault::Read)?;
+    let magic = &header[..header.len().min(MAGIC.len())];
     if magic != MAGIC {
-        return Err(BankFormatError::NotBank { found: magic.escape_ascii().to_string() });
+        return Err(BankFormatError::NotBank { found: magic.escape_ascii().to_string() }.into());
     }
-    let wrong_length = |expected: u64| BankFormatError::FileLength { found: bytes.len() as u64, expected };
-    let header = bytes.get(..BLOCK).ok_or_else(|| wrong_length(BLOCK as u64))?;
-    let [format, count] = [8, 12].map(|at| u32_at(header, at));
+    let wrong_length = |expected: u64| BankFormatError::FileLength { found: length, expected };
+    if header.len() < BLOCK {
+        return Err(wrong_length(BLOCK as u64).into());
+    }
+    let [format, count] = [8, 12].map(|at| u32_at(&header, at));
     if format != FORMAT {
-        return Err(BankFormatError::Version { found: format });
+        return Err(BankFormatError::Version { found: format }.into());
     }
-    let length = u64_at(header, FILE_LENGTH_AT);
-    if length != bytes.len() as u64 {
-        return Err(wrong_length(length));
+    let stated = u64_at(&header, FILE_LENGTH_AT);
+    if stated != length {
+        return Err(wrong_length(stated).into());
     }
     let end = (u64::from(count) + 1) * BLOCK as u64;
-    let end_here = usize::try_from(end).map_err(|_| wrong_length(end))?;
-    let table = bytes.get(BLOCK..end_here).ok_or_else(|| wrong_length(end))?;
-    let (found, expected) = (*blake3::hash(table).as_bytes(), hash_at(header, TABLE_HASH_AT));
+    if end > length {
+        return Err(wrong_length(end).into());
+    }
+    let table = bytes.take(BLOCK as u64, count as usize * BLOCK).map_err(Fault::Read)?;
+    let (found, expected) = (*blake3::hash(&table).as_bytes(), hash_at(&header, TABLE_HASH_AT));
     if found != expected {
         let (found, expected) = (short_hex(&found), short_hex(&expected));
-        return Err(BankFormatError::TableChecksum { offset: BLOCK as u64, found, expected });
+        return Err(BankFormatError::TableChecksum { offset: BLOCK as u64, found, expected }.into());
     }
     Ok(table)
 }
 
-fn section<'a>(
-    bytes: &'a [u8],
-    table: &[u8],
-    index: usize,
-    entry: &[u8],
-) -> Result<Section<'a>, BankFormatError> {
+fn section(end: u64, table: &[u8], index: usize, entry: &[u8]) -> Result<Section<()>, BankFormatError> {
     let kind = array_at(entry, 0);
     let name = SectionName { index, kind: kind_text(&kind) };
     let [offset, length] = [8, 16].map(|at| u64_at(entry, at));
     if !offset.is_multiple_of(BLOCK as u64) {
         return Err(BankFormatError::Misaligned { section: name, offset });
     }
-    let [first, end] = [BLOCK + table.len(), bytes.len()].map(|at| at as u64);
+    let first = (BLOCK + table.len()) as u64;
     let inside = offset >= first && offset.checked_add(length).is_some_and(|last| last <= end);
     if !inside {
         return Err(BankFormatError::Outside { section: name, offset, length, first, end });
     }
-    let payload = &bytes[offset as usize..(offset + length) as usize];
-    Ok(Section { name, kind, offset, payload })
+    Ok(Section { name, kind, offset, length, payload: () })
 }
 
 /// A kind as text: trailing zero bytes left out, others that are not ASCII escaped.
@@ -95,11 +131,11 @@ fn kind_text(kind: &[u8; 8]) -> String {
     kind[..end].escape_ascii().to_string()
 }
 
-fn check_overlap(sections: &[Section<'_>]) -> Result<(), BankFormatError> {
-    let mut in_order: Vec<&Section<'_>> = sections.iter().filter(|s| !s.payload.is_empty()).collect();
+fn check_overlap(sections: &[Section<()>]) -> Result<(), BankFormatError> {
+    let mut in_order: Vec<&Section<()>> = sections.iter().filter(|s| s.length > 0).collect();
     in_order.sort_by_key(|section| section.offset);
     for pair in in_order.windows(2) {
-        let expected = pair[0].offset + pair[0].payload.len() as u64;
+        let expected = pair[0].offset + pair[0].length;
         if pair[1].offset < expected {
             let (section, other) = (pair[1].name.clone(), pair[0].name.clone());
             return Err(BankFormatError::Overlap { section, offset: pair[1].offset, other, expected });
@@ -108,42 +144,81 @@ fn check_overlap(sections: &[Section<'_>]) -> Result<(), BankFormatError> {
     Ok(())
 }
 
-fn check_hash(section: &Section<'_>, table: &[u8]) -> Result<(), BankFormatError> {
-    let found = *blake3::hash(section.payload).as_bytes();
-    let expected = hash_at(table, section.name.index * BLOCK + SECTION_HASH_AT);
-    if found == expected {
-        return Ok(());
+impl Section<()> {
+    /// With its bytes, which are undamaged.
+    fn read<B: Pieces>(self, bytes: &mut B, table: &[u8]) -> Result<Section<Payload>, Fault<B::Error>> {
+        let payload = self.payload(bytes).map_err(Fault::Read)?;
+        let found = payload.hash();
+        let expected = hash_at(table, self.name.index * BLOCK + SECTION_HASH_AT);
+        let Self { name, kind, offset, length, .. } = self;
+        if found != expected {
+            let (found, expected) = (short_hex(&found), short_hex(&expected));
+            return Err(BankFormatError::Checksum { section: name, offset, found, expected }.into());
+        }
+        Ok(Section { name, kind, offset, length, payload })
     }
-    let (found, expected) = (short_hex(&found), short_hex(&expected));
-    Err(BankFormatError::Checksum { section: section.name.clone(), offset: section.offset, found, expected })
+
+    fn payload<B: Pieces>(&self, bytes: &mut B) -> Result<Payload, B::Error> {
+        let words = self.length.checked_sub(BLOCK as u64).filter(|_| self.kind == LEVEL);
+        let Some(words) = words.filter(|words| words.is_multiple_of(CORNER as u64)) else {
+            return Ok(Payload::Bytes(bytes.take(self.offset, self.length as usize)?));
+        };
+        let mut header = [0; BLOCK];
+        bytes.fill(self.offset, &mut header)?;
+        let mut corners = vec![[0.0; WORDS]; words as usize / CORNER];
+        bytes.fill(self.offset + BLOCK as u64, bytemuck::cast_slice_mut(&mut corners))?;
+        Ok(Payload::Level(header, corners))
+    }
 }
 
-impl Section<'_> {
-    fn level(&self) -> Result<Level, BankFormatError> {
-        let header = self.payload.get(..BLOCK).ok_or_else(|| self.wrong_length("at least 64"))?;
+impl Payload {
+    fn hash(&self) -> [u8; HASH] {
+        let mut hasher = blake3::Hasher::new();
+        match self {
+            Self::Bytes(bytes) => hasher.update(bytes),
+            Self::Level(header, corners) => hasher.update(header).update(bytemuck::cast_slice(corners)),
+        };
+        *hasher.finalize().as_bytes()
+    }
+}
+
+impl Section<Payload> {
+    fn bytes(&self) -> &[u8] {
+        match &self.payload {
+            Payload::Bytes(bytes) => bytes,
+            Payload::Level(header, _) => header,
+        }
+    }
+
+    /// The level; its words are taken.
+    fn level(&mut self) -> Result<Level, BankFormatError> {
+        let header = self.bytes().get(..BLOCK).ok_or_else(|| self.wrong_length("at least 64"))?;
         let [region_size, north, east] = [0, 8, 16].map(|at| f64_at(header, at));
         let [rows, columns] = [24, 32].map(|at| u64_at(header, at));
-        let words = &self.payload[BLOCK..];
-        let needed = rows.checked_mul(columns).and_then(|corners| corners.checked_mul(WORDS as u64 * 8));
-        if needed != Some(words.len() as u64) {
-            return Err(self.wrong_length(&format!("64 + 72 x {rows} x {columns} corners")));
-        }
-        let words = self.words(words, columns)?;
+        let needed = rows.checked_mul(columns).and_then(|corners| corners.checked_mul(CORNER as u64));
+        let words = match &mut self.payload {
+            Payload::Level(_, words) if needed == Some(self.length - BLOCK as u64) => mem::take(words),
+            _ => return Err(self.wrong_length(&format!("64 + 72 x {rows} x {columns} corners"))),
+        };
+        let words = self.finite(words, columns)?;
         Level::new(region_size, [north, east], [rows as usize, columns as usize], words).map_err(|source| {
             BankFormatError::Level { section: self.name.clone(), offset: self.offset, source }
         })
     }
 
-    fn words(&self, bytes: &[u8], columns: u64) -> Result<Vec<CornerWords>, BankFormatError> {
-        let corner = |nine: &[u8]| std::array::from_fn(|word| f64_at(nine, 8 * word));
-        let words: Vec<CornerWords> = bytes.chunks_exact(WORDS * 8).map(corner).collect();
-        match words.as_flattened().iter().position(|word| !word.is_finite()) {
+    /// Words in the numbers of this machine, all of them finite.
+    fn finite(&self, mut words: Vec<CornerWords>, columns: u64) -> Result<Vec<CornerWords>, BankFormatError> {
+        let all = words.as_flattened_mut();
+        for word in &mut *all {
+            *word = f64::from_le_bytes(word.to_ne_bytes());
+        }
+        match all.iter().position(|word| !word.is_finite()) {
             None => Ok(words),
             Some(place) => {
                 let (corner, word) = (place as u64 / 9, place % 9);
                 let (m, n) = (corner / columns, corner % columns);
                 let expected = format!("a finite number, word {word} of corner ({m}, {n})");
-                Err(self.value(BLOCK + 8 * place, words.as_flattened()[place], &expected))
+                Err(self.value(BLOCK + 8 * place, all[place], &expected))
             }
         }
     }
@@ -151,31 +226,31 @@ impl Section<'_> {
     fn title(&self) -> Result<String, BankFormatError> {
         let not_text = |error: std::str::Utf8Error| {
             let at = error.valid_up_to();
-            self.value(at, format!("byte {:#04x}", self.payload[at]), "UTF-8 text")
+            self.value(at, format!("byte {:#04x}", self.bytes()[at]), "UTF-8 text")
         };
-        std::str::from_utf8(self.payload).map(str::to_owned).map_err(not_text)
+        std::str::from_utf8(self.bytes()).map(str::to_owned).map_err(not_text)
     }
 
     fn place(&self) -> Result<Georeference, BankFormatError> {
-        if self.payload.len() != 32 {
+        if self.bytes().len() != 32 {
             return Err(self.wrong_length("32"));
         }
         let ranges = [(PI / 2.0, "latitude"), (2.0 * PI, "longitude"), (1e9, "north"), (1e9, "east")];
         for (index, (most, what)) in ranges.into_iter().enumerate() {
-            let value = f64_at(self.payload, 8 * index);
+            let value = f64_at(self.bytes(), 8 * index);
             if !(-most..=most).contains(&value) {
                 return Err(self.value(8 * index, value, &format!("{what} within -{most} to {most}")));
             }
         }
-        let [latitude, longitude, north, east] = [0, 8, 16, 24].map(|at| f64_at(self.payload, at));
+        let [latitude, longitude, north, east] = [0, 8, 16, 24].map(|at| f64_at(self.bytes(), at));
         Ok(Georeference { latitude, longitude, at: [north, east] })
     }
 
     fn voids(&self) -> Result<Vec<[u32; 2]>, BankFormatError> {
-        if !self.payload.len().is_multiple_of(8) {
+        if !self.bytes().len().is_multiple_of(8) {
             return Err(self.wrong_length("a multiple of 8"));
         }
-        Ok(self.payload.chunks_exact(8).map(|pair| [u32_at(pair, 0), u32_at(pair, 4)]).collect())
+        Ok(self.bytes().chunks_exact(8).map(|pair| [u32_at(pair, 0), u32_at(pair, 4)]).collect())
     }
 
     fn only<T>(&self, slot: &mut Option<T>, value: T) -> Result<(), BankFormatError> {
@@ -186,7 +261,7 @@ impl Section<'_> {
     }
 
     fn wrong_length(&self, expected: &str) -> BankFormatError {
-        let (section, found) = (self.name.clone(), self.payload.len() as u64);
+        let (section, found) = (self.name.clone(), self.length);
         BankFormatError::SectionLength { section, offset: self.offset, found, expected: expected.into() }
     }
 

@@ -175,6 +175,30 @@ fn values_that_cannot_be_are_named() {
     assert!(error.starts_with("section 0 (level), byte 320: checksum "), "{error}");
 }
 
+/// Read from a file piece by piece, a bank and what is wrong with it are those of its bytes.
+#[test]
+fn a_file_is_what_its_bytes_are() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("site.bank");
+    let whole = encode(&two_levels());
+    let cut = (0..whole.len()).step_by(61).map(|length| whole[..length].to_vec());
+    let damaged = (0..whole.len()).step_by(7).map(|at| {
+        let mut bytes = whole.clone();
+        bytes[at] ^= 0x10;
+        // Every other one has the right checksums over the wrong bytes.
+        let is_sealed = at % 2 == 0 && bytes[..BLOCK] == whole[..BLOCK];
+        if is_sealed { sealed(bytes) } else { bytes }
+    });
+    for bytes in cut.chain(damaged).chain([whole.clone()]) {
+        std::fs::write(&path, &bytes).unwrap();
+        let found = read(&path).map_err(|error| match error {
+            BankFileError::Format { source, .. } => source,
+            BankFileError::File(error) => panic!("{error}"),
+        });
+        assert_eq!(format!("{found:?}"), format!("{:?}", decode(&bytes)));
+    }
+}
+
 #[test]
 fn unknown_sections_are_skipped() {
     // The title's entry renamed: a kind of a later version.

@@ -1,11 +1,9 @@
-//! Patterns on a lattice: stored over one region, or hashed over the whole ground.
+//! Patterns on a lattice: stored over one region, or hashed over the whole ground. Places are from lattice point (0, 0).
 
 use std::ops::{Add, Mul, Sub};
 
-use fearless_simd::prelude::{
-    Bytes, ExtractToken, SimdBase, SimdCombine, SimdFloat, SimdFrom, SimdInt, SimdNarrow, SimdSplit,
-};
-use fearless_simd::{Simd, f32x16, f64x8, i32x16, u32x8, u32x16};
+use fearless_simd::prelude::{Bytes, ExtractToken, SimdBase, SimdFrom, SimdInt};
+use fearless_simd::{Simd, f32x16, f64x8, i32x16, u32x16};
 use quantities::hash_words;
 use signal::{Both, Double, LANES, Real};
 
@@ -54,7 +52,6 @@ fn value(bits: u32) -> f32 {
 /// Variant 2: lattice values from a hash of their place, over the whole ground.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Hashed {
-    origin: [f64; 2],
     inverse_cell: f64,
     seed: u32,
 }
@@ -64,14 +61,14 @@ pub struct Hashed {
 const STRIDE: [u32; 2] = [0x9e37_79b1, 0x85eb_ca77];
 
 impl Hashed {
-    /// A pattern of `cell` (m), lattice point (0, 0) at `origin` (m).
-    pub(super) fn new(seed: u64, cell: f64, origin: [f64; 2]) -> Self {
-        Self { origin, inverse_cell: 1.0 / cell, seed: (seed >> 32) as u32 }
+    /// A pattern of `cell` (m).
+    pub(super) fn new(seed: u64, cell: f64) -> Self {
+        Self { inverse_cell: 1.0 / cell, seed: (seed >> 32) as u32 }
     }
 
     /// The pattern at (x, y) (m), -1..=1.
     pub fn at(&self, x: f64, y: f64) -> f64 {
-        let places = [self.place(x, 0), self.place(y, 1)];
+        let places = [x * self.inverse_cell, y * self.inverse_cell];
         let key = self.key(places.map(|place| line(rounded(place))));
         let corner = |offset| f64::from(value(scramble(key.wrapping_add(offset))));
         join(CORNERS.map(|pair| pair.map(corner)), places.map(way), 3.0)
@@ -82,35 +79,27 @@ impl Hashed {
     pub fn sixteen<L: Simd, S: Real>(&self, places: [[f64x8<L>; 2]; 2]) -> S::Double<L> {
         let simd = places[0][0].token();
         let [first, second] = [self.cells(places[0]), self.cells(places[1])];
+        let rows = line_numbers([first.lines[0], second.lines[0]]);
+        let columns = line_numbers([first.lines[1], second.lines[1]]);
+        let key = rows * STRIDE[0] + columns * STRIDE[1] + self.seed;
         // No `map` and no closure: what they are handed is not always compiled for the width of the vectors.
-        let key = self.keys(first.lines).combine(self.keys(second.lines));
-        let south = [values::<L, S>(simd, key), values::<L, S>(simd, key + CORNERS[0][1])];
-        let north = [values::<L, S>(simd, key + CORNERS[1][0]), values::<L, S>(simd, key + CORNERS[1][1])];
+        let south = [steps::<L, S>(simd, key), steps::<L, S>(simd, key + CORNERS[0][1])];
+        let north = [steps::<L, S>(simd, key + CORNERS[1][0]), steps::<L, S>(simd, key + CORNERS[1][1])];
         let ways = [
             S::Double::of(S::narrow(first.ways[0]), S::narrow(second.ways[0])),
             S::Double::of(S::narrow(first.ways[1]), S::narrow(second.ways[1])),
         ];
-        join([south, north], ways, S::Double::splat(simd, S::from_f64(3.0)))
+        let splat = |value| S::Double::splat(simd, S::from_f64(value));
+        // A power of two: whether corners are taken in its steps or what they join to, the bits are the same.
+        join([south, north], ways, splat(3.0)) * splat(1.0 / 8_388_608.0)
     }
 
     /// The cells of eight places.
     #[inline(always)]
     fn cells<L: Simd>(&self, [x, y]: [f64x8<L>; 2]) -> Cells<L> {
-        let [x, y] = [(x - self.origin[0]) * self.inverse_cell, (y - self.origin[1]) * self.inverse_cell];
+        let [x, y] = [x * self.inverse_cell, y * self.inverse_cell];
         let lines = [(x - 0.5) + ROUND, (y - 0.5) + ROUND];
         Cells { lines, ways: [x - (lines[0] - ROUND), y - (lines[1] - ROUND)] }
-    }
-
-    /// [`key`](Self::key) of eight cells.
-    #[inline(always)]
-    fn keys<L: Simd>(&self, [row, column]: [f64x8<L>; 2]) -> u32x8<L> {
-        line_numbers(row) * STRIDE[0] + line_numbers(column) * STRIDE[1] + self.seed
-    }
-
-    /// In cells from the origin.
-    #[inline(always)]
-    fn place(&self, place: f64, axis: usize) -> f64 {
-        (place - self.origin[axis]) * self.inverse_cell
     }
 
     /// Hash key of the south-west corner of a cell.
@@ -141,32 +130,32 @@ fn scramble(key: u32) -> u32 {
     key ^ (key >> 15)
 }
 
-/// [`value`] of what [`scramble`] makes of twice eight keys.
+/// [`value`] of what [`scramble`] makes of twice eight keys, in steps of 2^-23.
 #[inline(always)]
-fn values<L: Simd, S: Real>(simd: L, keys: u32x16<L>) -> S::Double<L> {
+fn steps<L: Simd, S: Real>(simd: L, keys: u32x16<L>) -> S::Double<L> {
     let keys = (keys ^ (keys >> 16)) * 0x21f0_aaad;
     let keys = (keys ^ (keys >> 15)) * 0xd35a_2d97;
-    let bits: i32x16<L> = ((keys ^ (keys >> 15)) >> 8).bitcast();
-    let values = (bits - (1 << 23)).to_float::<f32x16<L>>() * (1.0 / 8_388_608.0);
+    // The last round, cut down to 24 bits of which the first is turned and made a sign: three words, one instruction.
+    let (signed, mixed): (i32x16<L>, i32x16<L>) = (keys.bitcast(), (keys >> 23).bitcast());
+    let steps = ((signed >> 8) ^ mixed ^ (-1 << 23)).to_float::<f32x16<L>>();
     let mut out = Both::default();
     for lane in 0..2 * LANES {
-        out.0[lane] = S::from_f64(f64::from(values[lane]));
+        out.0[lane] = S::from_f64(f64::from(steps[lane]));
     }
     S::Double::load(simd, &out)
 }
 
-/// Numbers of eight lattice lines.
+/// Numbers of twice eight lattice lines: the low halves of their words.
 #[inline(always)]
-fn line_numbers<L: Simd>(rounded: f64x8<L>) -> u32x8<L> {
-    let (low, high) = rounded.to_bits().split();
-    low.narrow(high)
+fn line_numbers<L: Simd>([first, second]: [f64x8<L>; 2]) -> u32x16<L> {
+    let (first, second): (u32x16<L>, u32x16<L>) = (first.bitcast(), second.bitcast());
+    first.unzip_low(second)
 }
 
 /// Variant 1: lattice values of one region, read through the folded coordinates of section 6.2, so that every region
 /// shows them, mirrored at its edges. With absolute parity the pattern stays fixed to the ground.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stored {
-    origin: [f64; 2],
     /// 1 / region size.
     inverse_region: f64,
     /// Cells along an edge.
@@ -179,13 +168,13 @@ pub struct Stored {
 const MOST_CELLS: f64 = 2048.0;
 
 impl Stored {
-    /// A pattern of about `cell` (m) over regions of `region_size` (m) from `origin` (m).
-    pub(super) fn new(seed: u64, cell: f64, region_size: f64, origin: [f64; 2]) -> Self {
+    /// A pattern of about `cell` (m) over regions of `region_size` (m).
+    pub(super) fn new(seed: u64, cell: f64, region_size: f64) -> Self {
         let cells = (region_size / cell).round().clamp(1.0, MOST_CELLS) as usize;
         let points = cells as u64 + 1;
         let values = (0..points * points)
             .map(|index| value((hash_words(seed, &[index / points, index % points]) >> 32) as u32));
-        let mut stored = Self { origin, inverse_region: 1.0 / region_size, cells, values: values.collect() };
+        let mut stored = Self { inverse_region: 1.0 / region_size, cells, values: values.collect() };
         stored.take_off_the_mean();
         stored
     }
@@ -214,7 +203,7 @@ impl Stored {
 
     /// The pattern at (x, y) (m), -1..=1.
     pub fn at(&self, x: f64, y: f64) -> f64 {
-        let ((row, u), (column, v)) = (self.cell_of(x, 0), self.cell_of(y, 1));
+        let ((row, u), (column, v)) = (self.cell_of(x), self.cell_of(y));
         join(self.corners(row, column).map(|pair| pair.map(f64::from)), [u, v], 3.0)
     }
 
@@ -224,7 +213,7 @@ impl Stored {
         let simd = x.token();
         let (mut values, mut ways) = ([[[S::ZERO; LANES]; 2]; 2], [[S::ZERO; LANES]; 2]);
         for lane in 0..LANES {
-            let ((row, u), (column, v)) = (self.cell_of(x[lane], 0), self.cell_of(y[lane], 1));
+            let ((row, u), (column, v)) = (self.cell_of(x[lane]), self.cell_of(y[lane]));
             let corners = self.corners(row, column);
             for i in 0..2 {
                 for j in 0..2 {
@@ -244,8 +233,8 @@ impl Stored {
 
     /// Lattice line before the folded coordinate, and the way from it in cells.
     #[inline(always)]
-    fn cell_of(&self, place: f64, axis: usize) -> (usize, f64) {
-        let regions = (place - self.origin[axis]) * self.inverse_region;
+    fn cell_of(&self, place: f64) -> (usize, f64) {
+        let regions = place * self.inverse_region;
         let folded = regions - 2.0 * ((0.5 * regions + ROUND) - ROUND);
         let cells = folded.abs() * self.cells as f64;
         // At X = 1 the last cell is meant, whichever way the place is rounded.

@@ -7,10 +7,19 @@ use solids::{Body, Kind, rocks};
 
 use super::{Aspect, Field, Pencil};
 use crate::likeness::Eye;
+use crate::stack::Stack;
+use crate::table::Drawing;
 use crate::{FaceLight, Span, ViewPlane};
 
+/// Spans with their sweeps.
+fn by_sweep(drawing: &Drawing) -> impl Iterator<Item = (u32, Span)> {
+    let spans = |stack: &Stack| &drawing.spans[stack.spans.clone()];
+    drawing.stacks.iter().flat_map(move |(sweep, stack)| spans(stack).iter().map(|span| (*sweep, *span)))
+}
+
 /// By sweep, then from the top: no two faces of a body lie over one another.
-fn sorted(mut spans: Vec<(u32, Span)>) -> Vec<(u32, Span)> {
+fn sorted(drawing: &Drawing) -> Vec<(u32, Span)> {
+    let mut spans: Vec<_> = by_sweep(drawing).collect();
     let order = |(sweep, span): &(u32, Span)| (*sweep, span.top.to_bits(), span.bottom.to_bits());
     spans.sort_by_key(order);
     spans
@@ -48,21 +57,29 @@ proptest! {
         let (first, tangents) = (sweeps.start, &tangents[sweeps.clone()]);
         let light = FaceLight { sun: DVec3::new(-0.6, 0.48, 0.64) };
         let (sighting, vectors, half_height) = (&field.sighting, field.vectors, view.tan_half_height);
-        let eye = Eye { sighting, vectors, light: &light, place: *eye, tangents, half_height };
+        let eye = Eye { sighting, vectors, light: &light, place: *eye, half_height };
         let mut pencil = Pencil::default();
         prop_assume!(pencil.likeness.take(&eye, &body, false) && pencil.likeness.is_inside);
-        let (mut by_edges, mut by_faces) = (Vec::new(), Vec::new());
+        let (mut by_edges, mut by_faces) = (Drawing::default(), Drawing::default());
         // What one body leaves behind must not show in the next.
         for _ in 0..2 {
-            by_edges.clear();
+            by_edges = Drawing::default();
             pencil.draw(&field, &aspect, Span::default(), &mut by_edges);
         }
         pencil.draw_faces(&field, &solid, (first, tangents), Span::default(), &mut by_faces);
-        // From the top, so that whoever lays them over the lines asks for all at once.
+        // Together, so that whoever lays them over the lines asks for all at once.
+        for (_, stack) in &by_edges.stacks {
+            let spans = &by_edges.spans[stack.spans.clone()];
+            prop_assert!(spans.windows(2).all(|pair| pair[0].goes_on(&pair[1])), "{:?}", spans);
+            prop_assert_eq!(stack.ends, [spans[0].top, spans[spans.len() - 1].bottom]);
+            let near = || spans.iter().flat_map(|span| span.near);
+            prop_assert_eq!(stack.near, [near().fold(f32::INFINITY, f32::min), near().fold(0.0, f32::max)]);
+        }
         let touch = |pair: &[(u32, Span)]| (pair[0].1.bottom - pair[1].1.top).abs() < 1e-3;
-        let touches = by_edges.windows(2).filter(|pair| pair[0].0 == pair[1].0).all(touch);
-        prop_assert!(touches, "{:?}", by_edges);
-        prop_assert_eq!(sorted(by_edges), sorted(by_faces));
+        let spans: Vec<_> = by_sweep(&by_edges).collect();
+        let touches = spans.windows(2).filter(|pair| pair[0].0 == pair[1].0).all(touch);
+        prop_assert!(touches, "{:?}", spans);
+        prop_assert_eq!(sorted(&by_edges), sorted(&by_faces));
     }
 
     /// Sweeps that stand evenly, as they do, and others.

@@ -35,8 +35,8 @@ pub struct AxisGenerators<S> {
 
 #[derive(Debug, Clone)]
 enum Curves<S> {
-    /// Ascending powers.
-    Exact([[S; 6]; CURVES]),
+    /// Ascending powers of values and of slopes.
+    Exact([[S; 6]; 3], [[S; 5]; 3]),
     Broken(FunctionBank<S>),
 }
 
@@ -183,10 +183,10 @@ impl<S: Real> Curves<S> {
     fn new(segments: Option<u32>, knee: f64) -> Self {
         let peak = |curve: usize| if curve < 3 { PEAKS[curve] } else { SLOPE_PEAKS[curve - 3] };
         let Some(segments) = segments else {
-            return Self::Exact(std::array::from_fn(|curve| {
-                let powers = if curve < 3 { NEAR[curve] } else { derivative(NEAR[curve - 3]) };
-                powers.map(|power| S::from_f64(power / peak(curve)))
-            }));
+            let scaled = |order: usize| NEAR[order].map(|power| S::from_f64(power / PEAKS[order]));
+            let slope =
+                |order: usize| derivative(NEAR[order]).map(|power| S::from_f64(power / SLOPE_PEAKS[order]));
+            return Self::Exact([0, 1, 2].map(scaled), [0, 1, 2].map(slope));
         };
         let law = FunctionLaw { segments: segments as usize, rounding: knee, ends: Ends::Trimmed([0.0; 2]) };
         let broken = |curve: usize| {
@@ -206,13 +206,10 @@ impl<S: Real> Curves<S> {
                     out[curve] = S::Double::<L>::of(near[curve], far[curve]);
                 }
             }
-            Self::Exact(curves) => {
-                for (out, [rest @ .., top]) in out.iter_mut().zip(curves) {
-                    let mut sum = S::Double::<L>::splat(simd, *top);
-                    for &power in rest.iter().rev() {
-                        sum = sum * fed + S::Double::<L>::splat(simd, power);
-                    }
-                    *out = sum;
+            Self::Exact(values, slopes) => {
+                for order in 0..3 {
+                    out[order] = polynomial(simd, &values[order], fed);
+                    out[3 + order] = polynomial(simd, &slopes[order], fed);
                 }
             }
         }
@@ -220,6 +217,16 @@ impl<S: Real> Curves<S> {
     }
 }
 
-fn derivative(powers: [f64; 6]) -> [f64; 6] {
-    std::array::from_fn(|n| powers.get(n + 1).map_or(0.0, |power| power * (n + 1) as f64))
+/// A polynomial of ascending `powers`, by Horner's scheme.
+#[inline(always)]
+fn polynomial<L: Simd, S: Real, const N: usize>(simd: L, powers: &[S; N], z: S::Double<L>) -> S::Double<L> {
+    let mut sum = S::Double::<L>::splat(simd, powers[N - 1]);
+    for &power in powers[..N - 1].iter().rev() {
+        sum = sum * z + S::Double::<L>::splat(simd, power);
+    }
+    sum
+}
+
+fn derivative(powers: [f64; 6]) -> [f64; 5] {
+    std::array::from_fn(|n| powers[n + 1] * (n + 1) as f64)
 }

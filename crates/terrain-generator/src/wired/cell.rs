@@ -10,8 +10,6 @@ use signal::{Both, Double, Lanes, Real};
 /// A multiplier and its D/A.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cell<S> {
-    /// The function generators that feed it: X, Y.
-    pub(super) factors: [usize; 2],
     pub(super) parts: CellParts<S>,
     /// Time constant of the D/A (s), for steps that a new word divides.
     pub(super) tau: f64,

@@ -12,7 +12,7 @@ use signal::{LANES, Real};
 use super::run::Run;
 use super::state::{ArrayState, Coded, Due, Lane};
 use super::terms::{TERMS, term_of};
-use super::words::{Strobed, Words};
+use super::words::Words;
 
 impl<S: Real> Run<'_, S> {
     /// Puts the words on their way whose strobes are due by `sample`.
@@ -25,15 +25,13 @@ impl<S: Real> Run<'_, S> {
         *due = Due::of(lanes);
     }
 
-    /// The same by rows, where D/As are alike and of time constant `tau` (s).
+    /// The same by rows, where D/As are alike.
     #[inline(never)]
-    pub(super) fn strobe_rows(&self, sample: i64, tau: f64, state: &mut ArrayState<S>) {
-        let (ArrayState { lanes, row_words, coded, due, .. }, array) = (state, self.array);
-        let lag = [array.timing.step, tau];
+    pub(super) fn strobe_rows(&self, sample: i64, state: &mut ArrayState<S>) {
+        let ArrayState { lanes, row_words, coded, due, .. } = state;
         self.strobe_to(sample, lanes, coded, |at, (number, _), colour, coded| {
-            row_words.send((at, number), (colour, coded), &array.factors, lag);
+            row_words.send(at, (colour, number), &coded.shares);
         });
-        row_words.flush(lag);
         *due = Due::of(lanes);
     }
 
@@ -84,7 +82,7 @@ impl<S: Real> Run<'_, S> {
                 pulses[word] = array.glitch * part.carry(from[word], coded.numbers[word]);
             }
         }
-        words.send(Strobed { at, colour, lane: number, shares: coded.shares, pulses });
+        words.send(at, (colour, number), [&coded.shares, &pulses]);
     }
 
     /// Registers as they are as a sweep begins.

@@ -11,8 +11,8 @@ use signal::{Both, Double, LANES, Lanes, Real};
 use super::block::{BLOCK, Block, BothRow, Factor, Row};
 use super::cell::{Cell, CellStep, Wires};
 use super::rows::{Alike, RowWires};
-use super::terms::{PAIRS, ROW, TERMS, one_of, side_by_side};
-use super::words::{Changes, Words};
+use super::terms::{PAIRS, ROW, TERMS, factors, one_of, side_by_side};
+use super::words::Words;
 
 /// All of them, and how many meet at one amplifier.
 #[derive(Debug, Clone)]
@@ -62,10 +62,10 @@ pub(super) struct RowInputs<'a, S> {
 }
 
 impl<'a, S: Real> RowInputs<'a, S> {
-    /// Of the row whose first cell is fed by these units.
+    /// Of row `row`.
     #[inline(always)]
-    pub(super) fn of([a, b]: [usize; 2], block: (&'a [Factor<S>], &'a [BothRow<S>])) -> Self {
-        let ([a, end], [b, _]) = (side_by_side(a), side_by_side(b));
+    pub(super) fn of(row: usize, block: (&'a [Factor<S>], &'a [BothRow<S>])) -> Self {
+        let [[a, end], [b, _]] = factors(ROW * row / TERMS, ROW * row % TERMS).map(side_by_side);
         Self { x: &block.0[a], end, y: &block.1[b..b + PAIRS] }
     }
 
@@ -121,10 +121,10 @@ impl<S: Real> Grid<S> {
         let Block { x, y, partial, .. } = block;
         partial.iter_mut().for_each(|sums| sums[0] = Lanes::default());
         for (index, cell) in self.cells.iter().enumerate() {
-            let [[a, at_a], [b, at_b]] = cell.factors.map(side_by_side);
+            let [[a, at_a], [b, at_b]] = factors(index / TERMS, index % TERMS).map(side_by_side);
             let [pair, end] = side_by_side(index);
-            let (factors, wires) = ([x[a].value[0].wire(at_a), y[b][0].wire(at_b)], &mut wires.pairs[pair]);
-            let at_rest = cell.parts.at_rest(factors, wires.weight.wire(end));
+            let (inputs, wires) = ([x[a].value[0].wire(at_a), y[b][0].wire(at_b)], &mut wires.pairs[pair]);
+            let at_rest = cell.parts.at_rest(inputs, wires.weight.wire(end));
             wires.set(end, &at_rest);
             let sum = &mut partial[self.group(index)][0];
             *sum = *sum + at_rest.term;
@@ -139,7 +139,7 @@ impl<S: Real> Grid<S> {
         simd: L,
         block: &mut Block<S>,
         count: usize,
-        words: &mut Words<S>,
+        words: &Words<S>,
         wires: &mut GridWires<S>,
     ) {
         let Block { x, y, partial, .. } = block;
@@ -147,23 +147,22 @@ impl<S: Real> Grid<S> {
         // Cells of a row that meet at one amplifier are added up before its two ends are taken apart.
         let meet_whole = self.inputs.is_multiple_of(ROW);
         let mut out = [Both::default(); BLOCK];
-        for (number, (step, wires)) in self.steps.iter().zip(&mut wires.pairs).enumerate() {
-            let (row, place) = (number / PAIRS, number % PAIRS);
-            let inputs = RowInputs::of(self.cells[ROW * row].factors, (x, y));
-            let mut pair = Pair::<S, L> { simd, step: step.load(simd), wires: wires.load(simd) };
-            if words.reach(number) {
-                let products = pair.multiply(&inputs, place, count);
-                let changes = words.of_pair(number, count, step, &products, wires.weight);
-                pair.convert(&products, changes, count, &mut out);
-            } else {
-                pair.run(&inputs, place, count, &mut out);
-            }
-            wires.store::<L>(&pair.wires);
-            if !meet_whole || place == PAIRS - 1 {
-                for end in 0..2 {
-                    add(simd, &out[..count], end, &mut partial[self.group(one_of(number, end))]);
+        for (row, (steps, wires)) in
+            self.steps.chunks_exact(PAIRS).zip(wires.pairs.chunks_exact_mut(PAIRS)).enumerate()
+        {
+            let inputs = RowInputs::of(row, (x, y));
+            for place in 0..PAIRS {
+                let number = PAIRS * row + place;
+                let (step, wires) = (steps[place].load(simd), &mut wires[place]);
+                let mut pair = Pair::<S, L> { simd, number, step, wires: wires.load(simd) };
+                pair.run(&inputs, words, count, &mut out);
+                wires.store::<L>(&pair.wires);
+                if !meet_whole || place == PAIRS - 1 {
+                    for end in 0..2 {
+                        add(simd, &out[..count], end, &mut partial[self.group(one_of(number, end))]);
+                    }
+                    out = [Both::default(); BLOCK];
                 }
-                out = [Both::default(); BLOCK];
             }
         }
     }
@@ -172,63 +171,33 @@ impl<S: Real> Grid<S> {
 /// Two cells on their way through a block.
 struct Pair<S: Real, L: Simd> {
     simd: L,
+    number: usize,
     step: CellStep<S::Double<L>>,
     wires: Wires<S::Double<L>>,
 }
 
 impl<S: Real, L: Simd> Pair<S, L> {
-    /// Adds to `out` what comes out at the first `count` samples, in which no word changes.
+    /// Adds to `out` what comes out at the first `count` samples.
     #[inline(always)]
-    fn run(&mut self, inputs: &RowInputs<'_, S>, place: usize, count: usize, out: &mut BothRow<S>) {
-        let weights = self.step.weights(self.wires.weight);
+    fn run(&mut self, inputs: &RowInputs<'_, S>, words: &Words<S>, count: usize, out: &mut BothRow<S>) {
+        let (place, taken) = (self.number % PAIRS, words.samples(self.number));
+        let mut weights = self.step.weights(self.wires.weight);
         let (mut before, mut last) = (self.wires.product, self.wires.term);
-        for (n, out) in out[..count].iter_mut().enumerate() {
+        for n in 0..count.min(BLOCK) {
             let (x, change) = inputs.all_of_x(self.simd, n);
             before = self.wires.product;
             self.step.multiply(&mut self.wires, x, change, inputs.y(self.simd, place, n));
             last = self.step.convert(&mut self.wires, before, weights);
-            (S::Double::<L>::load(self.simd, out) + last).store(out);
+            if taken >> n & 1 == 1 {
+                let at = (self.number, n);
+                let [now, rest] = words.act(self.simd, at, &self.step, (before, &mut self.wires));
+                last = last + now;
+                self.wires.term_left = self.wires.term_left + rest;
+                weights = self.step.weights(self.wires.weight);
+            }
+            (S::Double::<L>::load(self.simd, &out[n]) + last).store(&mut out[n]);
         }
         self.wires.term = self.step.term(&self.wires, before, last);
-    }
-
-    /// What comes out of the multipliers at the first `count` samples, behind that at the sample before.
-    #[inline(always)]
-    fn multiply(&mut self, inputs: &RowInputs<'_, S>, place: usize, count: usize) -> [Both<S>; BLOCK + 1] {
-        let mut products = [Both::default(); BLOCK + 1];
-        self.wires.product.store(&mut products[0]);
-        for (n, product) in products[1..][..count].iter_mut().enumerate() {
-            let (x, change) = inputs.all_of_x(self.simd, n);
-            self.step.multiply(&mut self.wires, x, change, inputs.y(self.simd, place, n));
-            self.wires.product.store(product);
-        }
-        products
-    }
-
-    /// Adds to `out` what D/As whose words change make of `products`.
-    #[inline(always)]
-    fn convert(
-        &mut self,
-        products: &[Both<S>; BLOCK + 1],
-        changes: &Changes<S>,
-        count: usize,
-        out: &mut BothRow<S>,
-    ) {
-        let load = |both: &Both<S>| S::Double::<L>::load(self.simd, both);
-        let (step, wires) = (&self.step, &mut self.wires);
-        let mut before = load(&products[0]);
-        let mut last = wires.term;
-        for (n, out) in out[..count].iter_mut().enumerate() {
-            before = load(&products[n]);
-            wires.product = load(&products[n + 1]);
-            last = step.convert(wires, before, step.weights(wires.weight));
-            let choose = |these, others| S::Double::<L>::chosen(self.simd, changes.lanes[n], these, others);
-            last = choose(last + load(&changes.now[n]), last);
-            wires.term_left = choose(wires.term_left + load(&changes.rest[n]), wires.term_left);
-            wires.weight = choose(load(&changes.weight[n]), wires.weight);
-            (load(out) + last).store(out);
-        }
-        wires.term = step.term(wires, before, last);
     }
 }
 

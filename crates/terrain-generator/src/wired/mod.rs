@@ -35,8 +35,8 @@ mod rows;
 mod run;
 mod scale;
 mod state;
+mod strobed;
 mod summer;
-mod taken;
 mod terms;
 #[cfg(test)]
 mod tests;

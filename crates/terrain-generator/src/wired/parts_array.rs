@@ -21,7 +21,7 @@ use super::run::Run;
 use super::scale::{PEAKS, SLOPE_PEAKS, Scale};
 use super::state::ArrayState;
 use super::summer::Summer;
-use super::terms::{ALL, TERMS, factors, word_of};
+use super::terms::{ALL, TERMS, word_of};
 use super::timing::{Delays, Timing, lag_of};
 use super::words::Converters;
 use crate::TerrainGenerator;
@@ -38,7 +38,7 @@ pub struct PartsArray<S> {
     /// What each multiplying D/A makes of a share of full scale: its gain, and the scale of its sum.
     pub(super) factors: Vec<f64>,
     /// The same with what else it makes of a word, colour by colour.
-    pub(super) converters: [Converters; 4],
+    pub(super) converters: Vec<Converters>,
     /// Area of the pulse at the major carry of a word (full scale times seconds).
     pub(super) glitch: f64,
     pub(super) summers: [Summer<S>; 3],
@@ -84,7 +84,6 @@ impl<S: Real> PartsArray<S> {
         let multiplier_taus = taus("mul.bandwidth", parts.multiplier.bandwidth);
         let converter_taus = taus("mdac.bandwidth", parts.multiplying_dac.bandwidth);
         let cell = |index: usize| Cell {
-            factors: factors(index / TERMS, index % TERMS),
             parts: CellParts {
                 multiplier: multiplier(index),
                 leak: leak("mul.feedthrough", index, parts.multiplier.feedthrough),
@@ -132,10 +131,8 @@ impl<S: Real> PartsArray<S> {
             generators,
             grid: Grid::new((0..ALL).map(cell).collect(), summers[0].inputs(), act_together),
             words: parts.multiplying_dac.bits.map(|bits| MultiplyingConverter::new(h, bits, 1.0, 0.0, 0.0)),
-            converters: std::array::from_fn(|colour| {
-                Converters::of_colour(colour, |index| {
-                    [factors[index], timing.later(index), converter_taus[index]]
-                })
+            converters: Converters::of_all(|index| {
+                [factors[index], timing.later(index), converter_taus[index]]
             }),
             factors,
             glitch: parts.multiplying_dac.glitch / parts.full_scale,

@@ -103,25 +103,27 @@ impl<S: Real> RampParts<S> {
         RampState { converter, input, smooth: SecondOrderState { y: input, rate: Lanes::default() } }
     }
 
-    /// A step later; the accumulator changes to `value` as the step begins (to the converter's word), or moves to it in
-    /// a straight line where there is no converter.
+    /// Steps later, one for each of `values`, which become the ramp's; the accumulator changes to each as a step begins (to the
+    /// converter's word), or moves to it in a straight line where there is no converter. Part by part, so that what waits for
+    /// the step before is short.
     #[inline(always)]
-    pub fn step<L: Simd>(&self, simd: L, state: &mut RampState<S>, value: Lanes<S>) -> Lanes<S> {
-        let before = state.input;
-        state.input = match &self.converter {
-            Some(part) => part.step_lanes(&mut state.converter, value),
-            None => value,
-        };
-        let Some(part) = &self.smoother else { return state.input };
-        let smooth = SecondOrderState {
-            y: S::Vector::<L>::from_slice(simd, &state.smooth.y.0),
-            rate: S::Vector::<L>::from_slice(simd, &state.smooth.rate.0),
-        };
-        let before = S::Vector::<L>::from_slice(simd, &before.0);
-        let after = part.step(smooth, before, S::Vector::<L>::from_slice(simd, &state.input.0));
-        after.y.store_slice(&mut state.smooth.y.0);
-        after.rate.store_slice(&mut state.smooth.rate.0);
-        state.smooth.y
+    pub fn pass<L: Simd>(&self, simd: L, state: &mut RampState<S>, values: &mut [Lanes<S>]) {
+        if let Some(part) = &self.converter {
+            values.iter_mut().for_each(|value| *value = part.step_lanes(&mut state.converter, *value));
+        }
+        let Some(part) = &self.smoother else { return };
+        let load = |lanes: &Lanes<S>| S::Vector::<L>::from_slice(simd, &lanes.0);
+        let mut before = load(&state.input);
+        let mut smooth = SecondOrderState { y: load(&state.smooth.y), rate: load(&state.smooth.rate) };
+        for value in values {
+            let input = load(value);
+            smooth = part.step(smooth, before, input);
+            smooth.y.store_slice(&mut value.0);
+            before = input;
+        }
+        before.store_slice(&mut state.input.0);
+        smooth.y.store_slice(&mut state.smooth.y.0);
+        smooth.rate.store_slice(&mut state.smooth.rate.0);
     }
 }
 
@@ -145,9 +147,9 @@ mod tests {
         let steps = f64::from(u8::from(ramp.has_steps()));
         let mut state = ramp.at_rest(Lanes::splat(triangle(-0.9e-6)));
         let value = |k: i32| triangle(-0.9e-6 + (f64::from(k) - steps) * H);
-        let step =
-            |k| dispatch!(Level::new(), simd => ramp.step(simd, &mut state, Lanes::splat(value(k)))[3]);
-        (1..1700).map(step).collect()
+        let mut values: Vec<_> = (1..1700).map(|k| Lanes::splat(value(k))).collect();
+        dispatch!(Level::new(), simd => ramp.pass(simd, &mut state, &mut values));
+        values.iter().map(|value| value[3]).collect()
     }
 
     /// Artefact 8: behind a lag the peak is short by 0.693 of what the ramp makes in its time constant.

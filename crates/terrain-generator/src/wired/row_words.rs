@@ -7,45 +7,31 @@
 use std::ops::Range;
 
 use fearless_simd::Simd;
-use fearless_simd::prelude::SimdBase;
-use parts::LagStep;
-use signal::{Both, Double, LANES, Lanes, Real};
+use parts::LagSteps;
+use signal::{Both, Double, LANES, Real};
 
-use super::grid::GridWires;
-use super::state::Coded;
-use super::taken::{Link, Links, Lists};
-use super::terms::{ALL, PAIRS, ROW, TERMS, side_by_side, term_of};
+use super::block::BLOCK;
+use super::strobed::{NEVER, SIDES, Strobed, Strobes, WORDS, side_of};
+use super::terms::{ENDS, PAIRS};
+use super::words::Converters;
 
-/// Rows of an array.
-const ROWS: usize = ALL / ROW;
+/// Pairs of D/As that take words of a side, `WORDS sum + word`.
+const PLACES: usize = 3 * WORDS;
 
-/// Words that the D/As of a row take in one step, pair by pair.
-#[derive(Debug, Clone, Copy)]
+/// What the D/As of a side take, pair by pair: each lane in a step of its own.
+#[derive(Debug, Clone)]
 struct Taken<S> {
-    /// What they multiply by from then on.
-    weight: [Both<S>; PAIRS],
+    /// In the steps to which samples of the block, bit by bit.
+    samples: u32,
+    /// In the step to which sample of the block, lane by lane.
+    sample: Both<S>,
     /// When within the step, 0..=1.
-    share: Lanes<S>,
+    share: Both<S>,
     /// What the signal at the word and at the end of the step leave at its end, for a weight of 1.
-    from: Lanes<S>,
-    to: Lanes<S>,
-}
-
-impl<S: Real> Default for Taken<S> {
-    #[inline(always)]
-    fn default() -> Self {
-        let none = Lanes::default();
-        Self { weight: [Both::default(); PAIRS], share: none, from: none, to: none }
-    }
-}
-
-/// What a lane has strobed in one instant (samples).
-#[derive(Debug, Clone, Copy)]
-struct Strobed {
-    at: f64,
-    lane: usize,
-    /// Rows that it changes, bit by bit.
-    rows: u32,
+    from: Both<S>,
+    to: Both<S>,
+    /// What they multiply by from then on.
+    weight: [Both<S>; PLACES],
 }
 
 /// Words of all rows of a group.
@@ -53,82 +39,49 @@ struct Strobed {
 pub(super) struct RowWords<S> {
     /// First sample of the block.
     first: i64,
-    /// What each D/A was given last, pair by pair.
-    given: Vec<Both<S>>,
-    strobed: Option<Strobed>,
-    /// Words that act in the block, and whose they are, row by row.
-    taken: Links<Taken<S>>,
-    rows: [Lists; ROWS],
+    strobed: Strobes,
+    /// Those that act in the block, side by side of X; in a lane ascending in time.
+    taken: [Vec<Taken<S>>; SIDES],
 }
 
-impl<S: Real> Default for RowWords<S> {
+impl<S> Default for RowWords<S> {
     fn default() -> Self {
-        let rows = [Lists::default(); ROWS];
-        Self { first: 0, given: Vec::new(), strobed: None, taken: Links::default(), rows }
+        Self { first: 0, strobed: Strobes::default(), taken: [Vec::new(), Vec::new()] }
     }
 }
 
 impl<S: Real> RowWords<S> {
-    /// Begins a sweep with the words that D/As have.
-    pub(super) fn start(&mut self, wires: &GridWires<S>) {
-        self.given.clear();
-        self.given.extend(wires.pairs.iter().map(|pair| pair.weight));
-    }
-
-    /// Begins the block of `samples`, at most [`BLOCK`](super::block::BLOCK).
+    /// Begins the block of `samples`, at most [`BLOCK`].
     pub(super) fn begin(&mut self, samples: &Range<i64>) {
         self.first = samples.start;
-        self.taken.clear();
-        self.rows.iter_mut().for_each(Lists::clear);
+        self.taken.iter_mut().for_each(Vec::clear);
     }
 
-    /// The D/As of a colour have `coded` words in a lane from `at` on (samples); `factors` are those of all D/As, and their
-    /// time constant is `tau`, of steps of `h` seconds.
-    pub(super) fn send(
-        &mut self,
-        (at, lane): (f64, usize),
-        (colour, coded): (usize, &Coded),
-        factors: &[f64],
-        [h, tau]: [f64; 2],
-    ) {
-        if self.strobed.is_some_and(|strobed| (strobed.at, strobed.lane) != (at, lane)) {
-            self.flush([h, tau]);
-        }
-        let strobed = self.strobed.get_or_insert(Strobed { at, lane, rows: 0 });
-        for (word, share) in coded.shares.iter().enumerate() {
-            let term = term_of(colour, word);
-            let [pair, end] = side_by_side(term);
-            for sum in 0..3 {
-                let weight = S::from_f64(share * factors[TERMS * sum + term]);
-                self.given[TERMS / 2 * sum + pair].0[LANES * end + lane] = weight;
-                strobed.rows |= 1 << (TERMS / ROW * sum + term / ROW);
-            }
-        }
+    /// The D/As of a colour have words of these shares of full scale in a lane from `at` on (samples).
+    pub(super) fn send(&mut self, at: f64, whose: (usize, usize), shares: &[f64; WORDS]) {
+        self.strobed.send(at, whose, [shares, &[0.0; WORDS]]);
     }
 
-    /// Places what was strobed last.
-    pub(super) fn flush(&mut self, [h, tau]: [f64; 2]) {
-        let Some(Strobed { at, lane, rows }) = self.strobed.take() else { return };
-        let whole = at as i64;
-        // What should have acted before acts as its first step begins.
-        let sample = (whole + i64::from(at > whole as f64)).max(self.first);
-        let share = (at - (sample - 1) as f64).clamp(0.0, 1.0);
-        let LagStep { from, to, .. } = LagStep::part(h * (1.0 - share), tau);
-        let [share, from, to] = [share, from, to].map(S::from_f64);
-        for row in (0..ROWS).filter(|row| rows >> row & 1 == 1) {
-            let taken = self.taken.room(&mut self.rows[row], (sample - self.first) as usize, lane);
-            (taken.share[lane], taken.from[lane], taken.to[lane]) = (share, from, to);
-            for (weight, given) in taken.weight.iter_mut().zip(&self.given[PAIRS * row..]) {
-                weight.0[lane] = given.0[lane];
-                weight.0[LANES + lane] = given.0[LANES + lane];
+    /// Works out what D/As of time constant `tau` make of what was sent since the block began, for steps of `h` seconds.
+    #[inline(always)]
+    pub(super) fn divide(&mut self, [h, tau]: [f64; 2], converters: &[Converters]) {
+        for side in 0..SIDES {
+            for strobed in self.strobed.of_pair(WORDS * side) {
+                let mut taken = Taken::none();
+                for end in ENDS.into_iter().filter(|&end| strobed.has(end)) {
+                    taken.divide(strobed, end, self.first as f64, [h, tau]);
+                    taken.weigh(strobed, end, &converters[WORDS * side..]);
+                }
+                self.taken[side].push(taken);
             }
         }
+        self.strobed.clear();
     }
 
     /// Samples of the block within whose step a row takes words, bit by bit.
     #[inline(always)]
     pub(super) fn samples(&self, row: usize) -> u32 {
-        self.rows[row].samples()
+        self.taken[side_of(PAIRS * row)].iter().fold(0, |samples, taken| samples | taken.samples)
     }
 
     /// Gives the D/As of a row the words of the step to sample `n`; their signals are `begin` as it begins and `end` as it
@@ -141,23 +94,70 @@ impl<S: Real> RowWords<S> {
         [begin, end]: [[S::Double<L>; PAIRS]; 2],
         weight: &mut [S::Double<L>; PAIRS],
     ) -> S::Double<L> {
-        let both = |lanes: &Lanes<S>| {
-            let half = S::Vector::<L>::from_slice(simd, &lanes.0);
-            S::Double::<L>::of(half, half)
-        };
+        let load = |both| S::Double::<L>::load(simd, both);
+        let n = S::Double::<L>::splat(simd, S::from_f64(n as f64));
+        let first = WORDS * (PAIRS * row / (SIDES * WORDS)) + PAIRS * row % WORDS;
         let mut more = S::Double::<L>::splat(simd, S::ZERO);
-        for Link { lanes, words, .. } in self.taken.of(&self.rows[row], n) {
-            let [share, from, to] = [both(&words.share), both(&words.from), both(&words.to)];
-            let lanes = lanes | lanes << LANES;
+        for taken in &self.taken[side_of(PAIRS * row)] {
+            let lanes = load(&taken.sample).matches(n);
+            let [share, from, to] = [load(&taken.share), load(&taken.from), load(&taken.to)];
             for pair in 0..PAIRS {
                 let start = begin[pair] + share * (end[pair] - begin[pair]);
-                let new = S::Double::<L>::load(simd, &words.weight[pair]);
-                let new = S::Double::<L>::chosen(simd, lanes, new, weight[pair]);
+                let new =
+                    S::Double::<L>::chosen(simd, lanes, load(&taken.weight[first + pair]), weight[pair]);
                 let held = (start * from + end[pair] * to) * (new - weight[pair]);
                 more = S::Double::<L>::chosen(simd, lanes, more + held, more);
                 weight[pair] = new;
             }
         }
         more
+    }
+}
+
+impl<S: Real> Taken<S> {
+    /// Nothing, in any lane.
+    #[inline(always)]
+    fn none() -> Self {
+        let (never, zero) = (Both([S::from_f64(NEVER); 2 * LANES]), Both::default());
+        Self { samples: 0, sample: never, share: zero, from: zero, to: zero, weight: [zero; PLACES] }
+    }
+
+    /// Places what was strobed at one end in the steps of the block that begins at sample `first`: of `h` seconds, for D/As of
+    /// time constant `tau`.
+    #[inline(always)]
+    fn divide(&mut self, strobed: &Strobed, end: usize, first: f64, [h, tau]: [f64; 2]) {
+        let mut left = [0.0; LANES];
+        for lane in 0..LANES {
+            let (at, place) = (strobed.at[end][lane], LANES * end + lane);
+            if at == NEVER {
+                continue;
+            }
+            // What should have acted before acts as its first step begins.
+            let sample = at.ceil().max(first);
+            let share = (at - (sample - 1.0)).clamp(0.0, 1.0);
+            left[lane] = h * (1.0 - share);
+            self.samples |= 1 << ((sample - first) as usize).min(BLOCK);
+            self.sample.0[place] = S::from_f64(sample - first);
+            self.share.0[place] = S::from_f64(share);
+        }
+        let LagSteps { from, to, .. } = LagSteps::new(left, [tau; LANES]);
+        for lane in 0..LANES {
+            let place = LANES * end + lane;
+            (self.from.0[place], self.to.0[place]) = (S::from_f64(from[lane]), S::from_f64(to[lane]));
+        }
+    }
+
+    /// What the D/As of a side multiply by from then on at one end; `converters` are those from the first of the side on.
+    #[inline(always)]
+    fn weigh(&mut self, strobed: &Strobed, end: usize, converters: &[Converters]) {
+        for sum in 0..3 {
+            for word in 0..WORDS {
+                let factor = converters[SIDES * WORDS * sum + word].factor[end];
+                let weight = &mut self.weight[WORDS * sum + word];
+                for lane in 0..LANES {
+                    weight.0[LANES * end + lane] = S::from_f64(strobed.shares[word][end][lane] * factor);
+                }
+            }
+        }
     }
 }

@@ -4,7 +4,8 @@
 //! `sum lag(w u) = lag(sum w u)`, also where a word changes, which adds to the one lag what it adds to its own
 //! (`converters`). Of 36 multipliers, 36 D/As and seven amplifiers a sum then has 36 + 6 + 7 states, to rounding those of
 //! all parts. Rows are six cells behind one function generator of X: an amplifier takes one or several.
-//! **Elaboration.** Multipliers without an error and without a leak are products. Who looks at single D/As has them, in the
+//! **Elaboration.** Multipliers that are alike, without an error and without a leak, are products behind which stands the same: it
+//! multiplies their common input once. Who looks at single D/As has them, in the
 //! form of `grid`.
 
 use fearless_simd::Simd;
@@ -13,7 +14,7 @@ use parts::LagStep;
 use signal::{Double, Lanes, Real};
 
 use super::block::{BLOCK, Block};
-use super::cell::{Cell, CellStep, Wires};
+use super::cell::{Cell, CellParts, CellStep, Wires};
 use super::grid::{Grid, GridWires, RowInputs};
 use super::row_words::RowWords;
 use super::terms::{PAIRS, ROW};
@@ -24,7 +25,7 @@ pub(super) struct Alike<S> {
     converter: LagStep<S>,
     /// Their time constant (s).
     pub(super) tau: f64,
-    /// Whether multipliers are products and lags.
+    /// Whether multipliers are products with the same lag.
     are_products: bool,
 }
 
@@ -33,10 +34,18 @@ impl<S: Real> Alike<S> {
     pub(super) fn of(cells: &[Cell<S>], inputs: usize) -> Option<Self> {
         let (converter, tau) = (cells.first()?.parts.converter, cells[0].tau);
         let is_alike = |cell: &Cell<S>| cell.parts.converter == converter && cell.parts.past.is_none();
-        let is_product = |cell: &Cell<S>| cell.parts.multiplier.is_ideal() && cell.parts.leak.is_none();
+        let is_product = |cell: &Cell<S>| {
+            let CellParts { multiplier, leak, lag, .. } = &cell.parts;
+            multiplier.is_ideal() && leak.is_none() && *lag == cells[0].parts.lag
+        };
         let are_products = cells.iter().all(is_product);
         let meet_whole = inputs.is_multiple_of(ROW);
         (meet_whole && cells.iter().all(is_alike)).then_some(Self { converter, tau, are_products })
+    }
+
+    /// Whether multipliers take more of their inputs than a product does.
+    pub(super) fn have_errors(&self) -> bool {
+        !self.are_products
     }
 }
 
@@ -105,12 +114,12 @@ impl<S: Real, L: Simd, const PRODUCTS: bool> Course<'_, S, L, PRODUCTS> {
         let x = self.inputs.x(self.simd, n);
         for pair in 0..PAIRS {
             let y = self.inputs.y(self.simd, pair, n);
-            let (step, wires) = (&self.steps[pair], &mut self.wires[pair]);
+            let wires = &mut self.wires[pair];
             if PRODUCTS {
-                step.multiply_ideally(wires, x, y);
+                self.steps[0].multiply_ideally(wires, x, y);
             } else {
                 let (x, change) = self.inputs.all_of_x(self.simd, n);
-                step.multiply(wires, x, change, y);
+                self.steps[pair].multiply(wires, x, change, y);
             }
         }
     }
@@ -180,7 +189,7 @@ impl<S: Real> Grid<S> {
                 wires: [wires[0].load(simd), wires[1].load(simd), wires[2].load(simd)],
                 left: S::Vector::<L>::from_slice(simd, &lag.left.0),
                 term: S::Vector::<L>::from_slice(simd, &lag.term.0),
-                inputs: RowInputs::of(self.cells[ROW * row].factors, (x, y)),
+                inputs: RowInputs::of(row, (x, y)),
             };
             let sums = &mut partial[self.group(ROW * row)];
             let taken = words.samples(row);

@@ -11,6 +11,7 @@ use super::basis::UNITS;
 use super::block::{BLOCK, Block, Row};
 use super::out::Out;
 use super::parts_array::PartsArray;
+use super::rows::Alike;
 use super::scale::Scale;
 use super::state::{ArrayState, Coded, Due, Lane};
 use super::terms::{ALL, side_by_side, sign};
@@ -82,9 +83,8 @@ impl<S: Real> Run<'_, S> {
         self.turn(first, state);
         self.strobe(first, state);
         self.take_words(first, state);
-        state.put_factors(simd, 0);
+        state.put_factors(simd, 0, true);
         array.grid.settle(&mut state.block, &mut state.wires);
-        state.row_words.start(&state.wires);
         let Block { partial, sums, .. } = &mut *state.block;
         for (sum, summer) in array.summers.iter().enumerate() {
             sums[sum][0] = summer.at_rest(rows_of(sum, partial), &mut state.summers[sum]);
@@ -142,7 +142,8 @@ impl<S: Real> Run<'_, S> {
             Some(alike) => {
                 state.row_words.begin(samples);
                 if has_strobes {
-                    self.strobe_rows(samples.end - 1, alike.tau, state);
+                    self.strobe_rows(samples.end - 1, state);
+                    state.row_words.divide([array.timing.step, alike.tau], &array.converters);
                 }
             }
             None => {
@@ -154,6 +155,7 @@ impl<S: Real> Run<'_, S> {
             }
         }
         self.ramps(simd, samples, state);
+        let have_errors = alike.is_none_or(Alike::have_errors);
         for (n, sample) in samples.clone().enumerate() {
             for axis in 0..2 {
                 array.generators[axis].step(simd, &mut state.axes[axis], &state.block.fed[axis][n]);
@@ -161,7 +163,7 @@ impl<S: Real> Run<'_, S> {
             if state.due.turn <= sample as f64 {
                 self.turn(sample, state);
             }
-            state.put_factors(simd, n);
+            state.put_factors(simd, n, have_errors);
         }
         let ArrayState { block, words, row_words, wires, .. } = state;
         match alike {
@@ -178,17 +180,17 @@ impl<S: Real> Run<'_, S> {
     /// for the one before.
     #[inline(always)]
     fn ramps<L: Simd>(&self, simd: L, samples: &Range<i64>, state: &mut ArrayState<S>) {
-        let array = self.array;
+        let (array, count) = (self.array, samples.clone().count());
         let late = i64::from(array.ramps[0].has_steps());
         let mut values = [[Lanes::default(); BLOCK]; 2];
         for (n, sample) in samples.clone().enumerate() {
             [values[0][n], values[1][n]] = self.accumulators(sample - late, state);
         }
         for axis in 0..2 {
-            let fed = state.block.fed[axis].iter_mut().zip(&values[axis]);
-            for (fed, &value) in fed.take(samples.clone().count()) {
-                let ramp = array.ramps[axis].step(simd, &mut state.ramps[axis], value);
-                *fed = array.generators[axis].feed(simd, ramp);
+            let values = &mut values[axis][..count];
+            array.ramps[axis].pass(simd, &mut state.ramps[axis], values);
+            for (fed, &value) in state.block.fed[axis].iter_mut().zip(&*values) {
+                *fed = array.generators[axis].feed(simd, value);
             }
         }
     }

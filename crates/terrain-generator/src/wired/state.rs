@@ -116,19 +116,22 @@ impl<S: Real> Default for ArrayState<S> {
 }
 
 impl<S: Real> ArrayState<S> {
-    /// Gives what the function generators put out its signs: the factors at sample `n` of the block.
+    /// Gives what the function generators put out its signs: the factors at sample `n` of the block, with what errors of
+    /// multipliers take of them where these have any.
     #[inline(always)]
-    pub(super) fn put_factors<L: Simd>(&mut self, simd: L, n: usize) {
+    pub(super) fn put_factors<L: Simd>(&mut self, simd: L, n: usize, have_errors: bool) {
         let Self { axes: [x, y], signs, block, before, .. } = self;
         let load = |both: &Both<S>| S::Double::<L>::load(simd, both);
         for curve in 0..CURVES {
             let value = load(&x.out[curve]) * load(&signs[0][curve]);
-            let change = value - load(&before[curve]);
             let Factor { value: values, cube, change: changes } = &mut block.x[curve];
             value.store(&mut values[n]);
-            (value * (value * value)).store(&mut cube[n]);
-            change.store(&mut changes[n]);
-            value.store(&mut before[curve]);
+            if have_errors {
+                let change = value - load(&before[curve]);
+                (value * (value * value)).store(&mut cube[n]);
+                change.store(&mut changes[n]);
+                value.store(&mut before[curve]);
+            }
             (load(&y.out[curve]) * load(&signs[1][curve])).store(&mut block.y[curve][n]);
         }
     }

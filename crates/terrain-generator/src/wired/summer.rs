@@ -204,11 +204,13 @@ fn pass_quietly<L: Simd, S: Real>(
 /// The sum of `rows` at the first `count` samples.
 #[inline(always)]
 fn total<S: Real>(rows: &[Row<S>], count: usize) -> Row<S> {
-    let mut sum = [Lanes::default(); BLOCK];
-    for row in rows {
-        for (sum, &term) in sum[..count].iter_mut().zip(row) {
-            *sum = *sum + term;
+    let mut sums = [Lanes::default(); BLOCK];
+    for n in 0..count.min(BLOCK) {
+        let mut sum = Lanes::default();
+        for row in rows {
+            sum = sum + row[n];
         }
+        sums[n] = sum;
     }
-    sum
+    sums
 }

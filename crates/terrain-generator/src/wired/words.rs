@@ -1,75 +1,67 @@
 //! Words on their way to the D/As of a group, and what they do within a block of samples.
 //!
-//! A strobe gives a colour nine words, which go to nine D/As of each sum. Each of these has its own time, but what they make of
-//! the words is worked out side by side; D/As, two by two, find theirs among it.
+//! A strobe gives a colour nine words, which go to nine D/As of each sum. Each of these has its own time. What two of them, side
+//! by side, make of their words is worked out for all lanes at once.
 
 use std::ops::Range;
 
-use parts::{LagStep, LagSteps};
-use signal::{Both, LANES, Real};
+use fearless_simd::Simd;
+use parts::LagSteps;
+use signal::{Both, Double, LANES, Real};
 
-use super::block::{BLOCK, BothRow};
-use super::cell::CellStep;
-use super::terms::{TERMS, term_of};
+use super::cell::{CellStep, Wires};
+use super::strobed::{NEVER, Strobed, Strobes, WORDS};
+use super::terms::{ALL, ENDS, PAIRS, one_of};
 
-/// D/As of a colour, `9 sum + word`, with those behind them that nobody has: whole vectors.
-const PLACES: usize = 32;
+/// The bit of what is taken behind a block.
+const BEYOND: f64 = 31.0;
 
-/// Sides of X: colours of a side stand at both ends of Y of the same rows.
-const SIDES: usize = 2;
-
-/// What the multiplying D/As of a colour make of their words.
+/// Figures of two multiplying D/As side by side.
 #[derive(Debug, Clone)]
 pub(super) struct Converters {
     /// Gain, and the scale of the sum.
-    factor: [f64; PLACES],
+    pub(super) factor: [f64; 2],
     /// By how many samples each switches later than a nominal one.
-    later: [f64; PLACES],
+    later: [f64; 2],
     /// Inverse time constants (1/s), infinite without a lag.
-    rate: [f64; PLACES],
+    rate: [f64; 2],
+    /// What a pulse of area 1 begins with (1/s): nothing without a lag, as it is over at once.
+    kick: [f64; 2],
 }
 
 impl Converters {
-    /// Those of `colour`; by their numbers D/As have a factor, are later (samples) and have a time constant (s).
-    pub(super) fn of_colour(colour: usize, figures: impl Fn(usize) -> [f64; 3]) -> Self {
-        let mut all = Self { factor: [0.0; PLACES], later: [0.0; PLACES], rate: [0.0; PLACES] };
-        for place in 0..3 * 9 {
-            let [factor, later, tau] = figures(TERMS * (place / 9) + term_of(colour, place % 9));
-            (all.factor[place], all.later[place], all.rate[place]) = (factor, later, 1.0 / tau);
-        }
-        all
+    /// Those of all pairs; by their numbers D/As have a factor, are later (samples) and have a time constant (s).
+    pub(super) fn of_all(figures: impl Fn(usize) -> [f64; 3]) -> Vec<Self> {
+        let of_pair = |pair: usize| {
+            let figures = ENDS.map(|end| figures(one_of(pair, end)));
+            let rate = figures.map(|[.., tau]| 1.0 / tau);
+            Self {
+                factor: figures.map(|[factor, ..]| factor),
+                later: figures.map(|[_, later, _]| later),
+                rate,
+                kick: rate.map(|rate| if rate < f64::INFINITY { rate } else { 0.0 }),
+            }
+        };
+        (0..ALL / 2).map(of_pair).collect()
     }
 }
 
-/// A colour is given other words in a lane.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Strobed {
-    /// When a nominal D/A has them (samples).
-    pub(super) at: f64,
-    pub(super) colour: usize,
-    pub(super) lane: usize,
-    /// Shares of full scale.
-    pub(super) shares: [f64; 9],
-    /// Areas of their pulses for a product of full scale (full scale times seconds).
-    pub(super) pulses: [f64; 9],
-}
-
-/// What the D/As of a colour take, each in a step of its own.
-#[derive(Debug, Clone, Copy)]
-struct Taken<S> {
-    /// The lane of both D/As of a pair, side by side.
-    lane: usize,
-    /// In the step to which sample of the block; before the block, it is over.
-    sample: [i32; PLACES],
+/// What two D/As take, side by side: each lane in a step of its own.
+#[derive(Debug, Clone)]
+pub(super) struct Taken<S> {
+    /// In the steps to which samples of the block, bit by bit; [`BEYOND`] is one behind it.
+    samples: u32,
+    /// In the step to which sample, lane by lane: exact, as no sweep has more than 65 536.
+    sample: Both<S>,
     /// When within the step, 0..=1.
-    share: [S; PLACES],
+    share: Both<S>,
     /// What they multiply by from then on.
-    weight: [S; PLACES],
+    weight: Both<S>,
     /// What the signal at the word and at the end of the step leave at its end, for a weight of 1.
-    from: [S; PLACES],
-    to: [S; PLACES],
+    from: Both<S>,
+    to: Both<S>,
     /// What the pulse leaves, for a signal of 1 at the word.
-    kick: [S; PLACES],
+    kick: Both<S>,
 }
 
 /// Words of all D/As.
@@ -77,15 +69,14 @@ struct Taken<S> {
 pub(super) struct Words<S> {
     /// First sample of the block.
     first: i64,
-    /// Strobed since the block began; in a lane ascending in time, as are those taken.
-    strobed: Vec<Strobed>,
-    taken: [Vec<Taken<S>>; SIDES],
-    changes: Box<Changes<S>>,
+    strobed: Strobes,
+    /// By pairs of D/As; in a lane ascending in time.
+    taken: Vec<Vec<Taken<S>>>,
 }
 
 impl<S: Real> Default for Words<S> {
     fn default() -> Self {
-        Self { first: 0, strobed: Vec::new(), taken: Default::default(), changes: Box::default() }
+        Self { first: 0, strobed: Strobes::default(), taken: vec![Vec::new(); ALL / 2] }
     }
 }
 
@@ -96,9 +87,9 @@ impl<S: Real> Words<S> {
         self.taken.iter_mut().for_each(Vec::clear);
     }
 
-    /// Puts words on their way.
-    pub(super) fn send(&mut self, strobed: Strobed) {
-        self.strobed.push(strobed);
+    /// Puts words on their way, as [`Strobes::send`].
+    pub(super) fn send(&mut self, at: f64, whose: (usize, usize), words: [&[f64; WORDS]; 2]) {
+        self.strobed.send(at, whose, words);
     }
 
     /// Hands over the words that act by `sample`, before the first block: what D/A takes, lane, weight. They are over when a
@@ -106,152 +97,154 @@ impl<S: Real> Words<S> {
     pub(super) fn take(
         &self,
         sample: i64,
-        converters: &[Converters; 4],
+        converters: &[Converters],
         mut take: impl FnMut(usize, usize, f64),
     ) {
-        for &Strobed { at, colour, lane, shares, .. } in &self.strobed {
-            let Converters { factor, later, .. } = &converters[colour];
-            for place in (0..3 * 9).filter(|&place| at + later[place] <= sample as f64) {
-                let index = TERMS * (place / 9) + term_of(colour, place % 9);
-                take(index, lane, shares[place % 9] * factor[place]);
+        for (pair, Converters { factor, later, .. }) in converters.iter().enumerate() {
+            for strobed in self.strobed.of_pair(pair) {
+                for (end, lane) in ENDS.into_iter().flat_map(|end| (0..LANES).map(move |lane| (end, lane))) {
+                    let at = strobed.at[end][lane];
+                    if at != NEVER && at + later[end] <= sample as f64 {
+                        take(one_of(pair, end), lane, strobed.shares[pair % WORDS][end][lane] * factor[end]);
+                    }
+                }
             }
         }
     }
 
-    /// Begins the block of `samples`, at most [`BLOCK`].
+    /// Begins the block of `samples`, at most [`BLOCK`](super::block::BLOCK).
     pub(super) fn begin(&mut self, samples: &Range<i64>) {
-        let later = (samples.start - self.first) as i32;
+        let passed = samples.start - self.first;
         self.first = samples.start;
-        for side in &mut self.taken {
-            side.retain_mut(|taken| {
-                taken.sample.iter_mut().for_each(|sample| *sample -= later);
-                taken.sample.iter().any(|&sample| sample >= 0)
-            });
+        for taken in &mut self.taken {
+            taken.retain(|taken| i64::from(taken.samples) >> passed.min(32) != 0);
+            taken.iter_mut().for_each(|taken| taken.mark(samples.start));
         }
     }
 
     /// Works out what the D/As take that were given words since the last block, for steps of `h` seconds.
     #[inline(always)]
-    pub(super) fn divide(&mut self, h: f64, converters: &[Converters; 4]) {
-        for strobed in &self.strobed {
-            let taken = strobed.taken(self.first, h, &converters[strobed.colour]);
-            self.taken[strobed.colour % 2].push(taken);
+    pub(super) fn divide(&mut self, h: f64, converters: &[Converters]) {
+        if self.strobed.are_none() {
+            return;
+        }
+        let of_rows = converters.chunks_exact(PAIRS).zip(self.taken.chunks_exact_mut(PAIRS));
+        for (row, (converters, taken)) in of_rows.enumerate() {
+            for strobed in self.strobed.of_pair(PAIRS * row) {
+                taken.iter_mut().for_each(|taken| taken.push(Taken::none()));
+                for end in ENDS.into_iter().filter(|&end| strobed.has(end)) {
+                    strobed.divide(PAIRS * row % WORDS, end, (self.first, h), converters, taken);
+                }
+                taken.iter_mut().flat_map(|taken| taken.last_mut()).for_each(|taken| taken.mark(self.first));
+            }
         }
         self.strobed.clear();
     }
 
-    /// Whether the D/As of a pair may take words in the block.
+    /// Samples of the block within whose step a pair of D/As takes words, bit by bit.
     #[inline(always)]
-    pub(super) fn reach(&self, pair: usize) -> bool {
-        !self.taken[side_of(pair)].is_empty()
+    pub(super) fn samples(&self, pair: usize) -> u32 {
+        self.taken[pair].iter().fold(0, |samples, taken| samples | taken.samples)
     }
 
-    /// What words do to a pair of D/As in the first `count` samples of the block: these multiply `products`, the first of which
-    /// is that of the sample before, by `weight` as the block begins.
+    /// Gives a pair of D/As the words of the step to sample `n` of the block, whose signals are `begin` as it begins and that of
+    /// the `wires` as it ends: what that adds to their outputs at its end, and to what is left for the next.
     #[inline(always)]
-    pub(super) fn of_pair(
-        &mut self,
-        pair: usize,
-        count: usize,
-        step: &CellStep<Both<S>>,
-        products: &[Both<S>; BLOCK + 1],
-        mut weight: Both<S>,
-    ) -> &Changes<S> {
-        let changes = &mut *self.changes;
-        changes.lanes = [0; BLOCK];
-        for taken in &self.taken[side_of(pair)] {
-            let (place, lane) = (place_of(pair), taken.lane);
-            let n = taken.sample[place] as usize;
-            if n >= count.min(BLOCK) {
-                continue;
-            }
-            let [begin, end] = [products[n].0[lane], products[n + 1].0[lane]];
-            let start = begin + taken.share[place] * (end - begin);
-            let change = taken.weight[place] - weight.0[lane];
-            let held = start * taken.from[place] + end * taken.to[place];
-            let now = held * change + start * taken.kick[place];
-            let LagStep { keep, from, .. } = &step.converter;
-            let rest = now * keep.0[lane] + end * change * from.0[lane];
-            let is_second = changes.lanes[n] >> lane & 1 == 1;
-            let before =
-                if is_second { [changes.now[n].0[lane], changes.rest[n].0[lane]] } else { [S::ZERO; 2] };
-            changes.now[n].0[lane] = before[0] + now;
-            changes.rest[n].0[lane] = before[1] + rest;
-            (changes.weight[n].0[lane], weight.0[lane]) = (taken.weight[place], taken.weight[place]);
-            changes.lanes[n] |= 1 << lane;
+    pub(super) fn act<L: Simd>(
+        &self,
+        simd: L,
+        (pair, n): (usize, usize),
+        step: &CellStep<S::Double<L>>,
+        (begin, wires): (S::Double<L>, &mut Wires<S::Double<L>>),
+    ) -> [S::Double<L>; 2] {
+        let mut more = [S::Double::<L>::splat(simd, S::ZERO); 2];
+        for taken in &self.taken[pair] {
+            taken.act(simd, self.first + n as i64, step, (begin, wires), &mut more);
         }
-        changes
+        more
     }
 }
 
 impl Strobed {
-    /// What D/As make of it from sample `first` on, in steps of `h` seconds.
+    /// What the D/As of a row make of their words from `word` on, at one end, from sample `first` on in steps of `h` seconds: all
+    /// together, so that none waits for itself.
     #[inline(always)]
-    fn taken<S: Real>(&self, first: i64, h: f64, converters: &Converters) -> Taken<S> {
-        let Self { at, colour, lane, shares, pulses } = self;
-        let none = [S::ZERO; PLACES];
-        let mut taken = Taken {
-            lane: LANES * (colour / 2) + lane,
-            sample: [-1; PLACES],
-            share: none,
-            weight: none,
-            from: none,
-            to: none,
-            kick: none,
-        };
-        let [mut values, mut areas, mut ratios] = [[0.0; PLACES]; 3];
-        for sum in 0..3 {
-            values[9 * sum..][..9].copy_from_slice(shares);
-            areas[9 * sum..][..9].copy_from_slice(pulses);
-        }
-        for place in 0..PLACES {
-            let at = (at + converters.later[place]) - first as f64;
-            let sample = at.ceil();
-            let share = at - (sample - 1.0);
-            let left = h * (1.0 - share);
-            ratios[place] = if left > 0.0 { left * converters.rate[place] } else { 0.0 };
-            taken.sample[place] = sample as i32;
-            taken.share[place] = S::from_f64(share);
-            taken.weight[place] = S::from_f64(values[place] * converters.factor[place]);
+    fn divide<S: Real>(
+        &self,
+        word: usize,
+        end: usize,
+        (first, h): (i64, f64),
+        converters: &[Converters],
+        taken: &mut [Vec<Taken<S>>],
+    ) {
+        let (first, mut ratios) = (first as f64, [0.0; PAIRS * LANES]);
+        for pair in 0..PAIRS {
+            let ([.., taken], of) = (&mut taken[pair][..], &converters[pair]) else { return };
+            let (later, rate, factor) = (of.later[end], of.rate[end], of.factor[end]);
+            for lane in 0..LANES {
+                let at = (self.at[end][lane] + later) - first;
+                let sample = at.ceil();
+                let share = at - (sample - 1.0);
+                let left = h * (1.0 - share);
+                ratios[LANES * pair + lane] = if left > 0.0 { left * rate } else { 0.0 };
+                let place = LANES * end + lane;
+                taken.sample.0[place] = S::from_f64(sample + first);
+                taken.share.0[place] = S::from_f64(share);
+                taken.weight.0[place] = S::from_f64(self.shares[word + pair][end][lane] * factor);
+            }
         }
         let LagSteps { keep, from, to } = LagSteps::of(ratios);
-        for place in 0..PLACES {
-            let rate = converters.rate[place];
-            let kick = if rate < f64::INFINITY { areas[place] * (keep[place] * rate) } else { 0.0 };
-            taken.from[place] = S::from_f64(from[place]);
-            taken.to[place] = S::from_f64(to[place]);
-            taken.kick[place] = S::from_f64(kick);
+        for pair in 0..PAIRS {
+            let ([.., taken], kick) = (&mut taken[pair][..], converters[pair].kick[end]) else { return };
+            for lane in 0..LANES {
+                let (place, from_all) = (LANES * end + lane, LANES * pair + lane);
+                let area = self.pulses[word + pair][end][lane];
+                taken.from.0[place] = S::from_f64(from[from_all]);
+                taken.to.0[place] = S::from_f64(to[from_all]);
+                taken.kick.0[place] = S::from_f64(area * (keep[from_all] * kick));
+            }
         }
-        taken.sample[3 * 9..].fill(-1);
-        taken
     }
 }
 
-/// What words do to a pair of D/As in a block, sample by sample; for lanes that take none it means nothing.
-#[derive(Debug, Clone)]
-pub(super) struct Changes<S> {
-    /// Lanes that take a word in the step to a sample, bit by bit.
-    pub(super) lanes: [u64; BLOCK],
-    /// What they multiply by from then on.
-    pub(super) weight: BothRow<S>,
-    /// What that adds to their outputs at the end of the step, and to what is left for the next.
-    pub(super) now: BothRow<S>,
-    pub(super) rest: BothRow<S>,
-}
-
-impl<S: Real> Default for Changes<S> {
-    fn default() -> Self {
-        let none = [Both::default(); BLOCK];
-        Self { lanes: [0; BLOCK], weight: none, now: none, rest: none }
+impl<S: Real> Taken<S> {
+    /// Nothing, in any lane.
+    #[inline(always)]
+    fn none() -> Self {
+        let (never, zero) = (Both([S::from_f64(NEVER); 2 * LANES]), Both::default());
+        Self { samples: 0, sample: never, share: zero, weight: zero, from: zero, to: zero, kick: zero }
     }
-}
 
-/// The side of X whose colours a pair multiplies by.
-fn side_of(pair: usize) -> usize {
-    pair / 9 % SIDES
-}
+    /// Tells in which steps of the block that begins at sample `first` it is taken.
+    #[inline(always)]
+    fn mark(&mut self, first: i64) {
+        let first = S::from_f64(first as f64);
+        let bit = |n: f64| if n >= 0.0 { 1 << n.min(BEYOND) as u32 } else { 0 };
+        self.samples = self.sample.0.iter().fold(0, |all, &sample| all | bit((sample - first).to_f64()));
+    }
 
-/// Place of the D/As of a pair among those of their colours.
-fn place_of(pair: usize) -> usize {
-    9 * (pair / (9 * SIDES)) + pair % 9
+    /// Gives the D/As the words of the step to `sample`, whose signals are `begin` as it begins and that of the `wires` as it
+    /// ends: adds to `more` what that adds to their outputs at its end, and to what is left for the next.
+    #[inline(always)]
+    pub(super) fn act<L: Simd>(
+        &self,
+        simd: L,
+        sample: i64,
+        step: &CellStep<S::Double<L>>,
+        (begin, wires): (S::Double<L>, &mut Wires<S::Double<L>>),
+        more: &mut [S::Double<L>; 2],
+    ) {
+        let load = |both| S::Double::<L>::load(simd, both);
+        let lanes = load(&self.sample).matches(S::Double::<L>::splat(simd, S::from_f64(sample as f64)));
+        let choose = |these, others| S::Double::<L>::chosen(simd, lanes, these, others);
+        let (end, weight) = (wires.product, load(&self.weight));
+        let start = begin + load(&self.share) * (end - begin);
+        let change = weight - wires.weight;
+        let held = start * load(&self.from) + end * load(&self.to);
+        let now = held * change + start * load(&self.kick);
+        let rest = now * step.converter.keep + end * change * step.converter.from;
+        more[0] = choose(more[0] + now, more[0]);
+        more[1] = choose(more[1] + rest, more[1]);
+        wires.weight = choose(weight, wires.weight);
+    }
 }

@@ -9,7 +9,7 @@ use sweep_program::{RampAxis, Step, SweepProgram};
 use super::{STEP, Scene, parts, weight};
 use crate::wired::block::{BLOCK, Row};
 use crate::wired::summer::SummerState;
-use crate::wired::terms::{ALL, TERMS, sign, word_of};
+use crate::wired::terms::{self, ALL, TERMS, sign, word_of};
 use crate::wired::timing::range_at;
 use crate::wired::{ArrayState, PartsArray, Scale, Tap};
 use crate::{Profile, Registers};
@@ -111,7 +111,7 @@ fn heights(array: &PartsArray<f64>, scene: &Scene, lane: usize) -> Vec<f64> {
     let mut before = factors(&axes, foot);
     let cells = &array.grid.cells;
     let product = |index: usize, [x, y]: &[[Lanes<f64>; 12]; 2]| {
-        let [a, b] = cells[index].factors;
+        let [a, b] = terms::factors(index / TERMS, index % TERMS);
         cells[index].parts.multiplier.product(x[a][0], y[b][0])
     };
     let mut raw: Vec<f64> = (0..ALL).map(|index| product(index, &before)).collect();
@@ -135,16 +135,16 @@ fn heights(array: &PartsArray<f64>, scene: &Scene, lane: usize) -> Vec<f64> {
         if sample > foot {
             let now = ramps(sample - has_steps);
             for axis in 0..2 {
-                let value =
-                    dispatch!(Level::new(), simd => array.ramps[axis].step(simd, &mut ramp[axis], now[axis]));
                 dispatch!(Level::new(), simd => {
-                    let fed = array.generators[axis].feed(simd, value);
+                    let mut value = [now[axis]];
+                    array.ramps[axis].pass(simd, &mut ramp[axis], &mut value);
+                    let fed = array.generators[axis].feed(simd, value[0]);
                     array.generators[axis].step(simd, &mut axes[axis], &fed);
                 });
             }
             let now = factors(&axes, sample);
             for index in 0..ALL {
-                let [a, _] = cells[index].factors;
+                let [a, _] = terms::factors(index / TERMS, index % TERMS);
                 let fed = product(index, &now) + cells[index].parts.leak.leak(before[0][a][0], now[0][a][0]);
                 let from = products[index];
                 products[index] = cells[index].parts.lag.step(from, raw[index], fed);
