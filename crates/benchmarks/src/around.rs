@@ -64,24 +64,41 @@ impl Mission {
 /// Side of a region of the survey in samples, as `lunoid survey` has it by itself.
 const SAMPLES_A_REGION: f64 = 4.0;
 
-/// Time (s) of a survey of `side` x `side` samples of a rough plain, 1 m apart, on the threads of `pool`.
+/// Elevation samples of a rough plain, 1 m apart, to be surveyed.
+pub struct RoughPlain(Elevation);
+
+impl RoughPlain {
+    /// Of `side` x `side` samples.
+    pub fn new(side: usize) -> Self {
+        let height = |index: usize| {
+            let [north, east] = [index / side, index % side];
+            let wave = |metres: usize, length: f64| libm::sin(metres as f64 / length);
+            5.0 * wave(north, 31.0) * wave(east, 47.0) + 0.1 * unit_interval(3, &[index as u64])
+        };
+        let affine = Affine { first: [0.0; 2], step: [1.0; 2] };
+        Self(Elevation::new(side, side, (0..side * side).map(height).collect(), affine, Frame::Plane(None)))
+    }
+
+    /// Fits its regions, on the threads of the present pool; how many samples the finest level went by.
+    ///
+    /// # Errors
+    /// If that does not come to an end.
+    pub fn survey(&self) -> Result<usize, String> {
+        let options = SurveyOptions::new(SAMPLES_A_REGION);
+        let found = survey(&self.0, &options, &mut |_| {}).map_err(|error| error.to_string())?;
+        Ok(found.report.levels[0].used)
+    }
+}
+
+/// Time (s) of a survey of `side` x `side` samples of a [`RoughPlain`], on the threads of `pool`.
 ///
 /// # Errors
 /// If it does not come to an end.
 pub fn surveyed(side: usize, pool: &ThreadPool) -> Result<f64, String> {
-    let height = |index: usize| {
-        let [north, east] = [index / side, index % side];
-        let wave = |metres: usize, length: f64| libm::sin(metres as f64 / length);
-        5.0 * wave(north, 31.0) * wave(east, 47.0) + 0.1 * unit_interval(3, &[index as u64])
-    };
-    let affine = Affine { first: [0.0; 2], step: [1.0; 2] };
-    let heights = (0..side * side).map(height).collect();
-    let elevation = Elevation::new(side, side, heights, affine, Frame::Plane(None));
-    let options = SurveyOptions::new(SAMPLES_A_REGION);
+    let plain = RoughPlain::new(side);
     let begin = Instant::now();
-    let fitted = pool.install(|| survey(&elevation, &options, &mut |_| {}));
-    let found = fitted.map_err(|error| error.to_string())?;
+    let used = pool.install(|| plain.survey())?;
     let seconds = begin.elapsed().as_secs_f64();
-    assert!(found.report.levels[0].used > 0);
+    assert!(used > 0);
     Ok(seconds)
 }

@@ -31,12 +31,21 @@ pub enum CountError {
     },
 }
 
+/// What was counted of a kernel.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Count {
+    /// Instructions within [`counted`].
+    pub instructions: u64,
+    /// What the kernel wrote to its output.
+    pub told: String,
+}
+
 /// Instructions that `program`, told `--run` and the name of a kernel, takes within [`counted`]. The same build gives
 /// the same number again; only what goes by addresses or by random keys may vary.
 ///
 /// # Errors
 /// If there is no valgrind, or the program does not end well under it.
-pub fn instructions_of(program: &Path, kernel: &str) -> Result<u64, CountError> {
+pub fn instructions_of(program: &Path, kernel: &str) -> Result<Count, CountError> {
     let failed = |reason: String| CountError::Failed { kernel: kernel.to_owned(), reason };
     let out =
         Remains(env::temp_dir().join(format!("callgrind-{}-{}", process::id(), kernel.replace('/', "-"))));
@@ -54,7 +63,8 @@ pub fn instructions_of(program: &Path, kernel: &str) -> Result<u64, CountError> 
     let written = fs::read_to_string(&out.0).map_err(|error| failed(error.to_string()))?;
     let total = written.lines().find_map(|line| line.strip_prefix("totals:")?.trim().parse().ok());
     // None at all: the function was not found.
-    total.filter(|&total| total > 0).ok_or_else(|| failed("it counted nothing".into()))
+    let instructions = total.filter(|&total| total > 0).ok_or_else(|| failed("it counted nothing".into()))?;
+    Ok(Count { instructions, told: String::from_utf8_lossy(&ended.stdout).trim().to_owned() })
 }
 
 /// A file that goes when it is no longer needed.

@@ -13,8 +13,10 @@
 //! - [`LADDERS`]: scenes that grow in one thing, timed by the binary `scaling`.
 //! - [`KERNELS`]: named pieces of work, each of which can be run by itself.
 //! - [`instructions_of`]: how many instructions a kernel takes, counted by callgrind, within [`counted`] alone.
+//! - [`Baseline`]: counts of a build that later ones are held against.
 
 pub mod around;
+mod baseline;
 mod callgrind;
 pub mod chain;
 mod frames;
@@ -25,9 +27,10 @@ mod rows;
 mod scene;
 pub mod startup;
 
-pub use callgrind::{CountError, counted, instructions_of};
+pub use baseline::{Baseline, BaselineError, Circumstances, Difference};
+pub use callgrind::{Count, CountError, counted, instructions_of};
 pub use frames::{FrameTimes, frame_times};
-pub use kernels::{KERNELS, Kernel, kernel};
+pub use kernels::{KERNELS, Kernel, Work, kernel};
 pub use ladder::{BASE, LADDERS, Ladder, Size};
 pub use rows::{REAL_TIME, ROWS, Row, STANDARD};
 pub use scene::{Choice, Scene};

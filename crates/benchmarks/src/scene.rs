@@ -1,9 +1,11 @@
 //! Shipped scenarios, made ready.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use generator::{PlaneKind, Planes, Stage};
 use hardware_model::{Economy, HardwareModel, ModelSource, Settings};
+use remote_shadow::{Resolution, ShadowBank};
 use scenario::{Pose, PoseTable, Scalar, Scenario};
 
 /// A shipped scenario under its own machine, made ready for its first frame.
@@ -63,6 +65,16 @@ impl Scene {
     /// Of every frame of the mission.
     pub fn poses(&self) -> Vec<Pose> {
         poses(&self.scenario, &self.stage, self.scenario.frames(self.stage.settings.timebase.update))
+    }
+
+    /// Its shadow boundaries, none of which is found yet.
+    ///
+    /// # Panics
+    /// If it has no `[shadows]`.
+    pub fn shadow_bank(&self) -> ShadowBank {
+        let fineness = self.stage.settings.shadows.expect("the scenario has shadows");
+        let resolution = Resolution { finest: fineness.finest, angle: fineness.angle };
+        ShadowBank::new(Arc::clone(&self.stage.landscape), resolution)
     }
 
     /// Planes of its raster for a picture.

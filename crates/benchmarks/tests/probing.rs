@@ -9,7 +9,7 @@ const BOUND: f64 = 0.005;
 
 fn count(kernel: &str) -> Option<f64> {
     match instructions_of(Path::new(env!("CARGO_BIN_EXE_instructions")), kernel) {
-        Ok(count) => Some(count as f64),
+        Ok(count) => Some(count.instructions as f64),
         Err(error @ CountError::NoValgrind) => {
             eprintln!("SKIPPED: {error}");
             None

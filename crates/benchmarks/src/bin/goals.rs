@@ -10,7 +10,7 @@ use benchmarks::around::{Mission, surveyed};
 use benchmarks::chain::{Outputs, Stepped, difference, simulate};
 use benchmarks::mesh::trace;
 use benchmarks::startup::{begin, prepare};
-use benchmarks::{Choice, FrameTimes, STANDARD, Scene, frame_times};
+use benchmarks::{Choice, FrameTimes, KERNELS, STANDARD, Scene, Work, frame_times};
 use clap::{Parser, Subcommand};
 use exact::Exact;
 use generator::{Generator, PlaneKind};
@@ -32,6 +32,8 @@ struct Arguments {
 enum Part {
     /// Whole frames, as `speed` tells them.
     Frames,
+    /// Block by block, and what stands before a frame or a mission: what `instructions` counts, timed.
+    Kernels,
     /// Whole missions: the ground, the first frame with its shadow boundaries, all others; and a survey.
     Missions,
     /// Programs of all sweeps of a frame, by the control plane alone.
@@ -65,6 +67,7 @@ fn main() -> ExitCode {
     let parts = match Arguments::parse().part {
         None => vec![
             Part::Frames,
+            Part::Kernels,
             Part::Missions,
             Part::Control,
             Part::Memory,
@@ -86,6 +89,7 @@ fn main() -> ExitCode {
 fn run(part: &Part) -> Result<(), String> {
     match part {
         Part::Frames => frames(),
+        Part::Kernels => kernels(),
         Part::Missions => missions(),
         Part::Control => control(),
         Part::Memory => memory(),
@@ -119,6 +123,30 @@ const FRAMES: usize = 5;
 
 fn frames() -> Result<(), String> {
     println!("{}", FrameTimes::table(&frame_times(&[], FRAMES, &[1, 2])?));
+    Ok(())
+}
+
+/// Repetitions of every kernel.
+const TURNS: usize = 15;
+
+/// Whole frames of other rasters among them are left out: `frames` has them on one that all share.
+fn kernels() -> Result<(), String> {
+    println!(
+        "| kernel, one thread | what | elements | us | least | ns an element |\n|---|---|---|---|---|---|"
+    );
+    for kernel in KERNELS.iter().filter(|kernel| !kernel.name.contains("probe")) {
+        let Work { elements, mut run } = (kernel.ready)();
+        let [least, median] = times(TURNS, &mut *run);
+        println!(
+            "| {} | {} | {elements} | {:.1} | {:.1} | {:.2} |",
+            kernel.name,
+            kernel.about,
+            median * 1e6,
+            least * 1e6,
+            median * 1e9 / elements as f64
+        );
+    }
+    println!();
     Ok(())
 }
 

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use benchmarks::{LADDERS, Ladder};
+use benchmarks::{LADDERS, Ladder, Scene, Size};
 use clap::Parser;
 use generator::Generator;
 use machine::HybridMachine;
@@ -16,7 +16,7 @@ use signal::Probe;
 struct Arguments {
     /// Ladders whose names begin so; all if left out.
     names: Vec<String>,
-    /// Times that each frame is drawn, after once to warm up.
+    /// Times that each rung is drawn, after once to warm up.
     #[arg(long, default_value_t = 5)]
     repetitions: usize,
     /// Plot here (SVG or PNG).
@@ -46,10 +46,14 @@ fn run(arguments: &Arguments) -> Result<(), String> {
     }
     let mut series = Vec::new();
     for ladder in ladders {
-        let points = climb(ladder, arguments.repetitions)?;
+        let (none, points) = climb(ladder, arguments.repetitions)?;
         let (expected, why) = ladder.expected;
-        println!("\n{}: order {:.2}, expected {expected} ({why})\n", ladder.name, order(&points));
-        println!("| {} | ms a frame |\n|---|---|", ladder.name);
+        let added: Vec<[f64; 2]> = points.iter().map(|&[value, time]| [value, time - none]).collect();
+        println!("\n{}: order {:.2}, expected {expected} ({why})\n", ladder.name, order(&added));
+        println!("| {} | ms |\n|---|---|", ladder.name);
+        if ladder.without.is_some() {
+            println!("| 0 | {none:.2} |");
+        }
         points.iter().for_each(|[value, time]| println!("| {value} | {time:.2} |"));
         // Each on its own scale: times its first value and time.
         let [first, least] = points[0];
@@ -66,33 +70,46 @@ fn run(arguments: &Arguments) -> Result<(), String> {
     drawing.write(out).map_err(|error| error.to_string())
 }
 
-/// Value and time (ms) of each rung.
-fn climb(ladder: &Ladder, repetitions: usize) -> Result<Vec<[f64; 2]>, String> {
+/// The time without what grows (ms), 0 where it cannot be left out; how much there is and the time, rung by rung.
+fn climb(ladder: &Ladder, repetitions: usize) -> Result<(f64, Vec<[f64; 2]>), String> {
     let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
-    let time = |&value: &f64| {
+    let scene = |size: Size| size.scene(folder.path()).map_err(|error| error.to_string());
+    let none = ladder.without.map(|size| time(scene(size)?, size.threads, repetitions));
+    let rung = |&value: &f64| {
         let size = (ladder.at)(value);
-        let scene = size.scene(folder.path()).map_err(|error| error.to_string())?;
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(size.threads).build();
-        let pool = pool.map_err(|error| error.to_string())?;
-        let (mut planes, pose) = (scene.planes(), scene.pose);
-        let session = HybridMachine.prepare(scene.stage).map_err(|error| error.to_string())?;
-        let mut draw = || {
-            let begin = Instant::now();
-            let counts = pool.install(|| session.frame(0, &pose, &mut planes, &mut Probe::off()));
-            counts.map(|_| begin.elapsed().as_secs_f64() * 1e3).map_err(|error| error.to_string())
-        };
-        draw()?;
-        let mut times = (0..repetitions.max(1)).map(|_| draw()).collect::<Result<Vec<f64>, String>>()?;
-        times.sort_unstable_by(f64::total_cmp);
-        Ok([value, times[times.len() / 2]])
+        let scene = scene(size)?;
+        let much = ladder.count.map_or(value, |count| count(&scene));
+        Ok([much, time(scene, size.threads, repetitions)?])
     };
-    ladder.values.iter().map(time).collect()
+    Ok((none.transpose()?.unwrap_or(0.0), ladder.values.iter().map(rung).collect::<Result<_, String>>()?))
 }
 
-/// Power with which the time grows over the upper half of a ladder, by least squares of the logarithms.
+/// Median time of all frames of a scene (ms), after once to warm up.
+fn time(scene: Scene, threads: usize, repetitions: usize) -> Result<f64, String> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    let pool = pool.map_err(|error| error.to_string())?;
+    let (mut planes, poses) = (scene.planes(), scene.poses());
+    let session = HybridMachine.prepare(scene.stage).map_err(|error| error.to_string())?;
+    let mut draw = || {
+        let begin = Instant::now();
+        for (frame, pose) in (0..).zip(&poses) {
+            let drawn = pool.install(|| session.frame(frame, pose, &mut planes, &mut Probe::off()));
+            drawn.map_err(|error| error.to_string())?;
+        }
+        Ok::<_, String>(begin.elapsed().as_secs_f64() * 1e3)
+    };
+    draw()?;
+    let mut times = (0..repetitions.max(1)).map(|_| draw()).collect::<Result<Vec<f64>, String>>()?;
+    times.sort_unstable_by(f64::total_cmp);
+    Ok(times[times.len() / 2])
+}
+
+/// Power with which a time grows over the upper half of a ladder, by least squares of the logarithms.
 fn order(points: &[[f64; 2]]) -> f64 {
-    let upper = &points[(points.len() - 1) / 2..];
-    let logs: Vec<[f64; 2]> = upper.iter().map(|point| point.map(libm::log)).collect();
+    let upper = points[(points.len() - 1) / 2..].iter();
+    // What adds nothing that can be measured has no logarithm.
+    let logs: Vec<[f64; 2]> =
+        upper.filter(|[_, time]| *time > 0.0).map(|point| point.map(libm::log)).collect();
     let mean = |axis: usize| logs.iter().map(|point| point[axis]).sum::<f64>() / logs.len() as f64;
     let middle = [mean(0), mean(1)];
     let product = |a: usize, b: usize| {
