@@ -7,6 +7,7 @@ use machine::{HybridMachine, UnprobedMachine};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use scenario::Scalar;
 use signal::Probe;
+use sweep_memory::Memory;
 
 mod before;
 mod blocks;
@@ -42,155 +43,93 @@ impl Work {
 /// made; what is brought for a frame; what stands before a mission; whole frames. Pairs that differ in one thing stand side
 /// by side.
 pub const KERNELS: &[Kernel] = &[
-    Kernel {
-        name: "terrain-generator/f32",
-        about: "eight sweeps of first light",
-        ready: blocks::terrain_generator::<f32>,
-    },
-    Kernel { name: "terrain-generator/f64", about: "the same", ready: blocks::terrain_generator::<f64> },
-    Kernel {
-        name: "display-projection-processor/f32",
-        about: "eight sweeps of nominal drive, terrain alone",
-        ready: blocks::projection::<f32>,
-    },
-    Kernel { name: "display-projection-processor/f64", about: "the same", ready: blocks::projection::<f64> },
-    Kernel {
-        name: "sweep-memory/write-f32",
-        about: "the same, along cubics",
-        ready: blocks::write_beam::<f32>,
-    },
-    Kernel { name: "sweep-memory/write-f64", about: "the same", ready: blocks::write_beam::<f64> },
-    Kernel {
-        name: "sweep-memory/read-digital",
-        about: "a picture of stripes",
-        ready: || blocks::read_beam(sweep_memory::Memory::Digital, 0.0),
-    },
-    Kernel {
-        name: "sweep-memory/read-converter",
-        about: "the same by a scan converter",
-        ready: || blocks::read_beam(sweep_memory::Memory::ScanConverter, 0.0),
-    },
-    Kernel {
-        name: "sweep-memory/read-turned",
-        about: "the same, yoke turned by 0.1 rad",
-        ready: || blocks::read_beam(sweep_memory::Memory::ScanConverter, 0.1),
-    },
-    Kernel {
-        name: "feature-generator/schedule",
-        about: "which craters eight sweeps of craters load",
-        ready: blocks::feature_schedule,
-    },
-    Kernel {
-        name: "feature-generator/f32",
-        about: "eight sweeps of craters",
-        ready: blocks::feature_generator,
-    },
-    Kernel {
-        name: "texture-generator/f32",
-        about: "eight sweeps of craters",
-        ready: blocks::texture_generator,
-    },
-    Kernel {
-        name: "shadow-controller/gates",
-        about: "gates of remote shadow within 1 m, 525 sweeps of long shadows",
-        ready: before::gates,
-    },
-    Kernel {
-        name: "polyhedron-generator/frame",
-        about: "bodies of a frame of full drive",
-        ready: before::polyhedra,
-    },
-    Kernel {
-        name: "control-plane/ideal",
-        about: "programs of 64 sweeps of nominal drive",
-        ready: || before::control_plane("ideal"),
-    },
-    Kernel {
-        name: "control-plane/pra-nominal",
-        about: "the same with the digital parts of 1970",
-        ready: || before::control_plane("pra-nominal"),
-    },
-    Kernel {
-        name: "remote-shadow/boundaries",
-        about: "shadow boundaries of long shadows within 1 m",
-        ready: before::shadow_boundaries,
-    },
-    Kernel {
-        name: "survey/regions",
-        about: "128 x 128 samples into 32 x 32 regions",
-        ready: || before::survey(128),
-    },
-    Kernel {
-        name: "full-drive/ideal",
-        about: "64 sweeps of frame 0, every block, f32",
-        ready: || frames::part("full-drive", "ideal", Scalar::F32, Economy::Bounded),
-    },
-    Kernel {
-        name: "full-drive/swift",
-        about: "the same, swiftly",
-        ready: || frames::part("full-drive", "ideal", Scalar::F32, Economy::Swift),
-    },
-    Kernel {
-        name: "nominal-drive/ideal",
-        about: "64 sweeps of frame 0, two levels, craters, rocks, f32",
-        ready: || frames::part("nominal-drive", "ideal", Scalar::F32, Economy::Bounded),
-    },
-    Kernel {
-        name: "nominal-drive/ideal-f64",
-        about: "the same in f64",
-        ready: || frames::part("nominal-drive", "ideal", Scalar::F64, Economy::Bounded),
-    },
-    Kernel {
-        name: "nominal-drive/swift",
-        about: "the same in f32, swiftly",
-        ready: || frames::part("nominal-drive", "ideal", Scalar::F32, Economy::Swift),
-    },
-    Kernel {
-        name: "nominal-drive/swift-wires",
-        about: "the same, lag and slew on ten signals",
-        ready: || frames::part("nominal-drive", "pra-wires", Scalar::F32, Economy::Swift),
-    },
-    Kernel {
-        name: "nominal-drive/swift-parts",
-        about: "the same, 261 parts with a state in each terrain generator, alike",
-        ready: || frames::part("nominal-drive", "pra-parts", Scalar::F32, Economy::Swift),
-    },
-    Kernel {
-        name: "nominal-drive/parts-of-1970",
-        about: "the same, each part its own, noise, tubes and yoke",
-        ready: || frames::part("nominal-drive", "pra-nominal", Scalar::F32, Economy::Bounded),
-    },
-    Kernel {
-        name: "first-light/no-probe",
-        about: "frame 0, f32, ideal parts, by a machine without probes",
-        ready: || frames::whole("first-light", &UnprobedMachine, Probe::off()),
-    },
-    Kernel {
-        name: "first-light/probe-off",
-        about: "the same, by the machine of a replay, probing nothing",
-        ready: || frames::whole("first-light", &HybridMachine, Probe::off()),
-    },
-    Kernel {
-        name: "first-light/probe-on",
-        about: "the same, every signal of one sweep recorded",
-        ready: || frames::whole("first-light", &HybridMachine, Probe::new(vec!["*".into()], 500..501)),
-    },
-    Kernel {
-        name: "showpiece/no-probe",
-        about: "frame 0, f32, ideal parts, everything on the ground, by a machine without probes",
-        ready: || frames::whole("showpiece", &UnprobedMachine, Probe::off()),
-    },
-    Kernel {
-        name: "nominal-drive/no-probe",
-        about: "frame 0, parts of 1970, by a machine without probes",
-        ready: || frames::whole("nominal-drive", &UnprobedMachine, Probe::off()),
-    },
-    Kernel {
-        name: "nominal-drive/probe-off",
-        about: "the same, by the machine of a replay, probing nothing",
-        ready: || frames::whole("nominal-drive", &HybridMachine, Probe::off()),
-    },
+    row("terrain-generator/f32", "eight sweeps of first light", blocks::terrain_generator::<f32>),
+    row("terrain-generator/f64", "the same", blocks::terrain_generator::<f64>),
+    row(
+        "display-projection-processor/f32",
+        "eight sweeps of nominal drive, terrain alone",
+        blocks::projection::<f32>,
+    ),
+    row("display-projection-processor/f64", "the same", blocks::projection::<f64>),
+    row("sweep-memory/write-f32", "the same, along cubics", blocks::write_beam::<f32>),
+    row("sweep-memory/write-f64", "the same", blocks::write_beam::<f64>),
+    row("sweep-memory/read-digital", "a picture of stripes", || blocks::read_beam(Memory::Digital, 0.0)),
+    row("sweep-memory/read-converter", "the same by a scan converter", || {
+        blocks::read_beam(Memory::ScanConverter, 0.0)
+    }),
+    row("sweep-memory/read-turned", "the same, yoke turned by 0.1 rad", || {
+        blocks::read_beam(Memory::ScanConverter, 0.1)
+    }),
+    row("feature-generator/schedule", "which craters eight sweeps of craters load", blocks::feature_schedule),
+    row("feature-generator/f32", "eight sweeps of craters", blocks::feature_generator),
+    row("texture-generator/f32", "eight sweeps of craters", blocks::texture_generator),
+    row(
+        "shadow-controller/gates",
+        "gates of remote shadow within 1 m, 525 sweeps of long shadows",
+        before::gates,
+    ),
+    row("polyhedron-generator/frame", "bodies of a frame of full drive", before::polyhedra),
+    row("control-plane/ideal", "programs of 64 sweeps of nominal drive", || before::control_plane("ideal")),
+    row("control-plane/pra-nominal", "the same with the digital parts of 1970", || {
+        before::control_plane("pra-nominal")
+    }),
+    row(
+        "remote-shadow/boundaries",
+        "shadow boundaries of long shadows within 1 m",
+        before::shadow_boundaries,
+    ),
+    row("survey/regions", "128 x 128 samples into 32 x 32 regions", || before::survey(128)),
+    row("full-drive/ideal", "64 sweeps of frame 0, every block, f32", || {
+        frames::part("full-drive", "ideal", Scalar::F32, Economy::Bounded)
+    }),
+    row("full-drive/swift", "the same, swiftly", || {
+        frames::part("full-drive", "ideal", Scalar::F32, Economy::Swift)
+    }),
+    row("nominal-drive/ideal", "64 sweeps of frame 0, two levels, craters, rocks, f32", || {
+        frames::part("nominal-drive", "ideal", Scalar::F32, Economy::Bounded)
+    }),
+    row("nominal-drive/ideal-f64", "the same in f64", || {
+        frames::part("nominal-drive", "ideal", Scalar::F64, Economy::Bounded)
+    }),
+    row("nominal-drive/swift", "the same in f32, swiftly", || {
+        frames::part("nominal-drive", "ideal", Scalar::F32, Economy::Swift)
+    }),
+    row("nominal-drive/swift-wires", "the same, lag and slew on ten signals", || {
+        frames::part("nominal-drive", "pra-wires", Scalar::F32, Economy::Swift)
+    }),
+    row(
+        "nominal-drive/swift-parts",
+        "the same, 261 parts with a state in each terrain generator, alike",
+        || frames::part("nominal-drive", "pra-parts", Scalar::F32, Economy::Swift),
+    ),
+    row("nominal-drive/parts-of-1970", "the same, each part its own, noise, tubes and yoke", || {
+        frames::part("nominal-drive", "pra-nominal", Scalar::F32, Economy::Bounded)
+    }),
+    row("first-light/no-probe", "frame 0, f32, ideal parts, by a machine without probes", || {
+        frames::whole("first-light", &UnprobedMachine, Probe::off())
+    }),
+    row("first-light/probe-off", "the same, by the machine of a replay, probing nothing", || {
+        frames::whole("first-light", &HybridMachine, Probe::off())
+    }),
+    row("first-light/probe-on", "the same, every signal of one sweep recorded", || {
+        frames::whole("first-light", &HybridMachine, Probe::new(vec!["*".into()], 500..501))
+    }),
+    row(
+        "showpiece/no-probe",
+        "frame 0, f32, ideal parts, everything on the ground, by a machine without probes",
+        || frames::whole("showpiece", &UnprobedMachine, Probe::off()),
+    ),
+    row("nominal-drive/no-probe", "frame 0, parts of 1970, by a machine without probes", || {
+        frames::whole("nominal-drive", &UnprobedMachine, Probe::off())
+    }),
+    row("nominal-drive/probe-off", "the same, by the machine of a replay, probing nothing", || {
+        frames::whole("nominal-drive", &HybridMachine, Probe::off())
+    }),
 ];
+
+const fn row(name: &'static str, about: &'static str, ready: fn() -> Work) -> Kernel {
+    Kernel { name, about, ready }
+}
 
 /// The kernel of this name.
 pub fn kernel(name: &str) -> Option<&'static Kernel> {

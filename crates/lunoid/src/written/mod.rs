@@ -120,6 +120,7 @@ fn stale_lines_are_noticed() {
         "lunoid lockstep scenarios/first-light.toml --random 3",
         "lunoit replay scenarios/first-light.toml",
         "cargo run --release -- replay scenarios/first-light.toml --swepes 100",
+        "cargo run --profile slow -p benchmarks --bin speed",
         "cargo run -p lunoid-tests --bin asleep",
         "cargo run -p lunoid-tests",
         "cargo test --test timing",

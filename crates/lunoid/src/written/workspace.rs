@@ -59,6 +59,7 @@ impl Workspace {
             match word {
                 "-p" | "--package" => package = next()?,
                 "--bin" | "--example" | "--test" | "--bench" => targets.push((&word[2..], next()?)),
+                "--profile" => expect_profile(next()?)?,
                 "--release" | "--quiet" | "--workspace" => {}
                 _ if !word.starts_with('-') => handed_on.push(word),
                 _ => return Err(format!("cargo {verb} {word}: not known to this test")),
@@ -109,6 +110,13 @@ impl Target {
         }
         Err(format!("{} has no test {filter}", self.name))
     }
+}
+
+/// The workspace has a profile of this name.
+fn expect_profile(name: &str) -> Result<(), String> {
+    let manifest = fs::read_to_string(root().join("Cargo.toml")).unwrap();
+    let has_it = manifest.lines().any(|line| line == format!("[profile.{name}]"));
+    if has_it { Ok(()) } else { Err(format!("no profile {name}")) }
 }
 
 /// Names of functions and modules in a file, or in all below a folder.
