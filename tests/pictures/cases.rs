@@ -1,0 +1,76 @@
+//! Which pictures are drawn.
+
+use std::path::PathBuf;
+
+use hardware_model::{BUILT_IN, Economy, FAULTS};
+use lunoid_tests::shipped::folder;
+
+/// Scenarios that are also drawn under every economy and every fault.
+const THOROUGH: [&str; 2] = ["craters", "full-drive"];
+
+/// Who draws, and how.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum By {
+    /// A hardware model, by name.
+    Model(&'static str),
+    /// The scenario's own machine with this economy.
+    Economy(Economy),
+    /// The scenario's own machine with this fault over it, by name and text.
+    Fault(&'static str),
+    /// LUNSIM.
+    Lunsim,
+    /// The closed form.
+    Exact,
+}
+
+/// A scenario under something that draws it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Case {
+    /// Name of the scenario.
+    pub scenario: String,
+    /// Who draws.
+    pub by: By,
+}
+
+impl Case {
+    /// Its name in the record, without frames.
+    pub fn name(&self) -> String {
+        let by = match self.by {
+            By::Model(name) => name.to_owned(),
+            By::Economy(Economy::Lossless) => "lossless".into(),
+            By::Economy(_) => "preview".into(),
+            By::Fault(name) => format!("fault {name}"),
+            By::Lunsim => "lunsim".into(),
+            By::Exact => "exact".into(),
+        };
+        format!("{}, {by}", self.scenario)
+    }
+
+    /// Its scenario's file.
+    pub fn file(&self) -> PathBuf {
+        folder().join(&self.scenario).with_extension("toml")
+    }
+}
+
+/// All of them, scenario by scenario.
+pub fn cases() -> Result<Vec<Case>, String> {
+    let entries = std::fs::read_dir(folder()).map_err(|error| format!("{}: {error}", folder().display()))?;
+    let mut names: Vec<String> = entries
+        .flatten()
+        .map(|entry| entry.path())
+        .filter(|path| path.extension().is_some_and(|end| end == "toml"))
+        .filter_map(|path| Some(path.file_stem()?.to_string_lossy().into_owned()))
+        .collect();
+    names.sort();
+    Ok(names.into_iter().flat_map(of_scenario).collect())
+}
+
+fn of_scenario(scenario: String) -> Vec<Case> {
+    let models = BUILT_IN.iter().map(|(name, _)| By::Model(name));
+    let mut all: Vec<By> = models.chain([By::Lunsim, By::Exact]).collect();
+    if THOROUGH.contains(&scenario.as_str()) {
+        all.extend([Economy::Lossless, Economy::Swift].map(By::Economy));
+        all.extend(FAULTS.iter().map(|(name, ..)| By::Fault(name)));
+    }
+    all.into_iter().map(|by| Case { scenario: scenario.clone(), by }).collect()
+}
