@@ -58,14 +58,14 @@ fn the_horizon_leans() {
 fn a_yoke_that_brings_the_nadir_into_the_picture_is_refused() {
     let settings = settings(4, 4, laws(Projection::Exact, Curvature::None, PixelRule::Centre), [0.5, 390.0]);
     let landscape = landscape(plane(40.0, [4, 4], 0.0, [0.0; 2]), 1.0);
-    let stage = Stage { landscape, scenery: Arc::new(Scenery::still(sun(0.0, 9.0))), settings };
+    let stage = Stage { landscape, scenery: Arc::new(Scenery::still(sun(0.0, 9.0))), view: settings.view() };
     let session = exact::Exact.prepare(stage).unwrap();
     let frame = |yoke: f64| {
         let pose = Pose { yoke, ..pose([80.0, 80.0, 2.0], 60.0, 0.0) };
         session.frame(3, &pose, &mut Planes::new(4, 4, &[PlaneKind::Intensity]), &mut Probe::off())
     };
     assert!(frame(0.0).is_ok());
-    assert!(matches!(frame(radians(40.0)), Err(FrameError::Pitch { frame: 3, .. })));
+    assert!(matches!(frame(radians(40.0)), Err(FrameError::Refused { frame: 3, .. })));
 }
 
 #[test]

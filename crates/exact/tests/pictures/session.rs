@@ -41,7 +41,7 @@ fn poses_that_cannot_be_drawn_are_refused() {
     );
     for pitch in [65.01, -65.01, f64::NAN] {
         let refused = refusal(&pose([80.0, 80.0, 5.0], pitch, 0.0));
-        assert!(matches!(refused, FrameError::Pitch { frame: 7, .. }), "{pitch}: {refused}");
+        assert!(matches!(refused, FrameError::Refused { frame: 7, .. }), "{pitch}: {refused}");
     }
     assert!(matches!(refusal(&pose([80.0, f64::NAN, 5.0], 0.0, 0.0)), FrameError::OutsideProblemArea { .. }));
     assert!(matches!(refusal(&pose([80.0, 80.0, f64::NAN], 0.0, 0.0)), FrameError::EyeUnderGround { .. }));
