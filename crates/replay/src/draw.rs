@@ -14,12 +14,13 @@ use rayon::ThreadPool;
 use scenario::{PoseRow, View};
 use signal::Probe;
 
+use crate::ReplayError;
 use crate::folder::{RunFolder, picture_name};
-use crate::held::FrameRecord;
 use crate::job::{Control, Progress};
 use crate::journal::Journal;
 use crate::performance::StepTimes;
-use crate::{Program, ReplayError};
+use run_record::FrameRecord;
+use run_record::Program;
 use run_record::{FileRecord, hash};
 
 /// More frames on their way than threads, so that threads draw while frames are written.

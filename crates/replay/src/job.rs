@@ -7,24 +7,10 @@ use std::sync::atomic::AtomicBool;
 use generator::{Generator, Stage};
 use picture::Depth;
 use rayon::ThreadPool;
-use run_record::Inputs;
+use run_record::{Inputs, Program};
 use scenario::Scenario;
-use serde::Serialize;
 
 use crate::Phase;
-
-/// The program that draws, for the record.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct Program {
-    /// Name.
-    pub name: String,
-    /// Version.
-    pub version: String,
-    /// Commit, or "unknown".
-    pub commit: String,
-    /// Result family: runs of one family are equal to the bit.
-    pub result_family: String,
-}
 
 /// How frames become files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use compare::{CompareError, compare, horizon_of_picture, ridge_error, shadow_agreement};
 use picture::{Limits, read_png};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
-use replay::FrameRecord;
+use run_record::FrameRecord;
 use serde::{Deserialize, Serialize};
 
 use crate::ReportError;

@@ -7,6 +7,7 @@ use compare::difference_picture;
 use maud::{DOCTYPE, Markup, html};
 use picture::{GreyPicture, Limits, encode_png, read_png};
 use replay::picture_name;
+use run_record::MachineRecord;
 
 use super::{FrameError, MachineFigures, SideBySide};
 use crate::ReportError;
@@ -14,7 +15,7 @@ use crate::base64::data_url;
 use crate::cells::{grouped, percent, shortened};
 use crate::machine_section::{omissions, plain};
 use crate::page::head;
-use crate::run::{MachineSettings, Run};
+use crate::run::Run;
 use crate::strip::{fitted, spread};
 
 /// Frames that are shown, at most.
@@ -125,7 +126,7 @@ fn frames(folder: &Path, runs: &[(String, Run)], reference: &str) -> Result<Mark
     Ok(html! {
         section #frames aria-labelledby="frames-title" {
             h2 #frames-title { "Frames" }
-            p.lead { (rows.len()) " of " (first.frames.len()) " frames, evenly spread. " @if first.view.columns > COLUMNS as u64 {
+            p.lead { (rows.len()) " of " (first.frames.len()) " frames, evenly spread. " @if first.view.columns as usize > COLUMNS {
                 "They are made smaller; a click leads to the whole one beside this page. " }
                 "Below each is its difference from " b { (reference) } ", " (FACTOR) " times enlarged: grey is equal, brighter is brighter." }
             @for (frame, time, cells) in &rows {
@@ -180,9 +181,7 @@ fn laws(runs: &[(String, Run)]) -> Markup {
     let (_, first) = runs.first().expect("runs stand side by side");
     let of = |run: &Run, law: &str| run.view.laws.get(law).cloned().unwrap_or_default();
     let raster = |run: &Run| {
-        let of = |machine: &MachineSettings| {
-            format!("{} × {}", grouped(machine.raster.sweeps), grouped(machine.raster.samples_per_sweep))
-        };
+        let of = |machine: &MachineRecord| machine.raster.counts().map(grouped).join(" × ");
         run.machine.as_ref().map_or_else(|| "none".into(), of)
     };
     let keys: BTreeSet<&String> = runs

@@ -6,20 +6,28 @@ use features::{Crater, Features};
 use generator::Stage;
 use landscape::Attitude;
 use scenario::{Scenery, Standing};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use solids::Kind;
 
 /// Everything of a stage that is neither stored terrain nor a setting.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SceneryRecord {
-    craters: usize,
-    rock_bodies: usize,
-    culture_bodies: usize,
-    track_patches: usize,
-    silhouettes: usize,
-    texture: bool,
-    photometry: String,
-    blake3: String,
+    /// Craters of the feature list.
+    pub craters: usize,
+    /// Rocks of the whole mission.
+    pub rock_bodies: usize,
+    /// Man-made things of the whole mission.
+    pub culture_bodies: usize,
+    /// Patches of track that the whole mission leaves.
+    pub track_patches: usize,
+    /// Far silhouettes.
+    pub silhouettes: usize,
+    /// Whether the soil has texture.
+    pub texture: bool,
+    /// Law of reflection.
+    pub photometry: String,
+    /// BLAKE3 of all of these, hexadecimal.
+    pub blake3: String,
 }
 
 impl SceneryRecord {
@@ -89,7 +97,7 @@ fn numbers_of_body(Standing { from, until, body }: &Standing) -> impl Iterator<I
 }
 
 /// BLAKE3 of every number in `value`: its Debug text names all fields, and floats in it read back the same.
-pub(crate) fn hash_of(value: &impl fmt::Debug) -> String {
+pub fn hash_of(value: &impl fmt::Debug) -> String {
     struct Hashed(blake3::Hasher);
     impl Write for Hashed {
         fn write_str(&mut self, text: &str) -> fmt::Result {

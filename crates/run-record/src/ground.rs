@@ -1,22 +1,45 @@
-//! Ground and vehicle as they stand in the record.
+//! The ground of a run.
 
 use landscape::relief::Relief;
-use landscape::{Landscape, Sun, bank_file};
+use landscape::{Landscape, Level, bank_file};
 use quantities::degrees;
-use scenario::{Ground, Scenario, Vehicle};
-use serde::Serialize;
+use scenario::Ground;
+use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
 /// The ground of a run: where it came from, and the hash of its words.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct GroundRecord {
-    source: &'static str,
-    title: String,
-    content_blake3: String,
-    albedo: f64,
-    levels: Vec<Value>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    generator: Option<Value>,
+    /// "bank" or "generated".
+    pub source: String,
+    /// Title of the bank.
+    pub title: String,
+    /// BLAKE3 of its words, hexadecimal.
+    pub content_blake3: String,
+    /// Albedo of the soil, 0..=1.
+    pub albedo: f64,
+    /// Levels, the finest first.
+    pub levels: Vec<LevelRecord>,
+    /// Parameters of a generated landscape, in the keys of a scenario file.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub generator: Option<Value>,
+}
+
+/// A level of the ground.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct LevelRecord {
+    /// Side of a region (m).
+    pub region_size_m: f64,
+    /// South-western corner: north, east (m).
+    pub origin_m: [f64; 2],
+    /// Corners to the north and to the east.
+    pub corners: [usize; 2],
+}
+
+impl From<&Level> for LevelRecord {
+    fn from(level: &Level) -> Self {
+        Self { region_size_m: level.region_size(), origin_m: level.origin(), corners: level.corners() }
+    }
 }
 
 impl GroundRecord {
@@ -27,13 +50,12 @@ impl GroundRecord {
             Ground::Bank(_) => ("bank", None),
             Ground::Generated(relief) => ("generated", Some(generated(relief))),
         };
-        let level = |level: &landscape::Level| json!({ "region_size_m": level.region_size(), "origin_m": level.origin(), "corners": level.corners() });
         Self {
-            source,
+            source: source.into(),
             title: bank.title().into(),
             content_blake3: bank_file::content_hash(bank).iter().map(|byte| format!("{byte:02x}")).collect(),
             albedo: landscape.albedo(),
-            levels: bank.levels().iter().map(level).collect(),
+            levels: bank.levels().iter().map(LevelRecord::from).collect(),
             generator,
         }
     }
@@ -71,36 +93,4 @@ fn generated(relief: &Relief) -> Value {
     json!({ "seed": relief.seed, "extent_m": relief.extent, "region_size_m": relief.region_size,
             "tilt_m_per_m": relief.tilt, "undulation": undulation, "craters": craters,
             "massif": massifs, "rille": rilles })
-}
-
-/// Direction of the light.
-pub(crate) fn sun(sun: &Sun) -> Value {
-    json!({ "azimuth_deg": degrees(sun.azimuth), "elevation_deg": degrees(sun.elevation) })
-}
-
-/// Size and limits of the vehicle.
-pub(crate) fn vehicle(vehicle: &Vehicle) -> Value {
-    json!({
-        "eye_height_m": vehicle.eye_height,
-        "wheelbase_m": vehicle.wheelbase,
-        "track_m": vehicle.track,
-        "max_speed_m_s": vehicle.max_speed,
-        "max_turn_deg_s": degrees(vehicle.max_turn),
-        "max_slope_deg": degrees(vehicle.max_slope),
-    })
-}
-
-/// BLAKE3 of the waypoints: two paths with this hash are the same path.
-pub(crate) fn waypoints_hash(scenario: &Scenario) -> String {
-    let mut hasher = blake3::Hasher::new();
-    for waypoint in scenario.path.waypoints() {
-        for value in [waypoint.time, waypoint.at[0], waypoint.at[1]] {
-            hasher.update(&value.to_le_bytes());
-        }
-        for value in [waypoint.heading, waypoint.eye_height, waypoint.pitch, waypoint.roll] {
-            // No number is NaN, so NaN can stand for "open".
-            hasher.update(&value.unwrap_or(f64::NAN).to_le_bytes());
-        }
-    }
-    hasher.finalize().to_hex().to_string()
 }
