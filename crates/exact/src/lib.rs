@@ -104,6 +104,7 @@
 //! `tests/pictures`: planes, the lunoid's horizon, a hidden valley, rims, shadows, boxes and fading levels in closed form;
 //! random ground with craters, its shadows and whole pictures against marching along each ray.
 
+mod bend;
 mod bernstein;
 mod buckets;
 mod ceilings;
@@ -121,6 +122,7 @@ mod scene;
 mod seen;
 mod session;
 mod shadow;
+mod stance;
 mod standing;
 mod view;
 mod walk;

@@ -2,9 +2,8 @@
 
 use generator::{
     FrameCounts, FrameError, Generator, Omission, PlaneKind, Planes, PrepareError,
-    Session as GeneratorSession, Stage, check_eye,
+    Session as GeneratorSession, Stage,
 };
-use quantities::{degrees, sin_cos};
 use rayon::prelude::*;
 use scenario::Pose;
 use signal::{Probe, Signal, Wire};
@@ -12,10 +11,7 @@ use signal::{Probe, Signal, Wire};
 use crate::column::{Column, Fineness, Frame, Pixel};
 use crate::light::Light;
 use crate::scene::Scene;
-use crate::{Ceilings, Outlook};
-
-/// |pitch| + half the vertical field of view stays below this (deg): nadir and zenith lie outside the picture.
-const PITCH_LIMIT_DEG: f64 = 80.0;
+use crate::{Ceilings, Outlook, stance};
 
 /// The generator that error is measured against; see the crate's data sheet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -83,8 +79,7 @@ impl GeneratorSession for Session {
     }
 
     fn check(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {
-        check_eye(&self.stage.landscape, frame, pose)?;
-        self.check_pitch(frame, pose)
+        stance::check(&self.stage, frame, pose)
     }
 
     fn omissions(&self) -> Vec<Omission> {
@@ -169,7 +164,11 @@ impl Session {
 
     fn outlook(&self, pose: &Pose) -> Outlook<'_> {
         let Stage { landscape, settings, .. } = &self.stage;
-        let first = settings.range.at_sample(0, settings.raster.samples as usize);
+        // Where no sweep can be drawn none has a first sample: ground is seen from under the eye on.
+        let first = match stance::is_swept(landscape, settings.raster.field, pose) {
+            true => settings.range.at_sample(0, settings.raster.samples as usize),
+            false => 0.0,
+        };
         let ranges = [first, settings.range.end];
         Outlook::new(landscape, &self.ceilings, pose.eye, settings.laws.curvature, ranges, settings.levels)
     }
@@ -186,19 +185,6 @@ impl Session {
         let frame = Frame { scene, half_height: field.tan_half_height, lines, fineness: self.fineness };
         let x = field.tan_half_width * (2.0 * column as f64 + 1.0 - columns as f64) / columns as f64;
         Column::new(frame, x).draw(rule)
-    }
-
-    /// The corners of a turned screen look farther up and down than its edges.
-    fn check_pitch(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {
-        let field = self.stage.settings.raster.field;
-        let (sin, cos) = sin_cos(pose.yoke);
-        let highest = field.tan_half_height * cos.abs() + field.tan_half_width * sin.abs();
-        let half_field = degrees(libm::atan(highest));
-        let pitch_deg = degrees(pose.attitude.pitch);
-        match pitch_deg.abs() + half_field < PITCH_LIMIT_DEG {
-            true => Ok(()),
-            false => Err(FrameError::Pitch { frame, pitch_deg, limit_deg: PITCH_LIMIT_DEG }),
-        }
     }
 }
 

@@ -11,8 +11,9 @@ pub struct Stretch {
     pub to: f64,
 }
 
-/// How far outside the grid a place may lie by rounding (regions).
+/// How far outside the grid a place may lie by rounding (regions); as a share of how far the origin is from the grid.
 const ROUNDING: f64 = 1e-9;
+const FAR_ROUNDING: f64 = 1e-15;
 
 /// Stretches of `origin + s * step` (in regions) for s from `from` up to `end`, or up to the edge of the area.
 ///
@@ -37,7 +38,8 @@ impl Walk {
         for axis in 0..2 {
             let at = origin[axis] + from * step[axis];
             // A line that comes in from outside begins on the edge, but for the rounding of its crossing.
-            if !(at >= -ROUNDING && at <= regions[axis] as f64 + ROUNDING) {
+            let rounding = ROUNDING.max(FAR_ROUNDING * origin[axis].abs());
+            if !(at >= -rounding && at <= regions[axis] as f64 + rounding) {
                 return None;
             }
             region[axis] = (at as i64).min(regions[axis] - 1);

@@ -6,7 +6,7 @@ use generator::{
 };
 use hardware_model::Settings;
 use quantities::Timebase;
-use scenario::{Curvature, Pose};
+use scenario::Pose;
 use signal::{Probe, Signal, Wire};
 
 use crate::area::{self, ViewedArea};
@@ -131,12 +131,12 @@ impl Session {
         let Stage { landscape, scenery, settings } = &self.stage;
         self.check(frame, pose)?;
         let observer = Observer::new(pose, settings.raster.field);
-        let is_curved = settings.laws.curvature == Curvature::Parabolic;
+        let curvature = settings.laws.curvature;
         let (level, end) = (landscape.level(), settings.range.end);
-        let Some(area) = area::viewed(&observer, level, self.heights, is_curved, end) else {
+        let Some(area) = area::viewed(&observer, level, self.heights, curvature, end) else {
             return Ok(None);
         };
-        let grid = Grid::new(landscape, &observer, &area, settings.lunsim.grid as usize, is_curved);
+        let grid = Grid::new(landscape, &observer, &area, settings.lunsim.grid as usize, curvature);
         let sun = scenery.sun(pose.time);
         let (light, march) = light(&grid, &observer, landscape, &sun, settings.shadows.is_some());
         let plot = Plot::new(&grid, &observer);

@@ -2,6 +2,7 @@
 
 use landscape::Landscape;
 use rayon::prelude::*;
+use scenario::Curvature;
 use timing::Task;
 
 use crate::film::Film;
@@ -89,7 +90,7 @@ impl Work {
         Self {
             distances,
             craters,
-            drops: if grid.is_curved { points } else { 0 },
+            drops: if grid.curvature == Curvature::None { 0 } else { points },
             slopes: 2 * points,
             lit: points,
             march,

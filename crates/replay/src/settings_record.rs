@@ -137,6 +137,7 @@ fn laws(settings: &Settings) -> Value {
         "curvature": match laws.curvature {
             Curvature::None => "none",
             Curvature::Parabolic => "parabolic",
+            Curvature::Exact => "exact",
         },
         "occlusion": match laws.occlusion {
             Occlusion::Derivative => "derivative",

@@ -1,5 +1,6 @@
 //! Pictures of `exact` against closed forms and against brute force.
 
+mod any_attitude;
 mod bodies;
 mod closed_forms;
 mod craters;
