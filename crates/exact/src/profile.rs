@@ -86,7 +86,11 @@ impl Bounds {
 
 /// The first share of the stretch from `from` to `to` (m) at which the sum of `polynomial` (over the stretch) and
 /// `terms` is 0 or above.
-pub fn first_reach<const N: usize>(polynomial: &[f64; N], terms: &Terms, [from, to]: [f64; 2]) -> Option<f64> {
+pub fn first_reach<const N: usize>(
+    polynomial: &[f64; N],
+    terms: &Terms,
+    [from, to]: [f64; 2],
+) -> Option<f64> {
     if terms.are_nothing() {
         return crate::bernstein::first_reach(polynomial);
     }

@@ -59,12 +59,7 @@ fn check_height(landscape: &Landscape, frame: u64, pose: &Pose) -> Result<(), Fr
 
 /// `as-reported` turns elevations into lines by a tangent, which has a pole; `corrected` leaves pitch out, and `exact` has
 /// a ray for every place of every screen.
-fn check_law(
-    projection: Projection,
-    field: FieldOfView,
-    frame: u64,
-    pose: &Pose,
-) -> Result<(), FrameError> {
+fn check_law(projection: Projection, field: FieldOfView, frame: u64, pose: &Pose) -> Result<(), FrameError> {
     let steepest = steepest_deg(field, pose);
     match projection {
         Projection::AsReported if steepest >= POLE_DEG => Err(unsupported(

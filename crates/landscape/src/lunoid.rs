@@ -45,7 +45,10 @@ mod tests {
             let share = (s / LUNOID_RADIUS) * (s / LUNOID_RADIUS);
             let next = s * s * share / (8.0 * LUNOID_RADIUS);
             let found = spherical_drop(s) - parabolic_drop(s);
-            assert!((found - next).abs() <= next * share + 1e-15 * parabolic_drop(s), "{s}: {found}, not {next}");
+            assert!(
+                (found - next).abs() <= next * share + 1e-15 * parabolic_drop(s),
+                "{s}: {found}, not {next}"
+            );
         }
     }
 }

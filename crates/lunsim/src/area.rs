@@ -64,7 +64,13 @@ pub(crate) fn viewed(
 /// that ground has sunk below the horizon.
 fn meeting(slope: f64, drop: f64, relief: f64, curvature: Curvature) -> f64 {
     match curvature {
-        Curvature::None => if slope > 0.0 { drop / slope } else { f64::INFINITY },
+        Curvature::None => {
+            if slope > 0.0 {
+                drop / slope
+            } else {
+                f64::INFINITY
+            }
+        }
         Curvature::Parabolic => on_parabola(slope, drop, relief),
         Curvature::Exact => on_sphere(slope, drop, relief),
     }

@@ -88,7 +88,7 @@ fn worst(ground: &Arc<Landscape>, curvature: Curvature, expected: impl Fn(&Eye, 
             worst = worst.max(error);
             seen += 1;
         }
-        assert!(seen > 20, "{:?}: {seen} rays meet the ground", eye.at);
+        assert!(seen > 15, "{:?}: {seen} rays meet the ground", eye.at);
     }
     worst
 }
@@ -118,7 +118,10 @@ fn a_trough_from_anywhere() {
         let x = eye.at[0] - 400.0;
         let (a, b, c) = (bend * d.x * d.x, bend * x * d.x - 0.5 * d.z, bend * x * x - eye.at[2]);
         let root = (b * b - a * c).max(0.0).sqrt();
-        if b > 0.0 { -c / (b + root) } else { (root - b) / a }
+        let t = if b > 0.0 { -c / (b + root) } else { (root - b) / a };
+        // One of Newton's steps: far away the coefficients have lost digits.
+        let across = x + d.x * t;
+        t - (bend * across * across - eye.at[2] - d.z * t) / (2.0 * bend * across * d.x - d.z)
     });
     println!("trough: {error:.1e} m");
 }
@@ -130,7 +133,12 @@ fn the_sphere_from_anywhere() {
         // |(0, 0, H) + (0, 0, R) + d t| = R, the nearer root.
         let height = eye.at[2] - 12.0;
         let (b, c) = (d.z * (LUNOID_RADIUS + height), height * (2.0 * LUNOID_RADIUS + height));
-        c / (-b + (b * b - c).max(0.0).sqrt())
+        let t = c / (-b + (b * b - c).max(0.0).sqrt());
+        // One of Newton's steps with heights of metres: squares of the radius have lost digits.
+        let over = libm::hypot(d.x, d.y);
+        let range = over * t;
+        let fall = range / (LUNOID_RADIUS * LUNOID_RADIUS - range * range).sqrt();
+        t - (height + d.z * t + eye.drop(range)) / (d.z + over * fall)
     });
     println!("sphere: {error:.1e} m");
 }

@@ -116,9 +116,7 @@ fn point(job: &Job) -> Value {
     };
     let (drop, radius) = match laws.curvature {
         Curvature::Parabolic => (" + s^2 / (2 lunoid_radius_m)", Some(LUNOID_RADIUS)),
-        Curvature::Exact => {
-            (" + lunoid_radius_m - sqrt(lunoid_radius_m^2 - s^2)", Some(LUNOID_RADIUS))
-        }
+        Curvature::Exact => (" + lunoid_radius_m - sqrt(lunoid_radius_m^2 - s^2)", Some(LUNOID_RADIUS)),
         Curvature::None => ("", None),
     };
     json!({
