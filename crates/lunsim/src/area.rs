@@ -114,3 +114,39 @@ fn on_map(observer: &Observer, level: &Level) -> [[f64; 2]; 2] {
         ]
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{horizon, meeting};
+    use landscape::LUNOID_RADIUS;
+    use scenario::Curvature;
+
+    /// A ray meets the ground where ground and ray have dropped by the same.
+    #[test]
+    fn a_ray_meets_the_ground_of_every_law() {
+        for drop in [1.6, 4e3, 1e6] {
+            for slope in [0.8, 2.0, 100.0, 1e4] {
+                for law in [Curvature::None, Curvature::Parabolic, Curvature::Exact] {
+                    let range = meeting(slope, drop, 0.0, law);
+                    let is_past = range > LUNOID_RADIUS || slope * slope < 2.5 * drop / LUNOID_RADIUS;
+                    let left = slope * range - drop - law.drop(range);
+                    assert!(is_past || left.abs() < 1e-9 * (1.0 + drop), "{law:?} {drop} {slope}: {left}");
+                }
+            }
+        }
+    }
+
+    /// A level ray passes above the sphere: ground is in view up to the horizon, and relief up to its own beyond.
+    #[test]
+    fn the_horizon_of_the_sphere() {
+        let touch = |height: f64| {
+            let far = LUNOID_RADIUS + height;
+            LUNOID_RADIUS * libm::sin(libm::acos(LUNOID_RADIUS / far))
+        };
+        for height in [10.0, 1e4, 1e6] {
+            assert!((horizon(height) / touch(height) - 1.0).abs() < 1e-6, "{height}");
+            let seen = meeting(0.0, height, 900.0, Curvature::Exact);
+            assert!((seen - touch(height) - touch(900.0)).abs() < 1.0, "{height}: {seen}");
+        }
+    }
+}
