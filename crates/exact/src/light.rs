@@ -40,8 +40,9 @@ impl<'a> Light<'a> {
             FeatureLight::AsReported if rise.present => rise.slopes,
             _ => slopes,
         };
-        // Straight below the eye the range is 0.
-        let sight = ((height - self.eye_height) / spot.range).clamp(-STEEPEST, STEEPEST);
+        // Straight below an eye that all but touches the ground the range is 0.
+        let range = spot.range.max(f64::MIN_POSITIVE);
+        let sight = ((height - self.eye_height) / range).clamp(-STEEPEST, STEEPEST);
         let signed = self.reflectivity(lit_slopes, direction, sight);
         let texture =
             self.landscape.texture().map_or(0.0, |t| t.at(spot.place[0], spot.place[1], spot.range));

@@ -18,10 +18,6 @@ pub struct Ray {
     pub rise: f64,
 }
 
-/// A ray as steep as this (tangent of elevation, either way) has its range from the height that it meets: it lies too
-/// near the foot of the eye for range to tell two heights apart.
-const STEEP: f64 = 8.0;
-
 /// What a ray meets.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Sight {
@@ -140,7 +136,7 @@ impl<'a> Outlook<'a> {
         if self.is_beside && met.range == self.begin(&line) && is_under() {
             return Sight::Cut(met.range);
         }
-        Sight::Ground(self.well_ranged(&line, spot))
+        Sight::Ground(spot)
     }
 
     /// Range at which `line` comes over the first ground (m), for an eye beside it.
@@ -149,15 +145,6 @@ impl<'a> Outlook<'a> {
         let inside = levels.map(|level| self.ground.track(level, line).inside());
         let enters = inside.filter(|[enters, leaves]| enters <= leaves).map(|[enters, _]| enters);
         enters.fold(f64::INFINITY, f64::min)
-    }
-
-    /// The spot with a range that tells heights apart.
-    fn well_ranged(&self, line: &Line, spot: Spot) -> Spot {
-        if self.is_swept() || line.rise.abs() < STEEP {
-            return spot;
-        }
-        let climb = self.height(&spot) - self.drop(spot.range) - line.height;
-        Spot { range: (climb / line.rise).max(0.0), ..spot }
     }
 
     /// Whether ground hides what lies on `ray` at the range `to` (m).
@@ -208,8 +195,6 @@ impl<'a> Outlook<'a> {
     fn zones(&self, line: &Line, switch: LevelSwitch, [from, to]: [f64; 2]) -> [Zone; 4] {
         let [begin, leave] = self.ground.track(0, line).inside();
         let end = switch.range.min(leave);
-        // Passed by, or begun behind the switch, the fine level is not seen.
-        let (begin, end) = if begin < end { (begin, end) } else { (from, from) };
         let blend = Blend { from: switch.range - switch.blend, length: switch.blend };
         let fade = if switch.blend > 0.0 { blend.from.min(end) } else { end };
         let zone =

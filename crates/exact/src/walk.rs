@@ -161,6 +161,19 @@ mod tests {
         assert!(walk([5.0, 5.0], [f64::NAN, f64::NAN], 1.0, 99.0).is_empty());
     }
 
+    /// From 10^9 regions away the crossing of the edge is good to 1e-7 of a region.
+    #[test]
+    fn lines_that_come_in_from_far_away() {
+        for k in 1..200 {
+            let (origin, across) = (-9.1e8 - f64::from(k), 1e-9 * f64::from(k));
+            let length = (1.0 + across * across).sqrt();
+            let step = [1.0 / length, across / length];
+            let from = -origin / step[0];
+            let walk = Walk::new([3, 3], [origin, 1.5 - from * step[1]], step, from, f64::INFINITY);
+            assert_eq!(walk.into_iter().flatten().count(), 3, "{k}");
+        }
+    }
+
     proptest! {
         #[test]
         fn leaving_a_block_is_passing_its_regions(

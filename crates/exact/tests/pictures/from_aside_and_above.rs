@@ -3,16 +3,18 @@
 use std::sync::Arc;
 
 use crate::scenes::{
-    bumps, draw, landscape, laws, level, plane, planes, pose, ray, settings, standing_box, sun, value,
+    bumps, crater_field, draw, landscape, laws, level, plane, planes, pose, ray, settings, standing_box, sun,
+    value,
 };
-use exact::{Ceilings, Outlook, Ray, Sight};
-use generator::{Label, PlaneKind, Planes};
+use exact::{Ceilings, Exact, Outlook, Ray, Sight};
+use generator::{Generator, Label, PlaneKind, Planes, Stage};
 use hardware_model::Settings;
 use landscape::{Bank, LUNOID_RADIUS, Landscape, Level, Photometry, Silhouette};
 use quantities::radians;
 use scenario::{
     BodyVisibility, Curvature, Laws, LevelSwitch, PixelRule, Pose, Projection, Scenery, ShadowFineness,
 };
+use signal::Probe;
 
 fn usual(lines: u32, rule: PixelRule) -> Settings {
     settings(21, lines, laws(Projection::Exact, Curvature::None, rule), [12.0, 5000.0])
@@ -268,6 +270,52 @@ fn a_box_straight_below() {
     }
 }
 
+/// Straight down range is all but 0, and still tells heights apart: in one part of 10^9.
+#[test]
+fn ranges_of_steep_rays() {
+    for size in [8.0, 1e5] {
+        let ground = landscape(plane(size, [6, 6], 3.0, [0.02, 0.01]), 1.0);
+        let ground = Arc::new(Landscape::clone(&ground).with_features(crater_field(5, 50, 9.0)));
+        let ceilings = Ceilings::new(&ground);
+        for (up, rise) in [(1.0, -9.0), (1e3, -1e3), (1e6, -1e6), (1e6, -1e12), (1e6, -1e18), (1.0, -1e18)] {
+            for place in [[20.0, 20.0], [31.0, 7.0], [24.0, 24.0], [11.5, 40.0]] {
+                let eye = [place[0], place[1], ground.height(place[0], place[1]).unwrap() + up];
+                let outlook = Outlook::new(&ground, &ceilings, eye, Curvature::None, [0.0, 5000.0], None);
+                let Sight::Ground(spot) = outlook.look(&Ray { direction: [0.6, 0.8], rise }) else {
+                    panic!()
+                };
+                let expected = (outlook.height(&spot) - eye[2]) / rise;
+                assert!(
+                    (spot.range / expected - 1.0).abs() < 1e-9,
+                    "{size} {rise}: {}, not {expected}",
+                    spot.range
+                );
+            }
+        }
+    }
+}
+
+/// As reported a body is seen whole unless ground before its foot stands higher; from on high that is an angle.
+#[test]
+fn bodies_as_reported_from_on_high() {
+    let ground = landscape(plane(40.0, [20, 20], 7.0, [0.11, -0.07]), 1.0);
+    let mut settings = usual(21, PixelRule::Centre);
+    settings.laws = Laws { body_visibility: BodyVisibility::AsReported, ..settings.laws };
+    for height in [300.0, 3e4, 1e6] {
+        let body = |k: u32| {
+            let [x, y] = [400.0 + 7.3 * f64::from(k % 5) - 11.0, 400.0 + 5.9 * f64::from(k / 5) - 9.1];
+            standing_box(k, [x, y, ground.height(x, y).unwrap()], 0.5, 1.0)
+        };
+        let scenery = Arc::new(Scenery::still(sun(90.0, 45.0)).with_bodies((0..20).map(body).collect()));
+        let stage = Stage { landscape: Arc::clone(&ground), scenery, settings: settings.clone() };
+        let mut planes = Planes::new(21, 21, &[PlaneKind::Intensity]);
+        let session = Exact.prepare(stage).unwrap();
+        let counts =
+            session.frame(0, &pose([400.0, 400.0, height], -90.0, 0.0), &mut planes, &mut Probe::off());
+        assert_eq!(counts.unwrap().bodies, 20, "{height}");
+    }
+}
+
 /// Light, texture and grids of pixels stay numbers in every attitude, over any ground.
 #[test]
 fn every_attitude_stays_finite() {
@@ -279,7 +327,13 @@ fn every_attitude_stays_finite() {
     );
     let rough = Arc::new(Landscape::clone(&rough).with_photometry(Photometry::LunarLambert));
     let foot = rough.height(160.0, 160.0).unwrap();
-    for eye in [[160.0, 160.0, foot + 1e-6], [160.0, 160.0, 9e8], [-9e8, 160.0, 5.0], [0.0, 0.0, 1e6]] {
+    for eye in [
+        [160.0, 160.0, foot.next_up()],
+        [160.0, 160.0, foot + 1e-6],
+        [160.0, 160.0, 9e8],
+        [-9e8, 160.0, 5.0],
+        [0.0, 0.0, 1e6],
+    ] {
         for curvature in [Curvature::None, Curvature::Parabolic, Curvature::Exact] {
             for (pitch, heading, yoke) in
                 [(-90.0, 0.0, 0.0), (90.0, 45.0, 1.0), (-135.0, 271.0, 3.0), (0.0, 0.0, 0.0)]
