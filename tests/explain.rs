@@ -2,14 +2,14 @@
 
 use exact::Columns;
 use explain::{Explanation, Inquiry, InquiryError, Writer};
-use generator::{Generator, Stage};
 use hardware_model::{HardwareModel, ModelSource};
 use lunoid_tests::{Dice, Shipped, shipped};
-use machine::{ControlPlane, HybridMachine};
+use machine::ControlPlane;
+use machine::MachineStage;
 
-fn told(stage: &Stage, scene: &Shipped, frame: u64, pixels: &[[usize; 2]]) -> Vec<Explanation> {
-    let session = HybridMachine.prepare(stage.clone()).unwrap();
-    let (control, exact) = (ControlPlane::new(stage.clone()), Columns::new(stage.clone()));
+fn told(stage: &MachineStage, scene: &Shipped, frame: u64, pixels: &[[usize; 2]]) -> Vec<Explanation> {
+    let session = stage.clone().prepare();
+    let (control, exact) = (ControlPlane::new(stage.clone()), Columns::new(stage.stage()));
     let inquiry = Inquiry::new(stage, session.as_ref(), &control, Some(&exact));
     let pose = scene.pose(frame).pose;
     pixels.iter().map(|&pixel| inquiry.explain(frame, &pose, pixel).unwrap()).collect()
@@ -76,12 +76,12 @@ fn sky_and_bodies_are_told_as_such() {
     assert!(told.iter().filter(agree).count() * 20 >= told.len() * 19, "bodies are where exact has them");
 }
 
-fn with_fault(scene: &Shipped, fault: &str) -> Stage {
+fn with_fault(scene: &Shipped, fault: &str) -> MachineStage {
     let overlay = shipped::folder().join(format!("../hardware-models/faults/{fault}.toml"));
     let source = ModelSource::BuiltIn("ideal".into());
     let model = HardwareModel::load(&source, &[overlay], &[]).unwrap().model;
-    let settings = stage::settings(&scene.scenario, &model).unwrap();
-    stage::build(&scene.scenario, settings).unwrap()
+    let settings = front_door::settings(&scene.scenario, &model).unwrap();
+    front_door::build(&scene.scenario, settings).unwrap()
 }
 
 #[test]
@@ -108,7 +108,7 @@ fn stale_registers_and_late_words_are_named() {
 fn a_pixel_outside_is_refused() {
     let scene = Shipped::read("first-light", Some(64));
     let stage = scene.stage();
-    let session = HybridMachine.prepare(stage.clone()).unwrap();
+    let session = stage.clone().prepare();
     let control = ControlPlane::new(stage.clone());
     let inquiry = Inquiry::new(&stage, session.as_ref(), &control, None);
     let refused = inquiry.explain(0, &scene.pose(0).pose, [64, 0]).unwrap_err();
@@ -120,7 +120,7 @@ fn a_pixel_outside_is_refused() {
 fn the_picture_that_is_kept_is_the_right_one() {
     let scene = Shipped::read("first-light", Some(64));
     let stage = scene.stage();
-    let session = HybridMachine.prepare(stage.clone()).unwrap();
+    let session = stage.clone().prepare();
     let control = ControlPlane::new(stage.clone());
     let new = || Inquiry::new(&stage, session.as_ref(), &control, None);
     let kept = new();

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use generator::{Generator, PlaneKind, Planes};
+use generator::{PlaneKind, Planes};
 use hardware_model::{HardwareModel, Settings};
-use machine::{ControlPlane, HybridMachine};
+use machine::ControlPlane;
 use scenario::Pose;
 use signal::Probe;
 use sweep_program::Fan;
@@ -37,7 +37,7 @@ impl Run {
         let settings = stage.settings.clone();
         let raster = settings.raster;
         let control = scene.timed.then(|| ControlPlane::new(stage.clone()));
-        let session = scene.drawn.then(|| HybridMachine.prepare(stage).expect("a stage for the machine"));
+        let session = scene.drawn.then(|| stage.prepare());
         let frame = |&number: &u64| {
             let pose = &poses[number as usize];
             let mut planes =

@@ -6,10 +6,9 @@
 use std::env;
 use std::path::{Path, PathBuf};
 
-use generator::{Generator, PlaneKind, Planes};
+use generator::{PlaneKind, Planes};
 use hardware_model::{HardwareModel, ModelSource};
 use lunoid_tests::shipped::folder;
-use machine::HybridMachine;
 use picture::{Depth, Encoder, GreyPicture, Transfer, beside, write_png};
 use quantities::{Rate, radians};
 use scenario::{Pose, PoseTable, RollDisplay, Scenario, Waypoint};
@@ -86,8 +85,8 @@ impl Show {
         let overlays: Vec<PathBuf> = overlay.into_iter().map(file).collect();
         let ideal = ModelSource::BuiltIn("ideal".into());
         let model = HardwareModel::load(&ideal, &overlays, &[]).unwrap_or_else(|e| panic!("{e}")).model;
-        let settings = stage::settings(&scenario, &model).unwrap_or_else(|e| panic!("{e}"));
-        let stage = stage::build(&scenario, settings.clone()).unwrap_or_else(|e| panic!("{e}"));
+        let settings = front_door::settings(&scenario, &model).unwrap_or_else(|e| panic!("{e}"));
+        let stage = front_door::build(&scenario, settings.clone()).unwrap_or_else(|e| panic!("{e}"));
         let (update, yoke) = (settings.timebase.update, settings.yoke);
         let pose = |frame: u64| -> Pose {
             let table = PoseTable::resolve(&scenario, &stage.landscape, update, yoke, frame..frame + 1);
@@ -96,7 +95,7 @@ impl Show {
         let (columns, lines) = (settings.raster.columns as usize, settings.raster.lines as usize);
         let frames = self.frames[usize::from(overlay.is_some())];
         let poses: Vec<Pose> = frames.iter().map(|&frame| pose(frame)).collect();
-        let session = HybridMachine.prepare(stage).expect("a shipped scenario");
+        let session = stage.prepare();
         let mut sum = vec![0.0; columns * lines];
         for (&frame, pose) in frames.iter().zip(&poses) {
             let mut planes = Planes::new(columns, lines, &[PlaneKind::Intensity]);

@@ -3,10 +3,10 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use generator::Stage;
 use hardware_model::{HardwareModel, Settings};
 use landscape::{Attitude, Bank, Landscape, Level, Sun};
 use lunoid_tests::{level_of, plane};
+use machine::MachineStage;
 use quantities::{Rate, radians};
 use scenario::{
     Curvature, Display, FieldOfView, LawWishes, Occlusion, Pose, RangeLaw, RangeProgramme, RasterWishes,
@@ -106,7 +106,7 @@ impl Scene {
     }
 
     /// The stage of a run, and the pose of every frame of the mission.
-    pub fn stage(&self, model: &HardwareModel) -> (Stage, Vec<Pose>) {
+    pub fn stage(&self, model: &HardwareModel) -> (MachineStage, Vec<Pose>) {
         let settings = self.settings(model);
         let update = settings.timebase.update.hertz();
         let poses: Vec<Pose> = match self.turn {
@@ -120,7 +120,7 @@ impl Scene {
             .with_patches(self.patches.clone())
             .with_course(poses.clone());
         let landscape = Arc::new(self.landscape.clone());
-        (Stage { landscape, scenery: Arc::new(scenery), settings }, poses)
+        (MachineStage { landscape, scenery: Arc::new(scenery), settings }, poses)
     }
 
     /// Side of a region (m).

@@ -20,7 +20,7 @@ impl Lockstep {
     /// # Panics
     /// If the machine cannot draw the scene.
     pub fn run(scene: &Scene, frame: u64) -> Self {
-        let engines = Engines::new(scene.stage()).expect("a stage that the machine can draw");
+        let engines = Engines::new(scene.stage());
         let sweeps = engines.run(frame, &scene.pose(), 0..scene.sweeps, &|_| {});
         let sweeps = sweeps.expect("a pose that can be drawn");
         let mut report = Report::default();

@@ -7,10 +7,10 @@ use compare::{
     EDGE_PLANES, EdgeLimits, RidgeError, edge_mask, horizon_of_picture, horizon_of_range, ridge_error,
 };
 use exact::Exact;
-use generator::{FrameCounts, Generator, Label, PlaneKind, Planes, Shade, Stage};
+use generator::{FrameCounts, Generator, Label, PlaneKind, Planes, Session, Shade};
 use hardware_model::{HardwareModel, ModelSource, Settings};
 use landscape::Landscape;
-use machine::HybridMachine;
+use machine::MachineStage;
 use picture::{Depth, Encoder, GreyPicture, Transfer};
 use scenario::{Pose, PoseRow, PoseTable, Scenario, Scenery};
 use signal::Probe;
@@ -114,13 +114,13 @@ impl Shipped {
         }
         change(&mut scenario);
         // LUNSIM has no hardware model: raster, range and laws are over those of the ideal one.
-        let named = if scenario.machine == lunsim::NAME { "ideal" } else { &scenario.machine };
+        let named = if scenario.machine == lunsim::ROW.name { "ideal" } else { &scenario.machine };
         let source = ModelSource::find(named, &folder()).unwrap_or_else(|e| panic!("{e}"));
         let model = HardwareModel::load(&source, &[], &[]).unwrap_or_else(|e| panic!("{e}")).model;
-        let settings = stage::settings(&scenario, &model).expect("shipped settings");
+        let settings = front_door::settings(&scenario, &model).expect("shipped settings");
         let settings = Settings { shadow_cache: Some(SHADOWS.clone()), ..settings };
-        let stage = stage::build(&scenario, settings).unwrap_or_else(|e| panic!("{name}: {e}"));
-        let Stage { landscape, scenery, settings } = stage;
+        let stage = front_door::build(&scenario, settings).unwrap_or_else(|e| panic!("{name}: {e}"));
+        let MachineStage { landscape, scenery, settings } = stage;
         Self { landscape, course: scenery.course().to_vec(), settings, scenario }
     }
 
@@ -145,26 +145,24 @@ impl Shipped {
         scenery.with_course(self.course.clone())
     }
 
-    /// What generators draw, by the scenario as it is now.
-    pub fn stage(&self) -> Stage {
-        Stage {
+    /// What the machine draws, by the scenario as it is now.
+    pub fn stage(&self) -> MachineStage {
+        MachineStage {
             landscape: self.landscape.clone(),
             scenery: Arc::new(self.scenery()),
             settings: self.settings.clone(),
         }
     }
 
-    /// A frame by a generator.
+    /// A frame by a generator made ready for its stage.
     ///
     /// # Panics
     /// If it cannot be drawn.
-    pub fn draw(&self, generator: &dyn Generator, frame: u64, probe: &mut Probe) -> Shown {
+    pub fn draw(&self, session: &dyn Session, frame: u64, probe: &mut Probe) -> Shown {
         let raster = self.settings.raster;
         let (columns, lines) = (raster.columns as usize, raster.lines as usize);
         let kinds: Vec<PlaneKind> = [PlaneKind::Intensity].into_iter().chain(EDGE_PLANES).collect();
         let mut planes = Planes::new(columns, lines, &kinds);
-        let session =
-            generator.prepare(self.stage()).expect("a shipped scenario is drawn by every generator");
         let counts =
             session.frame(frame, &self.pose(frame).pose, &mut planes, probe).expect("a shipped frame");
         let display = self.settings.display;
@@ -176,18 +174,21 @@ impl Shipped {
 
     /// The machine's frame.
     pub fn machine(&self, frame: u64) -> Shown {
-        self.draw(&HybridMachine, frame, &mut Probe::off())
+        self.draw(&*self.stage().prepare(), frame, &mut Probe::off())
     }
 
     /// The frame by closed form and root finding.
     pub fn exact(&self, frame: u64) -> Shown {
-        self.draw(&Exact, frame, &mut Probe::off())
+        {
+            let exact = Exact.prepare(self.stage().stage()).expect("a stage that exact can draw");
+            self.draw(&*exact, frame, &mut Probe::off())
+        }
     }
 
     /// One signal of one sweep.
     pub fn waveform(&self, frame: u64, sweep: u32, signal: &str) -> Vec<f64> {
         let mut probe = Probe::new(vec![signal.into()], sweep..sweep + 1);
-        self.draw(&HybridMachine, frame, &mut probe);
+        self.draw(&*self.stage().prepare(), frame, &mut probe);
         probe.waveforms.remove(0).values
     }
 

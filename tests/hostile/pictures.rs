@@ -7,7 +7,6 @@ use generator::{Generator, PlaneKind, Planes};
 use hardware_model::{HardwareModel, ModelSource};
 use landscape::relief::Relief;
 use lunoid_tests::Dice;
-use machine::HybridMachine;
 use scenario::{Ground, PoseTable, Scenario};
 use signal::Probe;
 
@@ -108,25 +107,21 @@ fn draw(text: &str) -> Way {
     scenario.raster.samples = scenario.raster.samples.map(|samples| samples.min(200));
     let model =
         HardwareModel::load(&ModelSource::BuiltIn("ideal".into()), &[], &[]).expect("a shipped model");
-    let Ok(settings) = stage::settings(&scenario, &model.model) else { return Way::Refused };
-    let Ok(stage) = stage::build(&scenario, settings) else { return Way::Refused };
+    let Ok(settings) = front_door::settings(&scenario, &model.model) else { return Way::Refused };
+    let Ok(stage) = front_door::build(&scenario, settings) else { return Way::Refused };
     let (update, yoke) = (stage.settings.timebase.update, stage.settings.yoke);
     let Ok(poses) = PoseTable::resolve(&scenario, &stage.landscape, update, yoke, 0..1) else {
         return Way::Refused;
     };
     let row = poses.rows()[0];
-    for generator in [&HybridMachine as &dyn Generator, &Exact] {
-        let Ok(session) = generator.prepare(stage.clone()) else { return Way::Refused };
+    let Ok(exact) = Exact.prepare(stage.stage()) else { return Way::Refused };
+    for (name, session) in [("hybrid", stage.clone().prepare()), ("exact", exact)] {
         let mut planes = Planes::new(12, 8, &[PlaneKind::Intensity, PlaneKind::Range]);
         if session.frame(row.frame, &row.pose, &mut planes, &mut Probe::off()).is_err() {
             return Way::Refused;
         }
         let intensity = planes.get(PlaneKind::Intensity).expect("a plane that was asked for");
-        assert!(
-            intensity.iter().all(|value| (0.0..=1.0).contains(value)),
-            "{}: {intensity:?}",
-            generator.name()
-        );
+        assert!(intensity.iter().all(|value| (0.0..=1.0).contains(value)), "{}: {intensity:?}", name);
         assert!(!planes.get(PlaneKind::Range).expect("the other").iter().any(|range| range.is_nan()));
     }
     Way::Drawn

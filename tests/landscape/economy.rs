@@ -1,11 +1,10 @@
 //! What a scene does not need is left out: the same bits, or a stated bound, and the record names it.
 
-use generator::{Generator, Omission, Weight};
+use generator::{Omission, Weight};
 use glam::DVec3;
 use hardware_model::{Economy, Forced, HardwareModel, LevelSwitch, Yoke};
 use landscape::{Bank, Landscape, Silhouette, Source};
 use lunoid_tests::{Dice, Drawn};
-use machine::HybridMachine;
 use polyhedron_generator::{LeftOut, Sight};
 use quantities::radians;
 use scenario::Scalar;
@@ -75,8 +74,11 @@ fn lossless_omissions_change_no_bit_of_a_full_scene() {
         for scalar in [Scalar::F32, Scalar::F64] {
             let [lossless, everything] =
                 [Economy::Lossless, Economy::Everything].map(|economy| with(&full(seed), economy, scalar));
-            let counts = lossless.counts;
-            assert!(counts.features > 0 && counts.shadow_toggles > 0 && counts.bodies > 0, "{counts:?}");
+            let counts = &lossless.counts;
+            assert!(
+                counts["features"] > 0 && counts["shadow_toggles"] > 0 && counts["bodies"] > 0,
+                "{counts:?}"
+            );
             assert_same_bits(&lossless, &everything, &format!("seed {seed}, {scalar:?}"));
         }
     }
@@ -122,9 +124,9 @@ fn check_bound(what: &str, set: &Set) {
         [Economy::Bounded, Economy::Lossless].map(|economy| with(set, economy, Scalar::F64));
     let (bound, found) = (left_out(set), sum_of_differences(&bounded, &lossless));
     println!("{what}: {found} of {bound:?}");
-    let told = (bounded.counts.bodies_left_out, bounded.counts.pixels_left_out);
+    let told = (bounded.counts["bodies_left_out"], bounded.counts["pixels_left_out"]);
     assert_eq!(told, (bound.bodies, bound.cells.ceil() as u64), "{what}: what the record says");
-    assert_eq!((lossless.counts.bodies_left_out, lossless.counts.pixels_left_out), (0, 0), "{what}");
+    assert_eq!((lossless.counts["bodies_left_out"], lossless.counts["pixels_left_out"]), (0, 0), "{what}");
     assert!(bound.bodies > 50 && bound.bodies < 400, "{what}: {bound:?}");
     assert!(found > 0.0, "{what}: nothing to bound");
     assert!(found <= bound.cells, "{what}: {found} of {bound:?}");
@@ -168,7 +170,7 @@ fn the_bound_holds_on_narrow_pixels() {
 
 /// Blocks that a session of the machine leaves out, each with what and why.
 fn omissions(set: &Set) -> Vec<Omission> {
-    HybridMachine.prepare(set.stage.clone()).unwrap().omissions()
+    set.stage.clone().prepare().omissions()
 }
 
 const ABSENT: [(&str, &str, &str); 7] = [

@@ -27,10 +27,14 @@ fn one_sub_generator_draws_the_nearer_of_two_bowls() {
         let mut set = set.with_craters(bowls.to_vec());
         let draw = |set: &Set| set.machine(&["fg.height", "sweep.range"]);
         let unlimited = draw(&set);
-        assert_eq!((unlimited.counts.features, unlimited.counts.dropped_features), (3, 0));
+        assert_eq!((unlimited.counts["features"], unlimited.counts["dropped_features"]), (3, 0));
         set.stage.settings.feature_generator = FeatureParts { organisation, sub_generators: Some(1) };
         let limited = draw(&set);
-        assert_eq!((limited.counts.features, limited.counts.dropped_features), (2, 1), "{organisation:?}");
+        assert_eq!(
+            (limited.counts["features"], limited.counts["dropped_features"]),
+            (2, 1),
+            "{organisation:?}"
+        );
         for (found, range) in wave(&limited, 0, "fg.height").iter().zip(wave(&limited, 0, "sweep.range")) {
             let expected =
                 bowls[0].profile((range - 40.0).abs())[0] + bowls[2].profile((range - 140.0).abs())[0];
@@ -48,7 +52,7 @@ fn another_type_has_a_sub_generator_of_its_own() {
     let mut set = set.clone().with_craters(vec![bowl(&set, 40.0, 10.0, 2.0), rimmed]);
     set.stage.settings.feature_generator.sub_generators = Some(1);
     let counts = set.machine(&[]).counts;
-    assert_eq!((counts.features, counts.dropped_features), (2, 0));
+    assert_eq!((counts["features"], counts["dropped_features"]), (2, 0));
 }
 
 /// Shadow from 20 m to 30 m and from 50 m to 60 m ahead; each edge runs across the sweep.
@@ -74,7 +78,7 @@ fn few_line_generators_invert_the_gate() {
         (Some(1), 3, &[20.0]),
     ] {
         let (_, drawn) = barred(line_generators);
-        let counts = (drawn.counts.dropped_segments, drawn.counts.shadow_toggles as usize);
+        let counts = (drawn.counts["dropped_segments"], drawn.counts["shadow_toggles"] as usize);
         assert_eq!(counts, (dropped, changes.len()), "{line_generators:?}");
         for (sample, range) in wave(&drawn, 0, "sweep.range").iter().enumerate() {
             let dark = changes.iter().filter(|change| *change <= range).count() % 2 == 1;
@@ -92,7 +96,7 @@ fn shadows_that_overlap_are_one() {
     let bars = [(20.0, 30.0), (25.0, 35.0), (22.0, 28.0)];
     let bars = bars.map(|(near, far)| patch([x + near, y - 5.0, x + far, y + 5.0]));
     let drawn = set.with_patches(bars.to_vec()).machine(&["sc.gate", "sweep.range"]);
-    assert_eq!(drawn.counts.shadow_toggles, 2);
+    assert_eq!(drawn.counts["shadow_toggles"], 2);
     for (gate, range) in wave(&drawn, 0, "sc.gate").iter().zip(wave(&drawn, 0, "sweep.range")) {
         assert_eq!(*gate == 1.0, (20.0..35.0).contains(range), "{range} m");
     }
@@ -107,7 +111,7 @@ fn two_thousand_shadow_segments_in_one_sweep_are_drawn() {
     let patches = (0..1200).map(|index| patch([bar(index), y - 1.0, bar(index) + 0.08, y + 1.0]));
     let set = set.with_patches(patches.collect());
     let drawn = set.machine(&["sc.gate", "sweep.range"]);
-    assert_eq!((drawn.counts.shadow_toggles, drawn.counts.dropped_segments), (2400, 0));
+    assert_eq!((drawn.counts["shadow_toggles"], drawn.counts["dropped_segments"]), (2400, 0));
     for (gate, range) in wave(&drawn, 0, "sc.gate").iter().zip(wave(&drawn, 0, "sweep.range")) {
         let place = (range - 5.0) / 0.15;
         let (index, within) = (place.floor(), 0.15 * (place - place.floor()));
@@ -134,8 +138,8 @@ fn a_hundred_nested_craters_are_drawn_as_they_are() {
     set.pose.eye[2] += 12.0;
     set.pose.attitude.pitch = quantities::radians(-14.0);
     let drawn = set.machine(&["mu.height", "sweep.range"]);
-    assert_eq!(drawn.counts.dropped_features, 0);
-    assert!(drawn.counts.features > 1500, "{:?}", drawn.counts);
+    assert_eq!(drawn.counts["dropped_features"], 0);
+    assert!(drawn.counts["features"] > 1500, "{:?}", drawn.counts);
     for sweep in [0, 31, 32, 63] {
         for (found, &range) in wave(&drawn, sweep, "mu.height").iter().zip(wave(&drawn, sweep, "sweep.range"))
         {
@@ -161,9 +165,9 @@ fn what_is_dropped_is_counted() {
     set.stage.settings.feature_generator.sub_generators = Some(1);
     set.stage.settings.shadow_controller = ShadowParts::Digital { line_generators: Some(1) };
     let part = set.machine(&[]);
-    assert_eq!((whole.counts.dropped_features, whole.counts.dropped_segments), (0, 0));
-    assert!(part.counts.dropped_features > 0 && part.counts.dropped_segments > 0, "{:?}", part.counts);
-    assert_eq!(part.counts.features + part.counts.dropped_features, whole.counts.features);
+    assert_eq!((whole.counts["dropped_features"], whole.counts["dropped_segments"]), (0, 0));
+    assert!(part.counts["dropped_features"] > 0 && part.counts["dropped_segments"] > 0, "{:?}", part.counts);
+    assert_eq!(part.counts["features"] + part.counts["dropped_features"], whole.counts["features"]);
     assert!(part.picture.iter().all(|value| (0.0..=1.0).contains(value)));
     assert_ne!(part.picture, whole.picture);
 }

@@ -96,7 +96,7 @@ fn a_lit_scene_elsewhere_has_the_same_bits() {
         for scalar in [Scalar::F32, Scalar::F64] {
             let here = lit(seed, scalar);
             let drawn = here.machine(&["*"]);
-            assert!(drawn.counts.features > 0 && drawn.counts.bodies > 0);
+            assert!(drawn.counts["features"] > 0 && drawn.counts["bodies"] > 0);
             for regions in [[2.0, -4.0], [-16.0, 0.0], [64.0, 128.0]] {
                 let there = moved(&here, regions, begun_further(&here, regions)).machine(&["*"]);
                 assert_same_bits(&drawn, &there, &format!("seed {seed}, {scalar:?}, {regions:?}"));

@@ -86,6 +86,6 @@ fn the_picture_is_that_of_exact_and_shows_no_vehicle() {
         let planes = with.exact();
         let labels = planes.get(PlaneKind::Label).unwrap();
         assert!(!labels.contains(&f32::from(Label::Culture.code())), "it casts and is not seen");
-        assert_eq!(with.machine(&[]).counts.bodies, 0);
+        assert_eq!(with.machine(&[]).counts["bodies"], 0);
     }
 }

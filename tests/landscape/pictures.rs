@@ -165,7 +165,7 @@ fn bodies_behind_a_rim_under_both_laws() {
     let set = set.clone().with_bodies(bodies.collect());
     let [whole, depth] = [BodyVisibility::AsReported, BodyVisibility::Depth]
         .map(|which| law(&set, |laws| laws.body_visibility = which));
-    assert_eq!((whole.machine(&[]).counts.bodies, depth.machine(&[]).counts.bodies), (0, 3));
+    assert_eq!((whole.machine(&[]).counts["bodies"], depth.machine(&[]).counts["bodies"]), (0, 3));
     check("behind a rim as reported", &whole, 0.5);
     check("behind a rim by depth", &depth, 0.5);
     assert!(apart(&depth, &whole) > SEEN, "{}", apart(&depth, &whole));

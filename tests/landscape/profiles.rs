@@ -157,7 +157,7 @@ fn a_blend_takes_the_step_away_and_the_record_says_how_large_it_is() {
     let [sudden, blended] = [0.0, 40.0].map(|blend| {
         let set = two_levels(5, LevelSwitch { range: SWITCH, blend });
         let drawn = set.machine(&["mu.height", "sweep.range"]);
-        let told = 1e-3 * drawn.counts.level_step_mm as f64;
+        let told = 1e-3 * drawn.counts["level_step_mm"] as f64;
         let [rise, difference] = step_at_the_switch(&set, &drawn);
         // Measured at the last fine sample, up to 0.8 m before the switch.
         assert!((told - difference).abs() < 0.05, "{told} m in the record, {difference} m at the switch");

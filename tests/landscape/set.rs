@@ -5,11 +5,11 @@ use std::sync::Arc;
 
 use exact::Exact;
 use features::{Crater, Features, Shape};
-use generator::{Generator, PlaneKind, Planes, Stage};
+use generator::{Generator, PlaneKind, Planes};
 use glam::{DMat3, DVec3};
 use landscape::{Landscape, Layer, Level, Source, Sun, Texture};
 use lunoid_tests::{Dice, Drawn, Scene, level_of, plane};
-use machine::HybridMachine;
+use machine::MachineStage;
 use quantities::{radians, sin_cos};
 use scenario::{
     Curvature, Occlusion, Pose, RangeLaw, RangeProgramme, Scenery, ShadowFineness, Standing, TrackPatch,
@@ -28,7 +28,7 @@ pub const REGIONS: usize = 16;
 /// A stage and a pose, free to be changed.
 #[derive(Clone)]
 pub struct Set {
-    pub stage: Stage,
+    pub stage: MachineStage,
     pub pose: Pose,
 }
 
@@ -176,14 +176,14 @@ impl Set {
         self
     }
 
-    /// Frame 0 of `generator`, with `signals` (patterns) of every sweep.
-    pub fn draw(&self, generator: &dyn Generator, signals: &[&str]) -> Drawn {
+    /// Frame 0 of the machine, with `signals` (patterns) of every sweep.
+    pub fn machine(&self, signals: &[&str]) -> Drawn {
         let raster = self.stage.settings.raster;
         let kinds = [PlaneKind::Intensity, PlaneKind::Range];
         let mut planes = Planes::new(raster.columns as usize, raster.lines as usize, &kinds);
         let patterns = signals.iter().map(|&pattern| pattern.to_owned()).collect();
         let mut probe = Probe::new(patterns, 0..raster.sweeps);
-        let session = generator.prepare(self.stage.clone()).expect("a stage that every generator draws");
+        let session = self.stage.clone().prepare();
         let counts = session.frame(0, &self.pose, &mut planes, &mut probe).expect("a pose that can be drawn");
         let plane = |kind| planes.get(kind).map(<[f32]>::to_vec).unwrap_or_default();
         Drawn {
@@ -194,16 +194,11 @@ impl Set {
         }
     }
 
-    /// Frame 0 of the machine.
-    pub fn machine(&self, signals: &[&str]) -> Drawn {
-        self.draw(&HybridMachine, signals)
-    }
-
     /// Frame 0 of `exact`, all planes.
     pub fn exact(&self) -> Planes {
         let raster = self.stage.settings.raster;
         let mut planes = Planes::new(raster.columns as usize, raster.lines as usize, &PlaneKind::ALL);
-        let session = Exact.prepare(self.stage.clone()).expect("a stage that exact draws");
+        let session = Exact.prepare(self.stage.stage()).expect("a stage that exact draws");
         session.frame(0, &self.pose, &mut planes, &mut Probe::off()).expect("a pose that can be drawn");
         planes
     }

@@ -185,8 +185,8 @@ fn a_body_in_remote_shadow_vanishes_or_is_black() {
         (0..64).flat_map(|sweep| wave(drawn, sweep, name)).sum()
     };
     let [vanished, black] = [ShadowedBodies::Vanish, ShadowedBodies::Dark].map(|law| drawn(law, 270.0));
-    assert_eq!((vanished.counts.bodies, present(&vanished, "pg.present")), (0, 0.0));
-    assert_eq!((black.counts.bodies, present(&black, "pg.reflectivity")), (1, 0.0));
+    assert_eq!((vanished.counts["bodies"], present(&vanished, "pg.present")), (0, 0.0));
+    assert_eq!((black.counts["bodies"], present(&black, "pg.reflectivity")), (1, 0.0));
     assert!(present(&black, "pg.present") > 10.0);
     // With the sun on its other side it stands in the light under either law.
     let [a, b] = [ShadowedBodies::Vanish, ShadowedBodies::Dark].map(|law| drawn(law, 100.0));
@@ -203,7 +203,7 @@ fn tracks_lie_from_when_they_are_laid() {
         set.with_patches(vec![TrackPatch { laid: 2.0, ..patch([x + 20.0, y - 9.0, x + 40.0, y + 9.0]) }]);
     for (time, lies) in [(0.0, false), (1.999, false), (2.0, true), (9.0, true)] {
         set.pose.time = time;
-        assert_eq!(set.machine(&[]).counts.shadow_toggles > 0, lies, "{time} s");
+        assert_eq!(set.machine(&[]).counts["shadow_toggles"] > 0, lies, "{time} s");
         let dark = |picture: &[f32]| picture.iter().filter(|value| **value == 0.0).count();
         let [machine, exact] =
             [dark(&set.machine(&[]).picture), dark(set.exact().get(PlaneKind::Intensity).unwrap())];

@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use generator::{FrameCounts, Generator, PlaneKind, Planes, Session, Stage};
+use generator::{FrameCounts, PlaneKind, Planes, Session};
 use hardware_model::{HardwareModel, ModelSource};
-use machine::HybridMachine;
+use machine::MachineStage;
 use scenario::{Pose, PoseTable, Scenario};
 use signal::Probe;
 
@@ -113,7 +113,7 @@ end_m = 150
 type Frame = (Vec<u32>, FrameCounts);
 
 struct Mission {
-    stage: Stage,
+    stage: MachineStage,
     poses: Vec<Pose>,
 }
 
@@ -136,8 +136,8 @@ impl Mission {
         let model =
             HardwareModel::load(&source, overlays, &[]).unwrap_or_else(|faults| panic!("{faults}")).model;
         let scenario = Scenario::parse("mission.toml", mission).unwrap_or_else(|faults| panic!("{faults}"));
-        let settings = stage::settings(&scenario, &model).unwrap();
-        let stage = stage::build(&scenario, settings).unwrap_or_else(|error| panic!("{error}"));
+        let settings = front_door::settings(&scenario, &model).unwrap();
+        let stage = front_door::build(&scenario, settings).unwrap_or_else(|error| panic!("{error}"));
         let (update, yoke) = (stage.settings.timebase.update, stage.settings.yoke);
         let table = PoseTable::resolve(&scenario, &stage.landscape, update, yoke, 0..frames);
         let poses =
@@ -146,7 +146,7 @@ impl Mission {
     }
 
     fn session(&self) -> Box<dyn Session> {
-        HybridMachine.prepare(self.stage.clone()).unwrap()
+        self.stage.clone().prepare()
     }
 
     fn draw(&self, session: &dyn Session, frame: u64) -> Frame {
@@ -275,8 +275,8 @@ fn all_moves() {
     assert!(mission.poses.iter().any(|pose| pose.yoke != 0.0));
     let frames = mission.all(0..FRAMES);
     assert!(frames.windows(2).all(|pair| pair[0].0 != pair[1].0), "two frames look the same");
-    let counts = frames[0].1;
-    assert!(counts.features > 0 && counts.shadow_toggles > 0 && counts.bodies > 0, "{counts:?}");
+    let counts = &frames[0].1;
+    assert!(counts["features"] > 0 && counts["shadow_toggles"] > 0 && counts["bodies"] > 0, "{counts:?}");
 }
 
 /// Parts of the flag: bodies that begin to stand at 0.3 s.

@@ -4,32 +4,36 @@ use std::sync::Arc;
 
 use features::{Crater, Features, Shape};
 use generator::Stage;
-use hardware_model::{HardwareModel, Raster, Settings};
 use landscape::relief::{Relief, Undulation};
 use landscape::{Attitude, Bank, Landscape, Sun};
-use quantities::radians;
-use scenario::{
-    Curvature, Display, FieldOfView, LawWishes, Laws, LunsimRun, PixelRule, Pose, RangeLaw, RangeProgramme,
-    RasterWishes, Scalar, Scenery, ShadowFineness,
-};
+use lunsim::{Hardware, Lunsim, Parameters};
+use quantities::{Rate, radians};
+use scenario::{Curvature, Display, FieldOfView, Laws, PixelRule, Pose, Scenery, ShadowFineness, View};
 
 use crate::shared::{Distance, distance};
 
 /// A square field of 30 degrees on every position of the recorder, so that a pixel's middle is a position's.
-fn settings(grid: u32, restrictions: bool) -> Settings {
+fn view() -> View {
     let half = libm::tan(radians(15.0));
-    let field = FieldOfView { tan_half_width: half, tan_half_height: half };
-    let display = Display { white: 1.0, gamma: 1.0 };
-    let (model, raster, laws) = (HardwareModel::ideal(), RasterWishes::default(), LawWishes::default());
-    let ideal = Settings::resolve(&model, field, raster, None, laws, Scalar::F64, display).unwrap();
-    Settings {
-        raster: Raster { columns: 1024, lines: 1024, ..ideal.raster },
-        range: RangeProgramme { law: RangeLaw::Geometric, start: 1.0, end: 30_000.0 },
+    let update = Rate::new(1, 1).unwrap();
+    View {
+        columns: 1024,
+        lines: 1024,
+        field: FieldOfView { tan_half_width: half, tan_half_height: half },
+        update,
+        refresh: update,
+        display: Display { white: 1.0, gamma: 1.0 },
         laws: Laws { curvature: Curvature::None, pixel_rule: PixelRule::Centre, ..Laws::default() },
+        ranges: [1.0, 30_000.0],
+        yoke: None,
+        levels: None,
         shadows: Some(ShadowFineness::default()),
-        lunsim: LunsimRun { grid, intensity_codes: 256, restrictions },
-        ..ideal
     }
+}
+
+fn program(grid: u32, restrictions: bool) -> Lunsim {
+    let parameters = Parameters { grid, intensity_codes: 256, restrictions };
+    Lunsim { parameters, hardware: Hardware::shipped().unwrap() }
 }
 
 /// One crater of each type, one in another.
@@ -43,13 +47,13 @@ fn craters() -> Features {
     ])
 }
 
-fn stage(relief: &Relief, sun: f64, settings: Settings) -> Stage {
+fn stage(relief: &Relief, sun: f64) -> Stage {
     let bank = Bank::new("test", vec![relief.build().unwrap()], None).unwrap();
     let sun = Sun { azimuth: radians(sun), elevation: radians(14.0) };
     Stage {
         landscape: Arc::new(Landscape::new(bank, 1.0).with_features(craters())),
         scenery: Arc::new(Scenery::still(sun)),
-        settings,
+        view: view(),
     }
 }
 
@@ -60,7 +64,8 @@ fn pose(heading: f64) -> Pose {
 
 /// Errors at grids of 64, 128, 256, 512 and 1024 points.
 fn ladder(relief: &Relief, sun: f64, heading: f64, restrictions: bool) -> Vec<Distance> {
-    let at = |grid| distance(&stage(relief, sun, settings(grid, restrictions)), 0, &pose(heading), 64);
+    let stage = stage(relief, sun);
+    let at = |grid| distance(&program(grid, restrictions), &stage, 0, &pose(heading), 64);
     [64, 128, 256, 512, 1024].map(at).to_vec()
 }
 

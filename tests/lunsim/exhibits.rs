@@ -1,12 +1,18 @@
 //! The twelve pictures of the report's exhibits.
 
+use std::sync::Arc;
+
 use generator::{Generator, PlaneKind, Planes};
 use lunoid_tests::Shipped;
-use lunsim::Lunsim;
 use quantities::degrees;
 use signal::Probe;
 
 use crate::shared::distance;
+
+/// The program as it ships, which is how the exhibits run it.
+fn program() -> Arc<dyn Generator> {
+    registry::configure_with(&lunsim::ROW, &[]).unwrap()
+}
 
 const EXHIBITS: [&str; 3] = ["lunsim-landing", "lunsim-roving", "lunsim-sun"];
 
@@ -55,7 +61,8 @@ fn every_frame_is_ground_from_edge_to_edge_and_near_exact() {
     for name in EXHIBITS {
         let shipped = Shipped::read(name, None);
         assert_eq!(shipped.frames(), 4);
-        let session = Lunsim.prepare(shipped.stage()).unwrap();
+        let (program, stage) = (program(), shipped.stage().stage());
+        let session = program.prepare(stage.clone()).unwrap();
         for frame in 0..4 {
             let pose = shipped.pose(frame).pose;
             let mut planes = Planes::new(1024, 1024, &[PlaneKind::Range]);
@@ -63,7 +70,7 @@ fn every_frame_is_ground_from_edge_to_edge_and_near_exact() {
             let sky =
                 planes.get(PlaneKind::Range).unwrap().iter().filter(|range| range.is_infinite()).count();
             assert_eq!(sky, 0, "{name} {frame}");
-            let found = distance(&shipped.stage(), frame, &pose, 64);
+            let found = distance(&*program, &stage, frame, &pose, 64);
             println!("{name} {frame}: {found:?}");
             assert!(found.reflectivity < 0.01 && found.intensity < 0.02, "{name} {frame}: {found:?}");
             assert!(found.shade < 0.015 && found.missing == 0.0, "{name} {frame}: {found:?}");
@@ -77,10 +84,11 @@ fn the_figures_of_the_scenarios() {
     let look = |name: &str, frame: u64| {
         let shipped = Shipped::read(name, None);
         let mut planes = Planes::new(1024, 1024, &[PlaneKind::Shadow]);
-        let session = Lunsim.prepare(shipped.stage()).unwrap();
+        let (program, stage) = (program(), shipped.stage().stage());
+        let session = program.prepare(stage.clone()).unwrap();
         let counts = session.frame(frame, &shipped.pose(frame).pose, &mut planes, &mut Probe::off()).unwrap();
         let dark = planes.get(PlaneKind::Shadow).unwrap().iter().filter(|code| **code > 0.0).count();
-        (counts.features, (1000.0 * dark as f64 / (1024.0 * 1024.0)).round() / 10.0)
+        (counts["features"], (1000.0 * dark as f64 / (1024.0 * 1024.0)).round() / 10.0)
     };
     let landing = [0, 3].map(|frame| look("lunsim-landing", frame).0);
     let roving = [0, 1, 2, 3].map(|frame| look("lunsim-roving", frame).0);

@@ -2,7 +2,6 @@
 
 use exact::Columns;
 use generator::{Generator, PlaneKind, Planes, Stage};
-use lunsim::Lunsim;
 use scenario::Pose;
 use signal::Probe;
 
@@ -24,10 +23,10 @@ pub struct Distance {
 }
 
 /// Distance of frame `frame` of `stage` from `exact`, over every `every`-th column.
-pub fn distance(stage: &Stage, frame: u64, pose: &Pose, every: usize) -> Distance {
-    let raster = stage.settings.raster;
-    let mut planes = Planes::new(raster.columns as usize, raster.lines as usize, &KINDS);
-    let session = Lunsim.prepare(stage.clone()).unwrap();
+pub fn distance(program: &dyn Generator, stage: &Stage, frame: u64, pose: &Pose, every: usize) -> Distance {
+    let view = &stage.view;
+    let mut planes = Planes::new(view.columns as usize, view.lines as usize, &KINDS);
+    let session = program.prepare(stage.clone()).unwrap();
     session.frame(frame, pose, &mut planes, &mut Probe::off()).unwrap();
     let exact = Columns::new(stage.clone());
     let mut sums = [0.0; 3];

@@ -2,11 +2,15 @@
 
 use std::path::PathBuf;
 
+use generator::{Role, Row};
 use hardware_model::{BUILT_IN, Economy, FAULTS};
 use lunoid_tests::shipped::folder;
 
 /// Scenarios that are also drawn under every economy and every fault.
 const THOROUGH: [&str; 2] = ["craters", "full-drive"];
+
+/// Generators of the registry that are drawn, in the order of the record.
+static GUESTS: [&Row; 2] = [&lunsim::ROW, &exact::ROW];
 
 /// Who draws, and how.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -17,10 +21,8 @@ pub enum By {
     Economy(Economy),
     /// The scenario's own machine with this fault over it, by name and text.
     Fault(&'static str),
-    /// LUNSIM.
-    Lunsim,
-    /// The closed form.
-    Exact,
+    /// A generator of the registry.
+    Guest(&'static Row),
 }
 
 /// A scenario under something that draws it.
@@ -40,10 +42,17 @@ impl Case {
             By::Economy(Economy::Lossless) => "lossless".into(),
             By::Economy(_) => "preview".into(),
             By::Fault(name) => format!("fault {name}"),
-            By::Lunsim => "lunsim".into(),
-            By::Exact => "exact".into(),
+            By::Guest(row) => row.name.into(),
         };
         format!("{}, {by}", self.scenario)
+    }
+
+    /// The first, the middle and the last frame of `count`; of the judge, which is slow, the first alone.
+    pub fn frames(&self, count: u64) -> Vec<u64> {
+        match self.by {
+            By::Guest(row) if row.role == Role::Judge => vec![0],
+            _ => vec![0, count / 2, count - 1],
+        }
     }
 
     /// Its scenario's file.
@@ -67,7 +76,7 @@ pub fn cases() -> Result<Vec<Case>, String> {
 
 fn of_scenario(scenario: String) -> Vec<Case> {
     let models = BUILT_IN.iter().map(|(name, _)| By::Model(name));
-    let mut all: Vec<By> = models.chain([By::Lunsim, By::Exact]).collect();
+    let mut all: Vec<By> = models.chain(GUESTS.iter().map(|row| By::Guest(row))).collect();
     if THOROUGH.contains(&scenario.as_str()) {
         all.extend([Economy::Lossless, Economy::Swift].map(By::Economy));
         all.extend(FAULTS.iter().map(|(name, ..)| By::Fault(name)));

@@ -1,7 +1,7 @@
 //! Hashes of pictures of every shipped scenario under everything that draws, kept from commit to commit.
 //!
 //! ```text
-//! scenarios x (models, LUNSIM, exact), two scenarios x (economies, faults) --> first, middle, last frame --> hashes.json
+//! scenarios x (models, generators), two scenarios x (economies, faults) --> first, middle, last frame --> hashes.json
 //! ```
 //!
 //! A hash covers the bits of the plane `intensity` on the scenario's own raster. Where a machine refuses a scenario or a

@@ -5,15 +5,16 @@ use std::path::Path;
 use std::sync::Arc;
 
 use features::{Crater, Features, Shape};
-use generator::{Generator, PlaneKind, Planes, Shade, Stage};
+use generator::{Generator, PlaneKind, Planes, Shade};
 use hardware_model::{HardwareModel, Settings};
 use landscape::relief::Relief;
 use landscape::{Attitude, Bank, LUNOID_RADIUS, Landscape, Sun};
-use lunsim::Lunsim;
+use lunsim::{Hardware, Lunsim, Parameters};
+use machine::MachineStage;
 use quantities::radians;
 use scenario::{
-    Display, FieldOfView, LawWishes, LunsimRun, Pose, RangeLaw, RangeProgramme, RasterWishes, Scalar,
-    Scenery, ShadowFineness,
+    Display, FieldOfView, LawWishes, Pose, RangeLaw, RangeProgramme, RasterWishes, Scalar, Scenery,
+    ShadowFineness,
 };
 use signal::Probe;
 
@@ -59,10 +60,9 @@ fn lunsim_over_a_real_crater_catalogue() {
     let settings = Settings {
         range: RangeProgramme { law: RangeLaw::Geometric, start: 100.0, end: 200_000.0 },
         shadows: Some(ShadowFineness::default()),
-        lunsim: LunsimRun::default(),
         ..settings
     };
-    let stage = Stage {
+    let stage = MachineStage {
         landscape: Arc::new(Landscape::new(bank, 1.0).with_features(Features::new(craters))),
         scenery: Arc::new(Scenery::still(Sun { azimuth: radians(270.0), elevation: radians(12.0) })),
         settings,
@@ -71,10 +71,11 @@ fn lunsim_over_a_real_crater_catalogue() {
     let pose = Pose { time: 0.0, eye: [2000.0, 0.5 * SIDE, 140_000.0], attitude, yoke: 0.0 };
     let kinds = [PlaneKind::Intensity, PlaneKind::Shadow, PlaneKind::Range];
     let mut planes = Planes::new(512, 512, &kinds);
-    let session = Lunsim.prepare(stage).unwrap();
+    let program = Lunsim { parameters: Parameters::default(), hardware: Hardware::shipped().unwrap() };
+    let session = program.prepare(stage.stage()).unwrap();
     let counts = session.frame(0, &pose, &mut planes, &mut Probe::off()).unwrap();
-    println!("{} in the viewed area", counts.features);
-    assert!(counts.features > 100, "{counts:?}");
+    println!("{} in the viewed area", counts["features"]);
+    assert!(counts["features"] > 100, "{counts:?}");
     let plane = |kind| planes.get(kind).unwrap();
     let share = |hits: usize| hits as f64 / (512.0 * 512.0);
     let dark =

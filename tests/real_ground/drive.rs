@@ -5,10 +5,10 @@ use std::path::Path;
 
 use compare::{RidgeError, compare, horizon_of_picture, horizon_of_range, ridge_error, ridge_mask};
 use exact::Exact;
-use generator::{Generator, PlaneKind, Planes, Stage};
+use generator::{Generator, PlaneKind, Planes, Session};
 use hardware_model::{HardwareModel, Settings};
 use landscape::Georeference;
-use machine::HybridMachine;
+use machine::MachineStage;
 use picture::{Depth, Encoder, GreyPicture, Transfer};
 use quantities::{degrees, radians};
 use scenario::{FieldOfView, Pose, PoseTable, RasterWishes, Scenario};
@@ -32,7 +32,7 @@ pub struct Drive {
     /// Figures of the survey.
     pub report: SurveyReport,
     poses: PoseTable,
-    stage: Stage,
+    stage: MachineStage,
 }
 
 /// How far a frame of the machine is from the closed form.
@@ -52,7 +52,8 @@ impl Drive {
         let found = survey(&elevation, options, &mut |_| {}).expect("ground that can be fitted");
         let scenario = Scenario::read(shared::scenario(&format!("{name}.toml"))).expect("a sound scenario");
         let settings = settings(&scenario);
-        let stage = stage::over(found.bank, &scenario, settings).unwrap_or_else(|e| panic!("{name}: {e}"));
+        let stage =
+            front_door::over(found.bank, &scenario, settings).unwrap_or_else(|e| panic!("{name}: {e}"));
         let (update, yoke) = (stage.settings.timebase.update, stage.settings.yoke);
         let poses = PoseTable::resolve(&scenario, &stage.landscape, update, yoke, 0..scenario.frames(update))
             .unwrap_or_else(|problems| panic!("{name}: {problems}"));
@@ -88,8 +89,8 @@ impl Drive {
     /// Draws a frame with both generators.
     pub fn agreement(&self, frame: u64) -> Agreement {
         let pose = &self.poses.rows()[frame as usize].pose;
-        let [test, reference] =
-            [&HybridMachine as &dyn Generator, &Exact].map(|by| self.draw(by, frame, pose));
+        let exact = Exact.prepare(self.stage.stage()).expect("exact draws every landscape");
+        let [test, reference] = [self.stage.clone().prepare(), exact].map(|by| self.draw(&*by, frame, pose));
         let [columns, lines] = [test.columns(), test.lines()];
         let range = reference.get(PlaneKind::Range).expect("asked for");
         let mask = ridge_mask(range, columns, lines, RIDGE).expect("a range plane");
@@ -100,11 +101,10 @@ impl Drive {
         Agreement { off: off(Some(&mask)), off_anywhere: off(None), horizon }
     }
 
-    fn draw(&self, by: &dyn Generator, frame: u64, pose: &Pose) -> Planes {
+    fn draw(&self, session: &dyn Session, frame: u64, pose: &Pose) -> Planes {
         let raster = &self.stage.settings.raster;
         let kinds = [PlaneKind::Intensity, PlaneKind::Range];
         let mut planes = Planes::new(raster.columns as usize, raster.lines as usize, &kinds);
-        let session = by.prepare(self.stage.clone()).expect("a stage that can be drawn");
         session
             .frame(frame, pose, &mut planes, &mut Probe::new(Vec::new(), 0..0))
             .expect("a pose that can be drawn");
@@ -149,5 +149,6 @@ fn settings(scenario: &Scenario) -> Settings {
 
 fn resolve(scenario: &Scenario, field: FieldOfView, wishes: RasterWishes) -> Settings {
     let wished = Scenario { field, raster: wishes.or(scenario.raster), ..scenario.clone() };
-    stage::settings(&wished, &HardwareModel::ideal()).expect("a scenario that goes with the ideal machine")
+    front_door::settings(&wished, &HardwareModel::ideal())
+        .expect("a scenario that goes with the ideal machine")
 }

@@ -3,12 +3,12 @@
 use std::f64::consts::TAU;
 
 use features::{Crater, Shape};
-use generator::{Generator, PlaneKind, Planes, Stage};
+use generator::{PlaneKind, Planes};
 use hardware_model::{HardwareModel, Settings};
 use landscape::{CornerWords, Level};
 use lockstep::bounds;
 use lunoid_tests::{Drawn, Scene, level_of, random};
-use machine::HybridMachine;
+use machine::MachineStage;
 use scenario::{Pose, RangeLaw, Scalar};
 use signal::Probe;
 
@@ -39,7 +39,7 @@ fn a_crater_without_depth() {
             let crater = Crater::new(centre, Shape::RimmedBowl { r1: 0.3 * far, r2: 0.4 * far }, 0.0, 0.0);
             let with = Scene { craters: vec![crater.unwrap()], ..without.clone() };
             let (without, with) = (draw(&without), draw(&with));
-            met += with.counts.features;
+            met += with.counts["features"];
             for sweep in 0..9 {
                 for name in ["tg.height", "mu.height", "mu.reflectivity", "dpp.elevation"] {
                     let [a, b] = [&without, &with].map(|drawn| wave(drawn, sweep, name));
@@ -96,7 +96,7 @@ fn regions_cut_in_four() {
         let whole = random::scene(seed);
         let cut = Scene { level: quartered(&whole.level), ..whole.clone() };
         let (whole, cut) = (draw(&whole), draw(&cut));
-        assert!(cut.counts.folds > whole.counts.folds, "seed {seed}: no more folds than before");
+        assert!(cut.counts["folds"] > whole.counts["folds"], "seed {seed}: no more folds than before");
         for sweep in 0..9 {
             for name in ["tg.height", "tg.slope.u", "tg.slope.v", "tg.reflectivity"] {
                 let [a, b] = [&whole, &cut].map(|drawn| wave(drawn, sweep, name));
@@ -149,7 +149,7 @@ fn samples_appended() {
 fn behind_a_yoke(scene: &Scene, roll: f64, yoke: f64) -> Vec<f32> {
     let stage = scene.stage();
     let settings = Settings { yoke: Some(HardwareModel::ideal().yoke), ..stage.settings.clone() };
-    let session = HybridMachine.prepare(Stage { settings, ..stage }).unwrap();
+    let session = (MachineStage { settings, ..stage }).prepare();
     let mut planes = Planes::new(scene.sweeps as usize, scene.lines as usize, &[PlaneKind::Intensity]);
     let pose = scene.pose();
     let attitude = landscape::Attitude { roll, ..pose.attitude };

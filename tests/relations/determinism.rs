@@ -4,11 +4,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use generator::{Generator, PlaneKind, Planes, Session, Stage};
+use generator::{PlaneKind, Planes, Session};
 use hardware_model::{HardwareModel, ModelSource, Settings, WireParts};
 use lunoid_tests::shipped::folder;
 use lunoid_tests::{Scene, random};
-use machine::HybridMachine;
+use machine::MachineStage;
 use quantities::radians;
 use rayon::ThreadPoolBuilder;
 use scenario::{Pose, Scalar};
@@ -36,13 +36,13 @@ fn frame(session: &dyn Session, scene: &Scene, number: u64, probed: bool) -> Str
 }
 
 /// What came out of drawing the frames of a stage, and by which ways.
-fn all_ways(scene: &Scene, stage: &Stage) -> BTreeMap<Vec<String>, Vec<String>> {
+fn all_ways(scene: &Scene, stage: &MachineStage) -> BTreeMap<Vec<String>, Vec<String>> {
     let mut found: BTreeMap<Vec<String>, Vec<String>> = BTreeMap::new();
     let mut note = |way: String, frames: Vec<String>| found.entry(frames).or_default().push(way);
     for threads in [1, 2, 3, 8] {
         let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| {
-            let session = HybridMachine.prepare(stage.clone()).unwrap();
+            let session = stage.clone().prepare();
             for probed in [false, true] {
                 let forward: Vec<_> = (0..FRAMES).map(|k| frame(&*session, scene, k, probed)).collect();
                 let mut backward: Vec<_> =
@@ -51,7 +51,7 @@ fn all_ways(scene: &Scene, stage: &Stage) -> BTreeMap<Vec<String>, Vec<String>> 
                 note(format!("{threads} threads, probed {probed}, forward"), forward);
                 note(format!("{threads} threads, probed {probed}, backward"), backward);
             }
-            let alone = |k: u64| frame(&*HybridMachine.prepare(stage.clone()).unwrap(), scene, k, false);
+            let alone = |k: u64| frame(&*stage.clone().prepare(), scene, k, false);
             note(format!("{threads} threads, alone"), (0..FRAMES).map(alone).collect());
         });
     }
@@ -71,11 +71,11 @@ fn one_outcome_of_every_way() {
         // What tubes still show depends on the frames before, which the scenery tells.
         let course = (0..FRAMES).map(|frame| pose(&scene, frame)).collect();
         let scenery = Arc::new((*ideal.scenery).clone().with_course(course));
-        let ideal = Stage { scenery, ..ideal };
+        let ideal = MachineStage { scenery, ..ideal };
         let settings = Settings { analog: nominal.analog.clone(), ..ideal.settings.clone() };
         let mut slow = ideal.clone();
         slow.settings.analog.wires = WireParts { bandwidth: Some(2e4), slew: Some(2e4), ..WireParts::IDEAL };
-        let nominal = Stage { settings, ..ideal.clone() };
+        let nominal = MachineStage { settings, ..ideal.clone() };
         for (what, stage) in [("ideal", ideal), ("slow wires", slow), ("parts of pra-nominal", nominal)] {
             let outcomes = all_ways(&scene, &stage);
             let ways: Vec<_> = outcomes.values().collect();

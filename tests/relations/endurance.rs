@@ -6,9 +6,8 @@
 use std::process::ExitCode;
 use std::time::Instant;
 
-use generator::{Generator, PlaneKind, Planes};
+use generator::{PlaneKind, Planes};
 use lunoid_tests::{Scene, random};
-use machine::HybridMachine;
 use quantities::radians;
 use scenario::Scalar;
 use signal::Probe;
@@ -32,7 +31,7 @@ fn main() -> ExitCode {
     };
     let mut scene = Scene { scalar: Scalar::F32, ..random::landscape(3) };
     (scene.sweeps, scene.samples, scene.lines) = (16, 64, 24);
-    let session = HybridMachine.prepare(scene.stage()).expect("a stage that the machine can draw");
+    let session = scene.stage().prepare();
     let mut planes = Planes::new(16, 24, &[PlaneKind::Intensity]);
     let (begun, mut early) = (Instant::now(), None);
     for frame in 0..frames {

@@ -1,9 +1,8 @@
 //! The same scene elsewhere, larger, higher, mirrored, in another order: bit for bit, or to rounding.
 
-use generator::{Generator, PlaneKind, Planes};
+use generator::{PlaneKind, Planes};
 use landscape::{CornerWords, Level};
 use lunoid_tests::{Drawn, Scene, level_of, random};
-use machine::HybridMachine;
 use quantities::radians;
 use scenario::{Curvature, Scalar};
 use signal::Probe;
@@ -12,7 +11,7 @@ const SEEDS: std::ops::Range<u64> = 3000..3016;
 const SCALARS: [Scalar; 2] = [Scalar::F32, Scalar::F64];
 
 pub fn draw(scene: &Scene) -> Drawn {
-    scene.draw(&HybridMachine, 1, &["*"]).unwrap()
+    scene.draw(1, &["*"]).unwrap()
 }
 
 /// Random ground on lengths that double precision holds exactly, with the eye in the middle of it: sums and
@@ -150,14 +149,14 @@ fn frames_in_any_order_or_alone() {
         let mut scene = random::scene(seed);
         scene.loader.access = 25;
         scene.master_hz = 200_000;
-        let session = HybridMachine.prepare(scene.stage()).unwrap();
+        let session = scene.stage().prepare();
         let frame = |frame: u64| {
             let mut pose = scene.pose();
             pose.attitude.heading += radians(7.0) * frame as f64;
             let kinds = [PlaneKind::Intensity];
             let mut planes = Planes::new(scene.sweeps as usize, scene.lines as usize, &kinds);
             let counts = session.frame(frame, &pose, &mut planes, &mut Probe::off()).unwrap();
-            let alone = HybridMachine.prepare(scene.stage()).unwrap();
+            let alone = scene.stage().prepare();
             let mut planes_alone = Planes::new(scene.sweeps as usize, scene.lines as usize, &kinds);
             let counts_alone = alone.frame(frame, &pose, &mut planes_alone, &mut Probe::off()).unwrap();
             assert_eq!((counts, &planes), (counts_alone, &planes_alone), "seed {seed}, frame {frame} alone");
@@ -174,9 +173,9 @@ fn probing_changes_nothing() {
     for seed in SEEDS {
         let scene = random::scene(seed);
         let probed = draw(&scene);
-        let blind = scene.draw(&HybridMachine, 1, &[]).unwrap();
+        let blind = scene.draw(1, &[]).unwrap();
         assert_eq!((&probed.picture, probed.counts), (&blind.picture, blind.counts), "seed {seed}");
-        let some = scene.draw(&HybridMachine, 1, &["tg.*"]).unwrap();
+        let some = scene.draw(1, &["tg.*"]).unwrap();
         assert!(some.waveforms.len() < probed.waveforms.len());
         for wave in &some.waveforms {
             assert!(probed.waveforms.contains(wave), "seed {seed}: {} alone", wave.signal.name);
@@ -281,7 +280,7 @@ fn a_faster_loader_is_never_later() {
             .into_iter()
             .map(|ticks| {
                 scene.loader.access = ticks;
-                draw(&scene).counts.late_words
+                draw(&scene).counts["late_words"]
             })
             .collect();
         assert!(late.is_sorted(), "seed {seed}: {late:?}");

@@ -1,9 +1,9 @@
 //! What a part does wrong goes to nothing with the figure that it has for it.
 
-use generator::{Generator, PlaneKind, Planes, Stage};
+use generator::{PlaneKind, Planes};
 use hardware_model::{AnalogParts, HardwareModel, Settings};
 use lunoid_tests::{Scene, random};
-use machine::HybridMachine;
+use machine::MachineStage;
 use scenario::Scalar;
 use signal::Probe;
 
@@ -26,7 +26,7 @@ const FIGURES: [(&str, Figure); 10] = [
 fn picture(scene: &Scene, parts: &AnalogParts) -> Vec<f32> {
     let stage = scene.stage();
     let settings = Settings { analog: parts.clone(), ..stage.settings.clone() };
-    let session = HybridMachine.prepare(Stage { settings, ..stage }).unwrap();
+    let session = (MachineStage { settings, ..stage }).prepare();
     let mut planes = Planes::new(scene.sweeps as usize, scene.lines as usize, &[PlaneKind::Intensity]);
     session.frame(1, &scene.pose(), &mut planes, &mut Probe::off()).unwrap();
     planes.get(PlaneKind::Intensity).unwrap().to_vec()

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use generator::{Generator, PlaneKind, Planes, Stage};
+use generator::{PlaneKind, Planes};
 use hardware_model::{HardwareModel, MAIN_WIRES, ModelSource, Settings, WireParts};
 use lunoid_tests::shipped::folder;
 use lunoid_tests::{Scene, random};
-use machine::HybridMachine;
+use machine::MachineStage;
 use scenario::Scalar;
 use signal::Probe;
 
@@ -16,8 +16,8 @@ struct Frame {
     signals: BTreeMap<(u32, &'static str), Vec<f64>>,
 }
 
-fn frame(scene: &Scene, stage: Stage) -> Frame {
-    let session = HybridMachine.prepare(stage).unwrap();
+fn frame(scene: &Scene, stage: MachineStage) -> Frame {
+    let session = stage.prepare();
     let mut planes = Planes::new(scene.sweeps as usize, scene.lines as usize, &[PlaneKind::Intensity]);
     let mut probe = Probe::new(vec!["*".into()], 0..scene.sweeps);
     session.frame(1, &scene.pose(), &mut planes, &mut probe).unwrap();
@@ -32,7 +32,7 @@ fn drawn(scene: &Scene, wires: WireParts) -> Frame {
     let stage = scene.stage();
     let mut settings = stage.settings.clone();
     settings.analog.wires = wires;
-    frame(scene, Stage { settings, ..stage })
+    frame(scene, MachineStage { settings, ..stage })
 }
 
 fn ideal(scene: &Scene) -> Frame {
@@ -190,7 +190,7 @@ fn wires_go_with_real_parts() {
         let stage = scene.stage();
         let mut analog = parts.clone();
         analog.wires = wires;
-        frame(&scene, Stage { settings: Settings { analog, ..stage.settings.clone() }, ..stage })
+        frame(&scene, MachineStage { settings: Settings { analog, ..stage.settings.clone() }, ..stage })
     };
     let (clean, slow) = (with(WireParts::IDEAL), with(band(2e4)));
     assert!(slow.picture.iter().all(|value| value.is_finite()));

@@ -8,7 +8,6 @@
 use hardware_model::{LatePolicy, LoadDelay};
 use landscape::basis::{derivatives, values};
 use lunoid_tests::{Dice, Drawn, Scene, level_of};
-use machine::HybridMachine;
 use quantities::radians;
 use scenario::{RangeLaw, RangeProgramme};
 use sweep_program::{Colour, PreloadRegister};
@@ -104,7 +103,7 @@ impl Case {
     fn draw(&self, policy: LatePolicy, delayed: Option<(usize, u64)>) -> Drawn {
         let mut scene = self.scene(policy);
         scene.loader.delays = delayed.into_iter().map(|(word, ticks)| self.hold_back(word, ticks)).collect();
-        scene.draw(&HybridMachine, 0, &SIGNALS).unwrap()
+        scene.draw(0, &SIGNALS).unwrap()
     }
 
     fn hold_back(&self, word: usize, ticks: u64) -> LoadDelay {
@@ -134,7 +133,7 @@ impl Case {
         let what = format!("{policy:?}, {} deg, word {word}, {ticks} ticks", self.degrees);
         let scene = self.scene(policy);
         let (clean, late) = (self.draw(policy, None), self.draw(policy, Some((word, ticks))));
-        assert_eq!((clean.counts.late_words, late.counts.late_words), (0, 1), "{what}");
+        assert_eq!((clean.counts["late_words"], late.counts["late_words"]), (0, 1), "{what}");
         for (before, after) in clean.waveforms.iter().zip(&late.waveforms) {
             if before.sweep != SWEEP {
                 assert_eq!(before.values, after.values, "{what}: {} of another sweep", before.signal.name);
@@ -198,7 +197,7 @@ fn a_word_in_time_changes_nothing() {
             let (ticks, arrival) = case.delay(case.needed - 0.01);
             assert!(arrival < time(case.needed) && ticks > 0);
             let delayed = case.draw(policy, Some((4, ticks)));
-            assert_eq!(delayed.counts.late_words, 0);
+            assert_eq!(delayed.counts["late_words"], 0);
             assert_eq!(delayed.picture, clean.picture);
             assert_eq!(delayed.waveforms, clean.waveforms);
         }
@@ -223,6 +222,6 @@ fn a_delay_of_another_frame_is_not_of_this_one() {
     let (ticks, _) = NORTH_EAST.delay(NORTH_EAST.needed + 0.2);
     let mut scene = NORTH_EAST.scene(LatePolicy::StrobeThrough);
     scene.loader.delays = vec![LoadDelay { frame: Some(3), ..NORTH_EAST.hold_back(0, ticks) }];
-    let late_in = |frame| scene.draw(&HybridMachine, frame, &[]).unwrap().counts.late_words;
+    let late_in = |frame| scene.draw(frame, &[]).unwrap().counts["late_words"];
     assert_eq!((late_in(0), late_in(3), late_in(4)), (0, 1, 0));
 }

@@ -4,10 +4,10 @@
 //! and whatever hangs on these alone. With its parts replaced by ideal ones, everything else of the model is: raster,
 //! range programme, loader, processor, laws.
 
-use generator::Stage;
 use hardware_model::{HardwareModel, ModelSource, Settings};
 use lockstep::{Engines, Report};
 use lunoid_tests::shipped::{FULL_LANDSCAPE, TERRAIN, folder};
+use machine::MachineStage;
 use scenario::{PoseTable, Scalar, Scenario};
 
 /// All shipped models.
@@ -23,15 +23,15 @@ fn model(name: &str) -> HardwareModel {
 }
 
 /// A frame of the scenario `stage` was made for under `settings`: sweeps from the left, the middle and the right.
-fn report(stage: &Stage, scenario: &Scenario, settings: Settings) -> Report {
-    let stage = stage::under(stage, scenario, settings).unwrap_or_else(|e| panic!("{e}"));
-    let Stage { landscape, settings, .. } = &stage;
+fn report(stage: &MachineStage, scenario: &Scenario, settings: Settings) -> Report {
+    let stage = front_door::under(&stage.stage(), scenario, settings).unwrap_or_else(|e| panic!("{e}"));
+    let MachineStage { landscape, settings, .. } = &stage;
     let (update, yoke, sweeps) = (settings.timebase.update, settings.yoke, settings.raster.sweeps);
     let frame = (scenario.frames(update) - 1).min(EARLY);
     let table = PoseTable::resolve(scenario, landscape, update, yoke, frame..frame + 1);
     let pose = table.unwrap_or_else(|e| panic!("{e}")).rows()[0].pose;
     let chosen = (0..SWEEPS).map(|k| (2 * k + 1) * sweeps / (2 * SWEEPS));
-    let engines = Engines::new(stage.clone()).expect("a shipped stage");
+    let engines = Engines::new(stage.clone());
     engines.compare(frame, &pose, chosen).expect("a shipped pose")
 }
 
@@ -41,10 +41,11 @@ pub fn check(name: &str, models: &[&str]) -> Vec<String> {
     let scenario = Scenario::read(folder().join(format!("{name}.toml"))).unwrap_or_else(|e| panic!("{e}"));
     let ideal_parts = HardwareModel::ideal().analog;
     let settings = |model: &HardwareModel| {
-        let settings = stage::settings(&scenario, model).unwrap_or_else(|e| panic!("{name}: {e}"));
+        let settings = front_door::settings(&scenario, model).unwrap_or_else(|e| panic!("{name}: {e}"));
         Settings { shadows: None, scalar: Scalar::F64, ..settings }
     };
-    let stage = stage::build(&scenario, settings(&HardwareModel::ideal())).unwrap_or_else(|e| panic!("{e}"));
+    let stage =
+        front_door::build(&scenario, settings(&HardwareModel::ideal())).unwrap_or_else(|e| panic!("{e}"));
     let mut differences = Vec::new();
     for &model_name in models {
         let as_it_is = settings(&model(model_name));

@@ -1,9 +1,9 @@
 //! Main signals behind output amplifiers, in lockstep: the law, and the order in which signals flow.
 
-use generator::Stage;
 use hardware_model::WireParts;
 use lockstep::{Engines, Report};
 use lunoid_tests::{Dice, Scene, random};
+use machine::MachineStage;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use scenario::Scalar;
 
@@ -19,7 +19,7 @@ fn report(seed: u64, scene: &Scene) -> Report {
     let driven = std::array::from_fn(|_| dice.count(0, 3) > 0);
     settings.analog.wires =
         WireParts { bandwidth: bandwidth.filter(|_| band), slew: slew.filter(|_| bound), driven };
-    let engines = Engines::new(Stage { settings, ..stage }).expect("a stage that the machine can draw");
+    let engines = Engines::new(MachineStage { settings, ..stage });
     engines.compare(1, &scene.pose(), 0..scene.sweeps).expect("a pose that can be drawn")
 }
 

@@ -36,8 +36,8 @@ fn again(name: &str, baseline: &TimingRecord, set: Option<(&str, &str)>) -> Timi
         .map(|(key, value)| (key.into(), value.into()))
         .collect();
     let model = HardwareModel::load(&source, &[], &sets).unwrap_or_else(|e| panic!("{e}")).model;
-    let settings = stage::settings(&scenario, &model).expect("settings of a shipped scenario");
-    let stage = stage::build(&scenario, settings).unwrap_or_else(|e| panic!("{name}: {e}"));
+    let settings = front_door::settings(&scenario, &model).expect("settings of a shipped scenario");
+    let stage = front_door::build(&scenario, settings).unwrap_or_else(|e| panic!("{name}: {e}"));
     let (update, yoke) = (stage.settings.timebase.update, stage.settings.yoke);
     let frames = baseline.frames.iter().map(|frame| frame.frame);
     let end = frames.clone().max().map_or(0, |last| last + 1);

@@ -2,10 +2,10 @@
 
 use data_bank::DataBank;
 use dpu::HOME_SETS;
-use generator::Stage;
 use hardware_model::{Channels, Cpu, CrossingServer, DataBanks, Drum, DrumQueue, IoProcessor, Loader};
 use lunoid_tests::Scene;
 use machine::ControlPlane;
+use machine::MachineStage;
 use quantities::radians;
 use scenario::{Pose, Yoke};
 use timing::{Task, TimingRecord};
@@ -28,7 +28,7 @@ fn drums(channels: Channels) -> DataBanks {
 }
 
 /// A machine whose mission begins at the pose told.
-fn machine(change: impl FnOnce(&mut Stage)) -> (ControlPlane, Pose) {
+fn machine(change: impl FnOnce(&mut MachineStage)) -> (ControlPlane, Pose) {
     let scene = scene();
     let first = pose(&scene, 0.4, [0.1, 0.2]);
     let mut stage = on_course(&scene, vec![first; 4]);

@@ -5,10 +5,11 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use features::{Crater, Features, Shape};
-use generator::{Generator, PlaneKind, Planes, Stage};
+use generator::{PlaneKind, Planes};
 use hardware_model::{LatePolicy, ShadowParts};
 use lunoid_tests::{Dice, Scene, level_of, plane};
-use machine::{ControlPlane, DigitalEvent, EventWord, HybridMachine};
+use machine::MachineStage;
+use machine::{ControlPlane, DigitalEvent, EventWord};
 use rayon::ThreadPoolBuilder;
 use scenario::{ShadowFineness, TrackPatch};
 use signal::Probe;
@@ -29,7 +30,7 @@ fn scene() -> Scene {
     scene
 }
 
-fn words(stage: Stage, rate: Option<f64>, policy: LatePolicy) -> Stage {
+fn words(stage: MachineStage, rate: Option<f64>, policy: LatePolicy) -> MachineStage {
     let mut stage = stage;
     (stage.settings.feature_words, stage.settings.segment_words) = (rate, rate);
     stage.settings.loader.late_policy = policy;
@@ -46,14 +47,14 @@ fn craters(scene: &Scene) -> Vec<Crater> {
     (0..30).map(one).collect()
 }
 
-fn cratered(scene: &Scene) -> Stage {
+fn cratered(scene: &Scene) -> MachineStage {
     let stage = scene.stage();
     let ground = (*stage.landscape).clone().with_features(Features::new(craters(scene)));
-    Stage { landscape: Arc::new(ground), ..stage }
+    MachineStage { landscape: Arc::new(ground), ..stage }
 }
 
 /// Dark bars across the view, the farther the narrower: outer sweeps meet the first alone.
-fn barred(scene: &Scene) -> Stage {
+fn barred(scene: &Scene) -> MachineStage {
     let mut stage = scene.stage();
     let [x, y, _] = scene.eye;
     let bar = |k: u32| {
@@ -68,12 +69,12 @@ fn barred(scene: &Scene) -> Stage {
     stage
 }
 
-fn timed(stage: &Stage, scene: &Scene) -> FrameTiming {
+fn timed(stage: &MachineStage, scene: &Scene) -> FrameTiming {
     ControlPlane::new(stage.clone()).frame(0, &scene.pose()).expect("a pose over flat ground")
 }
 
-fn picture(stage: &Stage, scene: &Scene) -> Vec<f32> {
-    let session = HybridMachine.prepare(stage.clone()).expect("a stage that the machine draws");
+fn picture(stage: &MachineStage, scene: &Scene) -> Vec<f32> {
+    let session = stage.clone().prepare();
     let mut planes = Planes::new(SWEEPS as usize, scene.lines as usize, &[PlaneKind::Intensity]);
     session.frame(0, &scene.pose(), &mut planes, &mut Probe::off()).expect("a pose over flat ground");
     planes.get(PlaneKind::Intensity).expect("the plane asked for").to_vec()
@@ -90,7 +91,7 @@ fn misses(frame: &FrameTiming, deadline: Deadline) -> Vec<&Missed> {
 }
 
 /// Whatever differs from the picture of words in time stands in the record, sweep by sweep.
-fn expect_traced(stage: &Stage, scene: &Scene, deadline: Deadline) {
+fn expect_traced(stage: &MachineStage, scene: &Scene, deadline: Deadline) {
     let in_time = picture(&words(stage.clone(), None, LatePolicy::StrobeThrough), scene);
     for policy in [LatePolicy::StrobeThrough, LatePolicy::Latched] {
         let stage = words(stage.clone(), Some(SLOW), policy);
@@ -199,7 +200,12 @@ const CRATER: [EventWord; 3] = [EventWord::CraterLoad, EventWord::CraterLate, Ev
 const SEGMENT: [EventWord; 3] = [EventWord::SegmentLoad, EventWord::SegmentLate, EventWord::SegmentDropped];
 
 /// The list of events has as many loads as the record, and each miss of the record at its tick.
-fn expect_listed(stage: &Stage, scene: &Scene, deadline: Deadline, [load, late, dropped]: [EventWord; 3]) {
+fn expect_listed(
+    stage: &MachineStage,
+    scene: &Scene,
+    deadline: Deadline,
+    [load, late, dropped]: [EventWord; 3],
+) {
     for (rate, parts) in [(Some(SLOW), None), (Some(SLOW), Some(1)), (None, Some(1)), (None, None)] {
         let mut stage = words(stage.clone(), rate, LatePolicy::StrobeThrough);
         stage.settings.feature_generator.sub_generators = parts;

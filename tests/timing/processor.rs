@@ -1,10 +1,10 @@
 //! The processor's time (hardware section 4.6, number 11 of section 8).
 
 use dpu::{CpuLoad, CrossingTime, cpu_frame};
-use generator::Stage;
 use hardware_model::{Cpu, CrossingServer, Ground, HardwareModel, ModelSource};
 use lunoid_tests::{Dice, Scene};
 use machine::ControlPlane;
+use machine::MachineStage;
 use timing::{Deadline, FrameTiming};
 
 use crate::rig::{SIZE, busy, flat, frame, loader, pose};
@@ -15,7 +15,7 @@ fn timed(cpu: Cpu, server: CrossingServer) -> FrameTiming {
     let mut scene: Scene = flat(SIZE);
     scene.sweeps = SWEEPS;
     scene.loader = loader(server, 9, [1, 2, 1]);
-    let mut stage: Stage = scene.stage();
+    let mut stage: MachineStage = scene.stage();
     stage.settings.cpu = cpu;
     frame(&ControlPlane::new(stage), 0, &pose(&scene, 0.4, [0.1, 0.2]))
 }

@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use generator::Stage;
 use hardware_model::{CrossingServer, HardwareModel, Loader};
 use landscape::Attitude;
 use lunoid_tests::{Dice, Scene, level_of, plane};
 use machine::ControlPlane;
+use machine::MachineStage;
 use scenario::{Pose, RangeLaw, RangeProgramme, Scenery};
 use timing::FrameTiming;
 
@@ -48,9 +48,9 @@ pub fn thrown(scene: &Scene, dice: &mut Dice, [index, sectors]: [usize; 2]) -> P
 }
 
 /// The stage of `scene` with a course, which data banks follow.
-pub fn on_course(scene: &Scene, course: Vec<Pose>) -> Stage {
+pub fn on_course(scene: &Scene, course: Vec<Pose>) -> MachineStage {
     let stage = scene.stage();
-    Stage { scenery: Arc::new(Scenery::still(scene.sun).with_course(course)), ..stage }
+    MachineStage { scenery: Arc::new(Scenery::still(scene.sun).with_course(course)), ..stage }
 }
 
 /// One frame of a control plane.

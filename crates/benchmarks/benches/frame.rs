@@ -8,7 +8,6 @@ use benchmarks::{Choice, Scene};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use exact::Exact;
 use generator::Generator;
-use machine::HybridMachine;
 use scenario::Scalar;
 use signal::Probe;
 
@@ -21,7 +20,7 @@ fn whole_frame(c: &mut Criterion) {
             let scene = Scene::shipped("first-light", &Choice { scalar: Some(scalar), ..Choice::default() });
             let (mut planes, pose) = (scene.planes(), scene.pose);
             group.throughput(Throughput::Elements(scene.samples()));
-            let session = HybridMachine.prepare(scene.stage).expect("the ideal machine draws terrain");
+            let session = scene.stage.prepare();
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
             group.bench_function(BenchmarkId::new(name, format!("{threads} threads")), |b| {
                 pool.install(|| {
@@ -37,7 +36,7 @@ fn whole_frame(c: &mut Criterion) {
 fn exact_frame(c: &mut Criterion) {
     let scene = Scene::shipped("first-light", &Choice { scalar: Some(Scalar::F64), ..Choice::default() });
     let (mut planes, pose) = (scene.planes(), scene.pose);
-    let session = Exact.prepare(scene.stage).expect("exact draws terrain");
+    let session = Exact.prepare(scene.stage.stage()).expect("exact draws terrain");
     let mut group = c.benchmark_group("exact frame");
     group.sample_size(10);
     group.bench_function("all threads", |b| {

@@ -2,8 +2,6 @@
 
 use std::time::Instant;
 
-use generator::Generator;
-use machine::HybridMachine;
 use quantities::unit_interval;
 use rayon::ThreadPool;
 use signal::Probe;
@@ -36,7 +34,7 @@ impl Mission {
         let ground = begin.elapsed().as_secs_f64();
         let (mut planes, samples, poses) = (scene.planes(), scene.samples(), scene.poses());
         let begin = Instant::now();
-        let session = HybridMachine.prepare(scene.stage).map_err(|error| error.to_string())?;
+        let session = scene.stage.prepare();
         let mut first = 0.0;
         for (frame, pose) in poses.iter().enumerate() {
             let drawn = pool.install(|| session.frame(frame as u64, pose, &mut planes, &mut Probe::off()));

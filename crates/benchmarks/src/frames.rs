@@ -2,8 +2,7 @@
 
 use std::time::Instant;
 
-use generator::{Generator, Planes, Session};
-use machine::HybridMachine;
+use generator::{Planes, Session};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use scenario::Pose;
 use serde_json::{Value, json};
@@ -37,7 +36,7 @@ impl Drawn {
     fn new(row: &'static Row) -> Self {
         let scene = Scene::shipped(row.scenario, &row.choice);
         let (planes, pose, samples) = (scene.planes(), scene.pose, scene.samples());
-        let session = HybridMachine.prepare(scene.stage).expect("the machine draws what is shipped");
+        let session = scene.stage.prepare();
         Self { row, session, planes, pose, samples }
     }
 
@@ -46,7 +45,7 @@ impl Drawn {
         let begin = Instant::now();
         let counts = pool.install(|| self.session.frame(0, &self.pose, &mut self.planes, &mut Probe::off()));
         let time = begin.elapsed().as_secs_f64();
-        assert!(counts.expect("drawn by the tests").samples > 0);
+        assert!(counts.expect("drawn by the tests")["samples"] > 0);
         time
     }
 }

@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use hardware_model::Economy;
-use machine::{HybridMachine, UnprobedMachine};
+use machine::{MachineStage, prepare_unprobed};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use scenario::Scalar;
 use signal::Probe;
@@ -106,24 +106,24 @@ pub const KERNELS: &[Kernel] = &[
         frames::part("nominal-drive", "pra-nominal", Scalar::F32, Economy::Bounded)
     }),
     row("first-light/no-probe", "frame 0, f32, ideal parts, by a machine without probes", || {
-        frames::whole("first-light", &UnprobedMachine, Probe::off())
+        frames::whole("first-light", prepare_unprobed, Probe::off())
     }),
     row("first-light/probe-off", "the same, by the machine of a replay, probing nothing", || {
-        frames::whole("first-light", &HybridMachine, Probe::off())
+        frames::whole("first-light", MachineStage::prepare, Probe::off())
     }),
     row("first-light/probe-on", "the same, every signal of one sweep recorded", || {
-        frames::whole("first-light", &HybridMachine, Probe::new(vec!["*".into()], 500..501))
+        frames::whole("first-light", MachineStage::prepare, Probe::new(vec!["*".into()], 500..501))
     }),
     row(
         "showpiece/no-probe",
         "frame 0, f32, ideal parts, everything on the ground, by a machine without probes",
-        || frames::whole("showpiece", &UnprobedMachine, Probe::off()),
+        || frames::whole("showpiece", prepare_unprobed, Probe::off()),
     ),
     row("nominal-drive/no-probe", "frame 0, parts of 1970, by a machine without probes", || {
-        frames::whole("nominal-drive", &UnprobedMachine, Probe::off())
+        frames::whole("nominal-drive", prepare_unprobed, Probe::off())
     }),
     row("nominal-drive/probe-off", "the same, by the machine of a replay, probing nothing", || {
-        frames::whole("nominal-drive", &HybridMachine, Probe::off())
+        frames::whole("nominal-drive", MachineStage::prepare, Probe::off())
     }),
 ];
 

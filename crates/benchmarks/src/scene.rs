@@ -3,8 +3,9 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use generator::{PlaneKind, Planes, Stage};
+use generator::{PlaneKind, Planes};
 use hardware_model::{Economy, HardwareModel, ModelSource, Settings};
+use machine::MachineStage;
 use remote_shadow::{Resolution, ShadowBank};
 use scenario::{Pose, PoseTable, Scalar, Scenario};
 
@@ -12,7 +13,7 @@ use scenario::{Pose, PoseTable, Scalar, Scenario};
 #[derive(Debug)]
 pub struct Scene {
     /// Ground, scenery, settings.
-    pub stage: Stage,
+    pub stage: MachineStage,
     /// Of frame 0.
     pub pose: Pose,
     scenario: Scenario,
@@ -55,9 +56,9 @@ impl Scene {
         let model = choice.model.unwrap_or(&scenario.machine);
         let source = ModelSource::find(model, folder).expect("it names a shipped model");
         let model = HardwareModel::load(&source, &[], &[]).expect("which is read by the tests").model;
-        let settings = stage::settings(&scenario, &model).expect("settings are resolved by the tests");
+        let settings = front_door::settings(&scenario, &model).expect("settings are resolved by the tests");
         let settings = Settings { economy: choice.economy, ..settings };
-        let stage = stage::build(&scenario, settings).expect("the ground is made by the tests");
+        let stage = front_door::build(&scenario, settings).expect("the ground is made by the tests");
         let pose = poses(&scenario, &stage, 1)[0];
         Self { stage, pose, scenario }
     }
@@ -91,7 +92,7 @@ impl Scene {
 }
 
 /// Of the first `frames` frames.
-fn poses(scenario: &Scenario, stage: &Stage, frames: u64) -> Vec<Pose> {
+fn poses(scenario: &Scenario, stage: &MachineStage, frames: u64) -> Vec<Pose> {
     let (update, yoke) = (stage.settings.timebase.update, stage.settings.yoke);
     let poses = PoseTable::resolve(scenario, &stage.landscape, update, yoke, 0..frames);
     poses.expect("the path is driven by the tests").rows().iter().map(|row| row.pose).collect()

@@ -5,10 +5,8 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use files::{Npy, write_npy};
-use generator::Generator;
 use hardware_model::Economy;
 use landscape::{Bank, Level, bank_file};
-use machine::HybridMachine;
 use quantities::unit_interval;
 use signal::Probe;
 
@@ -84,7 +82,7 @@ pub fn begin(scenario: &Path, economy: Economy) -> Result<Beginning, String> {
     let scene = Scene::read(scenario, &Choice { economy, ..Choice::default() });
     let (mut planes, pose) = (scene.planes(), scene.pose);
     let landscape = lap();
-    let session = HybridMachine.prepare(scene.stage).map_err(|error| error.to_string())?;
+    let session = scene.stage.prepare();
     let machine = lap();
     let mut draw = || {
         session.frame(0, &pose, &mut planes, &mut Probe::off()).map_err(|error| error.to_string())?;

@@ -3,8 +3,6 @@
 use std::alloc::System;
 
 use benchmarks::{Choice, Scene};
-use generator::Generator;
-use machine::HybridMachine;
 use signal::Probe;
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 
@@ -16,11 +14,11 @@ fn asked(scenario: &str, raster: [u32; 2]) -> usize {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
     let scene = Scene::shipped(scenario, &Choice { raster: Some(raster), ..Choice::default() });
     let (mut planes, pose) = (scene.planes(), scene.pose);
-    let session = HybridMachine.prepare(scene.stage).expect("the machine draws what is shipped");
+    let session = scene.stage.prepare();
     let mut draw = || {
         let region = Region::new(COUNTED);
         let counts = pool.install(|| session.frame(0, &pose, &mut planes, &mut Probe::off()));
-        assert!(counts.expect("drawn by the tests").samples > 0);
+        assert!(counts.expect("drawn by the tests")["samples"] > 0);
         let change = region.change();
         change.allocations + change.reallocations
     };

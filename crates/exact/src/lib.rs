@@ -135,7 +135,7 @@ mod walk;
 pub use ceilings::Ceilings;
 pub use column::{Fineness, LINE_MEAN_TOLERANCE, RIDGE_SHARE};
 pub use outlook::{Outlook, Ray, Sight, Spot};
-pub use session::{Columns, Exact, ExactWithin, ProfilePoint};
+pub use session::{Columns, Exact, ExactWithin, ProfilePoint, ROW};
 pub use shadow::LIFT;
 pub use standing::FOOT_TOLERANCE;
 pub use view::View;

@@ -1,17 +1,36 @@
 //! `exact` as a generator: checks the pose, draws the columns.
 
+use std::sync::Arc;
+
 use generator::{
-    FrameCounts, FrameError, Generator, Omission, PlaneKind, Planes, PrepareError,
-    Session as GeneratorSession, Stage,
+    Counter, FrameCounts, FrameError, Generator, Joined, Omission, PlaneKind, Planes, PrepareError, Role,
+    Row, Session as GeneratorSession, Stage,
 };
 use rayon::prelude::*;
 use scenario::Pose;
-use signal::{Probe, Signal, Wire};
+use signal::Probe;
 
 use crate::column::{Column, Fineness, Frame, Pixel};
 use crate::light::Light;
 use crate::scene::Scene;
 use crate::{Ceilings, Outlook, stance};
+
+/// Rays of a frame, and bodies in it.
+const COUNTERS: [Counter; 2] =
+    [Counter { name: "samples", joined: Joined::Sum }, Counter { name: "bodies", joined: Joined::Sum }];
+
+/// The row of the registry.
+pub static ROW: Row = Row {
+    name: "exact",
+    about: "the same picture by closed form and root finding",
+    role: Role::Judge,
+    signals: &[],
+    timed: false,
+    parameters: None,
+    gear: None,
+    ladder: None,
+    configure: |_| Some(Arc::new(Exact)),
+};
 
 /// The generator that error is measured against; see the crate's data sheet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -19,11 +38,11 @@ pub struct Exact;
 
 impl Generator for Exact {
     fn name(&self) -> &'static str {
-        "exact"
+        ROW.name
     }
 
-    fn signals(&self) -> &'static [Signal] {
-        &[]
+    fn counters(&self) -> &'static [Counter] {
+        &COUNTERS
     }
 
     fn prepare(&self, stage: Stage) -> Result<Box<dyn GeneratorSession>, PrepareError> {
@@ -40,8 +59,8 @@ impl Generator for ExactWithin {
         Exact.name()
     }
 
-    fn signals(&self) -> &'static [Signal] {
-        Exact.signals()
+    fn counters(&self) -> &'static [Counter] {
+        Exact.counters()
     }
 
     fn prepare(&self, stage: Stage) -> Result<Box<dyn GeneratorSession>, PrepareError> {
@@ -75,7 +94,7 @@ impl GeneratorSession for Session {
             fill(planes, kind, &columns);
         }
         let (samples, bodies) = (rays.into_iter().sum(), scene.standing().len() as u64);
-        Ok(FrameCounts { samples, bodies, ..FrameCounts::default() })
+        Ok(FrameCounts::of([("samples", samples), ("bodies", bodies)]))
     }
 
     fn check(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {
@@ -83,10 +102,6 @@ impl GeneratorSession for Session {
     }
 
     fn omissions(&self) -> Vec<Omission> {
-        Vec::new()
-    }
-
-    fn wires(&self) -> Vec<Wire> {
         Vec::new()
     }
 }
@@ -111,7 +126,7 @@ impl Columns {
         column: usize,
         kinds: &[PlaneKind],
     ) -> Result<Planes, FrameError> {
-        let raster = &self.0.stage.settings.raster;
+        let raster = &self.0.stage.view;
         let size = [raster.columns as usize, raster.lines as usize];
         self.0.check(frame, pose)?;
         let (pixels, _) = self.0.column(&self.0.scene(pose), column, size);
@@ -138,9 +153,9 @@ impl Columns {
     /// The ground at each of `ranges` (m, above 0) from the eye of `pose` in `direction` (unit vector: north, east);
     /// `None` outside the problem area. What the signals of a sweep stand for.
     pub fn profile(&self, pose: &Pose, direction: [f64; 2], ranges: &[f64]) -> Vec<Option<ProfilePoint>> {
-        let Stage { landscape, scenery, settings } = &self.0.stage;
+        let Stage { landscape, scenery, view } = &self.0.stage;
         let outlook = self.0.outlook(pose);
-        let light = Light::new(landscape, &scenery.sun(pose.time), settings.laws, pose.eye[2]);
+        let light = Light::new(landscape, &scenery.sun(pose.time), view.laws, pose.eye[2]);
         let point = |range: &f64| {
             let spot = outlook.spot_at(direction, *range)?;
             let height = outlook.height(&spot);
@@ -163,25 +178,22 @@ impl Session {
     }
 
     fn outlook(&self, pose: &Pose) -> Outlook<'_> {
-        let Stage { landscape, settings, .. } = &self.stage;
+        let Stage { landscape, view, .. } = &self.stage;
         // Where no sweep can be drawn none has a first sample: ground is seen from under the eye on.
-        let first = match stance::is_swept(landscape, settings.raster.field, pose) {
-            true => settings.range.at_sample(0, settings.raster.samples as usize),
-            false => 0.0,
-        };
-        let ranges = [first, settings.range.end];
-        Outlook::new(landscape, &self.ceilings, pose.eye, settings.laws.curvature, ranges, settings.levels)
+        let [first, end] = view.ranges;
+        let ranges = [if stance::is_swept(landscape, view.field, pose) { first } else { 0.0 }, end];
+        Outlook::new(landscape, &self.ceilings, pose.eye, view.laws.curvature, ranges, view.levels)
     }
 
     fn scene(&self, pose: &Pose) -> Scene<'_> {
-        let Stage { landscape, scenery, settings } = &self.stage;
-        let reach = settings.shadows.map(|fineness| fineness.reach.unwrap_or(f64::INFINITY));
-        Scene::new(landscape, scenery, self.outlook(pose), settings.laws, reach, pose)
+        let Stage { landscape, scenery, view } = &self.stage;
+        let reach = view.shadows.map(|fineness| fineness.reach.unwrap_or(f64::INFINITY));
+        Scene::new(landscape, scenery, self.outlook(pose), view.laws, reach, pose)
     }
 
     /// Pixels of a column of a picture of `columns` x `lines`, top line first, and the rays that they took.
     fn column(&self, scene: &Scene, column: usize, [columns, lines]: [usize; 2]) -> (Vec<Pixel>, u64) {
-        let (field, rule) = (self.stage.settings.raster.field, self.stage.settings.laws.pixel_rule);
+        let (field, rule) = (self.stage.view.field, self.stage.view.laws.pixel_rule);
         let frame = Frame { scene, half_height: field.tan_half_height, lines, fineness: self.fineness };
         let x = field.tan_half_width * (2.0 * column as f64 + 1.0 - columns as f64) / columns as f64;
         Column::new(frame, x).draw(rule)

@@ -26,10 +26,10 @@ pub fn is_swept(landscape: &Landscape, field: FieldOfView, pose: &Pose) -> bool 
 /// # Errors
 /// If it is no pose, if the eye is in the ground, or if the projection law has no rays for it.
 pub fn check(stage: &Stage, frame: u64, pose: &Pose) -> Result<(), FrameError> {
-    let Stage { landscape, settings, .. } = stage;
+    let Stage { landscape, view, .. } = stage;
     check_numbers(frame, pose)?;
     check_height(landscape, frame, pose)?;
-    check_law(settings.laws.projection, settings.raster.field, frame, pose)
+    check_law(view.laws.projection, view.field, frame, pose)
 }
 
 fn check_numbers(frame: u64, pose: &Pose) -> Result<(), FrameError> {
@@ -74,7 +74,7 @@ fn check_law(projection: Projection, field: FieldOfView, frame: u64, pose: &Pose
 }
 
 fn unsupported(frame: u64, what: String) -> FrameError {
-    FrameError::Unsupported { frame, reason: format!("exact cannot draw {what}") }
+    FrameError::Refused { frame, reason: format!("exact cannot draw {what}") }
 }
 
 /// |pitch| and half the vertical field of view together (deg). The corners of a turned screen look farther up and down

@@ -3,7 +3,8 @@
 use std::sync::{Mutex, PoisonError};
 
 use exact::Columns;
-use generator::{FrameError, Label, PlaneKind, Planes, Session, Shade, Stage};
+use generator::{FrameError, Label, PlaneKind, Planes, Session, Shade};
+use machine::MachineStage;
 use machine::{ControlPlane, FrameSweeps};
 use quantities::SweepTime;
 use scenario::{Occlusion, Pose};
@@ -114,7 +115,7 @@ pub enum InquiryError {
 
 /// A machine that answers questions about its pictures.
 pub struct Inquiry<'a> {
-    stage: &'a Stage,
+    stage: &'a MachineStage,
     session: &'a dyn Session,
     control: &'a ControlPlane,
     exact: Option<&'a Columns>,
@@ -132,7 +133,7 @@ struct Picture {
 impl<'a> Inquiry<'a> {
     /// The machine `session` that draws `stage`, and its digital side; `exact` if the error is to be told.
     pub fn new(
-        stage: &'a Stage,
+        stage: &'a MachineStage,
         session: &'a dyn Session,
         control: &'a ControlPlane,
         exact: Option<&'a Columns>,

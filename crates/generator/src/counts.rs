@@ -1,65 +1,128 @@
 //! Work done: counters are results, the same for any number of threads.
 
-use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
+use std::fmt;
+use std::ops::Index;
 
-macro_rules! counters {
-    ($($(#[$doc:meta])* $name:ident,)*; largest $($(#[$high_doc:meta])* $high:ident,)*) => {
-        /// What a frame, or a run, took.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-        #[serde(default)]
-        pub struct FrameCounts {
-            $($(#[$doc])* pub $name: u64,)*
-            $($(#[$high_doc])* pub $high: u64,)*
-        }
+use serde::de::{MapAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-        impl FrameCounts {
-            /// Adds another part's work; of what is a largest value, the larger stays.
-            pub fn add(&mut self, other: &Self) {
-                $(self.$name += other.$name;)*
-                $(self.$high = self.$high.max(other.$high);)*
-            }
-
-            /// All counters with their names, in the order of the record.
-            pub fn named(&self) -> impl Iterator<Item = (&'static str, u64)> {
-                [$((stringify!($name), self.$name),)* $((stringify!($high), self.$high)),*].into_iter()
-            }
-        }
-    };
+/// How a counter of a frame joins that of another frame.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Joined {
+    /// Both are added.
+    Sum,
+    /// The larger one stays.
+    Largest,
 }
 
-counters! {
-    /// Sweeps drawn.
-    sweeps,
-    /// Samples of all sweeps, or rays of a generator without sweeps.
-    samples,
-    /// Stored regions that the frame can show: what a data bank must have ready.
-    regions,
-    /// Region crossings.
-    folds,
-    /// Sets of words that arrived at registers.
-    loads,
-    /// Words that came after the fold that needed them.
-    late_words,
-    /// Features drawn, summed over the sweeps.
-    features,
-    /// Features that found no sub-generator, summed over the sweeps.
-    dropped_features,
-    /// Changes of the shadow gate, summed over the sweeps.
-    shadow_toggles,
-    /// Boundary segments that found no line generator, summed over the sweeps.
-    dropped_segments,
-    /// Bodies drawn.
-    bodies,
-    /// Spans of sweeps that bodies cover.
-    spans,
-    /// Bodies that were too small to be drawn.
-    bodies_left_out,
-    /// Craters that looked too small to be drawn, at most: squares of the map beyond their sight are counted whole.
-    craters_left_out,
-    /// Pixels that these would cover at most, rounded up frame by frame: what they change in the picture is no more
-    /// than so many pixels of full scale.
-    pixels_left_out,
-    ; largest
-    /// Largest step from the fine terrain level to the coarse one at the switch (mm).
-    level_step_mm,
+/// A counter that a generator keeps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Counter {
+    /// Name in records.
+    pub name: &'static str,
+    /// How frames are joined.
+    pub joined: Joined,
+}
+
+/// What a frame, or a run, took: counters by name, in the order of the generator's own list.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct FrameCounts(Vec<(Cow<'static, str>, u64)>);
+
+impl FrameCounts {
+    /// These counters.
+    pub fn of(named: impl IntoIterator<Item = (&'static str, u64)>) -> Self {
+        Self(named.into_iter().map(|(name, count)| (Cow::Borrowed(name), count)).collect())
+    }
+
+    /// The counter called `name`; `None` if the generator keeps none of that name.
+    pub fn get(&self, name: &str) -> Option<u64> {
+        self.0.iter().find(|(known, _)| known == name).map(|(_, count)| *count)
+    }
+
+    /// All counters with their names.
+    pub fn named(&self) -> impl Iterator<Item = (&str, u64)> {
+        self.0.iter().map(|(name, count)| (name.as_ref(), *count))
+    }
+
+    /// Joins the counters of another frame to these; a counter that `counters` does not list is added.
+    pub fn join(&mut self, other: &Self, counters: &[Counter]) {
+        for (name, count) in &other.0 {
+            let joined = counters.iter().find(|counter| counter.name == name).map(|counter| counter.joined);
+            match (self.0.iter_mut().find(|(known, _)| known == name), joined) {
+                (Some((_, own)), Some(Joined::Largest)) => *own = (*own).max(*count),
+                (Some((_, own)), _) => *own += count,
+                (None, _) => self.0.push((name.clone(), *count)),
+            }
+        }
+    }
+}
+
+impl Index<&str> for FrameCounts {
+    type Output = u64;
+
+    /// The counter called `name`.
+    ///
+    /// # Panics
+    /// If there is none.
+    fn index(&self, name: &str) -> &u64 {
+        let found = self.0.iter().find(|(known, _)| known == name);
+        &found.unwrap_or_else(|| panic!("no counter `{name}`")).1
+    }
+}
+
+impl Serialize for FrameCounts {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.named())
+    }
+}
+
+impl<'de> Deserialize<'de> for FrameCounts {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_map(CountsVisitor)
+    }
+}
+
+/// Reads counters in the order in which they are written.
+struct CountsVisitor;
+
+impl<'de> Visitor<'de> for CountsVisitor {
+    type Value = FrameCounts;
+
+    fn expecting(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        formatter.write_str("counters by name")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<FrameCounts, A::Error> {
+        let mut named = Vec::new();
+        while let Some((name, count)) = map.next_entry::<String, u64>()? {
+            named.push((Cow::Owned(name), count));
+        }
+        Ok(FrameCounts(named))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Counter, FrameCounts, Joined};
+
+    const COUNTERS: [Counter; 2] =
+        [Counter { name: "rays", joined: Joined::Sum }, Counter { name: "step", joined: Joined::Largest }];
+
+    #[test]
+    fn sums_are_added_and_the_largest_stays() {
+        let mut total = FrameCounts::default();
+        for (rays, step) in [(3, 7), (4, 5)] {
+            total.join(&FrameCounts::of([("rays", rays), ("step", step)]), &COUNTERS);
+        }
+        assert_eq!((total["rays"], total["step"], total.get("sweeps")), (7, 7, None));
+    }
+
+    #[test]
+    fn the_record_keeps_names_and_order() {
+        let counts = FrameCounts::of([("rays", 3), ("bodies", 0)]);
+        let text = serde_json::to_string(&counts).unwrap();
+        assert_eq!(text, r#"{"rays":3,"bodies":0}"#);
+        assert_eq!(serde_json::from_str::<FrameCounts>(&text).unwrap(), counts);
+    }
 }

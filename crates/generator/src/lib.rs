@@ -1,138 +1,87 @@
 //! The interface of every image generator.
 //!
-//! [`Generator::prepare`] elaborates a [`Stage`] into a [`Session`]; [`Session::frame`] fills named [`Planes`]
-//! for one pose. No files, no clock, no state between frames that is not in the arguments: any frame can be made
-//! alone, in any order, by any number of threads.
+//! ```text
+//! registry: Row ── run parameters, gear ──▶ Generator ── Stage: world and view ──▶ Session ── Pose ──▶ Planes
+//!                                               └────────────────────────────▶ Timed   ── Pose ──▶ FrameTiming
+//! ```
+//!
+//! - [`Stage`]: the world and the view, which all generators share. What else a generator reads is its own: it has read
+//!   it before it is a [`Generator`].
+//! - [`Session::frame`] fills named [`Planes`] for one pose. No files, no clock, no state between frames that is not in
+//!   the arguments: any frame can be made alone, in any order, by any number of threads.
+//! - [`Row`]: what is known of a generator before it draws. The crate `registry` lists the rows.
+//! - [`Counter`], [`FrameError::Refused`]: counters and refusals are lists of each generator's own.
 
 mod counts;
+mod error;
+mod fact;
 mod omission;
 mod planes;
+mod row;
+mod timed;
 
 use std::sync::Arc;
 
-use hardware_model::Settings;
 use landscape::Landscape;
 use quantities::Timebase;
-use scenario::{Pose, Scenery};
+use scenario::{Pose, Scenery, View};
+use serde_json::Value;
 use signal::{Probe, Signal, Wire};
 
-pub use counts::FrameCounts;
+pub use counts::{Counter, FrameCounts, Joined};
+pub use error::{FrameError, PrepareError, check_eye};
+pub use fact::Fact;
 pub use omission::{Omission, Weight};
 pub use planes::{Label, Plane, PlaneKind, Planes, Shade};
+pub use row::{ErrorLadder, Gear, Role, Row};
+pub use timed::Timed;
 
-/// What there is to draw, and how: everything but the pose.
+/// The world and the view: everything that generators share but the pose.
 #[derive(Debug, Clone)]
 pub struct Stage {
     /// The ground.
     pub landscape: Arc<Landscape>,
     /// Light, bodies and tracks over time.
     pub scenery: Arc<Scenery>,
-    /// The settings of the run.
-    pub settings: Settings,
+    /// What is asked of the picture.
+    pub view: View,
 }
 
-/// Why a generator cannot draw a stage.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum PrepareError {
-    /// The generator lacks something that the stage asks for.
-    #[error("{generator} cannot do {what}: {remedy}")]
-    Unsupported {
-        /// Name of the generator.
-        generator: &'static str,
-        /// What is asked for.
-        what: String,
-        /// What to do instead.
-        remedy: String,
-    },
+/// How the signals of a generator run: line by line, sample by sample.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Scan {
+    /// Word for one line: "sweep", "row".
+    pub line: &'static str,
+    /// Clocks: lines of a frame as sweeps, and the samples of each.
+    pub timebase: Timebase,
+    /// Signal that says where a sample is (m).
+    pub place: &'static str,
+    /// Signal that says how far ahead the whole line is (m), where a line lies across the view.
+    pub ahead: Option<&'static str>,
 }
 
-/// Why a frame cannot be drawn.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum FrameError {
-    /// The eye does not see the ground from above.
-    #[error("frame {frame}: the eye is {below:.3} m under the ground; expected it above the ground")]
-    EyeUnderGround {
-        /// Frame number.
-        frame: u64,
-        /// How far below the ground (m).
-        below: f64,
-    },
-    /// The eye is outside the problem area.
-    #[error("frame {frame}: the eye at x = {x:.1} m, y = {y:.1} m is outside the problem area")]
-    OutsideProblemArea {
-        /// Frame number.
-        frame: u64,
-        /// North (m).
-        x: f64,
-        /// East (m).
-        y: f64,
-    },
-    /// Shadow boundaries cannot be kept.
-    #[error(
-        "frame {frame}: shadow boundaries cannot be kept: {reason}; name a folder that can be written by \
-             --shadow-cache, or leave it out"
-    )]
-    ShadowCache {
-        /// Frame number.
-        frame: u64,
-        /// What the system says.
-        reason: String,
-    },
-    /// The generator lacks something that the pose asks for.
-    #[error("frame {frame}: {reason}")]
-    Unsupported {
-        /// Frame number.
-        frame: u64,
-        /// The generator, what it cannot do, and what to do instead.
-        reason: String,
-    },
-    /// The fan of sweeps cannot cover the view.
-    #[error(
-        "frame {frame}: pitch {pitch_deg:.1} deg brings the nadir or the zenith near the picture; \
-             expected |pitch| + half the vertical field of view below {limit_deg:.0} deg"
-    )]
-    Pitch {
-        /// Frame number.
-        frame: u64,
-        /// Pitch (deg).
-        pitch_deg: f64,
-        /// The limit (deg).
-        limit_deg: f64,
-    },
-}
-
-/// The eye stands over the finest level of `landscape` and above its ground: sight begins there.
-///
-/// # Errors
-/// If it does not.
-pub fn check_eye(landscape: &Landscape, frame: u64, pose: &Pose) -> Result<(), FrameError> {
-    let [x, y, height] = pose.eye;
-    let inside = landscape.level().locate(x, y).is_some();
-    let ground = landscape.height(x, y).filter(|_| inside);
-    let ground = ground.ok_or(FrameError::OutsideProblemArea { frame, x, y })?;
-    match height > ground {
-        true => Ok(()),
-        false => Err(FrameError::EyeUnderGround { frame, below: ground - height }),
-    }
-}
-
-/// An image generator: the hybrid machine, `exact`, and others of the field's history.
-pub trait Generator: Sync {
-    /// Name, as `--machine` says it.
+/// An image generator with its own settings: the hybrid machine, `exact`, and others of the field's history.
+pub trait Generator: Send + Sync {
+    /// Name: that of its row, or "hybrid".
     fn name(&self) -> &'static str;
 
-    /// The signals that its sessions can record.
-    fn signals(&self) -> &'static [Signal];
+    /// The counters that its frames have.
+    fn counters(&self) -> &'static [Counter];
 
-    /// Whether it draws by sweeps of the report's machine, with clocks and deadlines.
-    fn is_machine(&self) -> bool {
-        false
+    /// The signals that its sessions can record.
+    fn signals(&self) -> &'static [Signal] {
+        &[]
     }
 
-    /// Clocks that its waveforms are told against: as many sweeps and samples as they have. One that has no clocks makes
-    /// them up.
-    fn timebase(&self, settings: &Settings) -> Timebase {
-        settings.timebase
+    /// How its signals run under `view`; `None` if it has no signals.
+    fn scan(&self, _view: &View) -> Option<Scan> {
+        None
+    }
+
+    /// Its own settings, for the record of a run: everything that decides its pictures beside the stage, and that does
+    /// not stand in the view.
+    fn record(&self) -> Value {
+        Value::Null
     }
 
     /// Elaborates `stage`: after this nothing is looked up by name.
@@ -140,13 +89,21 @@ pub trait Generator: Sync {
     /// # Errors
     /// If the generator cannot draw what the stage asks for.
     fn prepare(&self, stage: Stage) -> Result<Box<dyn Session>, PrepareError>;
+
+    /// The generator on `stage` as a job that takes time; `None` if its frames take none.
+    ///
+    /// # Errors
+    /// If the generator cannot draw what the stage asks for.
+    fn timed(&self, _stage: Stage) -> Result<Option<Box<dyn Timed>>, PrepareError> {
+        Ok(None)
+    }
 }
 
 /// A generator made ready for one stage.
 pub trait Session: Send + Sync {
     /// Draws frame `frame` from `pose` into the planes that `planes` holds, and records what `probe` wants.
     /// Uses the threads of the current rayon pool; the bits do not depend on their number. The planes must have
-    /// as many columns and lines as the settings' raster; if there are none, no picture is wanted, and no more is
+    /// as many columns and lines as the view; if there are none, no picture is wanted, and no more is
     /// worked out than what `probe` looks at.
     ///
     /// # Errors
@@ -170,5 +127,25 @@ pub trait Session: Send + Sync {
 
     /// The signals that this session can record, with their full scales; those of blocks that are left out are not
     /// among them.
-    fn wires(&self) -> Vec<Wire>;
+    fn wires(&self) -> Vec<Wire> {
+        Vec::new()
+    }
+
+    /// Direction over the ground (unit vector: north, east) of line `line` of its signals in frame `frame` from `pose`;
+    /// `None` if its lines do not run straight out from the eye.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
+    fn direction(&self, _frame: u64, _pose: &Pose, _line: u32) -> Result<Option<[f64; 2]>, FrameError> {
+        Ok(None)
+    }
+
+    /// How pixel `pixel` (column and line, from 0 at the top left) of frame `frame` came about, fact by fact; none if
+    /// the generator does not say.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
+    fn explain(&self, _frame: u64, _pose: &Pose, _pixel: [usize; 2]) -> Result<Vec<Fact>, FrameError> {
+        Ok(Vec::new())
+    }
 }

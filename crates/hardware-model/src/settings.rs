@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use quantities::{Rate, Timebase, TimebaseError};
 use scenario::{
-    Display, FieldOfView, LawWishes, Laws, LunsimRun, RangeProgramme, RasterWishes, Scalar, ShadowFineness,
+    Display, FieldOfView, LawWishes, Laws, RangeProgramme, RasterWishes, Scalar, ShadowFineness, View,
 };
 
 use crate::model::retrace;
@@ -13,7 +13,7 @@ use crate::{
     ShadowParts, SweepMemoryKind, Yoke,
 };
 
-/// Everything that decides a picture but landscape, sun and pose.
+/// Everything that decides a picture of the hybrid machine but landscape, sun and pose.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Settings {
     /// Raster of sweeps and of the read-out.
@@ -60,8 +60,6 @@ pub struct Settings {
     pub shadow_cache: Option<PathBuf>,
     /// What may be left out.
     pub economy: Economy,
-    /// Run parameters of LUNSIM; no machine reads them.
-    pub lunsim: LunsimRun,
 }
 
 /// Sweeps, samples and read-out.
@@ -121,8 +119,8 @@ pub enum SettingsError {
 }
 
 impl Settings {
-    /// What raster, range, laws and display of a run come to; yoke, levels, shadows, economy and LUNSIM's
-    /// parameters are as for a scene that has none of them. `wishes` is the command line's raster over the scenario's.
+    /// What raster, range, laws and display of a run come to; yoke, levels, shadows and economy are
+    /// as for a scene that has none of them. `wishes` is the command line's raster over the scenario's.
     ///
     /// # Errors
     /// If a count is out of range or the rates do not divide.
@@ -177,8 +175,27 @@ impl Settings {
             shadows: None,
             shadow_cache: None,
             economy: Economy::default(),
-            lunsim: LunsimRun::default(),
         })
+    }
+}
+
+impl Settings {
+    /// What of these settings every image generator is asked for.
+    pub fn view(&self) -> View {
+        let Raster { samples, columns, lines, field, refresh, .. } = self.raster;
+        View {
+            columns,
+            lines,
+            field,
+            update: self.timebase.update,
+            refresh,
+            display: self.display,
+            laws: self.laws,
+            ranges: [self.range.at_sample(0, samples as usize), self.range.end],
+            yoke: self.yoke,
+            levels: self.levels,
+            shadows: self.shadows,
+        }
     }
 }
 

@@ -1,8 +1,9 @@
 //! Both engines, set for one stage.
 
-use generator::{FrameError, Generator, Planes, PrepareError, Session, Stage};
+use generator::{FrameError, Planes, Session};
 use interpreter::{Given, Record, Scene, Unknown, interpret};
-use machine::{ControlPlane, DigitalEvent, EventWord, HybridMachine};
+use machine::MachineStage;
+use machine::{ControlPlane, DigitalEvent, EventWord};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use scenario::Pose;
 use signal::{Axis, Probe, Waveform};
@@ -15,7 +16,7 @@ pub type Tamper<'a> = &'a (dyn Fn(&mut Waveform) + Sync);
 
 /// Both engines, set for one stage.
 pub struct Engines {
-    stage: Stage,
+    stage: MachineStage,
     session: Box<dyn Session>,
     control: ControlPlane,
 }
@@ -33,12 +34,9 @@ pub struct Seen {
 
 impl Engines {
     /// Elaborates the machine for `stage`.
-    ///
-    /// # Errors
-    /// If the machine cannot draw it.
-    pub fn new(stage: Stage) -> Result<Self, PrepareError> {
-        let session = HybridMachine.prepare(stage.clone())?;
-        Ok(Self { control: ControlPlane::new(stage.clone()), stage, session })
+    pub fn new(stage: MachineStage) -> Self {
+        let session = stage.clone().prepare();
+        Self { control: ControlPlane::new(stage.clone()), stage, session }
     }
 
     /// Sweeps `sweeps` of frame `frame` seen from `pose`, on both.

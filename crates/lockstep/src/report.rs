@@ -119,7 +119,7 @@ impl Report {
             *self.events.entry(word).or_default() += count;
         }
         self.events_left_out += other.events_left_out;
-        self.counts.add(&other.counts);
+        self.counts.join(&other.counts, machine::COUNTERS);
         self.difference = self.difference.take().or(other.difference);
         self.event_difference = self.event_difference.take().or(other.event_difference);
     }

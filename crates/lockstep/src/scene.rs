@@ -3,9 +3,10 @@
 use std::sync::Arc;
 
 use features::{Crater, Features};
-use generator::{FrameCounts, FrameError, Generator, PlaneKind, Planes, Stage};
+use generator::{FrameCounts, FrameError, PlaneKind, Planes};
 use hardware_model::{HardwareModel, LatePolicy, LevelSwitch, Loader, Raster, Settings, SweepMemoryKind};
 use landscape::{Attitude, Bank, CornerWords, Landscape, Layer, Level, Photometry, Source, Sun, Texture};
+use machine::MachineStage;
 use quantities::{Rate, Timebase, radians};
 use scenario::{
     Curvature, Display, FieldOfView, LawWishes, Laws, Occlusion, PixelRule, Pose, Projection, RangeLaw,
@@ -130,7 +131,7 @@ impl Scene {
     ///
     /// # Panics
     /// If its levels do not make a bank, or its layers no texture.
-    pub fn stage(&self) -> Stage {
+    pub fn stage(&self) -> MachineStage {
         let coarse = self.coarse.iter().map(|(level, _)| level.clone());
         let levels = [self.level.clone()].into_iter().chain(coarse).collect();
         let bank = Bank::new("test", levels, None).expect("levels from fine to coarse are a bank");
@@ -139,7 +140,7 @@ impl Scene {
             .with_texture(self.grain())
             .with_photometry(self.photometry);
         let scenery = Arc::new(Scenery::still(self.sun));
-        Stage { landscape: Arc::new(landscape), scenery, settings: self.settings() }
+        MachineStage { landscape: Arc::new(landscape), scenery, settings: self.settings() }
     }
 
     fn grain(&self) -> Option<Texture> {
@@ -200,19 +201,16 @@ impl Scene {
     /// # Panics
     /// If the machine refuses the stage.
     pub fn lockstep(&self, frame: u64) -> Result<Report, FrameError> {
-        let engines = Engines::new(self.stage()).expect("a stage that the machine can draw");
+        let engines = Engines::new(self.stage());
         engines.compare(frame, &self.pose(), 0..self.sweeps)
     }
 
-    /// Draws frame `frame` and records `signals` (patterns) of every sweep.
+    /// Draws frame `frame` on the machine and records `signals` (patterns) of every sweep.
     ///
     /// # Errors
     /// If the pose cannot be drawn.
-    ///
-    /// # Panics
-    /// If the generator refuses the stage.
-    pub fn draw(&self, generator: &dyn Generator, frame: u64, signals: &[&str]) -> Result<Drawn, FrameError> {
-        let session = generator.prepare(self.stage()).expect("a stage that every generator can draw");
+    pub fn draw(&self, frame: u64, signals: &[&str]) -> Result<Drawn, FrameError> {
+        let session = self.stage().prepare();
         let kinds = [PlaneKind::Intensity, PlaneKind::Range];
         let mut planes = Planes::new(self.sweeps as usize, self.lines as usize, &kinds);
         let patterns = signals.iter().map(|&pattern| pattern.to_owned()).collect();

@@ -6,11 +6,11 @@ use std::io;
 use compare::CompareError;
 use diagnostics::ProblemList;
 use files::{Action, FileError, NpyFileError};
+use front_door::{OpenError, StageError};
 use landscape::bank_file::BankFileError;
 use picture::PictureFileError;
 use plots::PlotError;
 use replay::ReplayError;
-use stage::StageError;
 use survey::SurveyError;
 use timing::RecordError;
 
@@ -121,6 +121,20 @@ impl From<StageError> for Failure {
         match error {
             StageError::BankFile(error) => error.into(),
             other => Self::input(other),
+        }
+    }
+}
+
+impl From<OpenError> for Failure {
+    fn from(error: OpenError) -> Self {
+        match error {
+            OpenError::Problems(list) => list.into(),
+            OpenError::Wish(message) => Self::Usage(message),
+            OpenError::Input(message) => Self::Input(message),
+            OpenError::Output(message) => Self::Output(message),
+            OpenError::File(error) => error.into(),
+            OpenError::Bank(error) => error.into(),
+            OpenError::Prepare(error) => Self::input(error),
         }
     }
 }

@@ -1,9 +1,10 @@
 //! One frame of a scenario, as a command is told of it.
 
 use clap::Args;
+use front_door::Opened;
 
 use crate::commands::timing::rehearsal::Rehearsal;
-use crate::loading::{Loaded, StageArgs, Threads};
+use crate::loading::{StageArgs, Threads};
 use crate::{Failure, values};
 
 /// Which frame of which scenario, drawn by what.
@@ -20,8 +21,8 @@ pub struct FrameArgs {
 
 impl FrameArgs {
     /// Sees that the scenario has the frame.
-    pub fn expect_in(&self, loaded: &Loaded) -> Result<(), Failure> {
-        let (frame, end) = (self.frame, loaded.frames());
+    pub fn expect_in(&self, opened: &Opened) -> Result<(), Failure> {
+        let (frame, end) = (self.frame, opened.frames());
         match frame < end {
             true => Ok(()),
             false => Err(Failure::usage(format!(
@@ -31,10 +32,10 @@ impl FrameArgs {
     }
 
     /// Everything but the frame; `check` sees the scenario before any ground is made.
-    pub fn rehearse(&self, check: impl FnOnce(&Loaded) -> Result<(), Failure>) -> Result<Rehearsal, Failure> {
-        let (rehearsal, _) = Rehearsal::open(&self.stage, &self.threads, |loaded| {
-            check(loaded)?;
-            self.expect_in(loaded)?;
+    pub fn rehearse(&self, check: impl FnOnce(&Opened) -> Result<(), Failure>) -> Result<Rehearsal, Failure> {
+        let (rehearsal, _) = Rehearsal::open(&self.stage, &self.threads, |opened| {
+            check(opened)?;
+            self.expect_in(opened)?;
             Ok(vec![self.frame])
         })?;
         Ok(rehearsal)

@@ -71,20 +71,25 @@ mod area;
 mod film;
 mod grid;
 mod hardware;
+mod inputs;
 mod light;
 mod observer;
+mod parameters;
 mod program;
 mod projection;
 mod restrictions;
+mod row;
 mod rows;
 mod session;
 mod shadow;
 mod work;
 
 pub use hardware::Hardware;
+pub use parameters::Parameters;
 pub use program::Program;
 pub use projection::POSITIONS;
+pub use row::ROW;
 pub use session::Lunsim;
 
 /// Its name, as `--machine` says it.
-pub const NAME: &str = "lunsim";
+const NAME: &str = ROW.name;

@@ -1,11 +1,15 @@
 //! The program as a job of its computer: how long a frame takes, as a timing record tells it.
 
-use generator::{FrameError, PrepareError, Stage};
-use scenario::Pose;
 use std::collections::BTreeMap;
-use timing::{EventHash, FrameTiming, Sets, UnitUse, Vertices};
 
+use generator::{FrameError, PrepareError, Stage, Timed};
+use quantities::Rate;
+use scenario::{Pose, Scenario};
+use timing::{EventHash, FrameTiming, Sets, Task, UnitUse, Vertices};
+
+use crate::Lunsim;
 use crate::hardware::Hardware;
+use crate::inputs::inputs_hash;
 use crate::session::{Picture, Session};
 use crate::work::{COMPUTER, RECORDER, Work};
 
@@ -23,13 +27,8 @@ impl Program {
     ///
     /// # Errors
     /// If the program could not draw it.
-    pub fn new(stage: Stage, hardware: Hardware) -> Result<Self, PrepareError> {
-        Ok(Self { session: Session::new(stage)?, hardware })
-    }
-
-    /// What it runs on.
-    pub fn hardware(&self) -> &Hardware {
-        &self.hardware
+    pub fn new(stage: Stage, program: &Lunsim) -> Result<Self, PrepareError> {
+        Ok(Self { session: Session::new(stage, program.parameters)?, hardware: program.hardware })
     }
 
     /// What frame `frame` from `pose` takes. Its length is the time of the computer and, after it, that of the recorder;
@@ -83,5 +82,24 @@ impl Program {
             events.push(plotted * self.hardware.point, RECORDER, "block", &words);
         }
         (work, events)
+    }
+}
+
+/// A batch program is loaded with its job: there is nothing before it.
+impl Timed for Program {
+    fn master(&self) -> Rate {
+        Rate::new(Self::MASTER_HZ, 1).expect("a whole number above 0")
+    }
+
+    fn inputs(&self, scenario: &Scenario) -> String {
+        inputs_hash(scenario, self.session.stage(), self.session.parameters(), &self.hardware)
+    }
+
+    fn before_mission(&self, _: &Pose) -> Result<Vec<Task>, FrameError> {
+        Ok(Vec::new())
+    }
+
+    fn frame(&self, frame: u64, pose: &Pose) -> Result<FrameTiming, FrameError> {
+        Self::frame(self, frame, pose)
     }
 }

@@ -5,7 +5,7 @@ use landscape::Photometry;
 use quantities::degrees;
 use scenario::{FieldOfView, Pose};
 
-use crate::NAME;
+use crate::{NAME, Parameters};
 
 /// Largest grid: the plotting positions of the recorder.
 const LARGEST_GRID: u32 = crate::projection::POSITIONS as u32;
@@ -21,9 +21,9 @@ const REMEDY: &str =
 ///
 /// # Errors
 /// All that it could not do, each with the report's reason.
-pub(crate) fn check_stage(stage: &Stage) -> Result<(), PrepareError> {
-    let broken: Vec<String> = of_program(stage).chain(not_modelled(stage).map(told)).collect();
-    match broken.is_empty() || !stage.settings.lunsim.restrictions {
+pub(crate) fn check_stage(stage: &Stage, run: &Parameters) -> Result<(), PrepareError> {
+    let broken: Vec<String> = of_program(stage, run.grid).chain(not_modelled(stage).map(told)).collect();
+    match broken.is_empty() || !run.restrictions {
         true => Ok(()),
         false => Err(PrepareError::Unsupported {
             generator: NAME,
@@ -58,7 +58,7 @@ pub(crate) fn check_pose(frame: u64, pose: &Pose, field: FieldOfView) -> Result<
         true => Ok(()),
         false => {
             let reason = format!("{NAME} cannot do {}: {REMEDY}", broken.join("; "));
-            Err(FrameError::Unsupported { frame, reason })
+            Err(FrameError::Refused { frame, reason })
         }
     }
 }
@@ -75,8 +75,7 @@ pub(crate) fn omissions(stage: &Stage) -> Vec<Omission> {
 }
 
 /// Restrictions beyond which there is a law all the same.
-fn of_program(stage: &Stage) -> impl Iterator<Item = String> {
-    let grid = stage.settings.lunsim.grid;
+fn of_program(stage: &Stage, grid: u32) -> impl Iterator<Item = String> {
     let level = stage.landscape.level();
     let first = level.words()[0][0];
     let is_smooth =
@@ -112,7 +111,7 @@ struct Lack {
 fn not_modelled(stage: &Stage) -> impl Iterator<Item = Lack> {
     const CRATERS: &str = "its features are craters of three types";
     const SMOOTH: &str = "its surface is smooth but for craters";
-    let Stage { landscape, scenery, settings } = stage;
+    let Stage { landscape, scenery, view } = stage;
     [
         (!scenery.standing().is_empty(), "rocks and man-made things", "[rocks], [[object]]", CRATERS),
         (!scenery.patches(f64::INFINITY).is_empty(), "vehicle tracks", "[tracks]", CRATERS),
@@ -124,8 +123,8 @@ fn not_modelled(stage: &Stage) -> impl Iterator<Item = Lack> {
             "[[silhouette]]",
             "its picture ends at the horizontal",
         ),
-        (settings.levels.is_some(), "a second level of ground", "[levels]", SMOOTH),
-        (settings.yoke.is_some(), "roll", "[roll]", "its observer has an azimuth and an elevation angle"),
+        (view.levels.is_some(), "a second level of ground", "[levels]", SMOOTH),
+        (view.yoke.is_some(), "roll", "[roll]", "its observer has an azimuth and an elevation angle"),
     ]
     .into_iter()
     .filter_map(|(is_there, what, place, why)| is_there.then_some(Lack { what, place, why }))

@@ -1,28 +1,22 @@
 //! Rows of the grid as waveforms: what the program worked out of each point, block by block.
 
 use generator::Stage;
-use hardware_model::Settings;
 use quantities::Timebase;
+use scenario::View;
 use signal::{Probe, Signal, Unit, Waveform, Wire};
 
 use crate::film::Film;
 use crate::projection::line;
 
+/// Place of a row along the line of sight, and of a point across it.
+pub(crate) const ALONG: &str = "lunsim.along";
+pub(crate) const ACROSS: &str = "lunsim.across";
+
 /// What can be looked at; a row of the grid stands for a sweep, its points for samples, from the nearest row and the
 /// leftmost point on.
-pub(crate) const SIGNALS: [Signal; 9] = [
-    Signal::ground(
-        "lunsim.along",
-        Unit::Metre,
-        "place of the row along the line of sight",
-        "appendix, block 10",
-    ),
-    Signal::ground(
-        "lunsim.across",
-        Unit::Metre,
-        "place of the point to the right of it",
-        "appendix, block 10",
-    ),
+pub(crate) static SIGNALS: [Signal; 9] = [
+    Signal::ground(ALONG, Unit::Metre, "place of the row along the line of sight", "appendix, block 10"),
+    Signal::ground(ACROSS, Unit::Metre, "place of the point to the right of it", "appendix, block 10"),
     Signal::ground(
         "lunsim.height",
         Unit::Metre,
@@ -48,20 +42,18 @@ pub(crate) const SIGNALS: [Signal; 9] = [
 ];
 
 /// Clocks for as many rows and points as the grid has: the program had none, so the rows part a frame evenly.
-pub(crate) fn timebase(settings: &Settings) -> Timebase {
-    let (update, grid) = (settings.timebase.update, settings.lunsim.grid);
-    Timebase::new(update, update, grid, grid, 0).unwrap_or(settings.timebase)
+pub(crate) fn timebase(view: &View, grid: u32) -> Option<Timebase> {
+    Timebase::new(view.update, view.update, grid, grid, 0).ok()
 }
 
 /// The wires of a stage whose ground lies between the heights `low` and `high` (m). Numbers of a program have no voltage.
-pub(crate) fn wires(stage: &Stage, [low, high]: [f64; 2]) -> Vec<Wire> {
-    let Stage { settings, .. } = stage;
+pub(crate) fn wires(stage: &Stage, codes: u32, [low, high]: [f64; 2]) -> Vec<Wire> {
     let wire = |signal: &Signal| {
         let [datum, full_scale] = match (signal.unit, signal.name) {
             (Unit::Metre, "lunsim.height") => [0.5 * (low + high), (0.5 * (high - low)).max(1.0)],
-            (Unit::Metre, _) => [0.0, settings.range.end],
+            (Unit::Metre, _) => [0.0, stage.view.ranges[1]],
             (Unit::Line, _) => [0.0, crate::POSITIONS as f64],
-            (Unit::Number, _) => [0.0, f64::from(settings.lunsim.intensity_codes - 1)],
+            (Unit::Number, _) => [0.0, f64::from(codes - 1)],
             _ => [0.0, 1.0],
         };
         Wire { signal: *signal, full_scale, volts: 0.0, datum }
@@ -96,8 +88,8 @@ pub(crate) fn record(frame: u64, size: usize, film: Option<&Film<'_>>, probe: &m
 /// How the signal called `name` is read off a film, at a row and a column.
 fn reading(name: &str) -> fn(&Film<'_>, usize, usize) -> f64 {
     match name {
-        "lunsim.along" => |film, row, column| film.grid.place(row, column)[0],
-        "lunsim.across" => |film, row, column| film.grid.place(row, column)[1],
+        ALONG => |film, row, column| film.grid.place(row, column)[0],
+        ACROSS => |film, row, column| film.grid.place(row, column)[1],
         "lunsim.height" => |film, row, column| film.grid.heights[row * film.grid.size + column],
         "lunsim.slope.along" => |film, row, column| film.grid.slopes(row, column)[0],
         "lunsim.slope.across" => |film, row, column| film.grid.slopes(row, column)[1],

@@ -1,12 +1,11 @@
 //! LUNSIM as a generator: from a stage and a pose to the planes of a frame, block by block.
 
 use generator::{
-    FrameCounts, FrameError, Generator, Omission, Planes, PrepareError, Session as GeneratorSession, Stage,
-    check_eye,
+    Counter, FrameCounts, FrameError, Generator, Joined, Omission, Planes, PrepareError, Scan,
+    Session as GeneratorSession, Stage, Timed, check_eye,
 };
-use hardware_model::Settings;
-use quantities::Timebase;
-use scenario::Pose;
+use scenario::{Pose, View};
+use serde_json::{Value, json};
 use signal::{Probe, Signal, Wire};
 
 use crate::area::{self, ViewedArea};
@@ -16,11 +15,20 @@ use crate::light::{Lit, light};
 use crate::observer::Observer;
 use crate::projection::Plot;
 use crate::shadow::March;
-use crate::{NAME, restrictions, rows};
+use crate::{Hardware, NAME, Parameters, Program, restrictions, rows};
 
 /// The program of the report's appendix; see the crate's data sheet.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Lunsim;
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Lunsim {
+    /// Run parameters.
+    pub parameters: Parameters,
+    /// The machines it ran on.
+    pub hardware: Hardware,
+}
+
+/// Points of the grid, and craters whose bounding squares meet the viewed area.
+const COUNTERS: [Counter; 2] =
+    [Counter { name: "samples", joined: Joined::Sum }, Counter { name: "features", joined: Joined::Sum }];
 
 impl Generator for Lunsim {
     fn name(&self) -> &'static str {
@@ -31,18 +39,33 @@ impl Generator for Lunsim {
         &rows::SIGNALS
     }
 
-    fn timebase(&self, settings: &Settings) -> Timebase {
-        rows::timebase(settings)
+    fn counters(&self) -> &'static [Counter] {
+        &COUNTERS
+    }
+
+    fn scan(&self, view: &View) -> Option<Scan> {
+        let timebase = rows::timebase(view, self.parameters.grid)?;
+        Some(Scan { line: "row", timebase, place: rows::ACROSS, ahead: Some(rows::ALONG) })
+    }
+
+    fn record(&self) -> Value {
+        let Parameters { grid, intensity_codes, restrictions } = self.parameters;
+        json!({ "grid": grid, "intensity_codes": intensity_codes, "restrictions": restrictions })
     }
 
     fn prepare(&self, stage: Stage) -> Result<Box<dyn GeneratorSession>, PrepareError> {
-        Ok(Box::new(Session::new(stage)?))
+        Ok(Box::new(Session::new(stage, self.parameters)?))
+    }
+
+    fn timed(&self, stage: Stage) -> Result<Option<Box<dyn Timed>>, PrepareError> {
+        Ok(Some(Box::new(Program::new(stage, self)?)))
     }
 }
 
 /// The program made ready for one stage.
 pub(crate) struct Session {
     stage: Stage,
+    parameters: Parameters,
     heights: [f64; 2],
 }
 
@@ -75,25 +98,24 @@ impl GeneratorSession for Session {
         planes: &mut Planes,
         probe: &mut Probe,
     ) -> Result<FrameCounts, FrameError> {
-        let settings = &self.stage.settings;
-        let size = settings.lunsim.grid as usize;
+        let size = self.parameters.grid as usize;
         let Some(picture) = self.picture(frame, pose)? else {
             planes.fill_sky();
             rows::record(frame, size, None, probe);
-            return Ok(FrameCounts::default());
+            return Ok(FrameCounts::of([("samples", 0), ("features", 0)]));
         };
         let film = picture.film();
-        film.develop(settings.laws.pixel_rule, planes);
+        film.develop(self.stage.view.laws.pixel_rule, planes);
         rows::record(frame, size, Some(&film), probe);
         let features = self.craters(&picture.observer, &picture.area) as u64;
-        Ok(FrameCounts { samples: (size * size) as u64, features, ..FrameCounts::default() })
+        Ok(FrameCounts::of([("samples", (size * size) as u64), ("features", features)]))
     }
 
     fn check(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {
-        let Stage { landscape, settings, .. } = &self.stage;
+        let Stage { landscape, view, .. } = &self.stage;
         check_eye(landscape, frame, pose)?;
-        match settings.lunsim.restrictions {
-            true => restrictions::check_pose(frame, pose, settings.raster.field),
+        match self.parameters.restrictions {
+            true => restrictions::check_pose(frame, pose, view.field),
             false => Ok(()),
         }
     }
@@ -103,7 +125,7 @@ impl GeneratorSession for Session {
     }
 
     fn wires(&self) -> Vec<Wire> {
-        rows::wires(&self.stage, self.heights)
+        rows::wires(&self.stage, self.parameters.intensity_codes, self.heights)
     }
 }
 
@@ -112,10 +134,15 @@ impl Session {
     ///
     /// # Errors
     /// If the program could not draw it.
-    pub fn new(stage: Stage) -> Result<Self, PrepareError> {
-        restrictions::check_stage(&stage)?;
+    pub fn new(stage: Stage, parameters: Parameters) -> Result<Self, PrepareError> {
+        restrictions::check_stage(&stage, &parameters)?;
         let heights = area::heights(&stage.landscape);
-        Ok(Self { stage, heights })
+        Ok(Self { stage, parameters, heights })
+    }
+
+    /// Its run parameters.
+    pub fn parameters(&self) -> &Parameters {
+        &self.parameters
     }
 
     /// What it is made ready for.
@@ -128,19 +155,19 @@ impl Session {
     /// # Errors
     /// If the pose cannot be drawn.
     pub fn picture(&self, frame: u64, pose: &Pose) -> Result<Option<Picture>, FrameError> {
-        let Stage { landscape, scenery, settings } = &self.stage;
+        let Stage { landscape, scenery, view } = &self.stage;
         self.check(frame, pose)?;
-        let observer = Observer::new(pose, settings.raster.field);
-        let curvature = settings.laws.curvature;
-        let (level, end) = (landscape.level(), settings.range.end);
+        let observer = Observer::new(pose, view.field);
+        let curvature = view.laws.curvature;
+        let (level, end) = (landscape.level(), view.ranges[1]);
         let Some(area) = area::viewed(&observer, level, self.heights, curvature, end) else {
             return Ok(None);
         };
-        let grid = Grid::new(landscape, &observer, &area, settings.lunsim.grid as usize, curvature);
+        let grid = Grid::new(landscape, &observer, &area, self.parameters.grid as usize, curvature);
         let sun = scenery.sun(pose.time);
-        let (light, march) = light(&grid, &observer, landscape, &sun, settings.shadows.is_some());
+        let (light, march) = light(&grid, &observer, landscape, &sun, view.shadows.is_some());
         let plot = Plot::new(&grid, &observer);
-        let codes = IntensityCodes { count: settings.lunsim.intensity_codes, white: settings.display.white };
+        let codes = IntensityCodes { count: self.parameters.intensity_codes, white: view.display.white };
         Ok(Some(Picture { observer, area, grid, light, plot, codes, march }))
     }
 

@@ -1,7 +1,8 @@
 //! What the machine has to do before frame 0, from the same units that a frame has.
 
+use crate::MachineStage;
 use dpu::{HOME_SETS, home_load};
-use generator::{FrameError, Stage};
+use generator::FrameError;
 use hardware_model::{CrossingServer, Settings, Yoke};
 use scenario::Pose;
 use timing::Task;
@@ -64,7 +65,7 @@ fn task(unit: &str, task: &str, pieces: u64, ticks: u64) -> Task {
 
 /// The yoke's motor from the upright picture to the first, if it has any way to go: pulses, or the whole way of one that has
 /// no steps.
-fn first_angle(stage: &Stage, angle: f64) -> Option<Task> {
+fn first_angle(stage: &MachineStage, angle: f64) -> Option<Task> {
     let Yoke { step, rate, .. } = stage.settings.yoke?;
     let pulses = if step > 0.0 { (angle / step).abs().round() as u64 } else { 1 };
     let seconds = angle.abs() / rate;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use generator::Stage;
+use crate::MachineStage;
 use hardware_model::{Forced, LevelSwitch, Loader};
 use landscape::Photometry;
 use remote_shadow::{Resolution, ShadowBank};
@@ -55,8 +55,8 @@ pub(crate) struct Coarse {
 
 impl Blocks {
     /// Blocks that `stage` needs, or all for which there is a source if nothing may be left out.
-    pub fn new(stage: &Stage) -> Self {
-        let Stage { landscape, scenery, settings } = stage;
+    pub fn new(stage: &MachineStage) -> Self {
+        let MachineStage { landscape, scenery, settings } = stage;
         let forces = |what| settings.economy.forces(what);
         let runs_idle = [Forced::Mixing, Forced::Features, Forced::Switches, Forced::Breaks];
         let has_bodies = !scenery.standing().is_empty();
@@ -94,7 +94,7 @@ impl Coarse {
 
 impl Shadows {
     /// The map of the controller is the finest level.
-    fn new(Stage { landscape, settings, .. }: &Stage, fineness: &ShadowFineness) -> Self {
+    fn new(MachineStage { landscape, settings, .. }: &MachineStage, fineness: &ShadowFineness) -> Self {
         let [south, west, north, east] = landscape.level().extent();
         let ShadowFineness { finest, angle, reach } = *fineness;
         let bank = ShadowBank::new(Arc::clone(landscape), Resolution { finest, angle });

@@ -2,8 +2,10 @@
 
 use std::f64::consts::PI;
 
+use crate::MachineStage;
+use crate::refusal::Refusal;
 use dpu::{CrossingService, Sector, Watch};
-use generator::{FrameError, Stage};
+use generator::FrameError;
 use landscape::{Level, Sun};
 use quantities::{degrees, sin_cos};
 use scenario::{FieldOfView, Pose};
@@ -33,8 +35,13 @@ pub(crate) struct FramePlan {
 
 impl FramePlan {
     /// Checks that the pose can be drawn and spreads the fan over `field`.
-    pub fn new(frame: u64, pose: &Pose, stage: &Stage, field: &FieldOfView) -> Result<Self, FrameError> {
-        let Stage { landscape, scenery, settings } = stage;
+    pub fn new(
+        frame: u64,
+        pose: &Pose,
+        stage: &MachineStage,
+        field: &FieldOfView,
+    ) -> Result<Self, FrameError> {
+        let MachineStage { landscape, scenery, settings } = stage;
         let [x, y, height] = pose.eye;
         // The machine starts on its finest level; what only coarser levels store is far ground.
         let on_fine = landscape.level().locate(x, y).and_then(|_| landscape.height(x, y));
@@ -146,5 +153,5 @@ fn way_to_edge(level: &Level, foot: [f64; 2], direction: [f64; 2]) -> f64 {
 }
 
 fn pitch_error(frame: u64, pitch: f64) -> FrameError {
-    FrameError::Pitch { frame, pitch_deg: degrees(pitch), limit_deg: degrees(Fan::steepest()) }
+    Refusal::Pitch { pitch_deg: degrees(pitch), limit_deg: degrees(Fan::steepest()) }.of(frame)
 }

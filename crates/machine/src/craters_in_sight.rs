@@ -1,7 +1,7 @@
 //! Craters of a frame that can be told, group by group (economy `Swift`).
 
+use crate::MachineStage;
 use features::{LeftOut, Outlook};
-use generator::Stage;
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 use signal::LANES;
 
@@ -27,7 +27,7 @@ pub(crate) struct CratersInSight {
 
 impl CratersInSight {
     /// Finds those of the frame of `plan`, up to the end of its sweeps.
-    pub fn find(&mut self, stage: &Stage, plan: &FramePlan) {
+    pub fn find(&mut self, stage: &MachineStage, plan: &FramePlan) {
         let features = stage.landscape.features();
         let origin = [plan.eye[0], plan.eye[1]];
         let outlook = outlook(stage, plan);
@@ -76,7 +76,7 @@ impl CratersInSight {
     }
 }
 
-fn outlook(stage: &Stage, plan: &FramePlan) -> Outlook {
+fn outlook(stage: &MachineStage, plan: &FramePlan) -> Outlook {
     let raster = stage.settings.raster;
     let cell = 2.0 * raster.field.tan_half_height / f64::from(raster.lines);
     let ground = stage.landscape.height(plan.eye[0], plan.eye[1]);

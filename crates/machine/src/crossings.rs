@@ -1,7 +1,7 @@
 //! Sweep programs of both terrain generators: what the signal plane runs and what the timing record is made of.
 
+use crate::MachineStage;
 use dpu::{CrossingService, MissingCorner, Watch};
-use generator::Stage;
 use hardware_model::{Loader, Settings};
 use landscape::Level;
 use sweep_generator::RangeTable;
@@ -13,7 +13,7 @@ use crate::control_plane::FramePlan;
 /// The service of the crossings in one frame.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Crossings<'a> {
-    pub stage: &'a Stage,
+    pub stage: &'a MachineStage,
     pub coarse: Option<&'a Coarse>,
     pub table: &'a RangeTable,
     pub plan: &'a FramePlan,

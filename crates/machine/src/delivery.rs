@@ -1,6 +1,7 @@
 //! What the I/O processors bring for a frame before its sweeps run: shadow gates, polyhedra and craters (section 17).
 
-use generator::{FrameError, Stage};
+use crate::MachineStage;
+use generator::FrameError;
 use glam::DVec3;
 use hardware_model::ShadowParts;
 use landscape::Attitude;
@@ -18,6 +19,7 @@ use crate::control_plane::FramePlan;
 use crate::craters_in_sight::CratersInSight;
 use crate::feature_loads::load_timing;
 use crate::raster::WrittenRaster;
+use crate::refusal::Refusal;
 use crate::sight::InSight;
 
 /// Data of a frame, by sweep; the buffers are kept from frame to frame.
@@ -37,7 +39,7 @@ pub(crate) struct Delivery {
 
 /// What deliveries are made from.
 pub(crate) struct Supply<'a> {
-    pub stage: &'a Stage,
+    pub stage: &'a MachineStage,
     pub blocks: &'a Blocks,
     pub footings: &'a Footings,
     pub plan: &'a FramePlan,
@@ -79,7 +81,7 @@ impl Supply<'_> {
     pub fn check_cache(&self) -> Result<(), FrameError> {
         let failure = self.blocks.shadows.as_ref().and_then(|shadows| shadows.bank.take_cache_failure());
         failure.map_or(Ok(()), |error| {
-            Err(FrameError::ShadowCache { frame: self.plan.frame, reason: error.to_string() })
+            Err(Refusal::ShadowCache { reason: error.to_string() }.of(self.plan.frame))
         })
     }
 

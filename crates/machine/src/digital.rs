@@ -2,9 +2,9 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
+use crate::MachineStage;
 use data_bank::{DataBank, Demand, FrameSupply, corners_of, nearest_first};
 use dpu::{CpuFrame, CpuLoad, CrossingTime, MissingCorner, Sector, cpu_frame, held_by_set_ups};
-use generator::Stage;
 use hardware_model::{CrossingServer, DataBanks, Settings};
 use landscape::Level;
 use quantities::{SweepTime, Tick, wrap_heading};
@@ -71,17 +71,17 @@ impl DigitalFrame {
 }
 
 /// Start of sweep `sweep` of frame `frame`; one more than the last is the end of the frame.
-fn start_of(stage: &Stage, frame: u64, sweep: u32) -> Tick {
+fn start_of(stage: &MachineStage, frame: u64, sweep: u32) -> Tick {
     stage.settings.timebase.sweep_clock(frame, sweep).tick_at_or_after(SweepTime(0.0))
 }
 
 /// Length of a frame in master ticks.
-pub(crate) fn frame_ticks(stage: &Stage, frame: u64) -> [Tick; 2] {
+pub(crate) fn frame_ticks(stage: &MachineStage, frame: u64) -> [Tick; 2] {
     [start_of(stage, frame, 0), start_of(stage, frame, stage.settings.raster.sweeps)]
 }
 
 impl Digital {
-    pub fn new(stage: &Stage) -> Self {
+    pub fn new(stage: &MachineStage) -> Self {
         let settings = &stage.settings;
         let history = |number: usize| {
             let bank = bank_of(stage, number)?;
@@ -100,7 +100,7 @@ impl Digital {
     /// The digital side of the frame of `plan`.
     pub fn frame(
         &self,
-        stage: &Stage,
+        stage: &MachineStage,
         blocks: &Blocks,
         raster: &WrittenRaster,
         crossings: &Crossings<'_>,
@@ -130,7 +130,7 @@ impl Digital {
 }
 
 /// The data bank of a level as a mission finds it, where words are not all at hand.
-fn bank_of(stage: &Stage, number: usize) -> Option<DataBank> {
+fn bank_of(stage: &MachineStage, number: usize) -> Option<DataBank> {
     let Settings { data_banks, seed, .. } = &stage.settings;
     let DataBanks { drum, channels, buffer_words } = *data_banks;
     let level = stage.landscape.bank().levels().get(number)?;
@@ -138,7 +138,7 @@ fn bank_of(stage: &Stage, number: usize) -> Option<DataBank> {
 }
 
 /// Ground range up to which a level is drawn (m).
-fn reach(stage: &Stage, blocks: &Blocks, number: usize) -> f64 {
+fn reach(stage: &MachineStage, blocks: &Blocks, number: usize) -> f64 {
     let end = stage.settings.range.end;
     match (number, &blocks.coarse) {
         (0, Some(coarse)) => coarse.switch.range.min(end),
@@ -148,7 +148,7 @@ fn reach(stage: &Stage, blocks: &Blocks, number: usize) -> f64 {
 
 /// What the data banks of the fine and of the coarse level have to bring before the mission, where there are any.
 pub(crate) fn first_loads(
-    stage: &Stage,
+    stage: &MachineStage,
     blocks: &Blocks,
     raster: &WrittenRaster,
 ) -> [Option<FrameSupply>; 2] {
@@ -163,7 +163,7 @@ pub(crate) fn first_loads(
 
 /// What the frames of a mission can see of one level.
 struct Sight<'a> {
-    stage: &'a Stage,
+    stage: &'a MachineStage,
     raster: &'a WrittenRaster,
     level: &'a Level,
     /// Ground range up to which the level is drawn (m).
@@ -213,13 +213,13 @@ impl Sight<'_> {
 }
 
 /// Starts of the sweeps of a frame and its end, in ticks from its start.
-fn starts(stage: &Stage, frame: u64) -> Vec<u64> {
+fn starts(stage: &MachineStage, frame: u64) -> Vec<u64> {
     let first = start_of(stage, frame, 0).0;
     (0..=stage.settings.raster.sweeps).map(|sweep| start_of(stage, frame, sweep).0 - first).collect()
 }
 
 /// With one level of interrupts the crossings of a sweep wait until the set-up that runs in it is done.
-fn held(stage: &Stage, starts: &[u64]) -> Vec<u64> {
+fn held(stage: &MachineStage, starts: &[u64]) -> Vec<u64> {
     let settings = &stage.settings;
     let waits = settings.loader.served_by == CrossingServer::CpuInterrupt && settings.cpu.has_one_level();
     if waits { held_by_set_ups(&settings.cpu, starts) } else { Vec::new() }
@@ -227,7 +227,7 @@ fn held(stage: &Stage, starts: &[u64]) -> Vec<u64> {
 
 /// The processor's frame. What the crossings of each sweep take of it is worked out first: their interrupts and words where
 /// it serves them itself, the memory cycles of their words where these go through its memory.
-fn processor(stage: &Stage, crossings: &Crossings<'_>, starts: &[u64], vertices: u64) -> CpuFrame {
+fn processor(stage: &MachineStage, crossings: &Crossings<'_>, starts: &[u64], vertices: u64) -> CpuFrame {
     let settings = &stage.settings;
     let serves = settings.loader.served_by == CrossingServer::CpuInterrupt;
     let taken = |sweep: u32| {

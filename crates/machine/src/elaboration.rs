@@ -1,33 +1,58 @@
-//! From a stage to a machine that holds only what the stage needs.
+//! The hybrid machine as a generator.
 
-use generator::{Generator, PrepareError, Session, Stage};
-use scenario::Scalar;
+use generator::{Counter, Generator, PrepareError, Scan, Session, Stage, Timed};
+use hardware_model::Settings;
+use scenario::View;
+use serde_json::Value;
 use signal::Signal;
 
+use crate::MachineStage;
+use crate::counts::COUNTERS;
 use crate::record::signals;
-use crate::session::Elaborated;
+use crate::settings_record::settings_record;
+use crate::stage::scan;
+use crate::timing::ControlPlane;
 
-/// The hybrid machine of the report.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct HybridMachine;
+/// The hybrid machine of the report, made of the parts that its settings name.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HybridMachine {
+    settings: Settings,
+}
+
+impl HybridMachine {
+    /// The machine of these settings.
+    pub fn new(settings: Settings) -> Self {
+        Self { settings }
+    }
+}
 
 impl Generator for HybridMachine {
     fn name(&self) -> &'static str {
         "hybrid"
     }
 
+    fn counters(&self) -> &'static [Counter] {
+        COUNTERS
+    }
+
     fn signals(&self) -> &'static [Signal] {
         signals()
     }
 
-    fn is_machine(&self) -> bool {
-        true
+    fn scan(&self, _: &View) -> Option<Scan> {
+        Some(scan(&self.settings))
+    }
+
+    fn record(&self) -> Value {
+        settings_record(&self.settings)
     }
 
     fn prepare(&self, stage: Stage) -> Result<Box<dyn Session>, PrepareError> {
-        Ok(match stage.settings.scalar {
-            Scalar::F32 => Box::new(Elaborated::<f32>::new(stage)),
-            Scalar::F64 => Box::new(Elaborated::<f64>::new(stage)),
-        })
+        Ok(MachineStage::new(stage, self.settings.clone())?.prepare())
+    }
+
+    fn timed(&self, stage: Stage) -> Result<Option<Box<dyn Timed>>, PrepareError> {
+        let stage = MachineStage::new(stage, self.settings.clone())?;
+        Ok(Some(Box::new(ControlPlane::new(stage))))
     }
 }

@@ -1,7 +1,7 @@
 //! Craters of a sweep and the loads of their words.
 
+use crate::MachineStage;
 use feature_generator::{CRATER_WORDS, FeatureProgram, Schedule};
-use generator::Stage;
 use hardware_model::{LatePolicy, Settings};
 use quantities::SweepTime;
 use sweep_generator::RangeTable;
@@ -12,7 +12,7 @@ use crate::control_plane::FramePlan;
 /// The schedule of the feature generator in one frame.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct FeatureLoads<'a> {
-    pub stage: &'a Stage,
+    pub stage: &'a MachineStage,
     pub table: &'a RangeTable,
     pub plan: &'a FramePlan,
     /// The craters that the sweeps can meet, where they are known.
@@ -40,12 +40,12 @@ impl FeatureLoads<'_> {
     }
 
     /// Whether loads take time, or sub-generators run out.
-    pub fn is_limited(stage: &Stage) -> bool {
+    pub fn is_limited(stage: &MachineStage) -> bool {
         stage.settings.feature_words.is_some() || stage.settings.feature_generator.sub_generators.is_some()
     }
 
     /// Whether any crater can come late, or find no sub-generator.
-    pub fn can_miss(stage: &Stage) -> bool {
+    pub fn can_miss(stage: &MachineStage) -> bool {
         Self::is_limited(stage) && !stage.landscape.features().is_empty()
     }
 
@@ -58,7 +58,7 @@ impl FeatureLoads<'_> {
 
 /// Loads of `words` words at `rate` words a second in sweep `sweep` of a frame.
 pub(crate) fn load_timing<'a>(
-    stage: &Stage,
+    stage: &MachineStage,
     table: &'a RangeTable,
     place: (u64, u32),
     words: u32,

@@ -2,7 +2,8 @@
 
 use std::borrow::Cow;
 
-use generator::{FrameError, Stage};
+use crate::MachineStage;
+use generator::FrameError;
 use hardware_model::{Loader, Settings, SweepMemoryKind};
 use quantities::SweepClock;
 use scenario::Pose;
@@ -23,7 +24,7 @@ use crate::workspace::idle_program;
 /// Sweep programs of one frame: with the set-ups that are ready and the corners that are there.
 #[derive(Debug)]
 pub struct FrameSweeps<'a> {
-    stage: Cow<'a, Stage>,
+    stage: Cow<'a, MachineStage>,
     coarse: Option<Coarse>,
     table: &'a RangeTable,
     plan: FramePlan,
@@ -72,12 +73,12 @@ impl ControlPlane {
     ) -> Result<FrameSweeps<'_>, FrameError> {
         let stage = self.stage().clone();
         let settings = Settings { loader: loader.clone(), ..stage.settings };
-        self.sweeps_of(Cow::Owned(Stage { settings, ..stage }), frame, pose)
+        self.sweeps_of(Cow::Owned(MachineStage { settings, ..stage }), frame, pose)
     }
 
     fn sweeps_of<'a>(
         &'a self,
-        stage: Cow<'a, Stage>,
+        stage: Cow<'a, MachineStage>,
         frame: u64,
         pose: &Pose,
     ) -> Result<FrameSweeps<'a>, FrameError> {

@@ -1,13 +1,14 @@
 //! What the elaborated machine leaves out, and what that does to the picture.
 
-use generator::{Omission, Stage, Weight};
+use crate::MachineStage;
+use generator::{Omission, Weight};
 use hardware_model::Economy;
 
 use crate::blocks::Blocks;
 use crate::real_parts::{beam_has_parts, mixing_has_parts};
 
 /// What a machine of these blocks leaves out.
-pub(crate) fn omissions(stage: &Stage, blocks: &Blocks) -> Vec<Omission> {
+pub(crate) fn omissions(stage: &MachineStage, blocks: &Blocks) -> Vec<Omission> {
     let mut list = absent_blocks(stage, blocks);
     let parts = &stage.settings.analog;
     let ideal = [
@@ -96,7 +97,7 @@ fn swift(blocks: &Blocks) -> Vec<Omission> {
 }
 
 /// Blocks without work.
-fn absent_blocks(stage: &Stage, blocks: &Blocks) -> Vec<Omission> {
+fn absent_blocks(stage: &MachineStage, blocks: &Blocks) -> Vec<Omission> {
     let rows = [
         (blocks.features, "feature-generator", "sub-generators and VS1", "the ground has no features"),
         (

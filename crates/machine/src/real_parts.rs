@@ -1,8 +1,8 @@
 //! What of the machine is made of real parts: a block whose parts are all ideal is its algebra, and nothing of this.
 
+use crate::MachineStage;
 use display_projection_processor::PartsProcessor;
 use feature_generator::PartsGenerator;
-use generator::Stage;
 use hardware_model::{AnalogParts, WriteCompensation};
 use landscape::Level;
 use mixing_unit::PartsMixer;
@@ -71,7 +71,7 @@ pub(crate) fn beam_has_parts(parts: &AnalogParts) -> bool {
 
 impl<S: Real> RealParts<S> {
     /// The parts that the model of `stage` names; `ranges` of the samples (m).
-    pub fn new(stage: &Stage, ranges: &[f64], raster: &WrittenRaster) -> Self {
+    pub fn new(stage: &MachineStage, ranges: &[f64], raster: &WrittenRaster) -> Self {
         let settings = &stage.settings;
         let (analog, seed, laws) = (&settings.analog, settings.seed, &settings.laws);
         let step = 1.0 / settings.timebase.sample_rate().hertz();
@@ -106,7 +106,7 @@ impl<S: Real> RealParts<S> {
 }
 
 impl<S: Real> Terrain<S> {
-    fn new(stage: &Stage, step: f64) -> Self {
+    fn new(stage: &MachineStage, step: f64) -> Self {
         let settings = &stage.settings;
         let array = |level: &Level, name| PartsArray::new(step, level, &settings.analog, settings.seed, name);
         let levels = stage.landscape.bank().levels();

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
+use crate::MachineStage;
 use display_projection_processor::Processor;
-use generator::{FrameCounts, FrameError, Omission, PlaneKind, Planes, Session, Stage};
+use generator::{FrameCounts, FrameError, Omission, PlaneKind, Planes, Session};
 use hardware_model::SweepMemoryKind;
 use polyhedron_generator::NearTable;
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
@@ -17,6 +18,7 @@ use sweep_program::{Event, Served, StepKind, SweepProgram};
 
 use crate::blocks::Blocks;
 use crate::control_plane::FramePlan;
+use crate::counts::MachineCounts;
 use crate::crossings::Crossings;
 use crate::delivery::{Delivery, Supply};
 use crate::digital::{Digital, DigitalFrame};
@@ -34,7 +36,7 @@ use crate::workspace::Workspace;
 
 /// The machine, its tables, and buffers that wait for the next frame.
 pub(crate) struct Elaborated<S> {
-    stage: Stage,
+    stage: MachineStage,
     blocks: Blocks,
     table: RangeTable,
     near: NearTable,
@@ -51,7 +53,7 @@ pub(crate) struct Elaborated<S> {
 }
 
 impl<S: Real> Elaborated<S> {
-    pub fn new(stage: Stage) -> Self {
+    pub fn new(stage: MachineStage) -> Self {
         let settings = &stage.settings;
         let table = RangeTable::new(&settings.range, settings.raster.samples as usize);
         let laws = &settings.laws;
@@ -186,7 +188,7 @@ impl<S: Real> Elaborated<S> {
     }
 
     /// Work that a sweep was: the same for any number of threads.
-    fn counts(&self, work: &Workspace<S>, lane: usize) -> FrameCounts {
+    fn counts(&self, work: &Workspace<S>, lane: usize) -> MachineCounts {
         let mut counts = terrain_counts(&work.programs[lane]);
         if self.blocks.coarse.is_some() {
             counts.add(&terrain_counts(&work.coarse[lane]));
@@ -198,7 +200,7 @@ impl<S: Real> Elaborated<S> {
             counts.features = drawn as u64;
             counts.dropped_features = u64::from(program.dropped);
         }
-        FrameCounts { sweeps: 1, samples: self.table.ranges().len() as u64, ..counts }
+        MachineCounts { sweeps: 1, samples: self.table.ranges().len() as u64, ..counts }
     }
 
     /// All sweeps of a frame, into `store`.
@@ -322,11 +324,11 @@ impl<S: Real> Elaborated<S> {
 /// What a group has to say beside its lines.
 #[derive(Default)]
 struct GroupResult {
-    counts: FrameCounts,
+    counts: MachineCounts,
     waveforms: Vec<Waveform>,
 }
 
-fn terrain_counts(program: &SweepProgram) -> FrameCounts {
+fn terrain_counts(program: &SweepProgram) -> MachineCounts {
     let [mut folds, mut loads] = [0; 2];
     for step in &program.steps {
         folds += u64::from(step.kind.fold().is_some());
@@ -337,13 +339,13 @@ fn terrain_counts(program: &SweepProgram) -> FrameCounts {
         };
     }
     let late = program.misses.iter().map(|miss| u64::from(miss.words.0.count_ones())).sum();
-    FrameCounts { folds, loads, late_words: late, ..FrameCounts::default() }
+    MachineCounts { folds, loads, late_words: late, ..MachineCounts::default() }
 }
 
 /// Work that the whole frame was, beside its sweeps.
-fn delivery_counts(delivery: &Delivery) -> FrameCounts {
+fn delivery_counts(delivery: &Delivery) -> MachineCounts {
     let gates = || delivery.gates.iter();
-    FrameCounts {
+    MachineCounts {
         shadow_toggles: gates().map(|gate| gate.toggles.len() as u64).sum(),
         dropped_segments: gates().map(|gate| u64::from(gate.dropped)).sum(),
         bodies: delivery.bodies,
@@ -354,7 +356,7 @@ fn delivery_counts(delivery: &Delivery) -> FrameCounts {
             .map(|cells| cells.ceil() as u64)
             .into_iter()
             .sum(),
-        ..FrameCounts::default()
+        ..MachineCounts::default()
     }
 }
 
@@ -388,14 +390,14 @@ impl<S: Real> Elaborated<S> {
             }
         };
         let regions = plan.visible_regions(self.stage.landscape.level(), settings.range.end);
-        let mut total = FrameCounts { regions: regions as u64, ..delivery_counts(&delivery) };
+        let mut total = MachineCounts { regions: regions as u64, ..delivery_counts(&delivery) };
         self.deliveries.give_back(delivery);
         let mut waveforms = Vec::new();
         for group in groups {
             total.add(&group.counts);
             waveforms.extend(group.waveforms);
         }
-        Ok((total, waveforms))
+        Ok((total.into(), waveforms))
     }
 }
 
@@ -422,5 +424,10 @@ impl<S: Real> Session for Elaborated<S> {
 
     fn wires(&self) -> Vec<Wire> {
         wires(&self.stage, &self.blocks, &self.raster)
+    }
+
+    fn direction(&self, frame: u64, pose: &Pose, line: u32) -> Result<Option<[f64; 2]>, FrameError> {
+        let plan = FramePlan::new(frame, pose, &self.stage, &self.raster.field)?;
+        Ok(Some(plan.direction(line)))
     }
 }

@@ -1,6 +1,6 @@
 //! Bodies that are near enough to be drawn (section 12; economy).
 
-use generator::Stage;
+use crate::MachineStage;
 use glam::DVec3;
 use polyhedron_generator::{LeftOut, Sight};
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
@@ -23,7 +23,7 @@ pub(crate) struct InSight {
 
 impl InSight {
     /// Bodies that stand at `time` (s).
-    pub fn of(stage: &Stage, blocks: &Blocks, plan: &FramePlan, time: f64) -> Self {
+    pub fn of(stage: &MachineStage, blocks: &Blocks, plan: &FramePlan, time: f64) -> Self {
         if !blocks.bodies {
             return Self::default();
         }
@@ -54,7 +54,7 @@ impl InSight {
 
     /// Of the bodies of the sector only those that a processor has ready which came as far as `vertices`, the nearest first. It
     /// has nothing to do for the others, whose shadows may fall into the sector.
-    pub fn keep_ready(&mut self, stage: &Stage, plan: &FramePlan, vertices: u64) {
+    pub fn keep_ready(&mut self, stage: &MachineStage, plan: &FramePlan, vertices: u64) {
         let body = |number: u32| &stage.scenery.standing()[number as usize].body;
         let eye = DVec3::from_array(plan.eye);
         let distance = |number: u32| body(number).centre.distance(eye);
@@ -85,7 +85,7 @@ fn is_ahead(eye: DVec3, [[ln, le], [rn, re]]: [[f64; 2]; 2], body: &Body) -> boo
 
 /// Vertices that the processor transforms for the frame at `time` (s): those of bodies that are as large as a resolution
 /// cell and in the sector of the sweeps, whatever else is drawn for the sake of economy.
-pub(crate) fn vertices(stage: &Stage, blocks: &Blocks, plan: &FramePlan, time: f64) -> u64 {
+pub(crate) fn vertices(stage: &MachineStage, blocks: &Blocks, plan: &FramePlan, time: f64) -> u64 {
     if !blocks.bodies {
         return 0;
     }
@@ -96,14 +96,14 @@ pub(crate) fn vertices(stage: &Stage, blocks: &Blocks, plan: &FramePlan, time: f
     stage.scenery.bodies(time).filter(|body| is_wanted(body)).map(|body| body.vertices().len() as u64).sum()
 }
 
-fn sight(stage: &Stage) -> Sight {
+fn sight(stage: &MachineStage) -> Sight {
     let raster = stage.settings.raster;
     Sight::new(f64::from(raster.lines), 2.0 * libm::atan(raster.field.tan_half_height))
 }
 
 /// Most pixels of the screen in a square resolution cell, which is as wide as a line is high: not less than 1, and
 /// more in the corners, where a pixel subtends less.
-pub(crate) fn pixels_a_cell(stage: &Stage) -> f64 {
+pub(crate) fn pixels_a_cell(stage: &MachineStage) -> f64 {
     let raster = stage.settings.raster;
     let FieldOfView { tan_half_width, tan_half_height } = raster.field;
     let columns = f64::from(raster.columns) / tan_half_width;

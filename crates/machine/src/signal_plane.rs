@@ -4,9 +4,9 @@ use std::array;
 use std::ops::Range;
 use std::slice;
 
+use crate::MachineStage;
 use display_projection_processor::{BrokenProfile, Deflection, Driven, Processor};
 use feature_generator::{FeatureGenerator, PartsGenerator};
-use generator::Stage;
 use hardware_model::{Gate, MixingParts};
 use landscape::{GroupLight, Level, SweepLight};
 use mixing_unit::{Composite, FeatureInput, Inputs, MixingUnit, ToggleList, terrain_alone};
@@ -34,7 +34,7 @@ use crate::workspace::Workspace;
 /// Everything that the groups of a frame share.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Group<'a, S> {
-    pub stage: &'a Stage,
+    pub stage: &'a MachineStage,
     pub blocks: &'a Blocks,
     pub table: &'a RangeTable,
     /// Inverse range of each sample (1/m).
@@ -203,7 +203,7 @@ impl<S: Real> Group<'_, S> {
         light: &[SweepLight; LANES],
         work: &mut Workspace<S>,
     ) {
-        let Stage { landscape, settings, .. } = self.stage;
+        let MachineStage { landscape, settings, .. } = self.stage;
         let ranges = self.table.ranges();
         let ends: [f64; LANES] = array::from_fn(|lane| self.end_range(lane, work));
         self.find_craters(sweeps, ends.into_iter().fold(0.0, f64::max), &mut work.craters);

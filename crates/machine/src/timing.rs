@@ -2,9 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use crate::MachineStage;
 use data_bank::FrameSupply;
 use dpu::{CpuTime, LineUse};
-use generator::{FrameError, Stage};
+use generator::FrameError;
 use hardware_model::{CrossingServer, ShadowParts};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use remote_shadow::Footings;
@@ -26,7 +27,7 @@ use crate::sweep_recorder::{SweepRecorder, sweep_ticks};
 /// The digital side of the machine alone: timing records without a picture.
 #[derive(Debug)]
 pub struct ControlPlane {
-    stage: Stage,
+    stage: MachineStage,
     blocks: Blocks,
     table: RangeTable,
     raster: WrittenRaster,
@@ -36,7 +37,7 @@ pub struct ControlPlane {
 
 impl ControlPlane {
     /// The control plane of a stage.
-    pub fn new(stage: Stage) -> Self {
+    pub fn new(stage: MachineStage) -> Self {
         let settings = &stage.settings;
         Self {
             blocks: Blocks::new(&stage),
@@ -97,7 +98,7 @@ impl ControlPlane {
         Ok(gates)
     }
 
-    pub(crate) fn stage(&self) -> &Stage {
+    pub(crate) fn stage(&self) -> &MachineStage {
         &self.stage
     }
 

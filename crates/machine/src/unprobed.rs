@@ -1,35 +1,19 @@
 //! The machine without probes: what probing nothing is measured against (`crates/benchmarks`).
 
-use generator::{FrameCounts, FrameError, Generator, Omission, Planes, PrepareError, Session, Stage};
+use generator::{FrameCounts, FrameError, Omission, Planes, Session};
 use scenario::{Pose, Scalar};
-use signal::{Probe, Real, Signal, Wire};
+use signal::{Probe, Real};
 
+use crate::MachineStage;
 use crate::session::Elaborated;
-
-/// The hybrid machine compiled without a word about probes. It has no signals, and records nothing.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct UnprobedMachine;
 
 struct Unprobed<S>(Elaborated<S>);
 
-impl Generator for UnprobedMachine {
-    fn name(&self) -> &'static str {
-        "hybrid, without probes"
-    }
-
-    fn signals(&self) -> &'static [Signal] {
-        &[]
-    }
-
-    fn is_machine(&self) -> bool {
-        true
-    }
-
-    fn prepare(&self, stage: Stage) -> Result<Box<dyn Session>, PrepareError> {
-        Ok(match stage.settings.scalar {
-            Scalar::F32 => Box::new(Unprobed(Elaborated::<f32>::new(stage))),
-            Scalar::F64 => Box::new(Unprobed(Elaborated::<f64>::new(stage))),
-        })
+/// Elaborates the machine compiled without a word about probes. It has no signals, and records nothing.
+pub fn prepare_unprobed(stage: MachineStage) -> Box<dyn Session> {
+    match stage.settings.scalar {
+        Scalar::F32 => Box::new(Unprobed(Elaborated::<f32>::new(stage))),
+        Scalar::F64 => Box::new(Unprobed(Elaborated::<f64>::new(stage))),
     }
 }
 
@@ -50,9 +34,5 @@ impl<S: Real> Session for Unprobed<S> {
 
     fn omissions(&self) -> Vec<Omission> {
         self.0.omissions()
-    }
-
-    fn wires(&self) -> Vec<Wire> {
-        Vec::new()
     }
 }

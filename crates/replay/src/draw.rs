@@ -7,20 +7,20 @@ use std::sync::{Mutex, PoisonError};
 use std::thread;
 
 use generator::{PlaneKind, Planes, Session};
-use hardware_model::Settings;
 use landscape::Attitude;
 use picture::{Encoder, GreyPicture, PictureError, encode_png};
 use quantities::degrees;
 use rayon::ThreadPool;
-use scenario::PoseRow;
+use scenario::{PoseRow, View};
 use signal::Probe;
 
 use crate::folder::{RunFolder, picture_name};
-use crate::held::{FileRecord, FrameRecord, hash};
+use crate::held::FrameRecord;
 use crate::job::{Control, Progress};
 use crate::journal::Journal;
 use crate::performance::StepTimes;
 use crate::{Program, ReplayError};
+use run_record::{FileRecord, hash};
 
 /// More frames on their way than threads, so that threads draw while frames are written.
 const FRAMES_BEYOND_THREADS: usize = 2;
@@ -28,7 +28,7 @@ const FRAMES_BEYOND_THREADS: usize = 2;
 /// Everything that a frame needs beside its pose.
 pub(crate) struct Drawing<'a> {
     pub session: &'a dyn Session,
-    pub settings: &'a Settings,
+    pub view: &'a View,
     pub program: &'a Program,
     pub encoder: Encoder,
     /// Pictures that the tube shows of one update; 1 where only updates are kept.
@@ -50,7 +50,7 @@ pub(crate) fn draw_all(
 ) -> Result<BTreeMap<u64, FrameRecord>, ReplayError> {
     let ledger = Ledger { done: AtomicU64::new(kept), ..Ledger::default() };
     let carry = || {
-        let raster = &drawing.settings.raster;
+        let raster = drawing.view;
         let kinds = [PlaneKind::Intensity];
         let mut planes = Planes::new(raster.columns as usize, raster.lines as usize, &kinds);
         while !control.cancel.load(Ordering::Relaxed) {
@@ -141,7 +141,7 @@ impl Drawing<'_> {
 
     fn png(&self, row: &PoseRow, index: u64, picture: &GreyPicture) -> Result<Vec<u8>, PictureError> {
         let is_update = self.showings == 1;
-        let rate = if is_update { self.settings.timebase.update } else { self.settings.raster.refresh };
+        let rate = if is_update { self.view.update } else { self.view.refresh };
         let [x, y, z] = row.pose.eye;
         let Attitude { roll, pitch, heading } = row.pose.attitude;
         let [heading, pitch, roll] = [heading, pitch, roll].map(degrees);

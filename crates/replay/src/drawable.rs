@@ -21,9 +21,9 @@ impl Job<'_> {
 
     /// Eye and attitude of `frames`.
     pub(crate) fn poses(&self, frames: Range<u64>) -> Result<PoseTable, PathProblems> {
-        let settings = &self.stage.settings;
-        let update = settings.timebase.update;
-        PoseTable::resolve(self.scenario, &self.stage.landscape, update, settings.yoke, frames)
+        let view = &self.stage.view;
+        let update = view.update;
+        PoseTable::resolve(self.scenario, &self.stage.landscape, update, view.yoke, frames)
     }
 
     /// The generator made ready by the threads of `pool`.

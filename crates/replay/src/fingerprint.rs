@@ -3,10 +3,11 @@
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::held::hash;
+use crate::ground_record::{GroundRecord, sun, vehicle, waypoints_hash};
 use crate::job::Job;
 use crate::scenery_record::SceneryRecord;
-use crate::settings_record::{GroundRecord, SettingsRecord, sun, vehicle, waypoints_hash};
+use crate::view_record::ViewRecord;
+use run_record::hash;
 
 /// Program, generator, settings, ground, scenery, light, path: not the range of frames, which may grow, and not the words
 /// of the scenario, which may be commented.
@@ -14,12 +15,14 @@ pub(crate) fn fingerprint(
     job: &Job,
     ground: &GroundRecord,
     scenery: &SceneryRecord,
-    settings: &SettingsRecord,
+    view: &ViewRecord,
+    settings: &Value,
 ) -> String {
     let document = json!({
         "program": value(&job.program),
         "generator": job.generator.name(),
-        "settings": value(settings),
+        "view": value(view),
+        "settings": settings,
         "ground": ground_alone(ground),
         "scenery": value(scenery),
         "sun": sun(&job.stage.scenery.sun(0.0)),

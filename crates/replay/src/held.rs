@@ -5,8 +5,9 @@ use std::io::Write;
 use std::ops::Range;
 use std::path::{Component, Path, PathBuf};
 
-use generator::FrameCounts;
+use generator::{Counter, FrameCounts};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
+use run_record::{FileRecord, MAX_BYTES, hash};
 use serde::{Deserialize, Serialize};
 
 use crate::ReplayError;
@@ -14,22 +15,10 @@ use crate::folder::is_of_run;
 use crate::journal::{self, JOURNAL};
 
 /// Schema of `run.json`.
-pub(crate) const RUN_SCHEMA: &str = "lunoid.run/1";
+pub(crate) const RUN_SCHEMA: &str = "lunoid.run/2";
 
 /// Record of a run, in its folder.
 pub const RUN_RECORD: &str = "run.json";
-
-/// Largest file of a run that is read back.
-pub(crate) const MAX_BYTES: u64 = 1 << 32;
-
-/// One file of a run.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub struct FileRecord {
-    /// Path from the run folder, with `/`.
-    pub file: String,
-    /// BLAKE3 of its bytes, hexadecimal.
-    pub blake3: String,
-}
 
 /// One update: what the machine computed once, shown in one file, or in several at a higher refresh rate.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -110,9 +99,12 @@ impl HeldRun {
 }
 
 /// The work of all frames.
-pub(crate) fn total_work<'a>(frames: impl IntoIterator<Item = &'a FrameRecord>) -> FrameCounts {
+pub(crate) fn total_work<'a>(
+    frames: impl IntoIterator<Item = &'a FrameRecord>,
+    counters: &[Counter],
+) -> FrameCounts {
     let mut total = FrameCounts::default();
-    frames.into_iter().for_each(|frame| total.add(&frame.counts));
+    frames.into_iter().for_each(|frame| total.join(&frame.counts, counters));
     total
 }
 
@@ -124,26 +116,6 @@ pub(crate) fn stays_inside(file: &str) -> bool {
 /// First and end of ascending frames.
 pub(crate) fn frame_range(frames: &[FrameRecord]) -> Option<Range<u64>> {
     Some(frames.first()?.frame..frames.last()?.frame + 1)
-}
-
-/// BLAKE3 of a file, hexadecimal.
-///
-/// # Errors
-/// If the file cannot be read.
-pub fn file_hash(path: &Path) -> Result<String, ReplayError> {
-    Ok(hash(&files::read_all(path, MAX_BYTES)?))
-}
-
-/// BLAKE3 of bytes, hexadecimal.
-pub(crate) fn hash(bytes: &[u8]) -> String {
-    blake3::hash(bytes).to_hex().to_string()
-}
-
-impl FileRecord {
-    /// Whether the file in `folder` is what the record says; a missing or unreadable one is not.
-    pub(crate) fn is_whole(&self, folder: &Path) -> bool {
-        file_hash(&folder.join(&self.file)).is_ok_and(|found| found == self.blake3)
-    }
 }
 
 /// Those of `listed` whose files in `folder` are what the record says; by the threads of the current pool.

@@ -1,16 +1,17 @@
 //! What is to be drawn, and under whose control.
 
 use std::ops::Range;
+use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use generator::{Generator, Stage};
-use hardware_model::EffectiveValue;
 use picture::Depth;
 use rayon::ThreadPool;
+use run_record::Inputs;
 use scenario::Scenario;
 use serde::Serialize;
 
-use crate::{FileRecord, Phase};
+use crate::Phase;
 
 /// The program that draws, for the record.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -23,21 +24,6 @@ pub struct Program {
     pub commit: String,
     /// Result family: runs of one family are equal to the bit.
     pub result_family: String,
-}
-
-/// Files that a run was made from, for the record; paths as the user gave them.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Inputs {
-    /// The scenario file.
-    pub scenario: Option<FileRecord>,
-    /// Files that it refers to: bank, path.
-    pub references: Vec<FileRecord>,
-    /// Name of the hardware model.
-    pub model: String,
-    /// Files of the model, the lowest base first.
-    pub model_files: Vec<FileRecord>,
-    /// The effective model.
-    pub model_values: Vec<EffectiveValue>,
 }
 
 /// How frames become files.
@@ -61,8 +47,8 @@ pub struct Job<'a> {
     /// The mission.
     pub scenario: &'a Scenario,
     /// The image generator.
-    pub generator: &'a dyn Generator,
-    /// Ground, light, settings.
+    pub generator: Arc<dyn Generator>,
+    /// World and view.
     pub stage: Stage,
     /// Frames to draw, counted at the update rate.
     pub frames: Range<u64>,

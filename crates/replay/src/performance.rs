@@ -4,6 +4,7 @@ use std::fs;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
+use generator::Counter;
 use quantities::Rate;
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -59,9 +60,9 @@ pub(crate) fn performance(
     threads: usize,
     drawn: &[&FrameRecord],
     drawing: f64,
-    update: Rate,
+    (update, counters): (Rate, &[Counter]),
 ) -> Value {
-    let work = total_work(drawn.iter().copied());
+    let work = total_work(drawn.iter().copied(), counters);
     let frames_per_s = drawn.len() as f64 / drawing;
     json!({
         "schema": "lunoid.performance/1",
@@ -70,7 +71,7 @@ pub(crate) fn performance(
         "frames_drawn": drawn.len(),
         "drawing_s": drawing,
         "frames_per_s": frames_per_s,
-        "samples_per_s": work.samples as f64 / drawing,
+        "samples_per_s": work.get("samples").unwrap_or(0) as f64 / drawing,
         "real_time_factor": frames_per_s / update.hertz(),
         "steps_of_all_frames_s": {
             "draw": steps.draw.seconds(),

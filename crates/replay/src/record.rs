@@ -8,10 +8,12 @@ use scenario::{Limit, LimitReport};
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::held::{FileRecord, FrameRecord, RUN_SCHEMA, total_work};
+use crate::ground_record::{GroundRecord, sun, vehicle, waypoints_hash};
+use crate::held::{FrameRecord, RUN_SCHEMA, total_work};
 use crate::job::{Job, Program};
 use crate::scenery_record::SceneryRecord;
-use crate::settings_record::{GroundRecord, SettingsRecord, sun, vehicle, waypoints_hash};
+use crate::view_record::ViewRecord;
+use run_record::FileRecord;
 
 /// The record of a run, in the order in which it is read. Equal for equal inputs: no clock, no threads.
 #[derive(Serialize)]
@@ -23,13 +25,16 @@ pub(crate) struct RunRecord<'a> {
     scenario: Value,
     references: &'a [FileRecord],
     generator: &'static str,
+    /// Word for one line of its signals; nothing where it has none.
+    line: Option<&'static str>,
     model: Value,
     ground: &'a GroundRecord,
     scenery: &'a SceneryRecord,
     sun: Value,
     vehicle: Value,
     path: Value,
-    settings: &'a SettingsRecord,
+    view: &'a ViewRecord,
+    settings: &'a Value,
     pictures: Value,
     omissions: Vec<Value>,
     limits: Vec<Value>,
@@ -46,7 +51,8 @@ pub(crate) struct Finished<'a> {
     pub fingerprint: &'a str,
     pub ground: &'a GroundRecord,
     pub scenery: &'a SceneryRecord,
-    pub settings: &'a SettingsRecord,
+    pub view: &'a ViewRecord,
+    pub settings: &'a Value,
     pub omissions: &'a [Omission],
     pub limits: &'a [LimitReport],
     pub range: &'a Range<u64>,
@@ -68,6 +74,7 @@ impl<'a> RunRecord<'a> {
             scenario: scenario_record(job),
             references: &inputs.references,
             generator: job.generator.name(),
+            line: job.generator.scan(&job.stage.view).map(|scan| scan.line),
             model: model(job),
             ground: finished.ground,
             scenery: finished.scenery,
@@ -77,6 +84,7 @@ impl<'a> RunRecord<'a> {
                 "waypoints": job.scenario.path.waypoints().len(),
                 "waypoints_blake3": waypoints_hash(job.scenario),
             }),
+            view: finished.view,
             settings: finished.settings,
             pictures: json!({
                 "kind": "grey PNG",
@@ -86,7 +94,7 @@ impl<'a> RunRecord<'a> {
             omissions: finished.omissions.iter().map(omission).collect(),
             limits: finished.limits.iter().map(limit).collect(),
             range: [finished.range.start, finished.range.end],
-            totals: total_work(finished.frames),
+            totals: total_work(finished.frames, job.generator.counters()),
             check: finished.check,
             frames: finished.frames,
             outputs: finished.outputs,
@@ -105,11 +113,13 @@ pub(crate) fn scenario_record(job: &Job) -> Value {
 }
 
 fn model(job: &Job) -> Value {
-    let value = |value: &hardware_model::EffectiveValue| json!({ "key": value.key, "value": value.value, "origin": value.origin });
+    let values = job.inputs.model_values.iter();
+    let values =
+        values.map(|value| json!({ "key": value.key, "value": value.value, "origin": value.origin }));
     json!({
         "name": job.inputs.model,
         "files": job.inputs.model_files,
-        "values": job.inputs.model_values.iter().map(value).collect::<Vec<_>>(),
+        "values": values.collect::<Vec<_>>(),
     })
 }
 

@@ -18,15 +18,15 @@ use crate::draw::{Drawing, draw_all};
 use crate::film::{sheet, write_film};
 use crate::fingerprint::fingerprint;
 use crate::folder::{ANIMATION, CAMERA, CONTACT_SHEET, FRAMES, PERFORMANCE, POSES, RunFolder};
-use crate::held::{
-    FileRecord, FrameRecord, HeldRun, MAX_BYTES, RUN_RECORD, file_hash, frame_range, whole, write_changed,
-};
+use crate::ground_record::GroundRecord;
+use crate::held::{FrameRecord, HeldRun, RUN_RECORD, frame_range, whole, write_changed};
 use crate::job::{Control, Job, Progress};
 use crate::journal::{self, JOURNAL, Journal};
 use crate::performance::{Phase, StepTimes, performance};
 use crate::record::{Finished, RunRecord};
 use crate::scenery_record::SceneryRecord;
-use crate::settings_record::{GroundRecord, SettingsRecord};
+use crate::view_record::ViewRecord;
+use run_record::{FileRecord, MAX_BYTES, file_hash};
 
 /// The check, as a key of the record and as a phase.
 const CHECK: &str = "check";
@@ -93,7 +93,8 @@ struct Run<'a> {
     session: Box<dyn Session>,
     ground: GroundRecord,
     scenery: SceneryRecord,
-    settings: SettingsRecord,
+    view: ViewRecord,
+    settings: Value,
     fingerprint: String,
     /// The record of an earlier, finished run of the same job, perhaps of fewer frames.
     earlier: Option<HeldRun>,
@@ -112,8 +113,9 @@ impl<'a> Run<'a> {
         let start = Instant::now();
         let ground = GroundRecord::new(&job.scenario.ground, &job.stage.landscape);
         let scenery = SceneryRecord::new(&job.stage);
-        let settings = SettingsRecord::new(&job.stage.settings);
-        let fingerprint = fingerprint(job, &ground, &scenery, &settings);
+        let view = ViewRecord::new(&job.stage.view);
+        let settings = job.generator.record();
+        let fingerprint = fingerprint(job, &ground, &scenery, &view, &settings);
         let earlier = HeldRun::read_if_there(folder.path())?;
         let journal = journal::read::<FrameRecord>(&folder.join(JOURNAL))?;
         let found = earlier.as_ref().map(|run| &run.fingerprint);
@@ -139,6 +141,7 @@ impl<'a> Run<'a> {
             session,
             ground,
             scenery,
+            view,
             settings,
             fingerprint,
             earlier,
@@ -186,19 +189,19 @@ impl<'a> Run<'a> {
 
     /// Pictures that are kept of one update.
     fn showings(&self) -> u64 {
-        let settings = &self.job.stage.settings;
-        let ratio = settings.raster.refresh.whole_ratio(settings.timebase.update);
+        let view = &self.job.stage.view;
+        let ratio = view.refresh.whole_ratio(view.update);
         if self.job.pictures.refresh { ratio.unwrap_or(1) } else { 1 }
     }
 
     /// Rate of the pictures that are kept.
     fn picture_rate(&self) -> Rate {
-        let settings = &self.job.stage.settings;
-        if self.job.pictures.refresh { settings.raster.refresh } else { settings.timebase.update }
+        let view = &self.job.stage.view;
+        if self.job.pictures.refresh { view.refresh } else { view.update }
     }
 
     fn draw(&mut self, journal: &Journal) -> Result<BTreeMap<u64, FrameRecord>, ReplayError> {
-        let display = &self.job.stage.settings.display;
+        let display = &self.job.stage.view.display;
         let transfer =
             Transfer::new(display.white as f32, display.gamma as f32).map_err(ReplayError::Display)?;
         let missing = self.poses.rows().iter().filter(|row| !self.kept.contains_key(&row.frame));
@@ -208,7 +211,7 @@ impl<'a> Run<'a> {
         let start = Instant::now();
         let drawing = Drawing {
             session: &*self.session,
-            settings: &self.job.stage.settings,
+            view: &self.job.stage.view,
             program: &self.job.program,
             encoder: Encoder::new(transfer, self.job.pictures.depth),
             showings: self.showings(),
@@ -244,6 +247,7 @@ impl<'a> Run<'a> {
                 fingerprint: &self.fingerprint,
                 ground: &self.ground,
                 scenery: &self.scenery,
+                view: &self.view,
                 settings: &self.settings,
                 omissions: &omissions,
                 limits: self.poses.limits(),
@@ -258,8 +262,9 @@ impl<'a> Run<'a> {
         let drawn: Vec<&FrameRecord> =
             frames.iter().filter(|frame| fresh.binary_search(&frame.frame).is_ok()).collect();
         let threads = self.control.pool.current_num_threads();
-        let update = self.job.stage.settings.timebase.update;
-        let times = performance(&self.phases, &self.times, threads, &drawn, drawing, update);
+        let update = self.job.stage.view.update;
+        let counters = self.job.generator.counters();
+        let times = performance(&self.phases, &self.times, threads, &drawn, drawing, (update, counters));
         let path = self.folder.join(PERFORMANCE);
         if !drawn.is_empty() || !path.exists() {
             self.write(PERFORMANCE, pretty(&times).as_bytes())?;

@@ -85,7 +85,7 @@ impl Beside {
             return Ok(Self::new(fingerprint));
         }
         let is_whole = |plot: &ScopePlot| {
-            replay::file_hash(&folder.join(plot.file())).is_ok_and(|hash| hash == plot.blake3)
+            run_record::file_hash(&folder.join(plot.file())).is_ok_and(|hash| hash == plot.blake3)
         };
         found.scopes.retain(is_whole);
         Ok(found)

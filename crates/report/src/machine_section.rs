@@ -72,16 +72,27 @@ fn work(run: &Run) -> Markup {
 }
 
 fn laws(run: &Run) -> Markup {
-    let laws = run.settings.laws.iter().map(|(law, word)| (law.replace('_', " "), word.clone()));
-    let range = run.settings.range.iter().map(|(key, value)| (key.replace('_', " "), plain(value)));
+    let laws = run.view.laws.iter().map(|(law, word)| (law.replace('_', " "), word.clone()));
+    let range = run.machine.iter().flat_map(|machine| &machine.range);
+    let range = range.map(|(key, value)| (key.replace('_', " "), plain(value)));
     html! {
         table.counts { tbody {
             @for (name, value) in laws.chain(range) { tr { th scope="row" { (name) } td { (value) } } }
-            tr { th scope="row" { "scalar" } td { (run.settings.scalar) } }
-            tr { th scope="row" { "sample clock" } td { (run.settings.clocks.sample) } }
-            tr { th scope="row" { "master clock" } td { (run.settings.clocks.master) } }
+            @if let Some(machine) = &run.machine {
+                tr { th scope="row" { "scalar" } td { (machine.scalar) } }
+                tr { th scope="row" { "sample clock" } td { (machine.clocks.sample) } }
+                tr { th scope="row" { "master clock" } td { (machine.clocks.master) } }
+            } @else {
+                tr { th scope="row" { "range" } td { (ranges(run)) } }
+            }
         } }
     }
+}
+
+/// Where ground begins and ends to be seen.
+fn ranges(run: &Run) -> String {
+    let [near, far] = run.view.ranges_m.map(|range| shortened(range, 2));
+    format!("{near} to {far} m")
 }
 
 /// A value without the quotation marks of JSON.

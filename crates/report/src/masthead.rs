@@ -25,7 +25,7 @@ pub(crate) fn masthead(run: &Run) -> Markup {
 }
 
 fn facts(run: &Run) -> Vec<(&'static str, String)> {
-    let raster = &run.settings.raster;
+    let view = &run.view;
     let (first, last) = (run.frames[0].frame, run.frames[run.frames.len() - 1].frame);
     let seconds = run.frames.len() as f64 / run.picture_rate() * run.showings() as f64;
     let file = run.scenario.file.as_ref().map_or("none".into(), |file| file.file.clone());
@@ -33,32 +33,30 @@ fn facts(run: &Run) -> Vec<(&'static str, String)> {
         true => run.model.name.clone(),
         false => format!("{}, without a machine", run.generator),
     };
-    let [width, height] = raster.field_of_view_deg.map(|angle| shortened(angle, 1));
+    let [width, height] = view.field_of_view_deg.map(|angle| shortened(angle, 1));
     let regions = run.ground.levels.iter().map(|level| {
         let [north, east] = level.corners.map(grouped);
         format!("{north} × {east} corners every {} m", shortened(level.region_size_m, 2))
     });
     let ground = format!("{}: {}", run.ground.source, regions.collect::<Vec<_>>().join("; "));
     let [azimuth, elevation] = [run.sun.azimuth_deg, run.sun.elevation_deg].map(|angle| shortened(angle, 1));
-    vec![
+    let raster = run.machine.as_ref().map(|machine| {
+        let [sweeps, samples] = [machine.raster.sweeps, machine.raster.samples_per_sweep].map(grouped);
+        ("Raster", format!("{sweeps} sweeps of {samples} samples"))
+    });
+    let facts = [
         ("Scenario", file),
         ("Machine", machine),
         ("Frames", format!("{first} to {last}, {} s", shortened(seconds, 2))),
         (
-            "Raster",
-            format!("{} sweeps of {} samples", grouped(raster.sweeps), grouped(raster.samples_per_sweep)),
-        ),
-        (
             "Picture",
-            format!(
-                "{} × {}, {} bits, {width}° × {height}°",
-                raster.columns, raster.lines, run.pictures.depth
-            ),
+            format!("{} × {}, {} bits, {width}° × {height}°", view.columns, view.lines, run.pictures.depth),
         ),
-        ("Update", run.settings.clocks.update.clone()),
+        ("Update", view.update.clone()),
         ("Ground", ground),
         ("Sun", format!("azimuth {azimuth}°, elevation {elevation}°")),
-    ]
+    ];
+    facts.into_iter().chain(raster).collect()
 }
 
 /// Where the vehicle does more than it can.

@@ -71,7 +71,7 @@ fn page(folder: &Path) -> Result<Markup, ReportError> {
     let beside = Beside::read(folder, &run.fingerprint)?;
     let strip = strip(folder, &run)?;
     let film = film(folder, &run)?;
-    let waveforms = scopes(folder, &beside, run.line())?;
+    let waveforms = scopes(folder, &beside, run.line.as_deref())?;
     let data = in_script(&data(&run, &beside, &strip, &film));
     Ok(html! {
         (DOCTYPE)
@@ -85,7 +85,7 @@ fn page(folder: &Path) -> Result<Markup, ReportError> {
                     (viewer(&run, &film))
                     (contact_sheet(&run, &strip, &film))
                     (machine(&run))
-                    (timing(&beside, run.line().is_some()))
+                    (timing(&beside, run.line.is_some()))
                     (waveforms)
                     (error(&run, &beside))
                     (record(&run))

@@ -1,7 +1,7 @@
 //! Error, and the record from which the page was made.
 
 use maud::{Markup, html};
-use replay::FileRecord;
+use run_record::FileRecord;
 
 use crate::data::shell_words;
 use crate::run::{Check, CheckedSweep, Run};

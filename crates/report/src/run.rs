@@ -3,13 +3,16 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use replay::{FileRecord, FrameRecord, HeldRun, picture_name};
+use replay::{FrameRecord, HeldRun, picture_name};
+use run_record::FileRecord;
 use serde::Deserialize;
 use serde_json::Value;
 
 use crate::ReportError;
 
 const POSES: &str = "poses.csv";
+/// Name of the hybrid machine in a record.
+const HYBRID: &str = "hybrid";
 const MAX_BYTES: u64 = 1 << 30;
 
 /// A run as its record says.
@@ -24,7 +27,14 @@ pub(crate) struct Run {
     pub model: Model,
     pub ground: Ground,
     pub sun: Sun,
-    pub settings: Settings,
+    pub view: View,
+    /// Word for one line of the generator's signals; nothing where it has none.
+    pub line: Option<String>,
+    /// The generator's own settings.
+    settings: Value,
+    /// Those of the hybrid machine, where it drew.
+    #[serde(skip)]
+    pub machine: Option<MachineSettings>,
     pub pictures: Pictures,
     pub omissions: Vec<Omission>,
     pub limits: Vec<Limit>,
@@ -113,11 +123,22 @@ pub(crate) struct Sun {
 }
 
 #[derive(Debug, Deserialize)]
-pub(crate) struct Settings {
+pub(crate) struct View {
+    pub columns: u64,
+    pub lines: u64,
+    pub field_of_view_deg: [f64; 2],
+    pub update: String,
+    pub refresh: String,
+    pub laws: BTreeMap<String, String>,
+    pub ranges_m: [f64; 2],
+}
+
+/// What a page tells of the settings of the hybrid machine.
+#[derive(Debug, Deserialize)]
+pub(crate) struct MachineSettings {
     pub scalar: String,
     pub raster: Raster,
     pub clocks: Clocks,
-    pub laws: BTreeMap<String, String>,
     pub range: BTreeMap<String, Value>,
 }
 
@@ -125,17 +146,12 @@ pub(crate) struct Settings {
 pub(crate) struct Raster {
     pub sweeps: u64,
     pub samples_per_sweep: u64,
-    pub columns: u64,
-    pub lines: u64,
-    pub field_of_view_deg: [f64; 2],
 }
 
 #[derive(Debug, Deserialize)]
 pub(crate) struct Clocks {
     pub master: String,
     pub sample: String,
-    pub update: String,
-    pub refresh: String,
 }
 
 #[derive(Debug, Deserialize)]
@@ -169,13 +185,17 @@ impl Run {
         let refused = |reason: String| ReportError::Content { path: path.clone(), reason };
         let mut run: Self =
             serde_json::from_value(held.document).map_err(|error| refused(error.to_string()))?;
-        if run.frames.is_empty() || run.showings() == 0 || run.settings.raster.columns == 0 {
+        if run.frames.is_empty() || run.showings() == 0 || run.view.columns == 0 {
             return Err(refused("it lists no frame, expected at least one".into()));
         }
         let expected = (run.first_picture()..).map(picture_name);
         let found = run.frames.iter().flat_map(|frame| &frame.files).map(|file| &file.file);
         if let Some((expected, found)) = expected.zip(found).find(|(expected, found)| expected != *found) {
             return Err(refused(format!("it lists the picture `{found}`, expected `{expected}`")));
+        }
+        if run.generator == HYBRID {
+            let settings = MachineSettings::deserialize(&run.settings);
+            run.machine = Some(settings.map_err(|error| refused(error.to_string()))?);
         }
         run.poses = poses(folder, &run.frames)?;
         Ok(run)
@@ -198,9 +218,8 @@ impl Run {
 
     /// Pictures a second.
     pub fn picture_rate(&self) -> f64 {
-        let clocks = &self.settings.clocks;
-        let clock =
-            if self.pictures.one_file_for_each == "refresh" { &clocks.refresh } else { &clocks.update };
+        let view = &self.view;
+        let clock = if self.pictures.one_file_for_each == "refresh" { &view.refresh } else { &view.update };
         hertz(clock).unwrap_or(30.0)
     }
 
@@ -217,23 +236,14 @@ impl Run {
 
     /// Width of the screen over its height.
     pub fn aspect(&self) -> f64 {
-        let [width, height] = self.settings.raster.field_of_view_deg.map(tangent_of_half);
+        let [width, height] = self.view.field_of_view_deg.map(tangent_of_half);
         let aspect = width / height;
         if aspect.is_finite() && aspect > 0.0 { aspect } else { 1.0 }
     }
 
     /// Whether the hybrid machine drew it, with sweeps and signals.
     pub fn has_sweeps(&self) -> bool {
-        self.generator == "hybrid"
-    }
-
-    /// What a waveform is one of, in one word; nothing where there are no signals.
-    pub fn line(&self) -> Option<&'static str> {
-        match self.generator.as_str() {
-            "hybrid" => Some("sweep"),
-            "lunsim" => Some("row"),
-            _ => None,
-        }
+        self.machine.is_some()
     }
 }
 

@@ -27,7 +27,7 @@ const KEYS: [(&str, &str); 8] = [
 
 /// The first section.
 pub(crate) fn viewer(run: &Run, film: &Film) -> Markup {
-    let raster = &run.settings.raster;
+    let raster = &run.view;
     let last = run.first_picture() + run.pictures() - 1;
     let style = format!("aspect-ratio:{:.6}", run.aspect());
     let coarse = raster.columns < 480;

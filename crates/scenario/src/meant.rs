@@ -7,9 +7,8 @@ use landscape::{Photometry, Silhouette, Sun};
 use quantities::Rate;
 
 use crate::{
-    CraterWishes, Display, Drift, Event, FieldOfView, LawWishes, LevelSwitch, LunsimRun, Object, Path,
-    RangeProgramme, RasterWishes, Rocks, RollDisplay, Scalar, ShadowFineness, TextureWish, Tracks, Vehicle,
-    VehicleShape,
+    CraterWishes, Display, Drift, Event, FieldOfView, LawWishes, LevelSwitch, Object, Path, RangeProgramme,
+    RasterWishes, Rocks, RollDisplay, Scalar, ShadowFineness, TextureWish, Tracks, Vehicle, VehicleShape,
 };
 
 /// What happens: ground, light, vehicle, path, and how it is to be seen.
@@ -77,8 +76,6 @@ pub struct Scenario {
     pub display: Display,
     /// Scalar type of the analog signals.
     pub scalar: Scalar,
-    /// Run parameters of LUNSIM.
-    pub lunsim: LunsimRun,
 }
 
 /// Length of a scenario.

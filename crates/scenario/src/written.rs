@@ -20,8 +20,8 @@ use limits::Limit;
 use quantities::radians;
 
 use crate::{
-    Display, FieldOfView, Ground, LawWishes, Length, LevelSwitch, LunsimRun, RasterWishes, RollDisplay,
-    Scalar, Scenario, Vehicle, VehicleShape, words,
+    Display, FieldOfView, Ground, LawWishes, Length, LevelSwitch, RasterWishes, RollDisplay, Scalar,
+    Scenario, Vehicle, VehicleShape, words,
 };
 
 /// Format of scenario files that this program reads.
@@ -33,12 +33,20 @@ impl Scenario {
     /// # Errors
     /// Every fault of both files.
     pub fn read(path: impl AsRef<FilePath>) -> Result<Self, ProblemList> {
+        Self::read_beside(path, &[])
+    }
+
+    /// The same of a file that may have tables of `others` as well, which somebody else reads.
+    ///
+    /// # Errors
+    /// Every fault of both files.
+    pub fn read_beside(path: impl AsRef<FilePath>, others: &[&str]) -> Result<Self, ProblemList> {
         let name = path.as_ref().display().to_string();
         let bytes = files::read_all(path.as_ref(), Limit::TextBytes)
             .map_err(|error| Problem::of_file(&name, error.to_string()))?;
         let problems = Problems::new();
         let scenario = TomlFile::parse_bytes(&name, &bytes, &problems)
-            .and_then(|file| scenario(&file.root(&problems), folder_of(path.as_ref()), &problems));
+            .and_then(|file| scenario(&file.root(&problems), folder_of(path.as_ref()), others, &problems));
         problems.resolve(scenario)
     }
 
@@ -50,7 +58,7 @@ impl Scenario {
     pub fn parse(name: &str, text: &str) -> Result<Self, ProblemList> {
         let problems = Problems::new();
         let scenario = TomlFile::parse(name, text, &problems)
-            .and_then(|file| scenario(&file.root(&problems), folder_of(FilePath::new(name)), &problems));
+            .and_then(|file| scenario(&file.root(&problems), folder_of(FilePath::new(name)), &[], &problems));
         problems.resolve(scenario)
     }
 }
@@ -77,7 +85,7 @@ fn folder_of(path: &FilePath) -> &FilePath {
     path.parent().unwrap_or(FilePath::new(""))
 }
 
-fn scenario(root: &Reader, folder: &FilePath, problems: &Problems) -> Option<Scenario> {
+fn scenario(root: &Reader, folder: &FilePath, others: &[&str], problems: &Problems) -> Option<Scenario> {
     if !root.format_version(FORMAT) && root.has("format") {
         return None;
     }
@@ -116,7 +124,7 @@ fn scenario(root: &Reader, folder: &FilePath, problems: &Problems) -> Option<Sce
     let laws = laws(&root.table_or_empty("laws"));
     let display = display(&root.table_or_empty("display"));
     let scalar = scalar(&root.table_or_empty("run"));
-    let lunsim = LunsimRun::of_table(&root.table_or_empty("lunsim"), LunsimRun::default());
+    others.iter().filter_map(|table| root.optional_table(table)).for_each(|table| table.ignore_rest());
     check_levels(root, ground.as_ref().and_then(|ground| ground.0.as_ref()), &levels);
     check_tracks(root);
     check_own_shadow(root, &vehicle_table);
@@ -157,7 +165,6 @@ fn scenario(root: &Reader, folder: &FilePath, problems: &Problems) -> Option<Sce
         laws,
         display: display?,
         scalar: scalar?,
-        lunsim: lunsim?,
     })
 }
 

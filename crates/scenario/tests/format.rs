@@ -5,7 +5,7 @@ use std::fs;
 
 use landscape::Photometry;
 use quantities::radians;
-use scenario::{Ground, LevelSwitch, LunsimRun, RockArea, RollDisplay, Scenario, ShadowFineness};
+use scenario::{Ground, LevelSwitch, RockArea, RollDisplay, Scenario, ShadowFineness};
 
 const DOC: &str = include_str!("../../../docs/scenario-format.md");
 
@@ -150,9 +150,6 @@ const CHANGES: &[(&str, usize, &str, &str)] = &[
     ("display.white", 0, "white = 0.45", "white = 0.5"),
     ("display.gamma", 0, "gamma = 2.2", "gamma = 1"),
     ("run.scalar", 0, "\"f32\"", "\"f64\""),
-    ("lunsim.grid", 0, "grid = 512", "grid = 513"),
-    ("lunsim.intensity_codes", 0, "intensity_codes = 32", "intensity_codes = 33"),
-    ("lunsim.restrictions", 0, "restrictions = false", "restrictions = true"),
     ("landscape.generated.seed", 0, "seed = 7", "seed = 8"),
     ("landscape.generated.extent_m", 0, "[6000, 6000]", "[6000, 6400]"),
     ("landscape.generated.region_size_m", 0, "region_size_m = 40", "region_size_m = 50"),
@@ -295,7 +292,6 @@ fn the_tables_name_every_key_and_no_other() {
         "laws",
         "roll",
         "display",
-        "lunsim",
         "run",
     ];
     for table in tables {
@@ -319,7 +315,6 @@ fn what_is_left_out_has_the_documented_default() {
     let scenario = parse(examples().0[1]);
     assert_eq!((scenario.machine.as_str(), scenario.albedo), ("ideal", 1.0));
     assert_eq!((scenario.display.white, scenario.display.gamma), (1.0, 1.0));
-    assert_eq!(scenario.lunsim, LunsimRun { grid: 1024, intensity_codes: 16, restrictions: true });
     assert_eq!(scenario.scalar, scenario::Scalar::F32);
     assert_eq!(scenario.raster, scenario::RasterWishes::default());
     assert_eq!(scenario.laws, scenario::LawWishes::default());

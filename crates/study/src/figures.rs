@@ -1,10 +1,11 @@
 //! By how much a session is off: its signals against the ground below the sweep, its picture against `exact`.
 
 use exact::{Columns, ProfilePoint};
-use generator::{Planes, Session, Stage};
+use generator::{Planes, Session};
 use machine::ControlPlane;
+use machine::MachineStage;
 use picture::{Depth, Encoder};
-use scenario::Pose;
+use scenario::{Display, Pose};
 use serde::Serialize;
 use signal::{LANES, Probe, Waveform};
 
@@ -101,7 +102,7 @@ pub(crate) struct SignalErrors {
 
 /// Where signals are compared: the machine's frame and what it stands for.
 pub(crate) struct Bench<'a> {
-    pub stage: &'a Stage,
+    pub stage: &'a MachineStage,
     pub session: &'a dyn Session,
     pub control: &'a ControlPlane,
     pub exact: &'a Columns,
@@ -253,13 +254,13 @@ impl PictureErrors {
     /// others, under the laws of the base.
     pub fn add(
         &mut self,
-        stage: &Stage,
+        display: &Display,
         plane: &[f32],
         own: &ExactPicture,
         base: Option<&ExactPicture>,
         [columns, lines]: [usize; 2],
     ) -> Result<(), StudyError> {
-        let encoder = Encoder::new(transfer(stage)?, Depth::Sixteen);
+        let encoder = Encoder::new(transfer(display)?, Depth::Sixteen);
         let test = encoder.encode(plane, columns, lines)?;
         let reference = encoder.encode(&own.intensity, columns, lines)?;
         let found = compare::compare(&test, &reference, None, &[])?;
@@ -287,8 +288,7 @@ impl PictureErrors {
     }
 }
 
-fn transfer(stage: &Stage) -> Result<picture::Transfer, StudyError> {
-    let display = stage.settings.display;
+fn transfer(display: &Display) -> Result<picture::Transfer, StudyError> {
     Ok(picture::Transfer::new(display.white as f32, display.gamma as f32)?)
 }
 

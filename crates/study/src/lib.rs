@@ -12,7 +12,8 @@
 //! against `exact` under the laws of the rung; where a rung has another law than the base, its picture is held against
 //! the base's law as well, so that error of parts and difference of law are two numbers. Time is the median of several
 //! repetitions, and within a ladder the rungs take turns, so that a machine that slows down slows all of them.
-//! **LUNSIM** ([`grid_ladder`]): its picture over the size of its grid, where the scenario is its own.
+//! **Run parameters** ([`parameter_ladder`]): the picture of a generator over a parameter of its own, where the scenario
+//! names that generator.
 //! **Economy** ([`economy`]): what a scene does not need, what leaving it out saves, the waste that remains. **Banks**
 //! ([`regions()`]): region size of a survey against the ground. **Shadow** ([`shadow`]): the vehicle's, on flat
 //! ground and on true, by every law and method.
@@ -24,9 +25,9 @@ mod advice;
 mod change;
 pub mod economy;
 mod figures;
-mod grid;
 pub mod ladder;
 mod order;
+mod parameter;
 pub mod polynomial;
 mod reference;
 mod regions;
@@ -40,8 +41,8 @@ mod work;
 pub use advice::{Advice, Setting, advise, front, total_error};
 pub use change::{Change, Variant};
 pub use figures::{ErrorFigure, Figures, NAMES};
-pub use grid::{GRID, grid_ladder};
 pub use order::{Order, fit};
+pub use parameter::{Configure, parameter_ladder};
 pub use reference::{ExactPictures, ReferenceError, SelfError};
 pub use regions::{REGION_LADDERS, regions};
 pub use subject::{StudyError, Subject};

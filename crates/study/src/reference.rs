@@ -9,9 +9,8 @@ use blake3::Hasher;
 use exact::{Exact, ExactWithin, Fineness, LINE_MEAN_TOLERANCE, RIDGE_SHARE};
 use files::{FileError, Npy, NpyData, NpyError};
 use generator::{Generator, PlaneKind, Planes, Stage};
-use hardware_model::Raster;
 use landscape::bank_file;
-use scenario::{Pose, Scenario};
+use scenario::{Pose, Scenario, View};
 use serde::Serialize;
 use signal::Probe;
 
@@ -141,7 +140,7 @@ impl ExactPictures {
     /// # Errors
     /// If one cannot be drawn or kept.
     pub fn self_error(&mut self, stage: &Stage, frames: &[(u64, Pose)]) -> Result<SelfError, StudyError> {
-        let Raster { columns, lines, .. } = stage.settings.raster;
+        let View { columns, lines, .. } = stage.view;
         let size = [columns.div_ceil(4) as usize, lines as usize];
         let mut sum = Sum::default();
         for (frame, pose) in frames {
@@ -156,12 +155,9 @@ impl ExactPictures {
 
     /// What a picture of `exact` depends on: laws, first and last range, levels, shadow, view and pose.
     fn key(&self, stage: &Stage, pose: &Pose, size: [usize; 2]) -> blake3::Hash {
-        let settings = &stage.settings;
-        let first = settings.range.at_sample(0, settings.raster.samples as usize);
-        let settled = format!(
-            "{:?} {first:?} {:?} {:?} {:?} {:?} {pose:?} {size:?}",
-            settings.laws, settings.range.end, settings.levels, settings.shadows, settings.raster.field
-        );
+        let View { laws, ranges: [first, end], levels, shadows, field, .. } = &stage.view;
+        let settled =
+            format!("{laws:?} {first:?} {end:?} {levels:?} {shadows:?} {field:?} {pose:?} {size:?}");
         let mut hasher = Hasher::new();
         hasher.update(self.common.as_bytes());
         hasher.update(settled.as_bytes());

@@ -1,9 +1,10 @@
 //! What is studied: a scenario on a model, some of its frames, the ground below them.
 
-use generator::{FrameError, PrepareError, Stage};
+use front_door::StageError;
+use generator::{FrameError, PrepareError};
 use hardware_model::{HardwareModel, SettingsError};
+use machine::MachineStage;
 use scenario::{PathProblems, Pose, PoseTable, Scenario};
-use stage::StageError;
 
 use crate::change::{Change, Variant};
 use crate::reference::ReferenceError;
@@ -54,7 +55,7 @@ pub struct Subject {
     /// The hardware model.
     pub model: HardwareModel,
     /// What is drawn at the base setting.
-    pub stage: Stage,
+    pub stage: MachineStage,
     /// Frames and their poses.
     pub frames: Vec<(u64, Pose)>,
 }
@@ -67,7 +68,7 @@ impl Subject {
     pub fn new(
         scenario: Scenario,
         model: HardwareModel,
-        stage: Stage,
+        stage: MachineStage,
         frames: &[u64],
     ) -> Result<Self, StudyError> {
         let scenario = settled(scenario, &stage);
@@ -104,18 +105,18 @@ impl Subject {
     ///
     /// # Errors
     /// If what comes out does not fit together.
-    pub fn changed(&self, changes: &[Change]) -> Result<Stage, StudyError> {
+    pub fn changed(&self, changes: &[Change]) -> Result<MachineStage, StudyError> {
         let mut variant = self.base();
         changes.iter().for_each(|change| change.apply(&mut variant));
-        let mut settings = stage::settings(&variant.scenario, &variant.model)?;
+        let mut settings = front_door::settings(&variant.scenario, &variant.model)?;
         settings.economy = self.stage.settings.economy;
         settings.shadow_cache.clone_from(&self.stage.settings.shadow_cache);
-        Ok(stage::under(&self.stage, &variant.scenario, settings)?)
+        Ok(front_door::under(&self.stage.stage(), &variant.scenario, settings)?)
     }
 }
 
 /// `scenario` with everything wished that a model would otherwise decide and that no part is.
-fn settled(mut scenario: Scenario, stage: &Stage) -> Scenario {
+fn settled(mut scenario: Scenario, stage: &MachineStage) -> Scenario {
     let settings = &stage.settings;
     let raster = &mut scenario.raster;
     raster.sweeps = Some(settings.raster.sweeps);

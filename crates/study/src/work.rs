@@ -3,8 +3,9 @@
 use std::time::Instant;
 
 use exact::Columns;
-use generator::{Generator, PlaneKind, Planes, Session, Stage};
-use machine::{ControlPlane, HybridMachine};
+use generator::{PlaneKind, Planes, Session};
+use machine::ControlPlane;
+use machine::MachineStage;
 use signal::Probe;
 
 use crate::figures::{Bench, PictureErrors, SignalErrors};
@@ -38,7 +39,7 @@ struct Standing {
 }
 
 struct Ready {
-    stage: Stage,
+    stage: MachineStage,
     session: Box<dyn Session>,
     /// Seconds a frame, repetition by repetition.
     times: Vec<f64>,
@@ -90,7 +91,7 @@ pub fn climb(
 fn stand(subject: &Subject, rung: &Rung) -> Standing {
     let ready = || {
         let stage = subject.changed(&rung.changes)?;
-        let session = HybridMachine.prepare(stage.clone())?;
+        let session = stage.clone().prepare();
         Ok(Ready { stage, session, times: Vec::new(), pictures: Vec::new(), samples: 0 })
     };
     Standing {
@@ -145,7 +146,7 @@ impl Ready {
             let counts = self.session.frame(*frame, pose, &mut planes, &mut Probe::off())?;
             seconds += start.elapsed().as_secs_f64();
             if !is_timed {
-                self.samples += counts.samples;
+                self.samples += counts.get("samples").unwrap_or(0);
                 self.pictures.push(planes.get(PlaneKind::Intensity).unwrap_or_default().to_vec());
             }
         }
@@ -160,7 +161,7 @@ impl Ready {
         let base = &study.subject.stage;
         // The ground does not change from rung to rung, but levels and sight may.
         let own =
-            (self.stage.settings.levels != base.settings.levels).then(|| Columns::new(self.stage.clone()));
+            (self.stage.settings.levels != base.settings.levels).then(|| Columns::new(self.stage.stage()));
         let bench = Bench {
             stage: &self.stage,
             session: self.session.as_ref(),
@@ -171,11 +172,11 @@ impl Ready {
         let size = [base.settings.raster.columns as usize, base.settings.raster.lines as usize];
         for ((frame, pose), drawn) in study.subject.frames.iter().zip(&self.pictures) {
             signals.add_frame(&bench, *frame, pose)?;
-            let own = study.exact.picture(&self.stage, (*frame, pose), size)?;
-            let law = study.exact.picture(base, (*frame, pose), size)?;
+            let own = study.exact.picture(&self.stage.stage(), (*frame, pose), size)?;
+            let law = study.exact.picture(&base.stage(), (*frame, pose), size)?;
             let law = (law != own).then_some(law);
             let shown = shown(drawn, self.stage.settings.raster.columns as usize, size);
-            pictures.add(&self.stage, &shown, &own, law.as_deref(), size)?;
+            pictures.add(&self.stage.settings.display, &shown, &own, law.as_deref(), size)?;
         }
         Ok([signals.figures(), pictures.figures()].concat())
     }

@@ -78,8 +78,8 @@ lines = 40
 fn found(text: &str) -> EconomyOutcome {
     let scenario = Scenario::parse("full.toml", text).unwrap_or_else(|list| panic!("{}", list.render(false)));
     let model = HardwareModel::ideal();
-    let settings = stage::settings(&scenario, &model).unwrap();
-    let stage = stage::build(&scenario, settings).unwrap();
+    let settings = front_door::settings(&scenario, &model).unwrap();
+    let stage = front_door::build(&scenario, settings).unwrap();
     let subject = Subject::new(scenario, model, stage, &[1]).unwrap();
     economy(&subject, 1, &mut |_| {}).unwrap()
 }

@@ -6,7 +6,7 @@ use landscape::Attitude;
 use quantities::radians;
 use scenario::Scenario;
 use study::ladder::{Extent, Ladder, LadderOutcome, ladders};
-use study::{Effort, ExactPictures, Rehearsed, Subject, climb, grid_ladder};
+use study::{Configure, Effort, ExactPictures, Rehearsed, Subject, climb, parameter_ladder};
 
 /// Smooth ground, no craters: between samples a profile is a parabola.
 const SMOOTH: &str = r#"
@@ -55,14 +55,14 @@ fn subject_of(text: &str) -> Subject {
     let scenario =
         Scenario::parse("smooth.toml", text).unwrap_or_else(|list| panic!("{}", list.render(false)));
     let model = HardwareModel::ideal();
-    let settings = stage::settings(&scenario, &model).unwrap();
-    let stage = stage::build(&scenario, settings).unwrap();
+    let settings = front_door::settings(&scenario, &model).unwrap();
+    let stage = front_door::build(&scenario, settings).unwrap();
     Subject::new(scenario, model, stage, &[1]).unwrap()
 }
 
 fn climbed(subject: &Subject, ladder: &Ladder) -> LadderOutcome {
-    let mut exact = ExactPictures::new("test", &subject.scenario, &subject.stage, None).unwrap();
-    let columns = Columns::new(subject.stage.clone());
+    let mut exact = ExactPictures::new("test", &subject.scenario, &subject.stage.stage(), None).unwrap();
+    let columns = Columns::new(subject.stage.stage());
     let mut study = Rehearsed { subject, exact: &mut exact, columns: &columns };
     climb(&mut study, ladder, Effort { repetitions: 1 }, &mut |_| ()).unwrap()
 }
@@ -118,8 +118,8 @@ fn kept_pictures_are_taken_again_and_damaged_ones_drawn_again() {
     let (frame, pose) = subject.frames[0];
     let drawn = || {
         let kept = Some(folder.path().join("exact"));
-        let mut exact = ExactPictures::new("test", &subject.scenario, &subject.stage, kept).unwrap();
-        exact.picture(&subject.stage, (frame, &pose), [48, 40]).unwrap()
+        let mut exact = ExactPictures::new("test", &subject.scenario, &subject.stage.stage(), kept).unwrap();
+        exact.picture(&subject.stage.stage(), (frame, &pose), [48, 40]).unwrap()
     };
     let first = drawn();
     let files = || std::fs::read_dir(folder.path().join("exact")).unwrap().map(|entry| entry.unwrap().path());
@@ -138,6 +138,7 @@ fn kept_pictures_are_taken_again_and_damaged_ones_drawn_again() {
 
 /// The same ground on positions of LUNSIM's recorder, from 400 m above and looking down.
 fn lunsim(restrictions: bool) -> LadderOutcome {
+    let row = registry::find("lunsim").unwrap();
     let text = SMOOTH.replace("\"ideal\"", "\"lunsim\"").replace("lines = 40", "columns = 256\nlines = 256");
     // Rough enough that 256 codes do not hide the grid.
     let text = text
@@ -145,12 +146,19 @@ fn lunsim(restrictions: bool) -> LadderOutcome {
         .replace("2500", "600")
         .replace("700", "150");
     let law = "[laws]\npixel_rule = \"centre\"";
-    let mut subject = subject_of(&format!("{text}\n{law}\n[lunsim]\nrestrictions = {restrictions}\n"));
+    let mut subject = subject_of(&format!("{text}\n{law}\n"));
     let (_, pose) = &mut subject.frames[0];
     pose.eye[2] += 400.0;
     pose.attitude = Attitude { roll: 0.0, pitch: radians(-50.0), heading: 0.0 };
-    let mut exact = ExactPictures::new("test", &subject.scenario, &subject.stage, None).unwrap();
-    grid_ladder(&subject, &mut exact, Effort { repetitions: 1 }, Extent::Quick).unwrap()
+    let mut exact = ExactPictures::new("test", &subject.scenario, &subject.stage.stage(), None).unwrap();
+    let restrictions = restrictions.to_string();
+    let configure = |sets: &[(&str, &str)]| {
+        let sets: Vec<_> =
+            [("lunsim.restrictions", restrictions.as_str())].iter().chain(sets).copied().collect();
+        registry::configure_with(row, &sets).map_err(|error| error.to_string())
+    };
+    let own = (&row.ladder.unwrap(), &configure as &Configure<'_>);
+    parameter_ladder(own, &subject, &mut exact, Effort { repetitions: 1 }, Extent::Quick).unwrap()
 }
 
 #[test]

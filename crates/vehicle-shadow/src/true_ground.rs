@@ -114,16 +114,16 @@ impl Scene<'_> {
     fn look(&self, x: f64, y: f64) -> Option<Spot> {
         let direction = self.shot.ray(x, y);
         let over = direction.truncate().length();
-        let settings = &self.ground.stage.settings;
+        let view = &self.ground.stage.view;
         let shadow = self.casters.reach.map_or(0.0, |reach| reach.along(self.eye, direction) * over);
-        let far = shadow.max(self.casters.tracks_reach).min(settings.range.end);
+        let far = shadow.max(self.casters.tracks_reach).min(view.ranges[1]);
         let outlook = Outlook::new(
             &self.ground.stage.landscape,
             &self.ground.ceilings,
             self.shot.eye,
-            settings.laws.curvature,
+            view.laws.curvature,
             [NEAR, far.max(NEAR)],
-            settings.levels,
+            view.levels,
         );
         let ground = self.ground_spot(&outlook, direction, over);
         self.body_spot(&outlook, direction, ground.map_or(far / over, |spot| spot.ahead)).or(ground)

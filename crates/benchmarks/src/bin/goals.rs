@@ -13,10 +13,10 @@ use benchmarks::startup::{begin, prepare};
 use benchmarks::{Choice, FrameTimes, KERNELS, STANDARD, Scene, Work, frame_times};
 use clap::{Parser, Subcommand};
 use exact::Exact;
-use generator::{Generator, PlaneKind};
+use generator::{Generator, PlaneKind, Session};
 use hardware_model::Economy;
 use landscape::Attitude;
-use machine::{ControlPlane, HybridMachine};
+use machine::ControlPlane;
 use scenario::{Curvature, Laws, PixelRule, Pose, Projection, Scalar};
 use signal::{LANES, Lanes, Probe, Real};
 use sweep_program::SweepProgram;
@@ -232,7 +232,7 @@ fn peak(scenario: &str, standard: bool) -> Result<(), String> {
     let raster = standard.then_some(STANDARD);
     let scene = Scene::shipped(scenario, &Choice { model: Some("ideal"), raster, ..Choice::default() });
     let (mut planes, pose) = (scene.planes(), scene.pose);
-    let session = HybridMachine.prepare(scene.stage).map_err(|error| error.to_string())?;
+    let session = scene.stage.prepare();
     for _ in 0..3 {
         session.frame(0, &pose, &mut planes, &mut Probe::off()).map_err(|error| error.to_string())?;
     }
@@ -304,10 +304,7 @@ fn mesh() -> Result<(), String> {
     let pose =
         Pose { attitude: Attitude { pitch: 0.0, roll: 0.0, ..scene.pose.attitude }, yoke: 0.0, ..scene.pose };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().map_err(|error| error.to_string())?;
-    let drawn = |generator: &dyn Generator, economy, repetitions| {
-        let mut stage = scene.stage.clone();
-        stage.settings.economy = economy;
-        let session = generator.prepare(stage).map_err(|error| error.to_string())?;
+    let drawn = |session: Box<dyn Session>, repetitions| {
         let mut planes = scene.planes();
         let [least, _] = pool.install(|| {
             times(repetitions, || {
@@ -317,9 +314,15 @@ fn mesh() -> Result<(), String> {
         let picture = planes.get(PlaneKind::Intensity).ok_or("no picture")?.to_vec();
         Ok::<_, String>((picture, least))
     };
-    let (right, _) = drawn(&Exact, Economy::Bounded, 1)?;
-    let (picture, whole) = drawn(&HybridMachine, Economy::Bounded, 15)?;
-    let (sketch, swift) = drawn(&HybridMachine, Economy::Swift, 15)?;
+    let by = |economy| {
+        let mut stage = scene.stage.clone();
+        stage.settings.economy = economy;
+        stage.prepare()
+    };
+    let exact = Exact.prepare(scene.stage.stage()).map_err(|error| error.to_string())?;
+    let (right, _) = drawn(exact, 1)?;
+    let (picture, whole) = drawn(by(Economy::Bounded), 15)?;
+    let (sketch, swift) = drawn(by(Economy::Swift), 15)?;
     let rms = |picture: &[f32]| {
         let squares = picture.iter().zip(&right).map(|(a, b)| f64::from(a - b) * f64::from(a - b));
         (squares.sum::<f64>() / right.len() as f64).sqrt()

@@ -6,8 +6,6 @@ use std::time::Instant;
 
 use benchmarks::{LADDERS, Ladder, Scene, Size};
 use clap::Parser;
-use generator::Generator;
-use machine::HybridMachine;
 use plots::{PointSeries, TraceLook, ladder_picture};
 use signal::Probe;
 
@@ -89,7 +87,7 @@ fn time(scene: Scene, threads: usize, repetitions: usize) -> Result<f64, String>
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     let pool = pool.map_err(|error| error.to_string())?;
     let (mut planes, poses) = (scene.planes(), scene.poses());
-    let session = HybridMachine.prepare(scene.stage).map_err(|error| error.to_string())?;
+    let session = scene.stage.prepare();
     let mut draw = || {
         let begin = Instant::now();
         for (frame, pose) in (0..).zip(&poses) {

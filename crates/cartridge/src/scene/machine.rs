@@ -5,10 +5,11 @@ use std::sync::Arc;
 
 use exact::Exact;
 use features::{Crater, Features, Shape};
-use generator::{Generator, PlaneKind, Planes, Stage};
+use generator::{Generator, PlaneKind, Planes};
 use hardware_model::{HardwareModel, Settings};
 use landscape::{Attitude, Bank, Landscape, Sun};
-use machine::{ControlPlane, HybridMachine};
+use machine::ControlPlane;
+use machine::MachineStage;
 use quantities::radians;
 use scenario::{
     Display, FieldOfView, LawWishes, Pose, RasterWishes, Scalar, Scenery, ShadowFineness, TrackPatch,
@@ -171,7 +172,7 @@ impl MachineCase {
         Pose { time: 0.0, eye: self.scene.eye_m, attitude, yoke: 0.0 }
     }
 
-    fn stage(&self, scalar: Scalar) -> Stage {
+    fn stage(&self, scalar: Scalar) -> MachineStage {
         let scene = &self.scene;
         let sun =
             Sun { azimuth: radians(scene.sun_azimuth_deg), elevation: radians(scene.sun_elevation_deg) };
@@ -182,21 +183,19 @@ impl MachineCase {
         let patches = scene.shadow_patches_m.iter().map(patch).collect();
         let scenery = Scenery::still(sun).with_patches(patches).with_course(vec![self.pose()]);
         let settings = Settings { scalar, ..self.settings.clone() };
-        Stage { landscape: self.landscape.clone(), scenery: Arc::new(scenery), settings }
+        MachineStage { landscape: self.landscape.clone(), scenery: Arc::new(scenery), settings }
     }
 
     pub(super) fn draw(&self, engine: Engine, readings: &[&Reading]) -> Result<Drawn, String> {
-        let (generator, scalar): (&dyn Generator, _) = match engine {
-            Engine::MachineF32 => (&HybridMachine, Scalar::F32),
-            Engine::Exact => (&Exact, Scalar::F64),
-            Engine::MachineF64 | Engine::Part => (&HybridMachine, Scalar::F64),
-        };
-        let stage = self.stage(scalar);
+        let stage = self.stage(if engine == Engine::MachineF32 { Scalar::F32 } else { Scalar::F64 });
         let timing = match readings.iter().any(|reading| reading.looks_at_timing()) {
             true => Some(ControlPlane::new(stage.clone()).frame(0, &self.pose()).map_err(|e| e.to_string())?),
             false => None,
         };
-        let session = generator.prepare(stage).map_err(|error| error.to_string())?;
+        let session = match engine {
+            Engine::Exact => Exact.prepare(stage.stage()).map_err(|error| error.to_string())?,
+            Engine::MachineF32 | Engine::MachineF64 | Engine::Part => stage.prepare(),
+        };
         let raster = self.settings.raster;
         let kinds = [PlaneKind::Intensity, PlaneKind::Range];
         let mut planes = Planes::new(raster.columns as usize, raster.lines as usize, &kinds);
@@ -208,7 +207,7 @@ impl MachineCase {
         Ok(Drawn {
             picture: plane(PlaneKind::Intensity),
             ranges: plane(PlaneKind::Range),
-            folds: counts.folds,
+            folds: counts.get("folds").unwrap_or(0),
             timing,
             waves: waves.collect(),
         })

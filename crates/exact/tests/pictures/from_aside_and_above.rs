@@ -307,12 +307,12 @@ fn bodies_as_reported_from_on_high() {
             standing_box(k, [x, y, ground.height(x, y).unwrap()], 0.5, 1.0)
         };
         let scenery = Arc::new(Scenery::still(sun(90.0, 45.0)).with_bodies((0..20).map(body).collect()));
-        let stage = Stage { landscape: Arc::clone(&ground), scenery, settings: settings.clone() };
+        let stage = Stage { landscape: Arc::clone(&ground), scenery, view: settings.view() };
         let mut planes = Planes::new(21, 21, &[PlaneKind::Intensity]);
         let session = Exact.prepare(stage).unwrap();
         let counts =
             session.frame(0, &pose([400.0, 400.0, height], -90.0, 0.0), &mut planes, &mut Probe::off());
-        assert_eq!(counts.unwrap().bodies, 20, "{height}");
+        assert_eq!(counts.unwrap().get("bodies"), Some(20), "{height}");
     }
 }
 

@@ -61,8 +61,9 @@ fn a_law_without_rays_is_refused_by_name() {
     let frame = |projection, pitch: f64, yoke: f64| {
         let settings = settings(4, 4, laws(projection, Curvature::None, PixelRule::Centre), [0.5, 390.0]);
         let scenery = Arc::new(Scenery::still(sun(0.0, 9.0)));
-        let session =
-            exact::Exact.prepare(Stage { landscape: Arc::clone(&landscape), scenery, settings }).unwrap();
+        let session = exact::Exact
+            .prepare(Stage { landscape: Arc::clone(&landscape), scenery, view: settings.view() })
+            .unwrap();
         let pose = Pose { yoke: radians(yoke), ..pose([80.0, 80.0, 2.0], pitch, 0.0) };
         session.frame(3, &pose, &mut Planes::new(4, 4, &[PlaneKind::Intensity]), &mut Probe::off())
     };
@@ -71,7 +72,7 @@ fn a_law_without_rays_is_refused_by_name() {
         let refused = frame(Projection::AsReported, pitch, 40.0).unwrap_err();
         let text = "exact cannot draw a view 101.7 deg above or below the horizontal under the projection law as-reported, \
                     which has no ray at 90 deg or beyond: look less steeply, or set dpp.projection to exact";
-        assert_eq!(refused, FrameError::Unsupported { frame: 3, reason: text.into() });
+        assert_eq!(refused, FrameError::Refused { frame: 3, reason: text.into() });
         assert!(frame(Projection::AsReported, 1.01 * pitch, 0.0).is_err());
     }
     for projection in [Projection::Corrected, Projection::Exact] {

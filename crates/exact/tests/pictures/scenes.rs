@@ -83,9 +83,7 @@ pub fn pose(eye: [f64; 3], pitch: f64, heading: f64) -> Pose {
 
 /// `exact` made ready.
 pub fn prepare(landscape: Arc<Landscape>, sun: Sun, settings: &Settings) -> Box<dyn Session> {
-    Exact
-        .prepare(Stage { landscape, scenery: Arc::new(Scenery::still(sun)), settings: settings.clone() })
-        .unwrap()
+    Exact.prepare(Stage { landscape, scenery: Arc::new(Scenery::still(sun)), view: settings.view() }).unwrap()
 }
 
 /// Both planes of one frame: intensity, range.
@@ -101,8 +99,7 @@ pub fn draw(landscape: &Arc<Landscape>, sun: Sun, settings: &Settings, pose: &Po
 /// All planes of one frame.
 pub fn planes(landscape: &Arc<Landscape>, scenery: Scenery, settings: &Settings, pose: &Pose) -> Planes {
     let Raster { columns, lines, .. } = settings.raster;
-    let stage =
-        Stage { landscape: Arc::clone(landscape), scenery: Arc::new(scenery), settings: settings.clone() };
+    let stage = Stage { landscape: Arc::clone(landscape), scenery: Arc::new(scenery), view: settings.view() };
     let mut planes = Planes::new(columns as usize, lines as usize, &PlaneKind::ALL);
     Exact.prepare(stage).unwrap().frame(0, pose, &mut planes, &mut Probe::off()).unwrap();
     planes

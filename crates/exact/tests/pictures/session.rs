@@ -47,7 +47,7 @@ fn poses_that_cannot_be_drawn_are_refused() {
         Pose { yoke: f64::NAN, ..pose([80.0, 80.0, 5.0], 0.0, 0.0) },
     ];
     for pose in &not_a_pose {
-        let FrameError::Unsupported { frame: 7, reason } = refusal(pose) else { panic!("{pose:?}") };
+        let FrameError::Refused { frame: 7, reason } = refusal(pose) else { panic!("{pose:?}") };
         assert!(reason.contains("exact cannot draw an eye at [80.0, "), "{reason}");
     }
 }

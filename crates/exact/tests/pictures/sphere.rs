@@ -77,11 +77,11 @@ fn the_sphere_ends() {
         let settings = settings(9, 9, laws(Projection::Exact, curvature, PixelRule::Centre), [1.0, 1e6]);
         let body = standing_box(0, [range, 5e4, 3e6], 5.0, 9.0);
         let scenery = Arc::new(Scenery::still(sun(180.0, 30.0)).with_bodies(vec![body]));
-        let stage = Stage { landscape: Arc::clone(&ground), scenery, settings };
+        let stage = Stage { landscape: Arc::clone(&ground), scenery, view: settings.view() };
         let mut planes = Planes::new(9, 9, &[PlaneKind::Intensity]);
         let session = Exact.prepare(stage).unwrap();
-        session.frame(0, &pose(eye, 0.0, 0.0), &mut planes, &mut Probe::off()).unwrap().bodies
+        session.frame(0, &pose(eye, 0.0, 0.0), &mut planes, &mut Probe::off()).unwrap().get("bodies")
     };
-    assert_eq!([1.7e6, 1.8e6].map(|range| bodies(range, Curvature::Exact)), [1, 0]);
-    assert_eq!([1.7e6, 1.8e6].map(|range| bodies(range, Curvature::Parabolic)), [1, 1]);
+    assert_eq!([1.7e6, 1.8e6].map(|range| bodies(range, Curvature::Exact)), [1, 0].map(Some));
+    assert_eq!([1.7e6, 1.8e6].map(|range| bodies(range, Curvature::Parabolic)), [1, 1].map(Some));
 }

@@ -10,10 +10,10 @@ use plots::{BankLook, bank_picture};
 use quantities::{degrees, radians};
 use serde_json::{Value, json};
 
-use crate::kind::read_scenario;
 use crate::loading::StageArgs;
 use crate::output::{Place, expect_outputs, print, print_json, table};
 use crate::{Failure, Verdict, values};
+use front_door::read_scenario;
 
 /// Make, read and draw banks of terrain coefficients.
 #[derive(Debug, Args)]
@@ -180,7 +180,7 @@ impl Generate {
     fn run(&self) -> Result<(), Failure> {
         expect_outputs(&bank_at(&self.out), &StageArgs::of(&self.scenario).sources())?;
         let scenario = read_scenario(&self.scenario)?;
-        write(&self.out, &stage::bank(&scenario)?, self.json)
+        write(&self.out, &front_door::bank(&scenario)?, self.json)
     }
 }
 

@@ -6,14 +6,12 @@ use cartridge::{CartridgeError, of_file};
 use clap::Args;
 use diagnostics::{Problem, ProblemList, ProblemRecord};
 use files::FileError;
-use hardware_model::{Asked, HardwareModel, ModelSource};
+use front_door::{KNOWN, Kind, OpenError, Wishes, open, path_problems};
+use generator::Row;
+use hardware_model::{HardwareModel, ModelSource};
 use limits::Limit;
-use lunsim::Hardware;
-use scenario::{PoseTable, Scenario};
 use serde_json::{Value, json};
 
-use crate::kind::{KNOWN, Kind};
-use crate::loading::{hardware_model, other_names, path_problems, stage_problems};
 use crate::output::{Colour, print, print_json, tell};
 use crate::{Failure, Verdict};
 
@@ -21,8 +19,8 @@ const AFTER: &str = "Example:
   lunoid check scenarios/*.toml hardware-models/*.toml
 
 A scenario is read with its machine, its ground is made and its path driven over it; nothing is drawn. A file of
-differences, with neither `name` nor `base`, is read as an overlay over the ideal machine. What LUNSIM ran on and
-cartridges are read too. Exit code 3 if there is any fault.";
+differences, with neither `name` nor `base`, is read as an overlay over the ideal machine. What the program of a
+generator ran on and cartridges are read too. Exit code 3 if there is any fault.";
 
 /// Read scenarios, hardware models and whatever else is written in TOML, and list every fault.
 #[derive(Debug, Args)]
@@ -46,7 +44,7 @@ impl Check {
                 Kind::Model => check_model(file),
                 Kind::Overlay => check_overlay(file),
                 Kind::Sidecar => Ok(()),
-                Kind::Gear => check_gear(file),
+                Kind::Gear(row) => check_gear(row, file),
                 Kind::Cartridge => check_cartridge(file),
                 Kind::Unknown => Err(of_no_kind(file)),
             };
@@ -84,11 +82,11 @@ fn check_overlay(path: &Path) -> Result<(), ProblemList> {
     HardwareModel::load(&ideal, &[path.to_owned()], &[]).map(|_| ())
 }
 
-fn check_gear(path: &Path) -> Result<(), ProblemList> {
+fn check_gear(row: &Row, path: &Path) -> Result<(), ProblemList> {
     let name = path.display().to_string();
     let of_file = |error: FileError| Problem::of_file(&name, error.to_string());
     let bytes = files::read_all(path, Limit::TextBytes).map_err(of_file)?;
-    Hardware::parse(&name, &String::from_utf8_lossy(&bytes)).map(|_| ())
+    registry::check_gear(row, &name, &String::from_utf8_lossy(&bytes))
 }
 
 fn check_cartridge(path: &Path) -> Result<(), ProblemList> {
@@ -103,18 +101,13 @@ fn of_no_kind(path: &Path) -> ProblemList {
 
 fn check_scenario(path: &Path) -> Result<(), ProblemList> {
     let name = path.display().to_string();
-    let of_file = |title: String| ProblemList::from(Problem::of_file(&name, title));
-    let scenario = Scenario::read(path)?;
-    let (machine, folder) = (hardware_model(&scenario.machine), path.parent().unwrap_or(Path::new("")));
-    let source = ModelSource::find_as(Asked { place: &name, others: &other_names() }, machine, folder)?;
-    let model = HardwareModel::load(&source, &[], &[])?;
-    let settings = stage::settings(&scenario, &model.model).map_err(|error| {
-        of_file(format!("scenario and machine `{}` do not fit together: {error}", scenario.machine))
-    })?;
-    let stage = stage::build(&scenario, settings).map_err(|error| stage_problems(&name, &error))?;
-    let (update, yoke) = (stage.settings.timebase.update, stage.settings.yoke);
-    let poses = PoseTable::resolve(&scenario, &stage.landscape, update, yoke, 0..scenario.frames(update));
-    poses.map(|_| ()).map_err(|error| path_problems(&error))
+    let problems = |error: OpenError| match error {
+        OpenError::Problems(list) => list,
+        other => Problem::of_file(&name, other.to_string()).into(),
+    };
+    let opened = open(path, &Wishes::default()).map_err(problems)?;
+    let stage = opened.stage().map_err(problems)?;
+    opened.poses(&stage, 0..opened.frames()).map(drop).map_err(|error| path_problems(&error))
 }
 
 fn document(file: &Path, kind: Kind, result: &Result<(), ProblemList>) -> Value {

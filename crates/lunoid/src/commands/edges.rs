@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use compare::{EDGE_PLANES, EdgeLimits, EdgeMask, edge_mask, ridge_mask};
-use generator::{Generator, PlaneKind, Planes, Session, Stage};
+use generator::{PlaneKind, Planes, Session, Stage};
 use rayon::ThreadPool;
-use replay::{HeldRun, SceneryRecord, SettingsRecord};
+use replay::{HeldRun, SceneryRecord, ViewRecord};
 use scenario::{PoseTable, Scenario};
 use serde_json::{Value, json};
 use signal::Probe;
@@ -15,13 +15,13 @@ use crate::loading::StageArgs;
 
 /// What of a run decides where its edges are.
 const DECIDING: [&str; 8] = [
-    "/settings/laws",
-    "/settings/range",
-    "/settings/raster/columns",
-    "/settings/raster/lines",
-    "/settings/raster/field_of_view_deg",
-    "/settings/clocks/update",
-    "/settings/yoke",
+    "/view/laws",
+    "/view/ranges_m",
+    "/view/columns",
+    "/view/lines",
+    "/view/field_of_view_deg",
+    "/view/update",
+    "/view/yoke",
     "/scenery/blake3",
 ];
 
@@ -65,22 +65,21 @@ pub struct Edges {
 impl Edges {
     /// Of the scenario in a file.
     pub fn of(path: &Path, kind: Kind, pool: &ThreadPool) -> Result<Self, Failure> {
-        let mut loaded = StageArgs::of(path).load()?;
-        let stage = loaded.stage(pool)?;
-        let session = exact::Exact.prepare(stage.clone()).map_err(Failure::input)?;
-        Ok(Self { scenario: loaded.scenario, stage, session, kind })
+        let opened = StageArgs::of(path).load()?;
+        let stage = pool.install(|| opened.stage())?;
+        let session = registry::judge_on(stage.clone()).map_err(Failure::input)?;
+        Ok(Self { scenario: opened.scenario, stage, session, kind })
     }
 
     /// Draws on the raster of `run`, which must otherwise be a run of this scenario as it stands.
     pub fn expect_run(&mut self, folder: &Path, run: &HeldRun) -> Result<(), Failure> {
         let held = &run.document;
-        let size =
-            |key: &str| held["settings"]["raster"][key].as_u64().and_then(|size| u32::try_from(size).ok());
+        let size = |key: &str| held["view"][key].as_u64().and_then(|size| u32::try_from(size).ok());
         if let (Some(columns), Some(lines)) = (size("columns"), size("lines")) {
-            (self.stage.settings.raster.columns, self.stage.settings.raster.lines) = (columns, lines);
+            (self.stage.view.columns, self.stage.view.lines) = (columns, lines);
         }
         let expected = json!({
-            "settings": SettingsRecord::new(&self.stage.settings),
+            "view": ViewRecord::new(&self.stage.view),
             "scenery": SceneryRecord::new(&self.stage),
         });
         match DECIDING.iter().find(|key| expected.pointer(key) != held.pointer(key)) {
@@ -113,10 +112,10 @@ impl Edges {
     }
 
     fn planes(&self, frame: u64, pool: &ThreadPool) -> Result<Planes, Failure> {
-        let (update, yoke) = (self.stage.settings.timebase.update, self.stage.settings.yoke);
+        let (update, yoke) = (self.stage.view.update, self.stage.view.yoke);
         let rows = PoseTable::resolve(&self.scenario, &self.stage.landscape, update, yoke, frame..frame + 1);
         let pose = rows.map_err(Failure::input)?.rows()[0].pose;
-        let raster = &self.stage.settings.raster;
+        let raster = &self.stage.view;
         let mut planes = Planes::new(raster.columns as usize, raster.lines as usize, self.kind.planes());
         let draw = || self.session.frame(frame, &pose, &mut planes, &mut Probe::off());
         pool.install(draw).map_err(Failure::input)?;

@@ -3,8 +3,6 @@
 use clap::Args;
 use exact::Columns;
 use explain::{Explanation, GroundPoint, Inquiry, InquiryError, Late};
-use generator::Generator;
-use machine::HybridMachine;
 use quantities::fixed;
 
 use crate::commands::again::command;
@@ -44,8 +42,8 @@ impl Explain {
         let frame = self.chosen.frame;
         let rehearsal = self.chosen.rehearse(|_| Ok(()))?;
         let pose = rehearsal.poses(&[frame])?[0].pose;
-        let session = HybridMachine.prepare(rehearsal.stage.clone()).map_err(Failure::input)?;
-        let exact = (!self.no_exact).then(|| Columns::new(rehearsal.stage.clone()));
+        let session = rehearsal.stage.clone().prepare();
+        let exact = (!self.no_exact).then(|| Columns::new(rehearsal.stage.stage()));
         let inquiry = Inquiry::new(&rehearsal.stage, session.as_ref(), &rehearsal.control, exact.as_ref());
         let told = rehearsal.pool.install(|| inquiry.explain(frame, &pose, self.pixel));
         let told = told.map_err(|error| match error {

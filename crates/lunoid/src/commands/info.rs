@@ -5,6 +5,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use front_door::{KNOWN, Kind, read_scenario};
 use hardware_model::HardwareModel;
 use landscape::bank_file;
 use picture::{Limits, read_png};
@@ -16,7 +17,6 @@ use survey::{Elevation, Frame, Method, ReadOptions, SurveyError};
 
 use crate::commands::bank::shortened;
 use crate::commands::{bank, model};
-use crate::kind::{KNOWN, Kind};
 use crate::output::{print, print_json};
 use crate::{Failure, Verdict};
 
@@ -66,9 +66,11 @@ fn look(path: &Path) -> Result<(Value, String), Failure> {
                 "{0}: differences from a hardware model; expected a model. `lunoid model show ideal --overlay {0}` has them",
                 path.display()
             ))),
-            Kind::Gear => Err(Failure::input(format!(
-                "{}: what LUNSIM ran on; `lunoid check` reads it, docs/blocks/lunsim.md describes it",
-                path.display()
+            Kind::Gear(row) => Err(Failure::input(format!(
+                "{}: what {} ran on; `lunoid check` reads it, docs/blocks/{}.md describes it",
+                path.display(),
+                row.name,
+                row.name
             ))),
             Kind::Cartridge => Err(Failure::input(format!(
                 "{}: a cartridge; `lunoid cartridge run --folder` runs it with those beside its folder",
@@ -141,7 +143,7 @@ fn png(path: &Path) -> Result<(Value, String), Failure> {
 }
 
 fn scenario(path: &Path) -> Result<(Value, String), Failure> {
-    let scenario = Scenario::read(path)?;
+    let scenario = read_scenario(path)?;
     let ground = match &scenario.ground {
         Ground::Bank(bank) => format!("bank {}", bank.display()),
         Ground::Generated(relief) => format!("generated from seed {}", relief.seed),

@@ -11,7 +11,6 @@ use limits::{ROWS, Row};
 use scenario::Scenario;
 use serde_json::{Value, json};
 
-use crate::loading::OTHERS;
 use crate::output::{print, print_json, table};
 use crate::{Failure, Verdict};
 
@@ -63,7 +62,8 @@ impl List {
 
 /// Lists what draws: hardware models, then generators that are none.
 fn machines(json: bool) -> Result<(), Failure> {
-    let others = OTHERS.map(|(generator, what)| [generator.name().into(), what.into(), "built in".into()]);
+    let others = registry::ROWS.iter().map(|row| [row.name.into(), row.about.into(), "built in".into()]);
+    let others: Vec<[String; 3]> = others.collect();
     let others = Listing { what: "generators", heading: ["generator", "draws", "from"], rows: &others };
     let models = model_rows();
     let models = Listing { what: "models", heading: MODEL_HEADING, rows: &models };
@@ -110,7 +110,8 @@ fn proves(text: &str) -> String {
 }
 
 fn scenarios(json: bool) -> Result<(), Failure> {
-    let row = |file: &PathBuf| match Scenario::read(file) {
+    let read = |file: &Path| Scenario::read_beside(file, &registry::parameter_tables());
+    let row = |file: &PathBuf| match read(file) {
         Ok(scenario) => [file.display().to_string(), scenario.title, scenario.shows],
         Err(problems) => [file.display().to_string(), String::new(), faults(problems.len())],
     };

@@ -9,9 +9,9 @@ use hardware_model::{
 use serde_json::{Map, Value, json};
 
 use crate::commands::list;
-use crate::kind::read_model;
 use crate::output::{print, print_json, table};
 use crate::{Failure, Verdict, values};
+use front_door::read_model;
 
 /// Show, check and list hardware models.
 #[derive(Debug, Args)]
@@ -118,13 +118,13 @@ impl ModelCommand {
 
 impl Named {
     fn load(&self) -> Result<LoadedModel, Failure> {
-        read_model(
+        Ok(read_model(
             Asked { place: "MODEL", others: &[] },
             &self.model,
             Path::new(""),
             &self.overlay,
             &self.set,
-        )
+        )?)
     }
 }
 

@@ -8,14 +8,13 @@ use std::ops::Range;
 use std::path::PathBuf;
 
 use clap::Args;
-use generator::Stage;
-use scenario::PoseTable;
+use front_door::Opened;
+use generator::{Scan, Stage};
 use serde_json::json;
 use waveform::{Format, Header};
 
-use crate::commands::scope::{NEEDS, Recorded, ScopeArgs, columns_of, write_picture};
+use crate::commands::scope::{Recorded, ScopeArgs, columns_of, needs, write_picture};
 use crate::frame::FrameArgs;
-use crate::loading::Loaded;
 use crate::output::{expect_outputs, print, print_json, tell};
 use crate::values::Span;
 use crate::{Failure, Verdict};
@@ -72,28 +71,37 @@ fn span(text: &str) -> Result<Span, String> {
     if text == "all" { "..".parse() } else { text.parse() }
 }
 
+/// How the signals of the generator run.
+fn scan(opened: &Opened) -> Result<Scan, Failure> {
+    opened.generator.scan(&opened.settings.view()).ok_or_else(|| {
+        let name = opened.generator.name();
+        Failure::usage(format!("--machine {name}: it has no signals; expected a hardware model"))
+    })
+}
+
 impl ProbeCommand {
     /// Records.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let target = Target::of(self.format.as_deref(), &self.out)?;
         self.expect_fitting(target)?;
         expect_outputs(&target.places("--out", &self.out), &self.chosen.stage.sources())?;
-        let mut loaded = self.chosen.stage.load()?;
-        let sweeps = self.sweeps(&loaded, target)?;
-        let table = loaded.generator.signals();
-        expect_known(table, &self.signals, loaded.generator.name())?;
+        let opened = self.chosen.stage.load()?;
+        let sweeps = self.sweeps(&opened, target)?;
+        let generator = &opened.generator;
+        let table = generator.signals();
+        expect_known(table, &self.signals, generator.name())?;
         let pool = self.chosen.threads.pool()?;
-        let stage = loaded.stage(&pool)?;
-        let pose = self.pose(&loaded, &stage)?;
-        let (settings, columns) = (stage.settings.clone(), columns_of(stage.landscape.bank()));
-        let session = loaded.generator.prepare(stage).map_err(Failure::input)?;
+        let stage = pool.install(|| opened.stage())?;
+        let pose = self.pose(&opened, &stage)?;
+        let columns = columns_of(stage.landscape.bank());
+        let raster = [stage.view.columns as usize, stage.view.lines as usize];
+        let session = generator.prepare(stage).map_err(Failure::input)?;
         let choice = Choice::of(table, &session.wires(), &self.signals);
-        let raster = [settings.raster.columns as usize, settings.raster.lines as usize];
         let look = Look { session: &*session, pool: &pool, frame: self.chosen.frame, pose: &pose, raster };
         let written = match target {
-            Target::Picture => self.draw(&look, &loaded, &choice, (sweeps.start, &columns))?,
+            Target::Picture => self.draw(&look, &opened, &choice, (sweeps.start, &columns))?,
             Target::Waveforms(format) => {
-                let header = self.header(&loaded, &choice, sweeps.clone());
+                let header = self.header(&opened, &choice, sweeps.clone())?;
                 trace(&look, header, &self.order(format))?
             }
         };
@@ -115,45 +123,42 @@ impl ProbeCommand {
         }
     }
 
-    fn sweeps(&self, loaded: &Loaded, target: Target) -> Result<Range<u32>, Failure> {
-        let generator = loaded.generator;
-        let (span, all) = (self.sweep, generator.timebase(&loaded.settings).sweeps);
+    fn sweeps(&self, opened: &Opened, target: Target) -> Result<Range<u32>, Failure> {
+        let (span, all) = (self.sweep, scan(opened)?.timebase.sweeps);
         let sweeps = span.within(&(0..u64::from(all))).ok_or_else(|| {
             Failure::usage(format!("--sweep {span}: a frame has sweeps 0..{all}; expected a range inside"))
         })?;
-        self.chosen.expect_in(loaded)?;
+        self.chosen.expect_in(opened)?;
         if target == Target::Picture && sweeps.end - sweeps.start != 1 {
             return Err(Failure::usage(format!("--sweep {span}: a picture shows one sweep; expected one")));
         }
         Ok(sweeps.start as u32..sweeps.end as u32)
     }
 
-    fn pose(&self, loaded: &Loaded, stage: &Stage) -> Result<scenario::Pose, Failure> {
+    fn pose(&self, opened: &Opened, stage: &Stage) -> Result<scenario::Pose, Failure> {
         let frames = self.chosen.frame..self.chosen.frame + 1;
-        let Stage { landscape, settings, .. } = stage;
-        let update = settings.timebase.update;
-        let table = PoseTable::resolve(&loaded.scenario, landscape, update, settings.yoke, frames);
+        let table = opened.poses(stage, frames);
         Ok(table.map_err(Failure::input)?.rows()[0].pose)
     }
 
-    fn header(&self, loaded: &Loaded, choice: &Choice, sweeps: Range<u32>) -> Header {
-        let scenario = loaded.inputs.scenario.as_ref();
+    fn header(&self, opened: &Opened, choice: &Choice, sweeps: Range<u32>) -> Result<Header, Failure> {
+        let scenario = opened.inputs.scenario.as_ref();
         let hash = scenario.map(|scenario| ("scenario_blake3", scenario.blake3.clone()));
         let provenance = [
             ("program", format!("lunoid {}", env!("CARGO_PKG_VERSION"))),
             ("commit", crate::cli::COMMIT.to_owned()),
             ("scenario", self.chosen.stage.scenario.display().to_string()),
-            ("machine", loaded.drawn_by().to_owned()),
+            ("machine", opened.drawn_by().to_owned()),
         ];
-        Header {
-            title: format!("{}: frame {}", loaded.scenario.title, self.chosen.frame),
+        Ok(Header {
+            title: format!("{}: frame {}", opened.scenario.title, self.chosen.frame),
             provenance: provenance.into_iter().chain(hash).map(|(key, words)| (key.into(), words)).collect(),
             wires: choice.wires.clone(),
-            timebase: loaded.generator.timebase(&loaded.settings),
-            lines: loaded.settings.raster.lines,
+            timebase: scan(opened)?.timebase,
+            lines: opened.settings.raster.lines,
             frame: self.chosen.frame,
             sweeps,
-        }
+        })
     }
 
     fn order(&self, format: Format) -> Order<'_> {
@@ -164,19 +169,21 @@ impl ProbeCommand {
     fn draw(
         &self,
         look: &Look<'_>,
-        loaded: &Loaded,
+        opened: &Opened,
         choice: &Choice,
         (sweep, columns): (u32, &[usize]),
     ) -> Result<Written, Failure> {
-        let wanted = choice.names();
-        let recorded = wanted.iter().chain(&NEEDS).map(|name| (*name).to_owned()).collect();
+        let (wanted, scan) = (choice.names(), scan(opened)?);
+        let needed = needs(&scan);
+        let recorded = wanted.iter().chain(&needed).map(|name| (*name).to_owned()).collect();
         let waveforms = look.at(recorded, sweep..sweep + 1)?;
         let recorded = Recorded {
-            title: &loaded.scenario.title,
+            title: &opened.scenario.title,
             waveforms: &waveforms,
             wires: &look.session.wires(),
             wanted: &wanted,
-            settings: &loaded.settings,
+            scan,
+            display: opened.settings.display,
             columns,
         };
         write_picture(&self.out, &recorded, &self.scope)?;

@@ -34,7 +34,10 @@ fn a_scenario_becomes_a_folder() {
     assert_eq!(record["schema"], "lunoid.run/1");
     assert_eq!(record["scenario"]["file"]["file"], "tiny.toml");
     let text = fs::read(scene.join("tiny.toml")).unwrap();
-    assert_eq!(record["scenario"]["file"]["blake3"], replay::file_hash(&scene.join("tiny.toml")).unwrap());
+    assert_eq!(
+        record["scenario"]["file"]["blake3"],
+        run_record::file_hash(&scene.join("tiny.toml")).unwrap()
+    );
     assert!(!text.is_empty() && record["model"]["values"].as_array().unwrap().len() > 10);
     let (again, _) = scene.expect(0, &["replay", "tiny.toml"]);
     assert_eq!(again, "runs/tiny: frames 0..4, all there already\n");

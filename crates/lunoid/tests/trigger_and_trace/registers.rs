@@ -23,7 +23,7 @@ fn control(scene: &Scene) -> (ControlPlane, scenario::Pose) {
     let set = [("buffer.words", "unlimited"), ("loader.access_ns", "100000")]
         .map(|(key, value)| (key.into(), value.into()));
     let model = HardwareModel::load(&source, &[], &set).unwrap().model;
-    let stage = stage::build(&scenario, stage::settings(&scenario, &model).unwrap()).unwrap();
+    let stage = front_door::build(&scenario, front_door::settings(&scenario, &model).unwrap()).unwrap();
     let (update, yoke) = (stage.settings.timebase.update, stage.settings.yoke);
     let rows = PoseTable::resolve(&scenario, &stage.landscape, update, yoke, FRAME..FRAME + 1).unwrap();
     (ControlPlane::new(stage), rows.rows()[0].pose)
@@ -52,7 +52,7 @@ fn they_hold_the_words_of_the_terrain_generator() {
     let scenario = Scenario::read(scene.join("tiny.toml")).unwrap();
     let model =
         HardwareModel::load(&ModelSource::find("ideal", Path::new("")).unwrap(), &[], &[]).unwrap().model;
-    let stage = stage::build(&scenario, stage::settings(&scenario, &model).unwrap()).unwrap();
+    let stage = front_door::build(&scenario, front_door::settings(&scenario, &model).unwrap()).unwrap();
     let level = stage.landscape.level();
     let buffer = level.words();
     let mut stale = 0;

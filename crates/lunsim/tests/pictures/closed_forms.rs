@@ -1,22 +1,22 @@
 //! Scenes whose picture is known.
 
 use generator::{Label, PlaneKind, Shade};
-use hardware_model::Settings;
 use landscape::LUNOID_RADIUS;
 use quantities::radians;
-use scenario::{Curvature, Laws};
+use scenario::{Curvature, Laws, View};
 
-use crate::scenes::{bowl, draw, plain, pose, settings, sun, unrestricted, value};
+use crate::scenes::{Given, bowl, draw, plain, pose, settings, sun, unrestricted, value};
 
-fn curved(settings: Settings) -> Settings {
-    Settings { laws: Laws { curvature: Curvature::Parabolic, ..settings.laws }, ..settings }
+fn curved(settings: Given) -> Given {
+    let laws = Laws { curvature: Curvature::Parabolic, ..settings.view.laws };
+    Given { view: View { laws, ..settings.view }, ..settings }
 }
 
 /// Straight down from a height, the middle of pixel (column, line) is this far north and east of the foot point (m).
-fn below(height: f64, settings: &Settings, [column, line]: [usize; 2]) -> [f64; 2] {
-    let half = settings.raster.field.tan_half_width;
+fn below(height: f64, settings: &Given, [column, line]: [usize; 2]) -> [f64; 2] {
+    let half = settings.view.field.tan_half_width;
     let place =
-        |pixel: usize| half * (f64::from(2 * pixel as u32 + 1) / f64::from(settings.raster.columns) - 1.0);
+        |pixel: usize| half * (f64::from(2 * pixel as u32 + 1) / f64::from(settings.view.columns) - 1.0);
     [-height * place(line), height * place(column)]
 }
 
@@ -49,7 +49,7 @@ fn ground_range_is_height_over_depression() {
         &settings,
         &pose([1000.0, 20_000.0, 2000.0], -35.0, 0.0),
     );
-    let half = settings.raster.field.tan_half_height;
+    let half = settings.view.field.tan_half_height;
     // The area reaches from 50 to 20 degrees of depression.
     let step = 2000.0 * (1.0 / libm::tan(radians(20.0)) - 1.0 / libm::tan(radians(50.0))) / 1023.0;
     for line in 0..64 {
@@ -71,7 +71,7 @@ fn a_bowl_is_lit_by_the_law_of_its_slopes() {
     let landscape = plain(20_000.0, vec![bowl([10_000.0; 2], r1, depth)]);
     let light = sun(270.0, 40.0);
     let planes = draw(&landscape, light, &settings, &pose([10_000.0, 10_000.0, height], -90.0, 0.0));
-    let step = 2.0 * (height + depth) * settings.raster.field.tan_half_width / 511.0;
+    let step = 2.0 * (height + depth) * settings.view.field.tan_half_width / 511.0;
     let bend = 2.0 * depth / (r1 * r1);
     let mut inside = 0;
     for pixel in 0..128 * 128 {
@@ -123,10 +123,10 @@ fn the_horizon_of_the_curved_lunoid() {
     let level = unrestricted(settings(512, 4.0, 1024));
     let landscape = plain(120_000.0, vec![]);
     let eye = pose([100.0, 60_000.0, height], 0.0, 0.0);
-    let half = level.raster.field.tan_half_height;
+    let half = level.view.field.tan_half_height;
     for (settings, dip) in [
         (curved(level.clone()), (2.0 * height / LUNOID_RADIUS).sqrt()),
-        (level.clone(), height / level.range.end),
+        (level.clone(), height / level.view.ranges[1]),
     ] {
         let planes = draw(&landscape, sun(90.0, 30.0), &settings, &eye);
         let first = (0..512).find(|line| value(&planes, PlaneKind::Range, [256, *line]).is_finite()).unwrap();

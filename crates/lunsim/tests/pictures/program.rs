@@ -4,12 +4,12 @@ use std::collections::BTreeMap;
 
 use features::{Crater, Shape};
 use generator::{PlaneKind, Planes};
-use lunsim::{Hardware, POSITIONS, Program};
-use scenario::{Curvature, Laws, LunsimRun, Pose};
+use lunsim::{Hardware, Lunsim, POSITIONS, Parameters, Program};
+use scenario::{Curvature, Laws, Pose};
 use signal::Probe;
 use timing::FrameTiming;
 
-use crate::scenes::{bowl, plain, pose, prepare, settings, stage, sun, unrestricted};
+use crate::scenes::{Scene, bowl, plain, pose, prepare, settings, stage, sun};
 
 const GRID: u32 = 96;
 const POINTS: u64 = (GRID * GRID) as u64;
@@ -30,16 +30,16 @@ fn view() -> Pose {
     pose([2500.0, 4000.0, 900.0], -30.0, 0.0)
 }
 
-fn scene(curvature: Curvature) -> generator::Stage {
+fn scene(curvature: Curvature) -> Scene {
     // A pixel a position, so that a plane is the film.
     let mut settings = settings(POSITIONS as u32, 30.0, GRID);
-    settings.lunsim = LunsimRun { intensity_codes: 16, ..settings.lunsim };
-    settings.laws = Laws { curvature, ..settings.laws };
+    settings.parameters = Parameters { intensity_codes: 16, ..settings.parameters };
+    settings.view.laws = Laws { curvature, ..settings.view.laws };
     stage(&plain(8000.0, craters()), sun(270.0, 15.0), &settings)
 }
 
-fn timed(stage: generator::Stage, pose: &Pose) -> FrameTiming {
-    Program::new(stage, Hardware::shipped().unwrap()).unwrap().frame(3, pose).unwrap()
+fn timed(stage: Scene, pose: &Pose) -> FrameTiming {
+    Program::new(stage.stage(), &stage.program()).unwrap().frame(3, pose).unwrap()
 }
 
 /// Pieces by task.
@@ -102,11 +102,11 @@ fn pieces_are_those_of_the_picture() {
 #[test]
 fn a_flat_moon_without_shadows_saves_its_steps() {
     let mut stage = scene(Curvature::None);
-    stage.settings.shadows = None;
+    stage.view.shadows = None;
     let frame = timed(stage, &view());
     assert!(["drops", "march"].iter().all(|task| !pieces(&frame).contains_key(task)));
     let mut turned = scene(Curvature::None);
-    turned.settings = unrestricted(turned.settings);
+    turned.parameters.restrictions = false;
     let frame = timed(turned, &pose([2500.0, 4000.0, 900.0], -30.0, 20.0));
     assert_eq!(pieces(&frame)["march-between"], POINTS);
 }
@@ -114,7 +114,10 @@ fn a_flat_moon_without_shadows_saves_its_steps() {
 #[test]
 fn times_follow_from_pieces_and_hardware() {
     let (stage, hardware) = (scene(Curvature::None), Hardware::shipped().unwrap());
-    let of = |hardware: Hardware| Program::new(stage.clone(), hardware).unwrap().frame(3, &view()).unwrap();
+    let of = |hardware: Hardware| {
+        let program = Lunsim { hardware, ..stage.program() };
+        Program::new(stage.stage(), &program).unwrap().frame(3, &view()).unwrap()
+    };
     let frame = of(hardware);
     let task =
         |frame: &FrameTiming, name: &str| frame.tasks.iter().find(|task| task.task == name).cloned().unwrap();
@@ -141,7 +144,7 @@ fn events_are_the_film_whatever_the_threads() {
     let of = |threads: usize, white: f64| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         let mut stage = scene(Curvature::None);
-        stage.settings.display.white = white;
+        stage.view.display.white = white;
         pool.install(|| timed(stage, &view()))
     };
     let one = of(1, 1.0);
@@ -155,7 +158,7 @@ fn events_are_the_film_whatever_the_threads() {
 #[test]
 fn nothing_in_view_is_a_look_at_the_map() {
     let mut stage = scene(Curvature::None);
-    stage.settings.range.end = 10.0;
+    stage.view.ranges[1] = 10.0;
     let frame = timed(stage, &view());
     assert_eq!(frame.tasks.iter().map(|task| task.task.as_str()).collect::<Vec<_>>(), ["squares"]);
     assert_eq!((frame.events, frame.units[1].busy), (0, 0));

@@ -2,29 +2,30 @@
 
 use std::sync::Arc;
 
-use generator::{FrameError, Omission, PlaneKind, Planes, Stage, Weight};
+use generator::{FrameError, Omission, PlaneKind, Planes, Weight};
 use glam::{DMat3, DVec3};
-use hardware_model::Settings;
 use landscape::relief::Relief;
 use landscape::{Landscape, Layer, Photometry, Silhouette, Source, Sun, Texture};
+use lunsim::Parameters;
 use scenario::{LevelSwitch, Pose, Scenery, Standing, TrackPatch};
 use signal::Probe;
 use solids::{Body, Kind, Solid};
 
-use crate::scenes::{plain, pose, prepare, relief, settings, stage, sun, unrestricted};
+use crate::scenes::{Scene, plain, pose, prepare, relief, settings, stage, sun};
 
 const SIDE: f64 = 4000.0;
 
-fn usual() -> Stage {
+fn usual() -> Scene {
     stage(&plain(SIDE, vec![]), sun(270.0, 20.0), &settings(16, 30.0, 32))
 }
 
-fn lifted(stage: &Stage) -> Stage {
-    Stage { settings: unrestricted(stage.settings.clone()), ..stage.clone() }
+fn lifted(stage: &Scene) -> Scene {
+    let parameters = Parameters { restrictions: false, ..stage.parameters };
+    Scene { parameters, ..stage.clone() }
 }
 
 /// What is said of `stage`; without restrictions it is drawn, and what is left out is listed.
-fn refused(stage: Stage) -> (String, Vec<Omission>) {
+fn refused(stage: Scene) -> (String, Vec<Omission>) {
     let message = prepare(stage.clone()).err().expect("a restriction").to_string();
     assert!(message.starts_with("lunsim cannot do "), "{message}");
     assert!(message.ends_with("--set lunsim.restrictions=false"), "{message}");
@@ -35,13 +36,13 @@ fn refused(stage: Stage) -> (String, Vec<Omission>) {
     (message, session.omissions())
 }
 
-fn over(landscape: Landscape) -> Stage {
-    Stage { landscape: Arc::new(landscape), ..usual() }
+fn over(landscape: Landscape) -> Scene {
+    Scene { landscape: Arc::new(landscape), ..usual() }
 }
 
-fn with(change: impl Fn(&mut Settings)) -> Stage {
+fn with(change: impl Fn(&mut Scene)) -> Scene {
     let mut stage = usual();
-    change(&mut stage.settings);
+    change(&mut stage);
     stage
 }
 
@@ -56,13 +57,13 @@ fn what_has_a_law_all_the_same() {
     let level = (*plain(SIDE, vec![])).clone();
     let cases = [
         (
-            Stage { landscape: relief(&tilted, vec![]), ..usual() },
+            Scene { landscape: relief(&tilted, vec![]), ..usual() },
             "ground of any relief ([landscape]: its surface is smooth",
         ),
         (over(level.with_photometry(Photometry::LunarLambert)), "another law of reflection"),
-        (with(|settings| settings.lunsim.grid = 1025), "a grid of 1025 points ([lunsim]: at most 1024"),
+        (with(|scene| scene.parameters.grid = 1025), "a grid of 1025 points ([lunsim]: at most 1024"),
         (
-            Stage { scenery: Arc::new(Scenery::still(sun(271.0, 20.0))), ..usual() },
+            Scene { scenery: Arc::new(Scenery::still(sun(271.0, 20.0))), ..usual() },
             "a sun at azimuth 271.000 deg",
         ),
     ];
@@ -87,13 +88,13 @@ fn what_has_no_law_is_left_out() {
     let cases = [
         (over(level.clone().with_texture(Some(texture))), "texture"),
         (over(level.with_silhouettes(vec![outline])), "far silhouettes"),
-        (Stage { scenery: Arc::new(still().with_patches(vec![patch])), ..usual() }, "vehicle tracks"),
+        (Scene { scenery: Arc::new(still().with_patches(vec![patch])), ..usual() }, "vehicle tracks"),
         (
-            Stage { scenery: Arc::new(still().with_bodies(vec![standing])), ..usual() },
+            Scene { scenery: Arc::new(still().with_bodies(vec![standing])), ..usual() },
             "rocks and man-made things",
         ),
-        (with(|settings| settings.levels = Some(LevelSwitch { range: 500.0, blend: 0.0 })), "a second level"),
-        (with(|settings| settings.yoke = Some(hardware_model::HardwareModel::ideal().yoke)), "roll"),
+        (with(|scene| scene.view.levels = Some(LevelSwitch { range: 500.0, blend: 0.0 })), "a second level"),
+        (with(|scene| scene.view.yoke = Some(hardware_model::HardwareModel::ideal().yoke)), "roll"),
     ];
     for (stage, words) in cases {
         let (message, omissions) = refused(stage);
@@ -106,7 +107,7 @@ fn what_has_no_law_is_left_out() {
 #[test]
 fn all_that_is_wrong_is_said_at_once() {
     let mut stage = usual();
-    stage.settings.lunsim.grid = 2000;
+    stage.parameters.grid = 2000;
     stage.scenery = Arc::new(Scenery::still(Sun { azimuth: 0.1, elevation: 0.2 }));
     let (message, _) = refused(stage);
     assert!(
@@ -117,7 +118,7 @@ fn all_that_is_wrong_is_said_at_once() {
 
 #[test]
 fn a_line_of_sight_is_cardinal_and_not_above_the_horizontal() {
-    let draw = |stage: Stage, pose: &Pose| {
+    let draw = |stage: Scene, pose: &Pose| {
         let mut planes = Planes::new(16, 16, &[PlaneKind::Intensity]);
         prepare(stage).unwrap().frame(3, pose, &mut planes, &mut Probe::off()).map(|_| ())
     };
@@ -127,7 +128,7 @@ fn a_line_of_sight_is_cardinal_and_not_above_the_horizontal() {
         (pose(eye, -14.0, 90.0), "an upper edge of the picture 1.000 deg above the horizontal"),
     ] {
         let error = draw(usual(), &pose).unwrap_err();
-        assert!(matches!(error, FrameError::Unsupported { frame: 3, .. }), "{error:?}");
+        assert!(matches!(error, FrameError::Refused { frame: 3, .. }), "{error:?}");
         assert!(error.to_string().contains(&format!("frame 3: lunsim cannot do {words}")), "{error}");
         assert_eq!(draw(lifted(&usual()), &pose), Ok(()));
     }

@@ -1,7 +1,6 @@
 //! Rows of the grid as waveforms, held to one another and to closed forms.
 
 use generator::{Generator, Planes};
-use lunsim::Lunsim;
 use scenario::{Curvature, Laws};
 use signal::{Probe, Waveform};
 
@@ -13,7 +12,7 @@ const EYE: f64 = 900.0;
 /// All signals of `rows`, of a bowl before an observer who looks north with the sun in the west.
 fn rows(rows: std::ops::Range<u32>, curvature: Curvature) -> Vec<Waveform> {
     let mut settings = settings(100, 30.0, GRID);
-    settings.laws = Laws { curvature, ..settings.laws };
+    settings.view.laws = Laws { curvature, ..settings.view.laws };
     let session = prepare(stage(
         &plain(8000.0, vec![bowl([4000.0, 4000.0], 500.0, 150.0)]),
         sun(270.0, 15.0),
@@ -36,14 +35,15 @@ fn values<'w>(waves: &'w [Waveform], row: u32, name: &str) -> &'w [f64] {
 #[test]
 fn every_row_that_is_wanted_has_every_signal() {
     let waves = rows(10..13, Curvature::None);
-    let names: Vec<_> = Lunsim.signals().iter().map(|signal| signal.name).collect();
+    let names: Vec<_> = lunsim::ROW.signals.iter().map(|signal| signal.name).collect();
     let found: Vec<_> = waves.iter().map(|wave| (wave.sweep, wave.signal.name)).collect();
     let expected: Vec<_> = (10..13).flat_map(|row| names.iter().map(move |name| (row, *name))).collect();
     assert_eq!(found, expected);
     assert!(waves.iter().all(|wave| (wave.frame, wave.values.len()) == (5, GRID as usize)));
     assert!(waves.iter().flat_map(|wave| &wave.values).all(|value| value.is_finite()));
     let settings = settings(100, 30.0, GRID);
-    let clock = Lunsim.timebase(&settings);
+    let program = settings.program();
+    let clock = program.scan(&settings.view).unwrap().timebase;
     assert_eq!((clock.sweeps, clock.active_samples, clock.retrace_samples), (GRID, GRID, 0));
 }
 

@@ -4,45 +4,71 @@ use std::sync::Arc;
 
 use features::{Crater, Features, Shape};
 use generator::{Generator, PlaneKind, Planes, PrepareError, Session, Stage};
-use hardware_model::{HardwareModel, Raster, Settings};
 use landscape::relief::Relief;
 use landscape::{Attitude, Bank, Landscape, Sun};
-use lunsim::Lunsim;
-use quantities::radians;
-use scenario::{
-    Curvature, Display, FieldOfView, LawWishes, Laws, LunsimRun, PixelRule, Pose, RangeLaw, RangeProgramme,
-    RasterWishes, Scalar, Scenery, ShadowFineness,
-};
+use lunsim::{Hardware, Lunsim, Parameters};
+use quantities::{Rate, radians};
+use scenario::{Curvature, Display, FieldOfView, Laws, PixelRule, Pose, Scenery, ShadowFineness, View};
 use signal::Probe;
 
-/// Settings of a square picture of `side` pixels and a field of `field_deg`, codes fine enough not to be felt, with
-/// remote shadow, on a flat Moon.
-pub fn settings(side: u32, field_deg: f64, grid: u32) -> Settings {
-    let half = libm::tan(radians(0.5 * field_deg));
-    let field = FieldOfView { tan_half_width: half, tan_half_height: half };
-    let ideal = Settings::resolve(
-        &HardwareModel::ideal(),
-        field,
-        RasterWishes::default(),
-        None,
-        LawWishes::default(),
-        Scalar::F64,
-        Display { white: 1.0, gamma: 1.0 },
-    )
-    .unwrap();
-    Settings {
-        raster: Raster { columns: side, lines: side, ..ideal.raster },
-        range: RangeProgramme { law: RangeLaw::Geometric, start: 1.0, end: 60_000.0 },
-        laws: Laws { curvature: Curvature::None, pixel_rule: PixelRule::Centre, ..Laws::default() },
-        shadows: Some(ShadowFineness::default()),
-        lunsim: LunsimRun { grid, intensity_codes: 256, restrictions: true },
-        ..ideal
+/// What the program is asked for, and its run parameters.
+#[derive(Debug, Clone)]
+pub struct Given {
+    pub view: View,
+    pub parameters: Parameters,
+}
+
+impl Given {
+    /// The program with the machines it ran on.
+    pub fn program(&self) -> Lunsim {
+        Lunsim { parameters: self.parameters, hardware: Hardware::shipped().unwrap() }
     }
 }
 
+/// The program on its ground.
+#[derive(Debug, Clone)]
+pub struct Scene {
+    pub landscape: Arc<Landscape>,
+    pub scenery: Arc<Scenery>,
+    pub view: View,
+    pub parameters: Parameters,
+}
+
+impl Scene {
+    pub fn stage(&self) -> Stage {
+        let Self { landscape, scenery, view, .. } = self.clone();
+        Stage { landscape, scenery, view }
+    }
+
+    pub fn program(&self) -> Lunsim {
+        Given { view: self.view.clone(), parameters: self.parameters }.program()
+    }
+}
+
+/// A square picture of `side` pixels and a field of `field_deg`, codes fine enough not to be felt, with
+/// remote shadow, on a flat Moon.
+pub fn settings(side: u32, field_deg: f64, grid: u32) -> Given {
+    let half = libm::tan(radians(0.5 * field_deg));
+    let update = Rate::new(1, 1).unwrap();
+    let view = View {
+        columns: side,
+        lines: side,
+        field: FieldOfView { tan_half_width: half, tan_half_height: half },
+        update,
+        refresh: update,
+        display: Display { white: 1.0, gamma: 1.0 },
+        laws: Laws { curvature: Curvature::None, pixel_rule: PixelRule::Centre, ..Laws::default() },
+        ranges: [1.0, 60_000.0],
+        yoke: None,
+        levels: None,
+        shadows: Some(ShadowFineness::default()),
+    };
+    Given { view, parameters: Parameters { grid, intensity_codes: 256, restrictions: true } }
+}
+
 /// The same with what the program could not do.
-pub fn unrestricted(settings: Settings) -> Settings {
-    Settings { lunsim: LunsimRun { restrictions: false, ..settings.lunsim }, ..settings }
+pub fn unrestricted(settings: Given) -> Given {
+    Given { parameters: Parameters { restrictions: false, ..settings.parameters }, ..settings }
 }
 
 /// Level ground of `side` (m) with craters.
@@ -72,24 +98,25 @@ pub fn pose(eye: [f64; 3], pitch: f64, heading: f64) -> Pose {
     Pose { time: 0.0, eye, attitude, yoke: 0.0 }
 }
 
-/// A stage under one sun.
-pub fn stage(landscape: &Arc<Landscape>, sun: Sun, settings: &Settings) -> Stage {
-    Stage {
+/// A scene under one sun.
+pub fn stage(landscape: &Arc<Landscape>, sun: Sun, settings: &Given) -> Scene {
+    Scene {
         landscape: Arc::clone(landscape),
         scenery: Arc::new(Scenery::still(sun)),
-        settings: settings.clone(),
+        view: settings.view.clone(),
+        parameters: settings.parameters,
     }
 }
 
 /// The program made ready.
-pub fn prepare(stage: Stage) -> Result<Box<dyn Session>, PrepareError> {
-    Lunsim.prepare(stage)
+pub fn prepare(scene: Scene) -> Result<Box<dyn Session>, PrepareError> {
+    scene.program().prepare(scene.stage())
 }
 
 /// All planes of one frame.
-pub fn draw(landscape: &Arc<Landscape>, sun: Sun, settings: &Settings, pose: &Pose) -> Planes {
-    let Raster { columns, lines, .. } = settings.raster;
-    let mut planes = Planes::new(columns as usize, lines as usize, &PlaneKind::ALL);
+pub fn draw(landscape: &Arc<Landscape>, sun: Sun, settings: &Given, pose: &Pose) -> Planes {
+    let [columns, lines] = [settings.view.columns, settings.view.lines].map(|count| count as usize);
+    let mut planes = Planes::new(columns, lines, &PlaneKind::ALL);
     let session = prepare(stage(landscape, sun, settings)).unwrap();
     session.frame(0, pose, &mut planes, &mut Probe::off()).unwrap();
     planes

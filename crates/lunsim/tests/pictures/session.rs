@@ -1,7 +1,8 @@
 //! The session: refusals, codes, threads, extremes.
 
 use generator::{FrameError, PlaneKind, Planes};
-use scenario::{Curvature, Laws, LunsimRun};
+use lunsim::Parameters;
+use scenario::{Curvature, Laws};
 use signal::Probe;
 
 use crate::scenes::{bowl, draw, plain, pose, prepare, settings, stage, sun, unrestricted};
@@ -26,9 +27,9 @@ fn eyes_that_see_nothing_are_refused() {
 #[test]
 fn the_film_shows_integer_codes() {
     let mut settings = settings(256, 30.0, 512);
-    settings.display.white = 0.8;
+    settings.view.display.white = 0.8;
     for codes in [2, 16, 200] {
-        settings.lunsim = LunsimRun { intensity_codes: codes, ..settings.lunsim };
+        settings.parameters = Parameters { intensity_codes: codes, ..settings.parameters };
         let planes = draw(&scene(), sun(90.0, 20.0), &settings, &pose([3000.0, 4000.0, 2500.0], -60.0, 0.0));
         let highest = f64::from(codes - 1);
         let mut seen = std::collections::BTreeSet::new();
@@ -58,7 +59,7 @@ fn any_number_of_threads_gives_the_same_bits() {
 #[test]
 fn extremes_stay_finite() {
     let mut settings = unrestricted(settings(33, 60.0, 40));
-    settings.laws = Laws { curvature: Curvature::Parabolic, ..settings.laws };
+    settings.view.laws = Laws { curvature: Curvature::Parabolic, ..settings.view.laws };
     for eye in [[4000.0, 4000.0, 1e7], [4000.0, 4000.0, -149.9], [0.0, 0.0, 1e-3], [8000.0, 8000.0, 40.0]] {
         for (pitch, heading) in [(-90.0, 0.0), (-89.0, 33.0), (0.0, 45.0), (60.0, 200.0), (89.0, 0.0)] {
             for light in [sun(12.0, 90.0), sun(211.0, 1e-6)] {
@@ -79,7 +80,7 @@ fn only_the_planes_asked_for_are_filled() {
     let view = pose([3000.0, 4000.0, 900.0], -40.0, 0.0);
     let mut none = Planes::new(8, 8, &[]);
     let counts = session.frame(0, &view, &mut none, &mut Probe::off()).unwrap();
-    assert_eq!((counts.samples, none.any()), (256, false));
+    assert_eq!((counts["samples"], none.any()), (256, false));
     let mut one = Planes::new(8, 8, &[PlaneKind::Height]);
     assert_eq!(session.frame(0, &view, &mut one, &mut Probe::off()).unwrap(), counts);
     assert!(one.get(PlaneKind::Height).unwrap().iter().any(|height| *height < 0.0));

@@ -21,11 +21,14 @@ pub(crate) use wires::{Scales, wires};
 
 use wires::MICROSECONDS;
 
+/// Name of the signal that says where a sample of a sweep is (m).
+pub const RANGE: &str = "sweep.range";
+
 /// Signals of the sweep generator, recorded from the program.
 const SWEEP: &[Signal] = &[
     Signal::ground("sweep.x", Unit::Region, "folded ramp to the north", "fig. 17"),
     Signal::ground("sweep.y", Unit::Region, "folded ramp to the east", "fig. 17"),
-    Signal::ground("sweep.range", Unit::Metre, "ground range", "section 6.2"),
+    Signal::ground(RANGE, Unit::Metre, "ground range", "section 6.2"),
 ];
 
 /// Every signal that the machine can record, in the order of the figure.
@@ -114,7 +117,7 @@ impl<S: Real> Recorded<'_, S> {
 
     fn along_the_ground(&self, name: &str, lane: usize, sweep: u32, inside: &mut Option<Inside>) -> Vec<f64> {
         let ranges = self.group.table.ranges();
-        if name == "sweep.range" {
+        if name == RANGE {
             return ranges.to_vec();
         }
         let in_sight = ranges.partition_point(|&range| range <= self.group.end_range(lane, self.work));

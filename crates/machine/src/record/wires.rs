@@ -1,7 +1,7 @@
 //! Which wires an elaborated machine has, and what full scale means on them.
 
+use crate::MachineStage;
 use display_projection_processor::DERIVATIVE;
-use generator::Stage;
 use scenario::{Laws, Occlusion};
 use signal::{Kind, Signal, Unit, Wire};
 use terrain_generator::Scale;
@@ -32,7 +32,7 @@ pub(crate) struct Scales {
 }
 
 /// Wires of the machine elaborated for `stage`, in the order of the signal table: those of blocks that are there.
-pub(crate) fn wires(stage: &Stage, blocks: &Blocks, raster: &WrittenRaster) -> Vec<Wire> {
+pub(crate) fn wires(stage: &MachineStage, blocks: &Blocks, raster: &WrittenRaster) -> Vec<Wire> {
     let scales = Scales::of(stage, raster);
     signals()
         .iter()
@@ -54,7 +54,7 @@ fn is_there(signal: &Signal, blocks: &Blocks, laws: &Laws) -> bool {
 }
 
 impl Scales {
-    pub fn of(stage: &Stage, raster: &WrittenRaster) -> Self {
+    pub fn of(stage: &MachineStage, raster: &WrittenRaster) -> Self {
         let levels = stage.landscape.bank().levels();
         let of_level = |level| (Scale::of(level), level.region_size());
         let (fine, size) = of_level(stage.landscape.level());

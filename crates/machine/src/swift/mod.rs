@@ -14,8 +14,8 @@ mod wires;
 use std::array;
 use std::ops::Range;
 
+use crate::MachineStage;
 use feature_generator::{FeatureGenerator, Surface};
-use generator::Stage;
 use hardware_model::{Economy, Gate};
 use landscape::{GroupLight, SweepLight};
 use scenario::FeatureLight;
@@ -30,7 +30,7 @@ use crate::workspace::Workspace;
 /// Whether the machine of `stage` draws swiftly: its economy says so, its parts are ideal beside those of the terrain
 /// generators, and its laws are such that what features and terrain add up to can be lit as one surface. Tubes may have what
 /// they have: they come after.
-pub(crate) fn draws_swiftly(stage: &Stage) -> bool {
+pub(crate) fn draws_swiftly(stage: &MachineStage) -> bool {
     let (settings, parts) = (&stage.settings, &stage.settings.analog);
     settings.economy == Economy::Swift
         && settings.laws.feature_light == FeatureLight::Combined

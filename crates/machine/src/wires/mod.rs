@@ -16,10 +16,10 @@
 mod features;
 mod terrain;
 
+use crate::MachineStage;
 use fearless_simd::prelude::SimdBase;
 use fearless_simd::{Level, Simd, dispatch};
 use feature_generator::FeatureProfile;
-use generator::Stage;
 use hardware_model::{MAIN_WIRES, WireParts};
 use mixing_unit::{DriverScratch, Mixed, OutputDrivers};
 use parts::{Driver, Jumps, Spread, Tolerance, relative_sigma, time_constant};
@@ -80,7 +80,7 @@ pub(crate) fn drives_mixing(parts: &WireParts) -> bool {
 
 impl<S: Real> Wires<S> {
     /// The amplifiers that the model of `stage` names, for samples that are `step` seconds apart; `None` if there are none.
-    pub fn new(stage: &Stage, step: f64, raster: &WrittenRaster) -> Option<Self> {
+    pub fn new(stage: &MachineStage, step: f64, raster: &WrittenRaster) -> Option<Self> {
         let (parts, seed) = (&stage.settings.analog, stage.settings.seed);
         let scales = Scales::of(stage, raster);
         let spread = Spread::new(seed);

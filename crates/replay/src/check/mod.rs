@@ -13,7 +13,6 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use exact::Columns;
 use generator::Session;
-use machine::ControlPlane;
 use picture::{Encoder, Transfer};
 use quantities::hash_words;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
@@ -68,27 +67,32 @@ pub fn expect_available(job: &Job, frames: u64) -> Result<(), ReplayError> {
 
 /// Sweeps of so many frames.
 fn available(job: &Job, frames: u64) -> u64 {
-    frames * u64::from(job.stage.settings.raster.sweeps)
+    frames * u64::from(sweeps(job))
+}
+
+/// Sweeps of a frame; 0 of a generator without signals.
+fn sweeps(job: &Job) -> u32 {
+    job.generator.scan(&job.stage.view).map_or(0, |scan| scan.timebase.sweeps)
 }
 
 impl Check<'_> {
     /// Checks `count` sweeps; `None` if told to end. The threads of the current pool share the sweeps.
     pub fn run(&self, count: u32) -> Result<Option<CheckRecord>, ReplayError> {
-        let settings = &self.job.stage.settings;
+        let view = &self.job.stage.view;
         let available = available(self.job, self.frames.len() as u64);
-        let display = &settings.display;
+        let display = &view.display;
         let transfer =
             Transfer::new(display.white as f32, display.gamma as f32).map_err(ReplayError::Display)?;
         let bench = sweep::Bench {
             session: self.session,
-            control: ControlPlane::new(self.job.stage.clone()),
             exact: Columns::new(self.job.stage.clone()),
             encoder: Encoder::new(transfer, self.job.pictures.depth),
-            raster: settings.raster,
+            size: [view.columns as usize, view.lines as usize],
+            sweeps: sweeps(self.job),
             folder: self.folder.path(),
         };
         let seed = seed(self.fingerprint);
-        let sweeps = u64::from(settings.raster.sweeps);
+        let sweeps = u64::from(sweeps(self.job));
         let one = |index: u64| {
             if self.cancel.load(Ordering::Relaxed) {
                 return Ok(None);

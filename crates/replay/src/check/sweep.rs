@@ -4,8 +4,6 @@ use std::path::Path;
 
 use exact::{Columns, ProfilePoint};
 use generator::{PlaneKind, Planes, Session};
-use hardware_model::Raster;
-use machine::ControlPlane;
 use picture::{Encoder, Limits, read_png};
 use scenario::Pose;
 use serde::Serialize;
@@ -72,10 +70,12 @@ impl Sum {
 /// Everything that a check of a sweep needs.
 pub(super) struct Bench<'a> {
     pub session: &'a dyn Session,
-    pub control: ControlPlane,
     pub exact: Columns,
     pub encoder: Encoder,
-    pub raster: Raster,
+    /// Columns and lines of a picture.
+    pub size: [usize; 2],
+    /// Sweeps of a frame.
+    pub sweeps: u32,
     pub folder: &'a Path,
 }
 
@@ -84,8 +84,8 @@ impl Bench<'_> {
     pub fn sweep(&self, frame: &FrameRecord, pose: &Pose, sweep: u32) -> Result<SweepErrors, ReplayError> {
         let mut sums = [Sum::default(); 4];
         self.signals(frame.frame, pose, sweep, &mut sums)?;
-        let columns = u64::from(self.raster.columns);
-        let column = (2 * u64::from(sweep) + 1) * columns / (2 * u64::from(self.raster.sweeps));
+        let columns = self.size[0] as u64;
+        let column = (2 * u64::from(sweep) + 1) * columns / (2 * u64::from(self.sweeps));
         self.picture(frame, pose, column as usize, &mut sums[0])?;
         let rms_and_max = sums.map(Sum::rms_and_max);
         Ok(SweepErrors { frame: frame.frame, sweep, column: column as usize, rms_and_max })
@@ -95,13 +95,13 @@ impl Bench<'_> {
     fn signals(&self, frame: u64, pose: &Pose, sweep: u32, sums: &mut [Sum; 4]) -> Result<(), ReplayError> {
         let names = SIGNALS.iter().map(|(name, ..)| *name).chain([RANGE]);
         let mut probe = Probe::new(names.map(str::to_owned).collect(), sweep..sweep + 1);
-        let [columns, lines] = [self.raster.columns as usize, self.raster.lines as usize];
+        let [columns, lines] = self.size;
         self.session.frame(frame, pose, &mut Planes::new(columns, lines, &[]), &mut probe)?;
         let values = |name: &str| {
             let wave = probe.waveforms.iter().find(|wave| wave.signal.name == name);
             wave.map_or(&[][..], |wave| wave.values.as_slice())
         };
-        let direction = self.control.sweeps(frame, pose)?.direction(sweep);
+        let Some(direction) = self.session.direction(frame, pose, sweep)? else { return Ok(()) };
         let truth = self.exact.profile(pose, direction, values(RANGE));
         for (name, error, meant) in SIGNALS {
             let pairs = values(name).iter().zip(&truth);

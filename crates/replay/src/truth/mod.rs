@@ -26,12 +26,13 @@ use serde_json::json;
 use signal::Probe;
 
 use crate::folder::{TRUTH, truth_name};
-use crate::held::{FileRecord, file_hash, frame_range, hash, whole, write_changed};
+use crate::held::{frame_range, whole, write_changed};
 use crate::job::{Control, Job, Progress};
 use crate::journal::{self, Journal};
 use crate::run::pretty;
 use crate::{HeldRun, ReplayError, RunFolder};
 use record::{FORMAT, Finished, HeldTruth, TruthFrame};
+use run_record::{FileRecord, file_hash, hash};
 
 pub use item::{TruthItem, TruthItems, UnknownTruth};
 
@@ -103,7 +104,7 @@ impl<'a> Truth<'a> {
         control: &'a Control<'a>,
     ) -> Result<Self, ReplayError> {
         let mut job = job.clone();
-        job.stage.settings.laws.pixel_rule = PixelRule::Centre;
+        job.stage.view.laws.pixel_rule = PixelRule::Centre;
         let run = HeldRun::read(folder.path())?;
         let fingerprint = fingerprint(&run, items);
         let listed = listed(folder, &fingerprint, items)?;
@@ -149,7 +150,7 @@ impl<'a> Truth<'a> {
     }
 
     fn planes(&self) -> Planes {
-        let raster = &self.job.stage.settings.raster;
+        let raster = &self.job.stage.view;
         let kinds: Vec<PlaneKind> = self.items.arrays().flat_map(TruthItem::kinds).copied().collect();
         Planes::new(raster.columns as usize, raster.lines as usize, &kinds)
     }
@@ -227,8 +228,7 @@ fn listed(
 /// Poses of `frames` that the run has.
 fn rows(job: &Job, run: &HeldRun, frames: &BTreeSet<u64>) -> Result<Vec<PoseRow>, ReplayError> {
     let range: Range<u64> = frame_range(&run.frames).unwrap_or(0..0);
-    let settings = &job.stage.settings;
-    let (update, yoke) = (settings.timebase.update, settings.yoke);
+    let (update, yoke) = (job.stage.view.update, job.stage.view.yoke);
     let table = PoseTable::resolve(job.scenario, &job.stage.landscape, update, yoke, range)?;
     Ok(table.rows().iter().filter(|row| frames.contains(&row.frame)).copied().collect())
 }

@@ -10,12 +10,14 @@ use serde_json::{Value, json};
 
 use super::TruthItems;
 use crate::camera::camera;
-use crate::held::{FileRecord, MAX_BYTES, stays_inside};
+use crate::ground_record::GroundRecord;
+use crate::held::stays_inside;
 use crate::job::Job;
 use crate::record::{omission, scenario_record};
 use crate::scenery_record::SceneryRecord;
-use crate::settings_record::{GroundRecord, SettingsRecord};
+use crate::view_record::ViewRecord;
 use crate::{HeldRun, ReplayError};
+use run_record::{FileRecord, MAX_BYTES};
 
 /// Version of the format of arrays and record.
 pub(super) const FORMAT: u32 = 1;
@@ -75,7 +77,7 @@ pub(super) struct Finished<'a> {
 pub(super) fn document(finished: &Finished) -> Value {
     let Finished { job, run, items, fingerprint, frames, outputs, omissions } = finished;
     let stage = &job.stage;
-    let raster = &stage.settings.raster;
+    let view = &stage.view;
     json!({
         "schema": SCHEMA,
         "format": FORMAT,
@@ -87,8 +89,8 @@ pub(super) fn document(finished: &Finished) -> Value {
         "generator": "exact",
         "ground": GroundRecord::new(&job.scenario.ground, &stage.landscape),
         "scenery": SceneryRecord::new(stage),
-        "settings": SettingsRecord::new(&stage.settings),
-        "planes": items.iter().map(|item| item.description(raster.lines, raster.columns)).collect::<Vec<_>>(),
+        "view": ViewRecord::new(view),
+        "planes": items.iter().map(|item| item.description(view.lines, view.columns)).collect::<Vec<_>>(),
         "conventions": {
             "pixel": "every value is that of the ray through the centre of its pixel",
             "rows": "index [line, column], from the top left",
@@ -108,7 +110,7 @@ pub(super) fn document(finished: &Finished) -> Value {
 
 /// From a pixel, its range and the pose to a point of the landscape.
 fn point(job: &Job) -> Value {
-    let laws = &job.stage.settings.laws;
+    let laws = &job.stage.view.laws;
     let (ray, rise) = match laws.projection {
         Projection::Exact => ("d = rotation [1, X, Y]", "t = -d[2] / sqrt(d[0]^2 + d[1]^2)"),
         Projection::Corrected => (UPRIGHT_RAY, "t = -Y' / sqrt(1 + X'^2)"),

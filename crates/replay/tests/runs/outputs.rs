@@ -19,7 +19,7 @@ fn the_record_lists_every_file_with_its_hash() {
     let listed = run.frames.iter().flat_map(|frame| &frame.files).chain(&run.outputs);
     let mut names: Vec<String> = listed.map(|file| file.file.clone()).collect();
     for file in run.frames.iter().flat_map(|frame| &frame.files).chain(&run.outputs) {
-        assert_eq!(replay::file_hash(&at.path().join(&file.file)).unwrap(), file.blake3, "{}", file.file);
+        assert_eq!(run_record::file_hash(&at.path().join(&file.file)).unwrap(), file.blake3, "{}", file.file);
     }
     names.push("run.json".into());
     names.sort();
@@ -27,7 +27,7 @@ fn the_record_lists_every_file_with_its_hash() {
     for frame in &run.frames {
         let picture = read_png(at.path().join(&frame.files[0].file), &Limits::default()).unwrap();
         assert_eq!(picture.pixel_hash(), frame.pixels_blake3);
-        assert_eq!((frame.counts.sweeps, frame.counts.samples), (40, 3200));
+        assert_eq!((frame.counts["sweeps"], frame.counts["samples"]), (40, 3200));
     }
     assert_eq!(run.document["totals"]["samples"], 9600);
     assert_eq!(run.document["settings"]["clocks"]["sample"], "32000 Hz");

@@ -4,13 +4,14 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::ops::Range;
 use std::path::Path;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use generator::Stage;
-use hardware_model::HardwareModel;
-use machine::HybridMachine;
+use hardware_model::{HardwareModel, Settings};
+use machine::{HybridMachine, MachineStage};
 use picture::Depth;
-use replay::{Control, Inputs, Job, Outcome, Pictures, Program, Progress, ReplayError, RunFolder, run};
+use replay::{Control, Job, Outcome, Pictures, Program, Progress, ReplayError, RunFolder, run};
+use run_record::Inputs;
 use scenario::Scenario;
 
 pub const SCENARIO: &str = r#"
@@ -115,17 +116,20 @@ pub fn job(scenario: &Scenario, frames: Range<u64>, pictures: Pictures) -> Job<'
         program: Program { name, version, commit, result_family },
         inputs: Inputs { model: "ideal".into(), ..Inputs::default() },
         scenario,
-        generator: &HybridMachine,
-        stage: stage(scenario),
+        generator: Arc::new(HybridMachine::new(settings(scenario))),
+        stage: stage(scenario).stage(),
         frames,
         pictures,
         check: 0,
     }
 }
 
-pub fn stage(scenario: &Scenario) -> Stage {
-    let settings = ::stage::settings(scenario, &HardwareModel::ideal()).expect("settings");
-    ::stage::build(scenario, settings).expect("a stage")
+pub fn stage(scenario: &Scenario) -> MachineStage {
+    front_door::build(scenario, settings(scenario)).expect("a stage")
+}
+
+fn settings(scenario: &Scenario) -> Settings {
+    front_door::settings(scenario, &HardwareModel::ideal()).expect("settings")
 }
 
 /// Every file of a folder but the wall times.

@@ -72,7 +72,7 @@ impl Wish {
         let (raster, update) = (stage.settings.raster, stage.settings.timebase.update);
         let (yoke, frames) = (stage.settings.yoke, self.frames.clone());
         let table = PoseTable::resolve(&scenario, &stage.landscape, update, yoke, frames).expect("poses");
-        let session = exact::Exact.prepare(stage).expect("a session");
+        let session = exact::Exact.prepare(stage.stage()).expect("a session");
         let draw = |row: &PoseRow| {
             let mut planes = Planes::new(raster.columns as usize, raster.lines as usize, kinds);
             session.frame(row.frame, &row.pose, &mut planes, &mut Probe::off()).expect("a frame");

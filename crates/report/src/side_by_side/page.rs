@@ -1,5 +1,6 @@
 //! The page of several runs: frames in columns, errors, times, what each leaves out.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use compare::difference_picture;
@@ -13,7 +14,7 @@ use crate::base64::data_url;
 use crate::cells::{grouped, percent, shortened};
 use crate::machine_section::{omissions, plain};
 use crate::page::head;
-use crate::run::Run;
+use crate::run::{MachineSettings, Run};
 use crate::strip::{fitted, spread};
 
 /// Frames that are shown, at most.
@@ -124,7 +125,7 @@ fn frames(folder: &Path, runs: &[(String, Run)], reference: &str) -> Result<Mark
     Ok(html! {
         section #frames aria-labelledby="frames-title" {
             h2 #frames-title { "Frames" }
-            p.lead { (rows.len()) " of " (first.frames.len()) " frames, evenly spread. " @if first.settings.raster.columns > COLUMNS as u64 {
+            p.lead { (rows.len()) " of " (first.frames.len()) " frames, evenly spread. " @if first.view.columns > COLUMNS as u64 {
                 "They are made smaller; a click leads to the whole one beside this page. " }
                 "Below each is its difference from " b { (reference) } ", " (FACTOR) " times enlarged: grey is equal, brighter is brighter." }
             @for (frame, time, cells) in &rows {
@@ -177,10 +178,21 @@ fn shown(path: &Path, picture: &GreyPicture, run: &Run) -> Result<String, Report
 /// Laws and rasters: what differs by them is no error of parts.
 fn laws(runs: &[(String, Run)]) -> Markup {
     let (_, first) = runs.first().expect("runs stand side by side");
-    let of = |run: &Run, law: &str| run.settings.laws.get(law).cloned().unwrap_or_default();
+    let of = |run: &Run, law: &str| run.view.laws.get(law).cloned().unwrap_or_default();
     let raster = |run: &Run| {
-        let raster = &run.settings.raster;
-        format!("{} × {}", grouped(raster.sweeps), grouped(raster.samples_per_sweep))
+        let of = |machine: &MachineSettings| {
+            format!("{} × {}", grouped(machine.raster.sweeps), grouped(machine.raster.samples_per_sweep))
+        };
+        run.machine.as_ref().map_or_else(|| "none".into(), of)
+    };
+    let keys: BTreeSet<&String> = runs
+        .iter()
+        .filter_map(|(_, run)| run.machine.as_ref())
+        .flat_map(|machine| machine.range.keys())
+        .collect();
+    let range = |run: &Run, key: &String| {
+        let found = run.machine.as_ref().and_then(|machine| machine.range.get(key));
+        found.map_or_else(String::new, plain)
     };
     html! {
         section #laws aria-labelledby="laws-title" {
@@ -188,13 +200,13 @@ fn laws(runs: &[(String, Run)]) -> Markup {
             div.wide tabindex="0" role="group" aria-label="Settings" { table {
                 thead { tr { th scope="col" { "Setting" } @for (name, _) in runs { th scope="col" { (name) } } } }
                 tbody {
-                    tr { th scope="row" { "sweeps × samples" } @for (_, run) in runs { td { (if run.has_sweeps() { raster(run) } else { "none".into() }) } } }
-                    @for law in first.settings.laws.keys() {
+                    tr { th scope="row" { "sweeps × samples" } @for (_, run) in runs { td { (raster(run)) } } }
+                    @for law in first.view.laws.keys() {
                         tr { th scope="row" { (law.replace('_', " ")) } @for (_, run) in runs { td { (of(run, law)) } } }
                     }
-                    @for key in first.settings.range.keys() {
+                    @for key in &keys {
                         tr { th scope="row" { "range: " (key.replace('_', " ")) }
-                            @for (_, run) in runs { td { (run.settings.range.get(key).map_or_else(String::new, plain)) } } }
+                            @for (_, run) in runs { td { (range(run, key)) } } }
                     }
                 }
             } }

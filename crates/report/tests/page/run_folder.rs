@@ -5,8 +5,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use picture::{Depth, GreyPicture, write_png};
-use replay::{SCOPES, file_hash, picture_name};
+use replay::{SCOPES, picture_name};
 use report::{Beside, DeadlineLine, ScopePlot, Sight, SightLine, TimingSummary, UnitLine};
+use run_record::file_hash;
 use serde_json::{Value, json};
 use tempfile::TempDir;
 use timing::{Cause, Deadline, Sets, Slack};

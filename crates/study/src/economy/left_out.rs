@@ -1,6 +1,7 @@
 //! What is left out, level by level: of the mission, of a frame, of a sweep, of a sample.
 
-use generator::{FrameCounts, Session, Stage, Weight};
+use generator::{FrameCounts, Session, Weight};
+use machine::MachineStage;
 use serde::Serialize;
 
 use super::waste::{Part, WasteCounts};
@@ -50,7 +51,7 @@ pub struct LeftOut {
 
 /// What `session` leaves out of the frames that have `counts`.
 pub fn left_out(
-    stage: &Stage,
+    stage: &MachineStage,
     session: &dyn Session,
     counts: &FrameCounts,
     waste: &WasteCounts,
@@ -77,15 +78,15 @@ pub fn left_out(
 
 const LOSSLESS: &str = "lossless";
 
-fn counted(stage: &Stage, counts: &FrameCounts, waste: &WasteCounts) -> Vec<LeftOut> {
+fn counted(stage: &MachineStage, counts: &FrameCounts, waste: &WasteCounts) -> Vec<LeftOut> {
     let sweeps = u64::from(stage.settings.raster.sweeps);
-    let frames = counts.sweeps / sweeps;
+    let frames = counts["sweeps"] / sweeps;
     let level = stage.landscape.level().corners();
     let regions = frames * ((level[0] - 1) * (level[1] - 1)) as u64;
     let standing = frames * stage.scenery.standing().len() as u64;
-    let craters = counts.sweeps * stage.landscape.features().craters().len() as u64;
+    let craters = counts["sweeps"] * stage.landscape.features().craters().len() as u64;
     let not = |done: u64, all: u64| Part { some: all.saturating_sub(done), all };
-    let too_small = Part { some: counts.bodies_left_out, all: standing };
+    let too_small = Part { some: counts["bodies_left_out"], all: standing };
     let row = |level, block, what: &str, why: &str, Part { some, all }| LeftOut {
         level,
         block,
@@ -102,7 +103,7 @@ fn counted(stage: &Stage, counts: &FrameCounts, waste: &WasteCounts) -> Vec<Left
         too_small,
     );
     let bodies = LeftOut {
-        weight: format!("at most {} pixels of full scale in all frames", counts.pixels_left_out),
+        weight: format!("at most {} pixels of full scale in all frames", counts["pixels_left_out"]),
         ..bodies
     };
     let rows = vec![
@@ -111,7 +112,7 @@ fn counted(stage: &Stage, counts: &FrameCounts, waste: &WasteCounts) -> Vec<Left
             "data-bank",
             "regions of the finest level",
             "not in the sector of the sweeps",
-            not(counts.regions, regions),
+            not(counts["regions"], regions),
         ),
         bodies,
         row(
@@ -119,21 +120,21 @@ fn counted(stage: &Stage, counts: &FrameCounts, waste: &WasteCounts) -> Vec<Left
             "polyhedron-generator",
             "bodies out of sight",
             "outside the picture, or hidden by the law",
-            not(counts.bodies + counts.bodies_left_out, standing),
+            not(counts["bodies"] + counts["bodies_left_out"], standing),
         ),
         row(
             Level::Sweep,
             "feature-generator",
             "craters that a sweep does not load",
             "it does not cross them",
-            not(counts.features, craters),
+            not(counts["features"], craters),
         ),
         row(
             Level::Sweep,
             "polyhedron-generator",
             "bodies that a sweep does not meet",
             "it passes beside them",
-            not(counts.spans, counts.bodies * sweeps),
+            not(counts["spans"], counts["bodies"] * sweeps),
         ),
         row(
             Level::Sample,

@@ -11,9 +11,9 @@ mod waste;
 use std::time::Instant;
 
 use blake3::Hasher;
-use generator::{FrameCounts, Generator, PlaneKind, Planes, Session, Stage};
+use generator::{FrameCounts, PlaneKind, Planes, Session};
 use hardware_model::{Economy, Forced};
-use machine::HybridMachine;
+use machine::MachineStage;
 use serde::Serialize;
 use signal::Probe;
 
@@ -99,7 +99,7 @@ struct Mode {
     processor: Vec<f64>,
 }
 
-fn modes(stage: &Stage) -> Result<Vec<Mode>, StudyError> {
+fn modes(stage: &MachineStage) -> Result<Vec<Mode>, StudyError> {
     let forced = Forced::ALL.map(|forced| (forced.name(), Economy::LosslessBut(forced)));
     let whole = [("bounded", Economy::Bounded), ("lossless", Economy::Lossless)];
     let last = [("everything", Economy::Everything), ("swift", Economy::Swift)];
@@ -113,7 +113,7 @@ fn modes(stage: &Stage) -> Result<Vec<Mode>, StudyError> {
                 _ => name.to_owned(),
             },
             claims_equal: !matches!(economy, Economy::Bounded | Economy::Swift),
-            session: HybridMachine.prepare(stage)?,
+            session: stage.prepare(),
             pictures: Vec::new(),
             counts: FrameCounts::default(),
             times: Vec::new(),
@@ -133,7 +133,7 @@ impl Mode {
             let counts = self.session.frame(*frame, pose, &mut planes, &mut Probe::off())?;
             seconds += start.elapsed().as_secs_f64();
             if !is_timed {
-                self.counts.add(&counts);
+                self.counts.join(&counts, machine::COUNTERS);
                 self.pictures.push(planes.get(PlaneKind::Intensity).unwrap_or_default().to_vec());
             }
         }

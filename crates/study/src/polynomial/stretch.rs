@@ -1,9 +1,9 @@
 //! Stretches of real sweeps: what stands in the registers between two events, and the samples that are drawn from it.
 
-use generator::Stage;
 use landscape::CornerWords;
 use landscape::basis::{FAR, NEAR};
 use machine::ControlPlane;
+use machine::MachineStage;
 use scenario::Pose;
 use sweep_program::{Ramp, SweepProgram};
 use terrain_generator::{Region, Registers, Segment, Span};
@@ -44,7 +44,7 @@ pub struct Point {
 ///
 /// # Errors
 /// If the pose cannot be drawn.
-pub fn stretches(stage: &Stage, frame: u64, pose: &Pose) -> Result<Vec<Stretch>, StudyError> {
+pub fn stretches(stage: &MachineStage, frame: u64, pose: &Pose) -> Result<Vec<Stretch>, StudyError> {
     let (control, settings) = (ControlPlane::new(stage.clone()), &stage.settings);
     let samples = settings.raster.samples as usize;
     let ranges: Vec<f64> = (0..samples).map(|sample| settings.range.at_sample(sample, samples)).collect();

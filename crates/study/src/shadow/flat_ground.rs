@@ -9,8 +9,8 @@
 use std::f64::consts::TAU;
 
 use exact::Ceilings;
-use generator::Stage;
 use landscape::Sun;
+use machine::MachineStage;
 use quantities::degrees;
 use scenario::PoseRow;
 use serde::Serialize;
@@ -100,7 +100,7 @@ impl FlatGroundOutcome {
 }
 
 /// Edges of `plan` over the ground of `stage`, along the poses `path`: the scenario's own sun first, then each elevation.
-pub fn flat_ground(stage: &Stage, path: &[PoseRow], plan: &FlatGroundPlan) -> Vec<FlatGroundOutcome> {
+pub fn flat_ground(stage: &MachineStage, path: &[PoseRow], plan: &FlatGroundPlan) -> Vec<FlatGroundOutcome> {
     let ceilings = Ceilings::new(&stage.landscape);
     let chosen = spread(path, plan.places);
     let own = chosen.iter().map(|row| (*row, stage.scenery.sun(row.pose.time)));

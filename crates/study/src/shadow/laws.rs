@@ -6,8 +6,8 @@
 
 use std::time::Instant;
 
-use generator::Stage;
 use landscape::Attitude;
+use machine::MachineStage;
 use scenario::PoseRow;
 use serde::Serialize;
 use vehicle_shadow::{
@@ -57,7 +57,7 @@ struct Rung {
 /// # Errors
 /// If the sun does not stand above the horizontal in one of the frames, or the eye not above the ground.
 pub fn laws(
-    stage: &Stage,
+    stage: &MachineStage,
     rows: &[PoseRow],
     shape: &Shape,
     size: [usize; 2],
@@ -81,7 +81,7 @@ pub fn laws(
 }
 
 /// The picture that a run of the scenario has there.
-fn shot(stage: &Stage, row: &PoseRow) -> Shot {
+fn shot(stage: &MachineStage, row: &PoseRow) -> Shot {
     let pose = &row.pose;
     let [north, east, eye] = pose.eye;
     Shot {
@@ -95,8 +95,8 @@ fn shot(stage: &Stage, row: &PoseRow) -> Shot {
     }
 }
 
-fn rungs(stage: &Stage, shape: &Shape) -> Vec<Rung> {
-    let ground = TrueGround::new(stage.clone());
+fn rungs(stage: &MachineStage, shape: &Shape) -> Vec<Rung> {
+    let ground = TrueGround::new(stage.stage());
     let on_true = || GroundLaw::True { ground: Box::new(ground.clone()), tracks: Vec::new() };
     let rung = |law, method, ground, penumbra| Rung {
         law,
@@ -144,7 +144,7 @@ impl Rung {
     /// Dark shares of all pixels, picture after picture.
     fn draw(
         &mut self,
-        stage: &Stage,
+        stage: &MachineStage,
         shots: &[(u64, Shot)],
         size: [usize; 2],
     ) -> Result<Vec<f64>, AugmentError> {

@@ -5,9 +5,10 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
 use exact::{Columns, Exact};
-use generator::{FrameCounts, Generator, PlaneKind, Planes, Stage};
+use generator::{FrameCounts, Generator, PlaneKind, Planes};
 use hardware_model::HardwareModel;
-use machine::{ControlPlane, HybridMachine};
+use machine::ControlPlane;
+use machine::MachineStage;
 use scenario::{Pose, Scalar};
 use signal::Probe;
 
@@ -92,7 +93,7 @@ fn words_of(panic: &(dyn Any + Send)) -> String {
 
 fn drawn(scene: &Scene, drawer: &Drawer<'_>) -> Result<Found, String> {
     let (stage, pose) = scene.build(drawer.model, drawer.scalar)?;
-    let session = HybridMachine.prepare(stage.clone()).map_err(|error| error.to_string())?;
+    let session = stage.clone().prepare();
     let mut planes = planes(&stage);
     let start = Instant::now();
     let counts =
@@ -114,21 +115,25 @@ fn drawn(scene: &Scene, drawer: &Drawer<'_>) -> Result<Found, String> {
     })
 }
 
-fn planes(stage: &Stage) -> Planes {
+fn planes(stage: &MachineStage) -> Planes {
     let raster = stage.settings.raster;
     Planes::new(raster.columns as usize, raster.lines as usize, &[PlaneKind::Intensity])
 }
 
 /// What a frame had to leave out, counted.
 fn action(counts: &FrameCounts) -> Action {
-    match counts.dropped_features + counts.dropped_segments + counts.late_words {
+    match counts["dropped_features"] + counts["dropped_segments"] + counts["late_words"] {
         0 => Action::Exact,
         count => Action::Clamped(count),
     }
 }
 
 /// Every signal of the sweeps in the middle.
-fn wires_are_finite(stage: &Stage, session: &dyn generator::Session, pose: &Pose) -> Result<bool, String> {
+fn wires_are_finite(
+    stage: &MachineStage,
+    session: &dyn generator::Session,
+    pose: &Pose,
+) -> Result<bool, String> {
     let middle = stage.settings.raster.sweeps / 2;
     let mut probe = Probe::new(vec!["*".to_owned()], middle..middle + 2);
     let raster = stage.settings.raster;
@@ -139,8 +144,12 @@ fn wires_are_finite(stage: &Stage, session: &dyn generator::Session, pose: &Pose
 }
 
 /// Signals against the ground below the sweeps.
-fn signals(stage: &Stage, session: &dyn generator::Session, pose: &Pose) -> Result<SignalErrors, String> {
-    let (control, exact) = (ControlPlane::new(stage.clone()), Columns::new(stage.clone()));
+fn signals(
+    stage: &MachineStage,
+    session: &dyn generator::Session,
+    pose: &Pose,
+) -> Result<SignalErrors, String> {
+    let (control, exact) = (ControlPlane::new(stage.clone()), Columns::new(stage.stage()));
     let bench = Bench { stage, session, control: &control, exact: &exact };
     let mut errors = SignalErrors::default();
     errors.add_frame(&bench, 0, pose).map_err(|error| error.to_string())?;
@@ -165,9 +174,9 @@ fn share_error(scene: &Scene, errors: &SignalErrors, pose: &Pose) -> f64 {
 }
 
 /// RMSE of the picture against `exact`.
-fn picture_error(stage: &Stage, pose: &Pose, picture: &[f32]) -> Result<f64, String> {
+fn picture_error(stage: &MachineStage, pose: &Pose, picture: &[f32]) -> Result<f64, String> {
     let mut truth = planes(stage);
-    let session = Exact.prepare(stage.clone()).map_err(|error| error.to_string())?;
+    let session = Exact.prepare(stage.stage()).map_err(|error| error.to_string())?;
     session.frame(0, pose, &mut truth, &mut Probe::off()).map_err(|error| error.to_string())?;
     let (mut sum, truth) = (Sum::default(), truth.get(PlaneKind::Intensity).unwrap_or_default());
     picture.iter().zip(truth).for_each(|(a, b)| sum.add(f64::from(*a) - f64::from(*b)));

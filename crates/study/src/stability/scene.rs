@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use features::{Crater, Features};
-use generator::Stage;
 use hardware_model::{HardwareModel, Settings};
 use landscape::{Attitude, Bank, CornerWords, Landscape, Level, Sun};
+use machine::MachineStage;
 use quantities::radians;
 use scenario::{Display, FieldOfView, LawWishes, Pose, RangeProgramme, RasterWishes, Scalar, Scenery};
 
@@ -117,11 +117,11 @@ impl Scene {
         self.attitude.pitch.abs() + half_height >= radians(80.0)
     }
 
-    /// Stage and pose on `model`.
+    /// MachineStage and pose on `model`.
     ///
     /// # Errors
     /// If it cannot be: the message of the crate that refuses.
-    pub fn build(&self, model: &HardwareModel, scalar: Scalar) -> Result<(Stage, Pose), String> {
+    pub fn build(&self, model: &HardwareModel, scalar: Scalar) -> Result<(MachineStage, Pose), String> {
         let said = |error: &dyn std::fmt::Display| error.to_string();
         let level = Level::new(self.region_size, self.origin, self.corners, self.words.clone());
         let bank = Bank::new("stability", vec![level.map_err(|e| said(&e))?], None).map_err(|e| said(&e))?;
@@ -143,6 +143,6 @@ impl Scene {
         let settings = Settings::resolve(model, self.field, wishes, Some(self.range), laws, scalar, display);
         let settings = settings.map_err(|error| said(&error))?;
         let scenery = Scenery::still(self.sun).with_course(vec![pose]);
-        Ok((Stage { landscape: Arc::new(landscape), scenery: Arc::new(scenery), settings }, pose))
+        Ok((MachineStage { landscape: Arc::new(landscape), scenery: Arc::new(scenery), settings }, pose))
     }
 }

@@ -14,7 +14,7 @@ fn model(name: &str) -> HardwareModel {
 
 fn scene() -> Scene {
     let (scenario, ideal) = (Scenario::parse("small", BASE).unwrap(), model("ideal"));
-    let stage = stage::build(&scenario, stage::settings(&scenario, &ideal).unwrap()).unwrap();
+    let stage = front_door::build(&scenario, front_door::settings(&scenario, &ideal).unwrap()).unwrap();
     Scene::of(&Subject::new(scenario, ideal, stage, &[0]).unwrap())
 }
 

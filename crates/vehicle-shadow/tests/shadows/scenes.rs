@@ -100,5 +100,5 @@ pub fn stage(landscape: &Arc<Landscape>, scenery: Scenery, [columns, lines]: [u3
         shadows: Some(ShadowFineness::default()),
         ..ideal.unwrap()
     };
-    Stage { landscape: Arc::clone(landscape), scenery: Arc::new(scenery), settings }
+    Stage { landscape: Arc::clone(landscape), scenery: Arc::new(scenery), view: settings.view() }
 }

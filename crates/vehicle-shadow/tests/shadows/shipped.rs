@@ -19,8 +19,8 @@ fn path() -> PathBuf {
 /// The scenario, its ground, and what its camera, which does not roll, has in each of `frames`.
 fn read(frames: &[u64]) -> (Scenario, TrueGround, Vec<Shot>) {
     let scenario = Scenario::read(path()).unwrap();
-    let settings = stage::settings(&scenario, &HardwareModel::ideal()).unwrap();
-    let stage = stage::build(&scenario, settings).unwrap();
+    let settings = front_door::settings(&scenario, &HardwareModel::ideal()).unwrap();
+    let stage = front_door::build(&scenario, settings).unwrap();
     let update = stage.settings.timebase.update;
     let shot = |&frame: &u64| {
         let table = PoseTable::resolve(&scenario, &stage.landscape, update, None, frame..frame + 1).unwrap();
@@ -35,7 +35,7 @@ fn read(frames: &[u64]) -> (Scenario, TrueGround, Vec<Shot>) {
         }
     };
     let shots = frames.iter().map(shot).collect();
-    (scenario, TrueGround::new(stage), shots)
+    (scenario, TrueGround::new(stage.stage()), shots)
 }
 
 fn augmentation(scenario: &Scenario, ground: GroundLaw) -> Augmentation {

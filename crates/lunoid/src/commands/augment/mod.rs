@@ -284,17 +284,17 @@ impl Augment {
             let inputs = format!("{rule:?}");
             return Ok(Grounded { law: GroundLaw::Flat(rule), vehicle: Vehicle::default(), inputs });
         }
-        let mut loaded = StageArgs::of(Path::new(&self.ground)).load()?;
-        let stage = loaded.stage(pool)?;
-        let vehicle = loaded.scenario.vehicle;
+        let opened = StageArgs::of(Path::new(&self.ground)).load()?;
+        let stage = pool.install(|| opened.stage())?;
+        let vehicle = opened.scenario.vehicle;
         let tracks = match self.tracks {
             true => {
-                let tracks = loaded.scenario.tracks.unwrap_or(USUAL_TRACKS);
+                let tracks = opened.scenario.tracks.unwrap_or(USUAL_TRACKS);
                 tracks_along(sequence, &tracks, &vehicle, &stage.landscape)?
             }
             false => Vec::new(),
         };
-        let inputs = format!("{:?} {:?} {tracks:?}", loaded.inputs.scenario, loaded.inputs.references);
+        let inputs = format!("{:?} {:?} {tracks:?}", opened.inputs.scenario, opened.inputs.references);
         let ground = Box::new(pool.install(|| TrueGround::new(stage)));
         Ok(Grounded { law: GroundLaw::True { ground, tracks }, vehicle, inputs })
     }

@@ -3,8 +3,6 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use generator::Generator;
-use machine::HybridMachine;
 use serde_json::{Value, json};
 use signal::{Signal, Wire};
 use waveform::wire_record;
@@ -70,15 +68,16 @@ impl Signals {
         let (machine, everything) = (self.machine.clone(), self.everything);
         let options = StageOptions { everything, ..StageOptions::default() };
         let stage = StageArgs { scenario, machine, options };
-        let mut loaded = stage.load()?;
-        let built = loaded.stage(&self.threads.pool()?)?;
-        let wires = loaded.generator.prepare(built).map_err(Failure::input)?.wires();
+        let opened = stage.load()?;
+        let pool = self.threads.pool()?;
+        let built = pool.install(|| opened.stage())?;
+        let wires = opened.generator.prepare(built).map_err(Failure::input)?.wires();
         if wires.is_empty() {
-            let name = loaded.generator.name();
+            let name = opened.generator.name();
             return Err(Failure::usage(format!("machine {name} has no signals; expected a hardware model")));
         }
         let rows = wires.into_iter().map(|wire| Row { signal: wire.signal, wire: Some(wire) }).collect();
-        let of = Some((stage.scenario.display().to_string(), loaded.drawn_by().to_owned()));
+        let of = Some((stage.scenario.display().to_string(), opened.drawn_by().to_owned()));
         Ok(SignalListing { rows, of })
     }
 }
@@ -99,7 +98,7 @@ struct Row {
 impl SignalListing {
     /// All signals that a machine can have, and those of the vehicle's shadow in existing pictures.
     pub fn of_table() -> Self {
-        let signals = HybridMachine.signals().iter().chain(&vehicle_shadow::SIGNALS);
+        let signals = machine::signals().iter().chain(&vehicle_shadow::SIGNALS);
         let rows = signals.map(|signal| Row { signal: *signal, wire: None });
         Self { rows: rows.collect(), of: None }
     }

@@ -5,13 +5,16 @@ mod tell;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use generator::Stage;
+use front_door::Opened;
 use hardware_model::{HardwareModel, Settings};
 use lockstep::{Engines, Report, Trials, trials};
+use machine::MachineStage;
 use rayon::ThreadPool;
 use scenario::{PoseTable, Scalar};
 
-use crate::loading::{Loaded, ScalarWord, StageArgs, StageOptions, Threads, of_models};
+use crate::loading::{
+    ScalarWord, StageArgs, StageOptions, Threads, expect_machine, machine_stage, of_models,
+};
 use crate::values::Span;
 use crate::{Failure, Verdict, values};
 
@@ -96,15 +99,15 @@ impl LockstepCommand {
             machine: self.machine.clone(),
             options: self.options.clone(),
         };
-        let mut loaded = stage.load()?;
-        loaded.expect_machine("there is no interpreter of it")?;
+        let mut opened = stage.load()?;
+        expect_machine(&opened, "there is no interpreter of it")?;
         if self.ideal_parts {
-            loaded.settings = Settings { analog: HardwareModel::ideal().analog, ..loaded.settings };
+            opened.settings = Settings { analog: HardwareModel::ideal().analog, ..opened.settings };
         }
-        let frames = self.frames(&loaded)?;
-        let stage = loaded.stage(pool)?;
-        let report = pool.install(|| self.compare(&loaded, stage, &frames))?;
-        let what = format!("{}, {}", loaded.scenario.title, loaded.inputs.model);
+        let frames = self.frames(&opened)?;
+        let stage = machine_stage(&opened, pool)?;
+        let report = pool.install(|| self.compare(&opened, stage, &frames))?;
+        let what = format!("{}, {}", opened.scenario.title, opened.inputs.model);
         Ok(Told { what, frames, report, faults: Vec::new() })
     }
 
@@ -126,8 +129,8 @@ impl LockstepCommand {
         Ok(Told { what, frames: Vec::new(), report, faults })
     }
 
-    fn frames(&self, loaded: &Loaded) -> Result<Vec<u64>, Failure> {
-        let all = loaded.frames();
+    fn frames(&self, opened: &Opened) -> Result<Vec<u64>, Failure> {
+        let all = opened.frames();
         match self.frame {
             None => {
                 let mut frames = vec![0, all / 2, all - 1];
@@ -159,14 +162,14 @@ impl LockstepCommand {
         Ok((0..all).skip(every as usize / 2).step_by(every as usize).collect())
     }
 
-    fn compare(&self, loaded: &Loaded, stage: Stage, frames: &[u64]) -> Result<Report, Failure> {
-        let sweeps = self.sweeps(loaded.settings.raster.sweeps)?;
-        let Stage { landscape, settings, .. } = &stage;
+    fn compare(&self, opened: &Opened, stage: MachineStage, frames: &[u64]) -> Result<Report, Failure> {
+        let sweeps = self.sweeps(opened.settings.raster.sweeps)?;
+        let MachineStage { landscape, settings, .. } = &stage;
         let (update, yoke) = (settings.timebase.update, settings.yoke);
         let poses =
-            |frame: u64| PoseTable::resolve(&loaded.scenario, landscape, update, yoke, frame..frame + 1);
+            |frame: u64| PoseTable::resolve(&opened.scenario, landscape, update, yoke, frame..frame + 1);
         let tables: Vec<_> = frames.iter().map(|&frame| poses(frame)).collect();
-        let engines = Engines::new(stage.clone()).map_err(Failure::input)?;
+        let engines = Engines::new(stage.clone());
         let mut sum = Report::default();
         for (&frame, table) in frames.iter().zip(tables) {
             let pose = table.map_err(Failure::input)?.rows()[0].pose;

@@ -1,9 +1,8 @@
 //! What a replay puts into the folder of its run for the page, and the page.
 
-use generator::Stage;
-use hardware_model::HardwareModel;
-use lunsim::{Hardware, Program};
-use machine::ControlPlane;
+use front_door::Opened;
+use generator::{Scan, Timed};
+use machine::MachineStage;
 use rayon::ThreadPool;
 use replay::{HeldRun, Job, RunFolder};
 use report::{Beside, ReportError, TimingSummary, write_page};
@@ -16,7 +15,6 @@ use super::sight::sight;
 use super::words::words;
 use crate::Failure;
 use crate::commands::timing::rehearsal::spread;
-use crate::commands::timing::timed::Timed;
 use crate::loading::StageArgs;
 
 /// Frames whose timing is summed up: enough to see whether the machine keeps up, few enough to cost nothing.
@@ -28,10 +26,8 @@ pub struct Making<'a> {
     pub job: &'a Job<'a>,
     /// The words that chose its stage.
     pub stage: &'a StageArgs,
-    /// Its hardware model.
-    pub model: &'a HardwareModel,
-    /// What LUNSIM ran on, where it draws.
-    pub program: Option<Hardware>,
+    /// What these words came to.
+    pub opened: &'a Opened,
     /// Sweeps to record.
     pub requests: &'a [Request],
     /// Threads.
@@ -49,8 +45,9 @@ impl Making<'_> {
         beside.stage = words(self.stage);
         if !self.job.generator.signals().is_empty() {
             let poses = self.poses(&held)?;
-            if self.job.generator.is_machine() {
-                beside.sight = sight(&self.job.stage, &poses);
+            if self.opened.is_machine() {
+                let stage = MachineStage::new(self.job.stage.clone(), self.opened.settings.clone());
+                beside.sight = sight(&stage.map_err(Failure::input)?, &poses);
             }
             self.sum_up_timing(&poses, &mut beside)?;
             record(self, &poses, folder.path(), &mut beside)?;
@@ -60,18 +57,18 @@ impl Making<'_> {
         Ok(())
     }
 
-    /// Name of the model, or of the generator that is none.
-    pub fn drawn_by(&self) -> &str {
-        if self.job.generator.is_machine() { &self.model.name } else { self.job.generator.name() }
+    /// How the signals of the generator run, if it has any.
+    pub fn scan(&self) -> Option<Scan> {
+        self.job.generator.scan(&self.job.stage.view)
     }
 
     /// Poses of the frames that the folder holds.
     fn poses(&self, held: &HeldRun) -> Result<Vec<PoseRow>, Failure> {
         let (Some(first), Some(last)) = (held.frames.first(), held.frames.last()) else { return Ok(vec![]) };
-        let Stage { landscape, settings, .. } = &self.job.stage;
-        let (update, yoke) = (settings.timebase.update, settings.yoke);
+        let view = &self.job.stage.view;
         let frames = first.frame..last.frame + 1;
-        let table = PoseTable::resolve(self.job.scenario, landscape, update, yoke, frames);
+        let landscape = &self.job.stage.landscape;
+        let table = PoseTable::resolve(self.job.scenario, landscape, view.update, view.yoke, frames);
         Ok(table.map_err(Failure::input)?.rows().to_vec())
     }
 
@@ -82,21 +79,14 @@ impl Making<'_> {
         if beside.timing.as_ref().is_some_and(|known| frames.eq(known.frames.iter().copied())) {
             return Ok(());
         }
-        let stage = &self.job.stage;
-        let (frames, tick_s) = match self.program {
-            Some(hardware) => {
-                let program = Program::new(stage.clone(), hardware).map_err(Failure::input)?;
-                (self.timed(&rows, &program)?, 1.0 / Program::MASTER_HZ as f64)
-            }
-            None => (
-                self.timed(&rows, &ControlPlane::new(stage.clone()))?,
-                1.0 / stage.settings.timebase.master.hertz(),
-            ),
-        };
+        let timed = self.job.generator.timed(self.job.stage.clone()).map_err(Failure::input)?;
+        let Some(timed) = timed else { return Ok(()) };
+        let frames = self.timed(&rows, &*timed)?;
+        let tick_s = 1.0 / timed.master().hertz();
         let record = TimingRecord {
             format: FORMAT,
             scenario: self.job.scenario.title.clone(),
-            machine: self.drawn_by().to_owned(),
+            machine: self.opened.drawn_by().to_owned(),
             inputs: String::new(),
             master: String::new(),
             before_mission: Vec::new(),

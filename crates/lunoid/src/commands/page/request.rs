@@ -99,7 +99,7 @@ pub fn check(
         if signals.is_empty() {
             let name = generator.name();
             return Err(Failure::usage(format!(
-                "{request}: {name} has no signals that a page could show; expected a hardware model, or lunsim"
+                "{request}: {name} has no signals that a page could show; expected a hardware model, or another generator that has signals"
             )));
         }
         if !frames.contains(&request.frame) {
@@ -127,11 +127,28 @@ pub fn check(
 
 #[cfg(test)]
 mod tests {
-    use exact::Exact;
-    use lunsim::Lunsim;
+    use std::sync::Arc;
+
+    use generator::Generator;
+    use hardware_model::HardwareModel;
     use machine::HybridMachine;
+    use scenario::Scenario;
 
     use super::{Request, check};
+
+    /// The ideal machine.
+    fn machine() -> HybridMachine {
+        let text = "format = 1\ntitle = 't'\nshows = 's'\nframes = 1\n[landscape.generated]\nseed = 1\n\
+                    extent_m = [600, 640]\nregion_size_m = 40\n[sun]\nazimuth_deg = 10\nelevation_deg = 12\n\
+                    [path]\nkeyframes = [{ t_s = 0, x_m = 100, y_m = 300 }]\n";
+        let scenario = Scenario::parse("t.toml", text).unwrap_or_else(|problems| panic!("{problems}"));
+        HybridMachine::new(front_door::settings(&scenario, &HardwareModel::ideal()).unwrap())
+    }
+
+    /// A generator of the registry as it ships.
+    fn guest(name: &str) -> Arc<dyn Generator> {
+        registry::configure_with(registry::find(name).unwrap(), &[]).unwrap()
+    }
 
     fn request(text: &str) -> Request {
         text.parse().expect(text)
@@ -141,12 +158,12 @@ mod tests {
     fn spellings() {
         let one = request("12:500");
         assert_eq!((one.frame, one.sweeps(525)), (12, Some(500..501)));
-        assert_eq!(one.patterns(&HybridMachine).len(), 8);
-        assert_eq!(one.patterns(&Lunsim), ["*"]);
+        assert_eq!(one.patterns(&machine()).len(), 8);
+        assert_eq!(one.patterns(&*guest("lunsim")), ["*"]);
         assert_eq!(request("0:3..5").sweeps(40), Some(3..5));
         assert_eq!(request("0:39..").sweeps(40), Some(39..40));
         assert_eq!(request("0:40").sweeps(40), None);
-        assert_eq!(request("1:2:tg.*, dpp.y").patterns(&HybridMachine), ["tg.*", "dpp.y"]);
+        assert_eq!(request("1:2:tg.*, dpp.y").patterns(&machine()), ["tg.*", "dpp.y"]);
         for wrong in ["", "12", "12:", ":500", "a:1", "1:b", "-1:2", "1:3..3"] {
             assert!(wrong.parse::<Request>().is_err(), "{wrong}");
         }
@@ -154,15 +171,15 @@ mod tests {
 
     #[test]
     fn what_cannot_be_recorded_is_refused() {
-        let checked = |text: &str| check(&[request(text)], &(10..20), 525, &HybridMachine).is_ok();
+        let checked = |text: &str| check(&[request(text)], &(10..20), 525, &machine()).is_ok();
         assert!(checked("10:0") && checked("19:524") && checked("12:0..200"));
         for wrong in ["9:0", "20:0", "10:525", "10:524..526", "10:0:nothing", "10:0:", "10:0..201"] {
             assert!(!checked(wrong), "{wrong}");
         }
-        assert!(check(&[request("10:0")], &(10..20), 525, &Exact).is_err());
-        let of_lunsim = |text: &str| check(&[request(text)], &(10..20), 64, &Lunsim).is_ok();
+        assert!(check(&[request("10:0")], &(10..20), 525, &*guest("exact")).is_err());
+        let of_lunsim = |text: &str| check(&[request(text)], &(10..20), 64, &*guest("lunsim")).is_ok();
         assert!(of_lunsim("10:0") && of_lunsim("10:63:lunsim.height"));
         assert!(!of_lunsim("10:64") && !of_lunsim("10:0:tg.height"));
-        assert!(check(&[], &(10..20), 525, &Exact).is_ok());
+        assert!(check(&[], &(10..20), 525, &*guest("exact")).is_ok());
     }
 }

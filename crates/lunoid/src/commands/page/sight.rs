@@ -1,7 +1,7 @@
 //! Where a pixel lies among the sweeps of each frame, as numbers for a page.
 
-use generator::Stage;
 use hardware_model::SweepMemoryKind;
+use machine::MachineStage;
 use quantities::sin_cos;
 use report::{Sight, SightLine};
 use scenario::{FieldOfView, PoseRow, Projection};
@@ -9,7 +9,7 @@ use sweep_memory::covering;
 use sweep_program::Fan;
 
 /// Of the frames of `rows`, which follow one another.
-pub fn sight(stage: &Stage, rows: &[PoseRow]) -> Option<Sight> {
+pub fn sight(stage: &MachineStage, rows: &[PoseRow]) -> Option<Sight> {
     let settings = &stage.settings;
     let (raster, projection) = (&settings.raster, settings.laws.projection);
     let field = raster.field;
@@ -49,7 +49,7 @@ mod tests {
     use scenario::PoseTable;
 
     use super::sight;
-    use crate::loading::StageArgs;
+    use crate::loading::{StageArgs, machine_stage};
 
     /// Pitch, roll and yoke: what the page works out is where the machine wrote.
     #[test]
@@ -64,10 +64,10 @@ mod tests {
             let mut stage = StageArgs::of(&root.join(format!("scenarios/{scenario}.toml")));
             stage.options.sweeps = Some(90);
             stage.options.set = options.iter().map(|(key, value)| ((*key).into(), (*value).into())).collect();
-            let mut loaded = stage.load().unwrap_or_else(|failure| panic!("{:?}", failure.message(false)));
-            let stage = loaded.stage(&pool).ok().unwrap();
+            let opened = stage.load().unwrap_or_else(|failure| panic!("{:?}", failure.message(false)));
+            let stage = machine_stage(&opened, &pool).ok().unwrap();
             let (update, yoke) = (stage.settings.timebase.update, stage.settings.yoke);
-            let table = PoseTable::resolve(&loaded.scenario, &stage.landscape, update, yoke, 20..23).unwrap();
+            let table = PoseTable::resolve(&opened.scenario, &stage.landscape, update, yoke, 20..23).unwrap();
             let sight = sight(&stage, table.rows()).unwrap();
             let control = ControlPlane::new(stage.clone());
             let raster = stage.settings.raster;

@@ -219,7 +219,6 @@ mod tests {
     use std::fs;
     use std::path::Path;
 
-    use scenario::PoseTable;
     use waveform::{Format, Header};
 
     use super::{Look, Order, WINDOW, size, trace, windows};
@@ -229,15 +228,13 @@ mod tests {
 
     /// Traces sweeps 3..31 of the tiny scenario into a CSV, `window` values at a time; the text, and the windows.
     fn traced(window: usize) -> (String, usize) {
-        let mut loaded = StageArgs::of(Path::new(TINY)).load().unwrap();
+        let opened = StageArgs::of(Path::new(TINY)).load().unwrap();
         let pool = Threads { jobs: Some(2) }.pool().unwrap();
-        let stage = loaded.stage(&pool).unwrap();
-        let settings = stage.settings.clone();
+        let stage = pool.install(|| opened.stage()).unwrap();
+        let settings = opened.settings.clone();
         let clocks = settings.timebase;
-        let poses =
-            PoseTable::resolve(&loaded.scenario, &stage.landscape, clocks.update, settings.yoke, 1..2);
-        let pose = poses.unwrap().rows()[0].pose;
-        let session = loaded.generator.prepare(stage).unwrap();
+        let pose = opened.poses(&stage, 1..2).unwrap().rows()[0].pose;
+        let session = opened.generator.prepare(stage).unwrap();
         let raster = [settings.raster.columns as usize, settings.raster.lines as usize];
         let look = Look { session: &*session, pool: &pool, frame: 1, pose: &pose, raster };
         let header = Header {

@@ -6,22 +6,25 @@ mod summary;
 use std::io::{self, BufWriter, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Instant;
 
 use clap::{Args, ValueEnum};
-use generator::{Generator, Stage};
+use front_door::Opened;
+use generator::Stage;
 use picture::Depth;
 use quantities::Rate;
 use rayon::ThreadPool;
 use replay::{
-    Control, HeldRun, Job, Outcome, Pictures, Program, RunFolder, TruthItems, TruthOutcome, is_run_file, run,
-    write_truth, write_y4m,
+    Control, HeldRun, Job, Outcome, Phase, Pictures, Program, RunFolder, TruthItems, TruthOutcome,
+    is_run_file, run, write_truth, write_y4m,
 };
 use serde_json::Value;
 
 use crate::cli::{COMMIT, RESULT_FAMILY};
 use crate::commands::page::{Making, Request, check};
 use crate::interrupt;
-use crate::loading::{Loaded, StageArgs, StageOptions, Threads};
+use crate::loading::{StageArgs, StageOptions, Threads, choose_frames, machine_help};
 use crate::output::{Place, expect_outputs, print, print_json, tell};
 use crate::progress::Saying;
 use crate::values::Span;
@@ -45,9 +48,7 @@ Several machines draw into sub-folders of one folder, exact among them, and one 
 pub struct Replay {
     /// Scenario file.
     scenario: PathBuf,
-    /// Hardware model by name or path, `exact` for the closed form without any machine, or `lunsim` for the report's
-    /// program. The scenario's own if left out; given several times they stand side by side, with `exact` among them.
-    #[arg(short, long, value_name = "MODEL")]
+    #[arg(short, long, value_name = "MODEL", help = several_help())]
     machine: Vec<String>,
     #[command(flatten)]
     options: StageOptions,
@@ -93,6 +94,12 @@ pub struct Replay {
     saying: Saying,
 }
 
+/// Help of `--machine` where it may be given several times.
+fn several_help() -> String {
+    let judge = registry::judge().name;
+    format!("{}; given several times, they stand side by side, with `{judge}` among them", machine_help())
+}
+
 /// Bits of a pixel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum DepthWord {
@@ -119,19 +126,23 @@ impl Replay {
         let stage = self.stage(machine);
         let out = self.out("");
         self.expect_apart(&stage, &out)?;
-        let mut loaded = stage.load()?;
-        let frames = loaded.choose(self.frames)?;
-        let generator = loaded.generator;
-        let sweeps = generator.timebase(&loaded.settings).sweeps;
-        self.expect_sweeps(generator)?;
-        check(&self.probe, &frames, sweeps, generator)?;
+        let start = Instant::now();
+        let opened = stage.load()?;
+        let frames = choose_frames(&opened, self.frames)?;
+        let generator = &*opened.generator;
+        self.expect_sweeps(&opened)?;
+        let lines = generator.scan(&opened.settings.view()).map_or(0, |scan| scan.timebase.sweeps);
+        check(&self.probe, &frames, lines, generator)?;
         let pool = self.threads.pool()?;
         let folder = RunFolder::claim(&out, self.fresh)?;
         interrupt::listen();
-        let built = loaded.stage(&pool)?;
-        let job = self.job(&loaded, built, frames);
-        let (outcome, truth) = self.draw(&stage, &loaded, &job, &folder, &pool)?;
-        self.tell(&loaded, &folder, outcome, truth)
+        let read = Phase::since("read", start);
+        let start = Instant::now();
+        let built = pool.install(|| opened.stage())?;
+        let phases = vec![read, Phase::since("landscape", start)];
+        let job = self.job(&opened, built, frames);
+        let (outcome, truth) = self.draw((&stage, phases), &opened, &job, &folder, &pool)?;
+        self.tell(&opened, &folder, outcome, truth)
     }
 
     fn stage(&self, machine: Option<String>) -> StageArgs {
@@ -139,12 +150,12 @@ impl Replay {
     }
 
     /// What one machine is to draw.
-    fn job<'a>(&self, loaded: &'a Loaded, stage: Stage, frames: Range<u64>) -> Job<'a> {
+    fn job<'a>(&self, opened: &'a Opened, stage: Stage, frames: Range<u64>) -> Job<'a> {
         Job {
             program: program(),
-            inputs: loaded.inputs.clone(),
-            scenario: &loaded.scenario,
-            generator: loaded.generator,
+            inputs: opened.inputs.clone(),
+            scenario: &opened.scenario,
+            generator: Arc::clone(&opened.generator),
             stage,
             frames,
             pictures: self.pictures(),
@@ -155,8 +166,8 @@ impl Replay {
     /// Pictures, page and truth of one machine.
     fn draw(
         &self,
-        stage: &StageArgs,
-        loaded: &Loaded,
+        (stage, phases): (&StageArgs, Vec<Phase>),
+        opened: &Opened,
         job: &Job,
         folder: &RunFolder,
         pool: &ThreadPool,
@@ -164,8 +175,8 @@ impl Replay {
         let cancel = interrupt::listen();
         let display = self.saying.display();
         let progress = |progress| display.hear(progress);
-        let control = Control { pool, cancel, progress: &progress, phases: loaded.phases.clone() };
-        let made = self.make(stage, job, loaded, folder, &control);
+        let control = Control { pool, cancel, progress: &progress, phases };
+        let made = self.make(stage, job, opened, folder, &control);
         display.end();
         made
     }
@@ -175,15 +186,14 @@ impl Replay {
         &self,
         stage: &StageArgs,
         job: &Job,
-        loaded: &Loaded,
+        opened: &Opened,
         folder: &RunFolder,
         control: &Control,
     ) -> Result<(Outcome, Option<TruthOutcome>), Failure> {
         let outcome = run(job, folder, control)?;
         if matches!(outcome, Outcome::Finished { .. }) {
             let requests = &self.probe;
-            let (model, program) = (&loaded.model, loaded.program);
-            Making { job, stage, model, program, requests, pool: control.pool }.write(folder)?;
+            Making { job, stage, opened, requests, pool: control.pool }.write(folder)?;
         }
         let truth = match (&outcome, &self.truth) {
             (Outcome::Finished { .. }, Some(items)) => Some(write_truth(job, items, folder, control)?),
@@ -193,9 +203,9 @@ impl Replay {
     }
 
     /// Only a machine has sweeps that can be checked.
-    fn expect_sweeps(&self, generator: &dyn Generator) -> Result<(), Failure> {
-        if self.check > 0 && !generator.is_machine() {
-            let (asked, name) = (self.check, generator.name());
+    fn expect_sweeps(&self, opened: &Opened) -> Result<(), Failure> {
+        if self.check > 0 && !opened.is_machine() {
+            let (asked, name) = (self.check, opened.drawn_by());
             return Err(Failure::usage(format!(
                 "--check {asked}: {name} has no sweeps to hold against the closed form; expected a hardware model"
             )));
@@ -236,7 +246,7 @@ impl Replay {
 
     fn tell(
         &self,
-        loaded: &Loaded,
+        opened: &Opened,
         folder: &RunFolder,
         outcome: Outcome,
         truth: Option<TruthOutcome>,
@@ -247,7 +257,7 @@ impl Replay {
                 Ok(interrupted("frames' ground truth", done, frames))
             }
             (Outcome::Finished { frames, drawn, limits, performance }, truth) => {
-                self.write_film(loaded, folder)?;
+                self.write_film(opened, folder)?;
                 let summary = Summary {
                     folder: folder.path(),
                     frames: [frames.start, frames.end],
@@ -271,11 +281,11 @@ impl Replay {
         Ok(HeldRun::read(folder.path())?.document.get("check").cloned())
     }
 
-    fn write_film(&self, loaded: &Loaded, folder: &RunFolder) -> Result<(), Failure> {
+    fn write_film(&self, opened: &Opened, folder: &RunFolder) -> Result<(), Failure> {
         let Some(path) = &self.y4m else { return Ok(()) };
         let held = HeldRun::read(folder.path())?;
-        let settings = &loaded.settings;
-        let rate: Rate = if self.refresh { settings.raster.refresh } else { settings.timebase.update };
+        let view = opened.settings.view();
+        let rate: Rate = if self.refresh { view.refresh } else { view.update };
         if is_stdout(path) {
             let mut out = BufWriter::new(io::stdout().lock());
             return write_y4m(&mut out, folder.path(), &held, rate)

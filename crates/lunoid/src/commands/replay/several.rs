@@ -2,27 +2,30 @@
 
 use std::fs;
 use std::path::Path;
+use std::time::Instant;
 
-use exact::Exact;
-use generator::{Generator, Stage};
+use generator::Stage;
 use rayon::ThreadPool;
-use replay::{Job, Outcome, RUN_RECORD, ReplayError, RunFolder};
+use replay::{Job, Outcome, Phase, RUN_RECORD, ReplayError, RunFolder};
 use report::{SIDE_BY_SIDE, write_side_by_side};
 use serde_json::{Value, json};
 
 use super::summary::Summary;
 use super::{Replay, interrupted};
 use crate::interrupt;
-use crate::loading::{Loaded, StageArgs, is_of_parts, other};
+use crate::loading::{StageArgs, choose_frames};
 use crate::output::{print, print_json, tell};
 use crate::{Failure, Verdict};
+use front_door::{Decides, Opened, decides};
 
 /// One of them.
 struct Entry {
     /// Its folder below that of the page.
     name: String,
     stage: StageArgs,
-    loaded: Loaded,
+    opened: Opened,
+    /// How long it took to read, and to make the ground.
+    phases: Vec<Phase>,
 }
 
 impl Replay {
@@ -42,11 +45,12 @@ impl Replay {
         let claim = |entry: &Entry| RunFolder::claim(&out.join(&entry.name), self.fresh);
         let folders = entries.iter().map(claim).collect::<Result<Vec<_>, _>>()?;
         let mut summaries = Vec::new();
-        for ((Entry { name, stage, loaded }, job), folder) in entries.iter().zip(&jobs).zip(&folders) {
+        for ((Entry { name, stage, opened, phases }, job), folder) in entries.iter().zip(&jobs).zip(&folders)
+        {
             if !self.saying.quiet && !self.saying.no_progress {
                 tell(&format!("{name}\n"));
             }
-            match self.draw(stage, loaded, job, folder, &pool)?.0 {
+            match self.draw((stage, phases.clone()), opened, job, folder, &pool)?.0 {
                 Outcome::Interrupted { done, of } => {
                     return Ok(interrupted(&format!("frames of {name}"), done, of));
                 }
@@ -65,7 +69,7 @@ impl Replay {
             }
         }
         let names: Vec<String> = entries.iter().map(|entry| entry.name.clone()).collect();
-        let (figures, page) = pool.install(|| write_side_by_side(&out, &names, Exact.name()))?;
+        let (figures, page) = pool.install(|| write_side_by_side(&out, &names, registry::judge().name))?;
         let (documents, texts): (Vec<Value>, Vec<String>) = summaries.into_iter().unzip();
         match (self.saying.json, self.saying.quiet) {
             (true, _) => print_json(&json!({
@@ -83,11 +87,11 @@ impl Replay {
 
     /// What `entry` is to draw, if its machine can draw all of it: none begins what another cannot do.
     fn drawable<'a>(&self, entry: &'a Entry, stage: Stage, pool: &ThreadPool) -> Result<Job<'a>, Failure> {
-        let Entry { name, loaded, .. } = entry;
-        let job = self.job(loaded, stage, loaded.choose(self.frames)?);
+        let Entry { name, opened, .. } = entry;
+        let job = self.job(opened, stage, choose_frames(opened, self.frames)?);
         let refused = |error: ReplayError| match error {
             ReplayError::Prepare(_) | ReplayError::Frame(_) => {
-                Failure::input(format!("{}: --machine {name}: {error}", loaded.scenario_file()))
+                Failure::input(format!("{}: --machine {name}: {error}", opened.scenario_file()))
             }
             other => other.into(),
         };
@@ -114,10 +118,10 @@ impl Replay {
 
     /// `machines` and the one that they are held against, read and found right.
     fn entries(&self, machines: &[String]) -> Result<Vec<Entry>, Failure> {
-        let judge = Exact.name().to_owned();
+        let judge = registry::judge().name.to_owned();
         let judge = (!machines.contains(&judge)).then_some(judge);
         // Parts that are set are those of the machines among them.
-        let is_for_machines = machines.iter().any(|name| other(name).is_none());
+        let is_for_machines = machines.iter().any(|name| registry::find(name).is_none());
         let mut entries: Vec<Entry> = Vec::new();
         for machine in machines.iter().cloned().chain(judge) {
             let name = folder_name(&machine)?;
@@ -127,12 +131,14 @@ impl Replay {
                 )));
             }
             let mut stage = self.stage(Some(machine));
-            if is_for_machines && stage.machine.as_deref().is_some_and(|name| other(name).is_some()) {
-                stage.options.set.retain(|(key, _)| !is_of_parts(key));
+            if is_for_machines && stage.row().is_some() {
+                stage.options.set.retain(|(key, _)| !matches!(decides(key), Decides::Model));
             }
-            let loaded = stage.load()?;
-            loaded.choose(self.frames)?;
-            entries.push(Entry { name, stage, loaded });
+            let start = Instant::now();
+            let opened = stage.load()?;
+            let phases = vec![Phase::since("read", start)];
+            choose_frames(&opened, self.frames)?;
+            entries.push(Entry { name, stage, opened, phases });
         }
         Ok(entries)
     }
@@ -141,11 +147,13 @@ impl Replay {
 /// The stages of `entries`, all over the ground of the first.
 fn stages(entries: &mut [Entry], pool: &ThreadPool) -> Result<Vec<Stage>, Failure> {
     let mut stages: Vec<Stage> = Vec::with_capacity(entries.len());
-    for Entry { loaded, .. } in entries {
+    for Entry { opened, phases, .. } in entries {
+        let start = Instant::now();
         let stage = match stages.first() {
-            Some(first) => loaded.stage_beside(first)?,
-            None => loaded.stage(pool)?,
+            Some(first) => opened.machine_stage_beside(first)?.stage(),
+            None => pool.install(|| opened.stage())?,
         };
+        phases.push(Phase::since("landscape", start));
         stages.push(stage);
     }
     Ok(stages)
@@ -153,8 +161,8 @@ fn stages(entries: &mut [Entry], pool: &ThreadPool) -> Result<Vec<Stage>, Failur
 
 /// A model by its path has the name of its file.
 fn folder_name(machine: &str) -> Result<String, Failure> {
-    let stem = match other(machine) {
-        Some(generator) => Some(generator.name().into()),
+    let stem = match registry::find(machine) {
+        Some(row) => Some(row.name.into()),
         None => Path::new(machine).file_stem().map(|stem| stem.to_string_lossy().into_owned()),
     };
     stem.ok_or_else(|| {
@@ -165,7 +173,7 @@ fn folder_name(machine: &str) -> Result<String, Failure> {
 /// Pictures that stand side by side have one size and show the same instants.
 fn expect_one_raster(entries: &[Entry]) -> Result<(), Failure> {
     let of = |entry: &Entry| {
-        let settings = &entry.loaded.settings;
+        let settings = &entry.opened.settings;
         (settings.raster.columns, settings.raster.lines, settings.timebase.update)
     };
     let words = |entry: &Entry| {

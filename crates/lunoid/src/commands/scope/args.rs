@@ -124,8 +124,7 @@ impl ScopeArgs {
             _ => return Ok(()),
         };
         Err(Failure::usage(format!(
-            "{given}: a row of {} has no sweep time; expected places to the right of the line of sight in metres, as -120.5",
-            lunsim::NAME
+            "{given}: a row has no sweep time; expected places to the right of the line of sight in metres, as -120.5"
         )))
     }
 }

@@ -1,12 +1,13 @@
-//! One sweep, or one row of LUNSIM's grid, as a page of the scope: PNG or SVG, as the file is named.
+//! One sweep, or one row of a grid, as a page of the scope: PNG or SVG, as the file is named.
 
 mod args;
 mod page;
 
 use std::path::Path;
 
-use hardware_model::Settings;
+use generator::Scan;
 use plots::{Drawing, scope_picture, scope_svg};
+use scenario::Display;
 use signal::{Waveform, Wire};
 
 use crate::Failure;
@@ -14,10 +15,9 @@ use crate::Failure;
 pub use args::ScopeArgs;
 pub use page::runs_along;
 
-/// Signals that a page needs beside those that it shows: its axes, what it shades, its crossings and the picture column; of
-/// each generator those that it has.
-pub const NEEDS: [&str; 10] = [
-    "sweep.range",
+/// Signals that a page of the hybrid machine needs beside those that it shows and its axes: what it shades, its crossings and
+/// the picture column.
+const SHADED: [&str; 7] = [
     "sweep.fold.x",
     "sweep.fold.y",
     "sweep.coarse.fold.x",
@@ -25,23 +25,28 @@ pub const NEEDS: [&str; 10] = [
     "dpp.blank",
     "dpp.y",
     "sm.write",
-    "lunsim.across",
-    "lunsim.along",
 ];
+
+/// Signals that a page needs beside those that it shows; of each generator those that it has.
+pub fn needs(scan: &Scan) -> Vec<&'static str> {
+    SHADED.into_iter().chain([scan.place]).chain(scan.ahead).collect()
+}
 
 /// What was recorded of one sweep.
 #[derive(Debug, Clone, Copy)]
 pub struct Recorded<'a> {
     /// What was drawn, and by what machine.
     pub title: &'a str,
-    /// Signals of the sweep, [`NEEDS`] among them.
+    /// Signals of the sweep, those that it [`needs`] among them.
     pub waveforms: &'a [Waveform],
     /// Wires of the machine, for voltages.
     pub wires: &'a [Wire],
     /// Names of the signals to be shown.
     pub wanted: &'a [&'a str],
-    /// Clocks and display of the run.
-    pub settings: &'a Settings,
+    /// How the signals run.
+    pub scan: Scan,
+    /// From reflectivity to grey.
+    pub display: Display,
     /// Corners to the east of the fine and of the coarse level: a corner's number is told as its place.
     pub columns: &'a [usize],
 }

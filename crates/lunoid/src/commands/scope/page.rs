@@ -1,5 +1,6 @@
 //! Waveforms of a sweep as curves, lanes, crossings and a picture column.
 
+use generator::Scan;
 use picture::{Depth, Encoder, Transfer};
 use plots::{
     Clock, Crossing, Curve, Curves, Line, Logic, LogicLane, PictureColumn, RegisterColour, Scope, Upright,
@@ -26,17 +27,17 @@ pub struct Page<'a> {
 impl<'a> Page<'a> {
     /// Finds what can be shown along a sweep, or along a row.
     pub fn new(recorded: &'a Recorded<'a>) -> Result<Self, Failure> {
+        let scan = &recorded.scan;
         let is_shown = |waveform: &&Waveform| {
-            recorded.wanted.contains(&waveform.signal.name) && runs_along(&waveform.signal)
+            recorded.wanted.contains(&waveform.signal.name) && runs_along(&waveform.signal, scan)
         };
         let shown: Vec<&Waveform> = recorded.waveforms.iter().filter(is_shown).collect();
-        let row = find(recorded, ACROSS).map(|across| (Line::Row, across));
-        let line = find(recorded, RANGE).map(|range| (Line::Sweep, range)).or(row);
-        let (Some((line, range)), false) = (line, shown.is_empty()) else {
-            return Err(Failure::usage(
-                "--signals: none of them runs along the sweep; a picture needs one beside sweep.range, as tg.height, or \
-                 lunsim.height of a row",
-            ));
+        let line = if scan.ahead.is_some() { Line::Row } else { Line::Sweep };
+        let (Some(range), false) = (find(recorded, scan.place), shown.is_empty()) else {
+            return Err(Failure::usage(format!(
+                "--signals: none of them runs along the {}; a picture needs one beside {}; `lunoid signals` lists them",
+                scan.line, scan.place
+            )));
         };
         Ok(Self { recorded, line, range, shown, grey: grey(recorded)? })
     }
@@ -56,16 +57,17 @@ impl<'a> Page<'a> {
 
     fn facts_of_row(&self) -> Vec<String> {
         let (frame, row, across) = (self.range.frame, self.range.sweep, &self.range.values);
-        let (points, rows) = (across.len(), self.recorded.settings.lunsim.grid);
+        let (points, rows) = (across.len(), self.recorded.scan.timebase.sweeps);
         let step = across.get(1).map_or(0.0, |second| second - across[0]);
-        let ahead = find(self.recorded, ALONG).and_then(|along| along.values.first()).copied().unwrap_or(0.0);
+        let ahead = self.recorded.scan.ahead.and_then(|along| find(self.recorded, along));
+        let ahead = ahead.and_then(|along| along.values.first()).copied().unwrap_or(0.0);
         vec![format!(
             "frame {frame}, row {row} of {rows}, {ahead:.1} m along the line of sight; {points} points, one every {step:.2} m"
         )]
     }
 
     fn facts_of_sweep(&self) -> Vec<String> {
-        let clocks = &self.recorded.settings.timebase;
+        let clocks = &self.recorded.scan.timebase;
         let (frame, sweep, sweeps) = (self.range.frame, self.range.sweep, clocks.sweeps);
         let period = 1e9 / clocks.sample_rate().hertz();
         let samples = self.range.values.len();
@@ -75,7 +77,7 @@ impl<'a> Page<'a> {
     /// The page.
     pub fn scope(&self) -> Result<Scope<'_>, Failure> {
         let period = match self.line {
-            Line::Sweep => 1e6 / self.recorded.settings.timebase.sample_rate().hertz(),
+            Line::Sweep => 1e6 / self.recorded.scan.timebase.sample_rate().hertz(),
             Line::Row => 1.0,
         };
         let line = find(self.recorded, "dpp.y").map(|waveform| &waveform.values[..]);
@@ -169,14 +171,9 @@ impl<'a> Page<'a> {
     }
 }
 
-/// Where a sample lies: along a sweep, across a row, and how far a row lies ahead.
-const RANGE: &str = "sweep.range";
-const ACROSS: &str = "lunsim.across";
-const ALONG: &str = "lunsim.along";
-
 /// Whether a signal can be drawn along a sweep or a row, and is not its axis or the same all along.
-pub fn runs_along(signal: &Signal) -> bool {
-    signal.axis != Axis::Display && ![RANGE, ACROSS, ALONG].contains(&signal.name)
+pub fn runs_along(signal: &Signal, scan: &Scan) -> bool {
+    signal.axis != Axis::Display && signal.name != scan.place && Some(signal.name) != scan.ahead
 }
 
 fn find<'a>(recorded: &Recorded<'a>, name: &str) -> Option<&'a Waveform> {
@@ -186,7 +183,7 @@ fn find<'a>(recorded: &Recorded<'a>, name: &str) -> Option<&'a Waveform> {
 /// The column as the display shows it.
 fn grey(recorded: &Recorded<'_>) -> Result<Vec<f64>, Failure> {
     let Some(written) = find(recorded, "sm.write") else { return Ok(Vec::new()) };
-    let display = &recorded.settings.display;
+    let display = &recorded.display;
     let transfer = Transfer::new(display.white as f32, display.gamma as f32).map_err(Failure::input)?;
     let lines: Vec<f32> = written.values.iter().map(|&value| value as f32).collect();
     let picture = Encoder::new(transfer, Depth::Eight).encode(&lines, 1, lines.len());

@@ -1,8 +1,8 @@
 //! Figures of one level of terrain, sweep by sweep.
 
-use generator::Stage;
 use hardware_model::{Budget, Ground};
 use machine::FrameSweeps;
+use machine::MachineStage;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use sweep_program::{Event, Miss, SweepProgram};
 
@@ -134,7 +134,7 @@ fn urgent(all: &[&SweepFigures], samples_a_second: f64) -> Option<[f64; 2]> {
 
 /// Urgent sets of one sweep that a stop of the other axis meets within `urgent` (s) of a stop of the one: section 4.5,
 /// with the rate of each sample in place of a constant one.
-fn late_expected(stage: &Stage, ranges: &[f64], size: f64, sweep: &SweepFigures, urgent: f64) -> f64 {
+fn late_expected(stage: &MachineStage, ranges: &[f64], size: f64, sweep: &SweepFigures, urgent: f64) -> f64 {
     if stage.settings.loader.diagonal_register {
         return 0.0;
     }

@@ -6,6 +6,7 @@ mod search;
 mod tear;
 
 use clap::Args;
+use front_door::Opened;
 use generator::FrameError;
 use machine::FrameSweeps;
 use timing::TimingRecord;
@@ -15,7 +16,7 @@ use self::report::Report;
 use self::search::Search;
 use self::tear::TearLaw;
 use crate::commands::timing::rehearsal::{Rehearsal, choose, spread};
-use crate::loading::{Loaded, StageArgs, Threads, of_models};
+use crate::loading::{StageArgs, Threads, of_models};
 use crate::output::{print, print_json, tell};
 use crate::progress::Display;
 use crate::values::{Span, positive};
@@ -57,7 +58,7 @@ pub struct Sizing {
 impl Sizing {
     /// Measures, and searches.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        let usual = |loaded: &Loaded| choose(loaded, self.frames, spread(USUAL_FRAMES));
+        let usual = |opened: &Opened| choose(opened, self.frames, spread(USUAL_FRAMES));
         let (rehearsal, frames) = Rehearsal::open(&self.stage, &self.threads, usual)?;
         let record = rehearsal.record(&frames, &Display::new(!self.no_progress))?;
         let report = self.report(&rehearsal, &frames, &record)?;

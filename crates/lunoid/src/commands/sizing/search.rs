@@ -1,7 +1,8 @@
 //! The slowest parts with which no tear shows.
 
-use generator::{FrameError, Stage};
+use generator::FrameError;
 use hardware_model::{CrossingServer, Loader};
+use machine::MachineStage;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use scenario::PoseRow;
 use serde::Serialize;
@@ -63,7 +64,7 @@ pub fn all(rehearsal: &Rehearsal, poses: &[PoseRow], law: &TearLaw) -> Result<Ve
     .collect()
 }
 
-fn sweep_ticks(stage: &Stage) -> u64 {
+fn sweep_ticks(stage: &MachineStage) -> u64 {
     let timebase = &stage.settings.timebase;
     (timebase.ticks_per_sample() * f64::from(timebase.sweep_samples())) as u64
 }

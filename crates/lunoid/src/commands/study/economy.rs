@@ -11,7 +11,7 @@ use study::economy::{EconomyOutcome, economy};
 use super::error::{failure, frames, quarter};
 use super::outputs::{Outputs, is_of, markdown, write};
 use crate::cli::COMMIT;
-use crate::loading::{StageArgs, Threads, of_models};
+use crate::loading::{StageArgs, Threads, expect_machine, machine_stage, of_models};
 use crate::output::{named, rate as two_digits, table as columns};
 use crate::{Failure, Verdict, values};
 
@@ -64,16 +64,16 @@ impl EconomyStudy {
             return Err(Failure::usage(format!("--swift, --lossless, --everything: {advice}")));
         }
         self.outputs.expect_apart(|file| is_of("economy", file), &self.stage.sources())?;
-        let mut loaded = self.stage.load()?;
-        loaded.expect_machine("it leaves nothing out")?;
+        let mut opened = self.stage.load()?;
+        expect_machine(&opened, "it leaves nothing out")?;
         if self.quick {
-            quarter(&mut loaded)?;
+            quarter(&mut opened)?;
         }
-        let frames = frames(&self.frame, loaded.frames())?;
+        let frames = frames(&self.frame, opened.frames())?;
         let pool = self.threads.pool()?;
-        self.outputs.keep_shadows(&mut loaded)?;
-        let stage = loaded.stage(&pool)?;
-        let subject = Subject::new(loaded.scenario, loaded.model, stage, &frames).map_err(Failure::input)?;
+        self.outputs.keep_shadows(&mut opened)?;
+        let stage = machine_stage(&opened, &pool)?;
+        let subject = Subject::new(opened.scenario, opened.model, stage, &frames).map_err(Failure::input)?;
         let usual = if self.quick { QUICK_REPETITIONS } else { REPETITIONS };
         let repetitions = self.repetitions.unwrap_or(usual);
         let mut hear = |what: &str| self.outputs.say(what);

@@ -4,22 +4,22 @@ use std::path::Path;
 
 use clap::Args;
 use exact::Columns;
-use generator::Generator;
+use front_door::Opened;
+use generator::ErrorLadder;
 use hardware_model::{BUILT_IN, HardwareModel, ModelSource, Settings};
-use lunsim::Lunsim;
 use serde_json::{Value, json};
 use study::ladder::{Extent, Ladder, LadderOutcome, OrderOutcome, ladders};
 use study::polynomial::{POLYNOMIAL, polynomial_ladder};
 use study::solver::{Chain, SOLVER, solver_ladders};
 use study::{
-    Advice, Effort, ExactPictures, GRID, REGION_LADDERS, Rehearsed, SelfError, StudyError, Subject, advise,
-    climb, csv, grid_ladder, regions, table,
+    Advice, Effort, ExactPictures, REGION_LADDERS, Rehearsed, SelfError, StudyError, Subject, advise, climb,
+    csv, parameter_ladder, regions, table,
 };
 
 use super::outputs::{Outputs, is_of, markdown, write};
 use super::plots::write_plots;
 use crate::cli::COMMIT;
-use crate::loading::{Loaded, StageArgs, Threads, of_models};
+use crate::loading::{StageArgs, Threads, machine_stage, of_models};
 use crate::output::{named, table as columns};
 use crate::{Failure, Verdict, values};
 
@@ -85,16 +85,17 @@ impl ErrorStudy {
     pub fn run(&self) -> Result<Verdict, Failure> {
         self.stage.expect_machine("a study holds a machine against the closed form")?;
         self.outputs.expect_apart(|file| is_of("error", file), &self.stage.sources())?;
-        let mut loaded = self.stage.load()?;
+        let mut opened = self.stage.load()?;
         if self.quick {
-            quarter(&mut loaded)?;
+            quarter(&mut opened)?;
         }
-        self.outputs.keep_shadows(&mut loaded)?;
-        let frames = frames(&self.frame, loaded.frames())?;
+        self.outputs.keep_shadows(&mut opened)?;
+        let frames = frames(&self.frame, opened.frames())?;
         let pool = self.threads.pool()?;
-        let stage = loaded.stage(&pool)?;
-        let subject = Subject::new(loaded.scenario, loaded.model, stage, &frames).map_err(Failure::input)?;
-        let outcome = pool.install(|| self.study(&subject))?;
+        let stage = machine_stage(&opened, &pool)?;
+        let subject = Subject::new(opened.scenario.clone(), opened.model.clone(), stage, &frames)
+            .map_err(Failure::input)?;
+        let outcome = pool.install(|| self.study(&opened, &subject))?;
         if let Some(folder) = &self.outputs.out {
             write(folder, "error", &outcome.json(), &csv(&outcome.ladders), &outcome.page())?;
             write_plots(folder, &outcome.facts(), &outcome.ladders)?;
@@ -103,17 +104,18 @@ impl ErrorStudy {
         Ok(Verdict::Yes)
     }
 
-    fn study(&self, subject: &Subject) -> Result<Outcome, Failure> {
+    fn study(&self, opened: &Opened, subject: &Subject) -> Result<Outcome, Failure> {
         let extent = if self.quick { Extent::Quick } else { Extent::Whole };
-        let chosen = self.chosen(subject, ladders(subject, &self.models()?, extent))?;
+        let chosen = self.chosen(opened, ladders(subject, &self.models()?, extent))?;
         let usual = if self.quick { QUICK_REPETITIONS } else { REPETITIONS };
         let effort = Effort { repetitions: self.repetitions.unwrap_or(usual) };
+        let base = subject.stage.stage();
         let folder = self.outputs.out.as_ref().map(|out| out.join("exact"));
-        let pictures = ExactPictures::new(COMMIT, &subject.scenario, &subject.stage, folder);
+        let pictures = ExactPictures::new(COMMIT, &subject.scenario, &base, folder);
         let mut exact = pictures.map_err(StudyError::from).map_err(failure)?;
-        let columns = Columns::new(subject.stage.clone());
+        let columns = Columns::new(subject.stage.stage());
         self.outputs.say("exact, and exact with its limits halved");
-        let own = exact.self_error(&subject.stage, &subject.frames).map_err(failure)?;
+        let own = exact.self_error(&base, &subject.frames).map_err(failure)?;
         let mut study = Rehearsed { subject, exact: &mut exact, columns: &columns };
         let mut outcomes = Vec::with_capacity(chosen.len());
         for ladder in &chosen {
@@ -121,9 +123,12 @@ impl ErrorStudy {
             let mut hear = |label: &str| self.outputs.say(&format!("  {label}"));
             outcomes.push(climb(&mut study, ladder, effort, &mut hear).map_err(failure)?);
         }
-        if of_lunsim(subject) && self.wants(GRID) {
-            self.outputs.say("LUNSIM's grid");
-            outcomes.push(grid_ladder(subject, study.exact, effort, extent).map_err(failure)?);
+        if let Some(own) = own_ladder(opened).filter(|own| self.wants(own.name)) {
+            self.outputs.say(own.what);
+            let configure =
+                |sets: &[(&str, &str)]| opened.configure_with(sets).map_err(|error| error.to_string());
+            let climbed = parameter_ladder((&own, &configure), subject, study.exact, effort, extent);
+            outcomes.push(climbed.map_err(failure)?);
         }
         if REGION_LADDERS.into_iter().any(|name| self.wants(name)) {
             self.outputs.say("banks of several region sizes");
@@ -158,9 +163,9 @@ impl ErrorStudy {
         BUILT_IN.iter().map(|(name, _)| load(name)).collect()
     }
 
-    fn chosen(&self, subject: &Subject, mut all: Vec<Ladder>) -> Result<Vec<Ladder>, Failure> {
+    fn chosen(&self, opened: &Opened, mut all: Vec<Ladder>) -> Result<Vec<Ladder>, Failure> {
         let known = all.iter().map(|ladder| ladder.name).chain(REGION_LADDERS).chain([POLYNOMIAL, SOLVER]);
-        let known: Vec<&str> = known.chain(of_lunsim(subject).then_some(GRID)).collect();
+        let known: Vec<&str> = known.chain(own_ladder(opened).map(|own| own.name)).collect();
         if let Some(unknown) = self.only.iter().find(|name| !known.contains(&name.as_str())) {
             return Err(Failure::usage(format!(
                 "--only {unknown}: no such ladder for this scenario; known: {}",
@@ -176,9 +181,9 @@ impl ErrorStudy {
     }
 }
 
-/// Whether the scenario is LUNSIM's own.
-fn of_lunsim(subject: &Subject) -> bool {
-    subject.scenario.machine == Lunsim.name()
+/// The ladder of the generator that the scenario names, where that has one.
+fn own_ladder(opened: &Opened) -> Option<ErrorLadder> {
+    opened.row?.ladder
 }
 
 /// The frames asked for, of `all`; the middle one if there are none.
@@ -199,15 +204,15 @@ pub(super) fn frames(asked: &[u64], all: u64) -> Result<Vec<u64>, Failure> {
 }
 
 /// A quarter of the sweeps, columns and lines: a sixteenth of `exact`, a quarter of the machine.
-pub(super) fn quarter(loaded: &mut Loaded) -> Result<(), Failure> {
-    let settings = &loaded.settings;
+pub(super) fn quarter(opened: &mut Opened) -> Result<(), Failure> {
+    let settings = &opened.settings;
     let share = |count: u32| Some((count / QUICK_SHARE).max(1));
-    let raster = &mut loaded.scenario.raster;
+    let raster = &mut opened.scenario.raster;
     raster.sweeps = share(settings.raster.sweeps);
     raster.columns = share(settings.raster.columns);
     raster.lines = share(settings.raster.lines);
-    let smaller = stage::settings(&loaded.scenario, &loaded.model).map_err(Failure::input)?;
-    loaded.settings =
+    let smaller = front_door::settings(&opened.scenario, &opened.model).map_err(Failure::input)?;
+    opened.settings =
         Settings { economy: settings.economy, shadow_cache: settings.shadow_cache.clone(), ..smaller };
     Ok(())
 }

@@ -5,10 +5,10 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use front_door::Opened;
 use serde_json::Value;
 
 use crate::Failure;
-use crate::loading::Loaded;
 use crate::output::{Place, expect_outputs, print, print_json, tell};
 
 /// Where results go.
@@ -40,11 +40,11 @@ impl Outputs {
     }
 
     /// Every machine of a study wants the same shadow boundaries: they are found once if there is a place for them.
-    pub fn keep_shadows(&self, loaded: &mut Loaded) -> Result<(), Failure> {
-        if let (None, Some(out)) = (&loaded.settings.shadow_cache, &self.out) {
+    pub fn keep_shadows(&self, opened: &mut Opened) -> Result<(), Failure> {
+        if let (None, Some(out)) = (&opened.settings.shadow_cache, &self.out) {
             let folder = out.join("shadows");
             make(&folder)?;
-            loaded.settings.shadow_cache = Some(folder);
+            opened.settings.shadow_cache = Some(folder);
         }
         Ok(())
     }

@@ -13,7 +13,7 @@ use study::stability::{BASE, Cell, Choice, FitOutcome, Scene, matrix, rows, surv
 use super::matrix_plot::write_matrix;
 use super::outputs::{Outputs, is_of, make, markdown, write};
 use crate::cli::COMMIT;
-use crate::loading::{StageArgs, Threads};
+use crate::loading::{StageArgs, Threads, machine_stage};
 use crate::output::table as columns;
 use crate::{Failure, Verdict, values};
 
@@ -122,16 +122,16 @@ impl StabilityStudy {
     fn subject(&self) -> Result<Subject, Failure> {
         let (scenario, model, stage) = match &self.scenario {
             Some(file) => {
-                let mut loaded = StageArgs::of(file).load()?;
-                let stage = loaded.stage(&self.threads.pool()?)?;
-                (loaded.scenario, loaded.model, stage)
+                let opened = StageArgs::of(file).load()?;
+                let stage = machine_stage(&opened, &self.threads.pool()?)?;
+                (opened.scenario, opened.model, stage)
             }
             None => {
                 let scenario = Scenario::parse("small", BASE)?;
                 let source = ModelSource::find(MODELS[0], Path::new(""))?;
                 let model = HardwareModel::load(&source, &[], &[])?.model;
-                let settings = stage::settings(&scenario, &model).map_err(Failure::input)?;
-                let stage = stage::build(&scenario, settings).map_err(Failure::input)?;
+                let settings = front_door::settings(&scenario, &model).map_err(Failure::input)?;
+                let stage = front_door::build(&scenario, settings).map_err(Failure::input)?;
                 (scenario, model, stage)
             }
         };

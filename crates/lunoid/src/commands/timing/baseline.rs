@@ -3,12 +3,13 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use front_door::Opened;
 use serde_json::json;
 use timing::{Comparison, TimingRecord, Tolerance, Totals, compare};
 
 use super::program::Rehearsed;
 use super::rehearsal::{choose, first};
-use crate::loading::{Loaded, StageArgs, Threads, of_models_and_lunsim};
+use crate::loading::{StageArgs, Threads, of_timed};
 use crate::output::{Place, expect_outputs, print, print_json};
 use crate::progress::Display;
 use crate::values::{Span, not_negative};
@@ -22,7 +23,7 @@ const TOLD: usize = 60;
 /// Write the timing of some frames as a baseline.
 #[derive(Debug, Args)]
 #[command(
-    mut_args(of_models_and_lunsim),
+    mut_args(of_timed),
     after_help = "Example:\n  lunoid timing record scenarios/first-light.toml --machine pra-nominal --sweeps 21 --frames 0..2 --out baseline.json"
 )]
 pub struct Record {
@@ -48,7 +49,7 @@ impl Record {
     /// Records.
     pub fn run(&self) -> Result<Verdict, Failure> {
         expect_outputs(&[Place::file("--out", &self.out)], &self.stage.sources())?;
-        let usual = |loaded: &Loaded| choose(loaded, self.frames, first(USUAL_FRAMES));
+        let usual = |opened: &Opened| choose(opened, self.frames, first(USUAL_FRAMES));
         let (rehearsal, frames) = Rehearsed::open(&self.stage, &self.threads, usual)?;
         let record = rehearsal.record(&frames, &Display::new(!self.no_progress))?;
         timing::write(&self.out, &record)?;
@@ -74,7 +75,7 @@ impl Record {
 /// Hold the timing to a baseline.
 #[derive(Debug, Args)]
 #[command(
-    mut_args(of_models_and_lunsim),
+    mut_args(of_timed),
     after_help = "Example:\n  lunoid timing check scenarios/first-light.toml --machine pra-nominal --sweeps 21 --baseline baseline.json --junit timing.xml"
 )]
 pub struct Check {
@@ -114,7 +115,7 @@ impl Check {
         let tolerance = Tolerance::new(self.tolerance_samples, self.tolerance_m).map_err(Failure::usage)?;
         let mut baseline = timing::read(&self.baseline)?;
         let (rehearsal, frames) =
-            Rehearsed::open(&self.stage, &self.threads, |loaded| self.choose(loaded, &baseline))?;
+            Rehearsed::open(&self.stage, &self.threads, |opened| self.choose(opened, &baseline))?;
         if self.frames.is_some() {
             baseline.frames.retain(|frame| frames.contains(&frame.frame));
         }
@@ -125,11 +126,11 @@ impl Check {
     }
 
     /// What is asked for, or the frames of the baseline that the scenario has.
-    fn choose(&self, loaded: &Loaded, baseline: &TimingRecord) -> Result<Vec<u64>, Failure> {
+    fn choose(&self, opened: &Opened, baseline: &TimingRecord) -> Result<Vec<u64>, Failure> {
         if self.frames.is_some() {
-            return choose(loaded, self.frames, first(0));
+            return choose(opened, self.frames, first(0));
         }
-        let all = loaded.frames();
+        let all = opened.frames();
         let frames: Vec<u64> = frames_of(baseline).into_iter().filter(|&frame| frame < all).collect();
         if frames.is_empty() {
             let (file, first) = (self.baseline.display(), baseline.frames[0].frame);

@@ -17,13 +17,14 @@ mod verdict;
 use std::path::PathBuf;
 
 use clap::Args;
+use front_door::Opened;
 use sweep_generator::RangeTable;
 
 use self::tell::Told;
 use self::trace::{Trace, remembered};
 use super::rehearsal::Rehearsal;
 use crate::frame::FrameArgs;
-use crate::loading::{Loaded, of_models};
+use crate::loading::of_models;
 use crate::output::{Place, expect_outputs, print, print_json};
 use crate::progress::Display;
 use crate::{Failure, Verdict, values};
@@ -62,7 +63,7 @@ impl Columns {
     pub fn run(&self) -> Result<Verdict, Failure> {
         expect_outputs(&Place::pictures([("--out", &self.out)]), &self.chosen.stage.sources())?;
         let (rehearsal, frames) =
-            Rehearsal::open(&self.chosen.stage, &self.chosen.threads, |loaded| self.choose(loaded))?;
+            Rehearsal::open(&self.chosen.stage, &self.chosen.threads, |opened| self.choose(opened))?;
         let record = rehearsal.record(&frames, &Display::new(!self.no_progress))?;
         let settings = &rehearsal.stage.settings;
         let table = RangeTable::new(&settings.range, settings.raster.samples as usize);
@@ -91,10 +92,10 @@ impl Columns {
     }
 
     /// The frame, behind those that its tube still shows.
-    fn choose(&self, loaded: &Loaded) -> Result<Vec<u64>, Failure> {
+    fn choose(&self, opened: &Opened) -> Result<Vec<u64>, Failure> {
         let frame = self.chosen.frame;
-        self.chosen.expect_in(loaded)?;
-        let earlier = remembered(&loaded.settings, frame);
+        self.chosen.expect_in(opened)?;
+        let earlier = remembered(&opened.settings, frame);
         Ok(earlier.into_iter().rev().chain([frame]).collect())
     }
 }

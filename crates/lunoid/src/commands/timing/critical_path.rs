@@ -1,8 +1,8 @@
 //! The chain of waits that ends at the worst deadline of each kind.
 
-use generator::Stage;
 use hardware_model::{CrossingServer, IoProcessor, Loader};
 use machine::FrameSweeps;
+use machine::MachineStage;
 use quantities::{SweepClock, SweepTime};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use scenario::Pose;
@@ -87,7 +87,7 @@ struct Found<'a> {
 }
 
 /// The set that comes latest for its use, of all sweeps and levels; the first of several.
-fn worst_transfer(stage: &Stage, sweeps: &FrameSweeps<'_>, frame: u64) -> Option<Chain> {
+fn worst_transfer(stage: &MachineStage, sweeps: &FrameSweeps<'_>, frame: u64) -> Option<Chain> {
     let levels = drawn_levels(stage);
     let worst_of = |sweep: u32| {
         let programs = sweeps.programs(sweep);
@@ -272,7 +272,7 @@ fn crossing_text(crossing: &Crossing) -> String {
 
 /// The worst set-up: it begins with the sweep before, behind interrupts and set-ups that run over. One that is not made
 /// counts as a sweep too late.
-fn set_up(stage: &Stage, frame: &FrameTiming) -> Option<Chain> {
+fn set_up(stage: &MachineStage, frame: &FrameTiming) -> Option<Chain> {
     let slack = frame.deadlines.get(&Deadline::SweepSetUp)?.least?;
     let settings = &stage.settings;
     let period = (frame.ticks / u64::from(settings.raster.sweeps)) as i64;
@@ -297,7 +297,7 @@ fn latest(deadline: Deadline, frame: &FrameTiming) -> Option<&Missed> {
 }
 
 /// Tables and polyhedra fill what crossings and set-ups leave.
-fn frame_tasks(stage: &Stage, frame: &FrameTiming) -> Option<Chain> {
+fn frame_tasks(stage: &MachineStage, frame: &FrameTiming) -> Option<Chain> {
     let slack = frame.deadlines.get(&Deadline::FrameTasks)?.least?;
     let busy =
         |unit: &str| frame.units.iter().find(|found| found.unit == unit).map(|found| found.busy as i64);

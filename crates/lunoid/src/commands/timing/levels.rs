@@ -1,8 +1,8 @@
 //! The levels of terrain that a stage draws.
 
-use generator::Stage;
 use hardware_model::Settings;
 use landscape::Level;
+use machine::MachineStage;
 
 use crate::Failure;
 
@@ -16,7 +16,7 @@ pub struct DrawnLevel<'a> {
 }
 
 /// The fine level, and the coarse one where the scenario goes over to it.
-pub fn drawn_levels(stage: &Stage) -> Vec<DrawnLevel<'_>> {
+pub fn drawn_levels(stage: &MachineStage) -> Vec<DrawnLevel<'_>> {
     let names = if stage.settings.levels.is_some() { &["fine", "coarse"][..] } else { &["fine"] };
     let levels = stage.landscape.bank().levels().iter().zip(names).enumerate();
     levels.map(|(number, (level, name))| DrawnLevel { number, name, level }).collect()

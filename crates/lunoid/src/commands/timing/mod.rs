@@ -3,7 +3,6 @@
 mod baseline;
 mod columns;
 mod critical_path;
-mod inputs;
 pub mod levels;
 mod misses;
 mod plots;
@@ -11,7 +10,6 @@ mod program;
 pub mod rehearsal;
 pub mod sets;
 mod show;
-pub mod timed;
 mod timeline;
 
 use clap::{Args, Subcommand};

@@ -1,30 +1,31 @@
-//! A mission's timing without its pictures: frames through the control plane of a machine, or as jobs of a program, into
-//! timing records.
+//! A mission's timing without its pictures: frames of whatever takes time, into timing records.
 
-use generator::Stage;
+use front_door::Opened;
+use generator::Timed;
 use hardware_model::{HardwareModel, ModelRaster, Raster, Settings};
-use machine::ControlPlane;
+use landscape::Landscape;
+use machine::{ControlPlane, MachineStage};
+use quantities::Rate;
 use rayon::ThreadPool;
 use replay::Progress;
-use scenario::{PoseRow, PoseTable, Scenario};
+use scenario::{PoseRow, PoseTable, Scenario, Yoke};
 use timing::{FORMAT, FrameTiming, TimingRecord};
 
-use super::timed::Timed;
 use crate::Failure;
-use crate::loading::{Loaded, StageArgs, Threads};
+use crate::loading::{StageArgs, Threads, choose_frames, expect_machine, machine_stage};
 use crate::progress::Display;
 use crate::values::Span;
 
 /// Missed deadlines that are kept: more than a person or a version control takes, less than fills the memory.
 const MOST_MISSES: usize = 4_000_000;
 
-/// Everything that a frame of a mission needs, but the frame.
-pub struct Rehearsal<T = ControlPlane> {
+/// Everything that a frame of a mission needs on the hybrid machine, but the frame.
+pub struct Rehearsal {
     pub scenario: Scenario,
     pub model: HardwareModel,
-    pub stage: Stage,
-    /// What is timed: the digital side of a machine on the stage, or a program.
-    pub control: T,
+    pub stage: MachineStage,
+    /// The digital side of the machine on the stage.
+    pub control: ControlPlane,
     pub pool: ThreadPool,
 }
 
@@ -33,19 +34,24 @@ impl Rehearsal {
     pub fn open(
         stage: &StageArgs,
         threads: &Threads,
-        frames: impl FnOnce(&Loaded) -> Result<Vec<u64>, Failure>,
+        frames: impl FnOnce(&Opened) -> Result<Vec<u64>, Failure>,
     ) -> Result<(Self, Vec<u64>), Failure> {
-        Self::of_machine(stage.load()?, threads, frames)
+        Self::of(stage.load()?, threads, frames)
     }
 
     /// The same of what was read.
-    pub fn of_machine(
-        loaded: Loaded,
+    pub fn of(
+        opened: Opened,
         threads: &Threads,
-        frames: impl FnOnce(&Loaded) -> Result<Vec<u64>, Failure>,
+        frames: impl FnOnce(&Opened) -> Result<Vec<u64>, Failure>,
     ) -> Result<(Self, Vec<u64>), Failure> {
-        loaded.expect_machine("it has no sweeps and no deadlines")?;
-        Self::of(loaded, threads, frames, |stage| Ok(ControlPlane::new(stage.clone())))
+        expect_machine(&opened, "it has no sweeps and no deadlines")?;
+        let chosen = frames(&opened)?;
+        let pool = threads.pool()?;
+        let stage = machine_stage(&opened, &pool)?;
+        let control = ControlPlane::new(stage.clone());
+        let Opened { scenario, model, .. } = opened;
+        Ok((Self { scenario, model, stage, control, pool }, chosen))
     }
 
     /// The hardware model with raster and range of the run, for formulas.
@@ -55,29 +61,50 @@ impl Rehearsal {
         let raster = ModelRaster { sweeps, samples, refresh, update: timebase.update, ..self.model.raster };
         HardwareModel { raster, range: *range, ..self.model.clone() }
     }
-}
 
-impl<T: Timed> Rehearsal<T> {
-    /// Makes the ground of `loaded`, and what is timed on it.
-    pub fn of(
-        mut loaded: Loaded,
-        threads: &Threads,
-        frames: impl FnOnce(&Loaded) -> Result<Vec<u64>, Failure>,
-        control: impl FnOnce(&Stage) -> Result<T, Failure>,
-    ) -> Result<(Self, Vec<u64>), Failure> {
-        let chosen = frames(&loaded)?;
-        let pool = threads.pool()?;
-        let stage = loaded.stage(&pool)?;
-        let control = control(&stage)?;
-        let Loaded { scenario, model, .. } = loaded;
-        Ok((Self { scenario, model, stage, control, pool }, chosen))
+    /// The machine as something that takes time.
+    pub fn job(&self) -> TimedJob<'_> {
+        let settings = &self.stage.settings;
+        TimedJob {
+            scenario: &self.scenario,
+            landscape: &self.stage.landscape,
+            clock: (settings.timebase.update, settings.yoke),
+            machine: &self.model.name,
+            timed: &self.control,
+            pool: &self.pool,
+        }
     }
 
     /// Where the vehicle is in each of `frames`, ascending.
     pub fn poses(&self, frames: &[u64]) -> Result<Vec<PoseRow>, Failure> {
+        self.job().poses(frames)
+    }
+
+    /// The timing record of `frames`, ascending, at least one.
+    pub fn record(&self, frames: &[u64], display: &Display) -> Result<TimingRecord, Failure> {
+        self.job().record(frames, display)
+    }
+}
+
+/// A mission on whatever takes time.
+#[derive(Clone, Copy)]
+pub struct TimedJob<'a> {
+    pub scenario: &'a Scenario,
+    pub landscape: &'a Landscape,
+    /// Update rate and yoke, by which poses go.
+    pub clock: (Rate, Option<Yoke>),
+    /// Name in the record.
+    pub machine: &'a str,
+    pub timed: &'a dyn Timed,
+    pub pool: &'a ThreadPool,
+}
+
+impl TimedJob<'_> {
+    /// Where the vehicle is in each of `frames`, ascending.
+    pub fn poses(&self, frames: &[u64]) -> Result<Vec<PoseRow>, Failure> {
         let (Some(&first), Some(&last)) = (frames.first(), frames.last()) else { return Ok(Vec::new()) };
-        let (update, yoke) = (self.stage.settings.timebase.update, self.stage.settings.yoke);
-        let table = PoseTable::resolve(&self.scenario, &self.stage.landscape, update, yoke, first..last + 1);
+        let (update, yoke) = self.clock;
+        let table = PoseTable::resolve(self.scenario, self.landscape, update, yoke, first..last + 1);
         let rows = table.map_err(Failure::input)?;
         Ok(frames.iter().map(|frame| rows.rows()[(frame - first) as usize]).collect())
     }
@@ -86,12 +113,12 @@ impl<T: Timed> Rehearsal<T> {
     pub fn record(&self, frames: &[u64], display: &Display) -> Result<TimingRecord, Failure> {
         let poses = self.poses(frames)?;
         let first = self.poses(&[0])?[0].pose;
-        let before_mission = self.pool.install(|| self.control.before_mission(&first));
+        let before_mission = self.pool.install(|| self.timed.before_mission(&first));
         display.hear(Progress::Begins { what: "timing", frames: frames.len() as u64, kept: 0 });
         let mut kept: Vec<FrameTiming> = Vec::with_capacity(frames.len());
         let mut misses = 0;
         for (&frame, row) in frames.iter().zip(&poses) {
-            let found = self.pool.install(|| self.control.frame(frame, &row.pose)).map_err(Failure::input)?;
+            let found = self.pool.install(|| self.timed.frame(frame, &row.pose)).map_err(Failure::input)?;
             misses += found.misses.len();
             kept.push(found);
             check_room(misses, kept.len())?;
@@ -101,9 +128,9 @@ impl<T: Timed> Rehearsal<T> {
         Ok(TimingRecord {
             format: FORMAT,
             scenario: self.scenario.title.clone(),
-            machine: self.control.machine(&self.model),
-            inputs: self.control.inputs(&self.scenario, &self.stage),
-            master: self.control.master(&self.stage),
+            machine: self.machine.to_owned(),
+            inputs: self.timed.inputs(self.scenario),
+            master: self.timed.master().to_string(),
             before_mission: before_mission.map_err(Failure::input)?,
             frames: kept,
         })
@@ -121,13 +148,13 @@ fn check_room(misses: usize, frames: usize) -> Result<(), Failure> {
 
 /// The frames asked for, or `usual` of the whole mission.
 pub fn choose(
-    loaded: &Loaded,
+    opened: &Opened,
     asked: Option<Span>,
     usual: impl FnOnce(u64) -> Vec<u64>,
 ) -> Result<Vec<u64>, Failure> {
     match asked {
-        Some(_) => Ok(loaded.choose(asked)?.collect()),
-        None => Ok(usual(loaded.frames())),
+        Some(_) => Ok(choose_frames(opened, asked)?.collect()),
+        None => Ok(usual(opened.frames())),
     }
 }
 

@@ -4,6 +4,7 @@ use std::ops::Range;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
+use front_door::Opened;
 use serde_json::json;
 use timing::{FrameTiming, TimingRecord, Totals};
 
@@ -11,10 +12,10 @@ use super::critical_path::{Chain, chains};
 use super::levels::{drawn_levels, expect_coarse};
 use super::misses;
 use super::plots::{write_slack, write_utilisation};
-use super::program::{Rehearsed, times_text};
+use super::program::{Other, Rehearsed};
 use super::rehearsal::{Rehearsal, choose, spread};
 use super::timeline::SweepTimeline;
-use crate::loading::{Loaded, StageArgs, Threads, of_models_and_lunsim};
+use crate::loading::{StageArgs, Threads, of_timed};
 use crate::output::{Place, expect_outputs, print, print_json};
 use crate::progress::Display;
 use crate::values::{Span, pair};
@@ -30,7 +31,7 @@ const AFTER: &str = "Examples:
 
 /// Show deadlines, use of units, misses and the critical path.
 #[derive(Debug, Args)]
-#[command(after_help = AFTER, mut_args(of_models_and_lunsim))]
+#[command(after_help = AFTER, mut_args(of_timed))]
 pub struct Show {
     #[command(flatten)]
     stage: StageArgs,
@@ -94,7 +95,7 @@ impl Show {
     pub fn run(&self) -> Result<Verdict, Failure> {
         let plots = [("--out", &self.out), ("--utilisation", &self.utilisation), ("--slack", &self.slack)];
         expect_outputs(&Place::pictures(plots), &self.stage.sources())?;
-        let (rehearsal, frames) = Rehearsed::open(&self.stage, &self.threads, |loaded| self.choose(loaded))?;
+        let (rehearsal, frames) = Rehearsed::open(&self.stage, &self.threads, |opened| self.choose(opened))?;
         if let Rehearsed::Machine(rehearsal) = &rehearsal {
             self.draw_timeline(rehearsal)?;
         }
@@ -105,9 +106,12 @@ impl Show {
         if let Some(path) = &self.slack {
             write_slack(&record, path)?;
         }
-        let Rehearsed::Machine(rehearsal) = &rehearsal else {
-            self.tell_program(&record)?;
-            return Ok(Verdict::Yes);
+        let rehearsal = match &rehearsal {
+            Rehearsed::Machine(rehearsal) => rehearsal,
+            Rehearsed::Other(other) => {
+                self.tell_other(other, &record)?;
+                return Ok(Verdict::Yes);
+            }
         };
         let frame = tightest(&record);
         let poses = rehearsal.poses(&[frame.frame])?;
@@ -117,7 +121,7 @@ impl Show {
     }
 
     /// What only a machine has.
-    fn expect_no_sweeps(&self) -> Result<(), Failure> {
+    fn expect_no_sweeps(&self, name: &str) -> Result<(), Failure> {
         let given = [
             (self.sweep.is_some(), "--sweep", "sweeps"),
             (self.misses.is_some(), "--misses", "deadlines"),
@@ -125,15 +129,14 @@ impl Show {
         ];
         match given.iter().find(|(is_given, ..)| *is_given) {
             Some((_, option, lack)) => Err(Failure::usage(format!(
-                "{option}: {} has no {lack}; leave it out, or give --machine a hardware model",
-                lunsim::NAME
+                "{option}: {name} has no {lack}; leave it out, or give --machine a hardware model"
             ))),
             None => Ok(()),
         }
     }
 
-    /// A program has no deadline that a critical path could lead to.
-    fn tell_program(&self, record: &TimingRecord) -> Result<(), Failure> {
+    /// Without deadlines there is no critical path.
+    fn tell_other(&self, other: &Other, record: &TimingRecord) -> Result<(), Failure> {
         match self.json {
             true => print_json(&json!({
                 "schema": "lunoid.timing.show/1",
@@ -141,16 +144,16 @@ impl Show {
                 "totals": Totals::of(record),
                 "critical_path": null,
             })),
-            false => print(&(record.text() + &times_text(record))),
+            false => print(&(record.text() + &other.times_text(record))),
         }
     }
 
     /// Everything that can be wrong on the command line is found before any ground is made.
-    fn choose(&self, loaded: &Loaded) -> Result<Vec<u64>, Failure> {
-        if loaded.program.is_some() {
-            self.expect_no_sweeps()?;
+    fn choose(&self, opened: &Opened) -> Result<Vec<u64>, Failure> {
+        if let Some(row) = opened.row {
+            self.expect_no_sweeps(row.name)?;
         }
-        let sweeps = loaded.settings.raster.sweeps;
+        let sweeps = opened.settings.raster.sweeps;
         self.missed_sweeps(sweeps)?;
         if let Some(sweep) = self.sweep.filter(|&sweep| sweep >= sweeps) {
             return Err(Failure::usage(format!(
@@ -158,14 +161,14 @@ impl Show {
             )));
         }
         if self.level == LevelWord::Coarse {
-            expect_coarse("--level coarse", &loaded.settings)?;
+            expect_coarse("--level coarse", &opened.settings)?;
         }
         match self.frame {
-            None => choose(loaded, self.frames, spread(USUAL_FRAMES)),
-            Some(frame) if frame < loaded.frames() => Ok(vec![frame]),
+            None => choose(opened, self.frames, spread(USUAL_FRAMES)),
+            Some(frame) if frame < opened.frames() => Ok(vec![frame]),
             Some(frame) => Err(Failure::usage(format!(
                 "--frame {frame}: the scenario has frames 0..{}; expected one of them",
-                loaded.frames()
+                opened.frames()
             ))),
         }
     }

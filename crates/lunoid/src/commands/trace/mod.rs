@@ -90,9 +90,9 @@ impl Trace {
     pub fn run(&self) -> Result<Verdict, Failure> {
         let mut sweeps = 0..0;
         let number = self.chosen.frame;
-        let rehearsal = self.chosen.rehearse(|loaded| {
-            sweeps = self.sweeps(loaded.settings.raster.sweeps)?;
-            self.filter.expect_there(&loaded.settings)
+        let rehearsal = self.chosen.rehearse(|opened| {
+            sweeps = self.sweeps(opened.settings.raster.sweeps)?;
+            self.filter.expect_there(&opened.settings)
         })?;
         let pose = rehearsal.poses(&[number])?[0].pose;
         // Shadow boundaries take longer to find than all else takes.

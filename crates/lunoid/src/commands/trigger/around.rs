@@ -9,7 +9,7 @@ use trigger::value_at;
 use super::find::{Finder, Found};
 use super::pixel::pixel_of;
 use crate::Failure;
-use crate::commands::scope::NEEDS;
+use crate::commands::scope::needs;
 
 /// What tells where the beam is.
 pub const BEAM: [&str; 2] = ["dpp.y", "dpp.blank"];
@@ -50,7 +50,7 @@ impl Around {
         is_picture: bool,
     ) -> Result<Self, Failure> {
         let named = named(finder, found, more);
-        let needed = if is_picture { &NEEDS[..] } else { &[] };
+        let needed = if is_picture { &needs(&finder.rehearsal.stage.scan())[..] } else { &[] };
         let all = named.iter().chain(&BEAM).chain(needed).map(|name| (*name).to_owned()).collect();
         let waveforms = finder.record(found.frame, &found.pose, all, sweeps.clone())?;
         let mut around = Self { sweeps, waveforms, named, rows: Vec::new(), pixel: None, is_blanked: false };

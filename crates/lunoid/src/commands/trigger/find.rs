@@ -3,8 +3,7 @@
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use generator::{Generator, Planes, Session};
-use machine::HybridMachine;
+use generator::{Planes, Session};
 use replay::Progress;
 use scenario::{Pose, PoseRow};
 use signal::{LANES, Probe, Waveform, Wire};
@@ -59,7 +58,7 @@ pub struct Finder<'a> {
 impl<'a> Finder<'a> {
     /// `condition` on the machine of `rehearsal`.
     pub fn new(rehearsal: &'a Rehearsal, condition: &Condition) -> Result<Self, Failure> {
-        let session = HybridMachine.prepare(rehearsal.stage.clone()).map_err(Failure::input)?;
+        let session = rehearsal.stage.clone().prepare();
         let wires = session.wires();
         let machine = Machine {
             wires: &wires,

@@ -14,7 +14,7 @@ use trigger::{Condition, ConditionError, Which};
 
 use crate::commands::timing::rehearsal::Rehearsal;
 use crate::interrupt;
-use crate::loading::{StageArgs, Threads, of_models};
+use crate::loading::{StageArgs, Threads, choose_frames, of_models};
 use crate::output::{expect_outputs, tell};
 use crate::progress::Display;
 use crate::values::Span;
@@ -100,12 +100,12 @@ impl TriggerCommand {
         let outputs = file.as_ref().map_or(Vec::new(), File::places);
         expect_outputs(&outputs, &self.stage.sources())?;
         let mut places = None;
-        let (rehearsal, frames) = Rehearsal::open(&self.stage, &self.threads, |loaded| {
-            let raster = &loaded.settings.raster;
+        let (rehearsal, frames) = Rehearsal::open(&self.stage, &self.threads, |opened| {
+            let raster = &opened.settings.raster;
             let samples = if self.on.is_of_display() { raster.lines } else { raster.samples };
             let sweeps = within("--sweep", "sweeps", self.sweep, raster.sweeps)?;
             places = Some((sweeps, within("--sample", "samples", self.sample, samples)?));
-            Ok(loaded.choose(self.frames)?.collect())
+            Ok(choose_frames(opened, self.frames)?.collect())
         })?;
         let (sweeps, samples) = places.unwrap_or_default();
         let cancel = interrupt::listen();

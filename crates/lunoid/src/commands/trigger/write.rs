@@ -68,7 +68,8 @@ impl File {
             waveforms: &around.waveforms,
             wires: &finder.wires,
             wanted: &wanted,
-            settings: &stage.settings,
+            scan: stage.scan(),
+            display: stage.settings.display,
             columns: &columns_of(stage.landscape.bank()),
         };
         let cursor = found.hit.range.map(Place::Range).into_iter().collect();

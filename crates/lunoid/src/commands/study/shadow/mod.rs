@@ -5,7 +5,8 @@ mod plots;
 use std::path::PathBuf;
 
 use clap::Args;
-use generator::Stage;
+use front_door::Opened;
+use machine::MachineStage;
 use quantities::radians;
 use scenario::{PoseRow, PoseTable};
 use serde_json::{Value, json};
@@ -18,7 +19,7 @@ use vehicle_shadow::{Mast, Shape};
 use super::error::frames;
 use super::outputs::{Outputs, is_of, markdown, write};
 use crate::cli::COMMIT;
-use crate::loading::{Loaded, StageArgs, Threads};
+use crate::loading::{StageArgs, Threads, machine_stage};
 use crate::output::{Place, table as columns};
 use crate::{Failure, Verdict, values};
 
@@ -106,13 +107,13 @@ impl ShadowStudy {
         let vehicle = self.vehicle.iter().map(|shape| Place::file("--vehicle", shape));
         let sources: Vec<Place> = stage.sources().into_iter().chain(vehicle).collect();
         self.outputs.expect_apart(|file| is_of("shadow", file), &sources)?;
-        let mut loaded = stage.load()?;
-        let drawn = if self.laws { frames(&self.frame, loaded.frames())? } else { Vec::new() };
-        let Caster { mast, shape } = self.caster(&loaded)?;
+        let opened = stage.load()?;
+        let drawn = if self.laws { frames(&self.frame, opened.frames())? } else { Vec::new() };
+        let Caster { mast, shape } = self.caster(&opened)?;
         let pool = self.threads.pool()?;
-        let stage = loaded.stage(&pool)?;
+        let stage = machine_stage(&opened, &pool)?;
         let (update, yoke) = (stage.settings.timebase.update, stage.settings.yoke);
-        let path = PoseTable::resolve(&loaded.scenario, &stage.landscape, update, yoke, 0..loaded.frames())
+        let path = PoseTable::resolve(&opened.scenario, &stage.landscape, update, yoke, 0..opened.frames())
             .map_err(Failure::input)?;
         let path = path.rows();
         let elevations = if self.sun.is_empty() { &ELEVATIONS[..] } else { &self.sun };
@@ -131,7 +132,7 @@ impl ShadowStudy {
                 Some(shape) => pool.install(|| self.draw(&stage, path, &drawn, &shape))?,
                 None => Vec::new(),
             },
-            title: loaded.scenario.title,
+            title: opened.scenario.title,
         };
         if let Some(folder) = &self.outputs.out {
             write(folder, "shadow", &outcome.json(), &csv(&outcome.suns), &outcome.page())?;
@@ -145,7 +146,7 @@ impl ShadowStudy {
     /// Pictures of the frames `drawn` of the whole `path`, by every law and method.
     fn draw(
         &self,
-        stage: &Stage,
+        stage: &MachineStage,
         path: &[PoseRow],
         drawn: &[u64],
         shape: &Shape,
@@ -157,12 +158,12 @@ impl ShadowStudy {
         Ok(laws(stage, &rows, shape, size, Effort { repetitions: self.repetitions })?)
     }
 
-    fn caster(&self, loaded: &Loaded) -> Result<Caster, Failure> {
+    fn caster(&self, opened: &Opened) -> Result<Caster, Failure> {
         let Some(name) = &self.vehicle else {
             let mast = Mast { eye: self.eye_height.unwrap_or(Mast::REPORT.eye), ..Mast::REPORT };
             return Ok(Caster { mast, shape: None });
         };
-        let eye = self.eye_height.unwrap_or(loaded.scenario.vehicle.eye_height);
+        let eye = self.eye_height.unwrap_or(opened.scenario.vehicle.eye_height);
         let shape = Shape::find(name, eye)?;
         let top = shape.top();
         match top > 0.0 {

@@ -1,8 +1,8 @@
 //! One frame by four machines: as it is, ideal, and with one side alone ideal.
 
-use generator::{Generator, PlaneKind, Planes, Stage};
+use generator::{PlaneKind, Planes};
 use hardware_model::{Settings, Side};
-use machine::HybridMachine;
+use machine::MachineStage;
 use picture::{Depth, Encoder, GreyPicture, Transfer};
 use scenario::{Pose, PoseTable};
 use signal::{Probe, Waveform};
@@ -49,7 +49,7 @@ pub fn draw(rehearsal: &Rehearsal, frame: u64) -> Result<(Four, Seen), Failure> 
     let ideal = digital.clone().with_ideal(Side::Analog);
     let poses = [pose(rehearsal, own, frame)?, pose(rehearsal, &ideal, frame)?];
     let by = |settings: &Settings, is_looked_at: bool| {
-        let stage = Stage { settings: settings.clone(), ..rehearsal.stage.clone() };
+        let stage = MachineStage { settings: settings.clone(), ..rehearsal.stage.clone() };
         let is_own = settings.yoke == own.yoke;
         let drawing = Drawing { rehearsal, frame, pose: &poses[usize::from(!is_own)], is_looked_at };
         drawing.run(stage)
@@ -78,13 +78,13 @@ struct Drawing<'a> {
 }
 
 impl Drawing<'_> {
-    fn run(&self, stage: Stage) -> Result<(GreyPicture, Vec<Waveform>), Failure> {
+    fn run(&self, stage: MachineStage) -> Result<(GreyPicture, Vec<Waveform>), Failure> {
         let (raster, display) = (stage.settings.raster, stage.settings.display);
         let (columns, lines) = (raster.columns as usize, raster.lines as usize);
         let mut planes = Planes::new(columns, lines, &[PlaneKind::Intensity]);
         let looked_at = if self.is_looked_at { LOOKED_AT.map(String::from).into() } else { Vec::new() };
         let mut probe = Probe::new(looked_at, 0..raster.sweeps);
-        let session = HybridMachine.prepare(stage).map_err(Failure::input)?;
+        let session = stage.prepare();
         let draw = || session.frame(self.frame, self.pose, &mut planes, &mut probe);
         self.rehearsal.pool.install(draw).map_err(Failure::input)?;
         let transfer = Transfer::new(display.white as f32, display.gamma as f32).map_err(Failure::input)?;

@@ -3,11 +3,11 @@
 use std::fs;
 use std::path::Path;
 
-use generator::Stage;
+use front_door::StageError;
 use hardware_model::{HardwareModel, LevelSwitch};
 use landscape::Photometry;
+use machine::MachineStage;
 use scenario::{Scenario, ShadowFineness};
-use stage::StageError;
 
 const GOOD: &str = r#"format = 1
 title = "t"
@@ -33,15 +33,15 @@ const COARSE: &str = "[landscape.coarse]\nseed = 2\nextent_m = [4600, 4800]\nreg
                       massif = [{ at_m = [300, -1000], height_m = 200, radius_m = 1300, detail_m = 620 }]\n\
                       [levels]\nswitch_m = 250\nblend_m = 20\n";
 
-fn build_in(folder: &Path, tables: &str) -> Result<Stage, StageError> {
+fn build_in(folder: &Path, tables: &str) -> Result<MachineStage, StageError> {
     let name = folder.join("t.toml");
     let scenario = Scenario::parse(name.to_str().unwrap(), &format!("{GOOD}\n{tables}"));
     let scenario = scenario.unwrap_or_else(|list| panic!("{list}"));
-    let settings = stage::settings(&scenario, &HardwareModel::ideal()).unwrap();
-    stage::build(&scenario, settings)
+    let settings = front_door::settings(&scenario, &HardwareModel::ideal()).unwrap();
+    front_door::build(&scenario, settings)
 }
 
-fn build(tables: &str) -> Result<Stage, StageError> {
+fn build(tables: &str) -> Result<MachineStage, StageError> {
     build_in(Path::new(""), tables)
 }
 
@@ -130,9 +130,9 @@ fn what_cannot_be_strewn_is_told() {
 #[test]
 fn a_bank_of_one_level_has_nothing_to_go_over_to() {
     let scenario = Scenario::parse("t.toml", &format!("{GOOD}{COARSE}")).unwrap();
-    let settings = stage::settings(&scenario, &HardwareModel::ideal()).unwrap();
-    let one = stage::bank(&Scenario { coarse: None, ..scenario.clone() }).unwrap();
-    let refused = stage::over(one, &scenario, settings);
+    let settings = front_door::settings(&scenario, &HardwareModel::ideal()).unwrap();
+    let one = front_door::bank(&Scenario { coarse: None, ..scenario.clone() }).unwrap();
+    let refused = front_door::over(one, &scenario, settings);
     assert!(matches!(refused, Err(StageError::OneLevel)), "{refused:?}");
 }
 

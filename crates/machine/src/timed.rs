@@ -1,19 +1,40 @@
-//! What decides a timing record, in one hash.
+//! The control plane as a job that takes time, and what decides its timing in one hash.
 
 use std::fmt::Debug;
 
 use blake3::Hasher;
-use generator::Stage;
+use generator::{FrameError, Timed};
 use hardware_model::ShadowParts;
 use landscape::bank_file;
-use lunsim::Hardware;
-use scenario::Scenario;
+use quantities::Rate;
+use scenario::{Pose, Scenario};
+use timing::{FrameTiming, Task};
+
+use crate::{ControlPlane, MachineStage};
+
+impl Timed for ControlPlane {
+    fn master(&self) -> Rate {
+        self.stage().settings.timebase.master
+    }
+
+    fn inputs(&self, scenario: &Scenario) -> String {
+        inputs_hash(scenario, self.stage())
+    }
+
+    fn before_mission(&self, first: &Pose) -> Result<Vec<Task>, FrameError> {
+        Self::before_mission(self, first)
+    }
+
+    fn frame(&self, frame: u64, pose: &Pose) -> Result<FrameTiming, FrameError> {
+        Self::frame(self, frame, pose)
+    }
+}
 
 /// Hash of everything that decides the timing of a mission: ground, bodies, path, and the settings of the digital side.
 /// Neither the frames that are recorded nor analog parts and display are in it: they change no event; light only where
 /// shadows have a timing.
-pub fn inputs_hash(scenario: &Scenario, stage: &Stage) -> String {
-    let Stage { landscape, scenery, settings } = stage;
+fn inputs_hash(scenario: &Scenario, stage: &MachineStage) -> String {
+    let MachineStage { landscape, scenery, settings } = stage;
     let mut hasher = Hasher::new_derive_key("lunoid timing, inputs, format 1");
     hasher.update(&bank_file::content_hash(landscape.bank()));
     add(&mut hasher, "path", &(scenario.path.waypoints(), &scenario.vehicle));
@@ -34,23 +55,8 @@ pub fn inputs_hash(scenario: &Scenario, stage: &Stage) -> String {
     hasher.finalize().to_hex().to_string()
 }
 
-/// Hash of everything that decides what LUNSIM takes: what decides its film, and the hardware.
-pub fn program_inputs_hash(scenario: &Scenario, stage: &Stage, hardware: &Hardware) -> String {
-    let Stage { landscape, scenery, settings } = stage;
-    let mut hasher = Hasher::new_derive_key("lunoid timing, inputs of a program, format 1");
-    hasher.update(&bank_file::content_hash(landscape.bank()));
-    landscape.features().craters().iter().for_each(|crater| add(&mut hasher, "crater", &crater));
-    add(&mut hasher, "light", &(scenery.suns(), landscape.albedo(), landscape.photometry()));
-    add(&mut hasher, "path", &(scenario.path.waypoints(), &scenario.vehicle));
-    add(&mut hasher, "view", &(settings.raster.field, settings.range.end, settings.timebase.update));
-    add(&mut hasher, "laws", &(settings.laws.curvature, settings.shadows.is_some(), settings.display.white));
-    add(&mut hasher, "run", &(settings.lunsim.grid, settings.lunsim.intensity_codes));
-    add(&mut hasher, "hardware", hardware);
-    hasher.finalize().to_hex().to_string()
-}
-
 /// Craters, where their words take time or parts to take them are few.
-fn add_craters(hasher: &mut Hasher, Stage { landscape, settings, .. }: &Stage) {
+fn add_craters(hasher: &mut Hasher, MachineStage { landscape, settings, .. }: &MachineStage) {
     let parts = settings.feature_generator;
     if landscape.features().is_empty() || (settings.feature_words.is_none() && parts.sub_generators.is_none())
     {
@@ -61,7 +67,11 @@ fn add_craters(hasher: &mut Hasher, Stage { landscape, settings, .. }: &Stage) {
 }
 
 /// What casts shadows and when, where the words of their boundaries take time or parts to take them are few.
-fn add_shadows(hasher: &mut Hasher, scenario: &Scenario, Stage { scenery, settings, .. }: &Stage) {
+fn add_shadows(
+    hasher: &mut Hasher,
+    scenario: &Scenario,
+    MachineStage { scenery, settings, .. }: &MachineStage,
+) {
     let ShadowParts::Digital { line_generators } = settings.shadow_controller else { return };
     if settings.shadows.is_none() || (settings.segment_words.is_none() && line_generators.is_none()) {
         return;

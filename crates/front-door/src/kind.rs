@@ -4,12 +4,12 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use diagnostics::{Problems, TomlFile};
+use generator::Row;
 use hardware_model::{Asked, HardwareModel, LoadedModel, ModelSource};
 use limits::Limit;
 use scenario::Scenario;
 
-use crate::Failure;
-use crate::lunsim_keys::GEAR;
+use crate::OpenError;
 
 /// What a TOML file is meant to be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,8 +22,8 @@ pub enum Kind {
     Overlay,
     /// The description beside a bank, which only people read.
     Sidecar,
-    /// What LUNSIM ran on.
-    Gear,
+    /// What the program of a generator ran on.
+    Gear(&'static Row),
     /// A test cartridge.
     Cartridge,
     /// None of these.
@@ -32,7 +32,7 @@ pub enum Kind {
 
 /// The kinds that are known, each with the keys that it is known by.
 pub const KNOWN: &str = "a scenario (title, landscape, path or sun), a hardware model (name or base), differences from \
-                         one (a table of its parts), what LUNSIM ran on (computer or recorder), a cartridge (scene) or \
+                         one (a table of its parts), what a generator ran on (computer or recorder), a cartridge (scene) or \
                          the description of a bank (content_blake3)";
 
 impl Kind {
@@ -50,8 +50,10 @@ impl Kind {
             Self::Scenario
         } else if has(&["name", "base"]) {
             Self::Model
-        } else if has(&GEAR) {
-            Self::Gear
+        } else if let Some(row) =
+            registry::ROWS.iter().find(|row| row.gear.is_some_and(|gear| has(gear.tables)))
+        {
+            Self::Gear(row)
         } else if has(&parts_of_a_model().iter().map(String::as_str).collect::<Vec<_>>()) {
             Self::Overlay
         } else {
@@ -66,51 +68,68 @@ impl Kind {
     }
 
     /// In a table or a document.
-    pub fn word(self) -> &'static str {
+    pub fn word(self) -> String {
         match self {
-            Self::Scenario => "scenario",
-            Self::Model => "hardware-model",
-            Self::Overlay => "overlay over ideal",
-            Self::Sidecar => "description of a bank",
-            Self::Gear => "hardware of lunsim",
-            Self::Cartridge => "cartridge",
-            Self::Unknown => "unknown",
+            Self::Scenario => "scenario".into(),
+            Self::Model => "hardware-model".into(),
+            Self::Overlay => "overlay over ideal".into(),
+            Self::Sidecar => "description of a bank".into(),
+            Self::Gear(row) => format!("hardware of {}", row.name),
+            Self::Cartridge => "cartridge".into(),
+            Self::Unknown => "unknown".into(),
         }
     }
 
     /// One error in place of the faults that a file of another kind has as one of this kind.
-    pub fn expect(self, path: &Path) -> Result<(), Failure> {
+    ///
+    /// # Errors
+    /// If the file is of another kind that is known.
+    pub fn expect(self, path: &Path) -> Result<(), OpenError> {
         let found = match Self::told(path) {
             Some(found) if found != self && found != Self::Unknown => found,
             _ => return Ok(()),
         };
-        let [found, expected] = [found, self].map(|kind| match kind {
-            Self::Scenario => "a scenario",
-            Self::Model => "a hardware model (--machine)",
-            Self::Overlay => "differences from a hardware model (--overlay)",
-            Self::Sidecar => "the description of a bank",
-            Self::Gear => "what LUNSIM ran on",
-            Self::Cartridge => "a cartridge (lunoid cartridge run --folder)",
-            Self::Unknown => "a file of no known kind",
-        });
+        let [found, expected] = [found, self].map(Self::phrase);
         let path = path.display();
-        Err(Failure::input(format!("{path}: this is {found}, expected {expected}; name a file of that kind")))
+        Err(OpenError::Input(format!(
+            "{path}: this is {found}, expected {expected}; name a file of that kind"
+        )))
+    }
+
+    /// In a sentence.
+    fn phrase(self) -> String {
+        match self {
+            Self::Scenario => "a scenario".into(),
+            Self::Model => "a hardware model (--machine)".into(),
+            Self::Overlay => "differences from a hardware model (--overlay)".into(),
+            Self::Sidecar => "the description of a bank".into(),
+            Self::Gear(row) => format!("what {} ran on", row.name),
+            Self::Cartridge => "a cartridge (lunoid cartridge run --folder)".into(),
+            Self::Unknown => "a file of no known kind".into(),
+        }
     }
 }
 
-/// Reads a scenario.
-pub fn read_scenario(path: &Path) -> Result<Scenario, Failure> {
-    Scenario::read(path).or_else(|faults| Kind::Scenario.expect(path).and(Err(faults.into())))
+/// Reads a scenario; run parameters of generators may stand in its file as well.
+///
+/// # Errors
+/// Every fault of the file, or one error if it is of another kind.
+pub fn read_scenario(path: &Path) -> Result<Scenario, OpenError> {
+    let read = Scenario::read_beside(path, &registry::parameter_tables());
+    read.or_else(|faults| Kind::Scenario.expect(path).and(Err(faults.into())))
 }
 
 /// Reads a hardware model, by name or path, with differences over it.
+///
+/// # Errors
+/// Every fault of the files, or one error if a file is of another kind.
 pub fn read_model(
     asked: Asked<'_>,
     name: &str,
     folder: &Path,
     overlays: &[PathBuf],
     set: &[(String, String)],
-) -> Result<LoadedModel, Failure> {
+) -> Result<LoadedModel, OpenError> {
     let source = ModelSource::find_as(asked, name, folder)?;
     HardwareModel::load(&source, overlays, set).or_else(|faults| {
         if let ModelSource::File(path) = &source {

@@ -1,30 +1,15 @@
-//! From a scenario and a hardware model to a stage: what every generator draws.
-//!
-//! ```text
-//! scenario ----+---------------> settings ---+
-//!              |   model --------^           |
-//!              +--> bank --> landscape ------+--> Stage
-//!              |                |            |
-//!              +----------------+--> scenery-+
-//! ```
-//!
-//! - [`settings`]: what a scenario on a model comes to.
-//! - [`build`]: the stage of a scenario; [`over`] puts another bank under it, [`under`] gives it other settings.
-//! - [`bank`]: the terrain alone, read or made; [`landscape`](fn@landscape): with craters, texture and what the scenario says of its
-//!   light.
-
-mod error;
-mod ground;
+//! From a scenario and settings to a stage.
 
 use std::sync::Arc;
 
 use generator::Stage;
 use hardware_model::{HardwareModel, Settings, SettingsError};
 use landscape::{Bank, Landscape, bank_file};
+use machine::MachineStage;
 use scenario::{Ground, PathProblems, Pose, PoseTable, RollDisplay, Scenario, Scenery};
 
-pub use error::StageError;
-pub use ground::landscape;
+use crate::StageError;
+use crate::ground::landscape;
 
 /// What `scenario` on `model` comes to.
 ///
@@ -44,7 +29,6 @@ pub fn settings(scenario: &Scenario, model: &HardwareModel) -> Result<Settings, 
         yoke: (scenario.roll == RollDisplay::Yoke).then_some(model.yoke),
         levels: scenario.levels,
         shadows: scenario.shadows,
-        lunsim: scenario.lunsim,
         ..resolved
     })
 }
@@ -53,7 +37,7 @@ pub fn settings(scenario: &Scenario, model: &HardwareModel) -> Result<Settings, 
 ///
 /// # Errors
 /// If the ground cannot be read or made, or something does not fit on it.
-pub fn build(scenario: &Scenario, settings: Settings) -> Result<Stage, StageError> {
+pub fn build(scenario: &Scenario, settings: Settings) -> Result<MachineStage, StageError> {
     over(bank(scenario)?, scenario, settings)
 }
 
@@ -61,7 +45,7 @@ pub fn build(scenario: &Scenario, settings: Settings) -> Result<Stage, StageErro
 ///
 /// # Errors
 /// If something does not fit on the ground.
-pub fn over(bank: Bank, scenario: &Scenario, settings: Settings) -> Result<Stage, StageError> {
+pub fn over(bank: Bank, scenario: &Scenario, settings: Settings) -> Result<MachineStage, StageError> {
     let landscape = Arc::new(landscape(bank, scenario)?);
     let scenery = Scenery::of(scenario, &landscape)?;
     joined(landscape, scenery, scenario, settings)
@@ -71,7 +55,7 @@ pub fn over(bank: Bank, scenario: &Scenario, settings: Settings) -> Result<Stage
 ///
 /// # Errors
 /// If the path does not suit the settings.
-pub fn under(stage: &Stage, scenario: &Scenario, settings: Settings) -> Result<Stage, StageError> {
+pub fn under(stage: &Stage, scenario: &Scenario, settings: Settings) -> Result<MachineStage, StageError> {
     joined(stage.landscape.clone(), (*stage.scenery).clone(), scenario, settings)
 }
 
@@ -80,14 +64,14 @@ fn joined(
     scenery: Scenery,
     scenario: &Scenario,
     settings: Settings,
-) -> Result<Stage, StageError> {
+) -> Result<MachineStage, StageError> {
     // What data banks hold and what tubes still show depends on the frames before.
     let is_lasting = settings.data_banks.drum.is_some() || settings.analog.memory.erase_residual > 0.0;
     let scenery = match is_lasting {
         true => scenery.with_course(course(scenario, &landscape, &settings)?),
         false => scenery,
     };
-    Ok(Stage { landscape, scenery: Arc::new(scenery), settings })
+    Ok(MachineStage { landscape, scenery: Arc::new(scenery), settings })
 }
 
 /// The pose of every frame.

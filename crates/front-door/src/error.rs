@@ -1,13 +1,42 @@
-//! Why a scenario is no stage.
+//! Why a scenario cannot be opened, or put on a stage.
 
 use std::path::{Path, PathBuf};
 
+use diagnostics::{Problem, ProblemList, Problems};
 use features::population::PopulationError;
 use features::{Crater, MOST_CRATERS};
+use files::FileError;
+use generator::PrepareError;
 use landscape::bank_file::BankFileError;
 use landscape::relief::ReliefError;
 use landscape::{BankError, TextureError};
 use scenario::{PathProblems, SceneryProblems};
+
+/// Why files and wishes do not come to a generator on a stage.
+#[derive(Debug, thiserror::Error)]
+pub enum OpenError {
+    /// Faults of files that people write, each with its place.
+    #[error(transparent)]
+    Problems(#[from] ProblemList),
+    /// Wishes that cannot be.
+    #[error("{0}")]
+    Wish(String),
+    /// A file that is not what it should be.
+    #[error("{0}")]
+    Input(String),
+    /// A folder that cannot be made.
+    #[error("{0}")]
+    Output(String),
+    /// A file that cannot be read.
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// A bank that cannot be read.
+    #[error(transparent)]
+    Bank(#[from] BankFileError),
+    /// A stage that the generator cannot draw.
+    #[error(transparent)]
+    Prepare(#[from] PrepareError),
+}
 
 /// Why a scenario cannot be put on a stage.
 #[derive(Debug, thiserror::Error)]
@@ -86,4 +115,21 @@ fn outside(file: &Path, row: usize, crater: &Crater, extent: &[f64; 4], more: us
          expected x {south}..{north} m, y {west}..{east} m; move it or take it out{others}",
         file.display()
     )
+}
+
+/// Everything that `error` says of the scenario in `file`.
+pub fn stage_problems(file: &str, error: &StageError) -> ProblemList {
+    if let StageError::Path(error) = error {
+        return path_problems(error);
+    }
+    let problems = Problems::new();
+    error.to_string().lines().for_each(|line| problems.push(Problem::of_file(file, line)));
+    problems.into_result().err().unwrap_or_else(|| Problem::of_file(file, "no stage").into())
+}
+
+/// Why a path cannot be driven, one problem a stretch of frames.
+pub fn path_problems(error: &PathProblems) -> ProblemList {
+    let problems = Problems::new();
+    error.iter().for_each(|problem| problems.push(Problem::of_file(error.path(), problem.to_string())));
+    problems.into_result().err().unwrap_or_else(|| Problem::of_file(error.path(), "no path").into())
 }

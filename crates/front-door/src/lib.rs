@@ -1,0 +1,34 @@
+//! The front door: from a scenario file, a hardware model and wishes to a generator on a stage.
+//!
+//! ```text
+//! scenario file ─┬─▶ Scenario ──────┬─▶ Settings ─┬─▶ view ─────────────────┐
+//! wishes ────────┤                  │             └─▶ hybrid machine ─┐     ├─▶ Stage ─▶ Session
+//! model file ────┴─▶ HardwareModel ─┘   registry row ─▶ generator ────┤     │
+//!                    Scenario ─▶ bank ─▶ landscape ─▶ scenery ────────┼─────┘
+//!                                                                     └─▶ Opened
+//! ```
+//!
+//! - [`open`]: reads everything that people write, and refuses it before any ground is made. [`Opened`] has what came of
+//!   it, makes the [stage](Opened::stage), and says what [poses](Opened::poses) the frames have.
+//! - [`Wishes`]: what a command line, a notebook or a page asks for over the scenario's own wishes.
+//! - [`decides`]: which of wishes, scenario and model decides a key.
+//! - [`Kind`]: what a TOML file is, by its keys.
+//! - [`settings`], [`build`], [`over`], [`under`], [`bank`], [`landscape`](fn@landscape): the steps by themselves.
+
+mod error;
+mod ground;
+mod keys;
+mod kind;
+mod open;
+mod opened;
+mod stage;
+mod wishes;
+
+pub use error::{OpenError, StageError, path_problems, stage_problems};
+pub use ground::landscape;
+pub use keys::{Decides, decides, wished_keys};
+pub use kind::{KNOWN, Kind, read_model, read_scenario};
+pub use open::{base_model, open};
+pub use opened::Opened;
+pub use stage::{bank, build, over, settings, under};
+pub use wishes::Wishes;

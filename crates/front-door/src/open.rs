@@ -1,0 +1,166 @@
+//! From files and wishes to everything that is known before there is ground.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use diagnostics::{Problem, Problems, TomlFile};
+use generator::{Generator, Row};
+use hardware_model::{Asked, LoadedModel, Settings, SettingsError};
+use limits::Limit;
+use machine::HybridMachine;
+use run_record::{FileRecord, Inputs};
+use scenario::{Ground, RasterWishes, Scenario};
+
+use crate::keys::{Decides, decides, drop_wish};
+use crate::{OpenError, Opened, Wishes, read_model, read_scenario};
+
+/// The hardware model of a scenario whose `machine` is `named`: raster, range and laws under a generator that has no
+/// hardware model are over those of the ideal machine.
+pub fn base_model(named: &str) -> &str {
+    if registry::find(named).is_some() { "ideal" } else { named }
+}
+
+/// Reads the scenario at `path` with `wishes`.
+///
+/// # Errors
+/// Everything that is wrong in files and wishes, before any ground is made.
+pub fn open(path: &Path, wishes: &Wishes) -> Result<Opened, OpenError> {
+    let mut scenario = read_scenario(path)?;
+    if let Some(bank) = &wishes.bank {
+        scenario.ground = Ground::Bank(bank.clone());
+    }
+    expect_bank(path, &scenario, wishes)?;
+    let asked = wishes.machine.as_deref();
+    let row = registry::find(asked.unwrap_or(&scenario.machine));
+    let model = model(path, &scenario, row, wishes)?;
+    wish(&mut scenario, wishes);
+    let settings = crate::settings(&scenario, &model.model).map_err(|error| unfit(path, &error))?;
+    let shadow_cache = shadow_cache(wishes)?;
+    let settings = Settings { economy: wishes.economy, shadow_cache, ..settings };
+    let inputs = inputs(path, &scenario, &model)?;
+    let generator = match row {
+        Some(row) => guest(path, row, wishes)?,
+        None => Arc::new(HybridMachine::new(settings.clone())) as Arc<dyn Generator>,
+    };
+    for other in registry::ROWS.iter().filter(|other| row != Some(other)) {
+        check_parameters(path, other, wishes)?;
+    }
+    Ok(Opened {
+        scenario,
+        model: model.model,
+        settings,
+        row,
+        generator,
+        inputs,
+        path: path.to_owned(),
+        wishes: wishes.clone(),
+    })
+}
+
+/// Banks are made and not kept with the scenarios, so a first replay may find none.
+fn expect_bank(path: &Path, scenario: &Scenario, wishes: &Wishes) -> Result<(), OpenError> {
+    match &scenario.ground {
+        Ground::Bank(bank) if wishes.bank.is_none() && !bank.exists() => Err(OpenError::Input(format!(
+            "{}: this scenario needs a bank; {}: no such file; `lunoid survey` or `lunoid bank import` makes one \
+             (see docs/real-ground.md)",
+            path.display(),
+            bank.display()
+        ))),
+        _ => Ok(()),
+    }
+}
+
+/// The hardware model: that of the wishes, or the scenario's own.
+pub(crate) fn model(
+    path: &Path,
+    scenario: &Scenario,
+    row: Option<&Row>,
+    wishes: &Wishes,
+) -> Result<LoadedModel, OpenError> {
+    let asked = wishes.machine.as_deref().filter(|name| registry::find(name).is_none());
+    let name = asked.unwrap_or(base_model(&scenario.machine));
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let file = path.display().to_string();
+    let place = if asked.is_some() { "--machine" } else { &file };
+    let is_of_model = |key: &str| match decides(key) {
+        // Run parameters are known whatever draws; gear is only the drawing generator's own.
+        Decides::Generator(own) => !is_parameter(own, key) && row != Some(own),
+        Decides::View | Decides::Model => true,
+    };
+    let of_model: Vec<_> = wishes.set.iter().filter(|(key, _)| is_of_model(key)).cloned().collect();
+    if let Some(row) = row {
+        expect_no_parts(row, &of_model)?;
+    }
+    read_model(Asked { place, others: &registry::names() }, name, folder, &wishes.overlays, &of_model)
+}
+
+fn is_parameter(row: &Row, key: &str) -> bool {
+    row.parameters.is_some_and(|table| key.split_once('.').is_some_and(|(found, _)| found == table))
+}
+
+/// Refuses to set parts that no machine has: raster, range and laws are those of any generator.
+fn expect_no_parts(row: &Row, sets: &[(String, String)]) -> Result<(), OpenError> {
+    match sets.iter().find(|(key, _)| matches!(decides(key), Decides::Model)) {
+        None => Ok(()),
+        Some((key, _)) => Err(OpenError::Wish(format!(
+            "--set {key}: {} has no such part; leave it out, or give --machine a hardware model",
+            row.name
+        ))),
+    }
+}
+
+/// Wishes are over the scenario.
+fn wish(scenario: &mut Scenario, wishes: &Wishes) {
+    wishes.set.iter().for_each(|(key, _)| drop_wish(scenario, key));
+    let raster = RasterWishes { sweeps: wishes.sweeps, samples: wishes.samples, ..RasterWishes::default() };
+    scenario.raster = raster.or(scenario.raster);
+    scenario.scalar = wishes.scalar.unwrap_or(scenario.scalar);
+}
+
+/// The generator of a row, with the tables of the scenario and the keys that are set.
+pub(crate) fn guest(
+    path: &Path,
+    row: &'static Row,
+    wishes: &Wishes,
+) -> Result<Arc<dyn Generator>, OpenError> {
+    let problems = Problems::new();
+    let name = path.display().to_string();
+    let text = files::read_all(path, Limit::TextBytes)?;
+    let file = row.parameters.and_then(|_| TomlFile::parse_bytes(&name, &text, &problems));
+    let sets = wishes.set.iter().filter(|(key, _)| row.owns(key));
+    let sets: Vec<_> = sets.filter_map(|(key, value)| registry::set_line(key, value, &problems)).collect();
+    problems.into_result()?;
+    Ok(registry::configure(row, file.into_iter().chain(sets))?)
+}
+
+/// Run parameters of a generator that does not draw must be right all the same.
+fn check_parameters(path: &Path, row: &'static Row, wishes: &Wishes) -> Result<(), OpenError> {
+    let set = wishes.set.iter().filter(|(key, _)| is_parameter(row, key)).cloned().collect();
+    guest(path, row, &Wishes { set, ..Wishes::default() }).map(drop)
+}
+
+/// The folder for shadow boundaries, made if it is not there.
+fn shadow_cache(wishes: &Wishes) -> Result<Option<PathBuf>, OpenError> {
+    let Some(folder) = &wishes.shadow_cache else { return Ok(None) };
+    fs::create_dir_all(folder).map_err(|error| {
+        let folder = folder.display();
+        OpenError::Output(format!("--shadow-cache {folder}: {error}; name a folder that can be written"))
+    })?;
+    Ok(Some(folder.clone()))
+}
+
+fn unfit(path: &Path, error: &SettingsError) -> OpenError {
+    let title = format!("scenario, machine and command line do not fit together: {error}");
+    OpenError::Problems(Problem::of_file(path.display().to_string(), title).into())
+}
+
+fn inputs(path: &Path, scenario: &Scenario, model: &LoadedModel) -> Result<Inputs, OpenError> {
+    Ok(Inputs {
+        scenario: Some(FileRecord::of(path)?),
+        references: scenario.files().into_iter().map(FileRecord::of).collect::<Result<_, _>>()?,
+        model: model.model.name.clone(),
+        model_files: model.files.iter().map(|path| FileRecord::of(path)).collect::<Result<_, _>>()?,
+        model_values: model.values.clone(),
+    })
+}

@@ -1,0 +1,114 @@
+//! What files and wishes come to.
+
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use generator::{Generator, Row, Stage};
+use hardware_model::{HardwareModel, Settings};
+use machine::MachineStage;
+use run_record::Inputs;
+use scenario::{PathProblems, PoseTable, Scenario};
+
+use crate::open::{guest, model};
+use crate::{OpenError, StageError, Wishes, read_scenario, stage_problems};
+
+/// Everything that is known before there is ground.
+#[derive(Clone)]
+pub struct Opened {
+    /// The scenario, with the wishes.
+    pub scenario: Scenario,
+    /// The hardware model, without the wishes of scenario and command line for raster, range and laws.
+    pub model: HardwareModel,
+    /// Settings of the hybrid machine; their view is that of any generator.
+    pub settings: Settings,
+    /// The row of the generator; `None` if the hybrid machine draws.
+    pub row: Option<&'static Row>,
+    /// The generator, configured.
+    pub generator: Arc<dyn Generator>,
+    /// Files, for the record of a run.
+    pub inputs: Inputs,
+    /// The scenario's file.
+    pub(crate) path: PathBuf,
+    /// What was asked for.
+    pub(crate) wishes: Wishes,
+}
+
+impl Opened {
+    /// The world and the settings of the hybrid machine on it, made by the threads of the current pool.
+    ///
+    /// # Errors
+    /// Every fault of the ground, or of something that does not fit on it.
+    pub fn machine_stage(&self) -> Result<MachineStage, OpenError> {
+        crate::build(&self.scenario, self.settings.clone()).map_err(|error| match error {
+            StageError::BankFile(error) => error.into(),
+            other => OpenError::Problems(stage_problems(self.scenario_file(), &other)),
+        })
+    }
+
+    /// What the generator draws, made by the threads of the current pool.
+    ///
+    /// # Errors
+    /// As [`machine_stage`](Self::machine_stage).
+    pub fn stage(&self) -> Result<Stage, OpenError> {
+        Ok(self.machine_stage()?.stage())
+    }
+
+    /// The same over the ground of `first`, a stage of the same scenario for another generator.
+    ///
+    /// # Errors
+    /// If the path does not suit the settings.
+    pub fn machine_stage_beside(&self, first: &Stage) -> Result<MachineStage, StageError> {
+        crate::under(first, &self.scenario, self.settings.clone())
+    }
+
+    /// Poses of `frames` on `stage`.
+    ///
+    /// # Errors
+    /// If the path cannot be driven.
+    pub fn poses(&self, stage: &Stage, frames: Range<u64>) -> Result<PoseTable, PathProblems> {
+        PoseTable::resolve(&self.scenario, &stage.landscape, stage.view.update, stage.view.yoke, frames)
+    }
+
+    /// Whether the hybrid machine draws.
+    pub fn is_machine(&self) -> bool {
+        self.row.is_none()
+    }
+
+    /// The generator with further keys set over everything else.
+    ///
+    /// # Errors
+    /// Every fault of the keys, or that the hybrid machine draws, whose keys are settings.
+    pub fn configure_with(&self, sets: &[(&str, &str)]) -> Result<Arc<dyn Generator>, OpenError> {
+        let Some(row) = self.row else {
+            return Err(OpenError::Wish("the hybrid machine has no run parameters".into()));
+        };
+        let mut wishes = self.wishes.clone();
+        wishes.set.extend(sets.iter().map(|(key, value)| ((*key).to_owned(), (*value).to_owned())));
+        guest(&self.path, row, &wishes)
+    }
+
+    /// Name of who draws: the hardware model, or the generator.
+    pub fn drawn_by(&self) -> &str {
+        self.row.map_or(&self.inputs.model, |row| row.name)
+    }
+
+    /// Name of the scenario's file.
+    pub fn scenario_file(&self) -> &str {
+        self.inputs.scenario.as_ref().map_or("scenario", |record| &record.file)
+    }
+
+    /// Frames of the scenario.
+    pub fn frames(&self) -> u64 {
+        self.scenario.frames(self.settings.timebase.update)
+    }
+
+    /// Files that the scenario at `path` with `wishes` is made of beside itself: those it refers to, and those of its
+    /// hardware model. Of what cannot be read there are none: [`open`](crate::open) says why.
+    pub fn sources(path: &Path, wishes: &Wishes) -> [Vec<PathBuf>; 2] {
+        let Ok(scenario) = read_scenario(path) else { return Default::default() };
+        let row = registry::find(wishes.machine.as_deref().unwrap_or(&scenario.machine));
+        let model = model(path, &scenario, row, wishes).map_or(Vec::new(), |model| model.files);
+        [scenario.files().into_iter().map(Path::to_owned).collect(), model]
+    }
+}

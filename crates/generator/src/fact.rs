@@ -1,0 +1,19 @@
+//! What a generator says of a pixel.
+
+use serde::Serialize;
+
+/// One line of an explanation.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Fact {
+    /// A step, a signal or a place.
+    pub what: String,
+    /// Its value, with the unit.
+    pub value: String,
+}
+
+impl Fact {
+    /// A fact.
+    pub fn new(what: impl Into<String>, value: impl Into<String>) -> Self {
+        Self { what: what.into(), value: value.into() }
+    }
+}

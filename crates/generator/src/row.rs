@@ -1,0 +1,94 @@
+//! The row of a generator in the registry: everything that is known of it before it draws.
+
+use std::sync::Arc;
+
+use diagnostics::Reader;
+use signal::Signal;
+
+use crate::Generator;
+
+/// What a generator is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Role {
+    /// It draws by closed form: the pictures of the others are judged by its own.
+    Judge,
+    /// It draws in a way of its own.
+    Guest,
+}
+
+/// The machine on which a generator's program ran, as a file of figures.
+#[derive(Debug, Clone, Copy)]
+pub struct Gear {
+    /// Tables of the file.
+    pub tables: &'static [&'static str],
+    /// Name of the file that ships, for messages.
+    pub file: &'static str,
+    /// Text of that file.
+    pub text: &'static str,
+}
+
+/// A run parameter over which the error of a generator's pictures is measured, rung by rung.
+#[derive(Debug, Clone, Copy)]
+pub struct ErrorLadder {
+    /// Name of the ladder.
+    pub name: &'static str,
+    /// What the rungs are, for a heading.
+    pub what: &'static str,
+    /// Dotted key of the parameter.
+    pub key: &'static str,
+    /// Its values, the coarsest first; steps are their inverses.
+    pub rungs: &'static [u32],
+    /// Other keys, each with the value that it has on all rungs.
+    pub fixed: &'static [(&'static str, &'static str)],
+    /// Order at which the mean error falls, as theory says.
+    pub order: f64,
+    /// Why it falls at this order.
+    pub why: &'static str,
+}
+
+/// A generator that is chosen by its own name. The hybrid machine has none: the name of a hardware model chooses it.
+#[derive(Debug, Clone, Copy)]
+pub struct Row {
+    /// Name, as `--machine` says it.
+    pub name: &'static str,
+    /// What it draws, in one line.
+    pub about: &'static str,
+    /// What it is for.
+    pub role: Role,
+    /// The signals that its sessions can record.
+    pub signals: &'static [Signal],
+    /// Whether its frames take time on a machine of their own, so that they have timing records.
+    pub timed: bool,
+    /// Table of its run parameters in a scenario and in `--set`, where it has any.
+    pub parameters: Option<&'static str>,
+    /// What it ran on, where that has figures.
+    pub gear: Option<Gear>,
+    /// The run parameter that a study of errors varies, where there is one.
+    pub ladder: Option<ErrorLadder>,
+    /// Reads run parameters and gear, both as tables of one root, into a generator. A missing table is an empty one;
+    /// faults are reported to the reader.
+    pub configure: fn(&Reader) -> Option<Arc<dyn Generator>>,
+}
+
+/// Rows are told apart by their names.
+impl PartialEq for Row {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
+impl Eq for Row {}
+
+impl Row {
+    /// Whether `key`, a dotted key of `--set`, is of this generator.
+    pub fn owns(&self, key: &str) -> bool {
+        let Some((table, _)) = key.split_once('.') else { return false };
+        self.tables().any(|own| own == table)
+    }
+
+    /// Tables of run parameters and gear.
+    pub fn tables(&self) -> impl Iterator<Item = &'static str> + use<> {
+        let gear = self.gear.map_or(&[][..], |gear| gear.tables);
+        self.parameters.into_iter().chain(gear.iter().copied())
+    }
+}

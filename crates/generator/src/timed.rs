@@ -1,0 +1,28 @@
+//! Generators whose frames take time on a machine of their own.
+
+use quantities::Rate;
+use scenario::{Pose, Scenario};
+use timing::{FrameTiming, Task};
+
+use crate::FrameError;
+
+/// A generator on a stage, as a job that takes time.
+pub trait Timed: Sync {
+    /// The clock whose ticks its records count.
+    fn master(&self) -> Rate;
+
+    /// Hash of everything that decides its timing on `scenario`.
+    fn inputs(&self, scenario: &Scenario) -> String;
+
+    /// What it has to do before frame 0, whose pose is `first`.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
+    fn before_mission(&self, first: &Pose) -> Result<Vec<Task>, FrameError>;
+
+    /// What frame `frame` from `pose` takes.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
+    fn frame(&self, frame: u64, pose: &Pose) -> Result<FrameTiming, FrameError>;
+}
