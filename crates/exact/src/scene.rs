@@ -79,6 +79,7 @@ impl<'a> Scene<'a> {
             Sight::Ground(spot) => (spot.range, spot.range),
             Sight::Sky => (f64::INFINITY, f64::INFINITY),
             Sight::TooNear => (f64::INFINITY, self.near()),
+            Sight::Cut(range) => (range, self.near()),
         };
         // Under pitch or yoke a column's rays have different azimuths: one says nothing about the next.
         let clear = if self.view.columns_are_vertical() { clear } else { self.near() };
@@ -90,7 +91,7 @@ impl<'a> Scene<'a> {
         let seen = body.unwrap_or_else(|| match sight {
             Sight::Ground(spot) => self.ground(&spot, &ray, scratch),
             Sight::Sky => self.beyond(&ray),
-            Sight::TooNear => Seen::SKY,
+            Sight::TooNear | Sight::Cut(_) => Seen::SKY,
         });
         (seen, clear)
     }
@@ -110,8 +111,9 @@ impl<'a> Scene<'a> {
         if silhouettes.is_empty() {
             return Seen::SKY;
         }
+        let Some(rise) = self.outlook.over_horizon(ray.rise) else { return Seen::SKY };
         let azimuth = libm::atan2(ray.direction[1], ray.direction[0]);
-        let above = |tangent: Option<f64>| tangent.is_some_and(|tangent| ray.rise < tangent);
+        let above = |tangent: Option<f64>| tangent.is_some_and(|tangent| rise < tangent);
         let found = silhouettes.iter().find(|silhouette| above(silhouette.tangent(azimuth)));
         found.map_or(Seen::SKY, |silhouette| Seen::silhouette(silhouette.reflectivity()))
     }

@@ -4,9 +4,8 @@ use std::sync::Arc;
 
 use generator::{
     Counter, FrameCounts, FrameError, Generator, Joined, Omission, PlaneKind, Planes, PrepareError, Role,
-    Row, Session as GeneratorSession, Stage, check_eye,
+    Row, Session as GeneratorSession, Stage,
 };
-use quantities::{degrees, sin_cos};
 use rayon::prelude::*;
 use scenario::Pose;
 use signal::Probe;
@@ -14,10 +13,7 @@ use signal::Probe;
 use crate::column::{Column, Fineness, Frame, Pixel};
 use crate::light::Light;
 use crate::scene::Scene;
-use crate::{Ceilings, Outlook};
-
-/// |pitch| + half the vertical field of view stays below this (deg): nadir and zenith lie outside the picture.
-const PITCH_LIMIT_DEG: f64 = 80.0;
+use crate::{Ceilings, Outlook, stance};
 
 /// Rays of a frame, and bodies in it.
 const COUNTERS: [Counter; 2] =
@@ -102,8 +98,7 @@ impl GeneratorSession for Session {
     }
 
     fn check(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {
-        check_eye(&self.stage.landscape, frame, pose)?;
-        self.check_pitch(frame, pose)
+        stance::check(&self.stage, frame, pose)
     }
 
     fn omissions(&self) -> Vec<Omission> {
@@ -184,7 +179,10 @@ impl Session {
 
     fn outlook(&self, pose: &Pose) -> Outlook<'_> {
         let Stage { landscape, view, .. } = &self.stage;
-        Outlook::new(landscape, &self.ceilings, pose.eye, view.laws.curvature, view.ranges, view.levels)
+        // Where no sweep can be drawn none has a first sample: ground is seen from under the eye on.
+        let [first, end] = view.ranges;
+        let ranges = [if stance::is_swept(landscape, view.field, pose) { first } else { 0.0 }, end];
+        Outlook::new(landscape, &self.ceilings, pose.eye, view.laws.curvature, ranges, view.levels)
     }
 
     fn scene(&self, pose: &Pose) -> Scene<'_> {
@@ -199,25 +197,6 @@ impl Session {
         let frame = Frame { scene, half_height: field.tan_half_height, lines, fineness: self.fineness };
         let x = field.tan_half_width * (2.0 * column as f64 + 1.0 - columns as f64) / columns as f64;
         Column::new(frame, x).draw(rule)
-    }
-
-    /// The corners of a turned screen look farther up and down than its edges.
-    fn check_pitch(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {
-        let field = self.stage.view.field;
-        let (sin, cos) = sin_cos(pose.yoke);
-        let highest = field.tan_half_height * cos.abs() + field.tan_half_width * sin.abs();
-        let half_field = degrees(libm::atan(highest));
-        let pitch_deg = degrees(pose.attitude.pitch);
-        match pitch_deg.abs() + half_field < PITCH_LIMIT_DEG {
-            true => Ok(()),
-            false => {
-                let reason = format!(
-                    "pitch {pitch_deg:.1} deg brings the nadir or the zenith near the picture; \
-                     expected |pitch| + half the vertical field of view below {PITCH_LIMIT_DEG:.0} deg"
-                );
-                Err(FrameError::Refused { frame, reason })
-            }
-        }
     }
 }
 

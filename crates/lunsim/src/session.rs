@@ -4,7 +4,7 @@ use generator::{
     Counter, FrameCounts, FrameError, Generator, Joined, Omission, Planes, PrepareError, Scan,
     Session as GeneratorSession, Stage, Timed, check_eye,
 };
-use scenario::{Curvature, Pose, View};
+use scenario::{Pose, View};
 use serde_json::{Value, json};
 use signal::{Probe, Signal, Wire};
 
@@ -158,12 +158,12 @@ impl Session {
         let Stage { landscape, scenery, view } = &self.stage;
         self.check(frame, pose)?;
         let observer = Observer::new(pose, view.field);
-        let is_curved = view.laws.curvature == Curvature::Parabolic;
+        let curvature = view.laws.curvature;
         let (level, end) = (landscape.level(), view.ranges[1]);
-        let Some(area) = area::viewed(&observer, level, self.heights, is_curved, end) else {
+        let Some(area) = area::viewed(&observer, level, self.heights, curvature, end) else {
             return Ok(None);
         };
-        let grid = Grid::new(landscape, &observer, &area, self.parameters.grid as usize, is_curved);
+        let grid = Grid::new(landscape, &observer, &area, self.parameters.grid as usize, curvature);
         let sun = scenery.sun(pose.time);
         let (light, march) = light(&grid, &observer, landscape, &sun, view.shadows.is_some());
         let plot = Plot::new(&grid, &observer);

@@ -4,11 +4,11 @@ use crate::MachineStage;
 use generator::FrameError;
 use glam::DVec3;
 use hardware_model::ShadowParts;
-use landscape::{Attitude, parabolic_drop};
+use landscape::Attitude;
 use polyhedron_generator::{Drawn, FaceLight, Field, LeftOut, PolyhedronGenerator, ViewPlane};
 use rayon::prelude::*;
 use remote_shadow::{Footings, Outlines, Shade, Tile, UnderSun};
-use scenario::{BodyVisibility, Curvature, ShadowedBodies};
+use scenario::{BodyVisibility, ShadowedBodies};
 use shadow_controller::{Gate, SEGMENT_WORDS, ShadowController};
 use solids::Body;
 use std::sync::Arc;
@@ -208,13 +208,8 @@ impl Supply<'_> {
         let [x, y, height] = self.plan.eye;
         let (north, east) = (foot.x - x, foot.y - y);
         let range = (north * north + east * east).sqrt();
-        let tangent = |ground: f64, at: f64| {
-            let drop = match self.stage.settings.laws.curvature {
-                Curvature::None => 0.0,
-                Curvature::Parabolic => parabolic_drop(at),
-            };
-            (ground - drop - height) / at
-        };
+        let curvature = self.stage.settings.laws.curvature;
+        let tangent = |ground: f64, at: f64| (ground - curvature.drop(at) - height) / at;
         let own = tangent(foot.z, range);
         let ranges = self.table.ranges();
         let nearer = ranges.partition_point(|&at| at < range * NEAR_FOOT);

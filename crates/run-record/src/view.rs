@@ -145,6 +145,7 @@ fn curvature(law: Curvature) -> &'static str {
     match law {
         Curvature::None => "none",
         Curvature::Parabolic => "parabolic",
+        Curvature::Exact => "exact",
     }
 }
 

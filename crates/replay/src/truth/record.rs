@@ -72,6 +72,7 @@ fn point(job: &Job) -> Value {
     };
     let (drop, radius) = match laws.curvature {
         Curvature::Parabolic => (" + s^2 / (2 lunoid_radius_m)", Some(LUNOID_RADIUS)),
+        Curvature::Exact => (" + lunoid_radius_m - sqrt(lunoid_radius_m^2 - s^2)", Some(LUNOID_RADIUS)),
         Curvature::None => ("", None),
     };
     json!({
@@ -104,8 +105,8 @@ const ERROR: [&str; 6] = [
 
 /// What the truth leaves out.
 const NOT_IN_IT: [&str; 4] = [
-    "ground nearer than the first range of the sweeps, and ground beyond their last, counts as sky; far silhouettes \
-     have a label and a reflectivity and no place",
+    "ground nearer than the first range of the sweeps, where sweeps can be drawn, and ground beyond their last, counts as \
+     sky; far silhouettes have a label and a reflectivity and no place",
     "texture: the small detail that is added to the picture has no height, no normal and no share in reflectivity",
     "line means, sweeps, sweep memory, white point and gamma: whatever comes between the scene and the picture",
     "pictures between updates: a refresh shows the update before it",
