@@ -53,16 +53,14 @@ fn of_case(case: &Case, scenario: &Scenario, first: &Stage) -> Result<Record, St
         Ok(session) => session,
         Err(error) => return Ok(Record::from([(case.name(), format!("refused: {error}"))])),
     };
-    let (update, yoke, raster) =
-        (stage.settings.timebase.update, stage.settings.yoke, stage.settings.raster);
+    let (update, yoke, raster) = (stage.settings.timebase.update, stage.settings.yoke, stage.settings.raster);
     let count = scenario.frames(update);
     let frames = if case.by == By::Exact { vec![0] } else { vec![0, count / 2, count - 1] };
     let mut record = Record::new();
     for frame in frames {
         let table = PoseTable::resolve(scenario, &stage.landscape, update, yoke, frame..frame + 1);
         let pose = table.map_err(|error| error.to_string())?.rows()[0].pose;
-        let mut planes =
-            Planes::new(raster.columns as usize, raster.lines as usize, &[PlaneKind::Intensity]);
+        let mut planes = Planes::new(raster.columns as usize, raster.lines as usize, &[PlaneKind::Intensity]);
         let drawn = session.frame(frame, &pose, &mut planes, &mut Probe::off());
         let found = match drawn {
             Ok(_) => hash(planes.get(PlaneKind::Intensity).expect("asked for")),

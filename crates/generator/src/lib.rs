@@ -124,6 +124,12 @@ pub trait Generator: Sync {
     /// The signals that its sessions can record.
     fn signals(&self) -> &'static [Signal];
 
+    /// The planes that its sessions fill; others that are asked for keep what they held. Intensity alone unless it says
+    /// more.
+    fn planes(&self) -> &'static [PlaneKind] {
+        &[PlaneKind::Intensity]
+    }
+
     /// Whether it draws by sweeps of the report's machine, with clocks and deadlines.
     fn is_machine(&self) -> bool {
         false

@@ -7,6 +7,7 @@ use compare::CompareError;
 use diagnostics::ProblemList;
 use files::{Action, FileError, NpyFileError};
 use landscape::bank_file::BankFileError;
+use photographs::PhotographFileError;
 use picture::PictureFileError;
 use plots::PlotError;
 use replay::ReplayError;
@@ -103,6 +104,15 @@ impl From<PictureFileError> for Failure {
         match error {
             PictureFileError::File(error) => error.into(),
             PictureFileError::Picture { .. } => Self::input(error),
+        }
+    }
+}
+
+impl From<PhotographFileError> for Failure {
+    fn from(error: PhotographFileError) -> Self {
+        match error {
+            PhotographFileError::File(error) => error.into(),
+            PhotographFileError::Picture { .. } => Self::input(error),
         }
     }
 }

@@ -1,8 +1,8 @@
 //! LUNSIM as a generator: from a stage and a pose to the planes of a frame, block by block.
 
 use generator::{
-    FrameCounts, FrameError, Generator, Omission, Planes, PrepareError, Session as GeneratorSession, Stage,
-    check_eye,
+    FrameCounts, FrameError, Generator, Omission, PlaneKind, Planes, PrepareError,
+    Session as GeneratorSession, Stage, check_eye,
 };
 use hardware_model::Settings;
 use quantities::Timebase;
@@ -10,7 +10,7 @@ use scenario::{Curvature, Pose};
 use signal::{Probe, Signal, Wire};
 
 use crate::area::{self, ViewedArea};
-use crate::film::{Film, IntensityCodes};
+use crate::film::{Film, IntensityCodes, PLANES};
 use crate::grid::Grid;
 use crate::light::{Lit, light};
 use crate::observer::Observer;
@@ -29,6 +29,10 @@ impl Generator for Lunsim {
 
     fn signals(&self) -> &'static [Signal] {
         &rows::SIGNALS
+    }
+
+    fn planes(&self) -> &'static [PlaneKind] {
+        PLANES
     }
 
     fn timebase(&self, settings: &Settings) -> Timebase {

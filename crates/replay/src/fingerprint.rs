@@ -16,7 +16,7 @@ pub(crate) fn fingerprint(
     scenery: &SceneryRecord,
     settings: &SettingsRecord,
 ) -> String {
-    let document = json!({
+    let mut document = json!({
         "program": value(&job.program),
         "generator": job.generator.name(),
         "settings": value(settings),
@@ -28,6 +28,10 @@ pub(crate) fn fingerprint(
         "depth": job.pictures.depth.bits(),
         "refresh": job.pictures.refresh,
     });
+    // Grey runs keep the fingerprint that they had before there was colour.
+    if job.pictures.colour {
+        document["colour"] = true.into();
+    }
     hash(document.to_string().as_bytes())
 }
 

@@ -79,7 +79,7 @@ impl<'a> RunRecord<'a> {
             }),
             settings: finished.settings,
             pictures: json!({
-                "kind": "grey PNG",
+                "kind": if job.pictures.colour { "RGB PNG" } else { "grey PNG" },
                 "depth": job.pictures.depth.bits(),
                 "one_file_for_each": if job.pictures.refresh { "refresh" } else { "update" },
             }),

@@ -5,7 +5,7 @@ use std::ops::Range;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use generator::Session;
+use generator::{PlaneKind, Session};
 use picture::{Encoder, Transfer};
 use quantities::Rate;
 use scenario::{LimitReport, PoseTable, poses_csv};
@@ -110,6 +110,7 @@ impl<'a> Run<'a> {
     /// Everything that can be refused before a file is written.
     fn prepare(job: &'a Job, folder: &'a RunFolder, control: &'a Control) -> Result<Self, ReplayError> {
         let start = Instant::now();
+        expect_colour(job)?;
         let ground = GroundRecord::new(&job.scenario.ground, &job.stage.landscape);
         let scenery = SceneryRecord::new(&job.stage);
         let settings = SettingsRecord::new(&job.stage.settings);
@@ -211,6 +212,7 @@ impl<'a> Run<'a> {
             settings: &self.job.stage.settings,
             program: &self.job.program,
             encoder: Encoder::new(transfer, self.job.pictures.depth),
+            colour: self.job.pictures.colour,
             showings: self.showings(),
             folder: self.folder,
             journal,
@@ -366,4 +368,13 @@ fn with_check(earlier: &[u8], phases: &[Phase]) -> Option<Value> {
 
 pub(crate) fn pretty(value: &Value) -> String {
     format!("{value:#}\n")
+}
+
+/// Frames in colour need a generator that fills all three planes.
+fn expect_colour(job: &Job) -> Result<(), ReplayError> {
+    let planes = job.generator.planes();
+    match !job.pictures.colour || PlaneKind::COLOUR.iter().all(|kind| planes.contains(kind)) {
+        true => Ok(()),
+        false => Err(ReplayError::NoColour { generator: job.generator.name() }),
+    }
 }

@@ -8,7 +8,7 @@ use tempfile::tempdir;
 use crate::stage::{Wish, content};
 
 fn pictures(depth: Depth, refresh: bool, film: bool) -> Wish {
-    Wish { pictures: Pictures { depth, refresh, film }, frames: 0..3, ..Wish::default() }
+    Wish { pictures: Pictures { depth, colour: false, refresh, film }, frames: 0..3, ..Wish::default() }
 }
 
 #[test]

@@ -68,7 +68,7 @@ pub struct Wish {
 
 impl Default for Wish {
     fn default() -> Self {
-        let pictures = Pictures { depth: Depth::Eight, refresh: false, film: false };
+        let pictures = Pictures { depth: Depth::Eight, colour: false, refresh: false, film: false };
         Self {
             frames: 0..12,
             pictures,

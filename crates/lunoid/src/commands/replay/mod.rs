@@ -231,7 +231,8 @@ impl Replay {
             DepthWord::Eight => Depth::Eight,
             DepthWord::Sixteen => Depth::Sixteen,
         };
-        Pictures { depth, refresh: self.refresh, film: self.apng }
+        // No generator has colour yet.
+        Pictures { depth, colour: false, refresh: self.refresh, film: self.apng }
     }
 
     fn tell(
