@@ -72,7 +72,7 @@ pub struct Replay {
     #[arg(long, value_name = "FILE")]
     y4m: Option<PathBuf>,
     /// Ground truth as well, by `exact` at the centre of every pixel, in the folder `truth` of the run: `all`, or some
-    /// of range, height, normal, reflectivity, shadow, label, pose, joined by commas. docs/truth-format.md has the
+    /// of range, height, normal, reflectivity, shadow, label, pose, distance, joined by commas. docs/truth-format.md has the
     /// format.
     #[arg(long, value_name = "LIST")]
     truth: Option<TruthItems>,
