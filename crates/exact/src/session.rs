@@ -36,6 +36,20 @@ pub static ROW: Row = Row {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Exact;
 
+/// What it fills: all but colour.
+const PLANES: &[PlaneKind] = &[
+    PlaneKind::Intensity,
+    PlaneKind::Range,
+    PlaneKind::Height,
+    PlaneKind::NormalNorth,
+    PlaneKind::NormalEast,
+    PlaneKind::NormalUp,
+    PlaneKind::Reflectivity,
+    PlaneKind::Shadow,
+    PlaneKind::Label,
+    PlaneKind::Distance,
+];
+
 impl Generator for Exact {
     fn name(&self) -> &'static str {
         ROW.name
@@ -43,6 +57,10 @@ impl Generator for Exact {
 
     fn counters(&self) -> &'static [Counter] {
         &COUNTERS
+    }
+
+    fn planes(&self) -> &'static [PlaneKind] {
+        PLANES
     }
 
     fn prepare(&self, stage: Stage) -> Result<Box<dyn GeneratorSession>, PrepareError> {
@@ -61,6 +79,10 @@ impl Generator for ExactWithin {
 
     fn counters(&self) -> &'static [Counter] {
         Exact.counters()
+    }
+
+    fn planes(&self) -> &'static [PlaneKind] {
+        PLANES
     }
 
     fn prepare(&self, stage: Stage) -> Result<Box<dyn GeneratorSession>, PrepareError> {
@@ -90,8 +112,8 @@ impl GeneratorSession for Session {
             (0..planes.columns()).into_par_iter().map(draw).collect()
         };
         let (columns, rays): (Vec<_>, Vec<u64>) = drawn.into_iter().unzip();
-        for kind in PlaneKind::ALL {
-            fill(planes, kind, &columns);
+        for &kind in PLANES {
+            fill(planes, kind, &columns, &scene);
         }
         let (samples, bodies) = (rays.into_iter().sum(), scene.standing().len() as u64);
         Ok(FrameCounts::of([("samples", samples), ("bodies", bodies)]))
@@ -129,9 +151,10 @@ impl Columns {
         let raster = &self.0.stage.view;
         let size = [raster.columns as usize, raster.lines as usize];
         self.0.check(frame, pose)?;
-        let (pixels, _) = self.0.column(&self.0.scene(pose), column, size);
+        let scene = self.0.scene(pose);
+        let (pixels, _) = self.0.column(&scene, column, size);
         let mut planes = Planes::new(1, size[1], kinds);
-        kinds.iter().for_each(|&kind| fill(&mut planes, kind, std::slice::from_ref(&pixels)));
+        kinds.iter().for_each(|&kind| fill(&mut planes, kind, std::slice::from_ref(&pixels), &scene));
         Ok(planes)
     }
 }
@@ -200,10 +223,11 @@ impl Session {
     }
 }
 
-fn fill(planes: &mut Planes, kind: PlaneKind, columns: &[Vec<Pixel>]) {
+fn fill(planes: &mut Planes, kind: PlaneKind, columns: &[Vec<Pixel>], scene: &Scene) {
     let Some(values) = planes.get_mut(kind) else { return };
     let value = |pixel: &Pixel| match kind {
         PlaneKind::Intensity => pixel.intensity,
+        PlaneKind::Distance => scene.distance(pixel.seen.range, pixel.seen.height),
         _ => pixel.seen.value(kind),
     };
     for (line, row) in values.chunks_mut(columns.len().max(1)).enumerate() {

@@ -8,6 +8,7 @@ use diagnostics::ProblemList;
 use files::{Action, FileError, NpyFileError};
 use front_door::{OpenError, StageError};
 use landscape::bank_file::BankFileError;
+use photographs::PhotographFileError;
 use picture::PictureFileError;
 use plots::PlotError;
 use replay::ReplayError;
@@ -103,6 +104,15 @@ impl From<PictureFileError> for Failure {
         match error {
             PictureFileError::File(error) => error.into(),
             PictureFileError::Picture { .. } => Self::input(error),
+        }
+    }
+}
+
+impl From<PhotographFileError> for Failure {
+    fn from(error: PhotographFileError) -> Self {
+        match error {
+            PhotographFileError::File(error) => error.into(),
+            PhotographFileError::Picture { .. } => Self::input(error),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! LUNSIM as a generator: from a stage and a pose to the planes of a frame, block by block.
 
 use generator::{
-    Counter, FrameCounts, FrameError, Generator, Joined, Omission, Planes, PrepareError, Scan,
+    Counter, FrameCounts, FrameError, Generator, Joined, Omission, PlaneKind, Planes, PrepareError, Scan,
     Session as GeneratorSession, Stage, Timed, check_eye,
 };
 use scenario::{Pose, View};
@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use signal::{Probe, Signal, Wire};
 
 use crate::area::{self, ViewedArea};
-use crate::film::{Film, IntensityCodes};
+use crate::film::{Film, IntensityCodes, PLANES};
 use crate::grid::Grid;
 use crate::light::{Lit, light};
 use crate::observer::Observer;
@@ -41,6 +41,10 @@ impl Generator for Lunsim {
 
     fn counters(&self) -> &'static [Counter] {
         &COUNTERS
+    }
+
+    fn planes(&self) -> &'static [PlaneKind] {
+        PLANES
     }
 
     fn scan(&self, view: &View) -> Option<Scan> {

@@ -10,7 +10,7 @@ use crate::world::World;
 /// Program, generator, settings, view, ground, scenery, light, path: not the range of frames, which may grow, and not the
 /// words of the scenario, which may be commented.
 pub(crate) fn fingerprint(job: &Job, world: &World) -> String {
-    let document = json!({
+    let mut document = json!({
         "program": value(&job.program),
         "generator": job.generator.name(),
         "view": value(&world.view),
@@ -23,6 +23,10 @@ pub(crate) fn fingerprint(job: &Job, world: &World) -> String {
         "depth": job.pictures.depth.bits(),
         "refresh": job.pictures.refresh,
     });
+    // Grey runs keep the fingerprint that they had before there was colour.
+    if job.pictures.colour {
+        document["colour"] = true.into();
+    }
     hash(document.to_string().as_bytes())
 }
 

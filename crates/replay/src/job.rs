@@ -15,8 +15,10 @@ use crate::Phase;
 /// How frames become files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Pictures {
-    /// Bits of a pixel.
+    /// Bits of a code.
     pub depth: Depth,
+    /// RGB from the planes red, green and blue, which the generator must fill, instead of grey from the intensity.
+    pub colour: bool,
     /// One file for each picture that the tube shows, instead of one for each that the machine computes.
     pub refresh: bool,
     /// An animated PNG as well.

@@ -44,7 +44,7 @@ pub(crate) fn run_record(job: &Job, finished: Finished<'_>) -> RunRecord {
         view,
         settings,
         pictures: PicturesRecord {
-            kind: "grey PNG".into(),
+            kind: if job.pictures.colour { "RGB PNG" } else { "grey PNG" }.into(),
             depth: job.pictures.depth.bits(),
             one_file_for_each: if job.pictures.refresh { "refresh" } else { "update" }.into(),
         },

@@ -5,7 +5,7 @@ use std::ops::Range;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use generator::Session;
+use generator::{PlaneKind, Session};
 use picture::{Encoder, Transfer};
 use quantities::Rate;
 use scenario::{LimitReport, PoseTable, poses_csv};
@@ -107,6 +107,7 @@ impl<'a> Run<'a> {
     /// Everything that can be refused before a file is written.
     fn prepare(job: &'a Job, folder: &'a RunFolder, control: &'a Control) -> Result<Self, ReplayError> {
         let start = Instant::now();
+        expect_colour(job)?;
         let world = World::of(job);
         let fingerprint = fingerprint(job, &world);
         let earlier = HeldRun::read_if_there(folder.path())?;
@@ -204,6 +205,7 @@ impl<'a> Run<'a> {
             view: &self.job.stage.view,
             program: &self.job.program,
             encoder: Encoder::new(transfer, self.job.pictures.depth),
+            colour: self.job.pictures.colour,
             showings: self.showings(),
             folder: self.folder,
             journal,
@@ -356,4 +358,13 @@ fn with_check(earlier: &[u8], phases: &[Phase]) -> Option<Value> {
 
 pub(crate) fn pretty(value: &impl Serialize) -> String {
     serde_json::to_string_pretty(value).expect("records are plain values") + "\n"
+}
+
+/// Frames in colour need a generator that fills all three planes.
+fn expect_colour(job: &Job) -> Result<(), ReplayError> {
+    let planes = job.generator.planes();
+    match !job.pictures.colour || PlaneKind::COLOUR.iter().all(|kind| planes.contains(kind)) {
+        true => Ok(()),
+        false => Err(ReplayError::NoColour { generator: job.generator.name() }),
+    }
 }

@@ -47,7 +47,7 @@ mod tests {
     use run_record::CheckedSweep;
 
     fn sweep(frame: u64, rms: f64) -> CheckedSweep {
-        CheckedSweep { frame, sweep: 7, rms_and_max: [Some([rms, rms]), None, None, None] }
+        CheckedSweep { frame, sweep: 7, column: 7, rms_and_max: [Some([rms, rms]), None, None, None] }
     }
 
     /// Heights of the marks.

@@ -110,13 +110,11 @@ fn in_words(omissions: &[OmissionRecord]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use serde_json::json;
-
     use super::{BLOCKS, diagram, in_words};
-    use run_record::OmissionRecord;
+    use run_record::{OmissionRecord, WeightRecord};
 
     fn omission(block: &str, what: &str) -> OmissionRecord {
-        let (why, weight) = (String::new(), json!("lossless"));
+        let (why, weight) = (String::new(), WeightRecord::Lossless);
         OmissionRecord { block: block.into(), what: what.into(), why, weight }
     }
 

@@ -3,6 +3,8 @@
 use std::ops::Deref;
 use std::path::Path;
 
+use diagnostics::{CsvRow, CsvRows};
+use picture::Curve;
 use replay::{HeldRun, picture_name};
 use run_record::{FrameRecord, MachineRecord, RunRecord};
 use serde::Deserialize;
@@ -33,6 +35,11 @@ impl Deref for Run {
 }
 
 impl Run {
+    /// The curve of its display, by which colours of its frames become grey.
+    pub fn curve(&self) -> Curve {
+        Curve::Power(self.view.display.gamma)
+    }
+
     /// The run in `folder`.
     pub fn read(folder: &Path) -> Result<Self, ReportError> {
         let held = HeldRun::read(folder)?;
@@ -123,26 +130,31 @@ fn poses(folder: &Path, frames: &[FrameRecord]) -> Result<Vec<[f64; 7]>, ReportE
     let bytes = files::read_all(&path, MAX_BYTES)?;
     let refused = |reason: String| ReportError::Content { path: path.clone(), reason };
     let text = std::str::from_utf8(&bytes).map_err(|error| refused(error.to_string()))?;
-    let rows: Vec<&str> = text.lines().skip(1).collect();
-    if rows.len() != frames.len() {
-        let (found, expected) = (rows.len(), frames.len());
+    let mut rows = CsvRows::new(text);
+    rows.next_row();
+    let mut poses = Vec::new();
+    while let Some(row) = rows.next_row() {
+        let (line, shown) = (poses.len() + 2, &text[row.whole()]);
+        poses.push(pose(&row).ok_or_else(|| refused(format!("line {line}: `{shown}`, expected numbers")))?);
+    }
+    if poses.len() != frames.len() {
+        let (found, expected) = (poses.len(), frames.len());
         return Err(refused(format!("{found} rows, expected one for each of {expected} frames")));
     }
-    let row = |(line, row): (usize, &&str)| {
-        pose(row).ok_or_else(|| refused(format!("line {}: `{row}`, expected numbers", line + 2)))
-    };
-    rows.iter().enumerate().map(row).collect()
+    Ok(poses)
 }
 
-fn pose(row: &str) -> Option<[f64; 7]> {
-    let cells: Result<Vec<f64>, _> = row.split(',').skip(1).take(7).map(str::parse).collect();
+fn pose(row: &CsvRow) -> Option<[f64; 7]> {
+    let cells: Result<Vec<f64>, _> = row.texts().skip(1).take(7).map(str::parse).collect();
     let cells: [f64; 7] = cells.ok()?.try_into().ok()?;
     cells.iter().all(|cell| cell.is_finite()).then_some(cells)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{hertz, pose};
+    use diagnostics::CsvRows;
+
+    use super::hertz;
 
     #[test]
     fn clocks_are_fractions() {
@@ -155,6 +167,7 @@ mod tests {
 
     #[test]
     fn rows_of_poses() {
+        let pose = |text| CsvRows::new(text).next_row().and_then(|row| super::pose(&row));
         assert_eq!(pose("3,0.5,1,2,3,4,5,6,7,8,9"), Some([0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0]));
         for wrong in ["", "3,0.5,1,2", "3,0.5,1,2,x,4,5,6", "3,0.5,1,2,NaN,4,5,6"] {
             assert_eq!(pose(wrong), None, "{wrong}");

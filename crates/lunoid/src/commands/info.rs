@@ -8,7 +8,6 @@ use clap::Args;
 use front_door::{KNOWN, Kind, read_scenario};
 use hardware_model::HardwareModel;
 use landscape::bank_file;
-use picture::{Limits, read_png};
 use quantities::degrees;
 use replay::HeldRun;
 use scenario::{Ground, Length, Scenario};
@@ -23,7 +22,7 @@ use crate::{Failure, Verdict};
 /// Say what a file or a run folder holds.
 #[derive(Debug, Args)]
 #[command(after_help = "Example:\n  lunoid info moon.bank\n\n\
-    Knows banks, elevation files, scenarios, hardware models, grey PNG, and run folders.")]
+    Knows banks, elevation files, scenarios, hardware models, pictures (PNG, JPEG), and run folders.")]
 pub struct Info {
     /// File or folder.
     file: PathBuf,
@@ -55,7 +54,7 @@ fn look(path: &Path) -> Result<(Value, String), Failure> {
             let bank = bank_file::read(path)?;
             Ok((bank::document(path, &bank), bank::describe(&bank)))
         }
-        [0x89, b'P', b'N', b'G', ..] => png(path),
+        [0x89, b'P', b'N', b'G', ..] | [0xFF, 0xD8, 0xFF, ..] => picture(path),
         _ if path.extension().is_some_and(|extension| extension == "toml") => match Kind::of(path) {
             Kind::Scenario => scenario(path),
             Kind::Sidecar => Err(Failure::input(format!(
@@ -99,7 +98,8 @@ fn first_bytes(path: &Path) -> Result<Vec<u8>, Failure> {
 
 fn run(folder: &Path) -> Result<(Value, String), Failure> {
     let run = HeldRun::read(folder)?;
-    let word = |pointer: &str| match run.document.pointer(pointer) {
+    let document = json!(*run);
+    let word = |pointer: &str| match document.pointer(pointer) {
         Some(Value::String(text)) => text.clone(),
         Some(other) => other.to_string(),
         None => "unknown".into(),
@@ -114,31 +114,35 @@ fn run(folder: &Path) -> Result<(Value, String), Failure> {
         word("/model/name"),
         word("/settings/raster/sweeps"),
         word("/settings/raster/samples_per_sweep"),
-        word("/settings/raster/columns"),
-        word("/settings/raster/lines"),
+        word("/view/columns"),
+        word("/view/lines"),
         word("/pictures/depth"),
         word("/program/name"),
         word("/program/version"),
         word("/program/commit"),
         &run.fingerprint,
     );
-    Ok((run.document, text))
+    Ok((document, text))
 }
 
-fn png(path: &Path) -> Result<(Value, String), Failure> {
-    let picture = read_png(path, &Limits::default())?;
+fn picture(path: &Path) -> Result<(Value, String), Failure> {
+    let picture = photographs::read(path)?;
     let (columns, lines, bits) = (picture.columns(), picture.lines(), picture.depth().bits());
-    let document = json!({
+    let colour = if picture.is_colour() { ", colour" } else { "" };
+    let mut document = json!({
         "schema": "lunoid.info.png/1",
         "columns": columns,
         "lines": lines,
         "depth": bits,
         "pixels_blake3": picture.pixel_hash(),
     });
+    if picture.is_colour() {
+        document["channels"] = json!(["red", "green", "blue"]);
+    }
     let hash = picture.pixel_hash();
     Ok((
         document,
-        format!("{}: {columns} x {lines} pixels of {bits} bits, pixel hash {hash}\n", path.display()),
+        format!("{}: {columns} x {lines} pixels of {bits} bits{colour}, pixel hash {hash}\n", path.display()),
     ))
 }
 

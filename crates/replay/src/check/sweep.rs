@@ -4,7 +4,7 @@ use std::path::Path;
 
 use exact::{Columns, ProfilePoint};
 use generator::{PlaneKind, Planes, Session};
-use picture::{Encoder, Limits, read_png};
+use picture::{Curve, Encoder, Limits, read_any_png};
 use scenario::Pose;
 use signal::Probe;
 
@@ -112,7 +112,9 @@ impl Bench<'_> {
         let exact = planes.get(PlaneKind::Intensity).unwrap_or_default();
         let refused = |source| ReplayError::Picture { frame: number, source };
         let exact = self.encoder.encode(exact, 1, exact.len()).map_err(refused)?;
-        let shown = read_png(self.folder.join(&frame.files[0].file), &Limits::default())?;
+        let shown = read_any_png(self.folder.join(&frame.files[0].file), &Limits::default())?;
+        // Of a frame in colour its luminance: `exact` is grey.
+        let shown = shown.to_grey(Curve::Power(self.encoder.transfer().gamma().into()));
         let shown = (0..shown.lines()).map(|line| shown.code(column, line));
         let white = f64::from(self.encoder.depth().white());
         for (shown, exact) in shown.zip(exact.codes()) {

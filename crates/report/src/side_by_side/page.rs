@@ -3,9 +3,9 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use compare::difference_picture;
+use compare::difference_any;
 use maud::{DOCTYPE, Markup, html};
-use picture::{GreyPicture, Limits, encode_png, read_png};
+use picture::{AnyPicture, Limits, read_any_png};
 use replay::picture_name;
 use run_record::MachineRecord;
 
@@ -145,15 +145,15 @@ fn cell(
 ) -> Result<Markup, ReportError> {
     let picture = picture_name(frame * run.showings());
     let path = folder.join(name).join(&picture);
-    let Some(whole) = path.exists().then(|| read_png(&path, &Limits::default())).transpose()? else {
+    let Some(whole) = path.exists().then(|| read_any_png(&path, &Limits::default())).transpose()? else {
         return Ok(html! { div { p.whose { (name) ": not drawn" } } });
     };
     let judge = folder.join(reference).join(&picture);
     let difference = match name != reference && judge.exists() {
         true => {
-            let judge = read_png(&judge, &Limits::default())?;
+            let judge = read_any_png(&judge, &Limits::default())?;
             let refused = |source| ReportError::Compare { path: path.clone(), source };
-            Some(shown(&path, &difference_picture(&whole, &judge, FACTOR).map_err(refused)?, run)?)
+            Some(shown(&path, &difference_any(&whole, &judge, FACTOR).map_err(refused)?, run)?)
         }
         false => None,
     };
@@ -170,9 +170,9 @@ fn cell(
 }
 
 /// A picture as a `data:` URL, no wider than the page shows it.
-fn shown(path: &Path, picture: &GreyPicture, run: &Run) -> Result<String, ReportError> {
+fn shown(path: &Path, picture: &AnyPicture, run: &Run) -> Result<String, ReportError> {
     let refused = |source| ReportError::Strip { path: path.to_owned(), source };
-    let png = encode_png(&fitted(picture, run, COLUMNS).map_err(refused)?, &[]).map_err(refused)?;
+    let png = fitted(picture, run, COLUMNS).map_err(refused)?.encode_png(&[]).map_err(refused)?;
     Ok(data_url("image/png", &png))
 }
 

@@ -16,10 +16,11 @@ use picture::Depth;
 use quantities::Rate;
 use rayon::ThreadPool;
 use replay::{
-    Control, HeldRun, Job, Outcome, Phase, Pictures, Program, RunFolder, TruthItems, TruthOutcome,
-    is_run_file, run, write_truth, write_y4m,
+    Control, HeldRun, Job, Outcome, Phase, Pictures, RunFolder, TruthItems, TruthOutcome, is_run_file, run,
+    write_truth, write_y4m,
 };
-use serde_json::Value;
+use run_record::Program;
+use serde_json::{Value, json};
 
 use crate::cli::{COMMIT, RESULT_FAMILY};
 use crate::commands::page::{Making, Request, check};
@@ -73,7 +74,7 @@ pub struct Replay {
     #[arg(long, value_name = "FILE")]
     y4m: Option<PathBuf>,
     /// Ground truth as well, by `exact` at the centre of every pixel, in the folder `truth` of the run: `all`, or some
-    /// of range, height, normal, reflectivity, shadow, label, pose, joined by commas. docs/truth-format.md has the
+    /// of range, height, normal, reflectivity, shadow, label, pose, distance, joined by commas. docs/truth-format.md has the
     /// format.
     #[arg(long, value_name = "LIST")]
     truth: Option<TruthItems>,
@@ -241,7 +242,8 @@ impl Replay {
             DepthWord::Eight => Depth::Eight,
             DepthWord::Sixteen => Depth::Sixteen,
         };
-        Pictures { depth, refresh: self.refresh, film: self.apng }
+        // No generator has colour yet.
+        Pictures { depth, colour: false, refresh: self.refresh, film: self.apng }
     }
 
     fn tell(
@@ -278,7 +280,7 @@ impl Replay {
         if self.check == 0 {
             return Ok(None);
         }
-        Ok(HeldRun::read(folder.path())?.document.get("check").cloned())
+        Ok(HeldRun::read(folder.path())?.check.as_ref().map(|check| json!(check)))
     }
 
     fn write_film(&self, opened: &Opened, folder: &RunFolder) -> Result<(), Failure> {

@@ -10,7 +10,7 @@ use hardware_model::{BUILT_IN, HardwareModel, ModelSource, Settings};
 use serde_json::{Value, json};
 use study::ladder::{Extent, Ladder, LadderOutcome, OrderOutcome, ladders};
 use study::polynomial::{POLYNOMIAL, polynomial_ladder};
-use study::solver::{Chain, SOLVER, solver_ladders};
+use study::solver::{Chain, NOT_BUILT, SOLVER, solver_ladders};
 use study::{
     Advice, Effort, ExactPictures, REGION_LADDERS, Rehearsed, SelfError, StudyError, Subject, advise, climb,
     csv, parameter_ladder, regions, table,
@@ -78,6 +78,7 @@ struct Outcome {
     exact: SelfError,
     ladders: Vec<LadderOutcome>,
     advice: Vec<Advice>,
+    not_built: Option<&'static str>,
 }
 
 impl ErrorStudy {
@@ -152,6 +153,7 @@ impl ErrorStudy {
             threads: rayon::current_num_threads(),
             exact: own,
             advice: advise(&outcomes),
+            not_built: NOT_BUILT.filter(|_| self.wants(SOLVER)),
             ladders: outcomes,
         })
     }
@@ -236,6 +238,7 @@ impl Outcome {
             "exact": self.exact,
             "ladders": self.ladders,
             "advice": self.advice,
+            "not_built": self.not_built,
         })
     }
 
@@ -251,6 +254,7 @@ impl Outcome {
         }
         text += "\n";
         self.advice.iter().for_each(|advice| text += &format!("{}\n", advice.sentence()));
+        self.not_built.iter().for_each(|what| text += &format!("{what}\n"));
         text
     }
 
@@ -265,6 +269,7 @@ impl Outcome {
         }
         text += "\n";
         self.advice.iter().for_each(|advice| text += &format!("- {}\n", advice.sentence()));
+        self.not_built.iter().for_each(|what| text += &format!("- {what}\n"));
         text
     }
 }

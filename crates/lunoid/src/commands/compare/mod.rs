@@ -1,13 +1,16 @@
 //! `lunoid compare`: how far one picture, or one run, is from another.
 
+mod told;
+
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use compare::{
-    Comparison, EdgeLimits, EdgeMask, LinearComparison, RidgeError, compare, compare_linear,
-    horizon_of_picture, linear_intensity, ridge_error, triptych,
+    AnyComparison, EdgeLimits, EdgeMask, LinearComparison, RidgeError, compare_any, compare_linear,
+    horizon_of_picture, linear_luminance, ridge_error, triptych_any,
 };
-use picture::{GreyPicture, Limits, Transfer, read_png, write_png};
+use photographs::CURVE;
+use picture::{AnyPicture, Curve, Limits, Transfer, read_any_png};
 use replay::{HeldRun, is_run_file};
 use serde_json::{Value, json};
 
@@ -21,9 +24,9 @@ const AFTER: &str = "Examples:
   lunoid compare a.png b.png --out difference.png --tolerance 2 --share 0.5
   lunoid compare runs/first-light runs/exact --edges scenarios/first-light.toml --tolerance 2 --share 0.5
 
-Two PNGs, or two run folders frame by frame. Exit code 1 when a tolerance is given and not met. RMSE is of grey
+Two pictures (PNG, JPEG, TIFF), or two run folders frame by frame. Exit code 1 when a tolerance is given and not met. RMSE is of grey
 0 to 1 as displayed; linear is the RMSE of reflectivity, which runs say how to recover from their codes; the worst
-pixel is the one that differs most.";
+pixel is the one that differs most. Pictures in colour are compared by luminance, and channel by channel if both are.";
 
 /// Say how far one picture, or one run, is from another.
 #[derive(Debug, Args)]
@@ -49,7 +52,7 @@ pub struct Compare {
     #[arg(long, value_name = "PERCENT", requires = "tolerance", default_value_t = 0.0,
           value_parser = values::percent)]
     share: f64,
-    /// Grey PNG; pixels that are not black in it are left out.
+    /// Picture; pixels that are not black in it are left out.
     #[arg(long, value_name = "PNG")]
     mask: Option<PathBuf>,
     /// Scenario of both runs: pixels along the ridge lines that `exact` sees in it are left out, and the error of
@@ -83,7 +86,8 @@ struct Pair {
     frame: Option<u64>,
     test: PathBuf,
     reference: PathBuf,
-    comparison: Comparison,
+    comparison: AnyComparison,
+    is_colour: bool,
     linear: Option<LinearComparison>,
     edges: Option<EdgeMask>,
     ridges: Option<RidgeError>,
@@ -170,7 +174,7 @@ impl Compare {
             (false, false) => Ok(vec![(None, self.test.clone(), self.reference.clone())]),
             (true, true) => frames_of_both(&self.test, &self.reference),
             _ => Err(Failure::input(format!(
-                "{} and {}: one is a folder and one a file; expected two PNGs or two run folders",
+                "{} and {}: one is a folder and one a file; expected two pictures or two run folders",
                 self.test.display(),
                 self.reference.display()
             ))),
@@ -191,26 +195,38 @@ impl Compare {
         mask: Option<&[bool]>,
         displays: &Displays,
     ) -> Result<Pair, Failure> {
-        let [a, b] = [read(&test)?, read(&reference)?];
+        let [a, b] = [self.read(&test)?, self.read(&reference)?];
+        let curves = displays.map_or([CURVE; 2], |displays| displays.map(curve));
         let levels: Vec<u32> =
             [0, 1, 2].into_iter().chain(self.tolerance.filter(|levels| *levels > 2)).collect();
         let refused = |error| Failure::input(format!("{}: {error}", test.display()));
-        let comparison = compare(&a, &b, mask, &levels).map_err(refused)?;
+        let comparison = compare_any([&a, &b], curves, mask, &levels).map_err(refused)?;
         let linear = displays.map(|[of_a, of_b]| {
-            compare_linear(&linear_intensity(&a, &of_a), &linear_intensity(&b, &of_b), mask)
+            compare_linear(&linear_luminance(&a, &of_a), &linear_luminance(&b, &of_b), mask)
         });
         let linear = linear.transpose().map_err(refused)?;
-        let horizons = [&a, &b].map(|picture| horizon_of_picture(picture, SKY));
+        let horizons = [(&a, curves[0]), (&b, curves[1])]
+            .map(|(picture, curve)| horizon_of_picture(&picture.to_grey(curve), SKY));
+        let is_colour = a.is_colour() || b.is_colour();
         let ridges = self
             .edges_of()
             .map(|_| ridge_error(&horizons[0], &horizons[1], usize::from(self.edges.is_some())))
             .transpose()?;
-        Ok(Pair { frame, test, reference, comparison, linear, edges: None, ridges })
+        Ok(Pair { frame, test, reference, comparison, is_colour, linear, edges: None, ridges })
     }
 
     fn draw(&self, pair: &Pair, out: &Path) -> Result<(), Failure> {
-        let picture = triptych(&read(&pair.test)?, &read(&pair.reference)?, self.factor)?;
-        Ok(write_png(out, &picture, &[])?)
+        let [test, reference] = [self.read(&pair.test)?, self.read(&pair.reference)?];
+        let shown = triptych_any(&test, &reference, self.factor)?.encode_png(&[]).map_err(Failure::output)?;
+        Ok(files::write_atomic(out, |file| file.write_all(&shown))?)
+    }
+
+    /// A frame of a run is read as the program wrote it.
+    fn read(&self, path: &Path) -> Result<AnyPicture, Failure> {
+        match self.test.is_dir() {
+            true => Ok(read_any_png(path, &Limits::default())?),
+            false => Ok(photographs::read(path)?),
+        }
     }
 
     /// Whether the tolerances are met, if there are any.
@@ -219,10 +235,13 @@ impl Compare {
             return None;
         }
         Some(pairs.iter().all(|pair| {
-            let rmse_is_met = self.max_rmse.is_none_or(|most| pair.comparison.rmse <= most);
+            let rmse_is_met =
+                self.max_rmse.is_none_or(|most| pair.comparison.all().all(|found| found.rmse <= most));
             let share_is_met = self.tolerance.is_none_or(|levels| {
-                let beyond = pair.comparison.beyond.iter().find(|beyond| beyond.levels == levels);
-                beyond.is_some_and(|beyond| beyond.share * 100.0 <= self.share)
+                pair.comparison.all().all(|found| {
+                    let beyond = found.beyond.iter().find(|beyond| beyond.levels == levels);
+                    beyond.is_some_and(|beyond| beyond.share * 100.0 <= self.share)
+                })
             });
             let ridge_is_met =
                 self.max_ridge.is_none_or(|most| pair.ridges.is_some_and(|error| error.maximum <= most));
@@ -263,6 +282,7 @@ impl Compare {
                 worst.frame.map(|frame| frame.to_string()).unwrap_or_default()
             );
         }
+        text.extend(pairs.iter().filter_map(Pair::colour_line));
         text.extend(pairs.iter().filter_map(Pair::edge_line));
         match pass {
             Some(true) => text += "within the tolerance\n",
@@ -273,85 +293,9 @@ impl Compare {
     }
 }
 
-impl Pair {
-    fn document(&self) -> Value {
-        let Comparison { compared, masked, differing, rmse, psnr_db, ssim, worst, beyond } = &self.comparison;
-        let beyond: Vec<Value> = beyond
-            .iter()
-            .map(|beyond| json!({ "levels": beyond.levels, "count": beyond.count, "share": beyond.share }))
-            .collect();
-        json!({
-            "frame": self.frame,
-            "compared": compared,
-            "masked": masked,
-            "differing": differing,
-            "rmse": rmse,
-            "psnr_db": psnr_db,
-            "linear": self.linear.map(|linear| json!({
-                "rmse": linear.rmse, "psnr_db": linear.psnr_db, "bias": linear.bias, "maximum": linear.maximum,
-            })),
-            "ssim": ssim,
-            "worst": {
-                "column": worst.column, "line": worst.line, "test": worst.test, "reference": worst.reference,
-            },
-            "beyond": beyond,
-            "edges": self.edges.as_ref().map(|edges| json!({
-                "masked": edges.masked(), "share": edges.share(), "ridges": edges.ridges,
-                "outlines": edges.outlines, "shadows": edges.shadows, "kinks": edges.kinks,
-            })),
-            "horizon_lines": self.ridges.map(|error| json!({
-                "columns": error.compared, "only_one_sees_ground": error.only_one, "median": error.median,
-                "percentile_99": error.percentile_99, "maximum": error.maximum,
-            })),
-        })
-    }
-
-    fn edge_line(&self) -> Option<String> {
-        let RidgeError { compared, only_one, median, percentile_99, maximum } = self.ridges?;
-        let frame = self.frame.unwrap_or_default();
-        Some(format!(
-            "frame {frame}: {} left out; horizon off by {median} lines (median), {percentile_99} (99 %), {maximum} \
-             (most) in {compared} columns, {only_one} columns see ground in one only\n",
-            self.left_out()
-        ))
-    }
-
-    fn left_out(&self) -> String {
-        let masked = self.comparison.masked;
-        let Some(edges) = &self.edges else { return format!("{masked} pixels along ridges") };
-        format!(
-            "{masked} pixels ({:.2} %) along edges (ridges {}, outlines {}, shadows {}, kinks {})",
-            100.0 * edges.share(),
-            edges.ridges,
-            edges.outlines,
-            edges.shadows,
-            edges.kinks
-        )
-    }
-
-    fn row(&self) -> Vec<String> {
-        let c = &self.comparison;
-        let share = |levels: u32| {
-            let beyond = c.beyond.iter().find(|beyond| beyond.levels == levels);
-            beyond.map_or(String::new(), |beyond| format!("{:.3} %", beyond.share * 100.0))
-        };
-        vec![
-            self.frame.map_or("-".into(), |frame| frame.to_string()),
-            format!("{:.5}", c.rmse),
-            self.linear.map_or("-".into(), |linear| format!("{:.5}", linear.rmse)),
-            c.psnr_db.map_or("equal".into(), |psnr| format!("{psnr:.1} dB")),
-            c.ssim.map_or("-".into(), |ssim| format!("{ssim:.4}")),
-            share(0),
-            share(1),
-            share(2),
-            format!("{}, {}: {:.3}, {:.3}", c.worst.column, c.worst.line, c.worst.test, c.worst.reference),
-        ]
-    }
-}
-
 /// The pair of the largest RMSE, the first of several.
 fn worst(pairs: &[Pair]) -> &Pair {
-    let worse = |a: &&Pair, b: &&Pair| b.comparison.rmse > a.comparison.rmse;
+    let worse = |a: &&Pair, b: &&Pair| b.comparison.luminance.rmse > a.comparison.luminance.rmse;
     pairs.iter().reduce(|a, b| if worse(&a, &b) { b } else { a }).expect("there is a pair")
 }
 
@@ -378,16 +322,16 @@ fn frames_of_both(test: &Path, reference: &Path) -> Result<Vec<Paths>, Failure> 
 /// The display law of a run.
 fn display(folder: &Path) -> Result<Transfer, Failure> {
     let run = HeldRun::read(folder)?;
-    let number = |key: &str| run.document["settings"]["display"][key].as_f64().unwrap_or(f64::NAN) as f32;
-    let refused =
-        |error| Failure::input(format!("{}: run.json, settings.display: {error}", folder.display()));
-    Transfer::new(number("white"), number("gamma")).map_err(refused)
+    let display = run.view.display;
+    let refused = |error| Failure::input(format!("{}: run.json, view.display: {error}", folder.display()));
+    Transfer::new(display.white as f32, display.gamma as f32).map_err(refused)
 }
 
-fn read(path: &Path) -> Result<GreyPicture, Failure> {
-    Ok(read_png(path, &Limits::default())?)
+/// The curve of a run's display, by which its colours become grey.
+fn curve(display: Transfer) -> Curve {
+    Curve::Power(display.gamma().into())
 }
 
 fn read_mask(path: &Path) -> Result<Vec<bool>, Failure> {
-    Ok(read(path)?.codes().iter().map(|code| *code > 0).collect())
+    Ok(photographs::read(path)?.is_lit())
 }
