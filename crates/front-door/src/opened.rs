@@ -4,9 +4,9 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use control_plane::MachineStage;
 use generator::{Generator, Row, Stage};
 use hardware_model::{HardwareModel, Settings};
-use machine::MachineStage;
 use run_record::Inputs;
 use scenario::{PathProblems, PoseTable, Scenario};
 

@@ -1,11 +1,8 @@
 //! What the elaborated machine leaves out, and what that does to the picture.
 
-use crate::MachineStage;
+use control_plane::{Blocks, MachineStage, beam_has_parts, mixing_has_parts};
 use generator::{Omission, Weight};
 use hardware_model::Economy;
-
-use crate::blocks::Blocks;
-use crate::real_parts::{beam_has_parts, mixing_has_parts};
 
 /// What a machine of these blocks leaves out.
 pub(crate) fn omissions(stage: &MachineStage, blocks: &Blocks) -> Vec<Omission> {

@@ -3,6 +3,7 @@
 use clap::Args;
 use exact::Columns;
 use explain::{Explanation, GroundPoint, Inquiry, InquiryError, Late};
+use machine::Prepare;
 use quantities::fixed;
 
 use crate::commands::again::command;

@@ -7,8 +7,9 @@ use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use control_plane::MachineStage;
 use hardware_model::{HardwareModel, Settings};
-use machine::{HybridMachine, MachineStage};
+use machine::HybridMachine;
 use picture::Depth;
 use replay::{Control, HeldRun, Job, Outcome, Pictures, Progress, ReplayError, RunFolder, run};
 use run_record::{Inputs, Program};

@@ -4,6 +4,7 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use generator::{Planes, Session};
+use machine::Prepare;
 use replay::Progress;
 use scenario::{Pose, PoseRow};
 use signal::{LANES, Probe, Waveform, Wire};
