@@ -4,6 +4,7 @@ use std::fmt::Display;
 use std::io;
 
 use compare::CompareError;
+use deadlines::DeadlineError;
 use diagnostics::ProblemList;
 use files::{Action, FileError, NpyFileError};
 use front_door::{OpenError, StageError};
@@ -189,6 +190,20 @@ impl From<SurveyError> for Failure {
             | SurveyError::AreaKind { .. }
             | SurveyError::TooManyRegions { .. } => Self::usage(error),
             other => Self::input(other),
+        }
+    }
+}
+
+impl From<DeadlineError> for Failure {
+    fn from(error: DeadlineError) -> Self {
+        match error {
+            DeadlineError::Open(error) => error.into(),
+            DeadlineError::Write(_) => Self::output(error),
+            DeadlineError::NoTime(_)
+            | DeadlineError::TooManyMisses { .. }
+            | DeadlineError::BeyondSweep { .. }
+            | DeadlineError::Asked(_) => Self::usage(error),
+            _ => Self::input(error),
         }
     }
 }

@@ -7,8 +7,8 @@ use machine::{DigitalEvent, EventWord};
 use sweep_program::Colour;
 
 use super::seen::Seen;
-use crate::commands::timing::levels::expect_coarse;
 use crate::output::tell;
+use crate::rehearsing::expect_coarse;
 use crate::{Failure, values};
 
 /// Units as the timing record calls them, and the first words of their names.

@@ -7,7 +7,8 @@ use sweep_program::{Colour, NO_CORNER, WordMask};
 
 use super::{Frame, Instant};
 use crate::Failure;
-use crate::output::{print, print_json, table};
+use crate::output::{print, print_json};
+use text::table;
 
 const REGISTERS: [&str; 3] = ["hold", "x-first", "y-first"];
 

@@ -10,8 +10,8 @@ use signal::{LANES, Probe, Waveform, Wire};
 use trigger::{Condition, Hit, Machine, Search, Trigger, Which};
 
 use crate::Failure;
-use crate::commands::timing::rehearsal::Rehearsal;
 use crate::progress::Display;
+use deadlines::Rehearsal;
 
 /// Values that are held at once: 32 MB.
 const VALUES_AT_ONCE: usize = 4_000_000;

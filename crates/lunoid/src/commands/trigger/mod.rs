@@ -12,11 +12,11 @@ use clap::Args;
 use signal::Signal;
 use trigger::{Condition, ConditionError, Which};
 
-use crate::commands::timing::rehearsal::Rehearsal;
 use crate::interrupt;
 use crate::loading::{StageArgs, Threads, choose_frames, of_models};
 use crate::output::{expect_outputs, tell};
 use crate::progress::Display;
+use crate::rehearsing::rehearse;
 use crate::values::Span;
 use crate::{Failure, Verdict, values};
 
@@ -100,7 +100,7 @@ impl TriggerCommand {
         let outputs = file.as_ref().map_or(Vec::new(), File::places);
         expect_outputs(&outputs, &self.stage.sources())?;
         let mut places = None;
-        let (rehearsal, frames) = Rehearsal::open(&self.stage, &self.threads, |opened| {
+        let (rehearsal, frames) = rehearse(&self.stage, &self.threads, |opened| {
             let raster = &opened.settings.raster;
             let samples = if self.on.is_of_display() { raster.lines } else { raster.samples };
             let sweeps = within("--sweep", "sweeps", self.sweep, raster.sweeps)?;

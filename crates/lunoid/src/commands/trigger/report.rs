@@ -7,7 +7,8 @@ use super::find::{Ended, Finder, Found};
 use crate::Failure;
 use crate::commands::again::command;
 use crate::loading::StageArgs;
-use crate::output::{print, table};
+use crate::output::print;
+use text::table;
 
 /// A report that is being written.
 pub struct Report<'a> {

@@ -10,10 +10,9 @@ use quantities::SweepTime;
 use sweep_generator::RangeTable;
 use sweep_program::{Colour, NO_CORNER, PreloadRegister, RampAxis, SweepProgram};
 
-use super::critical_path::{colour_word, register_word};
-use super::levels::DrawnLevel;
-use super::sets::{AskedSet, crossings, sets_of};
-use crate::Failure;
+use crate::critical_path::{colour_word, register_word};
+use crate::sets::{AskedSet, crossings, sets_of};
+use crate::{DeadlineError, DrawnLevel};
 
 /// A sweep that has been timed.
 pub struct SweepTimeline<'a> {
@@ -34,8 +33,11 @@ impl<'a> SweepTimeline<'a> {
         Self { of, table: sweeps.table(), place: (frame, sweep, sweeps.set_up_of(sweep)), program, sets }
     }
 
-    /// Draws it over `range` (m), or over all of the sweep.
-    pub fn draw(&self, title: &str, range: Option<[f64; 2]>, path: &Path) -> Result<(), Failure> {
+    /// Draws it over `range` (m), or over all of the sweep, under `title`.
+    ///
+    /// # Errors
+    /// If the sweep does not go to the nearer range, or the picture cannot be drawn or written.
+    pub fn draw(&self, title: &str, range: Option<[f64; 2]>, path: &Path) -> Result<(), DeadlineError> {
         let window = self.window(range)?;
         let (x, ramps) = self.ramps(window);
         let traces = ["sweep.x", "sweep.y"].into_iter().zip(&ramps).map(|(name, y)| Trace { name, x: &x, y });
@@ -47,17 +49,15 @@ impl<'a> SweepTimeline<'a> {
             lanes: self.lanes(),
         };
         let look = TraceLook { facts: self.facts(), width: 1200, height: 180, ..TraceLook::titled(title) };
-        let picture = timeline_picture(&timeline, &look).map_err(Failure::usage)?;
-        picture.write(path).map_err(Failure::output)
+        let picture = timeline_picture(&timeline, &look).map_err(DeadlineError::Asked)?;
+        picture.write(path).map_err(DeadlineError::Write)
     }
 
     /// What is asked for of the sweep, or all of it.
-    fn window(&self, range: Option<[f64; 2]>) -> Result<[f64; 2], Failure> {
+    fn window(&self, range: Option<[f64; 2]>) -> Result<[f64; 2], DeadlineError> {
         let (end, (_, sweep, _)) = (self.program.end_range, self.place);
         match range {
-            Some([near, far]) if near >= end => Err(Failure::usage(format!(
-                "--range-m {near},{far}: sweep {sweep} goes to {end:.1} m; expected a nearer range"
-            ))),
+            Some([near, far]) if near >= end => Err(DeadlineError::BeyondSweep { near, far, sweep, end }),
             asked => Ok(asked.unwrap_or([0.0, end])),
         }
     }

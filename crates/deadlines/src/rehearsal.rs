@@ -11,47 +11,35 @@ use replay::Progress;
 use scenario::{PoseRow, PoseTable, Scenario, Yoke};
 use timing::{FORMAT, FrameTiming, TimingRecord};
 
-use crate::Failure;
-use crate::loading::{StageArgs, Threads, choose_frames, expect_machine, machine_stage};
-use crate::progress::Display;
-use crate::values::Span;
+use crate::DeadlineError;
 
 /// Missed deadlines that are kept: more than a person or a version control takes, less than fills the memory.
 const MOST_MISSES: usize = 4_000_000;
 
 /// Everything that a frame of a mission needs on the hybrid machine, but the frame.
 pub struct Rehearsal {
+    /// The scenario, with the wishes.
     pub scenario: Scenario,
+    /// The hardware model, without the wishes for raster, range and laws.
     pub model: HardwareModel,
+    /// Ground, scenery and settings of the machine.
     pub stage: MachineStage,
     /// The digital side of the machine on the stage.
     pub control: ControlPlane,
+    /// The threads that do the work.
     pub pool: ThreadPool,
 }
 
 impl Rehearsal {
-    /// Reads scenario and model; `frames` is asked of the scenario before any ground is made.
-    pub fn open(
-        stage: &StageArgs,
-        threads: &Threads,
-        frames: impl FnOnce(&Opened) -> Result<Vec<u64>, Failure>,
-    ) -> Result<(Self, Vec<u64>), Failure> {
-        Self::of(stage.load()?, threads, frames)
-    }
-
-    /// The same of what was read.
-    pub fn of(
-        opened: Opened,
-        threads: &Threads,
-        frames: impl FnOnce(&Opened) -> Result<Vec<u64>, Failure>,
-    ) -> Result<(Self, Vec<u64>), Failure> {
-        expect_machine(&opened, "it has no sweeps and no deadlines")?;
-        let chosen = frames(&opened)?;
-        let pool = threads.pool()?;
-        let stage = machine_stage(&opened, &pool)?;
+    /// Makes the ground by the threads of `pool`. The settings are those of the hybrid machine, whatever draws.
+    ///
+    /// # Errors
+    /// If the ground cannot be made, or something does not fit on it.
+    pub fn new(opened: Opened, pool: ThreadPool) -> Result<Self, DeadlineError> {
+        let stage = pool.install(|| opened.machine_stage())?;
         let control = ControlPlane::new(stage.clone());
         let Opened { scenario, model, .. } = opened;
-        Ok((Self { scenario, model, stage, control, pool }, chosen))
+        Ok(Self { scenario, model, stage, control, pool })
     }
 
     /// The hardware model with raster and range of the run, for formulas.
@@ -63,7 +51,7 @@ impl Rehearsal {
     }
 
     /// The machine as something that takes time.
-    pub fn job(&self) -> TimedJob<'_> {
+    pub(crate) fn job(&self) -> TimedJob<'_> {
         let settings = &self.stage.settings;
         TimedJob {
             scenario: &self.scenario,
@@ -76,19 +64,25 @@ impl Rehearsal {
     }
 
     /// Where the vehicle is in each of `frames`, ascending.
-    pub fn poses(&self, frames: &[u64]) -> Result<Vec<PoseRow>, Failure> {
+    ///
+    /// # Errors
+    /// If the path cannot be driven.
+    pub fn poses(&self, frames: &[u64]) -> Result<Vec<PoseRow>, DeadlineError> {
         self.job().poses(frames)
     }
 
-    /// The timing record of `frames`, ascending, at least one.
-    pub fn record(&self, frames: &[u64], display: &Display) -> Result<TimingRecord, Failure> {
-        self.job().record(frames, display)
+    /// The timing record of `frames`, ascending, at least one. `progress` hears of every frame.
+    ///
+    /// # Errors
+    /// If a frame cannot be drawn, or there are more misses than a record keeps.
+    pub fn record(&self, frames: &[u64], progress: &dyn Fn(Progress)) -> Result<TimingRecord, DeadlineError> {
+        self.job().record(frames, progress)
     }
 }
 
 /// A mission on whatever takes time.
 #[derive(Clone, Copy)]
-pub struct TimedJob<'a> {
+pub(crate) struct TimedJob<'a> {
     pub scenario: &'a Scenario,
     pub landscape: &'a Landscape,
     /// Update rate and yoke, by which poses go.
@@ -101,60 +95,44 @@ pub struct TimedJob<'a> {
 
 impl TimedJob<'_> {
     /// Where the vehicle is in each of `frames`, ascending.
-    pub fn poses(&self, frames: &[u64]) -> Result<Vec<PoseRow>, Failure> {
+    pub fn poses(&self, frames: &[u64]) -> Result<Vec<PoseRow>, DeadlineError> {
         let (Some(&first), Some(&last)) = (frames.first(), frames.last()) else { return Ok(Vec::new()) };
         let (update, yoke) = self.clock;
-        let table = PoseTable::resolve(self.scenario, self.landscape, update, yoke, first..last + 1);
-        let rows = table.map_err(Failure::input)?;
+        let rows = PoseTable::resolve(self.scenario, self.landscape, update, yoke, first..last + 1)?;
         Ok(frames.iter().map(|frame| rows.rows()[(frame - first) as usize]).collect())
     }
 
     /// The timing record of `frames`, ascending, at least one.
-    pub fn record(&self, frames: &[u64], display: &Display) -> Result<TimingRecord, Failure> {
+    pub fn record(&self, frames: &[u64], progress: &dyn Fn(Progress)) -> Result<TimingRecord, DeadlineError> {
         let poses = self.poses(frames)?;
         let first = self.poses(&[0])?[0].pose;
         let before_mission = self.pool.install(|| self.timed.before_mission(&first));
-        display.hear(Progress::Begins { what: "timing", frames: frames.len() as u64, kept: 0 });
+        progress(Progress::Begins { what: "timing", frames: frames.len() as u64, kept: 0 });
         let mut kept: Vec<FrameTiming> = Vec::with_capacity(frames.len());
         let mut misses = 0;
         for (&frame, row) in frames.iter().zip(&poses) {
-            let found = self.pool.install(|| self.timed.frame(frame, &row.pose)).map_err(Failure::input)?;
+            let found = self.pool.install(|| self.timed.frame(frame, &row.pose))?;
             misses += found.misses.len();
             kept.push(found);
             check_room(misses, kept.len())?;
-            display.hear(Progress::Frame { done: kept.len() as u64 });
+            progress(Progress::Frame { done: kept.len() as u64 });
         }
-        display.end();
         Ok(TimingRecord {
             format: FORMAT,
             scenario: self.scenario.title.clone(),
             machine: self.machine.to_owned(),
             inputs: self.timed.inputs(self.scenario),
             master: self.timed.master().to_string(),
-            before_mission: before_mission.map_err(Failure::input)?,
+            before_mission: before_mission?,
             frames: kept,
         })
     }
 }
 
-fn check_room(misses: usize, frames: usize) -> Result<(), Failure> {
-    if misses <= MOST_MISSES {
-        return Ok(());
-    }
-    Err(Failure::usage(format!(
-        "{misses} missed deadlines in {frames} frames: expected at most {MOST_MISSES}; choose fewer --frames or --sweeps"
-    )))
-}
-
-/// The frames asked for, or `usual` of the whole mission.
-pub fn choose(
-    opened: &Opened,
-    asked: Option<Span>,
-    usual: impl FnOnce(u64) -> Vec<u64>,
-) -> Result<Vec<u64>, Failure> {
-    match asked {
-        Some(_) => Ok(choose_frames(opened, asked)?.collect()),
-        None => Ok(usual(opened.frames())),
+fn check_room(misses: usize, frames: usize) -> Result<(), DeadlineError> {
+    match misses <= MOST_MISSES {
+        true => Ok(()),
+        false => Err(DeadlineError::TooManyMisses { misses, frames, most: MOST_MISSES }),
     }
 }
 

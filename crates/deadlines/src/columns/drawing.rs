@@ -7,15 +7,19 @@ use compare::difference_picture;
 use picture::GreyPicture;
 
 use super::four::Four;
-use super::tell::Told;
 use super::verdict::{Class, Column};
-use crate::Failure;
+use crate::DeadlineError;
 
 /// Levels of the difference picture for one level of difference.
 const FACTOR: u32 = 4;
 
-/// Writes the picture.
-pub fn write(four: &Four, columns: &[Column], told: &Told<'_>, path: &Path) -> Result<(), Failure> {
+/// Writes the picture under `title`, with `summary` below it.
+pub fn write(
+    four: &Four,
+    columns: &[Column],
+    [title, summary]: [&str; 2],
+    path: &Path,
+) -> Result<(), DeadlineError> {
     let difference = difference_picture(&four.machine, &four.ideal, FACTOR)?;
     let codes =
         |picture: &GreyPicture| -> Vec<u8> { picture.codes().iter().map(|&code| code as u8).collect() };
@@ -34,8 +38,8 @@ pub fn write(four: &Four, columns: &[Column], told: &Told<'_>, path: &Path) -> R
         classes: vec!["timing", "parts", "both", "untraced"],
         class_of,
     };
-    let drawing = columns_picture(&picture, &told.title, &[told.summary()]).map_err(Failure::usage)?;
-    drawing.write(path).map_err(Failure::output)
+    let drawing = columns_picture(&picture, title, &[summary.to_owned()]).map_err(DeadlineError::Asked)?;
+    drawing.write(path).map_err(DeadlineError::Write)
 }
 
 fn number(column: &Column) -> usize {

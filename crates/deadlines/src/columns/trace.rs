@@ -12,8 +12,7 @@ use super::ground::Ground;
 use super::lines::Lines;
 use super::place::{Screen, Spot};
 use super::verdict::{Pixel, Way};
-use crate::Failure;
-use crate::commands::timing::rehearsal::Rehearsal;
+use crate::{DeadlineError, Rehearsal};
 
 /// Earlier frames that the tube still shows in `frame`, the nearest first.
 pub fn remembered(settings: &Settings, frame: u64) -> Vec<u64> {
@@ -53,11 +52,11 @@ impl<'a> Trace<'a> {
         record: &'a TimingRecord,
         table: &'a RangeTable,
         seen: &'a Seen,
-    ) -> Result<Self, Failure> {
+    ) -> Result<Self, DeadlineError> {
         let settings = &rehearsal.stage.settings;
         let ground = Ground::new(table, seen);
         let [own, ideal] = &seen.poses;
-        let refused = || Failure::input("no fan of sweeps covers the pose");
+        let refused = || DeadlineError::NoFan;
         let cells = ground.cells();
         let lines = |timing| Lines::of(timing, table, &settings.timebase, settings.raster.sweeps);
         let now = record.frames.last().ok_or_else(refused)?;
@@ -69,7 +68,7 @@ impl<'a> Trace<'a> {
         Ok(Self {
             screen: Screen::new(settings, ideal, ideal.yoke, cells).ok_or_else(refused)?,
             now: lines(now),
-            shown: shown.collect::<Result<_, Failure>>()?,
+            shown: shown.collect::<Result<_, DeadlineError>>()?,
             spread: spread(&settings.analog.memory, settings),
             ground,
         })

@@ -3,17 +3,18 @@
 use front_door::Opened;
 use generator::{Stage, Timed};
 use rayon::ThreadPool;
+use replay::Progress;
+use text::table;
 use timing::{FrameTiming, TimingRecord};
 
-use super::rehearsal::{Rehearsal, TimedJob};
-use crate::Failure;
-use crate::loading::{StageArgs, Threads};
-use crate::output::table;
-use crate::progress::Display;
+use crate::rehearsal::TimedJob;
+use crate::{DeadlineError, Rehearsal};
 
 /// The hybrid machine's digital side, or another generator whose frames take time.
 pub enum Rehearsed {
+    /// The hybrid machine.
     Machine(Box<Rehearsal>),
+    /// Any other.
     Other(Box<Other>),
 }
 
@@ -26,38 +27,34 @@ pub struct Other {
 }
 
 impl Rehearsed {
-    /// Reads scenario and model; `frames` is asked of the scenario before any ground is made.
-    pub fn open(
-        stage: &StageArgs,
-        threads: &Threads,
-        frames: impl FnOnce(&Opened) -> Result<Vec<u64>, Failure>,
-    ) -> Result<(Self, Vec<u64>), Failure> {
-        let opened = stage.load()?;
-        if opened.row.is_none_or(|row| !row.timed) {
-            let (machine, frames) = Rehearsal::of(opened, threads, frames)?;
-            return Ok((Self::Machine(Box::new(machine)), frames));
+    /// Makes the ground by the threads of `pool`, and readies whatever draws.
+    ///
+    /// # Errors
+    /// If the ground cannot be made, or the frames of the generator take no time.
+    pub fn new(opened: Opened, pool: ThreadPool) -> Result<Self, DeadlineError> {
+        match opened.is_machine() {
+            true => Ok(Self::Machine(Box::new(Rehearsal::new(opened, pool)?))),
+            false => Ok(Self::Other(Box::new(Other::new(opened, pool)?))),
         }
-        let frames = frames(&opened)?;
-        Ok((Self::Other(Box::new(Other::new(opened, threads)?)), frames))
     }
 
-    /// The timing record of `frames`, ascending, at least one.
-    pub fn record(&self, frames: &[u64], display: &Display) -> Result<TimingRecord, Failure> {
+    /// The timing record of `frames`, ascending, at least one. `progress` hears of every frame.
+    ///
+    /// # Errors
+    /// If a frame cannot be drawn, or there are more misses than a record keeps.
+    pub fn record(&self, frames: &[u64], progress: &dyn Fn(Progress)) -> Result<TimingRecord, DeadlineError> {
         match self {
-            Self::Machine(machine) => machine.record(frames, display),
-            Self::Other(other) => other.job().record(frames, display),
+            Self::Machine(machine) => machine.record(frames, progress),
+            Self::Other(other) => other.job().record(frames, progress),
         }
     }
 }
 
 impl Other {
-    fn new(opened: Opened, threads: &Threads) -> Result<Self, Failure> {
-        let pool = threads.pool()?;
+    fn new(opened: Opened, pool: ThreadPool) -> Result<Self, DeadlineError> {
         let stage = pool.install(|| opened.stage())?;
-        let timed = opened.generator.timed(stage.clone()).map_err(Failure::input)?;
-        let timed = timed.ok_or_else(|| {
-            Failure::usage(format!("--machine {}: its frames take no time", opened.drawn_by()))
-        })?;
+        let timed = opened.generator.timed(stage.clone())?;
+        let timed = timed.ok_or_else(|| DeadlineError::NoTime(opened.drawn_by().to_owned()))?;
         Ok(Self { opened, stage, timed, pool })
     }
 
@@ -72,7 +69,7 @@ impl Other {
         }
     }
 
-    /// How long each frame takes, unit by unit and in all.
+    /// A table of how long each frame of `record` takes (s), unit by unit and in all.
     pub fn times_text(&self, record: &TimingRecord) -> String {
         times_text(record, self.timed.master().hertz())
     }

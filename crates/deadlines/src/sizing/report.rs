@@ -7,8 +7,8 @@ use timing::{FrameTiming, TimingRecord, Totals};
 
 use super::level::LevelFigures;
 use super::search::Search;
-use crate::commands::timing::rehearsal::Rehearsal;
-use crate::output::{named, table};
+use crate::Rehearsal;
+use text::{named_frames, table};
 
 /// One figure.
 #[derive(Debug, Clone, Serialize)]
@@ -39,7 +39,7 @@ fn row(
     Row { key: key.into(), meaning: meaning.into(), measured, formula, ratio, law }
 }
 
-/// Tables and searches.
+/// Figures measured and by formula, and what was searched for.
 pub struct Report {
     head: String,
     /// Title and rows.
@@ -50,21 +50,26 @@ pub struct Report {
 }
 
 impl Report {
-    pub fn new(
+    pub(super) fn new(
         rehearsal: &Rehearsal,
         record: &TimingRecord,
         levels: &[LevelFigures],
         poses: &[PoseRow],
-        searches: Vec<Search>,
         shows: f64,
     ) -> Self {
         let frames: Vec<u64> = poses.iter().map(|row| row.frame).collect();
-        let head = format!("{} on {}, {}", record.scenario, record.machine, named(&frames));
+        let head = format!("{} on {}, {}", record.scenario, record.machine, named_frames(&frames));
         let mut tables: Vec<_> = levels.iter().map(|level| (title(level), level_rows(level))).collect();
         tables.push(("use of units".into(), unit_rows(rehearsal, record, levels)));
-        Self { head, tables, searches, shows, frames }
+        Self { head, tables, searches: Vec::new(), shows, frames }
     }
 
+    /// The same with what was searched for.
+    pub fn with(self, searches: Vec<Search>) -> Self {
+        Self { searches, ..self }
+    }
+
+    /// A document of schema `lunoid.sizing/1`.
     pub fn json(&self) -> Value {
         let tables = self.tables.iter().map(|(title, rows)| json!({ "title": title, "rows": rows }));
         json!({
@@ -76,6 +81,7 @@ impl Report {
         })
     }
 
+    /// Tables for people.
     pub fn text(&self) -> String {
         let mut text = format!("{}\n", self.head);
         for (title, rows) in &self.tables {

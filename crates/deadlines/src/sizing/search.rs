@@ -8,8 +8,8 @@ use scenario::PoseRow;
 use serde::Serialize;
 
 use super::tear::TearLaw;
-use crate::commands::timing::levels::drawn_levels;
-use crate::commands::timing::rehearsal::Rehearsal;
+use crate::Rehearsal;
+use crate::levels::drawn_levels;
 
 /// What is made slower.
 #[derive(Debug, Clone, Serialize)]

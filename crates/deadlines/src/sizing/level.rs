@@ -7,9 +7,9 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use sweep_program::{Event, Miss, SweepProgram};
 
 use super::tear::TearLaw;
-use crate::commands::timing::levels::{DrawnLevel, drawn_levels};
-use crate::commands::timing::rehearsal::Rehearsal;
-use crate::commands::timing::sets::{AskedSet, crossings, sets_of};
+use crate::Rehearsal;
+use crate::levels::{DrawnLevel, drawn_levels};
+use crate::sets::{AskedSet, crossings, sets_of};
 
 /// What the sweeps of some frames did over one level, and what the formulas say.
 pub struct LevelFigures {

@@ -2,9 +2,8 @@
 
 use std::ops::Range;
 
+use text::table;
 use timing::{Missed, TimingRecord};
-
-use crate::output::table;
 
 const HEAD: [&str; 10] = [
     "frame",

@@ -1,17 +1,16 @@
 //! The levels of terrain that a stage draws.
 
-use hardware_model::Settings;
 use landscape::Level;
 use machine::MachineStage;
-
-use crate::Failure;
 
 /// One level of terrain that sweeps run over.
 #[derive(Clone, Copy)]
 pub struct DrawnLevel<'a> {
     /// Place of its program among those of a sweep.
     pub number: usize,
+    /// `fine` or `coarse`.
     pub name: &'static str,
+    /// Its ground.
     pub level: &'a Level,
 }
 
@@ -20,12 +19,4 @@ pub fn drawn_levels(stage: &MachineStage) -> Vec<DrawnLevel<'_>> {
     let names = if stage.settings.levels.is_some() { &["fine", "coarse"][..] } else { &["fine"] };
     let levels = stage.landscape.bank().levels().iter().zip(names).enumerate();
     levels.map(|(number, (level, name))| DrawnLevel { number, name, level }).collect()
-}
-
-/// Refuses the coarse level, as `asked` for, where there is none.
-pub fn expect_coarse(asked: &str, settings: &Settings) -> Result<(), Failure> {
-    match settings.levels {
-        Some(_) => Ok(()),
-        None => Err(Failure::usage(format!("{asked}: the scenario has one level of terrain; expected fine"))),
-    }
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 use ::plots::{Axis, Bars, Panel, Trace, TraceLook, bar_picture, trace_picture};
 use timing::{Deadline, Slack, TimingRecord, Totals};
 
-use crate::Failure;
+use crate::DeadlineError;
 
 /// Panels, and how the names of their units begin.
 const PANELS: [(&str, &[&str]); 6] = [
@@ -20,8 +20,11 @@ const PANELS: [(&str, &[&str]); 6] = [
 /// A name, and its steps.
 type Line = (String, Vec<f64>, Vec<f64>);
 
-/// Use of every unit over the frames of the record.
-pub fn write_utilisation(record: &TimingRecord, path: &Path) -> Result<(), Failure> {
+/// Draws the use of every unit over the frames of the record: PNG or SVG, as the file is named.
+///
+/// # Errors
+/// If the plot cannot be drawn or written.
+pub fn write_utilisation(record: &TimingRecord, path: &Path) -> Result<(), DeadlineError> {
     let units: Vec<String> = Totals::of(record).units.into_keys().collect();
     let groups: Vec<(&str, Vec<Line>)> = PANELS
         .iter()
@@ -36,8 +39,9 @@ pub fn write_utilisation(record: &TimingRecord, path: &Path) -> Result<(), Failu
         .map(|(label, lines)| panel(label, lines))
         .collect();
     let look = TraceLook { height: 160, facts: vec![facts(record)], ..TraceLook::titled("Use of units") };
-    let picture = trace_picture(&Axis::new("frame").whole(), &panels, &[], &look).map_err(Failure::input)?;
-    picture.write(path).map_err(Failure::output)
+    let picture =
+        trace_picture(&Axis::new("frame").whole(), &panels, &[], &look).map_err(DeadlineError::Plot)?;
+    picture.write(path).map_err(DeadlineError::Write)
 }
 
 /// Steps: what a frame has lasts until the next of the record.
@@ -58,8 +62,11 @@ fn panel<'a>(label: &str, lines: &'a [Line]) -> Panel<'a> {
     Panel { axis: Axis::new(label).over([0.0, 1.08 * most]), traces }
 }
 
-/// How much time was left, one panel a kind of deadline.
-pub fn write_slack(record: &TimingRecord, path: &Path) -> Result<(), Failure> {
+/// Draws histograms of the time that was left (ticks), one panel a kind of deadline: PNG or SVG, as the file is named.
+///
+/// # Errors
+/// If the plot cannot be drawn or written.
+pub fn write_slack(record: &TimingRecord, path: &Path) -> Result<(), DeadlineError> {
     let totals = Totals::of(record);
     let edges: Vec<String> = Slack::edges().into_iter().map(ticks_text).collect();
     let bars = |deadline: &Deadline| {
@@ -77,8 +84,8 @@ pub fn write_slack(record: &TimingRecord, path: &Path) -> Result<(), Failure> {
     let panels: Vec<Bars> = Deadline::ALL.iter().filter_map(bars).collect();
     let look = TraceLook { height: 150, facts: vec![facts(record)], ..TraceLook::titled("Slack") };
     let x = format!("ticks of {} from ready to due", record.master);
-    let picture = bar_picture(&x, "deadlines", &panels, &look).map_err(Failure::input)?;
-    picture.write(path).map_err(Failure::output)
+    let picture = bar_picture(&x, "deadlines", &panels, &look).map_err(DeadlineError::Plot)?;
+    picture.write(path).map_err(DeadlineError::Write)
 }
 
 /// 8 192 as 8k, 1 048 576 as 1M.

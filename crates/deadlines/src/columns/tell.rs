@@ -1,36 +1,50 @@
 //! Columns, their lines and the totals, for people and programs.
 
+use std::path::Path;
+
 use serde_json::{Value, json};
+use text::table;
 use timing::{Deadline, Missed};
 
+use super::four::Four;
 use super::trace::{Reached, Trace};
 use super::verdict::{Class, Column, Pixel, Way};
-use crate::commands::timing::misses::rows;
-use crate::output::table;
+use super::{Limits, drawing};
+use crate::DeadlineError;
+use crate::misses::rows;
 
-/// All that is told of a frame.
-pub struct Told<'a> {
+/// The columns of a frame that differ from those of the ideal machine, each traced to lines of the record.
+pub struct TracedColumns<'a> {
     /// Scenario, machine and frame.
-    pub title: String,
-    /// A column differs beyond so many levels of 255.
-    pub levels: u32,
-    /// Columns of the picture.
-    pub compared: usize,
+    pub(super) title: String,
+    pub(super) limits: Limits,
+    pub(super) four: &'a Four,
     /// Those that differ.
-    pub columns: &'a [Column],
-    pub trace: &'a Trace<'a>,
-    /// Lines of the record that are told of a column.
-    pub most_lines: usize,
+    pub(super) columns: Vec<Column>,
+    pub(super) trace: Trace<'a>,
     /// Length of a sample (ns).
-    pub ns: f64,
+    pub(super) ns: f64,
 }
 
-impl Told<'_> {
+impl TracedColumns<'_> {
+    /// Whether every column that differs is traced, or the work of the parts alone.
+    pub fn are_accounted_for(&self) -> bool {
+        self.columns.iter().all(Column::is_accounted_for)
+    }
+
+    /// Draws both pictures, their difference and the class of every column: PNG or SVG, as the file is named.
+    ///
+    /// # Errors
+    /// If the picture cannot be drawn or written.
+    pub fn draw(&self, path: &Path) -> Result<(), DeadlineError> {
+        drawing::write(self.four, &self.columns, [&self.title, &self.summary()], path)
+    }
+
     /// What the columns come to, name and count.
-    pub fn totals(&self) -> [(&'static str, usize); 5] {
+    fn totals(&self) -> [(&'static str, usize); 5] {
         let count = |is: &dyn Fn(&Column) -> bool| self.columns.iter().filter(|column| is(column)).count();
         [
-            ("compared", self.compared),
+            ("compared", self.four.machine.columns()),
             ("differing", self.columns.len()),
             ("traced", count(&|column| column.is_accounted_for() && column.class != Class::Parts)),
             ("parts alone", count(&|column| column.class == Class::Parts)),
@@ -39,21 +53,21 @@ impl Told<'_> {
     }
 
     /// Columns of each class.
-    pub fn classes(&self) -> [(Class, usize); 3] {
+    fn classes(&self) -> [(Class, usize); 3] {
         Class::ALL.map(|class| (class, self.columns.iter().filter(|column| column.class == class).count()))
     }
 
-    /// As text.
+    /// Columns, their lines and the totals as text.
     pub fn text(&self) -> String {
         let columns: String = self.columns.iter().map(|column| self.column(column)).collect();
         format!("{}\n{columns}\n{}\n", self.title, self.summary())
     }
 
     /// Totals and classes in one line.
-    pub fn summary(&self) -> String {
+    fn summary(&self) -> String {
         let totals = self.totals().map(|(name, count)| format!("{name} {count}")).join(", ");
         let classes = self.classes().map(|(class, count)| format!("{} {count}", class.word())).join(", ");
-        format!("columns beyond {} levels: {totals}; by class: {classes}", self.levels)
+        format!("columns beyond {} levels: {totals}; by class: {classes}", self.limits.levels)
     }
 
     fn column(&self, column: &Column) -> String {
@@ -94,11 +108,11 @@ impl Told<'_> {
             !matches!(missed.deadline, Deadline::SweepSetUp | Deadline::FrameTasks)
         };
         let (folds, tasks): (Vec<_>, Vec<_>) = lines.iter().partition(is_of_a_fold);
-        let nearest = folds.len().saturating_sub(self.most_lines);
-        tasks.into_iter().take(self.most_lines).chain(folds.into_iter().skip(nearest)).collect()
+        let nearest = folds.len().saturating_sub(self.limits.lines);
+        tasks.into_iter().take(self.limits.lines).chain(folds.into_iter().skip(nearest)).collect()
     }
 
-    /// As a document.
+    /// The same as a document of schema `lunoid.timing.columns/1`.
     pub fn json(&self) -> Value {
         let columns: Vec<Value> = self.columns.iter().map(|column| self.column_json(column)).collect();
         let totals = self.totals().map(|(name, count)| (name.replace(' ', "_"), json!(count)));
@@ -106,7 +120,7 @@ impl Told<'_> {
         json!({
             "schema": "lunoid.timing.columns/1",
             "frame": self.title,
-            "levels": self.levels,
+            "levels": self.limits.levels,
             "totals": Value::Object(totals.into_iter().collect()),
             "classes": Value::Object(classes.into_iter().collect()),
             "columns": columns,

@@ -7,8 +7,7 @@ use picture::{Depth, Encoder, GreyPicture, Transfer};
 use scenario::{Pose, PoseTable};
 use signal::{Probe, Waveform};
 
-use crate::Failure;
-use crate::commands::timing::rehearsal::Rehearsal;
+use crate::{DeadlineError, Rehearsal};
 
 /// What a sweep of the ideal machine is asked for: where its beam is, what of it bodies and their shadows change.
 const LOOKED_AT: [&str; 3] = [BEAM, BODIES, GATE];
@@ -42,7 +41,7 @@ pub struct Seen {
 }
 
 /// Draws frame `frame` by the four machines of `rehearsal`.
-pub fn draw(rehearsal: &Rehearsal, frame: u64) -> Result<(Four, Seen), Failure> {
+pub fn draw(rehearsal: &Rehearsal, frame: u64) -> Result<(Four, Seen), DeadlineError> {
     let own = &rehearsal.stage.settings;
     let digital = own.clone().with_ideal(Side::Digital);
     let analog = own.clone().with_ideal(Side::Analog);
@@ -63,11 +62,11 @@ pub fn draw(rehearsal: &Rehearsal, frame: u64) -> Result<(Four, Seen), Failure> 
 }
 
 /// Where the vehicle is in `frame`, under the yoke of `settings`.
-pub fn pose(rehearsal: &Rehearsal, settings: &Settings, frame: u64) -> Result<Pose, Failure> {
+pub fn pose(rehearsal: &Rehearsal, settings: &Settings, frame: u64) -> Result<Pose, DeadlineError> {
     let (update, yoke) = (settings.timebase.update, settings.yoke);
     let Rehearsal { scenario, stage, .. } = rehearsal;
-    let table = PoseTable::resolve(scenario, &stage.landscape, update, yoke, frame..frame + 1);
-    Ok(table.map_err(Failure::input)?.rows()[0].pose)
+    let table = PoseTable::resolve(scenario, &stage.landscape, update, yoke, frame..frame + 1)?;
+    Ok(table.rows()[0].pose)
 }
 
 struct Drawing<'a> {
@@ -78,7 +77,7 @@ struct Drawing<'a> {
 }
 
 impl Drawing<'_> {
-    fn run(&self, stage: MachineStage) -> Result<(GreyPicture, Vec<Waveform>), Failure> {
+    fn run(&self, stage: MachineStage) -> Result<(GreyPicture, Vec<Waveform>), DeadlineError> {
         let (raster, display) = (stage.settings.raster, stage.settings.display);
         let (columns, lines) = (raster.columns as usize, raster.lines as usize);
         let mut planes = Planes::new(columns, lines, &[PlaneKind::Intensity]);
@@ -86,10 +85,10 @@ impl Drawing<'_> {
         let mut probe = Probe::new(looked_at, 0..raster.sweeps);
         let session = stage.prepare();
         let draw = || session.frame(self.frame, self.pose, &mut planes, &mut probe);
-        self.rehearsal.pool.install(draw).map_err(Failure::input)?;
-        let transfer = Transfer::new(display.white as f32, display.gamma as f32).map_err(Failure::input)?;
+        self.rehearsal.pool.install(draw)?;
+        let transfer = Transfer::new(display.white as f32, display.gamma as f32)?;
         let intensity = planes.get(PlaneKind::Intensity).unwrap_or_default();
-        let picture = Encoder::new(transfer, Depth::Eight).encode(intensity, columns, lines);
-        Ok((picture.map_err(Failure::input)?, probe.waveforms))
+        let picture = Encoder::new(transfer, Depth::Eight).encode(intensity, columns, lines)?;
+        Ok((picture, probe.waveforms))
     }
 }

@@ -10,16 +10,20 @@ use sweep_program::{
 pub struct Crossing {
     /// Counted from 0 in the sweep.
     pub number: u32,
+    /// When it comes.
     pub time: SweepTime,
     /// Ground range (m).
     pub range: f64,
+    /// Axis and stop.
     pub fold: Fold,
 }
 
 /// A set of nine words on its way.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AskedSet {
+    /// Whose set it is.
     pub colour: Colour,
+    /// Where it goes.
     pub register: PreloadRegister,
     /// The fold that asks for it.
     pub asked: Crossing,

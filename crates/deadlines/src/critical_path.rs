@@ -10,10 +10,9 @@ use serde::Serialize;
 use sweep_program::{Colour, PreloadRegister, RampAxis, SweepProgram};
 use timing::{Deadline, FrameTiming, Missed};
 
-use super::levels::{DrawnLevel, drawn_levels};
-use super::rehearsal::Rehearsal;
-use super::sets::{AskedSet, Crossing, sets_of};
-use crate::Failure;
+use crate::levels::{DrawnLevel, drawn_levels};
+use crate::sets::{AskedSet, Crossing, sets_of};
+use crate::{DeadlineError, Rehearsal};
 
 /// Words of a set.
 const SET: u32 = 9;
@@ -63,10 +62,9 @@ impl Chain {
 }
 
 /// The chains of one frame, in the order of [`Deadline::ALL`].
-pub fn chains(rehearsal: &Rehearsal, pose: &Pose, frame: &FrameTiming) -> Result<Vec<Chain>, Failure> {
+pub fn chains(rehearsal: &Rehearsal, pose: &Pose, frame: &FrameTiming) -> Result<Vec<Chain>, DeadlineError> {
     let stage = &rehearsal.stage;
-    let sweeps = rehearsal.pool.install(|| rehearsal.control.sweeps(frame.frame, pose));
-    let sweeps = sweeps.map_err(Failure::input)?;
+    let sweeps = rehearsal.pool.install(|| rehearsal.control.sweeps(frame.frame, pose))?;
     let of = |deadline: &Deadline| match deadline {
         Deadline::Transfer => rehearsal.pool.install(|| worst_transfer(stage, &sweeps, frame.frame)),
         Deadline::SweepSetUp => set_up(stage, frame),
