@@ -12,8 +12,10 @@ use landscape::bank_file::BankFileError;
 use picture::PictureFileError;
 use plots::PlotError;
 use replay::ReplayError;
+use scope::ScopeError;
 use survey::SurveyError;
 use timing::RecordError;
+use waveform::WaveformError;
 
 /// Why a command did not do what it was told.
 #[derive(Debug)]
@@ -204,6 +206,26 @@ impl From<DeadlineError> for Failure {
             | DeadlineError::BeyondSweep { .. }
             | DeadlineError::Asked(_) => Self::usage(error),
             _ => Self::input(error),
+        }
+    }
+}
+
+impl From<ScopeError> for Failure {
+    fn from(error: ScopeError) -> Self {
+        match error {
+            ScopeError::Waveform(error) => error.into(),
+            ScopeError::Write(_) => Self::output(error),
+            ScopeError::Frame(_) | ScopeError::Picture(_) => Self::input(error),
+            _ => Self::usage(error),
+        }
+    }
+}
+
+impl From<WaveformError> for Failure {
+    fn from(error: WaveformError) -> Self {
+        match error {
+            WaveformError::File(error) => error.into(),
+            other => Self::input(other),
         }
     }
 }

@@ -8,7 +8,7 @@ use timing::TimingRecord;
 use crate::Failure;
 use crate::loading::{StageArgs, Threads, choose_frames, expect_machine};
 use crate::progress::Display;
-use crate::values::Span;
+use text::Span;
 
 /// What only the hybrid machine has.
 const LACK: &str = "it has no sweeps and no deadlines";

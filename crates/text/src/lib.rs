@@ -1,4 +1,8 @@
-//! Text that several reports share: tables in columns or in Markdown, and numbers in words.
+//! What people write and read: ranges of numbers ([`Span`]), tables in columns, numbers in words.
+
+mod span;
+
+pub use span::Span;
 
 /// A rate with two digits at least, so that a slow one is no zero.
 pub fn rate(value: f64) -> String {

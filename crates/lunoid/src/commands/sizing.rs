@@ -7,8 +7,9 @@ use front_door::Opened;
 use crate::loading::{StageArgs, Threads, of_models};
 use crate::output::{print, print_json, tell};
 use crate::rehearsing::{choose, record, rehearse};
-use crate::values::{Span, positive};
+use crate::values::positive;
 use crate::{Failure, Verdict};
+use text::Span;
 
 /// Frames that are measured where none are named, spread over the mission.
 const USUAL_FRAMES: u64 = 3;

@@ -11,8 +11,9 @@ use timing::{Comparison, TimingRecord, Tolerance, Totals, compare};
 use crate::loading::{StageArgs, Threads, of_timed};
 use crate::output::{Place, expect_outputs, print, print_json};
 use crate::rehearsing::{choose, record, rehearse_timed};
-use crate::values::{Span, not_negative};
+use crate::values::not_negative;
 use crate::{Failure, Verdict};
+use text::Span;
 
 /// Frames of a baseline that names none.
 const USUAL_FRAMES: u64 = 2;

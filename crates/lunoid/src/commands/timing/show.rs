@@ -14,8 +14,9 @@ use timing::TimingRecord;
 use crate::loading::{StageArgs, Threads, of_timed};
 use crate::output::{Place, expect_outputs, print, print_json};
 use crate::rehearsing::{choose, expect_coarse, record, rehearse_timed};
-use crate::values::{Span, pair};
+use crate::values::pair;
 use crate::{Failure, Verdict, values};
+use text::Span;
 
 /// Frames that are shown where none are named, spread over the mission.
 const USUAL_FRAMES: u64 = 8;

@@ -15,8 +15,8 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use crate::frame::FrameArgs;
 use crate::loading::of_models;
-use crate::values::Span;
 use crate::{Failure, Verdict, values};
+use text::Span;
 
 use filter::Filter;
 use listing::{Form, Listing};

@@ -9,7 +9,7 @@ use trigger::value_at;
 use super::find::{Finder, Found};
 use super::pixel::pixel_of;
 use crate::Failure;
-use crate::commands::scope::needs;
+use scope::needs;
 
 /// What tells where the beam is.
 pub const BEAM: [&str; 2] = ["dpp.y", "dpp.blank"];

@@ -17,8 +17,8 @@ use crate::loading::{StageArgs, Threads, choose_frames, of_models};
 use crate::output::{expect_outputs, tell};
 use crate::progress::Display;
 use crate::rehearsing::rehearse;
-use crate::values::Span;
 use crate::{Failure, Verdict, values};
+use text::Span;
 
 use around::Around;
 use find::{Area, Finder};

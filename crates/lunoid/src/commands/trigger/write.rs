@@ -9,8 +9,8 @@ use waveform::{Format, Header, SweepTraces, WaveformError, open};
 use super::around::{Around, BEAM};
 use super::find::{Finder, Found};
 use crate::commands::probe::Target;
-use crate::commands::scope::{Recorded, ScopeArgs, columns_of, write_picture};
 use crate::{Failure, output};
+use scope::{Recorded, ScopeError, ScopeWishes, columns_of, draw};
 
 /// A file that is to be written.
 pub struct File {
@@ -72,8 +72,9 @@ impl File {
             display: stage.settings.display,
             columns: &columns_of(stage.landscape.bank()),
         };
-        let cursor = found.hit.range.map(Place::Range).into_iter().collect();
-        write_picture(&self.path, &recorded, &ScopeArgs { cursor, ..ScopeArgs::default() })
+        let cursors = found.hit.range.map(Place::Range).into_iter().collect();
+        let drawing = draw(&recorded, &ScopeWishes { cursors, ..ScopeWishes::default() })?;
+        Ok(drawing.write(&self.path).map_err(ScopeError::Write)?)
     }
 
     fn stream(

@@ -1,9 +1,10 @@
 //! How a page of the scope is asked for.
 
 use clap::{Args, ValueEnum};
-use plots::{Along, Clock, Line, Place, ScopeLook, Theme};
+use plots::{Place, Theme};
+use scope::ScopeWishes;
 
-use crate::{Failure, values};
+use crate::values;
 
 /// How a picture of one sweep is drawn.
 #[derive(Debug, Clone, Default, Args)]
@@ -73,59 +74,18 @@ impl ScopeArgs {
         given.into_iter().find_map(|(is_given, option)| is_given.then_some(option))
     }
 
-    /// What is asked for, over what a page of a `line` is by itself.
-    ///
-    /// # Errors
-    /// If a row is asked for what only a sweep has.
-    pub fn look(&self, title: &str, facts: Vec<String>, line: Line) -> Result<ScopeLook, Failure> {
-        if line == Line::Row {
-            self.expect_no_time()?;
+    /// The same without the words of the command line.
+    pub fn wishes(&self) -> ScopeWishes {
+        ScopeWishes {
+            cursors: self.cursor.clone(),
+            from: self.from,
+            to: self.to,
+            by_time: self.axis == AxisWord::Time,
+            linear: self.linear,
+            width: self.width,
+            height: self.height,
+            theme: if self.theme == ThemeWord::Dark { Theme::Dark } else { Theme::Light },
         }
-        let page = ScopeLook::titled(title);
-        let along = match (self.axis, self.linear || line == Line::Row) {
-            (AxisWord::Time, _) => Along::Time,
-            (AxisWord::Range, true) => Along::Range,
-            (AxisWord::Range, false) => Along::LogRange,
-        };
-        let theme = if self.theme == ThemeWord::Dark { Theme::Dark } else { Theme::Light };
-        let (from, to, cursors) = (self.from, self.to, self.cursor.clone());
-        let [width, height] = [(self.width, page.width), (self.height, page.height)]
-            .map(|(asked, usual)| asked.unwrap_or(usual));
-        Ok(ScopeLook { facts, width, height, theme, along, from, to, cursors, ..page })
-    }
-
-    /// Refuses places that are not on the page.
-    pub fn expect_places(&self, clock: &Clock<'_>) -> Result<(), Failure> {
-        let (Some(&near), Some(&far)) = (clock.ranges.first(), clock.ranges.last()) else { return Ok(()) };
-        let end = (clock.ranges.len() - 1) as f64 * clock.period;
-        let cursors = self.cursor.iter().map(|place| ("--cursor", place));
-        let ends = [("--from", &self.from), ("--to", &self.to)];
-        let ends = ends.into_iter().filter_map(|(option, place)| Some((option, place.as_ref()?)));
-        cursors.chain(ends).try_for_each(|(option, place)| {
-            let (found, unit, [low, high]) = match *place {
-                Place::Range(range) => (range, " m", [near, far]),
-                Place::Time(time) => (time, " us", [0.0, end]),
-            };
-            match (low..=high).contains(&found) {
-                true => Ok(()),
-                false => Err(Failure::usage(format!(
-                    "{option} {found}{unit}: the samples lie from {low:.3} to {high:.3}{unit}; expected a place there"
-                ))),
-            }
-        })
-    }
-
-    /// A row of a grid lies across the line of sight: nothing runs along it.
-    fn expect_no_time(&self) -> Result<(), Failure> {
-        let mut places = self.cursor.iter().chain(&self.from).chain(&self.to);
-        let given = match places.find(|place| matches!(place, Place::Time(_))) {
-            Some(Place::Time(time)) => format!("{time}us"),
-            _ if self.axis == AxisWord::Time => "--axis time".into(),
-            _ => return Ok(()),
-        };
-        Err(Failure::usage(format!(
-            "{given}: a row has no sweep time; expected places to the right of the line of sight in metres, as -120.5"
-        )))
     }
 }
 

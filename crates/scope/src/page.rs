@@ -9,9 +9,7 @@ use plots::{
 use signal::{Axis, Kind, Signal, Unit, Waveform, Wire};
 use sweep_program::Colour;
 
-use crate::Failure;
-
-use super::Recorded;
+use crate::{Recorded, ScopeError};
 
 /// A page that borrows what was recorded.
 pub struct Page<'a> {
@@ -26,7 +24,7 @@ pub struct Page<'a> {
 
 impl<'a> Page<'a> {
     /// Finds what can be shown along a sweep, or along a row.
-    pub fn new(recorded: &'a Recorded<'a>) -> Result<Self, Failure> {
+    pub fn new(recorded: &'a Recorded<'a>) -> Result<Self, ScopeError> {
         let scan = &recorded.scan;
         let is_shown = |waveform: &&Waveform| {
             recorded.wanted.contains(&waveform.signal.name) && runs_along(&waveform.signal, scan)
@@ -34,10 +32,7 @@ impl<'a> Page<'a> {
         let shown: Vec<&Waveform> = recorded.waveforms.iter().filter(is_shown).collect();
         let line = if scan.ahead.is_some() { Line::Row } else { Line::Sweep };
         let (Some(range), false) = (find(recorded, scan.place), shown.is_empty()) else {
-            return Err(Failure::usage(format!(
-                "--signals: none of them runs along the {}; a picture needs one beside {}; `lunoid signals` lists them",
-                scan.line, scan.place
-            )));
+            return Err(ScopeError::NothingAlong { line: scan.line, place: scan.place });
         };
         Ok(Self { recorded, line, range, shown, grey: grey(recorded)? })
     }
@@ -75,14 +70,14 @@ impl<'a> Page<'a> {
     }
 
     /// The page.
-    pub fn scope(&self) -> Result<Scope<'_>, Failure> {
+    pub fn scope(&self) -> Scope<'_> {
         let period = match self.line {
             Line::Sweep => 1e6 / self.recorded.scan.timebase.sample_rate().hertz(),
             Line::Row => 1.0,
         };
         let line = find(self.recorded, "dpp.y").map(|waveform| &waveform.values[..]);
         let column = PictureColumn { grey: &self.grey, line };
-        Ok(Scope {
+        Scope {
             clock: Clock { ranges: &self.range.values, period, line: self.line },
             panels: self.panels(),
             lanes: self.lanes(),
@@ -90,7 +85,7 @@ impl<'a> Page<'a> {
             coarse: self.crossings("sweep.coarse"),
             blanked: find(self.recorded, "dpp.blank").map_or(Vec::new(), |gate| stretches(&gate.values)),
             column: (!self.grey.is_empty()).then_some(column),
-        })
+        }
     }
 
     /// One panel a unit and scale.
@@ -181,13 +176,13 @@ fn find<'a>(recorded: &Recorded<'a>, name: &str) -> Option<&'a Waveform> {
 }
 
 /// The column as the display shows it.
-fn grey(recorded: &Recorded<'_>) -> Result<Vec<f64>, Failure> {
+fn grey(recorded: &Recorded<'_>) -> Result<Vec<f64>, ScopeError> {
     let Some(written) = find(recorded, "sm.write") else { return Ok(Vec::new()) };
     let display = &recorded.display;
-    let transfer = Transfer::new(display.white as f32, display.gamma as f32).map_err(Failure::input)?;
+    let transfer = Transfer::new(display.white as f32, display.gamma as f32)?;
     let lines: Vec<f32> = written.values.iter().map(|&value| value as f32).collect();
-    let picture = Encoder::new(transfer, Depth::Eight).encode(&lines, 1, lines.len());
-    Ok(picture.map_err(Failure::input)?.levels().collect())
+    let picture = Encoder::new(transfer, Depth::Eight).encode(&lines, 1, lines.len())?;
+    Ok(picture.levels().collect())
 }
 
 fn instants(waveform: &Waveform) -> Vec<(f64, f64)> {

@@ -2,7 +2,7 @@
 
 use signal::{Kind, Signal, Wire};
 
-use crate::Failure;
+use crate::ScopeError;
 
 /// Wires that were chosen, in the order of the signal table.
 #[derive(Debug, Clone, PartialEq)]
@@ -13,17 +13,18 @@ pub struct Choice {
     pub left_out: Vec<&'static str>,
 }
 
-/// Sees that every pattern names a signal of `table`.
-pub fn expect_known(table: &[Signal], patterns: &[String], generator: &str) -> Result<(), Failure> {
+/// Sees that every pattern names a signal of `table`, the signals of `generator`.
+///
+/// # Errors
+/// If the generator has no signals, or a pattern names none.
+pub fn expect_known(table: &[Signal], patterns: &[String], generator: &str) -> Result<(), ScopeError> {
     if table.is_empty() {
-        return Err(Failure::usage(format!("machine {generator} has no signals; expected a hardware model")));
+        return Err(ScopeError::NoSignals(generator.to_owned()));
     }
     let is_known = |pattern: &String| table.iter().any(|signal| signal.matches(pattern));
     match patterns.iter().find(|pattern| !is_known(pattern)) {
         None => Ok(()),
-        Some(pattern) => Err(Failure::usage(format!(
-            "--signals {pattern}: no signal of this name; `lunoid signals` lists them"
-        ))),
+        Some(pattern) => Err(ScopeError::Unknown(pattern.clone())),
     }
 }
 

@@ -1,19 +1,27 @@
-//! One sweep, or one row of a grid, as a page of the scope: PNG or SVG, as the file is named.
+//! Signals of some sweeps, or rows of a grid: which are chosen, a page of one of them, files of waveforms of many.
+//!
+//! ```text
+//! signal table, wires, patterns ─▶ Choice ─┐
+//! session, pose ─▶ Look ───────────────────┴─▶ trace ─▶ file of waveforms, some sweeps at a time
+//!                    └─▶ Recorded, ScopeWishes ─▶ draw ─▶ page of one sweep: PNG, SVG
+//! ```
 
-mod args;
+mod choice;
+mod error;
 mod page;
-
-use std::path::Path;
+mod trace;
+mod wishes;
 
 use generator::Scan;
 use plots::{Drawing, scope_picture, scope_svg};
 use scenario::Display;
 use signal::{Waveform, Wire};
 
-use crate::Failure;
-
-pub use args::ScopeArgs;
+pub use choice::{Choice, expect_known};
+pub use error::ScopeError;
 pub use page::runs_along;
+pub use trace::{Look, Order, Tracing, WINDOW, Written, size, trace, write};
+pub use wishes::ScopeWishes;
 
 /// Signals that a page of the hybrid machine needs beside those that it shows and its axes: what it shades, its crossings and
 /// the picture column.
@@ -51,25 +59,26 @@ pub struct Recorded<'a> {
     pub columns: &'a [usize],
 }
 
-/// Writes the page of one sweep.
-pub fn write_picture(path: &Path, recorded: &Recorded<'_>, args: &ScopeArgs) -> Result<(), Failure> {
-    draw(recorded, args)?.write(path).map_err(Failure::output)
-}
-
 /// The text of an SVG file of one sweep, light or dark as its reader prefers.
-pub fn light_or_dark_svg(recorded: &Recorded<'_>) -> Result<String, Failure> {
+///
+/// # Errors
+/// If no signal runs along the sweep, or the page cannot be drawn.
+pub fn light_or_dark_svg(recorded: &Recorded<'_>) -> Result<String, ScopeError> {
     let page = page::Page::new(recorded)?;
-    let look = ScopeArgs::default().look(recorded.title, page.facts(), page.line())?;
-    scope_svg(&page.scope()?, &look).map_err(Failure::usage)
+    let look = ScopeWishes::default().look(recorded.title, page.facts(), page.line())?;
+    scope_svg(&page.scope(), &look).map_err(ScopeError::Look)
 }
 
 /// Draws the page of one sweep.
-pub fn draw(recorded: &Recorded<'_>, args: &ScopeArgs) -> Result<Drawing, Failure> {
+///
+/// # Errors
+/// If no signal runs along the sweep, a place lies beyond it, or the page cannot be drawn as asked.
+pub fn draw(recorded: &Recorded<'_>, wishes: &ScopeWishes) -> Result<Drawing, ScopeError> {
     let page = page::Page::new(recorded)?;
-    let look = args.look(recorded.title, page.facts(), page.line())?;
-    let scope = page.scope()?;
-    args.expect_places(&scope.clock)?;
-    scope_picture(&scope, &look).map_err(Failure::usage)
+    let look = wishes.look(recorded.title, page.facts(), page.line())?;
+    let scope = page.scope();
+    wishes.expect_places(&scope.clock)?;
+    scope_picture(&scope, &look).map_err(ScopeError::Look)
 }
 
 /// Corners to the east of each level of a bank.

@@ -2,16 +2,14 @@
 
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
 
 use generator::{Planes, Session};
 use rayon::ThreadPool;
 use scenario::Pose;
 use signal::{Axis, LANES, Probe, Waveform, Wire};
-use waveform::{Format, Header, Sink, SweepTraces, WaveformError, estimate, open};
+use waveform::{Format, Header, Sink, SweepTraces, estimate, open};
 
-use crate::Failure;
-use crate::output::tell;
+use crate::ScopeError;
 
 /// Values that are held at once: 32 MB. The allocator keeps up to as much again for each thread.
 pub const WINDOW: usize = 4 << 20;
@@ -21,8 +19,6 @@ const MOST_BYTES: u64 = 2_000_000_000;
 const SPECIMEN: usize = 16;
 /// Instants that a wire told when it changes is taken to have in a sweep.
 const CHANGES: usize = 64;
-/// Time between two lines of progress.
-const EVERY: Duration = Duration::from_secs(5);
 
 /// One frame that is looked at.
 pub struct Look<'a> {
@@ -40,11 +36,13 @@ pub struct Look<'a> {
 
 impl Look<'_> {
     /// Waveforms of `names` in `sweeps`, by sweep, then by signal table order.
-    pub fn at(&self, names: Vec<String>, sweeps: Range<u32>) -> Result<Vec<Waveform>, Failure> {
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
+    pub fn at(&self, names: Vec<String>, sweeps: Range<u32>) -> Result<Vec<Waveform>, ScopeError> {
         let mut probe = Probe::new(names, sweeps);
         let mut planes = Planes::new(self.raster[0], self.raster[1], &[]);
-        let drawn = self.pool.install(|| self.session.frame(self.frame, self.pose, &mut planes, &mut probe));
-        drawn.map_err(Failure::input)?;
+        self.pool.install(|| self.session.frame(self.frame, self.pose, &mut planes, &mut probe))?;
         Ok(probe.waveforms)
     }
 }
@@ -55,7 +53,7 @@ pub struct Order<'a> {
     pub format: Format,
     /// The file.
     pub out: &'a Path,
-    /// More than [`MOST_BYTES`] may be written.
+    /// More than 2 GB may be written.
     pub large: bool,
     /// Nothing is written: the size alone is wanted.
     pub dry_run: bool,
@@ -72,44 +70,71 @@ pub struct Written {
     pub files: Vec<PathBuf>,
 }
 
-/// Traces the sweeps of `header` into a file. Its lines are those that the first sweep has.
-pub fn trace(look: &Look<'_>, mut header: Header, order: &Order<'_>) -> Result<Written, Failure> {
+/// What is heard while sweeps are traced.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Tracing {
+    /// The file will have about so many bytes.
+    Size(u64),
+    /// Sweeps that are written, and how many there are.
+    Sweeps {
+        /// Written.
+        done: u32,
+        /// In all.
+        all: u32,
+    },
+}
+
+/// Traces the sweeps of `header` into a file. Its lines are those that the first sweep has. `hear` hears of the size
+/// before anything is written, and then of every sweep.
+///
+/// # Errors
+/// If the pose cannot be drawn, the file would be large and may not, or it cannot be written.
+pub fn trace(
+    look: &Look<'_>,
+    mut header: Header,
+    order: &Order<'_>,
+    hear: &mut dyn FnMut(Tracing),
+) -> Result<Written, ScopeError> {
     let names: Vec<String> = header.wires.iter().map(|wire| wire.signal.name.to_owned()).collect();
     let mut windows = windows(&header, order.window).into_iter();
     let mut waveforms = look.at(names.clone(), windows.next().unwrap_or_default())?;
     header.lines = lines(&waveforms).unwrap_or(header.lines);
     let estimate = judge(&header, order.format, &waveforms)?;
     expect_small(order.out, estimate, order.large || order.dry_run)?;
-    tell(&format!("{}: about {}\n", order.out.display(), size(estimate)));
+    hear(Tracing::Size(estimate));
     if order.dry_run {
         return Ok(Written { estimate, files: Vec::new() });
     }
-    let (count, frame) = (header.wires.len(), header.frame);
-    let mut progress = Progress::new(header.sweeps.clone());
-    let mut sink = open(order.format, order.out, header).map_err(refused)?;
+    let (count, frame, sweeps) = (header.wires.len(), header.frame, header.sweeps.clone());
+    let all = sweeps.end - sweeps.start;
+    let mut heard = |sweep: u32| hear(Tracing::Sweeps { done: sweep + 1 - sweeps.start, all });
+    let mut sink = open(order.format, order.out, header)?;
     loop {
-        put(&mut *sink, frame, &waveforms, count, |sweep| progress.at(sweep))?;
+        put(&mut *sink, frame, &waveforms, count, &mut heard)?;
         let Some(window) = windows.next() else { break };
         drop(waveforms);
         waveforms = look.at(names.clone(), window)?;
     }
-    Ok(Written { estimate, files: sink.finish().map_err(refused)? })
+    Ok(Written { estimate, files: sink.finish()? })
 }
 
-/// Writes waveforms that are all there, by sweep and then by wire of `header`, into a file; more than [`MOST_BYTES`] if
-/// `large`. Tells the files that it wrote.
+/// Writes waveforms that are all there, by sweep and then by wire of `header`, into a file; more than 2 GB if `large`.
+/// Returns the files that it wrote.
+///
+/// # Errors
+/// If the file would be large and may not, or it cannot be written.
 pub fn write(
     header: Header,
     waveforms: &[Waveform],
     format: Format,
     out: &Path,
     large: bool,
-) -> Result<Vec<PathBuf>, Failure> {
+) -> Result<Vec<PathBuf>, ScopeError> {
     expect_small(out, judge(&header, format, waveforms)?, large)?;
     let (count, frame) = (header.wires.len(), header.frame);
-    let mut sink = open(format, out, header).map_err(refused)?;
-    put(&mut *sink, frame, waveforms, count, |_| {})?;
-    sink.finish().map_err(refused)
+    let mut sink = open(format, out, header)?;
+    put(&mut *sink, frame, waveforms, count, &mut |_| {})?;
+    Ok(sink.finish()?)
 }
 
 /// Writes whole sweeps of `count` waveforms each; `heard` hears which.
@@ -118,11 +143,11 @@ fn put(
     frame: u64,
     waveforms: &[Waveform],
     count: usize,
-    mut heard: impl FnMut(u32),
-) -> Result<(), Failure> {
+    heard: &mut dyn FnMut(u32),
+) -> Result<(), ScopeError> {
     for waveforms in waveforms.chunks(count) {
         let sweep = waveforms[0].sweep;
-        sink.sweep(&SweepTraces { frame, sweep, waveforms }).map_err(refused)?;
+        sink.sweep(&SweepTraces { frame, sweep, waveforms })?;
         heard(sweep);
     }
     Ok(())
@@ -154,29 +179,25 @@ fn lines(waveforms: &[Waveform]) -> Option<u32> {
 }
 
 /// The size of the file, by some sweeps out of the middle of those that are there.
-fn judge(header: &Header, format: Format, waveforms: &[Waveform]) -> Result<u64, Failure> {
+fn judge(header: &Header, format: Format, waveforms: &[Waveform]) -> Result<u64, ScopeError> {
     let sweeps: Vec<SweepTraces<'_>> = waveforms
         .chunks(header.wires.len())
         .map(|waveforms| SweepTraces { frame: header.frame, sweep: waveforms[0].sweep, waveforms })
         .collect();
     let begin = sweeps.len().saturating_sub(SPECIMEN) / 2;
     let end = (begin + SPECIMEN).min(sweeps.len());
-    estimate(format, header, &sweeps[begin..end]).map_err(refused)
+    Ok(estimate(format, header, &sweeps[begin..end])?)
 }
 
 /// Refuses what is large.
-fn expect_small(out: &Path, bytes: u64, large: bool) -> Result<(), Failure> {
+fn expect_small(out: &Path, bytes: u64, large: bool) -> Result<(), ScopeError> {
     match bytes > MOST_BYTES && !large {
-        true => Err(Failure::usage(format!(
-            "{}: the file would have about {}; give --large to write it, or choose fewer sweeps or signals",
-            out.display(),
-            size(bytes)
-        ))),
+        true => Err(ScopeError::TooLarge { out: out.to_owned(), bytes }),
         false => Ok(()),
     }
 }
 
-/// Bytes for people.
+/// A size for people: `9999 B`, `250.0 kB`.
 pub fn size(bytes: u64) -> String {
     match bytes {
         0..10_000 => format!("{bytes} B"),
@@ -186,50 +207,22 @@ pub fn size(bytes: u64) -> String {
     }
 }
 
-fn refused(error: WaveformError) -> Failure {
-    match error {
-        WaveformError::File(error) => error.into(),
-        other => Failure::input(other),
-    }
-}
-
-/// A line now and then, when it takes long.
-struct Progress {
-    sweeps: Range<u32>,
-    last: Instant,
-}
-
-impl Progress {
-    fn new(sweeps: Range<u32>) -> Self {
-        Self { sweeps, last: Instant::now() }
-    }
-
-    fn at(&mut self, sweep: u32) {
-        if self.last.elapsed() < EVERY {
-            return;
-        }
-        self.last = Instant::now();
-        let (done, all) = (sweep + 1 - self.sweeps.start, self.sweeps.end - self.sweeps.start);
-        tell(&format!("sweeps {done}/{all}  {} %\n", 100 * u64::from(done) / u64::from(all)));
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use std::fs;
     use std::path::Path;
 
+    use front_door::Wishes;
     use waveform::{Format, Header};
 
     use super::{Look, Order, WINDOW, size, trace, windows};
-    use crate::loading::{StageArgs, Threads};
 
-    const TINY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/tiny.toml");
+    const TINY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../lunoid/tests/tiny.toml");
 
     /// Traces sweeps 3..31 of the tiny scenario into a CSV, `window` values at a time; the text, and the windows.
     fn traced(window: usize) -> (String, usize) {
-        let opened = StageArgs::of(Path::new(TINY)).load().unwrap();
-        let pool = Threads { jobs: Some(2) }.pool().unwrap();
+        let opened = front_door::open(Path::new(TINY), &Wishes::default()).unwrap();
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().unwrap();
         let stage = pool.install(|| opened.stage()).unwrap();
         let settings = opened.settings.clone();
         let clocks = settings.timebase;
@@ -250,7 +243,7 @@ mod tests {
         let out = folder.path().join("w.csv");
         let order = Order { format: Format::Csv, out: &out, large: false, dry_run: false, window };
         let count = windows(&header, window).len();
-        trace(&look, header, &order).unwrap();
+        trace(&look, header, &order, &mut |_| {}).unwrap();
         (fs::read_to_string(&out).unwrap(), count)
     }
 
