@@ -6,8 +6,10 @@ use std::io;
 use compare::CompareError;
 use deadlines::DeadlineError;
 use diagnostics::ProblemList;
+use event_list::EventListError;
 use files::{Action, FileError, NpyFileError};
 use front_door::{OpenError, StageError};
+use generator::FrameError;
 use landscape::bank_file::BankFileError;
 use picture::PictureFileError;
 use plots::PlotError;
@@ -207,6 +209,18 @@ impl From<DeadlineError> for Failure {
             | DeadlineError::Asked(_) => Self::usage(error),
             _ => Self::input(error),
         }
+    }
+}
+
+impl From<EventListError> for Failure {
+    fn from(error: EventListError) -> Self {
+        Self::usage(error)
+    }
+}
+
+impl From<FrameError> for Failure {
+    fn from(error: FrameError) -> Self {
+        Self::input(error)
     }
 }
 

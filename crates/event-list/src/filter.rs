@@ -1,15 +1,11 @@
 //! Which events are listed.
 
-use clap::Args;
-use clap::builder::PossibleValuesParser;
 use hardware_model::Settings;
 use machine::{DigitalEvent, EventWord};
 use sweep_program::Colour;
 
-use super::seen::Seen;
-use crate::output::tell;
-use crate::rehearsing::expect_coarse;
-use crate::{Failure, values};
+use crate::EventListError;
+use crate::seen::Seen;
 
 /// Units as the timing record calls them, and the first words of their names.
 const UNITS: [&str; 14] = [
@@ -29,36 +25,34 @@ const UNITS: [&str; 14] = [
     "shadow-controller",
 ];
 
-const LEVELS: [&str; 2] = ["fine", "coarse"];
+/// Names of the levels of terrain, the finest first.
+pub const LEVELS: [&str; 2] = ["fine", "coarse"];
 
-/// What an event must be to be listed.
-#[derive(Debug, Clone, Default, Args)]
+/// Events that need the shadow gates of the frame.
+const SEGMENTS: [EventWord; 3] = [EventWord::SegmentLoad, EventWord::SegmentLate, EventWord::SegmentDropped];
+
+/// What an event must be to be listed. Where nothing is named, anything is listed.
+#[derive(Debug, Clone, Default)]
 pub struct Filter {
-    /// Units, separated by commas: dpu, loader (all colours) or loader.COLOUR, io-processor, cpu, registers, drum or
-    /// drum.LEVEL or drum.LEVEL.NUMBER, feature-generator, shadow-controller.
-    #[arg(long, value_name = "UNITS", value_delimiter = ',', value_parser = unit)]
+    /// Units by their names, or by the first words of their names ([`unit`]).
     pub unit: Vec<String>,
-    /// Events, separated by commas.
-    #[arg(long, value_name = "EVENTS", value_delimiter = ',',
-          value_parser = PossibleValuesParser::new(EventWord::ALL.iter().map(|word| word.name())))]
+    /// Names of events.
     pub event: Vec<String>,
-    /// Colours, separated by commas.
-    #[arg(long, value_name = "COLOURS", value_delimiter = ',',
-          value_parser = PossibleValuesParser::new(Colour::ALL.map(Colour::name)))]
+    /// Names of colours.
     pub colour: Vec<String>,
-    /// Level of terrain.
-    #[arg(long, value_name = "LEVEL", value_parser = PossibleValuesParser::new(LEVELS))]
+    /// One of [`LEVELS`].
     pub level: Option<String>,
     /// First tick.
-    #[arg(long, value_name = "TICK", value_parser = values::at_least(0_u64))]
     pub from: Option<u64>,
     /// The tick that ends the listing; it is not listed.
-    #[arg(long, value_name = "TICK", value_parser = values::at_least(0_u64))]
     pub to: Option<u64>,
 }
 
-/// A unit, the first words of some, or one drum by its number.
-fn unit(text: &str) -> Result<String, String> {
+/// Reads a unit: its name, the first words of some, or one drum by its number.
+///
+/// # Errors
+/// In words what is expected, if there is no such unit.
+pub fn unit(text: &str) -> Result<String, String> {
     let text = text.trim();
     let is_drum = text.rsplit_once('.').is_some_and(|(drums, number)| {
         matches!(drums, "drum.fine" | "drum.coarse") && number.parse::<u32>().is_ok()
@@ -71,9 +65,12 @@ fn unit(text: &str) -> Result<String, String> {
 
 impl Filter {
     /// Refuses levels and drums that the run does not have.
-    pub fn expect_there(&self, settings: &Settings) -> Result<(), Failure> {
+    ///
+    /// # Errors
+    /// If there is no such level or drum.
+    pub fn expect_there(&self, settings: &Settings) -> Result<(), EventListError> {
         if self.level.as_deref() == Some("coarse") {
-            expect_coarse("--level coarse", settings)?;
+            expect_coarse("--level coarse".into(), settings)?;
         }
         let count = settings.data_banks.drum.map_or(0, |drum| drum.count);
         self.unit.iter().try_for_each(|unit| {
@@ -84,55 +81,51 @@ impl Filter {
             }
             let (level, number) = (parts.next(), parts.next().and_then(|number| number.parse().ok()));
             if count == 0 {
-                return Err(Failure::usage(format!(
-                    "{asked}: the machine has no drums, all words are at hand; leave it out, or give --machine a model with \
-                     drums"
-                )));
+                return Err(EventListError::NoDrums { asked });
             }
             if level == Some("coarse") {
-                expect_coarse(&asked, settings)?;
+                expect_coarse(asked.clone(), settings)?;
             }
             match number.is_some_and(|number: u32| number >= count) {
                 false => Ok(()),
-                true => Err(Failure::usage(format!(
-                    "{asked}: each level has drums 0..{count}; expected one of them"
-                ))),
+                true => Err(EventListError::NoSuchDrum { asked, count }),
             }
         })
     }
 
-    /// Says why none of the events that were seen is listed.
+    /// Why none of the events that were seen is listed.
     ///
     /// # Errors
     /// If the ticks asked for are none of theirs.
-    pub fn explain_none(&self, seen: &Seen) -> Result<(), Failure> {
+    pub(crate) fn explain_none(&self, seen: &Seen) -> Result<String, EventListError> {
         let Some([first, last]) = seen.ticks else {
-            tell("nothing found: there is no event in these sweeps\n");
-            return Ok(());
+            return Ok("nothing found: there is no event in these sweeps".into());
         };
         let beyond = [
             self.from.filter(|&from| from > last).map(|from| format!("--from {from}")),
             self.to.filter(|&to| to <= first).map(|to| format!("--to {to}")),
         ];
         match beyond.into_iter().flatten().next() {
-            Some(asked) => Err(Failure::usage(format!(
-                "{asked}: the events are at ticks {first} to {last}; expected a tick there"
-            ))),
+            Some(asked) => Err(EventListError::BeyondEvents { asked, first, last }),
             None => {
                 let (count, units) = (seen.count, seen.units());
-                tell(&format!("nothing found: none of {count} events is such; they are of {units}\n"));
-                Ok(())
+                Ok(format!("nothing found: none of {count} events is such; they are of {units}"))
             }
         }
     }
 
+    /// Whether an event may be listed that needs the shadow gates of the frame.
+    pub fn needs_gates(&self) -> bool {
+        self.may_pass(&SEGMENTS, "shadow-controller.load")
+    }
+
     /// Whether an event of one of `words` may be listed.
-    pub fn may_pass(&self, words: &[EventWord], unit: &str) -> bool {
+    fn may_pass(&self, words: &[EventWord], unit: &str) -> bool {
         words.iter().any(|word| is_among(&self.event, Some(word.name()))) && self.has_unit(unit)
     }
 
     /// Whether an event is listed.
-    pub fn passes(&self, event: &DigitalEvent) -> bool {
+    pub(crate) fn passes(&self, event: &DigitalEvent) -> bool {
         let (ticks, colour) = (event.tick.0, event.colour.map(Colour::name));
         let level = event.level.map(|level| LEVELS[level.min(1)]);
         self.from.is_none_or(|from| ticks >= from)
@@ -149,6 +142,11 @@ impl Filter {
         };
         self.unit.is_empty() || self.unit.iter().any(is_it)
     }
+}
+
+/// Refuses the coarse level, as it was `asked` for, where there is none.
+fn expect_coarse(asked: String, settings: &Settings) -> Result<(), EventListError> {
+    if settings.levels.is_some() { Ok(()) } else { Err(EventListError::OneLevel { asked }) }
 }
 
 /// Whether a word is wanted: all are where none is named.

@@ -5,41 +5,67 @@ use machine::{RegisterState, RegisterWords};
 use serde_json::{Value, json};
 use sweep_program::{Colour, NO_CORNER, WordMask};
 
-use super::{Frame, Instant};
-use crate::Failure;
-use crate::output::{print, print_json};
+use crate::frame::Instant;
+use crate::{At, DigitalFrame, EventListError};
 use text::table;
 
 const REGISTERS: [&str; 3] = ["hold", "x-first", "y-first"];
 
-/// Shows the registers of both levels.
-pub fn show(frame: &Frame<'_>, at: Instant, is_json: bool) -> Result<(), Failure> {
-    let states = frame.sweeps.registers(at.sweep, at.time);
-    let levels = || states.iter().zip(frame.levels).zip(["fine", "coarse"]);
-    let time = frame.microseconds(at.tick);
-    if is_json {
+/// The registers of both levels at an instant.
+pub struct Registers<'a> {
+    frame: &'a DigitalFrame<'a>,
+    at: Instant,
+    /// One a level.
+    states: Vec<RegisterState>,
+}
+
+impl<'a> Registers<'a> {
+    /// The registers of `frame` at `at`.
+    ///
+    /// # Errors
+    /// If the frame does not have the instant.
+    pub fn new(frame: &'a DigitalFrame<'a>, at: At) -> Result<Self, EventListError> {
+        let at = frame.instant(at)?;
+        let states = frame.sweeps.registers(at.sweep, at.time).into_iter().collect();
+        Ok(Self { frame, at, states })
+    }
+
+    fn levels(&self) -> impl Iterator<Item = (&RegisterState, &Level, &'static str)> {
+        let named = self.states.iter().zip(self.frame.levels).zip(["fine", "coarse"]);
+        named.map(|((state, level), name)| (state, level, name))
+    }
+
+    /// A document of schema `lunoid.trace.at/1`.
+    pub fn json(&self) -> Value {
+        let (frame, at) = (self.frame, &self.at);
         let levels: Vec<Value> =
-            levels().map(|((state, level), name)| document(state, level, name)).collect();
-        return print_json(&json!({
+            self.levels().map(|(state, level, name)| document(state, level, name)).collect();
+        json!({
             "schema": "lunoid.trace.at/1",
             "frame": frame.number,
             "sweep": at.sweep,
             "drawn_with": frame.sweeps.set_up_of(at.sweep),
             "sample": at.time.0,
             "tick": at.tick.0,
-            "time_us": time,
+            "time_us": frame.microseconds(at.tick),
             "levels": levels,
-        }));
+        })
     }
-    let head = format!(
-        "frame {}, sweep {}, sample {:.3}, tick {}, {time:.3} µs\n",
-        frame.number, at.sweep, at.time.0, at.tick.0
-    );
-    let drawn = match frame.sweeps.set_up_of(at.sweep) {
-        own if own == at.sweep => String::new(),
-        other => format!("drawn with the set-up of sweep {other}\n"),
-    };
-    print(&levels().fold(head + &drawn, |text, ((state, level), name)| text + &told(state, level, name)))
+
+    /// A table a level.
+    pub fn text(&self) -> String {
+        let (frame, at) = (self.frame, &self.at);
+        let time = frame.microseconds(at.tick);
+        let head = format!(
+            "frame {}, sweep {}, sample {:.3}, tick {}, {time:.3} µs\n",
+            frame.number, at.sweep, at.time.0, at.tick.0
+        );
+        let drawn = match frame.sweeps.set_up_of(at.sweep) {
+            own if own == at.sweep => String::new(),
+            other => format!("drawn with the set-up of sweep {other}\n"),
+        };
+        self.levels().fold(head + &drawn, |text, (state, level, name)| text + &told(state, level, name))
+    }
 }
 
 /// North and east index of a corner.

@@ -1,4 +1,4 @@
-//! The listing as text, CSV or JSON, written as it comes.
+//! The listing as text, CSV or JSON, made as it comes.
 
 use std::fmt::Write;
 
@@ -6,24 +6,25 @@ use machine::{DigitalEvent, EventWord};
 use serde_json::{Value, json};
 use sweep_program::{Colour, MissCause, RampAxis, Stop};
 
-use super::Frame;
-use crate::Failure;
-use crate::output::{print, tell};
+use crate::DigitalFrame;
 
-/// What it is written as.
+/// What a listing is written as.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Form {
+    /// Columns.
     Text,
+    /// A row an event.
     Csv,
+    /// A document of schema `lunoid.trace/1`.
     Json,
 }
 
 const CSV: &str = "tick,time_us,sweep,unit,event,level,crossing,axis,stop,colour,register,corner_north,corner_east,\
                    words,mask,slack_ticks,cause,comes_sample,set_up_of,part,crater,range_m\n";
 
-/// A listing that is being written.
+/// A listing in the making; what it returns is to be written in that order.
 pub struct Listing<'a> {
-    frame: &'a Frame<'a>,
+    frame: &'a DigitalFrame<'a>,
     form: Form,
     limit: u64,
     listed: u64,
@@ -35,24 +36,24 @@ pub struct Listing<'a> {
 
 impl<'a> Listing<'a> {
     /// Writes nothing yet: whoever finds no event may have another thing to say.
-    pub fn new(frame: &'a Frame<'a>, form: Form, limit: Option<u64>) -> Self {
+    pub fn new(frame: &'a DigitalFrame<'a>, form: Form, limit: Option<u64>) -> Self {
         Self { frame, form, limit: limit.unwrap_or(u64::MAX), listed: 0, last: None, next: None }
     }
 
-    /// Writes what comes before the first event.
-    fn begin(&self) -> Result<(), Failure> {
+    /// What comes before the first event.
+    fn begin(&self) -> String {
         let frame = self.frame;
         let [start, end] = frame.ticks().map(|tick| tick.0);
         match self.form {
-            Form::Text => print(&format!(
+            Form::Text => format!(
                 "frame {}: ticks {start}..{end} of {}\n{:>12} {:>11} {:>5}  {:<22} {}\n",
                 frame.number, frame.timebase.master, "tick", "µs", "sweep", "unit", "event"
-            )),
-            Form::Csv => print(CSV),
-            Form::Json => print(&format!(
+            ),
+            Form::Csv => CSV.into(),
+            Form::Json => format!(
                 "{{\n  \"schema\": \"lunoid.trace/1\",\n  \"frame\": {},\n  \"ticks\": [{start}, {end}],\n  \"events\": [",
                 frame.number
-            )),
+            ),
         }
     }
 
@@ -66,8 +67,8 @@ impl<'a> Listing<'a> {
         self.next.is_some()
     }
 
-    /// Writes events that follow.
-    pub fn add(&mut self, events: impl Iterator<Item = DigitalEvent>) -> Result<(), Failure> {
+    /// Events that follow.
+    pub fn add(&mut self, events: impl Iterator<Item = DigitalEvent>) -> String {
         let (mut text, was_empty) = (String::new(), self.is_empty());
         for event in events {
             // A tick is listed whole: who goes on at the next meets each event once.
@@ -79,30 +80,28 @@ impl<'a> Listing<'a> {
             self.last = Some(event.tick.0);
             self.listed += 1;
         }
-        if was_empty && !self.is_empty() {
-            self.begin()?;
-        }
-        print(&text)
+        if was_empty && !self.is_empty() { self.begin() + &text } else { text }
     }
 
-    /// Writes what comes after the last.
-    pub fn end(self) -> Result<(), Failure> {
-        if self.is_empty() {
-            self.begin()?;
-        }
-        if let Some(next) = self.next {
-            tell(&format!("{} events, and more: --from {next} goes on\n", self.listed));
-        }
-        match self.form {
-            Form::Text => print(&format!("events: {}\n", self.listed)),
-            Form::Csv => Ok(()),
-            Form::Json => print(&format!(
+    /// What is to be said of events that the limit has kept out.
+    pub fn more(&self) -> Option<String> {
+        self.next.map(|next| format!("{} events, and more: --from {next} goes on", self.listed))
+    }
+
+    /// What comes after the last.
+    pub fn end(self) -> String {
+        let begin = if self.is_empty() { self.begin() } else { String::new() };
+        let end = match self.form {
+            Form::Text => format!("events: {}\n", self.listed),
+            Form::Csv => String::new(),
+            Form::Json => format!(
                 "\n  ],\n  \"listed\": {},\n  \"is_all\": {},\n  \"next\": {}\n}}\n",
                 self.listed,
                 self.next.is_none(),
                 json!(self.next)
-            )),
-        }
+            ),
+        };
+        begin + &end
     }
 
     fn write(&self, event: &DigitalEvent, text: &mut String) {
