@@ -17,6 +17,7 @@ use replay::ReplayError;
 use scope::ScopeError;
 use survey::SurveyError;
 use timing::RecordError;
+use trigger_search::SearchError;
 use waveform::WaveformError;
 
 /// Why a command did not do what it was told.
@@ -221,6 +222,16 @@ impl From<EventListError> for Failure {
 impl From<FrameError> for Failure {
     fn from(error: FrameError) -> Self {
         Self::input(error)
+    }
+}
+
+impl From<SearchError> for Failure {
+    fn from(error: SearchError) -> Self {
+        match error {
+            SearchError::Condition(_) => Self::usage(error),
+            SearchError::Poses(error) => error.into(),
+            SearchError::Frame(error) => error.into(),
+        }
     }
 }
 

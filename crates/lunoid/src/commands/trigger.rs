@@ -1,29 +1,22 @@
 //! `lunoid trigger`: where in a mission a signal does what is waited for.
 
-mod around;
-mod find;
-mod pixel;
-mod report;
-mod write;
-
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
+use scope::ScopeError;
 use signal::Signal;
 use trigger::{Condition, ConditionError, Which};
+use trigger_search::{Area, Around, BEAM, Finder, Found, Report, page, write_waveforms};
 
+use crate::commands::again::command;
+use crate::commands::probe::{Target, names};
 use crate::interrupt;
 use crate::loading::{StageArgs, Threads, choose_frames, of_models};
-use crate::output::{expect_outputs, tell};
+use crate::output::{Place, expect_outputs, print, tell};
 use crate::progress::Display;
 use crate::rehearsing::rehearse;
 use crate::{Failure, Verdict, values};
 use text::Span;
-
-use around::Around;
-use find::{Area, Finder};
-use report::Report;
-use write::File;
 
 const AFTER: &str = "Examples:
   lunoid trigger scenarios/first-light.toml --on 'rising tg.height 12'
@@ -112,15 +105,18 @@ impl TriggerCommand {
         let area = Area { frames, sweeps, samples };
         let display = Display::new(!self.quiet);
         let finder = Finder::new(&rehearsal, &self.on)?;
-        let mut report = Report::begin(&finder, self.on.text(), self.json)?;
+        let mut report = Report::new(&finder, self.json);
+        print(&report.begin(self.on.text()))?;
         let sweeps = area.sweeps.clone();
-        let ended = finder.search(&area, self.which(), &display, cancel, |found| {
+        let progress = |progress| display.hear(progress);
+        let ended = finder.search(&area, self.which(), &progress, cancel, |found| -> Result<(), Failure> {
             let around = self.look_around(&finder, &found, sweeps.clone(), file.as_ref())?;
-            report.add(&found, around.as_ref(), &self.stage)
+            let next = around.as_ref().map_or_else(Vec::new, |around| next(&found, around, &self.stage));
+            print(&report.add(&found, around.as_ref(), &next))
         });
         display.end();
         let ended = ended?;
-        report.end(&ended)?;
+        print(&report.end(&ended))?;
         if let Some(frame) = ended.interrupted_at {
             tell(&format!("interrupted: --frames {frame}.. goes on\n"));
             return Ok(Verdict::Interrupted);
@@ -147,7 +143,7 @@ impl TriggerCommand {
     fn look_around(
         &self,
         finder: &Finder<'_>,
-        found: &find::Found,
+        found: &Found,
         sweeps: std::ops::Range<u32>,
         file: Option<&File>,
     ) -> Result<Option<Around>, Failure> {
@@ -166,8 +162,9 @@ impl TriggerCommand {
             file.is_some_and(File::is_picture),
         )?;
         if let Some(file) = file {
-            let written = file.write(finder, found, &around, self.on.text())?;
-            tell(&format!("{}\n", written.join(", ")));
+            let title = format!("{}: {}", finder.title(), self.on.text());
+            let written = file.write(finder, found, &around, title)?;
+            tell(&format!("{}\n", names(&written).join(", ")));
         }
         Ok(Some(around))
     }
@@ -184,4 +181,67 @@ fn within(
         Failure::usage(format!("{option} {span}: there are {what} 0..{count}; expected a range inside"))
     })?;
     Ok(found.start as u32..found.end as u32)
+}
+
+/// Commands that go on from a place.
+fn next(found: &Found, around: &Around, stage: &StageArgs) -> Vec<String> {
+    let Found { frame, sweep, hit, .. } = found;
+    let of = |name: &str, rest: String| command(name, stage, *frame, &rest);
+    let cursor = hit.range.map_or_else(String::new, |range| format!(" --cursor {:.4}", range.max(0.0)));
+    let beam = BEAM.into_iter().filter(|name| !around.named.contains(name));
+    let names = around.columns().chain(beam).collect::<Vec<_>>().join(",");
+    let mut commands =
+        vec![of("probe", format!("--sweep {sweep} --signals {names}{cursor} --out sweep.png"))];
+    commands.extend(around.pixel.map(|[x, y]| of("explain", format!("--pixel {x},{y}"))));
+    if hit.range.is_some() {
+        commands.push(of("trace", format!("--at {sweep}:{}", hit.sample)));
+    }
+    commands
+}
+
+/// A file that is to be written.
+struct File {
+    path: PathBuf,
+    target: Target,
+}
+
+impl File {
+    /// The kind of file that its name says; `beside` is how many sweeps it has to each side.
+    fn named(path: &Path, beside: u32) -> Result<Self, Failure> {
+        let target = Target::of_name(path)?;
+        if target == Target::Picture && beside > 0 {
+            return Err(Failure::usage(
+                "--around-sweeps: a picture shows one sweep; leave it out, or write another format",
+            ));
+        }
+        Ok(Self { path: path.to_owned(), target })
+    }
+
+    /// All files that come of it.
+    fn places(&self) -> Vec<Place> {
+        self.target.places("--out", &self.path)
+    }
+
+    /// Whether it is a page of the scope.
+    fn is_picture(&self) -> bool {
+        self.target == Target::Picture
+    }
+
+    /// Writes it under `title`; the files that were written.
+    fn write(
+        &self,
+        finder: &Finder<'_>,
+        found: &Found,
+        around: &Around,
+        title: String,
+    ) -> Result<Vec<PathBuf>, Failure> {
+        let path = &self.path;
+        match self.target {
+            Target::Picture => {
+                page(finder, found, around, &title)?.write(path).map_err(ScopeError::Write)?;
+                Ok(vec![path.clone()])
+            }
+            Target::Waveforms(format) => Ok(write_waveforms((format, path), finder, found, around, title)?),
+        }
+    }
 }

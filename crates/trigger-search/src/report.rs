@@ -1,16 +1,13 @@
-//! What was found, as text or JSON, written as it is found.
+//! What was found, as text or JSON, made as it is found.
 
 use serde_json::{Map, Value, json};
 
-use super::around::{Around, BEAM, Row};
-use super::find::{Ended, Finder, Found};
-use crate::Failure;
-use crate::commands::again::command;
-use crate::loading::StageArgs;
-use crate::output::print;
 use text::table;
 
-/// A report that is being written.
+use crate::around::Row;
+use crate::{Around, Ended, Finder, Found};
+
+/// A report in the making; what it returns is to be written in that order.
 pub struct Report<'a> {
     finder: &'a Finder<'a>,
     is_json: bool,
@@ -18,45 +15,47 @@ pub struct Report<'a> {
 }
 
 impl<'a> Report<'a> {
-    /// Writes what comes before the first place.
-    pub fn begin(finder: &'a Finder<'a>, condition: &str, is_json: bool) -> Result<Self, Failure> {
-        if is_json {
-            print(&format!(
+    /// A report of what `finder` finds: text, or a document of schema `lunoid.trigger/1`.
+    pub fn new(finder: &'a Finder<'a>, is_json: bool) -> Self {
+        Self { finder, is_json, added: 0 }
+    }
+
+    /// What comes before the first place.
+    pub fn begin(&self, condition: &str) -> String {
+        match self.is_json {
+            true => format!(
                 "{{\n  \"schema\": \"lunoid.trigger/1\",\n  \"condition\": {},\n  \"places\": [",
                 Value::from(condition)
-            ))?;
+            ),
+            false => String::new(),
         }
-        Ok(Self { finder, is_json, added: 0 })
     }
 
-    /// Writes a place.
-    pub fn add(&mut self, found: &Found, around: Option<&Around>, stage: &StageArgs) -> Result<(), Failure> {
+    /// A place, with the commands that go on from it.
+    pub fn add(&mut self, found: &Found, around: Option<&Around>, next: &[String]) -> String {
         let comma = if self.added == 0 { "" } else { "," };
         self.added += 1;
-        let next = around.map_or_else(Vec::new, |around| next(found, around, stage));
         match self.is_json {
-            true => print(&format!("{comma}\n    {}", self.document(found, around, &next))),
-            false => print(&(self.head(found) + &self.details(found, around, &next))),
+            true => format!("{comma}\n    {}", self.document(found, around, next)),
+            false => self.head(found) + &self.details(found, around, next),
         }
     }
 
-    /// Writes what comes after the last.
-    pub fn end(self, ended: &Ended) -> Result<(), Failure> {
+    /// What comes after the last.
+    pub fn end(self, ended: &Ended) -> String {
         let Ended { met, shown, sweeps, interrupted_at } = ended;
         if self.is_json {
             let is_whole = interrupted_at.is_none();
-            return print(&format!(
+            return format!(
                 "\n  ],\n  \"met\": {met},\n  \"sweeps\": {sweeps},\n  \"is_whole\": {is_whole}\n}}\n"
-            ));
-        }
-        if interrupted_at.is_some() {
-            return print(&format!("found {met} times in {sweeps} sweeps so far\n"));
+            );
         }
         match (shown, met) {
-            (0, 0) => print(&format!("not found in {sweeps} sweeps\n")),
-            (0, _) => print(&format!("found {met} times in {sweeps} sweeps, not more\n")),
-            (1, _) => Ok(()),
-            _ => print(&format!("found {met} times in {sweeps} sweeps\n")),
+            _ if interrupted_at.is_some() => format!("found {met} times in {sweeps} sweeps so far\n"),
+            (0, 0) => format!("not found in {sweeps} sweeps\n"),
+            (0, _) => format!("found {met} times in {sweeps} sweeps, not more\n"),
+            (1, _) => String::new(),
+            _ => format!("found {met} times in {sweeps} sweeps\n"),
         }
     }
 
@@ -163,22 +162,6 @@ fn number_text(value: f64) -> String {
 
 fn unit_text(symbol: &str) -> String {
     if symbol == "1" { String::new() } else { format!(" {symbol}") }
-}
-
-/// Commands that go on from a place.
-fn next(found: &Found, around: &Around, stage: &StageArgs) -> Vec<String> {
-    let Found { frame, sweep, hit, .. } = found;
-    let of = |name: &str, rest: String| command(name, stage, *frame, &rest);
-    let cursor = hit.range.map_or_else(String::new, |range| format!(" --cursor {:.4}", range.max(0.0)));
-    let beam = BEAM.into_iter().filter(|name| !around.named.contains(name));
-    let names = around.columns().chain(beam).collect::<Vec<_>>().join(",");
-    let mut commands =
-        vec![of("probe", format!("--sweep {sweep} --signals {names}{cursor} --out sweep.png"))];
-    commands.extend(around.pixel.map(|[x, y]| of("explain", format!("--pixel {x},{y}"))));
-    if hit.range.is_some() {
-        commands.push(of("trace", format!("--at {sweep}:{}", hit.sample)));
-    }
-    commands
 }
 
 #[cfg(test)]

@@ -3,13 +3,12 @@
 use std::ops::Range;
 
 use machine::FrameSweeps;
+use scope::needs;
 use signal::{Axis, Waveform};
 use trigger::value_at;
 
-use super::find::{Finder, Found};
-use super::pixel::pixel_of;
-use crate::Failure;
-use scope::needs;
+use crate::pixel::pixel_of;
+use crate::{Finder, Found, SearchError};
 
 /// What tells where the beam is.
 pub const BEAM: [&str; 2] = ["dpp.y", "dpp.blank"];
@@ -17,21 +16,21 @@ pub const BEAM: [&str; 2] = ["dpp.y", "dpp.blank"];
 /// The neighbourhood of a place.
 pub struct Around {
     /// Sweeps that were recorded.
-    pub sweeps: Range<u32>,
+    pub(crate) sweeps: Range<u32>,
     /// All that was recorded of them.
-    pub waveforms: Vec<Waveform>,
-    /// Names of the signals that are shown and written.
+    pub(crate) waveforms: Vec<Waveform>,
+    /// Names of the signals that are shown and written, in the order of the signal table.
     pub named: Vec<&'static str>,
     /// Rows of the table, if one is wanted.
-    pub rows: Vec<Row>,
-    /// The pixel, unless the place is beyond the picture.
+    pub(crate) rows: Vec<Row>,
+    /// The pixel that shows the place (column, line), unless the place is beyond the picture.
     pub pixel: Option<[usize; 2]>,
     /// Whether the beam is off there.
-    pub is_blanked: bool,
+    pub(crate) is_blanked: bool,
 }
 
 /// A sample beside the place.
-pub struct Row {
+pub(crate) struct Row {
     pub sweep: u32,
     pub sample: usize,
     pub range: Option<f64>,
@@ -40,7 +39,11 @@ pub struct Row {
 }
 
 impl Around {
-    /// Records `sweeps` around `found`: the signals that the condition tells of, and those that match `more`.
+    /// Records `sweeps` around `found`: the signals that the condition tells of, and those that match `more`; for a page
+    /// of the scope what it needs too. A table has `samples` rows before and after the place.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
     pub fn record(
         finder: &Finder<'_>,
         found: &Found,
@@ -48,7 +51,7 @@ impl Around {
         samples: Option<u32>,
         more: &[String],
         is_picture: bool,
-    ) -> Result<Self, Failure> {
+    ) -> Result<Self, SearchError> {
         let named = named(finder, found, more);
         let needed = if is_picture { &needs(&finder.rehearsal.stage.scan())[..] } else { &[] };
         let all = named.iter().chain(&BEAM).chain(needed).map(|name| (*name).to_owned()).collect();
@@ -97,7 +100,7 @@ impl Around {
     }
 
     /// Where the picture shows it.
-    fn place(&mut self, finder: &Finder<'_>, found: &Found) -> Result<(), Failure> {
+    fn place(&mut self, finder: &Finder<'_>, found: &Found) -> Result<(), SearchError> {
         let line = match finder.is_of_display {
             true => Some(found.hit.sample as f64 + 0.5),
             false => self.value("dpp.y", found.sweep, found.hit.sample),
@@ -112,10 +115,9 @@ impl Around {
         Ok(())
     }
 
-    fn digital_side<'f>(&self, finder: &Finder<'f>, found: &Found) -> Result<FrameSweeps<'f>, Failure> {
+    fn digital_side<'f>(&self, finder: &Finder<'f>, found: &Found) -> Result<FrameSweeps<'f>, SearchError> {
         let rehearsal = finder.rehearsal;
-        let sweeps = rehearsal.pool.install(|| rehearsal.control.sweeps(found.frame, &found.pose));
-        sweeps.map_err(Failure::input)
+        Ok(rehearsal.pool.install(|| rehearsal.control.sweeps(found.frame, &found.pose))?)
     }
 }
 
