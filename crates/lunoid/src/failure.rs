@@ -4,16 +4,22 @@ use std::fmt::Display;
 use std::io;
 
 use compare::CompareError;
+use deadlines::DeadlineError;
 use diagnostics::ProblemList;
+use event_list::EventListError;
 use files::{Action, FileError, NpyFileError};
 use front_door::{OpenError, StageError};
+use generator::FrameError;
 use landscape::bank_file::BankFileError;
 use photographs::PhotographFileError;
 use picture::PictureFileError;
 use plots::PlotError;
 use replay::ReplayError;
+use scope::ScopeError;
 use survey::SurveyError;
 use timing::RecordError;
+use trigger_search::SearchError;
+use waveform::WaveformError;
 
 /// Why a command did not do what it was told.
 #[derive(Debug)]
@@ -198,6 +204,62 @@ impl From<SurveyError> for Failure {
             | SurveyError::AreaOutside { .. }
             | SurveyError::AreaKind { .. }
             | SurveyError::TooManyRegions { .. } => Self::usage(error),
+            other => Self::input(other),
+        }
+    }
+}
+
+impl From<DeadlineError> for Failure {
+    fn from(error: DeadlineError) -> Self {
+        match error {
+            DeadlineError::Open(error) => error.into(),
+            DeadlineError::Write(_) => Self::output(error),
+            DeadlineError::NoTime(_)
+            | DeadlineError::TooManyMisses { .. }
+            | DeadlineError::BeyondSweep { .. }
+            | DeadlineError::Asked(_) => Self::usage(error),
+            _ => Self::input(error),
+        }
+    }
+}
+
+impl From<EventListError> for Failure {
+    fn from(error: EventListError) -> Self {
+        Self::usage(error)
+    }
+}
+
+impl From<FrameError> for Failure {
+    fn from(error: FrameError) -> Self {
+        Self::input(error)
+    }
+}
+
+impl From<SearchError> for Failure {
+    fn from(error: SearchError) -> Self {
+        match error {
+            SearchError::Condition(_) => Self::usage(error),
+            SearchError::Poses(error) => error.into(),
+            SearchError::Frame(error) => error.into(),
+        }
+    }
+}
+
+impl From<ScopeError> for Failure {
+    fn from(error: ScopeError) -> Self {
+        match error {
+            ScopeError::Waveform(error) => error.into(),
+            ScopeError::Write(_) => Self::output(error),
+            ScopeError::Frame(_) | ScopeError::Picture(_) => Self::input(error),
+            _ => Self::usage(error),
+        }
+    }
+}
+
+impl From<WaveformError> for Failure {
+    fn from(error: WaveformError) -> Self {
+        match error {
+            WaveformError::File(error) => error.into(),
             other => Self::input(other),
         }
     }

@@ -1,10 +1,11 @@
 //! One frame of a scenario, as a command is told of it.
 
 use clap::Args;
+use deadlines::Rehearsal;
 use front_door::Opened;
 
-use crate::commands::timing::rehearsal::Rehearsal;
 use crate::loading::{StageArgs, Threads};
+use crate::rehearsing::rehearse;
 use crate::{Failure, values};
 
 /// Which frame of which scenario, drawn by what.
@@ -33,7 +34,7 @@ impl FrameArgs {
 
     /// Everything but the frame; `check` sees the scenario before any ground is made.
     pub fn rehearse(&self, check: impl FnOnce(&Opened) -> Result<(), Failure>) -> Result<Rehearsal, Failure> {
-        let (rehearsal, _) = Rehearsal::open(&self.stage, &self.threads, |opened| {
+        let (rehearsal, _) = rehearse(&self.stage, &self.threads, |opened| {
             check(opened)?;
             self.expect_in(opened)?;
             Ok(vec![self.frame])

@@ -13,6 +13,7 @@ use machine::MachineStage;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use registry::ROWS;
 use scenario::Scalar;
+use text::Span;
 
 use crate::output::Place;
 use crate::{Failure, values};
@@ -235,7 +236,7 @@ pub fn machine_stage(opened: &Opened, pool: &ThreadPool) -> Result<MachineStage,
 }
 
 /// The frames asked for.
-pub fn choose_frames(opened: &Opened, asked: Option<values::Span>) -> Result<Range<u64>, Failure> {
+pub fn choose_frames(opened: &Opened, asked: Option<Span>) -> Result<Range<u64>, Failure> {
     let all = 0..opened.frames();
     let Some(span) = asked else { return Ok(all) };
     span.within(&all).ok_or_else(|| {

@@ -11,6 +11,7 @@ mod interrupt;
 mod loading;
 mod output;
 mod progress;
+mod rehearsing;
 mod values;
 #[cfg(test)]
 mod written;

@@ -9,7 +9,7 @@ use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use replay::Progress;
 
-use crate::output::{self, tell};
+use crate::output::tell;
 
 /// Time between two plain lines.
 const EVERY: Duration = Duration::from_secs(5);
@@ -90,7 +90,7 @@ fn bar() -> ProgressBar {
     let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
     bar.set_style(style.with_key("rate", |state: &ProgressState, out: &mut dyn Write| {
         // Nothing can be done about a terminal that takes no text.
-        let _ = write!(out, "{} frames/s", output::rate(state.per_sec()));
+        let _ = write!(out, "{} frames/s", text::rate(state.per_sec()));
     }));
     bar
 }
@@ -131,7 +131,7 @@ impl Lines {
         let rate = done.saturating_sub(self.kept) as f64 / seconds.max(1e-9);
         let (percent, left) = (100 * done / self.frames.max(1), (self.frames - done.min(self.frames)) as f64);
         let eta = if rate > 0.0 { format!("{:.0} s", left / rate) } else { "unknown".into() };
-        let rate = output::rate(rate);
+        let rate = text::rate(rate);
         format!("{} {done}/{}  {percent} %  {rate} frames/s  eta {eta}", self.what, self.frames)
     }
 }

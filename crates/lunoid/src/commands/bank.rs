@@ -11,9 +11,10 @@ use quantities::{degrees, radians};
 use serde_json::{Value, json};
 
 use crate::loading::StageArgs;
-use crate::output::{Place, expect_outputs, print, print_json, table};
+use crate::output::{Place, expect_outputs, print, print_json};
 use crate::{Failure, Verdict, values};
 use front_door::read_scenario;
+use text::table;
 
 /// Make, read and draw banks of terrain coefficients.
 #[derive(Debug, Args)]

@@ -11,8 +11,9 @@ use limits::{ROWS, Row};
 use scenario::Scenario;
 use serde_json::{Value, json};
 
-use crate::output::{print, print_json, table};
+use crate::output::{print, print_json};
 use crate::{Failure, Verdict};
+use text::table;
 
 use signals::SignalListing;
 

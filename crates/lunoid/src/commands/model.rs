@@ -9,9 +9,10 @@ use hardware_model::{
 use serde_json::{Map, Value, json};
 
 use crate::commands::list;
-use crate::output::{print, print_json, table};
+use crate::output::{print, print_json};
 use crate::{Failure, Verdict, values};
 use front_door::read_model;
+use text::table;
 
 /// Show, check and list hardware models.
 #[derive(Debug, Args)]

@@ -1,30 +1,33 @@
 //! `lunoid probe`: waveforms of some signals of some sweeps.
 
-mod choice;
 mod target;
-mod trace;
 
+use std::fmt::Display;
 use std::ops::Range;
 use std::path::PathBuf;
+use std::time::{Duration, Instant};
 
 use clap::Args;
 use front_door::Opened;
 use generator::{Scan, Stage};
+use scope::{
+    Choice, Look, Order, Recorded, ScopeError, Tracing, WINDOW, Written, columns_of, draw, expect_known,
+    needs, size, trace,
+};
 use serde_json::json;
 use waveform::{Format, Header};
 
-use crate::commands::scope::{Recorded, ScopeArgs, columns_of, needs, write_picture};
+use crate::commands::scope::ScopeArgs;
 use crate::frame::FrameArgs;
 use crate::output::{expect_outputs, print, print_json, tell};
-use crate::values::Span;
 use crate::{Failure, Verdict};
+use text::Span;
 
-use choice::{Choice, expect_known};
 use target::words;
 pub use target::{Target, names};
 
-pub use trace::write;
-use trace::{Look, Order, WINDOW, Written, size, trace};
+/// Time between two lines of progress.
+const EVERY: Duration = Duration::from_secs(5);
 
 const AFTER: &str = "Examples:
   lunoid probe scenarios/first-light.toml --frame 12 --sweep 500..502 --signals 'tg.*,dpp.y' --out tg.npz
@@ -102,7 +105,8 @@ impl ProbeCommand {
             Target::Picture => self.draw(&look, &opened, &choice, (sweeps.start, &columns))?,
             Target::Waveforms(format) => {
                 let header = self.header(&opened, &choice, sweeps.clone())?;
-                trace(&look, header, &self.order(format))?
+                let (out, mut last) = (self.out.display(), Instant::now());
+                trace(&look, header, &self.order(format), &mut |heard| say(&out, &mut last, heard))?
             }
         };
         self.tell(target, &choice, sweeps, &written)?;
@@ -186,7 +190,7 @@ impl ProbeCommand {
             display: opened.settings.display,
             columns,
         };
-        write_picture(&self.out, &recorded, &self.scope)?;
+        draw(&recorded, &self.scope.wishes())?.write(&self.out).map_err(ScopeError::Write)?;
         Ok(Written { estimate: 0, files: vec![self.out.clone()] })
     }
 
@@ -227,5 +231,17 @@ impl ProbeCommand {
             return Ok(());
         }
         print(&line)
+    }
+}
+
+/// Says how large the file will be, and how far it is every few seconds.
+fn say(out: &dyn Display, last: &mut Instant, heard: Tracing) {
+    match heard {
+        Tracing::Size(bytes) => tell(&format!("{out}: about {}\n", size(bytes))),
+        Tracing::Sweeps { done, all } if last.elapsed() >= EVERY => {
+            *last = Instant::now();
+            tell(&format!("sweeps {done}/{all}  {} %\n", 100 * u64::from(done) / u64::from(all)));
+        }
+        Tracing::Sweeps { .. } => {}
     }
 }

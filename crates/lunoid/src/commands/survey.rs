@@ -14,8 +14,9 @@ use survey::{
 
 use crate::commands::bank::{bank_at, shortened};
 use crate::loading::Threads;
-use crate::output::{Place, expect_outputs, print, print_json, table, tell};
+use crate::output::{Place, expect_outputs, print, print_json, tell};
 use crate::{Failure, Verdict, values};
+use text::table;
 
 const AFTER: &str = "Examples:
   lunoid survey pole.tif --region-size-m 40 -o pole.bank --picture pole.png

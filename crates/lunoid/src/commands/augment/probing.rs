@@ -11,8 +11,9 @@ use waveform::{Format, Header};
 
 use crate::Failure;
 use crate::commands::page::Request;
-use crate::commands::probe::{Target, names, write};
+use crate::commands::probe::{Target, names};
 use crate::output::Place;
+use scope::write;
 
 /// What is looked at, and where it goes.
 #[derive(Debug, Args)]

@@ -8,8 +8,9 @@ use cartridge::{Cartridge, CartridgeError, SCHEMA, carried, of_folder};
 use clap::{Args, Subcommand};
 use serde_json::{Value, json};
 
-use crate::output::{print, print_json, table};
+use crate::output::{print, print_json};
 use crate::{Failure, Verdict};
+use text::table;
 
 const AFTER: &str = "Examples:
   lunoid cartridge run

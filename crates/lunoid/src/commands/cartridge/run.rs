@@ -10,8 +10,9 @@ use serde_json::json;
 use super::Choice;
 use crate::cli::COMMIT;
 use crate::loading::Threads;
-use crate::output::{Place, expect_outputs, print, print_json, table};
+use crate::output::{Place, expect_outputs, print, print_json};
 use crate::{Failure, Verdict};
+use text::table;
 
 const AFTER: &str = "Example:
   lunoid cartridge run 'one-coefficient*' --junit cartridges.xml

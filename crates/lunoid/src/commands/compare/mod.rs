@@ -16,8 +16,9 @@ use serde_json::{Value, json};
 
 use crate::commands::edges::{Edges, Kind};
 use crate::loading::{StageArgs, Threads};
-use crate::output::{Place, expect_outputs, print, print_json, table, tell};
+use crate::output::{Place, expect_outputs, print, print_json, tell};
 use crate::{Failure, Verdict, values};
+use text::table;
 
 const AFTER: &str = "Examples:
   lunoid compare runs/first-light runs/exact

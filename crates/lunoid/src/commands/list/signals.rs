@@ -8,8 +8,9 @@ use signal::{Signal, Wire};
 use waveform::wire_record;
 
 use crate::loading::{StageArgs, StageOptions, Threads};
-use crate::output::{print, print_json, table};
+use crate::output::{print, print_json};
 use crate::{Failure, Verdict};
+use text::table;
 
 const AFTER: &str = "Examples:
   lunoid signals 'tg.*'

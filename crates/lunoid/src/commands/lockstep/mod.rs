@@ -15,8 +15,8 @@ use scenario::{PoseTable, Scalar};
 use crate::loading::{
     ScalarWord, StageArgs, StageOptions, Threads, expect_machine, machine_stage, of_models,
 };
-use crate::values::Span;
 use crate::{Failure, Verdict, values};
+use text::Span;
 
 use tell::Told;
 

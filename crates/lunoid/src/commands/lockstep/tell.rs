@@ -4,7 +4,8 @@ use lockstep::{Fault, Report, Tally};
 use serde_json::{Value, json};
 
 use crate::Failure;
-use crate::output::{named, print, print_json, table};
+use crate::output::{print, print_json};
+use text::{named_frames, table};
 
 /// A comparison, with a title.
 pub struct Told {
@@ -27,7 +28,7 @@ impl Told {
 
     fn text(&self) -> String {
         let Self { what, frames, report, faults } = self;
-        let of_frames = if frames.is_empty() { String::new() } else { format!(", {}", named(frames)) };
+        let of_frames = if frames.is_empty() { String::new() } else { format!(", {}", named_frames(frames)) };
         let sweeps = if report.sweeps == 1 { "sweep" } else { "sweeps" };
         let mut text = format!("{what}{of_frames}: {} {sweeps} on both engines\n\n", report.sweeps);
         let head = ["signal", "compared", "doubtful", "worst (FS)", "not compared"];

@@ -14,8 +14,8 @@ use super::recording::record;
 use super::sight::sight;
 use super::words::words;
 use crate::Failure;
-use crate::commands::timing::rehearsal::spread;
 use crate::loading::StageArgs;
+use deadlines::spread;
 
 /// Frames whose timing is summed up: enough to see whether the machine keeps up, few enough to cost nothing.
 const TIMED_FRAMES: u64 = 8;

@@ -12,7 +12,7 @@ use signal::{Probe, Signal, Waveform};
 
 use super::{Making, Request};
 use crate::Failure;
-use crate::commands::scope::{Recorded, columns_of, light_or_dark_svg, needs, runs_along};
+use scope::{Recorded, columns_of, light_or_dark_svg, needs, runs_along};
 
 /// Draws a plot of every sweep asked for that `beside` does not have, and adds it there.
 pub fn record(making: &Making, poses: &[PoseRow], folder: &Path, beside: &mut Beside) -> Result<(), Failure> {

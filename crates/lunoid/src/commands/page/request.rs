@@ -7,7 +7,7 @@ use std::str::FromStr;
 use generator::Generator;
 
 use crate::Failure;
-use crate::values::Span;
+use text::Span;
 
 /// Signals that are recorded where none are named: one of each block, those that are there; all of a generator that has
 /// none of them.

@@ -28,9 +28,9 @@ use crate::interrupt;
 use crate::loading::{StageArgs, StageOptions, Threads, choose_frames, machine_help};
 use crate::output::{Place, expect_outputs, print, print_json, tell};
 use crate::progress::Saying;
-use crate::values::Span;
 use crate::{Failure, Verdict, values};
 use summary::Summary;
+use text::Span;
 
 const AFTER: &str = "Examples:
   lunoid replay scenarios/first-light.toml

@@ -5,7 +5,7 @@ use std::path::Path;
 use replay::TruthOutcome;
 use serde_json::{Value, json};
 
-use crate::output::rate;
+use text::rate;
 
 /// What a finished run comes to.
 pub struct Summary<'a> {

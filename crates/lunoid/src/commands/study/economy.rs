@@ -12,8 +12,8 @@ use super::error::{failure, frames, quarter};
 use super::outputs::{Outputs, is_of, markdown, write};
 use crate::cli::COMMIT;
 use crate::loading::{StageArgs, Threads, expect_machine, machine_stage, of_models};
-use crate::output::{named, rate as two_digits, table as columns};
 use crate::{Failure, Verdict, values};
+use text::{named_frames, rate as two_digits, table as columns};
 
 /// Repetitions that are timed.
 const REPETITIONS: u32 = 5;
@@ -107,7 +107,7 @@ impl Outcome {
     }
 
     fn facts(&self) -> String {
-        format!("{}, {}, {} threads, commit {COMMIT}", self.title, named(&self.frames), self.threads)
+        format!("{}, {}, {} threads, commit {COMMIT}", self.title, named_frames(&self.frames), self.threads)
     }
 
     /// Titles and tables, each with the names of its columns first.

@@ -20,8 +20,8 @@ use super::outputs::{Outputs, is_of, markdown, write};
 use super::plots::write_plots;
 use crate::cli::COMMIT;
 use crate::loading::{StageArgs, Threads, machine_stage, of_models};
-use crate::output::{named, table as columns};
 use crate::{Failure, Verdict, values};
+use text::{named_frames, table as columns};
 
 /// The model whose parts make the chain that is solved.
 const CHAIN_OF: &str = "pra-nominal";
@@ -243,7 +243,7 @@ impl Outcome {
     }
 
     fn facts(&self) -> String {
-        format!("{}, {}, {} threads, commit {COMMIT}", self.title, named(&self.frames), self.threads)
+        format!("{}, {}, {} threads, commit {COMMIT}", self.title, named_frames(&self.frames), self.threads)
     }
 
     fn text(&self) -> String {

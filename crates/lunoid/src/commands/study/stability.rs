@@ -14,8 +14,8 @@ use super::matrix_plot::write_matrix;
 use super::outputs::{Outputs, is_of, make, markdown, write};
 use crate::cli::COMMIT;
 use crate::loading::{StageArgs, Threads, machine_stage};
-use crate::output::table as columns;
 use crate::{Failure, Verdict, values};
+use text::table as columns;
 
 const AFTER: &str = "Examples:
   lunoid study stability --quick

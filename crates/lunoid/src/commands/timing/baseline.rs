@@ -3,17 +3,17 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use deadlines::first;
 use front_door::Opened;
 use serde_json::json;
 use timing::{Comparison, TimingRecord, Tolerance, Totals, compare};
 
-use super::program::Rehearsed;
-use super::rehearsal::{choose, first};
 use crate::loading::{StageArgs, Threads, of_timed};
 use crate::output::{Place, expect_outputs, print, print_json};
-use crate::progress::Display;
-use crate::values::{Span, not_negative};
+use crate::rehearsing::{choose, record, rehearse_timed};
+use crate::values::not_negative;
 use crate::{Failure, Verdict};
+use text::Span;
 
 /// Frames of a baseline that names none.
 const USUAL_FRAMES: u64 = 2;
@@ -50,8 +50,8 @@ impl Record {
     pub fn run(&self) -> Result<Verdict, Failure> {
         expect_outputs(&[Place::file("--out", &self.out)], &self.stage.sources())?;
         let usual = |opened: &Opened| choose(opened, self.frames, first(USUAL_FRAMES));
-        let (rehearsal, frames) = Rehearsed::open(&self.stage, &self.threads, usual)?;
-        let record = rehearsal.record(&frames, &Display::new(!self.no_progress))?;
+        let (rehearsal, frames) = rehearse_timed(&self.stage, &self.threads, usual)?;
+        let record = record(!self.no_progress, |hear| rehearsal.record(&frames, hear))?;
         timing::write(&self.out, &record)?;
         self.tell(&record)?;
         Ok(Verdict::Yes)
@@ -115,11 +115,11 @@ impl Check {
         let tolerance = Tolerance::new(self.tolerance_samples, self.tolerance_m).map_err(Failure::usage)?;
         let mut baseline = timing::read(&self.baseline)?;
         let (rehearsal, frames) =
-            Rehearsed::open(&self.stage, &self.threads, |opened| self.choose(opened, &baseline))?;
+            rehearse_timed(&self.stage, &self.threads, |opened| self.choose(opened, &baseline))?;
         if self.frames.is_some() {
             baseline.frames.retain(|frame| frames.contains(&frame.frame));
         }
-        let found = rehearsal.record(&frames, &Display::new(!self.no_progress))?;
+        let found = record(!self.no_progress, |hear| rehearsal.record(&frames, hear))?;
         let comparison = compare(&baseline, &found, &tolerance);
         self.tell(&comparison)?;
         Ok(if comparison.is_met() { Verdict::Yes } else { Verdict::No })

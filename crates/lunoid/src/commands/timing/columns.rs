@@ -1,32 +1,15 @@
 //! `lunoid timing columns`: from every column that differs from the ideal machine to its cause.
-//!
-//! The frame is drawn four times: by the machine as it is, by the ideal machine, and with either side alone ideal
-//! ([`hardware_model::Side`] says what belongs to which, and what is kept). What remains of a difference with one side
-//! ideal shows whose work it is; what the timing has a hand in is traced to the misses of the sweeps that the pixel is
-//! read from.
-
-mod drawing;
-mod four;
-mod ground;
-mod lines;
-mod place;
-mod tell;
-mod trace;
-mod verdict;
 
 use std::path::PathBuf;
 
 use clap::Args;
+use deadlines::columns::{FrameByFour, Limits, remembered};
 use front_door::Opened;
-use sweep_generator::RangeTable;
 
-use self::tell::Told;
-use self::trace::{Trace, remembered};
-use super::rehearsal::Rehearsal;
 use crate::frame::FrameArgs;
 use crate::loading::of_models;
 use crate::output::{Place, expect_outputs, print, print_json};
-use crate::progress::Display;
+use crate::rehearsing::{record, rehearse};
 use crate::{Failure, Verdict, values};
 
 const AFTER: &str = "Example:
@@ -63,32 +46,19 @@ impl Columns {
     pub fn run(&self) -> Result<Verdict, Failure> {
         expect_outputs(&Place::pictures([("--out", &self.out)]), &self.chosen.stage.sources())?;
         let (rehearsal, frames) =
-            Rehearsal::open(&self.chosen.stage, &self.chosen.threads, |opened| self.choose(opened))?;
-        let record = rehearsal.record(&frames, &Display::new(!self.no_progress))?;
-        let settings = &rehearsal.stage.settings;
-        let table = RangeTable::new(&settings.range, settings.raster.samples as usize);
-        let (four, seen) = four::draw(&rehearsal, self.chosen.frame)?;
-        let trace = Trace::new(&rehearsal, &record, &table, &seen)?;
-        let columns = verdict::judge(&four, self.levels, |pixel, way| trace.is_reached(pixel, way));
-        let told = Told {
-            title: format!("{} on {}, frame {}", record.scenario, record.machine, self.chosen.frame),
-            levels: self.levels,
-            compared: four.machine.columns(),
-            columns: &columns,
-            trace: &trace,
-            most_lines: self.lines,
-            ns: 1e9 / settings.timebase.sample_rate().hertz(),
-        };
+            rehearse(&self.chosen.stage, &self.chosen.threads, |opened| self.choose(opened))?;
+        let record = record(!self.no_progress, |hear| rehearsal.record(&frames, hear))?;
+        let drawn = FrameByFour::draw(&rehearsal, self.chosen.frame)?;
+        let columns = drawn.trace(&record, Limits { levels: self.levels, lines: self.lines })?;
         if let Some(path) = &self.out {
-            drawing::write(&four, &columns, &told, path)?;
+            columns.draw(path)?;
         }
         if self.json {
-            print_json(&told.json())?
+            print_json(&columns.json())?
         } else {
-            print(&told.text())?
+            print(&columns.text())?
         }
-        let is_met = columns.iter().all(verdict::Column::is_accounted_for);
-        Ok(if is_met { Verdict::Yes } else { Verdict::No })
+        Ok(if columns.are_accounted_for() { Verdict::Yes } else { Verdict::No })
     }
 
     /// The frame, behind those that its tube still shows.

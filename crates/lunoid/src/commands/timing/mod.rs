@@ -2,15 +2,7 @@
 
 mod baseline;
 mod columns;
-mod critical_path;
-pub mod levels;
-mod misses;
-mod plots;
-mod program;
-pub mod rehearsal;
-pub mod sets;
 mod show;
-mod timeline;
 
 use clap::{Args, Subcommand};
 

@@ -4,22 +4,19 @@ use std::ops::Range;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
+use deadlines::{
+    Deadlines, Other, Rehearsal, Rehearsed, SweepTimeline, drawn_levels, spread, write_slack,
+    write_utilisation,
+};
 use front_door::Opened;
-use serde_json::json;
-use timing::{FrameTiming, TimingRecord, Totals};
+use timing::TimingRecord;
 
-use super::critical_path::{Chain, chains};
-use super::levels::{drawn_levels, expect_coarse};
-use super::misses;
-use super::plots::{write_slack, write_utilisation};
-use super::program::{Other, Rehearsed};
-use super::rehearsal::{Rehearsal, choose, spread};
-use super::timeline::SweepTimeline;
 use crate::loading::{StageArgs, Threads, of_timed};
 use crate::output::{Place, expect_outputs, print, print_json};
-use crate::progress::Display;
-use crate::values::{Span, pair};
+use crate::rehearsing::{choose, expect_coarse, record, rehearse_timed};
+use crate::values::pair;
 use crate::{Failure, Verdict, values};
+use text::Span;
 
 /// Frames that are shown where none are named, spread over the mission.
 const USUAL_FRAMES: u64 = 8;
@@ -95,28 +92,21 @@ impl Show {
     pub fn run(&self) -> Result<Verdict, Failure> {
         let plots = [("--out", &self.out), ("--utilisation", &self.utilisation), ("--slack", &self.slack)];
         expect_outputs(&Place::pictures(plots), &self.stage.sources())?;
-        let (rehearsal, frames) = Rehearsed::open(&self.stage, &self.threads, |opened| self.choose(opened))?;
+        let (rehearsal, frames) = rehearse_timed(&self.stage, &self.threads, |opened| self.choose(opened))?;
         if let Rehearsed::Machine(rehearsal) = &rehearsal {
             self.draw_timeline(rehearsal)?;
         }
-        let record = rehearsal.record(&frames, &Display::new(!self.no_progress))?;
+        let record = record(!self.no_progress, |hear| rehearsal.record(&frames, hear))?;
         if let Some(path) = &self.utilisation {
             write_utilisation(&record, path)?;
         }
         if let Some(path) = &self.slack {
             write_slack(&record, path)?;
         }
-        let rehearsal = match &rehearsal {
-            Rehearsed::Machine(rehearsal) => rehearsal,
-            Rehearsed::Other(other) => {
-                self.tell_other(other, &record)?;
-                return Ok(Verdict::Yes);
-            }
-        };
-        let frame = tightest(&record);
-        let poses = rehearsal.poses(&[frame.frame])?;
-        let chains = chains(rehearsal, &poses[0].pose, frame)?;
-        self.tell(&record, frame.frame, &chains, rehearsal)?;
+        match &rehearsal {
+            Rehearsed::Machine(rehearsal) => self.tell(rehearsal, &record)?,
+            Rehearsed::Other(other) => self.tell_other(other, &record)?,
+        }
         Ok(Verdict::Yes)
     }
 
@@ -138,12 +128,7 @@ impl Show {
     /// Without deadlines there is no critical path.
     fn tell_other(&self, other: &Other, record: &TimingRecord) -> Result<(), Failure> {
         match self.json {
-            true => print_json(&json!({
-                "schema": "lunoid.timing.show/1",
-                "record": record,
-                "totals": Totals::of(record),
-                "critical_path": null,
-            })),
+            true => print_json(&Deadlines::json_without(record)),
             false => print(&(record.text() + &other.times_text(record))),
         }
     }
@@ -182,30 +167,16 @@ impl Show {
         let levels = drawn_levels(&rehearsal.stage);
         let number = usize::from(self.level == LevelWord::Coarse).min(levels.len() - 1);
         let title = format!("{} on {}", rehearsal.scenario.title, rehearsal.model.name);
-        SweepTimeline::new(&sweeps, levels[number], (frame, sweep)).draw(&title, self.range_m, path)
+        Ok(SweepTimeline::new(&sweeps, levels[number], (frame, sweep)).draw(&title, self.range_m, path)?)
     }
 
-    fn tell(
-        &self,
-        record: &TimingRecord,
-        frame: u64,
-        chains: &[Chain],
-        rehearsal: &Rehearsal,
-    ) -> Result<(), Failure> {
+    fn tell(&self, rehearsal: &Rehearsal, record: &TimingRecord) -> Result<(), Failure> {
+        let deadlines = Deadlines::of(rehearsal, record)?;
         if self.json {
-            return print_json(&json!({
-                "schema": "lunoid.timing.show/1",
-                "record": record,
-                "totals": Totals::of(record),
-                "critical_path": { "frame": frame, "chains": chains },
-            }));
+            return print_json(&deadlines.json());
         }
-        let timebase = &rehearsal.stage.settings.timebase;
-        let [tick, sample] = [timebase.master, timebase.sample_rate()].map(|rate| 1e9 / rate.hertz());
-        let chains: String = chains.iter().map(|chain| chain.text(tick)).collect();
         let sweeps = self.missed_sweeps(rehearsal.stage.settings.raster.sweeps)?;
-        let misses = sweeps.map_or(String::new(), |sweeps| misses::text(record, &sweeps, sample));
-        print(&format!("{}\ncritical path of frame {frame}\n{chains}{misses}", record.text()))
+        print(&deadlines.text(sweeps.as_ref()))
     }
 
     /// The sweeps whose misses are listed.
@@ -215,17 +186,4 @@ impl Show {
             Failure::usage(format!("--misses {span}: a frame has sweeps 0..{all}; expected a range inside"))
         })
     }
-}
-
-/// The frame with the least slack of all; the first of several.
-fn tightest(record: &TimingRecord) -> &FrameTiming {
-    let least = |frame: &FrameTiming| {
-        let all = frame.deadlines.values().filter_map(|slack| slack.least);
-        all.min().unwrap_or(i64::MAX)
-    };
-    let mut frames = record.frames.iter();
-    let first = &record.frames[0];
-    frames
-        .by_ref()
-        .fold(first, |tightest, frame| if least(frame) < least(tightest) { frame } else { tightest })
 }

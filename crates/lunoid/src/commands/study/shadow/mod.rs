@@ -20,8 +20,9 @@ use super::error::frames;
 use super::outputs::{Outputs, is_of, markdown, write};
 use crate::cli::COMMIT;
 use crate::loading::{StageArgs, Threads, machine_stage};
-use crate::output::{Place, table as columns};
+use crate::output::Place;
 use crate::{Failure, Verdict, values};
+use text::table as columns;
 
 /// Elevations of the sun where none are given (degrees): those of the page's table.
 const ELEVATIONS: [f64; 3] = [30.0, 16.7, 8.0];

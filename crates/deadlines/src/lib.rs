@@ -1,0 +1,31 @@
+//! Deadlines of the digital side: which are missed, why, what that does to the picture, and which parts would do.
+//!
+//! ```text
+//! scenario, model ─▶ Rehearsal ─▶ timing record ─▶ critical path, misses, timeline of a sweep, plots
+//!                        ├─▶ columns: every column that differs from the ideal machine, traced to lines of the record
+//!                        └─▶ sizing: the report's formulas against what was measured, the slowest parts that would do
+//! ```
+//!
+//! [`Rehearsal`] is a mission on the hybrid machine without its pictures. [`Rehearsed`] is the same for any generator
+//! whose frames take time. `docs/timing.md` says what each figure means.
+
+pub mod columns;
+mod critical_path;
+mod error;
+mod levels;
+mod misses;
+mod plots;
+mod rehearsal;
+mod rehearsed;
+mod sets;
+mod show;
+pub mod sizing;
+mod timeline;
+
+pub use error::DeadlineError;
+pub use levels::{DrawnLevel, drawn_levels};
+pub use plots::{write_slack, write_utilisation};
+pub use rehearsal::{Rehearsal, first, spread};
+pub use rehearsed::{Other, Rehearsed};
+pub use show::Deadlines;
+pub use timeline::SweepTimeline;

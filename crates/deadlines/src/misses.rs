@@ -1,0 +1,60 @@
+//! Missed deadlines of some sweeps, one a line: from a column of the picture to its cause.
+
+use std::ops::Range;
+
+use text::table;
+use timing::{Missed, TimingRecord};
+
+const HEAD: [&str; 10] = [
+    "frame",
+    "sweep",
+    "deadline",
+    "crossing",
+    "register",
+    "corner",
+    "range (m)",
+    "late (ns)",
+    "words",
+    "cause",
+];
+
+/// A table of the misses in `sweeps` of every frame of the record; `ns` is the length of a sample (ns).
+pub fn text(record: &TimingRecord, sweeps: &Range<u64>, ns: f64) -> String {
+    let all =
+        record.frames.iter().flat_map(|frame| frame.misses.iter().map(move |missed| (frame.frame, missed)));
+    let ours = all.filter(|(_, missed)| sweeps.contains(&u64::from(missed.sweep)));
+    let rows = rows(ours, ns);
+    match rows.len() {
+        1 => format!("\nno misses in sweeps {}..{}\n", sweeps.start, sweeps.end),
+        _ => format!("\n{}", table(&rows)),
+    }
+}
+
+/// Head and cells of misses, each with its frame.
+pub fn rows<'a>(misses: impl Iterator<Item = (u64, &'a Missed)>, ns: f64) -> Vec<Vec<String>> {
+    let head = HEAD.map(String::from).into();
+    [head].into_iter().chain(misses.map(|(frame, missed)| cells(frame, missed, ns))).collect()
+}
+
+fn cells(frame: u64, missed: &Missed, ns: f64) -> Vec<String> {
+    let or_none = |text: Option<String>| text.unwrap_or_else(|| "-".into());
+    let words = [&missed.colour, &missed.register, &missed.part].into_iter().flatten();
+    let register = words.map(String::as_str).collect::<Vec<_>>().join(" ");
+    vec![
+        frame.to_string(),
+        missed.sweep.to_string(),
+        missed.deadline.to_string(),
+        or_none(missed.crossing.map(|crossing| crossing.to_string())),
+        or_none(Some(register).filter(|register| !register.is_empty())),
+        or_none(
+            missed
+                .crater
+                .map(|crater| format!("crater {crater}"))
+                .or_else(|| missed.region.map(|[m, n]| format!("{m} {n}"))),
+        ),
+        or_none(missed.range_m.map(|range| format!("{range:.1}"))),
+        missed.lateness().map_or("never came".into(), |late| format!("{:.1}", late * ns)),
+        missed.words.count_ones().to_string(),
+        missed.cause.to_string(),
+    ]
+}

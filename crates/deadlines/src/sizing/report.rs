@@ -1,0 +1,294 @@
+//! What was measured beside what the formulas say.
+
+use scenario::PoseRow;
+use serde::Serialize;
+use serde_json::{Value, json};
+use timing::{FrameTiming, TimingRecord, Totals};
+
+use super::level::LevelFigures;
+use super::search::Search;
+use crate::Rehearsal;
+use text::{named_frames, table};
+
+/// One figure.
+#[derive(Debug, Clone, Serialize)]
+pub struct Row {
+    /// Name with unit.
+    key: String,
+    /// In words.
+    meaning: String,
+    /// By running.
+    measured: Option<f64>,
+    /// By formula.
+    formula: Option<f64>,
+    /// Measured over formula.
+    ratio: Option<f64>,
+    /// The formula in the symbols of hardware section 4.
+    law: &'static str,
+}
+
+fn row(
+    key: impl Into<String>,
+    meaning: impl Into<String>,
+    measured: impl Into<Option<f64>>,
+    formula: impl Into<Option<f64>>,
+    law: &'static str,
+) -> Row {
+    let (measured, formula) = (measured.into(), formula.into());
+    let ratio = measured.zip(formula).filter(|&(_, formula)| formula != 0.0).map(|(found, of)| found / of);
+    Row { key: key.into(), meaning: meaning.into(), measured, formula, ratio, law }
+}
+
+/// Figures measured and by formula, and what was searched for.
+pub struct Report {
+    head: String,
+    /// Title and rows.
+    tables: Vec<(String, Vec<Row>)>,
+    searches: Vec<Search>,
+    shows: f64,
+    frames: Vec<u64>,
+}
+
+impl Report {
+    pub(super) fn new(
+        rehearsal: &Rehearsal,
+        record: &TimingRecord,
+        levels: &[LevelFigures],
+        poses: &[PoseRow],
+        shows: f64,
+    ) -> Self {
+        let frames: Vec<u64> = poses.iter().map(|row| row.frame).collect();
+        let head = format!("{} on {}, {}", record.scenario, record.machine, named_frames(&frames));
+        let mut tables: Vec<_> = levels.iter().map(|level| (title(level), level_rows(level))).collect();
+        tables.push(("use of units".into(), unit_rows(rehearsal, record, levels)));
+        Self { head, tables, searches: Vec::new(), shows, frames }
+    }
+
+    /// The same with what was searched for.
+    pub fn with(self, searches: Vec<Search>) -> Self {
+        Self { searches, ..self }
+    }
+
+    /// A document of schema `lunoid.sizing/1`.
+    pub fn json(&self) -> Value {
+        let tables = self.tables.iter().map(|(title, rows)| json!({ "title": title, "rows": rows }));
+        json!({
+            "schema": "lunoid.sizing/1",
+            "frames": self.frames,
+            "tables": tables.collect::<Vec<_>>(),
+            "a_tear_shows_from_lines": self.shows,
+            "searches": self.searches,
+        })
+    }
+
+    /// Tables for people.
+    pub fn text(&self) -> String {
+        let mut text = format!("{}\n", self.head);
+        for (title, rows) in &self.tables {
+            text += &format!("\n{title}\n{}", table(&cells(rows)));
+        }
+        if !self.searches.is_empty() {
+            let lines = self.shows;
+            text += &format!(
+                "\nslowest parts with no step of {lines} lines or more\n{}",
+                table(&self.search_cells())
+            );
+        }
+        text
+    }
+
+    fn search_cells(&self) -> Vec<Vec<String>> {
+        let ns = |value: Option<f64>| value.map_or("-".into(), |value| format!("{value:.0} ns"));
+        let found = |search: &Search| match (search.slowest_ns, search.any) {
+            (None, _) => "none: tears show at 0 ns".into(),
+            (Some(_), true) => "any: a whole sweep would do".into(),
+            (slowest, false) => ns(slowest),
+        };
+        let head = ["part", "slowest", "is", ""].map(String::from).into();
+        let rows = self
+            .searches
+            .iter()
+            .map(|search| vec![search.key.into(), found(search), ns(search.is_ns), search.what.into()]);
+        [head].into_iter().chain(rows).collect()
+    }
+}
+
+fn cells(rows: &[Row]) -> Vec<Vec<String>> {
+    let number = |value: Option<f64>| value.map_or("-".into(), four_digits);
+    let head = ["quantity", "measured", "formula", "ratio", "law"].map(String::from).into();
+    let lines = rows.iter().map(|row| {
+        let ratio = row.ratio.map_or("-".into(), |ratio| format!("{ratio:.3}"));
+        vec![row.meaning.clone(), number(row.measured), number(row.formula), ratio, row.law.into()]
+    });
+    [head].into_iter().chain(lines).collect()
+}
+
+/// Four significant digits; more where they stand before the point.
+fn four_digits(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return format!("{value}");
+    }
+    if value.abs() < 1e-4 {
+        return format!("{value:.1e}");
+    }
+    let mut decimals = 3;
+    let mut scaled = value.abs();
+    while scaled >= 10.0 && decimals > 0 {
+        (scaled, decimals) = (scaled / 10.0, decimals - 1);
+    }
+    while scaled < 1.0 {
+        (scaled, decimals) = (scaled * 10.0, decimals + 1);
+    }
+    format!("{value:.decimals$}")
+}
+
+fn title(level: &LevelFigures) -> String {
+    let LevelFigures { name, region_size, range, sweeps, .. } = level;
+    format!("{name} level: {sweeps} sweeps of {range:.0} m over regions of {region_size} m")
+}
+
+fn level_rows(level: &LevelFigures) -> Vec<Row> {
+    let LevelFigures { budget, sweeps, frames, .. } = level;
+    let [mean, least, most] = level.crossings;
+    let sweep = |count: u64| count as f64 / (*sweeps).max(1) as f64;
+    let frame = |count: u64| count as f64 / (*frames).max(1) as f64;
+    let words = |sets: u64| 9.0 * sweep(sets) / (1e6 * budget.sweep.active);
+    let crossings = &budget.crossings;
+    let straight = level.range / level.region_size;
+    let ns = |index: usize| level.urgent.map(|urgent| 1e9 * urgent[index]);
+    let by_formula = |ticks: f64| 1e9 * (budget.loader.urgent + ticks * level.tick);
+    vec![
+        row("crossings", "crossings a sweep, mean", mean, crossings.mean, "4 R/(pi d), mean over azimuth"),
+        row(
+            "crossings_here",
+            "  of these azimuths",
+            mean,
+            level.crossings_at_azimuths,
+            "R (|cos| + |sin|)/d",
+        ),
+        row("crossings_least", "  least", least, straight, "R/d, along an axis"),
+        row("crossings_most", "  most", most, crossings.worst, "sqrt(2) R/d, along a diagonal"),
+        row("words_used_us", "words used/µs", words(level.used), 1e-6 * crossings.words_used, "18 n/Ta"),
+        row(
+            "words_loaded_us",
+            "words loaded/µs",
+            words(level.brought),
+            1e-6 * crossings.words_loaded,
+            "36 n/Ta",
+        ),
+        row(
+            "t_u_mean_ns",
+            "fold to urgent set, mean (ns)",
+            ns(0),
+            by_formula(0.5),
+            "t_u, a fold seen half a tick late",
+        ),
+        row("t_u_most_ns", "  at worst", ns(1), by_formula(1.0), "t_u and a tick"),
+        row(
+            "late_urgent",
+            "late urgent sets a sweep",
+            sweep(level.late_urgent),
+            level.late_expected / (*sweeps).max(1) as f64,
+            "sum of v t_u |sin 2 theta|/d^2",
+        ),
+        row(
+            "late_urgent_mean",
+            "  constant rate, mean azimuth",
+            sweep(level.late_urgent),
+            budget.loader.late,
+            "R v t_u 2/(pi d^2)",
+        ),
+        row("late", "late sets a sweep, all", sweep(level.late), None, ""),
+        row("tears", "tears a frame", frame(level.late), None, "late sets"),
+        row("tears_seen", "  that show", frame(level.seen), None, "S0(e) times the corners' difference"),
+    ]
+}
+
+/// Utilisation in percent.
+fn unit_rows(rehearsal: &Rehearsal, record: &TimingRecord, levels: &[LevelFigures]) -> Vec<Row> {
+    let totals = Totals::of(record);
+    let cpu = &rehearsal.stage.settings.cpu;
+    let vertices = (cpu.vertex * totals.vertices.asked) as f64 / totals.ticks as f64;
+    let formulas = UnitFormulas { levels, turning: turning(rehearsal) / 10.0, vertices };
+    let rows = totals.units.iter().map(|(name, unit)| {
+        let (formula, law) = formulas.of(name);
+        row(format!("{name}_pct"), format!("{name} (%)"), 100.0 * unit.mean, formula.map(|f| 100.0 * f), law)
+    });
+    rows.chain(crossing_row(rehearsal, record, levels)).collect()
+}
+
+/// One crossing by interrupt, where the processor serves them.
+fn crossing_row(rehearsal: &Rehearsal, record: &TimingRecord, levels: &[LevelFigures]) -> Option<Row> {
+    let busy = |frame: &FrameTiming| {
+        frame.units.iter().find(|unit| unit.unit == "cpu.interrupts").map(|unit| unit.busy)
+    };
+    let ticks: u64 = record.frames.iter().filter_map(busy).sum();
+    let folds: u64 = record.frames.iter().map(|frame| frame.folds).sum();
+    let us = 1e6 / rehearsal.stage.settings.timebase.master.hertz();
+    let measured = (folds > 0).then(|| us * ticks as f64 / folds as f64);
+    let formula = levels.first().map(|level| 1e6 * level.budget.cpu.crossing);
+    let meaning = "one crossing by interrupt (µs)";
+    (ticks > 0).then(|| {
+        row("cpu_crossing_us", meaning, measured, formula, "t_int + instructions, if all are served")
+    })
+}
+
+/// Shares of time by formula.
+struct UnitFormulas<'a> {
+    levels: &'a [LevelFigures],
+    /// How fast the view turns, as a share of 10 degrees/s, for which the drum's formula stands.
+    turning: f64,
+    /// Vertices asked for.
+    vertices: f64,
+}
+
+impl UnitFormulas<'_> {
+    fn of(&self, unit: &str) -> (Option<f64>, &'static str) {
+        let sum = |share: fn(&LevelFigures) -> f64| self.levels.iter().map(share).sum::<f64>();
+        let once = |share: fn(&LevelFigures) -> f64| self.levels.first().map_or(0.0, share);
+        let [set_ups, tables] =
+            [once(|level| level.budget.cpu.sweep_setup), once(|level| level.budget.cpu.frame_tables)];
+        let [interrupts, words] =
+            [sum(|level| level.budget.cpu.interrupts), sum(|level| level.budget.cpu.loads)];
+        match unit.split('.').collect::<Vec<_>>()[..] {
+            ["cpu"] => (Some(interrupts + words + set_ups + tables + self.vertices), "all of its tasks"),
+            ["cpu", "interrupts"] => (Some(interrupts), "n (t_int + instructions)/T"),
+            ["cpu", "words"] => (Some(words), "36 n words/T, by program or stolen"),
+            ["cpu", "set-ups"] => (Some(set_ups), "a set-up/T"),
+            ["cpu", "tables"] => (Some(tables), "tables f"),
+            ["cpu", "vertices"] => (Some(self.vertices), "vertices asked for, each its time"),
+            ["loader", _] | ["io-processor"] => {
+                (Some(sum(|level| level.budget.loader.busy / level.budget.sweep.period)), "4 sets a crossing")
+            }
+            ["drum", name, _] => {
+                let level = self.levels.iter().find(|level| level.name == name);
+                let load = level.and_then(|level| Some(level.budget.drum?.load * self.turning));
+                (load, "R^2 omega/(2 d^2) (latency + record)")
+            }
+            _ => (None, ""),
+        }
+    }
+}
+
+/// Turning rate of the view, mean over the mission (degrees/s).
+fn turning(rehearsal: &Rehearsal) -> f64 {
+    let course = rehearsal.stage.scenery.course();
+    let turn = |pair: &[scenario::Pose]| {
+        let full = 2.0 * std::f64::consts::PI;
+        let turn = (pair[1].attitude.heading - pair[0].attitude.heading).abs() % full;
+        turn.min(full - turn)
+    };
+    let time = course.first().zip(course.last()).map_or(0.0, |(first, last)| last.time - first.time);
+    if time > 0.0 { quantities::degrees(course.windows(2).map(turn).sum::<f64>()) / time } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::four_digits;
+
+    #[test]
+    fn figures_have_four_digits() {
+        let texts = [0.0, 21.22, 0.000_123, 6.3662, 123_456.7, 1e-17].map(four_digits);
+        assert_eq!(texts, ["0", "21.22", "0.0001230", "6.366", "123457", "1.0e-17"]);
+    }
+}

@@ -1,0 +1,68 @@
+//! `lunoid sizing`: the arithmetic of the hardware report, section 4, measured by running; and what would just do.
+
+use clap::Args;
+use deadlines::{sizing, spread};
+use front_door::Opened;
+
+use crate::loading::{StageArgs, Threads, of_models};
+use crate::output::{print, print_json, tell};
+use crate::rehearsing::{choose, record, rehearse};
+use crate::values::positive;
+use crate::{Failure, Verdict};
+use text::Span;
+
+/// Frames that are measured where none are named, spread over the mission.
+const USUAL_FRAMES: u64 = 3;
+
+const AFTER: &str = "Example:
+  lunoid sizing scenarios/first-light.toml --machine pra-nominal --sweeps 105
+
+docs/timing.md says what each line is, and what a tear is that shows.";
+
+/// Hold the machine in time against its formulas, and search for the slowest parts that would do.
+#[derive(Debug, Args)]
+#[command(after_help = AFTER, mut_args(of_models))]
+pub struct Sizing {
+    #[command(flatten)]
+    stage: StageArgs,
+    #[command(flatten)]
+    threads: Threads,
+    /// Frames to measure, counted at the update rate: A..B without B. Three, spread over the mission, if left out.
+    #[arg(long, value_name = "A..B")]
+    frames: Option<Span>,
+    /// Step of the ground that shows as a tear, in lines of the picture.
+    #[arg(long, value_name = "LINES", value_parser = positive, default_value_t = 0.5)]
+    shows: f64,
+    /// Measure only.
+    #[arg(long)]
+    no_search: bool,
+    /// No progress.
+    #[arg(long)]
+    no_progress: bool,
+    /// Print as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+impl Sizing {
+    /// Measures, and searches.
+    pub fn run(&self) -> Result<Verdict, Failure> {
+        let usual = |opened: &Opened| choose(opened, self.frames, spread(USUAL_FRAMES));
+        let (rehearsal, frames) = rehearse(&self.stage, &self.threads, usual)?;
+        let record = record(!self.no_progress, |hear| rehearsal.record(&frames, hear))?;
+        let sizing = sizing::Sizing::new(&rehearsal, &frames, self.shows)?;
+        let mut report = sizing.report(&record)?;
+        if !self.no_search {
+            if !self.no_progress {
+                tell("searching for the slowest parts\n");
+            }
+            report = report.with(sizing.search()?);
+        }
+        if self.json {
+            print_json(&report.json())?
+        } else {
+            print(&report.text())?
+        }
+        Ok(Verdict::Yes)
+    }
+}

@@ -1,0 +1,78 @@
+//! Why signals cannot be recorded or shown.
+
+use std::path::PathBuf;
+
+use generator::FrameError;
+use picture::PictureError;
+use plots::PlotError;
+use waveform::WaveformError;
+
+use crate::size;
+
+/// Why signals cannot be recorded or shown.
+#[derive(Debug, thiserror::Error)]
+pub enum ScopeError {
+    /// The generator has no signals.
+    #[error("machine {0} has no signals; expected a hardware model")]
+    NoSignals(String),
+    /// A pattern names no signal.
+    #[error("--signals {0}: no signal of this name; `lunoid signals` lists them")]
+    Unknown(String),
+    /// None of the signals that are to be shown runs along the line.
+    #[error(
+        "--signals: none of them runs along the {line}; a picture needs one beside {place}; `lunoid signals` lists them"
+    )]
+    NothingAlong {
+        /// What a line of the signals is: a sweep or a row.
+        line: &'static str,
+        /// The signal that says where a sample is.
+        place: &'static str,
+    },
+    /// A row is asked for what only a sweep has.
+    #[error(
+        "{0}: a row has no sweep time; expected places to the right of the line of sight in metres, as -120.5"
+    )]
+    NoTime(String),
+    /// A place lies beyond the samples.
+    #[error(
+        "{option} {found}{unit}: the samples lie from {low:.3} to {high:.3}{unit}; expected a place there"
+    )]
+    Beyond {
+        /// The option that names it.
+        option: &'static str,
+        /// Where it lies (`unit`).
+        found: f64,
+        /// Metres or microseconds.
+        unit: &'static str,
+        /// The first sample (`unit`).
+        low: f64,
+        /// The last sample (`unit`).
+        high: f64,
+    },
+    /// A file of waveforms would be large, which nobody asked for.
+    #[error(
+        "{}: the file would have about {}; give --large to write it, or choose fewer sweeps or signals",
+        .out.display(), size(*.bytes)
+    )]
+    TooLarge {
+        /// The file.
+        out: PathBuf,
+        /// Its size (bytes).
+        bytes: u64,
+    },
+    /// The pose cannot be drawn.
+    #[error(transparent)]
+    Frame(#[from] FrameError),
+    /// The picture column cannot be made.
+    #[error(transparent)]
+    Picture(#[from] PictureError),
+    /// The page cannot be drawn as asked.
+    #[error(transparent)]
+    Look(PlotError),
+    /// The page cannot be written.
+    #[error(transparent)]
+    Write(PlotError),
+    /// The file of waveforms cannot be written.
+    #[error(transparent)]
+    Waveform(#[from] WaveformError),
+}

@@ -1,0 +1,47 @@
+//! What people write and read: ranges of numbers ([`Span`]), tables in columns, numbers in words.
+
+mod span;
+
+pub use span::Span;
+
+/// A rate with two digits at least, so that a slow one is no zero.
+pub fn rate(value: f64) -> String {
+    let places = [10.0, 1e2, 1e3, 1e4, 1e5].iter().position(|scale| value * scale >= 9.95);
+    format!("{value:.*}", 1 + places.unwrap_or(0))
+}
+
+/// Frames by their numbers: `frame 3`, `frames 0, 3`.
+pub fn named_frames(frames: &[u64]) -> String {
+    let numbers: Vec<String> = frames.iter().map(u64::to_string).collect();
+    format!("{} {}", if frames.len() == 1 { "frame" } else { "frames" }, numbers.join(", "))
+}
+
+/// Columns of text, each as wide as its widest cell. The last column is not padded.
+pub fn table(rows: &[Vec<String>]) -> String {
+    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let width = |column: usize| {
+        rows.iter().filter_map(|row| row.get(column)).map(|cell| cell.chars().count()).max().unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..columns).map(width).collect();
+    let line = |row: &Vec<String>| {
+        let cells = row.iter().zip(&widths).map(|(cell, width)| format!("{cell:width$}"));
+        cells.collect::<Vec<_>>().join("  ").trim_end().to_owned() + "\n"
+    };
+    rows.iter().map(line).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{named_frames, rate};
+
+    #[test]
+    fn one_frame_is_a_frame() {
+        assert_eq!([named_frames(&[3]), named_frames(&[0, 3])], ["frame 3", "frames 0, 3"]);
+    }
+
+    #[test]
+    fn slow_rates_are_no_zeros() {
+        let said = [0.0, 1234.56, 24.31, 0.996, 0.0433, 0.00012, 1e-9].map(rate);
+        assert_eq!(said, ["0.0", "1234.6", "24.3", "1.0", "0.043", "0.00012", "0.0"].map(str::to_owned));
+    }
+}
