@@ -251,7 +251,7 @@ fn startup() -> Result<(), String> {
         // Files are in memory after the first time: what is left is our own work.
         apart(&["begin", &scenario])?;
         println!("| {craters} | {}", apart(&["begin", &scenario])?.trim());
-        println!("| {craters}, swift | {}", apart(&["begin", &scenario, "--swift"])?.trim());
+        println!("| {craters}, swift | {}", apart(&["begin", &scenario, "--preview"])?.trim());
     }
     println!();
     Ok(())

@@ -200,6 +200,7 @@ fn laws(runs: &[(String, Run)]) -> Markup {
                 thead { tr { th scope="col" { "Setting" } @for (name, _) in runs { th scope="col" { (name) } } } }
                 tbody {
                     tr { th scope="row" { "sweeps × samples" } @for (_, run) in runs { td { (raster(run)) } } }
+                    tr { th scope="row" { "economy" } @for (_, run) in runs { td { (economy(run)) } } }
                     @for law in first.view.laws.keys() {
                         tr { th scope="row" { (law.replace('_', " ")) } @for (_, run) in runs { td { (of(run, law)) } } }
                     }
@@ -210,6 +211,15 @@ fn laws(runs: &[(String, Run)]) -> Markup {
                 }
             } }
         }
+    }
+}
+
+/// What a run was allowed to leave out: a preview, or the whole picture.
+fn economy(run: &Run) -> &str {
+    match run.machine.as_ref().map(|machine| machine.economy.as_str()) {
+        Some("preview") => "preview: signals at the samples alone",
+        Some(word) => word,
+        None => "drawn whole",
     }
 }
 

@@ -25,7 +25,7 @@ use serde_json::{Value, json};
 use crate::cli::{COMMIT, RESULT_FAMILY};
 use crate::commands::page::{Making, Request, check};
 use crate::interrupt;
-use crate::loading::{StageArgs, StageOptions, Threads, choose_frames, machine_help};
+use crate::loading::{PreviewArgs, StageArgs, StageOptions, Threads, choose_frames, machine_help};
 use crate::output::{Place, expect_outputs, print, print_json, tell};
 use crate::progress::Saying;
 use crate::{Failure, Verdict, values};
@@ -53,6 +53,8 @@ pub struct Replay {
     machine: Vec<String>,
     #[command(flatten)]
     options: StageOptions,
+    #[command(flatten)]
+    preview: PreviewArgs,
     #[command(flatten)]
     threads: Threads,
     /// Frames to draw, counted at the update rate: A..B without B. All if left out.
@@ -124,7 +126,8 @@ impl Replay {
 
     fn alone(&self, machine: Option<String>) -> Result<Verdict, Failure> {
         self.expect_one_on_stdout()?;
-        let stage = self.stage(machine);
+        let mut stage = self.stage(machine);
+        stage.options.preview = self.preview.is_asked();
         let out = self.out("");
         self.expect_apart(&stage, &out)?;
         let start = Instant::now();
