@@ -74,6 +74,12 @@ pub trait Generator: Send + Sync {
         &[PlaneKind::Intensity]
     }
 
+    /// Whether its pictures of `stage` have colour: then red, green and blue are among its planes, and its intensity is
+    /// their luminance.
+    fn draws_colour(&self, _stage: &Stage) -> bool {
+        false
+    }
+
     /// The signals that its sessions can record.
     fn signals(&self) -> &'static [Signal] {
         &[]

@@ -1,11 +1,9 @@
 //! The program as a job of its computer: how long a frame takes, as a timing record tells it.
 
-use std::collections::BTreeMap;
-
 use generator::{FrameError, PrepareError, Stage, Timed};
 use quantities::Rate;
 use scenario::{Pose, Scenario};
-use timing::{EventHash, FrameTiming, Sets, Task, UnitUse, Vertices};
+use timing::{EventHash, FrameTiming, Task, UnitUse};
 
 use crate::Lunsim;
 use crate::hardware::Hardware;
@@ -52,21 +50,7 @@ impl Program {
             busy: busy(unit),
             longest_queue: 0,
         });
-        let (events, events_blake3) = events.finish();
-        Ok(FrameTiming {
-            frame,
-            ticks: units.iter().map(|unit| unit.busy).sum::<u64>().max(1),
-            folds: 0,
-            sets: Sets::default(),
-            late_words: 0,
-            vertices: Vertices::default(),
-            deadlines: BTreeMap::new(),
-            units: units.into(),
-            tasks,
-            misses: Vec::new(),
-            events,
-            events_blake3,
-        })
+        Ok(FrameTiming::of_work(frame, units.into(), tasks, &events))
     }
 
     fn work(&self, picture: &Picture) -> (Work, EventHash) {

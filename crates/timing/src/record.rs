@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use crate::EventHash;
 use crate::deadline::{Deadline, Slack};
 use crate::missed::Missed;
 use crate::task::Task;
@@ -63,6 +64,27 @@ pub struct FrameTiming {
     pub events: u64,
     /// [`crate::EventHash`] of their ordered list: 64 hexadecimal digits.
     pub events_blake3: String,
+}
+
+impl FrameTiming {
+    /// The timing of a frame that is work without deadlines: its length is the time of all units together, at least 1 tick.
+    pub fn of_work(frame: u64, units: Vec<UnitUse>, tasks: Vec<Task>, events: &EventHash) -> Self {
+        let (events, events_blake3) = events.finish();
+        Self {
+            frame,
+            ticks: units.iter().map(|unit| unit.busy).sum::<u64>().max(1),
+            folds: 0,
+            sets: Sets::default(),
+            late_words: 0,
+            vertices: Vertices::default(),
+            deadlines: BTreeMap::new(),
+            units,
+            tasks,
+            misses: Vec::new(),
+            events,
+            events_blake3,
+        }
+    }
 }
 
 /// Register sets of nine words, counted (hardware report, section 4.4).

@@ -155,6 +155,7 @@ impl Replay {
 
     /// What one machine is to draw.
     fn job<'a>(&self, opened: &'a Opened, stage: Stage, frames: Range<u64>) -> Job<'a> {
+        let pictures = self.pictures(opened.generator.draws_colour(&stage));
         Job {
             program: program(),
             inputs: opened.inputs.clone(),
@@ -162,7 +163,7 @@ impl Replay {
             generator: Arc::clone(&opened.generator),
             stage,
             frames,
-            pictures: self.pictures(),
+            pictures,
             check: self.check,
         }
     }
@@ -240,13 +241,13 @@ impl Replay {
         self.out.clone().unwrap_or_else(|| Path::new("runs").join(format!("{stem}{of}")))
     }
 
-    fn pictures(&self) -> Pictures {
+    fn pictures(&self, colour: bool) -> Pictures {
         let depth = match self.depth {
             DepthWord::Eight => Depth::Eight,
             DepthWord::Sixteen => Depth::Sixteen,
         };
         // No generator has colour yet.
-        Pictures { depth, colour: false, refresh: self.refresh, film: self.apng }
+        Pictures { depth, colour, refresh: self.refresh, film: self.apng }
     }
 
     fn tell(
