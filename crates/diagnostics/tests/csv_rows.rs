@@ -70,7 +70,7 @@ proptest! {
             prop_assert_eq!(row.width(), cells.len());
             prop_assert!(row.open_quote().is_none());
         }
-        let last = rows.next_row().or_else(|| None).expect("the last row");
+        let last = rows.next_row().expect("the last row");
         prop_assert_eq!(last.texts().collect::<Vec<_>>(), ["1", "2"]);
     }
 

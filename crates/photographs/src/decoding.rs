@@ -14,6 +14,8 @@ use crate::jpeg;
 
 /// Most bytes that a decoder takes for a pixel: four codes of 16 bits, as they are read and as they are kept.
 const PIXEL_BYTES: u64 = 16;
+/// Most decoded bytes a byte of a file: deflate packs 1032 into one, LZW 2600, a flat progressive JPEG some 500.
+const MOST_EXPANSION: u64 = 4096;
 /// Beside the pixels: tables, chunks, strips.
 const TABLE_BYTES: u64 = 1 << 20;
 
@@ -21,6 +23,8 @@ const TABLE_BYTES: u64 = 1 << 20;
 struct Opened<D> {
     format: &'static str,
     decoder: D,
+    /// Of the whole file.
+    bytes: u64,
 }
 
 /// The picture that the bytes of a file hold.
@@ -28,7 +32,7 @@ struct Opened<D> {
 /// # Errors
 /// [`PhotographError`]; nothing is allocated for pixels beyond `limits`.
 pub fn decode(bytes: &[u8], limits: &Limits) -> Result<AnyPicture, PhotographError> {
-    let source = Cursor::new(bytes);
+    let (source, size) = (Cursor::new(bytes), bytes.len() as u64);
     match image::guess_format(bytes) {
         Ok(ImageFormat::Png) => {
             let format = "PNG";
@@ -37,7 +41,7 @@ pub fn decode(bytes: &[u8], limits: &Limits) -> Result<AnyPicture, PhotographErr
             if decoder.is_apng().map_err(|error| damaged(format, error))? {
                 return Err(PhotographError::Animated);
             }
-            Opened { format, decoder }.picture(limits)
+            Opened { format, decoder, bytes: size }.picture(limits)
         }
         Ok(ImageFormat::Jpeg) => {
             let format = "JPEG";
@@ -48,12 +52,12 @@ pub fn decode(bytes: &[u8], limits: &Limits) -> Result<AnyPicture, PhotographErr
                 return Err(PhotographError::Cut);
             }
             let decoder = JpegDecoder::new(source).map_err(|error| damaged(format, error))?;
-            Opened { format, decoder }.picture(limits)
+            Opened { format, decoder, bytes: size }.picture(limits)
         }
         Ok(ImageFormat::Tiff) => {
             let format = "TIFF";
             let decoder = TiffDecoder::new(source).map_err(|error| damaged(format, error))?;
-            Opened { format, decoder }.picture(limits)
+            Opened { format, decoder, bytes: size }.picture(limits)
         }
         _ => Err(PhotographError::Unknown { found: first_bytes(bytes) }),
     }
@@ -99,6 +103,9 @@ impl<D: ImageDecoder> Opened<D> {
         let (columns, lines) = self.decoder.dimensions();
         if u64::from(columns) * u64::from(lines) > limits.pixels {
             return Err(PhotographError::TooManyPixels { format, columns, lines, limit: limits.pixels });
+        }
+        if self.decoder.total_bytes() / MOST_EXPANSION > self.bytes {
+            return Err(PhotographError::Hollow { format, columns, lines, bytes: self.bytes });
         }
         match self.decoder.original_color_type() {
             ExtendedColorType::Cmyk8 | ExtendedColorType::Cmyk16 => Err(PhotographError::Inks { format }),

@@ -31,6 +31,20 @@ pub enum PhotographError {
         /// Most pixels allowed.
         limit: u64,
     },
+    /// More pixels than the bytes can hold.
+    #[error(
+        "the {format} claims {columns} columns and {lines} lines, but its {bytes} bytes cannot hold them; fetch it again"
+    )]
+    Hollow {
+        /// Name of the format.
+        format: &'static str,
+        /// Columns.
+        columns: u32,
+        /// Lines.
+        lines: u32,
+        /// Size of the file.
+        bytes: u64,
+    },
     /// A PNG of several pictures.
     #[error("an animated PNG, expected one picture; save the frame that is meant as a PNG of its own")]
     Animated,

@@ -207,6 +207,19 @@ fn limits_hold_before_anything_is_allocated() {
     }
 }
 
+/// A header of 65 000 x 1000 pixels over a few hundred bytes.
+#[test]
+fn claims_that_no_file_of_the_size_can_hold_are_refused() {
+    let mut jpeg = jpeg_of(&flat([1, 2, 3]));
+    let frame = jpeg.windows(2).position(|pair| pair == [0xFF, 0xC0]).expect("a frame header");
+    jpeg[frame + 5..frame + 9].copy_from_slice(&[0x03, 0xE8, 0xFD, 0xE8]);
+    let said = refused(&jpeg);
+    assert!(said.starts_with("the JPEG claims 65000 columns and 1000 lines, but its "), "{said}");
+    // What is flat packs well, and is read.
+    let wide = DynamicImage::ImageRgb8(image::RgbImage::from_pixel(2000, 2000, image::Rgb([9, 9, 9])));
+    assert!(of(&jpeg_of(&wide)).is_ok());
+}
+
 #[test]
 fn files_name_themselves() {
     let folder = tempfile::tempdir().unwrap();

@@ -52,6 +52,14 @@ impl AnyPicture {
         either!(self, picture => picture.depth())
     }
 
+    /// The picture, if it is grey.
+    pub fn grey(&self) -> Option<&GreyPicture> {
+        match self {
+            Self::Grey(picture) => Some(picture),
+            Self::Colour(_) => None,
+        }
+    }
+
     /// Whether a pixel has three codes.
     pub fn is_colour(&self) -> bool {
         matches!(self, Self::Colour(_))

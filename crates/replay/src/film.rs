@@ -42,11 +42,7 @@ enum Alike<'a> {
 
 /// Grey if all are, else all in colour.
 fn alike(pictures: &[AnyPicture]) -> Alike<'_> {
-    let grey = |picture| match picture {
-        &AnyPicture::Grey(ref picture) => Some(picture),
-        AnyPicture::Colour(_) => None,
-    };
-    match pictures.iter().map(grey).collect() {
+    match pictures.iter().map(AnyPicture::grey).collect() {
         Some(all) => Alike::Grey(all),
         None => Alike::Colour(pictures.iter().map(AnyPicture::to_colour).collect()),
     }

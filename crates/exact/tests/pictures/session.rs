@@ -137,3 +137,23 @@ fn only_the_planes_asked_for_are_filled() {
     assert!(range.get(PlaneKind::Intensity).is_none());
     assert!(range.get(PlaneKind::Range).unwrap().iter().any(|range| range.is_finite()));
 }
+
+/// What the generator says that it fills is filled, and no other plane is touched.
+#[test]
+fn planes_are_filled_as_told() {
+    let session = prepare(rough(1.0), sun(50.0, 20.0), &usual(PixelRule::Centre));
+    let mut planes = Planes::new(16, 12, &PlaneKind::ALL);
+    for kind in PlaneKind::ALL {
+        planes.get_mut(kind).unwrap().fill(f32::NAN);
+    }
+    session.frame(0, &pose([160.0, 161.0, 3.0], -4.0, 77.0), &mut planes, &mut Probe::off()).unwrap();
+    for kind in PlaneKind::ALL {
+        let is_told = Exact.planes().contains(&kind);
+        let values = planes.get(kind).unwrap();
+        assert!(values.iter().all(|value| value.is_nan() != is_told), "{}", kind.name());
+    }
+    // Along the ray is never shorter than along the ground, and longer where the ray looks down.
+    let (along, over) = (planes.get(PlaneKind::Distance).unwrap(), planes.get(PlaneKind::Range).unwrap());
+    assert!(along.iter().zip(over).all(|(along, over)| along >= over));
+    assert!(along.iter().zip(over).any(|(along, over)| along.is_finite() && along > over));
+}

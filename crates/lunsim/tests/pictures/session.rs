@@ -1,6 +1,6 @@
 //! The session: refusals, codes, threads, extremes.
 
-use generator::{FrameError, PlaneKind, Planes};
+use generator::{FrameError, Generator, PlaneKind, Planes};
 use lunsim::Parameters;
 use scenario::{Curvature, Laws};
 use signal::Probe;
@@ -84,4 +84,28 @@ fn only_the_planes_asked_for_are_filled() {
     let mut one = Planes::new(8, 8, &[PlaneKind::Height]);
     assert_eq!(session.frame(0, &view, &mut one, &mut Probe::off()).unwrap(), counts);
     assert!(one.get(PlaneKind::Height).unwrap().iter().any(|height| *height < 0.0));
+}
+
+/// What LUNSIM says that it fills is filled, and no other plane is touched.
+#[test]
+fn planes_are_filled_as_told() {
+    let session = prepare(stage(&scene(), sun(0.0, 9.0), &settings(24, 30.0, 64))).unwrap();
+    let mut planes = Planes::new(24, 24, &PlaneKind::ALL);
+    for kind in PlaneKind::ALL {
+        planes.get_mut(kind).unwrap().fill(f32::NAN);
+    }
+    session.frame(0, &pose([4000.0, 3000.0, 900.0], -20.0, 0.0), &mut planes, &mut Probe::off()).unwrap();
+    for kind in PlaneKind::ALL {
+        let is_told = settings.program().planes().contains(&kind);
+        let values = planes.get(kind).unwrap();
+        assert!(values.iter().all(|value| value.is_nan() != is_told), "{}", kind.name());
+    }
+    let (along, over) = (planes.get(PlaneKind::Distance).unwrap(), planes.get(PlaneKind::Range).unwrap());
+    // Level ground under an eye of 900 m, but for two bowls and the lunoid that the settings leave out.
+    let slant = |over: f32| libm::hypot(f64::from(over), 900.0) as f32;
+    let near = |(along, over): (&f32, &f32)| {
+        along.is_infinite() && over.is_infinite() || (along - slant(*over)).abs() < 160.0
+    };
+    assert!(along.iter().zip(over).all(near) && along.iter().any(|along| along.is_finite()));
+    assert!(along.iter().zip(over).all(|(along, over)| along >= over));
 }

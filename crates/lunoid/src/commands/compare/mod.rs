@@ -200,7 +200,8 @@ impl Compare {
         let curves = displays.map_or([CURVE; 2], |displays| displays.map(curve));
         let levels: Vec<u32> =
             [0, 1, 2].into_iter().chain(self.tolerance.filter(|levels| *levels > 2)).collect();
-        let refused = |error| Failure::input(format!("{}: {error}", test.display()));
+        let refused =
+            |error| Failure::input(format!("{} against {}: {error}", test.display(), reference.display()));
         let comparison = compare_any([&a, &b], curves, mask, &levels).map_err(refused)?;
         let linear = displays.map(|[of_a, of_b]| {
             compare_linear(&linear_luminance(&a, &of_a), &linear_luminance(&b, &of_b), mask)
