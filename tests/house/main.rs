@@ -2,8 +2,10 @@
 
 mod awake;
 mod floors;
+mod imports;
 mod licences;
 mod metadata;
+mod modules;
 mod sources;
 mod targets;
 mod trust;

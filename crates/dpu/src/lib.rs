@@ -33,11 +33,12 @@ mod crossing;
 mod home;
 mod server;
 mod service;
+mod unit;
 mod visible;
 mod watch;
 
 pub use cpu::{CpuFrame, CpuLoad, CpuTime, CrossingTime, cpu_frame, held_by_set_ups};
-pub use crossing::{CrossingService, MissingCorner, TimedFold};
 pub use home::{HOME_SETS, Pointers, home_load};
+pub use unit::{CrossingService, MissingCorner, TimedFold};
 pub use visible::Sector;
 pub use watch::{AskedCorner, CornerArrival, LineUse, Watch};

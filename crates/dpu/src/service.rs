@@ -12,9 +12,9 @@ use sweep_program::{
 };
 
 use self::deliveries::Delivery;
-use crate::Pointers;
-use crate::crossing::{CrossingService, TimedFold};
+use crate::home::Pointers;
 use crate::server::Server;
+use crate::unit::{CrossingService, TimedFold};
 use crate::watch::Watch;
 
 /// The program being written.

@@ -9,7 +9,7 @@ use crate::ReplayError;
 use crate::held::{FrameRecord, HeldRun, RUN_RECORD};
 use crate::journal::JOURNAL;
 use crate::lock::{LOCK, Lock};
-use crate::truth::TRUTH_FILES;
+use crate::truth_files::TRUTH_FILES;
 
 /// Frames of a run.
 pub(crate) const FRAMES: &str = "frames";

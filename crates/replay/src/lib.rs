@@ -36,6 +36,7 @@ mod record;
 mod run;
 mod scenery_record;
 mod truth;
+mod truth_files;
 mod view_record;
 
 pub use error::ReplayError;

@@ -8,7 +8,6 @@ use landscape::Level;
 use quantities::{SweepClock, Tick};
 use sweep_program::{Colour, Fold, Load, Miss, NO_CORNER, PreloadRegister, SweepProgram, Target, WordMask};
 
-use super::tick_of;
 use crate::digital_event::{DigitalEvent, DigitalUnit, EventWord, Register};
 use crate::frame_sweeps::FrameSweeps;
 
@@ -202,7 +201,7 @@ impl<'a> Listener<'a> {
             corner: self.place(miss.corner),
             mask: miss.words,
             words: miss.words.0.count_ones(),
-            slack: miss.arrival.map(|arrival| due - tick_of(self.sweeps, self.sweep, arrival).0 as i64),
+            slack: miss.arrival.map(|arrival| due - self.sweeps.tick_of(self.sweep, arrival).0 as i64),
             cause: Some(miss.cause),
             comes: miss.arrival,
             ..self.event(seen, EventWord::Late, DigitalUnit::Registers)

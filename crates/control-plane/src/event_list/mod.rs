@@ -7,7 +7,6 @@ mod frame;
 mod listener;
 mod loads;
 
-use quantities::{SweepTime, Tick};
 use sweep_program::SweepProgram;
 
 use crate::digital_event::DigitalEvent;
@@ -47,10 +46,4 @@ impl FrameSweeps<'_> {
         events.sort_by_key(|event| event.tick);
         events
     }
-}
-
-/// The tick that an instant of a sweep was made from: turned back half a tick earlier, rounding makes it no other.
-fn tick_of(sweeps: &FrameSweeps<'_>, sweep: u32, time: SweepTime) -> Tick {
-    let half = 0.5 / sweeps.crossings().stage.settings.timebase.ticks_per_sample();
-    sweeps.clock(sweep).tick_at_or_after(SweepTime(time.0 - half))
 }

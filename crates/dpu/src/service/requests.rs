@@ -7,8 +7,8 @@ use sweep_program::{
 
 use super::Service;
 use super::stored::Asking;
-use crate::crossing::TimedFold;
 use crate::server::{Job, Wanted};
+use crate::unit::TimedFold;
 use crate::watch::Watch;
 
 impl<W: Watch> Service<'_, '_, '_, W> {

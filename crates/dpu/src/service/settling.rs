@@ -6,8 +6,8 @@ use sweep_program::{Colour, Load, Miss, MissCause, PreloadRegister, SweepProgram
 
 use super::Service;
 use super::deliveries::Delivery;
-use crate::crossing::TimedFold;
 use crate::server::Wanted;
+use crate::unit::TimedFold;
 use crate::watch::Watch;
 
 impl<W: Watch> Service<'_, '_, '_, W> {
