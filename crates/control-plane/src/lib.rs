@@ -70,7 +70,8 @@ pub use craters_in_sight::CratersInSight;
 pub use crossings::Crossings;
 pub use delivery::{Delivery, Supply};
 pub use digital::{Digital, DigitalFrame};
-pub use digital_event::{DigitalEvent, DigitalUnit, EventWord, LoadedPart, Register};
+pub use digital_event::{DigitalEvent, DigitalUnit, EventWord, LoadedPart};
+pub use dpu::Register;
 
 pub use feature_loads::FeatureLoads;
 pub use frame_plan::FramePlan;

@@ -48,7 +48,7 @@ impl CrossingService<'_> {
 #[cfg(test)]
 mod tests {
     use crate::unit::{CrossingService, MissingCorner, TimedFold};
-    use crate::watch::Watch;
+    use crate::watch::{ServiceEvent, Watch};
     use hardware_model::{Cpu, HardwareModel, LoadDelay, Loader};
     use landscape::Level;
     use proptest::prelude::{any, prop_assert_eq, proptest};
@@ -61,7 +61,9 @@ mod tests {
     /// Listens, so that nothing is left out.
     struct Listener;
 
-    impl Watch for Listener {}
+    impl Watch for Listener {
+        fn tell(&mut self, _: Tick, _: ServiceEvent) {}
+    }
 
     /// Frame and sweep.
     const PLACE: (u64, u32) = (3, 7);
@@ -154,12 +156,12 @@ mod tests {
     }
 
     impl Watch for Tally {
-        fn fold(&mut self, tick: Tick, _: Fold) {
-            self.seen.push(tick);
-        }
-
-        fn wasted(&mut self) {
-            self.wasted += 1;
+        fn tell(&mut self, tick: Tick, event: ServiceEvent) {
+            match event {
+                ServiceEvent::Stop { .. } => self.seen.push(tick),
+                ServiceEvent::Wasted { .. } => self.wasted += 1,
+                _ => {}
+            }
         }
     }
 
