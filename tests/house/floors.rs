@@ -6,18 +6,18 @@ use crate::metadata::{metadata, root};
 
 /// A row of the floor table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Room {
+pub struct Room {
     floor: u32,
     /// Has its floor, need not exist yet.
     later: bool,
 }
 
-type Plan = BTreeMap<String, Room>;
+pub type Plan = BTreeMap<String, Room>;
 /// Names of a crate's dependencies within the workspace, of any kind.
-type Workspace = BTreeMap<String, BTreeSet<String>>;
+pub type Workspace = BTreeMap<String, BTreeSet<String>>;
 
 /// Reads the rows `| floor | crate | ... |` of a page; whatever has no number in front is no row.
-fn read_plan(page: &str) -> Result<Plan, String> {
+pub fn read_plan(page: &str) -> Result<Plan, String> {
     let mut plan = Plan::new();
     for line in page.lines() {
         let cells: Vec<_> = line.split('|').map(str::trim).collect();
@@ -42,7 +42,7 @@ fn read_plan(page: &str) -> Result<Plan, String> {
 }
 
 /// Everything in which the workspace is not as planned.
-fn faults(plan: &Plan, workspace: &Workspace) -> Vec<String> {
+pub fn faults(plan: &Plan, workspace: &Workspace) -> Vec<String> {
     let mut faults = Vec::new();
     for (name, room) in plan {
         if !room.later && !workspace.contains_key(name) {

@@ -3,8 +3,10 @@
 mod awake;
 mod dependencies;
 mod floors;
+mod imports;
 mod licences;
 mod metadata;
+mod modules;
 mod sources;
 mod targets;
 mod trust;

@@ -52,11 +52,13 @@ pub struct DigitalFrame {
 
 impl DigitalFrame {
     /// The sweep whose set-up `sweep` is drawn with.
+    #[inline]
     pub fn drawn(&self, sweep: u32) -> u32 {
         self.cpu.as_ref().map_or(sweep, |cpu| cpu.drawn[sweep as usize])
     }
 
     /// Vertices of polyhedra that the processor has ready, if they are not all that the frame asks for.
+    #[inline]
     pub fn ready_vertices(&self) -> Option<u64> {
         self.cpu.as_ref().map(|cpu| cpu.vertices).filter(|&ready| ready < self.vertices)
     }
@@ -67,6 +69,7 @@ impl DigitalFrame {
     }
 
     /// Corners that are not in the storage buffer of the fine and of the coarse level.
+    #[inline]
     pub fn missing(&self) -> [&[MissingCorner]; 2] {
         self.missing.each_ref().map(Vec::as_slice)
     }

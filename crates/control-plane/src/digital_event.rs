@@ -2,8 +2,9 @@
 
 use std::fmt;
 
+use dpu::Register;
 use quantities::{SweepTime, Tick};
-use sweep_program::{Colour, Fold, MissCause, PreloadRegister, WordMask};
+use sweep_program::{Colour, Fold, MissCause, WordMask};
 
 /// Who does it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -130,29 +131,6 @@ words! {
     TablesLate = "tables-late",
     /// A record arrives from a drum.
     Record = "record",
-}
-
-/// A register of a colour.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Register {
-    /// Feeds the multiplying D/As.
-    Hold,
-    /// Waits for a stop.
-    Preload(PreloadRegister),
-    /// Waits for both.
-    Diagonal,
-}
-
-impl Register {
-    /// Word in listings and records.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Hold => "hold",
-            Self::Preload(PreloadRegister::XFirst) => "x-first",
-            Self::Preload(PreloadRegister::YFirst) => "y-first",
-            Self::Diagonal => "diagonal",
-        }
-    }
 }
 
 /// One event. What does not belong to it is `None`.

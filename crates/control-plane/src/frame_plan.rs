@@ -74,6 +74,7 @@ impl FramePlan {
     }
 
     /// Unit vector of a sweep over the ground: north, east.
+    #[inline]
     pub fn direction(&self, sweep: u32) -> [f64; 2] {
         self.fan.direction(sweep, self.turn)
     }
@@ -96,12 +97,14 @@ impl FramePlan {
     }
 
     /// Ground range at which sweep `sweep` leaves the area that `level` stores (m).
+    #[inline]
     pub fn way_to_edge(&self, sweep: u32, level: &Level) -> f64 {
         let [x, y, _] = self.eye;
         way_to_edge(level, level.in_regions(x, y), self.direction(sweep))
     }
 
     /// Directions of both edges of the fan.
+    #[inline]
     pub fn edges(&self) -> [[f64; 2]; 2] {
         [0, self.fan.sweeps - 1].map(|sweep| self.direction(sweep))
     }

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use crate::stage::MachineStage;
 use generator::FrameError;
 use hardware_model::{Loader, Settings, SweepMemoryKind};
-use quantities::SweepClock;
+use quantities::{SweepClock, SweepTime, Tick};
 use scenario::Pose;
 use shadow_controller::Gate;
 use sweep_generator::RangeTable;
@@ -185,6 +185,12 @@ impl FrameSweeps<'_> {
     /// The clock of a sweep.
     pub(crate) fn clock(&self, sweep: u32) -> SweepClock {
         self.stage.settings.timebase.sweep_clock(self.plan.frame, sweep)
+    }
+
+    /// The tick that an instant of a sweep was made from: turned back half a tick earlier, rounding makes it no other.
+    pub(crate) fn tick_of(&self, sweep: u32, time: SweepTime) -> Tick {
+        let half = 0.5 / self.stage.settings.timebase.ticks_per_sample();
+        self.clock(sweep).tick_at_or_after(SweepTime(time.0 - half))
     }
 
     /// The ground-range programme of every sweep.

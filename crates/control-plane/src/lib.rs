@@ -1,5 +1,45 @@
 //! The digital side of the hybrid machine: what the sweeps of a frame are, before any of them is drawn (section 24).
 //!
+//! ```text
+//! pose ▶ FramePlan ▶ folds ▶ DPU ▶ sweep programs, one a level ──▶ signal plane
+//!                      │       └▶ what it did ▶ timing record, list of events, registers at an instant
+//!                      ├▶ data banks, processor: corners and set-ups that are ready
+//!                      └▶ deliveries: shadow gates, polyhedra, craters ──▶ signal plane
+//! ```
+//!
+//! [`MachineStage`] is what a machine is made for: ground, scenery and settings. [`ControlPlane`] is the digital side of a
+//! stage, and [`FrameSweeps`] that of one frame. Nothing here knows a signal's value.
+//!
+//! # Modules
+//!
+//! A module imports only from modules of lower floors (`tests/house/modules.rs` reads this table).
+//!
+//! | floor | module | what it holds |
+//! |---|---|---|
+//! | 1 | `stage` | ground, scenery and settings of a machine |
+//! | 1 | `raster` | what the sweeps write: the screen, or more of it |
+//! | 1 | `refusal` | why a frame cannot be drawn |
+//! | 1 | `digital_event` | one event of the digital side |
+//! | 1 | `waveforms` | digital wires of a sweep, from its programs |
+//! | 2 | `ticks` | ticks of frames and sweeps |
+//! | 2 | `ideal` | which blocks are made of algebra and not of parts |
+//! | 2 | `frame_plan` | fan, eye and sun of a frame |
+//! | 3 | `blocks` | blocks that are there |
+//! | 3 | `feature_loads` | craters of a sweep and the loads of their words |
+//! | 4 | `crossings` | sweep programs of both levels |
+//! | 4 | `sight` | bodies that are near enough to be drawn |
+//! | 5 | `craters_in_sight` | craters that can be told, by groups of sweeps |
+//! | 5 | `sweep_recorder` | what the service of one sweep did |
+//! | 6 | `digital` | data banks and processor of a frame |
+//! | 6 | `delivery` | shadow gates, polyhedra and craters of a frame |
+//! | 7 | `control_plane` | what all frames of a stage share |
+//! | 8 | `before_mission` | tasks before frame 0 |
+//! | 8 | `frame_sweeps` | the sweeps of one frame |
+//! | 9 | `event_list` | all events of a sweep or a frame |
+//! | 9 | `register_state` | registers at an instant |
+//! | 9 | `timing_record` | the timing record of a frame |
+//! | 10 | `timed` | the control plane as a job that takes time; hash of what decides its timing |
+
 mod before_mission;
 mod blocks;
 mod control_plane;
@@ -31,7 +71,8 @@ pub use craters_in_sight::CratersInSight;
 pub use crossings::Crossings;
 pub use delivery::{Delivery, Supply};
 pub use digital::{Digital, DigitalFrame};
-pub use digital_event::{DigitalEvent, DigitalUnit, EventWord, LoadedPart, Register};
+pub use digital_event::{DigitalEvent, DigitalUnit, EventWord, LoadedPart};
+pub use dpu::Register;
 
 pub use feature_loads::FeatureLoads;
 pub use frame_plan::FramePlan;

@@ -4,7 +4,7 @@ use dpu::Pointers;
 use landscape::Level;
 use quantities::SweepTime;
 use sweep_program::{
-    Colour, Event, Fold, Load, NO_CORNER, PreloadRegister, RampAxis, SweepProgram, Target, WordMask,
+    Colour, Event, NO_CORNER, PreloadRegister, RampAxis, RegisterCorners, SweepProgram, WordMask,
 };
 
 use crate::frame_sweeps::FrameSweeps;
@@ -58,72 +58,45 @@ impl FrameSweeps<'_> {
 
 impl RegisterState {
     fn at(program: &SweepProgram, level: &Level, time: SweepTime, range: f64) -> Self {
-        let full = |corner| RegisterWords { corners: [corner; 9], wanted: corner };
-        let mut state = Self {
-            colours: program.registers.map(|set| [set.hold, set.x_first, set.y_first].map(full)),
-            polarity: program.start.ramps.map(|ramp| ramp.polarity),
-            folds: [0; 2],
-            ramps: [0.0; 2],
-            range,
-        };
-        let mut pointers = Pointers::at_start(&program.start);
+        let mut corners = RegisterCorners::at_start(&program.registers);
+        let (mut pointers, mut folds) = (Pointers::at_start(&program.start), [0; 2]);
         for step in program.events().take_while(|step| step.time <= time) {
-            match step.kind {
-                Event::Fold(fold) => {
-                    state.transfer(fold);
-                    state.turn(fold);
-                    pointers.follow(fold);
-                }
-                Event::BareFold(fold) => {
-                    state.turn(fold);
-                    pointers.follow(fold);
-                }
-                Event::Load(load) => state.load(&load),
+            corners.follow(&step.kind);
+            if let Event::Fold(fold) | Event::BareFold(fold) = step.kind {
+                folds[usize::from(fold.axis == RampAxis::Y)] += 1;
+                pointers.follow(fold);
             }
         }
-        state.want(&pointers, level);
         let lambda = range / level.region_size();
-        let ramp = |axis: usize| program.start.ramps[axis].at(state.folds[axis], lambda).0;
-        state.ramps = [ramp(0), ramp(1)];
-        state
-    }
-
-    fn transfer(&mut self, fold: Fold) {
-        for colour in fold.colours() {
-            let [hold, x_first, y_first] = &mut self.colours[colour as usize];
-            hold.corners = if fold.axis == RampAxis::X { x_first.corners } else { y_first.corners };
-        }
-    }
-
-    fn turn(&mut self, fold: Fold) {
-        let axis = usize::from(fold.axis == RampAxis::Y);
-        self.polarity[axis] = -self.polarity[axis];
-        self.folds[axis] += 1;
-    }
-
-    fn load(&mut self, load: &Load) {
-        let register = match load.target {
-            Target::Hold => 0,
-            Target::Preload(register) => 1 + register as usize,
+        let ramp = |axis: usize| program.start.ramps[axis].at(folds[axis], lambda).0;
+        let polarity = |axis: usize| {
+            let start = program.start.ramps[axis].polarity;
+            if folds[axis] % 2 == 0 { start } else { -start }
         };
-        let words = &mut self.colours[load.colour as usize][register].corners;
-        for (_, corner) in words.iter_mut().enumerate().filter(|(word, _)| load.words.has(*word)) {
-            *corner = load.corner;
+        Self {
+            colours: Colour::ALL.map(|colour| registers_of(colour, &corners, &pointers, level)),
+            polarity: [polarity(0), polarity(1)],
+            folds,
+            ramps: [ramp(0), ramp(1)],
+            range,
         }
     }
+}
 
-    /// What the region asks of every register, wherever its words are.
-    fn want(&mut self, pointers: &Pointers, level: &Level) {
-        let index = |[m, n]: [i64; 2]| level.clamped_index(m, n) as u32;
-        for colour in Colour::ALL {
-            let wanted = [
-                pointers.corner(colour),
-                pointers.ahead(colour, PreloadRegister::XFirst),
-                pointers.ahead(colour, PreloadRegister::YFirst),
-            ];
-            for (register, wanted) in self.colours[colour as usize].iter_mut().zip(wanted) {
-                register.wanted = index(wanted);
-            }
-        }
-    }
+/// Registers of a colour, with what the region asks of each, wherever its words are.
+fn registers_of(
+    colour: Colour,
+    corners: &RegisterCorners,
+    pointers: &Pointers,
+    level: &Level,
+) -> [RegisterWords; 3] {
+    let wanted = [
+        pointers.corner(colour),
+        pointers.ahead(colour, PreloadRegister::XFirst),
+        pointers.ahead(colour, PreloadRegister::YFirst),
+    ];
+    std::array::from_fn(|register| {
+        let [m, n] = wanted[register];
+        RegisterWords { corners: corners.of(colour)[register], wanted: level.clamped_index(m, n) as u32 }
+    })
 }

@@ -1,6 +1,6 @@
 //! What the service of one sweep did, on both levels.
 
-use dpu::{AskedCorner, CornerArrival, CrossingTime, LineUse, Watch};
+use dpu::{AskedCorner, CornerArrival, CrossingTime, LineUse, Register, ServiceEvent, Watch};
 use feature_generator::{CRATER_WORDS, FeatureMiss, FeatureProgram};
 use hardware_model::Settings;
 use quantities::{SweepClock, SweepTime, Tick};
@@ -62,11 +62,11 @@ impl SweepRecorder {
         let levels = crossings.stage.landscape.bank().levels();
         recorder.columns = levels[0].corners()[1];
         crossings.write_fine(sweeps, &mut program, &mut recorder);
-        recorder.note_misses(crossings, &program);
+        recorder.end_range = program.end_range;
         if let Some(coarse) = crossings.coarse {
             recorder.columns = levels[1].corners()[1];
             crossings.write_coarse(coarse, sweeps, &mut program, &mut recorder);
-            recorder.note_misses(crossings, &program);
+            recorder.end_range = recorder.end_range.max(program.end_range);
         }
         recorder
     }
@@ -128,21 +128,6 @@ impl SweepRecorder {
         }
     }
 
-    fn note_misses(&mut self, crossings: &Crossings<'_>, program: &SweepProgram) {
-        self.end_range = self.end_range.max(program.end_range);
-        let mut sets = 0;
-        for miss in &program.misses {
-            sets += 1;
-            self.late_words += u64::from(miss.words.0.count_ones());
-            if miss.arrival.is_none() {
-                self.transfers.add(-self.period);
-            }
-            let missed = self.missed(miss, crossings.table.range_at(miss.time));
-            self.misses.push(missed);
-        }
-        self.sets.late += sets;
-    }
-
     /// A load that its part did not have when the sweep was there.
     fn late_load(
         &self,
@@ -167,7 +152,7 @@ impl SweepRecorder {
         Missed {
             crossing: asked.crossing,
             colour: Some(asked.colour.name().into()),
-            register: asked.register.map(|register| register_word(register).into()),
+            register: matches!(asked.register, Register::Preload(_)).then(|| asked.register.name().into()),
             region: self.place(asked.corner),
             due: asked.at.0,
             came,
@@ -216,52 +201,36 @@ fn cause_of(cause: MissCause) -> Cause {
 }
 
 fn register_word(register: PreloadRegister) -> &'static str {
-    match register {
-        PreloadRegister::XFirst => "x-first",
-        PreloadRegister::YFirst => "y-first",
-    }
+    Register::Preload(register).name()
 }
 
-impl Watch for SweepRecorder {
-    fn fold(&mut self, tick: Tick, fold: Fold) {
+impl SweepRecorder {
+    fn stop(&mut self, tick: Tick, fold: Fold) {
         self.folds += 1;
         let axis = if fold.axis == RampAxis::X { "x" } else { "y" };
         self.events.push(tick.0, "stop", axis, &[u64::from(fold.stop == Stop::One)]);
     }
 
-    fn wanted(&mut self) {
-        self.sets.wanted += 1;
-    }
-
-    fn loaded(&mut self) {
-        self.sets.loaded += 1;
-    }
-
-    fn wasted(&mut self) {
-        self.sets.wasted += 1;
-    }
-
-    fn cancelled(&mut self) {
-        self.sets.cancelled += 1;
-    }
-
-    fn arrival(&mut self, tick: Tick, load: &Load) {
+    fn load(&mut self, tick: Tick, load: &Load) {
         let target = match load.target {
             Target::Hold => "hold",
             Target::Preload(register) => register_word(register),
         };
-        self.events.push(
-            tick.0,
-            load.colour.name(),
-            target,
-            &[u64::from(load.corner), u64::from(load.words.0)],
-        );
+        let words = [u64::from(load.corner), u64::from(load.words.0)];
+        self.events.push(tick.0, load.colour.name(), target, &words);
     }
 
-    fn transfer(&mut self, slack: i64) {
-        self.transfers.add(slack);
+    fn late(&mut self, miss: &Miss, range: f64) {
+        self.sets.late += 1;
+        self.late_words += u64::from(miss.words.0.count_ones());
+        if miss.arrival.is_none() {
+            self.transfers.add(-self.period);
+        }
+        let missed = self.missed(miss, range);
+        self.misses.push(missed);
     }
 
+    /// How long a corner was in the storage buffer before it was asked for, where drums bring it there.
     fn corner(&mut self, asked: &AskedCorner) {
         let Some(drums) = self.drums else { return };
         let slack = |arrival: Tick| asked.tick.0 as i64 - arrival.0 as i64;
@@ -275,6 +244,30 @@ impl Watch for SweepRecorder {
         if slack < 0 {
             let missed = self.missing(asked, came);
             self.misses.push(missed);
+        }
+    }
+}
+
+impl Watch for SweepRecorder {
+    fn tell(&mut self, tick: Tick, event: ServiceEvent) {
+        match event {
+            ServiceEvent::Stop { fold, .. } => self.stop(tick, fold),
+            ServiceEvent::Load(load) => self.load(tick, &load),
+            ServiceEvent::Transfer { slack, .. } => {
+                slack.into_iter().for_each(|slack| self.transfers.add(slack))
+            }
+            ServiceEvent::LateSet { slack } => self.transfers.add(slack),
+            ServiceEvent::Late { miss, range } => self.late(&miss, range),
+            ServiceEvent::Wanted(_) => self.sets.wanted += 1,
+            ServiceEvent::Wasted { .. } => self.sets.wasted += 1,
+            ServiceEvent::Cancelled(_) => self.sets.cancelled += 1,
+            ServiceEvent::Home(asked) | ServiceEvent::Diagonal(asked) => self.corner(&asked),
+            ServiceEvent::Access(asked) => {
+                self.sets.loaded += 1;
+                self.corner(&asked);
+            }
+            // The corner is told before: here it is a miss.
+            ServiceEvent::Absent(_) => {}
         }
     }
 

@@ -3,9 +3,7 @@
 use feature_generator::FeatureProgram;
 use signal::{Kind, Signal, Unit};
 use sweep_generator::RangeTable;
-use sweep_program::{
-    Colour, Event, Load, NO_CORNER, PreloadRegister, RampAxis, RegisterSet, Stop, SweepProgram, Target,
-};
+use sweep_program::{Colour, NO_CORNER, RampAxis, RegisterCorners, Stop, SweepProgram};
 
 /// Wires of the sweep generator and of the DPU.
 pub const WIRES: &[Signal] = &[
@@ -168,34 +166,17 @@ fn register_of(program: &SweepProgram, colour: &str, place: &str) -> Changes {
     let Some(colour) = Colour::ALL.into_iter().find(|known| known.name() == colour) else {
         return Changes::default();
     };
-    let mut set = program.registers[colour as usize];
+    let register = ["hold", "xfirst", "yfirst"].iter().position(|known| *known == place).unwrap_or(0);
+    let mut corners = RegisterCorners::at_start(&program.registers);
     let mut changes = Changes::default();
-    let mut tell = |time: f64, set: &RegisterSet| {
-        let corner = match place {
-            "hold" => set.hold,
-            "xfirst" => set.x_first,
-            _ => set.y_first,
-        };
+    let mut tell = |time: f64, corners: &RegisterCorners| {
+        let corner = corners.of(colour)[register][0];
         changes.becomes(time, if corner == NO_CORNER { -1.0 } else { f64::from(corner) });
     };
-    tell(beginning(program), &set);
+    tell(beginning(program), &corners);
     for step in program.events() {
-        match step.kind {
-            Event::Fold(fold) if fold.axis.takes(fold.stop, colour) => {
-                set.hold = if fold.axis == RampAxis::X { set.x_first } else { set.y_first };
-            }
-            Event::Load(load) if load.colour == colour && load.words.has(0) => take(&mut set, &load),
-            _ => continue,
-        }
-        tell(step.time.0, &set);
+        corners.follow(&step.kind);
+        tell(step.time.0, &corners);
     }
     changes
-}
-
-fn take(set: &mut RegisterSet, load: &Load) {
-    match load.target {
-        Target::Hold => set.hold = load.corner,
-        Target::Preload(PreloadRegister::XFirst) => set.x_first = load.corner,
-        Target::Preload(PreloadRegister::YFirst) => set.y_first = load.corner,
-    }
 }

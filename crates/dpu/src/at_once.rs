@@ -3,9 +3,8 @@
 use landscape::Level;
 use sweep_program::{Served, Step};
 
-use crate::Pointers;
-use crate::crossing::TimedFold;
-use crate::home::moved;
+use crate::home::{Pointers, moved};
+use crate::unit::TimedFold;
 
 /// Adds folds to `steps` with the words that they ask for, which come in the same instant: what a fold does is a matter of
 /// its pointers alone.

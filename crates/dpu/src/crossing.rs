@@ -1,46 +1,13 @@
 //! Service of the crossings: from folds to a sweep program.
 
-use hardware_model::{Cpu, LoadDelay, Loader};
-use landscape::Level;
-use quantities::{SweepClock, SweepTime, Tick, Timebase};
-use sweep_program::{Fold, Step, SweepProgram, SweepStart};
+use quantities::SweepTime;
+use sweep_program::{SweepProgram, SweepStart};
 
-use crate::Pointers;
 use crate::at_once::serve_at_once;
+use crate::home::Pointers;
 use crate::service::Service;
-use crate::watch::{CornerArrival, Watch};
-
-/// A fold and its instant.
-pub type TimedFold = Step<Fold>;
-
-/// A corner that a sweep may ask for and that the data bank has not delivered when the frame begins.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct MissingCorner {
-    /// Index in the level.
-    pub corner: u32,
-    /// When it comes; `None` if not in this frame.
-    pub arrival: Option<Tick>,
-}
-
-/// The unit that answers folds with coefficient words.
-#[derive(Debug, Clone, Copy)]
-pub struct CrossingService<'a> {
-    /// Terrain whose corners are delivered.
-    pub level: &'a Level,
-    /// How fast, and what happens to late words.
-    pub loader: &'a Loader,
-    /// Processor, which serves folds itself in some models.
-    pub cpu: &'a Cpu,
-    /// Clocks of the run.
-    pub timebase: &'a Timebase,
-    /// What is not in the storage buffer, in order of corners.
-    pub missing: &'a [MissingCorner],
-    /// Ticks from the start of the sweep in which a processor that serves the crossings is at a set-up that no interrupt
-    /// breaks.
-    pub held: u64,
-    /// Seed of the model.
-    pub seed: u64,
-}
+use crate::unit::{CrossingService, TimedFold};
+use crate::watch::Watch;
 
 impl CrossingService<'_> {
     /// Writes the program of the sweep at `place` (frame, sweep) into `program`, whose buffers are reused. `folds`
@@ -76,45 +43,12 @@ impl CrossingService<'_> {
             program.steps.pop();
         }
     }
-
-    /// Whether every fold finds its words: wired through, nothing held back, nothing missing, no end of the service.
-    fn has_all_at_once(&self) -> bool {
-        let Loader { delays, stop_after_crossings, .. } = self.loader;
-        self.loader.is_wired_through()
-            && delays.is_empty()
-            && stop_after_crossings.is_none()
-            && self.missing.is_empty()
-    }
-
-    pub(crate) fn delays(&self, frame: u64, sweep: u32, crossing: u32) -> impl Iterator<Item = &LoadDelay> {
-        self.loader.delays.iter().filter(move |delay| {
-            delay.frame.is_none_or(|wanted| wanted == frame)
-                && delay.sweep == sweep
-                && delay.crossing == crossing
-        })
-    }
-
-    /// When a processor that serves the crossings is done with the set-up that no interrupt breaks.
-    pub(crate) fn held_until(&self, clock: &SweepClock) -> Tick {
-        match self.held {
-            0 => Tick(0),
-            held => Tick(clock.tick_at_or_after(SweepTime(0.0)).0 + held),
-        }
-    }
-
-    /// When `corner` is in the storage buffer.
-    pub(crate) fn arrival_of(&self, corner: u32) -> CornerArrival {
-        match self.missing.binary_search_by_key(&corner, |missing| missing.corner) {
-            Ok(index) => self.missing[index].arrival.map_or(CornerArrival::NotInFrame, CornerArrival::At),
-            Err(_) => CornerArrival::BeforeFrame,
-        }
-    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{CrossingService, MissingCorner, TimedFold};
-    use crate::watch::Watch;
+    use crate::unit::{CrossingService, MissingCorner, TimedFold};
+    use crate::watch::{ServiceEvent, Watch};
     use hardware_model::{Cpu, HardwareModel, LoadDelay, Loader};
     use landscape::Level;
     use proptest::prelude::{any, prop_assert_eq, proptest};
@@ -127,7 +61,9 @@ mod tests {
     /// Listens, so that nothing is left out.
     struct Listener;
 
-    impl Watch for Listener {}
+    impl Watch for Listener {
+        fn tell(&mut self, _: Tick, _: ServiceEvent) {}
+    }
 
     /// Frame and sweep.
     const PLACE: (u64, u32) = (3, 7);
@@ -220,12 +156,12 @@ mod tests {
     }
 
     impl Watch for Tally {
-        fn fold(&mut self, tick: Tick, _: Fold) {
-            self.seen.push(tick);
-        }
-
-        fn wasted(&mut self) {
-            self.wasted += 1;
+        fn tell(&mut self, tick: Tick, event: ServiceEvent) {
+            match event {
+                ServiceEvent::Stop { .. } => self.seen.push(tick),
+                ServiceEvent::Wasted { .. } => self.wasted += 1,
+                _ => {}
+            }
         }
     }
 

@@ -24,7 +24,8 @@
 //! last fold is served on into retrace, so that sweeps do not depend on one another. A set whose colour has moved on is dropped if it waits, and overwritten
 //! if it is on its way; the access that has begun is finished. Pointers that leave the stored area clamp to its edge.
 //! A corner that the data bank has not delivered brings words of 0.
-//! **Watching.** [`Watch`] is told of every event; with `()` nothing of that is compiled.
+//! **Watching.** [`Watch`] is told of every event ([`ServiceEvent`]), once and with its tick: listing, timing record and
+//! registers at an instant are made of what it tells. With `()` nothing of that is compiled.
 
 mod accesses;
 mod at_once;
@@ -33,11 +34,12 @@ mod crossing;
 mod home;
 mod server;
 mod service;
+mod unit;
 mod visible;
 mod watch;
 
 pub use cpu::{CpuFrame, CpuLoad, CpuTime, CrossingTime, cpu_frame, held_by_set_ups};
-pub use crossing::{CrossingService, MissingCorner, TimedFold};
 pub use home::{HOME_SETS, Pointers, home_load};
+pub use unit::{CrossingService, MissingCorner, TimedFold};
 pub use visible::Sector;
-pub use watch::{AskedCorner, CornerArrival, LineUse, Watch};
+pub use watch::{AskedCorner, AskedSet, CornerArrival, LineUse, Register, ServiceEvent, Watch};

@@ -8,7 +8,7 @@ use smallvec::SmallVec;
 use sweep_program::{Colour, PreloadRegister, WordMask};
 
 use crate::accesses::Accesses;
-use crate::watch::LineUse;
+use crate::watch::{LineUse, Register};
 
 /// What a set is wanted for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -17,6 +17,16 @@ pub(crate) enum Wanted {
     Register(PreloadRegister),
     /// The register of the corner beyond both stops.
     Diagonal,
+}
+
+impl Wanted {
+    /// That register.
+    pub fn register(self) -> Register {
+        match self {
+            Self::Register(register) => Register::Preload(register),
+            Self::Diagonal => Register::Diagonal,
+        }
+    }
 }
 
 /// A set that was asked for.

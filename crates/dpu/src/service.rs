@@ -8,14 +8,15 @@ mod stored;
 use quantities::{SweepClock, SweepTime, Tick};
 use smallvec::SmallVec;
 use sweep_program::{
-    Event, Fold, Miss, MissCause, NO_CORNER, RampAxis, Step, Stop, SweepProgram, SweepStart, WordMask,
+    Event, Fold, Load, Miss, MissCause, NO_CORNER, RampAxis, RegisterCorners, Step, Stop, SweepProgram,
+    SweepStart, WordMask,
 };
 
 use self::deliveries::Delivery;
-use crate::Pointers;
-use crate::crossing::{CrossingService, TimedFold};
+use crate::home::Pointers;
 use crate::server::Server;
-use crate::watch::Watch;
+use crate::unit::{CrossingService, TimedFold};
+use crate::watch::{ServiceEvent, Watch};
 
 /// The program being written.
 pub(crate) struct Service<'a, 's, 'w, W> {
@@ -36,6 +37,8 @@ pub(crate) struct Service<'a, 's, 'w, W> {
     next_stop: [Option<Stop>; 2],
     crossing: u32,
     requests: u32,
+    /// Corners in the registers, if anyone listens.
+    held: Option<RegisterCorners>,
 }
 
 impl<'a, 's, 'w, W: Watch> Service<'a, 's, 'w, W> {
@@ -63,6 +66,7 @@ impl<'a, 's, 'w, W: Watch> Service<'a, 's, 'w, W> {
             next_stop: start.ramps.map(|ramp| (ramp.rate != 0.0).then(|| ramp.first_stop().1)),
             crossing: 0,
             requests: 0,
+            held: None,
         }
     }
 
@@ -70,6 +74,7 @@ impl<'a, 's, 'w, W: Watch> Service<'a, 's, 'w, W> {
     pub fn finish(mut self, range_at: &impl Fn(SweepTime) -> f64, program: &mut SweepProgram) {
         self.run_server(None, program);
         self.deliver_until(SweepTime(f64::INFINITY), range_at, program);
+        self.tell_late(range_at, program);
         self.watch.end(&self.server.use_of_lines());
     }
 
@@ -92,10 +97,10 @@ impl<'a, 's, 'w, W: Watch> Service<'a, 's, 'w, W> {
         let kind = if enabled { Event::Fold(fold.kind) } else { Event::BareFold(fold.kind) };
         program.steps.push(Step::new(fold.time, fold.range, kind));
         let seen = self.seen(fold.time);
-        self.watch.fold(seen, fold.kind);
+        self.watch.tell(seen, ServiceEvent::Stop { crossing: self.crossing, fold: fold.kind });
         self.pass_stop(fold.kind);
         if enabled {
-            self.settle(fold, program);
+            self.settle(fold, seen, program);
             self.pointers.follow(fold.kind);
             for colour in fold.kind.colours() {
                 self.renew(colour, fold, seen, program);
@@ -126,6 +131,26 @@ impl<'a, 's, 'w, W: Watch> Service<'a, 's, 'w, W> {
             Stop::Zero => Stop::One,
             Stop::One => Stop::Zero,
         });
+    }
+
+    /// Words that came late: when, is known now.
+    fn tell_late(&mut self, range_at: &impl Fn(SweepTime) -> f64, program: &SweepProgram) {
+        if W::LISTENS {
+            for &miss in &program.misses {
+                let range = range_at(miss.time);
+                self.watch.tell(self.clock.tick_at_or_after(miss.time), ServiceEvent::Late { miss, range });
+            }
+        }
+    }
+
+    /// Words stand in a register.
+    fn tell_load(held: &mut Option<RegisterCorners>, watch: &mut W, tick: Tick, load: Load) {
+        if W::LISTENS {
+            if let Some(held) = held {
+                held.follow(&Event::Load(load));
+            }
+            watch.tell(tick, ServiceEvent::Load(load));
+        }
     }
 
     /// The tick at which the digital side sees an instant.

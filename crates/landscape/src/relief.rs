@@ -12,6 +12,7 @@
 //! moving the others, and any number of threads gives the same bits.
 
 mod craters;
+mod error;
 mod grid;
 mod jet;
 mod massif;
@@ -20,17 +21,16 @@ mod undulation;
 mod waves;
 
 pub use craters::{Crater, Craters};
+pub use error::ReliefError;
 pub use massif::Massif;
 pub use rille::{Meander, Rille};
-pub use undulation::Undulation;
+pub use undulation::{MAX_WAVES, Undulation};
 
 use limits::Limit;
 
-use crate::{BankError, CornerWords, Level, WORDS};
+use crate::{CornerWords, Level, WORDS};
+use error::{above, within};
 use grid::Grid;
-
-/// Largest number of plane waves in one undulation.
-pub const MAX_WAVES: usize = 20_000;
 
 /// A landscape to be made: all lengths in metres, all angles in radians, axes x north and y east.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,39 +51,6 @@ pub struct Relief {
     pub massifs: Vec<Massif>,
     /// Valleys and ridges, each placed by hand.
     pub rilles: Vec<Rille>,
-}
-
-/// Why a relief cannot be made.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum ReliefError {
-    /// A parameter is out of its range.
-    #[error("{name} = {value}: expected {expected}")]
-    Parameter {
-        /// Which, as a path from the relief: `massifs[2].height`.
-        name: String,
-        /// The value found.
-        value: f64,
-        /// The range, in words.
-        expected: String,
-    },
-    /// More corners than fit the limit.
-    #[error("{north} x {east} corners: expected at most {} in all; enlarge the regions; {}", Limit::Corners.value(), Limit::Corners)]
-    TooManyCorners {
-        /// Corners to the north.
-        north: f64,
-        /// Corners to the east.
-        east: f64,
-    },
-    /// More craters than fit the limit.
-    #[error(
-        "{0} craters: expected at most {limit}; raise smallest_radius, lower largest_radius or density; {advice}",
-        limit = Limit::GroundCraters.value(),
-        advice = Limit::GroundCraters
-    )]
-    TooManyCraters(f64),
-    /// The words do not make a level.
-    #[error("the relief is no landscape")]
-    Level(#[from] BankError),
 }
 
 impl Relief {
@@ -247,35 +214,9 @@ fn stream(seed: u64, part: Part, index: usize) -> u64 {
     quantities::hash_words(seed, &[part as u64, index as u64])
 }
 
-fn within(name: impl Into<String>, value: f64, least: f64, most: f64) -> Result<(), ReliefError> {
-    if (least..=most).contains(&value) {
-        return Ok(());
-    }
-    let expected = if most < f64::MAX { format!("{least} to {most}") } else { format!("at least {least}") };
-    Err(ReliefError::Parameter { name: name.into(), value, expected })
-}
-
-fn above(name: impl Into<String>, value: f64, least: f64) -> Result<(), ReliefError> {
-    if value.is_finite() && value > least {
-        return Ok(());
-    }
-    Err(ReliefError::Parameter {
-        name: name.into(),
-        value,
-        expected: format!("a finite number above {least}"),
-    })
-}
-
 /// Whole but for the last bits of the decimals that made it: 0.3 m over 0.1 m.
 fn is_whole(count: f64) -> bool {
     (count - count.round()).abs() <= 1e-9 * count.abs()
-}
-
-fn finite(name: impl Into<String>, value: f64) -> Result<(), ReliefError> {
-    if value.is_finite() {
-        return Ok(());
-    }
-    Err(ReliefError::Parameter { name: name.into(), value, expected: "a finite number".into() })
 }
 
 #[cfg(test)]

@@ -1,6 +1,8 @@
 //! What a frame of the machine, or a part of one, takes.
 
+use control_plane::Delivery;
 use generator::{Counter, FrameCounts, Joined};
+use sweep_program::{Event, Served, StepKind, SweepProgram};
 
 macro_rules! counters {
     ($($(#[$doc:meta])* $name:ident,)*; largest $($(#[$high_doc:meta])* $high:ident,)*) => {
@@ -72,3 +74,36 @@ counters! {
 
 /// The counters that a frame of the machine has, in the order of the record.
 pub const COUNTERS: &[Counter] = MachineCounts::ALL;
+
+/// Work that one level of a sweep was.
+pub(crate) fn terrain_counts(program: &SweepProgram) -> MachineCounts {
+    let [mut folds, mut loads] = [0; 2];
+    for step in &program.steps {
+        folds += u64::from(step.kind.fold().is_some());
+        loads += match step.kind {
+            StepKind::Event(Event::Fold(_) | Event::BareFold(_)) => 0,
+            StepKind::Event(Event::Load(_)) => 1,
+            StepKind::Served(Served { corners, .. }) => corners.len() as u64,
+        };
+    }
+    let late = program.misses.iter().map(|miss| u64::from(miss.words.0.count_ones())).sum();
+    MachineCounts { folds, loads, late_words: late, ..MachineCounts::default() }
+}
+
+/// Work that the whole frame was, beside its sweeps.
+pub(crate) fn delivery_counts(delivery: &Delivery) -> MachineCounts {
+    let gates = || delivery.gates.iter();
+    MachineCounts {
+        shadow_toggles: gates().map(|gate| gate.toggles.len() as u64).sum(),
+        dropped_segments: gates().map(|gate| u64::from(gate.dropped)).sum(),
+        bodies: delivery.bodies,
+        spans: delivery.polyhedra.table().len() as u64,
+        bodies_left_out: delivery.left_out.bodies,
+        craters_left_out: delivery.craters.left_out.craters,
+        pixels_left_out: [delivery.left_out.cells, delivery.craters.left_out.cells]
+            .map(|cells| cells.ceil() as u64)
+            .into_iter()
+            .sum(),
+        ..MachineCounts::default()
+    }
+}

@@ -9,19 +9,37 @@
 //!  bodies ▶ project ▶ spans ───────────────────────────────────────────────┴─ PG ───┘
 //! ```
 //!
-//! Under the economy `Swift` a machine whose terrain generators alone may have parts takes a shorter way (`swift`).
-//!
-//! Where a model says so, what leaves TG, FG and MU comes through output amplifiers (`wires`).
-//!
 //! Only this crate knows who is wired to whom. [`HybridMachine`] elaborates a stage: the scalar type is chosen,
-//! tables over the sweep are made, and blocks without work are left out (`blocks.rs`, `omissions.rs`). After that a
-//! frame is: what its I/O processors bring (`delivery.rs`), programs for every sweep (`control_plane.rs`), profiles
-//! and lines (`signal_plane.rs`), one read-out.
+//! tables over the sweep are made, and blocks without work are left out (`omissions.rs`). After that a frame is: what its
+//! I/O processors bring and programs for every sweep (crate `control-plane`), profiles and lines (crate `signal-plane`), one
+//! read-out.
 //!
 //! The unit of work is a group of eight sweeps, whatever the number of threads, and nothing survives from one
 //! group to the next: any frame can be made alone, by any number of threads, with the same bits.
+//!
+//! # Modules
+//!
+//! A module imports only from modules of lower floors (`tests/house/modules.rs` reads this table).
+//!
+//! | floor | module | what it holds |
+//! |---|---|---|
+//! | 1 | `counts` | what a frame takes |
+//! | 1 | `omissions` | what the elaborated machine leaves out |
+//! | 1 | `pool` | buffers that are used again |
+//! | 1 | `residue` | pictures as they were written, for a tube |
+//! | 1 | `settings_record` | settings for the record of a run |
+//! | 2 | `picture` | a picture while it is written |
+//! | 3 | `elaborated` | the machine of a stage: its tables, and what the groups of a frame share |
+//! | 4 | `groups` | the groups of a frame |
+//! | 4 | `tube` | how pictures are read, and what a tube has left of earlier ones |
+//! | 5 | `session` | a frame, from its pose to its planes |
+//! | 6 | `prepare` | from a stage to a session |
+//! | 6 | `unprobed` | the machine without probes |
+//! | 7 | `hybrid_machine` | the machine as a generator |
 
 mod counts;
+mod elaborated;
+mod groups;
 mod hybrid_machine;
 mod omissions;
 mod picture;
@@ -30,6 +48,7 @@ mod prepare;
 mod residue;
 mod session;
 mod settings_record;
+mod tube;
 mod unprobed;
 
 pub use counts::COUNTERS;

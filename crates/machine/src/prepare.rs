@@ -4,7 +4,7 @@ use control_plane::MachineStage;
 use generator::Session;
 use scenario::Scalar;
 
-use crate::session::Elaborated;
+use crate::elaborated::Elaborated;
 
 /// Makes the machine of a stage ready. `control-plane` holds the stage, on a floor below: it knows no machine.
 pub trait Prepare {

@@ -5,7 +5,7 @@ use generator::{FrameCounts, FrameError, Omission, Planes, Session};
 use scenario::{Pose, Scalar};
 use signal::{Probe, Real};
 
-use crate::session::Elaborated;
+use crate::elaborated::Elaborated;
 
 struct Unprobed<S>(Elaborated<S>);
 

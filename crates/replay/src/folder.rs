@@ -9,7 +9,7 @@ use crate::ReplayError;
 use crate::held::{HeldRun, RUN_RECORD};
 use crate::journal::JOURNAL;
 use crate::lock::{LOCK, Lock};
-use crate::truth::TRUTH_FILES;
+use crate::truth_files::TRUTH_FILES;
 use run_record::FrameRecord;
 
 /// Frames of a run.

@@ -34,6 +34,7 @@ mod performance;
 mod record;
 mod run;
 mod truth;
+mod truth_files;
 mod world;
 
 pub use error::ReplayError;

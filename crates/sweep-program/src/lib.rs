@@ -7,6 +7,7 @@ mod colour;
 mod fan;
 mod load_line;
 mod program;
+mod register_corners;
 
 pub use colour::{Colour, PreloadRegister};
 pub use fan::Fan;
@@ -15,3 +16,4 @@ pub use program::{
     Event, Fold, Load, Miss, MissCause, NO_CORNER, Ramp, RampAxis, RegisterSet, Served, Step, StepKind, Stop,
     SweepProgram, SweepStart, Target, WordMask,
 };
+pub use register_corners::RegisterCorners;

@@ -3,10 +3,10 @@
 use std::io::{self, BufWriter, Write};
 
 use crate::clock::seconds;
+use crate::encoder::Encoder;
 use crate::header::Form;
 use crate::held::{hold, pulses};
 use crate::output::Output;
-use crate::sink::Encoder;
 use crate::{Header, SweepTraces};
 
 /// Rows of numbers under names with units; no cell of a pulse is filled but where there is one.

@@ -9,9 +9,9 @@ use fst_writer::{
 use signal::Wire;
 
 use crate::changes::{Change, Timeline};
+use crate::encoder::Encoder;
 use crate::header::{Form, has_volts, is_high};
 use crate::output::Output;
-use crate::sink::Encoder;
 use crate::tree::{Scope, path};
 use crate::vcd_file::{TOLD, bits};
 use crate::{Header, SweepTraces};

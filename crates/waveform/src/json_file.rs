@@ -6,9 +6,9 @@ use serde_json::{Map, Value, json};
 use signal::{Axis, Waveform};
 
 use crate::clock::seconds;
+use crate::encoder::Encoder;
 use crate::output::Output;
 use crate::record::head;
-use crate::sink::Encoder;
 use crate::{Header, SweepTraces};
 
 /// The head of the document, then an object a sweep.

@@ -25,6 +25,7 @@
 mod changes;
 mod clock;
 mod csv_file;
+mod encoder;
 mod error;
 mod format;
 mod fst_file;

@@ -5,8 +5,8 @@ use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
 use signal::Axis;
 
 use crate::clock::seconds;
+use crate::encoder::Encoder;
 use crate::output::{Output, Store};
-use crate::sink::Encoder;
 use crate::zipped::{Zip, begin, options};
 use crate::{Header, SweepTraces};
 

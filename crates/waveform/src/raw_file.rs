@@ -5,10 +5,10 @@ use std::io::{self, BufWriter, Write};
 use signal::Wire;
 
 use crate::clock::seconds;
+use crate::encoder::Encoder;
 use crate::header::{Form, has_volts, volts};
 use crate::held::{hold, pulses};
 use crate::output::Output;
-use crate::sink::Encoder;
 use crate::{Header, SweepTraces};
 
 /// A point a sample, all vectors of a point together, f64.

@@ -2,10 +2,10 @@
 
 use std::io::{self, Write};
 
+use crate::encoder::Encoder;
 use crate::header::{Form, is_high, volts};
 use crate::held::{hold, pulses};
 use crate::output::Output;
-use crate::sink::Encoder;
 use crate::zipped::{Zip, begin, options};
 use crate::{Header, SweepTraces};
 

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use files::{Action, FileError, write_atomic};
 
 use crate::csv_file::CsvFile;
+use crate::encoder::Encoder;
 use crate::error::file_error;
 use crate::fst_file::FstFile;
 use crate::json_file::JsonFile;
@@ -30,14 +31,6 @@ pub trait Sink {
     /// # Errors
     /// If sweeps of the header are missing, or if a file cannot be written.
     fn finish(self: Box<Self>) -> Result<Vec<PathBuf>, WaveformError>;
-}
-
-/// A format, whatever it is written to.
-pub(crate) trait Encoder {
-    /// Writes a sweep.
-    fn sweep(&mut self, traces: &SweepTraces<'_>) -> io::Result<()>;
-    /// Ends the file.
-    fn finish(self: Box<Self>) -> io::Result<()>;
 }
 
 /// Begins a file of waveforms; a device or a pipe is written directly.

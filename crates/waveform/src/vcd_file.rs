@@ -5,10 +5,10 @@ use std::io::{self, BufWriter, Write};
 use vcd::{IdCode, SimulationCommand, TimescaleUnit, Value, VarType, Writer};
 
 use crate::changes::{Change, Timeline};
+use crate::encoder::Encoder;
 use crate::header::Form;
 use crate::output::Output;
 use crate::record::remark;
-use crate::sink::Encoder;
 use crate::tree::Scope;
 use crate::{Header, SweepTraces};
 

@@ -8,7 +8,6 @@ use quantities::{SweepTime, Tick};
 use shadow_controller::SEGMENT_WORDS;
 use sweep_program::{TimedLoad, WordMask};
 
-use super::tick_of;
 use crate::digital_event::{DigitalEvent, DigitalUnit, EventWord, LoadedPart};
 use crate::feature_loads::FeatureLoads;
 use crate::frame_sweeps::FrameSweeps;
@@ -97,8 +96,7 @@ impl Loads<'_> {
     fn timed(&self, kind: &Kind, range: f64, load: &TimedLoad) -> DigitalEvent {
         let &TimedLoad { due, arrival, slack, cause, .. } = load;
         let outcome = if arrival.is_none() { 2 } else { usize::from(slack < 0) };
-        let tick =
-            arrival.map_or_else(|| self.seen(due), |arrival| tick_of(self.sweeps, self.sweep, arrival));
+        let tick = arrival.map_or_else(|| self.seen(due), |arrival| self.sweeps.tick_of(self.sweep, arrival));
         DigitalEvent {
             slack: arrival.map(|_| slack),
             cause: (slack < 0).then_some(cause),

@@ -1,13 +1,12 @@
 //! The digital side as a list of events: what the timing record counts, one by one.
 //!
-//! A listener of the service knows what was told; what was not told follows from it: which set a fold asks for, transfers,
-//! overwrites or cancels is fixed by the wiring (section 6.3). Late words are those of the sweep program.
+//! The service of the crossings tells its events ([`dpu::ServiceEvent`]), and a listener writes them down. Set-ups, records from
+//! drums, craters and shadow boundaries are listed from what the processor, the drums and the loads came to.
 
 mod frame;
 mod listener;
 mod loads;
 
-use quantities::{SweepTime, Tick};
 use sweep_program::SweepProgram;
 
 use crate::digital_event::DigitalEvent;
@@ -21,17 +20,14 @@ impl FrameSweeps<'_> {
     /// craters and shadow boundaries; these if the frame has its gates ([`sweeps_with_gates`](crate::ControlPlane::sweeps_with_gates)).
     pub fn events(&self, sweep: u32) -> Vec<DigitalEvent> {
         let (crossings, sweeps) = (self.crossings(), [self.set_up_of(sweep), sweep]);
-        let levels = crossings.stage.landscape.bank().levels();
         let mut program = SweepProgram::idle();
-        let loader = &crossings.stage.settings.loader;
-        let mut fine = Listener::new(self, sweep, 0, &levels[0], loader);
+        let mut fine = Listener::new(self, sweep, 0);
         crossings.write_fine(sweeps, &mut program, &mut fine);
-        let mut events = fine.finish(&program);
-        let mut end = program.end_range;
+        let (mut events, mut end) = (fine.events, program.end_range);
         if let Some(coarse) = crossings.coarse {
-            let mut listener = Listener::new(self, sweep, 1, &levels[1], &coarse.loader);
+            let mut listener = Listener::new(self, sweep, 1);
             crossings.write_coarse(coarse, sweeps, &mut program, &mut listener);
-            events.extend(listener.finish(&program));
+            events.extend(listener.events);
             end = end.max(program.end_range);
         }
         let loads = Loads { sweeps: self, sweep };
@@ -47,10 +43,4 @@ impl FrameSweeps<'_> {
         events.sort_by_key(|event| event.tick);
         events
     }
-}
-
-/// The tick that an instant of a sweep was made from: turned back half a tick earlier, rounding makes it no other.
-fn tick_of(sweeps: &FrameSweeps<'_>, sweep: u32, time: SweepTime) -> Tick {
-    let half = 0.5 / sweeps.crossings().stage.settings.timebase.ticks_per_sample();
-    sweeps.clock(sweep).tick_at_or_after(SweepTime(time.0 - half))
 }

@@ -8,7 +8,7 @@ use sweep_program::{
 use super::Service;
 use super::stored::Asking;
 use crate::server::{Job, Served, Wanted};
-use crate::watch::Watch;
+use crate::watch::{ServiceEvent, Watch};
 
 /// Words on their way.
 #[derive(Debug, Clone, Copy)]
@@ -54,10 +54,9 @@ impl<W: Watch> Service<'_, '_, '_, W> {
             Wanted::Register(register) => Some(register),
             Wanted::Diagonal => None,
         };
-        let asking = Asking { crossing: Some(crossing), colour, register };
-        let corner = self.stored(corner, served.begin, asking);
+        let asking = Asking { crossing: Some(crossing), colour, register: wanted.register() };
+        let corner = self.stored(corner, served.begin, asking, ServiceEvent::Access);
         let last = self.server.last(served);
-        self.watch.loaded();
         let Some(register) = register else {
             self.diagonals[colour as usize] = Some(last);
             return;
@@ -98,7 +97,8 @@ impl<W: Watch> Service<'_, '_, '_, W> {
         };
         if let Some(miss) = program.misses.iter_mut().rev().find(waits) {
             miss.arrival = Some(arrival);
-            self.watch.transfer(slack(&self.clock, miss.time, tick));
+            let slack = slack(&self.clock, miss.time, tick);
+            self.watch.tell(tick, ServiceEvent::LateSet { slack });
         }
     }
 
@@ -115,7 +115,7 @@ impl<W: Watch> Service<'_, '_, '_, W> {
         }
         for Delivery { tick, arrival, load, .. } in self.pending.drain(..arrived) {
             program.steps.push(Step::new(arrival, range_at(arrival), Event::Load(load)));
-            self.watch.arrival(tick, &load);
+            Self::tell_load(&mut self.held, self.watch, tick, load);
         }
     }
 }

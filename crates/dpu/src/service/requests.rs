@@ -7,9 +7,9 @@ use sweep_program::{
 
 use super::Service;
 use super::stored::Asking;
-use crate::crossing::TimedFold;
 use crate::server::{Job, Wanted};
-use crate::watch::Watch;
+use crate::unit::TimedFold;
+use crate::watch::{AskedSet, Register, ServiceEvent, Watch};
 
 impl<W: Watch> Service<'_, '_, '_, W> {
     /// Both preload registers of a colour that has moved, and its diagonal one.
@@ -48,12 +48,13 @@ impl<W: Watch> Service<'_, '_, '_, W> {
         program: &mut SweepProgram,
     ) {
         let [m, n] = self.pointers.ahead(colour, register);
-        let asking = Asking { crossing: Some(self.crossing), colour, register: Some(register) };
-        let corner = self.stored(self.unit.level.clamped_index(m, n) as u32, seen, asking);
+        let asking = Asking { crossing: Some(self.crossing), colour, register: Register::Preload(register) };
+        let corner = self.unit.level.clamped_index(m, n) as u32;
+        let corner = self.stored(corner, seen, asking, ServiceEvent::Diagonal);
         let load = Load { colour, target: Target::Preload(register), corner, words: WordMask::ALL };
         program.steps.push(Step::new(fold.time, fold.range, Event::Load(load)));
         self.ready[colour as usize][register as usize] = Some(self.there_with(fold, seen));
-        self.watch.arrival(seen, &load);
+        Self::tell_load(&mut self.held, self.watch, seen, load);
     }
 
     fn request(
@@ -87,10 +88,10 @@ impl<W: Watch> Service<'_, '_, '_, W> {
         seen: Tick,
         program: &mut SweepProgram,
     ) {
-        self.watch.wanted();
-        self.watch.loaded();
-        let asking = Asking { crossing: Some(self.crossing), colour, register: Some(register) };
-        let corner = self.stored(corner, seen, asking);
+        let (crossing, place) = (self.crossing, Register::Preload(register));
+        self.watch.tell(seen, ServiceEvent::Wanted(AskedSet { crossing, colour, register: place }));
+        let asking = Asking { crossing: Some(crossing), colour, register: place };
+        let corner = self.stored(corner, seen, asking, ServiceEvent::Access);
         if W::LISTENS {
             self.is_ready(colour, register, self.there_with(fold, seen));
         }
@@ -98,7 +99,7 @@ impl<W: Watch> Service<'_, '_, '_, W> {
         if !words.is_empty() {
             let load = Load { colour, target: Target::Preload(register), corner, words };
             program.steps.push(Step::new(fold.time, fold.range, Event::Load(load)));
-            self.watch.arrival(seen, &load);
+            Self::tell_load(&mut self.held, self.watch, seen, load);
         }
     }
 
@@ -138,7 +139,8 @@ impl<W: Watch> Service<'_, '_, '_, W> {
         let (number, crossing) = (self.requests, self.crossing);
         self.requests += 1;
         self.server.ask(Job { number, colour, wanted, corner, asked, crossing, urgent, late: false });
-        self.watch.wanted();
+        let set = AskedSet { crossing, colour, register: wanted.register() };
+        self.watch.tell(asked, ServiceEvent::Wanted(set));
     }
 
     /// The last words of a register come at `tick`, or later.

@@ -1,39 +1,52 @@
 //! What a fold finds: sets used and wasted, words too late for it, words for a place that its colours have left.
 
 use hardware_model::LatePolicy;
-use quantities::SweepTime;
-use sweep_program::{Colour, Load, Miss, MissCause, PreloadRegister, SweepProgram, Target, WordMask, slack};
+use quantities::Tick;
+use sweep_program::{
+    Colour, Event, Load, Miss, MissCause, NO_CORNER, PreloadRegister, SweepProgram, Target, WordMask, slack,
+};
 
 use super::Service;
 use super::deliveries::Delivery;
-use crate::crossing::TimedFold;
-use crate::server::Wanted;
-use crate::watch::Watch;
+use crate::server::{Job, Wanted};
+use crate::unit::TimedFold;
+use crate::watch::{AskedSet, ServiceEvent, Watch};
 
 impl<W: Watch> Service<'_, '_, '_, W> {
     /// What is still on its way for a colour that has just been transferred has come too late or moved on.
-    pub(super) fn settle(&mut self, fold: TimedFold, program: &mut SweepProgram) {
-        for colour in fold.kind.colours().into_iter().filter(|_| W::LISTENS) {
-            self.settle_ready(colour, fold.kind.axis.register(), fold.time);
+    pub(super) fn settle(&mut self, fold: TimedFold, seen: Tick, program: &mut SweepProgram) {
+        if W::LISTENS {
+            fold.kind.colours().into_iter().for_each(|colour| self.settle_ready(colour, fold, seen));
+            if let Some(held) = &mut self.held {
+                held.follow(&Event::Fold(fold.kind));
+            }
         }
-        self.settle_queue(fold, program);
+        self.settle_queue(fold, seen, program);
         self.settle_pending(fold, program);
     }
 
     /// One set of a colour is used, and the other is not.
-    fn settle_ready(&mut self, colour: Colour, used: PreloadRegister, time: SweepTime) {
-        for register in [PreloadRegister::XFirst, PreloadRegister::YFirst] {
-            let Some(ready) = self.ready[colour as usize][register as usize].take() else { continue };
-            let slack = slack(&self.clock, time, ready);
-            if register == used {
-                self.watch.transfer(slack);
-            } else if slack >= 0 {
-                self.watch.wasted();
-            }
+    fn settle_ready(&mut self, colour: Colour, fold: TimedFold, seen: Tick) {
+        let used = fold.kind.axis.register();
+        let unused = match used {
+            PreloadRegister::XFirst => PreloadRegister::YFirst,
+            PreloadRegister::YFirst => PreloadRegister::XFirst,
+        };
+        let ready = std::mem::take(&mut self.ready[colour as usize]);
+        let left_of =
+            |register: PreloadRegister| Some(slack(&self.clock, fold.time, ready[register as usize]?));
+        let corner = |register| self.held.as_ref().map_or(NO_CORNER, |held| held.waiting(colour, register));
+        let (crossing, slack, left) = (self.crossing, left_of(used), left_of(unused));
+        let transfer =
+            ServiceEvent::Transfer { crossing, colour, register: used, corner: corner(used), slack };
+        let wasted = ServiceEvent::Wasted { colour, register: unused, corner: corner(unused) };
+        self.watch.tell(seen, transfer);
+        if left.is_some_and(|left| left >= 0) {
+            self.watch.tell(seen, wasted);
         }
     }
 
-    fn settle_queue(&mut self, fold: TimedFold, program: &mut SweepProgram) {
+    fn settle_queue(&mut self, fold: TimedFold, seen: Tick, program: &mut SweepProgram) {
         let (axis, crossing) = (fold.kind.axis, self.crossing);
         let strobe = self.unit.loader.late_policy == LatePolicy::StrobeThrough;
         let watch = &mut *self.watch;
@@ -56,7 +69,9 @@ impl<W: Watch> Service<'_, '_, '_, W> {
             }
             let kept = needed && strobe;
             if !kept {
-                watch.cancelled();
+                let Job { crossing, colour, wanted, .. } = *job;
+                let set = AskedSet { crossing, colour, register: wanted.register() };
+                watch.tell(seen, ServiceEvent::Cancelled(set));
             }
             kept
         });

@@ -1,7 +1,7 @@
 //! Bowls with raised rims, drawn from a size-frequency law.
 
+use super::error::{ReliefError, above, within};
 use super::grid::Grid;
-use super::{ReliefError, above, within};
 use crate::{CornerWords, WORDS};
 use limits::Limit;
 use quantities::unit_interval;

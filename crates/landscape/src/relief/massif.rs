@@ -1,9 +1,9 @@
 //! Mountains with spurs and several tops.
 
+use super::error::{ReliefError, finite, within};
 use super::grid::Grid;
 use super::jet::Jet;
 use super::waves::{REGIONS_A_WAVE, Spectrum, WaveTable};
-use super::{ReliefError, finite, within};
 use crate::{CornerWords, WORDS};
 
 /// Waves in each of the three fields that roughen a massif.

@@ -1,9 +1,9 @@
 //! Winding valleys and ridges.
 
+use super::error::{ReliefError, above, finite, within};
 use super::grid::Grid;
 use super::jet::Jet;
 use super::waves::REGIONS_A_WAVE;
-use super::{ReliefError, above, finite, within};
 use crate::CornerWords;
 use quantities::{sin_cos, unit_interval};
 use std::f64::consts::PI;

@@ -1,9 +1,12 @@
 //! Gaussian ground of a power-law spectrum.
 
+use super::error::{ReliefError, above, within};
 use super::grid::Grid;
 use super::waves::{REGIONS_A_WAVE, Spectrum, WaveTable};
-use super::{MAX_WAVES, ReliefError, above, within};
 use crate::CornerWords;
+
+/// Largest number of plane waves in one undulation.
+pub const MAX_WAVES: usize = 20_000;
 
 /// Stationary Gaussian ground: the power density of a profile falls as k^-(2H+1) between the two wavelengths.
 ///

@@ -30,19 +30,11 @@ use crate::held::{frame_range, whole, write_changed};
 use crate::job::{Control, Job, Progress};
 use crate::journal::{self, Journal};
 use crate::run::pretty;
+use crate::truth_files::{JOURNAL, POSES_CSV, POSES_JSON, RECORD};
 use crate::{HeldRun, ReplayError, RunFolder};
 use record::{FORMAT, Finished, truth_record};
 
 pub use item::{TruthItem, TruthItems, UnknownTruth};
-
-/// Files in the folder of the truth beside the frames.
-const RECORD: &str = "truth.json";
-const POSES_CSV: &str = "poses.csv";
-const POSES_JSON: &str = "poses.json";
-const JOURNAL: &str = "truth.journal";
-
-/// All of them, for the folder that knows its own; the record last, so that what a kill leaves is still known.
-pub(crate) const TRUTH_FILES: [&str; 4] = [POSES_CSV, POSES_JSON, JOURNAL, RECORD];
 
 /// How far the truth of a run is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

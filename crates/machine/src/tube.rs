@@ -1,0 +1,89 @@
+//! Pictures out of stores: how they are read, and what a storage tube has left of earlier ones.
+
+use std::sync::Arc;
+
+use control_plane::FramePlan;
+use generator::FrameError;
+use hardware_model::SweepMemoryKind;
+use signal::Real;
+use signal_plane::Wanted;
+use sweep_memory::{Memory, Reading, Tube, View};
+
+use crate::elaborated::Elaborated;
+use crate::residue::Written;
+
+impl<S: Real> Elaborated<S> {
+    /// What the read beam makes of a store, and of what `tube` has left of earlier ones. A picture lies in its tube
+    /// where it was written: each is read by its own fan and pitch.
+    pub(crate) fn show(
+        &self,
+        tube: &Tube,
+        plan: &FramePlan,
+        yoke: f64,
+        store: &mut [f32],
+        columns: usize,
+        picture: &mut [f32],
+    ) -> Result<(), FrameError> {
+        let mut scratch = self.stores.take();
+        if tube.memory_frames() > 0 {
+            let most = 2 * tube.memory_frames() + 2;
+            self.recent.keep(plan.frame, Arc::new((*plan, store.to_vec())), most);
+        }
+        let earlier = tube.earlier(plan.frame).map_while(|frame| self.written(frame));
+        let earlier: Vec<Arc<Written>> = earlier.collect::<Result<_, _>>()?;
+        let pictures: Vec<Vec<f32>> = earlier
+            .iter()
+            .map(|written| {
+                let (mut store, mut left) = (written.1.clone(), vec![0.0; picture.len()]);
+                tube.read(plan.frame, &mut store, &mut scratch);
+                self.reading(&written.0, yoke, columns).read_all(&store, &mut left);
+                left
+            })
+            .collect();
+        tube.read(plan.frame, store, &mut scratch);
+        self.reading(plan, yoke, columns).read_all(store, picture);
+        tube.combine(picture, &pictures.iter().map(Vec::as_slice).collect::<Vec<_>>());
+        tube.add_noise(plan.frame, columns, picture, &mut scratch);
+        self.stores.give_back(scratch);
+        Ok(())
+    }
+
+    /// What was written in an earlier frame, drawn again if nobody has kept it; `None` if its pose is not known.
+    fn written(&self, frame: u64) -> Option<Result<Arc<Written>, FrameError>> {
+        if let Some(written) = self.recent.get(frame) {
+            return Some(Ok(written));
+        }
+        let pose = self.stage.scenery.course().get(frame as usize)?;
+        let draw = || {
+            let plan = FramePlan::new(frame, pose, &self.stage, &self.raster.field)?;
+            let digital = self.digital_frame(&plan, pose.time);
+            let delivery = self.deliver(&plan, &digital, pose.time)?;
+            let mut store = Vec::new();
+            let wanted = Wanted { look: &(), picture: true };
+            self.write(&plan, &delivery, &digital, wanted, &mut store);
+            self.deliveries.give_back(delivery);
+            Ok(Arc::new((plan, store)))
+        };
+        Some(draw())
+    }
+
+    /// How a picture of so many columns is read.
+    pub(crate) fn reading(&self, plan: &FramePlan, yoke: f64, columns: usize) -> Reading {
+        let settings = &self.stage.settings;
+        let memory = match (settings.sweep_memory, settings.yoke) {
+            (SweepMemoryKind::ScanConverter, _) => Memory::ScanConverter,
+            (SweepMemoryKind::DigitalMemory, None) => Memory::Digital,
+            (SweepMemoryKind::DigitalMemory, Some(_)) => Memory::DigitalTurned,
+        };
+        let view = View {
+            fan: plan.fan,
+            projection: settings.laws.projection,
+            pitch: plan.pitch,
+            raster: self.raster.field,
+            field: settings.raster.field,
+            yoke,
+        };
+        let (cells, lines) = (self.raster.lines, settings.raster.lines as usize);
+        Reading { memory, view, cells, columns, lines }
+    }
+}

@@ -1,0 +1,96 @@
+//! Terrain of a group: programs, profiles of both levels, light.
+
+use control_plane::Coarse;
+use landscape::{GroupLight, SweepLight};
+use parts::LagStep;
+use signal::{LANES, Lanes, Real};
+use terrain_generator::{ArrayState, ModifiedTerrainGenerator, PartsArray, Wired};
+
+use super::Group;
+use crate::real_parts::Terrain;
+use crate::workspace::Workspace;
+
+impl<S: Real> Group<'_, S> {
+    pub(super) fn draw_terrain(
+        &self,
+        first: u32,
+        sweeps: &[u32; LANES],
+        light: &[SweepLight; LANES],
+        work: &mut Workspace<S>,
+    ) {
+        self.trace_terrain(first, sweeps, work);
+        let fine = self.terrain(self.stage.landscape.level());
+        if let Some(wires) = &self.parts.wires {
+            wires.drive_terrain(&self.directions(sweeps), &self.ends(work), &mut work.profile);
+        }
+        fine.reflect(&GroupLight::new(light), 0..self.table.ranges().len(), &mut work.profile);
+        if let Some(Terrain { reflectivity: Some(lag), .. }) = &self.parts.terrain {
+            delay(lag, &mut work.profile.reflectivity);
+        }
+        if let Some(wires) = &self.parts.wires {
+            wires.drive_terrain_light(&mut work.profile);
+        }
+    }
+
+    /// Height and slopes of the terrain.
+    pub fn trace_terrain(&self, first: u32, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
+        for (lane, program) in work.programs.iter_mut().enumerate() {
+            self.crossings().write_fine([sweeps[lane], first + lane as u32], program, &mut ());
+        }
+        let fine = self.terrain(self.stage.landscape.level());
+        match (&self.blocks.coarse, &self.parts.terrain) {
+            (None, None) => fine.trace_by(&mut work.polynomials[0], &work.programs, &mut work.profile),
+            (None, Some(parts)) => {
+                let mut wired = self.wired(&parts.fine, first, &mut work.arrays[0]);
+                fine.trace_by(&mut wired, &work.programs, &mut work.profile);
+            }
+            (Some(coarse), _) => self.draw_both_levels(coarse, first, sweeps, work),
+        }
+    }
+
+    /// The array of parts for the group that begins at sweep `first`.
+    pub fn wired<'w>(
+        &self,
+        array: &'w PartsArray<S>,
+        first: u32,
+        state: &'w mut ArrayState<S>,
+    ) -> Wired<'w, S> {
+        Wired { array, state, address: self.address(first) }
+    }
+
+    fn draw_both_levels(&self, coarse: &Coarse, first: u32, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
+        let landscape = &self.stage.landscape;
+        for (lane, program) in work.coarse.iter_mut().enumerate() {
+            self.crossings().write_coarse(coarse, [sweeps[lane], first + lane as u32], program, &mut ());
+        }
+        let generator = ModifiedTerrainGenerator {
+            fine: self.terrain(landscape.level()),
+            coarse: self.terrain(&landscape.bank().levels()[1]),
+            blend: coarse.switch.blend,
+        };
+        let ranges = work.programs.each_ref().map(|program| program.end_range);
+        let (profile, overlap) = (&mut work.profile, &mut work.overlap);
+        work.step = match &self.parts.terrain {
+            Some(Terrain { fine, coarse: Some(far), .. }) => {
+                let [near_state, far_state] = &mut work.arrays;
+                let methods =
+                    [&mut self.wired(fine, first, near_state), &mut self.wired(far, first, far_state)];
+                generator.trace_by(methods, &work.programs, &work.coarse, &ranges, profile, overlap)
+            }
+            _ => {
+                let methods = work.polynomials.each_mut();
+                generator.trace_by(methods, &work.programs, &work.coarse, &ranges, profile, overlap)
+            }
+        };
+    }
+}
+
+/// Passes a signal through a lag that is at rest as the sweep begins.
+fn delay<S: Real>(lag: &LagStep<S>, signal: &mut [Lanes<S>]) {
+    let Some(&first) = signal.first() else { return };
+    let (mut before, mut out) = (first, first);
+    for value in signal {
+        out = lag.step(out, before, *value);
+        before = std::mem::replace(value, out);
+    }
+}
