@@ -14,6 +14,8 @@ use landscape::bank_file::BankFileError;
 use picture::PictureFileError;
 use plots::PlotError;
 use replay::ReplayError;
+use report::ReportError;
+use run_page::PageError;
 use scope::ScopeError;
 use survey::SurveyError;
 use timing::RecordError;
@@ -222,6 +224,42 @@ impl From<EventListError> for Failure {
 impl From<FrameError> for Failure {
     fn from(error: FrameError) -> Self {
         Self::input(error)
+    }
+}
+
+impl From<study::report::ReportError> for Failure {
+    fn from(error: study::report::ReportError) -> Self {
+        match error {
+            study::report::ReportError::File(error) => error.into(),
+            other => Self::output(other),
+        }
+    }
+}
+
+impl From<ReportError> for Failure {
+    fn from(error: ReportError) -> Self {
+        match error {
+            ReportError::File(error) => error.into(),
+            ReportError::Run(error) => error.into(),
+            ReportError::PictureFile(error) => error.into(),
+            ReportError::Content { .. } | ReportError::Strip { .. } | ReportError::Compare { .. } => {
+                Self::input(error)
+            }
+        }
+    }
+}
+
+impl From<PageError> for Failure {
+    fn from(error: PageError) -> Self {
+        match error {
+            PageError::Run(error) => error.into(),
+            PageError::Report(error) => error.into(),
+            PageError::Scope(error) => error.into(),
+            PageError::File(error) => error.into(),
+            PageError::Request(_) => Self::usage(error),
+            PageError::Folder { .. } => Self::output(error),
+            PageError::Path(_) | PageError::Prepare(_) | PageError::Frame(_) => Self::input(error),
+        }
     }
 }
 

@@ -22,6 +22,7 @@ pub mod survey;
 pub mod timing;
 pub mod trace;
 pub mod trigger;
+mod words;
 
 use crate::cli::{Cli, Command};
 use crate::{Failure, Verdict};
