@@ -7,6 +7,7 @@ use compare::CompareError;
 use deadlines::DeadlineError;
 use diagnostics::ProblemList;
 use event_list::EventListError;
+use file_info::InfoError;
 use files::{Action, FileError, NpyFileError};
 use front_door::{OpenError, StageError};
 use generator::FrameError;
@@ -15,6 +16,7 @@ use picture::PictureFileError;
 use plots::PlotError;
 use replay::ReplayError;
 use report::ReportError;
+use run_compare::RunCompareError;
 use run_page::PageError;
 use scope::ScopeError;
 use survey::SurveyError;
@@ -245,6 +247,33 @@ impl From<ReportError> for Failure {
             ReportError::Content { .. } | ReportError::Strip { .. } | ReportError::Compare { .. } => {
                 Self::input(error)
             }
+        }
+    }
+}
+
+impl From<RunCompareError> for Failure {
+    fn from(error: RunCompareError) -> Self {
+        match error {
+            RunCompareError::Run(error) => error.into(),
+            RunCompareError::Picture(error) => error.into(),
+            RunCompareError::Open(error) => error.into(),
+            RunCompareError::NoFrames => Self::usage(error),
+            _ => Self::input(error),
+        }
+    }
+}
+
+impl From<InfoError> for Failure {
+    fn from(error: InfoError) -> Self {
+        match error {
+            InfoError::Problems(list) => list.into(),
+            InfoError::Open(error) => error.into(),
+            InfoError::File(error) => error.into(),
+            InfoError::Bank(error) => error.into(),
+            InfoError::Picture(error) => error.into(),
+            InfoError::Run(error) => error.into(),
+            InfoError::Survey(error) => (*error).into(),
+            InfoError::Other(_) | InfoError::UnknownStart { .. } => Self::input(error),
         }
     }
 }

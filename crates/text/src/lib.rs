@@ -43,9 +43,16 @@ pub fn markdown(rows: &[Vec<String>]) -> String {
     text
 }
 
+/// `value` with at most `places` decimals, no zeros behind: lengths in metres have three, degrees six.
+pub fn shortened(value: f64, places: usize) -> String {
+    let text = format!("{value:.places$}");
+    let short = text.trim_end_matches('0').trim_end_matches('.');
+    if short == "-0" { "0".into() } else { short.into() }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{markdown, named_frames, rate};
+    use super::{markdown, named_frames, rate, shortened};
 
     #[test]
     fn one_frame_is_a_frame() {
@@ -62,5 +69,15 @@ mod tests {
     fn a_bar_in_a_cell_ends_no_cell() {
         let rows = [["sun", "mean |z| (m)"], ["own", "1.5"]].map(|row| row.map(str::to_owned).to_vec());
         assert_eq!(markdown(&rows), "| sun | mean \\|z\\| (m) |\n|---|---|\n| own | 1.5 |\n");
+    }
+
+    #[test]
+    fn lengths_to_the_millimetre() {
+        let short = [6.0, 150_550.635_443_332_93, -0.000_01, 1000.0, -89.875_000_000_000_01];
+        assert_eq!(
+            short.map(|value| shortened(value, 3)),
+            ["6", "150550.635", "0", "1000", "-89.875"].map(str::to_owned)
+        );
+        assert_eq!(shortened(1e-7, 6), "0");
     }
 }

@@ -6,7 +6,6 @@ pub mod bank;
 pub mod cartridge;
 pub mod check;
 pub mod compare;
-pub mod edges;
 pub mod explain;
 pub mod info;
 pub mod list;

@@ -12,11 +12,11 @@ use survey::{
     Area, Elevation, Frame, LevelReport, Plane, ReadOptions, Survey, SurveyOptions, SurveyReport, survey,
 };
 
-use crate::commands::bank::{bank_at, shortened};
+use crate::commands::bank::bank_at;
 use crate::loading::Threads;
 use crate::output::{Place, expect_outputs, print, print_json, tell};
 use crate::{Failure, Verdict, values};
-use text::table;
+use text::{shortened, table};
 
 const AFTER: &str = "Examples:
   lunoid survey pole.tif --region-size-m 40 -o pole.bank --picture pole.png
