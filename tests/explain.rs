@@ -1,11 +1,11 @@
 //! From a pixel to its wires: what is told is what the machine did, and where `exact` sees it.
 
+use control_plane::{ControlPlane, MachineStage};
 use exact::Columns;
 use explain::{Explanation, Inquiry, InquiryError, Writer};
 use hardware_model::{HardwareModel, ModelSource};
 use lunoid_tests::{Dice, Shipped, shipped};
-use machine::ControlPlane;
-use machine::MachineStage;
+use machine::Prepare;
 
 fn told(stage: &MachineStage, scene: &Shipped, frame: u64, pixels: &[[usize; 2]]) -> Vec<Explanation> {
     let session = stage.clone().prepare();

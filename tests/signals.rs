@@ -6,8 +6,9 @@ use generator::{PlaneKind, Planes};
 use landscape::Level;
 use landscape::basis::values;
 use lunoid_tests::{Scene, Shipped, random};
-use machine::signals;
+use machine::Prepare;
 use signal::{Axis, Kind, Probe, Waveform};
+use signal_plane::signals;
 use sweep_program::{Colour, Fan};
 
 const SEEDS: std::ops::Range<u64> = 7100..7112;

@@ -2,9 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use control_plane::ControlPlane;
 use generator::{PlaneKind, Planes};
 use hardware_model::{HardwareModel, Settings};
-use machine::ControlPlane;
+use machine::Prepare;
 use scenario::Pose;
 use signal::Probe;
 use sweep_program::Fan;

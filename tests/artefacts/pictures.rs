@@ -3,6 +3,7 @@
 //!
 //! `cargo run --release -p lunoid-tests --example fault_pictures FOLDER`
 
+use machine::Prepare;
 use std::env;
 use std::path::{Path, PathBuf};
 

@@ -3,10 +3,10 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use control_plane::MachineStage;
 use hardware_model::{HardwareModel, Settings};
 use landscape::{Attitude, Bank, Landscape, Level, Sun};
 use lunoid_tests::{level_of, plane};
-use machine::MachineStage;
 use quantities::{Rate, radians};
 use scenario::{
     Curvature, Display, FieldOfView, LawWishes, Occlusion, Pose, RangeLaw, RangeProgramme, RasterWishes,

@@ -6,11 +6,12 @@ use std::sync::{Arc, LazyLock};
 use compare::{
     EDGE_PLANES, EdgeLimits, RidgeError, edge_mask, horizon_of_picture, horizon_of_range, ridge_error,
 };
+use control_plane::MachineStage;
 use exact::Exact;
 use generator::{FrameCounts, Generator, Label, PlaneKind, Planes, Session, Shade};
 use hardware_model::{HardwareModel, ModelSource, Settings};
 use landscape::Landscape;
-use machine::MachineStage;
+use machine::Prepare;
 use picture::{Depth, Encoder, GreyPicture, Transfer};
 use scenario::{Pose, PoseRow, PoseTable, Scenario, Scenery};
 use signal::Probe;

@@ -1,5 +1,6 @@
 //! Scenarios damaged at random, from their text to a picture: refused, or drawn without a value that is no number.
 
+use machine::Prepare;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use exact::Exact;

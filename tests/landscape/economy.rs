@@ -5,6 +5,7 @@ use glam::DVec3;
 use hardware_model::{Economy, Forced, HardwareModel, LevelSwitch, Yoke};
 use landscape::{Bank, Landscape, Silhouette, Source};
 use lunoid_tests::{Dice, Drawn};
+use machine::Prepare;
 use polyhedron_generator::{LeftOut, Sight};
 use quantities::radians;
 use scenario::Scalar;

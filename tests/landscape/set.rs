@@ -3,13 +3,14 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::sync::Arc;
 
+use control_plane::MachineStage;
 use exact::Exact;
 use features::{Crater, Features, Shape};
 use generator::{Generator, PlaneKind, Planes};
 use glam::{DMat3, DVec3};
 use landscape::{Landscape, Layer, Level, Source, Sun, Texture};
 use lunoid_tests::{Dice, Drawn, Scene, level_of, plane};
-use machine::MachineStage;
+use machine::Prepare;
 use quantities::{radians, sin_cos};
 use scenario::{
     Curvature, Occlusion, Pose, RangeLaw, RangeProgramme, Scenery, ShadowFineness, Standing, TrackPatch,

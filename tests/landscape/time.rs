@@ -2,9 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
+use control_plane::MachineStage;
 use generator::{FrameCounts, PlaneKind, Planes, Session};
 use hardware_model::{HardwareModel, ModelSource};
-use machine::MachineStage;
+use machine::Prepare;
 use scenario::{Pose, PoseTable, Scenario};
 use signal::Probe;
 

@@ -4,13 +4,13 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use control_plane::MachineStage;
 use features::{Crater, Features, Shape};
 use generator::{Generator, PlaneKind, Planes, Shade};
 use hardware_model::{HardwareModel, Settings};
 use landscape::relief::Relief;
 use landscape::{Attitude, Bank, LUNOID_RADIUS, Landscape, Sun};
 use lunsim::{Hardware, Lunsim, Parameters};
-use machine::MachineStage;
 use quantities::radians;
 use scenario::{
     Display, FieldOfView, LawWishes, Pose, RangeLaw, RangeProgramme, RasterWishes, Scalar, Scenery,

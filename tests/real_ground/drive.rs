@@ -4,11 +4,12 @@ use std::env;
 use std::path::Path;
 
 use compare::{RidgeError, compare, horizon_of_picture, horizon_of_range, ridge_error, ridge_mask};
+use control_plane::MachineStage;
 use exact::Exact;
 use generator::{Generator, PlaneKind, Planes, Session};
 use hardware_model::{HardwareModel, Settings};
 use landscape::Georeference;
-use machine::MachineStage;
+use machine::Prepare;
 use picture::{Depth, Encoder, GreyPicture, Transfer};
 use quantities::{degrees, radians};
 use scenario::{FieldOfView, Pose, PoseTable, RasterWishes, Scenario};

@@ -2,13 +2,14 @@
 
 use std::f64::consts::TAU;
 
+use control_plane::MachineStage;
 use features::{Crater, Shape};
 use generator::{PlaneKind, Planes};
 use hardware_model::{HardwareModel, Settings};
 use landscape::{CornerWords, Level};
 use lockstep::bounds;
 use lunoid_tests::{Drawn, Scene, level_of, random};
-use machine::MachineStage;
+use machine::Prepare;
 use scenario::{Pose, RangeLaw, Scalar};
 use signal::Probe;
 

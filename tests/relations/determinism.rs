@@ -4,11 +4,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
+use control_plane::MachineStage;
 use generator::{PlaneKind, Planes, Session};
 use hardware_model::{HardwareModel, ModelSource, Settings, WireParts};
 use lunoid_tests::shipped::folder;
 use lunoid_tests::{Scene, random};
-use machine::MachineStage;
+use machine::Prepare;
 use quantities::radians;
 use rayon::ThreadPoolBuilder;
 use scenario::{Pose, Scalar};

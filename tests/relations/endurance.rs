@@ -3,6 +3,7 @@
 //! `cargo run -p lunoid-tests --example endurance -- 100000` draws so many frames of a random landscape and fails if the
 //! resident memory has grown by more than 1 % since the first tenth of them. It reads `/proc`, so it runs on Linux.
 
+use machine::Prepare;
 use std::process::ExitCode;
 use std::time::Instant;
 

@@ -3,6 +3,7 @@
 use generator::{PlaneKind, Planes};
 use landscape::{CornerWords, Level};
 use lunoid_tests::{Drawn, Scene, level_of, random};
+use machine::Prepare;
 use quantities::radians;
 use scenario::{Curvature, Scalar};
 use signal::Probe;

@@ -1,9 +1,10 @@
 //! What a part does wrong goes to nothing with the figure that it has for it.
 
+use control_plane::MachineStage;
 use generator::{PlaneKind, Planes};
 use hardware_model::{AnalogParts, HardwareModel, Settings};
 use lunoid_tests::{Scene, random};
-use machine::MachineStage;
+use machine::Prepare;
 use scenario::Scalar;
 use signal::Probe;
 

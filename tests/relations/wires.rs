@@ -2,11 +2,12 @@
 
 use std::collections::BTreeMap;
 
+use control_plane::MachineStage;
 use generator::{PlaneKind, Planes};
 use hardware_model::{HardwareModel, MAIN_WIRES, ModelSource, Settings, WireParts};
 use lunoid_tests::shipped::folder;
 use lunoid_tests::{Scene, random};
-use machine::MachineStage;
+use machine::Prepare;
 use scenario::Scalar;
 use signal::Probe;
 

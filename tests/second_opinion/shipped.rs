@@ -4,10 +4,10 @@
 //! and whatever hangs on these alone. With its parts replaced by ideal ones, everything else of the model is: raster,
 //! range programme, loader, processor, laws.
 
+use control_plane::MachineStage;
 use hardware_model::{HardwareModel, ModelSource, Settings};
 use lockstep::{Engines, Report};
 use lunoid_tests::shipped::{FULL_LANDSCAPE, TERRAIN, folder};
-use machine::MachineStage;
 use scenario::{PoseTable, Scalar, Scenario};
 
 /// All shipped models.

@@ -1,9 +1,9 @@
 //! Main signals behind output amplifiers, in lockstep: the law, and the order in which signals flow.
 
+use control_plane::MachineStage;
 use hardware_model::WireParts;
 use lockstep::{Engines, Report};
 use lunoid_tests::{Dice, Scene, random};
-use machine::MachineStage;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use scenario::Scalar;
 

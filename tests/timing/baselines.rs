@@ -4,9 +4,9 @@
 
 use std::path::{Path, PathBuf};
 
+use control_plane::ControlPlane;
 use hardware_model::{HardwareModel, ModelSource};
 use lunoid_tests::shipped::{FULL_LANDSCAPE, TERRAIN, folder};
-use machine::ControlPlane;
 use scenario::{PoseTable, Scenario};
 use timing::{Comparison, TimingRecord, Tolerance, compare};
 

@@ -1,11 +1,10 @@
 //! What a machine has to do before frame 0 (hardware sections 4.4, 4.6 and 4.7).
 
+use control_plane::{ControlPlane, MachineStage};
 use data_bank::DataBank;
 use dpu::HOME_SETS;
 use hardware_model::{Channels, Cpu, CrossingServer, DataBanks, Drum, DrumQueue, IoProcessor, Loader};
 use lunoid_tests::Scene;
-use machine::ControlPlane;
-use machine::MachineStage;
 use quantities::radians;
 use scenario::{Pose, Yoke};
 use timing::{Task, TimingRecord};

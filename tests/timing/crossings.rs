@@ -2,11 +2,11 @@
 
 use std::f64::consts::{PI, SQRT_2};
 
+use control_plane::ControlPlane;
 use dpu::CrossingService;
 use hardware_model::CrossingServer;
 use landscape::Level;
 use lunoid_tests::{Dice, Scene};
-use machine::ControlPlane;
 use quantities::radians;
 use sweep_generator::{RangeTable, TimedFolds, set_up};
 use sweep_program::{

@@ -1,9 +1,9 @@
 //! Drums of a view that turns (hardware sections 4.7 and 8, number 10).
 
+use control_plane::ControlPlane;
 use hardware_model::{Channels, DataBanks, Drum, DrumQueue};
 use landscape::Attitude;
 use lunoid_tests::Scene;
-use machine::ControlPlane;
 use quantities::radians;
 use scenario::Pose;
 use sweep_program::{Event, NO_CORNER};

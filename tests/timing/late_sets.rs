@@ -1,8 +1,8 @@
 //! Urgent sets that come too late (hardware section 4.5, number 3 of section 8).
 
+use control_plane::ControlPlane;
 use hardware_model::CrossingServer;
 use lunoid_tests::{Dice, Scene};
-use machine::ControlPlane;
 use scenario::Pose;
 use timing::{Cause, FrameTiming};
 

@@ -4,12 +4,12 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
+use control_plane::{ControlPlane, DigitalEvent, EventWord, MachineStage};
 use features::{Crater, Features, Shape};
 use generator::{PlaneKind, Planes};
 use hardware_model::{LatePolicy, ShadowParts};
 use lunoid_tests::{Dice, Scene, level_of, plane};
-use machine::MachineStage;
-use machine::{ControlPlane, DigitalEvent, EventWord};
+use machine::Prepare;
 use rayon::ThreadPoolBuilder;
 use scenario::{ShadowFineness, TrackPatch};
 use signal::Probe;

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
+use control_plane::ControlPlane;
 use hardware_model::{Channels, Cpu, CrossingServer, DataBanks, Drum, DrumQueue, HardwareModel};
 use landscape::Attitude;
-use machine::ControlPlane;
 use quantities::radians;
 use rayon::ThreadPoolBuilder;
 use scenario::Pose;

@@ -1,10 +1,9 @@
 //! The processor's time (hardware section 4.6, number 11 of section 8).
 
+use control_plane::{ControlPlane, MachineStage};
 use dpu::{CpuLoad, CrossingTime, cpu_frame};
 use hardware_model::{Cpu, CrossingServer, Ground, HardwareModel, ModelSource};
 use lunoid_tests::{Dice, Scene};
-use machine::ControlPlane;
-use machine::MachineStage;
 use timing::{Deadline, FrameTiming};
 
 use crate::rig::{SIZE, busy, flat, frame, loader, pose};

@@ -2,11 +2,10 @@
 
 use std::sync::Arc;
 
+use control_plane::{ControlPlane, MachineStage};
 use hardware_model::{CrossingServer, HardwareModel, Loader};
 use landscape::Attitude;
 use lunoid_tests::{Dice, Scene, level_of, plane};
-use machine::ControlPlane;
-use machine::MachineStage;
 use scenario::{Pose, RangeLaw, RangeProgramme, Scenery};
 use timing::FrameTiming;
 

@@ -2,6 +2,7 @@
 
 #![allow(missing_docs)]
 
+use machine::Prepare;
 use std::hint::black_box;
 
 use benchmarks::{Choice, Scene};

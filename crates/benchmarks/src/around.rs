@@ -1,5 +1,6 @@
 //! What stands before and between frames: the making of ground, shadow boundaries, a survey, whole missions.
 
+use machine::Prepare;
 use std::time::Instant;
 
 use quantities::unit_interval;

@@ -1,5 +1,6 @@
 //! Frames of the machine, drawn again and again.
 
+use machine::Prepare;
 use std::time::Instant;
 
 use generator::{Planes, Session};

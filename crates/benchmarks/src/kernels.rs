@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use hardware_model::Economy;
-use machine::{MachineStage, prepare_unprobed};
+use machine::{Prepare, prepare_unprobed};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use scenario::Scalar;
 use signal::Probe;
@@ -109,10 +109,10 @@ pub const KERNELS: &[Kernel] = &[
         frames::whole("first-light", prepare_unprobed, Probe::off())
     }),
     row("first-light/probe-off", "the same, by the machine of a replay, probing nothing", || {
-        frames::whole("first-light", MachineStage::prepare, Probe::off())
+        frames::whole("first-light", Prepare::prepare, Probe::off())
     }),
     row("first-light/probe-on", "the same, every signal of one sweep recorded", || {
-        frames::whole("first-light", MachineStage::prepare, Probe::new(vec!["*".into()], 500..501))
+        frames::whole("first-light", Prepare::prepare, Probe::new(vec!["*".into()], 500..501))
     }),
     row(
         "showpiece/no-probe",
@@ -123,7 +123,7 @@ pub const KERNELS: &[Kernel] = &[
         frames::whole("nominal-drive", prepare_unprobed, Probe::off())
     }),
     row("nominal-drive/probe-off", "the same, by the machine of a replay, probing nothing", || {
-        frames::whole("nominal-drive", MachineStage::prepare, Probe::off())
+        frames::whole("nominal-drive", Prepare::prepare, Probe::off())
     }),
 ];
 

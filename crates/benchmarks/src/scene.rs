@@ -3,9 +3,9 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use control_plane::MachineStage;
 use generator::{PlaneKind, Planes};
 use hardware_model::{Economy, HardwareModel, ModelSource, Settings};
-use machine::MachineStage;
 use remote_shadow::{Resolution, ShadowBank};
 use scenario::{Pose, PoseTable, Scalar, Scenario};
 

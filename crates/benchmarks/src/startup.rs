@@ -1,5 +1,6 @@
 //! A large problem area as files, and the time from nothing to its first frame.
 
+use machine::Prepare;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;

@@ -1,5 +1,6 @@
 //! Once warm, sweeps are drawn without asking for memory: a frame of four times the work asks no more often.
 
+use machine::Prepare;
 use std::alloc::System;
 
 use benchmarks::{Choice, Scene};

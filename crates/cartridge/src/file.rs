@@ -185,7 +185,7 @@ impl Expect {
             }
         }
         debug_assert!(Exact.signals().is_empty());
-        let known = machine::signals();
+        let known = signal_plane::signals();
         match self.read.signals().into_iter().find(|name| !known.iter().any(|signal| signal.name == *name)) {
             Some(name) => Err(format!("the machine has no signal `{name}`; see lunoid signals")),
             None => Ok(()),

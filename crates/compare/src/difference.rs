@@ -1,6 +1,6 @@
 //! Differences to look at.
 
-use picture::{Depth, GreyPicture, beside};
+use picture::{Depth, Picture, beside};
 
 use crate::metrics::{CompareError, Scale, same_size};
 
@@ -8,15 +8,15 @@ use crate::metrics::{CompareError, Scale, same_size};
 const EQUAL: i64 = 128;
 
 /// Test minus reference in 8 bits: 128 where they are equal, brighter where the test is brighter, each level
-/// of 255 shown as `factor` levels, cut at black and white.
+/// of 255 shown as `factor` levels, cut at black and white; of colour pictures channel by channel.
 ///
 /// # Errors
 /// [`CompareError::Size`].
-pub fn difference_picture(
-    test: &GreyPicture,
-    reference: &GreyPicture,
+pub fn difference_picture<const CHANNELS: usize>(
+    test: &Picture<CHANNELS>,
+    reference: &Picture<CHANNELS>,
     factor: u32,
-) -> Result<GreyPicture, CompareError> {
+) -> Result<Picture<CHANNELS>, CompareError> {
     same_size(test, reference)?;
     let scale = Scale::new(test.depth(), reference.depth());
     let shown = |at: usize| {
@@ -24,7 +24,7 @@ pub fn difference_picture(
         (EQUAL + levels).clamp(0, 255) as u16
     };
     let codes = (0..test.codes().len()).map(shown).collect();
-    Ok(GreyPicture::new(test.columns(), test.lines(), Depth::Eight, codes)?)
+    Ok(Picture::new(test.columns(), test.lines(), Depth::Eight, codes)?)
 }
 
 /// Quotient rounded to the nearest, halves away from zero.
@@ -36,11 +36,11 @@ fn rounded(numerator: i64, denominator: i64) -> i64 {
 ///
 /// # Errors
 /// [`CompareError::Size`].
-pub fn triptych(
-    test: &GreyPicture,
-    reference: &GreyPicture,
+pub fn triptych<const CHANNELS: usize>(
+    test: &Picture<CHANNELS>,
+    reference: &Picture<CHANNELS>,
     factor: u32,
-) -> Result<GreyPicture, CompareError> {
+) -> Result<Picture<CHANNELS>, CompareError> {
     let difference = difference_picture(test, reference, factor)?;
     Ok(beside(&[&test.to_eight_bits(), &reference.to_eight_bits(), &difference])?)
 }

@@ -2,8 +2,9 @@
 //!
 //! - [`compare`]: RMSE, PSNR, worst pixel, share of pixels beyond some grey levels, all outside a mask, and
 //!   [`ssim`] of the whole picture.
+//! - [`compare_any`]: the same of pictures in colour, by luminance and by channel.
 //! - [`compare_linear`]: RMSE, PSNR, bias and largest error of linear intensity; [`linear_intensity`] recovers it from a
-//!   picture.
+//!   picture, [`linear_luminance`] from one in colour.
 //! - [`flip`]: how different two pictures look to an eye.
 //! - [`edge_mask`]: the pixels along ridges, outlines, shadow boundaries and kinks, with their share.
 //! - [`ridge_mask`]: the pixels along silhouettes, where a shift by a fraction of a line is a large step.
@@ -22,6 +23,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod colour;
 mod difference;
 mod edges;
 mod flip;
@@ -31,10 +33,11 @@ mod ridges;
 mod shadows;
 mod ssim;
 
+pub use colour::{AnyComparison, compare_any, difference_any, triptych_any};
 pub use difference::{difference_picture, triptych};
 pub use edges::{EDGE_PLANES, EdgeLimits, EdgeMask, edge_mask};
 pub use flip::{Flip, PIXELS_PER_DEGREE, flip, flip_map};
-pub use linear::{LinearComparison, compare_linear, linear_intensity};
+pub use linear::{LinearComparison, compare_linear, linear_intensity, linear_luminance};
 pub use metrics::{Beyond, CompareError, Comparison, WorstPixel, compare};
 pub use ridges::{RidgeError, horizon_of_picture, horizon_of_range, ridge_error, ridge_mask};
 pub use shadows::{ShadowAgreement, shadow_agreement};

@@ -1,6 +1,6 @@
 //! Error on linear intensity: what the video signal is off by, before white point and gamma.
 
-use picture::{GreyPicture, Transfer};
+use picture::{AnyPicture, ColourPicture, Depth, GreyPicture, Transfer};
 
 use crate::metrics::{CompareError, kept_pixels};
 
@@ -57,7 +57,25 @@ pub fn compare_linear(
 /// The linear intensity that the codes of a picture stand for under the display law that made them. It is as fine as
 /// the codes: half a step off at most, and never above the white point.
 pub fn linear_intensity(picture: &GreyPicture, transfer: &Transfer) -> Vec<f32> {
-    let codes: Vec<f32> =
-        (0..=picture.depth().white()).map(|code| transfer.intensity(code, picture.depth())).collect();
-    picture.codes().iter().map(|code| codes[usize::from(*code)]).collect()
+    let lights = lights(picture.depth(), transfer);
+    picture.codes().iter().map(|code| lights[usize::from(*code)]).collect()
+}
+
+/// The same of a picture in colour: the luminance of its linear red, green and blue.
+pub fn linear_luminance(picture: &AnyPicture, transfer: &Transfer) -> Vec<f32> {
+    match picture {
+        AnyPicture::Grey(picture) => linear_intensity(picture, transfer),
+        AnyPicture::Colour(picture) => luminances(picture, &lights(picture.depth(), transfer)),
+    }
+}
+
+fn luminances(picture: &ColourPicture, lights: &[f32]) -> Vec<f32> {
+    let luminance =
+        |pixel: &[u16; 3]| quantities::luminance(pixel.map(|code| lights[usize::from(code)].into())) as f32;
+    picture.pixels().iter().map(luminance).collect()
+}
+
+/// The intensity of every code.
+fn lights(depth: Depth, transfer: &Transfer) -> Vec<f32> {
+    (0..=depth.white()).map(|code| transfer.intensity(code, depth)).collect()
 }

@@ -1,6 +1,6 @@
 //! Numbers that say how far one picture is from another.
 
-use picture::{Depth, GreyPicture, PictureError};
+use picture::{Depth, GreyPicture, Picture, PictureError};
 
 use crate::ssim::ssim;
 
@@ -126,7 +126,10 @@ pub fn compare(
     })
 }
 
-pub(crate) fn same_size(test: &GreyPicture, reference: &GreyPicture) -> Result<(), CompareError> {
+pub(crate) fn same_size<const CHANNELS: usize>(
+    test: &Picture<CHANNELS>,
+    reference: &Picture<CHANNELS>,
+) -> Result<(), CompareError> {
     let found = (test.columns(), test.lines());
     let expected = (reference.columns(), reference.lines());
     if found == expected { Ok(()) } else { Err(CompareError::Size { found, expected }) }
@@ -160,8 +163,13 @@ impl Scale {
         Self { test: steps(test), reference: steps(reference), white }
     }
 
-    /// Test minus reference.
-    pub fn steps(self, test: &GreyPicture, reference: &GreyPicture, at: usize) -> i64 {
+    /// Test minus reference, of the codes at `at`.
+    pub fn steps<const CHANNELS: usize>(
+        self,
+        test: &Picture<CHANNELS>,
+        reference: &Picture<CHANNELS>,
+        at: usize,
+    ) -> i64 {
         i64::from(test.codes()[at]) * self.test - i64::from(reference.codes()[at]) * self.reference
     }
 }

@@ -71,8 +71,11 @@
 //!
 //! Of a long list of data [`LongList`] tells the first faults and counts the others.
 //!
+//! Tables that people write as CSV are read through [`CsvRows`], whose cells know their place.
+//!
 //! [`JunitSuite`] writes what was checked for continuous integration.
 
+mod csv_rows;
 mod field;
 mod junit;
 mod layers;
@@ -84,6 +87,7 @@ mod render;
 mod toml_file;
 mod tree;
 
+pub use csv_rows::{CsvRow, CsvRows};
 pub use field::{Bounded, Field};
 pub use junit::{JunitCase, JunitSuite};
 pub use layers::{Layers, Origin};

@@ -4,7 +4,6 @@ use std::ops::{Add, Div, Mul, Sub};
 
 use fearless_simd::prelude::{SimdBase, SimdMask};
 use fearless_simd::{Level, Simd, dispatch};
-use landscape::parabolic_drop;
 use scenario::{Curvature, Occlusion};
 use signal::{Break, Breaks, LANES, Lanes, Number, Real, Signal, Unit};
 
@@ -96,7 +95,7 @@ impl<S: Real> Processor<S> {
             curvature,
             ranges: ranges.to_vec(),
             inverse_range: ranges.iter().map(|&range| S::from_f64(1.0 / range)).collect(),
-            drop: ranges.iter().map(|&range| S::from_f64(drop_at(curvature, range))).collect(),
+            drop: ranges.iter().map(|&range| S::from_f64(curvature.drop(range))).collect(),
             vectors: Level::new(),
         }
     }
@@ -217,14 +216,7 @@ impl<S: Real> Processor<S> {
     fn elevation_of(&self, place: &Break<S>) -> S {
         let (near, far) = (self.ranges[place.sample - 1], self.ranges[place.sample]);
         let range = near + place.share.to_f64() * (far - near);
-        S::from_f64((place.height.to_f64() - drop_at(self.curvature, range)) / range)
-    }
-}
-
-fn drop_at(curvature: Curvature, range: f64) -> f64 {
-    match curvature {
-        Curvature::None => 0.0,
-        Curvature::Parabolic => parabolic_drop(range),
+        S::from_f64((place.height.to_f64() - self.curvature.drop(range)) / range)
     }
 }
 

@@ -93,13 +93,14 @@ impl<'a> Ground<'a> {
 
     /// Whether `line` has risen above all ground by the range `from` (m).
     pub fn is_below(&self, line: &Line, from: f64) -> bool {
-        line.rise >= 0.0 && line.height + (line.bend * from + line.rise) * from > self.ceilings.highest()
+        line.rise >= 0.0 && line.risen(from) > self.ceilings.highest()
     }
 
-    /// The first place of a zone where `line` is in or under the ground.
+    /// The first place of a zone where `line` is in or under the ground. A line that begins outside the level is
+    /// followed from where it comes in.
     pub fn meet(&self, line: &Line, zone: &Zone, scratch: &mut Scratch) -> Option<Met<'a>> {
-        let [from, to] = zone.ends;
         let track = self.track(zone.level, line);
+        let [from, to] = [zone.ends[0].max(track.inside()[0]), zone.ends[1]];
         let mut walk = Walk::new(track.regions(), track.origin, track.step, from, to)?;
         let mut block = Checked::default();
         loop {

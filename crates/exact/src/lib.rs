@@ -22,12 +22,14 @@
 //!   `Exact`: forward `cos theta + y sin theta`, starboard `x`, down `y cos theta - sin theta`;
 //!   `AsReported`: azimuth `heading + atan x`, elevation `theta - atan y`;
 //!   `Corrected`: the same azimuth, `tan eta = -y cos(atan x)`.
-//! - **Ground.** At arc s along the azimuth: h of the finest level and of all craters (9), less `s^2 / 2R` if the lunoid
-//!   curves (15.4). The ray with `t = tan eta` meets it at the first root of `G(s) = h(s) - s^2 / 2R - H - t s` from
-//!   the near range to the far range or the edge of the level: the highest elevation so far, that is the ideal form of
-//!   both occultation laws (15.2).
+//! - **Ground.** At range s along the azimuth: h of the finest level and of all craters (9), less the drop of the lunoid
+//!   (15.4): `s^2 / 2R`, or `R - sqrt(R^2 - s^2)` up to s = R, where the sphere ends. The ray with `t = tan eta` meets it at
+//!   the first root of `G(s) = h(s) - drop(s) - H - t s` from the near range to the far range or the edge of the level: the
+//!   highest elevation so far, that is the ideal form of both occultation laws (15.2).
+//! - **Near range.** The machine's first sample where sweeps could draw the pose: an eye over the finest level, and |pitch| +
+//!   half the vertical field of view, yoke included, below 80 degrees. Else 0: ground is seen from under the eye on.
 //! - **Two levels** (8), if the settings have a switch: the finest level up to the range of the switch or its own edge,
-//!   then the next level. Over the last `blend` metres before the switch `h = w fine + (1 - w) coarse`, `w = g00`;
+//!   then the next level; also before the fine level begins. Over the last `blend` metres before the switch `h = w fine + (1 - w) coarse`, `w = g00`;
 //!   slopes are those of that sum along the line of sight.
 //! - **Light** (7). `albedo n.s` times the photometric factor, from the slopes of terrain and craters; under
 //!   `FeatureLight::AsReported` from those of craters alone inside any footprint. The map is flat for light: sight rises
@@ -42,7 +44,8 @@
 //!   everything, the nearer foot on top, unless ground before its foot point stands higher than it by more than
 //!   [`FOOT_TOLERANCE`]. A face returns `albedo max(n.s, 0)`; if terrain and craters shadow the foot point the body is
 //!   black or not there.
-//! - **Silhouettes** (8): a ray that meets nothing shows the first listed that stands above it.
+//! - **Silhouettes** (8): a ray that meets nothing shows the first listed that stands above it; where sweeps could not draw
+//!   the pose they stand on the horizon, and a ray below it shows nothing.
 //! - **Pixel rule.** `Centre`: one ray. `LineMean`: the mean over the line's height at the column's centre, by
 //!   adaptive quadrature to [`LINE_MEAN_TOLERANCE`].
 //!
@@ -68,7 +71,8 @@
 //! bound G and its derivative: a bound below 0 proves that there is no root, a derivative of one sign that there is at
 //! most one, and anything else is halved. A touch that 50 halvings cannot tell from a root counts as one. Nothing is
 //! sampled, so no ridge and no rim is stepped over; roots are good to rounding, 1e-12 of the range but where the line
-//! only grazes. Where a column has one azimuth, a ray starts where the one below it ended.
+//! only grazes. The sphere's drop is bounded like rho. A ray straight up or down leaves the vertical by a tangent of 1e-18.
+//! Where a column has one azimuth, a ray starts where the one below it ended.
 //!
 //! The quadrature looks at five places of a line, then wherever they disagree. It is told where edges of bodies cross
 //! the column, so a body thinner than a line has its share. A shadow, a patch or a crater that covers less than a quarter
@@ -92,8 +96,9 @@
 //! - Ground nearer than the machine's first sample is not drawn: a ray that is under the ground there shows 0 and
 //!   range infinity, and such ground hides nothing. Bodies are drawn from the eye on, however far away.
 //! - Beyond the edge of the stored area there is nothing: sky. It casts no shadow either.
-//! - An eye outside the finest level or not above its ground is refused; so is |pitch| + half the vertical field of
-//!   view, yoke included, of 80 degrees or more, under every projection law.
+//! - Refused are an eye in the ground, a pose that is no number or beyond 10^9 m, and under `AsReported` a view that reaches
+//!   90 degrees from the horizontal, where that law has no ray.
+//! - A ray that comes from beside the area into it under its ground sees nothing, and nothing behind it.
 //! - Shadow is a property of the map: where the coarse level is seen but the fine one stored, the fine one shadows.
 //! - Without remote shadow in the settings there are no tracks, and no body is dark.
 //! - An eye inside a body does not see it.
@@ -104,6 +109,7 @@
 //! `tests/pictures`: planes, the lunoid's horizon, a hidden valley, rims, shadows, boxes and fading levels in closed form;
 //! random ground with craters, its shadows and whole pictures against marching along each ray.
 
+mod bend;
 mod bernstein;
 mod buckets;
 mod ceilings;
@@ -121,6 +127,7 @@ mod scene;
 mod seen;
 mod session;
 mod shadow;
+mod stance;
 mod standing;
 mod view;
 mod walk;

@@ -8,6 +8,7 @@ use scenario::{FeatureLight, Laws, TextureInShadow};
 use crate::Spot;
 use crate::seen::Seen;
 use crate::shadow::Dark;
+use crate::view::STEEPEST;
 
 /// The light on the ground, as an eye sees it.
 #[derive(Debug, Clone, Copy)]
@@ -39,7 +40,10 @@ impl<'a> Light<'a> {
             FeatureLight::AsReported if rise.present => rise.slopes,
             _ => slopes,
         };
-        let signed = self.reflectivity(lit_slopes, direction, (height - self.eye_height) / spot.range);
+        // Straight below an eye that all but touches the ground the range is 0.
+        let range = spot.range.max(f64::MIN_POSITIVE);
+        let sight = ((height - self.eye_height) / range).clamp(-STEEPEST, STEEPEST);
+        let signed = self.reflectivity(lit_slopes, direction, sight);
         let texture =
             self.landscape.texture().map_or(0.0, |t| t.at(spot.place[0], spot.place[1], spot.range));
         let [open, shadowed] = self.with_texture(signed, texture);

@@ -1,8 +1,9 @@
 //! The ground as one eye sees it: the first place where a ray meets it.
 
-use landscape::{Landscape, parabolic_drop};
+use landscape::Landscape;
 use scenario::{Curvature, LevelSwitch};
 
+use crate::bend::Bend;
 use crate::ceilings::Ceilings;
 use crate::ground::{Ground, Met, Scratch, Zone};
 use crate::line::Line;
@@ -13,7 +14,7 @@ use crate::relief::{Blend, Relief};
 pub struct Ray {
     /// Unit vector over the ground: north, east.
     pub direction: [f64; 2],
-    /// Tangent of its elevation, positive up.
+    /// Tangent of its elevation, positive up; 1e18 and no more straight up or down.
     pub rise: f64,
 }
 
@@ -26,6 +27,9 @@ pub enum Sight {
     Sky,
     /// At the near range the ray is under the ground: what it met lies nearer, and no sweep draws that.
     TooNear,
+    /// The side of the ground, where the stored area begins at this range (m): the eye stands beside the area, and the
+    /// ray comes in under its ground. Nothing is drawn there, and nothing seen behind it.
+    Cut(f64),
 }
 
 /// A visible place of the ground.
@@ -46,15 +50,18 @@ pub struct Spot {
 pub struct Outlook<'a> {
     ground: Ground<'a>,
     eye: [f64; 3],
-    bend: f64,
+    bend: Bend,
     near: f64,
     far: f64,
     switch: Option<LevelSwitch>,
+    /// The eye stands beside all ground that it could see.
+    is_beside: bool,
 }
 
 impl<'a> Outlook<'a> {
     /// The ground of `landscape` from `eye` (north, east, height; m), between the ranges `near` and `far` (m): its
-    /// finest level, and behind `switch` the next.
+    /// finest level, and behind `switch`, or where the finest is not, the next. If `near` is 0 no sweep draws this:
+    /// ground is seen from under the eye on.
     pub fn new(
         landscape: &'a Landscape,
         ceilings: &'a Ceilings,
@@ -63,13 +70,12 @@ impl<'a> Outlook<'a> {
         [near, far]: [f64; 2],
         switch: Option<LevelSwitch>,
     ) -> Self {
-        let bend = match curvature {
-            Curvature::None => 0.0,
-            Curvature::Parabolic => parabolic_drop(1.0),
-        };
         let ground = Ground::new(landscape, ceilings);
         let switch = switch.filter(|_| ground.levels() > 1);
-        Self { ground, eye, bend, near, far, switch }
+        let seen = &landscape.bank().levels()[..=usize::from(switch.is_some())];
+        let is_beside = seen.iter().all(|level| level.locate(eye[0], eye[1]).is_none());
+        let bend = Bend::of(curvature);
+        Self { ground, eye, bend, near, far: far.min(bend.end()), switch, is_beside }
     }
 
     /// The ground.
@@ -84,7 +90,28 @@ impl<'a> Outlook<'a> {
 
     /// How far the lunoid has dropped at a range (m); 0 where it is flat.
     pub fn drop(&self, range: f64) -> f64 {
-        self.bend * range * range
+        self.bend.drop(range)
+    }
+
+    /// Whether sweeps draw this too, from a first sample on.
+    pub fn is_swept(&self) -> bool {
+        self.near > 0.0
+    }
+
+    /// Range at which the lunoid itself ends (m).
+    pub fn end(&self) -> f64 {
+        self.bend.end()
+    }
+
+    /// Rise of a ray (tangents) over the foot of the mountains beyond the stored area. To a sweep they are the last point
+    /// of its profile: their foot is the horizontal, and they are seen down to the last ground. Where no sweep is drawn
+    /// they stand on the horizon, and below it is `None`.
+    pub fn over_horizon(&self, rise: f64) -> Option<f64> {
+        if self.is_swept() {
+            return Some(rise);
+        }
+        let over = rise - self.bend.horizon(self.eye[2]);
+        (over >= 0.0).then_some(over)
     }
 
     /// Where ground begins to be seen (m).
@@ -102,10 +129,22 @@ impl<'a> Outlook<'a> {
         let line = self.line(ray);
         let Some(met) = self.meet(&line, [from, self.far], scratch) else { return Sight::Sky };
         let spot = self.spot(&line, &met);
-        if met.range == self.near && self.height(&spot) > line.lowest(met.range, met.range) {
+        let is_under = || self.height(&spot) > line.lowest(met.range, met.range);
+        if met.range == self.near && is_under() {
             return Sight::TooNear;
         }
+        if self.is_beside && met.range == self.begin(&line) && is_under() {
+            return Sight::Cut(met.range);
+        }
         Sight::Ground(spot)
+    }
+
+    /// Range at which `line` comes over the first ground (m), for an eye beside it.
+    fn begin(&self, line: &Line) -> f64 {
+        let levels = 0..=usize::from(self.switch.is_some());
+        let inside = levels.map(|level| self.ground.track(level, line).inside());
+        let enters = inside.filter(|[enters, leaves]| enters <= leaves).map(|[enters, _]| enters);
+        enters.fold(f64::INFINITY, f64::min)
     }
 
     /// Whether ground hides what lies on `ray` at the range `to` (m).
@@ -151,16 +190,19 @@ impl<'a> Outlook<'a> {
         zones.iter().find_map(|zone| self.ground.meet(line, zone, scratch))
     }
 
-    /// Fine, fading and coarse ground. Where the fine level ends before the switch the coarse one begins there.
-    fn zones(&self, line: &Line, switch: LevelSwitch, [from, to]: [f64; 2]) -> [Zone; 3] {
-        let end = switch.range.min(self.ground.track(0, line).inside()[1]);
+    /// Coarse ground before the fine level begins, fine, fading and coarse ground. Where the fine level ends before the
+    /// switch the coarse one begins there.
+    fn zones(&self, line: &Line, switch: LevelSwitch, [from, to]: [f64; 2]) -> [Zone; 4] {
+        let [begin, leave] = self.ground.track(0, line).inside();
+        let end = switch.range.min(leave);
         let blend = Blend { from: switch.range - switch.blend, length: switch.blend };
         let fade = if switch.blend > 0.0 { blend.from.min(end) } else { end };
         let zone =
             |level, into, low: f64, high: f64| Zone { level, into, ends: [low.max(from), high.min(to)] };
         [
-            zone(0, None, f64::NEG_INFINITY, fade),
-            zone(0, Some((1, blend)), fade, end),
+            zone(1, None, f64::NEG_INFINITY, begin),
+            zone(0, None, begin, fade),
+            zone(0, Some((1, blend)), fade.max(begin), end),
             zone(1, None, end, f64::INFINITY),
         ]
     }

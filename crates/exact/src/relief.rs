@@ -6,7 +6,7 @@ use crate::bernstein::{Coefficients, DEGREE, product};
 use crate::ceilings::{Ceiling, LevelCeilings};
 use crate::line::Line;
 use crate::patch::{Patch, restriction};
-use crate::profile::first_reach;
+use crate::profile::{Terms, first_reach};
 use crate::rings::Added;
 
 /// A line in the units of a level: regions from its corner.
@@ -183,7 +183,7 @@ fn reach<const N: usize>(heights: [f64; N], line: &Line, ends: [f64; 2], added: 
     if !added.is_nothing() {
         added.to(&mut under);
     }
-    first_reach(&under, &added.distances, ends)
+    first_reach(&under, &Terms { distances: &added.distances, bend: line.bend }, ends)
 }
 
 /// `coarse + w (fine - coarse)`, exactly: degree 10 + 5.

@@ -121,6 +121,7 @@ fn wall(depth: f64, inner: f64, outer: f64) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::{Added, Passage};
+    use crate::bend::Bend;
     use crate::bernstein::value;
     use crate::line::Line;
     use features::{Crater, Shape};
@@ -145,7 +146,7 @@ mod tests {
             let crater = Crater::new(centre, shape(kind, radii), 4.0, rim).unwrap();
             let line = Line {
                 origin: [3.0, -5.0], direction: [libm::cos(azimuth), libm::sin(azimuth)], height: 0.0, rise: 0.0,
-                bend: 0.0,
+                bend: Bend::FLAT,
             };
             let ends = [2.0, 80.0];
             let mut cuts = vec![ends[0], ends[1]];

@@ -24,6 +24,7 @@ pub struct Scene<'a> {
     light: Light<'a>,
     shadows: Option<Shadows<'a>>,
     reach: f64,
+    eye_height: f64,
     standing: Standing<'a>,
 }
 
@@ -51,7 +52,7 @@ impl<'a> Scene<'a> {
         let standing = Standing::new(&bodies, &outlook, &view, to_sun, shadows.as_ref(), laws);
         let light = Light::new(landscape, &sun, laws, pose.eye[2]);
         let reach = reach.unwrap_or_default();
-        Self { landscape, outlook, view, light, shadows, reach, standing }
+        Self { landscape, outlook, view, light, shadows, reach, eye_height: pose.eye[2], standing }
     }
 
     /// The bodies in it.
@@ -62,6 +63,16 @@ impl<'a> Scene<'a> {
     /// Where ground begins to be seen (m).
     pub fn near(&self) -> f64 {
         self.outlook.near()
+    }
+
+    /// Distance (m) from the eye along the ray to what is seen at a ground range and a height above the lunoid (m); infinity
+    /// where there is no place. It stands below the tangent plane by the drop of the lunoid.
+    pub fn distance(&self, range: f64, height: f64) -> f64 {
+        if range.is_infinite() {
+            return range;
+        }
+        let rise = height - self.outlook.drop(range) - self.eye_height;
+        (range * range + rise * rise).sqrt()
     }
 
     /// What is seen at (x, y) of the screen, among the bodies of `column`, if the ray is above the ground up to the
@@ -79,6 +90,7 @@ impl<'a> Scene<'a> {
             Sight::Ground(spot) => (spot.range, spot.range),
             Sight::Sky => (f64::INFINITY, f64::INFINITY),
             Sight::TooNear => (f64::INFINITY, self.near()),
+            Sight::Cut(range) => (range, self.near()),
         };
         // Under pitch or yoke a column's rays have different azimuths: one says nothing about the next.
         let clear = if self.view.columns_are_vertical() { clear } else { self.near() };
@@ -90,7 +102,7 @@ impl<'a> Scene<'a> {
         let seen = body.unwrap_or_else(|| match sight {
             Sight::Ground(spot) => self.ground(&spot, &ray, scratch),
             Sight::Sky => self.beyond(&ray),
-            Sight::TooNear => Seen::SKY,
+            Sight::TooNear | Sight::Cut(_) => Seen::SKY,
         });
         (seen, clear)
     }
@@ -110,8 +122,9 @@ impl<'a> Scene<'a> {
         if silhouettes.is_empty() {
             return Seen::SKY;
         }
+        let Some(rise) = self.outlook.over_horizon(ray.rise) else { return Seen::SKY };
         let azimuth = libm::atan2(ray.direction[1], ray.direction[0]);
-        let above = |tangent: Option<f64>| tangent.is_some_and(|tangent| ray.rise < tangent);
+        let above = |tangent: Option<f64>| tangent.is_some_and(|tangent| rise < tangent);
         let found = silhouettes.iter().find(|silhouette| above(silhouette.tangent(azimuth)));
         found.map_or(Seen::SKY, |silhouette| Seen::silhouette(silhouette.reflectivity()))
     }

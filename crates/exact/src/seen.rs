@@ -41,8 +41,10 @@ impl Seen {
     /// Its value in a plane.
     pub fn value(&self, kind: PlaneKind) -> f64 {
         match kind {
-            PlaneKind::Intensity => self.intensity,
-            PlaneKind::Range => self.range,
+            // It draws no colour: all three would be alike, and their luminance the intensity.
+            PlaneKind::Intensity | PlaneKind::Red | PlaneKind::Green | PlaneKind::Blue => self.intensity,
+            // Of the distance the part along the ground; the session, which knows the eye, has the rest.
+            PlaneKind::Range | PlaneKind::Distance => self.range,
             PlaneKind::Height => self.height,
             PlaneKind::NormalNorth => self.normal[0],
             PlaneKind::NormalEast => self.normal[1],

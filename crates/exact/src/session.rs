@@ -4,9 +4,8 @@ use std::sync::Arc;
 
 use generator::{
     Counter, FrameCounts, FrameError, Generator, Joined, Omission, PlaneKind, Planes, PrepareError, Role,
-    Row, Session as GeneratorSession, Stage, check_eye,
+    Row, Session as GeneratorSession, Stage,
 };
-use quantities::{degrees, sin_cos};
 use rayon::prelude::*;
 use scenario::Pose;
 use signal::Probe;
@@ -14,10 +13,7 @@ use signal::Probe;
 use crate::column::{Column, Fineness, Frame, Pixel};
 use crate::light::Light;
 use crate::scene::Scene;
-use crate::{Ceilings, Outlook};
-
-/// |pitch| + half the vertical field of view stays below this (deg): nadir and zenith lie outside the picture.
-const PITCH_LIMIT_DEG: f64 = 80.0;
+use crate::{Ceilings, Outlook, stance};
 
 /// Rays of a frame, and bodies in it.
 const COUNTERS: [Counter; 2] =
@@ -40,6 +36,20 @@ pub static ROW: Row = Row {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Exact;
 
+/// What it fills: all but colour.
+const PLANES: &[PlaneKind] = &[
+    PlaneKind::Intensity,
+    PlaneKind::Range,
+    PlaneKind::Height,
+    PlaneKind::NormalNorth,
+    PlaneKind::NormalEast,
+    PlaneKind::NormalUp,
+    PlaneKind::Reflectivity,
+    PlaneKind::Shadow,
+    PlaneKind::Label,
+    PlaneKind::Distance,
+];
+
 impl Generator for Exact {
     fn name(&self) -> &'static str {
         ROW.name
@@ -47,6 +57,10 @@ impl Generator for Exact {
 
     fn counters(&self) -> &'static [Counter] {
         &COUNTERS
+    }
+
+    fn planes(&self) -> &'static [PlaneKind] {
+        PLANES
     }
 
     fn prepare(&self, stage: Stage) -> Result<Box<dyn GeneratorSession>, PrepareError> {
@@ -65,6 +79,10 @@ impl Generator for ExactWithin {
 
     fn counters(&self) -> &'static [Counter] {
         Exact.counters()
+    }
+
+    fn planes(&self) -> &'static [PlaneKind] {
+        PLANES
     }
 
     fn prepare(&self, stage: Stage) -> Result<Box<dyn GeneratorSession>, PrepareError> {
@@ -94,16 +112,15 @@ impl GeneratorSession for Session {
             (0..planes.columns()).into_par_iter().map(draw).collect()
         };
         let (columns, rays): (Vec<_>, Vec<u64>) = drawn.into_iter().unzip();
-        for kind in PlaneKind::ALL {
-            fill(planes, kind, &columns);
+        for &kind in PLANES {
+            fill(planes, kind, &columns, &scene);
         }
         let (samples, bodies) = (rays.into_iter().sum(), scene.standing().len() as u64);
         Ok(FrameCounts::of([("samples", samples), ("bodies", bodies)]))
     }
 
     fn check(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {
-        check_eye(&self.stage.landscape, frame, pose)?;
-        self.check_pitch(frame, pose)
+        stance::check(&self.stage, frame, pose)
     }
 
     fn omissions(&self) -> Vec<Omission> {
@@ -134,9 +151,10 @@ impl Columns {
         let raster = &self.0.stage.view;
         let size = [raster.columns as usize, raster.lines as usize];
         self.0.check(frame, pose)?;
-        let (pixels, _) = self.0.column(&self.0.scene(pose), column, size);
+        let scene = self.0.scene(pose);
+        let (pixels, _) = self.0.column(&scene, column, size);
         let mut planes = Planes::new(1, size[1], kinds);
-        kinds.iter().for_each(|&kind| fill(&mut planes, kind, std::slice::from_ref(&pixels)));
+        kinds.iter().for_each(|&kind| fill(&mut planes, kind, std::slice::from_ref(&pixels), &scene));
         Ok(planes)
     }
 }
@@ -184,7 +202,10 @@ impl Session {
 
     fn outlook(&self, pose: &Pose) -> Outlook<'_> {
         let Stage { landscape, view, .. } = &self.stage;
-        Outlook::new(landscape, &self.ceilings, pose.eye, view.laws.curvature, view.ranges, view.levels)
+        // Where no sweep can be drawn none has a first sample: ground is seen from under the eye on.
+        let [first, end] = view.ranges;
+        let ranges = [if stance::is_swept(landscape, view.field, pose) { first } else { 0.0 }, end];
+        Outlook::new(landscape, &self.ceilings, pose.eye, view.laws.curvature, ranges, view.levels)
     }
 
     fn scene(&self, pose: &Pose) -> Scene<'_> {
@@ -200,31 +221,13 @@ impl Session {
         let x = field.tan_half_width * (2.0 * column as f64 + 1.0 - columns as f64) / columns as f64;
         Column::new(frame, x).draw(rule)
     }
-
-    /// The corners of a turned screen look farther up and down than its edges.
-    fn check_pitch(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {
-        let field = self.stage.view.field;
-        let (sin, cos) = sin_cos(pose.yoke);
-        let highest = field.tan_half_height * cos.abs() + field.tan_half_width * sin.abs();
-        let half_field = degrees(libm::atan(highest));
-        let pitch_deg = degrees(pose.attitude.pitch);
-        match pitch_deg.abs() + half_field < PITCH_LIMIT_DEG {
-            true => Ok(()),
-            false => {
-                let reason = format!(
-                    "pitch {pitch_deg:.1} deg brings the nadir or the zenith near the picture; \
-                     expected |pitch| + half the vertical field of view below {PITCH_LIMIT_DEG:.0} deg"
-                );
-                Err(FrameError::Refused { frame, reason })
-            }
-        }
-    }
 }
 
-fn fill(planes: &mut Planes, kind: PlaneKind, columns: &[Vec<Pixel>]) {
+fn fill(planes: &mut Planes, kind: PlaneKind, columns: &[Vec<Pixel>], scene: &Scene) {
     let Some(values) = planes.get_mut(kind) else { return };
     let value = |pixel: &Pixel| match kind {
         PlaneKind::Intensity => pixel.intensity,
+        PlaneKind::Distance => scene.distance(pixel.seen.range, pixel.seen.height),
         _ => pixel.seen.value(kind),
     };
     for (line, row) in values.chunks_mut(columns.len().max(1)).enumerate() {

@@ -10,6 +10,7 @@ use quantities::sin_cos;
 use scenario::TrackPatch;
 use solids::Body;
 
+use crate::bend::Bend;
 use crate::buckets::{Box2, Buckets};
 use crate::ground::{Ground, Scratch, Zone};
 use crate::line::Line;
@@ -81,7 +82,7 @@ impl<'a> Shadows<'a> {
     fn is_behind_ground(&self, place: [f64; 2], height: f64, scratch: &mut Scratch) -> bool {
         let Some((direction, rise)) = self.beam.over_ground else { return false };
         let height = height + LIFT * (1.0 + height.abs());
-        let line = Line { origin: place, direction, height, rise, bend: 0.0 };
+        let line = Line { origin: place, direction, height, rise, bend: Bend::FLAT };
         let mut from = 0.0;
         while let Some(zone) = self.zone(&line, from) {
             if self.ground.meet(&line, &zone, scratch).is_some() {

@@ -14,7 +14,8 @@ use crate::view::View;
 /// What lies nearer ahead than this has no place on the screen (m); such a body is looked for in every column.
 const NEAR: f64 = 1e-3;
 
-/// By how much the ground before a foot point may stand higher than it (tangent of elevation) and not hide it.
+/// By how much the ground before a foot point may stand higher than it (tangent of elevation; an angle in rad where no
+/// sweep is drawn) and not hide it.
 pub const FOOT_TOLERANCE: f64 = 1e-6;
 
 /// A body as an eye sees it.
@@ -89,13 +90,13 @@ impl<'a> Standing<'a> {
 }
 
 impl<'a> Stand<'a> {
-    /// `None` if it lies behind the eye.
+    /// `None` if it lies behind the eye, or where the lunoid has ended.
     fn new(body: &'a Body, outlook: &Outlook, view: &View, sun: DVec3, dark: bool) -> Option<Self> {
         let [x, y, height] = outlook.eye();
         let foot = libm::hypot(body.foot.x - x, body.foot.y - y);
         let eye = DVec3::new(x, y, height + outlook.drop(foot));
         let places: Vec<_> = body.vertices().map(|vertex| view.project(vertex - eye, NEAR)).collect();
-        if places.iter().all(Option::is_none) {
+        if places.iter().all(Option::is_none) || foot >= outlook.end() {
             return None;
         }
         let screen: Option<Vec<[f64; 2]>> = places.into_iter().collect();
@@ -110,7 +111,9 @@ impl<'a> Stand<'a> {
     fn is_hidden(&self, outlook: &Outlook, scratch: &mut Scratch) -> bool {
         let to = self.body.foot - self.eye;
         let direction = [to.x / self.foot, to.y / self.foot];
-        let rise = to.z / self.foot + FOOT_TOLERANCE;
+        let sight = to.z / self.foot;
+        let turned = if outlook.is_swept() { 1.0 } else { 1.0 + sight * sight };
+        let rise = sight + FOOT_TOLERANCE * turned;
         self.foot > outlook.near() && outlook.hides(&Ray { direction, rise }, self.foot, scratch)
     }
 

@@ -7,6 +7,13 @@ use scenario::Projection;
 
 use crate::Ray;
 
+/// The least tangent by which a ray leaves the vertical. One that is nearer to it is taken for one that leaves it by so
+/// much: 1000 km below the eye that is 1e-12 m, and every ray has an azimuth.
+const UPRIGHT: f64 = 1e-18;
+
+/// Tangent of the steepest elevation of a ray, either way.
+pub const STEEPEST: f64 = 1.0 / UPRIGHT;
+
 /// View-plane at distance 1 ahead of an eye, and the screen that the yoke turns against it. Roll is the yoke's: the
 /// view-plane itself stays level across.
 ///
@@ -67,8 +74,7 @@ impl View {
         }
     }
 
-    /// Direction of the true perspective, whatever the law: north, east, up; 1 over the ground where it is not
-    /// straight up or down.
+    /// Direction of the true perspective, whatever the law: north, east, up; 1 over the ground.
     pub fn perspective(&self, x: f64, y: f64) -> DVec3 {
         let [x, y] = self.unturned([x, y]);
         let (sin, cos) = self.pitch;
@@ -88,13 +94,17 @@ impl View {
 
     /// Whether all rays of a column have one azimuth, and rise from its bottom to its top.
     pub fn columns_are_vertical(&self) -> bool {
-        self.is_upright() && (self.projection != Projection::Exact || self.pitch.0 == 0.0)
+        self.is_upright() && (self.projection != Projection::Exact || self.pitch == (0.0, 1.0))
     }
 
-    /// Unit vector north and east of the vehicle's (forward, starboard), and their length.
+    /// Unit vector north and east of the vehicle's (forward, starboard), and their length; straight up or down the
+    /// heading and [`UPRIGHT`].
     fn turn(&self, forward: f64, starboard: f64) -> ([f64; 2], f64) {
         let (sin, cos) = self.heading;
         let length = (forward * forward + starboard * starboard).sqrt();
+        if length < UPRIGHT {
+            return ([cos, sin], UPRIGHT);
+        }
         let (forward, starboard) = (forward / length, starboard / length);
         ([forward * cos - starboard * sin, forward * sin + starboard * cos], length)
     }

@@ -11,8 +11,9 @@ pub struct Stretch {
     pub to: f64,
 }
 
-/// How far outside the grid a place may lie by rounding (regions).
+/// How far outside the grid a place may lie by rounding (regions); as a share of how far the origin is from the grid.
 const ROUNDING: f64 = 1e-9;
+const FAR_ROUNDING: f64 = 1e-15;
 
 /// Stretches of `origin + s * step` (in regions) for s from `from` up to `end`, or up to the edge of the area.
 ///
@@ -37,7 +38,8 @@ impl Walk {
         for axis in 0..2 {
             let at = origin[axis] + from * step[axis];
             // A line that comes in from outside begins on the edge, but for the rounding of its crossing.
-            if !(at >= -ROUNDING && at <= regions[axis] as f64 + ROUNDING) {
+            let rounding = ROUNDING.max(FAR_ROUNDING * origin[axis].abs());
+            if !(at >= -rounding && at <= regions[axis] as f64 + rounding) {
                 return None;
             }
             region[axis] = (at as i64).min(regions[axis] - 1);
@@ -157,6 +159,19 @@ mod tests {
         assert!(walk([30.0, 5.0], [1.0, 0.0], 0.0, 99.0).is_empty());
         assert!(walk([5.0, 5.0], [1.0, 0.0], 26.0, 99.0).is_empty());
         assert!(walk([5.0, 5.0], [f64::NAN, f64::NAN], 1.0, 99.0).is_empty());
+    }
+
+    /// From 10^9 regions away the crossing of the edge is good to 1e-7 of a region.
+    #[test]
+    fn lines_that_come_in_from_far_away() {
+        for k in 1..200 {
+            let (origin, across) = (-9.1e8 - f64::from(k), 1e-9 * f64::from(k));
+            let length = (1.0 + across * across).sqrt();
+            let step = [1.0 / length, across / length];
+            let from = -origin / step[0];
+            let walk = Walk::new([3, 3], [origin, 1.5 - from * step[1]], step, from, f64::INFINITY);
+            assert_eq!(walk.into_iter().flatten().count(), 3, "{k}");
+        }
     }
 
     proptest! {

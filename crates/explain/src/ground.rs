@@ -1,7 +1,7 @@
 //! What a sample of a sweep is: place, registers, and the share of every block.
 
+use control_plane::RegisterState;
 use landscape::{Landscape, Level};
-use machine::RegisterState;
 use serde::Serialize;
 use sweep_program::Colour;
 

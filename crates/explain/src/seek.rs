@@ -2,10 +2,9 @@
 
 use std::sync::{Mutex, PoisonError};
 
+use control_plane::{ControlPlane, FrameSweeps, MachineStage};
 use exact::Columns;
 use generator::{FrameError, Label, PlaneKind, Planes, Session, Shade};
-use machine::MachineStage;
-use machine::{ControlPlane, FrameSweeps};
 use quantities::SweepTime;
 use scenario::{Occlusion, Pose};
 use serde::Serialize;

@@ -16,13 +16,13 @@ mod row;
 use std::path::Path;
 use std::sync::Arc;
 
-use diagnostics::{Problem, ProblemList, Source};
+use diagnostics::{CsvRows, Problem, ProblemList, Source};
 use limits::Limit;
 
 use crate::Craters;
 use columns::Columns;
 use faults::Faults;
-use row::{cells, crater};
+use row::crater;
 
 /// The craters of a list, in its order.
 ///
@@ -47,35 +47,20 @@ pub fn read(path: impl AsRef<Path>) -> Result<Craters, ProblemList> {
 fn parse(source: Source) -> Result<Craters, ProblemList> {
     let source = Arc::new(source);
     let mut faults = Faults::new(source.clone());
-    let mut rows = lines(&source.text);
-    let (mut row, mut craters) = (Vec::new(), Craters::default());
-    let Some((start, line)) = rows.next() else {
+    let mut rows = CsvRows::new(&source.text);
+    let mut craters = Craters::default();
+    let Some(header) = rows.next_row() else {
         faults.push(0..0, "an empty list of craters".into(), "a header and at least one row");
         return faults.finish(craters);
     };
-    cells(line, start, &mut row);
-    let columns = Columns::read(&row, &mut faults);
-    for (start, line) in rows {
-        cells(line, start, &mut row);
+    let (columns, line) = (Columns::read(&header, &mut faults), header.whole());
+    while let Some(row) = rows.next_row() {
         if let Some(crater) = crater(&row, &columns, &mut faults) {
             craters.push(crater);
         }
     }
     if craters.is_empty() && faults.is_empty() {
-        let title = "a list of craters without rows".into();
-        faults.push(start..start + line.len(), title, "at least one row under the header");
+        faults.push(line, "a list of craters without rows".into(), "at least one row under the header");
     }
     faults.finish(craters)
-}
-
-/// Lines that hold anything but a comment, without their ends, each with the byte at which it begins.
-fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
-    let without_mark = text.trim_start_matches('\u{feff}');
-    let mut next = text.len() - without_mark.len();
-    let starts = without_mark.split('\n').map(move |line| {
-        let start = next;
-        next += line.len() + 1;
-        (start, line.trim_end())
-    });
-    starts.filter(|(_, line)| !line.is_empty() && !line.trim_start().starts_with('#'))
 }

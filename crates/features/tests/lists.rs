@@ -34,6 +34,31 @@ fn the_three_types() {
 }
 
 #[test]
+fn quoted_cells_are_the_same_list() {
+    let plain = "x_m,y_m,radius_m,depth_m,rim_m,type,outer_m,floor_m\n150,205,14,2.6,0,1,,\n";
+    let expected = read(file(plain).path()).unwrap();
+    let quote = |row: &str| row.split(',').map(|cell| format!("\"{cell}\"")).collect::<Vec<_>>().join(",");
+    let quoted: Vec<String> = plain.lines().map(quote).collect();
+    for ends in ["\n", "\r\n", "\r"] {
+        assert_eq!(
+            read(file("\u{feff}".to_owned() + &quoted.join(ends)).path()).unwrap(),
+            expected,
+            "{ends:?}"
+        );
+    }
+}
+
+#[test]
+fn a_quote_that_is_not_closed_swallows_no_row() {
+    let header = "x_m,y_m,radius_m,depth_m,rim_m,type\n";
+    for rows in ["1,2,3,1,0,\"1\n4,5,3,1,0,1\n", "4,5,3,1,0,1\n1,2,3,1,0,\"1"] {
+        let found = faults(&(header.to_owned() + rows));
+        assert_eq!(found.len(), 1, "{found:?}");
+        assert_eq!(found[0].1, "a quote that is not closed");
+    }
+}
+
+#[test]
 fn columns_stand_in_any_order() {
     let text = "type,rim_m,depth_m,radius_m,y_m,x_m\n2,1,2,3,4,5\n";
     let expected = Crater::new([5.0, 4.0], Shape::RimmedBowl { r1: 3.0, r2: 1.4 * 3.0 }, 2.0, 1.0).unwrap();

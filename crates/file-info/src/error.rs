@@ -6,7 +6,7 @@ use diagnostics::ProblemList;
 use files::FileError;
 use front_door::OpenError;
 use landscape::bank_file::BankFileError;
-use picture::PictureFileError;
+use photographs::PhotographFileError;
 use replay::ReplayError;
 use survey::SurveyError;
 
@@ -41,7 +41,7 @@ pub enum InfoError {
     Bank(#[from] BankFileError),
     /// A picture cannot be read.
     #[error(transparent)]
-    Picture(#[from] PictureFileError),
+    Picture(#[from] PhotographFileError),
     /// A run cannot be read.
     #[error(transparent)]
     Run(#[from] ReplayError),

@@ -1,6 +1,6 @@
 //! What a file or the folder of a run holds, in words and as a document.
 //!
-//! [`Held::of`] knows banks, elevation files, scenarios, hardware models, grey PNG, and run folders. Banks and models are
+//! [`Held::of`] knows banks, elevation files, scenarios, hardware models, pictures (PNG, JPEG), and run folders. Banks and models are
 //! also told by themselves ([`bank_text`], [`model_document`] and others).
 
 mod bank;
@@ -46,7 +46,7 @@ impl Held {
                 let bank = bank_file::read(path)?;
                 Ok(Self { document: bank_document(path, &bank), text: bank_text(&bank) })
             }
-            [0x89, b'P', b'N', b'G', ..] => run::png(path),
+            [0x89, b'P', b'N', b'G', ..] | [0xFF, 0xD8, 0xFF, ..] => run::picture(path),
             _ if path.extension().is_some_and(|extension| extension == "toml") => toml(path),
             _ => elevation::elevation(path),
         }

@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use picture::{Limits, read_png};
 use replay::HeldRun;
 use serde_json::{Value, json};
 
@@ -10,7 +9,8 @@ use crate::{Held, InfoError};
 
 pub fn run(folder: &Path) -> Result<Held, InfoError> {
     let run = HeldRun::read(folder)?;
-    let word = |pointer: &str| match run.document.pointer(pointer) {
+    let document = json!(*run);
+    let word = |pointer: &str| match document.pointer(pointer) {
         Some(Value::String(text)) => text.clone(),
         Some(other) => other.to_string(),
         None => "unknown".into(),
@@ -25,28 +25,33 @@ pub fn run(folder: &Path) -> Result<Held, InfoError> {
         word("/model/name"),
         word("/settings/raster/sweeps"),
         word("/settings/raster/samples_per_sweep"),
-        word("/settings/raster/columns"),
-        word("/settings/raster/lines"),
+        word("/view/columns"),
+        word("/view/lines"),
         word("/pictures/depth"),
         word("/program/name"),
         word("/program/version"),
         word("/program/commit"),
         &run.fingerprint,
     );
-    Ok(Held { document: run.document, text })
+    Ok(Held { document, text })
 }
 
-pub fn png(path: &Path) -> Result<Held, InfoError> {
-    let picture = read_png(path, &Limits::default())?;
+pub fn picture(path: &Path) -> Result<Held, InfoError> {
+    let picture = photographs::read(path)?;
     let (columns, lines, bits) = (picture.columns(), picture.lines(), picture.depth().bits());
-    let document = json!({
+    let colour = if picture.is_colour() { ", colour" } else { "" };
+    let mut document = json!({
         "schema": "lunoid.info.png/1",
         "columns": columns,
         "lines": lines,
         "depth": bits,
         "pixels_blake3": picture.pixel_hash(),
     });
+    if picture.is_colour() {
+        document["channels"] = json!(["red", "green", "blue"]);
+    }
     let hash = picture.pixel_hash();
-    let text = format!("{}: {columns} x {lines} pixels of {bits} bits, pixel hash {hash}\n", path.display());
+    let text =
+        format!("{}: {columns} x {lines} pixels of {bits} bits{colour}, pixel hash {hash}\n", path.display());
     Ok(Held { document, text })
 }

@@ -4,9 +4,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use control_plane::preview_obstacle;
 use diagnostics::{Problem, Problems, TomlFile};
 use generator::{Generator, Row};
-use hardware_model::{Asked, LoadedModel, Settings, SettingsError};
+use hardware_model::{Asked, Economy, LoadedModel, Settings, SettingsError};
 use limits::Limit;
 use machine::HybridMachine;
 use run_record::{FileRecord, Inputs};
@@ -38,6 +39,12 @@ pub fn open(path: &Path, wishes: &Wishes) -> Result<Opened, OpenError> {
     let settings = crate::settings(&scenario, &model.model).map_err(|error| unfit(path, &error))?;
     let shadow_cache = shadow_cache(wishes)?;
     let settings = Settings { economy: wishes.economy, shadow_cache, ..settings };
+    if wishes.economy == Economy::Swift
+        && let Some(obstacle) = obstacle(&model.model.name, row, &settings)
+    {
+        let remedy = "leave the option out, or give --machine a hardware model with ideal parts";
+        return Err(OpenError::Wish(format!("--preview: {obstacle}; {remedy}")));
+    }
     let inputs = inputs(path, &scenario, &model)?;
     let generator = match row {
         Some(row) => guest(path, row, wishes)?,
@@ -107,6 +114,16 @@ fn expect_no_parts(row: &Row, sets: &[(String, String)]) -> Result<(), OpenError
             "--set {key}: {} has no such part; leave it out, or give --machine a hardware model",
             row.name
         ))),
+    }
+}
+
+/// What keeps a generator from drawing a preview, in words; `None` if nothing does.
+pub(crate) fn obstacle(model: &str, row: Option<&Row>, settings: &Settings) -> Option<String> {
+    match row {
+        Some(row) => Some(format!("{} draws no preview", row.name)),
+        None => {
+            preview_obstacle(settings).map(|what| format!("{model} has {what}, which a preview leaves out"))
+        }
     }
 }
 

@@ -4,13 +4,13 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use control_plane::MachineStage;
 use generator::{Generator, Row, Stage};
 use hardware_model::{HardwareModel, Settings};
-use machine::MachineStage;
 use run_record::Inputs;
 use scenario::{PathProblems, PoseTable, Scenario};
 
-use crate::open::{guest, model};
+use crate::open::{guest, model, obstacle};
 use crate::{OpenError, StageError, Wishes, read_scenario, stage_problems};
 
 /// Everything that is known before there is ground.
@@ -68,6 +68,11 @@ impl Opened {
     /// If the path cannot be driven.
     pub fn poses(&self, stage: &Stage, frames: Range<u64>) -> Result<PoseTable, PathProblems> {
         PoseTable::resolve(&self.scenario, &stage.landscape, stage.view.update, stage.view.yoke, frames)
+    }
+
+    /// What keeps the generator from drawing a preview, in words; `None` if nothing does.
+    pub fn preview_obstacle(&self) -> Option<String> {
+        obstacle(&self.inputs.model, self.row, &self.settings)
     }
 
     /// Whether the hybrid machine draws.

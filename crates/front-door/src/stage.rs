@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
+use control_plane::MachineStage;
 use generator::Stage;
 use hardware_model::{HardwareModel, Settings, SettingsError};
 use landscape::{Bank, Landscape, bank_file};
-use machine::MachineStage;
 use scenario::{Ground, PathProblems, Pose, PoseTable, RollDisplay, Scenario, Scenery};
 
 use crate::StageError;

@@ -3,10 +3,10 @@
 use std::fs;
 use std::path::Path;
 
+use control_plane::MachineStage;
 use front_door::StageError;
 use hardware_model::{HardwareModel, LevelSwitch};
 use landscape::Photometry;
-use machine::MachineStage;
 use scenario::{Scenario, ShadowFineness};
 
 const GOOD: &str = r#"format = 1

@@ -68,6 +68,12 @@ pub trait Generator: Send + Sync {
     /// The counters that its frames have.
     fn counters(&self) -> &'static [Counter];
 
+    /// The planes that its sessions fill; others that are asked for keep what they held. Intensity alone unless it says
+    /// more.
+    fn planes(&self) -> &'static [PlaneKind] {
+        &[PlaneKind::Intensity]
+    }
+
     /// The signals that its sessions can record.
     fn signals(&self) -> &'static [Signal] {
         &[]

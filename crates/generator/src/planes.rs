@@ -1,10 +1,11 @@
 //! Named planes: what a frame is made of.
 
-/// What a plane holds, one f32 a pixel. All but [`Intensity`](Self::Intensity) are taken at the pixel's centre; no
-/// value is NaN.
+/// What a plane holds, one f32 a pixel. All but [`Intensity`](Self::Intensity) and colour are taken at the pixel's
+/// centre; no value is NaN.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PlaneKind {
-    /// Linear reflectivity under the pixel rule, 0 = black sky or shadow. Sky is 0.
+    /// Linear reflectivity under the pixel rule, 0 = black sky or shadow. Sky is 0. Where colour is drawn it is the
+    /// luminance of red, green and blue, by [`quantities::luminance`]: 0.2126 R + 0.7152 G + 0.0722 B (Rec. 709).
     Intensity,
     /// Ground range from the nadir point of the eye (m); infinity where there is sky.
     Range,
@@ -22,11 +23,21 @@ pub enum PlaneKind {
     Shadow,
     /// Code of a [`Label`].
     Label,
+    /// Linear red under the pixel rule, Rec. 709 primaries, in the unit of [`Intensity`](Self::Intensity). Sky is 0.
+    Red,
+    /// Linear green, the same.
+    Green,
+    /// Linear blue, the same.
+    Blue,
+    /// Distance from the eye along the ray to what is seen (m); infinity where there is sky. The ray is straight in the
+    /// axes of the tangent plane, and what is seen stands below that plane by the drop of the lunoid:
+    /// `sqrt(range^2 + (eye - height + drop(range))^2)`, which is range over the cosine of the ray's elevation.
+    Distance,
 }
 
 impl PlaneKind {
     /// All planes.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 13] = [
         Self::Intensity,
         Self::Range,
         Self::Height,
@@ -36,7 +47,14 @@ impl PlaneKind {
         Self::Reflectivity,
         Self::Shadow,
         Self::Label,
+        Self::Red,
+        Self::Green,
+        Self::Blue,
+        Self::Distance,
     ];
+
+    /// The planes of a picture in colour, in the order of its codes.
+    pub const COLOUR: [Self; 3] = [Self::Red, Self::Green, Self::Blue];
 
     /// Name in files.
     pub fn name(self) -> &'static str {
@@ -50,20 +68,24 @@ impl PlaneKind {
             Self::Reflectivity => "reflectivity",
             Self::Shadow => "shadow",
             Self::Label => "label",
+            Self::Red => "red",
+            Self::Green => "green",
+            Self::Blue => "blue",
+            Self::Distance => "distance",
         }
     }
 
     /// Unit of its values in files; 1 for plain numbers and codes.
     pub fn unit(self) -> &'static str {
         match self {
-            Self::Range | Self::Height => "m",
+            Self::Range | Self::Height | Self::Distance => "m",
             _ => "1",
         }
     }
 
     /// Its value where there is sky.
     pub fn sky(self) -> f32 {
-        if self == Self::Range { f32::INFINITY } else { 0.0 }
+        if matches!(self, Self::Range | Self::Distance) { f32::INFINITY } else { 0.0 }
     }
 }
 
@@ -178,6 +200,12 @@ impl Planes {
         self.planes.iter().find(|plane| plane.kind == kind).map(|plane| plane.values.as_slice())
     }
 
+    /// The values of red, green and blue, if all were asked for.
+    pub fn colour(&self) -> Option<[&[f32]; 3]> {
+        let [red, green, blue] = PlaneKind::COLOUR.map(|kind| self.get(kind));
+        Some([red?, green?, blue?])
+    }
+
     /// The values of `kind` to fill, if it was asked for.
     pub fn get_mut(&mut self, kind: PlaneKind) -> Option<&mut [f32]> {
         self.planes.iter_mut().find(|plane| plane.kind == kind).map(|plane| plane.values.as_mut_slice())
@@ -186,7 +214,7 @@ impl Planes {
 
 #[cfg(test)]
 mod tests {
-    use super::{Label, PlaneKind, Shade};
+    use super::{Label, PlaneKind, Planes, Shade};
 
     /// Codes are in files that others read: they never change.
     #[test]
@@ -204,5 +232,38 @@ mod tests {
         let names = std::collections::BTreeSet::from(PlaneKind::ALL.map(PlaneKind::name));
         assert_eq!(names.len(), PlaneKind::ALL.len());
         assert!(PlaneKind::ALL.iter().all(|kind| !kind.sky().is_nan()));
+    }
+
+    /// Older kinds keep their places: new ones are put behind them.
+    #[test]
+    fn planes_of_the_format() {
+        let names = [
+            "intensity",
+            "range",
+            "height",
+            "normal_north",
+            "normal_east",
+            "normal_up",
+            "reflectivity",
+            "shadow",
+            "label",
+            "red",
+            "green",
+            "blue",
+            "distance",
+        ];
+        assert_eq!(PlaneKind::ALL.map(PlaneKind::name), names);
+        let places = PlaneKind::ALL.map(|kind| kind as usize);
+        assert!(places.iter().enumerate().all(|(place, kind)| place == *kind));
+        assert_eq!((PlaneKind::Distance.unit(), PlaneKind::Distance.sky()), ("m", f32::INFINITY));
+        assert_eq!((PlaneKind::Red.unit(), PlaneKind::Red.sky()), ("1", 0.0));
+    }
+
+    #[test]
+    fn colour_is_all_three_or_none() {
+        assert!(Planes::new(1, 1, &[PlaneKind::Red, PlaneKind::Blue]).colour().is_none());
+        let mut planes = Planes::new(1, 1, &PlaneKind::COLOUR);
+        planes.get_mut(PlaneKind::Green).expect("asked for")[0] = 0.5;
+        assert_eq!(planes.colour(), Some([&[0.0][..], &[0.5], &[0.0]]));
     }
 }

@@ -13,6 +13,8 @@ pub fn elevation(h: f64, eye: f64, z: f64, curvature: Curvature) -> f64 {
     let drop = match curvature {
         Curvature::None => 0.0,
         Curvature::Parabolic => z * z / (2.0 * MOON_RADIUS),
+        // A chord of half angle a / 2 falls by z tan(a / 2), the sine of a being z / R.
+        Curvature::Exact => z * libm::tan(0.5 * libm::asin((z / MOON_RADIUS).min(1.0))),
     };
     (h - drop - eye) / z
 }

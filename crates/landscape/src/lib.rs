@@ -27,7 +27,7 @@ mod texture;
 pub use axes::Attitude;
 pub use bank::{Bank, BankError, CornerWords, Georeference, Level, WORDS};
 pub use light::{GroupLight, Sun, SweepLight};
-pub use lunoid::{LUNOID_RADIUS, parabolic_drop};
+pub use lunoid::{LUNOID_RADIUS, parabolic_drop, spherical_drop};
 pub use photometry::Photometry;
 pub use query::{Landscape, SurfacePoint};
 pub use silhouette::{Silhouette, SilhouetteError};

@@ -1,10 +1,10 @@
 //! One sweep of both engines, signal by signal and event by event.
 
+use control_plane::DigitalEvent;
 use features::{Crater, Shape};
 use interpreter::clock::Clock;
 use interpreter::coverage::words;
 use interpreter::{Record, Scene, Unknown, range_programme, why_not};
-use machine::DigitalEvent;
 use scenario::Scalar;
 use signal::{Unit, Waveform, Wire};
 

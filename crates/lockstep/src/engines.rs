@@ -1,9 +1,9 @@
 //! Both engines, set for one stage.
 
+use control_plane::{ControlPlane, DigitalEvent, EventWord, MachineStage};
 use generator::{FrameError, Planes, Session};
 use interpreter::{Given, Record, Scene, Unknown, interpret};
-use machine::MachineStage;
-use machine::{ControlPlane, DigitalEvent, EventWord};
+use machine::Prepare;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use scenario::Pose;
 use signal::{Axis, Probe, Waveform};

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use control_plane::{DigitalEvent, EventWord};
 use interpreter::{Event, Happening, Register};
-use machine::{DigitalEvent, EventWord};
 use sweep_program::{PreloadRegister, RampAxis, Stop};
 
 /// What the machine's digital side did in a sweep, in the interpreter's words; what has none there is left out.
@@ -15,10 +15,10 @@ fn translated(event: &DigitalEvent) -> Option<Event> {
     let colour = || event.colour.map(|colour| colour as usize);
     let register = || {
         Some(match event.register? {
-            machine::Register::Hold => Register::Hold,
-            machine::Register::Preload(PreloadRegister::XFirst) => Register::XFirst,
-            machine::Register::Preload(PreloadRegister::YFirst) => Register::YFirst,
-            machine::Register::Diagonal => return None,
+            control_plane::Register::Hold => Register::Hold,
+            control_plane::Register::Preload(PreloadRegister::XFirst) => Register::XFirst,
+            control_plane::Register::Preload(PreloadRegister::YFirst) => Register::YFirst,
+            control_plane::Register::Diagonal => return None,
         })
     };
     let words = event.mask.0;

@@ -68,7 +68,7 @@ pub fn scene(seed: u64) -> Scene {
     scene.albedo = dice.between(0.1, 1.0);
     scene.range = range(&mut dice, size);
     scene.laws.projection = dice.choose(&[Projection::Exact, Projection::AsReported, Projection::Corrected]);
-    scene.laws.curvature = dice.choose(&[Curvature::Parabolic, Curvature::None]);
+    scene.laws.curvature = dice.choose(&[Curvature::Parabolic, Curvature::None, Curvature::Exact]);
     scene.laws.occlusion = dice.choose(&[Occlusion::Derivative, Occlusion::PeakHold]);
     scene
 }

@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
+use control_plane::MachineStage;
 use features::{Crater, Features};
 use generator::{FrameCounts, FrameError, PlaneKind, Planes};
 use hardware_model::{HardwareModel, LatePolicy, LevelSwitch, Loader, Raster, Settings, SweepMemoryKind};
 use landscape::{Attitude, Bank, CornerWords, Landscape, Layer, Level, Photometry, Source, Sun, Texture};
-use machine::MachineStage;
+use machine::Prepare;
 use quantities::{Rate, Timebase, radians};
 use scenario::{
     Curvature, Display, FieldOfView, LawWishes, Laws, Occlusion, PixelRule, Pose, Projection, RangeLaw,

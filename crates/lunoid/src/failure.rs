@@ -12,6 +12,7 @@ use files::{Action, FileError, NpyFileError};
 use front_door::{OpenError, StageError};
 use generator::FrameError;
 use landscape::bank_file::BankFileError;
+use photographs::PhotographFileError;
 use picture::PictureFileError;
 use plots::PlotError;
 use replay::ReplayError;
@@ -113,6 +114,15 @@ impl From<PictureFileError> for Failure {
         match error {
             PictureFileError::File(error) => error.into(),
             PictureFileError::Picture { .. } => Self::input(error),
+        }
+    }
+}
+
+impl From<PhotographFileError> for Failure {
+    fn from(error: PhotographFileError) -> Self {
+        match error {
+            PhotographFileError::File(error) => error.into(),
+            PhotographFileError::Picture { .. } => Self::input(error),
         }
     }
 }
@@ -256,6 +266,7 @@ impl From<RunCompareError> for Failure {
         match error {
             RunCompareError::Run(error) => error.into(),
             RunCompareError::Picture(error) => error.into(),
+            RunCompareError::Photograph(error) => error.into(),
             RunCompareError::Open(error) => error.into(),
             RunCompareError::NoFrames => Self::usage(error),
             _ => Self::input(error),

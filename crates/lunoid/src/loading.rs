@@ -15,7 +15,7 @@ use registry::ROWS;
 use scenario::Scalar;
 use text::Span;
 
-use crate::output::Place;
+use crate::output::{Place, tell};
 use crate::{Failure, values};
 
 /// Help of `--machine` where any generator may draw.
@@ -90,10 +90,9 @@ pub struct StageOptions {
     /// Scalar type of the analog signals.
     #[arg(long, value_enum)]
     pub scalar: Option<ScalarWord>,
-    /// Draw swiftly: signals at the samples alone and straight between them, and no crater that looks smaller than a part of
-    /// a line. Several times as fast, for a picture that differs by little.
-    #[arg(long, conflicts_with_all = ["lossless", "everything"])]
-    pub swift: bool,
+    /// Draw a preview; a command that draws has the option.
+    #[arg(skip)]
+    pub preview: bool,
     /// Leave out only what changes no bit of the picture, and nothing that is merely too small to be seen.
     #[arg(long, conflicts_with = "everything")]
     pub lossless: bool,
@@ -103,6 +102,28 @@ pub struct StageOptions {
     /// Keep shadow boundaries in this folder from run to run: they are found again by ground, sun and fineness.
     #[arg(long, value_name = "FOLDER")]
     pub shadow_cache: Option<PathBuf>,
+}
+
+/// Whether a preview is drawn.
+#[derive(Debug, Default, Clone, Copy, Args)]
+pub struct PreviewArgs {
+    /// Evaluate each signal only at its samples, draw straight between them, and leave out craters that look less than half
+    /// a line high. Edges between samples are less exact; a frame takes a third to a half of the time.
+    #[arg(long, conflicts_with_all = ["lossless", "everything"])]
+    preview: bool,
+    /// The old word for --preview.
+    #[arg(long, hide = true, conflicts_with_all = ["lossless", "everything"])]
+    swift: bool,
+}
+
+impl PreviewArgs {
+    /// Whether a preview is asked for; the old word works and says so.
+    pub fn is_asked(self) -> bool {
+        if self.swift {
+            tell("--swift is called --preview now\n");
+        }
+        self.preview || self.swift
+    }
 }
 
 /// Scalar type of the analog signals.
@@ -155,7 +176,7 @@ impl StageOptions {
         match self {
             Self { everything: true, .. } => Economy::Everything,
             Self { lossless: true, .. } => Economy::Lossless,
-            Self { swift: true, .. } => Economy::Swift,
+            Self { preview: true, .. } => Economy::Swift,
             _ => Economy::Bounded,
         }
     }

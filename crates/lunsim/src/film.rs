@@ -30,6 +30,20 @@ impl IntensityCodes {
     }
 }
 
+/// What LUNSIM fills: all but colour.
+pub(crate) const PLANES: &[PlaneKind] = &[
+    PlaneKind::Intensity,
+    PlaneKind::Range,
+    PlaneKind::Height,
+    PlaneKind::NormalNorth,
+    PlaneKind::NormalEast,
+    PlaneKind::NormalUp,
+    PlaneKind::Reflectivity,
+    PlaneKind::Shadow,
+    PlaneKind::Label,
+    PlaneKind::Distance,
+];
+
 /// A picture as it was sent to the recorder, and what it was made from.
 pub(crate) struct Film<'a> {
     /// What is seen where; no point is seen without a grid.
@@ -48,7 +62,7 @@ impl Film<'_> {
     /// Fills the planes that are asked for.
     pub fn develop(&self, rule: PixelRule, planes: &mut Planes) {
         let [columns, lines] = [planes.columns(), planes.lines()];
-        for kind in PlaneKind::ALL {
+        for &kind in PLANES {
             let Some(values) = planes.get_mut(kind) else { continue };
             for (pixel, value) in values.iter_mut().enumerate() {
                 let at = [[pixel % columns, columns], [pixel / columns, lines]];
@@ -125,7 +139,15 @@ impl Film<'_> {
         };
         let lit = self.light[point];
         match kind {
-            PlaneKind::Intensity => self.grey(Some(point)),
+            // It draws no colour: all three would be alike, and their luminance the intensity.
+            PlaneKind::Intensity | PlaneKind::Red | PlaneKind::Green | PlaneKind::Blue => {
+                self.grey(Some(point))
+            }
+            PlaneKind::Distance => {
+                // Heights of the grid have the drop of the lunoid in them.
+                let rise = self.grid.heights[point] - self.observer.eye[2];
+                (place[0] * place[0] + place[1] * place[1] + rise * rise).sqrt()
+            }
             PlaneKind::Range => (place[0] * place[0] + place[1] * place[1]).sqrt(),
             PlaneKind::Height => self.grid.heights[point] + self.grid.drop(place),
             PlaneKind::NormalNorth => normal(0),

@@ -1,8 +1,9 @@
 //! The ground grid, row by row: heights with the drop of the lunoid (block 10), slopes by central differences (blocks
 //! 9, 11, 12, 18).
 
-use landscape::{Landscape, parabolic_drop};
+use landscape::Landscape;
 use rayon::prelude::*;
+use scenario::Curvature;
 
 use crate::area::ViewedArea;
 use crate::observer::Observer;
@@ -32,8 +33,8 @@ pub(crate) struct Grid {
     pub heights: Vec<f64>,
     /// What lies there.
     pub covers: Vec<Cover>,
-    /// Whether the drop is taken off.
-    pub is_curved: bool,
+    /// Whose drop is taken off.
+    pub curvature: Curvature,
     origin: [f64; 2],
 }
 
@@ -44,11 +45,11 @@ impl Grid {
         observer: &Observer,
         area: &ViewedArea,
         size: usize,
-        is_curved: bool,
+        curvature: Curvature,
     ) -> Self {
         let step = |[low, high]: [f64; 2]| (high - low) / (size - 1) as f64;
         let (steps, origin) = ([step(area.along), step(area.across)], [area.along[0], area.across[0]]);
-        let grid = Self { size, steps, heights: Vec::new(), covers: Vec::new(), origin, is_curved };
+        let grid = Self { size, steps, heights: Vec::new(), covers: Vec::new(), origin, curvature };
         let point = |index: usize| {
             let place = grid.place(index / size, index % size);
             let (height, cover) = ground(landscape, observer.on_map(place));
@@ -70,7 +71,7 @@ impl Grid {
 
     /// The drop of the lunoid at a place in the observer's axes (m).
     pub fn drop(&self, [along, across]: [f64; 2]) -> f64 {
-        if self.is_curved { parabolic_drop((along * along + across * across).sqrt()) } else { 0.0 }
+        self.curvature.drop((along * along + across * across).sqrt())
     }
 
     /// Slopes at a point: parallel to the line of sight, transverse.
@@ -115,6 +116,7 @@ fn nearest(landscape: &Landscape, [x, y]: [f64; 2]) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::{Cover, Grid};
+    use scenario::Curvature;
 
     /// Slopes of a tilted plane are its own at every point, those with one neighbour too.
     #[test]
@@ -128,7 +130,7 @@ mod tests {
             heights: (0..size * size).map(height).collect(),
             covers: vec![Cover::Terrain; size * size],
             origin: [0.0; 2],
-            is_curved: false,
+            curvature: Curvature::None,
         };
         for index in 0..size * size {
             assert_eq!(grid.slopes(index / size, index % size), [0.25, -0.5], "point {index}");

@@ -17,7 +17,7 @@
 //!   ground between the lowest corner less the deepest crater and the highest corner with the highest rim; clipped at
 //!   the map, and at the end of the range programme.
 //! - **Grid**: n x n points over it; the increments along and across differ. Height is terrain and craters at the point,
-//!   less the drop `s^2 / 2R` at its ground range s if the lunoid curves (block 10).
+//!   less the drop of the lunoid at its ground range s (block 10): `s^2 / 2R`, or that of the sphere.
 //! - **Slopes** (blocks 11, 12): `(h(i+1) - h(i-1))` over twice the increment, along the line of sight and across it; on
 //!   the first and last row and column from the one neighbour (blocks 9, 18).
 //! - **Light** (block 13): Lambert's law from these slopes, so that far ground leans away by s / R. **Remote shadow**, if

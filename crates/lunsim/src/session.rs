@@ -1,15 +1,15 @@
 //! LUNSIM as a generator: from a stage and a pose to the planes of a frame, block by block.
 
 use generator::{
-    Counter, FrameCounts, FrameError, Generator, Joined, Omission, Planes, PrepareError, Scan,
+    Counter, FrameCounts, FrameError, Generator, Joined, Omission, PlaneKind, Planes, PrepareError, Scan,
     Session as GeneratorSession, Stage, Timed, check_eye,
 };
-use scenario::{Curvature, Pose, View};
+use scenario::{Pose, View};
 use serde_json::{Value, json};
 use signal::{Probe, Signal, Wire};
 
 use crate::area::{self, ViewedArea};
-use crate::film::{Film, IntensityCodes};
+use crate::film::{Film, IntensityCodes, PLANES};
 use crate::grid::Grid;
 use crate::light::{Lit, light};
 use crate::observer::Observer;
@@ -41,6 +41,10 @@ impl Generator for Lunsim {
 
     fn counters(&self) -> &'static [Counter] {
         &COUNTERS
+    }
+
+    fn planes(&self) -> &'static [PlaneKind] {
+        PLANES
     }
 
     fn scan(&self, view: &View) -> Option<Scan> {
@@ -158,12 +162,12 @@ impl Session {
         let Stage { landscape, scenery, view } = &self.stage;
         self.check(frame, pose)?;
         let observer = Observer::new(pose, view.field);
-        let is_curved = view.laws.curvature == Curvature::Parabolic;
+        let curvature = view.laws.curvature;
         let (level, end) = (landscape.level(), view.ranges[1]);
-        let Some(area) = area::viewed(&observer, level, self.heights, is_curved, end) else {
+        let Some(area) = area::viewed(&observer, level, self.heights, curvature, end) else {
             return Ok(None);
         };
-        let grid = Grid::new(landscape, &observer, &area, self.parameters.grid as usize, is_curved);
+        let grid = Grid::new(landscape, &observer, &area, self.parameters.grid as usize, curvature);
         let sun = scenery.sun(pose.time);
         let (light, march) = light(&grid, &observer, landscape, &sun, view.shadows.is_some());
         let plot = Plot::new(&grid, &observer);

@@ -2,6 +2,7 @@
 
 use landscape::Landscape;
 use rayon::prelude::*;
+use scenario::Curvature;
 use timing::Task;
 
 use crate::film::Film;
@@ -50,8 +51,8 @@ pub(crate) struct Work {
     pub distances: u64,
     /// Craters of the three types evaluated at points inside them (block 10).
     pub craters: [u64; 3],
-    /// Points from which the drop of the lunoid was taken (block 10).
-    pub drops: u64,
+    /// Points from which the drop of the lunoid was taken, by the parabola and by the sphere (block 10).
+    pub drops: [u64; 2],
     /// Slopes, two a point (blocks 9, 11, 12, 18).
     pub slopes: u64,
     /// Points lit by Lambert's law (block 13).
@@ -89,7 +90,8 @@ impl Work {
         Self {
             distances,
             craters,
-            drops: if grid.is_curved { points } else { 0 },
+            drops: [Curvature::Parabolic, Curvature::Exact]
+                .map(|law| if grid.curvature == law { points } else { 0 }),
             slopes: 2 * points,
             lit: points,
             march,
@@ -119,7 +121,9 @@ impl Work {
             computed("type-2", rimmed, of(4, 3, 1, 0, 2)),
             computed("type-3", flat, of(4, 3, 1, 0, 3)),
             // s^2 times 1 / 2R.
-            computed("drops", self.drops, of(2, 3, 0, 0, 1)),
+            computed("drops", self.drops[0], of(2, 3, 0, 0, 1)),
+            // s^2 / (R + sqrt(R^2 - s^2)).
+            computed("drops", self.drops[1], of(3, 2, 1, 1, 1)),
             // A difference times 1 / (2 steps).
             computed("slopes", self.slopes, of(1, 1, 0, 0, 1)),
             // n . s / |n|.

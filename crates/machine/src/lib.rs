@@ -21,49 +21,25 @@
 //! The unit of work is a group of eight sweeps, whatever the number of threads, and nothing survives from one
 //! group to the next: any frame can be made alone, by any number of threads, with the same bits.
 
-mod before_mission;
-mod blocks;
-mod control_plane;
 mod counts;
-mod craters_in_sight;
-mod crossings;
-mod delivery;
-mod digital;
-mod elaboration;
-mod event_list;
-mod feature_light;
-mod feature_loads;
-mod frame_sweeps;
-mod lane_gate;
-mod look;
+mod hybrid_machine;
 mod omissions;
 mod picture;
 mod pool;
-mod raster;
-mod real_parts;
-mod record;
-mod refusal;
-mod register_state;
+mod prepare;
 mod residue;
 mod session;
 mod settings_record;
-mod sight;
-mod signal_plane;
-mod stage;
-mod sweep_recorder;
-mod swift;
-mod timed;
-mod timing;
 mod unprobed;
-mod wires;
-mod workspace;
 
 pub use counts::COUNTERS;
-pub use elaboration::HybridMachine;
-pub use event_list::{DigitalEvent, DigitalUnit, EventWord, LoadedPart, Register};
-pub use frame_sweeps::FrameSweeps;
-pub use record::{RANGE, signals};
-pub use register_state::{RegisterState, RegisterWords};
-pub use stage::MachineStage;
-pub use timing::ControlPlane;
+pub use hybrid_machine::HybridMachine;
+pub use prepare::Prepare;
 pub use unprobed::prepare_unprobed;
+
+// The command still asks the machine for what the planes hold.
+pub use control_plane::{
+    ControlPlane, DigitalEvent, DigitalUnit, EventWord, FrameSweeps, LoadedPart, MachineStage, RANGE,
+    Register, RegisterState, RegisterWords,
+};
+pub use signal_plane::signals;

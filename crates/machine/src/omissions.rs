@@ -1,11 +1,7 @@
 //! What the elaborated machine leaves out, and what that does to the picture.
 
-use crate::MachineStage;
+use control_plane::{Blocks, MachineStage, beam_has_parts, mixing_has_parts};
 use generator::{Omission, Weight};
-use hardware_model::Economy;
-
-use crate::blocks::Blocks;
-use crate::real_parts::{beam_has_parts, mixing_has_parts};
 
 /// What a machine of these blocks leaves out.
 pub(crate) fn omissions(stage: &MachineStage, blocks: &Blocks) -> Vec<Omission> {
@@ -52,8 +48,8 @@ pub(crate) fn omissions(stage: &MachineStage, blocks: &Blocks) -> Vec<Omission> 
             weight: Weight::Bounded(255.0),
         });
     }
-    if stage.settings.economy == Economy::Swift {
-        list.extend(swift(blocks));
+    if blocks.swift {
+        list.extend(preview(blocks));
     }
     let levels = stage.landscape.bank().levels().len();
     let drawn = if blocks.coarse.is_some() { 2 } else { 1 };
@@ -68,13 +64,8 @@ pub(crate) fn omissions(stage: &MachineStage, blocks: &Blocks) -> Vec<Omission> 
     list
 }
 
-/// What a machine leaves out that is told to draw swiftly.
-fn swift(blocks: &Blocks) -> Vec<Omission> {
-    if !blocks.swift {
-        let why = "the model names parts beside those of terrain generators, or laws ask for features apart from the terrain: the \
-             whole machine draws";
-        return vec![Omission::lossless("machine", "nothing, although it is to draw swiftly", why)];
-    }
+/// What a preview leaves out.
+fn preview(blocks: &Blocks) -> Vec<Omission> {
     let left_out = |block, what: &str, why: &str| Omission {
         block,
         what: what.into(),
@@ -84,13 +75,13 @@ fn swift(blocks: &Blocks) -> Vec<Omission> {
     let mut list = vec![left_out(
         "machine",
         "kinks, edges and curves between samples",
-        "--swift: signals are known at the samples and straight between them; docs/economy.md says what that does to pictures",
+        "--preview: signals are evaluated at the samples and straight between them; docs/economy.md says what that does to pictures",
     )];
     if blocks.features {
         list.push(left_out(
             "feature-generator",
             "craters that look less than half a line high",
-            "--swift; `craters_left_out` and `pixels_left_out` of the record say how much",
+            "--preview; `craters_left_out` and `pixels_left_out` of the record say how much",
         ));
     }
     list

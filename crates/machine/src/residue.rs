@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use crate::control_plane::FramePlan;
+use control_plane::FramePlan;
 
 /// A store, and the plan by which it was written.
 pub(crate) type Written = (FramePlan, Vec<f32>);

@@ -2,7 +2,10 @@
 
 use std::sync::Arc;
 
-use crate::MachineStage;
+use control_plane::{
+    Blocks, Crossings, Delivery, Digital, DigitalFrame, FramePlan, MachineStage, Supply, WrittenRaster,
+    vertices,
+};
 use display_projection_processor::Processor;
 use generator::{FrameCounts, FrameError, Omission, PlaneKind, Planes, Session};
 use hardware_model::SweepMemoryKind;
@@ -12,27 +15,16 @@ use rayon::slice::ParallelSliceMut;
 use remote_shadow::Footings;
 use scenario::Pose;
 use signal::{LANES, Probe, Real, Waveform, Wire};
+use signal_plane::{Group, Look, RealParts, Recorded, Wanted, Workspace, wires};
 use sweep_generator::RangeTable;
 use sweep_memory::{Memory, Reading, Tube, View};
 use sweep_program::{Event, Served, StepKind, SweepProgram};
 
-use crate::blocks::Blocks;
-use crate::control_plane::FramePlan;
 use crate::counts::MachineCounts;
-use crate::crossings::Crossings;
-use crate::delivery::{Delivery, Supply};
-use crate::digital::{Digital, DigitalFrame};
-use crate::look::{Look, Wanted};
 use crate::omissions::omissions;
 use crate::picture::{Cells, Picture};
 use crate::pool::Pool;
-use crate::raster::WrittenRaster;
-use crate::real_parts::RealParts;
-use crate::record::{Recorded, wires};
 use crate::residue::{Recent, Written};
-use crate::sight::vertices;
-use crate::signal_plane::Group;
-use crate::workspace::Workspace;
 
 /// The machine, its tables, and buffers that wait for the next frame.
 pub(crate) struct Elaborated<S> {

@@ -1,10 +1,10 @@
 //! The machine without probes: what probing nothing is measured against (`crates/benchmarks`).
 
+use control_plane::MachineStage;
 use generator::{FrameCounts, FrameError, Omission, Planes, Session};
 use scenario::{Pose, Scalar};
 use signal::{Probe, Real};
 
-use crate::MachineStage;
 use crate::session::Elaborated;
 
 struct Unprobed<S>(Elaborated<S>);

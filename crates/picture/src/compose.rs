@@ -3,34 +3,34 @@
 use std::ops::Range;
 
 use crate::error::PictureError;
-use crate::grey::{Depth, GreyPicture};
+use crate::pixels::{Depth, Picture};
 
 /// Pixels between two pictures of a sheet.
 pub const GAP: usize = 4;
 
 /// A picture to put others into.
-struct Sheet {
+struct Sheet<const CHANNELS: usize> {
     columns: usize,
     lines: usize,
     depth: Depth,
     codes: Vec<u16>,
 }
 
-impl Sheet {
+impl<const CHANNELS: usize> Sheet<CHANNELS> {
     fn new(columns: usize, lines: usize, depth: Depth) -> Self {
         // A quarter grey stands out from a black sky and from white ground.
-        Self { columns, lines, depth, codes: vec![depth.white() / 4; columns * lines] }
+        Self { columns, lines, depth, codes: vec![depth.white() / 4; columns * lines * CHANNELS] }
     }
 
-    fn put(&mut self, picture: &GreyPicture, column: usize, line: usize) {
+    fn put(&mut self, picture: &Picture<CHANNELS>, column: usize, line: usize) {
         for row in 0..picture.lines() {
-            let start = (line + row) * self.columns + column;
-            self.codes[start..start + picture.columns()].copy_from_slice(picture.line(row));
+            let (start, codes) = (((line + row) * self.columns + column) * CHANNELS, picture.line(row));
+            self.codes[start..start + codes.len()].copy_from_slice(codes);
         }
     }
 
-    fn into_picture(self) -> GreyPicture {
-        GreyPicture::from_parts(self.columns, self.lines, self.depth, self.codes)
+    fn into_picture(self) -> Picture<CHANNELS> {
+        Picture::from_parts(self.columns, self.lines, self.depth, self.codes)
     }
 }
 
@@ -38,7 +38,9 @@ impl Sheet {
 ///
 /// # Errors
 /// [`PictureError::NoPictures`], [`PictureError::Unlike`].
-pub fn beside(pictures: &[&GreyPicture]) -> Result<GreyPicture, PictureError> {
+pub fn beside<const CHANNELS: usize>(
+    pictures: &[&Picture<CHANNELS>],
+) -> Result<Picture<CHANNELS>, PictureError> {
     grid(pictures, pictures.len())
 }
 
@@ -47,11 +49,11 @@ pub fn beside(pictures: &[&GreyPicture]) -> Result<GreyPicture, PictureError> {
 ///
 /// # Errors
 /// [`PictureError::NoPictures`], [`PictureError::Unlike`].
-pub fn contact_sheet(
-    pictures: &[&GreyPicture],
+pub fn contact_sheet<const CHANNELS: usize>(
+    pictures: &[&Picture<CHANNELS>],
     grid_columns: usize,
     cell_columns: usize,
-) -> Result<GreyPicture, PictureError> {
+) -> Result<Picture<CHANNELS>, PictureError> {
     let first = first_of(pictures)?;
     let cell_lines = (first.lines() * cell_columns + first.columns() / 2) / first.columns();
     let cells: Result<Vec<_>, _> =
@@ -60,7 +62,9 @@ pub fn contact_sheet(
     grid(&cells.iter().collect::<Vec<_>>(), grid_columns)
 }
 
-fn first_of<'a>(pictures: &[&'a GreyPicture]) -> Result<&'a GreyPicture, PictureError> {
+fn first_of<'a, const CHANNELS: usize>(
+    pictures: &[&'a Picture<CHANNELS>],
+) -> Result<&'a Picture<CHANNELS>, PictureError> {
     let first = *pictures.first().ok_or(PictureError::NoPictures)?;
     match pictures.iter().find(|picture| picture.kind() != first.kind()) {
         Some(unlike) => Err(PictureError::Unlike { found: unlike.kind(), expected: first.kind() }),
@@ -68,7 +72,10 @@ fn first_of<'a>(pictures: &[&'a GreyPicture]) -> Result<&'a GreyPicture, Picture
     }
 }
 
-fn grid(pictures: &[&GreyPicture], grid_columns: usize) -> Result<GreyPicture, PictureError> {
+fn grid<const CHANNELS: usize>(
+    pictures: &[&Picture<CHANNELS>],
+    grid_columns: usize,
+) -> Result<Picture<CHANNELS>, PictureError> {
     let cell = first_of(pictures)?;
     let across = grid_columns.min(pictures.len());
     if across == 0 {
@@ -87,20 +94,26 @@ fn grid(pictures: &[&GreyPicture], grid_columns: usize) -> Result<GreyPicture, P
 ///
 /// # Errors
 /// [`PictureError::Size`] when there would be no pixel.
-pub fn shrink(picture: &GreyPicture, columns: usize, lines: usize) -> Result<GreyPicture, PictureError> {
+pub fn shrink<const CHANNELS: usize>(
+    picture: &Picture<CHANNELS>,
+    columns: usize,
+    lines: usize,
+) -> Result<Picture<CHANNELS>, PictureError> {
     if columns == 0 || lines == 0 {
         return Err(PictureError::Size { columns, lines, codes: 0 });
     }
     // Whole numbers throughout: one old pixel is `columns` x `lines` units, one new pixel `area` units.
     let area = (picture.columns() * picture.lines()) as u64;
     let across: Vec<_> = (0..columns).map(|column| overlaps(column, picture.columns(), columns)).collect();
-    let mut codes = Vec::with_capacity(columns * lines);
+    let mut codes = Vec::with_capacity(columns * lines * CHANNELS);
     for line in 0..lines {
         let down = overlaps(line, picture.lines(), lines);
-        let sums = across.iter().map(|across| weighted_sum(picture, across, &down));
+        let channels = |across| (0..CHANNELS).map(move |channel| (channel, across));
+        let sums = across.iter().flat_map(channels);
+        let sums = sums.map(|(channel, across)| weighted_sum(picture, channel, across, &down));
         codes.extend(sums.map(|sum| ((sum + area / 2) / area) as u16));
     }
-    Ok(GreyPicture::from_parts(columns, lines, picture.depth(), codes))
+    Ok(Picture::from_parts(columns, lines, picture.depth(), codes))
 }
 
 /// The old pixels that new pixel `index` covers, each with its share of it in units.
@@ -111,10 +124,15 @@ fn overlaps(index: usize, old: usize, new: usize) -> Vec<(usize, u64)> {
     pixels.map(|pixel| (pixel, share(pixel) as u64)).collect()
 }
 
-fn weighted_sum(picture: &GreyPicture, across: &[(usize, u64)], down: &[(usize, u64)]) -> u64 {
+fn weighted_sum<const CHANNELS: usize>(
+    picture: &Picture<CHANNELS>,
+    channel: usize,
+    across: &[(usize, u64)],
+    down: &[(usize, u64)],
+) -> u64 {
     let line_sum = |line: usize| -> u64 {
-        let codes = picture.line(line);
-        across.iter().map(|(column, share)| u64::from(codes[*column]) * share).sum()
+        let pixels = picture.line(line).as_chunks::<CHANNELS>().0;
+        across.iter().map(|(column, share)| u64::from(pixels[*column][channel]) * share).sum()
     };
     down.iter().map(|(line, share)| line_sum(*line) * share).sum()
 }

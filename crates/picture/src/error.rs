@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use files::FileError;
 use limits::Limit;
 
-use crate::grey::Depth;
+use crate::pixels::Depth;
 
 /// A picture that cannot be made, read or put together.
 #[derive(Debug, thiserror::Error)]
@@ -68,6 +68,12 @@ pub enum PictureError {
     /// A PNG that is not grey.
     #[error("the PNG is {found}, expected grey of 8 or 16 bits; convert it to grey without alpha")]
     NotGrey {
+        /// Colour type and depth found.
+        found: String,
+    },
+    /// A PNG of a layout that no frame has.
+    #[error("the PNG is {found}, expected grey or RGB of 8 or 16 bits without alpha")]
+    NotAFrame {
         /// Colour type and depth found.
         found: String,
     },

@@ -1,7 +1,9 @@
-//! Grey pictures, PNG, animated PNG, Y4M, contact sheets.
+//! Grey and colour pictures, PNG, animated PNG, Y4M, contact sheets.
 //!
-//! A [`GreyPicture`] holds codes of 8 or 16 bits, line by line from the top. [`Encoder`] turns a plane of
-//! linear intensity into codes by a [`Transfer`] law; everything else here takes codes.
+//! A [`Picture`] holds codes of 8 or 16 bits, line by line from the top, one a pixel ([`GreyPicture`]) or three
+//! ([`ColourPicture`]); [`AnyPicture`] is one of both. [`Encoder`] turns a plane of linear intensity, or three of linear
+//! colour, into codes by a [`Transfer`] law; everything else here takes codes. Colour becomes grey by its luminance,
+//! reckoned in linear light under a display [`Curve`].
 //!
 //! ```
 //! use picture::{Depth, Encoder, Transfer};
@@ -13,18 +15,24 @@
 //! # Ok::<(), picture::PictureError>(())
 //! ```
 
+mod any;
 mod apng;
 mod compose;
 mod error;
-mod grey;
+mod luminance;
+mod pixels;
 mod png_file;
 mod transfer;
 mod y4m;
 
+pub use any::AnyPicture;
 pub use apng::Apng;
 pub use compose::{GAP, beside, contact_sheet, shrink};
 pub use error::{PictureError, PictureFileError};
-pub use grey::{Depth, GreyPicture};
-pub use png_file::{Limits, decode_png, encode_png, png_texts, read_png, write_png};
+pub use luminance::Curve;
+pub use pixels::{ColourPicture, Depth, GreyPicture, Picture};
+pub use png_file::{
+    Limits, decode_any_png, decode_png, encode_png, png_texts, read_any_png, read_png, write_png,
+};
 pub use transfer::{Encoder, Transfer};
 pub use y4m::{Y4m, Y4mColour};

@@ -1,4 +1,4 @@
-//! PNG, grey of 8 or 16 bits.
+//! PNG as the program writes it: grey or RGB of 8 or 16 bits.
 
 use std::io::Cursor;
 use std::path::Path;
@@ -7,8 +7,9 @@ use files::{Most, read_all, write_atomic};
 use limits::Limit;
 use png::{BitDepth, ColorType, Decoder, Encoder, Writer};
 
+use crate::any::AnyPicture;
 use crate::error::{PictureError, PictureFileError};
-use crate::grey::{Depth, GreyPicture};
+use crate::pixels::{Depth, GreyPicture, Picture};
 
 /// What a reader allows before anything is allocated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,10 +41,13 @@ pub(crate) fn set_packing<W: std::io::Write>(encoder: &mut Encoder<'_, W>) {
 ///
 /// # Errors
 /// [`PictureError::Encode`] for a text that PNG cannot hold.
-pub fn encode_png(picture: &GreyPicture, texts: &[(&str, &str)]) -> Result<Vec<u8>, PictureError> {
+pub fn encode_png<const CHANNELS: usize>(
+    picture: &Picture<CHANNELS>,
+    texts: &[(&str, &str)],
+) -> Result<Vec<u8>, PictureError> {
     let mut bytes = Vec::new();
     let mut encoder = Encoder::new(&mut bytes, picture.columns() as u32, picture.lines() as u32);
-    encoder.set_color(ColorType::Grayscale);
+    encoder.set_color(if CHANNELS == 1 { ColorType::Grayscale } else { ColorType::Rgb });
     encoder.set_depth(match picture.depth() {
         Depth::Eight => BitDepth::Eight,
         Depth::Sixteen => BitDepth::Sixteen,
@@ -62,9 +66,9 @@ pub fn encode_png(picture: &GreyPicture, texts: &[(&str, &str)]) -> Result<Vec<u
 ///
 /// # Errors
 /// [`PictureFileError`].
-pub fn write_png(
+pub fn write_png<const CHANNELS: usize>(
     path: impl AsRef<Path>,
-    picture: &GreyPicture,
+    picture: &Picture<CHANNELS>,
     texts: &[(&str, &str)],
 ) -> Result<(), PictureFileError> {
     let path = path.as_ref();
@@ -77,20 +81,66 @@ pub fn write_png(
 /// # Errors
 /// [`PictureError::NotGrey`], [`PictureError::TooManyPixels`], [`PictureError::Decode`].
 pub fn decode_png(bytes: &[u8], limits: &Limits) -> Result<GreyPicture, PictureError> {
+    let (reader, layout) = open(bytes)?;
+    match layout {
+        Some((1, depth)) => decode(reader, depth, bytes.len(), limits),
+        _ => Err(PictureError::NotGrey { found: layout_of(reader.info()) }),
+    }
+}
+
+/// Reads the bytes of a grey or RGB PNG as the program writes it; of an animated one the first picture.
+///
+/// # Errors
+/// [`PictureError::NotAFrame`], [`PictureError::TooManyPixels`], [`PictureError::Decode`].
+pub fn decode_any_png(bytes: &[u8], limits: &Limits) -> Result<AnyPicture, PictureError> {
+    let (reader, layout) = open(bytes)?;
+    match layout {
+        Some((1, depth)) => Ok(decode::<1>(reader, depth, bytes.len(), limits)?.into()),
+        Some((_, depth)) => Ok(decode::<3>(reader, depth, bytes.len(), limits)?.into()),
+        None => Err(PictureError::NotAFrame { found: layout_of(reader.info()) }),
+    }
+}
+
+/// A PNG whose header is read.
+type PngReader<'b> = png::Reader<Cursor<&'b [u8]>>;
+
+/// Reads the header; channels and depth, if a frame can have them.
+fn open(bytes: &[u8]) -> Result<(PngReader<'_>, Option<(usize, Depth)>), PictureError> {
     let mut decoder = Decoder::new(Cursor::new(bytes));
     decoder.set_transformations(png::Transformations::IDENTITY);
     decoder.set_ignore_text_chunk(true);
     decoder.set_ignore_iccp_chunk(true);
-    let mut reader = decoder.read_info()?;
-    let info = reader.info();
-    let (columns, lines) = (info.width, info.height);
-    let depth = grey_depth(info.color_type, info.bit_depth)?;
+    let reader = decoder.read_info()?;
+    let channels = match reader.info().color_type {
+        ColorType::Grayscale => Some(1),
+        ColorType::Rgb => Some(3),
+        _ => None,
+    };
+    let depth = match reader.info().bit_depth {
+        BitDepth::Eight => Some(Depth::Eight),
+        BitDepth::Sixteen => Some(Depth::Sixteen),
+        _ => None,
+    };
+    Ok((reader, channels.zip(depth)))
+}
+
+fn layout_of(info: &png::Info) -> String {
+    format!("{:?} of {} bits", info.color_type, info.bit_depth as u8)
+}
+
+fn decode<const CHANNELS: usize>(
+    mut reader: PngReader,
+    depth: Depth,
+    bytes: usize,
+    limits: &Limits,
+) -> Result<Picture<CHANNELS>, PictureError> {
+    let (columns, lines) = (reader.info().width, reader.info().height);
     if u64::from(columns) * u64::from(lines) > limits.pixels {
         return Err(PictureError::TooManyPixels { columns, lines, limit: limits.pixels });
     }
-    let sample_bytes = columns as usize * lines as usize * (depth.bits() / 8) as usize;
-    if sample_bytes / MOST_PACKED > bytes.len() {
-        return Err(PictureError::Hollow { columns, lines, bytes: bytes.len() });
+    let sample_bytes = columns as usize * lines as usize * CHANNELS * (depth.bits() / 8) as usize;
+    if sample_bytes / MOST_PACKED > bytes {
+        return Err(PictureError::Hollow { columns, lines, bytes });
     }
     let mut samples = vec![0; sample_bytes];
     reader.next_frame(&mut samples)?;
@@ -98,7 +148,7 @@ pub fn decode_png(bytes: &[u8], limits: &Limits) -> Result<GreyPicture, PictureE
         Depth::Eight => samples.iter().map(|sample| u16::from(*sample)).collect(),
         Depth::Sixteen => samples.as_chunks().0.iter().map(|pair| u16::from_be_bytes(*pair)).collect(),
     };
-    GreyPicture::new(columns as usize, lines as usize, depth, codes)
+    Picture::new(columns as usize, lines as usize, depth, codes)
 }
 
 /// Text chunks in front of a PNG's pixels, keyword and text; none of a file that is no PNG.
@@ -108,23 +158,27 @@ pub fn png_texts(bytes: &[u8]) -> Vec<(String, String)> {
     texts.map(|chunk| (chunk.keyword.clone(), chunk.text.clone())).collect()
 }
 
-fn grey_depth(colour: ColorType, depth: BitDepth) -> Result<Depth, PictureError> {
-    match (colour, depth) {
-        (ColorType::Grayscale, BitDepth::Eight) => Ok(Depth::Eight),
-        (ColorType::Grayscale, BitDepth::Sixteen) => Ok(Depth::Sixteen),
-        _ => Err(PictureError::NotGrey { found: format!("{colour:?} of {} bits", depth as u8) }),
-    }
-}
-
 /// Reads a grey PNG file.
 ///
 /// # Errors
 /// [`PictureFileError`], which names the file.
 pub fn read_png(path: impl AsRef<Path>, limits: &Limits) -> Result<GreyPicture, PictureFileError> {
     let path = path.as_ref();
+    decode_png(&read_bytes(path, limits)?, limits).map_err(|source| at(path, source))
+}
+
+/// Reads a grey or RGB PNG file as the program writes it.
+///
+/// # Errors
+/// [`PictureFileError`], which names the file.
+pub fn read_any_png(path: impl AsRef<Path>, limits: &Limits) -> Result<AnyPicture, PictureFileError> {
+    let path = path.as_ref();
+    decode_any_png(&read_bytes(path, limits)?, limits).map_err(|source| at(path, source))
+}
+
+fn read_bytes(path: &Path, limits: &Limits) -> Result<Vec<u8>, PictureFileError> {
     let most = Most { bytes: limits.file_bytes, raised_by: Some(Limit::PictureBytes) };
-    let bytes = read_all(path, most)?;
-    decode_png(&bytes, limits).map_err(|source| at(path, source))
+    Ok(read_all(path, most)?)
 }
 
 fn at(path: &Path, source: PictureError) -> PictureFileError {

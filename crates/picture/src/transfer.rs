@@ -1,7 +1,7 @@
 //! From linear intensity to codes.
 
 use crate::error::PictureError;
-use crate::grey::{Depth, GreyPicture};
+use crate::pixels::{ColourPicture, Depth, GreyPicture, Picture};
 
 /// The law between linear intensity I and the code v of a display:
 /// `v = round(max * clamp(I / white, 0, 1)^(1 / gamma))`.
@@ -115,15 +115,26 @@ impl Encoder {
     /// # Errors
     /// [`PictureError::Size`], [`PictureError::NotFinite`] with the first pixel that is no number.
     pub fn encode(&self, plane: &[f32], columns: usize, lines: usize) -> Result<GreyPicture, PictureError> {
-        if columns.checked_mul(lines) != Some(plane.len()) || plane.is_empty() {
-            return Err(PictureError::Size { columns, lines, codes: plane.len() });
-        }
-        // All are looked at: one pass without branches is faster than one that stops.
-        if plane.iter().fold(false, |bad, value| bad | !value.is_finite()) {
-            return Err(not_finite(plane, columns));
-        }
+        check(plane, columns, lines)?;
         let codes = plane.iter().map(|intensity| self.code(*intensity)).collect();
         Ok(GreyPicture::from_parts(columns, lines, self.depth, codes))
+    }
+
+    /// The picture of three planes of linear red, green and blue, each by the law of [`Encoder::encode`].
+    ///
+    /// # Errors
+    /// As [`Encoder::encode`], for the first plane at fault.
+    pub fn encode_colour(
+        &self,
+        planes: [&[f32]; 3],
+        columns: usize,
+        lines: usize,
+    ) -> Result<ColourPicture, PictureError> {
+        planes.iter().try_for_each(|plane| check(plane, columns, lines))?;
+        let [red, green, blue] = planes;
+        let pixels = red.iter().zip(green).zip(blue);
+        let codes = pixels.flat_map(|((red, green), blue)| [red, green, blue].map(|light| self.code(*light)));
+        Ok(Picture::from_parts(columns, lines, self.depth, codes.collect()))
     }
 
     fn code(&self, intensity: f32) -> u16 {
@@ -132,6 +143,18 @@ impl Encoder {
             code += u16::from(intensity >= self.thresholds[usize::from(code)]);
         }
         code
+    }
+}
+
+/// The plane fills the picture, and all of it are numbers.
+fn check(plane: &[f32], columns: usize, lines: usize) -> Result<(), PictureError> {
+    if columns.checked_mul(lines) != Some(plane.len()) || plane.is_empty() {
+        return Err(PictureError::Size { columns, lines, codes: plane.len() });
+    }
+    // All are looked at: one pass without branches is faster than one that stops.
+    match plane.iter().fold(false, |bad, value| bad | !value.is_finite()) {
+        true => Err(not_finite(plane, columns)),
+        false => Ok(()),
     }
 }
 

@@ -85,7 +85,7 @@ fn sheets_of_unlike_pictures_are_refused() {
     let (small, large, dark) = (eight(1, 1, &[0]), eight(2, 1, &[0, 0]), deep(1, 1, &[0]));
     assert!(matches!(beside(&[&small, &large]), Err(PictureError::Unlike { .. })));
     assert!(matches!(beside(&[&small, &dark]), Err(PictureError::Unlike { .. })));
-    assert!(matches!(beside(&[]), Err(PictureError::NoPictures)));
+    assert!(matches!(beside::<1>(&[]), Err(PictureError::NoPictures)));
     assert!(matches!(contact_sheet(&[&small], 0, 4), Err(PictureError::NoPictures)));
     assert!(contact_sheet(&[&small], 1, 0).is_err());
 }

@@ -1,7 +1,6 @@
 //! From terrain axes to the view-plane.
 
 use glam::DVec3;
-use landscape::parabolic_drop;
 use quantities::sin_cos;
 use scenario::{Curvature, Projection};
 use signal::Number;
@@ -73,11 +72,7 @@ impl Sighting {
     /// the horizontal range of that point (m).
     pub fn eye_for(&self, foot: DVec3) -> (DVec3, f64) {
         let range = (foot - self.eye).truncate().length();
-        let drop = match self.curvature {
-            Curvature::None => 0.0,
-            Curvature::Parabolic => parabolic_drop(range),
-        };
-        (self.eye + DVec3::Z * drop, range)
+        (self.eye + DVec3::Z * self.curvature.drop(range), range)
     }
 
     /// `Theta^T Phi^T` times `from_eye` (north, east, up): forward, starboard, down.

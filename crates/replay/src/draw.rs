@@ -8,18 +8,19 @@ use std::thread;
 
 use generator::{PlaneKind, Planes, Session};
 use landscape::Attitude;
-use picture::{Encoder, GreyPicture, PictureError, encode_png};
+use picture::{AnyPicture, Encoder, PictureError};
 use quantities::degrees;
 use rayon::ThreadPool;
 use scenario::{PoseRow, View};
 use signal::Probe;
 
+use crate::ReplayError;
 use crate::folder::{RunFolder, picture_name};
-use crate::held::FrameRecord;
 use crate::job::{Control, Progress};
 use crate::journal::Journal;
 use crate::performance::StepTimes;
-use crate::{Program, ReplayError};
+use run_record::FrameRecord;
+use run_record::Program;
 use run_record::{FileRecord, hash};
 
 /// More frames on their way than threads, so that threads draw while frames are written.
@@ -31,6 +32,8 @@ pub(crate) struct Drawing<'a> {
     pub view: &'a View,
     pub program: &'a Program,
     pub encoder: Encoder,
+    /// Whether frames are in colour.
+    pub colour: bool,
     /// Pictures that the tube shows of one update; 1 where only updates are kept.
     pub showings: u64,
     pub folder: &'a RunFolder,
@@ -50,9 +53,8 @@ pub(crate) fn draw_all(
 ) -> Result<BTreeMap<u64, FrameRecord>, ReplayError> {
     let ledger = Ledger { done: AtomicU64::new(kept), ..Ledger::default() };
     let carry = || {
-        let raster = drawing.view;
-        let kinds = [PlaneKind::Intensity];
-        let mut planes = Planes::new(raster.columns as usize, raster.lines as usize, &kinds);
+        let (columns, lines) = (drawing.view.columns as usize, drawing.view.lines as usize);
+        let mut planes = Planes::new(columns, lines, drawing.kinds());
         while !control.cancel.load(Ordering::Relaxed) {
             let Some(row) = ledger.next(rows) else { break };
             match drawing.frame(row, &mut planes, control.pool) {
@@ -112,6 +114,22 @@ impl Ledger {
 }
 
 impl Drawing<'_> {
+    /// Planes that a frame is made of.
+    fn kinds(&self) -> &'static [PlaneKind] {
+        if self.colour { &PlaneKind::COLOUR } else { &[PlaneKind::Intensity] }
+    }
+
+    fn encode(&self, planes: &Planes) -> Result<AnyPicture, PictureError> {
+        let (columns, lines) = (planes.columns(), planes.lines());
+        match planes.colour() {
+            Some(colour) => Ok(self.encoder.encode_colour(colour, columns, lines)?.into()),
+            None => {
+                let intensity = planes.get(PlaneKind::Intensity).unwrap_or_default();
+                Ok(self.encoder.encode(intensity, columns, lines)?.into())
+            }
+        }
+    }
+
     fn frame(
         &self,
         row: &PoseRow,
@@ -122,10 +140,7 @@ impl Drawing<'_> {
         let refused = |source| ReplayError::Picture { frame, source };
         let draw = || self.session.frame(frame, &row.pose, planes, &mut Probe::off());
         let counts = pool.install(|| self.times.draw.time(draw))?;
-        let encode = || {
-            let intensity = planes.get(PlaneKind::Intensity).unwrap_or_default();
-            self.encoder.encode(intensity, planes.columns(), planes.lines())
-        };
+        let encode = || self.encode(planes);
         let picture = pool.install(|| self.times.encode.time(encode)).map_err(refused)?;
         let mut files = Vec::new();
         for index in frame * self.showings..(frame + 1) * self.showings {
@@ -139,7 +154,7 @@ impl Drawing<'_> {
         Ok(record)
     }
 
-    fn png(&self, row: &PoseRow, index: u64, picture: &GreyPicture) -> Result<Vec<u8>, PictureError> {
+    fn png(&self, row: &PoseRow, index: u64, picture: &AnyPicture) -> Result<Vec<u8>, PictureError> {
         let is_update = self.showings == 1;
         let rate = if is_update { self.view.update } else { self.view.refresh };
         let [x, y, z] = row.pose.eye;
@@ -154,7 +169,7 @@ impl Drawing<'_> {
                 format!("x_m={x} y_m={y} z_m={z} heading_deg={heading} pitch_deg={pitch} roll_deg={roll}"),
             ),
         ];
-        encode_png(picture, &texts.each_ref().map(|(key, text)| (*key, text.as_str())))
+        picture.encode_png(&texts.each_ref().map(|(key, text)| (*key, text.as_str())))
     }
 
     fn write(&self, file: String, bytes: &[u8]) -> Result<FileRecord, ReplayError> {

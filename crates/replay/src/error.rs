@@ -168,6 +168,15 @@ pub enum ReplayError {
     /// The generator cannot draw the stage.
     #[error(transparent)]
     Prepare(#[from] PrepareError),
+    /// Frames in colour of a generator that has none.
+    #[error(
+        "{generator} draws no colour: expected a generator that fills the planes red, green and blue; draw grey frames \
+         with it"
+    )]
+    NoColour {
+        /// Name of the generator.
+        generator: &'static str,
+    },
     /// The generator cannot draw a frame.
     #[error(transparent)]
     Frame(#[from] FrameError),

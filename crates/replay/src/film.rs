@@ -3,7 +3,9 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use picture::{Apng, GreyPicture, Limits, Y4m, Y4mColour, contact_sheet, encode_png, read_png};
+use picture::{
+    AnyPicture, Apng, ColourPicture, GreyPicture, Limits, Y4m, Y4mColour, contact_sheet, read_any_png,
+};
 use quantities::Rate;
 
 use crate::{HeldRun, ReplayError};
@@ -23,25 +25,53 @@ pub(crate) fn sheet(pictures: &[PathBuf]) -> Result<Vec<u8>, ReplayError> {
     let chosen = chosen?;
     let cell = chosen[0].columns().min(CELL_COLUMNS);
     let refused = |source| ReplayError::Film { path: crate::folder::CONTACT_SHEET.into(), source };
-    let sheet = contact_sheet(&chosen.iter().collect::<Vec<_>>(), SHEET_COLUMNS, cell).map_err(refused)?;
-    encode_png(&sheet.to_eight_bits(), &[]).map_err(refused)
+    let sheet: AnyPicture = match alike(&chosen) {
+        Alike::Grey(all) => contact_sheet(&all, SHEET_COLUMNS, cell).map_err(refused)?.into(),
+        Alike::Colour(all) => {
+            contact_sheet(&all.iter().collect::<Vec<_>>(), SHEET_COLUMNS, cell).map_err(refused)?.into()
+        }
+    };
+    sheet.to_eight_bits().encode_png(&[]).map_err(refused)
 }
 
-fn read(path: &Path) -> Result<GreyPicture, ReplayError> {
-    Ok(read_png(path, &Limits::default())?)
+/// Pictures of one layout.
+enum Alike<'a> {
+    Grey(Vec<&'a GreyPicture>),
+    Colour(Vec<ColourPicture>),
+}
+
+/// Grey if all are, else all in colour.
+fn alike(pictures: &[AnyPicture]) -> Alike<'_> {
+    let grey = |picture| match picture {
+        &AnyPicture::Grey(ref picture) => Some(picture),
+        AnyPicture::Colour(_) => None,
+    };
+    match pictures.iter().map(grey).collect() {
+        Some(all) => Alike::Grey(all),
+        None => Alike::Colour(pictures.iter().map(AnyPicture::to_colour).collect()),
+    }
+}
+
+fn read(path: &Path) -> Result<AnyPicture, ReplayError> {
+    Ok(read_any_png(path, &Limits::default())?)
 }
 
 /// Writes all pictures as an animated PNG, one in memory at a time.
 pub(crate) fn write_film(out: &mut dyn Write, pictures: &[PathBuf], rate: Rate) -> io::Result<()> {
     let Some(first) = pictures.first().map(|path| read_eight_bits(path)).transpose()? else { return Ok(()) };
     let count = pictures.len() as u32;
-    let mut film = Apng::new(out, first.columns(), first.lines(), count, delay(rate))?;
-    film.add(&first)?;
-    pictures[1..].iter().try_for_each(|path| film.add(&read_eight_bits(path)?))?;
+    let begin = if first.is_colour() { Apng::colour } else { Apng::new };
+    let mut film = begin(out, first.columns(), first.lines(), count, delay(rate))?;
+    let mut add = |frame: &AnyPicture| match frame {
+        AnyPicture::Grey(frame) => film.add(frame),
+        AnyPicture::Colour(frame) => film.add(frame),
+    };
+    add(&first)?;
+    pictures[1..].iter().try_for_each(|path| add(&read_eight_bits(path)?))?;
     film.finish()
 }
 
-/// Writes the pictures of a finished run as Y4M (grey alone), one in memory at a time, `rate` a second.
+/// Writes the pictures of a finished run as Y4M (grey alone, or 4:4:4 by the matrix of BT.709, all of full range), one in memory at a time, `rate` a second.
 ///
 /// # Errors
 /// If a picture cannot be read or `out` not be written.
@@ -49,14 +79,19 @@ pub fn write_y4m(out: &mut dyn Write, folder: &Path, run: &HeldRun, rate: Rate) 
     let mut pictures = run.pictures(folder);
     let Some(first) = pictures.next().map(|path| read_eight_bits(&path)).transpose()? else { return Ok(()) };
     let rate = fraction(rate).ok_or(io::ErrorKind::InvalidInput)?;
-    let mut film = Y4m::new(out, first.columns(), first.lines(), rate, Y4mColour::Mono)?;
-    film.add(&first)?;
-    pictures.try_for_each(|path| film.add(&read_eight_bits(&path)?))?;
+    let layout = if first.is_colour() { Y4mColour::Planes444 } else { Y4mColour::Mono };
+    let mut film = Y4m::new(out, first.columns(), first.lines(), rate, layout)?;
+    let mut add = |frame: &AnyPicture| match frame {
+        AnyPicture::Grey(frame) => film.add(frame),
+        AnyPicture::Colour(frame) => film.add(frame),
+    };
+    add(&first)?;
+    pictures.try_for_each(|path| add(&read_eight_bits(&path)?))?;
     film.finish().map(|_| ())
 }
 
-fn read_eight_bits(path: &Path) -> io::Result<GreyPicture> {
-    Ok(read_png(path, &Limits::default()).map_err(io::Error::other)?.to_eight_bits())
+fn read_eight_bits(path: &Path) -> io::Result<AnyPicture> {
+    Ok(read_any_png(path, &Limits::default()).map_err(io::Error::other)?.to_eight_bits())
 }
 
 /// A rate as numerator and denominator (hertz).

@@ -1,36 +1,32 @@
 //! What decides the pixels of a run, in one hash.
 
+use run_record::{GroundRecord, PathRecord, SunRecord, VehicleRecord, hash};
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::ground_record::{GroundRecord, sun, vehicle, waypoints_hash};
 use crate::job::Job;
-use crate::scenery_record::SceneryRecord;
-use crate::view_record::ViewRecord;
-use run_record::hash;
+use crate::world::World;
 
-/// Program, generator, settings, ground, scenery, light, path: not the range of frames, which may grow, and not the words
-/// of the scenario, which may be commented.
-pub(crate) fn fingerprint(
-    job: &Job,
-    ground: &GroundRecord,
-    scenery: &SceneryRecord,
-    view: &ViewRecord,
-    settings: &Value,
-) -> String {
-    let document = json!({
+/// Program, generator, settings, view, ground, scenery, light, path: not the range of frames, which may grow, and not the
+/// words of the scenario, which may be commented.
+pub(crate) fn fingerprint(job: &Job, world: &World) -> String {
+    let mut document = json!({
         "program": value(&job.program),
         "generator": job.generator.name(),
-        "view": value(view),
-        "settings": settings,
-        "ground": ground_alone(ground),
-        "scenery": value(scenery),
-        "sun": sun(&job.stage.scenery.sun(0.0)),
-        "vehicle": vehicle(&job.scenario.vehicle),
-        "waypoints_blake3": waypoints_hash(job.scenario),
+        "view": value(&world.view),
+        "settings": world.settings,
+        "ground": ground_alone(&world.ground),
+        "scenery": value(&world.scenery),
+        "sun": SunRecord::from(&job.stage.scenery.sun(0.0)),
+        "vehicle": VehicleRecord::from(&job.scenario.vehicle),
+        "waypoints_blake3": PathRecord::from(&job.scenario.path).waypoints_blake3,
         "depth": job.pictures.depth.bits(),
         "refresh": job.pictures.refresh,
     });
+    // Grey runs keep the fingerprint that they had before there was colour.
+    if job.pictures.colour {
+        document["colour"] = true.into();
+    }
     hash(document.to_string().as_bytes())
 }
 

@@ -6,10 +6,11 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 
 use crate::ReplayError;
-use crate::held::{FrameRecord, HeldRun, RUN_RECORD};
+use crate::held::{HeldRun, RUN_RECORD};
 use crate::journal::JOURNAL;
 use crate::lock::{LOCK, Lock};
 use crate::truth::TRUTH_FILES;
+use run_record::FrameRecord;
 
 /// Frames of a run.
 pub(crate) const FRAMES: &str = "frames";

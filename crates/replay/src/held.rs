@@ -2,58 +2,29 @@
 
 use std::fs;
 use std::io::Write;
-use std::ops::Range;
-use std::path::{Component, Path, PathBuf};
+use std::ops::{Deref, Range};
+use std::path::{Path, PathBuf};
 
-use generator::{Counter, FrameCounts};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
-use run_record::{FileRecord, MAX_BYTES, hash};
-use serde::{Deserialize, Serialize};
+use run_record::{FileRecord, FrameRecord, RecordError, RunRecord, hash};
 
 use crate::ReplayError;
 use crate::folder::is_of_run;
 use crate::journal::{self, JOURNAL};
 
-/// Schema of `run.json`.
-pub(crate) const RUN_SCHEMA: &str = "lunoid.run/2";
-
 /// Record of a run, in its folder.
 pub const RUN_RECORD: &str = "run.json";
 
-/// One update: what the machine computed once, shown in one file, or in several at a higher refresh rate.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct FrameRecord {
-    /// Frame, counted at the update rate.
-    pub frame: u64,
-    /// Seconds since the start of the mission.
-    pub time_s: f64,
-    /// BLAKE3 of the pixels, hexadecimal: independent of how the file packs them.
-    pub pixels_blake3: String,
-    /// The pictures, in order.
-    pub files: Vec<FileRecord>,
-    /// Work that it was.
-    pub counts: FrameCounts,
-}
-
-/// A run as its record says.
+/// A finished run.
 #[derive(Debug, Clone, PartialEq)]
-pub struct HeldRun {
-    /// Hash of everything that decides the pixels.
-    pub fingerprint: String,
-    /// Frames, ascending.
-    pub frames: Vec<FrameRecord>,
-    /// Other files that follow from the inputs.
-    pub outputs: Vec<FileRecord>,
-    /// The whole record.
-    pub document: serde_json::Value,
-}
+pub struct HeldRun(RunRecord);
 
-#[derive(Deserialize)]
-struct Wanted {
-    schema: String,
-    fingerprint: String,
-    frames: Vec<FrameRecord>,
-    outputs: Vec<FileRecord>,
+impl Deref for HeldRun {
+    type Target = RunRecord;
+
+    fn deref(&self) -> &RunRecord {
+        &self.0
+    }
 }
 
 impl HeldRun {
@@ -71,20 +42,10 @@ impl HeldRun {
                 return Err(ReplayError::NoRecord { path });
             }
         }
-        let bytes = files::read_all(&path, MAX_BYTES)?;
-        let refused = |reason: String| ReplayError::Record { path: path.clone(), reason };
-        let document: serde_json::Value =
-            serde_json::from_slice(&bytes).map_err(|error| refused(error.to_string()))?;
-        let wanted = Wanted::deserialize(&document).map_err(|error| refused(error.to_string()))?;
-        if wanted.schema != RUN_SCHEMA {
-            return Err(refused(format!("schema {:?}, expected {RUN_SCHEMA:?}", wanted.schema)));
-        }
-        let Wanted { fingerprint, frames, outputs, .. } = wanted;
-        let all = frames.iter().flat_map(|frame| &frame.files).chain(&outputs);
-        if let Some(file) = all.map(|record| &record.file).find(|file| !stays_inside(file)) {
-            return Err(refused(format!("it lists `{file}`, expected files of its folder")));
-        }
-        Ok(Self { fingerprint, frames, outputs, document })
+        RunRecord::read(&path).map(Self).map_err(|error| match error {
+            RecordError::File(error) => error.into(),
+            RecordError::Content(reason) => ReplayError::Record { path, reason },
+        })
     }
 
     /// The same, or nothing where the folder has no record.
@@ -96,21 +57,11 @@ impl HeldRun {
     pub fn pictures<'a>(&'a self, folder: &'a Path) -> impl Iterator<Item = PathBuf> + 'a {
         self.frames.iter().flat_map(|frame| &frame.files).map(|file| folder.join(&file.file))
     }
-}
 
-/// The work of all frames.
-pub(crate) fn total_work<'a>(
-    frames: impl IntoIterator<Item = &'a FrameRecord>,
-    counters: &[Counter],
-) -> FrameCounts {
-    let mut total = FrameCounts::default();
-    frames.into_iter().for_each(|frame| total.join(&frame.counts, counters));
-    total
-}
-
-/// A record leads to files of its own folder only, whoever wrote it.
-pub(crate) fn stays_inside(file: &str) -> bool {
-    Path::new(file).components().all(|part| matches!(part, Component::Normal(_)))
+    /// The record itself.
+    pub fn into_record(self) -> RunRecord {
+        self.0
+    }
 }
 
 /// First and end of ascending frames.

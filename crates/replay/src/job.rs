@@ -7,30 +7,18 @@ use std::sync::atomic::AtomicBool;
 use generator::{Generator, Stage};
 use picture::Depth;
 use rayon::ThreadPool;
-use run_record::Inputs;
+use run_record::{Inputs, Program};
 use scenario::Scenario;
-use serde::Serialize;
 
 use crate::Phase;
-
-/// The program that draws, for the record.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct Program {
-    /// Name.
-    pub name: String,
-    /// Version.
-    pub version: String,
-    /// Commit, or "unknown".
-    pub commit: String,
-    /// Result family: runs of one family are equal to the bit.
-    pub result_family: String,
-}
 
 /// How frames become files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Pictures {
-    /// Bits of a pixel.
+    /// Bits of a code.
     pub depth: Depth,
+    /// RGB from the planes red, green and blue, which the generator must fill, instead of grey from the intensity.
+    pub colour: bool,
     /// One file for each picture that the tube shows, instead of one for each that the machine computes.
     pub refresh: bool,
     /// An animated PNG as well.

@@ -93,7 +93,7 @@ fn line(value: &impl Serialize) -> std::io::Result<Vec<u8>> {
 #[cfg(test)]
 mod tests {
     use super::{JOURNAL, Journal, read};
-    use crate::held::FrameRecord;
+    use run_record::FrameRecord;
 
     #[test]
     fn what_is_read_is_what_was_written() {

@@ -9,7 +9,7 @@ use quantities::Rate;
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::held::{FrameRecord, total_work};
+use run_record::{FrameRecord, total_work};
 
 /// A part of a run and how long it took.
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -5,10 +5,11 @@ use std::ops::Range;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use generator::Session;
+use generator::{PlaneKind, Session};
 use picture::{Encoder, Transfer};
 use quantities::Rate;
 use scenario::{LimitReport, PoseTable, poses_csv};
+use serde::Serialize;
 use serde_json::Value;
 
 use crate::ReplayError;
@@ -18,15 +19,13 @@ use crate::draw::{Drawing, draw_all};
 use crate::film::{sheet, write_film};
 use crate::fingerprint::fingerprint;
 use crate::folder::{ANIMATION, CAMERA, CONTACT_SHEET, FRAMES, PERFORMANCE, POSES, RunFolder};
-use crate::ground_record::GroundRecord;
-use crate::held::{FrameRecord, HeldRun, RUN_RECORD, frame_range, whole, write_changed};
+use crate::held::{HeldRun, RUN_RECORD, frame_range, whole, write_changed};
 use crate::job::{Control, Job, Progress};
 use crate::journal::{self, JOURNAL, Journal};
 use crate::performance::{Phase, StepTimes, performance};
-use crate::record::{Finished, RunRecord};
-use crate::scenery_record::SceneryRecord;
-use crate::view_record::ViewRecord;
-use run_record::{FileRecord, MAX_BYTES, file_hash};
+use crate::record::{Finished, run_record};
+use crate::world::World;
+use run_record::{CheckRecord, FileRecord, FrameRecord, MAX_BYTES, file_hash};
 
 /// The check, as a key of the record and as a phase.
 const CHECK: &str = "check";
@@ -91,10 +90,7 @@ struct Run<'a> {
     folder: &'a RunFolder,
     control: &'a Control<'a>,
     session: Box<dyn Session>,
-    ground: GroundRecord,
-    scenery: SceneryRecord,
-    view: ViewRecord,
-    settings: Value,
+    world: World,
     fingerprint: String,
     /// The record of an earlier, finished run of the same job, perhaps of fewer frames.
     earlier: Option<HeldRun>,
@@ -111,11 +107,9 @@ impl<'a> Run<'a> {
     /// Everything that can be refused before a file is written.
     fn prepare(job: &'a Job, folder: &'a RunFolder, control: &'a Control) -> Result<Self, ReplayError> {
         let start = Instant::now();
-        let ground = GroundRecord::new(&job.scenario.ground, &job.stage.landscape);
-        let scenery = SceneryRecord::new(&job.stage);
-        let view = ViewRecord::new(&job.stage.view);
-        let settings = job.generator.record();
-        let fingerprint = fingerprint(job, &ground, &scenery, &view, &settings);
+        expect_colour(job)?;
+        let world = World::of(job);
+        let fingerprint = fingerprint(job, &world);
         let earlier = HeldRun::read_if_there(folder.path())?;
         let journal = journal::read::<FrameRecord>(&folder.join(JOURNAL))?;
         let found = earlier.as_ref().map(|run| &run.fingerprint);
@@ -139,10 +133,7 @@ impl<'a> Run<'a> {
             folder,
             control,
             session,
-            ground,
-            scenery,
-            view,
-            settings,
+            world,
             fingerprint,
             earlier,
             kept: BTreeMap::new(),
@@ -214,6 +205,7 @@ impl<'a> Run<'a> {
             view: &self.job.stage.view,
             program: &self.job.program,
             encoder: Encoder::new(transfer, self.job.pictures.depth),
+            colour: self.job.pictures.colour,
             showings: self.showings(),
             folder: self.folder,
             journal,
@@ -241,22 +233,17 @@ impl<'a> Run<'a> {
         let start = Instant::now();
         let omissions = self.session.omissions();
         let outputs = self.write_outputs(&frames)?;
-        let record = RunRecord::new(
-            self.job,
-            &Finished {
-                fingerprint: &self.fingerprint,
-                ground: &self.ground,
-                scenery: &self.scenery,
-                view: &self.view,
-                settings: &self.settings,
-                omissions: &omissions,
-                limits: self.poses.limits(),
-                range: &self.frames,
-                check: check.as_ref(),
-                frames: &frames,
-                outputs: &outputs,
-            },
-        );
+        let finished = Finished {
+            fingerprint: &self.fingerprint,
+            world: &self.world,
+            omissions: &omissions,
+            limits: self.poses.limits(),
+            range: [self.frames.start, self.frames.end],
+            check,
+            frames: frames.clone(),
+            outputs,
+        };
+        let record = run_record(self.job, finished);
         self.write(RUN_RECORD, record.text().as_bytes())?;
         self.phases.push(Phase::since("finish", start));
         let drawn: Vec<&FrameRecord> =
@@ -281,14 +268,14 @@ impl<'a> Run<'a> {
         &self,
         frames: &[FrameRecord],
         nothing_drawn: bool,
-    ) -> Result<Option<(Option<Value>, bool)>, ReplayError> {
+    ) -> Result<Option<(Option<CheckRecord>, bool)>, ReplayError> {
         let earlier = self
             .earlier
             .as_ref()
             .filter(|earlier| nothing_drawn && frame_range(&earlier.frames).as_ref() == Some(&self.frames));
-        let held = earlier.and_then(|earlier| earlier.document.get(CHECK));
-        if self.job.check == 0 || held.is_some_and(|held| held["sweeps"] == self.job.check) {
-            return Ok(Some((held.cloned(), false)));
+        let held = earlier.and_then(|earlier| earlier.check.clone());
+        if self.job.check == 0 || held.as_ref().is_some_and(|held| held.sweeps == self.job.check) {
+            return Ok(Some((held, false)));
         }
         let check = Check {
             job: self.job,
@@ -300,7 +287,7 @@ impl<'a> Run<'a> {
             cancel: self.control.cancel,
         };
         let record = self.control.pool.install(|| check.run(self.job.check))?;
-        Ok(record.map(|record| (Some(serde_json::json!(record)), true)))
+        Ok(record.map(|record| (Some(record), true)))
     }
 
     /// Everything that follows from the frames; what is there and right is not written again.
@@ -369,6 +356,15 @@ fn with_check(earlier: &[u8], phases: &[Phase]) -> Option<Value> {
     Some(times)
 }
 
-pub(crate) fn pretty(value: &Value) -> String {
-    format!("{value:#}\n")
+pub(crate) fn pretty(value: &impl Serialize) -> String {
+    serde_json::to_string_pretty(value).expect("records are plain values") + "\n"
+}
+
+/// Frames in colour need a generator that fills all three planes.
+fn expect_colour(job: &Job) -> Result<(), ReplayError> {
+    let planes = job.generator.planes();
+    match !job.pictures.colour || PlaneKind::COLOUR.iter().all(|kind| planes.contains(kind)) {
+        true => Ok(()),
+        false => Err(ReplayError::NoColour { generator: job.generator.name() }),
+    }
 }

@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use crate::run::CheckedSweep;
+use run_record::CheckedSweep;
 
 /// Size of the plot (pixels), and from its lower edge to its axis.
 const WIDE: f64 = 720.0;
@@ -44,10 +44,10 @@ pub(crate) fn plot(checked: &[CheckedSweep]) -> Markup {
 #[cfg(test)]
 mod tests {
     use super::plot;
-    use crate::run::CheckedSweep;
+    use run_record::CheckedSweep;
 
     fn sweep(frame: u64, rms: f64) -> CheckedSweep {
-        CheckedSweep { frame, sweep: 7, rms_and_max: [Some([rms, rms]), None, None, None] }
+        CheckedSweep { frame, sweep: 7, column: 7, rms_and_max: [Some([rms, rms]), None, None, None] }
     }
 
     /// Heights of the marks.

@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use crate::run::Omission;
+use run_record::OmissionRecord;
 
 /// A block of the figure.
 struct Block {
@@ -56,7 +56,7 @@ const WIRES: [(&str, &str); 14] = [
 ];
 
 /// Whether what joins a block to the others is left out, and the block with it.
-fn is_absent(block: &Block, omissions: &[Omission]) -> bool {
+fn is_absent(block: &Block, omissions: &[OmissionRecord]) -> bool {
     let Some(joint) = block.joint else { return false };
     omissions.iter().any(|omission| omission.block == block.name && names(&omission.what, joint))
 }
@@ -66,7 +66,7 @@ fn names(what: &str, joint: &str) -> bool {
 }
 
 /// The figure; blocks that are left out are drawn in broken lines.
-pub(crate) fn diagram(omissions: &[Omission]) -> Markup {
+pub(crate) fn diagram(omissions: &[OmissionRecord]) -> Markup {
     let absent = |name: &str| BLOCKS.iter().any(|block| block.name == name && is_absent(block, omissions));
     html! {
         svg.diagram viewBox="0 0 900 340" role="img" aria-labelledby="diagram-title" {
@@ -80,7 +80,7 @@ pub(crate) fn diagram(omissions: &[Omission]) -> Markup {
     }
 }
 
-fn drawn(block: &Block, omissions: &[Omission]) -> Markup {
+fn drawn(block: &Block, omissions: &[OmissionRecord]) -> Markup {
     let [x, y, width, height] = block.place;
     let parts = omissions.iter().filter(|omission| omission.block == block.name).count();
     let absent = is_absent(block, omissions);
@@ -96,7 +96,7 @@ fn drawn(block: &Block, omissions: &[Omission]) -> Markup {
     }
 }
 
-fn in_words(omissions: &[Omission]) -> String {
+fn in_words(omissions: &[OmissionRecord]) -> String {
     let absent: Vec<String> = BLOCKS
         .iter()
         .filter(|block| is_absent(block, omissions))
@@ -110,14 +110,12 @@ fn in_words(omissions: &[Omission]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use serde_json::json;
-
     use super::{BLOCKS, diagram, in_words};
-    use crate::run::Omission;
+    use run_record::{OmissionRecord, WeightRecord};
 
-    fn omission(block: &str, what: &str) -> Omission {
-        let (why, weight) = (String::new(), json!("lossless"));
-        Omission { block: block.into(), what: what.into(), why, weight }
+    fn omission(block: &str, what: &str) -> OmissionRecord {
+        let (why, weight) = (String::new(), WeightRecord::Lossless);
+        OmissionRecord { block: block.into(), what: what.into(), why, weight }
     }
 
     #[test]

@@ -1,11 +1,12 @@
 //! The machine that drew: its blocks, what was left out and why, its work, its parts.
 
 use maud::{Markup, html};
+use run_record::{OmissionRecord, WeightRecord};
 use serde_json::Value;
 
 use crate::cells::{grouped, shortened};
 use crate::diagram::diagram;
-use crate::run::{Omission, Run};
+use crate::run::Run;
 
 /// The section.
 pub(crate) fn machine(run: &Run) -> Markup {
@@ -32,7 +33,7 @@ pub(crate) fn machine(run: &Run) -> Markup {
     }
 }
 
-pub(crate) fn omissions(list: &[Omission]) -> Markup {
+pub(crate) fn omissions(list: &[OmissionRecord]) -> Markup {
     if list.is_empty() {
         return html! { p { "Nothing was left out." } };
     }
@@ -44,29 +45,26 @@ pub(crate) fn omissions(list: &[Omission]) -> Markup {
                 th scope="row" { (omission.block) }
                 td { (omission.what) }
                 td { (omission.why) }
-                td.weight.lossless[omission.weight == "lossless"] { (weight(&omission.weight)) }
+                td.weight.lossless[omission.weight == WeightRecord::Lossless] { (weight(omission.weight)) }
             } } }
         } }
     }
 }
 
-fn weight(weight: &Value) -> String {
+fn weight(weight: WeightRecord) -> String {
     match weight {
-        Value::String(word) if word == "lossless" => "none: the same bits".into(),
-        Value::String(word) => word.clone(),
-        other => match other["bounded_grey_levels_of_255"].as_f64() {
-            Some(levels) => format!("at most {} grey levels of 255", shortened(levels, 2)),
-            None => other.to_string(),
-        },
+        WeightRecord::Lossless => "none: the same bits".into(),
+        WeightRecord::NotModelled => "not modelled".into(),
+        WeightRecord::Bounded(levels) => format!("at most {} grey levels of 255", shortened(levels, 2)),
     }
 }
 
 /// What the run took; counters that are zero are not named.
 fn work(run: &Run) -> Markup {
-    let rows = run.totals.iter().filter(|(_, count)| **count > 0);
+    let rows = run.totals.named().filter(|(_, count)| *count > 0);
     html! {
         table.counts { tbody { @for (name, count) in rows {
-            tr { th scope="row" { (name.replace('_', " ")) } td { (grouped(*count)) } }
+            tr { th scope="row" { (name.replace('_', " ")) } td { (grouped(count)) } }
         } } }
     }
 }

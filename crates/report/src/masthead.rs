@@ -35,13 +35,13 @@ fn facts(run: &Run) -> Vec<(&'static str, String)> {
     };
     let [width, height] = view.field_of_view_deg.map(|angle| shortened(angle, 1));
     let regions = run.ground.levels.iter().map(|level| {
-        let [north, east] = level.corners.map(grouped);
+        let [north, east] = level.corners.map(|count| grouped(count as u64));
         format!("{north} × {east} corners every {} m", shortened(level.region_size_m, 2))
     });
     let ground = format!("{}: {}", run.ground.source, regions.collect::<Vec<_>>().join("; "));
     let [azimuth, elevation] = [run.sun.azimuth_deg, run.sun.elevation_deg].map(|angle| shortened(angle, 1));
     let raster = run.machine.as_ref().map(|machine| {
-        let [sweeps, samples] = [machine.raster.sweeps, machine.raster.samples_per_sweep].map(grouped);
+        let [sweeps, samples] = machine.raster.counts().map(grouped);
         ("Raster", format!("{sweeps} sweeps of {samples} samples"))
     });
     let facts = [

@@ -1,10 +1,10 @@
 //! Error, and the record from which the page was made.
 
 use maud::{Markup, html};
-use run_record::FileRecord;
+use run_record::{CheckRecord, CheckedSweep, FileRecord};
 
 use crate::data::shell_words;
-use crate::run::{Check, CheckedSweep, Run};
+use crate::run::Run;
 use crate::{Beside, check_plot};
 
 /// How far the pictures are from `exact`.
@@ -21,7 +21,7 @@ pub(crate) fn error(run: &Run, beside: &Beside) -> Markup {
     }
 }
 
-fn figures(check: &Check) -> Markup {
+fn figures(check: &CheckRecord) -> Markup {
     let percent = 100.0 * check.confidence;
     html! {
         p { (check.sweeps) " sweeps, drawn at random and spread over the run, against the closed form: signals sample by sample, and
@@ -45,7 +45,7 @@ fn figures(check: &Check) -> Markup {
 }
 
 /// Where the picture is worst, of the sweeps that were checked.
-fn worst(check: &Check) -> Markup {
+fn worst(check: &CheckRecord) -> Markup {
     let rms = |sweep: &CheckedSweep| sweep.rms_and_max[0].map_or(0.0, |[rms, _]| rms);
     let worst = check.checked.iter().max_by(|a, b| rms(a).total_cmp(&rms(b)));
     html! {

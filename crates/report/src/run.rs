@@ -1,12 +1,13 @@
 //! What a page reads of the record of a run.
 
-use std::collections::BTreeMap;
+use std::ops::Deref;
 use std::path::Path;
 
-use replay::{FrameRecord, HeldRun, picture_name};
-use run_record::FileRecord;
+use diagnostics::{CsvRow, CsvRows};
+use picture::Curve;
+use replay::{HeldRun, picture_name};
+use run_record::{FrameRecord, MachineRecord, RunRecord};
 use serde::Deserialize;
-use serde_json::Value;
 
 use crate::ReportError;
 
@@ -16,189 +17,53 @@ const HYBRID: &str = "hybrid";
 const MAX_BYTES: u64 = 1 << 30;
 
 /// A run as its record says.
-#[derive(Debug, Deserialize)]
+#[derive(Debug)]
 pub(crate) struct Run {
-    pub fingerprint: String,
-    pub program: Program,
-    pub scenario: Scenario,
-    #[serde(default)]
-    pub references: Vec<FileRecord>,
-    pub generator: String,
-    pub model: Model,
-    pub ground: Ground,
-    pub sun: Sun,
-    pub view: View,
-    /// Word for one line of the generator's signals; nothing where it has none.
-    pub line: Option<String>,
-    /// The generator's own settings.
-    settings: Value,
-    /// Those of the hybrid machine, where it drew.
-    #[serde(skip)]
-    pub machine: Option<MachineSettings>,
-    pub pictures: Pictures,
-    pub omissions: Vec<Omission>,
-    pub limits: Vec<Limit>,
-    pub totals: BTreeMap<String, u64>,
-    pub frames: Vec<FrameRecord>,
-    pub outputs: Vec<FileRecord>,
-    /// Error against `exact`, where sweeps of the run have been checked.
-    #[serde(default)]
-    pub check: Option<Check>,
-    /// Eye and attitude of every frame, in the order of the frames.
-    #[serde(skip)]
+    record: RunRecord,
+    /// Settings of the hybrid machine, where it drew.
+    pub machine: Option<MachineRecord>,
+    /// Time, eye and attitude of its frames.
     pub poses: Vec<[f64; 7]>,
 }
 
-#[derive(Debug, Deserialize)]
-pub(crate) struct Check {
-    pub sweeps: u64,
-    pub confidence: f64,
-    pub interval_by: String,
-    pub errors: Vec<CheckError>,
-    pub checked: Vec<CheckedSweep>,
-}
+impl Deref for Run {
+    type Target = RunRecord;
 
-#[derive(Debug, Deserialize)]
-pub(crate) struct CheckError {
-    pub error: String,
-    pub unit: String,
-    pub rms: f64,
-    pub interval: Option<[f64; 2]>,
-    pub max: f64,
-}
-
-#[derive(Debug, Deserialize)]
-pub(crate) struct CheckedSweep {
-    pub frame: u64,
-    pub sweep: u64,
-    /// Of picture, height, slope and reflectivity.
-    pub rms_and_max: [Option<[f64; 2]>; 4],
-}
-
-#[derive(Debug, Deserialize)]
-pub(crate) struct Program {
-    pub name: String,
-    pub version: String,
-    pub commit: String,
-    pub result_family: String,
-}
-
-#[derive(Debug, Deserialize)]
-pub(crate) struct Scenario {
-    pub file: Option<FileRecord>,
-    pub title: String,
-    pub shows: String,
-}
-
-#[derive(Debug, Deserialize)]
-pub(crate) struct Model {
-    pub name: String,
-    pub files: Vec<FileRecord>,
-    pub values: Vec<ModelValue>,
-}
-
-#[derive(Debug, Deserialize)]
-pub(crate) struct ModelValue {
-    pub key: String,
-    pub value: String,
-    pub origin: String,
-}
-
-#[derive(Debug, Deserialize)]
-pub(crate) struct Ground {
-    pub source: String,
-    pub levels: Vec<Level>,
-}
-
-#[derive(Debug, Deserialize)]
-pub(crate) struct Level {
-    pub region_size_m: f64,
-    pub corners: [u64; 2],
-}
-
-#[derive(Debug, Deserialize)]
-pub(crate) struct Sun {
-    pub azimuth_deg: f64,
-    pub elevation_deg: f64,
-}
-
-#[derive(Debug, Deserialize)]
-pub(crate) struct View {
-    pub columns: u64,
-    pub lines: u64,
-    pub field_of_view_deg: [f64; 2],
-    pub update: String,
-    pub refresh: String,
-    pub laws: BTreeMap<String, String>,
-    pub ranges_m: [f64; 2],
-}
-
-/// What a page tells of the settings of the hybrid machine.
-#[derive(Debug, Deserialize)]
-pub(crate) struct MachineSettings {
-    pub scalar: String,
-    pub raster: Raster,
-    pub clocks: Clocks,
-    pub range: BTreeMap<String, Value>,
-}
-
-#[derive(Debug, Deserialize)]
-pub(crate) struct Raster {
-    pub sweeps: u64,
-    pub samples_per_sweep: u64,
-}
-
-#[derive(Debug, Deserialize)]
-pub(crate) struct Clocks {
-    pub master: String,
-    pub sample: String,
-}
-
-#[derive(Debug, Deserialize)]
-pub(crate) struct Pictures {
-    pub depth: u64,
-    pub one_file_for_each: String,
-}
-
-#[derive(Debug, Deserialize)]
-pub(crate) struct Omission {
-    pub block: String,
-    pub what: String,
-    pub why: String,
-    pub weight: Value,
-}
-
-#[derive(Debug, Deserialize)]
-pub(crate) struct Limit {
-    pub limit: String,
-    pub unit: String,
-    pub allowed: f64,
-    pub found: f64,
-    pub frames: [u64; 2],
+    fn deref(&self) -> &RunRecord {
+        &self.record
+    }
 }
 
 impl Run {
+    /// The curve of its display, by which colours of its frames become grey.
+    pub fn curve(&self) -> Curve {
+        Curve::Power(self.view.display.gamma)
+    }
+
     /// The run in `folder`.
     pub fn read(folder: &Path) -> Result<Self, ReportError> {
         let held = HeldRun::read(folder)?;
         let path = folder.join(replay::RUN_RECORD);
         let refused = |reason: String| ReportError::Content { path: path.clone(), reason };
-        let mut run: Self =
-            serde_json::from_value(held.document).map_err(|error| refused(error.to_string()))?;
-        if run.frames.is_empty() || run.showings() == 0 || run.view.columns == 0 {
+        let record = held.into_record();
+        if record.frames.is_empty() || record.frames[0].files.is_empty() || record.view.columns == 0 {
             return Err(refused("it lists no frame, expected at least one".into()));
         }
+        let machine = match record.generator.as_str() {
+            HYBRID => Some(MachineRecord::deserialize(&record.settings)),
+            _ => None,
+        };
+        let machine = machine.transpose().map_err(|error| refused(error.to_string()))?;
+        let poses = poses(folder, &record.frames)?;
+        let run = Self { record, machine, poses };
         let expected = (run.first_picture()..).map(picture_name);
         let found = run.frames.iter().flat_map(|frame| &frame.files).map(|file| &file.file);
-        if let Some((expected, found)) = expected.zip(found).find(|(expected, found)| expected != *found) {
-            return Err(refused(format!("it lists the picture `{found}`, expected `{expected}`")));
+        match expected.zip(found).find(|(expected, found)| expected != *found) {
+            Some((expected, found)) => {
+                Err(refused(format!("it lists the picture `{found}`, expected `{expected}`")))
+            }
+            None => Ok(run),
         }
-        if run.generator == HYBRID {
-            let settings = MachineSettings::deserialize(&run.settings);
-            run.machine = Some(settings.map_err(|error| refused(error.to_string()))?);
-        }
-        run.poses = poses(folder, &run.frames)?;
-        Ok(run)
     }
 
     /// Pictures of a frame: more than one if there is one for each that the tube shows.
@@ -265,26 +130,31 @@ fn poses(folder: &Path, frames: &[FrameRecord]) -> Result<Vec<[f64; 7]>, ReportE
     let bytes = files::read_all(&path, MAX_BYTES)?;
     let refused = |reason: String| ReportError::Content { path: path.clone(), reason };
     let text = std::str::from_utf8(&bytes).map_err(|error| refused(error.to_string()))?;
-    let rows: Vec<&str> = text.lines().skip(1).collect();
-    if rows.len() != frames.len() {
-        let (found, expected) = (rows.len(), frames.len());
+    let mut rows = CsvRows::new(text);
+    rows.next_row();
+    let mut poses = Vec::new();
+    while let Some(row) = rows.next_row() {
+        let (line, shown) = (poses.len() + 2, &text[row.whole()]);
+        poses.push(pose(&row).ok_or_else(|| refused(format!("line {line}: `{shown}`, expected numbers")))?);
+    }
+    if poses.len() != frames.len() {
+        let (found, expected) = (poses.len(), frames.len());
         return Err(refused(format!("{found} rows, expected one for each of {expected} frames")));
     }
-    let row = |(line, row): (usize, &&str)| {
-        pose(row).ok_or_else(|| refused(format!("line {}: `{row}`, expected numbers", line + 2)))
-    };
-    rows.iter().enumerate().map(row).collect()
+    Ok(poses)
 }
 
-fn pose(row: &str) -> Option<[f64; 7]> {
-    let cells: Result<Vec<f64>, _> = row.split(',').skip(1).take(7).map(str::parse).collect();
+fn pose(row: &CsvRow) -> Option<[f64; 7]> {
+    let cells: Result<Vec<f64>, _> = row.texts().skip(1).take(7).map(str::parse).collect();
     let cells: [f64; 7] = cells.ok()?.try_into().ok()?;
     cells.iter().all(|cell| cell.is_finite()).then_some(cells)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{hertz, pose};
+    use diagnostics::CsvRows;
+
+    use super::hertz;
 
     #[test]
     fn clocks_are_fractions() {
@@ -297,6 +167,7 @@ mod tests {
 
     #[test]
     fn rows_of_poses() {
+        let pose = |text| CsvRows::new(text).next_row().and_then(|row| super::pose(&row));
         assert_eq!(pose("3,0.5,1,2,3,4,5,6,7,8,9"), Some([0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0]));
         for wrong in ["", "3,0.5,1,2", "3,0.5,1,2,x,4,5,6", "3,0.5,1,2,NaN,4,5,6"] {
             assert_eq!(pose(wrong), None, "{wrong}");

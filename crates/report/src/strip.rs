@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use picture::{GreyPicture, Limits, encode_png, read_png, shrink};
+use picture::{AnyPicture, Limits, read_any_png};
 use replay::picture_name;
 
 use crate::ReportError;
@@ -38,25 +38,25 @@ pub(crate) fn spread(first: u64, pictures: u64, most: u64) -> Vec<u64> {
 
 fn small(folder: &Path, picture: u64, run: &Run) -> Result<Small, ReportError> {
     let path = folder.join(picture_name(picture));
-    let whole = read_png(&path, &Limits::default())?.to_eight_bits();
+    let whole = read_any_png(&path, &Limits::default())?.to_eight_bits();
     let shrunk =
         fitted(&whole, run, COLUMNS).map_err(|source| ReportError::Strip { path: path.clone(), source })?;
-    let png = encode_png(&shrunk, &[]).map_err(|source| ReportError::Strip { path, source })?;
+    let png = shrunk.encode_png(&[]).map_err(|source| ReportError::Strip { path, source })?;
     let (columns, lines) = (shrunk.columns(), shrunk.lines());
     Ok(Small { picture, url: data_url("image/png", &png), columns, lines })
 }
 
 /// The picture in the form of the screen, at most `most` columns wide: few sweeps are wide ones.
 pub(crate) fn fitted(
-    picture: &GreyPicture,
+    picture: &AnyPicture,
     run: &Run,
     most: usize,
-) -> Result<GreyPicture, picture::PictureError> {
+) -> Result<AnyPicture, picture::PictureError> {
     let columns = picture.columns().min(most);
     let lines = (columns as f64 / run.aspect()).round().max(1.0) as usize;
     match columns == picture.columns() {
         true => Ok(picture.clone()),
-        false => shrink(picture, columns, lines),
+        false => picture.shrink(columns, lines),
     }
 }
 

@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
-use compare::triptych;
-use picture::GreyPicture;
+use compare::triptych_any;
+use picture::AnyPicture;
 use serde_json::{Value, json};
 use text::table;
 
@@ -34,9 +34,10 @@ impl Compared {
     ///
     /// # Errors
     /// If a picture cannot be read any more.
-    pub fn worst_picture(&self, factor: u32) -> Result<GreyPicture, RunCompareError> {
+    pub fn worst_picture(&self, factor: u32) -> Result<AnyPicture, RunCompareError> {
         let pair = worst(&self.pairs);
-        Ok(triptych(&read(&pair.test)?, &read(&pair.reference)?, factor)?)
+        let is_of_run = pair.frame.is_some();
+        Ok(triptych_any(&read(&pair.test, is_of_run)?, &read(&pair.reference, is_of_run)?, factor)?)
     }
 
     /// Whether `tolerances` are met, if there are any.
@@ -46,10 +47,12 @@ impl Compared {
             return None;
         }
         Some(self.pairs.iter().all(|pair| {
-            let rmse_is_met = rmse.is_none_or(|most| pair.comparison.rmse <= most);
+            let rmse_is_met = rmse.is_none_or(|most| pair.comparison.all().all(|found| found.rmse <= most));
             let share_is_met = levels.is_none_or(|(levels, percent)| {
-                let beyond = pair.comparison.beyond.iter().find(|beyond| beyond.levels == levels);
-                beyond.is_some_and(|beyond| beyond.share * 100.0 <= percent)
+                pair.comparison.all().all(|found| {
+                    let beyond = found.beyond.iter().find(|beyond| beyond.levels == levels);
+                    beyond.is_some_and(|beyond| beyond.share * 100.0 <= percent)
+                })
             });
             let ridge_is_met =
                 ridge.is_none_or(|most| pair.ridges.is_some_and(|error| error.maximum <= most));
@@ -94,6 +97,7 @@ impl Compared {
                 worst.frame.map(|frame| frame.to_string()).unwrap_or_default()
             );
         }
+        text.extend(pairs.iter().filter_map(Pair::colour_line));
         text.extend(pairs.iter().filter_map(Pair::edge_line));
         match pass {
             Some(true) => text += "within the tolerance\n",
@@ -106,6 +110,6 @@ impl Compared {
 
 /// The pair of the largest RMSE, the first of several.
 fn worst(pairs: &[Pair]) -> &Pair {
-    let worse = |a: &&Pair, b: &&Pair| b.comparison.rmse > a.comparison.rmse;
+    let worse = |a: &&Pair, b: &&Pair| b.comparison.luminance.rmse > a.comparison.luminance.rmse;
     pairs.iter().reduce(|a, b| if worse(&a, &b) { b } else { a }).expect("there is a pair")
 }

@@ -6,7 +6,8 @@ use compare::{EDGE_PLANES, EdgeLimits, EdgeMask, edge_mask, ridge_mask};
 use front_door::Wishes;
 use generator::{PlaneKind, Planes, Session, Stage};
 use rayon::ThreadPool;
-use replay::{HeldRun, SceneryRecord, ViewRecord};
+use replay::HeldRun;
+use run_record::{SceneryRecord, ViewRecord};
 use scenario::{PoseTable, Scenario};
 use serde_json::{Value, json};
 use signal::Probe;
@@ -73,13 +74,13 @@ impl Edges {
 
     /// Draws on the raster of `run`, which must otherwise be a run of this scenario as it stands.
     pub fn expect_run(&mut self, folder: &Path, run: &HeldRun) -> Result<(), RunCompareError> {
-        let held = &run.document;
+        let held = &json!({ "view": run.view, "scenery": run.scenery });
         let size = |key: &str| held["view"][key].as_u64().and_then(|size| u32::try_from(size).ok());
         if let (Some(columns), Some(lines)) = (size("columns"), size("lines")) {
             (self.stage.view.columns, self.stage.view.lines) = (columns, lines);
         }
         let expected = json!({
-            "view": ViewRecord::new(&self.stage.view),
+            "view": ViewRecord::from(&self.stage.view),
             "scenery": SceneryRecord::new(&self.stage),
         });
         match DECIDING.iter().find(|key| expected.pointer(key) != held.pointer(key)) {

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use compare::CompareError;
 use front_door::OpenError;
 use generator::{FrameError, PrepareError};
+use photographs::PhotographFileError;
 use picture::{PictureError, PictureFileError};
 use replay::ReplayError;
 use scenario::PathProblems;
@@ -20,7 +21,7 @@ pub enum RunCompareError {
     NoFrames,
     /// A picture is to be compared with a run.
     #[error(
-        "{} and {}: one is a folder and one a file; expected two PNGs or two run folders",
+        "{} and {}: one is a folder and one a file; expected two pictures or two run folders",
         .0[0].display(), .0[1].display()
     )]
     Mixed([PathBuf; 2]),
@@ -53,7 +54,7 @@ pub enum RunCompareError {
         error: CompareError,
     },
     /// The display law in the record of a run is none.
-    #[error("{}: run.json, settings.display: {error}", .folder.display())]
+    #[error("{}: run.json, view.display: {error}", .folder.display())]
     Display {
         /// Folder of the run.
         folder: PathBuf,
@@ -66,9 +67,12 @@ pub enum RunCompareError {
     /// A run cannot be read.
     #[error(transparent)]
     Run(#[from] ReplayError),
-    /// A picture cannot be read.
+    /// A frame cannot be read.
     #[error(transparent)]
     Picture(#[from] PictureFileError),
+    /// A picture cannot be read.
+    #[error(transparent)]
+    Photograph(#[from] PhotographFileError),
     /// The scenario cannot be opened.
     #[error(transparent)]
     Open(#[from] OpenError),

@@ -2,8 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use compare::{compare, compare_linear, horizon_of_picture, linear_intensity, ridge_error};
-use picture::{GreyPicture, Limits, Transfer, read_png};
+use compare::{compare_any, compare_linear, horizon_of_picture, linear_luminance, ridge_error};
+use photographs::CURVE;
+use picture::{AnyPicture, Curve, Limits, Transfer, read_any_png};
 use rayon::ThreadPool;
 use replay::HeldRun;
 
@@ -20,7 +21,7 @@ type Paths = (Option<u64>, PathBuf, PathBuf);
 /// Which pixels are left out.
 #[derive(Clone, Copy)]
 pub enum LeftOut<'a> {
-    /// Those that are not black in a grey PNG, if there is one.
+    /// Those that are not black in a picture, if there is one.
     Mask(Option<&'a Path>),
     /// Those along the edges that the closed form sees in a scenario.
     Edges {
@@ -44,7 +45,7 @@ pub struct Pictures {
 }
 
 impl Pictures {
-    /// Pairs the pictures of two PNGs, or of two run folders. Edges can be left out of runs alone.
+    /// Pairs two pictures, or the pictures of two run folders. Edges can be left out of runs alone.
     ///
     /// # Errors
     /// If there is nothing to pair, or a run cannot be read.
@@ -126,33 +127,46 @@ impl Pictures {
         levels: Option<u32>,
         kind: Option<EdgeKind>,
     ) -> Result<Pair, RunCompareError> {
-        let [a, b] = [read(test)?, read(reference)?];
+        let is_of_run = self.displays.is_some();
+        let [a, b] = [read(test, is_of_run)?, read(reference, is_of_run)?];
+        let curves = self.displays.map_or([CURVE; 2], |displays| displays.map(curve));
         let levels: Vec<u32> = [0, 1, 2].into_iter().chain(levels.filter(|levels| *levels > 2)).collect();
         let refused = |error| RunCompareError::Unlike { picture: test.clone(), error };
-        let comparison = compare(&a, &b, mask, &levels).map_err(refused)?;
+        let comparison = compare_any([&a, &b], curves, mask, &levels).map_err(refused)?;
         let linear = self.displays.map(|[of_a, of_b]| {
-            compare_linear(&linear_intensity(&a, &of_a), &linear_intensity(&b, &of_b), mask)
+            compare_linear(&linear_luminance(&a, &of_a), &linear_luminance(&b, &of_b), mask)
         });
         let linear = linear.transpose().map_err(refused)?;
-        let horizons = [&a, &b].map(|picture| horizon_of_picture(picture, SKY));
+        let horizons = [(&a, curves[0]), (&b, curves[1])]
+            .map(|(picture, curve)| horizon_of_picture(&picture.to_grey(curve), SKY));
+        let is_colour = a.is_colour() || b.is_colour();
         let margin = |kind| usize::from(matches!(kind, EdgeKind::Edges(_)));
         let ridges = kind.map(|kind| ridge_error(&horizons[0], &horizons[1], margin(kind))).transpose()?;
         let (frame, test, reference) = (*frame, test.clone(), reference.clone());
-        Ok(Pair { frame, test, reference, comparison, linear, edges: None, ridges })
+        Ok(Pair { frame, test, reference, comparison, is_colour, linear, edges: None, ridges })
     }
 }
 
 /// The display law of a run.
 fn display(folder: &Path, run: &HeldRun) -> Result<Transfer, RunCompareError> {
-    let number = |key: &str| run.document["settings"]["display"][key].as_f64().unwrap_or(f64::NAN) as f32;
+    let display = run.view.display;
     let refused = |error| RunCompareError::Display { folder: folder.to_owned(), error };
-    Transfer::new(number("white"), number("gamma")).map_err(refused)
+    Transfer::new(display.white as f32, display.gamma as f32).map_err(refused)
 }
 
-pub(crate) fn read(path: &Path) -> Result<GreyPicture, RunCompareError> {
-    Ok(read_png(path, &Limits::default())?)
+/// The curve of a run's display, by which its colours become grey.
+fn curve(display: Transfer) -> Curve {
+    Curve::Power(display.gamma().into())
+}
+
+/// A frame of a run is read as the program wrote it.
+pub(crate) fn read(path: &Path, is_of_run: bool) -> Result<AnyPicture, RunCompareError> {
+    match is_of_run {
+        true => Ok(read_any_png(path, &Limits::default())?),
+        false => Ok(photographs::read(path)?),
+    }
 }
 
 fn read_mask(path: &Path) -> Result<Vec<bool>, RunCompareError> {
-    Ok(read(path)?.codes().iter().map(|code| *code > 0).collect())
+    Ok(photographs::read(path)?.is_lit())
 }

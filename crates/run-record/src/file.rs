@@ -1,6 +1,6 @@
 //! Files of a record.
 
-use std::path::Path;
+use std::path::{Component, Path};
 
 use files::FileError;
 use serde::{Deserialize, Serialize};
@@ -43,4 +43,9 @@ pub fn file_hash(path: &Path) -> Result<String, FileError> {
 /// BLAKE3 of bytes, hexadecimal.
 pub fn hash(bytes: &[u8]) -> String {
     blake3::hash(bytes).to_hex().to_string()
+}
+
+/// Whether a name of a record leads to a file of its own folder, whoever wrote the record.
+pub fn stays_inside(file: &str) -> bool {
+    Path::new(file).components().all(|part| matches!(part, Component::Normal(_)))
 }

@@ -1,6 +1,7 @@
 //! What a run was made from.
 
 use hardware_model::EffectiveValue;
+use serde::{Deserialize, Serialize};
 
 use crate::FileRecord;
 
@@ -17,4 +18,41 @@ pub struct Inputs {
     pub model_files: Vec<FileRecord>,
     /// The effective model.
     pub model_values: Vec<EffectiveValue>,
+}
+
+/// The hardware model of a run.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ModelRecord {
+    /// Name.
+    pub name: String,
+    /// Its files, the lowest base first.
+    pub files: Vec<FileRecord>,
+    /// Every value.
+    pub values: Vec<ModelValue>,
+}
+
+/// A value of a hardware model.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ModelValue {
+    /// Dotted key.
+    pub key: String,
+    /// Value as written.
+    pub value: String,
+    /// File and line that it came from.
+    pub origin: String,
+}
+
+impl From<&Inputs> for ModelRecord {
+    fn from(inputs: &Inputs) -> Self {
+        let value = |value: &EffectiveValue| ModelValue {
+            key: value.key.clone(),
+            value: value.value.clone(),
+            origin: value.origin.clone(),
+        };
+        Self {
+            name: inputs.model.clone(),
+            files: inputs.model_files.clone(),
+            values: inputs.model_values.iter().map(value).collect(),
+        }
+    }
 }

@@ -1,7 +1,42 @@
 //! The record of a run, as it is written and read: one set of types.
+//!
+//! ```text
+//! run.json         RunRecord: program, inputs, world, view, settings of the generator, frames, outputs
+//! truth/truth.json TruthRecord: the same world and view, planes and their conventions, frames
+//! ```
+//!
+//! Records are equal for equal inputs: they hold no clock, no thread and no folder. Units stand in the keys. Clocks are
+//! exact fractions in words, because a float would round them.
+//!
+//! - [`RunRecord`], [`RunRecord::read`]: the record of a run. [`FrameRecord`]: a frame in it.
+//! - [`ViewRecord`], [`GroundRecord`], [`SceneryRecord`]: what was drawn, for any generator.
+//! - [`MachineRecord`]: settings of the hybrid machine, as its runs have them.
+//! - [`TruthRecord`]: the record of the truth.
+//! - [`Inputs`], [`FileRecord`]: the files that a run was made from.
 
 mod file;
+mod frame;
+mod ground;
 mod inputs;
+mod machine;
+mod mission;
+mod omission;
+mod run;
+mod scenery;
+mod truth;
+mod view;
 
-pub use file::{FileRecord, MAX_BYTES, file_hash, hash};
-pub use inputs::Inputs;
+pub use file::{FileRecord, MAX_BYTES, file_hash, hash, stays_inside};
+pub use frame::{FrameRecord, total_work};
+pub use ground::{GroundRecord, LevelRecord};
+pub use inputs::{Inputs, ModelRecord, ModelValue};
+pub use machine::{ClockRecord, MachineRecord, SweepRecord};
+pub use mission::{LimitRecord, PathRecord, SunRecord, VehicleRecord};
+pub use omission::{OmissionRecord, WeightRecord};
+pub use run::{
+    CheckRecord, CheckedSweep, ErrorRecord, PicturesRecord, Program, RUN_SCHEMA, RecordError, RunRecord,
+    ScenarioRecord,
+};
+pub use scenery::{SceneryRecord, hash_of};
+pub use truth::{TRUTH_SCHEMA, TruthFrame, TruthRecord};
+pub use view::{DisplayRecord, LevelsRecord, ShadowsRecord, ViewRecord, YokeRecord};

@@ -1,6 +1,8 @@
 //! Law switches: what the report leaves open or has wrong, decided in the scenario or the model and listed in
 //! the record of a run. `exact` follows the same laws.
 
+use landscape::{parabolic_drop, spherical_drop};
+
 /// How elevation becomes a place on the view-plane (section 15.3).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Projection {
@@ -19,6 +21,20 @@ pub enum Curvature {
     None,
     /// `h - s^2 / 2R`.
     Parabolic,
+    /// `h - R + sqrt(R^2 - s^2)`: the sphere. Ground range s is measured along the tangent plane.
+    Exact,
+}
+
+impl Curvature {
+    /// How far the lunoid has dropped below the tangent plane at ground range `range` (m, at least 0): m, at least 0.
+    #[inline]
+    pub fn drop(self, range: f64) -> f64 {
+        match self {
+            Self::None => 0.0,
+            Self::Parabolic => parabolic_drop(range),
+            Self::Exact => spherical_drop(range),
+        }
+    }
 }
 
 /// How the display projection processor finds what is hidden (section 15.2).

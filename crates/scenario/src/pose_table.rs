@@ -20,6 +20,9 @@ const MAX_TILT_DEG: f64 = 60.0;
 /// rounds. What a generator cannot draw it refuses itself.
 const MAX_STATED_PITCH_DEG: f64 = 90.000_001;
 
+/// The same for the roll of a path that flies.
+const MAX_FLOWN_ROLL_DEG: f64 = 180.000_001;
+
 /// Pose of one frame and how the vehicle moves in it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PoseRow {
@@ -49,7 +52,8 @@ impl PoseTable {
     ///
     /// # Errors
     /// Every stretch of frames in which the path leaves the problem area, the eye is under the ground, or the
-    /// attitude is beyond 60 degrees (a pitch that the path states: beyond 90).
+    /// attitude is beyond 60 degrees. A path that states height, pitch and roll flies: it may leave the area, look straight
+    /// down or up, and roll to any side.
     pub fn resolve(
         scenario: &Scenario,
         landscape: &Landscape,
@@ -158,19 +162,20 @@ impl Driver<'_> {
         }
         let steepest = if station.pitch.is_some() { MAX_STATED_PITCH_DEG } else { MAX_TILT_DEG };
         check_tilt("pitch", attitude.pitch, steepest)?;
-        check_tilt("roll", attitude.roll, MAX_TILT_DEG)?;
+        let most = if flies(station) { MAX_FLOWN_ROLL_DEG } else { MAX_TILT_DEG };
+        check_tilt("roll", attitude.roll, most)?;
         Ok((eye, attitude, stand))
     }
 
-    /// The ground under the wheels; a path that says height, pitch and roll flies, and needs none.
+    /// The ground under the wheels. A path that flies needs none, and outside the area none is under the eye.
     fn stand(&self, station: &Station) -> Result<Stand, PoseFault> {
         let outside = |wheels| PoseFault::Outside { wheels, extent: self.landscape.level().extent() };
         let [x, y] = station.at;
-        let ground = self.landscape.height(x, y).ok_or_else(|| outside(false))?;
-        let flies = station.eye_height.is_some() && station.pitch.is_some() && station.roll.is_some();
-        if flies {
-            return Ok(Stand { ground, slopes: [0.0; 2] });
+        let ground = self.landscape.height(x, y);
+        if flies(station) {
+            return Ok(Stand { ground: ground.unwrap_or(f64::NEG_INFINITY), slopes: [0.0; 2] });
         }
+        ground.ok_or_else(|| outside(false))?;
         let stand = self.vehicle.stand(self.landscape, station.at, station.heading);
         let stand = stand.ok_or_else(|| outside(true))?;
         let wheels = self.vehicle.wheels(station.at, station.heading);
@@ -185,6 +190,11 @@ impl Driver<'_> {
         let [before, after] = [from, from + 1].map(|frame| self.path.at(self.time(frame)).heading);
         shortest_turn(before, after) * self.update.hertz()
     }
+}
+
+/// Whether the path states height, pitch and roll, so that no wheel has to stand.
+fn flies(station: &Station) -> bool {
+    station.eye_height.is_some() && station.pitch.is_some() && station.roll.is_some()
 }
 
 fn check_tilt(what: &'static str, found: f64, allowed_deg: f64) -> Result<(), PoseFault> {

@@ -22,7 +22,8 @@ pub fn projection<'a>(table: &Reader<'a>) -> Field<'a, Projection> {
 
 /// The shape of the lunoid.
 pub fn curvature<'a>(table: &Reader<'a>) -> Field<'a, Curvature> {
-    table.one_of("curvature", &[("none", Curvature::None), ("parabolic", Curvature::Parabolic)])
+    use Curvature::{Exact, None, Parabolic};
+    table.one_of("curvature", &[("none", None), ("parabolic", Parabolic), ("exact", Exact)])
 }
 
 /// The finding of hidden ground.

@@ -195,6 +195,33 @@ fn an_eye_under_ground_and_a_wild_tilt_are_refused() {
     assert!(problems.to_string().contains("pitch of 68.2 deg"), "{problems}");
 }
 
+/// What has no wheels on the ground may be anywhere above it, and roll as it likes: generators say what they can draw.
+#[test]
+fn a_flyer_may_leave_the_area_and_roll() {
+    let landscape = ground(0.0, [0.0, 0.0], 0.0);
+    let flyer = |x: f64, z: f64, roll: f64| Waypoint {
+        eye_height: Some(z),
+        pitch: Some(radians(-90.0)),
+        roll: Some(radians(roll)),
+        ..waypoint(0.0, x, 100.0, Some(0.0))
+    };
+    let resolve = |flyer| PoseTable::resolve(&scenario(vec![flyer]), &landscape, hz(10), None, 0..1);
+    for (x, z, roll) in [(-1e6, 1e6, 180.0), (600.0, -50.0, -120.0), (100.0, 1e6, 90.0)] {
+        let pose = resolve(flyer(x, z, roll)).unwrap().rows()[0].pose;
+        assert_eq!((pose.eye, pose.attitude.roll), ([x, 100.0, z], radians(roll)));
+    }
+    let problems = resolve(flyer(100.0, -50.0, 0.0)).unwrap_err();
+    assert!(problems.to_string().contains("eye under ground, z = -50.000 m"), "{problems}");
+    let problems = resolve(flyer(100.0, 5.0, 181.0)).unwrap_err();
+    assert!(problems.to_string().contains("roll of 181.0 deg, expected at most 180 deg"), "{problems}");
+    for grounded in [
+        Waypoint { roll: None, ..flyer(600.0, 5.0, 0.0) },
+        Waypoint { pitch: None, ..flyer(600.0, 5.0, 0.0) },
+    ] {
+        assert!(resolve(grounded).unwrap_err().to_string().contains("the vehicle is outside"));
+    }
+}
+
 #[test]
 fn a_flyer_needs_no_ground_under_its_wheels() {
     let landscape = ground(0.0, [1.0, 0.0], 0.0);

@@ -176,9 +176,10 @@ impl Signal {
             "mu" => "mixing-unit",
             "dpp" => "display-projection-processor",
             "pg" => "polyhedron-generator",
-            "lunsim" => "lunsim",
             "vs" => "vehicle-shadow",
-            _ => "sweep-memory",
+            "sm" => "sweep-memory",
+            // Other generators have their own name before the dot.
+            generator => generator,
         }
     }
 

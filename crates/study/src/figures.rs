@@ -1,9 +1,8 @@
 //! By how much a session is off: its signals against the ground below the sweep, its picture against `exact`.
 
+use control_plane::{ControlPlane, MachineStage};
 use exact::{Columns, ProfilePoint};
 use generator::{Planes, Session};
-use machine::ControlPlane;
-use machine::MachineStage;
 use picture::{Depth, Encoder};
 use scenario::{Display, Pose};
 use serde::Serialize;

@@ -1,9 +1,9 @@
 //! What is studied: a scenario on a model, some of its frames, the ground below them.
 
+use control_plane::MachineStage;
 use front_door::StageError;
 use generator::{FrameError, PrepareError};
 use hardware_model::{HardwareModel, SettingsError};
-use machine::MachineStage;
 use scenario::{PathProblems, Pose, PoseTable, Scenario};
 
 use crate::change::{Change, Variant};

@@ -2,10 +2,10 @@
 
 use std::time::Instant;
 
+use control_plane::{ControlPlane, MachineStage};
 use exact::Columns;
 use generator::{PlaneKind, Planes, Session};
-use machine::ControlPlane;
-use machine::MachineStage;
+use machine::Prepare;
 use signal::Probe;
 
 use crate::figures::{Bench, PictureErrors, SignalErrors};

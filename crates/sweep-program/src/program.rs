@@ -361,6 +361,14 @@ pub struct SweepProgram {
 }
 
 impl SweepProgram {
+    /// A program that draws nothing, to be written over.
+    pub fn idle() -> Self {
+        let still = Ramp { start: 0.0, rate: 0.0, polarity: 1.0 };
+        let start = SweepStart { direction: [1.0, 0.0], region: [0, 0], ramps: [still; 2] };
+        let registers = [RegisterSet::default(); 4];
+        Self { start, registers, steps: Vec::new(), end_range: 0.0, misses: Vec::new() }
+    }
+
     /// Folds and arrivals one by one.
     pub fn events(&self) -> impl Iterator<Item = Step<Event>> {
         self.steps.iter().flat_map(Step::events)

@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use deadlines::Rehearsal;
 use generator::{Planes, Session};
+use machine::Prepare;
 use replay::Progress;
 use scenario::{Pose, PoseRow};
 use signal::{LANES, Probe, Waveform, Wire};

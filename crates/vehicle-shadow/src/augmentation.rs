@@ -7,7 +7,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use generator::check_eye;
 use glam::DVec3;
 use landscape::Sun;
-use picture::{GreyPicture, Limits, PictureFileError, decode_png, encode_png};
+use photographs::{CURVE, PhotographFileError};
+use picture::{GreyPicture, Limits, PictureFileError, encode_png};
 use scenario::{Pose, TrackPatch};
 use serde::{Deserialize, Serialize};
 
@@ -137,7 +138,7 @@ impl Augmentation {
         (PictureGates { suns, tracks: Vec::new() }, counts)
     }
 
-    /// Puts the shadow into all pictures of `sequence` and writes them, under the same names, into the folder `out`,
+    /// Puts the shadow into all pictures of `sequence` and writes them as PNG, under the same names, into the folder `out`,
     /// which is made if it is not there, and goes again if nothing comes into it. Each file is written whole or not at all; one
     /// that is there, made from the same by an earlier run, stays. Ends early, with whole pictures only, when `cancel` is set;
     /// `heard` hears how many are done. A picture whose lines `look` wants is made again if it is there.
@@ -183,8 +184,8 @@ impl Augmentation {
     ) -> Result<FrameWork, AugmentError> {
         let shot = frame.pose.shot(sequence.camera(), self.eye_height);
         let picture = &source.picture;
-        let file = frame.path.file_name().unwrap_or_default();
-        let path = out.join(file);
+        let file = frame.made();
+        let path = out.join(&file);
         let key = self.key(frame.frame, &shot, source);
         if !look.wants(frame.frame)
             && let Some(kept) = kept(&path, &key)
@@ -238,9 +239,10 @@ impl Source {
     fn read(path: &Path) -> Result<Self, AugmentError> {
         let limits = Limits::default();
         let bytes = files::read_all(path, limits.file_bytes)?;
-        let refused = |source| PictureFileError::Picture { path: path.to_owned(), source };
-        let picture = decode_png(&bytes, &limits).map_err(refused)?;
-        Ok(Self { bytes, picture })
+        let refused = |source| PhotographFileError::Picture { path: path.to_owned(), source };
+        let picture = photographs::decode(&bytes, &limits).map_err(refused)?;
+        // The report's television has no colour.
+        Ok(Self { bytes, picture: picture.to_grey(CURVE) })
     }
 }
 

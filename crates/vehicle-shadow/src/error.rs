@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use files::FileError;
 use generator::FrameError;
+use photographs::PhotographFileError;
 use picture::PictureFileError;
 
 use crate::suns::LowSun;
@@ -16,6 +17,9 @@ pub enum AugmentError {
     #[error(transparent)]
     File(#[from] FileError),
     /// A frame that is no picture.
+    #[error(transparent)]
+    Photograph(#[from] PhotographFileError),
+    /// A new picture that cannot be written.
     #[error(transparent)]
     Picture(#[from] PictureFileError),
     /// A folder that cannot be listed or made.
@@ -51,7 +55,7 @@ pub enum AugmentError {
     },
     /// A folder without pictures.
     #[error(
-        "{path}: no picture here: expected PNG files whose names end in their frame's number, as frame-000012.png"
+        "{path}: no picture here: expected PNG files (or JPEG, TIFF) whose names end in their frame's number, as frame-000012.png"
     )]
     NoFrames {
         /// The folder.

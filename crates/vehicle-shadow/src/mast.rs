@@ -71,7 +71,7 @@ impl Mast {
         let rise = edge.z - foot.z;
         let is_seen = match from_port.look(&Ray { direction: away, rise: (rise - self.eye) / spot.range }) {
             Sight::Ground(seen) => (seen.range - spot.range).abs() < SAME,
-            Sight::Sky | Sight::TooNear => false,
+            Sight::Sky | Sight::TooNear | Sight::Cut(_) => false,
         };
         if !is_seen {
             return MastEdge::Hidden;

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use diagnostics::{CsvRow, CsvRows};
 use files::read_all;
 use landscape::Attitude;
 use limits::Limit;
@@ -55,46 +56,28 @@ impl FramePose {
 /// The first fault, with its line.
 pub fn read_poses(path: &Path) -> Result<BTreeMap<u64, FramePose>, AugmentError> {
     let bytes = read_all(path, Limit::ListBytes)?;
-    let reading = Reading { path, expected: format!("a header, and lines with {}", COLUMNS.join(", ")) };
-    let text = String::from_utf8(bytes).map_err(|_| reading.fault(None, "bytes that are no text".into()))?;
-    let mut lines =
-        (1..).zip(text.lines()).filter(|(_, line)| !line.trim().is_empty() && !line.starts_with('#'));
-    let (first, header) = lines.next().ok_or_else(|| reading.fault(None, "nothing".into()))?;
-    let header: Vec<&str> = header.split(',').map(str::trim).collect();
-    let place = |name: &str| header.iter().position(|column| *column == name);
-    if let Some(name) = COLUMNS.iter().find(|name| place(name).is_none()) {
-        return Err(reading.fault(Some(first), format!("no column `{name}`")));
-    }
-    let columns = Columns {
-        needed: COLUMNS.map(|name| place(name).unwrap_or_default()),
-        yoke: place(YOKE),
-        height: place(HEIGHT),
+    let expected = format!("a header, and lines with {}", COLUMNS.join(", "));
+    let text = match String::from_utf8(bytes) {
+        Ok(text) => text,
+        Err(_) => {
+            return Err(Reading { path, expected, text: "" }.fault(None, "bytes that are no text".into()));
+        }
     };
+    let reading = Reading { path, expected, text: &text };
+    let mut rows = CsvRows::new(&text);
+    let header = rows.next_row().ok_or_else(|| reading.fault(None, "nothing".into()))?;
+    reading.expect_closed(&header)?;
+    let (columns, width) = (Columns::of(&reading, &header)?, header.width());
     let mut poses = BTreeMap::new();
-    for (line, words) in lines {
-        let words: Vec<&str> = words.split(',').map(str::trim).collect();
-        if words.len() != header.len() {
-            return Err(
-                reading.fault(Some(line), format!("{} values under {} columns", words.len(), header.len()))
-            );
-        }
-        let (frame, pose) = Row { reading: &reading, words, line }.pose(&columns)?;
+    while let Some(row) = rows.next_row() {
+        let row = Row { reading: &reading, row };
+        let (frame, pose) = row.pose(&columns, width)?;
         if poses.insert(frame, pose).is_some() {
-            return Err(reading.fault(Some(line), format!("frame {frame} a second time")));
+            return Err(row.fault(format!("frame {frame} a second time")));
         }
     }
-    if poses.is_empty() {
-        return Err(reading.fault(None, "no poses".into()));
-    }
-    let times: Vec<(&u64, &FramePose)> = poses.iter().collect();
-    match times.windows(2).find(|pair| pair[1].1.time <= pair[0].1.time) {
-        None => Ok(poses),
-        Some(pair) => {
-            let what =
-                format!("frame {} at {} s is not after frame {}", pair[1].0, pair[1].1.time, pair[0].0);
-            Err(reading.fault(None, what))
-        }
-    }
+    reading.expect_ascending(&poses)?;
+    Ok(poses)
 }
 
 /// Where the columns stand.
@@ -104,36 +87,78 @@ struct Columns {
     height: Option<usize>,
 }
 
+impl Columns {
+    fn of(reading: &Reading, header: &CsvRow) -> Result<Self, AugmentError> {
+        let place = |name: &str| header.texts().position(|column| column == name);
+        if let Some(name) = COLUMNS.iter().find(|name| place(name).is_none()) {
+            return Err(reading.fault(Some(header), format!("no column `{name}`")));
+        }
+        Ok(Self {
+            needed: COLUMNS.map(|name| place(name).unwrap_or_default()),
+            yoke: place(YOKE),
+            height: place(HEIGHT),
+        })
+    }
+}
+
 struct Reading<'a> {
     path: &'a Path,
     expected: String,
+    text: &'a str,
 }
 
 impl Reading<'_> {
-    fn fault(&self, line: Option<u64>, what: String) -> AugmentError {
-        AugmentError::Content { path: self.path.to_owned(), line, what, expected: self.expected.clone() }
+    fn fault(&self, row: Option<&CsvRow>, what: String) -> AugmentError {
+        let line = |row: &CsvRow| self.text[..row.whole().start].matches('\n').count() as u64 + 1;
+        let (path, line) = (self.path.to_owned(), row.map(line));
+        AugmentError::Content { path, line, what, expected: self.expected.clone() }
+    }
+
+    fn expect_closed(&self, row: &CsvRow) -> Result<(), AugmentError> {
+        match row.open_quote() {
+            Some(_) => Err(self.fault(Some(row), "a quote that is not closed".into())),
+            None => Ok(()),
+        }
+    }
+
+    /// There are poses, and they are later from frame to frame.
+    fn expect_ascending(&self, poses: &BTreeMap<u64, FramePose>) -> Result<(), AugmentError> {
+        if poses.is_empty() {
+            return Err(self.fault(None, "no poses".into()));
+        }
+        let later = |((_, a), (_, b)): &((&u64, &FramePose), (&u64, &FramePose))| b.time > a.time;
+        match poses.iter().zip(poses.iter().skip(1)).find(|pair| !later(pair)) {
+            None => Ok(()),
+            Some(((before, _), (frame, pose))) => {
+                let what = format!("frame {frame} at {} s is not after frame {before}", pose.time);
+                Err(self.fault(None, what))
+            }
+        }
     }
 }
 
 struct Row<'a> {
     reading: &'a Reading<'a>,
-    words: Vec<&'a str>,
-    line: u64,
+    row: CsvRow<'a>,
 }
 
 impl Row<'_> {
     fn fault(&self, what: String) -> AugmentError {
-        self.reading.fault(Some(self.line), what)
+        self.reading.fault(Some(&self.row), what)
     }
 
     fn number(&self, place: usize) -> Result<f64, AugmentError> {
-        let word = self.words[place];
+        let word = self.row.text(place);
         let number = word.parse().ok().filter(|number: &f64| number.is_finite());
         number.ok_or_else(|| self.fault(format!("`{word}` is no finite number")))
     }
 
-    fn pose(&self, columns: &Columns) -> Result<(u64, FramePose), AugmentError> {
-        let word = self.words[columns.needed[0]];
+    fn pose(&self, columns: &Columns, width: usize) -> Result<(u64, FramePose), AugmentError> {
+        self.reading.expect_closed(&self.row)?;
+        if self.row.width() != width {
+            return Err(self.fault(format!("{} values under {width} columns", self.row.width())));
+        }
+        let word = self.row.text(columns.needed[0]);
         let frame = word.parse().map_err(|_| self.fault(format!("`{word}` is no frame number")))?;
         let mut numbers = [0.0; 7];
         for (number, &place) in numbers.iter_mut().zip(&columns.needed[1..]) {

@@ -21,6 +21,15 @@ pub struct SequenceFrame {
     pub pose: FramePose,
 }
 
+impl SequenceFrame {
+    /// The name of the new picture: that of the old one, ending in `.png`.
+    pub fn made(&self) -> PathBuf {
+        let name = PathBuf::from(self.path.file_name().unwrap_or_default());
+        let is_png = name.extension().is_some_and(|end| end.eq_ignore_ascii_case("png"));
+        if is_png { name } else { name.with_extension("png") }
+    }
+}
+
 /// Pictures of one camera, each with its pose, ascending.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sequence {
@@ -30,7 +39,7 @@ pub struct Sequence {
 }
 
 impl Sequence {
-    /// The PNG files of a folder, whose names end in the number of their frame, with the poses of a file; `camera`, which
+    /// The PNG, JPEG and TIFF files of a folder, whose names end in the number of their frame, with the poses of a file; `camera`, which
     /// may stand beside the poses, is asked for once those are there.
     ///
     /// # Errors
@@ -107,10 +116,14 @@ fn pictures(folder: &Path) -> Result<BTreeMap<u64, PathBuf>, AugmentError> {
     if found.is_empty() { Err(AugmentError::NoFrames { path: folder.to_owned() }) } else { Ok(found) }
 }
 
-/// The number at the end of a PNG file's name.
+/// Ends of the names of picture files.
+const ENDS: [&str; 5] = ["png", "jpg", "jpeg", "tif", "tiff"];
+
+/// The number at the end of a picture file's name.
 fn frame_number(path: &Path) -> Option<u64> {
-    let is_png = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png"));
-    let stem = path.file_stem()?.to_str().filter(|stem| is_png && !stem.starts_with('.'))?;
+    let end = path.extension()?;
+    let is_picture = ENDS.iter().any(|known| end.eq_ignore_ascii_case(known));
+    let stem = path.file_stem()?.to_str().filter(|stem| is_picture && !stem.starts_with('.'))?;
     let digits = stem.len() - stem.bytes().rev().take_while(u8::is_ascii_digit).count();
     stem[digits..].parse().ok()
 }
@@ -127,7 +140,10 @@ mod tests {
         assert_eq!(of("frames/frame-000012.png"), Some(12));
         assert_eq!(of("smk23_7.PNG"), Some(7));
         assert_eq!(of("0.png"), Some(0));
-        for other in ["sheet.png", "frame-3.jpg", "frame-3.png.tmp", ".frame-3.png", "frame-3a.png"] {
+        assert_eq!(["a1.jpg", "a2.JPEG", "a3.tif", "a4.tiff"].map(of), [1, 2, 3, 4].map(Some));
+        for other in
+            ["sheet.png", "frame-3.gif", "frame-3", "frame-3.png.tmp", ".frame-3.png", "frame-3a.png"]
+        {
             assert_eq!(of(other), None, "{other}");
         }
     }

@@ -144,7 +144,7 @@ impl Scene<'_> {
                 let below = self.ground.stage.landscape.height(x, y)?;
                 Some(Spot { place: DVec3::new(x, y, below), ahead: (height - below) / -direction.z, of: 0 })
             }
-            Sight::Sky => None,
+            Sight::Sky | Sight::Cut(_) => None,
         }
     }
 

@@ -12,11 +12,12 @@ use benchmarks::mesh::trace;
 use benchmarks::startup::{begin, prepare};
 use benchmarks::{Choice, FrameTimes, KERNELS, STANDARD, Scene, Work, frame_times};
 use clap::{Parser, Subcommand};
+use control_plane::ControlPlane;
 use exact::Exact;
 use generator::{Generator, PlaneKind, Session};
 use hardware_model::Economy;
 use landscape::Attitude;
-use machine::ControlPlane;
+use machine::Prepare;
 use scenario::{Curvature, Laws, PixelRule, Pose, Projection, Scalar};
 use signal::{LANES, Lanes, Probe, Real};
 use sweep_program::SweepProgram;
@@ -250,7 +251,7 @@ fn startup() -> Result<(), String> {
         // Files are in memory after the first time: what is left is our own work.
         apart(&["begin", &scenario])?;
         println!("| {craters} | {}", apart(&["begin", &scenario])?.trim());
-        println!("| {craters}, swift | {}", apart(&["begin", &scenario, "--swift"])?.trim());
+        println!("| {craters}, swift | {}", apart(&["begin", &scenario, "--preview"])?.trim());
     }
     println!();
     Ok(())

@@ -1,5 +1,6 @@
 //! How the cost of a frame grows with what is in it: a table of exponents, and a plot.
 
+use machine::Prepare;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Instant;

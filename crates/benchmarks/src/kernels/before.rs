@@ -2,8 +2,8 @@
 
 use std::hint::black_box;
 
+use control_plane::ControlPlane;
 use glam::DVec3;
-use machine::ControlPlane;
 use polyhedron_generator::{Drawn, FaceLight, Field, LeftOut, PolyhedronGenerator, Sight, ViewPlane};
 use quantities::sin_cos;
 use remote_shadow::Outlines;

@@ -1,8 +1,8 @@
 //! Frames of shipped scenarios, to finished planes.
 
+use control_plane::MachineStage;
 use generator::Session;
 use hardware_model::Economy;
-use machine::MachineStage;
 use scenario::Scalar;
 use signal::Probe;
 
@@ -23,7 +23,7 @@ pub(super) fn whole(scenario: &str, prepare: Prepare, probe: Probe) -> Work {
 /// Frame 0 of a scenario on [`PART`].
 pub(super) fn part(scenario: &str, model: &'static str, scalar: Scalar, economy: Economy) -> Work {
     let choice = Choice { model: Some(model), scalar: Some(scalar), raster: Some(PART), economy };
-    frame(scenario, &choice, MachineStage::prepare, Probe::off())
+    frame(scenario, &choice, machine::Prepare::prepare, Probe::off())
 }
 
 fn frame(scenario: &str, choice: &Choice, prepare: Prepare, mut probe: Probe) -> Work {

@@ -1,8 +1,8 @@
 //! A group of eight sweeps in the middle of a shipped frame, with what its blocks are fed.
 
+use control_plane::ControlPlane;
 use display_projection_processor::{Deflection, Processor, Projected};
 use landscape::SweepLight;
-use machine::ControlPlane;
 use signal::{LANES, Real};
 use sweep_generator::RangeTable;
 use sweep_program::{Fan, SweepProgram};

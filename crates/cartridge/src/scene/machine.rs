@@ -3,13 +3,13 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
+use control_plane::{ControlPlane, MachineStage};
 use exact::Exact;
 use features::{Crater, Features, Shape};
 use generator::{Generator, PlaneKind, Planes};
 use hardware_model::{HardwareModel, Settings};
 use landscape::{Attitude, Bank, Landscape, Sun};
-use machine::ControlPlane;
-use machine::MachineStage;
+use machine::Prepare;
 use quantities::radians;
 use scenario::{
     Display, FieldOfView, LawWishes, Pose, RasterWishes, Scalar, Scenery, ShadowFineness, TrackPatch,

@@ -2,7 +2,7 @@
 
 use generator::{PlaneKind, Planes};
 use hardware_model::{Settings, Side};
-use machine::MachineStage;
+use machine::{MachineStage, Prepare};
 use picture::{Depth, Encoder, GreyPicture, Transfer};
 use scenario::{Pose, PoseTable};
 use signal::{Probe, Waveform};

@@ -2,7 +2,7 @@
 
 use super::{Processor, Projected};
 use crate::{BrokenProfile, Deflection};
-use landscape::parabolic_drop;
+use landscape::{LUNOID_RADIUS, parabolic_drop};
 use proptest::prelude::{any, prop_assert, prop_assert_eq, proptest};
 use scenario::{Curvature, Occlusion, Projection};
 use signal::{Break, Breaks, LANES, Lanes};
@@ -234,6 +234,35 @@ proptest! {
                     prop_assert_eq!(with[lane].to_bits(), without[lane].to_bits());
                 }
             }
+        }
+    }
+}
+
+/// Level ground under every law of curvature, at samples and at a break between two: the sphere's drop by a right triangle.
+#[test]
+fn far_ground_drops_by_the_law() {
+    let fifth = LUNOID_RADIUS / 5.0;
+    let ranges = [1000.0, 3.0 * fifth, 4.0 * fifth];
+    let height = [Lanes::splat(-1000.0); 3];
+    let (breaks, bends) = broken(&[(2, 0.5, -1000.0, false)]);
+    for (law, drops) in [
+        (Curvature::None, [0.0; 3]),
+        (Curvature::Parabolic, [0.9 * fifth, 1.225 * fifth, 1.6 * fifth]),
+        (Curvature::Exact, [fifth, fifth * (5.0 - 12.75_f64.sqrt()), 2.0 * fifth]),
+    ] {
+        let processor = Processor::<f64>::new(Occlusion::PeakHold, law, &ranges);
+        let level = Deflection::new(Projection::Exact, 0.0, 0.0).in_lines(575.0, 0.268);
+        let mut out = Projected::default();
+        processor.run_broken(
+            &height,
+            BrokenProfile { breaks: &breaks, bends: &bends },
+            &[level; LANES],
+            &mut out,
+        );
+        let found = [out.elevation[1][0], out.breaks.elevation[0][0], out.elevation[2][0]];
+        for ((found, drop), share) in found.into_iter().zip(drops).zip([3.0, 3.5, 4.0]) {
+            let expected = -(1000.0 + drop) / (share * fifth);
+            assert!((found / expected - 1.0).abs() < 1e-12, "{law:?}: {found}, not {expected}");
         }
     }
 }

@@ -17,7 +17,7 @@ fn ray(settings: &Settings, pose: &Pose, column: usize, line: f64) -> Ray {
 fn range_of(sight: Sight) -> f64 {
     match sight {
         Sight::Ground(spot) => spot.range,
-        Sight::Sky | Sight::TooNear => f64::INFINITY,
+        Sight::Sky | Sight::TooNear | Sight::Cut(_) => f64::INFINITY,
     }
 }
 

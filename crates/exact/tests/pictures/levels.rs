@@ -42,7 +42,7 @@ fn look(switch: Option<LevelSwitch>, direction: [f64; 2], rise: f64) -> Sight {
 fn range(sight: Sight) -> f64 {
     match sight {
         Sight::Ground(spot) => spot.range,
-        Sight::Sky | Sight::TooNear => f64::INFINITY,
+        Sight::Sky | Sight::TooNear | Sight::Cut(_) => f64::INFINITY,
     }
 }
 
@@ -182,7 +182,7 @@ proptest! {
             let (met, found) = match outlook.look(&ray) {
                 Sight::Ground(spot) => (spot.range, [spot.height, spot.slopes[0], spot.slopes[1]]),
                 Sight::Sky => (40.0, [0.0; 3]),
-                Sight::TooNear => continue,
+                Sight::TooNear | Sight::Cut(_) => continue,
             };
             let mut s = 0.2;
             while s < met - 1e-9 {

@@ -1,8 +1,10 @@
 //! Pictures of `exact` against closed forms and against brute force.
 
+mod any_attitude;
 mod bodies;
 mod closed_forms;
 mod craters;
+mod from_aside_and_above;
 mod levels;
 mod light;
 mod many_rays;
@@ -11,4 +13,5 @@ mod scenes;
 mod second_opinion;
 mod session;
 mod shadows;
+mod sphere;
 mod truth;

@@ -54,18 +54,30 @@ fn the_horizon_leans() {
     }
 }
 
+/// The tangent of `as-reported` has a pole, which the corners of a turned screen reach first.
 #[test]
-fn a_yoke_that_brings_the_nadir_into_the_picture_is_refused() {
-    let settings = settings(4, 4, laws(Projection::Exact, Curvature::None, PixelRule::Centre), [0.5, 390.0]);
+fn a_law_without_rays_is_refused_by_name() {
     let landscape = landscape(plane(40.0, [4, 4], 0.0, [0.0; 2]), 1.0);
-    let stage = Stage { landscape, scenery: Arc::new(Scenery::still(sun(0.0, 9.0))), view: settings.view() };
-    let session = exact::Exact.prepare(stage).unwrap();
-    let frame = |yoke: f64| {
-        let pose = Pose { yoke, ..pose([80.0, 80.0, 2.0], 60.0, 0.0) };
+    let frame = |projection, pitch: f64, yoke: f64| {
+        let settings = settings(4, 4, laws(projection, Curvature::None, PixelRule::Centre), [0.5, 390.0]);
+        let scenery = Arc::new(Scenery::still(sun(0.0, 9.0)));
+        let session = exact::Exact
+            .prepare(Stage { landscape: Arc::clone(&landscape), scenery, view: settings.view() })
+            .unwrap();
+        let pose = Pose { yoke: radians(yoke), ..pose([80.0, 80.0, 2.0], pitch, 0.0) };
         session.frame(3, &pose, &mut Planes::new(4, 4, &[PlaneKind::Intensity]), &mut Probe::off())
     };
-    assert!(frame(0.0).is_ok());
-    assert!(matches!(frame(radians(40.0)), Err(FrameError::Refused { frame: 3, .. })));
+    for pitch in [74.9, -74.9] {
+        assert!(frame(Projection::AsReported, pitch, 0.0).is_ok());
+        let refused = frame(Projection::AsReported, pitch, 40.0).unwrap_err();
+        let text = "exact cannot draw a view 101.7 deg above or below the horizontal under the projection law as-reported, \
+                    which has no ray at 90 deg or beyond: look less steeply, or set dpp.projection to exact";
+        assert_eq!(refused, FrameError::Refused { frame: 3, reason: text.into() });
+        assert!(frame(Projection::AsReported, 1.01 * pitch, 0.0).is_err());
+    }
+    for projection in [Projection::Corrected, Projection::Exact] {
+        assert!([-180.0, -90.0, 75.0, 90.0].into_iter().all(|pitch| frame(projection, pitch, 40.0).is_ok()));
+    }
 }
 
 #[test]

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::scenes::{bumps, draw, landscape, laws, pose, settings, sun};
 use hardware_model::Settings;
-use landscape::{Landscape, Sun, parabolic_drop};
+use landscape::{LUNOID_RADIUS, Landscape, Sun, parabolic_drop};
 use proptest::prelude::*;
 use scenario::{Curvature, PixelRule, Pose, Projection};
 
@@ -39,6 +39,7 @@ impl Scene<'_> {
         let drop = match self.settings.laws.curvature {
             Curvature::None => 0.0,
             Curvature::Parabolic => parabolic_drop(range),
+            Curvature::Exact => LUNOID_RADIUS - (LUNOID_RADIUS * LUNOID_RADIUS - range * range).sqrt(),
         };
         Some(self.landscape.height(x, y)? - drop - self.pose.eye[2] - self.rise * range)
     }

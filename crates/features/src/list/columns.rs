@@ -1,6 +1,6 @@
 //! The header of a list.
 
-use std::ops::Range;
+use diagnostics::CsvRow;
 
 use super::faults::Faults;
 
@@ -36,31 +36,31 @@ pub(super) struct Columns {
 }
 
 impl Columns {
-    pub fn read(header: &[Range<usize>], faults: &mut Faults) -> Self {
+    pub fn read(header: &CsvRow, faults: &mut Faults) -> Self {
         let mut places = [None; NAMES.len()];
-        for (index, cell) in header.iter().enumerate() {
-            let text = faults.text(cell).to_owned();
+        faults.expect_closed(header);
+        for (index, text) in header.texts().enumerate() {
             match NAMES.iter().position(|name| *name == text) {
                 Some(column) if places[column].is_some() => {
-                    faults.push(cell.clone(), format!("column `{text}` stands twice"), "each column once");
+                    let title = format!("column `{text}` stands twice");
+                    faults.push(header.span(index), title, "each column once");
                 }
                 Some(column) => places[column] = Some(index),
                 None => {
                     let expected = format!("one of {}", NAMES.join(", "));
-                    faults.push(cell.clone(), format!("unknown column `{text}`"), &expected);
+                    faults.push(header.span(index), format!("unknown column `{text}`"), &expected);
                 }
             }
         }
-        let line = header[0].start..header[header.len() - 1].end;
         for (name, _) in NAMES.iter().zip(&places).take(NEEDED).filter(|(_, place)| place.is_none()) {
             let expected = format!("a header such as {}", NAMES[..NEEDED].join(","));
-            faults.push(line.clone(), format!("missing column `{name}`"), &expected);
+            faults.push(header.whole(), format!("missing column `{name}`"), &expected);
         }
-        Self { places, width: header.len() }
+        Self { places, width: header.width() }
     }
 
-    /// The cell of a column, if the list has it.
-    pub fn of<'r>(&self, row: &'r [Range<usize>], column: Column) -> Option<&'r Range<usize>> {
-        self.places[column as usize].map(|index| &row[index])
+    /// Which cell of a row a column is, if the list has it.
+    pub fn of(&self, column: Column) -> Option<usize> {
+        self.places[column as usize]
     }
 }

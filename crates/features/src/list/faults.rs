@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use diagnostics::{LongList, Place, Problem, ProblemList, Problems, Source};
+use diagnostics::{CsvRow, LongList, Place, Problem, ProblemList, Problems, Source};
 
 /// Faults of one file, each of a cell.
 pub(super) struct Faults {
@@ -20,16 +20,20 @@ impl Faults {
         self.list.is_empty()
     }
 
-    /// What stands in a cell, without quotes.
-    pub fn text(&self, span: &Range<usize>) -> &str {
-        self.source.text[span.clone()].trim_matches('"')
-    }
-
     /// Records a fault.
     pub fn push(&mut self, span: Range<usize>, title: String, expected: &str) {
-        let found = self.text(&span).to_owned();
+        let found = self.source.text[span.clone()].trim_matches('"').to_owned();
         let place = Place { source: self.source.clone(), span };
         self.list.push(Problem::at(&place, title).found(found).expected(expected));
+    }
+
+    /// Whether every quote of a row ends in it; records a fault if not.
+    pub fn expect_closed(&mut self, row: &CsvRow) -> bool {
+        let open = row.open_quote();
+        let is_closed = open.is_none();
+        open.into_iter()
+            .for_each(|quote| self.push(quote, "a quote that is not closed".into(), "a second quote"));
+        is_closed
     }
 
     /// What was read, if nothing was wrong.

@@ -1,6 +1,6 @@
 //! One row of a list.
 
-use std::ops::Range;
+use diagnostics::CsvRow;
 
 use super::columns::{Column, Columns};
 use super::faults::Faults;
@@ -15,24 +15,14 @@ pub(super) const FLOOR: f64 = 0.4;
 /// Radii beyond this are a mistake (m).
 const LARGEST: f64 = 1e8;
 
-/// Bytes of the cells of a line that begins at `start`, blanks left out.
-pub(super) fn cells(line: &str, start: usize, row: &mut Vec<Range<usize>>) {
-    row.clear();
-    let mut begin = start;
-    for piece in line.split(',') {
-        let inner = piece.trim();
-        let first = begin + (piece.len() - piece.trim_start().len());
-        row.push(first..first + inner.len());
-        begin += piece.len() + 1;
-    }
-}
-
 /// The crater of a row; nothing where the row has a fault or a needed column is missing.
-pub(super) fn crater(row: &[Range<usize>], columns: &Columns, faults: &mut Faults) -> Option<Crater> {
-    let span = row[0].start..row[row.len() - 1].end;
-    if row.len() != columns.width {
-        let title = format!("a row of {} cells under a header of {}", row.len(), columns.width);
-        faults.push(span, title, "as many cells");
+pub(super) fn crater(row: &CsvRow, columns: &Columns, faults: &mut Faults) -> Option<Crater> {
+    if !faults.expect_closed(row) {
+        return None;
+    }
+    if row.width() != columns.width {
+        let title = format!("a row of {} cells under a header of {}", row.width(), columns.width);
+        faults.push(row.whole(), title, "as many cells");
         return None;
     }
     let mut reader = Row { row, columns, faults };
@@ -45,16 +35,21 @@ pub(super) fn crater(row: &[Range<usize>], columns: &Columns, faults: &mut Fault
     let (radius, kind) = (radius?, kind?);
     let shape = reader.shape(kind, radius, rim)?;
     let made = Crater::new([x?, y?], shape, depth?, rim?);
-    made.map_err(|error| reader.faults.push(span, error.to_string(), "a crater that can be")).ok()
+    made.map_err(|error| reader.faults.push(row.whole(), error.to_string(), "a crater that can be")).ok()
 }
 
 struct Row<'a> {
-    row: &'a [Range<usize>],
+    row: &'a CsvRow<'a>,
     columns: &'a Columns,
     faults: &'a mut Faults,
 }
 
-impl Row<'_> {
+impl<'a> Row<'a> {
+    /// What stands in a column, if the list has it.
+    fn text(&self, column: Column) -> Option<&'a str> {
+        self.columns.of(column).map(|cell| self.row.text(cell))
+    }
+
     /// A length in metres from a range, both ends allowed, that is `good` besides.
     fn length(
         &mut self,
@@ -62,8 +57,7 @@ impl Row<'_> {
         range: std::ops::RangeInclusive<f64>,
         good: impl Fn(f64) -> bool,
     ) -> Option<f64> {
-        let cell = self.columns.of(self.row, column)?;
-        let text = self.faults.text(cell);
+        let text = self.text(column)?;
         // NaN is not in the range either.
         let number = text.parse().ok().filter(|number| range.contains(number) && good(*number));
         if number.is_none() {
@@ -81,10 +75,10 @@ impl Row<'_> {
         good: impl Fn(f64) -> bool,
         expected: &str,
     ) -> Result<Option<f64>, ()> {
-        let Some(cell) = self.columns.of(self.row, column).filter(|cell| !cell.is_empty()) else {
+        let Some(text) = self.text(column).filter(|text| !text.is_empty()) else {
             return Ok(None);
         };
-        let number = self.faults.text(cell).parse().ok().filter(|number| good(*number));
+        let number = text.parse().ok().filter(|number| good(*number));
         if number.is_none() {
             self.refuse(column, expected);
         }
@@ -92,8 +86,7 @@ impl Row<'_> {
     }
 
     fn kind(&mut self) -> Option<u32> {
-        let cell = self.columns.of(self.row, Column::Type)?;
-        let kind = self.faults.text(cell).parse().ok().filter(|kind| (1..=3).contains(kind));
+        let kind = self.text(Column::Type)?.parse().ok().filter(|kind| (1..=3).contains(kind));
         if kind.is_none() {
             self.refuse(Column::Type, "1, 2 or 3");
         }
@@ -130,9 +123,10 @@ impl Row<'_> {
     }
 
     fn refuse(&mut self, column: Column, expected: &str) {
-        let Some(cell) = self.columns.of(self.row, column) else { return };
-        let found = if cell.is_empty() { "nothing" } else { self.faults.text(cell) };
+        let Some(cell) = self.columns.of(column) else { return };
+        let text = self.row.text(cell);
+        let found = if text.is_empty() { "nothing" } else { text };
         let title = format!("`{}` must be {expected}, not {found}", column.name());
-        self.faults.push(cell.clone(), title, expected);
+        self.faults.push(self.row.span(cell), title, expected);
     }
 }

@@ -4,7 +4,6 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use compare::EdgeLimits;
-use picture::write_png;
 use replay::is_run_file;
 use run_compare::{Compared, EdgeKind, LeftOut, Pictures, Tolerances};
 
@@ -17,9 +16,9 @@ const AFTER: &str = "Examples:
   lunoid compare a.png b.png --out difference.png --tolerance 2 --share 0.5
   lunoid compare runs/first-light runs/exact --edges scenarios/first-light.toml --tolerance 2 --share 0.5
 
-Two PNGs, or two run folders frame by frame. Exit code 1 when a tolerance is given and not met. RMSE is of grey
+Two pictures (PNG, JPEG, TIFF), or two run folders frame by frame. Exit code 1 when a tolerance is given and not met. RMSE is of grey
 0 to 1 as displayed; linear is the RMSE of reflectivity, which runs say how to recover from their codes; the worst
-pixel is the one that differs most.";
+pixel is the one that differs most. Pictures in colour are compared by luminance, and channel by channel if both are.";
 
 /// Say how far one picture, or one run, is from another.
 #[derive(Debug, Args)]
@@ -45,7 +44,7 @@ pub struct Compare {
     #[arg(long, value_name = "PERCENT", requires = "tolerance", default_value_t = 0.0,
           value_parser = values::percent)]
     share: f64,
-    /// Grey PNG; pixels that are not black in it are left out.
+    /// Picture; pixels that are not black in it are left out.
     #[arg(long, value_name = "PNG")]
     mask: Option<PathBuf>,
     /// Scenario of both runs: pixels along the ridge lines that `exact` sees in it are left out, and the error of
@@ -78,7 +77,8 @@ impl Compare {
         expect_outputs(&picture.collect::<Vec<_>>(), &self.sources())?;
         let compared = self.compare_all()?;
         if let Some(out) = &self.out {
-            write_png(out, &compared.worst_picture(self.factor)?, &[])?;
+            let shown = compared.worst_picture(self.factor)?.encode_png(&[]).map_err(Failure::output)?;
+            files::write_atomic(out, |file| file.write_all(&shown))?;
         }
         let pass = compared.pass(&self.tolerances());
         if self.json {

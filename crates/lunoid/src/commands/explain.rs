@@ -3,6 +3,7 @@
 use clap::Args;
 use exact::Columns;
 use explain::{Explanation, Inquiry, InquiryError};
+use machine::Prepare;
 
 use crate::commands::again::command;
 use crate::frame::FrameArgs;

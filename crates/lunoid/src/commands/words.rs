@@ -20,8 +20,11 @@ pub fn words(stage: &StageArgs) -> Vec<String> {
     };
     options.scalar.iter().for_each(|word| option("--scalar", scalar(word).to_owned()));
     options.shadow_cache.iter().for_each(|folder| option("--shadow-cache", path(folder)));
-    let flags =
-        [(options.swift, "--swift"), (options.lossless, "--lossless"), (options.everything, "--everything")];
+    let flags = [
+        (options.preview, "--preview"),
+        (options.lossless, "--lossless"),
+        (options.everything, "--everything"),
+    ];
     words.extend(flags.into_iter().filter(|(is_given, _)| *is_given).map(|(_, word)| word.to_owned()));
     words
 }
@@ -50,7 +53,9 @@ mod tests {
                    --sweeps 40 --samples 80 --scalar f64 --shadow-cache shadows --everything";
         let all: Vec<&str> = all.split_whitespace().collect();
         assert_eq!(given(&all), all);
-        assert_eq!(given(&["a.toml", "--swift"]), ["a.toml", "--swift"]);
+        let mut preview = Line::parse_from(["lunoid", "a.toml"]).stage;
+        preview.options.preview = true;
+        assert_eq!(words(&preview), ["a.toml", "--preview"]);
         let again: Vec<String> = given(&all);
         assert_eq!(given(&again.iter().map(String::as_str).collect::<Vec<_>>()), all);
     }

@@ -18,11 +18,11 @@ fn what_is_no_grey_picture() {
     room.write("empty.png", "");
     room.write("flipped.png", flipped);
     for (bad, words) in [
-        ("colour.png", &["Rgb", "expected grey of 8 or 16 bits", "convert it to grey"][..]),
+        ("colour.png", &["1x1", "draw both on the same raster"][..]),
         ("short.png", &["not a whole PNG"]),
         ("empty.png", &["not a whole PNG"]),
         ("flipped.png", &["not a whole PNG"]),
-        ("tiny.toml", &["not a whole PNG"]),
+        ("tiny.toml", &["not a whole PNG, JPEG or TIFF: it begins with 66 6F 72 6D"]),
         ("gone.png", &["no such file"]),
         ("folder", &["one is a folder and one a file"]),
         ("a", &["one is a folder and one a file"]),
@@ -34,8 +34,12 @@ fn what_is_no_grey_picture() {
             room.refused(INPUT, &arguments, &[&[bad][..], words].concat());
         }
     }
-    room.refused(INPUT, &["compare", "good.png", "good.png", "--mask", "colour.png"], &["colour.png"]);
-    room.refused(INPUT, &["info", "colour.png"], &["colour.png", "expected grey"]);
+    room.refused(
+        INPUT,
+        &["compare", "good.png", "good.png", "--mask", "colour.png"],
+        &["a mask of 1 values"],
+    );
+    room.refused(INPUT, &["info", "short.png"], &["short.png", "not a whole PNG"]);
     room.refused(OUTPUT, &["compare", "good.png", "good.png", "-o", "gone/x.png"], &["gone/x.png"]);
 }
 

@@ -5,6 +5,7 @@ mod bad_input;
 mod banks;
 mod cartridges;
 mod checks;
+mod colour;
 mod columns;
 mod explain;
 mod help;

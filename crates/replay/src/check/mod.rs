@@ -17,12 +17,11 @@ use picture::{Encoder, Transfer};
 use quantities::hash_words;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use scenario::PoseTable;
-use serde::Serialize;
 
-use crate::held::FrameRecord;
 use crate::{Job, ReplayError, RunFolder};
 use interval::{CONFIDENCE, RESAMPLES, interval};
-use sweep::{NAMES, SweepErrors};
+use run_record::{CheckRecord, CheckedSweep, ErrorRecord, FrameRecord};
+use sweep::{NAMES, max_of, square_of};
 
 /// What a check looks at.
 pub(crate) struct Check<'a> {
@@ -34,29 +33,6 @@ pub(crate) struct Check<'a> {
     pub frames: &'a [FrameRecord],
     pub fingerprint: &'a str,
     pub cancel: &'a AtomicBool,
-}
-
-/// The error of a run as `run.json` has it under `check`.
-#[derive(Debug, Serialize)]
-pub(crate) struct CheckRecord {
-    against: &'static str,
-    sweeps: u32,
-    confidence: f64,
-    interval_by: String,
-    errors: Vec<ErrorRecord>,
-    checked: Vec<SweepErrors>,
-}
-
-/// One error over all sweeps that were checked.
-#[derive(Debug, Serialize)]
-struct ErrorRecord {
-    error: &'static str,
-    unit: &'static str,
-    /// Root of the mean over the sweeps of the mean squared difference.
-    rms: f64,
-    /// Where that of all sweeps of the run lies; `None` of a single sweep.
-    interval: Option<[f64; 2]>,
-    max: f64,
 }
 
 /// Refuses to check more sweeps than a run of so many frames has.
@@ -102,24 +78,24 @@ impl Check<'_> {
             bench.sweep(&self.frames[frame], &self.poses.rows()[frame].pose, sweep).map(Some)
         };
         let checked: Result<Vec<_>, ReplayError> = (0..u64::from(count)).into_par_iter().map(one).collect();
-        let checked: Option<Vec<SweepErrors>> = checked?.into_iter().collect();
+        let checked: Option<Vec<CheckedSweep>> = checked?.into_iter().collect();
         Ok(checked.map(|checked| record(seed, count, checked)))
     }
 }
 
-fn record(seed: u64, count: u32, checked: Vec<SweepErrors>) -> CheckRecord {
+fn record(seed: u64, count: u32, checked: Vec<CheckedSweep>) -> CheckRecord {
     let error = |(index, &(error, unit)): (usize, &(&'static str, &'static str))| {
-        let squares: Vec<f64> = checked.iter().filter_map(|sweep| sweep.square(index)).collect();
+        let squares: Vec<f64> = checked.iter().filter_map(|sweep| square_of(sweep, index)).collect();
         (!squares.is_empty()).then(|| ErrorRecord {
-            error,
-            unit,
+            error: error.into(),
+            unit: unit.into(),
             rms: (squares.iter().sum::<f64>() / squares.len() as f64).sqrt(),
             interval: interval(seed, &squares).map(|ends| ends.map(f64::sqrt)),
-            max: checked.iter().filter_map(|sweep| sweep.max(index)).fold(0.0, f64::max),
+            max: checked.iter().filter_map(|sweep| max_of(sweep, index)).fold(0.0, f64::max),
         })
     };
     CheckRecord {
-        against: "exact",
+        against: registry::judge().name.into(),
         sweeps: count,
         confidence: CONFIDENCE,
         interval_by: format!("bootstrap over the sweeps, {RESAMPLES} resamples"),

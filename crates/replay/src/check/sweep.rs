@@ -4,13 +4,12 @@ use std::path::Path;
 
 use exact::{Columns, ProfilePoint};
 use generator::{PlaneKind, Planes, Session};
-use picture::{Encoder, Limits, read_png};
+use picture::{Curve, Encoder, Limits, read_any_png};
 use scenario::Pose;
-use serde::Serialize;
 use signal::Probe;
 
 use crate::ReplayError;
-use crate::held::FrameRecord;
+use run_record::{CheckedSweep, FrameRecord};
 
 /// Errors of a sweep, with their units.
 pub(super) const NAMES: [(&str, &str); 4] =
@@ -25,27 +24,14 @@ const SIGNALS: [Compared; 4] = [
     ("tg.reflectivity", 3, |point| point.reflectivity),
 ];
 
-/// What was found of a sweep.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub(super) struct SweepErrors {
-    frame: u64,
-    sweep: u32,
-    column: usize,
-    /// Root of the mean squared difference, and the largest, in the order of [`NAMES`]; `None` where there was nothing to
-    /// compare.
-    rms_and_max: [Option<[f64; 2]>; 4],
+/// Mean squared difference of error `index` of a sweep.
+pub(super) fn square_of(sweep: &CheckedSweep, index: usize) -> Option<f64> {
+    sweep.rms_and_max[index].map(|[rms, _]| rms * rms)
 }
 
-impl SweepErrors {
-    /// Mean squared difference of error `index`.
-    pub fn square(&self, index: usize) -> Option<f64> {
-        self.rms_and_max[index].map(|[rms, _]| rms * rms)
-    }
-
-    /// Largest difference of error `index`.
-    pub fn max(&self, index: usize) -> Option<f64> {
-        self.rms_and_max[index].map(|[_, max]| max)
-    }
+/// Largest difference of error `index` of a sweep.
+pub(super) fn max_of(sweep: &CheckedSweep, index: usize) -> Option<f64> {
+    sweep.rms_and_max[index].map(|[_, max]| max)
 }
 
 #[derive(Debug, Clone, Copy, Default)]
@@ -81,14 +67,14 @@ pub(super) struct Bench<'a> {
 
 impl Bench<'_> {
     /// Checks sweep `sweep` of the frame.
-    pub fn sweep(&self, frame: &FrameRecord, pose: &Pose, sweep: u32) -> Result<SweepErrors, ReplayError> {
+    pub fn sweep(&self, frame: &FrameRecord, pose: &Pose, sweep: u32) -> Result<CheckedSweep, ReplayError> {
         let mut sums = [Sum::default(); 4];
         self.signals(frame.frame, pose, sweep, &mut sums)?;
         let columns = self.size[0] as u64;
         let column = (2 * u64::from(sweep) + 1) * columns / (2 * u64::from(self.sweeps));
         self.picture(frame, pose, column as usize, &mut sums[0])?;
         let rms_and_max = sums.map(Sum::rms_and_max);
-        Ok(SweepErrors { frame: frame.frame, sweep, column: column as usize, rms_and_max })
+        Ok(CheckedSweep { frame: frame.frame, sweep, column: column as usize, rms_and_max })
     }
 
     /// Without planes only the sweep's group is drawn.
@@ -126,7 +112,9 @@ impl Bench<'_> {
         let exact = planes.get(PlaneKind::Intensity).unwrap_or_default();
         let refused = |source| ReplayError::Picture { frame: number, source };
         let exact = self.encoder.encode(exact, 1, exact.len()).map_err(refused)?;
-        let shown = read_png(self.folder.join(&frame.files[0].file), &Limits::default())?;
+        let shown = read_any_png(self.folder.join(&frame.files[0].file), &Limits::default())?;
+        // Of a frame in colour its luminance: `exact` is grey.
+        let shown = shown.to_grey(Curve::Power(self.encoder.transfer().gamma().into()));
         let shown = (0..shown.lines()).map(|line| shown.code(column, line));
         let white = f64::from(self.encoder.depth().white());
         for (shown, exact) in shown.zip(exact.codes()) {

@@ -24,12 +24,22 @@ pub enum TruthItem {
     Label,
     /// Where the eye is and how it looks; files of its own.
     Pose,
+    /// Distance along the ray (m).
+    Distance,
 }
 
 impl TruthItem {
     /// All, in the order of the files.
-    pub const ALL: [Self; 7] =
-        [Self::Range, Self::Height, Self::Normal, Self::Reflectivity, Self::Shadow, Self::Label, Self::Pose];
+    pub const ALL: [Self; 8] = [
+        Self::Range,
+        Self::Height,
+        Self::Normal,
+        Self::Reflectivity,
+        Self::Shadow,
+        Self::Label,
+        Self::Pose,
+        Self::Distance,
+    ];
 
     /// Name on the command line and in files.
     pub fn name(self) -> &'static str {
@@ -41,6 +51,7 @@ impl TruthItem {
             Self::Shadow => "shadow",
             Self::Label => "label",
             Self::Pose => "pose",
+            Self::Distance => "distance",
         }
     }
 
@@ -54,6 +65,7 @@ impl TruthItem {
             Self::Shadow => &[PlaneKind::Shadow],
             Self::Label => &[PlaneKind::Label],
             Self::Pose => &[],
+            Self::Distance => &[PlaneKind::Distance],
         }
     }
 
@@ -83,7 +95,7 @@ impl TruthItem {
         let mut shape = vec![lines, columns];
         shape.extend((self.kinds().len() > 1).then_some(self.kinds().len() as u32));
         let sky: Value = match *first {
-            PlaneKind::Range => "inf".into(),
+            PlaneKind::Range | PlaneKind::Distance => "inf".into(),
             _ if self.kinds().len() > 1 => json!([0.0, 0.0, 0.0]),
             _ if self.is_code() => 0.into(),
             kind => f64::from(kind.sky()).into(),
@@ -135,6 +147,10 @@ impl TruthItem {
             }
             Self::Shadow => "how what is seen is lit",
             Self::Label => "what is seen",
+            Self::Distance => {
+                "distance from the eye along the ray to what is seen; the ray is straight in the axes of the tangent plane, \
+                 below which what is seen stands by the drop of the lunoid"
+            }
             Self::Pose => "time, eye, attitude, rotation, sun of every frame",
         }
     }
@@ -212,7 +228,10 @@ mod tests {
         assert_eq!(list("all").unwrap().to_string(), all);
         for wrong in ["", "range,", "depth", "Range", "range;pose"] {
             let error = list(wrong).unwrap_err().to_string();
-            assert!(error.contains("range, height, normal, reflectivity, shadow, label, pose"), "{error}");
+            assert!(
+                error.contains("range, height, normal, reflectivity, shadow, label, pose, distance"),
+                "{error}"
+            );
         }
     }
 

@@ -18,9 +18,9 @@ use std::ops::Range;
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 
-use exact::Exact;
 use files::{Npy, write_npz};
-use generator::{Generator, PlaneKind, Planes, Session};
+use generator::{PlaneKind, Planes, Session};
+use run_record::{FileRecord, RecordError, TruthFrame, TruthRecord, file_hash, hash};
 use scenario::{PixelRule, PoseRow, PoseTable};
 use serde_json::json;
 use signal::Probe;
@@ -31,8 +31,7 @@ use crate::job::{Control, Job, Progress};
 use crate::journal::{self, Journal};
 use crate::run::pretty;
 use crate::{HeldRun, ReplayError, RunFolder};
-use record::{FORMAT, Finished, HeldTruth, TruthFrame};
-use run_record::{FileRecord, file_hash, hash};
+use record::{FORMAT, Finished, truth_record};
 
 pub use item::{TruthItem, TruthItems, UnknownTruth};
 
@@ -109,7 +108,7 @@ impl<'a> Truth<'a> {
         let fingerprint = fingerprint(&run, items);
         let listed = listed(folder, &fingerprint, items)?;
         let rows = rows(&job, &run, &listed.keys().copied().chain(job.frames.clone()).collect())?;
-        let session = control.pool.install(|| Exact.prepare(job.stage.clone()))?;
+        let session = control.pool.install(|| registry::judge_on(job.stage.clone()))?;
         (control.progress)(Progress::Verifying { frames: listed.len() as u64 });
         let listed = listed.into_values().collect();
         let check = || whole(listed, &folder.join(TRUTH), |frame: &TruthFrame| &frame.files);
@@ -184,7 +183,7 @@ impl<'a> Truth<'a> {
             outputs.push(write_changed(&folder, POSES_JSON, document.as_bytes())?);
         }
         let frames: Vec<TruthFrame> = self.frames.values().cloned().collect();
-        let document = record::document(&Finished {
+        let record = truth_record(&Finished {
             job: &self.job,
             run: &self.run,
             items: self.items,
@@ -193,7 +192,7 @@ impl<'a> Truth<'a> {
             outputs: &outputs,
             omissions: &self.session.omissions(),
         });
-        write_changed(&folder, RECORD, pretty(&document).as_bytes())?;
+        write_changed(&folder, RECORD, pretty(&record).as_bytes())?;
         Ok(())
     }
 }
@@ -204,6 +203,17 @@ fn fingerprint(run: &HeldRun, items: &TruthItems) -> String {
     hash(document.to_string().as_bytes())
 }
 
+/// The record at `path`, if there is one.
+fn held(path: PathBuf) -> Result<Option<TruthRecord>, ReplayError> {
+    if !path.exists() {
+        return Ok(None);
+    }
+    TruthRecord::read(&path).map(Some).map_err(|error| match error {
+        RecordError::File(error) => error.into(),
+        RecordError::Content(reason) => ReplayError::TruthRecord { path, reason },
+    })
+}
+
 /// Frames that the record or the journal lists.
 fn listed(
     folder: &RunFolder,
@@ -211,7 +221,7 @@ fn listed(
     items: &TruthItems,
 ) -> Result<BTreeMap<u64, TruthFrame>, ReplayError> {
     let path = folder.join(TRUTH);
-    let held = HeldTruth::read_if_there(&path.join(RECORD))?;
+    let held = held(path.join(RECORD))?;
     let journal = journal::read::<TruthFrame>(&path.join(JOURNAL))?;
     let held = held.map(|held| (held.fingerprint, held.frames));
     let found = [held, journal.map(|journal| (journal.fingerprint, journal.frames))];

@@ -5,10 +5,10 @@ use quantities::Rate;
 use replay::{HeldRun, Outcome, Pictures, ReplayError, write_y4m};
 use tempfile::tempdir;
 
-use crate::stage::{Wish, content};
+use crate::stage::{Wish, content, document};
 
 fn pictures(depth: Depth, refresh: bool, film: bool) -> Wish {
-    Wish { pictures: Pictures { depth, refresh, film }, frames: 0..3, ..Wish::default() }
+    Wish { pictures: Pictures { depth, colour: false, refresh, film }, frames: 0..3, ..Wish::default() }
 }
 
 #[test]
@@ -29,11 +29,11 @@ fn the_record_lists_every_file_with_its_hash() {
         assert_eq!(picture.pixel_hash(), frame.pixels_blake3);
         assert_eq!((frame.counts["sweeps"], frame.counts["samples"]), (40, 3200));
     }
-    assert_eq!(run.document["totals"]["samples"], 9600);
-    assert_eq!(run.document["settings"]["clocks"]["sample"], "32000 Hz");
-    assert_eq!(run.document["settings"]["laws"]["projection"], "exact");
-    assert_eq!(run.document["ground"]["generator"]["seed"], 3);
-    assert_eq!(run.document["omissions"][0]["weight"], "lossless");
+    assert_eq!(document(&run)["totals"]["samples"], 9600);
+    assert_eq!(document(&run)["settings"]["clocks"]["sample"], "32000 Hz");
+    assert_eq!(document(&run)["view"]["laws"]["projection"], "exact");
+    assert_eq!(document(&run)["ground"]["generator"]["seed"], 3);
+    assert_eq!(document(&run)["omissions"][0]["weight"], "lossless");
 }
 
 #[test]
@@ -131,7 +131,7 @@ fn limits_are_reported_and_bad_paths_refused() {
     let Outcome::Finished { limits, .. } = fast.run(&at.path().join("fast")).unwrap() else { panic!() };
     assert!(!limits.is_empty());
     let run = HeldRun::read(&at.path().join("fast")).unwrap();
-    assert_eq!(run.document["limits"][0]["limit"], "speed");
+    assert_eq!(document(&run)["limits"][0]["limit"], "speed");
 
     let away = Wish { frames: 0..12, ..Wish::default() }.in_place_of("x_m = 108", "x_m = 9000");
     let refused = away.run(&at.path().join("away"));

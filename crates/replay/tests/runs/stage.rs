@@ -7,12 +7,14 @@ use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use control_plane::MachineStage;
 use hardware_model::{HardwareModel, Settings};
-use machine::{HybridMachine, MachineStage};
+use machine::HybridMachine;
 use picture::Depth;
-use replay::{Control, Job, Outcome, Pictures, Program, Progress, ReplayError, RunFolder, run};
-use run_record::Inputs;
+use replay::{Control, HeldRun, Job, Outcome, Pictures, Progress, ReplayError, RunFolder, run};
+use run_record::{Inputs, Program};
 use scenario::Scenario;
+use serde_json::Value;
 
 pub const SCENARIO: &str = r#"
 format = 1
@@ -69,7 +71,7 @@ pub struct Wish {
 
 impl Default for Wish {
     fn default() -> Self {
-        let pictures = Pictures { depth: Depth::Eight, refresh: false, film: false };
+        let pictures = Pictures { depth: Depth::Eight, colour: false, refresh: false, film: false };
         Self {
             frames: 0..12,
             pictures,
@@ -128,7 +130,7 @@ pub fn stage(scenario: &Scenario) -> MachineStage {
     front_door::build(scenario, settings(scenario)).expect("a stage")
 }
 
-fn settings(scenario: &Scenario) -> Settings {
+pub fn settings(scenario: &Scenario) -> Settings {
     front_door::settings(scenario, &HardwareModel::ideal()).expect("settings")
 }
 
@@ -152,4 +154,9 @@ pub fn differences(a: &Path, b: &Path) -> Vec<String> {
     let (a, b) = (content(a), content(b));
     let names: std::collections::BTreeSet<&String> = a.keys().chain(b.keys()).collect();
     names.into_iter().filter(|name| a.get(*name) != b.get(*name)).cloned().collect()
+}
+
+/// The record of a run as a document.
+pub fn document(run: &HeldRun) -> Value {
+    serde_json::to_value(&**run).expect("records are plain values")
 }

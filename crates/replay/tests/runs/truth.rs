@@ -43,7 +43,7 @@ impl Wish {
 
     fn write(&self, out: &Path) -> Result<TruthOutcome, ReplayError> {
         let scenario = self.scenario();
-        let pictures = Pictures { depth: Depth::Eight, refresh: false, film: false };
+        let pictures = Pictures { depth: Depth::Eight, colour: false, refresh: false, film: false };
         let job = job(&scenario, self.frames.clone(), pictures);
         let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().expect("threads");
         let cancel = AtomicBool::new(false);
@@ -123,12 +123,13 @@ fn every_array_is_what_exact_says() {
     for (row, planes) in wish.asked_directly(&PlaneKind::ALL) {
         let held = arrays(&content(at.path())[&format!("frame_{:06}.npz", row.frame)]);
         let names: Vec<&str> = held.keys().map(String::as_str).collect();
-        assert_eq!(names, ["height", "label", "normal", "range", "reflectivity", "shadow"]);
+        assert_eq!(names, ["distance", "height", "label", "normal", "range", "reflectivity", "shadow"]);
         let plane = |kind| planes.get(kind).unwrap().to_vec();
         for (name, kind) in [
             ("range", PlaneKind::Range),
             ("height", PlaneKind::Height),
             ("reflectivity", PlaneKind::Reflectivity),
+            ("distance", PlaneKind::Distance),
         ] {
             assert_eq!(held[name].data(), &NpyData::F32(plane(kind)), "{name}");
         }
@@ -191,6 +192,33 @@ fn a_pixel_leads_back_to_the_ground() {
     let off = |[x, y, height]: [f64; 3]| (height - ground.height(x, y).expect("on the ground")).abs();
     let worst = points(at.path()).into_iter().map(|(_, _, point)| off(point)).fold(0.0, f64::max);
     assert!(worst > 0.0 && worst < 1e-3, "{worst}");
+}
+
+/// Held against the direction of the pixel's ray alone: ground range over the cosine of its elevation.
+#[test]
+fn distance_is_range_along_the_ray() {
+    let at = tempdir().unwrap();
+    let scenario = format!("{}{DRESSED}", Wish::default().scenario);
+    let wish = Wish { items: "range,pose,distance", frames: 2..4, scenario, ..Wish::default() };
+    wish.write(at.path()).unwrap();
+    let poses = document(at.path(), "poses.json");
+    let (mut worst, mut seen) = (0.0_f64, 0);
+    for frame in poses["frames"].as_array().unwrap() {
+        let held = arrays(&content(at.path())[&format!("frame_{:06}.npz", frame["frame"].as_u64().unwrap())]);
+        let (ranges, distances) = (held["range"].data().to_f64(), held["distance"].data().to_f64());
+        for (index, (range, distance)) in ranges.into_iter().zip(distances).enumerate() {
+            let columns = held["range"].shape()[1];
+            let pixel = Pixel { line: (index / columns) as f64, column: (index % columns) as f64 };
+            if range.is_infinite() {
+                assert!(distance.is_infinite());
+                continue;
+            }
+            let [north, east, down] = pixel.ray(&poses, frame, held["range"].shape());
+            let cosine = libm::hypot(north, east) / libm::hypot(libm::hypot(north, east), down);
+            (worst, seen) = (worst.max((distance * cosine / range - 1.0).abs()), seen + 1);
+        }
+    }
+    assert!(seen > 300 && worst < 1e-4, "{seen} {worst}");
 }
 
 /// Craters, a lander beside the way, and a camera that rolls with the slope.
@@ -282,9 +310,8 @@ struct Pixel {
 const EXAMPLE: Pixel = Pixel { line: 10.0, column: 20.0 };
 
 impl Pixel {
-    /// The recipe of the page, for frame 0.
-    fn point(&self, poses: &Value, range: f64, shape: &[usize]) -> [f64; 3] {
-        let frame = &poses["frames"][0];
+    /// Direction of its ray: north, east, down.
+    fn ray(&self, poses: &Value, frame: &Value, shape: &[usize]) -> [f64; 3] {
         let number = |value: &Value| value.as_f64().unwrap();
         let half = |axis: usize| number(&poses["camera"]["tan_half_field"][axis]);
         let (lines, columns) = (shape[0] as f64, shape[1] as f64);
@@ -294,7 +321,14 @@ impl Pixel {
             half(1) * (2.0 * self.line + 1.0 - lines) / lines,
         ];
         let row = |i: usize| (0..3).map(|j| number(&frame["rotation"][i][j]) * ray[j]).sum::<f64>();
-        let d = [row(0), row(1), row(2)];
+        [row(0), row(1), row(2)]
+    }
+
+    /// The recipe of the page, for frame 0.
+    fn point(&self, poses: &Value, range: f64, shape: &[usize]) -> [f64; 3] {
+        let frame = &poses["frames"][0];
+        let number = |value: &Value| value.as_f64().unwrap();
+        let d = self.ray(poses, frame, shape);
         let over = (d[0] * d[0] + d[1] * d[1]).sqrt();
         let eye: [f64; 3] = std::array::from_fn(|axis| number(&frame["eye_m"][axis]));
         let height = eye[2] - range * d[2] / over + range * range / (2.0 * 1_737_400.0);

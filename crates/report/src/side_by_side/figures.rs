@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use compare::{CompareError, compare, horizon_of_picture, ridge_error, shadow_agreement};
-use picture::{Limits, read_png};
+use picture::{Curve, Limits, read_any_png};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
-use replay::FrameRecord;
+use run_record::FrameRecord;
 use serde::{Deserialize, Serialize};
 
 use crate::ReportError;
@@ -42,7 +42,7 @@ pub struct MachineFigures {
 pub struct FrameError {
     /// Frame, counted at the update rate.
     pub frame: u64,
-    /// Root of the mean squared difference of grey, 0 to 1, as displayed.
+    /// Root of the mean squared difference of grey (of colour its luminance), 0 to 1, as displayed.
     pub rmse: f64,
     /// Peak signal to noise (dB); none where no pixel differs.
     pub psnr_db: Option<f64>,
@@ -89,7 +89,7 @@ pub(crate) fn figures(
     let of_run = |(name, run): &(String, Run)| {
         let errors = match judge.filter(|(judge, _)| judge != name) {
             Some((judge, of_judge)) => {
-                Some(errors([&folder.join(name), &folder.join(judge)], [&run.frames, &of_judge.frames])?)
+                Some(errors([&folder.join(name), &folder.join(judge)], [run, of_judge])?)
             }
             None => None,
         };
@@ -107,18 +107,20 @@ pub(crate) fn figures(
 }
 
 /// Errors of the frames that both runs have.
-fn errors(folders: [&PathBuf; 2], frames: [&[FrameRecord]; 2]) -> Result<Vec<FrameError>, ReportError> {
+fn errors(folders: [&PathBuf; 2], runs: [&Run; 2]) -> Result<Vec<FrameError>, ReportError> {
+    let (frames, curves) = (runs.map(|run| &run.frames[..]), runs.map(Run::curve));
     let pair = |test: &FrameRecord| {
         let at = frames[1].binary_search_by_key(&test.frame, |frame| frame.frame).ok()?;
         let (test_file, judge_file) = (test.files.first()?, frames[1][at].files.first()?);
         Some((test.frame, folders[0].join(&test_file.file), folders[1].join(&judge_file.file)))
     };
     let pairs: Vec<_> = frames[0].iter().filter_map(pair).collect();
-    pairs.into_par_iter().map(|(frame, test, judge)| error(frame, &test, &judge)).collect()
+    pairs.into_par_iter().map(|(frame, test, judge)| error(frame, &test, &judge, curves)).collect()
 }
 
-fn error(frame: u64, test: &Path, judge: &Path) -> Result<FrameError, ReportError> {
-    let [a, b] = [read_png(test, &Limits::default())?, read_png(judge, &Limits::default())?];
+fn error(frame: u64, test: &Path, judge: &Path, curves: [Curve; 2]) -> Result<FrameError, ReportError> {
+    let read = |path, curve| Ok::<_, ReportError>(read_any_png(path, &Limits::default())?.to_grey(curve));
+    let [a, b] = [read(test, curves[0])?, read(judge, curves[1])?];
     let refused = |source: CompareError| ReportError::Compare { path: test.to_owned(), source };
     let comparison = compare(&a, &b, None, &[LEVELS]).map_err(refused)?;
     let horizons = [&a, &b].map(|picture| horizon_of_picture(picture, SKY));

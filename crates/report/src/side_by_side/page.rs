@@ -3,10 +3,11 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use compare::difference_picture;
+use compare::difference_any;
 use maud::{DOCTYPE, Markup, html};
-use picture::{GreyPicture, Limits, encode_png, read_png};
+use picture::{AnyPicture, Limits, read_any_png};
 use replay::picture_name;
+use run_record::MachineRecord;
 
 use super::{FrameError, MachineFigures, SideBySide};
 use crate::ReportError;
@@ -14,7 +15,7 @@ use crate::base64::data_url;
 use crate::cells::{grouped, percent, shortened};
 use crate::machine_section::{omissions, plain};
 use crate::page::head;
-use crate::run::{MachineSettings, Run};
+use crate::run::Run;
 use crate::strip::{fitted, spread};
 
 /// Frames that are shown, at most.
@@ -125,7 +126,7 @@ fn frames(folder: &Path, runs: &[(String, Run)], reference: &str) -> Result<Mark
     Ok(html! {
         section #frames aria-labelledby="frames-title" {
             h2 #frames-title { "Frames" }
-            p.lead { (rows.len()) " of " (first.frames.len()) " frames, evenly spread. " @if first.view.columns > COLUMNS as u64 {
+            p.lead { (rows.len()) " of " (first.frames.len()) " frames, evenly spread. " @if first.view.columns as usize > COLUMNS {
                 "They are made smaller; a click leads to the whole one beside this page. " }
                 "Below each is its difference from " b { (reference) } ", " (FACTOR) " times enlarged: grey is equal, brighter is brighter." }
             @for (frame, time, cells) in &rows {
@@ -144,15 +145,15 @@ fn cell(
 ) -> Result<Markup, ReportError> {
     let picture = picture_name(frame * run.showings());
     let path = folder.join(name).join(&picture);
-    let Some(whole) = path.exists().then(|| read_png(&path, &Limits::default())).transpose()? else {
+    let Some(whole) = path.exists().then(|| read_any_png(&path, &Limits::default())).transpose()? else {
         return Ok(html! { div { p.whose { (name) ": not drawn" } } });
     };
     let judge = folder.join(reference).join(&picture);
     let difference = match name != reference && judge.exists() {
         true => {
-            let judge = read_png(&judge, &Limits::default())?;
+            let judge = read_any_png(&judge, &Limits::default())?;
             let refused = |source| ReportError::Compare { path: path.clone(), source };
-            Some(shown(&path, &difference_picture(&whole, &judge, FACTOR).map_err(refused)?, run)?)
+            Some(shown(&path, &difference_any(&whole, &judge, FACTOR).map_err(refused)?, run)?)
         }
         false => None,
     };
@@ -169,9 +170,9 @@ fn cell(
 }
 
 /// A picture as a `data:` URL, no wider than the page shows it.
-fn shown(path: &Path, picture: &GreyPicture, run: &Run) -> Result<String, ReportError> {
+fn shown(path: &Path, picture: &AnyPicture, run: &Run) -> Result<String, ReportError> {
     let refused = |source| ReportError::Strip { path: path.to_owned(), source };
-    let png = encode_png(&fitted(picture, run, COLUMNS).map_err(refused)?, &[]).map_err(refused)?;
+    let png = fitted(picture, run, COLUMNS).map_err(refused)?.encode_png(&[]).map_err(refused)?;
     Ok(data_url("image/png", &png))
 }
 
@@ -180,9 +181,7 @@ fn laws(runs: &[(String, Run)]) -> Markup {
     let (_, first) = runs.first().expect("runs stand side by side");
     let of = |run: &Run, law: &str| run.view.laws.get(law).cloned().unwrap_or_default();
     let raster = |run: &Run| {
-        let of = |machine: &MachineSettings| {
-            format!("{} × {}", grouped(machine.raster.sweeps), grouped(machine.raster.samples_per_sweep))
-        };
+        let of = |machine: &MachineRecord| machine.raster.counts().map(grouped).join(" × ");
         run.machine.as_ref().map_or_else(|| "none".into(), of)
     };
     let keys: BTreeSet<&String> = runs
@@ -201,6 +200,7 @@ fn laws(runs: &[(String, Run)]) -> Markup {
                 thead { tr { th scope="col" { "Setting" } @for (name, _) in runs { th scope="col" { (name) } } } }
                 tbody {
                     tr { th scope="row" { "sweeps × samples" } @for (_, run) in runs { td { (raster(run)) } } }
+                    tr { th scope="row" { "economy" } @for (_, run) in runs { td { (economy(run)) } } }
                     @for law in first.view.laws.keys() {
                         tr { th scope="row" { (law.replace('_', " ")) } @for (_, run) in runs { td { (of(run, law)) } } }
                     }
@@ -211,6 +211,15 @@ fn laws(runs: &[(String, Run)]) -> Markup {
                 }
             } }
         }
+    }
+}
+
+/// What a run was allowed to leave out: a preview, or the whole picture.
+fn economy(run: &Run) -> &str {
+    match run.machine.as_ref().map(|machine| machine.economy.as_str()) {
+        Some("preview") => "preview: signals at the samples alone",
+        Some(word) => word,
+        None => "drawn whole",
     }
 }
 

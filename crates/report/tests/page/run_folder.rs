@@ -46,6 +46,15 @@ impl RunFolder {
         run
     }
 
+    /// Puts frames in colour in place of the grey ones.
+    pub fn paint(&self) {
+        for frame in self.record["frames"].as_array().unwrap() {
+            let path = self.join(&picture_name(frame["frame"].as_u64().unwrap()));
+            let grey = picture::read_png(&path, &picture::Limits::default()).unwrap();
+            write_png(&path, &grey.to_colour(), &[]).unwrap();
+        }
+    }
+
     pub fn path(&self) -> &Path {
         self.folder.path()
     }

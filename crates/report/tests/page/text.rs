@@ -31,6 +31,22 @@ fn the_same_folder_gives_the_same_bytes() {
     assert!(!page.contains(a.path().to_str().unwrap()));
 }
 
+/// Small frames of the page are PNGs of the layout of the whole ones: bits and colour type stand in their header.
+#[test]
+fn frames_in_colour_stay_in_colour() {
+    let headers = |page: &str| -> Vec<String> {
+        let urls = page.split("data:image/png;base64,").skip(1);
+        urls.filter_map(|url| url.get(32..36)).map(str::to_owned).collect()
+    };
+    let (grey, colour) = (RunFolder::new(0, 3), RunFolder::new(0, 3));
+    colour.paint();
+    for (run, header) in [(grey, "CAAA"), (colour, "CAIA")] {
+        run.beside(&[]);
+        let found = headers(&run.page());
+        assert!(found.len() >= 3 && found.iter().all(|found| found == header), "{header}: {found:?}");
+    }
+}
+
 #[test]
 fn texts_of_a_scenario_cannot_become_markup() {
     let run = RunFolder::new(0, 2);

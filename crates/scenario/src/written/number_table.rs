@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use diagnostics::{LongList, Place, Problem, Problems, Source};
+use diagnostics::{CsvRow, LongList, Place, Problem, Problems, Source};
 
 /// A table being read: where it comes from and what was wrong so far.
 pub(super) struct NumberTable<'p> {
@@ -53,8 +53,13 @@ impl<'p> NumberTable<'p> {
     }
 }
 
-/// Lines of a table that hold anything but a comment (`#`); cells end at commas, or else at blanks.
-pub(super) fn lines(text: &str, comma: bool) -> impl Iterator<Item = Vec<Cell<'_>>> {
+/// Cells of a row of a CSV text.
+pub(super) fn cells<'r>(row: &CsvRow<'r>) -> Vec<Cell<'r>> {
+    row.texts().zip(row.spans()).map(|(text, span)| Cell { text, span }).collect()
+}
+
+/// Lines of a table whose cells end at blanks; those that are empty or a comment (`#`) are passed over.
+pub(super) fn lines(text: &str) -> impl Iterator<Item = Vec<Cell<'_>>> {
     let without_mark = text.trim_start_matches('\u{feff}');
     let mark = text.len() - without_mark.len();
     let starts = without_mark.split_inclusive('\n').scan(mark, |offset, line| {
@@ -63,56 +68,46 @@ pub(super) fn lines(text: &str, comma: bool) -> impl Iterator<Item = Vec<Cell<'_
         Some((start, line))
     });
     let holds_anything = |line: &str| !line.trim().is_empty() && !line.trim_start().starts_with('#');
-    let filled = starts.filter(move |(_, line)| holds_anything(line));
-    filled.map(move |(start, line)| cells(line, start, comma))
+    starts.filter(move |(_, line)| holds_anything(line)).map(|(start, line)| words(line, start))
 }
 
-fn cells(line: &str, start: usize, comma: bool) -> Vec<Cell<'_>> {
-    let line = line.trim_end_matches(['\n', '\r']);
-    let is_end = |c: char| if comma { c == ',' } else { c.is_whitespace() };
-    let mut offset = start;
-    let mut cells = Vec::new();
-    for piece in line.split(is_end) {
-        let inner = piece.trim();
-        let begin = offset + (piece.len() - piece.trim_start().len());
-        if comma || !inner.is_empty() {
-            let unquoted = inner.strip_prefix('"').and_then(|text| text.strip_suffix('"'));
-            let text = unquoted.unwrap_or(inner);
-            cells.push(Cell { text, span: begin..begin + inner.len() });
-        }
-        offset += piece.len() + piece_end(line, offset - start + piece.len());
-    }
-    cells
+fn words(line: &str, start: usize) -> Vec<Cell<'_>> {
+    let place = |word: &str| start + (word.as_ptr().addr() - line.as_ptr().addr());
+    let cell = |word| Cell { text: unquoted(word), span: place(word)..place(word) + word.len() };
+    line.split_whitespace().map(cell).collect()
 }
 
-/// Bytes of the separator at `at`; 0 at the end of the line.
-fn piece_end(line: &str, at: usize) -> usize {
-    line[at..].chars().next().map_or(0, char::len_utf8)
+fn unquoted(word: &str) -> &str {
+    word.strip_prefix('"').and_then(|text| text.strip_suffix('"')).unwrap_or(word)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Cell, lines};
+    use diagnostics::CsvRows;
 
-    fn texts(text: &str, comma: bool) -> Vec<Vec<(String, String)>> {
-        let show = |cell: &Cell| (cell.text.to_owned(), text[cell.span.clone()].to_owned());
-        lines(text, comma).map(|line| line.iter().map(show).collect()).collect()
+    use super::{Cell, cells, lines};
+
+    fn show(text: &str, row: &[Cell]) -> Vec<(String, String)> {
+        row.iter().map(|cell| (cell.text.to_owned(), text[cell.span.clone()].to_owned())).collect()
     }
 
     #[test]
     fn cells_know_their_place() {
-        let cells = texts("\u{feff}\"a\", b ,,\u{e4}\r\n\n# c\n1,2\n\"3,4\"", true);
+        let text = "\u{feff}\"a\", b ,,\u{e4}\r\n\n# c\n1,2\n\"3,4\"";
+        let mut rows = CsvRows::new(text);
+        let mut next = || rows.next_row().map(|row| show(text, &cells(&row))).unwrap_or_default();
         let pair = |a: &str, b: &str| (a.to_owned(), b.to_owned());
-        assert_eq!(cells[0], [pair("a", "\"a\""), pair("b", "b"), pair("", ""), pair("\u{e4}", "\u{e4}")]);
-        assert_eq!(cells[1], [pair("1", "1"), pair("2", "2")]);
-        // A quote around a separator is none: no number begins with one.
-        assert_eq!(cells[2], [pair("\"3", "\"3"), pair("4\"", "4\"")]);
+        assert_eq!(next(), [pair("a", "\"a\""), pair("b", "b"), pair("", ""), pair("\u{e4}", "\u{e4}")]);
+        assert_eq!(next(), [pair("1", "1"), pair("2", "2")]);
+        assert_eq!(next(), [pair("3,4", "\"3,4\"")]);
+        assert_eq!(next(), []);
     }
 
     #[test]
     fn blanks_of_any_number_part_cells() {
-        let cells = texts("  1 \t\u{a0}22  3 \n", false);
-        let words: Vec<&str> = cells[0].iter().map(|(_, shown)| shown.as_str()).collect();
-        assert_eq!(words, ["1", "22", "3"]);
+        let text = "\u{feff}# c\n  1 \t\u{a0}22  3 \n";
+        let rows: Vec<_> = lines(text).map(|row| show(text, &row)).collect();
+        let pair = |a: &str| (a.to_owned(), a.to_owned());
+        assert_eq!(rows, [[pair("1"), pair("22"), pair("3")]]);
     }
 }

@@ -1,10 +1,10 @@
 //! Paths as CSV: `t_s,x_m,y_m,z_m,heading_deg,pitch_deg,roll_deg`, the header required, in any order.
 
-use diagnostics::{Placed, Problems};
+use diagnostics::{CsvRow, CsvRows, Placed, Problems};
 use quantities::radians;
 
 use super::course::{MAX_TIME, PlacedWaypoint};
-use super::number_table::{Cell, NumberTable, lines};
+use super::number_table::{Cell, NumberTable, cells};
 use super::scenery::MAX_COORDINATE;
 use crate::Waypoint;
 
@@ -20,17 +20,32 @@ const PASSED_OVER: [&str; 4] = ["frame", "speed_m_s", "turn_deg_s", "slope_deg"]
 /// The rows of a path file.
 pub(super) fn waypoints(name: &str, text: &str, problems: &Problems) -> Option<Vec<PlacedWaypoint>> {
     let mut table = NumberTable::new(name, text, problems);
-    let mut rows = lines(text, true).peekable();
-    let Some(header) = rows.next() else {
+    let mut rows = CsvRows::new(text);
+    let Some(header) = rows.next_row() else {
         table.fault(&(0..0), "an empty path file".into(), "a header and at least one row");
         return table.finish(Vec::new());
     };
-    let columns = columns(&mut table, &header);
-    if rows.peek().is_none() {
-        table.fault(&header[0].span, "a path file without rows".into(), "at least one row under the header");
+    expect_closed(&mut table, &header);
+    let header = cells(&header);
+    let (columns, width, first) = (columns(&mut table, &header), header.len(), header[0].span.clone());
+    let (mut waypoints, mut has_rows) = (Vec::new(), false);
+    while let Some(row) = rows.next_row() {
+        has_rows = true;
+        if expect_closed(&mut table, &row) {
+            waypoints.extend(waypoint(&mut table, &cells(&row), &columns, width));
+        }
     }
-    let waypoints = rows.filter_map(|row| waypoint(&mut table, &row, &columns, header.len())).collect();
+    if !has_rows {
+        table.fault(&first, "a path file without rows".into(), "at least one row under the header");
+    }
     table.finish(waypoints)
+}
+
+/// Whether every quote of a row ends in it; records a fault if not.
+fn expect_closed(table: &mut NumberTable, row: &CsvRow) -> bool {
+    let open = row.open_quote();
+    open.iter().for_each(|quote| table.fault(quote, "a quote that is not closed".into(), "a second quote"));
+    open.is_none()
 }
 
 /// For each of [`COLUMNS`], where it stands.

@@ -21,7 +21,7 @@ const LENGTH_TOLERANCE: f64 = 1e-2;
 /// The rows of a path file.
 pub(super) fn waypoints(name: &str, text: &str, problems: &Problems) -> Option<Vec<PlacedWaypoint>> {
     let mut table = NumberTable::new(name, text, problems);
-    let mut rows = lines(text, false).peekable();
+    let mut rows = lines(text).peekable();
     if rows.peek().is_none() {
         table.fault(&(0..0), "a path file without rows".into(), "rows of t tx ty tz qx qy qz qw");
     }

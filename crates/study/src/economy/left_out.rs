@@ -1,7 +1,7 @@
 //! What is left out, level by level: of the mission, of a frame, of a sweep, of a sample.
 
+use control_plane::MachineStage;
 use generator::{FrameCounts, Session, Weight};
-use machine::MachineStage;
 use serde::Serialize;
 
 use super::waste::{Part, WasteCounts};

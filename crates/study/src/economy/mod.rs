@@ -11,9 +11,10 @@ mod waste;
 use std::time::Instant;
 
 use blake3::Hasher;
+use control_plane::MachineStage;
 use generator::{FrameCounts, PlaneKind, Planes, Session};
 use hardware_model::{Economy, Forced};
-use machine::MachineStage;
+use machine::Prepare;
 use serde::Serialize;
 use signal::Probe;
 

@@ -1,8 +1,8 @@
 //! What is computed and touches nothing, counted over the sweeps of whole frames.
 
+use control_plane::{ControlPlane, FrameSweeps};
 use generator::{Planes, Session};
 use landscape::Landscape;
-use machine::{ControlPlane, FrameSweeps};
 use serde::Serialize;
 use signal::{LANES, Probe, Waveform};
 use sweep_program::{Colour, Event, PreloadRegister, SweepProgram, Target, WordMask};

@@ -1,9 +1,8 @@
 //! Stretches of real sweeps: what stands in the registers between two events, and the samples that are drawn from it.
 
+use control_plane::{ControlPlane, MachineStage};
 use landscape::CornerWords;
 use landscape::basis::{FAR, NEAR};
-use machine::ControlPlane;
-use machine::MachineStage;
 use scenario::Pose;
 use sweep_program::{Ramp, SweepProgram};
 use terrain_generator::{Region, Registers, Segment, Span};

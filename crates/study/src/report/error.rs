@@ -28,6 +28,8 @@ pub struct ErrorReport {
     pub ladders: Vec<LadderOutcome>,
     /// Settings that pay.
     pub advice: Vec<Advice>,
+    /// What the build leaves out, where it was asked for.
+    pub not_built: Option<&'static str>,
 }
 
 impl ErrorReport {
@@ -51,6 +53,7 @@ impl ErrorReport {
             "exact": self.exact,
             "ladders": self.ladders,
             "advice": self.advice,
+            "not_built": self.not_built,
         })
     }
 
@@ -73,6 +76,7 @@ impl ErrorReport {
         }
         text += "\n";
         self.advice.iter().for_each(|advice| text += &format!("{}\n", advice.sentence()));
+        self.not_built.iter().for_each(|what| text += &format!("{what}\n"));
         text
     }
 
@@ -87,6 +91,7 @@ impl ErrorReport {
         }
         text += "\n";
         self.advice.iter().for_each(|advice| text += &format!("- {}\n", advice.sentence()));
+        self.not_built.iter().for_each(|what| text += &format!("- {what}\n"));
         text
     }
 }

@@ -8,9 +8,9 @@
 
 use std::f64::consts::TAU;
 
+use control_plane::MachineStage;
 use exact::Ceilings;
 use landscape::Sun;
-use machine::MachineStage;
 use quantities::degrees;
 use scenario::PoseRow;
 use serde::Serialize;

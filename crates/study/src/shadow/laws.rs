@@ -6,8 +6,8 @@
 
 use std::time::Instant;
 
+use control_plane::MachineStage;
 use landscape::Attitude;
-use machine::MachineStage;
 use scenario::PoseRow;
 use serde::Serialize;
 use vehicle_shadow::{

@@ -19,9 +19,20 @@ const FINER: [f64; 2] = [0.03125, 0.015625];
 /// Steps of a quick study: the coarse end, where all methods still differ, is left out.
 const QUICK: usize = 4;
 /// Tolerances of the library.
+#[cfg(any(test, feature = "solver-library"))]
 const TOLERANCES: [f64; 7] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8];
 /// Weights of the waveform norm (trust section 4).
 const NORM: [f64; 2] = [1e-3, 1e-4];
+
+/// What a program without the feature `solver-library` leaves out, and how to have it.
+pub const NOT_BUILT: Option<&str> = if cfg!(any(test, feature = "solver-library")) {
+    None
+} else {
+    Some(
+        "not built: the ladder solver-library, a library's implicit method of order 5; \
+         `cargo run --release --features solver-library -- study error SCENARIO --only solver` has it",
+    )
+};
 
 const BEHIND_PRODUCT: &str = "a product of ramps is curved, and a straight line stands for it over a step";
 const TRAPEZOIDAL: &str = "trapezoidal rule";
@@ -108,6 +119,7 @@ struct Run {
 impl Run {
     fn new(method: Method, step: f64) -> Self {
         let (label, along) = match method {
+            #[cfg(any(test, feature = "solver-library"))]
             Method::Library(tolerance) => (format!("{tolerance:e}"), tolerance),
             _ if step < 1.0 => (format!("1/{}", 1.0 / step), step),
             _ => (format!("{step}"), step),
@@ -144,47 +156,73 @@ impl Run {
     }
 }
 
-/// One ladder a method: error and time a sample of the chain against the step, and of the library against its tolerance.
+/// One method, rung by rung, and the orders that theory expects of it.
+struct Climb {
+    name: &'static str,
+    what: &'static str,
+    orders: Vec<Expectation>,
+    runs: Vec<Run>,
+}
+
+/// One ladder a method: error and time a sample of the chain against the step, and of the library, where it is built,
+/// against its tolerance.
 pub fn solver_ladders(chain: &Chain, effort: Effort, extent: Extent) -> Vec<LadderOutcome> {
     let truth = Truth::new(chain);
-    let first = if extent == Extent::Quick { QUICK } else { 0 };
-    let stepped =
-        |method: Method| STEPS[first..].iter().map(|&step| Run::new(method, step)).collect::<Vec<_>>();
-    let library = TOLERANCES.map(|tolerance| Run::new(Method::Library(tolerance), 1.0)).into_iter().collect();
-    let mut runs = [
-        stepped(Method::Parts),
-        stepped(Method::Trapezoidal),
-        stepped(Method::BackwardEuler),
-        [stepped(Method::RungeKutta), FINER.map(|step| Run::new(Method::RungeKutta, step)).into()]
-            .into_iter()
-            .flatten()
-            .collect(),
-        library,
-    ];
+    let mut climbs = own(extent);
+    #[cfg(any(test, feature = "solver-library"))]
+    climbs.push(library());
     // The first turn is not timed, and within a turn all methods are as busy as the machine.
     for turn in 0..=effort.repetitions {
-        runs.iter_mut().flatten().for_each(|run| run.turn(chain, turn > 0));
+        climbs.iter_mut().flat_map(|climb| &mut climb.runs).for_each(|run| run.turn(chain, turn > 0));
     }
-    let names = [
-        ("solver-parts", "step of the machine's parts (samples)"),
-        ("solver-trapezoidal", "step of the trapezoidal rule (samples)"),
-        ("solver-backward-euler", "step of backward Euler (samples)"),
-        ("solver-runge-kutta", "step of explicit Runge-Kutta (samples)"),
-        ("solver-library", "tolerance of a library's implicit method of order 5, a value a sample"),
-    ];
-    let orders = [
-        vec![order("chain rms", 2.0, BEHIND_PRODUCT), order("hold instant max", 2.0, STRAIGHT)],
-        vec![order("chain rms", 2.0, TRAPEZOIDAL)],
-        vec![order("chain rms", 1.0, BACKWARD)],
-        vec![order("chain rms", 4.0, RUNGE_KUTTA), order("hold instant max", 2.0, STRAIGHT)],
-        vec![],
-    ];
-    let all = names.into_iter().zip(orders).zip(runs);
-    all.map(|((name, orders), runs)| {
-        let rungs = runs.into_iter().map(|run| run.outcome(chain, &truth)).collect();
-        LadderOutcome::new(name, "sample", &orders, rungs)
-    })
-    .collect()
+    let outcome = |climb: Climb| {
+        let rungs = climb.runs.into_iter().map(|run| run.outcome(chain, &truth)).collect();
+        LadderOutcome::new((climb.name, climb.what), "sample", &climb.orders, rungs)
+    };
+    climbs.into_iter().map(outcome).collect()
+}
+
+/// The methods that every program has.
+fn own(extent: Extent) -> Vec<Climb> {
+    let first = if extent == Extent::Quick { QUICK } else { 0 };
+    let stepped = |method: Method| STEPS[first..].iter().map(move |&step| Run::new(method, step));
+    let explicit = stepped(Method::RungeKutta).chain(FINER.map(|step| Run::new(Method::RungeKutta, step)));
+    vec![
+        Climb {
+            name: "solver-parts",
+            what: "step of the machine's parts (samples)",
+            orders: vec![order("chain rms", 2.0, BEHIND_PRODUCT), order("hold instant max", 2.0, STRAIGHT)],
+            runs: stepped(Method::Parts).collect(),
+        },
+        Climb {
+            name: "solver-trapezoidal",
+            what: "step of the trapezoidal rule (samples)",
+            orders: vec![order("chain rms", 2.0, TRAPEZOIDAL)],
+            runs: stepped(Method::Trapezoidal).collect(),
+        },
+        Climb {
+            name: "solver-backward-euler",
+            what: "step of backward Euler (samples)",
+            orders: vec![order("chain rms", 1.0, BACKWARD)],
+            runs: stepped(Method::BackwardEuler).collect(),
+        },
+        Climb {
+            name: "solver-runge-kutta",
+            what: "step of explicit Runge-Kutta (samples)",
+            orders: vec![order("chain rms", 4.0, RUNGE_KUTTA), order("hold instant max", 2.0, STRAIGHT)],
+            runs: explicit.collect(),
+        },
+    ]
+}
+
+#[cfg(any(test, feature = "solver-library"))]
+fn library() -> Climb {
+    Climb {
+        name: "solver-library",
+        what: "tolerance of a library's implicit method of order 5, a value a sample",
+        orders: Vec::new(),
+        runs: TOLERANCES.map(|tolerance| Run::new(Method::Library(tolerance), 1.0)).into(),
+    }
 }
 
 fn order(error: &'static str, order: f64, why: &'static str) -> Expectation {
@@ -214,7 +252,9 @@ mod tests {
 
     #[test]
     fn orders_are_those_of_theory() {
-        for ladder in solver_ladders(&nominal(), Effort { repetitions: 1 }, Extent::Whole) {
+        let ladders = solver_ladders(&nominal(), Effort { repetitions: 1 }, Extent::Whole);
+        assert_eq!((ladders.len(), ladders[4].name), (5, "solver-library"));
+        for ladder in ladders {
             for order in &ladder.orders {
                 assert!(order.agrees(0.2), "{}: {order:?}", ladder.name);
             }

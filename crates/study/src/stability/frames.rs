@@ -4,11 +4,11 @@ use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
+use control_plane::{ControlPlane, MachineStage};
 use exact::{Columns, Exact};
 use generator::{FrameCounts, Generator, PlaneKind, Planes};
 use hardware_model::HardwareModel;
-use machine::ControlPlane;
-use machine::MachineStage;
+use machine::Prepare;
 use scenario::{Pose, Scalar};
 use signal::Probe;
 

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
+use control_plane::MachineStage;
 use features::{Crater, Features};
 use hardware_model::{HardwareModel, Settings};
 use landscape::{Attitude, Bank, CornerWords, Landscape, Level, Sun};
-use machine::MachineStage;
 use quantities::radians;
 use scenario::{Display, FieldOfView, LawWishes, Pose, RangeProgramme, RasterWishes, Scalar, Scenery};
 

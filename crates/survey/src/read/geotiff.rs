@@ -12,6 +12,7 @@ use tiff::{TiffError, TiffResult};
 use super::geo_keys::GeoTags;
 use super::samples::Conversion;
 use super::tiff_directory::{TooLarge, too_large};
+use super::zstd::{self, ZSTD};
 use super::{ReadOptions, check_raster, field};
 use crate::elevation::Elevation;
 use crate::error::SurveyError;
@@ -40,7 +41,7 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<Elevation, SurveyError
     let (columns, lines) = tiff.dimensions().map_err(at("header"))?;
     check_raster(path, lines.into(), columns.into())?;
     refuse_inverted(path, &mut tiff)?;
-    let layout = Layout::of(&mut tiff).map_err(at("header"))?;
+    let layout = Layout::of(&mut tiff, limits(bytes)).map_err(at("header"))?;
     layout.check_size(path, bytes)?;
     let metadata = text(&mut tiff, GDAL_METADATA).map_err(at("tag 42112"))?.unwrap_or_default();
     let band = chosen_band(path, options, layout.bands, &metadata)?;
@@ -92,16 +93,17 @@ struct Layout {
     bands: usize,
     planar: bool,
     bits: u64,
-    compressed: bool,
+    compression: u16,
+    limits: Limits,
 }
 
 impl Layout {
-    fn of(tiff: &mut Tiff) -> TiffResult<Self> {
+    fn of(tiff: &mut Tiff, limits: Limits) -> TiffResult<Self> {
         let (columns, lines) = tiff.dimensions()?;
         let (width, height) = tiff.chunk_dimensions();
         let mut number = |tag| Ok::<_, TiffError>(tiff.find_tag_unsigned::<u16>(tag)?.unwrap_or(1));
         let (bands, planar) = (number(Tag::SamplesPerPixel)?, number(Tag::PlanarConfiguration)?);
-        let compressed = number(Tag::Compression)? != 1;
+        let compression = number(Tag::Compression)?;
         let bits =
             tiff.find_tag_unsigned_vec::<u16>(Tag::BitsPerSample)?.and_then(|bits| bits.first().copied());
         Ok(Self {
@@ -111,7 +113,8 @@ impl Layout {
             bands: usize::from(bands.max(1)),
             planar: planar == 2,
             bits: bits.unwrap_or(1).into(),
-            compressed,
+            compression,
+            limits,
         })
     }
 
@@ -120,12 +123,20 @@ impl Layout {
         let samples =
             [self.lines, self.columns, self.bands].iter().fold(1u64, |n, &k| n.saturating_mul(k as u64));
         let needed = samples.saturating_mul(self.bits) / 8;
-        let expected = if self.compressed { needed / MOST_EXPANSION } else { needed };
+        let expected = if self.compression == 1 { needed } else { needed / MOST_EXPANSION };
         if found < expected {
             let place = format!("{} x {} samples of {} bands", self.lines, self.columns, self.bands);
             return Err(SurveyError::Truncated { path: path.to_path_buf(), place, found, expected });
         }
         Ok(())
+    }
+
+    /// The values of a strip or tile.
+    fn read_chunk(&self, tiff: &mut Tiff, index: u32) -> TiffResult<DecodingResult> {
+        match self.compression {
+            ZSTD => zstd::read_chunk(tiff, index, self.limits.clone()),
+            _ => tiff.read_chunk(index),
+        }
     }
 
     fn across(&self) -> usize {
@@ -153,7 +164,7 @@ fn read_band(
             source,
         };
         let index = u32::try_from(stored).map_err(|_| failed(TiffError::IntSizeError))?;
-        let values = tiff.read_chunk(index).map_err(failed)?;
+        let values = layout.read_chunk(tiff, index).map_err(failed)?;
         let (line, column) =
             (chunk / layout.across() * layout.chunk[0], chunk % layout.across() * layout.chunk[1]);
         let width = layout.chunk[1].min(layout.columns - column);

@@ -6,6 +6,7 @@ mod npy;
 mod pds3;
 mod samples;
 mod tiff_directory;
+mod zstd;
 
 use std::fs::File;
 use std::io::Read;

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
-use picture::{Depth, GreyPicture, Limits, read_png, write_png};
+use picture::{ColourPicture, Curve, Depth, GreyPicture, Limits, read_png, write_png};
 use tempfile::TempDir;
 use vehicle_shadow::{
     AugmentError, Augmentation, Camera, FrameWork, GroundLaw, Look, Method, OutlineRule, ScanConverter,
@@ -113,6 +113,28 @@ fn new_pictures_stand_beside_the_old() {
     assert!(done[0].times.setup_s > other[0].times.setup_s && other[0].times.write_s > 0.033);
     assert!(done[0].work.line_generators >= 4 && done[0].work.intersections > 50);
     assert_eq!(folder.sequence().unwrap().period(), 0.6 - 0.5);
+}
+
+/// Of a camera: in colour, the second under the name that cameras give. What comes out is grey, and a PNG.
+#[test]
+fn pictures_in_colour_become_grey_by_their_luminance() {
+    let folder = Folder::new();
+    let codes = [200, 100, 50].repeat(SIZE[0] * SIZE[1]);
+    let colour = ColourPicture::new(SIZE[0], SIZE[1], Depth::Eight, codes).unwrap();
+    let expected = colour.to_grey(Curve::Srgb).code(0, 0);
+    write_png(folder.join("frames/frame-000004.png"), &colour, &[]).unwrap();
+    fs::remove_file(folder.join("frames/frame-000005.png")).unwrap();
+    write_png(folder.join("frames/frame-000005.JPG"), &colour, &[]).unwrap();
+    let done = folder.run(SYNCHRONISED, &folder.join("out")).unwrap();
+    let names: Vec<_> = done.iter().map(|work| work.file.as_str()).collect();
+    assert_eq!(names, ["frame-000004.png", "frame-000005.png", "frame-000006.png"]);
+    for (name, sky) in names.iter().zip([expected, expected, 180]) {
+        let new = read_png(folder.join("out").join(name), &Limits::default()).unwrap();
+        assert!(new.line(0).iter().all(|&code| code == sky), "{name}");
+    }
+    fs::write(folder.join("frames/frame-000005.JPG"), b"\xFF\xD8\xFF\xE0 cut off").unwrap();
+    let said = folder.run(SYNCHRONISED, &folder.join("again")).unwrap_err().to_string();
+    assert!(said.contains("frame-000005.JPG: not a whole JPEG"), "{said}");
 }
 
 #[test]

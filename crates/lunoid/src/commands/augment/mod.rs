@@ -47,7 +47,7 @@ docs/blocks/vehicle-shadow.md has the formats of poses and camera.";
 #[derive(Debug, Args)]
 #[command(after_help = AFTER)]
 pub struct Augment {
-    /// Folder of grey PNG files whose names end in the number of their frame.
+    /// Folder of pictures (PNG, JPEG, TIFF) whose names end in the number of their frame; colour becomes grey.
     frames: PathBuf,
     /// CSV file of their poses, as a run's poses.csv.
     poses: PathBuf,
@@ -317,7 +317,7 @@ impl Augment {
 
 /// Whether a name in a folder of pictures is that of one.
 fn is_picture(name: &str) -> bool {
-    !name.contains('/') && name.ends_with(".png")
+    !name.contains('/') && [".png", ".jpg", ".jpeg", ".tif", ".tiff"].iter().any(|end| name.ends_with(end))
 }
 
 fn hash(text: &str) -> String {
@@ -329,6 +329,7 @@ impl From<AugmentError> for Failure {
         match error {
             AugmentError::File(error) => error.into(),
             AugmentError::Picture(error) => error.into(),
+            AugmentError::Photograph(error) => error.into(),
             AugmentError::Folder { doing: "list this folder", .. } => Self::input(error),
             AugmentError::Folder { .. } => Self::output(error),
             AugmentError::SameFolder { .. }

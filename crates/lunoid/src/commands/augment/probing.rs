@@ -4,7 +4,6 @@ use std::ops::Range;
 use std::path::PathBuf;
 
 use clap::Args;
-use picture::{Limits, read_png};
 use serde_json::{Value, json};
 use signal::{Probe, Wire};
 use vehicle_shadow::{Augmentation, Look, Sequence, line_timebase};
@@ -91,7 +90,7 @@ impl Probing {
                 "{request}: no such frame; expected one of the pictures, {first} to {last}"
             ))
         })?;
-        let picture = read_png(&frame.path, &Limits::default())?;
+        let picture = photographs::read(&frame.path)?;
         let [columns, lines] = [picture.columns(), picture.lines()].map(|count| count as u32);
         let range = request.sweeps(lines).ok_or_else(|| {
             Failure::usage(format!("{request}: the picture has lines 0..{lines}; expected a range inside"))

@@ -59,7 +59,7 @@ pub struct LockstepCommand {
     ideal_parts: bool,
     /// So many random scenes instead of a scenario.
     #[arg(long, value_name = "N", value_parser = values::at_least(1_u64), conflicts_with_all = [
-        "scenario", "machine", "overlay", "set", "bank", "sweeps", "samples", "swift", "lossless", "everything",
+        "scenario", "machine", "overlay", "set", "bank", "sweeps", "samples", "lossless", "everything",
         "shadow_cache"
     ])]
     random: Option<u64>,

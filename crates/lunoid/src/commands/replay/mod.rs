@@ -16,16 +16,17 @@ use picture::Depth;
 use quantities::Rate;
 use rayon::ThreadPool;
 use replay::{
-    Control, HeldRun, Job, Outcome, Phase, Pictures, Program, RunFolder, TruthItems, TruthOutcome,
-    is_run_file, run, write_truth, write_y4m,
+    Control, HeldRun, Job, Outcome, Phase, Pictures, RunFolder, TruthItems, TruthOutcome, is_run_file, run,
+    write_truth, write_y4m,
 };
 use run_page::{Making, PageError, Request, check};
-use serde_json::Value;
+use run_record::Program;
+use serde_json::{Value, json};
 
 use crate::cli::{COMMIT, RESULT_FAMILY};
 use crate::commands::words::words;
 use crate::interrupt;
-use crate::loading::{StageArgs, StageOptions, Threads, choose_frames, machine_help};
+use crate::loading::{PreviewArgs, StageArgs, StageOptions, Threads, choose_frames, machine_help};
 use crate::output::{Place, expect_outputs, print, print_json, tell};
 use crate::progress::Saying;
 use crate::{Failure, Verdict, values};
@@ -54,6 +55,8 @@ pub struct Replay {
     #[command(flatten)]
     options: StageOptions,
     #[command(flatten)]
+    preview: PreviewArgs,
+    #[command(flatten)]
     threads: Threads,
     /// Frames to draw, counted at the update rate: A..B without B. All if left out.
     #[arg(long, value_name = "A..B")]
@@ -74,7 +77,7 @@ pub struct Replay {
     #[arg(long, value_name = "FILE")]
     y4m: Option<PathBuf>,
     /// Ground truth as well, by `exact` at the centre of every pixel, in the folder `truth` of the run: `all`, or some
-    /// of range, height, normal, reflectivity, shadow, label, pose, joined by commas. docs/truth-format.md has the
+    /// of range, height, normal, reflectivity, shadow, label, pose, distance, joined by commas. docs/truth-format.md has the
     /// format.
     #[arg(long, value_name = "LIST")]
     truth: Option<TruthItems>,
@@ -124,7 +127,8 @@ impl Replay {
 
     fn alone(&self, machine: Option<String>) -> Result<Verdict, Failure> {
         self.expect_one_on_stdout()?;
-        let stage = self.stage(machine);
+        let mut stage = self.stage(machine);
+        stage.options.preview = self.preview.is_asked();
         let out = self.out("");
         self.expect_apart(&stage, &out)?;
         let start = Instant::now();
@@ -242,7 +246,8 @@ impl Replay {
             DepthWord::Eight => Depth::Eight,
             DepthWord::Sixteen => Depth::Sixteen,
         };
-        Pictures { depth, refresh: self.refresh, film: self.apng }
+        // No generator has colour yet.
+        Pictures { depth, colour: false, refresh: self.refresh, film: self.apng }
     }
 
     fn tell(
@@ -279,7 +284,7 @@ impl Replay {
         if self.check == 0 {
             return Ok(None);
         }
-        Ok(HeldRun::read(folder.path())?.document.get("check").cloned())
+        Ok(HeldRun::read(folder.path())?.check.as_ref().map(|check| json!(check)))
     }
 
     fn write_film(&self, opened: &Opened, folder: &RunFolder) -> Result<(), Failure> {

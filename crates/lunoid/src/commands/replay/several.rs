@@ -123,6 +123,7 @@ impl Replay {
         // Parts that are set are those of the machines among them.
         let is_for_machines = machines.iter().any(|name| registry::find(name).is_none());
         let mut entries: Vec<Entry> = Vec::new();
+        let (asked, mut obstacles) = (self.preview.is_asked(), Vec::new());
         for machine in machines.iter().cloned().chain(judge) {
             let name = folder_name(&machine)?;
             if entries.iter().any(|entry| entry.name == name) {
@@ -135,10 +136,25 @@ impl Replay {
                 stage.options.set.retain(|(key, _)| !matches!(decides(key), Decides::Model));
             }
             let start = Instant::now();
-            let opened = stage.load()?;
+            let mut opened = stage.load()?;
+            if asked {
+                match opened.preview_obstacle() {
+                    Some(obstacle) => obstacles.push(obstacle),
+                    None => {
+                        stage.options.preview = true;
+                        opened = stage.load()?;
+                    }
+                }
+            }
             let phases = vec![Phase::since("read", start)];
             choose_frames(&opened, self.frames)?;
             entries.push(Entry { name, stage, opened, phases });
+        }
+        if asked && entries.iter().all(|entry| !entry.stage.options.preview) {
+            return Err(Failure::usage(format!(
+                "--preview: none of the machines draws one: {}; leave the option out, or add a hardware model with ideal parts",
+                obstacles.join("; ")
+            )));
         }
         Ok(entries)
     }

@@ -47,9 +47,9 @@ impl EconomyStudy {
     /// Studies.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let options = &self.stage.options;
-        if options.swift || options.lossless || options.everything {
+        if options.lossless || options.everything {
             let advice = "the study draws with both and without; leave them out";
-            return Err(Failure::usage(format!("--swift, --lossless, --everything: {advice}")));
+            return Err(Failure::usage(format!("--lossless, --everything: {advice}")));
         }
         self.outputs.expect_apart(|file| is_of("economy", file), &self.stage.sources())?;
         let mut opened = self.stage.load()?;

@@ -10,7 +10,7 @@ use hardware_model::{BUILT_IN, HardwareModel, ModelSource, Settings};
 use study::ladder::{Extent, Ladder, ladders};
 use study::polynomial::{POLYNOMIAL, polynomial_ladder};
 use study::report::{ErrorReport, is_of};
-use study::solver::{Chain, SOLVER, solver_ladders};
+use study::solver::{Chain, NOT_BUILT, SOLVER, solver_ladders};
 use study::{
     Effort, ExactPictures, REGION_LADDERS, Rehearsed, StudyError, Subject, advise, climb, parameter_ladder,
     regions,
@@ -138,6 +138,7 @@ impl ErrorStudy {
             threads: rayon::current_num_threads(),
             exact: own,
             advice: advise(&outcomes),
+            not_built: NOT_BUILT.filter(|_| self.wants(SOLVER)),
             ladders: outcomes,
         })
     }

@@ -1,0 +1,74 @@
+//! What the machine has to do before frame 0, from the same units that a frame has.
+
+use crate::stage::MachineStage;
+use dpu::{HOME_SETS, home_load};
+use generator::FrameError;
+use hardware_model::{CrossingServer, Settings, Yoke};
+use scenario::Pose;
+use timing::Task;
+
+use crate::control_plane::ControlPlane;
+use crate::digital::first_loads;
+use crate::sight::vertices;
+
+impl ControlPlane {
+    /// The tasks before the mission, in the order in which they are done; those that take no time are left out. `first` is
+    /// the pose of frame 0.
+    ///
+    /// # Errors
+    /// If it cannot be drawn.
+    pub fn before_mission(&self, first: &Pose) -> Result<Vec<Task>, FrameError> {
+        let plan = self.plan(0, first)?;
+        let stage = self.stage();
+        let Settings { cpu, raster, .. } = &stage.settings;
+        let vertices = vertices(stage, self.blocks(), &plan, first.time);
+        let mut tasks = vec![
+            task("cpu", "sine-table", raster.sweeps.into(), cpu.sine_table(raster.sweeps)),
+            // Visibility says which sector is the first.
+            task("cpu", "tables", 1, cpu.frame_tables),
+        ];
+        tasks.extend(self.first_sectors());
+        tasks.push(task("cpu", "vertices", vertices, vertices * cpu.vertex));
+        tasks.extend(first_angle(stage, first.yoke));
+        tasks.push(self.home_registers());
+        tasks.push(task("cpu", "set-up", 1, cpu.sweep_setup));
+        tasks.retain(|task| task.ticks > 0);
+        Ok(tasks)
+    }
+
+    /// Records of the first sector, until the last is in the storage buffer.
+    fn first_sectors(&self) -> impl Iterator<Item = Task> {
+        let levels = ["drum.fine", "drum.coarse"].into_iter();
+        let loads = levels.zip(first_loads(self.stage(), self.blocks(), self.raster()));
+        loads.filter_map(|(unit, load)| {
+            let load = load?;
+            Some(task(unit, "first-sector", load.delivered, load.latency_max))
+        })
+    }
+
+    /// Both levels have a loader of their own, side by side.
+    fn home_registers(&self) -> Task {
+        let Settings { loader, cpu, .. } = &self.stage().settings;
+        let unit = match loader.served_by {
+            CrossingServer::WiredPointers => "loader",
+            CrossingServer::IoProcessor => "io-processor",
+            CrossingServer::CpuInterrupt => "cpu",
+        };
+        let levels = 1 + u64::from(self.blocks().coarse.is_some());
+        task(unit, "home-registers", levels * u64::from(HOME_SETS), home_load(loader, cpu))
+    }
+}
+
+fn task(unit: &str, task: &str, pieces: u64, ticks: u64) -> Task {
+    Task { unit: unit.into(), task: task.into(), pieces, ticks }
+}
+
+/// The yoke's motor from the upright picture to the first, if it has any way to go: pulses, or the whole way of one that has
+/// no steps.
+fn first_angle(stage: &MachineStage, angle: f64) -> Option<Task> {
+    let Yoke { step, rate, .. } = stage.settings.yoke?;
+    let pulses = if step > 0.0 { (angle / step).abs().round() as u64 } else { 1 };
+    let seconds = angle.abs() / rate;
+    let ticks = seconds * stage.settings.timebase.master.hertz();
+    Some(task("yoke", "first-angle", pulses, ticks.round() as u64))
+}

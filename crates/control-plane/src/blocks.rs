@@ -1,0 +1,116 @@
+//! What of the machine is there for a stage: a block without work is left out (section 24; economy).
+
+use std::sync::Arc;
+
+use crate::stage::MachineStage;
+use hardware_model::{Forced, LevelSwitch, Loader};
+use landscape::Photometry;
+use remote_shadow::{Resolution, ShadowBank};
+use scenario::ShadowFineness;
+use shadow_controller::ShadowController;
+
+use crate::ideal::{draws_swiftly, drives_mixing, mixing_has_parts};
+
+/// Blocks beside the terrain path.
+#[derive(Debug)]
+pub struct Blocks {
+    /// Feature generator and VS1.
+    pub features: bool,
+    /// Shadow controller and VS2.
+    pub shadows: Option<Shadows>,
+    /// Texture generator and the adder.
+    pub texture: bool,
+    /// Polyhedron generator and VS3.
+    pub bodies: bool,
+    /// Second terrain generator.
+    pub coarse: Option<Coarse>,
+    /// Whether the mixing unit has anything to switch, add or clip.
+    pub mixing: bool,
+    /// Whether switches without a source are there as well.
+    pub all_switches: bool,
+    /// Whether breaks are walked in groups that have none as well.
+    pub breaks: bool,
+    /// Whether groups are drawn swiftly, unless someone looks at them.
+    pub swift: bool,
+}
+
+/// Remote shadow: computed before the mission, and the block that blanks by it.
+#[derive(Debug)]
+pub struct Shadows {
+    /// Boundaries of shadow on the ground, worked out before the mission and as it goes on.
+    pub bank: ShadowBank,
+    /// The block that blanks by them.
+    pub controller: ShadowController,
+    /// Ground range beyond which no shadow is drawn (m).
+    pub reach: f64,
+}
+
+/// The second terrain generator of the modified one.
+#[derive(Debug)]
+pub struct Coarse {
+    /// Where the sweep goes over to the coarse level, and how.
+    pub switch: LevelSwitch,
+    /// Single words are held back on the fine level only.
+    pub loader: Loader,
+}
+
+impl Blocks {
+    /// Blocks that `stage` needs, or all for which there is a source if nothing may be left out.
+    pub fn new(stage: &MachineStage) -> Self {
+        let MachineStage { landscape, scenery, settings } = stage;
+        let forces = |what| settings.economy.forces(what);
+        let runs_idle = [Forced::Mixing, Forced::Features, Forced::Switches, Forced::Breaks];
+        let has_bodies = !scenery.standing().is_empty();
+        let two_levels = landscape.bank().levels().len() > 1;
+        Self {
+            features: forces(Forced::Features) || !landscape.features().is_empty(),
+            shadows: settings.shadows.map(|fineness| Shadows::new(stage, &fineness)),
+            texture: landscape.texture().is_some(),
+            // Lambert's light never exceeds full scale; other laws need the clip.
+            mixing: runs_idle.into_iter().any(forces)
+                || settings.shadows.is_some()
+                || landscape.texture().is_some()
+                || !landscape.features().is_empty()
+                || *landscape.photometry() != Photometry::Lambert
+                || mixing_has_parts(&settings.analog)
+                || drives_mixing(&settings.analog.wires),
+            all_switches: forces(Forced::Switches),
+            breaks: forces(Forced::Breaks),
+            swift: draws_swiftly(stage),
+            bodies: forces(Forced::Bodies) || has_bodies,
+            coarse: settings
+                .levels
+                .filter(|_| two_levels)
+                .map(|switch| Coarse::new(switch, &settings.loader)),
+        }
+    }
+}
+
+impl Coarse {
+    /// The second generator behind a loader such as the fine level's.
+    pub fn new(switch: LevelSwitch, loader: &Loader) -> Self {
+        Self { switch, loader: Loader { delays: Vec::new(), ..loader.clone() } }
+    }
+}
+
+impl Shadows {
+    /// The map of the controller is the finest level.
+    fn new(MachineStage { landscape, settings, .. }: &MachineStage, fineness: &ShadowFineness) -> Self {
+        let [south, west, north, east] = landscape.level().extent();
+        let ShadowFineness { finest, angle, reach } = *fineness;
+        let bank = ShadowBank::new(Arc::clone(landscape), Resolution { finest, angle });
+        Self {
+            bank: match &settings.shadow_cache {
+                Some(folder) => bank.with_cache(folder),
+                None => bank,
+            },
+            reach: reach.unwrap_or(settings.range.end).min(settings.range.end),
+            controller: ShadowController {
+                parts: settings.shadow_controller,
+                map_centre: [0.5 * (south + north), 0.5 * (west + east)],
+                map_side: (north - south).max(east - west),
+                tells_lines: !settings.analog.shadow_lines_are_ideal() || mixing_has_parts(&settings.analog),
+            },
+        }
+    }
+}

@@ -1,0 +1,229 @@
+//! What the I/O processors bring for a frame before its sweeps run: shadow gates, polyhedra and craters (section 17).
+
+use crate::stage::MachineStage;
+use generator::FrameError;
+use glam::DVec3;
+use hardware_model::ShadowParts;
+use landscape::Attitude;
+use polyhedron_generator::{Drawn, FaceLight, Field, LeftOut, PolyhedronGenerator, ViewPlane};
+use rayon::prelude::*;
+use remote_shadow::{Footings, Outlines, Shade, Tile, UnderSun};
+use scenario::{BodyVisibility, ShadowedBodies};
+use shadow_controller::{Gate, SEGMENT_WORDS, ShadowController};
+use solids::Body;
+use std::sync::Arc;
+use sweep_generator::RangeTable;
+
+use crate::blocks::{Blocks, Shadows};
+use crate::craters_in_sight::CratersInSight;
+use crate::feature_loads::load_timing;
+use crate::frame_plan::FramePlan;
+use crate::raster::WrittenRaster;
+use crate::refusal::Refusal;
+use crate::sight::InSight;
+
+/// Data of a frame, by sweep; the buffers are kept from frame to frame.
+#[derive(Debug, Default)]
+pub struct Delivery {
+    /// Shadow gate of each sweep; empty without shadows.
+    pub gates: Vec<Gate>,
+    /// Polyhedra in display-plane position.
+    pub polyhedra: PolyhedronGenerator,
+    /// Bodies projected.
+    pub bodies: u64,
+    /// Bodies too far to be seen.
+    pub left_out: LeftOut,
+    /// Craters that can be told; none unless the machine draws swiftly.
+    pub craters: CratersInSight,
+}
+
+/// What deliveries are made from.
+pub struct Supply<'a> {
+    /// Ground, scenery and settings.
+    pub stage: &'a MachineStage,
+    /// Blocks that are there.
+    pub blocks: &'a Blocks,
+    /// Feet and shadows of bodies, found once a body and a sun.
+    pub footings: &'a Footings,
+    /// Fan, eye and sun of the frame.
+    pub plan: &'a FramePlan,
+    /// Raster that the sweeps write.
+    pub raster: WrittenRaster,
+    /// The ground-range programme.
+    pub table: &'a RangeTable,
+    /// Vertices that the processor has ready, if it takes any time.
+    pub ready: Option<u64>,
+}
+
+impl Supply<'_> {
+    /// Brings what the frame at `time` (s) needs.
+    pub fn deliver(&self, time: f64, out: &mut Delivery) {
+        let (seen, left_out) = self.in_sight(time);
+        let under_sun = self.blocks.shadows.as_ref().map(|shadows| self.under_sun(shadows));
+        let Delivery { gates, polyhedra, bodies, craters, .. } = out;
+        let bring_gates = || match (&self.blocks.shadows, &under_sun) {
+            (Some(shadows), Some(under_sun)) => {
+                self.gates(shadows, &shadows.controller, under_sun, &seen, time, gates);
+            }
+            _ => gates.clear(),
+        };
+        let bring_bodies = || {
+            if self.blocks.bodies {
+                *bodies = self.project(&seen, under_sun.as_ref(), polyhedra);
+            }
+        };
+        let bring_craters = || {
+            if self.blocks.swift && self.blocks.features {
+                craters.find(self.stage, self.plan);
+            }
+        };
+        // Each has a part that is one thread's. None waits for other threads while it holds what another may ask for.
+        rayon::join(bring_gates, || rayon::join(bring_bodies, bring_craters));
+        out.left_out = left_out;
+    }
+
+    /// Whether the shadow cache could be kept.
+    pub fn check_cache(&self) -> Result<(), FrameError> {
+        let failure = self.blocks.shadows.as_ref().and_then(|shadows| shadows.bank.take_cache_failure());
+        failure.map_or(Ok(()), |error| {
+            Err(Refusal::ShadowCache { reason: error.to_string() }.of(self.plan.frame))
+        })
+    }
+
+    /// Shadow gates alone, as [`deliver`](Self::deliver) brings them, with all that is to be told of their line generators.
+    pub fn shadow_gates(&self, time: f64) -> Vec<Gate> {
+        let (seen, _) = self.in_sight(time);
+        let mut gates = Vec::new();
+        if let Some(shadows) = &self.blocks.shadows {
+            let controller = ShadowController { tells_lines: true, ..shadows.controller.clone() };
+            self.gates(shadows, &controller, &self.under_sun(shadows), &seen, time, &mut gates);
+        }
+        gates
+    }
+
+    /// Bodies that are ready and near enough, and what is too far.
+    fn in_sight(&self, time: f64) -> (Vec<u32>, LeftOut) {
+        let mut in_sight = InSight::of(self.stage, self.blocks, self.plan, time);
+        if let Some(vertices) = self.ready {
+            in_sight.keep_ready(self.stage, self.plan, vertices);
+        }
+        (in_sight.bodies, in_sight.left_out)
+    }
+
+    /// Body `number` of the mission.
+    fn body(&self, number: u32) -> &Body {
+        &self.stage.scenery.standing()[number as usize].body
+    }
+
+    fn under_sun<'a>(&'a self, shadows: &'a Shadows) -> UnderSun<'a> {
+        let bodies = self.stage.scenery.standing().len();
+        self.footings.under(self.plan.sun, bodies, &shadows.bank)
+    }
+
+    fn gates(
+        &self,
+        shadows: &Shadows,
+        controller: &ShadowController,
+        under_sun: &UnderSun<'_>,
+        seen: &[u32],
+        time: f64,
+        gates: &mut Vec<Gate>,
+    ) {
+        let sweeps = self.plan.fan.sweeps;
+        let directions: Vec<[f64; 2]> = (0..sweeps).map(|sweep| self.plan.direction(sweep)).collect();
+        let edges = [directions[0], directions[sweeps as usize - 1]];
+        let foot = [self.plan.eye[0], self.plan.eye[1]];
+        let (reach, end) = (shadows.reach, self.stage.settings.range.end);
+        let (place, scale) = controller.reading(foot);
+        let tiles: Vec<Arc<Tile>> = shadows.bank.around(&self.plan.sun, place, reach / scale, Some(edges));
+        let mut cast: Vec<&Outlines> = tiles.iter().map(|tile| &tile.outlines).collect();
+        // A map that is read beside its place shows shadows that no sweep meets.
+        let all = matches!(self.stage.settings.shadow_controller, ShadowParts::ScanConverter { .. });
+        let shade = Shade::new(foot, edges, self.table.ranges()[0], &self.plan.sun);
+        let may_fall = |body: &Body| all || shade.may_meet([body.centre.x, body.centre.y], body.radius);
+        let meets = |(centre, radius)| all || self.plan.sweeps_of(centre, radius).is_some();
+        let of_bodies = seen.par_iter().filter_map(|&number| {
+            let body = self.body(number);
+            may_fall(body).then(|| under_sun.shadow(number, body, meets)).flatten()
+        });
+        cast.par_extend(of_bodies);
+        let (patches, own) = (self.patches(time), self.own_shadow(shadows, may_fall));
+        cast.push(&patches);
+        cast.extend(&own);
+        let timing = |sweep: u32| {
+            let place = (self.plan.frame, sweep);
+            let rate = self.stage.settings.segment_words?;
+            Some(load_timing(self.stage, self.table, place, SEGMENT_WORDS, rate))
+        };
+        controller.gates_by(foot, &directions, reach, &cast, timing, gates);
+        // Beyond the reach no shadow is drawn.
+        if reach < end {
+            gates.iter_mut().for_each(|gate| gate.end_at(reach));
+        }
+    }
+
+    /// Outlines of the shadow that the vehicle casts on the ground: as of any body, but found anew for every pose.
+    fn own_shadow(&self, shadows: &Shadows, may_fall: impl Fn(&Body) -> bool + Sync) -> Vec<Outlines> {
+        let FramePlan { eye, roll, pitch, heading, .. } = *self.plan;
+        let parts = self.stage.scenery.own_bodies(eye, Attitude { roll, pitch, heading });
+        let falling = parts.par_iter().filter(|part| may_fall(part));
+        falling.map(|part| shadows.bank.cast_by_body(part, &self.plan.sun)).collect()
+    }
+
+    /// Outlines of the track patches that lie at `time`.
+    fn patches(&self, time: f64) -> Outlines {
+        let patches = self.stage.scenery.patches(time);
+        Outlines::of(&patches.iter().map(|patch| patch.corners).collect::<Vec<_>>())
+    }
+
+    /// Leaves the spans of bodies in `polyhedra`; returns how many bodies were projected.
+    fn project(
+        &self,
+        seen: &[u32],
+        under_sun: Option<&UnderSun<'_>>,
+        polyhedra: &mut PolyhedronGenerator,
+    ) -> u64 {
+        let laws = self.stage.settings.laws;
+        let view = ViewPlane {
+            eye: self.plan.eye,
+            heading: self.plan.heading,
+            pitch: self.plan.pitch,
+            projection: laws.projection,
+            curvature: laws.curvature,
+            tan_half_height: self.raster.field.tan_half_height,
+            lines: self.raster.lines as f64,
+        };
+        let tangents: Vec<f64> =
+            (0..self.plan.fan.sweeps).map(|sweep| self.plan.fan.tangent(sweep)).collect();
+        let field = Field::new(&view, &tangents);
+        let drawn = |&number: &u32| {
+            let body = self.body(number);
+            let aspect = field.aspect(body)?;
+            let dark = under_sun.is_some_and(|sun| sun.is_dark(number, body));
+            let vanishes = dark && laws.shadowed_bodies == ShadowedBodies::Vanish;
+            let hidden = laws.body_visibility == BodyVisibility::AsReported && self.is_hidden(body.foot);
+            (!vanishes && !hidden).then_some(Drawn { aspect, dark })
+        };
+        let light = FaceLight { sun: DVec3::from_array(self.plan.sun.direction()) };
+        polyhedra.run(&field, &light, seen, drawn).drawn
+    }
+
+    /// Whether nearer ground hides a foot point: the rule of the report, at the samples of the sweep through it.
+    fn is_hidden(&self, foot: DVec3) -> bool {
+        let [x, y, height] = self.plan.eye;
+        let (north, east) = (foot.x - x, foot.y - y);
+        let range = (north * north + east * east).sqrt();
+        let curvature = self.stage.settings.laws.curvature;
+        let tangent = |ground: f64, at: f64| (ground - curvature.drop(at) - height) / at;
+        let own = tangent(foot.z, range);
+        let ranges = self.table.ranges();
+        let nearer = ranges.partition_point(|&at| at < range * NEAR_FOOT);
+        ranges[..nearer].iter().any(|&at| {
+            let ground = self.stage.landscape.height(x + north * at / range, y + east * at / range);
+            ground.is_some_and(|ground| tangent(ground, at) > own)
+        })
+    }
+}
+
+/// Share of the way to a foot point over which ground may hide it: on the last hundredth it is its own ground.
+const NEAR_FOOT: f64 = 0.99;

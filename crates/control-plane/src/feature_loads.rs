@@ -1,0 +1,77 @@
+//! Craters of a sweep and the loads of their words.
+
+use crate::stage::MachineStage;
+use feature_generator::{CRATER_WORDS, FeatureProgram, Schedule};
+use hardware_model::{LatePolicy, Settings};
+use quantities::SweepTime;
+use sweep_generator::RangeTable;
+use sweep_program::{LoadLine, LoadTiming};
+
+use crate::frame_plan::FramePlan;
+
+/// The schedule of the feature generator in one frame.
+#[derive(Debug, Clone, Copy)]
+pub struct FeatureLoads<'a> {
+    /// Ground, scenery and settings.
+    pub stage: &'a MachineStage,
+    /// The ground-range programme.
+    pub table: &'a RangeTable,
+    /// Fan, eye and sun of the frame.
+    pub plan: &'a FramePlan,
+    /// The craters that the sweeps can meet, where they are known.
+    pub among: Option<&'a [u32]>,
+}
+
+impl FeatureLoads<'_> {
+    /// Writes the program for sweep `sweep`, which is drawn with the set-up of sweep `drawn` up to ground range `end` (m).
+    pub fn write(&self, [drawn, sweep]: [u32; 2], end: f64, program: &mut FeatureProgram) {
+        let eye = [self.plan.eye[0], self.plan.eye[1]];
+        let span = [self.table.ranges()[0], end];
+        self.schedule().write_by(eye, self.plan.direction(drawn), span, self.timing(sweep), program);
+    }
+
+    fn schedule(&self) -> Schedule<'_> {
+        let landscape = &self.stage.landscape;
+        let level = landscape.level();
+        Schedule {
+            features: landscape.features(),
+            parts: self.stage.settings.feature_generator,
+            region_origin: level.origin(),
+            region_size: level.region_size(),
+            among: self.among,
+        }
+    }
+
+    /// Whether loads take time, or sub-generators run out.
+    pub fn is_limited(stage: &MachineStage) -> bool {
+        stage.settings.feature_words.is_some() || stage.settings.feature_generator.sub_generators.is_some()
+    }
+
+    /// Whether any crater can come late, or find no sub-generator.
+    pub fn can_miss(stage: &MachineStage) -> bool {
+        Self::is_limited(stage) && !stage.landscape.features().is_empty()
+    }
+
+    /// Where the model has a rate, the words of a sweep come one after another.
+    fn timing(&self, sweep: u32) -> Option<LoadTiming<impl Fn(f64) -> SweepTime, impl Fn(SweepTime) -> f64>> {
+        let rate = self.stage.settings.feature_words?;
+        Some(load_timing(self.stage, self.table, (self.plan.frame, sweep), CRATER_WORDS, rate))
+    }
+}
+
+/// Loads of `words` words at `rate` words a second in sweep `sweep` of a frame.
+pub(crate) fn load_timing<'a>(
+    stage: &MachineStage,
+    table: &'a RangeTable,
+    place: (u64, u32),
+    words: u32,
+    rate: f64,
+) -> LoadTiming<impl Fn(f64) -> SweepTime + use<'a>, impl Fn(SweepTime) -> f64 + use<'a>> {
+    let Settings { timebase, loader, .. } = &stage.settings;
+    LoadTiming {
+        line: LoadLine::new(timebase, place, words, rate),
+        strobes_through: loader.late_policy == LatePolicy::StrobeThrough,
+        time_of: |range| table.time_of(range),
+        range_at: |time| table.range_at(time),
+    }
+}

@@ -1,0 +1,157 @@
+//! The digital side of a frame: fan, start of every sweep, folds, sweep programs.
+
+use std::f64::consts::PI;
+
+use crate::refusal::Refusal;
+use crate::stage::MachineStage;
+use dpu::{CrossingService, Sector, Watch};
+use generator::FrameError;
+use landscape::{Level, Sun};
+use quantities::{degrees, sin_cos};
+use scenario::{FieldOfView, Pose};
+use sweep_generator::{RangeTable, TimedFolds, set_up};
+use sweep_program::{Fan, SweepProgram};
+
+/// What the control plane works out once a frame.
+#[derive(Debug, Clone, Copy)]
+pub struct FramePlan {
+    /// Frame number.
+    pub frame: u64,
+    /// Azimuths of the sweeps.
+    pub fan: Fan,
+    /// Heading (rad).
+    pub heading: f64,
+    /// Cosine and sine of the heading.
+    turn: [f64; 2],
+    /// Pitch of the eye (rad).
+    pub pitch: f64,
+    /// Roll of the vehicle (rad).
+    pub roll: f64,
+    /// Eye: north, east, height (m).
+    pub eye: [f64; 3],
+    /// The sun.
+    pub sun: Sun,
+}
+
+impl FramePlan {
+    /// Checks that the pose can be drawn and spreads the fan over `field`.
+    pub fn new(
+        frame: u64,
+        pose: &Pose,
+        stage: &MachineStage,
+        field: &FieldOfView,
+    ) -> Result<Self, FrameError> {
+        let MachineStage { landscape, scenery, settings } = stage;
+        let [x, y, height] = pose.eye;
+        // The machine starts on its finest level; what only coarser levels store is far ground.
+        let on_fine = landscape.level().locate(x, y).and_then(|_| landscape.height(x, y));
+        let ground = on_fine.ok_or(FrameError::OutsideProblemArea { frame, x, y })?;
+        let above = height > ground;
+        if !above {
+            return Err(FrameError::EyeUnderGround { frame, below: ground - height });
+        }
+        let pitch = pose.attitude.pitch;
+        let fan = Fan::covering(settings.laws.projection, pitch, field, settings.raster.sweeps);
+        let (sin, cos) = sin_cos(pose.attitude.heading);
+        Ok(Self {
+            frame,
+            fan: fan.ok_or_else(|| pitch_error(frame, pitch))?,
+            heading: pose.attitude.heading,
+            turn: [cos, sin],
+            pitch,
+            roll: pose.attitude.roll,
+            eye: pose.eye,
+            sun: scenery.sun(pose.time),
+        })
+    }
+
+    /// Regions that the frame can show, out to `range` (m).
+    pub fn visible_regions(&self, level: &Level, range: f64) -> usize {
+        let [x, y, _] = self.eye;
+        let edges = Some(self.edges());
+        let range = range / level.region_size();
+        Sector { foot: level.in_regions(x, y), edges, range }.regions(level).count()
+    }
+
+    /// Unit vector of a sweep over the ground: north, east.
+    pub fn direction(&self, sweep: u32) -> [f64; 2] {
+        self.fan.direction(sweep, self.turn)
+    }
+
+    /// First and last sweep that may meet a circle of radius `outer` about `centre` (north, east; m); `None` if none does.
+    pub fn sweeps_of(&self, centre: [f64; 2], outer: f64) -> Option<[u32; 2]> {
+        let ([cos, sin], last) = (self.turn, f64::from(self.fan.sweeps - 1));
+        let [north, east] = [0, 1].map(|axis| centre[axis] - self.eye[axis]);
+        let (ahead, right) = (north * cos + east * sin, east * cos - north * sin);
+        if ahead <= outer {
+            return (ahead > -outer).then_some([0, self.fan.sweeps - 1]);
+        }
+        // Tangents of the square around the circle.
+        let [left, right] = [right - outer, right + outer];
+        let first = self.fan.position(left / if left < 0.0 { ahead - outer } else { ahead + outer });
+        let beyond = self.fan.position(right / if right > 0.0 { ahead - outer } else { ahead + outer });
+        // Sweeps stand between the edges that rounding leaves.
+        let (first, beyond) = ((first - SLACK).ceil().max(0.0), (beyond + SLACK).floor().min(last));
+        (first <= beyond).then_some([first as u32, beyond as u32])
+    }
+
+    /// Ground range at which sweep `sweep` leaves the area that `level` stores (m).
+    pub fn way_to_edge(&self, sweep: u32, level: &Level) -> f64 {
+        let [x, y, _] = self.eye;
+        way_to_edge(level, level.in_regions(x, y), self.direction(sweep))
+    }
+
+    /// Directions of both edges of the fan.
+    pub fn edges(&self) -> [[f64; 2]; 2] {
+        [0, self.fan.sweeps - 1].map(|sweep| self.direction(sweep))
+    }
+
+    /// The same, `margin` (rad) farther out; none where they are half a turn or more apart then.
+    pub fn edges_beside(&self, margin: f64) -> Option<[[f64; 2]; 2]> {
+        let (sin, cos) = sin_cos(margin);
+        let turned = |[north, east]: [f64; 2], sin: f64| [cos * north - sin * east, sin * north + cos * east];
+        let [left, right] = self.edges();
+        let width = libm::atan(self.fan.tangent(self.fan.sweeps - 1)) - libm::atan(self.fan.tangent(0));
+        (width + 2.0 * margin < PI).then_some([turned(left, -sin), turned(right, sin)])
+    }
+
+    /// Writes the program by which one terrain generator draws sweep `sweep` with the set-up of sweep `drawn`, up to
+    /// `end` (m), into `program`.
+    pub fn write_program(
+        &self,
+        [drawn, sweep]: [u32; 2],
+        service: &CrossingService<'_>,
+        table: &RangeTable,
+        end: f64,
+        program: &mut SweepProgram,
+        watch: &mut impl Watch,
+    ) {
+        let [x, y, _] = self.eye;
+        let level = service.level;
+        let start = set_up(level.in_regions(x, y), self.direction(drawn));
+        let folds = TimedFolds::new(&start, level.region_size(), table, end);
+        let range_at = |time| table.range_at(time);
+        service.write_program((self.frame, sweep), start, folds, end, range_at, program, watch);
+    }
+}
+
+/// What rounding may do to the place of a sweep in its fan (sweeps).
+const SLACK: f64 = 1e-6;
+
+/// Ground range at which a straight sweep leaves the stored area (m).
+fn way_to_edge(level: &Level, foot: [f64; 2], direction: [f64; 2]) -> f64 {
+    let corners = level.corners();
+    let regions = (0..2).map(|axis| {
+        let last = (corners[axis] - 1) as f64;
+        match direction[axis] {
+            cosine if cosine > 0.0 => (last - foot[axis]) / cosine,
+            cosine if cosine < 0.0 => -foot[axis] / cosine,
+            _ => f64::INFINITY,
+        }
+    });
+    regions.fold(f64::INFINITY, f64::min) * level.region_size()
+}
+
+fn pitch_error(frame: u64, pitch: f64) -> FrameError {
+    Refusal::Pitch { pitch_deg: degrees(pitch), limit_deg: degrees(Fan::steepest()) }.of(frame)
+}

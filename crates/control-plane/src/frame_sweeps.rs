@@ -1,0 +1,214 @@
+//! The sweeps of one frame, as the digital side makes them.
+
+use std::borrow::Cow;
+
+use crate::stage::MachineStage;
+use generator::FrameError;
+use hardware_model::{Loader, Settings, SweepMemoryKind};
+use quantities::SweepClock;
+use scenario::Pose;
+use shadow_controller::Gate;
+use sweep_generator::RangeTable;
+use sweep_memory::View;
+use sweep_program::SweepProgram;
+
+use crate::blocks::Coarse;
+use crate::control_plane::ControlPlane;
+use crate::crossings::Crossings;
+use crate::delivery::Supply;
+use crate::digital::DigitalFrame;
+use crate::frame_plan::FramePlan;
+use crate::raster::WrittenRaster;
+use crate::sight::vertices;
+
+/// Sweep programs of one frame: with the set-ups that are ready and the corners that are there.
+#[derive(Debug)]
+pub struct FrameSweeps<'a> {
+    stage: Cow<'a, MachineStage>,
+    coarse: Option<Coarse>,
+    table: &'a RangeTable,
+    plan: FramePlan,
+    digital: DigitalFrame,
+    /// Shadow gates of all sweeps, if they were asked for.
+    pub(crate) gates: Vec<Gate>,
+}
+
+impl ControlPlane {
+    /// The programs by which sweep `sweep` of frame `frame` is drawn: that of the fine level, then that of the coarse
+    /// one where there is one.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
+    pub fn programs(&self, frame: u64, pose: &Pose, sweep: u32) -> Result<Vec<SweepProgram>, FrameError> {
+        Ok(self.sweeps(frame, pose)?.programs(sweep))
+    }
+
+    /// All sweeps of frame `frame` with their shadow gates, whose boundaries their events then tell as well.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn, or the shadow cache not be kept.
+    pub fn sweeps_with_gates(&self, frame: u64, pose: &Pose) -> Result<FrameSweeps<'_>, FrameError> {
+        let sweeps = self.sweeps(frame, pose)?;
+        let gates = self.shadow_gates(&sweeps, pose.time)?;
+        Ok(FrameSweeps { gates, ..sweeps })
+    }
+
+    /// All sweeps of frame `frame`: what the frame has in common is worked out once.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
+    pub fn sweeps(&self, frame: u64, pose: &Pose) -> Result<FrameSweeps<'_>, FrameError> {
+        self.sweeps_of(Cow::Borrowed(self.stage()), frame, pose)
+    }
+
+    /// The same behind another loader, all else as it is.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
+    pub fn sweeps_behind(
+        &self,
+        loader: &Loader,
+        frame: u64,
+        pose: &Pose,
+    ) -> Result<FrameSweeps<'_>, FrameError> {
+        let stage = self.stage().clone();
+        let settings = Settings { loader: loader.clone(), ..stage.settings };
+        self.sweeps_of(Cow::Owned(MachineStage { settings, ..stage }), frame, pose)
+    }
+
+    /// Shadow gates of all sweeps.
+    ///
+    /// # Errors
+    /// If the shadow cache cannot be kept.
+    pub(crate) fn shadow_gates(&self, sweeps: &FrameSweeps<'_>, time: f64) -> Result<Vec<Gate>, FrameError> {
+        let supply = Supply {
+            stage: self.stage(),
+            blocks: self.blocks(),
+            footings: self.footings(),
+            plan: sweeps.plan(),
+            raster: *self.raster(),
+            table: self.table(),
+            ready: sweeps.digital().ready_vertices(),
+        };
+        let gates = supply.shadow_gates(time);
+        supply.check_cache()?;
+        Ok(gates)
+    }
+
+    fn sweeps_of<'a>(
+        &'a self,
+        stage: Cow<'a, MachineStage>,
+        frame: u64,
+        pose: &Pose,
+    ) -> Result<FrameSweeps<'a>, FrameError> {
+        let plan = self.plan(frame, pose)?;
+        let switch = self.blocks().coarse.as_ref().map(|coarse| coarse.switch);
+        let coarse = switch.map(|switch| Coarse::new(switch, &stage.settings.loader));
+        let table = self.table();
+        let mut sweeps =
+            FrameSweeps { stage, coarse, table, plan, digital: DigitalFrame::default(), gates: Vec::new() };
+        let wanted = vertices(&sweeps.stage, self.blocks(), &sweeps.plan, pose.time);
+        sweeps.digital = self.digital_of(&sweeps.crossings(), wanted);
+        Ok(sweeps)
+    }
+}
+
+impl FrameSweeps<'_> {
+    /// The programs of one sweep: fine level, then the coarse one where there is one.
+    pub fn programs(&self, sweep: u32) -> Vec<SweepProgram> {
+        let mut programs = Vec::new();
+        self.write_programs(sweep, &mut programs);
+        programs
+    }
+
+    /// The same into `programs`, whose buffers are used again.
+    pub fn write_programs(&self, sweep: u32, programs: &mut Vec<SweepProgram>) {
+        let (crossings, sweeps) = (self.crossings(), [self.set_up_of(sweep), sweep]);
+        programs.resize_with(1 + usize::from(self.coarse.is_some()), SweepProgram::idle);
+        crossings.write_fine(sweeps, &mut programs[0], &mut ());
+        if let Some(coarse) = &self.coarse {
+            crossings.write_coarse(coarse, sweeps, &mut programs[1], &mut ());
+        }
+    }
+
+    /// Direction over the ground that sweep `sweep` should have, whatever set-up it is drawn with: unit vector, north and
+    /// east.
+    pub fn direction(&self, sweep: u32) -> [f64; 2] {
+        self.plan.direction(sweep)
+    }
+
+    /// Shadow boundaries that the gates of all sweeps were given, and crossings that united with others and are none; 0
+    /// where no gates were asked for.
+    pub fn shadow_edges(&self) -> [u64; 2] {
+        let sum = |of: fn(&Gate) -> u64| self.gates.iter().map(of).sum();
+        [sum(|gate| gate.toggles.len() as u64 + u64::from(gate.dropped)), sum(|gate| u64::from(gate.united))]
+    }
+
+    /// Where the centre of pixel (column, line) of the picture lies in what the sweeps wrote: sweep and cell of the sweep,
+    /// whole numbers at their centres; beyond the first or last there is nothing.
+    pub fn place_of(&self, pose: &Pose, pixel: [usize; 2]) -> [f64; 2] {
+        let Settings { raster, laws, sweep_memory, yoke, .. } = &self.stage.settings;
+        let size = [raster.columns as usize, raster.lines as usize];
+        let written = WrittenRaster::new(&self.stage.settings);
+        let tube = *sweep_memory == SweepMemoryKind::ScanConverter;
+        let view = View {
+            fan: self.plan.fan,
+            projection: laws.projection,
+            pitch: self.plan.pitch,
+            raster: written.field,
+            field: raster.field,
+            yoke: if yoke.is_some() { pose.yoke } else { 0.0 },
+        };
+        view.source(size, written.lines, pixel, tube)
+    }
+
+    /// Cells of a sweep: its lines, or finer ones where the yoke turns the picture.
+    pub fn cells(&self) -> usize {
+        WrittenRaster::new(&self.stage.settings).lines
+    }
+
+    /// The sweep whose set-up `sweep` is drawn with: itself, or an earlier one if its own is not ready.
+    pub fn set_up_of(&self, sweep: u32) -> u32 {
+        self.digital.drawn(sweep)
+    }
+
+    /// Corners in view that are not in the storage buffer of each level when the frame begins.
+    pub fn missing_corners(&self) -> [usize; 2] {
+        self.digital.missing().map(<[_]>::len)
+    }
+
+    /// The loader that the sweeps run behind.
+    pub fn loader(&self) -> &Loader {
+        &self.stage.settings.loader
+    }
+
+    /// The clock of a sweep.
+    pub(crate) fn clock(&self, sweep: u32) -> SweepClock {
+        self.stage.settings.timebase.sweep_clock(self.plan.frame, sweep)
+    }
+
+    /// The ground-range programme of every sweep.
+    pub fn table(&self) -> &RangeTable {
+        self.table
+    }
+
+    pub(crate) fn plan(&self) -> &FramePlan {
+        &self.plan
+    }
+
+    pub(crate) fn digital(&self) -> &DigitalFrame {
+        &self.digital
+    }
+
+    /// The service of the crossings, with what is missing.
+    pub(crate) fn crossings(&self) -> Crossings<'_> {
+        Crossings {
+            stage: &self.stage,
+            coarse: self.coarse.as_ref(),
+            table: self.table,
+            plan: &self.plan,
+            missing: self.digital.missing(),
+            held: &self.digital.held,
+        }
+    }
+}

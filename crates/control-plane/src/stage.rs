@@ -1,0 +1,56 @@
+//! A stage with the machine that draws it.
+
+use std::sync::Arc;
+
+use generator::{PrepareError, Scan, Stage};
+use hardware_model::Settings;
+use landscape::Landscape;
+use scenario::Scenery;
+
+/// Name of the signal that says where a sample of a sweep is (m).
+pub const RANGE: &str = "sweep.range";
+
+/// The world, and the settings of the hybrid machine that draws it; the view is part of these settings.
+#[derive(Debug, Clone)]
+pub struct MachineStage {
+    /// The ground.
+    pub landscape: Arc<Landscape>,
+    /// Light, bodies and tracks over time.
+    pub scenery: Arc<Scenery>,
+    /// Settings of the machine.
+    pub settings: Settings,
+}
+
+impl MachineStage {
+    /// `stage` for a machine of `settings`.
+    ///
+    /// # Errors
+    /// If the view of the stage is not the one that the settings give.
+    pub fn new(stage: Stage, settings: Settings) -> Result<Self, PrepareError> {
+        let Stage { landscape, scenery, view } = stage;
+        if view != settings.view() {
+            return Err(PrepareError::Unsupported {
+                generator: "hybrid",
+                what: "another view than the one that its settings give".into(),
+                remedy: "make the stage and the machine from the same settings".into(),
+            });
+        }
+        Ok(Self { landscape, scenery, settings })
+    }
+
+    /// The same for any generator: world and view.
+    pub fn stage(&self) -> Stage {
+        let Self { landscape, scenery, settings } = self;
+        Stage { landscape: Arc::clone(landscape), scenery: Arc::clone(scenery), view: settings.view() }
+    }
+
+    /// How the signals of the machine run.
+    pub fn scan(&self) -> Scan {
+        scan(&self.settings)
+    }
+}
+
+/// How the signals of a machine of `settings` run.
+pub fn scan(settings: &Settings) -> Scan {
+    Scan { line: "sweep", timebase: settings.timebase, place: RANGE, ahead: None }
+}

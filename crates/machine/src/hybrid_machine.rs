@@ -1,0 +1,57 @@
+//! The hybrid machine as a generator.
+
+use control_plane::{ControlPlane, MachineStage, scan};
+use generator::{Counter, Generator, PrepareError, Scan, Session, Stage, Timed};
+use hardware_model::Settings;
+use scenario::View;
+use serde_json::Value;
+use signal::Signal;
+use signal_plane::signals;
+
+use crate::counts::COUNTERS;
+use crate::prepare::Prepare;
+use crate::settings_record::settings_record;
+
+/// The hybrid machine of the report, made of the parts that its settings name.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HybridMachine {
+    settings: Settings,
+}
+
+impl HybridMachine {
+    /// The machine of these settings.
+    pub fn new(settings: Settings) -> Self {
+        Self { settings }
+    }
+}
+
+impl Generator for HybridMachine {
+    fn name(&self) -> &'static str {
+        "hybrid"
+    }
+
+    fn counters(&self) -> &'static [Counter] {
+        COUNTERS
+    }
+
+    fn signals(&self) -> &'static [Signal] {
+        signals()
+    }
+
+    fn scan(&self, _: &View) -> Option<Scan> {
+        Some(scan(&self.settings))
+    }
+
+    fn record(&self) -> Value {
+        settings_record(&self.settings)
+    }
+
+    fn prepare(&self, stage: Stage) -> Result<Box<dyn Session>, PrepareError> {
+        Ok(MachineStage::new(stage, self.settings.clone())?.prepare())
+    }
+
+    fn timed(&self, stage: Stage) -> Result<Option<Box<dyn Timed>>, PrepareError> {
+        let stage = MachineStage::new(stage, self.settings.clone())?;
+        Ok(Some(Box::new(ControlPlane::new(stage))))
+    }
+}

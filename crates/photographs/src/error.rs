@@ -1,0 +1,85 @@
+//! What can be wrong with a picture that somebody brings.
+
+use std::path::PathBuf;
+
+use files::FileError;
+use image::ImageError;
+use limits::Limit;
+use picture::PictureError;
+
+/// Bytes that are no picture, or none that is read here.
+#[derive(Debug, thiserror::Error)]
+pub enum PhotographError {
+    /// None of the three formats.
+    #[error("not a whole PNG, JPEG or TIFF: it begins with {found}; save the picture as one of these")]
+    Unknown {
+        /// First bytes.
+        found: String,
+    },
+    /// More pixels than the limit.
+    #[error(
+        "the {format} has {columns} columns and {lines} lines, expected at most {limit} pixels; {}",
+        Limit::Pixels
+    )]
+    TooManyPixels {
+        /// Name of the format.
+        format: &'static str,
+        /// Columns.
+        columns: u32,
+        /// Lines.
+        lines: u32,
+        /// Most pixels allowed.
+        limit: u64,
+    },
+    /// A PNG of several pictures.
+    #[error("an animated PNG, expected one picture; save the frame that is meant as a PNG of its own")]
+    Animated,
+    /// Codes that are not light.
+    #[error(
+        "the {format} is in the inks of print (CMYK), expected grey or RGB; convert it to sRGB by its profile"
+    )]
+    Inks {
+        /// Name of the format.
+        format: &'static str,
+    },
+    /// Samples of another kind.
+    #[error(
+        "the {format} is {found}, expected grey or RGB of 8 or 16 bits, with or without alpha; convert it"
+    )]
+    Kind {
+        /// Name of the format.
+        format: &'static str,
+        /// What the decoder says of its samples.
+        found: String,
+    },
+    /// A JPEG that was cut off: decoders fill the rest with grey.
+    #[error("not a whole JPEG: its last scan has no end; fetch the file again")]
+    Cut,
+    /// Bytes that end early, or do not fit each other.
+    #[error("not a whole {format}: {source}; fetch the file again, or save it again")]
+    Damaged {
+        /// Name of the format.
+        format: &'static str,
+        /// What the decoder says.
+        source: ImageError,
+    },
+    /// Codes that fill no picture.
+    #[error(transparent)]
+    Picture(#[from] PictureError),
+}
+
+/// A picture file that somebody brings and that cannot be read.
+#[derive(Debug, thiserror::Error)]
+pub enum PhotographFileError {
+    /// The file.
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// What is in it.
+    #[error("{path}: {source}")]
+    Picture {
+        /// The path as given.
+        path: PathBuf,
+        /// What is wrong.
+        source: PhotographError,
+    },
+}

@@ -1,0 +1,96 @@
+//! The ground of a run.
+
+use landscape::relief::Relief;
+use landscape::{Landscape, Level, bank_file};
+use quantities::degrees;
+use scenario::Ground;
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+
+/// The ground of a run: where it came from, and the hash of its words.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct GroundRecord {
+    /// "bank" or "generated".
+    pub source: String,
+    /// Title of the bank.
+    pub title: String,
+    /// BLAKE3 of its words, hexadecimal.
+    pub content_blake3: String,
+    /// Albedo of the soil, 0..=1.
+    pub albedo: f64,
+    /// Levels, the finest first.
+    pub levels: Vec<LevelRecord>,
+    /// Parameters of a generated landscape, in the keys of a scenario file.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub generator: Option<Value>,
+}
+
+/// A level of the ground.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct LevelRecord {
+    /// Side of a region (m).
+    pub region_size_m: f64,
+    /// South-western corner: north, east (m).
+    pub origin_m: [f64; 2],
+    /// Corners to the north and to the east.
+    pub corners: [usize; 2],
+}
+
+impl From<&Level> for LevelRecord {
+    fn from(level: &Level) -> Self {
+        Self { region_size_m: level.region_size(), origin_m: level.origin(), corners: level.corners() }
+    }
+}
+
+impl GroundRecord {
+    /// The record of `landscape`; `ground` says where it came from.
+    pub fn new(ground: &Ground, landscape: &Landscape) -> Self {
+        let bank = landscape.bank();
+        let (source, generator) = match ground {
+            Ground::Bank(_) => ("bank", None),
+            Ground::Generated(relief) => ("generated", Some(generated(relief))),
+        };
+        Self {
+            source: source.into(),
+            title: bank.title().into(),
+            content_blake3: bank_file::content_hash(bank).iter().map(|byte| format!("{byte:02x}")).collect(),
+            albedo: landscape.albedo(),
+            levels: bank.levels().iter().map(LevelRecord::from).collect(),
+            generator,
+        }
+    }
+}
+
+/// Parameters of a generated landscape, in the keys of a scenario file.
+fn generated(relief: &Relief) -> Value {
+    let undulation = relief.undulation.as_ref().map(|part| {
+        json!({ "rms_height_m": part.rms_height, "hurst": part.hurst, "longest_m": part.longest,
+                "shortest_m": part.shortest, "waves": part.waves })
+    });
+    let craters = relief.craters.as_ref().map(|part| {
+        json!({ "smallest_radius_m": part.smallest_radius, "largest_radius_m": part.largest_radius,
+                "density": part.density, "subdued_depth_ratio": part.subdued,
+                "fresh_depth_ratio": part.fresh })
+    });
+    let massifs: Vec<Value> = relief
+        .massifs
+        .iter()
+        .map(|part| {
+            json!({ "at_m": part.at, "height_m": part.height, "radius_m": part.radius,
+                    "detail_m": part.detail, "ruggedness": part.ruggedness })
+        })
+        .collect();
+    let rilles: Vec<Value> = relief
+        .rilles
+        .iter()
+        .map(|part| {
+            let meander =
+                part.meander.as_ref().map(|bend| json!({ "swing_m": bend.swing, "length_m": bend.length }));
+            json!({ "through_m": part.through, "azimuth_deg": degrees(part.azimuth), "width_m": part.width,
+                    "depth_m": part.depth, "meander": meander })
+        })
+        .collect();
+    json!({ "seed": relief.seed, "extent_m": relief.extent, "region_size_m": relief.region_size,
+            "tilt_m_per_m": relief.tilt, "undulation": undulation, "craters": craters,
+            "massif": massifs, "rille": rilles })
+}

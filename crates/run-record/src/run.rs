@@ -1,0 +1,206 @@
+//! `run.json`: what was drawn from what.
+
+use std::path::Path;
+
+use files::FileError;
+use generator::FrameCounts;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+use crate::{
+    FileRecord, FrameRecord, GroundRecord, LimitRecord, MAX_BYTES, ModelRecord, OmissionRecord, PathRecord,
+    SceneryRecord, SunRecord, VehicleRecord, ViewRecord, stays_inside,
+};
+
+/// Schema of the record.
+pub const RUN_SCHEMA: &str = "lunoid.run/2";
+
+/// Why a record cannot be read.
+#[derive(Debug, thiserror::Error)]
+pub enum RecordError {
+    /// The file cannot be read.
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// The file is no record.
+    #[error("{0}")]
+    Content(String),
+}
+
+/// The record of a run, in the order in which it is read.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RunRecord {
+    /// [`RUN_SCHEMA`].
+    pub schema: String,
+    /// Version of the format within its schema.
+    pub format: u32,
+    /// BLAKE3 of everything that decides the pixels, hexadecimal.
+    pub fingerprint: String,
+    /// The program that drew.
+    pub program: Program,
+    /// The scenario.
+    pub scenario: ScenarioRecord,
+    /// Files that the scenario refers to.
+    pub references: Vec<FileRecord>,
+    /// Name of the generator: "hybrid", or that of its row in the registry.
+    pub generator: String,
+    /// Word for one line of the generator's signals, as "sweep"; nothing where it has no signals.
+    pub line: Option<String>,
+    /// The hardware model.
+    pub model: ModelRecord,
+    /// The ground.
+    pub ground: GroundRecord,
+    /// What lies and stands on it.
+    pub scenery: SceneryRecord,
+    /// The sun at the start of the mission.
+    pub sun: SunRecord,
+    /// The vehicle.
+    pub vehicle: VehicleRecord,
+    /// Its path.
+    pub path: PathRecord,
+    /// What was asked of every picture.
+    pub view: ViewRecord,
+    /// The generator's own settings; of the hybrid machine a [`MachineRecord`](crate::MachineRecord).
+    pub settings: Value,
+    /// How frames became files.
+    pub pictures: PicturesRecord,
+    /// What was left out.
+    pub omissions: Vec<OmissionRecord>,
+    /// Where the vehicle does more than it can.
+    pub limits: Vec<LimitRecord>,
+    /// First frame, and the frame behind the last.
+    pub range: [u64; 2],
+    /// Work of all frames.
+    pub totals: FrameCounts,
+    /// Error against the judge, where sweeps of the run have been checked.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub check: Option<CheckRecord>,
+    /// Frames, ascending.
+    pub frames: Vec<FrameRecord>,
+    /// Other files that follow from the inputs.
+    pub outputs: Vec<FileRecord>,
+}
+
+/// The program that drew.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Program {
+    /// Name.
+    pub name: String,
+    /// Version.
+    pub version: String,
+    /// Commit, or "unknown".
+    pub commit: String,
+    /// Result family: runs of one family are equal to the bit.
+    pub result_family: String,
+}
+
+/// The scenario by name and hash.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ScenarioRecord {
+    /// Its file, if it came from one.
+    pub file: Option<FileRecord>,
+    /// Its title.
+    pub title: String,
+    /// What it shows.
+    pub shows: String,
+}
+
+/// How frames became files.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct PicturesRecord {
+    /// Kind of picture.
+    pub kind: String,
+    /// Bits of a channel.
+    pub depth: u32,
+    /// "update" or "refresh".
+    pub one_file_for_each: String,
+}
+
+/// Error of a run against the judge, from some of its sweeps.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CheckRecord {
+    /// Name of the judge.
+    pub against: String,
+    /// Sweeps that were checked.
+    pub sweeps: u32,
+    /// Confidence of the intervals, 0..1.
+    pub confidence: f64,
+    /// How they were found.
+    pub interval_by: String,
+    /// Errors over all of these sweeps.
+    pub errors: Vec<ErrorRecord>,
+    /// Errors sweep by sweep.
+    pub checked: Vec<CheckedSweep>,
+}
+
+/// One error over all sweeps that were checked.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ErrorRecord {
+    /// What is off.
+    pub error: String,
+    /// Its unit.
+    pub unit: String,
+    /// Root of the mean over the sweeps of the mean squared difference.
+    pub rms: f64,
+    /// Where that of all sweeps of the run lies; `None` of a single sweep.
+    pub interval: Option<[f64; 2]>,
+    /// Largest difference.
+    pub max: f64,
+}
+
+/// What was found of a sweep.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CheckedSweep {
+    /// Frame.
+    pub frame: u64,
+    /// Sweep, from 0 at the left.
+    pub sweep: u32,
+    /// Column of the picture at its place.
+    pub column: usize,
+    /// Root of the mean squared difference, and the largest, of picture, height, slope and reflectivity; `None` where
+    /// there was nothing to compare.
+    pub rms_and_max: [Option<[f64; 2]>; 4],
+}
+
+impl RunRecord {
+    /// The record in the file at `path`.
+    ///
+    /// # Errors
+    /// If the file cannot be read, is no record of this schema, or leads out of its folder.
+    pub fn read(path: &Path) -> Result<Self, RecordError> {
+        Self::parse(&files::read_all(path, MAX_BYTES)?)
+    }
+
+    /// The record in `bytes`.
+    ///
+    /// # Errors
+    /// If they are no record of this schema, or lead out of the record's folder.
+    pub fn parse(bytes: &[u8]) -> Result<Self, RecordError> {
+        let refused = |error: serde_json::Error| RecordError::Content(error.to_string());
+        let Schema { schema } = serde_json::from_slice(bytes).map_err(refused)?;
+        if schema != RUN_SCHEMA {
+            return Err(RecordError::Content(format!("schema {schema:?}, expected {RUN_SCHEMA:?}")));
+        }
+        let record: Self = serde_json::from_slice(bytes).map_err(refused)?;
+        if let Some(listed) = record.files().find(|listed| !stays_inside(&listed.file)) {
+            let file = &listed.file;
+            return Err(RecordError::Content(format!("it lists `{file}`, expected files of its folder")));
+        }
+        Ok(record)
+    }
+
+    /// The document, ending with a newline.
+    pub fn text(&self) -> String {
+        serde_json::to_string_pretty(self).expect("records are plain values") + "\n"
+    }
+
+    /// Files of the run's folder that it lists.
+    fn files(&self) -> impl Iterator<Item = &FileRecord> {
+        self.frames.iter().flat_map(|frame| &frame.files).chain(&self.outputs)
+    }
+}
+
+/// What is asked of a document before all else.
+#[derive(Deserialize)]
+struct Schema {
+    schema: String,
+}

@@ -1,0 +1,94 @@
+//! `truth.json`: which arrays there are, and what their numbers mean.
+
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+use crate::{
+    FileRecord, GroundRecord, MAX_BYTES, OmissionRecord, Program, RecordError, ScenarioRecord, SceneryRecord,
+    ViewRecord, stays_inside,
+};
+
+/// Schema of the record.
+pub const TRUTH_SCHEMA: &str = "lunoid.truth/1";
+
+/// The record of the truth of a run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct TruthRecord {
+    /// [`TRUTH_SCHEMA`].
+    pub schema: String,
+    /// Version of the format of arrays and record.
+    pub format: u32,
+    /// BLAKE3 of everything that decides the arrays, hexadecimal.
+    pub fingerprint: String,
+    /// Fingerprint of the run.
+    pub run_fingerprint: String,
+    /// The program that drew.
+    pub program: Program,
+    /// The scenario.
+    pub scenario: ScenarioRecord,
+    /// Files that the scenario refers to.
+    pub references: Vec<FileRecord>,
+    /// Name of the generator.
+    pub generator: String,
+    /// The ground.
+    pub ground: GroundRecord,
+    /// What lies and stands on it.
+    pub scenery: SceneryRecord,
+    /// What was asked of every picture.
+    pub view: ViewRecord,
+    /// Arrays, each with its meaning.
+    pub planes: Vec<Value>,
+    /// Conventions by name.
+    pub conventions: Value,
+    /// Where a pixel looks.
+    pub camera: Value,
+    /// From a pixel, its range and the pose to a point of the landscape.
+    pub point: Value,
+    /// How wrong the numbers may be.
+    pub error: Vec<String>,
+    /// What the truth leaves out.
+    pub not_in_it: Vec<String>,
+    /// What was left out of the scene.
+    pub omissions: Vec<OmissionRecord>,
+    /// Frames, ascending.
+    pub frames: Vec<TruthFrame>,
+    /// Other files of the truth.
+    pub outputs: Vec<FileRecord>,
+}
+
+/// One frame of the truth.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct TruthFrame {
+    /// Frame, counted at the update rate.
+    pub frame: u64,
+    /// Seconds since the start of the mission.
+    pub time_s: f64,
+    /// From the folder of the truth; none where only poses were asked for.
+    pub files: Vec<FileRecord>,
+}
+
+impl TruthRecord {
+    /// The record in the file at `path`.
+    ///
+    /// # Errors
+    /// If the file cannot be read, is no record of this schema, or leads out of its folder.
+    pub fn read(path: &Path) -> Result<Self, RecordError> {
+        let bytes = files::read_all(path, MAX_BYTES)?;
+        let refused = |error: serde_json::Error| RecordError::Content(error.to_string());
+        let record: Self = serde_json::from_slice(&bytes).map_err(refused)?;
+        if record.schema != TRUTH_SCHEMA {
+            let text = format!("schema {:?}, expected {TRUTH_SCHEMA:?}", record.schema);
+            return Err(RecordError::Content(text));
+        }
+        let mut files = record.frames.iter().flat_map(|frame| &frame.files);
+        match files.find(|file| !stays_inside(&file.file)) {
+            Some(file) => {
+                let text = format!("it lists `{}`, expected files of its folder", file.file);
+                Err(RecordError::Content(text))
+            }
+            None => Ok(record),
+        }
+    }
+}

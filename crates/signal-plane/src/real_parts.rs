@@ -1,0 +1,105 @@
+//! What of the machine is made of real parts: a block whose parts are all ideal is its algebra, and nothing of this.
+
+use control_plane::{MachineStage, WrittenRaster, beam_has_parts, mixing_has_parts};
+use display_projection_processor::PartsProcessor;
+use feature_generator::PartsGenerator;
+use landscape::Level;
+use mixing_unit::PartsMixer;
+use parts::LagStep;
+use polyhedron_generator::BodySwitch;
+use shadow_controller::PartsLines;
+use signal::Real;
+use sweep_memory::{Tube, TubeRaster, WriteGun};
+use terrain_generator::PartsArray;
+use texture_generator::PartsTexture;
+
+use crate::wires::Wires;
+
+/// Blocks made of parts.
+#[derive(Debug)]
+pub struct RealParts<S> {
+    /// Terrain generators of the fine and of the coarse level.
+    pub terrain: Option<Terrain<S>>,
+    /// Sub-generators of the feature generator.
+    pub features: Option<PartsGenerator>,
+    /// Line generators of the shadow controller.
+    pub lines: Option<PartsLines>,
+    /// Converter and filter of the texture generator.
+    pub texture: Option<PartsTexture<S>>,
+    /// Third video switch.
+    pub bodies: Option<BodySwitch>,
+    /// Mixing unit.
+    pub mixer: Option<PartsMixer<S>>,
+    /// Projection processor and write gun, which are joined by the beam's gate.
+    pub beam: Option<BeamParts<S>>,
+    /// Storage tubes.
+    pub tube: Option<Tube>,
+    /// Output amplifiers of the main signals.
+    pub wires: Option<Wires<S>>,
+}
+
+/// Terrain generators made of parts.
+#[derive(Debug)]
+pub struct Terrain<S> {
+    pub fine: PartsArray<S>,
+    pub coarse: Option<PartsArray<S>>,
+    /// Delay of the reflectivity against the height.
+    pub reflectivity: Option<LagStep<S>>,
+}
+
+/// Projection processor and write gun.
+#[derive(Debug)]
+pub struct BeamParts<S> {
+    pub processor: PartsProcessor<S>,
+    pub gun: WriteGun<S>,
+}
+
+impl<S: Real> RealParts<S> {
+    /// The parts that the model of `stage` names; `ranges` of the samples (m).
+    pub fn new(stage: &MachineStage, ranges: &[f64], raster: &WrittenRaster) -> Self {
+        let settings = &stage.settings;
+        let (analog, seed, laws) = (&settings.analog, settings.seed, &settings.laws);
+        let step = 1.0 / settings.timebase.sample_rate().hertz();
+        let mixing = (&settings.mixing_unit, laws.texture_in_shadow);
+        let occlusion = (laws.occlusion, laws.curvature);
+        let beam = || BeamParts {
+            processor: PartsProcessor::new(occlusion, ranges, raster.lines as f64, step, analog, seed),
+            gun: WriteGun::new(analog, seed, step, ranges.len(), raster.lines),
+        };
+        let texture = stage.landscape.texture().filter(|_| !analog.texture_is_ideal());
+        let lines_a_second = raster.lines as f64 / (ranges.len() as f64 * step);
+        let tube = TubeRaster {
+            sweeps: settings.raster.sweeps as usize,
+            lines: raster.lines,
+            width: raster.field.tan_half_width / raster.field.tan_half_height,
+        };
+        Self {
+            terrain: (!analog.terrain_is_ideal()).then(|| Terrain::new(stage, step)),
+            features: (!analog.features_are_ideal())
+                .then(|| PartsGenerator::new(step, &settings.feature_generator, analog, seed)),
+            lines: (!analog.shadow_lines_are_ideal())
+                .then(|| PartsLines::new(&settings.shadow_controller, analog, seed))
+                .flatten(),
+            texture: texture.map(|texture| PartsTexture::new(texture, ranges, step, analog, seed)),
+            bodies: (!analog.body_switch_is_ideal()).then(|| BodySwitch::new(lines_a_second, analog, seed)),
+            mixer: mixing_has_parts(analog).then(|| PartsMixer::new(mixing, step, analog, seed)),
+            beam: beam_has_parts(analog).then(beam),
+            tube: (!analog.memory.is_ideal()).then(|| Tube::new(&analog.memory, tube, seed)),
+            wires: Wires::new(stage, step, raster),
+        }
+    }
+}
+
+impl<S: Real> Terrain<S> {
+    fn new(stage: &MachineStage, step: f64) -> Self {
+        let settings = &stage.settings;
+        let array = |level: &Level, name| PartsArray::new(step, level, &settings.analog, settings.seed, name);
+        let levels = stage.landscape.bank().levels();
+        let mismatch = settings.analog.reflectivity.delay_mismatch;
+        Self {
+            fine: array(&levels[0], "tg"),
+            coarse: settings.levels.and_then(|_| levels.get(1)).map(|level| array(level, "mtg")),
+            reflectivity: (mismatch > 0.0).then(|| LagStep::new(step, mismatch)),
+        }
+    }
+}

@@ -1,0 +1,269 @@
+//! Waveforms of a group that has just run.
+
+use control_plane::RANGE;
+use control_plane::waveforms::{Changes, changes, feature_centres};
+use mixing_unit::Inputs;
+use polyhedron_generator::Overlay;
+use scenario::Occlusion;
+use signal::{Axis, Lanes, Probe, Real, Waveform};
+use sweep_program::{Colour, RampAxis, SweepProgram};
+use terrain_generator::{ArrayState, Inside};
+
+use crate::group::Group;
+use crate::workspace::Workspace;
+
+use crate::scales::MICROSECONDS;
+use crate::signal_table::signals;
+
+/// A group that has run, ready to be looked at.
+pub struct Recorded<'a, S> {
+    /// The group.
+    pub group: &'a Group<'a, S>,
+    /// Its programs and signals.
+    pub work: &'a Workspace<S>,
+    /// Lines that each sweep left.
+    pub rows: &'a [f32],
+}
+
+/// The gate at each sample: the profile is below the held elevation, and the hold has not moved.
+fn blanked(elevation: &[f64], hold: &[f64]) -> Vec<f64> {
+    let moved = |k: usize| k == 0 || hold[k] > hold[k - 1];
+    let gate = |(k, now): (usize, &f64)| f64::from(u8::from(*now < hold[k] && !moved(k)));
+    elevation.iter().enumerate().map(gate).collect()
+}
+
+/// How much each value is above the one before.
+fn rises(values: &[f64]) -> Vec<f64> {
+    let first = values.first().map(|_| 0.0);
+    first.into_iter().chain(values.windows(2).map(|pair| pair[1] - pair[0])).collect()
+}
+
+fn of_lane<S: Real>(values: &[Lanes<S>], lane: usize) -> Vec<f64> {
+    values.iter().map(|value| value[lane].to_f64()).collect()
+}
+
+impl<S: Real> Recorded<'_, S> {
+    /// What `probe` wants of lane `lane`, which is sweep `sweep`.
+    pub fn waveforms(&self, probe: &Probe, lane: usize, sweep: u32) -> Vec<Waveform> {
+        let wanted = signals().iter().filter(|signal| probe.wants(signal));
+        let mut inside = None;
+        wanted
+            .map(|signal| {
+                let Changes { times, values } = match signal.axis {
+                    Axis::Ground => {
+                        self.sampled(self.along_the_ground(signal.name, lane, sweep, &mut inside))
+                    }
+                    Axis::Display => self.sampled(self.down_the_display(signal.name, lane, sweep)),
+                    Axis::Changes => self.digital(signal.name, lane),
+                };
+                Waveform { signal: *signal, frame: self.group.plan.frame, sweep, times, values }
+            })
+            .collect()
+    }
+
+    fn sampled(&self, values: Vec<f64>) -> Changes {
+        Changes { times: Vec::new(), values }
+    }
+
+    fn digital(&self, name: &str, lane: usize) -> Changes {
+        let Self { group, work, .. } = self;
+        match name {
+            "fg.centre" if group.blocks.features => feature_centres(&work.features[lane], group.table),
+            "fg.centre" => Changes::default(),
+            _ if !name.contains(".coarse.") => changes(name, &work.programs[lane]),
+            _ if group.blocks.coarse.is_some() => changes(name, &work.coarse[lane]),
+            _ => Changes::default(),
+        }
+    }
+
+    fn along_the_ground(&self, name: &str, lane: usize, sweep: u32, inside: &mut Option<Inside>) -> Vec<f64> {
+        let ranges = self.group.table.ranges();
+        if name == RANGE {
+            return ranges.to_vec();
+        }
+        let in_sight = ranges.partition_point(|&range| range <= self.group.end_range(lane, self.work));
+        let mut values = if terrain_generator::INNER_SIGNALS.iter().any(|signal| signal.name == name) {
+            inner(name, inside.get_or_insert_with(|| self.inside(lane, sweep)))
+        } else {
+            self.values(name, lane)
+        };
+        values.truncate(in_sight);
+        // Beyond the problem area a wire keeps its last value, so nothing changes and nothing is drawn; where a generator is
+        // not there, it is 0.
+        let beyond = match name {
+            "dpp.derivative" | "sm.video" => 0.0,
+            _ => values.last().copied().unwrap_or(0.0),
+        };
+        values.resize(ranges.len(), beyond);
+        values
+    }
+
+    /// Inner wires of the fine level's array.
+    fn inside(&self, lane: usize, sweep: u32) -> Inside {
+        let Self { group, work, .. } = self;
+        let generator = group.terrain(group.stage.landscape.level());
+        match &group.parts.terrain {
+            None => generator.inside(&work.programs[lane]),
+            Some(parts) => {
+                let (first, mut state) = (sweep - lane as u32, ArrayState::default());
+                group.wired(&parts.fine, first, &mut state).inside(&generator, &work.programs, lane)
+            }
+        }
+    }
+
+    fn values(&self, name: &str, lane: usize) -> Vec<f64> {
+        let Self { group, work, .. } = self;
+        let program = &work.programs[lane];
+        let (profile, projected) = (&work.profile, &work.projected);
+        let composite = group.composite(work);
+        let of = |values: &[Lanes<S>]| of_lane(values, lane);
+        let on_datum = |values: &[Lanes<S>]| {
+            of(values).into_iter().map(|height| height + group.plan.eye[2]).collect::<Vec<_>>()
+        };
+        let drawn =
+            |values: &[Lanes<S>]| of(values).into_iter().map(|signed| signed.max(0.0)).collect::<Vec<_>>();
+        let direction = program.start.direction;
+        match name {
+            "sweep.x" => self.ramp(program, RampAxis::X),
+            "sweep.y" => self.ramp(program, RampAxis::Y),
+            "tg.height" => on_datum(&profile.height),
+            "tg.slope.u" => slope(&of(&profile.along), &of(&profile.across), direction, 0),
+            "tg.slope.v" => slope(&of(&profile.along), &of(&profile.across), direction, 1),
+            "tg.reflectivity" => drawn(&profile.reflectivity),
+            "mu.height" => on_datum(composite.height),
+            "mu.reflectivity" => drawn(composite.reflectivity),
+            "dpp.elevation" => of(&projected.elevation),
+            "dpp.hold" => of(&projected.hold),
+            "dpp.y" => of(&projected.line),
+            "dpp.derivative" => self.derivative(lane),
+            "dpp.blank" => self.blank(lane),
+            "sm.video" => self.video(lane),
+            _ => self.of_added_blocks(name, lane, direction),
+        }
+    }
+
+    /// The gate that turns the write beam off.
+    fn blank(&self, lane: usize) -> Vec<f64> {
+        let Self { group, work, .. } = self;
+        match group.parts.beam {
+            Some(_) => work.driven.blank(lane),
+            None => blanked(&of_lane(&work.projected.elevation, lane), &of_lane(&work.projected.hold, lane)),
+        }
+    }
+
+    /// What the circuit of occlusion by derivative compares with 0 (tangents a microsecond): 0 where there is none.
+    fn derivative(&self, lane: usize) -> Vec<f64> {
+        let Self { group, work, .. } = self;
+        let settings = &group.stage.settings;
+        let samples = group.table.ranges().len();
+        if settings.laws.occlusion != Occlusion::Derivative {
+            return vec![0.0; samples];
+        }
+        let (rates, a_second) = match &group.parts.beam {
+            Some(beam) => (beam.processor.derivative(&work.driven, lane), 1.0),
+            None => (
+                Some(rises(&of_lane(&work.projected.elevation, lane))),
+                settings.timebase.sample_rate().hertz(),
+            ),
+        };
+        let in_microseconds = |rate: f64| rate * a_second / MICROSECONDS;
+        rates.map_or_else(|| vec![0.0; samples], |rates| rates.into_iter().map(in_microseconds).collect())
+    }
+
+    /// What drives the write beam: from parts it comes behind the delay line that meets the position.
+    fn video(&self, lane: usize) -> Vec<f64> {
+        let Self { group, work, .. } = self;
+        let intensity = match group.parts.beam {
+            Some(_) => of_lane(&work.driven.intensity, lane),
+            None => of_lane(group.composite(work).reflectivity, lane),
+        };
+        let seen = |(video, blank): (f64, f64)| if blank > 0.5 { 0.0 } else { video.max(0.0) };
+        intensity.into_iter().zip(self.blank(lane)).map(seen).collect()
+    }
+
+    /// Signals of blocks that may not be there: 0 throughout if they are not.
+    fn of_added_blocks(&self, name: &str, lane: usize, direction: [f64; 2]) -> Vec<f64> {
+        let Self { group, work, .. } = self;
+        let of = |values: &[Lanes<S>]| of_lane(values, lane);
+        let features = &work.feature_profile;
+        let samples = group.table.ranges().len();
+        let has_features = group.blocks.features;
+        match name {
+            "fg.height" if has_features => of(&features.height),
+            "fg.slope.u" if has_features => slope(&of(&features.along), &of(&features.across), direction, 0),
+            "fg.slope.v" if has_features => slope(&of(&features.along), &of(&features.across), direction, 1),
+            "fg.present" if has_features => of(&features.present),
+            "fg.reflectivity" if has_features => {
+                of(&work.lit.reflectivity).into_iter().map(|signed| signed.max(0.0)).collect()
+            }
+            "sc.gate" | "mu.vs2" => self.mixed(|inputs| inputs.vs2_gate(lane)),
+            "mu.vs1" => self.mixed(|inputs| inputs.vs1_gate(&group.mixing_unit().vs1, lane)),
+            "txg.texture" if group.blocks.texture => {
+                let mut values = of(&work.texture);
+                values.resize(samples, 0.0);
+                values
+            }
+            _ => vec![0.0; samples],
+        }
+    }
+
+    fn mixed(&self, of: impl FnOnce(Inputs<'_, S>) -> Vec<f64>) -> Vec<f64> {
+        let lists = self.group.toggle_lists(self.work);
+        of(self.group.inputs(self.work, &lists))
+    }
+
+    fn down_the_display(&self, name: &str, lane: usize, sweep: u32) -> Vec<f64> {
+        let lines = self.group.raster.lines;
+        let rule = self.group.stage.settings.laws.pixel_rule;
+        let (mut overlay, mut row) = (Overlay::default(), vec![0.0; lines]);
+        let mut seen = || self.group.compose_bodies(sweep, lane, &self.work.projected.line, &mut overlay);
+        match name {
+            "sm.write" => row.copy_from_slice(&self.rows[lane * lines..][..lines]),
+            "pg.present" if seen() => overlay.present(rule, &mut row),
+            "pg.reflectivity" if seen() => overlay.write(rule, &mut row),
+            _ => {}
+        }
+        row.into_iter().map(f64::from).collect()
+    }
+
+    fn ramp(&self, program: &SweepProgram, axis: RampAxis) -> Vec<f64> {
+        let region_size = self.group.stage.landscape.level().region_size();
+        let ramp = &program.start.ramps[usize::from(axis == RampAxis::Y)];
+        let mut folds = program
+            .steps
+            .iter()
+            .filter(|step| step.kind.fold().is_some_and(|fold| fold.axis == axis))
+            .peekable();
+        let mut count = 0;
+        let value = |&range: &f64| {
+            while folds.next_if(|fold| fold.range <= range).is_some() {
+                count += 1;
+            }
+            ramp.at(count, range / region_size).0
+        };
+        self.group.table.ranges().iter().map(value).collect()
+    }
+}
+
+/// The inner wire called `tg.fn.{x, cx, y, cy}.{g0, g1, g2}` or `tg.{colour}.height`.
+fn inner(name: &str, inside: &Inside) -> Vec<f64> {
+    let wire = match name.split('.').collect::<Vec<_>>()[..] {
+        ["tg", "fn", fed, function] => {
+            let fed = ["x", "cx", "y", "cy"].iter().position(|known| *known == fed);
+            let function = ["g0", "g1", "g2"].iter().position(|known| *known == function);
+            fed.zip(function).map(|(fed, function)| &inside.functions[fed][function])
+        }
+        ["tg", colour, "height"] => {
+            let colour = Colour::ALL.into_iter().find(|known| known.name() == colour);
+            colour.map(|colour| &inside.colours[colour as usize])
+        }
+        _ => None,
+    };
+    wire.cloned().unwrap_or_default()
+}
+
+/// Slope to the north (axis 0) or the east (axis 1) from those along and across a sweep.
+fn slope(along: &[f64], across: &[f64], [cos, sin]: [f64; 2], axis: usize) -> Vec<f64> {
+    let (a, b) = if axis == 0 { (cos, -sin) } else { (sin, cos) };
+    along.iter().zip(across).map(|(along, across)| a * along + b * across).collect()
+}

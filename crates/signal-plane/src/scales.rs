@@ -1,0 +1,100 @@
+//! Which wires an elaborated machine has, and what full scale means on them.
+
+use control_plane::{Blocks, MachineStage, WrittenRaster};
+use display_projection_processor::DERIVATIVE;
+use scenario::{Laws, Occlusion};
+use signal::{Kind, Signal, Unit, Wire};
+use terrain_generator::Scale;
+
+use crate::signal_table::signals;
+
+/// High level of a gate (V): transistor logic of the time (our choice).
+const LOGIC: f64 = 5.0;
+
+/// Microseconds of a second.
+pub(crate) const MICROSECONDS: f64 = 1e6;
+
+/// Full scales of a stage.
+pub(crate) struct Scales {
+    /// Voltage at full scale.
+    volts: f64,
+    /// Middle of the stored heights, and what is full scale from there (m).
+    height: [f64; 2],
+    /// Slope at full scale.
+    slope: f64,
+    /// Tangent of elevation at the edge of the raster.
+    tangent: f64,
+    lines: f64,
+    /// End of the range programme (m).
+    range: f64,
+}
+
+/// Wires of the machine elaborated for `stage`, in the order of the signal table: those of blocks that are there.
+pub fn wires(stage: &MachineStage, blocks: &Blocks, raster: &WrittenRaster) -> Vec<Wire> {
+    let scales = Scales::of(stage, raster);
+    signals()
+        .iter()
+        .filter(|signal| is_there(signal, blocks, &stage.settings.laws))
+        .map(|signal| scales.wire(signal))
+        .collect()
+}
+
+fn is_there(signal: &Signal, blocks: &Blocks, laws: &Laws) -> bool {
+    match (signal.prefix(), signal.name) {
+        ("fg", _) | (_, "mu.vs1") => blocks.features,
+        ("sc", _) | (_, "mu.vs2") => blocks.shadows.is_some(),
+        ("txg", _) => blocks.texture,
+        ("pg", _) => blocks.bodies,
+        (_, "dpp.derivative") => laws.occlusion == Occlusion::Derivative,
+        (_, name) if name.contains(".coarse.") => blocks.coarse.is_some(),
+        _ => true,
+    }
+}
+
+impl Scales {
+    pub fn of(stage: &MachineStage, raster: &WrittenRaster) -> Self {
+        let levels = stage.landscape.bank().levels();
+        let of_level = |level| (Scale::of(level), level.region_size());
+        let (fine, size) = of_level(stage.landscape.level());
+        let mut scales = Self {
+            volts: stage.settings.analog.full_scale,
+            height: [fine.datum, fine.height],
+            slope: fine.slope / size,
+            tangent: raster.field.tan_half_height,
+            lines: raster.lines as f64,
+            range: stage.settings.range.end,
+        };
+        if let (Some(_), Some(level)) = (stage.settings.levels, levels.get(1)) {
+            let (coarse, size) = of_level(level);
+            scales.height[1] = scales.height[1].max(coarse.height);
+            scales.slope = scales.slope.max(coarse.slope / size);
+        }
+        scales
+    }
+
+    /// The wire of a signal.
+    pub fn wire(&self, signal: &Signal) -> Wire {
+        let [datum, full_scale] = match signal.unit {
+            Unit::Metre if signal.name == "sweep.range" => [0.0, self.range],
+            // What is added to a height has no datum of its own.
+            Unit::Metre if signal.name.ends_with(".height") && !is_added(signal) => self.height,
+            Unit::Metre => [0.0, self.height[1]],
+            Unit::Slope => [0.0, self.slope],
+            Unit::Tangent => [0.0, self.tangent],
+            Unit::TangentRate => [0.0, self.tangent / (DERIVATIVE * MICROSECONDS)],
+            Unit::Line => [0.0, self.lines],
+            _ => [0.0, 1.0],
+        };
+        let volts = match signal.kind {
+            Kind::Analog => self.volts,
+            Kind::Gate => LOGIC,
+            Kind::Bus | Kind::Event => 0.0,
+        };
+        Wire { signal: *signal, full_scale, volts, datum }
+    }
+}
+
+/// Whether a height is one that others are added to.
+fn is_added(signal: &Signal) -> bool {
+    !matches!(signal.name, "tg.height" | "mu.height")
+}

@@ -1,0 +1,119 @@
+//! Buffers of one worker; they live as long as the session.
+
+use std::array;
+
+use display_projection_processor::{Driven, Projected, Scratch, Sight};
+use feature_generator::{ChainScratch, FeatureProfile, FeatureProgram, Passings};
+use mixing_unit::{Mixed, SwitchScratch};
+use parts::GateEdge;
+use polyhedron_generator::{BodyFade, Overlay};
+use signal::{LANES, Lanes, Real, Stretches};
+use sweep_memory::{FarStroke, GunWork};
+use sweep_program::SweepProgram;
+use terrain_generator::{ArrayState, Overlap, Polynomials, Profile};
+
+use crate::feature_light::Lit;
+use crate::lane_gate::LaneGate;
+use crate::wires::WireScratch;
+
+/// Programs and signals of a group of sweeps, in the order in which they arise.
+#[derive(Debug, Clone)]
+pub struct Workspace<S> {
+    /// Programs of the terrain generator; of its fine level, if there are two.
+    pub programs: [SweepProgram; LANES],
+    /// Programs of the coarse level.
+    pub coarse: [SweepProgram; LANES],
+    /// Craters that the group can meet.
+    pub craters: Vec<u32>,
+    /// Programs of the feature generator.
+    pub features: [FeatureProgram; LANES],
+    /// Craters that the group draws, where the machine draws swiftly.
+    pub passings: Passings,
+    /// Wires of the terrain generators made of parts, the fine level's first.
+    pub arrays: [ArrayState<S>; 2],
+    /// Buffers of the terrain generators made of ideal parts, the fine level's first.
+    pub polynomials: [Polynomials<S>; 2],
+    /// Terrain profiles.
+    pub profile: Profile<S>,
+    /// Both levels where they blend.
+    pub overlap: Overlap<S>,
+    /// Largest difference of the levels at the switch (m).
+    pub step: f64,
+    /// What features add.
+    pub feature_profile: FeatureProfile<S>,
+    /// Sub-generators of parts, and where their craters are lit.
+    pub chains: ChainScratch<S>,
+    /// Features in the light.
+    pub lit: Lit<S>,
+    /// Changes of a gate along a sweep, as they are found.
+    pub edges: Vec<GateEdge>,
+    /// Gates of remote shadow.
+    pub shadow: [LaneGate<S>; LANES],
+    /// Stretches in remote shadow, where the machine draws swiftly.
+    pub dark: Stretches,
+    /// Presence of features, by comparators of parts.
+    pub presence: [LaneGate<S>; LANES],
+    /// Texture of the foreground.
+    pub texture: Vec<Lanes<S>>,
+    /// Fades of the switches of parts.
+    pub fades: SwitchScratch<S>,
+    /// Projection processor of parts.
+    pub chain: Scratch<S>,
+    /// What it drives.
+    pub driven: Driven<S>,
+    /// Write gun of parts.
+    pub gun: GunWork,
+    /// Output amplifiers of the main signals.
+    pub wires: WireScratch<S>,
+    /// Composite profiles; not used where terrain is alone.
+    pub mixed: Mixed<S>,
+    /// Projected profiles.
+    pub projected: Projected<S>,
+    /// What is seen of them, where the machine draws swiftly.
+    pub sight: Sight<S>,
+    /// Mountains behind the last sample.
+    pub far: [Vec<FarStroke>; LANES],
+    /// Lines of the ideal write beam while they are written.
+    pub lines: Vec<Lanes<f32>>,
+    /// Third video switch.
+    pub overlay: Overlay,
+    /// The same of parts.
+    pub body_fade: BodyFade,
+}
+
+impl<S: Real> Default for Workspace<S> {
+    fn default() -> Self {
+        Self {
+            programs: array::from_fn(|_| SweepProgram::idle()),
+            coarse: array::from_fn(|_| SweepProgram::idle()),
+            craters: Vec::new(),
+            features: Default::default(),
+            passings: Passings::default(),
+            arrays: Default::default(),
+            polynomials: Default::default(),
+            profile: Profile::default(),
+            overlap: Overlap::default(),
+            step: 0.0,
+            feature_profile: FeatureProfile::default(),
+            chains: ChainScratch::default(),
+            lit: Lit::default(),
+            edges: Vec::new(),
+            shadow: Default::default(),
+            dark: Default::default(),
+            presence: Default::default(),
+            texture: Vec::new(),
+            fades: SwitchScratch::default(),
+            chain: Scratch::default(),
+            driven: Driven::default(),
+            gun: GunWork::default(),
+            wires: WireScratch::default(),
+            mixed: Mixed::default(),
+            projected: Projected::default(),
+            sight: Sight::default(),
+            far: Default::default(),
+            lines: Vec::new(),
+            overlay: Overlay::default(),
+            body_fade: BodyFade::default(),
+        }
+    }
+}

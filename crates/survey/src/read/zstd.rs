@@ -1,0 +1,155 @@
+//! Strips and tiles packed by Zstandard (compression 50000), unpacked in Rust.
+//!
+//! The crate `tiff` unpacks them by a C library only. Here `ruzstd` unpacks a strip or tile, and `tiff` reads what it
+//! holds from a TIFF in memory that has it alone: byte order, predictor, bands and padding stay with `tiff`.
+
+use std::fs::File;
+use std::io::{self, BufReader, Cursor, Read, Seek, SeekFrom};
+
+use ruzstd::decoding::StreamingDecoder;
+use tiff::decoder::{ChunkType, Decoder, DecodingResult, Limits};
+use tiff::tags::{ByteOrder, Tag};
+use tiff::{TiffError, TiffResult};
+
+/// The code of this compression.
+pub const ZSTD: u16 = 50_000;
+
+/// A TIFF file being read.
+type Tiff = Decoder<BufReader<File>>;
+
+/// Bytes in front of the directory of a TIFF.
+const HEADER: usize = 8;
+/// Bytes of an entry of the directory.
+const ENTRY: usize = 12;
+
+/// The values of strip or tile `index`, as [`Decoder::read_chunk`] gives them.
+pub fn read_chunk(tiff: &mut Tiff, index: u32, mut limits: Limits) -> TiffResult<DecodingResult> {
+    let chunk = Chunk::of(tiff, index)?;
+    if chunk.bytes() > limits.decoding_buffer_size as u64 {
+        return Err(TiffError::LimitsExceeded);
+    }
+    let unpacked = unpacked(&packed(tiff, index, &limits)?, chunk.bytes())?;
+    limits.intermediate_buffer_size = unpacked.len();
+    let alone = chunk.alone(tiff.byte_order(), &unpacked);
+    Decoder::new(Cursor::new(alone))?.with_limits(limits).read_chunk(0)
+}
+
+/// How a strip or tile is stored.
+struct Chunk {
+    /// Columns and lines that it stores.
+    stored: [u32; 2],
+    /// Columns and lines of them that lie in the picture.
+    used: [u32; 2],
+    /// Samples of a pixel.
+    samples: u32,
+    bits: u32,
+    format: u32,
+    predictor: u32,
+    photometric: u32,
+}
+
+impl Chunk {
+    fn of(tiff: &mut Tiff, index: u32) -> TiffResult<Self> {
+        let mut first = |tag, usual| -> TiffResult<u32> {
+            let values = tiff.find_tag_unsigned_vec::<u32>(tag)?;
+            Ok(values.and_then(|values| values.first().copied()).unwrap_or(usual))
+        };
+        let is_planar = first(Tag::PlanarConfiguration, 1)? == 2;
+        let samples = if is_planar { 1 } else { first(Tag::SamplesPerPixel, 1)? };
+        let photometric = if is_planar { 1 } else { first(Tag::PhotometricInterpretation, 1)? };
+        let (bits, format) = (first(Tag::BitsPerSample, 1)?, first(Tag::SampleFormat, 1)?);
+        let predictor = first(Tag::Predictor, 1)?;
+        let (width, lines) = tiff.chunk_data_dimensions(index);
+        let stored = match tiff.get_chunk_type() {
+            // The last strip ends where the picture does.
+            ChunkType::Strip => [width, lines],
+            ChunkType::Tile => tiff.chunk_dimensions().into(),
+        };
+        Ok(Self { stored, used: [width, lines], samples, bits, format, predictor, photometric })
+    }
+
+    /// Bytes of the samples; each line begins with a byte of its own.
+    fn bytes(&self) -> u64 {
+        let [columns, lines] = self.stored.map(u64::from);
+        let bits = columns.saturating_mul((self.samples * self.bits).into());
+        bits.div_ceil(8).saturating_mul(lines)
+    }
+
+    /// A TIFF of one tile, this one, without compression.
+    fn alone(&self, order: ByteOrder, samples: &[u8]) -> Vec<u8> {
+        let tags = [
+            (Tag::ImageWidth, self.used[0]),
+            (Tag::ImageLength, self.used[1]),
+            (Tag::BitsPerSample, self.bits),
+            (Tag::Compression, 1),
+            (Tag::PhotometricInterpretation, self.photometric),
+            (Tag::SamplesPerPixel, self.samples),
+            (Tag::Predictor, self.predictor),
+            (Tag::TileWidth, self.stored[0]),
+            (Tag::TileLength, self.stored[1]),
+            (Tag::TileOffsets, (HEADER + 2 + TAGS * ENTRY + 4) as u32),
+            (Tag::TileByteCounts, samples.len() as u32),
+            (Tag::SampleFormat, self.format),
+        ];
+        directory(order, tags).into_iter().chain(samples.iter().copied()).collect()
+    }
+}
+
+/// Tags that tell how a tile is stored.
+const TAGS: usize = 12;
+
+/// Header and directory of a TIFF with these tags, each of one number of 32 bits.
+fn directory(order: ByteOrder, tags: [(Tag, u32); TAGS]) -> Vec<u8> {
+    let short = |number: u16| match order {
+        ByteOrder::LittleEndian => number.to_le_bytes(),
+        ByteOrder::BigEndian => number.to_be_bytes(),
+    };
+    let long = |number: u32| match order {
+        ByteOrder::LittleEndian => number.to_le_bytes(),
+        ByteOrder::BigEndian => number.to_be_bytes(),
+    };
+    let mark = if order == ByteOrder::LittleEndian { *b"II" } else { *b"MM" };
+    let mut bytes = [&mark[..], &short(42), &long(HEADER as u32), &short(TAGS as u16)].concat();
+    for (tag, number) in tags {
+        const LONG: u16 = 4;
+        bytes.extend([&short(tag.to_u16())[..], &short(LONG), &long(1), &long(number)].concat());
+    }
+    bytes.extend(long(0));
+    bytes
+}
+
+/// The bytes of strip or tile `index` as they stand in the file.
+fn packed(tiff: &mut Tiff, index: u32, limits: &Limits) -> TiffResult<Vec<u8>> {
+    let tags = match tiff.get_chunk_type() {
+        ChunkType::Strip => [Tag::StripOffsets, Tag::StripByteCounts],
+        ChunkType::Tile => [Tag::TileOffsets, Tag::TileByteCounts],
+    };
+    let mut number = |tag| -> TiffResult<u64> {
+        let numbers = tiff.find_tag_unsigned_vec::<u64>(tag)?.unwrap_or_default();
+        numbers.get(index as usize).copied().ok_or_else(|| broken("a strip or tile without a place"))
+    };
+    let [offset, count] = [number(tags[0])?, number(tags[1])?];
+    if count > limits.intermediate_buffer_size as u64 {
+        return Err(TiffError::LimitsExceeded);
+    }
+    let mut bytes = Vec::new();
+    tiff.inner().seek(SeekFrom::Start(offset))?;
+    tiff.inner().take(count).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// What `packed` holds, which must be `expected` bytes.
+fn unpacked(packed: &[u8], expected: u64) -> TiffResult<Vec<u8>> {
+    let stream = StreamingDecoder::new(packed).map_err(broken)?;
+    let mut bytes = Vec::new();
+    stream.take(expected.saturating_add(1)).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 != expected {
+        let found = bytes.len();
+        return Err(broken(format!("Zstandard holds {found} bytes, expected {expected}")));
+    }
+    Ok(bytes)
+}
+
+fn broken(what: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> TiffError {
+    io::Error::new(io::ErrorKind::InvalidData, what).into()
+}
