@@ -21,6 +21,7 @@ mod column;
 mod ground;
 mod late;
 mod seek;
+mod text;
 
 pub use column::SweepColumn;
 pub use ground::{ColourState, GroundPoint};

@@ -7,6 +7,7 @@ use compare::CompareError;
 use deadlines::DeadlineError;
 use diagnostics::ProblemList;
 use event_list::EventListError;
+use file_info::InfoError;
 use files::{Action, FileError, NpyFileError};
 use front_door::{OpenError, StageError};
 use generator::FrameError;
@@ -15,6 +16,9 @@ use photographs::PhotographFileError;
 use picture::PictureFileError;
 use plots::PlotError;
 use replay::ReplayError;
+use report::ReportError;
+use run_compare::RunCompareError;
+use run_page::PageError;
 use scope::ScopeError;
 use survey::SurveyError;
 use timing::RecordError;
@@ -232,6 +236,70 @@ impl From<EventListError> for Failure {
 impl From<FrameError> for Failure {
     fn from(error: FrameError) -> Self {
         Self::input(error)
+    }
+}
+
+impl From<study::report::ReportError> for Failure {
+    fn from(error: study::report::ReportError) -> Self {
+        match error {
+            study::report::ReportError::File(error) => error.into(),
+            other => Self::output(other),
+        }
+    }
+}
+
+impl From<ReportError> for Failure {
+    fn from(error: ReportError) -> Self {
+        match error {
+            ReportError::File(error) => error.into(),
+            ReportError::Run(error) => error.into(),
+            ReportError::PictureFile(error) => error.into(),
+            ReportError::Content { .. } | ReportError::Strip { .. } | ReportError::Compare { .. } => {
+                Self::input(error)
+            }
+        }
+    }
+}
+
+impl From<RunCompareError> for Failure {
+    fn from(error: RunCompareError) -> Self {
+        match error {
+            RunCompareError::Run(error) => error.into(),
+            RunCompareError::Picture(error) => error.into(),
+            RunCompareError::Photograph(error) => error.into(),
+            RunCompareError::Open(error) => error.into(),
+            RunCompareError::NoFrames => Self::usage(error),
+            _ => Self::input(error),
+        }
+    }
+}
+
+impl From<InfoError> for Failure {
+    fn from(error: InfoError) -> Self {
+        match error {
+            InfoError::Problems(list) => list.into(),
+            InfoError::Open(error) => error.into(),
+            InfoError::File(error) => error.into(),
+            InfoError::Bank(error) => error.into(),
+            InfoError::Picture(error) => error.into(),
+            InfoError::Run(error) => error.into(),
+            InfoError::Survey(error) => (*error).into(),
+            InfoError::Other(_) | InfoError::UnknownStart { .. } => Self::input(error),
+        }
+    }
+}
+
+impl From<PageError> for Failure {
+    fn from(error: PageError) -> Self {
+        match error {
+            PageError::Run(error) => error.into(),
+            PageError::Report(error) => error.into(),
+            PageError::Scope(error) => error.into(),
+            PageError::File(error) => error.into(),
+            PageError::Request(_) => Self::usage(error),
+            PageError::Folder { .. } => Self::output(error),
+            PageError::Path(_) | PageError::Prepare(_) | PageError::Frame(_) => Self::input(error),
+        }
     }
 }
 

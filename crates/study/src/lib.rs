@@ -17,6 +17,7 @@
 //! **Economy** ([`economy`]): what a scene does not need, what leaving it out saves, the waste that remains. **Banks**
 //! ([`regions()`]): region size of a survey against the ground. **Shadow** ([`shadow`]): the vehicle's, on flat
 //! ground and on true, by every law and method.
+//! **Reports** ([`report`]): what came of a study as text, as a document, and as tables and plots in a folder.
 //! **Not in the time.** Reading, elaboration, shadow boundaries that are found once, encoding.
 //! **Our choices.** Signals are compared on six groups of eight sweeps spread over the frame. A picture of fewer or more sweeps than the
 //! base is held against the base's columns, each taken from the nearest sweep.
@@ -31,6 +32,7 @@ mod parameter;
 pub mod polynomial;
 mod reference;
 mod regions;
+pub mod report;
 pub mod shadow;
 pub mod solver;
 pub mod stability;

@@ -96,4 +96,10 @@ impl Elevation {
         matches!(self.frame, Frame::Geographic { .. })
             && (around - turn).abs() < 1e-3 * self.affine.step[1].abs()
     }
+
+    /// Whether every height is a whole number: so files look that hold another unit than the metre.
+    pub fn is_whole(&self) -> bool {
+        let whole = |line, column| self.height(line, column).is_none_or(|height| height.floor() == height);
+        (0..self.lines).all(|line| (0..self.columns).all(|column| whole(line, column)))
+    }
 }

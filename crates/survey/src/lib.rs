@@ -34,6 +34,7 @@ mod projection;
 mod read;
 mod report;
 mod survey;
+mod told;
 
 pub use area::{Area, Plane};
 pub use elevation::{Affine, Elevation, Frame};
@@ -43,3 +44,4 @@ pub use projection::{Method, Projection};
 pub use read::{ReadOptions, read};
 pub use report::{LevelReport, SurveyReport, VoidBounds, Worst};
 pub use survey::{Grid, Step, Survey, SurveyOptions, survey};
+pub use told::SurveyTold;

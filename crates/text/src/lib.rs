@@ -30,9 +30,29 @@ pub fn table(rows: &[Vec<String>]) -> String {
     rows.iter().map(line).collect()
 }
 
+/// Rows as a table of Markdown, the first with the names of the columns. A bar within a cell is written so that it ends none.
+pub fn markdown(rows: &[Vec<String>]) -> String {
+    let mut text = String::new();
+    for (number, row) in rows.iter().enumerate() {
+        let cells: Vec<String> = row.iter().map(|cell| cell.replace('|', "\\|")).collect();
+        text += &format!("| {} |\n", cells.join(" | "));
+        if number == 0 {
+            text += &format!("|{}\n", "---|".repeat(row.len()));
+        }
+    }
+    text
+}
+
+/// `value` with at most `places` decimals, no zeros behind: lengths in metres have three, degrees six.
+pub fn shortened(value: f64, places: usize) -> String {
+    let text = format!("{value:.places$}");
+    let short = text.trim_end_matches('0').trim_end_matches('.');
+    if short == "-0" { "0".into() } else { short.into() }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{named_frames, rate};
+    use super::{markdown, named_frames, rate, shortened};
 
     #[test]
     fn one_frame_is_a_frame() {
@@ -43,5 +63,21 @@ mod tests {
     fn slow_rates_are_no_zeros() {
         let said = [0.0, 1234.56, 24.31, 0.996, 0.0433, 0.00012, 1e-9].map(rate);
         assert_eq!(said, ["0.0", "1234.6", "24.3", "1.0", "0.043", "0.00012", "0.0"].map(str::to_owned));
+    }
+
+    #[test]
+    fn a_bar_in_a_cell_ends_no_cell() {
+        let rows = [["sun", "mean |z| (m)"], ["own", "1.5"]].map(|row| row.map(str::to_owned).to_vec());
+        assert_eq!(markdown(&rows), "| sun | mean \\|z\\| (m) |\n|---|---|\n| own | 1.5 |\n");
+    }
+
+    #[test]
+    fn lengths_to_the_millimetre() {
+        let short = [6.0, 150_550.635_443_332_93, -0.000_01, 1000.0, -89.875_000_000_000_01];
+        assert_eq!(
+            short.map(|value| shortened(value, 3)),
+            ["6", "150550.635", "0", "1000", "-89.875"].map(str::to_owned)
+        );
+        assert_eq!(shortened(1e-7, 6), "0");
     }
 }

@@ -1,6 +1,6 @@
 //! Commands that go on from what a command has found: the same stage and frame, as a shell reads them.
 
-use super::page::words;
+use super::words::words;
 use crate::loading::StageArgs;
 
 /// `lunoid NAME` on frame `frame` of the same stage, with `rest` behind.

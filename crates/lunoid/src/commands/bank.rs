@@ -7,14 +7,14 @@ use landscape::bank_file::{self, export_corners, import_corners, sidecar_path};
 use landscape::{Bank, Level, Sun};
 use limits::Limit;
 use plots::{BankLook, bank_picture};
-use quantities::{degrees, radians};
-use serde_json::{Value, json};
+use quantities::radians;
+use serde_json::json;
 
 use crate::loading::StageArgs;
 use crate::output::{Place, expect_outputs, print, print_json};
 use crate::{Failure, Verdict, values};
+use file_info::{bank_document, bank_text};
 use front_door::read_scenario;
-use text::table;
 
 /// Make, read and draw banks of terrain coefficients.
 #[derive(Debug, Args)]
@@ -173,7 +173,7 @@ impl Show {
             (look.longest, look.regions) = (self.pixels, self.regions);
             bank_picture(level, Sun { azimuth, elevation }, &look)?.write(out)?;
         }
-        if self.json { print_json(&document(&self.bank, &bank)) } else { print(&describe(&bank)) }
+        if self.json { print_json(&bank_document(&self.bank, &bank)) } else { print(&bank_text(&bank)) }
     }
 }
 
@@ -193,9 +193,9 @@ pub fn bank_at(out: &Path) -> [Place; 2] {
 fn write(out: &Path, bank: &Bank, json: bool) -> Result<(), Failure> {
     bank_file::write(out, bank)?;
     if json {
-        return print_json(&document(out, bank));
+        return print_json(&bank_document(out, bank));
     }
-    print(&format!("{}: {}", out.display(), describe(bank)))
+    print(&format!("{}: {}", out.display(), bank_text(bank)))
 }
 
 fn level_of<'a>(path: &Path, bank: &'a Bank, index: usize) -> Result<&'a Level, Failure> {
@@ -203,82 +203,4 @@ fn level_of<'a>(path: &Path, bank: &'a Bank, index: usize) -> Result<&'a Level, 
         let (path, count) = (path.display(), bank.levels().len());
         Failure::usage(format!("--level {index}: {path} has levels 0..{count}; expected one of them"))
     })
-}
-
-/// `value` with at most `places` decimals, no zeros behind: lengths in metres have three, degrees six.
-pub fn shortened(value: f64, places: usize) -> String {
-    let text = format!("{value:.places$}");
-    let short = text.trim_end_matches('0').trim_end_matches('.');
-    if short == "-0" { "0".into() } else { short.into() }
-}
-
-/// A bank in words.
-pub fn describe(bank: &Bank) -> String {
-    let mut text = format!("{}\n", bank.title());
-    if let Some(place) = bank.georeference() {
-        let [latitude, longitude] = [place.latitude, place.longitude].map(degrees);
-        let [north, east] = place.at;
-        text += &format!(
-            "  touches the Moon at {latitude:.6} N, {longitude:.6} E (x = {} m, y = {} m)\n",
-            shortened(north, 3),
-            shortened(east, 3)
-        );
-    }
-    let heading = ["level", "regions", "region size", "south, west", "north, east", "corner heights"];
-    let rows = bank.levels().iter().enumerate().map(|(index, level)| {
-        let [south, west, north, east] = level.extent().map(|edge| shortened(edge, 3));
-        let [m, n] = level.corners();
-        let [low, high] = heights(level);
-        vec![
-            index.to_string(),
-            format!("{} x {}", m - 1, n - 1),
-            format!("{} m", shortened(level.region_size(), 3)),
-            format!("{south}, {west} m"),
-            format!("{north}, {east} m"),
-            format!("{low:.2} to {high:.2} m"),
-        ]
-    });
-    text + &table(&[heading.map(str::to_owned).to_vec()].into_iter().chain(rows).collect::<Vec<_>>())
-}
-
-/// A bank as JSON.
-pub fn document(path: &Path, bank: &Bank) -> Value {
-    let place = bank.georeference().map(|place| {
-        json!({ "latitude_deg": degrees(place.latitude), "longitude_deg": degrees(place.longitude),
-                "at_m": place.at })
-    });
-    let levels = bank.levels().iter().map(|level| {
-        json!({ "region_size_m": level.region_size(), "origin_m": level.origin(), "corners": level.corners(),
-                "extent_m": level.extent(), "corner_heights_m": heights(level) })
-    });
-    let hash: String = bank_file::content_hash(bank).iter().map(|byte| format!("{byte:02x}")).collect();
-    json!({
-        "schema": "lunoid.bank/1",
-        "file": path.display().to_string(),
-        "title": bank.title(),
-        "content_blake3": hash,
-        "place": place,
-        "levels": levels.collect::<Vec<_>>(),
-    })
-}
-
-/// Lowest and highest corner (m).
-fn heights(level: &Level) -> [f64; 2] {
-    let start = [f64::INFINITY, f64::NEG_INFINITY];
-    level.words().iter().fold(start, |[low, high], words| [low.min(words[0]), high.max(words[0])])
-}
-
-#[cfg(test)]
-mod tests {
-    use super::shortened;
-
-    #[test]
-    fn lengths_to_the_millimetre() {
-        let short = [6.0, 150_550.635_443_332_93, -0.000_01, 1000.0, -89.875_000_000_000_01];
-        assert_eq!(
-            short.map(|value| shortened(value, 3)),
-            ["6", "150550.635", "0", "1000", "-89.875"].map(str::to_owned)
-        );
-        assert_eq!(shortened(1e-7, 6), "0");
-    }
 }

@@ -2,9 +2,8 @@
 
 use clap::Args;
 use exact::Columns;
-use explain::{Explanation, GroundPoint, Inquiry, InquiryError, Late};
+use explain::{Explanation, Inquiry, InquiryError};
 use machine::Prepare;
-use quantities::fixed;
 
 use crate::commands::again::command;
 use crate::frame::FrameArgs;
@@ -56,7 +55,7 @@ impl Explain {
             document["schema"] = "lunoid.explain/1".into();
             print_json(&document)?;
         } else {
-            print(&(text(&told) + "\n" + &self.next(&told)))?;
+            print(&(told.text() + "\n" + &self.next(&told)))?;
         }
         Ok(Verdict::Yes)
     }
@@ -81,108 +80,4 @@ impl Explain {
             .chain([("trace", format!("--sweep {sweep}"))]);
         commands.map(|(name, rest)| command(name, stage, frame, &rest) + "\n").collect()
     }
-}
-
-fn text(told: &Explanation) -> String {
-    let place = &told.place;
-    let [x, y] = told.pixel;
-    let mut lines = vec![format!(
-        "frame {} ({:.3} s), pixel {x},{y}: {} of full scale",
-        told.frame,
-        told.time_s,
-        fixed(told.intensity, 4)
-    )];
-    lines.extend(told.because.iter().map(|reason| format!("  - {reason}")));
-    lines.push(String::new());
-    let [sweep, cell] = [place.between_sweeps, place.between_cells].map(|at| fixed(at, 3));
-    lines.push(row("read beam", &format!("sweep {sweep}, cell {cell} of {}", place.cells)));
-    lines.push(row("sm.write", &format!("{:.4} in cell {} of sweep {}", told.left, place.cell, place.sweep)));
-    lines.extend(told.body.map(|light| row("pg", &format!("present, reflectivity {light:.4}"))));
-    lines.extend(told.ground.iter().flat_map(ground_rows));
-    lines.extend(told.late.iter().map(late_row));
-    let Some(exact) = &told.exact else { return lines.join("\n") + "\n" };
-    let on_ground = |range| format!(" at {range:.2} m, {} m high, {}", fixed(exact.height_m, 3), exact.shade);
-    let place = exact.range_m.map_or_else(String::new, on_ground);
-    lines.push(row("exact", &format!("{:.4}: {}{place}", exact.intensity, exact.label)));
-    lines.join("\n") + "\n"
-}
-
-fn row(name: &str, value: &str) -> String {
-    format!("{name:<18} {value}")
-}
-
-fn ground_rows(ground: &GroundPoint) -> Vec<String> {
-    let [north, east] = ground.place_m.map(|place| fixed(place, 2));
-    let [x, y] = ground.ramps.map(|ramp| fixed(ramp, 4));
-    let [u, v] = ground.terrain_slopes.map(|slope| fixed(slope, 4));
-    let gate = |on: bool| if on { "on" } else { "off" };
-    let mut rows = vec![
-        row("sample", &format!("{}, {:.3} µs", ground.sample, ground.time_us)),
-        row("sweep.range", &format!("{:.2} m: {north} m north, {east} m east", ground.range_m)),
-        row(
-            "sweep.x, sweep.y",
-            &format!("{x}, {y}; s_x {:+}, s_y {:+}", ground.polarity[0], ground.polarity[1]),
-        ),
-        row("region", &format!("{}, {} of the {} level", ground.region[0], ground.region[1], ground.level)),
-    ];
-    rows.extend(ground.colours.iter().map(|colour| {
-        let corner = |place: [i64; 2]| format!("{}, {}", place[0], place[1]);
-        let held = colour.held.map_or_else(|| "nothing".to_owned(), corner);
-        let share =
-            colour.height_m.map_or_else(String::new, |height| format!(", adds {} m", fixed(height, 3)));
-        let stale =
-            if colour.stale { format!(" STALE: wants {}", corner(colour.wanted)) } else { String::new() };
-        row(&format!("tg.{}.hold", colour.colour), &format!("corner {held}{share}{stale}"))
-    }));
-    rows.extend([
-        row("tg.height", &format!("{} m", fixed(ground.terrain_height_m, 3))),
-        row("tg.slope", &format!("{u} north, {v} east")),
-        row("tg.reflectivity", &format!("{:.4}", ground.terrain_reflectivity)),
-        row("fg.height", &format!("{} m{}", fixed(ground.feature_height_m, 3), craters(&ground.craters))),
-        row("mu.vs1, sc.gate", &format!("{}, {}", gate(ground.features_shown), gate(ground.in_shadow))),
-        row("txg.texture", &format!("{:.4}", ground.texture)),
-        row(
-            "mu",
-            &format!("height {} m, reflectivity {:.4}", fixed(ground.height_m, 3), ground.reflectivity),
-        ),
-        row(
-            "dpp",
-            &format!(
-                "elevation {}, hold {}, line {}",
-                fixed(ground.elevation, 6),
-                fixed(ground.hold, 6),
-                fixed(ground.line, 3)
-            ),
-        ),
-    ]);
-    rows.extend(ground.elevation_change.map(|change| {
-        let way = if change < 0.0 { "falls" } else { "does not fall" };
-        row("dpp.derivative", &format!("{} a µs: the elevation {way}", fixed(change, 6)))
-    }));
-    rows.push(row("sm.video", &format!("{:.4}", ground.video)));
-    rows.extend(
-        ground
-            .hides_m
-            .map(|[near, far]| row("dpp.blank", &format!("hides the ground from {near:.1} to {far:.1} m"))),
-    );
-    rows
-}
-
-fn craters(numbers: &[u32]) -> String {
-    match numbers {
-        [] => String::new(),
-        _ => format!(": craters {}", numbers.iter().map(u32::to_string).collect::<Vec<_>>().join(", ")),
-    }
-}
-
-fn late_row(late: &Late) -> String {
-    let came = late.came.map_or_else(|| "never came".to_owned(), |came| format!("came at {came:.2}"));
-    let force = if late.in_force { ", in force" } else { "" };
-    row(
-        "dpu.late",
-        &format!(
-            "crossing {}, {} {}: due at sample {:.2}, {came}, words {:#05x}, {}{force}",
-            late.crossing, late.colour, late.register, late.due, late.words, late.cause
-        ),
-    )
 }

@@ -6,7 +6,6 @@ pub mod bank;
 pub mod cartridge;
 pub mod check;
 pub mod compare;
-pub mod edges;
 pub mod explain;
 pub mod info;
 pub mod list;
@@ -22,6 +21,7 @@ pub mod survey;
 pub mod timing;
 pub mod trace;
 pub mod trigger;
+mod words;
 
 use crate::cli::{Cli, Command};
 use crate::{Failure, Verdict};

@@ -3,16 +3,13 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
-use hardware_model::{
-    Asked, Budget, BudgetLine, Finding, Grade, Ground, HardwareModel, LoadedModel, PartCounts,
-};
-use serde_json::{Map, Value, json};
+use file_info::{can_be_built, findings_document, findings_text, model_document_with};
+use hardware_model::{Asked, Ground, HardwareModel, LoadedModel, PartCounts};
 
 use crate::commands::list;
 use crate::output::{print, print_json};
 use crate::{Failure, Verdict, values};
 use front_door::read_model;
-use text::table;
 
 /// Show, check and list hardware models.
 #[derive(Debug, Args)]
@@ -145,7 +142,7 @@ impl Show {
         let parts = self.diagram.then(|| PartCounts::of(&loaded.model));
         let budget = self.budget.then(|| loaded.model.budget(self.ground.of(&loaded.model)));
         if self.json {
-            print_json(&with_figures(document(&loaded), parts.as_ref(), budget.as_ref()))?;
+            print_json(&model_document_with(&loaded, parts.as_ref(), budget.as_ref()))?;
         } else if parts.is_none() && budget.is_none() {
             print(&loaded.effective())?;
         } else {
@@ -163,71 +160,12 @@ impl Check {
         let ground = self.ground.of(&loaded.model);
         let found = loaded.model.check_over(ground);
         if self.json {
-            print_json(&check_document(&loaded, ground, &found))?;
+            print_json(&findings_document(&loaded, ground, &found))?;
         } else if found.is_empty() {
             print(&format!("{}: nothing against it\n", loaded.model.name))?;
         } else {
-            print(&table(&found.iter().map(finding_row).collect::<Vec<_>>()))?;
+            print(&findings_text(&found))?;
         }
-        Ok(if can_be(&found) { Verdict::Yes } else { Verdict::No })
+        Ok(if can_be_built(&found) { Verdict::Yes } else { Verdict::No })
     }
-}
-
-fn can_be(found: &[Finding]) -> bool {
-    found.iter().all(|finding| finding.grade != Grade::Refuse)
-}
-
-fn finding_row(finding: &Finding) -> Vec<String> {
-    let grade = match finding.grade {
-        Grade::Refuse => "refused".into(),
-        Grade::Warn(artefact) => format!("warning {}", artefact.unwrap_or_default()).trim_end().to_owned(),
-    };
-    vec![grade, finding.keys.join(", "), finding.message.clone()]
-}
-
-fn check_document(loaded: &LoadedModel, ground: Ground, found: &[Finding]) -> Value {
-    let rows = found.iter().map(|finding| {
-        let (grade, artefact) = match finding.grade {
-            Grade::Refuse => ("refuse", None),
-            Grade::Warn(artefact) => ("warn", artefact),
-        };
-        json!({ "grade": grade, "artefact": artefact, "keys": finding.keys, "message": finding.message })
-    });
-    json!({
-        "schema": "lunoid.model.check/1",
-        "name": loaded.model.name,
-        "region_size_m": ground.region_size,
-        "range_m": ground.range,
-        "ok": can_be(found),
-        "findings": rows.collect::<Vec<_>>(),
-    })
-}
-
-/// A model as JSON.
-pub fn document(loaded: &LoadedModel) -> Value {
-    let values = loaded
-        .values
-        .iter()
-        .map(|value| json!({ "key": value.key, "value": value.value, "origin": value.origin }));
-    json!({
-        "schema": "lunoid.model/1",
-        "name": loaded.model.name,
-        "files": loaded.files.iter().map(|path| path.display().to_string()).collect::<Vec<_>>(),
-        "values": values.collect::<Vec<_>>(),
-    })
-}
-
-/// The document with what was asked for beside the values.
-fn with_figures(mut document: Value, parts: Option<&PartCounts>, budget: Option<&Budget>) -> Value {
-    if let Some(parts) = parts {
-        let counts = parts.rows().into_iter().map(|(name, count)| (name.to_owned(), json!(count)));
-        document["parts"] = Value::Object(counts.collect());
-    }
-    if let Some(budget) = budget {
-        let lines = budget.lines().into_iter();
-        let figures: Map<String, Value> =
-            lines.map(|BudgetLine { key, value, .. }| (key.to_owned(), json!(value))).collect();
-        document["budget"] = Value::Object(figures);
-    }
-    document
 }

@@ -10,9 +10,9 @@ use vehicle_shadow::{Augmentation, Look, Sequence, line_timebase};
 use waveform::{Format, Header};
 
 use crate::Failure;
-use crate::commands::page::Request;
 use crate::commands::probe::{Target, names};
 use crate::output::Place;
+use run_page::Request;
 use scope::write;
 
 /// What is looked at, and where it goes.

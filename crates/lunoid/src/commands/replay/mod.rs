@@ -19,11 +19,12 @@ use replay::{
     Control, HeldRun, Job, Outcome, Phase, Pictures, RunFolder, TruthItems, TruthOutcome, is_run_file, run,
     write_truth, write_y4m,
 };
+use run_page::{Making, PageError, Request, check};
 use run_record::Program;
 use serde_json::{Value, json};
 
 use crate::cli::{COMMIT, RESULT_FAMILY};
-use crate::commands::page::{Making, Request, check};
+use crate::commands::words::words;
 use crate::interrupt;
 use crate::loading::{PreviewArgs, StageArgs, StageOptions, Threads, choose_frames, machine_help};
 use crate::output::{Place, expect_outputs, print, print_json, tell};
@@ -136,7 +137,7 @@ impl Replay {
         let generator = &*opened.generator;
         self.expect_sweeps(&opened)?;
         let lines = generator.scan(&opened.settings.view()).map_or(0, |scan| scan.timebase.sweeps);
-        check(&self.probe, &frames, lines, generator)?;
+        check(&self.probe, &frames, lines, generator).map_err(PageError::from)?;
         let pool = self.threads.pool()?;
         let folder = RunFolder::claim(&out, self.fresh)?;
         interrupt::listen();
@@ -197,8 +198,8 @@ impl Replay {
     ) -> Result<(Outcome, Option<TruthOutcome>), Failure> {
         let outcome = run(job, folder, control)?;
         if matches!(outcome, Outcome::Finished { .. }) {
-            let requests = &self.probe;
-            Making { job, stage, opened, requests, pool: control.pool }.write(folder)?;
+            let (words, requests) = (words(stage), &self.probe);
+            Making { job, words, opened, requests, pool: control.pool }.write(folder)?;
         }
         let truth = match (&outcome, &self.truth) {
             (Outcome::Finished { .. }, Some(items)) => Some(write_truth(job, items, folder, control)?),

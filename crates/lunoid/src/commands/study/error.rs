@@ -7,21 +7,19 @@ use exact::Columns;
 use front_door::Opened;
 use generator::ErrorLadder;
 use hardware_model::{BUILT_IN, HardwareModel, ModelSource, Settings};
-use serde_json::{Value, json};
-use study::ladder::{Extent, Ladder, LadderOutcome, OrderOutcome, ladders};
+use study::ladder::{Extent, Ladder, ladders};
 use study::polynomial::{POLYNOMIAL, polynomial_ladder};
+use study::report::{ErrorReport, is_of};
 use study::solver::{Chain, NOT_BUILT, SOLVER, solver_ladders};
 use study::{
-    Advice, Effort, ExactPictures, REGION_LADDERS, Rehearsed, SelfError, StudyError, Subject, advise, climb,
-    csv, parameter_ladder, regions, table,
+    Effort, ExactPictures, REGION_LADDERS, Rehearsed, StudyError, Subject, advise, climb, parameter_ladder,
+    regions,
 };
 
-use super::outputs::{Outputs, is_of, markdown, write};
-use super::plots::write_plots;
+use super::outputs::Outputs;
 use crate::cli::COMMIT;
 use crate::loading::{StageArgs, Threads, machine_stage, of_models};
 use crate::{Failure, Verdict, values};
-use text::{named_frames, table as columns};
 
 /// The model whose parts make the chain that is solved.
 const CHAIN_OF: &str = "pra-nominal";
@@ -32,8 +30,6 @@ const REPETITIONS: u32 = 5;
 const QUICK_REPETITIONS: u32 = 3;
 /// A quick study has so many times fewer sweeps, columns and lines.
 const QUICK_SHARE: u32 = 4;
-/// How near a measured order must come to theory.
-const WITHIN: f64 = 0.2;
 
 const AFTER: &str = "Examples:
   lunoid study error scenarios/first-light.toml --quick
@@ -70,17 +66,6 @@ pub struct ErrorStudy {
     outputs: Outputs,
 }
 
-/// What came of it.
-struct Outcome {
-    title: String,
-    frames: Vec<u64>,
-    threads: usize,
-    exact: SelfError,
-    ladders: Vec<LadderOutcome>,
-    advice: Vec<Advice>,
-    not_built: Option<&'static str>,
-}
-
 impl ErrorStudy {
     /// Studies.
     pub fn run(&self) -> Result<Verdict, Failure> {
@@ -98,14 +83,13 @@ impl ErrorStudy {
             .map_err(Failure::input)?;
         let outcome = pool.install(|| self.study(&opened, &subject))?;
         if let Some(folder) = &self.outputs.out {
-            write(folder, "error", &outcome.json(), &csv(&outcome.ladders), &outcome.page())?;
-            write_plots(folder, &outcome.facts(), &outcome.ladders)?;
+            outcome.leave(folder)?;
         }
         self.outputs.print(&outcome.json(), &outcome.text())?;
         Ok(Verdict::Yes)
     }
 
-    fn study(&self, opened: &Opened, subject: &Subject) -> Result<Outcome, Failure> {
+    fn study(&self, opened: &Opened, subject: &Subject) -> Result<ErrorReport, Failure> {
         let extent = if self.quick { Extent::Quick } else { Extent::Whole };
         let chosen = self.chosen(opened, ladders(subject, &self.models()?, extent))?;
         let usual = if self.quick { QUICK_REPETITIONS } else { REPETITIONS };
@@ -147,7 +131,8 @@ impl ErrorStudy {
             let real = models.iter().find(|model| model.name == CHAIN_OF).unwrap_or(&subject.model);
             outcomes.extend(solver_ladders(&Chain::of(real), effort, extent));
         }
-        Ok(Outcome {
+        Ok(ErrorReport {
+            commit: COMMIT.into(),
             title: subject.scenario.title.clone(),
             frames: subject.frames.iter().map(|(frame, _)| *frame).collect(),
             threads: rayon::current_num_threads(),
@@ -224,67 +209,5 @@ pub(super) fn failure(error: StudyError) -> Failure {
     match error {
         StudyError::Reference(error) => Failure::output(error),
         other => Failure::input(other),
-    }
-}
-
-impl Outcome {
-    fn json(&self) -> Value {
-        json!({
-            "schema": "lunoid.study-error/1",
-            "commit": COMMIT,
-            "title": self.title,
-            "frames": self.frames,
-            "threads": self.threads,
-            "exact": self.exact,
-            "ladders": self.ladders,
-            "advice": self.advice,
-            "not_built": self.not_built,
-        })
-    }
-
-    fn facts(&self) -> String {
-        format!("{}, {}, {} threads, commit {COMMIT}", self.title, named_frames(&self.frames), self.threads)
-    }
-
-    fn text(&self) -> String {
-        let mut text = format!("{}\n{}\n", self.facts(), self.exact.sentence());
-        for ladder in &self.ladders {
-            text += &format!("\n{}: {}\n{}", ladder.name, ladder.what, columns(&table(ladder)));
-            ladder.orders.iter().for_each(|order| text += &format!("  {}\n", order_words(order)));
-        }
-        text += "\n";
-        self.advice.iter().for_each(|advice| text += &format!("{}\n", advice.sentence()));
-        self.not_built.iter().for_each(|what| text += &format!("{what}\n"));
-        text
-    }
-
-    /// The same as a page of Markdown.
-    fn page(&self) -> String {
-        let mut text = format!("{}. {}\n", self.facts(), self.exact.sentence());
-        for ladder in &self.ladders {
-            text +=
-                &format!("\n### {}\n\n![{} against time]({}.svg)\n\n", ladder.what, ladder.name, ladder.name);
-            text += &markdown(&table(ladder));
-            ladder.orders.iter().for_each(|order| text += &format!("\n{}\n", order_words(order)));
-        }
-        text += "\n";
-        self.advice.iter().for_each(|advice| text += &format!("- {}\n", advice.sentence()));
-        self.not_built.iter().for_each(|what| text += &format!("- {what}\n"));
-        text
-    }
-}
-
-fn order_words(order: &OrderOutcome) -> String {
-    let expected = &order.expected;
-    let theory = format!("theory says {} ({})", expected.order, expected.why);
-    match order.measured {
-        Some(found) => format!(
-            "{}: order {:.2} over {} rungs, {theory}: {}",
-            expected.error,
-            found.slope,
-            found.rungs,
-            if order.agrees(WITHIN) { "agrees" } else { "differs" }
-        ),
-        None => format!("{}: no straight part; {theory}", expected.error),
     }
 }

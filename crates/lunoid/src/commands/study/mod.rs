@@ -2,9 +2,7 @@
 
 mod economy;
 mod error;
-mod matrix_plot;
 mod outputs;
-mod plots;
 mod shadow;
 mod stability;
 

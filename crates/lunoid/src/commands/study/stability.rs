@@ -5,17 +5,15 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use hardware_model::{HardwareModel, ModelSource};
 use scenario::Scenario;
-use serde_json::{Value, json};
 use study::Subject;
 use study::ladder::Extent;
-use study::stability::{BASE, Cell, Choice, FitOutcome, Scene, matrix, rows, survey_fits, table};
+use study::report::{StabilityReport, is_of, make_folder};
+use study::stability::{BASE, Choice, Scene, matrix, rows, survey_fits};
 
-use super::matrix_plot::write_matrix;
-use super::outputs::{Outputs, is_of, make, markdown, write};
+use super::outputs::Outputs;
 use crate::cli::COMMIT;
 use crate::loading::{StageArgs, Threads, machine_stage};
 use crate::{Failure, Verdict, values};
-use text::table as columns;
 
 const AFTER: &str = "Examples:
   lunoid study stability --quick
@@ -59,14 +57,6 @@ pub struct StabilityStudy {
     outputs: Outputs,
 }
 
-/// What came of it.
-struct Outcome {
-    title: String,
-    seed: u64,
-    cells: Vec<Cell>,
-    fits: Vec<FitOutcome>,
-}
-
 /// The row of the survey fit, which is a table of its own.
 const SURVEY: &str = "survey";
 
@@ -76,16 +66,14 @@ impl StabilityStudy {
         self.check_rows()?;
         let sources = self.scenario.as_deref().map_or(Vec::new(), |file| StageArgs::of(file).sources());
         self.outputs.expect_apart(|file| is_of("stability", file), &sources)?;
-        self.outputs.out.as_deref().map_or(Ok(()), make)?;
+        self.outputs.out.as_deref().map_or(Ok(()), make_folder)?;
         let pool = self.threads.pool()?;
         let outcome = pool.install(|| self.study())?;
         if let Some(folder) = &self.outputs.out {
-            let csv = table::csv(&outcome.cells);
-            write(folder, "stability", &outcome.json(), &csv, &outcome.page())?;
-            write_matrix(folder, &outcome.facts(), &outcome.cells)?;
+            outcome.leave(folder)?;
         }
         self.outputs.print(&outcome.json(), &outcome.text())?;
-        Ok(if table::faults(&outcome.cells).is_empty() { Verdict::Yes } else { Verdict::No })
+        Ok(if outcome.holds() { Verdict::Yes } else { Verdict::No })
     }
 
     fn check_rows(&self) -> Result<(), Failure> {
@@ -98,7 +86,7 @@ impl StabilityStudy {
         }
     }
 
-    fn study(&self) -> Result<Outcome, Failure> {
+    fn study(&self) -> Result<StabilityReport, Failure> {
         let subject = self.subject()?;
         let folder = self.scenario.as_deref().and_then(Path::parent).unwrap_or(Path::new(""));
         let load = |name: &str| -> Result<HardwareModel, Failure> {
@@ -116,7 +104,8 @@ impl StabilityStudy {
             matrix(&Scene::of(&subject), [&ideal, &parts], &choice, &mut |name| self.outputs.say(name));
         let is_wanted = self.only.is_empty() || self.only.iter().any(|row| row == SURVEY);
         let fits = if is_wanted { survey_fits() } else { Vec::new() };
-        Ok(Outcome { title: subject.scenario.title.clone(), seed: self.seed, cells, fits })
+        let (commit, title) = (COMMIT.into(), subject.scenario.title.clone());
+        Ok(StabilityReport { commit, title, seed: self.seed, cells, fits })
     }
 
     fn subject(&self) -> Result<Subject, Failure> {
@@ -136,51 +125,5 @@ impl StabilityStudy {
             }
         };
         Subject::new(scenario, model, stage, &[0]).map_err(Failure::input)
-    }
-}
-
-impl Outcome {
-    fn json(&self) -> Value {
-        json!({
-            "schema": "lunoid.study-stability/1",
-            "commit": COMMIT,
-            "title": self.title,
-            "seed": self.seed,
-            "cells": self.cells,
-            "survey": self.fits,
-        })
-    }
-
-    fn facts(&self) -> String {
-        let own = self.cells.iter().filter(|cell| cell.own).count();
-        let faults = table::faults(&self.cells).len();
-        format!("{}, {own} cells of the machine, {faults} do not hold, commit {COMMIT}", self.title)
-    }
-
-    fn text(&self) -> String {
-        let mut text = format!("{}\n\n{}", self.facts(), columns(&table::summary(&self.cells)));
-        if !self.fits.is_empty() {
-            text += &format!("\nsurvey fit\n{}", columns(&table::fits(&self.fits)));
-        }
-        table::faults(&self.cells).iter().for_each(|fault| text += &format!("\n{fault}"));
-        text + "\n"
-    }
-
-    /// The same as a page of Markdown.
-    fn page(&self) -> String {
-        let mut text = format!("{}.\n\n", self.facts());
-        if !self.cells.is_empty() {
-            text += "![Cases by methods](matrix.svg)\n\n";
-        }
-        text += &markdown(&table::summary(&self.cells));
-        if !self.fits.is_empty() {
-            text += &format!("\n### Survey fit\n\n{}", markdown(&table::fits(&self.fits)));
-        }
-        let faults = table::faults(&self.cells);
-        if !faults.is_empty() {
-            text += "\n### What does not hold\n\n";
-            faults.iter().for_each(|fault| text += &format!("- {fault}\n"));
-        }
-        text
     }
 }

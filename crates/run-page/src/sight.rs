@@ -45,11 +45,11 @@ fn line(
 mod tests {
     use std::path::Path;
 
+    use front_door::Wishes;
     use machine::ControlPlane;
     use scenario::PoseTable;
 
     use super::sight;
-    use crate::loading::{StageArgs, machine_stage};
 
     /// Pitch, roll and yoke: what the page works out is where the machine wrote.
     #[test]
@@ -61,11 +61,11 @@ mod tests {
             ("rough-ride", &[("dpp.projection", "as-reported")]),
             ("first-light", &[("sweep_memory.kind", "\"digital-memory\"")]),
         ] {
-            let mut stage = StageArgs::of(&root.join(format!("scenarios/{scenario}.toml")));
-            stage.options.sweeps = Some(90);
-            stage.options.set = options.iter().map(|(key, value)| ((*key).into(), (*value).into())).collect();
-            let opened = stage.load().unwrap_or_else(|failure| panic!("{:?}", failure.message(false)));
-            let stage = machine_stage(&opened, &pool).ok().unwrap();
+            let set = options.iter().map(|(key, value)| ((*key).into(), (*value).into())).collect();
+            let wishes = Wishes { sweeps: Some(90), set, ..Wishes::default() };
+            let file = root.join(format!("scenarios/{scenario}.toml"));
+            let opened = front_door::open(&file, &wishes).unwrap_or_else(|error| panic!("{error}"));
+            let stage = pool.install(|| opened.machine_stage()).unwrap();
             let (update, yoke) = (stage.settings.timebase.update, stage.settings.yoke);
             let table = PoseTable::resolve(&opened.scenario, &stage.landscape, update, yoke, 20..23).unwrap();
             let sight = sight(&stage, table.rows()).unwrap();

@@ -1,7 +1,5 @@
 //! `lunoid study shadow`: the edge of the vehicle's shadow on flat ground against that on true ground.
 
-mod plots;
-
 use std::path::PathBuf;
 
 use clap::Args;
@@ -9,20 +7,17 @@ use front_door::Opened;
 use machine::MachineStage;
 use quantities::radians;
 use scenario::{PoseRow, PoseTable};
-use serde_json::{Value, json};
 use study::Effort;
-use study::shadow::{
-    FlatGroundOutcome, FlatGroundPlan, LawOutcome, csv, flat_ground, laws, laws_table, table,
-};
+use study::report::{ShadowReport, is_of};
+use study::shadow::{FlatGroundPlan, LawOutcome, flat_ground, laws};
 use vehicle_shadow::{Mast, Shape};
 
 use super::error::frames;
-use super::outputs::{Outputs, is_of, markdown, write};
+use super::outputs::Outputs;
 use crate::cli::COMMIT;
 use crate::loading::{StageArgs, Threads, machine_stage};
 use crate::output::Place;
 use crate::{Failure, Verdict, values};
-use text::table as columns;
 
 /// Elevations of the sun where none are given (degrees): those of the page's table.
 const ELEVATIONS: [f64; 3] = [30.0, 16.7, 8.0];
@@ -79,17 +74,6 @@ pub struct ShadowStudy {
     outputs: Outputs,
 }
 
-/// What came of it.
-struct Outcome {
-    title: String,
-    mast: Mast,
-    /// Height of a line of the picture, at its middle (rad).
-    line_rad: f64,
-    suns: Vec<FlatGroundOutcome>,
-    /// Laws and methods, if they were asked for.
-    laws: Vec<LawOutcome>,
-}
-
 /// What casts the shadow.
 struct Caster {
     mast: Mast,
@@ -125,7 +109,8 @@ impl ShadowStudy {
             azimuths: self.azimuths.into(),
         };
         let raster = &stage.settings.raster;
-        let outcome = Outcome {
+        let outcome = ShadowReport {
+            commit: COMMIT.into(),
             mast,
             line_rad: 2.0 * raster.field.tan_half_height / f64::from(raster.lines),
             suns: flat_ground(&stage, path, &plan),
@@ -136,12 +121,10 @@ impl ShadowStudy {
             title: opened.scenario.title,
         };
         if let Some(folder) = &self.outputs.out {
-            write(folder, "shadow", &outcome.json(), &csv(&outcome.suns), &outcome.page())?;
-            plots::write_plots(folder, &outcome)?;
+            outcome.leave(folder)?;
         }
         self.outputs.print(&outcome.json(), &outcome.text())?;
-        let holds = outcome.suns.iter().all(FlatGroundOutcome::holds);
-        Ok(if holds { Verdict::Yes } else { Verdict::No })
+        Ok(if outcome.holds() { Verdict::Yes } else { Verdict::No })
     }
 
     /// Pictures of the frames `drawn` of the whole `path`, by every law and method.
@@ -173,63 +156,5 @@ impl ShadowStudy {
                 "--vehicle {name}: its highest point lies {top} m above its foot point; expected a vehicle above 0"
             ))),
         }
-    }
-}
-
-impl Outcome {
-    fn json(&self) -> Value {
-        json!({
-            "schema": "lunoid.study-shadow/1",
-            "commit": COMMIT,
-            "title": self.title,
-            "top_m": self.mast.top,
-            "eye_m": self.mast.eye,
-            "line_rad": self.line_rad,
-            "holds": self.suns.iter().all(FlatGroundOutcome::holds),
-            "suns": self.suns,
-            "laws": self.laws,
-        })
-    }
-
-    fn facts(&self) -> String {
-        let (Mast { top, eye }, line) = (self.mast, 1e3 * self.line_rad);
-        format!("{}, top {top:.3} m, eye {eye:.3} m, a line {line:.2} mrad, commit {COMMIT}", self.title)
-    }
-
-    fn rows(&self) -> Vec<Vec<String>> {
-        table(&self.suns, self.line_rad)
-    }
-
-    fn text(&self) -> String {
-        let mut text = format!("{}\n\n{}", self.facts(), columns(&self.rows()));
-        if !self.laws.is_empty() {
-            text += &format!("\nlaws and methods\n{}{}", columns(&laws_table(&self.laws)), self.warning());
-        }
-        text
-    }
-
-    /// The same as a page of Markdown.
-    fn page(&self) -> String {
-        let plot =
-            if self.seen().is_some() { "![Error over height of the ground](shadow.svg)\n\n" } else { "" };
-        let mut text = format!("{}.\n\n{plot}{}", self.facts(), markdown(&self.rows()));
-        if !self.laws.is_empty() {
-            let rows = markdown(&laws_table(&self.laws));
-            text += &format!("\n### Laws and methods\n\n{rows}{}", self.warning());
-        }
-        text
-    }
-
-    /// A line where no law has anything to be off by.
-    fn warning(&self) -> &'static str {
-        let is_empty = self.laws.iter().all(|law| law.dark == 0.0);
-        if is_empty { "\nThe shadow is in none of these pictures; choose others by --frame.\n" } else { "" }
-    }
-
-    /// Suns of one elevation under which edges are seen; none where there is nothing to draw.
-    fn seen(&self) -> Option<Vec<&FlatGroundOutcome>> {
-        let seen: Vec<_> =
-            self.suns.iter().filter(|sun| sun.elevation_deg.is_some() && sun.seen > 0).collect();
-        (!seen.is_empty()).then_some(seen)
     }
 }

@@ -2,13 +2,11 @@
 
 use std::path::Path;
 
+use crate::shadow::{FlatGroundOutcome, LawOutcome, SeenEdge};
 use plots::{Axis, Panel, PointSeries, Trace, TraceLook, ladder_picture, trace_picture};
-use study::shadow::{FlatGroundOutcome, LawOutcome, SeenEdge};
 use vehicle_shadow::{Mast, flat_error, small_flat_error};
 
-use super::Outcome;
-use crate::Failure;
-use crate::commands::study::plots::save;
+use super::{ReportError, ShadowReport, save};
 
 const WIDTH: u32 = 700;
 /// Most marks of a panel: more would cover the curve.
@@ -19,13 +17,13 @@ const MARK: f64 = 0.03;
 const CURVE: usize = 200;
 
 /// `shadow.svg` and `laws.svg`, each with its PNG, where there is something to draw.
-pub fn write_plots(folder: &Path, outcome: &Outcome) -> Result<(), Failure> {
+pub fn write_plots(folder: &Path, outcome: &ShadowReport) -> Result<(), ReportError> {
     flat_ground(folder, outcome)?;
     laws(folder, outcome)
 }
 
 /// A panel for each sun: measured error over z, with the formula's curve and its form for small angles.
-fn flat_ground(folder: &Path, outcome: &Outcome) -> Result<(), Failure> {
+fn flat_ground(folder: &Path, outcome: &ShadowReport) -> Result<(), ReportError> {
     let Some(suns) = outcome.seen() else { return Ok(()) };
     let curves: Vec<Curves> = suns.iter().map(|sun| Curves::of(outcome.mast, &sun.edges)).collect();
     let panels: Vec<Panel<'_>> = suns.iter().zip(&curves).map(|(sun, curves)| panel(sun, curves)).collect();
@@ -35,11 +33,11 @@ fn flat_ground(folder: &Path, outcome: &Outcome) -> Result<(), Failure> {
         ..TraceLook::titled("Angle between the edge on true ground and on flat ground")
     };
     let x = Axis::new("z, height of the edge on true ground over the foot (m)");
-    save(folder, "shadow", &trace_picture(&x, &panels, &[], &look))
+    save(folder, "shadow", trace_picture(&x, &panels, &[], &look))
 }
 
 /// Points of error and time, but for the reference and for whatever has no error.
-fn laws(folder: &Path, outcome: &Outcome) -> Result<(), Failure> {
+fn laws(folder: &Path, outcome: &ShadowReport) -> Result<(), ReportError> {
     let off = || outcome.laws.iter().filter(|law| law.rms > 0.0 && law.time_s[0] > 0.0);
     if off().next().is_none() {
         return Ok(());
@@ -69,7 +67,7 @@ fn laws(folder: &Path, outcome: &Outcome) -> Result<(), Failure> {
         height: 400,
     };
     let axes = ["time (ms a picture, median)", "rms of the dark share"];
-    save(folder, "laws", &ladder_picture(axes, &drawn, &[], &[], &look))
+    save(folder, "laws", ladder_picture(axes, &drawn, &[], &[], &look))
 }
 
 /// What a panel shows, over z (m) in mrad.

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use compare::{EDGE_PLANES, EdgeLimits, EdgeMask, edge_mask, ridge_mask};
+use front_door::Wishes;
 use generator::{PlaneKind, Planes, Session, Stage};
 use rayon::ThreadPool;
 use replay::HeldRun;
@@ -11,8 +12,7 @@ use scenario::{PoseTable, Scenario};
 use serde_json::{Value, json};
 use signal::Probe;
 
-use crate::Failure;
-use crate::loading::StageArgs;
+use crate::RunCompareError;
 
 /// What of a run decides where its edges are.
 const DECIDING: [&str; 8] = [
@@ -28,7 +28,7 @@ const DECIDING: [&str; 8] = [
 
 /// Which edges are left out.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Kind {
+pub enum EdgeKind {
     /// Ridge lines alone; `jump` is the relative step of range that makes one.
     Ridges {
         /// Share of the nearer range.
@@ -38,7 +38,7 @@ pub enum Kind {
     Edges(EdgeLimits),
 }
 
-impl Kind {
+impl EdgeKind {
     /// The option that asks for it.
     fn option(self) -> &'static str {
         match self {
@@ -56,24 +56,24 @@ impl Kind {
 }
 
 /// A scenario ready to be asked where its edges are.
-pub struct Edges {
+pub(crate) struct Edges {
     scenario: Scenario,
     stage: Stage,
     session: Box<dyn Session>,
-    kind: Kind,
+    kind: EdgeKind,
 }
 
 impl Edges {
     /// Of the scenario in a file.
-    pub fn of(path: &Path, kind: Kind, pool: &ThreadPool) -> Result<Self, Failure> {
-        let opened = StageArgs::of(path).load()?;
+    pub fn of(path: &Path, kind: EdgeKind, pool: &ThreadPool) -> Result<Self, RunCompareError> {
+        let opened = front_door::open(path, &Wishes::default())?;
         let stage = pool.install(|| opened.stage())?;
-        let session = registry::judge_on(stage.clone()).map_err(Failure::input)?;
+        let session = registry::judge_on(stage.clone())?;
         Ok(Self { scenario: opened.scenario, stage, session, kind })
     }
 
     /// Draws on the raster of `run`, which must otherwise be a run of this scenario as it stands.
-    pub fn expect_run(&mut self, folder: &Path, run: &HeldRun) -> Result<(), Failure> {
+    pub fn expect_run(&mut self, folder: &Path, run: &HeldRun) -> Result<(), RunCompareError> {
         let held = &json!({ "view": run.view, "scenery": run.scenery });
         let size = |key: &str| held["view"][key].as_u64().and_then(|size| u32::try_from(size).ok());
         if let (Some(columns), Some(lines)) = (size("columns"), size("lines")) {
@@ -88,22 +88,23 @@ impl Edges {
             Some(key) => {
                 let found = held.pointer(key).unwrap_or(&Value::Null);
                 let expected = expected.pointer(key).unwrap_or(&Value::Null);
-                Err(Failure::input(format!(
-                    "{}: {} = {found}, but the scenario of {} has {expected}; name the scenario of the run",
-                    folder.display(),
-                    key.trim_start_matches('/').replace('/', "."),
-                    self.kind.option(),
-                )))
+                Err(RunCompareError::OtherScenario {
+                    folder: folder.to_owned(),
+                    key: key.trim_start_matches('/').replace('/', "."),
+                    found: found.to_string(),
+                    option: self.kind.option(),
+                    expected: expected.to_string(),
+                })
             }
         }
     }
 
     /// Pixels along the edges of a frame.
-    pub fn mask(&self, frame: u64, pool: &ThreadPool) -> Result<EdgeMask, Failure> {
+    pub fn mask(&self, frame: u64, pool: &ThreadPool) -> Result<EdgeMask, RunCompareError> {
         let planes = self.planes(frame, pool)?;
         match self.kind {
-            Kind::Edges(limits) => Ok(edge_mask(&planes, &limits)?),
-            Kind::Ridges { jump } => {
+            EdgeKind::Edges(limits) => Ok(edge_mask(&planes, &limits)?),
+            EdgeKind::Ridges { jump } => {
                 let range = planes.get(PlaneKind::Range).unwrap_or_default();
                 let pixels = ridge_mask(range, planes.columns(), planes.lines(), jump)?;
                 let ridges = pixels.iter().filter(|pixel| **pixel).count();
@@ -112,14 +113,14 @@ impl Edges {
         }
     }
 
-    fn planes(&self, frame: u64, pool: &ThreadPool) -> Result<Planes, Failure> {
+    fn planes(&self, frame: u64, pool: &ThreadPool) -> Result<Planes, RunCompareError> {
         let (update, yoke) = (self.stage.view.update, self.stage.view.yoke);
-        let rows = PoseTable::resolve(&self.scenario, &self.stage.landscape, update, yoke, frame..frame + 1);
-        let pose = rows.map_err(Failure::input)?.rows()[0].pose;
+        let rows = PoseTable::resolve(&self.scenario, &self.stage.landscape, update, yoke, frame..frame + 1)?;
+        let pose = rows.rows()[0].pose;
         let raster = &self.stage.view;
         let mut planes = Planes::new(raster.columns as usize, raster.lines as usize, self.kind.planes());
         let draw = || self.session.frame(frame, &pose, &mut planes, &mut Probe::off());
-        pool.install(draw).map_err(Failure::input)?;
+        pool.install(draw)?;
         Ok(planes)
     }
 }

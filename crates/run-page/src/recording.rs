@@ -10,22 +10,24 @@ use run_record::file_hash;
 use scenario::PoseRow;
 use signal::{Probe, Signal, Waveform};
 
-use super::{Making, Request};
-use crate::Failure;
+use crate::{Making, PageError, Request};
 use scope::{Recorded, columns_of, light_or_dark_svg, needs, runs_along};
 
 /// Draws a plot of every sweep asked for that `beside` does not have, and adds it there.
-pub fn record(making: &Making, poses: &[PoseRow], folder: &Path, beside: &mut Beside) -> Result<(), Failure> {
+pub fn record(
+    making: &Making,
+    poses: &[PoseRow],
+    folder: &Path,
+    beside: &mut Beside,
+) -> Result<(), PageError> {
     let missing: Vec<(&Request, u32)> =
         making.requests.iter().flat_map(|request| missing(making, request, beside)).collect();
     if missing.is_empty() {
         return Ok(());
     }
     let scopes = folder.join(SCOPES);
-    fs::create_dir_all(&scopes)
-        .map_err(|error| Failure::output(format!("{}: cannot make the folder: {error}", scopes.display())))?;
-    let prepared = making.pool.install(|| making.job.generator.prepare(making.job.stage.clone()));
-    let session = prepared.map_err(Failure::input)?;
+    fs::create_dir_all(&scopes).map_err(|error| PageError::Folder { folder: scopes, error })?;
+    let session = making.pool.install(|| making.job.generator.prepare(making.job.stage.clone()))?;
     for (request, sweep) in missing {
         let row = poses.iter().find(|row| row.frame == request.frame);
         let Some(row) = row else { continue };
@@ -53,14 +55,13 @@ fn plot(
     row: &PoseRow,
     (request, sweep, scan): (&Request, u32, Scan),
     folder: &Path,
-) -> Result<ScopePlot, Failure> {
+) -> Result<ScopePlot, PageError> {
     let view = &making.job.stage.view;
     let mut planes = Planes::new(view.columns as usize, view.lines as usize, &[]);
     let asked = request.patterns(&*making.job.generator);
     let patterns = asked.iter().cloned().chain(needs(&scan).into_iter().map(str::to_owned)).collect();
     let mut probe = Probe::new(patterns, sweep..sweep + 1);
-    let drawn = making.pool.install(|| session.frame(row.frame, &row.pose, &mut planes, &mut probe));
-    drawn.map_err(Failure::input)?;
+    making.pool.install(|| session.frame(row.frame, &row.pose, &mut planes, &mut probe))?;
     let wanted = shown(&probe.waveforms, &asked, &scan);
     let title = format!("{}, {}", making.job.scenario.title, making.opened.drawn_by());
     let recorded = Recorded {

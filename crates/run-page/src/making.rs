@@ -1,5 +1,6 @@
 //! What a replay puts into the folder of its run for the page, and the page.
 
+use deadlines::spread;
 use front_door::Opened;
 use generator::{Scan, Timed};
 use machine::MachineStage;
@@ -9,13 +10,9 @@ use report::{Beside, ReportError, TimingSummary, write_page};
 use scenario::{PoseRow, PoseTable};
 use timing::{FORMAT, FrameTiming, TimingRecord};
 
-use super::Request;
-use super::recording::record;
-use super::sight::sight;
-use super::words::words;
-use crate::Failure;
-use crate::loading::StageArgs;
-use deadlines::spread;
+use crate::recording::record;
+use crate::sight::sight;
+use crate::{PageError, Request};
 
 /// Frames whose timing is summed up: enough to see whether the machine keeps up, few enough to cost nothing.
 const TIMED_FRAMES: u64 = 8;
@@ -24,8 +21,8 @@ const TIMED_FRAMES: u64 = 8;
 pub struct Making<'a> {
     /// The finished job.
     pub job: &'a Job<'a>,
-    /// The words that chose its stage.
-    pub stage: &'a StageArgs,
+    /// The words of a command line that chose its stage.
+    pub words: Vec<String>,
     /// What these words came to.
     pub opened: &'a Opened,
     /// Sweeps to record.
@@ -36,18 +33,21 @@ pub struct Making<'a> {
 
 impl Making<'_> {
     /// Writes page.json, plots and page into `folder`. What is there and right is not worked out again.
-    pub fn write(&self, folder: &RunFolder) -> Result<(), Failure> {
+    ///
+    /// # Errors
+    /// If the record of the run cannot be read, a frame cannot be drawn, or a file cannot be written.
+    pub fn write(&self, folder: &RunFolder) -> Result<(), PageError> {
         let held = HeldRun::read(folder.path())?;
         let mut beside = match Beside::read(folder.path(), &held.fingerprint) {
             Err(ReportError::Content { .. }) => Beside::new(&held.fingerprint),
             other => other?,
         };
-        beside.stage = words(self.stage);
+        beside.stage = self.words.clone();
         if !self.job.generator.signals().is_empty() {
             let poses = self.poses(&held)?;
             if self.opened.is_machine() {
                 let stage = MachineStage::new(self.job.stage.clone(), self.opened.settings.clone());
-                beside.sight = sight(&stage.map_err(Failure::input)?, &poses);
+                beside.sight = sight(&stage?, &poses);
             }
             self.sum_up_timing(&poses, &mut beside)?;
             record(self, &poses, folder.path(), &mut beside)?;
@@ -58,28 +58,28 @@ impl Making<'_> {
     }
 
     /// How the signals of the generator run, if it has any.
-    pub fn scan(&self) -> Option<Scan> {
+    pub(crate) fn scan(&self) -> Option<Scan> {
         self.job.generator.scan(&self.job.stage.view)
     }
 
     /// Poses of the frames that the folder holds.
-    fn poses(&self, held: &HeldRun) -> Result<Vec<PoseRow>, Failure> {
+    fn poses(&self, held: &HeldRun) -> Result<Vec<PoseRow>, PageError> {
         let (Some(first), Some(last)) = (held.frames.first(), held.frames.last()) else { return Ok(vec![]) };
         let view = &self.job.stage.view;
         let frames = first.frame..last.frame + 1;
         let landscape = &self.job.stage.landscape;
-        let table = PoseTable::resolve(self.job.scenario, landscape, view.update, view.yoke, frames);
-        Ok(table.map_err(Failure::input)?.rows().to_vec())
+        let table = PoseTable::resolve(self.job.scenario, landscape, view.update, view.yoke, frames)?;
+        Ok(table.rows().to_vec())
     }
 
-    fn sum_up_timing(&self, poses: &[PoseRow], beside: &mut Beside) -> Result<(), Failure> {
+    fn sum_up_timing(&self, poses: &[PoseRow], beside: &mut Beside) -> Result<(), PageError> {
         let chosen = spread(TIMED_FRAMES)(poses.len() as u64);
         let rows: Vec<&PoseRow> = chosen.iter().map(|&index| &poses[index as usize]).collect();
         let frames = rows.iter().map(|row| row.frame);
         if beside.timing.as_ref().is_some_and(|known| frames.eq(known.frames.iter().copied())) {
             return Ok(());
         }
-        let timed = self.job.generator.timed(self.job.stage.clone()).map_err(Failure::input)?;
+        let timed = self.job.generator.timed(self.job.stage.clone())?;
         let Some(timed) = timed else { return Ok(()) };
         let frames = self.timed(&rows, &*timed)?;
         let tick_s = 1.0 / timed.master().hertz();
@@ -96,8 +96,8 @@ impl Making<'_> {
         Ok(())
     }
 
-    fn timed(&self, rows: &[&PoseRow], by: &dyn Timed) -> Result<Vec<FrameTiming>, Failure> {
+    fn timed(&self, rows: &[&PoseRow], by: &dyn Timed) -> Result<Vec<FrameTiming>, PageError> {
         let frame = |row: &&PoseRow| self.pool.install(|| by.frame(row.frame, &row.pose));
-        rows.iter().map(frame).collect::<Result<_, _>>().map_err(Failure::input)
+        Ok(rows.iter().map(frame).collect::<Result<_, _>>()?)
     }
 }

@@ -1,24 +1,14 @@
-//! `lunoid page`: the page of a run, written again from its folder; and what a replay puts into that folder for it.
-
-mod making;
-mod recording;
-mod request;
-mod sight;
-mod words;
+//! `lunoid page`: the page of a run, written again from its folder.
 
 use std::path::PathBuf;
 
 use clap::Args;
 use replay::{HeldRun, RunFolder};
-use report::{ReportError, write_page};
+use report::write_page;
 use serde_json::json;
 
 use crate::output::{print, print_json};
 use crate::{Failure, Verdict};
-
-pub use making::Making;
-pub use request::{Request, check};
-pub use words::words;
 
 const AFTER: &str = "Example:
   lunoid page runs/first-light
@@ -50,18 +40,5 @@ impl PageCommand {
             false => print(&format!("{page}\n"))?,
         }
         Ok(Verdict::Yes)
-    }
-}
-
-impl From<ReportError> for Failure {
-    fn from(error: ReportError) -> Self {
-        match error {
-            ReportError::File(error) => error.into(),
-            ReportError::Run(error) => error.into(),
-            ReportError::PictureFile(error) => error.into(),
-            ReportError::Content { .. } | ReportError::Strip { .. } | ReportError::Compare { .. } => {
-                Self::input(error)
-            }
-        }
     }
 }

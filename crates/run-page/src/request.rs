@@ -6,8 +6,9 @@ use std::str::FromStr;
 
 use generator::Generator;
 
-use crate::Failure;
 use text::Span;
+
+use crate::RequestError;
 
 /// Signals that are recorded where none are named: one of each block, those that are there; all of a generator that has
 /// none of them.
@@ -85,42 +86,37 @@ impl Request {
     }
 }
 
-/// Everything that can be wrong with `requests`, before anything is drawn: a run of `frames`, `sweeps` a frame, by
-/// `generator`.
+/// Sees that `requests` can be met by a run of `frames`, `sweeps` a frame, by `generator`, before anything is drawn.
+///
+/// # Errors
+/// The first thing that is wrong with them.
 pub fn check(
     requests: &[Request],
     frames: &Range<u64>,
     sweeps: u32,
     generator: &dyn Generator,
-) -> Result<(), Failure> {
+) -> Result<(), RequestError> {
     let signals = generator.signals();
     let mut plots = 0;
     for request in requests {
         if signals.is_empty() {
-            let name = generator.name();
-            return Err(Failure::usage(format!(
-                "{request}: {name} has no signals that a page could show; expected a hardware model, or another generator that has signals"
-            )));
+            let (request, generator) = (request.to_string(), generator.name());
+            return Err(RequestError::NoSignals { request, generator });
         }
         if !frames.contains(&request.frame) {
-            let Range { start, end } = frames;
-            return Err(Failure::usage(format!(
-                "{request}: the run has frames {start}..{end}; expected one of them"
-            )));
+            return Err(RequestError::NoFrame { request: request.to_string(), frames: frames.clone() });
         }
-        let range = request.sweeps(sweeps).ok_or_else(|| {
-            Failure::usage(format!("{request}: a frame has sweeps 0..{sweeps}; expected a range inside"))
-        })?;
+        let range = request.sweeps(sweeps);
+        let range = range.ok_or_else(|| RequestError::NoSweeps { request: request.to_string(), sweeps })?;
         let is_known = |pattern: &&String| !signals.iter().any(|signal| signal.matches(pattern));
         if let Some(pattern) = request.patterns.iter().find(is_known) {
-            return Err(Failure::usage(format!(
-                "{request}:{pattern}: no signal of this name; `lunoid signals` lists them"
-            )));
+            let (request, pattern) = (request.to_string(), pattern.clone());
+            return Err(RequestError::Unknown { request, pattern });
         }
         plots += range.end - range.start;
     }
     match plots > MOST_PLOTS {
-        true => Err(Failure::usage(format!("--probe: {plots} sweeps; expected at most {MOST_PLOTS}"))),
+        true => Err(RequestError::TooMany { found: plots, most: MOST_PLOTS }),
         false => Ok(()),
     }
 }

@@ -1,9 +1,21 @@
-//! What a pair of pictures comes to, as a document and in words.
+//! One picture against another: what it comes to, as a document and in words.
 
-use compare::{Comparison, RidgeError};
+use std::path::PathBuf;
+
+use compare::{AnyComparison, Comparison, EdgeMask, LinearComparison, RidgeError};
 use serde_json::{Value, json};
 
-use super::Pair;
+/// A pair of pictures and what they come to.
+pub(crate) struct Pair {
+    pub frame: Option<u64>,
+    pub test: PathBuf,
+    pub reference: PathBuf,
+    pub comparison: AnyComparison,
+    pub is_colour: bool,
+    pub linear: Option<LinearComparison>,
+    pub edges: Option<EdgeMask>,
+    pub ridges: Option<RidgeError>,
+}
 
 impl Pair {
     /// Its part of the document.

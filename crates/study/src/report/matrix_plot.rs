@@ -3,10 +3,9 @@
 use std::path::Path;
 
 use plots::{MatrixBlock, MatrixCell, MatrixRow, Tone, matrix_picture};
-use study::stability::{Action, Cell, rows};
 
-use super::plots::save;
-use crate::Failure;
+use super::{ReportError, save};
+use crate::stability::{Action, Cell, rows};
 
 const LEGEND: [(Tone, &str); 7] = [
     (Tone::Holds, "holds"),
@@ -25,7 +24,7 @@ const READING: &str = "One case a line; methods of the machine in black, methods
 type Method<'a> = (&'a str, bool);
 
 /// `matrix.svg` and `matrix.png` of the single extremes; of pairs and mixtures, thousands, `facts` has the counts.
-pub fn write_matrix(folder: &Path, facts: &str, cells: &[Cell]) -> Result<(), Failure> {
+pub fn write_matrix(folder: &Path, facts: &str, cells: &[Cell]) -> Result<(), ReportError> {
     let known = rows();
     let singles: Vec<&Cell> = cells.iter().filter(|cell| known.contains(&cell.row)).collect();
     let dimensions: Vec<&[&Cell]> = singles.chunk_by(|a, b| a.row == b.row).collect();
@@ -42,7 +41,7 @@ pub fn write_matrix(folder: &Path, facts: &str, cells: &[Cell]) -> Result<(), Fa
         })
         .collect();
     let facts = [facts.to_owned(), READING.to_owned()];
-    save(folder, "matrix", &matrix_picture("Stability", &facts, &LEGEND, &blocks))
+    save(folder, "matrix", matrix_picture("Stability", &facts, &LEGEND, &blocks))
 }
 
 /// Methods of a dimension in the order in which they appear: not every case knows all of them.

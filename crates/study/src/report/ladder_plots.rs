@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use plots::{PointSeries, SlopeGuide, TraceLook, ladder_picture};
-use study::ladder::{LadderOutcome, OrderOutcome, RungOutcome};
-use study::{front, total_error};
 
-use crate::Failure;
+use super::{ReportError, save};
+use crate::ladder::{LadderOutcome, OrderOutcome, RungOutcome};
+use crate::{front, total_error};
 
 const WIDTH: u32 = 860;
 const HEIGHT: u32 = 460;
@@ -14,7 +14,7 @@ const TIME: &str = "time (ms a frame, median)";
 const PICTURE: &str = "RMSE of the picture against exact (1 = white)";
 
 /// `all.svg` and `all.png` of the ladders of frames, and a plot of each ladder under its own name.
-pub fn write_plots(folder: &Path, facts: &str, ladders: &[LadderOutcome]) -> Result<(), Failure> {
+pub fn write_plots(folder: &Path, facts: &str, ladders: &[LadderOutcome]) -> Result<(), ReportError> {
     let of_frames: Vec<&LadderOutcome> =
         ladders.iter().filter(|ladder| ladder.unit_of_work == "frame").collect();
     draw_front(folder, "all", "Error against run time", facts, &of_frames)?;
@@ -44,7 +44,7 @@ fn draw_front(
     title: &str,
     facts: &str,
     ladders: &[&LadderOutcome],
-) -> Result<(), Failure> {
+) -> Result<(), ReportError> {
     let series: Vec<PointSeries<'_>> = ladders
         .iter()
         .map(|ladder| {
@@ -63,7 +63,7 @@ fn draw_front(
         return Ok(());
     }
     let best: Vec<[f64; 2]> = front(&all).into_iter().map(|index| all[index]).collect();
-    save(folder, name, &ladder_picture([TIME, PICTURE], &series, &best, &[], &look(title, facts)))
+    save(folder, name, ladder_picture([TIME, PICTURE], &series, &best, &[], &look(title, facts)))
 }
 
 fn draw_order(
@@ -72,7 +72,7 @@ fn draw_order(
     facts: &str,
     ladder: &LadderOutcome,
     order: &OrderOutcome,
-) -> Result<(), Failure> {
+) -> Result<(), ReportError> {
     let expected = &order.expected;
     let drawn: Vec<(&RungOutcome, [f64; 2])> = ladder
         .rungs
@@ -102,18 +102,5 @@ fn draw_order(
     );
     let mut look = look(&format!("{}: {}", ladder.what, expected.error), facts);
     look.facts.push(format!("{measured}; theory says {}: {}", expected.order, expected.why));
-    save(folder, name, &ladder_picture(["step", expected.error], &[series], &[], &[guide], &look))
-}
-
-/// `name.svg` and `name.png`.
-pub fn save(
-    folder: &Path,
-    name: &str,
-    drawing: &Result<plots::Drawing, plots::PlotError>,
-) -> Result<(), Failure> {
-    let drawing = drawing.as_ref().map_err(Failure::output)?;
-    for end in ["svg", "png"] {
-        drawing.write(folder.join(format!("{name}.{end}"))).map_err(Failure::output)?;
-    }
-    Ok(())
+    save(folder, name, ladder_picture(["step", expected.error], &[series], &[], &[guide], &look))
 }

@@ -1,0 +1,57 @@
+//! Why it cannot be said what a file holds.
+
+use std::path::PathBuf;
+
+use diagnostics::ProblemList;
+use files::FileError;
+use front_door::OpenError;
+use landscape::bank_file::BankFileError;
+use photographs::PhotographFileError;
+use replay::ReplayError;
+use survey::SurveyError;
+
+/// Why it cannot be said what a file holds.
+#[derive(Debug, thiserror::Error)]
+pub enum InfoError {
+    /// The file is of a kind that says nothing by itself.
+    #[error("{0}")]
+    Other(String),
+    /// The file begins like none that is known.
+    #[error(
+        "{}: starts with {found}; expected a bank, an elevation file (GeoTIFF, PDS3, .npy), a scenario or a hardware model (.toml), a grey PNG, or the folder of a run",
+        .file.display()
+    )]
+    UnknownStart {
+        /// The file.
+        file: PathBuf,
+        /// How it begins, in words.
+        found: String,
+    },
+    /// Faults of a file that people write.
+    #[error(transparent)]
+    Problems(#[from] ProblemList),
+    /// A scenario cannot be read.
+    #[error(transparent)]
+    Open(#[from] OpenError),
+    /// A file cannot be read.
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// A bank cannot be read.
+    #[error(transparent)]
+    Bank(#[from] BankFileError),
+    /// A picture cannot be read.
+    #[error(transparent)]
+    Picture(#[from] PhotographFileError),
+    /// A run cannot be read.
+    #[error(transparent)]
+    Run(#[from] ReplayError),
+    /// An elevation file cannot be read.
+    #[error(transparent)]
+    Survey(Box<SurveyError>),
+}
+
+impl From<SurveyError> for InfoError {
+    fn from(error: SurveyError) -> Self {
+        Self::Survey(Box::new(error))
+    }
+}

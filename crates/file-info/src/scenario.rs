@@ -1,0 +1,77 @@
+//! A scenario.
+
+use std::path::Path;
+
+use front_door::read_scenario;
+use quantities::degrees;
+use scenario::{Ground, Length, Scenario};
+use serde_json::{Value, json};
+
+use crate::{Held, InfoError};
+
+pub fn scenario(path: &Path) -> Result<Held, InfoError> {
+    let scenario = read_scenario(path)?;
+    let ground = match &scenario.ground {
+        Ground::Bank(bank) => format!("bank {}", bank.display()),
+        Ground::Generated(relief) => format!("generated from seed {}", relief.seed),
+    };
+    let length = match scenario.length {
+        Length::Frames(frames) => format!("{frames} frames"),
+        Length::Seconds(seconds) => format!("{seconds} s"),
+    };
+    let (azimuth, elevation) = (degrees(scenario.sun.azimuth), degrees(scenario.sun.elevation));
+    let waypoints = scenario.path.waypoints().len();
+    let document = json!({
+        "schema": "lunoid.info.scenario/1",
+        "file": path.display().to_string(),
+        "title": scenario.title,
+        "shows": scenario.shows,
+        "machine": scenario.machine,
+        "length": length,
+        "ground": ground,
+        "sun_deg": [azimuth, elevation],
+        "waypoints": waypoints,
+        "contents": contents(&scenario),
+        "files": scenario.files().iter().map(|file| file.display().to_string()).collect::<Vec<_>>(),
+    });
+    let text = format!(
+        "{}: {}\n  {}\n  {length} by machine {}; ground {ground}; sun at azimuth {azimuth:.1}, elevation \
+         {elevation:.1} deg; {waypoints} waypoints\n{}",
+        path.display(),
+        scenario.title,
+        scenario.shows,
+        scenario.machine,
+        contained(&contents(&scenario)),
+    );
+    Ok(Held { document, text })
+}
+
+/// What a scenario has beside terrain, one sun and a path.
+fn contents(scenario: &Scenario) -> Value {
+    json!({
+        "listed_craters": scenario.features.list.as_ref().map_or(0, |list| list.craters.len()),
+        "crater_populations": scenario.features.populations.len(),
+        "rocks": scenario.rocks.is_some(),
+        "objects": scenario.objects.len(),
+        "events": scenario.events.len(),
+        "tracks": scenario.tracks.is_some(),
+        "remote_shadow": scenario.shadows.is_some(),
+        "moving_sun": scenario.drift.is_some(),
+        "texture": scenario.texture.is_some(),
+        "silhouettes": scenario.silhouettes.len(),
+        "coarse_ground": scenario.coarse.is_some(),
+    })
+}
+
+/// The same in a line, if there is anything.
+fn contained(contents: &Value) -> String {
+    let word = |(key, value): (&String, &Value)| match value {
+        Value::Bool(true) => Some(key.replace('_', " ")),
+        Value::Number(number) if number.as_u64() != Some(0) => {
+            Some(format!("{number} {}", key.replace('_', " ")))
+        }
+        _ => None,
+    };
+    let words: Vec<String> = contents.as_object().into_iter().flatten().filter_map(word).collect();
+    if words.is_empty() { String::new() } else { format!("  with {}\n", words.join(", ")) }
+}
