@@ -1,10 +1,12 @@
-//! Rules of the house: floors, licences, what sources may not contain.
+//! Rules of the house: floors, licences, what sources may not contain, what pages may claim.
 
 mod awake;
 mod dependencies;
 mod floors;
 mod licences;
 mod metadata;
+mod not_modelled;
+mod pages;
 mod sources;
 mod targets;
 mod trust;
