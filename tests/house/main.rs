@@ -3,6 +3,7 @@
 mod awake;
 mod dependencies;
 mod floors;
+mod laws;
 mod licences;
 mod metadata;
 mod not_modelled;
