@@ -1,6 +1,7 @@
 //! Rules of the house: floors, licences, what sources may not contain, what pages may claim.
 
 mod awake;
+mod citations;
 mod dependencies;
 mod floors;
 mod laws;
