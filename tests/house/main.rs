@@ -11,4 +11,5 @@ mod not_modelled;
 mod pages;
 mod sources;
 mod targets;
+mod touch;
 mod trust;
