@@ -1,5 +1,7 @@
 //! One column of the picture: a ray or an adaptive mean for every line, from the bottom upwards.
 
+use std::array;
+
 use scenario::PixelRule;
 
 use crate::ground::Scratch;
@@ -52,8 +54,8 @@ impl Fineness {
 /// What one pixel holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pixel {
-    /// Reflectivity under the pixel rule, 0 in the sky.
-    pub intensity: f64,
+    /// Red, green and blue under the pixel rule, 0 in the sky; equal where there is no colour.
+    pub light: [f64; 3],
     /// What is seen at its centre.
     pub seen: Seen,
 }
@@ -119,7 +121,7 @@ impl<'a> Column<'a> {
         let pixel = |line: usize| {
             let sample = self.sample(self.y(line as f64 + 0.5), clear);
             clear = sample.clear;
-            Pixel { intensity: sample.seen.intensity, seen: sample.seen }
+            Pixel { light: sample.seen.light, seen: sample.seen }
         };
         (0..lines).rev().map(pixel).collect()
     }
@@ -130,9 +132,9 @@ impl<'a> Column<'a> {
         let pixel = |line: usize| {
             let centre = self.sample(self.y(line as f64 + 0.5), bottom.clear);
             let top = self.sample(self.y(line as f64), centre.clear);
-            let intensity = self.half(&bottom, &centre) + self.half(&centre, &top);
+            let light = sum(self.half(&bottom, &centre), self.half(&centre, &top));
             bottom = top;
-            Pixel { intensity, seen: centre.seen }
+            Pixel { light, seen: centre.seen }
         };
         (0..lines).rev().map(pixel).collect()
     }
@@ -143,33 +145,35 @@ impl<'a> Column<'a> {
     }
 
     /// Integral over half a line, part by part between edges of bodies.
-    fn half(&mut self, low: &Sample, high: &Sample) -> f64 {
+    fn half(&mut self, low: &Sample, high: &Sample) -> [f64; 3] {
         let first = self.cuts.partition_point(|&cut| cut >= low.y);
         let count = self.cuts[first..].partition_point(|&cut| cut > high.y);
         if count == 0 {
             return self.integral(low, high, 0.5);
         }
         let line = line_height(&self.frame);
-        let (mut from, mut sum) = (*low, 0.0);
+        let (mut from, mut light) = (*low, [0.0; 3]);
         for index in first..first + count {
             let cut = self.cuts[index];
             let before = self.sample((cut + EDGE * line).min(low.y), from.clear);
-            sum += self.integral(&from, &before, (from.y - before.y) / line);
+            light = sum(light, self.integral(&from, &before, (from.y - before.y) / line));
             from = self.sample((cut - EDGE * line).max(high.y), before.clear);
         }
-        sum + self.integral(&from, high, (from.y - high.y) / line)
+        sum(light, self.integral(&from, high, (from.y - high.y) / line))
     }
 
     /// Adaptive Simpson's rule over a part of a line that covers `share` of it.
-    fn integral(&mut self, low: &Sample, high: &Sample, share: f64) -> f64 {
+    fn integral(&mut self, low: &Sample, high: &Sample, share: f64) -> [f64; 3] {
         let middle = self.sample(0.5 * (low.y + high.y), low.clear);
         let fineness = self.frame.fineness;
         if share <= fineness.finest_share || settled([low, &middle, high], share, &fineness) {
-            let intensities = low.seen.intensity + 4.0 * middle.seen.intensity + high.seen.intensity;
-            return share * intensities / 6.0;
+            let [low, middle, high] = [low, &middle, high].map(|sample| sample.seen.light);
+            return array::from_fn(|channel| {
+                share * (low[channel] + 4.0 * middle[channel] + high[channel]) / 6.0
+            });
         }
         let half = 0.5 * share;
-        self.integral(low, &middle, half) + self.integral(&middle, high, half)
+        sum(self.integral(low, &middle, half), self.integral(&middle, high, half))
     }
 
     fn sample(&mut self, y: f64, clear: f64) -> Sample {
@@ -183,12 +187,17 @@ fn line_height(frame: &Frame) -> f64 {
     2.0 * frame.half_height / frame.lines as f64
 }
 
-/// Whether shade is as good as known between three samples, and ranges do not betray a ridge.
+fn sum(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    array::from_fn(|channel| a[channel] + b[channel])
+}
+
+/// Whether shade, in every colour, is as good as known between three samples, and ranges do not betray a ridge.
 fn settled([low, middle, high]: [&Sample; 3], share: f64, fineness: &Fineness) -> bool {
-    let bend = |value: fn(&Sample) -> f64| (value(low) - 2.0 * value(middle) + value(high)).abs();
+    let bend = |value: &dyn Fn(&Sample) -> f64| (value(low) - 2.0 * value(middle) + value(high)).abs();
     // Over level ground the inverse range is linear in y.
     let nearness = |sample: &Sample| 1.0 / sample.seen.range;
-    let ridge = bend(nearness) > 0.5 * (nearness(low) - nearness(high)).abs();
-    bend(|sample| sample.seen.intensity) * share / 6.0 <= fineness.tolerance
-        && !(ridge && share > fineness.ridge_share)
+    let ridge = bend(&nearness) > 0.5 * (nearness(low) - nearness(high)).abs();
+    let is_known =
+        |channel: usize| bend(&|sample| sample.seen.light[channel]) * share / 6.0 <= fineness.tolerance;
+    (0..3).all(is_known) && !(ridge && share > fineness.ridge_share)
 }

@@ -43,25 +43,31 @@ impl<'a> Light<'a> {
         // Straight below an eye that all but touches the ground the range is 0.
         let range = spot.range.max(f64::MIN_POSITIVE);
         let sight = ((height - self.eye_height) / range).clamp(-STEEPEST, STEEPEST);
-        let signed = self.reflectivity(lit_slopes, direction, sight);
+        let shaded = self.shaded(lit_slopes, direction, sight);
+        let signed = self.albedo(spot.place).map(|albedo| albedo * shaded);
         let texture =
             self.landscape.texture().map_or(0.0, |t| t.at(spot.place[0], spot.place[1], spot.range));
         let [open, shadowed] = self.with_texture(signed, texture);
-        let dark = dark(open > 0.0);
+        let dark = dark(open.iter().any(|channel| *channel > 0.0));
         Seen {
-            intensity: if dark.is_some() { shadowed } else { open },
+            light: if dark.is_some() { shadowed } else { open },
             range: spot.range,
             height,
             normal: normal(slopes),
-            reflectivity: signed.clamp(0.0, 1.0),
-            shade: shade(signed, dark),
+            reflectivity: signed.map(|channel| channel.clamp(0.0, 1.0)),
+            shade: shade(shaded, dark),
             label: label(rise.present, dark),
         }
     }
 
-    /// Albedo times `n.s` times the photometric factor, below 0 in local shadow, for ground that the eye sees at a
+    /// Albedo of the ground at a place (north, east; m) for red, green and blue.
+    pub fn albedo(&self, [x, y]: [f64; 2]) -> [f64; 3] {
+        self.landscape.albedo_at(x, y)
+    }
+
+    /// `n.s` times the photometric factor, below 0 in local shadow, for ground of albedo 1 that the eye sees at a
     /// tangent of elevation `sight`.
-    pub fn reflectivity(&self, [hx, hy]: [f64; 2], direction: [f64; 2], sight: f64) -> f64 {
+    pub fn shaded(&self, [hx, hy]: [f64; 2], direction: [f64; 2], sight: f64) -> f64 {
         let ([north, east, up], photometry) = (self.sun, self.landscape.photometry());
         let length = (1.0 + hx * hx + hy * hy).sqrt();
         let lambert = (up - hx * north - hy * east) / length;
@@ -69,17 +75,17 @@ impl<'a> Light<'a> {
         let [to_north, to_east] = direction;
         let mu = (hx * to_north + hy * to_east - sight) / (length * slant);
         let cos_g = -(north * to_north + east * to_east + up * sight) / slant;
-        self.landscape.albedo() * (lambert * photometry.factor(lambert, mu, cos_g))
+        lambert * photometry.factor(lambert, mu, cos_g)
     }
 
     /// Reflectivity outside and inside remote shadow. Texture that shadow gates is added to the signed value, so that
-    /// it fades out where the ground turns from the sun.
-    fn with_texture(&self, signed: f64, texture: f64) -> [f64; 2] {
+    /// it fades out where the ground turns from the sun. It has no colour: all channels get the same.
+    fn with_texture(&self, signed: [f64; 3], texture: f64) -> [[f64; 3]; 2] {
         let both = match self.laws.texture_in_shadow {
-            TextureInShadow::On => [signed.max(0.0) + texture, texture],
-            TextureInShadow::Off => [signed + texture, 0.0],
+            TextureInShadow::On => [signed.map(|channel| channel.max(0.0) + texture), [texture; 3]],
+            TextureInShadow::Off => [signed.map(|channel| channel + texture), [0.0; 3]],
         };
-        both.map(|value| value.clamp(0.0, 1.0))
+        both.map(|light| light.map(|channel| channel.clamp(0.0, 1.0)))
     }
 }
 
@@ -89,9 +95,9 @@ fn normal([hx, hy]: [f64; 2]) -> [f64; 3] {
     [-hx / length, -hy / length, 1.0 / length]
 }
 
-fn shade(signed: f64, dark: Option<Dark>) -> Shade {
+fn shade(shaded: f64, dark: Option<Dark>) -> Shade {
     match dark {
-        _ if signed <= 0.0 => Shade::Local,
+        _ if shaded <= 0.0 => Shade::Local,
         Some(_) => Shade::Remote,
         None => Shade::Lit,
     }

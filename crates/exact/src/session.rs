@@ -6,6 +6,7 @@ use generator::{
     Counter, FrameCounts, FrameError, Generator, Joined, Omission, PlaneKind, Planes, PrepareError, Role,
     Row, Session as GeneratorSession, Stage,
 };
+use quantities::intensity;
 use rayon::prelude::*;
 use scenario::Pose;
 use signal::Probe;
@@ -36,7 +37,7 @@ pub static ROW: Row = Row {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Exact;
 
-/// What it fills: all but colour.
+/// What it fills: all.
 const PLANES: &[PlaneKind] = &[
     PlaneKind::Intensity,
     PlaneKind::Range,
@@ -183,10 +184,12 @@ impl Columns {
             let spot = outlook.spot_at(direction, *range)?;
             let height = outlook.height(&spot);
             let sight = |height: f64| (height - pose.eye[2]) / spot.range;
+            let shaded = light.shaded(spot.slopes, direction, sight(spot.height));
+            let albedo = intensity(light.albedo(spot.place));
             Some(ProfilePoint {
                 height,
                 slopes: spot.slopes,
-                reflectivity: light.reflectivity(spot.slopes, direction, sight(spot.height)).clamp(0.0, 1.0),
+                reflectivity: (albedo * shaded).clamp(0.0, 1.0),
                 elevation: sight(height - outlook.drop(spot.range)),
             })
         };
@@ -226,7 +229,10 @@ impl Session {
 fn fill(planes: &mut Planes, kind: PlaneKind, columns: &[Vec<Pixel>], scene: &Scene) {
     let Some(values) = planes.get_mut(kind) else { return };
     let value = |pixel: &Pixel| match kind {
-        PlaneKind::Intensity => pixel.intensity,
+        PlaneKind::Intensity => intensity(pixel.light),
+        PlaneKind::Red => pixel.light[0],
+        PlaneKind::Green => pixel.light[1],
+        PlaneKind::Blue => pixel.light[2],
         PlaneKind::Distance => scene.distance(pixel.seen.range, pixel.seen.height),
         _ => pixel.seen.value(kind),
     };

@@ -135,14 +135,14 @@ impl<'a> Stand<'a> {
     }
 
     fn seen(&self, face: usize, range: f64, direction: DVec3) -> Seen {
-        let reflectivity = self.faces[face];
+        let reflectivity = [self.faces[face]; 3];
         Seen {
-            intensity: if self.dark { 0.0 } else { reflectivity },
+            light: if self.dark { [0.0; 3] } else { reflectivity },
             range,
             height: self.eye.z + range * direction.z,
             normal: self.body.normal(face).to_array(),
             reflectivity,
-            shade: match reflectivity > 0.0 {
+            shade: match self.faces[face] > 0.0 {
                 false => Shade::Local,
                 true if self.dark => Shade::Remote,
                 true => Shade::Lit,

@@ -6,11 +6,13 @@
 //! - [`basis`]: the quintic Hermite functions of the Lagrange 2-2 polynomial (report III.A.1).
 //! - [`Level`], [`Bank`]: nine words a corner; [`bank_file`] is their container.
 //! - [`Landscape`]: bank, albedo and lunoid together; the one query for height, slope and albedo.
+//! - [`AlbedoMap`]: albedo from place to place, over the one number of the landscape.
 //! - [`Sun`], [`Photometry`]: direction of light, laws of reflection; [`SweepLight`], [`GroupLight`]: along sweeps.
 //! - [`Texture`]: small detail of the foreground; [`Silhouette`]: mountains beyond the stored area.
 //! - [`Attitude`], [`axes`]: rotations between vehicle and terrain axes.
 //! - [`relief`]: seeded landscapes with a realistic height spectrum.
 
+mod albedo;
 pub mod axes;
 mod bank;
 pub mod bank_file;
@@ -24,6 +26,7 @@ pub mod relief;
 mod silhouette;
 mod texture;
 
+pub use albedo::{AlbedoMap, AlbedoMapError, Texels};
 pub use axes::Attitude;
 pub use bank::{Bank, BankError, CornerWords, Georeference, Level, WORDS};
 pub use light::{GroupLight, Sun, SweepLight};

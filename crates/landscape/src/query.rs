@@ -1,8 +1,9 @@
 //! The one query for height, slope and albedo.
 
 use features::Features;
+use quantities::intensity;
 
-use crate::{Bank, Level, Photometry, Silhouette, Texture};
+use crate::{AlbedoMap, Bank, Level, Photometry, Silhouette, Texture};
 
 /// The ground at one point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -11,7 +12,7 @@ pub struct SurfacePoint {
     pub height: f64,
     /// Slopes `[hx, hy]`: rise to the north and to the east (m/m).
     pub slopes: [f64; 2],
-    /// Share of the light that is returned, 0..=1.
+    /// Share of the light that is returned, 0..=1; of a colour its luminance.
     pub albedo: f64,
 }
 
@@ -20,6 +21,7 @@ pub struct SurfacePoint {
 pub struct Landscape {
     bank: Bank,
     albedo: f64,
+    albedo_map: Option<AlbedoMap>,
     features: Features,
     texture: Option<Texture>,
     photometry: Photometry,
@@ -30,12 +32,17 @@ impl Landscape {
     /// The landscape of a bank, of one albedo (0..=1): terrain alone, Lambert's law.
     pub fn new(bank: Bank, albedo: f64) -> Self {
         let (features, photometry) = (Features::default(), Photometry::Lambert);
-        Self { bank, albedo, features, texture: None, photometry, silhouettes: Vec::new() }
+        Self { bank, albedo, albedo_map: None, features, texture: None, photometry, silhouettes: Vec::new() }
     }
 
     /// The same with features on it.
     pub fn with_features(self, features: Features) -> Self {
         Self { features, ..self }
+    }
+
+    /// The same with a map of albedo over its one number.
+    pub fn with_albedo_map(self, albedo_map: Option<AlbedoMap>) -> Self {
+        Self { albedo_map, ..self }
     }
 
     /// The same with texture in the foreground.
@@ -63,9 +70,20 @@ impl Landscape {
         self.bank.finest()
     }
 
-    /// Share of the light that is returned, 0..=1.
+    /// Share of the light that is returned where no map lies, 0..=1.
     pub fn albedo(&self) -> f64 {
         self.albedo
+    }
+
+    /// The map of albedo, if there is one.
+    pub fn albedo_map(&self) -> Option<&AlbedoMap> {
+        self.albedo_map.as_ref()
+    }
+
+    /// Share of red, green and blue light that is returned at (x, y) (m), 0..=1: from the map, or outside it the one number.
+    pub fn albedo_at(&self, x: f64, y: f64) -> [f64; 3] {
+        let mapped = self.albedo_map.as_ref().and_then(|map| map.at(x, y));
+        mapped.unwrap_or([self.albedo; 3])
     }
 
     /// Craters.
@@ -102,7 +120,7 @@ impl Landscape {
             let (region, local) = level.locate(x, y)?;
             let [height, hu, hv] = level.height_and_slopes(region, local);
             let d = level.region_size();
-            Some(SurfacePoint { height, slopes: [hu / d, hv / d], albedo: self.albedo })
+            Some(SurfacePoint { height, slopes: [hu / d, hv / d], albedo: intensity(self.albedo_at(x, y)) })
         };
         self.bank.levels().iter().find_map(found)
     }
@@ -122,7 +140,7 @@ impl Landscape {
 mod tests {
     use super::Landscape;
     use crate::texture::{Layer, Source};
-    use crate::{Bank, Level, Photometry, Silhouette, Texture};
+    use crate::{AlbedoMap, Bank, Level, Photometry, Silhouette, Texels, Texture};
     use features::{Crater, Features, Shape};
 
     #[test]
@@ -145,6 +163,19 @@ mod tests {
         assert_eq!(landscape.at(500.1, 0.0), None);
         assert_eq!(landscape.height(123.0, 456.0), Some(point.height));
         assert_eq!(landscape.height(0.0, -0.1), None);
+    }
+
+    #[test]
+    fn a_map_of_albedo_lies_over_the_one_number() {
+        let level = Level::new(10.0, [0.0; 2], [2, 2], vec![[0.0; 9]; 4]).unwrap();
+        let plain = Landscape::new(Bank::new("", vec![level], None).unwrap(), 0.3);
+        assert_eq!((plain.albedo_at(5.0, 5.0), plain.at(5.0, 5.0).unwrap().albedo), ([0.3; 3], 0.3));
+        let map = AlbedoMap::new([0.0, 0.0, 4.0, 4.0], [1, 1], Texels::Colour(vec![[1.0, 0.5, 0.25]]));
+        let mapped = plain.with_albedo_map(Some(map.unwrap()));
+        assert_eq!((mapped.albedo_at(3.0, 2.0), mapped.albedo_at(5.0, 2.0)), ([1.0, 0.5, 0.25], [0.3; 3]));
+        let albedo = mapped.at(3.0, 2.0).unwrap().albedo;
+        assert!((albedo - (0.2126 + 0.7152 * 0.5 + 0.0722 * 0.25)).abs() < 1e-15);
+        assert_eq!(mapped.at(5.0, 5.0).unwrap().albedo, 0.3);
     }
 
     #[test]

@@ -12,6 +12,6 @@ mod time;
 
 pub use angle::{degrees, radians, sin_cos, wrap_heading};
 pub use hash::{hash_on, hash_words, unit_interval};
-pub use luminance::{LUMINANCE_WEIGHTS, luminance};
+pub use luminance::{LUMINANCE_WEIGHTS, intensity, is_grey, luminance};
 pub use reading::fixed;
 pub use time::{Rate, SweepClock, SweepTime, Tick, Timebase, TimebaseError};
