@@ -3,11 +3,10 @@
 use std::sync::Arc;
 
 use crate::scenes::{
-    bumps, crater_field, draw, landscape, laws, level, plane, planes, pose, ray, settings, standing_box, sun,
-    value,
+    bumps, crater_field, draw, landscape, laws, plane, planes, pose, settings, standing_box, sun, value,
 };
 use exact::{Ceilings, Exact, Outlook, Ray, Sight};
-use generator::{Label, PlaneKind, Planes, Stage};
+use generator::{Generator, Label, PlaneKind, Planes, Stage};
 use hardware_model::Settings;
 use landscape::{Landscape, Photometry};
 use quantities::radians;

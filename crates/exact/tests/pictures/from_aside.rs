@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::from_above::{labels, usual};
 use crate::scenes::{landscape, laws, level, plane, planes, pose, ray, settings, standing_box, sun, value};
-use exact::{Ceilings, Exact, Outlook, Ray, Sight};
+use exact::{Ceilings, Outlook, Ray, Sight};
 use generator::{Label, PlaneKind};
 use landscape::{Bank, LUNOID_RADIUS, Landscape, Level, Photometry, Silhouette};
 use scenario::{Curvature, LevelSwitch, PixelRule, Pose, Projection, Scenery};
