@@ -140,6 +140,22 @@ mod tests {
         }
     }
 
+    /// Keys that a generator asks for are in its message about an unknown one.
+    #[test]
+    fn the_page_of_scenario_files_names_the_run_parameters() {
+        let page = include_str!("../../../docs/scenario-format.md");
+        for row in ROWS {
+            let Some(table) = row.parameters else { continue };
+            let rows = page.lines().filter_map(|line| line.strip_prefix(&format!("| `{table}.")));
+            let documented: BTreeSet<&str> = rows.filter_map(|row| row.split('`').next()).collect();
+            let stray = configure_with(row, &[(&format!("{table}.stray"), "1")]).err().unwrap();
+            let expected = stray.iter().next().unwrap().expected.clone().unwrap();
+            let known: BTreeSet<&str> =
+                expected.trim_start_matches("one of ").trim_start_matches("only ").split(", ").collect();
+            assert_eq!(known, documented, "{table}");
+        }
+    }
+
     #[test]
     fn a_set_changes_what_it_names_and_each_fault_is_told() {
         let row = find("lunsim").unwrap();
