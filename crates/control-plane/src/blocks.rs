@@ -4,12 +4,11 @@ use std::sync::Arc;
 
 use crate::stage::MachineStage;
 use hardware_model::{Forced, LevelSwitch, Loader};
-use landscape::Photometry;
 use remote_shadow::{Resolution, ShadowBank};
 use scenario::ShadowFineness;
 use shadow_controller::ShadowController;
 
-use crate::ideal::{draws_swiftly, drives_mixing, mixing_has_parts};
+use crate::elaboration::{Block, Elaboration};
 
 /// Blocks beside the terrain path.
 #[derive(Debug)]
@@ -55,33 +54,22 @@ pub struct Coarse {
 }
 
 impl Blocks {
-    /// Blocks that `stage` needs, or all for which there is a source if nothing may be left out.
-    pub fn new(stage: &MachineStage) -> Self {
-        let MachineStage { landscape, scenery, settings } = stage;
-        let forces = |what| settings.economy.forces(what);
-        let runs_idle = [Forced::Mixing, Forced::Features, Forced::Switches, Forced::Breaks];
-        let has_bodies = !scenery.standing().is_empty();
-        let two_levels = landscape.bank().levels().len() > 1;
+    /// The blocks of `list`, which is the machine for `stage`.
+    pub fn new(stage: &MachineStage, list: &Elaboration) -> Self {
+        let settings = &stage.settings;
+        let coarse = settings.levels.filter(|_| list.has(Block::SecondLevel));
+        let tells_lines = list.has_parts(Block::Shadows) || list.has_parts(Block::Mixing);
+        let shadows = settings.shadows.filter(|_| list.has(Block::Shadows));
         Self {
-            features: forces(Forced::Features) || !landscape.features().is_empty(),
-            shadows: settings.shadows.map(|fineness| Shadows::new(stage, &fineness)),
-            texture: landscape.texture().is_some(),
-            // Lambert's light never exceeds full scale; other laws need the clip.
-            mixing: runs_idle.into_iter().any(forces)
-                || settings.shadows.is_some()
-                || landscape.texture().is_some()
-                || !landscape.features().is_empty()
-                || *landscape.photometry() != Photometry::Lambert
-                || mixing_has_parts(&settings.analog)
-                || drives_mixing(&settings.analog.wires),
-            all_switches: forces(Forced::Switches),
-            breaks: forces(Forced::Breaks),
-            swift: draws_swiftly(stage),
-            bodies: forces(Forced::Bodies) || has_bodies,
-            coarse: settings
-                .levels
-                .filter(|_| two_levels)
-                .map(|switch| Coarse::new(switch, &settings.loader)),
+            features: list.has(Block::Features),
+            shadows: shadows.map(|fineness| Shadows::new(stage, &fineness, tells_lines)),
+            texture: list.has(Block::Texture),
+            mixing: list.has(Block::Mixing),
+            all_switches: settings.economy.forces(Forced::Switches),
+            breaks: settings.economy.forces(Forced::Breaks),
+            swift: list.is_swift(),
+            bodies: list.has(Block::Bodies),
+            coarse: coarse.map(|switch| Coarse::new(switch, &settings.loader)),
         }
     }
 }
@@ -95,7 +83,11 @@ impl Coarse {
 
 impl Shadows {
     /// The map of the controller is the finest level.
-    fn new(MachineStage { landscape, settings, .. }: &MachineStage, fineness: &ShadowFineness) -> Self {
+    fn new(
+        MachineStage { landscape, settings, .. }: &MachineStage,
+        fineness: &ShadowFineness,
+        tells_lines: bool,
+    ) -> Self {
         let [south, west, north, east] = landscape.level().extent();
         let ShadowFineness { finest, angle, reach } = *fineness;
         let bank = ShadowBank::new(Arc::clone(landscape), Resolution { finest, angle });
@@ -109,7 +101,7 @@ impl Shadows {
                 parts: settings.shadow_controller,
                 map_centre: [0.5 * (south + north), 0.5 * (west + east)],
                 map_side: (north - south).max(east - west),
-                tells_lines: !settings.analog.shadow_lines_are_ideal() || mixing_has_parts(&settings.analog),
+                tells_lines,
             },
         }
     }

@@ -8,6 +8,7 @@ use sweep_generator::RangeTable;
 use crate::blocks::Blocks;
 use crate::crossings::Crossings;
 use crate::digital::{Digital, DigitalFrame};
+use crate::elaboration::Elaboration;
 use crate::frame_plan::FramePlan;
 use crate::raster::WrittenRaster;
 use crate::stage::MachineStage;
@@ -28,7 +29,7 @@ impl ControlPlane {
     pub fn new(stage: MachineStage) -> Self {
         let settings = &stage.settings;
         Self {
-            blocks: Blocks::new(&stage),
+            blocks: Blocks::new(&stage, &Elaboration::new(&stage)),
             table: RangeTable::new(&settings.range, settings.raster.samples as usize),
             raster: WrittenRaster::new(settings),
             digital: Digital::new(&stage),

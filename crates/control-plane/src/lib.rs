@@ -22,7 +22,7 @@
 //! | 1 | `digital_event` | one event of the digital side |
 //! | 1 | `waveforms` | digital wires of a sweep, from its programs |
 //! | 2 | `ticks` | ticks of frames and sweeps |
-//! | 2 | `ideal` | which blocks are made of algebra and not of parts |
+//! | 2 | `elaboration` | the list of blocks: which are there, which have parts, what a record says of the others |
 //! | 2 | `frame_plan` | fan, eye and sun of a frame |
 //! | 3 | `blocks` | blocks that are there |
 //! | 3 | `feature_loads` | craters of a sweep and the loads of their words |
@@ -48,11 +48,11 @@ mod crossings;
 mod delivery;
 mod digital;
 mod digital_event;
+mod elaboration;
 mod event_list;
 mod feature_loads;
 mod frame_plan;
 mod frame_sweeps;
-mod ideal;
 mod preview;
 mod raster;
 mod refusal;
@@ -74,10 +74,10 @@ pub use digital::{Digital, DigitalFrame};
 pub use digital_event::{DigitalEvent, DigitalUnit, EventWord, LoadedPart};
 pub use dpu::Register;
 
+pub use elaboration::{Block, Elaboration};
 pub use feature_loads::FeatureLoads;
 pub use frame_plan::FramePlan;
 pub use frame_sweeps::FrameSweeps;
-pub use ideal::{beam_has_parts, mixing_has_parts};
 pub use preview::preview_obstacle;
 pub use raster::WrittenRaster;
 pub use register_state::{RegisterState, RegisterWords};

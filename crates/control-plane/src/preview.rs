@@ -3,7 +3,7 @@
 use hardware_model::{Gate, Settings};
 use scenario::FeatureLight;
 
-use crate::ideal::{beam_has_parts, mixing_has_parts};
+use crate::elaboration::{beam_has_parts, mixing_has_parts};
 
 /// What of a machine of `settings` keeps it from drawing a preview; `None` if nothing does.
 ///

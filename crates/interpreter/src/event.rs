@@ -1,4 +1,4 @@
-//! The event list of a sweep: stops, transfers, words that arrive, words that are late.
+//! The event list of a sweep: everything that the digital side does for it over one level.
 
 /// A register of a colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -9,11 +9,33 @@ pub enum Register {
     XFirst,
     /// Waits for a stop of Y.
     YFirst,
+    /// Waits for both.
+    Diagonal,
+}
+
+/// A set of nine words that a stop has asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct AskedFor {
+    /// Yellow, green, black, red.
+    pub colour: usize,
+    /// Where it goes.
+    pub register: Register,
+    /// The stop, counted from 0 in the sweep.
+    pub crossing: u32,
 }
 
 /// What happens.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Happening {
+    /// A register is full as the sweep begins.
+    Home {
+        /// Yellow, green, black, red.
+        colour: usize,
+        /// Which.
+        register: Register,
+        /// Corner of its words: north, east.
+        corner: [i64; 2],
+    },
     /// A ramp meets a stop: axis (0 is X), and whether it is the stop at 1.
     Stop {
         /// 0 for X, 1 for Y.
@@ -31,6 +53,33 @@ pub enum Happening {
         register: Register,
         /// Stops of the sweep before this one.
         crossing: u32,
+    },
+    /// A full set is overwritten unused.
+    Wasted {
+        /// Yellow, green, black, red.
+        colour: usize,
+        /// Where it was.
+        register: Register,
+        /// Corner that it belonged to.
+        corner: [i64; 2],
+    },
+    /// A set is asked for.
+    Wanted(AskedFor),
+    /// A set is dropped before anyone fetches it.
+    Cancelled(AskedFor),
+    /// The corner beyond both stops is at hand and moves over to a preload register.
+    Diagonal {
+        /// Whose, where to, at which stop.
+        set: AskedFor,
+        /// The corner.
+        corner: [i64; 2],
+    },
+    /// The first access of a set begins.
+    Access {
+        /// Whose, where to, asked at which stop.
+        set: AskedFor,
+        /// The corner.
+        corner: [i64; 2],
     },
     /// Words arrive at a register.
     Load {
@@ -60,11 +109,24 @@ impl Happening {
     /// Word in tables.
     pub fn name(&self) -> &'static str {
         match self {
+            Self::Home { .. } => "home",
             Self::Stop { .. } => "stop",
             Self::Transfer { .. } => "transfer",
+            Self::Wasted { .. } => "wasted",
+            Self::Wanted(_) => "wanted",
+            Self::Cancelled(_) => "cancelled",
+            Self::Diagonal { .. } => "diagonal",
+            Self::Access { .. } => "access",
             Self::Load { .. } => "load",
             Self::Late { .. } => "late",
         }
+    }
+}
+
+impl Happening {
+    /// Whether it is known without who brings the words, and when: what the ramps do, and what follows from them at once.
+    pub fn is_of_the_ramps(&self) -> bool {
+        matches!(self, Self::Stop { .. } | Self::Transfer { .. })
     }
 }
 

@@ -40,7 +40,7 @@ pub mod walk;
 pub mod wires;
 
 pub use coverage::{Unknown, why_not};
-pub use event::{Event, Happening, Register};
+pub use event::{AskedFor, Event, Happening, Register};
 pub use fan::range_programme;
 pub use scene::{Given, Scene};
 pub use sweep::{Record, interpret};

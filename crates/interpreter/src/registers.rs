@@ -4,8 +4,8 @@ use hardware_model::{LatePolicy, Loader};
 use landscape::Level;
 
 use crate::clock::Clock;
-use crate::event::{Event, Happening, Register};
-use crate::server::{Asked, Server, Wanted};
+use crate::event::{AskedFor, Event, Happening, Register};
+use crate::server::{Asked, Fetched, Server, Wanted};
 
 /// Hardware corner (a, b) of each colour: yellow, green, black, red.
 pub const CORNERS: [[usize; 2]; 4] = [[0, 0], [1, 0], [0, 1], [1, 1]];
@@ -70,6 +70,8 @@ pub struct Registers<'a> {
     /// What has happened.
     pub events: Vec<Event>,
     first: [[Set; 4]; 2],
+    /// Words of each preload register that have come since its colour moved, bit 3 p + q.
+    come: [[u16; 4]; 2],
     /// Words beyond both stops, and whether all of them are there.
     diagonal: [(Set, bool); 4],
     /// Lattice corner that each colour stands for.
@@ -99,6 +101,7 @@ impl<'a> Registers<'a> {
             hold: [[0.0; 9]; 4],
             events: Vec::new(),
             first: [[empty; 4]; 2],
+            come: [[0; 4]; 2],
             diagonal: [(empty, true); 4],
             corner,
             carried: Vec::new(),
@@ -115,8 +118,18 @@ impl<'a> Registers<'a> {
                 registers.first[axis][colour] = registers.set(registers.ahead(colour, Some(axis)));
             }
             registers.diagonal[colour].0 = registers.set(registers.ahead(colour, None));
+            registers.note_home(colour);
         }
         registers
+    }
+
+    fn note_home(&mut self, colour: usize) {
+        let tick = self.clock.seen(0.0);
+        let [x, y] = [0, 1].map(|axis| self.first[axis][colour].corner);
+        let hold = self.stored(self.corner[colour]);
+        for (register, corner) in [(Register::Hold, hold), (Register::XFirst, x), (Register::YFirst, y)] {
+            self.note(tick, Happening::Home { colour, register, corner });
+        }
     }
 
     /// Takes in every word that has arrived by `time`.
@@ -145,6 +158,7 @@ impl<'a> Registers<'a> {
                 if word == 0 {
                     self.first[axis][colour].corner = corner;
                 }
+                self.come[axis][colour] |= 1 << word;
                 PRELOADS[axis]
             };
             self.note(tick, Happening::Load { colour, register, corner, words: 1 << word });
@@ -153,7 +167,8 @@ impl<'a> Registers<'a> {
 
     /// Lets the lines work up to a tick.
     fn walk(&mut self, last: i64) {
-        for (set, comes) in self.server.walk(last) {
+        for Fetched { asked: set, begins, comes } in self.server.walk(last) {
+            self.note(begins, Happening::Access { set: set.set(), corner: set.corner });
             let axis = match set.wanted {
                 Wanted::Preload(register) => Some(usize::from(register == Register::YFirst)),
                 Wanted::Diagonal => None,
@@ -191,12 +206,24 @@ impl<'a> Registers<'a> {
         for colour in colours {
             self.hold[colour] = self.first[axis][colour].words;
             self.note(seen, Happening::Transfer { colour, register: PRELOADS[axis], crossing });
+            self.overwrite(colour, axis, seen);
             self.sort_out(colour, axis, seen, crossing);
             self.corner[colour][axis] += 2 * self.start.heading[axis];
         }
         for colour in colours {
             self.renew(axis, colour, crossing, seen);
         }
+    }
+
+    /// What waits in the other preload register of a colour that moves is of no use, full or not.
+    fn overwrite(&mut self, colour: usize, axis: usize, seen: i64) {
+        let other = 1 - axis;
+        if self.come[other][colour] == ALL_WORDS {
+            let corner = self.first[other][colour].corner;
+            self.note(seen, Happening::Wasted { colour, register: PRELOADS[other], corner });
+        }
+        self.come[0][colour] = 0;
+        self.come[1][colour] = 0;
     }
 
     /// Words still carried for a colour that has just moved on: those that this transfer needed are late and, under
@@ -215,6 +242,7 @@ impl<'a> Registers<'a> {
             }
             needed && strobe
         });
+        let mut dropped = Vec::new();
         self.server.queue.retain_mut(|set| {
             if set.colour != colour {
                 return true;
@@ -224,8 +252,11 @@ impl<'a> Registers<'a> {
                 missing = ALL_WORDS;
                 set.late = true;
             }
-            needed && strobe
+            let kept = needed && strobe;
+            dropped.extend((!kept).then(|| set.set()));
+            kept
         });
+        dropped.into_iter().for_each(|set| self.note(seen, Happening::Cancelled(set)));
         if missing != 0 {
             let register = PRELOADS[axis];
             self.note(seen, Happening::Late { colour, register, crossing, words: missing });
@@ -239,7 +270,13 @@ impl<'a> Registers<'a> {
         let moves_over = loader.diagonal_register && !wired && self.diagonal[colour].1;
         for register in 0..2 {
             let corner = self.stored(self.ahead(colour, Some(register)));
-            if wired || moves_over && register != axis {
+            let set = AskedFor { colour, register: PRELOADS[register], crossing };
+            if wired {
+                self.note(seen, Happening::Wanted(set));
+                self.note(seen, Happening::Access { set, corner });
+                self.put(register, colour, crossing, seen, corner);
+            } else if moves_over && register != axis {
+                self.note(seen, Happening::Diagonal { set, corner });
                 self.put(register, colour, crossing, seen, corner);
             } else {
                 self.ask(axis, colour, Wanted::Preload(PRELOADS[register]), crossing, seen, corner);
@@ -260,6 +297,9 @@ impl<'a> Registers<'a> {
             match self.held_back(crossing, colour, axis, word) {
                 0 => {
                     self.first[axis][colour].words[word] = words[word];
+                    if word == 0 {
+                        self.first[axis][colour].corner = corner;
+                    }
                     come |= 1 << word;
                 }
                 held => self.carried.push(Carried {
@@ -272,6 +312,7 @@ impl<'a> Registers<'a> {
                 }),
             }
         }
+        self.come[axis][colour] |= come;
         if come != 0 {
             self.note(seen, Happening::Load { colour, register: PRELOADS[axis], corner, words: come });
         }
@@ -290,7 +331,9 @@ impl<'a> Registers<'a> {
         let next = self.start.rising[other].map(|at_one| colours_at(other, at_one));
         let urgent = wanted == Wanted::Preload(PRELOADS[other])
             && next.is_some_and(|colours| colours.contains(&colour));
-        self.server.queue.push(Asked { tick, crossing, colour, wanted, corner, urgent, late: false });
+        let asked = Asked { tick, crossing, colour, wanted, corner, urgent, late: false };
+        self.note(tick, Happening::Wanted(asked.set()));
+        self.server.queue.push(asked);
     }
 
     /// Extra ticks that a fault of the model adds to this word.

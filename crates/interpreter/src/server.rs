@@ -2,7 +2,7 @@
 
 use hardware_model::{CrossingServer, Loader};
 
-use crate::event::Register;
+use crate::event::{AskedFor, Register};
 
 /// Which register a set is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,6 +32,28 @@ pub struct Asked {
     pub late: bool,
 }
 
+impl Asked {
+    /// What it is, for the event list.
+    pub fn set(&self) -> AskedFor {
+        let register = match self.wanted {
+            Wanted::Preload(register) => register,
+            Wanted::Diagonal => Register::Diagonal,
+        };
+        AskedFor { colour: self.colour, register, crossing: self.crossing }
+    }
+}
+
+/// A set on its way.
+#[derive(Debug, Clone, Copy)]
+pub struct Fetched {
+    /// The set.
+    pub asked: Asked,
+    /// Tick at which its first access begins.
+    pub begins: i64,
+    /// Tick at which each word is in its register.
+    pub comes: [i64; 9],
+}
+
 /// The lines over which words come: one a colour, or one for all.
 #[derive(Debug, Clone)]
 pub struct Server<'a> {
@@ -57,8 +79,8 @@ impl<'a> Server<'a> {
         }
     }
 
-    /// Tick by tick up to `last`: what each free line begins with, and the tick at which each word is in its register.
-    pub fn walk(&mut self, last: i64) -> Vec<(Asked, [i64; 9])> {
+    /// Tick by tick up to `last`: what each free line begins with.
+    pub fn walk(&mut self, last: i64) -> Vec<Fetched> {
         let mut served = Vec::new();
         while self.walked < last && !self.queue.is_empty() {
             self.walked += 1;
@@ -77,7 +99,7 @@ impl<'a> Server<'a> {
     }
 
     /// A free line begins with the set that is most urgent, else longest asked.
-    fn begin(&mut self, line: usize) -> Option<(Asked, [i64; 9])> {
+    fn begin(&mut self, line: usize) -> Option<Fetched> {
         let here = |set: &Asked| (self.lines() == 1 || set.colour == line) && set.tick <= self.walked;
         let urgent = self.queue.iter().position(|set| here(set) && set.urgent && self.loader.urgent_first);
         let chosen = urgent.or_else(|| self.queue.iter().position(here))?;
@@ -89,6 +111,7 @@ impl<'a> Server<'a> {
             self.ordered.push(set.crossing);
         }
         now += (chain.chain + self.loader.pointer) as i64;
+        let begins = now;
         let width = self.loader.words_per_access as usize;
         let mut comes = [0; 9];
         for first in (0..9).step_by(width) {
@@ -97,6 +120,6 @@ impl<'a> Server<'a> {
             words.for_each(|word| comes[word] = now + self.loader.strobe as i64);
         }
         self.free[line] = now;
-        Some((set, comes))
+        Some(Fetched { asked: set, begins, comes })
     }
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use control_plane::{DigitalEvent, EventWord};
-use interpreter::{Event, Happening, Register};
+use interpreter::{AskedFor, Event, Happening, Register};
 use sweep_program::{PreloadRegister, RampAxis, Stop};
 
 /// What the machine's digital side did in a sweep, in the interpreter's words; what has none there is left out.
@@ -12,34 +12,56 @@ pub fn of_machine(events: &[DigitalEvent]) -> Vec<Event> {
 }
 
 fn translated(event: &DigitalEvent) -> Option<Event> {
+    Some(Event { tick: event.tick.0 as i64, level: event.level?, what: happening(event)? })
+}
+
+/// What it is for the interpreter; none for what it has no opinion on.
+fn happening(event: &DigitalEvent) -> Option<Happening> {
     let colour = || event.colour.map(|colour| colour as usize);
-    let register = || {
-        Some(match event.register? {
-            control_plane::Register::Hold => Register::Hold,
-            control_plane::Register::Preload(PreloadRegister::XFirst) => Register::XFirst,
-            control_plane::Register::Preload(PreloadRegister::YFirst) => Register::YFirst,
-            control_plane::Register::Diagonal => return None,
-        })
-    };
     let words = event.mask.0;
-    let what = match event.event {
+    Some(match event.event {
+        EventWord::Home => {
+            Happening::Home { colour: colour()?, register: register(event)?, corner: event.corner? }
+        }
         EventWord::Stop => {
             let fold = event.fold?;
             let axis = usize::from(fold.axis == RampAxis::Y);
             Happening::Stop { axis, at_one: fold.stop == Stop::One, crossing: event.crossing? }
         }
         EventWord::Transfer => {
-            Happening::Transfer { colour: colour()?, register: register()?, crossing: event.crossing? }
+            Happening::Transfer { colour: colour()?, register: register(event)?, crossing: event.crossing? }
         }
+        EventWord::Wasted => {
+            Happening::Wasted { colour: colour()?, register: register(event)?, corner: event.corner? }
+        }
+        EventWord::Wanted => Happening::Wanted(set(event)?),
+        EventWord::Cancelled => Happening::Cancelled(set(event)?),
+        EventWord::Diagonal => Happening::Diagonal { set: set(event)?, corner: event.corner? },
+        EventWord::Access => Happening::Access { set: set(event)?, corner: event.corner? },
         EventWord::Load => {
-            Happening::Load { colour: colour()?, register: register()?, corner: event.corner?, words }
+            Happening::Load { colour: colour()?, register: register(event)?, corner: event.corner?, words }
         }
-        EventWord::Late => {
-            Happening::Late { colour: colour()?, register: register()?, crossing: event.crossing?, words }
-        }
+        EventWord::Late => Happening::Late {
+            colour: colour()?,
+            register: register(event)?,
+            crossing: event.crossing?,
+            words,
+        },
         _ => return None,
-    };
-    Some(Event { tick: event.tick.0 as i64, level: event.level?, what })
+    })
+}
+
+fn register(event: &DigitalEvent) -> Option<Register> {
+    Some(match event.register? {
+        control_plane::Register::Hold => Register::Hold,
+        control_plane::Register::Preload(PreloadRegister::XFirst) => Register::XFirst,
+        control_plane::Register::Preload(PreloadRegister::YFirst) => Register::YFirst,
+        control_plane::Register::Diagonal => Register::Diagonal,
+    })
+}
+
+fn set(event: &DigitalEvent) -> Option<AskedFor> {
+    Some(AskedFor { colour: event.colour? as usize, register: register(event)?, crossing: event.crossing? })
 }
 
 /// The events up to the last tick of each level, in one order, those that are one but for their words joined.
@@ -50,7 +72,7 @@ pub fn in_order(events: &[Event], last_ticks: [i64; 2], with_words: bool) -> Vec
         if let Happening::Load { words: some, .. } | Happening::Late { words: some, .. } = &mut key.what {
             words = std::mem::take(some);
         }
-        if with_words || words == 0 {
+        if with_words || event.what.is_of_the_ramps() {
             *joined.entry(key).or_default() |= words;
         }
     }

@@ -49,6 +49,10 @@ fn two_hundred_in_f64() {
     for word in ["stop", "transfer", "load", "late"] {
         assert!(found.report.events[word] > 1000, "{word}: {}", found.report.events[word]);
     }
+    for word in ["home", "wanted", "access", "wasted", "cancelled", "diagonal"] {
+        let count = found.report.events.get(word).copied().unwrap_or(0);
+        assert!(count > 100, "{word}: {count}");
+    }
     assert!(found.report.counts["features"] > 100, "few sweeps met a crater");
 }
 

@@ -1,8 +1,8 @@
 //! A machine made ready for one stage.
 
 use control_plane::{
-    Blocks, Crossings, Delivery, Digital, DigitalFrame, FramePlan, MachineStage, Supply, WrittenRaster,
-    vertices,
+    Blocks, Crossings, Delivery, Digital, DigitalFrame, Elaboration, FramePlan, MachineStage, Supply,
+    WrittenRaster, vertices,
 };
 use display_projection_processor::Processor;
 use generator::FrameError;
@@ -19,6 +19,8 @@ use crate::residue::Recent;
 /// The machine, its tables, and buffers that wait for the next frame.
 pub(crate) struct Elaborated<S> {
     pub stage: MachineStage,
+    /// The list of blocks that the machine was made from.
+    pub list: Elaboration,
     pub blocks: Blocks,
     pub table: RangeTable,
     pub near: NearTable,
@@ -38,15 +40,16 @@ impl<S: Real> Elaborated<S> {
     pub fn new(stage: MachineStage) -> Self {
         let settings = &stage.settings;
         let table = RangeTable::new(&settings.range, settings.raster.samples as usize);
-        let laws = &settings.laws;
+        let (laws, list) = (&settings.laws, Elaboration::new(&stage));
         Self {
-            blocks: Blocks::new(&stage),
+            blocks: Blocks::new(&stage, &list),
             near: NearTable::new(table.ranges().iter().map(|range| (1.0 / range) as f32)),
             processor: Processor::new(laws.occlusion, laws.curvature, table.ranges()),
             raster: WrittenRaster::new(settings),
             footings: Footings::default(),
             digital: Digital::new(&stage),
-            parts: RealParts::new(&stage, table.ranges(), &WrittenRaster::new(settings)),
+            parts: RealParts::new(&stage, &list, table.ranges(), &WrittenRaster::new(settings)),
+            list,
             recent: Recent::default(),
             table,
             workspaces: Pool::default(),

@@ -1,46 +1,17 @@
 //! What the elaborated machine leaves out, and what that does to the picture.
 
-use control_plane::{Blocks, MachineStage, beam_has_parts, mixing_has_parts};
+use control_plane::{Block, Elaboration, MachineStage};
 use generator::{Omission, Weight};
 
-/// What a machine of these blocks leaves out.
-pub(crate) fn omissions(stage: &MachineStage, blocks: &Blocks) -> Vec<Omission> {
-    let mut list = absent_blocks(stage, blocks);
-    let parts = &stage.settings.analog;
-    let ideal = [
-        (parts.terrain_is_ideal(), "terrain-generator", "dynamics of parts"),
-        (parts.features_are_ideal(), "feature-generator", "bandwidth and errors of the sub-generators"),
-        (
-            parts.shadow_lines_are_ideal(),
-            "shadow-controller",
-            "errors of line generators, hysteresis and offset",
-        ),
-        (parts.texture_is_ideal(), "texture-generator", "bits and filter"),
-        (parts.body_switch_is_ideal(), "polyhedron-generator", "delay and transition of the third switch"),
-        (!mixing_has_parts(parts), "mixing-unit", "transitions, delays and bandwidth of the switches"),
-        (!beam_has_parts(parts), "display-projection-processor", "dynamics of parts and of the write gun"),
-        (parts.memory.is_ideal(), "sweep-memory", "spot, exposure, residue"),
-        (parts.wires.is_ideal(), "mixing-unit", "output amplifiers of the main signals"),
-    ];
-    let absent = |block: &str| match block {
-        "feature-generator" => !blocks.features,
-        "shadow-controller" => blocks.shadows.is_none(),
-        "texture-generator" => !blocks.texture,
-        "polyhedron-generator" => !blocks.bodies,
-        _ => false,
-    };
-    let ideal = ideal.into_iter().filter(|(is_ideal, block, _)| *is_ideal && !absent(block));
-    list.extend(
-        ideal.map(|(_, block, what)| {
-            Omission::lossless(block, what, "the model names no figure of its parts")
-        }),
-    );
+/// What the machine of `list` leaves out of `stage`.
+pub(crate) fn omissions(stage: &MachineStage, list: &Elaboration) -> Vec<Omission> {
+    let mut omissions = list.omissions();
     if let Some(texture) = stage.landscape.texture() {
         let what = format!("texture beyond {} m", texture.reach());
-        list.push(Omission::lossless("texture-generator", what, "it has faded to nothing there"));
+        omissions.push(Omission::lossless("texture-generator", what, "it has faded to nothing there"));
     }
-    if blocks.bodies && stage.settings.economy.leaves_out_small_bodies() {
-        list.push(Omission {
+    if list.has(Block::Bodies) && stage.settings.economy.leaves_out_small_bodies() {
+        omissions.push(Omission {
             block: "polyhedron-generator",
             what: "rocks and culture smaller than a resolution cell of the picture".into(),
             why: "maximal distance of the report, body by body; `bodies_left_out` and `pixels_left_out` of the record say how much, \
@@ -48,71 +19,41 @@ pub(crate) fn omissions(stage: &MachineStage, blocks: &Blocks) -> Vec<Omission> 
             weight: Weight::Bounded(255.0),
         });
     }
-    if blocks.swift {
-        list.extend(preview(blocks));
+    if list.is_swift() {
+        omissions.extend(preview(list));
     }
     let levels = stage.landscape.bank().levels().len();
-    let drawn = if blocks.coarse.is_some() { 2 } else { 1 };
+    let drawn = if list.has(Block::SecondLevel) { 2 } else { 1 };
     if levels > drawn {
-        list.push(Omission {
+        omissions.push(Omission {
             block: "terrain-generator",
             what: format!("{} coarser terrain levels", levels - drawn),
             why: "the machine has a terrain generator for each level that the scenario switches to".into(),
             weight: Weight::NotModelled,
         });
     }
-    list
+    omissions
 }
 
 /// What a preview leaves out.
-fn preview(blocks: &Blocks) -> Vec<Omission> {
+fn preview(list: &Elaboration) -> Vec<Omission> {
     let left_out = |block, what: &str, why: &str| Omission {
         block,
         what: what.into(),
         why: why.into(),
         weight: Weight::Bounded(255.0),
     };
-    let mut list = vec![left_out(
+    let mut omissions = vec![left_out(
         "machine",
         "kinks, edges and curves between samples",
         "--preview: signals are evaluated at the samples and straight between them; docs/economy.md says what that does to pictures",
     )];
-    if blocks.features {
-        list.push(left_out(
+    if list.has(Block::Features) {
+        omissions.push(left_out(
             "feature-generator",
             "craters that look less than half a line high",
             "--preview; `craters_left_out` and `pixels_left_out` of the record say how much",
         ));
     }
-    list
-}
-
-/// Blocks without work.
-fn absent_blocks(stage: &MachineStage, blocks: &Blocks) -> Vec<Omission> {
-    let rows = [
-        (blocks.features, "feature-generator", "sub-generators and VS1", "the ground has no features"),
-        (
-            blocks.shadows.is_some(),
-            "shadow-controller",
-            "line generators and VS2",
-            "the scenario asks for no shadows",
-        ),
-        (blocks.texture, "texture-generator", "texture and its adder", "the ground has no texture"),
-        (blocks.bodies, "polyhedron-generator", "polyhedra and VS3", "nothing stands on the ground"),
-        (
-            blocks.coarse.is_some(),
-            "terrain-generator",
-            "second level and its switch",
-            "the ground has one level, or the scenario never switches",
-        ),
-        (
-            !stage.landscape.silhouettes().is_empty(),
-            "terrain-generator",
-            "profiles of far mountains",
-            "the scenario has none",
-        ),
-        (stage.settings.yoke.is_some(), "display", "turning yoke", "the display shows no roll"),
-    ];
-    let absent = rows.into_iter().filter(|(present, ..)| !present);
-    absent.map(|(_, block, what, why)| Omission::lossless(block, what, why)).collect()
+    omissions
 }

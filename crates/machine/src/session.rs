@@ -70,7 +70,7 @@ impl<S: Real> Session for Elaborated<S> {
     }
 
     fn omissions(&self) -> Vec<Omission> {
-        omissions(&self.stage, &self.blocks)
+        omissions(&self.stage, &self.list)
     }
 
     fn wires(&self) -> Vec<Wire> {

@@ -131,9 +131,8 @@ impl Pictures {
         let [a, b] = [read(test, is_of_run)?, read(reference, is_of_run)?];
         let curves = self.displays.map_or([CURVE; 2], |displays| displays.map(curve));
         let levels: Vec<u32> = [0, 1, 2].into_iter().chain(levels.filter(|levels| *levels > 2)).collect();
-        let refused = |error| {
-            RunCompareError::Unlike { picture: test.clone(), reference: reference.clone(), error }
-        };
+        let refused =
+            |error| RunCompareError::Unlike { picture: test.clone(), reference: reference.clone(), error };
         let comparison = compare_any([&a, &b], curves, mask, &levels).map_err(refused)?;
         let linear = self.displays.map(|[of_a, of_b]| {
             compare_linear(&linear_luminance(&a, &of_a), &linear_luminance(&b, &of_b), mask)

@@ -1,6 +1,6 @@
 //! What of the machine is made of real parts: a block whose parts are all ideal is its algebra, and nothing of this.
 
-use control_plane::{MachineStage, WrittenRaster, beam_has_parts, mixing_has_parts};
+use control_plane::{Block, Elaboration, MachineStage, WrittenRaster};
 use display_projection_processor::PartsProcessor;
 use feature_generator::PartsGenerator;
 use landscape::Level;
@@ -55,8 +55,8 @@ pub struct BeamParts<S> {
 }
 
 impl<S: Real> RealParts<S> {
-    /// The parts that the model of `stage` names; `ranges` of the samples (m).
-    pub fn new(stage: &MachineStage, ranges: &[f64], raster: &WrittenRaster) -> Self {
+    /// The parts of the blocks of `list` that the model of `stage` names; `ranges` of the samples (m).
+    pub fn new(stage: &MachineStage, list: &Elaboration, ranges: &[f64], raster: &WrittenRaster) -> Self {
         let settings = &stage.settings;
         let (analog, seed, laws) = (&settings.analog, settings.seed, &settings.laws);
         let step = 1.0 / settings.timebase.sample_rate().hertz();
@@ -66,7 +66,7 @@ impl<S: Real> RealParts<S> {
             processor: PartsProcessor::new(occlusion, ranges, raster.lines as f64, step, analog, seed),
             gun: WriteGun::new(analog, seed, step, ranges.len(), raster.lines),
         };
-        let texture = stage.landscape.texture().filter(|_| !analog.texture_is_ideal());
+        let texture = stage.landscape.texture().filter(|_| list.has_parts(Block::Texture));
         let lines_a_second = raster.lines as f64 / (ranges.len() as f64 * step);
         let tube = TubeRaster {
             sweeps: settings.raster.sweeps as usize,
@@ -74,18 +74,20 @@ impl<S: Real> RealParts<S> {
             width: raster.field.tan_half_width / raster.field.tan_half_height,
         };
         Self {
-            terrain: (!analog.terrain_is_ideal()).then(|| Terrain::new(stage, step)),
-            features: (!analog.features_are_ideal())
+            terrain: list.has_parts(Block::Terrain).then(|| Terrain::new(stage, step)),
+            features: list
+                .has_parts(Block::Features)
                 .then(|| PartsGenerator::new(step, &settings.feature_generator, analog, seed)),
-            lines: (!analog.shadow_lines_are_ideal())
+            lines: list
+                .has_parts(Block::Shadows)
                 .then(|| PartsLines::new(&settings.shadow_controller, analog, seed))
                 .flatten(),
             texture: texture.map(|texture| PartsTexture::new(texture, ranges, step, analog, seed)),
-            bodies: (!analog.body_switch_is_ideal()).then(|| BodySwitch::new(lines_a_second, analog, seed)),
-            mixer: mixing_has_parts(analog).then(|| PartsMixer::new(mixing, step, analog, seed)),
-            beam: beam_has_parts(analog).then(beam),
-            tube: (!analog.memory.is_ideal()).then(|| Tube::new(&analog.memory, tube, seed)),
-            wires: Wires::new(stage, step, raster),
+            bodies: list.has_parts(Block::Bodies).then(|| BodySwitch::new(lines_a_second, analog, seed)),
+            mixer: list.has_parts(Block::Mixing).then(|| PartsMixer::new(mixing, step, analog, seed)),
+            beam: list.has_parts(Block::Beam).then(beam),
+            tube: list.has_parts(Block::Memory).then(|| Tube::new(&analog.memory, tube, seed)),
+            wires: list.has_parts(Block::Amplifiers).then(|| Wires::new(stage, step, raster)),
         }
     }
 }

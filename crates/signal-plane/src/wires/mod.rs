@@ -74,8 +74,8 @@ pub struct WireScratch<S> {
 pub type Ends = [usize; LANES];
 
 impl<S: Real> Wires<S> {
-    /// The amplifiers that the model of `stage` names, for samples that are `step` seconds apart; `None` if there are none.
-    pub fn new(stage: &MachineStage, step: f64, raster: &WrittenRaster) -> Option<Self> {
+    /// The amplifiers that the model of `stage` names, for samples that are `step` seconds apart.
+    pub fn new(stage: &MachineStage, step: f64, raster: &WrittenRaster) -> Self {
         let (parts, seed) = (&stage.settings.analog, stage.settings.seed);
         let scales = Scales::of(stage, raster);
         let spread = Spread::new(seed);
@@ -96,11 +96,11 @@ impl<S: Real> Wires<S> {
             parts.wires.drives(name).then(|| Driver::new(step, tau, rate))
         };
         let [th, tu, tv, tr, fh, fu, fv, fr, mh, mr] = MAIN_WIRES.map(driver);
-        (!parts.wires.is_ideal()).then_some(Self {
+        Self {
             terrain: Generator { height: th, slopes: [tu, tv], reflectivity: tr },
             features: Generator { height: fh, slopes: [fu, fv], reflectivity: fr },
             mixed: OutputDrivers { height: mh, video: mr },
-        })
+        }
     }
 
     /// Composite height and reflectivity behind their amplifiers.
