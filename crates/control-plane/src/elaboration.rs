@@ -93,7 +93,7 @@ impl Elaboration {
     }
 
     fn row(&self, block: Block) -> &Row {
-        &self.rows[block as usize]
+        self.rows.iter().find(|row| row.block == block).expect("every block has a row")
     }
 
     /// Whether a block is there.
