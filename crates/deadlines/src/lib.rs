@@ -23,9 +23,8 @@ pub mod sizing;
 mod timeline;
 
 pub use error::DeadlineError;
-pub use levels::{DrawnLevel, drawn_levels};
 pub use plots::{write_slack, write_utilisation};
 pub use rehearsal::{Rehearsal, first, spread};
 pub use rehearsed::{Other, Rehearsed};
 pub use show::Deadlines;
-pub use timeline::SweepTimeline;
+pub use timeline::{TimelineOf, write_timeline};

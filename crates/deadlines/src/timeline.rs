@@ -11,11 +11,39 @@ use sweep_generator::RangeTable;
 use sweep_program::{Colour, NO_CORNER, PreloadRegister, RampAxis, SweepProgram};
 
 use crate::critical_path::{colour_word, register_word};
+use crate::levels::{DrawnLevel, drawn_levels};
 use crate::sets::{AskedSet, crossings, sets_of};
-use crate::{DeadlineError, DrawnLevel};
+use crate::{DeadlineError, Rehearsal};
+
+/// A sweep whose timeline is drawn.
+#[derive(Debug, Clone, Copy)]
+pub struct TimelineOf {
+    /// Its frame.
+    pub frame: u64,
+    /// The sweep, from 0 at the left.
+    pub sweep: u32,
+    /// Whether it is that of the coarse level, where the scenario has one.
+    pub is_coarse: bool,
+    /// Ground ranges between which it is drawn (m); all of the sweep if left out.
+    pub range: Option<[f64; 2]>,
+}
+
+/// Draws the timeline of a sweep: PNG or SVG, as the file is named.
+///
+/// # Errors
+/// If the pose cannot be drawn, the sweep does not go to the nearer range, or the picture cannot be drawn or written.
+pub fn write_timeline(rehearsal: &Rehearsal, of: TimelineOf, path: &Path) -> Result<(), DeadlineError> {
+    let TimelineOf { frame, sweep, is_coarse, range } = of;
+    let poses = rehearsal.poses(&[frame])?;
+    let sweeps = rehearsal.control.sweeps(frame, &poses[0].pose)?;
+    let levels = drawn_levels(&rehearsal.stage);
+    let number = usize::from(is_coarse).min(levels.len() - 1);
+    let title = format!("{} on {}", rehearsal.scenario.title, rehearsal.model.name);
+    SweepTimeline::new(&sweeps, levels[number], (frame, sweep)).draw(&title, range, path)
+}
 
 /// A sweep that has been timed.
-pub struct SweepTimeline<'a> {
+struct SweepTimeline<'a> {
     of: DrawnLevel<'a>,
     table: &'a RangeTable,
     /// Frame, sweep, and the sweep whose set-up draws it.
@@ -26,7 +54,7 @@ pub struct SweepTimeline<'a> {
 
 impl<'a> SweepTimeline<'a> {
     /// Times a sweep over one level of a frame.
-    pub fn new(sweeps: &'a FrameSweeps<'_>, of: DrawnLevel<'a>, (frame, sweep): (u64, u32)) -> Self {
+    fn new(sweeps: &'a FrameSweeps<'_>, of: DrawnLevel<'a>, (frame, sweep): (u64, u32)) -> Self {
         let program = sweeps.programs(sweep).swap_remove(of.number);
         let mut sets = Vec::new();
         sets_of(&program, sweeps.loader().is_wired_through(), &mut sets);
@@ -34,10 +62,7 @@ impl<'a> SweepTimeline<'a> {
     }
 
     /// Draws it over `range` (m), or over all of the sweep, under `title`.
-    ///
-    /// # Errors
-    /// If the sweep does not go to the nearer range, or the picture cannot be drawn or written.
-    pub fn draw(&self, title: &str, range: Option<[f64; 2]>, path: &Path) -> Result<(), DeadlineError> {
+    fn draw(&self, title: &str, range: Option<[f64; 2]>, path: &Path) -> Result<(), DeadlineError> {
         let window = self.window(range)?;
         let (x, ramps) = self.ramps(window);
         let traces = ["sweep.x", "sweep.y"].into_iter().zip(&ramps).map(|(name, y)| Trace { name, x: &x, y });

@@ -23,7 +23,5 @@ mod late;
 mod seek;
 mod text;
 
-pub use column::SweepColumn;
-pub use ground::{ColourState, GroundPoint};
 pub use late::Late;
 pub use seek::{ExactPixel, Explanation, Inquiry, InquiryError, Place, Writer};

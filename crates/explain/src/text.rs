@@ -2,7 +2,8 @@
 
 use quantities::fixed;
 
-use crate::{Explanation, GroundPoint, Late};
+use crate::ground::GroundPoint;
+use crate::{Explanation, Late};
 
 impl Explanation {
     /// What is said of the pixel, for people: why it is so, then every wire at the sample.

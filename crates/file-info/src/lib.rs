@@ -1,7 +1,7 @@
 //! What a file or the folder of a run holds, in words and as a document.
 //!
 //! [`Held::of`] knows banks, elevation files, scenarios, hardware models, pictures (PNG, JPEG), and run folders. Banks and models are
-//! also told by themselves ([`bank_text`], [`model_document`] and others).
+//! also told by themselves ([`bank_text`], [`model_document_with`] and others).
 
 mod bank;
 mod elevation;
@@ -19,9 +19,11 @@ use hardware_model::HardwareModel;
 use landscape::bank_file;
 use serde_json::Value;
 
+use crate::model::model_document;
+
 pub use bank::{bank_document, bank_text};
 pub use error::InfoError;
-pub use model::{can_be_built, findings_document, findings_text, model_document, model_document_with};
+pub use model::{can_be_built, findings_document, findings_text, model_document_with};
 
 /// What a file or a run folder holds.
 pub struct Held {

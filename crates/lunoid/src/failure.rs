@@ -18,7 +18,7 @@ use plots::PlotError;
 use replay::ReplayError;
 use report::ReportError;
 use run_compare::RunCompareError;
-use run_page::PageError;
+use run_page::{PageError, RequestError};
 use scope::ScopeError;
 use survey::SurveyError;
 use timing::RecordError;
@@ -289,6 +289,12 @@ impl From<InfoError> for Failure {
     }
 }
 
+impl From<RequestError> for Failure {
+    fn from(error: RequestError) -> Self {
+        Self::usage(error)
+    }
+}
+
 impl From<PageError> for Failure {
     fn from(error: PageError) -> Self {
         match error {
@@ -296,7 +302,7 @@ impl From<PageError> for Failure {
             PageError::Report(error) => error.into(),
             PageError::Scope(error) => error.into(),
             PageError::File(error) => error.into(),
-            PageError::Request(_) => Self::usage(error),
+            PageError::Request(error) => error.into(),
             PageError::Folder { .. } => Self::output(error),
             PageError::Path(_) | PageError::Prepare(_) | PageError::Frame(_) => Self::input(error),
         }

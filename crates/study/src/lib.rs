@@ -40,7 +40,7 @@ mod subject;
 mod table;
 mod work;
 
-pub use advice::{Advice, Setting, advise, front, total_error};
+pub use advice::{Advice, Setting, advise, front};
 pub use change::{Change, Variant};
 pub use figures::{ErrorFigure, Figures, NAMES};
 pub use order::{Order, fit};

@@ -42,6 +42,6 @@ pub use error::SurveyError;
 pub use fit::Stiffness;
 pub use projection::{Method, Projection};
 pub use read::{ReadOptions, read};
-pub use report::{LevelReport, SurveyReport, VoidBounds, Worst};
+pub use report::{SurveyReport, Worst};
 pub use survey::{Grid, Step, Survey, SurveyOptions, survey};
 pub use told::SurveyTold;

@@ -6,7 +6,8 @@ use quantities::degrees;
 use serde_json::{Value, json};
 use text::{shortened, table};
 
-use crate::{Area, Elevation, Frame, LevelReport, Plane, Survey, SurveyReport};
+use crate::report::LevelReport;
+use crate::{Area, Elevation, Frame, Plane, Survey, SurveyReport};
 
 /// What is told of a survey.
 pub struct SurveyTold<'a> {

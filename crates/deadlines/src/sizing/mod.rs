@@ -4,6 +4,7 @@ mod level;
 mod report;
 mod search;
 mod tear;
+mod units;
 
 use generator::FrameError;
 use machine::FrameSweeps;

@@ -5,8 +5,9 @@ use std::path::Path;
 use plots::{PointSeries, SlopeGuide, TraceLook, ladder_picture};
 
 use super::{ReportError, save};
+use crate::advice::total_error;
+use crate::front;
 use crate::ladder::{LadderOutcome, OrderOutcome, RungOutcome};
-use crate::{front, total_error};
 
 const WIDTH: u32 = 860;
 const HEIGHT: u32 = 460;

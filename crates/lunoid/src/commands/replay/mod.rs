@@ -19,7 +19,7 @@ use replay::{
     Control, HeldRun, Job, Outcome, Phase, Pictures, RunFolder, TruthItems, TruthOutcome, is_run_file, run,
     write_truth, write_y4m,
 };
-use run_page::{Making, PageError, Request, check};
+use run_page::{Making, Request, check};
 use run_record::Program;
 use serde_json::{Value, json};
 
@@ -137,7 +137,7 @@ impl Replay {
         let generator = &*opened.generator;
         self.expect_sweeps(&opened)?;
         let lines = generator.scan(&opened.settings.view()).map_or(0, |scan| scan.timebase.sweeps);
-        check(&self.probe, &frames, lines, generator).map_err(PageError::from)?;
+        check(&self.probe, &frames, lines, generator)?;
         let pool = self.threads.pool()?;
         let folder = RunFolder::claim(&out, self.fresh)?;
         interrupt::listen();

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use deadlines::{
-    Deadlines, Other, Rehearsal, Rehearsed, SweepTimeline, drawn_levels, spread, write_slack,
+    Deadlines, Other, Rehearsal, Rehearsed, TimelineOf, spread, write_slack, write_timeline,
     write_utilisation,
 };
 use front_door::Opened;
@@ -162,12 +162,8 @@ impl Show {
         let (Some(path), Some(frame), Some(sweep)) = (&self.out, self.frame, self.sweep) else {
             return Ok(());
         };
-        let poses = rehearsal.poses(&[frame])?;
-        let sweeps = rehearsal.control.sweeps(frame, &poses[0].pose).map_err(Failure::input)?;
-        let levels = drawn_levels(&rehearsal.stage);
-        let number = usize::from(self.level == LevelWord::Coarse).min(levels.len() - 1);
-        let title = format!("{} on {}", rehearsal.scenario.title, rehearsal.model.name);
-        Ok(SweepTimeline::new(&sweeps, levels[number], (frame, sweep)).draw(&title, self.range_m, path)?)
+        let is_coarse = self.level == LevelWord::Coarse;
+        Ok(write_timeline(rehearsal, TimelineOf { frame, sweep, is_coarse, range: self.range_m }, path)?)
     }
 
     fn tell(&self, rehearsal: &Rehearsal, record: &TimingRecord) -> Result<(), Failure> {

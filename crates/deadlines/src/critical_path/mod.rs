@@ -1,0 +1,150 @@
+//! The chain of waits that ends at the worst deadline of each kind.
+
+mod transfer;
+
+use machine::MachineStage;
+use scenario::Pose;
+use serde::Serialize;
+use timing::{Deadline, FrameTiming, Missed};
+
+use self::transfer::worst_transfer;
+use crate::{DeadlineError, Rehearsal};
+
+pub use transfer::{colour_word, register_word};
+
+/// From what starts a piece of work to the instant at which it is due.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Chain {
+    /// Which deadline.
+    pub deadline: Deadline,
+    /// What is due, and where.
+    pub what: String,
+    /// Unit by unit; the sum of their ticks and of the slack is the time there was.
+    pub links: Vec<Link>,
+    /// What is left (master ticks); below 0 it is missed, none if it never came.
+    pub slack: Option<i64>,
+}
+
+/// One unit's part.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Link {
+    /// Block first: `loader.red`, `cpu`.
+    pub unit: String,
+    /// What it does.
+    pub what: String,
+    /// Master ticks.
+    pub ticks: i64,
+}
+
+fn link(unit: impl Into<String>, what: impl Into<String>, ticks: i64) -> Link {
+    Link { unit: unit.into(), what: what.into(), ticks }
+}
+
+impl Chain {
+    /// Lines of text; `ns` is the length of a tick (ns).
+    pub fn text(&self, ns: f64) -> String {
+        let line = |unit: &str, what: &str, ticks: i64| {
+            format!("  {unit:<16} {ticks:>9} ticks {:>12.1} ns  {what}\n", ticks as f64 * ns)
+        };
+        let links: String = self.links.iter().map(|link| line(&link.unit, &link.what, link.ticks)).collect();
+        let last = match self.slack {
+            Some(slack) if slack < 0 => line("= late", "", -slack),
+            Some(slack) => line("= slack", "", slack),
+            None => "  = never\n".into(),
+        };
+        format!("{}: {}\n{links}{last}", self.deadline, self.what)
+    }
+}
+
+/// The chains of one frame, in the order of [`Deadline::ALL`].
+pub fn chains(rehearsal: &Rehearsal, pose: &Pose, frame: &FrameTiming) -> Result<Vec<Chain>, DeadlineError> {
+    let stage = &rehearsal.stage;
+    let sweeps = rehearsal.pool.install(|| rehearsal.control.sweeps(frame.frame, pose))?;
+    let of = |deadline: &Deadline| match deadline {
+        Deadline::Transfer => rehearsal.pool.install(|| worst_transfer(stage, &sweeps, frame.frame)),
+        Deadline::SweepSetUp => set_up(stage, frame),
+        Deadline::FrameTasks => frame_tasks(stage, frame),
+        Deadline::Corner => corner(frame),
+        Deadline::Feature | Deadline::Segment => load(*deadline, frame),
+    };
+    let all = Deadline::ALL.iter().filter(|deadline| frame.deadlines.contains_key(deadline));
+    Ok(all.filter_map(of).collect())
+}
+
+/// The worst set-up: it begins with the sweep before, behind interrupts and set-ups that run over. One that is not made
+/// counts as a sweep too late.
+fn set_up(stage: &MachineStage, frame: &FrameTiming) -> Option<Chain> {
+    let slack = frame.deadlines.get(&Deadline::SweepSetUp)?.least?;
+    let settings = &stage.settings;
+    let period = (frame.ticks / u64::from(settings.raster.sweeps)) as i64;
+    let own = settings.cpu.sweep_setup as i64;
+    let worst = latest(Deadline::SweepSetUp, frame);
+    let what =
+        worst.map_or("program of a sweep".into(), |missed| format!("program of sweep {}", missed.sweep));
+    let is_made = worst.is_none_or(|missed| missed.came.is_some());
+    let before = "interrupts and set-ups before it";
+    let links = match is_made {
+        true => vec![link("cpu", before, period - own - slack), link("cpu", "set-up", own)],
+        false => vec![link("cpu", before, period)],
+    };
+    Some(Chain { deadline: Deadline::SweepSetUp, what, links, slack: is_made.then_some(slack) })
+}
+
+/// The miss of a frame that comes latest after its time; the first of several.
+fn latest(deadline: Deadline, frame: &FrameTiming) -> Option<&Missed> {
+    let lateness = |missed: &Missed| missed.lateness().unwrap_or(f64::INFINITY);
+    let ours = frame.misses.iter().filter(|missed| missed.deadline == deadline);
+    ours.reduce(|worst, missed| if lateness(missed) > lateness(worst) { missed } else { worst })
+}
+
+/// Tables and polyhedra fill what crossings and set-ups leave.
+fn frame_tasks(stage: &MachineStage, frame: &FrameTiming) -> Option<Chain> {
+    let slack = frame.deadlines.get(&Deadline::FrameTasks)?.least?;
+    let busy =
+        |unit: &str| frame.units.iter().find(|found| found.unit == unit).map(|found| found.busy as i64);
+    let all = busy("cpu.tables")? + busy("cpu.vertices")? + (-slack).max(0);
+    let tables = (stage.settings.cpu.frame_tables as i64).min(all);
+    let links = vec![
+        link("cpu", "crossings, set-ups of sweeps, idle", frame.ticks as i64 - slack - all),
+        link("cpu", "visibility and tables", tables),
+        link("cpu", format!("vertices of polyhedra: {}", frame.vertices.asked), all - tables),
+    ];
+    let what = "tables and polyhedra of the next frame".into();
+    Some(Chain { deadline: Deadline::FrameTasks, what, links, slack: Some(slack) })
+}
+
+/// A record that the storage buffer does not hold waits for its drum; one that does not come in the frame counts as a
+/// sweep too late. There is no chain where every corner was there.
+fn corner(frame: &FrameTiming) -> Option<Chain> {
+    let slack = frame.deadlines.get(&Deadline::Corner)?.least?;
+    let worst = latest(Deadline::Corner, frame)?;
+    let [m, n] = worst.region?;
+    let drums = frame.units.iter().filter(|unit| unit.unit.starts_with("drum."));
+    let links = drums.map(|unit| {
+        let what = format!("at work in this frame, longest queue {}", unit.longest_queue);
+        link(&unit.unit, what, unit.busy as i64)
+    });
+    let what = format!("corner {m} {n} and others, first asked for in sweep {}", worst.sweep);
+    let slack = worst.came.map(|_| slack);
+    Some(Chain { deadline: Deadline::Corner, what, links: links.collect(), slack })
+}
+
+/// Words of a crater or of a shadow boundary wait for their line, and for the part that they go to. There is no chain where
+/// all are in time.
+fn load(deadline: Deadline, frame: &FrameTiming) -> Option<Chain> {
+    let slack = frame.deadlines.get(&deadline)?.least?;
+    let worst = latest(deadline, frame)?;
+    let unit =
+        if deadline == Deadline::Feature { "feature-generator.load" } else { "shadow-controller.load" };
+    let busy = frame.units.iter().find(|found| found.unit == unit);
+    let links = busy.map(|found| link(unit, "at work in this frame, all loads together", found.busy as i64));
+    let crater = worst.crater.map_or("shadow boundary".into(), |crater| format!("crater {crater}"));
+    let part = worst.part.as_ref().map_or(", no part free".into(), |part| format!(", {part}"));
+    let range = worst.range_m.map_or(String::new(), |range| format!(" at {range:.1} m"));
+    Some(Chain {
+        deadline,
+        what: format!("sweep {}: {crater}{range}{part}", worst.sweep),
+        links: links.into_iter().collect(),
+        slack: worst.came.map(|_| slack),
+    })
+}
