@@ -38,18 +38,7 @@ pub static ROW: Row = Row {
 pub struct Exact;
 
 /// What it fills: all.
-const PLANES: &[PlaneKind] = &[
-    PlaneKind::Intensity,
-    PlaneKind::Range,
-    PlaneKind::Height,
-    PlaneKind::NormalNorth,
-    PlaneKind::NormalEast,
-    PlaneKind::NormalUp,
-    PlaneKind::Reflectivity,
-    PlaneKind::Shadow,
-    PlaneKind::Label,
-    PlaneKind::Distance,
-];
+const PLANES: &[PlaneKind] = &PlaneKind::ALL;
 
 impl Generator for Exact {
     fn name(&self) -> &'static str {

@@ -50,11 +50,7 @@ impl AlbedoMap {
     ///
     /// # Errors
     /// If the area has no extent, the texels are not as many as that, or one is not 0 to 1.
-    pub fn new(
-        area: [f64; 4],
-        [columns, lines]: [usize; 2],
-        texels: Texels,
-    ) -> Result<Self, AlbedoMapError> {
+    pub fn new(area: [f64; 4], [columns, lines]: [usize; 2], texels: Texels) -> Result<Self, AlbedoMapError> {
         let [south, west, north, east] = area;
         if !(south < north && west < east && area.iter().all(|edge| edge.is_finite())) {
             return Err(AlbedoMapError::Area(area));

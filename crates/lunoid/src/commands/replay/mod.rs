@@ -11,7 +11,7 @@ use std::time::Instant;
 
 use clap::{Args, ValueEnum};
 use front_door::Opened;
-use generator::Stage;
+use generator::{Generator, PlaneKind, Stage};
 use picture::Depth;
 use quantities::Rate;
 use rayon::ThreadPool;
@@ -152,6 +152,7 @@ impl Replay {
 
     /// What one machine is to draw.
     fn job<'a>(&self, opened: &'a Opened, stage: Stage, frames: Range<u64>) -> Job<'a> {
+        let pictures = self.pictures(&*opened.generator, &stage);
         Job {
             program: program(),
             inputs: opened.inputs.clone(),
@@ -159,7 +160,7 @@ impl Replay {
             generator: Arc::clone(&opened.generator),
             stage,
             frames,
-            pictures: self.pictures(),
+            pictures,
             check: self.check,
         }
     }
@@ -237,13 +238,15 @@ impl Replay {
         self.out.clone().unwrap_or_else(|| Path::new("runs").join(format!("{stem}{of}")))
     }
 
-    fn pictures(&self) -> Pictures {
+    /// Frames are in colour where the stage has one and the generator draws it.
+    fn pictures(&self, generator: &dyn Generator, stage: &Stage) -> Pictures {
+        let planes = generator.planes();
+        let colour = stage.is_colourful() && PlaneKind::COLOUR.iter().all(|kind| planes.contains(kind));
         let depth = match self.depth {
             DepthWord::Eight => Depth::Eight,
             DepthWord::Sixteen => Depth::Sixteen,
         };
-        // No generator has colour yet.
-        Pictures { depth, colour: false, refresh: self.refresh, film: self.apng }
+        Pictures { depth, colour, refresh: self.refresh, film: self.apng }
     }
 
     fn tell(
