@@ -38,18 +38,7 @@ pub static ROW: Row = Row {
 pub struct Exact;
 
 /// What it fills: all.
-const PLANES: &[PlaneKind] = &[
-    PlaneKind::Intensity,
-    PlaneKind::Range,
-    PlaneKind::Height,
-    PlaneKind::NormalNorth,
-    PlaneKind::NormalEast,
-    PlaneKind::NormalUp,
-    PlaneKind::Reflectivity,
-    PlaneKind::Shadow,
-    PlaneKind::Label,
-    PlaneKind::Distance,
-];
+const PLANES: &[PlaneKind] = &PlaneKind::ALL;
 
 impl Generator for Exact {
     fn name(&self) -> &'static str {
@@ -62,6 +51,10 @@ impl Generator for Exact {
 
     fn planes(&self) -> &'static [PlaneKind] {
         PLANES
+    }
+
+    fn draws_colour(&self, stage: &Stage) -> bool {
+        stage.is_colourful()
     }
 
     fn prepare(&self, stage: Stage) -> Result<Box<dyn GeneratorSession>, PrepareError> {
@@ -84,6 +77,10 @@ impl Generator for ExactWithin {
 
     fn planes(&self) -> &'static [PlaneKind] {
         PLANES
+    }
+
+    fn draws_colour(&self, stage: &Stage) -> bool {
+        Exact.draws_colour(stage)
     }
 
     fn prepare(&self, stage: Stage) -> Result<Box<dyn GeneratorSession>, PrepareError> {

@@ -9,7 +9,8 @@ use files::FileError;
 use generator::PrepareError;
 use landscape::bank_file::BankFileError;
 use landscape::relief::ReliefError;
-use landscape::{BankError, TextureError};
+use landscape::{AlbedoMapError, BankError, TextureError};
+use photographs::PhotographFileError;
 use scenario::{PathProblems, SceneryProblems};
 
 /// Why files and wishes do not come to a generator on a stage.
@@ -99,6 +100,17 @@ pub enum StageError {
     /// No level to go over to.
     #[error("[levels]: the bank has one level only; expected two, the fine one first, or no [levels]")]
     OneLevel,
+    /// The picture of the albedo cannot be read.
+    #[error("[landscape] albedo_map: {0}")]
+    AlbedoPicture(#[from] PhotographFileError),
+    /// The picture of the albedo is no map.
+    #[error("[landscape] albedo_map: {}: {error}", file.display())]
+    AlbedoMap {
+        /// The picture.
+        file: PathBuf,
+        /// Why not.
+        error: AlbedoMapError,
+    },
     /// The texture does not go with the ground.
     #[error("[texture]: {0}")]
     Texture(#[from] TextureError),

@@ -7,11 +7,12 @@ use landscape::{Bank, Landscape};
 use scenario::{CraterList, CraterPopulation, Scenario};
 
 use crate::StageError;
+use crate::albedo::albedo_map;
 
 /// The ground of `bank` with craters, texture and mountains of `scenario`.
 ///
 /// # Errors
-/// If a crater is not wholly inside the problem area, a population cannot be strewn over it, there are too many craters, or the scenario goes over
+/// If the picture of the albedo cannot be read, a crater is not wholly inside the problem area, a population cannot be strewn over it, there are too many craters, or the scenario goes over
 /// to a coarse level that the bank does not have.
 pub fn landscape(bank: Bank, scenario: &Scenario) -> Result<Landscape, StageError> {
     if scenario.levels.is_some() && bank.levels().len() < 2 {
@@ -21,7 +22,10 @@ pub fn landscape(bank: Bank, scenario: &Scenario) -> Result<Landscape, StageErro
     let features = Features::of(craters(scenario, level.extent())?);
     let texture = scenario.texture.as_ref().map(|wish| wish.over(level.region_size(), level.origin()));
     let texture = texture.transpose()?;
-    let landscape = Landscape::new(bank, scenario.albedo).with_features(features).with_texture(texture);
+    let extent = level.extent();
+    let map = scenario.albedo_map.as_ref().map(|wish| albedo_map(wish, extent)).transpose()?;
+    let landscape = Landscape::new(bank, scenario.albedo).with_albedo_map(map);
+    let landscape = landscape.with_features(features).with_texture(texture);
     Ok(landscape.with_photometry(scenario.photometry).with_silhouettes(scenario.silhouettes.clone()))
 }
 

@@ -15,6 +15,7 @@
 //! - [`Kind`]: what a TOML file is, by its keys.
 //! - [`settings`], [`build`], [`over`], [`under`], [`bank`], [`landscape`](fn@landscape): the steps by themselves.
 
+mod albedo;
 mod error;
 mod ground;
 mod keys;

@@ -143,3 +143,43 @@ fn texture_lies_over_the_regions() {
     let stage = stage.unwrap();
     assert_eq!(stage.landscape.texture().unwrap().reach(), 50.0);
 }
+
+/// A picture of 2 x 1 pixels, the west one of code 128, the east one white.
+fn with_map(picture: picture::AnyPicture, keys: &str) -> Result<MachineStage, StageError> {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("map.png"), picture.encode_png(&[]).unwrap()).unwrap();
+    let tables = format!("[landscape.albedo_map]\nfile = 'map.png'\n{keys}");
+    build_in(folder.path(), &tables)
+}
+
+#[test]
+fn a_picture_is_a_map_of_albedo() {
+    let grey = || picture::GreyPicture::new(2, 1, picture::Depth::Eight, vec![128, 255]).unwrap().into();
+    let stage = with_map(grey(), "").unwrap();
+    let srgb = picture::Curve::Srgb.light(128.0 / 255.0) as f32;
+    let map = stage.landscape.albedo_map().unwrap();
+    assert_eq!(map.area(), [0.0, 0.0, 600.0, 640.0]);
+    assert_eq!(stage.landscape.albedo_at(300.0, 160.0), [f64::from(srgb); 3]);
+    assert_eq!(stage.landscape.albedo_at(300.0, 480.0), [1.0; 3]);
+    assert!(!stage.stage().is_colourful());
+    let keys = "curve = 'linear'\nblack = 0.2\nwhite = 0.7\narea_m = [100, 200, 300, 400]";
+    let stage = with_map(grey(), keys).unwrap();
+    let [found, ..] = stage.landscape.albedo_at(200.0, 250.0);
+    assert!((found - (0.2 + 0.5 * 128.0 / 255.0)).abs() < 1e-7, "{found}");
+    // Beside it the one number holds.
+    assert_eq!(stage.landscape.albedo_at(99.0, 250.0), [0.7; 3]);
+    let red = picture::ColourPicture::new(1, 1, picture::Depth::Eight, vec![255, 0, 0]).unwrap();
+    let stage = with_map(red.into(), "").unwrap();
+    assert_eq!(stage.landscape.albedo_at(1.0, 1.0), [1.0, 0.0, 0.0]);
+    assert!(stage.stage().is_colourful());
+}
+
+#[test]
+fn a_map_that_is_not_there_is_told_with_its_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let error = build_in(folder.path(), "[landscape.albedo_map]\nfile = 'no.png'").unwrap_err().to_string();
+    assert!(
+        error.starts_with("[landscape] albedo_map: ") && error.contains("no.png: no such file"),
+        "{error}"
+    );
+}

@@ -47,6 +47,13 @@ pub struct Stage {
     pub view: View,
 }
 
+impl Stage {
+    /// Whether anything on it has a colour: generators without colour draw its luminance.
+    pub fn is_colourful(&self) -> bool {
+        self.landscape.albedo_map().is_some_and(|map| map.texels().is_colourful())
+    }
+}
+
 /// How the signals of a generator run: line by line, sample by sample.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Scan {

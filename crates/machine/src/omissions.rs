@@ -6,6 +6,7 @@ use generator::{Omission, Weight};
 /// What the machine of `list` leaves out of `stage`.
 pub(crate) fn omissions(stage: &MachineStage, list: &Elaboration) -> Vec<Omission> {
     let mut omissions = list.omissions();
+    omissions.extend(guests(stage));
     if let Some(texture) = stage.landscape.texture() {
         let what = format!("texture beyond {} m", texture.reach());
         omissions.push(Omission::lossless("texture-generator", what, "it has faded to nothing there"));
@@ -33,6 +34,24 @@ pub(crate) fn omissions(stage: &MachineStage, list: &Elaboration) -> Vec<Omissio
         });
     }
     omissions
+}
+
+/// What a scene may have for other generators, and no block of the report draws.
+fn guests(stage: &MachineStage) -> impl Iterator<Item = Omission> {
+    let has_map = stage.landscape.albedo_map().is_some();
+    let rows = [(
+        has_map,
+        "terrain-generator",
+        "the map of albedo (`landscape.albedo_map`)",
+        "a terrain generator has one albedo for all ground, `landscape.albedo`; --machine exact draws the map",
+    )];
+    let not_modelled = |(_, block, what, why): (bool, _, &str, &str)| Omission {
+        block,
+        what: what.into(),
+        why: why.into(),
+        weight: Weight::NotModelled,
+    };
+    rows.into_iter().filter(|(is_there, ..)| *is_there).map(not_modelled)
 }
 
 /// What a preview leaves out.

@@ -1,11 +1,13 @@
 //! The ground of a run.
 
 use landscape::relief::Relief;
-use landscape::{Landscape, Level, bank_file};
+use landscape::{AlbedoMap, Landscape, Level, Texels, bank_file};
 use quantities::degrees;
 use scenario::Ground;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
+
+use crate::hash;
 
 /// The ground of a run: where it came from, and the hash of its words.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -18,11 +20,43 @@ pub struct GroundRecord {
     pub content_blake3: String,
     /// Albedo of the soil, 0..=1.
     pub albedo: f64,
+    /// Map of the albedo, where there is one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub albedo_map: Option<AlbedoMapRecord>,
     /// Levels, the finest first.
     pub levels: Vec<LevelRecord>,
     /// Parameters of a generated landscape, in the keys of a scenario file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub generator: Option<Value>,
+}
+
+/// A map of the albedo.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct AlbedoMapRecord {
+    /// South, west, north, east edge (m).
+    pub area_m: [f64; 4],
+    /// Texels from west to east.
+    pub columns: usize,
+    /// Texels from north to south.
+    pub lines: usize,
+    /// Whether it has colours.
+    pub colour: bool,
+    /// BLAKE3 of its albedos, f32 each, line by line, hexadecimal.
+    pub blake3: String,
+}
+
+impl From<&AlbedoMap> for AlbedoMapRecord {
+    fn from(map: &AlbedoMap) -> Self {
+        let [columns, lines] = map.size();
+        let bytes: Vec<u8> = match map.texels() {
+            Texels::Grey(grey) => grey.iter().flat_map(|albedo| albedo.to_le_bytes()).collect(),
+            Texels::Colour(colour) => {
+                colour.iter().flatten().flat_map(|albedo| albedo.to_le_bytes()).collect()
+            }
+        };
+        let colour = matches!(map.texels(), Texels::Colour(_));
+        Self { area_m: map.area(), columns, lines, colour, blake3: hash(&bytes) }
+    }
 }
 
 /// A level of the ground.
@@ -55,6 +89,7 @@ impl GroundRecord {
             title: bank.title().into(),
             content_blake3: bank_file::content_hash(bank).iter().map(|byte| format!("{byte:02x}")).collect(),
             albedo: landscape.albedo(),
+            albedo_map: landscape.albedo_map().map(AlbedoMapRecord::from),
             levels: bank.levels().iter().map(LevelRecord::from).collect(),
             generator,
         }

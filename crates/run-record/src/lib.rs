@@ -28,7 +28,7 @@ mod view;
 
 pub use file::{FileRecord, MAX_BYTES, file_hash, hash, stays_inside};
 pub use frame::{FrameRecord, total_work};
-pub use ground::{GroundRecord, LevelRecord};
+pub use ground::{AlbedoMapRecord, GroundRecord, LevelRecord};
 pub use inputs::{Inputs, ModelRecord, ModelValue};
 pub use machine::{ClockRecord, MachineRecord, SweepRecord};
 pub use mission::{LimitRecord, PathRecord, SunRecord, VehicleRecord};

@@ -44,7 +44,7 @@ pub use laws::{
     ShadowedBodies, TextureInShadow,
 };
 pub use limits::{Limit, LimitReport};
-pub use looks::{RollDisplay, ShadowFineness, TextureWish};
+pub use looks::{AlbedoMapWish, MapCurve, RollDisplay, ShadowFineness, TextureWish};
 pub use meant::{Ground, Length, Scenario};
 pub use objects::{Action, Event, Object, Stance};
 pub use path::{Path, PathError, Station, Waypoint};

@@ -1,5 +1,7 @@
 //! How ground and sky look: texture, the fineness of shadows, how the display takes roll.
 
+use std::path::PathBuf;
+
 use landscape::{Layer, Source, Texture, TextureError};
 
 /// Texture that a scenario asks for.
@@ -49,4 +51,27 @@ pub enum RollDisplay {
     None,
     /// The yoke of the machine turns the picture.
     Yoke,
+}
+
+/// A picture that says what the ground returns from place to place.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AlbedoMapWish {
+    /// The picture, in the scenario's folder or below: north above.
+    pub file: PathBuf,
+    /// Its south, west, north, east edge (m); those of the finest level if open.
+    pub area: Option<[f64; 4]>,
+    /// Albedo of black and of white, 0..=1.
+    pub ends: [f64; 2],
+    /// From codes to light.
+    pub curve: MapCurve,
+}
+
+/// How the codes of a map stand for light.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum MapCurve {
+    /// By the curve of sRGB, as pictures that say nothing else.
+    #[default]
+    Srgb,
+    /// In proportion.
+    Linear,
 }

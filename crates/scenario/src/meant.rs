@@ -7,8 +7,9 @@ use landscape::{Photometry, Silhouette, Sun};
 use quantities::Rate;
 
 use crate::{
-    CraterWishes, Display, Drift, Event, FieldOfView, LawWishes, LevelSwitch, Object, Path, RangeProgramme,
-    RasterWishes, Rocks, RollDisplay, Scalar, ShadowFineness, TextureWish, Tracks, Vehicle, VehicleShape,
+    AlbedoMapWish, CraterWishes, Display, Drift, Event, FieldOfView, LawWishes, LevelSwitch, Object, Path,
+    RangeProgramme, RasterWishes, Rocks, RollDisplay, Scalar, ShadowFineness, TextureWish, Tracks, Vehicle,
+    VehicleShape,
 };
 
 /// What happens: ground, light, vehicle, path, and how it is to be seen.
@@ -30,6 +31,8 @@ pub struct Scenario {
     pub features: CraterWishes,
     /// Share of the light that the ground returns, 0..=1.
     pub albedo: f64,
+    /// Map of the same over it.
+    pub albedo_map: Option<AlbedoMapWish>,
     /// How the ground returns it.
     pub photometry: Photometry,
     /// Small detail of the foreground.
@@ -115,6 +118,8 @@ impl Scenario {
         let list = self.features.list.as_ref().map(|list| list.file.as_path());
         let shapes = self.objects.iter().filter_map(|object| object.file.as_deref());
         let vehicle = self.vehicle_file.as_deref();
-        bank.into_iter().chain(self.path_file.as_deref()).chain(list).chain(shapes).chain(vehicle).collect()
+        let map = self.albedo_map.as_ref().map(|map| map.file.as_path());
+        let ground = bank.into_iter().chain(self.path_file.as_deref()).chain(list);
+        ground.chain(shapes).chain(vehicle).chain(map).collect()
     }
 }

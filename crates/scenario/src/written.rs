@@ -1,5 +1,6 @@
 //! A scenario as written: the keys of its TOML file, strictly, and every fault at once.
 
+mod albedo;
 mod course;
 mod events;
 mod features;
@@ -93,7 +94,8 @@ fn scenario(root: &Reader, folder: &FilePath, others: &[&str], problems: &Proble
     let shows = root.string("shows").help("say in one sentence what the scenario shows").required();
     let machine = machine(root);
     let length = length(root);
-    let ground = root.table("landscape").map(|table| (ground::ground(&table, folder), albedo(&table)));
+    let ground =
+        root.table("landscape").map(|table| (ground::ground(&table, folder), albedo::albedo(&table, folder)));
     let features = features::features(&root.table_or_empty("features"), folder, problems);
     let sun = root.table("sun").map(|table| light::sun(&table));
     let shadows = part(root, "shadows", light::shadows);
@@ -131,6 +133,7 @@ fn scenario(root: &Reader, folder: &FilePath, others: &[&str], problems: &Proble
     root.finish();
     let ((ground, albedo), (path, path_file)) = (ground?, path??);
     let ((ground, coarse), (sun, drift)) = (ground?, sun??);
+    let (albedo, albedo_map) = albedo?;
     let (vehicle, (vehicle_file, parts)) = (vehicle?, vehicle_shape?.unzip());
     let vehicle_shape = parts.map(|parts| VehicleShape { parts, eye_height: vehicle.eye_height });
     Some(Scenario {
@@ -141,7 +144,8 @@ fn scenario(root: &Reader, folder: &FilePath, others: &[&str], problems: &Proble
         ground,
         coarse,
         features: features?,
-        albedo: albedo?,
+        albedo,
+        albedo_map,
         photometry: photometry?.unwrap_or(Photometry::Lambert),
         texture: texture?,
         silhouettes: silhouettes?,
@@ -196,10 +200,6 @@ fn length(root: &Reader) -> Option<Length> {
         }
         _ => frames.or(seconds),
     }
-}
-
-fn albedo(table: &Reader) -> Option<f64> {
-    table.f64("albedo").above(0.0).at_most(1.0).default(1.0)
 }
 
 fn levels(table: &Reader) -> Option<LevelSwitch> {

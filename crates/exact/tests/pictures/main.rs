@@ -3,6 +3,7 @@
 mod any_attitude;
 mod bodies;
 mod closed_forms;
+mod colour;
 mod craters;
 mod from_above;
 mod from_aside;

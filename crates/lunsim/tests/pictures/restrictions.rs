@@ -5,7 +5,7 @@ use std::sync::Arc;
 use generator::{FrameError, Omission, PlaneKind, Planes, Weight};
 use glam::{DMat3, DVec3};
 use landscape::relief::Relief;
-use landscape::{Landscape, Layer, Photometry, Silhouette, Source, Sun, Texture};
+use landscape::{AlbedoMap, Landscape, Layer, Photometry, Silhouette, Source, Sun, Texels, Texture};
 use lunsim::Parameters;
 use scenario::{LevelSwitch, Pose, Scenery, Standing, TrackPatch};
 use signal::Probe;
@@ -85,7 +85,9 @@ fn what_has_no_law_is_left_out() {
     let body = Body::place(0, Kind::Rock, &cube, DVec3::new(2000.0, 2000.0, 0.0), &DMat3::IDENTITY, 1.0);
     let standing = Standing { from: 0.0, until: f64::INFINITY, body };
     let still = || Scenery::still(sun(270.0, 20.0));
+    let map = AlbedoMap::new([0.0, 0.0, 9.0, 9.0], [1, 1], Texels::Grey(vec![0.5])).unwrap();
     let cases = [
+        (over(level.clone().with_albedo_map(Some(map))), "a map of albedo"),
         (over(level.clone().with_texture(Some(texture))), "texture"),
         (over(level.with_silhouettes(vec![outline])), "far silhouettes"),
         (Scene { scenery: Arc::new(still().with_patches(vec![patch])), ..usual() }, "vehicle tracks"),

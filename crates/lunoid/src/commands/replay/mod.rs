@@ -247,7 +247,6 @@ impl Replay {
             DepthWord::Eight => Depth::Eight,
             DepthWord::Sixteen => Depth::Sixteen,
         };
-        // No generator has colour yet.
         Pictures { depth, colour, refresh: self.refresh, film: self.apng }
     }
 
