@@ -33,7 +33,7 @@ region_size_m = 40
 azimuth_deg = 10
 elevation_deg = 30
 [path]
-keyframes = [{ t_s = 0, x_m = 100, y_m = 300, z_m = 12, pitch_deg = -8 }, { t_s = 5, x_m = 140, y_m = 310, z_m = 15, pitch_deg = -12 }]
+file = "plain.csv"
 [raster]
 sweeps = 48
 columns = 48
@@ -49,8 +49,13 @@ pixel_rule = "centre"
 
 const COLOUR: [f64; 3] = [0.9, 0.6, 0.3];
 
+/// A file of this folder: its path is `plain.csv`.
+fn here(name: &str) -> String {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("guest").join(name).to_string_lossy().into_owned()
+}
+
 fn scenario(more: &str) -> Scenario {
-    Scenario::parse("plain.toml", &format!("{SCENARIO}{more}"))
+    Scenario::parse(&here("plain.toml"), &format!("{SCENARIO}{more}"))
         .unwrap_or_else(|problems| panic!("{problems}"))
 }
 
@@ -158,7 +163,8 @@ fn its_lines_are_probed_and_its_pixels_explained() {
 #[test]
 fn what_it_cannot_draw_is_refused_or_listed() {
     let tilted = SCENARIO.replace("region_size_m = 40", "region_size_m = 40\ntilt_m_per_m = [0.1, 0]");
-    let tilted = Scenario::parse("tilted.toml", &tilted).unwrap_or_else(|problems| panic!("{problems}"));
+    let tilted =
+        Scenario::parse(&here("tilted.toml"), &tilted).unwrap_or_else(|problems| panic!("{problems}"));
     let refused = flat().prepare(stage(&tilted)).err().expect("relief");
     let PrepareError::Unsupported { generator, what, .. } = &refused;
     assert_eq!((*generator, what.as_str()), ("flat", "ground with relief"));

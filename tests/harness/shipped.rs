@@ -108,8 +108,9 @@ impl Shipped {
     /// # Panics
     /// As [`read`](Self::read).
     pub fn changed(name: &str, sweeps: Option<u32>, change: impl FnOnce(&mut Scenario)) -> Self {
+        let file = folder().join(format!("{name}.toml"));
         let mut scenario =
-            Scenario::read(folder().join(format!("{name}.toml"))).unwrap_or_else(|e| panic!("{e}"));
+            Scenario::read_beside(file, &registry::parameter_tables()).unwrap_or_else(|e| panic!("{e}"));
         if sweeps.is_some() {
             (scenario.raster.sweeps, scenario.raster.columns, scenario.raster.lines) = (sweeps, None, None);
         }

@@ -11,9 +11,29 @@ const LABEL: &str = include_str!("../../crates/survey/tests/ground.lbl");
 const CUBE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\no box\n\
                     f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
-const RUN: &str = r#"{"schema":"lunoid.run/1","format":1,"fingerprint":"00ff","range":[0,1],
+const RUN: &str = r#"{"schema":"lunoid.run/2",
+"format":1,
+"fingerprint":"00ff",
+"program":{"name":"lunoid","version":"0.1.0","commit":"unknown","result_family":"unfused"},
+"scenario":{"file":null,"title":"Craters","shows":"Craters."},
+"references":[],
+"generator":"hybrid",
+"line":"sweep",
+"model":{"name":"ideal","files":[],"values":[]},
+"ground":{"source":"generated","title":"Craters","content_blake3":"dd","albedo":1.0,"levels":[{"region_size_m":20.0,"origin_m":[0.0,0.0],"corners":[201,151]}],"generator":null},
+"scenery":{"craters":164838,"rock_bodies":0,"culture_bodies":0,"track_patches":0,"silhouettes":0,"texture":true,"photometry":"LunarLambert","blake3":"ee"},
+"sun":{"azimuth_deg":285.0,"elevation_deg":16.0},
+"vehicle":{"eye_height_m":1.6334,"wheelbase_m":2.3,"track_m":1.83,"max_speed_m_s":4.877,"max_turn_deg_s":10.0,"max_slope_deg":25.0},
+"path":{"waypoints":2,"waypoints_blake3":"ab"},
+"view":{"columns":20,"lines":11,"field_of_view_deg":[50.0,29.999999999999996],"update":"10 Hz","refresh":"30 Hz","display":{"white":1.25,"gamma":2.2},"laws":{"body_visibility":"depth","curvature":"parabolic","feature_light":"combined","occlusion":"peak-hold","pixel_rule":"line-mean","projection":"exact","shadowed_bodies":"dark","texture_in_shadow":"off"},"ranges_m":[2.0,4000.0],"yoke":null,"levels":null,"shadows":{"finest_m":0.05,"angle_mrad":1.0,"reach_m":null}},
+"settings":{},
+"pictures":{"kind":"grey PNG","depth":8,"one_file_for_each":"update"},
+"omissions":[],
+"limits":[],
+"range":[0,1],
+"totals":{},
 "frames":[{"frame":0,"time_s":0.0,"pixels_blake3":"aa","files":[{"file":"frames/frame-000000.png","blake3":"bb"}],"counts":{}}],
-"outputs":[{"file":"poses.csv","blake3":"cc"}],"settings":{"display":{"white":1.0,"gamma":2.2}}}"#;
+"outputs":[{"file":"poses.csv","blake3":"cc"}]}"#;
 
 /// Whole files of the reader of that name.
 pub fn seeds(name: &str) -> Vec<Vec<u8>> {

@@ -5,7 +5,7 @@
 //! sample.
 
 use generator::Omission;
-use hardware_model::{AnalogParts, Economy, Forced, WriteCompensation};
+use hardware_model::{Economy, Forced};
 use landscape::Photometry;
 
 use crate::preview::preview_obstacle;
@@ -200,7 +200,7 @@ fn yoke(stage: &MachineStage) -> Row {
 /// The mixing unit has work if it has anything to switch, add or clip. Its gates wait for their comparators.
 fn mixing(stage: &MachineStage) -> Row {
     let parts = &stage.settings.analog;
-    let has_parts = mixing_has_parts(parts);
+    let has_parts = !parts.switching_is_ideal();
     let runs_idle = [Forced::Mixing, Forced::Features, Forced::Switches, Forced::Breaks];
     let has_sources = [features(stage), shadows(stage), texture(stage)].iter().any(|row| row.is_there);
     // Lambert's light never exceeds full scale; other laws need the clip.
@@ -218,20 +218,7 @@ fn mixing(stage: &MachineStage) -> Row {
 
 fn beam(stage: &MachineStage) -> Row {
     let what = "dynamics of parts and of the write gun";
-    Row::always(Block::Beam, "display-projection-processor", what, beam_has_parts(&stage.settings.analog))
-}
-
-/// Whether the mixing unit is made of parts: its gates wait for their comparators.
-pub(crate) fn mixing_has_parts(parts: &AnalogParts) -> bool {
-    !(parts.mixing_is_ideal() && parts.comparator_is_ideal())
-}
-
-/// Whether the projection processor and the write gun are made of parts.
-pub(crate) fn beam_has_parts(parts: &AnalogParts) -> bool {
-    let memory = &parts.memory;
-    !parts.projection_is_ideal()
-        || memory.write_compensation != WriteCompensation::Exact
-        || memory.deflection.is_some()
+    Row::always(Block::Beam, "display-projection-processor", what, !stage.settings.analog.beam_is_ideal())
 }
 
 fn memory(stage: &MachineStage) -> Row {

@@ -20,6 +20,7 @@
 //! | 1 | `raster` | what the sweeps write: the screen, or more of it |
 //! | 1 | `refusal` | why a frame cannot be drawn |
 //! | 1 | `digital_event` | one event of the digital side |
+//! | 1 | `preview` | what keeps a machine from drawing a preview |
 //! | 1 | `waveforms` | digital wires of a sweep, from its programs |
 //! | 2 | `ticks` | ticks of frames and sweeps |
 //! | 2 | `elaboration` | the list of blocks: which are there, which have parts, what a record says of the others |

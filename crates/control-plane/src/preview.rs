@@ -3,8 +3,6 @@
 use hardware_model::{Gate, Settings};
 use scenario::FeatureLight;
 
-use crate::elaboration::{beam_has_parts, mixing_has_parts};
-
 /// What of a machine of `settings` keeps it from drawing a preview; `None` if nothing does.
 ///
 /// A preview needs parts that are ideal beside those of the terrain generators, and laws under which terrain and features
@@ -19,8 +17,8 @@ pub fn preview_obstacle(settings: &Settings) -> Option<&'static str> {
         (!parts.shadow_lines_are_ideal(), "parts of the shadow controller"),
         (!parts.texture_is_ideal(), "parts of the texture generator"),
         (!parts.body_switch_is_ideal(), "parts of the third video switch"),
-        (mixing_has_parts(parts), "parts of the mixing unit"),
-        (beam_has_parts(parts), "parts of the display projection processor or of the write gun"),
+        (!parts.switching_is_ideal(), "parts of the mixing unit"),
+        (!parts.beam_is_ideal(), "parts of the display projection processor or of the write gun"),
     ];
     obstacles.into_iter().find(|(stands, _)| *stands).map(|(_, what)| what)
 }
@@ -43,6 +41,7 @@ mod tests {
     #[test]
     fn ideal_parts_draw_a_preview_and_others_name_what_is_in_the_way() {
         assert_eq!(preview_obstacle(&settings("ideal")), None);
-        assert_eq!(preview_obstacle(&settings("pra-nominal")), Some("parts of the feature generator"));
+        let delayed = "a delay of the reflectivity against the height";
+        assert_eq!(preview_obstacle(&settings("pra-nominal")), Some(delayed));
     }
 }

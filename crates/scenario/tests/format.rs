@@ -48,6 +48,9 @@ fn parse(text: &str) -> Scenario {
     if let Ground::Bank(path) = &mut scenario.ground {
         *path = path.file_name().unwrap().into();
     }
+    if let Some(map) = &mut scenario.albedo_map {
+        map.file = map.file.file_name().unwrap().into();
+    }
     let list = scenario.features.list.iter_mut().map(|list| &mut list.file);
     for file in list.chain(scenario.objects.iter_mut().filter_map(|object| object.file.as_mut())) {
         *file = file.file_name().unwrap().into();
@@ -185,6 +188,11 @@ const CHANGES: &[(&str, usize, &str, &str)] = &[
     ("laws.shadowed_bodies", 2, "\"vanish\"", "\"dark\""),
     ("laws.texture_in_shadow", 2, "texture_in_shadow = \"on\"", "texture_in_shadow = \"off\""),
     ("roll.display", 2, "\"yoke\"", "\"none\""),
+    ("landscape.albedo_map.file", 2, "\"maria.png\"", "\"mast.obj\""),
+    ("landscape.albedo_map.area_m", 2, "[0, 0, 5000, 6000]", "[0, 0, 5000, 7000]"),
+    ("landscape.albedo_map.black", 2, "black = 0.05", "black = 0.06"),
+    ("landscape.albedo_map.white", 2, "white = 0.4", "white = 0.5"),
+    ("landscape.albedo_map.curve", 2, "curve = \"linear\"", "curve = \"srgb\""),
     ("landscape.coarse.seed", 2, "seed = 6", "seed = 7"),
     ("landscape.coarse.extent_m", 2, "[80000, 80000]", "[80000, 81600]"),
     ("landscape.coarse.region_size_m", 2, "region_size_m = 800", "region_size_m = 400"),
@@ -283,6 +291,7 @@ fn the_tables_name_every_key_and_no_other() {
         "landscape",
         "landscape.generated",
         "landscape.coarse",
+        "landscape.albedo_map",
         "levels",
         "features",
         "photometry",

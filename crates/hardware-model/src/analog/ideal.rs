@@ -118,6 +118,18 @@ impl AnalogParts {
             && self.reflectivity == ReflectivityParts::IDEAL
     }
 
+    /// Whether the video switches of the mixing unit and the comparators that key them are ideal.
+    pub fn switching_is_ideal(&self) -> bool {
+        self.mixing_is_ideal() && self.comparator_is_ideal()
+    }
+
+    /// Whether the projection processor and the write gun put the beam where the law says, at once.
+    pub fn beam_is_ideal(&self) -> bool {
+        self.projection_is_ideal()
+            && self.memory.write_compensation == WriteCompensation::Exact
+            && self.memory.deflection.is_none()
+    }
+
     /// Whether craters have the shape of their law, at once, and their comparators find footprints where they are and
     /// however steeply they are met; the comparators' delay is the mixing unit's.
     pub fn features_are_ideal(&self) -> bool {

@@ -121,6 +121,7 @@ fn stale_lines_are_noticed() {
         "lunoit replay scenarios/first-light.toml",
         "cargo run --release -- replay scenarios/first-light.toml --swepes 100",
         "cargo run --profile slow -p benchmarks --bin speed",
+        "cargo run --release --features solved-library -- list limits",
         "cargo run -p lunoid-tests --bin asleep",
         "cargo run -p lunoid-tests",
         "cargo test --test timing",

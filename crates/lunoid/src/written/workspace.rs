@@ -1,5 +1,6 @@
 //! What a line of cargo names.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -18,6 +19,7 @@ pub struct Workspace {
 struct Package {
     name: String,
     targets: Vec<Target>,
+    features: BTreeMap<String, Vec<String>>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -52,13 +54,15 @@ impl Workspace {
             "install" | "llvm-cov" | "mutants" | "audit" => return Ok(None),
             _ => return Err(format!("cargo {verb}: not known to this test")),
         }
-        let (mut package, mut targets, mut handed_on) = (DEFAULT, Vec::new(), Vec::new());
+        let (mut package, mut targets, mut features, mut handed_on) =
+            (DEFAULT, Vec::new(), Vec::new(), Vec::new());
         let mut words = of_cargo.iter().copied();
         while let Some(word) = words.next() {
             let mut next = || words.next().ok_or_else(|| format!("{word}: expected a name"));
             match word {
                 "-p" | "--package" => package = next()?,
                 "--bin" | "--example" | "--test" | "--bench" => targets.push((&word[2..], next()?)),
+                "--features" => features.push(next()?),
                 "--profile" => expect_profile(next()?)?,
                 "--release" | "--quiet" | "--workspace" => {}
                 _ if !word.starts_with('-') => handed_on.push(word),
@@ -68,6 +72,9 @@ impl Workspace {
         handed_on.extend(of_program.iter().skip(1));
         let named = self.packages.iter().find(|candidate| candidate.name == package);
         let named = named.ok_or_else(|| format!("no package {package}"))?;
+        if let Some(feature) = features.into_iter().find(|&feature| !named.features.contains_key(feature)) {
+            return Err(format!("package {package} has no feature {feature}"));
+        }
         let found: Vec<&Target> =
             targets.iter().map(|(kind, name)| named.target(kind, name)).collect::<Result<_, _>>()?;
         match verb {

@@ -50,8 +50,9 @@ fn records_that_are_damaged_or_newer_are_said_to_be_so() {
     let absolute = whole.replacen("frames/frame-000000.png", "/etc/passwd", 1);
     for (text, word) in [
         (&whole[..whole.len() / 2], "EOF while parsing"),
-        ("{\"schema\": \"lunoid.run/1\"}", "missing field `fingerprint`"),
-        (&whole.replace("lunoid.run/1", "lunoid.run/2"), "lunoid.run/2"),
+        ("{\"schema\": \"lunoid.run/2\"}", "missing field `format`"),
+        (&whole.replace("lunoid.run/2", "lunoid.run/3"), "lunoid.run/3"),
+        (&whole.replace("lunoid.run/2", "lunoid.run/1"), "lunoid.run/1"),
         (&elsewhere, "it lists `../../tiny.toml`, expected files of its folder"),
         (&absolute, "it lists `/etc/passwd`"),
     ] {
@@ -150,9 +151,9 @@ fn damaged_frames_are_drawn_again_and_nothing_else() {
 
 /// The journal of a run that stops before its record is written.
 fn journal(record: &[u8]) -> Vec<u8> {
-    let frames: serde_json::Value = serde_json::from_slice(record).unwrap();
-    let heading = format!("{{\"schema\":\"lunoid.journal/1\",\"fingerprint\":{}}}\n", frames["fingerprint"]);
-    let lines = frames["frames"].as_array().unwrap().iter().map(|frame| format!("{frame}\n"));
+    let run: run_record::RunRecord = serde_json::from_slice(record).unwrap();
+    let heading = format!("{{\"schema\":\"lunoid.journal/1\",\"fingerprint\":\"{}\"}}\n", run.fingerprint);
+    let lines = run.frames.iter().map(|frame| serde_json::to_string(frame).unwrap() + "\n");
     lines.fold(heading, |text, line| text + &line).into_bytes()
 }
 

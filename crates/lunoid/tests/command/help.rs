@@ -128,7 +128,7 @@ fn a_help_offers_what_the_command_takes() {
     }
     for command in ["timing show", "timing record", "timing check"] {
         let text = of(command);
-        assert!(text.contains("or `lunsim` for the report's program"), "{command}: {text}");
+        assert!(text.contains("or `lunsim`. The scenario"), "{command}: {text}");
         assert!(!text.contains("`exact`"), "{command}: {text}");
     }
     assert!(of("probe").contains("`lunsim`") && of("replay").contains("`exact`"));

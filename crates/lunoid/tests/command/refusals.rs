@@ -168,7 +168,7 @@ fn files_of_another_kind_are_named_as_what_they_are() {
         "edge.toml: this is differences from a hardware model (--overlay), expected a hardware model";
     refused(&scene, 3, &["model", "check", "edge.toml"], &[differences]);
     let gear = concat!(env!("CARGO_MANIFEST_DIR"), "/../../hardware-models/programs/lunsim.toml");
-    refused(&scene, 3, &["replay", gear], &["this is what LUNSIM ran on, expected a scenario"]);
+    refused(&scene, 3, &["replay", gear], &["this is what lunsim ran on, expected a scenario"]);
     let unknown =
         ["note.txt: starts with 68 65", "a bank", "elevation file", "scenario", "PNG", "folder of a run"];
     refused(&scene, 3, &["info", "note.txt"], &unknown);

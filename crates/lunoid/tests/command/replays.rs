@@ -31,7 +31,7 @@ fn a_scenario_becomes_a_folder() {
     assert_eq!(scene.list("runs/tiny/frames"), expected);
     let record = fs::read_to_string(scene.join("runs/tiny/run.json")).unwrap();
     let record: serde_json::Value = serde_json::from_str(&record).unwrap();
-    assert_eq!(record["schema"], "lunoid.run/1");
+    assert_eq!(record["schema"], "lunoid.run/2");
     assert_eq!(record["scenario"]["file"]["file"], "tiny.toml");
     let text = fs::read(scene.join("tiny.toml")).unwrap();
     assert_eq!(
@@ -64,21 +64,22 @@ fn threads_and_ways_of_asking_change_no_bit() {
 #[test]
 fn the_command_line_wins() {
     let scene = Scene::new();
-    let raster = |arguments: &[&str]| {
+    let record = |arguments: &[&str]| {
         let arguments = [&["replay", "tiny.toml", "--frames", "0", "--fresh", "--json"], arguments].concat();
         let (out, _) = scene.expect(0, &arguments);
         assert_eq!(serde_json::from_str::<serde_json::Value>(&out).unwrap()["schema"], "lunoid.replay/1");
-        let record = fs::read_to_string(scene.join("runs/tiny/run.json")).unwrap();
-        serde_json::from_str::<serde_json::Value>(&record).unwrap()["settings"].clone()
+        let text = fs::read_to_string(scene.join("runs/tiny/run.json")).unwrap();
+        serde_json::from_str::<serde_json::Value>(&text).unwrap()
     };
-    assert_eq!(raster(&[])["raster"]["sweeps"], 40);
-    assert_eq!(raster(&["--sweeps", "24"])["raster"]["sweeps"], 24);
-    assert_eq!(raster(&["--set", "raster.sweeps=32"])["raster"]["sweeps"], 32);
-    assert_eq!(raster(&["--samples", "99"])["raster"]["samples_per_sweep"], 99);
-    assert_eq!(raster(&["--scalar", "f64"])["scalar"], "f64");
-    assert_eq!(raster(&["--set", "dpp.curvature=none"])["laws"]["curvature"], "none");
+    let settings = |arguments: &[&str]| record(arguments)["settings"].clone();
+    assert_eq!(settings(&[])["raster"]["sweeps"], 40);
+    assert_eq!(settings(&["--sweeps", "24"])["raster"]["sweeps"], 24);
+    assert_eq!(settings(&["--set", "raster.sweeps=32"])["raster"]["sweeps"], 32);
+    assert_eq!(settings(&["--samples", "99"])["raster"]["samples_per_sweep"], 99);
+    assert_eq!(settings(&["--scalar", "f64"])["scalar"], "f64");
+    assert_eq!(record(&["--set", "dpp.curvature=none"])["view"]["laws"]["curvature"], "none");
     scene.write("over.toml", "format = 1\n[loader]\naccess_ns = 950\n");
-    assert_eq!(raster(&["--overlay", "over.toml"])["loader"]["access_ticks"], 950);
+    assert_eq!(settings(&["--overlay", "over.toml"])["loader"]["access_ticks"], 950);
 }
 
 #[test]
@@ -123,7 +124,7 @@ fn ridge_lines_are_left_out_and_measured() {
     assert!(out.contains("frame 1: ") && out.contains("horizon off by 0 lines (median)"), "{out}");
     scene.vary("other.toml", "end_m = 300", "end_m = 200");
     let (_, err) = scene.expect(3, &["compare", "machine", "exact", "--ridges", "other.toml"]);
-    assert!(err.contains("settings.range") && err.contains("name the scenario of the run"), "{err}");
+    assert!(err.contains("view.ranges_m") && err.contains("name the scenario of the run"), "{err}");
     let frame = "exact/frames/frame-000000.png";
     scene.expect(2, &["compare", frame, frame, "--ridges", "tiny.toml"]);
 }

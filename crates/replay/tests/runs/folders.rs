@@ -159,7 +159,7 @@ fn damaged_records_are_said_to_be_so() {
     Wish { frames: 0..1, ..Wish::default() }.run(at.path()).unwrap();
     let record = at.path().join("run.json");
     let text = fs::read_to_string(&record).unwrap();
-    for damaged in [&text[..text.len() / 2], &text.replace("lunoid.run/1", "lunoid.run/9")] {
+    for damaged in [&text[..text.len() / 2], &text.replace("lunoid.run/2", "lunoid.run/9")] {
         fs::write(&record, damaged).unwrap();
         let refused = Wish::default().run(at.path());
         assert!(matches!(refused, Err(ReplayError::Record { .. })), "{refused:?}");

@@ -122,7 +122,7 @@ fn record(first: u64, frames: u64) -> Value {
     };
     let omission = |block: &str, what: &str, weight: Value| json!({ "block": block, "what": what, "why": "the ground has none & <never>", "weight": weight });
     json!({
-        "schema": "lunoid.run/1",
+        "schema": "lunoid.run/2",
         "format": 1,
         "fingerprint": "0123456789abcdef",
         "program": { "name": "lunoid", "version": "1.2.3", "commit": "c0ffee", "result_family": "unfused" },
@@ -130,18 +130,19 @@ fn record(first: u64, frames: u64) -> Value {
                       "shows": "\"Nothing\" </script><b>but</b> a test." },
         "references": [],
         "generator": "hybrid",
+        "line": "sweep",
         "model": { "name": "pra-nominal", "files": [], "values": [
             { "key": "raster.sweeps", "value": "<32>", "origin": "hardware-models/ideal.toml:8" }] },
-        "ground": { "source": "generated", "levels": [{ "region_size_m": 50.0, "corners": [9, 9] }] },
+        "ground": { "source": "generated", "title": null, "content_blake3": "g", "albedo": 1.0, "generator": null,
+                    "levels": [{ "region_size_m": 50.0, "origin_m": [0.0, 0.0], "corners": [9, 9] }] },
+        "scenery": { "craters": 0, "rock_bodies": 0, "culture_bodies": 0, "track_patches": 0, "silhouettes": 0,
+                     "texture": false, "photometry": "Lambert", "blake3": "s" },
         "sun": { "azimuth_deg": 100.0, "elevation_deg": 15.0 },
-        "settings": {
-            "scalar": "f32",
-            "raster": { "sweeps": SWEEPS, "samples_per_sweep": 80, "columns": COLUMNS, "lines": LINES,
-                        "field_of_view_deg": [43.602_818_972_703_6, 25.360_765_745_8] },
-            "clocks": { "master": "20000000 Hz", "sample": "32000 Hz", "update": "10 Hz", "refresh": "30 Hz" },
-            "laws": { "projection": "exact" },
-            "range": { "programme": "geometric", "start_m": 2.0 },
-        },
+        "vehicle": { "eye_height_m": 1.6, "wheelbase_m": 2.3, "track_m": 1.8, "max_speed_m_s": 5.0,
+                     "max_turn_deg_s": 10.0, "max_slope_deg": 25.0 },
+        "path": { "waypoints": 2, "waypoints_blake3": "w" },
+        "view": view(),
+        "settings": settings(),
         "pictures": { "kind": "grey PNG", "depth": 8, "one_file_for_each": "update" },
         "omissions": [
             omission("shadow-controller", "line generators and VS2", json!("lossless")),
@@ -152,6 +153,26 @@ fn record(first: u64, frames: u64) -> Value {
         "range": [first, first + frames],
         "frames": (first..first + frames).map(frame).collect::<Vec<_>>(),
         "outputs": [{ "file": "poses.csv", "blake3": "h" }],
+    })
+}
+
+fn view() -> Value {
+    json!({
+        "columns": COLUMNS, "lines": LINES, "field_of_view_deg": [43.602_818_972_703_6, 25.360_765_745_8],
+        "update": "10 Hz", "refresh": "30 Hz", "display": { "white": 1.0, "gamma": 1.0 },
+        "laws": { "projection": "exact" }, "ranges_m": [2.0, 300.0], "yoke": null, "levels": null, "shadows": null,
+    })
+}
+
+/// Settings of the hybrid machine.
+fn settings() -> Value {
+    json!({
+        "scalar": "f32",
+        "raster": { "sweeps": SWEEPS, "samples_per_sweep": 80 },
+        "clocks": { "master": "20000000 Hz", "sample": "32000 Hz", "active_samples": 80, "retrace_samples": 0 },
+        "range": { "programme": "geometric", "start_m": 2.0 },
+        "cpu_ticks": {}, "loader": {}, "data_banks_ticks": {}, "analog_si": {}, "blocks": {},
+        "seed": 0, "sweep_memory": "scan-converter", "economy": "bounded",
     })
 }
 

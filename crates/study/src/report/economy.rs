@@ -6,7 +6,7 @@ use ::plots::{Bars, TraceLook, bar_picture};
 use serde_json::{Value, json};
 use text::rate;
 
-use super::{ReportError, save, write};
+use super::folder::{ReportError, save, write};
 use crate::economy::{EconomyOutcome, LeftOut, ModeOutcome, Waste};
 
 /// What came of a study of economy.

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
+use super::folder::{ReportError, write};
 use super::ladder_plots::write_plots;
-use super::{ReportError, write};
 use crate::ladder::{LadderOutcome, OrderOutcome};
 use crate::{Advice, SelfError, csv, table};
 

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use plots::{PointSeries, SlopeGuide, TraceLook, ladder_picture};
 
-use super::{ReportError, save};
+use super::folder::{ReportError, save};
 use crate::advice::total_error;
 use crate::front;
 use crate::ladder::{LadderOutcome, OrderOutcome, RungOutcome};

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use plots::{MatrixBlock, MatrixCell, MatrixRow, Tone, matrix_picture};
 
-use super::{ReportError, save};
+use super::folder::{ReportError, save};
 use crate::stability::{Action, Cell, rows};
 
 const LEGEND: [(Tone, &str); 7] = [

@@ -5,8 +5,8 @@ use std::path::Path;
 use serde_json::{Value, json};
 use vehicle_shadow::Mast;
 
+use super::folder::{ReportError, write};
 use super::shadow_plots::write_plots;
-use super::{ReportError, write};
 use crate::shadow::{FlatGroundOutcome, LawOutcome, csv, laws_table, table};
 
 /// What came of a study of the vehicle's shadow.

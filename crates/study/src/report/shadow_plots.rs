@@ -6,7 +6,8 @@ use crate::shadow::{FlatGroundOutcome, LawOutcome, SeenEdge};
 use plots::{Axis, Panel, PointSeries, Trace, TraceLook, ladder_picture, trace_picture};
 use vehicle_shadow::{Mast, flat_error, small_flat_error};
 
-use super::{ReportError, ShadowReport, save};
+use super::folder::{ReportError, save};
+use super::shadow::ShadowReport;
 
 const WIDTH: u32 = 700;
 /// Most marks of a panel: more would cover the curve.

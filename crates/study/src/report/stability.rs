@@ -4,8 +4,8 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
+use super::folder::{ReportError, write};
 use super::matrix_plot::write_matrix;
-use super::{ReportError, write};
 use crate::stability::{Cell, FitOutcome, table};
 
 /// What came of a study of stability.
