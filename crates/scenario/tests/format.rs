@@ -100,7 +100,7 @@ fn the_full_landscape_reads_as_it_is_meant() {
     let events: Vec<(f64, usize)> = scenario.events.iter().map(|event| (event.time, event.object)).collect();
     assert_eq!(events, [(2.0, 2), (5.0, 1), (8.0, 1)]);
     assert_eq!(scenario.roll, RollDisplay::Yoke);
-    assert_eq!(scenario.files().len(), 2);
+    assert_eq!(scenario.files().len(), 3);
 }
 
 #[test]

@@ -133,7 +133,7 @@ fn record(first: u64, frames: u64) -> Value {
         "line": "sweep",
         "model": { "name": "pra-nominal", "files": [], "values": [
             { "key": "raster.sweeps", "value": "<32>", "origin": "hardware-models/ideal.toml:8" }] },
-        "ground": { "source": "generated", "title": null, "content_blake3": "g", "albedo": 1.0, "generator": null,
+        "ground": { "source": "generated", "title": "G", "content_blake3": "g", "albedo": 1.0, "generator": null,
                     "levels": [{ "region_size_m": 50.0, "origin_m": [0.0, 0.0], "corners": [9, 9] }] },
         "scenery": { "craters": 0, "rock_bodies": 0, "culture_bodies": 0, "track_patches": 0, "silhouettes": 0,
                      "texture": false, "photometry": "Lambert", "blake3": "s" },

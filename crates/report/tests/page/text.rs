@@ -149,6 +149,7 @@ fn without_page_json_there_is_still_a_page() {
 fn an_exact_run_has_no_machine() {
     let mut run = RunFolder::new(0, 2);
     run.record["generator"] = json!("exact");
+    run.record["line"] = json!(null);
     run.record["omissions"] = json!([]);
     run.write_record();
     let page = run.page();
