@@ -34,7 +34,7 @@ const SEGMENTS: [EventWord; 3] = [EventWord::SegmentLoad, EventWord::SegmentLate
 /// What an event must be to be listed. Where nothing is named, anything is listed.
 #[derive(Debug, Clone, Default)]
 pub struct Filter {
-    /// Units by their names, or by the first words of their names ([`unit`]).
+    /// Units by their names, or by the first words of their names ([`unit()`]).
     pub unit: Vec<String>,
     /// Names of events.
     pub event: Vec<String>,

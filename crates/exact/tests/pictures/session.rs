@@ -63,7 +63,7 @@ fn every_pitch_is_drawn() {
         );
         assert!(intensity.iter().chain(&range).all(|value| !value.is_nan()));
         let ground = range.iter().filter(|range| range.is_finite()).count();
-        assert_eq!(ground > 0, pitch < 0.0 || pitch > 170.0);
+        assert_eq!(ground > 0, !(0.0..=170.0).contains(&pitch));
     }
 }
 
