@@ -43,7 +43,8 @@ fn every_signal_is_named_once_and_belongs_to_a_block_of_the_house() {
         assert!(!signal.meaning.is_empty() && !signal.figure.is_empty(), "{}", signal.name);
         let digital = matches!(signal.kind, Kind::Bus | Kind::Event);
         assert!(!digital || signal.axis == Axis::Changes, "{}", signal.name);
-        let block = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates").join(signal.block());
+        let block =
+            std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates/device").join(signal.block());
         assert!(block.is_dir(), "{}: {}", signal.name, block.display());
     }
 }

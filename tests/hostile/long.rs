@@ -1,7 +1,7 @@
 //! The long form of the searches for hostile files, only where it is asked for by name: docs/robustness.md.
 
 mod allocation;
-#[path = "../../crates/lunoid/tests/bad_input/build.rs"]
+#[path = "../../crates/doors/lunoid/tests/bad_input/build.rs"]
 #[allow(dead_code, reason = "other tests need the rest")]
 mod build;
 mod mutation;

@@ -12,7 +12,7 @@
 //! ```
 
 mod allocation;
-#[path = "../../crates/lunoid/tests/bad_input/build.rs"]
+#[path = "../../crates/doors/lunoid/tests/bad_input/build.rs"]
 #[allow(dead_code, reason = "other tests need the rest")]
 mod build;
 mod claims;

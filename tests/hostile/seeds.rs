@@ -6,7 +6,7 @@ use picture::{Depth, GreyPicture, encode_png};
 
 use crate::build::{Tiff, doubles, npy};
 
-const LABEL: &str = include_str!("../../crates/survey/tests/ground.lbl");
+const LABEL: &str = include_str!("../../crates/world/survey/tests/ground.lbl");
 
 const CUBE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\no box\n\
                     f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
@@ -39,7 +39,7 @@ const RUN: &str = r#"{"schema":"lunoid.run/2",
 pub fn seeds(name: &str) -> Vec<Vec<u8>> {
     let texts: &[&str] = match name {
         "scenario" => &[
-            include_str!("../../crates/lunoid/tests/tiny.toml"),
+            include_str!("../../crates/doors/lunoid/tests/tiny.toml"),
             include_str!("../../scenarios/showpiece.toml"),
             include_str!("../../scenarios/low-sun.toml"),
         ],

@@ -4,7 +4,7 @@
 
 #[allow(dead_code, reason = "other tests need the rest")]
 mod allocation;
-#[path = "../../crates/lunoid/tests/bad_input/build.rs"]
+#[path = "../../crates/doors/lunoid/tests/bad_input/build.rs"]
 #[allow(dead_code, reason = "other tests need the rest")]
 mod build;
 #[allow(dead_code, reason = "nothing is read here")]

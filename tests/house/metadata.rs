@@ -16,6 +16,7 @@ pub struct Package {
     pub id: String,
     pub name: String,
     pub license: Option<String>,
+    pub description: Option<String>,
     /// Path of its `Cargo.toml`.
     pub manifest_path: String,
     pub dependencies: Vec<Dependency>,

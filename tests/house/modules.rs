@@ -1,20 +1,36 @@
 //! Modules of the planes import downwards; no crate has a wide circle of files.
 //!
-//! The order of the modules of a crate is a table in the doc of its `lib.rs`, read as the floor table is.
+//! The order of the modules of a crate is a table in the doc of its `lib.rs`, one row a module.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-use crate::floors::{Workspace, faults, read_plan};
+use crate::floors::{Plan, Workspace, faults};
 use crate::imports::Imports;
-use crate::metadata::root;
+use crate::metadata::{metadata, root};
 
 /// Crates whose modules have a written order.
 const ORDERED: [&str; 3] = ["control-plane", "signal-plane", "machine"];
 
 /// Files that may import one another in a circle.
 const WIDEST_CIRCLE: usize = 4;
+
+/// Reads the rows `| floor | module | ... |` of a table; whatever has no number in front is no row.
+fn read_plan(table: &str) -> Result<Plan, String> {
+    let mut plan = Plan::new();
+    for line in table.lines() {
+        let cells: Vec<_> = line.split('|').map(str::trim).collect();
+        let ["", floor, module, .., ""] = cells[..] else { continue };
+        let Ok(floor) = floor.parse() else { continue };
+        let name = module.strip_prefix('`').and_then(|rest| rest.strip_suffix('`'));
+        let name = name.ok_or_else(|| format!("table of modules, `{line}`: expected a name in backticks"))?;
+        if plan.insert(name.to_owned(), floor).is_some() {
+            return Err(format!("table of modules: {name} stands there twice"));
+        }
+    }
+    Ok(plan)
+}
 
 /// Which top-level module imports which.
 fn modules(imports: &Imports) -> Workspace {
@@ -36,7 +52,7 @@ fn table(doc: &str) -> String {
 #[test]
 fn modules_of_the_planes_import_downwards() {
     for name in ORDERED {
-        let folder = root().join("crates").join(name).join("src");
+        let folder = root().join("crates/generators").join(name).join("src");
         let doc = fs::read_to_string(folder.join("lib.rs")).expect("lib.rs");
         let plan = read_plan(&table(&doc)).unwrap();
         assert!(!plan.is_empty(), "{name}: no table of modules in the doc of lib.rs");
@@ -48,8 +64,8 @@ fn modules_of_the_planes_import_downwards() {
 #[test]
 fn circles_of_files_are_narrow() {
     let mut wide = Vec::new();
-    for krate in fs::read_dir(root().join("crates")).expect("crates") {
-        let folder = krate.expect("a folder").path().join("src");
+    for package in metadata(&["--no-deps"]).packages {
+        let folder = Path::new(&package.manifest_path).with_file_name("src");
         for circle in Imports::read(&folder).circles() {
             if circle.len() > WIDEST_CIRCLE {
                 wide.push(format!("{}: {}", folder.display(), circle.join(", ")));
@@ -73,6 +89,10 @@ fn an_import_from_above_is_a_fault() {
     let plan = read_plan("| 1 | `low` | |\n| 2 | `high` | |").unwrap();
     let found = faults(&plan, &modules(&imports(&files)));
     assert_eq!(found, ["low (floor 1) depends upwards on high (floor 2)"]);
+    for (table, complaint) in [("| 1 | low | |", "backticks"), ("| 1 | `low` | |\n| 2 | `low` | |", "twice")]
+    {
+        assert!(read_plan(table).unwrap_err().contains(complaint), "{table}");
+    }
 }
 
 #[test]

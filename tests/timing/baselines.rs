@@ -52,7 +52,7 @@ fn again(name: &str, baseline: &TimingRecord, set: Option<(&str, &str)>) -> Timi
         scenario: scenario.title,
         machine: model.name,
         master,
-        // The hash of the inputs is the command's, which `crates/lunoid/tests` holds to a baseline of its own.
+        // The hash of the inputs is the command's, which `crates/doors/lunoid/tests` holds to a baseline of its own.
         inputs: baseline.inputs.clone(),
         before_mission,
         frames: frames.map(timed).collect(),

@@ -18,7 +18,7 @@ fn held(name: &str, hardware: Hardware, parameters: Parameters) -> Comparison {
     let found = TimingRecord {
         scenario: shipped.scenario.title.clone(),
         machine: lunsim::ROW.name.into(),
-        // The hash of the inputs is the command's, which `crates/lunoid/tests` holds to the same baseline.
+        // The hash of the inputs is the command's, which `crates/doors/lunoid/tests` holds to the same baseline.
         frames: baseline.frames.iter().map(|frame| timed(frame.frame)).collect(),
         ..baseline.clone()
     };

@@ -112,16 +112,16 @@ pub const EVIDENCE: &[Evidence] = &[
     Evidence {
         name: "mutants",
         title: "Law files changed by a mutation tool",
-        command: "cargo mutants --workspace --file crates/landscape/src/photometry.rs --file crates/landscape/src/lunoid.rs \
-                  --file crates/sweep-generator/src/ramps.rs \
-                  --file crates/display-projection-processor/src/deflection.rs --timeout 60 --cap-lints true --output target",
+        command: "cargo mutants --workspace --file crates/world/landscape/src/photometry.rs --file crates/world/landscape/src/lunoid.rs \
+                  --file crates/device/sweep-generator/src/ramps.rs \
+                  --file crates/device/display-projection-processor/src/deflection.rs --timeout 60 --cap-lints true --output target",
         form: Form::Lines,
     },
     Evidence {
         name: "mutants-craters",
         title: "Craters, registers and the table of ranges changed by a mutation tool",
-        command: "cargo mutants --workspace --file crates/features/src/crater.rs --file crates/terrain-generator/src/registers.rs \
-                  --file crates/sweep-generator/src/range_table.rs --timeout 60 --cap-lints true --output target",
+        command: "cargo mutants --workspace --file crates/world/features/src/crater.rs --file crates/device/terrain-generator/src/registers.rs \
+                  --file crates/device/sweep-generator/src/range_table.rs --timeout 60 --cap-lints true --output target",
         form: Form::Lines,
     },
     Evidence {

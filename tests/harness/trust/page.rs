@@ -146,7 +146,7 @@ fn share(part: usize, whole: usize) -> String {
 fn coverage(text: &mut String, files: &[FileCoverage]) {
     let mut crates: BTreeMap<&str, [usize; 4]> = BTreeMap::new();
     for file in files {
-        let name = file.file.split('/').nth(1).unwrap_or_default();
+        let name = file.file.split('/').nth(2).unwrap_or_default();
         for of in [name, "all"] {
             let sums = crates.entry(of).or_default();
             sums.iter_mut().zip(file.counts()).for_each(|(sum, count)| *sum += count);

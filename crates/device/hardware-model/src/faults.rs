@@ -1,0 +1,29 @@
+//! Overlays of one fault each, that the program carries.
+
+/// Overlays with one fault each, in the order of the artefacts that they prove (hardware section 5), with their text.
+pub const FAULTS: [(&str, &str); 24] = [
+    ("tear", include_str!("../../../../hardware-models/faults/tear.toml")),
+    ("stale", include_str!("../../../../hardware-models/faults/stale.toml")),
+    ("mirror", include_str!("../../../../hardware-models/faults/mirror.toml")),
+    ("starve", include_str!("../../../../hardware-models/faults/starve.toml")),
+    ("smear", include_str!("../../../../hardware-models/faults/smear.toml")),
+    ("slew", include_str!("../../../../hardware-models/faults/slew.toml")),
+    ("fold", include_str!("../../../../hardware-models/faults/fold.toml")),
+    ("fringe", include_str!("../../../../hardware-models/faults/fringe.toml")),
+    ("quilt", include_str!("../../../../hardware-models/faults/quilt.toml")),
+    ("facet", include_str!("../../../../hardware-models/faults/facet.toml")),
+    ("coarse", include_str!("../../../../hardware-models/faults/coarse.toml")),
+    ("edge", include_str!("../../../../hardware-models/faults/edge.toml")),
+    ("hold", include_str!("../../../../hardware-models/faults/hold.toml")),
+    ("chatter", include_str!("../../../../hardware-models/faults/chatter.toml")),
+    ("slide", include_str!("../../../../hardware-models/faults/slide.toml")),
+    ("blur", include_str!("../../../../hardware-models/faults/blur.toml")),
+    ("expose", include_str!("../../../../hardware-models/faults/expose.toml")),
+    ("ghost", include_str!("../../../../hardware-models/faults/ghost.toml")),
+    ("register", include_str!("../../../../hardware-models/faults/register.toml")),
+    ("seam", include_str!("../../../../hardware-models/faults/seam.toml")),
+    ("roll", include_str!("../../../../hardware-models/faults/roll.toml")),
+    ("jerk", include_str!("../../../../hardware-models/faults/jerk.toml")),
+    ("clip", include_str!("../../../../hardware-models/faults/clip.toml")),
+    ("stripe", include_str!("../../../../hardware-models/faults/stripe.toml")),
+];

@@ -1,0 +1,175 @@
+//! The generators that are chosen by their own names, a row each.
+//!
+//! A new generator is a crate of its own and a row in [`ROWS`]: `docs/adding-a-generator.md`. The hybrid machine is not
+//! among them: the name of a hardware model chooses it.
+//!
+//! - [`find`], [`names`]: rows by name. [`judge`]: the one that error is measured against.
+//! - [`configure`]: run parameters and gear, layer by layer, into a generator.
+
+use std::sync::Arc;
+
+use diagnostics::{Layers, Problem, ProblemList, Problems, TomlFile};
+use generator::{Generator, PrepareError, Role, Row, Session, Stage};
+
+/// All rows, in the order in which they are listed.
+pub static ROWS: &[&Row] = &[&exact::ROW, &lunsim::ROW];
+
+/// The row of that name.
+pub fn find(name: &str) -> Option<&'static Row> {
+    ROWS.iter().copied().find(|row| row.name == name)
+}
+
+/// Names of all rows.
+pub fn names() -> Vec<&'static str> {
+    ROWS.iter().map(|row| row.name).collect()
+}
+
+/// The generator that the pictures of the others are judged by.
+///
+/// # Panics
+/// If no row has the role: a test holds that exactly one has.
+pub fn judge() -> &'static Row {
+    ROWS.iter().copied().find(|row| row.role == Role::Judge).expect("one row has the role of the judge")
+}
+
+/// The judge made ready for `stage`.
+///
+/// # Errors
+/// If it cannot draw the stage.
+pub fn judge_on(stage: Stage) -> Result<Box<dyn Session>, PrepareError> {
+    let row = judge();
+    let refused = |problems: ProblemList| PrepareError::Unsupported {
+        generator: row.name,
+        what: problems.to_string(),
+        remedy: "mend its row".into(),
+    };
+    configure_with(row, &[]).map_err(refused)?.prepare(stage)
+}
+
+/// Tables of run parameters that a scenario may have.
+pub fn parameter_tables() -> Vec<&'static str> {
+    ROWS.iter().filter_map(|row| row.parameters).collect()
+}
+
+/// The row whose run parameters or gear `key`, a dotted key of `--set`, is among.
+pub fn owner(key: &str) -> Option<&'static Row> {
+    ROWS.iter().copied().find(|row| row.owns(key))
+}
+
+/// The generator of `row`. `layers` are files with its tables, the later over the earlier, and all of them over the gear
+/// that ships; other tables of these files are passed over.
+///
+/// # Errors
+/// Every fault of the tables.
+pub fn configure(
+    row: &Row,
+    layers: impl IntoIterator<Item = TomlFile>,
+) -> Result<Arc<dyn Generator>, ProblemList> {
+    let problems = Problems::new();
+    let gear = row.gear.and_then(|gear| TomlFile::parse(gear.file, gear.text, &problems));
+    let layers = Layers::new(gear.into_iter().chain(layers));
+    let root = layers.root(&problems);
+    let generator = (row.configure)(&root);
+    row.tables().for_each(|table| root.table_or_empty(table).finish());
+    problems.resolve(generator)
+}
+
+/// The same from keys of `--set` alone.
+///
+/// # Errors
+/// Every fault of the keys.
+pub fn configure_with(row: &Row, sets: &[(&str, &str)]) -> Result<Arc<dyn Generator>, ProblemList> {
+    let problems = Problems::new();
+    let lines = sets.iter().map(|(key, value)| set_line(key, value, &problems)).collect::<Option<Vec<_>>>();
+    configure(row, problems.resolve(lines)?)
+}
+
+/// A key of `--set` as a file of one line.
+pub fn set_line(key: &str, value: &str, problems: &Problems) -> Option<TomlFile> {
+    TomlFile::parse("--set", &format!("{key} = {value}"), problems)
+}
+
+/// Reads `text` as the whole gear file of `row`; `name` is the path as the user gave it.
+///
+/// # Errors
+/// Every fault of the file.
+pub fn check_gear(row: &Row, name: &str, text: &str) -> Result<(), ProblemList> {
+    let problems = Problems::new();
+    let Some(gear) = row.gear else {
+        return Err(Problem::of_file(name, format!("{} has no gear file", row.name)).into());
+    };
+    let read = TomlFile::parse(name, text, &problems).and_then(|file| {
+        let root = file.root(&problems);
+        let read = (row.configure)(&root);
+        gear.tables.iter().for_each(|table| drop(root.table_or_empty(table)));
+        root.finish();
+        read
+    });
+    problems.resolve(read.map(drop))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use generator::Role;
+
+    use super::{ROWS, check_gear, configure_with, find, owner};
+
+    #[test]
+    fn names_and_tables_are_of_one_row_and_one_row_judges() {
+        let names: BTreeSet<_> = ROWS.iter().map(|row| row.name).collect();
+        let tables: Vec<_> = ROWS.iter().flat_map(|row| row.tables()).collect();
+        assert_eq!(names.len(), ROWS.len());
+        assert_eq!(BTreeSet::from_iter(&tables).len(), tables.len());
+        assert_eq!(ROWS.iter().filter(|row| row.role == Role::Judge).count(), 1);
+    }
+
+    #[test]
+    fn every_row_is_configured_as_it_ships_and_has_its_name() {
+        for row in ROWS {
+            let generator = configure_with(row, &[]).unwrap_or_else(|problems| panic!("{problems}"));
+            assert_eq!((generator.name(), generator.signals()), (row.name, row.signals));
+            assert!(
+                row.tables()
+                    .all(|table| owner(&format!("{table}.key")).is_some_and(|own| own.name == row.name))
+            );
+            if let Some(gear) = row.gear {
+                check_gear(row, gear.file, gear.text).unwrap_or_else(|problems| panic!("{problems}"));
+            }
+        }
+    }
+
+    /// Keys that a generator asks for are in its message about an unknown one.
+    #[test]
+    fn the_page_of_scenario_files_names_the_run_parameters() {
+        let page = include_str!("../../../../docs/scenario-format.md");
+        for row in ROWS {
+            let Some(table) = row.parameters else { continue };
+            let rows = page.lines().filter_map(|line| line.strip_prefix(&format!("| `{table}.")));
+            let documented: BTreeSet<&str> = rows.filter_map(|row| row.split('`').next()).collect();
+            let stray = configure_with(row, &[(&format!("{table}.stray"), "1")]).err().unwrap();
+            let expected = stray.iter().next().unwrap().expected.clone().unwrap();
+            let known: BTreeSet<&str> =
+                expected.trim_start_matches("one of ").trim_start_matches("only ").split(", ").collect();
+            assert_eq!(known, documented, "{table}");
+        }
+    }
+
+    #[test]
+    fn a_set_changes_what_it_names_and_each_fault_is_told() {
+        let row = find("lunsim").unwrap();
+        let record = |sets: &[(&str, &str)]| configure_with(row, sets).map(|found| found.record());
+        assert_eq!(record(&[("lunsim.grid", "64")]).unwrap()["grid"], 64);
+        for (key, value) in [
+            ("computer.add_us", "0"),
+            ("computer.ad_us", "1"),
+            ("recorder.points_s", "\"fast\""),
+            ("lunsim.gird", "64"),
+            ("lunsim.grid", "4"),
+        ] {
+            let problems = record(&[(key, value)]).unwrap_err();
+            assert_eq!(problems.iter().count(), 1, "{problems}");
+        }
+    }
+}

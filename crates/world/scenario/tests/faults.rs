@@ -1,0 +1,451 @@
+//! Every kind of fault of a scenario and of a path file is found, at its place.
+
+use std::fs;
+
+use proptest::prelude::*;
+use quantities::Rate;
+use scenario::{Length, Scenario};
+
+const GOOD: &str = r#"format = 1
+title = "t"
+shows = "s"
+frames = 90
+[landscape.generated]
+seed = 1
+extent_m = [600, 600]
+region_size_m = 40
+[sun]
+azimuth_deg = 10
+elevation_deg = 12
+[path]
+keyframes = [{ t_s = 0, x_m = 50, y_m = 80 }, { t_s = 3, x_m = 51, y_m = 80 }]
+[raster]
+update_hz = 30
+refresh_hz = 60
+"#;
+
+/// Line and title of each problem.
+fn faults(text: &str) -> Vec<(Option<usize>, String)> {
+    match Scenario::parse("t.toml", text) {
+        Ok(_) => Vec::new(),
+        Err(list) => list.iter().map(|problem| (problem.record().line, problem.title.clone())).collect(),
+    }
+}
+
+/// The one fault that a change of the good scenario makes.
+fn fault(from: &str, to: &str) -> (Option<usize>, String) {
+    assert!(GOOD.contains(from), "{from}");
+    let mut found = faults(&GOOD.replacen(from, to, 1));
+    assert_eq!(found.len(), 1, "{from} -> {to}: {found:?}");
+    found.remove(0)
+}
+
+#[test]
+fn the_good_one_is_good() {
+    assert_eq!(faults(GOOD), []);
+}
+
+#[test]
+fn one_reading_lists_every_fault() {
+    let bad = r#"format = 1
+titel = "t"
+shows = "s"
+[landscape.generated]
+seed = 1
+extent_m = [6000, nan]
+region_size_m = 0
+[sun]
+azimuth_deg = inf
+elevation_deg = -3
+[path]
+keyframes = [{ t_s = 0, x_m = "a", y_m = 80 }]
+[raster]
+update_hz = 29.97
+sweeps = 0
+"#;
+    let found = faults(bad);
+    let lines: Vec<usize> = found.iter().filter_map(|fault| fault.0).collect();
+    for line in [2, 6, 7, 9, 10, 12, 14, 15] {
+        assert!(lines.contains(&line), "line {line}: {found:#?}");
+    }
+    assert!(found.iter().any(|fault| fault.1.contains("missing key `title`")), "{found:#?}");
+    assert!(found.iter().any(|fault| fault.1.contains("missing key `frames` or `duration_s`")));
+    assert_eq!(found.len(), 10, "{found:#?}");
+}
+
+#[test]
+fn messages_name_line_found_expected_and_nearest() {
+    let list = Scenario::parse("s.toml", &GOOD.replace("refresh_hz", "refresch_hz")).unwrap_err();
+    let text = list.to_string();
+    assert!(text.contains("s.toml:16:1") && text.contains("did you mean `refresh_hz`?"), "{text}");
+    let list = Scenario::parse("s.toml", &GOOD.replace("azimuth_deg = 10", "azimuth_deg = 400")).unwrap_err();
+    let expected = "`sun.azimuth_deg` must be a number from -360 to 360 degrees, not 400";
+    assert_eq!(list.iter().next().unwrap().title, expected);
+}
+
+#[test]
+fn each_cross_check() {
+    let cases = [
+        ("format = 1", "format = 2", "newer than"),
+        ("format = 1", "", "missing key `format`"),
+        ("frames = 90", "frames = 90\nduration_s = 3", "both say how long"),
+        ("frames = 90", "", "missing key `frames` or `duration_s`"),
+        ("frames = 90", "frames = 0", "from 1 to"),
+        ("frames = 90", "machine = '../ideal'\nframes = 90", "a name of letters"),
+        ("seed = 1", "seed = 1\nbank = 'a'", "unknown key"),
+        (
+            "[landscape.generated]",
+            "[landscape]\nbank = 'a'\n[landscape.generated]",
+            "both say what the ground",
+        ),
+        ("extent_m = [600, 600]", "extent_m = [600, 610]", "a whole number of regions"),
+        ("extent_m = [600, 600]", "extent_m = [600]", "an array of 2 numbers"),
+        ("refresh_hz = 60", "refresh_hz = 45", "no whole multiple"),
+        ("refresh_hz = 60", "refresh_hz = \"60000/1001\"", "no whole multiple"),
+        ("update_hz = 30", "update_hz = 29.97", "a fraction in quotes"),
+        ("update_hz = 30", "update_hz = \"30/0\"", "a fraction in quotes"),
+        ("update_hz = 30", "update_hz = 0", "a fraction in quotes"),
+        ("t_s = 3", "t_s = 0", "times must ascend"),
+        ("t_s = 0", "t_s = -1", "from 0 to"),
+        ("x_m = 51", "x_m = nan", "not nan"),
+        ("y_m = 80 }]", "y_m = 80, z_m = 3 }]", "unknown key `path.keyframes[1].z_m`"),
+        ("[sun]", "[range]\nprogramme = 'geometric'\nstart_m = 5\nend_m = 5\n[sun]", "must be more than"),
+        (
+            "[sun]",
+            "[range]\nprogramme = 'two-rate'\nstart_m = 5\nend_m = 6\nfine_share = 0.5\n[sun]",
+            "`range.switch_m`",
+        ),
+        (
+            "[sun]",
+            "[range]\nprogramme = 'two-rate'\nstart_m = 5\nend_m = 6\nswitch_m = 7\nfine_share = 0.5\n[sun]",
+            "must be more than `range.switch_m`",
+        ),
+        ("[sun]", "[laws]\nprojection = 'exakt'\n[sun]", "one of \"as-reported\""),
+        (
+            "[sun]",
+            "[[landscape.generated.massif]]\nat_m = [1, 2]\nheight_m = 5\nradius_m = 50\ndetail_m = 120\n[sun]",
+            "massifs[0].radius",
+        ),
+    ];
+    for (from, to, expected) in cases {
+        let (line, title) = fault(from, to);
+        assert!(line.is_some() && title.contains(expected), "{from} -> {to}: {title}");
+    }
+}
+
+#[test]
+fn fractions_are_exact() {
+    let text = GOOD.replace("update_hz = 30", "update_hz = \"30000/1001\"");
+    let text = text.replace("refresh_hz = 60", "refresh_hz = \"60000/1001\"");
+    let scenario = Scenario::parse("t.toml", &text).unwrap_or_else(|list| panic!("{list}"));
+    assert_eq!(scenario.raster.update, Rate::new(30_000, 1001));
+    assert_eq!(scenario.raster.refresh, Rate::new(60_000, 1001));
+}
+
+#[test]
+fn a_duration_is_the_frames_that_begin_in_it() {
+    let good = Scenario::parse("t.toml", GOOD).unwrap_or_else(|list| panic!("{list}"));
+    let frames = |seconds: f64, numerator, denominator| {
+        let scenario = Scenario { length: Length::Seconds(seconds), ..good.clone() };
+        scenario.frames(Rate::new(numerator, denominator).unwrap())
+    };
+    assert_eq!(frames(3.0, 30, 1), 90);
+    // In floating point 8.3 x 30 is a little more than 249.
+    assert_eq!(frames(8.3, 30, 1), 249);
+    assert_eq!(frames(3.0, 30_000, 1001), 90);
+    assert_eq!(frames(0.001, 30, 1), 1);
+    assert_eq!(good.frames(Rate::new(5, 1).unwrap()), 90);
+}
+
+#[test]
+fn references_stay_in_the_folder() {
+    for reference in ["../x.bank", "/etc/x.bank", "a/../../x.bank"] {
+        let text =
+            GOOD.replace("[landscape.generated]", &format!("[landscape]\nbank = '{reference}'\n[unused]"));
+        let found = faults(&text);
+        assert!(found.iter().any(|fault| fault.1.contains("stays in the scenario's folder")), "{found:?}");
+    }
+}
+
+#[test]
+fn files_that_are_no_scenario() {
+    let folder = tempfile::tempdir().unwrap();
+    let missing = Scenario::read(folder.path().join("no.toml")).unwrap_err().to_string();
+    assert!(missing.contains("no such file"), "{missing}");
+    let a_folder = Scenario::read(folder.path()).unwrap_err().to_string();
+    assert!(a_folder.contains("folder"), "{a_folder}");
+    let binary = folder.path().join("binary.toml");
+    fs::write(&binary, [0x66, 0xff, 0x00]).unwrap();
+    assert!(Scenario::read(&binary).unwrap_err().to_string().contains("not UTF-8"));
+    assert!(faults("format = = 1")[0].1.contains("not valid TOML"));
+    let good = folder.path().join("good.toml");
+    fs::write(&good, GOOD).unwrap();
+    assert!(Scenario::read(&good).is_ok());
+}
+
+/// Messages about a path file of this name and text.
+fn path_faults(name: &str, text: &str) -> Vec<String> {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join(name), text).unwrap();
+    let start = GOOD.find("keyframes").unwrap();
+    let end = GOOD.find("[raster]").unwrap();
+    let scenario = format!("{}file = '{name}'\n{}", &GOOD[..start], &GOOD[end..]);
+    match Scenario::parse(folder.path().join("s.toml").to_str().unwrap(), &scenario) {
+        Ok(_) => Vec::new(),
+        Err(list) => {
+            let records = list.iter().map(diagnostics::Problem::record);
+            let place = |line: Option<usize>, column: Option<usize>| {
+                line.zip(column).map_or(String::new(), |(line, column)| format!("{line}:{column} "))
+            };
+            records.map(|record| place(record.line, record.column) + &record.title).collect()
+        }
+    }
+}
+
+#[test]
+fn good_path_files() {
+    assert_eq!(path_faults("p.csv", "\u{feff}y_m,\"x_m\",t_s\r\n1,2,0\r\n\r\n# halt\r\n1,2,5\r\n"), [""; 0]);
+    assert_eq!(path_faults("p.csv", "frame,t_s,x_m,y_m,z_m\n0,0,1,2,\n1,1e0,1,2,\n"), [""; 0]);
+    assert_eq!(path_faults("p.tum", "# c\n5 1 2 -3 0 0 0 1\n6\t1 2 -3  0 0 0 1\n"), [""; 0]);
+}
+
+#[test]
+fn faults_of_path_files_have_line_and_column() {
+    let header = "t_s,x_m,y_m,heading_deg\n";
+    let csv = |rows: &str| path_faults("p.csv", &format!("{header}{rows}"));
+    assert_eq!(
+        csv("0,1,2,3\n1,nan,2,3\n"),
+        ["3:3 `x_m` must be a number from -10000000 to 10000000, not nan"]
+    );
+    assert_eq!(csv("0,1,2,inf\n"), ["2:7 `heading_deg` must be a number from -36000 to 36000, not inf"]);
+    assert_eq!(
+        csv("0,1,,3\n1,x,2,3\n"),
+        [
+            "2:5 `y_m` must be a number from -10000000 to 10000000, not nothing",
+            "3:3 `x_m` must be a number from -10000000 to 10000000, not x",
+        ]
+    );
+    assert_eq!(csv("0,1e8,2,3\n").len(), 1);
+    assert_eq!(
+        csv("1e300,1,2,3\n"),
+        ["2:1 `t_s` must be a number from -1000000000000 to 1000000000000, not 1e300"]
+    );
+    assert_eq!(csv("0,1,2,3\n0,1,2,3\n"), ["3:1 t = 0 s after t = 0 s: times must ascend"]);
+    assert_eq!(csv("0,1,2\n"), ["2:1 a row of 3 cells under a header of 4"]);
+    assert_eq!(csv(""), ["1:1 a path file without rows"]);
+    assert_eq!(path_faults("p.csv", ""), ["1:1 an empty path file"]);
+    assert_eq!(
+        path_faults("p.csv", "t_s,x_m,speed\n0,1,2\n"),
+        ["1:1 missing column `y_m`", "1:9 unknown column `speed`",]
+    );
+    assert_eq!(path_faults("p.csv", "t_s,x_m,y_m,x_m\n0,1,2,3\n"), ["1:13 column `x_m` stands twice"]);
+    assert_eq!(
+        path_faults("p.csv", "t_s,x_m,y_m,z_m\n0,1,2,3\n1,1,2,\n"),
+        ["2:1 z_m is given for some waypoints only; expected for all or for none",]
+    );
+    assert_eq!(path_faults("p.tum", "0 1 2 3 0 0 0 2\n"), ["1:1 a quaternion of length 2"]);
+    assert_eq!(path_faults("p.tum", "0 1 2 3\n"), ["1:1 a row of 4 numbers"]);
+    assert_eq!(
+        path_faults("p.tum", "0 1 2 3 0 0 0 1\n1 1 2 NaN 0 0 0 1\n"),
+        ["2:7 `tz` must be a number from -10000000 to 10000000, not NaN",]
+    );
+    assert!(path_faults("p.txt", "")[0].contains("of a kind that is not known"));
+}
+
+#[test]
+fn a_table_full_of_faults_is_reported_by_its_first() {
+    let rows = "0,nan,2\n".repeat(1000);
+    let found = path_faults("p.csv", &format!("t_s,x_m,y_m\n{rows}"));
+    assert_eq!(found.len(), 21);
+    assert_eq!(found[20], "980 more faults of this file are not listed");
+    let falling: String = (0..50).map(|row| format!("{},0,0\n", 50 - row)).collect();
+    let found = path_faults("p.csv", &format!("t_s,x_m,y_m\n{falling}"));
+    assert_eq!(found[20], "29 more faults of this file are not listed", "of times that fall too");
+}
+
+#[test]
+fn a_path_file_that_is_missing_or_no_text() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = GOOD.replace("keyframes = [", "file = 'no.csv'\nunused = [");
+    let name = folder.path().join("s.toml");
+    let list = Scenario::parse(name.to_str().unwrap(), &text).unwrap_err().to_string();
+    assert!(list.contains("no such file") && list.contains("unknown key `path.unused`"), "{list}");
+    fs::write(folder.path().join("no.csv"), [0xff, 0xfe]).unwrap();
+    let list = Scenario::parse(name.to_str().unwrap(), &text).unwrap_err().to_string();
+    assert!(list.contains("not UTF-8"), "{list}");
+}
+
+/// The one fault of the good scenario with more tables.
+fn fault_of(tables: &str) -> String {
+    let (line, title) = fault("[sun]", &format!("{tables}\n[sun]"));
+    assert!(line.is_some(), "{tables}: {title}");
+    title
+}
+
+const LANDER: &str = "[[object]]\nid = 'lm'\nmodel = 'lander'\nx_m = 60\ny_m = 90\n";
+const FLAG: &str = "[[object]]\nid = 'flag'\nmodel = 'flag'\nx_m = 60\ny_m = 90\npresent = false\n";
+
+#[test]
+fn objects_that_cannot_be() {
+    for (tables, expected) in [
+        (LANDER.replace("'lander'", "'landr'"), "must be one of \"lander\""),
+        (LANDER.replace("model = 'lander'\n", ""), "missing key `object[0].model` or `object[0].file`"),
+        (LANDER.replace("model", "file = 'a.obj'\nmodel"), "both say what it is"),
+        (LANDER.replace("model = 'lander'", "file = '../a.obj'"), "stays in the scenario's folder"),
+        (LANDER.replace("'lm'", "'l m'"), "letters, digits and dashes"),
+        (LANDER.replace("x_m = 60", "x_m = nan"), "not nan"),
+        (format!("{LANDER}scale = 0\n"), "above 0"),
+        (format!("{LANDER}{}", LANDER.replace("lander", "rover")), "two objects are called \"lm\""),
+    ] {
+        let found = fault_of(&tables);
+        assert!(found.contains(expected), "{tables}: {found}");
+    }
+    let text = GOOD.replace("[sun]", &format!("{}\n[sun]", LANDER.replace("'lander'", "'landr'")));
+    let list = Scenario::parse("t.toml", &text).unwrap_err().to_string();
+    assert!(list.contains("did you mean \"lander\"?"), "{list}");
+}
+
+#[test]
+fn shapes_that_are_no_solids() {
+    let folder = tempfile::tempdir().unwrap();
+    let dented = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0.1 0.1 0.1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 5\nf 3 4 5\nf 4 2 5\n";
+    fs::write(folder.path().join("dent.obj"), dented).unwrap();
+    let name = folder.path().join("s.toml");
+    for (file, expected) in [("dent.obj", "dent.obj"), ("gone.obj", "no such file")] {
+        let object = LANDER.replace("model = 'lander'", &format!("file = '{file}'"));
+        let text = GOOD.replace("[sun]", &format!("{object}\n[sun]"));
+        let list = Scenario::parse(name.to_str().unwrap(), &text).unwrap_err();
+        assert!(list.len() == 1 && list.to_string().contains(expected), "{list}");
+    }
+}
+
+#[test]
+fn events_that_cannot_happen() {
+    let event = |time: f64, rest: &str| format!("[[event]]\nt_s = {time:?}\n{rest}\n");
+    let add = "action = 'add'\nobject = 'flag'";
+    let delete = "action = 'delete'\nobject = 'lm'";
+    let to = "action = 'move'\nobject = 'lm'\nx_m = 5\ny_m = 5";
+    for (events, expected) in [
+        (event(1.0, "action = 'add'\nobject = 'flg'"), "must be one of \"lm\", \"flag\""),
+        (event(1.0, "action = 'ad'\nobject = 'flag'"), "must be one of \"move\""),
+        (event(-1.0, add), "of at least 0"),
+        (event(1.0, "action = 'move'\nobject = 'lm'\nx_m = 5"), "missing key `event[0].y_m`"),
+        (event(1.0, &format!("{delete}\nx_m = 5")), "unknown key `event[0].x_m`"),
+        (event(1.0, &add.replace("flag", "lm")), "\"lm\" is added at t = 1 s and stands already"),
+        (event(1.0, &delete.replace("lm", "flag")), "\"flag\" is deleted at t = 1 s and does not stand"),
+        (event(1.0, &to.replace("lm", "flag")), "\"flag\" is moved at t = 1 s and does not stand"),
+        (event(2.0, to) + &event(2.0, delete), "two events of \"lm\" at t = 2 s"),
+        (event(3.0, to) + &event(2.0, delete), "\"lm\" is moved at t = 3 s and does not stand"),
+    ] {
+        let found = fault_of(&format!("{LANDER}{FLAG}{events}"));
+        assert!(found.contains(expected), "{events}: {found}");
+    }
+    assert!(fault_of(&event(1.0, add)).contains("an event without an object"));
+    let good = format!("{LANDER}{FLAG}{}{}{}", event(3.0, delete), event(1.0, to), event(3.0, add));
+    assert_eq!(faults(&GOOD.replace("[sun]", &format!("{good}[sun]"))), []);
+    let text = GOOD.replace("[sun]", &format!("{FLAG}{}[sun]", event(1.0, &add.replace("flag", "flg"))));
+    let list = Scenario::parse("t.toml", &text).unwrap_err().to_string();
+    assert!(list.contains("did you mean \"flag\"?"), "{list}");
+}
+
+/// Rules of generated ground are the landscape's, its names are not the keys.
+#[test]
+fn ground_that_does_not_fit_is_shown_at_its_key() {
+    let undulation =
+        "\n[landscape.generated.undulation]\nrms_height_m = 1\nhurst = 0.7\nshortest_m = 5\nlongest_m = 200";
+    let massif = |radius: &str| {
+        let at = "at_m = [300, 300]\nheight_m = 50\ndetail_m = 200";
+        format!("\n[[landscape.generated.massif]]\n{at}\nruggedness = 0.2\nradius_m = {radius}")
+    };
+    let crater = "\n[landscape.generated.craters]\nsmallest_radius_m = 200\nlargest_radius_m = 400";
+    let coarse = "\n[landscape.coarse]\nseed = 2\nregion_size_m = 200\nextent_m = [1401, 1400]";
+    for (parts, line) in [
+        (undulation.into(), 12),
+        (massif("500") + &massif("90"), 20),
+        (format!("{crater}\nsubdued_depth_ratio = 0.2\nfresh_depth_ratio = 0.1"), 13),
+        (coarse.into(), 12),
+        (format!("{}\n[levels]\nswitch_m = 50", coarse.replace("1401", "1600")), 12),
+    ] {
+        let (found, title) = fault("region_size_m = 40", &format!("region_size_m = 40{parts}"));
+        assert!(title.contains("does not fit"), "{title}");
+        assert_eq!(found, Some(line), "{title}");
+    }
+    assert_eq!(fault("[600, 600]", "[601, 600]").0, Some(7), "its extent");
+}
+
+#[test]
+fn parts_of_the_landscape_that_cannot_be() {
+    let coarse = "[landscape.coarse]\nseed = 2\nextent_m = [1400, 1400]\nregion_size_m = 200\n";
+    let population = "[[features.population]]\nseed = 1\nkind = 'fresh'\ndensity_per_m2 = 0.01\n\
+                      smallest_radius_m = 2\nlargest_radius_m = 4\n";
+    let rocks = "[rocks]\nseed = 1\ndensity_per_m2 = 0.1\nsmallest_m = 0.2\nlargest_m = 2\n";
+    let drift = |step: &str| {
+        format!("azimuth_deg = 10\n{step}drift = [{{ t_s = 5, azimuth_deg = 9, elevation_deg = 8 }}]")
+    };
+    for (tables, expected) in [
+        (coarse.to_owned(), "`landscape.coarse` without `levels`"),
+        ("[levels]\nswitch_m = 50".into(), "`levels` on ground of one level"),
+        (coarse.replace("1400]", "1401]") + "[levels]\nswitch_m = 50", "generated landscape does not fit"),
+        (coarse.replace("200", "140") + "[levels]\nswitch_m = 50", "does not fit around the fine one"),
+        (format!("{coarse}[levels]\nswitch_m = 50\nblend_m = 51"), "longer than the way"),
+        (population.replace("'fresh'", "'secondaries'"), "secondaries without primaries"),
+        (population.replace("= 2", "= 5"), "is above the largest"),
+        (format!("{population}area_m = [0, 0, 0, 5]\n"), "in ascending order"),
+        ("[features]\nlist = 'gone.csv'".into(), ""),
+        (rocks.to_owned(), "missing key `rocks.area_m` or `rocks.radius_m`"),
+        (format!("{rocks}radius_m = 5\narea_m = [1, 2, 3, 4]"), "both say where the rocks are"),
+        (rocks.replace("= 2\n", "= 0.1\n") + "radius_m = 5", "is not above the smallest"),
+        ("[photometry]\nlaw = 'specular'\nstrength = 1".into(), "missing key `photometry.exponent`"),
+        ("[texture]\nsource = 'random'".into(), "a texture of 0 layers"),
+        ("[[silhouette]]\nreflectivity = 1\noutline_deg = [[0, 1], [0, 2]]".into(), "this outline is none"),
+        ("[[silhouette]]\nreflectivity = 1\noutline_deg = [[0, 1], [0]]".into(), "an array of pairs"),
+        ("[shadows]\n[tracks]\nspacing_m = 0".into(), "from 0.01 to 100"),
+        ("[tracks]".into(), "`[tracks]` without `[shadows]`"),
+        ("[vehicle]\nmodel = 'rover'".into(), "`vehicle.model` without `[shadows]`"),
+        ("[shadows]\n[vehicle]\nmodel = 'rover'\nfile = 'a.obj'".into(), "both say what it is"),
+        ("[shadows]\nfinest_m = 0".into(), "from 0.01 to 1000"),
+        ("[roll]\ndisplay = 'yolk'".into(), "must be one of \"none\", \"yoke\""),
+        ("rocks = 5".into(), "`landscape.generated.rocks`"),
+    ] {
+        let text = GOOD.replacen("[sun]", &format!("{tables}\n[sun]"), 1);
+        let found = faults(&text);
+        assert!(found.len() == 1 && found[0].1.contains(expected), "{tables}: {found:?}");
+    }
+    for (from, to, expected) in [
+        ("azimuth_deg = 10", drift(""), "missing key `sun.step_s`"),
+        ("azimuth_deg = 10", drift("step_s = 0\n"), "above 0"),
+        ("azimuth_deg = 10", drift("step_s = 1e-6\n"), "5000000 steps"),
+        ("azimuth_deg = 10", drift("step_s = 1\n").replace("= 8", "= -1"), "above 0"),
+        ("azimuth_deg = 10", drift("step_s = 1\n").replace("t_s = 5", "t_s = 0"), "above 0"),
+        ("azimuth_deg = 10", "azimuth_deg = 10\nstep_s = 1".into(), "`sun.step_s` without `sun.drift`"),
+        ("elevation_deg = 12", "elevation_deg = -1".into(), "above 0"),
+    ] {
+        let (_, title) = fault(from, &to);
+        assert!(title.contains(expected), "{to}: {title}");
+    }
+}
+
+const FULL: &str = include_str!("../../../../docs/scenario-format.md");
+
+proptest! {
+    #[test]
+    fn damage_is_refused_or_read_and_never_panics(
+        example in 0usize..3,
+        cuts in prop::collection::vec((0usize..4000, 0usize..12, "[-a-z0-9_=.,\"'\\[\\]{}\n# ]{0,6}"), 1..6),
+    ) {
+        let start = FULL.match_indices("```toml\n").nth(example).unwrap().0 + 8;
+        let mut text = FULL[start..start + FULL[start..].find("```").unwrap()].to_owned();
+        for (at, length, put) in cuts {
+            let at = at.min(text.len());
+            text.replace_range(at..(at + length).min(text.len()), &put);
+        }
+        let _ = Scenario::parse("t.toml", &text).map_err(|list| list.render(true));
+    }
+
+    #[test]
+    fn damaged_paths_never_panic(rows in "[0-9naif.,eE\"\u{e4} #\r\n-]{0,80}") {
+        path_faults("p.csv", &format!("t_s,x_m,y_m,z_m\n{rows}"));
+        path_faults("p.csv", &rows);
+        path_faults("p.tum", &rows);
+    }
+}
