@@ -12,6 +12,7 @@ mod event_list;
 mod feature_loads;
 mod frame_plan;
 mod frame_sweeps;
+mod guests;
 mod ideal;
 mod raster;
 mod refusal;
@@ -35,6 +36,7 @@ pub use digital_event::{DigitalEvent, DigitalUnit, EventWord, LoadedPart, Regist
 pub use feature_loads::FeatureLoads;
 pub use frame_plan::FramePlan;
 pub use frame_sweeps::FrameSweeps;
+pub use guests::guest_omissions;
 pub use ideal::{beam_has_parts, mixing_has_parts};
 pub use raster::WrittenRaster;
 pub use register_state::{RegisterState, RegisterWords};

@@ -1,13 +1,13 @@
 //! What the elaborated machine leaves out, and what that does to the picture.
 
-use control_plane::{Blocks, MachineStage, beam_has_parts, mixing_has_parts};
+use control_plane::{Blocks, MachineStage, beam_has_parts, guest_omissions, mixing_has_parts};
 use generator::{Omission, Weight};
 use hardware_model::Economy;
 
 /// What a machine of these blocks leaves out.
 pub(crate) fn omissions(stage: &MachineStage, blocks: &Blocks) -> Vec<Omission> {
     let mut list = absent_blocks(stage, blocks);
-    list.extend(guests(stage));
+    list.extend(guest_omissions(&stage.landscape, &stage.scenery));
     let parts = &stage.settings.analog;
     let ideal = [
         (parts.terrain_is_ideal(), "terrain-generator", "dynamics of parts"),
@@ -64,24 +64,6 @@ pub(crate) fn omissions(stage: &MachineStage, blocks: &Blocks) -> Vec<Omission> 
         });
     }
     list
-}
-
-/// What a scene may have for other generators, and no block of the report draws.
-fn guests(stage: &MachineStage) -> impl Iterator<Item = Omission> {
-    let has_map = stage.landscape.albedo_map().is_some();
-    let rows = [(
-        has_map,
-        "terrain-generator",
-        "the map of albedo (`landscape.albedo_map`)",
-        "a terrain generator has one albedo for all ground, `landscape.albedo`; --machine exact draws the map",
-    )];
-    let not_modelled = |(_, block, what, why): (bool, _, &str, &str)| Omission {
-        block,
-        what: what.into(),
-        why: why.into(),
-        weight: Weight::NotModelled,
-    };
-    rows.into_iter().filter(|(is_there, ..)| *is_there).map(not_modelled)
 }
 
 /// What a machine leaves out that is told to draw swiftly.

@@ -6,6 +6,7 @@ mod closed_forms;
 mod colour;
 mod craters;
 mod from_aside_and_above;
+mod guests;
 mod levels;
 mod light;
 mod many_rays;
