@@ -19,6 +19,7 @@
 //! | 1 | `stage` | ground, scenery and settings of a machine |
 //! | 1 | `raster` | what the sweeps write: the screen, or more of it |
 //! | 1 | `refusal` | why a frame cannot be drawn |
+//! | 1 | `guests` | what a scene may have, and no block draws |
 //! | 1 | `digital_event` | one event of the digital side |
 //! | 1 | `preview` | what keeps a machine from drawing a preview |
 //! | 1 | `waveforms` | digital wires of a sweep, from its programs |
@@ -54,6 +55,7 @@ mod event_list;
 mod feature_loads;
 mod frame_plan;
 mod frame_sweeps;
+mod guests;
 mod preview;
 mod raster;
 mod refusal;
@@ -79,6 +81,7 @@ pub use elaboration::{Block, Elaboration};
 pub use feature_loads::FeatureLoads;
 pub use frame_plan::FramePlan;
 pub use frame_sweeps::FrameSweeps;
+pub use guests::guest_omissions;
 pub use preview::preview_obstacle;
 pub use raster::WrittenRaster;
 pub use register_state::{RegisterState, RegisterWords};

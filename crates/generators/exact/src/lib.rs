@@ -137,5 +137,5 @@ pub use column::{Fineness, LINE_MEAN_TOLERANCE, RIDGE_SHARE};
 pub use outlook::{Outlook, Ray, Sight, Spot};
 pub use session::{Columns, Exact, ExactWithin, ProfilePoint, ROW};
 pub use shadow::LIFT;
-pub use standing::FOOT_TOLERANCE;
+pub use standing::{COINCIDENCE, FOOT_TOLERANCE};
 pub use view::View;

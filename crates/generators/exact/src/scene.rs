@@ -12,7 +12,7 @@ use crate::light::Light;
 use crate::outlook::{Outlook, Ray, Sight, Spot};
 use crate::seen::Seen;
 use crate::shadow::Shadows;
-use crate::standing::{Stand, Standing};
+use crate::standing::{Lit, Stand, Standing};
 use crate::view::View;
 
 /// Ground, light, shadow and bodies from one eye at one time.
@@ -40,16 +40,25 @@ impl<'a> Scene<'a> {
     ) -> Self {
         let sun: Sun = scenery.sun(pose.time);
         let view = View::new(laws.projection, &pose.attitude).with_yoke(pose.yoke);
-        let bodies: Vec<&Body> = scenery.bodies(pose.time).collect();
+        let still = scenery.bodies(pose.time).map(Cow::Borrowed);
+        let bodies: Vec<Cow<Body>> = still.chain(scenery.guests(pose.time).map(Cow::Owned)).collect();
+        let own_sun = |body: &Body| scenery.sun_of_group(body.group, pose.time);
         // The vehicle is not seen: it casts alone.
         let casters = || {
             let own = scenery.own_bodies(pose.eye, pose.attitude);
-            bodies.iter().map(|&body| Cow::Borrowed(body)).chain(own.into_iter().map(Cow::Owned)).collect()
+            // A group with a sun of its own is lit from elsewhere: the scene's sun finds nothing of it in its way.
+            let cast = bodies.iter().filter(|body| own_sun(body).is_none()).cloned();
+            cast.chain(own.into_iter().map(Cow::Owned)).collect()
         };
         let cast = || Shadows::new(*outlook.ground(), &sun, casters(), scenery.patches(pose.time));
         let shadows = reach.map(|_| cast());
-        let to_sun = DVec3::from_array(sun.direction());
-        let standing = Standing::new(&bodies, &outlook, &view, to_sun, shadows.as_ref(), laws);
+        let lit = |body: Cow<'a, Body>| {
+            let own = own_sun(&body);
+            let to_sun = DVec3::from_array(own.unwrap_or(sun).direction());
+            (body, Lit { sun: to_sun, apart: own.is_some() })
+        };
+        let bodies = bodies.into_iter().map(lit).collect();
+        let standing = Standing::new(bodies, &outlook, &view, shadows.as_ref(), laws);
         let light = Light::new(landscape, &sun, laws, pose.eye[2]);
         let reach = reach.unwrap_or_default();
         Self { landscape, outlook, view, light, shadows, reach, eye_height: pose.eye[2], standing }
@@ -80,7 +89,7 @@ impl<'a> Scene<'a> {
     pub fn look(
         &self,
         [x, y]: [f64; 2],
-        column: &[&Stand],
+        column: &[&Stand<'a>],
         clear: f64,
         scratch: &mut Scratch,
     ) -> (Seen, f64) {

@@ -1,9 +1,11 @@
 //! Bodies in the picture: in true perspective, by depth or as a whole (section 12).
 
+use std::borrow::Cow;
+
 use generator::{Label, Shade};
 use glam::DVec3;
 use scenario::{BodyVisibility, Laws, ShadowedBodies};
-use solids::{Body, Kind};
+use solids::{Body, Hit, Kind};
 
 use crate::ground::Scratch;
 use crate::outlook::{Outlook, Ray};
@@ -18,15 +20,28 @@ const NEAR: f64 = 1e-3;
 /// sweep is drawn) and not hide it.
 pub const FOOT_TOLERANCE: f64 = 1e-6;
 
+/// Two things whose ranges differ by no more than this share of 1 m and the range coincide: their priorities say which is seen.
+pub const COINCIDENCE: f64 = 1e-6;
+
+/// The light of a body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Lit {
+    /// Unit vector to its sun.
+    pub sun: DVec3,
+    /// Whether that is a sun of its group, not the scene's.
+    pub apart: bool,
+}
+
 /// A body as an eye sees it.
 #[derive(Debug, Clone)]
 pub struct Stand<'a> {
-    body: &'a Body,
+    body: Cow<'a, Body>,
     /// Where the ray begins if the body stays in its place: the eye, raised by the drop at the foot point.
     eye: DVec3,
     /// Range of the foot point (m).
     foot: f64,
-    faces: Vec<f64>,
+    /// Unit vector to the sun of its group.
+    sun: DVec3,
     dark: bool,
     /// Vertices on the screen, if all lie ahead.
     screen: Option<Vec<[f64; 2]>>,
@@ -41,25 +56,26 @@ pub struct Standing<'a> {
 }
 
 impl<'a> Standing<'a> {
-    /// Those of `bodies` that the laws let be seen.
+    /// Those of `bodies`, each with the unit vector to its sun, that the laws let be seen. The light of a group with a sun of its
+    /// own comes from elsewhere: no ground darkens it.
     pub fn new(
-        bodies: &[&'a Body],
+        bodies: Vec<(Cow<'a, Body>, Lit)>,
         outlook: &Outlook,
         view: &View,
-        sun: DVec3,
         shadows: Option<&Shadows>,
         laws: Laws,
     ) -> Self {
         let mut scratch = Scratch::default();
-        let stand = |body: &&'a Body| {
+        let stand = |(body, lit): (Cow<'a, Body>, Lit)| {
+            let shadows = shadows.filter(|_| !lit.apart);
             let dark = shadows.is_some_and(|s| s.is_dark_ground([body.foot.x, body.foot.y], &mut scratch));
             let vanishes = dark && laws.shadowed_bodies == ShadowedBodies::Vanish;
-            let stand = Stand::new(body, outlook, view, sun, dark).filter(|_| !vanishes)?;
+            let stand = Stand::new(body, outlook, view, lit.sun, dark).filter(|_| !vanishes)?;
             let whole = laws.body_visibility == BodyVisibility::AsReported;
             let hidden = whole && stand.is_hidden(outlook, &mut scratch);
             (!hidden).then_some(stand)
         };
-        Self { stands: bodies.iter().filter_map(stand).collect(), law: laws.body_visibility }
+        Self { stands: bodies.into_iter().filter_map(stand).collect(), law: laws.body_visibility }
     }
 
     /// How many there are.
@@ -73,25 +89,50 @@ impl<'a> Standing<'a> {
     }
 
     /// What is seen along `direction` (1 over the ground), if the ground is met at `ground` (m; infinite if not).
-    pub fn look(&self, column: &[&Stand], direction: DVec3, ground: f64) -> Option<Seen> {
-        let met =
-            column.iter().filter_map(|stand| Some((stand, stand.body.first_hit(stand.eye, direction, 0.0)?)));
+    pub fn look<'s>(&self, column: &'s [&'s Stand<'a>], direction: DVec3, ground: f64) -> Option<Seen> {
+        let hit = |stand: &'s &'s Stand<'a>| Some((*stand, stand.body.first_hit(stand.eye, direction, 0.0)?));
+        let met = column.iter().filter_map(hit);
         let (stand, hit) = match self.law {
-            BodyVisibility::Depth => met
-                .filter(|(_, hit)| hit.distance < ground)
-                .min_by(|(_, a), (_, b)| a.distance.total_cmp(&b.distance))?,
+            BodyVisibility::Depth => {
+                nearest(met.filter(|(stand, hit)| stand.is_before(hit.distance, ground)))?
+            }
             // Parts of one object share a foot point: the nearer part lies on top.
             BodyVisibility::AsReported => met.min_by(|(a, near), (b, far)| {
-                a.foot.total_cmp(&b.foot).then(near.distance.total_cmp(&far.distance))
+                let feet = a.foot.total_cmp(&b.foot).then(b.body.priority.cmp(&a.body.priority));
+                feet.then(near.distance.total_cmp(&far.distance))
             })?,
         };
         Some(stand.seen(hit.face, hit.distance, direction))
     }
 }
 
+/// The first of those met; among those that coincide with it the one of the highest priority.
+fn nearest<'s, 'a>(met: impl Iterator<Item = (&'s Stand<'a>, Hit)>) -> Option<(&'s Stand<'a>, Hit)> {
+    let met: Vec<_> = met.collect();
+    let first = met.iter().map(|(_, hit)| hit.distance).fold(f64::INFINITY, f64::min);
+    let alike = met.into_iter().filter(|(_, hit)| hit.distance <= first + room(first));
+    alike.min_by(|(a, near), (b, far)| {
+        b.body.priority.cmp(&a.body.priority).then(near.distance.total_cmp(&far.distance))
+    })
+}
+
+/// How far apart (m along the ground) two things at a range (m) may lie and still coincide.
+fn room(range: f64) -> f64 {
+    COINCIDENCE * (1.0 + range)
+}
+
 impl<'a> Stand<'a> {
+    /// Whether it is seen at a range before the ground at another (m).
+    fn is_before(&self, range: f64, ground: f64) -> bool {
+        match self.body.priority {
+            0 => range < ground,
+            above if above > 0 => range <= ground + room(range),
+            _ => range < ground - room(range),
+        }
+    }
+
     /// `None` if it lies behind the eye, or where the lunoid has ended.
-    fn new(body: &'a Body, outlook: &Outlook, view: &View, sun: DVec3, dark: bool) -> Option<Self> {
+    fn new(body: Cow<'a, Body>, outlook: &Outlook, view: &View, sun: DVec3, dark: bool) -> Option<Self> {
         let [x, y, height] = outlook.eye();
         let foot = libm::hypot(body.foot.x - x, body.foot.y - y);
         let eye = DVec3::new(x, y, height + outlook.drop(foot));
@@ -104,7 +145,7 @@ impl<'a> Stand<'a> {
             let each = screen.iter().map(|place| place[0]);
             [each.clone().fold(f64::INFINITY, f64::min), each.fold(f64::NEG_INFINITY, f64::max)]
         });
-        Some(Self { body, eye, foot, faces: body.reflectivities(sun).collect(), dark, screen, across })
+        Some(Self { body, eye, foot, sun, dark, screen, across })
     }
 
     /// Whether ground before the foot point stands higher than it.
@@ -121,7 +162,8 @@ impl<'a> Stand<'a> {
     pub fn edges(&self, x: f64, cuts: &mut Vec<f64>) {
         let Some(screen) = &self.screen else { return };
         for (index, face) in self.body.solid.faces().iter().enumerate() {
-            if self.body.normal(index).dot(self.eye - self.body.on_face(index)) <= 0.0 {
+            let is_turned = || self.body.normal(index).dot(self.eye - self.body.on_face(index)) <= 0.0;
+            if !self.body.solid.is_open() && is_turned() {
                 continue;
             }
             for (k, &corner) in face.corners.iter().enumerate() {
@@ -134,15 +176,24 @@ impl<'a> Stand<'a> {
         }
     }
 
+    /// The outward normal of what is seen: of the side that the ray meets, where both sides of a face can be seen.
+    fn normal(&self, face: usize, place: DVec3, direction: DVec3) -> DVec3 {
+        let normal = self.body.normal_at(face, place);
+        let is_back = self.body.solid.is_open() && self.body.normal(face).dot(direction) > 0.0;
+        if is_back { -normal } else { normal }
+    }
+
     fn seen(&self, face: usize, range: f64, direction: DVec3) -> Seen {
-        let reflectivity = [self.faces[face]; 3];
+        let normal = self.normal(face, self.eye + range * direction, direction);
+        let cosine = normal.dot(self.sun).max(0.0);
+        let reflectivity = self.body.solid.albedo(face).map(|albedo| cosine * albedo);
         Seen {
             light: if self.dark { [0.0; 3] } else { reflectivity },
             range,
             height: self.eye.z + range * direction.z,
-            normal: self.body.normal(face).to_array(),
+            normal: normal.to_array(),
             reflectivity,
-            shade: match self.faces[face] > 0.0 {
+            shade: match reflectivity.iter().any(|channel| *channel > 0.0) {
                 false => Shade::Local,
                 true if self.dark => Shade::Remote,
                 true => Shade::Lit,

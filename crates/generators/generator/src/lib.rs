@@ -50,7 +50,11 @@ pub struct Stage {
 impl Stage {
     /// Whether anything on it has a colour: generators without colour draw its luminance.
     pub fn is_colourful(&self) -> bool {
+        let mut still = self.scenery.standing().iter().map(|standing| &standing.body.solid);
+        let mut guests = self.scenery.all_guests().iter().map(|guest| &guest.solid);
         self.landscape.albedo_map().is_some_and(|map| map.texels().is_colourful())
+            || still.any(|solid| solid.is_colourful())
+            || guests.any(|solid| solid.is_colourful())
     }
 }
 

@@ -113,8 +113,9 @@ fn not_modelled(stage: &Stage) -> impl Iterator<Item = Lack> {
     const ALBEDO: &str = "its surface returns the same share of light everywhere";
     const SMOOTH: &str = "its surface is smooth but for craters";
     let Stage { landscape, scenery, view } = stage;
+    let has_bodies = !scenery.standing().is_empty() || !scenery.all_guests().is_empty();
     [
-        (!scenery.standing().is_empty(), "rocks and man-made things", "[rocks], [[object]]", CRATERS),
+        (has_bodies, "rocks and man-made things", "[rocks], [[object]]", CRATERS),
         (!scenery.patches(f64::INFINITY).is_empty(), "vehicle tracks", "[tracks]", CRATERS),
         (scenery.vehicle().is_some(), "the vehicle's own shadow", "[vehicle]", CRATERS),
         (landscape.albedo_map().is_some(), "a map of albedo", "[landscape] albedo_map", ALBEDO),

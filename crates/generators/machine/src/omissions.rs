@@ -1,12 +1,12 @@
 //! What the elaborated machine leaves out, and what that does to the picture.
 
-use control_plane::{Block, Elaboration, MachineStage};
+use control_plane::{Block, Elaboration, MachineStage, guest_omissions};
 use generator::{Omission, Weight};
 
 /// What the machine of `list` leaves out of `stage`.
 pub(crate) fn omissions(stage: &MachineStage, list: &Elaboration) -> Vec<Omission> {
     let mut omissions = list.omissions();
-    omissions.extend(guests(stage));
+    omissions.extend(guest_omissions(&stage.landscape, &stage.scenery));
     if let Some(texture) = stage.landscape.texture() {
         let what = format!("texture beyond {} m", texture.reach());
         omissions.push(Omission::lossless("texture-generator", what, "it has faded to nothing there"));
@@ -34,24 +34,6 @@ pub(crate) fn omissions(stage: &MachineStage, list: &Elaboration) -> Vec<Omissio
         });
     }
     omissions
-}
-
-/// What a scene may have for other generators, and no block of the report draws.
-fn guests(stage: &MachineStage) -> impl Iterator<Item = Omission> {
-    let has_map = stage.landscape.albedo_map().is_some();
-    let rows = [(
-        has_map,
-        "terrain-generator",
-        "the map of albedo (`landscape.albedo_map`)",
-        "a terrain generator has one albedo for all ground, `landscape.albedo`; --machine exact draws the map",
-    )];
-    let not_modelled = |(_, block, what, why): (bool, _, &str, &str)| Omission {
-        block,
-        what: what.into(),
-        why: why.into(),
-        weight: Weight::NotModelled,
-    };
-    rows.into_iter().filter(|(is_there, ..)| *is_there).map(not_modelled)
 }
 
 /// What a preview leaves out.

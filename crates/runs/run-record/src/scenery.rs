@@ -7,7 +7,7 @@ use generator::Stage;
 use landscape::Attitude;
 use scenario::{Scenery, Standing};
 use serde::{Deserialize, Serialize};
-use solids::Kind;
+use solids::{Body, Kind};
 
 /// Everything of a stage that is neither stored terrain nor a setting.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -18,6 +18,12 @@ pub struct SceneryRecord {
     pub rock_bodies: usize,
     /// Man-made things of the whole mission.
     pub culture_bodies: usize,
+    /// Bodies of the whole mission that move or are open.
+    #[serde(default, skip_serializing_if = "is_none")]
+    pub guest_bodies: usize,
+    /// Groups of objects.
+    #[serde(default, skip_serializing_if = "is_none")]
+    pub groups: usize,
     /// Patches of track that the whole mission leaves.
     pub track_patches: usize,
     /// Far silhouettes.
@@ -41,13 +47,38 @@ impl SceneryRecord {
             craters: landscape.features().craters().len(),
             rock_bodies: bodies(Kind::Rock),
             culture_bodies: bodies(Kind::Culture),
+            guest_bodies: scenery.all_guests().len(),
+            groups: scenery.groups().len(),
             track_patches: scenery.patches(f64::INFINITY).len(),
             silhouettes: landscape.silhouettes().len(),
             texture: landscape.texture().is_some(),
             photometry: format!("{:?}", landscape.photometry()),
-            blake3: hash_of(&(few, dated, hash_of_craters(landscape.features()), hash_of_bodies(scenery))),
+            blake3: with_guests(
+                hash_of(&(few, dated, hash_of_craters(landscape.features()), hash_of_bodies(scenery))),
+                scenery,
+            ),
         }
     }
+}
+
+/// Records without any have no such key: they keep the bytes that they had before there were any.
+fn is_none(count: &usize) -> bool {
+    *count == 0
+}
+
+/// The hash of a scenery and of what it has for other generators than the hybrid machine; `hash` itself where it has none.
+fn with_guests(hash: String, scenery: &Scenery) -> String {
+    let dressed: Vec<_> = scenery.standing().iter().map(|one| &one.body).filter(is_dressed).collect();
+    match (dressed.is_empty(), scenery.all_guests().is_empty(), scenery.groups().is_empty()) {
+        (true, true, true) => hash,
+        _ => hash_of(&(hash, dressed, scenery.all_guests(), scenery.groups())),
+    }
+}
+
+/// Whether a body has more than a place, a shape and greys.
+fn is_dressed(body: &&Body) -> bool {
+    let solid = &body.solid;
+    solid.is_colourful() || solid.is_smooth() || body.priority != 0 || body.group.is_some()
 }
 
 /// Craters and bodies come by the hundred thousand: their numbers are hashed as they are, not as text.

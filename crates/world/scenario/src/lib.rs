@@ -13,6 +13,7 @@
 mod craters;
 mod curve;
 mod drift;
+mod guests;
 mod laws;
 mod limits;
 mod looks;
@@ -39,6 +40,7 @@ mod yoke;
 
 pub use craters::{CraterList, CraterPopulation, CraterWishes};
 pub use drift::Drift;
+pub use guests::{Frame, Group, GroupSun, Guest, MoveStation, Moves};
 pub use laws::{
     BodyVisibility, Curvature, FeatureLight, LawWishes, Laws, Occlusion, PixelRule, Projection,
     ShadowedBodies, TextureInShadow,

@@ -7,9 +7,9 @@ use landscape::{Photometry, Silhouette, Sun};
 use quantities::Rate;
 
 use crate::{
-    AlbedoMapWish, CraterWishes, Display, Drift, Event, FieldOfView, LawWishes, LevelSwitch, Object, Path,
-    RangeProgramme, RasterWishes, Rocks, RollDisplay, Scalar, ShadowFineness, TextureWish, Tracks, Vehicle,
-    VehicleShape,
+    AlbedoMapWish, CraterWishes, Display, Drift, Event, FieldOfView, Group, LawWishes, LevelSwitch, Object,
+    Path, RangeProgramme, RasterWishes, Rocks, RollDisplay, Scalar, ShadowFineness, TextureWish, Tracks,
+    Vehicle, VehicleShape,
 };
 
 /// What happens: ground, light, vehicle, path, and how it is to be seen.
@@ -49,6 +49,8 @@ pub struct Scenario {
     pub rocks: Option<Rocks>,
     /// Man-made things; their ids differ.
     pub objects: Vec<Object>,
+    /// Groups that objects belong to; their names differ.
+    pub groups: Vec<Group>,
     /// What happens to them, ascending in time; the events of each object fit together.
     pub events: Vec<Event>,
     /// What the wheels leave behind.

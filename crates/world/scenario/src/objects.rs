@@ -1,11 +1,14 @@
 //! Man-made things, and what happens to them during a mission.
 
+use std::num::NonZeroU16;
 use std::path::PathBuf;
 use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
 use landscape::Attitude;
 use solids::Solid;
+
+use crate::Moves;
 
 /// A thing of one or more convex parts.
 #[derive(Debug, Clone, PartialEq)]
@@ -14,6 +17,8 @@ pub struct Object {
     pub id: String,
     /// File of its shape, where it has one of its own.
     pub file: Option<PathBuf>,
+    /// Whether parts of its file may be open.
+    pub open: bool,
     /// Its parts, in common body axes (forward, starboard, up; m), the foot point at the origin.
     pub parts: Vec<Arc<Solid>>,
     /// How many times as large as its shape.
@@ -22,6 +27,12 @@ pub struct Object {
     pub stance: Stance,
     /// Whether it stands from the start.
     pub present: bool,
+    /// How it moves, where it does.
+    pub moves: Option<Moves>,
+    /// Number of its group, from 1.
+    pub group: Option<NonZeroU16>,
+    /// Which of two things that coincide is seen: the higher; the ground's is 0.
+    pub priority: i8,
 }
 
 /// Where a thing stands and how it is turned.
@@ -126,10 +137,14 @@ mod tests {
         let object = Object {
             id: "lm".into(),
             file: None,
+            open: false,
             parts: vec![],
             scale: 1.0,
             stance: stance(10.0),
             present: false,
+            moves: None,
+            group: None,
+            priority: 0,
         };
         let event = |time, action| Event { time, object: 0, action };
         let events = [

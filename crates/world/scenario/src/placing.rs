@@ -1,12 +1,14 @@
 //! From a scenario to its scenery: everything placed on the ground, events resolved into stretches of time.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 use landscape::Landscape;
-use solids::{Body, Kind};
+use solids::{Body, Kind, Solid};
 
 use crate::objects::{Object, Stay, stays};
 use crate::rocks::Clear;
-use crate::{Scenario, Scenery, SceneryProblem, SceneryProblems, Standing};
+use crate::{Frame, Guest, MoveStation, Scenario, Scenery, SceneryProblem, SceneryProblems, Standing};
 
 impl Scenery {
     /// Light, bodies and tracks of `scenario` on its ground. Objects have the numbers of their order in the file,
@@ -18,6 +20,7 @@ impl Scenery {
         let mut problems = Vec::new();
         let mut keep = |problem| problems.push(problem);
         let culture = culture(scenario, landscape, &mut keep);
+        let guests = guests(scenario, landscape, &mut keep);
         let clear = Clear { path: &scenario.path, vehicle: &scenario.vehicle, culture: &culture };
         let first = scenario.objects.len() as u32;
         let rocks = scenario.rocks.map(|rocks| rocks.place(landscape, &clear, first)).transpose();
@@ -33,6 +36,8 @@ impl Scenery {
         standing.shrink_to_fit();
         Ok(Self::under(suns(scenario))
             .with_bodies(standing)
+            .with_guests(guests)
+            .with_groups(scenario.groups.clone())
             .with_patches(patches)
             .with_vehicle(scenario.vehicle_shape.clone()))
     }
@@ -53,7 +58,9 @@ fn culture(
     let mut standing = Vec::new();
     for (number, object) in scenario.objects.iter().enumerate() {
         let events = scenario.events.iter().filter(|event| event.object == number);
-        for stay in stays(object, events.copied()) {
+        // What moves has frames of its own.
+        let stays = if object.moves.is_some() { Vec::new() } else { stays(object, events.copied()) };
+        for stay in stays {
             match bodies(number as u32, object, &stay, landscape) {
                 Some(bodies) => standing.extend(bodies),
                 None => keep(outside(object, &stay, landscape)),
@@ -63,17 +70,73 @@ fn culture(
     standing
 }
 
+/// The parts of objects that move or are open, stay by stay.
+fn guests(scenario: &Scenario, landscape: &Landscape, keep: &mut impl FnMut(SceneryProblem)) -> Vec<Guest> {
+    let mut guests = Vec::new();
+    for (number, object) in scenario.objects.iter().enumerate() {
+        let parts: Vec<_> = object.parts.iter().filter(|part| is_guest(object, part)).collect();
+        if parts.is_empty() {
+            continue;
+        }
+        let events = scenario.events.iter().filter(|event| event.object == number);
+        for stay in stays(object, events.copied()) {
+            let Some(frames) = frames(object, &stay, landscape, keep) else { continue };
+            guests.extend(parts.iter().map(|part| Guest {
+                from: stay.from,
+                until: stay.until,
+                object: number as u32,
+                solid: Arc::clone(part),
+                scale: object.scale,
+                frames: frames.clone(),
+                spin: object.moves.as_ref().map_or(0.0, |moves| moves.spin),
+                priority: object.priority,
+                group: object.group,
+            }));
+        }
+    }
+    guests
+}
+
+/// Whether a part is no body that stands still and closes.
+fn is_guest(object: &Object, part: &Solid) -> bool {
+    object.moves.is_some() || part.is_open()
+}
+
+/// The frames of an object for one stay; every one that has no ground under it is a problem.
+fn frames(
+    object: &Object,
+    stay: &Stay,
+    landscape: &Landscape,
+    keep: &mut impl FnMut(SceneryProblem),
+) -> Option<Vec<Frame>> {
+    let rest = [MoveStation { time: stay.from, stance: stay.stance, above: 0.0 }];
+    let stations = object.moves.as_ref().map_or(&[][..], |moves| &moves.stations);
+    let stations = if stations.is_empty() { &rest[..] } else { stations };
+    let mut frame = |station: &MoveStation| {
+        let MoveStation { time, stance, above } = *station;
+        let [x, y] = stance.at;
+        let ground = landscape.level().locate(x, y).and_then(|_| landscape.height(x, y));
+        if ground.is_none() {
+            keep(outside(object, &Stay { from: time, until: time, stance }, landscape));
+        }
+        Some(Frame { time, foot: DVec3::new(x, y, ground? + above), attitude: stance.attitude })
+    };
+    let frames: Vec<_> = stations.iter().map(&mut frame).collect();
+    frames.into_iter().collect()
+}
+
 /// The parts of an object for one stay; nothing where there is no ground under its foot.
 fn bodies(number: u32, object: &Object, stay: &Stay, landscape: &Landscape) -> Option<Vec<Standing>> {
     let [x, y] = stay.stance.at;
     landscape.level().locate(x, y)?;
     let foot = DVec3::new(x, y, landscape.height(x, y)?);
     let to_ground = stay.stance.to_ground();
-    let standing = |part| {
-        let body = Body::place(number, Kind::Culture, part, foot, &to_ground, object.scale);
+    let standing = |part: &Arc<Solid>| {
+        let mut body = Body::place(number, Kind::Culture, part, foot, &to_ground, object.scale);
+        (body.priority, body.group) = (object.priority, object.group);
         Standing { from: stay.from, until: stay.until, body }
     };
-    Some(object.parts.iter().map(standing).collect())
+    Some(object.parts.iter().filter(|part| !is_guest(object, part)).map(standing).collect())
 }
 
 fn outside(object: &Object, stay: &Stay, landscape: &Landscape) -> SceneryProblem {

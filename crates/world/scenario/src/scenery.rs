@@ -1,9 +1,11 @@
 //! What stands on the ground and how it is lit, at any time of a mission.
 
+use std::num::NonZeroU16;
+
 use landscape::{Attitude, Sun};
 use solids::Body;
 
-use crate::{Pose, VehicleShape};
+use crate::{Group, Guest, Pose, VehicleShape};
 
 /// A body that stands from one time to another.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,6 +32,8 @@ pub struct TrackPatch {
 pub struct Scenery {
     suns: Vec<(f64, Sun)>,
     standing: Vec<Standing>,
+    guests: Vec<Guest>,
+    groups: Vec<Group>,
     patches: Vec<TrackPatch>,
     course: Vec<Pose>,
     vehicle: Option<VehicleShape>,
@@ -43,12 +47,23 @@ impl Scenery {
 
     /// Suns that follow one another, each with the time (s, ascending) from which on it holds; nothing on the ground.
     pub(crate) fn under(suns: Vec<(f64, Sun)>) -> Self {
-        Self { suns, standing: Vec::new(), patches: Vec::new(), course: Vec::new(), vehicle: None }
+        let (standing, guests, groups, patches) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        Self { suns, standing, guests, groups, patches, course: Vec::new(), vehicle: None }
     }
 
     /// The same with bodies.
     pub fn with_bodies(self, standing: Vec<Standing>) -> Self {
         Self { standing, ..self }
+    }
+
+    /// The same with bodies that move or are open.
+    pub fn with_guests(self, guests: Vec<Guest>) -> Self {
+        Self { guests, ..self }
+    }
+
+    /// The same with groups; bodies have their numbers from 1.
+    pub fn with_groups(self, groups: Vec<Group>) -> Self {
+        Self { groups, ..self }
     }
 
     /// The same with tracks, ascending in time.
@@ -77,7 +92,28 @@ impl Scenery {
         self.suns[next.saturating_sub(1)].1
     }
 
-    /// Bodies that stand at `time` (s), in a fixed order.
+    /// The sun of a group at `time` (s), if it has one of its own.
+    pub fn sun_of_group(&self, group: Option<NonZeroU16>, time: f64) -> Option<Sun> {
+        let group = self.groups.get(usize::from(group?.get()) - 1)?;
+        Some(group.sun?.at(time))
+    }
+
+    /// Groups of objects.
+    pub fn groups(&self) -> &[Group] {
+        &self.groups
+    }
+
+    /// Bodies that move or are open, as they are at `time` (s), in a fixed order. [`bodies`](Self::bodies) has none of them.
+    pub fn guests(&self, time: f64) -> impl Iterator<Item = Body> {
+        self.guests.iter().filter_map(move |guest| guest.body(time))
+    }
+
+    /// The same of the whole mission.
+    pub fn all_guests(&self) -> &[Guest] {
+        &self.guests
+    }
+
+    /// Bodies that stand still and close, at `time` (s), in a fixed order.
     pub fn bodies(&self, time: f64) -> impl Iterator<Item = &Body> {
         let stands = move |standing: &&Standing| standing.from <= time && time < standing.until;
         self.standing.iter().filter(stands).map(|standing| &standing.body)
@@ -98,7 +134,7 @@ impl Scenery {
         &self.suns
     }
 
-    /// Bodies of the whole mission.
+    /// Bodies of the whole mission that stand still and close.
     pub fn standing(&self) -> &[Standing] {
         &self.standing
     }

@@ -5,6 +5,7 @@ mod course;
 mod events;
 mod features;
 mod ground;
+mod guests;
 mod light;
 mod number_table;
 mod path_csv;
@@ -103,7 +104,9 @@ fn scenario(root: &Reader, folder: &FilePath, others: &[&str], problems: &Proble
     let texture = part(root, "texture", light::texture);
     let silhouettes = all(root.tables("silhouette").iter().map(light::silhouette));
     let rocks = part(root, "rocks", scenery::rocks);
-    let objects = scenery::objects(&root.tables("object"), folder, problems);
+    let groups = guests::groups(&root.tables("group"));
+    let objects =
+        scenery::objects(&root.tables("object"), groups.as_deref().unwrap_or(&[]), folder, problems);
     let event_tables = root.tables("event");
     let events = match &objects {
         Some(objects) => events::events(&event_tables, objects),
@@ -154,6 +157,7 @@ fn scenario(root: &Reader, folder: &FilePath, others: &[&str], problems: &Proble
         shadows: shadows?.flatten(),
         rocks: rocks?,
         objects: objects?,
+        groups: groups?,
         events: events?,
         tracks: tracks?,
         levels: levels?,

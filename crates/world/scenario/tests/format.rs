@@ -61,7 +61,7 @@ fn parse(text: &str) -> Scenario {
 #[test]
 fn all_examples_are_read() {
     let (examples, pieces) = examples();
-    assert_eq!((examples.len(), pieces.len()), (3, 5));
+    assert_eq!((examples.len(), pieces.len()), (4, 5));
     let drive = parse(examples[1]);
     assert_eq!(drive.path.waypoints().len(), 3);
     let tum = parse(&examples[1].replace("drive.csv", "drive.tum"));
@@ -183,6 +183,27 @@ const CHANGES: &[(&str, usize, &str, &str)] = &[
     ("landscape.generated.rille.depth_m", 0, "depth_m = 60", "depth_m = -60"),
     ("landscape.generated.rille.meander.swing_m", 0, "swing_m = 200", "swing_m = 201"),
     ("landscape.generated.rille.meander.length_m", 0, "length_m = 1500", "length_m = 1501"),
+    ("landscape.albedo_map.file", 3, "fields.png", "meadows.png"),
+    ("landscape.albedo_map.area_m", 3, "[100, 100, 300, 300]", "[100, 100, 300, 301]"),
+    ("landscape.albedo_map.black", 3, "black = 0.1", "black = 0.2"),
+    ("landscape.albedo_map.white", 3, "white = 0.6", "white = 0.7"),
+    ("landscape.albedo_map.curve", 3, "\"linear\"", "\"srgb\""),
+    ("group.name", 3, "group = \"stage\"\n", ""),
+    ("group.sun.azimuth_deg", 3, "azimuth_deg = 220", "azimuth_deg = 221"),
+    ("group.sun.elevation_deg", 3, "elevation_deg = 50", "elevation_deg = -50"),
+    ("group.sun.rate_deg_s", 3, "rate_deg_s = 3 ", "rate_deg_s = 4 "),
+    ("object.colour", 3, "[0.9, 0.2, 0.1]", "[0.9, 0.2, 0.2]"),
+    ("object.open", 3, "open = true", "open = false"),
+    ("object.group", 3, "group = \"stage\"\n", ""),
+    ("object.priority", 3, "priority = 2", "priority = -2"),
+    ("object.moves.spin_deg_s", 3, "spin_deg_s = 30", "spin_deg_s = -30"),
+    ("object.moves.keyframes.t_s", 3, "t_s = 6", "t_s = 7"),
+    ("object.moves.keyframes.x_m", 3, "x_m = 161", "x_m = 162"),
+    ("object.moves.keyframes.y_m", 3, "y_m = 201", "y_m = 202"),
+    ("object.moves.keyframes.above_m", 3, "above_m = 2", "above_m = 3"),
+    ("object.moves.keyframes.heading_deg", 3, "heading_deg = 9", "heading_deg = 8"),
+    ("object.moves.keyframes.pitch_deg", 3, "pitch_deg = 4", "pitch_deg = 3"),
+    ("object.moves.keyframes.roll_deg", 3, "roll_deg = 5", "roll_deg = 6"),
     ("laws.feature_light", 2, "feature_light = \"as-reported\"", "feature_light = \"combined\""),
     ("laws.body_visibility", 2, "body_visibility = \"as-reported\"", "body_visibility = \"depth\""),
     ("laws.shadowed_bodies", 2, "\"vanish\"", "\"dark\""),

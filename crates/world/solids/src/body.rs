@@ -1,5 +1,6 @@
 //! A solid in its place.
 
+use std::num::NonZeroU16;
 use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
@@ -23,6 +24,10 @@ pub struct Body {
     pub object: u32,
     /// What it is.
     pub kind: Kind,
+    /// Where two bodies, or a body and the ground, are equally near, that of the higher priority is seen; the ground's is 0.
+    pub priority: i8,
+    /// Number of its group, from 1: which light it has.
+    pub group: Option<NonZeroU16>,
     /// Foot point of its object: decides whether it is seen and shadowed. The solid's own foot point stands there.
     pub foot: DVec3,
     /// Its shape: corners and albedo of the faces; its own vertices and normals are in body axes.
@@ -84,7 +89,8 @@ impl Body {
         scale: f64,
     ) -> Self {
         let (turn, centre, solid) = (Turn::new(to_ground), foot, solid.clone());
-        let body = Self { object, kind, foot, solid, turn, scale, centre, radius: 0.0 };
+        let (priority, group) = (0, None);
+        let body = Self { object, kind, priority, group, foot, solid, turn, scale, centre, radius: 0.0 };
         let (centre, radius) = bounding_sphere(body.vertices());
         Self { centre, radius, ..body }
     }
@@ -104,6 +110,19 @@ impl Body {
     /// Normal of one face in terrain axes.
     pub fn normal(&self, face: usize) -> DVec3 {
         self.turn.matrix() * self.solid.faces()[face].normal
+    }
+
+    /// Unit normal at a place of a face, both in terrain axes; see [`Solid::normal_at`].
+    pub fn normal_at(&self, face: usize, place: DVec3) -> DVec3 {
+        match self.solid.is_smooth() {
+            true => self.turn.matrix() * self.solid.normal_at(face, self.in_body_axes(place - self.foot)),
+            false => self.normal(face),
+        }
+    }
+
+    /// A vector of terrain axes in those of the solid, by its scale.
+    fn in_body_axes(&self, vector: DVec3) -> DVec3 {
+        self.turn.matrix().transpose() * vector / self.scale
     }
 
     /// What turns body axes (forward, starboard, up) into north, east, up, and how many times as large as its solid it is: a vertex
@@ -135,6 +154,9 @@ impl Body {
         if !self.is_near(origin, direction) {
             return None;
         }
+        if self.solid.is_open() {
+            return self.first_side(origin, direction, from);
+        }
         let mut entry = Hit { distance: f64::NEG_INFINITY, face: 0 };
         let mut exit = f64::INFINITY;
         for (face, normal) in self.normals().enumerate() {
@@ -152,6 +174,22 @@ impl Body {
             }
         }
         (entry.distance >= from && entry.distance <= exit).then_some(entry)
+    }
+
+    /// Where a ray first meets a face of an open solid, from either side.
+    fn first_side(&self, origin: DVec3, direction: DVec3, from: f64) -> Option<Hit> {
+        let (origin, direction) = (self.in_body_axes(origin - self.foot), self.in_body_axes(direction));
+        let meets = |face: usize| {
+            let normal = self.solid.faces()[face].normal;
+            let on_face = self.solid.vertices()[self.solid.faces()[face].corners[0] as usize];
+            let distance = normal.dot(on_face - origin) / normal.dot(direction);
+            // A ray along the face meets nothing: its distance is no number, or infinite.
+            let is_met = distance >= from && distance < f64::INFINITY;
+            (is_met && self.solid.holds(face, origin + distance * direction))
+                .then_some(Hit { distance, face })
+        };
+        let hits = (0..self.solid.faces().len()).filter_map(meets);
+        hits.min_by(|a, b| a.distance.total_cmp(&b.distance))
     }
 
     /// Whether a ray comes near the bounding sphere, with room for rounding: nearly all pass by.

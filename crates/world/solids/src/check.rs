@@ -10,7 +10,12 @@ use crate::{Face, Solid, SolidError};
 const FARTHEST: f64 = 1e5;
 
 pub(crate) fn check_counts(vertices: usize, faces: usize) -> Result<(), SolidError> {
-    if vertices < 4 || faces < 4 {
+    check_most(vertices, faces, [4, 4])
+}
+
+/// At least so many vertices and faces, at most [`Solid::MOST`].
+pub(crate) fn check_most(vertices: usize, faces: usize, least: [usize; 2]) -> Result<(), SolidError> {
+    if vertices < least[0] || faces < least[1] {
         return Err(SolidError::TooSmall { vertices, faces });
     }
     for (what, found) in [("vertices", vertices), ("faces", faces)] {

@@ -6,6 +6,7 @@
 //! points inwards.
 //!
 //! - [`Solid`]: checked on making; [`Solid::hull`], [`Solid::boxed`], [`Solid::prism`] make common ones.
+//! - [`Solid::open`]: a surface that need not close. [`Solid::coloured`], [`Solid::with_normals`]: colour, smooth light.
 //! - [`Body`]: a solid in its place; bounding sphere, light of its faces, meeting with a ray.
 //! - [`obj`]: solids from Wavefront OBJ files.
 //! - [`rocks`]: seeded shapes of rocks; [`RockField`]: rocks by a size law, addressed by position.
@@ -20,6 +21,7 @@ mod edges;
 mod eights;
 mod error;
 mod hull;
+mod looks;
 pub mod obj;
 mod rock_field;
 pub mod rocks;

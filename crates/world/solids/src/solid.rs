@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::check::{check_closed, check_convex, check_counts, check_vertices, plane_of};
+use crate::check::{check_closed, check_convex, check_counts, check_most, check_vertices, plane_of};
 use crate::edges::edges_of;
 use crate::{EdgeWords, Eights, SolidError};
 
@@ -17,13 +17,18 @@ pub struct Face {
     pub albedo: f64,
 }
 
-/// A closed convex polyhedron in body axes (m), its foot point at the origin.
+/// A polyhedron in body axes (m), its foot point at the origin: closed and convex, or open ([`is_open`](Self::is_open)).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solid {
-    vertices: Vec<DVec3>,
-    faces: Vec<Face>,
+    pub(crate) vertices: Vec<DVec3>,
+    pub(crate) faces: Vec<Face>,
+    /// Albedo of each face for red, green and blue light, where there is colour.
+    pub(crate) colours: Option<Box<[[f64; 3]]>>,
+    /// Unit normals at the corners of each face, where light is smooth.
+    pub(crate) normals: Option<Box<[Vec<DVec3>]>>,
+    is_open: bool,
     edge_words: Box<[EdgeWords]>,
-    eights: Eights,
+    pub(crate) eights: Eights,
     radius: f64,
     size: f64,
 }
@@ -52,7 +57,35 @@ impl Solid {
         let radius = vertices.iter().map(|vertex| vertex.length()).fold(0.0, f64::max);
         let edge_words = EdgeWords::all(&edges_of(&faces), [vertices.len(), faces.len()]);
         let eights = Eights::new(&vertices, &faces);
-        Ok(Self { vertices, faces, edge_words, eights, radius, size })
+        let (colours, normals) = (None, None);
+        Ok(Self { vertices, faces, colours, normals, is_open: false, edge_words, eights, radius, size })
+    }
+
+    /// A surface of faces that need not close, nor enclose anything convex: each is seen from both sides. Its front is where its
+    /// corners run counter-clockwise. It is no body for the hybrid machine.
+    ///
+    /// # Errors
+    /// If the faces are not plane and convex within [`Self::TOLERANCE`], or there are none.
+    pub fn open(vertices: Vec<DVec3>, faces: Vec<(Vec<u32>, f64)>) -> Result<Self, SolidError> {
+        check_most(vertices.len(), faces.len(), [3, 1])?;
+        check_vertices(&vertices)?;
+        let size = size_of(&vertices);
+        let front = |(index, (corners, albedo)): (usize, (Vec<u32>, f64))| {
+            let albedo = checked_albedo(index, albedo)?;
+            // Body axes are left-handed: seen from the front the cross product points away.
+            let (normal, _) = plane_of(&vertices, index, &corners, size)?;
+            Ok(Face { corners, normal: -normal, albedo })
+        };
+        let faces = faces.into_iter().enumerate().map(front).collect::<Result<Vec<_>, SolidError>>()?;
+        let radius = vertices.iter().map(|vertex| vertex.length()).fold(0.0, f64::max);
+        let eights = Eights::new(&vertices, &faces);
+        let (colours, normals, edge_words) = (None, None, Box::default());
+        Ok(Self { vertices, faces, colours, normals, is_open: true, edge_words, eights, radius, size })
+    }
+
+    /// Whether its faces need not close: both of their sides are seen, and nothing is inside.
+    pub fn is_open(&self) -> bool {
+        self.is_open
     }
 
     /// Vertices.
@@ -68,6 +101,17 @@ impl Solid {
     /// Edges by words; none for a solid of more corners or faces than can be told.
     pub fn edge_words(&self) -> &[EdgeWords] {
         &self.edge_words
+    }
+
+    /// Whether a face holds a place of its plane (body axes; m); its edge belongs to it.
+    pub(crate) fn holds(&self, face: usize, place: DVec3) -> bool {
+        let Face { corners, normal, .. } = &self.faces[face];
+        let room = 1e-12 * self.size * self.size;
+        let next = corners.iter().cycle().skip(1);
+        corners.iter().zip(next).all(|(&from, &to)| {
+            let [from, to] = [from, to].map(|corner| self.vertices[corner as usize]);
+            normal.dot((to - from).cross(place - from)) <= room
+        })
     }
 
     /// Vertices and faces, eight side by side.

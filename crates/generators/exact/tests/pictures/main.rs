@@ -7,6 +7,7 @@ mod colour;
 mod craters;
 mod from_above;
 mod from_aside;
+mod guests;
 mod levels;
 mod light;
 mod many_rays;

@@ -77,6 +77,9 @@ fn impossible<'e>(object: &Object, events: impl Iterator<Item = &'e Placed<Event
             Some((format!("two events of \"{id}\" at t = {time} s"), "another time, or one of the two"))
         } else {
             match (action, stands) {
+                (Action::Move { .. }, _) if object.moves.is_some() => {
+                    Some((format!("\"{id}\" is moved at t = {time} s, and `moves` says where it is"), MOVES))
+                }
                 (Action::Add, true) => {
                     Some((format!("\"{id}\" is added at t = {time} s and stands already"), ADD))
                 }
@@ -96,5 +99,6 @@ fn impossible<'e>(object: &Object, events: impl Iterator<Item = &'e Placed<Event
     problems
 }
 
+const MOVES: &str = "an event, or `moves` of the object: one of the two";
 const ADD: &str = "an object declared with `present = false`, or deleted before";
 const STAND: &str = "an object that stands then: present from the start, or added before";

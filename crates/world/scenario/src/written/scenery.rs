@@ -3,14 +3,14 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use diagnostics::{Placed, Problem, Problems, Reader};
+use diagnostics::{Placed, Problem, ProblemList, Problems, Reader};
 use landscape::Attitude;
 use quantities::radians;
 use solids::{SizeLaw, Solid, culture, obj};
 
 use super::reference::reference;
-use super::{area, take_over};
-use crate::{Object, RockArea, Rocks, Stance, Tracks};
+use super::{area, guests, take_over};
+use crate::{Group, Object, RockArea, Rocks, Stance, Tracks};
 
 /// Places beyond this are a mistake, and would lose millimetres.
 pub(super) const MAX_COORDINATE: f64 = 1e7;
@@ -59,8 +59,13 @@ pub(super) fn tracks(table: &Reader) -> Option<Tracks> {
 }
 
 /// The objects of `[[object]]`, each with its id's place.
-pub(super) fn objects(tables: &[Reader], folder: &Path, problems: &Problems) -> Option<Vec<Object>> {
-    let found: Vec<_> = tables.iter().map(|table| object(table, folder, problems)).collect();
+pub(super) fn objects(
+    tables: &[Reader],
+    groups: &[Group],
+    folder: &Path,
+    problems: &Problems,
+) -> Option<Vec<Object>> {
+    let found: Vec<_> = tables.iter().map(|table| object(table, groups, folder, problems)).collect();
     let twins = report_twins(tables, &found);
     let found: Option<Vec<_>> = found.into_iter().map(|(_, object)| object).collect();
     found.filter(|_| !twins)
@@ -83,26 +88,41 @@ fn report_twins(tables: &[Reader], objects: &[(Id, Option<Object>)]) -> bool {
     twins
 }
 
-fn object(table: &Reader, folder: &Path, problems: &Problems) -> (Id, Option<Object>) {
+fn object(table: &Reader, groups: &[Group], folder: &Path, problems: &Problems) -> (Id, Option<Object>) {
     let is_id = |id: &String| id.chars().all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '_');
     let id = table.string("id").must("letters, digits and dashes", is_id).placed().required();
-    let shape = shape(table, folder, problems);
+    let open = table.bool("open").default(false);
+    let shape = shape(table, open.unwrap_or_default(), folder, problems);
+    let shape = guests::coloured(table, shape);
     let scale = table.f64("scale").above(0.0).at_most(1000.0).default(1.0);
     let stance = stance(table);
     let present = table.bool("present").default(true);
+    let moves = guests::moves(table, stance.as_ref());
+    let (group, priority) = (guests::group_of(table, groups), guests::priority(table));
     let made = || {
         let (file, parts) = shape?;
         let id = id.as_ref()?.value.clone();
-        Some(Object { id, file, parts, scale: scale?, stance: stance?, present: present? })
+        let (scale, stance, present) = (scale?, stance?, present?);
+        let (moves, group, priority) = (moves?, group?, priority?);
+        Some(Object { id, file, open: open?, parts, scale, stance, present, moves, group, priority })
     };
     let object = made();
     (id, object)
 }
 
-type Shape = (Option<PathBuf>, Vec<Arc<Solid>>);
+pub(super) type Shape = (Option<PathBuf>, Vec<Arc<Solid>>);
 
 /// A model that the program carries, or a file; `Some(None)` where the table names neither.
 pub(super) fn optional_shape(table: &Reader, folder: &Path, problems: &Problems) -> Option<Option<Shape>> {
+    shape_read_by(table, folder, problems, |file| obj::read(file))
+}
+
+fn shape_read_by(
+    table: &Reader,
+    folder: &Path,
+    problems: &Problems,
+    read: impl Fn(&Path) -> Result<Vec<Solid>, ProblemList>,
+) -> Option<Option<Shape>> {
     let models: Vec<(&str, &str)> = culture::NAMES.iter().map(|&name| (name, name)).collect();
     let model = table.one_of("model", &models).optional();
     let file = reference(table, "file", folder);
@@ -112,7 +132,7 @@ pub(super) fn optional_shape(table: &Reader, folder: &Path, problems: &Problems)
         (true, false) => Some(Some((None, shared(culture::model(model?)?)))),
         (false, true) => {
             let file = file?;
-            let solids = take_over(obj::read(&file), problems)?;
+            let solids = take_over(read(&file), problems)?;
             Some(Some((Some(file), shared(solids))))
         }
         (true, true) => {
@@ -125,8 +145,9 @@ pub(super) fn optional_shape(table: &Reader, folder: &Path, problems: &Problems)
 }
 
 /// The same of what must have a shape.
-fn shape(table: &Reader, folder: &Path, problems: &Problems) -> Option<Shape> {
-    let shape = optional_shape(table, folder, problems)?;
+fn shape(table: &Reader, is_open: bool, folder: &Path, problems: &Problems) -> Option<Shape> {
+    let read = |file: &Path| if is_open { obj::read_open(file) } else { obj::read(file) };
+    let shape = shape_read_by(table, folder, problems, read)?;
     if shape.is_none() {
         let title = format!("missing key `{}` or `{}`", table.path("model"), table.path("file"));
         table.report(table.problem("model", title).expected("one of the two"));
@@ -134,7 +155,7 @@ fn shape(table: &Reader, folder: &Path, problems: &Problems) -> Option<Shape> {
     shape
 }
 
-fn stance(table: &Reader) -> Option<Stance> {
+pub(super) fn stance(table: &Reader) -> Option<Stance> {
     let degrees = |key: &str| table.f64(key).between(-360.0, 360.0).unit("degrees").map(radians).default(0.0);
     let at = place(table);
     let (heading, pitch, roll) = (degrees("heading_deg"), degrees("pitch_deg"), degrees("roll_deg"));

@@ -1,0 +1,131 @@
+//! What stands in a scene for other generators than the hybrid machine: bodies that move, surfaces that do not close, groups
+//! with a sun of their own.
+
+use std::num::NonZeroU16;
+use std::sync::Arc;
+
+use glam::DVec3;
+use landscape::{Attitude, Sun};
+use quantities::radians;
+use solids::{Body, Kind, Solid};
+
+use crate::Stance;
+
+/// How an object moves: straight from station to station, and a turn of its own on top.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Moves {
+    /// Stations, ascending in time; before the first and after the last the object rests. None: it stays in its place.
+    pub stations: Vec<MoveStation>,
+    /// Rate at which its heading turns, clockwise from above (rad/s), from the start of the mission.
+    pub spin: f64,
+}
+
+/// Where an object is at one time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MoveStation {
+    /// When (s).
+    pub time: f64,
+    /// Foot point and attitude.
+    pub stance: Stance,
+    /// Height of the foot point above the ground under it (m).
+    pub above: f64,
+}
+
+/// A foot point and an attitude in space at one time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Frame {
+    /// When (s).
+    pub time: f64,
+    /// North, east, up (m).
+    pub foot: DVec3,
+    /// Roll, pitch, heading.
+    pub attitude: Attitude,
+}
+
+/// A part of an object that moves, or that is open. Its place is a function of time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Guest {
+    /// First time (s).
+    pub from: f64,
+    /// Time from which on it is gone (s); infinite if it stays.
+    pub until: f64,
+    /// Number of its object.
+    pub object: u32,
+    /// Its shape.
+    pub solid: Arc<Solid>,
+    /// How many times as large as its shape.
+    pub scale: f64,
+    /// Frames, ascending in time; never empty.
+    pub frames: Vec<Frame>,
+    /// Rate at which its heading turns (rad/s).
+    pub spin: f64,
+    /// As a body's.
+    pub priority: i8,
+    /// As a body's.
+    pub group: Option<NonZeroU16>,
+}
+
+impl Guest {
+    /// Whether it moves.
+    pub fn moves(&self) -> bool {
+        self.frames.len() > 1 || self.spin != 0.0
+    }
+
+    /// The body at `time` (s), if it is there.
+    pub fn body(&self, time: f64) -> Option<Body> {
+        if !(self.from <= time && time < self.until) {
+            return None;
+        }
+        let frame = self.frame(time)?;
+        let heading = frame.attitude.heading + self.spin * time;
+        let stance =
+            Stance { at: [frame.foot.x, frame.foot.y], attitude: Attitude { heading, ..frame.attitude } };
+        let turn = stance.to_ground();
+        let mut body = Body::place(self.object, Kind::Culture, &self.solid, frame.foot, &turn, self.scale);
+        (body.priority, body.group) = (self.priority, self.group);
+        Some(body)
+    }
+
+    /// Its frame at `time` (s), in proportion between two of them.
+    fn frame(&self, time: f64) -> Option<Frame> {
+        let next = self.frames.partition_point(|frame| frame.time <= time);
+        let before = self.frames.get(next.saturating_sub(1))?;
+        let Some(after) = self.frames.get(next).filter(|_| next > 0) else { return Some(*before) };
+        let share = (time - before.time) / (after.time - before.time);
+        let mix = |from: f64, to: f64| from + share * (to - from);
+        let (a, b) = (before.attitude, after.attitude);
+        let attitude = Attitude {
+            roll: mix(a.roll, b.roll),
+            pitch: mix(a.pitch, b.pitch),
+            heading: mix(a.heading, b.heading),
+        };
+        Some(Frame { time, foot: before.foot + share * (after.foot - before.foot), attitude })
+    }
+}
+
+/// Objects that belong together.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Group {
+    /// How objects call it.
+    pub name: String,
+    /// Its own sun, where it has one; else the scene's.
+    pub sun: Option<GroupSun>,
+}
+
+/// The sun of a group: it goes around at a rate.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GroupSun {
+    /// Where it stands at the start.
+    pub first: Sun,
+    /// Rate of its azimuth, clockwise from above (rad/s).
+    pub rate: f64,
+}
+
+impl GroupSun {
+    /// The sun at `time` (s).
+    pub fn at(&self, time: f64) -> Sun {
+        // A whole turn changes nothing, and small angles are sharper.
+        let azimuth = (self.first.azimuth + self.rate * time) % radians(360.0);
+        Sun { azimuth, ..self.first }
+    }
+}

@@ -1,0 +1,145 @@
+//! What a shape may have beside plane faces of one albedo: colours, and normals at its corners.
+
+use glam::DVec3;
+use quantities::{intensity, is_grey};
+
+use crate::{Eights, Solid, SolidError};
+
+/// Normals this near (cosine) to that of their face are its own: files round them.
+const FLAT: f64 = 1.0 - 1e-6;
+
+impl Solid {
+    /// The same in a colour: linear red, green and blue, 0..=1 each, which multiply the albedo of every face. Generators
+    /// without colour draw its luminance.
+    ///
+    /// # Errors
+    /// If a channel is not 0 to 1.
+    pub fn coloured(self, colour: [f64; 3]) -> Result<Self, SolidError> {
+        self.with_colours(|_| colour)
+    }
+
+    /// The same with a colour for each face, by its number.
+    ///
+    /// # Errors
+    /// As [`coloured`](Self::coloured).
+    pub fn with_colours(mut self, colour: impl Fn(usize) -> [f64; 3]) -> Result<Self, SolidError> {
+        let mut colours = Vec::with_capacity(self.faces.len());
+        for face in 0..self.faces.len() {
+            let own = colour(face);
+            if let Some(&albedo) = own.iter().find(|channel| !(0.0..=1.0).contains(*channel)) {
+                return Err(SolidError::BadAlbedo { face, albedo });
+            }
+            let albedo = self.albedo(face);
+            colours.push(std::array::from_fn(|channel| albedo[channel] * own[channel]));
+        }
+        for (face, colour) in self.faces.iter_mut().zip(&colours) {
+            face.albedo = intensity(*colour).min(1.0);
+        }
+        let is_colourful = colours.iter().any(|colour| !is_grey(*colour));
+        self.colours = is_colourful.then(|| colours.into());
+        self.eights = Eights::new(&self.vertices, &self.faces);
+        Ok(self)
+    }
+
+    /// Whether a face has a colour.
+    pub fn is_colourful(&self) -> bool {
+        self.colours.is_some()
+    }
+
+    /// Albedo of a face for red, green and blue light, 0..=1.
+    pub fn albedo(&self, face: usize) -> [f64; 3] {
+        self.colours.as_ref().map_or([self.faces[face].albedo; 3], |colours| colours[face])
+    }
+
+    /// The same with normals at its corners, for smooth light: `normal` has that of a corner (index of a vertex) of a face, of any
+    /// length, outwards; a corner without one has the normal of its face.
+    ///
+    /// # Errors
+    /// If one has no direction, or points inwards.
+    pub fn with_normals(mut self, normal: impl Fn(usize, u32) -> Option<DVec3>) -> Result<Self, SolidError> {
+        let mut normals = Vec::with_capacity(self.faces.len());
+        for (number, face) in self.faces.iter().enumerate() {
+            let of = |&corner: &u32| match normal(number, corner) {
+                None => Some(face.normal),
+                Some(normal) => normal.try_normalize().filter(|unit| unit.dot(face.normal) > 0.0),
+            };
+            let all: Option<Vec<DVec3>> = face.corners.iter().map(of).collect();
+            normals.push(all.ok_or(SolidError::BadNormal { face: number })?);
+        }
+        let is_flat =
+            |(face, own): (&crate::Face, &Vec<DVec3>)| own.iter().all(|n| n.dot(face.normal) > FLAT);
+        let is_smooth = !self.faces.iter().zip(&normals).all(is_flat);
+        self.normals = is_smooth.then(|| normals.into());
+        Ok(self)
+    }
+
+    /// Whether its light follows normals at its corners.
+    pub fn is_smooth(&self) -> bool {
+        self.normals.is_some()
+    }
+
+    /// Unit normal at a place of a face (body axes; m): that of the face, or between those of the corners in proportion, over
+    /// the triangles from the first corner.
+    pub fn normal_at(&self, face: usize, place: DVec3) -> DVec3 {
+        let flat = self.faces[face].normal;
+        let Some(normals) = &self.normals else { return flat };
+        let (corners, normals) = (&self.faces[face].corners, &normals[face]);
+        let at = |k: usize| self.vertices[corners[k] as usize];
+        let mut best = (f64::NEG_INFINITY, flat);
+        for k in 1..corners.len() - 1 {
+            let shares = shares([at(0), at(k), at(k + 1)], flat, place);
+            let least = shares.into_iter().fold(f64::INFINITY, f64::min);
+            if least > best.0 {
+                let [a, b, c] = shares.map(|share| share.max(0.0));
+                best = (least, normals[0] * a + normals[k] * b + normals[k + 1] * c);
+            }
+        }
+        best.1.try_normalize().unwrap_or(flat)
+    }
+}
+
+/// Shares of the corners of a triangle at a place in its plane; one is negative outside.
+fn shares([a, b, c]: [DVec3; 3], normal: DVec3, place: DVec3) -> [f64; 3] {
+    let area = |a: DVec3, b: DVec3, c: DVec3| normal.dot((b - a).cross(c - a));
+    let whole = area(a, b, c);
+    [area(place, b, c), area(a, place, c), area(a, b, place)].map(|part| part / whole)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Solid, SolidError};
+    use glam::DVec3;
+
+    fn cube() -> Solid {
+        Solid::boxed(-DVec3::ONE, DVec3::ONE, 0.5).unwrap()
+    }
+
+    #[test]
+    fn a_colour_multiplies_the_albedo_and_its_luminance_is_the_face_s() {
+        let red = cube().coloured([1.0, 0.5, 0.0]).unwrap();
+        assert!(red.is_colourful() && red.albedo(3) == [0.5, 0.25, 0.0]);
+        assert!((red.faces()[3].albedo - (0.2126 * 0.5 + 0.7152 * 0.25)).abs() < 1e-15);
+        let grey = cube().coloured([0.25; 3]).unwrap();
+        assert!(!grey.is_colourful() && grey == cube().painted(|_| 0.125).unwrap());
+        assert!(matches!(cube().coloured([0.0, 2.0, 0.0]), Err(SolidError::BadAlbedo { .. })));
+    }
+
+    /// The corners of a cube as normals: at the middle of a face they sum to its own.
+    #[test]
+    fn normals_are_mixed_between_corners() {
+        let places = cube().vertices().to_vec();
+        let round = cube().with_normals(|_, corner| Some(places[corner as usize])).unwrap();
+        assert!(round.is_smooth());
+        for (number, face) in round.faces().iter().enumerate() {
+            for &corner in &face.corners {
+                let place = places[corner as usize];
+                assert!(round.normal_at(number, place).distance(place.normalize()) < 1e-15);
+            }
+            assert!(round.normal_at(number, face.normal).distance(face.normal) < 1e-15);
+        }
+        let flat = cube().with_normals(|face, _| Some(3.0 * cube().faces()[face].normal)).unwrap();
+        assert!(!flat.is_smooth() && flat == cube());
+        let inwards = cube().with_normals(|_, corner| Some(-places[corner as usize]));
+        assert!(matches!(inwards, Err(SolidError::BadNormal { face: 0 })));
+    }
+}
