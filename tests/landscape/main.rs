@@ -4,7 +4,7 @@
 //! - `economy`: what is left out, and that it may be.
 //! - `profiles`, `shadows`, `pictures`: block by block, by probes and by pictures.
 //! - `own_shadow`: the vehicle's.
-//! - `swift`: the swift way of drawing against the whole one.
+//! - `preview`: the preview against the whole picture.
 //! - `switches`: the video switches with either gate.
 //! - `limits`: too few sub-generators and line generators; more craters and segments than anybody draws.
 //! - `time`: any frame alone, in any order, by any number of threads.
@@ -15,9 +15,9 @@ mod limits;
 mod moved;
 mod own_shadow;
 mod pictures;
+mod preview;
 mod profiles;
 mod set;
 mod shadows;
-mod swift;
 mod switches;
 mod time;

@@ -78,7 +78,7 @@ fn of_scenario(scenario: String) -> Vec<Case> {
     let models = BUILT_IN.iter().map(|(name, _)| By::Model(name));
     let mut all: Vec<By> = models.chain(GUESTS.iter().map(|row| By::Guest(row))).collect();
     if THOROUGH.contains(&scenario.as_str()) {
-        all.extend([Economy::Lossless, Economy::Swift].map(By::Economy));
+        all.extend([Economy::Lossless, Economy::Preview].map(By::Economy));
         all.extend(FAULTS.iter().map(|(name, ..)| By::Fault(name)));
     }
     all.into_iter().map(|by| Case { scenario: scenario.clone(), by }).collect()

@@ -54,12 +54,12 @@
 
 mod deflection;
 mod occlusion;
+mod of_parts;
+mod preview;
 mod processor;
-mod sight;
-mod wired;
 
 pub use deflection::Deflection;
 pub use occlusion::BrokenProfile;
+pub use of_parts::{DERIVATIVE, Driven, PartsProcessor, Scratch};
+pub use preview::PreviewSight;
 pub use processor::{Processor, Projected, ProjectedBreaks, SIGNALS};
-pub use sight::Sight;
-pub use wired::{DERIVATIVE, Driven, PartsProcessor, Scratch};

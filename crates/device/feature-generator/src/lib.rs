@@ -26,28 +26,28 @@
 //! craters keep their shape: f64 signals agree with the direct sum to 1e-12 of full scale, f32 signals to 2e-5 of it
 //! where rims are at least a tenth as wide as their radius.
 //! **Elaboration.** Without features there is nothing to load and nothing to draw.
-//! **Swiftly.** [`FeatureGenerator::lay`] adds craters at the samples, as the sweeps of a group pass them ([`Passings`]), and
+//! **Preview.** [`FeatureGenerator::lay`] adds craters at the samples, as the sweeps of a group pass them ([`Passings`]), and
 //! looks for no kinks.
 //! **Our choices.** Unfolded sweep voltages relative to the eye's foot (section 10). Sums run in the order of the
 //! crater list, so that they are those of [`features::Features::at`]. A footprint is a circle, not its bounding square.
-//! **Parts.** [`PartsGenerator`]: bandwidth and static errors of the chain, offsets of the footprints' comparators; their
+//! **Parts.** [`PartsFeatures`]: bandwidth and static errors of the chain, offsets of the footprints' comparators; their
 //! delay is the mixing unit's.
 
 mod bank;
 mod generator;
 mod loads;
+mod of_parts;
 mod passing;
+mod preview;
 mod profile;
 mod schedule;
 mod side_by_side;
 mod steps;
 mod sub_generator;
-mod swift;
-mod wired;
 
 pub use generator::FeatureGenerator;
 pub use loads::{CRATER_WORDS, FeatureArrival, FeatureMiss};
+pub use of_parts::{ChainScratch, MOST, PartsFeatures};
 pub use passing::Passings;
 pub use profile::{FeatureProfile, Kink, SIGNALS, Surface};
 pub use schedule::{FeatureLoad, FeatureProgram, Schedule};
-pub use wired::{ChainScratch, MOST, PartsGenerator};

@@ -82,7 +82,7 @@ pub enum Economy {
     Bounded,
     /// The same, and whatever takes long to tell and little room to show: signals at the samples alone, straight between
     /// them, and no crater that looks smaller than a part of a line.
-    Swift,
+    Preview,
     /// Only what leaves every bit as it is.
     Lossless,
     /// The same, but one thing that has no work runs: what it costs is what leaving it out saves.
@@ -125,7 +125,7 @@ impl Forced {
 impl Economy {
     /// Whether bodies that look smaller than a resolution cell are left out.
     pub fn leaves_out_small_bodies(self) -> bool {
-        matches!(self, Self::Bounded | Self::Swift)
+        matches!(self, Self::Bounded | Self::Preview)
     }
 
     /// Whether `what` runs without work.

@@ -30,7 +30,7 @@
 //! **Our choices.** Presence lines as gates; `self-keyed` shows what the figure taken literally does: the dark wall
 //! of a crater drops the gate, and lit terrain shines through it. Texture as reported is added to what is drawn, so
 //! local shadow is grained like remote shadow; where texture ends the sign comes back.
-//! **Swiftly.** [`MixingUnit::run_swiftly`] does the same at the samples alone.
+//! **Preview.** [`MixingUnit::run_preview`] does the same at the samples alone.
 //! **Not modelled.** A self-keyed gate that opens between two samples without a kink there switches at the later one.
 //!
 //! # Of real parts
@@ -56,20 +56,20 @@
 
 mod breaks;
 mod inputs;
+mod of_parts;
 mod outputs;
+mod preview;
 mod stretch;
-mod swift;
 mod switch;
 mod unit;
-mod wired;
 
 use signal::{Lanes, Signal, Unit};
 
 pub use inputs::{FeatureInput, Inputs, Kink, Toggle, ToggleList};
+pub use of_parts::{PartsMixer, SwitchScratch};
 pub use outputs::{DriverScratch, OutputDrivers};
 pub use switch::VideoSwitch;
 pub use unit::{Mixed, MixingUnit};
-pub use wired::{PartsMixer, SwitchScratch};
 
 /// Signals of the block.
 pub const SIGNALS: &[Signal] = &[

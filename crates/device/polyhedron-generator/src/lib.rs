@@ -21,7 +21,7 @@
 //! by depth, a span ends where the ground hides it, and the nearest span shows. Parts of one object stand in
 //! order of depth either way.
 //! **Elaboration.** Without bodies there is no generator, and the switch has no second input.
-//! **Parts.** [`BodySwitch`]: delay, transition, gain and level of the switch.
+//! **Parts.** [`PartsSwitch`]: delay, transition, gain and level of the switch.
 //! **Not modelled.** Words of the digital side, specular light, a body's
 //! shadow on the ground (that is the shadow controller's) and on other bodies.
 //! **Our choices.** Spans keep real line positions, f32. A body is lowered by the lunoid's drop at its foot
@@ -39,6 +39,7 @@ mod light;
 mod likeness;
 mod meetings;
 mod near_table;
+mod of_parts;
 mod order;
 mod overlay;
 mod sight;
@@ -46,15 +47,14 @@ mod span;
 mod stack;
 mod table;
 mod view;
-mod wired;
 
 pub use generator::{Aspect, Census, Drawn, Field, PolyhedronGenerator};
 pub use hold::{Hold, NoHold};
 pub use light::FaceLight;
 pub use near_table::NearTable;
+pub use of_parts::{BodyFade, PartsSwitch};
 pub use overlay::{Overlay, Run, SIGNALS};
 pub use sight::{LeftOut, Sight};
 pub use span::Span;
 pub use table::{SpanTable, Sweep};
 pub use view::{NEAREST, ViewPlane};
-pub use wired::{BodyFade, BodySwitch};

@@ -40,12 +40,12 @@ mod line_generators;
 mod lines;
 mod nearly;
 mod network;
+mod of_parts;
 mod side_by_side;
-mod wired;
 
 pub use controller::{Gate, RESOLUTION, ShadowController};
 pub use line_generators::{SEGMENT_WORDS, SegmentLoad, SegmentMiss};
-pub use wired::{MOST, PartsLines};
+pub use of_parts::{MOST, PartsLines};
 
 use signal::{Signal, Unit};
 

@@ -5,8 +5,8 @@ use landscape::basis::values;
 use signal::{LANES, Real};
 use sweep_program::{Colour, SweepProgram};
 
-use crate::wired::Tap;
-use crate::{ArrayState, PartsArray, Profile, Registers, TerrainGenerator, Wired};
+use crate::of_parts::Tap;
+use crate::{ArrayState, PartsArray, PartsTerrain, Profile, Registers, TerrainGenerator};
 
 /// Signals inside an array over one sweep, one value a sample (fig. 19).
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -37,7 +37,7 @@ impl TerrainGenerator<'_> {
     }
 }
 
-impl<S: Real> Wired<'_, S> {
+impl<S: Real> PartsTerrain<'_, S> {
     /// What runs through the array of parts in lane `lane`: the group is swept once more, wire for wire as before.
     pub fn inside(
         &mut self,

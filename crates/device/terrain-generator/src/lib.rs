@@ -38,6 +38,7 @@ mod eight_stretches;
 mod generator;
 mod inside;
 mod modified;
+mod of_parts;
 mod points;
 mod polynomials;
 #[cfg(test)]
@@ -46,14 +47,13 @@ mod region;
 mod registers;
 mod segment;
 mod stretches;
-mod wired;
 
 pub use array::array;
 pub use generator::{INNER_SIGNALS, Method, OUT_OF_SIGHT, Profile, SIGNALS, TerrainGenerator};
 pub use inside::Inside;
 pub use modified::{ModifiedTerrainGenerator, Overlap};
+pub use of_parts::{ArrayState, PartsArray, PartsTerrain, Scale};
 pub use polynomials::Polynomials;
 pub use region::Region;
 pub use registers::Registers;
 pub use segment::{Segment, Span};
-pub use wired::{ArrayState, PartsArray, Scale, Wired};

@@ -14,15 +14,15 @@
 //! **Precision.** Place and lattice number are f64, so that a cell of centimetres keeps its edge 10 km from the origin;
 //! the signal is of the run's scalar. In f64 it equals [`landscape::Texture::at`] to the bit, in f32 to 3e-7 of the
 //! amplitude a layer.
-//! **Elaboration.** Nothing is computed beyond the reach of the farthest layer; a layer ends at its own reach. Swiftly, only
+//! **Elaboration.** Nothing is computed beyond the reach of the farthest layer; a layer ends at its own reach. In preview only
 //! samples that are seen. Without texture the block is not there.
 //! **Parts.** [`PartsTexture`]: bits of the D/A converter, filter.
 //! **Our choices.** Layers of several grains; smooth-step between lattice values; zero mean over a region; a mirrored
 //! pattern as the reading of "symmetric along its edges"; the whole clipped by the mixing unit (section 22, rows 29, 30).
 
-mod wired;
+mod of_parts;
 
-pub use wired::PartsTexture;
+pub use of_parts::PartsTexture;
 
 use std::ops::Range;
 

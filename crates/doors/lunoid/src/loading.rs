@@ -176,7 +176,7 @@ impl StageOptions {
         match self {
             Self { everything: true, .. } => Economy::Everything,
             Self { lossless: true, .. } => Economy::Lossless,
-            Self { preview: true, .. } => Economy::Swift,
+            Self { preview: true, .. } => Economy::Preview,
             _ => Economy::Bounded,
         }
     }

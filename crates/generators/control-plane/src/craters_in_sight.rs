@@ -1,4 +1,4 @@
-//! Craters of a frame that can be told, group by group (economy `Swift`).
+//! Craters of a frame that can be told, group by group (economy `Preview`).
 
 use crate::stage::MachineStage;
 use features::{LeftOut, Outlook};

@@ -33,7 +33,7 @@ pub struct Delivery {
     pub bodies: u64,
     /// Bodies too far to be seen.
     pub left_out: LeftOut,
-    /// Craters that can be told; none unless the machine draws swiftly.
+    /// Craters that can be told; none unless the machine draws a preview.
     pub craters: CratersInSight,
 }
 
@@ -73,7 +73,7 @@ impl Supply<'_> {
             }
         };
         let bring_craters = || {
-            if self.blocks.swift && self.blocks.features {
+            if self.blocks.preview && self.blocks.features {
                 craters.find(self.stage, self.plan);
             }
         };

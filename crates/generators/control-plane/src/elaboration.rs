@@ -65,7 +65,7 @@ struct Row {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Elaboration {
     rows: [Row; 12],
-    swift: bool,
+    preview: bool,
 }
 
 /// Why parts of a block are ideal.
@@ -88,8 +88,9 @@ impl Elaboration {
             memory(stage),
             amplifiers(stage),
         ];
-        let swift = stage.settings.economy == Economy::Swift && preview_obstacle(&stage.settings).is_none();
-        Self { rows, swift }
+        let preview =
+            stage.settings.economy == Economy::Preview && preview_obstacle(&stage.settings).is_none();
+        Self { rows, preview }
     }
 
     fn row(&self, block: Block) -> &Row {
@@ -108,8 +109,8 @@ impl Elaboration {
 
     /// Whether groups are drawn at the samples alone: the economy says so, parts beside those of the terrain generators are
     /// ideal, and the laws are such that features and terrain can be lit as one surface.
-    pub fn is_swift(&self) -> bool {
-        self.swift
+    pub fn is_preview(&self) -> bool {
+        self.preview
     }
 
     /// Blocks that are not there, then blocks that are there without their parts, in the order of the list.

@@ -15,7 +15,7 @@
 //! Files, by part of the drawing: [`scene`] (what is given), [`fan`] (azimuths, ranges), [`clock`] (ticks), [`ramp`],
 //! [`registers`] and [`server`] (hold, preload registers, pointers, words on their way), [`terrain`] (function
 //! generators, products, sums), [`walk`] (one terrain generator along a sweep), [`levels`] (two of them), [`light`],
-//! [`craters`], [`mixing`], [`wires`] (their output amplifiers), [`projector`], [`sweep`] (one sweep in order), [`coverage`] (what it does not model).
+//! [`craters`], [`mixing`], [`output_amplifiers`], [`projector`], [`sweep`] (one sweep in order), [`coverage`] (what it does not model).
 //!
 //! **Our choices.** Ground range of the samples is taken as it is given, so that both engines look at the same places;
 //! [`range_programme`] is an opinion of its own on it. The gate of remote shadow is given too: boundaries are made
@@ -29,6 +29,7 @@ pub mod fan;
 pub mod levels;
 pub mod light;
 pub mod mixing;
+pub mod output_amplifiers;
 pub mod projector;
 pub mod ramp;
 pub mod registers;
@@ -37,7 +38,6 @@ pub mod server;
 pub mod sweep;
 pub mod terrain;
 pub mod walk;
-pub mod wires;
 
 pub use coverage::{Unknown, why_not};
 pub use event::{AskedFor, Event, Happening, Register};

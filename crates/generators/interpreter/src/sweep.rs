@@ -11,9 +11,9 @@ use crate::fan::{direction, tangent, written_raster};
 use crate::levels::{Ground, Terrain, terrain};
 use crate::light::Light;
 use crate::mixing::{Inputs, mix, texture};
+use crate::output_amplifiers::OutputAmplifiers;
 use crate::projector::{Circuit, Deflection, Rim, elevation, shown};
 use crate::scene::{Given, Scene};
-use crate::wires::Wires;
 use scenario::FeatureLight;
 
 const FED: [&str; 4] = ["x", "cx", "y", "cy"];
@@ -58,7 +58,7 @@ impl Record {
 pub fn interpret(scene: &Scene<'_>, sweep: u32, given: &Given<'_>) -> Record {
     let direction = direction(scene, given.set_up);
     let mut terrain = terrain(scene, sweep, direction, given.ranges);
-    let wires = Wires::of(scene, given);
+    let wires = OutputAmplifiers::of(scene, given);
     let mut walker = Walker {
         scene,
         given,
@@ -76,7 +76,7 @@ pub fn interpret(scene: &Scene<'_>, sweep: u32, given: &Given<'_>) -> Record {
 }
 
 /// Height and slopes of the terrain behind their amplifiers.
-fn drive(wires: &Wires<'_>, ground: &mut [Ground]) {
+fn drive(wires: &OutputAmplifiers<'_>, ground: &mut [Ground]) {
     let heights = wires.pass("tg.height", ground.iter().map(|ground| ground.height));
     let north = wires.pass("tg.slope.u", ground.iter().map(|ground| ground.slopes[0]));
     let east = wires.pass("tg.slope.v", ground.iter().map(|ground| ground.slopes[1]));
@@ -101,7 +101,7 @@ struct Walker<'a> {
     scene: &'a Scene<'a>,
     given: &'a Given<'a>,
     direction: [f64; 2],
-    wires: Wires<'a>,
+    wires: OutputAmplifiers<'a>,
     light: Light,
     craters: Vec<Crater>,
     record: Record,

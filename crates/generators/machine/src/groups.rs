@@ -48,11 +48,11 @@ impl<S: Real> Elaborated<S> {
         work: &mut Workspace<S>,
         rows: &mut [f32],
     ) -> GroupResult {
-        if !self.blocks.swift {
+        if !self.blocks.preview {
             group.run(first, work, rows);
             return self.look_at(group, wanted.look, first, work, rows);
         }
-        group.run_swiftly(first, work, rows);
+        group.run_preview(first, work, rows);
         let mut result = self.look_at(group, &(), first, work, rows);
         if wanted.look.wants_any_of(first..first + LANES as u32) {
             let mut rows = rows.to_vec();
@@ -89,7 +89,7 @@ impl<S: Real> Elaborated<S> {
         }
         if self.blocks.features {
             let program = &work.features[lane];
-            let drawn = if self.blocks.swift { work.passings.count(lane) } else { program.loads.len() };
+            let drawn = if self.blocks.preview { work.passings.count(lane) } else { program.loads.len() };
             counts.features = drawn as u64;
             counts.dropped_features = u64::from(program.dropped);
         }

@@ -20,7 +20,7 @@ pub(crate) fn omissions(stage: &MachineStage, list: &Elaboration) -> Vec<Omissio
             weight: Weight::Bounded(255.0),
         });
     }
-    if list.is_swift() {
+    if list.is_preview() {
         omissions.extend(preview(list));
     }
     let levels = stage.landscape.bank().levels().len();

@@ -29,7 +29,7 @@ pub(crate) fn settings_record(settings: &Settings) -> Value {
         "blocks": blocks(settings),
         "economy": match settings.economy {
             Economy::Bounded => "bounded",
-            Economy::Swift => "preview",
+            Economy::Preview => "preview",
             Economy::Lossless | Economy::LosslessBut(_) => "lossless",
             Economy::Everything => "everything",
         },

@@ -16,8 +16,8 @@ use signal::{LANES, Real};
 use sweep_generator::RangeTable;
 use terrain_generator::TerrainGenerator;
 
+use crate::output_amplifiers::Ends;
 use crate::real_parts::RealParts;
-use crate::wires::Ends;
 use crate::workspace::Workspace;
 
 /// Everything that the groups of a frame share.

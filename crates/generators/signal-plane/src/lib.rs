@@ -4,9 +4,9 @@
 //! programs ▶ TG ▶ FG ▶ texture ▶ gates ▶ MU ▶ DPP ▶ SM ▶ VS3 ▶ lines
 //! ```
 //!
-//! [`Group::run`] is the order of the report's overall figure. Under the economy `Swift` a machine whose terrain generators
-//! alone may have parts takes a shorter way (`swift`). Where a model says so, what leaves TG, FG and MU comes through output
-//! amplifiers (`wires`). The code is generic over the scalar and compiled where the scalar is chosen: in `machine`.
+//! [`Group::run`] is the order of the report's overall figure. Under the economy `Preview` a machine whose terrain generators
+//! alone may have parts takes a shorter way (`preview`). Where a model says so, what leaves TG, FG and MU comes through output
+//! amplifiers (`output_amplifiers`). The code is generic over the scalar and compiled where the scalar is chosen: in `machine`.
 //!
 //! # Modules
 //!
@@ -18,11 +18,11 @@
 //! | 1 | `feature_light` | light of the features |
 //! | 1 | `lane_gate` | a gate over one sweep |
 //! | 2 | `scales` | wires of an elaborated machine, and what full scale means on them |
-//! | 3 | `wires` | output amplifiers of the main signals |
+//! | 3 | `output_amplifiers` | output amplifiers of the main signals |
 //! | 4 | `real_parts` | blocks made of parts |
 //! | 4 | `workspace` | buffers of one worker |
 //! | 5 | `group` | a group of sweeps, block after block |
-//! | 6 | `swift` | the same at the samples alone |
+//! | 6 | `preview` | the same at the samples alone |
 //! | 6 | `record` | waveforms of a group that has run |
 //! | 7 | `look` | who looks at a group: a probe, or nobody |
 
@@ -30,12 +30,12 @@ mod feature_light;
 mod group;
 mod lane_gate;
 mod look;
+mod output_amplifiers;
+mod preview;
 mod real_parts;
 mod record;
 mod scales;
 mod signal_table;
-mod swift;
-mod wires;
 mod workspace;
 
 pub use group::Group;

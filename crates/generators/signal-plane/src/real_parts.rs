@@ -2,18 +2,18 @@
 
 use control_plane::{Block, Elaboration, MachineStage, WrittenRaster};
 use display_projection_processor::PartsProcessor;
-use feature_generator::PartsGenerator;
+use feature_generator::PartsFeatures;
 use landscape::Level;
 use mixing_unit::PartsMixer;
 use parts::LagStep;
-use polyhedron_generator::BodySwitch;
+use polyhedron_generator::PartsSwitch;
 use shadow_controller::PartsLines;
 use signal::Real;
 use sweep_memory::{Tube, TubeRaster, WriteGun};
 use terrain_generator::PartsArray;
 use texture_generator::PartsTexture;
 
-use crate::wires::Wires;
+use crate::output_amplifiers::OutputAmplifiers;
 
 /// Blocks made of parts.
 #[derive(Debug)]
@@ -21,13 +21,13 @@ pub struct RealParts<S> {
     /// Terrain generators of the fine and of the coarse level.
     pub terrain: Option<Terrain<S>>,
     /// Sub-generators of the feature generator.
-    pub features: Option<PartsGenerator>,
+    pub features: Option<PartsFeatures>,
     /// Line generators of the shadow controller.
     pub lines: Option<PartsLines>,
     /// Converter and filter of the texture generator.
     pub texture: Option<PartsTexture<S>>,
     /// Third video switch.
-    pub bodies: Option<BodySwitch>,
+    pub bodies: Option<PartsSwitch>,
     /// Mixing unit.
     pub mixer: Option<PartsMixer<S>>,
     /// Projection processor and write gun, which are joined by the beam's gate.
@@ -35,7 +35,7 @@ pub struct RealParts<S> {
     /// Storage tubes.
     pub tube: Option<Tube>,
     /// Output amplifiers of the main signals.
-    pub wires: Option<Wires<S>>,
+    pub amplifiers: Option<OutputAmplifiers<S>>,
 }
 
 /// Terrain generators made of parts.
@@ -77,17 +77,17 @@ impl<S: Real> RealParts<S> {
             terrain: list.has_parts(Block::Terrain).then(|| Terrain::new(stage, step)),
             features: list
                 .has_parts(Block::Features)
-                .then(|| PartsGenerator::new(step, &settings.feature_generator, analog, seed)),
+                .then(|| PartsFeatures::new(step, &settings.feature_generator, analog, seed)),
             lines: list
                 .has_parts(Block::Shadows)
                 .then(|| PartsLines::new(&settings.shadow_controller, analog, seed))
                 .flatten(),
             texture: texture.map(|texture| PartsTexture::new(texture, ranges, step, analog, seed)),
-            bodies: list.has_parts(Block::Bodies).then(|| BodySwitch::new(lines_a_second, analog, seed)),
+            bodies: list.has_parts(Block::Bodies).then(|| PartsSwitch::new(lines_a_second, analog, seed)),
             mixer: list.has_parts(Block::Mixing).then(|| PartsMixer::new(mixing, step, analog, seed)),
             beam: list.has_parts(Block::Beam).then(beam),
             tube: list.has_parts(Block::Memory).then(|| Tube::new(&analog.memory, tube, seed)),
-            wires: list.has_parts(Block::Amplifiers).then(|| Wires::new(stage, step, raster)),
+            amplifiers: list.has_parts(Block::Amplifiers).then(|| OutputAmplifiers::new(stage, step, raster)),
         }
     }
 }

@@ -106,7 +106,7 @@ impl<S: Real> Recorded<'_, S> {
             None => generator.inside(&work.programs[lane]),
             Some(parts) => {
                 let (first, mut state) = (sweep - lane as u32, ArrayState::default());
-                group.wired(&parts.fine, first, &mut state).inside(&generator, &work.programs, lane)
+                group.parts_terrain(&parts.fine, first, &mut state).inside(&generator, &work.programs, lane)
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use std::array;
 
-use display_projection_processor::{Driven, Projected, Scratch, Sight};
+use display_projection_processor::{Driven, PreviewSight, Projected, Scratch};
 use feature_generator::{ChainScratch, FeatureProfile, FeatureProgram, Passings};
 use mixing_unit::{Mixed, SwitchScratch};
 use parts::GateEdge;
@@ -14,7 +14,7 @@ use terrain_generator::{ArrayState, Overlap, Polynomials, Profile};
 
 use crate::feature_light::Lit;
 use crate::lane_gate::LaneGate;
-use crate::wires::WireScratch;
+use crate::output_amplifiers::AmplifierScratch;
 
 /// Programs and signals of a group of sweeps, in the order in which they arise.
 #[derive(Debug, Clone)]
@@ -27,7 +27,7 @@ pub struct Workspace<S> {
     pub craters: Vec<u32>,
     /// Programs of the feature generator.
     pub features: [FeatureProgram; LANES],
-    /// Craters that the group draws, where the machine draws swiftly.
+    /// Craters that the group draws, where the machine draws a preview.
     pub passings: Passings,
     /// Wires of the terrain generators made of parts, the fine level's first.
     pub arrays: [ArrayState<S>; 2],
@@ -49,7 +49,7 @@ pub struct Workspace<S> {
     pub edges: Vec<GateEdge>,
     /// Gates of remote shadow.
     pub shadow: [LaneGate<S>; LANES],
-    /// Stretches in remote shadow, where the machine draws swiftly.
+    /// Stretches in remote shadow, where the machine draws a preview.
     pub dark: Stretches,
     /// Presence of features, by comparators of parts.
     pub presence: [LaneGate<S>; LANES],
@@ -64,13 +64,13 @@ pub struct Workspace<S> {
     /// Write gun of parts.
     pub gun: GunWork,
     /// Output amplifiers of the main signals.
-    pub wires: WireScratch<S>,
+    pub amplifiers: AmplifierScratch<S>,
     /// Composite profiles; not used where terrain is alone.
     pub mixed: Mixed<S>,
     /// Projected profiles.
     pub projected: Projected<S>,
-    /// What is seen of them, where the machine draws swiftly.
-    pub sight: Sight<S>,
+    /// What is seen of them, where the machine draws a preview.
+    pub sight: PreviewSight<S>,
     /// Mountains behind the last sample.
     pub far: [Vec<FarStroke>; LANES],
     /// Lines of the ideal write beam while they are written.
@@ -106,10 +106,10 @@ impl<S: Real> Default for Workspace<S> {
             chain: Scratch::default(),
             driven: Driven::default(),
             gun: GunWork::default(),
-            wires: WireScratch::default(),
+            amplifiers: AmplifierScratch::default(),
             mixed: Mixed::default(),
             projected: Projected::default(),
-            sight: Sight::default(),
+            sight: PreviewSight::default(),
             far: Default::default(),
             lines: Vec::new(),
             overlay: Overlay::default(),

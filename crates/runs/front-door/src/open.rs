@@ -39,7 +39,7 @@ pub fn open(path: &Path, wishes: &Wishes) -> Result<Opened, OpenError> {
     let settings = crate::settings(&scenario, &model.model).map_err(|error| unfit(path, &error))?;
     let shadow_cache = shadow_cache(wishes)?;
     let settings = Settings { economy: wishes.economy, shadow_cache, ..settings };
-    if wishes.economy == Economy::Swift
+    if wishes.economy == Economy::Preview
         && let Some(obstacle) = obstacle(&model.model.name, row, &settings)
     {
         let remedy = "leave the option out, or give --machine a hardware model with ideal parts";

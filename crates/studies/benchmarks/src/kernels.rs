@@ -82,8 +82,8 @@ pub const KERNELS: &[Kernel] = &[
     row("full-drive/ideal", "64 sweeps of frame 0, every block, f32", || {
         frames::part("full-drive", "ideal", Scalar::F32, Economy::Bounded)
     }),
-    row("full-drive/swift", "the same, swiftly", || {
-        frames::part("full-drive", "ideal", Scalar::F32, Economy::Swift)
+    row("full-drive/preview", "the same, in preview", || {
+        frames::part("full-drive", "ideal", Scalar::F32, Economy::Preview)
     }),
     row("nominal-drive/ideal", "64 sweeps of frame 0, two levels, craters, rocks, f32", || {
         frames::part("nominal-drive", "ideal", Scalar::F32, Economy::Bounded)
@@ -91,16 +91,16 @@ pub const KERNELS: &[Kernel] = &[
     row("nominal-drive/ideal-f64", "the same in f64", || {
         frames::part("nominal-drive", "ideal", Scalar::F64, Economy::Bounded)
     }),
-    row("nominal-drive/swift", "the same in f32, swiftly", || {
-        frames::part("nominal-drive", "ideal", Scalar::F32, Economy::Swift)
+    row("nominal-drive/preview", "the same in f32, in preview", || {
+        frames::part("nominal-drive", "ideal", Scalar::F32, Economy::Preview)
     }),
-    row("nominal-drive/swift-wires", "the same, lag and slew on ten signals", || {
-        frames::part("nominal-drive", "pra-wires", Scalar::F32, Economy::Swift)
+    row("nominal-drive/preview-wires", "the same, lag and slew on ten signals", || {
+        frames::part("nominal-drive", "pra-wires", Scalar::F32, Economy::Preview)
     }),
     row(
-        "nominal-drive/swift-parts",
+        "nominal-drive/preview-parts",
         "the same, 261 parts with a state in each terrain generator, alike",
-        || frames::part("nominal-drive", "pra-parts", Scalar::F32, Economy::Swift),
+        || frames::part("nominal-drive", "pra-parts", Scalar::F32, Economy::Preview),
     ),
     row("nominal-drive/parts-of-1970", "the same, each part its own, noise, tubes and yoke", || {
         frames::part("nominal-drive", "pra-nominal", Scalar::F32, Economy::Bounded)

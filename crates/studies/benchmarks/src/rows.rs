@@ -33,27 +33,27 @@ const fn row(
     Row { name, scenario, choice: Choice { model, scalar, raster, economy: Economy::Bounded } }
 }
 
-/// The same drawn swiftly.
-const fn swift(name: &'static str, scenario: &'static str, model: &'static str, scalar: Scalar) -> Row {
+/// The same in preview.
+const fn preview(name: &'static str, scenario: &'static str, model: &'static str, scalar: Scalar) -> Row {
     let Row { choice, .. } = row(name, scenario, model, scalar, STANDARD);
-    Row { name, scenario, choice: Choice { economy: Economy::Swift, ..choice } }
+    Row { name, scenario, choice: Choice { economy: Economy::Preview, ..choice } }
 }
 
 /// All of them.
 pub const ROWS: &[Row] = &[
-    swift("swift showpiece, ideal, f32", "showpiece", "ideal", Scalar::F32),
-    swift("swift showpiece, ideal, f64", "showpiece", "ideal", Scalar::F64),
-    swift("swift craters, ideal, f32", "craters", "ideal", Scalar::F32),
-    swift("swift first light, ideal, f32", "first-light", "ideal", Scalar::F32),
-    swift("swift nominal drive, ideal, f32", "nominal-drive", "ideal", Scalar::F32),
-    swift("swift nominal drive, ideal, f64", "nominal-drive", "ideal", Scalar::F64),
-    swift("swift full drive, ideal, f32", "full-drive", "ideal", Scalar::F32),
-    swift("swift full drive, ideal, f64", "full-drive", "ideal", Scalar::F64),
-    swift("swift showpiece, pra-wires, f32", "showpiece", "pra-wires", Scalar::F32),
-    swift("swift nominal drive, pra-wires, f32", "nominal-drive", "pra-wires", Scalar::F32),
-    swift("swift full drive, pra-wires, f32", "full-drive", "pra-wires", Scalar::F32),
-    swift("swift nominal drive, pra-parts, f32", "nominal-drive", "pra-parts", Scalar::F32),
-    swift("swift full drive, pra-parts, f32", "full-drive", "pra-parts", Scalar::F32),
+    preview("preview showpiece, ideal, f32", "showpiece", "ideal", Scalar::F32),
+    preview("preview showpiece, ideal, f64", "showpiece", "ideal", Scalar::F64),
+    preview("preview craters, ideal, f32", "craters", "ideal", Scalar::F32),
+    preview("preview first light, ideal, f32", "first-light", "ideal", Scalar::F32),
+    preview("preview nominal drive, ideal, f32", "nominal-drive", "ideal", Scalar::F32),
+    preview("preview nominal drive, ideal, f64", "nominal-drive", "ideal", Scalar::F64),
+    preview("preview full drive, ideal, f32", "full-drive", "ideal", Scalar::F32),
+    preview("preview full drive, ideal, f64", "full-drive", "ideal", Scalar::F64),
+    preview("preview showpiece, pra-wires, f32", "showpiece", "pra-wires", Scalar::F32),
+    preview("preview nominal drive, pra-wires, f32", "nominal-drive", "pra-wires", Scalar::F32),
+    preview("preview full drive, pra-wires, f32", "full-drive", "pra-wires", Scalar::F32),
+    preview("preview nominal drive, pra-parts, f32", "nominal-drive", "pra-parts", Scalar::F32),
+    preview("preview full drive, pra-parts, f32", "full-drive", "pra-parts", Scalar::F32),
     row("showpiece, ideal, f32", "showpiece", "ideal", Scalar::F32, STANDARD),
     row("showpiece, ideal, f64", "showpiece", "ideal", Scalar::F64, STANDARD),
     row("showpiece, modern-analog, f32", "showpiece", "modern-analog", Scalar::F32, STANDARD),

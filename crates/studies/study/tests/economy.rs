@@ -92,7 +92,7 @@ fn row<'a>(found: &'a EconomyOutcome, what: &str) -> &'a Waste {
 fn all_blocks_and_none_of_them_wasted_unseen() {
     let found = found(FULL);
     assert!(found.holds(), "{:?}", found.modes);
-    let [bounded, lossless, .., everything, swift] = found.modes.as_slice() else {
+    let [bounded, lossless, .., everything, preview] = found.modes.as_slice() else {
         panic!("{:?}", found.modes)
     };
     assert_eq!((lossless.off, everything.off), ([0.0; 2], [0.0; 2]));
@@ -101,7 +101,7 @@ fn all_blocks_and_none_of_them_wasted_unseen() {
         !bounded.claims_equal && bounded.blake3 != lossless.blake3 && bounded.off[1] > 0.0,
         "{bounded:?}"
     );
-    assert!(!swift.claims_equal && swift.off[0] > bounded.off[0], "{swift:?}");
+    assert!(!preview.claims_equal && preview.off[0] > bounded.off[0], "{preview:?}");
     assert_eq!(found.modes.len(), 9);
     assert!(found.modes.iter().all(|mode| mode.time_s.iter().all(|time| *time > 0.0)));
     // Eight lanes a group: 60 sweeps leave four idle.

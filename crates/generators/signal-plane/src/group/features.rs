@@ -39,14 +39,19 @@ impl<S: Real> Group<'_, S> {
                 }
             }
         }
-        if let Some(wires) = &self.parts.wires {
-            wires.drive_features(&self.directions(sweeps), profile, &mut work.wires);
+        if let Some(amplifiers) = &self.parts.amplifiers {
+            amplifiers.drive_features(&self.directions(sweeps), profile, &mut work.amplifiers);
         }
         let lit = if self.parts.features.is_some() { &work.chains.lit } else { &profile.present };
         let lamp = Lamp { law: settings.laws.feature_light, light, ranges };
         lamp.run(&work.profile, profile, lit, &mut work.lit);
-        if let Some(wires) = &self.parts.wires {
-            wires.drive_feature_light(&work.profile.reflectivity, lit, &mut work.lit, &mut work.wires);
+        if let Some(amplifiers) = &self.parts.amplifiers {
+            amplifiers.drive_feature_light(
+                &work.profile.reflectivity,
+                lit,
+                &mut work.lit,
+                &mut work.amplifiers,
+            );
         }
     }
 

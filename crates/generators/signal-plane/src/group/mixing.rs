@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use feature_generator::PartsGenerator;
+use feature_generator::PartsFeatures;
 use mixing_unit::{Composite, FeatureInput, Inputs, MixingUnit, ToggleList, terrain_alone};
 use signal::{LANES, Real};
 use texture_generator::TextureGenerator;
@@ -51,7 +51,7 @@ impl<S: Real> Group<'_, S> {
         work: &'w Workspace<S>,
         [shadow, presence]: &'w [[ToggleList<'w, S>; LANES]; 2],
     ) -> Inputs<'w, S> {
-        let has_comparators = self.parts.features.as_ref().is_some_and(PartsGenerator::has_comparators);
+        let has_comparators = self.parts.features.as_ref().is_some_and(PartsFeatures::has_comparators);
         Inputs {
             height: &work.profile.height,
             reflectivity: &work.profile.reflectivity,
@@ -87,8 +87,8 @@ impl<S: Real> Group<'_, S> {
                 None => self.mixing_unit().run(&inputs, &mut mixed),
             }
             (work.mixed, work.fades) = (mixed, fades);
-            if let Some(wires) = &self.parts.wires {
-                wires.drive_mixed(&self.ends(work), &mut work.mixed, &mut work.wires);
+            if let Some(amplifiers) = &self.parts.amplifiers {
+                amplifiers.drive_mixed(&self.ends(work), &mut work.mixed, &mut work.amplifiers);
             }
         }
     }

@@ -4,7 +4,7 @@ use control_plane::Coarse;
 use landscape::{GroupLight, SweepLight};
 use parts::LagStep;
 use signal::{LANES, Lanes, Real};
-use terrain_generator::{ArrayState, ModifiedTerrainGenerator, PartsArray, Wired};
+use terrain_generator::{ArrayState, ModifiedTerrainGenerator, PartsArray, PartsTerrain};
 
 use super::Group;
 use crate::real_parts::Terrain;
@@ -20,15 +20,15 @@ impl<S: Real> Group<'_, S> {
     ) {
         self.trace_terrain(first, sweeps, work);
         let fine = self.terrain(self.stage.landscape.level());
-        if let Some(wires) = &self.parts.wires {
-            wires.drive_terrain(&self.directions(sweeps), &self.ends(work), &mut work.profile);
+        if let Some(amplifiers) = &self.parts.amplifiers {
+            amplifiers.drive_terrain(&self.directions(sweeps), &self.ends(work), &mut work.profile);
         }
         fine.reflect(&GroupLight::new(light), 0..self.table.ranges().len(), &mut work.profile);
         if let Some(Terrain { reflectivity: Some(lag), .. }) = &self.parts.terrain {
             delay(lag, &mut work.profile.reflectivity);
         }
-        if let Some(wires) = &self.parts.wires {
-            wires.drive_terrain_light(&mut work.profile);
+        if let Some(amplifiers) = &self.parts.amplifiers {
+            amplifiers.drive_terrain_light(&mut work.profile);
         }
     }
 
@@ -41,21 +41,21 @@ impl<S: Real> Group<'_, S> {
         match (&self.blocks.coarse, &self.parts.terrain) {
             (None, None) => fine.trace_by(&mut work.polynomials[0], &work.programs, &mut work.profile),
             (None, Some(parts)) => {
-                let mut wired = self.wired(&parts.fine, first, &mut work.arrays[0]);
-                fine.trace_by(&mut wired, &work.programs, &mut work.profile);
+                let mut method = self.parts_terrain(&parts.fine, first, &mut work.arrays[0]);
+                fine.trace_by(&mut method, &work.programs, &mut work.profile);
             }
             (Some(coarse), _) => self.draw_both_levels(coarse, first, sweeps, work),
         }
     }
 
     /// The array of parts for the group that begins at sweep `first`.
-    pub fn wired<'w>(
+    pub fn parts_terrain<'w>(
         &self,
         array: &'w PartsArray<S>,
         first: u32,
         state: &'w mut ArrayState<S>,
-    ) -> Wired<'w, S> {
-        Wired { array, state, address: self.address(first) }
+    ) -> PartsTerrain<'w, S> {
+        PartsTerrain { array, state, address: self.address(first) }
     }
 
     fn draw_both_levels(&self, coarse: &Coarse, first: u32, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
@@ -73,8 +73,10 @@ impl<S: Real> Group<'_, S> {
         work.step = match &self.parts.terrain {
             Some(Terrain { fine, coarse: Some(far), .. }) => {
                 let [near_state, far_state] = &mut work.arrays;
-                let methods =
-                    [&mut self.wired(fine, first, near_state), &mut self.wired(far, first, far_state)];
+                let methods = [
+                    &mut self.parts_terrain(fine, first, near_state),
+                    &mut self.parts_terrain(far, first, far_state),
+                ];
                 generator.trace_by(methods, &work.programs, &work.coarse, &ranges, profile, overlap)
             }
             _ => {

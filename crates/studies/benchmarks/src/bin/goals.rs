@@ -60,7 +60,7 @@ enum Part {
     Begin {
         scenario: String,
         #[arg(long)]
-        swift: bool,
+        preview: bool,
     },
 }
 
@@ -98,8 +98,8 @@ fn run(part: &Part) -> Result<(), String> {
         Part::Circuit => circuit(),
         Part::Mesh => mesh(),
         Part::Peak { scenario, standard } => peak(scenario, *standard),
-        Part::Begin { scenario, swift } => {
-            let economy = if *swift { Economy::Swift } else { Economy::Bounded };
+        Part::Begin { scenario, preview } => {
+            let economy = if *preview { Economy::Preview } else { Economy::Bounded };
             tell_beginning(Path::new(scenario), economy)
         }
     }
@@ -159,14 +159,14 @@ fn missions() -> Result<(), String> {
         "| mission, ideal, f32, two threads | frames | ground, s | first frame, s | all others, s | frames/s | x real time |\n|---|---|---|---|---|---|---|"
     );
     let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().map_err(|error| error.to_string())?;
-    for economy in [Economy::Bounded, Economy::Swift] {
+    for economy in [Economy::Bounded, Economy::Preview] {
         let choice =
             Choice { model: Some("ideal"), scalar: Some(Scalar::F32), raster: Some(STANDARD), economy };
         for name in ["first-light", "nominal-drive", "showpiece"] {
             let mission = Mission::draw(name, &choice, &pool)?;
             println!(
                 "| {}{name} | {} | {:.2} | {:.2} | {:.2} | {:.1} | {:.2} |",
-                if economy == Economy::Swift { "swift " } else { "" },
+                if economy == Economy::Preview { "preview " } else { "" },
                 mission.frames,
                 mission.ground,
                 mission.first,
@@ -251,7 +251,7 @@ fn startup() -> Result<(), String> {
         // Files are in memory after the first time: what is left is our own work.
         apart(&["begin", &scenario])?;
         println!("| {craters} | {}", apart(&["begin", &scenario])?.trim());
-        println!("| {craters}, swift | {}", apart(&["begin", &scenario, "--preview"])?.trim());
+        println!("| {craters}, in preview | {}", apart(&["begin", &scenario, "--preview"])?.trim());
     }
     println!();
     Ok(())
@@ -291,7 +291,7 @@ fn mesh() -> Result<(), String> {
     let mut scene = Scene::shipped("first-light", &choice);
     let raster = scene.stage.settings.raster;
     println!(
-        "| first light, {} x {} pixels, two threads | triangles | rms error | ms | of the whole machine's | of the swift one's | reading and all, s |\n|---|---|---|---|---|---|---|",
+        "| first light, {} x {} pixels, two threads | triangles | rms error | ms | of the whole machine's | of the preview's | reading and all, s |\n|---|---|---|---|---|---|---|",
         raster.columns, raster.lines
     );
     // What a camera over flat ground sees, at the centre of each pixel.
@@ -323,16 +323,16 @@ fn mesh() -> Result<(), String> {
     let exact = Exact.prepare(scene.stage.stage()).map_err(|error| error.to_string())?;
     let (right, _) = drawn(exact, 1)?;
     let (picture, whole) = drawn(by(Economy::Bounded), 15)?;
-    let (sketch, swift) = drawn(by(Economy::Swift), 15)?;
+    let (sketch, preview) = drawn(by(Economy::Preview), 15)?;
     let rms = |picture: &[f32]| {
         let squares = picture.iter().zip(&right).map(|(a, b)| f64::from(a - b) * f64::from(a - b));
         (squares.sum::<f64>() / right.len() as f64).sqrt()
     };
     let error = rms(&picture);
-    for (name, error, seconds) in [("", error, whole), (", swift", rms(&sketch), swift)] {
-        let [of_whole, of_swift] = [whole, swift].map(|machine| seconds / machine);
+    for (name, error, seconds) in [("", error, whole), (", in preview", rms(&sketch), preview)] {
+        let [of_whole, of_preview] = [whole, preview].map(|machine| seconds / machine);
         println!(
-            "| hybrid machine, ideal, f32{name} | | {error:.2e} | {:.1} | {of_whole:.2} times | {of_swift:.2} times | |",
+            "| hybrid machine, ideal, f32{name} | | {error:.2e} | {:.1} | {of_whole:.2} times | {of_preview:.2} times | |",
             seconds * 1e3
         );
     }
@@ -342,9 +342,9 @@ fn mesh() -> Result<(), String> {
             break;
         };
         let found = rms(&traced.picture);
-        let [of_whole, of_swift] = [whole, swift].map(|machine| traced.seconds / machine);
+        let [of_whole, of_preview] = [whole, preview].map(|machine| traced.seconds / machine);
         println!(
-            "| POV-Ray, {side} x {side} | {} | {found:.2e} | {:.0} | {of_whole:.1} times | {of_swift:.1} times | {:.1} |",
+            "| POV-Ray, {side} x {side} | {} | {found:.2e} | {:.0} | {of_whole:.1} times | {of_preview:.1} times | {:.1} |",
             traced.triangles,
             traced.seconds * 1e3,
             traced.whole

@@ -1,0 +1,140 @@
+//! When folds are found, and when words act.
+
+use hardware_model::{AnalogParts, FoldDetect};
+use parts::{Spread, Tolerance, relative_sigma};
+use signal::LANES;
+use sweep_program::{RampAxis, Step, Stop};
+
+use super::{STEP, Scene, parts, weight};
+use crate::of_parts::terms::{ALL, TERMS, side_by_side, word_of};
+use crate::of_parts::{ArrayState, PartsArray, Tap};
+use crate::{Profile, Registers};
+
+fn array(scene: &Scene, parts: &AnalogParts) -> PartsArray<f64> {
+    PartsArray::new(STEP, &scene.level, parts, 3, "tg")
+}
+
+fn found_on_the_ramp(change: impl FnOnce(&mut AnalogParts)) -> AnalogParts {
+    parts(|parts| {
+        (parts.full_scale, parts.sweep.fold_detect) = (10.0, FoldDetect::Comparator);
+        parts.comparator.delay = 40e-9;
+        change(parts);
+    })
+}
+
+/// Slope of the ramp that folds (full scales a second), and the number of its stop.
+fn slope(scene: &Scene, lane: usize, step: &Step) -> (f64, u64) {
+    let fold = step.kind.fold().expect("folds alone");
+    let axis = usize::from(fold.axis == RampAxis::Y);
+    // 1.5 m a sample, regions of 200 m.
+    let slope = scene.programs[lane].start.direction[axis].abs() * 1.5 / 200.0 / STEP;
+    (slope, 2 * axis as u64 + u64::from(fold.stop == Stop::One))
+}
+
+/// On a ramp of slope s a comparator at the stop is off by `o / s`, and an overdrive of `k` costs `sqrt(2 k / s)`.
+#[test]
+fn a_stop_is_found_by_its_offset_over_the_slope_later() {
+    let scene = Scene::new();
+    let clean = array(&scene, &found_on_the_ramp(|_| ()));
+    let off = array(&scene, &found_on_the_ramp(|parts| parts.comparator.offset = 5e-3));
+    let slow = array(&scene, &found_on_the_ramp(|parts| parts.comparator.overdrive = 150e-12));
+    let mut largest = 0.0_f64;
+    for lane in 0..LANES {
+        let is_fold = |step: &&Step| step.kind.fold().is_some();
+        for step in scene.programs[lane].steps.iter().filter(is_fold) {
+            let (slope, stop) = slope(&scene, lane, step);
+            let at = |array: &PartsArray<f64>| {
+                let (generator, program) = (scene.generator(), &scene.programs[lane]);
+                [
+                    array.timing.of_words(step, &generator, program),
+                    array.timing.of_polarity(step, &generator, program),
+                ]
+            };
+            let offset = Spread::new(3).error("tg.stop.offset", stop, 5e-4);
+            // The upper stop is met from below, the lower from above.
+            let later = if stop % 2 == 1 { offset } else { -offset } / slope / STEP;
+            let waits = (2.0 * 15e-12 / slope).sqrt() / STEP;
+            for (k, right) in at(&clean).into_iter().enumerate() {
+                assert!((right - step.time.0 - 0.8).abs() < 1e-9);
+                assert!((at(&off)[k] - right - later).abs() < 1e-9, "{lane} {step:?}");
+                assert!((at(&slow)[k] - right - waits).abs() < 1e-9, "{lane} {step:?}");
+            }
+            largest = largest.max(later.abs());
+        }
+    }
+    assert!(largest > 0.05, "{largest}");
+}
+
+/// The weights of a lane, sample by sample.
+struct Weights(Vec<Vec<f64>>);
+
+impl Tap<f64> for Weights {
+    fn see(&mut self, _: &PartsArray<f64>, state: &ArrayState<f64>) {
+        let weight = |index| {
+            let [pair, end] = side_by_side(index);
+            state.wires.pairs[pair].weight.wire(end)[2]
+        };
+        self.0.push((0..ALL).map(weight).collect());
+    }
+}
+
+/// Each D/A has its word from its own switching time on: the nine of a corner do not settle as one.
+#[test]
+fn each_word_acts_after_its_own_switching_time() {
+    let scene = Scene::new();
+    let (nominal, samples) = (600e-9, scene.ranges.len());
+    for spread in [false, true] {
+        let array = array(
+            &scene,
+            &parts(|parts| {
+                (parts.spread, parts.multiplying_dac.switching) = (spread, nominal);
+            }),
+        );
+        let (generator, program) = (scene.generator(), &scene.programs[2]);
+        let (mut weights, mut profile) = (Weights(Vec::new()), Profile::default());
+        profile.resize(samples);
+        let state = &mut ArrayState::default();
+        array.trace(&generator, &scene.programs, 0..samples, 0, state, &mut profile, &mut weights);
+        let sigma = if spread { relative_sigma::SWITCH_DELAY } else { 0.0 };
+        let mut together = 0;
+        for index in 0..ALL {
+            let time =
+                Spread::new(3).figure("tg.mdac.switching", index as u64, &Tolerance { nominal, sigma });
+            let mut registers = Registers::at_start(program);
+            let mut steps = program.steps.iter().peekable();
+            for (sample, weights) in weights.0.iter().enumerate() {
+                while steps.next_if(|step| step.time.0 + time / STEP <= sample as f64).is_some_and(|step| {
+                    registers.apply(step, generator.buffer);
+                    true
+                }) {}
+                let [colour, _] = word_of(index % TERMS);
+                assert_eq!(
+                    weights[index],
+                    weight(&array, registers.hold(generator.buffer)[colour], index),
+                    "{index} {sample}"
+                );
+            }
+            together += usize::from(time == nominal);
+        }
+        assert_eq!(together, if spread { 0 } else { ALL });
+    }
+}
+
+#[test]
+fn the_converters_of_the_two_ramps_settle_apart() {
+    let scene = Scene::new();
+    let delays = |spread: bool| {
+        let made = array(
+            &scene,
+            &parts(|parts| {
+                (parts.spread, parts.sweep.dac_bits, parts.sweep.settle) = (spread, Some(10), 150e-9);
+            }),
+        );
+        [0, 1].map(|axis| made.ramps[axis].delay())
+    };
+    let [[x, y], [drawn_x, drawn_y]] = [false, true].map(delays);
+    assert!(
+        x == y && drawn_x != drawn_y && (0.3..3.0).contains(&(drawn_x / drawn_y)),
+        "{x} {drawn_x} {drawn_y}"
+    );
+}
