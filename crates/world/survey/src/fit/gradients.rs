@@ -86,7 +86,7 @@ fn inner(a: &[CornerWords], b: &[CornerWords], row: usize) -> f64 {
 
 fn add_scaled(to: &mut [CornerWords], factor: f64, by: &[CornerWords], row: usize) {
     to.par_chunks_mut(row).zip(by.par_chunks(row)).for_each(|(to, by)| {
-        for (to, by) in to.iter_mut().flatten().zip(by.iter().flatten()) {
+        for (to, by) in to.as_flattened_mut().iter_mut().zip(by.as_flattened()) {
             *to += factor * by;
         }
     });
@@ -94,7 +94,7 @@ fn add_scaled(to: &mut [CornerWords], factor: f64, by: &[CornerWords], row: usiz
 
 fn scale_and_add(to: &mut [CornerWords], factor: f64, by: &[CornerWords], row: usize) {
     to.par_chunks_mut(row).zip(by.par_chunks(row)).for_each(|(to, by)| {
-        for (to, by) in to.iter_mut().flatten().zip(by.iter().flatten()) {
+        for (to, by) in to.as_flattened_mut().iter_mut().zip(by.as_flattened()) {
             *to = by + factor * *to;
         }
     });

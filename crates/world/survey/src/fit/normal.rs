@@ -119,12 +119,19 @@ impl Normal<'_> {
         let corners = self.corners()[1];
         for region in 0..self.east.regions() {
             let at = [region, region + 1, corners + region, corners + region + 1];
-            let words: RegionWords = std::array::from_fn(|a| {
-                std::array::from_fn(|b| rows[at[2 * (a / 3) + b / 3]][3 * (a % 3) + b % 3])
-            });
+            let mut words: RegionWords = [[0.0; 6]; 6];
+            for corner in 0..4 {
+                let stored = &rows[at[corner]];
+                for (p, q) in (0..9).map(|i| (i / 3, i % 3)) {
+                    words[corner / 2 * 3 + p][corner % 2 * 3 + q] = stored[3 * p + q];
+                }
+            }
             let force = self.roughness.apply(&words);
-            for (a, b) in (0..36).map(|i| (i / 6, i % 6)) {
-                sums[at[2 * (a / 3) + b / 3]][3 * (a % 3) + b % 3] += force[a][b];
+            for corner in 0..4 {
+                let sum = &mut sums[at[corner]];
+                for (p, q) in (0..9).map(|i| (i / 3, i % 3)) {
+                    sum[3 * p + q] += force[corner / 2 * 3 + p][corner % 2 * 3 + q];
+                }
             }
         }
     }

@@ -55,7 +55,7 @@ impl Roughness {
     /// Half the gradient of the energy at `words`.
     pub fn apply(&self, words: &RegionWords) -> RegionWords {
         let blocks = split(words);
-        join(&std::array::from_fn(|of| product(&self.0[of], &blocks[of])))
+        join(&[0, 1, 2, 3].map(|of| product(&self.0[of], &blocks[of])))
     }
 }
 
