@@ -1,7 +1,7 @@
 //! Diode function generator: a broken line with rounded knees.
 //!
 //! **Law** (sections 3.3 and 6). n equal segments over the input 0..=1. The knees lie off the function so that the
-//! error has equal ripple: about `max |f''| / (16 n^2)` ([`segment_error`]), with signs that alternate between the
+//! error has equal ripple: about `max |f''| / (16 n^2)`, with signs that alternate between the
 //! knee and the middle of a segment. A knee with slope jump J at x_k is rounded to
 //! `J V ln(1 + e^((x - x_k) / V))`, the law of a diode of width V. Beyond 0..=1 the end segments go on.
 //! **Parameters.** [`FunctionLaw`].
@@ -65,12 +65,6 @@ impl<S: Real> FunctionGenerator<S> {
         let [start, rise] = self.table[cell];
         start + rise * (place - S::from_f64(cell as f64))
     }
-}
-
-/// Largest error of the broken line for a function with `|f''|` up to `bend`: `bend / (16 n^2)`.
-pub fn segment_error(bend: f64, segments: usize) -> f64 {
-    let n = segments.max(1) as f64;
-    bend / (16.0 * n * n)
 }
 
 /// The knees, before they become a table.
@@ -177,7 +171,13 @@ fn worst(sags: &[f64], start: f64, end: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Ends, FunctionGenerator, FunctionLaw, segment_error};
+    use super::{Ends, FunctionGenerator, FunctionLaw};
+
+    /// Largest error of the broken line for a function with `|f''|` up to `bend`: `bend / (16 n^2)`.
+    fn segment_error(bend: f64, segments: usize) -> f64 {
+        let n = segments.max(1) as f64;
+        bend / (16.0 * n * n)
+    }
 
     /// The function generators of the report: g0, g1, g2.
     const BASIS: [fn(f64) -> f64; 3] = [

@@ -2,7 +2,7 @@
 //!
 //! **Law** (section 6), full scale 1: `y = (1 + eg) a b + ex a + ey b + eo + en a (1 - a^2)`, then a lag
 //! ([`crate::LagStep`]). What leaks past it at high frequency is the rate of an input times a constant
-//! ([`Feedthrough`]); the ripple of a diode multiplier is [`crate::QuarterSquare`]. Both are added to the product.
+//! ([`Feedthrough`]); it is added to the product.
 //! **Parameters.** [`MultiplierLaw`], shares of full scale.
 //! **State and timing.** None.
 

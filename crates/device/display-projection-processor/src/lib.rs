@@ -62,4 +62,4 @@ pub use deflection::Deflection;
 pub use occlusion::BrokenProfile;
 pub use of_parts::{DERIVATIVE, Driven, PartsProcessor, Scratch};
 pub use preview::PreviewSight;
-pub use processor::{Processor, Projected, ProjectedBreaks, SIGNALS};
+pub use processor::{Processor, Projected, SIGNALS};

@@ -46,7 +46,7 @@ mod steps;
 mod sub_generator;
 
 pub use generator::FeatureGenerator;
-pub use loads::{CRATER_WORDS, FeatureArrival, FeatureMiss};
+pub use loads::{CRATER_WORDS, FeatureMiss};
 pub use of_parts::{ChainScratch, MOST, PartsFeatures};
 pub use passing::Passings;
 pub use profile::{FeatureProfile, Kink, SIGNALS, Surface};

@@ -3,7 +3,8 @@
 use signal::{Break, Lanes, Real};
 
 use crate::stretch::Stretch;
-use crate::{Kink, Toggle, ToggleList, VideoSwitch};
+use crate::switch::VideoSwitch;
+use crate::{Kink, Toggle, ToggleList};
 
 /// The profile of one lane as it comes to VS2.
 #[derive(Debug, Clone, Copy)]

@@ -2,7 +2,7 @@
 
 use signal::{LANES, Lanes, Real};
 
-use crate::VideoSwitch;
+use crate::switch::VideoSwitch;
 
 /// A place between two samples where the surface of a feature bends or begins (section 9).
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -13,7 +13,7 @@
 //! pg.present ──────────────────────▶ G
 //! ```
 //!
-//! **Law.** A [`VideoSwitch`] has its input C through while its gate G is not above a threshold, and S while it is.
+//! **Law.** A `VideoSwitch` has its input C through while its gate G is not above a threshold, and S while it is.
 //! The order is the report's: VS1 lays features on terrain, VS2 lays shadow on both, texture is added, and VS3
 //! lays polyhedra on whatever the sweep memory is given. VS3 acts in display-plane position, behind the projection
 //! processor, so it stands with the polyhedron generator; its law is the same. Heights add.
@@ -68,7 +68,6 @@ use signal::{Lanes, Signal, Unit};
 pub use inputs::{FeatureInput, Inputs, Kink, Toggle, ToggleList};
 pub use of_parts::{PartsMixer, SwitchScratch};
 pub use outputs::{DriverScratch, OutputDrivers};
-pub use switch::VideoSwitch;
 pub use unit::{Mixed, MixingUnit};
 
 /// Signals of the block.

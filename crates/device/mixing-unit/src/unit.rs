@@ -5,7 +5,8 @@ use scenario::TextureInShadow;
 use signal::{Breaks, LANES, Lanes, Real};
 
 use crate::breaks::{Profile, texture_at};
-use crate::{Composite, Inputs, ToggleList, VideoSwitch};
+use crate::switch::VideoSwitch;
+use crate::{Composite, Inputs, ToggleList};
 
 /// The composite landscape of a group: one [`Lanes`] a sample.
 #[derive(Debug, Clone, Default)]

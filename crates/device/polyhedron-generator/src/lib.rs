@@ -48,7 +48,7 @@ mod stack;
 mod table;
 mod view;
 
-pub use generator::{Aspect, Census, Drawn, Field, PolyhedronGenerator};
+pub use generator::{Census, Drawn, Field, PolyhedronGenerator};
 pub use hold::{Hold, NoHold};
 pub use light::FaceLight;
 pub use near_table::NearTable;

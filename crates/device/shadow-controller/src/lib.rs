@@ -29,7 +29,7 @@
 //! **Not modelled.** Quantisation of the line generators; the width of a line in the scan converter; two crossings within one comparator delay.
 //!
 //! **Our choices.** Ends count half-open by the sweep that they lie on, so a shared corner counts once and a sweep
-//! along an edge is not crossed by it. Two boundaries within [`RESOLUTION`] of each other cancel: the edges of
+//! along an edge is not crossed by it. Two boundaries within `RESOLUTION` of each other cancel: the edges of
 //! neighbouring tiles leave no slit of light. Any number of segments in one sweep is served.
 
 mod controller;
@@ -43,7 +43,7 @@ mod network;
 mod of_parts;
 mod side_by_side;
 
-pub use controller::{Gate, RESOLUTION, ShadowController};
+pub use controller::{Gate, ShadowController};
 pub use line_generators::{SEGMENT_WORDS, SegmentLoad, SegmentMiss};
 pub use of_parts::{MOST, PartsLines};
 

@@ -47,7 +47,7 @@ mod text;
 mod totals;
 
 pub use check::Fault;
-pub use comparison::{Comparison, FrameComparison, Tolerance, ToleranceError, compare};
+pub use comparison::{Comparison, Tolerance, ToleranceError, compare};
 pub use deadline::{BINS, Deadline, Slack};
 pub use difference::Difference;
 pub use event_hash::EventHash;
@@ -55,4 +55,4 @@ pub use file::{RecordError, read, write};
 pub use missed::{Cause, Missed};
 pub use record::{FORMAT, FrameTiming, Sets, TimingRecord, UnitUse, Vertices};
 pub use task::Task;
-pub use totals::{DeadlineTotals, SweepMisses, Totals, UnitTotals};
+pub use totals::{DeadlineTotals, Totals, UnitTotals};

@@ -70,7 +70,6 @@ pub mod waveforms;
 
 pub use blocks::{Blocks, Coarse, Shadows};
 pub use control_plane::ControlPlane;
-pub use craters_in_sight::CratersInSight;
 pub use crossings::Crossings;
 pub use delivery::{Delivery, Supply};
 pub use digital::{Digital, DigitalFrame};

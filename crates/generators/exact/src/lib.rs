@@ -36,13 +36,13 @@
 //!   by `(h - H) / s`, without curvature.
 //! - **Remote shadow** (11.1), if the settings have it: a place of the map is dark if the straight line from it to the
 //!   sun meets the ground (over all levels, of each place the finest), a body or a part of the vehicle, or if it lies in a track patch. Its
-//!   own steepness counts: ground in local shadow is dark. The line begins [`LIFT`] above the ground.
+//!   own steepness counts: ground in local shadow is dark. The line begins `LIFT` above the ground.
 //! - **Texture** (13) is added behind the shadow: to `max(r, 0)` or to black under `TextureInShadow::On`; under `Off` to
 //!   the signed r, nothing in remote shadow. The sum is held to 0..=1.
 //! - **Bodies** (12) stand in true perspective under every projection law, lowered by the drop of the lunoid at their
 //!   foot point. `Depth`: the nearest of ground and faces, by ground range. `AsReported`: a body is drawn whole, over
 //!   everything, the nearer foot on top, unless ground before its foot point stands higher than it by more than
-//!   [`FOOT_TOLERANCE`]. A face returns `albedo max(n.s, 0)`; if terrain and craters shadow the foot point the body is
+//!   `FOOT_TOLERANCE`. A face returns `albedo max(n.s, 0)`; if terrain and craters shadow the foot point the body is
 //!   black or not there.
 //! - **Silhouettes** (8): a ray that meets nothing shows the first listed that stands above it; where sweeps could not draw
 //!   the pose they stand on the horizon, and a ray below it shows nothing.
@@ -136,6 +136,4 @@ pub use ceilings::Ceilings;
 pub use column::{Fineness, LINE_MEAN_TOLERANCE, RIDGE_SHARE};
 pub use outlook::{Outlook, Ray, Sight, Spot};
 pub use session::{Columns, Exact, ExactWithin, ProfilePoint, ROW};
-pub use shadow::LIFT;
-pub use standing::{COINCIDENCE, FOOT_TOLERANCE};
 pub use view::View;

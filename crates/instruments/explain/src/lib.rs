@@ -24,4 +24,4 @@ mod seek;
 mod text;
 
 pub use late::Late;
-pub use seek::{ExactPixel, Explanation, Inquiry, InquiryError, Place, Writer};
+pub use seek::{Explanation, Inquiry, InquiryError, Place, Writer};

@@ -22,8 +22,8 @@ pub mod scene;
 pub mod shrink;
 mod trials;
 
-pub use engines::{Engines, Seen, Tamper};
+pub use engines::{Engines, Seen};
 pub use random::Dice;
-pub use report::{Difference, EventDifference, Report, Tally};
+pub use report::{Difference, Report, Tally};
 pub use scene::{Drawn, Scene, level_of, plane};
 pub use trials::{Fault, Trials, frame_of, trials};

@@ -13,7 +13,7 @@
 //! **What it shows.** Frames with pose and time, a contact sheet, the machine with what was left out of it, timing of the
 //! digital side, waveforms of recorded sweeps, error, and the record.
 //! **What is needed beside it.** Nothing: frames and plots are part of it, byte for byte. A run whose frames take more than
-//! [`FILM_BYTES`] has every n-th of them in its page, and the others beside it; where those are gone the nearest frame
+//! `FILM_BYTES` has every n-th of them in its page, and the others beside it; where those are gone the nearest frame
 //! stands in, and the page says so.
 //! **No network.** Style, script and data are in the file, and its content security policy forbids the rest.
 //! **page.json** ([`Beside`]) keeps what the record does not have: the words of the command line, where a pixel lies among
@@ -46,9 +46,7 @@ mod viewer;
 
 pub use beside::{BESIDE, Beside, ScopePlot};
 pub use error::ReportError;
-pub use film::FILM_BYTES;
 pub use page::write_page;
-pub use side_by_side::{FrameError, MachineFigures, RunTime, SIDE_BY_SIDE, SideBySide, write_side_by_side};
+pub use side_by_side::{FrameError, SIDE_BY_SIDE, SideBySide, write_side_by_side};
 pub use sight::{Sight, SightLine};
-pub use strip::STRIP_FRAMES;
 pub use timing_summary::{DeadlineLine, TimingSummary, UnitLine};

@@ -46,11 +46,6 @@ pub fn decides(key: &str) -> Decides {
     }
 }
 
-/// The keys of a model that a scenario may wish; what ends in `.` is all keys of a table.
-pub fn wished_keys() -> impl Iterator<Item = &'static str> {
-    WISHED.iter().map(|(key, _)| *key)
-}
-
 /// Makes the scenario no longer wish what `key` sets.
 pub(crate) fn drop_wish(scenario: &mut Scenario, key: &str) {
     if let Some((_, drop)) = wished(key) {
@@ -66,7 +61,7 @@ fn wished(key: &str) -> Option<&'static Wished> {
 mod tests {
     use scenario::{LawWishes, Scenario};
 
-    use super::{Decides, decides, drop_wish, wished_keys};
+    use super::{Decides, WISHED, decides, drop_wish};
 
     const SCENARIO: &str = r#"
 format = 1
@@ -109,7 +104,7 @@ pixel_rule = "centre"
     #[test]
     fn a_key_that_is_set_is_no_longer_wished() {
         let mut scenario = Scenario::parse("t.toml", SCENARIO).unwrap();
-        for key in wished_keys() {
+        for (key, _) in WISHED {
             let before = scenario.clone();
             drop_wish(&mut scenario, key);
             assert_ne!(scenario, before, "{key}");

@@ -25,11 +25,11 @@ mod opened;
 mod stage;
 mod wishes;
 
-pub use error::{OpenError, StageError, path_problems, stage_problems};
+pub use error::{OpenError, StageError, path_problems};
 pub use ground::landscape;
-pub use keys::{Decides, decides, wished_keys};
+pub use keys::{Decides, decides};
 pub use kind::{KNOWN, Kind, read_model, read_scenario};
-pub use open::{base_model, open};
+pub use open::open;
 pub use opened::Opened;
 pub use stage::{bank, build, over, settings, under};
 pub use wishes::Wishes;

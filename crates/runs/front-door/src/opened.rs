@@ -10,8 +10,9 @@ use hardware_model::{HardwareModel, Settings};
 use run_record::Inputs;
 use scenario::{PathProblems, PoseTable, Scenario};
 
+use crate::error::stage_problems;
 use crate::open::{guest, model, obstacle};
-use crate::{OpenError, StageError, Wishes, read_scenario, stage_problems};
+use crate::{OpenError, StageError, Wishes, read_scenario};
 
 /// Everything that is known before there is ground.
 #[derive(Clone)]

@@ -44,4 +44,4 @@ pub use held::{HeldRun, RUN_RECORD};
 pub use job::{Control, Job, Pictures, Progress};
 pub use performance::{Phase, peak_memory};
 pub use run::{Outcome, run};
-pub use truth::{TruthItem, TruthItems, TruthOutcome, UnknownTruth, write_truth};
+pub use truth::{TruthItems, TruthOutcome, write_truth};

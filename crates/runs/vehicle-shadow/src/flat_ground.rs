@@ -2,12 +2,13 @@
 
 use glam::{DVec2, DVec3};
 
+use crate::function::CharacteristicFunction;
 use crate::gate::{Gate, Gates};
 use crate::hull::hull;
 use crate::outline::outlines;
 use crate::shot::middle;
 use crate::view_lines::{LineCounts, view_lines};
-use crate::{Chain, CharacteristicFunction, Shot};
+use crate::{Chain, Shot};
 
 /// How a vehicle of several convex figures becomes outlines.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -14,11 +14,11 @@
 //!
 //! # Law
 //!
-//! - **String** ([`CharacteristicFunction`], 19.2): ordered points in vehicle axes, each with a flag whether the line to
+//! - **String** (`CharacteristicFunction`, 19.2): ordered points in vehicle axes, each with a flag whether the line to
 //!   the next is displayed. Each convex part contributes every edge once, joined by trace lines.
 //! - **Chain** ([`Chain`], 19.3): `S'_i = T F'_i + C`, `T = R^T S R`, `C = R^T (S E - E)`, S along the sun's rays onto the
 //!   plane W = 0. A picture without the vehicle's roll has its own `R^T` in front.
-//! - **Line types** ([`LineType`], 19.4): both ends beyond the view-plane, one, none, trace; clipped at U' = D.
+//! - **Line types** (`LineType`, 19.4): both ends beyond the view-plane, one, none, trace; clipped at U' = D.
 //! - **Outlines** (19.5): the convex hull of each figure, every one by itself or walked around as a whole ([`outlines`]).
 //! - **Gates** ([`Gate`]): stretches of a television line between its intersections with outlines, at its middle.
 //! - **Error of flat ground** ([`flat_error`], 19.7): the angle between the edge that flat ground has and the true one; a
@@ -87,26 +87,23 @@ mod view_lines;
 mod work;
 
 pub use augmentation::{Augmentation, FrameWork, GroundLaw};
-pub use blanking::Blanking;
 pub use camera::Camera;
-pub use chain::{Chain, shadow_projection};
+pub use chain::Chain;
 pub use error::AugmentError;
 pub use flat_error::{flat_error, small_flat_error};
 pub use flat_ground::{OutlineRule, flat_gates, shadow_outlines};
-pub use function::{CharacteristicFunction, StringPoint};
-pub use gate::{Gate, Gates, PictureGates};
+pub use gate::Gate;
 pub use insertion::{DAC_BITS, Method, ScanConverter, Shade};
 pub use mast::{Mast, MastEdge};
 pub use outline::outlines;
 pub use poses::{FramePose, read_poses};
 pub use probed::{Look, SIGNALS, line_timebase};
-pub use sequence::{Sequence, SequenceFrame};
+pub use sequence::Sequence;
 pub use shadow::Shadow;
 pub use shape::Shape;
 pub use shot::Shot;
-pub use suns::{LowSun, SUN_HALF_ANGLE_DEG, SUN_POINTS, suns};
+pub use suns::{SUN_HALF_ANGLE_DEG, SUN_POINTS, suns};
 pub use timing_record::timing_record;
 pub use tracks::{USUAL_TRACKS, tracks_along};
 pub use true_ground::TrueGround;
-pub use view_lines::{LineCounts, LineType, view_lines};
-pub use work::{Work, WorkTimes};
+pub use work::Work;

@@ -6,7 +6,8 @@ use diagnostics::{Problem, ProblemList};
 use scenario::VehicleShape;
 use solids::{Body, Solid, culture, obj};
 
-use crate::{CharacteristicFunction, Shot};
+use crate::Shot;
+use crate::function::CharacteristicFunction;
 
 /// A vehicle of convex parts.
 #[derive(Debug, Clone, PartialEq)]

@@ -17,7 +17,7 @@ pub(crate) const MASTER_HZ: f64 = 1e6;
 /// them.
 ///
 /// Deadline of a picture is the end of the one before: [`Deadline::FrameTasks`]. Units are the computer, busy with points
-/// and intersections, and the scan converter, if there is one; these are its tasks, too. Events are those of [`Blanking`](crate::Blanking), vertices
+/// and intersections, and the scan converter, if there is one; these are its tasks, too. Events are those of `Blanking`, vertices
 /// the points of the chain; there are no folds, no register sets.
 pub fn timing_record(
     name: &str,
@@ -97,10 +97,11 @@ mod tests {
     use timing::{Cause, Deadline};
 
     use super::timing_record;
+    use crate::FrameWork;
     use crate::blanking::Blanking;
+    use crate::gate::Gates;
     use crate::insertion::{Method, ScanConverter};
     use crate::work::Work;
-    use crate::{FrameWork, Gates};
 
     fn made(method: &Method, work: Work) -> FrameWork {
         FrameWork {

@@ -4,7 +4,8 @@ use std::ops::AddAssign;
 
 use glam::{DVec2, DVec3};
 
-use crate::{Chain, CharacteristicFunction};
+use crate::Chain;
+use crate::function::CharacteristicFunction;
 
 /// What becomes of a line of the string.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -40,12 +40,12 @@ mod subject;
 mod table;
 mod work;
 
-pub use advice::{Advice, Setting, advise, front};
-pub use change::{Change, Variant};
-pub use figures::{ErrorFigure, Figures, NAMES};
+pub use advice::{Setting, advise, front};
+pub use change::Change;
+pub use figures::{Figures, NAMES};
 pub use order::{Order, fit};
 pub use parameter::{Configure, parameter_ladder};
-pub use reference::{ExactPictures, ReferenceError, SelfError};
+pub use reference::ExactPictures;
 pub use regions::{REGION_LADDERS, regions};
 pub use subject::{StudyError, Subject};
 pub use table::{csv, table};

@@ -32,6 +32,6 @@ pub use bank::{Bank, BankError, CornerWords, Georeference, Level, WORDS};
 pub use light::{GroupLight, Sun, SweepLight};
 pub use lunoid::{LUNOID_RADIUS, parabolic_drop, spherical_drop};
 pub use photometry::Photometry;
-pub use query::{Landscape, SurfacePoint};
+pub use query::Landscape;
 pub use silhouette::{Silhouette, SilhouetteError};
-pub use texture::{Grain, Hashed, Lattice, Layer, MOST_LAYERS, Source, Stored, Texture, TextureError};
+pub use texture::{Hashed, Lattice, Layer, MOST_LAYERS, Source, Stored, Texture, TextureError};

@@ -83,8 +83,7 @@ mod tests;
 mod tile;
 
 pub use bank::{Resolution, ShadowBank};
-pub use footing::{Circle, Footings, UnderSun};
-pub use lattice::TileCorners;
+pub use footing::{Footings, UnderSun};
 pub use outlines::{Corners, Outlines};
 pub use segment::Segment;
 pub use shade::Shade;

@@ -3,7 +3,8 @@
 use parts::Comparator;
 use signal::Real;
 
-use crate::{FeatureInput, ToggleList, VideoSwitch};
+use crate::switch::VideoSwitch;
+use crate::{FeatureInput, ToggleList};
 
 /// A gate behind its comparator over one sweep: how it begins, and the instants at which it changes.
 #[derive(Debug, Clone, Default)]
@@ -70,7 +71,8 @@ mod tests {
     use signal::{LANES, Lanes};
 
     use super::GateEdges;
-    use crate::{FeatureInput, Kink, VideoSwitch};
+    use crate::switch::VideoSwitch;
+    use crate::{FeatureInput, Kink};
 
     proptest! {
         /// Rims lie anywhere in a step, and the sample behind them may differ once more: a late crater, a dark wall.

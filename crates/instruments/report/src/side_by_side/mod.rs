@@ -11,7 +11,7 @@ use serde::Serialize;
 
 use crate::ReportError;
 use figures::figures;
-pub use figures::{FrameError, MachineFigures, RunTime};
+pub use figures::{FrameError, MachineFigures};
 use page::page;
 
 /// Name of the figures in the folder that holds the runs.

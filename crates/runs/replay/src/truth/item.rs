@@ -156,7 +156,7 @@ impl TruthItem {
     }
 }
 
-/// A list of kinds of ground truth, without repetition, in the order of [`TruthItem::ALL`].
+/// A list of kinds of ground truth, without repetition, in the order of `TruthItem::ALL`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TruthItems(Vec<TruthItem>);
 

@@ -34,7 +34,7 @@ use crate::truth_files::{JOURNAL, POSES_CSV, POSES_JSON, RECORD};
 use crate::{HeldRun, ReplayError, RunFolder};
 use record::{FORMAT, Finished, truth_record};
 
-pub use item::{TruthItem, TruthItems, UnknownTruth};
+pub use item::{TruthItem, TruthItems};
 
 /// How far the truth of a run is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -6,8 +6,10 @@ use serde_json::{Value, json};
 
 use super::folder::{ReportError, write};
 use super::ladder_plots::write_plots;
+use crate::advice::Advice;
 use crate::ladder::{LadderOutcome, OrderOutcome};
-use crate::{Advice, SelfError, csv, table};
+use crate::reference::SelfError;
+use crate::{csv, table};
 
 /// How near a measured order must come to theory.
 const WITHIN: f64 = 0.2;
