@@ -10,7 +10,8 @@
 //! the direction of a ramp; overshoot is given back, not lost.
 //! **Timing.** One accumulator step is one sample; between samples range grows in a straight line, so a fold has
 //! a real time between samples.
-//! **Not modelled yet.** Steps of the D/A and its smoother: with ideal parts they are not there.
+//! **Of real parts.** The steps of the D/A and its smoother stand in the terrain generator's array of parts
+//! (`terrain_generator::PartsArray`), which the ramps feed.
 //! **Our choices.** The stop fires only on arrival, never on a ramp that stands on it. When both ramps arrive in
 //! the same instant X is served first (section 6.5).
 

@@ -1,4 +1,4 @@
-//! The ground-range programme: how far each sample of a sweep lies (architecture, section 4).
+//! The ground-range programme: how far each sample of a sweep lies (specification, section 22; hardware section 4.8).
 
 /// How ground range grows along the sweep.
 #[derive(Debug, Clone, Copy, PartialEq)]
