@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use generator::{
-    Counter, FrameCounts, FrameError, Generator, Joined, Omission, PlaneKind, Planes, PrepareError, Role,
-    Row, Session as GeneratorSession, Stage,
+    Counter, Fact, FrameCounts, FrameError, Generator, Joined, Omission, PlaneKind, Planes, PrepareError,
+    Role, Row, Session as GeneratorSession, Stage,
 };
 use quantities::intensity;
 use rayon::prelude::*;
@@ -124,6 +124,11 @@ impl GeneratorSession for Session {
     fn omissions(&self) -> Vec<Omission> {
         Vec::new()
     }
+
+    /// All planes of the pixel: of its column alone, so that nobody waits for the picture.
+    fn explain(&self, frame: u64, pose: &Pose, [column, line]: [usize; 2]) -> Result<Vec<Fact>, FrameError> {
+        Ok(self.planes_of_column(frame, pose, column, PLANES)?.facts([0, line]))
+    }
 }
 
 /// Single columns of pictures, for whoever does not need the rest.
@@ -146,14 +151,7 @@ impl Columns {
         column: usize,
         kinds: &[PlaneKind],
     ) -> Result<Planes, FrameError> {
-        let raster = &self.0.stage.view;
-        let size = [raster.columns as usize, raster.lines as usize];
-        self.0.check(frame, pose)?;
-        let scene = self.0.scene(pose);
-        let (pixels, _) = self.0.column(&scene, column, size);
-        let mut planes = Planes::new(1, size[1], kinds);
-        kinds.iter().for_each(|&kind| fill(&mut planes, kind, std::slice::from_ref(&pixels), &scene));
-        Ok(planes)
+        self.0.planes_of_column(frame, pose, column, kinds)
     }
 }
 
@@ -212,6 +210,24 @@ impl Session {
         let Stage { landscape, scenery, view } = &self.stage;
         let reach = view.shadows.map(|fineness| fineness.reach.unwrap_or(f64::INFINITY));
         Scene::new(landscape, scenery, self.outlook(pose), view.laws, reach, pose)
+    }
+
+    /// Planes of one column of the raster of the stage.
+    fn planes_of_column(
+        &self,
+        frame: u64,
+        pose: &Pose,
+        column: usize,
+        kinds: &[PlaneKind],
+    ) -> Result<Planes, FrameError> {
+        let raster = &self.stage.view;
+        let size = [raster.columns as usize, raster.lines as usize];
+        self.check(frame, pose)?;
+        let scene = self.scene(pose);
+        let (pixels, _) = self.column(&scene, column, size);
+        let mut planes = Planes::new(1, size[1], kinds);
+        kinds.iter().for_each(|&kind| fill(&mut planes, kind, std::slice::from_ref(&pixels), &scene));
+        Ok(planes)
     }
 
     /// Pixels of a column of a picture of `columns` x `lines`, top line first, and the rays that they took.

@@ -163,8 +163,8 @@ pub trait Session: Send + Sync {
         Ok(None)
     }
 
-    /// How pixel `pixel` (column and line, from 0 at the top left) of frame `frame` came about, fact by fact; none if
-    /// the generator does not say.
+    /// How pixel `pixel` (column and line inside the picture, from 0 at the top left) of frame `frame` came about, fact by
+    /// fact; none if the generator has no more to say than its planes.
     ///
     /// # Errors
     /// If the pose cannot be drawn.

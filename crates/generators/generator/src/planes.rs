@@ -1,5 +1,7 @@
 //! Named planes: what a frame is made of.
 
+use crate::Fact;
+
 /// What a plane holds, one f32 a pixel. All but [`Intensity`](Self::Intensity) and colour are taken at the pixel's
 /// centre; no value is NaN.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -80,6 +82,21 @@ impl PlaneKind {
         match self {
             Self::Range | Self::Height | Self::Distance => "m",
             _ => "1",
+        }
+    }
+
+    /// One of its values in words, with its unit; codes by their names.
+    fn in_words(self, value: f32) -> String {
+        let name = match self {
+            Self::Shadow => Shade::of_code(value as u8).map(Shade::name),
+            Self::Label => Label::of_code(value as u8).map(Label::name),
+            Self::Range | Self::Distance if value.is_infinite() => Some("none"),
+            _ => None,
+        };
+        match (name, self.unit()) {
+            (Some(name), _) => name.to_owned(),
+            (None, "1") => format!("{value:.5}"),
+            (None, unit) => format!("{value:.3} {unit}"),
         }
     }
 
@@ -200,6 +217,13 @@ impl Planes {
         self.planes.iter().find(|plane| plane.kind == kind).map(|plane| plane.values.as_slice())
     }
 
+    /// What each plane holds at a pixel (column and line inside the picture), in words.
+    pub fn facts(&self, [column, line]: [usize; 2]) -> Vec<Fact> {
+        let at = line * self.columns + column;
+        let fact = |plane: &Plane| Fact::new(plane.kind.name(), plane.kind.in_words(plane.values[at]));
+        self.planes.iter().map(fact).collect()
+    }
+
     /// The values of red, green and blue, if all were asked for.
     pub fn colour(&self) -> Option<[&[f32]; 3]> {
         let [red, green, blue] = PlaneKind::COLOUR.map(|kind| self.get(kind));
@@ -232,6 +256,25 @@ mod tests {
         let names = std::collections::BTreeSet::from(PlaneKind::ALL.map(PlaneKind::name));
         assert_eq!(names.len(), PlaneKind::ALL.len());
         assert!(PlaneKind::ALL.iter().all(|kind| !kind.sky().is_nan()));
+    }
+
+    #[test]
+    fn a_pixel_in_words() {
+        let kinds = [PlaneKind::Intensity, PlaneKind::Range, PlaneKind::Shadow, PlaneKind::Label];
+        let mut planes = Planes::new(2, 3, &kinds);
+        planes.fill_sky();
+        for (kind, value) in kinds.into_iter().zip([0.25, 31.5, 2.0, 3.0]) {
+            planes.get_mut(kind).unwrap()[2 * 2 + 1] = value;
+        }
+        let told = |pixel| {
+            let facts = planes.facts(pixel).into_iter();
+            facts.map(|fact| format!("{} {}", fact.what, fact.value)).collect::<Vec<_>>()
+        };
+        assert_eq!(
+            told([1, 2]),
+            ["intensity 0.25000", "range 31.500 m", "shadow remote shadow", "label rock"]
+        );
+        assert_eq!(told([0, 2]), ["intensity 0.00000", "range none", "shadow lit or sky", "label sky"]);
     }
 
     /// Older kinds keep their places: new ones are put behind them.

@@ -2,15 +2,14 @@
 
 use control_plane::{ControlPlane, MachineStage, scan};
 use generator::{Counter, Generator, PrepareError, Scan, Session, Stage, Timed};
-use hardware_model::Settings;
+use hardware_model::{MachineRecord, Settings};
 use scenario::View;
-use serde_json::Value;
+use serde_json::{Value, json};
 use signal::Signal;
 use signal_plane::signals;
 
 use crate::counts::COUNTERS;
 use crate::prepare::Prepare;
-use crate::settings_record::settings_record;
 
 /// The hybrid machine of the report, made of the parts that its settings name.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,7 +42,7 @@ impl Generator for HybridMachine {
     }
 
     fn record(&self) -> Value {
-        settings_record(&self.settings)
+        json!(MachineRecord::of(&self.settings))
     }
 
     fn prepare(&self, stage: Stage) -> Result<Box<dyn Session>, PrepareError> {

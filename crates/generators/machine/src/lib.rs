@@ -27,7 +27,6 @@
 //! | 1 | `omissions` | what the elaborated machine leaves out |
 //! | 1 | `pool` | buffers that are used again |
 //! | 1 | `residue` | pictures as they were written, for a tube |
-//! | 1 | `settings_record` | settings for the record of a run |
 //! | 2 | `picture` | a picture while it is written |
 //! | 3 | `elaborated` | the machine of a stage: its tables, and what the groups of a frame share |
 //! | 4 | `groups` | the groups of a frame |
@@ -47,7 +46,6 @@ mod pool;
 mod prepare;
 mod residue;
 mod session;
-mod settings_record;
 mod tube;
 mod unprobed;
 

@@ -13,15 +13,18 @@
 //! **Our choices.** A pixel that a tube reads between four sweeps is told by the nearest. What bodies cover is told as
 //! theirs; the ground behind is told as well. A register is stale if its corner is not the one that the region asks
 //! for, whatever brought it there.
+//! **Other generators** ([`facts`]) say of a pixel what they will, or else what their planes hold there.
 //! **Not told.** What the read beam, the tube's residue and its noise add to what the sweep left: that is the difference
 //! between `left` and the pixel's `intensity`.
 
 mod because;
 mod column;
+mod facts;
 mod ground;
 mod late;
 mod seek;
 mod text;
 
+pub use facts::facts;
 pub use late::Late;
 pub use seek::{Explanation, Inquiry, InquiryError, Place, Writer};

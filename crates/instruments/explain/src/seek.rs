@@ -12,6 +12,7 @@ use signal::Probe;
 
 use crate::because::because;
 use crate::column::{SIGNALS, SweepColumn};
+use crate::facts::expect_pixel;
 use crate::ground::GroundPoint;
 use crate::late::{Late, late};
 
@@ -147,10 +148,7 @@ impl<'a> Inquiry<'a> {
     /// If there is no such pixel, or the pose cannot be drawn.
     pub fn explain(&self, frame: u64, pose: &Pose, [x, y]: [usize; 2]) -> Result<Explanation, InquiryError> {
         let raster = &self.stage.settings.raster;
-        let (columns, lines) = (raster.columns, raster.lines);
-        if x >= columns as usize || y >= lines as usize {
-            return Err(InquiryError::Pixel { x, y, columns, lines });
-        }
+        expect_pixel([x, y], [raster.columns, raster.lines])?;
         let sweeps = self.control.sweeps(frame, pose)?;
         let place = self.place(&sweeps, pose, [x, y]);
         let (shown, column) = self.look(frame, pose, [x, y], place.sweep)?;

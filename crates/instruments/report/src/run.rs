@@ -4,9 +4,10 @@ use std::ops::Deref;
 use std::path::Path;
 
 use diagnostics::{CsvRow, CsvRows};
+use hardware_model::MachineRecord;
 use picture::Curve;
 use replay::{HeldRun, picture_name};
-use run_record::{FrameRecord, MachineRecord, RunRecord};
+use run_record::{FrameRecord, RunRecord};
 use serde::Deserialize;
 
 use crate::ReportError;

@@ -10,7 +10,6 @@
 //!
 //! - [`RunRecord`], [`RunRecord::read`]: the record of a run. [`FrameRecord`]: a frame in it.
 //! - [`ViewRecord`], [`GroundRecord`], [`SceneryRecord`]: what was drawn, for any generator.
-//! - [`MachineRecord`]: settings of the hybrid machine, as its runs have them.
 //! - [`TruthRecord`]: the record of the truth.
 //! - [`Inputs`], [`FileRecord`]: the files that a run was made from.
 
@@ -18,7 +17,6 @@ mod file;
 mod frame;
 mod ground;
 mod inputs;
-mod machine;
 mod mission;
 mod omission;
 mod run;
@@ -30,7 +28,6 @@ pub use file::{FileRecord, MAX_BYTES, file_hash, hash, stays_inside};
 pub use frame::{FrameRecord, total_work};
 pub use ground::{AlbedoMapRecord, GroundRecord, LevelRecord};
 pub use inputs::{Inputs, ModelRecord, ModelValue};
-pub use machine::{ClockRecord, MachineRecord, SweepRecord};
 pub use mission::{LimitRecord, PathRecord, SunRecord, VehicleRecord};
 pub use omission::{OmissionRecord, WeightRecord};
 pub use run::{

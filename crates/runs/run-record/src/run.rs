@@ -59,7 +59,7 @@ pub struct RunRecord {
     pub path: PathRecord,
     /// What was asked of every picture.
     pub view: ViewRecord,
-    /// The generator's own settings; of the hybrid machine a [`MachineRecord`](crate::MachineRecord).
+    /// The generator's own settings; of the hybrid machine a [`MachineRecord`](hardware_model::MachineRecord).
     pub settings: Value,
     /// How frames became files.
     pub pictures: PicturesRecord,

@@ -2,12 +2,14 @@
 
 use clap::Args;
 use exact::Columns;
-use explain::{Explanation, Inquiry, InquiryError};
+use explain::{Explanation, Inquiry, InquiryError, facts};
+use front_door::Opened;
 use machine::Prepare;
+use serde_json::json;
+use text::table;
 
 use crate::commands::again::command;
 use crate::frame::FrameArgs;
-use crate::loading::of_models;
 use crate::output::{print, print_json};
 use crate::values::pixel;
 use crate::{Failure, Verdict};
@@ -16,19 +18,22 @@ const AFTER: &str = "Examples:
   lunoid explain scenarios/first-light.toml --frame 60 --pixel 500,300
   lunoid explain scenarios/nominal-drive.toml --frame 45 --pixel 210,260 --json
 
-The first lines say why, the table has every wire at the sample, the last lines are commands that go on from there: the sweep
-on a page of the scope, the registers at the sample, the digital events of the sweep.";
+  lunoid explain scenarios/lunsim-landing.toml --machine exact --frame 3 --pixel 100,200
 
-/// Say which sweep and sample made a pixel, and what every block did there.
+Of the hybrid machine the first lines say why, and the table has every signal at the sample. The last lines are commands that go on
+from there: the sweep on a page of the scope, the registers at the sample, the digital events of the sweep. Another generator has a
+table alone: what it knows of the pixel.";
+
+/// Explain a pixel: the sweep and sample that made it, and every block there.
 #[derive(Debug, Args)]
-#[command(after_help = AFTER, mut_args(of_models))]
+#[command(after_help = AFTER)]
 pub struct Explain {
     #[command(flatten)]
     chosen: FrameArgs,
     /// Pixel: column and line, from 0 at the top left.
     #[arg(long, value_name = "X,Y", value_parser = pixel, allow_hyphen_values = true)]
     pixel: [usize; 2],
-    /// Leave the closed form out, and with it the error.
+    /// Leave the closed form out, and with it the error. Only of the hybrid machine.
     #[arg(long)]
     no_exact: bool,
     /// Print as JSON.
@@ -39,6 +44,43 @@ pub struct Explain {
 impl Explain {
     /// Explains.
     pub fn run(&self) -> Result<Verdict, Failure> {
+        let opened = self.chosen.stage.load()?;
+        if opened.is_machine() { self.of_the_machine() } else { self.of_a_guest(&opened) }
+    }
+
+    /// What a generator beside the hybrid machine says of the pixel.
+    fn of_a_guest(&self, opened: &Opened) -> Result<Verdict, Failure> {
+        let name = opened.generator.name();
+        if self.no_exact {
+            return Err(Failure::usage(format!(
+                "--no-exact: {name} is not compared with exact here; leave the option out"
+            )));
+        }
+        self.chosen.expect_in(opened)?;
+        let frame = self.chosen.frame;
+        let pool = self.chosen.threads.pool()?;
+        let told = pool.install(|| -> Result<_, Failure> {
+            let stage = opened.stage()?;
+            let pose = opened.poses(&stage, frame..frame + 1).map_err(Failure::input)?.rows()[0].pose;
+            let view = stage.view.clone();
+            let session = opened.generator.prepare(stage).map_err(Failure::input)?;
+            let told = facts(&*opened.generator, &*session, &view, (frame, &pose), self.pixel);
+            Ok((pose.time, told.map_err(failure)?))
+        });
+        let (time, told) = told?;
+        let [x, y] = self.pixel;
+        if self.json {
+            print_json(&json!({
+                "schema": "lunoid.facts/1", "generator": name, "frame": frame, "time_s": time, "pixel": [x, y], "facts": told,
+            }))?;
+        } else {
+            let rows: Vec<_> = told.into_iter().map(|fact| vec![fact.what, fact.value]).collect();
+            print(&format!("frame {frame} ({time:.3} s), pixel {x},{y}, by {name}\n\n{}", table(&rows)))?;
+        }
+        Ok(Verdict::Yes)
+    }
+
+    fn of_the_machine(&self) -> Result<Verdict, Failure> {
         let frame = self.chosen.frame;
         let rehearsal = self.chosen.rehearse(|_| Ok(()))?;
         let pose = rehearsal.poses(&[frame])?[0].pose;
@@ -46,10 +88,7 @@ impl Explain {
         let exact = (!self.no_exact).then(|| Columns::new(rehearsal.stage.stage()));
         let inquiry = Inquiry::new(&rehearsal.stage, session.as_ref(), &rehearsal.control, exact.as_ref());
         let told = rehearsal.pool.install(|| inquiry.explain(frame, &pose, self.pixel));
-        let told = told.map_err(|error| match error {
-            InquiryError::Pixel { .. } => Failure::usage(format!("--pixel: {error}")),
-            InquiryError::Frame(error) => Failure::input(error),
-        })?;
+        let told = told.map_err(failure)?;
         if self.json {
             let mut document = serde_json::to_value(&told).map_err(Failure::input)?;
             document["schema"] = "lunoid.explain/1".into();
@@ -79,5 +118,12 @@ impl Explain {
             .chain(registers)
             .chain([("trace", format!("--sweep {sweep}"))]);
         commands.map(|(name, rest)| command(name, stage, frame, &rest) + "\n").collect()
+    }
+}
+
+fn failure(error: InquiryError) -> Failure {
+    match error {
+        InquiryError::Pixel { .. } => Failure::usage(format!("--pixel: {error}")),
+        InquiryError::Frame(error) => Failure::input(error),
     }
 }

@@ -39,6 +39,32 @@ fn a_pixel_that_is_not_there() {
     assert!(late.contains("--frame 100000"), "{late}");
     let words = wrong(2, &["--frame", "1", "--pixel", "4"]);
     assert!(words.contains("column and line"), "{words}");
-    let exact = wrong(2, &["--frame", "1", "--pixel", "4,3", "--machine", "exact"]);
-    assert!(exact.contains("exact"), "{exact}");
+    let exact = wrong(2, &["--frame", "1", "--pixel", "400,3", "--machine", "exact"]);
+    assert!(exact.contains("--pixel") && exact.contains("columns 0..40"), "{exact}");
+    let needless = wrong(2, &["--frame", "1", "--pixel", "4,3", "--machine", "exact", "--no-exact"]);
+    assert!(needless.contains("--no-exact"), "{needless}");
+}
+
+#[test]
+fn other_generators_say_what_they_know_of_a_pixel() {
+    let scene = Scene::new();
+    scene.write("scene.toml", include_str!("../tiny.toml"));
+    let of = |pixel, machine, more: &[&str]| {
+        let line = ["explain", "scene.toml", "--frame", "1", "--pixel", pixel, "--machine", machine];
+        scene.expect(0, &[&line, more].concat()).0
+    };
+    let ground = of("20,20", "exact", &[]);
+    assert!(ground.starts_with("frame 1 (") && ground.contains("pixel 20,20, by exact"), "{ground}");
+    let json: Value = serde_json::from_str(&of("20,20", "exact", &["--json"])).unwrap();
+    let fact = |what: &str| {
+        let facts = json["facts"].as_array().unwrap();
+        facts.iter().find(|fact| fact["what"] == what).unwrap()["value"].as_str().unwrap()
+    };
+    assert_eq!((json["schema"].as_str(), fact("label")), (Some("lunoid.facts/1"), "terrain"));
+    let (machine, _) =
+        scene.expect(0, &["explain", "scene.toml", "--frame", "1", "--pixel", "20,20", "--json"]);
+    let machine: Value = serde_json::from_str(&machine).unwrap();
+    let range: f64 = fact("range").strip_suffix(" m").unwrap().parse().unwrap();
+    assert!((range - machine["exact"]["range_m"].as_f64().unwrap()).abs() < 1e-3, "{range}, {machine}");
+    assert!(of("20,0", "exact", &[]).contains("sky"));
 }

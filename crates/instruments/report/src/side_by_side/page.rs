@@ -4,10 +4,10 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use compare::difference_any;
+use hardware_model::MachineRecord;
 use maud::{DOCTYPE, Markup, html};
 use picture::{AnyPicture, Limits, read_any_png};
 use replay::picture_name;
-use run_record::MachineRecord;
 
 use super::{FrameError, MachineFigures, SideBySide};
 use crate::ReportError;

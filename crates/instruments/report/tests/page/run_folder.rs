@@ -171,7 +171,17 @@ fn settings() -> Value {
         "raster": { "sweeps": SWEEPS, "samples_per_sweep": 80 },
         "clocks": { "master": "20000000 Hz", "sample": "32000 Hz", "active_samples": 80, "retrace_samples": 0 },
         "range": { "programme": "geometric", "start_m": 2.0 },
-        "cpu_ticks": {}, "loader": {}, "data_banks_ticks": {}, "analog_si": {}, "blocks": {},
+        "cpu_ticks": {}, "data_banks_ticks": {}, "analog_si": {},
+        "loader": {
+            "served_by": "wired-pointers", "words_per_access": 9, "access_ticks": 0, "pointer_ticks": 0,
+            "io_processor_ticks": {}, "strobe_ticks": 0, "urgent_first": true, "diagonal_register": false,
+            "stop_after_crossings": null, "late_policy": "strobe-through", "delay": [],
+        },
+        "blocks": {
+            "feature_generator": { "organisation": "scheduled", "sub_generators": null },
+            "shadow_controller": { "variant": "digital", "line_generators": null },
+            "mixing_unit": { "gate": "presence", "threshold": 0.0 },
+        },
         "seed": 0, "sweep_memory": "scan-converter", "economy": "bounded",
     })
 }
