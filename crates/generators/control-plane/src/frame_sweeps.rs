@@ -16,7 +16,7 @@ use crate::blocks::Coarse;
 use crate::control_plane::ControlPlane;
 use crate::crossings::Crossings;
 use crate::delivery::Supply;
-use crate::digital::DigitalFrame;
+use crate::digital::{DigitalFrame, crossing_times};
 use crate::frame_plan::FramePlan;
 use crate::raster::WrittenRaster;
 use crate::sight::vertices;
@@ -175,6 +175,16 @@ impl FrameSweeps<'_> {
     /// Corners in view that are not in the storage buffer of each level when the frame begins.
     pub fn missing_corners(&self) -> [usize; 2] {
         self.digital.missing().map(<[_]>::len)
+    }
+
+    /// What the crossings of each sweep take of the processor (ticks); empty if they never take anything.
+    pub fn crossing_ticks(&self) -> Vec<u64> {
+        crossing_times(&self.crossings()).iter().map(|taken| taken.interrupts + taken.words).collect()
+    }
+
+    /// Vertices of polyhedra that the frame asks the processor for.
+    pub fn vertices_asked(&self) -> u64 {
+        self.digital.vertices
     }
 
     /// The loader that the sweeps run behind.

@@ -5,8 +5,6 @@ use hardware_model::{AnalogParts, CrossingServer, Settings, WriteCompensation};
 /// What of one sweep it cannot know.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Unknown {
-    /// Corners that the data bank has not delivered.
-    pub corners: bool,
     /// Craters that came late or found no sub-generator.
     pub craters: bool,
     /// Craters or edges of shadow on the way.
@@ -54,7 +52,7 @@ fn inside_blocks(signal: &str, settings: &Settings, unknown: Unknown) -> Option<
         "mu.reflectivity" => of("fg.reflectivity").or_else(|| of("txg.texture")),
         "sm.video" => of("mu.reflectivity").or_else(|| of("dpp.hold")),
         _ if signal.starts_with("tg.fn.") => terrain_parts(settings),
-        _ if signal.starts_with("tg.") => terrain_parts(settings).or_else(|| words(settings, unknown)),
+        _ if signal.starts_with("tg.") => terrain_parts(settings).or_else(|| words(settings)),
         _ if signal.starts_with("fg.") && !parts.features_are_ideal() => {
             Some("real parts of the sub-generators")
         }
@@ -68,10 +66,9 @@ fn inside_blocks(signal: &str, settings: &Settings, unknown: Unknown) -> Option<
 }
 
 /// Why it does not know which words are in the registers.
-pub fn words(settings: &Settings, unknown: Unknown) -> Option<&'static str> {
+pub fn words(settings: &Settings) -> Option<&'static str> {
     let by_interrupt = settings.loader.served_by == CrossingServer::CpuInterrupt;
-    let waits = by_interrupt.then_some("words by interrupt: how long one waits is drawn from a seed");
-    waits.or_else(|| unknown.corners.then_some("corners that the drums have not delivered"))
+    by_interrupt.then_some("words by interrupt: how long one waits is drawn from a seed")
 }
 
 fn terrain_parts(settings: &Settings) -> Option<&'static str> {

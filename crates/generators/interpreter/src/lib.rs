@@ -15,7 +15,8 @@
 //! Files, by part of the drawing: [`scene`] (what is given), [`fan`] (azimuths, ranges), [`clock`] (ticks), [`ramp`],
 //! [`registers`] and [`server`] (hold, preload registers, pointers, words on their way), [`terrain`] (function
 //! generators, products, sums), [`walk`] (one terrain generator along a sweep), [`levels`] (two of them), [`light`],
-//! [`craters`], [`mixing`], [`wires`] (their output amplifiers), [`projector`], [`sweep`] (one sweep in order), [`coverage`] (what it does not model).
+//! [`craters`], [`loads`] (their words), [`mixing`], [`wires`] (their output amplifiers), [`projector`], [`sweep`] (one sweep in order), [`coverage`] (what it does not model). For a whole
+//! frame: [`frame`], [`processor`] (set-ups), [`drums`] (with queues and storage buffer), [`demand`] (what a frame asks of them).
 //!
 //! **Our choices.** Ground range of the samples is taken as it is given, so that both engines look at the same places;
 //! [`range_programme`] is an opinion of its own on it. The gate of remote shadow is given too: boundaries are made
@@ -23,12 +24,17 @@
 
 pub mod clock;
 pub mod coverage;
+pub mod demand;
+pub mod drums;
 pub mod craters;
 pub mod event;
 pub mod fan;
+pub mod frame;
 pub mod levels;
 pub mod light;
+pub mod loads;
 pub mod mixing;
+pub mod processor;
 pub mod projector;
 pub mod ramp;
 pub mod registers;
@@ -40,7 +46,9 @@ pub mod walk;
 pub mod wires;
 
 pub use coverage::{Unknown, why_not};
-pub use event::{AskedFor, Event, Happening, Register};
+pub use drums::{Arrivals, DrumFigures};
+pub use event::{AskedFor, Event, FromDrum, Happening, Outcome, Part, Register};
 pub use fan::range_programme;
+pub use frame::{Frame, FrameGiven, frame};
 pub use scene::{Given, Scene};
 pub use sweep::{Record, interpret};

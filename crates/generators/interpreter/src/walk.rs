@@ -4,6 +4,7 @@ use hardware_model::Loader;
 use landscape::Level;
 
 use crate::clock::Clock;
+use crate::drums::Arrivals;
 use crate::event::Event;
 use crate::ramp::Ramp;
 use crate::registers::{Registers, Start};
@@ -51,6 +52,8 @@ pub struct Walk {
 pub struct Course<'a> {
     /// Its ground.
     pub level: &'a Level,
+    /// Corners that its storage buffer has not when the frame begins.
+    pub missing: &'a Arrivals,
     /// 0 fine, 1 coarse.
     pub number: usize,
     /// How words come.
@@ -78,7 +81,7 @@ pub fn walk(scene: &Scene<'_>, course: &Course<'_>, ranges: &[f64]) -> Walk {
         place: (scene.frame, course.sweep),
         level: course.number,
     };
-    let registers = Registers::at_start(level, course.loader, clock, start);
+    let registers = Registers::at_start((level, course.missing), course.loader, clock, start);
     let mut walker = Walker { course, clock, ramps, registers, found: Walk::default() };
     let mut before = 0.0;
     walker.found.last_tick = clock.seen(-1.0);

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use control_plane::{DigitalEvent, EventWord};
-use interpreter::{AskedFor, Event, Happening, Register};
+use control_plane::{DigitalEvent, DigitalUnit, EventWord, LoadedPart};
+use interpreter::{AskedFor, Event, FromDrum, Happening, Outcome, Part, Register};
 use sweep_program::{PreloadRegister, RampAxis, Stop};
 
 /// What the machine's digital side did in a sweep, in the interpreter's words; what has none there is left out.
@@ -12,7 +12,7 @@ pub fn of_machine(events: &[DigitalEvent]) -> Vec<Event> {
 }
 
 fn translated(event: &DigitalEvent) -> Option<Event> {
-    Some(Event { tick: event.tick.0 as i64, level: event.level?, what: happening(event)? })
+    Some(Event { tick: event.tick.0 as i64, level: event.level, what: happening(event)? })
 }
 
 /// What it is for the interpreter; none for what it has no opinion on.
@@ -29,17 +29,18 @@ fn happening(event: &DigitalEvent) -> Option<Happening> {
             Happening::Stop { axis, at_one: fold.stop == Stop::One, crossing: event.crossing? }
         }
         EventWord::Transfer => {
-            Happening::Transfer { colour: colour()?, register: register(event)?, crossing: event.crossing? }
+            let (colour, register) = (colour()?, register(event)?);
+            Happening::Transfer { colour, register, crossing: event.crossing?, corner: event.corner }
         }
         EventWord::Wasted => {
-            Happening::Wasted { colour: colour()?, register: register(event)?, corner: event.corner? }
+            Happening::Wasted { colour: colour()?, register: register(event)?, corner: event.corner }
         }
         EventWord::Wanted => Happening::Wanted(set(event)?),
         EventWord::Cancelled => Happening::Cancelled(set(event)?),
         EventWord::Diagonal => Happening::Diagonal { set: set(event)?, corner: event.corner? },
         EventWord::Access => Happening::Access { set: set(event)?, corner: event.corner? },
         EventWord::Load => {
-            Happening::Load { colour: colour()?, register: register(event)?, corner: event.corner?, words }
+            Happening::Load { colour: colour()?, register: register(event)?, corner: event.corner, words }
         }
         EventWord::Late => Happening::Late {
             colour: colour()?,
@@ -47,8 +48,45 @@ fn happening(event: &DigitalEvent) -> Option<Happening> {
             crossing: event.crossing?,
             words,
         },
-        _ => return None,
+        EventWord::Absent => Happening::Absent {
+            colour: colour()?,
+            register: register(event)?,
+            crossing: event.crossing,
+            corner: event.corner?,
+        },
+        EventWord::CraterLoad => words_of(event, Outcome::InTime)?,
+        EventWord::CraterLate => words_of(event, Outcome::Late)?,
+        EventWord::CraterDropped => words_of(event, Outcome::Dropped)?,
+        EventWord::SegmentLoad | EventWord::SegmentLate | EventWord::SegmentDropped => return None,
+        EventWord::SetUpBegins => Happening::SetUpBegins { sweep: event.sweep? },
+        EventWord::SetUp | EventWord::SetUpLate => {
+            Happening::SetUp { sweep: event.sweep?, slack: event.slack? }
+        }
+        EventWord::OldSetUp => Happening::OldSetUp { sweep: event.sweep?, drawn: event.other? },
+        EventWord::Tables | EventWord::TablesLate => Happening::Tables { slack: event.slack? },
+        EventWord::Record => Happening::Record(FromDrum {
+            drum: drum(event)?,
+            corner: event.corner?,
+            words: event.words,
+        }),
     })
+}
+
+/// What became of the words of a crater.
+fn words_of(event: &DigitalEvent, outcome: Outcome) -> Option<Happening> {
+    let sub_generator = event.part.and_then(|part| match part {
+        LoadedPart::SubGenerator(_, number) => Some(number),
+        LoadedPart::LineGenerator(_) => None,
+    });
+    let part = Part::Crater { crater: event.crater?, sub_generator };
+    Some(Happening::Words { part, outcome, slack: event.slack })
+}
+
+fn drum(event: &DigitalEvent) -> Option<u32> {
+    match event.unit {
+        DigitalUnit::Drum(_, number) => Some(number),
+        _ => None,
+    }
 }
 
 fn register(event: &DigitalEvent) -> Option<Register> {
@@ -67,12 +105,16 @@ fn set(event: &DigitalEvent) -> Option<AskedFor> {
 /// The events up to the last tick of each level, in one order, those that are one but for their words joined.
 pub fn in_order(events: &[Event], last_ticks: [i64; 2], with_words: bool) -> Vec<Event> {
     let mut joined: BTreeMap<Event, u16> = BTreeMap::new();
-    for event in events.iter().filter(|event| event.tick <= last_ticks[event.level]) {
+    let is_in_time = |event: &&Event| event.level.is_none_or(|level| event.tick <= last_ticks[level]);
+    for event in events.iter().filter(is_in_time) {
         let (mut key, mut words) = (*event, 0);
         if let Happening::Load { words: some, .. } | Happening::Late { words: some, .. } = &mut key.what {
             words = std::mem::take(some);
         }
-        if with_words || event.what.is_of_the_ramps() {
+        if let (false, Happening::Transfer { corner, .. }) = (with_words, &mut key.what) {
+            *corner = None;
+        }
+        if with_words || event.what.needs_no_words() {
             *joined.entry(key).or_default() |= words;
         }
     }

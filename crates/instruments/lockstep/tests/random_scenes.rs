@@ -36,6 +36,21 @@ const COMPARED: [&str; 22] = [
     "sm.video",
 ];
 
+/// Events of drums, craters and the processor, which some of these scenes have.
+const DIGITAL: [&str; 11] = [
+    "absent",
+    "record",
+    "crater-load",
+    "crater-late",
+    "crater-dropped",
+    "set-up-begins",
+    "set-up",
+    "set-up-late",
+    "old-set-up",
+    "tables",
+    "tables-late",
+];
+
 #[test]
 fn two_hundred_in_f64() {
     let found = trials(0..200, Scalar::F64);
@@ -53,6 +68,11 @@ fn two_hundred_in_f64() {
         let count = found.report.events.get(word).copied().unwrap_or(0);
         assert!(count > 100, "{word}: {count}");
     }
+    for word in DIGITAL {
+        let count = found.report.events.get(word).copied().unwrap_or(0);
+        assert!(count > 0, "{word}: {count}");
+    }
+    println!("{:?} {}", found.report.events, found.report.events_left_out);
     assert!(found.report.counts["features"] > 100, "few sweeps met a crater");
 }
 
