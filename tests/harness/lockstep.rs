@@ -54,5 +54,5 @@ pub fn walk(scene: &Scene) -> Record {
     let frame =
         interpreter::frame(&scene, &FrameGiven { crossings: &[], vertices: 0, drums: [&[], &[]] });
     let ranges = range_programme(&stage.settings.range, stage.settings.raster.samples);
-    interpret(&scene, 0, &Given { ranges: &ranges, frame: &frame, shadow: &[], full_scales: &[] })
+    interpret(&scene, 0, &Given { ranges: &ranges, frame: &frame, lines: &[], shadow: &[], full_scales: &[] })
 }

@@ -81,7 +81,19 @@ impl ControlPlane {
     /// # Errors
     /// If the shadow cache cannot be kept.
     pub(crate) fn shadow_gates(&self, sweeps: &FrameSweeps<'_>, time: f64) -> Result<Vec<Gate>, FrameError> {
-        let supply = Supply {
+        let supply = self.supply(sweeps);
+        let gates = supply.shadow_gates(time);
+        supply.check_cache()?;
+        Ok(gates)
+    }
+
+    /// Lines of shadow on the ground, of which the gates at `time` (s) are made: from, to (north, east; m), shadow to the right.
+    pub fn shadow_lines(&self, sweeps: &FrameSweeps<'_>, time: f64) -> Vec<[[f64; 2]; 2]> {
+        self.supply(sweeps).shadow_lines(time)
+    }
+
+    fn supply<'a>(&'a self, sweeps: &'a FrameSweeps<'_>) -> Supply<'a> {
+        Supply {
             stage: self.stage(),
             blocks: self.blocks(),
             footings: self.footings(),
@@ -89,10 +101,7 @@ impl ControlPlane {
             raster: *self.raster(),
             table: self.table(),
             ready: sweeps.digital().ready_vertices(),
-        };
-        let gates = supply.shadow_gates(time);
-        supply.check_cache()?;
-        Ok(gates)
+        }
     }
 
     fn sweeps_of<'a>(

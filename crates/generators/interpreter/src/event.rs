@@ -181,16 +181,6 @@ pub enum Part {
     },
 }
 
-impl Part {
-    /// The same with the number of the part that is taken.
-    pub fn numbered(self, number: u32) -> Self {
-        match self {
-            Self::Crater { crater, .. } => Self::Crater { crater, sub_generator: Some(number) },
-            Self::Segment { .. } => Self::Segment { line_generator: Some(number) },
-        }
-    }
-}
-
 /// What becomes of words that a part waits for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Outcome {

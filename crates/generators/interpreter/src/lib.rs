@@ -15,7 +15,7 @@
 //! Files, by part of the drawing: [`scene`] (what is given), [`fan`] (azimuths, ranges), [`clock`] (ticks), [`ramp`],
 //! [`registers`] and [`server`] (hold, preload registers, pointers, words on their way), [`terrain`] (function
 //! generators, products, sums), [`walk`] (one terrain generator along a sweep), [`levels`] (two of them), [`light`],
-//! [`craters`], [`loads`] (their words), [`mixing`], [`wires`] (their output amplifiers), [`projector`], [`sweep`] (one sweep in order), [`coverage`] (what it does not model). For a whole
+//! [`craters`], [`loads`] (their words), [`shadows`] (words of boundaries), [`mixing`], [`wires`] (their output amplifiers), [`projector`], [`sweep`] (one sweep in order), [`coverage`] (what it does not model). For a whole
 //! frame: [`frame`], [`processor`] (set-ups), [`drums`] (with queues and storage buffer), [`demand`] (what a frame asks of them).
 //!
 //! **Our choices.** Ground range of the samples is taken as it is given, so that both engines look at the same places;
@@ -40,6 +40,7 @@ pub mod ramp;
 pub mod registers;
 pub mod scene;
 pub mod server;
+pub mod shadows;
 pub mod sweep;
 pub mod terrain;
 pub mod walk;
@@ -51,4 +52,5 @@ pub use event::{AskedFor, Event, FromDrum, Happening, Outcome, Part, Register};
 pub use fan::range_programme;
 pub use frame::{Frame, FrameGiven, frame};
 pub use scene::{Given, Scene};
+pub use shadows::ShadowLine;
 pub use sweep::{Record, interpret};

@@ -1,4 +1,4 @@
-//! Words of craters on their way to the sub-generators (section 10; hardware section 3.7; sheet of the feature generator).
+//! Words on their way to parts that wait for them, and those of craters (section 10; hardware section 3.7).
 
 use std::collections::BTreeMap;
 
@@ -101,7 +101,7 @@ impl<'a> Line<'a> {
             let free = pool.get(number).copied();
             pool.resize(pool.len().max(number + 1), f64::NEG_INFINITY);
             pool[number] = request.taken[1];
-            self.load(Request { part: request.part.numbered(number as u32), ..*request }, free);
+            self.load(Request { part: self.numbered(request.part, number as u32), ..*request }, free);
         }
         self.loads
     }
@@ -113,6 +113,14 @@ impl<'a> Line<'a> {
         match self.ticks {
             None => free.next().or(unused),
             Some(_) => unused.or_else(|| free.min_by(|&a, &b| pool[a].total_cmp(&pool[b]))),
+        }
+    }
+
+    /// A part with its number; of line generators whose words take no time nobody tells which one has them.
+    fn numbered(&self, part: Part, number: u32) -> Part {
+        match part {
+            Part::Crater { crater, .. } => Part::Crater { crater, sub_generator: Some(number) },
+            Part::Segment { .. } => Part::Segment { line_generator: self.ticks.map(|_| number) },
         }
     }
 

@@ -5,6 +5,7 @@ use landscape::{Landscape, Level, Sun};
 use scenario::Pose;
 
 use crate::frame::Frame;
+use crate::shadows::ShadowLine;
 
 /// A frame: ground, light, pose and the numbers of the run.
 #[derive(Debug, Clone, Copy)]
@@ -34,6 +35,8 @@ pub struct Given<'a> {
     pub ranges: &'a [f64],
     /// The digital side of the frame.
     pub frame: &'a Frame,
+    /// Lines of shadow on the ground; empty where there is none.
+    pub lines: &'a [ShadowLine],
     /// Gate of remote shadow at each sample, 0 or 1; empty where there is no shadow.
     pub shadow: &'a [f64],
     /// Full scale of each main wire in its unit: what its slew rate is against.

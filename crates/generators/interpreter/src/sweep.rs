@@ -14,6 +14,7 @@ use crate::loads::{Loads, Passing, craters};
 use crate::mixing::{Inputs, mix, texture};
 use crate::projector::{Circuit, Deflection, Rim, elevation, shown};
 use crate::scene::{Given, Scene};
+use crate::shadows::segments;
 use crate::wires::Wires;
 use scenario::FeatureLight;
 
@@ -29,13 +30,13 @@ pub struct Record {
     /// How near each sample of a signal is to a threshold that decides it, in the unit of the signal that is compared
     /// there or as a share of a radius; signals that nothing decides are not here.
     pub margins: BTreeMap<String, Vec<f64>>,
-    /// Event lists of both levels, and loads of craters.
+    /// Event lists of both levels, and loads of craters and of shadow boundaries.
     pub events: Vec<Event>,
     /// The last tick of each level's walk: later events are nobody's.
     pub last_ticks: [i64; 2],
     /// Ticks, by level, in which rounding says when a stop is seen.
     pub undecided: [Vec<i64>; 2],
-    /// Whether rounding says which tick sees a load of a crater.
+    /// Whether rounding says which tick sees a load of a crater or of a shadow boundary.
     pub loads_undecided: bool,
     /// Instants of the stops of the fine level, in accumulator steps from the first sample, with axis (0 is X).
     pub stops: Vec<(f64, usize)>,
@@ -78,7 +79,9 @@ pub fn interpret(scene: &Scene<'_>, sweep: u32, given: &Given<'_>) -> Record {
     drive(&wires, &mut terrain.ground);
     let composite = walker.landscape(&terrain.ground);
     walker.project(&terrain.ground, &composite);
-    walker.finish(terrain, craters(scene, &passing))
+    // The gate of another sweep's set-up comes with the times of that sweep.
+    let lines = if set_up == sweep { given.lines } else { &[] };
+    walker.finish(terrain, [craters(scene, &passing), segments(scene, &passing, lines)])
 }
 
 /// Height and slopes of the terrain behind their amplifiers.
@@ -267,7 +270,7 @@ impl Walker<'_> {
         rims
     }
 
-    fn finish(mut self, terrain: Terrain, loads: Loads) -> Record {
+    fn finish(mut self, terrain: Terrain, loads: [Loads; 2]) -> Record {
         let Terrain { fine, coarse, ground } = terrain;
         self.record.has_breaks = !self.craters.is_empty() || self.given.shadow.iter().any(|gate| *gate > 0.5);
         self.record.samples = ground.len();
@@ -276,9 +279,10 @@ impl Walker<'_> {
         self.record.last_ticks = [fine.last_tick, coarse.as_ref().map_or(i64::MIN, |walk| walk.last_tick)];
         self.record.undecided =
             [fine.undecided, coarse.as_ref().map_or(vec![], |walk| walk.undecided.clone())];
-        self.record.events =
-            [fine.events, coarse.map_or(vec![], |walk| walk.events), loads.events].concat();
-        self.record.loads_undecided = loads.undecided;
+        self.record.loads_undecided = loads.iter().any(|loads| loads.undecided);
+        let [craters, segments] = loads.map(|loads| loads.events);
+        let coarse = coarse.map_or(vec![], |walk| walk.events);
+        self.record.events = [fine.events, coarse, craters, segments].concat();
         self.record
     }
 }

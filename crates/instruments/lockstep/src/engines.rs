@@ -1,6 +1,6 @@
 //! Both engines, set for one stage.
 
-use control_plane::{ControlPlane, FrameSweeps, MachineStage};
+use control_plane::{ControlPlane, DigitalUnit, FrameSweeps, MachineStage};
 use data_bank::DrumUnit;
 use generator::{FrameError, Planes, Session};
 use interpreter::{
@@ -53,7 +53,8 @@ impl Engines {
         sweeps: impl IntoIterator<Item = u32>,
         tamper: Tamper<'_>,
     ) -> Result<Vec<Seen>, FrameError> {
-        let digital = self.control.sweeps(frame, pose)?;
+        let digital = self.control.sweeps_with_gates(frame, pose)?;
+        let lines = self.control.shadow_lines(&digital, pose.time);
         let scene = Scene {
             landscape: &self.stage.landscape,
             settings: &self.stage.settings,
@@ -71,7 +72,10 @@ impl Engines {
         let one = |sweep: u32| {
             let mut probe = Probe::new(vec!["*".into()], sweep..sweep + 1);
             let counts = self.session.frame(frame, pose, &mut Planes::new(0, 0, &[]), &mut probe)?;
-            let events = digital.events(sweep);
+            let mut events = digital.events(sweep);
+            if own.set_ups[sweep as usize] != sweep {
+                events.retain(|event| event.unit != DigitalUnit::ShadowController);
+            }
             let mut machine = probe.waveforms;
             machine.retain(|wave| {
                 wave.signal.axis != Axis::Changes && wires.iter().any(|wire| wire.signal == wave.signal)
@@ -84,6 +88,7 @@ impl Engines {
             let given = Given {
                 ranges: values("sweep.range"),
                 frame: &own,
+                lines: &lines,
                 shadow: values("sc.gate"),
                 full_scales: &full_scales,
             };

@@ -6,7 +6,7 @@ use control_plane::{DigitalEvent, DigitalUnit, EventWord, LoadedPart};
 use interpreter::{AskedFor, Event, FromDrum, Happening, Outcome, Part, Register};
 use sweep_program::{PreloadRegister, RampAxis, Stop};
 
-/// What the machine's digital side did in a sweep, in the interpreter's words; what has none there is left out.
+/// What the machine's digital side did, in the interpreter's words.
 pub fn of_machine(events: &[DigitalEvent]) -> Vec<Event> {
     events.iter().filter_map(translated).collect()
 }
@@ -15,7 +15,7 @@ fn translated(event: &DigitalEvent) -> Option<Event> {
     Some(Event { tick: event.tick.0 as i64, level: event.level, what: happening(event)? })
 }
 
-/// What it is for the interpreter; none for what it has no opinion on.
+/// What it is for the interpreter; none if the machine tells less of it than such an event has.
 fn happening(event: &DigitalEvent) -> Option<Happening> {
     let colour = || event.colour.map(|colour| colour as usize);
     let words = event.mask.0;
@@ -54,10 +54,9 @@ fn happening(event: &DigitalEvent) -> Option<Happening> {
             crossing: event.crossing,
             corner: event.corner?,
         },
-        EventWord::CraterLoad => words_of(event, Outcome::InTime)?,
-        EventWord::CraterLate => words_of(event, Outcome::Late)?,
-        EventWord::CraterDropped => words_of(event, Outcome::Dropped)?,
-        EventWord::SegmentLoad | EventWord::SegmentLate | EventWord::SegmentDropped => return None,
+        EventWord::CraterLoad | EventWord::SegmentLoad => words_of(event, Outcome::InTime),
+        EventWord::CraterLate | EventWord::SegmentLate => words_of(event, Outcome::Late),
+        EventWord::CraterDropped | EventWord::SegmentDropped => words_of(event, Outcome::Dropped),
         EventWord::SetUpBegins => Happening::SetUpBegins { sweep: event.sweep? },
         EventWord::SetUp | EventWord::SetUpLate => {
             Happening::SetUp { sweep: event.sweep?, slack: event.slack? }
@@ -72,14 +71,16 @@ fn happening(event: &DigitalEvent) -> Option<Happening> {
     })
 }
 
-/// What became of the words of a crater.
-fn words_of(event: &DigitalEvent, outcome: Outcome) -> Option<Happening> {
-    let sub_generator = event.part.and_then(|part| match part {
-        LoadedPart::SubGenerator(_, number) => Some(number),
-        LoadedPart::LineGenerator(_) => None,
+/// What became of the words of a crater, or of a shadow boundary.
+fn words_of(event: &DigitalEvent, outcome: Outcome) -> Happening {
+    let number = event.part.map(|part| match part {
+        LoadedPart::SubGenerator(_, number) | LoadedPart::LineGenerator(number) => number,
     });
-    let part = Part::Crater { crater: event.crater?, sub_generator };
-    Some(Happening::Words { part, outcome, slack: event.slack })
+    let part = match event.crater {
+        Some(crater) => Part::Crater { crater, sub_generator: number },
+        None => Part::Segment { line_generator: number },
+    };
+    Happening::Words { part, outcome, slack: event.slack }
 }
 
 fn drum(event: &DigitalEvent) -> Option<u32> {

@@ -3,11 +3,11 @@
 use features::{Crater, Shape};
 use hardware_model::{
     Channels, CrossingServer, DataBanks, Drum, DrumQueue, FeatureParts, IoProcessor, LatePolicy, LevelSwitch,
-    Organisation,
+    Organisation, ShadowParts,
 };
 use landscape::{Layer, Photometry, Sun};
 use quantities::{radians, unit_interval};
-use scenario::{Curvature, FeatureLight, Occlusion, Projection, RangeLaw, RangeProgramme, TextureInShadow};
+use scenario::{Curvature, FeatureLight, Occlusion, Projection, RangeLaw, RangeProgramme, ShadowFineness, TextureInShadow};
 
 use crate::scene::{Scene, UPDATE_HZ, level_of};
 
@@ -122,7 +122,22 @@ pub fn landscape(seed: u64) -> Scene {
     if dice.count(0, 2) == 0 {
         drums(&mut dice, &mut scene);
     }
+    if dice.count(0, 9) == 0 {
+        shadows(&mut dice, &mut scene);
+    }
     scene
+}
+
+/// Remote shadow, as coarse as it may be: what it is does not matter here, but when its words come.
+fn shadows(dice: &mut Dice, scene: &mut Scene) {
+    let finest = scene.range.end * 0.01;
+    scene.shadows = Some(ShadowFineness { finest, angle: 0.02, reach: None });
+    scene.sun.elevation = radians(dice.between(2.0, 15.0));
+    let loads_a_sweep = dice.between(1.0, 100.0);
+    let rate = 4.0 * loads_a_sweep * (UPDATE_HZ as f64) * f64::from(scene.sweeps);
+    scene.segment_words = dice.choose(&[None, Some(rate)]);
+    scene.shadow_controller =
+        ShadowParts::Digital { line_generators: dice.choose(&[None, Some(1), Some(4)]) };
 }
 
 /// Ticks of a frame of a scene.

@@ -7,14 +7,14 @@ use features::{Crater, Features};
 use generator::{FrameCounts, FrameError, PlaneKind, Planes};
 use hardware_model::{
     Cpu, DataBanks, FeatureParts, HardwareModel, LatePolicy, LevelSwitch, Loader, Raster, Settings,
-    SweepMemoryKind,
+    ShadowParts, SweepMemoryKind,
 };
 use landscape::{Attitude, Bank, CornerWords, Landscape, Layer, Level, Photometry, Source, Sun, Texture};
 use machine::Prepare;
 use quantities::{Rate, Timebase, radians};
 use scenario::{
     Curvature, Display, FieldOfView, LawWishes, Laws, Occlusion, PixelRule, Pose, Projection, RangeLaw,
-    RangeProgramme, RasterWishes, Scalar, Scenery,
+    RangeProgramme, RasterWishes, Scalar, Scenery, ShadowFineness,
 };
 use signal::{Probe, Waveform};
 
@@ -77,6 +77,12 @@ pub struct Scene {
     pub feature_generator: FeatureParts,
     /// Words of craters that come in a second; all at hand if none.
     pub feature_words: Option<f64>,
+    /// Remote shadow, if there is any.
+    pub shadows: Option<ShadowFineness>,
+    /// Line generators.
+    pub shadow_controller: ShadowParts,
+    /// Words of shadow boundaries that come in a second; all at hand if none.
+    pub segment_words: Option<f64>,
     /// Turn of the view from frame to frame (rad).
     pub turn: f64,
 }
@@ -135,6 +141,9 @@ impl Scene {
             data_banks: HardwareModel::ideal().data_banks,
             feature_generator: FeatureParts::default(),
             feature_words: None,
+            shadows: None,
+            shadow_controller: ShadowParts::Digital { line_generators: None },
+            segment_words: None,
             turn: 0.0,
         }
     }
@@ -209,6 +218,9 @@ impl Scene {
             data_banks: self.data_banks,
             feature_generator: self.feature_generator,
             feature_words: self.feature_words,
+            shadows: self.shadows,
+            shadow_controller: self.shadow_controller,
+            segment_words: self.segment_words,
             ..ideal
         }
     }

@@ -36,13 +36,16 @@ const COMPARED: [&str; 22] = [
     "sm.video",
 ];
 
-/// Events of drums, craters and the processor, which some of these scenes have.
-const DIGITAL: [&str; 11] = [
+/// Events of drums, craters, shadows and the processor, which some of these scenes have.
+const DIGITAL: [&str; 14] = [
     "absent",
     "record",
     "crater-load",
     "crater-late",
     "crater-dropped",
+    "segment-load",
+    "segment-late",
+    "segment-dropped",
     "set-up-begins",
     "set-up",
     "set-up-late",
