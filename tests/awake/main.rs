@@ -111,7 +111,9 @@ fn chosen(options: &Options, list: &[Break]) -> Result<Vec<Break>, String> {
     chosen.retain(is_of);
     chosen.truncate(options.first.unwrap_or(usize::MAX));
     if chosen.is_empty() {
-        return Err("no break is chosen: expected --first of at least 1, and --of a file that has breaks".into());
+        return Err(
+            "no break is chosen: expected --first of at least 1, and --of a file that has breaks".into()
+        );
     }
     Ok(chosen)
 }

@@ -51,8 +51,7 @@ pub fn walk(scene: &Scene) -> Record {
         frame: 0,
         course: &[],
     };
-    let frame =
-        interpreter::frame(&scene, &FrameGiven { crossings: &[], vertices: 0, drums: [&[], &[]] });
+    let frame = interpreter::frame(&scene, &FrameGiven { crossings: &[], vertices: 0, drums: [&[], &[]] });
     let ranges = range_programme(&stage.settings.range, stage.settings.raster.samples);
     interpret(&scene, 0, &Given { ranges: &ranges, frame: &frame, lines: &[], shadow: &[], full_scales: &[] })
 }

@@ -232,8 +232,7 @@ fn held(stage: &MachineStage, starts: &[u64]) -> Vec<u64> {
 fn processor(stage: &MachineStage, crossings: &Crossings<'_>, starts: &[u64], vertices: u64) -> CpuFrame {
     let settings = &stage.settings;
     let taken = crossing_times(crossings);
-    let unbroken =
-        settings.loader.served_by == CrossingServer::CpuInterrupt && settings.cpu.has_one_level();
+    let unbroken = settings.loader.served_by == CrossingServer::CpuInterrupt && settings.cpu.has_one_level();
     cpu_frame(&settings.cpu, CpuLoad { starts, crossings: &taken, unbroken, vertices })
 }
 

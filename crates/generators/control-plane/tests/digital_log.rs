@@ -114,7 +114,10 @@ fn set_ups_and_tables_that_are_late() {
 }
 
 /// Tick from the start of the sweep, word, part and ticks that were left of the loads of a unit in frame 1, sweep 1.
-fn loads(control: &ControlPlane, unit: DigitalUnit) -> Vec<(u64, EventWord, Option<LoadedPart>, Option<i64>)> {
+fn loads(
+    control: &ControlPlane,
+    unit: DigitalUnit,
+) -> Vec<(u64, EventWord, Option<LoadedPart>, Option<i64>)> {
     let sweeps = control.sweeps_with_gates(1, &pose(0.0)).expect("a pose that can be drawn");
     let events = sweeps.events(1).into_iter().filter(|event| event.unit == unit);
     events.map(|event| (event.tick.0 - 11_000, event.event, event.part, event.slack)).collect()

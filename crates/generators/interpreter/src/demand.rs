@@ -53,12 +53,7 @@ fn margin(scene: &Scene<'_>, frame: u64, [before, now]: [&Pose; 2]) -> f64 {
 
 /// Directions of the left and of the right edge of what is asked for; none where that goes all around.
 fn edges(scene: &Scene<'_>, pose: &Pose, margin: f64) -> Option<[[f64; 2]; 2]> {
-    let seen = Scene {
-        eye: pose.eye,
-        heading: pose.attitude.heading,
-        pitch: pose.attitude.pitch,
-        ..*scene
-    };
+    let seen = Scene { eye: pose.eye, heading: pose.attitude.heading, pitch: pose.attitude.pitch, ..*scene };
     let ends = [0, seen.settings.raster.sweeps - 1];
     let [left, right] = ends.map(|sweep| libm::atan(tangent(&seen, sweep)));
     if right - left + 2.0 * margin >= std::f64::consts::PI {
@@ -73,14 +68,12 @@ fn edges(scene: &Scene<'_>, pose: &Pose, margin: f64) -> Option<[[f64; 2]; 2]> {
 
 /// Whether a region has a corner to the right of the left edge, one to the left of the right edge, and a place within reach.
 fn touches(region: [i64; 2], foot: [f64; 2], edges: Option<[[f64; 2]; 2]>, reach: f64) -> bool {
-    let from_foot =
-        corners_of(region).map(|corner| [corner[0] as f64 - foot[0], corner[1] as f64 - foot[1]]);
+    let from_foot = corners_of(region).map(|corner| [corner[0] as f64 - foot[0], corner[1] as f64 - foot[1]]);
     let to_the_right = |of: [f64; 2], place: [f64; 2]| of[0] * place[1] - of[1] * place[0];
     let is_between = edges.is_none_or(|[left, right]| {
         from_foot.iter().any(|&corner| to_the_right(left, corner) >= -ROUNDING)
             && from_foot.iter().any(|&corner| to_the_right(right, corner) <= ROUNDING)
     });
-    let nearest: [f64; 2] =
-        std::array::from_fn(|axis| 0.0f64.clamp(from_foot[0][axis], from_foot[3][axis]));
+    let nearest: [f64; 2] = std::array::from_fn(|axis| 0.0f64.clamp(from_foot[0][axis], from_foot[3][axis]));
     is_between && nearest[0] * nearest[0] + nearest[1] * nearest[1] <= reach * reach + ROUNDING
 }

@@ -72,7 +72,10 @@ impl Bank {
             side: (words / WORDS).isqrt(),
             room: banks.buffer_words.map_or(usize::MAX, |held| (held / words) as usize),
             queue,
-            channels: banks.channels.count.map_or(drums.len(), |count| (count as usize).clamp(1, drums.len())),
+            channels: banks
+                .channels
+                .count
+                .map_or(drums.len(), |count| (count as usize).clamp(1, drums.len())),
             drums: drums.iter().map(idle).collect(),
             held: BTreeMap::new(),
             has_begun: false,

@@ -57,14 +57,8 @@ pub fn terrain(
     };
     // Words are held back on the fine level alone.
     let plain = Loader { delays: Vec::new(), ..loader.clone() };
-    let course = Course {
-        level,
-        missing: &missing[1],
-        number: 1,
-        loader: &plain,
-        until: f64::INFINITY,
-        ..course
-    };
+    let course =
+        Course { level, missing: &missing[1], number: 1, loader: &plain, until: f64::INFINITY, ..course };
     let coarse = walk(scene, &course, ranges);
     let ground = both(&fine, &coarse, switch, direction, ranges);
     Terrain { fine, coarse: Some(coarse), ground }

@@ -24,9 +24,9 @@
 
 pub mod clock;
 pub mod coverage;
+pub mod craters;
 pub mod demand;
 pub mod drums;
-pub mod craters;
 pub mod event;
 pub mod fan;
 pub mod frame;

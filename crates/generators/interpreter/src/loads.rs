@@ -170,7 +170,8 @@ pub fn craters(scene: &Scene<'_>, passing: &Passing<'_>) -> Loads {
     let mut requests: Vec<Request> =
         all.filter_map(|(number, crater)| request(scene, passing, number, &crater)).collect();
     requests.sort_by(|a, b| a.taken[0].total_cmp(&b.taken[0]).then(a.due.total_cmp(&b.due)));
-    Line::new(scene, passing, CRATER_WORDS, scene.settings.feature_words).serve(&requests, parts.sub_generators)
+    Line::new(scene, passing, CRATER_WORDS, scene.settings.feature_words)
+        .serve(&requests, parts.sub_generators)
 }
 
 /// What a crater asks for; none if the sweep does not meet it.

@@ -77,8 +77,12 @@ impl Processor<'_> {
         for tick in begin..end {
             if !self.unbroken && crossings > 0 {
                 crossings -= 1;
-            } else if self.set_up(next, tick) {
-            } else if crossings > 0 {
+                continue;
+            }
+            if self.set_up(next, tick) {
+                continue;
+            }
+            if crossings > 0 {
                 crossings -= 1;
             } else if sweep.is_some() && self.left > 0 {
                 self.left -= 1;

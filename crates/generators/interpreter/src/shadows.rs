@@ -85,7 +85,6 @@ fn crossing(scene: &Scene<'_>, [cos, sin]: [f64; 2], line: &ShadowLine) -> Optio
     let axis = usize::from(extent[1] > extent[0]);
     let rate = [cos, sin][axis];
     let [first, last] = [from, to].map(|end| end[axis] / rate);
-    let beside =
-        if rate == 0.0 { [0.0, f64::INFINITY] } else { [first.min(last).max(0.0), first.max(last)] };
+    let beside = if rate == 0.0 { [0.0, f64::INFINITY] } else { [first.min(last).max(0.0), first.max(last)] };
     (range > 0.0).then_some(Crossing { range, step: if a < 0.0 { -1 } else { 1 }, beside })
 }

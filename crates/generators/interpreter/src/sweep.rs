@@ -208,8 +208,7 @@ impl Walker<'_> {
         let rims = self.rims(ground, heights.len());
         let (field, lines) = written_raster(self.scene);
         let raster = (lines, field.tan_half_height);
-        let deflection =
-            Deflection::of(laws.projection, pitch, tangent(self.scene, self.set_up), raster);
+        let deflection = Deflection::of(laws.projection, pitch, tangent(self.scene, self.set_up), raster);
         let steps_a_second = {
             let timebase = &settings.timebase;
             let steps = timebase.sweeps as f64 * (timebase.active_samples + timebase.retrace_samples) as f64;

@@ -93,10 +93,8 @@ impl Engines {
                 full_scales: &full_scales,
             };
             let record = interpret(&scene, sweep, &given);
-            let unknown = Unknown {
-                craters: record.events.iter().any(has_lost_a_crater),
-                breaks: record.has_breaks,
-            };
+            let unknown =
+                Unknown { craters: record.events.iter().any(has_lost_a_crater), breaks: record.has_breaks };
             let sides = Sides {
                 scene: &scene,
                 wires: &wires,
@@ -119,7 +117,8 @@ impl Engines {
 
     /// The digital side of a frame as the interpreter sees it.
     fn frame(&self, scene: &Scene<'_>, digital: &FrameSweeps<'_>) -> Frame {
-        let drums = [0, 1].map(|level| self.control.drums(level).into_iter().map(figures).collect::<Vec<_>>());
+        let drums =
+            [0, 1].map(|level| self.control.drums(level).into_iter().map(figures).collect::<Vec<_>>());
         let given = FrameGiven {
             crossings: &digital.crossing_ticks(),
             vertices: digital.vertices_asked(),

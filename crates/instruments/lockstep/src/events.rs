@@ -63,11 +63,9 @@ fn happening(event: &DigitalEvent) -> Option<Happening> {
         }
         EventWord::OldSetUp => Happening::OldSetUp { sweep: event.sweep?, drawn: event.other? },
         EventWord::Tables | EventWord::TablesLate => Happening::Tables { slack: event.slack? },
-        EventWord::Record => Happening::Record(FromDrum {
-            drum: drum(event)?,
-            corner: event.corner?,
-            words: event.words,
-        }),
+        EventWord::Record => {
+            Happening::Record(FromDrum { drum: drum(event)?, corner: event.corner?, words: event.words })
+        }
     })
 }
 

@@ -7,7 +7,9 @@ use hardware_model::{
 };
 use landscape::{Layer, Photometry, Sun};
 use quantities::{radians, unit_interval};
-use scenario::{Curvature, FeatureLight, Occlusion, Projection, RangeLaw, RangeProgramme, ShadowFineness, TextureInShadow};
+use scenario::{
+    Curvature, FeatureLight, Occlusion, Projection, RangeLaw, RangeProgramme, ShadowFineness, TextureInShadow,
+};
 
 use crate::scene::{Scene, UPDATE_HZ, level_of};
 
