@@ -53,5 +53,16 @@ pub fn walk(scene: &Scene) -> Record {
     };
     let frame = interpreter::frame(&scene, &FrameGiven { crossings: &[], vertices: 0, drums: [&[], &[]] });
     let ranges = range_programme(&stage.settings.range, stage.settings.raster.samples);
-    interpret(&scene, 0, &Given { ranges: &ranges, frame: &frame, lines: &[], shadow: &[], full_scales: &[] })
+    interpret(
+        &scene,
+        0,
+        &Given {
+            ranges: &ranges,
+            frame: &frame,
+            draw: |_, _| 0.0,
+            lines: &[],
+            shadow: &[],
+            full_scales: &[],
+        },
+    )
 }

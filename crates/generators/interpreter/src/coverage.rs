@@ -1,6 +1,6 @@
 //! What the interpreter does not model, and why: those signals are not compared.
 
-use hardware_model::{AnalogParts, CrossingServer, Settings, WriteCompensation};
+use hardware_model::{AnalogParts, Settings, WriteCompensation};
 
 /// What of one sweep it cannot know.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -51,8 +51,7 @@ fn inside_blocks(signal: &str, settings: &Settings, unknown: Unknown) -> Option<
         "mu.vs1" => of("fg.reflectivity"),
         "mu.reflectivity" => of("fg.reflectivity").or_else(|| of("txg.texture")),
         "sm.video" => of("mu.reflectivity").or_else(|| of("dpp.hold")),
-        _ if signal.starts_with("tg.fn.") => terrain_parts(settings),
-        _ if signal.starts_with("tg.") => terrain_parts(settings).or_else(|| words(settings)),
+        _ if signal.starts_with("tg.") => terrain_parts(settings),
         _ if signal.starts_with("fg.") && !parts.features_are_ideal() => {
             Some("real parts of the sub-generators")
         }
@@ -63,12 +62,6 @@ fn inside_blocks(signal: &str, settings: &Settings, unknown: Unknown) -> Option<
         _ if signal.starts_with("dpp.") => of("mu.height"),
         _ => Some("no such wire in the report's drawing"),
     }
-}
-
-/// Why it does not know which words are in the registers.
-pub fn words(settings: &Settings) -> Option<&'static str> {
-    let by_interrupt = settings.loader.served_by == CrossingServer::CpuInterrupt;
-    by_interrupt.then_some("words by interrupt: how long one waits is drawn from a seed")
 }
 
 fn terrain_parts(settings: &Settings) -> Option<&'static str> {

@@ -1,7 +1,7 @@
 //! Drums, their queues and the storage buffer of one level, from the first frame on (section 17; sheet of the data bank).
 
 use std::cmp::Reverse;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use hardware_model::{Drum, DrumQueue};
 
@@ -85,12 +85,9 @@ impl Bank {
     /// One frame: what it asks for and the buffer has not when it begins, with the tick at which it comes.
     pub fn frame(&mut self, scene: &Scene<'_>, frame: u64) -> Arrivals {
         let asked = demand(scene, self.number, frame);
-        let mut records: Vec<u32> = Vec::new();
-        for record in asked.iter().map(|&corner| self.record_of(corner)) {
-            if !records.contains(&record) {
-                records.push(record);
-            }
-        }
+        let mut named = BTreeSet::new();
+        let mut records: Vec<u32> = asked.iter().map(|&corner| self.record_of(corner)).collect();
+        records.retain(|&record| named.insert(record));
         let needs: BTreeMap<u32, Need> =
             records.iter().enumerate().map(|(place, &record)| (record, (frame, Reverse(place)))).collect();
         self.order(&records[..records.len().min(self.room)], &needs);

@@ -232,14 +232,6 @@ impl Outcome {
     }
 }
 
-impl Happening {
-    /// Whether it is known without who brings the words of corners, and when: what the ramps do, what follows from them at
-    /// once, and what has lines of its own.
-    pub fn needs_no_words(&self) -> bool {
-        matches!(self, Self::Stop { .. } | Self::Transfer { .. } | Self::Words { .. })
-    }
-}
-
 /// One event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Event {

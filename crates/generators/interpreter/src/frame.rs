@@ -3,7 +3,7 @@
 use crate::clock::Clock;
 use crate::drums::{Arrivals, Bank, DrumFigures};
 use crate::event::{Event, Happening};
-use crate::processor::processor;
+use crate::processor::{Processed, processor};
 use crate::scene::Scene;
 
 /// What the interpreter does not work out of a frame and takes as the machine has it.
@@ -24,13 +24,15 @@ pub struct Frame {
     pub events: Vec<Event>,
     /// The sweep whose set-up each sweep is drawn with.
     pub set_ups: Vec<u32>,
+    /// Ticks of each sweep, from its start, in which crossings wait for a set-up; empty if they never wait.
+    pub held: Vec<i64>,
     /// Corners that the storage buffer of each level has not when the frame begins.
     pub missing: [Arrivals; 2],
 }
 
 /// Follows the processor through the frame, and the drums from the first frame of the mission on.
 pub fn frame(scene: &Scene<'_>, given: &FrameGiven<'_>) -> Frame {
-    let (mut events, set_ups) = processor(scene, given);
+    let Processed { mut events, set_ups, held } = processor(scene, given);
     let mut missing = [Arrivals::new(), Arrivals::new()];
     for (number, drums) in given.drums.iter().enumerate().filter(|(_, drums)| !drums.is_empty()) {
         let mut bank = Bank::before_mission(scene, number, drums);
@@ -44,7 +46,7 @@ pub fn frame(scene: &Scene<'_>, given: &FrameGiven<'_>) -> Frame {
             what: Happening::Record(record),
         }));
     }
-    Frame { events, set_ups, missing }
+    Frame { events, set_ups, held, missing }
 }
 
 /// Ticks at which the sweeps of frame `frame` begin, and at last that at which it ends.

@@ -3,8 +3,10 @@
 use hardware_model::Loader;
 use scenario::LevelSwitch;
 
-use crate::drums::Arrivals;
-use crate::scene::Scene;
+use crate::clock::Clock;
+use crate::frame::Frame;
+use crate::scene::{Given, Scene};
+use crate::server::Interrupts;
 use crate::walk::{Course, Walk, walk};
 
 /// Terrain at one sample.
@@ -27,6 +29,18 @@ pub struct Terrain {
     pub ground: Vec<Ground>,
 }
 
+fn interrupts<'a>(scene: &Scene<'a>, sweep: u32, given: &Given<'_>) -> Interrupts<'a> {
+    let held = given.frame.held.get(sweep as usize).copied().unwrap_or(0);
+    let begins = Clock::of(scene, sweep).seen(0.0);
+    Interrupts {
+        cpu: &scene.settings.cpu,
+        held: (held > 0).then_some(begins + held),
+        place: (scene.frame, sweep),
+        draw: given.draw,
+        seed: scene.settings.seed,
+    }
+}
+
 impl Terrain {
     /// Ground range at which the farther generator ends (m).
     pub fn end(&self, scene: &Scene<'_>) -> f64 {
@@ -37,19 +51,16 @@ impl Terrain {
     }
 }
 
-/// The terrain of sweep `sweep` along `direction`, without the corners that are `missing` on each level.
-pub fn terrain(
-    scene: &Scene<'_>,
-    sweep: u32,
-    direction: [f64; 2],
-    ranges: &[f64],
-    missing: &[Arrivals; 2],
-) -> Terrain {
+/// The terrain of sweep `sweep` along `direction`, without the corners that are missing on each level.
+pub fn terrain(scene: &Scene<'_>, sweep: u32, direction: [f64; 2], given: &Given<'_>) -> Terrain {
+    let Given { ranges, frame: Frame { missing, .. }, .. } = *given;
+    let interrupts = interrupts(scene, sweep, given);
     let loader = &scene.settings.loader;
     let switch = scene.settings.levels.filter(|_| scene.coarse().is_some());
     let until = switch.map_or(f64::INFINITY, |switch| switch.range);
     let level = scene.fine();
-    let course = Course { level, missing: &missing[0], number: 0, loader, direction, sweep, until };
+    let course =
+        Course { level, missing: &missing[0], number: 0, loader, direction, sweep, interrupts, until };
     let fine = walk(scene, &course, ranges);
     let (Some(level), Some(switch)) = (scene.coarse(), switch) else {
         let ground = fine.samples.iter().map(|s| Ground { height: s.height, slopes: s.slopes }).collect();

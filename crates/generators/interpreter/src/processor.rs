@@ -28,15 +28,28 @@ struct Processor<'a> {
     ready: i64,
     /// Programs that are made, and when.
     made: Vec<(u32, i64)>,
+    /// Ticks of set-ups in each sweep.
+    at_set_ups: Vec<i64>,
     events: Vec<Event>,
 }
 
-/// Events of the processor, and the sweep whose set-up each sweep is drawn with: its own where the processor takes no time.
-pub fn processor(scene: &Scene<'_>, given: &FrameGiven<'_>) -> (Vec<Event>, Vec<u32>) {
+/// What the processor does in a frame.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Processed {
+    /// Set-ups and tables.
+    pub events: Vec<Event>,
+    /// The sweep whose set-up each sweep is drawn with: its own where the processor takes no time.
+    pub set_ups: Vec<u32>,
+    /// Ticks of each sweep, from its start, in which a set-up runs that no interrupt breaks; empty if interrupts break all.
+    pub held: Vec<i64>,
+}
+
+/// Follows the processor through the frame.
+pub fn processor(scene: &Scene<'_>, given: &FrameGiven<'_>) -> Processed {
     let settings = scene.settings;
     let serves = settings.loader.served_by == CrossingServer::CpuInterrupt;
     if !settings.cpu.is_timed() && !serves {
-        return (Vec::new(), (0..settings.raster.sweeps).collect());
+        return Processed { set_ups: (0..settings.raster.sweeps).collect(), ..Processed::default() };
     }
     let starts = starts(scene, scene.frame);
     let mut processor = Processor {
@@ -48,6 +61,7 @@ pub fn processor(scene: &Scene<'_>, given: &FrameGiven<'_>) -> (Vec<Event>, Vec<
         left: settings.cpu.frame_tables + settings.cpu.vertex * given.vertices,
         ready: starts[0],
         made: Vec::new(),
+        at_set_ups: vec![0; starts.len() - 1],
         events: Vec::new(),
     };
     // The first sweep is set up in a time before the frame that is as long as the first sweep's; its crossings are those of the
@@ -80,6 +94,7 @@ impl Processor<'_> {
                 continue;
             }
             if self.set_up(next, tick) {
+                sweep.into_iter().for_each(|sweep| self.at_set_ups[sweep] += 1);
                 continue;
             }
             if crossings > 0 {
@@ -122,7 +137,7 @@ impl Processor<'_> {
     }
 
     /// Each sweep takes the last program that is made as it begins; the next one's is not its own.
-    fn finish(mut self) -> (Vec<Event>, Vec<u32>) {
+    fn finish(mut self) -> Processed {
         let mut set_ups = Vec::new();
         for (sweep, &start) in (0..).zip(&self.starts[..self.starts.len() - 1]) {
             let made = self.made.iter().filter(|&&(made, tick)| made <= sweep && tick <= start);
@@ -137,7 +152,8 @@ impl Processor<'_> {
             0 => self.note(self.ready, Happening::Tables { slack: end - self.ready }),
             left => self.note(end, Happening::Tables { slack: -(left as i64) }),
         }
-        (self.events, set_ups)
+        let held = if self.unbroken { self.at_set_ups } else { Vec::new() };
+        Processed { events: self.events, set_ups, held }
     }
 
     /// Nothing is before the mission, which begins at tick 0.

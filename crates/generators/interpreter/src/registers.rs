@@ -6,7 +6,7 @@ use landscape::Level;
 use crate::clock::Clock;
 use crate::drums::Arrivals;
 use crate::event::{AskedFor, Event, Happening, Register};
-use crate::server::{Asked, Fetched, Server, Wanted};
+use crate::server::{Asked, Fetched, Interrupts, Server, Wanted};
 
 /// Hardware corner (a, b) of each colour: yellow, green, black, red.
 pub const CORNERS: [[usize; 2]; 4] = [[0, 0], [1, 0], [0, 1], [1, 1]];
@@ -52,15 +52,15 @@ struct Set {
 
 /// Where and when a sweep begins, as the registers need it.
 #[derive(Debug, Clone, Copy)]
-pub struct Start {
+pub struct Start<'a> {
     /// Region of the eye's foot.
     pub region: [i64; 2],
     /// +1 or -1 along each axis.
     pub heading: [i64; 2],
     /// Whether each ramp meets 1 next; `None` for one that stands.
     pub rising: [Option<bool>; 2],
-    /// Frame and sweep.
-    pub place: (u64, u32),
+    /// Where the processor serves the crossings, what stands before the sets of each.
+    pub interrupts: Interrupts<'a>,
     /// Level of terrain.
     pub level: usize,
 }
@@ -81,7 +81,7 @@ pub struct Registers<'a> {
     corner: [[i64; 2]; 4],
     carried: Vec<Carried>,
     server: Server<'a>,
-    start: Start,
+    start: Start<'a>,
     crossings: u32,
     level: &'a Level,
     /// Corners that the storage buffer has not when the frame begins.
@@ -96,7 +96,7 @@ impl<'a> Registers<'a> {
         (level, missing): (&'a Level, &'a Arrivals),
         loader: &'a Loader,
         clock: Clock,
-        start: Start,
+        start: Start<'a>,
     ) -> Self {
         // Yellow and black at the even one of K, K + 1, red and green at the odd one; likewise in L (6.5, rule 4).
         let corner = CORNERS.map(|side| {
@@ -115,7 +115,7 @@ impl<'a> Registers<'a> {
             diagonal: [true; 4],
             corner,
             carried: Vec::new(),
-            server: Server::at_start(loader, clock.begun),
+            server: Server::at_start(loader, start.interrupts, clock.begun),
             start,
             crossings: 0,
             level,
@@ -371,7 +371,7 @@ impl<'a> Registers<'a> {
 
     /// Extra ticks that a fault of the model adds to this word.
     fn held_back(&self, crossing: u32, colour: usize, axis: usize, word: usize) -> i64 {
-        let (frame, sweep) = self.start.place;
+        let (frame, sweep) = self.start.interrupts.place;
         let meant = self.loader.delays.iter().find(|delay| {
             self.start.level == 0
                 && delay.frame.unwrap_or(frame) == frame

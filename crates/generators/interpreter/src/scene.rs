@@ -35,6 +35,8 @@ pub struct Given<'a> {
     pub ranges: &'a [f64],
     /// The digital side of the frame.
     pub frame: &'a Frame,
+    /// Numbers in 0..1 that a seed draws, each by three words.
+    pub draw: fn(u64, [u64; 3]) -> f64,
     /// Lines of shadow on the ground; empty where there is none.
     pub lines: &'a [ShadowLine],
     /// Gate of remote shadow at each sample, 0 or 1; empty where there is no shadow.

@@ -62,7 +62,7 @@ impl Record {
 pub fn interpret(scene: &Scene<'_>, sweep: u32, given: &Given<'_>) -> Record {
     let set_up = given.frame.set_ups[sweep as usize];
     let direction = direction(scene, set_up);
-    let mut terrain = terrain(scene, sweep, direction, given.ranges, &given.frame.missing);
+    let mut terrain = terrain(scene, sweep, direction, given);
     let passing = Passing { sweep, direction, ranges: given.ranges, end: terrain.end(scene) };
     let wires = Wires::of(scene, given);
     let mut walker = Walker {

@@ -9,6 +9,7 @@ use crate::event::Event;
 use crate::ramp::Ramp;
 use crate::registers::{Registers, Start};
 use crate::scene::Scene;
+use crate::server::Interrupts;
 use crate::terrain::{Sums, sums};
 
 /// Nearer to a tick than this, rounding decides which tick sees a stop.
@@ -62,6 +63,8 @@ pub struct Course<'a> {
     pub direction: [f64; 2],
     /// Sweep whose time it is.
     pub sweep: u32,
+    /// Where the processor serves the crossings, what stands before the sets of each.
+    pub interrupts: Interrupts<'a>,
     /// Ground range beyond which nobody looks (m).
     pub until: f64,
 }
@@ -78,7 +81,7 @@ pub fn walk(scene: &Scene<'_>, course: &Course<'_>, ranges: &[f64]) -> Walk {
         region: ramps.each_ref().map(|ramp| ramp.region),
         heading: ramps.each_ref().map(|ramp| ramp.heading),
         rising: ramps.each_ref().map(|ramp| ramp.moves().then_some(ramp.rising)),
-        place: (scene.frame, course.sweep),
+        interrupts: course.interrupts,
         level: course.number,
     };
     let registers = Registers::at_start((level, course.missing), course.loader, clock, start);

@@ -3,7 +3,6 @@
 use control_plane::DigitalEvent;
 use features::{Crater, Shape};
 use interpreter::clock::Clock;
-use interpreter::coverage::words;
 use interpreter::{Event, Record, Scene, Unknown, range_programme, why_not};
 use scenario::Scalar;
 use signal::{Unit, Waveform, Wire};
@@ -45,18 +44,13 @@ pub fn compare(sides: &Sides<'_>) -> Report {
 /// The events of the crossings, and those of the loads: each list has its own roundings.
 fn compare_events(sides: &Sides<'_>, report: &mut Report) {
     let Sides { scene, record, .. } = *sides;
-    let with_words = words(scene.settings).is_none();
     let is_load = |event: &Event| event.level.is_none();
     let lists = |of: &[Event]| -> [Vec<Event>; 2] {
         let (loads, crossings): (Vec<_>, Vec<_>) = of.iter().copied().partition(is_load);
-        [in_order(&crossings, record.last_ticks, with_words), in_order(&loads, record.last_ticks, true)]
+        [crossings, loads].map(|events| in_order(&events, record.last_ticks))
     };
-    let all = of_machine(sides.events);
-    let ([crossings, loads], [own_crossings, own_loads]) = (lists(&all), lists(&record.events));
-    if !with_words {
-        let compared = crossings.len() + loads.len();
-        report.events_left_out += (all.len() - compared) as u64;
-    }
+    let [crossings, loads] = lists(&of_machine(sides.events));
+    let [own_crossings, own_loads] = lists(&record.events);
     let stops_undecided = record.undecided.iter().any(|ticks| !ticks.is_empty());
     let place = (scene.frame, Some(sides.sweep));
     compare_lists(place, [&crossings, &own_crossings], stops_undecided, report);
@@ -67,7 +61,7 @@ fn compare_events(sides: &Sides<'_>, report: &mut Report) {
 pub fn compare_frame(frame: u64, machine: &[DigitalEvent], interpreter: &[Event]) -> Report {
     let mut report = Report::default();
     let [machine, interpreter] =
-        [&of_machine(machine)[..], interpreter].map(|events| in_order(events, [i64::MAX; 2], true));
+        [&of_machine(machine)[..], interpreter].map(|events| in_order(events, [i64::MAX; 2]));
     compare_lists((frame, None), [&machine, &interpreter], false, &mut report);
     report
 }

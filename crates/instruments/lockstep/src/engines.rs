@@ -7,6 +7,7 @@ use interpreter::{
     DrumFigures, Event, Frame, FrameGiven, Given, Happening, Outcome, Part, Record, Scene, Unknown, interpret,
 };
 use machine::Prepare;
+use quantities::unit_interval;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use scenario::Pose;
 use signal::{Axis, Probe, Waveform};
@@ -88,6 +89,7 @@ impl Engines {
             let given = Given {
                 ranges: values("sweep.range"),
                 frame: &own,
+                draw: |seed, words| unit_interval(seed, &words),
                 lines: &lines,
                 shadow: values("sc.gate"),
                 full_scales: &full_scales,

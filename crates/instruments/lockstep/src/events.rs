@@ -102,7 +102,7 @@ fn set(event: &DigitalEvent) -> Option<AskedFor> {
 }
 
 /// The events up to the last tick of each level, in one order, those that are one but for their words joined.
-pub fn in_order(events: &[Event], last_ticks: [i64; 2], with_words: bool) -> Vec<Event> {
+pub fn in_order(events: &[Event], last_ticks: [i64; 2]) -> Vec<Event> {
     let mut joined: BTreeMap<Event, u16> = BTreeMap::new();
     let is_in_time = |event: &&Event| event.level.is_none_or(|level| event.tick <= last_ticks[level]);
     for event in events.iter().filter(is_in_time) {
@@ -110,12 +110,7 @@ pub fn in_order(events: &[Event], last_ticks: [i64; 2], with_words: bool) -> Vec
         if let Happening::Load { words: some, .. } | Happening::Late { words: some, .. } = &mut key.what {
             words = std::mem::take(some);
         }
-        if let (false, Happening::Transfer { corner, .. }) = (with_words, &mut key.what) {
-            *corner = None;
-        }
-        if with_words || event.what.needs_no_words() {
-            *joined.entry(key).or_default() |= words;
-        }
+        *joined.entry(key).or_default() |= words;
     }
     let restored = |(mut event, all): (Event, u16)| {
         if let Happening::Load { words, .. } | Happening::Late { words, .. } = &mut event.what {

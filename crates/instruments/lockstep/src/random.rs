@@ -166,6 +166,12 @@ fn processor(dice: &mut Dice, scene: &mut Scene) {
     scene.cpu.frame_tables = (sweep * dice.between(0.0, 6.0)) as u64;
     scene.cpu.memory_cycle = dice.count(0, 2) as u64;
     scene.cpu.dma_cycles_per_word = dice.count(0, 2) as u32;
+    if dice.count(0, 3) == 0 {
+        scene.loader.served_by = CrossingServer::CpuInterrupt;
+        scene.cpu.longest_instruction = dice.count(0, 9) as u64;
+        scene.cpu.interrupt = dice.count(0, 4) as u64;
+        scene.cpu.priority_levels = dice.choose(&[None, Some(1)]);
+    }
 }
 
 /// Drums that bring corners while the view turns.

@@ -92,7 +92,7 @@ pub struct Report {
     pub signals: BTreeMap<String, Tally>,
     /// Events compared, by word.
     pub events: BTreeMap<&'static str, u64>,
-    /// Events of sweeps in which rounding says when a stop is seen, or whose words are not modelled.
+    /// Events of sweeps in which rounding says which tick sees an instant.
     pub events_left_out: u64,
     /// The machine's counters.
     pub counts: FrameCounts,

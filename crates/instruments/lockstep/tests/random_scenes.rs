@@ -75,7 +75,6 @@ fn two_hundred_in_f64() {
         let count = found.report.events.get(word).copied().unwrap_or(0);
         assert!(count > 0, "{word}: {count}");
     }
-    println!("{:?} {}", found.report.events, found.report.events_left_out);
     assert!(found.report.counts["features"] > 100, "few sweeps met a crater");
 }
 
