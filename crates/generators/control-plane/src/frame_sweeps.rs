@@ -181,11 +181,6 @@ impl FrameSweeps<'_> {
         self.digital.drawn(sweep)
     }
 
-    /// Corners in view that are not in the storage buffer of each level when the frame begins.
-    pub fn missing_corners(&self) -> [usize; 2] {
-        self.digital.missing().map(<[_]>::len)
-    }
-
     /// What the crossings of each sweep take of the processor (ticks); empty if they never take anything.
     pub fn crossing_ticks(&self) -> Vec<u64> {
         crossing_times(&self.crossings()).iter().map(|taken| taken.interrupts + taken.words).collect()
