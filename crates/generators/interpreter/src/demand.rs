@@ -2,8 +2,8 @@
 
 use scenario::Pose;
 
+use crate::clock::starts;
 use crate::fan::{direction, tangent};
-use crate::frame::starts;
 use crate::scene::Scene;
 
 /// What rounding may take from a sweep along a boundary of regions.

@@ -5,9 +5,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use hardware_model::{Drum, DrumQueue};
 
+use crate::clock::starts;
 use crate::demand::demand;
 use crate::event::FromDrum;
-use crate::frame::starts;
 use crate::scene::Scene;
 
 /// Words of a corner.

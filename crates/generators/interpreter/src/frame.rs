@@ -1,6 +1,5 @@
 //! What the digital side does for a whole frame, before any of its sweeps: the processor, and the drums of both levels.
 
-use crate::clock::Clock;
 use crate::drums::{Arrivals, Bank, DrumFigures};
 use crate::event::{Event, Happening};
 use crate::processor::{Processed, processor};
@@ -47,10 +46,4 @@ pub fn frame(scene: &Scene<'_>, given: &FrameGiven<'_>) -> Frame {
         }));
     }
     Frame { events, set_ups, held, missing }
-}
-
-/// Ticks at which the sweeps of frame `frame` begin, and at last that at which it ends.
-pub fn starts(scene: &Scene<'_>, frame: u64) -> Vec<i64> {
-    let scene = Scene { frame, ..*scene };
-    (0..=scene.settings.raster.sweeps).map(|sweep| Clock::of(&scene, sweep).seen(0.0)).collect()
 }

@@ -5,7 +5,8 @@ use scenario::LevelSwitch;
 
 use crate::clock::Clock;
 use crate::frame::Frame;
-use crate::scene::{Given, Scene};
+use crate::given::Given;
+use crate::scene::Scene;
 use crate::server::Interrupts;
 use crate::walk::{Course, Walk, walk};
 

@@ -12,7 +12,7 @@
 //! knows no polynomials in ground range, no lanes and no programs: at every accumulator step it reads the two ramps,
 //! forms 36 products and adds them, asks every crater, and feeds the occlusion circuit sample by sample, all in f64.
 //!
-//! Files, by part of the drawing: [`scene`] (what is given), [`fan`] (azimuths, ranges), [`clock`] (ticks), [`ramp`],
+//! Files, by part of the drawing: [`scene`] and [`given`](mod@given) (what is given), [`fan`] (azimuths, ranges), [`clock`] (ticks), [`ramp`],
 //! [`registers`] and [`server`] (hold, preload registers, pointers, words on their way), [`terrain`] (function
 //! generators, products, sums), [`walk`] (one terrain generator along a sweep), [`levels`] (two of them), [`light`],
 //! [`craters`], [`loads`] (their words), [`shadows`] (words of boundaries), [`mixing`], [`wires`] (their output amplifiers), [`projector`], [`sweep`] (one sweep in order), [`coverage`] (what it does not model). For a whole
@@ -30,6 +30,7 @@ pub mod drums;
 pub mod event;
 pub mod fan;
 pub mod frame;
+pub mod given;
 pub mod levels;
 pub mod light;
 pub mod loads;
@@ -51,6 +52,7 @@ pub use drums::{Arrivals, DrumFigures};
 pub use event::{AskedFor, Event, FromDrum, Happening, Outcome, Part, Register};
 pub use fan::range_programme;
 pub use frame::{Frame, FrameGiven, frame};
-pub use scene::{Given, Scene};
+pub use given::Given;
+pub use scene::Scene;
 pub use shadows::ShadowLine;
 pub use sweep::{Record, interpret};

@@ -2,8 +2,9 @@
 
 use hardware_model::{Cpu, CrossingServer};
 
+use crate::clock::starts;
 use crate::event::{Event, Happening};
-use crate::frame::{FrameGiven, starts};
+use crate::frame::FrameGiven;
 use crate::scene::Scene;
 
 /// The program of a sweep that is being made; no sweep for the first one of the frame that follows.

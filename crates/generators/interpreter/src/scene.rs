@@ -4,9 +4,6 @@ use hardware_model::Settings;
 use landscape::{Landscape, Level, Sun};
 use scenario::Pose;
 
-use crate::frame::Frame;
-use crate::shadows::ShadowLine;
-
 /// A frame: ground, light, pose and the numbers of the run.
 #[derive(Debug, Clone, Copy)]
 pub struct Scene<'a> {
@@ -26,23 +23,6 @@ pub struct Scene<'a> {
     pub frame: u64,
     /// Where the eye is in every frame of the mission: what its drums go by. Empty where nobody asks.
     pub course: &'a [Pose],
-}
-
-/// What the interpreter does not work out and takes as the machine has it.
-#[derive(Debug, Clone, Copy)]
-pub struct Given<'a> {
-    /// Ground range of each sample (m).
-    pub ranges: &'a [f64],
-    /// The digital side of the frame.
-    pub frame: &'a Frame,
-    /// Numbers in 0..1 that a seed draws, each by three words.
-    pub draw: fn(u64, [u64; 3]) -> f64,
-    /// Lines of shadow on the ground; empty where there is none.
-    pub lines: &'a [ShadowLine],
-    /// Gate of remote shadow at each sample, 0 or 1; empty where there is no shadow.
-    pub shadow: &'a [f64],
-    /// Full scale of each main wire in its unit: what its slew rate is against.
-    pub full_scales: &'a [(&'static str, f64)],
 }
 
 impl Scene<'_> {
