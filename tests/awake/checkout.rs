@@ -13,7 +13,13 @@ pub struct Checkout {
     /// Target folder: the clone has its own. In one folder cargo would hold a library of the clone for that of this
     /// checkout, look for changes in the clone's files only, and never compile this checkout's again.
     pub target: PathBuf,
+    /// Whether it is compiled without debug assertions and overflow checks.
+    pub as_released: bool,
 }
+
+/// What turns off the checks that a release build has not.
+const RELEASED: [(&str, &str); 2] =
+    [("CARGO_PROFILE_DEV_DEBUG_ASSERTIONS", "false"), ("CARGO_PROFILE_DEV_OVERFLOW_CHECKS", "false")];
 
 /// A break in the files; restored when dropped, by a panic too.
 pub struct Broken {
@@ -26,7 +32,7 @@ impl Checkout {
     pub fn here() -> Self {
         let target =
             std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from);
-        Self { root: root(), target }
+        Self { root: root(), target, as_released: false }
     }
 
     /// A clone at the last commit of this checkout, in the target folder; it is kept from run to run.
@@ -43,7 +49,12 @@ impl Checkout {
         }
         git(&clone, &["reset", "--quiet", "--hard", "FETCH_HEAD"])?;
         let target = clone.join("target");
-        Ok(Self { root: clone, target })
+        Ok(Self { root: clone, target, as_released: false })
+    }
+
+    /// Settings of cargo by which it is compiled.
+    pub fn settings(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
+        RELEASED.into_iter().filter(|_| self.as_released)
     }
 
     /// That every break applies, and that no file of one has changes that are not committed.

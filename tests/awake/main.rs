@@ -37,12 +37,18 @@ struct Options {
     /// Only the break of this name; may be given more than once
     #[arg(long, value_name = "NAME")]
     only: Vec<String>,
+    /// Only breaks of files whose paths begin so; may be given more than once
+    #[arg(long, value_name = "PATH")]
+    of: Vec<String>,
     /// Only the first N breaks of the list
     #[arg(long, value_name = "N")]
     first: Option<usize>,
     /// Break this checkout and restore it, instead of a clone of its last commit in the target folder
     #[arg(long, conflicts_with = "json")]
     in_place: bool,
+    /// Compile without debug assertions and overflow checks, as what is released
+    #[arg(long)]
+    as_released: bool,
     /// Keep what is found in this file, break by break; breaks that it has of the same commit are not run again
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -63,6 +69,7 @@ fn main() -> ExitCode {
 fn run_list(options: &Options) -> Result<bool, String> {
     ctrlc::set_handler(|| INTERRUPTED.store(true, Ordering::Relaxed)).map_err(|error| error.to_string())?;
     let checkout = if options.in_place { Checkout::here() } else { Checkout::cloned()? };
+    let checkout = Checkout { as_released: options.as_released, ..checkout };
     let list = breaks(&checkout.root)?;
     let chosen = chosen(options, &list)?;
     let mut record = match &options.json {
@@ -98,9 +105,15 @@ fn chosen(options: &Options, list: &[Break]) -> Result<Vec<Break>, String> {
     }
     let mut chosen = list.to_vec();
     chosen.retain(|one| options.only.is_empty() || options.only.contains(&one.name));
+    let is_of = |one: &Break| {
+        options.of.is_empty() || options.of.iter().any(|begin| one.file.to_string_lossy().starts_with(begin))
+    };
+    chosen.retain(is_of);
     chosen.truncate(options.first.unwrap_or(usize::MAX));
     if chosen.is_empty() {
-        return Err("no break is chosen: expected --first of at least 1".into());
+        return Err(
+            "no break is chosen: expected --first of at least 1, and --of a file that has breaks".into()
+        );
     }
     Ok(chosen)
 }

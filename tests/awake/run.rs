@@ -76,6 +76,7 @@ fn run(checkout: &Checkout, arguments: &str) -> Result<Run, String> {
         .args(arguments.split_whitespace())
         .current_dir(&checkout.root)
         .env("CARGO_TARGET_DIR", &checkout.target)
+        .envs(checkout.settings())
         // What fails on a break is no regression to keep.
         .env("PROPTEST_DISABLE_FAILURE_PERSISTENCE", "1")
         .output()

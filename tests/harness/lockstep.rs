@@ -1,7 +1,7 @@
 //! A scene by hand on machine and interpreter.
 
 use ::lockstep::{Engines, Report, Seen};
-use interpreter::{Given, Record, interpret, range_programme};
+use interpreter::{FrameGiven, Given, Record, interpret, range_programme};
 
 use crate::Scene;
 
@@ -49,7 +49,20 @@ pub fn walk(scene: &Scene) -> Record {
         heading: scene.heading,
         pitch: scene.pitch,
         frame: 0,
+        course: &[],
     };
+    let frame = interpreter::frame(&scene, &FrameGiven { crossings: &[], vertices: 0, drums: [&[], &[]] });
     let ranges = range_programme(&stage.settings.range, stage.settings.raster.samples);
-    interpret(&scene, 0, &Given { ranges: &ranges, set_up: 0, shadow: &[], full_scales: &[] })
+    interpret(
+        &scene,
+        0,
+        &Given {
+            ranges: &ranges,
+            frame: &frame,
+            draw: |_, _| 0.0,
+            lines: &[],
+            shadow: &[],
+            full_scales: &[],
+        },
+    )
 }

@@ -103,6 +103,13 @@ pub const EVIDENCE: &[Evidence] = &[
         form: Form::Awake,
     },
     Evidence {
+        name: "awake-as-released",
+        title: "Breaks of every kind of event, without debug assertions and overflow checks",
+        command: "cargo run --quiet -p lunoid-tests --bin awake -- --as-released --of crates/device/dpu/src/service \
+                  --of crates/generators/control-plane/src/event_list --json docs/trust/awake-as-released.json",
+        form: Form::Awake,
+    },
+    Evidence {
         name: "coverage",
         title: "Lines and branches of laws and parts that their tests reach",
         command: "env RUSTC_BOOTSTRAP=1 cargo llvm-cov --branch --lcov -p features -p parts -p landscape -p sweep-generator \

@@ -8,10 +8,11 @@ use dpu::{
 };
 use hardware_model::{Cpu, HardwareModel, LatePolicy, Loader};
 use landscape::Level;
+use proptest::prelude::{Just, any, prop_assert_eq, prop_oneof, proptest};
 use quantities::{Rate, SweepTime, Tick, Timebase};
 use sweep_program::{
-    Colour, Fold, MissCause, NO_CORNER, PreloadRegister, Ramp, RampAxis, Stop, SweepProgram, SweepStart,
-    Target, WordMask,
+    Colour, Event, Fold, MissCause, NO_CORNER, PreloadRegister, Ramp, RampAxis, Stop, SweepProgram,
+    SweepStart, Target, WordMask,
 };
 
 /// All that was told.
@@ -59,6 +60,15 @@ fn loader() -> Loader {
 
 /// Folds of a sweep to the north-east out of region (0, 0), at instants in samples; frame 0, sweep 1 begins at tick 1000.
 fn log(loader: &Loader, missing: &[MissingCorner], folds: &[(f64, RampAxis, Stop)]) -> Log {
+    written(loader, missing, folds).1
+}
+
+/// The same with the program that the service has written meanwhile.
+fn written(
+    loader: &Loader,
+    missing: &[MissingCorner],
+    folds: &[(f64, RampAxis, Stop)],
+) -> (SweepProgram, Log) {
     let ramps = [Ramp { start: 0.25, rate: 0.7, polarity: 1.0 }; 2];
     let start = SweepStart { direction: [0.7; 2], region: [0, 0], ramps };
     let folds = folds.iter().map(|&(at, axis, stop)| {
@@ -71,7 +81,7 @@ fn log(loader: &Loader, missing: &[MissingCorner], folds: &[(f64, RampAxis, Stop
     let (mut program, mut log) = (SweepProgram::idle(), Log::default());
     let range_at = |time: SweepTime| time.0;
     service.write_program((0, 1), start, folds, 90.0, range_at, &mut program, &mut log);
-    log
+    (program, log)
 }
 
 impl Log {
@@ -219,6 +229,64 @@ fn a_corner_that_no_drum_has_brought_is_absent() {
     assert_eq!(absent.collect::<Vec<_>>(), [(1100, 4 * 9, CornerArrival::NotInFrame)]);
     let empty = |event: &ServiceEvent| matches!(event, ServiceEvent::Transfer { colour: Colour::Yellow, corner, .. } if *corner == NO_CORNER);
     assert_eq!(log.ticks(empty), [1300], "its words are 0");
+}
+
+/// Stops, loads and late words with their ticks, as they were told; the ramps end at tick 1900, and what comes later is in no
+/// program.
+fn told(log: &Log) -> Vec<String> {
+    let mut told: Vec<_> = log
+        .events
+        .iter()
+        .filter_map(|(tick, event)| match event {
+            ServiceEvent::Stop { fold, .. } => Some(format!("{tick} {fold:?}")),
+            ServiceEvent::Load(load) => (*tick <= 1900).then(|| format!("{tick} {load:?}")),
+            ServiceEvent::Late { miss, .. } => Some(format!("{tick} {miss:?}")),
+            _ => None,
+        })
+        .collect();
+    told.sort();
+    told
+}
+
+/// The same as they stand in the program, which the analog side, registers at an instant and digital wires follow.
+fn in_program(program: &SweepProgram) -> Vec<String> {
+    // Ten ticks a step; an instant that was made from a tick is that tick.
+    let seen = |time: SweepTime| 1000 + (10.0 * time.0 - 1e-9).ceil() as u64;
+    let steps = program.events().map(|step| match step.kind {
+        Event::Fold(fold) | Event::BareFold(fold) => format!("{} {fold:?}", seen(step.time)),
+        Event::Load(load) => format!("{} {load:?}", seen(step.time)),
+    });
+    let misses = program.misses.iter().map(|miss| format!("{} {miss:?}", seen(miss.time)));
+    let mut all: Vec<_> = steps.chain(misses).collect();
+    all.sort();
+    all
+}
+
+proptest! {
+    /// Who follows the program and who hears the events follow one and the same service.
+    #[test]
+    fn the_program_has_what_is_told(
+        gaps in proptest::collection::vec((0.05..12.0f64, any::<bool>()), 1..12),
+        access in 0..40u64,
+        diagonal_register in any::<bool>(),
+        late_policy in prop_oneof![Just(LatePolicy::StrobeThrough), Just(LatePolicy::Latched)],
+        stop_after_crossings in proptest::option::of(0..12u32),
+        absent in any::<bool>(),
+    ) {
+        let strobe = access.min(3);
+        let loader = Loader { access, strobe, diagonal_register, late_policy, stop_after_crossings, ..loader() };
+        let (mut at, mut stops) = (0.0, [Stop::One; 2]);
+        let folds: Vec<_> = gaps.iter().map(|&(gap, is_y)| {
+            at += gap;
+            let stop = stops[usize::from(is_y)];
+            stops[usize::from(is_y)] = if stop == Stop::One { Stop::Zero } else { Stop::One };
+            (at, if is_y { RampAxis::Y } else { RampAxis::X }, stop)
+        }).take_while(|&(at, ..)| at < 89.0).collect();
+        let missing: Vec<_> =
+            [2 * 9, 4 * 9].into_iter().filter(|_| absent).map(|corner| MissingCorner { corner, arrival: None }).collect();
+        let (program, log) = written(&loader, &missing, &folds);
+        prop_assert_eq!(told(&log), in_program(&program));
+    }
 }
 
 /// A tally by kind: what is told twice or not at all shows here, whatever it is.

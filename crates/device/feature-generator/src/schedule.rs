@@ -144,8 +144,9 @@ impl Schedule<'_> {
         for axis in 0..2 {
             let (start, rate) = (line.eye[axis] - self.region_origin[axis], line.direction[axis]);
             if rate != 0.0 {
-                let south = ((start + range * rate) / self.region_size).floor() * self.region_size;
-                let meets = [(south - start) / rate, (south + self.region_size - start) / rate];
+                let line = ((start + range * rate) / self.region_size).floor();
+                // The edge between two regions is one place for both, to the last bit.
+                let meets = [line, line + 1.0].map(|line| (line * self.region_size - start) / rate);
                 ends[0] = ends[0].max(meets[0].min(meets[1]));
                 ends[1] = ends[1].min(meets[0].max(meets[1]));
             }

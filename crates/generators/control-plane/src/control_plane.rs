@@ -1,5 +1,6 @@
 //! The control plane of a stage: what all its frames share.
 
+use data_bank::DrumUnit;
 use generator::FrameError;
 use remote_shadow::Footings;
 use scenario::Pose;
@@ -36,6 +37,11 @@ impl ControlPlane {
             footings: Footings::default(),
             stage,
         }
+    }
+
+    /// The drums of the fine level (0) or of the coarse one (1) as the seed drew them; none where all words are at hand.
+    pub fn drums(&self, level: usize) -> Vec<DrumUnit> {
+        self.digital.drums(level)
     }
 
     pub(crate) fn stage(&self) -> &MachineStage {

@@ -120,6 +120,16 @@ impl Supply<'_> {
         self.footings.under(self.plan.sun, bodies, &shadows.bank)
     }
 
+    /// Lines of shadow on the ground, of which the gates of the frame are made: each has its shadow to the right (north, east; m).
+    pub fn shadow_lines(&self, time: f64) -> Vec<[[f64; 2]; 2]> {
+        let (seen, _) = self.in_sight(time);
+        let Some(shadows) = &self.blocks.shadows else { return Vec::new() };
+        let lines = |_: &[[f64; 2]], cast: &[&Outlines]| {
+            cast.iter().flat_map(|outlines| outlines.segments()).map(|line| [line.from, line.to]).collect()
+        };
+        self.with_outlines(shadows, &self.under_sun(shadows), &seen, time, lines)
+    }
+
     fn gates(
         &self,
         shadows: &Shadows,
@@ -129,12 +139,37 @@ impl Supply<'_> {
         time: f64,
         gates: &mut Vec<Gate>,
     ) {
+        let (reach, end) = (shadows.reach, self.stage.settings.range.end);
+        let timing = |sweep: u32| {
+            let place = (self.plan.frame, sweep);
+            let rate = self.stage.settings.segment_words?;
+            Some(load_timing(self.stage, self.table, place, SEGMENT_WORDS, rate))
+        };
+        let foot = [self.plan.eye[0], self.plan.eye[1]];
+        self.with_outlines(shadows, under_sun, seen, time, |directions, cast| {
+            controller.gates_by(foot, directions, reach, cast, timing, gates);
+        });
+        // Beyond the reach no shadow is drawn.
+        if reach < end {
+            gates.iter_mut().for_each(|gate| gate.end_at(reach));
+        }
+    }
+
+    /// Hands directions of the sweeps and lists of outlines of all shadows that they can meet to `take`.
+    fn with_outlines<T>(
+        &self,
+        shadows: &Shadows,
+        under_sun: &UnderSun<'_>,
+        seen: &[u32],
+        time: f64,
+        take: impl FnOnce(&[[f64; 2]], &[&Outlines]) -> T,
+    ) -> T {
         let sweeps = self.plan.fan.sweeps;
         let directions: Vec<[f64; 2]> = (0..sweeps).map(|sweep| self.plan.direction(sweep)).collect();
         let edges = [directions[0], directions[sweeps as usize - 1]];
         let foot = [self.plan.eye[0], self.plan.eye[1]];
-        let (reach, end) = (shadows.reach, self.stage.settings.range.end);
-        let (place, scale) = controller.reading(foot);
+        let reach = shadows.reach;
+        let (place, scale) = shadows.controller.reading(foot);
         let tiles: Vec<Arc<Tile>> = shadows.bank.around(&self.plan.sun, place, reach / scale, Some(edges));
         let mut cast: Vec<&Outlines> = tiles.iter().map(|tile| &tile.outlines).collect();
         // A map that is read beside its place shows shadows that no sweep meets.
@@ -150,16 +185,7 @@ impl Supply<'_> {
         let (patches, own) = (self.patches(time), self.own_shadow(shadows, may_fall));
         cast.push(&patches);
         cast.extend(&own);
-        let timing = |sweep: u32| {
-            let place = (self.plan.frame, sweep);
-            let rate = self.stage.settings.segment_words?;
-            Some(load_timing(self.stage, self.table, place, SEGMENT_WORDS, rate))
-        };
-        controller.gates_by(foot, &directions, reach, &cast, timing, gates);
-        // Beyond the reach no shadow is drawn.
-        if reach < end {
-            gates.iter_mut().for_each(|gate| gate.end_at(reach));
-        }
+        take(&directions, &cast)
     }
 
     /// Outlines of the shadow that the vehicle casts on the ground: as of any body, but found anew for every pose.

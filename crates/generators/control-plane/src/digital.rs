@@ -3,7 +3,7 @@
 use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::stage::MachineStage;
-use data_bank::{DataBank, Demand, FrameSupply, corners_of, nearest_first};
+use data_bank::{DataBank, Demand, DrumUnit, FrameSupply, corners_of, nearest_first};
 use dpu::{CpuFrame, CpuLoad, CrossingTime, MissingCorner, Sector, cpu_frame, held_by_set_ups};
 use hardware_model::{CrossingServer, DataBanks, Settings};
 use landscape::Level;
@@ -86,6 +86,12 @@ impl Digital {
         let second = settings.levels.and_then(|_| history(1));
         let serves = settings.loader.served_by == CrossingServer::CpuInterrupt;
         Self { banks: [history(0), second], is_timed: settings.cpu.is_timed() || serves }
+    }
+
+    /// The drums of a level as the seed drew them; none where all words are at hand.
+    pub fn drums(&self, level: usize) -> Vec<DrumUnit> {
+        let Some(history) = &self.banks[level] else { return Vec::new() };
+        history.lock().unwrap_or_else(PoisonError::into_inner).bank.drums().collect()
     }
 
     /// Whether the processor takes any time.
@@ -225,6 +231,14 @@ fn held(stage: &MachineStage, starts: &[u64]) -> Vec<u64> {
 /// it serves them itself, the memory cycles of their words where these go through its memory.
 fn processor(stage: &MachineStage, crossings: &Crossings<'_>, starts: &[u64], vertices: u64) -> CpuFrame {
     let settings = &stage.settings;
+    let taken = crossing_times(crossings);
+    let unbroken = settings.loader.served_by == CrossingServer::CpuInterrupt && settings.cpu.has_one_level();
+    cpu_frame(&settings.cpu, CpuLoad { starts, crossings: &taken, unbroken, vertices })
+}
+
+/// What the crossings of each sweep take of the processor; empty if they never take anything.
+pub(crate) fn crossing_times(crossings: &Crossings<'_>) -> Vec<CrossingTime> {
+    let settings = &crossings.stage.settings;
     let serves = settings.loader.served_by == CrossingServer::CpuInterrupt;
     let taken = |sweep: u32| {
         let sweep = SweepRecorder::of(crossings, [sweep, sweep]);
@@ -232,7 +246,5 @@ fn processor(stage: &MachineStage, crossings: &Crossings<'_>, starts: &[u64], ve
     };
     let takes_time = serves || settings.cpu.stolen(1) > 0;
     let sweeps = if takes_time { 0..settings.raster.sweeps } else { 0..0 };
-    let taken: Vec<CrossingTime> = sweeps.into_par_iter().map(taken).collect();
-    let unbroken = serves && settings.cpu.has_one_level();
-    cpu_frame(&settings.cpu, CpuLoad { starts, crossings: &taken, unbroken, vertices })
+    sweeps.into_par_iter().map(taken).collect()
 }

@@ -16,7 +16,7 @@ use crate::blocks::Coarse;
 use crate::control_plane::ControlPlane;
 use crate::crossings::Crossings;
 use crate::delivery::Supply;
-use crate::digital::DigitalFrame;
+use crate::digital::{DigitalFrame, crossing_times};
 use crate::frame_plan::FramePlan;
 use crate::raster::WrittenRaster;
 use crate::sight::vertices;
@@ -81,7 +81,19 @@ impl ControlPlane {
     /// # Errors
     /// If the shadow cache cannot be kept.
     pub(crate) fn shadow_gates(&self, sweeps: &FrameSweeps<'_>, time: f64) -> Result<Vec<Gate>, FrameError> {
-        let supply = Supply {
+        let supply = self.supply(sweeps);
+        let gates = supply.shadow_gates(time);
+        supply.check_cache()?;
+        Ok(gates)
+    }
+
+    /// Lines of shadow on the ground, of which the gates at `time` (s) are made: from, to (north, east; m), shadow to the right.
+    pub fn shadow_lines(&self, sweeps: &FrameSweeps<'_>, time: f64) -> Vec<[[f64; 2]; 2]> {
+        self.supply(sweeps).shadow_lines(time)
+    }
+
+    fn supply<'a>(&'a self, sweeps: &'a FrameSweeps<'_>) -> Supply<'a> {
+        Supply {
             stage: self.stage(),
             blocks: self.blocks(),
             footings: self.footings(),
@@ -89,10 +101,7 @@ impl ControlPlane {
             raster: *self.raster(),
             table: self.table(),
             ready: sweeps.digital().ready_vertices(),
-        };
-        let gates = supply.shadow_gates(time);
-        supply.check_cache()?;
-        Ok(gates)
+        }
     }
 
     fn sweeps_of<'a>(
@@ -172,9 +181,14 @@ impl FrameSweeps<'_> {
         self.digital.drawn(sweep)
     }
 
-    /// Corners in view that are not in the storage buffer of each level when the frame begins.
-    pub fn missing_corners(&self) -> [usize; 2] {
-        self.digital.missing().map(<[_]>::len)
+    /// What the crossings of each sweep take of the processor (ticks); empty if they never take anything.
+    pub fn crossing_ticks(&self) -> Vec<u64> {
+        crossing_times(&self.crossings()).iter().map(|taken| taken.interrupts + taken.words).collect()
+    }
+
+    /// Vertices of polyhedra that the frame asks the processor for.
+    pub fn vertices_asked(&self) -> u64 {
+        self.digital.vertices
     }
 
     /// The loader that the sweeps run behind.

@@ -54,3 +54,9 @@ impl Clock {
         (ticks - ticks.round()).abs()
     }
 }
+
+/// Ticks at which the sweeps of frame `frame` begin, and at last that at which it ends.
+pub fn starts(scene: &Scene<'_>, frame: u64) -> Vec<i64> {
+    let scene = Scene { frame, ..*scene };
+    (0..=scene.settings.raster.sweeps).map(|sweep| Clock::of(&scene, sweep).seen(0.0)).collect()
+}

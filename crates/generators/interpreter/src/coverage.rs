@@ -1,12 +1,10 @@
 //! What the interpreter does not model, and why: those signals are not compared.
 
-use hardware_model::{AnalogParts, CrossingServer, Settings, WriteCompensation};
+use hardware_model::{AnalogParts, Settings, WriteCompensation};
 
 /// What of one sweep it cannot know.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Unknown {
-    /// Corners that the data bank has not delivered.
-    pub corners: bool,
     /// Craters that came late or found no sub-generator.
     pub craters: bool,
     /// Craters or edges of shadow on the way.
@@ -53,8 +51,7 @@ fn inside_blocks(signal: &str, settings: &Settings, unknown: Unknown) -> Option<
         "mu.vs1" => of("fg.reflectivity"),
         "mu.reflectivity" => of("fg.reflectivity").or_else(|| of("txg.texture")),
         "sm.video" => of("mu.reflectivity").or_else(|| of("dpp.hold")),
-        _ if signal.starts_with("tg.fn.") => terrain_parts(settings),
-        _ if signal.starts_with("tg.") => terrain_parts(settings).or_else(|| words(settings, unknown)),
+        _ if signal.starts_with("tg.") => terrain_parts(settings),
         _ if signal.starts_with("fg.") && !parts.features_are_ideal() => {
             Some("real parts of the sub-generators")
         }
@@ -65,13 +62,6 @@ fn inside_blocks(signal: &str, settings: &Settings, unknown: Unknown) -> Option<
         _ if signal.starts_with("dpp.") => of("mu.height"),
         _ => Some("no such wire in the report's drawing"),
     }
-}
-
-/// Why it does not know which words are in the registers.
-pub fn words(settings: &Settings, unknown: Unknown) -> Option<&'static str> {
-    let by_interrupt = settings.loader.served_by == CrossingServer::CpuInterrupt;
-    let waits = by_interrupt.then_some("words by interrupt: how long one waits is drawn from a seed");
-    waits.or_else(|| unknown.corners.then_some("corners that the drums have not delivered"))
 }
 
 fn terrain_parts(settings: &Settings) -> Option<&'static str> {

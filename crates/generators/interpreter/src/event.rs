@@ -1,4 +1,4 @@
-//! The event list of a sweep: everything that the digital side does for it over one level.
+//! Events of the digital side.
 
 /// A register of a colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -53,6 +53,8 @@ pub enum Happening {
         register: Register,
         /// Stops of the sweep before this one.
         crossing: u32,
+        /// Corner of its first word; none for words of 0.
+        corner: Option<[i64; 2]>,
     },
     /// A full set is overwritten unused.
     Wasted {
@@ -60,8 +62,8 @@ pub enum Happening {
         colour: usize,
         /// Where it was.
         register: Register,
-        /// Corner that it belonged to.
-        corner: [i64; 2],
+        /// Corner of its first word; none for words of 0.
+        corner: Option<[i64; 2]>,
     },
     /// A set is asked for.
     Wanted(AskedFor),
@@ -81,14 +83,25 @@ pub enum Happening {
         /// The corner.
         corner: [i64; 2],
     },
+    /// The storage buffer has not the corner: its words are 0.
+    Absent {
+        /// Yellow, green, black, red.
+        colour: usize,
+        /// Where they go.
+        register: Register,
+        /// The stop that asked; none as the sweep begins.
+        crossing: Option<u32>,
+        /// The corner.
+        corner: [i64; 2],
+    },
     /// Words arrive at a register.
     Load {
         /// Yellow, green, black, red.
         colour: usize,
         /// Where they go.
         register: Register,
-        /// Corner that they belong to: north, east.
-        corner: [i64; 2],
+        /// Corner that they belong to: north, east; none for words of 0.
+        corner: Option<[i64; 2]>,
         /// Which, bit 3 p + q.
         words: u16,
     },
@@ -103,6 +116,80 @@ pub enum Happening {
         /// Which, bit 3 p + q.
         words: u16,
     },
+    /// Words of a crater or of a shadow boundary come to the part that waits for them, or do not.
+    Words {
+        /// What waits.
+        part: Part,
+        /// Whether they come in time.
+        outcome: Outcome,
+        /// Ticks that are left, below 0 late; none where loads take no time, and of words that never come.
+        slack: Option<i64>,
+    },
+    /// The processor begins with the program of a sweep.
+    SetUpBegins {
+        /// The sweep.
+        sweep: u32,
+    },
+    /// The program of a sweep is ready.
+    SetUp {
+        /// The sweep.
+        sweep: u32,
+        /// Ticks until it begins; below 0 it has begun.
+        slack: i64,
+    },
+    /// A sweep begins with the program of another.
+    OldSetUp {
+        /// The sweep.
+        sweep: u32,
+        /// The other one.
+        drawn: u32,
+    },
+    /// Tables and polyhedra of the next frame are ready, or the frame ends before they are.
+    Tables {
+        /// Ticks until the frame ends; below 0, so much work is left.
+        slack: i64,
+    },
+    /// A record arrives from a drum.
+    Record(FromDrum),
+}
+
+/// A record that brings corners which a frame asks for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct FromDrum {
+    /// Number of the drum on its level.
+    pub drum: u32,
+    /// The first of the corners.
+    pub corner: [i64; 2],
+    /// How many words of it the frame asks for.
+    pub words: u32,
+}
+
+/// A part of a block that waits for words.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Part {
+    /// A sub-generator of the type of a crater.
+    Crater {
+        /// Number of the crater in the list.
+        crater: u32,
+        /// Number of the sub-generator; none if all were taken.
+        sub_generator: Option<u32>,
+    },
+    /// A line generator.
+    Segment {
+        /// Its number; none if all were taken, and where loads take no time.
+        line_generator: Option<u32>,
+    },
+}
+
+/// What becomes of words that a part waits for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Outcome {
+    /// They are there when they are wanted.
+    InTime,
+    /// They come later.
+    Late,
+    /// No part is free for them, or they could not set out in time.
+    Dropped,
 }
 
 impl Happening {
@@ -117,16 +204,31 @@ impl Happening {
             Self::Cancelled(_) => "cancelled",
             Self::Diagonal { .. } => "diagonal",
             Self::Access { .. } => "access",
+            Self::Absent { .. } => "absent",
             Self::Load { .. } => "load",
             Self::Late { .. } => "late",
+            Self::Words { part, outcome, .. } => outcome.name(part),
+            Self::SetUpBegins { .. } => "set-up-begins",
+            Self::SetUp { slack: 0.., .. } => "set-up",
+            Self::SetUp { .. } => "set-up-late",
+            Self::OldSetUp { .. } => "old-set-up",
+            Self::Tables { slack: 0.. } => "tables",
+            Self::Tables { .. } => "tables-late",
+            Self::Record(_) => "record",
         }
     }
 }
 
-impl Happening {
-    /// Whether it is known without who brings the words, and when: what the ramps do, and what follows from them at once.
-    pub fn is_of_the_ramps(&self) -> bool {
-        matches!(self, Self::Stop { .. } | Self::Transfer { .. })
+impl Outcome {
+    fn name(self, part: &Part) -> &'static str {
+        match (part, self) {
+            (Part::Crater { .. }, Self::InTime) => "crater-load",
+            (Part::Crater { .. }, Self::Late) => "crater-late",
+            (Part::Crater { .. }, Self::Dropped) => "crater-dropped",
+            (Part::Segment { .. }, Self::InTime) => "segment-load",
+            (Part::Segment { .. }, Self::Late) => "segment-late",
+            (Part::Segment { .. }, Self::Dropped) => "segment-dropped",
+        }
     }
 }
 
@@ -135,8 +237,8 @@ impl Happening {
 pub struct Event {
     /// Master tick since the start of the mission.
     pub tick: i64,
-    /// Level of terrain: 0 fine, 1 coarse.
-    pub level: usize,
+    /// Level of terrain: 0 fine, 1 coarse; none for what belongs to neither.
+    pub level: Option<usize>,
     /// What happens.
     pub what: Happening,
 }

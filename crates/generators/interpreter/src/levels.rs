@@ -3,7 +3,11 @@
 use hardware_model::Loader;
 use scenario::LevelSwitch;
 
+use crate::clock::Clock;
+use crate::frame::Frame;
+use crate::given::Given;
 use crate::scene::Scene;
+use crate::server::Interrupts;
 use crate::walk::{Course, Walk, walk};
 
 /// Terrain at one sample.
@@ -26,12 +30,38 @@ pub struct Terrain {
     pub ground: Vec<Ground>,
 }
 
-/// The terrain of sweep `sweep` along `direction`.
-pub fn terrain(scene: &Scene<'_>, sweep: u32, direction: [f64; 2], ranges: &[f64]) -> Terrain {
+fn interrupts<'a>(scene: &Scene<'a>, sweep: u32, given: &Given<'_>) -> Interrupts<'a> {
+    let held = given.frame.held.get(sweep as usize).copied().unwrap_or(0);
+    let begins = Clock::of(scene, sweep).seen(0.0);
+    Interrupts {
+        cpu: &scene.settings.cpu,
+        held: (held > 0).then_some(begins + held),
+        place: (scene.frame, sweep),
+        draw: given.draw,
+        seed: scene.settings.seed,
+    }
+}
+
+impl Terrain {
+    /// Ground range at which the farther generator ends (m).
+    pub fn end(&self, scene: &Scene<'_>) -> f64 {
+        let end = scene.settings.range.end;
+        let far = scene.settings.levels.filter(|_| self.coarse.is_some()).map_or(end, |switch| switch.range);
+        let fine = self.fine.edge.unwrap_or(far).min(end);
+        self.coarse.as_ref().map_or(fine, |coarse| coarse.edge.unwrap_or(end).max(fine))
+    }
+}
+
+/// The terrain of sweep `sweep` along `direction`, without the corners that are missing on each level.
+pub fn terrain(scene: &Scene<'_>, sweep: u32, direction: [f64; 2], given: &Given<'_>) -> Terrain {
+    let Given { ranges, frame: Frame { missing, .. }, .. } = *given;
+    let interrupts = interrupts(scene, sweep, given);
     let loader = &scene.settings.loader;
     let switch = scene.settings.levels.filter(|_| scene.coarse().is_some());
     let until = switch.map_or(f64::INFINITY, |switch| switch.range);
-    let course = Course { level: scene.fine(), number: 0, loader, direction, sweep, until };
+    let level = scene.fine();
+    let course =
+        Course { level, missing: &missing[0], number: 0, loader, direction, sweep, interrupts, until };
     let fine = walk(scene, &course, ranges);
     let (Some(level), Some(switch)) = (scene.coarse(), switch) else {
         let ground = fine.samples.iter().map(|s| Ground { height: s.height, slopes: s.slopes }).collect();
@@ -39,7 +69,8 @@ pub fn terrain(scene: &Scene<'_>, sweep: u32, direction: [f64; 2], ranges: &[f64
     };
     // Words are held back on the fine level alone.
     let plain = Loader { delays: Vec::new(), ..loader.clone() };
-    let course = Course { level, number: 1, loader: &plain, until: f64::INFINITY, ..course };
+    let course =
+        Course { level, missing: &missing[1], number: 1, loader: &plain, until: f64::INFINITY, ..course };
     let coarse = walk(scene, &course, ranges);
     let ground = both(&fine, &coarse, switch, direction, ranges);
     Terrain { fine, coarse: Some(coarse), ground }

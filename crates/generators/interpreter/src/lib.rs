@@ -12,10 +12,11 @@
 //! knows no polynomials in ground range, no lanes and no programs: at every accumulator step it reads the two ramps,
 //! forms 36 products and adds them, asks every crater, and feeds the occlusion circuit sample by sample, all in f64.
 //!
-//! Files, by part of the drawing: [`scene`] (what is given), [`fan`] (azimuths, ranges), [`clock`] (ticks), [`ramp`],
+//! Files, by part of the drawing: [`scene`] and [`given`](mod@given) (what is given), [`fan`] (azimuths, ranges), [`clock`] (ticks), [`ramp`],
 //! [`registers`] and [`server`] (hold, preload registers, pointers, words on their way), [`terrain`] (function
 //! generators, products, sums), [`walk`] (one terrain generator along a sweep), [`levels`] (two of them), [`light`],
-//! [`craters`], [`mixing`], [`output_amplifiers`], [`projector`], [`sweep`] (one sweep in order), [`coverage`] (what it does not model).
+//! [`craters`], [`loads`] (their words), [`shadows`] (words of boundaries), [`mixing`], [`output_amplifiers`], [`projector`], [`sweep`] (one sweep in order), [`coverage`] (what it does not model). For a whole
+//! frame: [`frame`], [`processor`] (set-ups), [`drums`] (with queues and storage buffer), [`demand`] (what a frame asks of them).
 //!
 //! **Our choices.** Ground range of the samples is taken as it is given, so that both engines look at the same places;
 //! [`range_programme`] is an opinion of its own on it. The gate of remote shadow is given too: boundaries are made
@@ -24,23 +25,34 @@
 pub mod clock;
 pub mod coverage;
 pub mod craters;
+pub mod demand;
+pub mod drums;
 pub mod event;
 pub mod fan;
+pub mod frame;
+pub mod given;
 pub mod levels;
 pub mod light;
+pub mod loads;
 pub mod mixing;
 pub mod output_amplifiers;
+pub mod processor;
 pub mod projector;
 pub mod ramp;
 pub mod registers;
 pub mod scene;
 pub mod server;
+pub mod shadows;
 pub mod sweep;
 pub mod terrain;
 pub mod walk;
 
 pub use coverage::{Unknown, why_not};
-pub use event::{AskedFor, Event, Happening, Register};
+pub use drums::{Arrivals, DrumFigures};
+pub use event::{AskedFor, Event, FromDrum, Happening, Outcome, Part, Register};
 pub use fan::range_programme;
-pub use scene::{Given, Scene};
+pub use frame::{Frame, FrameGiven, frame};
+pub use given::Given;
+pub use scene::Scene;
+pub use shadows::ShadowLine;
 pub use sweep::{Record, interpret};

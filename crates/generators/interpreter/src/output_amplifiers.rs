@@ -6,7 +6,8 @@
 
 use hardware_model::WireParts;
 
-use crate::scene::{Given, Scene};
+use crate::given::Given;
+use crate::scene::Scene;
 
 /// Which wires lag, in accumulator steps and in their own units.
 #[derive(Debug, Clone, Copy)]

@@ -4,8 +4,9 @@ use hardware_model::{LatePolicy, Loader};
 use landscape::Level;
 
 use crate::clock::Clock;
+use crate::drums::Arrivals;
 use crate::event::{AskedFor, Event, Happening, Register};
-use crate::server::{Asked, Fetched, Server, Wanted};
+use crate::server::{Asked, Fetched, Interrupts, Server, Wanted};
 
 /// Hardware corner (a, b) of each colour: yellow, green, black, red.
 pub const CORNERS: [[usize; 2]; 4] = [[0, 0], [1, 0], [0, 1], [1, 1]];
@@ -34,7 +35,8 @@ struct Carried {
     colour: usize,
     /// Axis of the preload register that waits for it; `None` for the diagonal one.
     axis: Option<usize>,
-    corner: [i64; 2],
+    /// None for a word of 0.
+    corner: Option<[i64; 2]>,
     word: usize,
     /// Its transfer is over: strobed through to hold when it arrives.
     late: bool,
@@ -43,21 +45,22 @@ struct Carried {
 /// A corner with its words.
 #[derive(Debug, Clone, Copy)]
 struct Set {
-    corner: [i64; 2],
+    /// None for words of 0.
+    corner: Option<[i64; 2]>,
     words: [f64; 9],
 }
 
 /// Where and when a sweep begins, as the registers need it.
 #[derive(Debug, Clone, Copy)]
-pub struct Start {
+pub struct Start<'a> {
     /// Region of the eye's foot.
     pub region: [i64; 2],
     /// +1 or -1 along each axis.
     pub heading: [i64; 2],
     /// Whether each ramp meets 1 next; `None` for one that stands.
     pub rising: [Option<bool>; 2],
-    /// Frame and sweep.
-    pub place: (u64, u32),
+    /// Where the processor serves the crossings, what stands before the sets of each.
+    pub interrupts: Interrupts<'a>,
     /// Level of terrain.
     pub level: usize,
 }
@@ -72,22 +75,29 @@ pub struct Registers<'a> {
     first: [[Set; 4]; 2],
     /// Words of each preload register that have come since its colour moved, bit 3 p + q.
     come: [[u16; 4]; 2],
-    /// Words beyond both stops, and whether all of them are there.
-    diagonal: [(Set, bool); 4],
+    /// Whether all words beyond both stops are there.
+    diagonal: [bool; 4],
     /// Lattice corner that each colour stands for.
     corner: [[i64; 2]; 4],
     carried: Vec<Carried>,
     server: Server<'a>,
-    start: Start,
+    start: Start<'a>,
     crossings: u32,
     level: &'a Level,
+    /// Corners that the storage buffer has not when the frame begins.
+    missing: &'a Arrivals,
     loader: &'a Loader,
     clock: Clock,
 }
 
 impl<'a> Registers<'a> {
     /// All registers full.
-    pub fn at_start(level: &'a Level, loader: &'a Loader, clock: Clock, start: Start) -> Self {
+    pub fn at_start(
+        (level, missing): (&'a Level, &'a Arrivals),
+        loader: &'a Loader,
+        clock: Clock,
+        start: Start<'a>,
+    ) -> Self {
         // Yellow and black at the even one of K, K + 1, red and green at the odd one; likewise in L (6.5, rule 4).
         let corner = CORNERS.map(|side| {
             std::array::from_fn(|axis| {
@@ -96,40 +106,55 @@ impl<'a> Registers<'a> {
                 if region.rem_euclid(2) == parity { region } else { region + 1 }
             })
         });
-        let empty = Set { corner: [0; 2], words: [0.0; 9] };
+        let empty = Set { corner: None, words: [0.0; 9] };
         let mut registers = Self {
             hold: [[0.0; 9]; 4],
             events: Vec::new(),
             first: [[empty; 4]; 2],
             come: [[0; 4]; 2],
-            diagonal: [(empty, true); 4],
+            diagonal: [true; 4],
             corner,
             carried: Vec::new(),
-            server: Server::at_start(loader, clock.begun),
+            server: Server::at_start(loader, start.interrupts, clock.begun),
             start,
             crossings: 0,
             level,
+            missing,
             loader,
             clock,
         };
         for colour in 0..4 {
-            registers.hold[colour] = registers.set(corner[colour]).words;
+            registers.hold[colour] = registers.home(colour, Register::Hold, corner[colour]).words;
             for axis in 0..2 {
-                registers.first[axis][colour] = registers.set(registers.ahead(colour, Some(axis)));
+                let ahead = registers.ahead(colour, Some(axis));
+                registers.first[axis][colour] = registers.home(colour, PRELOADS[axis], ahead);
             }
-            registers.diagonal[colour].0 = registers.set(registers.ahead(colour, None));
-            registers.note_home(colour);
         }
         registers
     }
 
-    fn note_home(&mut self, colour: usize) {
-        let tick = self.clock.seen(0.0);
-        let [x, y] = [0, 1].map(|axis| self.first[axis][colour].corner);
-        let hold = self.stored(self.corner[colour]);
-        for (register, corner) in [(Register::Hold, hold), (Register::XFirst, x), (Register::YFirst, y)] {
-            self.note(tick, Happening::Home { colour, register, corner });
+    /// What a register holds as the sweep begins.
+    fn home(&mut self, colour: usize, register: Register, corner: [i64; 2]) -> Set {
+        let (tick, corner) = (self.clock.seen(0.0), self.stored(corner));
+        self.note(tick, Happening::Home { colour, register, corner });
+        self.look_up(tick, colour, register, None, corner)
+    }
+
+    /// The words of a corner, or of none if the storage buffer has not got it at `tick`.
+    fn look_up(
+        &mut self,
+        tick: i64,
+        colour: usize,
+        register: Register,
+        crossing: Option<u32>,
+        corner: [i64; 2],
+    ) -> Set {
+        let is_there =
+            self.missing.get(&corner).is_none_or(|arrival| arrival.is_some_and(|comes| comes <= tick));
+        if !is_there {
+            self.note(tick, Happening::Absent { colour, register, crossing, corner });
         }
+        self.set(is_there.then_some(corner))
     }
 
     /// Takes in every word that has arrived by `time`.
@@ -146,8 +171,7 @@ impl<'a> Registers<'a> {
         for Carried { tick, colour, axis, corner, word, late } in arrived {
             let value = self.set(corner).words[word];
             let Some(axis) = axis else {
-                self.diagonal[colour].0 = self.set(corner);
-                self.diagonal[colour].1 |= word == 8;
+                self.diagonal[colour] |= word == 8;
                 continue;
             };
             let register = if late {
@@ -168,7 +192,9 @@ impl<'a> Registers<'a> {
     /// Lets the lines work up to a tick.
     fn walk(&mut self, last: i64) {
         for Fetched { asked: set, begins, comes } in self.server.walk(last) {
-            self.note(begins, Happening::Access { set: set.set(), corner: set.corner });
+            let asked = set.set();
+            self.note(begins, Happening::Access { set: asked, corner: set.corner });
+            let found = self.look_up(begins, set.colour, asked.register, Some(set.crossing), set.corner);
             let axis = match set.wanted {
                 Wanted::Preload(register) => Some(usize::from(register == Register::YFirst)),
                 Wanted::Diagonal => None,
@@ -179,7 +205,7 @@ impl<'a> Registers<'a> {
                     tick: if held > 0 { comes[8] + held } else { comes[word] },
                     colour: set.colour,
                     axis,
-                    corner: set.corner,
+                    corner: found.corner,
                     word,
                     late: set.late && held == 0,
                 });
@@ -204,8 +230,9 @@ impl<'a> Registers<'a> {
             return;
         }
         for colour in colours {
-            self.hold[colour] = self.first[axis][colour].words;
-            self.note(seen, Happening::Transfer { colour, register: PRELOADS[axis], crossing });
+            let Set { corner, words } = self.first[axis][colour];
+            self.hold[colour] = words;
+            self.note(seen, Happening::Transfer { colour, register: PRELOADS[axis], crossing, corner });
             self.overwrite(colour, axis, seen);
             self.sort_out(colour, axis, seen, crossing);
             self.corner[colour][axis] += 2 * self.start.heading[axis];
@@ -267,31 +294,37 @@ impl<'a> Registers<'a> {
     fn renew(&mut self, axis: usize, colour: usize, crossing: u32, seen: i64) {
         let loader = self.loader;
         let wired = loader.is_wired_through();
-        let moves_over = loader.diagonal_register && !wired && self.diagonal[colour].1;
+        let moves_over = loader.diagonal_register && !wired && self.diagonal[colour];
         for register in 0..2 {
             let corner = self.stored(self.ahead(colour, Some(register)));
             let set = AskedFor { colour, register: PRELOADS[register], crossing };
             if wired {
                 self.note(seen, Happening::Wanted(set));
                 self.note(seen, Happening::Access { set, corner });
-                self.put(register, colour, crossing, seen, corner);
+                self.put(set, register, seen, corner);
             } else if moves_over && register != axis {
                 self.note(seen, Happening::Diagonal { set, corner });
-                self.put(register, colour, crossing, seen, corner);
+                self.put(set, register, seen, corner);
             } else {
                 self.ask(axis, colour, Wanted::Preload(PRELOADS[register]), crossing, seen, corner);
             }
         }
         if loader.diagonal_register && !wired {
-            self.diagonal[colour].1 = false;
+            self.diagonal[colour] = false;
             let corner = self.stored(self.ahead(colour, None));
             self.ask(axis, colour, Wanted::Diagonal, crossing, seen, corner);
         }
     }
 
     /// Words that take no time: wired, or moved over from the diagonal register.
-    fn put(&mut self, axis: usize, colour: usize, crossing: u32, seen: i64, corner: [i64; 2]) {
-        let words = self.set(corner).words;
+    fn put(
+        &mut self,
+        AskedFor { colour, register, crossing }: AskedFor,
+        axis: usize,
+        seen: i64,
+        corner: [i64; 2],
+    ) {
+        let Set { corner, words } = self.look_up(seen, colour, register, Some(crossing), corner);
         let mut come = 0;
         for word in 0..9 {
             match self.held_back(crossing, colour, axis, word) {
@@ -314,7 +347,7 @@ impl<'a> Registers<'a> {
         }
         self.come[axis][colour] |= come;
         if come != 0 {
-            self.note(seen, Happening::Load { colour, register: PRELOADS[axis], corner, words: come });
+            self.note(seen, Happening::Load { colour, register, corner, words: come });
         }
     }
 
@@ -338,7 +371,7 @@ impl<'a> Registers<'a> {
 
     /// Extra ticks that a fault of the model adds to this word.
     fn held_back(&self, crossing: u32, colour: usize, axis: usize, word: usize) -> i64 {
-        let (frame, sweep) = self.start.place;
+        let (frame, sweep) = self.start.interrupts.place;
         let meant = self.loader.delays.iter().find(|delay| {
             self.start.level == 0
                 && delay.frame.unwrap_or(frame) == frame
@@ -362,11 +395,10 @@ impl<'a> Registers<'a> {
         std::array::from_fn(|axis| corner[axis].clamp(0, corners[axis] as i64 - 1))
     }
 
-    /// A corner, or the last stored one on the way to it, and its words.
-    fn set(&self, corner: [i64; 2]) -> Set {
-        let corner = self.stored(corner);
-        let place = corner[0] as usize * self.level.corners()[1] + corner[1] as usize;
-        Set { corner, words: self.level.words()[place] }
+    /// The words of a stored corner, or 0.
+    fn set(&self, corner: Option<[i64; 2]>) -> Set {
+        let words = |[m, n]: [i64; 2]| self.level.words()[m as usize * self.level.corners()[1] + n as usize];
+        Set { corner, words: corner.map_or([0.0; 9], words) }
     }
 
     fn note(&mut self, tick: i64, what: Happening) {
@@ -383,6 +415,6 @@ impl<'a> Registers<'a> {
             *w |= words;
             return;
         }
-        self.events.push(Event { tick, level: self.start.level, what });
+        self.events.push(Event { tick, level: Some(self.start.level), what });
     }
 }

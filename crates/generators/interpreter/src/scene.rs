@@ -2,6 +2,7 @@
 
 use hardware_model::Settings;
 use landscape::{Landscape, Level, Sun};
+use scenario::Pose;
 
 /// A frame: ground, light, pose and the numbers of the run.
 #[derive(Debug, Clone, Copy)]
@@ -20,19 +21,8 @@ pub struct Scene<'a> {
     pub pitch: f64,
     /// Number of the frame.
     pub frame: u64,
-}
-
-/// What the interpreter does not work out and takes as the machine has it.
-#[derive(Debug, Clone, Copy)]
-pub struct Given<'a> {
-    /// Ground range of each sample (m).
-    pub ranges: &'a [f64],
-    /// The sweep whose set-up this one is drawn with: its own, but where the processor is late.
-    pub set_up: u32,
-    /// Gate of remote shadow at each sample, 0 or 1; empty where there is no shadow.
-    pub shadow: &'a [f64],
-    /// Full scale of each main wire in its unit: what its slew rate is against.
-    pub full_scales: &'a [(&'static str, f64)],
+    /// Where the eye is in every frame of the mission: what its drums go by. Empty where nobody asks.
+    pub course: &'a [Pose],
 }
 
 impl Scene<'_> {

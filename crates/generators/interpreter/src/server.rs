@@ -1,6 +1,6 @@
 //! Who brings the words: accesses of the storage buffer, tick by tick (sections 6.3, 22 no. 7; sheet of the DPU).
 
-use hardware_model::{CrossingServer, Loader};
+use hardware_model::{Cpu, CrossingServer, Loader};
 
 use crate::event::{AskedFor, Register};
 
@@ -54,10 +54,36 @@ pub struct Fetched {
     pub comes: [i64; 9],
 }
 
+/// What stands before the first set of a stop where the processor serves the crossings.
+#[derive(Debug, Clone, Copy)]
+pub struct Interrupts<'a> {
+    /// The processor.
+    pub cpu: &'a Cpu,
+    /// Tick until which it is at a set-up that no interrupt breaks; none if it is at none.
+    pub held: Option<i64>,
+    /// Frame and sweep.
+    pub place: (u64, u32),
+    /// The share of the longest instruction that is left at an interrupt: drawn by frame, sweep and stop.
+    pub draw: fn(u64, [u64; 3]) -> f64,
+    /// The seed that it is drawn from.
+    pub seed: u64,
+}
+
+impl Interrupts<'_> {
+    /// Ticks of the interrupt of a stop; of a processor that is at something the rest of its instruction comes before.
+    fn ticks(&self, crossing: u32, interrupts_a_task: bool) -> i64 {
+        let (frame, sweep) = self.place;
+        let share = (self.draw)(self.seed, [frame, u64::from(sweep), u64::from(crossing)]);
+        let rest = if interrupts_a_task { share * self.cpu.longest_instruction as f64 } else { 0.0 };
+        rest as i64 + self.cpu.crossing() as i64
+    }
+}
+
 /// The lines over which words come: one a colour, or one for all.
 #[derive(Debug, Clone)]
 pub struct Server<'a> {
     loader: &'a Loader,
+    interrupts: Interrupts<'a>,
     /// Tick from which on each line is free.
     free: [i64; 4],
     walked: i64,
@@ -69,10 +95,11 @@ pub struct Server<'a> {
 
 impl<'a> Server<'a> {
     /// Idle, from well before the sweep on.
-    pub fn at_start(loader: &'a Loader, begun: i64) -> Self {
+    pub fn at_start(loader: &'a Loader, interrupts: Interrupts<'a>, begun: i64) -> Self {
         Self {
             loader,
-            free: [i64::MIN; 4],
+            interrupts,
+            free: [interrupts.held.unwrap_or(i64::MIN); 4],
             walked: begun - 1_000_000,
             ordered: Vec::new(),
             queue: Vec::new(),
@@ -85,8 +112,11 @@ impl<'a> Server<'a> {
         while self.walked < last && !self.queue.is_empty() {
             self.walked += 1;
             for line in 0..self.lines() {
-                if self.free[line] <= self.walked {
-                    served.extend(self.begin(line));
+                // A set that takes no time leaves the tick to the next.
+                while self.free[line] <= self.walked
+                    && let Some(set) = self.begin(line)
+                {
+                    served.push(set);
                 }
             }
         }
@@ -107,7 +137,10 @@ impl<'a> Server<'a> {
         let chain = self.loader.channel_programme();
         let mut now = self.walked;
         if !self.ordered.contains(&set.crossing) {
-            now += chain.order as i64;
+            now += match self.loader.served_by {
+                CrossingServer::CpuInterrupt => self.interrupts.ticks(set.crossing, now == set.tick),
+                CrossingServer::IoProcessor | CrossingServer::WiredPointers => chain.order as i64,
+            };
             self.ordered.push(set.crossing);
         }
         now += (chain.chain + self.loader.pointer) as i64;

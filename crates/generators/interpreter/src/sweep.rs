@@ -8,12 +8,15 @@ use scenario::Occlusion;
 use crate::craters::{Relief, kinks, relief};
 use crate::event::Event;
 use crate::fan::{direction, tangent, written_raster};
+use crate::given::Given;
 use crate::levels::{Ground, Terrain, terrain};
 use crate::light::Light;
+use crate::loads::{Loads, Passing, craters};
 use crate::mixing::{Inputs, mix, texture};
 use crate::output_amplifiers::OutputAmplifiers;
 use crate::projector::{Circuit, Deflection, Rim, elevation, shown};
-use crate::scene::{Given, Scene};
+use crate::scene::Scene;
+use crate::shadows::segments;
 use scenario::FeatureLight;
 
 const FED: [&str; 4] = ["x", "cx", "y", "cy"];
@@ -28,12 +31,14 @@ pub struct Record {
     /// How near each sample of a signal is to a threshold that decides it, in the unit of the signal that is compared
     /// there or as a share of a radius; signals that nothing decides are not here.
     pub margins: BTreeMap<String, Vec<f64>>,
-    /// Event lists of both levels.
+    /// Event lists of both levels, and loads of craters and of shadow boundaries.
     pub events: Vec<Event>,
     /// The last tick of each level's walk: later events are nobody's.
     pub last_ticks: [i64; 2],
     /// Ticks, by level, in which rounding says when a stop is seen.
     pub undecided: [Vec<i64>; 2],
+    /// Whether rounding says which tick sees a load of a crater or of a shadow boundary.
+    pub loads_undecided: bool,
     /// Instants of the stops of the fine level, in accumulator steps from the first sample, with axis (0 is X).
     pub stops: Vec<(f64, usize)>,
     /// Samples within the stored ground.
@@ -56,12 +61,15 @@ impl Record {
 
 /// Walks sweep `sweep` step by step.
 pub fn interpret(scene: &Scene<'_>, sweep: u32, given: &Given<'_>) -> Record {
-    let direction = direction(scene, given.set_up);
-    let mut terrain = terrain(scene, sweep, direction, given.ranges);
+    let set_up = given.frame.set_ups[sweep as usize];
+    let direction = direction(scene, set_up);
+    let mut terrain = terrain(scene, sweep, direction, given);
+    let passing = Passing { sweep, direction, ranges: given.ranges, end: terrain.end(scene) };
     let wires = OutputAmplifiers::of(scene, given);
     let mut walker = Walker {
         scene,
         given,
+        set_up,
         direction,
         wires,
         light: Light::of(scene, direction),
@@ -72,7 +80,9 @@ pub fn interpret(scene: &Scene<'_>, sweep: u32, given: &Given<'_>) -> Record {
     drive(&wires, &mut terrain.ground);
     let composite = walker.landscape(&terrain.ground);
     walker.project(&terrain.ground, &composite);
-    walker.finish(terrain)
+    // The gate of another sweep's set-up comes with the times of that sweep.
+    let lines = if set_up == sweep { given.lines } else { &[] };
+    walker.finish(terrain, [craters(scene, &passing), segments(scene, &passing, lines)])
 }
 
 /// Height and slopes of the terrain behind their amplifiers.
@@ -100,6 +110,8 @@ fn met(scene: &Scene<'_>, [cos, sin]: [f64; 2], ranges: &[f64]) -> Vec<Crater> {
 struct Walker<'a> {
     scene: &'a Scene<'a>,
     given: &'a Given<'a>,
+    /// The sweep whose set-up this one is drawn with.
+    set_up: u32,
     direction: [f64; 2],
     wires: OutputAmplifiers<'a>,
     light: Light,
@@ -197,8 +209,7 @@ impl Walker<'_> {
         let rims = self.rims(ground, heights.len());
         let (field, lines) = written_raster(self.scene);
         let raster = (lines, field.tan_half_height);
-        let deflection =
-            Deflection::of(laws.projection, pitch, tangent(self.scene, self.given.set_up), raster);
+        let deflection = Deflection::of(laws.projection, pitch, tangent(self.scene, self.set_up), raster);
         let steps_a_second = {
             let timebase = &settings.timebase;
             let steps = timebase.sweeps as f64 * (timebase.active_samples + timebase.retrace_samples) as f64;
@@ -259,7 +270,7 @@ impl Walker<'_> {
         rims
     }
 
-    fn finish(mut self, terrain: Terrain) -> Record {
+    fn finish(mut self, terrain: Terrain, loads: [Loads; 2]) -> Record {
         let Terrain { fine, coarse, ground } = terrain;
         self.record.has_breaks = !self.craters.is_empty() || self.given.shadow.iter().any(|gate| *gate > 0.5);
         self.record.samples = ground.len();
@@ -268,7 +279,10 @@ impl Walker<'_> {
         self.record.last_ticks = [fine.last_tick, coarse.as_ref().map_or(i64::MIN, |walk| walk.last_tick)];
         self.record.undecided =
             [fine.undecided, coarse.as_ref().map_or(vec![], |walk| walk.undecided.clone())];
-        self.record.events = [fine.events, coarse.map_or(vec![], |walk| walk.events)].concat();
+        self.record.loads_undecided = loads.iter().any(|loads| loads.undecided);
+        let [craters, segments] = loads.map(|loads| loads.events);
+        let coarse = coarse.map_or(vec![], |walk| walk.events);
+        self.record.events = [fine.events, coarse, craters, segments].concat();
         self.record
     }
 }

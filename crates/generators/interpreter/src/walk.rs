@@ -4,10 +4,12 @@ use hardware_model::Loader;
 use landscape::Level;
 
 use crate::clock::Clock;
+use crate::drums::Arrivals;
 use crate::event::Event;
 use crate::ramp::Ramp;
 use crate::registers::{Registers, Start};
 use crate::scene::Scene;
+use crate::server::Interrupts;
 use crate::terrain::{Sums, sums};
 
 /// Nearer to a tick than this, rounding decides which tick sees a stop.
@@ -51,6 +53,8 @@ pub struct Walk {
 pub struct Course<'a> {
     /// Its ground.
     pub level: &'a Level,
+    /// Corners that its storage buffer has not when the frame begins.
+    pub missing: &'a Arrivals,
     /// 0 fine, 1 coarse.
     pub number: usize,
     /// How words come.
@@ -59,6 +63,8 @@ pub struct Course<'a> {
     pub direction: [f64; 2],
     /// Sweep whose time it is.
     pub sweep: u32,
+    /// Where the processor serves the crossings, what stands before the sets of each.
+    pub interrupts: Interrupts<'a>,
     /// Ground range beyond which nobody looks (m).
     pub until: f64,
 }
@@ -75,10 +81,10 @@ pub fn walk(scene: &Scene<'_>, course: &Course<'_>, ranges: &[f64]) -> Walk {
         region: ramps.each_ref().map(|ramp| ramp.region),
         heading: ramps.each_ref().map(|ramp| ramp.heading),
         rising: ramps.each_ref().map(|ramp| ramp.moves().then_some(ramp.rising)),
-        place: (scene.frame, course.sweep),
+        interrupts: course.interrupts,
         level: course.number,
     };
-    let registers = Registers::at_start(level, course.loader, clock, start);
+    let registers = Registers::at_start((level, course.missing), course.loader, clock, start);
     let mut walker = Walker { course, clock, ramps, registers, found: Walk::default() };
     let mut before = 0.0;
     walker.found.last_tick = clock.seen(-1.0);

@@ -3,8 +3,7 @@
 use control_plane::DigitalEvent;
 use features::{Crater, Shape};
 use interpreter::clock::Clock;
-use interpreter::coverage::words;
-use interpreter::{Record, Scene, Unknown, range_programme, why_not};
+use interpreter::{Event, Record, Scene, Unknown, range_programme, why_not};
 use scenario::Scalar;
 use signal::{Unit, Waveform, Wire};
 
@@ -42,31 +41,52 @@ pub fn compare(sides: &Sides<'_>) -> Report {
     report
 }
 
+/// The events of the crossings, and those of the loads: each list has its own roundings.
 fn compare_events(sides: &Sides<'_>, report: &mut Report) {
     let Sides { scene, record, .. } = *sides;
-    let with_words = words(scene.settings, sides.unknown).is_none();
-    let machine = in_order(&of_machine(sides.events), record.last_ticks, with_words);
-    let interpreter = in_order(&record.events, record.last_ticks, with_words);
-    let all = of_machine(sides.events).len() as u64;
+    let is_load = |event: &Event| event.level.is_none();
+    let lists = |of: &[Event]| -> [Vec<Event>; 2] {
+        let (loads, crossings): (Vec<_>, Vec<_>) = of.iter().copied().partition(is_load);
+        [crossings, loads].map(|events| in_order(&events, record.last_ticks))
+    };
+    let [crossings, loads] = lists(&of_machine(sides.events));
+    let [own_crossings, own_loads] = lists(&record.events);
+    let stops_undecided = record.undecided.iter().any(|ticks| !ticks.is_empty());
+    let place = (scene.frame, Some(sides.sweep));
+    compare_lists(place, [&crossings, &own_crossings], stops_undecided, report);
+    compare_lists(place, [&loads, &own_loads], record.loads_undecided, report);
+}
+
+/// Events of a whole frame.
+pub fn compare_frame(frame: u64, machine: &[DigitalEvent], interpreter: &[Event]) -> Report {
+    let mut report = Report::default();
+    let [machine, interpreter] =
+        [&of_machine(machine)[..], interpreter].map(|events| in_order(events, [i64::MAX; 2]));
+    compare_lists((frame, None), [&machine, &interpreter], false, &mut report);
+    report
+}
+
+/// The machine's list and the interpreter's, of a frame or of one of its sweeps. Where rounding says which tick sees an event, a
+/// list that differs is left out.
+fn compare_lists(
+    (frame, sweep): (u64, Option<u32>),
+    [machine, interpreter]: [&[Event]; 2],
+    undecided: bool,
+    report: &mut Report,
+) {
     let first = (0..machine.len().max(interpreter.len())).find(|&k| machine.get(k) != interpreter.get(k));
-    match first {
-        // Rounding says which tick sees a stop: no opinion on this sweep's events.
-        Some(_) if record.undecided.iter().any(|ticks| !ticks.is_empty()) => report.events_left_out += all,
-        Some(k) => {
-            report.event_difference = Some(EventDifference {
-                frame: scene.frame,
-                sweep: sides.sweep,
-                machine: machine.get(k).copied(),
-                interpreter: interpreter.get(k).copied(),
-            });
+    let Some(first) = first else {
+        for event in machine {
+            *report.events.entry(event.what.name()).or_default() += 1;
         }
-        None => {
-            for event in &machine {
-                *report.events.entry(event.what.name()).or_default() += 1;
-            }
-            report.events_left_out += if with_words { 0 } else { all - machine.len() as u64 };
-        }
+        return;
+    };
+    if undecided {
+        report.events_left_out += machine.len() as u64;
+        return;
     }
+    let [machine, interpreter] = [machine, interpreter].map(|events| events.get(first).copied());
+    report.event_difference.get_or_insert(EventDifference { frame, sweep, machine, interpreter });
 }
 
 impl Sides<'_> {

@@ -1,14 +1,18 @@
 //! Both engines, set for one stage.
 
-use control_plane::{ControlPlane, DigitalEvent, EventWord, MachineStage};
+use control_plane::{ControlPlane, DigitalUnit, FrameSweeps, MachineStage};
+use data_bank::DrumUnit;
 use generator::{FrameError, Planes, Session};
-use interpreter::{Given, Record, Scene, Unknown, interpret};
+use interpreter::{
+    DrumFigures, Event, Frame, FrameGiven, Given, Happening, Outcome, Part, Record, Scene, Unknown, interpret,
+};
 use machine::Prepare;
+use quantities::unit_interval;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use scenario::Pose;
 use signal::{Axis, Probe, Waveform};
 
-use crate::compare::{Sides, compare};
+use crate::compare::{Sides, compare, compare_frame};
 use crate::report::Report;
 
 /// Changes the machine's waveforms before they are compared: how a comparison is seen to be awake.
@@ -39,7 +43,7 @@ impl Engines {
         Self { control: ControlPlane::new(stage.clone()), stage, session }
     }
 
-    /// Sweeps `sweeps` of frame `frame` seen from `pose`, on both.
+    /// Sweeps `sweeps` of frame `frame` seen from `pose`, on both; the report of the first has the events of the frame.
     ///
     /// # Errors
     /// If the pose cannot be drawn.
@@ -50,8 +54,8 @@ impl Engines {
         sweeps: impl IntoIterator<Item = u32>,
         tamper: Tamper<'_>,
     ) -> Result<Vec<Seen>, FrameError> {
-        let digital = self.control.sweeps(frame, pose)?;
-        let missing = digital.missing_corners().iter().any(|&corners| corners > 0);
+        let digital = self.control.sweeps_with_gates(frame, pose)?;
+        let lines = self.control.shadow_lines(&digital, pose.time);
         let scene = Scene {
             landscape: &self.stage.landscape,
             settings: &self.stage.settings,
@@ -60,13 +64,19 @@ impl Engines {
             heading: pose.attitude.heading,
             pitch: pose.attitude.pitch,
             frame,
+            course: self.stage.scenery.course(),
         };
+        let own = self.frame(&scene, &digital);
+        let of_frame = compare_frame(frame, &digital.frame_events(), &own.events);
         let wires = self.session.wires();
         let full_scales: Vec<_> = wires.iter().map(|wire| (wire.signal.name, wire.full_scale)).collect();
         let one = |sweep: u32| {
             let mut probe = Probe::new(vec!["*".into()], sweep..sweep + 1);
             let counts = self.session.frame(frame, pose, &mut Planes::new(0, 0, &[]), &mut probe)?;
-            let events = digital.events(sweep);
+            let mut events = digital.events(sweep);
+            if own.set_ups[sweep as usize] != sweep {
+                events.retain(|event| event.unit != DigitalUnit::ShadowController);
+            }
             let mut machine = probe.waveforms;
             machine.retain(|wave| {
                 wave.signal.axis != Axis::Changes && wires.iter().any(|wire| wire.signal == wave.signal)
@@ -76,19 +86,17 @@ impl Engines {
                 let wave = machine.iter().find(|wave| wave.signal.name == name);
                 wave.map_or(&[][..], |wave| wave.values.as_slice())
             };
-            let set_up = digital.set_up_of(sweep);
             let given = Given {
                 ranges: values("sweep.range"),
-                set_up,
+                frame: &own,
+                draw: |seed, words| unit_interval(seed, &words),
+                lines: &lines,
                 shadow: values("sc.gate"),
                 full_scales: &full_scales,
             };
             let record = interpret(&scene, sweep, &given);
-            let unknown = Unknown {
-                corners: missing,
-                craters: events.iter().any(has_lost_a_crater),
-                breaks: record.has_breaks,
-            };
+            let unknown =
+                Unknown { craters: record.events.iter().any(has_lost_a_crater), breaks: record.has_breaks };
             let sides = Sides {
                 scene: &scene,
                 wires: &wires,
@@ -102,7 +110,23 @@ impl Engines {
             report.counts = counts;
             Ok(Seen { machine, interpreter: record, report })
         };
-        sweeps.into_iter().collect::<Vec<_>>().into_par_iter().map(one).collect()
+        let seen: Result<Vec<Seen>, FrameError> =
+            sweeps.into_iter().collect::<Vec<_>>().into_par_iter().map(one).collect();
+        let mut seen = seen?;
+        seen.first_mut().into_iter().for_each(|first| first.report.add(of_frame.clone()));
+        Ok(seen)
+    }
+
+    /// The digital side of a frame as the interpreter sees it.
+    fn frame(&self, scene: &Scene<'_>, digital: &FrameSweeps<'_>) -> Frame {
+        let drums =
+            [0, 1].map(|level| self.control.drums(level).into_iter().map(figures).collect::<Vec<_>>());
+        let given = FrameGiven {
+            crossings: &digital.crossing_ticks(),
+            vertices: digital.vertices_asked(),
+            drums: [&drums[0], &drums[1]],
+        };
+        interpreter::frame(scene, &given)
     }
 
     /// The reports of [`run`](Self::run) in one.
@@ -121,6 +145,11 @@ impl Engines {
     }
 }
 
-fn has_lost_a_crater(event: &DigitalEvent) -> bool {
-    matches!(event.event, EventWord::CraterLate | EventWord::CraterDropped)
+fn figures(DrumUnit { rotation, transfer, start_angle }: DrumUnit) -> DrumFigures {
+    DrumFigures { rotation, transfer, start_angle }
+}
+
+fn has_lost_a_crater(event: &Event) -> bool {
+    let Happening::Words { part: Part::Crater { .. }, outcome, .. } = event.what else { return false };
+    outcome != Outcome::InTime
 }

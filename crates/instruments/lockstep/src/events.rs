@@ -2,20 +2,20 @@
 
 use std::collections::BTreeMap;
 
-use control_plane::{DigitalEvent, EventWord};
-use interpreter::{AskedFor, Event, Happening, Register};
+use control_plane::{DigitalEvent, DigitalUnit, EventWord, LoadedPart};
+use interpreter::{AskedFor, Event, FromDrum, Happening, Outcome, Part, Register};
 use sweep_program::{PreloadRegister, RampAxis, Stop};
 
-/// What the machine's digital side did in a sweep, in the interpreter's words; what has none there is left out.
+/// What the machine's digital side did, in the interpreter's words.
 pub fn of_machine(events: &[DigitalEvent]) -> Vec<Event> {
     events.iter().filter_map(translated).collect()
 }
 
 fn translated(event: &DigitalEvent) -> Option<Event> {
-    Some(Event { tick: event.tick.0 as i64, level: event.level?, what: happening(event)? })
+    Some(Event { tick: event.tick.0 as i64, level: event.level, what: happening(event)? })
 }
 
-/// What it is for the interpreter; none for what it has no opinion on.
+/// What it is for the interpreter; none if the machine tells less of it than such an event has.
 fn happening(event: &DigitalEvent) -> Option<Happening> {
     let colour = || event.colour.map(|colour| colour as usize);
     let words = event.mask.0;
@@ -29,17 +29,18 @@ fn happening(event: &DigitalEvent) -> Option<Happening> {
             Happening::Stop { axis, at_one: fold.stop == Stop::One, crossing: event.crossing? }
         }
         EventWord::Transfer => {
-            Happening::Transfer { colour: colour()?, register: register(event)?, crossing: event.crossing? }
+            let (colour, register) = (colour()?, register(event)?);
+            Happening::Transfer { colour, register, crossing: event.crossing?, corner: event.corner }
         }
         EventWord::Wasted => {
-            Happening::Wasted { colour: colour()?, register: register(event)?, corner: event.corner? }
+            Happening::Wasted { colour: colour()?, register: register(event)?, corner: event.corner }
         }
         EventWord::Wanted => Happening::Wanted(set(event)?),
         EventWord::Cancelled => Happening::Cancelled(set(event)?),
         EventWord::Diagonal => Happening::Diagonal { set: set(event)?, corner: event.corner? },
         EventWord::Access => Happening::Access { set: set(event)?, corner: event.corner? },
         EventWord::Load => {
-            Happening::Load { colour: colour()?, register: register(event)?, corner: event.corner?, words }
+            Happening::Load { colour: colour()?, register: register(event)?, corner: event.corner, words }
         }
         EventWord::Late => Happening::Late {
             colour: colour()?,
@@ -47,8 +48,44 @@ fn happening(event: &DigitalEvent) -> Option<Happening> {
             crossing: event.crossing?,
             words,
         },
-        _ => return None,
+        EventWord::Absent => Happening::Absent {
+            colour: colour()?,
+            register: register(event)?,
+            crossing: event.crossing,
+            corner: event.corner?,
+        },
+        EventWord::CraterLoad | EventWord::SegmentLoad => words_of(event, Outcome::InTime),
+        EventWord::CraterLate | EventWord::SegmentLate => words_of(event, Outcome::Late),
+        EventWord::CraterDropped | EventWord::SegmentDropped => words_of(event, Outcome::Dropped),
+        EventWord::SetUpBegins => Happening::SetUpBegins { sweep: event.sweep? },
+        EventWord::SetUp | EventWord::SetUpLate => {
+            Happening::SetUp { sweep: event.sweep?, slack: event.slack? }
+        }
+        EventWord::OldSetUp => Happening::OldSetUp { sweep: event.sweep?, drawn: event.other? },
+        EventWord::Tables | EventWord::TablesLate => Happening::Tables { slack: event.slack? },
+        EventWord::Record => {
+            Happening::Record(FromDrum { drum: drum(event)?, corner: event.corner?, words: event.words })
+        }
     })
+}
+
+/// What became of the words of a crater, or of a shadow boundary.
+fn words_of(event: &DigitalEvent, outcome: Outcome) -> Happening {
+    let number = event.part.map(|part| match part {
+        LoadedPart::SubGenerator(_, number) | LoadedPart::LineGenerator(number) => number,
+    });
+    let part = match event.crater {
+        Some(crater) => Part::Crater { crater, sub_generator: number },
+        None => Part::Segment { line_generator: number },
+    };
+    Happening::Words { part, outcome, slack: event.slack }
+}
+
+fn drum(event: &DigitalEvent) -> Option<u32> {
+    match event.unit {
+        DigitalUnit::Drum(_, number) => Some(number),
+        _ => None,
+    }
 }
 
 fn register(event: &DigitalEvent) -> Option<Register> {
@@ -65,16 +102,15 @@ fn set(event: &DigitalEvent) -> Option<AskedFor> {
 }
 
 /// The events up to the last tick of each level, in one order, those that are one but for their words joined.
-pub fn in_order(events: &[Event], last_ticks: [i64; 2], with_words: bool) -> Vec<Event> {
+pub fn in_order(events: &[Event], last_ticks: [i64; 2]) -> Vec<Event> {
     let mut joined: BTreeMap<Event, u16> = BTreeMap::new();
-    for event in events.iter().filter(|event| event.tick <= last_ticks[event.level]) {
+    let is_in_time = |event: &&Event| event.level.is_none_or(|level| event.tick <= last_ticks[level]);
+    for event in events.iter().filter(is_in_time) {
         let (mut key, mut words) = (*event, 0);
         if let Happening::Load { words: some, .. } | Happening::Late { words: some, .. } = &mut key.what {
             words = std::mem::take(some);
         }
-        if with_words || event.what.is_of_the_ramps() {
-            *joined.entry(key).or_default() |= words;
-        }
+        *joined.entry(key).or_default() |= words;
     }
     let restored = |(mut event, all): (Event, u16)| {
         if let Happening::Load { words, .. } | Happening::Late { words, .. } = &mut event.what {

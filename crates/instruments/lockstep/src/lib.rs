@@ -7,7 +7,7 @@
 //! ```
 //!
 //! **What is compared.** Every signal that the interpreter has an opinion on, at every sample within the stored ground;
-//! stops, transfers, loads and late words with their tick. Events are equal or not. Signals agree within a part of full
+//! every event of the digital side with its tick. Events are equal or not. Signals agree within a part of full
 //! scale ([`bounds`]). Where a value is nearer to a threshold than rounding can tell, the sample counts as doubtful.
 //!
 //! [`Scene`] is a scene by hand, [`random`] one from a seed; [`shrink`] makes one that differs as small as it can.

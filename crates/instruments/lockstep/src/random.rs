@@ -1,12 +1,17 @@
 //! Scenes from a seed.
 
 use features::{Crater, Shape};
-use hardware_model::{CrossingServer, IoProcessor, LatePolicy, LevelSwitch};
+use hardware_model::{
+    Channels, CrossingServer, DataBanks, Drum, DrumQueue, FeatureParts, IoProcessor, LatePolicy, LevelSwitch,
+    Organisation, ShadowParts,
+};
 use landscape::{Layer, Photometry, Sun};
 use quantities::{radians, unit_interval};
-use scenario::{Curvature, FeatureLight, Occlusion, Projection, RangeLaw, RangeProgramme, TextureInShadow};
+use scenario::{
+    Curvature, FeatureLight, Occlusion, Projection, RangeLaw, RangeProgramme, ShadowFineness, TextureInShadow,
+};
 
-use crate::scene::{Scene, level_of};
+use crate::scene::{Scene, UPDATE_HZ, level_of};
 
 /// Throws that depend on the seed and their number alone.
 #[derive(Debug, Clone)]
@@ -109,7 +114,82 @@ pub fn landscape(seed: u64) -> Scene {
     if dice.count(0, 2) == 0 {
         slow(&mut dice, &mut scene);
     }
+    let mut dice = Dice::new(seed ^ 0x6469_6769);
+    if dice.count(0, 2) == 0 {
+        craters_on_a_line(&mut dice, &mut scene);
+    }
+    if dice.count(0, 2) == 0 {
+        processor(&mut dice, &mut scene);
+    }
+    if dice.count(0, 2) == 0 {
+        drums(&mut dice, &mut scene);
+    }
+    if dice.count(0, 9) == 0 {
+        shadows(&mut dice, &mut scene);
+    }
     scene
+}
+
+/// Remote shadow, as coarse as it may be: what it is does not matter here, but when its words come.
+fn shadows(dice: &mut Dice, scene: &mut Scene) {
+    let finest = scene.range.end * 0.01;
+    scene.shadows = Some(ShadowFineness { finest, angle: 0.02, reach: None });
+    scene.sun.elevation = radians(dice.between(2.0, 15.0));
+    let loads_a_sweep = dice.between(1.0, 100.0);
+    let rate = 4.0 * loads_a_sweep * (UPDATE_HZ as f64) * f64::from(scene.sweeps);
+    scene.segment_words = dice.choose(&[None, Some(rate)]);
+    scene.shadow_controller =
+        ShadowParts::Digital { line_generators: dice.choose(&[None, Some(1), Some(4)]) };
+}
+
+/// Ticks of a frame of a scene.
+fn ticks_of_frame(scene: &Scene) -> f64 {
+    scene.master_hz as f64 / UPDATE_HZ as f64
+}
+
+/// Words of craters that take time, or few sub-generators, in either organisation.
+fn craters_on_a_line(dice: &mut Dice, scene: &mut Scene) {
+    let loads_a_sweep = dice.between(1.0, 40.0);
+    let rate = 8.0 * loads_a_sweep * (UPDATE_HZ as f64) * f64::from(scene.sweeps);
+    scene.feature_words = dice.choose(&[None, Some(rate)]);
+    scene.feature_generator = FeatureParts {
+        organisation: dice.choose(&[Organisation::Scheduled, Organisation::ByRegion]),
+        sub_generators: dice.choose(&[None, Some(1), Some(2), Some(4)]),
+    };
+}
+
+/// A processor that is late now and then, on a clock slow enough to be followed tick by tick.
+fn processor(dice: &mut Dice, scene: &mut Scene) {
+    scene.master_hz = scene.master_hz.min(UPDATE_HZ * u64::from(scene.sweeps * scene.samples) * 4);
+    let sweep = ticks_of_frame(scene) / f64::from(scene.sweeps);
+    scene.cpu.sweep_setup = (sweep * dice.choose(&[0.0, 0.3, 1.0, 2.3]) * dice.between(0.5, 1.0)) as u64;
+    scene.cpu.frame_tables = (sweep * dice.between(0.0, 6.0)) as u64;
+    scene.cpu.memory_cycle = dice.count(0, 2) as u64;
+    scene.cpu.dma_cycles_per_word = dice.count(0, 2) as u32;
+    if dice.count(0, 3) == 0 {
+        scene.loader.served_by = CrossingServer::CpuInterrupt;
+        scene.cpu.longest_instruction = dice.count(0, 9) as u64;
+        scene.cpu.interrupt = dice.count(0, 4) as u64;
+        scene.cpu.priority_levels = dice.choose(&[None, Some(1)]);
+    }
+}
+
+/// Drums that bring corners while the view turns.
+fn drums(dice: &mut Dice, scene: &mut Scene) {
+    let frame = ticks_of_frame(scene);
+    let record_words = 9 * dice.choose(&[1, 1, 4, 9]);
+    scene.data_banks = DataBanks {
+        drum: Some(Drum {
+            rotation: (frame * dice.between(0.02, 2.0)) as u64 + 1,
+            word: frame / f64::from(record_words) * dice.between(0.0005, 0.02),
+            record_words,
+            queue: dice.choose(&[DrumQueue::Fifo, DrumQueue::ShortestLatency]),
+            count: dice.count(1, 4) as u32,
+        }),
+        channels: Channels { count: dice.choose(&[None, Some(1), Some(2)]), word: 0.0 },
+        buffer_words: dice.choose(&[None, Some(9 * 200), Some(9 * 40)]),
+    };
+    scene.turn = radians(dice.between(-40.0, 40.0));
 }
 
 /// Up to thirty craters that lie wholly on the ground, the nearer ones more often.

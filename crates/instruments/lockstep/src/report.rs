@@ -46,8 +46,8 @@ impl fmt::Display for Difference {
 pub struct EventDifference {
     /// Frame of the mission.
     pub frame: u64,
-    /// Sweep of the frame.
-    pub sweep: u32,
+    /// Sweep of the frame; none for what belongs to no sweep.
+    pub sweep: Option<u32>,
     /// The machine's event, if its list goes on.
     pub machine: Option<Event>,
     /// The interpreter's.
@@ -58,15 +58,15 @@ impl fmt::Display for EventDifference {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let tell = |event: &Option<Event>| match event {
             None => "nothing more".to_owned(),
-            Some(Event { tick, level, what }) => format!("tick {tick}, level {level}, {what:?}"),
+            Some(Event { tick, level: None, what }) => format!("tick {tick}, {what:?}"),
+            Some(Event { tick, level: Some(level), what }) => {
+                format!("tick {tick}, level {level}, {what:?}")
+            }
         };
         let Self { frame, sweep, machine, interpreter } = self;
-        write!(
-            f,
-            "events, frame {frame}, sweep {sweep}: machine {}; interpreter {}",
-            tell(machine),
-            tell(interpreter)
-        )
+        let place = sweep.map_or(String::new(), |sweep| format!(", sweep {sweep}"));
+        let [machine, interpreter] = [tell(machine), tell(interpreter)];
+        write!(f, "events, frame {frame}{place}: machine {machine}; interpreter {interpreter}")
     }
 }
 
@@ -92,7 +92,7 @@ pub struct Report {
     pub signals: BTreeMap<String, Tally>,
     /// Events compared, by word.
     pub events: BTreeMap<&'static str, u64>,
-    /// Events of sweeps in which rounding says when a stop is seen, or whose words are not modelled.
+    /// Events of sweeps in which rounding says which tick sees an instant.
     pub events_left_out: u64,
     /// The machine's counters.
     pub counts: FrameCounts,

@@ -5,17 +5,23 @@ use std::sync::Arc;
 use control_plane::MachineStage;
 use features::{Crater, Features};
 use generator::{FrameCounts, FrameError, PlaneKind, Planes};
-use hardware_model::{HardwareModel, LatePolicy, LevelSwitch, Loader, Raster, Settings, SweepMemoryKind};
+use hardware_model::{
+    Cpu, DataBanks, FeatureParts, HardwareModel, LatePolicy, LevelSwitch, Loader, Raster, Settings,
+    ShadowParts, SweepMemoryKind,
+};
 use landscape::{Attitude, Bank, CornerWords, Landscape, Layer, Level, Photometry, Source, Sun, Texture};
 use machine::Prepare;
 use quantities::{Rate, Timebase, radians};
 use scenario::{
     Curvature, Display, FieldOfView, LawWishes, Laws, Occlusion, PixelRule, Pose, Projection, RangeLaw,
-    RangeProgramme, RasterWishes, Scalar, Scenery,
+    RangeProgramme, RasterWishes, Scalar, Scenery, ShadowFineness,
 };
 use signal::{Probe, Waveform};
 
 use crate::{Engines, Report};
+
+/// Frames in which the view of a scene turns.
+const FRAMES: u64 = 8;
 
 /// Frames a second of every test scene.
 pub const UPDATE_HZ: u64 = 30;
@@ -63,6 +69,22 @@ pub struct Scene {
     pub loader: Loader,
     /// Kind of sweep memory.
     pub sweep_memory: SweepMemoryKind,
+    /// The processor.
+    pub cpu: Cpu,
+    /// Drums and storage buffers.
+    pub data_banks: DataBanks,
+    /// Sub-generators.
+    pub feature_generator: FeatureParts,
+    /// Words of craters that come in a second; all at hand if none.
+    pub feature_words: Option<f64>,
+    /// Remote shadow, if there is any.
+    pub shadows: Option<ShadowFineness>,
+    /// Line generators.
+    pub shadow_controller: ShadowParts,
+    /// Words of shadow boundaries that come in a second; all at hand if none.
+    pub segment_words: Option<f64>,
+    /// Turn of the view from frame to frame (rad).
+    pub turn: f64,
 }
 
 /// What a generator made of a scene.
@@ -115,6 +137,14 @@ impl Scene {
             scalar: Scalar::F64,
             loader: Loader { late_policy: LatePolicy::StrobeThrough, ..HardwareModel::ideal().loader },
             sweep_memory: SweepMemoryKind::ScanConverter,
+            cpu: Cpu::default(),
+            data_banks: HardwareModel::ideal().data_banks,
+            feature_generator: FeatureParts::default(),
+            feature_words: None,
+            shadows: None,
+            shadow_controller: ShadowParts::Digital { line_generators: None },
+            segment_words: None,
+            turn: 0.0,
         }
     }
 
@@ -140,7 +170,7 @@ impl Scene {
             .with_features(Features::new(self.craters.clone()))
             .with_texture(self.grain())
             .with_photometry(self.photometry);
-        let scenery = Arc::new(Scenery::still(self.sun));
+        let scenery = Arc::new(Scenery::still(self.sun).with_course(self.course()));
         MachineStage { landscape: Arc::new(landscape), scenery, settings: self.settings() }
     }
 
@@ -184,6 +214,13 @@ impl Scene {
             levels: self.coarse.as_ref().map(|(_, switch)| *switch),
             loader: self.loader.clone(),
             sweep_memory: self.sweep_memory,
+            cpu: self.cpu,
+            data_banks: self.data_banks,
+            feature_generator: self.feature_generator,
+            feature_words: self.feature_words,
+            shadows: self.shadows,
+            shadow_controller: self.shadow_controller,
+            segment_words: self.segment_words,
             ..ideal
         }
     }
@@ -192,6 +229,17 @@ impl Scene {
     pub fn pose(&self) -> Pose {
         let attitude = Attitude { roll: 0.0, pitch: self.pitch, heading: self.heading };
         Pose { time: 0.0, eye: self.eye, attitude, yoke: 0.0 }
+    }
+
+    /// Poses of the first frames: the view turns, and the eye stays where it is.
+    fn course(&self) -> Vec<Pose> {
+        (0..FRAMES).map(|frame| self.pose_in(frame)).collect()
+    }
+
+    fn pose_in(&self, frame: u64) -> Pose {
+        let mut pose = self.pose();
+        pose.attitude.heading += self.turn * frame as f64;
+        pose
     }
 
     /// Frame `frame` of the scene on both engines, all sweeps.
@@ -203,7 +251,7 @@ impl Scene {
     /// If the machine refuses the stage.
     pub fn lockstep(&self, frame: u64) -> Result<Report, FrameError> {
         let engines = Engines::new(self.stage());
-        engines.compare(frame, &self.pose(), 0..self.sweeps)
+        engines.compare(frame, &self.pose_in(frame), 0..self.sweeps)
     }
 
     /// Draws frame `frame` on the machine and records `signals` (patterns) of every sweep.

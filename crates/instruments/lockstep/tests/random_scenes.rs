@@ -36,6 +36,24 @@ const COMPARED: [&str; 22] = [
     "sm.video",
 ];
 
+/// Events of drums, craters, shadows and the processor, which some of these scenes have.
+const DIGITAL: [&str; 14] = [
+    "absent",
+    "record",
+    "crater-load",
+    "crater-late",
+    "crater-dropped",
+    "segment-load",
+    "segment-late",
+    "segment-dropped",
+    "set-up-begins",
+    "set-up",
+    "set-up-late",
+    "old-set-up",
+    "tables",
+    "tables-late",
+];
+
 #[test]
 fn two_hundred_in_f64() {
     let found = trials(0..200, Scalar::F64);
@@ -52,6 +70,10 @@ fn two_hundred_in_f64() {
     for word in ["home", "wanted", "access", "wasted", "cancelled", "diagonal"] {
         let count = found.report.events.get(word).copied().unwrap_or(0);
         assert!(count > 100, "{word}: {count}");
+    }
+    for word in DIGITAL {
+        let count = found.report.events.get(word).copied().unwrap_or(0);
+        assert!(count > 0, "{word}: {count}");
     }
     assert!(found.report.counts["features"] > 100, "few sweeps met a crater");
 }
