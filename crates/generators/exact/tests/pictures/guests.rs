@@ -108,7 +108,7 @@ fn smooth_light_is_that_of_a_sphere() {
     };
     let faces = (0..24).flat_map(|i| (0..48).map(move |j| (i, j))).map(|(i, j)| face(i, j)).collect();
     let ball = Solid::new(places.clone(), faces).unwrap();
-    let ball = ball.with_normals(|_, corner| Some(places[corner as usize])).unwrap();
+    let ball = ball.with_normals(|_, corner| Some(places[corner as usize]));
     let centre = [60.0, 100.0, 2.0];
     let light = sun(200.0, 35.0);
     let body = guest(ball, vec![frame(0.0, centre)]);
