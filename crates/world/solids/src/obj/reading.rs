@@ -58,7 +58,11 @@ impl<'f> Reading<'f> {
     fn vertex(&mut self, words: &[Word], span: Range<usize>) {
         if !matches!(words.len(), 3 | 4 | 6 | 7) {
             let title = format!("a vertex of {} numbers", words.len());
-            self.faults.add(&span, title, "three coordinates in metres; behind them a weight, a colour or both");
+            self.faults.add(
+                &span,
+                title,
+                "three coordinates in metres; behind them a weight, a colour or both",
+            );
         }
         let place = self.coordinates(words);
         let colour = if words.len() >= 6 { self.colour(&words[words.len() - 3..]) } else { [1.0; 3] };
@@ -84,7 +88,11 @@ impl<'f> Reading<'f> {
         let normal = self.triple(words, |word, faults| {
             let part = number(word);
             if part.is_none() {
-                faults.add(&word.1, format!("a part of a normal must be a number, not {}", word.0), "a number");
+                faults.add(
+                    &word.1,
+                    format!("a part of a normal must be a number, not {}", word.0),
+                    "a number",
+                );
             }
             part
         });
@@ -127,7 +135,8 @@ impl<'f> Reading<'f> {
 
     fn corner(&mut self, (word, span): &Word) -> Option<Corner> {
         let mut parts = word.split('/');
-        let (vertex, normal) = (parts.next().unwrap_or_default(), parts.nth(1).filter(|part| !part.is_empty()));
+        let (vertex, normal) =
+            (parts.next().unwrap_or_default(), parts.nth(1).filter(|part| !part.is_empty()));
         let vertices = self.written.vertices.len();
         let vertex = index_of(vertex, vertices);
         if vertex.is_none() {
