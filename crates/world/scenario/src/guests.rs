@@ -75,7 +75,7 @@ impl Guest {
     pub(crate) fn distance(&self, place: DVec3) -> f64 {
         let feet = || self.frames.iter().map(|frame| frame.foot);
         // The last foot stands for itself: one frame is a way of no length.
-        let ways = feet().zip(feet().skip(1).chain(feet().last()));
+        let ways = feet().zip(feet().skip(1).chain(feet().next_back()));
         ways.map(|way| distance_from(way, place)).fold(f64::INFINITY, f64::min)
     }
 
