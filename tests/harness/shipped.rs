@@ -115,8 +115,9 @@ impl Shipped {
             (scenario.raster.sweeps, scenario.raster.columns, scenario.raster.lines) = (sweeps, None, None);
         }
         change(&mut scenario);
-        // LUNSIM has no hardware model: raster, range and laws are over those of the ideal one.
-        let named = if scenario.machine == lunsim::ROW.name { "ideal" } else { &scenario.machine };
+        // These have no hardware model: raster, range and laws are over those of the ideal one.
+        let has_none = [lunsim::ROW.name, exact::ROW.name].contains(&scenario.machine.as_str());
+        let named = if has_none { "ideal" } else { &scenario.machine };
         let source = ModelSource::find(named, &folder()).unwrap_or_else(|e| panic!("{e}"));
         let model = HardwareModel::load(&source, &[], &[]).unwrap_or_else(|e| panic!("{e}")).model;
         let settings = front_door::settings(&scenario, &model).expect("shipped settings");

@@ -125,3 +125,10 @@ fn lunar_light_is_not_lamberts() {
     let change = |scenario: &mut Scenario| scenario.photometry = Photometry::Lambert;
     assert_figure(off_by("lunar-light", 35, change), 0.205, 0.001);
 }
+
+#[test]
+fn groups_have_suns_of_their_own() {
+    let seen = |change: fn(&mut Scenario)| Shipped::changed("colours", None, change).exact(35);
+    let one_sun = seen(|scenario| scenario.groups.iter_mut().for_each(|group| group.sun = None));
+    assert_figure(rmse(&one_sun, &seen(as_it_stands)), 0.089, 0.001);
+}

@@ -120,7 +120,7 @@ mod tests {
     fn each_is_listed_by_name_and_what_is_drawn_is_not() {
         let map = AlbedoMap::new([0.0, 0.0, 1.0, 1.0], [1, 1], Texels::Grey(vec![0.5])).unwrap();
         let places = cube().vertices().to_vec();
-        let smooth = cube().with_normals(|_, corner| Some(places[corner as usize])).unwrap();
+        let smooth = cube().with_normals(|_, corner| Some(places[corner as usize]));
         let sheet = Solid::open(places[..3].to_vec(), vec![(vec![0, 1, 2], 0.5)]).unwrap();
         let none = Scenery::still(SUN);
         let cases = [

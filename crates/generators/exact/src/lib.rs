@@ -38,12 +38,18 @@
 //!   sun meets the ground (over all levels, of each place the finest), a body or a part of the vehicle, or if it lies in a track patch. Its
 //!   own steepness counts: ground in local shadow is dark. The line begins `LIFT` above the ground.
 //! - **Texture** (13) is added behind the shadow: to `max(r, 0)` or to black under `TextureInShadow::On`; under `Off` to
-//!   the signed r, nothing in remote shadow. The sum is held to 0..=1.
+//!   the signed r, nothing in remote shadow. On ground of a colour a channel gets its albedo over the luminance of all three as a
+//!   share of it: the grain keeps the colour of its ground, and its luminance. The sum is held to 0..=1.
 //! - **Bodies** (12) stand in true perspective under every projection law, lowered by the drop of the lunoid at their
 //!   foot point. `Depth`: the nearest of ground and faces, by ground range. `AsReported`: a body is drawn whole, over
 //!   everything, the nearer foot on top, unless ground before its foot point stands higher than it by more than
 //!   `FOOT_TOLERANCE`. A face returns `albedo max(n.s, 0)`; if terrain and craters shadow the foot point the body is
-//!   black or not there.
+//!   black or not there. A face has an albedo for each colour.
+//! - **Guests.** An object that moves stands where its frame is at the time of the pose, and casts from there. A face of an
+//!   open surface is seen, lit and casts by the side that is met. Normals at corners are mixed over the triangles of a face,
+//!   and light follows them; outlines and cast shadow follow the faces. A group with a sun of its own has its light from there:
+//!   no ground darkens it, and it casts nothing. Where two bodies, or a body and the ground, coincide within `COINCIDENCE`, the
+//!   higher priority is seen; the ground's is 0.
 //! - **Silhouettes** (8): a ray that meets nothing shows the first listed that stands above it; where sweeps could not draw
 //!   the pose they stand on the horizon, and a ray below it shows nothing.
 //! - **Pixel rule.** `Centre`: one ray. `LineMean`: the mean over the line's height at the column's centre, by
@@ -101,7 +107,8 @@
 //! - A ray that comes from beside the area into it under its ground sees nothing, and nothing behind it.
 //! - Shadow is a property of the map: where the coarse level is seen but the fine one stored, the fine one shadows.
 //! - Without remote shadow in the settings there are no tracks, and no body is dark.
-//! - An eye inside a body does not see it.
+//! - An eye inside a body does not see it. An open surface has no inside.
+//! - A face that turns from the sun may be lit where normals at its corners do not turn from it.
 //! - A raster is what the planes hold.
 //!
 //! # See also

@@ -3,6 +3,7 @@
 use features::Rise;
 use generator::{Label, Shade};
 use landscape::{Landscape, Sun};
+use quantities::{is_grey, luminance};
 use scenario::{FeatureLight, Laws, TextureInShadow};
 
 use crate::Spot;
@@ -44,10 +45,11 @@ impl<'a> Light<'a> {
         let range = spot.range.max(f64::MIN_POSITIVE);
         let sight = ((height - self.eye_height) / range).clamp(-STEEPEST, STEEPEST);
         let shaded = self.shaded(lit_slopes, direction, sight);
-        let signed = self.albedo(spot.place).map(|albedo| albedo * shaded);
+        let albedo = self.albedo(spot.place);
+        let signed = albedo.map(|albedo| albedo * shaded);
         let texture =
             self.landscape.texture().map_or(0.0, |t| t.at(spot.place[0], spot.place[1], spot.range));
-        let [open, shadowed] = self.with_texture(signed, texture);
+        let [open, shadowed] = self.with_texture(signed, tint(albedo).map(|share| share * texture));
         let dark = dark(open.iter().any(|channel| *channel > 0.0));
         Seen {
             light: if dark.is_some() { shadowed } else { open },
@@ -79,14 +81,23 @@ impl<'a> Light<'a> {
     }
 
     /// Reflectivity outside and inside remote shadow. Texture that shadow gates is added to the signed value, so that
-    /// it fades out where the ground turns from the sun. It has no colour: all channels get the same.
-    fn with_texture(&self, signed: [f64; 3], texture: f64) -> [[f64; 3]; 2] {
+    /// it fades out where the ground turns from the sun.
+    fn with_texture(&self, signed: [f64; 3], texture: [f64; 3]) -> [[f64; 3]; 2] {
+        let sum = |light: [f64; 3]| -> [f64; 3] {
+            std::array::from_fn(|channel| light[channel] + texture[channel])
+        };
         let both = match self.laws.texture_in_shadow {
-            TextureInShadow::On => [signed.map(|channel| channel.max(0.0) + texture), [texture; 3]],
-            TextureInShadow::Off => [signed.map(|channel| channel + texture), [0.0; 3]],
+            TextureInShadow::On => [sum(signed.map(|channel| channel.max(0.0))), texture],
+            TextureInShadow::Off => [sum(signed), [0.0; 3]],
         };
         both.map(|light| light.map(|channel| channel.clamp(0.0, 1.0)))
     }
+}
+
+/// Share of texture that a channel gets: texture has the colour of the ground under it, and the luminance that it has on grey
+/// ground.
+fn tint(albedo: [f64; 3]) -> [f64; 3] {
+    if is_grey(albedo) { [1.0; 3] } else { albedo.map(|channel| channel / luminance(albedo)) }
 }
 
 /// Unit normal of ground of slopes `[hx, hy]`: north, east, up.

@@ -14,6 +14,7 @@ use crate::bend::Bend;
 use crate::buckets::{Box2, Buckets};
 use crate::ground::{Ground, Scratch, Zone};
 use crate::line::Line;
+use crate::standing::COINCIDENCE;
 
 /// How far above the ground a sunbeam begins, as a share of 1 m and the height there: above the rounding of heights,
 /// so that level ground does not shadow itself.
@@ -75,7 +76,10 @@ impl<'a> Shadows<'a> {
 
     fn is_behind_body(&self, [x, y]: [f64; 2], height: f64) -> bool {
         let origin = DVec3::new(x, y, height);
-        let covers = |body: &Body| body.first_hit(origin, self.beam.to_sun, 0.0).is_some();
+        // An open surface that lies on the ground throws no shadow on it. A closed body's faces are met from outside: none is near.
+        let room = COINCIDENCE * (1.0 + height.abs());
+        let from = |body: &Body| if body.solid.is_open() { room } else { 0.0 };
+        let covers = |body: &Body| body.first_hit(origin, self.beam.to_sun, from(body)).is_some();
         self.casters.at(self.beam.across(origin)).iter().any(|&index| covers(&self.bodies[index as usize]))
     }
 

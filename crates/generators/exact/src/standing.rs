@@ -20,7 +20,8 @@ const NEAR: f64 = 1e-3;
 /// sweep is drawn) and not hide it.
 pub const FOOT_TOLERANCE: f64 = 1e-6;
 
-/// Two things whose ranges differ by no more than this share of 1 m and the range coincide: their priorities say which is seen.
+/// Two things whose ranges differ by no more than this share of 1 m and the range coincide: their priorities say which is seen,
+/// and an open surface throws no shadow on ground that it lies on.
 pub const COINCIDENCE: f64 = 1e-6;
 
 /// The light of a body.

@@ -129,6 +129,12 @@ pub enum AugmentError {
          on a slope be laid (report IV.A); name the scenario of the ground by --ground"
     )]
     TracksWithoutGround,
+    /// Ground with things that this shadow has no law for.
+    #[error(
+        "the scenario of the ground has {0}; expected ground, and closed objects that stand still under the scenario's sun; take \
+         them out, or name another scenario by --ground"
+    )]
+    Guests(String),
     /// Poses along which no tracks can be laid.
     #[error("tracks along the poses: {0}")]
     Tracks(String),

@@ -44,7 +44,7 @@
 //!
 //! Delay of the shadow by a computer that does not keep pace, comparators' and switches' errors, the camera's own lens
 //! and gamma: shares are taken off the codes. The vehicle's parts that the camera sees. Light that others reflect into
-//! the shadow.
+//! the shadow. Ground with objects that move, open surfaces or suns of groups is refused by name.
 //!
 //! # Our choices
 //!

@@ -8,14 +8,14 @@ use exact::{Ceilings, Outlook, Ray, Sight};
 use generator::Stage;
 use glam::DVec3;
 use rayon::prelude::*;
-use scenario::TrackPatch;
+use scenario::{Guest, Scenery, Standing, TrackPatch};
 use solids::Body;
 
 use crate::casters::Casters;
 use crate::gate::{Gate, Gates, PictureGates};
 use crate::shot::{edge, middle};
 use crate::stretch::{Spot, Stretch};
-use crate::{Shape, Shot};
+use crate::{AugmentError, Shape, Shot};
 
 /// Ground nearer than this is not looked for (m of range).
 const NEAR: f64 = 1e-3;
@@ -39,9 +39,16 @@ struct Scene<'a> {
 
 impl TrueGround {
     /// The ground of a stage, with what stands on it.
-    pub fn new(stage: Stage) -> Self {
+    ///
+    /// # Errors
+    /// If something on it moves, is open or has a sun of its own: it would neither hide ground nor take shadow as it should.
+    pub fn new(stage: Stage) -> Result<Self, AugmentError> {
+        let without_law = without_law(&stage.scenery);
+        if !without_law.is_empty() {
+            return Err(AugmentError::Guests(without_law.join(", ")));
+        }
         let ceilings = Ceilings::new(&stage.landscape);
-        Self { stage, ceilings }
+        Ok(Self { stage, ceilings })
     }
 
     /// The stage.
@@ -84,6 +91,18 @@ impl TrueGround {
         bodies.sort_by(|a, b| a.0.total_cmp(&b.0));
         Scene { ground: self, shot, eye, bodies, casters }
     }
+}
+
+/// What of a scenery has no law here, by name. Colours, normals and priorities move no shadow.
+fn without_law(scenery: &Scenery) -> Vec<&'static str> {
+    let guests = scenery.all_guests();
+    let has_sun = |standing: &Standing| scenery.sun_of_group(standing.body.group, 0.0).is_some();
+    let rows = [
+        (guests.iter().any(Guest::moves), "objects that move (`moves` of an [[object]])"),
+        (guests.iter().any(|guest| guest.solid.is_open()), "open surfaces (`open` of an [[object]])"),
+        (scenery.standing().iter().any(has_sun), "suns of groups (`sun` of a [[group]])"),
+    ];
+    rows.into_iter().filter_map(|(is_there, name)| is_there.then_some(name)).collect()
 }
 
 impl Scene<'_> {

@@ -3,6 +3,10 @@
 //! Everything that draws, shadows or drives asks this crate for the ground, so that all of them mean the same
 //! ground. Axes: x north, y east, h up, metres; the origin is a corner of the problem area (section 4).
 //!
+//! **Layers.** A [`Landscape`] has two: the bank, which is the elevation, and a map of albedo over it. Elevation grids of
+//! surveys and seeded reliefs become banks (`survey`, [`relief`]), so that all generators have one surface with slopes in closed
+//! form. Nothing draws a grid itself: a grid as a third layer waits for a generator that does.
+//!
 //! - [`basis`]: the quintic Hermite functions of the Lagrange 2-2 polynomial (report III.A.1).
 //! - [`Level`], [`Bank`]: nine words a corner; [`bank_file`] is their container.
 //! - [`Landscape`]: bank, albedo and lunoid together; the one query for height, slope and albedo.

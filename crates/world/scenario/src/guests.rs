@@ -66,9 +66,17 @@ pub struct Guest {
 }
 
 impl Guest {
-    /// Whether it moves.
+    /// Whether `moves` of its object says where it is: a part that closes is a guest for no other reason.
     pub fn moves(&self) -> bool {
-        self.frames.len() > 1 || self.spin != 0.0
+        self.frames.len() > 1 || self.spin != 0.0 || !self.solid.is_open()
+    }
+
+    /// Distance (m) of a place (north, east, up; m) from where its foot ever is.
+    pub(crate) fn distance(&self, place: DVec3) -> f64 {
+        let feet = || self.frames.iter().map(|frame| frame.foot);
+        // The last foot stands for itself: one frame is a way of no length.
+        let ways = feet().zip(feet().skip(1).chain(feet().next_back()));
+        ways.map(|way| distance_from(way, place)).fold(f64::INFINITY, f64::min)
     }
 
     /// The body at `time` (s), if it is there.
@@ -101,6 +109,13 @@ impl Guest {
         };
         Some(Frame { time, foot: before.foot + share * (after.foot - before.foot), attitude })
     }
+}
+
+/// Distance of a place from a straight way.
+fn distance_from((from, to): (DVec3, DVec3), place: DVec3) -> f64 {
+    let way = to - from;
+    let share = way.dot(place - from) / way.length_squared().max(f64::MIN_POSITIVE);
+    place.distance(from + share.clamp(0.0, 1.0) * way)
 }
 
 /// Objects that belong together.

@@ -21,7 +21,8 @@ impl Scenery {
         let mut keep = |problem| problems.push(problem);
         let culture = culture(scenario, landscape, &mut keep);
         let guests = guests(scenario, landscape, &mut keep);
-        let clear = Clear { path: &scenario.path, vehicle: &scenario.vehicle, culture: &culture };
+        let clear =
+            Clear { path: &scenario.path, vehicle: &scenario.vehicle, culture: &culture, guests: &guests };
         let first = scenario.objects.len() as u32;
         let rocks = scenario.rocks.map(|rocks| rocks.place(landscape, &clear, first)).transpose();
         let rocks = rocks.map_err(&mut keep).ok().flatten().unwrap_or_default();

@@ -9,7 +9,7 @@ use solids::{Body, Kind, Rock, RockField, SizeLaw, Solid, rocks};
 
 use crate::objects::Stance;
 use crate::ride::{Lane, distance, instants};
-use crate::{Path, SceneryProblem, Standing, Vehicle};
+use crate::{Guest, Path, SceneryProblem, Standing, Vehicle};
 
 /// Rocks that a scenario asks for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,6 +42,7 @@ pub(crate) struct Clear<'a> {
     pub path: &'a Path,
     pub vehicle: &'a Vehicle,
     pub culture: &'a [Standing],
+    pub guests: &'a [Guest],
 }
 
 impl Rocks {
@@ -61,6 +62,7 @@ impl Rocks {
             landscape.has_data(rock.at[0], rock.at[1])
                 && !is_hit(rock, lane.distance(rock.at), clear.vehicle)
                 && !is_under(rock, clear.culture)
+                && !is_on_way(rock, clear.guests, landscape)
         });
         if !Limit::Rocks.allows(found.len() as u64) {
             return Err(SceneryProblem::TooManyRocks { found: found.len() as f64 });
@@ -136,6 +138,17 @@ fn is_under(rock: &Rock, culture: &[Standing]) -> bool {
         let body = &standing.body;
         distance([body.centre.x, body.centre.y], rock.at) < body.radius + 0.5 * rock.size
     })
+}
+
+/// Whether a guest comes over a rock at any time, however it turns: one that passes well above leaves it.
+fn is_on_way(rock: &Rock, guests: &[Guest], landscape: &Landscape) -> bool {
+    let [x, y] = rock.at;
+    let comes = |guest: &Guest, height: f64| {
+        let reach = guest.scale * guest.solid.radius() + 0.5 * rock.size;
+        guest.distance(DVec3::new(x, y, height)) < reach
+    };
+    !guests.is_empty()
+        && landscape.height(x, y).is_some_and(|height| guests.iter().any(|guest| comes(guest, height)))
 }
 
 fn place(rock: &Rock, object: u32, shapes: &[Arc<Solid>], landscape: &Landscape) -> Option<Standing> {

@@ -105,8 +105,7 @@ fn scenario(root: &Reader, folder: &FilePath, others: &[&str], problems: &Proble
     let silhouettes = all(root.tables("silhouette").iter().map(light::silhouette));
     let rocks = part(root, "rocks", scenery::rocks);
     let groups = guests::groups(&root.tables("group"));
-    let objects =
-        scenery::objects(&root.tables("object"), groups.as_deref().unwrap_or(&[]), folder, problems);
+    let objects = scenery::objects(&root.tables("object"), groups.as_deref(), folder, problems);
     let event_tables = root.tables("event");
     let events = match &objects {
         Some(objects) => events::events(&event_tables, objects),

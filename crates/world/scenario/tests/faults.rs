@@ -306,6 +306,29 @@ fn objects_that_cannot_be() {
 }
 
 #[test]
+fn groups_that_cannot_be() {
+    let group = "[[group]]\nname = 'stage'\n";
+    let member = format!("{LANDER}group = 'stage'\n");
+    assert_eq!(faults(&GOOD.replace("[sun]", &format!("{group}{member}[sun]"))), []);
+    for (tables, expected) in [
+        (member.clone(), "an object of a group, and no group"),
+        (format!("{group}{}", member.replace("stage", "stag")), "must be one of \"stage\""),
+        (format!("{group}{group}{member}"), "two groups are called \"stage\""),
+        // A group with a fault says nothing about who names it.
+        (format!("{group}sun = {{ azimuth_deg = 1 }}\n{member}"), "missing key `group[0].sun.elevation_deg`"),
+        (format!("{}{member}", group.replace("name", "nam")), "missing key `group[0].name`"),
+    ] {
+        let found = faults(&GOOD.replace("[sun]", &format!("{tables}\n[sun]")));
+        assert!(found[0].1.contains(expected), "{tables}: {found:?}");
+        let of_objects = found.iter().filter(|(_, title)| title.contains("object"));
+        assert_eq!(
+            of_objects.count(),
+            usize::from(expected.contains("object") || expected.contains("one of"))
+        );
+    }
+}
+
+#[test]
 fn shapes_that_are_no_solids() {
     let folder = tempfile::tempdir().unwrap();
     let dented = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0.1 0.1 0.1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 5\nf 3 4 5\nf 4 2 5\n";

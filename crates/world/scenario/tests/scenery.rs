@@ -110,6 +110,61 @@ fn rocks_lie_on_the_ground_beside_what_drives_and_stands() {
     assert_eq!(rocks.iter().filter(under).filter(in_lane).count(), 0);
 }
 
+/// From y = 330 to y = 380 along x = 300, then up.
+const CART: &str = "[[object]]\nid = 'cart'\nmodel = 'marker'\nx_m = 300\ny_m = 330\nheading_deg = 8\n\
+    [object.moves]\nkeyframes = [{ t_s = 2, x_m = 300, y_m = 330 }, \
+    { t_s = 4, x_m = 300, y_m = 380, heading_deg = 20, pitch_deg = 6, roll_deg = -4 }, \
+    { t_s = 8, x_m = 400, y_m = 380, above_m = 50 }]\n";
+
+#[test]
+fn what_moves_is_between_its_stations() {
+    let scenery = made(CART);
+    assert_eq!((scenery.bodies(3.0).count(), scenery.standing().len()), (0, 0));
+    // The ground rises by 0.1 to the north.
+    for (time, foot, heading, pitch, roll) in [
+        (0.0, [300.0, 330.0, 30.0], 8.0, 0.0, 0.0),
+        (3.0, [300.0, 355.0, 30.0], 14.0, 3.0, -2.0),
+        (4.0, [300.0, 380.0, 30.0], 20.0, 6.0, -4.0),
+        (5.0, [325.0, 380.0, 45.0], 17.0, 4.5, -3.0),
+        (99.0, [400.0, 380.0, 90.0], 8.0, 0.0, 0.0),
+    ] {
+        let [heading, pitch, roll] = [heading, pitch, roll].map(quantities::radians);
+        let attitude = landscape::Attitude { heading, pitch, roll };
+        let turn = scenario::Stance { at: [0.0; 2], attitude }.to_ground();
+        for body in scenery.guests(time) {
+            assert!(body.foot.distance(foot.into()) < 1e-9, "{time}: {}", body.foot);
+            assert!(body.to_ground().0.abs_diff_eq(turn, 1e-12), "{time}");
+        }
+        assert!(scenery.guests(time).count() > 0);
+    }
+    let event = "[[event]]\nt_s = 3\naction = 'delete'\nobject = 'cart'\n";
+    let gone = made(&format!("{CART}{event}"));
+    assert!(gone.guests(2.9).count() > 0 && gone.guests(3.0).count() == 0);
+    // One station and no spin: it hangs there, and is listed as an object of `moves`.
+    let hung = CART.replace("[{ t_s = 2, x_m = 300, y_m = 330 }, ", "[");
+    let hung =
+        made(&hung[..hung.find(", { t_s = 8").unwrap()].replace("roll_deg = -4 }", "roll_deg = -4 }]"));
+    assert!(!hung.all_guests().is_empty() && hung.all_guests().iter().all(scenario::Guest::moves));
+}
+
+#[test]
+fn rocks_keep_clear_of_what_moves() {
+    let strewn = format!("{}area_m = [280, 320, 420, 400]\n", ROCKS.replace("0.01", "0.05"));
+    let way = |rock: &solids::Body| {
+        let [north, east] =
+            [rock.foot.x - 300.0, (rock.foot.y - 330.0).clamp(0.0, 50.0) + 330.0 - rock.foot.y];
+        libm::hypot(north, east) - rock.radius
+    };
+    let near = |scenery: &Scenery| scenery.bodies(0.0).filter(|rock| way(rock) < 0.1).count();
+    let (bare, clear) = (made(&strewn), made(&format!("{strewn}{CART}")));
+    assert!(near(&bare) > 5 && near(&clear) == 0, "{} {}", near(&bare), near(&clear));
+    // It leaves what it flies over.
+    let below = |scenery: &Scenery| {
+        scenery.bodies(0.0).filter(|rock| rock.foot.x > 340.0 && (rock.foot.y - 380.0).abs() < 1.0).count()
+    };
+    assert!(below(&bare) > 3 && below(&clear) == below(&bare), "{} {}", below(&bare), below(&clear));
+}
+
 #[test]
 fn large_rocks_lie_as_far_as_they_are_large() {
     let scenery = made(&format!("{ROCKS}radius_m = 10\n"));

@@ -51,14 +51,6 @@ pub enum SolidError {
         /// Found.
         albedo: f64,
     },
-    /// A normal at a corner without a direction, or that points inwards.
-    #[error(
-        "face {face}: a normal at a corner points inwards or nowhere; expected one on the outer side of the face"
-    )]
-    BadNormal {
-        /// Face, counted from 0.
-        face: usize,
-    },
     /// A face without an area, or whose corners are not in a plane.
     #[error("face {face}: {what}; expected a plane polygon of at least 3 different corners")]
     BadFace {

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use quantities::{intensity, is_grey};
 
-use crate::{Eights, Solid, SolidError};
+use crate::{Eights, Face, Solid, SolidError};
 
 /// Normals this near (cosine) to that of their face are its own: files round them.
 const FLAT: f64 = 1.0 - 1e-6;
@@ -52,25 +52,19 @@ impl Solid {
     }
 
     /// The same with normals at its corners, for smooth light: `normal` has that of a corner (index of a vertex) of a face, of any
-    /// length, outwards; a corner without one has the normal of its face.
-    ///
-    /// # Errors
-    /// If one has no direction, or points inwards.
-    pub fn with_normals(mut self, normal: impl Fn(usize, u32) -> Option<DVec3>) -> Result<Self, SolidError> {
-        let mut normals = Vec::with_capacity(self.faces.len());
-        for (number, face) in self.faces.iter().enumerate() {
-            let of = |&corner: &u32| match normal(number, corner) {
-                None => Some(face.normal),
-                Some(normal) => normal.try_normalize().filter(|unit| unit.dot(face.normal) > 0.0),
-            };
-            let all: Option<Vec<DVec3>> = face.corners.iter().map(of).collect();
-            normals.push(all.ok_or(SolidError::BadNormal { face: number })?);
-        }
-        let is_flat =
-            |(face, own): (&crate::Face, &Vec<DVec3>)| own.iter().all(|n| n.dot(face.normal) > FLAT);
+    /// length, outwards. A corner has the normal of its face if it has none of its own, or one without a direction, or one that
+    /// lies in the face or behind it: such a normal says nothing about this side of the face.
+    pub fn with_normals(mut self, normal: impl Fn(usize, u32) -> Option<DVec3>) -> Self {
+        let of_face = |(number, face): (usize, &Face)| -> Vec<DVec3> {
+            let own = |&corner: &u32| normal(number, corner)?.try_normalize();
+            let outwards = |unit: &DVec3| unit.dot(face.normal) > 0.0;
+            face.corners.iter().map(|corner| own(corner).filter(outwards).unwrap_or(face.normal)).collect()
+        };
+        let normals: Vec<_> = self.faces.iter().enumerate().map(of_face).collect();
+        let is_flat = |(face, own): (&Face, &Vec<DVec3>)| own.iter().all(|n| n.dot(face.normal) > FLAT);
         let is_smooth = !self.faces.iter().zip(&normals).all(is_flat);
         self.normals = is_smooth.then(|| normals.into());
-        Ok(self)
+        self
     }
 
     /// Whether its light follows normals at its corners.
@@ -128,7 +122,7 @@ mod tests {
     #[test]
     fn normals_are_mixed_between_corners() {
         let places = cube().vertices().to_vec();
-        let round = cube().with_normals(|_, corner| Some(places[corner as usize])).unwrap();
+        let round = cube().with_normals(|_, corner| Some(places[corner as usize]));
         assert!(round.is_smooth());
         for (number, face) in round.faces().iter().enumerate() {
             for &corner in &face.corners {
@@ -137,9 +131,25 @@ mod tests {
             }
             assert!(round.normal_at(number, face.normal).distance(face.normal) < 1e-15);
         }
-        let flat = cube().with_normals(|face, _| Some(3.0 * cube().faces()[face].normal)).unwrap();
-        assert!(!flat.is_smooth() && flat == cube());
+    }
+
+    #[test]
+    fn normals_that_say_nothing_leave_those_of_faces() {
+        let places = cube().vertices().to_vec();
+        let normals = cube().faces().iter().map(|face| face.normal).collect::<Vec<_>>();
+        let of_faces = cube().with_normals(|face, _| Some(3.0 * normals[face]));
         let inwards = cube().with_normals(|_, corner| Some(-places[corner as usize]));
-        assert!(matches!(inwards, Err(SolidError::BadNormal { face: 0 })));
+        let across = cube().with_normals(|face, _| Some(normals[face].any_orthogonal_vector()));
+        let nowhere = [DVec3::ZERO, DVec3::NAN, DVec3::INFINITY, DVec3::splat(1e-300)]
+            .map(|nowhere| cube().with_normals(|_, _| Some(nowhere)));
+        for flat in [of_faces, inwards, across].iter().chain(&nowhere) {
+            assert!(!flat.is_smooth() && *flat == cube());
+        }
+        // One corner without a normal of its own: the others keep theirs.
+        let mixed = cube().with_normals(|_, corner| (corner > 0).then(|| places[corner as usize]));
+        let face = mixed.faces().iter().position(|face| face.corners.contains(&0)).unwrap();
+        assert_eq!(mixed.normal_at(face, places[0]), normals[face]);
+        let other = *mixed.faces()[face].corners.iter().find(|&&corner| corner > 0).unwrap() as usize;
+        assert!(mixed.normal_at(face, places[other]).distance(places[other].normalize()) < 1e-15);
     }
 }

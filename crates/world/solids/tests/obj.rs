@@ -4,7 +4,7 @@ use glam::DVec3;
 use solids::obj;
 
 const BOX: &str = "# a box\nmtllib none.mtl\no box\nv 0 -1 0\nv 2 -1 0\nv 2 1 0\nv 0 1 0\nv 0 -1 1\nv 2 -1 1\nv 2 1 1\nv 0 1 1\n\
-    vn 0 0 1\nvn 0 -1 0\nvt 0.5 0.5\nusemtl grey\ns off\nf 1 2 3 4\nf 5/1/1 6/1/1 7/1/1 8/1/1\nf 1//-1 2//-1 6//-1 5//-1\nf 3/1 4/1 8/1 7/1\n\
+    vn 0 0 1\nvt 0.5 0.5\nusemtl grey\ns off\nf 1 2 3 4\nf 5/1/1 6/1/1 7/1/1 8/1/1\nf 1//1 2//1 6//1 5//1\nf 3/1 4/1 8/1 7/1\n\
     f -5 -1 -4 -8 # back\nf 2 3 7 6\n";
 
 fn faults(text: &str) -> Vec<String> {
@@ -60,7 +60,7 @@ fn every_fault_has_its_line() {
     assert_eq!(faults("v 0 0 0\n"), ["0: no faces, so no solid"]);
     assert_eq!(faults(""), ["0: no faces, so no solid"]);
     assert_eq!(
-        faults("v 0 nan 0\nv 1 inf x\nv 1\nl 1 2\nf 1 0 9\n"),
+        faults("v 0 nan 0\nv 1 inf x\nv 1\nl 1 2\nf 1 0 9\nv 1 2 3 4 5\nvn 1 0\nvn 0 x 1\n"),
         [
             "1: a coordinate must be a finite number, not nan",
             "2: a coordinate must be a finite number, not inf",
@@ -68,12 +68,15 @@ fn every_fault_has_its_line() {
             "3: a vertex of 1 numbers",
             "4: statement `l` is not read",
             "5: corner 0 names no vertex: 3 stand above this line",
+            "6: a vertex of 5 numbers",
+            "7: a normal of 2 numbers",
+            "8: a part of a normal must be a number, not x",
         ]
     );
     let far = BOX.replace("f 2 3 7 6", "f 2 3 7 -9");
-    assert_eq!(faults(&far), ["22: corner -9 names no vertex: 8 stand above this line"]);
+    assert_eq!(faults(&far), ["21: corner -9 names no vertex: 8 stand above this line"]);
     let absurd = BOX.replace("f 2 3 7 6", "f 2 3 99999999999999999999 -9223372036854775808");
-    assert!(faults(&absurd)[0].starts_with("22: corner 99999999999999999999"));
+    assert!(faults(&absurd)[0].starts_with("21: corner 99999999999999999999"));
 }
 
 #[test]
@@ -88,9 +91,9 @@ fn parts_that_are_no_solids_say_why_and_where() {
     let open = BOX.replace("f 2 3 7 6\n", "");
     assert!(faults(&open)[0].contains("not closed: the edge between vertex "), "{:?}", faults(&open));
     let line = BOX.replace("f 2 3 7 6", "f 2 3");
-    assert_eq!(faults(&line), ["22: degenerate face: fewer than 3 corners"]);
+    assert_eq!(faults(&line), ["21: degenerate face: fewer than 3 corners"]);
     let bow = BOX.replace("f 2 3 7 6", "f 2 7 3 6");
-    assert!(faults(&bow)[0].starts_with("22: "), "{:?}", faults(&bow));
+    assert!(faults(&bow)[0].starts_with("21: "), "{:?}", faults(&bow));
     let bent = BOX.replace("v 2 1 1", "v 2 1 1.5");
     assert!(faults(&bent)[0].contains("degenerate face: corners not in one plane"), "{:?}", faults(&bent));
     let far = BOX.replace("v 2 1 1", "v 2e9 1 1");

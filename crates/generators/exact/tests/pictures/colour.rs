@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use crate::scenes::{landscape, laws, place, plane, planes, pose, settings, sun, value};
 use generator::{PlaneKind, Planes};
-use landscape::{AlbedoMap, Landscape, Texels};
+use landscape::{AlbedoMap, Landscape, Layer, Source, Texels, Texture};
 use quantities::luminance;
-use scenario::{Curvature, PixelRule, Projection, Scenery};
+use scenario::{Curvature, Laws, PixelRule, Projection, Scenery, TextureInShadow};
 
 const PIXELS: [u32; 2] = [40, 30];
 
@@ -50,7 +50,8 @@ fn a_checkerboard_of_colours_is_seen_where_it_lies() {
         centres += usize::from((expected[0] - 0.25).abs() < 0.1);
         outside += usize::from(expected == [0.5; 3]);
     }
-    assert!(centres > 30 && outside > 100, "{centres} {outside}");
+    // Near the middle of dark fields: 162 m2 of the map are seen, at 4.17 m2 a pixel, so 39 pixels but for those on edges.
+    assert!((35..=43).contains(&centres) && outside > 100, "{centres} {outside}");
 }
 
 /// Four fields of 20 m a side, north above, mixed between their centres in proportion; 0.5 beside them.
@@ -110,5 +111,40 @@ fn the_mean_of_a_line_follows_an_edge_of_colour_alone() {
     assert_eq!((red[10], red[20]), (0.5, 0.0));
     for line in 10..20 {
         assert!((intensity[line] - 0.5 * 0.2126).abs() < 1e-6, "{line}");
+    }
+}
+
+/// Texture darkens and brightens a colour and does not shift it: its luminance is that of texture on grey ground.
+#[test]
+fn texture_has_the_colour_of_the_ground() {
+    let red = [0.75, 0.25, 0.0625];
+    let layers = [Layer { cell: 3.0, amplitude: 0.1, range: 500.0 }];
+    let texture = Texture::new(&layers, Source::Random, 11, 50.0, [0.0; 2]).unwrap();
+    for law in [TextureInShadow::On, TextureInShadow::Off] {
+        let laws =
+            Laws { texture_in_shadow: law, ..laws(Projection::Exact, Curvature::None, PixelRule::Centre) };
+        let settings = settings(PIXELS[0], PIXELS[1], laws, [1.0, 150.0]);
+        let drawn = |texels| {
+            let ground = Landscape::clone(&mapped(texels, [1, 1])).with_texture(Some(texture.clone()));
+            let (scenery, pose) = (Scenery::still(sun(90.0, 30.0)), pose([100.0, 100.0, 100.0], -90.0, 0.0));
+            planes(&Arc::new(ground), scenery, &settings, &pose)
+        };
+        let coloured = drawn(Texels::Colour(vec![red.map(|channel| channel as f32)]));
+        let grey = drawn(Texels::Grey(vec![luminance(red) as f32]));
+        let (mut grains, mut dark) = (0, 0);
+        // The map fills the picture from top to bottom, and not from side to side.
+        for index in (0..(PIXELS[0] * PIXELS[1]) as usize).filter(|index| (5..35).contains(&(index % 40))) {
+            let expected = value(&grey, PlaneKind::Intensity, index);
+            let colour = channels(&coloured, index);
+            for (channel, share) in colour.into_iter().zip(red) {
+                assert!(
+                    (channel - expected * share / luminance(red)).abs() < 1e-6,
+                    "{law:?} {index}: {colour:?}"
+                );
+            }
+            grains += usize::from((expected - 0.5 * luminance(red)).abs() > 0.02);
+            dark += usize::from(expected < 0.5 * luminance(red) - 0.05);
+        }
+        assert!(grains > 300 && dark > 50, "{grains} {dark}");
     }
 }

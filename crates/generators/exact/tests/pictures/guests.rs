@@ -1,29 +1,39 @@
-//! Bodies that move, open surfaces, smooth light, suns of groups, priorities.
+//! Bodies that move, open surfaces, smooth light, suns of groups, priorities, colours of bodies.
 
 use std::num::NonZeroU16;
 use std::sync::Arc;
 
-use crate::scenes::{landscape, laws, plane, planes, pose, settings, standing_box, sun, value};
-use generator::{PlaneKind, Planes};
+use crate::scenes::{landscape, laws, place, plane, planes, pose, settings, standing_box, sun, value};
+use generator::{Label, PlaneKind, Planes, Shade};
 use glam::DVec3;
+use hardware_model::Settings;
 use landscape::{Attitude, Sun};
 use scenario::{
-    Curvature, Frame, Group, GroupSun, Guest, PixelRule, Pose, Projection, Scenery, ShadowFineness, Standing,
+    Curvature, Frame, Group, GroupSun, Guest, Laws, PixelRule, Pose, Projection, Scenery, ShadowFineness,
+    ShadowedBodies, Standing,
 };
 use solids::Solid;
 
 const PIXELS: [u32; 2] = [41, 31];
 const MIDDLE: usize = 15 * 41 + 20;
 
-fn usual() -> hardware_model::Settings {
+fn usual() -> Settings {
     let laws = laws(Projection::Exact, Curvature::None, PixelRule::Centre);
     settings(PIXELS[0], PIXELS[1], laws, [1.0, 150.0])
 }
 
+/// The same with remote shadow.
+fn shadowed() -> Settings {
+    Settings { shadows: Some(ShadowFineness::default()), ..usual() }
+}
+
 /// From 2 m above level ground to the north, at `time`.
 fn seen(scenery: Scenery, time: f64) -> Planes {
-    let ground = landscape(plane(50.0, [4, 4], 0.0, [0.0; 2]), 0.5);
-    planes(&ground, scenery, &usual(), &Pose { time, ..pose([50.0, 100.0, 2.0], 0.0, 0.0) })
+    seen_from(scenery, Pose { time, ..pose([50.0, 100.0, 2.0], 0.0, 0.0) }, &usual())
+}
+
+fn seen_from(scenery: Scenery, pose: Pose, settings: &Settings) -> Planes {
+    planes(&landscape(plane(50.0, [4, 4], 0.0, [0.0; 2]), 0.5), scenery, settings, &pose)
 }
 
 fn guest(solid: Solid, frames: Vec<Frame>) -> Guest {
@@ -67,17 +77,50 @@ fn a_box_that_spins_turns_its_side() {
     assert!((value(&found, PlaneKind::NormalNorth, MIDDLE) + libm::cos(2.0 * spin)).abs() < 1e-6);
 }
 
+/// 2 m high and wide: under a sun 30 degrees high in the south its shadow goes 2 / tan 30 to the north of where it is.
 #[test]
-fn a_sheet_is_lit_on_the_side_that_is_seen() {
-    let turned = |azimuth| {
-        let still = guest(sheet(), vec![frame(0.0, [70.0, 100.0, 2.0])]);
-        seen(Scenery::still(sun(azimuth, 30.0)).with_guests(vec![still]), 0.0)
-    };
-    for (azimuth, light) in [(180.0, 0.5 * libm::cos(quantities::radians(30.0))), (0.0, 0.0)] {
-        let found = turned(azimuth);
-        assert!((value(&found, PlaneKind::Intensity, MIDDLE) - light).abs() < 1e-7, "{azimuth}");
-        assert_eq!(value(&found, PlaneKind::NormalNorth, MIDDLE), -1.0);
-        assert!((value(&found, PlaneKind::Range, MIDDLE) - 20.0).abs() < 1e-5);
+fn the_shadow_of_a_box_goes_with_it() {
+    let block = || Solid::boxed(DVec3::new(-1.0, -1.0, 0.0), DVec3::new(1.0, 1.0, 2.0), 1.0).unwrap();
+    let there = || vec![frame(0.0, [60.0, 100.0, 0.0]), frame(8.0, [68.0, 108.0, 0.0])];
+    let length = 2.0 * 3.0_f64.sqrt();
+    for time in [0.0, 3.0, 8.0] {
+        let scenery = Scenery::still(sun(180.0, 30.0)).with_guests(vec![guest(block(), there())]);
+        let pose = Pose { time, ..pose([55.0, 85.0, 12.0], -25.0, 60.0) };
+        let found = seen_from(scenery, pose, &shadowed());
+        let mut counts = [0; 2];
+        for index in 0..(PIXELS[0] * PIXELS[1]) as usize {
+            if value(&found, PlaneKind::Label, index) != f64::from(Label::Terrain.code()) {
+                continue;
+            }
+            let [x, y] = place(&shadowed(), &pose, index, value(&found, PlaneKind::Range, index));
+            let (north, east) = (x - 60.0 - time, y - 100.0 - time);
+            let depth = (north - 1.0).min(1.0 + length - north).min(1.0 - east.abs());
+            let expected = if depth > 0.0 { Shade::Remote } else { Shade::Lit };
+            let shade = value(&found, PlaneKind::Shadow, index);
+            assert!(depth.abs() < 1e-5 || shade == f64::from(expected.code()), "{time}: {x} {y}: {shade}");
+            counts[usize::from(depth > 0.0)] += 1;
+        }
+        assert!(counts[0] > 300 && counts[1] > 5, "{counts:?}");
+    }
+}
+
+#[test]
+fn a_sheet_is_seen_from_both_sides_and_lit_on_the_one_to_the_sun() {
+    let [from_south, from_north] = [([50.0, 100.0, 2.0], 0.0, -1.0), ([90.0, 100.0, 2.0], 180.0, 1.0)];
+    let lit = 0.5 * libm::cos(quantities::radians(30.0));
+    for (eye, heading, normal) in [from_south, from_north] {
+        for (azimuth, side) in [(180.0, -1.0), (0.0, 1.0)] {
+            let still = guest(sheet(), vec![frame(0.0, [70.0, 100.0, 2.0])]);
+            let scenery = Scenery::still(sun(azimuth, 30.0)).with_guests(vec![still]);
+            let found = seen_from(scenery, pose(eye, 0.0, heading), &usual());
+            let light = if side == normal { lit } else { 0.0 };
+            assert!(
+                (value(&found, PlaneKind::Intensity, MIDDLE) - light).abs() < 1e-7,
+                "{heading} {azimuth}"
+            );
+            assert_eq!(value(&found, PlaneKind::NormalNorth, MIDDLE), normal);
+            assert!((value(&found, PlaneKind::Range, MIDDLE) - 20.0).abs() < 1e-5);
+        }
     }
 }
 
@@ -108,7 +151,7 @@ fn smooth_light_is_that_of_a_sphere() {
     };
     let faces = (0..24).flat_map(|i| (0..48).map(move |j| (i, j))).map(|(i, j)| face(i, j)).collect();
     let ball = Solid::new(places.clone(), faces).unwrap();
-    let ball = ball.with_normals(|_, corner| Some(places[corner as usize])).unwrap();
+    let ball = ball.with_normals(|_, corner| Some(places[corner as usize]));
     let centre = [60.0, 100.0, 2.0];
     let light = sun(200.0, 35.0);
     let body = guest(ball, vec![frame(0.0, centre)]);
@@ -133,33 +176,91 @@ fn smooth_light_is_that_of_a_sphere() {
     assert!(lit > 20, "{lit}");
 }
 
+/// The scene's sun stands behind the box; that of the group goes from its side to its front in 10 s.
 #[test]
-fn a_group_has_its_own_sun_and_no_shadow() {
+fn a_group_has_its_own_sun_and_throws_no_shadow() {
     let group = NonZeroU16::new(1);
     let own = GroupSun { first: sun(90.0, 0.0), rate: quantities::radians(9.0) };
-    let groups = || vec![Group { name: "g".into(), sun: Some(own) }];
-    let drawn = |group, time| {
+    let drawn = |group, own, time| {
         let mut one = standing_box(0, [70.0, 100.0, 0.0], 1.0, 4.0);
         one.body.group = group;
-        let scenery = Scenery::still(sun(0.0, 20.0)).with_bodies(vec![one]).with_groups(groups());
-        let settings = hardware_model::Settings { shadows: Some(ShadowFineness::default()), ..usual() };
-        let ground = landscape(plane(50.0, [4, 4], 0.0, [0.0; 2]), 0.5);
-        planes(&ground, scenery, &settings, &Pose { time, ..pose([50.0, 100.0, 2.0], 0.0, 0.0) })
+        let groups = vec![Group { name: "g".into(), sun: own }];
+        let scenery = Scenery::still(sun(0.0, 20.0)).with_bodies(vec![one]).with_groups(groups);
+        seen_from(scenery, Pose { time, ..pose([50.0, 100.0, 2.0], 0.0, 0.0) }, &shadowed())
     };
-    // The scene's sun stands behind the box, its own at 180 degrees after 10 s.
-    let light = |group, time| value(&drawn(group, time), PlaneKind::Intensity, MIDDLE);
-    assert_eq!((light(None, 10.0), light(group, 0.0)), (0.0, light(group, 0.0)));
-    assert!(light(group, 0.0).abs() < 1e-7);
-    assert!((light(group, 10.0) - 1.0).abs() < 1e-7);
+    let front = |time: f64| -libm::cos(quantities::radians(90.0 + 9.0 * time));
+    for (group, own, time, expected) in [
+        (None, Some(own), 10.0, 0.0),
+        (group, None, 10.0, 0.0),
+        (group, Some(own), 0.0, 0.0),
+        (group, Some(own), 5.0, front(5.0)),
+        (group, Some(own), 10.0, 1.0),
+    ] {
+        let light = value(&drawn(group, own, time), PlaneKind::Intensity, MIDDLE);
+        assert!((light - expected).abs() < 1e-7, "{group:?} {time}: {light}");
+    }
     let dark = |group| {
-        let shadow = drawn(group, 10.0);
-        (0..(PIXELS[0] * PIXELS[1]) as usize).filter(|&k| value(&shadow, PlaneKind::Shadow, k) == 2.0).count()
+        let found = drawn(group, Some(own), 10.0);
+        (0..(PIXELS[0] * PIXELS[1]) as usize).filter(|&k| value(&found, PlaneKind::Shadow, k) == 2.0).count()
     };
     assert!(dark(None) > 5 && dark(group) == 0, "{} {}", dark(None), dark(group));
 }
 
+/// Down a slope of 0.2 from the sun, which stands at a tangent of 0.1: the box stands in the shadow of the ground.
 #[test]
-fn of_two_things_that_coincide_the_higher_priority_is_seen() {
+fn ground_throws_no_shadow_on_a_group_with_its_own_sun() {
+    let slope = landscape(plane(50.0, [4, 4], 0.0, [0.2, 0.0]), 0.5);
+    let low = Sun { azimuth: 0.0, elevation: libm::atan(0.1) };
+    let settings =
+        Settings { laws: Laws { shadowed_bodies: ShadowedBodies::Dark, ..usual().laws }, ..shadowed() };
+    let drawn = |own| {
+        let mut one = standing_box(0, [70.0, 100.0, 14.0], 1.0, 4.0);
+        one.body.group = NonZeroU16::new(1);
+        let groups = vec![Group { name: "g".into(), sun: own }];
+        let scenery = Scenery::still(low).with_bodies(vec![one]).with_groups(groups);
+        // From 2 m above the slope at the middle of the side that looks up it.
+        let down = quantities::degrees(libm::atan(4.0 / 19.0));
+        planes(&slope, scenery, &settings, &pose([90.0, 100.0, 20.0], -down, 180.0))
+    };
+    for (own, light, shade) in [
+        (None, 0.0, Shade::Remote),
+        (Some(GroupSun { first: low, rate: 0.0 }), libm::cos(low.elevation), Shade::Lit),
+    ] {
+        let found = drawn(own);
+        assert!((value(&found, PlaneKind::Intensity, MIDDLE) - light).abs() < 1e-7, "{own:?}");
+        assert_eq!(value(&found, PlaneKind::Label, MIDDLE), f64::from(Label::Culture.code()));
+        assert_eq!(value(&found, PlaneKind::Shadow, MIDDLE), f64::from(shade.code()), "{own:?}");
+    }
+}
+
+#[test]
+fn a_coloured_box_has_light_in_its_colour() {
+    let colour = [0.75, 0.5, 0.125];
+    let boxed = guest(cube(1.0).coloured(colour).unwrap(), vec![frame(0.0, [70.0, 100.0, 2.0])]);
+    let found = seen(Scenery::still(sun(180.0, 60.0)).with_guests(vec![boxed]), 0.0);
+    for (kind, channel) in PlaneKind::COLOUR.into_iter().zip(colour) {
+        assert!((value(&found, kind, MIDDLE) - 0.5 * channel).abs() < 1e-7, "{kind:?}");
+    }
+    let grey = 0.5 * quantities::luminance(colour);
+    assert!((value(&found, PlaneKind::Intensity, MIDDLE) - grey).abs() < 1e-7);
+}
+
+/// A white sheet that lies on grey ground.
+#[test]
+fn a_sheet_on_the_ground_is_seen_by_its_priority() {
+    let places = [[-9.0, -9.0, 0.0], [9.0, -9.0, 0.0], [9.0, 9.0, 0.0], [-9.0, 9.0, 0.0]];
+    let white = Solid::open(places.map(DVec3::from_array).to_vec(), vec![(vec![0, 1, 2, 3], 1.0)]).unwrap();
+    for (priority, albedo, label) in [(1, 1.0, Label::Culture), (-1, 0.5, Label::Terrain)] {
+        let lying = Guest { priority, ..guest(white.clone(), vec![frame(0.0, [70.0, 100.0, 0.0])]) };
+        let scenery = Scenery::still(sun(180.0, 30.0)).with_guests(vec![lying]);
+        let found = seen_from(scenery, pose([55.0, 100.0, 15.0], -45.0, 0.0), &shadowed());
+        assert_eq!(value(&found, PlaneKind::Label, MIDDLE), f64::from(label.code()));
+        assert!((value(&found, PlaneKind::Intensity, MIDDLE) - 0.5 * albedo).abs() < 1e-7, "{priority}");
+    }
+}
+
+#[test]
+fn of_two_boxes_that_coincide_the_higher_priority_is_seen() {
     let light: Sun = sun(180.0, 30.0);
     let boxed = |priority, albedo: f64| {
         let mut standing: Standing = standing_box(0, [70.0, 100.0, 0.0], 1.0, 4.0);

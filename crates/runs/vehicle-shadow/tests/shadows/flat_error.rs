@@ -99,7 +99,8 @@ fn pictures_of_true_ground_show_that_error() {
             camera: attitude,
             field,
         };
-        let truth = TrueGround::new(stage(&landscape, Scenery::still(sun(180.0, elevation)), [4, 6000]));
+        let truth =
+            TrueGround::new(stage(&landscape, Scenery::still(sun(180.0, elevation)), [4, 6000])).unwrap();
         let gates = truth
             .gates(&Shape::new(vec![plate], MAST.eye), &shot, &[to_sun(180.0, elevation)], &[], size)
             .suns

@@ -169,7 +169,7 @@ fn tracks_have_a_gate_of_their_own() {
     };
     let ground = || {
         let stage = stage(&flat(), Scenery::still(sun(200.0, 30.0)), SIZE.map(|count| count as u32));
-        Box::new(TrueGround::new(stage))
+        Box::new(TrueGround::new(stage).unwrap())
     };
     let wires = |tracks: Vec<TrackPatch>, method| {
         let law = GroundLaw::True { ground: ground(), tracks };

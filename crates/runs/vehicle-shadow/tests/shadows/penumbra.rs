@@ -74,8 +74,8 @@ fn the_edge_of_a_wall_is_a_segment_of_the_disc() {
     for height in [2.0, 8.0] {
         check(height, GroundLaw::Flat(OutlineRule::Parts));
         check(height, GroundLaw::Flat(OutlineRule::Walk));
-        let ground =
-            Box::new(TrueGround::new(stage(&flat(), Scenery::still(sun(180.0, 20.0)), [5, LINES as u32])));
+        let stage = stage(&flat(), Scenery::still(sun(180.0, 20.0)), [5, LINES as u32]);
+        let ground = Box::new(TrueGround::new(stage).unwrap());
         check(height, GroundLaw::True { ground, tracks: Vec::new() });
     }
 }

@@ -35,7 +35,7 @@ fn read(frames: &[u64]) -> (Scenario, TrueGround, Vec<Shot>) {
         }
     };
     let shots = frames.iter().map(shot).collect();
-    (scenario, TrueGround::new(stage.stage()), shots)
+    (scenario, TrueGround::new(stage.stage()).unwrap(), shots)
 }
 
 fn augmentation(scenario: &Scenario, ground: GroundLaw) -> Augmentation {

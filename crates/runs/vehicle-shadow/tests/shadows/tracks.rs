@@ -41,7 +41,7 @@ fn tracks_are_those_that_exact_draws() {
         let scenery = Scenery::still(sun(120.0, 60.0)).with_bodies(bodies);
         let planes = drawn(&ground, scenery.clone().with_patches(patches()), &shot);
         let labels = planes.get(PlaneKind::Label).unwrap();
-        let truth = TrueGround::new(stage(&ground, scenery, SIZE.map(|count| count as u32)));
+        let truth = TrueGround::new(stage(&ground, scenery, SIZE.map(|count| count as u32))).unwrap();
         let nothing = Shape::new(Vec::new(), 1.6334);
         let gates = truth.gates(&nothing, &shot, &[to_sun(120.0, 60.0)], &patches(), SIZE).suns.remove(0);
         for (index, &label) in labels.iter().enumerate() {

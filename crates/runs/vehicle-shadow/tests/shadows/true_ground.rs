@@ -1,12 +1,13 @@
 //! Shadow on true ground: against the flat law, against marching, and against `exact`.
 
+use std::num::NonZeroU16;
 use std::sync::Arc;
 
 use exact::Exact;
 use generator::{Generator, Label, PlaneKind, Planes, Shade};
 use glam::DVec3;
 use landscape::Landscape;
-use scenario::{Pose, Scenery, Standing};
+use scenario::{Frame, Group, GroupSun, Guest, Pose, Scenery, Standing};
 use signal::Probe;
 use solids::{Body, Kind, Solid, culture};
 use vehicle_shadow::{Gate, OutlineRule, Shape, Shot, TrueGround, flat_gates, shadow_outlines};
@@ -28,6 +29,7 @@ pub fn gates(
 ) -> Vec<Gate> {
     let size = SIZE.map(|count| count as u32);
     TrueGround::new(stage(landscape, scenery, size))
+        .unwrap()
         .gates(shape, shot, &[sun], &[], SIZE)
         .suns
         .remove(0)
@@ -38,6 +40,38 @@ pub fn gates(
 fn standing(landscape: &Landscape, angles: [f64; 3]) -> Shot {
     let ground = landscape.height(240.0, 240.0).unwrap();
     shot([240.0, 240.0, ground + 1.6334], 1.6334, angles)
+}
+
+#[test]
+fn what_moves_is_open_or_has_a_sun_is_refused_by_name() {
+    let place = DVec3::new(240.0, 250.0, 0.0);
+    let cube = Solid::boxed(-DVec3::ONE, DVec3::ONE, 0.5).unwrap();
+    let sheet = Solid::open(cube.vertices()[..3].to_vec(), vec![(vec![0, 1, 2], 0.5)]).unwrap();
+    let scenery = || Scenery::still(sun(200.0, 30.0));
+    let guest = |solid: &Solid| {
+        let (from, until, solid) = (0.0, f64::INFINITY, Arc::new(solid.clone()));
+        let frames = vec![Frame { time: 0.0, foot: place, attitude: Default::default() }];
+        let guest =
+            Guest { from, until, object: 0, solid, scale: 1.0, frames, spin: 0.0, priority: 0, group: None };
+        scenery().with_guests(vec![guest])
+    };
+    let grouped = |sun| {
+        let mut body =
+            Body::place(0, Kind::Culture, &Arc::new(cube.clone()), place, &glam::DMat3::IDENTITY, 1.0);
+        (body.group, body.priority) = (NonZeroU16::new(1), 3);
+        let standing = Standing { from: 0.0, until: f64::INFINITY, body };
+        scenery().with_bodies(vec![standing]).with_groups(vec![Group { name: "g".into(), sun }])
+    };
+    let own = GroupSun { first: sun(10.0, 30.0), rate: 0.0 };
+    for (scenery, name) in [
+        (guest(&cube), "objects that move (`moves`"),
+        (guest(&sheet), "open surfaces (`open`"),
+        (grouped(Some(own)), "suns of groups (`sun`"),
+    ] {
+        let refused = TrueGround::new(stage(&flat(), scenery, [4, 3])).unwrap_err().to_string();
+        assert!(refused.contains(name) && refused.contains("--ground"), "{refused}");
+    }
+    assert!(TrueGround::new(stage(&flat(), grouped(None), [4, 3])).is_ok());
 }
 
 #[test]

@@ -64,7 +64,7 @@ pub fn laws(
     effort: Effort,
 ) -> Result<Vec<LawOutcome>, AugmentError> {
     let shots: Vec<(u64, Shot)> = rows.iter().map(|row| (row.frame, shot(stage, row))).collect();
-    let mut rungs = rungs(stage, shape);
+    let mut rungs = rungs(stage, shape)?;
     let mut shares = Vec::with_capacity(rungs.len());
     for rung in &mut rungs {
         shares.push(rung.draw(stage, &shots, size)?);
@@ -95,8 +95,8 @@ fn shot(stage: &MachineStage, row: &PoseRow) -> Shot {
     }
 }
 
-fn rungs(stage: &MachineStage, shape: &Shape) -> Vec<Rung> {
-    let ground = TrueGround::new(stage.stage());
+fn rungs(stage: &MachineStage, shape: &Shape) -> Result<Vec<Rung>, AugmentError> {
+    let ground = TrueGround::new(stage.stage())?;
     let on_true = || GroundLaw::True { ground: Box::new(ground.clone()), tracks: Vec::new() };
     let rung = |law, method, ground, penumbra| Rung {
         law,
@@ -126,7 +126,7 @@ fn rungs(stage: &MachineStage, shape: &Shape) -> Vec<Rung> {
     rungs.push(rung("flat ground, parts", bits(UNROUNDED), GroundLaw::Flat(OutlineRule::Parts), false));
     rungs.push(rung("flat ground, walk", bits(UNROUNDED), GroundLaw::Flat(OutlineRule::Walk), false));
     rungs.push(rung("flat ground, penumbra", bits(UNROUNDED), GroundLaw::Flat(OutlineRule::Parts), true));
-    rungs
+    Ok(rungs)
 }
 
 fn words(method: &Method) -> String {

@@ -50,11 +50,16 @@ fn group_sun(table: &Reader) -> Option<GroupSun> {
     Some(GroupSun { first: Sun { azimuth: azimuth?, elevation: elevation? }, rate: rate? })
 }
 
-/// Number, from 1, of the group that an object names, if it names one.
-pub(super) fn group_of(table: &Reader, groups: &[Group]) -> Option<Option<NonZeroU16>> {
+/// Number, from 1, of the group that an object names, if it names one. Where a group has a fault of its own, nothing is said
+/// about names of groups.
+pub(super) fn group_of(table: &Reader, groups: Option<&[Group]>) -> Option<Option<NonZeroU16>> {
     if !table.has("group") {
         return Some(None);
     }
+    let Some(groups) = groups else {
+        table.string("group").optional();
+        return None;
+    };
     if groups.is_empty() {
         let problem = table.problem("group", "an object of a group, and no group");
         table.report(problem.expected("a [[group]] of this name"));

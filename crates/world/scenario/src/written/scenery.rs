@@ -58,10 +58,10 @@ pub(super) fn tracks(table: &Reader) -> Option<Tracks> {
     Some(Tracks { length: length?, width: width?, spacing: spacing? })
 }
 
-/// The objects of `[[object]]`, each with its id's place.
+/// The objects of `[[object]]`; no `groups` if one of these has a fault.
 pub(super) fn objects(
     tables: &[Reader],
-    groups: &[Group],
+    groups: Option<&[Group]>,
     folder: &Path,
     problems: &Problems,
 ) -> Option<Vec<Object>> {
@@ -88,7 +88,12 @@ fn report_twins(tables: &[Reader], objects: &[(Id, Option<Object>)]) -> bool {
     twins
 }
 
-fn object(table: &Reader, groups: &[Group], folder: &Path, problems: &Problems) -> (Id, Option<Object>) {
+fn object(
+    table: &Reader,
+    groups: Option<&[Group]>,
+    folder: &Path,
+    problems: &Problems,
+) -> (Id, Option<Object>) {
     let is_id = |id: &String| id.chars().all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '_');
     let id = table.string("id").must("letters, digits and dashes", is_id).placed().required();
     let open = table.bool("open").default(false);

@@ -295,7 +295,7 @@ impl Augment {
             false => Vec::new(),
         };
         let inputs = format!("{:?} {:?} {tracks:?}", opened.inputs.scenario, opened.inputs.references);
-        let ground = Box::new(pool.install(|| TrueGround::new(stage)));
+        let ground = Box::new(pool.install(|| TrueGround::new(stage))?);
         Ok(Grounded { law: GroundLaw::True { ground, tracks }, vehicle, inputs })
     }
 
