@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use generator::{PlaneKind, Planes};
 use landscape::Level;
 use landscape::basis::values;
-use lunoid_tests::{Scene, Shipped, random};
+use lunoid_tests::{ComparedScene, Shipped, random};
 use machine::Prepare;
 use signal::{Axis, Kind, Probe, Waveform};
 use signal_plane::signals;
@@ -23,7 +23,7 @@ fn held(wave: &Waveform, sample: f64) -> f64 {
     wave.values[wave.times.partition_point(|&time| time <= sample) - 1]
 }
 
-fn drawn(scene: &Scene) -> Vec<Waveform> {
+fn drawn(scene: &ComparedScene) -> Vec<Waveform> {
     scene.draw(1, &["*"]).unwrap().waveforms
 }
 

@@ -11,6 +11,6 @@ pub mod lockstep;
 pub mod shipped;
 pub mod trust;
 
-pub use ::lockstep::{Dice, Drawn, Scene, level_of, plane, random, scene};
+pub use ::lockstep::{ComparedScene, Dice, Drawn, level_of, plane, random, scene};
 pub use lockstep::Lockstep;
 pub use shipped::Shipped;

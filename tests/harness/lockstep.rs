@@ -3,7 +3,7 @@
 use ::lockstep::{Engines, Report, Seen};
 use interpreter::{FrameGiven, Given, Record, interpret, range_programme};
 
-use crate::Scene;
+use crate::ComparedScene;
 
 /// All sweeps of a frame on both engines.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,7 +19,7 @@ impl Lockstep {
     ///
     /// # Panics
     /// If the machine cannot draw the scene.
-    pub fn run(scene: &Scene, frame: u64) -> Self {
+    pub fn run(scene: &ComparedScene, frame: u64) -> Self {
         let engines = Engines::new(scene.stage());
         let sweeps = engines.run(frame, &scene.pose(), 0..scene.sweeps, &|_| {});
         let sweeps = sweeps.expect("a pose that can be drawn");
@@ -39,9 +39,9 @@ impl Lockstep {
 }
 
 /// The interpreter alone: sweep 0 of frame 0, along its own range programme.
-pub fn walk(scene: &Scene) -> Record {
+pub fn walk(scene: &ComparedScene) -> Record {
     let stage = scene.stage();
-    let scene = interpreter::Scene {
+    let scene = interpreter::SceneData {
         landscape: &stage.landscape,
         settings: &stage.settings,
         sun: scene.sun,

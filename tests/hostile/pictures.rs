@@ -8,7 +8,7 @@ use generator::{Generator, PlaneKind, Planes};
 use hardware_model::{HardwareModel, ModelSource};
 use landscape::relief::Relief;
 use lunoid_tests::Dice;
-use scenario::{Ground, PoseTable, Scenario};
+use scenario::{GroundSource, PoseTable, Scenario};
 use signal::Probe;
 
 use crate::mutation::{damaged, renumbered};
@@ -83,7 +83,7 @@ gamma = 2.2
 
 /// More than this takes long and tests nothing else.
 fn is_small(scenario: &Scenario) -> bool {
-    let Ground::Generated(Relief { extent, region_size, .. }) = &scenario.ground else { return false };
+    let GroundSource::Generated(Relief { extent, region_size, .. }) = &scenario.ground else { return false };
     let corners = (extent[0] / region_size) * (extent[1] / region_size);
     let crowd = |sizes: &features::population::SizeLaw| sizes.all() * extent[0] * extent[1];
     let few = scenario.features.populations.iter().all(|wish| crowd(&wish.sizes) < 1e4);

@@ -9,7 +9,7 @@ use features::{Crater, Features, Shape};
 use generator::{Generator, PlaneKind, Planes};
 use glam::{DMat3, DVec3};
 use landscape::{Landscape, Layer, Level, Source, Sun, Texture};
-use lunoid_tests::{Dice, Drawn, Scene, level_of, plane};
+use lunoid_tests::{ComparedScene, Dice, Drawn, level_of, plane};
 use machine::Prepare;
 use quantities::{radians, sin_cos};
 use scenario::{
@@ -101,7 +101,7 @@ impl Set {
     /// Over `level`: 3 m above its middle, looking north and a little down; no occultation but peak-hold, f64, no
     /// curvature.
     pub fn over(level: Level) -> Self {
-        let mut scene = Scene::over(level);
+        let mut scene = ComparedScene::over(level);
         (scene.sweeps, scene.lines, scene.samples) = (64, 40, 700);
         scene.range = RangeProgramme { law: RangeLaw::Geometric, start: 2.0, end: 200.0 };
         scene.pitch = radians(-4.0);

@@ -8,7 +8,7 @@ use generator::{PlaneKind, Planes};
 use hardware_model::{HardwareModel, Settings};
 use landscape::{CornerWords, Level};
 use lockstep::bounds;
-use lunoid_tests::{Drawn, Scene, level_of, random};
+use lunoid_tests::{ComparedScene, Drawn, level_of, random};
 use machine::Prepare;
 use scenario::{Pose, RangeLaw, Scalar};
 use signal::Probe;
@@ -31,14 +31,14 @@ fn a_crater_without_depth() {
     let (mut met, mut largest) = (0, 0.0_f64);
     for seed in SEEDS {
         for scalar in [Scalar::F64, Scalar::F32] {
-            let without = Scene { scalar, ..dyadic(seed) };
+            let without = ComparedScene { scalar, ..dyadic(seed) };
             let far = 0.3 * without.range.end;
             let centre = [
                 without.eye[0] + far * libm::cos(without.heading),
                 without.eye[1] + far * libm::sin(without.heading),
             ];
             let crater = Crater::new(centre, Shape::RimmedBowl { r1: 0.3 * far, r2: 0.4 * far }, 0.0, 0.0);
-            let with = Scene { craters: vec![crater.unwrap()], ..without.clone() };
+            let with = ComparedScene { craters: vec![crater.unwrap()], ..without.clone() };
             let (without, with) = (draw(&without), draw(&with));
             met += with.counts["features"];
             for sweep in 0..9 {
@@ -95,7 +95,7 @@ fn quartered(level: &Level) -> Level {
 fn regions_cut_in_four() {
     for seed in SEEDS {
         let whole = random::scene(seed);
-        let cut = Scene { level: quartered(&whole.level), ..whole.clone() };
+        let cut = ComparedScene { level: quartered(&whole.level), ..whole.clone() };
         let (whole, cut) = (draw(&whole), draw(&cut));
         assert!(cut.counts["folds"] > whole.counts["folds"], "seed {seed}: no more folds than before");
         for sweep in 0..9 {
@@ -118,7 +118,7 @@ fn regions_cut_in_four() {
 fn samples_appended() {
     for seed in SEEDS {
         for scalar in [Scalar::F64, Scalar::F32] {
-            let mut short = Scene { scalar, ..dyadic(seed) };
+            let mut short = ComparedScene { scalar, ..dyadic(seed) };
             short.range.law = RangeLaw::ConstantRate;
             short.samples = 128;
             short.range.end *= 0.5;
@@ -147,7 +147,7 @@ fn samples_appended() {
 }
 
 /// A picture behind a yoke.
-fn behind_a_yoke(scene: &Scene, roll: f64, yoke: f64) -> Vec<f32> {
+fn behind_a_yoke(scene: &ComparedScene, roll: f64, yoke: f64) -> Vec<f32> {
     let stage = scene.stage();
     let settings = Settings { yoke: Some(HardwareModel::ideal().yoke), ..stage.settings.clone() };
     let session = (MachineStage { settings, ..stage }).prepare();

@@ -8,7 +8,7 @@ use control_plane::MachineStage;
 use generator::{PlaneKind, Planes, Session};
 use hardware_model::{HardwareModel, ModelSource, Settings, WireParts};
 use lunoid_tests::shipped::folder;
-use lunoid_tests::{Scene, random};
+use lunoid_tests::{ComparedScene, random};
 use machine::Prepare;
 use quantities::radians;
 use rayon::ThreadPoolBuilder;
@@ -17,7 +17,7 @@ use signal::Probe;
 
 const FRAMES: u64 = 3;
 
-fn pose(scene: &Scene, frame: u64) -> Pose {
+fn pose(scene: &ComparedScene, frame: u64) -> Pose {
     let mut pose = scene.pose();
     pose.time = frame as f64 / 30.0;
     pose.attitude.heading += radians(3.0) * frame as f64;
@@ -25,7 +25,7 @@ fn pose(scene: &Scene, frame: u64) -> Pose {
 }
 
 /// Bits of a frame: counters and picture.
-fn frame(session: &dyn Session, scene: &Scene, number: u64, probed: bool) -> String {
+fn frame(session: &dyn Session, scene: &ComparedScene, number: u64, probed: bool) -> String {
     let pose = pose(scene, number);
     let mut planes = Planes::new(scene.sweeps as usize, scene.lines as usize, &[PlaneKind::Intensity]);
     let mut probe = if probed { Probe::new(vec!["*".into()], 3..17) } else { Probe::off() };
@@ -37,7 +37,7 @@ fn frame(session: &dyn Session, scene: &Scene, number: u64, probed: bool) -> Str
 }
 
 /// What came out of drawing the frames of a stage, and by which ways.
-fn all_ways(scene: &Scene, stage: &MachineStage) -> BTreeMap<Vec<String>, Vec<String>> {
+fn all_ways(scene: &ComparedScene, stage: &MachineStage) -> BTreeMap<Vec<String>, Vec<String>> {
     let mut found: BTreeMap<Vec<String>, Vec<String>> = BTreeMap::new();
     let mut note = |way: String, frames: Vec<String>| found.entry(frames).or_default().push(way);
     for threads in [1, 2, 3, 8] {
@@ -65,7 +65,7 @@ fn one_outcome_of_every_way() {
     let nominal = HardwareModel::load(&nominal, &[], &[]).unwrap().model;
     for (seed, scalar) in [(6000, Scalar::F32), (6001, Scalar::F64), (6002, Scalar::F32), (6003, Scalar::F32)]
     {
-        let mut scene = Scene { scalar, ..random::landscape(seed) };
+        let mut scene = ComparedScene { scalar, ..random::landscape(seed) };
         scene.sweeps = 29;
         scene.samples = scene.samples.min(200);
         let ideal = scene.stage();

@@ -8,7 +8,7 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use generator::{PlaneKind, Planes};
-use lunoid_tests::{Scene, random};
+use lunoid_tests::{ComparedScene, random};
 use quantities::radians;
 use scenario::Scalar;
 use signal::Probe;
@@ -30,7 +30,7 @@ fn main() -> ExitCode {
         eprintln!("expected the number of frames, 100 or more");
         return ExitCode::from(2);
     };
-    let mut scene = Scene { scalar: Scalar::F32, ..random::landscape(3) };
+    let mut scene = ComparedScene { scalar: Scalar::F32, ..random::landscape(3) };
     (scene.sweeps, scene.samples, scene.lines) = (16, 64, 24);
     let session = scene.stage().prepare();
     let mut planes = Planes::new(16, 24, &[PlaneKind::Intensity]);

@@ -2,7 +2,7 @@
 
 use generator::{PlaneKind, Planes};
 use landscape::{CornerWords, Level};
-use lunoid_tests::{Drawn, Scene, level_of, random};
+use lunoid_tests::{ComparedScene, Drawn, level_of, random};
 use machine::Prepare;
 use quantities::radians;
 use scenario::{Curvature, Scalar};
@@ -11,13 +11,13 @@ use signal::Probe;
 const SEEDS: std::ops::Range<u64> = 3000..3016;
 const SCALARS: [Scalar; 2] = [Scalar::F32, Scalar::F64];
 
-pub fn draw(scene: &Scene) -> Drawn {
+pub fn draw(scene: &ComparedScene) -> Drawn {
     scene.draw(1, &["*"]).unwrap()
 }
 
 /// Random ground on lengths that double precision holds exactly, with the eye in the middle of it: sums and
 /// differences of places are exact, and no sweep leaves the problem area.
-pub fn dyadic(seed: u64) -> Scene {
+pub fn dyadic(seed: u64) -> ComparedScene {
     let mut scene = random::scene(seed);
     let old = &scene.level;
     let [north, east] = old.corners();
@@ -62,8 +62,8 @@ fn share_that_differs(a: &[f32], b: &[f32]) -> f64 {
 fn moving_ground_and_eye_by_an_even_number_of_regions() {
     for seed in SEEDS {
         for scalar in SCALARS {
-            let here = Scene { scalar, ..dyadic(seed) };
-            let there = Scene { level: padded(&here.level, [2, 4]), ..moved(&here, [512.0, 1024.0]) };
+            let here = ComparedScene { scalar, ..dyadic(seed) };
+            let there = ComparedScene { level: padded(&here.level, [2, 4]), ..moved(&here, [512.0, 1024.0]) };
             assert_same_bits(
                 &draw(&here),
                 &draw(&there),
@@ -71,7 +71,7 @@ fn moving_ground_and_eye_by_an_even_number_of_regions() {
             );
             let [x, y] = here.level.origin();
             let elsewhere = level_like(&here.level, here.level.region_size(), [x - 512.0, y + 2048.0], |w| w);
-            let there = Scene { level: elsewhere, ..moved(&here, [-512.0, 2048.0]) };
+            let there = ComparedScene { level: elsewhere, ..moved(&here, [-512.0, 2048.0]) };
             assert_same_bits(
                 &draw(&here),
                 &draw(&there),
@@ -81,9 +81,9 @@ fn moving_ground_and_eye_by_an_even_number_of_regions() {
     }
 }
 
-fn moved(scene: &Scene, [north, east]: [f64; 2]) -> Scene {
+fn moved(scene: &ComparedScene, [north, east]: [f64; 2]) -> ComparedScene {
     let [x, y, h] = scene.eye;
-    Scene { eye: [x + north, y + east, h], ..scene.clone() }
+    ComparedScene { eye: [x + north, y + east, h], ..scene.clone() }
 }
 
 /// The same ground with more regions to the south and west, so that every index grows.
@@ -109,10 +109,11 @@ fn level_like(
 fn scaling_all_lengths_by_a_power_of_two() {
     for seed in SEEDS {
         for scalar in SCALARS {
-            let small = Scene { scalar, ..dyadic(seed) };
+            let small = ComparedScene { scalar, ..dyadic(seed) };
             let origin = small.level.origin().map(|length| 8.0 * length);
             let level = level_like(&small.level, 8.0 * 256.0, origin, |words| words.map(|word| 8.0 * word));
-            let mut large = Scene { level, eye: small.eye.map(|length| 8.0 * length), ..small.clone() };
+            let mut large =
+                ComparedScene { level, eye: small.eye.map(|length| 8.0 * length), ..small.clone() };
             large.range.start *= 8.0;
             large.range.end *= 8.0;
             if let scenario::RangeLaw::TwoRate { switch, .. } = &mut large.range.law {
@@ -193,15 +194,19 @@ fn adding_a_height_to_everything() {
             words
         };
         let level = level_like(&low.level, low.level.region_size(), low.level.origin(), raise);
-        let high = Scene { level, eye: [low.eye[0], low.eye[1], low.eye[2] + 64.0], ..low.clone() };
+        let high = ComparedScene { level, eye: [low.eye[0], low.eye[1], low.eye[2] + 64.0], ..low.clone() };
         let (low, high) = (draw(&low), draw(&high));
         assert!(share_that_differs(&low.picture, &high.picture) == 0.0, "seed {seed}");
     }
 }
 
 /// `scene` over the reflected map, which begins at the origin; eye, heading and sun are still to be reflected.
-fn reflected(scene: &Scene, corner: impl Fn(usize, usize) -> CornerWords, corners: [usize; 2]) -> Scene {
-    Scene { level: level_of(scene.level.region_size(), [0.0; 2], corners, corner), ..scene.clone() }
+fn reflected(
+    scene: &ComparedScene,
+    corner: impl Fn(usize, usize) -> CornerWords,
+    corners: [usize; 2],
+) -> ComparedScene {
+    ComparedScene { level: level_of(scene.level.region_size(), [0.0; 2], corners, corner), ..scene.clone() }
 }
 
 /// The picture with left and right exchanged.
@@ -211,7 +216,7 @@ fn mirrored(picture: &[f32], columns: usize) -> Vec<f32> {
 
 /// Draws the reflection of each seed's scene; at least half of the pictures must not be their own images, or the
 /// relation says nothing.
-fn check_reflection(reflection: impl Fn(&Scene) -> Scene) {
+fn check_reflection(reflection: impl Fn(&ComparedScene) -> ComparedScene) {
     let mut lopsided = 0;
     for seed in SEEDS {
         let scene = random::scene(seed);

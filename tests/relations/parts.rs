@@ -3,7 +3,7 @@
 use control_plane::MachineStage;
 use generator::{PlaneKind, Planes};
 use hardware_model::{AnalogParts, HardwareModel, Settings};
-use lunoid_tests::{Scene, random};
+use lunoid_tests::{ComparedScene, random};
 use machine::Prepare;
 use scenario::Scalar;
 use signal::Probe;
@@ -24,7 +24,7 @@ const FIGURES: [(&str, Figure); 10] = [
     ("video_bandwidth", |parts, s| parts.video_bandwidth = Some(1e6 / s)),
 ];
 
-fn picture(scene: &Scene, parts: &AnalogParts) -> Vec<f32> {
+fn picture(scene: &ComparedScene, parts: &AnalogParts) -> Vec<f32> {
     let stage = scene.stage();
     let settings = Settings { analog: parts.clone(), ..stage.settings.clone() };
     let session = (MachineStage { settings, ..stage }).prepare();
@@ -44,7 +44,7 @@ fn artefacts_go_to_nothing_with_their_figures() {
     for (name, figure) in FIGURES {
         let sizes = [1.0, 1e-2, 1e-4].map(|share| {
             let of_seed = |seed: u64| {
-                let scene = Scene { scalar: Scalar::F64, ..random::landscape(seed) };
+                let scene = ComparedScene { scalar: Scalar::F64, ..random::landscape(seed) };
                 // Blocks of parts draw straight lines between samples: what is compared is parts with parts.
                 let with = |share: f64| {
                     let mut parts = ideal.clone();

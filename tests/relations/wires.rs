@@ -6,7 +6,7 @@ use control_plane::MachineStage;
 use generator::{PlaneKind, Planes};
 use hardware_model::{HardwareModel, MAIN_WIRES, ModelSource, Settings, WireParts};
 use lunoid_tests::shipped::folder;
-use lunoid_tests::{Scene, random};
+use lunoid_tests::{ComparedScene, random};
 use machine::Prepare;
 use scenario::Scalar;
 use signal::Probe;
@@ -17,7 +17,7 @@ struct Frame {
     signals: BTreeMap<(u32, &'static str), Vec<f64>>,
 }
 
-fn frame(scene: &Scene, stage: MachineStage) -> Frame {
+fn frame(scene: &ComparedScene, stage: MachineStage) -> Frame {
     let session = stage.prepare();
     let mut planes = Planes::new(scene.sweeps as usize, scene.lines as usize, &[PlaneKind::Intensity]);
     let mut probe = Probe::new(vec!["*".into()], 0..scene.sweeps);
@@ -29,14 +29,14 @@ fn frame(scene: &Scene, stage: MachineStage) -> Frame {
     }
 }
 
-fn drawn(scene: &Scene, wires: WireParts) -> Frame {
+fn drawn(scene: &ComparedScene, wires: WireParts) -> Frame {
     let stage = scene.stage();
     let mut settings = stage.settings.clone();
     settings.analog.wires = wires;
     frame(scene, MachineStage { settings, ..stage })
 }
 
-fn ideal(scene: &Scene) -> Frame {
+fn ideal(scene: &ComparedScene) -> Frame {
     drawn(scene, WireParts::IDEAL)
 }
 
@@ -67,8 +67,8 @@ fn changed(a: &Frame, b: &Frame) -> Vec<&'static str> {
     names
 }
 
-fn scene(seed: u64, scalar: Scalar) -> Scene {
-    Scene { scalar, ..random::landscape(seed) }
+fn scene(seed: u64, scalar: Scalar) -> ComparedScene {
+    ComparedScene { scalar, ..random::landscape(seed) }
 }
 
 #[test]
@@ -85,8 +85,10 @@ fn wires_without_amplifiers_are_the_ideal_machine_to_the_bit() {
 /// What lags is what the next block has, and nothing before it: by the figure of the report.
 #[test]
 fn each_wire_changes_what_lies_behind_it() {
-    let scene =
-        Scene { laws: scenario::Laws { ..scene(7103, Scalar::F64).laws }, ..scene(7103, Scalar::F64) };
+    let scene = ComparedScene {
+        laws: scenario::Laws { ..scene(7103, Scalar::F64).laws },
+        ..scene(7103, Scalar::F64)
+    };
     let clean = ideal(&scene);
     let is_behind = |wire: &str, name: &str| match wire {
         "tg.reflectivity" | "fg.reflectivity" => {

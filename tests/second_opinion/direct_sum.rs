@@ -2,10 +2,10 @@
 
 use ::lockstep::bounds::F64;
 use landscape::{Bank, Landscape};
-use lunoid_tests::{Lockstep, Scene, random};
+use lunoid_tests::{ComparedScene, Lockstep, random};
 
 /// Height, both slopes and reflectivity by direct evaluation at each sample that `interpret` has.
-fn check(scene: &Scene, what: &str) {
+fn check(scene: &ComparedScene, what: &str) {
     let bank = Bank::new("direct", vec![scene.level.clone()], None).unwrap();
     let landscape = Landscape::new(bank, scene.albedo);
     let lockstep = Lockstep::run(scene, 0);
@@ -32,7 +32,7 @@ fn check(scene: &Scene, what: &str) {
     }
 }
 
-fn direction(scene: &Scene, sweep: u32) -> [f64; 2] {
+fn direction(scene: &ComparedScene, sweep: u32) -> [f64; 2] {
     let fan = sweep_program::Fan::covering(scene.laws.projection, scene.pitch, &scene.field, scene.sweeps);
     let (sin, cos) = quantities::sin_cos(scene.heading);
     fan.expect("a moderate pitch").direction(sweep, [cos, sin])

@@ -1,19 +1,19 @@
 //! The interpreter itself against the worked tables of the report (6.6, 23.2b).
 
 use lunoid_tests::lockstep::walk;
-use lunoid_tests::{Scene, level_of};
+use lunoid_tests::{ComparedScene, level_of};
 use quantities::radians;
 use scenario::{RangeLaw, RangeProgramme};
 
 /// Lattice of check table 23.2b.
-fn lattice() -> Scene {
+fn lattice() -> ComparedScene {
     let word = |m: i64, n: i64, p: i64, q: i64| {
         (17 * m + 29 * n + 37 * p + 43 * q + 11 * m * p + 5 * n * q + 3 * p * q + 13 * m * n) % 23 - 11
     };
     let level = level_of(1.0, [0.0, 0.0], [24, 24], |m, n| {
         std::array::from_fn(|k| word(m as i64, n as i64, k as i64 / 3, k as i64 % 3) as f64)
     });
-    let mut scene = Scene::over(level);
+    let mut scene = ComparedScene::over(level);
     scene.sweeps = 1;
     scene.samples = 45;
     scene.range = RangeProgramme { law: RangeLaw::ConstantRate, start: 0.1, end: 4.5 };

@@ -7,7 +7,7 @@
 
 use hardware_model::{LatePolicy, LoadDelay};
 use landscape::basis::{derivatives, values};
-use lunoid_tests::{Dice, Drawn, Scene, level_of};
+use lunoid_tests::{ComparedScene, Dice, Drawn, level_of};
 use quantities::radians;
 use scenario::{RangeLaw, RangeProgramme};
 use sweep_program::{Colour, PreloadRegister};
@@ -76,12 +76,12 @@ fn time(place: f64) -> f64 {
 }
 
 impl Case {
-    fn scene(&self, policy: LatePolicy) -> Scene {
+    fn scene(&self, policy: LatePolicy) -> ComparedScene {
         let mut dice = Dice::new(12);
         let words: Vec<[f64; 9]> =
             (0..CORNERS * CORNERS).map(|_| std::array::from_fn(|_| 4.0 * dice.normal())).collect();
         let level = level_of(SIZE, [0.0, 0.0], [CORNERS; 2], |m, n| words[m * CORNERS + n]);
-        let mut scene = Scene::over(level);
+        let mut scene = ComparedScene::over(level);
         scene.stand(self.foot[0] * SIZE, self.foot[1] * SIZE, 20.0);
         scene.heading = radians(self.degrees);
         scene.sweeps = 3;
@@ -112,7 +112,7 @@ impl Case {
     }
 
     /// Change of height and both slopes at a place while the stale word is in hold: one term of 5.1.
-    fn predicted(&self, scene: &Scene, word: usize, place: f64) -> [f64; 3] {
+    fn predicted(&self, scene: &ComparedScene, word: usize, place: f64) -> [f64; 3] {
         let (sin, cos) = (libm::sin(scene.heading), libm::cos(scene.heading));
         let u = self.foot[0] + place * cos - self.region[0] as f64;
         let v = self.foot[1] + place * sin - self.region[1] as f64;

@@ -8,10 +8,10 @@ mod random_scenes;
 mod shipped;
 mod wires;
 
-use lunoid_tests::{Lockstep, Scene};
+use lunoid_tests::{ComparedScene, Lockstep};
 
 /// Fails with the first difference between machine and interpreter.
-fn agree(scene: &Scene, what: &str) {
+fn agree(scene: &ComparedScene, what: &str) {
     if let Some(difference) = Lockstep::run(scene, 0).report.first_difference() {
         panic!("{what}: {difference}");
     }

@@ -2,17 +2,17 @@
 //!
 //! An odd number of sweeps makes the centre one run exactly along the heading.
 
-use lunoid_tests::{Dice, Lockstep, Scene, level_of};
+use lunoid_tests::{ComparedScene, Dice, Lockstep, level_of};
 use quantities::radians;
 use scenario::{RangeLaw, RangeProgramme, Scalar};
 
 const SIZE: f64 = 200.0;
 
 /// Random ground of 12 x 12 regions around the origin; all corners at exact multiples of the region size.
-fn ground() -> Scene {
+fn ground() -> ComparedScene {
     let mut dice = Dice::new(6);
     let words: Vec<[f64; 9]> = (0..169).map(|_| std::array::from_fn(|_| 5.0 * dice.normal())).collect();
-    let mut scene = Scene::over(level_of(SIZE, [0.0, 0.0], [13, 13], |m, n| words[m * 13 + n]));
+    let mut scene = ComparedScene::over(level_of(SIZE, [0.0, 0.0], [13, 13], |m, n| words[m * 13 + n]));
     scene.sweeps = 5;
     scene.range = RangeProgramme { law: RangeLaw::ConstantRate, start: 3.0, end: 1051.0 };
     scene

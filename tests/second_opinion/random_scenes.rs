@@ -3,13 +3,13 @@
 use std::ops::Range;
 
 use hardware_model::{LatePolicy, LoadDelay};
-use lunoid_tests::{Dice, Lockstep, Scene, random};
+use lunoid_tests::{ComparedScene, Dice, Lockstep, random};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use scenario::Scalar;
 use sweep_program::{Colour, PreloadRegister};
 
 /// Checks the scene of every seed in lockstep; the message of a failure names the seed to run alone.
-fn each_seed(seeds: Range<u64>, change: impl Fn(u64, &mut Scene) + Sync) {
+fn each_seed(seeds: Range<u64>, change: impl Fn(u64, &mut ComparedScene) + Sync) {
     let difference = |seed: u64| {
         let mut scene = random::scene(seed);
         change(seed, &mut scene);

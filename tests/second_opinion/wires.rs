@@ -3,12 +3,12 @@
 use control_plane::MachineStage;
 use hardware_model::WireParts;
 use lockstep::{Engines, Report};
-use lunoid_tests::{Dice, Scene, random};
+use lunoid_tests::{ComparedScene, Dice, random};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use scenario::Scalar;
 
 /// The scene with amplifiers as they fall: bands from a hundredth of the sample rate on, with and without a limit of slew.
-fn report(seed: u64, scene: &Scene) -> Report {
+fn report(seed: u64, scene: &ComparedScene) -> Report {
     let mut dice = Dice::new(seed ^ 0x7769_7265);
     let stage = scene.stage();
     let mut settings = stage.settings.clone();
@@ -23,7 +23,7 @@ fn report(seed: u64, scene: &Scene) -> Report {
     engines.compare(1, &scene.pose(), 0..scene.sweeps).expect("a pose that can be drawn")
 }
 
-fn agree(seeds: std::ops::Range<u64>, make: impl Fn(u64) -> Scene + Sync) -> Report {
+fn agree(seeds: std::ops::Range<u64>, make: impl Fn(u64) -> ComparedScene + Sync) -> Report {
     let reports: Vec<_> = seeds.into_par_iter().map(|seed| (seed, report(seed, &make(seed)))).collect();
     let mut sum = Report::default();
     let mut differences = Vec::new();
@@ -43,7 +43,7 @@ fn amplifiers_agree_over_open_ground() {
     {
         assert!(found.signals[signal].samples > 10_000, "{signal}: {:?}", found.signals[signal]);
     }
-    agree(8080..8120, |seed| Scene { scalar: Scalar::F32, ..random::scene(seed) });
+    agree(8080..8120, |seed| ComparedScene { scalar: Scalar::F32, ..random::scene(seed) });
 }
 
 #[test]

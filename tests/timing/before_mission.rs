@@ -4,7 +4,7 @@ use control_plane::{ControlPlane, MachineStage};
 use data_bank::DataBank;
 use dpu::HOME_SETS;
 use hardware_model::{Channels, Cpu, CrossingServer, DataBanks, Drum, DrumQueue, IoProcessor, Loader};
-use lunoid_tests::Scene;
+use lunoid_tests::ComparedScene;
 use quantities::radians;
 use scenario::{Pose, Yoke};
 use timing::{Task, TimingRecord};
@@ -14,7 +14,7 @@ use crate::rig::{SIZE, flat, frame, loader, on_course, pose};
 const SWEEPS: u32 = 21;
 const MASTER: u64 = 1_000_000;
 
-fn scene() -> Scene {
+fn scene() -> ComparedScene {
     let mut scene = flat(SIZE);
     (scene.sweeps, scene.master_hz) = (SWEEPS, MASTER);
     scene

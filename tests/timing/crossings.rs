@@ -6,7 +6,7 @@ use control_plane::ControlPlane;
 use dpu::CrossingService;
 use hardware_model::CrossingServer;
 use landscape::Level;
-use lunoid_tests::{Dice, Scene};
+use lunoid_tests::{ComparedScene, Dice};
 use quantities::radians;
 use sweep_generator::{RangeTable, TimedFolds, set_up};
 use sweep_program::{
@@ -17,7 +17,7 @@ use timing::{Deadline, FrameTiming};
 use crate::rig::{RANGE, SIZE, flat, frame, loader, pose, thrown};
 
 /// One sweep straight ahead, of folds alone.
-fn one_sweep(size: f64) -> Scene {
+fn one_sweep(size: f64) -> ComparedScene {
     let mut scene = flat(size);
     scene.sweeps = 1;
     scene
@@ -82,7 +82,7 @@ fn four_sets_are_asked_for_at_a_crossing_and_half_of_them_are_used() {
             (4 * found.folds, 4 * found.folds, 0, 0)
         );
         // Whatever a fold uses, it overwrites as many: 50 % exactly, but for those that the sweep's end leaves over.
-        let transfers = found.deadlines[&Deadline::Transfer];
+        let transfers = found.deadlines[&Deadline::TRANSFER];
         assert_eq!((sets.wasted, transfers.missed), (transfers.count, 0));
         let left = sets.loaded - sets.wasted - transfers.count;
         assert!(left <= 8 * 9, "{left} sets of nine sweeps wait for a fold that does not come");

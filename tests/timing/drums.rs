@@ -3,7 +3,7 @@
 use control_plane::ControlPlane;
 use hardware_model::{Channels, DataBanks, Drum, DrumQueue};
 use landscape::Attitude;
-use lunoid_tests::Scene;
+use lunoid_tests::ComparedScene;
 use quantities::radians;
 use scenario::Pose;
 use sweep_program::{Event, NO_CORNER};
@@ -21,14 +21,14 @@ const ROTATION: u64 = 22_300;
 /// revolution away: the mean case, which the formula is for.
 const WORD: f64 = 22.1;
 
-fn scene() -> Scene {
+fn scene() -> ComparedScene {
     let mut scene = flat(SIZE);
     (scene.sweeps, scene.master_hz) = (25, MASTER);
     scene
 }
 
 /// A course that turns at `degrees` a second, 30 frames a second.
-fn course(scene: &Scene, degrees: f64) -> Vec<Pose> {
+fn course(scene: &ComparedScene, degrees: f64) -> Vec<Pose> {
     let heading = |frame: u64| radians(7.0 + degrees * frame as f64 / 30.0);
     let attitude = |frame| Attitude { roll: 0.0, pitch: 0.0, heading: heading(frame) };
     let pose =
@@ -61,7 +61,7 @@ fn utilisation(frames: &[FrameTiming]) -> f64 {
 /// Corners asked for and not there, a frame.
 fn missing(frames: &[FrameTiming]) -> f64 {
     let misses = frames.iter().flat_map(|frame| &frame.misses);
-    misses.filter(|missed| missed.deadline == Deadline::Corner).count() as f64 / frames.len() as f64
+    misses.filter(|missed| missed.deadline == Deadline::CORNER).count() as f64 / frames.len() as f64
 }
 
 /// `rate x (latency + record)` with single corners, first come first served.
@@ -117,9 +117,9 @@ fn every_corner_that_is_asked_for_is_a_deadline() {
     let (control, course) = turning(30.0);
     let pose = &course[80];
     let frame = frame(&control, 80, pose);
-    let slack = &frame.deadlines[&Deadline::Corner];
+    let slack = &frame.deadlines[&Deadline::CORNER];
     assert_eq!(slack.count, frame.sets.loaded + 12 * 25);
-    let misses: Vec<_> = frame.misses.iter().filter(|missed| missed.deadline == Deadline::Corner).collect();
+    let misses: Vec<_> = frame.misses.iter().filter(|missed| missed.deadline == Deadline::CORNER).collect();
     assert_eq!(slack.missed as usize, misses.len());
     let came = misses.iter().filter(|missed| missed.came.is_some()).count();
     assert!(came > 0 && came < misses.len(), "{came} of {}", misses.len());

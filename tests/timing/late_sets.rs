@@ -2,7 +2,7 @@
 
 use control_plane::ControlPlane;
 use hardware_model::CrossingServer;
-use lunoid_tests::{Dice, Scene};
+use lunoid_tests::{ComparedScene, Dice};
 use scenario::Pose;
 use timing::{Cause, FrameTiming};
 
@@ -14,7 +14,7 @@ const MASTER: f64 = 200e6;
 const TICKS: [u64; 3] = [20, 24, 6];
 const FRAMES: usize = 64;
 
-fn scene() -> Scene {
+fn scene() -> ComparedScene {
     let mut scene = flat(SIZE);
     scene.sweeps = 525;
     scene.master_hz = MASTER as u64;
@@ -23,7 +23,7 @@ fn scene() -> Scene {
 }
 
 /// `R v t_u |sin 2 theta| / d^2`, summed over the sweeps of a frame.
-fn expected(scene: &Scene, pose: &Pose) -> f64 {
+fn expected(scene: &ComparedScene, pose: &Pose) -> f64 {
     let clocks = scene.settings().timebase;
     let active = f64::from(clocks.active_samples) / clocks.sample_rate().hertz();
     let rate = RANGE / active;

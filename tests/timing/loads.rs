@@ -8,7 +8,7 @@ use control_plane::{ControlPlane, DigitalEvent, EventWord, MachineStage};
 use features::{Crater, Features, Shape};
 use generator::{PlaneKind, Planes};
 use hardware_model::{LatePolicy, ShadowParts};
-use lunoid_tests::{Dice, Scene, level_of, plane};
+use lunoid_tests::{ComparedScene, Dice, level_of, plane};
 use machine::Prepare;
 use rayon::ThreadPoolBuilder;
 use scenario::{ShadowFineness, TrackPatch};
@@ -22,8 +22,8 @@ const SWEEPS: u32 = 21;
 /// Words a second that leave some craters late, and some boundaries.
 const SLOW: f64 = 0.02e6;
 
-fn scene() -> Scene {
-    let mut scene = Scene::over(level_of(32.0, [0.0; 2], [17; 2], plane(32.0, 0.0, [0.0; 2])));
+fn scene() -> ComparedScene {
+    let mut scene = ComparedScene::over(level_of(32.0, [0.0; 2], [17; 2], plane(32.0, 0.0, [0.0; 2])));
     scene.sweeps = SWEEPS;
     // Low enough to see what is near.
     scene.eye[2] = 1.5;
@@ -38,7 +38,7 @@ fn words(stage: MachineStage, rate: Option<f64>, policy: LatePolicy) -> MachineS
 }
 
 /// Bowls ahead of the eye, anywhere in the field of view.
-fn craters(scene: &Scene) -> Vec<Crater> {
+fn craters(scene: &ComparedScene) -> Vec<Crater> {
     let (mut dice, [x, y, _]) = (Dice::new(11), scene.eye);
     let one = |_| {
         let (range, side, r1) = (dice.between(8.0, 110.0), dice.between(-0.4, 0.4), dice.between(0.5, 3.0));
@@ -47,14 +47,14 @@ fn craters(scene: &Scene) -> Vec<Crater> {
     (0..30).map(one).collect()
 }
 
-fn cratered(scene: &Scene) -> MachineStage {
+fn cratered(scene: &ComparedScene) -> MachineStage {
     let stage = scene.stage();
     let ground = (*stage.landscape).clone().with_features(Features::new(craters(scene)));
     MachineStage { landscape: Arc::new(ground), ..stage }
 }
 
 /// Dark bars across the view, the farther the narrower: outer sweeps meet the first alone.
-fn barred(scene: &Scene) -> MachineStage {
+fn barred(scene: &ComparedScene) -> MachineStage {
     let mut stage = scene.stage();
     let [x, y, _] = scene.eye;
     let bar = |k: u32| {
@@ -69,11 +69,11 @@ fn barred(scene: &Scene) -> MachineStage {
     stage
 }
 
-fn timed(stage: &MachineStage, scene: &Scene) -> FrameTiming {
+fn timed(stage: &MachineStage, scene: &ComparedScene) -> FrameTiming {
     ControlPlane::new(stage.clone()).frame(0, &scene.pose()).expect("a pose over flat ground")
 }
 
-fn picture(stage: &MachineStage, scene: &Scene) -> Vec<f32> {
+fn picture(stage: &MachineStage, scene: &ComparedScene) -> Vec<f32> {
     let session = stage.clone().prepare();
     let mut planes = Planes::new(SWEEPS as usize, scene.lines as usize, &[PlaneKind::Intensity]);
     session.frame(0, &scene.pose(), &mut planes, &mut Probe::off()).expect("a pose over flat ground");
@@ -91,7 +91,7 @@ fn misses(frame: &FrameTiming, deadline: Deadline) -> Vec<&Missed> {
 }
 
 /// Whatever differs from the picture of words in time stands in the record, sweep by sweep.
-fn expect_traced(stage: &MachineStage, scene: &Scene, deadline: Deadline) {
+fn expect_traced(stage: &MachineStage, scene: &ComparedScene, deadline: Deadline) {
     let in_time = picture(&words(stage.clone(), None, LatePolicy::StrobeThrough), scene);
     for policy in [LatePolicy::StrobeThrough, LatePolicy::Latched] {
         let stage = words(stage.clone(), Some(SLOW), policy);
@@ -109,13 +109,13 @@ fn expect_traced(stage: &MachineStage, scene: &Scene, deadline: Deadline) {
 #[test]
 fn columns_with_late_craters_are_those_of_the_record() {
     let scene = scene();
-    expect_traced(&cratered(&scene), &scene, Deadline::Feature);
+    expect_traced(&cratered(&scene), &scene, Deadline::FEATURE);
 }
 
 #[test]
 fn columns_with_late_boundaries_are_those_of_the_record() {
     let scene = scene();
-    expect_traced(&barred(&scene), &scene, Deadline::Segment);
+    expect_traced(&barred(&scene), &scene, Deadline::SEGMENT);
 }
 
 #[test]
@@ -127,7 +127,7 @@ fn a_late_crater_has_its_edge_its_part_and_its_cause() {
     let (all, [x, y, _]) = (craters(&scene), scene.eye);
     let settings = &stage.settings;
     let fan = Fan::covering(settings.laws.projection, 0.0, &settings.raster.field, SWEEPS).expect("level");
-    let found = misses(&frame, Deadline::Feature);
+    let found = misses(&frame, Deadline::FEATURE);
     for missed in &found {
         let crater = &all[missed.crater.expect("a crater") as usize];
         let [cos, sin] = fan.direction(missed.sweep, [1.0, 0.0]);
@@ -151,7 +151,7 @@ fn a_late_crater_has_its_edge_its_part_and_its_cause() {
     let loads = busy(&frame, "feature-generator.load") / 8000;
     let occupied = found.iter().filter(|missed| missed.cause == Cause::Occupied).count() as u64;
     assert_eq!(busy(&frame, "feature-generator.load") % 8000, 0);
-    assert!(loads > 10 && loads <= frame.deadlines[&Deadline::Feature].count - occupied, "{loads}");
+    assert!(loads > 10 && loads <= frame.deadlines[&Deadline::FEATURE].count - occupied, "{loads}");
 }
 
 #[test]
@@ -159,8 +159,8 @@ fn without_a_rate_nothing_is_timed() {
     let scene = scene();
     for stage in [cratered(&scene), barred(&scene)] {
         let frame = timed(&words(stage, None, LatePolicy::Latched), &scene);
-        assert!(!frame.deadlines.contains_key(&Deadline::Feature) && frame.misses.is_empty());
-        assert!(!frame.deadlines.contains_key(&Deadline::Segment));
+        assert!(!frame.deadlines.contains_key(&Deadline::FEATURE) && frame.misses.is_empty());
+        assert!(!frame.deadlines.contains_key(&Deadline::SEGMENT));
         assert!(frame.units.iter().all(|unit| !unit.unit.ends_with(".load")), "{:?}", frame.units);
     }
 }
@@ -172,7 +172,7 @@ fn boundaries_without_a_line_generator_are_in_the_record() {
     let mut stage = words(barred(&scene), None, LatePolicy::Latched);
     stage.settings.shadow_controller = ShadowParts::Digital { line_generators: Some(2) };
     let frame = timed(&stage, &scene);
-    let found = misses(&frame, Deadline::Segment);
+    let found = misses(&frame, Deadline::SEGMENT);
     assert!(found.iter().all(|missed| missed.cause == Cause::Occupied && missed.range_m.is_some()));
     assert!(found.len() >= SWEEPS as usize, "{}", found.len());
 }
@@ -202,7 +202,7 @@ const SEGMENT: [EventWord; 3] = [EventWord::SegmentLoad, EventWord::SegmentLate,
 /// The list of events has as many loads as the record, and each miss of the record at its tick.
 fn expect_listed(
     stage: &MachineStage,
-    scene: &Scene,
+    scene: &ComparedScene,
     deadline: Deadline,
     [load, late, dropped]: [EventWord; 3],
 ) {
@@ -244,11 +244,11 @@ fn expect_listed(
 #[test]
 fn craters_are_listed_as_the_record_has_them() {
     let scene = scene();
-    expect_listed(&cratered(&scene), &scene, Deadline::Feature, CRATER);
+    expect_listed(&cratered(&scene), &scene, Deadline::FEATURE, CRATER);
 }
 
 #[test]
 fn boundaries_are_listed_as_the_record_has_them() {
     let scene = scene();
-    expect_listed(&barred(&scene), &scene, Deadline::Segment, SEGMENT);
+    expect_listed(&barred(&scene), &scene, Deadline::SEGMENT, SEGMENT);
 }

@@ -2,8 +2,8 @@
 
 use control_plane::{ControlPlane, MachineStage};
 use dpu::{CpuLoad, CrossingTime, cpu_frame};
-use hardware_model::{Cpu, CrossingServer, Ground, HardwareModel, ModelSource};
-use lunoid_tests::{Dice, Scene};
+use hardware_model::{Cpu, CrossingServer, GroundScale, HardwareModel, ModelSource};
+use lunoid_tests::{ComparedScene, Dice};
 use timing::{Deadline, FrameTiming};
 
 use crate::rig::{SIZE, busy, flat, frame, loader, pose};
@@ -11,7 +11,7 @@ use crate::rig::{SIZE, busy, flat, frame, loader, pose};
 const SWEEPS: u32 = 21;
 
 fn timed(cpu: Cpu, server: CrossingServer) -> FrameTiming {
-    let mut scene: Scene = flat(SIZE);
+    let mut scene: ComparedScene = flat(SIZE);
     scene.sweeps = SWEEPS;
     scene.loader = loader(server, 9, [1, 2, 1]);
     let mut stage: MachineStage = scene.stage();
@@ -31,7 +31,7 @@ fn its_tasks_add_up() {
     assert_eq!(busy(&both, "cpu"), busy(&set_ups, "cpu") + busy(&tables, "cpu"));
     // Tables fill what set-ups leave, so the frame's slack is what is left of all but the first set-up, which was made
     // before the frame began.
-    let slack = both.deadlines[&Deadline::FrameTasks].least.unwrap();
+    let slack = both.deadlines[&Deadline::FRAME_TASKS].least.unwrap();
     assert!(slack > 0 && slack as u64 <= both.ticks - frame_tables, "{slack}");
 }
 
@@ -72,7 +72,7 @@ fn words_through_its_memory_steal_its_cycles() {
     let stolen = busy(&through, "cpu") - busy(&own_memory, "cpu");
     assert_eq!(stolen, busy(&through, "cpu.words"));
     // What is stolen is missing for what waits for the processor.
-    let least = |frame: &FrameTiming| frame.deadlines[&Deadline::SweepSetUp].least.unwrap();
+    let least = |frame: &FrameTiming| frame.deadlines[&Deadline::SWEEP_SET_UP].least.unwrap();
     assert!(least(&through) < least(&own_memory));
 }
 
@@ -110,7 +110,7 @@ fn a_crossing_by_interrupt_takes_25_to_35_microseconds() {
         .map(|(key, value)| (key.to_owned(), value.to_owned()));
     let nominal = ModelSource::BuiltIn("pra-nominal".into());
     let model = HardwareModel::load(&nominal, &[], &set).unwrap_or_else(|list| panic!("{list}")).model;
-    let budget = model.budget(Ground { region_size: 500.0, range: 5000.0 });
+    let budget = model.budget(GroundScale { region_size: 500.0, range: 5000.0 });
     let words = budget.cpu.loads * budget.sweep.period / budget.crossings.mean;
     assert!((words - 36.0 * 0.85e-6).abs() < 1e-9, "{words}");
 }
@@ -128,11 +128,11 @@ fn with_several_levels_crossings_interrupt_set_ups() {
     let least = |frame: &FrameTiming, deadline| frame.deadlines[&deadline].least.unwrap();
     let period = (one.ticks / u64::from(SWEEPS)) as i64;
     // Nothing is before a set-up with one level, but for the rounding of a period.
-    assert!((least(&one, Deadline::SweepSetUp) - (period - 20_000)).abs() <= 1);
-    assert!(least(&many, Deadline::SweepSetUp) < least(&one, Deadline::SweepSetUp) - 1000);
+    assert!((least(&one, Deadline::SWEEP_SET_UP) - (period - 20_000)).abs() <= 1);
+    assert!(least(&many, Deadline::SWEEP_SET_UP) < least(&one, Deadline::SWEEP_SET_UP) - 1000);
     assert!(one.sets.late > 2 * many.sets.late, "{} with one, {} with two", one.sets.late, many.sets.late);
     // Nothing comes before the set-up is done.
-    let samples = one.misses.iter().filter(|missed| missed.deadline == Deadline::Transfer);
+    let samples = one.misses.iter().filter(|missed| missed.deadline == Deadline::TRANSFER);
     let per_sample = period as f64 / 1000.0;
     let came = samples.filter_map(|missed| missed.came).fold(f64::INFINITY, f64::min);
     assert!(came * per_sample > 20_000.0, "{came}");
@@ -141,13 +141,13 @@ fn with_several_levels_crossings_interrupt_set_ups() {
 #[test]
 fn set_ups_that_take_longer_than_a_sweep_repeat_sweeps() {
     let quick = timed(Cpu { sweep_setup: 300, ..Cpu::default() }, CrossingServer::WiredPointers);
-    assert_eq!(quick.deadlines[&Deadline::SweepSetUp].missed, 0);
+    assert_eq!(quick.deadlines[&Deadline::SWEEP_SET_UP].missed, 0);
     let period = quick.ticks / u64::from(SWEEPS);
     let slow = timed(Cpu { sweep_setup: 2 * period, ..Cpu::default() }, CrossingServer::WiredPointers);
-    let late = slow.misses.iter().filter(|missed| missed.deadline == Deadline::SweepSetUp).count();
+    let late = slow.misses.iter().filter(|missed| missed.deadline == Deadline::SWEEP_SET_UP).count();
     // Every other set-up is made, and all of them late; the others are not made at all.
-    assert_eq!(late, SWEEPS as usize, "{:?}", slow.deadlines[&Deadline::SweepSetUp]);
-    assert_eq!(slow.deadlines[&Deadline::SweepSetUp].missed, u64::from(SWEEPS));
+    assert_eq!(late, SWEEPS as usize, "{:?}", slow.deadlines[&Deadline::SWEEP_SET_UP]);
+    assert_eq!(slow.deadlines[&Deadline::SWEEP_SET_UP].missed, u64::from(SWEEPS));
     // It is at work all the time, and no longer.
     assert_eq!(busy(&slow, "cpu"), slow.ticks);
 }

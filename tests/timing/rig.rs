@@ -5,7 +5,7 @@ use std::sync::Arc;
 use control_plane::{ControlPlane, MachineStage};
 use hardware_model::{CrossingServer, HardwareModel, Loader};
 use landscape::Attitude;
-use lunoid_tests::{Dice, Scene, level_of, plane};
+use lunoid_tests::{ComparedScene, Dice, level_of, plane};
 use scenario::{Pose, RangeLaw, RangeProgramme, Scenery};
 use timing::FrameTiming;
 
@@ -14,9 +14,10 @@ pub const RANGE: f64 = 5000.0;
 pub const SIZE: f64 = 300.0;
 
 /// A flat scene, seen from above its middle at constant rate, out to [`RANGE`].
-pub fn flat(size: f64) -> Scene {
+pub fn flat(size: f64) -> ComparedScene {
     let corners = 2 * (RANGE / size).ceil() as usize + 6;
-    let mut scene = Scene::over(level_of(size, [0.0, 0.0], [corners; 2], plane(size, 0.0, [0.0, 0.0])));
+    let mut scene =
+        ComparedScene::over(level_of(size, [0.0, 0.0], [corners; 2], plane(size, 0.0, [0.0, 0.0])));
     scene.samples = 1000;
     scene.range = RangeProgramme { law: RangeLaw::ConstantRate, start: RANGE / 1000.0, end: RANGE };
     scene
@@ -32,7 +33,7 @@ pub fn loader(
 }
 
 /// The pose of `scene` with its heading (rad), `moved` regions to the north and east.
-pub fn pose(scene: &Scene, heading: f64, [north, east]: [f64; 2]) -> Pose {
+pub fn pose(scene: &ComparedScene, heading: f64, [north, east]: [f64; 2]) -> Pose {
     let size = scene.level.region_size();
     let [x, y, h] = scene.eye;
     let attitude = Attitude { roll: 0.0, pitch: 0.0, heading };
@@ -40,14 +41,14 @@ pub fn pose(scene: &Scene, heading: f64, [north, east]: [f64; 2]) -> Pose {
 }
 
 /// A pose anywhere in a region, the heading in sector `index` of `sectors` of the circle.
-pub fn thrown(scene: &Scene, dice: &mut Dice, [index, sectors]: [usize; 2]) -> Pose {
+pub fn thrown(scene: &ComparedScene, dice: &mut Dice, [index, sectors]: [usize; 2]) -> Pose {
     let heading = (index as f64 + dice.between(0.0, 1.0)) / sectors as f64 * 2.0 * std::f64::consts::PI;
     let moved = [dice.between(-0.5, 0.5), dice.between(-0.5, 0.5)];
     pose(scene, heading, moved)
 }
 
 /// The stage of `scene` with a course, which data banks follow.
-pub fn on_course(scene: &Scene, course: Vec<Pose>) -> MachineStage {
+pub fn on_course(scene: &ComparedScene, course: Vec<Pose>) -> MachineStage {
     let stage = scene.stage();
     MachineStage { scenery: Arc::new(Scenery::still(scene.sun).with_course(course)), ..stage }
 }

@@ -119,7 +119,7 @@ pub fn mirror_ghost(look: &Look<'_>) -> f64 {
 pub fn drum_starvation(look: &Look<'_>) -> f64 {
     let missing = look.run.frames.iter().map(|frame| {
         let misses = frame.timing.iter().flat_map(|timing| &timing.misses);
-        let corners = misses.filter(|missed| missed.deadline == Deadline::Corner);
+        let corners = misses.filter(|missed| missed.deadline == Deadline::CORNER);
         corners.filter_map(|missed| missed.region).collect::<BTreeSet<_>>().len() as f64
     });
     mean(&missing.collect::<Vec<_>>())

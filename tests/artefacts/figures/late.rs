@@ -12,7 +12,7 @@ use crate::scenes::{Place, TURN};
 /// Sets of a sweep that came too late, by the timing record.
 fn late_sets<'a>(look: &'a Look<'_>, sweep: u32) -> impl Iterator<Item = &'a Missed> {
     let timing = look.run.frames[0].timing.as_ref().expect("a timed scene");
-    let transfers = timing.misses.iter().filter(|missed| missed.deadline == Deadline::Transfer);
+    let transfers = timing.misses.iter().filter(|missed| missed.deadline == Deadline::TRANSFER);
     transfers.filter(move |missed| missed.sweep == sweep)
 }
 

@@ -4,7 +4,7 @@ use fearless_simd::{Level, Simd, dispatch};
 use features::Features;
 use signal::{Lanes, Real};
 
-use crate::side_by_side::{Ground, Lie};
+use crate::side_by_side::{Lie, TerrainBelow};
 use crate::{FeatureGenerator, FeatureProfile, Passings, Surface};
 
 impl FeatureGenerator<'_> {
@@ -49,7 +49,7 @@ impl FeatureGenerator<'_> {
         present: Option<&'s mut [Lanes<S>]>,
     ) {
         let samples = passings.ends.map(|end| self.ranges.partition_point(|&range| range <= end));
-        let mut ground = Ground { ranges: self.ranges, place, samples, surface, present };
+        let mut ground = TerrainBelow { ranges: self.ranges, place, samples, surface, present };
         dispatch!(vectors, simd => lay_passings(simd, features, passings, &mut ground));
     }
 }
@@ -59,7 +59,7 @@ fn lay_passings<L: Simd, S: Real>(
     simd: L,
     features: &Features,
     passings: &Passings,
-    ground: &mut Ground<'_, '_, S, impl Fn(f64) -> f64>,
+    ground: &mut TerrainBelow<'_, '_, S, impl Fn(f64) -> f64>,
 ) {
     let mut lies = [Lie::default(); FOUND];
     for some in passings.craters.chunks(FOUND) {

@@ -10,7 +10,7 @@ use crate::passing::Passing;
 use crate::sub_generator::{Parabola, hollow, ring};
 
 /// What craters are laid on.
-pub(crate) struct Ground<'a, 's, S, P> {
+pub(crate) struct TerrainBelow<'a, 's, S, P> {
     /// Ground range of each sample, ascending (m).
     pub ranges: &'a [f64],
     /// Where a range (m) is on the sweep clock, sample k at k.
@@ -52,7 +52,7 @@ pub(crate) struct Lie {
     samples: [[usize; 2]; 3],
 }
 
-impl<S: Real, P: Fn(f64) -> f64> Ground<'_, '_, S, P> {
+impl<S: Real, P: Fn(f64) -> f64> TerrainBelow<'_, '_, S, P> {
     /// Finds where a crater lies.
     #[inline(always)]
     pub fn find<L: Simd>(&self, simd: L, crater: &Crater, passing: &Passing) -> Lie {

@@ -23,7 +23,7 @@ const SETS_LOADED: f64 = 4.0;
 
 /// The ground that a model is held against; a scenario has the last word on both.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Ground {
+pub struct GroundScale {
     /// Side of a region (m).
     pub region_size: f64,
     /// Ground range of a sweep (m).
@@ -34,7 +34,7 @@ pub struct Ground {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Budget {
     /// The ground.
-    pub ground: Ground,
+    pub ground: GroundScale,
     /// The sweep.
     pub sweep: SweepBudget,
     /// Crossings of region boundaries.
@@ -87,12 +87,12 @@ pub struct CrossingBudget {
 
 impl HardwareModel {
     /// Regions of 300 m ("a few hundred metres", section 3) out to the end of the model's own range.
-    pub fn usual_ground(&self) -> Ground {
-        Ground { region_size: 300.0, range: self.range.end }
+    pub fn usual_ground(&self) -> GroundScale {
+        GroundScale { region_size: 300.0, range: self.range.end }
     }
 
     /// The timing budget over `ground`.
-    pub fn budget(&self, ground: Ground) -> Budget {
+    pub fn budget(&self, ground: GroundScale) -> Budget {
         let sweep = SweepBudget::of(self);
         let crossings = CrossingBudget::of(self, &sweep, ground);
         let loader = LoaderBudget::of(self, ground, &sweep, &crossings);
@@ -119,8 +119,8 @@ impl SweepBudget {
 }
 
 impl CrossingBudget {
-    fn of(model: &HardwareModel, sweep: &SweepBudget, ground: Ground) -> Self {
-        let Ground { region_size, range } = ground;
+    fn of(model: &HardwareModel, sweep: &SweepBudget, ground: GroundScale) -> Self {
+        let GroundScale { region_size, range } = ground;
         let rate = range / sweep.active;
         let mean = 4.0 * range / (PI * region_size);
         let interval = sweep.active / mean;

@@ -5,7 +5,7 @@ mod digital;
 mod refusals;
 
 use crate::budget::four_digits;
-use crate::{Budget, Ground, HardwareModel};
+use crate::{Budget, GroundScale, HardwareModel};
 
 /// What is wrong with a model, or will be seen.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,7 +35,7 @@ impl HardwareModel {
 
     /// Findings over `ground`, those that refuse the model first. Thresholds are those of hardware section 4, and at a
     /// constant rate of ground range; where there is none there, the worst figure that section 3 has.
-    pub fn check_over(&self, ground: Ground) -> Vec<Finding> {
+    pub fn check_over(&self, ground: GroundScale) -> Vec<Finding> {
         let mut check = Check { model: self, budget: self.budget(ground), found: Vec::new() };
         refusals::check(&mut check);
         digital::check(&mut check);

@@ -6,7 +6,7 @@
 //! - [`ModelSource::find`]: from a name or a path to the model meant.
 //! - [`HardwareModel::read`]: a model over its bases, under overlays and single settings, as a [`LoadedModel`]
 //!   that knows where each value came from. The format is described in `docs/hardware-model-format.md`.
-//! - [`HardwareModel::budget`]: what the clocks allow over a [`Ground`]; [`HardwareModel::check`]: what cannot hold
+//! - [`HardwareModel::budget`]: what the clocks allow over a [`GroundScale`]; [`HardwareModel::check`]: what cannot hold
 //!   together, and what will show; [`PartCounts`]: the block diagram.
 
 mod analog;
@@ -32,7 +32,7 @@ pub use analog::{
     ShadowLineParts, SweepParts, TextureParts, VideoSwitchParts, WireParts, WriteCompensation,
 };
 pub use budget::{
-    Budget, BudgetLine, CpuBudget, CrossingBudget, DrumBudget, Ground, LoaderBudget, SweepBudget,
+    Budget, BudgetLine, CpuBudget, CrossingBudget, DrumBudget, GroundScale, LoaderBudget, SweepBudget,
 };
 pub use check::{Finding, Grade};
 pub use diagram::PartCounts;

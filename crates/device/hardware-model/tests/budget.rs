@@ -1,6 +1,6 @@
 //! The timing budget gives the numbers of the reference (hardware section 4).
 
-use hardware_model::{Budget, Ground, HardwareModel, ModelSource};
+use hardware_model::{Budget, GroundScale, HardwareModel, ModelSource};
 
 /// Blanking of a television raster of so many lines (hardware 4.1).
 fn blanking(sweeps: u32) -> f64 {
@@ -28,7 +28,7 @@ fn raster(sweeps: u32, update: u32, more: &[(&str, &str)]) -> HardwareModel {
 }
 
 fn budget(sweeps: u32, update: u32, range: f64, region_size: f64) -> Budget {
-    raster(sweeps, update, &[]).budget(Ground { region_size, range })
+    raster(sweeps, update, &[]).budget(GroundScale { region_size, range })
 }
 
 /// Whether a value is the printed one. The tables are made from the drawn time of a sweep to three digits, 0.4 % at
@@ -117,15 +117,15 @@ fn table_4_5_tears() {
     for (sweeps, range, region_size, printed) in rows {
         for (urgent, printed) in ["100", "250", "1000"].iter().zip(printed) {
             let model = raster(sweeps, 30, &[("loader.access_ns", urgent)]);
-            assert_printed(model.budget(Ground { region_size, range }).loader.late, printed);
+            assert_printed(model.budget(GroundScale { region_size, range }).loader.late, printed);
         }
     }
     let far = raster(1000, 30, &[("loader.access_ns", "100")]);
-    let far = far.budget(Ground { region_size: 500.0, range: 5e4 });
+    let far = far.budget(GroundScale { region_size: 500.0, range: 5e4 });
     assert_printed(far.loader.late, "24");
     // Beyond it every crossing is late.
     let slow = raster(1000, 30, &[("loader.access_ns", "1000")]);
-    let slow = slow.budget(Ground { region_size: 500.0, range: 5e4 });
+    let slow = slow.budget(GroundScale { region_size: 500.0, range: 5e4 });
     assert_eq!(slow.loader.late, slow.crossings.mean);
 }
 
@@ -135,7 +135,7 @@ fn table_4_5_steps() {
     for (share, step) in [(0.1, 8.6e-3), (0.2, 0.058), (0.5, 0.5)] {
         let axis = budget(1000, 30, 5000.0, 200.0).crossings.axis;
         let model = raster(1000, 30, &[("loader.access_ns", &(1e9 * share * axis).to_string())]);
-        let found = model.budget(Ground { region_size: 200.0, range: 5000.0 }).loader.step;
+        let found = model.budget(GroundScale { region_size: 200.0, range: 5000.0 }).loader.step;
         assert!((found - step).abs() < 0.02 * step, "{found} for {step}");
     }
 }
@@ -146,7 +146,7 @@ fn table_4_6_processor() {
     let near = |share: f64, printed: f64, unit: f64| {
         assert!((share / unit - printed).abs() <= 0.51 + 0.02 * printed, "{} for {printed}", share / unit);
     };
-    let usual = Ground { region_size: 200.0, range: 5000.0 };
+    let usual = GroundScale { region_size: 200.0, range: 5000.0 };
     for (setup, shares) in
         [("50", [79.0, 150.0]), ("65", [102.0, 195.0]), ("14", [22.0, 42.0]), ("18", [28.0, 54.0])]
     {
@@ -170,7 +170,7 @@ fn table_4_6_processor() {
         for (index, sweeps) in [525, 1000].into_iter().enumerate() {
             let one_by_one = ("loader.words_per_access", "1");
             let sets = [literal, one_by_one, ("cpu.interrupt_us", cost), ("loader.access_ns", words)];
-            let cpu = raster(sweeps, 30, &sets).budget(Ground { region_size, range: 5000.0 }).cpu;
+            let cpu = raster(sweeps, 30, &sets).budget(GroundScale { region_size, range: 5000.0 }).cpu;
             near(cpu.interrupts, interrupts[index], 1.0);
             near(cpu.loads, loads[index], 1.0);
         }
@@ -189,17 +189,18 @@ fn table_4_7_drums() {
         (5e4, 2000.0, 363.0, 5.4, 55.0),
         (5e4, 500.0, 4721.0, 71.0, 873.0),
     ] {
-        let found = raster(525, 30, &drum).budget(Ground { region_size, range }).drum.unwrap();
+        let found = raster(525, 30, &drum).budget(GroundScale { region_size, range }).drum.unwrap();
         // The table counted one place and heading.
         assert!((found.corners - corners).abs() < 0.03 * corners, "{} for {corners}", found.corners);
         assert!((1e3 * found.fill - fill).abs() < 0.03 * fill + 0.05, "{} for {fill}", found.fill);
         assert!((found.turning - turning).abs() < 0.04 * turning, "{} for {turning}", found.turning);
     }
     // Rate times latency: 55 a second, 8.75 ms and the record.
-    let load = raster(525, 30, &drum).budget(Ground { region_size: 200.0, range: 5e3 }).drum.unwrap().load;
+    let load =
+        raster(525, 30, &drum).budget(GroundScale { region_size: 200.0, range: 5e3 }).drum.unwrap().load;
     assert!((load - 0.48).abs() < 0.01, "{load}");
     let blocks = raster(525, 30, &[drum[0], drum[1], ("drum.record_words", "576")]);
-    assert!(blocks.budget(Ground { region_size: 200.0, range: 5e3 }).drum.unwrap().load < load / 40.0);
+    assert!(blocks.budget(GroundScale { region_size: 200.0, range: 5e3 }).drum.unwrap().load < load / 40.0);
 }
 
 /// What hardware 7 expects of the shipped machines over the ground they are meant for.
@@ -207,7 +208,7 @@ fn table_4_7_drums() {
 fn expectations_of_section_7() {
     let of = |name: &str, region_size: f64| {
         let model = HardwareModel::load(&ModelSource::BuiltIn(name.into()), &[], &[]).unwrap().model;
-        let ground = Ground { region_size, ..model.usual_ground() };
+        let ground = GroundScale { region_size, ..model.usual_ground() };
         model.budget(ground)
     };
     let nominal = of("pra-nominal", 300.0);
@@ -256,7 +257,7 @@ fn channels_share_out_what_drums_bring() {
 fn programmes_end_at_their_own_rates() {
     for (programme, step) in [("constant-rate", 5.0), ("geometric", 40.44), ("constant-elevation", 3846.8)] {
         let model = raster(1000, 30, &[("range.programme", programme)]);
-        let budget = model.budget(Ground { region_size: 300.0, range: 100.0 });
+        let budget = model.budget(GroundScale { region_size: 300.0, range: 100.0 });
         let found = budget.crossings.end_rate * budget.sweep.sample;
         assert!((found - step).abs() < 0.01 * step, "{programme}: {found} for {step}");
     }

@@ -1,6 +1,6 @@
 //! Models that cannot be are refused, with the reason; models at odds with their timing are warned.
 
-use hardware_model::{Finding, Grade, Ground, HardwareModel, ModelSource};
+use hardware_model::{Finding, Grade, GroundScale, HardwareModel, ModelSource};
 use proptest::prelude::*;
 
 fn with(sets: &[(&str, &str)]) -> HardwareModel {
@@ -103,7 +103,7 @@ fn a_register_beyond_both_stops_leaves_nothing_late() {
 #[test]
 fn smaller_regions_ask_for_more() {
     let model = HardwareModel::load(&ModelSource::BuiltIn("pra-nominal".into()), &[], &[]).unwrap().model;
-    let small = Ground { region_size: 20.0, ..model.usual_ground() };
+    let small = GroundScale { region_size: 20.0, ..model.usual_ground() };
     assert_eq!(model.check_over(model.usual_ground()), model.check());
     let found = model.check_over(small);
     for artefact in ["A1", "A5", "A6", "A8"] {
@@ -128,7 +128,7 @@ proptest! {
             ("drum.rotation_ms", &rotation.to_string()),
             ("drum.rate_mb_s", &rate.to_string()),
         ]);
-        let ground = Ground { region_size, range };
+        let ground = GroundScale { region_size, range };
         model.check_over(ground);
         prop_assert!(model.budget(ground).lines().iter().all(|line| line.value.is_finite()));
     }

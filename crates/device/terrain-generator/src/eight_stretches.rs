@@ -36,7 +36,7 @@ struct Expanded<D> {
 }
 
 /// Height and slopes along and across at two samples.
-struct Ground<D>([D; 3]);
+struct HeightAndSlopes<D>([D; 3]);
 
 impl Default for EightStretches {
     fn default() -> Self {
@@ -183,7 +183,7 @@ impl EightStretches {
 impl<D: Copy> Expanded<D> {
     /// Ground of all sweeps at sample `first` and the next.
     #[inline(always)]
-    fn at<L: Simd, S: Real<Double<L> = D>>(&self, simd: L, first: usize, ranges: &[S]) -> Ground<D>
+    fn at<L: Simd, S: Real<Double<L> = D>>(&self, simd: L, first: usize, ranges: &[S]) -> HeightAndSlopes<D>
     where
         D: Double<L, S>,
     {
@@ -197,11 +197,11 @@ impl<D: Copy> Expanded<D> {
             along = along * s + self.along[k];
             across = across * s + self.across[k];
         }
-        Ground([height, along, across])
+        HeightAndSlopes([height, along, across])
     }
 }
 
-impl<D: Copy> Ground<D> {
+impl<D: Copy> HeightAndSlopes<D> {
     /// Puts both samples.
     #[inline(always)]
     fn put<L: Simd, S: Real<Double<L> = D>>(

@@ -38,7 +38,7 @@ struct Waiting<const N: usize> {
 }
 
 /// Height, slopes along and across (m, m/m) of eight samples.
-type Ground<T> = [T; 3];
+type HeightAndSlopes<T> = [T; 3];
 
 impl<const N: usize> Default for Waiting<N> {
     fn default() -> Self {
@@ -187,7 +187,11 @@ impl<const N: usize> Waiting<N> {
 
     /// Height and slopes of all eight, sample by sample.
     #[inline(always)]
-    fn through_the_array<L: Simd>(&self, simd: L, generator: &TerrainGenerator<'_>) -> [Ground<f64x8<L>>; N] {
+    fn through_the_array<L: Simd>(
+        &self,
+        simd: L,
+        generator: &TerrainGenerator<'_>,
+    ) -> [HeightAndSlopes<f64x8<L>>; N] {
         let (size, zero) = (generator.region_size, f64x8::simd_from(simd, 0.0));
         let mut hold = [[zero; 9]; 4];
         for (colour, words) in hold.iter_mut().enumerate() {
@@ -214,7 +218,7 @@ impl<const N: usize> Waiting<N> {
     #[inline(always)]
     fn put<L: Simd, S: Real>(
         &mut self,
-        ground: [Ground<S::Vector<L>>; N],
+        ground: [HeightAndSlopes<S::Vector<L>>; N],
         end: usize,
         profile: &mut Profile<S>,
     ) {

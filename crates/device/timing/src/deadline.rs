@@ -1,48 +1,122 @@
-//! Deadlines of the digital side, and how much time was left to them.
+//! Deadlines of a generator, and how much time was left to them.
 
+use std::borrow::Cow;
+use std::cmp::Ordering;
 use std::fmt;
 
-use serde::{Deserialize, Serialize};
+use serde::de::{Error, Unexpected};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-/// What has to be ready when (hardware report, sections 4.4, 4.6 and 4.7).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Deadline {
+/// Longest name of a deadline (bytes).
+const LONGEST: usize = 24;
+
+/// What has to be ready when: a name of the generator's own, of small letters, digits and hyphens, such as `transfer`.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub struct Deadline {
+    /// The name, and zeros behind it.
+    name: [u8; LONGEST],
+}
+
+/// Those of the hybrid machine (hardware report, sections 4.4, 4.6 and 4.7).
+impl Deadline {
     /// A register set is in its preload register before the stop that transfers it.
-    Transfer,
+    pub const TRANSFER: Self = Self::new("transfer");
     /// The program of a sweep is complete before the sweep starts.
-    SweepSetUp,
+    pub const SWEEP_SET_UP: Self = Self::new("sweep-set-up");
     /// Tables and polyhedra of the next frame are ready before the frame ends.
-    FrameTasks,
+    pub const FRAME_TASKS: Self = Self::new("frame-tasks");
     /// The record of a corner is in the storage buffer before a register asks for it.
-    Corner,
+    pub const CORNER: Self = Self::new("corner");
     /// The words of a crater are in its sub-generator before the sweep meets its edge.
-    Feature,
+    pub const FEATURE: Self = Self::new("feature");
     /// The words of a shadow boundary are in its line generator before the sweep crosses it.
-    Segment,
+    pub const SEGMENT: Self = Self::new("segment");
+
+    /// All of them, in the order of records and tables.
+    pub const HYBRID: [Self; 6] =
+        [Self::TRANSFER, Self::SWEEP_SET_UP, Self::FRAME_TASKS, Self::CORNER, Self::FEATURE, Self::SEGMENT];
 }
 
 impl Deadline {
-    /// All kinds, in the order of records and tables.
-    pub const ALL: [Self; 6] =
-        [Self::Transfer, Self::SweepSetUp, Self::FrameTasks, Self::Corner, Self::Feature, Self::Segment];
+    /// The deadline of this name.
+    ///
+    /// # Panics
+    /// If that is no name: a constant does not compile then.
+    pub const fn new(name: &str) -> Self {
+        match Self::named(name) {
+            Some(deadline) => deadline,
+            None => panic!("a name has 1 to 24 small letters, digits and hyphens"),
+        }
+    }
+
+    /// The deadline of this name; nothing if it has not 1 to 24 small letters, digits and hyphens.
+    pub const fn named(name: &str) -> Option<Self> {
+        let (written, mut kept, mut index) = (name.as_bytes(), [0; LONGEST], 0);
+        if written.is_empty() || written.len() > LONGEST {
+            return None;
+        }
+        while index < written.len() {
+            if !matches!(written[index], b'a'..=b'z' | b'0'..=b'9' | b'-') {
+                return None;
+            }
+            kept[index] = written[index];
+            index += 1;
+        }
+        Some(Self { name: kept })
+    }
 
     /// Its word in files and tables.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Transfer => "transfer",
-            Self::SweepSetUp => "sweep-set-up",
-            Self::FrameTasks => "frame-tasks",
-            Self::Corner => "corner",
-            Self::Feature => "feature",
-            Self::Segment => "segment",
-        }
+    pub fn word(&self) -> &str {
+        let end = self.name.iter().position(|byte| *byte == 0).unwrap_or(LONGEST);
+        str::from_utf8(&self.name[..end]).expect("letters, digits and hyphens")
+    }
+
+    /// Its place in records: those of the hybrid machine first, others behind them by name.
+    fn place(&self) -> usize {
+        Self::HYBRID.iter().position(|deadline| deadline == self).unwrap_or(Self::HYBRID.len())
+    }
+}
+
+impl Ord for Deadline {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.place().cmp(&other.place()).then_with(|| self.name.cmp(&other.name))
+    }
+}
+
+impl PartialOrd for Deadline {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl fmt::Debug for Deadline {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.word())
     }
 }
 
 impl fmt::Display for Deadline {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.word())
+    }
+}
+
+impl Serialize for Deadline {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.word())
+    }
+}
+
+impl<'de> Deserialize<'de> for Deadline {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let name = Cow::<str>::deserialize(deserializer)?;
+        let wrong = || {
+            Error::invalid_value(
+                Unexpected::Str(&name),
+                &"a deadline: 1 to 24 small letters, digits, hyphens",
+            )
+        };
+        Self::named(&name).ok_or_else(wrong)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Two timings of one frame, value by value. Every structure is taken apart by name: a value that joins a record later
 //! cannot be forgotten here.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::comparison::Tolerance;
 use crate::deadline::{Deadline, Slack};
@@ -67,7 +67,8 @@ impl Differences {
     }
 
     fn deadlines(&mut self, baseline: &Slacks, found: &Slacks) {
-        for deadline in Deadline::ALL {
+        let all: BTreeSet<Deadline> = baseline.keys().chain(found.keys()).copied().collect();
+        for deadline in all {
             let place = format!("deadlines.{deadline}");
             let described = |slack: &Slack| format!("{} deadlines, {} missed", slack.count, slack.missed);
             match (baseline.get(&deadline), found.get(&deadline)) {

@@ -106,7 +106,7 @@ impl SweepRecorder {
             let load = LateLoad { range, due, arrival, cause, words: CRATER_WORDS };
             self.misses.push(Missed {
                 crater: Some(miss.crater),
-                ..self.late_load(Deadline::Feature, part, load, table)
+                ..self.late_load(Deadline::FEATURE, part, load, table)
             });
         }
     }
@@ -123,7 +123,7 @@ impl SweepRecorder {
             let part = miss.line_generator.map(LoadedPart::LineGenerator);
             let &SegmentMiss { range, due, arrival, cause, .. } = miss;
             let load = LateLoad { range, due, arrival, cause, words: SEGMENT_WORDS };
-            let missed = self.late_load(Deadline::Segment, part, load, crossings.table);
+            let missed = self.late_load(Deadline::SEGMENT, part, load, crossings.table);
             self.misses.push(missed);
         }
     }
@@ -157,7 +157,7 @@ impl SweepRecorder {
             due: asked.at.0,
             came,
             words: WordMask::ALL.0,
-            ..Missed::of(Deadline::Corner, self.sweep, Cause::Drum)
+            ..Missed::of(Deadline::CORNER, self.sweep, Cause::Drum)
         }
     }
 
@@ -177,7 +177,7 @@ impl SweepRecorder {
             due: miss.time.0,
             came: miss.arrival.map(|arrival| arrival.0),
             words: miss.words.0,
-            ..Missed::of(Deadline::Transfer, self.sweep, cause_of(miss.cause))
+            ..Missed::of(Deadline::TRANSFER, self.sweep, cause_of(miss.cause))
         }
     }
 }

@@ -56,17 +56,17 @@ impl ControlPlane {
     fn summary(&self, frame: u64, digital: &DigitalFrame, sweeps: Vec<SweepRecorder>) -> FrameTiming {
         let [start, end] = frame_ticks(self.stage(), frame);
         let (events, events_blake3) = EventHash::join(sweeps.iter().map(|sweep| sweep.events.part()));
-        let mut deadlines = BTreeMap::from([(Deadline::Transfer, Slack::default())]);
+        let mut deadlines = BTreeMap::from([(Deadline::TRANSFER, Slack::default())]);
         let mut sets = Sets::default();
         let (mut folds, mut late_words, mut misses) = (0, 0, Vec::new());
         let mut lines = [LineUse::default(); 4];
         let mut load_ticks = [0; 2];
         for sweep in sweeps {
-            deadlines.entry(Deadline::Transfer).or_default().merge(&sweep.transfers);
+            deadlines.entry(Deadline::TRANSFER).or_default().merge(&sweep.transfers);
             let others = [
-                (Deadline::Corner, &sweep.corners),
-                (Deadline::Feature, &sweep.features),
-                (Deadline::Segment, &sweep.segments),
+                (Deadline::CORNER, &sweep.corners),
+                (Deadline::FEATURE, &sweep.features),
+                (Deadline::SEGMENT, &sweep.segments),
             ];
             for (deadline, slack) in others.into_iter().filter(|(_, slack)| slack.count > 0) {
                 deadlines.entry(deadline).or_default().merge(slack);
@@ -159,25 +159,25 @@ impl ControlPlane {
         let task = |(task, busy)| UnitUse { unit: format!("cpu.{task}"), busy, longest_queue: 0 };
         units.extend(tasks.map(task));
         let settings = &self.stage().settings;
-        let set_up = deadlines.entry(Deadline::SweepSetUp).or_default();
+        let set_up = deadlines.entry(Deadline::SWEEP_SET_UP).or_default();
         let per_sample = settings.timebase.ticks_per_sample();
         for &(sweep, slack) in &cpu.set_ups {
             set_up.add(slack);
             if slack < 0 {
-                misses.push(late_task(Deadline::SweepSetUp, sweep, Some(-slack as f64 / per_sample)));
+                misses.push(late_task(Deadline::SWEEP_SET_UP, sweep, Some(-slack as f64 / per_sample)));
             }
         }
         for (sweep, &drawn) in cpu.drawn.iter().enumerate() {
             let made = cpu.set_ups.iter().any(|&(made, _)| made as usize == sweep);
             if !made && drawn as usize != sweep {
                 set_up.add(-sweep_ticks(settings));
-                misses.push(late_task(Deadline::SweepSetUp, sweep as u32, None));
+                misses.push(late_task(Deadline::SWEEP_SET_UP, sweep as u32, None));
             }
         }
-        deadlines.entry(Deadline::FrameTasks).or_default().add(cpu.frame_slack);
+        deadlines.entry(Deadline::FRAME_TASKS).or_default().add(cpu.frame_slack);
         if cpu.frame_slack < 0 {
             let last = self.stage().settings.raster.sweeps - 1;
-            misses.push(late_task(Deadline::FrameTasks, last, None));
+            misses.push(late_task(Deadline::FRAME_TASKS, last, None));
         }
     }
 }

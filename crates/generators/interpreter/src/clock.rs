@@ -1,6 +1,6 @@
 //! The master clock as one sweep sees it.
 
-use crate::scene::Scene;
+use crate::scene::SceneData;
 
 /// Ticks and instants; instants are in accumulator steps from the first sample of the sweep.
 #[derive(Debug, Clone, Copy)]
@@ -15,7 +15,7 @@ pub struct Clock {
 
 impl Clock {
     /// The clock of sweep `sweep`: steps and ticks are whole counts since the start of the mission.
-    pub fn of(scene: &Scene<'_>, sweep: u32) -> Self {
+    pub fn of(scene: &SceneData<'_>, sweep: u32) -> Self {
         let timebase = &scene.settings.timebase;
         let ([ticks, in_seconds], [frames, seconds]) =
             (timebase.master.fraction(), timebase.update.fraction());
@@ -56,7 +56,7 @@ impl Clock {
 }
 
 /// Ticks at which the sweeps of frame `frame` begin, and at last that at which it ends.
-pub fn starts(scene: &Scene<'_>, frame: u64) -> Vec<i64> {
-    let scene = Scene { frame, ..*scene };
+pub fn starts(scene: &SceneData<'_>, frame: u64) -> Vec<i64> {
+    let scene = SceneData { frame, ..*scene };
     (0..=scene.settings.raster.sweeps).map(|sweep| Clock::of(&scene, sweep).seen(0.0)).collect()
 }

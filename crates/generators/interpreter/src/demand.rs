@@ -4,13 +4,13 @@ use scenario::Pose;
 
 use crate::clock::starts;
 use crate::fan::{direction, tangent};
-use crate::scene::Scene;
+use crate::scene::SceneData;
 
 /// What rounding may take from a sweep along a boundary of regions.
 const ROUNDING: f64 = 1e-9;
 
 /// The corners of level `number` that frame `frame` can meet, the nearest to the eye's foot first.
-pub fn demand(scene: &Scene<'_>, number: usize, frame: u64) -> Vec<[i64; 2]> {
+pub fn demand(scene: &SceneData<'_>, number: usize, frame: u64) -> Vec<[i64; 2]> {
     let at = |frame: u64| scene.course.get((frame as usize).min(scene.course.len().saturating_sub(1)));
     let Some(now) = at(frame) else { return Vec::new() };
     let before = at(frame.saturating_sub(1)).unwrap_or(now);
@@ -42,7 +42,7 @@ fn corners_of([m, n]: [i64; 2]) -> [[i64; 2]; 4] {
 }
 
 /// How far the view can turn until a drum has come round once and a half (rad).
-fn margin(scene: &Scene<'_>, frame: u64, [before, now]: [&Pose; 2]) -> f64 {
+fn margin(scene: &SceneData<'_>, frame: u64, [before, now]: [&Pose; 2]) -> f64 {
     let whole = 2.0 * std::f64::consts::PI;
     let turned = (now.attitude.heading - before.attitude.heading).rem_euclid(whole);
     let starts = starts(scene, frame);
@@ -52,8 +52,9 @@ fn margin(scene: &Scene<'_>, frame: u64, [before, now]: [&Pose; 2]) -> f64 {
 }
 
 /// Directions of the left and of the right edge of what is asked for; none where that goes all around.
-fn edges(scene: &Scene<'_>, pose: &Pose, margin: f64) -> Option<[[f64; 2]; 2]> {
-    let seen = Scene { eye: pose.eye, heading: pose.attitude.heading, pitch: pose.attitude.pitch, ..*scene };
+fn edges(scene: &SceneData<'_>, pose: &Pose, margin: f64) -> Option<[[f64; 2]; 2]> {
+    let seen =
+        SceneData { eye: pose.eye, heading: pose.attitude.heading, pitch: pose.attitude.pitch, ..*scene };
     let ends = [0, seen.settings.raster.sweeps - 1];
     let [left, right] = ends.map(|sweep| libm::atan(tangent(&seen, sweep)));
     if right - left + 2.0 * margin >= std::f64::consts::PI {

@@ -8,7 +8,7 @@ use hardware_model::{Drum, DrumQueue};
 use crate::clock::starts;
 use crate::demand::demand;
 use crate::event::FromDrum;
-use crate::scene::Scene;
+use crate::scene::SceneData;
 
 /// Words of a corner.
 const WORDS: u32 = 9;
@@ -61,7 +61,7 @@ pub struct Bank {
 
 impl Bank {
     /// Idle drums; the first frame finds what it asks for.
-    pub fn before_mission(scene: &Scene<'_>, number: usize, drums: &[DrumFigures]) -> Self {
+    pub fn before_mission(scene: &SceneData<'_>, number: usize, drums: &[DrumFigures]) -> Self {
         let banks = &scene.settings.data_banks;
         let Drum { record_words, queue, .. } = banks.drum.expect("drums have a design");
         let words = record_words.max(WORDS);
@@ -83,7 +83,7 @@ impl Bank {
     }
 
     /// One frame: what it asks for and the buffer has not when it begins, with the tick at which it comes.
-    pub fn frame(&mut self, scene: &Scene<'_>, frame: u64) -> Arrivals {
+    pub fn frame(&mut self, scene: &SceneData<'_>, frame: u64) -> Arrivals {
         let asked = demand(scene, self.number, frame);
         let mut named = BTreeSet::new();
         let mut records: Vec<u32> = asked.iter().map(|&corner| self.record_of(corner)).collect();

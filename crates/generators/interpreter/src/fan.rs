@@ -3,7 +3,7 @@
 use hardware_model::SweepMemoryKind;
 use scenario::{FieldOfView, Projection, RangeLaw, RangeProgramme};
 
-use crate::scene::Scene;
+use crate::scene::SceneData;
 
 /// Far below one accumulator step a sweep: counts as nothing (section 6.5).
 const NOTHING: f64 = 1e-15;
@@ -34,7 +34,7 @@ pub fn range_programme(programme: &RangeProgramme, samples: u32) -> Vec<f64> {
 }
 
 /// Field of view and lines of what the sweeps write: the screen, or the box around it while the yoke turns (18).
-pub fn written_raster(scene: &Scene<'_>) -> (FieldOfView, f64) {
+pub fn written_raster(scene: &SceneData<'_>) -> (FieldOfView, f64) {
     let raster = &scene.settings.raster;
     let (w, h) = (raster.field.tan_half_width, raster.field.tan_half_height);
     let Some(yoke) = scene.settings.yoke else { return (raster.field, f64::from(raster.lines)) };
@@ -53,13 +53,13 @@ pub fn written_raster(scene: &Scene<'_>) -> (FieldOfView, f64) {
 }
 
 /// Tangent of the azimuth of a sweep from the heading.
-pub fn tangent(scene: &Scene<'_>, sweep: u32) -> f64 {
+pub fn tangent(scene: &SceneData<'_>, sweep: u32) -> f64 {
     let count = f64::from(scene.settings.raster.sweeps);
     (2.0 * f64::from(sweep) + 1.0 - count) / count * widest(scene)
 }
 
 /// Direction of a sweep over the ground: cosine (north) and sine (east) of its azimuth.
-pub fn direction(scene: &Scene<'_>, sweep: u32) -> [f64; 2] {
+pub fn direction(scene: &SceneData<'_>, sweep: u32) -> [f64; 2] {
     let tan_beta = tangent(scene, sweep);
     let root = (1.0 + tan_beta * tan_beta).sqrt();
     let (cos_beta, sin_beta) = (1.0 / root, tan_beta / root);
@@ -69,7 +69,7 @@ pub fn direction(scene: &Scene<'_>, sweep: u32) -> [f64; 2] {
 }
 
 /// Largest tangent of azimuth that a corner of the picture needs.
-fn widest(scene: &Scene<'_>) -> f64 {
+fn widest(scene: &SceneData<'_>) -> f64 {
     let (field, _) = written_raster(scene);
     let (right, down) = (field.tan_half_width, field.tan_half_height);
     match scene.settings.laws.projection {

@@ -3,7 +3,7 @@
 use crate::drums::{Arrivals, Bank, DrumFigures};
 use crate::event::{Event, Happening};
 use crate::processor::{Processed, processor};
-use crate::scene::Scene;
+use crate::scene::SceneData;
 
 /// What the interpreter does not work out of a frame and takes as the machine has it.
 #[derive(Debug, Clone, Copy)]
@@ -30,7 +30,7 @@ pub struct Frame {
 }
 
 /// Follows the processor through the frame, and the drums from the first frame of the mission on.
-pub fn frame(scene: &Scene<'_>, given: &FrameGiven<'_>) -> Frame {
+pub fn frame(scene: &SceneData<'_>, given: &FrameGiven<'_>) -> Frame {
     let Processed { mut events, set_ups, held } = processor(scene, given);
     let mut missing = [Arrivals::new(), Arrivals::new()];
     for (number, drums) in given.drums.iter().enumerate().filter(|(_, drums)| !drums.is_empty()) {

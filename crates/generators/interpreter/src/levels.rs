@@ -6,13 +6,13 @@ use scenario::LevelSwitch;
 use crate::clock::Clock;
 use crate::frame::Frame;
 use crate::given::Given;
-use crate::scene::Scene;
+use crate::scene::SceneData;
 use crate::server::Interrupts;
 use crate::walk::{Course, Walk, walk};
 
 /// Terrain at one sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Ground {
+pub struct GroundSample {
     /// Height (m).
     pub height: f64,
     /// Slopes to the north and to the east.
@@ -27,10 +27,10 @@ pub struct Terrain {
     /// The coarse one, where there is one.
     pub coarse: Option<Walk>,
     /// What is drawn, sample by sample, up to the end of the stored ground.
-    pub ground: Vec<Ground>,
+    pub ground: Vec<GroundSample>,
 }
 
-fn interrupts<'a>(scene: &Scene<'a>, sweep: u32, given: &Given<'_>) -> Interrupts<'a> {
+fn interrupts<'a>(scene: &SceneData<'a>, sweep: u32, given: &Given<'_>) -> Interrupts<'a> {
     let held = given.frame.held.get(sweep as usize).copied().unwrap_or(0);
     let begins = Clock::of(scene, sweep).seen(0.0);
     Interrupts {
@@ -44,7 +44,7 @@ fn interrupts<'a>(scene: &Scene<'a>, sweep: u32, given: &Given<'_>) -> Interrupt
 
 impl Terrain {
     /// Ground range at which the farther generator ends (m).
-    pub fn end(&self, scene: &Scene<'_>) -> f64 {
+    pub fn end(&self, scene: &SceneData<'_>) -> f64 {
         let end = scene.settings.range.end;
         let far = scene.settings.levels.filter(|_| self.coarse.is_some()).map_or(end, |switch| switch.range);
         let fine = self.fine.edge.unwrap_or(far).min(end);
@@ -53,7 +53,7 @@ impl Terrain {
 }
 
 /// The terrain of sweep `sweep` along `direction`, without the corners that are missing on each level.
-pub fn terrain(scene: &Scene<'_>, sweep: u32, direction: [f64; 2], given: &Given<'_>) -> Terrain {
+pub fn terrain(scene: &SceneData<'_>, sweep: u32, direction: [f64; 2], given: &Given<'_>) -> Terrain {
     let Given { ranges, frame: Frame { missing, .. }, .. } = *given;
     let interrupts = interrupts(scene, sweep, given);
     let loader = &scene.settings.loader;
@@ -64,7 +64,8 @@ pub fn terrain(scene: &Scene<'_>, sweep: u32, direction: [f64; 2], given: &Given
         Course { level, missing: &missing[0], number: 0, loader, direction, sweep, interrupts, until };
     let fine = walk(scene, &course, ranges);
     let (Some(level), Some(switch)) = (scene.coarse(), switch) else {
-        let ground = fine.samples.iter().map(|s| Ground { height: s.height, slopes: s.slopes }).collect();
+        let ground =
+            fine.samples.iter().map(|s| GroundSample { height: s.height, slopes: s.slopes }).collect();
         return Terrain { fine, coarse: None, ground };
     };
     // Words are held back on the fine level alone.
@@ -83,14 +84,16 @@ fn both(
     LevelSwitch { range: switch, blend }: LevelSwitch,
     [cos, sin]: [f64; 2],
     ranges: &[f64],
-) -> Vec<Ground> {
+) -> Vec<GroundSample> {
     let switch = fine.edge.unwrap_or(switch);
     let mut ground = Vec::new();
     for (k, &range) in ranges.iter().enumerate() {
         let (near, far) = (fine.samples.get(k), coarse.samples.get(k));
         let shown = match (near, far) {
             (None, None) => break,
-            (Some(near), _) if range <= switch - blend => Ground { height: near.height, slopes: near.slopes },
+            (Some(near), _) if range <= switch - blend => {
+                GroundSample { height: near.height, slopes: near.slopes }
+            }
             (Some(near), Some(far)) => {
                 let part = (range - (switch - blend)) / blend;
                 let (p2, p3) = (part * part, part * part * part);
@@ -100,13 +103,13 @@ fn both(
                 let slope = |axis: usize, c: f64| {
                     w * near.slopes[axis] + (1.0 - w) * far.slopes[axis] + rate * step * c
                 };
-                Ground {
+                GroundSample {
                     height: w * near.height + (1.0 - w) * far.height,
                     slopes: [slope(0, cos), slope(1, sin)],
                 }
             }
-            (Some(near), None) => Ground { height: near.height, slopes: near.slopes },
-            (None, Some(far)) => Ground { height: far.height, slopes: far.slopes },
+            (Some(near), None) => GroundSample { height: near.height, slopes: near.slopes },
+            (None, Some(far)) => GroundSample { height: far.height, slopes: far.slopes },
         };
         ground.push(shown);
     }

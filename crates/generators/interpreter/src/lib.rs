@@ -53,6 +53,6 @@ pub use event::{AskedFor, Event, FromDrum, Happening, Outcome, Part, Register};
 pub use fan::range_programme;
 pub use frame::{Frame, FrameGiven, frame};
 pub use given::Given;
-pub use scene::Scene;
+pub use scene::SceneData;
 pub use shadows::ShadowLine;
 pub use sweep::{Record, interpret};

@@ -2,7 +2,7 @@
 
 use landscape::Photometry;
 
-use crate::scene::Scene;
+use crate::scene::SceneData;
 
 /// Share of Lommel and Seeliger's law in the Moon's light, ascending powers of the sine of half the phase angle:
 /// numbers of the model, fitted to McEwen's cubic.
@@ -22,7 +22,7 @@ pub struct Light {
 
 impl Light {
     /// The light of `scene` on a sweep along `direction`.
-    pub fn of(scene: &Scene<'_>, direction: [f64; 2]) -> Self {
+    pub fn of(scene: &SceneData<'_>, direction: [f64; 2]) -> Self {
         let (e, a) = (scene.sun.elevation, scene.sun.azimuth);
         Self {
             to_sun: [libm::cos(e) * libm::cos(a), libm::cos(e) * libm::sin(a), libm::sin(e)],

@@ -7,7 +7,7 @@ use hardware_model::Organisation;
 
 use crate::clock::Clock;
 use crate::event::{Event, Happening, Outcome, Part};
-use crate::scene::Scene;
+use crate::scene::SceneData;
 
 /// Words of a crater.
 const CRATER_WORDS: f64 = 8.0;
@@ -79,7 +79,7 @@ pub struct Line<'a> {
 
 impl<'a> Line<'a> {
     /// The line of a sweep, for loads of `words` words at `rate` words a second.
-    pub fn new(scene: &Scene<'_>, passing: &'a Passing<'a>, words: f64, rate: Option<f64>) -> Self {
+    pub fn new(scene: &SceneData<'_>, passing: &'a Passing<'a>, words: f64, rate: Option<f64>) -> Self {
         let clock = Clock::of(scene, passing.sweep);
         let timebase = &scene.settings.timebase;
         // Times of a model are rounded: a last bit makes no tick.
@@ -164,7 +164,7 @@ impl<'a> Line<'a> {
 }
 
 /// Loads of the craters that the sweep meets.
-pub fn craters(scene: &Scene<'_>, passing: &Passing<'_>) -> Loads {
+pub fn craters(scene: &SceneData<'_>, passing: &Passing<'_>) -> Loads {
     let parts = scene.settings.feature_generator;
     let all = (0..).zip(scene.landscape.features().craters().iter());
     let mut requests: Vec<Request> =
@@ -175,7 +175,7 @@ pub fn craters(scene: &Scene<'_>, passing: &Passing<'_>) -> Loads {
 }
 
 /// What a crater asks for; none if the sweep does not meet it.
-fn request(scene: &Scene<'_>, passing: &Passing<'_>, number: u32, crater: &Crater) -> Option<Request> {
+fn request(scene: &SceneData<'_>, passing: &Passing<'_>, number: u32, crater: &Crater) -> Option<Request> {
     let ([cos, sin], centre) = (passing.direction, crater.centre());
     let [north, east] = [centre[0] - scene.eye[0], centre[1] - scene.eye[1]];
     let (middle, beside) = (north * cos + east * sin, east * cos - north * sin);
@@ -196,7 +196,7 @@ fn request(scene: &Scene<'_>, passing: &Passing<'_>, number: u32, crater: &Crate
 }
 
 /// Ground ranges at which a sweep enters and leaves the region of the fine level that it is in at `range` (m).
-fn region(scene: &Scene<'_>, direction: [f64; 2], range: f64) -> [f64; 2] {
+fn region(scene: &SceneData<'_>, direction: [f64; 2], range: f64) -> [f64; 2] {
     let level = scene.fine();
     let mut ends = [f64::NEG_INFINITY, f64::INFINITY];
     for axis in (0..2).filter(|&axis| direction[axis] != 0.0) {

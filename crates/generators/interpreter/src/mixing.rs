@@ -4,7 +4,7 @@ use hardware_model::Gate;
 use landscape::Texture;
 use scenario::TextureInShadow;
 
-use crate::scene::Scene;
+use crate::scene::SceneData;
 
 /// What comes into the unit at one sample; reflectivities with their sign.
 #[derive(Debug, Clone, Copy)]
@@ -33,7 +33,7 @@ pub struct Mixed {
 }
 
 /// The unit at one sample.
-pub fn mix(scene: &Scene<'_>, inputs: &Inputs) -> Mixed {
+pub fn mix(scene: &SceneData<'_>, inputs: &Inputs) -> Mixed {
     let parts = scene.settings.mixing_unit;
     let vs1 = inputs.present
         && match parts.gate {

@@ -7,7 +7,7 @@
 use hardware_model::WireParts;
 
 use crate::given::Given;
-use crate::scene::Scene;
+use crate::scene::SceneData;
 
 /// Which wires lag, in accumulator steps and in their own units.
 #[derive(Debug, Clone, Copy)]
@@ -29,7 +29,7 @@ pub struct Amplifier {
 
 impl<'a> OutputAmplifiers<'a> {
     /// Those of a scene.
-    pub fn of(scene: &Scene<'_>, given: &Given<'a>) -> Self {
+    pub fn of(scene: &SceneData<'_>, given: &Given<'a>) -> Self {
         let analog = &scene.settings.analog;
         let step = 1.0 / scene.settings.timebase.sample_rate().hertz();
         Self { parts: analog.wires, full_scale: analog.full_scale, step, units: given.full_scales }

@@ -5,7 +5,7 @@ use hardware_model::{Cpu, CrossingServer};
 use crate::clock::starts;
 use crate::event::{Event, Happening};
 use crate::frame::FrameGiven;
-use crate::scene::Scene;
+use crate::scene::SceneData;
 
 /// The program of a sweep that is being made; no sweep for the first one of the frame that follows.
 #[derive(Debug, Clone, Copy)]
@@ -46,7 +46,7 @@ pub struct Processed {
 }
 
 /// Follows the processor through the frame.
-pub fn processor(scene: &Scene<'_>, given: &FrameGiven<'_>) -> Processed {
+pub fn processor(scene: &SceneData<'_>, given: &FrameGiven<'_>) -> Processed {
     let settings = scene.settings;
     let serves = settings.loader.served_by == CrossingServer::CpuInterrupt;
     if !settings.cpu.is_timed() && !serves {

@@ -6,7 +6,7 @@ use scenario::Pose;
 
 /// A frame: ground, light, pose and the numbers of the run.
 #[derive(Debug, Clone, Copy)]
-pub struct Scene<'a> {
+pub struct SceneData<'a> {
     /// Words, craters, texture, law of reflection.
     pub landscape: &'a Landscape,
     /// Raster, clocks, range programme, laws, loader.
@@ -25,7 +25,7 @@ pub struct Scene<'a> {
     pub course: &'a [Pose],
 }
 
-impl Scene<'_> {
+impl SceneData<'_> {
     /// The finest level.
     pub(crate) fn fine(&self) -> &Level {
         self.landscape.level()

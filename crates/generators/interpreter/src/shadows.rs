@@ -4,7 +4,7 @@ use hardware_model::ShadowParts;
 
 use crate::event::Part;
 use crate::loads::{Line, Loads, Passing, Request};
-use crate::scene::Scene;
+use crate::scene::SceneData;
 
 /// Words of a boundary.
 const SEGMENT_WORDS: f64 = 4.0;
@@ -27,7 +27,7 @@ struct Crossing {
 }
 
 /// Loads of the boundaries that the sweep crosses; none in a scan converter, which takes them all with its map.
-pub fn segments(scene: &Scene<'_>, passing: &Passing<'_>, lines: &[ShadowLine]) -> Loads {
+pub fn segments(scene: &SceneData<'_>, passing: &Passing<'_>, lines: &[ShadowLine]) -> Loads {
     let settings = scene.settings;
     let (Some(fineness), ShadowParts::Digital { line_generators }) =
         (settings.shadows, settings.shadow_controller)
@@ -50,7 +50,7 @@ pub fn segments(scene: &Scene<'_>, passing: &Passing<'_>, lines: &[ShadowLine]) 
 }
 
 /// Where the sweep changes between light and shadow: of shadows that overlap only the outermost edges.
-fn boundaries(scene: &Scene<'_>, direction: [f64; 2], lines: &[ShadowLine], reach: f64) -> Vec<Crossing> {
+fn boundaries(scene: &SceneData<'_>, direction: [f64; 2], lines: &[ShadowLine], reach: f64) -> Vec<Crossing> {
     let mut crossings: Vec<Crossing> =
         lines.iter().filter_map(|line| crossing(scene, direction, line)).collect();
     crossings.sort_by(|a, b| a.range.total_cmp(&b.range).then(b.step.cmp(&a.step)));
@@ -72,7 +72,7 @@ fn boundaries(scene: &Scene<'_>, direction: [f64; 2], lines: &[ShadowLine], reac
 }
 
 /// Where the sweep crosses a line, if it does ahead of the eye.
-fn crossing(scene: &Scene<'_>, [cos, sin]: [f64; 2], line: &ShadowLine) -> Option<Crossing> {
+fn crossing(scene: &SceneData<'_>, [cos, sin]: [f64; 2], line: &ShadowLine) -> Option<Crossing> {
     let [from, to] = line.map(|[north, east]| [north - scene.eye[0], east - scene.eye[1]]);
     let [a, b] = [from, to].map(|[north, east]| cos * east - sin * north);
     if (a < 0.0) == (b < 0.0) {

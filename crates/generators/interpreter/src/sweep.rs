@@ -9,13 +9,13 @@ use crate::craters::{Relief, kinks, relief};
 use crate::event::Event;
 use crate::fan::{direction, tangent, written_raster};
 use crate::given::Given;
-use crate::levels::{Ground, Terrain, terrain};
+use crate::levels::{GroundSample, Terrain, terrain};
 use crate::light::Light;
 use crate::loads::{Loads, Passing, craters};
 use crate::mixing::{Inputs, mix, texture};
 use crate::output_amplifiers::OutputAmplifiers;
 use crate::projector::{Circuit, Deflection, Rim, elevation, shown};
-use crate::scene::Scene;
+use crate::scene::SceneData;
 use crate::shadows::segments;
 use scenario::FeatureLight;
 
@@ -60,7 +60,7 @@ impl Record {
 }
 
 /// Walks sweep `sweep` step by step.
-pub fn interpret(scene: &Scene<'_>, sweep: u32, given: &Given<'_>) -> Record {
+pub fn interpret(scene: &SceneData<'_>, sweep: u32, given: &Given<'_>) -> Record {
     let set_up = given.frame.set_ups[sweep as usize];
     let direction = direction(scene, set_up);
     let mut terrain = terrain(scene, sweep, direction, given);
@@ -86,17 +86,17 @@ pub fn interpret(scene: &Scene<'_>, sweep: u32, given: &Given<'_>) -> Record {
 }
 
 /// Height and slopes of the terrain behind their amplifiers.
-fn drive(wires: &OutputAmplifiers<'_>, ground: &mut [Ground]) {
+fn drive(wires: &OutputAmplifiers<'_>, ground: &mut [GroundSample]) {
     let heights = wires.pass("tg.height", ground.iter().map(|ground| ground.height));
     let north = wires.pass("tg.slope.u", ground.iter().map(|ground| ground.slopes[0]));
     let east = wires.pass("tg.slope.v", ground.iter().map(|ground| ground.slopes[1]));
     for (k, ground) in ground.iter_mut().enumerate() {
-        *ground = Ground { height: heights[k], slopes: [north[k], east[k]] };
+        *ground = GroundSample { height: heights[k], slopes: [north[k], east[k]] };
     }
 }
 
 /// Craters that the sweep meets, in the order of the list.
-fn met(scene: &Scene<'_>, [cos, sin]: [f64; 2], ranges: &[f64]) -> Vec<Crater> {
+fn met(scene: &SceneData<'_>, [cos, sin]: [f64; 2], ranges: &[f64]) -> Vec<Crater> {
     let end = ranges.last().copied().unwrap_or(0.0);
     let meets = |crater: &Crater| {
         let (north, east) = (crater.centre()[0] - scene.eye[0], crater.centre()[1] - scene.eye[1]);
@@ -108,7 +108,7 @@ fn met(scene: &Scene<'_>, [cos, sin]: [f64; 2], ranges: &[f64]) -> Vec<Crater> {
 }
 
 struct Walker<'a> {
-    scene: &'a Scene<'a>,
+    scene: &'a SceneData<'a>,
     given: &'a Given<'a>,
     /// The sweep whose set-up this one is drawn with.
     set_up: u32,
@@ -137,14 +137,16 @@ impl Walker<'_> {
     }
 
     /// Generators and mixing unit; returns heights of the composite landscape (m).
-    fn landscape(&mut self, ground: &[Ground]) -> Vec<f64> {
+    fn landscape(&mut self, ground: &[GroundSample]) -> Vec<f64> {
         let scene = self.scene;
         let eye = scene.eye;
         let mut heights = Vec::new();
         let [mut terrain_wire, mut height_wire, mut video_wire] =
             ["tg.reflectivity", "mu.height", "mu.reflectivity"].map(|name| self.wires.amplifier(name));
         let mut video_before = None;
-        for (k, (&Ground { height, slopes }, &range)) in ground.iter().zip(self.given.ranges).enumerate() {
+        for (k, (&GroundSample { height, slopes }, &range)) in
+            ground.iter().zip(self.given.ranges).enumerate()
+        {
             let from_foot = self.direction.map(|cosine| range * cosine);
             let place = [eye[0] + from_foot[0], eye[1] + from_foot[1]];
             let Relief { height: rise, slopes: added, present, clear } =
@@ -200,8 +202,8 @@ impl Walker<'_> {
     }
 
     /// Projection processor and what drives the beam.
-    fn project(&mut self, ground: &[Ground], heights: &[f64]) {
-        let Scene { settings, eye, pitch, .. } = *self.scene;
+    fn project(&mut self, ground: &[GroundSample], heights: &[f64]) {
+        let SceneData { settings, eye, pitch, .. } = *self.scene;
         let laws = settings.laws;
         let places = heights.iter().zip(self.given.ranges);
         let elevations: Vec<f64> =
@@ -248,7 +250,7 @@ impl Walker<'_> {
     }
 
     /// Rims of craters between the samples: the terrain there is the cubic through heights and slopes beside.
-    fn rims(&self, ground: &[Ground], samples: usize) -> Vec<Rim> {
+    fn rims(&self, ground: &[GroundSample], samples: usize) -> Vec<Rim> {
         let (eye, ranges) = (self.scene.eye, &self.given.ranges[..samples]);
         let [cos, sin] = self.direction;
         let foot = [eye[0], eye[1]];
@@ -260,7 +262,8 @@ impl Walker<'_> {
             }
             let (from, to) = (ranges[step - 1], ranges[step]);
             let share = (kink - from) / (to - from);
-            let along = |ground: &Ground| (ground.slopes[0] * cos + ground.slopes[1] * sin) * (to - from);
+            let along =
+                |ground: &GroundSample| (ground.slopes[0] * cos + ground.slopes[1] * sin) * (to - from);
             let (a, b) = (&ground[step - 1], &ground[step]);
             let terrain = hermite(share, [a.height, along(a)], [b.height, along(b)]);
             let rise = relief(&self.craters, foot, [kink * cos, kink * sin]).height;

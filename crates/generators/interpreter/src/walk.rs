@@ -8,7 +8,7 @@ use crate::drums::Arrivals;
 use crate::event::Event;
 use crate::ramp::Ramp;
 use crate::registers::{Registers, Start};
-use crate::scene::Scene;
+use crate::scene::SceneData;
 use crate::server::Interrupts;
 use crate::terrain::{Sums, sums};
 
@@ -70,7 +70,7 @@ pub struct Course<'a> {
 }
 
 /// Walks along `ranges` (m).
-pub fn walk(scene: &Scene<'_>, course: &Course<'_>, ranges: &[f64]) -> Walk {
+pub fn walk(scene: &SceneData<'_>, course: &Course<'_>, ranges: &[f64]) -> Walk {
     let level = course.level;
     let ramps: [Ramp; 2] = std::array::from_fn(|axis| {
         let place = (scene.eye[axis] - level.origin()[axis]) / level.region_size();

@@ -27,7 +27,7 @@ pub(crate) struct Lamp<'a> {
 }
 
 /// Terrain between two samples.
-struct Ground<S> {
+struct TerrainBetween<S> {
     height: S,
     slopes: [S; 2],
 }
@@ -89,7 +89,7 @@ impl Lamp<'_> {
     ) {
         // Places beyond the last kink repeat it.
         let kink = |k: usize| &kinks[k.min(kinks.len() - 1)];
-        let ground: [Ground<S>; LANES] =
+        let ground: [TerrainBetween<S>; LANES] =
             array::from_fn(|k| self.ground(terrain, lane, kink(k).sample, kink(k).share));
         let height = Lanes::from_fn(|k| ground[k].height + kink(k).height);
         let sight = height / Lanes::from_fn(|k| S::from_f64(kink(k).range));
@@ -115,7 +115,7 @@ impl Lamp<'_> {
     }
 
     /// The terrain at a part of the step that ends at `sample`: the cubic of its heights and slopes.
-    fn ground<S: Real>(&self, terrain: &Profile<S>, lane: usize, sample: usize, u: S) -> Ground<S> {
+    fn ground<S: Real>(&self, terrain: &Profile<S>, lane: usize, sample: usize, u: S) -> TerrainBetween<S> {
         let [near, far] = [sample - 1, sample];
         let step = S::from_f64(self.ranges[far] - self.ranges[near]);
         let (from, to) = (terrain.height[near][lane], terrain.height[far][lane]);
@@ -128,6 +128,6 @@ impl Lamp<'_> {
         let along = (rate[0] + u * (two * c + u * three * d)) / step;
         let across =
             terrain.across[near][lane] + u * (terrain.across[far][lane] - terrain.across[near][lane]);
-        Ground { height, slopes: [along, across] }
+        TerrainBetween { height, slopes: [along, across] }
     }
 }

@@ -76,7 +76,7 @@ impl EdgeMask {
 /// # Errors
 /// [`CompareError::MissingPlane`], [`CompareError::Range`].
 pub fn edge_mask(planes: &Planes, limits: &EdgeLimits) -> Result<EdgeMask, CompareError> {
-    let scene = Scene::of(planes)?;
+    let scene = EdgeScene::of(planes)?;
     let ridges = ridge_mask(scene.range, scene.columns, scene.lines, limits.jump)?;
     let outlines = scene.mask(|a, b, _| scene.label[a] != scene.label[b]);
     let shadows = scene.mask(|a, b, _| scene.is_shadow_step(a, b));
@@ -89,7 +89,7 @@ pub fn edge_mask(planes: &Planes, limits: &EdgeLimits) -> Result<EdgeMask, Compa
 }
 
 /// The planes by name.
-struct Scene<'a> {
+struct EdgeScene<'a> {
     columns: usize,
     lines: usize,
     range: &'a [f32],
@@ -101,7 +101,7 @@ struct Scene<'a> {
 /// The pixels on either side of a pair, where the picture has them.
 type Around = [Option<usize>; 2];
 
-impl<'a> Scene<'a> {
+impl<'a> EdgeScene<'a> {
     fn of(planes: &'a Planes) -> Result<Self, CompareError> {
         let get = |kind: PlaneKind| planes.get(kind).ok_or(CompareError::MissingPlane { kind: kind.name() });
         Ok(Self {

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use ::plots::{Axis, Bars, Panel, Trace, TraceLook, bar_picture, trace_picture};
-use timing::{Deadline, Slack, TimingRecord, Totals};
+use timing::{Deadline, DeadlineTotals, Slack, TimingRecord, Totals};
 
 use crate::DeadlineError;
 
@@ -69,19 +69,14 @@ fn panel<'a>(label: &str, lines: &'a [Line]) -> Panel<'a> {
 pub fn write_slack(record: &TimingRecord, path: &Path) -> Result<(), DeadlineError> {
     let totals = Totals::of(record);
     let edges: Vec<String> = Slack::edges().into_iter().map(ticks_text).collect();
-    let bars = |deadline: &Deadline| {
-        let slack = totals.deadlines.get(deadline)?.slack;
+    let bars = |(deadline, found): (&Deadline, &DeadlineTotals)| {
+        let slack = found.slack;
         let name = format!("{deadline}: {} of {} missed", slack.missed, slack.count);
         let counts = slack.bins.map(|count| count as f64).into();
-        Some(Bars {
-            name,
-            counts,
-            edges: edges.clone(),
-            wrong: slack.bins.len() / 2,
-            kinds: ["missed", "met"],
-        })
+        let (edges, wrong) = (edges.clone(), slack.bins.len() / 2);
+        Bars { name, counts, edges, wrong, kinds: ["missed", "met"] }
     };
-    let panels: Vec<Bars> = Deadline::ALL.iter().filter_map(bars).collect();
+    let panels: Vec<Bars> = totals.deadlines.iter().map(bars).collect();
     let look = TraceLook { height: 150, facts: vec![facts(record)], ..TraceLook::titled("Slack") };
     let x = format!("ticks of {} from ready to due", record.master);
     let picture = bar_picture(&x, "deadlines", &panels, &look).map_err(DeadlineError::Plot)?;

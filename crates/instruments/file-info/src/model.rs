@@ -1,6 +1,6 @@
 //! A hardware model, its budget and what is found against it, as documents.
 
-use hardware_model::{Budget, BudgetLine, Finding, Grade, Ground, LoadedModel, PartCounts};
+use hardware_model::{Budget, BudgetLine, Finding, Grade, GroundScale, LoadedModel, PartCounts};
 use serde_json::{Map, Value, json};
 use text::table;
 
@@ -23,7 +23,7 @@ fn finding_row(finding: &Finding) -> Vec<String> {
 }
 
 /// What was found against a model over `ground`, as a document of schema `lunoid.model.check/1`.
-pub fn findings_document(loaded: &LoadedModel, ground: Ground, found: &[Finding]) -> Value {
+pub fn findings_document(loaded: &LoadedModel, ground: GroundScale, found: &[Finding]) -> Value {
     let rows = found.iter().map(|finding| {
         let (grade, artefact) = match finding.grade {
             Grade::Refuse => ("refuse", None),

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use front_door::read_scenario;
 use quantities::degrees;
-use scenario::{Ground, Length, Scenario};
+use scenario::{GroundSource, Length, Scenario};
 use serde_json::{Value, json};
 
 use crate::{Held, InfoError};
@@ -12,8 +12,8 @@ use crate::{Held, InfoError};
 pub fn scenario(path: &Path) -> Result<Held, InfoError> {
     let scenario = read_scenario(path)?;
     let ground = match &scenario.ground {
-        Ground::Bank(bank) => format!("bank {}", bank.display()),
-        Ground::Generated(relief) => format!("generated from seed {}", relief.seed),
+        GroundSource::Bank(bank) => format!("bank {}", bank.display()),
+        GroundSource::Generated(relief) => format!("generated from seed {}", relief.seed),
     };
     let length = match scenario.length {
         Length::Frames(frames) => format!("{frames} frames"),

@@ -3,7 +3,7 @@
 use control_plane::DigitalEvent;
 use features::{Crater, Shape};
 use interpreter::clock::Clock;
-use interpreter::{Event, Record, Scene, Unknown, range_programme, why_not};
+use interpreter::{Event, Record, SceneData, Unknown, range_programme, why_not};
 use scenario::Scalar;
 use signal::{Unit, Waveform, Wire};
 
@@ -13,7 +13,7 @@ use crate::report::{Difference, EventDifference, Report, Tally};
 
 /// One sweep as both have it.
 pub struct Sides<'a> {
-    pub scene: &'a Scene<'a>,
+    pub scene: &'a SceneData<'a>,
     pub wires: &'a [Wire],
     pub sweep: u32,
     pub unknown: Unknown,

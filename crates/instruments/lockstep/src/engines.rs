@@ -4,7 +4,8 @@ use control_plane::{ControlPlane, DigitalUnit, FrameSweeps, MachineStage};
 use data_bank::DrumUnit;
 use generator::{FrameError, Planes, Session};
 use interpreter::{
-    DrumFigures, Event, Frame, FrameGiven, Given, Happening, Outcome, Part, Record, Scene, Unknown, interpret,
+    DrumFigures, Event, Frame, FrameGiven, Given, Happening, Outcome, Part, Record, SceneData, Unknown,
+    interpret,
 };
 use machine::Prepare;
 use quantities::unit_interval;
@@ -56,7 +57,7 @@ impl Engines {
     ) -> Result<Vec<Seen>, FrameError> {
         let digital = self.control.sweeps_with_gates(frame, pose)?;
         let lines = self.control.shadow_lines(&digital, pose.time);
-        let scene = Scene {
+        let scene = SceneData {
             landscape: &self.stage.landscape,
             settings: &self.stage.settings,
             sun: self.stage.scenery.sun(pose.time),
@@ -118,7 +119,7 @@ impl Engines {
     }
 
     /// The digital side of a frame as the interpreter sees it.
-    fn frame(&self, scene: &Scene<'_>, digital: &FrameSweeps<'_>) -> Frame {
+    fn frame(&self, scene: &SceneData<'_>, digital: &FrameSweeps<'_>) -> Frame {
         let drums =
             [0, 1].map(|level| self.control.drums(level).into_iter().map(figures).collect::<Vec<_>>());
         let given = FrameGiven {

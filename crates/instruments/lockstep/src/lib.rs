@@ -10,7 +10,7 @@
 //! every event of the digital side with its tick. Events are equal or not. Signals agree within a part of full
 //! scale ([`bounds`]). Where a value is nearer to a threshold than rounding can tell, the sample counts as doubtful.
 //!
-//! [`Scene`] is a scene by hand, [`random`] one from a seed; [`shrink`] makes one that differs as small as it can.
+//! [`ComparedScene`] is a scene by hand, [`random`] one from a seed; [`shrink`] makes one that differs as small as it can.
 
 pub mod bounds;
 mod compare;
@@ -25,5 +25,5 @@ mod trials;
 pub use engines::{Engines, Seen};
 pub use random::Dice;
 pub use report::{Difference, Report, Tally};
-pub use scene::{Drawn, Scene, level_of, plane};
+pub use scene::{ComparedScene, Drawn, level_of, plane};
 pub use trials::{Fault, Trials, frame_of, trials};

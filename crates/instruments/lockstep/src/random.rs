@@ -11,7 +11,7 @@ use scenario::{
     Curvature, FeatureLight, Occlusion, Projection, RangeLaw, RangeProgramme, ShadowFineness, TextureInShadow,
 };
 
-use crate::scene::{Scene, UPDATE_HZ, level_of};
+use crate::scene::{ComparedScene, UPDATE_HZ, level_of};
 
 /// Throws that depend on the seed and their number alone.
 #[derive(Debug, Clone)]
@@ -50,7 +50,7 @@ impl Dice {
 
 /// A scene of random coefficients (variance `scale` squared, all nine words alike), regions of any size, an eye
 /// anywhere above the ground, any heading, laws and range programme as they fall.
-pub fn scene(seed: u64) -> Scene {
+pub fn scene(seed: u64) -> ComparedScene {
     let mut dice = Dice::new(seed);
     let corners = [dice.count(4, 24), dice.count(4, 24)];
     let size = dice.between(20.0, 900.0);
@@ -58,7 +58,7 @@ pub fn scene(seed: u64) -> Scene {
     let scale = size * dice.between(0.005, 0.05);
     let words: Vec<[f64; 9]> =
         (0..corners[0] * corners[1]).map(|_| std::array::from_fn(|_| scale * dice.normal())).collect();
-    let mut scene = Scene::over(level_of(size, origin, corners, |m, n| words[m * corners[1] + n]));
+    let mut scene = ComparedScene::over(level_of(size, origin, corners, |m, n| words[m * corners[1] + n]));
     let place = |dice: &mut Dice, axis: usize| {
         origin[axis] + size * dice.between(0.0, 1.0) * (corners[axis] - 1) as f64
     };
@@ -88,7 +88,7 @@ fn range(dice: &mut Dice, size: f64) -> RangeProgramme {
 
 /// A terrain [`scene`] with craters of all types, of any size and nested as they fall, texture, any law of reflection,
 /// two levels or one, and words that come late or at once.
-pub fn landscape(seed: u64) -> Scene {
+pub fn landscape(seed: u64) -> ComparedScene {
     let mut scene = scene(seed);
     let mut dice = Dice::new(seed ^ 0x6c75_6e61);
     scene.craters = craters(&mut dice, &scene);
@@ -131,7 +131,7 @@ pub fn landscape(seed: u64) -> Scene {
 }
 
 /// Remote shadow, as coarse as it may be: what it is does not matter here, but when its words come.
-fn shadows(dice: &mut Dice, scene: &mut Scene) {
+fn shadows(dice: &mut Dice, scene: &mut ComparedScene) {
     let finest = scene.range.end * 0.01;
     scene.shadows = Some(ShadowFineness { finest, angle: 0.02, reach: None });
     scene.sun.elevation = radians(dice.between(2.0, 15.0));
@@ -143,12 +143,12 @@ fn shadows(dice: &mut Dice, scene: &mut Scene) {
 }
 
 /// Ticks of a frame of a scene.
-fn ticks_of_frame(scene: &Scene) -> f64 {
+fn ticks_of_frame(scene: &ComparedScene) -> f64 {
     scene.master_hz as f64 / UPDATE_HZ as f64
 }
 
 /// Words of craters that take time, or few sub-generators, in either organisation.
-fn craters_on_a_line(dice: &mut Dice, scene: &mut Scene) {
+fn craters_on_a_line(dice: &mut Dice, scene: &mut ComparedScene) {
     let loads_a_sweep = dice.between(1.0, 40.0);
     let rate = 8.0 * loads_a_sweep * (UPDATE_HZ as f64) * f64::from(scene.sweeps);
     scene.feature_words = dice.choose(&[None, Some(rate)]);
@@ -159,7 +159,7 @@ fn craters_on_a_line(dice: &mut Dice, scene: &mut Scene) {
 }
 
 /// A processor that is late now and then, on a clock slow enough to be followed tick by tick.
-fn processor(dice: &mut Dice, scene: &mut Scene) {
+fn processor(dice: &mut Dice, scene: &mut ComparedScene) {
     scene.master_hz = scene.master_hz.min(UPDATE_HZ * u64::from(scene.sweeps * scene.samples) * 4);
     let sweep = ticks_of_frame(scene) / f64::from(scene.sweeps);
     scene.cpu.sweep_setup = (sweep * dice.choose(&[0.0, 0.3, 1.0, 2.3]) * dice.between(0.5, 1.0)) as u64;
@@ -175,7 +175,7 @@ fn processor(dice: &mut Dice, scene: &mut Scene) {
 }
 
 /// Drums that bring corners while the view turns.
-fn drums(dice: &mut Dice, scene: &mut Scene) {
+fn drums(dice: &mut Dice, scene: &mut ComparedScene) {
     let frame = ticks_of_frame(scene);
     let record_words = 9 * dice.choose(&[1, 1, 4, 9]);
     scene.data_banks = DataBanks {
@@ -193,7 +193,7 @@ fn drums(dice: &mut Dice, scene: &mut Scene) {
 }
 
 /// Up to thirty craters that lie wholly on the ground, the nearer ones more often.
-fn craters(dice: &mut Dice, scene: &Scene) -> Vec<Crater> {
+fn craters(dice: &mut Dice, scene: &ComparedScene) -> Vec<Crater> {
     let [south, west, north, east] = scene.level.extent();
     let one = |dice: &mut Dice| {
         let far = scene.range.end * dice.between(0.0, 1.0) * dice.between(0.0, 1.0);
@@ -218,7 +218,7 @@ fn craters(dice: &mut Dice, scene: &Scene) -> Vec<Crater> {
 }
 
 /// A second level on regions three times as large, over the same ground and more, and where it takes over.
-fn coarse(dice: &mut Dice, scene: &Scene) -> (landscape::Level, LevelSwitch) {
+fn coarse(dice: &mut Dice, scene: &ComparedScene) -> (landscape::Level, LevelSwitch) {
     let fine = &scene.level;
     let size = 3.0 * fine.region_size();
     let corners = fine.corners().map(|corners| corners / 3 + 4);
@@ -232,7 +232,7 @@ fn coarse(dice: &mut Dice, scene: &Scene) -> (landscape::Level, LevelSwitch) {
 }
 
 /// A loader that is late now and then.
-fn slow(dice: &mut Dice, scene: &mut Scene) {
+fn slow(dice: &mut Dice, scene: &mut ComparedScene) {
     let loader = &mut scene.loader;
     loader.late_policy = dice.choose(&[LatePolicy::StrobeThrough, LatePolicy::Latched]);
     loader.access = dice.count(1, 40) as u64;

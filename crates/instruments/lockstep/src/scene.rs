@@ -28,7 +28,7 @@ pub const UPDATE_HZ: u64 = 30;
 
 /// Everything that decides one picture, as plain fields.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Scene {
+pub struct ComparedScene {
     /// The ground.
     pub level: Level,
     /// Ground beyond the switch, where there are two levels.
@@ -100,7 +100,7 @@ pub struct Drawn {
     pub waveforms: Vec<Waveform>,
 }
 
-impl Scene {
+impl ComparedScene {
     /// A scene over `level`: eye 10 m above its middle, looking north with the report's field of view; a small
     /// raster; ideal laws; f64; wired transfers.
     pub fn over(level: Level) -> Self {

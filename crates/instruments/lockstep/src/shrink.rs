@@ -4,10 +4,10 @@ use hardware_model::LatePolicy;
 use landscape::Photometry;
 use scenario::{Curvature, Occlusion, Projection, RangeLaw};
 
-use crate::scene::{Scene, level_of};
+use crate::scene::{ComparedScene, level_of};
 
 /// What makes a scene simpler; a step that changes nothing is none.
-type Step = fn(&Scene) -> Option<Scene>;
+type Step = fn(&ComparedScene) -> Option<ComparedScene>;
 
 /// Coarse steps first.
 const STEPS: &[(&str, Step)] = &[
@@ -55,14 +55,14 @@ const STEPS: &[(&str, Step)] = &[
 /// Most steps tried: each takes something away, so there are not many.
 const MOST_ROUNDS: usize = 40;
 
-fn changed(scene: &Scene, change: impl FnOnce(&mut Scene)) -> Option<Scene> {
+fn changed(scene: &ComparedScene, change: impl FnOnce(&mut ComparedScene)) -> Option<ComparedScene> {
     let mut simpler = scene.clone();
     change(&mut simpler);
     (simpler != *scene).then_some(simpler)
 }
 
 /// Sets all words but those of `kept` to 0.
-fn keep_words(scene: &mut Scene, kept: &[usize]) {
+fn keep_words(scene: &mut ComparedScene, kept: &[usize]) {
     let level = &scene.level;
     let (corners, words) = (level.corners(), level.words().to_vec());
     let plain = |m: usize, n: usize| {
@@ -74,7 +74,7 @@ fn keep_words(scene: &mut Scene, kept: &[usize]) {
 
 /// The smallest scene found that `differs` still says something of, what that is, and what was left out on the way.
 /// Scenes that cannot be drawn differ in nothing.
-pub fn shrink(scene: Scene, differs: impl Fn(&Scene) -> Option<String>) -> Option<Shrunk> {
+pub fn shrink(scene: ComparedScene, differs: impl Fn(&ComparedScene) -> Option<String>) -> Option<Shrunk> {
     let mut now = Shrunk { difference: differs(&scene)?, scene, left_out: Vec::new() };
     for _ in 0..MOST_ROUNDS {
         let found = STEPS.iter().find_map(|(name, step)| {
@@ -92,7 +92,7 @@ pub fn shrink(scene: Scene, differs: impl Fn(&Scene) -> Option<String>) -> Optio
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shrunk {
     /// It.
-    pub scene: Scene,
+    pub scene: ComparedScene,
     /// How it differs.
     pub difference: String,
     /// What was made simpler, in order.
@@ -102,8 +102,9 @@ pub struct Shrunk {
 impl Shrunk {
     /// What is left of it, in a few words.
     pub fn describe(&self) -> String {
-        let Scene { level, sweeps, samples, craters, texture, eye, heading, pitch, laws, range, .. } =
-            &self.scene;
+        let ComparedScene {
+            level, sweeps, samples, craters, texture, eye, heading, pitch, laws, range, ..
+        } = &self.scene;
         let [north, east] = level.corners();
         format!(
             "{sweeps} sweeps of {samples} samples over {north} x {east} corners of {} m from {:?} m; {} craters {craters:?}; \

@@ -8,7 +8,7 @@ use scenario::Scalar;
 
 use crate::random::landscape;
 use crate::report::Report;
-use crate::scene::Scene;
+use crate::scene::ComparedScene;
 use crate::shrink::{Shrunk, shrink};
 
 /// A scene that differs.
@@ -52,12 +52,12 @@ pub struct Trials {
 /// The scene of every seed, all sweeps of one frame.
 pub fn trials(seeds: Range<u64>, scalar: Scalar) -> Trials {
     let one = |seed: u64| {
-        let scene = Scene { scalar, ..landscape(seed) };
+        let scene = ComparedScene { scalar, ..landscape(seed) };
         let frame = frame_of(seed);
         let report = scene.lockstep(frame).ok();
         let difference = report.as_ref().and_then(Report::first_difference);
         let fault = difference.and_then(|difference| {
-            let differs = |scene: &Scene| scene.lockstep(frame).ok()?.first_difference();
+            let differs = |scene: &ComparedScene| scene.lockstep(frame).ok()?.first_difference();
             Some(Fault { seed, scalar, difference, smallest: shrink(scene, differs)? })
         });
         (report, fault)

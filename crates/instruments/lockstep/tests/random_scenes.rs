@@ -1,6 +1,6 @@
 //! Random landscapes on both engines; a scene that differs is shrunk before it is told.
 
-use lockstep::{Scene, Trials, frame_of, random, shrink, trials};
+use lockstep::{ComparedScene, Trials, frame_of, random, shrink, trials};
 use scenario::Scalar;
 use signal::Waveform;
 
@@ -115,7 +115,7 @@ fn the_end_of_the_ground_at_a_rim() {
 }
 
 /// A signal broken on its way into the comparison: only where a crater is, only beyond the twentieth sample.
-fn tampered(scene: &Scene, seed: u64) -> Option<String> {
+fn tampered(scene: &ComparedScene, seed: u64) -> Option<String> {
     let engines = lockstep::Engines::new(scene.stage());
     let crooked = |wave: &mut Waveform| {
         if wave.signal.name == "fg.slope.v" {

@@ -3,7 +3,7 @@
 use crate::canvas::{Area, Canvas};
 use crate::colour::{FAINT, mix, of_height};
 use crate::frame::{BAR_ROOM, BELOW, Frame, Header, LEFT, colour_bar, map_frame, map_size};
-use crate::ground::Ground;
+use crate::ground::GroundMap;
 use crate::{Drawing, PlotError};
 use landscape::{Level, Sun};
 use quantities::degrees;
@@ -42,7 +42,7 @@ pub fn bank_picture(level: &Level, sun: Sun, look: &BankLook) -> Result<Drawing,
     let [south, west, north, east] = level.extent();
     let (width, height) = map_size([north - south, east - west], look.longest);
     let paper = (LEFT + width + BAR_ROOM).max(560.0);
-    let ground = Ground::sample(level, Area { left: 0.0, top: 0.0, width, height }, sun);
+    let ground = GroundMap::sample(level, Area { left: 0.0, top: 0.0, width, height }, sun);
     let header = Header::new(&look.title, &facts(level, sun, look, &ground), paper - LEFT - 16.0);
     let area = Area { left: LEFT, top: header.height(), width, height };
     let mut canvas = Canvas::new(paper as u32, (area.bottom() + BELOW) as u32);
@@ -71,7 +71,7 @@ pub(crate) fn sun_text(sun: Sun) -> String {
     format!("sun at azimuth {:.0}°, elevation {:.1}°", degrees(sun.azimuth), degrees(sun.elevation))
 }
 
-fn facts(level: &Level, sun: Sun, look: &BankLook, ground: &Ground) -> Vec<String> {
+fn facts(level: &Level, sun: Sun, look: &BankLook, ground: &GroundMap) -> Vec<String> {
     let [rows, columns] = level.corners();
     let regions = format!("{} × {} regions of {} m", rows - 1, columns - 1, level.region_size());
     let contours = format!(", contours every {} m", ground.contour_interval());

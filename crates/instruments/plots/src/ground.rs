@@ -12,7 +12,7 @@ const CONTOURS: f64 = 32.0;
 const HEAVY: f64 = 5.0;
 
 /// Heights and slopes at the middle of every pixel of a map.
-pub(crate) struct Ground {
+pub(crate) struct GroundMap {
     columns: u32,
     /// Height (m), slopes north and east (m/m).
     points: Vec<[f64; 3]>,
@@ -22,7 +22,7 @@ pub(crate) struct Ground {
     sun: Sun,
 }
 
-impl Ground {
+impl GroundMap {
     /// The ground of `level` over the pixels of `area`.
     pub fn sample(level: &Level, area: Area, sun: Sun) -> Self {
         let [south, west, north, east] = level.extent();

@@ -5,7 +5,7 @@ use crate::bank_picture::{check_panel, sun_text};
 use crate::canvas::{Anchor, Area, Canvas};
 use crate::colour::{Colour, HATCH, INK, PAPER, VOID, of_height, of_residual};
 use crate::frame::{BAR_ROOM, BELOW, Frame, Header, LEFT, SMALL, colour_bar, map_frame, map_size};
-use crate::ground::Ground;
+use crate::ground::GroundMap;
 use crate::residuals::{Figures, Spot};
 use crate::{Drawing, PlotError, Residuals};
 use landscape::{Level, Sun};
@@ -87,7 +87,7 @@ fn metres(length: f64) -> String {
 }
 
 fn draw_ground(canvas: &mut Canvas, level: &Level, sun: Sun, area: Area) {
-    let ground = Ground::sample(level, area, sun);
+    let ground = GroundMap::sample(level, area, sun);
     ground.draw(canvas, area, false);
     draw_axes(canvas, level, area);
     colour_bar(canvas, area, ground.ruler(), "fitted height (m)", of_height);

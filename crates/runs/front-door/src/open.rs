@@ -11,7 +11,7 @@ use hardware_model::{Asked, Economy, LoadedModel, Settings, SettingsError};
 use limits::Limit;
 use machine::HybridMachine;
 use run_record::{FileRecord, Inputs};
-use scenario::{Ground, RasterWishes, Scenario};
+use scenario::{GroundSource, RasterWishes, Scenario};
 
 use crate::keys::{Decides, decides, drop_wish};
 use crate::{OpenError, Opened, Wishes, read_model, read_scenario};
@@ -29,7 +29,7 @@ pub fn base_model(named: &str) -> &str {
 pub fn open(path: &Path, wishes: &Wishes) -> Result<Opened, OpenError> {
     let mut scenario = read_scenario(path)?;
     if let Some(bank) = &wishes.bank {
-        scenario.ground = Ground::Bank(bank.clone());
+        scenario.ground = GroundSource::Bank(bank.clone());
     }
     expect_bank(path, &scenario, wishes)?;
     let asked = wishes.machine.as_deref();
@@ -68,12 +68,14 @@ pub fn open(path: &Path, wishes: &Wishes) -> Result<Opened, OpenError> {
 /// Banks are made and not kept with the scenarios, so a first replay may find none.
 fn expect_bank(path: &Path, scenario: &Scenario, wishes: &Wishes) -> Result<(), OpenError> {
     match &scenario.ground {
-        Ground::Bank(bank) if wishes.bank.is_none() && !bank.exists() => Err(OpenError::Input(format!(
-            "{}: this scenario needs a bank; {}: no such file; `lunoid survey` or `lunoid bank import` makes one \
+        GroundSource::Bank(bank) if wishes.bank.is_none() && !bank.exists() => {
+            Err(OpenError::Input(format!(
+                "{}: this scenario needs a bank; {}: no such file; `lunoid survey` or `lunoid bank import` makes one \
              (see docs/real-ground.md)",
-            path.display(),
-            bank.display()
-        ))),
+                path.display(),
+                bank.display()
+            )))
+        }
         _ => Ok(()),
     }
 }

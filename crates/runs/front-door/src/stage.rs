@@ -6,7 +6,7 @@ use control_plane::MachineStage;
 use generator::Stage;
 use hardware_model::{HardwareModel, Settings, SettingsError};
 use landscape::{Bank, Landscape, bank_file};
-use scenario::{Ground, PathProblems, Pose, PoseTable, RollDisplay, Scenario, Scenery};
+use scenario::{GroundSource, PathProblems, Pose, PoseTable, RollDisplay, Scenario, Scenery};
 
 use crate::StageError;
 use crate::ground::landscape;
@@ -91,9 +91,9 @@ fn course(
 /// If the file cannot be read, or the parameters do not make a landscape.
 pub fn bank(scenario: &Scenario) -> Result<Bank, StageError> {
     let levels = match (&scenario.ground, &scenario.coarse) {
-        (Ground::Bank(path), _) => return Ok(bank_file::read(path)?),
-        (Ground::Generated(relief), None) => vec![relief.build()?],
-        (Ground::Generated(relief), Some(coarse)) => relief.build_two(coarse)?.into(),
+        (GroundSource::Bank(path), _) => return Ok(bank_file::read(path)?),
+        (GroundSource::Generated(relief), None) => vec![relief.build()?],
+        (GroundSource::Generated(relief), Some(coarse)) => relief.build_two(coarse)?.into(),
     };
     Ok(Bank::new(scenario.title.clone(), levels, None)?)
 }

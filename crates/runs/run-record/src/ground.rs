@@ -3,7 +3,7 @@
 use landscape::relief::Relief;
 use landscape::{AlbedoMap, Landscape, Level, Texels, bank_file};
 use quantities::degrees;
-use scenario::Ground;
+use scenario::GroundSource;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
@@ -78,11 +78,11 @@ impl From<&Level> for LevelRecord {
 
 impl GroundRecord {
     /// The record of `landscape`; `ground` says where it came from.
-    pub fn new(ground: &Ground, landscape: &Landscape) -> Self {
+    pub fn new(ground: &GroundSource, landscape: &Landscape) -> Self {
         let bank = landscape.bank();
         let (source, generator) = match ground {
-            Ground::Bank(_) => ("bank", None),
-            Ground::Generated(relief) => ("generated", Some(generated(relief))),
+            GroundSource::Bank(_) => ("bank", None),
+            GroundSource::Generated(relief) => ("generated", Some(generated(relief))),
         };
         Self {
             source: source.into(),

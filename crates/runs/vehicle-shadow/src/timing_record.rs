@@ -16,7 +16,7 @@ pub(crate) const MASTER_HZ: f64 = 1e6;
 /// The record of `made`, pictures with the shadow of `name` under `method`, one every `period` (s); `inputs` is a hash of what decides
 /// them.
 ///
-/// Deadline of a picture is the end of the one before: [`Deadline::FrameTasks`]. Units are the computer, busy with points
+/// Deadline of a picture is the end of the one before: [`Deadline::FRAME_TASKS`]. Units are the computer, busy with points
 /// and intersections, and the scan converter, if there is one; these are its tasks, too. Events are those of `Blanking`, vertices
 /// the points of the chain; there are no folds, no register sets.
 pub fn timing_record(
@@ -57,13 +57,13 @@ fn frame_timing(frame: &FrameWork, method: &Method, period: f64) -> FrameTiming 
         sets: Sets::default(),
         late_words: 0,
         vertices: Vertices { asked: frame.work.points, ready: frame.work.points },
-        deadlines: BTreeMap::from([(Deadline::FrameTasks, slack)]),
+        deadlines: BTreeMap::from([(Deadline::FRAME_TASKS, slack)]),
         units: [Some(unit("cpu", setup)), tube.then(|| unit("scan-converter", write))]
             .into_iter()
             .flatten()
             .collect(),
         tasks: tasks(frame, method),
-        misses: (slack_ticks < 0).then(|| Missed::of(Deadline::FrameTasks, 0, cause)).into_iter().collect(),
+        misses: (slack_ticks < 0).then(|| Missed::of(Deadline::FRAME_TASKS, 0, cause)).into_iter().collect(),
         events: frame.blanking.events,
         events_blake3: frame.blanking.events_blake3.clone(),
     }
@@ -130,9 +130,9 @@ mod tests {
         let tasks: Vec<_> =
             met.tasks.iter().map(|task| (task.task.as_str(), task.pieces, task.ticks)).collect();
         assert_eq!(tasks, [("points", 100, 9_000), ("intersections", 1000, 25_000)]);
-        assert_eq!(met.deadlines[&Deadline::FrameTasks].least, Some(6_000));
+        assert_eq!(met.deadlines[&Deadline::FRAME_TASKS].least, Some(6_000));
         assert!(met.misses.is_empty() && met.units.len() == 1);
-        assert_eq!(missed.deadlines[&Deadline::FrameTasks].least, Some(-19_000));
+        assert_eq!(missed.deadlines[&Deadline::FRAME_TASKS].least, Some(-19_000));
         assert_eq!(missed.misses[0].cause, Cause::Processor);
     }
 

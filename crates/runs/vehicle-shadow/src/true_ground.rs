@@ -28,7 +28,7 @@ pub struct TrueGround {
 }
 
 /// One shot over the ground.
-struct Scene<'a> {
+struct CastingScene<'a> {
     ground: &'a TrueGround,
     shot: &'a Shot,
     eye: DVec3,
@@ -83,13 +83,13 @@ impl TrueGround {
         PictureGates { suns: (0..suns.len()).map(of_sun).collect(), tracks }
     }
 
-    fn scene<'a>(&'a self, shot: &'a Shot, casters: Casters) -> Scene<'a> {
+    fn scene<'a>(&'a self, shot: &'a Shot, casters: Casters) -> CastingScene<'a> {
         let eye = DVec3::from_array(shot.eye);
         let away = |body: &Body| (body.centre.distance(eye) - body.radius).max(0.0);
         let mut bodies: Vec<(f64, &Body)> =
             self.stage.scenery.bodies(shot.time).map(|body| (away(body), body)).collect();
         bodies.sort_by(|a, b| a.0.total_cmp(&b.0));
-        Scene { ground: self, shot, eye, bodies, casters }
+        CastingScene { ground: self, shot, eye, bodies, casters }
     }
 }
 
@@ -105,7 +105,7 @@ fn without_law(scenery: &Scenery) -> Vec<&'static str> {
     rows.into_iter().filter_map(|(is_there, name)| is_there.then_some(name)).collect()
 }
 
-impl Scene<'_> {
+impl CastingScene<'_> {
     /// Gates of the line at `y` for each of `suns` points of the sun, and of its tracks.
     fn line(&self, y: f64, columns: usize, suns: usize) -> (Vec<Gate>, Gate) {
         let half = self.shot.field.tan_half_width;

@@ -5,7 +5,7 @@
 use machine::Prepare;
 use std::hint::black_box;
 
-use benchmarks::{Choice, Scene};
+use benchmarks::{Choice, TimedScene};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use exact::Exact;
 use generator::Generator;
@@ -18,7 +18,8 @@ fn whole_frame(c: &mut Criterion) {
     group.sample_size(20);
     for (name, scalar) in [("f32", Scalar::F32), ("f64", Scalar::F64)] {
         for threads in [1, 2] {
-            let scene = Scene::shipped("first-light", &Choice { scalar: Some(scalar), ..Choice::default() });
+            let scene =
+                TimedScene::shipped("first-light", &Choice { scalar: Some(scalar), ..Choice::default() });
             let (mut planes, pose) = (scene.planes(), scene.pose);
             group.throughput(Throughput::Elements(scene.samples()));
             let session = scene.stage.prepare();
@@ -35,7 +36,8 @@ fn whole_frame(c: &mut Criterion) {
 
 /// The same frame by closed form and root finding.
 fn exact_frame(c: &mut Criterion) {
-    let scene = Scene::shipped("first-light", &Choice { scalar: Some(Scalar::F64), ..Choice::default() });
+    let scene =
+        TimedScene::shipped("first-light", &Choice { scalar: Some(Scalar::F64), ..Choice::default() });
     let (mut planes, pose) = (scene.planes(), scene.pose);
     let session = Exact.prepare(scene.stage.stage()).expect("exact draws terrain");
     let mut group = c.benchmark_group("exact frame");

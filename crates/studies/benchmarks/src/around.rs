@@ -8,7 +8,7 @@ use rayon::ThreadPool;
 use signal::Probe;
 use survey::{Affine, Elevation, Frame, SurveyOptions, survey};
 
-use crate::{Choice, REAL_TIME, Scene};
+use crate::{Choice, REAL_TIME, TimedScene};
 
 /// A mission, from its scenario's file to the planes of its last frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,7 +31,7 @@ impl Mission {
     /// If a frame cannot be drawn.
     pub fn draw(name: &str, choice: &Choice, pool: &ThreadPool) -> Result<Self, String> {
         let begin = Instant::now();
-        let scene = Scene::shipped(name, choice);
+        let scene = TimedScene::shipped(name, choice);
         let ground = begin.elapsed().as_secs_f64();
         let (mut planes, samples, poses) = (scene.planes(), scene.samples(), scene.poses());
         let begin = Instant::now();

@@ -9,7 +9,7 @@ use scenario::Pose;
 use serde_json::{Value, json};
 use signal::Probe;
 
-use crate::{REAL_TIME, ROWS, Row, Scene};
+use crate::{REAL_TIME, ROWS, Row, TimedScene};
 
 /// Times of one row on one number of threads.
 #[derive(Debug, Clone)]
@@ -35,7 +35,7 @@ struct Drawn {
 
 impl Drawn {
     fn new(row: &'static Row) -> Self {
-        let scene = Scene::shipped(row.scenario, &row.choice);
+        let scene = TimedScene::shipped(row.scenario, &row.choice);
         let (planes, pose, samples) = (scene.planes(), scene.pose, scene.samples());
         let session = scene.stage.prepare();
         Self { row, session, planes, pose, samples }

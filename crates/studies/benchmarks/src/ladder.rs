@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::{fs, io};
 
-use crate::{Choice, Scene};
+use crate::{Choice, TimedScene};
 
 /// What the scene holds; all but one stay as they are.
 #[derive(Debug, Clone, Copy)]
@@ -60,7 +60,7 @@ pub struct Ladder {
     /// The scene at a value.
     pub at: fn(f64) -> Size,
     /// How much of it a scene has, where that is another number than the value.
-    pub count: Option<fn(&Scene) -> f64>,
+    pub count: Option<fn(&TimedScene) -> f64>,
     /// The scene with nothing of it, where there is one: what the cost grows from.
     pub without: Option<Size>,
 }
@@ -142,7 +142,7 @@ pub const LADDERS: &[Ladder] = &[
 ];
 
 /// Segments of shadow that lie around the eye of the first frame, within [`SHADOWED`].
-fn shadow_segments(scene: &Scene) -> f64 {
+fn shadow_segments(scene: &TimedScene) -> f64 {
     let bank = scene.shadow_bank();
     let [north, east, _] = scene.pose.eye;
     let tiles = bank.around(&scene.stage.scenery.sun(0.0), [north, east], SHADOWED, None);
@@ -154,12 +154,12 @@ impl Size {
     ///
     /// # Errors
     /// If the file cannot be written.
-    pub fn scene(&self, folder: &Path) -> io::Result<Scene> {
+    pub fn scene(&self, folder: &Path) -> io::Result<TimedScene> {
         // So many are an average: there may be more.
         limits::raise("rocks=200000").expect("it is a limit that can be raised");
         let path = folder.join("ladder.toml");
         fs::write(&path, self.text())?;
-        Ok(Scene::read(&path, &Choice::default()))
+        Ok(TimedScene::read(&path, &Choice::default()))
     }
 
     fn text(&self) -> String {

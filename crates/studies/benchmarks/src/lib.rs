@@ -4,7 +4,7 @@
 //! `docs/measuring.md` says how to read the figures. The scenes are shipped ones, so that the figures are of pictures that
 //! one can look at.
 //!
-//! - [`Scene`]: a shipped scenario made ready, and the pose of its first frame.
+//! - [`TimedScene`]: a shipped scenario made ready, and the pose of its first frame.
 //! - [`ROWS`], [`frame_times`]: frames whose time `speed` tells, and how they are timed.
 //! - [`around`]: what stands before and between frames: ground, shadow boundaries, a survey, whole missions.
 //! - [`chain`]: an analog chain by exact steps and by ngspice, held against each other by the binary `goals`.
@@ -33,4 +33,4 @@ pub use frames::{FrameTimes, frame_times};
 pub use kernels::{KERNELS, Kernel, Work, kernel};
 pub use ladder::{BASE, LADDERS, Ladder, Size};
 pub use rows::{REAL_TIME, ROWS, Row, STANDARD};
-pub use scene::{Choice, Scene};
+pub use scene::{Choice, TimedScene};

@@ -13,7 +13,7 @@ use std::time::Instant;
 use quantities::sin_cos;
 use scenario::Pose;
 
-use crate::Scene;
+use crate::TimedScene;
 
 /// What the ray tracer made of a mesh.
 #[derive(Debug)]
@@ -38,7 +38,7 @@ const RUNS: usize = 2;
 ///
 /// # Errors
 /// If it ends badly or writes what nobody expects.
-pub fn trace(scene: &Scene, pose: &Pose, side: usize) -> Result<Option<Traced>, String> {
+pub fn trace(scene: &TimedScene, pose: &Pose, side: usize) -> Result<Option<Traced>, String> {
     let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
     let raster = scene.stage.settings.raster;
     let size = [raster.columns as usize, raster.lines as usize];
@@ -79,7 +79,7 @@ fn pixels(file: &[u8], count: usize) -> Option<Vec<f32>> {
 }
 
 /// Scene file and number of triangles. Axes of POV-Ray: x to the right, y up, z ahead, the eye at the origin.
-fn described(scene: &Scene, pose: &Pose, side: usize) -> (String, usize) {
+fn described(scene: &TimedScene, pose: &Pose, side: usize) -> (String, usize) {
     let (settings, landscape) = (&scene.stage.settings, &scene.stage.landscape);
     let (sin, cos) = sin_cos(pose.attitude.heading);
     let turned = |[north, east, up]: [f64; 3]| [east * cos - north * sin, up, north * cos + east * sin];

@@ -11,7 +11,7 @@ use scenario::{Pose, PoseTable, Scalar, Scenario};
 
 /// A shipped scenario under its own machine, made ready for its first frame.
 #[derive(Debug)]
-pub struct Scene {
+pub struct TimedScene {
     /// Ground, scenery, settings.
     pub stage: MachineStage,
     /// Of frame 0.
@@ -32,7 +32,7 @@ pub struct Choice {
     pub economy: Economy,
 }
 
-impl Scene {
+impl TimedScene {
     /// The scenario called `name`, with `choice` made.
     ///
     /// # Panics

@@ -11,7 +11,7 @@ use landscape::{Bank, Level, bank_file};
 use quantities::unit_interval;
 use signal::Probe;
 
-use crate::{Choice, Scene};
+use crate::{Choice, TimedScene};
 
 /// Corners along a side of the bank: a million in all.
 const SIDE: usize = 1000;
@@ -80,7 +80,7 @@ pub struct Beginning {
 pub fn begin(scenario: &Path, economy: Economy) -> Result<Beginning, String> {
     let mut clock = Instant::now();
     let mut lap = || std::mem::replace(&mut clock, Instant::now()).elapsed().as_secs_f64();
-    let scene = Scene::read(scenario, &Choice { economy, ..Choice::default() });
+    let scene = TimedScene::read(scenario, &Choice { economy, ..Choice::default() });
     let (mut planes, pose) = (scene.planes(), scene.pose);
     let landscape = lap();
     let session = scene.stage.prepare();

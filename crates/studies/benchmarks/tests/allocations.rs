@@ -3,7 +3,7 @@
 use machine::Prepare;
 use std::alloc::System;
 
-use benchmarks::{Choice, Scene};
+use benchmarks::{Choice, TimedScene};
 use signal::Probe;
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 
@@ -13,7 +13,7 @@ static COUNTED: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 /// How often the third frame of a scene asks for memory, on one thread.
 fn asked(scenario: &str, raster: [u32; 2]) -> usize {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
-    let scene = Scene::shipped(scenario, &Choice { raster: Some(raster), ..Choice::default() });
+    let scene = TimedScene::shipped(scenario, &Choice { raster: Some(raster), ..Choice::default() });
     let (mut planes, pose) = (scene.planes(), scene.pose);
     let session = scene.stage.prepare();
     let mut draw = || {

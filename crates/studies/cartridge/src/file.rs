@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
 
 use crate::reading::Reading;
-use crate::scene::{Case, Scene};
+use crate::scene::{CartridgeScene, Case};
 
 /// Number of the format.
 const FORMAT: u32 = 2;
@@ -25,7 +25,7 @@ pub(crate) struct File {
     /// What it shows, for people.
     title: String,
     /// What is run.
-    scene: Scene,
+    scene: CartridgeScene,
     /// The answers, at least one.
     #[cfg_attr(test, schemars(length(min = 1)))]
     expect: Vec<Expect>,
@@ -167,7 +167,7 @@ impl File {
 }
 
 impl Expect {
-    fn check(&self, scene: &Scene) -> Result<(), String> {
+    fn check(&self, scene: &CartridgeScene) -> Result<(), String> {
         let label = self.read.label();
         if !self.read.is_for(scene) {
             return Err(format!("`{label}` cannot be read off a scene of kind \"{}\"", scene.kind()));
@@ -201,7 +201,7 @@ impl Overlay {
         }
         let mut table = scene.clone();
         lay(&self.scene, &mut table);
-        let scene: Scene = table.try_into().map_err(|error| one_line(&error))?;
+        let scene: CartridgeScene = table.try_into().map_err(|error| one_line(&error))?;
         let cases = scene.cases()?;
         match cases.len() == expected {
             true => Ok(cases),

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use crate::Tile;
 use crate::cache::Cache;
 use crate::cover::Cover;
-use crate::ground::{Ground, LitGround};
+use crate::ground::{GroundSheets, LitGround};
 use crate::tile::Place;
 
 /// Suns whose tiles are kept in memory.
@@ -35,7 +35,7 @@ pub struct Resolution {
 /// What it answers depends on the question alone, not on what was asked before nor on the number of threads.
 #[derive(Debug)]
 pub struct ShadowBank {
-    ground: Ground,
+    ground: GroundSheets,
     resolution: Resolution,
     cache: Option<Cache>,
     failure: Mutex<Option<FileError>>,
@@ -57,7 +57,7 @@ impl ShadowBank {
         let finest = resolution.finest.max(SMALLEST_SPACING);
         let resolution = Resolution { finest, ..resolution };
         Self {
-            ground: Ground::new(landscape),
+            ground: GroundSheets::new(landscape),
             resolution,
             cache: None,
             failure: Mutex::default(),
@@ -72,7 +72,7 @@ impl ShadowBank {
         Self { cache: Some(cache), ..self }
     }
 
-    pub(crate) fn ground(&self) -> &Ground {
+    pub(crate) fn ground(&self) -> &GroundSheets {
         &self.ground
     }
 

@@ -7,7 +7,7 @@ use solids::Body;
 use crate::Outlines;
 use crate::axes::SunAxes;
 use crate::bank::ShadowBank;
-use crate::ground::Ground;
+use crate::ground::GroundSheets;
 
 /// Length of outline over which the ground is taken to be flat (m): a longer edge is cut into pieces.
 const FLAT: f64 = 0.5;
@@ -48,7 +48,7 @@ impl ShadowBank {
 }
 
 /// Vertices above the ground, and the places where edges enter it: what casts a shadow on the ground.
-fn above_ground(body: &Body, ground: &Ground) -> Vec<DVec3> {
+fn above_ground(body: &Body, ground: &GroundSheets) -> Vec<DVec3> {
     let clearance = |vertex: &DVec3| {
         let height = ground.height([vertex.x, vertex.y]);
         height.map_or(f64::NEG_INFINITY, |height| vertex.z - height)
@@ -106,7 +106,7 @@ fn seen(axes: &SunAxes, v: DVec3) -> [f64; 2] {
 }
 
 /// Where the ray from the sun through `point` meets the ground: north, east (m).
-fn fall(ground: &Ground, axes: &SunAxes, point: DVec3) -> [f64; 2] {
+fn fall(ground: &GroundSheets, axes: &SunAxes, point: DVec3) -> [f64; 2] {
     let along = |way: f64| [point.x + way * axes.away()[0], point.y + way * axes.away()[1]];
     if axes.cos <= 0.0 {
         return along(0.0);

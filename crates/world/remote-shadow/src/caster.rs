@@ -248,14 +248,14 @@ impl<'a> Upstream<'a> {
 #[cfg(test)]
 mod tests {
     use super::Upstream;
-    use crate::ground::{Ground, LitGround};
+    use crate::ground::{GroundSheets, LitGround};
     use crate::tests::{cratered, rough, two_levels};
     use landscape::Sun;
     use quantities::radians;
     use std::sync::Arc;
 
     fn same_as_all(landscape: landscape::Landscape, lattice: f64, places: [f64; 2]) {
-        let ground = Ground::new(Arc::new(landscape));
+        let ground = GroundSheets::new(Arc::new(landscape));
         for (azimuth, elevation) in [(33.0, 0.4), (180.0, 3.0), (251.0, 10.0), (90.0, 40.0), (0.0, 90.0)] {
             let sun = Sun { azimuth: radians(azimuth), elevation: radians(elevation) };
             let lit = LitGround::new(&ground, &sun, lattice);

@@ -10,12 +10,12 @@ use crate::sheet::{Node, Sheet, Stand};
 
 /// A landscape in squares: [`Landscape::at`], bit for bit, without a search for the craters of each point.
 #[derive(Debug)]
-pub(crate) struct Ground {
+pub(crate) struct GroundSheets {
     pub(crate) landscape: Arc<Landscape>,
     pub(crate) sheets: Vec<Sheet>,
 }
 
-impl Ground {
+impl GroundSheets {
     pub(crate) fn new(landscape: Arc<Landscape>) -> Self {
         let levels = 0..landscape.bank().levels().len();
         let sheets = levels.map(|index| Sheet::new(&landscape, index)).collect();
@@ -84,7 +84,7 @@ impl Ground {
 /// The ground under one sun.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct LitGround<'a> {
-    pub(crate) ground: &'a Ground,
+    pub(crate) ground: &'a GroundSheets,
     pub(crate) axes: SunAxes,
     /// Distance between the places at which casters are looked for (m).
     pub(crate) lattice: f64,
@@ -111,7 +111,7 @@ pub(crate) struct Lift {
 }
 
 impl<'a> LitGround<'a> {
-    pub(crate) fn new(ground: &'a Ground, sun: &Sun, lattice: f64) -> Self {
+    pub(crate) fn new(ground: &'a GroundSheets, sun: &Sun, lattice: f64) -> Self {
         Self { ground, axes: SunAxes::new(sun), lattice }
     }
 
@@ -135,14 +135,14 @@ impl<'a> LitGround<'a> {
 
 #[cfg(test)]
 mod tests {
-    use super::Ground;
+    use super::GroundSheets;
     use crate::tests::{cratered, two_levels};
     use landscape::Landscape;
     use quantities::unit_interval;
     use std::sync::Arc;
 
     fn is_the_landscape(landscape: Landscape, [from, length]: [f64; 2]) {
-        let ground = Ground::new(Arc::new(landscape));
+        let ground = GroundSheets::new(Arc::new(landscape));
         for n in 0..20_000 {
             let [x, y] = [0, 1].map(|axis| from + length * unit_interval(3, &[n, axis]));
             let found =

@@ -139,7 +139,7 @@ fn crossing_of_tangents(a: Spot, b: Spot) -> f64 {
 mod tests {
     use super::{Interval, Walk};
     use crate::caster::Upstream;
-    use crate::ground::{Ground, LitGround};
+    use crate::ground::{GroundSheets, LitGround};
     use crate::tests::cratered;
     use landscape::Sun;
     use quantities::radians;
@@ -154,7 +154,7 @@ mod tests {
 
     #[test]
     fn a_tile_is_a_part_of_the_whole_profile() {
-        let ground = Ground::new(Arc::new(cratered(6, 120)));
+        let ground = GroundSheets::new(Arc::new(cratered(6, 120)));
         let sun = Sun { azimuth: radians(215.0), elevation: radians(4.0) };
         let lit = LitGround::new(&ground, &sun, SPACING);
         let [p, q] = lit.axes.to_sun_axes([300.0, 300.0]);

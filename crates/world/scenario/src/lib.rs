@@ -47,7 +47,7 @@ pub use laws::{
 };
 pub use limits::{Limit, LimitReport};
 pub use looks::{AlbedoMapWish, MapCurve, RollDisplay, ShadowFineness, TextureWish};
-pub use meant::{Ground, Length, Scenario};
+pub use meant::{GroundSource, Length, Scenario};
 pub use objects::{Action, Event, Object, Stance};
 pub use path::{Path, PathError, Station, Waypoint};
 pub use pose::Pose;

@@ -24,7 +24,7 @@ pub struct Scenario {
     /// How long it is.
     pub length: Length,
     /// Where the ground comes from.
-    pub ground: Ground,
+    pub ground: GroundSource,
     /// Ground around a generated one, which is its coarse level.
     pub coarse: Option<Relief>,
     /// Craters on the ground, each with its own closed form.
@@ -94,7 +94,7 @@ pub enum Length {
 
 /// Where the ground comes from.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Ground {
+pub enum GroundSource {
     /// A coefficient bank in a file, in the scenario's folder or below.
     Bank(PathBuf),
     /// A seeded landscape.
@@ -114,8 +114,8 @@ impl Scenario {
     /// Files that the scenario refers to, for the record of a run.
     pub fn files(&self) -> Vec<&FilePath> {
         let bank = match &self.ground {
-            Ground::Bank(path) => Some(path.as_path()),
-            Ground::Generated(_) => None,
+            GroundSource::Bank(path) => Some(path.as_path()),
+            GroundSource::Generated(_) => None,
         };
         let list = self.features.list.as_ref().map(|list| list.file.as_path());
         let shapes = self.objects.iter().filter_map(|object| object.file.as_deref());

@@ -22,7 +22,7 @@ use limits::Limit;
 use quantities::radians;
 
 use crate::{
-    Display, FieldOfView, Ground, LawWishes, Length, LevelSwitch, RasterWishes, RollDisplay, Scalar,
+    Display, FieldOfView, GroundSource, LawWishes, Length, LevelSwitch, RasterWishes, RollDisplay, Scalar,
     Scenario, Vehicle, VehicleShape, words,
 };
 
@@ -220,10 +220,10 @@ fn levels(table: &Reader) -> Option<LevelSwitch> {
 /// A coarse level that no sweep goes over to would be made and not drawn.
 fn check_levels(
     root: &Reader,
-    ground: Option<&(Ground, Option<Relief>)>,
+    ground: Option<&(GroundSource, Option<Relief>)>,
     levels: &Option<Option<LevelSwitch>>,
 ) {
-    let Some((Ground::Generated(_), coarse)) = ground else { return };
+    let Some((GroundSource::Generated(_), coarse)) = ground else { return };
     let (title, expected) = match (coarse, levels) {
         (Some(_), Some(None)) => ("`landscape.coarse` without `levels`", "[levels] with `switch_m`"),
         (None, Some(Some(_))) => ("`levels` on ground of one level", "[landscape.coarse], or no [levels]"),

@@ -5,7 +5,7 @@ use std::fs;
 
 use landscape::Photometry;
 use quantities::radians;
-use scenario::{Ground, LevelSwitch, RockArea, RollDisplay, Scenario, ShadowFineness};
+use scenario::{GroundSource, LevelSwitch, RockArea, RollDisplay, Scenario, ShadowFineness};
 
 const DOC: &str = include_str!("../../../../docs/scenario-format.md");
 
@@ -45,7 +45,7 @@ fn parse(text: &str) -> Scenario {
     // Folders differ from one parse to the next.
     scenario.path = scenario.path.named("drive");
     scenario.path_file = scenario.path_file.map(|path| path.file_name().unwrap().into());
-    if let Ground::Bank(path) = &mut scenario.ground {
+    if let GroundSource::Bank(path) = &mut scenario.ground {
         *path = path.file_name().unwrap().into();
     }
     if let Some(map) = &mut scenario.albedo_map {
@@ -111,7 +111,7 @@ fn a_scenario_reads_as_it_is_meant() {
     assert!((scenario.field.tan_half_width - 0.466307658).abs() < 1e-9);
     assert!((scenario.field.tan_half_height - 0.267949192).abs() < 1e-9);
     assert_eq!(scenario.raster.refresh.unwrap().to_string(), "60 Hz");
-    let Ground::Generated(relief) = &scenario.ground else { panic!("{:?}", scenario.ground) };
+    let GroundSource::Generated(relief) = &scenario.ground else { panic!("{:?}", scenario.ground) };
     assert_eq!((relief.seed, relief.extent, relief.region_size), (7, [6000.0, 6000.0], 40.0));
     assert_eq!((relief.massifs.len(), relief.rilles.len()), (1, 1));
 }

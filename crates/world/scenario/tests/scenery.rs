@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use landscape::{Bank, Landscape, Level};
-use scenario::{Ground, Scenario, Scenery, SceneryProblem, SceneryProblems};
+use scenario::{GroundSource, Scenario, Scenery, SceneryProblem, SceneryProblems};
 use solids::Kind;
 
 const GOOD: &str = r#"format = 1
@@ -27,7 +27,7 @@ const ROCKS: &str = "[rocks]\nseed = 4\ndensity_per_m2 = 0.01\nsmallest_m = 0.2\
 fn scenery(tables: &str) -> Result<(Scenario, Scenery), SceneryProblems> {
     let scenario =
         Scenario::parse("t.toml", &format!("{GOOD}\n{tables}")).unwrap_or_else(|list| panic!("{list}"));
-    let Ground::Generated(relief) = &scenario.ground else { panic!("generated") };
+    let GroundSource::Generated(relief) = &scenario.ground else { panic!("generated") };
     let bank = Bank::new("t", vec![relief.build().unwrap()], None).unwrap();
     let scenery = Scenery::of(&scenario, &Landscape::new(bank, 1.0))?;
     Ok((scenario, scenery))
@@ -235,7 +235,7 @@ fn there_and_back(tables: &str, length: f64) -> Result<Scenery, SceneryProblems>
     };
     let path = scenario::Path::new((0..=rides).map(waypoint).collect()).unwrap();
     let wishes = Scenario::parse("t.toml", &format!("{GOOD}{tables}")).unwrap();
-    let Ground::Generated(relief) = &wishes.ground else { panic!("generated") };
+    let GroundSource::Generated(relief) = &wishes.ground else { panic!("generated") };
     let bank = Bank::new("t", vec![relief.build().unwrap()], None).unwrap();
     Scenery::of(&Scenario { path, ..wishes }, &Landscape::new(bank, 1.0))
 }

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use quantities::radians;
 
-use super::{CrossingBudget, Ground, SET, SETS_LOADED, SweepBudget};
+use super::{CrossingBudget, GroundScale, SET, SETS_LOADED, SweepBudget};
 use crate::{Cpu, CrossingServer, Drum, HardwareModel, IoProcessor, Loader};
 
 /// Share of a region by which a set may be late before it shows (hardware section 4.5).
@@ -35,7 +35,7 @@ pub struct LoaderBudget {
 impl LoaderBudget {
     pub(super) fn of(
         model: &HardwareModel,
-        ground: Ground,
+        ground: GroundScale,
         sweep: &SweepBudget,
         crossings: &CrossingBudget,
     ) -> Self {
@@ -156,7 +156,7 @@ pub struct DrumBudget {
 }
 
 impl DrumBudget {
-    pub(super) fn of(model: &HardwareModel, ground: Ground) -> Option<Self> {
+    pub(super) fn of(model: &HardwareModel, ground: GroundScale) -> Option<Self> {
         let Drum { rotation, word, record_words, count, .. } = model.data_banks.drum?;
         let channels = model.data_banks.channels;
         let word = word.max(channels.word);
@@ -179,7 +179,7 @@ impl DrumBudget {
 
 /// Corners of all regions that a sector of the field of view touches, mean over place and heading. A corner belongs
 /// to one if the sector meets the square of two regions around it: the area of a Minkowski sum, in regions.
-pub(crate) fn sector_corners(ground: Ground) -> f64 {
+pub(crate) fn sector_corners(ground: GroundScale) -> f64 {
     let (radius, angle) = (ground.range / ground.region_size, radians(FIELD_DEG));
     let area = 0.5 * angle * radius * radius;
     let perimeter = (2.0 + angle) * radius;

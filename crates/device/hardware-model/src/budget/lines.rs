@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Budget, CpuBudget, CrossingBudget, DrumBudget, Ground, LoaderBudget, SweepBudget};
+use super::{Budget, CpuBudget, CrossingBudget, DrumBudget, GroundScale, LoaderBudget, SweepBudget};
 
 /// One figure of a budget.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -63,7 +63,7 @@ pub(crate) fn four_digits(value: f64) -> String {
     format!("{value:.*}", (3 - magnitude).clamp(0, 12) as usize)
 }
 
-fn ground_lines(ground: &Ground) -> [BudgetLine; 2] {
+fn ground_lines(ground: &GroundScale) -> [BudgetLine; 2] {
     [
         line("region_size_m", "region size", ground.region_size, "m", "d"),
         line("range_m", "ground range of a sweep", ground.range, "m", "R"),

@@ -217,7 +217,7 @@ fn of_two_misses_of_one_identity_none_is_lost() {
 #[test]
 fn deadlines_and_units_come_and_go_by_name() {
     let gone = changed(|found| {
-        found.frames[0].deadlines.remove(&timing::Deadline::Transfer);
+        found.frames[0].deadlines.remove(&timing::Deadline::TRANSFER);
         found.frames[0].units.remove(1);
     });
     let gone = gone.text(10);

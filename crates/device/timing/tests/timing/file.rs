@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use proptest::prelude::{prop_assert_eq, proptest};
 use serde_json::{Value, json};
 use tempfile::TempDir;
-use timing::{Fault, RecordError, Slack, TimingRecord, read, write};
+use timing::{Deadline, Fault, RecordError, Slack, TimingRecord, read, write};
 
 use crate::samples::{record, small};
 
@@ -196,4 +196,22 @@ fn a_file_that_is_not_there() {
     let (folder, path) = room();
     assert!(matches!(read(&path), Err(RecordError::File(files::FileError::Missing { .. }))));
     assert!(matches!(read(folder.path()), Err(RecordError::File(files::FileError::IsFolder { .. }))));
+}
+
+#[test]
+fn a_generator_names_deadlines_of_its_own() {
+    const POLYGONS: Deadline = Deadline::new("all-polygons");
+    let (_folder, path) = room();
+    let mut record = small();
+    let slack = record.frames[0].deadlines[&Deadline::TRANSFER];
+    record.frames[0].deadlines.insert(POLYGONS, slack);
+    write(&path, &record).expect("written");
+    let back = read(&path).expect("read");
+    assert_eq!(back, record);
+    let order: Vec<_> = back.frames[0].deadlines.keys().map(Deadline::word).collect();
+    assert_eq!(order, ["transfer", "frame-tasks", "all-polygons"]);
+    for name in ["", "All", "two words", "a-name-that-is-far-too-long"] {
+        let refused = read_text(GOLDEN.replacen("\"frame-tasks\"", &format!("\"{name}\""), 1)).unwrap_err();
+        assert!(refused.to_string().contains("expected a deadline: 1 to 24"), "{refused}");
+    }
 }

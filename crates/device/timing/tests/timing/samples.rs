@@ -23,7 +23,7 @@ fn unit(name: &str, busy: u64, longest_queue: u32) -> UnitUse {
 
 pub fn torn_corner() -> Missed {
     Missed {
-        deadline: Deadline::Transfer,
+        deadline: Deadline::TRANSFER,
         sweep: 402,
         crossing: Some(7),
         colour: Some("red".into()),
@@ -41,7 +41,7 @@ pub fn torn_corner() -> Missed {
 
 pub fn starved_corner() -> Missed {
     Missed {
-        deadline: Deadline::Corner,
+        deadline: Deadline::CORNER,
         sweep: 17,
         crossing: None,
         colour: None,
@@ -74,8 +74,8 @@ pub fn small() -> TimingRecord {
         late_words: 0,
         vertices: Vertices { asked: 320, ready: 320 },
         deadlines: BTreeMap::from([
-            (Deadline::Transfer, slack_of([5, 90, 4000])),
-            (Deadline::FrameTasks, slack_of([200_000])),
+            (Deadline::TRANSFER, slack_of([5, 90, 4000])),
+            (Deadline::FRAME_TASKS, slack_of([200_000])),
         ]),
         units: vec![unit("cpu", 340_000, 2), unit("loader.red", 33_000, 3)],
         tasks: Vec::new(),
@@ -89,8 +89,8 @@ pub fn small() -> TimingRecord {
         late_words: 9,
         vertices: Vertices { asked: 320, ready: 96 },
         deadlines: BTreeMap::from([
-            (Deadline::Transfer, slack_of([5, -5, 4000])),
-            (Deadline::Corner, slack_of([-70_000, 12])),
+            (Deadline::TRANSFER, slack_of([5, -5, 4000])),
+            (Deadline::CORNER, slack_of([-70_000, 12])),
         ]),
         units: vec![unit("cpu", 350_000, 1), unit("drum.fine.0", 666_667, 11)],
         tasks: Vec::new(),
@@ -121,7 +121,7 @@ fn finite() -> impl Strategy<Value = f64> {
 
 fn missed() -> impl Strategy<Value = Missed> {
     let place = (any::<u32>(), option::of(any::<u32>()), option::of(text()), option::of(text()));
-    let what = (select(&Deadline::ALL[..]), select(&Cause::ALL[..]), 0u16..512);
+    let what = (select(&Deadline::HYBRID[..]), select(&Cause::ALL[..]), 0u16..512);
     let where_ = (option::of(any::<[i64; 2]>()), option::of(finite()), finite(), option::of(finite()));
     let part = (option::of(text()), option::of(any::<u32>()));
     (place, what, where_, part).prop_map(|(place, what, where_, part)| {
@@ -163,7 +163,7 @@ fn units() -> impl Strategy<Value = Vec<UnitUse>> {
 
 fn deadlines() -> impl Strategy<Value = BTreeMap<Deadline, Slack>> {
     let slack = vec(prop_oneof![any::<i64>(), -1000i64..1000], 0..20).prop_map(slack_of);
-    btree_map(select(&Deadline::ALL[..]), slack, 0..4)
+    btree_map(select(&Deadline::HYBRID[..]), slack, 0..4)
 }
 
 fn tasks() -> impl Strategy<Value = Vec<Task>> {

@@ -36,10 +36,10 @@ fn many_sweeps_are_cut() {
 #[test]
 fn the_worst_is_told_with_its_place() {
     let totals = Totals::of(&small());
-    let transfer = &totals.deadlines[&Deadline::Transfer];
+    let transfer = &totals.deadlines[&Deadline::TRANSFER];
     assert_eq!((transfer.slack.least, transfer.worst_frame), (Some(-5), Some(13)));
     assert_eq!(transfer.worst_miss, Some(torn_corner()));
-    let tasks = &totals.deadlines[&Deadline::FrameTasks];
+    let tasks = &totals.deadlines[&Deadline::FRAME_TASKS];
     assert_eq!((tasks.worst_frame, &tasks.worst_miss), (Some(12), &None));
 }
 
@@ -48,7 +48,7 @@ fn never_is_later_than_late() {
     let mut record = small();
     let misses = &mut record.frames[1].misses;
     misses.push(timing::Missed { sweep: 500, came: None, ..torn_corner() });
-    let worst = Totals::of(&record).deadlines[&Deadline::Transfer].worst_miss.clone();
+    let worst = Totals::of(&record).deadlines[&Deadline::TRANSFER].worst_miss.clone();
     assert_eq!(worst.map(|missed| missed.sweep), Some(500));
 }
 
@@ -67,12 +67,12 @@ fn utilisation_is_over_the_frames_that_have_the_unit() {
 
 #[test]
 fn histograms_add_up_over_frames() {
-    let histogram = small().slack_histogram(Deadline::Transfer);
+    let histogram = small().slack_histogram(Deadline::TRANSFER);
     assert_eq!(histogram.len(), 16);
     let filled: Vec<_> = histogram.iter().filter(|(_, count)| *count > 0.0).cloned().collect();
     let expected = [("-8..-1", 1.0), ("1..8", 2.0), ("8..128", 1.0), ("1024..8192", 2.0)];
     assert_eq!(filled, expected.map(|(label, count)| (label.to_owned(), count)));
-    assert!(small().slack_histogram(Deadline::SweepSetUp).iter().all(|(_, count)| *count == 0.0));
+    assert!(small().slack_histogram(Deadline::SWEEP_SET_UP).iter().all(|(_, count)| *count == 0.0));
 }
 
 #[test]

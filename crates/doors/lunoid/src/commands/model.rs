@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
 use file_info::{can_be_built, findings_document, findings_text, model_document_with};
-use hardware_model::{Asked, Ground, HardwareModel, LoadedModel, PartCounts};
+use hardware_model::{Asked, GroundScale, HardwareModel, LoadedModel, PartCounts};
 
 use crate::commands::list;
 use crate::output::{print, print_json};
@@ -127,9 +127,9 @@ impl Named {
 }
 
 impl GroundArgs {
-    fn of(&self, model: &HardwareModel) -> Ground {
+    fn of(&self, model: &HardwareModel) -> GroundScale {
         let usual = model.usual_ground();
-        Ground {
+        GroundScale {
             region_size: self.region_size_m.unwrap_or(usual.region_size),
             range: self.range_m.unwrap_or(usual.range),
         }

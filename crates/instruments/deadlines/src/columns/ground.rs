@@ -9,7 +9,7 @@ use super::four::{BEAM, BODIES, GATE, Seen};
 const NEIGHBOURS: usize = 2;
 
 /// Sweeps of the ideal machine, and what bodies changed with the analog side alone ideal.
-pub struct Ground<'a> {
+pub struct GroundReach<'a> {
     table: &'a RangeTable,
     /// Line of the beam by sample, of each sweep.
     beams: Vec<&'a [f64]>,
@@ -18,7 +18,7 @@ pub struct Ground<'a> {
     gates: [Vec<&'a [f64]>; 2],
 }
 
-impl<'a> Ground<'a> {
+impl<'a> GroundReach<'a> {
     /// From what was seen of all sweeps.
     pub fn new(table: &'a RangeTable, seen: &'a Seen) -> Self {
         let of = |waveforms: &'a [Waveform], name: &str| -> Vec<&'a [f64]> {

@@ -74,13 +74,13 @@ impl<'a> Lines<'a> {
 }
 
 fn is_of_a_sweep(missed: &Missed) -> bool {
-    missed.deadline != Deadline::FrameTasks
+    missed.deadline != Deadline::FRAME_TASKS
 }
 
 /// What comes too late shows from the fold that wanted it on; a set-up from the start of the sweep.
 fn start_of(missed: &Missed, table: &RangeTable) -> f64 {
     match missed.deadline {
-        Deadline::SweepSetUp | Deadline::FrameTasks => 0.0,
+        Deadline::SWEEP_SET_UP | Deadline::FRAME_TASKS => 0.0,
         _ => missed.range_m.unwrap_or_else(|| table.range_at(SweepTime(missed.due))),
     }
 }
@@ -89,7 +89,7 @@ fn start_of(missed: &Missed, table: &RangeTable) -> f64 {
 /// before whose set-up was in time, or late by no more than has gone by since. `begins` are the first ticks of the sweeps.
 fn drawn_with(misses: &[Missed], begins: &[u64], per_sample: f64) -> Vec<u32> {
     let mut made: Vec<Option<u64>> = begins.iter().copied().map(Some).collect();
-    for missed in misses.iter().filter(|missed| missed.deadline == Deadline::SweepSetUp) {
+    for missed in misses.iter().filter(|missed| missed.deadline == Deadline::SWEEP_SET_UP) {
         let own = missed.sweep as usize;
         made[own] = missed.lateness().map(|late| begins[own] + (late * per_sample).round() as u64);
     }
@@ -116,9 +116,9 @@ mod tests {
     fn a_line_shows_from_its_fold_on() {
         let table = RangeTable::new(&HardwareModel::ideal().range, 100);
         let misses = [
-            missed(Deadline::Transfer, 1, Some(50.0), None),
-            missed(Deadline::Transfer, 1, Some(300.0), None),
-            missed(Deadline::FrameTasks, 3, None, None),
+            missed(Deadline::TRANSFER, 1, Some(50.0), None),
+            missed(Deadline::TRANSFER, 1, Some(300.0), None),
+            missed(Deadline::FRAME_TASKS, 3, None, None),
         ];
         let lines = Lines::new(7, &misses, &table, &[0, 60, 120, 180], 0.5);
         assert!(lines.reaches(1, 50.0) && !lines.reaches(1, 49.0));
@@ -131,7 +131,7 @@ mod tests {
     #[test]
     fn a_late_set_up_leaves_the_last_that_is_made() {
         let table = RangeTable::new(&HardwareModel::ideal().range, 100);
-        let set_up = |sweep, came| missed(Deadline::SweepSetUp, sweep, None, came);
+        let set_up = |sweep, came| missed(Deadline::SWEEP_SET_UP, sweep, None, came);
         let misses = [set_up(1, Some(180.0)), set_up(2, None), set_up(3, Some(20.0))];
         let lines = Lines::new(7, &misses, &table, &[0, 60, 120, 180, 240], 0.5);
         assert_eq!(lines.drawn, [0, 0, 0, 1, 4]);

@@ -105,7 +105,7 @@ impl TracedColumns<'_> {
     /// Set-ups and bodies first, then those next to the pixel: as many of either.
     fn told<'m>(&self, lines: &[(u64, &'m Missed)]) -> Vec<(u64, &'m Missed)> {
         let is_of_a_fold = |(_, missed): &&(u64, &Missed)| {
-            !matches!(missed.deadline, Deadline::SweepSetUp | Deadline::FrameTasks)
+            !matches!(missed.deadline, Deadline::SWEEP_SET_UP | Deadline::FRAME_TASKS)
         };
         let (folds, tasks): (Vec<_>, Vec<_>) = lines.iter().partition(is_of_a_fold);
         let nearest = folds.len().saturating_sub(self.limits.lines);

@@ -8,7 +8,7 @@ use sweep_memory::{Tube, TubeRaster};
 use timing::{Missed, TimingRecord};
 
 use super::four::{Seen, pose};
-use super::ground::Ground;
+use super::ground::GroundReach;
 use super::lines::Lines;
 use super::place::{Screen, Spot};
 use super::verdict::{Pixel, Way};
@@ -23,7 +23,7 @@ pub fn remembered(settings: &Settings, frame: u64) -> Vec<u64> {
 /// The lines of a frame and of those before that the tube still shows, against one screen.
 pub struct Trace<'a> {
     /// The ideal machine's picture.
-    ground: Ground<'a>,
+    ground: GroundReach<'a>,
     screen: Screen,
     now: Lines<'a>,
     /// As the real parts show them: this frame, then the earlier ones, the nearest first.
@@ -54,7 +54,7 @@ impl<'a> Trace<'a> {
         seen: &'a Seen,
     ) -> Result<Self, DeadlineError> {
         let settings = &rehearsal.stage.settings;
-        let ground = Ground::new(table, seen);
+        let ground = GroundReach::new(table, seen);
         let [own, ideal] = &seen.poses;
         let refused = || DeadlineError::NoFan;
         let cells = ground.cells();

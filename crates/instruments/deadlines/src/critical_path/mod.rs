@@ -56,29 +56,29 @@ impl Chain {
     }
 }
 
-/// The chains of one frame, in the order of [`Deadline::ALL`].
+/// The chains of one frame, in the order of [`Deadline::HYBRID`].
 pub fn chains(rehearsal: &Rehearsal, pose: &Pose, frame: &FrameTiming) -> Result<Vec<Chain>, DeadlineError> {
     let stage = &rehearsal.stage;
     let sweeps = rehearsal.pool.install(|| rehearsal.control.sweeps(frame.frame, pose))?;
-    let of = |deadline: &Deadline| match deadline {
-        Deadline::Transfer => rehearsal.pool.install(|| worst_transfer(stage, &sweeps, frame.frame)),
-        Deadline::SweepSetUp => set_up(stage, frame),
-        Deadline::FrameTasks => frame_tasks(stage, frame),
-        Deadline::Corner => corner(frame),
-        Deadline::Feature | Deadline::Segment => load(*deadline, frame),
+    let of = |deadline: &Deadline| match *deadline {
+        Deadline::TRANSFER => rehearsal.pool.install(|| worst_transfer(stage, &sweeps, frame.frame)),
+        Deadline::SWEEP_SET_UP => set_up(stage, frame),
+        Deadline::FRAME_TASKS => frame_tasks(stage, frame),
+        Deadline::CORNER => corner(frame),
+        Deadline::FEATURE | Deadline::SEGMENT => load(*deadline, frame),
+        _ => None,
     };
-    let all = Deadline::ALL.iter().filter(|deadline| frame.deadlines.contains_key(deadline));
-    Ok(all.filter_map(of).collect())
+    Ok(frame.deadlines.keys().filter_map(of).collect())
 }
 
 /// The worst set-up: it begins with the sweep before, behind interrupts and set-ups that run over. One that is not made
 /// counts as a sweep too late.
 fn set_up(stage: &MachineStage, frame: &FrameTiming) -> Option<Chain> {
-    let slack = frame.deadlines.get(&Deadline::SweepSetUp)?.least?;
+    let slack = frame.deadlines.get(&Deadline::SWEEP_SET_UP)?.least?;
     let settings = &stage.settings;
     let period = (frame.ticks / u64::from(settings.raster.sweeps)) as i64;
     let own = settings.cpu.sweep_setup as i64;
-    let worst = latest(Deadline::SweepSetUp, frame);
+    let worst = latest(Deadline::SWEEP_SET_UP, frame);
     let what =
         worst.map_or("program of a sweep".into(), |missed| format!("program of sweep {}", missed.sweep));
     let is_made = worst.is_none_or(|missed| missed.came.is_some());
@@ -87,7 +87,7 @@ fn set_up(stage: &MachineStage, frame: &FrameTiming) -> Option<Chain> {
         true => vec![link("cpu", before, period - own - slack), link("cpu", "set-up", own)],
         false => vec![link("cpu", before, period)],
     };
-    Some(Chain { deadline: Deadline::SweepSetUp, what, links, slack: is_made.then_some(slack) })
+    Some(Chain { deadline: Deadline::SWEEP_SET_UP, what, links, slack: is_made.then_some(slack) })
 }
 
 /// The miss of a frame that comes latest after its time; the first of several.
@@ -99,7 +99,7 @@ fn latest(deadline: Deadline, frame: &FrameTiming) -> Option<&Missed> {
 
 /// Tables and polyhedra fill what crossings and set-ups leave.
 fn frame_tasks(stage: &MachineStage, frame: &FrameTiming) -> Option<Chain> {
-    let slack = frame.deadlines.get(&Deadline::FrameTasks)?.least?;
+    let slack = frame.deadlines.get(&Deadline::FRAME_TASKS)?.least?;
     let busy =
         |unit: &str| frame.units.iter().find(|found| found.unit == unit).map(|found| found.busy as i64);
     let all = busy("cpu.tables")? + busy("cpu.vertices")? + (-slack).max(0);
@@ -110,14 +110,14 @@ fn frame_tasks(stage: &MachineStage, frame: &FrameTiming) -> Option<Chain> {
         link("cpu", format!("vertices of polyhedra: {}", frame.vertices.asked), all - tables),
     ];
     let what = "tables and polyhedra of the next frame".into();
-    Some(Chain { deadline: Deadline::FrameTasks, what, links, slack: Some(slack) })
+    Some(Chain { deadline: Deadline::FRAME_TASKS, what, links, slack: Some(slack) })
 }
 
 /// A record that the storage buffer does not hold waits for its drum; one that does not come in the frame counts as a
 /// sweep too late. There is no chain where every corner was there.
 fn corner(frame: &FrameTiming) -> Option<Chain> {
-    let slack = frame.deadlines.get(&Deadline::Corner)?.least?;
-    let worst = latest(Deadline::Corner, frame)?;
+    let slack = frame.deadlines.get(&Deadline::CORNER)?.least?;
+    let worst = latest(Deadline::CORNER, frame)?;
     let [m, n] = worst.region?;
     let drums = frame.units.iter().filter(|unit| unit.unit.starts_with("drum."));
     let links = drums.map(|unit| {
@@ -126,7 +126,7 @@ fn corner(frame: &FrameTiming) -> Option<Chain> {
     });
     let what = format!("corner {m} {n} and others, first asked for in sweep {}", worst.sweep);
     let slack = worst.came.map(|_| slack);
-    Some(Chain { deadline: Deadline::Corner, what, links: links.collect(), slack })
+    Some(Chain { deadline: Deadline::CORNER, what, links: links.collect(), slack })
 }
 
 /// Words of a crater or of a shadow boundary wait for their line, and for the part that they go to. There is no chain where
@@ -135,7 +135,7 @@ fn load(deadline: Deadline, frame: &FrameTiming) -> Option<Chain> {
     let slack = frame.deadlines.get(&deadline)?.least?;
     let worst = latest(deadline, frame)?;
     let unit =
-        if deadline == Deadline::Feature { "feature-generator.load" } else { "shadow-controller.load" };
+        if deadline == Deadline::FEATURE { "feature-generator.load" } else { "shadow-controller.load" };
     let busy = frame.units.iter().find(|found| found.unit == unit);
     let links = busy.map(|found| link(unit, "at work in this frame, all loads together", found.busy as i64));
     let crater = worst.crater.map_or("shadow boundary".into(), |crater| format!("crater {crater}"));

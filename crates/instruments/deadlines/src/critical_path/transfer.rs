@@ -91,7 +91,7 @@ impl Explained<'_> {
             None => vec![self.wait(sets, index, asked, due)],
         };
         Chain {
-            deadline: Deadline::Transfer,
+            deadline: Deadline::TRANSFER,
             what: self.what(set),
             links,
             slack: came.map(|came| due - came),

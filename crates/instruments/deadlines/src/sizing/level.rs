@@ -1,6 +1,6 @@
 //! Figures of one level of terrain, sweep by sweep.
 
-use hardware_model::{Budget, Ground};
+use hardware_model::{Budget, GroundScale};
 use machine::FrameSweeps;
 use machine::MachineStage;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
@@ -90,7 +90,7 @@ impl LevelFigures {
             |value: fn(&SweepFigures) -> f64| all.iter().map(|sweep| value(sweep)).sum::<f64>() / total;
         let range = mean(|sweep| sweep.range);
         let region_size = of.level.region_size();
-        let budget = rehearsal.model_as_run().budget(Ground { region_size, range });
+        let budget = rehearsal.model_as_run().budget(GroundScale { region_size, range });
         // A fold is seen with the next tick of the clock: half a tick later, in the mean.
         let is_wired = stage.settings.loader.is_wired_through();
         let tick = if is_wired { 0.0 } else { 1.0 / stage.settings.timebase.master.hertz() };

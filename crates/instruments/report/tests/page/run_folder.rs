@@ -196,7 +196,7 @@ fn timing(frame: u64) -> TimingSummary {
         folds: 74_859,
         late_words: 9,
         sets: Sets { wanted: 400, loaded: 300, late: 1, wasted: 100, cancelled: 0 },
-        deadlines: vec![DeadlineLine { deadline: Deadline::Transfer, slack, worst_frame: Some(frame) }],
+        deadlines: vec![DeadlineLine { deadline: Deadline::TRANSFER, slack, worst_frame: Some(frame) }],
         units: vec![UnitLine {
             unit: "loader.red".into(),
             least: 0.05,

@@ -10,7 +10,7 @@ use benchmarks::around::{Mission, surveyed};
 use benchmarks::chain::{Outputs, Stepped, difference, simulate};
 use benchmarks::mesh::trace;
 use benchmarks::startup::{begin, prepare};
-use benchmarks::{Choice, FrameTimes, KERNELS, STANDARD, Scene, Work, frame_times};
+use benchmarks::{Choice, FrameTimes, KERNELS, STANDARD, TimedScene, Work, frame_times};
 use clap::{Parser, Subcommand};
 use control_plane::ControlPlane;
 use exact::Exact;
@@ -192,8 +192,10 @@ fn control() -> Result<(), String> {
         [("nominal-drive", "pra-nominal"), ("nominal-drive", "ideal"), ("showpiece", "ideal")]
     {
         let choice = Choice { model: Some(model), ..Choice::default() };
-        let (plane, scene) =
-            (ControlPlane::new(Scene::shipped(scenario, &choice).stage), Scene::shipped(scenario, &choice));
+        let (plane, scene) = (
+            ControlPlane::new(TimedScene::shipped(scenario, &choice).stage),
+            TimedScene::shipped(scenario, &choice),
+        );
         let count = scene.stage.settings.raster.sweeps;
         let mut programs = Vec::new();
         let mut write = |look: &mut dyn FnMut(&[SweepProgram])| {
@@ -231,7 +233,7 @@ fn memory() -> Result<(), String> {
 
 fn peak(scenario: &str, standard: bool) -> Result<(), String> {
     let raster = standard.then_some(STANDARD);
-    let scene = Scene::shipped(scenario, &Choice { model: Some("ideal"), raster, ..Choice::default() });
+    let scene = TimedScene::shipped(scenario, &Choice { model: Some("ideal"), raster, ..Choice::default() });
     let (mut planes, pose) = (scene.planes(), scene.pose);
     let session = scene.stage.prepare();
     for _ in 0..3 {
@@ -288,7 +290,7 @@ fn mesh() -> Result<(), String> {
         raster: Some(STANDARD),
         ..Choice::default()
     };
-    let mut scene = Scene::shipped("first-light", &choice);
+    let mut scene = TimedScene::shipped("first-light", &choice);
     let raster = scene.stage.settings.raster;
     println!(
         "| first light, {} x {} pixels, two threads | triangles | rms error | ms | of the whole machine's | of the preview's | reading and all, s |\n|---|---|---|---|---|---|---|",

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use benchmarks::{LADDERS, Ladder, Scene, Size};
+use benchmarks::{LADDERS, Ladder, Size, TimedScene};
 use clap::Parser;
 use plots::{PointSeries, TraceLook, ladder_picture};
 use signal::Probe;
@@ -84,7 +84,7 @@ fn climb(ladder: &Ladder, repetitions: usize) -> Result<(f64, Vec<[f64; 2]>), St
 }
 
 /// Median time of all frames of a scene (ms), after once to warm up.
-fn time(scene: Scene, threads: usize, repetitions: usize) -> Result<f64, String> {
+fn time(scene: TimedScene, threads: usize, repetitions: usize) -> Result<f64, String> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     let pool = pool.map_err(|error| error.to_string())?;
     let (mut planes, poses) = (scene.planes(), scene.poses());

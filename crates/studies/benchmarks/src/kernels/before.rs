@@ -14,7 +14,7 @@ use super::frames::PART;
 use super::group::Group;
 use super::{Work, alone};
 use crate::around::RoughPlain;
-use crate::{Choice, Scene};
+use crate::{Choice, TimedScene};
 
 /// How far around the eye shadows are found (m).
 const NEAR: f64 = 1.0;
@@ -72,7 +72,7 @@ pub(super) fn polyhedra() -> Work {
 
 pub(super) fn control_plane(model: &'static str) -> Work {
     let choice = Choice { model: Some(model), raster: Some(PART), ..Choice::default() };
-    let scene = Scene::shipped("nominal-drive", &choice);
+    let scene = TimedScene::shipped("nominal-drive", &choice);
     let (pose, sweeps) = (scene.pose, scene.stage.settings.raster.sweeps);
     let plane = ControlPlane::new(scene.stage);
     let mut programs = Vec::new();
@@ -86,7 +86,7 @@ pub(super) fn control_plane(model: &'static str) -> Work {
 }
 
 pub(super) fn shadow_boundaries() -> Work {
-    let scene = Scene::shipped("long-shadows", &Choice::default());
+    let scene = TimedScene::shipped("long-shadows", &Choice::default());
     let (sun, foot) = (scene.stage.scenery.sun(0.0), [scene.pose.eye[0], scene.pose.eye[1]]);
     Work::new(1, move || {
         let bank = scene.shadow_bank();

@@ -7,7 +7,7 @@ use scenario::Scalar;
 use signal::Probe;
 
 use super::{Work, alone};
-use crate::{Choice, Scene};
+use crate::{Choice, TimedScene};
 
 /// Sweeps and samples of a part of a frame: eight groups.
 pub(super) const PART: [u32; 2] = [64, 1000];
@@ -27,7 +27,7 @@ pub(super) fn part(scenario: &str, model: &'static str, scalar: Scalar, economy:
 }
 
 fn frame(scenario: &str, choice: &Choice, prepare: Prepare, mut probe: Probe) -> Work {
-    let scene = alone(|| Scene::shipped(scenario, choice));
+    let scene = alone(|| TimedScene::shipped(scenario, choice));
     let (mut planes, pose, samples) = (scene.planes(), scene.pose, scene.samples());
     let session = prepare(scene.stage);
     Work::new(samples, move || {

@@ -8,13 +8,13 @@ use sweep_generator::RangeTable;
 use sweep_program::{Fan, SweepProgram};
 use terrain_generator::{Profile, TerrainGenerator};
 
-use crate::{Choice, STANDARD, Scene};
+use crate::{Choice, STANDARD, TimedScene};
 
 /// Samples of a group.
 pub(super) const SAMPLES: u64 = LANES as u64 * STANDARD[1] as u64;
 
 pub(super) struct Group {
-    pub scene: Scene,
+    pub scene: TimedScene,
     pub table: RangeTable,
     pub fan: Fan,
     pub programs: [SweepProgram; LANES],
@@ -26,8 +26,8 @@ impl Group {
     /// Of frame 0 of a scenario under ideal parts, on the standard raster.
     pub fn of(scenario: &str) -> Self {
         let choice = Choice { model: Some("ideal"), raster: Some(STANDARD), ..Choice::default() };
-        let control = ControlPlane::new(Scene::shipped(scenario, &choice).stage);
-        let scene = Scene::shipped(scenario, &choice);
+        let control = ControlPlane::new(TimedScene::shipped(scenario, &choice).stage);
+        let scene = TimedScene::shipped(scenario, &choice);
         let settings = &scene.stage.settings;
         let sweeps = control.sweeps(0, &scene.pose).expect("drawn by the tests");
         let first = settings.raster.sweeps / 2;

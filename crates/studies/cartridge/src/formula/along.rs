@@ -7,7 +7,7 @@ use serde::Deserialize;
 use super::basis::hermite;
 use super::light::lambert;
 use super::response::two_pole_ramp;
-use crate::scene::ground::Ground;
+use crate::scene::ground::CartridgeGround;
 use crate::scene::machine::MachineCase;
 
 /// A quantity at every place of a sweep.
@@ -83,7 +83,7 @@ impl Along {
     pub fn full_scale(&self, of: &MachineCase) -> Option<f64> {
         match (self, &of.ground) {
             (Self::Nothing, _) => Some(1.0),
-            (_, Ground::OneWord { value_m, .. }) => Some(value_m.abs()),
+            (_, CartridgeGround::OneWord { value_m, .. }) => Some(value_m.abs()),
             _ => None,
         }
     }

@@ -95,9 +95,9 @@ impl ResponseReading {
         let timing = seen.timing()?;
         let (deadline, available) = match self.task {
             Task::SweepSetUp => {
-                (Deadline::SweepSetUp, timing.ticks as f64 / f64::from(meant.settings.raster.sweeps))
+                (Deadline::SWEEP_SET_UP, timing.ticks as f64 / f64::from(meant.settings.raster.sweeps))
             }
-            Task::FrameTables => (Deadline::FrameTasks, timing.ticks as f64),
+            Task::FrameTables => (Deadline::FRAME_TASKS, timing.ticks as f64),
         };
         let least = timing.deadlines.get(&deadline).and_then(|slack| slack.least);
         let least = least.ok_or(format!("the processor has no task of the kind {}", self.task.word()))?;

@@ -20,7 +20,7 @@ pub use deviation::Deviation;
 
 use serde::Deserialize;
 
-use crate::scene::{Case, Scene, Seen};
+use crate::scene::{CartridgeScene, Case, Seen};
 
 /// The signal of ground range.
 pub(crate) const RANGE: &str = "sweep.range";
@@ -118,7 +118,7 @@ impl Reading {
     }
 
     /// Whether it can be read off scenes of a kind.
-    pub fn is_for(&self, scene: &Scene) -> bool {
+    pub fn is_for(&self, scene: &CartridgeScene) -> bool {
         let kind = match self {
             Self::Output(_) | Self::Peak(_) | Self::Settling(_) | Self::Trips(_) | Self::OutputError(_) => {
                 "part"

@@ -9,7 +9,7 @@ use crate::formula::basis::direct_sum;
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(tag = "kind", rename_all = "kebab-case", deny_unknown_fields)]
-pub enum Ground {
+pub enum CartridgeGround {
     /// `height + slope_north x + slope_east y`.
     Plane {
         /// At the origin (m).
@@ -50,7 +50,7 @@ pub enum Ground {
 /// Corners either way at most, and corners of a polynomial's rows at most.
 const MOST_CORNERS: usize = 4096;
 
-impl Ground {
+impl CartridgeGround {
     /// Each ground that is meant, alone.
     pub fn variants(&self) -> Vec<Self> {
         let Self::OneWord { corners, words, value_m } = self else { return vec![self.clone()] };

@@ -19,7 +19,7 @@ use signal::Probe;
 use sweep_program::Fan;
 use timing::FrameTiming;
 
-use super::ground::Ground;
+use super::ground::CartridgeGround;
 use super::within;
 use crate::file::Engine;
 use crate::hardware::Hardware;
@@ -35,7 +35,7 @@ pub struct MachineScene {
     /// Corners to the north and to the east; corner (0, 0) is the origin.
     pub corners: [usize; 2],
     /// Terrain.
-    pub ground: Ground,
+    pub ground: CartridgeGround,
     /// Craters on it.
     #[serde(default)]
     pub craters: Vec<Bowl>,
@@ -81,7 +81,7 @@ pub struct Bowl {
 #[derive(Debug, Clone)]
 pub struct MachineCase {
     pub scene: MachineScene,
-    pub ground: Ground,
+    pub ground: CartridgeGround,
     /// Clockwise from north (rad), and in degrees as it is written.
     pub heading: f64,
     heading_deg: f64,
@@ -132,7 +132,7 @@ impl MachineScene {
         Ok(cases)
     }
 
-    fn landscape(&self, ground: &Ground) -> Result<Landscape, String> {
+    fn landscape(&self, ground: &CartridgeGround) -> Result<Landscape, String> {
         let level =
             ground.level(self.region_size_m, self.corners).map_err(|error| format!("ground: {error}"))?;
         let bank = Bank::new("cartridge", vec![level], None).map_err(|error| format!("ground: {error}"))?;
@@ -159,7 +159,7 @@ impl MachineScene {
 impl MachineCase {
     pub(super) fn what(&self) -> String {
         let ground = match &self.ground {
-            Ground::OneWord { corners, words, .. } => {
+            CartridgeGround::OneWord { corners, words, .. } => {
                 format!(", word {} of corner {:?}", words[0], corners[0])
             }
             _ => String::new(),

@@ -16,7 +16,7 @@ use crate::reading::Reading;
 #[derive(Debug, Clone, Deserialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(tag = "kind", rename_all = "kebab-case")]
-pub enum Scene {
+pub enum CartridgeScene {
     /// The whole machine, or `exact`, over a ground: one frame.
     Machine(machine::MachineScene),
     /// One analog part on the bench.
@@ -52,7 +52,7 @@ pub enum Seen {
     View(view::Trips),
 }
 
-impl Scene {
+impl CartridgeScene {
     /// Its word in files.
     pub fn kind(&self) -> &'static str {
         match self {

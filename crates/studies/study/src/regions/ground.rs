@@ -6,7 +6,7 @@ use landscape::{Landscape, Level};
 use quantities::sin_cos;
 
 /// Height (m) and slopes to the north and east at a place (m from the south-west corner of the area).
-pub(super) trait Ground {
+pub(super) trait Relief {
     fn at(&self, place: [f64; 2]) -> [f64; 3];
 }
 
@@ -31,7 +31,7 @@ impl<'a> Stored<'a> {
     }
 }
 
-impl Ground for Stored<'_> {
+impl Relief for Stored<'_> {
     fn at(&self, [north, east]: [f64; 2]) -> [f64; 3] {
         let found = self.level.locate(self.corner[0] + north, self.corner[1] + east);
         found.map_or([f64::NAN; 3], |(region, within)| super::height_and_slopes(self.level, region, within))
@@ -50,7 +50,7 @@ impl Waves {
     }
 }
 
-impl Ground for Waves {
+impl Relief for Waves {
     fn at(&self, [north, east]: [f64; 2]) -> [f64; 3] {
         let (height, rate) = (0.01 * self.length, TAU / self.length);
         // Off the axes, so that no corner lies on a crest.

@@ -18,7 +18,7 @@ use crate::figures::{ErrorFigure, Figures, Sum};
 use crate::ladder::{Expectation, Extent, LadderOutcome, RungOutcome};
 use crate::work::spread;
 use crate::{Effort, StudyError, Subject};
-use ground::{Ground, Stored, Waves};
+use ground::{Relief, Stored, Waves};
 
 /// Names of the ladders.
 pub const REGION_LADDERS: [&str; 2] = ["region", "region-smooth"];
@@ -82,7 +82,7 @@ fn unsmoothed(region_size: f64) -> SurveyOptions {
 /// largest size with `samples` along the middle one.
 fn ladder(
     name: (&'static str, &'static str),
-    ground: &dyn Ground,
+    ground: &dyn Relief,
     options: &SurveyOptions,
     [samples, count]: [usize; 2],
     expected: &[Expectation],
@@ -102,7 +102,7 @@ fn ladder(
 }
 
 fn rung(
-    ground: &dyn Ground,
+    ground: &dyn Relief,
     area: &Area,
     elevation: &Elevation,
     options: &SurveyOptions,
@@ -148,7 +148,7 @@ impl Area {
         (self.side / self.step).round() as usize + 1
     }
 
-    fn sampled(&self, ground: &dyn Ground) -> Elevation {
+    fn sampled(&self, ground: &dyn Relief) -> Elevation {
         let count = self.samples();
         let at = |index: usize| index as f64 * self.step;
         let heights = (0..count * count).map(|sample| ground.at([at(sample / count), at(sample % count)])[0]);
@@ -157,7 +157,7 @@ impl Area {
     }
 
     /// Half way between the samples.
-    fn errors(&self, ground: &dyn Ground, level: &Level) -> Figures {
+    fn errors(&self, ground: &dyn Relief, level: &Level) -> Figures {
         let (mut height, mut slope, mut edge) = (Sum::default(), Sum::default(), Sum::default());
         let at = |index: usize| (index as f64 + 0.5) * self.step;
         let inside = |place: f64| self.margin <= place && place <= self.side - self.margin;

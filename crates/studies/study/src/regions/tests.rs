@@ -1,6 +1,6 @@
 use survey::SurveyOptions;
 
-use super::ground::{Ground, Waves};
+use super::ground::{Relief, Waves};
 use super::{HEIGHT_RMS, SLOPE_RMS, ladder, unsmoothed};
 use crate::Effort;
 use crate::ladder::{Expectation, LadderOutcome};

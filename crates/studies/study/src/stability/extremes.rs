@@ -7,7 +7,7 @@ use quantities::radians;
 use scenario::{FieldOfView, RangeLaw, RangeProgramme};
 
 use super::cell::plain;
-use super::scene::Scene;
+use super::scene::StabilityScene;
 
 /// One extreme.
 #[derive(Debug, Clone)]
@@ -32,12 +32,12 @@ pub struct Extreme {
 #[derive(Debug, Clone, Copy)]
 pub struct Push {
     figure: f64,
-    change: fn(&mut Scene, f64),
+    change: fn(&mut StabilityScene, f64),
 }
 
 impl Push {
     /// Changes `scene`.
-    pub fn apply(&self, scene: &mut Scene) {
+    pub fn apply(&self, scene: &mut StabilityScene) {
         (self.change)(scene, self.figure);
     }
 }
@@ -45,7 +45,7 @@ impl Push {
 /// Roundings of a sum of 36 products and eleven powers, and of a root and a quotient behind it.
 const USUAL: f64 = 2e3;
 
-fn extreme(row: &'static str, name: String, figure: f64, change: fn(&mut Scene, f64)) -> Extreme {
+fn extreme(row: &'static str, name: String, figure: f64, change: fn(&mut StabilityScene, f64)) -> Extreme {
     Extreme {
         row,
         name,
@@ -229,7 +229,8 @@ fn ranges() -> Vec<Extreme> {
         scene.range.law = RangeLaw::Geometric;
         scene.range.end = scene.range.start * (1.0 + share);
     });
-    let decades = |name: &str, change: fn(&mut Scene, f64)| extreme("range", name.to_owned(), 1e6, change);
+    let decades =
+        |name: &str, change: fn(&mut StabilityScene, f64)| extreme("range", name.to_owned(), 1e6, change);
     vec![
         nearly,
         decades("1e-3 m to 1e6 m, geometric", |scene, end| {

@@ -13,7 +13,7 @@ use scenario::{Pose, Scalar};
 use signal::Probe;
 
 use super::cell::{Action, Found};
-use super::scene::Scene;
+use super::scene::StabilityScene;
 use crate::figures::{Bench, SignalErrors, Sum};
 
 /// A machine that draws scenes.
@@ -54,7 +54,7 @@ const FARTHEST: f64 = 2.0;
 
 /// What real parts may be off by on `scene`, as a share of full scale: at rest, and by as much as signals move while they
 /// are on their way. Of few samples the mean is no mean: so much more.
-pub fn share_allowed(scene: &Scene, drawer: &Drawer<'_>) -> f64 {
+pub fn share_allowed(scene: &StabilityScene, drawer: &Drawer<'_>) -> f64 {
     let Ok((stage, _)) = scene.build(drawer.model, drawer.scalar) else { return SHARE };
     let count = scene.samples as usize;
     let ranges: Vec<f64> = (0..count).map(|sample| stage.settings.range.at_sample(sample, count)).collect();
@@ -73,7 +73,7 @@ pub fn share_allowed(scene: &Scene, drawer: &Drawer<'_>) -> f64 {
 const BRIGHTEST: f64 = 2.0;
 
 /// What comes of `scene` by `drawer`.
-pub fn draw(scene: &Scene, drawer: &Drawer<'_>) -> Found {
+pub fn draw(scene: &StabilityScene, drawer: &Drawer<'_>) -> Found {
     match catch_unwind(AssertUnwindSafe(|| drawn(scene, drawer))) {
         Ok(found) => found.unwrap_or_else(Found::refused),
         Err(panic) => Found {
@@ -91,7 +91,7 @@ fn words_of(panic: &(dyn Any + Send)) -> String {
     text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("a panic without words").to_owned()
 }
 
-fn drawn(scene: &Scene, drawer: &Drawer<'_>) -> Result<Found, String> {
+fn drawn(scene: &StabilityScene, drawer: &Drawer<'_>) -> Result<Found, String> {
     let (stage, pose) = scene.build(drawer.model, drawer.scalar)?;
     let session = stage.clone().prepare();
     let mut planes = planes(&stage);
@@ -157,13 +157,13 @@ fn signals(
 }
 
 /// Height over its full scale, or reflectivity, whichever is more wrong.
-fn rounding_error(scene: &Scene, errors: &SignalErrors, pose: &Pose) -> f64 {
+fn rounding_error(scene: &StabilityScene, errors: &SignalErrors, pose: &Pose) -> f64 {
     let full_scale = (scene.highest() + pose.eye[2].abs()).max(f64::MIN_POSITIVE);
     (errors.value("height max") / full_scale).max(errors.value("reflectivity rms"))
 }
 
 /// Height or slope over what is largest on the wire, whichever is more wrong in the mean.
-fn share_error(scene: &Scene, errors: &SignalErrors, pose: &Pose) -> f64 {
+fn share_error(scene: &StabilityScene, errors: &SignalErrors, pose: &Pose) -> f64 {
     let [highest, steepest] = errors.largest();
     // Heights are counted from the eye, whose own is rounded.
     let rounding = f64::from(f32::EPSILON) * pose.eye[2].abs() / SHARE;

@@ -7,7 +7,7 @@ use scenario::Scalar;
 use super::cell::{Cell, Theory};
 use super::extremes::{Extreme, extremes};
 use super::frames::{Drawer, Judge, draw, share_allowed};
-use super::scene::Scene;
+use super::scene::StabilityScene;
 use super::{linear, refusals, second_order, switching};
 use crate::ladder::Extent;
 
@@ -62,7 +62,7 @@ pub fn rows() -> Vec<&'static str> {
 
 /// Runs what is chosen over `scene`; `ideal` and `real` are the models that draw. `hear` is told of each row.
 pub fn matrix(
-    scene: &Scene,
+    scene: &StabilityScene,
     [ideal, real]: [&HardwareModel; 2],
     choice: &Choice,
     hear: &mut dyn FnMut(&str),
@@ -133,7 +133,12 @@ fn mixture(all: &[Extreme], seed: u64, number: u32) -> Vec<&Extreme> {
 }
 
 /// One extreme, or several together, by every machine.
-fn frame_cells(scene: &Scene, drawers: &[Drawer<'_>], row: &'static str, pushed: &[&Extreme]) -> Vec<Cell> {
+fn frame_cells(
+    scene: &StabilityScene,
+    drawers: &[Drawer<'_>],
+    row: &'static str,
+    pushed: &[&Extreme],
+) -> Vec<Cell> {
     let mut scene = scene.clone();
     pushed.iter().for_each(|extreme| extreme.apply.apply(&mut scene));
     let names: Vec<&str> = pushed.iter().map(|extreme| extreme.name.as_str()).collect();

@@ -29,7 +29,7 @@ pub mod table;
 pub use cell::{Action, Cell, Found, Theory};
 pub use matrix::{Choice, matrix, rows};
 pub use refusals::BASE;
-pub use scene::Scene;
+pub use scene::StabilityScene;
 pub use survey_fit::{FitOutcome, survey_fits};
 
 #[cfg(test)]

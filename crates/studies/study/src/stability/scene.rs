@@ -18,7 +18,7 @@ const SAMPLES: u32 = 400;
 
 /// Everything that decides one frame.
 #[derive(Debug, Clone)]
-pub struct Scene {
+pub struct StabilityScene {
     /// Side of a region (m).
     pub region_size: f64,
     /// South-west corner: north, east (m).
@@ -49,7 +49,7 @@ pub struct Scene {
     pub range: RangeProgramme,
 }
 
-impl Scene {
+impl StabilityScene {
     /// The first frame of `subject`, on a small raster and over its finest level.
     pub fn of(subject: &Subject) -> Self {
         let (stage, (_, pose)) = (&subject.stage, &subject.frames[0]);

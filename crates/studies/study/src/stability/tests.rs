@@ -4,7 +4,7 @@ use hardware_model::{HardwareModel, ModelSource};
 use scenario::{Scalar, Scenario};
 
 use super::frames::{Drawer, Judge, share_allowed};
-use super::{BASE, Cell, Choice, FitOutcome, Scene, matrix, survey_fits};
+use super::{BASE, Cell, Choice, FitOutcome, StabilityScene, matrix, survey_fits};
 use crate::Subject;
 use crate::ladder::Extent;
 
@@ -12,10 +12,10 @@ fn model(name: &str) -> HardwareModel {
     HardwareModel::load(&ModelSource::BuiltIn(name.into()), &[], &[]).unwrap().model
 }
 
-fn scene() -> Scene {
+fn scene() -> StabilityScene {
     let (scenario, ideal) = (Scenario::parse("small", BASE).unwrap(), model("ideal"));
     let stage = front_door::build(&scenario, front_door::settings(&scenario, &ideal).unwrap()).unwrap();
-    Scene::of(&Subject::new(scenario, ideal, stage, &[0]).unwrap())
+    StabilityScene::of(&Subject::new(scenario, ideal, stage, &[0]).unwrap())
 }
 
 fn run(choice: &Choice) -> Vec<Cell> {
@@ -62,7 +62,7 @@ fn explicit_steps_break_where_they_must() {
 #[test]
 fn real_parts_are_allowed_little_unless_ramps_run_away() {
     let (mut scene, parts) = (scene(), model("pra-nominal"));
-    let allowed = |scene: &Scene| {
+    let allowed = |scene: &StabilityScene| {
         let drawer = Drawer { name: "parts", model: &parts, scalar: Scalar::F32, judge: Judge::Share };
         share_allowed(scene, &drawer)
     };
@@ -76,7 +76,7 @@ fn real_parts_are_allowed_little_unless_ramps_run_away() {
 #[test]
 fn what_must_be_refused_is_a_matter_of_the_whole_scene() {
     let mut scene = scene();
-    let pitched = |scene: &mut Scene, degrees: f64, tan_half_height: f64| {
+    let pitched = |scene: &mut StabilityScene, degrees: f64, tan_half_height: f64| {
         (scene.attitude.pitch, scene.field.tan_half_height) = (quantities::radians(degrees), tan_half_height);
         scene.nears_the_zenith()
     };

@@ -7,20 +7,20 @@ use landscape::relief::{Craters, MAX_WAVES, Massif, Meander, Relief, ReliefError
 use quantities::radians;
 
 use super::reference::reference;
-use crate::Ground;
+use crate::GroundSource;
 
 /// The ground of a `[landscape]` table, and the ground around it.
-pub(super) fn ground(table: &Reader, folder: &Path) -> Option<(Ground, Option<Relief>)> {
+pub(super) fn ground(table: &Reader, folder: &Path) -> Option<(GroundSource, Option<Relief>)> {
     let ground = fine(table, folder);
     let coarse = table.optional_table("coarse").map(|coarse| relief(&coarse));
     let Some(coarse) = coarse else { return ground.map(|ground| (ground, None)) };
     match (ground?, coarse?) {
-        (Ground::Generated(fine), coarse) => {
+        (GroundSource::Generated(fine), coarse) => {
             let title = "the coarse level does not fit around the fine one";
             fine.check_two(&coarse).map_err(|error| report(table, title, &error)).ok()?;
-            Some((Ground::Generated(fine), Some(coarse)))
+            Some((GroundSource::Generated(fine), Some(coarse)))
         }
-        (Ground::Bank(_), _) => {
+        (GroundSource::Bank(_), _) => {
             let problem = table.problem("coarse", "`landscape.coarse` around a bank");
             table.report(problem.expected("`landscape.generated`: a bank has its own levels"));
             None
@@ -28,10 +28,10 @@ pub(super) fn ground(table: &Reader, folder: &Path) -> Option<(Ground, Option<Re
     }
 }
 
-fn fine(table: &Reader, folder: &Path) -> Option<Ground> {
-    let bank = reference(table, "bank", folder).map(Ground::Bank);
+fn fine(table: &Reader, folder: &Path) -> Option<GroundSource> {
+    let bank = reference(table, "bank", folder).map(GroundSource::Bank);
     let generated = table.optional_table("generated");
-    let relief = generated.and_then(|generated| relief(&generated)).map(Ground::Generated);
+    let relief = generated.and_then(|generated| relief(&generated)).map(GroundSource::Generated);
     let (has_bank, has_generated) = (table.has("bank"), table.has("generated"));
     if has_bank == has_generated {
         let title = match has_bank {

@@ -8,7 +8,7 @@ use scenario::Scenario;
 use study::Subject;
 use study::ladder::Extent;
 use study::report::{StabilityReport, is_of, make_folder};
-use study::stability::{BASE, Choice, Scene, matrix, rows, survey_fits};
+use study::stability::{BASE, Choice, StabilityScene, matrix, rows, survey_fits};
 
 use super::outputs::Outputs;
 use crate::cli::COMMIT;
@@ -100,8 +100,9 @@ impl StabilityStudy {
             mixtures: self.mixtures,
             seed: self.seed,
         };
-        let cells =
-            matrix(&Scene::of(&subject), [&ideal, &parts], &choice, &mut |name| self.outputs.say(name));
+        let cells = matrix(&StabilityScene::of(&subject), [&ideal, &parts], &choice, &mut |name| {
+            self.outputs.say(name)
+        });
         let is_wanted = self.only.is_empty() || self.only.iter().any(|row| row == SURVEY);
         let fits = if is_wanted { survey_fits() } else { Vec::new() };
         let (commit, title) = (COMMIT.into(), subject.scenario.title.clone());
