@@ -1,7 +1,7 @@
 //! The preview of a machine against its whole picture: the same light where samples are fine, the same faults, and nobody who looks
 //! changes the picture.
 
-use hardware_model::{Economy, Gate, MixingParts};
+use hardware_model::{Economy, Gate, MixingParts, WireParts};
 use landscape::Source;
 use lunoid_tests::Drawn;
 use rayon::ThreadPoolBuilder;
@@ -88,6 +88,20 @@ fn slow_parts_of_the_terrain_generator_show_as_they_do_in_the_whole_machine() {
     println!("{fault} {error}");
     assert!(bits(&preview.picture) != bits(&whole.picture), "it is drawn whole");
     assert!(error < 0.005 && fault > 10.0 * error, "{fault} {error}");
+}
+
+/// Output amplifiers on all main signals: they lag in the preview as they do in the whole machine, by far more than samples miss.
+#[test]
+fn output_amplifiers_show_as_they_do_in_the_whole_machine() {
+    let mut set = full(1);
+    let ideal = drawn(&set, Economy::Preview, 2800, &[]);
+    set.stage.settings.analog.wires = WireParts { bandwidth: Some(3e4), ..WireParts::IDEAL };
+    let [preview, whole] =
+        [Economy::Preview, Economy::Bounded].map(|economy| drawn(&set, economy, 2800, &[]));
+    let (fault, error) = (difference(&ideal, &preview), difference(&preview, &whole));
+    println!("{fault} {error}");
+    assert!(bits(&preview.picture) != bits(&whole.picture), "it is drawn whole");
+    assert!(error < 0.01 && fault > 5.0 * error, "{fault} {error}");
 }
 
 #[test]
