@@ -84,7 +84,7 @@ pub enum Command {
     Probe(probe::ProbeCommand),
     /// List the signals that can be probed.
     Signals(list::Signals),
-    /// Say which sweep and sample made a pixel, and what every block did there.
+    /// Explain a pixel: the sweep and sample that made it, and every block there.
     Explain(explain::Explain),
     /// Find where in a mission a condition on signals is met.
     Trigger(trigger::TriggerCommand),
