@@ -45,7 +45,7 @@ fn machines_are_models_and_generators() {
     let document: serde_json::Value = serde_json::from_str(&out).unwrap();
     let names: Vec<_> =
         document["generators"].as_array().unwrap().iter().map(|row| &row["generator"]).collect();
-    assert_eq!(names, ["exact", "lunsim"]);
+    assert!(["exact", "lunsim"].iter().all(|name| names.iter().any(|row| *row == name)), "{names:?}");
     assert!(document["models"].as_array().unwrap().iter().any(|row| row["name"] == "ideal"));
 }
 
