@@ -3,8 +3,8 @@
 //! **Law.** The ray through a pixel's centre meets the plane `z = h` at the distance `(z_eye - h) / down`. The plane sends
 //! back `albedo x sin(elevation of the sun)` of the light, in the colour of `[flat] colour`.
 //! **Timing.** A painter takes one tick of 1 MHz a pixel; each line that is finished is an event.
-//! **Not modelled.** Craters, bodies, tracks, texture, silhouettes, shadow, curvature, a second level: listed. Ground with
-//! relief and other laws of reflection: refused.
+//! **Not modelled.** Craters, bodies, tracks, a map of albedo, texture, silhouettes, shadow, curvature, a second level:
+//! listed. Ground with relief and other laws of reflection: refused.
 
 use std::sync::Arc;
 
@@ -209,7 +209,9 @@ impl Session for Plain {
         let lacks = [
             (!landscape.features().is_empty(), "craters"),
             (!scenery.standing().is_empty(), "rocks and man-made things"),
+            (!scenery.all_guests().is_empty(), "objects that move, open surfaces"),
             (!scenery.patches(f64::INFINITY).is_empty(), "vehicle tracks"),
+            (landscape.albedo_map().is_some(), "a map of albedo"),
             (landscape.texture().is_some(), "texture"),
             (!landscape.silhouettes().is_empty(), "far silhouettes"),
             (view.shadows.is_some(), "remote shadow"),
