@@ -2,6 +2,12 @@
 //!
 //! **Law.** The ray through a pixel's centre meets the plane `z = h` at the distance `(z_eye - h) / down`. The plane sends
 //! back `albedo x sin(elevation of the sun)` of the light, in the colour of `[flat] colour`.
+//! **Run parameters.**
+//!
+//! | key | range | default | what it is |
+//! |---|---|---|---|
+//! | `flat.colour` | three numbers, 0 to 1 | [1, 0.9, 0.7] | colour of the ground: linear red, green and blue |
+//!
 //! **Timing.** A painter takes one tick of 1 MHz a pixel; each line that is finished is an event.
 //! **Not modelled.** Craters, bodies, tracks, a map of albedo, texture, silhouettes, shadow, curvature, a second level:
 //! listed. Ground with relief and other laws of reflection: refused.

@@ -10,7 +10,7 @@ use limits::Limit;
 #[derive(Debug, thiserror::Error)]
 pub enum FileError {
     /// There is no file of this name.
-    #[error("{path}: no such file; check the spelling (a relative path starts at the current folder)")]
+    #[error("{path}: no such file; check the spelling")]
     Missing {
         /// The path as given.
         path: PathBuf,

@@ -111,6 +111,8 @@ pub fn check_gear(row: &Row, name: &str, text: &str) -> Result<(), ProblemList> 
 #[cfg(test)]
 mod tests {
     use std::collections::BTreeSet;
+    use std::fs;
+    use std::path::Path;
 
     use generator::Role;
 
@@ -140,12 +142,22 @@ mod tests {
         }
     }
 
-    /// Keys that a generator asks for are in its message about an unknown one.
+    /// What the folder of a generator says of itself, by the doc of its crate.
+    fn own_page(row: &Row) -> String {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(row.name);
+        let source = fs::read_to_string(folder.join("src/lib.rs")).unwrap_or_default();
+        let lines = source.lines().filter_map(|line| line.strip_prefix("//! "));
+        lines.map(|line| format!("{line}\n")).collect()
+    }
+
+    /// Run parameters stand on the page of scenario files or in the doc of the generator's crate. Keys that a generator asks for
+    /// are in its message about an unknown one.
     #[test]
-    fn the_page_of_scenario_files_names_the_run_parameters() {
-        let page = include_str!("../../../../docs/scenario-format.md");
+    fn a_page_names_the_run_parameters() {
+        let shared = include_str!("../../../../docs/scenario-format.md");
         for row in ROWS {
             let Some(table) = row.parameters else { continue };
+            let page = format!("{shared}{}", own_page(row));
             let rows = page.lines().filter_map(|line| line.strip_prefix(&format!("| `{table}.")));
             let documented: BTreeSet<&str> = rows.filter_map(|row| row.split('`').next()).collect();
             let stray = configure_with(row, &[(&format!("{table}.stray"), "1")]).err().unwrap();

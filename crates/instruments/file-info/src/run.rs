@@ -15,16 +15,22 @@ pub fn run(folder: &Path) -> Result<Held, InfoError> {
         Some(other) => other.to_string(),
         None => "unknown".into(),
     };
+    // Only the hybrid machine draws sweep by sweep.
+    let sweeps = match (
+        document.pointer("/settings/raster/sweeps"),
+        document.pointer("/settings/raster/samples_per_sweep"),
+    ) {
+        (Some(sweeps), Some(samples)) => format!("{sweeps} sweeps of {samples} samples, "),
+        _ => String::new(),
+    };
     let text = format!(
-        "{}: frames {} of \"{}\" by {} ({}), {} sweeps of {} samples, {} x {} pixels of {} bits\n  \
+        "{}: frames {} of \"{}\" by {} ({}), {sweeps}{} x {} pixels of {} bits\n  \
          {} {} (commit {}), fingerprint {}\n",
         folder.display(),
         word("/range").trim_matches(['[', ']']).replace(',', ".."),
         word("/scenario/title"),
         word("/generator"),
         word("/model/name"),
-        word("/settings/raster/sweeps"),
-        word("/settings/raster/samples_per_sweep"),
         word("/view/columns"),
         word("/view/lines"),
         word("/pictures/depth"),

@@ -140,7 +140,10 @@ impl<'f> Reading<'f> {
         let vertices = self.written.vertices.len();
         let vertex = index_of(vertex, vertices);
         if vertex.is_none() {
-            let title = format!("corner {word} names no vertex: {vertices} stand above this line");
+            let title = match word.split('/').next().unwrap_or_default().parse::<i64>() {
+                Ok(_) => format!("corner {word} names no vertex: {vertices} stand above this line"),
+                Err(_) => format!("corner {word} is no number of a vertex"),
+            };
             let expected = "a vertex number from 1, or counted back from -1, before any `/`";
             self.faults.add(span, title, expected);
         }
