@@ -16,7 +16,7 @@ mod table;
 pub use breaks::{Break, Breaks, Stretches};
 pub use double::{Both, Double};
 pub use lanes::{LANES, Lanes};
-pub use number::{Number, eight, pair};
+pub use number::{Comparable, Number, Truth, eight, pair};
 pub use probe::{Probe, Waveform};
 pub use real::Real;
 pub use square::turn_square;

@@ -7,14 +7,23 @@ use fearless_simd::prelude::{ExtractToken, SimdBase, SimdFloat, SimdFloatElement
 use fearless_simd::{Simd, f32x8, f32x16, f64x8};
 
 use crate::double::Twice;
-use crate::{Double, LANES, Number};
+use crate::{Comparable, Double, LANES};
 
 /// f32 or f64. Only operations that IEEE fixes to the bit; no fused multiply-add (result family "unfused").
 pub trait Real:
-    Copy + Debug + Default + PartialOrd + Send + Sync + Number + AddAssign + SimdFloatElement + 'static
+    Copy
+    + Debug
+    + Default
+    + PartialOrd
+    + Send
+    + Sync
+    + Comparable<Truth = bool>
+    + AddAssign
+    + SimdFloatElement
+    + 'static
 {
     /// [`LANES`](crate::LANES) of them, in vectors of a width that the computer has.
-    type Vector<L: Simd>: SimdFloat<L, Element = Self> + Number;
+    type Vector<L: Simd>: SimdFloat<L, Element = Self> + Comparable;
     /// Twice [`LANES`](crate::LANES) of them.
     type Double<L: Simd>: Double<L, Self>;
     /// 0.

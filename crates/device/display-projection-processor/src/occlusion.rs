@@ -1,15 +1,16 @@
 //! The two occlusion circuits (section 15.2), stepped from sample to sample and, where a profile bends between two
 //! samples, over its bends.
 
-mod side_by_side;
+mod circuit;
 
 use std::ops::Range;
 
 use fearless_simd::Simd;
-use fearless_simd::prelude::{Select, SimdBase};
+use fearless_simd::prelude::SimdBase;
 use signal::{Breaks, LANES, Lanes, Number, Real};
 
-pub(crate) use self::side_by_side::Running;
+pub(crate) use self::circuit::{Circuit, Derivative, Memory, PeakHold};
+use self::circuit::{entry_of, has_top, top_of};
 use crate::Projected;
 
 /// What lies between the samples of a group.
@@ -19,81 +20,6 @@ pub struct BrokenProfile<'a, S> {
     pub breaks: &'a Breaks<S>,
     /// Which of them bend the profile.
     pub bends: &'a [Vec<bool>; LANES],
-}
-
-/// An occlusion circuit.
-pub(crate) trait Circuit {
-    /// One step: elevation before and now, held value before; held value now.
-    fn of_lane<S: Real>(before: S, hold: S, now: S) -> S;
-    /// The same in each lane.
-    fn of_group<L: Simd, S: Real>(
-        before: S::Vector<L>,
-        hold: S::Vector<L>,
-        now: S::Vector<L>,
-    ) -> S::Vector<L>;
-}
-
-/// The hold follows the highest elevation so far.
-pub(crate) struct PeakHold;
-
-impl Circuit for PeakHold {
-    #[inline(always)]
-    fn of_lane<S: Real>(_before: S, hold: S, now: S) -> S {
-        peak_hold(hold, now)
-    }
-    #[inline(always)]
-    fn of_group<L: Simd, S: Real>(
-        _before: S::Vector<L>,
-        hold: S::Vector<L>,
-        now: S::Vector<L>,
-    ) -> S::Vector<L> {
-        peak_hold(hold, now)
-    }
-}
-
-/// Of one lane, or of all.
-#[inline(always)]
-fn peak_hold<T: Number>(hold: T, now: T) -> T {
-    now.at_least(hold)
-}
-
-/// As reported: while unblanked the hold follows the elevation; a fall of it blanks and holds.
-pub(crate) struct Derivative;
-
-impl Circuit for Derivative {
-    #[inline(always)]
-    fn of_lane<S: Real>(before: S, hold: S, now: S) -> S {
-        let blanked = before < hold;
-        let stays_blanked = if blanked { now < hold } else { now < before };
-        if stays_blanked { hold } else { now }
-    }
-    #[inline(always)]
-    fn of_group<L: Simd, S: Real>(
-        before: S::Vector<L>,
-        hold: S::Vector<L>,
-        now: S::Vector<L>,
-    ) -> S::Vector<L> {
-        // Below the hold if it is blanked, else below where it was.
-        now.simd_lt(before.simd_lt(hold).select(hold, before)).select(hold, now)
-    }
-}
-
-/// What the circuit of a lane, or of a group, remembers.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Memory<T> {
-    /// Elevation of the place before.
-    below: T,
-    /// What the circuit saw there: the same, or the top near it.
-    before: T,
-    /// The held elevation.
-    hold: T,
-}
-
-impl<T: Copy> Memory<T> {
-    /// Of one that has come to its first sample.
-    fn new(first: T) -> Self {
-        Self { below: first, before: first, hold: first }
-    }
 }
 
 /// Runs a circuit along a group: side by side where no profile bends, lane by lane around a bend.
@@ -130,15 +56,15 @@ fn smooth<L: Simd, S: Real, C: Circuit>(
     memory: &mut Memory<Lanes<S>>,
 ) {
     let Projected { elevation, hold, entry, .. } = out;
-    let mut running = Running::<L, S>::resume(simd, memory);
+    let mut running = memory.in_vectors(simd);
     for sample in samples {
         let now = S::Vector::<L>::from_slice(simd, &elevation[sample].0);
         let after = elevation.get(sample + 1);
         let after = after.map_or(now.like(BEYOND), |after| S::Vector::<L>::from_slice(simd, &after.0));
         running.step::<C>(now, after).store_slice(&mut entry[sample].0);
-        running.hold().store_slice(&mut hold[sample].0);
+        running.hold.store_slice(&mut hold[sample].0);
     }
-    *memory = running.rest();
+    *memory = Memory::of_vectors::<L>(running);
 }
 
 /// Beyond the last sample the profile is taken to rise: no top there.
@@ -152,6 +78,28 @@ pub(crate) fn all(is_so: impl Fn(usize) -> bool) -> bool {
         all &= is_so(lane);
     }
     all
+}
+
+impl<S: Real> Memory<Lanes<S>> {
+    /// The same in the computer's vectors. Arrays that are carried from sample to sample the compiler cuts into pieces and joins
+    /// again at each sample.
+    #[inline(always)]
+    fn in_vectors<L: Simd>(&self, simd: L) -> Memory<S::Vector<L>> {
+        let Self { below, before, hold } = self;
+        let [below, before, hold] =
+            [below, before, hold].map(|lanes| S::Vector::<L>::from_slice(simd, &lanes.0));
+        Memory { below, before, hold }
+    }
+
+    /// The same as lanes again.
+    #[inline(always)]
+    fn of_vectors<L: Simd>(memory: Memory<S::Vector<L>>) -> Self {
+        let mut lanes = Memory::new(Lanes::default());
+        memory.below.store_slice(&mut lanes.below.0);
+        memory.before.store_slice(&mut lanes.before.0);
+        memory.hold.store_slice(&mut lanes.hold.0);
+        lanes
+    }
 }
 
 impl<S: Real> BrokenProfile<'_, S> {
@@ -198,7 +146,7 @@ impl<S: Real> Lane<'_, S> {
         while let Some((index, share)) = self.bend_in(sample) {
             let bend = out.breaks.elevation[lane][index];
             entry = later(entry, from, share, entry_of(own.below, own.hold, bend, bend));
-            let hold = C::of_lane(own.before, own.hold, bend);
+            let hold = C::held(own.before, own.hold, bend);
             out.breaks.hold[lane][index] = hold;
             own = Memory { below: bend, before: bend, hold };
             from = share;
@@ -207,7 +155,7 @@ impl<S: Real> Lane<'_, S> {
         let now = out.elevation[sample][lane];
         let top = self.top(out, sample, own.below, from);
         out.entry[sample][lane] = later(entry, from, S::ONE, entry_of(own.below, own.hold, now, top));
-        let hold = C::of_lane(own.before, own.hold, top);
+        let hold = C::held(own.before, own.hold, top);
         out.hold[sample][lane] = hold;
         (memory.below[lane], memory.before[lane], memory.hold[lane]) = (now, top, hold);
     }
@@ -245,18 +193,6 @@ fn later<S: Real>(entry: S, from: S, to: S, in_stretch: S) -> S {
     if in_stretch > S::ZERO { from + (to - from) * in_stretch } else { entry }
 }
 
-/// A fall to the next place by more than this (tangent) is taken for the end of the profile, not its shape.
-const CLIFF: f64 = 0.25;
-
-/// What the circuit sees around a sample: its elevation, or the top of the parabola through it and its neighbours
-/// where it is the highest of the three. The derivative changes sign there, between two samples.
-fn top_of<S: Real>(below: S, now: S, after: S) -> S {
-    let (rise, fall) = (now - below, now - after);
-    let skew = rise - fall;
-    let top = now + skew * skew / (S::from_f64(8.0) * (rise + fall));
-    if rise > S::ZERO && fall >= S::ZERO && fall < S::from_f64(CLIFF) { top } else { now }
-}
-
 /// A bend nearer to a sample than this part of a step says nothing of the curve around the sample.
 const NEAREST: f64 = 0.125;
 
@@ -265,22 +201,12 @@ fn top_between<S: Real>([below, now, after]: [S; 3], back: S, ahead: S) -> S {
     let (rise, fall) = (now - below, now - after);
     let nearest = S::from_f64(NEAREST);
     let near = back < nearest || ahead < nearest;
-    if near || !(rise > S::ZERO && fall >= S::ZERO && fall < S::from_f64(CLIFF)) {
+    if near || !has_top(rise, fall) {
         return now;
     }
     let (climb, descent) = (rise / back, fall / ahead);
     let slope = climb * ahead - descent * back;
     now + slope * slope / (S::from_f64(4.0) * (back + ahead) * (climb + descent))
-}
-
-/// Where in a stretch the elevation rises through the held one; 1 if only the top beyond it does.
-fn entry_of<S: Real>(before: S, hold: S, now: S, top: S) -> S {
-    let share = (hold - before) / (now - before);
-    match (before < hold, now > hold) {
-        (true, true) => share,
-        (true, false) if top > hold => S::ONE,
-        _ => S::ZERO,
-    }
 }
 
 #[cfg(test)]
@@ -304,8 +230,8 @@ mod tests {
             let top = top_of(below, now, after);
             let entry = entry_of(below, hold, now, top);
             hold = match occlusion {
-                Occlusion::PeakHold => PeakHold::of_lane(before, hold, top),
-                Occlusion::Derivative => Derivative::of_lane(before, hold, top),
+                Occlusion::PeakHold => PeakHold::held(before, hold, top),
+                Occlusion::Derivative => Derivative::held(before, hold, top),
             };
             (below, before) = (now, top);
             [now, hold, entry, line(now), line(hold)]

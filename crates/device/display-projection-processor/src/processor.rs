@@ -7,7 +7,7 @@ use fearless_simd::{Level, Simd, dispatch};
 use scenario::{Curvature, Occlusion};
 use signal::{Break, Breaks, LANES, Lanes, Number, Real, Signal, Unit};
 
-use crate::occlusion::{BEYOND, Circuit, Derivative, PeakHold, Running, occlude};
+use crate::occlusion::{BEYOND, Circuit, Derivative, Memory, PeakHold, occlude};
 use crate::{BrokenProfile, Deflection};
 
 /// Signals of the block.
@@ -149,13 +149,13 @@ impl<S: Real> Processor<S> {
         }
         let by = DeflectionLanes::<Lanes<S>>::new(deflection).in_vectors(simd);
         let mut now = self.tangent(simd, height, 0);
-        let mut running = Running::<L, S>::new(now);
+        let mut running = Memory::new(now);
         let (mut held, mut held_at) = (now, by.at(now));
         for sample in 0..samples {
             let after =
                 if sample + 1 < samples { self.tangent(simd, height, sample + 1) } else { now.like(BEYOND) };
             let entry = running.step::<C>(now, after);
-            let hold = running.hold();
+            let hold = running.hold;
             // Half of all samples are hidden in all lanes: what is held stands.
             if !hold.simd_eq(held).all_true() {
                 (held, held_at) = (hold, by.at(hold));
@@ -260,7 +260,7 @@ fn deflect<S: Real>(deflection: &[Deflection; LANES], out: &mut Projected<S>) {
     deflect_samples(deflection, &out.hold, &mut out.line);
 }
 
-/// The deflections of a group side by side.
+/// The deflections of a group side by side, or of one sweep.
 struct DeflectionLanes<T> {
     a: T,
     b: T,
@@ -311,8 +311,9 @@ fn deflect_breaks<S: Real>(deflection: &[Deflection; LANES], out: &mut Projected
     for (tangents, lines) in [(elevation, position), (hold, line)] {
         for ((tangents, lines), by) in tangents.iter().zip(lines).zip(deflection) {
             let [a, b, c, e] = [by.a, by.b, by.c, by.e].map(S::from_f64);
+            let by = DeflectionLanes { a, b, c, e };
             lines.clear();
-            lines.extend(tangents.iter().map(|&tangent| (a - b * tangent) / (c + e * tangent)));
+            lines.extend(tangents.iter().map(|&tangent| by.at(tangent)));
         }
     }
 }

@@ -3,8 +3,9 @@
 use fearless_simd::prelude::{Select, SimdMask};
 use fearless_simd::{Level, Simd, SimdBase, dispatch, f64x8};
 use features::Features;
-use signal::{LANES, Number, eight};
+use signal::{Comparable, LANES, Number, eight};
 
+use crate::sub_generator::foot;
 use crate::{FeatureLoad, FeatureProgram};
 
 /// A crater, and how each sweep of a group passes it.
@@ -75,13 +76,12 @@ impl Passings {
         for &crater in among {
             let (centre, outer) = features.craters().circle(crater);
             let (north, east) = (splat(centre[0] - eye[0]), splat(centre[1] - eye[1]));
-            let middle = north * cos + east * sin;
-            let nearest = middle.at_least(splat(start));
-            let nearest = ends.simd_lt(nearest).select(ends, nearest);
+            let [middle, side] = foot([north, east], [cos, sin]);
+            let nearest = ends.at_most(middle.at_least(splat(start)));
             let (dx, dy) = (north - nearest * cos, east - nearest * sin);
             let is_met = (dx * dx + dy * dy).simd_lt(splat(outer * outer));
             if is_met.any_true() {
-                let side = is_met.select(east * cos - north * sin, splat(f64::INFINITY));
+                let side = is_met.select(side, splat(f64::INFINITY));
                 let (middle, side) = (middle.to_array(), side.to_array());
                 self.craters.push(Passing { crater, middle, side, from: [f64::NEG_INFINITY; LANES] });
             }

@@ -6,6 +6,7 @@ use quantities::SweepTime;
 use sweep_program::{LoadTiming, NoTiming};
 
 use crate::loads::{FeatureArrival, FeatureMiss, bring};
+use crate::sub_generator::{foot, half_chord};
 
 /// What programs are written from: the same for every sweep of a frame.
 #[derive(Debug, Clone, Copy)]
@@ -127,8 +128,8 @@ impl Schedule<'_> {
 
     fn request(&self, index: u32, line: &Line) -> Request {
         let crater = &self.features.crater(index);
-        let (middle, side) = line.foot(crater);
-        let half = half_chord(crater, side);
+        let [middle, side] = line.foot(crater);
+        let half = half_chord(crater.outer(), side);
         let (entry, exit) = ((middle - half).max(line.from), (middle + half).min(line.to));
         let (taken, freed) = match self.parts.organisation {
             Organisation::Scheduled => (entry, exit),
@@ -155,24 +156,17 @@ impl Schedule<'_> {
     }
 }
 
-/// Half of what a sweep crosses of the footprint of a crater whose centre lies `side` beside it (m).
-fn half_chord(crater: &Crater, side: f64) -> f64 {
-    (crater.outer() * crater.outer() - side * side).max(0.0).sqrt()
-}
-
 impl FeatureLoad {
     /// Ground range at which the sweep meets the footprint of its `crater` (m); below 0 behind the eye.
     pub fn edge(&self, crater: &Crater) -> f64 {
-        self.middle - half_chord(crater, self.side)
+        self.middle - half_chord(crater.outer(), self.side)
     }
 }
 
 impl Line {
     /// Range at which the line passes the centre of a crater, and the distance of the centre to the right (m).
-    fn foot(&self, crater: &Crater) -> (f64, f64) {
-        let [north, east] = [0, 1].map(|axis| crater.centre()[axis] - self.eye[axis]);
-        let [cos, sin] = self.direction;
-        (north * cos + east * sin, east * cos - north * sin)
+    fn foot(&self, crater: &Crater) -> [f64; 2] {
+        foot([0, 1].map(|axis| crater.centre()[axis] - self.eye[axis]), self.direction)
     }
 }
 

@@ -3,11 +3,11 @@
 use fearless_simd::prelude::{ExtractToken, Select, SimdBase, SimdFrom, SimdMask};
 use fearless_simd::{Simd, f64x8};
 use features::Crater;
-use signal::{LANES, Lanes, Number, Real, eight};
+use signal::{Comparable, LANES, Lanes, Number, Real, eight};
 
 use crate::Surface;
 use crate::passing::Passing;
-use crate::sub_generator::{Parabola, hollow, ring};
+use crate::sub_generator::{Parabola, around, half_chord, hollow, ring};
 
 /// What craters are laid on.
 pub(crate) struct TerrainBelow<'a, 's, S, P> {
@@ -116,14 +116,14 @@ impl<S: Real, P: Fn(f64) -> f64> TerrainBelow<'_, '_, S, P> {
             let is_laid = share.simd_gt(zero) & all(S::from_f64(sample as f64)).simd_lt(counts);
             if is_laid.any_true() {
                 // Beyond its zone a law says nothing: it may be steep there, or have no value.
-                let nearest = offset.at_least(begin);
-                let nearest = end.simd_lt(nearest).select(end, nearest);
-                let [height, bend] = law(&parabola, nearest * nearest + left * left);
+                let nearest = end.at_most(offset.at_least(begin));
+                let [height, rise_along, rise_across] =
+                    around(nearest, left, |square| law(&parabola, square));
                 let is_inside = is_laid & offset.simd_ge(begin) & offset.simd_lt(end);
                 let Surface { height: heights, along, across } = &mut self.surface;
                 add::<L, S>(&mut heights[sample], is_inside.select(height, zero));
-                add::<L, S>(&mut along[sample], is_laid.select(share * (bend * nearest), zero));
-                add::<L, S>(&mut across[sample], is_laid.select(share * (bend * left), zero));
+                add::<L, S>(&mut along[sample], is_laid.select(share * rise_along, zero));
+                add::<L, S>(&mut across[sample], is_laid.select(share * rise_across, zero));
                 if let Some(present) = &mut self.present {
                     let present = &mut present[sample];
                     let before = S::Vector::<L>::from_slice(simd, &present.0);
@@ -174,9 +174,7 @@ const FAR_AWAY: f64 = 1e9;
 #[inline(always)]
 fn zones<L: Simd>(crater: &Crater, side: f64x8<L>, from: f64x8<L>) -> [Zone<L>; 3] {
     let zero = side.like(0.0);
-    let square = side * side;
-    let outer = (side.like(crater.outer() * crater.outer()) - square).at_least(zero).root();
-    let foot = (side.like(crater.foot() * crater.foot()) - square).at_least(zero).root();
+    let [outer, foot] = [half_chord(crater.outer(), side), half_chord(crater.foot(), side)];
     let is_met = foot.simd_gt(zero);
     let begin = is_met.select(-foot, outer).at_least(from);
     let end = is_met.select(foot, outer).at_least(from);
@@ -195,6 +193,5 @@ fn add<L: Simd, S: Real>(sums: &mut Lanes<S>, values: S::Vector<L>) {
 fn in_step<L: Simd, S: Real>(way: S::Vector<L>, [before, behind]: [S::Vector<L>; 2]) -> S::Vector<L> {
     let [zero, half] = [0.0, 0.5].map(|value| way.like(value));
     let place = way * way.simd_lt(zero).select(before, behind);
-    let place = place.at_least(-half);
-    half.simd_lt(place).select(half, place)
+    half.at_most(place.at_least(-half))
 }

@@ -3,7 +3,7 @@
 use features::Crater;
 
 use crate::FeatureLoad;
-use crate::sub_generator::Zone;
+use crate::sub_generator::{Zone, half_chord};
 
 /// The sweep goes over from one zone of a crater into the next. As a number, so that a sweep's steps sort as they are met:
 ///
@@ -77,8 +77,8 @@ pub(crate) fn collect(crater: &Crater, load: &FeatureLoad, number: u32, steps: &
     let mut outside = Zone::Outside;
     for radius in [crater.outer(), crater.foot()] {
         let inside = if radius > crater.foot() { Zone::Ring } else { Zone::Hollow };
-        let square = radius * radius - load.side * load.side;
-        let [entry, exit] = [-1.0, 1.0].map(|sign| load.middle + sign * square.max(0.0).sqrt());
+        let half = half_chord(radius, load.side);
+        let [entry, exit] = [load.middle - half, load.middle + half];
         // A chord that only touches the circle, or is lost in rounding, crosses nothing.
         if inside != outside && entry < exit {
             steps.push(Step::new(entry, number, [outside, inside], false));

@@ -78,25 +78,43 @@ impl SubGenerator {
         for (range, ((height, along), across)) in ranges[samples].iter().zip(outputs) {
             // The difference is taken in f64: far away a range has no millimetres left in f32.
             let offset = S::from_f64(range - self.middle);
-            let [rise, bend] = law(&parabola, offset * offset + left * left);
+            let [rise, rise_along, rise_across] = around(offset, left, |square| law(&parabola, square));
             height[lane] += rise;
-            along[lane] += bend * offset;
-            across[lane] += bend * left;
+            along[lane] += rise_along;
+            across[lane] += rise_across;
         }
     }
 
     /// Height, slope along and slope across at one range, by the law of `zone`.
     pub fn at(&self, zone: Zone, range: f64) -> [f64; 3] {
-        let offset = range - self.middle;
-        let square = offset * offset + self.side * self.side;
-        let [rise, bend] = match zone {
+        around(range - self.middle, -self.side, |square| match zone {
             Zone::Outside => [0.0; 2],
             Zone::Ring => self.ring.ring(square),
             Zone::Hollow if self.hollow.at > 0.0 => self.hollow.floor_and_wall(square),
             Zone::Hollow => self.hollow.bowl(square),
-        };
-        [rise, bend * offset, -bend * self.side]
+        })
     }
+}
+
+/// Height, slope along and slope across by a `law` of the square of the distance from the centre. The place lies `offset` beyond
+/// the centre, and the centre lies to the `left` of the sweep (m).
+#[inline(always)]
+pub(crate) fn around<T: Number>(offset: T, left: T, law: impl FnOnce(T) -> [T; 2]) -> [T; 3] {
+    let [rise, bend] = law(offset * offset + left * left);
+    [rise, bend * offset, bend * left]
+}
+
+/// Half of what a sweep crosses of a circle about a centre that lies `side` beside it (m); 0 where it passes the circle by.
+#[inline(always)]
+pub(crate) fn half_chord<T: Number>(radius: f64, side: T) -> T {
+    (side.like(radius * radius) - side * side).at_least(side.like(0.0)).root()
+}
+
+/// Where a sweep along the unit vector `[cos, sin]` passes a centre that lies north and east of the eye: the range, and the
+/// distance of the centre to the right (m).
+#[inline(always)]
+pub(crate) fn foot<T: Number>([north, east]: [T; 2], [cos, sin]: [T; 2]) -> [T; 2] {
+    [north * cos + east * sin, east * cos - north * sin]
 }
 
 /// The rim. Without one nobody asks for it, and its scale is infinite.

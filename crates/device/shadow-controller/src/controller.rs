@@ -256,12 +256,19 @@ fn unite(crossings: &[Known], within: usize, out: &mut Vec<Known>) -> bool {
     for &crossing in &crossings[..within] {
         let before = depth;
         depth += step(crossing);
-        let is_change = (before > 0) != (depth > 0);
-        if is_change && out.last().is_some_and(|last| crossing.range() - last.range() < RESOLUTION) {
-            out.pop();
-        } else if is_change {
-            out.push(crossing);
+        if (before > 0) != (depth > 0) {
+            add_change(out, crossing, Crossing::range);
         }
     }
     start > 0
+}
+
+/// Adds a change of the gate to those before it: two that are too near to each other are none. `range` is where each is (m).
+#[inline(always)]
+pub(crate) fn add_change<T: Copy>(changes: &mut Vec<T>, change: T, range: impl Fn(T) -> f64) {
+    if changes.last().is_some_and(|&last| range(change) - range(last) < RESOLUTION) {
+        changes.pop();
+    } else {
+        changes.push(change);
+    }
 }

@@ -2,6 +2,7 @@
 
 use fearless_simd::{Simd, SimdBase, SimdFloat, SimdMask, f64x8};
 use remote_shadow::Segment;
+use signal::{Comparable, Number};
 
 /// Nearest place ahead of the eye that counts (m).
 const NEAREST: f64 = 1e-6;
@@ -90,7 +91,7 @@ impl<'a> Fan<'a> {
     /// Number of sweeps to the left of a place ahead.
     fn sweeps_left_of(&self, [ahead, across]: [f64; 2]) -> usize {
         let tangent = across / ahead;
-        let guess = (tangent - self.tangents[0]) * self.density;
+        let guess = guess([ahead, across], self.tangents[0], self.density);
         let mut n = (guess.max(0.0) as usize).min(self.tangents.len());
         while n > 0 && self.tangents[n - 1] >= tangent {
             n -= 1;
@@ -119,7 +120,7 @@ impl<'a> Fan<'a> {
         let [a, b] = [line.from, line.to].map(|end| dot(direction, end));
         let [near, far] = if a < b { [a, b] } else { [b, a] };
         // A line almost along the sweep: rounding must not throw the crossing off it, nor that there is none.
-        greater(lesser(greater(range, near), far), 0.0)
+        range.at_least(near).at_most(far).at_least(0.0)
     }
 }
 
@@ -127,9 +128,9 @@ impl<V: Simd> Guesser<V> {
     /// Guesses at eight corners (north and east of the eye; m), of which the first is number `first`, into `out`.
     #[inline(always)]
     pub(crate) fn guess(&self, first: usize, seen: [[f64; TOGETHER]; 2], out: &mut Guesses) {
-        let ([x, y], [north, east]) = (seen.map(|axis| f64x8::load_array(self.simd, axis)), self.middle);
-        let (ahead, across) = (north * x + east * y, north * y - east * x);
-        let guess = (across / ahead - self.leftmost) * self.density;
+        let place = seen.map(|axis| f64x8::load_array(self.simd, axis));
+        let (ahead, across) = (dot(self.middle, place), cross(self.middle, place));
+        let guess = guess([ahead, across], self.leftmost, self.density);
         let (low, high) = ((guess - self.doubt).ceil(), (guess + self.doubt).ceil());
         let [none, all] = self.sweeps;
         for (axis, places) in out.seen.iter_mut().zip(seen) {
@@ -192,18 +193,6 @@ impl Guesses {
     }
 }
 
-/// The lesser of two; the second if one is no number.
-#[inline(always)]
-fn lesser(a: f64, b: f64) -> f64 {
-    if a < b { a } else { b }
-}
-
-/// The greater of two; the second if one is no number.
-#[inline(always)]
-fn greater(a: f64, b: f64) -> f64 {
-    if a > b { a } else { b }
-}
-
 /// `a` (ahead, across), or if it lies behind the place ahead where the line to `b` begins to count.
 fn clipped(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     if a[0] >= NEAREST {
@@ -213,12 +202,20 @@ fn clipped(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [NEAREST, a[1] + share * (b[1] - a[1])]
 }
 
-fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
+/// A first guess at the number of sweeps to the left of a place ahead, not rounded.
+#[inline(always)]
+fn guess<T: Number>([ahead, across]: [T; 2], leftmost: T, density: T) -> T {
+    (across / ahead - leftmost) * density
+}
+
+#[inline(always)]
+fn dot<T: Number>(a: [T; 2], b: [T; 2]) -> T {
     a[0] * b[0] + a[1] * b[1]
 }
 
 /// Above 0 if `b` lies to the right of `a`.
-fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
+#[inline(always)]
+fn cross<T: Number>(a: [T; 2], b: [T; 2]) -> T {
     a[0] * b[1] - a[1] * b[0]
 }
 

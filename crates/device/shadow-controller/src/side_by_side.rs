@@ -6,7 +6,7 @@ use fearless_simd::prelude::{SimdBase, SimdMask};
 use fearless_simd::{Level, Select, Simd, dispatch, u64x8};
 use signal::LANES;
 
-use crate::controller::{Gate, RESOLUTION};
+use crate::controller::{Gate, add_change};
 use crate::crossing::{Bare, Crossing, Place};
 use crate::crossings::Met;
 use crate::network::{BLOCK, Row, sort_columns};
@@ -91,7 +91,7 @@ impl SideBySide {
         Counts { dark_at_start, within: within.to_array() }
     }
 
-    /// Ranges at which the gate of a lane changes: two that are too near to each other are none.
+    /// Ranges at which the gate of a lane changes.
     fn tell(&self, lane: usize, toggles: &mut Vec<f64>) {
         const WORD: usize = u64::BITS as usize;
         toggles.clear();
@@ -102,11 +102,7 @@ impl SideBySide {
             while left != 0 {
                 let range = rows[left.trailing_zeros() as usize].0[lane].range();
                 left &= left - 1;
-                if toggles.last().is_some_and(|last| range - last < RESOLUTION) {
-                    toggles.pop();
-                } else {
-                    toggles.push(range);
-                }
+                add_change(toggles, range, |range| range);
             }
         }
     }

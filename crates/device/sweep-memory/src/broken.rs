@@ -212,7 +212,8 @@ impl<S: Real> Piece<'_, S> {
         let entry = first + (last - first) * self.entry([first, last], from);
         let straight = Stroke { from, to, start: light.at(entry), end: light.at(last) };
         if self.position.bend() > STRAIGHT.0 || light.bend() > STRAIGHT.1 {
-            chords(&self.position, &light, straight, [entry, last], draw);
+            let chords = chords(&self.position, &light, straight, [entry, last]);
+            chords.into_iter().filter(|chord| chord.to < chord.from).for_each(draw);
         } else {
             draw(straight);
         }

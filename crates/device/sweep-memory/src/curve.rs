@@ -1,5 +1,7 @@
 //! Position and intensity of the beam between two samples.
 
+use signal::Comparable;
+
 use crate::stroke::Stroke;
 
 /// Bends of a step, as second differences, from which on it is drawn as a curve: lines and intensity. Chosen so
@@ -13,9 +15,9 @@ pub(crate) const MOST_BEND: f32 = 200.0;
 pub(crate) const CHORDS: u32 = 4;
 
 /// A quantity over a step, as a function of the part of the step that has passed.
-pub(crate) trait Curve {
+pub(crate) trait Curve<T> {
     /// Value at a part of the step, 0..=1.
-    fn at(&self, u: f32) -> f32;
+    fn at(&self, u: T) -> T;
 }
 
 /// A smooth part of a step, from a sample or a break to a break or a sample: the chord, bent as the parabola through
@@ -57,7 +59,7 @@ impl Stretch {
     }
 }
 
-impl Curve for Stretch {
+impl Curve<f32> for Stretch {
     fn at(&self, u: f32) -> f32 {
         let bend = self.bends[0] + u * (self.bends[1] - self.bends[0]);
         let passed = u - self.start.0;
@@ -65,35 +67,37 @@ impl Curve for Stretch {
     }
 }
 
-/// A curved stroke as chords over a part of the step; the beam never turns back.
+/// Curved strokes as chords from one part of the step to another; the beam never turns back. One stroke, or those of eight sweeps
+/// side by side; a chord that does not end above its begin draws nothing.
 #[inline(always)]
-pub(crate) fn chords(
-    position: &impl Curve,
-    intensity: &impl Curve,
-    whole: Stroke,
-    [begin, finish]: [f32; 2],
-    mut draw: impl FnMut(Stroke),
-) {
+pub(crate) fn chords<T: Comparable>(
+    position: &impl Curve<T>,
+    intensity: &impl Curve<T>,
+    whole: Stroke<T>,
+    [begin, finish]: [T; 2],
+) -> [Stroke<T>; CHORDS as usize] {
     // A cubic overshoots at a step; no intensity is beyond full scale.
-    let intensity = |u| intensity.at(u).clamp(-1.0, 1.0);
+    let [least, most] = [-1.0, 1.0].map(|value| begin.like(value));
+    let intensity = |u| intensity.at(u).within(least, most);
+    let way = finish - begin;
     let (mut from, mut start) = (whole.from, intensity(begin));
-    for chord in 1..=CHORDS {
-        let u = begin + (finish - begin) * chord as f32 / CHORDS as f32;
-        let last = chord == CHORDS;
-        let to = if last { whole.to } else { position.at(u).clamp(whole.to, from) };
-        let end = if last { whole.end } else { intensity(u) };
-        if to < from {
-            draw(Stroke { from, to, start, end });
+    let mut chords = [whole; CHORDS as usize];
+    for (number, chord) in (1..).zip(&mut chords) {
+        if number < CHORDS {
+            let u = begin + way * begin.like(f64::from(number)) / begin.like(f64::from(CHORDS));
+            chord.to = position.at(u).within(whole.to, from);
+            chord.end = intensity(u);
         }
-        (from, start) = (to, end);
+        (chord.from, chord.start) = (from, start);
+        (from, start) = (chord.to, chord.end);
     }
+    chords
 }
 
 #[cfg(test)]
 mod tests {
     use super::{Curve, Stretch};
     use crate::cubic::Cubic;
-    use fearless_simd::{Level, SimdBase, dispatch, f32x8};
 
     fn parabola(u: f32) -> f32 {
         3.0 - 2.0 * u + 0.7 * u * u
@@ -122,12 +126,9 @@ mod tests {
     fn a_whole_step_between_smooth_neighbours_is_the_cubic() {
         let values @ [a, b, c, d] = [0.3, 1.0, 1.4, -0.2];
         let stretch = Stretch::new((0.0, b), (1.0, c), Some(a), Some(d));
+        let cubic = Cubic::through(values);
         for u in [0.0, 0.1, 0.5, 0.8, 1.0] {
-            let at = dispatch!(Level::new(), simd => {
-                let cubic = Cubic::through(values.map(|value| f32x8::splat(simd, value)));
-                cubic.at(simd, f32x8::splat(simd, u)).to_array()
-            });
-            assert!((at[3] - stretch.at(u)).abs() < 1e-6);
+            assert!((cubic.at(u) - stretch.at(u)).abs() < 1e-6);
         }
     }
 

@@ -3,7 +3,7 @@
 use fearless_simd::prelude::{Select, SimdBase, SimdCvtTruncate, SimdFloat, SimdFrom};
 use fearless_simd::{Simd, f32x8, u32x8};
 use hardware_model::WriteCompensation;
-use signal::Number;
+use signal::Comparable;
 
 use crate::aim::Dots;
 use crate::stroke::{Stroke, line_mean};
@@ -35,7 +35,7 @@ const ARTANH: [f64; 10] = [
 /// How strokes are kept in a row of lines.
 pub(crate) trait Target {
     /// What the beam is driven with to show an intensity; below 0 it is off.
-    fn drive<V: Number>(&self, intensity: V) -> V;
+    fn drive<V: Comparable>(&self, intensity: V) -> V;
     /// What whole steps leave, from places and drives at two samples, where they touch at most two of `lines` lines.
     fn dots<L: Simd>(&self, simd: L, places: [f32x8<L>; 2], drives: [f32x8<L>; 2], lines: f32) -> Dots;
     /// The row is to be written.
@@ -76,8 +76,8 @@ impl Levels<'_> {
 
 impl Target for Levels<'_> {
     #[inline(always)]
-    fn drive<V: Number>(&self, intensity: V) -> V {
-        within(intensity, -LARGEST, LARGEST)
+    fn drive<V: Comparable>(&self, intensity: V) -> V {
+        intensity.within(intensity.like(-LARGEST), intensity.like(LARGEST))
     }
 
     /// What a step leaves depends on what is there.
@@ -132,14 +132,15 @@ impl Target for Charge {
     /// The current that leaves the intensity after saturation, at the nominal speed. No beam has more than full.
     /// `-ln (1 - y) = 2 artanh (y / (2 - y))`.
     #[inline(always)]
-    fn drive<V: Number>(&self, intensity: V) -> V {
-        let y = within(intensity, 0.0, 1.0) * intensity.like(1.0 / f64::from(SATURATED));
+    fn drive<V: Comparable>(&self, intensity: V) -> V {
+        let [zero, one] = [0.0, 1.0].map(|value| intensity.like(value));
+        let y = intensity.within(zero, one) * intensity.like(1.0 / f64::from(SATURATED));
         let s = y / (intensity.like(2.0) - y);
         let (square, mut sum) = (s * s, intensity.like(ARTANH[ARTANH.len() - 1]));
         for &power in ARTANH[..ARTANH.len() - 1].iter().rev() {
             sum = sum * square + intensity.like(power);
         }
-        s * sum * intensity.like(2.0) + within(intensity, f64::NEG_INFINITY, 0.0)
+        s * sum * intensity.like(2.0) + zero.at_most(intensity)
     }
 
     #[inline(always)]
@@ -203,13 +204,6 @@ impl Target for Charge {
             *value = -SATURATED * libm::expm1f(-*value);
         }
     }
-}
-
-/// Between two bounds; what is not a number stays as it is.
-#[inline(always)]
-fn within<V: Number>(value: V, least: f64, most: f64) -> V {
-    let value = value.like(least).at_least(value);
-    -(value.like(-most).at_least(-value))
 }
 
 /// The stroke of a falling beam as the rising one that leaves the same.

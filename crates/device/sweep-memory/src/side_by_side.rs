@@ -1,25 +1,16 @@
 //! Strokes of a group of sweeps, side by side: what [`Stroke::lit`], [`line_mean`] and [`centre`] do, eight at a time or, of two steps,
-//! sixteen.
+//! sixteen. In vectors, a lane whose `to` is not above its `from` draws nothing.
 
 #[cfg(test)]
 mod tests;
 
 use fearless_simd::prelude::SimdSplit;
 use fearless_simd::{Select, Simd, SimdBase, SimdFloat, SimdMask, f32x8, f32x16, mask32x8};
-use signal::{LANES, Lanes};
+use signal::{Comparable, LANES, Lanes, Number};
 
-use crate::stroke::{Stroke, centre, line_mean};
+use crate::stroke::{Stroke, centre, integral, line_mean};
 
-/// A [`Stroke`] a lane; a lane whose `to` is not above its `from` draws nothing. Eight lanes, or those of two steps.
-#[derive(Clone, Copy)]
-pub(crate) struct Strokes<F> {
-    pub from: F,
-    pub to: F,
-    pub start: F,
-    pub end: F,
-}
-
-impl<F: Copy> Strokes<F> {
+impl<F: Number> Stroke<F> {
     /// Lanes that draw.
     #[inline(always)]
     pub fn draw<V: Simd>(&self) -> F::Mask
@@ -54,12 +45,13 @@ impl<F: Copy> Strokes<F> {
         F: SimdFloat<V, Element = f32>,
     {
         let Self { from, to, start, end } = *self;
-        let (zero, half, next) = (F::splat(simd, 0.0), F::splat(simd, 0.5), line + F::splat(simd, 1.0));
+        let (zero, next) = (F::splat(simd, 0.0), line + F::splat(simd, 1.0));
         let crosses = from.simd_gt(next);
-        let between = start + (from - next) / (from - to) * (end - start);
-        let whole = half * (start + end) * (from - to);
-        let upper = half * (between + (start + (end - start))) * (next - to);
-        let lower = half * (start + between) * (from - next);
+        let between = self.at(next);
+        let whole = integral(start, end, from - to);
+        // What the stroke is at its own end, rounding included.
+        let upper = integral(between, start + (end - start), next - to);
+        let lower = integral(start, between, from - next);
         Deposits {
             line,
             next,
@@ -69,8 +61,8 @@ impl<F: Copy> Strokes<F> {
     }
 }
 
-impl<V: Simd> Strokes<f32x16<V>> {
-    /// Adds the integrals of two steps side by side, the first of which is drawn first, as [`Strokes::leave_line_means`] does one
+impl<V: Simd> Stroke<f32x16<V>> {
+    /// Adds the integrals of two steps side by side, the first of which is drawn first, as [`Stroke::leave_line_means`] does one
     /// after the other; `false`, and nothing is added, unless all lie in a few lines. So many lines are added to whatever lies
     /// in them: how many there are cannot be guessed.
     #[inline(always)]
@@ -96,7 +88,7 @@ impl<V: Simd> Strokes<f32x16<V>> {
     }
 }
 
-impl<V: Simd> Strokes<f32x8<V>> {
+impl<V: Simd> Stroke<f32x8<V>> {
     /// The strokes of those lanes alone for which `keeps` is true.
     #[inline(always)]
     pub fn only(self, keeps: mask32x8<V>) -> Self {
@@ -124,29 +116,25 @@ impl<V: Simd> Strokes<f32x8<V>> {
     #[inline(always)]
     fn leave_tall(&self, simd: V, wanted: mask32x8<V>, lines: &mut [Lanes<f32>]) -> mask32x8<V> {
         let Self { from, to, start, end } = *self;
-        let [zero, half, one, height] =
-            [0.0, 0.5, 1.0, lines.len() as f32].map(|value| f32x8::splat(simd, value));
+        let [zero, one, height] = [0.0, 1.0, lines.len() as f32].map(|value| f32x8::splat(simd, value));
         let lit = wanted & start.simd_ge(zero) & end.simd_ge(zero);
-        let bottom = height.simd_lt(from).select(height, from);
-        let top = to.simd_gt(zero).select(to, zero);
+        let (bottom, top) = (height.at_most(from), to.at_least(zero));
         let first = lit.select(top, height).reduce_min().floor();
         let last = lit.select(bottom, zero).reduce_max();
         if last - first > TALL {
             return wanted;
         }
         // Where one line ends the next begins: one place and one intensity for both.
-        let (whole, rise) = (from - to, end - start);
         let edge = |line: f32x8<V>| {
-            let edge = line.simd_gt(top).select(line, top);
-            let edge = edge.simd_lt(bottom).select(edge, bottom);
-            (edge, start + (from - edge) / whole * rise)
+            let edge = line.at_least(top).at_most(bottom);
+            (edge, self.at(edge))
         };
         let mut line = f32x8::splat(simd, first);
         let (mut upper, mut above) = edge(line);
         for all in lines[first as usize..].iter_mut().take((last - first).ceil() as usize) {
             line += one;
             let (lower, below) = edge(line);
-            let value = (lit & lower.simd_gt(upper)).select(half * (below + above) * (lower - upper), zero);
+            let value = (lit & lower.simd_gt(upper)).select(integral(below, above, lower - upper), zero);
             (f32x8::load_array(simd, all.0) + value).store_array(&mut all.0);
             (upper, above) = (lower, below);
         }
@@ -158,8 +146,7 @@ impl<V: Simd> Strokes<f32x8<V>> {
     pub fn leave_centres(&self, simd: V, lines: &mut [Lanes<f32>]) {
         let Self { from, to, start, end } = *self;
         let [zero, half, height] = [0.0, 0.5, lines.len() as f32].map(|value| f32x8::splat(simd, value));
-        let top = (to - half).ceil();
-        let top = top.simd_gt(zero).select(top, zero);
+        let top = (to - half).ceil().at_least(zero);
         let passes = self.draw() & (top + half).simd_lt(from) & top.simd_lt(height);
         if !passes.any_true() {
             return;
@@ -168,13 +155,11 @@ impl<V: Simd> Strokes<f32x8<V>> {
         let last = passes.select(from, zero).reduce_max();
         let together = passes & start.simd_ge(zero) & end.simd_ge(zero);
         let alone = if last - first < NEAR {
-            let (whole, rise) = (from - to, end - start);
             let mut number = f32x8::splat(simd, first);
             for all in lines[first as usize..].iter_mut().take((last - first) as usize + 1) {
                 let centre = number + half;
                 let here = together & number.simd_ge(top) & centre.simd_lt(from);
-                let value = start + (from - centre) / whole * rise;
-                here.select(value, f32x8::load_array(simd, all.0)).store_array(&mut all.0);
+                here.select(self.at(centre), f32x8::load_array(simd, all.0)).store_array(&mut all.0);
                 number += f32x8::splat(simd, 1.0);
             }
             passes & !together

@@ -1,12 +1,36 @@
 //! One straight motion of the write beam, and what it leaves in the lines.
 
-/// The beam over a stretch between two samples: line positions (`to` is above, that is, smaller) and intensities.
+use signal::Number;
+
+/// The beam over a stretch between two samples: line positions (`to` is above, that is, smaller) and intensities. One stroke, or
+/// those of eight sweeps side by side, or of two steps of eight.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Stroke {
-    pub from: f32,
-    pub to: f32,
-    pub start: f32,
-    pub end: f32,
+pub(crate) struct Stroke<T = f32> {
+    pub from: T,
+    pub to: T,
+    pub start: T,
+    pub end: T,
+}
+
+impl<T: Number> Stroke<T> {
+    /// Along a straight step with the intensities `before` and `end` at its ends. The profile is in sight from the part `entry` of the
+    /// step on.
+    #[inline(always)]
+    pub fn in_sight(from: T, to: T, before: T, end: T, entry: T) -> Self {
+        Self { from, to, start: before + entry * (end - before), end }
+    }
+
+    /// Intensity at a line position within the stroke.
+    #[inline(always)]
+    pub fn at(&self, line: T) -> T {
+        self.start + (self.from - line) / (self.from - self.to) * (self.end - self.start)
+    }
+}
+
+/// The integral over a part of a stroke that is `height` lines high, from its intensity `below` to the one `above`.
+#[inline(always)]
+pub(crate) fn integral<T: Number>(below: T, above: T, height: T) -> T {
+    below.like(0.5) * (below + above) * height
 }
 
 impl Stroke {
@@ -29,11 +53,6 @@ impl Stroke {
         };
         (lit.to < lit.from).then_some(lit)
     }
-
-    /// Intensity at a line position within the stroke.
-    fn at(&self, line: f32) -> f32 {
-        self.start + (self.from - line) / (self.from - self.to) * (self.end - self.start)
-    }
 }
 
 /// The stroke's integral over each of `lines` lines that it touches, from the lowest up.
@@ -46,7 +65,7 @@ pub(crate) fn line_mean(stroke: Stroke, lines: usize, mut add: impl FnMut(usize,
     let last = top as usize;
     if bottom <= (last + 1) as f32 && bottom == stroke.from && top == stroke.to {
         // Nearly all strokes of far ground stay within one line.
-        return add(last, 0.5 * (stroke.start + stroke.end) * (bottom - top));
+        return add(last, integral(stroke.start, stroke.end, bottom - top));
     }
     let (mut lower, mut below) = (bottom, stroke.at(bottom));
     let mut index = (bottom.ceil() as usize).min(lines);
@@ -54,7 +73,7 @@ pub(crate) fn line_mean(stroke: Stroke, lines: usize, mut add: impl FnMut(usize,
         index -= 1;
         let upper = top.max(index as f32);
         let above = stroke.at(upper);
-        add(index, 0.5 * (below + above) * (lower - upper));
+        add(index, integral(below, above, lower - upper));
         (lower, below) = (upper, above);
     }
 }

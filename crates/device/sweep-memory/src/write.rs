@@ -8,9 +8,8 @@ use scenario::PixelRule;
 use signal::{LANES, Lanes, Real, Signal, Unit};
 
 use crate::broken::{BeamBreaks, Cursors};
-use crate::cubic::{Cubic, chords};
-use crate::curve::{MOST_BEND, STRAIGHT};
-use crate::side_by_side::Strokes;
+use crate::cubic::Cubic;
+use crate::curve::{MOST_BEND, STRAIGHT, chords};
 use crate::stroke::{Stroke, centre, line_mean};
 
 /// Signals of the block.
@@ -129,7 +128,7 @@ impl<S: Real> Writer<'_, '_, S> {
         let (from, to) = (two(simd, line, sample - 1), two(simd, line, sample));
         let (before, end) = (two(simd, intensity, sample - 1), two(simd, intensity, sample));
         let entry = two(simd, entry, sample);
-        Strokes { from, to, start: before + entry * (end - before), end }.leave_both(simd, lines)
+        Stroke::in_sight(from, to, before, end, entry).leave_both(simd, lines)
     }
 
     /// The step that ends at `sample` in the lanes for which `smooth` is true: nothing where the profile is hidden;
@@ -140,7 +139,7 @@ impl<S: Real> Writer<'_, '_, S> {
         let [from, to] = [sample - 1, sample].map(|sample| all(simd, line, sample));
         let [before, end] = [sample - 1, sample].map(|sample| all(simd, intensity, sample));
         let entry = all(simd, entry, sample);
-        let strokes = Strokes { from, to, start: before + entry * (end - before), end }.only(smooth);
+        let strokes = Stroke::in_sight(from, to, before, end, entry).only(smooth);
         let curves = match self.steps {
             Steps::Curved => self.beam.curves(simd, sample),
             Steps::Straight(_) => None,
@@ -150,7 +149,8 @@ impl<S: Real> Writer<'_, '_, S> {
         };
         self.leave(simd, &strokes.only(!bent), lines);
         if (bent & strokes.draw()).any_true() {
-            for chord in chords(simd, &position, &intensity, strokes.only(bent), entry) {
+            let end = f32x8::splat(simd, 1.0);
+            for chord in chords(&position, &intensity, strokes.only(bent), [entry, end]) {
                 self.leave(simd, &chord, lines);
             }
         }
@@ -192,7 +192,7 @@ impl<S: Real> Writer<'_, '_, S> {
     }
 
     #[inline(always)]
-    fn leave<V: Simd>(&self, simd: V, strokes: &Strokes<f32x8<V>>, lines: &mut [Lanes<f32>]) {
+    fn leave<V: Simd>(&self, simd: V, strokes: &Stroke<f32x8<V>>, lines: &mut [Lanes<f32>]) {
         match self.rule {
             PixelRule::LineMean => strokes.leave_line_means(simd, lines),
             PixelRule::Centre => strokes.leave_centres(simd, lines),
@@ -213,8 +213,8 @@ impl<S: Real> Writer<'_, '_, S> {
 
 /// Position and intensity over a step, and in which lanes either bends.
 struct Curves<V: Simd> {
-    position: Cubic<V>,
-    intensity: Cubic<V>,
+    position: Cubic<f32x8<V>>,
+    intensity: Cubic<f32x8<V>>,
     bent: mask32x8<V>,
 }
 

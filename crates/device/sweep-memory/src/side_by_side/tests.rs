@@ -1,4 +1,4 @@
-use super::{FEW, Strokes};
+use super::FEW;
 use crate::stroke::{Stroke, centre, line_mean};
 use fearless_simd::prelude::SimdCombine;
 use fearless_simd::{Level, SimdBase, dispatch, f32x8};
@@ -45,7 +45,7 @@ proptest! {
             for (vectors, lines) in [Level::new(), Level::baseline()].into_iter().zip(&mut together) {
                 dispatch!(vectors, simd => {
                     let [from, to, start, end] = parts.map(|part| f32x8::load_array(simd, part));
-                    let strokes = Strokes { from, to, start, end };
+                    let strokes = Stroke { from, to, start, end };
                     strokes.leave_line_means(simd, &mut lines[0]);
                     strokes.leave_centres(simd, &mut lines[1]);
                 });
@@ -98,11 +98,11 @@ proptest! {
                 };
                 let [from, to, start, end] = [part(|s| s.from), part(|s| s.to), part(|s| s.start), part(|s| s.end)];
                 for step in 0..2 {
-                    let strokes = Strokes { from: from[step], to: to[step], start: start[step], end: end[step] };
+                    let strokes = Stroke { from: from[step], to: to[step], start: start[step], end: end[step] };
                     strokes.leave_line_means(simd, &mut each);
                 }
                 let [from, to, start, end] = [from, to, start, end].map(|[first, second]| first.combine(second));
-                Strokes { from, to, start, end }.leave_both(simd, &mut both)
+                Stroke { from, to, start, end }.leave_both(simd, &mut both)
             });
             prop_assert_eq!(told, expected);
             let right = if told { each } else { [Lanes([before; LANES]); LINES] };
