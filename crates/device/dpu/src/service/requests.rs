@@ -111,7 +111,23 @@ impl<W: Watch> Service<'_, '_, '_, W> {
     }
 
     /// Sends the words that the model holds back, later than `tick`, when their set comes; the words that are left.
+    #[inline]
     pub(super) fn hold_back(
+        &mut self,
+        colour: Colour,
+        register: PreloadRegister,
+        corner: u32,
+        crossing: u32,
+        tick: Tick,
+    ) -> WordMask {
+        match self.unit.loader.delays.is_empty() {
+            true => WordMask::ALL,
+            false => self.hold_back_some(colour, register, corner, crossing, tick),
+        }
+    }
+
+    #[cold]
+    fn hold_back_some(
         &mut self,
         colour: Colour,
         register: PreloadRegister,
