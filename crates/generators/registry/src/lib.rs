@@ -114,7 +114,7 @@ mod tests {
     use std::fs;
     use std::path::Path;
 
-    use generator::Role;
+    use generator::{Role, Row};
 
     use super::{ROWS, check_gear, configure_with, find, owner};
 

@@ -44,7 +44,7 @@ fn two_hundred_in_f64() {
     check(&found);
     assert!(found.scenes >= 190, "{} scenes could be drawn", found.scenes);
     for name in compared() {
-        let tally = found.report.signals.get(name).copied().unwrap_or_default();
+        let tally = found.report.signals.get(name).cloned().unwrap_or_default();
         assert!(tally.samples > 50_000, "{name}: {} samples compared", tally.samples);
         assert!(tally.doubtful < tally.samples / 1000, "{name}: {} samples doubtful", tally.doubtful);
     }
