@@ -34,6 +34,7 @@
 //! delay is the mixing unit's.
 
 mod bank;
+mod chord;
 mod generator;
 mod loads;
 mod of_parts;

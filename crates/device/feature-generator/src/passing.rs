@@ -5,7 +5,7 @@ use fearless_simd::{Level, Simd, SimdBase, dispatch, f64x8};
 use features::Features;
 use signal::{Comparable, LANES, Number, eight};
 
-use crate::sub_generator::foot;
+use crate::chord::foot;
 use crate::{FeatureLoad, FeatureProgram};
 
 /// A crater, and how each sweep of a group passes it.

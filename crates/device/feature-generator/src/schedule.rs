@@ -5,8 +5,8 @@ use hardware_model::{FeatureParts, Organisation};
 use quantities::SweepTime;
 use sweep_program::{LoadTiming, NoTiming};
 
+use crate::chord::{foot, half_chord};
 use crate::loads::{FeatureArrival, FeatureMiss, bring};
-use crate::sub_generator::{foot, half_chord};
 
 /// What programs are written from: the same for every sweep of a frame.
 #[derive(Debug, Clone, Copy)]

@@ -6,8 +6,9 @@ use features::Crater;
 use signal::{Comparable, LANES, Lanes, Number, Real, eight};
 
 use crate::Surface;
+use crate::chord::half_chord;
 use crate::passing::Passing;
-use crate::sub_generator::{Parabola, around, half_chord, hollow, ring};
+use crate::sub_generator::{Parabola, around, hollow, ring};
 
 /// What craters are laid on.
 pub(crate) struct TerrainBelow<'a, 's, S, P> {

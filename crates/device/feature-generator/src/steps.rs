@@ -3,7 +3,8 @@
 use features::Crater;
 
 use crate::FeatureLoad;
-use crate::sub_generator::{Zone, half_chord};
+use crate::chord::half_chord;
+use crate::sub_generator::Zone;
 
 /// The sweep goes over from one zone of a crater into the next. As a number, so that a sweep's steps sort as they are met:
 ///
