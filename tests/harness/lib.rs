@@ -1,6 +1,6 @@
 //! What the tests share.
 //!
-//! - [`Scene`], [`random`], [`level_of`], [`Dice`]: scenes by hand and from a seed, of the crate `lockstep`.
+//! - [`ComparedScene`], [`random`], [`level_of`], [`Dice`]: scenes by hand and from a seed, of the crate `lockstep`.
 //! - [`lockstep`](mod@lockstep): such a scene on machine and interpreter.
 //! - [`trust`]: the evidence of docs/trust.md, and the page made of it.
 //! - [`shipped`]: the scenarios of the folder `scenarios/`, and their agreement with `exact`.
