@@ -16,7 +16,7 @@
 //! [`registers`] and [`server`] (hold, preload registers, pointers, words on their way), [`terrain`] (function
 //! generators, products, sums), [`walk`] (one terrain generator along a sweep), [`levels`] (two of them), [`light`],
 //! [`craters`], [`loads`] (their words), [`shadows`] (words of boundaries), [`mixing`], [`output_amplifiers`], [`projector`], [`sweep`] (one sweep in order), [`coverage`] (what it does not model). For a whole
-//! frame: [`frame`], [`processor`] (set-ups), [`drums`] (with queues and storage buffer), [`demand`] (what a frame asks of them).
+//! frame: [`frame`](mod@frame), [`processor`] (set-ups), [`drums`] (with queues and storage buffer), [`demand`] (what a frame asks of them).
 //!
 //! **Our choices.** Ground range of the samples is taken as it is given, so that both engines look at the same places;
 //! [`range_programme`] is an opinion of its own on it. The gate of remote shadow is given too: boundaries are made
