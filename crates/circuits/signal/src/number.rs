@@ -14,7 +14,7 @@ pub trait Number:
 {
     /// `value` rounded to this precision, side by side as often as this number is.
     fn like(self, value: f64) -> Self;
-    /// Square root.
+    /// The square root of each number.
     fn root(self) -> Self;
     /// The larger; `other` if `self` is NaN (one instruction, unlike the library's `max`).
     fn at_least(self, other: Self) -> Self;
@@ -156,7 +156,7 @@ pub fn eight<L: Simd>(simd: L, values: &[f64; LANES]) -> f64x8<L> {
     f64x8::from_slice(simd, values)
 }
 
-/// Twice eight values.
+/// Sixteen values as two vectors of eight.
 #[inline(always)]
 pub fn pair<L: Simd>(simd: L, values: &[[f64; LANES]; 2]) -> [f64x8<L>; 2] {
     [eight(simd, &values[0]), eight(simd, &values[1])]

@@ -3,8 +3,7 @@
 
 use generator::{Omission, Weight};
 use landscape::Landscape;
-use scenario::{Guest, Scenery};
-use solids::Body;
+use scenario::Scenery;
 
 const POLYHEDRA: &str = "polyhedron-generator";
 
@@ -12,10 +11,8 @@ const POLYHEDRA: &str = "polyhedron-generator";
 pub fn guest_omissions(landscape: &Landscape, scenery: &Scenery) -> Vec<Omission> {
     let has_map = landscape.albedo_map().is_some();
     let still = || scenery.standing().iter().map(|standing| &standing.body);
-    let guests = scenery.all_guests();
     let is_colourful = still().any(|body| body.solid.is_colourful());
     let is_smooth = still().any(|body| body.solid.is_smooth());
-    let has_sun = |body: &Body| scenery.sun_of_group(body.group, 0.0).is_some();
     let rows = [
         (
             has_map,
@@ -24,13 +21,13 @@ pub fn guest_omissions(landscape: &Landscape, scenery: &Scenery) -> Vec<Omission
             "a terrain generator has one albedo for all ground, `landscape.albedo`; --machine exact draws the map",
         ),
         (
-            guests.iter().any(Guest::moves),
+            scenery.has_moving_objects(),
             POLYHEDRA,
             "objects that move (`moves` of an [[object]]); they are not drawn, and cast no shadow",
             "bodies of the report stand still between events; --machine exact draws them",
         ),
         (
-            guests.iter().any(|guest| guest.solid.is_open()),
+            scenery.has_open_surfaces(),
             POLYHEDRA,
             "open surfaces (`open` of an [[object]]); they are not drawn, and cast no shadow",
             "line generators draw closed convex polyhedra; --machine exact draws them",
@@ -48,7 +45,7 @@ pub fn guest_omissions(landscape: &Landscape, scenery: &Scenery) -> Vec<Omission
             "the video is one signal; --machine exact draws red, green and blue",
         ),
         (
-            still().any(has_sun),
+            scenery.has_suns_of_groups(),
             POLYHEDRA,
             "suns of groups (`sun` of a [[group]]); the scene's sun lights all, and all cast shadow",
             "the report has one sun; --machine exact draws them",

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use generator::{Label, Shade};
 use glam::DVec3;
 use scenario::{BodyVisibility, Laws, ShadowedBodies};
+use smallvec::SmallVec;
 use solids::{Body, Hit, Kind};
 
 use crate::ground::Scratch;
@@ -109,7 +110,7 @@ impl<'a> Standing<'a> {
 
 /// The first of those met; among those that coincide with it the one of the highest priority.
 fn nearest<'s, 'a>(met: impl Iterator<Item = (&'s Stand<'a>, Hit)>) -> Option<(&'s Stand<'a>, Hit)> {
-    let met: Vec<_> = met.collect();
+    let met: SmallVec<[_; 4]> = met.collect();
     let first = met.iter().map(|(_, hit)| hit.distance).fold(f64::INFINITY, f64::min);
     let alike = met.into_iter().filter(|(_, hit)| hit.distance <= first + room(first));
     alike.min_by(|(a, near), (b, far)| {

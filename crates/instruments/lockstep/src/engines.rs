@@ -114,7 +114,9 @@ impl Engines {
         let seen: Result<Vec<Seen>, FrameError> =
             sweeps.into_iter().collect::<Vec<_>>().into_par_iter().map(one).collect();
         let mut seen = seen?;
-        seen.first_mut().into_iter().for_each(|first| first.report.add(of_frame.clone()));
+        if let Some(first) = seen.first_mut() {
+            first.report.add(of_frame);
+        }
         Ok(seen)
     }
 

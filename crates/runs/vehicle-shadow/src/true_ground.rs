@@ -8,7 +8,7 @@ use exact::{Ceilings, Outlook, Ray, Sight};
 use generator::Stage;
 use glam::DVec3;
 use rayon::prelude::*;
-use scenario::{Guest, Scenery, Standing, TrackPatch};
+use scenario::{Scenery, TrackPatch};
 use solids::Body;
 
 use crate::casters::Casters;
@@ -95,12 +95,10 @@ impl TrueGround {
 
 /// What of a scenery has no law here, by name. Colours, normals and priorities move no shadow.
 fn without_law(scenery: &Scenery) -> Vec<&'static str> {
-    let guests = scenery.all_guests();
-    let has_sun = |standing: &Standing| scenery.sun_of_group(standing.body.group, 0.0).is_some();
     let rows = [
-        (guests.iter().any(Guest::moves), "objects that move (`moves` of an [[object]])"),
-        (guests.iter().any(|guest| guest.solid.is_open()), "open surfaces (`open` of an [[object]])"),
-        (scenery.standing().iter().any(has_sun), "suns of groups (`sun` of a [[group]])"),
+        (scenery.has_moving_objects(), "objects that move (`moves` of an [[object]])"),
+        (scenery.has_open_surfaces(), "open surfaces (`open` of an [[object]])"),
+        (scenery.has_suns_of_groups(), "suns of groups (`sun` of a [[group]])"),
     ];
     rows.into_iter().filter_map(|(is_there, name)| is_there.then_some(name)).collect()
 }

@@ -113,6 +113,21 @@ impl Scenery {
         &self.guests
     }
 
+    /// Whether an object moves.
+    pub fn has_moving_objects(&self) -> bool {
+        self.guests.iter().any(Guest::moves)
+    }
+
+    /// Whether an object has an open surface.
+    pub fn has_open_surfaces(&self) -> bool {
+        self.guests.iter().any(|guest| guest.solid.is_open())
+    }
+
+    /// Whether a body that stands still has a sun of its group.
+    pub fn has_suns_of_groups(&self) -> bool {
+        self.standing.iter().any(|standing| self.sun_of_group(standing.body.group, 0.0).is_some())
+    }
+
     /// Bodies that stand still and close, at `time` (s), in a fixed order.
     pub fn bodies(&self, time: f64) -> impl Iterator<Item = &Body> {
         let stands = move |standing: &&Standing| standing.from <= time && time < standing.until;

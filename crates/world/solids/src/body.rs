@@ -24,7 +24,7 @@ pub struct Body {
     pub object: u32,
     /// What it is.
     pub kind: Kind,
-    /// Where two bodies, or a body and the ground, are equally near, that of the higher priority is seen; the ground's is 0.
+    /// Where two bodies, or a body and the ground, are equally near, the higher priority is seen. The ground has priority 0.
     pub priority: i8,
     /// Number of its group, from 1: which light it has.
     pub group: Option<NonZeroU16>,

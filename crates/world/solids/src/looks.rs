@@ -72,8 +72,8 @@ impl Solid {
         self.normals.is_some()
     }
 
-    /// Unit normal at a place of a face (body axes; m): that of the face, or between those of the corners in proportion, over
-    /// the triangles from the first corner.
+    /// Unit normal at a place of a face (body axes; m). A flat solid has the normal of the face there. A smooth one mixes the
+    /// normals of the corners in proportion, over the triangles from the first corner.
     pub fn normal_at(&self, face: usize, place: DVec3) -> DVec3 {
         let flat = self.faces[face].normal;
         let Some(normals) = &self.normals else { return flat };

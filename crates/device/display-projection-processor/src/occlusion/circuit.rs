@@ -2,7 +2,7 @@
 
 use signal::{Comparable, Truth};
 
-/// An occlusion circuit.
+/// The law by which the sample-and-hold of the projection processor finds what is hidden (section 15.2).
 pub(crate) trait Circuit {
     /// What is held after a step: elevation before, held value before, elevation now.
     fn held<T: Comparable>(before: T, hold: T, now: T) -> T;
@@ -37,7 +37,7 @@ pub(crate) struct Memory<T> {
     pub below: T,
     /// What the circuit saw there: the same, or the top near it.
     pub before: T,
-    /// The held elevation.
+    /// Output of the sample-and-hold (tangent of the elevation): ground below it is hidden.
     pub hold: T,
 }
 

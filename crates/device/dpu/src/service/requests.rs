@@ -120,23 +120,11 @@ impl<W: Watch> Service<'_, '_, '_, W> {
         crossing: u32,
         tick: Tick,
     ) -> WordMask {
-        match self.unit.loader.delays.is_empty() {
-            true => WordMask::ALL,
-            false => self.hold_back_some(colour, register, corner, crossing, tick),
-        }
-    }
-
-    #[cold]
-    fn hold_back_some(
-        &mut self,
-        colour: Colour,
-        register: PreloadRegister,
-        corner: u32,
-        crossing: u32,
-        tick: Tick,
-    ) -> WordMask {
-        let mut in_time = WordMask::ALL;
         let unit = self.unit;
+        if unit.loader.delays.is_empty() {
+            return WordMask::ALL;
+        }
+        let mut in_time = WordMask::ALL;
         for delay in unit.delays(self.frame, self.sweep, crossing) {
             if delay.colour == colour && delay.register == register && delay.ticks > 0 {
                 let words = WordMask::only(delay.word);

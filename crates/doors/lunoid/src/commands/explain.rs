@@ -1,6 +1,7 @@
 //! `lunoid explain`: from a pixel of a frame to the wires that made it.
 
 use clap::Args;
+use deadlines::Rehearsal;
 use exact::Columns;
 use explain::{Explanation, Inquiry, InquiryError, facts};
 use front_door::Opened;
@@ -45,7 +46,8 @@ impl Explain {
     /// Explains.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let opened = self.chosen.stage.load()?;
-        if opened.is_machine() { self.of_the_machine() } else { self.of_a_guest(&opened) }
+        self.chosen.expect_in(&opened)?;
+        if opened.is_machine() { self.of_the_machine(opened) } else { self.of_a_guest(&opened) }
     }
 
     /// What a generator beside the hybrid machine says of the pixel.
@@ -56,7 +58,6 @@ impl Explain {
                 "--no-exact: {name} is not compared with exact here; leave the option out"
             )));
         }
-        self.chosen.expect_in(opened)?;
         let frame = self.chosen.frame;
         let pool = self.chosen.threads.pool()?;
         let told = pool.install(|| -> Result<_, Failure> {
@@ -80,9 +81,9 @@ impl Explain {
         Ok(Verdict::Yes)
     }
 
-    fn of_the_machine(&self) -> Result<Verdict, Failure> {
+    fn of_the_machine(&self, opened: Opened) -> Result<Verdict, Failure> {
         let frame = self.chosen.frame;
-        let rehearsal = self.chosen.rehearse(|_| Ok(()))?;
+        let rehearsal = Rehearsal::new(opened, self.chosen.threads.pool()?)?;
         let pose = rehearsal.poses(&[frame])?[0].pose;
         let session = rehearsal.stage.clone().prepare();
         let exact = (!self.no_exact).then(|| Columns::new(rehearsal.stage.stage()));

@@ -124,7 +124,7 @@ fn a_sheet_is_seen_from_both_sides_and_lit_on_the_one_to_the_sun() {
     }
 }
 
-/// A ball of 24 x 48 faces with the normals of a sphere: light is that of the sphere but for the faces' bow.
+/// A ball of 24 x 48 faces with the normals of a sphere: the light of the ball is the light of the sphere, but for the bow of the faces.
 #[test]
 fn smooth_light_is_that_of_a_sphere() {
     let at = |i: usize, j: usize| {
@@ -176,7 +176,7 @@ fn smooth_light_is_that_of_a_sphere() {
     assert!(lit > 20, "{lit}");
 }
 
-/// The scene's sun stands behind the box; that of the group goes from its side to its front in 10 s.
+/// The scene's sun stands behind the box; the sun of the group goes from the side of the box to its front in 10 s.
 #[test]
 fn a_group_has_its_own_sun_and_throws_no_shadow() {
     let group = NonZeroU16::new(1);
