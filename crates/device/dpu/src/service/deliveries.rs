@@ -6,6 +6,7 @@ use sweep_program::{
 };
 
 use super::Service;
+use super::requests::ComingSet;
 use super::stored::Asking;
 use crate::server::{Job, Served, Wanted};
 use crate::watch::{ServiceEvent, Watch};
@@ -70,7 +71,7 @@ impl<W: Watch> Service<'_, '_, '_, W> {
         } else {
             self.is_ready(colour, register, last);
         }
-        let in_time = self.hold_back(colour, register, corner, crossing, last);
+        let in_time = self.hold_back(ComingSet { colour, register, corner, crossing, tick: last });
         for (tick, words) in self.server.arrivals(served) {
             let load = Load { colour, target, corner, words: words.and(in_time) };
             if !load.words.is_empty() {

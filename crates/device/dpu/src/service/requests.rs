@@ -11,6 +11,18 @@ use crate::server::{Job, Wanted};
 use crate::unit::TimedFold;
 use crate::watch::{AskedSet, Register, ServiceEvent, Watch};
 
+/// A set whose words come to a preload register at a tick.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ComingSet {
+    pub colour: Colour,
+    pub register: PreloadRegister,
+    /// Index in the level.
+    pub corner: u32,
+    /// The fold that asked, counted from 0 in the sweep.
+    pub crossing: u32,
+    pub tick: Tick,
+}
+
 impl<W: Watch> Service<'_, '_, '_, W> {
     /// Both preload registers of a colour that has moved, and its diagonal one.
     pub(super) fn renew(&mut self, colour: Colour, fold: TimedFold, seen: Tick, program: &mut SweepProgram) {
@@ -95,7 +107,7 @@ impl<W: Watch> Service<'_, '_, '_, W> {
         if W::LISTENS {
             self.is_ready(colour, register, self.there_with(fold, seen));
         }
-        let words = self.hold_back(colour, register, corner, self.crossing, seen);
+        let words = self.hold_back(ComingSet { colour, register, corner, crossing, tick: seen });
         if !words.is_empty() {
             let load = Load { colour, target: Target::Preload(register), corner, words };
             program.steps.push(Step::new(fold.time, fold.range, Event::Load(load)));
@@ -110,21 +122,17 @@ impl<W: Watch> Service<'_, '_, '_, W> {
         Tick(seen.0.saturating_add_signed(slack))
     }
 
-    /// Sends the words that the model holds back, later than `tick`, when their set comes; the words that are left.
+    /// Sends the words of a set that the model holds back, later than the others; the words that are left. Hardly any model holds
+    /// a word back.
     #[inline]
-    pub(super) fn hold_back(
-        &mut self,
-        colour: Colour,
-        register: PreloadRegister,
-        corner: u32,
-        crossing: u32,
-        tick: Tick,
-    ) -> WordMask {
-        let unit = self.unit;
-        if unit.loader.delays.is_empty() {
-            return WordMask::ALL;
-        }
-        let mut in_time = WordMask::ALL;
+    pub(super) fn hold_back(&mut self, set: ComingSet) -> WordMask {
+        if self.unit.loader.delays.is_empty() { WordMask::ALL } else { self.hold_back_some(set) }
+    }
+
+    #[cold]
+    fn hold_back_some(&mut self, set: ComingSet) -> WordMask {
+        let ComingSet { colour, register, corner, crossing, tick } = set;
+        let (unit, mut in_time) = (self.unit, WordMask::ALL);
         for delay in unit.delays(self.frame, self.sweep, crossing) {
             if delay.colour == colour && delay.register == register && delay.ticks > 0 {
                 let words = WordMask::only(delay.word);
