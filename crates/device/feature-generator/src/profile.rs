@@ -10,11 +10,12 @@ pub const SIGNALS: &[Signal] = &[
     Signal::ground("fg.slope.u", Unit::Slope, "slope of the features to the north", "section 10"),
     Signal::ground("fg.slope.v", Unit::Slope, "slope of the features to the east", "section 10"),
     Signal::ground(
-        "fg.present",
+        "fg.or",
         Unit::Gate,
-        "1 inside the footprint of a feature that is drawn",
+        "1 inside the footprint of a feature that is drawn, before the comparator",
         "section 14",
     ),
+    Signal::ground("fg.present", Unit::Gate, "presence line, behind its comparator", "section 14"),
     Signal::ground(
         "fg.reflectivity",
         Unit::Reflectivity,

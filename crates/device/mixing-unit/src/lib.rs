@@ -66,7 +66,7 @@ mod unit;
 use signal::{Lanes, Signal, Unit};
 
 pub use inputs::{FeatureInput, Inputs, Kink, Toggle, ToggleList};
-pub use of_parts::{PartsMixer, SwitchScratch};
+pub use of_parts::{PartsMixer, SwitchGates, SwitchScratch};
 pub use outputs::{DriverScratch, OutputDrivers};
 pub use unit::{Mixed, MixingUnit};
 
@@ -81,10 +81,13 @@ pub const SIGNALS: &[Signal] = &[
     ),
 ];
 
-/// Gates of the video switches, where there are switches; [`Inputs::vs1_gate`] and [`Inputs::vs2_gate`] give them.
+/// Gates of the video switches, where there are switches, behind their comparators: [`PartsMixer::gates`], or without parts
+/// [`Inputs::vs1_gate`] and [`Inputs::vs2_gate`].
 pub const GATES: &[Signal] = &[
     Signal::ground("mu.vs1", Unit::Gate, "1 while features lie on terrain", "fig. 28"),
     Signal::ground("mu.vs2", Unit::Gate, "1 while remote shadow lies on both", "fig. 28"),
+    Signal::ground("mu.vs1.fade", Unit::Number, "how far VS1 is open to features", "fig. 28"),
+    Signal::ground("mu.vs2.fade", Unit::Number, "how far VS2 is open to black", "fig. 28"),
 ];
 
 /// The landscape profile of a group of sweeps: one [`Lanes`] a sample.

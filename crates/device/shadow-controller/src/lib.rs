@@ -50,5 +50,17 @@ pub use of_parts::{MOST, PartsLines};
 use signal::{Signal, Unit};
 
 /// Signals of the block.
-pub const SIGNALS: &[Signal] =
-    &[Signal::ground("sc.gate", Unit::Gate, "1 while the sweep is in remote shadow", "fig. 25")];
+pub const SIGNALS: &[Signal] = &[
+    Signal::ground(
+        "sc.or",
+        Unit::Gate,
+        "1 while the sweep is in remote shadow, before the comparator",
+        "fig. 25",
+    ),
+    Signal::ground(
+        "sc.gate",
+        Unit::Gate,
+        "1 while the sweep is in remote shadow, behind the comparator",
+        "fig. 25",
+    ),
+];

@@ -26,34 +26,6 @@ pub const SIGNALS: &[Signal] = &[
     ),
 ];
 
-/// Signals inside the array, computed for a probe alone: what feeds its products and what each colour adds.
-pub const INNER_SIGNALS: &[Signal] = &[
-    function("tg.fn.x.g0", "g0 of ramp X"),
-    function("tg.fn.x.g1", "g1 of ramp X"),
-    function("tg.fn.x.g2", "g2 of ramp X"),
-    function("tg.fn.cx.g0", "g0 of 1 - X"),
-    function("tg.fn.cx.g1", "g1 of 1 - X"),
-    function("tg.fn.cx.g2", "g2 of 1 - X"),
-    function("tg.fn.y.g0", "g0 of ramp Y"),
-    function("tg.fn.y.g1", "g1 of ramp Y"),
-    function("tg.fn.y.g2", "g2 of ramp Y"),
-    function("tg.fn.cy.g0", "g0 of 1 - Y"),
-    function("tg.fn.cy.g1", "g1 of 1 - Y"),
-    function("tg.fn.cy.g2", "g2 of 1 - Y"),
-    share("tg.yellow.height", "what the yellow words add to the height"),
-    share("tg.green.height", "what the green words add to the height"),
-    share("tg.black.height", "what the black words add to the height"),
-    share("tg.red.height", "what the red words add to the height"),
-];
-
-const fn function(name: &'static str, meaning: &'static str) -> Signal {
-    Signal::ground(name, Unit::Number, meaning, "fig. 19")
-}
-
-const fn share(name: &'static str, meaning: &'static str) -> Signal {
-    Signal::ground(name, Unit::Metre, meaning, "fig. 19")
-}
-
 /// Profiles of a group: one [`Lanes`] a sample.
 #[derive(Debug, Clone, Default)]
 pub struct Profile<S> {

@@ -1,27 +1,29 @@
-//! The inner wires of the array over one sweep, for whoever looks: function generators and shares of the colours.
+//! The inner wires of an array over one sweep, for whoever looks.
 
 use landscape::CornerWords;
-use landscape::basis::values;
+use landscape::basis::{derivatives, values};
 use signal::{LANES, Real};
-use sweep_program::{Colour, SweepProgram};
+use sweep_program::{RampAxis, SweepProgram};
 
-use crate::of_parts::Tap;
-use crate::{ArrayState, PartsArray, PartsTerrain, Profile, Registers, TerrainGenerator};
+use crate::inner::InnerWire;
+use crate::of_parts::{Tap, range_at};
+use crate::terms::{TERMS, factors, sign, word_of};
+use crate::{ArrayState, PartsArray, PartsTerrain, Polynomials, Profile, Registers, TerrainGenerator};
 
-/// Signals inside an array over one sweep, one value a sample (fig. 19).
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct Inside {
-    /// `g0`, `g1`, `g2` fed with X, 1-X, Y and 1-Y, signs of the polarity not yet put on.
-    pub functions: [[Vec<f64>; 3]; 4],
-    /// What the nine words of each colour add to the height (m), by [`sweep_program::Colour`]: before the summer, so of an
-    /// array of parts without its offsets, and above the middle of the stored heights.
-    pub colours: [Vec<f64>; 4],
-}
+/// Waveforms of some wires of one sweep, one value a sample, in the order in which they were asked for.
+pub type Inside = Vec<Vec<f64>>;
 
 impl TerrainGenerator<'_> {
-    /// What runs through the array of ideal parts while `program` is swept, up to the last sample of the profile.
-    pub fn inside(&self, program: &SweepProgram) -> Inside {
-        let mut inside = Inside::default();
+    /// What `wires` of an array of ideal parts carry while program `lane` of a group is swept, up to the last sample of its
+    /// profile. The sums are those of the machine's own scalar.
+    pub fn inside<S: Real>(
+        &self,
+        programs: &[SweepProgram; LANES],
+        lane: usize,
+        wires: &[InnerWire],
+    ) -> Inside {
+        let program = &programs[lane];
+        let mut inside = vec![Vec::new(); wires.len()];
         let mut registers = Registers::at_start(program);
         let mut steps = program.steps.iter().peekable();
         let last = self.ranges.partition_point(|&range| range <= program.end_range);
@@ -30,77 +32,181 @@ impl TerrainGenerator<'_> {
                 registers.apply(step, self.buffer);
             }
             let lambda = range / self.region_size;
-            let ramp = |axis: usize| program.start.ramps[axis].at(registers.folds()[axis], lambda).0;
-            inside.add(&registers, self.buffer, [ramp(0), ramp(1)]);
+            let ramps =
+                std::array::from_fn(|axis| program.start.ramps[axis].at(registers.folds()[axis], lambda).0);
+            let now = Instant::new(ramps, &registers, self);
+            inside.iter_mut().zip(wires).for_each(|(values, wire)| values.push(now.value(*wire)));
+        }
+        if wires.iter().any(|wire| matches!(wire, InnerWire::Sum(_))) {
+            let mut profile = Profile::<S>::default();
+            self.trace_by(&mut Polynomials::default(), programs, &mut profile);
+            self.put_sums((program, lane), last, wires, &profile, &mut inside);
         }
         inside
+    }
+
+    /// Sums of a lane at the first `samples` samples, from the profile that the array has put out.
+    fn put_sums<S: Real>(
+        &self,
+        (program, lane): (&SweepProgram, usize),
+        samples: usize,
+        wires: &[InnerWire],
+        profile: &Profile<S>,
+        inside: &mut Inside,
+    ) {
+        let [cos, sin] = program.start.direction;
+        let at = |sample: usize, sum: usize| {
+            let [height, along, across] =
+                [&profile.height, &profile.along, &profile.across].map(|wire| wire[sample][lane].to_f64());
+            match sum {
+                0 => height + self.datum,
+                1 => cos * along - sin * across,
+                _ => sin * along + cos * across,
+            }
+        };
+        for (values, wire) in inside.iter_mut().zip(wires) {
+            if let InnerWire::Sum(sum) = wire {
+                *values = (0..samples).map(|sample| at(sample, *sum)).collect();
+            }
+        }
+    }
+
+    /// What the accumulator of an axis holds when the sweep clock is at each of `times` (samples).
+    fn accumulated(&self, program: &SweepProgram, axis: usize, times: impl Iterator<Item = f64>) -> Vec<f64> {
+        let is_of_axis = |own: RampAxis| (own == RampAxis::Y) == (axis == 1);
+        let folds =
+            program.steps.iter().filter(|step| step.kind.fold().is_some_and(|fold| is_of_axis(fold.axis)));
+        let (mut folds, mut count) = (folds.peekable(), 0);
+        let value = |time: f64| {
+            let range = range_at(self.ranges, time);
+            while folds.next_if(|fold| fold.range <= range).is_some() {
+                count += 1;
+            }
+            program.start.ramps[axis].at(count, range / self.region_size).0
+        };
+        times.map(value).collect()
     }
 }
 
 impl<S: Real> PartsTerrain<'_, S> {
-    /// What runs through the array of parts in lane `lane`: the group is swept once more, wire for wire as before.
+    /// What `wires` of an array of parts carry in lane `lane`, at all samples: the group is swept once more, wire for wire as
+    /// before.
     pub fn inside(
         &mut self,
         generator: &TerrainGenerator<'_>,
         programs: &[SweepProgram; LANES],
         lane: usize,
+        wires: &[InnerWire],
     ) -> Inside {
-        let mut tapped = Tapped { lane, inside: Inside::default() };
+        let mut tapped =
+            Tapped { lane, wires, inside: vec![Vec::new(); wires.len()], region_size: generator.region_size };
         let (samples, mut profile) = (generator.ranges.len(), Profile::default());
         profile.resize(samples);
         let Self { array, state, address } = self;
         array.trace(generator, programs, 0..samples, *address, state, &mut profile, &mut tapped);
-        tapped.inside
+        let mut inside = tapped.inside;
+        let last = generator.ranges.partition_point(|&range| range <= programs[lane].end_range);
+        generator.put_sums((&programs[lane], lane), last, wires, &profile, &mut inside);
+        for (values, wire) in inside.iter_mut().zip(wires) {
+            if let InnerWire::Accumulator(axis) = wire {
+                let times = (0..samples).map(|sample| sample as f64 + array.lead());
+                *values = generator.accumulated(&programs[lane], *axis, times);
+            }
+        }
+        inside
     }
 }
 
 /// One lane of an array of parts.
-struct Tapped {
+struct Tapped<'a> {
     lane: usize,
+    wires: &'a [InnerWire],
     inside: Inside,
+    region_size: f64,
 }
 
-impl<S: Real> Tap<S> for Tapped {
+impl<S: Real> Tap<S> for Tapped<'_> {
     fn see(&mut self, array: &PartsArray<S>, state: &ArrayState<S>) {
-        for (fed, wires) in self.inside.functions.iter_mut().enumerate() {
-            for (p, wire) in wires.iter_mut().enumerate() {
-                wire.push(array.function(state, self.lane, fed, p));
+        for (values, wire) in self.inside.iter_mut().zip(self.wires) {
+            values.extend(array.wire(*wire, state, self.lane, self.region_size));
+        }
+    }
+}
+
+/// An array of ideal parts at one instant.
+struct Instant<'a> {
+    ramps: [f64; 2],
+    functions: [[f64; 3]; 4],
+    derivatives: [[f64; 3]; 4],
+    polarity: [f64; 2],
+    hold: [&'a CornerWords; 4],
+    region_size: f64,
+}
+
+impl<'a> Instant<'a> {
+    fn new([x, y]: [f64; 2], registers: &'a Registers, generator: &'a TerrainGenerator<'_>) -> Self {
+        let fed = [x, 1.0 - x, y, 1.0 - y];
+        Self {
+            ramps: [x, y],
+            functions: fed.map(|fed| near(values(fed))),
+            derivatives: fed.map(|fed| near(derivatives(fed))),
+            polarity: registers.polarity(),
+            hold: registers.hold(generator.buffer),
+            region_size: generator.region_size,
+        }
+    }
+
+    /// What a wire carries; the sums come from the profile.
+    fn value(&self, wire: InnerWire) -> f64 {
+        match wire {
+            InnerWire::Accumulator(axis) | InnerWire::Ramp(axis) => self.ramps[axis],
+            InnerWire::Function { fed, order } => self.functions[fed][order],
+            InnerWire::Derivative { fed, order } => self.derivatives[fed][order],
+            InnerWire::Product { sum, term } => self.product(sum, term),
+            InnerWire::Converter { sum, term } => self.converted(sum, term),
+            InnerWire::Colour(colour) => {
+                let terms = (0..TERMS).filter(|&term| word_of(term)[0] == colour);
+                terms.map(|term| self.converted(0, term)).sum()
             }
+            InnerWire::Sum(_) => 0.0,
         }
-        for colour in Colour::ALL {
-            let share = array.share(state, self.lane, colour as usize);
-            self.inside.colours[colour as usize].push(share);
-        }
+    }
+
+    /// `e_x e_y g_p g_q` (section 6.4).
+    fn product(&self, sum: usize, term: usize) -> f64 {
+        let [x, y] = factors(sum, term);
+        self.factor(0, x) * self.factor(1, y)
+    }
+
+    fn factor(&self, axis: usize, unit: usize) -> f64 {
+        let curves = if unit / 6 == 0 { &self.functions } else { &self.derivatives };
+        sign(unit, self.polarity[axis]) * curves[2 * axis + unit / 3 % 2][unit % 3]
+    }
+
+    fn converted(&self, sum: usize, term: usize) -> f64 {
+        let [colour, word] = word_of(term);
+        let scale = if sum == 0 { 1.0 } else { 1.0 / self.region_size };
+        self.product(sum, term) * self.hold[colour][word] * scale
     }
 }
 
-impl Inside {
-    fn add(&mut self, registers: &Registers, buffer: &[CornerWords], [x, y]: [f64; 2]) {
-        let functions = [x, 1.0 - x, y, 1.0 - y].map(near);
-        for (wires, values) in self.functions.iter_mut().zip(functions) {
-            wires.iter_mut().zip(values).for_each(|(wire, value)| wire.push(value));
-        }
-        for (colour, words) in registers.hold(buffer).into_iter().enumerate() {
-            let [a, b] = [colour & 1, colour >> 1];
-            let signs = registers.polarity();
-            let odd = [if a == 0 { signs[0] } else { -signs[0] }, if b == 0 { signs[1] } else { -signs[1] }];
-            self.colours[colour].push(share(words, [functions[a], functions[2 + b]], odd));
+/// Those of the near end.
+fn near<const N: usize>(all: [f64; N]) -> [f64; 3] {
+    [all[0], all[1], all[2]]
+}
+
+/// Words in the hold registers of all colours over a sweep, and when they are there (samples from the start of the sweep):
+/// at its beginning, and whenever any of them is another.
+pub fn held_words(program: &SweepProgram, buffer: &[CornerWords]) -> Vec<(f64, [CornerWords; 4])> {
+    let mut registers = Registers::at_start(program);
+    let beginning = program.steps.first().map_or(0.0, |step| step.time.0.min(0.0));
+    let mut held = vec![(beginning, registers.hold(buffer).map(|words| *words))];
+    for step in &program.steps {
+        registers.apply(step, buffer);
+        let now = registers.hold(buffer).map(|words| *words);
+        if held.last().is_none_or(|(_, before)| *before != now) {
+            held.push((step.time.0, now));
         }
     }
-}
-
-/// `g_0p` of what a function generator is fed with.
-fn near(fed: f64) -> [f64; 3] {
-    let [g0, g1, g2, ..] = values(fed);
-    [g0, g1, g2]
-}
-
-/// `sum e_x^p e_y^q g_p g_q f_pq` of one colour (section 6.4).
-fn share(words: &CornerWords, [gx, gy]: [[f64; 3]; 2], odd: [f64; 2]) -> f64 {
-    let term = |word: usize| {
-        let (p, q) = (word / 3, word % 3);
-        let sign = (if p == 1 { odd[0] } else { 1.0 }) * (if q == 1 { odd[1] } else { 1.0 });
-        sign * gx[p] * gy[q] * words[word]
-    };
-    (0..9).map(term).sum()
+    held
 }

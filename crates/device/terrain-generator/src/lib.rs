@@ -31,11 +31,12 @@
 //! the eye. Beyond the end of the profile the height drops out of sight ([`OUT_OF_SIGHT`]). Levels
 //! are blended before the light, so the light is that of the ground that is shown.
 //! **Of real parts.** [`PartsArray`] is the same array wire by wire; a machine has one or the other. Whoever looks inside
-//! either gets [`Inside`].
+//! either names [`InnerWire`]s and gets [`Inside`]: accumulators, ramps, function generators, products, D/As and sums.
 
 mod array;
 mod eight_stretches;
 mod generator;
+mod inner;
 mod inside;
 mod modified;
 mod of_parts;
@@ -47,10 +48,12 @@ mod region;
 mod registers;
 mod segment;
 mod stretches;
+mod terms;
 
 pub use array::array;
-pub use generator::{INNER_SIGNALS, Method, OUT_OF_SIGHT, Profile, SIGNALS, TerrainGenerator};
-pub use inside::Inside;
+pub use generator::{Method, OUT_OF_SIGHT, Profile, SIGNALS, TerrainGenerator};
+pub use inner::{COARSE, FINE, InnerSignals, InnerWire};
+pub use inside::{Inside, held_words};
 pub use modified::{ModifiedTerrainGenerator, Overlap};
 pub use of_parts::{ArrayState, PartsArray, PartsTerrain, Scale};
 pub use polynomials::Polynomials;

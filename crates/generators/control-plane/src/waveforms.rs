@@ -34,6 +34,8 @@ pub const REGISTERS: &[Signal] = &[
 pub const COARSE: &[Signal] = &[
     event("sweep.coarse.fold.x", "ramp X of the coarse level folds: 1 at stop 1, 0 at stop 0", "fig. 17"),
     event("sweep.coarse.fold.y", "ramp Y of the coarse level folds: 1 at stop 1, 0 at stop 0", "fig. 17"),
+    polarity("sweep.coarse.polarity.x", "flip-flop s_x of the coarse level: 1 where X runs north"),
+    polarity("sweep.coarse.polarity.y", "flip-flop s_y of the coarse level: 1 where Y runs east"),
     event("dpu.coarse.late", "a stop found words missing: bit 3p + q for each, coarse level", "section 6.3"),
     register("tg.coarse.yellow.hold", "corner that feeds the yellow multiplying D/As"),
     register("tg.coarse.yellow.xfirst", "corner that waits for an X stop"),
@@ -81,7 +83,7 @@ impl Changes {
     }
 
     /// A value that stays until another comes; at one instant the last stands.
-    fn becomes(&mut self, time: f64, value: f64) {
+    pub fn becomes(&mut self, time: f64, value: f64) {
         if self.values.last() == Some(&value) {
             return;
         }

@@ -38,17 +38,22 @@ fn inside_blocks(signal: &str, settings: &Settings, unknown: Unknown) -> Option<
     let parts = &settings.analog;
     let of = |other: &str| inside_blocks(other, settings, unknown);
     match signal {
-        "sweep.x" | "sweep.y" | "sweep.range" => None,
-        "sc.gate" | "mu.vs2" => Some("given: the gate is taken as the machine has it"),
+        "sweep.range" => None,
+        _ if signal.starts_with("sweep.") => terrain_parts(settings),
+        "sc.or" => Some("given: the gate is taken as the machine has it"),
+        "sc.gate" | "mu.vs2" | "mu.vs2.fade" | "fg.present" | "mu.vs1.fade" if has_gates(settings) => {
+            Some("real video switches or comparators")
+        }
+        "sc.gate" | "mu.vs2" | "mu.vs2.fade" => None,
         "sm.write" => Some("strokes of the beam between samples"),
         "pg.present" | "pg.reflectivity" => Some("polyhedra"),
         "txg.texture" => (!parts.texture_is_ideal()).then_some("real parts of the texture generator"),
         "fg.reflectivity" => of("fg.height").or_else(|| of("tg.height")),
         "mu.height" => of("tg.height").or_else(|| of("fg.height")),
-        "mu.vs1" | "mu.reflectivity" if !(parts.mixing_is_ideal() && parts.comparator_is_ideal()) => {
+        "mu.vs1" | "mu.reflectivity" if has_gates(settings) => {
             Some("real video switches, comparators or amplifier")
         }
-        "mu.vs1" => of("fg.reflectivity"),
+        "mu.vs1" | "mu.vs1.fade" => of("fg.reflectivity"),
         "mu.reflectivity" => of("fg.reflectivity").or_else(|| of("txg.texture")),
         "sm.video" => of("mu.reflectivity").or_else(|| of("dpp.hold")),
         _ if signal.starts_with("tg.") => terrain_parts(settings),
@@ -66,6 +71,10 @@ fn inside_blocks(signal: &str, settings: &Settings, unknown: Unknown) -> Option<
 
 fn terrain_parts(settings: &Settings) -> Option<&'static str> {
     (!settings.analog.terrain_is_ideal()).then_some("real parts of the terrain generator")
+}
+
+fn has_gates(settings: &Settings) -> bool {
+    !(settings.analog.mixing_is_ideal() && settings.analog.comparator_is_ideal())
 }
 
 fn drives_parts(settings: &Settings) -> bool {

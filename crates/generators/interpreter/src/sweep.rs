@@ -17,10 +17,10 @@ use crate::output_amplifiers::OutputAmplifiers;
 use crate::projector::{Circuit, Deflection, Rim, elevation, shown};
 use crate::scene::SceneData;
 use crate::shadows::segments;
+use crate::wires;
+use landscape::Level;
 use scenario::FeatureLight;
 
-const FED: [&str; 4] = ["x", "cx", "y", "cy"];
-const COLOURS: [&str; 4] = ["yellow", "green", "black", "red"];
 const MICROSECONDS: f64 = 1e6;
 
 /// What one sweep gave, up to the last sample within the stored ground.
@@ -120,19 +120,14 @@ struct Walker<'a> {
 }
 
 impl Walker<'_> {
-    /// Signals of the fine array.
+    /// Signals of the arrays.
     fn array(&mut self, terrain: &Terrain) {
-        for sample in &terrain.fine.samples {
-            self.record.put("sweep.x", sample.ramps[0]);
-            self.record.put("sweep.y", sample.ramps[1]);
-            for (fed, functions) in FED.iter().zip(sample.sums.functions) {
-                for (kind, value) in functions.into_iter().enumerate() {
-                    self.record.put(format!("tg.fn.{fed}.g{kind}"), value);
-                }
-            }
-            for (colour, value) in COLOURS.iter().zip(sample.sums.colours) {
-                self.record.put(format!("tg.{colour}.height"), value);
-            }
+        let coarse = terrain.coarse.iter().map(|walk| ("coarse.", walk, self.scene.coarse()));
+        let levels: Vec<_> =
+            [("", &terrain.fine, Some(self.scene.fine()))].into_iter().chain(coarse).collect();
+        for (name, walk, level) in levels {
+            let region_size = level.map_or(1.0, Level::region_size);
+            self.record.signals.extend(wires::of(name, &walk.samples, region_size));
         }
     }
 
@@ -179,21 +174,26 @@ impl Walker<'_> {
                 ("fg.height", rise),
                 ("fg.slope.u", added[0]),
                 ("fg.slope.v", added[1]),
+                ("fg.or", gate(present)),
                 ("fg.present", gate(present)),
                 ("fg.reflectivity", if present { feature_light.max(0.0) } else { 0.0 }),
                 ("txg.texture", grain.unwrap_or(0.0)),
                 ("mu.height", composite),
                 ("mu.reflectivity", video),
                 ("mu.vs1", gate(mixed.vs1)),
+                ("mu.vs1.fade", gate(mixed.vs1)),
+                ("sc.or", gate(shadow)),
+                ("sc.gate", gate(shadow)),
                 ("mu.vs2", gate(shadow)),
+                ("mu.vs2.fade", gate(shadow)),
             ];
             values.into_iter().for_each(|(name, value)| self.record.put(name, value));
             let threshold = scene.settings.mixing_unit.threshold;
             let keyed = clear.min((feature_light - threshold).abs());
-            for name in ["fg.slope.u", "fg.slope.v", "fg.present", "fg.reflectivity"] {
+            for name in ["fg.slope.u", "fg.slope.v", "fg.or", "fg.present", "fg.reflectivity"] {
                 self.record.put_margin(name, clear);
             }
-            for name in ["mu.vs1", "mu.reflectivity", "sm.video"] {
+            for name in ["mu.vs1", "mu.vs1.fade", "mu.reflectivity", "sm.video"] {
                 self.record.put_margin(name, keyed);
             }
             heights.push(composite);

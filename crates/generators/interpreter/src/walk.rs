@@ -19,7 +19,7 @@ const UNDECIDED: f64 = 1e-6;
 const SAME_PLACE: f64 = 1e-12;
 
 /// One sample.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Sample {
     /// Folded ramps.
     pub ramps: [f64; 2],

@@ -4,7 +4,7 @@ use control_plane::{Blocks, MachineStage, WrittenRaster};
 use display_projection_processor::DERIVATIVE;
 use scenario::{Laws, Occlusion};
 use signal::{Kind, Signal, Unit, Wire};
-use terrain_generator::Scale;
+use terrain_generator::{COARSE, FINE, InnerSignals, Scale};
 
 use crate::signal_table::signals;
 
@@ -27,6 +27,8 @@ pub(crate) struct Scales {
     lines: f64,
     /// End of the range programme (m).
     range: f64,
+    /// Inner signals of each level, the scale of its array, and the side of its regions (m).
+    arrays: Vec<(&'static InnerSignals, Scale, f64)>,
 }
 
 /// Wires of the machine elaborated for `stage`, in the order of the signal table: those of blocks that are there.
@@ -41,8 +43,8 @@ pub fn wires(stage: &MachineStage, blocks: &Blocks, raster: &WrittenRaster) -> V
 
 fn is_there(signal: &Signal, blocks: &Blocks, laws: &Laws) -> bool {
     match (signal.prefix(), signal.name) {
-        ("fg", _) | (_, "mu.vs1") => blocks.features,
-        ("sc", _) | (_, "mu.vs2") => blocks.shadows.is_some(),
+        ("fg", _) | (_, "mu.vs1" | "mu.vs1.fade") => blocks.features,
+        ("sc", _) | (_, "mu.vs2" | "mu.vs2.fade") => blocks.shadows.is_some(),
         ("txg", _) => blocks.texture,
         ("pg", _) => blocks.bodies,
         (_, "dpp.derivative") => laws.occlusion == Occlusion::Derivative,
@@ -63,9 +65,11 @@ impl Scales {
             tangent: raster.field.tan_half_height,
             lines: raster.lines as f64,
             range: stage.settings.range.end,
+            arrays: vec![(&FINE, fine, size)],
         };
         if let (Some(_), Some(level)) = (stage.settings.levels, levels.get(1)) {
             let (coarse, size) = of_level(level);
+            scales.arrays.push((&COARSE, coarse, size));
             scales.height[1] = scales.height[1].max(coarse.height);
             scales.slope = scales.slope.max(coarse.slope / size);
         }
@@ -74,7 +78,22 @@ impl Scales {
 
     /// The wire of a signal.
     pub fn wire(&self, signal: &Signal) -> Wire {
-        let [datum, full_scale] = match signal.unit {
+        let inner = self.arrays.iter().find_map(|(signals, scale, region_size)| {
+            Some(signals.find(signal.name)?.full_scale(scale, *region_size))
+        });
+        let [datum, full_scale] = inner.unwrap_or_else(|| self.of_unit(signal));
+        let volts = match signal.kind {
+            Kind::Analog => self.volts,
+            Kind::Gate => LOGIC,
+            Kind::Bus | Kind::Event => 0.0,
+        };
+        Wire { signal: *signal, full_scale, volts, datum }
+    }
+
+    /// Value at 0 V, and value at full scale from there, by the unit of a signal between blocks.
+    fn of_unit(&self, signal: &Signal) -> [f64; 2] {
+        match signal.unit {
+            _ if matches!(signal.kind, Kind::Bus | Kind::Event) => [0.0, 1.0],
             Unit::Metre if signal.name == "sweep.range" => [0.0, self.range],
             // What is added to a height has no datum of its own.
             Unit::Metre if signal.name.ends_with(".height") && !is_added(signal) => self.height,
@@ -84,13 +103,7 @@ impl Scales {
             Unit::TangentRate => [0.0, self.tangent / (DERIVATIVE * MICROSECONDS)],
             Unit::Line => [0.0, self.lines],
             _ => [0.0, 1.0],
-        };
-        let volts = match signal.kind {
-            Kind::Analog => self.volts,
-            Kind::Gate => LOGIC,
-            Kind::Bus | Kind::Event => 0.0,
-        };
-        Wire { signal: *signal, full_scale, volts, datum }
+        }
     }
 }
 

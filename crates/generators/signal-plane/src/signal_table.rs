@@ -4,24 +4,32 @@ use std::sync::OnceLock;
 
 use control_plane::{RANGE, waveforms};
 use signal::{Signal, Unit};
+use terrain_generator::{COARSE, FINE};
 
-/// Signals of the sweep generator, recorded from the program.
-const SWEEP: &[Signal] = &[
-    Signal::ground("sweep.x", Unit::Region, "folded ramp to the north", "fig. 17"),
-    Signal::ground("sweep.y", Unit::Region, "folded ramp to the east", "fig. 17"),
-    Signal::ground(RANGE, Unit::Metre, "ground range", "section 6.2"),
-];
+/// The ground-range programme.
+const RANGES: &[Signal] = &[Signal::ground(RANGE, Unit::Metre, "ground range", "section 6.2")];
 
 /// Every signal that the machine can record, in the order of the figure.
 pub fn signals() -> &'static [Signal] {
     static TABLE: OnceLock<Vec<Signal>> = OnceLock::new();
     TABLE.get_or_init(|| {
+        let [fine, coarse] = [&*FINE, &*COARSE].map(|level| {
+            let wires: Vec<Signal> = level.wires.iter().map(|(_, signal)| *signal).collect();
+            // Accumulators and ramps are the sweep generator's.
+            let array = wires.partition_point(|signal| signal.prefix() == "sweep");
+            (wires[..array].to_vec(), wires[array..].to_vec())
+        });
         [
-            SWEEP,
+            &fine.0,
+            RANGES,
             waveforms::WIRES,
             waveforms::REGISTERS,
+            &FINE.words,
+            &coarse.0,
             waveforms::COARSE,
-            terrain_generator::INNER_SIGNALS,
+            &COARSE.words,
+            &fine.1,
+            &coarse.1,
             terrain_generator::SIGNALS,
             waveforms::FEATURES,
             feature_generator::SIGNALS,

@@ -18,8 +18,8 @@ pub struct ColourState {
     pub held: Option<[i64; 2]>,
     /// Whether any of the nine words is of another corner.
     pub stale: bool,
-    /// What it adds to the height (m); none on the coarse level, whose inner wires are no signals.
-    pub height_m: Option<f64>,
+    /// What it adds to the height (m).
+    pub height_m: f64,
 }
 
 /// Ground that a pixel shows.
@@ -92,22 +92,22 @@ impl GroundPoint {
         let of = |name: &str| column.at(name, sample);
         let range_m = of("sweep.range");
         let is_coarse = states.len() > 1 && range_m > fine_end_m;
-        let index = usize::from(is_coarse);
+        let (index, prefix) = if is_coarse { (1, "coarse.") } else { (0, "") };
         let (state, level) = (&states[index], &landscape.bank().levels()[index]);
         let place_m: [f64; 2] = std::array::from_fn(|axis| eye[axis] + range_m * direction[axis]);
         let region = level.in_regions(place_m[0], place_m[1]).map(|place| place.floor() as i64);
         let colours = Colour::ALL.map(|colour| {
             let [hold, ..] = &state.colours[colour as usize];
-            let share = || column.at(&format!("tg.{}.height", colour.name()), sample);
             ColourState {
                 colour: colour.name(),
                 wanted: place_of(level, hold.wanted),
                 held: hold.corner().map(|corner| place_of(level, corner)),
                 stale: !hold.stale().is_empty(),
-                height_m: (!is_coarse).then(share),
+                height_m: of(&format!("tg.{prefix}{}.height", colour.name())),
             }
         });
         let hidden = column.hidden_behind(sample);
+        let ramps = ["x", "y"].map(|axis| of(&format!("sweep.{prefix}{axis}")));
         Self {
             sample,
             time_us: sample as f64 * period_us,
@@ -115,7 +115,7 @@ impl GroundPoint {
             place_m,
             level: if is_coarse { "coarse" } else { "fine" },
             region,
-            ramps: [of("sweep.x"), of("sweep.y")],
+            ramps,
             polarity: state.polarity,
             colours: colours.into(),
             terrain_height_m: of("tg.height"),

@@ -46,11 +46,12 @@ fn ground_rows(ground: &GroundPoint) -> Vec<String> {
     let [x, y] = ground.ramps.map(|ramp| fixed(ramp, 4));
     let [u, v] = ground.terrain_slopes.map(|slope| fixed(slope, 4));
     let gate = |on: bool| if on { "on" } else { "off" };
+    let level = if ground.level == "coarse" { "coarse." } else { "" };
     let mut rows = vec![
         row("sample", &format!("{}, {:.3} µs", ground.sample, ground.time_us)),
         row("sweep.range", &format!("{:.2} m: {north} m north, {east} m east", ground.range_m)),
         row(
-            "sweep.x, sweep.y",
+            &format!("sweep.{level}x, sweep.{level}y"),
             &format!("{x}, {y}; s_x {:+}, s_y {:+}", ground.polarity[0], ground.polarity[1]),
         ),
         row("region", &format!("{}, {} of the {} level", ground.region[0], ground.region[1], ground.level)),
@@ -58,11 +59,10 @@ fn ground_rows(ground: &GroundPoint) -> Vec<String> {
     rows.extend(ground.colours.iter().map(|colour| {
         let corner = |place: [i64; 2]| format!("{}, {}", place[0], place[1]);
         let held = colour.held.map_or_else(|| "nothing".to_owned(), corner);
-        let share =
-            colour.height_m.map_or_else(String::new, |height| format!(", adds {} m", fixed(height, 3)));
+        let share = format!(", adds {} m", fixed(colour.height_m, 3));
         let stale =
             if colour.stale { format!(" STALE: wants {}", corner(colour.wanted)) } else { String::new() };
-        row(&format!("tg.{}.hold", colour.colour), &format!("corner {held}{share}{stale}"))
+        row(&format!("tg.{level}{}.hold", colour.colour), &format!("corner {held}{share}{stale}"))
     }));
     rows.extend([
         row("tg.height", &format!("{} m", fixed(ground.terrain_height_m, 3))),

@@ -1,5 +1,7 @@
 //! Both engines, set for one stage.
 
+use std::collections::HashSet;
+
 use control_plane::{ControlPlane, DigitalUnit, FrameSweeps, MachineStage};
 use data_bank::DrumUnit;
 use generator::{FrameError, Planes, Session};
@@ -71,6 +73,7 @@ impl Engines {
         let of_frame = compare_frame(frame, &digital.frame_events(), &own.events);
         let wires = self.session.wires();
         let full_scales: Vec<_> = wires.iter().map(|wire| (wire.signal.name, wire.full_scale)).collect();
+        let there: HashSet<&str> = wires.iter().map(|wire| wire.signal.name).collect();
         let one = |sweep: u32| {
             let mut probe = Probe::new(vec!["*".into()], sweep..sweep + 1);
             let counts = self.session.frame(frame, pose, &mut Planes::new(0, 0, &[]), &mut probe)?;
@@ -79,9 +82,7 @@ impl Engines {
                 events.retain(|event| event.unit != DigitalUnit::ShadowController);
             }
             let mut machine = probe.waveforms;
-            machine.retain(|wave| {
-                wave.signal.axis != Axis::Changes && wires.iter().any(|wire| wire.signal == wave.signal)
-            });
+            machine.retain(|wave| wave.signal.axis != Axis::Changes && there.contains(wave.signal.name));
             machine.iter_mut().for_each(tamper);
             let values = |name: &str| {
                 let wave = machine.iter().find(|wave| wave.signal.name == name);
@@ -92,7 +93,7 @@ impl Engines {
                 frame: &own,
                 draw: |seed, words| unit_interval(seed, &words),
                 lines: &lines,
-                shadow: values("sc.gate"),
+                shadow: values("sc.or"),
                 full_scales: &full_scales,
             };
             let record = interpret(&scene, sweep, &given);

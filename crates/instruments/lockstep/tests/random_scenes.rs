@@ -12,7 +12,7 @@ fn check(found: &Trials) {
 }
 
 /// Signals along ground range that the second engine has no opinion on (docs/lockstep.md says why).
-const WITHOUT_OPINION: [&str; 2] = ["sc.gate", "mu.vs2"];
+const WITHOUT_OPINION: [&str; 1] = ["sc.or"];
 
 /// All signals along ground range but those: these scenes must have put them to the test. A new signal is among them by itself.
 fn compared() -> impl Iterator<Item = &'static str> {
@@ -45,7 +45,7 @@ fn two_hundred_in_f64() {
     assert!(found.scenes >= 190, "{} scenes could be drawn", found.scenes);
     for name in compared() {
         let tally = found.report.signals.get(name).cloned().unwrap_or_default();
-        assert!(tally.samples > 50_000, "{name}: {} samples compared", tally.samples);
+        assert!(tally.samples > 25_000, "{name}: {} samples compared", tally.samples);
         assert!(tally.doubtful < tally.samples / 1000, "{name}: {} samples doubtful", tally.doubtful);
     }
     for word in ["stop", "transfer", "load", "late"] {

@@ -53,6 +53,18 @@ impl GateEdges {
         self.edges.iter_mut().for_each(|edge| *edge += late);
     }
 
+    /// The gate at each sample, 0 or 1.
+    pub fn at_samples(&self, samples: usize) -> Vec<f64> {
+        let (mut edges, mut open) = (self.edges.iter().peekable(), self.open_at_start);
+        let at = |sample: usize| {
+            while edges.next_if(|edge| **edge <= sample as f64).is_some() {
+                open = !open;
+            }
+            f64::from(u8::from(open))
+        };
+        (0..samples).map(at).collect()
+    }
+
     fn change(&mut self, open: &mut bool, now: bool, at: f64) {
         if now != *open {
             self.edges.push(at);

@@ -1,6 +1,6 @@
 //! Switches, adder and video amplifier in the order of fig. 28.
 
-use hardware_model::{AnalogParts, Gate, MixingParts};
+use hardware_model::{AnalogParts, MixingParts};
 use parts::{
     Comparator, Delay, Driver, Fade, Jump, NoiseSource, Spread, Tolerance, relative_sigma, time_constant,
 };
@@ -97,6 +97,14 @@ impl<S: Real> PartsMixer<S> {
         self.outputs.run(out, &mut scratch.driver);
     }
 
+    pub(crate) fn presence_comparator(&self) -> &Comparator<S> {
+        &self.comparators[0]
+    }
+
+    pub(crate) fn shadow_comparator(&self) -> &Comparator<S> {
+        &self.comparators[1]
+    }
+
     /// VS1 and the height summer.
     fn lay_features(
         &self,
@@ -107,11 +115,7 @@ impl<S: Real> PartsMixer<S> {
     ) {
         scratch.take_video(inputs, features, self.vs1.late.as_ref());
         for lane in 0..LANES {
-            let comparator = &self.comparators[0];
-            match features.gates.filter(|_| self.unit.vs1.gate == Gate::Presence) {
-                Some(gates) => scratch.gate.follow(&gates[lane], comparator),
-                None => scratch.gate.follow_samples(&self.unit.vs1, features, lane, comparator),
-            }
+            self.follow_presence(&self.unit.vs1, features, lane, &mut scratch.gate);
             scratch.open(0, lane, &self.vs1);
         }
         let SwitchScratch { open, video, leaks: [leaks, _], .. } = scratch;
@@ -130,7 +134,7 @@ impl<S: Real> PartsMixer<S> {
         reflectivity: &mut [Lanes<S>],
     ) {
         for (lane, list) in shadow.iter().enumerate() {
-            scratch.gate.follow(list, &self.comparators[1]);
+            scratch.gate.follow(list, self.shadow_comparator());
             scratch.open(1, lane, &self.vs2);
         }
         let SwitchScratch { open, leaks: [_, leaks], .. } = scratch;

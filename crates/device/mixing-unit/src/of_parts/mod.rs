@@ -2,9 +2,11 @@
 
 mod edges;
 mod events;
+mod gates;
 mod mixer;
 mod switch;
 
+pub use gates::SwitchGates;
 pub use mixer::{PartsMixer, SwitchScratch};
 
 #[cfg(test)]

@@ -13,7 +13,7 @@ use parts::{
 use signal::{Both, Double, Lanes, Real};
 
 use super::scale::{PEAKS, SLOPE_PEAKS};
-use super::terms::{ENDS, one_of, side_by_side};
+use crate::terms::{ENDS, one_of, side_by_side};
 
 /// Function generators of one axis: values and slopes, at the near and at the far end, of the three orders.
 pub const UNITS: usize = 12;
@@ -56,6 +56,13 @@ pub struct Fed<S> {
     ends: Both<S>,
     /// Where they fall in broken lines.
     places: [BankPlace<S>; 2],
+}
+
+impl<S: Real> Fed<S> {
+    /// The ramp.
+    pub fn ramp(&self) -> Lanes<S> {
+        self.ends.wire(0)
+    }
 }
 
 impl<S: Real> Default for Fed<S> {
@@ -124,10 +131,10 @@ impl<S: Real> AxisGenerators<S> {
         self.slowest
     }
 
-    /// The generators at rest under a ramp that stands.
+    /// The generators at rest under what a ramp that stands feeds them with.
     #[inline(always)]
-    pub fn at_rest<L: Simd>(&self, simd: L, ramp: Lanes<S>) -> AxisState<S> {
-        let (mut state, now) = (AxisState::default(), self.inputs::<L>(simd, &self.feed(simd, ramp)));
+    pub fn at_rest<L: Simd>(&self, simd: L, fed: &Fed<S>) -> AxisState<S> {
+        let (mut state, now) = (AxisState::default(), self.inputs::<L>(simd, fed));
         for curve in 0..CURVES {
             now[curve].store(&mut state.out[curve]);
             self.lag(simd, curve).leave(now[curve], now[curve]).store(&mut state.left[curve]);

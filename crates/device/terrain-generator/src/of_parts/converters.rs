@@ -11,8 +11,8 @@ use signal::{LANES, Real};
 
 use super::run::Run;
 use super::state::{ArrayState, Coded, Due, Lane};
-use super::terms::{TERMS, term_of};
 use super::words::Words;
+use crate::terms::{TERMS, term_of};
 
 impl<S: Real> Run<'_, S> {
     /// Puts the words on their way whose strobes are due by `sample`.

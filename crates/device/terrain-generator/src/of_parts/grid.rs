@@ -11,8 +11,8 @@ use signal::{Both, Double, LANES, Lanes, Real};
 use super::block::{BLOCK, Block, BothRow, Factor, Row};
 use super::cell::{Cell, CellStep, Wires};
 use super::rows::{Alike, RowWires};
-use super::terms::{PAIRS, ROW, TERMS, factors, one_of, side_by_side};
 use super::words::Words;
+use crate::terms::{PAIRS, ROW, TERMS, factors, one_of, side_by_side};
 
 /// All of them, and how many meet at one amplifier.
 #[derive(Debug, Clone)]
@@ -43,6 +43,12 @@ impl<S: Real> GridWires<S> {
     pub(super) fn weight(&mut self, index: usize, lane: usize) -> &mut S {
         let [pair, end] = side_by_side(index);
         &mut self.pairs[pair].weight.0[LANES * end + lane]
+    }
+
+    /// What multiplier `index` puts out.
+    pub(super) fn product(&self, index: usize) -> Lanes<S> {
+        let [pair, end] = side_by_side(index);
+        self.pairs[pair].product.wire(end)
     }
 
     /// What D/A `index` puts out.

@@ -37,7 +37,6 @@ mod scale;
 mod state;
 mod strobed;
 mod summer;
-mod terms;
 #[cfg(test)]
 mod tests;
 mod timing;
@@ -46,7 +45,9 @@ mod words;
 pub use parts_array::PartsArray;
 pub(crate) use parts_array::Tap;
 pub use scale::Scale;
+pub(crate) use scale::{PEAKS, SLOPE_PEAKS};
 pub use state::ArrayState;
+pub(crate) use timing::range_at;
 
 use std::ops::Range;
 

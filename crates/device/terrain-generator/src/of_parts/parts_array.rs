@@ -4,12 +4,12 @@ use std::ops::Range;
 
 use fearless_simd::dispatch;
 use hardware_model::{AnalogParts, FEEDTHROUGH_FREQUENCY, SweepParts};
-use landscape::Level;
+use landscape::{CornerWords, Level};
 use parts::{
     Feedthrough, LagStep, Multiplier, MultiplierLaw, MultiplyingConverter, NoiseSource, Spread, Tolerance,
     relative_sigma, time_constant,
 };
-use signal::{LANES, Real};
+use signal::{LANES, Lanes, Real};
 use sweep_program::SweepProgram;
 
 use super::basis::AxisGenerators;
@@ -21,11 +21,12 @@ use super::run::Run;
 use super::scale::{PEAKS, SLOPE_PEAKS, Scale};
 use super::state::ArrayState;
 use super::summer::Summer;
-use super::terms::{ALL, TERMS, word_of};
 use super::timing::{Delays, Timing, lag_of};
 use super::words::Converters;
 use crate::TerrainGenerator;
 use crate::generator::Profile;
+use crate::inner::InnerWire;
+use crate::terms::{ALL, TERMS, word_of};
 
 /// The array, its parts drawn once from the seed of the model.
 #[derive(Debug, Clone)]
@@ -164,15 +165,45 @@ impl<S: Real> PartsArray<S> {
         run.end_profiles(span, profile);
     }
 
-    /// Output of a function generator of values: ramp or complement of an axis (`2 axis + end`), order `p`.
-    pub(crate) fn function(&self, state: &ArrayState<S>, lane: usize, fed: usize, p: usize) -> f64 {
-        state.axes[fed / 2].output(3 * (fed % 2) + p)[lane].to_f64() * PEAKS[p]
+    /// By how many samples the ramps run ahead of the beam.
+    pub(crate) fn lead(&self) -> f64 {
+        self.timing.lead / self.timing.step
     }
 
-    /// What the multiplying D/As of a colour send to the sum of the height (m).
-    pub(crate) fn share(&self, state: &ArrayState<S>, lane: usize, colour: usize) -> f64 {
-        let terms = (0..TERMS).filter(|&term| word_of(term)[0] == colour);
-        terms.map(|term| state.wires.term(term)[lane].to_f64()).sum::<f64>() * self.scale.height
+    /// What a wire of a lane carries at a block's only sample, of an array over regions of side `region_size` (m); nothing of wires that are not parts of
+    /// the array.
+    pub(crate) fn wire(
+        &self,
+        wire: InnerWire,
+        state: &ArrayState<S>,
+        lane: usize,
+        region_size: f64,
+    ) -> Option<f64> {
+        let full_scale = wire.full_scale(&self.scale, region_size)[1];
+        let of = |lanes: Lanes<S>| lanes[lane].to_f64() * full_scale;
+        let function = |fed: usize, curve: usize| {
+            of(state.axes[fed / 2].output(6 * (curve / 3) + 3 * (fed % 2) + curve % 3))
+        };
+        Some(match wire {
+            InnerWire::Accumulator(_) | InnerWire::Sum(_) => return None,
+            InnerWire::Ramp(axis) => of(state.block.fed[axis][0].ramp()),
+            InnerWire::Function { fed, order } => function(fed, order),
+            InnerWire::Derivative { fed, order } => function(fed, 3 + order),
+            InnerWire::Product { sum, term } => of(state.wires.product(TERMS * sum + term)),
+            InnerWire::Converter { sum, term } => of(state.wires.term(TERMS * sum + term)),
+            InnerWire::Colour(colour) => {
+                let terms = (0..TERMS).filter(|&term| word_of(term)[0] == colour);
+                terms.map(|term| of(state.wires.term(term))).sum()
+            }
+        })
+    }
+
+    /// Words as registers of this array hold them: whole numbers of the least bit of its D/As, if these have a length.
+    pub fn as_held(&self, words: &CornerWords) -> CornerWords {
+        std::array::from_fn(|word| match &self.words {
+            None => words[word],
+            Some(_) => self.scale.word(self.number(words, word).1, word),
+        })
     }
 }
 

@@ -12,8 +12,8 @@ use signal::{Both, Double, LANES, Real};
 
 use super::block::BLOCK;
 use super::strobed::{NEVER, SIDES, Strobed, Strobes, WORDS, side_of};
-use super::terms::{ENDS, PAIRS};
 use super::words::Converters;
+use crate::terms::{ENDS, PAIRS};
 
 /// Pairs of D/As that take words of a side, `WORDS sum + word`.
 const PLACES: usize = 3 * WORDS;

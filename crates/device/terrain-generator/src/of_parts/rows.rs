@@ -17,7 +17,7 @@ use super::block::{BLOCK, Block};
 use super::cell::{Cell, CellParts, CellStep, Wires};
 use super::grid::{Grid, GridWires, RowInputs};
 use super::row_words::RowWords;
-use super::terms::{PAIRS, ROW};
+use crate::terms::{PAIRS, ROW};
 
 /// What all D/As of a grid are.
 #[derive(Debug, Clone)]

@@ -14,11 +14,11 @@ use super::parts_array::PartsArray;
 use super::rows::Alike;
 use super::scale::Scale;
 use super::state::{ArrayState, Coded, Due, Lane};
-use super::terms::{ALL, side_by_side, sign};
 use super::timing::range_at;
 use crate::TerrainGenerator;
 use crate::array::array;
 use crate::generator::{OUT_OF_SIGHT, Profile};
+use crate::terms::{ALL, side_by_side, sign};
 
 /// One group on its way through the array.
 #[derive(Clone, Copy)]
@@ -78,7 +78,9 @@ impl<S: Real> Run<'_, S> {
         let ramps = self.accumulators(first, state);
         for axis in 0..2 {
             state.ramps[axis] = array.ramps[axis].at_rest(ramps[axis]);
-            state.axes[axis] = array.generators[axis].at_rest(simd, state.ramps[axis].output());
+            let fed = array.generators[axis].feed(simd, state.ramps[axis].output());
+            state.axes[axis] = array.generators[axis].at_rest(simd, &fed);
+            state.block.fed[axis][0] = fed;
         }
         self.turn(first, state);
         self.strobe(first, state);

@@ -44,6 +44,12 @@ impl Scale {
         let word = if index == 0 { words[0] - self.datum } else { words[index] };
         word * PEAKS[index / 3] * PEAKS[index % 3] / self.height
     }
+
+    /// The word of order `index` that is this share of full scale.
+    pub fn word(&self, share: f64, index: usize) -> f64 {
+        let word = share * self.height / (PEAKS[index / 3] * PEAKS[index % 3]);
+        if index == 0 { word + self.datum } else { word }
+    }
 }
 
 /// The power of two at or above `value`; 1 for ground without relief.

@@ -9,7 +9,7 @@ use parts::{
 use signal::{Both, Lanes, Real};
 
 use super::block::{BLOCK, Row};
-use super::terms::TERMS;
+use crate::terms::TERMS;
 
 /// Amplifiers of a tree, stage by stage.
 #[derive(Debug, Clone)]

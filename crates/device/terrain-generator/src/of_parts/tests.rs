@@ -8,9 +8,9 @@ mod inside;
 mod plain;
 mod when;
 
-use super::terms::{TERMS, word_of};
 use super::{ArrayState, PartsArray, PartsTerrain};
 use crate::programs::program;
+use crate::terms::{TERMS, word_of};
 use crate::{OUT_OF_SIGHT, Profile, TerrainGenerator};
 
 const SIZE: f64 = 200.0;

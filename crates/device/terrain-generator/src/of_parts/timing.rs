@@ -12,8 +12,8 @@ use parts::{Comparator, NoiseSource, Spread, Tolerance, relative_sigma, time_con
 use sweep_program::{Fold, RampAxis, Step, Stop, SweepProgram};
 
 use super::ramp::RampParts;
-use super::terms::ALL;
 use crate::TerrainGenerator;
+use crate::terms::ALL;
 
 /// A ramp flatter than this counts as one of this slope (full scales a second): it meets no stop within a sweep.
 const FLATTEST: f64 = 1e3;
@@ -157,7 +157,7 @@ pub(super) fn lag_of(bandwidth: Option<f64>) -> f64 {
 
 /// Range at `time` (samples): from the eye's foot to the first sample, straight between samples, on at the last rate
 /// beyond them.
-pub(super) fn range_at(ranges: &[f64], time: f64) -> f64 {
+pub(crate) fn range_at(ranges: &[f64], time: f64) -> f64 {
     if time <= 0.0 {
         return ranges[0] * (1.0 + time).max(0.0);
     }

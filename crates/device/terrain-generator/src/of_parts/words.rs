@@ -11,7 +11,7 @@ use signal::{Both, Double, LANES, Real};
 
 use super::cell::{CellStep, Wires};
 use super::strobed::{NEVER, Strobed, Strobes, WORDS};
-use super::terms::{ALL, ENDS, PAIRS, one_of};
+use crate::terms::{ALL, ENDS, PAIRS, one_of};
 
 /// The bit of what is taken behind a block.
 const BEYOND: f64 = 31.0;

@@ -9,9 +9,9 @@ use sweep_program::{RampAxis, Step, SweepProgram};
 use super::{STEP, Scene, parts, weight};
 use crate::of_parts::block::{BLOCK, Row};
 use crate::of_parts::summer::SummerState;
-use crate::of_parts::terms::{self, ALL, TERMS, sign, word_of};
 use crate::of_parts::timing::range_at;
 use crate::of_parts::{ArrayState, PartsArray, Scale, Tap};
+use crate::terms::{self, ALL, TERMS, sign, word_of};
 use crate::{Profile, Registers};
 
 /// A machine with every part of 1970 but noise.
@@ -97,9 +97,12 @@ fn heights(array: &PartsArray<f64>, scene: &Scene, lane: usize) -> Vec<f64> {
     };
     let start = ramps(foot);
     let mut ramp = [0, 1].map(|axis| array.ramps[axis].at_rest(start[axis]));
-    let mut axes = [0, 1].map(
-        |axis| dispatch!(Level::new(), simd => array.generators[axis].at_rest(simd, ramp[axis].output())),
-    );
+    let mut axes = [0, 1].map(|axis| {
+        dispatch!(Level::new(), simd => {
+            let part = &array.generators[axis];
+            part.at_rest(simd, &part.feed(simd, ramp[axis].output()))
+        })
+    });
     let factors = |axes: &[_; 2], sample: i64| {
         let axes: &[crate::of_parts::basis::AxisState<f64>; 2] = axes;
         [0, 1].map(|axis| {

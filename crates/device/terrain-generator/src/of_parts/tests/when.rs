@@ -6,8 +6,8 @@ use signal::LANES;
 use sweep_program::{RampAxis, Step, Stop};
 
 use super::{STEP, Scene, parts, weight};
-use crate::of_parts::terms::{ALL, TERMS, side_by_side, word_of};
 use crate::of_parts::{ArrayState, PartsArray, Tap};
+use crate::terms::{ALL, TERMS, side_by_side, word_of};
 use crate::{Profile, Registers};
 
 fn array(scene: &Scene, parts: &AnalogParts) -> PartsArray<f64> {

@@ -1,50 +1,50 @@
 //! The terms of the three sums: which wires meet in each.
 
 /// Terms of one sum.
-pub(super) const TERMS: usize = 36;
+pub(crate) const TERMS: usize = 36;
 /// Terms of a row: those behind one function generator of X.
-pub(super) const ROW: usize = 6;
+pub(crate) const ROW: usize = 6;
 /// The same two by two ([`side_by_side`]).
-pub(super) const PAIRS: usize = ROW / 2;
+pub(crate) const PAIRS: usize = ROW / 2;
 /// Terms of all three: height, slope to the north, slope to the east.
-pub(super) const ALL: usize = 3 * TERMS;
+pub(crate) const ALL: usize = 3 * TERMS;
 
-/// The factors of term `term` (`6 ap + bq`) of sum `sum`: unit of each axis ([`super::basis::AxisGenerators`]).
-pub(super) fn factors(sum: usize, term: usize) -> [usize; 2] {
+/// The factors of term `term` (`6 ap + bq`) of sum `sum`: unit of each axis ([`crate::of_parts`]).
+pub(crate) fn factors(sum: usize, term: usize) -> [usize; 2] {
     let (ap, bq) = (term / 6, term % 6);
     [ap + if sum == 1 { 6 } else { 0 }, bq + if sum == 2 { 6 } else { 0 }]
 }
 
 /// Ends of a ramp: near, far.
-pub(super) const ENDS: [usize; 2] = [0, 1];
+pub(crate) const ENDS: [usize; 2] = [0, 1];
 
 /// Units of an axis, and terms, are side by side with those of the same order at the other end of their ramp (of Y, for
 /// terms): number of the pair, and end.
 #[inline(always)]
-pub(super) fn side_by_side(one: usize) -> [usize; 2] {
+pub(crate) fn side_by_side(one: usize) -> [usize; 2] {
     [3 * (one / 6) + one % 3, one / 3 % 2]
 }
 
 /// The unit or term at one end of a pair.
 #[inline(always)]
-pub(super) fn one_of(pair: usize, end: usize) -> usize {
+pub(crate) fn one_of(pair: usize, end: usize) -> usize {
     6 * (pair / 3) + 3 * end + pair % 3
 }
 
 /// Colour and word of a term.
-pub(super) fn word_of(term: usize) -> [usize; 2] {
+pub(crate) fn word_of(term: usize) -> [usize; 2] {
     let (ap, bq) = (term / 6, term % 6);
     [ap / 3 + 2 * (bq / 3), 3 * (ap % 3) + bq % 3]
 }
 
 /// The term of a word of a colour.
-pub(super) fn term_of(colour: usize, word: usize) -> usize {
+pub(crate) fn term_of(colour: usize, word: usize) -> usize {
     6 * (3 * (colour % 2) + word / 3) + 3 * (colour / 2) + word % 3
 }
 
 /// The sign of function generator `unit` (section 6.4): odd orders of value and even ones of slope carry the
 /// `polarity` (1 or -1) at the near end, and its opposite at the far one.
-pub(super) fn sign(unit: usize, polarity: f64) -> f64 {
+pub(crate) fn sign(unit: usize, polarity: f64) -> f64 {
     let (is_slope, is_far, order) = (unit / 6 == 1, unit / 3 % 2 == 1, unit % 3);
     match ((order == 1) == is_slope, is_far) {
         (true, _) => 1.0,

@@ -1,19 +1,19 @@
 //! Waveforms of a group that has just run.
 
+mod inner;
+
 use control_plane::RANGE;
 use control_plane::waveforms::{Changes, changes, feature_centres};
-use mixing_unit::Inputs;
+use mixing_unit::{Inputs, SwitchGates};
 use polyhedron_generator::Overlay;
 use scenario::Occlusion;
-use signal::{Axis, Lanes, Probe, Real, Waveform};
-use sweep_program::{Colour, RampAxis, SweepProgram};
-use terrain_generator::{ArrayState, Inside};
+use signal::{Axis, Lanes, Probe, Real, Signal, Waveform};
 
+use self::inner::{InnerValues, of_lane};
 use crate::group::Group;
-use crate::workspace::Workspace;
-
 use crate::scales::MICROSECONDS;
 use crate::signal_table::signals;
+use crate::workspace::Workspace;
 
 /// A group that has run, ready to be looked at.
 pub struct Recorded<'a, S> {
@@ -38,31 +38,19 @@ fn rises(values: &[f64]) -> Vec<f64> {
     first.into_iter().chain(values.windows(2).map(|pair| pair[1] - pair[0])).collect()
 }
 
-fn of_lane<S: Real>(values: &[Lanes<S>], lane: usize) -> Vec<f64> {
-    values.iter().map(|value| value[lane].to_f64()).collect()
-}
-
 impl<S: Real> Recorded<'_, S> {
     /// What `probe` wants of lane `lane`, which is sweep `sweep`.
     pub fn waveforms(&self, probe: &Probe, lane: usize, sweep: u32) -> Vec<Waveform> {
-        let wanted = signals().iter().filter(|signal| probe.wants(signal));
-        let mut inside = None;
-        wanted
-            .map(|signal| {
-                let Changes { times, values } = match signal.axis {
-                    Axis::Ground => {
-                        self.sampled(self.along_the_ground(signal.name, lane, sweep, &mut inside))
-                    }
-                    Axis::Display => self.sampled(self.down_the_display(signal.name, lane, sweep)),
-                    Axis::Changes => self.digital(signal.name, lane),
-                };
-                Waveform { signal: *signal, frame: self.group.plan.frame, sweep, times, values }
-            })
-            .collect()
-    }
-
-    fn sampled(&self, values: Vec<f64>) -> Changes {
-        Changes { times: Vec::new(), values }
+        let mut inner = self.inner(probe, lane, sweep);
+        let of = |signal: &Signal| {
+            let Changes { times, values } = match signal.axis {
+                Axis::Ground => sampled(self.along_the_ground(signal.name, lane, &mut inner)),
+                Axis::Display => sampled(self.down_the_display(signal.name, lane, sweep)),
+                Axis::Changes => self.digital(signal.name, lane),
+            };
+            Waveform { signal: *signal, frame: self.group.plan.frame, sweep, times, values }
+        };
+        signals().iter().filter(|signal| probe.wants(signal)).map(of).collect()
     }
 
     fn digital(&self, name: &str, lane: usize) -> Changes {
@@ -70,23 +58,20 @@ impl<S: Real> Recorded<'_, S> {
         match name {
             "fg.centre" if group.blocks.features => feature_centres(&work.features[lane], group.table),
             "fg.centre" => Changes::default(),
+            _ if name.contains(".word") => self.word(name, lane).unwrap_or_default(),
             _ if !name.contains(".coarse.") => changes(name, &work.programs[lane]),
             _ if group.blocks.coarse.is_some() => changes(name, &work.coarse[lane]),
             _ => Changes::default(),
         }
     }
 
-    fn along_the_ground(&self, name: &str, lane: usize, sweep: u32, inside: &mut Option<Inside>) -> Vec<f64> {
+    fn along_the_ground(&self, name: &str, lane: usize, inner: &mut InnerValues) -> Vec<f64> {
         let ranges = self.group.table.ranges();
         if name == RANGE {
             return ranges.to_vec();
         }
         let in_sight = ranges.partition_point(|&range| range <= self.group.end_range(lane, self.work));
-        let mut values = if terrain_generator::INNER_SIGNALS.iter().any(|signal| signal.name == name) {
-            inner(name, inside.get_or_insert_with(|| self.inside(lane, sweep)))
-        } else {
-            self.values(name, lane)
-        };
+        let mut values = inner.remove(name).unwrap_or_else(|| self.values(name, lane));
         values.truncate(in_sight);
         // Beyond the problem area a wire keeps its last value, so nothing changes and nothing is drawn; where a generator is
         // not there, it is 0.
@@ -98,22 +83,8 @@ impl<S: Real> Recorded<'_, S> {
         values
     }
 
-    /// Inner wires of the fine level's array.
-    fn inside(&self, lane: usize, sweep: u32) -> Inside {
-        let Self { group, work, .. } = self;
-        let generator = group.terrain(group.stage.landscape.level());
-        match &group.parts.terrain {
-            None => generator.inside(&work.programs[lane]),
-            Some(parts) => {
-                let (first, mut state) = (sweep - lane as u32, ArrayState::default());
-                group.parts_terrain(&parts.fine, first, &mut state).inside(&generator, &work.programs, lane)
-            }
-        }
-    }
-
     fn values(&self, name: &str, lane: usize) -> Vec<f64> {
         let Self { group, work, .. } = self;
-        let program = &work.programs[lane];
         let (profile, projected) = (&work.profile, &work.projected);
         let composite = group.composite(work);
         let of = |values: &[Lanes<S>]| of_lane(values, lane);
@@ -122,10 +93,8 @@ impl<S: Real> Recorded<'_, S> {
         };
         let drawn =
             |values: &[Lanes<S>]| of(values).into_iter().map(|signed| signed.max(0.0)).collect::<Vec<_>>();
-        let direction = program.start.direction;
+        let direction = work.programs[lane].start.direction;
         match name {
-            "sweep.x" => self.ramp(program, RampAxis::X),
-            "sweep.y" => self.ramp(program, RampAxis::Y),
             "tg.height" => on_datum(&profile.height),
             "tg.slope.u" => slope(&of(&profile.along), &of(&profile.across), direction, 0),
             "tg.slope.v" => slope(&of(&profile.along), &of(&profile.across), direction, 1),
@@ -192,12 +161,16 @@ impl<S: Real> Recorded<'_, S> {
             "fg.height" if has_features => of(&features.height),
             "fg.slope.u" if has_features => slope(&of(&features.along), &of(&features.across), direction, 0),
             "fg.slope.v" if has_features => slope(&of(&features.along), &of(&features.across), direction, 1),
-            "fg.present" if has_features => of(&features.present),
+            "fg.or" if has_features => of(&features.present),
             "fg.reflectivity" if has_features => {
                 of(&work.lit.reflectivity).into_iter().map(|signed| signed.max(0.0)).collect()
             }
-            "sc.gate" | "mu.vs2" => self.mixed(|inputs| inputs.vs2_gate(lane)),
-            "mu.vs1" => self.mixed(|inputs| inputs.vs1_gate(&group.mixing_unit().vs1, lane)),
+            "sc.or" => self.mixed(|inputs| inputs.vs2_gate(lane)),
+            "fg.present" if has_features => self.gates(lane).present,
+            "sc.gate" | "mu.vs2" => self.gates(lane).gates[1].clone(),
+            "mu.vs1" => self.gates(lane).gates[0].clone(),
+            "mu.vs1.fade" => self.gates(lane).fades[0].clone(),
+            "mu.vs2.fade" => self.gates(lane).fades[1].clone(),
             "txg.texture" if group.blocks.texture => {
                 let mut values = of(&work.texture);
                 values.resize(samples, 0.0);
@@ -207,7 +180,19 @@ impl<S: Real> Recorded<'_, S> {
         }
     }
 
-    fn mixed(&self, of: impl FnOnce(Inputs<'_, S>) -> Vec<f64>) -> Vec<f64> {
+    /// Gates of the switches, behind their comparators where these are parts.
+    fn gates(&self, lane: usize) -> SwitchGates {
+        let (group, features) = (self.group, &self.work.feature_profile);
+        self.mixed(|inputs| match &group.parts.mixer {
+            Some(mixer) => mixer.gates(&inputs, lane),
+            None => {
+                let gates = [inputs.vs1_gate(&group.mixing_unit().vs1, lane), inputs.vs2_gate(lane)];
+                SwitchGates { present: of_lane(&features.present, lane), fades: gates.clone(), gates }
+            }
+        })
+    }
+
+    fn mixed<T>(&self, of: impl FnOnce(Inputs<'_, S>) -> T) -> T {
         let lists = self.group.toggle_lists(self.work);
         of(self.group.inputs(self.work, &lists))
     }
@@ -225,41 +210,11 @@ impl<S: Real> Recorded<'_, S> {
         }
         row.into_iter().map(f64::from).collect()
     }
-
-    fn ramp(&self, program: &SweepProgram, axis: RampAxis) -> Vec<f64> {
-        let region_size = self.group.stage.landscape.level().region_size();
-        let ramp = &program.start.ramps[usize::from(axis == RampAxis::Y)];
-        let mut folds = program
-            .steps
-            .iter()
-            .filter(|step| step.kind.fold().is_some_and(|fold| fold.axis == axis))
-            .peekable();
-        let mut count = 0;
-        let value = |&range: &f64| {
-            while folds.next_if(|fold| fold.range <= range).is_some() {
-                count += 1;
-            }
-            ramp.at(count, range / region_size).0
-        };
-        self.group.table.ranges().iter().map(value).collect()
-    }
 }
 
-/// The inner wire called `tg.fn.{x, cx, y, cy}.{g0, g1, g2}` or `tg.{colour}.height`.
-fn inner(name: &str, inside: &Inside) -> Vec<f64> {
-    let wire = match name.split('.').collect::<Vec<_>>()[..] {
-        ["tg", "fn", fed, function] => {
-            let fed = ["x", "cx", "y", "cy"].iter().position(|known| *known == fed);
-            let function = ["g0", "g1", "g2"].iter().position(|known| *known == function);
-            fed.zip(function).map(|(fed, function)| &inside.functions[fed][function])
-        }
-        ["tg", colour, "height"] => {
-            let colour = Colour::ALL.into_iter().find(|known| known.name() == colour);
-            colour.map(|colour| &inside.colours[colour as usize])
-        }
-        _ => None,
-    };
-    wire.cloned().unwrap_or_default()
+/// Values at the samples.
+fn sampled(values: Vec<f64>) -> Changes {
+    Changes { times: Vec::new(), values }
 }
 
 /// Slope to the north (axis 0) or the east (axis 1) from those along and across a sweep.
