@@ -19,6 +19,7 @@ pub struct Frame {
     /// Linear intensity as it is displayed, line by line from the top left.
     pub picture: Vec<f32>,
     pub timing: Option<FrameTiming>,
+    /// Values; of a signal that is told when it changes its instants, then its values.
     waves: BTreeMap<(u32, &'static str), Vec<f64>>,
 }
 
@@ -52,7 +53,9 @@ impl Run {
             Frame {
                 picture: planes.get(PlaneKind::Intensity).expect("asked for").to_vec(),
                 timing: control.as_ref().map(|control| control.frame(number, pose).expect("a pose")),
-                waves: waves.map(|wave| ((wave.sweep, wave.signal.name), wave.values)).collect(),
+                waves: waves
+                    .map(|wave| ((wave.sweep, wave.signal.name), [wave.times, wave.values].concat()))
+                    .collect(),
             }
         };
         let frames = scene.frames.iter().map(frame).collect();
@@ -100,10 +103,11 @@ impl Look<'_> {
         0..self.run.settings.raster.sweeps
     }
 
-    /// Sweeps that were drawn along their own azimuth: the others are another artefact's.
+    /// Sweeps that were drawn along their own azimuth, so that their ramps fold when they should: the others are another
+    /// artefact's.
     pub fn own(&self) -> impl Iterator<Item = u32> {
         self.sweeps().filter(|&sweep| {
-            ["sweep.x", "sweep.y"]
+            ["sweep.fold.x", "sweep.fold.y"]
                 .iter()
                 .all(|&name| self.run.wave(sweep, name) == self.clean.wave(sweep, name))
         })

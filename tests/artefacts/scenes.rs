@@ -75,7 +75,7 @@ fn tilted() -> Scene {
     let mut scene = Scene::over(level, [210.0, 1110.0], [8, 2000], 3200.0);
     scene.field = field(10.0, 15.0);
     scene.heading = radians(15.0);
-    scene.signals = &["sweep.x", "sweep.y", "tg.height"];
+    scene.signals = &["sweep.fold.x", "sweep.fold.y", "tg.height"];
     scene
 }
 
@@ -87,7 +87,7 @@ fn relief() -> Scene {
     scene.eye[2] = 40.0;
     scene.field = field(20.0, 15.0);
     scene.heading = radians(45.0);
-    scene.signals = &["sweep.x", "sweep.y", "tg.height"];
+    scene.signals = &["sweep.fold.x", "sweep.fold.y", "tg.height"];
     scene.timed = true;
     scene
 }
@@ -118,7 +118,7 @@ fn rows() -> Scene {
     let mut scene = Scene::over(level, [404.0, 810.0], [8, 2000], 3200.0);
     scene.eye[2] = 40.0;
     scene.field = field(10.0, 15.0);
-    scene.signals = &["sweep.x", "sweep.y", "tg.height"];
+    scene.signals = &["sweep.fold.x", "sweep.fold.y", "tg.height"];
     scene
 }
 
@@ -135,7 +135,7 @@ fn plateau() -> Scene {
     let mut scene = Scene::over(level, [310.0, 600.5], [8, 2000], 3200.0);
     scene.eye[2] = 30.0;
     scene.field = field(1.0, 15.0);
-    scene.signals = &["sweep.x", "sweep.y", "tg.height"];
+    scene.signals = &["sweep.fold.x", "sweep.fold.y", "tg.height"];
     scene
 }
 
@@ -158,8 +158,8 @@ fn waves() -> Scene {
     let mut scene = Scene::over(level, [760.0, 1510.0], [8, 2000], 4000.0);
     scene.field = field(5.0, 15.0);
     scene.signals = &[
-        "sweep.x",
-        "sweep.y",
+        "sweep.fold.x",
+        "sweep.fold.y",
         "tg.height",
         "tg.slope.u",
         "tg.reflectivity",
@@ -179,7 +179,7 @@ fn strips() -> Scene {
     scene.field = field(5.0, 15.0);
     scene.shadows = Some(ShadowFineness { finest: 1.0, angle: 2e-3, reach: None });
     scene.patches = STRIPS.map(|strip| patch(&scene, strip)).to_vec();
-    scene.signals = &["sweep.x", "sweep.y", "mu.reflectivity"];
+    scene.signals = &["sweep.fold.x", "sweep.fold.y", "mu.reflectivity"];
     scene
 }
 
@@ -200,7 +200,7 @@ fn bowls() -> Scene {
     let [x, y, _] = scene.eye;
     let bowl = |ahead| Crater::new([x + ahead, y], Shape::Bowl { r1: BOWL }, 4.0, 0.0).expect("a bowl");
     scene.landscape = scene.landscape.clone().with_features(Features::new(BOWLS.map(bowl).to_vec()));
-    scene.signals = &["sweep.x", "sweep.y", "mu.reflectivity"];
+    scene.signals = &["sweep.fold.x", "sweep.fold.y", "mu.reflectivity"];
     scene
 }
 
@@ -211,7 +211,7 @@ fn flat() -> Scene {
     scene.raster.lines = Some(240);
     scene.range = None;
     scene.laws.occlusion = None;
-    scene.signals = &["sweep.x", "sweep.y", "sweep.range", "dpp.y", "dpp.blank", "sm.write"];
+    scene.signals = &["sweep.fold.x", "sweep.fold.y", "sweep.range", "dpp.y", "dpp.blank", "sm.write"];
     scene
 }
 

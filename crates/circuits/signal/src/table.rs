@@ -44,6 +44,11 @@ impl Unit {
         }
     }
 
+    /// Whether a bus of this unit carries whole numbers.
+    pub fn is_counted(self) -> bool {
+        matches!(self, Self::Corner | Self::Number | Self::Gate)
+    }
+
     /// As it stands in a table.
     pub fn symbol(self) -> &'static str {
         match self {
@@ -93,7 +98,7 @@ pub enum Kind {
     Analog,
     /// Two levels.
     Gate,
-    /// Wires that carry a number together.
+    /// Wires that carry a number together: a whole one, or one that is told in its unit.
     Bus,
     /// A pulse, with what is told at it.
     Event,

@@ -141,7 +141,10 @@ impl<'a> Page<'a> {
             }
             _ => {
                 let name = waveform.signal.name;
-                let word = |value: f64| (value >= 0.0).then(|| self.corner(name, value as usize));
+                let word = |value: f64| match waveform.signal.unit {
+                    Unit::Corner => (value >= 0.0).then(|| self.corner(name, value as usize)),
+                    _ => Some(format!("{value:.4}")),
+                };
                 Logic::Words(changes().map(|(at, value)| (at, word(value))).collect(), colour(name))
             }
         }

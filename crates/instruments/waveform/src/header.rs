@@ -135,7 +135,8 @@ impl Form {
         match (signal.kind, signal.axis) {
             (Kind::Analog, _) | (Kind::Gate, Axis::Display) => Self::Real,
             (Kind::Gate, _) => Self::Bit,
-            (Kind::Bus, _) => Self::Word,
+            (Kind::Bus, _) if signal.unit.is_counted() => Self::Word,
+            (Kind::Bus, _) => Self::Real,
             (Kind::Event, _) => Self::Pulse,
         }
     }
@@ -154,4 +155,19 @@ pub(crate) fn volts(wire: &Wire, value: f64) -> f64 {
 /// Whether a wire carries a voltage.
 pub(crate) fn has_volts(wire: &Wire) -> bool {
     wire.volts > 0.0 && wire.full_scale > 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use signal::{Kind, Signal, Unit};
+
+    use super::Form;
+
+    /// A corner is counted; a word of a register is as many metres, and its fraction is kept.
+    #[test]
+    fn what_is_counted_is_whole() {
+        let bus = |unit| Form::of(&Signal::digital("tg.red.word0", unit, Kind::Bus, "", ""));
+        assert_eq!(bus(Unit::Corner), Form::Word);
+        assert_eq!(bus(Unit::Metre), Form::Real);
+    }
 }

@@ -1,0 +1,56 @@
+//! Which overlay moves which signal: no wire is told in front of its fault.
+//!
+//! A machine draws a frame in which every block works, without a fault and under each overlay of one fault. A signal moves if any
+//! of its waveforms differs by a bit. The drawing says which signals lie behind a fault ([`drawing`]); one that lies behind it
+//! and does not move is a failure, unless [`exceptions`] says why. The table is docs/overlays.md.
+
+mod drawing;
+mod exceptions;
+mod overlays;
+mod runs;
+mod table;
+
+use std::collections::BTreeSet;
+
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+
+use crate::drawing::behind;
+use crate::exceptions::why_still;
+use crate::overlays::{OVERLAYS, Overlay};
+use crate::runs::Scene;
+
+/// An overlay, and the families of signals that move under it.
+struct Row {
+    overlay: &'static Overlay,
+    moved: BTreeSet<String>,
+}
+
+fn rows() -> Vec<Row> {
+    let scene = Scene::new();
+    let clean = scene.waveforms(None);
+    let row = |overlay: &'static Overlay| Row {
+        overlay,
+        moved: runs::moved(&clean, &scene.waveforms(Some(overlay))),
+    };
+    OVERLAYS.into_par_iter().map(row).collect()
+}
+
+#[test]
+fn what_lies_behind_a_fault_moves_under_it() {
+    let rows = rows();
+    let found = table::page(&rows);
+    let mut still = Vec::new();
+    for Row { overlay, moved } in &rows {
+        for signal in behind(overlay.at) {
+            let why = why_still(overlay.name, &signal);
+            match (moved.contains(&signal), why) {
+                (false, None) => still.push(format!("{}: {signal} does not move", overlay.name)),
+                (true, Some(why)) => still.push(format!("{}: {signal} moves, though {why}", overlay.name)),
+                _ => {}
+            }
+        }
+    }
+    assert!(still.is_empty(), "{} signals:\n{}", still.len(), still.join("\n"));
+    let page = include_str!("../../docs/overlays.md");
+    assert!(page.contains(&found), "docs/overlays.md has another table than this:\n{found}");
+}

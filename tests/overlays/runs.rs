@@ -1,0 +1,71 @@
+//! Runs of one scene under the overlays, and what differs.
+
+use std::collections::BTreeSet;
+
+use generator::Planes;
+use hardware_model::{HardwareModel, ModelSource};
+use lunoid_tests::Shipped;
+use machine::Prepare;
+use signal::{Probe, Waveform};
+
+use crate::drawing::family;
+use crate::overlays::Overlay;
+
+/// Sweeps of the frame, of which those in [`LOOKED_AT`] are recorded.
+const SWEEPS: u32 = 96;
+const LOOKED_AT: std::ops::Range<u32> = 32..64;
+const FRAME: u64 = 60;
+
+/// A frame in which every block works, on regions of the report's order.
+pub struct Scene {
+    shipped: Shipped,
+    folder: tempfile::TempDir,
+}
+
+impl Scene {
+    pub fn new() -> Self {
+        let shipped = Shipped::read("full-drive", Some(SWEEPS));
+        Self { shipped, folder: tempfile::tempdir().expect("a folder of its own") }
+    }
+
+    /// All signals by the ideal machine, with an overlay if there is one. Occlusion is by derivative, so that its circuit is there.
+    pub fn waveforms(&self, overlay: Option<&Overlay>) -> Vec<Waveform> {
+        let overlays: Vec<_> = overlay
+            .map(|overlay| {
+                let file = self.folder.path().join(format!("{}.toml", overlay.name));
+                std::fs::write(&file, overlay.text()).expect("a file");
+                file
+            })
+            .into_iter()
+            .collect();
+        let sets = [("dpp.occlusion".to_owned(), "\"derivative\"".to_owned())];
+        let ideal = ModelSource::BuiltIn("ideal".into());
+        let model = HardwareModel::load(&ideal, &overlays, &sets).unwrap_or_else(|e| panic!("{e}")).model;
+        let settings = front_door::settings(&self.shipped.scenario, &model).expect("settings of an overlay");
+        let settings =
+            hardware_model::Settings { shadow_cache: self.shipped.settings.shadow_cache.clone(), ..settings };
+        let mut shipped = self.shipped.clone();
+        shipped.settings = settings;
+        let stage = match shipped.settings.data_banks.drum {
+            None => shipped.stage(),
+            // What a drum has brought depends on the frames before.
+            Some(_) => front_door::build(&shipped.scenario, shipped.settings.clone()).expect("full drive"),
+        };
+        let session = stage.prepare();
+        let mut probe = Probe::new(vec!["*".into()], LOOKED_AT);
+        let pose = shipped.pose(FRAME).pose;
+        session.frame(FRAME, &pose, &mut Planes::new(0, 0, &[]), &mut probe).expect("a frame");
+        probe.waveforms
+    }
+}
+
+/// Families of which a waveform differs.
+pub fn moved(clean: &[Waveform], faulty: &[Waveform]) -> BTreeSet<String> {
+    assert_eq!(clean.len(), faulty.len());
+    let bits = |values: &[f64]| values.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
+    let differs = |(a, b): &(&Waveform, &Waveform)| {
+        assert_eq!((a.signal.name, a.sweep), (b.signal.name, b.sweep));
+        bits(&a.values) != bits(&b.values) || bits(&a.times) != bits(&b.times)
+    };
+    clean.iter().zip(faulty).filter(differs).map(|(a, _)| family(a.signal.name)).collect()
+}
