@@ -54,6 +54,7 @@ fn again(name: &str, baseline: &TimingRecord, set: Option<(&str, &str)>) -> Timi
         master,
         // The hash of the inputs is the command's, which `crates/doors/lunoid/tests` holds to a baseline of its own.
         inputs: baseline.inputs.clone(),
+        keys: baseline.keys.clone(),
         before_mission,
         frames: frames.map(timed).collect(),
         ..*baseline

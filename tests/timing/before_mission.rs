@@ -1,5 +1,7 @@
 //! What a machine has to do before frame 0 (hardware sections 4.4, 4.6 and 4.7).
 
+use std::collections::BTreeMap;
+
 use control_plane::{ControlPlane, MachineStage};
 use data_bank::DataBank;
 use dpu::HOME_SETS;
@@ -146,6 +148,7 @@ fn the_sum_is_when_it_is_ready() {
         scenario: "flat".into(),
         machine: "none".into(),
         inputs: "0".into(),
+        keys: BTreeMap::new(),
         master: String::new(),
         before_mission,
         frames: vec![before],

@@ -70,6 +70,9 @@ pub struct SweepParts {
     pub strobe_offset: f64,
     /// How a fold is found.
     pub fold_detect: FoldDetect,
+    /// Whether the accumulators are preset to the first range in retrace, so that the array settles there before the sweep begins;
+    /// otherwise they are at the eye's foot, and the array jumps to the first range within a step.
+    pub preset: bool,
 }
 
 /// Damping of the sweep generator's smoother (hardware section 3.1).

@@ -149,7 +149,7 @@ fn digital_changes() -> impl Iterator<Item = (&'static str, Option<Setting>, Str
     of_the_drum.chain(others.into_iter().map(|(key, value)| (key, None, value.to_owned())))
 }
 
-fn analog_changes() -> [(&'static str, &'static str); 67] {
+fn analog_changes() -> [(&'static str, &'static str); 68] {
     [
         ("analog.full_scale_v", "10"),
         ("spread.parts", "on"),
@@ -160,6 +160,7 @@ fn analog_changes() -> [(&'static str, &'static str); 67] {
         ("sweep.smoother_ns", "40"),
         ("sweep.fold_detect", "comparator"),
         ("sweep.strobe_offset_ns", "-10"),
+        ("sweep.preset", "off"),
         ("function_generator.segments", "20"),
         ("function_generator.error_pct", "0.1"),
         ("function_generator.bandwidth_mhz", "5"),

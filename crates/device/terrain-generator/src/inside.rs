@@ -6,7 +6,7 @@ use signal::{LANES, Real};
 use sweep_program::{RampAxis, SweepProgram};
 
 use crate::inner::InnerWire;
-use crate::of_parts::{Tap, range_at};
+use crate::of_parts::Tap;
 use crate::terms::{TERMS, factors, sign, word_of};
 use crate::{ArrayState, PartsArray, PartsTerrain, Polynomials, Profile, Registers, TerrainGenerator};
 
@@ -71,20 +71,24 @@ impl TerrainGenerator<'_> {
         }
     }
 
-    /// What the accumulator of an axis holds when the sweep clock is at each of `times` (samples).
-    fn accumulated(&self, program: &SweepProgram, axis: usize, times: impl Iterator<Item = f64>) -> Vec<f64> {
+    /// What the accumulator of an axis holds at each of `ranges` (m, ascending).
+    fn accumulated(
+        &self,
+        program: &SweepProgram,
+        axis: usize,
+        ranges: impl Iterator<Item = f64>,
+    ) -> Vec<f64> {
         let is_of_axis = |own: RampAxis| (own == RampAxis::Y) == (axis == 1);
         let folds =
             program.steps.iter().filter(|step| step.kind.fold().is_some_and(|fold| is_of_axis(fold.axis)));
         let (mut folds, mut count) = (folds.peekable(), 0);
-        let value = |time: f64| {
-            let range = range_at(self.ranges, time);
+        let value = |range: f64| {
             while folds.next_if(|fold| fold.range <= range).is_some() {
                 count += 1;
             }
             program.start.ramps[axis].at(count, range / self.region_size).0
         };
-        times.map(value).collect()
+        ranges.map(value).collect()
     }
 }
 
@@ -109,8 +113,8 @@ impl<S: Real> PartsTerrain<'_, S> {
         generator.put_sums((&programs[lane], lane), last, wires, &profile, &mut inside);
         for (values, wire) in inside.iter_mut().zip(wires) {
             if let InnerWire::Accumulator(axis) = wire {
-                let times = (0..samples).map(|sample| sample as f64 + array.lead());
-                *values = generator.accumulated(&programs[lane], *axis, times);
+                let ranges = (0..samples).map(|sample| array.accumulated(generator.ranges, sample));
+                *values = generator.accumulated(&programs[lane], *axis, ranges);
             }
         }
         inside

@@ -2,12 +2,16 @@
 
 use std::fmt::{self, Write};
 
-use crate::comparison::Comparison;
+use crate::allowance::Allowed;
+use crate::comparison::{Comparison, MovedEvent};
 use crate::difference::Difference;
 
-/// What is said of a baseline with another head, before anything else.
-pub(crate) const OTHER_INPUTS: &str =
-    "the baseline is of other inputs: check against the right one, or record it again";
+/// What is said of a baseline with another head whose keys are not known.
+const UNKNOWN_KEYS: &str =
+    "the baseline is of other inputs; it is older than the keys of a record, so it cannot name them";
+
+/// What is said where no key differs.
+const SAME_KEYS: &str = "the baseline is of other inputs, though every key is the same: ground, path, a file that the scenario names, or the program differs";
 
 impl Comparison {
     /// Verdict, differences of the head, then differences frame by frame: the first `limit`, and how many more there
@@ -21,8 +25,23 @@ impl Comparison {
 
     fn write(&self, out: &mut String, limit: usize) -> fmt::Result {
         self.write_verdict(out)?;
+        for Allowed { bound, found, is_met } in &self.allowed {
+            let found = found.map_or("no such deadline".to_owned(), |found| format!("found {found}"));
+            writeln!(out, "{} {bound}: {found}", if *is_met { "within" } else { "beyond" })?;
+        }
         if !self.head.is_empty() {
-            writeln!(out, "{OTHER_INPUTS}")?;
+            writeln!(out, "{}", self.cause())?;
+            out.push_str(&diff(&self.keys, KEYS));
+        }
+        if let Some(event) = &self.first_event {
+            write!(out, "{event}")?;
+        }
+        if !self.totals.is_empty() {
+            writeln!(out, "totals:")?;
+            self.totals.iter().try_for_each(|total| writeln!(out, "  {}", from_to(total)))?;
+        }
+        if !self.head.is_empty() {
+            writeln!(out, "@@ head @@")?;
             out.push_str(&diff(&self.head, self.head.len()));
         }
         if !self.before_mission.is_empty() {
@@ -40,11 +59,32 @@ impl Comparison {
         self.write_rest(out, limit)
     }
 
+    /// In what the baseline's run is another one.
+    pub(crate) fn cause(&self) -> String {
+        match (self.has_keys, self.keys.len()) {
+            (false, _) => UNKNOWN_KEYS.to_owned(),
+            (true, 0) => SAME_KEYS.to_owned(),
+            (true, 1) => format!("the baseline is of other inputs: {} differs", self.keys[0].place),
+            (true, many) => format!("the baseline is of other inputs: {many} keys differ"),
+        }
+    }
+
+    /// The totals that moved, in one line.
+    pub(crate) fn totals_line(&self) -> String {
+        self.totals.iter().map(from_to).collect::<Vec<_>>().join(", ")
+    }
+
     fn write_verdict(&self, out: &mut String) -> fmt::Result {
         let Self { scenario, machine, frames, .. } = self;
         let (all, differ) = (frames.len(), self.frames_that_differ());
-        if self.is_met() {
+        if self.is_same() {
             return writeln!(out, "baseline met: {scenario} on {machine}, frames: {all}");
+        }
+        if self.is_met() {
+            return writeln!(
+                out,
+                "baseline met within what is allowed: {scenario} on {machine}, frames that differ: {differ} of {all}"
+            );
         }
         writeln!(out, "baseline not met: {scenario} on {machine}, frames that differ: {differ} of {all}")
     }
@@ -55,6 +95,26 @@ impl Comparison {
             0 => Ok(()),
             more => writeln!(out, "and {more} more"),
         }
+    }
+}
+
+/// Keys that are told one by one.
+const KEYS: usize = 20;
+
+/// A number of the baseline and what it is now.
+fn from_to(total: &Difference) -> String {
+    let told = |value: &Option<String>| value.clone().unwrap_or_else(|| "none".to_owned());
+    format!("{} {} to {}", total.place, told(&total.baseline), told(&total.found))
+}
+
+impl fmt::Display for MovedEvent {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { frame, sweep, baseline, found } = self;
+        let place = sweep.map_or(String::new(), |sweep| format!(", sweep {sweep}"));
+        let told = |event: &Option<String>| event.clone().unwrap_or_else(|| "nothing".to_owned());
+        writeln!(f, "first event that moved: frame {frame}{place}")?;
+        writeln!(f, "-{}", told(baseline))?;
+        writeln!(f, "+{}", told(found))
     }
 }
 

@@ -3,7 +3,7 @@
 use diagnostics::{JunitCase, JunitSuite};
 
 use crate::comparison::Comparison;
-use crate::diff::{OTHER_INPUTS, diff};
+use crate::diff::diff;
 use crate::difference::Difference;
 
 impl Comparison {
@@ -14,12 +14,14 @@ impl Comparison {
             failure: (!differences.is_empty()).then(|| [message, diff(differences, limit)]),
         };
         let tasks = &self.before_mission;
-        let mut cases = vec![
-            case("head", &self.head, OTHER_INPUTS.to_owned()),
-            case("before the mission", tasks, differing(tasks)),
-        ];
+        let mut cases =
+            vec![case("head", &self.head, self.cause()), case("before the mission", tasks, differing(tasks))];
         cases.extend(self.frames.iter().map(|frame| {
-            case(&format!("frame {}", frame.frame), &frame.differences, differing(&frame.differences))
+            let message = match self.totals_line() {
+                totals if totals.is_empty() => differing(&frame.differences),
+                totals => format!("{}; in all frames {totals}", differing(&frame.differences)),
+            };
+            case(&format!("frame {}", frame.frame), &frame.differences, message)
         }));
         JunitSuite { name: format!("timing {} {}", self.scenario, self.machine), kind: "timing", cases }.xml()
     }

@@ -29,6 +29,7 @@
 //! assert_eq!((slack.count, slack.missed, slack.least), (3, 1, Some(-3)));
 //! ```
 
+mod allowance;
 mod check;
 mod comparison;
 mod deadline;
@@ -46,8 +47,9 @@ mod task;
 mod text;
 mod totals;
 
+pub use allowance::{Allowance, AllowanceError, Allowed};
 pub use check::Fault;
-pub use comparison::{Comparison, Tolerance, ToleranceError, compare};
+pub use comparison::{Comparison, MovedEvent, Tolerance, ToleranceError, compare};
 pub use deadline::{BINS, Deadline, Slack};
 pub use difference::Difference;
 pub use event_hash::EventHash;

@@ -24,6 +24,10 @@ pub struct TimingRecord {
     pub machine: String,
     /// Hash of everything that decides the result, as hexadecimal digits.
     pub inputs: String,
+    /// Values of model, scenario and command line by their keys, as written. They name what differs where `inputs` does, and
+    /// decide nothing by themselves. Empty in records of before 2026-11.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub keys: BTreeMap<String, String>,
     /// Master clock as a person writes it, such as `20000000 Hz`.
     pub master: String,
     /// What has to be done before frame 0, in the order in which it is; nothing in a machine that is ready at once. The key

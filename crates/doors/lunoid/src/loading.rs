@@ -60,7 +60,7 @@ pub fn of_timed(argument: Arg) -> Arg {
 }
 
 /// Which scenario, drawn by what.
-#[derive(Debug, Default, Args)]
+#[derive(Debug, Default, Clone, Args)]
 pub struct StageArgs {
     /// Scenario file.
     pub scenario: PathBuf,

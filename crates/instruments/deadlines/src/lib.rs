@@ -14,6 +14,7 @@ mod critical_path;
 mod error;
 mod levels;
 mod misses;
+mod moved;
 mod plots;
 mod rehearsal;
 mod rehearsed;
@@ -23,6 +24,7 @@ pub mod sizing;
 mod timeline;
 
 pub use error::DeadlineError;
+pub use moved::first_moved;
 pub use plots::{write_slack, write_utilisation};
 pub use rehearsal::{Rehearsal, first, spread};
 pub use rehearsed::{Other, Rehearsed};

@@ -1,5 +1,7 @@
 //! A mission's timing without its pictures: frames of whatever takes time, into timing records.
 
+use std::collections::BTreeMap;
+
 use front_door::Opened;
 use generator::Timed;
 use hardware_model::{HardwareModel, ModelRaster, Raster, Settings};
@@ -28,6 +30,8 @@ pub struct Rehearsal {
     pub control: ControlPlane,
     /// The threads that do the work.
     pub pool: ThreadPool,
+    /// What was written and asked for, by its keys.
+    pub(crate) keys: BTreeMap<String, String>,
 }
 
 impl Rehearsal {
@@ -36,10 +40,11 @@ impl Rehearsal {
     /// # Errors
     /// If the ground cannot be made, or something does not fit on it.
     pub fn new(opened: Opened, pool: ThreadPool) -> Result<Self, DeadlineError> {
+        let keys = opened.keys()?;
         let stage = pool.install(|| opened.machine_stage())?;
         let control = ControlPlane::new(stage.clone());
         let Opened { scenario, model, .. } = opened;
-        Ok(Self { scenario, model, stage, control, pool })
+        Ok(Self { scenario, model, stage, control, pool, keys })
     }
 
     /// The hardware model with raster and range of the run, for formulas.
@@ -58,9 +63,15 @@ impl Rehearsal {
             landscape: &self.stage.landscape,
             clock: (settings.timebase.update, settings.yoke),
             machine: &self.model.name,
+            keys: &self.keys,
             timed: &self.control,
             pool: &self.pool,
         }
+    }
+
+    /// Hash of everything that decides the timing, as in a record.
+    pub fn inputs(&self) -> String {
+        self.control.inputs(&self.scenario)
     }
 
     /// Where the vehicle is in each of `frames`, ascending.
@@ -89,6 +100,7 @@ pub(crate) struct TimedJob<'a> {
     pub clock: (Rate, Option<Yoke>),
     /// Name in the record.
     pub machine: &'a str,
+    pub keys: &'a BTreeMap<String, String>,
     pub timed: &'a dyn Timed,
     pub pool: &'a ThreadPool,
 }
@@ -122,6 +134,7 @@ impl TimedJob<'_> {
             scenario: self.scenario.title.clone(),
             machine: self.machine.to_owned(),
             inputs: self.timed.inputs(self.scenario),
+            keys: self.keys.clone(),
             master: self.timed.master().to_string(),
             before_mission: before_mission?,
             frames: kept,

@@ -1,5 +1,7 @@
 //! A rehearsal of whatever a timing record can be made of.
 
+use std::collections::BTreeMap;
+
 use front_door::Opened;
 use generator::{Stage, Timed};
 use rayon::ThreadPool;
@@ -21,6 +23,7 @@ pub enum Rehearsed {
 /// A generator that is no hybrid machine, as something that takes time.
 pub struct Other {
     opened: Opened,
+    keys: BTreeMap<String, String>,
     stage: Stage,
     timed: Box<dyn Timed>,
     pool: ThreadPool,
@@ -52,10 +55,11 @@ impl Rehearsed {
 
 impl Other {
     fn new(opened: Opened, pool: ThreadPool) -> Result<Self, DeadlineError> {
+        let keys = opened.keys()?;
         let stage = pool.install(|| opened.stage())?;
         let timed = opened.generator.timed(stage.clone())?;
         let timed = timed.ok_or_else(|| DeadlineError::NoTime(opened.drawn_by().to_owned()))?;
-        Ok(Self { opened, stage, timed, pool })
+        Ok(Self { opened, keys, stage, timed, pool })
     }
 
     fn job(&self) -> TimedJob<'_> {
@@ -64,6 +68,7 @@ impl Other {
             landscape: &self.stage.landscape,
             clock: (self.stage.view.update, self.stage.view.yoke),
             machine: self.opened.drawn_by(),
+            keys: &self.keys,
             timed: &*self.timed,
             pool: &self.pool,
         }

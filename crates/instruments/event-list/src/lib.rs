@@ -21,7 +21,7 @@ use crate::seen::Seen;
 pub use error::EventListError;
 pub use filter::{Filter, LEVELS, unit};
 pub use frame::{At, DigitalFrame};
-pub use listing::Form;
+pub use listing::{Form, told};
 pub use registers::Registers;
 
 /// Sweeps that are worked out side by side.

@@ -126,6 +126,12 @@ impl<'a> Listing<'a> {
     }
 }
 
+/// One event in a line: its tick, who does it, and what.
+pub fn told(event: &DigitalEvent) -> String {
+    let (tick, unit, word) = (event.tick.0, event.unit, event.event.name());
+    format!("tick {tick}: {unit} {word} {}", details(event)).trim_end().to_owned()
+}
+
 fn or_empty(value: Option<impl ToString>) -> String {
     value.map_or_else(String::new, |value| value.to_string())
 }

@@ -1,5 +1,7 @@
 //! What a replay puts into the folder of its run for the page, and the page.
 
+use std::collections::BTreeMap;
+
 use deadlines::spread;
 use front_door::Opened;
 use generator::{Scan, Timed};
@@ -88,6 +90,7 @@ impl Making<'_> {
             scenario: self.job.scenario.title.clone(),
             machine: self.opened.drawn_by().to_owned(),
             inputs: String::new(),
+            keys: BTreeMap::new(),
             master: String::new(),
             before_mission: Vec::new(),
             frames,

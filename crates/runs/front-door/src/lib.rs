@@ -24,6 +24,7 @@ mod open;
 mod opened;
 mod stage;
 mod wishes;
+mod written_keys;
 
 pub use error::{OpenError, StageError, path_problems};
 pub use ground::landscape;

@@ -35,6 +35,7 @@ pub fn timing_record(
         scenario: name.to_owned(),
         machine,
         inputs,
+        keys: BTreeMap::new(),
         master: format!("{MASTER_HZ} Hz"),
         before_mission: Vec::new(),
         frames: made.iter().map(|frame| frame_timing(frame, method, period)).collect(),

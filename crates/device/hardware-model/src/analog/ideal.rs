@@ -16,6 +16,7 @@ impl SweepParts {
         smoother: 0.0,
         strobe_offset: 0.0,
         fold_detect: FoldDetect::Digital,
+        preset: true,
     };
 }
 

@@ -110,6 +110,7 @@ fn sweep(table: &Reader) -> Option<SweepParts> {
     let strobe_offset = signed_nanoseconds(table, "strobe_offset_ns").required();
     let ways = [("digital", FoldDetect::Digital), ("comparator", FoldDetect::Comparator)];
     let fold_detect = table.one_of("fold_detect", &ways).required();
+    let preset = table.one_of("preset", &[("on", true), ("off", false)]).required();
     Some(SweepParts {
         dac_bits: dac_bits?,
         settle: settle?,
@@ -118,6 +119,7 @@ fn sweep(table: &Reader) -> Option<SweepParts> {
         smoother: smoother?,
         strobe_offset: strobe_offset?,
         fold_detect: fold_detect?,
+        preset: preset?,
     })
 }
 

@@ -13,8 +13,10 @@
 //! **Timing.** The ramps run ahead of the beam by the nominal delay of the chain, so that height and range meet in
 //! the projection processor; strobes and polarity are delayed to where the ramps are (our choices: a sane machine is
 //! trimmed so). What is left is spread, dispersion and the offset that the model names.
-//! **State.** Every wire settles in retrace: a sweep begins with the array at rest at the eye's foot, and there the
-//! datum is trimmed (our choice): an offset of a thousandth of a mountain would bury the eye. An array whose first samples
+//! **State.** Every wire settles in retrace. The datum is trimmed there with the accumulators at the eye's foot (our choice): an offset
+//! of a thousandth of a mountain would bury the eye. Then the accumulators are preset to the first range, with the words and the
+//! polarity of that place, and the array settles there (our choice: the report leaves the first part of the profile unused).
+//! Without the preset the array jumps from the foot to the first range within a step. An array whose first samples
 //! nobody takes starts later, at rest, by as much before the first that is taken as its parts need to forget that
 //! (`warm_up`).
 //! **How it is computed.** Eight lanes go through a part side by side, and a block of samples through one part after
@@ -47,7 +49,6 @@ pub(crate) use parts_array::Tap;
 pub use scale::Scale;
 pub(crate) use scale::{PEAKS, SLOPE_PEAKS};
 pub use state::ArrayState;
-pub(crate) use timing::range_at;
 
 use std::ops::Range;
 

@@ -165,9 +165,9 @@ impl<S: Real> PartsArray<S> {
         run.end_profiles(span, profile);
     }
 
-    /// By how many samples the ramps run ahead of the beam.
-    pub(crate) fn lead(&self) -> f64 {
-        self.timing.lead / self.timing.step
+    /// Ground range that the accumulators have as the beam is at `sample`, over samples at `ranges` (m).
+    pub(crate) fn accumulated(&self, ranges: &[f64], sample: usize) -> f64 {
+        self.timing.accumulated(ranges, sample as f64)
     }
 
     /// What a wire of a lane carries at a block's only sample, of an array over regions of side `region_size` (m); nothing of wires that are not parts of

@@ -14,7 +14,6 @@ use super::parts_array::PartsArray;
 use super::rows::Alike;
 use super::scale::Scale;
 use super::state::{ArrayState, Coded, Due, Lane};
-use super::timing::range_at;
 use crate::TerrainGenerator;
 use crate::array::array;
 use crate::generator::{OUT_OF_SIGHT, Profile};
@@ -61,30 +60,38 @@ impl<S: Real> Run<'_, S> {
         let timing = &self.array.timing;
         // The accumulators leave the eye's foot a sample before the first, and the beam is behind them.
         let foot = -(1.0 + timing.lead / timing.step).ceil() as i64;
-        self.settle(simd, foot, state);
+        let at_foot = self.accumulated(0.0, state);
+        if !timing.preset {
+            self.act_until(foot, state);
+        }
+        self.settle(simd, at_foot, state);
         self.trim(state);
         let first = foot.max((span.start as i64).saturating_sub(self.array.warm_up));
-        if first > foot {
-            self.settle(simd, first, state);
+        if timing.preset || first > foot {
+            let ramps = self.accumulators(first, state);
+            self.act_until(first, state);
+            self.settle(simd, ramps, state);
         }
         self.sweep(simd, first, span, address, state, profile, tap);
     }
 
-    /// Everything at rest under ramps that stand as they do at sample `first`, with the words that act there: the
-    /// block is this sample.
+    /// Polarity and words as they are on the wires at `sample`, before anything moves.
+    fn act_until(&self, sample: i64, state: &mut ArrayState<S>) {
+        self.turn(sample, state);
+        self.strobe(sample, state);
+        self.take_words(sample, state);
+    }
+
+    /// Everything at rest under accumulators that stand: the block is one sample.
     #[inline(always)]
-    fn settle<L: Simd>(&self, simd: L, first: i64, state: &mut ArrayState<S>) {
+    fn settle<L: Simd>(&self, simd: L, ramps: [Lanes<S>; 2], state: &mut ArrayState<S>) {
         let array = self.array;
-        let ramps = self.accumulators(first, state);
         for axis in 0..2 {
             state.ramps[axis] = array.ramps[axis].at_rest(ramps[axis]);
             let fed = array.generators[axis].feed(simd, state.ramps[axis].output());
             state.axes[axis] = array.generators[axis].at_rest(simd, &fed);
             state.block.fed[axis][0] = fed;
         }
-        self.turn(first, state);
-        self.strobe(first, state);
-        self.take_words(first, state);
         state.put_factors(simd, 0, true);
         array.grid.settle(&mut state.block, &mut state.wires);
         let Block { partial, sums, .. } = &mut *state.block;
@@ -200,8 +207,13 @@ impl<S: Real> Run<'_, S> {
     /// Ramps in the accumulators as the beam is at `sample`.
     #[inline(always)]
     fn accumulators(&self, sample: i64, state: &mut ArrayState<S>) -> [Lanes<S>; 2] {
-        let timing = &self.array.timing;
-        let range = range_at(self.generator.ranges, sample as f64 + timing.lead / timing.step);
+        let range = self.array.timing.accumulated(self.generator.ranges, sample as f64);
+        self.accumulated(range, state)
+    }
+
+    /// The same at a ground range (m).
+    #[inline(always)]
+    fn accumulated(&self, range: f64, state: &mut ArrayState<S>) -> [Lanes<S>; 2] {
         if range >= state.due.fold {
             self.fold(range, state);
         }

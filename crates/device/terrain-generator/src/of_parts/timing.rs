@@ -15,6 +15,9 @@ use super::ramp::RampParts;
 use crate::TerrainGenerator;
 use crate::terms::ALL;
 
+/// When what lies before the first range acts, where the accumulators are preset to it (samples): before every part has settled.
+const IN_RETRACE: f64 = -1e12;
+
 /// A ramp flatter than this counts as one of this slope (full scales a second): it meets no stop within a sweep.
 const FLATTEST: f64 = 1e3;
 
@@ -25,6 +28,8 @@ pub(super) struct Timing {
     pub step: f64,
     /// By how much the ramps run ahead of the beam (s).
     pub lead: f64,
+    /// Whether retrace presets the accumulators to the first range.
+    pub preset: bool,
     /// From a fold in the accumulator to the polarity and to the registers (s), nominal.
     to_polarity: f64,
     to_registers: f64,
@@ -86,6 +91,7 @@ impl Timing {
         Self {
             step: h,
             lead: delays.to_sums,
+            preset: parts.sweep.preset,
             to_polarity: to_polarity + parts.sweep.strobe_offset,
             to_registers: to_registers + parts.sweep.strobe_offset,
             stops: on_ramp.then(|| std::array::from_fn(stop)),
@@ -104,6 +110,12 @@ impl Timing {
         self.acts(step, self.to_polarity, generator, program)
     }
 
+    /// Ground range that the accumulators have at `time` (samples of the beam) over samples at `ranges`.
+    pub fn accumulated(&self, ranges: &[f64], time: f64) -> f64 {
+        let time = time + self.lead / self.step;
+        range_at(ranges, if self.preset { time.max(0.0) } else { time })
+    }
+
     /// Whether all D/As switch in the same instant.
     pub fn are_together(&self) -> bool {
         self.later.is_empty()
@@ -116,6 +128,9 @@ impl Timing {
 
     /// When something acts on the wires, nominally `delay` seconds down the chain from its step.
     fn acts(&self, step: &Step, delay: f64, generator: &TerrainGenerator<'_>, program: &SweepProgram) -> f64 {
+        if self.preset && step.time.0 <= 0.0 {
+            return IN_RETRACE;
+        }
         let beside = match (&self.stops, step.kind.fold()) {
             (Some(stops), Some(fold)) => {
                 let axis = usize::from(fold.axis == RampAxis::Y);
@@ -157,7 +172,7 @@ pub(super) fn lag_of(bandwidth: Option<f64>) -> f64 {
 
 /// Range at `time` (samples): from the eye's foot to the first sample, straight between samples, on at the last rate
 /// beyond them.
-pub(crate) fn range_at(ranges: &[f64], time: f64) -> f64 {
+fn range_at(ranges: &[f64], time: f64) -> f64 {
     if time <= 0.0 {
         return ranges[0] * (1.0 + time).max(0.0);
     }

@@ -102,6 +102,7 @@ pub fn small() -> TimingRecord {
         scenario: "mare-drive".into(),
         machine: "pra-nominal".into(),
         inputs: "0123abcd".into(),
+        keys: BTreeMap::from([("machine.loader.access_ns".into(), "90".into())]),
         master: "20000000 Hz".into(),
         before_mission: vec![
             task("cpu", "sine-table", 525, 531_300),
@@ -216,12 +217,14 @@ pub fn record() -> impl Strategy<Value = TimingRecord> {
     let frames = btree_map(any::<u64>(), frame(), 1..4).prop_map(|frames| {
         frames.into_iter().map(|(number, frame)| FrameTiming { frame: number, ..frame }).collect()
     });
-    (Just(FORMAT), text(), text(), "[0-9a-f]{1,64}", text(), tasks(), frames).prop_map(
-        |(format, scenario, machine, inputs, master, before_mission, frames)| TimingRecord {
+    let keys = btree_map(text(), text(), 0..4);
+    (Just(FORMAT), text(), text(), "[0-9a-f]{1,64}", keys, text(), tasks(), frames).prop_map(
+        |(format, scenario, machine, inputs, keys, master, before_mission, frames)| TimingRecord {
             format,
             scenario,
             machine,
             inputs,
+            keys,
             master,
             before_mission,
             frames,

@@ -1,10 +1,13 @@
 //! `lunoid model`: hardware models, where their values came from, what they are made of and what they can do in time.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
 use file_info::{can_be_built, findings_document, findings_text, model_document_with};
-use hardware_model::{Asked, GroundScale, HardwareModel, LoadedModel, PartCounts};
+use hardware_model::{Asked, EffectiveValue, GroundScale, HardwareModel, LoadedModel, PartCounts};
+use serde_json::json;
+use text::table;
 
 use crate::commands::list;
 use crate::output::{print, print_json};
@@ -25,6 +28,8 @@ enum What {
     Show(Show),
     /// Say what in a model cannot hold together, and which artefacts it will show.
     Check(Check),
+    /// List the keys whose values differ between two models.
+    Diff(Diff),
     /// List the models and overlays that can be named.
     List(List),
 }
@@ -96,6 +101,21 @@ struct Check {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "Example:
+  lunoid model diff pra-nominal pra-frugal
+
+Exit code 0 if no value differs, 1 if one does, 3 if a model cannot be read.")]
+struct Diff {
+    /// Name or path of the first model.
+    first: String,
+    /// Name or path of the second.
+    second: String,
+    /// Print as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Debug, Args)]
 #[command(after_help = "Example:\n  lunoid model list --json")]
 struct List {
     /// Print as JSON.
@@ -109,6 +129,7 @@ impl ModelCommand {
         match &self.what {
             What::Show(show) => show.run(),
             What::Check(check) => check.run(),
+            What::Diff(diff) => diff.run(),
             What::List(List { json }) => list::models(*json).map(|()| Verdict::Yes),
         }
     }
@@ -124,6 +145,48 @@ impl Named {
             &self.set,
         )?)
     }
+}
+
+impl Diff {
+    fn run(&self) -> Result<Verdict, Failure> {
+        let load = |place: &'static str, name: &str| {
+            let asked = Asked { place, others: &[] };
+            read_model(asked, name, Path::new(""), &[], &[]).map(|loaded| loaded.values)
+        };
+        let [first, second] = [load("FIRST", &self.first)?, load("SECOND", &self.second)?];
+        let differences = differing_values(&first, &second);
+        if self.json {
+            let row = |(key, [first, second]): &(String, [Option<String>; 2])| json!({ "key": key, "first": first, "second": second });
+            print_json(&json!({
+                "schema": "lunoid.model.diff/1",
+                "first": self.first,
+                "second": self.second,
+                "differences": differences.iter().map(row).collect::<Vec<_>>(),
+            }))?;
+        } else if differences.is_empty() {
+            print(&format!("{} and {} have the same values\n", self.first, self.second))?;
+        } else {
+            let head = vec!["key".to_owned(), self.first.clone(), self.second.clone()];
+            let told = |value: &Option<String>| value.clone().unwrap_or_else(|| "not there".to_owned());
+            let rows = differences.iter().map(|(key, [a, b])| vec![key.clone(), told(a), told(b)]);
+            print(&table(&[head].into_iter().chain(rows).collect::<Vec<_>>()))?;
+        }
+        Ok(if differences.is_empty() { Verdict::Yes } else { Verdict::No })
+    }
+}
+
+/// Keys whose values differ, with both, in alphabetical order.
+fn differing_values(
+    first: &[EffectiveValue],
+    second: &[EffectiveValue],
+) -> Vec<(String, [Option<String>; 2])> {
+    let mut all = BTreeMap::<String, [Option<String>; 2]>::new();
+    for (side, values) in [first, second].into_iter().enumerate() {
+        for value in values {
+            all.entry(value.key.clone()).or_default()[side] = Some(value.value.clone());
+        }
+    }
+    all.into_iter().filter(|(_, [a, b])| a != b).collect()
 }
 
 impl GroundArgs {

@@ -9,7 +9,6 @@ use sweep_program::{RampAxis, Step, SweepProgram};
 use super::{STEP, Scene, parts, weight};
 use crate::of_parts::block::{BLOCK, Row};
 use crate::of_parts::summer::SummerState;
-use crate::of_parts::timing::range_at;
 use crate::of_parts::{ArrayState, PartsArray, Scale, Tap};
 use crate::terms::{self, ALL, TERMS, sign, word_of};
 use crate::{Profile, Registers};
@@ -81,13 +80,13 @@ fn heights(array: &PartsArray<f64>, scene: &Scene, lane: usize) -> Vec<f64> {
     let words = words(array, scene, program);
     let foot = -(1.0 + array.timing.lead / STEP).ceil() as i64;
     let has_steps = i64::from(array.ramps[0].has_steps());
-    let ramps = |sample: i64| {
-        let range = range_at(&scene.ranges, sample as f64 + array.timing.lead / STEP);
+    let at_range = |range: f64| {
         [RampAxis::X, RampAxis::Y].map(|axis| {
             let folds = folds(program, axis, |step| step.range <= range);
             Lanes::splat(program.start.ramps[axis as usize].at(folds, range / generator.region_size).0)
         })
     };
+    let ramps = |sample: i64| at_range(array.timing.accumulated(&scene.ranges, sample as f64));
     let signs = |sample: i64| {
         [RampAxis::X, RampAxis::Y].map(|axis| {
             let past = |step: &Step| array.timing.of_polarity(step, &generator, program) <= sample as f64;
@@ -95,44 +94,48 @@ fn heights(array: &PartsArray<f64>, scene: &Scene, lane: usize) -> Vec<f64> {
             sign * program.start.ramps[axis as usize].polarity
         })
     };
-    let start = ramps(foot);
-    let mut ramp = [0, 1].map(|axis| array.ramps[axis].at_rest(start[axis]));
-    let mut axes = [0, 1].map(|axis| {
-        dispatch!(Level::new(), simd => {
-            let part = &array.generators[axis];
-            part.at_rest(simd, &part.feed(simd, ramp[axis].output()))
-        })
-    });
-    let factors = |axes: &[_; 2], sample: i64| {
+    let factors = |axes: &[_; 2], signs: [f64; 2]| {
         let axes: &[crate::of_parts::basis::AxisState<f64>; 2] = axes;
         [0, 1].map(|axis| {
-            std::array::from_fn(|unit| {
-                axes[axis].output(unit) * Lanes::splat(sign(unit, signs(sample)[axis]))
-            })
+            std::array::from_fn(|unit| axes[axis].output(unit) * Lanes::splat(sign(unit, signs[axis])))
         })
     };
-    let mut before = factors(&axes, foot);
     let cells = &array.grid.cells;
     let product = |index: usize, [x, y]: &[[Lanes<f64>; 12]; 2]| {
         let [a, b] = terms::factors(index / TERMS, index % TERMS);
         cells[index].parts.multiplier.product(x[a][0], y[b][0])
     };
-    let mut raw: Vec<f64> = (0..ALL).map(|index| product(index, &before)).collect();
-    let mut products = raw.clone();
-    let mut terms: Vec<f64> = (0..ALL).map(|index| products[index] * words[index][0].1).collect();
-    let mut leaky = terms.clone();
-    let mut summer = SummerState::default();
     let partial = |leaky: &[f64]| -> Vec<Row<f64>> {
         let group = |group: &[f64]| [Lanes::splat(group.iter().fold(0.0, |sum, term| sum + term)); BLOCK];
         leaky[..TERMS].chunks(TERMS.div_ceil(array.grid.groups())).map(group).collect()
     };
     let Scale { datum, height, .. } = array.scale;
-    let mut sum = array.summers[0].at_rest(&mut partial(&leaky), &mut summer)[0];
+    // Everything at rest under ramps that stand, with the words that act by then.
+    let at_rest = |start: [Lanes<f64>; 2], signs: [f64; 2], by: f64| {
+        let ramp = [0, 1].map(|axis| array.ramps[axis].at_rest(start[axis]));
+        let axes = [0, 1].map(|axis| {
+            dispatch!(Level::new(), simd => {
+                let part = &array.generators[axis];
+                part.at_rest(simd, &part.feed(simd, ramp[axis].output()))
+            })
+        });
+        let before = factors(&axes, signs);
+        let raw: Vec<f64> = (0..ALL).map(|index| product(index, &before)).collect();
+        let held = |index: usize| words[index].partition_point(|word| word.0 <= by) - 1;
+        let terms: Vec<f64> = (0..ALL).map(|index| raw[index] * words[index][held(index)].1).collect();
+        let mut summer = SummerState::default();
+        let sum = array.summers[0].at_rest(&mut partial(&terms), &mut summer)[0];
+        (ramp, axes, before, raw, terms, summer, sum)
+    };
     let trim = {
         let foot = program.start.ramps.map(|ramp| ramp.start);
         let registers = Registers::at_start(program);
+        let (.., sum) = at_rest(at_range(0.0), registers.polarity(), f64::NEG_INFINITY);
         crate::array(registers.hold(generator.buffer), registers.polarity(), foot)[0] - (sum * height + datum)
     };
+    let (mut ramp, mut axes, mut before, mut raw, mut terms, mut summer, mut sum) =
+        at_rest(ramps(foot), signs(foot), foot as f64);
+    let (mut products, mut leaky) = (raw.clone(), terms.clone());
     let mut out = Vec::new();
     for sample in foot..scene.ranges.len() as i64 {
         if sample > foot {
@@ -145,7 +148,7 @@ fn heights(array: &PartsArray<f64>, scene: &Scene, lane: usize) -> Vec<f64> {
                     array.generators[axis].step(simd, &mut axes[axis], &fed);
                 });
             }
-            let now = factors(&axes, sample);
+            let now = factors(&axes, signs(sample));
             for index in 0..ALL {
                 let [a, _] = terms::factors(index / TERMS, index % TERMS);
                 let fed = product(index, &now) + cells[index].parts.leak.leak(before[0][a][0], now[0][a][0]);

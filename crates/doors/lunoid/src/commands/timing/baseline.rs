@@ -3,14 +3,14 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use deadlines::first;
+use deadlines::{Rehearsed, first, first_moved};
 use front_door::Opened;
 use serde_json::json;
-use timing::{Comparison, TimingRecord, Tolerance, Totals, compare};
+use timing::{Allowance, Comparison, Difference, MovedEvent, TimingRecord, Tolerance, Totals, compare};
 
 use crate::loading::{StageArgs, Threads, of_timed};
 use crate::output::{Place, expect_outputs, print, print_json};
-use crate::rehearsing::{choose, record, rehearse_timed};
+use crate::rehearsing::{choose, record, rehearse, rehearse_timed};
 use crate::values::not_negative;
 use crate::{Failure, Verdict};
 use text::Span;
@@ -96,6 +96,10 @@ pub struct Check {
     /// How far ground ranges may be apart (m).
     #[arg(long, value_name = "METRES", value_parser = not_negative, default_value_t = 1e-6)]
     tolerance_m: f64,
+    /// Let the timing differ as long as a total is within a bound: late-words<=N, late-sets<=N, missed<=N, slack>=N;
+    /// missed and slack of one deadline as slack.transfer>=N. May be given several times; each must hold.
+    #[arg(long, value_name = "BOUND")]
+    allow: Vec<Allowance>,
     /// Write the result as JUnit XML as well.
     #[arg(long, value_name = "FILE")]
     junit: Option<PathBuf>,
@@ -120,7 +124,10 @@ impl Check {
             baseline.frames.retain(|frame| frames.contains(&frame.frame));
         }
         let found = record(!self.no_progress, |hear| rehearsal.record(&frames, hear))?;
-        let comparison = compare(&baseline, &found, &tolerance);
+        let mut comparison = compare(&baseline, &found, &tolerance).within(&self.allow, &found);
+        if !comparison.is_same() {
+            comparison.first_event = self.first_event(&baseline, &comparison, &rehearsal, &frames)?;
+        }
         self.tell(&comparison)?;
         Ok(if comparison.is_met() { Verdict::Yes } else { Verdict::No })
     }
@@ -139,6 +146,51 @@ impl Check {
             )));
         }
         Ok(frames)
+    }
+
+    /// The first event that moved, where the baseline's run can be made again: on the same scenario, with the values that its
+    /// hardware model and its raster had.
+    fn first_event(
+        &self,
+        baseline: &TimingRecord,
+        comparison: &Comparison,
+        rehearsal: &Rehearsed,
+        frames: &[u64],
+    ) -> Result<Option<MovedEvent>, Failure> {
+        let Rehearsed::Machine(found) = rehearsal else { return Ok(None) };
+        let Some(stage) = self.as_baseline(comparison) else { return Ok(None) };
+        let known: Vec<u64> = frames
+            .iter()
+            .copied()
+            .filter(|frame| baseline.frames.iter().any(|known| known.frame == *frame))
+            .collect();
+        // What cannot be made again is not looked at: the check has its answer without.
+        let Ok((again, _)) = rehearse(&stage, &self.threads, |_| Ok(known.clone())) else { return Ok(None) };
+        match again.inputs() == baseline.inputs {
+            true => Ok(first_moved(&again, found, &known)?),
+            false => Ok(None),
+        }
+    }
+
+    /// What makes the baseline's run again; `None` if its keys are not known, or others than the machine's and the raster's differ.
+    fn as_baseline(&self, comparison: &Comparison) -> Option<StageArgs> {
+        let mut stage = self.stage.clone();
+        if !comparison.has_keys {
+            return None;
+        }
+        for Difference { place, baseline, .. } in &comparison.keys {
+            match (place.split_once('.')?, baseline) {
+                (("machine", key), Some(value)) => stage.options.set.push((key.to_owned(), value.clone())),
+                (("asked", "sweeps"), count) => {
+                    stage.options.sweeps = count.as_ref().map(|count| count.parse()).transpose().ok()?;
+                }
+                (("asked", "samples"), count) => {
+                    stage.options.samples = count.as_ref().map(|count| count.parse()).transpose().ok()?;
+                }
+                _ => return None,
+            }
+        }
+        Some(stage)
     }
 
     fn tell(&self, comparison: &Comparison) -> Result<(), Failure> {

@@ -1,0 +1,128 @@
+//! Bounds on the totals of a record: what a check lets pass.
+
+use std::fmt;
+use std::str::FromStr;
+
+use serde::Serialize;
+
+use crate::deadline::Deadline;
+use crate::totals::Totals;
+
+/// A bound on one total, as `late-words<=200` or `slack.transfer>=-3`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Allowance {
+    measure: Measure,
+    /// Of which deadline; of all if `None`.
+    deadline: Option<Deadline>,
+    bound: Bound,
+    number: i64,
+}
+
+/// What is bounded.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Measure {
+    LateWords,
+    LateSets,
+    Missed,
+    Slack,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Bound {
+    AtMost,
+    AtLeast,
+}
+
+/// A bound, and what was found.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Allowed {
+    /// The bound as written.
+    pub bound: String,
+    /// The total; none where the record has no such deadline.
+    pub found: Option<i64>,
+    /// Whether the bound holds. A deadline of the hybrid machine that this one does not have is within every bound.
+    pub is_met: bool,
+}
+
+/// A text that is no bound.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "found `{0}`, expected late-words<=N, late-sets<=N, missed<=N or slack>=N, the last two for one deadline as slack.transfer>=N"
+)]
+pub struct AllowanceError(String);
+
+const MEASURES: [(&str, Measure); 4] = [
+    ("late-words", Measure::LateWords),
+    ("late-sets", Measure::LateSets),
+    ("missed", Measure::Missed),
+    ("slack", Measure::Slack),
+];
+
+const BOUNDS: [(&str, Bound); 2] = [("<=", Bound::AtMost), (">=", Bound::AtLeast)];
+
+impl FromStr for Allowance {
+    type Err = AllowanceError;
+
+    fn from_str(text: &str) -> Result<Self, AllowanceError> {
+        Self::read(text).ok_or_else(|| AllowanceError(text.to_owned()))
+    }
+}
+
+impl Allowance {
+    fn read(text: &str) -> Option<Self> {
+        let (sign, bound) = BOUNDS.into_iter().find(|(sign, _)| text.contains(sign))?;
+        let (total, number) = text.split_once(sign)?;
+        let (name, deadline) = match total.trim().split_once('.') {
+            None => (total.trim(), None),
+            Some((name, deadline)) => (name, Some(Deadline::named(deadline)?)),
+        };
+        let (_, measure) = MEASURES.into_iter().find(|(known, _)| *known == name)?;
+        // Less is better of what is counted, more of slack.
+        let is_right = matches!(measure, Measure::Slack) == matches!(bound, Bound::AtLeast);
+        let has_deadlines = matches!(measure, Measure::Missed | Measure::Slack);
+        let number = number.trim().parse().ok()?;
+        (is_right && (has_deadlines || deadline.is_none())).then_some(Self {
+            measure,
+            deadline,
+            bound,
+            number,
+        })
+    }
+
+    /// Whether the totals are within the bound.
+    pub fn of(&self, totals: &Totals) -> Allowed {
+        let found = self.found(totals);
+        let is_met = match (found, self.bound) {
+            (Some(found), Bound::AtMost) => found <= self.number,
+            (Some(found), Bound::AtLeast) => found >= self.number,
+            // A machine without drums has no corners to wait for; a name that nobody knows is no bound.
+            (None, _) => self.deadline.is_none_or(|deadline| Deadline::HYBRID.contains(&deadline)),
+        };
+        Allowed { bound: self.to_string(), found, is_met }
+    }
+
+    fn found(&self, totals: &Totals) -> Option<i64> {
+        let counted = |count: u64| Some(i64::try_from(count).unwrap_or(i64::MAX));
+        let deadlines = || {
+            let ours =
+                totals.deadlines.iter().filter(|(name, _)| self.deadline.is_none_or(|own| own == **name));
+            ours.map(|(_, deadline)| &deadline.slack)
+        };
+        match self.measure {
+            Measure::LateWords => counted(totals.late_words),
+            Measure::LateSets => counted(totals.sets.late),
+            Measure::Missed if deadlines().next().is_none() => None,
+            Measure::Missed => counted(deadlines().map(|slack| slack.missed).sum()),
+            Measure::Slack => deadlines().filter_map(|slack| slack.least).min(),
+        }
+    }
+}
+
+impl fmt::Display for Allowance {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let name = MEASURES.iter().find(|(_, measure)| *measure == self.measure).map_or("", |(name, _)| name);
+        let sign = BOUNDS.iter().find(|(_, bound)| *bound == self.bound).map_or("", |(sign, _)| sign);
+        let deadline = self.deadline.map_or(String::new(), |deadline| format!(".{deadline}"));
+        write!(f, "{name}{deadline}{sign}{}", self.number)
+    }
+}
