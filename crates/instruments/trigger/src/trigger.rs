@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use signal::{Axis, Kind, Signal, Waveform, Wire};
+use signal::{Axis, Kind, Signal, Unit, Waveform, Wire};
 
 use crate::condition::{Clause, Condition};
 use crate::moments::{Moment, becomes, edges, events, pulses};
@@ -210,9 +210,12 @@ impl Trigger {
 fn limits(clauses: &[Clause], machine: &Machine<'_>) -> Vec<Limit> {
     let is_wanted = |signal: &Signal| {
         clauses.iter().any(|clause| match clause {
-            // A ramp of the sweep generator is at full scale where it ends.
+            // A ramp is at full scale where it ends, and so is a function generator.
             Clause::Saturated(None, _) => {
-                signal.kind == Kind::Analog && signal.axis == Axis::Ground && signal.prefix() != "sweep"
+                signal.kind == Kind::Analog
+                    && signal.axis == Axis::Ground
+                    && signal.prefix() != "sweep"
+                    && signal.unit != Unit::Number
             }
             Clause::Saturated(Some(of), _) => of.signal.name == signal.name,
             _ => false,

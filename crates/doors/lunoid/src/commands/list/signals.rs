@@ -1,5 +1,6 @@
 //! `lunoid signals`: what can be probed.
 
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -17,7 +18,8 @@ const AFTER: &str = "Examples:
   lunoid signals scenarios/first-light.toml --machine pra-nominal 'tg.*,dpp.*'
 
 Without a scenario, all signals that a machine can have, and those of `lunoid augment` (vs.*). With one (a file, or a name that ends in .toml), the wires of the
-machine that it is elaborated to, with the value and the voltage at full scale.";
+machine that it is elaborated to, with the value and the voltage at full scale, and what is not there because its block is left out.
+Wires of one kind share a line; --json lists each.";
 
 /// List the signals that can be probed.
 #[derive(Debug, Args)]
@@ -77,15 +79,25 @@ impl Signals {
             let name = opened.generator.name();
             return Err(Failure::usage(format!("machine {name} has no signals; expected a hardware model")));
         }
+        let there: HashSet<&str> = wires.iter().map(|wire| wire.signal.name).collect();
+        let absent = opened
+            .generator
+            .signals()
+            .iter()
+            .filter(|signal| !there.contains(signal.name))
+            .copied()
+            .collect();
         let rows = wires.into_iter().map(|wire| Row { signal: wire.signal, wire: Some(wire) }).collect();
         let of = Some((stage.scenario.display().to_string(), opened.drawn_by().to_owned()));
-        Ok(SignalListing { rows, of })
+        Ok(SignalListing { rows, absent, of })
     }
 }
 
 /// Signals, and the machine whose they are.
 pub struct SignalListing {
     rows: Vec<Row>,
+    /// Signals that the machine does not have: their blocks are left out.
+    absent: Vec<Signal>,
     /// Scenario and machine.
     of: Option<(String, String)>,
 }
@@ -101,20 +113,22 @@ impl SignalListing {
     pub fn of_table() -> Self {
         let signals = machine::signals().iter().chain(&vehicle_shadow::SIGNALS);
         let rows = signals.map(|signal| Row { signal: *signal, wire: None });
-        Self { rows: rows.collect(), of: None }
+        Self { rows: rows.collect(), absent: Vec::new(), of: None }
     }
 
     /// Those that match a pattern; every pattern must match one.
     fn matching(mut self, patterns: &[String]) -> Result<Self, Failure> {
-        let matches = |row: &Row, pattern: &String| row.signal.matches(pattern);
-        if let Some(pattern) =
-            patterns.iter().find(|pattern| !self.rows.iter().any(|row| matches(row, pattern)))
-        {
+        let is_known = |pattern: &&String| {
+            self.rows.iter().map(|row| &row.signal).chain(&self.absent).any(|signal| signal.matches(pattern))
+        };
+        if let Some(pattern) = patterns.iter().find(|pattern| !is_known(pattern)) {
             return Err(Failure::usage(format!(
                 "{pattern}: no signal of this name; `lunoid signals` lists them"
             )));
         }
-        self.rows.retain(|row| patterns.iter().any(|pattern| matches(row, pattern)));
+        let is_wanted = |signal: &Signal| patterns.iter().any(|pattern| signal.matches(pattern));
+        self.rows.retain(|row| is_wanted(&row.signal));
+        self.absent.retain(is_wanted);
         Ok(self)
     }
 
@@ -126,25 +140,82 @@ impl SignalListing {
             if let Some((scenario, machine)) = &self.of {
                 document["scenario"] = scenario.as_str().into();
                 document["machine"] = machine.as_str().into();
+                document["left_out"] = self.absent.iter().map(|signal| signal.name).collect();
             }
             return print_json(&document);
         }
+        print(&self.text())
+    }
+
+    /// The rows block by block, in the order in which blocks first come.
+    fn by_block(&self) -> Vec<Vec<&Row>> {
+        let mut blocks: Vec<Vec<&Row>> = Vec::new();
+        for row in &self.rows {
+            match blocks.iter_mut().find(|rows| rows[0].signal.block() == row.signal.block()) {
+                Some(rows) => rows.push(row),
+                None => blocks.push(vec![row]),
+            }
+        }
+        blocks
+    }
+
+    /// A table for each block, in the order of the drawing; wires of a kind share a line.
+    fn text(&self) -> String {
         let scale: &[&str] = if self.of.is_some() { &["full scale", "volts", "0 V at"] } else { &[] };
-        let heading = [&["name", "unit"], scale, &["kind", "axis", "block", "figure", "meaning"]].concat();
-        let heading = heading.into_iter().map(str::to_owned).collect();
-        print(&table(&[heading].into_iter().chain(self.rows.iter().map(Row::cells)).collect::<Vec<_>>()))
+        let heading = [&["name", "wires", "unit"], scale, &["kind", "axis", "figure", "meaning"]].concat();
+        let mut lines: Vec<Vec<String>> = vec![heading.into_iter().map(str::to_owned).collect()];
+        for rows in self.by_block() {
+            lines.extend([vec![], vec![format!("{}:", rows[0].signal.block())]]);
+            lines.extend(rows.chunk_by(|a, b| a.is_like(b)).map(cells));
+        }
+        let mut text = table(&lines);
+        if !self.absent.is_empty() {
+            text += &format!(
+                "\nnot there, because the block is left out: {}\n",
+                families(&self.absent).join(", ")
+            );
+        }
+        text
     }
 }
 
-impl Row {
-    fn cells(&self) -> Vec<String> {
-        let Signal { name, unit, kind, axis, meaning, figure } = self.signal;
-        let mut cells = vec![name.to_owned(), unit.to_string()];
-        if let Some(wire) = &self.wire {
-            cells.extend([wire.full_scale, wire.volts, wire.datum].map(short));
+/// One line for wires of a kind.
+fn cells(alike: &[&Row]) -> Vec<String> {
+    let Signal { unit, kind, axis, meaning, figure, .. } = alike[0].signal;
+    let [first, last] = [alike[0], alike[alike.len() - 1]].map(|row| row.signal.name);
+    let name = if alike.len() == 1 { first.to_owned() } else { format!("{first} … {last}") };
+    let mut cells = vec![name, alike.len().to_string(), unit.to_string()];
+    let of = |value: fn(&Wire) -> f64| {
+        let mut values: Vec<String> =
+            alike.iter().filter_map(|row| row.wire.as_ref()).map(|wire| short(value(wire))).collect();
+        values.dedup();
+        match values.as_slice() {
+            [value] => value.clone(),
+            _ => "each its own".to_owned(),
         }
-        cells.extend([kind.name(), axis.name(), self.signal.block(), figure, meaning].map(str::to_owned));
-        cells
+    };
+    if alike[0].wire.is_some() {
+        cells.extend([of(|wire| wire.full_scale), of(|wire| wire.volts), of(|wire| wire.datum)]);
+    }
+    cells.extend([kind.name(), axis.name(), figure, meaning].map(str::to_owned));
+    cells
+}
+
+/// Signals by what stands before their last dot, each with how many they are.
+fn families(signals: &[Signal]) -> Vec<String> {
+    let stem = |signal: &Signal| signal.name.rsplit_once('.').map_or(signal.name, |(stem, _)| stem);
+    let named = |alike: &[Signal]| match alike {
+        [only] => only.name.to_owned(),
+        _ => format!("{}.* ({})", stem(&alike[0]), alike.len()),
+    };
+    signals.chunk_by(|a, b| stem(a) == stem(b)).map(named).collect()
+}
+
+impl Row {
+    /// Whether two wires are of one kind: they differ in their names alone.
+    fn is_like(&self, other: &Self) -> bool {
+        let [own, others] = [self.signal, other.signal].map(|signal| Signal { name: "", ..signal });
+        own == others && self.signal.block() == other.signal.block()
     }
 
     /// The wire as all files tell it; of a signal alone, without scales.
