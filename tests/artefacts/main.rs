@@ -4,8 +4,9 @@
 //! - [`scene`], [`scenes`]: where it is looked for; [`look`]: what a run shows, beside the clean one.
 //! - [`detectors`]: from what a run shows to one number with a threshold.
 //! - [`matrix`]: every cause on every scene before every detector; [`figures`]: the diagonal against its formulas;
-//!   [`signs`]: proportions, and what artefacts leave alone.
+//!   [`signs`]: proportions, and what artefacts leave alone; [`begin`]: what a sweep begins with.
 
+mod begin;
 mod causes;
 mod detectors;
 mod figures;

@@ -8,7 +8,13 @@ use crate::difference::Difference;
 
 impl Comparison {
     /// One test case for the head, one for the tasks before the mission and one a frame; a failure holds the first `limit` differences of its frame.
+    /// With bounds one test case a bound instead.
     pub fn junit(&self, limit: usize) -> String {
+        let cases = if self.allowed.is_empty() { self.case_by_case(limit) } else { self.bound_by_bound() };
+        JunitSuite { name: format!("timing {} {}", self.scenario, self.machine), kind: "timing", cases }.xml()
+    }
+
+    fn case_by_case(&self, limit: usize) -> Vec<JunitCase> {
         let case = |name: &str, differences: &[Difference], message: String| JunitCase {
             name: name.to_owned(),
             failure: (!differences.is_empty()).then(|| [message, diff(differences, limit)]),
@@ -23,7 +29,16 @@ impl Comparison {
             };
             case(&format!("frame {}", frame.frame), &frame.differences, message)
         }));
-        JunitSuite { name: format!("timing {} {}", self.scenario, self.machine), kind: "timing", cases }.xml()
+        cases
+    }
+
+    fn bound_by_bound(&self) -> Vec<JunitCase> {
+        let case = |allowed: &crate::Allowed| {
+            let found = allowed.found.map_or("no such deadline".to_owned(), |found| format!("found {found}"));
+            let failure = (!allowed.is_met).then(|| [found, self.totals_line()]);
+            JunitCase { name: allowed.bound.clone(), failure }
+        };
+        self.allowed.iter().map(case).collect()
     }
 }
 

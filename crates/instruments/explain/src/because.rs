@@ -3,7 +3,7 @@
 use quantities::fixed;
 
 use crate::ground::GroundPoint;
-use crate::seek::{Explanation, Writer};
+use crate::seek::{Explanation, ReadSweep, Writer};
 
 /// Below this a pixel counts as dark.
 const DARK: f64 = 0.02;
@@ -99,14 +99,26 @@ fn driven(ground: &GroundPoint) -> Option<String> {
 fn stale(ground: &GroundPoint) -> impl Iterator<Item = String> {
     ground.colours.iter().filter(|colour| colour.stale).map(|colour| {
         let [m, n] = colour.wanted;
-        match colour.held {
-            Some([p, q]) => {
+        match (colour.held, colour.stale_words.as_slice()) {
+            (_, words) if words.len() < 9 => {
+                let words: Vec<String> = words.iter().map(|[p, q]| format!("({p}, {q})")).collect();
+                let (some, have) = match words.len() {
+                    1 => ("word", "is of another corner"),
+                    _ => ("words", "are of another corner"),
+                };
+                format!(
+                    "tg.{}.hold: {some} {} {have} than {m}, {n}, which the region has",
+                    colour.colour,
+                    words.join(", ")
+                )
+            }
+            (Some([p, q]), _) => {
                 format!(
                     "tg.{}.hold is stale: it holds corner {p}, {q}; the region has {m}, {n}",
                     colour.colour
                 )
             }
-            None => {
+            (None, _) => {
                 format!("tg.{}.hold is empty: the data bank has not delivered corner {m}, {n}", colour.colour)
             }
         }
@@ -121,13 +133,15 @@ fn digital(told: &Explanation) -> Vec<String> {
             "the set-up of sweep {sweep} was not ready: that of sweep {drawn} was drawn again"
         ));
     }
-    let in_force = told.late.iter().filter(|late| late.in_force);
-    reasons.extend(in_force.map(|late| {
-        format!(
-            "late words in force: {} {}, due at crossing {} (dpu.late, cause {})",
-            late.colour, late.register, late.crossing, late.cause
-        )
-    }));
+    for read in &told.read {
+        let in_force = read.late.iter().filter(|late| late.in_force);
+        reasons.extend(in_force.map(|late| {
+            format!(
+                "late words in force in sweep {}: {} {}, due at crossing {} (dpu.late, cause {})",
+                read.sweep, late.colour, late.register, late.crossing, late.cause
+            )
+        }));
+    }
     reasons
 }
 
@@ -135,14 +149,21 @@ fn digital(told: &Explanation) -> Vec<String> {
 fn reading(told: &Explanation) -> Option<String> {
     let difference = told.intensity - told.left;
     (difference.abs() > TELLING).then(|| {
+        let from: Vec<String> = told.read.iter().map(part_of).collect();
+        let tube = if told.has_tube { "; a tube adds residue and noise" } else { "" };
         format!(
-            "sm.write left {:.3}; the read-out shows {}: its beam lies at sweep {}, cell {}, and a tube adds residue and noise",
+            "sm.write left {:.3}; the read-out shows {}: its beam lies at cell {}, and takes {}{tube}",
             told.left,
             fixed(told.intensity, 3),
-            fixed(told.place.between_sweeps, 2),
-            fixed(told.place.between_cells, 2)
+            fixed(told.place.between_cells, 2),
+            from.join(" and ")
         )
     })
+}
+
+/// What the read beam takes of a sweep.
+fn part_of(read: &ReadSweep) -> String {
+    format!("{:.0} % of sweep {} ({:.3})", 100.0 * read.weight, read.sweep, read.left)
 }
 
 fn error(told: &Explanation) -> Option<String> {

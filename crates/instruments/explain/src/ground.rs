@@ -18,6 +18,8 @@ pub struct ColourState {
     pub held: Option<[i64; 2]>,
     /// Whether any of the nine words is of another corner.
     pub stale: bool,
+    /// Which: orders p and q of the derivatives to the north and to the east.
+    pub stale_words: Vec<[usize; 2]>,
     /// What it adds to the height (m).
     pub height_m: f64,
 }
@@ -103,6 +105,10 @@ impl GroundPoint {
                 wanted: place_of(level, hold.wanted),
                 held: hold.corner().map(|corner| place_of(level, corner)),
                 stale: !hold.stale().is_empty(),
+                stale_words: (0..9)
+                    .filter(|&word| hold.stale().has(word))
+                    .map(|word| [word / 3, word % 3])
+                    .collect(),
                 height_m: of(&format!("tg.{prefix}{}.height", colour.name())),
             }
         });

@@ -10,7 +10,8 @@
 //! **Law.** The stroke from sample k-1 to k crosses the middle of a cell if the beam's line passes it and the beam is not
 //! blanked at k; of several the last one stays in the store. What the sample tells is the machine's own: every number is
 //! a signal of the signal table or follows from the program that the sweep ran.
-//! **Our choices.** A pixel that a tube reads between four sweeps is told by the nearest. What bodies cover is told as
+//! **Our choices.** A pixel is read between two sweeps: both are named with their weights, and with the late words of each. The sample
+//! and its wires are those of the nearest. What bodies cover is told as
 //! theirs; the ground behind is told as well. A register is stale if its corner is not the one that the region asks
 //! for, whatever brought it there.
 //! **Other generators** ([`facts`]) say of a pixel what they will, or else what their planes hold there.
@@ -27,4 +28,4 @@ mod text;
 
 pub use facts::facts;
 pub use late::Late;
-pub use seek::{Explanation, Inquiry, InquiryError, Place, Writer};
+pub use seek::{Explanation, Inquiry, InquiryError, Place, ReadSweep, Writer};

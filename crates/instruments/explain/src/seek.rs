@@ -33,6 +33,19 @@ pub struct Place {
     pub drawn_with: u32,
 }
 
+/// A sweep that the read beam passes, and its part of what is read.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ReadSweep {
+    /// Which.
+    pub sweep: u32,
+    /// Its weight, 0..=1: both are 1 together.
+    pub weight: f64,
+    /// What it left in the nearest cell.
+    pub left: f64,
+    /// Words of it that were late before the sample that is seen there.
+    pub late: Vec<Late>,
+}
+
 /// Who left what the pixel shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -77,6 +90,10 @@ pub struct Explanation {
     pub left: f64,
     /// Where that is.
     pub place: Place,
+    /// The sweeps between which the pixel is read, the nearer one first; one where it lies on a sweep.
+    pub read: Vec<ReadSweep>,
+    /// Whether a storage tube stands between what is written and what is read: with residue, spot and noise.
+    pub has_tube: bool,
     /// Who wrote it.
     pub writer: Writer,
     /// Reflectivity of the polyhedron that VS3 shows in the nearest cell.
@@ -151,6 +168,7 @@ impl<'a> Inquiry<'a> {
         expect_pixel([x, y], [raster.columns, raster.lines])?;
         let sweeps = self.control.sweeps(frame, pose)?;
         let place = self.place(&sweeps, pose, [x, y]);
+        let read = self.read(&sweeps, (frame, pose), [x, y], &place)?;
         let (shown, column) = self.look(frame, pose, [x, y], place.sweep)?;
         let (programs, stroke) = (sweeps.programs(place.sweep), column.stroke_across(place.cell));
         let ground = stroke.map(|sample| self.ground(&sweeps, pose, (place.sweep, sample), &column));
@@ -167,11 +185,33 @@ impl<'a> Inquiry<'a> {
             highest: column.highest().map(|(line, sample)| (line, column.at("sweep.range", sample))),
             late: stroke.map_or_else(Vec::new, missed),
             place,
+            read,
+            has_tube: !self.stage.settings.analog.memory.is_ideal(),
             exact: self.exact.map(|exact| exact_pixel(exact, frame, pose, [x, y])).transpose()?,
             because: Vec::new(),
         };
         explanation.because = because(&explanation);
         Ok(explanation)
+    }
+
+    /// The sweeps beside the pixel, with what each left there.
+    fn read(
+        &self,
+        sweeps: &FrameSweeps<'_>,
+        (frame, pose): (u64, &Pose),
+        pixel: [usize; 2],
+        place: &Place,
+    ) -> Result<Vec<ReadSweep>, FrameError> {
+        let beside = beside(place.between_sweeps, self.stage.settings.raster.sweeps);
+        let read = |(sweep, weight): (u32, f64)| {
+            let (_, column) = self.look(frame, pose, pixel, sweep)?;
+            let sample = column.stroke_across(place.cell);
+            let programs = sweeps.programs(sweep);
+            let missed = |sample| programs.iter().flat_map(|program| late(program, sample)).collect();
+            let left = column.at("sm.write", place.cell);
+            Ok(ReadSweep { sweep, weight, left, late: sample.map_or_else(Vec::new, missed) })
+        };
+        beside.into_iter().map(read).collect()
     }
 
     /// What the picture shows at a pixel, and the signals of a sweep. Where the picture is known the sweep alone is drawn.
@@ -223,6 +263,16 @@ impl<'a> Inquiry<'a> {
             ..GroundPoint::at(sample, column, &states, way, &self.stage.landscape, pose.eye, period_us)
         }
     }
+}
+
+/// Sweeps on both sides of a place between them, of `count`, with their weights; the nearer one first.
+fn beside(place: f64, count: u32) -> Vec<(u32, f64)> {
+    let place = place.clamp(0.0, f64::from(count - 1));
+    let (left, share) = (place.floor() as u32, place.fract());
+    let mut both = vec![(left, 1.0 - share), ((left + 1).min(count - 1), share)];
+    both.retain(|(_, weight)| *weight > 1e-9);
+    both.sort_by(|a, b| b.1.total_cmp(&a.1));
+    both
 }
 
 fn shown_body(column: &SweepColumn, cell: usize) -> Option<f64> {

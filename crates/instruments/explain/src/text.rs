@@ -25,6 +25,18 @@ impl Explanation {
             "sm.write",
             &format!("{:.4} in cell {} of sweep {}", told.left, place.cell, place.sweep),
         ));
+        let others = told.read.iter().filter(|read| read.sweep != place.sweep);
+        lines.extend(others.map(|read| {
+            row(
+                "",
+                &format!(
+                    "{:.4} in the same cell of sweep {}, {:.0} % of what is read",
+                    read.left,
+                    read.sweep,
+                    100.0 * read.weight
+                ),
+            )
+        }));
         lines.extend(told.body.map(|light| row("pg", &format!("present, reflectivity {light:.4}"))));
         lines.extend(told.ground.iter().flat_map(ground_rows));
         lines.extend(told.late.iter().map(late_row));

@@ -110,7 +110,7 @@ fn sweep(table: &Reader) -> Option<SweepParts> {
     let strobe_offset = signed_nanoseconds(table, "strobe_offset_ns").required();
     let ways = [("digital", FoldDetect::Digital), ("comparator", FoldDetect::Comparator)];
     let fold_detect = table.one_of("fold_detect", &ways).required();
-    let preset = table.one_of("preset", &[("on", true), ("off", false)]).required();
+    let preset = table.one_of("preset", &[("on", true), ("off", false)]).default(true);
     Some(SweepParts {
         dac_bits: dac_bits?,
         settle: settle?,

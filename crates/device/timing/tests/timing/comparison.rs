@@ -3,7 +3,7 @@
 use proptest::prelude::{any, prop_assert, prop_assert_eq, proptest};
 use proptest::sample::Index;
 use serde_json::{Value, json};
-use timing::{Comparison, Missed, TimingRecord, Tolerance, compare};
+use timing::{Allowance, Comparison, Missed, TimingRecord, Tolerance, compare};
 
 use crate::samples::{program, record, small, torn_corner};
 
@@ -71,6 +71,8 @@ fn next(value: f64) -> f64 {
 fn values_of(record: &TimingRecord) -> Vec<String> {
     let mut all = Vec::new();
     leaves(&serde_json::to_value(record).expect("JSON"), "", &mut all);
+    // Keys decide nothing: they name what differs where the inputs do.
+    all.retain(|way| !way.starts_with("/keys/"));
     all
 }
 
@@ -144,11 +146,64 @@ fn other_inputs_are_told_first() {
     assert_eq!(
         comparison.text(10),
         "baseline not met: mare-drive on pra-nominal, frames that differ: 1 of 2\n\
-         the baseline is of other inputs: check against the right one, or record it again\n\
-         -inputs: 0123abcd\n+inputs: ff\n\
+         the baseline is of other inputs; it is older than the keys of a record, so it cannot name them\n\
+         @@ head @@\n-inputs: 0123abcd\n+inputs: ff\n\
          @@ frame 12 @@\n-folds: 9400\n+folds: 9401\n"
     );
     assert!(!changed(|found| found.master = "10 Hz".into()).is_met());
+}
+
+/// A record whose inputs differ names the keys first, then the totals.
+#[test]
+fn keys_that_differ_are_named_before_all_else() {
+    let with = |access: &str, record: TimingRecord| {
+        let keys = [("machine.loader.access_ns", access), ("scenario.frames", "90")];
+        TimingRecord { keys: keys.map(|(key, value)| (key.into(), value.into())).into(), ..record }
+    };
+    let baseline = with("45", small());
+    let mut found = with("90", small());
+    found.inputs = "ff".into();
+    found.frames[1].late_words += 9;
+    let comparison = compare(&baseline, &found, &exact());
+    let text = comparison.text(10);
+    let [key, total, head] =
+        ["-machine.loader.access_ns: 45\n+machine.loader.access_ns: 90\n", "  late words ", "@@ head @@"]
+            .map(|part| text.find(part).unwrap_or_else(|| panic!("{part} in {text}")));
+    assert!(key < total && total < head && !text.contains("scenario.frames"), "{text}");
+    assert!(text.contains("of other inputs: machine.loader.access_ns differs\n"), "{text}");
+    assert_eq!(comparison.json()["keys"][0]["place"], "machine.loader.access_ns");
+    // Keys of a run with the same inputs are nobody's concern.
+    let same = TimingRecord { inputs: baseline.inputs.clone(), frames: small().frames, ..found };
+    assert!(compare(&baseline, &same, &exact()).is_met());
+    let other = TimingRecord { inputs: "ff".into(), ..baseline.clone() };
+    assert!(compare(&baseline, &other, &exact()).text(9).contains("every key is the same"));
+}
+
+#[test]
+fn bounds_let_a_record_differ() {
+    let mut found = small();
+    found.frames[1].late_words += 9;
+    let late = found.frames.iter().map(|frame| frame.late_words).sum::<u64>();
+    let within = |bounds: &[&str]| {
+        let bounds: Vec<Allowance> = bounds.iter().map(|bound| bound.parse().expect("a bound")).collect();
+        compare(&small(), &found, &exact()).within(&bounds, &found)
+    };
+    let (met, missed) = (format!("late-words<={late}"), format!("late-words<={}", late - 1));
+    assert!(!within(&[]).is_met() && within(&[&met]).is_met() && !within(&[&missed]).is_met());
+    assert!(!within(&[&met, "slack>=1000000"]).is_met());
+    // Of the hybrid machine a deadline may not be there; a name that nobody knows is no bound.
+    assert!(within(&[&met, "slack.segment>=0"]).is_met() && !within(&[&met, "slack.transfr>=-99"]).is_met());
+    let text = within(&[&missed]).text(9);
+    assert!(text.contains(&format!("beyond late-words<={}: found {late}", late - 1)), "{text}");
+    let junit = within(&[&met]).junit(9);
+    assert!(junit.contains("failures=\"0\"") && junit.contains("late-words&lt;="), "{junit}");
+    assert!(within(&[&missed]).junit(9).contains("failures=\"1\""));
+    for wrong in
+        ["late-words", "late-words>=3", "slack<=3", "late-words.transfer<=3", "missed<=x", "words<=3", ""]
+    {
+        let error = wrong.parse::<Allowance>().expect_err(wrong).to_string();
+        assert!(error.contains(&format!("`{wrong}`")) && error.contains("late-words<=N"), "{error}");
+    }
 }
 
 #[test]

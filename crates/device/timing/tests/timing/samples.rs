@@ -102,7 +102,7 @@ pub fn small() -> TimingRecord {
         scenario: "mare-drive".into(),
         machine: "pra-nominal".into(),
         inputs: "0123abcd".into(),
-        keys: BTreeMap::from([("machine.loader.access_ns".into(), "90".into())]),
+        keys: BTreeMap::new(),
         master: "20000000 Hz".into(),
         before_mission: vec![
             task("cpu", "sine-table", 525, 531_300),

@@ -10,7 +10,9 @@ use serde_json::json;
 use text::table;
 
 use crate::commands::again::command;
+use crate::commands::of_run::stage_of;
 use crate::frame::FrameArgs;
+use crate::loading::StageArgs;
 use crate::output::{print, print_json};
 use crate::values::pixel;
 use crate::{Failure, Verdict};
@@ -18,10 +20,11 @@ use crate::{Failure, Verdict};
 const AFTER: &str = "Examples:
   lunoid explain scenarios/first-light.toml --frame 60 --pixel 500,300
   lunoid explain scenarios/nominal-drive.toml --frame 45 --pixel 210,260 --json
+  lunoid explain runs/first-light --frame 60 --pixel 500,300
 
   lunoid explain scenarios/lunsim-landing.toml --machine exact --frame 3 --pixel 100,200
 
-Of the hybrid machine the first lines say why, and the table has every signal at the sample. The last lines are commands that go on
+A run folder stands for the scenario and the options with which it was drawn. Of the hybrid machine the first lines say why, and the table has every signal at the sample. The last lines are commands that go on
 from there: the sweep on a page of the scope, the registers at the sample, the digital events of the sweep. Another generator has a
 table alone: what it knows of the pixel.";
 
@@ -45,9 +48,10 @@ pub struct Explain {
 impl Explain {
     /// Explains.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        let opened = self.chosen.stage.load()?;
+        let stage = stage_of(&self.chosen.stage)?;
+        let opened = stage.load()?;
         self.chosen.expect_in(&opened)?;
-        if opened.is_machine() { self.of_the_machine(opened) } else { self.of_a_guest(&opened) }
+        if opened.is_machine() { self.of_the_machine(opened, &stage) } else { self.of_a_guest(&opened) }
     }
 
     /// What a generator beside the hybrid machine says of the pixel.
@@ -81,7 +85,7 @@ impl Explain {
         Ok(Verdict::Yes)
     }
 
-    fn of_the_machine(&self, opened: Opened) -> Result<Verdict, Failure> {
+    fn of_the_machine(&self, opened: Opened, stage: &StageArgs) -> Result<Verdict, Failure> {
         let frame = self.chosen.frame;
         let rehearsal = Rehearsal::new(opened, self.chosen.threads.pool()?)?;
         let pose = rehearsal.poses(&[frame])?[0].pose;
@@ -95,14 +99,14 @@ impl Explain {
             document["schema"] = "lunoid.explain/1".into();
             print_json(&document)?;
         } else {
-            print(&(told.text() + "\n" + &self.next(&told)))?;
+            print(&(told.text() + "\n" + &self.next(&told, stage)))?;
         }
         Ok(Verdict::Yes)
     }
 
     /// Commands that go on from the pixel: its wires on a page of the scope, its registers and what was loaded into them.
-    fn next(&self, told: &Explanation) -> String {
-        let (stage, frame, sweep) = (&self.chosen.stage, self.chosen.frame, told.place.sweep);
+    fn next(&self, told: &Explanation, stage: &StageArgs) -> String {
+        let (frame, sweep) = (self.chosen.frame, told.place.sweep);
         let cursor = told.ground.as_ref().map(|ground| format!(" --cursor {:.4}", ground.range_m));
         let page = format!(
             "--sweep {sweep} --signals 'tg.reflectivity,mu.*,sc.gate,dpp.*,sm.video'{} --out sweep.png",

@@ -11,6 +11,7 @@ pub mod info;
 pub mod list;
 pub mod lockstep;
 pub mod model;
+mod of_run;
 pub mod page;
 pub mod probe;
 pub mod replay;

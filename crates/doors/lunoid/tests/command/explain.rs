@@ -28,6 +28,27 @@ fn a_pixel_leads_to_its_sweep_and_agrees_with_the_picture() {
     assert!(text.contains("cell 0.000 of ") && !text.contains("-0.000"), "{text}");
 }
 
+/// A run is made again by the words of its own command.
+#[test]
+fn a_run_folder_stands_for_its_scenario() {
+    let scene = Scene::new();
+    scene.write("scene.toml", include_str!("../tiny.toml"));
+    let raster = ["--sweeps", "24", "--set", "loader.access_ns=900"];
+    let draw = ["replay", "scene.toml", "--frames", "0..2", "--out", "run", "-q"];
+    scene.expect(0, &[&draw[..], &raster].concat());
+    let pixel = ["--frame", "1", "--pixel", "12,20", "--json"];
+    let (of_run, _) = scene.expect(0, &[&["explain", "run"], &pixel[..]].concat());
+    let (of_scene, _) = scene.expect(0, &[&["explain", "scene.toml"], &raster[..], &pixel].concat());
+    assert_eq!(of_run, of_scene);
+    let (_, err) = scene.expect(2, &[&["explain", "run", "--sweeps", "20"], &pixel[..]].concat());
+    assert!(err.contains("run: a run has its own"), "{err}");
+    scene.vary("scene.toml", "elevation_deg = 15", "elevation_deg = 16");
+    let (_, err) = scene.expect(3, &[&["explain", "run"], &pixel[..]].concat());
+    assert!(err.contains("another file than when"), "{err}");
+    let (_, err) = scene.expect(3, &[&["explain", "."], &pixel[..]].concat());
+    assert!(err.contains("run.json"), "{err}");
+}
+
 #[test]
 fn a_pixel_that_is_not_there() {
     let scene = Scene::new();

@@ -19,6 +19,21 @@ fn a_model_tells_where_its_values_came_from() {
     assert!(line("dpp.projection").contains("ideal.toml"), "{out}");
 }
 
+#[test]
+fn two_models_differ_by_their_keys() {
+    let scene = Scene::new();
+    scene.write("mine.toml", "format = 1\nname = \"mine\"\nbase = \"ideal\"\n[raster]\nupdate_hz = 15\n");
+    let (out, _) = scene.expect(1, &["model", "diff", "ideal", "mine.toml"]);
+    let rows: Vec<Vec<&str>> = out.lines().map(|line| line.split_whitespace().collect()).collect();
+    assert_eq!(rows[0], ["key", "ideal", "mine.toml"], "{out}");
+    assert_eq!((rows.len(), rows[1][0], rows[1].last()), (2, "raster.update_hz", Some(&"15")), "{out}");
+    let document = json(&scene, 1, &["model", "diff", "ideal", "mine.toml"]);
+    assert_eq!(document["differences"][0]["second"], "15");
+    let (out, _) = scene.expect(0, &["model", "diff", "ideal", "ideal"]);
+    assert!(out.contains("the same values"), "{out}");
+    scene.expect(3, &["model", "diff", "ideal", "gone.toml"]);
+}
+
 fn json(scene: &Scene, code: i32, arguments: &[&str]) -> Value {
     let (out, _) = scene.expect(code, &[arguments, &["--json"]].concat());
     serde_json::from_str(&out).unwrap()

@@ -71,6 +71,45 @@ fn a_slower_part_is_caught_told_and_reported() {
     assert_eq!(document["frames"][0]["frame"], 1);
 }
 
+/// The key comes first, then the first event with both ticks, then the totals.
+#[test]
+fn a_slower_part_is_named_with_the_first_event_that_it_moved() {
+    let scene = recorded();
+    let slower = ["--set", "loader.access_ns=2050", "--baseline", "base.json"];
+    let (out, _) = scene.expect(1, &with(&["timing", "check", "tiny.toml"], &slower));
+    let lines: Vec<&str> = out.lines().collect();
+    assert!(lines[1].ends_with("machine.loader.access_ns differs"), "{out}");
+    assert_eq!(lines[2..4], ["-machine.loader.access_ns: 2000", "+machine.loader.access_ns: 2050"]);
+    assert!(lines[4].starts_with("first event that moved: frame 1, sweep "), "{out}");
+    let tick = |line: &str| -> u64 {
+        let (_, rest) = line.split_once("tick ").unwrap();
+        rest.split_once(':').unwrap().0.parse().unwrap()
+    };
+    assert!(lines[5].starts_with("-tick ") && lines[6].starts_with("+tick "), "{out}");
+    assert!(tick(lines[5]) < tick(lines[6]), "words come later: {out}");
+    assert_eq!(lines[7], "totals:");
+    // The raster of the command is a key like any other, and the sweeps of the baseline are found again by it.
+    let fewer = ["--sweeps", "20", "--baseline", "base.json"];
+    let (out, _) = scene.expect(1, &with(&["timing", "check", "tiny.toml"], &fewer));
+    assert!(out.contains("+asked.sweeps: 20") && out.contains("first event that moved"), "{out}");
+}
+
+#[test]
+fn bounds_let_the_timing_differ() {
+    let scene = recorded();
+    let check = |code: i32, bounds: &[&str]| {
+        let slower = ["--set", "loader.access_ns=2050", "--baseline", "base.json"];
+        let bounds: Vec<&str> = bounds.iter().flat_map(|bound| ["--allow", *bound]).collect();
+        scene.expect(code, &with(&["timing", "check", "tiny.toml"], &[&slower[..], &bounds].concat()))
+    };
+    let (out, _) = check(0, &["late-words<=1000000", "slack>=-1000000"]);
+    assert!(out.starts_with("baseline met within what is allowed: "), "{out}");
+    let (out, _) = check(1, &["late-words<=0"]);
+    assert!(out.contains("beyond late-words<=0: found "), "{out}");
+    let (_, err) = check(2, &["late-words=3"]);
+    assert!(err.contains("--allow") && err.contains("`late-words=3`"), "{err}");
+}
+
 /// What a rover carries or how its picture is lit has no part in the timing; where it drives has.
 #[test]
 fn inputs_are_what_decides_the_timing() {

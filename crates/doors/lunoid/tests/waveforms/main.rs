@@ -154,8 +154,19 @@ fn signals_of_the_table_and_of_a_machine() {
     let named = |name: &str| signals.iter().find(|signal| signal["name"] == name);
     assert!(named("tg.height").unwrap()["full_scale"].as_f64().unwrap() > 0.0);
     assert!(named("fg.height").is_none());
+    assert!(document["left_out"].as_array().unwrap().contains(&"fg.height".into()));
+    assert!(named("sweep.accumulator.x").is_some() && named("tg.product.34").is_some());
     let (out, _) = said(&room, 0, &["signals", "tiny.toml", "--everything", "tg.height", "fg.*"]);
     assert!(out.starts_with("name") && out.contains("full scale") && out.contains("fg.present"), "{out}");
+    let (out, _) = said(&room, 0, &["signals", "tiny.toml"]);
+    let line = |start: &str| out.lines().find(|line| line.starts_with(start)).unwrap_or_default().to_owned();
+    assert!(
+        line("tg.product.00").contains("tg.product.55") && line("tg.product.00").contains(" 36 "),
+        "{out}"
+    );
+    assert!(line("not there").contains("fg.*"), "{out}");
+    let blocks: Vec<&str> = out.lines().filter(|line| line.ends_with(':')).collect();
+    assert_eq!(blocks[..3], ["sweep-generator:", "dpu:", "terrain-generator:"], "{out}");
     let (_, err) = said(&room, 2, &["signals", "zz.*"]);
     assert!(err.contains("zz.*: no signal of this name"), "{err}");
     said(&room, 3, &["signals", "gone.toml"]);
