@@ -202,16 +202,26 @@ fn run(at: &Path, name: &str, generator: Arc<dyn Generator>, colour: bool) {
 
 #[test]
 fn it_is_put_side_by_side_with_the_judge() {
-    let at = tempfile::tempdir().unwrap();
-    run(at.path(), "flat", flat(), true);
     let judge = registry::judge();
-    run(at.path(), judge.name, registry::configure_with(judge, &[]).unwrap(), false);
-    let names = ["flat", judge.name].map(str::to_owned);
-    let (figures, page) = write_side_by_side(at.path(), &names, judge.name).unwrap();
-    let machine = serde_json::to_value(&figures).unwrap()["machines"][0].clone();
+    let put = |judge_in_colour: bool| {
+        let at = tempfile::tempdir().unwrap();
+        run(at.path(), "flat", flat(), true);
+        run(at.path(), judge.name, registry::configure_with(judge, &[]).unwrap(), judge_in_colour);
+        let names = ["flat", judge.name].map(str::to_owned);
+        let (figures, page) = write_side_by_side(at.path(), &names, judge.name).unwrap();
+        (
+            serde_json::to_value(&figures).unwrap()["machines"][0].clone(),
+            fs::read_to_string(page).unwrap(),
+            at,
+        )
+    };
+    let (machine, page, at) = put(false);
     assert_eq!(machine["generator"], "flat");
     assert!(machine["errors"].as_array().is_some_and(|errors| errors.len() == 2), "{machine}");
-    let page = fs::read_to_string(page).unwrap();
+    // Both in colour: the ground of this scene is grey, so its luminance is what the grey judge has.
+    let (coloured, page_in_colour, _) = put(true);
+    assert_eq!(coloured["errors"], machine["errors"]);
+    assert!(page_in_colour.contains("drawn whole"));
     assert!(page.contains(">flat<") && page.contains("drawn whole"));
     let record = fs::read_to_string(at.path().join("flat/run.json")).unwrap();
     assert!(record.contains("\"kind\": \"RGB PNG\"") && record.contains("\"line\": \"line\""));

@@ -70,13 +70,14 @@ pub fn a8() -> Figure {
 
 pub fn a9() -> Figure {
     looked(9, |look| {
-        let predicted = 2.0 * look.speed() * 0.2;
+        // The line is seen at samples: the last one before the strobe lies half a step before it, in the middle of all.
+        let predicted = 2.0 * look.speed() * (0.2 - 0.5 * look.clean.sample());
         figure(
             9,
             "line behind a boundary, in ground",
-            [array::bright_fringe(look), predicted, 0.1 * predicted],
+            [array::bright_fringe(look), predicted, 0.01 * predicted],
             "m",
-            "`2 v t_off`",
+            "`2 v (t_off - dt/2)`",
         )
     })
 }
