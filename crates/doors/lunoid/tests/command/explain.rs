@@ -36,7 +36,7 @@ fn a_run_folder_stands_for_its_scenario() {
     let raster = ["--sweeps", "24", "--set", "loader.access_ns=900"];
     let draw = ["replay", "scene.toml", "--frames", "0..2", "--out", "run", "-q"];
     scene.expect(0, &[&draw[..], &raster].concat());
-    let pixel = ["--frame", "1", "--pixel", "12,20", "--json"];
+    let pixel = ["--frame", "1", "--pixel", "12,10", "--json"];
     let (of_run, _) = scene.expect(0, &[&["explain", "run"], &pixel[..]].concat());
     let (of_scene, _) = scene.expect(0, &[&["explain", "scene.toml"], &raster[..], &pixel].concat());
     assert_eq!(of_run, of_scene);

@@ -15,7 +15,7 @@ use scenario::{
     Display, FieldOfView, LawWishes, Pose, RasterWishes, Scalar, Scenery, ShadowFineness, TrackPatch,
 };
 use serde::Deserialize;
-use signal::Probe;
+use signal::{Probe, Waveform};
 use sweep_program::Fan;
 use timing::FrameTiming;
 
@@ -101,7 +101,7 @@ pub struct Drawn {
     pub folds: u64,
     /// The digital side, if a reading looks at it.
     pub timing: Option<FrameTiming>,
-    waves: BTreeMap<(u32, &'static str), Vec<f64>>,
+    waves: BTreeMap<(u32, &'static str), Waveform>,
 }
 
 impl MachineScene {
@@ -203,7 +203,7 @@ impl MachineCase {
         let mut probe = Probe::new(signals.into_iter().map(str::to_owned).collect(), 0..raster.sweeps);
         let counts = session.frame(0, &self.pose(), &mut planes, &mut probe).map_err(|e| e.to_string())?;
         let plane = |kind| planes.get(kind).map(<[f32]>::to_vec).unwrap_or_default();
-        let waves = probe.waveforms.into_iter().map(|wave| ((wave.sweep, wave.signal.name), wave.values));
+        let waves = probe.waveforms.into_iter().map(|wave| ((wave.sweep, wave.signal.name), wave));
         Ok(Drawn {
             picture: plane(PlaneKind::Intensity),
             ranges: plane(PlaneKind::Range),
@@ -244,13 +244,20 @@ impl MachineCase {
 }
 
 impl Drawn {
-    /// A signal of a sweep.
+    /// Values of a signal of a sweep.
     pub fn wave(&self, signal: &str, sweep: u32) -> Result<&[f64], String> {
+        Ok(&self.recorded(signal, sweep)?.values)
+    }
+
+    /// Instants of a signal of a sweep that is told when it changes (samples); none of others.
+    pub fn instants(&self, signal: &str, sweep: u32) -> Result<&[f64], String> {
+        Ok(&self.recorded(signal, sweep)?.times)
+    }
+
+    fn recorded(&self, signal: &str, sweep: u32) -> Result<&Waveform, String> {
         let mut waves = self.waves.range((sweep, "")..);
         let found = waves.find(|((of, name), _)| *of == sweep && *name == signal);
-        found
-            .map(|(_, values)| values.as_slice())
-            .ok_or(format!("{signal} of sweep {sweep} was not recorded"))
+        found.map(|(_, wave)| wave).ok_or(format!("{signal} of sweep {sweep} was not recorded"))
     }
 
     /// Whether the engine has signals.
