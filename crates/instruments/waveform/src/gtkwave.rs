@@ -44,9 +44,16 @@ pub fn text(path: &Path, header: &Header) -> String {
         }
         let (scopes, own) = tree_path(wire);
         let name = [&scopes[..], &[own]].concat().join(".");
-        text += &rows(wire, &name, COLOURS[colour]);
+        text += &rows(wire, &name, of_register(wire.signal.name).unwrap_or(COLOURS[colour]));
     }
     text + "[pattern_trace] 1\n[pattern_trace] 0\n"
+}
+
+/// The colour of a coloured register and of its wires; black has the window's own.
+fn of_register(name: &str) -> Option<u32> {
+    const REGISTERS: [(&str, u32); 4] = [("black", 0), ("red", 1), ("yellow", 3), ("green", 4)];
+    let part = |colour: &str| name.split('.').any(|part| part == colour);
+    REGISTERS.into_iter().find(|(colour, _)| part(colour)).map(|(_, number)| number)
 }
 
 /// Where the first sweep begins, and the zoom (the power of two of a frame's picoseconds) that shows it whole.

@@ -38,13 +38,13 @@ impl VcdFile {
         let timeline = Timeline::new(header).map_err(io::Error::other)?;
         let mut out = Writer::new(BufWriter::new(output));
         out.version("lunoid")?;
-        out.comment(&header.title)?;
+        out.comment(&plain(&header.title))?;
         for (key, words) in &header.provenance {
-            out.comment(&format!("{key}: {words}"))?;
+            out.comment(&plain(&format!("{key}: {words}")))?;
         }
         out.timescale(1, TimescaleUnit::PS)?;
         for wire in &header.wires {
-            out.comment(&remark(wire))?;
+            out.comment(&plain(&remark(wire)))?;
         }
         let mut variables = vec![None; header.wires.len()];
         define(&mut out, &Scope::of(&header.wires), timeline.forms(), &mut variables)?;
@@ -64,6 +64,11 @@ impl VcdFile {
         }
         self.out.end()
     }
+}
+
+/// Text for a comment: `$` would begin or end a section, and readers know ASCII alone.
+fn plain(text: &str) -> String {
+    text.chars().map(|c| if c == '$' { 'S' } else if c.is_ascii() { c } else { '?' }).collect()
 }
 
 fn define(

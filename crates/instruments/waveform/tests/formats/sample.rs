@@ -43,7 +43,7 @@ pub fn header(sweeps: std::ops::Range<u32>) -> Header {
         Wire { signal, full_scale, volts, datum }
     };
     Header {
-        title: "eight wires".into(),
+        title: "eight wires, to the $end of été".into(),
         provenance: vec![("machine".into(), "none".into())],
         wires: SIGNALS.map(wire).to_vec(),
         timebase: timebase(),

@@ -89,7 +89,7 @@ fn a_save_file_stands_beside_what_gtkwave_opens() {
             text.contains("@8420\n[color] 2\n+{sweep range [m]} sweep.range\n@20000\n-\n-\n-\n"),
             "{text}"
         );
-        assert!(text.contains("@420\n[color] 3\n+{tg red hold [corner]} tg.red.hold[31:0]\n"), "{text}");
+        assert!(text.contains("@420\n[color] 1\n+{tg red hold [corner]} tg.red.hold[31:0]\n"), "{text}");
         assert!(
             text.contains("@28\n[color] 4\n+{dpp blank} dpp.blank\n")
                 && text.contains("} display.sm.write\n"),
