@@ -54,3 +54,13 @@ fn what_lies_behind_a_fault_moves_under_it() {
     let page = include_str!("../../docs/overlays.md");
     assert!(page.contains(&found), "docs/overlays.md has another table than this:\n{found}");
 }
+
+/// The overlay `roll` on a scenario with a yoke: the wire has the angle by which the read-out turns, step by step.
+#[test]
+fn a_yoke_that_steps_is_told() {
+    let roll = OVERLAYS.iter().find(|overlay| overlay.name == "roll").expect("an overlay that ships");
+    let angles = |overlay: Option<&Overlay>| runs::yoke_angles(overlay, 40..80);
+    let (smooth, stepped) = (angles(None), angles(Some(roll)));
+    assert!(smooth.windows(2).any(|pair| pair[0] != pair[1]), "{smooth:?}: the ride is rough");
+    assert_ne!(smooth, stepped);
+}

@@ -49,7 +49,7 @@ pub static OVERLAYS: &[Overlay] = &[
     shipped("ghost", &[]),
     shipped("register", &[]),
     shipped("seam", FADES),
-    shipped("roll", &[]),
+    shipped("roll", &["yoke.angle"]),
     shipped("jerk", &[]),
     shipped("clip", SUMS),
     shipped("stripe", ACCUMULATORS),

@@ -69,3 +69,26 @@ pub fn moved(clean: &[Waveform], faulty: &[Waveform]) -> BTreeSet<String> {
     };
     clean.iter().zip(faulty).filter(differs).map(|(a, _)| family(a.signal.name)).collect()
 }
+
+/// `yoke.angle` of frames of the rough ride, under an overlay if there is one (rad).
+pub fn yoke_angles(overlay: Option<&Overlay>, frames: std::ops::Range<u64>) -> Vec<f64> {
+    let folder = tempfile::tempdir().expect("a folder of its own");
+    let file = folder.path().join("overlay.toml");
+    let overlays =
+        overlay.map(|overlay| std::fs::write(&file, overlay.text()).map(|()| file.clone()).expect("a file"));
+    let source = ModelSource::BuiltIn("ideal".into());
+    let overlays: Vec<_> = overlays.into_iter().collect();
+    let model = HardwareModel::load(&source, &overlays, &[]).unwrap_or_else(|e| panic!("{e}")).model;
+    let mut shipped = Shipped::read("rough-ride", Some(16));
+    shipped.settings = front_door::settings(&shipped.scenario, &model).expect("settings of an overlay");
+    let session = shipped.stage().prepare();
+    let angle = |frame: u64| {
+        let pose = shipped.pose(frame).pose;
+        let mut probe = Probe::new(vec!["yoke.angle".into()], 3..4);
+        session.frame(frame, &pose, &mut Planes::new(0, 0, &[]), &mut probe).expect("a frame");
+        let [wave] = probe.waveforms.as_slice() else { panic!("one wire") };
+        assert_eq!((wave.values[0], wave.times.as_slice()), (pose.yoke, &[0.0][..]));
+        wave.values[0]
+    };
+    frames.map(angle).collect()
+}

@@ -19,6 +19,8 @@ pub enum Unit {
     TangentRate,
     /// Display lines from the top of the picture.
     Line,
+    /// Radians.
+    Radian,
     /// A gate: 0 or 1.
     Gate,
     /// Index of a corner in the storage buffer of its level; -1 where the data bank has not delivered.
@@ -38,6 +40,7 @@ impl Unit {
             Self::Tangent => "tangent of elevation",
             Self::TangentRate => "change of elevation (1/µs)",
             Self::Line => "display line",
+            Self::Radian => "angle (rad)",
             Self::Gate => "gate",
             Self::Corner => "corner",
             Self::Number => "number",
@@ -59,6 +62,7 @@ impl Unit {
             Self::Corner => "corner",
             Self::Region => "d",
             Self::Line => "line",
+            Self::Radian => "rad",
         }
     }
 }
@@ -182,7 +186,7 @@ impl Signal {
             "dpp" => "display-projection-processor",
             "pg" => "polyhedron-generator",
             "vs" => "vehicle-shadow",
-            "sm" => "sweep-memory",
+            "sm" | "yoke" => "sweep-memory",
             // Other generators have their own name before the dot.
             generator => generator,
         }

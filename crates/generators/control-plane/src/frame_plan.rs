@@ -27,6 +27,8 @@ pub struct FramePlan {
     pub pitch: f64,
     /// Roll of the vehicle (rad).
     pub roll: f64,
+    /// Angle of the deflection yoke, which turns the picture counter-clockwise (rad); 0 without a yoke.
+    pub yoke: f64,
     /// Eye: north, east, height (m).
     pub eye: [f64; 3],
     /// The sun.
@@ -60,6 +62,7 @@ impl FramePlan {
             turn: [cos, sin],
             pitch,
             roll: pose.attitude.roll,
+            yoke: if settings.yoke.is_some() { pose.yoke } else { 0.0 },
             eye: pose.eye,
             sun: scenery.sun(pose.time),
         })

@@ -2,7 +2,8 @@
 
 use control_plane::{Blocks, MachineStage, WrittenRaster};
 use display_projection_processor::DERIVATIVE;
-use scenario::{Laws, Occlusion};
+use hardware_model::Settings;
+use scenario::Occlusion;
 use signal::{Kind, Signal, Unit, Wire};
 use terrain_generator::{COARSE, FINE, InnerSignals, Scale};
 
@@ -36,18 +37,19 @@ pub fn wires(stage: &MachineStage, blocks: &Blocks, raster: &WrittenRaster) -> V
     let scales = Scales::of(stage, raster);
     signals()
         .iter()
-        .filter(|signal| is_there(signal, blocks, &stage.settings.laws))
+        .filter(|signal| is_there(signal, blocks, &stage.settings))
         .map(|signal| scales.wire(signal))
         .collect()
 }
 
-fn is_there(signal: &Signal, blocks: &Blocks, laws: &Laws) -> bool {
+fn is_there(signal: &Signal, blocks: &Blocks, settings: &Settings) -> bool {
     match (signal.prefix(), signal.name) {
         ("fg", _) | (_, "mu.vs1" | "mu.vs1.fade") => blocks.features,
         ("sc", _) | (_, "mu.vs2" | "mu.vs2.fade") => blocks.shadows.is_some(),
         ("txg", _) => blocks.texture,
         ("pg", _) => blocks.bodies,
-        (_, "dpp.derivative") => laws.occlusion == Occlusion::Derivative,
+        ("yoke", _) => settings.yoke.is_some(),
+        (_, "dpp.derivative") => settings.laws.occlusion == Occlusion::Derivative,
         (_, name) if name.contains(".coarse.") => blocks.coarse.is_some(),
         _ => true,
     }

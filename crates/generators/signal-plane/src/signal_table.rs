@@ -3,8 +3,17 @@
 use std::sync::OnceLock;
 
 use control_plane::{RANGE, waveforms};
-use signal::{Signal, Unit};
+use signal::{Kind, Signal, Unit};
 use terrain_generator::{COARSE, FINE};
+
+/// Where the deflection yoke of the read-out stands.
+const YOKE: &[Signal] = &[Signal::digital(
+    "yoke.angle",
+    Unit::Radian,
+    Kind::Bus,
+    "angle of the deflection yoke: the picture turns counter-clockwise",
+    "section 12",
+)];
 
 /// The ground-range programme.
 const RANGES: &[Signal] = &[Signal::ground(RANGE, Unit::Metre, "ground range", "section 6.2")];
@@ -40,6 +49,7 @@ pub fn signals() -> &'static [Signal] {
             display_projection_processor::SIGNALS,
             polyhedron_generator::SIGNALS,
             sweep_memory::SIGNALS,
+            YOKE,
         ]
         .concat()
     })

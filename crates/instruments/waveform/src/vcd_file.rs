@@ -68,7 +68,17 @@ impl VcdFile {
 
 /// Text for a comment: `$` would begin or end a section, and readers know ASCII alone.
 fn plain(text: &str) -> String {
-    text.chars().map(|c| if c == '$' { 'S' } else if c.is_ascii() { c } else { '?' }).collect()
+    text.chars()
+        .map(|c| {
+            if c == '$' {
+                'S'
+            } else if c.is_ascii() {
+                c
+            } else {
+                '?'
+            }
+        })
+        .collect()
 }
 
 fn define(

@@ -58,6 +58,7 @@ impl<S: Real> Recorded<'_, S> {
         match name {
             "fg.centre" if group.blocks.features => feature_centres(&work.features[lane], group.table),
             "fg.centre" => Changes::default(),
+            "yoke.angle" => Changes { times: vec![0.0], values: vec![group.plan.yoke] },
             _ if name.contains(".word") => self.word(name, lane).unwrap_or_default(),
             _ if !name.contains(".coarse.") => changes(name, &work.programs[lane]),
             _ if group.blocks.coarse.is_some() => changes(name, &work.coarse[lane]),
