@@ -147,8 +147,8 @@ mod tests {
     use landscape::CornerWords;
     use quantities::SweepTime;
     use sweep_program::{
-        Colour, Event, Fold, Load, NO_CORNER, PreloadRegister, RampAxis, Step, StepKind, Stop, Target,
-        WordMask,
+        Colour, Event, Fold, Load, NO_CORNER, PreloadRegister, RampAxis, Served, Step, StepKind, Stop,
+        Target, WordMask,
     };
 
     use super::Registers;
@@ -196,6 +196,31 @@ mod tests {
             .apply(&step(StepKind::Event(Event::Fold(Fold { axis: RampAxis::Y, stop: Stop::One }))), &buffer);
         assert_eq!(registers.hold(&buffer)[Colour::Yellow as usize], &[12.0; 9]);
         assert_eq!(registers.polarity, [1.0, 1.0]);
+    }
+
+    /// A fold that finds all its words: each of its two colours gets its own two corners, and the others keep theirs.
+    #[test]
+    fn what_a_fold_finds_goes_to_the_colours_that_asked() {
+        let folds = [(RampAxis::X, Stop::One), (RampAxis::X, Stop::Zero), (RampAxis::Y, Stop::One)];
+        for (axis, stop) in folds {
+            let (mut registers, _) = filled();
+            let buffer: Vec<CornerWords> = (0..30).map(|corner| [f64::from(corner); 9]).collect();
+            let fold = Fold { axis, stop };
+            let served = Served { fold, corners: [20, 21, 22, 23] };
+            let kind = StepKind::Served(served);
+            registers.apply(&Step { time: SweepTime(0.0), range: 1.0, sample: 1, kind }, &buffer);
+            // What waits for an X stop, and for a Y stop: seen as the next fold of every colour transfers it.
+            let transferred = |axis: RampAxis| {
+                let mut next = registers.clone();
+                [Stop::Zero, Stop::One].into_iter().for_each(|stop| next.fold(Fold { axis, stop }));
+                next.hold(&buffer).map(|words| words[0])
+            };
+            let (mut x, mut y) = ([4.0, 5.0, 6.0, 7.0], [8.0, 9.0, 10.0, 11.0]);
+            let [first, second] = fold.colours().map(|colour| colour as usize);
+            [x[first], y[first], x[second], y[second]] = [20.0, 21.0, 22.0, 23.0];
+            assert_eq!(transferred(RampAxis::X), x, "{fold:?}");
+            assert_eq!(transferred(RampAxis::Y), y, "{fold:?}");
+        }
     }
 
     #[test]

@@ -505,3 +505,45 @@ fn nothing_to_mix_is_mixed() {
     let inputs = Inputs { height: &none, reflectivity: &none, features: None, shadow: None, texture: None };
     assert!(mix(&parts(|parts| parts.video_bandwidth = Some(1e6)), &inputs).reflectivity.is_empty());
 }
+
+/// Gates are told behind their comparators: late by their delay, and fading about that instant.
+#[test]
+fn gates_are_told_behind_their_comparators() {
+    let ground = signal::<f64>(|_| 0.8);
+    let toggles = [toggle(10.3, f64::INFINITY), toggle(30.6, f64::INFINITY)];
+    let shadow = array::from_fn(|_| ToggleList { open_at_start: false, toggles: &toggles });
+    let features = FeatureInput {
+        height: &ground,
+        present: &ground,
+        reflectivity: &ground,
+        lit: &ground,
+        kinks: &array::from_fn(|_| Vec::new()),
+        gates: Some(&shadow),
+    };
+    let inputs = Inputs {
+        height: &ground,
+        reflectivity: &ground,
+        features: Some(features),
+        shadow: Some(&shadow),
+        texture: None,
+    };
+    let of = |parts: &AnalogParts| {
+        PartsMixer::<f64>::new((&PRESENCE, TextureInShadow::On), H, parts, 1970).gates(&inputs, 2)
+    };
+    let open = |gate: &[f64]| -> Vec<usize> { (0..SAMPLES).filter(|&sample| gate[sample] == 1.0).collect() };
+    let prompt = of(&parts(|parts| parts.comparator.delay = 0.0));
+    // Eight samples late, and a fade of two samples about that.
+    let late = of(&parts(|parts| {
+        parts.comparator.delay = 8.0 * H;
+        parts.video_switch.time = 2.0 * H;
+    }));
+    for (gates, from, to) in [(&prompt, 11, 31), (&late, 19, 39)] {
+        for gate in [&gates.present, &gates.gates[0], &gates.gates[1]] {
+            assert_eq!(open(gate), (from..to).collect::<Vec<_>>());
+        }
+    }
+    for fade in &late.fades {
+        assert_eq!((fade[17], fade[21]), (0.0, 1.0));
+        assert!((fade[18] - 0.35).abs() < 1e-9 && (fade[19] - 0.85).abs() < 1e-9, "{:?}", &fade[16..22]);
+    }
+}
