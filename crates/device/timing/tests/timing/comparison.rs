@@ -245,7 +245,8 @@ fn misses_come_and_go_by_identity() {
     let gone = changed(|found| drop(found.frames[1].misses.pop()));
     assert_eq!(
         gone.text(10),
-        "baseline not met: mare-drive on pra-nominal, frames that differ: 1 of 2\n@@ frame 13 @@\n\
+        "baseline not met: mare-drive on pra-nominal, frames that differ: 1 of 2\n\
+         totals:\n  misses by queue 1 to 0\n@@ frame 13 @@\n\
          -miss (sweep 402, crossing 7, red y-first, transfer): due 365.5, came 369.75 (4.250 late), corner 12 -4, range \
          1530.25 m, words 0x1ff, queue\n"
     );

@@ -175,6 +175,9 @@ impl Diff {
     }
 }
 
+/// Keys that say what a file is, not what a machine is.
+const OF_THE_FILE: [&str; 3] = ["base", "format", "name"];
+
 /// Keys whose values differ, with both, in alphabetical order.
 fn differing_values(
     first: &[EffectiveValue],
@@ -182,7 +185,7 @@ fn differing_values(
 ) -> Vec<(String, [Option<String>; 2])> {
     let mut all = BTreeMap::<String, [Option<String>; 2]>::new();
     for (side, values) in [first, second].into_iter().enumerate() {
-        for value in values {
+        for value in values.iter().filter(|value| !OF_THE_FILE.contains(&value.key.as_str())) {
             all.entry(value.key.clone()).or_default()[side] = Some(value.value.clone());
         }
     }

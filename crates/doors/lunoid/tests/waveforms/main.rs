@@ -121,7 +121,7 @@ fn a_full_disk_and_a_device() {
         assert!(err.contains("/dev/full: cannot write: no space left"), "{format}: {err}");
     }
     let (out, _) = said(&room, 0, &probe("3", "/dev/stdout", &["--format", "csv"]));
-    assert!(out.starts_with("frame,sweep,index,time [s],sweep.x [d],"), "{out}");
+    assert!(out.starts_with("frame,sweep,index,time [s],sweep.accumulator.x [d],"), "{out}");
     assert_eq!(list(room.path()), ["tiny.toml"]);
 }
 
