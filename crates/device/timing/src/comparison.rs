@@ -175,7 +175,7 @@ fn total_differences(baseline: &TimingRecord, found: &TimingRecord) -> Vec<Diffe
     let deadlines: BTreeSet<Deadline> =
         baseline.deadlines.keys().chain(found.deadlines.keys()).copied().collect();
     for deadline in deadlines {
-        let slack = |totals: &Totals| totals.deadlines.get(&deadline).map(|found| found.slack.clone());
+        let slack = |totals: &Totals| totals.deadlines.get(&deadline).map(|found| found.slack);
         let [ours, theirs] = [slack(&baseline), slack(&found)];
         let missed = |slack: &Option<Slack>| slack.as_ref().map(|slack| slack.missed);
         let least = |slack: &Option<Slack>| slack.as_ref().and_then(|slack| slack.least);
