@@ -114,7 +114,9 @@ impl Registers {
     #[inline]
     fn serve(&mut self, served: &Served) {
         self.fold(served.fold);
-        let [first, second] = served.fold.colours().map(|colour| colour as usize);
+        let [first, second] = served.fold.colours();
+        // Not mapped: that is called, not inlined, and there are hundreds of folds a sweep.
+        let [first, second] = [first as usize, second as usize];
         [self.corners[X_FIRST][first], self.corners[Y_FIRST][first]] = [served.corners[0], served.corners[1]];
         [self.corners[X_FIRST][second], self.corners[Y_FIRST][second]] =
             [served.corners[2], served.corners[3]];
