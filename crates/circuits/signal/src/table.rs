@@ -19,7 +19,7 @@ pub enum Unit {
     TangentRate,
     /// Display lines from the top of the picture.
     Line,
-    /// Radians.
+    /// An angle (rad).
     Radian,
     /// A gate: 0 or 1.
     Gate,
@@ -102,7 +102,7 @@ pub enum Kind {
     Analog,
     /// Two levels.
     Gate,
-    /// Wires that carry a number together: a whole one, or one that is told in its unit.
+    /// Wires that carry a number together: a whole one, or one in the unit of the signal.
     Bus,
     /// A pulse, with what is told at it.
     Event,

@@ -21,28 +21,28 @@ pub enum InnerWire {
     Function {
         /// `2 axis + end`.
         fed: usize,
-        /// 0 to 2.
+        /// Order of the derivative that the function weighs, 0 to 2.
         order: usize,
     },
     /// The slope of such a function generator, by what feeds it.
     Derivative {
         /// `2 axis + end`.
         fed: usize,
-        /// 0 to 2.
+        /// Order of the derivative that the function weighs, 0 to 2.
         order: usize,
     },
     /// Multiplier of a sum (height, slopes along X and Y): `6 p + q`, the order of X first.
     Product {
-        /// 0 to 2.
+        /// Which sum: height, slope along X, slope along Y.
         sum: usize,
-        /// 0 to 35.
+        /// Which term of the sum, 0 to 35.
         term: usize,
     },
     /// Multiplying D/A behind that multiplier.
     Converter {
-        /// 0 to 2.
+        /// Which sum: height, slope along X, slope along Y.
         sum: usize,
-        /// 0 to 35.
+        /// Which term of the sum, 0 to 35.
         term: usize,
     },
     /// What the nine D/As of a colour add to the height.
@@ -96,12 +96,6 @@ impl InnerSignals {
     /// The wire called `name`, if it is one of these.
     pub fn find(&self, name: &str) -> Option<InnerWire> {
         self.by_name.get(name).copied()
-    }
-
-    /// Colour and number of the word called `name`, if it is one of these.
-    pub fn find_word(&self, name: &str) -> Option<(Colour, usize)> {
-        let number = self.words.iter().position(|signal| signal.name == name)?;
-        Some((Colour::ALL[number / 9], number % 9))
     }
 }
 
@@ -202,7 +196,7 @@ impl InnerWire {
 
     /// Value at 0 V, and value at full scale from there, of an array of this scale over regions of side `region_size` (m).
     pub fn full_scale(self, scale: &Scale, region_size: f64) -> [f64; 2] {
-        let peak = |unit: usize| if unit / 6 == 0 { PEAKS[unit % 3] } else { SLOPE_PEAKS[unit % 3] };
+        let peak = |unit: usize| if unit < 6 { PEAKS[unit % 3] } else { SLOPE_PEAKS[unit % 3] };
         let of_sum = |sum: usize| if sum == 0 { scale.height } else { scale.slope / region_size };
         match self {
             Self::Accumulator(_) | Self::Ramp(_) => [0.0, 1.0],
@@ -236,9 +230,5 @@ mod tests {
         assert_eq!(FINE.find("tg.product.34"), Some(InnerWire::Product { sum: 0, term: 22 }));
         assert_eq!(COARSE.find("tg.coarse.u.red.dac8"), Some(InnerWire::Converter { sum: 1, term: 35 }));
         assert_eq!(FINE.find("tg.coarse.u.red.dac8"), None);
-        assert_eq!(
-            FINE.find_word("tg.green.word4").map(|(colour, word)| (colour.name(), word)),
-            Some(("green", 4))
-        );
     }
 }

@@ -183,7 +183,7 @@ impl<'a> Instant<'a> {
     }
 
     fn factor(&self, axis: usize, unit: usize) -> f64 {
-        let curves = if unit / 6 == 0 { &self.functions } else { &self.derivatives };
+        let curves = if unit < 6 { &self.functions } else { &self.derivatives };
         sign(unit, self.polarity[axis]) * curves[2 * axis + unit / 3 % 2][unit % 3]
     }
 

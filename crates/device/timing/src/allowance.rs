@@ -44,6 +44,13 @@ pub struct Allowed {
     pub is_met: bool,
 }
 
+impl Allowed {
+    /// What was found, in words.
+    pub(crate) fn told(&self) -> String {
+        self.found.map_or_else(|| "no such deadline".to_owned(), |found| format!("found {found}"))
+    }
+}
+
 /// A text that is no bound.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error(

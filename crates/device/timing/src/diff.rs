@@ -2,7 +2,6 @@
 
 use std::fmt::{self, Write};
 
-use crate::allowance::Allowed;
 use crate::comparison::{Comparison, MovedEvent};
 use crate::difference::Difference;
 
@@ -25,9 +24,9 @@ impl Comparison {
 
     fn write(&self, out: &mut String, limit: usize) -> fmt::Result {
         self.write_verdict(out)?;
-        for Allowed { bound, found, is_met } in &self.allowed {
-            let found = found.map_or("no such deadline".to_owned(), |found| format!("found {found}"));
-            writeln!(out, "{} {bound}: {found}", if *is_met { "within" } else { "beyond" })?;
+        for allowed in &self.allowed {
+            let side = if allowed.is_met { "within" } else { "beyond" };
+            writeln!(out, "{side} {}: {}", allowed.bound, allowed.told())?;
         }
         if !self.head.is_empty() {
             writeln!(out, "{}", self.cause())?;

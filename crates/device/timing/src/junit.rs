@@ -2,6 +2,7 @@
 
 use diagnostics::{JunitCase, JunitSuite};
 
+use crate::allowance::Allowed;
 use crate::comparison::Comparison;
 use crate::diff::diff;
 use crate::difference::Difference;
@@ -33,10 +34,9 @@ impl Comparison {
     }
 
     fn bound_by_bound(&self) -> Vec<JunitCase> {
-        let case = |allowed: &crate::Allowed| {
-            let found = allowed.found.map_or("no such deadline".to_owned(), |found| format!("found {found}"));
-            let failure = (!allowed.is_met).then(|| [found, self.totals_line()]);
-            JunitCase { name: allowed.bound.clone(), failure }
+        let case = |allowed: &Allowed| JunitCase {
+            name: allowed.bound.clone(),
+            failure: (!allowed.is_met).then(|| [allowed.told(), self.totals_line()]),
         };
         self.allowed.iter().map(case).collect()
     }

@@ -168,11 +168,10 @@ impl<'a> Inquiry<'a> {
         expect_pixel([x, y], [raster.columns, raster.lines])?;
         let sweeps = self.control.sweeps(frame, pose)?;
         let place = self.place(&sweeps, pose, [x, y]);
-        let read = self.read(&sweeps, (frame, pose), [x, y], &place)?;
-        let (shown, column) = self.look(frame, pose, [x, y], place.sweep)?;
-        let (programs, stroke) = (sweeps.programs(place.sweep), column.stroke_across(place.cell));
+        let (shown, column) = self.look((frame, pose, [x, y]), place.sweep)?;
+        let read = self.read(&sweeps, (frame, pose, [x, y]), &place, &column)?;
+        let stroke = column.stroke_across(place.cell);
         let ground = stroke.map(|sample| self.ground(&sweeps, pose, (place.sweep, sample), &column));
-        let missed = |sample| programs.iter().flat_map(|program| late(program, sample)).collect();
         let mut explanation = Explanation {
             frame,
             time_s: pose.time,
@@ -183,7 +182,7 @@ impl<'a> Inquiry<'a> {
             body: shown_body(&column, place.cell),
             ground,
             highest: column.highest().map(|(line, sample)| (line, column.at("sweep.range", sample))),
-            late: stroke.map_or_else(Vec::new, missed),
+            late: missed(&sweeps, place.sweep, stroke),
             place,
             read,
             has_tube: !self.stage.settings.analog.memory.is_ideal(),
@@ -194,22 +193,25 @@ impl<'a> Inquiry<'a> {
         Ok(explanation)
     }
 
-    /// The sweeps beside the pixel, with what each left there.
+    /// The sweeps beside the pixel, with what each left there; `nearest` has the signals of the place's own sweep.
     fn read(
         &self,
         sweeps: &FrameSweeps<'_>,
-        (frame, pose): (u64, &Pose),
-        pixel: [usize; 2],
+        of: (u64, &Pose, [usize; 2]),
         place: &Place,
+        nearest: &SweepColumn,
     ) -> Result<Vec<ReadSweep>, FrameError> {
         let beside = beside(place.between_sweeps, self.stage.settings.raster.sweeps);
+        let told = |sweep, weight, column: &SweepColumn| {
+            let late = missed(sweeps, sweep, column.stroke_across(place.cell));
+            ReadSweep { sweep, weight, left: column.at("sm.write", place.cell), late }
+        };
         let read = |(sweep, weight): (u32, f64)| {
-            let (_, column) = self.look(frame, pose, pixel, sweep)?;
-            let sample = column.stroke_across(place.cell);
-            let programs = sweeps.programs(sweep);
-            let missed = |sample| programs.iter().flat_map(|program| late(program, sample)).collect();
-            let left = column.at("sm.write", place.cell);
-            Ok(ReadSweep { sweep, weight, left, late: sample.map_or_else(Vec::new, missed) })
+            if sweep == place.sweep {
+                return Ok(told(sweep, weight, nearest));
+            }
+            let (_, column) = self.look(of, sweep)?;
+            Ok(told(sweep, weight, &column))
         };
         beside.into_iter().map(read).collect()
     }
@@ -217,9 +219,7 @@ impl<'a> Inquiry<'a> {
     /// What the picture shows at a pixel, and the signals of a sweep. Where the picture is known the sweep alone is drawn.
     fn look(
         &self,
-        frame: u64,
-        pose: &Pose,
-        [x, y]: [usize; 2],
+        (frame, pose, [x, y]): (u64, &Pose, [usize; 2]),
         sweep: u32,
     ) -> Result<(f32, SweepColumn), FrameError> {
         let raster = &self.stage.settings.raster;
@@ -263,6 +263,13 @@ impl<'a> Inquiry<'a> {
             ..GroundPoint::at(sample, column, &states, way, &self.stage.landscape, pose.eye, period_us)
         }
     }
+}
+
+/// Words of a sweep that were late before the sample of its stroke; none without a stroke.
+fn missed(sweeps: &FrameSweeps<'_>, sweep: u32, stroke: Option<usize>) -> Vec<Late> {
+    let programs = sweeps.programs(sweep);
+    let missed = |sample| programs.iter().flat_map(|program| late(program, sample)).collect();
+    stroke.map_or_else(Vec::new, missed)
 }
 
 /// Sweeps on both sides of a place between them, of `count`, with their weights; the nearer one first.

@@ -68,17 +68,12 @@ impl VcdFile {
 
 /// Text for a comment: `$` would begin or end a section, and readers know ASCII alone.
 fn plain(text: &str) -> String {
-    text.chars()
-        .map(|c| {
-            if c == '$' {
-                'S'
-            } else if c.is_ascii() {
-                c
-            } else {
-                '?'
-            }
-        })
-        .collect()
+    let known = |c: char| match c {
+        '$' => 'S',
+        _ if c.is_ascii() => c,
+        _ => '?',
+    };
+    text.chars().map(known).collect()
 }
 
 fn define(

@@ -122,8 +122,8 @@ impl<W: Watch> Service<'_, '_, '_, W> {
         Tick(seen.0.saturating_add_signed(slack))
     }
 
-    /// Sends the words of a set that the model holds back, later than the others; the words that are left. Hardly any model holds
-    /// a word back.
+    /// Sends the words of a set that the model holds back, later than the others; the words that are left. Few models hold any
+    /// back.
     #[inline]
     pub(super) fn hold_back(&mut self, set: ComingSet) -> WordMask {
         if self.unit.loader.delays.is_empty() { WordMask::ALL } else { self.hold_back_some(set) }

@@ -32,8 +32,13 @@ struct Scene {
 
 impl Scene {
     fn new() -> Self {
+        Self::beginning_at(1.5)
+    }
+
+    /// Sweeps of 1000 samples, 1.5 m apart, from this range (m).
+    fn beginning_at(first: f64) -> Self {
         let level = level();
-        let ranges: Vec<f64> = (1..=1000).map(|k| f64::from(k) * 1.5).collect();
+        let ranges: Vec<f64> = (0..1000).map(|k| first + f64::from(k) * 1.5).collect();
         let direction = |lane: usize| {
             let (sin, cos) = quantities::sin_cos(0.2 + 0.17 * lane as f64);
             [cos, sin]
@@ -43,7 +48,7 @@ impl Scene {
         for program in &mut programs {
             // Instants as the sweep generator gives them: between samples.
             for step in &mut program.steps {
-                step.time.0 = step.range / 1.5 - 1.0;
+                step.time.0 = (step.range - first) / 1.5;
             }
         }
         let sun = Sun { azimuth: 1.0, elevation: 0.3 };
@@ -117,6 +122,34 @@ fn fast_parts_come_near_the_algebra() {
     // The delay is trimmed out. What is left is the shortfall at folds, of first order in the lag of the function
     // generators that turn there, and that of ramps which set out from rest at the first range.
     assert!(slow > 2.5 * fast && fast > 6.0 * faster && slow < 0.12, "{slow} {fast} {faster}");
+}
+
+/// A sweep begins in the middle of the ground. A preset array has settled there; one without is still on its way from the foot.
+#[test]
+fn a_preset_array_has_settled_at_the_first_range() {
+    let scene = Scene::beginning_at(450.0);
+    let first = |preset: bool| {
+        let wired = scene.wired(&parts(|parts| {
+            parts.sweep.preset = preset;
+            parts.function_generator.bandwidth = Some(4e6);
+            parts.multiplying_dac.bandwidth = Some(4e6);
+        }));
+        (0..LANES).map(|lane| error_of(&scene, &wired, lane)[0].abs()).fold(0.0, f64::max)
+    };
+    let [preset, jumps] = [true, false].map(first);
+    assert!(jumps > 0.5 && preset < 0.1 * jumps, "{preset} m with the preset, {jumps} m without");
+}
+
+/// Strobes that come late are of the folds of the sweep: those before its first range have acted in retrace.
+#[test]
+fn a_preset_array_has_the_words_of_the_first_range() {
+    let scene = Scene::beginning_at(450.0);
+    let wired = scene.wired(&parts(|parts| parts.sweep.strobe_offset = 100.0 * STEP));
+    for lane in 0..LANES {
+        let error = error_of(&scene, &wired, lane);
+        assert!(error[0].abs() < 1e-9, "lane {lane}: {} m", error[0]);
+        assert!(error.iter().any(|error| error.abs() > 1.0), "lane {lane}: late strobes do harm");
+    }
 }
 
 fn parts(change: impl FnOnce(&mut AnalogParts)) -> AnalogParts {

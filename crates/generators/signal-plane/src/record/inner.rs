@@ -1,16 +1,18 @@
-//! Wires inside the arrays, and the words of their hold registers.
+//! Wires that are worked out together, once a sweep: those inside the arrays, the words of their hold registers, the gates.
 
 use std::collections::BTreeMap;
 
 use control_plane::waveforms::Changes;
-use landscape::Level;
+use landscape::{CornerWords, Level};
+use mixing_unit::SwitchGates;
 use signal::{Lanes, Probe, Real};
 use sweep_program::SweepProgram;
 use terrain_generator::{
     ArrayState, COARSE, FINE, InnerSignals, InnerWire, PartsArray, TerrainGenerator, held_words,
 };
 
-use super::Recorded;
+use super::{Recorded, sampled};
+use crate::signal_table::signals;
 
 /// One level of the ground as a group has swept it.
 struct Swept<'a, S> {
@@ -21,22 +23,46 @@ struct Swept<'a, S> {
     array: Option<&'a PartsArray<S>>,
 }
 
-/// Inner wires of one sweep by name, one value a sample.
-pub(super) type InnerValues = BTreeMap<&'static str, Vec<f64>>;
+/// Such wires of one sweep by name.
+pub(super) type Together = BTreeMap<&'static str, Changes>;
+
+/// Gates of the switches, and how far these are open.
+const GATES: [&str; 6] = ["fg.present", "sc.gate", "mu.vs1", "mu.vs2", "mu.vs1.fade", "mu.vs2.fade"];
 
 impl<S: Real> Recorded<'_, S> {
-    /// All that `probe` wants of the inner wires of lane `lane`, which is sweep `sweep`.
-    pub(super) fn inner(&self, probe: &Probe, lane: usize, sweep: u32) -> InnerValues {
-        let mut all = InnerValues::new();
+    /// What `probe` wants of lane `lane`, which is sweep `sweep`, and is worked out together.
+    pub(super) fn together(&self, probe: &Probe, lane: usize, sweep: u32) -> Together {
+        let mut all = Together::new();
         for swept in self.swept() {
+            all.extend(swept.words(probe, lane));
             let wanted = swept.signals.wires.iter().filter(|(_, signal)| probe.wants(signal));
             let (wires, names): (Vec<InnerWire>, Vec<_>) =
                 wanted.map(|(wire, signal)| (*wire, signal.name)).unzip();
             if !wires.is_empty() {
-                all.extend(names.into_iter().zip(self.inside(&swept, lane, sweep, &wires)));
+                let values = self.inside(&swept, lane, sweep, &wires).into_iter().map(sampled);
+                all.extend(names.into_iter().zip(values));
             }
         }
+        if signals().iter().any(|signal| GATES.contains(&signal.name) && probe.wants(signal)) {
+            all.extend(GATES.into_iter().zip(self.gates(lane).map(sampled)));
+        }
         all
+    }
+
+    /// Values of [`GATES`], behind their comparators where these are parts.
+    fn gates(&self, lane: usize) -> [Vec<f64>; 6] {
+        let (group, features) = (self.group, &self.work.feature_profile);
+        let found = self.mixed(|inputs| match &group.parts.mixer {
+            Some(mixer) => mixer.gates(&inputs, lane),
+            None => {
+                let gates = [inputs.vs1_gate(&group.mixing_unit().vs1, lane), inputs.vs2_gate(lane)];
+                let present =
+                    if group.blocks.features { of_lane(&features.present, lane) } else { Vec::new() };
+                SwitchGates { present, fades: gates.clone(), gates }
+            }
+        });
+        let SwitchGates { present, gates: [vs1, vs2], fades: [fade1, fade2] } = found;
+        [present, vs2.clone(), vs1, vs2, fade1, fade2]
     }
 
     /// The levels that the machine has.
@@ -70,20 +96,27 @@ impl<S: Real> Recorded<'_, S> {
             }
         }
     }
+}
 
-    /// What the word called `name` of a hold register is, if it is one.
-    pub(super) fn word(&self, name: &str, lane: usize) -> Option<Changes> {
-        let known = |swept: Swept<'_, S>| {
-            let (colour, word) = swept.signals.find_word(name)?;
+impl<S: Real> Swept<'_, S> {
+    /// Words of the hold registers of lane `lane` that `probe` wants.
+    fn words(&self, probe: &Probe, lane: usize) -> Together {
+        let words = self.signals.words.iter().enumerate();
+        let wanted: Vec<_> = words.filter(|(_, signal)| probe.wants(signal)).collect();
+        if wanted.is_empty() {
+            return Together::new();
+        }
+        let as_held = |words: &CornerWords| self.array.map_or(*words, |array| array.as_held(words));
+        let held: Vec<_> = held_words(&self.programs[lane], self.level.words())
+            .into_iter()
+            .map(|(time, words)| (time, words.each_ref().map(as_held)))
+            .collect();
+        let of = |number: usize| {
             let mut changes = Changes::default();
-            for (time, words) in held_words(&swept.programs[lane], swept.level.words()) {
-                let words = &words[colour as usize];
-                let held = swept.array.map_or(*words, |array| array.as_held(words));
-                changes.becomes(time, held[word]);
-            }
-            Some(changes)
+            held.iter().for_each(|(time, words)| changes.becomes(*time, words[number / 9][number % 9]));
+            changes
         };
-        self.swept().into_iter().find_map(known)
+        wanted.into_iter().map(|(number, signal)| (signal.name, of(number))).collect()
     }
 }
 

@@ -4,12 +4,12 @@ mod inner;
 
 use control_plane::RANGE;
 use control_plane::waveforms::{Changes, changes, feature_centres};
-use mixing_unit::{Inputs, SwitchGates};
+use mixing_unit::Inputs;
 use polyhedron_generator::Overlay;
 use scenario::Occlusion;
 use signal::{Axis, Lanes, Probe, Real, Signal, Waveform};
 
-use self::inner::{InnerValues, of_lane};
+use self::inner::{Together, of_lane};
 use crate::group::Group;
 use crate::scales::MICROSECONDS;
 use crate::signal_table::signals;
@@ -41,38 +41,38 @@ fn rises(values: &[f64]) -> Vec<f64> {
 impl<S: Real> Recorded<'_, S> {
     /// What `probe` wants of lane `lane`, which is sweep `sweep`.
     pub fn waveforms(&self, probe: &Probe, lane: usize, sweep: u32) -> Vec<Waveform> {
-        let mut inner = self.inner(probe, lane, sweep);
+        let mut together = self.together(probe, lane, sweep);
         let of = |signal: &Signal| {
             let Changes { times, values } = match signal.axis {
-                Axis::Ground => sampled(self.along_the_ground(signal.name, lane, &mut inner)),
+                Axis::Ground => sampled(self.along_the_ground(signal.name, lane, &mut together)),
                 Axis::Display => sampled(self.down_the_display(signal.name, lane, sweep)),
-                Axis::Changes => self.digital(signal.name, lane),
+                Axis::Changes => self.digital(signal.name, lane, &mut together),
             };
             Waveform { signal: *signal, frame: self.group.plan.frame, sweep, times, values }
         };
         signals().iter().filter(|signal| probe.wants(signal)).map(of).collect()
     }
 
-    fn digital(&self, name: &str, lane: usize) -> Changes {
+    fn digital(&self, name: &str, lane: usize, together: &mut Together) -> Changes {
         let Self { group, work, .. } = self;
         match name {
             "fg.centre" if group.blocks.features => feature_centres(&work.features[lane], group.table),
             "fg.centre" => Changes::default(),
             "yoke.angle" => Changes { times: vec![0.0], values: vec![group.plan.yoke] },
-            _ if name.contains(".word") => self.word(name, lane).unwrap_or_default(),
+            _ if name.contains(".word") => together.remove(name).unwrap_or_default(),
             _ if !name.contains(".coarse.") => changes(name, &work.programs[lane]),
             _ if group.blocks.coarse.is_some() => changes(name, &work.coarse[lane]),
             _ => Changes::default(),
         }
     }
 
-    fn along_the_ground(&self, name: &str, lane: usize, inner: &mut InnerValues) -> Vec<f64> {
+    fn along_the_ground(&self, name: &str, lane: usize, together: &mut Together) -> Vec<f64> {
         let ranges = self.group.table.ranges();
         if name == RANGE {
             return ranges.to_vec();
         }
         let in_sight = ranges.partition_point(|&range| range <= self.group.end_range(lane, self.work));
-        let mut values = inner.remove(name).unwrap_or_else(|| self.values(name, lane));
+        let mut values = together.remove(name).map_or_else(|| self.values(name, lane), |of| of.values);
         values.truncate(in_sight);
         // Beyond the problem area a wire keeps its last value, so nothing changes and nothing is drawn; where a generator is
         // not there, it is 0.
@@ -167,11 +167,6 @@ impl<S: Real> Recorded<'_, S> {
                 of(&work.lit.reflectivity).into_iter().map(|signed| signed.max(0.0)).collect()
             }
             "sc.or" => self.mixed(|inputs| inputs.vs2_gate(lane)),
-            "fg.present" if has_features => self.gates(lane).present,
-            "sc.gate" | "mu.vs2" => self.gates(lane).gates[1].clone(),
-            "mu.vs1" => self.gates(lane).gates[0].clone(),
-            "mu.vs1.fade" => self.gates(lane).fades[0].clone(),
-            "mu.vs2.fade" => self.gates(lane).fades[1].clone(),
             "txg.texture" if group.blocks.texture => {
                 let mut values = of(&work.texture);
                 values.resize(samples, 0.0);
@@ -179,18 +174,6 @@ impl<S: Real> Recorded<'_, S> {
             }
             _ => vec![0.0; samples],
         }
-    }
-
-    /// Gates of the switches, behind their comparators where these are parts.
-    fn gates(&self, lane: usize) -> SwitchGates {
-        let (group, features) = (self.group, &self.work.feature_profile);
-        self.mixed(|inputs| match &group.parts.mixer {
-            Some(mixer) => mixer.gates(&inputs, lane),
-            None => {
-                let gates = [inputs.vs1_gate(&group.mixing_unit().vs1, lane), inputs.vs2_gate(lane)];
-                SwitchGates { present: of_lane(&features.present, lane), fades: gates.clone(), gates }
-            }
-        })
     }
 
     fn mixed<T>(&self, of: impl FnOnce(Inputs<'_, S>) -> T) -> T {
