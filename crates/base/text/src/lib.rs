@@ -16,6 +16,15 @@ pub fn named_frames(frames: &[u64]) -> String {
     format!("{} {}", if frames.len() == 1 { "frame" } else { "frames" }, numbers.join(", "))
 }
 
+/// Signals by their names; where there are many, the patterns that asked for them: `tg.* (571 signals)`.
+pub fn named_signals<N: AsRef<str>>(names: &[N], asked: &[String]) -> String {
+    const MOST_NAMED: usize = 12;
+    match names.len() {
+        0..=MOST_NAMED => names.iter().map(AsRef::as_ref).collect::<Vec<_>>().join(", "),
+        count => format!("{} ({count} signals)", asked.join(", ")),
+    }
+}
+
 /// Columns of text, each as wide as its widest cell. The last column is not padded.
 pub fn table(rows: &[Vec<String>]) -> String {
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0);

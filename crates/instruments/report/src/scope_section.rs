@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use maud::{Markup, html};
+use text::named_signals;
 
 use crate::base64::data_url;
 use crate::data::shell_words;
@@ -49,21 +50,12 @@ fn figure(plot: &ScopePlot, source: &str, line: &str, is_seen: bool) -> Markup {
             a.sheet-of href=(plot.file()) { img src=(source) loading="lazy" decoding="async"
                 alt=(format!("Waveforms of {line} {sweep} of frame {frame}")); }
             figcaption {
-                b { "Frame " (frame) ", " (line) " " (sweep) "." } " " (signals(plot)) ". "
+                b { "Frame " (frame) ", " (line) " " (sweep) "." } " " (named_signals(&plot.signals, &plot.asked)) ". "
                 @if is_seen {
                     button.needs-script type="button" data-frame=(frame) data-sweep=(sweep) { "Show in the picture" }
                 }
             }
         }
-    }
-}
-
-/// The signals of a plot; where there are many, how they were asked for.
-fn signals(plot: &ScopePlot) -> String {
-    const MOST_NAMED: usize = 12;
-    match plot.signals.len() {
-        0..=MOST_NAMED => plot.signals.join(", "),
-        count => format!("{} ({count} signals)", plot.asked.join(", ")),
     }
 }
 

@@ -21,7 +21,7 @@ use crate::commands::scope::ScopeArgs;
 use crate::frame::FrameArgs;
 use crate::output::{expect_outputs, print, print_json, tell};
 use crate::{Failure, Verdict};
-use text::Span;
+use text::{Span, named_signals};
 
 use target::words;
 pub use target::{Target, names};
@@ -31,8 +31,8 @@ const EVERY: Duration = Duration::from_secs(5);
 
 const AFTER: &str = "Examples:
   lunoid probe scenarios/first-light.toml --frame 12 --sweep 500..502 --signals 'tg.*,dpp.y' --out tg.npz
-  lunoid probe scenarios/first-light.toml --frame 12 --sweep all --signals 'sweep.*,tg.*' --out tg.fst
-  lunoid probe scenarios/first-light.toml --frame 60 --sweep 500 --signals 'sweep.x,tg.*,dpp.blank' --out tg.png
+  lunoid probe scenarios/first-light.toml --frame 12 --sweep all --signals 'sweep.x,sweep.y,tg.*.hold,tg.height' --out tg.fst
+  lunoid probe scenarios/first-light.toml --frame 60 --sweep 500 --signals 'sweep.x,tg.fn.x.*,tg.*height,dpp.blank' --out tg.png
 
 The file is what its name says, or --format. FST and VCD open in GTKWave (`gtkwave -A tg.fst` draws curves at once), FST in
 Surfer, NPZ in numpy, raw in ngspice, sr in PulseView; docs/waveform-files.md says what each holds. PNG and SVG are a
@@ -218,7 +218,7 @@ impl ProbeCommand {
                 "estimated_bytes": (written.estimate > 0).then_some(written.estimate),
             }));
         }
-        let signals = choice.names().join(", ");
+        let signals = named_signals(&choice.names(), &self.signals);
         let dry = if self.dry_run {
             format!("about {}, not written: ", size(written.estimate))
         } else {
