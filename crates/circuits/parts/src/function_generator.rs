@@ -56,6 +56,13 @@ impl<S: Real> FunctionGenerator<S> {
         Self { cells: S::from_f64(cells as f64), table: table.collect() }
     }
 
+    /// Outputs at the ends of the cells, at equal distances over 0..=1.
+    pub fn points(&self) -> Vec<f64> {
+        let starts = self.table.iter().map(|[start, _]| start.to_f64());
+        let last = self.table.last().map(|[start, rise]| start.to_f64() + rise.to_f64());
+        starts.chain(last).collect()
+    }
+
     /// The output for input `z`.
     #[inline]
     pub fn value(&self, z: S) -> S {

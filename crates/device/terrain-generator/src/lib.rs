@@ -55,7 +55,7 @@ pub use generator::{Method, OUT_OF_SIGHT, Profile, SIGNALS, TerrainGenerator};
 pub use inner::{COARSE, FINE, InnerSignals, InnerWire};
 pub use inside::{Inside, held_words};
 pub use modified::{ModifiedTerrainGenerator, Overlap};
-pub use of_parts::{ArrayState, PartsArray, PartsTerrain, Scale};
+pub use of_parts::{ArrayState, PartsArray, PartsTerrain, Scale, broken_lines};
 pub use polynomials::Polynomials;
 pub use region::Region;
 pub use registers::Registers;

@@ -70,7 +70,9 @@ fn inside_blocks(signal: &str, settings: &Settings, unknown: Unknown) -> Option<
 }
 
 fn terrain_parts(settings: &Settings) -> Option<&'static str> {
-    (!settings.analog.terrain_is_ideal()).then_some("real parts of the terrain generator")
+    let amplifier = &settings.analog.amplifier;
+    (amplifier.slew.is_some() && amplifier.gain_bandwidth.is_none())
+        .then_some("amplifiers that slew without a bandwidth")
 }
 
 fn has_gates(settings: &Settings) -> bool {

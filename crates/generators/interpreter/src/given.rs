@@ -1,6 +1,7 @@
 //! What a sweep is given.
 
 use crate::frame::Frame;
+use crate::parts::Drawn;
 use crate::shadows::ShadowLine;
 
 /// What the interpreter does not work out and takes as the machine has it.
@@ -16,6 +17,8 @@ pub struct Given<'a> {
     pub lines: &'a [ShadowLine],
     /// Gate of remote shadow at each sample, 0 or 1; empty where there is no shadow.
     pub shadow: &'a [f64],
+    /// What a seed drew for the parts of the model.
+    pub parts: Drawn<'a>,
     /// Full scale of each main wire in its unit: what its slew rate is against.
     pub full_scales: &'a [(&'static str, f64)],
 }

@@ -1,14 +1,16 @@
 //! The modified terrain generator: a fine one near, a coarse one far (section 8).
 
 use hardware_model::Loader;
+use landscape::Level;
 use scenario::LevelSwitch;
 
 use crate::clock::Clock;
 use crate::frame::Frame;
 use crate::given::Given;
+use crate::parts::{self, Figures};
 use crate::scene::SceneData;
 use crate::server::Interrupts;
-use crate::walk::{Course, Walk, walk};
+use crate::walk::{ARRAYS, Course, Walk, walk};
 
 /// Terrain at one sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,6 +54,14 @@ impl Terrain {
     }
 }
 
+/// The figures of the array over a level, if it has real parts.
+fn figures(scene: &SceneData<'_>, level: &Level, number: usize, given: &Given<'_>) -> Option<Figures> {
+    let analog = &scene.settings.analog;
+    let step = 1.0 / scene.settings.timebase.sample_rate().hertz();
+    let of_parts = || parts::figures::figures(step, level, analog, &given.parts, ARRAYS[number]);
+    (!analog.terrain_is_ideal()).then(of_parts)
+}
+
 /// The terrain of sweep `sweep` along `direction`, without the corners that are missing on each level.
 pub fn terrain(scene: &SceneData<'_>, sweep: u32, direction: [f64; 2], given: &Given<'_>) -> Terrain {
     let Given { ranges, frame: Frame { missing, .. }, .. } = *given;
@@ -60,8 +70,10 @@ pub fn terrain(scene: &SceneData<'_>, sweep: u32, direction: [f64; 2], given: &G
     let switch = scene.settings.levels.filter(|_| scene.coarse().is_some());
     let until = switch.map_or(f64::INFINITY, |switch| switch.range);
     let level = scene.fine();
+    let near = figures(scene, level, 0, given);
+    let parts = near.as_ref().map(|figures| (figures, &given.parts));
     let course =
-        Course { level, missing: &missing[0], number: 0, loader, direction, sweep, interrupts, until };
+        Course { level, missing: &missing[0], number: 0, loader, direction, sweep, interrupts, until, parts };
     let fine = walk(scene, &course, ranges);
     let (Some(level), Some(switch)) = (scene.coarse(), switch) else {
         let ground =
@@ -70,8 +82,10 @@ pub fn terrain(scene: &SceneData<'_>, sweep: u32, direction: [f64; 2], given: &G
     };
     // Words are held back on the fine level alone.
     let plain = Loader { delays: Vec::new(), ..loader.clone() };
-    let course =
-        Course { level, missing: &missing[1], number: 1, loader: &plain, until: f64::INFINITY, ..course };
+    let far = figures(scene, level, 1, given);
+    let parts = far.as_ref().map(|figures| (figures, &given.parts));
+    let until = f64::INFINITY;
+    let course = Course { level, missing: &missing[1], number: 1, loader: &plain, until, parts, ..course };
     let coarse = walk(scene, &course, ranges);
     let ground = both(&fine, &coarse, switch, direction, ranges);
     Terrain { fine, coarse: Some(coarse), ground }

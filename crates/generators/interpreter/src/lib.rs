@@ -14,7 +14,7 @@
 //!
 //! Files, by part of the drawing: [`scene`] and [`given`](mod@given) (what is given), [`fan`] (azimuths, ranges), [`clock`] (ticks), [`ramp`],
 //! [`registers`] and [`server`] (hold, preload registers, pointers, words on their way), [`terrain`] (function
-//! generators, products, sums), [`wires`] (their names), [`walk`] (one terrain generator along a sweep), [`levels`] (two of them), [`light`],
+//! generators, products, sums), [`parts`] (the same of real parts), [`wires`] (their names), [`walk`] (one terrain generator along a sweep), [`levels`] (two of them), [`light`],
 //! [`craters`], [`loads`] (their words), [`shadows`] (words of boundaries), [`mixing`], [`output_amplifiers`], [`projector`], [`sweep`] (one sweep in order), [`coverage`] (what it does not model). For a whole
 //! frame: [`frame`](mod@frame), [`processor`] (set-ups), [`drums`] (with queues and storage buffer), [`demand`] (what a frame asks of them).
 //!
@@ -36,6 +36,7 @@ pub mod light;
 pub mod loads;
 pub mod mixing;
 pub mod output_amplifiers;
+pub mod parts;
 pub mod processor;
 pub mod projector;
 pub mod ramp;

@@ -50,6 +50,17 @@ struct Set {
     words: [f64; 9],
 }
 
+/// A change on the digital side that parts may see.
+#[derive(Debug, Clone, Copy)]
+pub struct Change {
+    /// When, in accumulator steps from the first sample.
+    pub time: f64,
+    /// Axis of the ramp that folds, and whether at 1; none where words alone arrive.
+    pub fold: Option<(usize, bool)>,
+    /// What the hold registers have from then on.
+    pub hold: [[f64; 9]; 4],
+}
+
 /// Where and when a sweep begins, as the registers need it.
 #[derive(Debug, Clone, Copy)]
 pub struct Start<'a> {
@@ -72,6 +83,8 @@ pub struct Registers<'a> {
     pub hold: [[f64; 9]; 4],
     /// What has happened.
     pub events: Vec<Event>,
+    /// Folds and arrivals of words, in order.
+    pub changes: Vec<Change>,
     first: [[Set; 4]; 2],
     /// Words of each preload register that have come since its colour moved, bit 3 p + q.
     come: [[u16; 4]; 2],
@@ -110,6 +123,7 @@ impl<'a> Registers<'a> {
         let mut registers = Self {
             hold: [[0.0; 9]; 4],
             events: Vec::new(),
+            changes: Vec::new(),
             first: [[empty; 4]; 2],
             come: [[0; 4]; 2],
             diagonal: [true; 4],
@@ -186,6 +200,7 @@ impl<'a> Registers<'a> {
                 PRELOADS[axis]
             };
             self.note(tick, Happening::Load { colour, register, corner, words: 1 << word });
+            self.changes.push(Change { time: self.clock.time_of(tick), fold: None, hold: self.hold });
         }
     }
 
@@ -227,6 +242,7 @@ impl<'a> Registers<'a> {
                 let register = PRELOADS[axis];
                 self.note(seen, Happening::Late { colour, register, crossing, words: ALL_WORDS });
             }
+            self.changes.push(Change { time, fold: Some((axis, at_one)), hold: self.hold });
             return;
         }
         for colour in colours {
@@ -237,6 +253,7 @@ impl<'a> Registers<'a> {
             self.sort_out(colour, axis, seen, crossing);
             self.corner[colour][axis] += 2 * self.start.heading[axis];
         }
+        self.changes.push(Change { time, fold: Some((axis, at_one)), hold: self.hold });
         for colour in colours {
             self.renew(axis, colour, crossing, seen);
         }

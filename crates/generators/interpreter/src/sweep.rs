@@ -13,6 +13,7 @@ use crate::levels::{GroundSample, Terrain, terrain};
 use crate::light::Light;
 use crate::loads::{Loads, Passing, craters};
 use crate::mixing::{Inputs, mix, texture};
+use crate::parts::ReflectivityStage;
 use crate::output_amplifiers::OutputAmplifiers;
 use crate::projector::{Circuit, Deflection, Rim, elevation, shown};
 use crate::scene::SceneData;
@@ -139,6 +140,7 @@ impl Walker<'_> {
         let [mut terrain_wire, mut height_wire, mut video_wire] =
             ["tg.reflectivity", "mu.height", "mu.reflectivity"].map(|name| self.wires.amplifier(name));
         let mut video_before = None;
+        let mut stage = ReflectivityStage::of(scene);
         for (k, (&GroundSample { height, slopes }, &range)) in
             ground.iter().zip(self.given.ranges).enumerate()
         {
@@ -147,7 +149,7 @@ impl Walker<'_> {
             let Relief { height: rise, slopes: added, present, clear } =
                 relief(&self.craters, [eye[0], eye[1]], from_foot);
             let sight = (height - eye[2]) / range;
-            let terrain_light = terrain_wire.next(self.light.reflectivity(slopes, sight));
+            let terrain_light = terrain_wire.next(stage.next(self.light.reflectivity(slopes, sight)));
             let lit_slopes = match scene.settings.laws.feature_light {
                 FeatureLight::Combined => [slopes[0] + added[0], slopes[1] + added[1]],
                 FeatureLight::AsReported => added,

@@ -6,6 +6,7 @@ use landscape::Level;
 use crate::clock::Clock;
 use crate::drums::Arrivals;
 use crate::event::Event;
+use crate::parts::{Drawn, Figures, Sweep, pass};
 use crate::ramp::Ramp;
 use crate::registers::{Registers, Start};
 use crate::scene::SceneData;
@@ -18,10 +19,15 @@ const UNDECIDED: f64 = 1e-6;
 /// Nearer to one another than this share of their range, rounding decides which of two stops comes first.
 const SAME_PLACE: f64 = 1e-12;
 
+/// Names of the arrays of both levels, by which their parts are drawn.
+pub const ARRAYS: [&str; 2] = ["tg", "mtg"];
+
 /// One sample.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sample {
-    /// Folded ramps.
+    /// Triangles in the accumulators.
+    pub accumulators: [f64; 2],
+    /// Folded ramps, behind converter and smoother where there are any.
     pub ramps: [f64; 2],
     /// What the array gives.
     pub sums: Sums,
@@ -67,6 +73,8 @@ pub struct Course<'a> {
     pub interrupts: Interrupts<'a>,
     /// Ground range beyond which nobody looks (m).
     pub until: f64,
+    /// What the array is made of and what its seed drew, where it has real parts.
+    pub parts: Option<(&'a Figures, &'a Drawn<'a>)>,
 }
 
 /// Walks along `ranges` (m).
@@ -85,6 +93,7 @@ pub fn walk(scene: &SceneData<'_>, course: &Course<'_>, ranges: &[f64]) -> Walk 
         level: course.number,
     };
     let registers = Registers::at_start((level, course.missing), course.loader, clock, start);
+    let (begun, hold) = (ramps.clone(), registers.hold);
     let mut walker = Walker { course, clock, ramps, registers, found: Walk::default() };
     let mut before = 0.0;
     walker.found.last_tick = clock.seen(-1.0);
@@ -99,8 +108,24 @@ pub fn walk(scene: &SceneData<'_>, course: &Course<'_>, ranges: &[f64]) -> Walk 
         walker.sample(range);
         before = range;
     }
-    walker.found.events = walker.registers.events;
-    walker.found
+    let Walker { registers: Registers { events, changes, .. }, mut found, .. } = walker;
+    found.events = events;
+    if let Some((figures, drawn)) = course.parts {
+        let sweeps = u64::from(scene.settings.raster.sweeps);
+        let sweep = Sweep {
+            level,
+            name: ARRAYS[course.number],
+            drawn,
+            direction: course.direction,
+            ranges,
+            ramps: &begun,
+            hold,
+            changes: &changes,
+            number: scene.frame * sweeps + u64::from(course.sweep),
+        };
+        pass(&sweep, figures, &mut found.samples);
+    }
+    found
 }
 
 struct Walker<'a> {
@@ -158,7 +183,7 @@ impl Walker<'_> {
         let sums = sums(&self.registers.hold, ramps, polarity);
         let [height, h_u, h_v] = sums.ground;
         let d = self.course.level.region_size();
-        let sample = Sample { ramps, sums, height, slopes: [h_u / d, h_v / d] };
+        let sample = Sample { accumulators: ramps, ramps, sums, height, slopes: [h_u / d, h_v / d] };
         self.found.samples.push(sample);
     }
 }

@@ -16,8 +16,7 @@ pub fn of(level: &str, samples: &[Sample], region_size: f64) -> Vec<(String, Vec
         wires.push((name, samples.iter().map(value).collect::<Vec<f64>>()));
     };
     for (axis, name) in AXES.into_iter().enumerate() {
-        // Without parts between them both are the triangle.
-        put(format!("sweep.{level}accumulator.{name}"), &|sample| sample.ramps[axis]);
+        put(format!("sweep.{level}accumulator.{name}"), &|sample| sample.accumulators[axis]);
         put(format!("sweep.{level}{name}"), &|sample| sample.ramps[axis]);
     }
     for (fed, name) in FED.into_iter().enumerate() {

@@ -11,6 +11,10 @@ pub const F64: f64 = 1e-12;
 /// and the sum of 11 terms adds its own. Largest found on terrain over 400 random scenes: 3.8e-6.
 pub const F32: f64 = 8e-6;
 
+/// Behind real parts, in f64: the machine divides steps by an exponential that is right to 1e-12, the interpreter sums a series, and
+/// a lag of many steps adds up what each of them rounds.
+const OF_PARTS: f64 = 1e-9;
+
 /// What craters with rims a tenth of their radius wide add in f32 (sheet of the feature generator).
 const CRATERS_F32: f64 = 2e-5;
 
@@ -20,6 +24,11 @@ pub fn of(scalar: Scalar) -> f64 {
         Scalar::F64 => F64,
         Scalar::F32 => F32,
     }
+}
+
+/// The bound behind real parts.
+pub fn of_parts(scalar: Scalar) -> f64 {
+    of(scalar).max(OF_PARTS)
 }
 
 /// What rounding of the place adds where the narrowest ring of a crater is `ring` wide and the sweep ends at `end` (m): four

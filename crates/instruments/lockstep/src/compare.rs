@@ -164,6 +164,9 @@ impl Sides<'_> {
 
     fn bound(&self, name: &str) -> f64 {
         let settings = self.scene.settings;
+        if name != "sweep.range" && !settings.analog.terrain_is_ideal() {
+            return bounds::of_parts(settings.scalar);
+        }
         match name {
             // A rounding of 1/z shows in the farthest range by the ratio of both ends.
             "sweep.range" => 4.0 * f64::EPSILON * (settings.range.end / settings.range.start).max(16.0),

@@ -5,15 +5,18 @@ use std::collections::HashSet;
 use control_plane::{ControlPlane, DigitalUnit, FrameSweeps, MachineStage};
 use data_bank::DrumUnit;
 use generator::{FrameError, Planes, Session};
+use interpreter::parts::Drawn;
 use interpreter::{
     DrumFigures, Event, Frame, FrameGiven, Given, Happening, Outcome, Part, Record, SceneData, Unknown,
     interpret,
 };
 use machine::Prepare;
+use parts::{NoiseSource, Spread};
 use quantities::unit_interval;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use scenario::Pose;
 use signal::{Axis, Probe, Waveform};
+use terrain_generator::broken_lines;
 
 use crate::compare::{Sides, compare, compare_frame};
 use crate::report::Report;
@@ -26,6 +29,7 @@ pub struct Engines {
     stage: MachineStage,
     session: Box<dyn Session>,
     control: ControlPlane,
+    broken_lines: Vec<Vec<f64>>,
 }
 
 /// One sweep on both.
@@ -43,7 +47,8 @@ impl Engines {
     /// Elaborates the machine for `stage`.
     pub fn new(stage: MachineStage) -> Self {
         let session = stage.clone().prepare();
-        Self { control: ControlPlane::new(stage.clone()), stage, session }
+        let broken_lines = broken_lines(&stage.settings.analog);
+        Self { control: ControlPlane::new(stage.clone()), stage, session, broken_lines }
     }
 
     /// Sweeps `sweeps` of frame `frame` seen from `pose`, on both; the report of the first has the events of the frame.
@@ -94,6 +99,7 @@ impl Engines {
                 draw: |seed, words| unit_interval(seed, &words),
                 lines: &lines,
                 shadow: values("sc.or"),
+                parts: self.drawn(),
                 full_scales: &full_scales,
             };
             let record = interpret(&scene, sweep, &given);
@@ -119,6 +125,18 @@ impl Engines {
             first.report.add(of_frame);
         }
         Ok(seen)
+    }
+
+    /// What the seed of the model drew for its parts.
+    fn drawn(&self) -> Drawn<'_> {
+        Drawn {
+            seed: self.stage.settings.seed,
+            deviate: |seed, part, number| Spread::new(seed).deviate(part, number),
+            noise: |seed, (source, number), [sweep, sample]| {
+                NoiseSource::new(seed, source, number).normal(sweep, sample)
+            },
+            broken_lines: &self.broken_lines,
+        }
     }
 
     /// The digital side of a frame as the interpreter sees it.

@@ -188,19 +188,13 @@ impl<S: Real> AxisGenerators<S> {
 impl<S: Real> Curves<S> {
     /// Each scaled to its peak.
     fn new(segments: Option<u32>, knee: f64) -> Self {
-        let peak = |curve: usize| if curve < 3 { PEAKS[curve] } else { SLOPE_PEAKS[curve - 3] };
         let Some(segments) = segments else {
             let scaled = |order: usize| NEAR[order].map(|power| S::from_f64(power / PEAKS[order]));
             let slope =
                 |order: usize| derivative(NEAR[order]).map(|power| S::from_f64(power / SLOPE_PEAKS[order]));
             return Self::Exact([0, 1, 2].map(scaled), [0, 1, 2].map(slope));
         };
-        let law = FunctionLaw { segments: segments as usize, rounding: knee, ends: Ends::Trimmed([0.0; 2]) };
-        let broken = |curve: usize| {
-            let value = |z| if curve < 3 { values(z)[curve] } else { derivatives(z)[curve - 3] };
-            FunctionGenerator::new(&law, |z| value(z) / peak(curve))
-        };
-        Self::Broken(FunctionBank::new(&std::array::from_fn::<_, CURVES, _>(broken)))
+        Self::Broken(FunctionBank::new(&broken(segments, knee)))
     }
 
     #[inline(always)]
@@ -222,6 +216,26 @@ impl<S: Real> Curves<S> {
         }
         out
     }
+}
+
+/// The broken lines of values and of slopes, each scaled to its peak.
+fn broken<S: Real>(segments: u32, knee: f64) -> [FunctionGenerator<S>; CURVES] {
+    let law = FunctionLaw { segments: segments as usize, rounding: knee, ends: Ends::Trimmed([0.0; 2]) };
+    std::array::from_fn(|curve| {
+        let order = curve % 3;
+        let share = |z| {
+            if curve < 3 { values(z)[order] / PEAKS[order] } else { derivatives(z)[order] / SLOPE_PEAKS[order] }
+        };
+        FunctionGenerator::new(&law, share)
+    })
+}
+
+/// Points of the broken lines of a model at equal distances over 0..=1, shares of their peaks: values of the three orders, then
+/// slopes. None where function generators are exact.
+pub fn broken_lines(parts: &AnalogParts) -> Vec<Vec<f64>> {
+    let figures = &parts.function_generator;
+    let Some(segments) = figures.segments else { return Vec::new() };
+    broken::<f64>(segments, figures.rounding / parts.full_scale).map(|line| line.points()).into()
 }
 
 /// A polynomial of ascending `powers`, by Horner's scheme.

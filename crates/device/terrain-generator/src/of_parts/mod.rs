@@ -44,6 +44,7 @@ mod tests;
 mod timing;
 mod words;
 
+pub use basis::broken_lines;
 pub use parts_array::PartsArray;
 pub(crate) use parts_array::Tap;
 pub use scale::Scale;

@@ -1,0 +1,357 @@
+//! All parts of an array along one sweep, one after the other, sample by sample.
+
+use landscape::Level;
+
+use super::drawn::Drawn;
+use super::figures::{CellFigures, Figures, PEAKS, TERMS};
+use super::functions::FunctionCircuits;
+use super::ramp::RampCircuit;
+use super::series::LagMap;
+use super::tree::TreeCircuit;
+use super::words::{Taken, Words};
+use crate::ramp::Ramp;
+use crate::registers::Change;
+use crate::terrain::{Sums, sums};
+use crate::walk::Sample;
+
+/// What an array is swept with.
+#[derive(Debug, Clone, Copy)]
+pub struct Sweep<'a> {
+    /// Its ground.
+    pub level: &'a Level,
+    /// Name of the array in draws: `tg` or `mtg`.
+    pub name: &'a str,
+    /// What the seed drew.
+    pub drawn: &'a Drawn<'a>,
+    /// Cosine and sine of the azimuth.
+    pub direction: [f64; 2],
+    /// Ground range of the samples (m).
+    pub ranges: &'a [f64],
+    /// Both ramps as the sweep begins.
+    pub ramps: &'a [Ramp; 2],
+    /// Words in hold as the sweep begins.
+    pub hold: [[f64; 9]; 4],
+    /// What changes on the digital side.
+    pub changes: &'a [Change],
+    /// Number of the sweep over all frames.
+    pub number: u64,
+}
+
+/// Puts what the parts make of a sweep into `samples`, which have what ideal parts make of it.
+pub fn pass(sweep: &Sweep<'_>, figures: &Figures, samples: &mut [Sample]) {
+    if samples.is_empty() {
+        return;
+    }
+    let words = Words::of(sweep, figures);
+    let lead = figures.lead / figures.step;
+    // The accumulators leave the eye's foot a sample before the first, and the beam is behind them.
+    let foot = -(1.0 + lead).ceil() as i64;
+    let mut accumulators = Accumulators::new(sweep);
+    let begins = if figures.preset { f64::NEG_INFINITY } else { foot as f64 };
+    let at_eye = (begins, accumulators.at(0.0));
+    let at_foot = Chain::at_rest(sweep, figures, &words, at_eye);
+    let trim = at_foot.right(&words, at_eye) - at_foot.height();
+    let range = |sample: i64| accumulated(sweep.ranges, sample as f64 + lead, figures.preset);
+    let mut before = accumulators.at(range(foot));
+    let mut chain =
+        if figures.preset { Chain::at_rest(sweep, figures, &words, (foot as f64, before)) } else { at_foot };
+    for number in foot + 1..samples.len() as i64 {
+        let now = accumulators.at(range(number));
+        chain.step(number, before, now);
+        before = now;
+        if number >= 0 {
+            chain.put(number as u64, trim, now, &mut samples[number as usize]);
+        }
+    }
+}
+
+/// Ground range in the accumulators, as time goes for them (steps).
+fn accumulated(ranges: &[f64], time: f64, preset: bool) -> f64 {
+    let time = if preset { time.max(0.0) } else { time };
+    if time <= 0.0 {
+        return ranges[0] * (1.0 + time).max(0.0);
+    }
+    let before = (time.floor() as usize).min(ranges.len() - 2);
+    ranges[before] + (ranges[before + 1] - ranges[before]) * (time - before as f64)
+}
+
+/// The triangle in both accumulators, up to the last fold of the sweep; then they stop.
+struct Accumulators {
+    ramps: [Ramp; 2],
+    folds: [usize; 2],
+}
+
+impl Accumulators {
+    fn new(sweep: &Sweep<'_>) -> Self {
+        let of = |axis: usize| {
+            let of_axis =
+                |change: &&Change| change.fold.is_some_and(|(folded, _)| folded == axis);
+            sweep.changes.iter().filter(of_axis).count()
+        };
+        Self { ramps: sweep.ramps.clone(), folds: [of(0), of(1)] }
+    }
+
+    fn at(&mut self, range: f64) -> [f64; 2] {
+        let Self { ramps, folds } = self;
+        std::array::from_fn(|axis| {
+            while folds[axis] > 0 && ramps[axis].stop() <= range {
+                ramps[axis].fold();
+                folds[axis] -= 1;
+            }
+            ramps[axis].value(range).clamp(0.0, 1.0)
+        })
+    }
+}
+
+/// A multiplier with its D/A.
+#[derive(Debug, Clone)]
+struct CellCircuit<'a> {
+    figures: &'a CellFigures,
+    step: f64,
+    lag: LagMap,
+    converter: LagMap,
+    /// Words of the D/A, and how many of them it has taken.
+    words: &'a [Taken],
+    next: usize,
+    weight: f64,
+    raw: f64,
+    product: f64,
+    term: f64,
+}
+
+impl<'a> CellCircuit<'a> {
+    fn at_rest(figures: &'a CellFigures, step: f64, words: &'a [Taken], by: f64, input: [f64; 2]) -> Self {
+        let next = words.iter().take_while(|word| word.at <= by).count().max(1);
+        let (weight, raw) = (words[next - 1].weight, figures.multiply(input));
+        Self {
+            lag: LagMap::of(step, figures.tau),
+            converter: LagMap::of(step, figures.converter_tau),
+            figures,
+            step,
+            words,
+            next,
+            weight,
+            raw,
+            product: raw,
+            term: raw * weight,
+        }
+    }
+
+    /// What the D/A sends to its sum a step later, at `sample`; `moved` is the change of the first input.
+    fn step(&mut self, sample: i64, input: [f64; 2], moved: f64) -> f64 {
+        let raw = self.figures.multiply(input) + self.figures.leak / self.step * moved;
+        let before = self.product;
+        self.product = self.lag.step(before, [self.raw, raw]);
+        self.raw = raw;
+        let taken = self.words[self.next..].iter().take_while(|word| word.at <= sample as f64).count();
+        if taken == 0 {
+            let input = [before * self.weight, self.product * self.weight];
+            self.term = self.converter.step(self.term, input);
+        } else {
+            self.divided(sample, before, taken);
+        }
+        self.term + self.figures.past / self.step * (self.product - before)
+    }
+
+    /// A step that `taken` words divide.
+    fn divided(&mut self, sample: i64, before: f64, taken: usize) {
+        let tau = self.figures.converter_tau;
+        let product = |share: f64| before + (self.product - before) * share;
+        let mut from = 0.0;
+        for word in &self.words[self.next..self.next + taken] {
+            let to = (word.at - (sample - 1) as f64).clamp(from, 1.0);
+            let input = [product(from), product(to)].map(|product| product * self.weight);
+            self.term = LagMap::of((to - from) * self.step, tau).step(self.term, input);
+            if tau > 0.0 {
+                self.term += word.pulse * product(to) / tau;
+            }
+            (from, self.weight) = (to, word.weight);
+        }
+        let input = [product(from), self.product].map(|product| product * self.weight);
+        self.term = LagMap::of((1.0 - from) * self.step, tau).step(self.term, input);
+        self.next += taken;
+    }
+}
+
+impl CellFigures {
+    /// The product with its static errors.
+    fn multiply(&self, [a, b]: [f64; 2]) -> f64 {
+        let [of_a, of_b] = self.feed;
+        (1.0 + self.gain) * a * b + of_a * a + of_b * b + self.offset + self.bend * a * (1.0 - a * a)
+    }
+}
+
+/// The parts of an array at one instant.
+struct Chain<'a> {
+    sweep: &'a Sweep<'a>,
+    figures: &'a Figures,
+    turns: &'a [(f64, usize)],
+    polarity: [f64; 2],
+    ramps: [RampCircuit; 2],
+    ramp: [f64; 2],
+    functions: [FunctionCircuits<'a>; 2],
+    /// Function generators with their signs.
+    signed: [[f64; 12]; 2],
+    cells: [Vec<CellCircuit<'a>>; 3],
+    trees: [TreeCircuit; 3],
+    sums: [f64; 3],
+}
+
+impl<'a> Chain<'a> {
+    /// Everything at rest under accumulators that stand, with all that acts by sample `by`.
+    fn at_rest(
+        sweep: &'a Sweep<'a>,
+        figures: &'a Figures,
+        words: &'a Words,
+        (by, accumulators): (f64, [f64; 2]),
+    ) -> Self {
+        let Figures { step, inputs, .. } = *figures;
+        let (polarity, turned) = polarity_by(sweep, words, by);
+        let ramps = [0, 1].map(|axis| RampCircuit::at_rest(figures.ramps[axis], step, accumulators[axis]));
+        let ramp = [0, 1].map(|axis| ramps[axis].output());
+        let functions = [0, 1].map(|axis| {
+            FunctionCircuits::at_rest(figures.functions[axis], step, ramp[axis], sweep.drawn)
+        });
+        let signed = [0, 1].map(|axis| with_signs(&functions[axis].outputs, polarity[axis]));
+        let cells = [0, 1, 2].map(|sum| {
+            let cells = figures.cells[sum].iter().zip(&words.taken[sum]).enumerate();
+            let at_rest = |(term, (figures, words)): (usize, (&'a CellFigures, &'a Vec<Taken>))| {
+                CellCircuit::at_rest(figures, step, words, by, factors(&signed, sum, term))
+            };
+            cells.map(at_rest).collect::<Vec<_>>()
+        });
+        let mut sums = [0.0; 3];
+        let trees = [0, 1, 2].map(|sum| {
+            let terms: Vec<f64> = cells[sum].iter().map(|cell| cell.term).collect();
+            let (tree, total) = TreeCircuit::at_rest(&figures.trees[sum], inputs, step, &terms);
+            sums[sum] = total;
+            tree
+        });
+        let turns = &words.turns[turned..];
+        Self { sweep, figures, turns, polarity, ramps, ramp, functions, signed, cells, trees, sums }
+    }
+
+    /// Height on the wire (m).
+    fn height(&self) -> f64 {
+        self.sums[0] * self.figures.scales.height + self.figures.scales.datum
+    }
+
+    /// The right height at ramps that stand, with all that acts by sample `by` (m).
+    fn right(&self, words: &Words, (by, ramps): (f64, [f64; 2])) -> f64 {
+        let held = words.held.iter().take_while(|(at, _)| *at <= by).last();
+        sums(held.map_or(&self.sweep.hold, |(_, hold)| hold), ramps, self.polarity).ground[0]
+    }
+
+    /// A step to `sample`, over which the accumulators went from `before` to `now`.
+    fn step(&mut self, sample: i64, before: [f64; 2], now: [f64; 2]) {
+        while let Some(&(_, axis)) = self.turns.first().filter(|(at, _)| *at <= sample as f64) {
+            self.polarity[axis] = -self.polarity[axis];
+            self.turns = &self.turns[1..];
+        }
+        let was = self.signed;
+        for axis in 0..2 {
+            self.ramp[axis] = self.ramps[axis].step(before[axis], now[axis]);
+            self.functions[axis].step(self.ramp[axis]);
+            self.signed[axis] = with_signs(&self.functions[axis].outputs, self.polarity[axis]);
+        }
+        for sum in 0..3 {
+            let signed = &self.signed;
+            let cells = self.cells[sum].iter_mut().enumerate();
+            let terms: Vec<f64> = cells
+                .map(|(term, cell)| {
+                    let [now, was] = [signed, &was].map(|signed| factors(signed, sum, term));
+                    cell.step(sample, now, now[0] - was[0])
+                })
+                .collect();
+            self.sums[sum] = self.trees[sum].step(&terms);
+        }
+    }
+
+    /// Writes the wires into a sample; the datum is trimmed by `trim` (m).
+    fn put(&self, number: u64, trim: f64, accumulators: [f64; 2], sample: &mut Sample) {
+        let Sweep { level, name, drawn, .. } = self.sweep;
+        let (scales, source) = (&self.figures.scales, format!("{name}.noise"));
+        let noise = |sum: usize| {
+            let deviate = if self.figures.noise == 0.0 {
+                0.0
+            } else {
+                (drawn.noise)(drawn.seed, (&source, sum as u64), [self.sweep.number, number])
+            };
+            self.figures.noise * deviate
+        };
+        let [height, u, v] = [0, 1, 2].map(|sum| self.sums[sum] + noise(sum));
+        let d = level.region_size();
+        *sample = Sample {
+            accumulators,
+            ramps: self.ramp,
+            sums: self.wires(),
+            height: height * scales.height + scales.datum + trim,
+            slopes: [u * scales.slope / d, v * scales.slope / d],
+        };
+    }
+
+    /// Wires between the ramps and the sums, in their units.
+    fn wires(&self) -> Sums {
+        let scales = &self.figures.scales;
+        let mut sums = Sums::default();
+        for fed in 0..4 {
+            for order in 0..3 {
+                let output = |slope: usize| {
+                    self.functions[fed / 2].outputs[6 * slope + 3 * (fed % 2) + order] * PEAKS[3 * slope + order]
+                };
+                (sums.functions[fed][order], sums.derivatives[fed][order]) = (output(0), output(1));
+            }
+        }
+        for sum in 0..3 {
+            let full_scale = if sum == 0 { scales.height } else { scales.slope };
+            for term in 0..TERMS {
+                let cell = &self.cells[sum][term];
+                let [p, q] = [term / 6, term % 6];
+                let (colour, word) = (p / 3 + 2 * (q / 3), 3 * (p % 3) + q % 3);
+                let [of_x, of_y] = peaks(sum, term);
+                sums.products[sum][colour][word] = cell.product * of_x * of_y;
+                sums.sent[sum][colour][word] = cell.term * full_scale;
+            }
+        }
+        sums.colours = std::array::from_fn(|colour| sums.sent[0][colour].iter().sum());
+        sums
+    }
+}
+
+/// Polarity of both axes with all turns by sample `by`, and how many these are.
+fn polarity_by(sweep: &Sweep<'_>, words: &Words, by: f64) -> ([f64; 2], usize) {
+    let mut polarity = sweep.ramps.each_ref().map(|ramp| ramp.polarity);
+    let turned = words.turns.iter().take_while(|(at, _)| *at <= by).count();
+    for (_, axis) in &words.turns[..turned] {
+        polarity[*axis] = -polarity[*axis];
+    }
+    (polarity, turned)
+}
+
+/// Outputs of function generators behind their polarity switches: odd values and even slopes turn with it, the other way round at
+/// the far end (6.4).
+fn with_signs(outputs: &[f64; 12], polarity: f64) -> [f64; 12] {
+    std::array::from_fn(|unit| {
+        let (slope, end, order) = (unit / 6, unit / 3 % 2, unit % 3);
+        let turns = (order + slope) % 2 == 1;
+        let sign = if end == 0 { polarity } else { -polarity };
+        if turns { sign * outputs[unit] } else { outputs[unit] }
+    })
+}
+
+/// Units of X and of Y that a term of a sum multiplies.
+fn units(sum: usize, term: usize) -> [usize; 2] {
+    let [p, q] = [term / 6, term % 6];
+    [if sum == 1 { 6 + p } else { p }, if sum == 2 { 6 + q } else { q }]
+}
+
+fn factors(signed: &[[f64; 12]; 2], sum: usize, term: usize) -> [f64; 2] {
+    let [x, y] = units(sum, term);
+    [signed[0][x], signed[1][y]]
+}
+
+/// Largest values of both factors of a term.
+fn peaks(sum: usize, term: usize) -> [f64; 2] {
+    units(sum, term).map(|unit| PEAKS[3 * (unit / 6) + unit % 3])
+}
+

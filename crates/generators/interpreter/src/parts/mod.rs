@@ -1,0 +1,36 @@
+//! The terrain generator on real parts: the circuit of one array, integrated by the interpreter itself.
+//!
+//! ```text
+//! accumulator ─▶ D/A ─▶ smoother ─▶ 12 function generators an axis ─▶ ± polarity ─▶ 108 multipliers
+//!                                                                                        │
+//!      height, slopes ◀─ trimmed datum ◀─ three trees of amplifiers ◀─ 108 multiplying D/As
+//! ```
+//!
+//! **What it shares with the machine**: the figures of the hardware model, the numbers that a seed draws for parts and for noise,
+//! and the points of broken lines, which are fitted to a function. **What it does not share**: any code that makes a signal. Its
+//! figures are worked out here from the sections of `docs/hardware-1969.md`, each lag is a power series of its differential
+//! equation ([`series`]) instead of an exponential, words divide steps one by one, and amplifiers that slew or clip are walked in
+//! small steps ([`amplifier`]).
+//!
+//! **The machine's own law.** Each part sees its input as a straight line between samples; a converter's word changes as a step
+//! begins, polarity at a sample, and the word of a multiplying D/A at its own instant within a step.
+//!
+//! Files: [`drawn`] (what a seed gives), [`figures`] (of every part), [`series`], [`ramp`], [`functions`], [`words`] (what D/As
+//! take, and when), [`amplifier`], [`tree`], [`chain`] (all of them along a sweep),
+//! [`reflectivity`] (the stage behind them).
+
+pub mod amplifier;
+pub mod chain;
+pub mod drawn;
+pub mod figures;
+pub mod functions;
+pub mod ramp;
+pub mod reflectivity;
+pub mod series;
+pub mod tree;
+pub mod words;
+
+pub use chain::{Sweep, pass};
+pub use drawn::Drawn;
+pub use figures::Figures;
+pub use reflectivity::ReflectivityStage;
