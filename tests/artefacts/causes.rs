@@ -9,7 +9,7 @@ use hardware_model::{HardwareModel, ModelSource};
 pub struct Cause {
     /// Number in the hardware report: 1 is A1.
     pub number: usize,
-    /// File of `hardware-models/faults/`.
+    /// Name of its file in `hardware-models/faults/`.
     pub overlay: &'static str,
 }
 

@@ -8,7 +8,7 @@ use lunoid_tests::breaks::{Break, root};
 /// A checkout, and the folder that cargo builds it into.
 #[derive(Debug)]
 pub struct Checkout {
-    /// Its root.
+    /// Root folder of the checkout.
     pub root: PathBuf,
     /// Target folder: the clone has its own. In one folder cargo would hold a library of the clone for that of this
     /// checkout, look for changes in the clone's files only, and never compile this checkout's again.
@@ -28,7 +28,7 @@ pub struct Broken {
 }
 
 impl Checkout {
-    /// This checkout.
+    /// Returns the checkout that this program was built from.
     pub fn here() -> Self {
         let target =
             std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from);

@@ -11,7 +11,7 @@ use crate::run::Verdict;
 /// What became of one break.
 #[derive(Debug, Serialize, Deserialize)]
 struct Outcome {
-    /// Its name.
+    /// Name of the break.
     name: String,
     /// What is wrong with the machine then.
     what: String,

@@ -18,7 +18,7 @@ pub enum Verdict {
     Caught { caught_by: String, tests: String },
     /// The fault is in the break: the compiler or the end of a test program, no test, has stopped it.
     Fault { fault: String },
-    /// All tests passed.
+    /// All tests passed, so nothing noticed the break.
     NotCaught {},
 }
 

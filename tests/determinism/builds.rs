@@ -5,9 +5,9 @@ use std::process::Command;
 
 /// One build of the command.
 pub struct Build {
-    /// In words.
+    /// Name of the build, in words.
     pub name: String,
-    /// The program.
+    /// Path of the built program.
     pub program: PathBuf,
 }
 

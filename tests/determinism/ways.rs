@@ -22,7 +22,7 @@ pub type Frames = BTreeMap<u64, String>;
 /// A way of drawing the frames.
 #[derive(Debug, Clone, Copy)]
 pub enum Way {
-    /// So many threads.
+    /// Drawn by so many threads.
     Threads(u8),
     /// Sweeps of two frames are probed.
     Probed,
@@ -34,7 +34,7 @@ pub enum Way {
     Killed,
 }
 
-/// All ways.
+/// All ways that must give the same pixels.
 pub const WAYS: [Way; 8] = [
     Way::Threads(1),
     Way::Threads(2),

@@ -25,7 +25,7 @@ pub enum Differs {
     Missing(PathBuf),
     /// The reference was written now, and nobody has looked at it.
     Blessed(PathBuf),
-    /// Another size.
+    /// The reference has another size.
     Size { found: [usize; 2], expected: [usize; 2] },
     /// Some pixels are not equal.
     Pixels { differing: usize, most: u32, worst: [usize; 2], shown: PathBuf },

@@ -59,7 +59,7 @@ fn configure(root: &Reader) -> Option<Arc<dyn Generator>> {
     Some(Arc::new(Flat { colour }))
 }
 
-/// The generator.
+/// Generator of level ground in one colour.
 #[derive(Debug, Clone, Copy)]
 struct Flat {
     colour: [f64; 3],

@@ -8,7 +8,7 @@ use crate::ComparedScene;
 /// All sweeps of a frame on both engines.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lockstep {
-    /// Sweep by sweep.
+    /// What was seen of each sweep, in order.
     pub sweeps: Vec<Seen>,
     /// Of all sweeps together.
     pub report: Report,

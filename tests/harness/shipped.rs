@@ -40,7 +40,7 @@ pub const FULL_LANDSCAPE: [&str; 11] = [
 pub struct Shipped {
     /// As its file says.
     pub scenario: Scenario,
-    /// Its ground.
+    /// Ground of the scenario, ready to be drawn.
     pub landscape: Arc<Landscape>,
     /// Poses that the frames before it leave a mark on a frame by.
     course: Vec<Pose>,
@@ -51,11 +51,11 @@ pub struct Shipped {
 /// A frame as displayed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shown {
-    /// Grey, 8 bits.
+    /// The picture in grey, 8 bits a pixel.
     pub picture: GreyPicture,
     /// Linear intensity, and what edges are found from; zero where the generator does not fill it.
     pub planes: Planes,
-    /// Work done.
+    /// Counts of the work done.
     pub counts: FrameCounts,
 }
 
@@ -175,7 +175,7 @@ impl Shipped {
         Shown { picture: picture.expect("no NaN reaches a frame"), planes, counts }
     }
 
-    /// The machine's frame.
+    /// Draws a frame by the hybrid machine.
     pub fn machine(&self, frame: u64) -> Shown {
         self.draw(&*self.stage().prepare(), frame, &mut Probe::off())
     }

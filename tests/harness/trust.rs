@@ -17,11 +17,11 @@ pub use page::page;
 /// What a command printed, as it is kept in `docs/trust/NAME.json`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Kept {
-    /// Day, UTC.
+    /// Day on which it ran (UTC).
     pub date: String,
     /// Commit of the tree that was measured.
     pub commit: String,
-    /// The command.
+    /// The command that was run.
     pub command: String,
     /// How long it took (s), on whatever else the computer had to do.
     pub seconds: u64,

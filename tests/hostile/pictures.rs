@@ -128,7 +128,7 @@ fn draw(text: &str) -> Way {
     Way::Drawn
 }
 
-/// Draws scenes `numbers`.
+/// Draws the damaged scenes of `numbers`; none may end in a panic.
 pub fn search(numbers: std::ops::Range<u64>) {
     assert_eq!(draw(SCENE), Way::Drawn);
     let mut ways = [0; 3];

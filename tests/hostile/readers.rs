@@ -27,7 +27,7 @@ pub struct Reader {
     read: fn(&Path) -> Result<(), String>,
 }
 
-/// All of them.
+/// All readers that are given damaged files.
 pub const READERS: [Reader; 15] = [
     Reader { name: "scenario", file: "scene.toml", read: |path| said(Scenario::read(path)) },
     Reader {

@@ -10,7 +10,7 @@ use crate::sources::sources;
 /// Which crates' manifests take each dependency.
 type Taken = BTreeMap<String, BTreeSet<String>>;
 
-/// Names under `[workspace.dependencies]`.
+/// Returns the names under `[workspace.dependencies]` of a manifest.
 fn named(manifest: &str) -> Vec<String> {
     let document: toml::Table = manifest.parse().expect("the root manifest is TOML");
     let table = document["workspace"]["dependencies"].as_table().expect("[workspace.dependencies]");

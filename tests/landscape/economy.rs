@@ -34,7 +34,7 @@ fn bare(seed: u64) -> Set {
     set
 }
 
-/// Some of everything.
+/// Returns a set with some of everything: craters, texture, hills, shadow and rocks.
 fn full(seed: u64) -> Set {
     let set = Set::over(rolling(seed, 3.0)).under(sun(70.0, 9.0));
     let middle = [set.pose.eye[0] + 60.0, set.pose.eye[1]];

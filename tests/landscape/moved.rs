@@ -17,7 +17,7 @@ fn rounded(crater: &Crater) -> Crater {
     Crater::new(crater.centre().map(dyadic), crater.shape(), crater.depth(), crater.rim()).unwrap()
 }
 
-/// Everything but shadow.
+/// Returns a set with everything but shadow.
 fn lit(seed: u64, scalar: Scalar) -> Set {
     let mut set = Set::over(rolling(seed, 3.0)).under(sun(75.0, 12.0));
     set.stage.settings.scalar = scalar;

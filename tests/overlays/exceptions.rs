@@ -2,7 +2,7 @@
 
 use signal::name_matches;
 
-/// Overlay, families, reason.
+/// Overlays, each with the signals that need not move, and the reason.
 pub const EXCEPTIONS: &[(&str, &[&str], &str)] = &[
     (
         "tear",

@@ -30,7 +30,7 @@ pub enum By {
 pub struct Case {
     /// Name of the scenario.
     pub scenario: String,
-    /// Who draws.
+    /// What draws the scenario.
     pub by: By,
 }
 
@@ -55,7 +55,7 @@ impl Case {
         }
     }
 
-    /// Its scenario's file.
+    /// Returns the path of the scenario's file.
     pub fn file(&self) -> PathBuf {
         folder().join(&self.scenario).with_extension("toml")
     }

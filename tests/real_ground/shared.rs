@@ -1,4 +1,4 @@
-//! Where files lie.
+//! Places of the files of real ground.
 
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};

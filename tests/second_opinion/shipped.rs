@@ -10,7 +10,7 @@ use lockstep::{Engines, Report};
 use lunoid_tests::shipped::{FULL_LANDSCAPE, TERRAIN, folder};
 use scenario::{PoseTable, Scalar, Scenario};
 
-/// All shipped models.
+/// Names of all shipped models.
 pub const MODELS: [&str; 7] =
     ["ideal", "modern-analog", "pra-frugal", "pra-nominal", "pra-overloaded", "pra-parts", "pra-wires"];
 const SWEEPS: u32 = 3;
@@ -72,7 +72,7 @@ pub fn check(name: &str, models: &[&str]) -> Vec<String> {
 /// A test a scenario, all of them named here: the ideal model and another, in turns.
 macro_rules! scenarios {
     ($($test:ident = $name:literal,)*) => {
-        /// All shipped scenarios.
+        /// Names of all shipped scenarios.
         pub const NAMED: &[&str] = &[$($name),*];
 
         $(#[test]

@@ -23,7 +23,7 @@ pub struct Detector {
     pub measure: fn(&Look<'_>) -> f64,
 }
 
-/// All, A1 first.
+/// Detectors of all artefacts, A1 first.
 pub const DETECTORS: [Detector; 26] = {
     const fn detector(
         number: usize,

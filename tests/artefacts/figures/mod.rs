@@ -10,7 +10,7 @@ use crate::causes::{faulty, model};
 use crate::detectors::{DETECTORS, Detector};
 use crate::look::{Look, Run};
 
-/// One figure.
+/// One figure of an artefact, measured and predicted.
 #[derive(Debug, Clone)]
 pub struct Figure {
     pub number: usize,

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 pub struct FileCoverage {
     /// The file, from the root of the workspace.
     pub file: String,
-    /// Lines with code.
+    /// Number of lines with code.
     pub lines: usize,
     /// Those that no test reaches.
     pub missed: Vec<u32>,

@@ -5,7 +5,7 @@
 pub struct Evidence {
     /// Name of its file in `docs/trust/`.
     pub name: &'static str,
-    /// What it shows.
+    /// Title, which says what it shows.
     pub title: &'static str,
     /// The command; what it prints is kept.
     pub command: &'static str,

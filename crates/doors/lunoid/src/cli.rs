@@ -1,4 +1,4 @@
-//! The command line.
+//! The command line: global options, subcommands and version.
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
@@ -26,13 +26,13 @@ Exit codes: 0 done; 1 the answer is no; 2 wrong usage; 3 bad input; 4 output fai
 #[derive(Debug, Parser)]
 #[command(name = "lunoid", version = VERSION, after_help = AFTER)]
 pub struct Cli {
-    /// Colour in messages.
+    /// When to colour messages.
     #[arg(long, global = true, value_enum, default_value_t = Colour::Auto)]
     pub color: Colour,
     /// Allow more than a limit does, or less (`lunoid list limits`); may be given several times.
     #[arg(long, global = true, value_name = "NAME=VALUE")]
     pub raise: Vec<String>,
-    /// What to do.
+    /// The command to run.
     #[command(subcommand)]
     pub command: Command,
 }
@@ -63,7 +63,7 @@ fn with_negative_numbers(command: clap::Command) -> clap::Command {
     command.mut_args(taken).mut_subcommands(with_negative_numbers)
 }
 
-/// What to do.
+/// A command of `lunoid`, with its options.
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Draw a scenario into a folder of frames.
@@ -94,7 +94,7 @@ pub enum Command {
     Bank(bank::BankCommand),
     /// Fit a bank to an elevation file.
     Survey(survey::SurveyCommand),
-    /// Show hardware models.
+    /// Show, check and list hardware models.
     Model(model::ModelCommand),
     /// Show the timing of the digital side, record it, and hold it to a record.
     Timing(timing::TimingCommand),

@@ -34,7 +34,7 @@ pub enum Failure {
     Usage(String),
     /// A file cannot be read, or is not what it should be.
     Input(String),
-    /// Writing failed.
+    /// A result cannot be written.
     Output(String),
     /// Bad input that the command has told of already.
     Told,
@@ -43,12 +43,12 @@ pub enum Failure {
 }
 
 impl Failure {
-    /// Wrong usage.
+    /// Makes a failure of wrong usage (exit code 2).
     pub fn usage(message: impl Display) -> Self {
         Self::Usage(message.to_string())
     }
 
-    /// Bad input.
+    /// Makes a failure of bad input (exit code 3).
     pub fn input(message: impl Display) -> Self {
         Self::Input(message.to_string())
     }

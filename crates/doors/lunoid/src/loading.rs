@@ -25,7 +25,7 @@ pub fn machine_help() -> String {
     format!("Hardware model by name or path, or {rows}. The scenario's own if left out")
 }
 
-/// Help of `--set`.
+/// Help text of the option `--set`.
 fn set_help() -> String {
     let tables = ROWS.iter().flat_map(|row| row.tables()).map(|table| format!("`{table}`"));
     let tables = tables.collect::<Vec<_>>().join(", ");
@@ -62,7 +62,7 @@ pub fn of_timed(argument: Arg) -> Arg {
 /// Which scenario, drawn by what.
 #[derive(Debug, Default, Clone, Args)]
 pub struct StageArgs {
-    /// Scenario file.
+    /// Scenario file to read.
     pub scenario: PathBuf,
     #[arg(short, long, value_name = "MODEL", help = machine_help())]
     pub machine: Option<String>,
@@ -81,10 +81,10 @@ pub struct StageOptions {
     /// Ground from this bank instead of the scenario's.
     #[arg(long, value_name = "FILE")]
     pub bank: Option<PathBuf>,
-    /// Sweeps a frame.
+    /// Number of sweeps per frame.
     #[arg(long, value_parser = values::whole(1..=8192_u32))]
     pub sweeps: Option<u32>,
-    /// Samples a sweep.
+    /// Number of samples per sweep.
     #[arg(long, value_parser = values::whole(2..=65_536_u32))]
     pub samples: Option<u32>,
     /// Scalar type of the analog signals.
@@ -129,13 +129,13 @@ impl PreviewArgs {
 /// Scalar type of the analog signals.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum ScalarWord {
-    /// Single precision: fast.
+    /// Single precision, which is fast.
     F32,
     /// Double precision: the reference.
     F64,
 }
 
-/// Threads that draw.
+/// Option that sets how many threads draw.
 #[derive(Debug, Args)]
 pub struct Threads {
     /// Threads; as many as the variable LUNOID_THREADS says if left out, or as processors. The results do not depend on it.

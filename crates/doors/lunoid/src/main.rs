@@ -24,7 +24,7 @@ use failure::Failure;
 /// What a command comes to when nothing went wrong.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Verdict {
-    /// Done, or: yes.
+    /// The command is done; the answer, if any, is yes.
     Yes,
     /// Done, and the answer is no.
     No,

@@ -15,9 +15,9 @@ use crate::Failure;
 pub enum Colour {
     /// On a terminal that can.
     Auto,
-    /// Always.
+    /// Always colour messages, even in a pipe.
     Always,
-    /// Never.
+    /// Never colour messages, not even on a terminal.
     Never,
 }
 
@@ -48,7 +48,7 @@ pub fn tell(text: &str) {
     let _ = io::stderr().lock().write_all(text.as_bytes());
 }
 
-/// Writes a document.
+/// Writes a JSON document to standard output.
 pub fn print_json(document: &Value) -> Result<(), Failure> {
     print(&format!("{document:#}\n"))
 }
@@ -69,7 +69,7 @@ pub struct Place {
 const DRAWN: [&str; 2] = ["png", "svg"];
 
 impl Place {
-    /// A file.
+    /// A single file that a command reads or writes.
     pub fn file(what: &'static str, path: impl Into<PathBuf>) -> Self {
         Self { what, path: path.into(), holds: None, endings: &[] }
     }

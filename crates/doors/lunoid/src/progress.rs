@@ -17,7 +17,7 @@ const EVERY: Duration = Duration::from_secs(5);
 /// What a long command says while it runs, and how it tells what came of it.
 #[derive(Debug, Args)]
 pub struct Saying {
-    /// No progress.
+    /// Do not show any progress.
     #[arg(long)]
     pub no_progress: bool,
     /// Say nothing but errors.
@@ -37,7 +37,7 @@ impl Saying {
 
 /// Shows the frames of a replay.
 pub enum Display {
-    /// Nothing.
+    /// Shows no progress at all.
     Off,
     /// A bar with rate and remaining time.
     Bar(ProgressBar),

@@ -26,7 +26,7 @@ where
     }
 }
 
-/// `key=value`.
+/// Reads a setting `key=value`.
 pub fn setting(text: &str) -> Result<(String, String), String> {
     let (key, value) = text.split_once('=').ok_or("expected part.key=value, as raster.sweeps=525")?;
     Ok((key.trim().to_owned(), value.trim().to_owned()))
@@ -75,7 +75,7 @@ pub fn percent(text: &str) -> Result<f64, String> {
         .ok_or("expected a number from 0 to 100".into())
 }
 
-/// A finite number.
+/// Reads a finite number.
 pub fn finite(text: &str) -> Result<f64, String> {
     let number: f64 = text.trim().parse().map_err(|_| "expected a number")?;
     if number.is_finite() { Ok(number) } else { Err("expected a finite number".into()) }

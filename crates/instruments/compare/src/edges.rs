@@ -47,7 +47,7 @@ pub struct EdgeMask {
 }
 
 impl EdgeMask {
-    /// Pixels left out.
+    /// Number of pixels that the mask leaves out.
     pub fn masked(&self) -> usize {
         self.pixels.iter().filter(|pixel| **pixel).count()
     }

@@ -26,13 +26,13 @@ const GREEN_TO_BLUE: f64 = 203.301_654_610_877_42;
 /// The difference that is seen, 0 (equal) to 1, over all pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Flip {
-    /// Mean.
+    /// Mean difference over all pixels.
     pub mean: f64,
     /// Half the pixels differ by so much or less.
     pub median: f64,
     /// 99 of 100 pixels differ by so much or less.
     pub percentile_99: f64,
-    /// The largest.
+    /// Largest difference of any pixel.
     pub maximum: f64,
 }
 
@@ -121,7 +121,7 @@ fn linear(grey: f64) -> f64 {
     if grey <= 0.04045 { grey / 12.92 } else { libm::pow((grey + 0.055) / 1.055, 2.4) }
 }
 
-/// CIE L*.
+/// Returns the CIE lightness L*, 0 to 100, of a light from 0 to 1.
 fn lightness(light: f64) -> f64 {
     const DELTA: f64 = 6.0 / 29.0;
     let root = if light > DELTA * DELTA * DELTA {

@@ -9,7 +9,7 @@ use crate::metrics::{CompareError, kept_pixels};
 pub struct LinearComparison {
     /// Pixels compared: those outside the mask.
     pub compared: usize,
-    /// Pixels left out.
+    /// Number of pixels left out by the mask.
     pub masked: usize,
     /// Root of the mean squared difference.
     pub rmse: f64,
@@ -17,7 +17,7 @@ pub struct LinearComparison {
     pub psnr_db: Option<f64>,
     /// Mean of test minus reference.
     pub bias: f64,
-    /// Largest absolute difference.
+    /// Largest absolute difference of any pixel.
     pub maximum: f64,
 }
 

@@ -7,7 +7,7 @@ use crate::ssim::ssim;
 /// Pictures or planes that cannot be compared.
 #[derive(Debug, thiserror::Error)]
 pub enum CompareError {
-    /// Different sizes.
+    /// The two pictures have different sizes.
     #[error("a picture of {}x{} against one of {}x{} (columns x lines): draw both on the same raster",
         found.0, found.1, expected.0, expected.1)]
     Size {
@@ -19,11 +19,11 @@ pub enum CompareError {
     /// A mask or a plane does not fill the picture.
     #[error("a {what} of {found} values, expected {expected}")]
     Plane {
-        /// Which.
+        /// Name of the mask or plane.
         what: &'static str,
-        /// Values there.
+        /// Number of values found.
         found: usize,
-        /// Values needed.
+        /// Number of values expected.
         expected: usize,
     },
     /// A frame lacks a plane.
@@ -41,11 +41,11 @@ pub enum CompareError {
     /// A range that is neither a distance nor the sky's infinity.
     #[error("range {value} at pixel {column}, {line}, expected 0 or more, infinity for the sky")]
     Range {
-        /// Column from 0.
+        /// Column of the pixel, from 0.
         column: usize,
-        /// Line from 0.
+        /// Line of the pixel, from 0.
         line: usize,
-        /// The range found.
+        /// The wrong range that was found (m).
         value: f32,
     },
     /// Pictures that cannot stand side by side.
@@ -58,7 +58,7 @@ pub enum CompareError {
 pub struct Comparison {
     /// Pixels compared: those outside the mask.
     pub compared: usize,
-    /// Pixels left out.
+    /// Number of pixels left out by the mask.
     pub masked: usize,
     /// Pixels compared that differ at all.
     pub differing: usize,
@@ -77,9 +77,9 @@ pub struct Comparison {
 /// Where two pictures differ most.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorstPixel {
-    /// Column from 0.
+    /// Column of the pixel, from 0.
     pub column: usize,
-    /// Line from 0.
+    /// Line of the pixel, from 0.
     pub line: usize,
     /// Grey of the picture under test.
     pub test: f64,
@@ -92,7 +92,7 @@ pub struct WorstPixel {
 pub struct Beyond {
     /// Levels of 255; a pixel that differs by exactly so much is not counted.
     pub levels: u32,
-    /// Pixels beyond.
+    /// Number of pixels that differ by more.
     pub count: usize,
     /// Their share of the pixels compared, 0 to 1.
     pub share: f64,

@@ -81,7 +81,7 @@ pub struct RidgeError {
     pub median: usize,
     /// 99 of 100 columns are off by so much or less.
     pub percentile_99: usize,
-    /// The largest error.
+    /// Largest error of any column (lines).
     pub maximum: usize,
 }
 

@@ -10,7 +10,7 @@ use crate::ridges::horizon_of_picture;
 pub struct ShadowAgreement {
     /// Pixels below the horizons of both pictures.
     pub compared: usize,
-    /// Dark in both.
+    /// Pixels that are dark in both pictures.
     pub both: usize,
     /// Dark in the picture under test alone.
     pub only_test: usize,

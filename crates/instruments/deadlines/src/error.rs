@@ -44,7 +44,7 @@ pub enum DeadlineError {
         near: f64,
         /// Where it is to end (m).
         far: f64,
-        /// The sweep.
+        /// Number of the sweep, from 0.
         sweep: u32,
         /// Ground range to which the sweep goes (m).
         end: f64,

@@ -8,9 +8,9 @@ use machine::MachineStage;
 pub struct DrawnLevel<'a> {
     /// Place of its program among those of a sweep.
     pub number: usize,
-    /// `fine` or `coarse`.
+    /// Name of the level: `fine` or `coarse`.
     pub name: &'static str,
-    /// Its ground.
+    /// Stored ground of the level.
     pub level: &'a Level,
 }
 

@@ -14,9 +14,9 @@ use crate::{DeadlineError, Rehearsal};
 
 /// The hybrid machine's digital side, or another generator whose frames take time.
 pub enum Rehearsed {
-    /// The hybrid machine.
+    /// The digital side of the hybrid machine.
     Machine(Box<Rehearsal>),
-    /// Any other.
+    /// Another generator whose frames take time.
     Other(Box<Other>),
 }
 

@@ -10,11 +10,11 @@ use sweep_program::{
 pub struct Crossing {
     /// Counted from 0 in the sweep.
     pub number: u32,
-    /// When it comes.
+    /// Time of the fold, from the start of the sweep (samples).
     pub time: SweepTime,
-    /// Ground range (m).
+    /// Ground range of the fold (m).
     pub range: f64,
-    /// Axis and stop.
+    /// Axis that folds, and the stop it folds at.
     pub fold: Fold,
 }
 
@@ -23,7 +23,7 @@ pub struct Crossing {
 pub struct AskedSet {
     /// Whose set it is.
     pub colour: Colour,
-    /// Where it goes.
+    /// Preload register that the set goes to.
     pub register: PreloadRegister,
     /// The fold that asks for it.
     pub asked: Crossing,

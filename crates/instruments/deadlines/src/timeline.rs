@@ -18,7 +18,7 @@ use crate::{DeadlineError, Rehearsal};
 /// A sweep whose timeline is drawn.
 #[derive(Debug, Clone, Copy)]
 pub struct TimelineOf {
-    /// Its frame.
+    /// Frame of the sweep, counted at the update rate.
     pub frame: u64,
     /// The sweep, from 0 at the left.
     pub sweep: u32,

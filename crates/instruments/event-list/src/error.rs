@@ -40,9 +40,9 @@ pub enum EventListError {
     /// A tick of another frame.
     #[error("--at {}: frame {frame} has ticks {}..{}; expected one of them", .tick.0, .ticks[0].0, .ticks[1].0)]
     OtherFrame {
-        /// The tick.
+        /// Tick that was asked for.
         tick: Tick,
-        /// The frame.
+        /// Number of the frame that was traced.
         frame: u64,
         /// Begin and end of the frame.
         ticks: [Tick; 2],
@@ -52,9 +52,9 @@ pub enum EventListError {
         "--at {sweep}:{sample}: a frame has sweeps 0..{sweeps} of samples 0..{samples}; expected one of them"
     )]
     BeyondSweeps {
-        /// The sweep.
+        /// Sweep that was asked for.
         sweep: u32,
-        /// The sample.
+        /// Sample that was asked for.
         sample: f64,
         /// Sweeps of a frame.
         sweeps: u32,

@@ -36,13 +36,13 @@ const SEGMENTS: [EventWord; 3] = [EventWord::SegmentLoad, EventWord::SegmentLate
 pub struct Filter {
     /// Units by their names, or by the first words of their names ([`unit()`]).
     pub unit: Vec<String>,
-    /// Names of events.
+    /// Names of the events to list.
     pub event: Vec<String>,
-    /// Names of colours.
+    /// Names of the colours to list.
     pub colour: Vec<String>,
-    /// One of [`LEVELS`].
+    /// Level of terrain to list: one of [`LEVELS`].
     pub level: Option<String>,
-    /// First tick.
+    /// First tick to be listed.
     pub from: Option<u64>,
     /// The tick that ends the listing; it is not listed.
     pub to: Option<u64>,

@@ -76,7 +76,7 @@ impl<'a> DigitalFrame<'a> {
         self.timebase.sweep_clock(self.number, sweep).tick_at_or_after(SweepTime(time))
     }
 
-    /// Begin and end.
+    /// Returns the ticks at which the frame begins and ends.
     pub(crate) fn ticks(&self) -> [Tick; 2] {
         [self.tick(0, 0.0), self.tick(self.timebase.sweeps, 0.0)]
     }

@@ -11,7 +11,7 @@ use crate::DigitalFrame;
 /// What a listing is written as.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Form {
-    /// Columns.
+    /// Text in columns, for people.
     Text,
     /// A row an event.
     Csv,
@@ -67,7 +67,7 @@ impl<'a> Listing<'a> {
         self.next.is_some()
     }
 
-    /// Events that follow.
+    /// Adds the events that follow and returns their text.
     pub fn add(&mut self, events: impl Iterator<Item = DigitalEvent>) -> String {
         let (mut text, was_empty) = (String::new(), self.is_empty());
         for event in events {

@@ -15,7 +15,7 @@ const REGISTERS: [&str; 3] = ["hold", "x-first", "y-first"];
 pub struct Registers<'a> {
     frame: &'a DigitalFrame<'a>,
     at: Instant,
-    /// One a level.
+    /// State of the registers of each level.
     states: Vec<RegisterState>,
 }
 

@@ -7,7 +7,7 @@ use machine::DigitalEvent;
 /// Events that were looked at, listed or not.
 #[derive(Debug, Default)]
 pub struct Seen {
-    /// How many.
+    /// Number of events looked at.
     pub count: u64,
     /// Ticks of the first and of the last.
     pub ticks: Option<[u64; 2]>,

@@ -10,7 +10,7 @@ use crate::column::SweepColumn;
 /// A hold register at a sample.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ColourState {
-    /// Its colour.
+    /// Name of the register's colour.
     pub colour: &'static str,
     /// Corner of the region that has this colour: north and east index.
     pub wanted: [i64; 2],
@@ -31,25 +31,25 @@ pub struct GroundPoint {
     pub sample: usize,
     /// Its time from the first sample (µs).
     pub time_us: f64,
-    /// Ground range (m).
+    /// Ground range of the sample (m).
     pub range_m: f64,
     /// Place on the map: north, east (m).
     pub place_m: [f64; 2],
-    /// `fine` or `coarse`.
+    /// Level of terrain: `fine` or `coarse`.
     pub level: &'static str,
     /// Region: north and east index.
     pub region: [i64; 2],
     /// Folded ramps X and Y, 0..=1.
     pub ramps: [f64; 2],
-    /// Polarity flip-flops.
+    /// States of the polarity flip-flops of X and Y.
     pub polarity: [f64; 2],
-    /// Hold registers.
+    /// Hold registers, one for each colour.
     pub colours: Vec<ColourState>,
     /// Height of the terrain generator (m).
     pub terrain_height_m: f64,
     /// Its slopes to the north and to the east.
     pub terrain_slopes: [f64; 2],
-    /// Its reflectivity.
+    /// Reflectivity that the terrain generator puts out.
     pub terrain_reflectivity: f64,
     /// Craters whose footprint holds the place, by their number in the list.
     pub craters: Vec<u32>,
@@ -59,11 +59,11 @@ pub struct GroundPoint {
     pub features_shown: bool,
     /// Whether the gate of the shadow controller is on.
     pub in_shadow: bool,
-    /// What texture adds.
+    /// Signal of the texture generator at the sample.
     pub texture: f64,
-    /// Composite height (m).
+    /// Composite height of terrain and features (m).
     pub height_m: f64,
-    /// Composite reflectivity.
+    /// Composite reflectivity of the ground at the sample.
     pub reflectivity: f64,
     /// Tangent of its elevation.
     pub elevation: f64,

@@ -8,7 +8,7 @@ use sweep_program::{Event, Load, Miss, MissCause, PreloadRegister, SweepProgram,
 pub struct Late {
     /// Fold of the sweep that found them missing, from 0.
     pub crossing: u32,
-    /// Whose registers.
+    /// Name of the colour whose registers missed them.
     pub colour: &'static str,
     /// Which register was stale.
     pub register: &'static str,

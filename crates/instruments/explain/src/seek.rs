@@ -23,7 +23,7 @@ pub struct Place {
     pub between_sweeps: f64,
     /// Cell of the sweep and its fraction.
     pub between_cells: f64,
-    /// The nearest sweep.
+    /// Number of the nearest sweep.
     pub sweep: u32,
     /// The nearest cell, from the top.
     pub cell: usize,
@@ -36,7 +36,7 @@ pub struct Place {
 /// A sweep that the read beam passes, and its part of what is read.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ReadSweep {
-    /// Which.
+    /// Number of the sweep, from 0 at the left.
     pub sweep: u32,
     /// Its weight, 0..=1: both are 1 together.
     pub weight: f64,
@@ -50,13 +50,13 @@ pub struct ReadSweep {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Writer {
-    /// Terrain and features.
+    /// Terrain, with the features on it.
     Ground,
     /// A polyhedron, over whatever is behind.
     Body,
     /// A mountain of which only the outline is stored.
     Silhouette,
-    /// Nobody.
+    /// Nobody: the pixel shows sky.
     Sky,
 }
 
@@ -67,9 +67,9 @@ pub struct ExactPixel {
     pub intensity: f64,
     /// Ground range of the pixel's centre (m); none in the sky.
     pub range_m: Option<f64>,
-    /// Height there (m).
+    /// Height of the ground there (m).
     pub height_m: f64,
-    /// What is seen.
+    /// Name of what is seen there.
     pub label: &'static str,
     /// How it is lit.
     pub shade: &'static str,
@@ -78,9 +78,9 @@ pub struct ExactPixel {
 /// From a pixel to the wires that made it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Explanation {
-    /// Frame.
+    /// Frame of the pixel, counted at the update rate.
     pub frame: u64,
-    /// Its time (s).
+    /// Time of the frame since the start of the mission (s).
     pub time_s: f64,
     /// Column and line, from the top left.
     pub pixel: [usize; 2],
@@ -88,13 +88,13 @@ pub struct Explanation {
     pub intensity: f64,
     /// What the sweep left in the nearest cell.
     pub left: f64,
-    /// Where that is.
+    /// Place of the pixel in what the sweeps wrote.
     pub place: Place,
     /// The sweeps between which the pixel is read, the nearer one first; one where it lies on a sweep.
     pub read: Vec<ReadSweep>,
     /// Whether a storage tube stands between what is written and what is read: with residue, spot and noise.
     pub has_tube: bool,
-    /// Who wrote it.
+    /// Block that wrote what the pixel shows.
     pub writer: Writer,
     /// Reflectivity of the polyhedron that VS3 shows in the nearest cell.
     pub body: Option<f64>,
@@ -104,7 +104,7 @@ pub struct Explanation {
     pub highest: Option<(f64, f64)>,
     /// Words of the sweep that were late before the sample.
     pub late: Vec<Late>,
-    /// By closed form.
+    /// The same pixel by closed form, if it was asked for.
     pub exact: Option<ExactPixel>,
     /// The same in words, most telling first.
     pub because: Vec<String>,
@@ -119,9 +119,9 @@ pub enum InquiryError {
     /// There is no such pixel.
     #[error("pixel {x},{y}: a picture has columns 0..{columns} and lines 0..{lines}; expected one of them")]
     Pixel {
-        /// Column asked for.
+        /// Column that was asked for.
         x: usize,
-        /// Line asked for.
+        /// Line that was asked for.
         y: usize,
         /// Columns of the picture.
         columns: u32,

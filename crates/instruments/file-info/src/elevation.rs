@@ -1,4 +1,4 @@
-//! An elevation file.
+//! What an elevation file holds.
 
 use std::path::Path;
 

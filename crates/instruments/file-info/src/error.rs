@@ -22,7 +22,7 @@ pub enum InfoError {
         .file.display()
     )]
     UnknownStart {
-        /// The file.
+        /// File that cannot be recognised.
         file: PathBuf,
         /// How it begins, in words.
         found: String,

@@ -29,7 +29,7 @@ pub use model::{can_be_built, findings_document, findings_text, model_document_w
 pub struct Held {
     /// For programs; its `schema` says what it is.
     pub document: Value,
-    /// For people.
+    /// The same facts as text for people.
     pub text: String,
 }
 

@@ -1,4 +1,4 @@
-//! A scenario.
+//! What a scenario file holds.
 
 use std::path::Path;
 

@@ -37,7 +37,7 @@ impl Dice {
         (self.between(low as f64, high as f64 + 1.0) as usize).min(high)
     }
 
-    /// One of `choices`.
+    /// Returns one of `choices`, all equally likely.
     pub fn choose<T: Copy>(&mut self, choices: &[T]) -> T {
         choices[self.count(0, choices.len() - 1)]
     }

@@ -9,7 +9,7 @@ use interpreter::Event;
 /// Where two signals part.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Difference {
-    /// Signal.
+    /// Name of the signal.
     pub signal: String,
     /// Frame of the mission.
     pub frame: u64,
@@ -21,9 +21,9 @@ pub struct Difference {
     pub tick: i64,
     /// Ground range of the sample (m).
     pub range: f64,
-    /// The machine's value.
+    /// Value of the machine's signal.
     pub machine: f64,
-    /// The interpreter's.
+    /// Value of the interpreter's signal.
     pub interpreter: f64,
     /// Difference that is allowed.
     pub allowed: f64,
@@ -50,7 +50,7 @@ pub struct EventDifference {
     pub sweep: Option<u32>,
     /// The machine's event, if its list goes on.
     pub machine: Option<Event>,
-    /// The interpreter's.
+    /// The interpreter's event, if its list goes on.
     pub interpreter: Option<Event>,
 }
 
@@ -70,10 +70,10 @@ impl fmt::Display for EventDifference {
     }
 }
 
-/// One signal.
+/// Result of comparing one signal.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Tally {
-    /// Samples compared.
+    /// Number of samples compared.
     pub samples: u64,
     /// Samples so near to a threshold that rounding decides.
     pub doubtful: u64,
@@ -83,18 +83,18 @@ pub struct Tally {
     pub not_compared: BTreeMap<&'static str, u64>,
 }
 
-/// All of it.
+/// Result of running both engines side by side.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Report {
     /// Sweeps that ran on both.
     pub sweeps: u64,
-    /// By signal.
+    /// Result for each signal, by its name.
     pub signals: BTreeMap<String, Tally>,
     /// Events compared, by word.
     pub events: BTreeMap<&'static str, u64>,
     /// Events of sweeps in which rounding says which tick sees an instant.
     pub events_left_out: u64,
-    /// The machine's counters.
+    /// Work counters of the machine, summed over the sweeps.
     pub counts: FrameCounts,
     /// First difference of a signal, in order of sweep, sample, drawing.
     pub difference: Option<Difference>,

@@ -29,39 +29,39 @@ pub const UPDATE_HZ: u64 = 30;
 /// Everything that decides one picture, as plain fields.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ComparedScene {
-    /// The ground.
+    /// Stored ground of the fine level.
     pub level: Level,
     /// Ground beyond the switch, where there are two levels.
     pub coarse: Option<(Level, LevelSwitch)>,
-    /// Craters on it.
+    /// Craters on the ground, as the feature list has them.
     pub craters: Vec<Crater>,
     /// Grain sizes of the texture; none without layers.
     pub texture: Vec<Layer>,
-    /// Law of reflection.
+    /// Law of reflection of the ground.
     pub photometry: Photometry,
     /// Share of the light that is returned, 0..=1.
     pub albedo: f64,
-    /// The light.
+    /// Direction of the sun's light.
     pub sun: Sun,
     /// Eye: north, east, height (m).
     pub eye: [f64; 3],
     /// Clockwise from north (rad).
     pub heading: f64,
-    /// Nose up (rad).
+    /// Pitch of the vehicle, nose up (rad).
     pub pitch: f64,
     /// Sweeps a frame, and columns of the picture.
     pub sweeps: u32,
-    /// Samples a sweep.
+    /// Number of samples per sweep.
     pub samples: u32,
     /// Lines of the picture.
     pub lines: u32,
-    /// Master clock (Hz).
+    /// Rate of the master clock (Hz).
     pub master_hz: u64,
-    /// Field of view.
+    /// Field of view of the picture.
     pub field: FieldOfView,
-    /// Ground-range programme.
+    /// Ground-range programme of the sweeps.
     pub range: RangeProgramme,
-    /// Law switches.
+    /// Law switches of the scene.
     pub laws: Laws,
     /// Scalar type of the analog signals.
     pub scalar: Scalar,
@@ -69,17 +69,17 @@ pub struct ComparedScene {
     pub loader: Loader,
     /// Kind of sweep memory.
     pub sweep_memory: SweepMemoryKind,
-    /// The processor.
+    /// Times of the processor's tasks.
     pub cpu: Cpu,
     /// Drums and storage buffers.
     pub data_banks: DataBanks,
-    /// Sub-generators.
+    /// Organisation and sub-generators of the feature generator.
     pub feature_generator: FeatureParts,
     /// Words of craters that come in a second; all at hand if none.
     pub feature_words: Option<f64>,
     /// Remote shadow, if there is any.
     pub shadows: Option<ShadowFineness>,
-    /// Line generators.
+    /// Line generators of the shadow controller.
     pub shadow_controller: ShadowParts,
     /// Words of shadow boundaries that come in a second; all at hand if none.
     pub segment_words: Option<f64>,
@@ -94,9 +94,9 @@ pub struct Drawn {
     pub picture: Vec<f32>,
     /// Ground range of each pixel (m); zero where the generator does not fill it.
     pub ranges: Vec<f32>,
-    /// Work done.
+    /// Counts of the work done.
     pub counts: FrameCounts,
-    /// What was probed.
+    /// Waveforms of the probed signals.
     pub waveforms: Vec<Waveform>,
 }
 

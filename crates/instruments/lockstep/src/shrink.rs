@@ -9,7 +9,7 @@ use crate::scene::{ComparedScene, level_of};
 /// What makes a scene simpler; a step that changes nothing is none.
 type Step = fn(&ComparedScene) -> Option<ComparedScene>;
 
-/// Coarse steps first.
+/// Simplifying steps with their names, the coarsest first.
 const STEPS: &[(&str, Step)] = &[
     ("one sweep", |scene| changed(scene, |scene| scene.sweeps = 1)),
     ("one level", |scene| changed(scene, |scene| scene.coarse = None)),
@@ -91,9 +91,9 @@ pub fn shrink(scene: ComparedScene, differs: impl Fn(&ComparedScene) -> Option<S
 /// A scene that differs, as small as it could be made.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shrunk {
-    /// It.
+    /// The scene that still differs.
     pub scene: ComparedScene,
-    /// How it differs.
+    /// How it differs, in words.
     pub difference: String,
     /// What was made simpler, in order.
     pub left_out: Vec<&'static str>,

@@ -14,7 +14,7 @@ use crate::shrink::{Shrunk, shrink};
 /// A scene that differs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fault {
-    /// Seed of [`random::landscape`](crate::random::landscape).
+    /// Seed of the scene, for [`random::landscape`](crate::random::landscape).
     pub seed: u64,
     /// Scalar of the machine.
     pub scalar: Scalar,

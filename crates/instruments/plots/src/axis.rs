@@ -7,7 +7,7 @@ use crate::PlotError;
 /// How values are spread over an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Scale {
-    /// Evenly.
+    /// Equal steps of value take equal lengths.
     #[default]
     Linear,
     /// Decades evenly; values are above 0.
@@ -94,7 +94,7 @@ pub(crate) fn extremes(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
     })
 }
 
-/// A settled range.
+/// A range of values whose ends are settled.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Ruler {
     pub range: [f64; 2],

@@ -21,7 +21,7 @@ const LEAST: f64 = 0.5;
 /// Counts in bins side by side, on a logarithmic axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bars {
-    /// What is counted.
+    /// Name of what is counted.
     pub name: String,
     /// How many are in each bin.
     pub counts: Vec<f64>,

@@ -138,7 +138,7 @@ impl Canvas {
         self.marks.push(Mark::Image(area, colours));
     }
 
-    /// The picture.
+    /// Returns the finished picture of all marks.
     pub fn finish(self) -> Drawing {
         Drawing::new([self.columns, self.lines], self.palette.paper, self.title, self.marks)
     }

@@ -1,19 +1,19 @@
 //! Colours: few, and none louder than what is shown.
 
-/// Red, green, blue.
+/// Red, green and blue, 0 to 255 each.
 pub(crate) type Colour = [u8; 3];
 
-/// Paper.
+/// Colour of the paper.
 pub(crate) const PAPER: Colour = [255, 255, 255];
-/// Titles and axes.
+/// Colour of titles and axes.
 pub(crate) const INK: Colour = [34, 34, 34];
 /// Facts and tick labels.
 pub(crate) const SOFT: Colour = [96, 96, 96];
-/// Grid lines.
+/// Colour of grid lines.
 pub(crate) const FAINT: Colour = [226, 226, 226];
 /// Where there is no sample.
 pub(crate) const VOID: Colour = [206, 206, 206];
-/// Strokes over [`VOID`].
+/// Colour of the strokes over [`VOID`].
 pub(crate) const HATCH: Colour = [168, 168, 168];
 
 /// Traces, in the order in which they are given; told apart by lightness too.
@@ -35,11 +35,11 @@ pub(crate) const LATE: Colour = [196, 40, 40];
 #[derive(Debug, PartialEq)]
 pub(crate) struct Palette {
     pub paper: Colour,
-    /// Titles and axes.
+    /// Colour of titles and axes.
     pub ink: Colour,
     /// Facts and tick labels.
     pub soft: Colour,
-    /// Grid lines.
+    /// Colour of grid lines.
     pub faint: Colour,
     /// Ground of what is blanked.
     pub shade: Colour,
@@ -49,11 +49,11 @@ pub(crate) struct Palette {
     pub registers: [Colour; 4],
     /// What came too late, or is not there.
     pub late: Colour,
-    /// Both cursors.
+    /// Colour of both cursors.
     pub cursor: Colour,
 }
 
-/// Ink on paper.
+/// Palette of dark ink on white paper.
 pub(crate) const LIGHT: Palette = Palette {
     paper: PAPER,
     ink: INK,
@@ -66,7 +66,7 @@ pub(crate) const LIGHT: Palette = Palette {
     cursor: [176, 0, 96],
 };
 
-/// Phosphor on glass.
+/// Palette of bright phosphor on dark glass.
 pub(crate) const DARK: Palette = Palette {
     paper: [18, 21, 26],
     ink: [236, 236, 230],

@@ -1,4 +1,4 @@
-//! A finished picture.
+//! A finished picture, as pixels or SVG.
 
 use std::io::Write;
 use std::path::Path;
@@ -34,12 +34,12 @@ impl Drawing {
         Self { columns, lines, paper, title, marks, rgb: OnceLock::new() }
     }
 
-    /// Pixels to the right.
+    /// Returns the width of the picture (pixels).
     pub fn columns(&self) -> u32 {
         self.columns
     }
 
-    /// Pixels down.
+    /// Returns the height of the picture (pixels).
     pub fn lines(&self) -> u32 {
         self.lines
     }

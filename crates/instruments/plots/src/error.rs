@@ -8,17 +8,17 @@ pub enum PlotError {
     /// A panel is too small or too large.
     #[error("panel of {found} pixels: expected {least} to {most}")]
     PanelSize {
-        /// Pixels asked for.
+        /// Size that was asked for (pixels).
         found: u32,
-        /// Least.
+        /// Least size that is allowed (pixels).
         least: u32,
-        /// Most.
+        /// Largest size that is allowed (pixels).
         most: u32,
     },
     /// The number of values is not what goes with them.
     #[error("{what}: {found} values, expected {expected}")]
     Count {
-        /// Which values.
+        /// Name of the values.
         what: String,
         /// How many there are.
         found: usize,
@@ -28,20 +28,20 @@ pub enum PlotError {
     /// There is nothing to draw.
     #[error("{what}: no finite value, expected at least one")]
     Empty {
-        /// What is empty.
+        /// Name of what is empty.
         what: String,
     },
     /// A value is out of its range.
     #[error("{what} = {found}: expected {expected}")]
     Value {
-        /// Which.
+        /// Name of the value.
         what: String,
-        /// The value.
+        /// Value that was found.
         found: f64,
         /// Its range, in words.
         expected: &'static str,
     },
-    /// The file.
+    /// The file cannot be written.
     #[error(transparent)]
     File(#[from] FileError),
 }

@@ -9,7 +9,7 @@ use crate::lettering::{self, Size};
 const TITLE: Size = 18.0;
 /// Axis labels and facts.
 pub(crate) const TEXT: Size = 13.0;
-/// Tick labels.
+/// Size of tick labels (pixels an em).
 pub(crate) const SMALL: Size = 12.0;
 /// From one line of facts to the next (pixels).
 const LEADING: f32 = 18.0;
@@ -21,7 +21,7 @@ const TICK_PITCH: f32 = 85.0;
 pub(crate) const BAR: f32 = 16.0;
 /// Room around a panel (pixels): tick labels and axis label.
 pub(crate) const LEFT: f32 = 86.0;
-/// Below, likewise.
+/// Room below a panel for tick labels and axis label (pixels).
 pub(crate) const BELOW: f32 = 58.0;
 /// Room on the right for a colour bar with its labels.
 pub(crate) const BAR_ROOM: f32 = 120.0;
@@ -46,7 +46,7 @@ impl Frame {
         self.grid_along(canvas);
     }
 
-    /// Level lines alone.
+    /// Draws the level grid lines alone.
     pub fn grid_along(&self, canvas: &mut Canvas) {
         let Area { left, width, .. } = self.area;
         for tick in self.y_ticks() {
@@ -55,7 +55,7 @@ impl Frame {
         }
     }
 
-    /// Upright lines alone.
+    /// Draws the upright grid lines alone.
     pub fn grid_across(&self, canvas: &mut Canvas) {
         let Area { top, height, .. } = self.area;
         for tick in self.x_ticks() {

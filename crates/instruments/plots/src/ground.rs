@@ -46,12 +46,12 @@ impl GroundMap {
         Ruler::linear(self.heights)
     }
 
-    /// Metres between contours.
+    /// Returns the height from one contour to the next (m).
     pub fn contour_interval(&self) -> f64 {
         round_up((self.heights[1] - self.heights[0]) / CONTOURS)
     }
 
-    /// Draws the map.
+    /// Draws the map into `area` of `canvas`, with contour lines if `contours`.
     pub fn draw(&self, canvas: &mut Canvas, area: Area, contours: bool) {
         let ruler = self.ruler();
         let interval = contours.then(|| self.contour_interval());

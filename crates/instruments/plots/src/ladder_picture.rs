@@ -35,7 +35,7 @@ pub struct PointSeries<'a> {
 pub struct SlopeGuide {
     /// What stands at its end.
     pub name: String,
-    /// The power.
+    /// Power of `x` that `y` grows with.
     pub order: f64,
     /// A place on it.
     pub through: [f64; 2],

@@ -55,13 +55,13 @@ impl Tone {
 /// What came of a case by a method.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct MatrixCell {
-    /// Its colour.
+    /// Tone that colours the cell.
     pub tone: Tone,
     /// What stands in it: a few signs.
     pub text: String,
 }
 
-/// A case.
+/// Row of a case, with a cell for each method.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct MatrixRow<'a> {
     /// Cases of one group have its name above them.

@@ -1,4 +1,4 @@
-//! Marks as pixels.
+//! Draws marks as pixels of a raster.
 
 use tiny_skia::{
     Color, FillRule, LineCap, LineJoin, Mask, Paint, PathBuilder, Pixmap, PremultipliedColorU8, Rect, Stroke,

@@ -10,7 +10,7 @@ pub struct Residuals<'a> {
     pub first: [f64; 2],
     /// From one row to the next and from one column to the next (m); negative where they run south or west.
     pub spacing: [f64; 2],
-    /// Rows and columns.
+    /// Number of rows and columns.
     pub samples: [usize; 2],
     /// Row by row, columns fastest.
     pub values: &'a [f64],
@@ -19,7 +19,7 @@ pub struct Residuals<'a> {
 /// What a pixel of the map shows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Spot {
-    /// No raster here.
+    /// The raster does not reach this pixel.
     Outside,
     /// A raster without a sample.
     Void,

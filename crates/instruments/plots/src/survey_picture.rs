@@ -23,7 +23,7 @@ const BAR_COLOUR: Colour = [132, 150, 168];
 /// How a survey is drawn.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SurveyLook {
-    /// What was surveyed.
+    /// Title, which says what was surveyed.
     pub title: String,
     /// Lines below the title; the figures of the residuals are added.
     pub facts: Vec<String>,

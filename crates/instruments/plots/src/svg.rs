@@ -38,7 +38,7 @@ impl Svg {
         self.dark.insert(colour, dark);
     }
 
-    /// The document.
+    /// Returns the SVG document as text.
     pub fn finish(self) -> String {
         let Self { columns, lines, title, body, .. } = &self;
         let mut out = format!(

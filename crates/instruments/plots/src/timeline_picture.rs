@@ -29,11 +29,11 @@ pub enum Stretch {
 /// A stretch of the common axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Span {
-    /// Where it begins.
+    /// Begin of the stretch on the common axis.
     pub from: f64,
-    /// Where it ends.
+    /// End of the stretch on the common axis.
     pub to: f64,
-    /// What it is.
+    /// Kind of the stretch, which decides how it is drawn.
     pub stretch: Stretch,
 }
 
@@ -58,9 +58,9 @@ pub struct Stops {
 /// Everything in a timeline.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Timeline<'a> {
-    /// The common axis.
+    /// Axis that panels and lanes have in common.
     pub x: Axis,
-    /// Analog signals.
+    /// Panels of analog signals, from top to bottom.
     pub panels: Vec<Panel<'a>>,
     /// Upright lines through the lanes, one colour each.
     pub stops: Vec<Stops>,

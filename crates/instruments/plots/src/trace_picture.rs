@@ -52,14 +52,14 @@ pub struct Lane<'a> {
     pub name: &'a str,
     /// Places on the common axis, one more than states.
     pub x: &'a [f64],
-    /// States.
+    /// States of the line, each high or low.
     pub high: &'a [bool],
 }
 
 /// How waveforms are drawn.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TraceLook {
-    /// What is shown.
+    /// Title at the top of the picture.
     pub title: String,
     /// Lines below the title.
     pub facts: Vec<String>,

@@ -30,7 +30,7 @@ pub struct Beside {
     pub scopes: Vec<ScopePlot>,
 }
 
-/// A recorded sweep.
+/// A recorded sweep whose plot the page shows.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct ScopePlot {
     /// Frame, counted at the update rate.

@@ -8,7 +8,7 @@ use crate::run::Run;
 use crate::strip::Small;
 use crate::viewer::{SPEEDS, USUAL_SPEED};
 
-/// The document.
+/// Returns the document that the script of the page reads.
 pub(crate) fn data(run: &Run, beside: &Beside, strip: &[Small], film: &Film) -> Value {
     let first = run.first_picture();
     let scopes: Vec<Value> = beside.scopes.iter().map(|plot| json!([plot.frame, plot.sweep])).collect();

@@ -22,23 +22,23 @@ pub enum ReportError {
     /// A frame that cannot be made smaller.
     #[error("{path}: {source}")]
     Strip {
-        /// The frame.
+        /// Path of the frame.
         path: PathBuf,
-        /// What is wrong.
+        /// Why the frame cannot be made smaller.
         source: PictureError,
     },
     /// Pictures of two runs that cannot be compared.
     #[error("{path}: {source}")]
     Compare {
-        /// The picture.
+        /// Path of the picture.
         path: PathBuf,
-        /// What is wrong.
+        /// Why the pictures cannot be compared.
         source: CompareError,
     },
     /// A file of the run that does not hold what a run writes.
     #[error("{path}: {reason}; the same `lunoid replay` again writes it anew")]
     Content {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
         /// What was found and what was expected.
         reason: String,

@@ -8,7 +8,7 @@ use crate::cells::{grouped, shortened};
 use crate::diagram::diagram;
 use crate::run::Run;
 
-/// The section.
+/// Returns the section about the machine.
 pub(crate) fn machine(run: &Run) -> Markup {
     html! {
         section #machine aria-labelledby="machine-title" {
@@ -102,7 +102,7 @@ pub(crate) fn plain(value: &Value) -> String {
     }
 }
 
-/// The effective model.
+/// Returns the table of all values of the effective model.
 fn parts(run: &Run) -> Markup {
     html! {
         details {

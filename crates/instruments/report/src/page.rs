@@ -1,4 +1,4 @@
-//! The whole page.
+//! Writes the whole page of a run.
 
 use std::fs;
 use std::io::Write;

@@ -58,7 +58,7 @@ fn worst(check: &CheckRecord) -> Markup {
     }
 }
 
-/// Three digits.
+/// Returns a number with four decimals, or with three digits and an exponent.
 fn figure(value: f64) -> String {
     if value == 0.0 || (1e-3..1e4).contains(&value) { format!("{value:.4}") } else { format!("{value:.2e}") }
 }

@@ -82,7 +82,7 @@ impl Run {
         self.frames.len() as u64 * self.showings()
     }
 
-    /// Pictures a second.
+    /// Returns the rate at which pictures are shown (Hz).
     pub fn picture_rate(&self) -> f64 {
         let view = &self.view;
         let clock = if self.pictures.one_file_for_each == "refresh" { &view.refresh } else { &view.update };

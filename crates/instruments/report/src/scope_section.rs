@@ -13,7 +13,7 @@ use crate::{Beside, ReportError, ScopePlot};
 const MOST_EMBEDDED: u64 = 32 << 20;
 const MAX_BYTES: u64 = 1 << 28;
 
-/// The section.
+/// Returns the section of recorded waveforms.
 pub(crate) fn scopes(folder: &Path, beside: &Beside, line: Option<&str>) -> Result<Markup, ReportError> {
     let sources = sources(folder, &beside.scopes)?;
     Ok(html! {

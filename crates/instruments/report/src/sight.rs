@@ -15,7 +15,7 @@ pub struct Sight {
     pub raster: f64,
     /// First frame of `frames`, counted at the update rate.
     pub first: u64,
-    /// One a frame.
+    /// Fan and yoke of each frame, ascending.
     pub frames: Vec<SightLine>,
 }
 

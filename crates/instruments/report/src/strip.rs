@@ -14,7 +14,7 @@ pub const STRIP_FRAMES: u64 = 24;
 /// Their columns, at most.
 const COLUMNS: usize = 320;
 
-/// A small frame.
+/// A small frame of the contact sheet.
 #[derive(Debug)]
 pub(crate) struct Small {
     /// Index of its picture.

@@ -7,7 +7,7 @@ use crate::cells::{duration, grouped, percent};
 use crate::data::shell_words;
 use crate::{Beside, DeadlineLine, TimingSummary, UnitLine};
 
-/// The section.
+/// Returns the section about timing.
 pub(crate) fn timing(beside: &Beside, takes_time: bool) -> Markup {
     html! {
         section #timing aria-labelledby="timing-title" {

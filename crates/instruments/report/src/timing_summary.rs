@@ -8,7 +8,7 @@ use timing::{Cause, Deadline, Sets, Slack, TimingRecord, Totals, UnitTotals};
 /// Timing over some frames.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct TimingSummary {
-    /// The frames, ascending.
+    /// Frames that were summed up, ascending.
     pub frames: Vec<u64>,
     /// Period of the master clock (s).
     pub tick_s: f64,
@@ -25,7 +25,7 @@ pub struct TimingSummary {
     pub deadlines: Vec<DeadlineLine>,
     /// Every unit, by name.
     pub units: Vec<UnitLine>,
-    /// Misses by cause.
+    /// Number of misses by their cause.
     pub causes: BTreeMap<Cause, u64>,
     /// Sweeps with misses, ascending, and how many they have.
     pub sweeps: Vec<(u32, u64)>,
@@ -34,7 +34,7 @@ pub struct TimingSummary {
 /// One kind of deadline.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DeadlineLine {
-    /// Which.
+    /// Kind of the deadline.
     pub deadline: Deadline,
     /// Slack of all (master ticks).
     pub slack: Slack,
@@ -45,11 +45,11 @@ pub struct DeadlineLine {
 /// One unit: time at work over time.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct UnitLine {
-    /// Its name.
+    /// Name of the unit.
     pub unit: String,
     /// Of the idlest frame.
     pub least: f64,
-    /// Of all frames.
+    /// Use over all frames, 0 to 1.
     pub mean: f64,
     /// Of the busiest frame.
     pub most: f64,

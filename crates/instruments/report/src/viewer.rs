@@ -25,7 +25,7 @@ const KEYS: [(&str, &str); 8] = [
     ("d", "dark, light"),
 ];
 
-/// The first section.
+/// Returns the first section: the viewer of pictures.
 pub(crate) fn viewer(run: &Run, film: &Film) -> Markup {
     let raster = &run.view;
     let last = run.first_picture() + run.pictures() - 1;
@@ -129,7 +129,7 @@ fn keys() -> Markup {
     }
 }
 
-/// The second section.
+/// Returns the second section: the contact sheet.
 pub(crate) fn contact_sheet(run: &Run, strip: &[Small], film: &Film) -> Markup {
     let all = strip.len() as u64 == run.pictures();
     html! {

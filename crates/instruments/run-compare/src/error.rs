@@ -52,7 +52,7 @@ pub enum RunCompareError {
         picture: PathBuf,
         /// The picture that it is held against.
         reference: PathBuf,
-        /// Why not.
+        /// Why the pictures cannot be compared.
         error: CompareError,
     },
     /// The display law in the record of a run is none.
@@ -60,7 +60,7 @@ pub enum RunCompareError {
     Display {
         /// Folder of the run.
         folder: PathBuf,
-        /// Why not.
+        /// Why the display law is invalid.
         error: PictureError,
     },
     /// Pictures or planes cannot be compared.

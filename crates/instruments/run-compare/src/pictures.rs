@@ -27,9 +27,9 @@ pub enum LeftOut<'a> {
     Edges {
         /// File of the scenario of both runs.
         scenario: &'a Path,
-        /// Which edges.
+        /// Kind of edges that are left out.
         kind: EdgeKind,
-        /// Threads that draw.
+        /// Threads that draw the closed form.
         pool: &'a ThreadPool,
     },
 }

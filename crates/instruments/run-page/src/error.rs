@@ -41,9 +41,9 @@ pub enum PageError {
     /// The folder of the plots cannot be made.
     #[error("{}: cannot make the folder: {error}", .folder.display())]
     Folder {
-        /// The folder.
+        /// Folder that cannot be made.
         folder: PathBuf,
-        /// Why not.
+        /// What the system says.
         error: io::Error,
     },
 }
@@ -82,13 +82,13 @@ pub enum RequestError {
     Unknown {
         /// The option with its value.
         request: String,
-        /// The pattern.
+        /// Pattern that matches no signal.
         pattern: String,
     },
     /// More sweeps than a page takes.
     #[error("--probe: {found} sweeps; expected at most {most}")]
     TooMany {
-        /// Sweeps asked for.
+        /// Number of sweeps asked for.
         found: u64,
         /// Most that a page takes.
         most: u64,

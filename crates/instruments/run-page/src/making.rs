@@ -21,15 +21,15 @@ const TIMED_FRAMES: u64 = 8;
 
 /// A page in the making.
 pub struct Making<'a> {
-    /// The finished job.
+    /// Job whose frames are all drawn.
     pub job: &'a Job<'a>,
     /// The words of a command line that chose its stage.
     pub words: Vec<String>,
     /// What these words came to.
     pub opened: &'a Opened,
-    /// Sweeps to record.
+    /// Sweeps to record for the page.
     pub requests: &'a [Request],
-    /// Threads.
+    /// Threads that draw and record.
     pub pool: &'a ThreadPool,
 }
 

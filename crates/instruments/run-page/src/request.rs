@@ -26,7 +26,7 @@ const USUAL: [&str; 8] = [
 /// Plots that are drawn without being asked twice.
 const MOST_PLOTS: u64 = 200;
 
-/// `FRAME:SWEEP[..SWEEP][:SIGNALS]`.
+/// Sweeps of a frame to record, read from `FRAME:SWEEP[..SWEEP][:SIGNALS]`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Request {
     /// Frame, counted at the update rate.
@@ -132,7 +132,7 @@ mod tests {
 
     use super::{Request, check};
 
-    /// The ideal machine.
+    /// Returns the machine of the ideal model over a small generated ground.
     fn machine() -> HybridMachine {
         let text = "format = 1\ntitle = 't'\nshows = 's'\nframes = 1\n[landscape.generated]\nseed = 1\n\
                     extent_m = [600, 640]\nregion_size_m = 40\n[sun]\nazimuth_deg = 10\nelevation_deg = 12\n\

@@ -42,7 +42,7 @@ pub enum ScopeError {
         option: &'static str,
         /// Where it lies (`unit`).
         found: f64,
-        /// Metres or microseconds.
+        /// Unit of the three numbers: metres or microseconds.
         unit: &'static str,
         /// The first sample (`unit`).
         low: f64,
@@ -55,9 +55,9 @@ pub enum ScopeError {
         .out.display(), size(*.bytes)
     )]
     TooLarge {
-        /// The file.
+        /// File that would be written.
         out: PathBuf,
-        /// Its size (bytes).
+        /// Size of the file (bytes).
         bytes: u64,
     },
     /// The pose cannot be drawn.

@@ -69,7 +69,7 @@ impl<'a> Page<'a> {
         vec![format!("frame {frame}, sweep {sweep} of {sweeps}; {samples} samples, one every {period:.2} ns")]
     }
 
-    /// The page.
+    /// Returns what the page shows: clock, panels, lanes and picture column.
     pub fn scope(&self) -> Scope<'_> {
         let period = match self.line {
             Line::Sweep => 1e6 / self.recorded.scan.timebase.sample_rate().hertz(),

@@ -22,11 +22,11 @@ const CHANGES: usize = 64;
 
 /// One frame that is looked at.
 pub struct Look<'a> {
-    /// The machine.
+    /// Session of the machine that draws.
     pub session: &'a dyn Session,
-    /// Its threads.
+    /// Threads that draw the sweeps.
     pub pool: &'a ThreadPool,
-    /// The frame.
+    /// Number of the frame, counted at the update rate.
     pub frame: u64,
     /// Where it is seen from.
     pub pose: &'a Pose,
@@ -49,9 +49,9 @@ impl Look<'_> {
 
 /// What is written where.
 pub struct Order<'a> {
-    /// The format.
+    /// Format of the file.
     pub format: Format,
-    /// The file.
+    /// Path of the file.
     pub out: &'a Path,
     /// More than 2 GB may be written.
     pub large: bool,
@@ -77,9 +77,9 @@ pub enum Tracing {
     Size(u64),
     /// Sweeps that are written, and how many there are.
     Sweeps {
-        /// Written.
+        /// Number of sweeps written so far.
         done: u32,
-        /// In all.
+        /// Number of sweeps to write in all.
         all: u32,
     },
 }

@@ -11,7 +11,7 @@ pub struct ScopeWishes {
     pub cursors: Vec<Place>,
     /// Where the page begins.
     pub from: Option<Place>,
-    /// Where it ends.
+    /// Place where the page ends.
     pub to: Option<Place>,
     /// Whether it runs along sweep time, not along ground range.
     pub by_time: bool,

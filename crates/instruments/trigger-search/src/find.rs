@@ -16,9 +16,9 @@ use crate::SearchError;
 /// Values that are held at once: 32 MB.
 const VALUES_AT_ONCE: usize = 4_000_000;
 
-/// Where is searched.
+/// Frames, sweeps and samples that are searched.
 pub struct Area {
-    /// Frames, ascending.
+    /// Frames to search, ascending.
     pub frames: Vec<u64>,
     /// Sweeps of each frame.
     pub sweeps: Range<u32>,
@@ -30,11 +30,11 @@ pub struct Area {
 pub struct Found {
     /// Which in the mission, from 1.
     pub number: u64,
-    /// Its frame.
+    /// Frame of the place, counted at the update rate.
     pub frame: u64,
     /// Where the vehicle is in that frame.
     pub pose: Pose,
-    /// Its sweep.
+    /// Sweep of the place, from 0 at the left.
     pub sweep: u32,
     /// Its sample and instant, and the values there.
     pub hit: Hit,
@@ -43,7 +43,7 @@ pub struct Found {
 /// How a search ended.
 #[derive(Debug, Default)]
 pub struct Ended {
-    /// Places met.
+    /// Number of places at which the condition was met.
     pub met: u64,
     /// Those of them that were wanted.
     pub shown: u64,

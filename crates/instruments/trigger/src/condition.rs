@@ -43,7 +43,7 @@ pub enum Per {
     Microsecond,
 }
 
-/// One clause.
+/// One clause of a condition; `and` joins several.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Clause {
     /// State: the value, or its slope, passes a test.

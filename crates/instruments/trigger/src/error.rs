@@ -3,13 +3,13 @@
 use std::fmt;
 use std::ops::Range;
 
-/// What is wrong.
+/// What is wrong with the text of a condition.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Fault {
     /// Something else was expected here.
     #[error("found {found}, expected {expected}")]
     Unexpected {
-        /// What stands there.
+        /// Text that was found there.
         found: String,
         /// What may stand there.
         expected: &'static str,
@@ -17,7 +17,7 @@ pub enum Fault {
     /// No signal has this name.
     #[error("no signal is called `{name}`{}; `lunoid signals` lists them", suggestion(*.nearest))]
     UnknownSignal {
-        /// The name.
+        /// Name that no signal has.
         name: String,
         /// The name most like it.
         nearest: Option<&'static str>,
@@ -25,9 +25,9 @@ pub enum Fault {
     /// The signal is of another kind.
     #[error("`{name}` is {found}, expected {expected}")]
     WrongKind {
-        /// The signal.
+        /// Name of the signal.
         name: &'static str,
-        /// What it is.
+        /// Kind of the signal, in words.
         found: &'static str,
         /// What is asked for here.
         expected: &'static str,
@@ -40,15 +40,15 @@ pub enum Fault {
     TwoAxes {
         /// The signal of the display.
         name: &'static str,
-        /// The other.
+        /// The signal along the ground.
         other: &'static str,
     },
     /// The block of the signal is not there.
     #[error("this machine has no `{name}`: its {block} is left out; --everything keeps what has a source")]
     LeftOut {
-        /// The signal.
+        /// Name of the missing signal.
         name: &'static str,
-        /// Its block.
+        /// Name of its block.
         block: &'static str,
     },
     /// A window ends before it begins.
@@ -62,7 +62,7 @@ pub enum Fault {
     /// A size below 0.
     #[error("found {value}, expected {expected}")]
     Negative {
-        /// What stands there.
+        /// Number that was found there.
         value: f64,
         /// What may stand there.
         expected: &'static str,

@@ -7,7 +7,7 @@ use std::ops::Range;
 pub enum Token<'t> {
     /// A name or a word.
     Word(&'t str),
-    /// A finite number.
+    /// A number, which is finite.
     Number(f64),
     /// `..`, `/` or a comparison.
     Sign(&'t str),

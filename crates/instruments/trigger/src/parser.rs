@@ -26,7 +26,7 @@ impl<'t> Parser<'t> {
         Self { text, table, tokens: tokens(text), next: 0 }
     }
 
-    /// The whole text.
+    /// Reads the whole text as one condition.
     pub fn condition(mut self) -> Result<Condition, ConditionError> {
         let mut clauses = vec![self.clause()?];
         while self.takes("and") {

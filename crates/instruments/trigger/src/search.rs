@@ -11,7 +11,7 @@ use crate::{Hit, Trigger};
 pub enum Which {
     /// One of them, counted from 1.
     Nth(u64),
-    /// All.
+    /// All places of the search.
     All,
 }
 

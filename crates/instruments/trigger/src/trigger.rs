@@ -46,7 +46,7 @@ impl Limit {
 /// A signal's value where the condition was met.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reading {
-    /// Which signal.
+    /// Signal that was read.
     pub signal: Signal,
     /// Its value at the sample, or what an event told, in the unit of the signal.
     pub value: f64,

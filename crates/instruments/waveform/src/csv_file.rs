@@ -22,7 +22,7 @@ enum Column {
 }
 
 impl CsvFile {
-    /// Writes the heading.
+    /// Writes the heading: frame, sweep, index, time, and every wire with its unit.
     pub fn new(header: &Header, output: Box<dyn Output>) -> io::Result<Self> {
         let mut out = BufWriter::new(output);
         write!(out, "frame,sweep,index,time [s]")?;

@@ -6,8 +6,8 @@ use crate::SweepTraces;
 
 /// A format, whatever it is written to.
 pub(crate) trait Encoder {
-    /// Writes a sweep.
+    /// Writes one sweep to the file.
     fn sweep(&mut self, traces: &SweepTraces<'_>) -> io::Result<()>;
-    /// Ends the file.
+    /// Writes what ends the file.
     fn finish(self: Box<Self>) -> io::Result<()>;
 }

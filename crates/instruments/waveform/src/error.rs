@@ -8,13 +8,13 @@ use files::{Action, FileError};
 /// Why waveforms cannot be written.
 #[derive(Debug, thiserror::Error)]
 pub enum WaveformError {
-    /// The file.
+    /// The file cannot be written.
     #[error(transparent)]
     File(#[from] FileError),
     /// A format that no sink writes.
     #[error("`{found}` is no format of waveforms: expected {}", crate::Format::words())]
     Format {
-        /// What was said.
+        /// Name of a format that was asked for.
         found: String,
     },
     /// A sweep that does not follow from the header and the sweeps before.
@@ -24,7 +24,7 @@ pub enum WaveformError {
         path: PathBuf,
         /// Number of the sweep that was given.
         sweep: u32,
-        /// What was given.
+        /// What was given, in words.
         found: String,
         /// What should have been.
         expected: String,
@@ -39,11 +39,11 @@ pub enum WaveformError {
         path: PathBuf,
         /// Name of the signal.
         signal: &'static str,
-        /// Sweep.
+        /// Number of the sweep.
         sweep: u32,
         /// Which of its values, or of its instants.
         index: usize,
-        /// The value.
+        /// Value, which is not finite.
         value: f64,
     },
     /// The end came before the last sweep.
@@ -51,7 +51,7 @@ pub enum WaveformError {
     Unfinished {
         /// File that is written.
         path: PathBuf,
-        /// Sweeps given.
+        /// Number of sweeps given.
         found: u32,
         /// Sweeps that the header tells.
         expected: u32,

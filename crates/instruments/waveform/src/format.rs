@@ -14,9 +14,9 @@ pub enum Format {
     Vcd,
     /// Value changes as GTKWave keeps them.
     Fst,
-    /// Arrays of numpy.
+    /// Arrays of numpy, zipped into one file.
     Npz,
-    /// A document.
+    /// A JSON document, with its sweeps as members.
     Json,
     /// Vectors of ngspice, in volts.
     Raw,
@@ -25,7 +25,7 @@ pub enum Format {
 }
 
 impl Format {
-    /// All formats.
+    /// All formats that can be written.
     pub const ALL: [Self; 7] = [Self::Csv, Self::Vcd, Self::Fst, Self::Npz, Self::Json, Self::Raw, Self::Sr];
 
     /// Word on the command line, and ending of file names.

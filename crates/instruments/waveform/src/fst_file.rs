@@ -46,7 +46,7 @@ struct Variable {
 }
 
 impl FstFile {
-    /// Writes the definitions.
+    /// Begins a file and writes its definitions.
     pub fn new(header: &Header, output: Box<dyn Output>) -> io::Result<Self> {
         let timeline = Timeline::new(header).map_err(io::Error::other)?;
         let info = FstInfo {

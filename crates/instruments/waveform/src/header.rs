@@ -21,7 +21,7 @@ pub struct Header {
     pub timebase: Timebase,
     /// Lines of the display axis.
     pub lines: u32,
-    /// The frame.
+    /// Number of the frame, counted at the update rate.
     pub frame: u64,
     /// The sweeps, which come in this order.
     pub sweeps: Range<u32>,
@@ -30,11 +30,11 @@ pub struct Header {
 /// One sweep: a waveform a wire of the header, in its order.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SweepTraces<'a> {
-    /// The frame.
+    /// Number of the frame, counted at the update rate.
     pub frame: u64,
     /// Sweep of the frame.
     pub sweep: u32,
-    /// Its waveforms.
+    /// Waveforms of the sweep, one for each wire.
     pub waveforms: &'a [Waveform],
 }
 
@@ -119,9 +119,9 @@ fn expect_finite(path: &Path, waveform: &Waveform) -> Result<(), WaveformError> 
 /// How a wire is written where there are numbers, bits and pulses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Form {
-    /// A real number.
+    /// A real number (64-bit floating point).
     Real,
-    /// One bit.
+    /// One bit: low or high.
     Bit,
     /// A whole number, 32 bits, two's complement.
     Word,

@@ -19,7 +19,7 @@ pub struct JsonFile {
 }
 
 impl JsonFile {
-    /// Writes the head.
+    /// Begins a file and writes the head of its document.
     pub fn new(header: &Header, output: Box<dyn Output>) -> io::Result<Self> {
         let mut out = BufWriter::new(output);
         let head = head("lunoid.waveforms/1", header).to_string();

@@ -42,7 +42,7 @@ enum Part {
 }
 
 impl NpzFile {
-    /// Nothing written yet.
+    /// Begins a file; nothing is written to `output` yet.
     pub fn new(header: &Header, output: Box<dyn Output>, store: Box<dyn Store>) -> Self {
         let (pieces, sweeps, store) = (Vec::new(), Vec::new(), BufWriter::new(store));
         let arrays = Arrays { zip: begin(output) };

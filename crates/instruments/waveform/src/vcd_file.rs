@@ -33,7 +33,7 @@ struct Variable {
 }
 
 impl VcdFile {
-    /// Writes the definitions.
+    /// Begins a file and writes its definitions.
     pub fn new(header: &Header, output: Box<dyn Output>) -> io::Result<Self> {
         let timeline = Timeline::new(header).map_err(io::Error::other)?;
         let mut out = Writer::new(BufWriter::new(output));

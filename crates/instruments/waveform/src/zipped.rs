@@ -10,7 +10,7 @@ use crate::output::Output;
 /// A zip that is being written.
 pub type Zip = ZipWriter<BufWriter<Once>>;
 
-/// An empty zip.
+/// Begins an empty zip on `output`.
 pub fn begin(output: Box<dyn Output>) -> Zip {
     ZipWriter::new(BufWriter::new(Once { output, failed: false }))
 }

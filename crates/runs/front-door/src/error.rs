@@ -57,11 +57,11 @@ pub enum StageError {
     /// A crater of a list reaches over the edge of the ground.
     #[error("{}", outside(file, *row, crater, extent, *more))]
     CraterOutside {
-        /// The list.
+        /// File of the crater list.
         file: PathBuf,
         /// Its row under the header, from 1, comments not counted.
         row: usize,
-        /// The crater.
+        /// Crater that reaches over the edge.
         crater: Box<Crater>,
         /// South, west, north, east edge of the area (m).
         extent: [f64; 4],
@@ -71,9 +71,9 @@ pub enum StageError {
     /// Craters cannot be strewn as asked.
     #[error("[[features.population]] {number}: {error}")]
     Population {
-        /// Which, from 1.
+        /// Number of the population in the scenario, from 1.
         number: usize,
-        /// Why not.
+        /// Why the craters cannot be strewn.
         error: PopulationError,
     },
     /// The area of a population is not inside the ground.
@@ -83,7 +83,7 @@ pub enum StageError {
         extent[0], extent[2], extent[1], extent[3]
     )]
     PopulationOutside {
-        /// Which, from 1.
+        /// Number of the population in the scenario, from 1.
         number: usize,
         /// South, west, north, east edge of the area (m).
         extent: [f64; 4],
@@ -94,7 +94,7 @@ pub enum StageError {
          or its area smaller"
     )]
     Craters {
-        /// How many.
+        /// Number of craters in the list and all populations.
         count: usize,
     },
     /// No level to go over to.
@@ -106,9 +106,9 @@ pub enum StageError {
     /// The picture of the albedo is no map.
     #[error("[landscape] albedo_map: {}: {error}", file.display())]
     AlbedoMap {
-        /// The picture.
+        /// File of the picture.
         file: PathBuf,
-        /// Why not.
+        /// Why the picture is no map of the albedo.
         error: AlbedoMapError,
     },
     /// The texture does not go with the ground.

@@ -37,7 +37,7 @@ const WISHED: [Wished; 13] = [
 /// Poses go by the yoke, whatever draws; no scenario wishes its keys.
 const YOKE: &str = "yoke.";
 
-/// Who decides `key`.
+/// Returns what decides `key`: a generator, the view or the hardware model.
 pub fn decides(key: &str) -> Decides {
     match registry::owner(key) {
         Some(row) => Decides::Generator(row),

@@ -14,9 +14,9 @@ use crate::OpenError;
 /// What a TOML file is meant to be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
-    /// A scenario.
+    /// A scenario of a mission.
     Scenario,
-    /// A hardware model.
+    /// A whole hardware model.
     Model,
     /// Differences to be laid over a hardware model.
     Overlay,
@@ -24,9 +24,9 @@ pub enum Kind {
     Sidecar,
     /// What the program of a generator ran on.
     Gear(&'static Row),
-    /// A test cartridge.
+    /// A test cartridge: a scene whose answer is known.
     Cartridge,
-    /// None of these.
+    /// None of the known kinds.
     Unknown,
 }
 
@@ -96,7 +96,7 @@ impl Kind {
         )))
     }
 
-    /// In a sentence.
+    /// Returns the kind as words for a sentence.
     fn phrase(self) -> String {
         match self {
             Self::Scenario => "a scenario".into(),

@@ -25,11 +25,11 @@ pub struct Opened {
     pub settings: Settings,
     /// The row of the generator; `None` if the hybrid machine draws.
     pub row: Option<&'static Row>,
-    /// The generator, configured.
+    /// Generator that draws, configured by the scenario and the wishes.
     pub generator: Arc<dyn Generator>,
     /// Files, for the record of a run.
     pub inputs: Inputs,
-    /// The scenario's file.
+    /// Path of the scenario's file.
     pub(crate) path: PathBuf,
     /// What was asked for.
     pub(crate) wishes: Wishes,

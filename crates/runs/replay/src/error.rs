@@ -23,9 +23,9 @@ pub enum ReplayError {
     Folder {
         /// The folder or the file in it.
         path: PathBuf,
-        /// What was tried.
+        /// What was tried, as words after `cannot`.
         doing: &'static str,
-        /// The system's words.
+        /// What the system says.
         source: io::Error,
     },
     /// A file stands where the run folder should be.
@@ -37,9 +37,9 @@ pub enum ReplayError {
     /// Another process draws into the folder.
     #[error("{path}: process {holder} is drawing into this folder; wait for it or choose another --out")]
     Locked {
-        /// The run folder.
+        /// Path of the run folder.
         path: PathBuf,
-        /// The other process.
+        /// Number of the process that draws into the folder.
         holder: String,
     },
     /// The folder holds files that are not of a run.
@@ -48,7 +48,7 @@ pub enum ReplayError {
          --fresh (only files of runs are ever removed)"
     )]
     Foreign {
-        /// The run folder.
+        /// Path of the run folder.
         path: PathBuf,
         /// The first file found.
         found: String,
@@ -56,9 +56,9 @@ pub enum ReplayError {
     /// A file of somebody else has the name that a run would write.
     #[error("{path}: holds `{found}`, which no run wrote and a run would replace; choose another --out")]
     WouldReplace {
-        /// The run folder.
+        /// Path of the run folder.
         path: PathBuf,
-        /// The file.
+        /// Name of the file that would be replaced.
         found: String,
     },
     /// The folder holds a run of something else.
@@ -67,9 +67,9 @@ pub enum ReplayError {
          differ; choose another --out, or remove that run with --fresh"
     )]
     OtherRun {
-        /// The run folder.
+        /// Path of the run folder.
         path: PathBuf,
-        /// Fingerprint there.
+        /// Fingerprint of the run in the folder.
         found: String,
         /// Fingerprint of the job.
         expected: String,
@@ -79,9 +79,9 @@ pub enum ReplayError {
         "{path}: not the record of a run ({reason}); if it is damaged, the same replay with --fresh draws the run anew"
     )]
     Record {
-        /// The file.
+        /// Path of the record.
         path: PathBuf,
-        /// What is wrong.
+        /// Why it cannot be read.
         reason: String,
     },
     /// Files of a run whose record is gone.
@@ -90,13 +90,13 @@ pub enum ReplayError {
          anew"
     )]
     NoRecord {
-        /// The record.
+        /// Path of the missing record.
         path: PathBuf,
     },
     /// A run that has a journal and no record yet.
     #[error("{path}: this run is not finished; the same replay again draws the rest")]
     Unfinished {
-        /// The run folder.
+        /// Path of the run folder.
         path: PathBuf,
     },
     /// The folder holds truth of other kinds.
@@ -115,9 +115,9 @@ pub enum ReplayError {
         "{path}: not the record of ground truth ({reason}); remove its folder to have the truth made anew"
     )]
     TruthRecord {
-        /// The file.
+        /// Path of the record.
         path: PathBuf,
-        /// What is wrong.
+        /// Why it cannot be read.
         reason: String,
     },
     /// A plane with a value that is no number.
@@ -125,17 +125,17 @@ pub enum ReplayError {
         "frame {frame}: ground truth `{item}` holds a value that is no number; please report the scenario"
     )]
     TruthNotANumber {
-        /// Frame number.
+        /// Number of the frame, counted at the update rate.
         frame: u64,
-        /// Which.
+        /// Name of the kind of ground truth.
         item: &'static str,
     },
     /// Planes that do not make an array.
     #[error("frame {frame}: ground truth: {source}")]
     TruthArray {
-        /// Frame number.
+        /// Number of the frame, counted at the update rate.
         frame: u64,
-        /// What is wrong.
+        /// Why the planes do not make an array.
         source: NpyError,
     },
     /// The frames asked for do not touch those that are there.
@@ -144,17 +144,17 @@ pub enum ReplayError {
         held.start, held.end, asked.start, asked.end
     )]
     Gap {
-        /// The run folder.
+        /// Path of the run folder.
         path: PathBuf,
-        /// Frames there.
+        /// Frames that the folder holds.
         held: Range<u64>,
-        /// Frames asked for.
+        /// Frames that were asked for.
         asked: Range<u64>,
     },
     /// More sweeps to be checked than there are.
     #[error("--check {asked}: the run has {available} sweeps; expected no more of them")]
     TooManyChecks {
-        /// Sweeps asked for.
+        /// Number of sweeps asked for.
         asked: u32,
         /// Sweeps of the run.
         available: u64,
@@ -186,17 +186,17 @@ pub enum ReplayError {
     /// A frame that is no picture.
     #[error("frame {frame}: {source}")]
     Picture {
-        /// Frame number.
+        /// Number of the frame, counted at the update rate.
         frame: u64,
-        /// What is wrong.
+        /// Why the frame is no picture.
         source: PictureError,
     },
     /// The contact sheet or a film.
     #[error("{path}: {source}")]
     Film {
-        /// The file.
+        /// Path of the contact sheet or film.
         path: PathBuf,
-        /// What is wrong.
+        /// Why the picture cannot be made.
         source: PictureError,
     },
 }

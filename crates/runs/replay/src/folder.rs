@@ -14,9 +14,9 @@ use run_record::FrameRecord;
 
 /// Frames of a run.
 pub(crate) const FRAMES: &str = "frames";
-/// Ground truth.
+/// Folder of the ground truth.
 pub(crate) const TRUTH: &str = "truth";
-/// Wall times.
+/// File of the wall times.
 pub(crate) const PERFORMANCE: &str = "performance.json";
 /// Where the eye was.
 pub(crate) const POSES: &str = "poses.csv";
@@ -85,7 +85,7 @@ impl RunFolder {
         Ok(folder)
     }
 
-    /// Where it is.
+    /// Returns the path of the run folder.
     pub fn path(&self) -> &Path {
         &self.path
     }

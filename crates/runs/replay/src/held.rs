@@ -15,7 +15,7 @@ use crate::journal::{self, JOURNAL};
 /// Record of a run, in its folder.
 pub const RUN_RECORD: &str = "run.json";
 
-/// A finished run.
+/// The record of a finished run, read from its folder.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeldRun(RunRecord);
 
@@ -58,7 +58,7 @@ impl HeldRun {
         self.frames.iter().flat_map(|frame| &frame.files).map(|file| folder.join(&file.file))
     }
 
-    /// The record itself.
+    /// Returns the record of the run.
     pub fn into_record(self) -> RunRecord {
         self.0
     }

@@ -28,15 +28,15 @@ pub struct Pictures {
 /// A run to be made.
 #[derive(Clone)]
 pub struct Job<'a> {
-    /// Who draws.
+    /// Program that draws, with its version and commit.
     pub program: Program,
-    /// From which files.
+    /// Files that the run is made from.
     pub inputs: Inputs,
-    /// The mission.
+    /// Scenario of the mission.
     pub scenario: &'a Scenario,
-    /// The image generator.
+    /// Image generator that draws the frames.
     pub generator: Arc<dyn Generator>,
-    /// World and view.
+    /// World and view that are drawn.
     pub stage: Stage,
     /// Frames to draw, counted at the update rate.
     pub frames: Range<u64>,
@@ -52,10 +52,10 @@ pub struct Job<'a> {
 pub enum Progress {
     /// Frames that are there already are read again.
     Verifying {
-        /// How many.
+        /// Number of frames to be read.
         frames: u64,
     },
-    /// Drawing begins.
+    /// Drawing of frames or truth begins.
     Begins {
         /// What is made: "frames" or "truth".
         what: &'static str,
@@ -66,7 +66,7 @@ pub enum Progress {
     },
     /// One more frame is on the disk.
     Frame {
-        /// Frames there.
+        /// Number of frames on the disk.
         done: u64,
     },
     /// Contact sheet, film and record are made.
@@ -75,7 +75,7 @@ pub enum Progress {
 
 /// Under whose control a job runs; none of this changes a bit of the result.
 pub struct Control<'a> {
-    /// Threads that draw.
+    /// Threads that draw the frames.
     pub pool: &'a ThreadPool,
     /// Set to true, the run ends with whole frames only.
     pub cancel: &'a AtomicBool,

@@ -14,9 +14,9 @@ use run_record::{FrameRecord, total_work};
 /// A part of a run and how long it took.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Phase {
-    /// What was done.
+    /// Name of what was done.
     pub phase: String,
-    /// Wall time (s).
+    /// Wall time of the phase (s).
     pub seconds: f64,
 }
 

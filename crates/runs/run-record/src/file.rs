@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 /// Largest file of a run that is read back (bytes).
 pub const MAX_BYTES: u64 = 1 << 32;
 
-/// One file.
+/// Path and hash of one file.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct FileRecord {
     /// Path from the run folder, with `/`; of an input as the user gave it.

@@ -12,7 +12,7 @@ use crate::hash;
 /// The ground of a run: where it came from, and the hash of its words.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct GroundRecord {
-    /// "bank" or "generated".
+    /// Where the ground came from: "bank" or "generated".
     pub source: String,
     /// Title of the bank.
     pub title: String,

@@ -8,7 +8,7 @@ use crate::FileRecord;
 /// Files that a run was made from; paths as the user gave them.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Inputs {
-    /// The scenario file.
+    /// The scenario file, if there is one.
     pub scenario: Option<FileRecord>,
     /// Files that it refers to: bank, path.
     pub references: Vec<FileRecord>,
@@ -16,27 +16,27 @@ pub struct Inputs {
     pub model: String,
     /// Files of the model, the lowest base first.
     pub model_files: Vec<FileRecord>,
-    /// The effective model.
+    /// Values of the effective model, each with its origin.
     pub model_values: Vec<EffectiveValue>,
 }
 
 /// The hardware model of a run.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct ModelRecord {
-    /// Name.
+    /// Name of the model.
     pub name: String,
     /// Its files, the lowest base first.
     pub files: Vec<FileRecord>,
-    /// Every value.
+    /// Values of the model, each with its origin.
     pub values: Vec<ModelValue>,
 }
 
 /// A value of a hardware model.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct ModelValue {
-    /// Dotted key.
+    /// Dotted key of the value.
     pub key: String,
-    /// Value as written.
+    /// The value, as it is written in TOML.
     pub value: String,
     /// File and line that it came from.
     pub origin: String,

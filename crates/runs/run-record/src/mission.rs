@@ -29,11 +29,11 @@ pub struct VehicleRecord {
     pub wheelbase_m: f64,
     /// Distance of the wheels of an axle (m).
     pub track_m: f64,
-    /// Largest speed (m/s).
+    /// Largest speed of the vehicle (m/s).
     pub max_speed_m_s: f64,
     /// Largest rate of turn (deg/s).
     pub max_turn_deg_s: f64,
-    /// Steepest ground (deg).
+    /// Steepest ground that the vehicle can take (deg).
     pub max_slope_deg: f64,
 }
 
@@ -86,7 +86,7 @@ pub struct LimitRecord {
     pub limit: String,
     /// Unit of the numbers.
     pub unit: String,
-    /// What is allowed.
+    /// Largest value that is allowed.
     pub allowed: f64,
     /// The largest value found.
     pub found: f64,

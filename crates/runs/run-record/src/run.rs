@@ -29,7 +29,7 @@ pub enum RecordError {
 /// The record of a run, in the order in which it is read.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RunRecord {
-    /// [`RUN_SCHEMA`].
+    /// Name of the schema: [`RUN_SCHEMA`].
     pub schema: String,
     /// Version of the format within its schema.
     pub format: u32,
@@ -37,7 +37,7 @@ pub struct RunRecord {
     pub fingerprint: String,
     /// The program that drew.
     pub program: Program,
-    /// The scenario.
+    /// Scenario that was drawn.
     pub scenario: ScenarioRecord,
     /// Files that the scenario refers to.
     pub references: Vec<FileRecord>,
@@ -45,17 +45,17 @@ pub struct RunRecord {
     pub generator: String,
     /// Word for one line of the generator's signals, as "sweep"; nothing where it has no signals.
     pub line: Option<String>,
-    /// The hardware model.
+    /// Hardware model with all its values.
     pub model: ModelRecord,
-    /// The ground.
+    /// Ground of the run, with the hash of its words.
     pub ground: GroundRecord,
     /// What lies and stands on it.
     pub scenery: SceneryRecord,
     /// The sun at the start of the mission.
     pub sun: SunRecord,
-    /// The vehicle.
+    /// Size and limits of the vehicle.
     pub vehicle: VehicleRecord,
-    /// Its path.
+    /// Path that the vehicle takes.
     pub path: PathRecord,
     /// What was asked of every picture.
     pub view: ViewRecord,
@@ -74,7 +74,7 @@ pub struct RunRecord {
     /// Error against the judge, where sweeps of the run have been checked.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub check: Option<CheckRecord>,
-    /// Frames, ascending.
+    /// Records of the frames, ascending.
     pub frames: Vec<FrameRecord>,
     /// Other files that follow from the inputs.
     pub outputs: Vec<FileRecord>,
@@ -83,11 +83,11 @@ pub struct RunRecord {
 /// The program that drew.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Program {
-    /// Name.
+    /// Name of the program.
     pub name: String,
-    /// Version.
+    /// Version of the program.
     pub version: String,
-    /// Commit, or "unknown".
+    /// Commit of the program, or "unknown".
     pub commit: String,
     /// Result family: runs of one family are equal to the bit.
     pub result_family: String,
@@ -98,20 +98,20 @@ pub struct Program {
 pub struct ScenarioRecord {
     /// Its file, if it came from one.
     pub file: Option<FileRecord>,
-    /// Its title.
+    /// Title of the scenario.
     pub title: String,
-    /// What it shows.
+    /// What the scenario shows, in words.
     pub shows: String,
 }
 
 /// How frames became files.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct PicturesRecord {
-    /// Kind of picture.
+    /// Kind of picture: "grey PNG" or "RGB PNG".
     pub kind: String,
     /// Bits of a channel.
     pub depth: u32,
-    /// "update" or "refresh".
+    /// Clock that each file belongs to: "update" or "refresh".
     pub one_file_for_each: String,
 }
 
@@ -135,22 +135,22 @@ pub struct CheckRecord {
 /// One error over all sweeps that were checked.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ErrorRecord {
-    /// What is off.
+    /// Name of what is off.
     pub error: String,
-    /// Its unit.
+    /// Unit of the error.
     pub unit: String,
     /// Root of the mean over the sweeps of the mean squared difference.
     pub rms: f64,
     /// Where that of all sweeps of the run lies; `None` of a single sweep.
     pub interval: Option<[f64; 2]>,
-    /// Largest difference.
+    /// Largest difference over all checked sweeps.
     pub max: f64,
 }
 
 /// What was found of a sweep.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CheckedSweep {
-    /// Frame.
+    /// Frame, counted at the update rate.
     pub frame: u64,
     /// Sweep, from 0 at the left.
     pub sweep: u32,

@@ -21,16 +21,16 @@ pub struct SceneryRecord {
     /// Bodies of the whole mission that move or are open.
     #[serde(default, skip_serializing_if = "is_none")]
     pub guest_bodies: usize,
-    /// Groups of objects.
+    /// Number of groups of objects.
     #[serde(default, skip_serializing_if = "is_none")]
     pub groups: usize,
     /// Patches of track that the whole mission leaves.
     pub track_patches: usize,
-    /// Far silhouettes.
+    /// Number of far silhouettes.
     pub silhouettes: usize,
     /// Whether the soil has texture.
     pub texture: bool,
-    /// Law of reflection.
+    /// Name of the law of reflection.
     pub photometry: String,
     /// BLAKE3 of all of these, hexadecimal.
     pub blake3: String,

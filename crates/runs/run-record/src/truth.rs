@@ -16,7 +16,7 @@ pub const TRUTH_SCHEMA: &str = "lunoid.truth/1";
 /// The record of the truth of a run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct TruthRecord {
-    /// [`TRUTH_SCHEMA`].
+    /// Name of the schema: [`TRUTH_SCHEMA`].
     pub schema: String,
     /// Version of the format of arrays and record.
     pub format: u32,
@@ -26,13 +26,13 @@ pub struct TruthRecord {
     pub run_fingerprint: String,
     /// The program that drew.
     pub program: Program,
-    /// The scenario.
+    /// Scenario that was drawn.
     pub scenario: ScenarioRecord,
     /// Files that the scenario refers to.
     pub references: Vec<FileRecord>,
     /// Name of the generator.
     pub generator: String,
-    /// The ground.
+    /// Ground of the run, with the hash of its words.
     pub ground: GroundRecord,
     /// What lies and stands on it.
     pub scenery: SceneryRecord,
@@ -40,7 +40,7 @@ pub struct TruthRecord {
     pub view: ViewRecord,
     /// Arrays, each with its meaning.
     pub planes: Vec<Value>,
-    /// Conventions by name.
+    /// Conventions of pixels, rows, frames and axes, by name.
     pub conventions: Value,
     /// Where a pixel looks.
     pub camera: Value,
@@ -52,7 +52,7 @@ pub struct TruthRecord {
     pub not_in_it: Vec<String>,
     /// What was left out of the scene.
     pub omissions: Vec<OmissionRecord>,
-    /// Frames, ascending.
+    /// Records of the frames, ascending.
     pub frames: Vec<TruthFrame>,
     /// Other files of the truth.
     pub outputs: Vec<FileRecord>,

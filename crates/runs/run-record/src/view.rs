@@ -45,18 +45,18 @@ pub struct DisplayRecord {
     pub gamma: f64,
 }
 
-/// A deflection yoke.
+/// Steps, limits and dynamics of a deflection yoke.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct YokeRecord {
-    /// Smallest step (deg).
+    /// Smallest step of the yoke (deg).
     pub step_deg: f64,
-    /// Largest rate (deg/s).
+    /// Largest rate of turn (deg/s).
     pub rate_deg_s: f64,
     /// Largest angle to either side (deg).
     pub travel_deg: f64,
     /// Natural frequency (Hz); none of a yoke that follows at once.
     pub natural_hz: Option<f64>,
-    /// Damping ratio.
+    /// Damping ratio of the yoke, without unit.
     pub damping: f64,
 }
 

@@ -43,7 +43,7 @@ pub enum GroundLaw {
 /// What is put into pictures, and how.
 #[derive(Debug, Clone)]
 pub struct Augmentation {
-    /// The vehicle.
+    /// Shape of the vehicle that casts the shadow.
     pub shape: Shape,
     /// Height of its eye above its foot point, and above the ground where the poses do not tell (m).
     pub eye_height: f64,
@@ -62,7 +62,7 @@ pub struct Augmentation {
 /// What became of one frame.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FrameWork {
-    /// Its number.
+    /// Number of the frame.
     pub frame: u64,
     /// Seconds since the start of the mission.
     pub time_s: f64,
@@ -70,7 +70,7 @@ pub struct FrameWork {
     pub file: String,
     /// Hash of the new picture's pixels.
     pub pixels_blake3: String,
-    /// Counts.
+    /// Counts of the work done.
     #[serde(flatten)]
     pub work: Work,
     /// Times of gear of 1969.

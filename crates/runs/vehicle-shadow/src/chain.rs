@@ -21,7 +21,7 @@ pub fn shadow_projection(to_sun: DVec3) -> DMat3 {
 pub struct Chain {
     /// From a point in vehicle axes to its shadow in the camera's.
     pub turn: DMat3,
-    /// What is added.
+    /// Shift C, which is added after the turn (m).
     pub shift: DVec3,
     /// Height of a point in vehicle axes above the ground is `eye_height - down . point`.
     down: DVec3,

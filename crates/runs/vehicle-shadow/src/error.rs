@@ -25,21 +25,21 @@ pub enum AugmentError {
     /// A folder that cannot be listed or made.
     #[error("{path}: cannot {doing}: {source}")]
     Folder {
-        /// The folder.
+        /// Path of the folder.
         path: PathBuf,
-        /// What was tried.
+        /// What was tried, as words after `cannot`.
         doing: &'static str,
-        /// The system's words.
+        /// What the system says.
         source: io::Error,
     },
     /// A file of poses or of a camera that says something else than it should.
     #[error("{path}{}: {what}; expected {expected}", line.map(|line| format!(", line {line}")).unwrap_or_default())]
     Content {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
         /// Line from 1, where one is to blame.
         line: Option<u64>,
-        /// What is wrong.
+        /// What was found there, in words.
         what: String,
         /// What should stand there.
         expected: String,
@@ -58,20 +58,20 @@ pub enum AugmentError {
         "{path}: no picture here: expected PNG files (or JPEG, TIFF) whose names end in their frame's number, as frame-000012.png"
     )]
     NoFrames {
-        /// The folder.
+        /// Path of the folder.
         path: PathBuf,
     },
     /// Two pictures of one frame.
     #[error("{first} and {second}: both are frame {frame}; expected one picture a frame; take one out")]
     TwoFrames {
-        /// The frame.
+        /// Number of the frame.
         frame: u64,
-        /// The one.
+        /// Path of the first picture.
         first: PathBuf,
-        /// The other.
+        /// Path of the second picture.
         second: PathBuf,
     },
-    /// Poses without pictures.
+    /// The poses have frames without pictures.
     #[error("{folder}: no picture of {}, which {poses} has; expected one for each pose", named(frames))]
     MissingFrames {
         /// Folder of the pictures.
@@ -81,7 +81,7 @@ pub enum AugmentError {
         /// Frames that are missing, ascending.
         frames: Vec<u64>,
     },
-    /// Pictures without poses.
+    /// The folder has pictures without poses.
     #[error("{poses}: no pose of {}, which {folder} has; expected one for each picture", named(frames))]
     MissingPoses {
         /// Folder of the pictures.
@@ -97,27 +97,27 @@ pub enum AugmentError {
         found[0], found[1], expected[0], expected[1]
     )]
     Size {
-        /// The picture.
+        /// Path of the picture.
         path: PathBuf,
         /// Columns and lines found.
         found: [usize; 2],
         /// Columns and lines expected.
         expected: [usize; 2],
-        /// Whose they are.
+        /// Name of what has the expected size.
         of: String,
     },
     /// The pictures would be written over.
     #[error("{path}: the new pictures would replace the old ones; choose another folder")]
     SameFolder {
-        /// The folder.
+        /// Path of the folder.
         path: PathBuf,
     },
     /// The sun has no shadow.
     #[error("frame {frame}: {source}")]
     Sun {
-        /// The frame.
+        /// Number of the frame.
         frame: u64,
-        /// Why not.
+        /// Why the sun casts no shadow.
         source: LowSun,
     },
     /// The pose is not over the ground.

@@ -7,7 +7,7 @@ use glam::DVec2;
 pub struct Gate(Vec<[f64; 2]>);
 
 impl Gate {
-    /// Adds a stretch.
+    /// Adds a stretch from `stretch[0]` to `stretch[1]`.
     pub fn add(&mut self, stretch: [f64; 2]) {
         self.0.push(stretch);
     }
@@ -41,7 +41,7 @@ impl Gate {
         });
     }
 
-    /// The stretches.
+    /// Returns the stretches; each begins and ends in X.
     pub fn stretches(&self) -> &[[f64; 2]] {
         &self.0
     }

@@ -40,7 +40,7 @@ impl NodeTable {
         table
     }
 
-    /// Number of nodes.
+    /// Returns the number of nodes.
     pub fn len(&self) -> usize {
         self.nodes.len()
     }

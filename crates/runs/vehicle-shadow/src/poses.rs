@@ -25,7 +25,7 @@ pub struct FramePose {
     pub time: f64,
     /// North, east, height above the tangent plane (m).
     pub eye: [f64; 3],
-    /// Of the vehicle.
+    /// Roll, pitch and heading of the vehicle.
     pub attitude: Attitude,
     /// Angle by which the picture is turned (rad), if the file says it.
     pub yoke: Option<f64>,

@@ -54,7 +54,7 @@ const LONGEST_S: f64 = 86_400.0;
 /// Lines of one frame that are looked at.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Look {
-    /// The frame.
+    /// Number of the frame.
     pub frame: u64,
     /// Which lines of it, and what of them.
     pub probe: Probe,

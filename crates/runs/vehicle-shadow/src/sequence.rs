@@ -13,9 +13,9 @@ const USUAL_PERIOD_S: f64 = 1.0 / 30.0;
 /// One frame of a sequence.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SequenceFrame {
-    /// Its number.
+    /// Number of the frame.
     pub frame: u64,
-    /// Its file.
+    /// Path of the picture.
     pub path: PathBuf,
     /// Where the eye was.
     pub pose: FramePose,
@@ -54,17 +54,17 @@ impl Sequence {
         Ok(Self { folder: folder.to_owned(), frames, camera: camera()? })
     }
 
-    /// Its folder.
+    /// Returns the folder of the pictures.
     pub fn folder(&self) -> &Path {
         &self.folder
     }
 
-    /// Its frames, ascending.
+    /// Returns the frames of the sequence, ascending.
     pub fn frames(&self) -> &[SequenceFrame] {
         &self.frames
     }
 
-    /// Its camera.
+    /// Returns the camera that took the pictures.
     pub fn camera(&self) -> &Camera {
         &self.camera
     }

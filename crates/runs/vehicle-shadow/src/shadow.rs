@@ -14,7 +14,7 @@ pub struct Shadow {
     pub half_width: f64,
     /// How dark each pixel becomes.
     pub shade: Shade,
-    /// What that takes.
+    /// Counts of the work that the shadow takes.
     pub work: Work,
     /// Where the video is blanked.
     pub blanking: Blanking,

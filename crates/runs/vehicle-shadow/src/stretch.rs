@@ -29,7 +29,7 @@ impl Spot {
 /// A line between two neighbouring places.
 #[derive(Debug, Clone, Copy)]
 pub struct Stretch {
-    /// What they see.
+    /// What each place sees; `None` where it sees nothing.
     pub spots: [Option<Spot>; 2],
     /// Their X on the view-plane.
     pub ends: [f64; 2],

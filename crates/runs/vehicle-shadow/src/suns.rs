@@ -19,7 +19,7 @@ pub const SUN_POINTS: usize = 64;
      has no end"
 )]
 pub struct LowSun {
-    /// Found (deg).
+    /// Elevation that was found (deg).
     pub elevation_deg: f64,
     /// Elevation that it must be over (deg).
     pub least_deg: f64,

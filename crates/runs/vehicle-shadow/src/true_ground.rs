@@ -51,7 +51,7 @@ impl TrueGround {
         Ok(Self { stage, ceilings })
     }
 
-    /// The stage.
+    /// Returns the stage of the ground.
     pub fn stage(&self) -> &Stage {
         &self.stage
     }

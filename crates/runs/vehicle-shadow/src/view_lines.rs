@@ -14,9 +14,9 @@ pub enum LineType {
     Visible,
     /// 2: one end does.
     Partial,
-    /// 3: neither does.
+    /// 3: neither end lies beyond the view-plane.
     Hidden,
-    /// 4: not displayed.
+    /// 4: the line is not displayed.
     Trace,
 }
 
@@ -36,13 +36,13 @@ impl LineType {
 /// How many lines were of each type, in the report's order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 pub struct LineCounts {
-    /// Type 1.
+    /// Number of lines of type 1.
     pub visible: u64,
-    /// Type 2.
+    /// Number of lines of type 2.
     pub partial: u64,
-    /// Type 3.
+    /// Number of lines of type 3.
     pub hidden: u64,
-    /// Type 4.
+    /// Number of lines of type 4.
     pub trace: u64,
 }
 

@@ -13,7 +13,7 @@ use crate::{Choice, REAL_TIME, TimedScene};
 /// A mission, from its scenario's file to the planes of its last frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Mission {
-    /// Frames.
+    /// Number of frames of the mission.
     pub frames: usize,
     /// Reading, and the making of the ground (s).
     pub ground: f64,

@@ -30,7 +30,7 @@ pub struct Baseline {
     format: u32,
     /// Where they were counted.
     pub circumstances: Circumstances,
-    /// By name.
+    /// Instructions counted for each kernel, by its name.
     pub instructions: BTreeMap<String, u64>,
 }
 
@@ -53,11 +53,11 @@ pub enum BaselineError {
 /// A kernel's count beside the one of the baseline.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Difference<'b> {
-    /// Kernel.
+    /// Name of the kernel.
     pub name: &'b str,
     /// Instructions of the baseline.
     pub before: u64,
-    /// Instructions now.
+    /// Instructions that are counted now.
     pub now: u64,
 }
 

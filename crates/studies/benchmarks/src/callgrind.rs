@@ -24,9 +24,9 @@ pub enum CountError {
     /// It could not be started or ended badly.
     #[error("valgrind: {kernel}: {reason}")]
     Failed {
-        /// The kernel.
+        /// Name of the kernel.
         kernel: String,
-        /// What went wrong.
+        /// What went wrong, in words.
         reason: String,
     },
 }
@@ -34,7 +34,7 @@ pub enum CountError {
 /// What was counted of a kernel.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Count {
-    /// Instructions within [`counted`].
+    /// Number of instructions within [`counted`].
     pub instructions: u64,
     /// What the kernel wrote to its output.
     pub told: String,

@@ -14,7 +14,7 @@ use crate::{REAL_TIME, ROWS, Row, TimedScene};
 /// Times of one row on one number of threads.
 #[derive(Debug, Clone)]
 pub struct FrameTimes {
-    /// What was drawn.
+    /// Row of the table that was drawn.
     pub row: &'static Row,
     /// Threads that drew it.
     pub threads: usize,
@@ -94,7 +94,7 @@ impl FrameTimes {
         self.times[self.times.len() / 2]
     }
 
-    /// Samples a second.
+    /// Returns the rate at the median time (samples per second).
     fn rate(&self) -> f64 {
         self.samples as f64 / self.median()
     }

@@ -19,9 +19,9 @@ mod group;
 pub struct Kernel {
     /// Its name: what it is of, then how.
     pub name: &'static str,
-    /// What it does.
+    /// What the kernel does, in words.
     pub about: &'static str,
-    /// Makes it ready.
+    /// Makes the work of the kernel ready.
     pub ready: fn() -> Work,
 }
 

@@ -8,9 +8,9 @@ use crate::{Choice, TimedScene};
 /// What the scene holds; all but one stay as they are.
 #[derive(Debug, Clone, Copy)]
 pub struct Size {
-    /// Sweeps a frame.
+    /// Number of sweeps per frame.
     pub sweeps: u32,
-    /// Samples a sweep.
+    /// Number of samples per sweep.
     pub samples: u32,
     /// Side of the stored ground (m).
     pub extent: u32,
@@ -24,7 +24,7 @@ pub struct Size {
     pub shadow: f64,
     /// Frames that are drawn one after the other.
     pub frames: u64,
-    /// Threads.
+    /// Number of threads that draw.
     pub threads: usize,
 }
 
@@ -45,13 +45,13 @@ pub const BASE: Size = Size {
 const REACH: f64 = 500.0;
 /// Ground range beyond which there is no shadow (m).
 const SHADOWED: f64 = 300.0;
-/// Frames a second.
+/// Update rate of the scenes (Hz).
 const RATE: f64 = 30.0;
 
 /// One quantity that grows.
 #[derive(Debug, Clone, Copy)]
 pub struct Ladder {
-    /// What grows.
+    /// Name of what grows.
     pub name: &'static str,
     /// Why the cost should grow with the power that stands here.
     pub expected: (f64, &'static str),
@@ -65,7 +65,7 @@ pub struct Ladder {
     pub without: Option<Size>,
 }
 
-/// All ladders.
+/// All ladders that `scaling` climbs.
 pub const LADDERS: &[Ladder] = &[
     Ladder {
         name: "sweeps",

@@ -8,9 +8,9 @@ use crate::Choice;
 /// One row of the table.
 #[derive(Debug, Clone, Copy)]
 pub struct Row {
-    /// Its name.
+    /// Name of the row.
     pub name: &'static str,
-    /// The shipped scenario.
+    /// Name of the shipped scenario.
     pub scenario: &'static str,
     /// What is measured of it.
     pub choice: Choice,
@@ -39,7 +39,7 @@ const fn preview(name: &'static str, scenario: &'static str, model: &'static str
     Row { name, scenario, choice: Choice { economy: Economy::Preview, ..choice } }
 }
 
-/// All of them.
+/// All rows of the table, in its order.
 pub const ROWS: &[Row] = &[
     preview("preview showpiece, ideal, f32", "showpiece", "ideal", Scalar::F32),
     preview("preview showpiece, ideal, f64", "showpiece", "ideal", Scalar::F64),

@@ -12,9 +12,9 @@ use scenario::{Pose, PoseTable, Scalar, Scenario};
 /// A shipped scenario under its own machine, made ready for its first frame.
 #[derive(Debug)]
 pub struct TimedScene {
-    /// Ground, scenery, settings.
+    /// Ground, scenery and settings of the scenario.
     pub stage: MachineStage,
-    /// Of frame 0.
+    /// Pose of the eye in frame 0.
     pub pose: Pose,
     scenario: Scenario,
 }

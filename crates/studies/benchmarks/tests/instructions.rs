@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-/// The quickest one.
+/// Name of the quickest kernel.
 const KERNEL: &str = "control-plane/ideal";
 
 fn instructions(arguments: &[&str]) -> Output {

@@ -19,12 +19,12 @@ const FORMAT: u32 = 2;
 #[cfg_attr(test, schemars(rename = "Cartridge"))]
 #[serde(deny_unknown_fields)]
 pub(crate) struct File {
-    /// 2.
+    /// Version of the file format: 2.
     #[cfg_attr(test, schemars(range(min = 2, max = 2)))]
     format: u32,
     /// What it shows, for people.
     title: String,
-    /// What is run.
+    /// The scene that is run.
     scene: CartridgeScene,
     /// The answers, at least one.
     #[cfg_attr(test, schemars(length(min = 1)))]
@@ -39,7 +39,7 @@ pub(crate) struct File {
 pub struct Cartridge {
     /// Name of its folder.
     pub name: String,
-    /// What it shows.
+    /// What the cartridge shows, for people.
     pub title: String,
     pub(crate) cases: Vec<Case>,
     pub(crate) expect: Vec<Expect>,
@@ -62,7 +62,7 @@ pub enum Engine {
 }
 
 impl Engine {
-    /// All of them.
+    /// All engines, the machine first.
     pub const ALL: [Self; 4] = [Self::MachineF64, Self::MachineF32, Self::Exact, Self::Part];
 
     /// Its word in files.
@@ -76,7 +76,7 @@ impl Engine {
     }
 }
 
-/// One answer.
+/// One answer that the scene must give.
 #[derive(Debug, Clone, Deserialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -85,7 +85,7 @@ pub(crate) struct Expect {
     pub read: Reading,
     /// How far off it may be, in the unit of the reading.
     pub tolerance: f64,
-    /// Why so far.
+    /// Why it may be off so far.
     pub because: String,
     /// Where the answer comes from.
     pub derivation: String,
@@ -111,7 +111,7 @@ pub(crate) struct Overlay {
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{place}: {message}")]
 pub struct CartridgeError {
-    /// The file.
+    /// Path of the file.
     pub place: String,
     /// What is wrong in it, what was expected.
     pub message: String,

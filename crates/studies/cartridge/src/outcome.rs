@@ -10,7 +10,7 @@ use crate::reading::Deviation;
 pub struct Outcome {
     /// Name of its folder.
     pub name: String,
-    /// What it shows.
+    /// What the cartridge shows, for people.
     pub title: String,
     /// Whether every answer is right and every overlay is caught.
     pub passed: bool,
@@ -25,15 +25,15 @@ pub struct Outcome {
 /// One answer on one engine, over all runs.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Answer {
-    /// What ran.
+    /// Engine that ran the scene.
     pub engine: Engine,
-    /// Which reading.
+    /// Name of the reading.
     pub reading: String,
     /// Where it is farthest off: what and in which run.
     pub place: String,
     /// Value found there; null in JSON if it is no number.
     pub found: f64,
-    /// Value expected there.
+    /// Value that was expected there.
     pub expected: f64,
     /// How far off, in the unit of the tolerance; null in JSON where nothing could be compared.
     pub worst_error: f64,
@@ -41,7 +41,7 @@ pub struct Answer {
     pub tolerance: f64,
     /// Error over tolerance: 1 uses all of it. 0 where both are 0.
     pub tolerance_used: f64,
-    /// Why so far.
+    /// Why it may be off so far.
     pub because: String,
     /// Where the expected value comes from.
     pub derivation: String,
@@ -52,7 +52,7 @@ pub struct Answer {
 /// One overlay on one engine.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct OverlayOutcome {
-    /// What ran.
+    /// Engine that ran the changed scene.
     pub engine: Engine,
     /// What the overlay changes.
     pub because: String,
@@ -65,7 +65,7 @@ pub struct OverlayOutcome {
 /// What a page needs to know of many cartridges.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Summary {
-    /// Cartridges.
+    /// Number of cartridges that ran.
     pub cartridges: usize,
     /// Those that passed: every answer right, every overlay caught.
     pub passed: usize,
@@ -122,7 +122,7 @@ impl Outcome {
 }
 
 impl Summary {
-    /// Of some outcomes.
+    /// Returns the summary of some outcomes.
     pub fn of(outcomes: &[Outcome]) -> Self {
         let answers = || outcomes.iter().flat_map(|one| one.answers.iter().map(move |answer| (one, answer)));
         let overlays = || outcomes.iter().flat_map(|one| &one.overlays);

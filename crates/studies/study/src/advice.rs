@@ -31,7 +31,7 @@ pub struct Advice {
     pub setting: Option<Setting>,
     /// Its time (s a frame).
     pub time_s: Option<f64>,
-    /// Its error.
+    /// RMSE of the picture at this setting.
     pub error: Option<f64>,
 }
 

@@ -6,9 +6,9 @@ use scenario::{Projection, RangeLaw, Scalar, Scenario};
 /// A scenario on a model, to be changed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Variant {
-    /// The scenario.
+    /// Scenario, with its raster and laws.
     pub scenario: Scenario,
-    /// The hardware model.
+    /// Hardware model that draws it.
     pub model: HardwareModel,
 }
 
@@ -25,16 +25,16 @@ pub enum Change {
     Parts(Box<HardwareModel>),
     /// Another law of the ground-range programme, between the same ends.
     Programme(RangeLaw),
-    /// Another projection law.
+    /// Another projection law of the sweeps.
     Projection(Projection),
     /// The fine level alone, to its edge.
     FineLevelAlone,
-    /// Another shadow controller.
+    /// Another kind of shadow controller.
     Shadow(ShadowParts),
 }
 
 impl Change {
-    /// Changes `variant`.
+    /// Changes scenario and model of `variant`.
     pub fn apply(&self, variant: &mut Variant) {
         let Variant { scenario, model } = variant;
         match self {

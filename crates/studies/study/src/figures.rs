@@ -41,14 +41,14 @@ pub const NAMES: [(&str, &str); 16] = [
     ("picture rmse, law of the base", "1"),
 ];
 
-/// One error.
+/// One error of a rung.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ErrorFigure {
     /// One of [`NAMES`], or a ladder's own.
     pub name: &'static str,
     /// Its unit; `1` for a share.
     pub unit: &'static str,
-    /// How much.
+    /// Value of the error, in its unit.
     pub value: f64,
 }
 

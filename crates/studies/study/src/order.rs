@@ -21,7 +21,7 @@ pub struct Order {
     pub slope: f64,
     /// Smallest and largest step of the straight part.
     pub steps: [f64; 2],
-    /// Rungs on it.
+    /// Number of rungs on the straight part.
     pub rungs: usize,
 }
 

@@ -29,7 +29,7 @@ pub enum ReferenceError {
     /// The folder cannot be made.
     #[error("{}: pictures of exact cannot be kept: {source}; name a folder that can be written", .folder.display())]
     Folder {
-        /// The folder.
+        /// Folder that cannot be made.
         folder: PathBuf,
         /// What the system says.
         source: std::io::Error,
@@ -44,7 +44,7 @@ pub enum ReferenceError {
 pub struct SelfError {
     /// Root of the mean squared difference of linear intensity.
     pub rms: f64,
-    /// The largest difference.
+    /// Largest difference of linear intensity.
     pub max: f64,
     /// What an edge inside a line is published to shift its mean by, at most.
     pub edge: f64,
@@ -67,7 +67,7 @@ impl SelfError {
 /// What a picture of `exact` shows, line by line from the top.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ExactPicture {
-    /// Linear intensity.
+    /// Linear intensity of each pixel.
     pub intensity: Vec<f32>,
     /// Ground range of the pixels' centres (m); infinite in the sky.
     pub range: Vec<f32>,

@@ -52,7 +52,7 @@ impl From<survey::SurveyError> for StudyError {
 pub struct Subject {
     /// The scenario, its raster, range and laws settled: no model changes them any more.
     pub scenario: Scenario,
-    /// The hardware model.
+    /// Hardware model of the base setting.
     pub model: HardwareModel,
     /// What is drawn at the base setting.
     pub stage: MachineStage,

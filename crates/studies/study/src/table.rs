@@ -1,4 +1,4 @@
-//! Outcomes as rows.
+//! Outcomes of ladders as rows of tables.
 
 use crate::ladder::{LadderOutcome, RungOutcome};
 
@@ -71,7 +71,7 @@ fn quoted(text: &str) -> String {
     }
 }
 
-/// Four significant digits.
+/// Returns a number with about four significant digits.
 fn figure(value: f64) -> String {
     match value.abs() {
         0.0 => "0".to_owned(),

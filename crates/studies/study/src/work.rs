@@ -50,9 +50,9 @@ struct Ready {
 
 /// A study that has been made ready: who knows what is true.
 pub struct Rehearsed<'a> {
-    /// What is studied.
+    /// The base setting that is studied, with its frames.
     pub subject: &'a Subject,
-    /// Pictures of `exact`.
+    /// Pictures of `exact`, each drawn once.
     pub exact: &'a mut ExactPictures,
     /// Ground below the sweeps of the base.
     pub columns: &'a Columns,

@@ -63,7 +63,7 @@ struct Import {
 #[derive(Debug, Args)]
 #[command(after_help = "Example:\n  lunoid bank export moon.bank -o corners.npy")]
 struct Export {
-    /// Bank.
+    /// Bank file to read.
     bank: PathBuf,
     /// Level, 0 is the finest.
     #[arg(long, default_value_t = 0, value_parser = values::at_least(0_usize))]
@@ -79,9 +79,9 @@ struct Export {
 #[derive(Debug, Args)]
 #[command(after_help = "Example:\n  lunoid bank show moon.bank -o moon.png --sun 120,10")]
 struct Show {
-    /// Bank.
+    /// Bank file to read.
     bank: PathBuf,
-    /// Picture to write.
+    /// Picture file to write.
     #[arg(short, long, value_name = "PNG|SVG")]
     out: Option<PathBuf>,
     /// Level to draw, 0 is the finest.
@@ -105,9 +105,9 @@ struct Show {
 #[derive(Debug, Args)]
 #[command(after_help = "Example:\n  lunoid bank generate scenarios/first-light.toml -o first-light.bank")]
 struct Generate {
-    /// Scenario.
+    /// Scenario file to read.
     scenario: PathBuf,
-    /// Bank to write.
+    /// Bank file to write.
     #[arg(short, long, value_name = "BANK")]
     out: PathBuf,
     /// Print what was written as JSON.

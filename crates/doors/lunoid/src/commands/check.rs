@@ -26,7 +26,7 @@ generator ran on and cartridges are read too. Exit code 3 if there is any fault.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER)]
 pub struct Check {
-    /// Files.
+    /// The files to check.
     #[arg(required = true)]
     files: Vec<PathBuf>,
     /// Print the result as JSON.
@@ -35,7 +35,7 @@ pub struct Check {
 }
 
 impl Check {
-    /// Checks.
+    /// Checks every file and prints all faults.
     pub fn run(&self, colour: Colour) -> Result<Verdict, Failure> {
         let found = self.files.iter().map(|file| {
             let kind = Kind::of(file);

@@ -71,7 +71,7 @@ pub struct Compare {
 }
 
 impl Compare {
-    /// Compares.
+    /// Compares pictures or runs and prints their differences.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let picture = self.out.iter().map(|out| Place::file("--out", out).ending_in(&["png"]));
         expect_outputs(&picture.collect::<Vec<_>>(), &self.sources())?;
@@ -89,7 +89,7 @@ impl Compare {
         Ok(if pass == Some(false) { Verdict::No } else { Verdict::Yes })
     }
 
-    /// What is read.
+    /// Files and folders that the command reads.
     fn sources(&self) -> Vec<Place> {
         let side = |path: &PathBuf| match path.is_dir() {
             true => Place::folder("the run", path, is_run_file),

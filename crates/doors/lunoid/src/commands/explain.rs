@@ -40,13 +40,13 @@ pub struct Explain {
     /// Leave the closed form out, and with it the error. Only of the hybrid machine.
     #[arg(long)]
     no_exact: bool,
-    /// Print as JSON.
+    /// Print the explanation as JSON.
     #[arg(long)]
     json: bool,
 }
 
 impl Explain {
-    /// Explains.
+    /// Explains the chosen pixel and prints the explanation.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let stage = stage_of(&self.chosen.stage)?;
         let opened = stage.load()?;

@@ -13,15 +13,15 @@ use crate::{Failure, Verdict};
 #[command(after_help = "Example:\n  lunoid info moon.bank\n\n\
     Knows banks, elevation files, scenarios, hardware models, pictures (PNG, JPEG), and run folders.")]
 pub struct Info {
-    /// File or folder.
+    /// File or folder to look into.
     file: PathBuf,
-    /// Print as JSON.
+    /// Print the information as JSON.
     #[arg(long)]
     json: bool,
 }
 
 impl Info {
-    /// Looks.
+    /// Reads the file or folder and prints what it holds.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let held = Held::of(&self.file)?;
         if self.json {

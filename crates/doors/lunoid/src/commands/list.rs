@@ -25,10 +25,10 @@ pub use signals::Signals;
     after_help = "Example:\n  lunoid list scenarios\n\nModels and scenarios are looked for in hardware-models/ and scenarios/ of the current folder."
 )]
 pub struct List {
-    /// What to list.
+    /// Kind of things to list.
     #[arg(value_enum)]
     what: Kind,
-    /// Print as JSON.
+    /// Print the list as JSON.
     #[arg(long)]
     json: bool,
 }
@@ -37,9 +37,9 @@ pub struct List {
 enum Kind {
     /// Whatever `--machine` can name: hardware models, and generators that are none.
     Machines,
-    /// Hardware models.
+    /// Hardware models and built-in overlays.
     Models,
-    /// Scenarios.
+    /// Scenarios in the current folder.
     Scenarios,
     /// Signals of the machine.
     Signals,
@@ -48,7 +48,7 @@ enum Kind {
 }
 
 impl List {
-    /// Lists.
+    /// Prints the list of the chosen kind.
     pub fn run(&self) -> Result<Verdict, Failure> {
         match self.what {
             Kind::Machines => machines(self.json)?,

@@ -37,7 +37,7 @@ enum What {
 /// A model with what is laid over it.
 #[derive(Debug, Args)]
 struct Named {
-    /// Name or path.
+    /// Name or path of the model.
     model: String,
     /// Merge a TOML file of differences over it, or an overlay that the program carries, by name; may be given several
     /// times.
@@ -79,7 +79,7 @@ struct Show {
     budget: bool,
     #[command(flatten)]
     ground: GroundArgs,
-    /// Print as JSON.
+    /// Print the model as JSON.
     #[arg(long)]
     json: bool,
 }
@@ -95,7 +95,7 @@ struct Check {
     named: Named,
     #[command(flatten)]
     ground: GroundArgs,
-    /// Print as JSON.
+    /// Print the findings as JSON.
     #[arg(long)]
     json: bool,
 }
@@ -110,7 +110,7 @@ struct Diff {
     first: String,
     /// Name or path of the second.
     second: String,
-    /// Print as JSON.
+    /// Print the differences as JSON.
     #[arg(long)]
     json: bool,
 }
@@ -118,7 +118,7 @@ struct Diff {
 #[derive(Debug, Args)]
 #[command(after_help = "Example:\n  lunoid model list --json")]
 struct List {
-    /// Print as JSON.
+    /// Print the list as JSON.
     #[arg(long)]
     json: bool,
 }

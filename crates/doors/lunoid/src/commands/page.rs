@@ -28,7 +28,7 @@ pub struct PageCommand {
 }
 
 impl PageCommand {
-    /// Writes.
+    /// Writes the page of the run and prints its path.
     pub fn run(&self) -> Result<Verdict, Failure> {
         // Before the folder is claimed: a claim would make one that is not there.
         HeldRun::read(&self.run)?;

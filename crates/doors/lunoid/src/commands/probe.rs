@@ -50,7 +50,7 @@ pub struct ProbeCommand {
     /// Signals, separated by commas, with * for any run of characters; `lunoid signals` lists them.
     #[arg(long, value_delimiter = ',', default_value = "*", value_name = "NAMES")]
     signals: Vec<String>,
-    /// File to write.
+    /// File of waveforms or picture to write.
     #[arg(short, long, value_name = "FILE")]
     out: PathBuf,
     /// What kind of file it is; as its name ends if left out.
@@ -83,7 +83,7 @@ fn scan(opened: &Opened) -> Result<Scan, Failure> {
 }
 
 impl ProbeCommand {
-    /// Records.
+    /// Records the chosen signals and writes the file.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let target = Target::of(self.format.as_deref(), &self.out)?;
         self.expect_fitting(target)?;

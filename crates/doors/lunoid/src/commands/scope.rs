@@ -18,7 +18,7 @@ pub struct ScopeArgs {
     /// Where the picture begins: ground range (m), or sweep time with `us`.
     #[arg(long, value_name = "PLACE", value_parser = place, allow_hyphen_values = true)]
     pub from: Option<Place>,
-    /// Where it ends.
+    /// Where the picture ends: ground range (m), or sweep time with `us`.
     #[arg(long, value_name = "PLACE", value_parser = place, allow_hyphen_values = true)]
     pub to: Option<Place>,
     /// Along what it runs; the other one stands at the top.
@@ -41,20 +41,20 @@ pub struct ScopeArgs {
 /// Along what a page runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 pub enum AxisWord {
-    /// Ground range.
+    /// Horizontal axis of ground range.
     #[default]
     Range,
-    /// Sweep time.
+    /// Horizontal axis of sweep time.
     Time,
 }
 
 /// Paper of a page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 pub enum ThemeWord {
-    /// Ink on paper.
+    /// Dark ink on white paper.
     #[default]
     Light,
-    /// Phosphor on glass.
+    /// Bright phosphor on dark glass.
     Dark,
 }
 

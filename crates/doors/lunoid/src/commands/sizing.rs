@@ -33,19 +33,19 @@ pub struct Sizing {
     /// Step of the ground that shows as a tear, in lines of the picture.
     #[arg(long, value_name = "LINES", value_parser = positive, default_value_t = 0.5)]
     shows: f64,
-    /// Measure only.
+    /// Measure only; do not search.
     #[arg(long)]
     no_search: bool,
-    /// No progress.
+    /// Do not show any progress.
     #[arg(long)]
     no_progress: bool,
-    /// Print as JSON.
+    /// Print the result as JSON.
     #[arg(long)]
     json: bool,
 }
 
 impl Sizing {
-    /// Measures, and searches.
+    /// Measures the frames, searches for the slowest parts, and prints the report.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let usual = |opened: &Opened| choose(opened, self.frames, spread(USUAL_FRAMES));
         let (rehearsal, frames) = rehearse(&self.stage, &self.threads, usual)?;

@@ -25,7 +25,7 @@ Coordinates of --area are metres of the file's own projection.";
 #[derive(Debug, Args)]
 #[command(after_help = AFTER)]
 pub struct SurveyCommand {
-    /// Elevation file.
+    /// Elevation file to read.
     elevation: PathBuf,
     /// Bank to write; a text description is written beside it.
     #[arg(short, long, value_name = "BANK")]
@@ -112,7 +112,7 @@ fn sources(elevation: &Path) -> Vec<Place> {
 }
 
 impl SurveyCommand {
-    /// Surveys.
+    /// Fits a bank to the elevation file and writes it.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let outputs = [bank_at(&self.out).to_vec(), Place::pictures([("--picture", &self.picture)])].concat();
         expect_outputs(&outputs, &sources(&self.elevation))?;

@@ -41,7 +41,7 @@ pub struct Trace {
     #[arg(long, value_name = "TICK|S:SAMPLE",
           conflicts_with_all = ["sweep", "unit", "event", "colour", "level", "from", "to", "limit", "csv"])]
     at: Option<At>,
-    /// Print as JSON.
+    /// Print the result as JSON.
     #[arg(long)]
     json: bool,
     /// Print as CSV, a row an event.
@@ -50,7 +50,7 @@ pub struct Trace {
 }
 
 impl Trace {
-    /// Lists, or shows.
+    /// Lists the events, or shows the registers with `--at`.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let mut sweeps = 0..0;
         let number = self.chosen.frame;
@@ -117,10 +117,10 @@ struct FilterArgs {
     #[arg(long, value_name = "COLOURS", value_delimiter = ',',
           value_parser = PossibleValuesParser::new(Colour::ALL.map(Colour::name)))]
     colour: Vec<String>,
-    /// Level of terrain.
+    /// Level of terrain of the events.
     #[arg(long, value_name = "LEVEL", value_parser = PossibleValuesParser::new(LEVELS))]
     level: Option<String>,
-    /// First tick.
+    /// First tick that is listed.
     #[arg(long, value_name = "TICK", value_parser = values::at_least(0_u64))]
     from: Option<u64>,
     /// The tick that ends the listing; it is not listed.

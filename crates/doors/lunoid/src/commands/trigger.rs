@@ -57,7 +57,7 @@ pub struct TriggerCommand {
     /// The n-th place, from 1.
     #[arg(long, value_name = "N", value_parser = values::at_least(1_u64), conflicts_with = "all")]
     nth: Option<u64>,
-    /// Every place.
+    /// Show every place, not only the first.
     #[arg(long)]
     all: bool,
     /// Show so many samples before and after it.
@@ -72,10 +72,10 @@ pub struct TriggerCommand {
     /// Signals that are written beside those of the condition, separated by commas, with * for any run of characters.
     #[arg(long, value_delimiter = ',', value_name = "NAMES", requires = "out")]
     signals: Vec<String>,
-    /// Print as JSON.
+    /// Print the places as JSON.
     #[arg(long)]
     json: bool,
-    /// Show no progress.
+    /// Do not show any progress.
     #[arg(short, long)]
     quiet: bool,
 }
@@ -85,7 +85,7 @@ fn condition(text: &str) -> Result<Condition, ConditionError> {
 }
 
 impl TriggerCommand {
-    /// Searches.
+    /// Searches the frames and prints the places found.
     pub fn run(&self) -> Result<Verdict, Failure> {
         self.check_signals(machine::signals())?;
         let file =

@@ -12,7 +12,7 @@ pub fn npy(kind: &str, shape: &str, values: &[u8]) -> Vec<u8> {
     bytes
 }
 
-/// Little-endian doubles.
+/// The values as little-endian doubles, eight bytes each.
 pub fn doubles(values: &[f64]) -> Vec<u8> {
     values.iter().flat_map(|value| value.to_le_bytes()).collect()
 }

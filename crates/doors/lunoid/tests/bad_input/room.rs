@@ -14,11 +14,11 @@ pub const TINY: &str = include_str!("../tiny.toml");
 pub const KEYFRAMES: &str =
     "keyframes = [\n  { t_s = 0, x_m = 100, y_m = 200 },\n  { t_s = 5, x_m = 108, y_m = 205 },\n]";
 
-/// Wrong usage.
+/// Exit code of wrong usage.
 pub const USAGE: i32 = 2;
-/// Bad input.
+/// Exit code of bad input.
 pub const INPUT: i32 = 3;
-/// Output failed.
+/// Exit code of a failed output.
 pub const OUTPUT: i32 = 4;
 
 /// Everything below a folder: content of files, nothing for folders.
@@ -113,7 +113,7 @@ impl Said {
         assert!(missing.is_empty(), "{what}: no {missing:?} in\n{}", self.err);
     }
 
-    /// Errors told.
+    /// Number of errors on standard error.
     pub fn errors(&self) -> usize {
         self.err.lines().filter(|line| line.starts_with("error")).count()
     }

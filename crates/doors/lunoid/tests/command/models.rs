@@ -1,4 +1,4 @@
-//! `lunoid model`.
+//! Tests of the command `lunoid model`.
 
 use serde_json::Value;
 

@@ -24,7 +24,7 @@ use crate::{DeadlineError, Rehearsal};
 pub use tell::TracedColumns;
 pub use trace::remembered;
 
-/// What is listed.
+/// Limits that decide which columns and record lines are listed.
 #[derive(Debug, Clone, Copy)]
 pub struct Limits {
     /// A column differs if any pixel of it is off by more levels of 255 than this.

@@ -71,7 +71,7 @@ impl Screen {
         Spot { sweeps: self.sweeps(x, y), top: middle - 0.5 * height }
     }
 
-    /// The rightmost sweep.
+    /// Returns the number of the rightmost sweep.
     pub fn last_sweep(&self) -> u32 {
         self.fan.sweeps - 1
     }

@@ -19,7 +19,7 @@ pub struct TracedColumns<'a> {
     pub(super) title: String,
     pub(super) limits: Limits,
     pub(super) four: &'a Four,
-    /// Those that differ.
+    /// Columns that differ, from left to right.
     pub(super) columns: Vec<Column>,
     pub(super) trace: Trace<'a>,
     /// Length of a sample (ns).

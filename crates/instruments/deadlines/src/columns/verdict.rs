@@ -21,7 +21,7 @@ impl Class {
     /// All, in the order of tables.
     pub const ALL: [Self; 3] = [Self::Timing, Self::Parts, Self::Both];
 
-    /// Its word.
+    /// Returns the word for the class in tables and documents.
     pub fn word(self) -> &'static str {
         match self {
             Self::Timing => "timing",
@@ -53,7 +53,7 @@ pub struct Pixel {
     pub parts_alone: u32,
     /// What remains without the parts: analog side ideal, against ideal.
     pub timing_alone: u32,
-    /// Whose work.
+    /// Which side of the machine causes the difference: timing, parts or both.
     pub class: Class,
     /// Unless it is the parts' alone.
     pub way: Option<Way>,

@@ -15,7 +15,7 @@ pub use transfer::{colour_word, register_word};
 /// From what starts a piece of work to the instant at which it is due.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Chain {
-    /// Which deadline.
+    /// Kind of the deadline that the chain ends at.
     pub deadline: Deadline,
     /// What is due, and where.
     pub what: String,
@@ -25,14 +25,14 @@ pub struct Chain {
     pub slack: Option<i64>,
 }
 
-/// One unit's part.
+/// The part of a chain that one unit does.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Link {
     /// Block first: `loader.red`, `cpu`.
     pub unit: String,
-    /// What it does.
+    /// What the unit does, in words.
     pub what: String,
-    /// Master ticks.
+    /// Time it takes (master ticks).
     pub ticks: i64,
 }
 

@@ -41,7 +41,7 @@ pub struct LevelFigures {
     pub tick: f64,
 }
 
-/// One sweep.
+/// Figures of one sweep, before they are averaged.
 #[derive(Default)]
 struct SweepFigures {
     range: f64,

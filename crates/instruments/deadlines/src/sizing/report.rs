@@ -11,18 +11,18 @@ use super::search::Search;
 use super::units::unit_rows;
 use crate::Rehearsal;
 
-/// One figure.
+/// One figure of a table, measured and by formula.
 #[derive(Debug, Clone, Serialize)]
 pub struct Row {
-    /// Name with unit.
+    /// Name of the figure, ending in its unit.
     key: String,
-    /// In words.
+    /// Meaning of the figure, in words.
     meaning: String,
-    /// By running.
+    /// Value measured by running the machine.
     measured: Option<f64>,
-    /// By formula.
+    /// Value that the formula gives.
     formula: Option<f64>,
-    /// Measured over formula.
+    /// Measured value divided by that of the formula.
     ratio: Option<f64>,
     /// The formula in the symbols of hardware section 4.
     law: &'static str,
@@ -43,7 +43,7 @@ pub(super) fn row(
 /// Figures measured and by formula, and what was searched for.
 pub struct Report {
     head: String,
-    /// Title and rows.
+    /// Tables, each with its title and rows.
     tables: Vec<(String, Vec<Row>)>,
     searches: Vec<Search>,
     shows: f64,
@@ -82,7 +82,7 @@ impl Report {
         })
     }
 
-    /// Tables for people.
+    /// Returns the figures and searches as tables for people.
     pub fn text(&self) -> String {
         let mut text = format!("{}\n", self.head);
         for (title, rows) in &self.tables {

@@ -14,9 +14,9 @@ use crate::levels::drawn_levels;
 /// What is made slower.
 #[derive(Debug, Clone, Serialize)]
 pub struct Search {
-    /// Name with unit.
+    /// Name of the searched value, ending in its unit.
     pub key: &'static str,
-    /// In words.
+    /// What is made slower, in words.
     pub what: &'static str,
     /// The slowest with which no tear shows (master ticks); none if tears show even at 0.
     pub slowest_ticks: Option<u64>,

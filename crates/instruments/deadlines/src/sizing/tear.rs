@@ -10,7 +10,7 @@ use sweep_program::{Miss, NO_CORNER, PreloadRegister, SweepProgram};
 pub struct TearLaw {
     /// Tangent of one line of the picture.
     line: f64,
-    /// Lines that show.
+    /// Smallest step that shows as a tear (lines).
     shows: f64,
 }
 

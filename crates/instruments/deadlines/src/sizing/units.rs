@@ -6,7 +6,7 @@ use super::level::LevelFigures;
 use super::report::{Row, row};
 use crate::Rehearsal;
 
-/// Utilisation in percent.
+/// Returns a row for the use of each unit (%), measured and by formula.
 pub fn unit_rows(rehearsal: &Rehearsal, record: &TimingRecord, levels: &[LevelFigures]) -> Vec<Row> {
     let totals = Totals::of(record);
     let cpu = &rehearsal.stage.settings.cpu;
@@ -40,7 +40,7 @@ struct UnitFormulas<'a> {
     levels: &'a [LevelFigures],
     /// How fast the view turns, as a share of 10 degrees/s, for which the drum's formula stands.
     turning: f64,
-    /// Vertices asked for.
+    /// Share of time that the processor spends on the vertices asked for.
     vertices: f64,
 }
 

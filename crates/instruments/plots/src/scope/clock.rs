@@ -33,7 +33,7 @@ impl Clock<'_> {
         if is_period { Ok(()) } else { Err(value("sample period", self.period, "a time above 0 µs")) }
     }
 
-    /// The last sample.
+    /// Returns the instant of the last sample (samples).
     pub(crate) fn end(&self) -> f64 {
         self.ranges.len().saturating_sub(1) as f64
     }

@@ -25,7 +25,7 @@ const DASHES: [[f32; 2]; 2] = [[7.0, 3.0], [2.0, 2.0]];
 pub(crate) struct Cursors(pub Vec<f64>);
 
 impl Cursors {
-    /// Those asked for.
+    /// Places the cursors that were asked for; each must lie in the part that is drawn.
     pub fn new(places: &[Place], view: &View<'_>) -> Result<Self, PlotError> {
         if places.len() > NAMES.len() {
             let what = "cursors".to_owned();

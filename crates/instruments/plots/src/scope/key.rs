@@ -17,7 +17,7 @@ const PATCH: [f32; 2] = [20.0, 8.0];
 /// From a patch to its word.
 const GAP: f32 = 5.0;
 
-/// One entry.
+/// One entry of the key.
 enum Entry {
     Blanked,
     Text(String),

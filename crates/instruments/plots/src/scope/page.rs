@@ -7,7 +7,7 @@ use super::Clock;
 /// One sweep: everything that was recorded of it. Instants are in samples from its start.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scope<'a> {
-    /// Its clock.
+    /// Clock of the sweep: its sample period and ground ranges.
     pub clock: Clock<'a>,
     /// Analog signals, from top to bottom.
     pub panels: Vec<Curves<'a>>,
@@ -74,7 +74,7 @@ pub struct Curve<'a> {
     pub values: &'a [f64],
 }
 
-/// One digital signal.
+/// One digital signal and its name.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LogicLane<'a> {
     /// Name, at its left and in the readouts.
@@ -113,11 +113,11 @@ impl Logic {
 pub enum RegisterColour {
     /// Corner of even, even index.
     Yellow,
-    /// Odd, even.
+    /// Corner of odd north index and even east index.
     Green,
-    /// Even, odd.
+    /// Corner of even north index and odd east index.
     Black,
-    /// Odd, odd.
+    /// Corner of odd, odd index.
     Red,
 }
 
@@ -141,7 +141,7 @@ impl RegisterColour {
 /// A boundary of regions that the sweep passes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Crossing {
-    /// When.
+    /// Instant of the crossing (samples from the start of the sweep).
     pub at: f64,
     /// The registers that take a new corner there.
     pub loads: [RegisterColour; 2],
@@ -206,9 +206,9 @@ pub enum Along {
     /// Decades of ground range evenly, as a range programme of constant ratio spends its samples.
     #[default]
     LogRange,
-    /// Ground range evenly.
+    /// Ground range, with equal steps evenly spaced.
     Range,
-    /// Sweep time evenly.
+    /// Sweep time, with equal steps evenly spaced.
     Time,
 }
 
@@ -221,13 +221,13 @@ pub enum Place {
     Time(f64),
 }
 
-/// Paper.
+/// Colours of a page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Theme {
-    /// Ink on white.
+    /// Dark ink on white paper.
     #[default]
     Light,
-    /// Phosphor on glass.
+    /// Bright phosphor on dark glass.
     Dark,
 }
 
@@ -243,7 +243,7 @@ impl Theme {
 /// How a page is drawn.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ScopeLook {
-    /// What is shown.
+    /// Title at the top of the page.
     pub title: String,
     /// Lines below the title.
     pub facts: Vec<String>,
@@ -251,7 +251,7 @@ pub struct ScopeLook {
     pub width: u32,
     /// Height of each panel of curves, 120 to 8000 pixels.
     pub height: u32,
-    /// Paper.
+    /// Colours of the page.
     pub theme: Theme,
     /// Along what it runs.
     pub along: Along,

@@ -21,13 +21,13 @@ const LEVELS: u32 = 2;
 /// A run among others.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MachineFigures {
-    /// Its folder.
+    /// Name of the run's folder, below that of the page.
     pub name: String,
-    /// Who drew.
+    /// Name of the generator that drew.
     pub generator: String,
     /// Hardware model, of a generator that has one.
     pub model: Option<String>,
-    /// Which run.
+    /// Fingerprint of the run, hexadecimal.
     pub fingerprint: String,
     /// How many things were left out.
     pub omissions: usize,
@@ -59,9 +59,9 @@ pub struct FrameError {
 /// Wall time of the session that drew last.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct RunTime {
-    /// Threads that drew.
+    /// Number of threads that drew.
     pub threads: u64,
-    /// Frames drawn.
+    /// Number of frames drawn.
     pub frames_drawn: u64,
     /// Wall time (s) of all of them, with encoding and writing.
     pub drawing_s: f64,

@@ -1,4 +1,4 @@
-//! NPZ through numpy.
+//! Tests of NPZ files, read through numpy.
 
 use signal::Axis;
 use waveform::Format;

@@ -51,7 +51,7 @@ fn at(changes: &[(u64, f64)], time: u64) -> f64 {
     changes[changes.partition_point(|(then, _)| *then <= time) - 1].1
 }
 
-/// To the bit.
+/// Returns whether two numbers are equal to the bit.
 fn same(a: f64, b: f64) -> bool {
     a.to_bits() == b.to_bits()
 }

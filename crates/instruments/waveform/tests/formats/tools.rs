@@ -1,4 +1,4 @@
-//! ngspice and sigrok-cli.
+//! Tests of files read by ngspice and sigrok-cli.
 
 use std::collections::BTreeMap;
 

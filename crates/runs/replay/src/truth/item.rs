@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 /// One kind of ground truth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum TruthItem {
-    /// Ground range (m).
+    /// Ground range of the pixel's point (m).
     Range,
     /// Height above the tangent plane (m).
     Height,
@@ -20,7 +20,7 @@ pub enum TruthItem {
     Reflectivity,
     /// How it is lit.
     Shadow,
-    /// What it is.
+    /// Kind of thing that the pixel sees.
     Label,
     /// Where the eye is and how it looks; files of its own.
     Pose,
@@ -188,7 +188,7 @@ impl fmt::Display for TruthItems {
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("no ground truth is called `{found}`; expected `all` or some of {}, joined by commas", all_names())]
 pub struct UnknownTruth {
-    /// The name.
+    /// Name that was given.
     pub found: String,
 }
 

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 
 use crate::camera::camera;
 
-/// Schema of `poses.json`.
+/// Name of the schema of `poses.json`.
 const SCHEMA: &str = "lunoid.truth-poses/1";
 
 /// One frame in numbers.

@@ -301,7 +301,7 @@ fn the_example_of_the_page() {
     assert!(page.contains(&line), "the page should have: {line}");
 }
 
-/// A pixel.
+/// A pixel by line and column, from the top left.
 struct Pixel {
     line: f64,
     column: f64,

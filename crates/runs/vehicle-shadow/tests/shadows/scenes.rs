@@ -24,7 +24,7 @@ pub fn to_sun(azimuth: f64, elevation: f64) -> DVec3 {
     DVec3::from_array(sun(azimuth, elevation).direction())
 }
 
-/// The sun, degrees.
+/// Returns a sun at this azimuth and elevation (degrees).
 pub fn sun(azimuth: f64, elevation: f64) -> Sun {
     Sun { azimuth: radians(azimuth), elevation: radians(elevation) }
 }

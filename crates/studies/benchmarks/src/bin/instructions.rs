@@ -24,7 +24,7 @@ struct Arguments {
     /// Print them as JSON.
     #[arg(long)]
     json: bool,
-    /// Names alone.
+    /// Print only the names of the kernels.
     #[arg(long)]
     list: bool,
     /// Hold them against the counts of this file.

@@ -15,10 +15,10 @@ struct Arguments {
     /// Times that each row is drawn, in turns; each turn begins with a frame that is not timed.
     #[arg(long, default_value_t = 9)]
     repetitions: usize,
-    /// Numbers of threads.
+    /// Numbers of threads that draw, separated by commas.
     #[arg(long, value_delimiter = ',', default_value = "1,2")]
     threads: Vec<usize>,
-    /// Print as JSON.
+    /// Print the times as JSON.
     #[arg(long)]
     json: bool,
 }

@@ -15,7 +15,7 @@ use crate::scene::machine::MachineCase;
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Along {
-    /// 0.
+    /// The number 0 at every place.
     Nothing,
     /// Height of the terrain (m): a plane or polynomial as written, else the sum over the region's four corners of words
     /// times `g_ip(u) g_jq(v)`.

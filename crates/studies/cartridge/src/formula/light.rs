@@ -1,4 +1,4 @@
-//! Lambert's factor.
+//! Lambert's factor of slopes, and its product with the albedo.
 
 use quantities::{radians, sin_cos};
 

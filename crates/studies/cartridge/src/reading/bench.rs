@@ -45,7 +45,7 @@ pub struct TripsReading {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct OutputErrorReading {
-    /// Which number.
+    /// The number that is read from the errors.
     pub statistic: Statistic,
     /// What it should be (shares of full scale).
     pub value: f64,

@@ -11,9 +11,9 @@ use crate::scene::machine::{Drawn, MachineCase};
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct BrightnessReading {
-    /// First line.
+    /// First line that is read, from 0 at the top.
     pub first_line: usize,
-    /// Last line.
+    /// Last line that is read; it is included.
     pub last_line: usize,
 }
 

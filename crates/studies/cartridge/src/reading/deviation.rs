@@ -5,9 +5,9 @@
 pub struct Deviation {
     /// What it is, and where.
     pub what: String,
-    /// As found.
+    /// Value that was found.
     pub found: f64,
-    /// As expected.
+    /// Value that was expected.
     pub expected: f64,
     /// How far off, in the unit of the tolerance; infinite where there is nothing to compare.
     pub off: f64,

@@ -25,12 +25,12 @@ pub struct SetsAFoldReading {
     pub count: f64,
 }
 
-/// A response time.
+/// Worst response time of a processor task.
 #[derive(Debug, Clone, Deserialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct ResponseReading {
-    /// Which task.
+    /// The processor task whose response time is read.
     pub task: Task,
 }
 
@@ -42,7 +42,7 @@ pub struct MissedReading {
     /// Their kind, as timing records have it: `transfer`, `sweep-set-up`, `frame-tasks`, `corner`.
     #[cfg_attr(test, schemars(with = "String"))]
     pub deadline: Deadline,
-    /// How many.
+    /// How many deadlines are missed.
     pub count: u64,
 }
 
@@ -57,7 +57,7 @@ pub struct UtilisationReading {
     pub share: f64,
 }
 
-/// Repeated sweeps.
+/// Share of the sweeps that repeat the one before.
 #[derive(Debug, Clone, Deserialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]

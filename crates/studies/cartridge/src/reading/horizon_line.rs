@@ -12,7 +12,7 @@ use crate::scene::machine::{Drawn, MachineCase};
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct HorizonLineReading {
-    /// Where it is.
+    /// Formula of the line where the horizon is.
     pub formula: Horizon,
 }
 

@@ -25,7 +25,7 @@ use crate::scene::{CartridgeScene, Case, Seen};
 /// The signal of ground range.
 pub(crate) const RANGE: &str = "sweep.range";
 
-/// What is read.
+/// What is read from a scene, and what it should be.
 #[derive(Debug, Clone, Deserialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(tag = "kind", rename_all = "kebab-case")]

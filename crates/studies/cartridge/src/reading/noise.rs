@@ -11,7 +11,7 @@ use crate::scene::noise::Deviates;
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct NoiseReading {
-    /// Which number.
+    /// The number that is read from the noise.
     pub measure: Measure,
     /// What it should be.
     pub value: f64,

@@ -26,9 +26,9 @@ pub struct SignalReading {
 pub struct SamplesReading {
     /// Name of the signal.
     pub signal: String,
-    /// Ground ranges (m).
+    /// Ground ranges that are looked at (m).
     pub at_m: Vec<f64>,
-    /// Its values there.
+    /// Values of the signal there, in its unit.
     pub values: Vec<f64>,
 }
 

@@ -16,7 +16,7 @@ pub struct StatisticReading {
     pub signal: String,
     /// What it should be.
     pub formula: Along,
-    /// Which number.
+    /// The number that is read from the errors.
     pub statistic: Statistic,
     /// What it should be.
     pub value: f64,
@@ -29,13 +29,13 @@ pub struct StatisticReading {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Statistic {
-    /// Mean.
+    /// Mean of the errors.
     Mean,
     /// Root of the mean square.
     Rms,
     /// Root of the mean square of what is left without the mean.
     Deviation,
-    /// Largest size.
+    /// Largest error, by size.
     Largest,
     /// Correlation of neighbours, -1 to 1.
     NeighbourCorrelation,

@@ -11,7 +11,7 @@ use crate::scene::view::Trips;
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct WaitsReading {
-    /// Which number.
+    /// The number that is read from the waits.
     pub measure: WaitMeasure,
     /// What it should be.
     pub value: f64,
@@ -22,9 +22,9 @@ pub struct WaitsReading {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum WaitMeasure {
-    /// Mean (turns).
+    /// Mean wait of a request (turns).
     Mean,
-    /// Longest (turns).
+    /// Longest wait of a request (turns).
     Longest,
     /// Share of the requests that were met.
     Met,

@@ -15,11 +15,11 @@ use crate::hardware::Hardware;
 pub struct DrumScene {
     /// Corners of the level, to the north and to the east.
     pub corners: [usize; 2],
-    /// Requests.
+    /// Number of requests to the drum.
     pub requests: u64,
     /// From one request to the next.
     pub every_ms: f64,
-    /// The drum.
+    /// Hardware model that has the drum.
     pub hardware: Hardware,
 }
 

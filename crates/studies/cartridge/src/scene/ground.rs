@@ -5,7 +5,7 @@ use serde::Deserialize;
 
 use crate::formula::basis::direct_sum;
 
-/// A ground.
+/// Ground that a scene is drawn over.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(tag = "kind", rename_all = "kebab-case", deny_unknown_fields)]
@@ -14,9 +14,9 @@ pub enum CartridgeGround {
     Plane {
         /// At the origin (m).
         height_m: f64,
-        /// To the north.
+        /// Slope to the north.
         slope_north: f64,
-        /// To the east.
+        /// Slope to the east.
         slope_east: f64,
     },
     /// `sum c[i][j] X^i Y^j`, `X = (x - centre) / unit` to the north, `Y` to the east. Up to degree 5 in each it is
@@ -40,7 +40,7 @@ pub enum CartridgeGround {
         corners: Vec<[usize; 2]>,
         /// Words `3 p + q`: orders of the derivative to the north and to the east.
         words: Vec<usize>,
-        /// The word (m).
+        /// Value of the word (m).
         value_m: f64,
     },
     /// `f(m,n;p,q) = ((17m + 29n + 37p + 43q + 11mp + 5nq + 3pq + 13mn) mod 23) - 11` (check table 23.2b).

@@ -34,9 +34,9 @@ pub struct MachineScene {
     pub region_size_m: f64,
     /// Corners to the north and to the east; corner (0, 0) is the origin.
     pub corners: [usize; 2],
-    /// Terrain.
+    /// Terrain that the sweeps run over.
     pub ground: CartridgeGround,
-    /// Craters on it.
+    /// Craters on the terrain; none if it is missing.
     #[serde(default)]
     pub craters: Vec<Bowl>,
     /// Share of the light that is returned, 0 to 1.
@@ -54,7 +54,7 @@ pub struct MachineScene {
     pub eye_m: [f64; 3],
     /// The scene is run under each heading.
     pub headings_deg: Vec<f64>,
-    /// Nose up.
+    /// Pitch of the vehicle, nose up.
     pub pitch_deg: f64,
     /// Lines of the picture; it has as many columns as sweeps.
     pub lines: u32,
@@ -69,7 +69,7 @@ pub struct MachineScene {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Bowl {
-    /// North and east.
+    /// Middle of the crater: north and east.
     pub centre_m: [f64; 2],
     /// Radius of the rim.
     pub radius_m: f64,

@@ -12,7 +12,7 @@ use serde::Deserialize;
 use crate::file::Engine;
 use crate::reading::Reading;
 
-/// What is run.
+/// The scene that is run, by its kind.
 #[derive(Debug, Clone, Deserialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(tag = "kind", rename_all = "kebab-case")]
@@ -92,7 +92,7 @@ impl CartridgeScene {
 }
 
 impl Case {
-    /// For messages.
+    /// Returns the case in words, for messages.
     pub fn what(&self) -> String {
         match self {
             Self::Machine(case) => case.what(),

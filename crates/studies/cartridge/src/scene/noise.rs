@@ -14,9 +14,9 @@ use crate::hardware::Hardware;
 pub struct NoiseScene {
     /// Names of the two parts.
     pub parts: [String; 2],
-    /// Sweeps.
+    /// Number of sweeps that are drawn.
     pub sweeps: u64,
-    /// Samples a sweep.
+    /// Number of samples per sweep.
     pub samples: u64,
     /// The figures of the part.
     pub hardware: Hardware,
@@ -35,7 +35,7 @@ pub struct Deviates {
     pub parts: [Vec<f64>; 2],
     pub again: Vec<f64>,
     pub other_seed: Vec<f64>,
-    /// Samples a sweep.
+    /// Number of samples per sweep.
     pub samples: usize,
 }
 

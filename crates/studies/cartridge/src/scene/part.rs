@@ -16,11 +16,11 @@ use crate::hardware::Hardware;
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct PartScene {
-    /// Which part.
+    /// Kind of the part.
     pub part: Part,
     /// Length of a step.
     pub step_ns: f64,
-    /// Steps.
+    /// Number of steps that are run.
     pub steps: usize,
     /// What it is fed with.
     pub input: Input,
@@ -33,13 +33,13 @@ pub struct PartScene {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Part {
-    /// One pole: `multiplier.bandwidth_mhz`.
+    /// A lag of one pole: `multiplier.bandwidth_mhz`.
     Lag,
-    /// Two poles: `sweep.smoother_ns`.
+    /// A smoother of two poles: `sweep.smoother_ns`.
     Smoother,
     /// An amplifier of one input: `amplifier.*`.
     Amplifier,
-    /// A comparator: `comparator.*`.
+    /// A comparator by itself: `comparator.*`.
     Comparator,
     /// The converter of a ramp: `sweep.dac_bits` and its other keys.
     Converter,
@@ -66,7 +66,7 @@ pub enum Input {
     Fold {
         /// Share of full scale a microsecond.
         per_us: f64,
-        /// When.
+        /// Time of the fold, from the start (µs).
         fold_us: f64,
     },
 }
@@ -125,7 +125,7 @@ impl PartCase {
         analog.amplifier.slew.map_or(f64::INFINITY, |slew| slew / analog.full_scale)
     }
 
-    /// The smoother.
+    /// Returns the law of the smoother, a system of second order.
     pub fn smoother(&self) -> SecondOrder {
         SecondOrder { natural: 1.0 / self.model.analog.sweep.smoother, damping: SMOOTHER_DAMPING }
     }

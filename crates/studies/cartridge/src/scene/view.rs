@@ -14,15 +14,15 @@ use super::within;
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct ViewScene {
-    /// Nose up.
+    /// Pitches of the vehicle, nose up.
     pub pitches_deg: Vec<f64>,
-    /// Clockwise from north.
+    /// Headings of the vehicle, clockwise from north.
     pub headings_deg: Vec<f64>,
-    /// Starboard down.
+    /// Angles of the yoke, starboard down.
     pub yokes_deg: Vec<f64>,
     /// Field of view, across and upright.
     pub field_deg: [f64; 2],
-    /// Columns and lines.
+    /// Columns and lines of the picture.
     pub raster: [u32; 2],
     /// Ranges along the rays at which the way back begins (m).
     pub ranges_m: Vec<f64>,
@@ -30,7 +30,7 @@ pub struct ViewScene {
     pub projection: ProjectionWord,
 }
 
-/// A projection law.
+/// A projection law, from elevation to the view-plane.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
@@ -39,7 +39,7 @@ pub enum ProjectionWord {
     AsReported,
     /// `Y = (D / cos beta) tan(-eta)`.
     Corrected,
-    /// In perspective.
+    /// Perspective, as `exact` draws it.
     Exact,
 }
 

@@ -10,18 +10,18 @@ use super::waste::{Part, WasteCounts};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Level {
-    /// Once, at elaboration.
+    /// Once a mission, at elaboration.
     Mission,
-    /// Once a frame.
+    /// Once for every frame.
     Frame,
-    /// Once a sweep.
+    /// Once for every sweep.
     Sweep,
-    /// Once a sample.
+    /// Once for every sample.
     Sample,
 }
 
 impl Level {
-    /// Its name.
+    /// Returns the name of the level for tables.
     pub fn name(self) -> &'static str {
         match self {
             Self::Mission => "mission",
@@ -41,7 +41,7 @@ pub struct LeftOut {
     pub block: &'static str,
     /// What is not done.
     pub what: String,
-    /// Why.
+    /// Why it need not be done.
     pub why: String,
     /// How much of it is not done, of how much; `None` where it is all or nothing.
     pub count: Option<[u64; 2]>,

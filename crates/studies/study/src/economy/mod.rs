@@ -28,7 +28,7 @@ pub use waste::{Waste, waste};
 /// A machine of one economy, and what its frames took.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ModeOutcome {
-    /// Its name.
+    /// Name of the economy.
     pub name: String,
     /// Median, smallest and largest time (s a frame).
     pub time_s: [f64; 3],

@@ -23,14 +23,14 @@ pub struct Waste {
     pub what: &'static str,
     /// How much of it.
     pub wasted: u64,
-    /// Of how much.
+    /// Amount of all work of this kind.
     pub of: u64,
     /// Why it is done all the same.
     pub why: &'static str,
 }
 
 impl Waste {
-    /// Percent.
+    /// Returns the wasted part (%); 0 where there is no work.
     pub fn percent(&self) -> f64 {
         if self.of == 0 { 0.0 } else { 100.0 * self.wasted as f64 / self.of as f64 }
     }

@@ -15,15 +15,15 @@ pub use plan::{Extent, ladders};
 pub struct Ladder {
     /// Name on the command line and in the tables.
     pub name: &'static str,
-    /// What is varied.
+    /// What is varied, in words.
     pub what: &'static str,
-    /// What theory says.
+    /// Orders of convergence that theory predicts.
     pub expected: Vec<Expectation>,
     /// Settings, coarse to fine where they have an order.
     pub rungs: Vec<Rung>,
 }
 
-/// A setting.
+/// One setting of a ladder.
 #[derive(Debug, Clone)]
 pub struct Rung {
     /// Its name in the ladder.
@@ -41,14 +41,14 @@ pub struct Expectation {
     pub error: &'static str,
     /// Order in the step.
     pub order: f64,
-    /// Why.
+    /// Reason why theory says so.
     pub why: &'static str,
 }
 
 /// What came of a rung.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RungOutcome {
-    /// Its name.
+    /// Name of the rung in the ladder.
     pub label: String,
     /// What convergence is measured along.
     pub step: Option<f64>,
@@ -58,7 +58,7 @@ pub struct RungOutcome {
     pub time_s: Option<[f64; 3]>,
     /// Samples, or evaluations, in a unit of work: a count that no busy machine changes.
     pub work: u64,
-    /// Errors.
+    /// Errors at this rung, each with its unit.
     pub errors: Figures,
     /// Why there are none.
     pub refused: Option<String>,
@@ -74,7 +74,7 @@ impl RungOutcome {
 /// The order of an error along a ladder, beside what theory says.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct OrderOutcome {
-    /// What theory says.
+    /// Order that theory predicts, and why.
     #[serde(flatten)]
     pub expected: Expectation,
     /// What was measured; `None` without a straight part.
@@ -91,15 +91,15 @@ impl OrderOutcome {
 /// What came of a ladder.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LadderOutcome {
-    /// Its name.
+    /// Name of the ladder.
     pub name: &'static str,
-    /// What was varied.
+    /// What was varied, in words.
     pub what: &'static str,
     /// What a time is of: `frame`, `sample`.
     pub unit_of_work: &'static str,
-    /// Rung by rung.
+    /// Outcomes of the rungs, in their order.
     pub rungs: Vec<RungOutcome>,
-    /// Convergence.
+    /// Orders of convergence, measured and expected.
     pub orders: Vec<OrderOutcome>,
 }
 

@@ -12,7 +12,7 @@ use crate::ladder::{Expectation, Ladder, Rung};
 pub enum Extent {
     /// A few rungs about the base: an answer within a minute.
     Quick,
-    /// All rungs.
+    /// All rungs of every ladder.
     Whole,
 }
 

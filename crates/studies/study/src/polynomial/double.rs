@@ -16,7 +16,7 @@ impl Double {
         joined(high, libm::fma(-high, b, a) / b)
     }
 
-    /// The nearest double.
+    /// Returns the nearest f64 of the sum.
     pub fn to_f64(self) -> f64 {
         self.high + self.low
     }

@@ -30,7 +30,7 @@ pub struct Ready<S> {
 }
 
 impl<S: Real> Ready<S> {
-    /// Of a stretch.
+    /// Makes a method ready for a stretch.
     pub fn new(method: Method, stretch: &Stretch) -> Self {
         let powers = &stretch.segment.height;
         let coefficients = match method {
@@ -92,7 +92,7 @@ impl<S: Real> Ready<S> {
         self.coefficients.iter().rev().fold(S::ZERO, |sum, &c| sum * place + c).to_f64()
     }
 
-    /// Clenshaw's recurrence.
+    /// Returns the height at `place` by Clenshaw's recurrence (m).
     fn clenshaw(&self, place: S) -> f64 {
         let (twice, mut next, mut after) = (place + place, S::ZERO, S::ZERO);
         let Some((&constant, rest)) = self.coefficients.split_first() else { return 0.0 };

@@ -20,15 +20,15 @@ const LEAST: usize = 3;
 pub struct Stretch {
     /// Words in the hold registers, by colour.
     pub hold: [CornerWords; 4],
-    /// Polarity flip-flops.
+    /// States of the polarity flip-flops of X and Y.
     pub polarity: [f64; 2],
     /// The expansion that the machine makes.
     pub segment: Segment,
-    /// Samples.
+    /// Samples of the stretch, with their true heights.
     pub points: Vec<Point>,
 }
 
-/// A sample.
+/// A sample of a stretch.
 #[derive(Debug, Clone, Copy)]
 pub struct Point {
     /// Ramps X and Y.

@@ -38,7 +38,7 @@ impl Relief for Stored<'_> {
     }
 }
 
-/// Two crossed waves.
+/// Ground of two crossed waves.
 pub(super) struct Waves {
     length: f64,
 }

@@ -17,7 +17,7 @@ pub struct EconomyReport {
     pub title: String,
     /// Frames that were looked at.
     pub frames: Vec<u64>,
-    /// Threads that drew.
+    /// Number of threads that drew.
     pub threads: usize,
     /// What is left out, what that saves, what remains.
     pub found: EconomyOutcome,
@@ -113,7 +113,7 @@ impl EconomyReport {
         [head.map(str::to_owned).into()].into_iter().chain(self.found.waste.iter().map(row)).collect()
     }
 
-    /// Tables for people.
+    /// Returns the outcome as tables for people.
     pub fn text(&self) -> String {
         let tables = self.tables();
         let text = tables.iter().map(|(title, rows)| format!("\n{title}\n{}", text::table(rows)));

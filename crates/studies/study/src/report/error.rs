@@ -22,13 +22,13 @@ pub struct ErrorReport {
     pub title: String,
     /// Frames that were looked at.
     pub frames: Vec<u64>,
-    /// Threads that drew.
+    /// Number of threads that drew.
     pub threads: usize,
     /// How far `exact` is from itself with its limits halved.
     pub exact: SelfError,
     /// Ladders, each with its rungs.
     pub ladders: Vec<LadderOutcome>,
-    /// Settings that pay.
+    /// Cheapest setting for each wanted error.
     pub advice: Vec<Advice>,
     /// What the build leaves out, where it was asked for.
     pub not_built: Option<&'static str>,
@@ -69,7 +69,7 @@ impl ErrorReport {
         )
     }
 
-    /// Tables for people.
+    /// Returns the outcome as tables for people.
     pub fn text(&self) -> String {
         let mut text = format!("{}\n{}\n", self.facts(), self.exact.sentence());
         for ladder in &self.ladders {

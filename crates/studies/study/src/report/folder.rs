@@ -14,9 +14,9 @@ pub enum ReportError {
     /// The folder cannot be made.
     #[error("--out {}: {error}; name a folder that can be written", .folder.display())]
     Folder {
-        /// The folder.
+        /// Folder that cannot be made.
         folder: PathBuf,
-        /// Why not.
+        /// What the system says.
         error: io::Error,
     },
     /// A table cannot be written.

@@ -65,7 +65,7 @@ impl ShadowReport {
         table(&self.suns, self.line_rad)
     }
 
-    /// Tables for people.
+    /// Returns the outcome as tables for people.
     pub fn text(&self) -> String {
         let mut text = format!("{}\n\n{}", self.facts(), text::table(&self.rows()));
         if !self.laws.is_empty() {

@@ -56,7 +56,7 @@ impl StabilityReport {
         format!("{}, {own} cells of the machine, {faults} do not hold, commit {commit}", self.title)
     }
 
-    /// Tables for people.
+    /// Returns the outcome as tables for people.
     pub fn text(&self) -> String {
         let mut text = format!("{}\n\n{}", self.facts(), text::table(&table::summary(&self.cells)));
         if !self.fits.is_empty() {

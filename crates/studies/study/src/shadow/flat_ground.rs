@@ -22,7 +22,7 @@ pub const FLAT_ERROR_ROUNDING: f64 = 1e-9;
 /// Which edges are looked for.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FlatGroundPlan {
-    /// What casts them.
+    /// Mast whose shadow has these edges.
     pub mast: Mast,
     /// Elevations of suns (rad), above 0.
     pub elevations: Vec<f64>,
@@ -37,7 +37,7 @@ pub struct FlatGroundPlan {
 pub struct SeenEdge {
     /// Frame whose place the mast stands at.
     pub frame: u64,
-    /// The sun.
+    /// Direction of the sun that casts the shadow.
     pub sun: Sun,
     /// From the foot to the edge on flat ground (m): d.
     pub distance: f64,

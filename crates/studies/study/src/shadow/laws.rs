@@ -30,7 +30,7 @@ const OTHER: f64 = 0.5;
 /// What came of one law by one method.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LawOutcome {
-    /// Ground, outlines, sun.
+    /// Law of the shadow: ground, outlines and sun.
     pub law: &'static str,
     /// How it gets into the video.
     pub method: String,

@@ -164,7 +164,7 @@ impl Record {
         record
     }
 
-    /// Adds a step.
+    /// Adds the summed and the tracked value of a step.
     pub fn push(&mut self, [summed, tracked]: [f64; 2]) {
         self.summed.push(summed);
         self.tracked.push(tracked);

@@ -52,7 +52,7 @@ pub struct Truth {
 }
 
 impl Truth {
-    /// Of `chain`.
+    /// Returns the true values of `chain`, extrapolated from runs of fine steps.
     pub fn new(chain: &Chain) -> Self {
         let runs = [REFERENCE / 2, REFERENCE, 2 * REFERENCE].map(|steps| {
             let step = 1.0 / steps as f64;

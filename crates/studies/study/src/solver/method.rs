@@ -10,9 +10,9 @@ use super::library;
 pub enum Method {
     /// The machine's parts: each the exact solution for an input that is a straight line over the step.
     Parts,
-    /// The trapezoidal rule.
+    /// The trapezoidal rule, of order 2.
     Trapezoidal,
-    /// Backward Euler.
+    /// The backward Euler method, of order 1.
     BackwardEuler,
     /// Explicit Runge-Kutta of order 4.
     RungeKutta,

@@ -29,7 +29,7 @@ pub enum Action {
     Split,
     /// Clamped something, and counted how often.
     Clamped(u64),
-    /// Stepped through it.
+    /// Stepped through it, with steps of finite length.
     Stepped,
     /// Refused it, with this message.
     Refused(String),
@@ -60,14 +60,14 @@ pub struct Found {
     pub bounded: bool,
     /// Largest error (full scales), where there is something to hold it against.
     pub error: Option<f64>,
-    /// What was done.
+    /// What the method did.
     pub action: Action,
     /// Seconds that it took.
     pub time_s: f64,
 }
 
 impl Found {
-    /// A refusal.
+    /// Returns what is found of a case that is refused with `message`.
     pub fn refused(message: String) -> Self {
         Self { finite: true, bounded: true, error: None, action: Action::Refused(message), time_s: 0.0 }
     }
@@ -78,21 +78,21 @@ impl Found {
 pub struct Cell {
     /// Dimension of the case.
     pub row: &'static str,
-    /// The case.
+    /// Name of the case.
     pub case: String,
-    /// The method.
+    /// Name of the method.
     pub method: &'static str,
     /// Whether it is the machine's own; others are there for comparison.
     pub own: bool,
     /// No NaN and no infinity.
     pub finite: bool,
-    /// Bounded.
+    /// Whether all values stayed within their bounds.
     pub bounded: bool,
     /// Largest error (full scales).
     pub error: Option<f64>,
     /// What theory allows of it; `None` where theory refuses the case or says nothing.
     pub allowed: Option<f64>,
-    /// What was done.
+    /// What the method did.
     pub action: Action,
     /// Seconds that it took.
     pub time_s: f64,

@@ -9,12 +9,12 @@ use scenario::{FieldOfView, RangeLaw, RangeProgramme};
 use super::cell::plain;
 use super::scene::StabilityScene;
 
-/// One extreme.
+/// A value at the edge of what scenes may have, or beyond it.
 #[derive(Debug, Clone)]
 pub struct Extreme {
-    /// Its dimension.
+    /// Name of its dimension, a row of the matrix.
     pub row: &'static str,
-    /// What it is.
+    /// Name of the extreme.
     pub name: String,
     /// What it does to a scene.
     pub apply: Push,
@@ -36,7 +36,7 @@ pub struct Push {
 }
 
 impl Push {
-    /// Changes `scene`.
+    /// Changes `scene` to the extreme.
     pub fn apply(&self, scene: &mut StabilityScene) {
         (self.change)(scene, self.figure);
     }

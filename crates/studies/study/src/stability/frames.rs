@@ -21,9 +21,9 @@ use crate::figures::{Bench, SignalErrors, Sum};
 pub struct Drawer<'a> {
     /// Its name in the matrix.
     pub name: &'static str,
-    /// Its parts.
+    /// Hardware model with the machine's parts.
     pub model: &'a HardwareModel,
-    /// Its signals.
+    /// Scalar type of the analog signals.
     pub scalar: Scalar,
     /// What they are held against.
     pub judge: Judge,

@@ -25,7 +25,7 @@ pub fn ramp(t: f64) -> f64 {
 
 /// Runs at samples 1, 2 ...: values of a method.
 pub struct Run {
-    /// Sample by sample.
+    /// Values at samples 1, 2 and so on.
     pub values: Vec<f64>,
     /// Seconds that it took.
     pub time_s: f64,

@@ -27,7 +27,7 @@ const PART_ROWS: [PartRow; 7] = [
 /// The row of what readers refuse.
 const INPUT: &str = "input";
 
-/// What is run.
+/// Choice of the rows and cases that are run.
 #[derive(Debug, Clone)]
 pub struct Choice {
     /// How long runs are.
@@ -36,7 +36,7 @@ pub struct Choice {
     pub rows: Vec<String>,
     /// Whether every pair of extremes of different rows is run.
     pub pairs: bool,
-    /// Random mixtures.
+    /// Number of random mixtures of extremes.
     pub mixtures: u32,
     /// Seed of the mixtures.
     pub seed: u64,

@@ -27,7 +27,7 @@ const CASES: [(&str, &str, &str); 12] = [
     ("rms_height_m = 6", "rms_height_m = nan", "rms_height_m"),
 ];
 
-/// Every case.
+/// Returns a cell for every input that readers must refuse.
 pub fn refusals() -> Vec<Cell> {
     let texts = CASES.iter().map(|(line, wrong, key)| {
         let start = Instant::now();

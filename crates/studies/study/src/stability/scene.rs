@@ -25,11 +25,11 @@ pub struct StabilityScene {
     pub origin: [f64; 2],
     /// Corners to the north and east.
     pub corners: [usize; 2],
-    /// Words, east fastest.
+    /// Words of the corners, east fastest.
     pub words: Vec<CornerWords>,
-    /// Craters.
+    /// Craters on the ground.
     pub craters: Vec<Crater>,
-    /// The light.
+    /// Direction of the sun's light.
     pub sun: Sun,
     /// Foot of the eye: north, east (m).
     pub foot: [f64; 2],
@@ -41,11 +41,11 @@ pub struct StabilityScene {
     pub yoke: f64,
     /// Sweeps a frame, and columns.
     pub sweeps: u32,
-    /// Samples a sweep.
+    /// Number of samples per sweep.
     pub samples: u32,
-    /// Field of view.
+    /// Field of view of the picture.
     pub field: FieldOfView,
-    /// Ground-range programme.
+    /// Ground-range programme of the sweeps.
     pub range: RangeProgramme,
 }
 

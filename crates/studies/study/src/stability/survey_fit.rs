@@ -15,7 +15,7 @@ const HOLE: usize = 6;
 /// Noise that is put on the heights (m), either way.
 const NOISE: f64 = 1e-3;
 
-/// One fit.
+/// Outcome of one survey fit.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FitOutcome {
     /// Side of a region (samples).
@@ -30,7 +30,7 @@ pub struct FitOutcome {
     pub growth: f64,
     /// The same over the whole area, holes included.
     pub growth_in_holes: f64,
-    /// Iterations.
+    /// Number of iterations that the fit took.
     pub iterations: usize,
     /// Why there is no fit.
     pub refused: Option<String>,

@@ -115,7 +115,7 @@ pub struct Augment {
 struct Grounded {
     law: GroundLaw,
     vehicle: Vehicle,
-    /// What decides it.
+    /// Everything that decides this ground, as text for the hash of the inputs.
     inputs: String,
 }
 
@@ -143,7 +143,7 @@ fn share(text: &str) -> Result<f64, String> {
 }
 
 impl Augment {
-    /// Augments.
+    /// Draws shadow and tracks into the pictures, and writes the record.
     pub fn run(&self) -> Result<Verdict, Failure> {
         self.expect_ground()?;
         expect_outputs(&self.outputs(), &self.sources())?;
@@ -202,14 +202,14 @@ impl Augment {
         Ok(if check.is_none_or(|check| check.is_met()) { Verdict::Yes } else { Verdict::No })
     }
 
-    /// What is written.
+    /// Files and folders that the command writes.
     fn outputs(&self) -> Vec<Place> {
         let made = Place::folder("--out", &self.out, |name| name == RECORD || is_picture(name));
         let timing = Place::given([("--timing", &self.timing)]);
         [made].into_iter().chain(timing).chain(self.probing.outputs()).collect()
     }
 
-    /// What is read.
+    /// Files and folders that the command reads.
     fn sources(&self) -> Vec<Place> {
         let pictures = Place::folder("the pictures in", &self.frames, is_picture);
         let mut sources = vec![pictures, Place::file("the poses", &self.poses)];

@@ -56,7 +56,7 @@ pub struct Recording {
     large: bool,
 }
 
-/// What was recorded.
+/// Waveforms that were written: files, format, frame, lines and signals.
 pub struct Recorded {
     files: Vec<PathBuf>,
     format: Format,
@@ -141,7 +141,7 @@ impl Recording {
 }
 
 impl Recorded {
-    /// A line.
+    /// One line of text for people: file, frame, lines and signals.
     pub fn text(&self) -> String {
         let Self { files, frame, lines: Range { start, end }, signals, .. } = self;
         format!("{}: frame {frame}, lines {start}..{end}: {}\n", names(files)[0], signals.join(", "))

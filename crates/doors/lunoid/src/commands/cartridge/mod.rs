@@ -33,7 +33,7 @@ pub struct CartridgeCommand {
 enum Action {
     /// Run cartridges, and see that each notices its overlays.
     Run(run::Run),
-    /// List cartridges.
+    /// List cartridges with their titles.
     List(List),
     /// Print the JSON schema of cartridge.toml.
     #[command(after_help = "Example:\n  lunoid cartridge schema > cartridge.schema.json")]
@@ -51,7 +51,7 @@ impl CartridgeCommand {
     }
 }
 
-/// Which cartridges.
+/// Options that choose cartridges: name pattern and folder.
 #[derive(Debug, Args)]
 struct Choice {
     /// Name of cartridges, `*` for any run of characters; all if left out.
@@ -77,13 +77,13 @@ impl Choice {
     }
 }
 
-/// List cartridges.
+/// List cartridges with their titles.
 #[derive(Debug, Args)]
 #[command(after_help = "Example:\n  lunoid cartridge list")]
 struct List {
     #[command(flatten)]
     choice: Choice,
-    /// Print as JSON.
+    /// Print the list as JSON.
     #[arg(long)]
     json: bool,
 }

@@ -1,4 +1,4 @@
-//! `lunoid cartridge run`.
+//! `lunoid cartridge run`: runs cartridges and reports their answers.
 
 use std::path::PathBuf;
 
@@ -20,7 +20,7 @@ const AFTER: &str = "Example:
 An answer uses its tolerance up to 1. An overlay is a change of the scene under which an answer must not come out.
 The exit code is 1 if an answer is wrong or an overlay is not noticed.";
 
-/// Run cartridges.
+/// Run cartridges, and see that each notices its overlays.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER)]
 pub struct Run {
@@ -37,7 +37,7 @@ pub struct Run {
 }
 
 impl Run {
-    /// Runs.
+    /// Runs the chosen cartridges and prints their answers.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let folder = self.choice.folder.iter().map(|folder| Place::folder("--folder", folder, is_cartridge));
         expect_outputs(&Place::given([("--junit", &self.junit)]), &folder.collect::<Vec<_>>())?;

@@ -36,13 +36,13 @@ pub struct Signals {
     everything: bool,
     #[command(flatten)]
     threads: Threads,
-    /// Print as JSON.
+    /// Print the list as JSON.
     #[arg(long)]
     json: bool,
 }
 
 impl Signals {
-    /// Lists.
+    /// Lists the signals that match the given names.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let (scenario, patterns) = self.scenario();
         let listing = match scenario {
@@ -98,7 +98,7 @@ pub struct SignalListing {
     rows: Vec<Row>,
     /// Signals that the machine does not have: their blocks are left out.
     absent: Vec<Signal>,
-    /// Scenario and machine.
+    /// Names of the scenario and the machine; `None` for the table of all signals.
     of: Option<(String, String)>,
 }
 

@@ -35,7 +35,7 @@ with signal, sweep, sample, tick and both values; of a random scene the smallest
 #[derive(Debug, Args)]
 #[command(after_help = AFTER, mut_args(of_models))]
 pub struct LockstepCommand {
-    /// Scenario file.
+    /// Scenario file to draw.
     #[arg(required_unless_present = "random")]
     scenario: Option<PathBuf>,
     /// Hardware model by name or path; the scenario's own if left out.
@@ -51,7 +51,7 @@ pub struct LockstepCommand {
     /// Sweeps, from 0 at the left: S or S..T without T.
     #[arg(long, value_name = "S[..T]", conflicts_with = "random")]
     sweep: Option<Span>,
-    /// Every K-th sweep.
+    /// Compare only every K-th sweep.
     #[arg(long, value_name = "K", value_parser = values::at_least(1_u32), conflicts_with_all = ["sweep", "random"])]
     every: Option<u32>,
     /// Ideal parts in place of the model's; its raster, range programme, loader and processor stay.
@@ -75,7 +75,7 @@ pub struct LockstepCommand {
 const SWEEPS: u32 = 8;
 
 impl LockstepCommand {
-    /// Runs both.
+    /// Runs machine and interpreter, compares them and prints the report.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let pool = self.threads.pool()?;
         let told = match (self.random, self.seed, &self.scenario) {

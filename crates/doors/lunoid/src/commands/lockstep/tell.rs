@@ -16,12 +16,12 @@ pub struct Told {
 }
 
 impl Told {
-    /// Whether nothing differs.
+    /// Whether no signal, no event and no random scene differs.
     pub fn agrees(&self) -> bool {
         self.report.first_difference().is_none() && self.faults.is_empty()
     }
 
-    /// Prints it.
+    /// Prints the report as JSON or as text.
     pub fn print(&self, as_json: bool) -> Result<(), Failure> {
         if as_json { print_json(&self.json()) } else { print(&self.text()) }
     }

@@ -48,7 +48,7 @@ Several machines draw into sub-folders of one folder, exact among them, and one 
 #[derive(Debug, Args)]
 #[command(after_help = AFTER)]
 pub struct Replay {
-    /// Scenario file.
+    /// Scenario file to draw.
     scenario: PathBuf,
     #[arg(short, long, value_name = "MODEL", help = several_help())]
     machine: Vec<String>,
@@ -107,16 +107,16 @@ fn several_help() -> String {
 /// Bits of a pixel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum DepthWord {
-    /// 256 levels.
+    /// 256 levels of grey.
     #[value(name = "8")]
     Eight,
-    /// 65536 levels.
+    /// 65536 levels of grey.
     #[value(name = "16")]
     Sixteen,
 }
 
 impl Replay {
-    /// Draws.
+    /// Draws the scenario with one machine, or with several side by side.
     pub fn run(&self) -> Result<Verdict, Failure> {
         match self.machine.as_slice() {
             [] => self.alone(None),

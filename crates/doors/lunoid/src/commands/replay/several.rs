@@ -18,7 +18,7 @@ use crate::output::{print, print_json, tell};
 use crate::{Failure, Verdict};
 use front_door::{Decides, Opened, decides};
 
-/// One of them.
+/// One machine of a side-by-side replay.
 struct Entry {
     /// Its folder below that of the page.
     name: String,

@@ -20,7 +20,7 @@ pub struct Summary<'a> {
 }
 
 impl Summary<'_> {
-    /// As JSON.
+    /// The summary as a document of schema `lunoid.replay/1`.
     pub fn document(&self) -> Value {
         json!({
             "schema": "lunoid.replay/1",
@@ -35,7 +35,7 @@ impl Summary<'_> {
         })
     }
 
-    /// As text.
+    /// The summary as text for people.
     pub fn text(&self) -> String {
         let [start, end] = self.frames;
         let mut text = format!("{}: frames {start}..{end}", self.folder.display());

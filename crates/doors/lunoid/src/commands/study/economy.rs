@@ -44,7 +44,7 @@ pub struct EconomyStudy {
 }
 
 impl EconomyStudy {
-    /// Studies.
+    /// Runs the study and prints its result.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let options = &self.stage.options;
         if options.lossless || options.everything {

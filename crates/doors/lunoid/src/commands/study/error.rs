@@ -67,7 +67,7 @@ pub struct ErrorStudy {
 }
 
 impl ErrorStudy {
-    /// Studies.
+    /// Runs the study and prints its result.
     pub fn run(&self) -> Result<Verdict, Failure> {
         self.stage.expect_machine("a study holds a machine against the closed form")?;
         self.outputs.expect_apart(|file| is_of("error", file), &self.stage.sources())?;

@@ -37,7 +37,7 @@ enum Study {
 }
 
 impl StudyCommand {
-    /// Studies.
+    /// Runs the chosen study and prints its result.
     pub fn run(&self) -> Result<Verdict, Failure> {
         match &self.study {
             Study::Error(study) => study.run(),

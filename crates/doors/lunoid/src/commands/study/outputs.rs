@@ -10,16 +10,16 @@ use study::report::make_folder;
 use crate::Failure;
 use crate::output::{Place, expect_outputs, print, print_json, tell};
 
-/// Where results go.
+/// Options that say where the results of a study go.
 #[derive(Debug, Args)]
 pub struct Outputs {
     /// Folder for tables and plots.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// No progress.
+    /// Do not show any progress.
     #[arg(long)]
     no_progress: bool,
-    /// Print as JSON.
+    /// Print the result as JSON.
     #[arg(long)]
     json: bool,
 }
@@ -48,7 +48,7 @@ impl Outputs {
         Ok(())
     }
 
-    /// Prints a result.
+    /// Prints a result: `document` with `--json`, otherwise `text`.
     pub fn print(&self, document: &Value, text: &str) -> Result<(), Failure> {
         if self.json { print_json(document) } else { print(text) }
     }

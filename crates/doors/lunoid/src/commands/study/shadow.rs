@@ -86,7 +86,7 @@ fn elevation(text: &str) -> Result<f64, String> {
 }
 
 impl ShadowStudy {
-    /// Studies.
+    /// Runs the study and prints its result.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let stage = StageArgs::of(&self.scenario);
         let vehicle = self.vehicle.iter().map(|shape| Place::file("--vehicle", shape));

@@ -61,7 +61,7 @@ pub struct StabilityStudy {
 const SURVEY: &str = "survey";
 
 impl StabilityStudy {
-    /// Studies.
+    /// Runs the study and prints its result.
     pub fn run(&self) -> Result<Verdict, Failure> {
         self.check_rows()?;
         let sources = self.scenario.as_deref().map_or(Vec::new(), |file| StageArgs::of(file).sources());

@@ -34,10 +34,10 @@ pub struct Record {
     /// Frames to record, counted at the update rate: A..B without B. The first two if left out.
     #[arg(long, value_name = "A..B")]
     frames: Option<Span>,
-    /// File to write.
+    /// File of the timing record to write.
     #[arg(short, long, value_name = "FILE")]
     out: PathBuf,
-    /// No progress.
+    /// Do not show any progress.
     #[arg(long)]
     no_progress: bool,
     /// Print the totals as JSON.
@@ -46,7 +46,7 @@ pub struct Record {
 }
 
 impl Record {
-    /// Records.
+    /// Records the timing of the frames and writes the record.
     pub fn run(&self) -> Result<Verdict, Failure> {
         expect_outputs(&[Place::file("--out", &self.out)], &self.stage.sources())?;
         let usual = |opened: &Opened| choose(opened, self.frames, first(USUAL_FRAMES));
@@ -103,7 +103,7 @@ pub struct Check {
     /// Write the result as JUnit XML as well.
     #[arg(long, value_name = "FILE")]
     junit: Option<PathBuf>,
-    /// No progress.
+    /// Do not show any progress.
     #[arg(long)]
     no_progress: bool,
     /// Print the comparison as JSON.
@@ -112,7 +112,7 @@ pub struct Check {
 }
 
 impl Check {
-    /// Compares.
+    /// Measures the frames and compares their timing with the baseline.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let sources = [vec![Place::file("--baseline", &self.baseline)], self.stage.sources()].concat();
         expect_outputs(&Place::given([("--junit", &self.junit)]), &sources)?;

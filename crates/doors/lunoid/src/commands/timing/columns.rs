@@ -33,7 +33,7 @@ pub struct Columns {
     /// Draw both pictures, their difference, and a strip with the class of every column.
     #[arg(short, long, value_name = "PNG|SVG")]
     out: Option<PathBuf>,
-    /// No progress.
+    /// Do not show any progress.
     #[arg(long)]
     no_progress: bool,
     /// Print columns, their lines and the totals as JSON.
@@ -42,7 +42,7 @@ pub struct Columns {
 }
 
 impl Columns {
-    /// Traces.
+    /// Draws the frame, traces its differing columns and prints them.
     pub fn run(&self) -> Result<Verdict, Failure> {
         expect_outputs(&Place::pictures([("--out", &self.out)]), &self.chosen.stage.sources())?;
         let (rehearsal, frames) =

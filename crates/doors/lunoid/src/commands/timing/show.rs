@@ -61,7 +61,7 @@ pub struct Show {
     /// List every miss of these sweeps as well: columns of the picture, from 0 at the left.
     #[arg(long, value_name = "S[..T]")]
     misses: Option<Span>,
-    /// No progress.
+    /// Do not show any progress.
     #[arg(long)]
     no_progress: bool,
     /// Print record, totals and critical path as JSON.
@@ -69,10 +69,10 @@ pub struct Show {
     json: bool,
 }
 
-/// Level of terrain.
+/// Level of terrain whose timeline is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum LevelWord {
-    /// The finest.
+    /// The finest level of terrain.
     Fine,
     /// That of far mountains.
     Coarse,
@@ -88,7 +88,7 @@ fn pair_of_ranges(text: &str) -> Result<[f64; 2], String> {
 }
 
 impl Show {
-    /// Shows.
+    /// Prints the timing of the frames and draws the plots asked for.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let plots = [("--out", &self.out), ("--utilisation", &self.utilisation), ("--slack", &self.slack)];
         expect_outputs(&Place::pictures(plots), &self.stage.sources())?;
