@@ -245,18 +245,26 @@ impl<'a> Registers<'a> {
             self.changes.push(Change { time, fold: Some((axis, at_one)), hold: self.hold });
             return;
         }
+        self.transfer(axis, at_one, time);
         for colour in colours {
-            let Set { corner, words } = self.first[axis][colour];
-            self.hold[colour] = words;
+            let Set { corner, .. } = self.first[axis][colour];
             self.note(seen, Happening::Transfer { colour, register: PRELOADS[axis], crossing, corner });
             self.overwrite(colour, axis, seen);
             self.sort_out(colour, axis, seen, crossing);
             self.corner[colour][axis] += 2 * self.start.heading[axis];
         }
-        self.changes.push(Change { time, fold: Some((axis, at_one)), hold: self.hold });
         for colour in colours {
             self.renew(axis, colour, crossing, seen);
         }
+    }
+
+    /// Hold takes what waits for a stop of `axis`. The stop at which the stored ground ends does so too, though it is nobody's event:
+    /// parts that run ahead of the beam see it.
+    pub fn transfer(&mut self, axis: usize, at_one: bool, time: f64) {
+        for colour in colours_at(axis, at_one) {
+            self.hold[colour] = self.first[axis][colour].words;
+        }
+        self.changes.push(Change { time, fold: Some((axis, at_one)), hold: self.hold });
     }
 
     /// What waits in the other preload register of a colour that moves is of no use, full or not.

@@ -151,6 +151,7 @@ impl Walker<'_> {
             let at_one = self.ramps[axis].fold();
             if self.is_outside() {
                 self.found.edge = Some(range);
+                self.registers.transfer(axis, at_one, time);
                 // The stop at the edge, and all that the same tick sees, is nobody's.
                 self.found.last_tick = self.found.last_tick.min(self.clock.seen(time) - 1);
                 return false;
