@@ -18,14 +18,14 @@ const UNDECIDED: f64 = 1e-6;
 /// Nearer to one another than this share of their range, rounding decides which of two stops comes first.
 const SAME_PLACE: f64 = 1e-12;
 
-/// One sample.
+/// Signals of a terrain generator at one sample.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sample {
-    /// Folded ramps.
+    /// Folded ramps X and Y (regions, 0..=1).
     pub ramps: [f64; 2],
     /// What the array gives.
     pub sums: Sums,
-    /// Height (m).
+    /// Height of the terrain (m).
     pub height: f64,
     /// Slopes to the north and to the east.
     pub slopes: [f64; 2],
@@ -36,7 +36,7 @@ pub struct Sample {
 pub struct Walk {
     /// Samples on the way.
     pub samples: Vec<Sample>,
-    /// Event list.
+    /// Events of the registers on the way.
     pub events: Vec<Event>,
     /// Instants of the stops, in accumulator steps from the first sample, with axis (0 is X).
     pub stops: Vec<(f64, usize)>,
@@ -51,13 +51,13 @@ pub struct Walk {
 /// Which generator, and how far.
 #[derive(Debug, Clone, Copy)]
 pub struct Course<'a> {
-    /// Its ground.
+    /// Level of terrain that the generator walks over.
     pub level: &'a Level,
     /// Corners that its storage buffer has not when the frame begins.
     pub missing: &'a Arrivals,
     /// 0 fine, 1 coarse.
     pub number: usize,
-    /// How words come.
+    /// Loader that brings the words.
     pub loader: &'a Loader,
     /// Cosine and sine of the azimuth.
     pub direction: [f64; 2],
