@@ -148,7 +148,7 @@ pub struct DigitalEvent {
     pub level: Option<usize>,
     /// Fold of the sweep, from 0: the stop itself, or the one that asked.
     pub crossing: Option<u32>,
-    /// The fold at this stop: its ramp and its stop.
+    /// Fold that the event is about: its ramp and its stop.
     pub fold: Option<Fold>,
     /// Colour whose registers take part.
     pub colour: Option<Colour>,
