@@ -34,7 +34,7 @@ pub enum Block {
     Mixing,
     /// Projection processor and write gun, which are joined by the beam's gate.
     Beam,
-    /// Storage tubes.
+    /// Storage tubes of the sweep memory.
     Memory,
     /// Output amplifiers of the main signals.
     Amplifiers,

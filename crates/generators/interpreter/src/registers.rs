@@ -72,7 +72,7 @@ pub struct Start<'a> {
     pub rising: [Option<bool>; 2],
     /// Where the processor serves the crossings, what stands before the sets of each.
     pub interrupts: Interrupts<'a>,
-    /// Level of terrain.
+    /// Level of terrain: 0 fine, 1 coarse.
     pub level: usize,
 }
 
@@ -81,7 +81,7 @@ pub struct Start<'a> {
 pub struct Registers<'a> {
     /// What feeds the D/A multipliers: `[colour][3 p + q]`.
     pub hold: [[f64; 9]; 4],
-    /// What has happened.
+    /// Events of the registers so far.
     pub events: Vec<Event>,
     /// Folds and arrivals of words, in order.
     pub changes: Vec<Change>,
@@ -104,7 +104,7 @@ pub struct Registers<'a> {
 }
 
 impl<'a> Registers<'a> {
-    /// All registers full.
+    /// Makes the registers as a sweep begins: all of them full.
     pub fn at_start(
         (level, missing): (&'a Level, &'a Arrivals),
         loader: &'a Loader,

@@ -13,8 +13,8 @@ use crate::levels::{GroundSample, Terrain, terrain};
 use crate::light::Light;
 use crate::loads::{Loads, Passing, craters};
 use crate::mixing::{Inputs, mix, texture};
-use crate::parts::ReflectivityStage;
 use crate::output_amplifiers::OutputAmplifiers;
+use crate::parts::ReflectivityStage;
 use crate::projector::{Circuit, Deflection, Rim, elevation, shown};
 use crate::scene::SceneData;
 use crate::shadows::segments;
@@ -42,6 +42,9 @@ pub struct Record {
     pub loads_undecided: bool,
     /// Instants of the stops of the fine level, in accumulator steps from the first sample, with axis (0 is X).
     pub stops: Vec<(f64, usize)>,
+    /// How near the accumulators of either level came to another word of a converter, by sample, as far back as parts remember (full
+    /// scales).
+    pub stairs: Vec<f64>,
     /// Samples within the stored ground.
     pub samples: usize,
     /// Whether the sweep left the stored ground before its end.
@@ -129,6 +132,12 @@ impl Walker<'_> {
         for (name, walk, level) in levels {
             let region_size = level.map_or(1.0, Level::region_size);
             self.record.signals.extend(wires::of(name, &walk.samples, region_size));
+            let stairs = &mut self.record.stairs;
+            stairs.resize(stairs.len().max(walk.samples.len()), f64::INFINITY);
+            stairs
+                .iter_mut()
+                .zip(&walk.samples)
+                .for_each(|(least, sample)| *least = least.min(sample.stairs));
         }
     }
 

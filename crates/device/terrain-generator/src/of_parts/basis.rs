@@ -52,14 +52,14 @@ pub struct AxisState<S> {
 /// What the generators of an axis are fed with.
 #[derive(Debug, Clone, Copy)]
 pub struct Fed<S> {
-    /// Ramp and complement.
+    /// Values of the ramp and of its complement.
     ends: Both<S>,
     /// Where they fall in broken lines.
     places: [BankPlace<S>; 2],
 }
 
 impl<S: Real> Fed<S> {
-    /// The ramp.
+    /// Returns the values of the ramp.
     pub fn ramp(&self) -> Lanes<S> {
         self.ends.wire(0)
     }
@@ -224,7 +224,11 @@ fn broken<S: Real>(segments: u32, knee: f64) -> [FunctionGenerator<S>; CURVES] {
     std::array::from_fn(|curve| {
         let order = curve % 3;
         let share = |z| {
-            if curve < 3 { values(z)[order] / PEAKS[order] } else { derivatives(z)[order] / SLOPE_PEAKS[order] }
+            if curve < 3 {
+                values(z)[order] / PEAKS[order]
+            } else {
+                derivatives(z)[order] / SLOPE_PEAKS[order]
+            }
         };
         FunctionGenerator::new(&law, share)
     })

@@ -1,5 +1,7 @@
 //! All parts of an array along one sweep, one after the other, sample by sample.
 
+use std::collections::VecDeque;
+
 use landscape::Level;
 
 use super::drawn::Drawn;
@@ -84,8 +86,7 @@ struct Accumulators {
 impl Accumulators {
     fn new(sweep: &Sweep<'_>) -> Self {
         let of = |axis: usize| {
-            let of_axis =
-                |change: &&Change| change.fold.is_some_and(|(folded, _)| folded == axis);
+            let of_axis = |change: &&Change| change.fold.is_some_and(|(folded, _)| folded == axis);
             sweep.changes.iter().filter(of_axis).count()
         };
         Self { ramps: sweep.ramps.clone(), folds: [of(0), of(1)] }
@@ -195,6 +196,8 @@ struct Chain<'a> {
     cells: [Vec<CellCircuit<'a>>; 3],
     trees: [TreeCircuit; 3],
     sums: [f64; 3],
+    /// How near the accumulators were to another word of their converters, in the steps that the parts remember.
+    stairs: VecDeque<f64>,
 }
 
 impl<'a> Chain<'a> {
@@ -209,9 +212,8 @@ impl<'a> Chain<'a> {
         let (polarity, turned) = polarity_by(sweep, words, by);
         let ramps = [0, 1].map(|axis| RampCircuit::at_rest(figures.ramps[axis], step, accumulators[axis]));
         let ramp = [0, 1].map(|axis| ramps[axis].output());
-        let functions = [0, 1].map(|axis| {
-            FunctionCircuits::at_rest(figures.functions[axis], step, ramp[axis], sweep.drawn)
-        });
+        let functions = [0, 1]
+            .map(|axis| FunctionCircuits::at_rest(figures.functions[axis], step, ramp[axis], sweep.drawn));
         let signed = [0, 1].map(|axis| with_signs(&functions[axis].outputs, polarity[axis]));
         let cells = [0, 1, 2].map(|sum| {
             let cells = figures.cells[sum].iter().zip(&words.taken[sum]).enumerate();
@@ -228,7 +230,8 @@ impl<'a> Chain<'a> {
             tree
         });
         let turns = &words.turns[turned..];
-        Self { sweep, figures, turns, polarity, ramps, ramp, functions, signed, cells, trees, sums }
+        let stairs = VecDeque::from(vec![f64::INFINITY; figures.memory()]);
+        Self { sweep, figures, turns, polarity, ramps, ramp, functions, signed, cells, trees, sums, stairs }
     }
 
     /// Height on the wire (m).
@@ -249,6 +252,10 @@ impl<'a> Chain<'a> {
             self.turns = &self.turns[1..];
         }
         let was = self.signed;
+        self.stairs.pop_front();
+        self.stairs.push_back(
+            self.ramps[0].to_the_next_word(before[0]).min(self.ramps[1].to_the_next_word(before[1])),
+        );
         for axis in 0..2 {
             self.ramp[axis] = self.ramps[axis].step(before[axis], now[axis]);
             self.functions[axis].step(self.ramp[axis]);
@@ -287,6 +294,7 @@ impl<'a> Chain<'a> {
             sums: self.wires(),
             height: height * scales.height + scales.datum + trim,
             slopes: [u * scales.slope / d, v * scales.slope / d],
+            stairs: self.stairs.iter().copied().fold(f64::INFINITY, f64::min),
         };
     }
 
@@ -297,7 +305,8 @@ impl<'a> Chain<'a> {
         for fed in 0..4 {
             for order in 0..3 {
                 let output = |slope: usize| {
-                    self.functions[fed / 2].outputs[6 * slope + 3 * (fed % 2) + order] * PEAKS[3 * slope + order]
+                    self.functions[fed / 2].outputs[6 * slope + 3 * (fed % 2) + order]
+                        * PEAKS[3 * slope + order]
                 };
                 (sums.functions[fed][order], sums.derivatives[fed][order]) = (output(0), output(1));
             }
@@ -354,4 +363,3 @@ fn factors(signed: &[[f64; 12]; 2], sum: usize, term: usize) -> [f64; 2] {
 fn peaks(sum: usize, term: usize) -> [f64; 2] {
     units(sum, term).map(|unit| PEAKS[3 * (unit / 6) + unit % 3])
 }
-

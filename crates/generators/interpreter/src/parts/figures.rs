@@ -178,11 +178,8 @@ pub fn figures(step: f64, level: &Level, parts: &AnalogParts, drawn: &Drawn<'_>,
     let switching = parts.multiplying_dac.switching;
     let on_ramp = parts.sweep.fold_detect == FoldDetect::Comparator;
     let found = nominal.delay(step) + parts.comparator.delay;
-    let (to_polarity, to_words) = if on_ramp {
-        (found, found + switching)
-    } else {
-        (to_functions, to_converters.max(switching))
-    };
+    let (to_polarity, to_words) =
+        if on_ramp { (found, found + switching) } else { (to_functions, to_converters.max(switching)) };
     let stop = |number: usize| {
         let (deviates, late) = ("stop", parts.comparator);
         let delay = draw.figure(deviates, number, late.delay, sigma::SWITCHING);
@@ -211,6 +208,18 @@ pub fn figures(step: f64, level: &Level, parts: &AnalogParts, drawn: &Drawn<'_>,
         found,
         stops: on_ramp.then(|| std::array::from_fn(stop)),
         preset: parts.sweep.preset,
+    }
+}
+
+impl Figures {
+    /// Steps for which parts remember a change, down to e^-20 of it.
+    pub fn memory(&self) -> usize {
+        let ramps = self.ramps.iter().flat_map(|ramp| [ramp.settle, ramp.smoother]);
+        let functions = self.functions.iter().flatten().map(|function| function.tau);
+        let cells = self.cells.iter().flatten().flat_map(|cell| [cell.tau, cell.converter_tau]);
+        let amplifiers = self.trees.iter().flatten().flatten().map(|amplifier| amplifier.tau);
+        let slowest = ramps.chain(functions).chain(cells).chain(amplifiers).fold(0.0, f64::max);
+        ((20.0 * slowest + self.lead) / self.step).ceil() as usize + 1
     }
 }
 
