@@ -14,7 +14,7 @@ use crate::light::Light;
 use crate::loads::{Loads, Passing, craters};
 use crate::mixing::{Inputs, mix, texture};
 use crate::output_amplifiers::OutputAmplifiers;
-use crate::parts::ReflectivityStage;
+use crate::parts::{Array, ReflectivityStage};
 use crate::projector::{Circuit, Deflection, Rim, elevation, shown};
 use crate::scene::SceneData;
 use crate::shadows::segments;
@@ -87,6 +87,13 @@ pub fn interpret(scene: &SceneData<'_>, sweep: u32, given: &Given<'_>) -> Record
     // The gate of another sweep's set-up comes with the times of that sweep.
     let lines = if set_up == sweep { given.lines } else { &[] };
     walker.finish(terrain, [craters(scene, &passing), segments(scene, &passing, lines)])
+}
+
+/// The array of real parts of a level (0 fine, 1 coarse) as sweep `sweep` drives it; none where the level or its parts are not there.
+pub fn array(scene: &SceneData<'_>, sweep: u32, given: &Given<'_>, level: usize) -> Option<Array> {
+    let direction = direction(scene, given.frame.set_ups[sweep as usize]);
+    let Terrain { fine, coarse, .. } = terrain(scene, sweep, direction, given);
+    [Some(fine), coarse].into_iter().nth(level)??.array
 }
 
 /// Height and slopes of the terrain behind their amplifiers.

@@ -6,7 +6,7 @@ use landscape::Level;
 use crate::clock::Clock;
 use crate::drums::Arrivals;
 use crate::event::Event;
-use crate::parts::{Drawn, Figures, Sweep, pass};
+use crate::parts::{Array, Drawn, Figures, Sweep};
 use crate::ramp::Ramp;
 use crate::registers::{Registers, Start};
 use crate::scene::SceneData;
@@ -55,6 +55,8 @@ pub struct Walk {
     pub undecided: Vec<i64>,
     /// The last tick of the walk.
     pub last_tick: i64,
+    /// The array of real parts as the sweep drives it, where there is one.
+    pub array: Option<Array>,
 }
 
 /// Which generator, and how far.
@@ -126,7 +128,9 @@ pub fn walk(scene: &SceneData<'_>, course: &Course<'_>, ranges: &[f64]) -> Walk 
             changes: &changes,
             number: scene.frame * sweeps + u64::from(course.sweep),
         };
-        pass(&sweep, figures, &mut found.samples);
+        let array = Array::of(&sweep, figures, found.samples.len());
+        array.pass(&sweep, &mut found.samples);
+        found.array = Some(array);
     }
     found
 }
@@ -167,6 +171,8 @@ impl Walker<'_> {
             self.found.stops.push((time, axis));
         }
         if to > self.course.until {
+            // Parts run ahead of the beam: they see what still comes before the end of the ground asked for.
+            self.registers.receive(start + (self.course.until - from) / (to - from));
             return false;
         }
         self.registers.receive(start + 1.0);
