@@ -17,6 +17,7 @@ mod compare;
 mod engines;
 mod events;
 pub mod random;
+mod random_parts;
 mod report;
 pub mod scene;
 pub mod shrink;

@@ -11,6 +11,7 @@ use scenario::{
     Curvature, FeatureLight, Occlusion, Projection, RangeLaw, RangeProgramme, ShadowFineness, TextureInShadow,
 };
 
+use crate::random_parts::parts;
 use crate::scene::{ComparedScene, UPDATE_HZ, level_of};
 
 /// Throws that depend on the seed and their number alone.
@@ -126,6 +127,10 @@ pub fn landscape(seed: u64) -> ComparedScene {
     }
     if dice.count(0, 9) == 0 {
         shadows(&mut dice, &mut scene);
+    }
+    let mut dice = Dice::new(seed ^ 0x7061_7274);
+    if dice.count(0, 2) == 0 {
+        scene.parts = (parts(&mut dice, scene.step()), seed);
     }
     scene
 }

@@ -6,8 +6,8 @@ use control_plane::MachineStage;
 use features::{Crater, Features};
 use generator::{FrameCounts, FrameError, PlaneKind, Planes};
 use hardware_model::{
-    Cpu, DataBanks, FeatureParts, HardwareModel, LatePolicy, LevelSwitch, Loader, Raster, Settings,
-    ShadowParts, SweepMemoryKind,
+    AnalogParts, Cpu, DataBanks, FeatureParts, HardwareModel, LatePolicy, LevelSwitch, Loader, Raster,
+    Settings, ShadowParts, SweepMemoryKind,
 };
 use landscape::{Attitude, Bank, CornerWords, Landscape, Layer, Level, Photometry, Source, Sun, Texture};
 use machine::Prepare;
@@ -85,6 +85,8 @@ pub struct ComparedScene {
     pub segment_words: Option<f64>,
     /// Turn of the view from frame to frame (rad).
     pub turn: f64,
+    /// Real parts, and the seed that draws their figures and their noise.
+    pub parts: (AnalogParts, u64),
 }
 
 /// What a generator made of a scene.
@@ -145,6 +147,7 @@ impl ComparedScene {
             shadow_controller: ShadowParts::Digital { line_generators: None },
             segment_words: None,
             turn: 0.0,
+            parts: (AnalogParts::ideal(), 0),
         }
     }
 
@@ -156,6 +159,11 @@ impl ComparedScene {
     /// Blanked accumulator steps a sweep.
     pub fn retrace(&self) -> u32 {
         self.samples / 4
+    }
+
+    /// Length of a sample (s).
+    pub fn step(&self) -> f64 {
+        1.0 / (UPDATE_HZ as f64 * f64::from(self.sweeps) * f64::from(self.samples + self.retrace()))
     }
 
     /// The stage of the scene.
@@ -221,6 +229,8 @@ impl ComparedScene {
             shadows: self.shadows,
             shadow_controller: self.shadow_controller,
             segment_words: self.segment_words,
+            analog: self.parts.0.clone(),
+            seed: self.parts.1,
             ..ideal
         }
     }

@@ -1,6 +1,6 @@
 //! A scene that differs, made as small as it can be while it still differs.
 
-use hardware_model::LatePolicy;
+use hardware_model::{AmplifierParts, AnalogParts, FunctionGeneratorParts, LatePolicy, SweepParts};
 use landscape::Photometry;
 use scenario::{Curvature, Occlusion, Projection, RangeLaw};
 
@@ -22,6 +22,16 @@ const STEPS: &[(&str, Step)] = &[
     ("the second half of the craters", |scene| {
         let half = scene.craters.len() / 2;
         changed(scene, |scene| drop(scene.craters.drain(..half)))
+    }),
+    ("ideal parts", |scene| changed(scene, |scene| scene.parts.0 = AnalogParts::ideal())),
+    ("one-pole parts", |scene| {
+        changed(scene, |scene| {
+            let parts = &mut scene.parts.0;
+            (parts.sweep, parts.amplifier) = (SweepParts::IDEAL, AmplifierParts::IDEAL);
+        })
+    }),
+    ("exact function generators", |scene| {
+        changed(scene, |scene| scene.parts.0.function_generator = FunctionGeneratorParts::IDEAL)
     }),
     ("Lambert's law", |scene| changed(scene, |scene| scene.photometry = Photometry::Lambert)),
     ("wired transfers", |scene| {
@@ -109,7 +119,7 @@ impl Shrunk {
         format!(
             "{sweeps} sweeps of {samples} samples over {north} x {east} corners of {} m from {:?} m; {} craters {craters:?}; \
              {} layers of texture; {:?}; {} levels; eye {eye:?} m, heading {heading} rad, pitch {pitch} rad; {laws:?}; {range:?}; \
-             loader {:?}; made simpler: {}",
+             loader {:?}; parts {:?}; made simpler: {}",
             level.region_size(),
             level.origin(),
             craters.len(),
@@ -117,6 +127,7 @@ impl Shrunk {
             self.scene.photometry,
             1 + usize::from(self.scene.coarse.is_some()),
             self.scene.loader,
+            self.scene.parts,
             if self.left_out.is_empty() { "nothing".to_owned() } else { self.left_out.join(", ") },
         )
     }

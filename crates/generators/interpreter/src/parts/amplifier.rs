@@ -61,9 +61,14 @@ impl AmplifierCircuit {
     }
 
     fn walk(&mut self, ends: [f64; 2]) {
-        let (mut at, mut length) = (0.0, 1.0_f64);
+        if self.figures.tau == 0.0 {
+            self.state[0] = ends[0];
+        }
+        // Against a shorter time constant a long step would go to and fro, and so would its halves.
+        let longest = if self.figures.tau > 0.0 { 0.25 * self.figures.tau / self.step } else { 1.0 };
+        let (mut at, mut length) = (0.0, longest);
         while at < 1.0 {
-            length = length.min(1.0 - at);
+            length = length.min(longest).min(1.0 - at);
             let whole = self.runge_kutta(self.state, ends, at, length);
             let half = self.runge_kutta(self.state, ends, at, 0.5 * length);
             let both = self.runge_kutta(half, ends, at + 0.5 * length, 0.5 * length);
@@ -95,7 +100,10 @@ impl AmplifierCircuit {
     fn rates(&self, [y, excess]: [f64; 2], [u0, u1]: [f64; 2], at: f64) -> [f64; 2] {
         let AmplifierFigures { tau, slew, saturation, recovery } = self.figures;
         let input = u0 + (u1 - u0) * at;
-        let rate = ((input - y) / tau).clamp(-slew, slew);
+        let follows_at_once = tau == 0.0;
+        let y = if follows_at_once { input } else { y };
+        let rate =
+            if follows_at_once { (u1 - u0) / self.step } else { ((input - y) / tau).clamp(-slew, slew) };
         let beyond = y - y.clamp(-saturation, saturation);
         let fills = if recovery > 0.0 { (beyond - excess) / recovery } else { 0.0 };
         [rate * self.step, fills * self.step]
