@@ -217,8 +217,12 @@ fn warm_up(h: f64, chain: &[f64], parts: &AnalogParts) -> i64 {
     let swing = amplifier.slew.map_or(0.0, |slew| 2.0 * parts.full_scale / slew);
     let overload = amplifier.saturation.map_or(0.0, |_| 7.0 * amplifier.recovery);
     let settled = 37.0 * slowest + 4.0 * chain.iter().sum::<f64>() + swing;
-    (settled.max(overload) / h).ceil().min(4_294_967_296.0) as i64
+    (settled.max(overload) / h).ceil().min(4_294_967_296.0) as i64 + HELD
 }
+
+/// Samples that an array at rest has not seen yet, whatever its time constants: a staircase takes the word of the sample before, and
+/// leaks of multipliers, and then of D/As, are the change since the sample before.
+const HELD: i64 = 3;
 
 /// Whoever looks inside the array, sample by sample; `()` is nobody.
 pub(crate) trait Tap<S> {
